@@ -1,0 +1,54 @@
+# How every part of the house is built: one set of flags, one function for a module, one for its tests.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+find_package(Threads REQUIRED)
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(karinui_flags INTERFACE)
+target_compile_options(karinui_flags INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-warning-option
+  # The same operations must give the same bits: no contraction of a*b+c, no reordering of sums.
+  -ffp-contract=off -fno-fast-math
+  -fstack-protector-strong -ffile-prefix-map=${CMAKE_SOURCE_DIR}=.)
+if(KARINUI_WERROR)
+  target_compile_options(karinui_flags INTERFACE -Werror)
+endif()
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  target_compile_definitions(karinui_flags INTERFACE _FORTIFY_SOURCE=2 _GLIBCXX_ASSERTIONS)
+endif()
+if(KARINUI_SANITIZE)
+  target_compile_options(karinui_flags INTERFACE -fsanitize=${KARINUI_SANITIZE} -fno-omit-frame-pointer -O1 -g)
+  target_link_options(karinui_flags INTERFACE -fsanitize=${KARINUI_SANITIZE})
+endif()
+
+# karinui_module(cloth USES geometry pattern body LINKS Eigen3::Eigen): the library karinui_cloth from src/cloth/**.cpp,
+# its public headers include/karinui/cloth. USES are public, LINKS private.
+function(karinui_module name)
+  cmake_parse_arguments(A "" "" "USES;LINKS" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(karinui_${name} STATIC ${sources})
+  target_include_directories(karinui_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  list(TRANSFORM A_USES PREPEND karinui_)
+  target_link_libraries(karinui_${name} PUBLIC ${A_USES} PRIVATE karinui_flags ${A_LINKS})
+endfunction()
+
+# karinui_tests(cloth): the program test_cloth from tests/cloth/**_test.cpp, each of its tests known to ctest.
+function(karinui_tests name)
+  cmake_parse_arguments(A "" "" "LINKS" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*_test.cpp)
+  if(NOT sources OR NOT TARGET karinui_${name})
+    return()
+  endif()
+  add_executable(test_${name} ${sources})
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src)
+  target_compile_definitions(test_${name} PRIVATE
+    KARINUI_SOURCE_DIR="${PROJECT_SOURCE_DIR}" KARINUI_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
+  target_link_libraries(test_${name} PRIVATE karinui_${name} ${A_LINKS} karinui_flags GTest::gtest GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(test_${name} PROPERTIES TIMEOUT 600 DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,26 @@
+#pragma once
+// Numbers as text, always in the "C" way (point as decimal sign), whatever the person's locale.
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "karinui/base/result.h"
+
+namespace karinui {
+
+// The whole text as one finite number; nothing if any of it is something else.
+std::optional<double> parseNumber(std::string_view text);
+
+// A length: "88cm", "12mm", "0.3m", "5in", or a bare number in metres.
+Result<double> parseLength(std::string_view text);
+
+// An angle: "30deg", "0.5rad", or a bare number in radians.
+Result<double> parseAngle(std::string_view text);
+
+// The shortest text that reads back as the same double.
+std::string shortest(double value);
+
+// Fixed decimals, no negative zero: fixed(1.2345, 2) == "1.23".
+std::string fixed(double value, int decimals);
+
+}  // namespace karinui

@@ -1,0 +1,28 @@
+#pragma once
+// What a tape says of a person. Keys are the ISO 8559-1 names in snake case (bust_girth, waist_girth, height, …), in
+// metres; shoulder_slope and arm_angle in radians. FreeSewing, GarmentCode and Valentina names are accepted as aliases.
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "karinui/base/result.h"
+
+namespace karinui {
+
+enum class Sex { Female, Male };  // which family of body shapes a mannequin is made from
+
+struct Measurements {
+  Sex sex = Sex::Female;
+  std::map<std::string, double> value;  // only what is stated or measured
+  bool operator==(const Measurements&) const = default;
+};
+
+// "waist", "waistGirth", "waist_girth" -> "waist_girth"; an unknown name lists near ones.
+Result<std::string> measurementKey(std::string_view anyName);
+std::span<const std::string_view> measurementKeys();
+// "jis9ar", "eu38", "eu50"
+Result<Measurements> builtInSize(std::string_view name);
+std::span<const std::string_view> builtInSizes();
+
+}  // namespace karinui

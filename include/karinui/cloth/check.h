@@ -1,0 +1,20 @@
+#pragma once
+// An examiner that shares no code with the solver: exact triangle tests against the body's mesh, not its field.
+#include "karinui/body/body.h"
+#include "karinui/cloth/cloth.h"
+#include "karinui/cloth/settle.h"
+
+namespace karinui {
+
+struct ClothCheck {
+  bool finite = true;
+  double penetration = 0;               // metres: deepest of all nodes and face samples below the body's mesh
+  std::size_t clothBodyCrossings = 0;   // pairs of faces
+  std::size_t clothClothCrossings = 0;  // pairs of faces that share no node and no tie
+  double seamGap = 0;                   // metres, widest
+  StrainReport strain;
+  std::size_t vertices = 0;
+};
+ClothCheck check(const Cloth& cloth, const ClothState& state, const Body* body);
+
+}  // namespace karinui

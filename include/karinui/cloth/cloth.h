@@ -1,0 +1,58 @@
+#pragma once
+// Cloth = what is fixed (lattices, fabrics, ties, masses); ClothState = what moves. A Cloth is built once per change of the
+// pattern and shared.
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "karinui/cloth/fabric.h"
+#include "karinui/pattern/lattice.h"
+
+namespace karinui {
+
+struct ClothPiece {
+  PieceId id;
+  std::string name;
+  std::shared_ptr<const Lattice> lattice;
+  Fabric fabric;
+  std::uint32_t firstNode = 0;  // the piece's lattice node k is cloth node firstNode + k
+  int layer = 0;
+  bool live = true;             // false: rigid or frozen, its nodes do not move and act as a fixed boundary
+};
+
+struct Tie {  // of cloth nodes; see SeamTie
+  std::uint32_t a = 0, b = 0, c = kNoNode;
+  std::uint32_t seam = 0;  // index into Cloth::seams
+};
+
+struct Cloth {
+  double spacing = 0;
+  std::vector<ClothPiece> pieces;
+  std::vector<SeamId> seams;
+  std::vector<Tie> ties;
+  std::vector<std::uint32_t> pinned;  // nodes held where they are in the starting state
+  std::uint32_t nodeCount = 0;
+};
+
+struct ClothState {
+  std::vector<Vec3> position;  // one per cloth node
+};
+
+struct ClothChoice {
+  std::map<PieceId, bool> live;                       // missing: live unless the piece is frozen
+  std::map<PieceId, std::vector<Flat>> pins;          // paper places; the nodes within `pinRadius` of each are held
+  double pinRadius = 0.01;
+};
+
+// Puts a laid pattern's pieces, fabrics and ties together as one cloth.
+Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const std::map<std::string, Fabric>& fabrics,
+                       const ClothChoice& choice);
+
+// Where every node is when each piece stands as its form and pose say.
+ClothState standing(const Pattern& pattern, const Cloth& cloth);
+
+// The form a state leaves for one of its pieces (in space, so the piece's pose becomes identity).
+std::shared_ptr<const Form> formOf(const Cloth& cloth, const ClothState& state, std::size_t piece);
+
+}  // namespace karinui

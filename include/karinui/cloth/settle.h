@@ -1,0 +1,82 @@
+#pragma once
+// Settle: from where the cloth stands straight to rest on the body. Deterministic: the same input gives the same bits for
+// any number of threads. The report does not flatter.
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "karinui/base/token.h"
+#include "karinui/base/workers.h"
+#include "karinui/body/body.h"
+#include "karinui/cloth/cloth.h"
+
+namespace karinui {
+
+// What cloth may not enter. Two kinds: the body's distance field (default) and the historical merged planes.
+class Collider {
+ public:
+  virtual ~Collider() = default;
+  struct Contact {
+    double distance = 0;  // negative inside
+    Vec3 normal;          // unit, out of the body
+  };
+  virtual Contact contact(Vec3 place) const = 0;                       // thread-safe
+  virtual bool mayTouch(Vec3 place, double within) const = 0;          // cheap rejection
+};
+std::unique_ptr<Collider> fieldCollider(BodyPtr body);
+struct MergeReport {
+  std::size_t facesBefore = 0, planesAfter = 0;
+  std::size_t testsDone = 0, testsSaved = 0;  // segment-against-polygon tests so far
+};
+class MergedPlanes;  // see merged_planes.h
+
+struct StrainReport {
+  double mean = 0, p99 = 0, max = 0;  // |l/L - 1| over warp and weft edges of the lattice
+};
+
+struct SettleReport {
+  bool settled = false;
+  Message why;                      // why not, or what made it stop
+  double residual = 0;              // rms unbalanced force / node weight
+  double step = 0;                  // largest predicted move left, metres
+  double penetration = 0;           // deepest below the collider's surface, metres
+  double seamGap = 0;               // widest, metres
+  StrainReport strain;
+  std::size_t steps = 0, solves = 0;
+  double cpuSeconds = 0, wallSeconds = 0, peakMegabytes = 0;
+};
+
+struct SettleSettings {
+  Vec3 gravity{0, -9.81, 0};
+  double stopMove = 0.00015;   // metres a step; three calm steps in a row
+  double stopResidual = 0.4;   // node weights, rms
+  int maxSteps = 400;          // on the finest level
+  double skin = 0.0015;        // metres the cloth keeps from the body
+};
+
+// `levels`: the same garment at 4h, 2h, h (coarse first; one level is allowed). `state` stands on the finest level and is
+// replaced on success; a cancelled job leaves it as it was. `start`: gives the state of a coarser level.
+struct ClothLevel {
+  Cloth cloth;
+  ClothState state;  // where it stands at the start
+};
+Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& body, const SettleSettings& settings,
+                            const Token& token, Workers& workers);
+
+// Takes places of the cloth along a path while it drapes; the hand is a patch, not a point.
+struct Grip {
+  std::vector<std::uint32_t> nodes;      // of the finest level
+  std::vector<Vec3> path;                // where the grip's middle goes, first = where it is; straight between
+  double seconds = 1.0;                  // how long the path takes
+  bool letGo = false;                    // afterwards free, otherwise held at the end
+};
+struct PullReport {
+  SettleReport end;
+  std::vector<Vec3> force;               // newtons the hand feels, one per path point; only beyond natural length
+  double maxForce = 0;
+};
+Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& grip, const SettleSettings& settings,
+                        const Token& token, Workers& workers);
+
+}  // namespace karinui

@@ -1,0 +1,36 @@
+#pragma once
+// A piece of a pattern's edge: a straight line, a cubic Bézier or a circular arc, in exact doubles. Metres on paper.
+// Where it starts is the end of the curve before it, so a Curve is only meaningful with its two ends.
+#include <array>
+#include <vector>
+
+#include "karinui/geometry/vec.h"
+
+namespace karinui {
+
+struct Curve {
+  enum class Kind { Line, Cubic, Arc };
+  Kind kind = Kind::Line;
+  Flat start, end;
+  Flat control1, control2;  // Cubic
+  double bulge = 0;         // Arc: tan(quarter of the turned angle); > 0 turns left (counter-clockwise)
+  bool operator==(const Curve&) const = default;
+
+  static Curve line(Flat a, Flat b) { return {Kind::Line, a, b, {}, {}, 0}; }
+  static Curve cubic(Flat a, Flat c1, Flat c2, Flat b) { return {Kind::Cubic, a, b, c1, c2, 0}; }
+  static Curve arc(Flat a, Flat b, double bulge) { return {Kind::Arc, a, b, {}, {}, bulge}; }
+
+  Flat at(double t) const;               // t in [0, 1], the curve's own parameter
+  Flat tangent(double t) const;          // d/dt
+  double length() const;                 // to 1e-9 m
+  double lengthTo(double t) const;       // of the part [0, t]
+  double parameterAt(double s) const;    // s in [0, length]; inverse of lengthTo
+  Flat atFraction(double f) const { return at(parameterAt(f * length())); }  // f by length
+  Curve part(double t0, double t1) const;  // exact; t0 < t1
+  Curve reversed() const;
+  Curve mirrored(Flat through, Flat unitAxis) const;
+  // Points along the curve with no chord further than `miss` from it, start and end included.
+  std::vector<Flat> flattened(double miss = 1e-5) const;
+};
+
+}  // namespace karinui

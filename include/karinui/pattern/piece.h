@@ -1,0 +1,104 @@
+#pragma once
+// The paper pattern: the truth from which meshes, drapes and prints are made. Plain values, shared and never edited in
+// place. Metres on paper.
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "karinui/base/id.h"
+#include "karinui/base/result.h"
+#include "karinui/geometry/curve.h"
+#include "karinui/geometry/mesh.h"
+#include "karinui/geometry/polygon.h"
+
+namespace karinui {
+
+// One named side of an outline. Its name is its identity: seams, notches and operations speak of "front.side_left".
+// Names are unique within a piece, [A-Za-z0-9_-]+.
+struct Edge {
+  std::string name;
+  Curve curve;
+  bool operator==(const Edge&) const = default;
+};
+
+// A closed curve, counter-clockwise, each edge starting exactly where the one before ends.
+struct Outline {
+  std::vector<Edge> edges;
+  bool operator==(const Outline&) const = default;
+  double length() const;
+  double area() const;  // of the exact curves to 1e-9 m2; holes are not taken off
+  Ring flattened(double miss = 1e-5) const;
+  std::optional<std::size_t> find(std::string_view edgeName) const;
+};
+// Refuses open, self-crossing, tiny (< 1 cm2 or an edge < 1 mm) or non-finite outlines, saying where; turns a clockwise
+// outline round.
+Result<Outline> checked(Outline outline);
+
+struct InternalLine {
+  std::string name;
+  std::vector<Curve> curves;
+  bool operator==(const InternalLine&) const = default;
+};
+
+struct Mark {  // a notch on an edge, or a drill hole where `edge` is empty
+  std::string name;
+  std::string edge;
+  double fraction = 0;  // of the edge's length
+  Flat place;           // for a drill hole
+  bool operator==(const Mark&) const = default;
+};
+
+// The shape in space a piece of cloth holds while it is rigid: places on paper and where each is in space. Empty means
+// flat. A drape leaves a new Form. Immutable, shared.
+struct Form {
+  std::vector<Flat> flat;
+  std::vector<Vec3> space;  // before the piece's pose
+  std::vector<Triangle> faces;
+};
+
+struct Piece {
+  PieceId id;
+  std::string name;  // unique in a document
+  Outline outline;
+  std::vector<Outline> holes;
+  std::vector<InternalLine> lines;
+  std::vector<Mark> marks;
+  Flat grain{0, 1};          // unit: the warp's direction on paper
+  std::string fabric = "cotton";
+  int layer = 0;             // 0 next to the skin
+  bool frozen = false;       // never live
+  PieceId mirrorOf;          // symmetric copy of
+  Rigid pose;                // after the form
+  std::shared_ptr<const Form> form;  // null: flat, (u, v) -> (u, v, 0)
+};
+
+// Part of an edge, by length fractions, from < to. Whole edge by default.
+struct EdgeSpan {
+  PieceId piece;
+  std::string edge;
+  double from = 0, to = 1;
+  bool operator==(const EdgeSpan&) const = default;
+};
+
+// Two runs of spans that are sewn together. Side `a` runs along its outlines' own direction; side `b` runs against its own
+// if `reversed` (the usual case for two counter-clockwise outlines facing each other).
+struct Seam {
+  SeamId id;
+  std::string name;
+  std::vector<EdgeSpan> a, b;  // each side: consecutive spans, joined end to end
+  bool reversed = true;
+  enum class Tie { OneToOne, TwoToOne } tie = Tie::OneToOne;  // TwoToOne: two points of the longer side on one of the shorter
+  bool operator==(const Seam&) const = default;
+};
+
+struct Pattern {
+  std::map<PieceId, std::shared_ptr<const Piece>> pieces;
+  std::map<SeamId, Seam> seams;
+};
+
+double length(const Pattern& pattern, const std::vector<EdgeSpan>& side);
+double easeRatio(const Pattern& pattern, const Seam& seam);  // longer / shorter, >= 1
+
+}  // namespace karinui

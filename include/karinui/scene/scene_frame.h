@@ -1,0 +1,44 @@
+#pragma once
+// A picture's worth of plain data: what session and command line hand to the renderer. Owns everything; no ids of the
+// document, no pointers. Metres; colours linear RGB in [0, 1].
+#include <array>
+#include <string>
+#include <vector>
+
+#include "karinui/geometry/mesh.h"
+
+namespace karinui {
+
+using Colour = std::array<float, 3>;
+
+struct SceneCloth {
+  std::string name;
+  TriangleMesh mesh;
+  std::vector<Flat> flat;               // paper place of each point (weave, UV)
+  std::vector<float> strain;            // per point, |l/L - 1|; may be empty
+  std::vector<std::vector<std::uint32_t>> outlines;  // closed or open runs of points drawn as the cloth's edge
+  std::vector<std::vector<std::uint32_t>> seams;     // runs of points drawn as stitches
+  Colour colour{0.35f, 0.45f, 0.65f};
+  bool live = false;                    // marked
+};
+
+struct SceneBody {
+  TriangleMesh mesh;
+  Colour colour{0.78f, 0.66f, 0.58f};
+};
+
+struct SceneLine {  // a stroke, a force arrow, a tape
+  std::vector<Vec3> points;
+  Colour colour{0.8f, 0.1f, 0.1f};
+  float widthMm = 2;
+  bool arrow = false;
+};
+
+struct SceneFrame {
+  std::vector<SceneBody> bodies;
+  std::vector<SceneCloth> cloths;
+  std::vector<SceneLine> lines;
+  std::vector<std::string> captions;    // drawn top left, UTF-8
+};
+
+}  // namespace karinui
