@@ -1,0 +1,84 @@
+// The lowest storey: messages, numbers, workers, hashes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "karinui/base/hash.h"
+#include "karinui/base/message.h"
+#include "karinui/base/number.h"
+#include "karinui/base/workers.h"
+
+namespace karinui {
+namespace {
+
+TEST(Message, PutsValuesWhereThePatternSays) {
+  EXPECT_EQ(text(say("{1} is {0} mm longer.", 2.5, "front")), "front is 2.5 mm longer.");
+  EXPECT_EQ(text(say("{9} {x} {0}", 7)), "{9} {x} 7");
+}
+
+TEST(Message, SpeaksJapaneseWhereThereIsATranslation) {
+  EXPECT_EQ(text(say("Stopped; nothing was changed."), Language::Japanese), "中止しました。何も変更していません。");
+  EXPECT_EQ(text(say("No such sentence {0}.", 1), Language::Japanese), "No such sentence 1.");
+}
+
+TEST(Number, LengthsInTheUnitsPeopleWrite) {
+  EXPECT_EQ(*parseLength("12mm"), 0.012);
+  EXPECT_EQ(*parseLength("88cm"), 0.88);
+  EXPECT_EQ(*parseLength("-1.5m"), -1.5);
+  EXPECT_EQ(*parseLength("2in"), 0.0508);
+  EXPECT_DOUBLE_EQ(*parseAngle("90deg"), std::numbers::pi / 2);
+  for (const char* bad : {"", "mm", "12 mm", "1,5cm", "nan", "inf", "1e999", "5furlong", "0x10"}) {
+    EXPECT_FALSE(parseLength(bad)) << bad;
+  }
+}
+
+TEST(Number, ShortestReadsBackTheSameBits) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> exponent(-300, 300);
+  for (int i = 0; i < 1000; ++i) {
+    const double value = std::pow(10.0, exponent(random)) * (i % 2 ? -1 : 1);
+    EXPECT_EQ(*parseNumber(shortest(value)), value);
+  }
+  EXPECT_EQ(fixed(-0.0001, 2), "0.00");
+  EXPECT_EQ(fixed(1.235, 1), "1.2");
+}
+
+TEST(Workers, SumsAreTheSameBitsForAnyNumberOfThreads) {
+  std::mt19937_64 random(3);
+  std::vector<double> values(100'003);
+  for (double& v : values) v = std::ldexp(static_cast<double>(random()), -60);
+  const auto total = [&](int threads) {
+    Workers workers(threads);
+    return workers.sum(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      double part = 0;
+      for (std::size_t i = begin; i < end; ++i) part += values[i];
+      return part;
+    });
+  };
+  EXPECT_EQ(total(1), total(2));
+  EXPECT_EQ(total(1), total(5));
+}
+
+TEST(Workers, EveryItemOnceEvenWhenCalledManyTimes) {
+  Workers workers(3);
+  std::vector<int> seen(997, 0);
+  for (int round = 0; round < 500; ++round) {
+    workers.forBlocks(seen.size(), 10, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) ++seen[i];
+    });
+  }
+  for (int count : seen) EXPECT_EQ(count, 500);
+}
+
+TEST(Hash, TellsApartWhatDiffersAndNothingElse) {
+  EXPECT_EQ(Hasher().add("sleeve").hex(), Hasher().add("sleeve").hex());
+  EXPECT_NE(Hasher().add("ab").add("c").hex(), Hasher().add("a").add("bc").hex());
+  EXPECT_NE(Hasher().add(0.0).hex(), Hasher().add(-0.0).hex());
+  EXPECT_NE(Hasher().bytes("a", 1).hex(), Hasher().bytes("a\0", 2).hex());
+  EXPECT_EQ(Hasher().hex().size(), 32u);
+}
+
+}  // namespace
+}  // namespace karinui
