@@ -12,21 +12,18 @@ namespace {
 
 struct Unit {
   std::string_view name;
-  double factor;
+  double perUnit;  // how many of it make one metre or radian: dividing keeps 12mm the double nearest to 0.012
 };
 
-// `times` 1/1000 would round twice: dividing by the reciprocal keeps 12mm the double nearest to 0.012.
-Result<double> parseWithUnit(std::string_view text, std::string_view kind, std::span<const Unit> units,
-                             std::string_view examples) {
+std::optional<double> parseWithUnit(std::string_view text, std::span<const Unit> units) {
   std::size_t digits = text.size();
-  while (digits > 0 && (std::isalpha(static_cast<unsigned char>(text[digits - 1])) != 0)) --digits;
-  const std::string_view suffix = text.substr(digits);
-  if (const auto number = parseNumber(text.substr(0, digits))) {
-    for (const Unit& unit : units) {
-      if (unit.name == suffix) return unit.factor < 1 ? *number / std::round(1 / unit.factor) : *number * unit.factor;
-    }
+  while (digits > 0 && std::isalpha(static_cast<unsigned char>(text[digits - 1])) != 0) --digits;
+  const auto number = parseNumber(text.substr(0, digits));
+  if (!number) return std::nullopt;
+  for (const Unit& unit : units) {
+    if (unit.name == text.substr(digits)) return *number / unit.perUnit;
   }
-  return badInput(say("“{0}” is not {1}; write it like {2}.", text, kind, examples));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -40,19 +37,15 @@ std::optional<double> parseNumber(std::string_view text) {
 }
 
 Result<double> parseLength(std::string_view text) {
-  static constexpr std::array<Unit, 4> kUnits{{{"", 1}, {"m", 1}, {"cm", 0.01}, {"mm", 0.001}}};
-  if (text.ends_with("in")) {  // 0.0254 is not one over a whole number
-    if (const auto inches = parseNumber(text.substr(0, text.size() - 2))) return *inches * 0.0254;
-  }
-  return parseWithUnit(text, "a length", kUnits, "88cm, 12mm, 0.3m or 5in");
+  static constexpr std::array<Unit, 5> kUnits{{{"", 1}, {"m", 1}, {"cm", 100}, {"mm", 1000}, {"in", 1 / 0.0254}}};
+  if (const auto metres = parseWithUnit(text, kUnits)) return *metres;
+  return badInput(say("“{0}” is not a length; write it like 88cm, 12mm, 0.3m or 5in.", text));
 }
 
 Result<double> parseAngle(std::string_view text) {
-  if (text.ends_with("deg")) {
-    if (const auto degrees = parseNumber(text.substr(0, text.size() - 3))) return *degrees * std::numbers::pi / 180;
-  }
-  static constexpr std::array<Unit, 2> kUnits{{{"", 1}, {"rad", 1}}};
-  return parseWithUnit(text, "an angle", kUnits, "30deg or 0.5rad");
+  static constexpr std::array<Unit, 3> kUnits{{{"", 1}, {"rad", 1}, {"deg", 180 / std::numbers::pi}}};
+  if (const auto radians = parseWithUnit(text, kUnits)) return *radians;
+  return badInput(say("“{0}” is not an angle; write it like 30deg or 0.5rad.", text));
 }
 
 std::string shortest(double value) {

@@ -27,7 +27,7 @@ TEST(Number, LengthsInTheUnitsPeopleWrite) {
   EXPECT_EQ(*parseLength("12mm"), 0.012);
   EXPECT_EQ(*parseLength("88cm"), 0.88);
   EXPECT_EQ(*parseLength("-1.5m"), -1.5);
-  EXPECT_EQ(*parseLength("2in"), 0.0508);
+  EXPECT_DOUBLE_EQ(*parseLength("2in"), 0.0508);
   EXPECT_DOUBLE_EQ(*parseAngle("90deg"), std::numbers::pi / 2);
   for (const char* bad : {"", "mm", "12 mm", "1,5cm", "nan", "inf", "1e999", "5furlong", "0x10"}) {
     EXPECT_FALSE(parseLength(bad)) << bad;
