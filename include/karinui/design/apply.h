@@ -1,0 +1,74 @@
+#pragma once
+// Operations change documents: apply() is pure, the same document and operation give the same result. A refused
+// operation changes nothing and says why in a sentence a tailor understands.
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "karinui/design/operation.h"
+
+namespace karinui {
+
+// Bytes by the hash of their content: imported bodies, forms of drapes. Not thread-safe.
+class Blobs {
+ public:
+  virtual ~Blobs() = default;
+  virtual Result<std::string> put(std::string bytes) = 0;              // gives the name
+  virtual Result<std::string> get(const std::string& name) const = 0;  // NotFound: no such blob
+};
+class MemoryBlobs : public Blobs {
+ public:
+  Result<std::string> put(std::string bytes) override;
+  Result<std::string> get(const std::string& name) const override;
+
+ private:
+  std::map<std::string, std::string> bytes_;
+};
+std::string blobName(std::string_view bytes);
+
+// An imported figure as bytes for a blob, and back (refuses damaged ones). The template does not travel.
+std::string packBody(const Body::Parts& parts);
+Result<Body::Parts> unpackBody(std::string_view bytes);
+
+// Figures that were built already. May be shared by documents and threads.
+class Bodies {
+ public:
+  // The figure of a choice; built now if it was not. `blobs` gives an imported mesh.
+  Result<BodyPtr> find(const BodyChoice& choice, const Blobs& blobs, Workers& workers, const Token& token);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, BodyPtr> built_;
+};
+
+// Where a drape or a pull left the cloth.
+struct DrapeOutcome {
+  std::map<PieceId, std::shared_ptr<const Form>> forms;  // in space; the pieces' poses become the identity
+  SettleReport report;
+  std::vector<Vec3> force;  // of a pull, newtons along the path
+};
+
+// What operations may use beside the document. Owned by the caller, for one call of apply at a time.
+struct Context {
+  Workers& workers;
+  const Token& token;
+  Blobs& blobs;
+  Bodies& bodies;
+  // The solver; empty: the real one (see drape.h). Tests put a cheap one here.
+  std::function<Result<DrapeOutcome>(const Document&, const DrapePieces&, Context&)> drape;
+  std::function<Result<DrapeOutcome>(const Document&, const PullCloth&, Context&)> pull;
+};
+
+Result<BodyPtr> bodyOf(const Document& document, Context& context);  // refused: no body chosen yet
+
+// The operation as it is recorded: names become ids, what was left to choose is chosen, so that its meaning no longer
+// depends on names or on where the cloth happened to stand. Refuses what does not make sense here.
+Result<Operation> resolved(const Document& before, Operation operation, Context& context);
+
+// The document after. An operation that is not resolved yet is resolved first.
+Result<Document> apply(const Document& before, const Operation& operation, Context& context);
+
+}  // namespace karinui

@@ -1,0 +1,93 @@
+#pragma once
+// The garment: an immutable value whose parts are shared. A copy is cheap, nothing in it is ever edited in place, and
+// any thread may read one. Metres, y up.
+//
+// The paper pattern (outlines, seams, fabrics, pins, settings, the choice of body) is the truth; forms and poses, that
+// is where the cloth stands, are derived by drapes and can be made again. Hence two hashes.
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "karinui/body/body.h"
+#include "karinui/cloth/fabric.h"
+#include "karinui/cloth/settle.h"
+#include "karinui/pattern/piece.h"
+
+namespace karinui {
+
+// Which figure the garment is made on. The figure itself is built on first need and kept (see Bodies in apply.h), so
+// that reading, undoing or exporting a pattern does not wait for one.
+struct BodyChoice {
+  std::string size;           // built-in size it starts from, or empty
+  Measurements measurements;  // all stated values, those of the size included; empty for a mesh
+  std::string mesh;           // name (hash) of an imported mesh among the document's blobs; then the rest is empty
+  std::string hash;           // Body::hash() of the figure; empty: no body chosen
+  bool chosen() const { return !hash.empty(); }
+  bool operator==(const BodyChoice&) const = default;
+};
+
+struct Settings {
+  enum class Collider { Field, Planes };
+  double spacing = 0.010;               // metres between the lattice's threads
+  Collider collider = Collider::Field;  // what stops the cloth: the distance field, or the historical merged planes
+  double ease = 0.008;                  // metres between the body and a newly drawn piece
+  bool operator==(const Settings&) const = default;
+};
+
+// What is known of the last drape.
+struct DrapeInfo {
+  std::optional<SettleReport> last;  // nothing: never draped
+  std::vector<Vec3> force;           // newtons along the path, if the last drape was a pull
+  std::set<PieceId> dirty;           // pieces that changed (or moved) since they were last brought to rest
+};
+
+struct Document {
+  BodyChoice body;
+  Pattern pattern;
+  std::map<std::string, Fabric> fabrics;      // by name; a piece's fabric not named here is a preset
+  std::map<PieceId, std::vector<Flat>> pins;  // paper places held where they are while draping
+  Settings settings;
+  DrapeInfo drape;
+  std::uint32_t operations = 0;  // how many led here; the next one mints its ids from operations + 1
+
+  const Piece* find(PieceId id) const;  // null: no such piece
+  const Piece* pieceNamed(std::string_view name) const;
+  const Seam* find(SeamId id) const;
+};
+
+// Of the pattern truth: body, outlines, marks, seams, fabrics, pins, settings, names and ids; not of forms, poses,
+// reports.
+std::string hash(const Document& document);
+// Of where the cloth stands: forms and poses.
+std::string drapeHash(const Document& document);
+
+// The fabric a piece is cut from: the document's own of that name, else the preset.
+Result<Fabric> fabricOf(const Document& document, const Piece& piece);
+// All fabrics that are in use, by name (what assemble() wants).
+Result<std::map<std::string, Fabric>> fabricsInUse(const Document& document);
+
+// Where a paper place of a piece is in space, by its form and pose. Built once per form, then cheap.
+class Stand {
+ public:
+  explicit Stand(const Piece& piece);
+  Vec3 operator()(Flat place) const;
+
+ private:
+  Rigid pose_;
+  std::shared_ptr<const Form> form_;
+  std::shared_ptr<const class LatticeFinder> finder_;
+};
+
+// "p3" for the first thing made by step 3, "p3.2" for the second; "s5" likewise. "-" for none.
+std::string text(PieceId id);
+std::string text(SeamId id);
+// Letters of any script, digits, _ and -; not like an id ("p3"). Says what is wrong with it.
+Done checkName(std::string_view name);
+// The nearest usable name, for importers: "left sleeve.1" -> "left_sleeve_1"; never empty, unique among the document's.
+std::string usableName(const Document& document, std::string_view wanted);
+
+}  // namespace karinui

@@ -1,0 +1,21 @@
+#pragma once
+// The bridge from a garment to the solver: a document's pattern is laid, put together as cloth where it stands, brought
+// to rest on the document's body, and the forms it leaves are read off.
+#include "karinui/design/apply.h"
+
+namespace karinui {
+
+// The pieces that move in a drape: those named, or every piece that is not frozen.
+std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRef>& named);
+
+Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context);
+Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context);
+
+// The garment as cloth at its finest level, where it stands now: what check, pictures and exports need.
+struct Standing {
+  Cloth cloth;
+  ClothState state;
+};
+Result<Standing> standingCloth(const Document& document, const std::set<PieceId>& live);
+
+}  // namespace karinui

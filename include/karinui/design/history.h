@@ -1,0 +1,62 @@
+#pragma once
+// The steps that led to a garment, undo and redo; and the .karinui file that keeps them. One owner, one thread at a
+// time.
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "karinui/design/apply.h"
+
+namespace karinui {
+
+struct Step {
+  std::uint64_t seq = 0;      // never reused, over all branches; 0: the empty beginning
+  std::uint64_t parent = 0;   // the step before
+  std::uint32_t serial = 0;   // how many steps from the beginning, itself included; ids are minted from it
+  Operation operation;        // as recorded: ids only
+  std::string chain;          // hash of all operations up to here
+  std::string before, after;  // hash(document) before and after
+};
+
+// A document that lives in a file. Each operation is one transaction: when perform() returns a value it is on the disk,
+// and no crash or power cut loses it. Undo and redo survive closing. Undone steps stay in the file as a branch after
+// new work.
+class DocumentFile {
+ public:
+  // A new file; refuses to overwrite one.
+  static Result<DocumentFile> create(const std::filesystem::path& path);
+  // Opens for work. Damaged, foreign, newer, locked or unwritable files are refused with a sentence; nothing is
+  // changed.
+  static Result<DocumentFile> open(const std::filesystem::path& path);
+  // Opens for reading only: a folder or file that may not be written, or a stranger's document.
+  static Result<DocumentFile> openForReading(const std::filesystem::path& path);
+  // A document without a file (tests, import previews).
+  static DocumentFile inMemory();
+
+  DocumentFile(DocumentFile&&) noexcept;
+  DocumentFile& operator=(DocumentFile&&) noexcept;
+  ~DocumentFile();  // closes; leaves one single file
+
+  const Document& document() const;  // at the head
+  std::vector<Step> steps() const;   // from the beginning to the head
+  std::vector<Step> undone() const;  // what redo would bring back, in order
+  const std::filesystem::path& path() const;
+  Blobs& blobs();
+
+  // Resolves, applies and records. On any error nothing has changed, in memory or on disk.
+  Result<Step> perform(Operation operation, Context& context);
+  // The step that was undone (done again). Refused where there is nothing left to undo (redo).
+  Result<Step> undo(Context& context);
+  Result<Step> redo(Context& context);
+
+  // The text that play reads: one operation a line from the beginning to the head.
+  std::string log() const;
+
+ private:
+  struct Inside;
+  explicit DocumentFile(std::unique_ptr<Inside> inside);
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace karinui

@@ -1,0 +1,442 @@
+#pragma once
+// What can be done to a garment. Each operation is a plain struct of ids and MATERIAL values only (edge and fraction,
+// paper u-v, places on the body), never a ray, a pixel or a pose of the cloth; so undo, replay, scripts and
+// made-to-measure are one thing. Its fields are listed once, in fields(self, visit): text form, file, help and JSON all
+// grow from that list.
+//   visit(name, value, help, kNeeded | kOptional)
+// A field that has its default value is not written. Values and their text forms: values.h.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "karinui/body/body.h"
+#include "karinui/design/document.h"
+#include "karinui/design/values.h"
+
+namespace karinui {
+
+enum Need { kOptional, kNeeded };
+
+// body size=jis9ar            body size=eu38 set="bust_girth=90cm; waist=72cm"            body mesh=<hash of a blob>
+struct SetBody {
+  static constexpr std::string_view kName = "body";
+  static constexpr std::string_view kHelp = "Chooses the figure: a built-in size, measurements, or an imported mesh.";
+  std::string size;
+  std::optional<Sex> sex;
+  std::vector<Stated> set;
+  std::string mesh;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("size", self.size, "a built-in size to start from: jis9ar, eu38, eu50", kOptional);
+    visit("sex", self.sex, "female or male: which family of shapes (a size brings its own)", kOptional);
+    visit("set", self.set, "measurements: bust_girth=88cm; waist_girth=70cm", kOptional);
+    visit("mesh", self.mesh, "an imported mesh, by its name among the document's blobs", kOptional);
+  }
+  bool operator==(const SetBody&) const = default;
+};
+
+// draw name=front line="landmark:neck_left; torso:bust@0.98; …" mirror=yes
+struct DrawPiece {
+  static constexpr std::string_view kName = "draw";
+  static constexpr std::string_view kHelp =
+      "Draws a closed line on the body; the cloth inside it becomes a flat piece.";
+  std::string name;
+  std::vector<BodyPoint> line;
+  std::vector<std::string> edges;
+  bool mirror = false;
+  std::optional<BodyPoint> inside;
+  std::optional<Length> ease;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("line", self.line, "places on the body, in order; the line closes by itself", kNeeded);
+    visit("edges", self.edges, "names of the edges, one from each corner to the next, the first from the first place",
+          kOptional);
+    visit("mirror", self.mirror, "yes: also the symmetric copy on the body's other side", kOptional);
+    visit("inside", self.inside, "a place inside the piece, where the line leaves it open which side is meant",
+          kOptional);
+    visit("ease", self.ease, "distance from the body (otherwise as set for the document)", kOptional);
+    visit("fabric", self.fabric, "what it is cut from", kOptional);
+    visit("layer", self.layer, "0 next to the skin", kOptional);
+  }
+  bool operator==(const DrawPiece&) const = default;
+};
+
+// move piece=sleeve by="0,5cm,10cm" turn="y 90deg"
+struct MovePiece {
+  static constexpr std::string_view kName = "move";
+  static constexpr std::string_view kHelp = "Carries pieces through space as rigid things, and turns them.";
+  std::vector<PieceRef> pieces;
+  Vec3 by;
+  std::optional<Turn> turn;
+  std::optional<Flat> about;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.pieces, "the pieces to move", kNeeded);
+    visit("by", self.by, "how far: right-left, up, forward (x,y,z)", kOptional);
+    visit("turn", self.turn, "axis and angle: \"y 90deg\"", kOptional);
+    visit("about", self.about, "the paper place of the first piece they turn about (otherwise its middle)", kOptional);
+  }
+  bool operator==(const MovePiece&) const = default;
+};
+
+// sew a=front.side_left b=back.side_left      sew a="front.armhole_l back.armhole_l" b=sleeve.cap
+struct SewEdges {
+  static constexpr std::string_view kName = "sew";
+  static constexpr std::string_view kHelp = "Joins two runs of edges with a seam.";
+  std::vector<EdgeRef> a, b;
+  std::string name;
+  Choice reversed = Choice::Auto;
+  enum class Tie { Auto, OneToOne, TwoToOne } tie = Tie::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("a", self.a, "edges of one side, joined end to end", kNeeded);
+    visit("b", self.b, "edges of the other side", kNeeded);
+    visit("name", self.name, "the seam's name", kOptional);
+    visit("reversed", self.reversed, "side b runs against its own direction: auto, yes, no (auto: as the edges lie)",
+          kOptional);
+    visit("tie", self.tie, "auto, 1:1, or 2:1 (two points of the longer side on one of the shorter)", kOptional);
+  }
+  bool operator==(const SewEdges&) const = default;
+};
+
+struct Unsew {
+  static constexpr std::string_view kName = "unsew";
+  static constexpr std::string_view kHelp = "Takes seams out.";
+  std::vector<SeamRef> seams;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("seam", self.seams, "the seams to take out: s5, or names", kNeeded);
+  }
+  bool operator==(const Unsew&) const = default;
+};
+
+// cut piece=sleeve line="10mm,0 10mm,80mm"
+struct CutPiece {
+  static constexpr std::string_view kName = "cut";
+  static constexpr std::string_view kHelp =
+      "Cuts along a line on the paper: from the outline inwards a slit, from edge to edge two pieces.";
+  PieceRef piece;
+  std::vector<Flat> line;
+  std::string name;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to cut", kNeeded);
+    visit("line", self.line, "places on the paper, beginning or ending on or beyond the outline", kNeeded);
+    visit("name", self.name, "the second piece's name, if it falls in two", kOptional);
+  }
+  bool operator==(const CutPiece&) const = default;
+};
+
+// pull piece=sleeve at="12cm,3cm" by="0,5cm,10cm; 0,10cm,15cm" seconds=1
+struct PullCloth {
+  static constexpr std::string_view kName = "pull";
+  static constexpr std::string_view kHelp = "Takes the cloth at a place along a path while it drapes; feels the force.";
+  PieceRef piece;
+  Flat at;
+  std::vector<Vec3> by;
+  double seconds = 1;
+  Length patch{0.015};
+  bool letGo = true;
+  std::vector<PieceRef> live;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to take hold of", kNeeded);
+    visit("at", self.at, "where, on its paper", kNeeded);
+    visit("by", self.by, "the hand's path: steps away from where it took hold (x,y,z)", kNeeded);
+    visit("seconds", self.seconds, "how long the path takes", kOptional);
+    visit("patch", self.patch, "radius of what the fingers hold", kOptional);
+    visit("let_go", self.letGo, "yes: afterwards the cloth swings back; no: it stays held", kOptional);
+    visit("live", self.live, "the pieces that drape (otherwise the pulled one)", kOptional);
+  }
+  bool operator==(const PullCloth&) const = default;
+};
+
+// reshape piece=front at="…; …" by="…; …": points pulled without force; recorded with the outline it led to.
+struct ReshapePiece {
+  static constexpr std::string_view kName = "reshape";
+  static constexpr std::string_view kHelp = "Pulls places of a piece to new ones and cuts the paper anew to fit.";
+  PieceRef piece;
+  std::vector<Flat> at;
+  std::vector<Vec3> by;
+  Outline outline;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to reshape", kNeeded);
+    visit("at", self.at, "the places that are pulled, on its paper", kOptional);
+    visit("by", self.by, "how far each is pulled in space (x,y,z)", kOptional);
+    visit("outline", self.outline, "the new outline; found from at and by if it is not given", kOptional);
+  }
+  bool operator==(const ReshapePiece&) const = default;
+};
+
+// drape        drape live=sleeve
+struct DrapePieces {
+  static constexpr std::string_view kName = "drape";
+  static constexpr std::string_view kHelp = "Brings the cloth to rest on the body.";
+  std::vector<PieceRef> live;
+  Vec3 gravity{0, -9.81, 0};
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("live", self.live, "the pieces that move (otherwise every piece that is not frozen)", kOptional);
+    visit("gravity", self.gravity, "metres per second squared (x,y,z)", kOptional);
+  }
+  bool operator==(const DrapePieces&) const = default;
+};
+
+// fabric name=denim piece="front back"        fabric name=my_wool like=wool weight=0.32
+struct SetFabric {
+  static constexpr std::string_view kName = "fabric";
+  static constexpr std::string_view kHelp = "Describes a fabric, and cuts pieces from it.";
+  std::string name, like;
+  std::vector<PieceRef> pieces;
+  std::optional<Fabric::Law> law;
+  std::optional<double> weight, stretchWarp, stretchWeft, shear, bendWarp, bendWeft, compression, toe, frictionBody,
+      frictionCloth;
+  std::optional<Length> thickness;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the fabric's name: a preset, one of the document, or a new one", kNeeded);
+    visit("piece", self.pieces, "pieces to cut from it", kOptional);
+    visit("like", self.like, "the fabric a new one starts from", kOptional);
+    visit("law", self.law, "woven, or simcloth (the historical law)", kOptional);
+    visit("weight", self.weight, "kg/m2", kOptional);
+    visit("stretch_warp", self.stretchWarp, "N/m for a strain of one, along the grain", kOptional);
+    visit("stretch_weft", self.stretchWeft, "N/m for a strain of one, across the grain", kOptional);
+    visit("shear", self.shear, "N/m per radian", kOptional);
+    visit("bend_warp", self.bendWarp, "N m", kOptional);
+    visit("bend_weft", self.bendWeft, "N m", kOptional);
+    visit("compression", self.compression, "share of the stiffness that resists squeezing, 0 to 1", kOptional);
+    visit("toe", self.toe, "strain over which the stiffness rises", kOptional);
+    visit("thickness", self.thickness, "a length", kOptional);
+    visit("friction_body", self.frictionBody, "against the body", kOptional);
+    visit("friction_cloth", self.frictionCloth, "against cloth", kOptional);
+  }
+  bool operator==(const SetFabric&) const = default;
+};
+
+// pin piece=skirt at="0,40cm; 10cm,40cm"        pin edge=skirt.waist
+struct PinCloth {
+  static constexpr std::string_view kName = "pin";
+  static constexpr std::string_view kHelp = "Pins places of the cloth where they are.";
+  PieceRef piece;
+  std::vector<Flat> at;
+  std::vector<EdgeRef> edges;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to pin", kOptional);
+    visit("at", self.at, "places on its paper", kOptional);
+    visit("edge", self.edges, "edges to pin all along, one pin a centimetre", kOptional);
+  }
+  bool operator==(const PinCloth&) const = default;
+};
+
+struct UnpinCloth {
+  static constexpr std::string_view kName = "unpin";
+  static constexpr std::string_view kHelp = "Takes pins out: all of a piece, or those near places.";
+  PieceRef piece;
+  std::vector<Flat> at;
+  Length within{0.02};
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece", kNeeded);
+    visit("at", self.at, "places on its paper (otherwise all its pins)", kOptional);
+    visit("within", self.within, "how near a pin must be", kOptional);
+  }
+  bool operator==(const UnpinCloth&) const = default;
+};
+
+struct RemovePieces {
+  static constexpr std::string_view kName = "remove";
+  static constexpr std::string_view kHelp = "Takes pieces away, with their seams and pins.";
+  std::vector<PieceRef> pieces;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.pieces, "the pieces to take away", kNeeded);
+  }
+  bool operator==(const RemovePieces&) const = default;
+};
+
+struct DuplicatePiece {
+  static constexpr std::string_view kName = "duplicate";
+  static constexpr std::string_view kHelp = "Makes a second piece like the first, beside it.";
+  PieceRef piece;
+  std::string name;
+  Vec3 by;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to copy", kNeeded);
+    visit("name", self.name, "the copy's name", kOptional);
+    visit("by", self.by, "how far from the first it stands (x,y,z)", kOptional);
+  }
+  bool operator==(const DuplicatePiece&) const = default;
+};
+
+struct MirrorPiece {
+  static constexpr std::string_view kName = "mirror";
+  static constexpr std::string_view kHelp = "Makes the symmetric copy of a piece on the body's other side.";
+  PieceRef piece;
+  std::string name;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to mirror", kNeeded);
+    visit("name", self.name, "the copy's name (otherwise left and right change places in it)", kOptional);
+  }
+  bool operator==(const MirrorPiece&) const = default;
+};
+
+// rename piece=p1 to=front        rename edge=front.e3 to=hem        rename seam=s5 to=side
+struct Rename {
+  static constexpr std::string_view kName = "rename";
+  static constexpr std::string_view kHelp = "Gives a piece, an edge or a seam another name.";
+  PieceRef piece;
+  std::optional<EdgeRef> edge;
+  SeamRef seam;
+  std::string to;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to rename", kOptional);
+    visit("edge", self.edge, "or the edge", kOptional);
+    visit("seam", self.seam, "or the seam", kOptional);
+    visit("to", self.to, "the new name", kNeeded);
+  }
+  bool operator==(const Rename&) const = default;
+};
+
+// place piece=skirt at="torso:waist@0" ease=1cm: wraps the piece round the torso or a limb, its paper place `point`
+// there.
+struct PlacePiece {
+  static constexpr std::string_view kName = "place";
+  static constexpr std::string_view kHelp = "Wraps a piece round the torso or a limb at a level of the body.";
+  PieceRef piece;
+  BodyPoint at;
+  std::optional<Flat> point;
+  std::optional<Length> ease;
+  Angle turn;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to place", kNeeded);
+    visit("at", self.at, "where on the body its middle comes", kNeeded);
+    visit("point", self.point, "the paper place that comes there (otherwise the outline's middle)", kOptional);
+    visit("ease", self.ease, "distance from the body (otherwise as set for the document)", kOptional);
+    visit("turn", self.turn, "how far the paper is turned first", kOptional);
+  }
+  bool operator==(const PlacePiece&) const = default;
+};
+
+struct FreezePieces {
+  static constexpr std::string_view kName = "freeze";
+  static constexpr std::string_view kHelp = "Keeps pieces as they are: they never drape until thawed.";
+  std::vector<PieceRef> pieces;
+  bool frozen = true;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.pieces, "the pieces", kNeeded);
+    visit("frozen", self.frozen, "no: thaws them", kOptional);
+  }
+  bool operator==(const FreezePieces&) const = default;
+};
+
+struct SetLayer {
+  static constexpr std::string_view kName = "layer";
+  static constexpr std::string_view kHelp = "Says which pieces lie over which.";
+  std::vector<PieceRef> pieces;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.pieces, "the pieces", kNeeded);
+    visit("layer", self.layer, "0 next to the skin", kNeeded);
+  }
+  bool operator==(const SetLayer&) const = default;
+};
+
+struct ChangeSettings {
+  static constexpr std::string_view kName = "set";
+  static constexpr std::string_view kHelp = "Changes the document's settings.";
+  std::optional<Length> spacing, ease;
+  std::optional<Settings::Collider> collider;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("spacing", self.spacing, "between the lattice's threads", kOptional);
+    visit("ease", self.ease, "between the body and new pieces", kOptional);
+    visit("collider", self.collider, "what stops the cloth: field, or planes (the historical merged planes)",
+          kOptional);
+  }
+  bool operator==(const ChangeSettings&) const = default;
+};
+
+// piece name=front outline="M 0 0; hem L 500 0; side C 510 100 520 200 500 600; …" at="0,1.2m,0.2m"
+// The outline is in millimetres; see docs/format/operations.md.
+struct AddPiece {
+  static constexpr std::string_view kName = "piece";
+  static constexpr std::string_view kHelp = "Adds a piece with a known outline.";
+  std::string name;
+  Outline outline;
+  std::vector<Outline> holes;
+  std::vector<InternalLine> lines;
+  std::vector<Mark> marks;
+  Flat grain{0, 1};
+  std::string fabric;
+  Rigid pose;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("outline", self.outline, "\"M u v; edge L u v; edge C u v u v u v; edge A bulge u v\" in millimetres",
+          kNeeded);
+    visit("holes", self.holes, "outlines of holes, with | between", kOptional);
+    visit("lines", self.lines, "internal lines: \"dart M u v L u v | …\" in millimetres", kOptional);
+    visit("marks", self.marks, "notches \"name edge 0.5\" and drill holes \"name u,v\"", kOptional);
+    visit("grain", self.grain, "the warp's direction on paper", kOptional);
+    visit("fabric", self.fabric, "what it is cut from", kOptional);
+    visit("pose", self.pose, "where it stands: \"x,y,z\", then a turn \"y 90deg\" or a quaternion \"w,x,y,z\"",
+          kOptional);
+    visit("layer", self.layer, "0 next to the skin", kOptional);
+  }
+  bool operator==(const AddPiece&) const = default;
+};
+
+struct SetGrain {
+  static constexpr std::string_view kName = "grain";
+  static constexpr std::string_view kHelp = "Turns the grain line of a piece.";
+  PieceRef piece;
+  Flat to{0, 1};
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece", kNeeded);
+    visit("to", self.to, "the warp's direction on paper (u,v)", kNeeded);
+  }
+  bool operator==(const SetGrain&) const = default;
+};
+
+struct AddNotch {
+  static constexpr std::string_view kName = "notch";
+  static constexpr std::string_view kHelp = "Marks a place: a notch on an edge, or a drill hole.";
+  EdgeRef edge;
+  double at = 0.5;
+  PieceRef piece;
+  std::optional<Flat> point;
+  std::string name;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge to notch", kOptional);
+    visit("at", self.at, "how far along it, as a share of its length", kOptional);
+    visit("piece", self.piece, "for a drill hole: the piece", kOptional);
+    visit("point", self.point, "for a drill hole: the place on its paper", kOptional);
+    visit("name", self.name, "the mark's name", kOptional);
+  }
+  bool operator==(const AddNotch&) const = default;
+};
+
+using Operation =
+    std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, CutPiece, PullCloth, ReshapePiece, DrapePieces,
+                 SetFabric, PinCloth, UnpinCloth, RemovePieces, DuplicatePiece, MirrorPiece, Rename, PlacePiece,
+                 FreezePieces, SetLayer, ChangeSettings, AddPiece, SetGrain, AddNotch>;
+
+std::string_view nameOf(const Operation& operation);
+
+}  // namespace karinui

@@ -1,0 +1,43 @@
+#pragma once
+// Operations as text, one a line: `sew a=front.side_left b=back.side_left`. Values with spaces in quotes, lists with
+// ";" or spaces between, # begins a comment, a backslash at the end of a line continues it. Two exact inverses:
+// parseOperation(text(op)) == op bit for bit, and text(parse(line)) is the canonical form. docs/format/operations.md.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "karinui/design/apply.h"
+
+namespace karinui {
+
+std::string text(const Operation& operation);
+Result<Operation> parseOperation(std::string_view line);
+
+struct ScriptLine {
+  int number = 0;  // of its first line, from 1
+  Operation operation;
+};
+Result<std::vector<ScriptLine>> parseScript(std::string_view script);  // errors name the line
+
+// An operation's fields as names and text, for JSON and lists. Fields that have their default are left out.
+struct FieldText {
+  std::string name, value;
+};
+std::vector<FieldText> fieldTexts(const Operation& operation);
+
+// What there is, for --help and the manual; grown from the operations' own field lists.
+struct FieldHelp {
+  std::string name, kind, help, usual;  // usual: the default as text
+  bool needed = false;
+};
+struct OperationHelp {
+  std::string name, help;
+  std::vector<FieldHelp> fields;
+};
+std::vector<OperationHelp> operationHelp();
+
+// An outline as text in millimetres, exact: "M u v; name L u v; name C u v u v u v; name A bulge u v".
+std::string text(const Outline& outline);
+Result<Outline> parseOutline(std::string_view text);  // read, not checked()
+
+}  // namespace karinui

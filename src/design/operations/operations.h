@@ -1,0 +1,66 @@
+#pragma once
+// What each operation does, one file an operation. Two functions each, found by overloading:
+//   resolve()  turns names into ids and decides what was left open, so that the record means the same for ever;
+//   perform()  gives the document after, from a resolved operation. Pure; refuses in a sentence; never half done.
+// apply() counts the operation and checks what is common to all; perform() must leave Document::operations alone. Ids are
+// minted with mint<PieceId>(before, nth).
+#include "karinui/design/apply.h"
+#include "karinui/design/drape.h"
+
+namespace karinui {
+
+#define KARINUI_DECLARE_OPERATION(Op)                                 \
+  Done resolve(const Document& before, Op& operation, Context& context); \
+  Result<Document> perform(const Document& before, const Op& operation, Context& context);
+KARINUI_DECLARE_OPERATION(SetBody)
+KARINUI_DECLARE_OPERATION(DrawPiece)     // draw.cpp
+KARINUI_DECLARE_OPERATION(MovePiece)
+KARINUI_DECLARE_OPERATION(SewEdges)
+KARINUI_DECLARE_OPERATION(Unsew)
+KARINUI_DECLARE_OPERATION(CutPiece)
+KARINUI_DECLARE_OPERATION(PullCloth)     // rest.cpp; the work is pullOnBody() in pull.cpp
+KARINUI_DECLARE_OPERATION(ReshapePiece)  // reshape.cpp
+KARINUI_DECLARE_OPERATION(DrapePieces)   // rest.cpp; the work is drapeOnBody() in drape.cpp
+KARINUI_DECLARE_OPERATION(SetFabric)
+KARINUI_DECLARE_OPERATION(PinCloth)
+KARINUI_DECLARE_OPERATION(UnpinCloth)
+KARINUI_DECLARE_OPERATION(RemovePieces)
+KARINUI_DECLARE_OPERATION(DuplicatePiece)
+KARINUI_DECLARE_OPERATION(MirrorPiece)
+KARINUI_DECLARE_OPERATION(Rename)
+KARINUI_DECLARE_OPERATION(PlacePiece)
+KARINUI_DECLARE_OPERATION(FreezePieces)
+KARINUI_DECLARE_OPERATION(SetLayer)
+KARINUI_DECLARE_OPERATION(ChangeSettings)
+KARINUI_DECLARE_OPERATION(AddPiece)
+KARINUI_DECLARE_OPERATION(SetGrain)
+KARINUI_DECLARE_OPERATION(AddNotch)
+#undef KARINUI_DECLARE_OPERATION
+
+// The id of the nth thing (from 0) that the operation now being performed makes.
+template <class AnyId>
+AnyId mint(const Document& before, std::uint32_t nth) {
+  return madeBy<AnyId>(before.operations + 1, nth);
+}
+
+// Turns a name into an id, and checks that an id is there. Refuses unknown names, listing what there is.
+Done resolve(const Document& before, PieceRef& piece);
+Done resolve(const Document& before, SeamRef& seam);
+Done resolve(const Document& before, EdgeRef& edge);  // also that the piece has the edge and the part is a part
+Done resolve(const Document& before, std::vector<PieceRef>& pieces);  // duplicates fall away; refuses an empty list
+
+// The document with a piece added or exchanged; the piece and its seam neighbours become dirty.
+Document withPiece(Document document, Piece piece);
+// A fabric a piece may be cut from exists: one of the document or a preset.
+Done checkFabricName(const Document& document, const std::string& name);
+// The name a new piece gets: as asked, if it is good and free.
+Done checkNewName(const Document& document, const std::string& name);
+// The symmetric copy of a piece (body's left <-> right, x -> -x): paper mirrored in u, form and pose mirrored, left and
+// right exchanged in edge names. Id and name are left empty.
+Piece mirroredPiece(const Piece& piece);
+// "left" <-> "right", "_l" <-> "_r" in a name; unchanged if there is neither.
+std::string otherSide(const std::string& name);
+// The document after a drape: new forms, poses at rest, the report kept, the pieces no longer dirty.
+Document adopted(Document document, const DrapeOutcome& outcome);
+
+}  // namespace karinui
