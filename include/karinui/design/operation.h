@@ -38,6 +38,8 @@ struct SetBody {
 };
 
 // draw name=front line="landmark:neck_left; torso:bust@0.98; …" mirror=yes
+// `edges` speaks of the places one by one: a name for the edge that begins there, or "~" where there is no corner and the
+// edge before runs smoothly through. With symmetric=yes the line is one half, from the body's centre to its centre.
 struct DrawPiece {
   static constexpr std::string_view kName = "draw";
   static constexpr std::string_view kHelp =
@@ -46,6 +48,8 @@ struct DrawPiece {
   std::vector<BodyPoint> line;
   std::vector<std::string> edges;
   bool mirror = false;
+  bool symmetric = false;
+  bool closed = true;
   std::optional<BodyPoint> inside;
   std::optional<Length> ease;
   std::string fabric;
@@ -54,9 +58,14 @@ struct DrawPiece {
   static void fields(Self& self, Visit&& visit) {
     visit("name", self.name, "the new piece's name", kNeeded);
     visit("line", self.line, "places on the body, in order; the line closes by itself", kNeeded);
-    visit("edges", self.edges, "names of the edges, one from each corner to the next, the first from the first place",
+    visit("edges", self.edges,
+          "for each place the name of the edge that begins there, ~ where the line curves on without a corner; or just "
+          "the names, from corner to corner",
           kOptional);
     visit("mirror", self.mirror, "yes: also the symmetric copy on the body's other side", kOptional);
+    visit("symmetric", self.symmetric, "yes: the line is one half, from centre to centre; the piece is both halves",
+          kOptional);
+    visit("closed", self.closed, "no: drawn by hand, the line's ends must meet by themselves, within 15 mm", kOptional);
     visit("inside", self.inside, "a place inside the piece, where the line leaves it open which side is meant",
           kOptional);
     visit("ease", self.ease, "distance from the body (otherwise as set for the document)", kOptional);
@@ -163,12 +172,14 @@ struct ReshapePiece {
   PieceRef piece;
   std::vector<Flat> at;
   std::vector<Vec3> by;
+  Length within{0.12};
   Outline outline;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to reshape", kNeeded);
     visit("at", self.at, "the places that are pulled, on its paper", kOptional);
     visit("by", self.by, "how far each is pulled in space (x,y,z)", kOptional);
+    visit("within", self.within, "how far round a pulled place the cloth comes along", kOptional);
     visit("outline", self.outline, "the new outline; found from at and by if it is not given", kOptional);
   }
   bool operator==(const ReshapePiece&) const = default;
