@@ -1,6 +1,6 @@
 #pragma once
-// Settle: from where the cloth stands straight to rest on the body. Deterministic: the same input gives the same bits for
-// any number of threads. The report does not flatter.
+// Settle: from where the cloth stands straight to rest on the body. Deterministic: the same input gives the same bits
+// for any number of threads. The report does not flatter.
 #include <array>
 #include <memory>
 #include <span>
@@ -21,8 +21,10 @@ class Collider {
     double distance = 0;  // negative inside
     Vec3 normal;          // unit, out of the body
   };
-  virtual Contact contact(Vec3 place) const = 0;                       // thread-safe
-  virtual bool mayTouch(Vec3 place, double within) const = 0;          // cheap rejection
+  virtual Contact contact(Vec3 place) const = 0;               // thread-safe; asked at every step
+  virtual bool mayTouch(Vec3 place, double within) const = 0;  // cheap rejection
+  // The true distance, dearer: asked once at rest, so that nothing rests below the surface itself.
+  virtual Contact confirmed(Vec3 place) const { return contact(place); }
 };
 std::unique_ptr<Collider> fieldCollider(BodyPtr body);
 struct MergeReport {
@@ -37,11 +39,11 @@ struct StrainReport {
 
 struct SettleReport {
   bool settled = false;
-  Message why;                      // why not, or what made it stop
-  double residual = 0;              // rms unbalanced force / node weight
-  double step = 0;                  // largest predicted move left, metres
-  double penetration = 0;           // deepest below the collider's surface, metres
-  double seamGap = 0;               // widest, metres
+  Message why;             // why not, or what made it stop
+  double residual = 0;     // rms unbalanced force / node weight
+  double step = 0;         // largest predicted move left, metres
+  double penetration = 0;  // deepest below the collider's surface, metres
+  double seamGap = 0;      // widest, metres
   StrainReport strain;
   std::size_t steps = 0, solves = 0;
   double cpuSeconds = 0, wallSeconds = 0, peakMegabytes = 0;
@@ -49,14 +51,14 @@ struct SettleReport {
 
 struct SettleSettings {
   Vec3 gravity{0, -9.81, 0};
-  double stopMove = 0.00015;   // metres a step; three calm steps in a row
-  double stopResidual = 0.4;   // node weights, rms
-  int maxSteps = 400;          // on the finest level
-  double skin = 0.0015;        // metres the cloth keeps from the body
+  double stopMove = 0.00015;  // metres a step; three calm steps in a row
+  double stopResidual = 0.4;  // node weights, rms
+  int maxSteps = 400;         // on the finest level
+  double skin = 0.0015;       // metres the cloth keeps from the body
 };
 
-// `levels`: the same garment at 4h, 2h, h (coarse first; one level is allowed). `state` stands on the finest level and is
-// replaced on success; a cancelled job leaves it as it was. `start`: gives the state of a coarser level.
+// `levels`: the same garment at 4h, 2h, h (coarse first; one level is allowed). `state` stands on the finest level and
+// is replaced on success; a cancelled job leaves it as it was. `start`: gives the state of a coarser level.
 struct ClothLevel {
   Cloth cloth;
   ClothState state;  // where it stands at the start
@@ -66,14 +68,14 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
 
 // Takes places of the cloth along a path while it drapes; the hand is a patch, not a point.
 struct Grip {
-  std::vector<std::uint32_t> nodes;      // of the finest level
-  std::vector<Vec3> path;                // where the grip's middle goes, first = where it is; straight between
-  double seconds = 1.0;                  // how long the path takes
-  bool letGo = false;                    // afterwards free, otherwise held at the end
+  std::vector<std::uint32_t> nodes;  // of the finest level
+  std::vector<Vec3> path;            // where the grip's middle goes, first = where it is; straight between
+  double seconds = 1.0;              // how long the path takes
+  bool letGo = false;                // afterwards free, otherwise held at the end
 };
 struct PullReport {
   SettleReport end;
-  std::vector<Vec3> force;               // newtons the hand feels, one per path point; only beyond natural length
+  std::vector<Vec3> force;  // newtons the hand feels, one per path point; only beyond natural length
   double maxForce = 0;
 };
 Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& grip, const SettleSettings& settings,

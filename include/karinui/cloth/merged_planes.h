@@ -1,0 +1,40 @@
+#pragma once
+// The historical collider: adjacent faces of the body whose normals hardly differ are merged into one flat polygon, and
+// cloth is tested by segments against polygons. Coarser than the distance field, and it tells how many tests the
+// merging saved. Immutable once built; any thread may ask.
+#include <atomic>
+
+#include "karinui/cloth/settle.h"
+
+namespace karinui {
+
+class MergedPlanes : public Collider {
+ public:
+  struct Settings {
+    double angle = 0.12;      // radians a face's normal may differ from its polygon's
+    double flatness = 0.001;  // metres a corner may stand off its polygon's plane
+    double reach = 0.04;      // metres to both sides a place looks for polygons
+  };
+  MergedPlanes(BodyPtr body, const Settings& settings);
+  explicit MergedPlanes(BodyPtr body) : MergedPlanes(std::move(body), Settings{}) {}
+
+  Contact contact(Vec3 place) const override;
+  bool mayTouch(Vec3 place, double within) const override;
+
+  struct Polygon {
+    Vec3 centre, normal;                       // its plane, normal out of the body
+    std::vector<std::uint32_t> faces;          // of the body's mesh
+    std::vector<std::array<Vec3, 2>> outline;  // its boundary's segments, on the plane
+  };
+  const std::vector<Polygon>& polygons() const { return polygons_; }
+  MergeReport report() const;
+
+ private:
+  BodyPtr body_;
+  Settings settings_;
+  std::vector<Polygon> polygons_;
+  std::vector<std::uint32_t> polygonOf_;  // per face
+  mutable std::atomic<std::size_t> done_{0}, saved_{0};
+};
+
+}  // namespace karinui

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cstring>
+
+#include "karinui/cloth/cloth.h"
+
+namespace karinui {
+namespace {
+
+Result<Fabric> fabricOf(const Piece& piece, const std::map<std::string, Fabric>& fabrics) {
+  const auto found = fabrics.find(piece.fabric);
+  Result<Fabric> fabric = found != fabrics.end() ? Result<Fabric>(found->second) : preset(piece.fabric);
+  if (!fabric) return fabric;
+  if (const auto fine = checkFabric(*fabric); !fine) return fine.error();
+  return fabric;
+}
+
+// The nodes within a radius of a place on paper, or the nearest one.
+std::vector<std::uint32_t> nodesAt(const Lattice& lattice, Flat place, double radius) {
+  std::vector<std::uint32_t> nodes;
+  std::uint32_t nearest = 0;
+  for (std::uint32_t k = 0; k < lattice.nodes.size(); ++k) {
+    const double d = distance(lattice.nodes[k], place);
+    if (d <= radius) nodes.push_back(k);
+    if (d < distance(lattice.nodes[nearest], place)) nearest = k;
+  }
+  if (nodes.empty()) nodes.push_back(nearest);
+  return nodes;
+}
+
+// A form's places on paper by their exact bits: a node that was there when the form was left stands where it stood.
+class FormPlaces {
+ public:
+  explicit FormPlaces(const Form& form) : form_(form), finder_(form.flat, form.faces) {
+    order_.resize(form.flat.size());
+    for (std::uint32_t k = 0; k < order_.size(); ++k) order_[k] = k;
+    std::sort(order_.begin(), order_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return before(form.flat[a], form.flat[b]); });
+  }
+  Vec3 at(Flat place) const {
+    const auto found = std::lower_bound(order_.begin(), order_.end(), place,
+                                        [&](std::uint32_t k, Flat p) { return before(form_.flat[k], p); });
+    if (found != order_.end() && form_.flat[*found] == place) return form_.space[*found];
+    const LatticePlace in = finder_.find(place);
+    Vec3 sum;
+    for (int c = 0; c < 3; ++c) sum += form_.space[in.face[c]] * in.weight[c];
+    return sum;
+  }
+
+ private:
+  static bool before(Flat a, Flat b) { return a.u != b.u ? a.u < b.u : a.v < b.v; }
+  const Form& form_;
+  LatticeFinder finder_;
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace
+
+Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const std::map<std::string, Fabric>& fabrics,
+                       const ClothChoice& choice) {
+  Cloth cloth;
+  cloth.spacing = laid.spacing;
+  std::map<PieceId, std::uint32_t> first;
+  for (const auto& [id, piece] : pattern.pieces) {
+    const auto lattice = laid.lattices.find(id);
+    if (lattice == laid.lattices.end() || !lattice->second || lattice->second->nodes.empty())
+      return refused(say("The piece “{0}” has not been laid as cloth.", piece->name));
+    auto fabric = fabricOf(*piece, fabrics);
+    if (!fabric) return fabric.error();
+    const auto live = choice.live.find(id);
+    first[id] = cloth.nodeCount;
+    cloth.pieces.push_back({id, piece->name, lattice->second, *fabric, cloth.nodeCount, piece->layer,
+                            live != choice.live.end() ? live->second : !piece->frozen});
+    cloth.nodeCount += static_cast<std::uint32_t>(lattice->second->nodes.size());
+    if (const auto pins = choice.pins.find(id); pins != choice.pins.end())
+      for (Flat place : pins->second)
+        for (std::uint32_t k : nodesAt(*lattice->second, place, choice.pinRadius))
+          cloth.pinned.push_back(first[id] + k);
+  }
+  std::sort(cloth.pinned.begin(), cloth.pinned.end());
+  cloth.pinned.erase(std::unique(cloth.pinned.begin(), cloth.pinned.end()), cloth.pinned.end());
+  std::map<SeamId, std::uint32_t> seamIndex;
+  for (const auto& [id, seam] : pattern.seams) {
+    seamIndex[id] = static_cast<std::uint32_t>(cloth.seams.size());
+    cloth.seams.push_back(id);
+  }
+  for (const SeamTie& tie : laid.ties) {
+    const auto a = first.find(tie.pieceA), b = first.find(tie.pieceB);
+    const auto seam = seamIndex.find(tie.seam);
+    if (a == first.end() || b == first.end() || seam == seamIndex.end()) continue;  // its piece is not of this pattern
+    const Tie joined{a->second + tie.a, b->second + tie.b, tie.c == kNoNode ? kNoNode : b->second + tie.c,
+                     seam->second};
+    if (joined.a != joined.b || joined.c != kNoNode) cloth.ties.push_back(joined);
+  }
+  return cloth;
+}
+
+ClothState standing(const Pattern& pattern, const Cloth& cloth) {
+  ClothState state;
+  state.position.resize(cloth.nodeCount);
+  for (const ClothPiece& part : cloth.pieces) {
+    const Piece& piece = *pattern.pieces.at(part.id);
+    const Lattice& lattice = *part.lattice;
+    const bool formed = piece.form && !piece.form->faces.empty() && piece.form->flat.size() == piece.form->space.size();
+    std::optional<FormPlaces> form;
+    if (formed) form.emplace(*piece.form);
+    for (std::uint32_t k = 0; k < lattice.nodes.size(); ++k) {
+      const Flat flat = lattice.nodes[k];
+      state.position[part.firstNode + k] = piece.pose(form ? form->at(flat) : Vec3{flat.u, flat.v, 0});
+    }
+  }
+  return state;
+}
+
+std::shared_ptr<const Form> formOf(const Cloth& cloth, const ClothState& state, std::size_t piece) {
+  const ClothPiece& part = cloth.pieces.at(piece);
+  auto form = std::make_shared<Form>();
+  form->flat = part.lattice->nodes;
+  form->faces = part.lattice->faces;
+  form->space.assign(state.position.begin() + part.firstNode,
+                     state.position.begin() + part.firstNode + static_cast<std::ptrdiff_t>(form->flat.size()));
+  return form;
+}
+
+}  // namespace karinui

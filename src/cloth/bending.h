@@ -1,0 +1,32 @@
+#pragma once
+// How woven cloth resists being bent: per area 1/2 (B_weft k_uu^2 + B_warp k_vv^2 + 2 sqrt(B_weft B_warp) k_uv^2), with
+// curvatures as second differences of the places, so the second derivative is constant (exact for cloth that does not
+// stretch; Bergou et al. 2006 call this isometric bending).
+//   Inside:  three nodes along warp and weft, the four corners of a cell for the twist.
+//   Border:  the quadratic that fits the nodes around best, made blind to rigid and uniform motion; what the quadratic
+//            leaves over is held too, so no jagged border is free of charge.
+// A node that is held on one side is a clamp: only the free half of its stretch bends, so it counts twice.
+#include "cloth/energy.h"
+#include "karinui/cloth/cloth.h"
+
+namespace karinui {
+
+class Bending : public Energy {
+ public:
+  Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held);  // of the live woven pieces; held: per cloth node
+  double value(std::span<const Vec3> x, Workers& workers) const override;
+  void addGradient(std::span<const Vec3> x, std::span<Vec3> gradient, Workers& workers) const override;
+  void appendPairs(std::vector<NodePair>& pairs) const override;
+  std::size_t pairCount() const override { return column_.size(); }
+  void blocks(std::span<const Vec3> x, std::span<Block3> out, Workers& workers) const override;
+  bool constantBlocks() const override { return true; }
+
+ private:
+  Vec3 rowTimes(std::size_t row, std::span<const Vec3> x) const;
+  std::vector<NodeIndex> node_;       // of each row
+  std::vector<std::uint32_t> start_;  // rows in column_ and weight_
+  std::vector<NodeIndex> column_;
+  std::vector<double> weight_;  // N/m
+};
+
+}  // namespace karinui

@@ -1,0 +1,58 @@
+#pragma once
+// Cloth against the body: a push that grows with how deep a node stands in the skin's offset, and friction that holds
+// each touching node by a spring to where it stuck, slipping where the pull exceeds friction (return mapping).
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cloth/block_system.h"
+#include "karinui/base/workers.h"
+#include "karinui/cloth/settle.h"
+
+namespace karinui {
+
+class BodyContact {
+ public:
+  struct Node {
+    NodeIndex node = 0;
+    double area = 0, friction = 0;
+  };
+  // `nodes`: those that move. `offset`: how far from the surface the push begins, metres.
+  BodyContact(const Collider& body, std::vector<Node> nodes, double offset);
+
+  // Finds who touches at these places. Forces, blocks and anchors speak of what was found last.
+  void find(std::span<const Vec3> x, bool withFriction, Workers& workers);
+  void addGradient(std::span<Vec3> gradient) const;
+  void addBlocks(const TieMap& ties, BlockSystem& system) const;
+  void moveAnchors(std::span<const Vec3> x, Workers& workers);  // after a step; once
+  void forgetAnchors();
+  double anchorMove() const { return anchorMove_; }  // largest slip of the last step, metres
+  std::size_t touching() const { return touching_; }
+  // Where the node touches: its outward normal; zero length where it does not.
+  Vec3 normalAt(NodeIndex node) const { return slot_[node] == kNoNode ? Vec3{} : at_[slot_[node]].normal; }
+
+  // The part of a move that does not enter the body: it follows the surface from where it meets it.
+  Vec3 limited(Vec3 from, Vec3 move) const;
+  void cover(std::size_t nodeCount);
+
+ private:
+  struct At {
+    bool touches = false, stuck = false;
+    Vec3 normal, anchor, force;
+    double push = 0, along = 0, across = 0;  // N, N/m
+    double slip = 0;
+  };
+  struct Push {
+    double force, slope;
+  };
+  Push pushAt(double area, double depth) const;
+
+  const Collider& body_;
+  std::vector<Node> nodes_;
+  std::vector<At> at_;
+  std::vector<std::uint32_t> slot_;
+  double offset_, anchorMove_ = 0;
+  std::size_t touching_ = 0;
+};
+
+}  // namespace karinui

@@ -1,0 +1,28 @@
+#pragma once
+// Draws open seams together: a pull of limited strength between partners, which goes round the body where the straight
+// way leads into it.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cloth/block_system.h"
+#include "cloth/body_contact.h"
+
+namespace karinui {
+
+struct ClosingPull {
+  Tie tie;
+  Vec3 onA, onB;         // newtons; onB is shared by b and c
+  double stiffness = 0;  // N/m
+};
+// For the ties not yet tied. `spacing` of this level, metres.
+std::vector<ClosingPull> closingPulls(const Cloth& cloth, const std::vector<std::uint8_t>& tied,
+                                      std::span<const Vec3> x, const BodyContact& contact);
+void addGradient(const std::vector<ClosingPull>& pulls, std::span<Vec3> gradient);
+void addCouplings(const std::vector<ClosingPull>& pulls, const TieMap& ties, std::vector<Coupling>& couplings);
+
+// Parts of a weighted sum of nodes in terms of unknowns, each unknown once.
+std::vector<TieMap::Part> partsOf(const TieMap& ties, std::span<const std::uint32_t> nodes,
+                                  std::span<const double> weights);
+
+}  // namespace karinui

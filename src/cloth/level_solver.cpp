@@ -1,0 +1,246 @@
+#include "cloth/level_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/bending.h"
+#include "cloth/lattice_shares.h"
+
+namespace karinui {
+namespace {
+
+struct Moving {
+  std::vector<NodeIndex> nodes;
+  std::vector<std::uint8_t> held;  // per cloth node
+  std::vector<double> mass, area;
+  std::vector<BodyContact::Node> contact;
+};
+
+Moving movingOf(const Cloth& cloth) {
+  Moving moving;
+  moving.held.assign(cloth.nodeCount, 1);
+  moving.mass.assign(cloth.nodeCount, 0);
+  moving.area.assign(cloth.nodeCount, 0);
+  std::vector<double> friction(cloth.nodeCount, 0);
+  for (const ClothPiece& piece : cloth.pieces) {
+    if (!piece.live) continue;
+    const LatticeShares shares = sharesOf(*piece.lattice);
+    const double least = 0.01 * piece.lattice->spacing * piece.lattice->spacing;
+    for (std::size_t k = 0; k < shares.cell.size(); ++k) {
+      const std::size_t node = piece.firstNode + k;
+      moving.held[node] = 0;
+      moving.area[node] = std::max(least, shares.cell[k] + shares.ring[k]);
+      moving.mass[node] = moving.area[node] * piece.fabric.weight;
+      friction[node] = piece.fabric.frictionBody;
+    }
+  }
+  for (std::uint32_t node : cloth.pinned) moving.held[node] = 1;
+  for (NodeIndex node = 0; node < cloth.nodeCount; ++node)
+    if (!moving.held[node]) {
+      moving.nodes.push_back(node);
+      moving.contact.push_back({node, moving.area[node], friction[node]});
+    }
+  return moving;
+}
+
+}  // namespace
+
+double skinOffset(const SettleSettings& settings, double spacing, double finest) {
+  return spacing > 1.25 * finest ? std::max(settings.skin, 0.12 * spacing) : settings.skin;
+}
+
+LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider& body, const SettleSettings& settings,
+                         Workers& workers)
+    : cloth_(cloth),
+      body_(body),
+      settings_(settings),
+      workers_(workers),
+      x_(std::move(x)),
+      velocity_(cloth.nodeCount),
+      gradient_(cloth.nodeCount),
+      tied_(cloth.ties.size(), 0),
+      contact_(body, movingOf(cloth).contact, settings.skin) {
+  Moving moving = movingOf(cloth);
+  mass_ = std::move(moving.mass);
+  held_ = std::move(moving.held);
+  moving_ = std::move(moving.nodes);
+  contact_.cover(cloth.nodeCount);
+  double total = 0;
+  for (NodeIndex k : moving_) total += mass_[k];
+  const double g = length(settings.gravity);
+  nodeWeight_ = std::max(1e-12, total / std::max<std::size_t>(1, moving_.size()) * (g > 0 ? g : 9.81));
+
+  auto membrane = std::make_unique<Membrane>(cloth);
+  membrane_ = membrane.get();
+  energies_.push_back(std::move(membrane));
+  for (const auto& list : {simclothSprings(cloth), edgeSprings(cloth)}) {
+    auto springs = std::make_unique<Springs>(list, cloth.nodeCount);
+    springs_.push_back(springs.get());
+    energies_.push_back(std::move(springs));
+  }
+  energies_.push_back(std::make_unique<Bending>(cloth, held_));
+  for (const auto& energy : energies_) energy->appendPairs(energy->constantBlocks() ? constant_ : changing_);
+  changingBlocks_.resize(changing_.size());
+  constantBlocks_.resize(constant_.size());
+  std::size_t at = 0;
+  for (const auto& energy : energies_)
+    if (energy->constantBlocks()) {
+      energy->blocks(x_, std::span(constantBlocks_).subspan(at, energy->pairCount()), workers_);
+      at += energy->pairCount();
+    }
+  // Ties between nodes that do not move are not ours to close.
+  for (std::size_t t = 0; t < cloth.ties.size(); ++t) {
+    const Tie& tie = cloth.ties[t];
+    if (held_[tie.a] && held_[tie.b] && (tie.c == kNoNode || held_[tie.c])) tied_[t] = 1;
+  }
+  rebuild();
+}
+
+void LevelSolver::rebuild() {
+  ties_ = std::make_unique<TieMap>(cloth_, held_, tied_);
+  ties_->gather(x_);
+  system_ = std::make_unique<BlockSystem>(*ties_, changing_, constant_, constantBlocks_);
+  open_ = static_cast<std::size_t>(std::count(tied_.begin(), tied_.end(), 0));
+}
+
+void LevelSolver::place(std::vector<Vec3> x) {
+  x_ = std::move(x);
+  ties_->gather(x_);
+  stop();
+}
+
+void LevelSolver::stop() {
+  std::fill(velocity_.begin(), velocity_.end(), Vec3{});
+  contact_.forgetAnchors();
+}
+
+void LevelSolver::tieWithin(double gap) {
+  bool changed = false;
+  for (std::size_t t = 0; t < tied_.size(); ++t)
+    if (!tied_[t] && length(gapOf(cloth_.ties[t], x_)) < gap) {
+      tied_[t] = 1;
+      changed = true;
+    }
+  if (!changed) return;
+  rebuild();
+  // What is tied moves as one from now on.
+  std::vector<Vec3> impulse(cloth_.nodeCount), mass(cloth_.nodeCount), p, m;
+  for (NodeIndex k : moving_) {
+    impulse[k] = velocity_[k] * mass_[k];
+    mass[k] = Vec3{mass_[k], 0, 0};
+  }
+  ties_->reduce(impulse, p);
+  ties_->reduce(mass, m);
+  for (std::size_t u = 0; u < p.size(); ++u) p[u] = m[u].x > 0 ? p[u] * (1 / m[u].x) : Vec3{};
+  ties_->spread(p, velocity_);
+}
+
+void LevelSolver::assemble(const Stride& stride) {
+  std::fill(gradient_.begin(), gradient_.end(), Vec3{});
+  for (const auto& energy : energies_) energy->addGradient(x_, gradient_, workers_);
+  for (NodeIndex k : moving_) gradient_[k] -= stride.gravity * mass_[k];
+  contact_.find(x_, stride.friction, workers_);
+  contact_.addGradient(gradient_);
+  std::vector<Coupling> couplings;
+  if (open_ > 0) {
+    const auto pulls = closingPulls(cloth_, tied_, x_, contact_);
+    karinui::addGradient(pulls, gradient_);
+    karinui::addCouplings(pulls, *ties_, couplings);
+  }
+  if (hand_)
+    for (std::size_t k = 0; k < hand_->nodes.size(); ++k) {
+      const NodeIndex node = hand_->nodes[k];
+      gradient_[node] += (x_[node] - hand_->middle - hand_->offset[k]) * hand_->stiffness;
+    }
+
+  std::size_t at = 0;
+  for (const auto& energy : energies_)
+    if (!energy->constantBlocks()) {
+      energy->blocks(x_, std::span(changingBlocks_).subspan(at, energy->pairCount()), workers_);
+      at += energy->pairCount();
+    }
+  system_->gather(changingBlocks_, workers_);
+  const double inertia = 1 / (stride.seconds * stride.seconds);
+  const auto addIsotropic = [&](NodeIndex node, double value) {
+    double whole = 0;
+    for (const TieMap::Part& part : ties_->parts(node)) whole += std::fabs(part.weight);
+    for (const TieMap::Part& part : ties_->parts(node)) {
+      Block3 block{};
+      block[0] = block[4] = block[8] = static_cast<float>(value * whole * std::fabs(part.weight));
+      system_->addDiagonal(part.unknown, block);
+    }
+  };
+  for (NodeIndex k : moving_) addIsotropic(k, mass_[k] * inertia);
+  if (hand_)
+    for (NodeIndex node : hand_->nodes) addIsotropic(node, hand_->stiffness);
+  contact_.addBlocks(*ties_, *system_);
+  system_->setCouplings(std::move(couplings));
+}
+
+LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token) {
+  Outcome outcome;
+  if (ties_->unknowns() == 0) return outcome;
+  assemble(stride);
+  std::vector<Vec3> nodeForce(cloth_.nodeCount);
+  for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
+  ties_->reduce(nodeForce, force_);
+  double squares = 0;
+  for (Vec3 f : force_) squares += squaredLength(f);
+  outcome.residual = std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
+  for (NodeIndex k : moving_) nodeForce[k] += velocity_[k] * (mass_[k] * stride.keep / stride.seconds);
+  ties_->reduce(nodeForce, force_);
+  outcome.iterations = system_->solve(force_, stride.stop, token, workers_, move_);
+  ties_->spread(move_, nodeMove_);
+  double most = 0;
+  for (NodeIndex k : moving_) {
+    if (!finite(nodeMove_[k])) outcome.finite = false;
+    most = std::fmax(most, squaredLength(nodeMove_[k]));
+  }
+  most = std::sqrt(most);
+  if (!outcome.finite || !std::isfinite(outcome.residual) || token.cancelled()) return outcome;
+  const double scale = most > stride.mostMove ? stride.mostMove / most : 1;
+  outcome.shortened = scale < 1;
+  workers_.forBlocks(moving_.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const NodeIndex k = moving_[n];
+      nodeMove_[k] = contact_.limited(x_[k], nodeMove_[k] * scale);
+    }
+  });
+  for (NodeIndex k : moving_) {
+    x_[k] += nodeMove_[k];
+    velocity_[k] = nodeMove_[k] * (1 / stride.seconds);
+    outcome.move = std::fmax(outcome.move, length(nodeMove_[k]));
+  }
+  if (!cloth_.ties.empty()) ties_->gather(x_);
+  if (stride.friction) contact_.moveAnchors(x_, workers_);
+  return outcome;
+}
+
+LevelSolver::Outcome LevelSolver::predict(const Stride& stride, const Token& token) {
+  Outcome outcome;
+  if (ties_->unknowns() == 0) return outcome;
+  assemble(stride);
+  std::vector<Vec3> nodeForce(cloth_.nodeCount);
+  for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
+  ties_->reduce(nodeForce, force_);
+  double squares = 0;
+  for (Vec3 f : force_) squares += squaredLength(f);
+  outcome.residual = std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
+  outcome.iterations = system_->solve(force_, stride.stop, token, workers_, move_);
+  for (Vec3 m : move_) {
+    outcome.finite = outcome.finite && finite(m);
+    outcome.move = std::fmax(outcome.move, length(m));
+  }
+  return outcome;
+}
+
+Vec3 LevelSolver::handForce() const {
+  if (!hand_) return {};
+  std::vector<std::uint8_t> patch(cloth_.nodeCount, 0);
+  for (NodeIndex node : hand_->nodes) patch[node] = 1;
+  Vec3 force = membrane_->tensionAt(x_, patch);
+  for (const Springs* springs : springs_) force += springs->tensionAt(x_, patch);
+  return force;
+}
+
+}  // namespace karinui

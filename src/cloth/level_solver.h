@@ -1,0 +1,89 @@
+#pragma once
+// One level of a garment on its way to rest: strongly damped implicit steps (backward Euler with long time steps,
+// velocity kept), each one linear solve. See docs/develop/drape.md.
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cloth/block_system.h"
+#include "cloth/body_contact.h"
+#include "cloth/closing.h"
+#include "cloth/membrane.h"
+#include "cloth/springs.h"
+#include "karinui/cloth/settle.h"
+
+namespace karinui {
+
+class LevelSolver {
+ public:
+  // The cloth and the collider must outlive this. `x`: where the cloth stands.
+  LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider& body, const SettleSettings& settings,
+              Workers& workers);
+
+  struct Stride {
+    double seconds = 1.0 / 60, keep = 1;  // of the velocity
+    double mostMove = 0;                  // metres; the whole step is shortened to it
+    Vec3 gravity;
+    bool friction = true;
+    BlockSystem::Stop stop;
+  };
+  struct Outcome {
+    double move = 0;      // largest, metres
+    double residual = 0;  // rms unbalanced force in node weights, before the step
+    bool shortened = false, finite = true;
+    int iterations = 0;
+  };
+  Outcome step(const Stride& stride, const Token& token);
+  // The largest move of one long, well converged step; nothing moves.
+  Outcome predict(const Stride& stride, const Token& token);
+
+  const Cloth& cloth() const { return cloth_; }
+  const std::vector<Vec3>& places() const { return x_; }
+  void place(std::vector<Vec3> x);  // stand elsewhere, at rest
+  bool allTied() const { return open_ == 0; }
+  void tieWithin(double gap);  // ties every open pair nearer than this
+  void stop();                 // forget velocity and anchors
+  double anchorMove() const { return contact_.anchorMove(); }
+  std::size_t touching() const { return contact_.touching(); }
+  std::size_t unknowns() const { return ties_->unknowns(); }
+  const std::vector<NodeIndex>& moving() const { return moving_; }
+
+  // A hand that holds nodes: springs that draw them to places. Returned force is what it takes beyond natural length.
+  struct Hand {
+    std::vector<NodeIndex> nodes;
+    std::vector<Vec3> offset;  // of each from the middle
+    Vec3 middle;
+    double stiffness = 0;  // N/m, per node
+  };
+  void setHand(std::optional<Hand> hand) { hand_ = std::move(hand); }
+  Vec3 handForce() const;  // newtons the hand feels: what threads stretched beyond their length pull with
+
+ private:
+  void assemble(const Stride& stride);  // forces and system at x_
+  void rebuild();                       // after ties changed
+
+  const Cloth& cloth_;
+  const Collider& body_;
+  SettleSettings settings_;
+  Workers& workers_;
+  std::vector<Vec3> x_, velocity_, gradient_;
+  std::vector<double> mass_;
+  std::vector<std::uint8_t> held_, tied_;
+  std::size_t open_ = 0;
+  std::vector<NodeIndex> moving_;
+  std::vector<std::unique_ptr<Energy>> energies_;
+  const Membrane* membrane_ = nullptr;   // of energies_
+  std::vector<const Springs*> springs_;  // of energies_
+  std::vector<NodePair> changing_, constant_;
+  std::vector<Block3> changingBlocks_, constantBlocks_;
+  std::unique_ptr<TieMap> ties_;
+  std::unique_ptr<BlockSystem> system_;
+  BodyContact contact_;
+  std::optional<Hand> hand_;
+  double nodeWeight_ = 0;
+  std::vector<Vec3> force_, move_, nodeMove_;
+};
+
+double skinOffset(const SettleSettings& settings, double spacing, double finest);
+
+}  // namespace karinui

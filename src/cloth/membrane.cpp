@@ -1,0 +1,127 @@
+#include "cloth/membrane.h"
+
+namespace karinui {
+namespace {
+
+// A thread squeezed to nothing has no direction; below this part of its length none is asked for.
+constexpr double kShortest = 1e-9;
+
+Vec3 carried(const std::array<double, 3>& weight, const std::array<Vec3, 3>& x) {
+  return x[0] * weight[0] + x[1] * weight[1] + x[2] * weight[2];
+}
+
+// Shear energy per area G/2 (s^2 + s^4/3) of s = warp . weft. Its slope by the angle is G gamma up to the fifth order
+// (sin g + 2/3 sin^3 g) cos g = g + O(g^5), and it stays a smooth polynomial for crushed cloth.
+double shearEnergy(double g, double s) { return 0.5 * g * (s * s + s * s * s * s / 3); }
+double shearSlope(double g, double s) { return g * (s + 2.0 / 3 * s * s * s); }
+double shearCurvature(double g, double s) { return g * (1 + 2 * s * s); }
+
+}  // namespace
+
+double ThreadCurve::energy(double e) const {
+  if (e <= 0) return 0.5 * squeeze * e * e;
+  const double rise = stiffness - squeeze;
+  if (e < toe) return 0.5 * squeeze * e * e + rise * e * e * e / (6 * toe);
+  return 0.5 * stiffness * e * e - 0.5 * rise * toe * e + rise * toe * toe / 6;
+}
+
+double ThreadCurve::force(double e) const {
+  if (e <= 0) return squeeze * e;
+  const double rise = stiffness - squeeze;
+  if (e < toe) return squeeze * e + rise * e * e / (2 * toe);
+  return stiffness * e - 0.5 * rise * toe;
+}
+
+double ThreadCurve::tangent(double e) const {
+  if (e <= 0) return squeeze;
+  if (e < toe) return squeeze + (stiffness - squeeze) * e / toe;
+  return stiffness;
+}
+
+Membrane::Membrane(const Cloth& cloth) {
+  std::vector<std::array<NodeIndex, 3>> nodes;
+  for (const ClothPiece& piece : cloth.pieces) {
+    const Fabric& f = piece.fabric;
+    if (!piece.live || f.law != Fabric::Law::Woven) continue;
+    threads_.push_back({{f.stretchWarp, f.compression * f.stretchWarp, f.toe},
+                        {f.stretchWeft, f.compression * f.stretchWeft, f.toe},
+                        f.shear});
+    const Lattice& lattice = *piece.lattice;
+    for (const Triangle& face : lattice.faces) {
+      const Flat a = lattice.nodes[face[0]], ab = lattice.nodes[face[1]] - a, ac = lattice.nodes[face[2]] - a;
+      const double twice = cross(ab, ac);
+      if (!(twice > 0)) continue;  // a face of no area stores no energy
+      const auto unit = [&](Flat d) {
+        const double b = cross(d, ac) / twice, c = cross(ab, d) / twice;
+        return std::array<double, 3>{-b - c, b, c};
+      };
+      share_.push_back(
+          {unit(lattice.weft), unit(lattice.warp), 0.5 * twice, static_cast<std::uint32_t>(threads_.size() - 1)});
+      nodes.push_back({piece.firstNode + face[0], piece.firstNode + face[1], piece.firstNode + face[2]});
+    }
+  }
+  setElements(std::move(nodes), cloth.nodeCount);
+}
+
+double Membrane::elementValue(std::size_t e, const Corners& x) const {
+  const Share& share = share_[e];
+  const Threads& t = threads_[share.threads];
+  const Vec3 weft = carried(share.weft, x), warp = carried(share.warp, x);
+  return share.area *
+         (t.weft.energy(length(weft) - 1) + t.warp.energy(length(warp) - 1) + shearEnergy(t.shear, dot(weft, warp)));
+}
+
+void Membrane::elementGradient(std::size_t e, const Corners& x, std::span<Vec3, 3> out) const {
+  const Share& share = share_[e];
+  const Threads& t = threads_[share.threads];
+  const Vec3 weft = carried(share.weft, x), warp = carried(share.warp, x);
+  const double lu = length(weft), lv = length(warp), slope = shearSlope(t.shear, dot(weft, warp));
+  const Vec3 byWeft = weft * (lu > kShortest ? t.weft.force(lu - 1) / lu : 0) + warp * slope;
+  const Vec3 byWarp = warp * (lv > kShortest ? t.warp.force(lv - 1) / lv : 0) + weft * slope;
+  for (int a = 0; a < 3; ++a) out[a] = (byWeft * share.weft[a] + byWarp * share.warp[a]) * share.area;
+}
+
+void Membrane::elementBlocks(std::size_t e, const Corners& x, std::span<Block3> out) const {
+  const Share& share = share_[e];
+  const Threads& t = threads_[share.threads];
+  const Vec3 weft = carried(share.weft, x), warp = carried(share.warp, x);
+  const double lu = length(weft), lv = length(warp);
+  const Vec3 nu = lu > kShortest ? weft * (1 / lu) : Vec3{}, nv = lv > kShortest ? warp * (1 / lv) : Vec3{};
+  // Across the thread only tension holds; squeezed threads would give a negative value, which is left out.
+  const double au = lu > kShortest ? std::fmax(0.0, t.weft.force(lu - 1) / lu) : 0;
+  const double av = lv > kShortest ? std::fmax(0.0, t.warp.force(lv - 1) / lv) : 0;
+  const double bu = t.weft.tangent(lu - 1) - au, bv = t.warp.tangent(lv - 1) - av;
+  const double shear = shearCurvature(t.shear, dot(weft, warp));
+  std::array<Vec3, 3> turn;
+  for (int a = 0; a < 3; ++a) turn[a] = warp * share.weft[a] + weft * share.warp[a];
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      Block3& block = out[a * 3 + b];
+      block = {};
+      const double u = share.area * share.weft[a] * share.weft[b], v = share.area * share.warp[a] * share.warp[b];
+      addStretch(block, u * au, u * bu, nu);
+      addStretch(block, v * av, v * bv, nv);
+      addOuter(block, share.area * shear, turn[a], turn[b]);
+    }
+}
+
+Vec3 Membrane::tensionAt(std::span<const Vec3> x, const std::vector<std::uint8_t>& patch) const {
+  Vec3 pull;
+  for (std::size_t e = 0; e < count(); ++e) {
+    const auto& n = nodes_[e];
+    if (!patch[n[0]] && !patch[n[1]] && !patch[n[2]]) continue;
+    const Share& share = share_[e];
+    const Threads& t = threads_[share.threads];
+    const std::array<Vec3, 3> corner{x[n[0]], x[n[1]], x[n[2]]};
+    const Vec3 weft = carried(share.weft, corner), warp = carried(share.warp, corner);
+    const double lu = length(weft), lv = length(warp);
+    for (int a = 0; a < 3; ++a) {
+      if (!patch[n[a]]) continue;
+      if (lu > 1) pull -= weft * (share.area * share.weft[a] * t.weft.force(lu - 1) / lu);
+      if (lv > 1) pull -= warp * (share.area * share.warp[a] * t.warp.force(lv - 1) / lv);
+    }
+  }
+  return pull;
+}
+
+}  // namespace karinui

@@ -1,0 +1,185 @@
+#include "cloth/rest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace karinui {
+namespace {
+
+constexpr double kFrame = 1.0 / 60;
+constexpr double kLongest = 1.0 / 30;  // seconds of a step
+constexpr double kTieGap = 0.002;      // metres: nearer than this a pair is sewn
+constexpr int kSewSteps = 300;
+constexpr int kFallSteps = 40;  // steps on nothing at all
+
+RestOutcome& note(RestOutcome& so, const LevelSolver::Outcome& step, const Token& token) {
+  ++so.steps;
+  so.solves += static_cast<std::size_t>(step.iterations);
+  so.residual = step.residual;
+  so.left = step.move;
+  so.finite = step.finite;
+  so.cancelled = token.cancelled();
+  return so;
+}
+
+}  // namespace
+
+RestOutcome sew(LevelSolver& solver, const Token& token, const StepWatcher& watch) {
+  RestOutcome so;
+  LevelSolver::Stride stride;
+  stride.seconds = kFrame;
+  stride.keep = 0.9;
+  stride.mostMove = 0.5 * solver.cloth().spacing;
+  stride.friction = false;
+  stride.stop = {40, 60, 0.1};
+  double narrowest = widestGap(solver.cloth(), solver.places());
+  int idle = 0;
+  for (int k = 0; k < kSewSteps && !solver.allTied(); ++k) {
+    const auto step = solver.step(stride, token);
+    note(so, step, token);
+    if (!so.finite || so.cancelled) return so;
+    solver.tieWithin(kTieGap);
+    if (watch) watch(k, step);
+    const double gap = widestGap(solver.cloth(), solver.places());
+    idle = gap < 0.98 * narrowest ? 0 : idle + 1;
+    narrowest = std::fmin(narrowest, gap);
+    if (idle > 100) break;
+  }
+  so.settled = solver.allTied();
+  return so;
+}
+
+RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double firstSeconds, const Token& token,
+                 const StepWatcher& watch) {
+  RestOutcome so;
+  LevelSolver::Stride stride;
+  stride.seconds = firstSeconds;
+  stride.mostMove = solver.cloth().spacing;
+  stride.gravity = gravity;
+  const bool canFall = solver.cloth().pinned.empty() && length(gravity) > 0 &&
+                       std::all_of(solver.cloth().pieces.begin(), solver.cloth().pieces.end(),
+                                   [](const ClothPiece& p) { return p.live; });
+  int calm = 0, alone = 0;
+  bool touched = false;
+  for (int k = 0; k < rule.mostSteps; ++k) {
+    const auto step = solver.step(stride, token);
+    note(so, step, token);
+    if (!so.finite || so.cancelled) return so;
+    if (!solver.allTied()) solver.tieWithin(kTieGap);
+    if (watch) watch(k, step);
+    touched = touched || solver.touching() > 0;
+    alone = solver.touching() > 0 ? 0 : alone + 1;
+    if (canFall && touched && alone > kFallSteps) {
+      so.falls = true;
+      return so;
+    }
+    stride.seconds =
+        step.shortened ? std::fmax(0.25 * kFrame, 0.7 * stride.seconds) : std::fmin(kLongest, 1.1 * stride.seconds);
+    calm = step.move < rule.move && step.residual < rule.residual && solver.allTied() ? calm + 1 : 0;
+    if (calm < 3) continue;
+    if (rule.left > 0) {
+      LevelSolver::Stride longer = stride;
+      longer.seconds = 0.25;
+      longer.stop = {40, 300, 0.02};
+      const auto ahead = solver.predict(longer, token);
+      so.solves += static_cast<std::size_t>(ahead.iterations);
+      so.left = ahead.move;
+      so.residual = ahead.residual;
+      so.finite = ahead.finite;
+      so.cancelled = token.cancelled();
+      if (!so.finite || so.cancelled) return so;
+      if (!(ahead.move < rule.left)) {
+        calm = 0;
+        continue;
+      }
+    }
+    so.settled = true;
+    return so;
+  }
+  so.falls = canFall && solver.touching() == 0;
+  return so;
+}
+
+namespace {
+
+// Places of a face that are asked about: its corners are nodes; these are the middles of its sides and its own.
+constexpr double kSamples[4][3] = {{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1.0 / 3, 1.0 / 3, 1.0 / 3}};
+
+template <class Visit>
+void liveFaces(const Cloth& cloth, Visit visit) {
+  for (const ClothPiece& piece : cloth.pieces)
+    if (piece.live)
+      for (const Triangle& face : piece.lattice->faces)
+        visit(Triangle{piece.firstNode + face[0], piece.firstNode + face[1], piece.firstNode + face[2]});
+}
+
+}  // namespace
+
+double deepest(const Cloth& cloth, const Collider& body, std::span<const Vec3> x, Workers& workers) {
+  std::vector<Triangle> faces;
+  liveFaces(cloth, [&](const Triangle& face) { faces.push_back(face); });
+  constexpr std::size_t kBlock = 256;
+  std::vector<double> worst((faces.size() + kBlock - 1) / kBlock, 0);
+  workers.forBlocks(faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    double most = 0;
+    const auto ask = [&](Vec3 place) {
+      if (body.mayTouch(place, 0.001)) most = std::fmax(most, -body.confirmed(place).distance);
+    };
+    for (std::size_t f = begin; f < end; ++f) {
+      const Vec3 a = x[faces[f][0]], b = x[faces[f][1]], c = x[faces[f][2]];
+      ask(a);
+      ask(b);
+      ask(c);
+      for (const auto& w : kSamples) ask(a * w[0] + b * w[1] + c * w[2]);
+    }
+    worst[begin / kBlock] = most;
+  });
+  double most = 0;
+  for (double w : worst) most = std::fmax(most, w);
+  return most;
+}
+
+double liftOff(const Cloth& cloth, const std::vector<NodeIndex>& moving, const Collider& body, double clearance,
+               std::vector<Vec3>& x, Workers& workers) {
+  std::vector<std::uint8_t> moves(cloth.nodeCount, 0);
+  for (NodeIndex k : moving) moves[k] = 1;
+  std::vector<Triangle> faces;
+  liveFaces(cloth, [&](const Triangle& face) { faces.push_back(face); });
+  std::vector<Vec3> lift(faces.size() * 4);
+  constexpr std::size_t kBlock = 256;
+  for (int round = 0; round < 12; ++round) {
+    workers.forBlocks(moving.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        Vec3& place = x[moving[n]];
+        if (!body.mayTouch(place, clearance)) continue;
+        const auto contact = body.confirmed(place);
+        if (contact.distance < clearance) place += contact.normal * (clearance - contact.distance);
+      }
+    });
+    workers.forBlocks(faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        for (int s = 0; s < 4; ++s) {
+          const auto& w = kSamples[s];
+          const Vec3 place = x[faces[f][0]] * w[0] + x[faces[f][1]] * w[1] + x[faces[f][2]] * w[2];
+          lift[f * 4 + s] = {};
+          if (!body.mayTouch(place, clearance)) continue;
+          const auto contact = body.confirmed(place);
+          // Half the nodes' clearance is enough between them.
+          if (contact.distance < 0.5 * clearance)
+            lift[f * 4 + s] = contact.normal * (0.5 * clearance - contact.distance);
+        }
+    });
+    bool any = false;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (int s = 0; s < 4; ++s) {
+        if (squaredLength(lift[f * 4 + s]) == 0) continue;
+        any = true;
+        for (int c = 0; c < 3; ++c)
+          if (kSamples[s][c] > 0 && moves[faces[f][c]]) x[faces[f][c]] += lift[f * 4 + s] * 0.6;
+      }
+    if (!any) break;
+  }
+  return deepest(cloth, body, x, workers);
+}
+
+}  // namespace karinui

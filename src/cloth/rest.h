@@ -1,0 +1,36 @@
+#pragma once
+// The stages a level goes through on its way to rest, and what is asked before calling it rest.
+#include <functional>
+
+#include "cloth/level_solver.h"
+
+namespace karinui {
+
+inline constexpr double kFarApart = 1e9;  // metres: ties whatever the gap
+
+struct RestRule {
+  double move = 0.00015;  // metres a step
+  double residual = 0.4;  // node weights, rms
+  double left = 0.0005;   // metres of the largest move still predicted; 0: not asked
+  int mostSteps = 400;
+};
+struct RestOutcome {
+  bool settled = false, finite = true, cancelled = false, falls = false;
+  double residual = 0, left = 0;
+  std::size_t steps = 0, solves = 0;
+};
+using StepWatcher = std::function<void(int step, const LevelSolver::Outcome& outcome)>;
+
+// Seams are drawn together: no weight, no friction, until all are tied or nothing moves on.
+RestOutcome sew(LevelSolver& solver, const Token& token, const StepWatcher& watch);
+// Weight and friction, until three calm steps in a row and little left to move.
+RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double firstSeconds, const Token& token,
+                 const StepWatcher& watch);
+
+// Lifts what stands less than `clearance` above the true surface, faces' middles included; returns the deepest that is
+// left below it (>= 0), metres.
+double liftOff(const Cloth& cloth, const std::vector<NodeIndex>& moving, const Collider& body, double clearance,
+               std::vector<Vec3>& x, Workers& workers);
+double deepest(const Cloth& cloth, const Collider& body, std::span<const Vec3> x, Workers& workers);
+
+}  // namespace karinui

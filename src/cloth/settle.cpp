@@ -1,0 +1,118 @@
+#include "karinui/cloth/settle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/job.h"
+#include "cloth/prolong.h"
+#include "cloth/rest.h"
+#include "cloth/strain.h"
+#include "cloth/tie_map.h"
+
+namespace karinui {
+namespace {
+
+bool anyLive(const Cloth& cloth) {
+  return std::any_of(cloth.pieces.begin(), cloth.pieces.end(), [](const ClothPiece& p) { return p.live; });
+}
+
+// A piece that still lies in a plane has not been draped.
+bool liesFlat(const ClothPiece& piece, std::span<const Vec3> x) {
+  const std::span<const Vec3> own = x.subspan(piece.firstNode, piece.lattice->nodes.size());
+  Vec3 normal;
+  for (const Triangle& f : piece.lattice->faces) normal += cross(own[f[1]] - own[f[0]], own[f[2]] - own[f[0]]);
+  normal = normalized(normal);
+  return std::all_of(own.begin(), own.end(), [&](Vec3 p) { return std::fabs(dot(p - own.front(), normal)) <= 1e-4; });
+}
+
+// Whether the finest level already stands sewn and formed, so that only what changed has to move.
+bool standsSewn(const ClothLevel& finest) {
+  if (widestGap(finest.cloth, finest.state.position) > 0.5 * finest.cloth.spacing) return false;
+  for (const ClothPiece& piece : finest.cloth.pieces)
+    if (piece.live && liesFlat(piece, finest.state.position)) return false;
+  return true;
+}
+
+// A level that was interpolated may stand in the skin.
+void pushOut(LevelSolver& solver, const Collider& body, double offset, Workers& workers) {
+  std::vector<Vec3> x = solver.places();
+  const auto& moving = solver.moving();
+  workers.forBlocks(moving.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      Vec3& place = x[moving[n]];
+      if (!body.mayTouch(place, offset)) continue;
+      const auto contact = body.contact(place);
+      if (contact.distance < 0.95 * offset) place += contact.normal * (0.95 * offset - contact.distance);
+    }
+  });
+  solver.place(std::move(x));
+}
+
+}  // namespace
+
+Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& body, const SettleSettings& settings,
+                            const Token& token, Workers& workers) {
+  const Spent spent;
+  if (levels.empty()) return badInput(say("There is no cloth to drape."));
+  for (const ClothLevel& level : levels)
+    if (const auto fine = checkLevel(level); !fine) return fine.error();
+  if (const auto fine = checkSettings(settings); !fine) return fine.error();
+  if (token.cancelled()) return cancelled();
+
+  ClothLevel& finest = levels.back();
+  SettleReport report;
+  if (!anyLive(finest.cloth)) {
+    report.settled = true;
+    report.why = say("No piece is live; nothing was moved.");
+    report.seamGap = widestGap(finest.cloth, finest.state.position);
+    report.strain = strainOf(finest.cloth, finest.state.position);
+    spent.tell(report);
+    return report;
+  }
+  const bool sewnAlready = standsSewn(finest);
+  const std::size_t first = sewnAlready ? levels.size() - 1 : 0;
+  std::vector<Vec3> x;
+  bool sewn = sewnAlready;
+  for (std::size_t l = first; l < levels.size(); ++l) {
+    const ClothLevel& level = levels[l];
+    const bool last = l + 1 == levels.size();
+    SettleSettings here = settings;
+    here.skin = skinOffset(settings, level.cloth.spacing, finest.cloth.spacing);
+    std::vector<Vec3> start =
+        l > first ? prolong(levels[l - 1].cloth, x, level.cloth, level.state.position).smooth : level.state.position;
+    LevelSolver solver(level.cloth, std::move(start), body, here, workers);
+    const auto share = static_cast<double>(l - first) / static_cast<double>(levels.size() - first);
+    const auto watch = [&](Message doing) {
+      return
+          [&token, share, doing = std::move(doing)](int, const LevelSolver::Outcome&) { token.progress(share, doing); };
+    };
+    if (sewn) solver.tieWithin(sewnAlready ? level.cloth.spacing : kFarApart);
+    if (l > first) pushOut(solver, body, here.skin, workers);
+    RestOutcome end;
+    const auto add = [&] {
+      report.steps += end.steps;
+      report.solves += end.solves;
+    };
+    if (!solver.allTied()) {
+      end = sew(solver, token, watch(say("Drawing the seams together")));
+      add();
+      solver.stop();
+    }
+    if (end.finite && !end.cancelled) {
+      const RestRule rule =
+          last ? finestRule(settings) : RestRule{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 150};
+      end = rest(solver, settings.gravity, rule, 1.0 / 60, token, watch(say("Draping")));
+      add();
+    }
+    if (end.cancelled || token.cancelled()) return cancelled();
+    if (!end.finite) return tornApart();
+    sewn = solver.allTied();
+    x = last ? finish(solver, body, settings, end, report, workers) : solver.places();
+  }
+  if (token.cancelled()) return cancelled();
+  finest.state.position = std::move(x);
+  spent.tell(report);
+  return report;
+}
+
+}  // namespace karinui

@@ -1,0 +1,40 @@
+#include "cloth/strain.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace karinui {
+
+StrainReport strainOf(const Cloth& cloth, std::span<const Vec3> x) {
+  std::vector<double> strain;
+  for (const ClothPiece& piece : cloth.pieces) {
+    const Lattice& lattice = *piece.lattice;
+    const auto add = [&](std::uint32_t a, std::uint32_t b) {
+      if (a == kNoNode || b == kNoNode) return;
+      const double rest = distance(lattice.nodes[a], lattice.nodes[b]);
+      const double now = distance(x[piece.firstNode + a], x[piece.firstNode + b]);
+      if (rest > 0) strain.push_back(std::fabs(now / rest - 1));
+    };
+    const std::size_t columns = lattice.columns, rows = lattice.rows;
+    const auto whole = [&](std::size_t i, std::size_t j) {
+      return i + 1 < columns && j + 1 < rows && lattice.cell[j * (columns - 1) + i] != 0;
+    };
+    for (std::size_t j = 0; j < rows; ++j)
+      for (std::size_t i = 0; i < columns; ++i) {
+        if (i + 1 < columns && (whole(i, j) || (j > 0 && whole(i, j - 1))))
+          add(lattice.grid[j * columns + i], lattice.grid[j * columns + i + 1]);
+        if (j + 1 < rows && (whole(i, j) || (i > 0 && whole(i - 1, j))))
+          add(lattice.grid[j * columns + i], lattice.grid[(j + 1) * columns + i]);
+      }
+  }
+  StrainReport report;
+  if (strain.empty()) return report;
+  std::sort(strain.begin(), strain.end());
+  for (double s : strain) report.mean += s;
+  report.mean /= static_cast<double>(strain.size());
+  report.p99 = strain[std::min(strain.size() - 1, strain.size() * 99 / 100)];
+  report.max = strain.back();
+  return report;
+}
+
+}  // namespace karinui

@@ -1,0 +1,9 @@
+#pragma once
+// How much cloth is stretched: |l/L - 1| over the warp and weft edges of the lattices' whole cells.
+#include "karinui/cloth/settle.h"
+
+namespace karinui {
+
+StrainReport strainOf(const Cloth& cloth, std::span<const Vec3> x);
+
+}  // namespace karinui

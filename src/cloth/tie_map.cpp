@@ -1,0 +1,161 @@
+#include "cloth/tie_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace karinui {
+namespace {
+
+std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t k) {
+  while (parent[k] != k) k = parent[k] = parent[parent[k]];
+  return k;
+}
+
+using Row = std::map<std::uint32_t, double>;  // group -> weight; ordered, so results do not depend on addresses
+
+void addScaled(Row& row, const Row& other, double s) {
+  for (const auto& [group, weight] : other) {
+    double& w = row[group];
+    w += s * weight;
+    if (std::fabs(w) < 1e-12) row.erase(group);
+  }
+}
+
+}  // namespace
+
+TieMap::TieMap(const Cloth& cloth, const std::vector<std::uint8_t>& held, const std::vector<std::uint8_t>& tied)
+    : nodeHeld_(held) {
+  const std::uint32_t count = cloth.nodeCount;
+  std::vector<std::uint32_t> parent(count);
+  std::iota(parent.begin(), parent.end(), 0);
+  for (std::size_t t = 0; t < cloth.ties.size(); ++t) {
+    const Tie& tie = cloth.ties[t];
+    if (!tied[t] || (tie.c != kNoNode && tie.c != tie.b)) continue;
+    const std::uint32_t a = rootOf(parent, tie.a), b = rootOf(parent, tie.b);
+    if (a != b) parent[std::max(a, b)] = std::min(a, b);
+  }
+  group_.assign(count, 0);
+  std::vector<std::uint32_t> groupOfRoot(count, kNoNode);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    std::uint32_t& group = groupOfRoot[rootOf(parent, k)];
+    if (group == kNoNode) {
+      group = static_cast<std::uint32_t>(members_.size());
+      members_.emplace_back();
+      groupHeld_.push_back(0);
+    }
+    group_[k] = group;
+    members_[group].push_back(k);
+    if (held[k]) groupHeld_[group] = 1;
+  }
+
+  // Folded pairs: a = (b + c)/2 between groups, solved one after the other; each makes one free group a follower.
+  std::map<std::uint32_t, Row> follow;
+  for (std::size_t t = 0; t < cloth.ties.size(); ++t) {
+    const Tie& tie = cloth.ties[t];
+    if (!tied[t] || tie.c == kNoNode || tie.c == tie.b) continue;
+    Row raw, row;  // sum of weights x group = 0
+    addScaled(raw, {{group_[tie.a], 1.0}}, 1);
+    addScaled(raw, {{group_[tie.b], 1.0}}, -0.5);
+    addScaled(raw, {{group_[tie.c], 1.0}}, -0.5);
+    for (const auto& [group, weight] : raw) {
+      const auto known = follow.find(group);
+      addScaled(row, known == follow.end() ? Row{{group, 1.0}} : known->second, weight);
+    }
+    std::uint32_t pivot = kNoNode;
+    double largest = 1e-9;
+    for (const auto& [group, weight] : row)
+      if (!groupHeld_[group] && std::fabs(weight) > largest + 1e-12) {
+        largest = std::fabs(weight);
+        pivot = group;
+      }
+    if (pivot == kNoNode) continue;  // all held already
+    const double scale = -1 / row.at(pivot);
+    row.erase(pivot);
+    Row given;
+    addScaled(given, row, scale);
+    for (auto& [other, mix] : follow)
+      if (const auto uses = mix.find(pivot); uses != mix.end()) {
+        const double weight = uses->second;
+        mix.erase(uses);
+        addScaled(mix, given, weight);
+      }
+    follow.emplace(pivot, std::move(given));
+  }
+  for (const auto& [group, row] : follow) {
+    std::vector<Mix> mix;
+    for (const auto& [other, weight] : row) mix.push_back({other, weight});
+    follower_.emplace_back(group, std::move(mix));
+  }
+
+  std::vector<std::uint32_t> unknownOf(members_.size(), kNoNode);
+  for (std::uint32_t g = 0; g < members_.size(); ++g)
+    if (!groupHeld_[g] && !follow.contains(g)) unknownOf[g] = static_cast<std::uint32_t>(unknowns_++);
+  start_.assign(1, 0);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t g = group_[k];
+    if (const auto row = follow.find(g); row != follow.end()) {
+      for (const auto& [other, weight] : row->second)
+        if (unknownOf[other] != kNoNode) part_.push_back({unknownOf[other], weight});
+    } else if (unknownOf[g] != kNoNode) {
+      part_.push_back({unknownOf[g], 1});
+    }
+    start_.push_back(static_cast<std::uint32_t>(part_.size()));
+  }
+}
+
+void TieMap::gather(std::vector<Vec3>& position) const {
+  std::vector<Vec3> middle(members_.size());
+  for (std::size_t g = 0; g < members_.size(); ++g) {
+    const auto& nodes = members_[g];
+    Vec3 sum, fixed;
+    double fixedCount = 0;
+    for (std::uint32_t k : nodes) {
+      sum += position[k];
+      if (nodeHeld_[k]) {
+        fixed += position[k];
+        fixedCount += 1;
+      }
+    }
+    middle[g] = fixedCount > 0 ? fixed * (1 / fixedCount)
+                               : (nodes.size() > 1 ? sum * (1.0 / static_cast<double>(nodes.size())) : sum);
+  }
+  for (const auto& [group, mix] : follower_) {
+    Vec3 place;
+    for (const Mix& m : mix) place += middle[m.group] * m.weight;
+    middle[group] = place;
+  }
+  for (std::uint32_t k = 0; k < group_.size(); ++k)
+    if (!nodeHeld_[k]) position[k] = middle[group_[k]];
+}
+
+void TieMap::reduce(std::span<const Vec3> node, std::vector<Vec3>& unknown) const {
+  unknown.assign(unknowns_, {});
+  for (std::uint32_t k = 0; k < group_.size(); ++k)
+    for (const Part& part : parts(k)) unknown[part.unknown] += node[k] * part.weight;
+}
+
+void TieMap::spread(std::span<const Vec3> unknown, std::vector<Vec3>& node) const {
+  node.assign(group_.size(), {});
+  for (std::uint32_t k = 0; k < group_.size(); ++k)
+    for (const Part& part : parts(k)) node[k] += unknown[part.unknown] * part.weight;
+}
+
+Vec3 gapOf(const Tie& tie, std::span<const Vec3> position) {
+  const Vec3 other = tie.c == kNoNode ? position[tie.b] : (position[tie.b] + position[tie.c]) * 0.5;
+  return other - position[tie.a];
+}
+
+double widestGap(const Cloth& cloth, std::span<const Vec3> position) {
+  std::vector<std::uint8_t> live(cloth.nodeCount, 0);
+  for (const ClothPiece& piece : cloth.pieces)
+    if (piece.live) std::fill_n(live.begin() + piece.firstNode, piece.lattice->nodes.size(), 1);
+  double widest = 0;
+  for (const Tie& tie : cloth.ties)
+    if (live[tie.a] || live[tie.b] || (tie.c != kNoNode && live[tie.c]))
+      widest = std::fmax(widest, length(gapOf(tie, position)));
+  return widest;
+}
+
+}  // namespace karinui

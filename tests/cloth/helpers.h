@@ -1,0 +1,133 @@
+#pragma once
+// Cloth and bodies for tests: hand-made square lattices, analytic bodies, and the workloads that other solvers were
+// measured on.
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "karinui/cloth/settle.h"
+
+namespace karinui::test {
+
+// columns x rows cells of `h`, all whole, warp along v.
+inline std::shared_ptr<Lattice> gridLattice(std::uint32_t columns, std::uint32_t rows, double h, Flat corner = {}) {
+  auto lattice = std::make_shared<Lattice>();
+  lattice->spacing = h;
+  lattice->columns = columns + 1;
+  lattice->rows = rows + 1;
+  for (std::uint32_t j = 0; j <= rows; ++j)
+    for (std::uint32_t i = 0; i <= columns; ++i) {
+      lattice->grid.push_back(static_cast<std::uint32_t>(lattice->nodes.size()));
+      lattice->nodes.push_back(corner + Flat{i * h, j * h});
+    }
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return j * (columns + 1) + i; };
+  for (std::uint32_t j = 0; j < rows; ++j)
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      lattice->cell.push_back(1);
+      const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      if ((i + j) % 2 == 0) {
+        lattice->faces.push_back({a, b, c});
+        lattice->faces.push_back({a, c, d});
+      } else {
+        lattice->faces.push_back({a, b, d});
+        lattice->faces.push_back({b, c, d});
+      }
+    }
+  for (std::uint32_t i = 0; i < columns; ++i) lattice->border.push_back(at(i, 0));
+  for (std::uint32_t j = 0; j < rows; ++j) lattice->border.push_back(at(columns, j));
+  for (std::uint32_t i = columns; i > 0; --i) lattice->border.push_back(at(i, rows));
+  for (std::uint32_t j = rows; j > 0; --j) lattice->border.push_back(at(0, j));
+  return lattice;
+}
+
+inline std::uint32_t addPiece(Cloth& cloth, std::shared_ptr<const Lattice> lattice, const Fabric& fabric,
+                              bool live = true) {
+  const std::uint32_t first = cloth.nodeCount;
+  cloth.spacing = lattice->spacing;
+  cloth.nodeCount += static_cast<std::uint32_t>(lattice->nodes.size());
+  cloth.pieces.push_back({PieceId{cloth.pieces.size() + 1}, "piece", std::move(lattice), fabric, first, 0, live});
+  return first;
+}
+
+inline ClothState standingBy(const Cloth& cloth, const std::function<Vec3(std::size_t piece, Flat)>& where) {
+  ClothState state;
+  for (std::size_t p = 0; p < cloth.pieces.size(); ++p)
+    for (Flat node : cloth.pieces[p].lattice->nodes) state.position.push_back(where(p, node));
+  return state;
+}
+
+class NoBody : public Collider {
+ public:
+  Contact contact(Vec3) const override { return {1e3, {0, 1, 0}}; }
+  bool mayTouch(Vec3, double) const override { return false; }
+};
+
+class PlaneBody : public Collider {
+ public:
+  PlaneBody(Vec3 unitNormal, double height) : normal_(unitNormal), height_(height) {}
+  Contact contact(Vec3 p) const override { return {dot(p, normal_) - height_, normal_}; }
+  bool mayTouch(Vec3 p, double within) const override { return contact(p).distance < within; }
+
+ private:
+  Vec3 normal_;
+  double height_;
+};
+
+class CapsuleBody : public Collider {  // a ball is a capsule of no length
+ public:
+  struct Capsule {
+    Vec3 a, b;
+    double radius;
+  };
+  explicit CapsuleBody(std::vector<Capsule> capsules) : capsules_(std::move(capsules)) {}
+  Contact contact(Vec3 p) const override {
+    Contact nearest{1e9, {0, 1, 0}};
+    for (const Capsule& c : capsules_) {
+      const Vec3 axis = c.b - c.a;
+      const double l2 = squaredLength(axis);
+      const double t = l2 > 0 ? std::fmin(1, std::fmax(0, dot(p - c.a, axis) / l2)) : 0;
+      const Vec3 out = p - (c.a + axis * t);
+      const double d = length(out) - c.radius;
+      if (d < nearest.distance) nearest = {d, length(out) > 0 ? normalized(out) : Vec3{0, 1, 0}};
+    }
+    return nearest;
+  }
+  bool mayTouch(Vec3 p, double within) const override { return contact(p).distance < within; }
+
+ private:
+  std::vector<Capsule> capsules_;
+};
+
+// The tunic of two panels on three capsules (W3), `cells` across its 0.6 m.
+inline CapsuleBody tunicBody() {
+  return CapsuleBody({{{0, -0.16, 0}, {0, 0.16, 0}, 0.14},
+                      {{0.10, 0.18, 0}, {0.50, 0.18, 0}, 0.05},
+                      {{-0.10, 0.18, 0}, {-0.50, 0.18, 0}, 0.05}});
+}
+inline ClothLevel tunic(std::uint32_t cells, const Fabric& fabric) {
+  ClothLevel level;
+  const double h = 0.6 / cells;
+  const std::uint32_t rows = static_cast<std::uint32_t>(std::lround(0.7 / h));
+  for (int side = 0; side < 2; ++side) addPiece(level.cloth, gridLattice(cells, rows, h), fabric);
+  const double height = rows * h;
+  level.state = standingBy(level.cloth, [&](std::size_t piece, Flat p) {
+    return Vec3{-0.3 + p.u, 0.27 - height + p.v, piece == 0 ? 0.26 : -0.26};
+  });
+  const std::uint32_t back = level.cloth.pieces[1].firstNode;
+  const auto tie = [&](std::uint32_t i, std::uint32_t j, std::uint32_t seam) {
+    const std::uint32_t node = j * (cells + 1) + i;
+    level.cloth.ties.push_back({node, back + node, kNoNode, seam});
+  };
+  for (std::uint32_t s = 1; s <= 4; ++s) level.cloth.seams.push_back(SeamId{s});
+  for (std::uint32_t j = 0; j * h <= height - 0.2; ++j) {
+    tie(0, j, 0);
+    tie(cells, j, 1);
+  }
+  for (std::uint32_t i = 0; i * h <= 0.178; ++i) {
+    tie(i, rows, 2);
+    tie(cells - i, rows, 3);
+  }
+  return level;
+}
+
+}  // namespace karinui::test
