@@ -52,8 +52,6 @@ double skinOffset(const SettleSettings& settings, double spacing, double finest)
 LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider& body, const SettleSettings& settings,
                          Workers& workers)
     : cloth_(cloth),
-      body_(body),
-      settings_(settings),
       workers_(workers),
       x_(std::move(x)),
       velocity_(cloth.nodeCount),

@@ -63,8 +63,6 @@ class LevelSolver {
   void rebuild();                       // after ties changed
 
   const Cloth& cloth_;
-  const Collider& body_;
-  SettleSettings settings_;
   Workers& workers_;
   std::vector<Vec3> x_, velocity_, gradient_;
   std::vector<double> mass_;
