@@ -1,0 +1,126 @@
+#include "karinui/design/drape.h"
+
+#include <algorithm>
+
+#include "karinui/cloth/merged_planes.h"
+
+namespace karinui {
+
+namespace {
+
+struct Levels {
+  std::vector<ClothLevel> coarseFirst;
+  ClothLevel& finest() { return coarseFirst.back(); }
+};
+
+Result<ClothLevel> levelAt(const Document& document, const std::set<PieceId>& live, double spacing) {
+  const Result<LaidPattern> laid = lay(document.pattern, spacing);
+  if (!laid) return laid.error();
+  const auto fabrics = fabricsInUse(document);
+  if (!fabrics) return fabrics.error();
+  ClothChoice choice;
+  for (const auto& [id, piece] : document.pattern.pieces) choice.live[id] = live.contains(id);
+  choice.pins = document.pins;
+  Result<Cloth> cloth = assemble(document.pattern, *laid, *fabrics, choice);
+  if (!cloth) return cloth.error();
+  ClothState state = standing(document.pattern, *cloth);
+  return ClothLevel{std::move(*cloth), std::move(state)};
+}
+
+// 4, 2 and 1 times the document's spacing; a level that some piece is too small for is left out.
+Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live) {
+  Levels levels;
+  for (const double times : {4.0, 2.0}) {
+    if (Result<ClothLevel> level = levelAt(document, live, times * document.settings.spacing)) {
+      levels.coarseFirst.push_back(std::move(*level));
+    }
+  }
+  Result<ClothLevel> finest = levelAt(document, live, document.settings.spacing);
+  if (!finest) return finest.error();
+  levels.coarseFirst.push_back(std::move(*finest));
+  return levels;
+}
+
+Result<std::unique_ptr<Collider>> colliderOf(const Document& document, Context& context) {
+  Result<BodyPtr> body = bodyOf(document, context);
+  if (!body) return body.error();
+  if (document.settings.collider == Settings::Collider::Planes) return std::unique_ptr<Collider>(std::make_unique<MergedPlanes>(*body));
+  return fieldCollider(*body);
+}
+
+std::map<PieceId, std::shared_ptr<const Form>> formsLeft(const ClothLevel& level) {
+  std::map<PieceId, std::shared_ptr<const Form>> forms;
+  for (std::size_t i = 0; i < level.cloth.pieces.size(); ++i) {
+    const ClothPiece& piece = level.cloth.pieces[i];
+    if (piece.live) forms[piece.id] = formOf(level.cloth, level.state, i);
+  }
+  return forms;
+}
+
+// The nodes of a piece within `radius` of a paper place; at least the nearest one.
+std::vector<std::uint32_t> patchAround(const Cloth& cloth, PieceId id, Flat place, double radius) {
+  std::vector<std::uint32_t> patch;
+  const auto piece = std::find_if(cloth.pieces.begin(), cloth.pieces.end(), [&](const auto& p) { return p.id == id; });
+  KARINUI_ASSERT(piece != cloth.pieces.end());
+  const std::vector<Flat>& nodes = piece->lattice->nodes;
+  std::uint32_t nearest = 0;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (distance(nodes[i], place) < distance(nodes[nearest], place)) nearest = i;
+    if (distance(nodes[i], place) <= radius) patch.push_back(piece->firstNode + i);
+  }
+  if (patch.empty()) patch.push_back(piece->firstNode + nearest);
+  return patch;
+}
+
+}  // namespace
+
+std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRef>& named) {
+  std::set<PieceId> live;
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    if (named.empty() && !piece->frozen) live.insert(id);
+  }
+  for (const PieceRef& piece : named) live.insert(piece.id);
+  return live;
+}
+
+Result<Standing> standingCloth(const Document& document, const std::set<PieceId>& live) {
+  Result<ClothLevel> level = levelAt(document, live, document.settings.spacing);
+  if (!level) return level.error();
+  return Standing{std::move(level->cloth), std::move(level->state)};
+}
+
+Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context) {
+  const auto collider = colliderOf(document, context);
+  if (!collider) return collider.error();
+  Result<Levels> levels = levelsOf(document, livePieces(document, drape.live));
+  if (!levels) return levels.error();
+  SettleSettings settings;
+  settings.gravity = drape.gravity;
+  const Result<SettleReport> report =
+      settle(levels->coarseFirst, **collider, settings, context.token, context.workers);
+  if (!report) return report.error();
+  return DrapeOutcome{formsLeft(levels->finest()), *report, {}};
+}
+
+Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context) {
+  const auto collider = colliderOf(document, context);
+  if (!collider) return collider.error();
+  std::set<PieceId> live = livePieces(document, pull.live.empty() ? std::vector{pull.piece} : pull.live);
+  Result<ClothLevel> level = levelAt(document, live, document.settings.spacing);
+  if (!level) return level.error();
+
+  Grip grip;
+  grip.nodes = patchAround(level->cloth, pull.piece.id, pull.at, pull.patch);
+  Vec3 middle;
+  for (const std::uint32_t node : grip.nodes) middle += level->state.position[node];
+  middle *= 1.0 / static_cast<double>(grip.nodes.size());
+  grip.path = {middle};
+  for (const Vec3& step : pull.by) grip.path.push_back(middle + step);
+  grip.seconds = pull.seconds;
+  grip.letGo = pull.letGo;
+  Result<PullReport> report = karinui::pull(*level, **collider, grip, {}, context.token, context.workers);
+  if (!report) return report.error();
+  return DrapeOutcome{formsLeft(*level), report->end, std::move(report->force)};
+}
+
+}  // namespace karinui
