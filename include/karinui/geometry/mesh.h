@@ -25,6 +25,8 @@ struct SurfacePoint {
 Vec3 at(const TriangleMesh& mesh, const SurfacePoint& place);
 Vec3 faceNormal(const TriangleMesh& mesh, std::uint32_t face);  // unit; zero for a degenerate face
 std::vector<Vec3> pointNormals(const TriangleMesh& mesh);       // angle-weighted, unit
+double volume(const TriangleMesh& mesh);                        // cubic metres; > 0 when a closed mesh faces outward
+double area(const TriangleMesh& mesh);                          // square metres
 
 // What is wrong with a mesh, in numbers a person can be told.
 struct MeshReport {
@@ -38,9 +40,11 @@ struct MeshReport {
   bool closed() const { return triangles > 0 && openEdges == 0 && nonManifoldEdges == 0 && flippedEdges == 0; }
 };
 MeshReport inspect(const TriangleMesh& mesh);
+MeshReport inspectTopology(const TriangleMesh& mesh);  // the same without selfCrossings (0), much cheaper
 
-// All pairs (a < b) of faces of one mesh that cross in a segment and share no corner. Exact in the sense that an edge is
-// tested against a face with orientation predicates robust to rounding.
+// All pairs (a < b) of faces of one mesh that share no corner and pass through each other: each has corners strictly on
+// both sides of the other's plane, and they share a segment. Faces that only touch do not cross. Exact whatever the
+// rounding (orientation predicates of Shewchuk 1997). In ascending order.
 std::vector<std::array<std::uint32_t, 2>> selfCrossings(const TriangleMesh& mesh);
 
 }  // namespace karinui

@@ -1,0 +1,234 @@
+#include "karinui/geometry/distance_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace karinui {
+namespace {
+
+constexpr std::size_t kStride = 4;     // grid points between two of the coarse grid
+constexpr double kMostPoints = 200e6;  // 800 MB: beyond this the cells are too small for the body
+constexpr std::int8_t kUnknown = 0;
+
+using Count = std::array<std::size_t, 3>;
+
+// A box of evenly spaced points, numbered x first.
+struct Grid {
+  Vec3 origin;
+  double step = 0;
+  Count count{};
+  std::size_t points() const { return count[0] * count[1] * count[2]; }
+  std::size_t index(std::size_t i, std::size_t j, std::size_t k) const { return (k * count[1] + j) * count[0] + i; }
+  Vec3 place(std::size_t i, std::size_t j, std::size_t k) const {
+    return {origin.x + step * static_cast<double>(i), origin.y + step * static_cast<double>(j),
+            origin.z + step * static_cast<double>(k)};
+  }
+};
+
+// Distances to the mesh at all points of a coarse grid. Walking along a row, the last distance plus the step bounds the
+// next one, which keeps the search in the tree short. A row is one block, so the outcome does not depend on the
+// threads.
+std::vector<double> coarseDistances(const Grid& grid, const Bvh& bvh, Workers& workers, const Token& token) {
+  std::vector<double> distances(grid.points(), 0.0);
+  workers.forBlocks(grid.count[1] * grid.count[2], 1, [&](std::size_t row, std::size_t) {
+    if (token.cancelled()) return;
+    const std::size_t j = row % grid.count[1], k = row / grid.count[1];
+    double within = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < grid.count[0]; ++i) {
+      const std::optional<Bvh::Near> near = bvh.nearest(grid.place(i, j, k), within);
+      const double d = near ? near->distance : within;
+      distances[grid.index(i, j, k)] = d;
+      within = (d + grid.step) * (1 + 1e-9);
+    }
+  });
+  return distances;
+}
+
+// Lower bounds of the distance between the points of the coarse grid, from the triangle inequality.
+class CoarseBound {
+ public:
+  CoarseBound(const Grid& coarse, const std::vector<double>& distances) : coarse_(coarse), distances_(distances) {}
+
+  // A bound at the fine point (i, j, k), smooth in space: the trilinear mean less the greatest error it can have, which
+  // is half the diagonal of a coarse cell (the mean distance to its corners is nowhere larger).
+  double at(std::size_t i, std::size_t j, std::size_t k) const {
+    const auto [ci, fi] = split(i, 0);
+    const auto [cj, fj] = split(j, 1);
+    const auto [ck, fk] = split(k, 2);
+    double mean = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
+      mean +=
+          (x ? fi : 1 - fi) * (y ? fj : 1 - fj) * (z ? fk : 1 - fk) * distances_[coarse_.index(ci + x, cj + y, ck + z)];
+    }
+    return mean - coarse_.step * std::sqrt(3.0) / 2;
+  }
+
+ private:
+  std::pair<std::size_t, double> split(std::size_t i, int axis) const {
+    const std::size_t cell = std::min(i / kStride, coarse_.count[axis] - 2);
+    return {cell, static_cast<double>(i - cell * kStride) / kStride};
+  }
+  const Grid& coarse_;
+  const std::vector<double>& distances_;
+};
+
+// Between two grid points whose distances sum to more than their spacing the surface cannot pass, so both lie on the
+// same side. One winding number therefore settles a whole region.
+class SideFinder {
+ public:
+  SideFinder(const Grid& grid, const std::vector<float>& distance, const Bvh& bvh)
+      : grid_(grid), distance_(distance), bvh_(bvh), sides_(distance.size(), kUnknown) {}
+
+  std::vector<std::int8_t> find(const Token& token) {
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < grid_.count[2]; ++k) {
+      if (token.cancelled()) break;
+      for (std::size_t j = 0; j < grid_.count[1]; ++j)
+        for (std::size_t i = 0; i < grid_.count[0]; ++i, ++n) {
+          if (sides_[n] != kUnknown) continue;
+          sides_[n] = bvh_.windingNumber(grid_.place(i, j, k)) > 0.5 ? -1 : 1;
+          spread(n);
+        }
+    }
+    return std::move(sides_);
+  }
+
+ private:
+  void spread(std::size_t seed) {
+    const std::size_t nx = grid_.count[0], nxy = nx * grid_.count[1];
+    std::vector<std::size_t> pending{seed};
+    while (!pending.empty()) {
+      const std::size_t n = pending.back();
+      pending.pop_back();
+      const auto pass = [&](bool there, std::size_t next) {
+        if (!there || sides_[next] != kUnknown) return;
+        if (distance_[n] + distance_[next] <= grid_.step * (1 + 1e-5)) return;
+        sides_[next] = sides_[n];
+        pending.push_back(next);
+      };
+      const std::size_t i = n % nx, j = n / nx % grid_.count[1], k = n / nxy;
+      pass(i > 0, n - 1);
+      pass(i + 1 < nx, n + 1);
+      pass(j > 0, n - nx);
+      pass(j + 1 < grid_.count[1], n + nx);
+      pass(k > 0, n - nxy);
+      pass(k + 1 < grid_.count[2], n + nxy);
+    }
+  }
+
+  const Grid& grid_;
+  const std::vector<float>& distance_;
+  const Bvh& bvh_;
+  std::vector<std::int8_t> sides_;
+};
+
+// A whole number of coarse cells that covers the extent, at least one.
+std::size_t pointsFor(double extent, double cell) {
+  return static_cast<std::size_t>(std::fmax(std::ceil(extent / (cell * kStride)), 1)) * kStride + 1;
+}
+
+}  // namespace
+
+Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& bvh, const Settings& settings,
+                                           Workers& workers, const Token& token) {
+  if (!(settings.cell > 0) || !(settings.band >= settings.cell))
+    return badInput(say("A distance field needs a cell above zero and a band no thinner than a cell."));
+  const MeshReport report = inspectTopology(mesh);
+  if (report.triangles == 0) return badInput(say("There is no surface to measure distances from."));
+  if (report.openEdges > 0)
+    return badInput(say("The surface is not closed: {0} edges are open, so it has no inside.", report.openEdges));
+  Box box;
+  for (const Triangle& f : mesh.faces)
+    for (std::uint32_t i : f) box.include(mesh.points[i]);
+  if (!finite(box.low) || !finite(box.high)) return badInput(say("The surface has coordinates that are not numbers."));
+
+  const double margin = settings.band + settings.cell;
+  const Vec3 extent = box.size() + Vec3{1, 1, 1} * (2 * margin);
+  const double cells = extent.x * extent.y * extent.z / (settings.cell * settings.cell * settings.cell);
+  if (!(cells < kMostPoints))
+    return badInput(say("Cells of {0} mm are too small for a surface of this size; use {1} mm or more.",
+                        settings.cell * 1e3, std::ceil(settings.cell * std::cbrt(cells / kMostPoints) * 1.1e3)));
+  Grid grid{
+      box.low - Vec3{1, 1, 1} * margin,
+      settings.cell,
+      {pointsFor(extent.x, settings.cell), pointsFor(extent.y, settings.cell), pointsFor(extent.z, settings.cell)}};
+  Grid coarse{grid.origin, grid.step * kStride, {}};
+  for (int axis = 0; axis < 3; ++axis) coarse.count[axis] = (grid.count[axis] - 1) / kStride + 1;
+
+  const Message doing = say("Measuring the space around the body");
+  token.progress(0, doing);
+  const std::vector<double> coarseDistance = coarseDistances(coarse, bvh, workers, token);
+  const CoarseBound bound(coarse, coarseDistance);
+  token.progress(0.2, doing);
+
+  DistanceField field;
+  field.cell_ = grid.step;
+  field.origin_ = grid.origin;
+  field.count_ = grid.count;
+  field.value_.assign(grid.points(), 0.0f);
+  workers.forBlocks(grid.count[1] * grid.count[2], 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end && !token.cancelled(); ++row) {
+      const std::size_t j = row % grid.count[1], k = row / grid.count[1];
+      double last = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < grid.count[0]; ++i) {
+        const double atLeast = bound.at(i, j, k);
+        double d = std::fmax(atLeast, settings.band);
+        double next = std::numeric_limits<double>::infinity();
+        if (atLeast <= settings.band)
+          if (const auto near = bvh.nearest(grid.place(i, j, k), std::fmin(last * (1 + 1e-9), settings.band)))
+            d = near->distance, next = d + grid.step;
+        field.value_[grid.index(i, j, k)] = static_cast<float>(d);
+        last = next;
+      }
+    }
+  });
+  token.progress(0.8, doing);
+  const std::vector<std::int8_t> sides = SideFinder(grid, field.value_, bvh).find(token);
+  if (token.cancelled()) return cancelled();
+  for (std::size_t n = 0; n < sides.size(); ++n) field.value_[n] *= sides[n];
+  token.progress(1, doing);
+  return field;
+}
+
+DistanceField::Sample DistanceField::sample(Vec3 place) const {
+  // A place outside the grid is judged from the nearest place of the grid's box. The box is convex and holds the mesh,
+  // so the way from there to the mesh and the way to the box are at a right angle or wider: the root is a lower bound.
+  const std::array<double, 3> from{(place.x - origin_.x) / cell_, (place.y - origin_.y) / cell_,
+                                   (place.z - origin_.z) / cell_};
+  std::array<std::size_t, 3> c;
+  std::array<double, 3> f, outside;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double last = static_cast<double>(count_[axis] - 1);
+    const double inside = std::fmin(std::fmax(from[axis], 0), last);  // not a number: 0
+    outside[axis] = (from[axis] - inside) * cell_;
+    c[axis] = std::min(static_cast<std::size_t>(inside), count_[axis] - 2);
+    f[axis] = inside - static_cast<double>(c[axis]);
+  }
+  const std::size_t nx = count_[0], nxy = nx * count_[1];
+  const float* v = &value_[c[2] * nxy + c[1] * nx + c[0]];
+  const double v000 = v[0], v100 = v[1], v010 = v[nx], v110 = v[nx + 1];
+  const double v001 = v[nxy], v101 = v[nxy + 1], v011 = v[nxy + nx], v111 = v[nxy + nx + 1];
+  const auto mix = [](double a, double b, double t) { return a + (b - a) * t; };
+  const double x00 = mix(v000, v100, f[0]), x10 = mix(v010, v110, f[0]);
+  const double x01 = mix(v001, v101, f[0]), x11 = mix(v011, v111, f[0]);
+  const double y0 = mix(x00, x10, f[1]), y1 = mix(x01, x11, f[1]);
+  Sample s;
+  s.distance = mix(y0, y1, f[2]);
+  s.gradient = {mix(mix(v100 - v000, v110 - v010, f[1]), mix(v101 - v001, v111 - v011, f[1]), f[2]) / cell_,
+                mix(x10 - x00, x11 - x01, f[2]) / cell_, (y1 - y0) / cell_};
+  const Vec3 off{outside[0], outside[1], outside[2]};
+  if (off == Vec3{}) return s;
+  // Where the place is beyond the box along an axis, moving along it does not move the place it is judged from.
+  const double atBox = s.distance;
+  const Vec3 along{off.x == 0 ? s.gradient.x : 0, off.y == 0 ? s.gradient.y : 0, off.z == 0 ? s.gradient.z : 0};
+  s.distance = std::sqrt(squaredLength(off) + atBox * atBox);
+  s.gradient = (off + along * atBox) * (1 / s.distance);
+  return s;
+}
+
+double DistanceField::distance(Vec3 place) const { return sample(place).distance; }
+
+}  // namespace karinui

@@ -1,0 +1,158 @@
+#include "karinui/geometry/section.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "geometry/predicates.h"
+#include "karinui/base/result.h"
+
+namespace karinui {
+namespace {
+
+// A mesh edge the plane cuts, always named from its lower to its higher point so that both faces compute the same
+// place.
+using CutEdge = std::pair<std::uint32_t, std::uint32_t>;
+
+struct Cut {
+  CutEdge from, to;
+  std::uint32_t face = 0;
+};
+
+CutEdge named(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::vector<Cut> cutFaces(const TriangleMesh& mesh, const std::vector<double>& height) {
+  std::vector<Cut> cuts;
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    const Triangle& t = mesh.faces[f];
+    std::array<bool, 3> above;
+    for (int k = 0; k < 3; ++k) above[k] = height[t[k]] >= 0;
+    if (above[0] == above[1] && above[1] == above[2]) continue;
+    Cut cut;
+    cut.face = f;
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      // The face runs counter-clockwise seen from outside; the line through it keeps the solid on its left when it goes
+      // from the edge that falls through the plane to the edge that rises.
+      if (above[k] && !above[next]) cut.from = named(t[k], t[next]);
+      if (!above[k] && above[next]) cut.to = named(t[k], t[next]);
+    }
+    cuts.push_back(cut);
+  }
+  return cuts;
+}
+
+// Two unit directions that see the plane from above: right, up, normal are right-handed.
+std::pair<Vec3, Vec3> axesOf(Vec3 normal) {
+  const Vec3 helper = std::fabs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+  const Vec3 right = normalized(cross(helper, normal));
+  return {right, cross(normal, right)};
+}
+
+// The hull's corners as indices, by A. M. Andrew's monotone chain, with exact turns.
+std::vector<std::size_t> hullIndices(std::span<const Flat> points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const Flat p = points[a], q = points[b];
+    return p.u != q.u ? p.u < q.u : p.v != q.v ? p.v < q.v : a < b;
+  });
+  order.erase(
+      std::unique(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return points[a] == points[b]; }),
+      order.end());
+  if (order.size() < 3) return order;
+  std::vector<std::size_t> hull;
+  const auto extend = [&](std::size_t i, std::size_t keep) {
+    while (hull.size() >= keep + 2 && side(points[hull[hull.size() - 2]], points[hull.back()], points[i]) <= 0)
+      hull.pop_back();
+    hull.push_back(i);
+  };
+  for (std::size_t i : order) extend(i, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (std::size_t i = order.size() - 1; i-- > 0;) extend(order[i], lower);
+  hull.pop_back();
+  return hull;
+}
+
+}  // namespace
+
+std::vector<SectionLoop> section(const TriangleMesh& mesh, const Plane& plane) {
+  std::vector<double> height(mesh.points.size());
+  for (std::size_t i = 0; i < height.size(); ++i) height[i] = dot(mesh.points[i] - plane.through, plane.normal);
+  const std::vector<Cut> cuts = cutFaces(mesh, height);
+
+  std::multimap<CutEdge, std::size_t> starting;  // cuts by the edge they start on; equal keys keep the order of faces
+  std::map<CutEdge, std::size_t> ending;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    starting.emplace(cuts[i].from, i);
+    ++ending[cuts[i].to];
+  }
+  const auto placeOn = [&](CutEdge e) {
+    const double a = height[e.first], b = height[e.second];
+    return lerp(mesh.points[e.first], mesh.points[e.second], a / (a - b));
+  };
+
+  std::vector<bool> used(cuts.size(), false);
+  std::vector<SectionLoop> loops;
+  const auto follow = [&](std::size_t first) {
+    SectionLoop loop;
+    for (std::size_t i = first;;) {
+      used[i] = true;
+      loop.points.push_back(placeOn(cuts[i].from));
+      loop.faces.push_back(cuts[i].face);
+      if (cuts[i].to == cuts[first].from) break;
+      auto [next, last] = starting.equal_range(cuts[i].to);
+      while (next != last && used[next->second]) ++next;
+      if (next == last) {
+        loop.points.push_back(placeOn(cuts[i].to));
+        loop.closed = false;
+        break;
+      }
+      i = next->second;
+    }
+    loops.push_back(std::move(loop));
+  };
+  // Open lines first, from the edges where nothing ends; what is left runs in circles.
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    if (!used[i] && !ending.contains(cuts[i].from)) follow(i);
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    if (!used[i]) follow(i);
+  std::sort(loops.begin(), loops.end(),
+            [](const SectionLoop& a, const SectionLoop& b) { return a.faces.front() < b.faces.front(); });
+  return loops;
+}
+
+double lineLength(std::span<const Vec3> points, bool closed) {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
+  if (closed && points.size() > 1) sum += distance(points.back(), points.front());
+  return sum;
+}
+
+double enclosedArea(std::span<const Vec3> loop, Vec3 normal) {
+  Vec3 twice;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) twice += cross(loop[i] - loop[0], loop[i + 1] - loop[0]);
+  return dot(twice, normal) / 2;
+}
+
+std::vector<Flat> convexHull(std::span<const Flat> points) {
+  std::vector<Flat> hull;
+  for (std::size_t i : hullIndices(points)) hull.push_back(points[i]);
+  return hull;
+}
+
+std::vector<Vec3> tightTape(std::span<const Vec3> points, Vec3 normal) {
+  const auto [right, up] = axesOf(normal);
+  std::vector<Flat> flat(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) flat[i] = {dot(points[i], right), dot(points[i], up)};
+  std::vector<Vec3> tape;
+  for (std::size_t i : hullIndices(flat)) tape.push_back(points[i]);
+  return tape;
+}
+
+double tightTapeLength(std::span<const Vec3> points, Vec3 normal) {
+  return lineLength(tightTape(points, normal), true);
+}
+
+}  // namespace karinui

@@ -1,0 +1,123 @@
+#include "karinui/geometry/distance_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "geometry/shapes.h"
+
+namespace karinui {
+namespace {
+
+using test::append;
+using test::ball;
+using test::box;
+using test::Numbers;
+
+DistanceField built(const TriangleMesh& m, const DistanceField::Settings& settings, int threads = 2) {
+  Workers workers(threads);
+  auto field = DistanceField::build(m, Bvh(m), settings, workers, Token{});
+  KARINUI_ASSERT(field);
+  return std::move(field).value();
+}
+
+TEST(DistanceField, OfABallIsTheDistanceToItInTheBand) {
+  const TriangleMesh m = ball({0.1, 0.2, 0.3}, 0.2, 6);
+  const DistanceField field = built(m, {0.005, 0.03});
+  Numbers numbers(1);
+  for (int n = 0; n < 20000; ++n) {
+    const Vec3 p = Vec3{0.1, 0.2, 0.3} + numbers.point(0.4);
+    const double d = distance(p, {0.1, 0.2, 0.3}) - 0.2;
+    const auto s = field.sample(p);
+    EXPECT_EQ(s.distance, field.distance(p));
+    if (std::fabs(d) < 0.03 - 0.009) {
+      EXPECT_NEAR(s.distance, d, 2e-4);
+      EXPECT_NEAR(length(s.gradient), 1, 0.02);
+      EXPECT_GT(dot(s.gradient, normalized(p - Vec3{0.1, 0.2, 0.3})), 0.99);
+    } else {
+      EXPECT_EQ(s.distance > 0, d > 0);
+      EXPECT_LE(std::fabs(s.distance), std::fabs(d) + 1e-3);
+      EXPECT_GE(std::fabs(s.distance), 0.0209);
+    }
+  }
+}
+
+TEST(DistanceField, FarAwayIsALowerBoundThatGrows) {
+  const DistanceField field = built(box({0, 0, 0}, {0.3, 0.2, 0.1}), {0.01, 0.03});
+  double last = 0;
+  for (double x = 0.32; x < 5; x += 0.01) {
+    const auto s = field.sample({x, 0.1, 0.05});
+    EXPECT_LE(s.distance, x - 0.3 + 1e-6);
+    EXPECT_GE(s.distance, last - 1e-6);
+    last = s.distance;
+  }
+  EXPECT_GT(last, 4.5);
+  EXPECT_GT(field.sample({5, 0.1, 0.05}).gradient.x, 0.99);
+  EXPECT_GT(field.distance({0.5, 0.5, -3}), 2.9);
+}
+
+TEST(DistanceField, GradientIsTheDerivativeOfTheDistance) {
+  const DistanceField field = built(ball({}, 0.1, 4), {0.01, 0.03});
+  Numbers numbers(2);
+  for (int n = 0; n < 500; ++n) {
+    const Vec3 p = numbers.point(0.3), along = normalized(numbers.point(1));
+    const double step = 1e-7;
+    const double slope = (field.distance(p + along * step) - field.distance(p - along * step)) / (2 * step);
+    EXPECT_NEAR(dot(field.sample(p).gradient, along), slope, 0.2) << n;  // cells' borders have two slopes
+  }
+}
+
+TEST(DistanceField, KeepsItsSignWhereTheSurfaceCrossesItself) {
+  TriangleMesh m = ball({}, 0.1, 4);
+  append(m, ball({0.12, 0, 0}, 0.1, 4));
+  const DistanceField field = built(m, {0.004, 0.02});
+  EXPECT_LT(field.distance({0.06, 0, 0}), 0);
+  EXPECT_LT(field.distance({-0.05, 0, 0}), 0);
+  EXPECT_LT(field.distance({0.17, 0, 0}), 0);
+  EXPECT_GT(field.distance({0.06, 0.1, 0}), 0);
+  EXPECT_GT(field.distance({-0.12, 0, 0}), 0);
+}
+
+TEST(DistanceField, ABodyIsTheSameForAnyNumberOfThreads) {
+  const TriangleMesh m = test::readPlainObj(KARINUI_SHARED_DIR "/bodies/f_jis9ar.obj");
+  if (m.faces.empty()) GTEST_SKIP() << "the shared bodies are not here";
+  const Bvh bvh(m);
+  const DistanceField one = built(m, {0.01, 0.03}, 1), three = built(m, {0.01, 0.03}, 3);
+  Numbers numbers(3);
+  for (int n = 0; n < 3000; ++n) {
+    const Vec3 p{numbers.between(-0.8, 0.8), numbers.between(0, 1.7), numbers.between(-0.3, 0.3)};
+    const double a = one.distance(p), b = three.distance(p);
+    ASSERT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+    const double exact = bvh.signedDistance(p);
+    if (std::fabs(exact) < 0.012) continue;  // a cell's diagonal from the surface the sign may wait
+    EXPECT_EQ(a > 0, exact > 0) << exact;
+    EXPECT_LE(std::fabs(a), std::fabs(exact) + 0.01);
+  }
+}
+
+TEST(DistanceField, RefusesWhatHasNoInside) {
+  Workers workers(1);
+  TriangleMesh open = box({0, 0, 0}, {1, 1, 1});
+  open.faces.pop_back();
+  const auto refusal = DistanceField::build(open, Bvh(open), {}, workers, Token{});
+  ASSERT_FALSE(refusal);
+  EXPECT_EQ(text(refusal.error().what), "The surface is not closed: 3 edges are open, so it has no inside.");
+  EXPECT_FALSE(DistanceField::build({}, Bvh(TriangleMesh{}), {}, workers, Token{}));
+  const TriangleMesh huge = box({0, 0, 0}, {100, 100, 100});
+  EXPECT_FALSE(DistanceField::build(huge, Bvh(huge), {}, workers, Token{}));
+  EXPECT_FALSE(DistanceField::build(huge, Bvh(huge), {0, 0.1}, workers, Token{}));
+  EXPECT_FALSE(DistanceField::build(huge, Bvh(huge), {std::nan(""), 0.1}, workers, Token{}));
+}
+
+TEST(DistanceField, StopsWhenAsked) {
+  Workers workers(2);
+  const TriangleMesh m = ball({}, 0.3, 4);
+  Token token;
+  token.cancel();
+  const auto stopped = DistanceField::build(m, Bvh(m), {}, workers, token);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, Error::Kind::Cancelled);
+}
+
+}  // namespace
+}  // namespace karinui
