@@ -20,13 +20,13 @@ struct Curve {
   static Curve cubic(Flat a, Flat c1, Flat c2, Flat b) { return {Kind::Cubic, a, b, c1, c2, 0}; }
   static Curve arc(Flat a, Flat b, double bulge) { return {Kind::Arc, a, b, {}, {}, bulge}; }
 
-  Flat at(double t) const;               // t in [0, 1], the curve's own parameter
-  Flat tangent(double t) const;          // d/dt
-  double length() const;                 // to 1e-9 m
-  double lengthTo(double t) const;       // of the part [0, t]
-  double parameterAt(double s) const;    // s in [0, length]; inverse of lengthTo
+  Flat at(double t) const;                                                   // t in [0, 1], the curve's own parameter
+  Flat tangent(double t) const;                                              // d/dt
+  double length() const;                                                     // to 1e-9 m
+  double lengthTo(double t) const;                                           // of the part [0, t]
+  double parameterAt(double s) const;                                        // s in [0, length]; inverse of lengthTo
   Flat atFraction(double f) const { return at(parameterAt(f * length())); }  // f by length
-  Curve part(double t0, double t1) const;  // exact; t0 < t1
+  Curve part(double t0, double t1) const;                                    // exact; t0 < t1
   Curve reversed() const;
   Curve mirrored(Flat through, Flat unitAxis) const;
   // Points along the curve with no chord further than `miss` from it, start and end included.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "karinui/base/id.h"
@@ -16,14 +17,16 @@
 namespace karinui {
 
 // One named side of an outline. Its name is its identity: seams, notches and operations speak of "front.side_left".
-// Names are unique within a piece, [A-Za-z0-9_-]+.
+// Names are unique within a piece (its holes included), [A-Za-z0-9_-]+; when "side" is cut in two its parts are "side"
+// and "side_2"
 struct Edge {
   std::string name;
   Curve curve;
   bool operator==(const Edge&) const = default;
 };
 
-// A closed curve, counter-clockwise, each edge starting exactly where the one before ends.
+// A closed curve, counter-clockwise (a hole too), each edge starting exactly where the one before ends. A slit is two
+// banks: the outline runs in along a line and back along the very same line; only there may it touch itself.
 struct Outline {
   std::vector<Edge> edges;
   bool operator==(const Outline&) const = default;
@@ -65,12 +68,12 @@ struct Piece {
   std::vector<Outline> holes;
   std::vector<InternalLine> lines;
   std::vector<Mark> marks;
-  Flat grain{0, 1};          // unit: the warp's direction on paper
+  Flat grain{0, 1};  // unit: the warp's direction on paper
   std::string fabric = "cotton";
-  int layer = 0;             // 0 next to the skin
-  bool frozen = false;       // never live
-  PieceId mirrorOf;          // symmetric copy of
-  Rigid pose;                // after the form
+  int layer = 0;                     // 0 next to the skin
+  bool frozen = false;               // never live
+  PieceId mirrorOf;                  // symmetric copy of
+  Rigid pose;                        // after the form
   std::shared_ptr<const Form> form;  // null: flat, (u, v) -> (u, v, 0)
 };
 
@@ -82,14 +85,18 @@ struct EdgeSpan {
   bool operator==(const EdgeSpan&) const = default;
 };
 
-// Two runs of spans that are sewn together. Side `a` runs along its outlines' own direction; side `b` runs against its own
-// if `reversed` (the usual case for two counter-clockwise outlines facing each other).
+// Two runs of spans that are sewn together. Side `a` runs along its outlines' own direction; side `b` runs against its
+// own if `reversed` (the usual case for two counter-clockwise outlines facing each other): the whole run is then walked
+// from the end of its last span to the start of its first. Spans are listed in the outlines' own order on both sides.
 struct Seam {
   SeamId id;
   std::string name;
   std::vector<EdgeSpan> a, b;  // each side: consecutive spans, joined end to end
   bool reversed = true;
-  enum class Tie { OneToOne, TwoToOne } tie = Tie::OneToOne;  // TwoToOne: two points of the longer side on one of the shorter
+  enum class Tie {
+    OneToOne,
+    TwoToOne
+  } tie = Tie::OneToOne;  // TwoToOne: two points of the longer side on one of the shorter
   bool operator==(const Seam&) const = default;
 };
 
@@ -99,6 +106,8 @@ struct Pattern {
 };
 
 double length(const Pattern& pattern, const std::vector<EdgeSpan>& side);
-double easeRatio(const Pattern& pattern, const Seam& seam);  // longer / shorter, >= 1
+const Edge* findEdge(const Piece& piece, std::string_view name);  // on the outline or a hole; null: none
+double lengthMismatch(const Pattern& pattern, const Seam& seam);  // length of a - length of b, metres
+double easeRatio(const Pattern& pattern, const Seam& seam);       // longer / shorter, >= 1
 
 }  // namespace karinui

@@ -1,0 +1,95 @@
+#include "karinui/geometry/polygon.h"
+
+#include <geos_c.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace karinui {
+
+double signedArea(std::span<const Flat> ring) {
+  double twice = 0;
+  // About the first point, so that a small piece far from the origin loses nothing.
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k) twice += cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
+  return twice / 2;
+}
+
+double perimeter(std::span<const Flat> ring) {
+  double sum = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) sum += distance(ring[k], ring[(k + 1) % ring.size()]);
+  return sum;
+}
+
+bool contains(std::span<const Flat> ring, Flat place) {
+  bool inside = false;
+  for (std::size_t k = 0, before = ring.size() - 1; k < ring.size(); before = k++) {
+    const Flat a = ring[before], b = ring[k];
+    if ((a.v > place.v) == (b.v > place.v)) continue;
+    const double side = cross(b - a, place - a);
+    if ((side > 0) == (b.v > a.v)) inside = !inside;
+  }
+  return inside;
+}
+
+double distanceToRing(std::span<const Flat> ring, Flat place) {
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    best = std::min(best, distanceToSegment(ring[k], ring[(k + 1) % ring.size()], place));
+  return best;
+}
+
+double distanceToSegment(Flat a, Flat b, Flat place) {
+  const Flat along = b - a;
+  const double squared = dot(along, along);
+  const double t = squared > 0 ? std::clamp(dot(place - a, along) / squared, 0.0, 1.0) : 0.0;
+  return distance(lerp(a, b, t), place);
+}
+
+namespace {
+
+// GEOS keeps its state in a context; one per call is cheap and makes every call thread-safe.
+struct Geos {
+  GEOSContextHandle_t context = GEOS_init_r();
+  Geos() = default;
+  Geos(const Geos&) = delete;
+  Geos& operator=(const Geos&) = delete;
+  ~Geos() { GEOS_finish_r(context); }
+};
+
+}  // namespace
+
+std::optional<Flat> crossing(std::span<const Flat> ring) {
+  if (ring.size() < 3) return ring.empty() ? Flat{} : ring[0];
+  const Geos geos;
+  GEOSContextHandle_t c = geos.context;
+  GEOSCoordSequence* places = GEOSCoordSeq_create_r(c, static_cast<unsigned>(ring.size() + 1), 2);
+  KARINUI_ASSERT(places);
+  for (std::size_t k = 0; k <= ring.size(); ++k) {
+    const Flat p = ring[k % ring.size()];
+    GEOSCoordSeq_setXY_r(c, places, static_cast<unsigned>(k), p.u, p.v);
+  }
+  GEOSGeometry* shell = GEOSGeom_createLinearRing_r(c, places);  // owns the places, even when it fails
+  if (!shell) return ring[0];
+  GEOSGeometry* polygon = GEOSGeom_createPolygon_r(c, shell, nullptr, 0);
+  if (!polygon) return ring[0];
+  char* reason = nullptr;
+  GEOSGeometry* where = nullptr;
+  const char valid = GEOSisValidDetail_r(c, polygon, 0, &reason, &where);
+  std::optional<Flat> found;
+  if (valid != 1) {
+    Flat place = ring[0];
+    if (where) {
+      GEOSGeomGetX_r(c, where, &place.u);
+      GEOSGeomGetY_r(c, where, &place.v);
+    }
+    found = place;
+  }
+  if (where) GEOSGeom_destroy_r(c, where);
+  if (reason) GEOSFree_r(c, reason);
+  GEOSGeom_destroy_r(c, polygon);
+  return found;
+}
+
+}  // namespace karinui

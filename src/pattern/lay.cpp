@@ -1,0 +1,240 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "border_plan.h"
+#include "karinui/pattern/lattice.h"
+#include "piece_lattice.h"
+#include "words.h"
+
+namespace karinui {
+namespace {
+
+// The nodes of one track in order, and which of them stands at each station.
+struct TrackNodes {
+  std::vector<Flat> place;
+  std::vector<double> at;            // length along the track
+  std::vector<std::size_t> station;  // node index of each station
+  std::vector<std::size_t> stretch;  // of the segment that starts at each node
+};
+
+TrackNodes divide(const BorderPlan& plan, std::size_t t) {
+  const Track& track = plan.tracks()[t];
+  TrackNodes nodes;
+  std::size_t edge = 0;
+  for (std::size_t k = 0; k < track.station.size(); ++k) {
+    const double from = track.station[k], to = k + 1 < track.station.size() ? track.station[k + 1] : track.whole();
+    while (edge + 1 < track.outline->edges.size() && track.edgeStart[edge + 1] <= from + 5e-8) ++edge;
+    nodes.station.push_back(nodes.place.size());
+    const std::size_t count = plan.count(t, k);
+    for (std::size_t n = 0; n < count; ++n) {
+      const double at = from + (to - from) * static_cast<double>(n) / static_cast<double>(count);
+      const double own = at - track.edgeStart[edge];
+      const Curve& curve = track.outline->edges[edge].curve;
+      nodes.place.push_back(own < 1e-7 ? curve.start : curve.at(curve.parameterAt(own)));
+      nodes.at.push_back(at);
+      nodes.stretch.push_back(k);
+    }
+  }
+  return nodes;
+}
+
+// The node indices of a track along one step of a walk, both ends included.
+std::vector<std::size_t> along(const BorderPlan& plan, const std::vector<TrackNodes>& nodes, const Walk::Step& step) {
+  const TrackNodes& track = nodes[step.track];
+  const std::size_t count = plan.count(step.track, step.stretch), first = track.station[step.stretch];
+  std::vector<std::size_t> run(count + 1);
+  for (std::size_t n = 0; n <= count; ++n) run[n] = (first + n) % track.place.size();
+  if (step.backwards) std::reverse(run.begin(), run.end());
+  return run;
+}
+
+// The two banks of a slit stand on the very same places, to the last bit.
+void alignBanks(const BorderPlan& plan, std::vector<TrackNodes>& nodes) {
+  for (const auto& joined : plan.joined()) {
+    if (joined.seam) continue;
+    const Walk a = plan.walk(joined.a, false), b = plan.walk(joined.b, joined.reversed);
+    for (std::size_t k = 0; k < a.steps.size(); ++k) {
+      const auto runA = along(plan, nodes, a.steps[k]), runB = along(plan, nodes, b.steps[k]);
+      for (std::size_t n = 0; n < runA.size(); ++n)
+        nodes[b.steps[k].track].place[runB[n]] = nodes[a.steps[k].track].place[runA[n]];
+    }
+  }
+}
+
+class TieMaker {
+ public:
+  TieMaker(const BorderPlan& plan, const std::vector<TrackNodes>& nodes, const std::vector<std::uint32_t>& firstNode)
+      : plan_(plan), nodes_(nodes), firstNode_(firstNode) {}
+
+  void sew(const BorderPlan::Joined& joined) {
+    const Walk a = plan_.walk(joined.a, false), b = plan_.walk(joined.b, joined.reversed);
+    seam_ = joined.seam;
+    done_.clear();
+    for (std::size_t k = 0; k < a.stops.size(); ++k) {
+      meet(a.stops[k], b.stops[k]);
+      if (k + 1 == a.stops.size()) break;
+      const auto runA = along(plan_, nodes_, a.steps[k]), runB = along(plan_, nodes_, b.steps[k]);
+      const std::size_t trackA = a.steps[k].track, trackB = b.steps[k].track;
+      if (joined.doubled == 0)
+        for (std::size_t n = 1; n + 1 < runA.size(); ++n) tie(trackA, runA[n], trackB, runB[n]);
+      else if (joined.doubled < 0)
+        gather(trackA, runA, trackB, runB);
+      else
+        gather(trackB, runB, trackA, runA);
+    }
+  }
+
+  std::vector<SeamTie> ties;
+
+ private:
+  std::uint32_t node(std::size_t track, std::size_t k) const {
+    return firstNode_[track] + static_cast<std::uint32_t>(k);
+  }
+
+  void tie(std::size_t trackA, std::size_t a, std::size_t trackB, std::size_t b, std::size_t c = kNoNode) {
+    SeamTie made{seam_,
+                 plan_.tracks()[trackA].piece,
+                 plan_.tracks()[trackB].piece,
+                 node(trackA, a),
+                 node(trackB, b),
+                 c == kNoNode ? kNoNode : node(trackB, c)};
+    if (made.pieceA == made.pieceB && made.a == made.b) return;  // the tip of a dart
+    if (!done_.insert({made.pieceA, made.a, made.pieceB, made.b}).second) return;
+    if (done_.contains({made.pieceB, made.b, made.pieceA, made.a})) return;
+    ties.push_back(made);
+  }
+
+  // Stops stand at one station, or at two where the run goes over from piece to piece.
+  void meet(const Walk::Stop& a, const Walk::Stop& b) {
+    const std::size_t most = std::max(a.stations.size(), b.stations.size());
+    for (std::size_t k = 0; k < most; ++k) {
+      const auto& [trackA, stationA] = a.stations[std::min(k, a.stations.size() - 1)];
+      const auto& [trackB, stationB] = b.stations[std::min(k, b.stations.size() - 1)];
+      tie(trackA, nodes_[trackA].station[stationA], trackB, nodes_[trackB].station[stationB]);
+    }
+  }
+
+  // Two to one within a stretch: every inner node of the shorter side takes a folded pair of the longer; the pairs are
+  // disjoint and lie symmetrically about the stretch's middle.
+  void gather(std::size_t trackS, const std::vector<std::size_t>& shorter, std::size_t trackL,
+              const std::vector<std::size_t>& longer) {
+    const std::size_t n = shorter.size() - 1;
+    for (std::size_t k = 1; k < n; ++k) {
+      const std::size_t b = 2 * k < n ? 2 * k - 1 : 2 * k > n ? 2 * k : 2 * k - 1;
+      const std::size_t c = 2 * k < n ? 2 * k : 2 * k + 1;
+      tie(trackS, shorter[k], trackL, longer[b], longer[c]);
+    }
+  }
+
+  const BorderPlan& plan_;
+  const std::vector<TrackNodes>& nodes_;
+  const std::vector<std::uint32_t>& firstNode_;
+  SeamId seam_;
+  std::set<std::tuple<PieceId, std::uint32_t, PieceId, std::uint32_t>> done_;
+};
+
+void fillEdges(Lattice& lattice, const Track& track, const TrackNodes& nodes, std::uint32_t first) {
+  const std::size_t count = nodes.place.size();
+  for (std::size_t k = 0; k < track.outline->edges.size(); ++k) {
+    const double from = track.edgeStart[k], to = track.edgeStart[k + 1];
+    Lattice::EdgeNodes edge;
+    edge.hole = track.hole;
+    edge.first =
+        static_cast<std::size_t>(std::lower_bound(nodes.at.begin(), nodes.at.end(), from - 5e-8) - nodes.at.begin());
+    for (std::size_t n = edge.first;; ++n) {
+      const double at = n < count ? nodes.at[n] : track.whole();
+      if (at > to + 5e-8) break;
+      edge.nodes.push_back(first + static_cast<std::uint32_t>(n % count));
+      edge.fraction.push_back(std::clamp((at - from) / (to - from), 0.0, 1.0));
+      if (n >= count) break;
+    }
+    edge.fraction.front() = 0;
+    edge.fraction.back() = 1;
+    edge.count = edge.nodes.size() - 1;
+    lattice.edges[track.outline->edges[k].name] = std::move(edge);
+  }
+}
+
+// Makes all lattices, or says which stretches must be divided more finely first.
+Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, double spacing,
+                           std::set<std::array<std::size_t, 2>>& tooCoarse) {
+  const auto& tracks = plan.tracks();
+  std::vector<TrackNodes> nodes;
+  for (std::size_t t = 0; t < tracks.size(); ++t) nodes.push_back(divide(plan, t));
+  alignBanks(plan, nodes);
+  LaidPattern laid{spacing, {}, {}};
+  std::vector<std::uint32_t> firstNode(tracks.size());
+  std::optional<Error> trouble;
+  for (std::size_t t = 0; t < tracks.size();) {
+    const Piece& piece = *pattern.pieces.at(tracks[t].piece);
+    std::size_t end = t;
+    BorderNodes border;
+    std::vector<std::array<std::size_t, 2>> stretchOf;  // of every node's segment, through outline and holes
+    for (; end < tracks.size() && tracks[end].piece == tracks[t].piece; ++end) {
+      (end == t ? border.outline : border.holes.emplace_back()) = nodes[end].place;
+      for (std::size_t k : nodes[end].stretch) stretchOf.push_back({end, k});
+    }
+    std::optional<std::array<std::size_t, 2>> clash;
+    auto lattice = latticeOf(border, centreOf(piece.outline.flattened(1e-4), normalized(piece.grain)),
+                             normalized(piece.grain), spacing, &clash);
+    if (!lattice) {
+      if (!trouble)
+        trouble = badInput(
+            say("Piece {0} cannot be laid as cloth: its outline comes too near itself; keep its edges apart. ({1})",
+                piece.name, text(lattice.error().what)));
+      if (clash) {
+        for (std::size_t k : *clash)
+          if (k < stretchOf.size()) tooCoarse.insert(stretchOf[k]);
+      } else {  // so coarse that it has turned inside out
+        tooCoarse.insert(stretchOf.begin(), stretchOf.end());
+      }
+    } else {
+      auto first = static_cast<std::uint32_t>(lattice->nodes.size() - stretchOf.size());
+      for (std::size_t k = t; k < end; ++k) {
+        firstNode[k] = first;
+        fillEdges(*lattice, tracks[k], nodes[k], first);
+        if (k > t) {
+          auto& hole = lattice->holes.emplace_back();
+          for (std::size_t n = nodes[k].place.size(); n-- > 0;) hole.push_back(first + static_cast<std::uint32_t>(n));
+        }
+        first += static_cast<std::uint32_t>(nodes[k].place.size());
+      }
+      laid.lattices[piece.id] = std::make_shared<const Lattice>(std::move(*lattice));
+    }
+    t = end;
+  }
+  if (trouble) return *trouble;
+  TieMaker maker(plan, nodes, firstNode);
+  for (const auto& joined : plan.joined())
+    if (joined.seam) maker.sew(joined);
+  laid.ties = std::move(maker.ties);
+  return laid;
+}
+
+}  // namespace
+
+Result<LaidPattern> lay(const Pattern& pattern, double spacing) {
+  if (!(spacing >= 5e-4 && spacing <= 1))
+    return badInput(say("A spacing of {0} mm is not usable; choose one between 0.5 mm and 1 m.", inMm(spacing)));
+  for (const auto& [id, piece] : pattern.pieces) {
+    const double area = piece->outline.area();
+    if (!(length(piece->grain) > 1e-9) || !finite(piece->grain))
+      return badInput(say("The grain of piece {0} has no direction.", piece->name));
+    if (area / (spacing * spacing) > 4e6)
+      return refused(say("Piece {0} would need more than four million nodes at {1} mm; choose a wider spacing.",
+                         piece->name, inMm(spacing)));
+  }
+  auto plan = BorderPlan::plan(pattern, spacing);
+  if (!plan) return plan.error();
+  for (;;) {
+    std::set<std::array<std::size_t, 2>> tooCoarse;
+    auto laid = tryLay(pattern, *plan, spacing, tooCoarse);
+    if (laid) return laid;
+    bool finer = false;
+    for (const auto& [track, stretch] : tooCoarse) finer |= plan->refine(track, stretch);
+    if (!finer) return laid.error();
+  }
+}
+
+}  // namespace karinui
