@@ -32,8 +32,9 @@ TEST(DistanceField, OfABallIsTheDistanceToItInTheBand) {
     EXPECT_EQ(s.distance, field.distance(p));
     if (std::fabs(d) < 0.03 - 0.009) {
       EXPECT_NEAR(s.distance, d, 2e-4);
-      EXPECT_NEAR(length(s.gradient), 1, 0.02);
-      EXPECT_GT(dot(s.gradient, normalized(p - Vec3{0.1, 0.2, 0.3})), 0.99);
+      // One-sided differences on a curved surface are off by cell / (2 radius) per axis.
+      EXPECT_NEAR(length(s.gradient), 1, 0.03);
+      EXPECT_GT(dot(normalized(s.gradient), normalized(p - Vec3{0.1, 0.2, 0.3})), 0.995);
     } else {
       EXPECT_EQ(s.distance > 0, d > 0);
       EXPECT_LE(std::fabs(s.distance), std::fabs(d) + 1e-3);
