@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "karinui/geometry/bvh.h"
 #include "karinui/geometry/mesh.h"
 
 namespace karinui {
@@ -14,12 +15,12 @@ using Colour = std::array<float, 3>;
 struct SceneCloth {
   std::string name;
   TriangleMesh mesh;
-  std::vector<Flat> flat;               // paper place of each point (weave, UV)
-  std::vector<float> strain;            // per point, |l/L - 1|; may be empty
+  std::vector<Flat> flat;                            // paper place of each point (weave, UV)
+  std::vector<float> strain;                         // per point, |l/L - 1|; may be empty
   std::vector<std::vector<std::uint32_t>> outlines;  // closed or open runs of points drawn as the cloth's edge
   std::vector<std::vector<std::uint32_t>> seams;     // runs of points drawn as stitches
   Colour colour{0.35f, 0.45f, 0.65f};
-  bool live = false;                    // marked
+  bool live = false;  // marked
 };
 
 struct SceneBody {
@@ -38,7 +39,15 @@ struct SceneFrame {
   std::vector<SceneBody> bodies;
   std::vector<SceneCloth> cloths;
   std::vector<SceneLine> lines;
-  std::vector<std::string> captions;    // drawn top left, UTF-8
+  std::vector<std::string> captions;  // drawn top left, UTF-8
 };
+
+// A place further than this from the origin, or not a number, is a fault in the data: it is left out of every picture
+// rather than shrinking the fitting to a dot.
+inline constexpr double kStudioReach = 1000;  // metres
+bool drawable(Vec3 place);
+
+// The box of everything that can be drawn; empty when nothing can.
+Box extent(const SceneFrame& frame);
 
 }  // namespace karinui

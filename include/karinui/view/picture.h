@@ -1,0 +1,70 @@
+#pragma once
+// Pictures of a fitting without a screen. One Picture may draw any number of frames; one thread at a time, any thread.
+//   auto picture = Picture::open();
+//   auto image = (*picture)->draw(frame, {.view = View::Back, .width = 1200, .height = 1600});
+//   writePng("back.png", *image);
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "karinui/base/message.h"
+#include "karinui/base/result.h"
+#include "karinui/scene/scene_frame.h"
+#include "karinui/view/camera.h"
+#include "karinui/view/image.h"
+#include "karinui/view/lettering.h"
+#include "karinui/view/renderer.h"
+
+namespace karinui {
+
+enum class Map { None, Strain };
+Result<Map> mapNamed(std::string_view name);  // "none", "strain"
+
+// "1200x1600" as width and height; refuses what Picture would refuse.
+Result<std::array<int, 2>> sizeNamed(std::string_view text);
+
+struct PictureOptions {
+  View view = View::Front;
+  Eyes eyes = Eyes::Mono;
+  Map map = Map::None;
+  int width = 1200, height = 1600;    // of the whole picture, both eyes; 16 … 8192 each
+  std::optional<Camera> camera = {};  // instead of the view's own
+  double strainTop = 0;               // top of the strain scale, e.g. 0.05; 0: a round number from the frame
+  double eyeSeparation = 0.063;       // metres
+  int samples = 2;                    // each pixel is the mean of samples x samples; 1 … 4
+  bool lettering = true;              // captions and legend
+  Language language = Language::English;
+};
+
+class Picture {
+ public:
+  // Refuses with a sentence where no OpenGL 3.3 can be had.
+  static Result<std::unique_ptr<Picture>> open(const Studio& studio = {});
+  ~Picture();
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
+
+  Result<Image> draw(const SceneFrame& frame, const PictureOptions& options = {});
+
+  // What the last picture leaves out or could not show, as sentences.
+  const std::vector<Message>& notes() const { return notes_; }
+  // What draws, as the driver names itself ("llvmpipe …").
+  const std::string& renderer() const;
+
+ private:
+  Picture();
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+  std::vector<Message> notes_;
+};
+
+// Pictures side by side with a caption under each, for the stages of a fitting. Pictures may differ in size; each cell
+// is as large as the largest. columns 0: all in one row. Refuses an empty sheet and one larger than 32768 pixels.
+struct SheetItem {
+  Image image;
+  std::string caption;  // UTF-8
+};
+Result<Image> contactSheet(const std::vector<SheetItem>& items, int columns = 0, std::vector<Message>* notes = nullptr);
+
+}  // namespace karinui

@@ -1,0 +1,182 @@
+#include "karinui/view/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace karinui {
+
+std::array<float, 16> Matrix4::floats() const {
+  std::array<float, 16> f;
+  std::transform(m.begin(), m.end(), f.begin(), [](double v) { return static_cast<float>(v); });
+  return f;
+}
+
+Matrix4 operator*(const Matrix4& a, const Matrix4& b) {
+  Matrix4 c;
+  for (std::size_t col = 0; col < 4; ++col)
+    for (std::size_t row = 0; row < 4; ++row) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 4; ++k) sum += a.m[4 * k + row] * b.m[4 * col + k];
+      c.m[4 * col + row] = sum;
+    }
+  return c;
+}
+
+std::array<double, 4> operator*(const Matrix4& a, const std::array<double, 4>& v) {
+  std::array<double, 4> r{};
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t k = 0; k < 4; ++k) r[row] += a.m[4 * k + row] * v[k];
+  return r;
+}
+
+namespace {
+
+struct Axes {
+  Vec3 right, up, back;  // unit; back points from the target to the eye
+};
+
+Axes axesOf(const Camera& camera) {
+  Vec3 back = normalized(camera.eye - camera.target);
+  if (back == Vec3{}) back = {0, 0, 1};
+  Vec3 right = normalized(cross(camera.up, back));
+  // Looking straight along "up": any right will do, but it must be one.
+  if (length(right) < 0.5) right = normalized(cross(std::fabs(back.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, back));
+  return {right, cross(back, right), back};
+}
+
+constexpr std::array<std::string_view, 5> kViews{"front", "back", "left", "right", "oblique"};
+constexpr std::array<std::string_view, 4> kEyes{"mono", "side-by-side", "top-bottom", "anaglyph"};
+
+// Unit vector from the target towards the eye.
+Vec3 sideOf(View view) {
+  const double rise = view == View::Oblique ? 0.24 : 0.075;  // a fitter's eye is a little above the waist
+  double turn = 0;
+  switch (view) {
+    case View::Front:
+      turn = 0;
+      break;
+    case View::Back:
+      turn = std::numbers::pi;
+      break;
+    case View::Left:
+      turn = std::numbers::pi / 2;
+      break;
+    case View::Right:
+      turn = -std::numbers::pi / 2;
+      break;
+    case View::Oblique:
+      turn = 0.62;
+      break;
+  }
+  return {std::sin(turn) * std::cos(rise), std::sin(rise), std::cos(turn) * std::cos(rise)};
+}
+
+}  // namespace
+
+Vec3 Camera::right() const { return axesOf(*this).right; }
+
+Result<View> viewNamed(std::string_view name) {
+  const auto found = std::find(kViews.begin(), kViews.end(), name);
+  if (found != kViews.end()) return static_cast<View>(found - kViews.begin());
+  return badInput(say("There is no view \"{0}\"; say front, back, left, right or oblique.", name));
+}
+std::string_view nameOf(View view) { return kViews[static_cast<std::size_t>(view)]; }
+
+Result<Eyes> eyesNamed(std::string_view name) {
+  const auto found = std::find(kEyes.begin(), kEyes.end(), name);
+  if (found != kEyes.end()) return static_cast<Eyes>(found - kEyes.begin());
+  return badInput(
+      say("There is no way of seeing called \"{0}\"; say mono, side-by-side, top-bottom or anaglyph.", name));
+}
+std::string_view nameOf(Eyes eyes) { return kEyes[static_cast<std::size_t>(eyes)]; }
+
+Camera frameAll(const SceneFrame& frame, View view, double aspect) {
+  Camera camera;
+  Box box = extent(frame);
+  if (box.empty()) box = {{-0.4, 0, -0.2}, {0.4, 1.7, 0.2}};
+  camera.target = box.centre();
+  camera.eye = camera.target + sideOf(view);
+  const Axes axes = axesOf(camera);
+
+  // The middle of the scene as this camera sees it, then the distance at which the outermost point meets the margin.
+  double lowR = 0, highR = 0, lowU = 0, highU = 0;
+  const auto eachPoint = [&](auto&& visit) {
+    for (const SceneBody& body : frame.bodies)
+      for (const Vec3 p : body.mesh.points) visit(p);
+    for (const SceneCloth& cloth : frame.cloths)
+      for (const Vec3 p : cloth.mesh.points) visit(p);
+    for (const SceneLine& line : frame.lines)
+      for (const Vec3 p : line.points) visit(p);
+    if (extent(frame).empty())
+      for (int i = 0; i < 8; ++i)
+        visit({i & 1 ? box.low.x : box.high.x, i & 2 ? box.low.y : box.high.y, i & 4 ? box.low.z : box.high.z});
+  };
+  bool first = true;
+  eachPoint([&](Vec3 p) {
+    if (!drawable(p)) return;
+    const double r = dot(p - camera.target, axes.right), u = dot(p - camera.target, axes.up);
+    lowR = first ? r : std::min(lowR, r), highR = first ? r : std::max(highR, r);
+    lowU = first ? u : std::min(lowU, u), highU = first ? u : std::max(highU, u);
+    first = false;
+  });
+  camera.target += axes.right * ((lowR + highR) / 2) + axes.up * ((lowU + highU) / 2);
+
+  const double margin = 0.90;
+  const double tanV = std::tan(camera.fieldOfView / 2) * margin, tanH = tanV * aspect;
+  double distance = 0.02 / tanV;  // a scene of one point is seen as a patch of a few centimetres
+  eachPoint([&](Vec3 p) {
+    if (!drawable(p)) return;
+    const Vec3 q = p - camera.target;
+    const double towards = dot(q, axes.back);
+    distance = std::max(
+        {distance, std::fabs(dot(q, axes.right)) / tanH + towards, std::fabs(dot(q, axes.up)) / tanV + towards});
+  });
+  camera.eye = camera.target + axes.back * distance;
+  return camera;
+}
+
+Eye eyeOf(const Camera& camera, double aspect, double sideways) {
+  const Axes a = axesOf(camera);
+  Eye eye;
+  eye.place = camera.eye + a.right * sideways;
+  const Vec3 p = eye.place;
+  eye.view.m = {a.right.x, a.up.x, a.back.x, 0, a.right.y,        a.up.y,        a.back.y,        0,
+                a.right.z, a.up.z, a.back.z, 0, -dot(a.right, p), -dot(a.up, p), -dot(a.back, p), 1};
+  const double focus = std::max(camera.distance(), 1e-6);
+  // 24 bits of depth resolve 5 micrometres at the target with these planes.
+  const double near = focus * 0.05, far = focus * 40;
+  const double top = near * std::tan(camera.fieldOfView / 2), wide = top * aspect;
+  const double shear = -sideways * near / focus;  // the window at the target's distance stays where it is
+  const double left = -wide + shear, right = wide + shear;
+  eye.projection.m = {2 * near / (right - left),
+                      0,
+                      0,
+                      0,
+                      0,
+                      near / top,
+                      0,
+                      0,
+                      (right + left) / (right - left),
+                      0,
+                      -(far + near) / (far - near),
+                      -1,
+                      0,
+                      0,
+                      -2 * far * near / (far - near),
+                      0};
+  return eye;
+}
+
+double disparity(const Camera& camera, double height, double separation, double depth) {
+  const double f = height / (2 * std::tan(camera.fieldOfView / 2));
+  return f * separation * (1 / depth - 1 / camera.distance());
+}
+
+OnPicture project(const Eye& eye, Vec3 point, double width, double height) {
+  const auto clip = eye.projection * (eye.view * std::array<double, 4>{point.x, point.y, point.z, 1});
+  if (clip[3] <= 0) return {0, 0, clip[3]};
+  return {(clip[0] / clip[3] + 1) / 2 * width, (1 - clip[1] / clip[3]) / 2 * height, clip[3]};
+}
+
+}  // namespace karinui

@@ -1,0 +1,419 @@
+#include "karinui/view/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "karinui/view/strain_scale.h"
+#include "view/gl_objects.h"
+#include "view/ribbons.h"
+#include "view/shaders.h"
+#include "view/surface.h"
+
+namespace karinui {
+namespace {
+
+constexpr double kFloorShare = 2.4;  // radius of the floor over that of the scene's footprint
+
+void set(GLuint program, const char* name, const Matrix4& m) {
+  glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, m.floats().data());
+}
+void set(GLuint program, const char* name, Vec3 v) {
+  glUniform3f(glGetUniformLocation(program, name), static_cast<float>(v.x), static_cast<float>(v.y),
+              static_cast<float>(v.z));
+}
+void set(GLuint program, const char* name, double v) {
+  glUniform1f(glGetUniformLocation(program, name), static_cast<float>(v));
+}
+void set(GLuint program, const char* name, int v) { glUniform1i(glGetUniformLocation(program, name), v); }
+
+void attribute(GLuint at, int count, std::size_t stride, std::size_t offset) {
+  glEnableVertexAttribArray(at);
+  glVertexAttribPointer(at, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                        reinterpret_cast<const void*>(offset));
+}
+
+template <class T>
+void upload(GLenum target, GLuint buffer, const std::vector<T>& values) {
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
+}
+
+// A parallel light that takes in a ball about the origin; unit vectors right, up, towards the light.
+struct Beam {
+  Vec3 right, towards;
+  Matrix4 toLight;
+};
+Beam beamFrom(Vec3 towards, double radius) {
+  const Vec3 right = normalized(cross(std::fabs(towards.y) < 0.99 ? Vec3{0, 1, 0} : Vec3{0, 0, 1}, towards));
+  const Vec3 up = cross(towards, right);
+  const double k = 1 / radius;
+  Beam beam{right, towards, {}};
+  beam.toLight.m = {right.x * k,
+                    up.x * k,
+                    -towards.x * k,
+                    0,
+                    right.y * k,
+                    up.y * k,
+                    -towards.y * k,
+                    0,
+                    right.z * k,
+                    up.z * k,
+                    -towards.z * k,
+                    0,
+                    0,
+                    0,
+                    0,
+                    1};
+  return beam;
+}
+
+// Directions spread evenly over the upper half of the sky (Fibonacci spiral), never quite level.
+std::vector<Vec3> skyDirections(int count) {
+  std::vector<Vec3> all;
+  for (int i = 0; i < count; ++i) {
+    const double y = (i + 0.5) / count, r = std::sqrt(1 - y * y), turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    all.push_back({r * std::cos(turn), y, r * std::sin(turn)});
+  }
+  return all;
+}
+
+struct ShadowMap {
+  GlTexture depth;
+  GlTarget target;
+  int side = 0;
+
+  explicit ShadowMap(int pixels) : depth(newTexture()), target(newTarget()), side(pixels) {
+    glBindTexture(GL_TEXTURE_2D, depth);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+  }
+};
+
+// Puts the caller's framebuffer and viewport back.
+struct KeepTarget {
+  GLint draw = 0, read = 0, box[4] = {};
+  KeepTarget() {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+    glGetIntegerv(GL_VIEWPORT, box);
+  }
+  ~KeepTarget() {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+    glViewport(box[0], box[1], box[2], box[3]);
+  }
+};
+
+}  // namespace
+
+struct Renderer::Parts {
+  Studio studio;
+  GlProgram depth, sky, backdrop, solid, ribbon;
+  GlArrays solidArrays, ribbonArrays, noArrays;
+  GlBuffer solidVertices, solidCorners, ribbonVertices, ribbonCorners;
+  GlTexture softLight, strainTable;
+  GlTarget softTarget;
+  std::unique_ptr<ShadowMap> keyMap, skyMap;
+
+  struct Run {
+    int kind = 0;
+    bool weave = false;
+    std::size_t first = 0, count = 0;  // corners
+  };
+  std::vector<Run> runs;
+  std::size_t casting = 0, vertices = 0, ribbonCount = 0;
+  Vec3 origin;
+  double radius = 1, strainTop = 0;
+  Beam key;
+  Vec3 fill{0, 0, 1};
+  std::vector<Message> notes;
+
+  void castShadow(const ShadowMap& map, const Beam& beam) const;
+  void gatherSky(const std::vector<SurfaceVertex>& all);
+};
+
+Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
+Renderer::~Renderer() = default;
+const std::vector<Message>& Renderer::notes() const { return parts_->notes; }
+
+Result<std::unique_ptr<Renderer>> Renderer::make(const Studio& studio) {
+  std::unique_ptr<Renderer> made(new Renderer);
+  Parts& p = *made->parts_;
+  p.studio = studio;
+  const struct {
+    GlProgram& program;
+    const std::string &vertex, &fragment;
+  } wanted[] = {{p.depth, glsl::kDepthVertex, {}},
+                {p.sky, glsl::kSkyVertex, glsl::kSkyFragment},
+                {p.backdrop, glsl::kBackdropVertex, glsl::kBackdropFragment},
+                {p.solid, glsl::kSolidVertex, glsl::kSolidFragment},
+                {p.ribbon, glsl::kRibbonVertex, glsl::kRibbonFragment}};
+  for (const auto& w : wanted) {
+    auto program = makeProgram(w.vertex, w.fragment);
+    if (!program) return program.error();
+    w.program = std::move(*program);
+  }
+  const KeepTarget keep;
+  p.noArrays = newArrays();
+  p.solidArrays = newArrays(), p.ribbonArrays = newArrays();
+  p.solidVertices = newBuffer(), p.solidCorners = newBuffer(), p.ribbonVertices = newBuffer(),
+  p.ribbonCorners = newBuffer();
+  glBindVertexArray(p.solidArrays);
+  glBindBuffer(GL_ARRAY_BUFFER, p.solidVertices);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, p.solidCorners);
+  constexpr std::size_t kSolid = sizeof(SurfaceVertex);
+  attribute(0, 3, kSolid, offsetof(SurfaceVertex, place));
+  attribute(1, 3, kSolid, offsetof(SurfaceVertex, normal));
+  attribute(2, 3, kSolid, offsetof(SurfaceVertex, colour));
+  attribute(3, 2, kSolid, offsetof(SurfaceVertex, flat));
+  attribute(4, 2, kSolid, offsetof(SurfaceVertex, cavity));  // and strain, which follows it
+  glBindVertexArray(p.ribbonArrays);
+  glBindBuffer(GL_ARRAY_BUFFER, p.ribbonVertices);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, p.ribbonCorners);
+  constexpr std::size_t kRibbon = sizeof(RibbonVertex);
+  attribute(0, 3, kRibbon, offsetof(RibbonVertex, from));
+  attribute(1, 3, kRibbon, offsetof(RibbonVertex, to));
+  attribute(2, 2, kRibbon, offsetof(RibbonVertex, place));
+  attribute(3, 2, kRibbon, offsetof(RibbonVertex, halfWidth));
+  attribute(4, 2, kRibbon, offsetof(RibbonVertex, along));
+  attribute(5, 3, kRibbon, offsetof(RibbonVertex, colour));
+  attribute(6, 1, kRibbon, offsetof(RibbonVertex, lift));
+  attribute(7, 2, kRibbon, offsetof(RibbonVertex, stitch));
+  p.keyMap = std::make_unique<ShadowMap>(std::clamp(studio.keyMap, 16, 8192));
+  p.skyMap = std::make_unique<ShadowMap>(std::clamp(studio.skyMap, 16, 4096));
+
+  std::vector<float> table;
+  for (int i = 0; i < 256; ++i)
+    for (const float c : strainColour(i / 255.0)) table.push_back(c);
+  p.strainTable = newTexture();
+  glBindTexture(GL_TEXTURE_2D, p.strainTable);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, 256, 1, 0, GL_RGB, GL_FLOAT, table.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  p.softLight = newTexture();
+  p.softTarget = newTarget();
+  if (glGetError() == GL_OUT_OF_MEMORY)
+    return notFound(say("There is not enough graphics memory for the studio's shadows."));
+  made->show({});
+  made->light({});
+  return made;
+}
+
+void Renderer::Parts::castShadow(const ShadowMap& map, const Beam& beam) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, map.target);
+  glViewport(0, 0, map.side, map.side);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  if (casting == 0) return;
+  glUseProgram(depth);
+  set(depth, "toLight", beam.toLight);
+  glBindVertexArray(solidArrays);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(casting), GL_UNSIGNED_INT, nullptr);
+}
+
+// How much of the sky each vertex sees, on both sides of its surface: a shadow map from each direction, added up in a
+// table with a texel for each vertex. It belongs to the scene, not to a view, so both eyes and all sides share it.
+void Renderer::Parts::gatherSky(const std::vector<SurfaceVertex>& all) {
+  const int wide = glsl::kSkyWide, high = std::max<int>(1, static_cast<int>((all.size() + wide - 1) / wide));
+  glBindTexture(GL_TEXTURE_2D, softLight);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, wide, high, 0, GL_RG, GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, softTarget);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, softLight, 0);
+  glDisable(GL_SCISSOR_TEST);
+  const float open = studio.skyDirections > 0 ? 0.0f : 0.5f;
+  glClearColor(open, open, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  const double texel = 2 * radius / skyMap->side;
+  const std::vector<Vec3> directions = skyDirections(std::clamp(studio.skyDirections, 0, 512));
+  double upward = 0;
+  for (const Vec3 d : directions) upward += d.y;
+  for (const Vec3 d : directions) {
+    const Beam beam = beamFrom(d, radius);
+    castShadow(*skyMap, beam);
+    glBindFramebuffer(GL_FRAMEBUFFER, softTarget);
+    glViewport(0, 0, wide, high);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glUseProgram(sky);
+    set(sky, "toLight", beam.toLight);
+    set(sky, "towards", d);
+    set(sky, "weight", 1 / upward);  // open ground gets 1
+    set(sky, "lift", 1.2 * texel);
+    glUniform2i(glGetUniformLocation(sky, "table"), wide, high);
+    set(sky, "map", 0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, skyMap->depth);
+    glBindVertexArray(solidArrays);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(all.size()));
+    glDisable(GL_BLEND);
+  }
+}
+
+void Renderer::show(const SceneFrame& frame, double strainTop) {
+  Parts& p = *parts_;
+  const KeepTarget keep;
+  p.notes.clear();
+  p.runs.clear();
+  p.strainTop = strainTop;
+  Box box = extent(frame);
+  const bool nothing = box.empty();
+  if (nothing) box = {{-0.4, 0, -0.4}, {0.4, 1.7, 0.4}};
+  p.origin = box.centre();
+
+  Surface surface;
+  const auto run = [&](int kind, bool weave, auto&& add) {
+    const std::size_t first = surface.corners.size();
+    add();
+    p.runs.push_back({kind, weave, first, surface.corners.size() - first});
+  };
+  for (const SceneBody& body : frame.bodies) run(0, false, [&] { addMesh(surface, body.mesh, p.origin, body.colour); });
+  for (const SceneCloth& cloth : frame.cloths)
+    run(1, cloth.flat.size() == cloth.mesh.points.size(),
+        [&] { addMesh(surface, cloth.mesh, p.origin, cloth.colour, cloth.flat, cloth.strain); });
+  p.casting = surface.corners.size();
+  // Feet stand on the floor; cloth without a body hangs a little above it.
+  const double footprint = std::max({box.size().x, box.size().z, 0.25 * box.size().y, 1e-3}) / 2;
+  const double ground = frame.bodies.empty() ? box.low.y - 0.02 * length(box.size()) : std::min(box.low.y, 0.0) - 5e-4;
+  const double floor = kFloorShare * footprint;
+  // The beams take in the scene and the floor its shadows fall on.
+  p.radius = std::max(length(box.size()) / 2 * 1.02, 1e-3);
+  if (p.studio.ground) {
+    run(2, false, [&] { addFloor(surface, Vec3{0, ground - p.origin.y, 0}, floor); });
+    p.radius = std::max(p.radius, std::hypot(floor * 0.8, p.origin.y - ground));
+  }
+  const Ribbons ribbons = ribbonsOf(frame, p.origin);
+  p.ribbonCount = ribbons.corners.size();
+  p.vertices = surface.vertices.size();
+  glBindVertexArray(0);
+  upload(GL_ARRAY_BUFFER, p.solidVertices, surface.vertices);
+  upload(GL_ARRAY_BUFFER, p.solidCorners, surface.corners);
+  upload(GL_ARRAY_BUFFER, p.ribbonVertices, ribbons.vertices);
+  upload(GL_ARRAY_BUFFER, p.ribbonCorners, ribbons.corners);
+  p.gatherSky(surface.vertices);
+
+  if (surface.leftOut + ribbons.leftOut > 0)
+    p.notes.push_back(
+        say("{0} triangles and {1} bits of line are left out of the picture: their points are no numbers, too far away "
+            "or not there.",
+            surface.leftOut, ribbons.leftOut));
+  if (nothing) p.notes.push_back(say("There is nothing to see: no body, no cloth and no line."));
+}
+
+void Renderer::light(const Camera& camera) {
+  Parts& p = *parts_;
+  const KeepTarget keep;
+  // The lamps go round with the one who looks, as in a photographer's studio, but stay level with the floor.
+  Vec3 back = camera.eye - camera.target;
+  back.y = 0;
+  back = length(back) > 1e-9 ? normalized(back) : Vec3{0, 0, 1};
+  const Vec3 right = cross(Vec3{0, 1, 0}, back);
+  p.key = beamFrom(normalized(back * 0.62 - right * 0.62 + Vec3{0, 0.72, 0}), p.radius);
+  p.fill = normalized(back * 0.75 + right * 0.8 + Vec3{0, 0.15, 0});
+  p.castShadow(*p.keyMap, p.key);
+}
+
+void Renderer::draw(const Eye& eye, const DrawArea& area) const {
+  const Parts& p = *parts_;
+  glViewport(area.x, area.y, area.width, area.height);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(area.x, area.y, area.width, area.height);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  const double wide = area.right - area.left, high = area.top - area.bottom;
+  // The part of the picture this area shows: clip space moved and stretched.
+  Matrix4 crop;
+  crop.m = {1 / wide,
+            0,
+            0,
+            0,
+            0,
+            1 / high,
+            0,
+            0,
+            0,
+            0,
+            1,
+            0,
+            -(area.left + area.right - 1) / wide,
+            -(area.bottom + area.top - 1) / high,
+            0,
+            1};
+  Matrix4 fromOrigin;
+  fromOrigin.m[12] = p.origin.x, fromOrigin.m[13] = p.origin.y, fromOrigin.m[14] = p.origin.z;
+  const Matrix4 toClip = crop * eye.projection * eye.view * fromOrigin;
+  const Vec3 seenFrom = eye.place - p.origin;
+  const auto common = [&](GLuint program) {
+    glUseProgram(program);
+    set(program, "backdrop", Vec3{p.studio.backdrop[0], p.studio.backdrop[1], p.studio.backdrop[2]});
+    glUniform4f(glGetUniformLocation(program, "areaInPicture"), static_cast<float>(area.left),
+                static_cast<float>(area.bottom), static_cast<float>(wide), static_cast<float>(high));
+    glUniform4f(glGetUniformLocation(program, "areaInPixels"), static_cast<float>(area.x), static_cast<float>(area.y),
+                static_cast<float>(area.width), static_cast<float>(area.height));
+    set(program, "toClip", toClip);
+    set(program, "eye", seenFrom);
+  };
+  glDisable(GL_DEPTH_TEST);
+  common(p.backdrop);
+  glBindVertexArray(p.noArrays);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  common(p.solid);
+  set(p.solid, "keyTowards", p.key.towards);
+  set(p.solid, "keyRight", p.key.right);
+  set(p.solid, "fillTowards", p.fill);
+  set(p.solid, "toKey", p.key.toLight);
+  set(p.solid, "keyTexel", 2 * p.radius / p.keyMap->side);
+  set(p.solid, "scaleTop", p.strainTop);
+  set(p.solid, "skyWide", glsl::kSkyWide);
+  set(p.solid, "sky", 0), set(p.solid, "keyMap", 1), set(p.solid, "strainTable", 2);
+  const GLuint textures[] = {p.softLight, p.keyMap->depth, p.strainTable};
+  for (unsigned i = 0; i < 3; ++i) glActiveTexture(GL_TEXTURE0 + i), glBindTexture(GL_TEXTURE_2D, textures[i]);
+  glBindVertexArray(p.solidArrays);
+  // Cloth before skin: the nearer surface first saves shading the one behind it.
+  for (const int kind : {1, 0, 2})
+    for (const Parts::Run& run : p.runs) {
+      if (run.kind != kind || run.count == 0) continue;
+      set(p.solid, "kind", kind);
+      set(p.solid, "weave", run.weave ? 1 : 0);
+      set(p.solid, "pushBack", kind == 0 ? 0.0025 : 0.0);
+      glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.count), GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
+    }
+  if (p.ribbonCount > 0) {
+    common(p.ribbon);
+    const double pixels = area.pictureHeight > 0 ? area.pictureHeight : area.height;
+    set(p.ribbon, "pixelsPerMetre", pixels / 2 * eye.projection.m[5]);
+    set(p.ribbon, "leastPixels", std::max(0.5, pixels / 2600));
+    glBindVertexArray(p.ribbonArrays);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(p.ribbonCount), GL_UNSIGNED_INT, nullptr);
+  }
+  glBindVertexArray(0);
+  glUseProgram(0);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+}  // namespace karinui

@@ -1,0 +1,257 @@
+#include "view/shaders.h"
+
+namespace karinui::glsl {
+namespace {
+
+// Where a fragment lies in the whole picture, the backdrop there, and the step to screen values.
+const std::string kCommon = R"(
+uniform vec3 backdrop;
+uniform vec4 areaInPicture;  // left, bottom, width, height as fractions
+uniform vec4 areaInPixels;
+vec2 inPicture() { return areaInPicture.xy + (gl_FragCoord.xy - areaInPixels.xy) / areaInPixels.zw * areaInPicture.zw; }
+vec3 backdropHere() {
+  vec2 p = (inPicture() - vec2(0.5, 0.56)) * vec2(1.0, 1.05);
+  float fall = smoothstep(0.08, 0.85, length(p));
+  return backdrop * mix(vec3(1.0), vec3(0.66, 0.655, 0.645), fall);
+}
+float grain(vec2 p) { return fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))); }
+vec3 shown(vec3 c) {
+  // A soft shoulder above 0.7 keeps lit cloth from burning out.
+  vec3 over = max(c - 0.7, 0.0);
+  c = min(c, 0.7) + 0.3 * over / (over + 0.3);
+  vec3 s = mix(1.055 * pow(max(c, 1e-5), vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
+  return s + (grain(gl_FragCoord.xy) - 0.5) / 255.0;  // no banding in the backdrop
+}
+)";
+
+}  // namespace
+
+const std::string kDepthVertex = R"(
+layout(location = 0) in vec3 place;
+uniform mat4 toLight;
+void main() { gl_Position = toLight * vec4(place, 1.0); }
+)";
+
+const std::string kSkyVertex = R"(
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec3 normal;
+uniform mat4 toLight;
+uniform vec3 towards;
+uniform float weight, lift;
+uniform ivec2 table;  // wide, high
+uniform sampler2DShadow map;
+out vec2 light;
+float seen(vec3 p) { return texture(map, (toLight * vec4(p, 1.0)).xyz * 0.5 + 0.5); }
+void main() {
+  float c = dot(normal, towards);
+  // Light for the outer side in x, for the inner side in y.
+  light = weight * (c > 0.0 ? vec2(c * seen(place + normal * lift + towards * lift), 0.0)
+                            : vec2(0.0, -c * seen(place - normal * lift + towards * lift)));
+  vec2 at = vec2(gl_VertexID % table.x, gl_VertexID / table.x) + 0.5;
+  gl_Position = vec4(at / vec2(table) * 2.0 - 1.0, 0.0, 1.0);
+  gl_PointSize = 1.0;
+}
+)";
+const std::string kSkyFragment = R"(
+in vec2 light;
+out vec4 sum;
+void main() { sum = vec4(light, 0.0, 0.0); }
+)";
+
+const std::string kBackdropVertex = R"(
+void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }
+)";
+const std::string kBackdropFragment = kCommon + R"(
+out vec4 colour;
+void main() { colour = vec4(shown(backdropHere()), 1.0); }
+)";
+
+const std::string kSolidVertex = R"(
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 tint;
+layout(location = 3) in vec2 flatPlace;
+layout(location = 4) in vec2 cavityStrain;
+uniform mat4 toClip;
+uniform vec3 eye;
+uniform float pushBack;
+uniform sampler2D sky;
+uniform int skyWide;
+out vec3 p, n, albedo;
+out vec2 paper, soft;
+out float cavity, strain;
+void main() {
+  vec2 light = texelFetch(sky, ivec2(gl_VertexID % skyWide, gl_VertexID / skyWide), 0).xy;
+  p = place; n = normal; albedo = tint; paper = flatPlace; soft = light;
+  cavity = cavityStrain.x; strain = cavityStrain.y;
+  // Along the ray of the eye: nothing moves in the picture, but cloth that lies within the stitches of the mesh on the
+  // skin is drawn over it.
+  vec3 ray = place - eye;
+  gl_Position = toClip * vec4(place + ray * (pushBack / max(length(ray), 1e-6)), 1.0);
+}
+)";
+
+const std::string kSolidFragment = kCommon + R"(
+in vec3 p, n, albedo;
+in vec2 paper, soft;
+in float cavity, strain;
+uniform vec3 eye, keyTowards, keyRight, fillTowards;
+uniform mat4 toKey;
+uniform float keyTexel;    // metres
+uniform float scaleTop;    // > 0: strain map
+uniform int kind;          // 0 skin, 1 cloth, 2 floor
+uniform bool weave;
+uniform sampler2DShadow keyMap;
+uniform sampler2D strainTable;
+out vec4 colour;
+
+float hash(vec2 q) { return fract(sin(dot(q, vec2(127.1, 311.7))) * 43758.5453); }
+float noise(vec2 q) {
+  vec2 i = floor(q), f = fract(q);
+  f = f * f * (3.0 - 2.0 * f);
+  return mix(mix(hash(i), hash(i + vec2(1, 0)), f.x), mix(hash(i + vec2(0, 1)), hash(i + vec2(1, 1)), f.x), f.y);
+}
+// Uneven yarns along warp and weft, each scale fading out before it would flicker.
+float yarns() {
+  float w = max(length(fwidth(paper)), 1e-6), sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    float size = k == 0 ? 0.0012 : (k == 1 ? 0.0032 : 0.008);
+    float keep = 1.0 - smoothstep(0.3, 0.9, w / size);
+    vec2 q = paper / size;
+    sum += keep * (noise(q * vec2(1.0, 0.09)) + noise(q * vec2(0.09, 1.0)) - 1.0) * (k == 0 ? 0.5 : 0.42);
+  }
+  return sum;
+}
+float keySeen(vec3 normal, float spread) {
+  float turn = 6.2831853 * grain(gl_FragCoord.xy);
+  mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
+  vec3 from = p + normal * (2.0 * keyTexel + 0.002) + keyTowards * (spread * 0.25);
+  vec3 up = cross(keyTowards, keyRight);
+  float sum = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    float r = sqrt((float(i) + 0.5) / 12.0), a = float(i) * 2.399963;
+    vec2 o = spin * vec2(cos(a), sin(a)) * r * spread;
+    sum += texture(keyMap, (toKey * vec4(from + keyRight * o.x + up * o.y, 1.0)).xyz * 0.5 + 0.5);
+  }
+  return sum / 12.0;
+}
+
+void main() {
+  vec3 v = normalize(eye - p);
+  vec3 normal = normalize(n);
+  if (kind == 2) {
+    // The floor is the backdrop itself, dimmed by what the body keeps away: no edge, only shadows and a pale disc.
+    float unlit = 1.0 - soft.x;
+    float shade = mix(1.0, keySeen(normal, 0.03), 0.20) * (1.0 - 0.62 * clamp(unlit, 0.0, 1.0));
+    float fade = 1.0 - smoothstep(0.5, 1.0, paper.x);
+    float edge = max(fwidth(paper.x), 1e-5);
+    float disc = 1.0 - smoothstep(-1.5, 1.5, (paper.x - 0.42) / edge);
+    float rim = exp(-pow((paper.x - 0.42) / max(0.0035, 1.2 * edge), 2.0));
+    vec3 base = backdropHere() * (1.0 + 0.055 * disc) * (1.0 - 0.10 * rim);
+    colour = vec4(shown(base * mix(vec3(1.0), vec3(shade, shade * 0.985, shade * 0.96), fade)), 1.0);
+    return;
+  }
+  bool inner = kind == 1 ? !gl_FrontFacing : false;
+  if (inner) normal = -normal;
+  if (kind == 0 && dot(normal, v) < 0.0 && !gl_FrontFacing) normal = -normal;
+  float open = inner ? soft.y : soft.x;
+  float hollow = inner ? -cavity : cavity;
+
+  vec3 base = albedo;
+  if (inner) base = mix(base, vec3(dot(base, vec3(0.3, 0.55, 0.15))), 0.35) * 0.62;
+  bool mapped = kind == 1 && scaleTop > 0.0;
+  if (mapped) {
+    base = strain < 0.0 ? vec3(0.5) : texture(strainTable, vec2(clamp(strain / scaleTop, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
+    if (inner) base *= 0.75;
+  } else if (kind == 1 && weave) {
+    base *= 1.0 + 0.16 * yarns();
+  }
+  float dents = clamp(1.0 - 0.75 * max(hollow, 0.0) + 0.2 * max(-hollow, 0.0), 0.4, 1.2);
+
+  float wrap = kind == 0 ? 0.22 : 0.10;
+  float facing = dot(normal, keyTowards);
+  float lit = clamp((facing + wrap) / (1.0 + wrap), 0.0, 1.0);
+  float seen = lit > 0.0 ? keySeen(normal, 0.011) : 0.0;
+  vec3 key = vec3(1.0, 0.955, 0.89) * lit * seen;
+  if (kind == 0) key += vec3(0.10, 0.025, 0.012) * seen * clamp(1.0 - abs(facing) * 2.5, 0.0, 1.0);
+  vec3 fill = vec3(0.90, 0.95, 1.0) * max(dot(normal, fillTowards), 0.0) * mix(0.45, 1.0, open);
+  vec3 above = mix(vec3(0.80, 0.74, 0.66), vec3(1.0, 0.99, 0.98), normal.y * 0.5 + 0.5);
+  float bounce = (0.5 - 0.5 * normal.y) * 0.22;
+  vec3 ambient = above * (0.16 + open * 1.1 + bounce * mix(0.4, 1.0, open));
+  vec3 light = mapped ? vec3(0.36) + 0.40 * key + 0.16 * fill + 0.42 * ambient
+                      : kind == 0 ? 0.66 * key + 0.14 * fill + 0.44 * ambient
+                      : 0.82 * key + 0.17 * fill + 0.50 * ambient;
+  vec3 c = base * light * (mapped ? mix(1.0, dents, 0.8) : dents);
+
+  // The rim light from behind draws the silhouette; cloth's fine hairs catch more of it than skin.
+  float graze = pow(1.0 - clamp(dot(normal, v), 0.0, 1.0), 3.5);
+  c += (kind == 1 ? 0.16 : 0.07) * graze * mix(base, vec3(0.9, 0.88, 0.84), 0.45) * (0.25 + 0.75 * open) * (inner || mapped ? 0.25 : 1.0);
+  if (kind == 0) {
+    vec3 h = normalize(v + keyTowards);
+    c += vec3(0.045) * pow(max(dot(normal, h), 0.0), 18.0) * seen;
+  }
+  colour = vec4(shown(c), 1.0);
+}
+)";
+
+const std::string kRibbonVertex = R"(
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+layout(location = 2) in vec2 place;
+layout(location = 3) in vec2 halfWidth;
+layout(location = 4) in vec2 alongBoth;
+layout(location = 5) in vec3 tint;
+layout(location = 6) in float lift;
+layout(location = 7) in vec2 stitch;
+uniform mat4 toClip;
+uniform vec3 eye;
+uniform float pixelsPerMetre;  // at one metre's distance, in the whole picture
+uniform float leastPixels;     // half width of the thinnest line
+out vec3 paint;
+out vec4 spot;      // metres along and across from `from`, length of the piece, half width
+out vec2 alongLine; // metres along the line at this end, and here
+flat out vec2 sewn;
+void main() {
+  vec3 here = place.x < 0.5 ? from : to;
+  vec3 ray = here - eye;
+  float away = max(length(ray), 1e-6);
+  float least = leastPixels * away / pixelsPerMetre;
+  bool pointed = halfWidth.x != halfWidth.y;
+  float wide = place.x < 0.5 ? halfWidth.x : halfWidth.y;
+  if (!pointed) wide = max(wide, least);
+  vec3 run = normalize(to - from);
+  vec3 side = cross(run, ray / away);
+  side = length(side) > 1e-4 ? normalize(side) : vec3(0.0);
+  float cap = pointed ? 0.0 : wide;  // room for round ends
+  float s = place.x < 0.5 ? -cap : length(to - from) + cap;
+  vec3 at = from + run * s + side * (wide * place.y);
+  vec3 sight = at - eye;
+  at -= sight * min(lift / max(length(sight), 1e-6), 0.5);
+  gl_Position = toClip * vec4(at, 1.0);
+  paint = tint;
+  spot = vec4(s, pointed ? 0.0 : wide * place.y, length(to - from), max(wide, 1e-6));
+  alongLine = vec2(alongBoth.x + s, 0.0);
+  sewn = stitch;
+}
+)";
+
+const std::string kRibbonFragment = kCommon + R"(
+in vec3 paint;
+in vec4 spot;
+in vec2 alongLine;
+flat in vec2 sewn;
+out vec4 colour;
+void main() {
+  float past = max(max(-spot.x, spot.x - spot.z), 0.0);
+  if (length(vec2(past, spot.y)) > spot.w) discard;
+  if (sewn.x > 0.0) {
+    // A thread lies on the cloth in the middle of a stitch and dives into it at both ends.
+    float in1 = mod(alongLine.x, sewn.x + sewn.y);
+    if (in1 > sewn.x) discard;
+  }
+  float round1 = 1.0 - 0.25 * pow(abs(spot.y) / spot.w, 2.0);
+  colour = vec4(shown(paint * round1), 1.0);
+}
+)";
+
+}  // namespace karinui::glsl

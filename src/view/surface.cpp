@@ -1,0 +1,105 @@
+#include "view/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace karinui {
+namespace {
+
+void put(float (&to)[3], Vec3 v) {
+  to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
+}
+
+bool drawableFace(const TriangleMesh& mesh, const Triangle& face) {
+  return std::all_of(face.begin(), face.end(),
+                     [&](std::uint32_t i) { return i < mesh.points.size() && drawable(mesh.points[i]); });
+}
+
+// How far each point lies under (> 0) or over the mean of its neighbours, measured by their distance: a fold's hollow,
+// whatever the mesh's fineness. Averaged once over the neighbours, so that single triangles do not show.
+std::vector<double> hollows(const TriangleMesh& mesh, const std::vector<Triangle>& faces,
+                            const std::vector<Vec3>& normals) {
+  const std::size_t n = mesh.points.size();
+  std::vector<Vec3> sum(n);
+  std::vector<double> reach(n, 0.0), count(n, 0.0), raw(n, 0.0), smooth(n, 0.0);
+  for (const Triangle& f : faces)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const std::uint32_t j : {f[(k + 1) % 3], f[(k + 2) % 3]}) {
+        const Vec3 to = mesh.points[j] - mesh.points[f[k]];
+        sum[f[k]] += to, reach[f[k]] += length(to), count[f[k]] += 1;
+      }
+  for (std::size_t i = 0; i < n; ++i)
+    // sum / count is half the mean curvature times the squared edge; over the edge's square it is 1/metres, and a
+    // radius of 2 cm is a deep fold.
+    if (reach[i] > 0) raw[i] = 0.02 * 4 * dot(sum[i], normals[i]) * count[i] / (reach[i] * reach[i]);
+  for (double& r : raw) r = std::clamp(r, -1.5, 1.5);
+  std::fill(count.begin(), count.end(), 0.0);
+  for (const Triangle& f : faces)
+    for (std::size_t k = 0; k < 3; ++k) smooth[f[k]] += raw[f[0]] + raw[f[1]] + raw[f[2]], count[f[k]] += 3;
+  for (std::size_t i = 0; i < n; ++i)
+    if (count[i] > 0) smooth[i] /= count[i];
+  return smooth;
+}
+
+}  // namespace
+
+void addMesh(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colour& colour,
+             const std::vector<Flat>& flat, const std::vector<float>& strain) {
+  std::vector<Triangle> faces;
+  faces.reserve(mesh.faces.size());
+  for (const Triangle& face : mesh.faces)
+    if (drawableFace(mesh, face)) faces.push_back(face);
+  surface.leftOut += mesh.faces.size() - faces.size();
+
+  std::vector<Vec3> normals(mesh.points.size());
+  for (const Triangle& f : faces)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 a = mesh.points[f[(k + 1) % 3]] - mesh.points[f[k]],
+                 b = mesh.points[f[(k + 2) % 3]] - mesh.points[f[k]];
+      const Vec3 across = cross(a, b);
+      normals[f[k]] += normalized(across) * std::atan2(length(across), dot(a, b));
+    }
+  for (Vec3& normal : normals) normal = normalized(normal);
+  const std::vector<double> hollow = hollows(mesh, faces, normals);
+
+  const auto base = static_cast<std::uint32_t>(surface.vertices.size());
+  const bool hasFlat = flat.size() == mesh.points.size(), hasStrain = strain.size() == mesh.points.size();
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    SurfaceVertex v{};
+    if (drawable(mesh.points[i])) put(v.place, mesh.points[i] - origin);
+    put(v.normal, normals[i]);
+    for (std::size_t c = 0; c < 3; ++c)
+      v.colour[c] = std::isfinite(colour[c]) ? std::clamp(colour[c], 0.0f, 1.0f) : 0.5f;
+    if (hasFlat && finite(flat[i]))
+      v.flat[0] = static_cast<float>(flat[i].u), v.flat[1] = static_cast<float>(flat[i].v);
+    v.cavity = static_cast<float>(hollow[i]);
+    v.strain = hasStrain && std::isfinite(strain[i]) ? std::max(strain[i], 0.0f) : -1.0f;
+    surface.vertices.push_back(v);
+  }
+  for (const Triangle& f : faces)
+    for (const std::uint32_t i : f) surface.corners.push_back(base + i);
+}
+
+void addFloor(Surface& surface, Vec3 centre, double radius) {
+  constexpr std::uint32_t kRings = 72, kRays = 96;
+  const auto base = static_cast<std::uint32_t>(surface.vertices.size());
+  for (std::uint32_t ring = 0; ring <= kRings; ++ring)
+    for (std::uint32_t ray = 0; ray < kRays; ++ray) {
+      const double r = radius * std::pow(static_cast<double>(ring) / kRings, 1.5),
+                   turn = 2 * std::numbers::pi * ray / kRays;
+      SurfaceVertex v{};
+      put(v.place, centre + Vec3{r * std::sin(turn), 0, r * std::cos(turn)});
+      v.normal[1] = 1;
+      v.flat[0] = static_cast<float>(r / radius);
+      v.strain = -1;
+      surface.vertices.push_back(v);
+    }
+  for (std::uint32_t ring = 0; ring < kRings; ++ring)
+    for (std::uint32_t ray = 0; ray < kRays; ++ray) {
+      const std::uint32_t a = base + ring * kRays + ray, b = base + ring * kRays + (ray + 1) % kRays;
+      for (const std::uint32_t i : {a, a + kRays, b, b, a + kRays, b + kRays}) surface.corners.push_back(i);
+    }
+}
+
+}  // namespace karinui
