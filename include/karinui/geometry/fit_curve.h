@@ -1,0 +1,31 @@
+#pragma once
+// Clean edges from measured points: a straight line where the points are straight enough, else few smooth cubics.
+// Metres on paper.
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "karinui/geometry/curve.h"
+
+namespace karinui {
+
+struct FitSettings {
+  double straight = 0.001;    // points nearer than this to the chord make a straight line
+  double tolerance = 0.0003;  // how far cubics may pass from the points
+  double single = 0.001;      // one cubic alone is preferred to a chain while it passes this near
+  int pieces = 0;             // > 0: exactly this many cubics, however near they pass (a line stays a line)
+};
+
+struct Fitted {
+  std::vector<Curve> curves;  // joined end to end, with a common tangent where they join
+  double miss = 0;            // how far the furthest point is from them
+};
+// The ends are kept exactly; at an end whose direction is given (unit, as the curve runs) the tangent is exactly that.
+// At least two points.
+Fitted fitEdge(std::span<const Flat> points, const FitSettings& settings = {},
+               const std::optional<Flat>& startWay = std::nullopt, const std::optional<Flat>& endWay = std::nullopt);
+
+// How far the points are from the straight line between the first and the last.
+double bow(std::span<const Flat> points);
+
+}  // namespace karinui

@@ -1,0 +1,95 @@
+#include "karinui/geometry/fit_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+namespace karinui {
+namespace {
+
+double missOf(const Fitted& fit, const std::vector<Flat>& points) {
+  double worst = 0;
+  for (Flat p : points) {
+    double best = 1e300;
+    for (const Curve& c : fit.curves)
+      for (int i = 0; i <= 2000; ++i) best = std::fmin(best, distance(c.at(i / 2000.0), p));
+    worst = std::fmax(worst, best);
+  }
+  return worst;
+}
+
+void expectJoined(const Fitted& fit, const std::vector<Flat>& points) {
+  EXPECT_EQ(fit.curves.front().start, points.front());
+  EXPECT_EQ(fit.curves.back().end, points.back());
+  for (std::size_t i = 0; i + 1 < fit.curves.size(); ++i) {
+    EXPECT_EQ(fit.curves[i].end, fit.curves[i + 1].start);
+    const Flat a = normalized(fit.curves[i].tangent(1)), b = normalized(fit.curves[i + 1].tangent(0));
+    EXPECT_GT(dot(a, b), 1 - 1e-9);
+  }
+}
+
+TEST(FitCurve, NearlyStraightPointsAreALine) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> wobble(-0.0006, 0.0006);
+  std::vector<Flat> points{{0.1, 0.2}};
+  for (int i = 1; i < 50; ++i) points.push_back({0.1 + 0.008 * i + wobble(random), 0.2 + 0.004 * i + wobble(random)});
+  const Fitted fit = fitEdge(points);
+  ASSERT_EQ(fit.curves.size(), 1u);
+  EXPECT_EQ(fit.curves[0], Curve::line(points.front(), points.back()));
+}
+
+TEST(FitCurve, ACubicIsFoundAgain) {
+  const Curve armhole = Curve::cubic({0, 0}, {-0.08, 0.02}, {-0.1, 0.12}, {-0.03, 0.2});
+  std::vector<Flat> points;
+  for (int i = 0; i <= 40; ++i) points.push_back(armhole.at(i / 40.0));
+  const Fitted fit = fitEdge(points);
+  ASSERT_EQ(fit.curves.size(), 1u);
+  expectJoined(fit, points);
+  EXPECT_LT(missOf(fit, points), 2e-4);
+  EXPECT_NEAR(fit.curves[0].length(), armhole.length(), 2e-5);
+}
+
+TEST(FitCurve, AWavyLineIsAFewSmoothCubics) {
+  std::vector<Flat> points;
+  for (int i = 0; i <= 200; ++i) points.push_back({0.005 * i, 0.06 * std::sin(0.02 * std::numbers::pi * i)});
+  const Fitted fit = fitEdge(points);
+  expectJoined(fit, points);
+  EXPECT_LT(missOf(fit, points), 3.5e-4);
+  EXPECT_LE(fit.curves.size(), 10u);
+  EXPECT_GT(fit.curves.size(), 1u);
+}
+
+TEST(FitCurve, KeepsGivenTangents) {
+  std::vector<Flat> points;
+  for (int i = 0; i <= 30; ++i) {
+    const double a = 0.5 * std::numbers::pi * i / 30;
+    points.push_back({0.08 * std::sin(a), -0.1 * std::cos(a)});
+  }
+  const Fitted fit = fitEdge(points, {}, Flat{1, 0}, Flat{0, 1});
+  ASSERT_EQ(fit.curves.size(), 1u);
+  EXPECT_NEAR(normalized(fit.curves[0].tangent(0)).v, 0, 1e-12);
+  EXPECT_NEAR(normalized(fit.curves[0].tangent(1)).u, 0, 1e-12);
+  EXPECT_LT(missOf(fit, points), 5e-4);
+}
+
+TEST(FitCurve, AFixedNumberOfPiecesIsKept) {
+  std::vector<Flat> points;
+  for (int i = 0; i <= 60; ++i) points.push_back({0.006 * i, 0.12 * std::exp(-std::pow((i - 30) / 12.0, 2))});
+  FitSettings three;
+  three.pieces = 3;
+  const Fitted fit = fitEdge(points, three);
+  EXPECT_EQ(fit.curves.size(), 3u);
+  expectJoined(fit, points);
+  EXPECT_LT(missOf(fit, points), 0.003);
+}
+
+TEST(FitCurve, TwoPointsAndRepeatedPointsAreHarmless) {
+  EXPECT_EQ(fitEdge(std::vector<Flat>{{0, 0}, {1, 0}}).curves.size(), 1u);
+  const Fitted fit = fitEdge(std::vector<Flat>{{0, 0}, {0, 0}, {0.1, 0.1}, {0.1, 0.1}, {0.2, 0}, {0.2, 0}});
+  ASSERT_FALSE(fit.curves.empty());
+  for (const Curve& c : fit.curves) EXPECT_TRUE(finite(c.control1) && finite(c.control2));
+}
+
+}  // namespace
+}  // namespace karinui

@@ -1,0 +1,153 @@
+#include "karinui/geometry/flatten.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "geometry/surfaces.h"
+#include "karinui/geometry/patch.h"
+
+namespace karinui {
+namespace {
+
+std::vector<std::uint32_t> borderOf(const TriangleMesh& mesh) {
+  std::map<std::uint32_t, std::uint32_t> next;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> runs;
+  for (const Triangle& t : mesh.faces)
+    for (std::size_t k = 0; k < 3; ++k) runs[{t[k], t[(k + 1) % 3]}] = true;
+  for (const auto& [edge, yes] : runs)
+    if (!runs.count({edge.second, edge.first})) next[edge.first] = edge.second;
+  std::vector<std::uint32_t> border{next.begin()->first};
+  while (next[border.back()] != border.front()) border.push_back(next[border.back()]);
+  return border;
+}
+
+TriangleMesh partOfCylinder(double radius, double turn, double height) {
+  return surfaces::grid(40, 50, false, [&](double s, double t) {
+    const double a = (s - 0.5) * turn;
+    return Vec3{radius * std::sin(a), height * t, radius * std::cos(a)};
+  });
+}
+TriangleMesh partOfBall(double radius, double reach) {
+  return surfaces::grid(30, 30, false, [&](double s, double t) {
+    const double x = (s - 0.5) * reach, y = (t - 0.5) * reach;
+    return normalized(Vec3{std::tan(x), std::tan(y), 1}) * radius;
+  });
+}
+
+void expectIsometric(const TriangleMesh& mesh, const std::vector<Flat>& flat, double within) {
+  for (const Triangle& t : mesh.faces) {
+    EXPECT_GT(cross(flat[t[1]] - flat[t[0]], flat[t[2]] - flat[t[0]]), 0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double l = distance(mesh.points[t[k]], mesh.points[t[(k + 1) % 3]]);
+      EXPECT_NEAR(distance(flat[t[k]], flat[t[(k + 1) % 3]]) / l, 1, within);
+    }
+  }
+}
+
+TEST(Flatten, ACylinderUnrolls) {
+  const TriangleMesh mesh = partOfCylinder(0.15, 4.0, 0.5);
+  const auto made = flatten(mesh, borderOf(mesh), {}, Token());
+  ASSERT_TRUE(made);
+  expectIsometric(mesh, made->flat, 1e-3);
+  EXPECT_EQ(made->distortion.gate, Distortion::Gate::Green);
+  // The grain is upright: points above each other have the same u.
+  EXPECT_NEAR(made->flat[0].u, made->flat[41 * 50].u, 1e-6);
+  EXPECT_NEAR(made->flat[41 * 50].v - made->flat[0].v, 0.5, 5e-4);
+}
+
+TEST(Flatten, AConeUnrolls) {
+  const TriangleMesh mesh = surfaces::grid(50, 40, false, [](double s, double t) {
+    const double a = (s - 0.5) * 5, r = 0.2 - 0.12 * t;
+    return Vec3{r * std::sin(a), 0.3 * t, r * std::cos(a)};
+  });
+  const auto made = flatten(mesh, borderOf(mesh), {}, Token());
+  ASSERT_TRUE(made);
+  expectIsometric(mesh, made->flat, 1e-3);
+}
+
+TEST(Flatten, ABallIsStrainedButNeverFolded) {
+  const TriangleMesh mesh = partOfBall(0.15, 1.2);
+  const auto made = flatten(mesh, borderOf(mesh), {}, Token());
+  ASSERT_TRUE(made);
+  for (const Triangle& t : mesh.faces)
+    EXPECT_GT(cross(made->flat[t[1]] - made->flat[t[0]], made->flat[t[2]] - made->flat[t[0]]), 0);
+  EXPECT_NE(made->distortion.gate, Distortion::Gate::Green);
+  EXPECT_GT(made->distortion.warp.max, 0.01);
+  EXPECT_LT(std::fabs(made->distortion.border), 0.01);
+  // Cloth gives way in shear before it stretches.
+  FlattenSettings stiff;
+  stiff.shear = 1000;
+  const auto sheet = flatten(mesh, borderOf(mesh), stiff, Token());
+  ASSERT_TRUE(sheet);
+  EXPECT_GT(made->distortion.shear.mean, sheet->distortion.shear.mean);
+  EXPECT_LT(made->distortion.warp.mean + made->distortion.weft.mean,
+            sheet->distortion.warp.mean + sheet->distortion.weft.mean);
+}
+
+TEST(Flatten, AFoldIsLaidStraight) {
+  const TriangleMesh mesh = surfaces::grid(20, 40, false, [](double s, double t) {
+    const double a = s * 1.1, b = (t - 0.5) * 1.1;
+    return Vec3{0.2 * std::sin(a) * std::cos(b), 0.2 * std::sin(b), 0.2 * std::cos(a) * std::cos(b)};
+  });
+  FlattenSettings settings;
+  for (std::uint32_t j = 0; j <= 40; ++j) settings.fold.push_back(j * 21);
+  const auto made = flatten(mesh, borderOf(mesh), settings, Token());
+  ASSERT_TRUE(made);
+  for (std::uint32_t p : settings.fold) EXPECT_EQ(made->flat[p].u, 0);
+  EXPECT_GT(made->flat[20].u, 0.1);
+  EXPECT_GT(made->flat[21 * 40].v, made->flat[0].v);
+}
+
+TEST(Flatten, IsTheSameEveryTime) {
+  const TriangleMesh mesh = partOfBall(0.15, 1.0);
+  const auto one = flatten(mesh, borderOf(mesh), {}, Token()), two = flatten(mesh, borderOf(mesh), {}, Token());
+  ASSERT_TRUE(one && two);
+  EXPECT_EQ(one->flat, two->flat);
+}
+
+TEST(Flatten, StopsWhenTold) {
+  const TriangleMesh mesh = partOfBall(0.15, 1.0);
+  Token token;
+  token.cancel();
+  const auto made = flatten(mesh, borderOf(mesh), {}, token);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().kind, Error::Kind::Cancelled);
+}
+
+TEST(Flatten, RefusesPointsThatAreNoNumbers) {
+  TriangleMesh mesh = surfaces::plane(4, 1);
+  mesh.points[3].x = std::nan("");
+  EXPECT_FALSE(flatten(mesh, borderOf(mesh), {}, Token()));
+}
+
+TEST(Reflatten, NothingMovedIsTheOldPaper) {
+  // Paper strained by 3 % in the drape: the strain must not come into the paper.
+  const TriangleMesh mesh = partOfCylinder(0.15, 2.0, 0.5);
+  const auto made = flatten(mesh, borderOf(mesh), {}, Token());
+  ASSERT_TRUE(made);
+  std::vector<Vec3> draped = mesh.points;
+  for (Vec3& p : draped) p.y *= 1.03;
+  const auto again = reflatten(made->flat, mesh.faces, draped, draped, Token());
+  ASSERT_TRUE(again);
+  EXPECT_EQ(*again, made->flat);
+}
+
+TEST(Reflatten, APulledHemGrowsByWhatWasPulled) {
+  const TriangleMesh mesh = partOfCylinder(0.15, 2.0, 0.5);
+  const auto made = flatten(mesh, borderOf(mesh), {}, Token());
+  ASSERT_TRUE(made);
+  std::vector<Vec3> pulled = mesh.points;  // the lower 20 cm stretched by a quarter, evenly all round
+  for (Vec3& p : pulled)
+    if (p.y < 0.2) p.y = 0.2 - (0.2 - p.y) * 1.25;
+  const auto again = reflatten(made->flat, mesh.faces, mesh.points, pulled, Token());
+  ASSERT_TRUE(again);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const double y = mesh.points[i].y, down = y < 0.2 ? (0.2 - y) * 0.25 : 0;
+    EXPECT_NEAR((*again)[i].u, made->flat[i].u, 5e-4);
+    EXPECT_NEAR((*again)[i].v, made->flat[i].v - down, 5e-4);
+  }
+}
+
+}  // namespace
+}  // namespace karinui
