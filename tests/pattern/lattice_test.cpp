@@ -4,50 +4,13 @@
 
 #include "support.h"
 
+#include "karinui/pattern/edit.h"
+#include "lattice_promises.h"
+
 namespace karinui {
 namespace {
 
 using namespace test;
-
-// What every lattice promises.
-void expectSound(const Lattice& lattice, const std::string& what) {
-  SCOPED_TRACE(what);
-  std::vector<int> used(lattice.nodes.size(), 0);
-  double area = 0;
-  std::set<std::array<std::uint32_t, 2>> sides;
-  for (const Triangle& f : lattice.faces) {
-    const double twice = cross(lattice.nodes[f[1]] - lattice.nodes[f[0]], lattice.nodes[f[2]] - lattice.nodes[f[0]]);
-    EXPECT_GT(twice, 0);
-    area += twice / 2;
-    for (int k = 0; k < 3; ++k) {
-      used.at(f[k]) = 1;
-      EXPECT_TRUE(sides.insert({f[k], f[(k + 1) % 3]}).second) << "two faces on one side of an edge";
-    }
-  }
-  EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0) << "unused nodes";
-  Ring border;
-  for (auto n : lattice.border) border.push_back(lattice.nodes[n]);
-  double expected = signedArea(border);
-  std::size_t ringSides = lattice.border.size();
-  for (const auto& hole : lattice.holes) {
-    Ring ring;
-    for (auto n : hole) ring.push_back(lattice.nodes[n]);
-    expected += signedArea(ring);
-    ringSides += hole.size();
-  }
-  EXPECT_NEAR(area, expected, 1e-9);
-  // Edges with one face only are exactly those of the outline and the holes.
-  std::size_t open = 0;
-  for (const auto& [a, b] : sides) open += !sides.contains({b, a});
-  EXPECT_EQ(open, ringSides);
-  for (std::size_t k = 0; k < lattice.border.size(); ++k)
-    EXPECT_TRUE(sides.contains({lattice.border[k], lattice.border[(k + 1) % lattice.border.size()]}));
-  for (const auto& [name, edge] : lattice.edges) {
-    EXPECT_EQ(edge.fraction.size(), edge.count + 1) << name;
-    EXPECT_EQ(edge.nodes.size(), edge.count + 1) << name;
-    EXPECT_TRUE(std::is_sorted(edge.fraction.begin(), edge.fraction.end())) << name;
-  }
-}
 
 TEST(Lay, realDraftsAtAllSpacings) {
   const std::filesystem::path folder = std::string(KARINUI_SHARED_DIR) + "/patterns";
@@ -69,8 +32,10 @@ TEST(Lay, realDraftsAtAllSpacings) {
           worst = std::min(worst, angle);
         }
       }
-      std::printf("%s %.0f mm: %zu faces, %zu slivers, worst %.1f, %zu ties\n", file.path().stem().c_str(),
-                  spacing * 1e3, faces, slivers, worst, laid->ties.size());
+      EXPECT_LE(slivers * 12, faces) << file.path() << " " << spacing << " worst " << worst;
+      if (spacing < 0.006) {
+        EXPECT_GT(worst, 12) << file.path();
+      }
       if (const char* to = std::getenv("KARINUI_PLOT")) {
         std::vector<std::shared_ptr<const Lattice>> all;
         for (const auto& [id, lattice] : laid->lattices) all.push_back(lattice);
@@ -78,6 +43,86 @@ TEST(Lay, realDraftsAtAllSpacings) {
              all);
       }
     }
+  }
+}
+
+TEST(Lay, randomOutlinesAreSoundAndRepeatable) {
+  std::mt19937 random(7);
+  for (int k = 0; k < 60; ++k) {
+    auto outline = checked(randomOutline(random, 0.3));
+    if (!outline) continue;  // now and then two bows meet
+    const Pattern pattern = patternOf({pieceOf(1, *outline)});
+    for (const double spacing : {0.05, 0.017}) {
+      const auto laid = lay(pattern, spacing), again = lay(pattern, spacing);
+      ASSERT_TRUE(laid) << text(laid.error().what);
+      expectSound(*laid->lattices.at({1}), "random outline " + std::to_string(k));
+      EXPECT_EQ(laid->lattices.at({1})->nodes, again->lattices.at({1})->nodes);
+      EXPECT_EQ(laid->lattices.at({1})->faces, again->lattices.at({1})->faces);
+    }
+  }
+}
+
+TEST(Lay, thinPiecesHaveNodesOnTheirOutlineOnly) {
+  for (const double width : {0.03, 0.01, 0.005}) {
+    const auto laid = lay(patternOf({pieceOf(1, rectangle(0.8, width))}), 0.04);
+    ASSERT_TRUE(laid) << text(laid.error().what);
+    const Lattice& lattice = *laid->lattices.at({1});
+    expectSound(lattice, "band");
+    EXPECT_EQ(lattice.nodes.size(), lattice.border.size());
+    EXPECT_EQ(lattice.edges.at("bottom").count, 20u);
+  }
+}
+
+TEST(Lay, holesStayOpen) {
+  Piece piece = pieceOf(1, rectangle(0.4, 0.3));
+  piece.holes = {circle(0.05, {0.2, 0.15}, "hole"), circle(0.006, {0.06, 0.06}, "eyelet")};
+  for (const double spacing : {0.04, 0.01}) {
+    const auto laid = lay(patternOf({piece}), spacing);
+    ASSERT_TRUE(laid) << text(laid.error().what);
+    expectSound(*laid->lattices.at({1}), "holes");
+    EXPECT_EQ(laid->lattices.at({1})->holes.size(), 2u);
+    EXPECT_EQ(laid->lattices.at({1})->edges.at("hole0").hole, 1u);
+  }
+}
+
+TEST(Lay, aMirroredPieceGetsTheMirroredGrid) {
+  Piece left = pieceOf(1, polygon({{0, 0}, {0.31, 0.02}, {0.27, 0.4}, {0.05, 0.37}}));
+  left.grain = normalized(Flat{0.1, 1});
+  const Piece right = mirrored(left, {0.5, 0}, {0, 1});
+  const auto a = lay(patternOf({left}), 0.02), b = lay(patternOf({right}), 0.02);
+  ASSERT_TRUE(a && b);
+  const Lattice &one = *a->lattices.at({1}), &two = *b->lattices.at({1});
+  ASSERT_EQ(one.nodes.size(), two.nodes.size());
+  LatticeFinder finder(two.nodes, two.faces);
+  for (Flat p : one.nodes) {
+    const Flat image{1 - p.u, p.v};
+    const auto near = std::min_element(two.nodes.begin(), two.nodes.end(),
+                                       [&](Flat x, Flat y) { return distance(x, image) < distance(y, image); });
+    EXPECT_LT(distance(*near, image), 1e-9);
+  }
+}
+
+TEST(LatticeFinder, findsTheNearestPlace) {
+  const auto laid = lay(patternOf({pieceOf(1, circle(0.2))}), 0.02);
+  ASSERT_TRUE(laid);
+  const Lattice& lattice = *laid->lattices.at({1});
+  const LatticeFinder finder(lattice.nodes, lattice.faces);
+  Ring border;
+  for (auto n : lattice.border) border.push_back(lattice.nodes[n]);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-0.4, 0.4);
+  for (int k = 0; k < 4000; ++k) {
+    const Flat place{unit(random), unit(random)};
+    const auto found = finder.find(place);
+    Flat at{};
+    double sum = 0;
+    for (int c = 0; c < 3; ++c) {
+      at += lattice.nodes[found.face[c]] * found.weight[c];
+      sum += found.weight[c];
+      EXPECT_GE(found.weight[c], 0);
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_NEAR(distance(at, place), contains(border, place) ? 0 : distanceToRing(border, place), 1e-9);
   }
 }
 

@@ -1,0 +1,59 @@
+#pragma once
+// Changes of paper pieces that keep the identity of edges, so that seams and notches follow. Pure: values in, values
+// out. Metres on paper. Naming: when an edge "side" is divided, its first part stays "side", the next becomes "side_2"
+// (or the next free number); new edges along a cut are "cut", "cut_2" …
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "karinui/pattern/piece.h"
+
+namespace karinui {
+
+// What became of the edges of a piece: each part [from, to] of an old edge (length fractions) is now a span. Edges that
+// are not listed stayed as they were.
+struct EdgePart {
+  double from = 0, to = 1;
+  EdgeSpan now;
+};
+using EdgeMap = std::map<std::pair<PieceId, std::string>, std::vector<EdgePart>>;
+
+// The seams of the pattern, led over to the new edges. A span over a divided edge becomes several, in order.
+void updateSeams(Pattern& pattern, const EdgeMap& map);
+
+struct CutPieces {
+  std::vector<Piece> pieces;  // one with a slit, or two; the first (the larger) keeps id and name
+  EdgeMap edges;
+};
+// Cuts along a line of places. Ends inside the piece and within 5 mm of the outline snap onto it, what runs out of the
+// piece is left off, wiggles under 0.2 mm are straightened. A line with one end on the outline makes a slit: its two
+// banks are the same curves walked both ways. A line from edge to edge makes two pieces, whose cut edges have the same
+// names. Holes, marks, internal lines and the form go with the cloth they lie on. Refuses a line that does not reach
+// the outline, crosses itself or a hole, or leaves the piece and comes back.
+Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId second, const std::string& secondName);
+
+struct EditedPiece {
+  Piece piece;
+  EdgeMap edges;
+};
+// Puts a corner on an edge, at a fraction of its length (both parts at least 1 mm long).
+Result<EditedPiece> splitEdge(const Piece& piece, std::string_view edge, double fraction);
+
+// Carries the corner at which `edge` starts to another place; the two edges there keep their shape near their other
+// ends (cubics carry their near control along, arcs keep their bulge).
+Result<Piece> moveCorner(const Piece& piece, std::string_view edge, Flat to);
+
+// Another outline for a piece; it must name the same edges in the same order (round the curve), so that all seams hold.
+Result<Piece> reshaped(const Piece& piece, Outline outline);
+
+// The piece mirrored in a line of the paper: edge names stay, each edge runs the other way so that the outline is again
+// counter-clockwise. Forms and poses are dropped: the copy lies flat.
+Piece mirrored(const Piece& piece, Flat through, Flat unitAxis);
+
+// Seam::reversed so that the seam is not crossed: places of both sides in space, as many on each, evenly spread from
+// start to end in the outlines' own direction. Reversed when both ways are as far.
+bool facesReversed(std::span<const Vec3> a, std::span<const Vec3> b);
+
+}  // namespace karinui

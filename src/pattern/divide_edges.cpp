@@ -1,0 +1,62 @@
+#include "divide_edges.h"
+
+#include <algorithm>
+
+namespace karinui {
+
+std::set<std::string> edgeNames(const Piece& piece) {
+  std::set<std::string> names;
+  for (const Edge& edge : piece.outline.edges) names.insert(edge.name);
+  for (const Outline& hole : piece.holes)
+    for (const Edge& edge : hole.edges) names.insert(edge.name);
+  return names;
+}
+
+std::string freeName(const std::string& name, std::set<std::string>& taken) {
+  std::string made = name;
+  for (int k = 2; !taken.insert(made).second; ++k) made = name + "_" + std::to_string(k);
+  return made;
+}
+
+void divideEdges(Outline& outline, std::vector<EdgePlace> places, std::set<std::string> taken, PieceId piece,
+                 EdgeMap& map) {
+  std::sort(places.begin(), places.end(),
+            [](EdgePlace a, EdgePlace b) { return std::pair(a.edge, a.t) < std::pair(b.edge, b.t); });
+  std::vector<Edge> edges;
+  for (std::size_t k = 0; k < outline.edges.size(); ++k) {
+    const Edge& old = outline.edges[k];
+    std::vector<double> cuts{0};
+    for (EdgePlace p : places)
+      if (p.edge == k) cuts.push_back(p.t);
+    cuts.push_back(1);
+    if (cuts.size() == 2) {
+      edges.push_back(old);
+      continue;
+    }
+    const double whole = old.curve.length();
+    auto& parts = map[{piece, old.name}];
+    for (std::size_t n = 0; n + 1 < cuts.size(); ++n) {
+      const std::string name = n == 0 ? old.name : freeName(old.name, taken);
+      const double from = n == 0 ? 0 : parts.back().to;
+      const double to = n + 2 == cuts.size() ? 1 : old.curve.lengthTo(cuts[n + 1]) / whole;
+      edges.push_back({name, old.curve.part(cuts[n], cuts[n + 1])});
+      parts.push_back({from, to, {piece, name, 0, 1}});
+    }
+  }
+  outline.edges = std::move(edges);
+}
+
+void followMarks(Piece& piece, const EdgeMap& map) {
+  for (Mark& mark : piece.marks) {
+    const auto parts = map.find({piece.id, mark.edge});
+    if (parts == map.end()) continue;
+    for (const EdgePart& part : parts->second) {
+      if (mark.fraction > part.to) continue;
+      mark.edge = part.now.edge;
+      mark.fraction = std::clamp((mark.fraction - part.from) / (part.to - part.from), 0.0, 1.0);
+      break;
+    }
+  }
+}
+
+}  // namespace karinui
