@@ -1,0 +1,32 @@
+#pragma once
+// The two operations that make paper from shapes in space, as functions a gesture can preview with.
+#include <optional>
+#include <span>
+
+#include "karinui/design/apply.h"
+#include "karinui/geometry/flatten.h"
+
+namespace karinui {
+
+// What a drawn line gives. `piece` has no id yet. `distortion` tells how far cloth is from lying as drawn; `advice`
+// says which cut or dart would help where that is more than cloth bears.
+struct DrawnPiece {
+  Piece piece;
+  Distortion distortion;
+  std::optional<Message> advice;
+};
+// The operation need not be resolved. Refuses open lines, lines that cross themselves, parts that are no sheet.
+Result<DrawnPiece> drawn(const Document& document, const DrawPiece& draw, Context& context);
+
+// One place of the cloth taken by the hand, without force.
+struct ReshapePull {
+  Flat at;  // paper place
+  Vec3 by;  // metres in space
+};
+// The reshape operation for pulls on a piece as it stands: the pulled shape, cloth within `within` coming along, is
+// laid flat again and its outline cleaned. Edges keep their names; those whose points hardly moved stay exactly as they
+// are, straight ones straight. The operation holds the new outline. No pull gives the old outline.
+Result<ReshapePiece> reshaped(const Document& document, PieceId piece, std::span<const ReshapePull> pulls,
+                              Length within, const Token& token);
+
+}  // namespace karinui

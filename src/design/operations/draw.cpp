@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "design/operations/drawn_sheet.h"
+#include "design/operations/operations.h"
+#include "karinui/base/number.h"
+#include "karinui/design/drawing.h"
+
+namespace karinui {
+namespace {
+
+constexpr double kNearlyMeet = 0.015;                    // metres: ends this near are one
+constexpr double kCorner = 35 * std::numbers::pi / 180;  // a line that turns more has a corner
+constexpr std::string_view kCurvesOn = "~";
+
+std::string millimetres(double metres) { return fixed(metres * 1000, 1); }
+
+Result<std::vector<SurfacePoint>> placesOf(const Body& body, const std::vector<BodyPoint>& line) {
+  std::vector<SurfacePoint> places;
+  for (const BodyPoint& point : line) {
+    const auto place = body.find(point);
+    if (!place) return place.error();
+    places.push_back(*place);
+  }
+  return places;
+}
+
+// How far the line turns at a place, in the surface.
+Result<double> turnAt(const DrawingGround& ground, const SurfacePoint& before, const SurfacePoint& here,
+                      const SurfacePoint& next) {
+  const auto in = ground.guide.straight(before, here), out = ground.guide.straight(here, next);
+  if (!in) return in.error();
+  if (!out) return out.error();
+  const auto reach = [&](const SurfacePath& path, double metres) {
+    return path.length > 0 ? along(ground.mesh, path, std::fmin(1.0, metres / path.length)) : path.places.front();
+  };
+  const Vec3 p = at(ground.mesh, here);
+  const Vec3 a = p - at(ground.mesh, reach(reversed(*in), 0.01)), b = at(ground.mesh, reach(*out, 0.01)) - p;
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
+// Makes `edges` speak of every place: a name where an edge begins, ~ where the line curves on.
+Done nameEdges(DrawPiece& draw, const DrawingGround& ground, const std::vector<SurfacePoint>& places) {
+  const std::size_t n = places.size(), last = draw.symmetric ? n - 1 : n;  // a half's last place begins the centre
+  std::vector<std::string> names = draw.edges;
+  const bool oneByOne = names.size() == n || (draw.symmetric && names.size() == n - 1);
+  if (!oneByOne) {
+    std::vector<bool> corner(n, false);
+    corner[0] = true;
+    for (std::size_t i = 1; i < last; ++i) {
+      const auto turn = turnAt(ground, places[i - 1], places[i], places[(i + 1) % n]);
+      if (!turn) return turn.error();
+      corner[i] = *turn > kCorner;
+    }
+    const auto corners =
+        static_cast<std::size_t>(std::count(corner.begin(), corner.begin() + static_cast<std::ptrdiff_t>(last), true));
+    if (!names.empty() && names.size() != corners)
+      return refused(
+          say("There are {0} names for {1} edges: the line turns sharply at {1} of its places. Name each place's "
+              "edge, with ~ where the line curves on.",
+              names.size(), corners));
+    std::vector<std::string> spread(last, std::string(kCurvesOn));
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < last; ++i)
+      if (corner[i]) {
+        spread[i] = names.empty() ? "e" + written(next + 1) : names[next];
+        ++next;
+      }
+    names = std::move(spread);
+  }
+  names.resize(last);
+  if (names.front() == kCurvesOn)
+    return refused(say("The first place of a line begins an edge: give it a name, not ~."));
+  std::vector<std::string> seen;
+  for (const std::string& name : names) {
+    if (name == kCurvesOn) continue;
+    const bool good = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+    if (!good) return refused(say("\"{0}\" cannot be an edge's name: use letters, digits, _ and -.", name));
+    if (std::find(seen.begin(), seen.end(), name) != seen.end())
+      return refused(say("Two edges are called {0}; each needs a name of its own.", name));
+    seen.push_back(name);
+  }
+  draw.edges = std::move(names);
+  return {};
+}
+
+// Leaves nothing open but the piece's name: ends that nearly meet become one, every place's edge is named.
+Done settleLine(DrawPiece& draw, const DrawingGround& ground, const Body& body) {
+  for (const BodyPoint& point : draw.line)
+    if (const auto place = body.find(point); !place) return place.error();
+  if (draw.symmetric && draw.mirror)
+    return refused(say("A symmetric piece is its own mirror image: choose symmetric or mirror, not both."));
+  auto places = placesOf(body, draw.line);
+  if (!places) return places.error();
+  if (!draw.symmetric && draw.line.size() >= 2) {
+    const auto closing = ground.guide.straight(places->back(), places->front());
+    if (!closing) return closing.error();
+    if (!draw.closed && closing->length > kNearlyMeet)
+      return refused(say("The line is open: its ends are {0} mm apart. End it within {1} mm of where it began.",
+                         millimetres(closing->length), millimetres(kNearlyMeet)));
+    if (closing->length <= kNearlyMeet && draw.line.size() > 3) {
+      if (draw.edges.size() == draw.line.size()) draw.edges.pop_back();
+      draw.line.pop_back();
+      places->pop_back();
+    }
+  }
+  draw.closed = true;
+  if (draw.line.size() < 3) return refused(say("A line needs at least three places to hold a piece of cloth."));
+  return nameEdges(draw, ground, *places);
+}
+
+std::optional<Message> adviceOn(const DrawnSheet& sheet) {
+  if (sheet.distortion.gate != Distortion::Gate::Red) return std::nullopt;
+  return say(
+      "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} degrees, most {2} cm above the "
+      "floor. A dart or cut from the edge {3}, {4} cm long, would help.",
+      fixed(100 * std::fmax(sheet.distortion.warp.p99, sheet.distortion.weft.p99), 1),
+      fixed(sheet.distortion.shear.p99 * 180 / std::numbers::pi, 0), fixed(sheet.worst.y * 100, 0), sheet.nearestEdge,
+      fixed(sheet.cutLength * 100, 0));
+}
+
+}  // namespace
+
+Result<DrawnPiece> drawn(const Document& document, const DrawPiece& given, Context& context) {
+  DrawPiece draw = given;
+  const auto body = bodyOf(document, context);
+  if (!body) return body.error();
+  const DrawingGround ground((*body)->mesh(), (*body)->bvh());
+  if (auto fine = settleLine(draw, ground, **body); !fine) return fine.error();
+  const auto places = placesOf(**body, draw.line);
+  if (!places) return places.error();
+
+  DrawnPiece out;
+  out.piece.name = draw.name;
+  if (!draw.fabric.empty()) out.piece.fabric = draw.fabric;
+  out.piece.layer = draw.layer;
+  const auto fabric = fabricOf(document, out.piece);
+  if (!fabric) return fabric.error();
+
+  DrawnLine line;
+  line.places = *places;
+  line.symmetric = draw.symmetric;
+  for (const std::string& name : draw.edges) line.edges.push_back(name == kCurvesOn ? "" : name);
+  line.edges.resize(line.places.size());
+  if (draw.inside) {
+    const auto place = (*body)->find(*draw.inside);
+    if (!place) return place.error();
+    line.inside = *place;
+  }
+  DrawnSettings settings;
+  settings.ease = draw.ease ? draw.ease->metres : document.settings.ease;
+  if (!(settings.ease >= 0 && settings.ease <= 0.2))
+    return refused(say("An ease of {0} mm is not between 0 and 200 mm.", millimetres(settings.ease)));
+  settings.flatten.warp = fabric->stretchWarp;
+  settings.flatten.weft = fabric->stretchWeft;
+  settings.flatten.shear = fabric->shear;
+  auto sheet = drawnSheet(ground, line, settings, context.token);
+  if (!sheet) return sheet.error();
+  auto outline = checked(std::move(sheet->outline));
+  if (!outline) return outline.error();
+  out.piece.outline = std::move(*outline);
+  out.piece.form = sheet->form;
+  out.distortion = sheet->distortion;
+  out.advice = adviceOn(*sheet);
+  return out;
+}
+
+Done resolve(const Document& before, DrawPiece& draw, Context& context) {
+  if (auto fine = checkNewName(before, draw.name); !fine) return fine;
+  const auto body = bodyOf(before, context);
+  if (!body) return body.error();
+  const DrawingGround ground((*body)->mesh(), (*body)->bvh());
+  if (auto fine = settleLine(draw, ground, **body); !fine) return fine;
+  if (!draw.ease) draw.ease = Length{before.settings.ease};
+  if (!draw.fabric.empty()) return checkFabricName(before, draw.fabric);
+  return {};
+}
+
+Result<Document> perform(const Document& before, const DrawPiece& draw, Context& context) {
+  auto made = drawn(before, draw, context);
+  if (!made) return made.error();
+  if (made->advice) context.token.progress(1, *made->advice);
+  Piece piece = std::move(made->piece);
+  piece.id = mint<PieceId>(before, 0);
+  std::optional<Piece> copy;
+  if (draw.mirror) {
+    copy = mirroredPiece(piece);
+    copy->id = mint<PieceId>(before, 1);
+    copy->mirrorOf = piece.id;
+    copy->name = otherSide(piece.name);
+    if (copy->name == piece.name) copy->name += "_mirror";
+    if (auto fine = checkNewName(before, copy->name); !fine) return fine.error();
+  }
+  Document after = withPiece(before, std::move(piece));
+  return copy ? withPiece(std::move(after), std::move(*copy)) : after;
+}
+
+}  // namespace karinui

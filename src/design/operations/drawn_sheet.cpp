@@ -1,0 +1,241 @@
+#include "design/operations/drawn_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "karinui/base/number.h"
+#include "karinui/geometry/fit_curve.h"
+
+namespace karinui {
+namespace {
+
+constexpr double kSmallest = 4e-4;  // m2: less is no piece of cloth
+constexpr double kLevel = 0.35;     // radians: an edge that meets the centre this nearly level runs on smoothly there
+
+// How many cubics an edge gets depends on how it was drawn, not on how it came out: on any figure the same edges have
+// the same names, and seams find them. One for an edge between two or through up to four places, then one for each two
+// more.
+FitSettings fitFor(int curves) {
+  FitSettings fit;
+  fit.pieces = curves;
+  return fit;
+}
+int curvesFor(std::size_t places, bool ring) { return std::clamp(static_cast<int>(places - 1) / 2, ring ? 3 : 1, 8); }
+
+struct Sides {
+  std::vector<SurfacePath> paths;
+  std::vector<std::string> names;  // the centre line of a half has none
+  std::vector<int> curves;         // how many its edge is made of
+};
+
+Result<Sides> sidesOf(const DrawingGround& ground, DrawnLine line) {
+  Sides sides;
+  std::optional<SurfacePath> centre;
+  if (line.symmetric) {
+    auto path = ground.guide.section(line.places.back(), line.places.front(), {1, 0, 0}, 0);
+    if (!path) return path.error();
+    line.places.back() = path->places.front();
+    line.places.front() = path->places.back();
+    centre = std::move(*path);
+  } else {
+    line.places.push_back(line.places.front());
+  }
+  std::vector<SurfacePoint> run{line.places.front()};
+  std::string name = line.edges.front();
+  for (std::size_t i = 1; i < line.places.size(); ++i) {
+    run.push_back(line.places[i]);
+    const bool last = i + 1 == line.places.size();
+    if (!last && line.edges[i].empty()) continue;
+    auto side = drawnSide(ground, run);
+    if (!side) return side.error();
+    const bool ring = distance(side->points.front(), side->points.back()) < 1e-9;
+    sides.curves.push_back(curvesFor(run.size(), ring));
+    sides.paths.push_back(std::move(*side));
+    sides.names.push_back(name);
+    run = {line.places[i]};
+    if (!last) name = line.edges[i];
+  }
+  if (centre) {
+    sides.paths.push_back(std::move(*centre));
+    sides.names.emplace_back();
+    sides.curves.push_back(1);
+  }
+  return sides;
+}
+
+std::vector<Flat> pointsOfSide(const Patch& patch, std::span<const Flat> flat, std::uint32_t side) {
+  std::vector<Flat> points;
+  std::size_t i = patch.first[side];
+  const std::size_t n = patch.border.size();
+  for (std::size_t guard = 0; guard < n && patch.side[i % n] == side; ++guard, ++i)
+    points.push_back(flat[patch.border[i % n]]);
+  points.push_back(flat[patch.border[i % n]]);
+  return points;
+}
+
+// The sides in the order the border runs.
+std::vector<std::uint32_t> sideOrder(const Patch& patch) {
+  std::vector<std::uint32_t> order;
+  for (std::size_t i = 0; i < patch.border.size(); ++i)
+    if (order.empty() || order.back() != patch.side[i]) order.push_back(patch.side[i]);
+  while (order.size() > 1 && order.back() == order.front()) order.pop_back();
+  return order;
+}
+
+void addEdges(Outline& outline, const std::string& name, const std::vector<Curve>& curves) {
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    outline.edges.push_back({i == 0 ? name : name + "_" + written(i + 1), curves[i]});
+}
+
+Outline wholeOutline(const Patch& patch, const Sides& sides, std::span<const Flat> flat, double& miss) {
+  Outline outline;
+  for (std::uint32_t s : sideOrder(patch)) {
+    const Fitted fit = fitEdge(pointsOfSide(patch, flat, s), fitFor(sides.curves[s]));
+    miss = std::fmax(miss, fit.miss);
+    addEdges(outline, sides.names[s], fit.curves);
+  }
+  return outline;
+}
+
+// A half's edges and their mirror images in u = 0.
+Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const Flat> flat, bool leftHalf,
+                         double& miss) {
+  std::vector<std::uint32_t> order = sideOrder(patch);
+  const auto centre = std::find_if(order.begin(), order.end(), [&](std::uint32_t s) { return sides.names[s].empty(); });
+  std::rotate(order.begin(), centre + 1, order.end());
+  order.pop_back();
+  Outline here, there;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    std::vector<Flat> points = pointsOfSide(patch, flat, order[k]);
+    std::optional<Flat> startWay, endWay;
+    const auto level = [](Flat way) { return std::fabs(std::atan2(way.v, std::fabs(way.u))) < kLevel; };
+    const std::size_t reach = std::min<std::size_t>(3, points.size() - 1);
+    if (k == 0 && level(points[reach] - points[0])) startWay = Flat{points[reach].u > points[0].u ? 1.0 : -1.0, 0};
+    if (k + 1 == order.size() && level(points.back() - points[points.size() - 1 - reach]))
+      endWay = Flat{points.back().u > points[points.size() - 1 - reach].u ? 1.0 : -1.0, 0};
+    if (k == 0) points.front().u = 0;
+    if (k + 1 == order.size()) points.back().u = 0;
+    const Fitted fit = fitEdge(points, fitFor(sides.curves[order[k]]), startWay, endWay);
+    miss = std::fmax(miss, fit.miss);
+    const std::string& name = sides.names[order[k]];
+    addEdges(here, name + (leftHalf ? "_left" : "_right"), fit.curves);
+    Outline other;
+    addEdges(other, name + (leftHalf ? "_right" : "_left"), fit.curves);
+    there.edges.insert(there.edges.end(), other.edges.begin(), other.edges.end());
+  }
+  const auto mirror = [](Flat p) { return Flat{p.u == 0 ? 0.0 : -p.u, p.v}; };
+  for (std::size_t k = there.edges.size(); k-- > 0;) {
+    Edge edge = there.edges[k];
+    const Curve c = edge.curve;
+    edge.curve = c;
+    edge.curve.start = mirror(c.end);
+    edge.curve.end = mirror(c.start);
+    edge.curve.control1 = mirror(c.control2);
+    edge.curve.control2 = mirror(c.control1);
+    here.edges.push_back(std::move(edge));
+  }
+  return here;
+}
+
+std::shared_ptr<Form> formOfSheet(const Patch& patch, std::span<const Flat> flat) {
+  auto form = std::make_shared<Form>();
+  form->flat.assign(flat.begin(), flat.end());
+  form->space = patch.mesh.points;
+  form->faces = patch.mesh.faces;
+  return form;
+}
+
+// Adds the mirror image: points of the fold are their own.
+void addOtherHalf(Form& form, const std::vector<std::uint32_t>& fold) {
+  const auto n = static_cast<std::uint32_t>(form.flat.size());
+  std::vector<std::uint32_t> image(n, 0);
+  for (std::uint32_t p : fold) image[p] = p + 1;
+  for (std::uint32_t p = 0; p < n; ++p) {
+    if (image[p]) continue;
+    image[p] = static_cast<std::uint32_t>(form.flat.size()) + 1;
+    form.flat.push_back({-form.flat[p].u, form.flat[p].v});
+    form.space.push_back({-form.space[p].x, form.space[p].y, form.space[p].z});
+  }
+  const std::size_t faces = form.faces.size();
+  for (std::size_t f = 0; f < faces; ++f) {
+    const Triangle t = form.faces[f];
+    form.faces.push_back({image[t[0]] - 1, image[t[2]] - 1, image[t[1]] - 1});
+  }
+}
+
+// From which edge, and how far on paper, a cut or dart would reach the worst place.
+void adviseCut(DrawnSheet& sheet, const Patch& patch, const Sides& sides, std::span<const Flat> flat) {
+  const Triangle& t = patch.mesh.faces[sheet.distortion.worstFace];
+  const Flat worst = (flat[t[0]] + flat[t[1]] + flat[t[2]]) * (1.0 / 3);
+  sheet.worst = (patch.mesh.points[t[0]] + patch.mesh.points[t[1]] + patch.mesh.points[t[2]]) * (1.0 / 3);
+  sheet.cutLength = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < patch.border.size(); ++i) {
+    const double d = distance(flat[patch.border[i]], worst);
+    if (d >= sheet.cutLength || sides.names[patch.side[i]].empty()) continue;
+    sheet.cutLength = d;
+    sheet.nearestEdge = sides.names[patch.side[i]];
+  }
+}
+
+}  // namespace
+
+Result<DrawnSheet> drawnSheet(const DrawingGround& ground, const DrawnLine& line, const DrawnSettings& settings,
+                              const Token& token) {
+  KARINUI_ASSERT(line.places.size() >= 3 && line.edges.size() == line.places.size() && !line.edges.front().empty());
+  const auto sides = sidesOf(ground, line);
+  if (!sides) return sides.error();
+  token.progress(0.1, say("Cutting along the line"));
+  auto raw = cutPatch(ground.guide, sides->paths, line.inside);
+  if (!raw) return raw.error();
+  if (raw->area() < kSmallest)
+    return refused(say("The line holds only {0} cm2: too small to be a piece of cloth.", fixed(raw->area() * 1e4, 2)));
+  const auto first = unfold(raw->mesh, raw->border, token);
+  if (!first) return first.error();
+  token.progress(0.3, say("Laying the cloth flat"));
+  const double spacing = std::clamp(std::sqrt(raw->area()) / 12, 0.002, settings.spacing);
+  auto fine = remeshed(*raw, *first, spacing);
+  if (!fine) return fine.error();
+  Patch& patch = fine->patch;
+
+  LiftSettings lift;
+  lift.ease = settings.ease;
+  FlattenSettings flattening = settings.flatten;
+  if (line.symmetric) {
+    const auto centre = static_cast<std::uint32_t>(sides->paths.size() - 1);
+    const std::size_t n = patch.border.size();
+    std::size_t i = patch.first[centre];
+    for (; patch.side[i % n] == centre; ++i) lift.fold.push_back(patch.border[i % n]);
+    lift.fold.push_back(patch.border[i % n]);
+    flattening.fold = lift.fold;
+  }
+  liftOff(patch, ground.mesh, ground.bvh, lift);
+  auto laid = flattenFrom(fine->flat, patch.mesh, patch.border, flattening, token);
+  if (!laid) return laid.error();
+
+  Flat low = laid->flat.front(), high = low;
+  for (Flat p : laid->flat) {
+    low = {std::fmin(low.u, p.u), std::fmin(low.v, p.v)};
+    high = {std::fmax(high.u, p.u), std::fmax(high.v, p.v)};
+  }
+  const Flat carry{line.symmetric ? 0 : (low.u + high.u) / 2, low.v};
+  for (Flat& p : laid->flat) p = p - carry;
+
+  DrawnSheet sheet;
+  sheet.distortion = laid->distortion;
+  adviseCut(sheet, patch, *sides, laid->flat);
+  auto form = formOfSheet(patch, laid->flat);
+  if (line.symmetric) {
+    double x = 0;
+    for (Vec3 p : form->space) x += p.x;
+    sheet.outline = symmetricOutline(patch, *sides, laid->flat, x > 0, sheet.fitMiss);
+    addOtherHalf(*form, lift.fold);
+  } else {
+    sheet.outline = wholeOutline(patch, *sides, laid->flat, sheet.fitMiss);
+  }
+  sheet.form = std::move(form);
+  return sheet;
+}
+
+}  // namespace karinui
