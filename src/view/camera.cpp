@@ -79,15 +79,14 @@ Vec3 Camera::right() const { return axesOf(*this).right; }
 Result<View> viewNamed(std::string_view name) {
   const auto found = std::find(kViews.begin(), kViews.end(), name);
   if (found != kViews.end()) return static_cast<View>(found - kViews.begin());
-  return badInput(say("There is no view \"{0}\"; say front, back, left, right or oblique.", name));
+  return badInput(say("There is no view “{0}”; say front, back, left, right or oblique.", name));
 }
 std::string_view nameOf(View view) { return kViews[static_cast<std::size_t>(view)]; }
 
 Result<Eyes> eyesNamed(std::string_view name) {
   const auto found = std::find(kEyes.begin(), kEyes.end(), name);
   if (found != kEyes.end()) return static_cast<Eyes>(found - kEyes.begin());
-  return badInput(
-      say("There is no way of seeing called \"{0}\"; say mono, side-by-side, top-bottom or anaglyph.", name));
+  return badInput(say("There is no way of seeing called “{0}”; say mono, side-by-side, top-bottom or anaglyph.", name));
 }
 std::string_view nameOf(Eyes eyes) { return kEyes[static_cast<std::size_t>(eyes)]; }
 

@@ -79,7 +79,7 @@ struct Lettering::Fonts {
         chosen = faces.front();  // its glyph 0, the empty box, shows that something is missing
         if (!saidMissing)
           notes.push_back(
-              say("No font here knows some letters of \"{0}\"; for Japanese install fonts-ipafont-gothic.", utf8));
+              say("No font here knows some letters of “{0}”; for Japanese install fonts-ipafont-gothic.", utf8));
         saidMissing = true;
       }
       if (FT_Load_Glyph(chosen, glyph, FT_LOAD_NO_HINTING) != 0) continue;

@@ -96,7 +96,7 @@ bool usable(const Camera& camera) {
 Result<Map> mapNamed(std::string_view name) {
   if (name == "none") return Map::None;
   if (name == "strain") return Map::Strain;
-  return badInput(say("There is no map \"{0}\"; say strain, or none.", name));
+  return badInput(say("There is no map “{0}”; say strain, or none.", name));
 }
 
 Result<std::array<int, 2>> sizeNamed(std::string_view said) {

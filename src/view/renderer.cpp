@@ -132,7 +132,7 @@ struct Renderer::Parts {
     std::size_t first = 0, count = 0;  // corners
   };
   std::vector<Run> runs;
-  std::size_t casting = 0, vertices = 0, ribbonCount = 0;
+  std::size_t casting = 0, castingVertices = 0, ribbonCount = 0;
   Vec3 origin;
   double radius = 1, strainTop = 0;
   Beam key;
@@ -264,7 +264,10 @@ void Renderer::Parts::gatherSky(const std::vector<SurfaceVertex>& all) {
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, skyMap->depth);
     glBindVertexArray(solidArrays);
-    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(all.size()));
+    set(sky, "spread", 0.0);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(castingVertices));
+    set(sky, "spread", 0.045 * radius);
+    glDrawArrays(GL_POINTS, static_cast<GLint>(castingVertices), static_cast<GLsizei>(all.size() - castingVertices));
     glDisable(GL_BLEND);
   }
 }
@@ -291,6 +294,7 @@ void Renderer::show(const SceneFrame& frame, double strainTop) {
     run(1, cloth.flat.size() == cloth.mesh.points.size(),
         [&] { addMesh(surface, cloth.mesh, p.origin, cloth.colour, cloth.flat, cloth.strain); });
   p.casting = surface.corners.size();
+  p.castingVertices = surface.vertices.size();
   // Feet stand on the floor; cloth without a body hangs a little above it.
   const double footprint = std::max({box.size().x, box.size().z, 0.25 * box.size().y, 1e-3}) / 2;
   const double ground = frame.bodies.empty() ? box.low.y - 0.02 * length(box.size()) : std::min(box.low.y, 0.0) - 5e-4;
@@ -303,7 +307,6 @@ void Renderer::show(const SceneFrame& frame, double strainTop) {
   }
   const Ribbons ribbons = ribbonsOf(frame, p.origin);
   p.ribbonCount = ribbons.corners.size();
-  p.vertices = surface.vertices.size();
   glBindVertexArray(0);
   upload(GL_ARRAY_BUFFER, p.solidVertices, surface.vertices);
   upload(GL_ARRAY_BUFFER, p.solidCorners, surface.corners);
@@ -407,7 +410,7 @@ void Renderer::draw(const Eye& eye, const DrawArea& area) const {
     common(p.ribbon);
     const double pixels = area.pictureHeight > 0 ? area.pictureHeight : area.height;
     set(p.ribbon, "pixelsPerMetre", pixels / 2 * eye.projection.m[5]);
-    set(p.ribbon, "leastPixels", std::max(0.5, pixels / 2600));
+    set(p.ribbon, "leastPixels", std::max(1.0, pixels / 2400));
     glBindVertexArray(p.ribbonArrays);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(p.ribbonCount), GL_UNSIGNED_INT, nullptr);
   }

@@ -37,18 +37,28 @@ layout(location = 0) in vec3 place;
 layout(location = 1) in vec3 normal;
 uniform mat4 toLight;
 uniform vec3 towards;
-uniform float weight, lift;
+uniform float weight, lift, spread;
 uniform ivec2 table;  // wide, high
 uniform sampler2DShadow map;
 out vec2 light;
-float seen(vec3 p) { return texture(map, (toLight * vec4(p, 1.0)).xyz * 0.5 + 0.5); }
+float at(vec3 p) { return texture(map, (toLight * vec4(p, 1.0)).xyz * 0.5 + 0.5); }
+// The floor looks at a wider patch, or the shadows of the single directions would show as streaks.
+float seen(vec3 p) {
+  float sum = at(p);
+  if (spread == 0.0) return sum;
+  for (int i = 0; i < 12; ++i) {
+    float r = spread * sqrt((float(i) + 0.5) / 12.0), a = float(i) * 2.399963;
+    sum += at(p + vec3(r * cos(a), 0.0, r * sin(a)));
+  }
+  return sum / 13.0;
+}
 void main() {
   float c = dot(normal, towards);
   // Light for the outer side in x, for the inner side in y.
   light = weight * (c > 0.0 ? vec2(c * seen(place + normal * lift + towards * lift), 0.0)
                             : vec2(0.0, -c * seen(place - normal * lift + towards * lift)));
-  vec2 at = vec2(gl_VertexID % table.x, gl_VertexID / table.x) + 0.5;
-  gl_Position = vec4(at / vec2(table) * 2.0 - 1.0, 0.0, 1.0);
+  vec2 texel = vec2(gl_VertexID % table.x, gl_VertexID / table.x) + 0.5;
+  gl_Position = vec4(texel / vec2(table) * 2.0 - 1.0, 0.0, 1.0);
   gl_PointSize = 1.0;
 }
 )";
@@ -142,7 +152,7 @@ void main() {
   if (kind == 2) {
     // The floor is the backdrop itself, dimmed by what the body keeps away: no edge, only shadows and a pale disc.
     float unlit = 1.0 - soft.x;
-    float shade = mix(1.0, keySeen(normal, 0.03), 0.20) * (1.0 - 0.62 * clamp(unlit, 0.0, 1.0));
+    float shade = mix(1.0, keySeen(normal, 0.03), 0.24) * (1.0 - 0.90 * clamp(unlit, 0.0, 1.0));
     float fade = 1.0 - smoothstep(0.5, 1.0, paper.x);
     float edge = max(fwidth(paper.x), 1e-5);
     float disc = 1.0 - smoothstep(-1.5, 1.5, (paper.x - 0.42) / edge);

@@ -1,0 +1,211 @@
+#include "karinui/view/picture.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "view/easel.h"
+#include "view/little_scenes.h"
+
+namespace karinui {
+namespace {
+
+using test::ball;
+using test::sheet;
+using ViewPicture = test::Easel;
+
+SceneFrame covered() {
+  SceneFrame frame;
+  frame.bodies.push_back(ball({0, 0.5, 0}, 0.5));
+  frame.cloths.push_back(sheet(-0.25, 0.25, 0.25, 0.75, 0.52));
+  return frame;
+}
+
+PictureOptions small(View view = View::Front) {
+  PictureOptions options;
+  options.view = view;
+  options.width = options.height = 200;
+  options.lettering = false;
+  return options;
+}
+
+bool bluish(Pixel p) { return p[2] > p[0] + 30; }
+bool warm(Pixel p) { return p[0] > p[2] + 8; }
+
+TEST_F(ViewPicture, ClothCoversTheBodyInFrontAndTheBodyTheClothBehind) {
+  const Image front = draw(covered(), small()), back = draw(covered(), small(View::Back));
+  EXPECT_TRUE(bluish(front.at(100, 100)));
+  EXPECT_TRUE(warm(front.at(100, 190 - 172))) << "skin above the cloth";
+  EXPECT_TRUE(warm(back.at(100, 100))) << "seen from behind, the body hides the cloth";
+}
+
+TEST_F(ViewPicture, TheBackdropIsWarmLightAndFallsOffToTheCorners) {
+  const Image image = draw(covered(), small());
+  const Pixel corner = image.at(2, 2), side = image.at(20, 60);
+  for (const Pixel p : {corner, side}) {
+    EXPECT_GT(p[0], 180);
+    EXPECT_GE(p[0], p[1]);
+    EXPECT_GE(p[1], p[2]);
+  }
+  EXPECT_LT(luminance(corner), luminance(side));
+}
+
+TEST_F(ViewPicture, BackIsTheMirrorImageOfFront) {
+  SceneFrame frame;
+  frame.bodies.push_back(ball({0, 0.5, 0}, 0.5));
+  frame.bodies.push_back(ball({0.8, 0.2, 0}, 0.2));  // on the body's left only
+  frame.bodies[1].colour = {0.1f, 0.2f, 0.7f};
+  PictureOptions options = small();
+  options.width = 300;
+  const Image front = draw(frame, options);
+  options.view = View::Back;
+  const Image back = draw(frame, options);
+  const Eye eye = eyeOf(frameAll(frame, View::Front, 1.5), 1.5);
+  const OnPicture middle = project(eye, {0.8, 0.2, 0.0}, 300, 200);
+  const int x = static_cast<int>(middle.x), y = static_cast<int>(middle.y);
+  EXPECT_GT(x, 150) << "the body's left is on the right of a front view";
+  EXPECT_TRUE(bluish(front.at(x, y)));
+  EXPECT_FALSE(bluish(front.at(299 - x, y)));
+  EXPECT_TRUE(bluish(back.at(299 - x, y)));
+  EXPECT_FALSE(bluish(back.at(x, y)));
+}
+
+TEST_F(ViewPicture, TheInnerSideOfClothIsDarkerThanTheOuter) {
+  SceneFrame frame;
+  frame.cloths.push_back(sheet(-0.25, 0.25, 0.25, 0.75, 0));
+  const Image outer = draw(frame, small()), inner = draw(frame, small(View::Back));
+  EXPECT_GT(luminance(outer.at(100, 100)), 1.3 * luminance(inner.at(100, 100)));
+  EXPECT_GT(luminance(inner.at(100, 100)), 0.02) << "but never black";
+}
+
+TEST_F(ViewPicture, TheBodyIsNeverADarkSilhouette) {
+  SceneFrame frame;
+  frame.bodies.push_back(ball({0, 0.5, 0}, 0.5));
+  for (const View view : {View::Front, View::Back, View::Left, View::Right, View::Oblique}) {
+    const Image image = draw(frame, small(view));
+    double sum = 0, least = 1;
+    int count = 0;
+    for (int y = 40; y < 160; ++y)
+      for (int x = 40; x < 160; ++x)
+        if (std::hypot(x - 100, y - 100) < 55) {
+          const double l = luminance(image.at(x, y));
+          sum += l, ++count, least = std::min(least, l);
+        }
+    EXPECT_GT(sum / count, 0.35) << nameOf(view);
+    EXPECT_LT(sum / count, 0.85) << nameOf(view);
+    EXPECT_GT(least, 0.08) << nameOf(view);
+  }
+}
+
+TEST_F(ViewPicture, FeetThrowAShadowOnTheGround) {
+  SceneFrame with;
+  with.bodies.push_back(ball({0, 0.5, 0}, 0.5));
+  PictureOptions options = small();
+  options.camera = Camera{{0, 1.2, 4}, {0, 0.5, 0}};
+  const OnPicture under = project(eyeOf(*options.camera, 1), {0.12, 0, 0.3}, 200, 200);
+  const Image shaded = draw(with, options);
+  const Pixel near = shaded.at(static_cast<int>(under.x), static_cast<int>(under.y)),
+              far = shaded.at(15, static_cast<int>(under.y));
+  EXPECT_LT(luminance(near), 0.8 * luminance(far));
+  EXPECT_GT(luminance(near), 0.15 * luminance(far)) << "soft, not a hole";
+}
+
+TEST_F(ViewPicture, SeamsAndEdgesAreDrawnOverTheCloth) {
+  SceneFrame frame = covered();
+  std::vector<std::uint32_t> seam;
+  for (std::uint32_t j = 0; j <= 16; ++j) seam.push_back(j * 17 + 8);
+  frame.cloths[0].seams.push_back(seam);
+  PictureOptions options = small();
+  options.width = options.height = 600;
+  const Image image = draw(frame, options);
+  int thread = 0, ditch = 0;
+  const double cloth = luminance(image.at(330, 300));
+  for (int y = 200; y < 400; ++y) {
+    double brightest = 0, darkest = 1;
+    for (int x = 294; x <= 306; ++x) {
+      brightest = std::max(brightest, luminance(image.at(x, y)));
+      darkest = std::min(darkest, luminance(image.at(x, y)));
+    }
+    thread += brightest > 2 * cloth;
+    ditch += brightest <= 2 * cloth && darkest < 0.85 * cloth;
+  }
+  EXPECT_GT(thread, 70) << "white tacking stitches";
+  EXPECT_GT(ditch, 30) << "with gaps between them";
+  double edge = 1;
+  for (int x = 120; x < 260; ++x) edge = std::min(edge, luminance(image.at(x, 300)));
+  EXPECT_LT(edge, 0.6 * cloth) << "a dark line where the cloth ends";
+}
+
+TEST_F(ViewPicture, ABodyThatPokesThroughByAMillimetreStaysUnderItsCloth) {
+  SceneFrame frame;
+  frame.bodies.push_back(ball({0, 0.5, 0}, 0.5, 64));
+  frame.cloths.push_back(sheet(-0.02, 0.48, 0.02, 0.52, 0.4988));
+  PictureOptions options = small();
+  options.camera = Camera{{0, 0.5, 1.2}, {0, 0.5, 0.5}, {0, 1, 0}, 0.12};
+  EXPECT_TRUE(bluish(draw(frame, options).at(100, 100)));
+}
+
+TEST_F(ViewPicture, TilesOfALargePictureMeetWithoutASeam) {
+  const Image large = draw(covered(), [] {
+    PictureOptions options = small();
+    options.width = 2400;
+    options.height = 64;
+    options.samples = 1;
+    return options;
+  }());
+  for (int y = 0; y < large.height; ++y) {
+    const Pixel a = large.at(2047, y), b = large.at(2048, y);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 3) << y;
+  }
+}
+
+TEST_F(ViewPicture, TheSamePictureTwiceIsTheSameBytes) {
+  EXPECT_EQ(draw(covered(), small()).rgba, draw(covered(), small()).rgba);
+}
+
+TEST_F(ViewPicture, BrokenScenesGiveAPictureAndASentence) {
+  SceneFrame frame = covered();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  frame.cloths[0].mesh.points[0] = {nan, 0, 0};
+  frame.bodies[0].mesh.points[700] = {1e300, 0, 0};
+  frame.cloths[0].mesh.faces.push_back({0, 1, 4000000000u});
+  frame.cloths[0].seams.push_back({0, 99999, 3});
+  frame.cloths[0].colour = {static_cast<float>(nan), 7, -1};
+  frame.lines.push_back({{{nan, nan, nan}, {0, 1, 0}}, {}, -4, true});
+  frame.lines.push_back({{{0, 1, 0}}});
+  const Image image = draw(frame, small());
+  ASSERT_EQ(picture_->notes().size(), 1u);
+  EXPECT_NE(text(picture_->notes()[0]).find("left out"), std::string::npos);
+  EXPECT_TRUE(warm(image.at(100, 18))) << "the rest of the body is where it was";
+
+  const Image empty = draw({}, small());
+  EXPECT_GT(luminance(empty.at(100, 100)), 0.4);
+  ASSERT_EQ(picture_->notes().size(), 1u);
+  EXPECT_NE(text(picture_->notes()[0]).find("nothing to see"), std::string::npos);
+}
+
+TEST_F(ViewPicture, WhatCannotBeDrawnIsRefusedWithASentence) {
+  const auto refusal = [&](auto change) {
+    PictureOptions options = small();
+    change(options);
+    auto image = picture_->draw(covered(), options);
+    EXPECT_FALSE(image);
+    return image ? std::string() : text(image.error().what);
+  };
+  EXPECT_NE(refusal([](auto& o) { o.width = 0; }).find("0x200"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.height = 100000; }).find("8192"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.samples = 9; }).find("9"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.eyeSeparation = NAN; }).find("eyes"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.camera = Camera{{0, 0, 0}, {0, 0, 0}}; }).find("camera"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.map = Map::Strain; }).find("settle"), std::string::npos);
+}
+
+TEST(PictureSize, IsReadAndRefused) {
+  EXPECT_EQ((*sizeNamed("1200x1600")), (std::array<int, 2>{1200, 1600}));
+  for (const char* bad : {"", "12", "x", "1200x", "x900", "-5x100", "99999x10", "100x100x100", "1e3x1e3"})
+    EXPECT_FALSE(sizeNamed(bad)) << bad;
+  EXPECT_EQ(*mapNamed("strain"), Map::Strain);
+  EXPECT_FALSE(mapNamed("heat"));
+}
+
+}  // namespace
+}  // namespace karinui
