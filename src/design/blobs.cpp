@@ -1,0 +1,72 @@
+#include "design/pack.h"
+#include "karinui/base/hash.h"
+#include "karinui/design/apply.h"
+
+namespace karinui {
+
+std::string blobName(std::string_view bytes) { return Hasher().add(bytes).hex(); }
+
+Result<std::string> MemoryBlobs::put(std::string bytes) {
+  std::string name = blobName(bytes);
+  bytes_.emplace(name, std::move(bytes));
+  return name;
+}
+
+Result<std::string> MemoryBlobs::get(const std::string& name) const {
+  const auto at = bytes_.find(name);
+  if (at == bytes_.end()) return notFound(say("The stored part {0} is not in this document.", name));
+  return at->second;
+}
+
+std::string packBody(const Body::Parts& parts) {
+  Writer w;
+  w.add(std::string_view("karinui body 1")).add(parts.name).all(parts.mesh.points).all(parts.mesh.faces);
+  w.add(static_cast<std::uint8_t>(parts.measured.sex)).add(std::uint64_t{parts.measured.value.size()});
+  for (const auto& [key, value] : parts.measured.value) w.add(key).add(value);
+  w.add(std::uint64_t{parts.landmarks.size()});
+  for (const auto& [name, place] : parts.landmarks) w.add(name).add(place);
+  return w.taken();
+}
+
+Result<Body::Parts> unpackBody(std::string_view bytes) {
+  Reader r(bytes);
+  Body::Parts parts;
+  const bool ours = r.text() == "karinui body 1";
+  parts.name = r.text();
+  parts.mesh.points.resize(r.count(24));
+  for (Vec3& p : parts.mesh.points) p = r.vec3();
+  parts.mesh.faces.resize(r.count(12));
+  for (Triangle& t : parts.mesh.faces) t = r.triangle(parts.mesh.points.size());
+  parts.measured.sex = r.number<std::uint8_t>() == 0 ? Sex::Female : Sex::Male;
+  for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
+    const std::string key = r.text();
+    parts.measured.value[key] = r.number<double>();
+  }
+  for (std::size_t n = r.count(32); n > 0 && r.good(); --n) {
+    const std::string name = r.text();
+    parts.landmarks[name] = r.vec3();
+  }
+  if (!ours || !r.finished()) return storageError(say("The stored body is damaged."));
+  return parts;
+}
+
+Result<BodyPtr> Bodies::find(const BodyChoice& choice, const Blobs& blobs, Workers& workers, const Token& token) {
+  Writer key;
+  key.add(choice.mesh).add(static_cast<std::uint8_t>(choice.measurements.sex));
+  for (const auto& [name, value] : choice.measurements.value) key.add(name).add(value);
+  const std::string name = key.taken();
+  const std::lock_guard lock(mutex_);  // held while building: a second asker for the same figure waits for the first
+  if (const auto at = built_.find(name); at != built_.end()) return at->second;
+  Result<BodyPtr> body = [&]() -> Result<BodyPtr> {
+    if (choice.mesh.empty()) return makeMannequin(choice.measurements, workers, token);
+    const auto bytes = blobs.get(choice.mesh);
+    if (!bytes) return notFound(say("The imported body {0} is not in this document; import it again.", choice.mesh));
+    auto parts = unpackBody(*bytes);
+    if (!parts) return parts.error();
+    return Body::make(*std::move(parts), workers, token);
+  }();
+  if (body) built_[name] = *body;
+  return body;
+}
+
+}  // namespace karinui

@@ -1,0 +1,117 @@
+#include "karinui/design/document.h"
+
+#include <algorithm>
+
+#include "karinui/base/hash.h"
+
+namespace karinui {
+
+namespace {
+
+// Numbers are hashed one by one: structs have padding, and padding has no meaning.
+struct Truth {
+  Hasher hasher;
+  void add(std::string_view value) { hasher.add(value); }
+  void add(double value) { hasher.add(value == 0 ? 0.0 : value); }  // -0 is 0
+  void add(std::uint64_t value) { hasher.add(value); }
+  void add(Flat value) { add(value.u), add(value.v); }
+  void add(Vec3 value) { add(value.x), add(value.y), add(value.z); }
+  template <class Items>
+  void each(const Items& items) {
+    add(std::uint64_t{items.size()});
+    for (const auto& item : items) add(item);
+  }
+  void add(const Curve& c) {
+    add(static_cast<std::uint64_t>(c.kind));
+    add(c.start), add(c.end), add(c.control1), add(c.control2), add(c.bulge);
+  }
+  void add(const Edge& e) { add(e.name), add(e.curve); }
+  void add(const Outline& o) { each(o.edges); }
+  void add(const InternalLine& l) { add(l.name), each(l.curves); }
+  void add(const Mark& m) { add(m.name), add(m.edge), add(m.fraction), add(m.place); }
+  void add(const EdgeSpan& s) { add(s.piece.value), add(s.edge), add(s.from), add(s.to); }
+  void add(const Piece& p) {
+    add(p.id.value), add(p.name), add(p.outline), each(p.holes), each(p.lines), each(p.marks), add(p.grain),
+        add(p.fabric);
+    add(static_cast<std::uint64_t>(p.layer)), add(std::uint64_t{p.frozen}), add(p.mirrorOf.value);
+  }
+  void add(const Seam& s) {
+    add(s.id.value), add(s.name), each(s.a), each(s.b), add(std::uint64_t{s.reversed}),
+        add(static_cast<std::uint64_t>(s.tie));
+  }
+  void add(const Fabric& f) {
+    add(f.name), add(static_cast<std::uint64_t>(f.law));
+    for (const double v : {f.weight, f.stretchWarp, f.stretchWeft, f.shear, f.bendWarp, f.bendWeft, f.compression,
+                           f.toe, f.thickness, f.frictionBody, f.frictionCloth})
+      add(v);
+  }
+};
+
+}  // namespace
+
+const Piece* Document::find(PieceId id) const {
+  const auto at = pattern.pieces.find(id);
+  return at == pattern.pieces.end() ? nullptr : at->second.get();
+}
+
+const Piece* Document::pieceNamed(std::string_view name) const {
+  for (const auto& [id, piece] : pattern.pieces)
+    if (piece->name == name) return piece.get();
+  return nullptr;
+}
+
+const Seam* Document::find(SeamId id) const {
+  const auto at = pattern.seams.find(id);
+  return at == pattern.seams.end() ? nullptr : &at->second;
+}
+
+std::string hash(const Document& document) {
+  Truth truth;
+  truth.add(std::string_view("karinui document 1"));
+  truth.add(document.body.hash);
+  truth.add(std::uint64_t{document.pattern.pieces.size()});
+  for (const auto& [id, piece] : document.pattern.pieces) truth.add(*piece);
+  truth.add(std::uint64_t{document.pattern.seams.size()});
+  for (const auto& [id, seam] : document.pattern.seams) truth.add(seam);
+  truth.add(std::uint64_t{document.fabrics.size()});
+  for (const auto& [name, fabric] : document.fabrics) truth.add(name), truth.add(fabric);
+  truth.add(std::uint64_t{document.pins.size()});
+  for (const auto& [id, places] : document.pins) truth.add(id.value), truth.each(places);
+  truth.add(document.settings.spacing), truth.add(static_cast<std::uint64_t>(document.settings.collider));
+  truth.add(document.settings.ease);
+  return truth.hasher.hex();
+}
+
+std::string drapeHash(const Document& document) {
+  Truth truth;
+  truth.add(std::string_view("karinui drape 1"));
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    truth.add(id.value);
+    for (const double v : {piece->pose.w, piece->pose.x, piece->pose.y, piece->pose.z}) truth.add(v);
+    truth.add(piece->pose.carry);
+    truth.add(std::uint64_t{piece->form != nullptr});
+    if (!piece->form) continue;
+    truth.each(piece->form->flat);
+    truth.each(piece->form->space);
+    truth.hasher.add(std::span<const Triangle>(piece->form->faces));
+  }
+  return truth.hasher.hex();
+}
+
+Result<Fabric> fabricOf(const Document& document, const Piece& piece) {
+  const auto own = document.fabrics.find(piece.fabric);
+  if (own != document.fabrics.end()) return own->second;
+  return preset(piece.fabric);
+}
+
+Result<std::map<std::string, Fabric>> fabricsInUse(const Document& document) {
+  std::map<std::string, Fabric> all;
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    auto fabric = fabricOf(document, *piece);
+    if (!fabric) return fabric.error();
+    all.insert_or_assign(piece->fabric, *std::move(fabric));
+  }
+  return all;
+}
+
+}  // namespace karinui

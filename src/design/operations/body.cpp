@@ -1,0 +1,57 @@
+#include "design/operations/operations.h"
+
+namespace karinui {
+
+namespace {
+
+Result<Measurements> stated(const SetBody& op) {
+  Measurements all;
+  if (!op.size.empty()) {
+    auto size = builtInSize(op.size);
+    if (!size) return size.error();
+    all = *std::move(size);
+  }
+  if (op.sex) all.sex = *op.sex;
+  for (const Stated& s : op.set) all.value[s.key] = s.value;
+  return all;
+}
+
+}  // namespace
+
+Done resolve(const Document&, SetBody& op, Context&) {
+  if (op.size.empty() && op.set.empty() && op.mesh.empty()) {
+    return refused(say("Say which body: size=jis9ar, set=\"bust_girth=88cm; …\", or an imported mesh."));
+  }
+  if (!op.mesh.empty() && (!op.size.empty() || !op.set.empty() || op.sex)) {
+    return refused(say("A body is either an imported mesh or made from measurements, not both."));
+  }
+  std::map<std::string, Length> once;
+  for (const Stated& s : op.set) {
+    auto key = measurementKey(s.key);
+    if (!key) return key.error();
+    if (!once.emplace(*key, s.value).second) return refused(say("The measurement {0} is given twice.", *key));
+  }
+  op.set.clear();
+  for (const auto& [key, value] : once) op.set.push_back({key, value});
+  return {};
+}
+
+Result<Document> perform(const Document& before, const SetBody& op, Context& context) {
+  Document after = before;
+  after.body = BodyChoice();
+  if (!op.mesh.empty()) {
+    after.body.mesh = op.mesh;
+  } else {
+    auto all = stated(op);
+    if (!all) return all.error();
+    after.body.size = op.size;
+    after.body.measurements = *std::move(all);
+  }
+  auto body = context.bodies.find(after.body, context.blobs, context.workers, context.token);
+  if (!body) return body.error();
+  after.body.hash = (*body)->hash();
+  for (const auto& [id, piece] : after.pattern.pieces) after.drape.dirty.insert(id);
+  return after;
+}
+
+}  // namespace karinui

@@ -1,0 +1,36 @@
+#include <algorithm>
+
+#include "design/operations/operations.h"
+
+namespace karinui {
+
+Done resolve(const Document& before, RemovePieces& op, Context&) { return resolve(before, op.pieces); }
+
+Result<Document> perform(const Document& before, const RemovePieces& op, Context&) {
+  Document after = before;
+  std::set<PieceId> gone;
+  for (const PieceRef& ref : op.pieces) {
+    gone.insert(ref.id);
+    after.pattern.pieces.erase(ref.id);
+    after.pins.erase(ref.id);
+  }
+  for (const auto& [id, seam] : before.pattern.seams) {
+    bool touched = false;
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side) touched = touched || gone.contains(span.piece);
+    if (!touched) continue;
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side) after.drape.dirty.insert(span.piece);
+    after.pattern.seams.erase(id);
+  }
+  for (const PieceId id : gone) after.drape.dirty.erase(id);
+  for (auto& [id, shared] : after.pattern.pieces) {
+    if (!gone.contains(shared->mirrorOf)) continue;
+    Piece piece = *shared;
+    piece.mirrorOf = PieceId();
+    shared = std::make_shared<const Piece>(std::move(piece));
+  }
+  return after;
+}
+
+}  // namespace karinui

@@ -1,0 +1,74 @@
+// drape and pull as steps of a document: what they record and what they leave. The work itself is done by the context's
+// solver, or by drapeOnBody() and pullOnBody().
+#include <cmath>
+
+#include "design/operations/operations.h"
+
+namespace karinui {
+
+std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRef>& named) {
+  std::set<PieceId> live;
+  for (const PieceRef& ref : named) live.insert(ref.id);
+  if (!named.empty()) return live;
+  for (const auto& [id, piece] : document.pattern.pieces)
+    if (!piece->frozen) live.insert(id);
+  return live;
+}
+
+namespace {
+
+// Records the live pieces by name, so that a piece added to an earlier step later on does not join.
+Done resolveLive(const Document& before, std::vector<PieceRef>& live) {
+  if (live.empty()) {
+    for (const PieceId id : livePieces(before, {})) live.emplace_back(id);
+    if (live.empty()) return refused(say("There is no piece to drape."));
+  }
+  if (Done done = resolve(before, live); !done) return done;
+  for (const PieceRef& ref : live) {
+    const Piece& piece = *before.find(ref.id);
+    if (piece.frozen) return refused(say("“{0}” is frozen; thaw it first: freeze piece={0} frozen=no.", piece.name));
+  }
+  return {};
+}
+
+}  // namespace
+
+Done resolve(const Document& before, DrapePieces& op, Context&) {
+  if (!(length(op.gravity) <= 100)) return refused(say("Gravity is about 9.81 m/s2; that is too much."));
+  return resolveLive(before, op.live);
+}
+
+Result<Document> perform(const Document& before, const DrapePieces& op, Context& context) {
+  auto outcome = context.drape ? context.drape(before, op, context) : drapeOnBody(before, op, context);
+  if (!outcome) return outcome.error();
+  return adopted(before, *outcome);
+}
+
+Done resolve(const Document& before, PullCloth& op, Context&) {
+  if (Done done = resolve(before, op.piece); !done) return done;
+  const Piece& piece = *before.find(op.piece.id);
+  const Ring ring = piece.outline.flattened(1e-4);
+  if (!contains(ring, op.at) && !(distanceToRing(ring, op.at) <= 0.01)) {
+    return refused(say("The place {0} mm, {1} mm is not on “{2}”.", std::round(op.at.u * 1000),
+                       std::round(op.at.v * 1000), piece.name));
+  }
+  if (op.by.empty()) return refused(say("Say where the cloth is pulled: by=\"0,5cm,10cm\"."));
+  for (const Vec3 step : op.by)
+    if (!(length(step) <= 10)) return refused(say("The cloth is pulled by at most 10 m."));
+  if (!(op.seconds >= 0.01 && op.seconds <= 60)) return refused(say("A pull takes between 0.01 and 60 seconds."));
+  if (!(op.patch >= 0.001 && op.patch <= 0.2)) return refused(say("Fingers hold between 1 mm and 20 cm of cloth."));
+  if (op.live.empty()) op.live = {op.piece};
+  if (Done done = resolveLive(before, op.live); !done) return done;
+  if (!livePieces(before, op.live).contains(op.piece.id)) {
+    return refused(say("“{0}” is pulled, so it must be among the live pieces.", piece.name));
+  }
+  return {};
+}
+
+Result<Document> perform(const Document& before, const PullCloth& op, Context& context) {
+  auto outcome = context.pull ? context.pull(before, op, context) : pullOnBody(before, op, context);
+  if (!outcome) return outcome.error();
+  return adopted(before, *outcome);
+}
+
+}  // namespace karinui

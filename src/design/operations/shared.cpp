@@ -1,0 +1,132 @@
+// What several operations need.
+#include <algorithm>
+#include <array>
+
+#include "design/operations/operations.h"
+
+namespace karinui {
+
+namespace {
+
+std::string names(const Document& document) {
+  std::string all;
+  for (const auto& [id, piece] : document.pattern.pieces) all += (all.empty() ? "" : ", ") + piece->name;
+  return all;
+}
+
+Error noSuchPiece(const Document& document, const std::string& wanted) {
+  if (document.pattern.pieces.empty()) return refused(say("There is no piece “{0}”; there are no pieces yet.", wanted));
+  return refused(say("There is no piece “{0}”; there are: {1}.", wanted, names(document)));
+}
+
+}  // namespace
+
+Done resolve(const Document& before, PieceRef& ref) {
+  if (!ref) return refused(say("Say which piece is meant."));
+  const Piece* piece = ref.id ? before.find(ref.id) : before.pieceNamed(ref.name);
+  if (!piece) return noSuchPiece(before, ref.id ? text(ref.id) : ref.name);
+  ref = PieceRef(piece->id);
+  return {};
+}
+
+Done resolve(const Document& before, SeamRef& ref) {
+  if (!ref) return refused(say("Say which seam is meant."));
+  if (ref.id) {
+    if (before.find(ref.id)) return {};
+    return refused(say("There is no seam “{0}”.", text(ref.id)));
+  }
+  for (const auto& [id, seam] : before.pattern.seams) {
+    if (seam.name != ref.name) continue;
+    ref = SeamRef(id);
+    return {};
+  }
+  return refused(say("There is no seam “{0}”.", ref.name));
+}
+
+Done resolve(const Document& before, EdgeRef& ref) {
+  if (Done done = resolve(before, ref.piece); !done) return done;
+  const Piece& piece = *before.find(ref.piece.id);
+  if (!piece.outline.find(ref.edge)) {
+    std::string edges;
+    for (const Edge& edge : piece.outline.edges) edges += (edges.empty() ? "" : ", ") + edge.name;
+    return refused(say("“{0}” has no edge “{1}”; it has: {2}.", piece.name, ref.edge, edges));
+  }
+  if (!(ref.from >= 0 && ref.from < ref.to && ref.to <= 1)) {
+    return refused(say("The part of {0}.{1} runs from {2} to {3}; it must run forward between 0 and 1.", piece.name,
+                       ref.edge, ref.from, ref.to));
+  }
+  return {};
+}
+
+Done resolve(const Document& before, std::vector<PieceRef>& refs) {
+  if (refs.empty()) return refused(say("Say which pieces are meant."));
+  for (PieceRef& ref : refs)
+    if (Done done = resolve(before, ref); !done) return done;
+  std::vector<PieceRef> once;
+  for (const PieceRef& ref : refs)
+    if (std::find(once.begin(), once.end(), ref) == once.end()) once.push_back(ref);
+  refs = std::move(once);
+  return {};
+}
+
+Document withPiece(Document document, Piece piece) {
+  document.drape.dirty.insert(piece.id);
+  for (const auto& [id, seam] : document.pattern.seams) {
+    bool touched = false;
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side) touched = touched || span.piece == piece.id;
+    if (!touched) continue;
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side) document.drape.dirty.insert(span.piece);
+  }
+  const PieceId id = piece.id;
+  document.pattern.pieces[id] = std::make_shared<const Piece>(std::move(piece));
+  return document;
+}
+
+Done checkFabricName(const Document& document, const std::string& name) {
+  if (document.fabrics.contains(name) || preset(name)) return {};
+  std::string all;
+  for (const Fabric& fabric : presets()) all += (all.empty() ? "" : ", ") + fabric.name;
+  for (const auto& [own, fabric] : document.fabrics) all += ", " + own;
+  return refused(say("There is no fabric “{0}”; there are: {1}.", name, all));
+}
+
+Done checkNewName(const Document& document, const std::string& name) {
+  if (Done done = checkName(name); !done) return done;
+  if (document.pieceNamed(name)) return refused(say("There is already a piece “{0}”; choose another name.", name));
+  return {};
+}
+
+Document adopted(Document document, const DrapeOutcome& outcome) {
+  for (const auto& [id, form] : outcome.forms) {
+    const Piece* old = document.find(id);
+    if (!old) continue;
+    Piece piece = *old;
+    piece.form = form;
+    piece.pose = Rigid();
+    document.pattern.pieces[id] = std::make_shared<const Piece>(std::move(piece));
+    document.drape.dirty.erase(id);
+  }
+  document.drape.last = outcome.report;
+  document.drape.force = outcome.force;
+  return document;
+}
+
+std::string otherSide(const std::string& name) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kWords{
+      {{"left", "right"}, {"Left", "Right"}}};
+  for (const auto& [left, right] : kWords) {
+    if (const auto at = name.find(left); at != std::string::npos)
+      return std::string(name).replace(at, left.size(), right);
+    if (const auto at = name.find(right); at != std::string::npos)
+      return std::string(name).replace(at, right.size(), left);
+  }
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kEnds{
+      {{"_l", "_r"}, {"_r", "_l"}, {"_L", "_R"}, {"_R", "_L"}}};
+  for (const auto& [end, other] : kEnds)
+    if (name.ends_with(end)) return name.substr(0, name.size() - end.size()) + std::string(other);
+  return name;
+}
+
+}  // namespace karinui

@@ -1,0 +1,193 @@
+#include "design/pack.h"
+
+#include "design/text/value_text.h"
+#include "karinui/design/apply.h"
+
+namespace karinui {
+
+namespace {
+
+Error damaged() { return storageError(say("A stored part of the document is damaged.")); }
+
+// A field list as text inside the bytes: exact, and the same reader that scripts have.
+template <class T>
+void addText(Writer& writer, const T& value) {
+  writer.add(writeValue(value));
+}
+template <class T>
+void readText(Reader& reader, T& value) {
+  if (!readValue(reader.text(), value)) reader.fail();
+}
+
+void add(Writer& w, const std::vector<EdgeSpan>& side) {
+  w.add(std::uint64_t{side.size()});
+  for (const EdgeSpan& s : side) w.add(s.piece.value).add(s.edge).add(s.from).add(s.to);
+}
+std::vector<EdgeSpan> readSide(Reader& r) {
+  std::vector<EdgeSpan> side(r.count(32));
+  for (EdgeSpan& s : side) {
+    s.piece.value = r.number<std::uint64_t>();
+    s.edge = r.text();
+    s.from = r.number<double>(), s.to = r.number<double>();
+  }
+  return side;
+}
+
+void add(Writer& w, const Fabric& f) {
+  w.add(f.name).add(static_cast<std::uint8_t>(f.law));
+  for (const double v : {f.weight, f.stretchWarp, f.stretchWeft, f.shear, f.bendWarp, f.bendWeft, f.compression, f.toe,
+                         f.thickness, f.frictionBody, f.frictionCloth})
+    w.add(v);
+}
+Fabric readFabric(Reader& r) {
+  Fabric f;
+  f.name = r.text();
+  const auto law = r.number<std::uint8_t>();
+  if (law > 1) r.fail();
+  f.law = law == 1 ? Fabric::Law::Simcloth : Fabric::Law::Woven;
+  for (double* v : {&f.weight, &f.stretchWarp, &f.stretchWeft, &f.shear, &f.bendWarp, &f.bendWeft, &f.compression,
+                    &f.toe, &f.thickness, &f.frictionBody, &f.frictionCloth})
+    *v = r.number<double>();
+  if (!checkFabric(f)) r.fail();
+  return f;
+}
+
+void add(Writer& w, const Measurements& m) {
+  w.add(static_cast<std::uint8_t>(m.sex)).add(std::uint64_t{m.value.size()});
+  for (const auto& [key, value] : m.value) w.add(key).add(value);
+}
+Measurements readMeasurements(Reader& r) {
+  Measurements m;
+  m.sex = r.number<std::uint8_t>() == 0 ? Sex::Female : Sex::Male;
+  for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
+    const std::string key = r.text();
+    m.value[key] = r.number<double>();
+  }
+  return m;
+}
+
+void add(Writer& w, const SettleReport& s) {
+  w.add(static_cast<std::uint8_t>(s.settled)).add(s.why.pattern).all(s.why.values);
+  for (const double v : {s.residual, s.step, s.penetration, s.seamGap, s.strain.mean, s.strain.p99, s.strain.max,
+                         s.cpuSeconds, s.wallSeconds, s.peakMegabytes})
+    w.add(std::isfinite(v) ? v : -1.0);
+  w.add(std::uint64_t{s.steps}).add(std::uint64_t{s.solves});
+}
+SettleReport readReport(Reader& r) {
+  SettleReport s;
+  s.settled = r.number<std::uint8_t>() != 0;
+  s.why.pattern = r.text();
+  for (std::size_t n = r.count(8); n > 0 && r.good(); --n) s.why.values.push_back(r.text());
+  for (double* v : {&s.residual, &s.step, &s.penetration, &s.seamGap, &s.strain.mean, &s.strain.p99, &s.strain.max,
+                    &s.cpuSeconds, &s.wallSeconds, &s.peakMegabytes})
+    *v = r.number<double>();
+  s.steps = r.number<std::uint64_t>(), s.solves = r.number<std::uint64_t>();
+  return s;
+}
+
+}  // namespace
+
+std::string packPiece(const Piece& p) {
+  Writer w;
+  w.add(p.id.value).add(p.name);
+  addText(w, p.outline), addText(w, p.holes), addText(w, p.lines), addText(w, p.marks);
+  w.add(p.grain).add(p.fabric).add(p.layer).add(static_cast<std::uint8_t>(p.frozen)).add(p.mirrorOf.value);
+  w.add(p.pose.w).add(p.pose.x).add(p.pose.y).add(p.pose.z).add(p.pose.carry);
+  return w.taken();
+}
+
+Result<Piece> unpackPiece(std::string_view bytes) {
+  Reader r(bytes);
+  Piece p;
+  p.id.value = r.number<std::uint64_t>();
+  p.name = r.text();
+  readText(r, p.outline), readText(r, p.holes), readText(r, p.lines), readText(r, p.marks);
+  p.grain = r.flat();
+  p.fabric = r.text();
+  p.layer = r.number<int>();
+  p.frozen = r.number<std::uint8_t>() != 0;
+  p.mirrorOf.value = r.number<std::uint64_t>();
+  p.pose.w = r.number<double>(), p.pose.x = r.number<double>(), p.pose.y = r.number<double>(),
+  p.pose.z = r.number<double>();
+  p.pose.carry = r.vec3();
+  if (!r.finished() || !p.id || !checkName(p.name)) return damaged();
+  return p;
+}
+
+std::string packForm(const Form& form) {
+  Writer w;
+  w.all(form.flat).all(form.space).all(form.faces);
+  return w.taken();
+}
+
+Result<std::shared_ptr<const Form>> unpackForm(std::string_view bytes) {
+  Reader r(bytes);
+  auto form = std::make_shared<Form>();
+  form->flat.resize(r.count(16));
+  for (Flat& p : form->flat) p = r.flat();
+  form->space.resize(r.count(24));
+  for (Vec3& p : form->space) p = r.vec3();
+  form->faces.resize(r.count(12));
+  for (Triangle& t : form->faces) t = r.triangle(form->flat.size());
+  if (!r.finished() || form->flat.size() != form->space.size()) return damaged();
+  return std::shared_ptr<const Form>(std::move(form));
+}
+
+std::string packRest(const Document& d) {
+  Writer w;
+  w.add(d.operations).add(d.body.size).add(d.body.mesh).add(d.body.hash);
+  add(w, d.body.measurements);
+  w.add(std::uint64_t{d.pattern.seams.size()});
+  for (const auto& [id, s] : d.pattern.seams) {
+    w.add(id.value).add(s.name);
+    add(w, s.a), add(w, s.b);
+    w.add(static_cast<std::uint8_t>(s.reversed)).add(static_cast<std::uint8_t>(s.tie));
+  }
+  w.add(std::uint64_t{d.fabrics.size()});
+  for (const auto& [name, fabric] : d.fabrics) w.add(name), add(w, fabric);
+  w.add(std::uint64_t{d.pins.size()});
+  for (const auto& [id, places] : d.pins) w.add(id.value).all(places);
+  w.add(d.settings.spacing).add(static_cast<std::uint8_t>(d.settings.collider)).add(d.settings.ease);
+  w.add(static_cast<std::uint8_t>(d.drape.last.has_value()));
+  if (d.drape.last) add(w, *d.drape.last);
+  w.all(d.drape.force).add(std::uint64_t{d.drape.dirty.size()});
+  for (const PieceId id : d.drape.dirty) w.add(id.value);
+  return w.taken();
+}
+
+Result<Document> unpackRest(std::string_view bytes) {
+  Reader r(bytes);
+  Document d;
+  d.operations = r.number<std::uint32_t>();
+  d.body.size = r.text(), d.body.mesh = r.text(), d.body.hash = r.text();
+  d.body.measurements = readMeasurements(r);
+  for (std::size_t n = r.count(34); n > 0 && r.good(); --n) {
+    Seam s;
+    s.id.value = r.number<std::uint64_t>();
+    s.name = r.text();
+    s.a = readSide(r), s.b = readSide(r);
+    s.reversed = r.number<std::uint8_t>() != 0;
+    s.tie = r.number<std::uint8_t>() == 0 ? Seam::Tie::OneToOne : Seam::Tie::TwoToOne;
+    d.pattern.seams[s.id] = std::move(s);
+  }
+  for (std::size_t n = r.count(90); n > 0 && r.good(); --n) {
+    const std::string name = r.text();
+    d.fabrics[name] = readFabric(r);
+  }
+  for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
+    auto& places = d.pins[{r.number<std::uint64_t>()}];
+    places.resize(r.count(16));
+    for (Flat& p : places) p = r.flat();
+  }
+  d.settings.spacing = r.number<double>();
+  d.settings.collider = r.number<std::uint8_t>() == 0 ? Settings::Collider::Field : Settings::Collider::Planes;
+  d.settings.ease = r.number<double>();
+  if (r.number<std::uint8_t>() != 0) d.drape.last = readReport(r);
+  d.drape.force.resize(r.count(24));
+  for (Vec3& f : d.drape.force) f = r.vec3();
+  for (std::size_t n = r.count(8); n > 0 && r.good(); --n) d.drape.dirty.insert({r.number<std::uint64_t>()});
+  if (!r.finished()) return damaged();
+  return d;
+}
+
+}  // namespace karinui

@@ -1,0 +1,80 @@
+#include <charconv>
+
+#include "design/text/value_text.h"
+#include "karinui/base/number.h"
+
+namespace karinui {
+
+namespace {
+
+// Decimal digits and a power of ten as plain text without exponent: ("125", -1) -> "12.5".
+std::string plain(bool negative, std::string digits, int exponent) {
+  if (exponent >= 0) {
+    digits.append(static_cast<std::size_t>(exponent), '0');
+  } else {
+    const auto places = static_cast<std::size_t>(-exponent);
+    if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+    digits.insert(digits.size() - places, ".");
+  }
+  return (negative ? "-" : "") + digits;
+}
+
+struct Decimal {
+  bool negative = false;
+  std::string digits;  // no point, at least one
+  int exponent = 0;
+};
+
+// Takes "-1.25e-3" apart; assumes a number as parseNumber or to_chars writes it.
+Decimal takenApart(std::string_view text) {
+  Decimal d;
+  if (text.starts_with('-')) d.negative = true, text.remove_prefix(1);
+  const std::size_t e = text.find_first_of("eE");
+  if (e != std::string_view::npos) {
+    std::string_view power = text.substr(e + 1);
+    if (power.starts_with('+')) power.remove_prefix(1);
+    std::from_chars(power.data(), power.data() + power.size(), d.exponent);
+    text = text.substr(0, e);
+  }
+  const std::size_t point = text.find('.');
+  d.digits = text.substr(0, point);
+  if (point != std::string_view::npos) {
+    d.digits += text.substr(point + 1);
+    d.exponent -= static_cast<int>(text.size() - point - 1);
+  }
+  while (d.digits.size() > 1 && d.digits.back() == '0') d.digits.pop_back(), ++d.exponent;
+  if (const std::size_t first = d.digits.find_first_not_of('0'); first != std::string::npos) {
+    d.digits.erase(0, first);
+  } else {
+    d.digits = "0", d.exponent = 0;
+  }
+  return d;
+}
+
+}  // namespace
+
+std::string millimetreText(double metres) {
+  const Decimal d = takenApart(shortest(metres));
+  const int exponent = d.digits == "0" ? 0 : d.exponent + 3;
+  if (exponent > 20 || exponent < -30) {  // absurd sizes: keep the text short
+    return (d.negative ? "-" : "") + d.digits + "e" + std::to_string(exponent);
+  }
+  return plain(d.negative, d.digits, exponent);
+}
+
+std::optional<double> parseMillimetres(std::string_view text) {
+  if (!parseNumber(text)) return std::nullopt;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const Decimal d = takenApart(text);
+  if (d.digits.size() > 400 || d.exponent > 400 || d.exponent < -800) return std::nullopt;
+  return parseNumber((d.negative ? "-" : "") + d.digits + "e" + std::to_string(d.exponent - 3));
+}
+
+std::string lengthText(double metres) {
+  if (metres == 0) return shortest(metres);
+  const std::string text = millimetreText(metres) + "mm";
+  if (const auto back = parseLength(text); back && *back == metres) return text;
+  return shortest(metres);
+}
+
+}  // namespace karinui
