@@ -17,7 +17,11 @@ struct Step {
   Operation operation;        // as recorded: ids only
   std::string chain;          // hash of all operations up to here
   std::string before, after;  // hash(document) before and after
+  std::string stand;          // drapeHash(document) after
 };
+
+// The document that a list of operations leads to, from nothing. The error names the step.
+Result<Document> replayed(const std::vector<Operation>& operations, Context& context);
 
 // A document that lives in a file. Each operation is one transaction: when perform() returns a value it is on the disk,
 // and no crash or power cut loses it. Undo and redo survive closing. Undone steps stay in the file as a branch after
@@ -26,11 +30,13 @@ class DocumentFile {
  public:
   // A new file; refuses to overwrite one.
   static Result<DocumentFile> create(const std::filesystem::path& path);
-  // Opens for work. Damaged, foreign, newer, locked or unwritable files are refused with a sentence; nothing is
-  // changed.
-  static Result<DocumentFile> open(const std::filesystem::path& path);
-  // Opens for reading only: a folder or file that may not be written, or a stranger's document.
-  static Result<DocumentFile> openForReading(const std::filesystem::path& path);
+  // Opens for work. Damaged, foreign, newer, locked or unwritable files are refused with a sentence; nothing is changed.
+  // Every step is kept with the document it led to, drapes included, so that opening does not compute; a kept document
+  // that is missing or does not match its hash is made again by replaying, with `how` (nothing: one quiet thread). One
+  // that an older program left is taken as it is: a person's drape does not change because the program did.
+  static Result<DocumentFile> open(const std::filesystem::path& path, Context* how = nullptr);
+  // The same for reading only: what may not be written, or what should not be. perform, undo and redo are then refused.
+  static Result<DocumentFile> openForReading(const std::filesystem::path& path, Context* how = nullptr);
   // A document without a file (tests, import previews).
   static DocumentFile inMemory();
 
@@ -44,7 +50,8 @@ class DocumentFile {
   const std::filesystem::path& path() const;
   Blobs& blobs();
 
-  // Resolves, applies and records. On any error nothing has changed, in memory or on disk.
+  // Resolves, applies and records. On any error nothing has changed, in memory or on disk. The context's own blobs are
+  // asked for what the file does not have yet (an imported body); what was used is kept in the file.
   Result<Step> perform(Operation operation, Context& context);
   // The step that was undone (done again). Refused where there is nothing left to undo (redo).
   Result<Step> undo(Context& context);

@@ -1,0 +1,138 @@
+#include "design/file/database.h"
+
+#include <system_error>
+
+namespace karinui {
+
+namespace {
+
+constexpr int kWaitMs = 500;              // for another Karinui that is just closing
+constexpr int kLongestValue = 256 << 20;  // bytes of one text or blob
+
+}  // namespace
+
+Result<Database> Database::open(const std::filesystem::path& path, Mode mode) {
+  sqlite3* raw = nullptr;
+  const int flags = mode == Mode::Create  ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
+                    : mode == Mode::Write ? SQLITE_OPEN_READWRITE
+                                          : SQLITE_OPEN_READONLY;
+  const int result = sqlite3_open_v2(path.c_str(), &raw, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+  Database db(path, raw);
+  if (raw == nullptr) return storageError(say("There is not enough memory to open “{0}”.", path.filename().string()));
+  if (result != SQLITE_OK) return db.error();
+  sqlite3_extended_result_codes(raw, 1);
+  if (mode == Mode::Write && sqlite3_db_readonly(raw, "main") == 1) {
+    return storageError(say("“{0}” may not be written; copy it to a folder of your own, or open it for reading.",
+                            path.filename().string()));
+  }
+  sqlite3_busy_timeout(raw, kWaitMs);
+  sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, kLongestValue);
+  sqlite3_limit(raw, SQLITE_LIMIT_ATTACHED, 0);
+  sqlite3_db_config(raw, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  // FULL: a commit is on the disk when it returns. The exclusive lock is the promise that a document has one owner.
+  for (const char* pragma : {"PRAGMA cell_size_check=ON", "PRAGMA mmap_size=0", "PRAGMA synchronous=EXTRA"}) {
+    if (Done done = db.run(pragma); !done) return done.error();
+  }
+  if (mode != Mode::Read) {
+    if (Done done = db.run("PRAGMA locking_mode=EXCLUSIVE"); !done) return done.error();
+  }
+  return db;
+}
+
+Done Database::run(const char* sql) {
+  if (sqlite3_exec(raw_.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) return error();
+  return {};
+}
+
+Result<Database::Statement> Database::ask(const char* sql) const {
+  sqlite3_stmt* raw = nullptr;
+  if (sqlite3_prepare_v2(raw_.get(), sql, -1, &raw, nullptr) != SQLITE_OK) return error();
+  return Statement(*this, raw);
+}
+
+Result<std::int64_t> Database::number(const char* sql) {
+  auto statement = ask(sql);
+  if (!statement) return statement.error();
+  const auto row = statement->step();
+  if (!row) return row.error();
+  return *row ? statement->number(0) : 0;
+}
+
+Result<std::string> Database::text(const char* sql) {
+  auto statement = ask(sql);
+  if (!statement) return statement.error();
+  const auto row = statement->step();
+  if (!row) return row.error();
+  return *row ? statement->text(0) : std::string();
+}
+
+Error Database::error() const {
+  const std::string name = path_.filename().string();
+  switch (sqlite3_errcode(raw_.get()) & 0xff) {
+    case SQLITE_NOTADB:
+      return badInput(say("“{0}” is not a Karinui document.", name));
+    case SQLITE_CORRUPT:
+      return badInput(say("“{0}” is damaged and cannot be read; nothing was changed.", name));
+    case SQLITE_TOOBIG:
+    case SQLITE_MISMATCH:
+    case SQLITE_ERROR:
+      return badInput(say("“{0}” is damaged and cannot be read; nothing was changed.", name));
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return storageError(say("“{0}” is open in another program; close it there first.", name));
+    case SQLITE_FULL:
+      return storageError(say("The disk is full; nothing was changed in “{0}”.", name));
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+      return storageError(
+          say("“{0}” may not be written; copy it to a folder of your own, or open it for reading.", name));
+    case SQLITE_CANTOPEN:
+      return storageError(say("“{0}” cannot be opened: its folder is missing or may not be written.", name));
+    case SQLITE_NOMEM:
+      return storageError(say("There is not enough memory to open “{0}”.", name));
+    default:
+      return storageError(
+          say("The disk refused while working on “{0}” ({1}); nothing was changed.", name, sqlite3_errmsg(raw_.get())));
+  }
+}
+
+Database::Statement& Database::Statement::bind(int at, std::int64_t value) {
+  if (const int r = sqlite3_bind_int64(raw_.get(), at, value); r != SQLITE_OK) trouble_ = r;
+  return *this;
+}
+Database::Statement& Database::Statement::bind(int at, std::string_view value) {
+  const int r = sqlite3_bind_text64(raw_.get(), at, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+  if (r != SQLITE_OK) trouble_ = r;
+  return *this;
+}
+Database::Statement& Database::Statement::bindBytes(int at, std::string_view value) {
+  const int r = sqlite3_bind_blob64(raw_.get(), at, value.data(), value.size(), SQLITE_TRANSIENT);
+  if (r != SQLITE_OK) trouble_ = r;
+  return *this;
+}
+Result<bool> Database::Statement::step() {
+  if (trouble_ == SQLITE_TOOBIG) return storageError(say("One part of this document is too large to be kept."));
+  if (trouble_ != SQLITE_OK) return owner_->error();
+  const int r = sqlite3_step(raw_.get());
+  if (r == SQLITE_ROW) return true;
+  if (r == SQLITE_DONE) return false;
+  return owner_->error();
+}
+Done Database::Statement::finish() {
+  for (;;) {
+    const auto row = step();
+    if (!row) return row.error();
+    if (!*row) return {};
+  }
+}
+std::int64_t Database::Statement::number(int column) const { return sqlite3_column_int64(raw_.get(), column); }
+std::string Database::Statement::text(int column) const {
+  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(raw_.get(), column));
+  const int size = sqlite3_column_bytes(raw_.get(), column);
+  return bytes != nullptr && size > 0 ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
+}
+
+}  // namespace karinui

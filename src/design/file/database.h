@@ -1,0 +1,59 @@
+#pragma once
+// SQLite behind a small face: statements that free themselves, errors as sentences. One thread.
+#include <sqlite3.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "karinui/base/result.h"
+
+namespace karinui {
+
+class Database {
+ public:
+  enum class Mode { Create, Write, Read };
+  // Opens with everything switched off that a hostile file could use. Takes the lock at once in Write mode.
+  static Result<Database> open(const std::filesystem::path& path, Mode mode);
+
+  Done run(const char* sql);
+  Result<std::int64_t> number(const char* sql);  // the first column of the first row
+  Result<std::string> text(const char* sql);
+  Error error() const;  // what SQLite last complained of, as a sentence about this file
+  const std::filesystem::path& path() const { return path_; }
+
+  // One prepared question. Parameters count from 1, columns from 0.
+  class Statement {
+   public:
+    Statement& bind(int at, std::int64_t value);
+    Statement& bind(int at, std::string_view value);
+    Statement& bindBytes(int at, std::string_view value);
+    Result<bool> step();  // true: there is a row
+    Done finish();        // steps to the end
+    std::int64_t number(int column) const;
+    std::string text(int column) const;  // also of blobs
+
+   private:
+    friend class Database;
+    struct Free {
+      void operator()(sqlite3_stmt* s) const { sqlite3_finalize(s); }
+    };
+    Statement(const Database& owner, sqlite3_stmt* raw) : owner_(&owner), raw_(raw) {}
+    const Database* owner_;
+    std::unique_ptr<sqlite3_stmt, Free> raw_;
+    int trouble_ = SQLITE_OK;
+  };
+  Result<Statement> ask(const char* sql) const;
+
+ private:
+  struct Close {
+    void operator()(sqlite3* db) const { sqlite3_close_v2(db); }
+  };
+  Database(std::filesystem::path path, sqlite3* raw) : path_(std::move(path)), raw_(raw) {}
+  std::filesystem::path path_;
+  std::unique_ptr<sqlite3, Close> raw_;
+};
+
+}  // namespace karinui

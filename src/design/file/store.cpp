@@ -1,0 +1,251 @@
+#include "design/file/store.h"
+
+#include <array>
+#include <fstream>
+#include <system_error>
+
+#include "karinui/base/hash.h"
+#include "karinui/design/apply.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr std::int64_t kApplication = 0x4b524e55;  // "KRNU"
+constexpr std::int64_t kVersion = 1;
+constexpr std::size_t kMostSteps = 1'000'000;
+
+constexpr std::array<std::pair<std::string_view, const char*>, 5> kTables{{
+    {"meta", "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
+    {"op",
+     "CREATE TABLE op(seq INTEGER PRIMARY KEY, parent INTEGER NOT NULL, serial INTEGER NOT NULL, kind TEXT NOT NULL, "
+     "args TEXT NOT NULL, chain TEXT NOT NULL, pre_hash TEXT NOT NULL, post_hash TEXT NOT NULL, stand_hash TEXT NOT "
+     "NULL, "
+     "seal TEXT NOT NULL)"},
+    {"blob", "CREATE TABLE blob(hash TEXT PRIMARY KEY, bytes BLOB NOT NULL)"},
+    {"snap",
+     "CREATE TABLE snap(seq INTEGER NOT NULL, part TEXT NOT NULL, blob TEXT NOT NULL, PRIMARY KEY(seq, part)) WITHOUT "
+     "ROWID"},
+    {"head",
+     "CREATE TABLE head(branch INTEGER PRIMARY KEY, seq INTEGER NOT NULL, tip INTEGER NOT NULL, seal TEXT NOT NULL)"},
+}};
+
+std::string sealOf(Head head) { return Hasher().add(std::string_view("head")).add(head.seq).add(head.tip).hex(); }
+
+Error damaged(const std::filesystem::path& path) {
+  return badInput(say("“{0}” is damaged and cannot be read; nothing was changed.", path.filename().string()));
+}
+
+// Looks at the file before SQLite does: the commonest mistakes deserve plain words.
+Done lookAt(const std::filesystem::path& path) {
+  std::error_code trouble;
+  const auto status = std::filesystem::status(path, trouble);
+  const std::string name = path.filename().string();
+  if (status.type() == std::filesystem::file_type::not_found)
+    return notFound(say("There is no file “{0}”.", path.string()));
+  if (!std::filesystem::is_regular_file(status)) return badInput(say("“{0}” is not a file.", path.string()));
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 16> first{};
+  file.read(first.data(), first.size());
+  if (file.gcount() == 0 && !file.is_open()) return storageError(say("“{0}” may not be read.", name));
+  if (file.gcount() == 0) return badInput(say("“{0}” is empty.", name));
+  if (std::string_view(first.data(), first.size()) != std::string_view("SQLite format 3\0", 16)) {
+    return badInput(say("“{0}” is not a Karinui document.", name));
+  }
+  return {};
+}
+
+Done checkForm(Database& db) {
+  const std::string name = db.path().filename().string();
+  const auto application = db.number("PRAGMA application_id");
+  if (!application) return application.error();
+  if (*application != kApplication) return badInput(say("“{0}” is not a Karinui document.", name));
+  const auto version = db.number("PRAGMA user_version");
+  if (!version) return version.error();
+  if (*version > kVersion) {
+    return badInput(say("“{0}” was made by a newer Karinui (form {1}); this one reads up to form {2}.", name,
+                        static_cast<long long>(*version), static_cast<long long>(kVersion)));
+  }
+  if (*version < 1) return damaged(db.path());
+  const auto sound = db.text("PRAGMA quick_check(1)");
+  if (!sound) return sound.error();
+  if (*sound != "ok") return damaged(db.path());
+  // Exactly our tables: nothing that could run, nothing that could redirect.
+  auto schema = db.ask("SELECT name, sql FROM sqlite_master WHERE name NOT LIKE 'sqlite_autoindex_%' ORDER BY name");
+  if (!schema) return schema.error();
+  std::size_t found = 0;
+  for (;;) {
+    const auto row = schema->step();
+    if (!row) return row.error();
+    if (!*row) break;
+    bool ours = false;
+    for (const auto& [table, sql] : kTables) ours = ours || (schema->text(0) == table && schema->text(1) == sql);
+    if (!ours)
+      return badInput(say("“{0}” holds something a Karinui document does not have (“{1}”).", name, schema->text(0)));
+    ++found;
+  }
+  return found == kTables.size() ? Done() : Done(damaged(db.path()));
+}
+
+}  // namespace
+
+std::string StepRow::seal() const {
+  Hasher h;
+  h.add(seq).add(parent).add(std::uint64_t{serial});
+  for (const auto& text : {kind, args, chain, before, after, stand}) h.add(std::string_view(text));
+  return h.hex();
+}
+
+Result<Store> Store::create(const std::filesystem::path& path) {
+  std::error_code trouble;
+  if (std::filesystem::exists(path, trouble) && std::filesystem::file_size(path, trouble) != 0) {
+    return storageError(say("There is already a file “{0}”; choose another name.", path.string()));
+  }
+  // A journal beside a file that is not there belongs to nothing and would spoil the new one.
+  std::filesystem::remove(path.string() + "-journal", trouble);
+  auto db = Database::open(path, Database::Mode::Create);
+  if (!db) return db.error();
+  std::string sql = "BEGIN IMMEDIATE; PRAGMA application_id=" + std::to_string(kApplication) +
+                    "; PRAGMA user_version=" + std::to_string(kVersion) + ";";
+  for (const auto& [name, table] : kTables) sql += std::string(table) + ";";
+  sql += "INSERT INTO meta VALUES('made by', 'Karinui 0.1.0'); INSERT INTO head VALUES(1, 0, 0, '" + sealOf({}) +
+         "'); COMMIT;";
+  if (Done done = db->run(sql.c_str()); !done) {
+    db = done.error();  // closes it, so that what was begun can go
+    std::filesystem::remove(path, trouble);
+    return done.error();
+  }
+  // Measurements are personal.
+  std::filesystem::permissions(path, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write, trouble);
+  Store store(*std::move(db));
+  store.writable_ = true;
+  return store;
+}
+
+Result<Store> Store::open(const std::filesystem::path& path, bool toWrite) {
+  if (Done done = lookAt(path); !done) return done.error();
+  auto db = Database::open(path, toWrite ? Database::Mode::Write : Database::Mode::Read);
+  if (!db) return db.error();
+  if (toWrite) {
+    // Takes the lock now, and finds out now whether the file can be written.
+    if (Done done = db->run("BEGIN EXCLUSIVE; COMMIT;"); !done) return done.error();
+  }
+  if (Done done = checkForm(*db); !done) return done.error();
+  Store store(*std::move(db));
+  store.writable_ = toWrite;
+  if (Done done = store.load(); !done) return done.error();
+  return store;
+}
+
+Done Store::load() {
+  auto rows = db_.ask(
+      "SELECT seq, parent, serial, kind, args, chain, pre_hash, post_hash, stand_hash, seal FROM op ORDER BY seq");
+  if (!rows) return rows.error();
+  std::map<std::uint64_t, std::uint32_t> serials{{0, 0}};
+  for (;;) {
+    const auto more = rows->step();
+    if (!more) return more.error();
+    if (!*more) break;
+    StepRow row;
+    row.seq = static_cast<std::uint64_t>(rows->number(0));
+    row.parent = static_cast<std::uint64_t>(rows->number(1));
+    row.serial = static_cast<std::uint32_t>(rows->number(2));
+    row.kind = rows->text(3), row.args = rows->text(4), row.chain = rows->text(5);
+    row.before = rows->text(6), row.after = rows->text(7), row.stand = rows->text(8);
+    const auto parent = serials.find(row.parent);
+    const bool sound = row.seq > 0 && row.parent < row.seq && parent != serials.end() &&
+                       row.serial == parent->second + 1 && row.seal() == rows->text(9) && rows_.size() < kMostSteps;
+    if (!sound) return damaged(db_.path());
+    serials[row.seq] = row.serial;
+    rows_.push_back(std::move(row));
+  }
+  auto head = db_.ask("SELECT seq, tip, seal FROM head WHERE branch = 1");
+  if (!head) return head.error();
+  const auto there = head->step();
+  if (!there) return there.error();
+  if (!*there) return damaged(db_.path());
+  head_ = {static_cast<std::uint64_t>(head->number(0)), static_cast<std::uint64_t>(head->number(1))};
+  if (!serials.contains(head_.seq) || !serials.contains(head_.tip) || head->text(2) != sealOf(head_))
+    return damaged(db_.path());
+  return {};
+}
+
+Done Store::write(const StepRow* row, const Parts& parts, const std::map<std::string, std::string>& blobs,
+                  const Head* head) {
+  for (const auto& [name, bytes] : blobs) {
+    auto insert = db_.ask("INSERT OR IGNORE INTO blob VALUES(?, ?)");
+    if (!insert) return insert.error();
+    if (Done done = insert->bind(1, name).bindBytes(2, bytes).finish(); !done) return done;
+  }
+  if (row) {
+    auto insert = db_.ask("INSERT INTO op VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    if (!insert) return insert.error();
+    insert->bind(1, static_cast<std::int64_t>(row->seq)).bind(2, static_cast<std::int64_t>(row->parent));
+    insert->bind(3, std::int64_t{row->serial}).bind(4, row->kind).bind(5, row->args).bind(6, row->chain);
+    insert->bind(7, row->before).bind(8, row->after).bind(9, row->stand).bind(10, row->seal());
+    if (Done done = insert->finish(); !done) return done;
+  }
+  for (const auto& [part, blob] : parts) {
+    auto insert = db_.ask("INSERT INTO snap VALUES(?, ?, ?)");
+    if (!insert) return insert.error();
+    if (Done done = insert->bind(1, static_cast<std::int64_t>(row->seq)).bind(2, part).bind(3, blob).finish(); !done)
+      return done;
+  }
+  if (head) {
+    auto update = db_.ask("UPDATE head SET seq = ?, tip = ?, seal = ? WHERE branch = 1");
+    if (!update) return update.error();
+    update->bind(1, static_cast<std::int64_t>(head->seq))
+        .bind(2, static_cast<std::int64_t>(head->tip))
+        .bind(3, sealOf(*head));
+    if (Done done = update->finish(); !done) return done;
+  }
+  return db_.run("COMMIT");
+}
+
+Done Store::append(const StepRow& row, const Parts& parts, const std::map<std::string, std::string>& blobs, Head head) {
+  if (Done done = db_.run("BEGIN IMMEDIATE"); !done) return done;
+  if (Done done = write(&row, parts, blobs, &head); !done) return (void)db_.run("ROLLBACK"), done;
+  rows_.push_back(row);
+  head_ = head;
+  return {};
+}
+
+Done Store::move(Head head) {
+  if (Done done = db_.run("BEGIN IMMEDIATE"); !done) return done;
+  if (Done done = write(nullptr, {}, {}, &head); !done) return (void)db_.run("ROLLBACK"), done;
+  head_ = head;
+  return {};
+}
+
+Done Store::keep(const std::string& name, std::string_view bytes) {
+  if (Done done = db_.run("BEGIN IMMEDIATE"); !done) return done;
+  if (Done done = write(nullptr, {}, {{name, std::string(bytes)}}, nullptr); !done)
+    return (void)db_.run("ROLLBACK"), done;
+  return {};
+}
+
+Result<Parts> Store::parts(std::uint64_t seq) const {
+  auto rows = db_.ask("SELECT part, blob FROM snap WHERE seq = ?");
+  if (!rows) return rows.error();
+  rows->bind(1, static_cast<std::int64_t>(seq));
+  Parts all;
+  for (;;) {
+    const auto more = rows->step();
+    if (!more) return more.error();
+    if (!*more) return all;
+    all[rows->text(0)] = rows->text(1);
+  }
+}
+
+Result<std::string> Store::blob(const std::string& name) const {
+  auto rows = db_.ask("SELECT bytes FROM blob WHERE hash = ?");
+  if (!rows) return rows.error();
+  const auto there = rows->bind(1, name).step();
+  if (!there) return there.error();
+  if (!*there) return notFound(say("The stored part {0} is not in this document.", name));
+  std::string bytes = rows->text(0);
+  if (blobName(bytes) != name) return damaged(db_.path());
+  return bytes;
+}
+
+}  // namespace karinui

@@ -1,0 +1,57 @@
+#pragma once
+// The .karinui file's tables (docs/format/karinui-file.md): reads everything once, then appends. Knows rows and blobs,
+// not what they mean.
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "design/file/database.h"
+
+namespace karinui {
+
+// A step as it lies in the file.
+struct StepRow {
+  std::uint64_t seq = 0, parent = 0;
+  std::uint32_t serial = 0;
+  std::string kind, args, chain, before, after, stand;
+  std::string seal() const;  // of all the others: a changed byte is noticed
+};
+
+struct Head {
+  std::uint64_t seq = 0;  // where the person stands
+  std::uint64_t tip = 0;  // the end of the branch redo walks along
+};
+
+// The parts of the document after a step, each the name of a blob: "rest", "piece 65536", "form 65536".
+using Parts = std::map<std::string, std::string>;
+
+class Store {
+ public:
+  static Result<Store> create(const std::filesystem::path& path);
+  static Result<Store> open(const std::filesystem::path& path, bool toWrite);
+
+  const std::vector<StepRow>& rows() const { return rows_; }  // by seq
+  Head head() const { return head_; }
+  bool writable() const { return writable_; }
+
+  // One transaction each: on the disk when it returns, or nothing changed.
+  Done append(const StepRow& row, const Parts& parts, const std::map<std::string, std::string>& blobs, Head head);
+  Done move(Head head);
+  Done keep(const std::string& name, std::string_view bytes);
+
+  Result<Parts> parts(std::uint64_t seq) const;
+  Result<std::string> blob(const std::string& name) const;  // checked against its name
+  const std::filesystem::path& path() const { return db_.path(); }
+
+ private:
+  explicit Store(Database db) : db_(std::move(db)) {}
+  Done load();
+  Done write(const StepRow* row, const Parts& parts, const std::map<std::string, std::string>& blobs, const Head* head);
+  Database db_;
+  std::vector<StepRow> rows_;
+  Head head_;
+  bool writable_ = false;
+};
+
+}  // namespace karinui

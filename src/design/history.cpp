@@ -1,0 +1,334 @@
+#include "karinui/design/history.h"
+
+#include <algorithm>
+
+#include "design/file/store.h"
+#include "design/pack.h"
+#include "karinui/base/hash.h"
+#include "karinui/design/script.h"
+
+namespace karinui {
+
+namespace {
+
+std::string chained(const std::string& before, const Operation& operation) {
+  return Hasher().add(std::string_view(before)).add(std::string_view(text(operation))).hex();
+}
+
+Error atStep(std::size_t serial, const Error& error) {
+  return {error.kind, say("Step {0}: {1}", serial, text(error.what))};
+}
+
+}  // namespace
+
+Result<Document> replayed(const std::vector<Operation>& operations, Context& context) {
+  Document document;
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    auto next = apply(document, operations[i], context);
+    if (!next) return atStep(i + 1, next.error());
+    document = *std::move(next);
+  }
+  return document;
+}
+
+struct DocumentFile::Inside {
+  std::optional<Store> store;  // nothing: in memory only
+  MemoryBlobs memory;          // blobs of a document without a file
+  std::vector<Step> steps;     // all branches, by seq
+  Head head;
+  std::map<std::uint64_t, Document> documents;  // after a step, by seq; 0 is the empty one
+  std::filesystem::path path;
+  // Names of parts that are in the file already. Holding the part keeps its address from being used again.
+  std::map<std::shared_ptr<const void>, std::string> packed;
+
+  // The file's blobs as the rest of the program sees them.
+  struct FileBlobs : Blobs {
+    Inside* in;
+    explicit FileBlobs(Inside* i) : in(i) {}
+    Result<std::string> put(std::string bytes) override {
+      if (!in->store) return in->memory.put(std::move(bytes));
+      if (Done done = in->writable(); !done) return done.error();
+      std::string name = blobName(bytes);
+      if (in->store->blob(name)) return name;
+      if (Done done = in->store->keep(name, bytes); !done) return done.error();
+      return name;
+    }
+    Result<std::string> get(const std::string& name) const override {
+      return in->store ? in->store->blob(name) : in->memory.get(name);
+    }
+  } blobs{this};
+
+  // The file's blobs first, then the caller's; what the caller had to give is remembered, to be kept with the step.
+  struct Borrowing : Blobs {
+    Blobs* own;
+    Blobs* other;
+    mutable std::map<std::string, std::string> borrowed;
+    Borrowing(Blobs* o, Blobs* t) : own(o), other(t) {}
+    Result<std::string> put(std::string bytes) override { return own->put(std::move(bytes)); }
+    Result<std::string> get(const std::string& name) const override {
+      auto mine = own->get(name);
+      if (mine || other == own) return mine;
+      auto theirs = other->get(name);
+      if (theirs) borrowed[name] = *theirs;
+      return theirs ? theirs : mine;
+    }
+  };
+
+  Done writable() const {
+    if (!store || store->writable()) return {};
+    return storageError(say("“{0}” was opened for reading only.", path.filename().string()));
+  }
+
+  const Step* step(std::uint64_t seq) const {
+    const auto at =
+        std::lower_bound(steps.begin(), steps.end(), seq, [](const Step& s, std::uint64_t n) { return s.seq < n; });
+    return at != steps.end() && at->seq == seq ? &*at : nullptr;
+  }
+
+  // From the beginning (left out) to a step.
+  std::vector<const Step*> line(std::uint64_t seq) const {
+    std::vector<const Step*> all;
+    for (const Step* s = step(seq); s != nullptr; s = step(s->parent)) all.push_back(s);
+    std::reverse(all.begin(), all.end());
+    return all;
+  }
+
+  // The document's parts as blobs. Only what the file does not have yet comes into `fresh`.
+  Parts pack(const Document& document, std::map<std::string, std::string>& fresh) {
+    Parts parts;
+    const auto put = [&](const std::string& part, std::shared_ptr<const void> thing, auto&& bytesOf) {
+      const auto known = thing ? packed.find(thing) : packed.end();
+      if (known != packed.end()) return void(parts[part] = known->second);
+      std::string bytes = bytesOf();
+      const std::string name = blobName(bytes);
+      fresh.emplace(name, std::move(bytes));
+      parts[part] = name;
+    };
+    put("rest", nullptr, [&] { return packRest(document); });
+    for (const auto& [id, piece] : document.pattern.pieces) {
+      put("piece " + std::to_string(id.value), piece, [&p = piece] { return packPiece(*p); });
+      if (piece->form)
+        put("form " + std::to_string(id.value), piece->form, [&p = piece] { return packForm(*p->form); });
+    }
+    return parts;
+  }
+
+  void remember(const Document& document, const Parts& parts) {
+    for (const auto& [id, piece] : document.pattern.pieces) {
+      packed[piece] = parts.at("piece " + std::to_string(id.value));
+      if (piece->form) packed[piece->form] = parts.at("form " + std::to_string(id.value));
+    }
+  }
+
+  // The document kept beside a step, if it is whole and matches the step's hashes.
+  std::optional<Document> kept(const Step& s) {
+    if (!store) return std::nullopt;
+    const auto parts = store->parts(s.seq);
+    if (!parts || !parts->contains("rest")) return std::nullopt;
+    const auto bytesOf = [&](const std::string& part) {
+      const auto at = parts->find(part);
+      auto bytes = at == parts->end() ? Result<std::string>(notFound({})) : store->blob(at->second);
+      return bytes ? std::optional(*std::move(bytes)) : std::nullopt;
+    };
+    const auto rest = bytesOf("rest");
+    auto document = rest ? unpackRest(*rest) : Result<Document>(notFound({}));
+    if (!document) return std::nullopt;
+    for (const auto& [part, blob] : *parts) {
+      if (!part.starts_with("piece ")) continue;
+      const auto bytes = bytesOf(part);
+      auto piece = bytes ? unpackPiece(*bytes) : Result<Piece>(notFound({}));
+      if (!piece || part != "piece " + std::to_string(piece->id.value)) return std::nullopt;
+      if (const auto form = "form " + std::to_string(piece->id.value); parts->contains(form)) {
+        const auto formBytes = bytesOf(form);
+        auto shape = formBytes ? unpackForm(*formBytes) : Result<std::shared_ptr<const Form>>(notFound({}));
+        if (!shape) return std::nullopt;
+        piece->form = *shape;
+      }
+      document->pattern.pieces[piece->id] = std::make_shared<const Piece>(*piece);
+    }
+    if (document->operations != s.serial || hash(*document) != s.after || drapeHash(*document) != s.stand)
+      return std::nullopt;
+    remember(*document, *parts);
+    return *document;
+  }
+
+  // The document after a step: known, kept beside it, or made again from the nearest one before it.
+  Result<const Document*> documentAt(std::uint64_t seq, Context& context) {
+    std::vector<const Step*> missing;
+    for (const Step* s = step(seq); s != nullptr && !documents.contains(s->seq); s = step(s->parent)) {
+      if (auto document = kept(*s)) {
+        documents[s->seq] = *std::move(document);
+        break;
+      }
+      missing.push_back(s);
+    }
+    Borrowing borrowing(&blobs, &context.blobs);
+    Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull};
+    for (auto s = missing.rbegin(); s != missing.rend(); ++s) {
+      auto document = apply(documents.at((*s)->parent), (*s)->operation, own);
+      if (!document) return atStep((*s)->serial, document.error());
+      documents[(*s)->seq] = *std::move(document);
+    }
+    return &documents.at(seq);
+  }
+
+  Done begin(Store opened, Context* how);
+};
+
+DocumentFile::DocumentFile(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {
+  inside_->documents[0] = Document();
+}
+DocumentFile::DocumentFile(DocumentFile&&) noexcept = default;
+DocumentFile& DocumentFile::operator=(DocumentFile&&) noexcept = default;
+DocumentFile::~DocumentFile() = default;
+
+DocumentFile DocumentFile::inMemory() { return DocumentFile(std::make_unique<Inside>()); }
+
+Result<DocumentFile> DocumentFile::create(const std::filesystem::path& path) {
+  auto store = Store::create(path);
+  if (!store) return store.error();
+  DocumentFile file(std::make_unique<Inside>());
+  file.inside_->store = *std::move(store);
+  file.inside_->path = path;
+  return file;
+}
+
+Done DocumentFile::Inside::begin(Store opened, Context* how) {
+  path = opened.path();
+  for (const StepRow& row : opened.rows()) {
+    auto operation = parseOperation(row.args.empty() ? row.kind : row.kind + " " + row.args);
+    if (!operation) return atStep(row.serial, operation.error());
+    const Step* parent = step(row.parent);
+    const std::string chain = chained(parent ? parent->chain : std::string(), *operation);
+    if (chain != row.chain) {
+      return badInput(
+          say("“{0}” is damaged at step {1}; nothing was changed.", path.filename().string(), std::size_t{row.serial}));
+    }
+    steps.push_back(
+        {row.seq, row.parent, row.serial, *std::move(operation), row.chain, row.before, row.after, row.stand});
+  }
+  head = opened.head();
+  store = std::move(opened);
+  Workers one(1);
+  Token quiet;
+  Bodies bodies;
+  Context alone{one, quiet, blobs, bodies, {}, {}};
+  const auto document = documentAt(head.seq, how ? *how : alone);
+  return document ? Done() : Done(document.error());
+}
+
+Result<DocumentFile> DocumentFile::open(const std::filesystem::path& path, Context* how) {
+  auto store = Store::open(path, true);
+  if (!store) return store.error();
+  DocumentFile file(std::make_unique<Inside>());
+  if (Done done = file.inside_->begin(*std::move(store), how); !done) return done.error();
+  return file;
+}
+
+Result<DocumentFile> DocumentFile::openForReading(const std::filesystem::path& path, Context* how) {
+  auto store = Store::open(path, false);
+  if (!store) return store.error();
+  DocumentFile file(std::make_unique<Inside>());
+  if (Done done = file.inside_->begin(*std::move(store), how); !done) return done.error();
+  return file;
+}
+
+const Document& DocumentFile::document() const { return inside_->documents.at(inside_->head.seq); }
+const std::filesystem::path& DocumentFile::path() const { return inside_->path; }
+Blobs& DocumentFile::blobs() { return inside_->blobs; }
+
+std::vector<Step> DocumentFile::steps() const {
+  std::vector<Step> all;
+  for (const Step* s : inside_->line(inside_->head.seq)) all.push_back(*s);
+  return all;
+}
+
+std::vector<Step> DocumentFile::undone() const {
+  std::vector<Step> all;
+  for (const Step* s = inside_->step(inside_->head.tip); s != nullptr && s->seq != inside_->head.seq;
+       s = inside_->step(s->parent)) {
+    all.push_back(*s);
+  }
+  std::reverse(all.begin(), all.end());
+  return all;
+}
+
+Result<Step> DocumentFile::perform(Operation operation, Context& context) {
+  Inside& in = *inside_;
+  if (Done done = in.writable(); !done) return done.error();
+  Inside::Borrowing borrowing(&in.blobs, &context.blobs);
+  Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull};
+  const Document& before = document();
+  auto settled = resolved(before, std::move(operation), own);
+  if (!settled) return settled.error();
+  auto after = apply(before, *settled, own);
+  if (!after) return after.error();
+
+  const Step* parent = in.step(in.head.seq);
+  Step step;
+  step.seq = in.steps.empty() ? 1 : in.steps.back().seq + 1;
+  step.parent = in.head.seq;
+  step.serial = after->operations;
+  step.operation = *std::move(settled);
+  step.chain = chained(parent ? parent->chain : std::string(), step.operation);
+  step.before = parent ? parent->after : hash(before);
+  step.after = hash(*after);
+  step.stand = drapeHash(*after);
+  const Head head{step.seq, step.seq};
+  if (in.store) {
+    std::map<std::string, std::string> fresh = std::move(borrowing.borrowed);
+    const Parts parts = in.pack(*after, fresh);
+    const std::string line = text(step.operation);
+    const std::string kind(nameOf(step.operation));
+    const StepRow row{
+        step.seq,   step.parent, step.serial, kind,      line.size() > kind.size() ? line.substr(kind.size() + 1) : "",
+        step.chain, step.before, step.after,  step.stand};
+    if (Done done = in.store->append(row, parts, fresh, head); !done) return done.error();
+    in.remember(*after, parts);
+  } else {
+    for (auto& [name, bytes] : borrowing.borrowed) (void)in.memory.put(bytes);
+  }
+  in.head = head;
+  in.documents[step.seq] = *std::move(after);
+  in.steps.push_back(step);
+  return step;
+}
+
+Result<Step> DocumentFile::undo(Context& context) {
+  Inside& in = *inside_;
+  if (Done done = in.writable(); !done) return done.error();
+  const Step* step = in.step(in.head.seq);
+  if (!step) return refused(say("There is nothing to undo."));
+  if (const auto document = in.documentAt(step->parent, context); !document) return document.error();
+  const Head head{step->parent, in.head.tip};
+  if (in.store) {
+    if (Done done = in.store->move(head); !done) return done.error();
+  }
+  in.head = head;
+  return *step;
+}
+
+Result<Step> DocumentFile::redo(Context& context) {
+  Inside& in = *inside_;
+  if (Done done = in.writable(); !done) return done.error();
+  const auto waiting = undone();
+  if (waiting.empty()) return refused(say("There is nothing to redo."));
+  const Step& step = waiting.front();
+  if (const auto document = in.documentAt(step.seq, context); !document) return document.error();
+  const Head head{step.seq, in.head.tip};
+  if (in.store) {
+    if (Done done = in.store->move(head); !done) return done.error();
+  }
+  in.head = head;
+  return step;
+}
+
+std::string DocumentFile::log() const {
+  std::string all;
+  for (const Step* s : inside_->line(inside_->head.seq)) {
+    all += text(s->operation) + "  # " + std::to_string(s->serial) + "\n";
+  }
+  return all;
+}
+
+}  // namespace karinui
