@@ -6,15 +6,6 @@
 
 namespace karinui {
 
-std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRef>& named) {
-  std::set<PieceId> live;
-  for (const PieceRef& ref : named) live.insert(ref.id);
-  if (!named.empty()) return live;
-  for (const auto& [id, piece] : document.pattern.pieces)
-    if (!piece->frozen) live.insert(id);
-  return live;
-}
-
 namespace {
 
 // Records the live pieces by name, so that a piece added to an earlier step later on does not join.

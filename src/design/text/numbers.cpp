@@ -8,15 +8,22 @@ namespace karinui {
 namespace {
 
 // Decimal digits and a power of ten as plain text without exponent: ("125", -1) -> "12.5".
-std::string plain(bool negative, std::string digits, int exponent) {
-  if (exponent >= 0) {
-    digits.append(static_cast<std::size_t>(exponent), '0');
+std::string plain(bool negative, const std::string& digits, int exponent) {
+  std::string all(negative ? 1 : 0, '-');
+  if (exponent >= 0) return all.append(digits).append(static_cast<std::size_t>(exponent), '0');
+  const auto places = static_cast<std::size_t>(-exponent);
+  if (digits.size() <= places) {
+    all.append("0.").append(places - digits.size(), '0').append(digits);
   } else {
-    const auto places = static_cast<std::size_t>(-exponent);
-    if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
-    digits.insert(digits.size() - places, ".");
+    all.append(digits, 0, digits.size() - places).append(".").append(digits, digits.size() - places);
   }
-  return (negative ? "-" : "") + digits;
+  return all;
+}
+
+// The same with the power of ten written out, for absurd sizes.
+std::string withPower(bool negative, const std::string& digits, int exponent) {
+  std::string all(negative ? 1 : 0, '-');
+  return all.append(digits).append("e").append(std::to_string(exponent));
 }
 
 struct Decimal {
@@ -46,7 +53,7 @@ Decimal takenApart(std::string_view text) {
   if (const std::size_t first = d.digits.find_first_not_of('0'); first != std::string::npos) {
     d.digits.erase(0, first);
   } else {
-    d.digits = "0", d.exponent = 0;
+    d.digits.assign(1, '0'), d.exponent = 0;
   }
   return d;
 }
@@ -57,7 +64,7 @@ std::string millimetreText(double metres) {
   const Decimal d = takenApart(shortest(metres));
   const int exponent = d.digits == "0" ? 0 : d.exponent + 3;
   if (exponent > 20 || exponent < -30) {  // absurd sizes: keep the text short
-    return (d.negative ? "-" : "") + d.digits + "e" + std::to_string(exponent);
+    return withPower(d.negative, d.digits, exponent);
   }
   return plain(d.negative, d.digits, exponent);
 }
@@ -67,7 +74,7 @@ std::optional<double> parseMillimetres(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   const Decimal d = takenApart(text);
   if (d.digits.size() > 400 || d.exponent > 400 || d.exponent < -800) return std::nullopt;
-  return parseNumber((d.negative ? "-" : "") + d.digits + "e" + std::to_string(d.exponent - 3));
+  return parseNumber(withPower(d.negative, d.digits, d.exponent - 3));
 }
 
 std::string lengthText(double metres) {

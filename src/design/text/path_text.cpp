@@ -1,5 +1,6 @@
 // Outlines, internal lines and marks as text: like an SVG path in millimetres, v upwards, one named command an edge.
 #include <array>
+#include <initializer_list>
 
 #include "design/text/value_text.h"
 #include "karinui/base/number.h"
@@ -9,16 +10,23 @@ namespace karinui {
 
 namespace {
 
-std::string placeText(Flat place) { return millimetreText(place.u) + " " + millimetreText(place.v); }
+std::string joined(std::initializer_list<std::string_view> parts) {
+  std::string all;
+  for (const std::string_view part : parts) all.append(part);
+  return all;
+}
+
+std::string placeText(Flat place) { return joined({millimetreText(place.u), " ", millimetreText(place.v)}); }
 
 std::string curveText(const Curve& curve) {
+  const std::string end = placeText(curve.end);
   switch (curve.kind) {
     case Curve::Kind::Line:
-      return "L " + placeText(curve.end);
+      return joined({"L ", end});
     case Curve::Kind::Cubic:
-      return "C " + placeText(curve.control1) + " " + placeText(curve.control2) + " " + placeText(curve.end);
+      return joined({"C ", placeText(curve.control1), " ", placeText(curve.control2), " ", end});
     case Curve::Kind::Arc:
-      return "A " + shortest(curve.bulge) + " " + placeText(curve.end);
+      return joined({"A ", shortest(curve.bulge), " ", end});
   }
   return {};
 }
@@ -94,8 +102,8 @@ class Words {
 
 std::string writeValue(const Outline& outline) {
   if (outline.edges.empty()) return {};
-  std::string all = "M " + placeText(outline.edges.front().curve.start);
-  for (const Edge& edge : outline.edges) all += "; " + edge.name + " " + curveText(edge.curve);
+  std::string all = joined({"M ", placeText(outline.edges.front().curve.start)});
+  for (const Edge& edge : outline.edges) all += joined({"; ", edge.name, " ", curveText(edge.curve)});
   return all;
 }
 
@@ -125,7 +133,7 @@ Done readValue(std::string_view text, Outline& outline) {
 
 std::string writeValue(const std::vector<Outline>& outlines) {
   std::string all;
-  for (const Outline& outline : outlines) all += (all.empty() ? "" : " | ") + writeValue(outline);
+  for (const Outline& outline : outlines) all += joined({all.empty() ? "" : " | ", writeValue(outline)});
   return all;
 }
 Done readValue(std::string_view text, std::vector<Outline>& outlines) {
@@ -138,11 +146,11 @@ Done readValue(std::string_view text, std::vector<Outline>& outlines) {
 std::string writeValue(const std::vector<InternalLine>& lines) {
   std::string all;
   for (const InternalLine& line : lines) {
-    all += (all.empty() ? "" : " | ") + line.name;
+    all += joined({all.empty() ? "" : " | ", line.name});
     std::optional<Flat> pen;
     for (const Curve& curve : line.curves) {
-      if (pen != curve.start) all += " M " + placeText(curve.start);
-      all += " " + curveText(curve);
+      if (pen != curve.start) all += joined({" M ", placeText(curve.start)});
+      all += joined({" ", curveText(curve)});
       pen = curve.end;
     }
   }
@@ -174,9 +182,8 @@ Done readValue(std::string_view text, std::vector<InternalLine>& lines) {
 std::string writeValue(const std::vector<Mark>& marks) {
   std::string all;
   for (const Mark& mark : marks) {
-    const std::string name = mark.name.empty() ? "-" : mark.name;
-    const std::string where = mark.edge.empty() ? writeValue(mark.place) : mark.edge + " " + shortest(mark.fraction);
-    all += (all.empty() ? "" : "; ") + name + " " + where;
+    all += joined({all.empty() ? "" : "; ", mark.name.empty() ? std::string_view("-") : mark.name, " "});
+    all += mark.edge.empty() ? writeValue(mark.place) : joined({mark.edge, " ", shortest(mark.fraction)});
   }
   return all;
 }

@@ -1,0 +1,156 @@
+// Every operation has a folder in tests/design/operations: `start.ops` leads to a document, `operation.ops` holds the
+// operation (and later ones), `expected.txt` the facts afterwards, `refused.txt` operations that are refused and the
+// sentence. Each is also undone and replayed from its log.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "design/workroom.h"
+#include "karinui/base/number.h"
+
+namespace karinui {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path);
+  std::stringstream all;
+  all << file.rdbuf();
+  return all.str();
+}
+
+std::vector<std::string> lines(const fs::path& path) {
+  std::vector<std::string> all;
+  std::istringstream in(read(path));
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty() && line[0] != '#') all.push_back(line);
+  return all;
+}
+
+// The document as facts, one a line, in words a person can check.
+std::string facts(const Document& d) {
+  std::ostringstream out;
+  const auto name = [&](PieceId id) { return d.find(id) ? d.find(id)->name : text(id); };
+  const auto side = [&](const std::vector<EdgeSpan>& spans) {
+    std::string all;
+    for (const EdgeSpan& s : spans) {
+      all += (all.empty() ? "" : "+") + name(s.piece) + "." + s.edge;
+      if (s.from != 0 || s.to != 1) all += "@" + fixed(s.from, 2) + ":" + fixed(s.to, 2);
+    }
+    return all;
+  };
+  if (d.body.chosen()) out << "body " << (d.body.mesh.empty() ? d.body.size : "mesh") << "\n";
+  for (const auto& [id, p] : d.pattern.pieces) {
+    out << "piece " << text(id) << " " << p->name << " area_cm2 " << fixed(p->outline.area() * 1e4, 1) << " edges";
+    for (const Edge& e : p->outline.edges) out << " " << e.name << ":" << fixed(e.curve.length() * 1000, 1);
+    out << "\n";
+    if (p->fabric != "cotton") out << "  fabric " << p->fabric << "\n";
+    if (p->layer != 0) out << "  layer " << p->layer << "\n";
+    if (p->frozen) out << "  frozen\n";
+    if (p->mirrorOf) out << "  mirror of " << name(p->mirrorOf) << "\n";
+    if (p->grain != Flat{0, 1}) out << "  grain " << fixed(p->grain.u, 3) << " " << fixed(p->grain.v, 3) << "\n";
+    for (const Mark& m : p->marks) out << "  mark " << m.name << " " << (m.edge.empty() ? "hole" : m.edge) << "\n";
+    for (const Outline& h : p->holes) out << "  hole area_cm2 " << fixed(h.area() * 1e4, 1) << "\n";
+    for (const InternalLine& l : p->lines) out << "  line " << l.name << "\n";
+    const Ring ring = p->outline.flattened(1e-3);
+    const Vec3 first = Stand(*p)(ring.front());
+    out << "  stands " << fixed(first.x, 3) << " " << fixed(first.y, 3) << " " << fixed(first.z, 3) << "\n";
+    if (d.drape.dirty.contains(id)) out << "  dirty\n";
+  }
+  for (const auto& [id, s] : d.pattern.seams) {
+    out << "seam " << text(id) << (s.name.empty() ? "" : " " + s.name) << " " << side(s.a)
+        << (s.reversed ? " against " : " along ") << side(s.b) << (s.tie == Seam::Tie::TwoToOne ? " 2:1" : " 1:1")
+        << " ease " << fixed(easeRatio(d.pattern, s), 3) << "\n";
+  }
+  for (const auto& [fabricName, f] : d.fabrics)
+    out << "fabric " << fabricName << " weight " << fixed(f.weight, 3) << "\n";
+  for (const auto& [id, places] : d.pins) out << "pins " << name(id) << " " << places.size() << "\n";
+  const Settings usual;
+  if (d.settings.spacing != usual.spacing) out << "spacing_mm " << fixed(d.settings.spacing * 1000, 1) << "\n";
+  if (d.settings.ease != usual.ease) out << "ease_mm " << fixed(d.settings.ease * 1000, 1) << "\n";
+  if (d.settings.collider != usual.collider) out << "collider planes\n";
+  if (d.drape.last) out << "draped " << (d.drape.last->settled ? "settled" : "not settled") << "\n";
+  return out.str();
+}
+
+class EachOperation : public ::testing::TestWithParam<std::string> {
+ protected:
+  fs::path folder() const { return fs::path(KARINUI_SOURCE_DIR) / "tests/design/operations" / GetParam(); }
+  // "EGG" in a script stands for the name of the test's figure.
+  std::string script(const char* name) {
+    std::string all = read(folder() / name);
+    for (std::size_t at; (at = all.find("EGG")) != std::string::npos;)
+      all.replace(at, 3, *room_.blobs.put(packBody(egg())));
+    return all;
+  }
+  static Workroom& room() {
+    static Workroom shared;  // figures are built once for all
+    return shared;
+  }
+  Workroom& room_ = room();
+};
+
+TEST_P(EachOperation, DoesWhatItSaysCanBeUndoneAndReplays) {
+  DocumentFile file = DocumentFile::inMemory();
+  const Done started = room_.play(file, script("start.ops"));
+  ASSERT_TRUE(started) << text(started.error().what);
+  const std::string before = facts(file.document()), beforeHash = hash(file.document()),
+                    beforeStand = drapeHash(file.document());
+  const std::size_t had = file.steps().size();
+
+  const Done done = room_.play(file, script("operation.ops"));
+  ASSERT_TRUE(done) << text(done.error().what);
+  const std::string expected = read(folder() / "expected.txt");
+  EXPECT_EQ(facts(file.document()), expected);
+  const std::string afterHash = hash(file.document()), afterStand = drapeHash(file.document());
+
+  DocumentFile again = DocumentFile::inMemory();
+  const std::string log = file.log();
+  const Done replay = room_.play(again, log);
+  ASSERT_TRUE(replay) << text(replay.error().what) << "\n" << log;
+  EXPECT_EQ(again.log(), log);
+  EXPECT_EQ(hash(again.document()), afterHash);
+  EXPECT_EQ(drapeHash(again.document()), afterStand);
+
+  while (file.steps().size() > had) ASSERT_TRUE(file.undo(room_.context));
+  EXPECT_EQ(facts(file.document()), before);
+  EXPECT_EQ(hash(file.document()), beforeHash);
+  EXPECT_EQ(drapeHash(file.document()), beforeStand);
+  while (!file.undone().empty()) ASSERT_TRUE(file.redo(room_.context));
+  EXPECT_EQ(hash(file.document()), afterHash);
+}
+
+TEST_P(EachOperation, RefusesInWordsAndChangesNothing) {
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room_.play(file, script("start.ops")));
+  const std::string before = hash(file.document()), stand = drapeHash(file.document());
+  const auto refusals = lines(folder() / "refused.txt");
+  ASSERT_FALSE(refusals.empty());
+  for (const std::string& line : refusals) {
+    const std::size_t arrow = line.find(" => ");
+    ASSERT_NE(arrow, std::string::npos) << line;
+    const auto op = parseOperation(line.substr(0, arrow));
+    ASSERT_TRUE(op) << line << ": " << text(op.error().what);
+    const auto step = file.perform(*op, room_.context);
+    ASSERT_FALSE(step) << line;
+    EXPECT_THAT(text(step.error().what), ::testing::HasSubstr(line.substr(arrow + 4)));
+    EXPECT_EQ(hash(file.document()), before);
+    EXPECT_EQ(drapeHash(file.document()), stand);
+  }
+}
+
+std::vector<std::string> folders() {
+  std::vector<std::string> all;
+  for (const auto& entry : fs::directory_iterator(fs::path(KARINUI_SOURCE_DIR) / "tests/design/operations"))
+    if (fs::exists(entry.path() / "start.ops")) all.push_back(entry.path().filename().string());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Folders, EachOperation, ::testing::ValuesIn(folders()), [](const auto& p) { return p.param; });
+
+}  // namespace
+}  // namespace karinui
