@@ -7,10 +7,6 @@ namespace {
 Error missing(std::string_view what) { return refused(say("“{0}” is not built yet.", what)); }
 }  // namespace
 
-Done resolve(const Document&, DrawPiece&, Context&) { return missing("draw"); }
-Result<Document> perform(const Document&, const DrawPiece&, Context&) { return missing("draw"); }
-Done resolve(const Document&, ReshapePiece&, Context&) { return missing("reshape"); }
-Result<Document> perform(const Document&, const ReshapePiece&, Context&) { return missing("reshape"); }
 Done resolve(const Document&, CutPiece&, Context&) { return missing("cut"); }
 Result<Document> perform(const Document&, const CutPiece&, Context&) { return missing("cut"); }
 
