@@ -49,6 +49,7 @@ class LevelSolver {
   void tieWithin(double gap);  // ties every open pair nearer than this
   void stop();                 // forget velocity and anchors
   double anchorMove() const { return contact_.anchorMove(); }
+  std::size_t selfPairs() const { return self_.pairs(); }
   std::size_t touching() const { return contact_.touching(); }
   std::size_t unknowns() const { return ties_->unknowns(); }
   const std::vector<NodeIndex>& moving() const { return moving_; }

@@ -78,6 +78,8 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
       so.falls = true;
       return so;
     }
+    // A longer step may move more at the same speed; what a long step would still move is asked below.
+    const double allowed = rule.move * std::fmax(1.0, stride.seconds / kLongest);
     // Cloth that creeps one way is given longer steps; cloth that swings or snaps is not.
     if (step.shortened)
       stride.seconds = std::fmax(0.25 * kFrame, 0.7 * stride.seconds);
@@ -86,7 +88,7 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
     else
       stride.seconds = stride.seconds > kLongest ? std::fmax(kLongest, 0.5 * stride.seconds)
                                                  : std::fmin(kLongest, 1.1 * stride.seconds);
-    calm = step.move < rule.move && step.residual < rule.residual && solver.allTied() ? calm + 1 : 0;
+    calm = step.move < allowed && step.residual < rule.residual && solver.allTied() ? calm + 1 : 0;
     if (calm < 3) continue;
     if (rule.left > 0) {
       LevelSolver::Stride longer = stride;
