@@ -1,9 +1,16 @@
 #pragma once
-// The figure one sews for: a closed surface with landmarks and, if it is a mannequin of ours, a template by which a place
-// on it is found again on any other mannequin. Immutable and shared once built; any thread may read. Metres, y up,
-// feet on y = 0, facing +z, +x is the body's left.
+// The figure one sews for: a closed surface with landmarks and, if it is a mannequin of ours, a template by which a
+// place on it is found again on any other mannequin. Immutable and shared once built; any thread may read. Metres, y
+// up, feet on y = 0, facing +z, +x is the body's left.
+//
+// What is exact and what is estimated. On a mannequin of ours the chart stands on the joints it was drawn from, so the
+// same BodyPoint lies at the anatomically same place on every mannequin (the same level, the same direction from the
+// middle). On any other body the levels and limb axes are estimated from plane sections of the mesh: waist, hip, bust,
+// armpit and crotch are those of measure() (good to millimetres), the joints of the arm are good to about a centimetre,
+// neck and shoulder levels to about two. Landmarks lie on the skin; they are estimated from sections on every body.
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,11 +34,14 @@ struct BodyPoint {
   enum class Part { Torso, LeftArm, RightArm, LeftLeg, RightLeg, Landmark, Face };
   Part part = Part::Torso;
   double along = 0, around = 0;
-  std::string landmark;   // Part::Landmark
-  SurfacePoint onFace;    // Part::Face
+  std::string landmark;  // Part::Landmark
+  SurfacePoint onFace;   // Part::Face
 };
 std::string text(const BodyPoint& point);
-Result<BodyPoint> parseBodyPoint(std::string_view text);
+Result<BodyPoint> parseBodyPoint(std::string_view text);  // the exact inverse of text()
+// The names of a part's levels, 0 first: torso from crotch to crown, arms from shoulder to fingertip, legs from crotch
+// to sole. Empty for Landmark and Face.
+std::span<const std::string_view> chartLevels(BodyPoint::Part part);
 
 class Body {
  public:
@@ -39,10 +49,10 @@ class Body {
   struct Parts {
     std::string name;
     TriangleMesh mesh;
-    Measurements measured;                 // may be empty
-    std::map<std::string, Vec3> landmarks; // may be empty
-    struct Template;                       // the mannequin's chart; private to body/
-    std::shared_ptr<const Template> chart; // may be null
+    Measurements measured;                  // measured on the mesh when empty
+    std::map<std::string, Vec3> landmarks;  // estimated when empty; put onto the skin
+    struct Template;                        // the mannequin's chart; private to body/
+    std::shared_ptr<const Template> chart;  // estimated when null, where the body can be read
   };
   static Result<std::shared_ptr<const Body>> make(Parts parts, Workers& workers, const Token& token);
 
@@ -54,9 +64,13 @@ class Body {
   const std::map<std::string, Vec3>& landmarks() const { return parts_.landmarks; }
   const std::string& hash() const { return hash_; }  // of mesh and landmarks
 
+  // A place of the chart is where the ray from the middle of its part first leaves the body. Refused where there is no
+  // skin (the inner side of the shoulder runs into the trunk).
   Result<SurfacePoint> find(const BodyPoint& point) const;
-  BodyPoint describe(const SurfacePoint& place) const;         // chart form where there is a template
-  Result<BodyPoint> mirrored(const BodyPoint& point) const;    // the same place on the other side (x -> -x)
+  // The inverse of find: chart form wherever find comes back to within 0.1 mm, else face form (between fingers and
+  // toes, in folds that no ray from the middle reaches first).
+  BodyPoint describe(const SurfacePoint& place) const;
+  Result<BodyPoint> mirrored(const BodyPoint& point) const;  // the same place on the other side (x -> -x)
 
   Body(Parts parts, Bvh bvh, DistanceField field, std::string hash);
 
@@ -72,8 +86,8 @@ using BodyPtr = std::shared_ptr<const Body>;
 // what is not stated follows from what is. Refuses measurements no body can have, saying which.
 Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token);
 
-// Measures any standing A-pose body: height, girths as a tight tape (hull of a plane section), limbs, lengths. Keys as in
-// measurements.h. What cannot be found on this body is left out.
+// Measures any standing A-pose body: height, girths as a tight tape (hull of a plane section), limbs, lengths. Keys as
+// in measurements.h. What cannot be found on this body is left out.
 Measurements measure(const TriangleMesh& mesh, const Bvh& bvh);
 
 }  // namespace karinui

@@ -1,6 +1,9 @@
 #pragma once
 // What a tape says of a person. Keys are the ISO 8559-1 names in snake case (bust_girth, waist_girth, height, …), in
 // metres; shoulder_slope and arm_angle in radians. FreeSewing, GarmentCode and Valentina names are accepted as aliases.
+// One key means something else than its everyday name: arm_length runs along the bones, from the middle of the shoulder
+// joint over the elbow to the wrist, so that it does not depend on the flesh; the tape over the shoulder point is
+// shoulder_to_wrist_length. docs/user/body.md says how each is taken. Pure functions, any thread.
 #include <map>
 #include <span>
 #include <string>
@@ -20,9 +23,14 @@ struct Measurements {
 
 // "waist", "waistGirth", "waist_girth" -> "waist_girth"; an unknown name lists near ones.
 Result<std::string> measurementKey(std::string_view anyName);
-std::span<const std::string_view> measurementKeys();
+std::span<const std::string_view> measurementKeys();  // everything measure() may say
+std::span<const std::string_view> mannequinKeys();    // those a mannequin can be made to
+bool isAngle(std::string_view key);                   // radians instead of metres
 // "jis9ar", "eu38", "eu50"
 Result<Measurements> builtInSize(std::string_view name);
 std::span<const std::string_view> builtInSizes();
+
+// Every stated number is one a human adult can have and they go together; otherwise which is wrong and by how much.
+Done plausible(const Measurements& stated);
 
 }  // namespace karinui

@@ -1,0 +1,149 @@
+#include "karinui/body/body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "body/chart.h"
+#include "body/reading.h"
+#include "karinui/base/hash.h"
+
+namespace karinui {
+
+namespace {
+
+using Part = BodyPoint::Part;
+constexpr double kSamePlace = 1e-4;  // metres: a chart place that comes back this near is the same
+
+std::string hashOf(const Body::Parts& parts) {
+  Hasher hasher;
+  hasher.add(std::span<const Vec3>(parts.mesh.points)).add(std::span<const Triangle>(parts.mesh.faces));
+  for (const auto& [name, place] : parts.landmarks) hasher.add(name).add(place.x).add(place.y).add(place.z);
+  return hasher.hex();
+}
+
+Done usable(const TriangleMesh& mesh) {
+  if (mesh.faces.empty()) return badInput(say("The body has no surface."));
+  for (const Vec3& p : mesh.points)
+    if (!finite(p)) return badInput(say("The body has a point that is not a number."));
+  for (const Triangle& f : mesh.faces)
+    for (const std::uint32_t i : f)
+      if (i >= mesh.points.size()) return badInput(say("The body has a face with a corner that does not exist."));
+  return {};
+}
+
+std::string otherSide(const std::string& name) {
+  for (const auto& [from, to] : {std::pair{"_left", "_right"}, {"_right", "_left"}})
+    if (name.ends_with(from)) return name.substr(0, name.size() - std::string_view(from).size()) + to;
+  return name;
+}
+
+}  // namespace
+
+Body::Body(Parts parts, Bvh bvh, DistanceField field, std::string hash)
+    : parts_(std::move(parts)), bvh_(std::move(bvh)), field_(std::move(field)), hash_(std::move(hash)) {}
+
+Result<std::shared_ptr<const Body>> Body::make(Parts parts, Workers& workers, const Token& token) {
+  if (const Done ok = usable(parts.mesh); !ok) return ok.error();
+  Bvh bvh(parts.mesh);
+  if (!parts.chart || parts.measured.value.empty() || parts.landmarks.empty()) {
+    const Reading reading = readBody(parts.mesh);
+    if (!parts.chart) parts.chart = chartOf(reading);
+    if (parts.measured.value.empty()) parts.measured = measure(parts.mesh, bvh);
+    if (parts.landmarks.empty()) parts.landmarks = reading.landmark;
+  }
+  for (auto& [name, place] : parts.landmarks)  // landmarks lie on the skin
+    if (const auto near = bvh.nearest(place)) place = near->point;
+  std::string hash = hashOf(parts);
+  auto field = DistanceField::build(parts.mesh, bvh, {}, workers, token);
+  if (!field) return field.error();
+  return std::make_shared<const Body>(std::move(parts), std::move(bvh), std::move(field).value(), std::move(hash));
+}
+
+Result<SurfacePoint> Body::find(const BodyPoint& point) const {
+  if (point.part == Part::Landmark) {
+    const auto it = parts_.landmarks.find(point.landmark);
+    if (it == parts_.landmarks.end()) return notFound(say("This body has no landmark called \"{0}\".", point.landmark));
+    return bvh_.nearest(it->second)->place;
+  }
+  if (point.part == Part::Face) {
+    if (point.onFace.face >= parts_.mesh.faces.size())
+      return notFound(say("This body has no face {0}.", static_cast<long long>(point.onFace.face)));
+    return point.onFace;
+  }
+  if (!parts_.chart)
+    return refused(say("On this body torso and limbs could not be found; only landmarks and faces name a place."));
+  const double top = static_cast<double>(chartLevels(point.part).size() - 1);
+  if (!(point.along >= 0 && point.along <= top) || !std::isfinite(point.around))
+    return badInput(say("The place {0} lies beyond its part of the body.", text(point)));
+  const Ray ray = parts_.chart->at(point.part, point.along);
+  const Vec3 towards = normalized(ray.towards(point.around));
+  // The skin of this part is where the ray first leaves the body.
+  for (const Bvh::Hit& hit : bvh_.all(ray.from, towards)) {
+    if (hit.along > parts_.chart->reach(point.part)) break;
+    if (!hit.outside) return hit.place;
+  }
+  return refused(say("There is no skin at {0} on this body: there it runs into another part.", text(point)));
+}
+
+BodyPoint Body::describe(const SurfacePoint& place) const {
+  const Vec3 p = at(parts_.mesh, place);
+  BodyPoint point;
+  if (parts_.chart) {
+    static constexpr std::array kOrder{Part::LeftArm, Part::RightArm, Part::LeftLeg, Part::RightLeg, Part::Torso};
+    for (const Part part : kOrder)
+      for (const double along : parts_.chart->alongOf(part, p)) {
+        const Ray ray = parts_.chart->at(part, along);
+        const Vec3 q = p - ray.from;
+        const double turns = std::atan2(dot(q, ray.side), dot(q, ray.front)) / (2 * std::numbers::pi);
+        point.part = part;
+        point.along = along;
+        point.around = turns < 0 ? turns + 1 : turns;
+        if (point.around >= 1) point.around = 0;
+        if (const auto back = find(point); back && distance(at(parts_.mesh, *back), p) < kSamePlace) return point;
+      }
+  }
+  point = {};
+  point.part = Part::Face;
+  point.onFace = place;
+  return point;
+}
+
+Result<BodyPoint> Body::mirrored(const BodyPoint& point) const {
+  BodyPoint out = point;
+  switch (point.part) {
+    case Part::Landmark: {
+      out.landmark = otherSide(point.landmark);
+      if (!parts_.landmarks.contains(out.landmark))
+        return notFound(say("This body has no landmark called \"{0}\".", out.landmark));
+      return out;
+    }
+    case Part::Face: {
+      const auto here = find(point);
+      if (!here) return here.error();
+      Vec3 p = at(parts_.mesh, *here);
+      p.x = -p.x;
+      out.onFace = bvh_.nearest(p)->place;
+      return out;
+    }
+    case Part::LeftArm:
+      out.part = Part::RightArm;
+      break;
+    case Part::RightArm:
+      out.part = Part::LeftArm;
+      break;
+    case Part::LeftLeg:
+      out.part = Part::RightLeg;
+      break;
+    case Part::RightLeg:
+      out.part = Part::LeftLeg;
+      break;
+    case Part::Torso:
+      break;
+  }
+  out.around = point.around == 0 ? 0 : 1 - point.around;
+  return out;
+}
+
+}  // namespace karinui

@@ -1,0 +1,102 @@
+#include "body/tube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace karinui {
+
+namespace {
+
+constexpr double kPad = 0.04;
+
+Section blended(const Section& a, const Section& b, double t, int coefficients) {
+  Section out;
+  out.centre = lerp(a.centre, b.centre, t);
+  out.side = lerp(a.side, b.side, t);
+  out.front = lerp(a.front, b.front, t);
+  for (int k = 0; k < coefficients; ++k) out.shape[k] = std::lerp(a.shape[k], b.shape[k], t);
+  return out;
+}
+
+}  // namespace
+
+Tube::Tube(const std::vector<Section>& stations, Harmonics harmonics, int steps) : harmonics_(harmonics) {
+  const int n = static_cast<int>(stations.size());
+  const auto mix = [&](int i, double t) {
+    const Section &b = stations[i], &c = stations[i + 1];
+    const Section &before = stations[std::max(0, i - 1)], &after = stations[std::min(n - 1, i + 2)];
+    const auto spline = [&](auto part) {
+      // The ends are continued straight.
+      const auto pb = part(b), pc = part(c);
+      const auto pa = i > 0 ? part(before) : pb * 2.0 - pc;
+      const auto pd = i + 2 < n ? part(after) : pc * 2.0 - pb;
+      return (pb * 2.0 + (pc - pa) * t + (pa * 2.0 - pb * 5.0 + pc * 4.0 - pd) * (t * t) +
+              (pb * 3.0 - pa - pc * 3.0 + pd) * (t * t * t)) *
+             0.5;
+    };
+    Section out;
+    out.centre = spline([](const Section& s) { return s.centre; });
+    out.normal = normalized(spline([](const Section& s) { return s.normal; }));
+    out.side = spline([](const Section& s) { return s.side; });
+    out.front = spline([](const Section& s) { return s.front; });
+    for (int k = 0; k < harmonics_.coefficients(); ++k)
+      out.shape[k] = spline([k](const Section& s) { return s.shape[k]; });
+    return out;
+  };
+  for (int i = 0; i + 1 < n; ++i)
+    for (int s = 0; s < steps; ++s) ring_.push_back(mix(i, double(s) / steps));
+  ring_.push_back(stations.back());
+  for (std::size_t i = 0; i + 1 < ring_.size(); ++i)
+    reach_.push_back(std::max(ring_[i].shape[0], ring_[i + 1].shape[0]) * 2.2 + kPad +
+                     distance(ring_[i].centre, ring_[i + 1].centre));
+}
+
+Tube::Value Tube::at(Vec3 p) const {
+  const std::size_t n = ring_.size();
+  const auto beyond = [&](std::size_t k) { return dot(p - ring_[k].centre, ring_[k].normal); };
+  const double first = beyond(0), last = beyond(n - 1);
+  const auto within = [&](Vec3 centre, double reach) { return squaredLength(p - centre) < reach * reach; };
+  Value out;
+  std::size_t low = n;
+  double t = 0, before = first;
+  for (std::size_t k = 1; k < n; ++k) {
+    const double now = beyond(k);
+    if (before >= 0 && now < 0 && within(lerp(ring_[k - 1].centre, ring_[k].centre, 0.5), reach_[k - 1])) {
+      low = k - 1;
+      t = before / std::max(before - now, 1e-12);
+      break;
+    }
+    before = now;
+  }
+  if (low == n) {
+    if (first < 0 && first > -kPad && within(ring_[0].centre, ring_[0].shape[0] * 2.2 + kPad)) {
+      low = 0, t = 0;
+    } else if (last >= 0 && last < kPad && within(ring_[n - 1].centre, ring_[n - 1].shape[0] * 2.2 + kPad)) {
+      low = n - 2, t = 1;
+    } else {
+      return out;
+    }
+  }
+  const Section here = blended(ring_[low], ring_[low + 1], t, harmonics_.coefficients());
+  const Vec3 q = p - here.centre;
+  const double a = dot(q, here.front), b = dot(q, here.side), far = std::sqrt(a * a + b * b);
+  const double cosine = far > 0 ? a / far : 1, sine = far > 0 ? b / far : 0;
+  out.across = std::min(kNowhere, far - radius(here.shape, harmonics_, cosine, sine));
+  out.cap = std::max(-first, last);
+  return out;
+}
+
+void Tube::bounds(Vec3& low, Vec3& high) const {
+  low = {1e9, 1e9, 1e9};
+  high = {-1e9, -1e9, -1e9};
+  for (const Section& s : ring_)
+    for (int i = 0; i < 24; ++i) {
+      const double t = 2 * std::numbers::pi * i / 24, c = std::cos(t), sn = std::sin(t);
+      const Vec3 p = s.centre + (s.front * c + s.side * sn) * radius(s.shape, harmonics_, c, sn);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+}
+
+}  // namespace karinui

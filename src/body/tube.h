@@ -1,0 +1,29 @@
+#pragma once
+// A limb as a distance field: a row of sections, drawn out finely between its stations by Catmull-Rom over their index.
+// Near the surface the value is the distance divided by nothing more than the slope of the radius; the caller evens it.
+#include <vector>
+
+#include "body/figure.h"
+
+namespace karinui {
+
+class Tube {
+ public:
+  Tube(const std::vector<Section>& stations, Harmonics harmonics, int steps = 4);
+  static constexpr double kNowhere = 0.3;
+
+  struct Value {
+    double across = kNowhere;  // distance to the centre less the section's radius there
+    double cap = -1;           // > 0 beyond the first or last plane
+  };
+  Value at(Vec3 p) const;
+  const std::vector<Section>& rings() const { return ring_; }
+  void bounds(Vec3& low, Vec3& high) const;
+
+ private:
+  std::vector<Section> ring_;
+  std::vector<double> reach_;  // how far from the middle of an interval its planes are believed
+  Harmonics harmonics_;
+};
+
+}  // namespace karinui
