@@ -65,20 +65,4 @@ void addCouplings(const std::vector<ClosingPull>& pulls, const TieMap& ties, std
   }
 }
 
-std::vector<TieMap::Part> partsOf(const TieMap& ties, std::span<const std::uint32_t> nodes,
-                                  std::span<const double> weights) {
-  std::vector<TieMap::Part> parts;
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    for (const TieMap::Part& part : ties.parts(nodes[k])) {
-      bool found = false;
-      for (TieMap::Part& have : parts)
-        if (have.unknown == part.unknown) {
-          have.weight += part.weight * weights[k];
-          found = true;
-        }
-      if (!found) parts.push_back({part.unknown, part.weight * weights[k]});
-    }
-  return parts;
-}
-
 }  // namespace karinui

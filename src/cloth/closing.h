@@ -21,8 +21,4 @@ std::vector<ClosingPull> closingPulls(const Cloth& cloth, const std::vector<std:
 void addGradient(const std::vector<ClosingPull>& pulls, std::span<Vec3> gradient);
 void addCouplings(const std::vector<ClosingPull>& pulls, const TieMap& ties, std::vector<Coupling>& couplings);
 
-// Parts of a weighted sum of nodes in terms of unknowns, each unknown once.
-std::vector<TieMap::Part> partsOf(const TieMap& ties, std::span<const std::uint32_t> nodes,
-                                  std::span<const double> weights);
-
 }  // namespace karinui

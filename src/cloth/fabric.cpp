@@ -47,11 +47,11 @@ Result<Fabric> preset(std::string_view name) {
 Result<void> checkFabric(const Fabric& fabric) {
   const Range ranges[] = {
       {"weight", fabric.weight, 0.005, 5, "kg/m2"},
-      {"stretch along the warp", fabric.stretchWarp, 1, 1e5, "N/m"},
-      {"stretch along the weft", fabric.stretchWeft, 1, 1e5, "N/m"},
-      {"shear", fabric.shear, 0, 1e5, "N/m"},
-      {"bending of the warp", fabric.bendWarp, 0, 1e-1, "N m"},
-      {"bending of the weft", fabric.bendWeft, 0, 1e-1, "N m"},
+      {"stretch along the warp", fabric.stretchWarp, 1, 1e6, "N/m"},
+      {"stretch along the weft", fabric.stretchWeft, 1, 1e6, "N/m"},
+      {"shear", fabric.shear, 0, 1e6, "N/m"},
+      {"bending of the warp", fabric.bendWarp, 0, 1, "N m"},
+      {"bending of the weft", fabric.bendWeft, 0, 1, "N m"},
       {"compression", fabric.compression, 0, 1, ""},
       {"toe", fabric.toe, 0, 0.5, ""},
       {"thickness", fabric.thickness, 1e-5, 0.02, "m"},

@@ -49,15 +49,18 @@ double skinOffset(const SettleSettings& settings, double spacing, double finest)
   return spacing > 1.25 * finest ? std::max(settings.skin, 0.12 * spacing) : settings.skin;
 }
 
+double clothRadius(double spacing, double finest) { return spacing > 1.25 * finest ? 0.2 * spacing : 0.002; }
+
 LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider& body, const SettleSettings& settings,
-                         Workers& workers)
+                         double clothRadius, Workers& workers)
     : cloth_(cloth),
       workers_(workers),
       x_(std::move(x)),
       velocity_(cloth.nodeCount),
       gradient_(cloth.nodeCount),
       tied_(cloth.ties.size(), 0),
-      contact_(body, movingOf(cloth).contact, settings.skin) {
+      contact_(body, movingOf(cloth).contact, settings.skin),
+      self_(cloth, clothRadius) {
   Moving moving = movingOf(cloth);
   mass_ = std::move(moving.mass);
   held_ = std::move(moving.held);
@@ -98,11 +101,21 @@ void LevelSolver::rebuild() {
   ties_ = std::make_unique<TieMap>(cloth_, held_, tied_);
   ties_->gather(x_);
   system_ = std::make_unique<BlockSystem>(*ties_, changing_, constant_, constantBlocks_);
+  self_.setTies(*ties_);
   open_ = static_cast<std::size_t>(std::count(tied_.begin(), tied_.end(), 0));
 }
 
 void LevelSolver::place(std::vector<Vec3> x) {
   x_ = std::move(x);
+  ties_->gather(x_);
+  stop();
+}
+
+void LevelSolver::moveGuarded(std::vector<Vec3> moves) {
+  for (NodeIndex k = 0; k < cloth_.nodeCount; ++k)
+    if (held_[k]) moves[k] = {};
+  self_.guard(x_, moves, workers_);
+  for (NodeIndex k = 0; k < cloth_.nodeCount; ++k) x_[k] += moves[k];
   ties_->gather(x_);
   stop();
 }
@@ -140,6 +153,9 @@ void LevelSolver::assemble(const Stride& stride) {
   contact_.find(x_, stride.friction, workers_);
   contact_.addGradient(gradient_);
   std::vector<Coupling> couplings;
+  self_.find(x_, workers_);
+  self_.addGradient(gradient_);
+  self_.addCouplings(*ties_, couplings);
   if (open_ > 0) {
     const auto pulls = closingPulls(cloth_, tied_, x_, contact_);
     karinui::addGradient(pulls, gradient_);
@@ -204,11 +220,17 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
       nodeMove_[k] = contact_.limited(x_[k], nodeMove_[k] * scale);
     }
   });
+  self_.guard(x_, nodeMove_, workers_);
+  double now = 0, before = 0, both = 0;
   for (NodeIndex k : moving_) {
     x_[k] += nodeMove_[k];
+    now += squaredLength(nodeMove_[k]);
+    before += squaredLength(velocity_[k]);
+    both += dot(nodeMove_[k], velocity_[k]);
     velocity_[k] = nodeMove_[k] * (1 / stride.seconds);
     outcome.move = std::fmax(outcome.move, length(nodeMove_[k]));
   }
+  outcome.along = now > 0 && before > 0 ? both / std::sqrt(now * before) : 0;
   if (!cloth_.ties.empty()) ties_->gather(x_);
   if (stride.friction) contact_.moveAnchors(x_, workers_);
   return outcome;

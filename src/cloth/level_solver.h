@@ -9,6 +9,7 @@
 #include "cloth/body_contact.h"
 #include "cloth/closing.h"
 #include "cloth/membrane.h"
+#include "cloth/self_contact.h"
 #include "cloth/springs.h"
 #include "karinui/cloth/settle.h"
 
@@ -17,8 +18,9 @@ namespace karinui {
 class LevelSolver {
  public:
   // The cloth and the collider must outlive this. `x`: where the cloth stands.
+  // `clothRadius`: how near cloth comes to cloth, metres.
   LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider& body, const SettleSettings& settings,
-              Workers& workers);
+              double clothRadius, Workers& workers);
 
   struct Stride {
     double seconds = 1.0 / 60, keep = 1;  // of the velocity
@@ -30,6 +32,7 @@ class LevelSolver {
   struct Outcome {
     double move = 0;      // largest, metres
     double residual = 0;  // rms unbalanced force in node weights, before the step
+    double along = 0;     // cosine between this step's moves and the last one's: 1 is creep, below 0 swinging
     bool shortened = false, finite = true;
     int iterations = 0;
   };
@@ -40,10 +43,13 @@ class LevelSolver {
   const Cloth& cloth() const { return cloth_; }
   const std::vector<Vec3>& places() const { return x_; }
   void place(std::vector<Vec3> x);  // stand elsewhere, at rest
+  // Stands as moved, as far as nothing passes through other cloth; at rest.
+  void moveGuarded(std::vector<Vec3> moves);
   bool allTied() const { return open_ == 0; }
   void tieWithin(double gap);  // ties every open pair nearer than this
   void stop();                 // forget velocity and anchors
   double anchorMove() const { return contact_.anchorMove(); }
+  std::size_t selfPairs() const { return self_.pairs(); }
   std::size_t touching() const { return contact_.touching(); }
   std::size_t unknowns() const { return ties_->unknowns(); }
   const std::vector<NodeIndex>& moving() const { return moving_; }
@@ -77,11 +83,14 @@ class LevelSolver {
   std::unique_ptr<TieMap> ties_;
   std::unique_ptr<BlockSystem> system_;
   BodyContact contact_;
+  SelfContact self_;
   std::optional<Hand> hand_;
   double nodeWeight_ = 0;
   std::vector<Vec3> force_, move_, nodeMove_;
 };
 
+// On coarse levels cloth keeps further away, so that finer cloth finds room.
 double skinOffset(const SettleSettings& settings, double spacing, double finest);
+double clothRadius(double spacing, double finest);
 
 }  // namespace karinui

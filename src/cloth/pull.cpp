@@ -53,7 +53,8 @@ Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& gri
   if (const auto fine = checkSettings(settings); !fine) return fine.error();
   if (const auto fine = checkGrip(grip, level.cloth); !fine) return fine.error();
 
-  LevelSolver solver(level.cloth, level.state.position, body, settings, workers);
+  LevelSolver solver(level.cloth, level.state.position, body, settings,
+                     clothRadius(level.cloth.spacing, level.cloth.spacing), workers);
   solver.tieWithin(level.cloth.spacing);
   LevelSolver::Hand hand;
   hand.nodes = grip.nodes;

@@ -7,8 +7,12 @@ namespace karinui {
 namespace {
 
 constexpr double kFrame = 1.0 / 60;
-constexpr double kLongest = 1.0 / 30;  // seconds of a step
-constexpr double kTieGap = 0.002;      // metres: nearer than this a pair is sewn
+constexpr double kLongest = 1.0 / 30;   // seconds of a step
+constexpr double kCreep = 0.95;         // cosine between steps
+constexpr double kCreepLongest = 0.25;  // seconds of a step while cloth creeps
+constexpr double kCalming = 0.002;      // share of the velocity taken off per step, growing,
+constexpr int kCalmAfter = 100;         // after so many steps: the long waves have run by then
+constexpr double kTieGap = 0.002;       // metres: nearer than this a pair is sewn
 constexpr int kSewSteps = 300;
 constexpr int kFallSteps = 40;  // steps on nothing at all
 
@@ -62,6 +66,7 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
   int calm = 0, alone = 0;
   bool touched = false;
   for (int k = 0; k < rule.mostSteps; ++k) {
+    stride.keep = std::clamp(1 - kCalming * (k - kCalmAfter), 0.5, 1.0);
     const auto step = solver.step(stride, token);
     note(so, step, token);
     if (!so.finite || so.cancelled) return so;
@@ -73,9 +78,17 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
       so.falls = true;
       return so;
     }
-    stride.seconds =
-        step.shortened ? std::fmax(0.25 * kFrame, 0.7 * stride.seconds) : std::fmin(kLongest, 1.1 * stride.seconds);
-    calm = step.move < rule.move && step.residual < rule.residual && solver.allTied() ? calm + 1 : 0;
+    // A longer step may move more at the same speed; what a long step would still move is asked below.
+    const double allowed = rule.move * std::fmax(1.0, stride.seconds / kLongest);
+    // Cloth that creeps one way is given longer steps; cloth that swings or snaps is not.
+    if (step.shortened)
+      stride.seconds = std::fmax(0.25 * kFrame, 0.7 * stride.seconds);
+    else if (step.along > kCreep)
+      stride.seconds = std::fmin(kCreepLongest, 1.1 * stride.seconds);
+    else
+      stride.seconds = stride.seconds > kLongest ? std::fmax(kLongest, 0.5 * stride.seconds)
+                                                 : std::fmin(kLongest, 1.1 * stride.seconds);
+    calm = step.move < allowed && step.residual < rule.residual && solver.allTied() ? calm + 1 : 0;
     if (calm < 3) continue;
     if (rule.left > 0) {
       LevelSolver::Stride longer = stride;

@@ -34,18 +34,18 @@ bool standsSewn(const ClothLevel& finest) {
 }
 
 // A level that was interpolated may stand in the skin.
-void pushOut(LevelSolver& solver, const Collider& body, double offset, Workers& workers) {
-  std::vector<Vec3> x = solver.places();
+std::vector<Vec3> outOfBody(const LevelSolver& solver, const Collider& body, double offset, Workers& workers) {
+  std::vector<Vec3> moves(solver.places().size());
   const auto& moving = solver.moving();
   workers.forBlocks(moving.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      Vec3& place = x[moving[n]];
+      const Vec3 place = solver.places()[moving[n]];
       if (!body.mayTouch(place, offset)) continue;
       const auto contact = body.contact(place);
-      if (contact.distance < 0.95 * offset) place += contact.normal * (0.95 * offset - contact.distance);
+      if (contact.distance < 0.95 * offset) moves[moving[n]] = contact.normal * (0.95 * offset - contact.distance);
     }
   });
-  solver.place(std::move(x));
+  return moves;
 }
 
 }  // namespace
@@ -78,16 +78,21 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     const bool last = l + 1 == levels.size();
     SettleSettings here = settings;
     here.skin = skinOffset(settings, level.cloth.spacing, finest.cloth.spacing);
-    std::vector<Vec3> start =
-        l > first ? prolong(levels[l - 1].cloth, x, level.cloth, level.state.position).smooth : level.state.position;
-    LevelSolver solver(level.cloth, std::move(start), body, here, workers);
+    Prolonged finer;
+    if (l > first) finer = prolong(levels[l - 1].cloth, x, level.cloth, level.state.position);
+    LevelSolver solver(level.cloth, l > first ? finer.straight : level.state.position, body, here,
+                       clothRadius(level.cloth.spacing, finest.cloth.spacing), workers);
     const auto share = static_cast<double>(l - first) / static_cast<double>(levels.size() - first);
     const auto watch = [&](Message doing) {
       return
           [&token, share, doing = std::move(doing)](int, const LevelSolver::Outcome&) { token.progress(share, doing); };
     };
     if (sewn) solver.tieWithin(sewnAlready ? level.cloth.spacing : kFarApart);
-    if (l > first) pushOut(solver, body, here.skin, workers);
+    if (l > first) {  // straight on the coarse triangles nothing crosses; the rest only as far as that stays so
+      for (std::size_t k = 0; k < finer.smooth.size(); ++k) finer.smooth[k] -= finer.straight[k];
+      solver.moveGuarded(std::move(finer.smooth));
+      solver.moveGuarded(outOfBody(solver, body, here.skin, workers));
+    }
     RestOutcome end;
     const auto add = [&] {
       report.steps += end.steps;

@@ -142,6 +142,22 @@ void TieMap::spread(std::span<const Vec3> unknown, std::vector<Vec3>& node) cons
     for (const Part& part : parts(k)) node[k] += unknown[part.unknown] * part.weight;
 }
 
+std::vector<TieMap::Part> partsOf(const TieMap& ties, std::span<const std::uint32_t> nodes,
+                                  std::span<const double> weights) {
+  std::vector<TieMap::Part> parts;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (const TieMap::Part& part : ties.parts(nodes[k])) {
+      bool found = false;
+      for (TieMap::Part& have : parts)
+        if (have.unknown == part.unknown) {
+          have.weight += part.weight * weights[k];
+          found = true;
+        }
+      if (!found) parts.push_back({part.unknown, part.weight * weights[k]});
+    }
+  return parts;
+}
+
 Vec3 gapOf(const Tie& tie, std::span<const Vec3> position) {
   const Vec3 other = tie.c == kNoNode ? position[tie.b] : (position[tie.b] + position[tie.c]) * 0.5;
   return other - position[tie.a];

@@ -22,6 +22,8 @@ class TieMap {
   std::span<const Part> parts(std::uint32_t node) const {
     return {part_.data() + start_[node], part_.data() + start_[node + 1]};
   }
+  // Nodes that move as one.
+  const std::vector<std::vector<std::uint32_t>>& groups() const { return members_; }
   // Moves tied nodes to where their ties want them: groups to their middle (or onto the held node in them), the single
   // point of a folded pair to the pair's middle.
   void gather(std::vector<Vec3>& position) const;
@@ -42,6 +44,10 @@ class TieMap {
   std::vector<std::uint32_t> start_;
   std::vector<Part> part_;
 };
+
+// Parts of a weighted sum of nodes in terms of unknowns, each unknown once.
+std::vector<TieMap::Part> partsOf(const TieMap& ties, std::span<const std::uint32_t> nodes,
+                                  std::span<const double> weights);
 
 // Widest opening of the ties that touch a live piece, metres. Empty garments have none.
 double widestGap(const Cloth& cloth, std::span<const Vec3> position);

@@ -30,7 +30,7 @@ Delaunay::Delaunay(std::span<const Flat> places) {
   // A power of two, so that equal steps of the lattice stay (nearly) equal steps of the grid.
   const double unit = std::exp2(std::ceil(std::log2(extent)) - 27);
   constexpr std::int64_t kFar = std::int64_t{1} << 28;
-  at_ = {{-kFar, -kFar}, {2 * kFar, -kFar}, {-kFar, 2 * kFar}};
+  at_ = {{-kFar, -kFar}, {3 * kFar, -kFar}, {-kFar, 3 * kFar}};  // clear of all places
   faces_ = {{{0, 1, 2}, {kNone, kNone, kNone}}};
   someFace_ = {0, 0, 0};
   std::map<Whole, std::uint32_t> known;

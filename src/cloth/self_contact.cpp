@@ -1,0 +1,311 @@
+#include "cloth/self_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cloth/lattice_shares.h"
+#include "cloth/nearest.h"
+
+namespace karinui {
+namespace {
+
+constexpr double kFirmness = 3e5;  // N/m per m2 of cloth, as against the body
+constexpr double kSlide = 0.0005;  // metres of sliding in a step at which friction is fully felt
+constexpr double kReach = 0.75;    // in longest edges: how far a pair's nearest corners can lie apart
+constexpr std::size_t kMostCells = 400'000;
+constexpr std::size_t kBlock = 128;
+
+void startsOf(std::size_t count, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& items,
+              std::vector<std::uint32_t>& start, std::vector<std::uint32_t>& item) {
+  start.assign(count + 1, 0);
+  item.resize(items.size());
+  for (const auto& [key, value] : items) ++start[key + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
+  for (const auto& [key, value] : items) item[fill[key]++] = value;
+}
+
+}  // namespace
+
+// Nodes sorted into cells of a box around the cloth.
+struct SelfContact::Grid {
+  Vec3 low;
+  double cell = 1;
+  std::array<std::int64_t, 3> count{};
+  std::vector<std::uint32_t> start, item;
+
+  std::array<std::int64_t, 3> at(Vec3 p) const {
+    return {static_cast<std::int64_t>((p.x - low.x) / cell), static_cast<std::int64_t>((p.y - low.y) / cell),
+            static_cast<std::int64_t>((p.z - low.z) / cell)};
+  }
+  std::size_t number(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    return static_cast<std::size_t>((k * count[1] + j) * count[0] + i);
+  }
+  Grid(std::span<const Vec3> x, double reach) : low(x.front()), cell(reach) {
+    Vec3 high = low;
+    for (Vec3 p : x) {
+      low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
+      high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
+    }
+    for (;; cell *= 1.3) {
+      const auto last = at(high);
+      count = {last[0] + 1, last[1] + 1, last[2] + 1};
+      const double cells =
+          static_cast<double>(count[0]) * static_cast<double>(count[1]) * static_cast<double>(count[2]);
+      if (cells <= static_cast<double>(kMostCells)) break;
+    }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> items;
+    items.reserve(x.size());
+    for (std::uint32_t n = 0; n < x.size(); ++n) {
+      const auto c = at(x[n]);
+      items.emplace_back(static_cast<std::uint32_t>(number(c[0], c[1], c[2])), n);
+    }
+    startsOf(static_cast<std::size_t>(count[0] * count[1] * count[2]), items, start, item);
+  }
+};
+
+SelfContact::SelfContact(const Cloth& cloth, double radius)
+    : radius_(radius), firmness_(kFirmness * cloth.spacing * cloth.spacing), spacing_(cloth.spacing) {
+  friction_.assign(cloth.nodeCount, 0);
+  live_.assign(cloth.nodeCount, 0);
+  partner_.resize(cloth.nodeCount);
+  std::iota(partner_.begin(), partner_.end(), 0);
+  const auto root = [&](std::uint32_t k) {
+    while (partner_[k] != k) k = partner_[k] = partner_[partner_[k]];
+    return k;
+  };
+  for (const Tie& tie : cloth.ties) {
+    partner_[root(tie.b)] = root(tie.a);
+    if (tie.c != kNoNode) partner_[root(tie.c)] = root(tie.a);
+  }
+  for (std::uint32_t k = 0; k < cloth.nodeCount; ++k) partner_[k] = root(k);
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> byNode, nears;
+  std::vector<std::pair<std::array<NodeIndex, 2>, NodeIndex>> sides;  // edge and the corner opposite
+  for (const ClothPiece& piece : cloth.pieces) {
+    for (std::uint32_t k = 0; k < piece.lattice->nodes.size(); ++k) {
+      friction_[piece.firstNode + k] = piece.fabric.frictionCloth;
+      live_[piece.firstNode + k] = piece.live ? 1 : 0;
+    }
+    for (const Triangle& f : piece.lattice->faces) {
+      const Triangle face{piece.firstNode + f[0], piece.firstNode + f[1], piece.firstNode + f[2]};
+      for (int c = 0; c < 3; ++c) {
+        byNode.emplace_back(face[c], static_cast<std::uint32_t>(faces_.size()));
+        const auto [low, high] = std::minmax(face[c], face[(c + 1) % 3]);
+        sides.push_back({{low, high}, face[(c + 2) % 3]});
+      }
+      faces_.push_back(face);
+    }
+  }
+  startsOf(cloth.nodeCount, byNode, faceStart_, faceItem_);
+  std::sort(sides.begin(), sides.end());
+  byNode.clear();
+  const auto near = [&](NodeIndex a, NodeIndex b) {
+    nears.emplace_back(partner_[a], partner_[b]);
+    nears.emplace_back(partner_[b], partner_[a]);
+  };
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto& [edge, opposite] = sides[s];
+    if (s > 0 && sides[s - 1].first == edge) {
+      near(sides[s - 1].second, opposite);
+      continue;
+    }
+    near(edge[0], edge[1]);
+    for (NodeIndex k : edge) byNode.emplace_back(k, static_cast<std::uint32_t>(edges_.size()));
+    edges_.push_back(edge);
+  }
+  startsOf(cloth.nodeCount, byNode, edgeStart_, edgeItem_);
+  std::sort(nears.begin(), nears.end());
+  nears.erase(std::unique(nears.begin(), nears.end()), nears.end());
+  startsOf(cloth.nodeCount, nears, nearStart_, nearItem_);
+}
+
+void SelfContact::setTies(const TieMap& ties) {
+  together_.clear();
+  togetherOf_.assign(partner_.size(), kNoNode);
+  held_.assign(partner_.size(), 0);
+  for (NodeIndex k = 0; k < partner_.size(); ++k) held_[k] = ties.parts(k).empty() ? 1 : 0;
+  for (const auto& members : ties.groups()) {
+    if (members.size() < 2) continue;
+    for (NodeIndex k : members) togetherOf_[k] = static_cast<std::uint32_t>(together_.size());
+    together_.push_back(members);
+  }
+}
+
+bool SelfContact::neighbours(NodeIndex a, NodeIndex b) const {
+  const std::uint32_t pa = partner_[a], pb = partner_[b];
+  return pa == pb || std::binary_search(nearItem_.begin() + nearStart_[pa], nearItem_.begin() + nearStart_[pa + 1], pb);
+}
+
+double SelfContact::longestEdge(std::span<const Vec3> x) const {
+  double longest = 0;
+  for (const auto& edge : edges_) longest = std::fmax(longest, squaredLength(x[edge[1]] - x[edge[0]]));
+  // One torn edge must not make every pair near: such a place is coarse anyway.
+  return std::fmin(std::sqrt(longest), 3 * spacing_);
+}
+
+void SelfContact::nodeFaces(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const {
+  const Vec3 p = ask.x[a];
+  const double toB = squaredLength(p - ask.x[b]);
+  for (std::uint32_t k = faceStart_[b]; k < faceStart_[b + 1]; ++k) {
+    const Triangle& face = faces_[faceItem_[k]];
+    bool mine = true;  // each face is asked about from its nearest corner
+    double apart = 0;
+    for (NodeIndex c : face) {
+      const double toC = squaredLength(p - ask.x[c]);
+      if (partner_[c] == partner_[a] || (c != b && (toC < toB || (toC == toB && c < b)))) mine = false;
+      if (!ask.move.empty()) apart = std::fmax(apart, squaredLength(ask.move[a] - ask.move[c]));
+    }
+    if (!mine) continue;
+    const auto w = nearestOnTriangle(p, ask.x[face[0]], ask.x[face[1]], ask.x[face[2]]);
+    const Vec3 d = p - (ask.x[face[0]] * w[0] + ask.x[face[1]] * w[1] + ask.x[face[2]] * w[2]);
+    const double gap = length(d);
+    if (gap < ask.within + 1.2 * std::sqrt(apart) && gap > 1e-9)
+      out.push_back({{a, face[0], face[1], face[2]}, {1, -w[0], -w[1], -w[2]}, 1, d * (1 / gap), gap});
+  }
+}
+
+void SelfContact::edgeEdges(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const {
+  const Vec3 pa = ask.x[a], pb = ask.x[b];
+  const double both = squaredLength(pa - pb);
+  const auto other = [&](std::uint32_t e, NodeIndex k) { return edges_[e][0] == k ? edges_[e][1] : edges_[e][0]; };
+  for (std::uint32_t i = edgeStart_[a]; i < edgeStart_[a + 1]; ++i) {
+    const NodeIndex a2 = other(edgeItem_[i], a);
+    const Vec3 pa2 = ask.x[a2];
+    const double cross1 = squaredLength(pa2 - pb);
+    if (cross1 < both || (cross1 == both && a2 < a) || partner_[a2] == partner_[b]) continue;
+    for (std::uint32_t j = edgeStart_[b]; j < edgeStart_[b + 1]; ++j) {
+      const NodeIndex b2 = other(edgeItem_[j], b);
+      if (partner_[a2] == partner_[b2] || partner_[b2] == partner_[a]) continue;
+      const Vec3 pb2 = ask.x[b2];
+      const double cross2 = squaredLength(pb2 - pa);
+      if (cross2 < both || (cross2 == both && b2 < b) || squaredLength(pa2 - pb2) < both) continue;
+      const auto at = nearestOnSegments(pa, pa2, pb, pb2);
+      if (ask.move.empty() && (at[0] <= 0 || at[0] >= 1 || at[1] <= 0 || at[1] >= 1)) continue;  // a node speaks there
+      const Vec3 d = lerp(pa, pa2, at[0]) - lerp(pb, pb2, at[1]);
+      double apart = 0;
+      if (!ask.move.empty())
+        for (NodeIndex m : {a, a2})
+          for (NodeIndex n : {b, b2}) apart = std::fmax(apart, squaredLength(ask.move[m] - ask.move[n]));
+      const double gap = length(d);
+      if (gap < ask.within + 1.2 * std::sqrt(apart) && gap > 1e-9)
+        out.push_back({{a, a2, b, b2}, {1 - at[0], at[0], at[1] - 1, -at[1]}, 2, d * (1 / gap), gap});
+    }
+  }
+}
+
+std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& workers) const {
+  const std::size_t count = ask.x.size();
+  double most = 0;
+  for (Vec3 m : ask.move) most = std::fmax(most, squaredLength(m));
+  const double still = ask.within + kReach * ask.longest;
+  const double reach = still + 2.4 * std::sqrt(most);
+  const Grid grid(ask.x, reach);
+  std::vector<std::vector<Pair>> parts((count + kBlock - 1) / kBlock);
+  workers.forBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+    auto& out = parts[begin / kBlock];
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto a = static_cast<NodeIndex>(n);
+      const Vec3 p = ask.x[a];
+      const auto c = grid.at(p);
+      for (std::int64_t k = std::max<std::int64_t>(0, c[2] - 1); k <= std::min(grid.count[2] - 1, c[2] + 1); ++k)
+        for (std::int64_t j = std::max<std::int64_t>(0, c[1] - 1); j <= std::min(grid.count[1] - 1, c[1] + 1); ++j) {
+          // Cells beside each other along x lie beside each other in memory.
+          const std::size_t from = grid.number(std::max<std::int64_t>(0, c[0] - 1), j, k);
+          const std::size_t to = grid.number(std::min(grid.count[0] - 1, c[0] + 1), j, k);
+          for (std::uint32_t i = grid.start[from]; i < grid.start[to + 1]; ++i) {
+            const NodeIndex b = grid.item[i];
+            if (b <= a || (!live_[a] && !live_[b])) continue;
+            const double d2 = squaredLength(ask.x[b] - p);
+            if (d2 > reach * reach) continue;
+            if (!ask.move.empty()) {
+              // The nodes of a pair move nearly alike, so what these two do stands for it, with room to spare.
+              const double far = still + 0.25 * spacing_ + 1.5 * length(ask.move[a] - ask.move[b]);
+              if (d2 > far * far) continue;
+            }
+            if (neighbours(a, b)) continue;
+            nodeFaces(a, b, ask, out);
+            nodeFaces(b, a, ask, out);
+            edgeEdges(a, b, ask, out);
+          }
+        }
+    }
+  });
+  std::vector<Pair> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+void SelfContact::find(std::span<const Vec3> x, Workers& workers) {
+  found_ = collect({x, {}, radius_, longestEdge(x)}, workers);
+  for (Pair& pair : found_) {
+    pair.push = firmness_ * (radius_ - pair.gap);
+    const double friction = std::sqrt(friction_[pair.node[0]] * friction_[pair.node[3]]);
+    pair.across = std::fmin(firmness_, friction * pair.push / kSlide);
+  }
+}
+
+void SelfContact::addGradient(std::span<Vec3> gradient) const {
+  for (const Pair& pair : found_)
+    for (int k = 0; k < 4; ++k) gradient[pair.node[k]] -= pair.normal * (pair.weight[k] * pair.push);
+}
+
+void SelfContact::addCouplings(const TieMap& ties, std::vector<Coupling>& couplings) const {
+  for (const Pair& pair : found_)
+    couplings.push_back({partsOf(ties, pair.node, pair.weight), pair.normal, firmness_, pair.across});
+}
+
+bool SelfContact::guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const {
+  bool cut = false;
+  for (int pass = 0; pass < 3; ++pass) {  // again where what was cut may meet something new
+    if (!guardOnce(x, move, workers)) break;
+    cut = true;
+  }
+  return cut;
+}
+
+bool SelfContact::guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const {
+  const std::vector<Pair> pairs = collect({x, move, 0.15 * radius_, longestEdge(x)}, workers);
+  const auto set = [&](NodeIndex k, Vec3 m) {
+    if (held_[k]) return;
+    if (togetherOf_[k] == kNoNode)
+      move[k] = m;
+    else
+      for (NodeIndex other : together_[togetherOf_[k]]) move[other] = m;
+  };
+  bool any = false;
+  for (int round = 0; round < 40; ++round) {
+    bool bad = false;
+    for (const Pair& pair : pairs) {
+      double low = 1e300, high = -1e300;  // lowest of the first side, highest of the second, along the normal
+      for (int k = 0; k < 4; ++k) {
+        const double s = dot(x[pair.node[k]] + move[pair.node[k]], pair.normal);
+        if (k < pair.first)
+          low = std::fmin(low, s);
+        else
+          high = std::fmax(high, s);
+      }
+      const double least = std::fmin(0.25 * pair.gap, 0.05 * radius_);
+      if (low - high >= 0.999 * least) continue;
+      bad = any = true;
+      if (round < 12) {  // both sides to the middle plane
+        const double middle = 0.5 * (low + high);
+        for (int k = 0; k < 4; ++k) {
+          const NodeIndex node = pair.node[k];
+          const double s = dot(x[node] + move[node], pair.normal);
+          if (k < pair.first && s < middle + 0.5 * least)
+            set(node, move[node] + pair.normal * (middle + 0.5 * least - s));
+          else if (k >= pair.first && s > middle - 0.5 * least)
+            set(node, move[node] - pair.normal * (s - middle + 0.5 * least));
+        }
+      } else {
+        for (NodeIndex node : pair.node) set(node, move[node] * (round < 30 ? 0.5 : 0.0));
+      }
+    }
+    if (!bad) break;
+  }
+  return any;
+}
+
+}  // namespace karinui

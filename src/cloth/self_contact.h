@@ -1,0 +1,65 @@
+#pragma once
+// Cloth against cloth: node-against-face and edge-against-edge pairs nearer than a radius push apart along their
+// nearest direction, with viscous friction; a guard cuts the part of a move by which a pair would pass through.
+// Neighbours within one ring and seam partners do not collide with each other. Frozen pieces stand in the way like any
+// cloth.
+//
+// The guard keeps apart what is apart; it does not untangle what stands crossed at the start.
+#include <array>
+#include <span>
+#include <vector>
+
+#include "cloth/block_system.h"
+
+namespace karinui {
+
+class SelfContact {
+ public:
+  // `radius`: how near cloth comes to cloth before it pushes, metres.
+  SelfContact(const Cloth& cloth, double radius);
+  void setTies(const TieMap& ties);
+
+  void find(std::span<const Vec3> x, Workers& workers);
+  void addGradient(std::span<Vec3> gradient) const;
+  void addCouplings(const TieMap& ties, std::vector<Coupling>& couplings) const;
+  // Shortens the moves of nodes where something would pass through; true when something was cut.
+  bool guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const;
+  std::size_t pairs() const { return found_.size(); }
+
+ private:
+  struct Pair {
+    std::array<NodeIndex, 4> node{};
+    std::array<double, 4> weight{};  // of the two nearest places: first side positive, second negative
+    int first = 1;                   // how many nodes are of the first side
+    Vec3 normal;                     // from the second side to the first
+    double gap = 0;
+    double push = 0, across = 0;  // N, N/m
+  };
+  struct Grid;
+  struct Ask {
+    std::span<const Vec3> x, move;  // move empty: none
+    double within = 0;              // metres
+    double longest = 0;             // edge
+  };
+  std::vector<Pair> collect(const Ask& ask, Workers& workers) const;
+  void nodeFaces(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const;
+  void edgeEdges(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const;
+  bool neighbours(NodeIndex a, NodeIndex b) const;
+  bool guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const;
+  double longestEdge(std::span<const Vec3> x) const;
+
+  double radius_, firmness_, spacing_;
+  std::vector<double> friction_;  // per node
+  std::vector<std::uint8_t> live_;
+  std::vector<Triangle> faces_;
+  std::vector<std::array<NodeIndex, 2>> edges_;
+  std::vector<std::uint32_t> faceStart_, faceItem_, edgeStart_, edgeItem_;  // around each node
+  std::vector<std::uint32_t> partner_;                                      // seam partners share a number
+  std::vector<std::uint32_t> nearStart_, nearItem_;                         // partner numbers near each partner number
+  std::vector<std::vector<NodeIndex>> together_;                            // nodes that move as one, where several
+  std::vector<std::uint32_t> togetherOf_;
+  std::vector<std::uint8_t> held_;
+  std::vector<Pair> found_;
+};
+
+}  // namespace karinui
