@@ -239,7 +239,7 @@ Delaunay::Forced Delaunay::force(std::uint32_t a, std::uint32_t b, std::array<st
   }
   // Flip the crossed edges away; one whose quadrilateral is not convex waits for its turn.
   while (!crossed.empty()) {
-    const auto [right, left] = crossed.front();
+    const std::uint32_t right = crossed.front()[0], left = crossed.front()[1];
     crossed.pop_front();
     const std::uint32_t here = leftOf(right, left), there = leftOf(left, right);
     const auto tipOf = [&](std::uint32_t f) {
