@@ -1,0 +1,190 @@
+#include "karinui/exchange/read_body.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+
+#include "exchange/reading_process.h"
+#include "karinui/base/number.h"
+#include "karinui/geometry/bvh.h"
+#include "karinui/geometry/wrap.h"
+
+namespace karinui {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct UnitWords {
+  LengthUnit unit;
+  const char* name;
+  double metres;
+  double leastHeight, mostHeight;  // in the unit: a person's heights for which it is guessed
+};
+// In the order of guessing. Inches come before centimetres: 55 to 80 of them are an adult, as centimetres a baby.
+constexpr std::array<UnitWords, 6> kUnits{{{LengthUnit::Metre, "metres", 1, 0.4, 2.6},
+                                           {LengthUnit::Foot, "feet", 0.3048, 3.5, 8},
+                                           {LengthUnit::Decimetre, "decimetres", 0.1, 8, 26},
+                                           {LengthUnit::Inch, "inches", 0.0254, 48, 82},
+                                           {LengthUnit::Centimetre, "centimetres", 0.01, 40, 260},
+                                           {LengthUnit::Millimetre, "millimetres", 0.001, 400, 2600}}};
+
+const UnitWords& wordsOf(LengthUnit unit) {
+  return *std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitWords& w) { return w.unit == unit; });
+}
+
+Result<std::string> formatOf(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* known : {".obj", ".ply", ".gltf", ".glb"})
+    if (ending == known) return ending.substr(1);
+  return badInput(
+      say("{0} does not end in .obj, .ply, .gltf or .glb; bodies are read from those.", path.filename().string()));
+}
+
+Result<fs::path> findHelper(const fs::path& asked) {
+  if (!asked.empty()) return asked;
+  std::error_code trouble;
+  const fs::path here = fs::read_symlink("/proc/self/exe", trouble).parent_path();
+  for (const fs::path& candidate : {here / "karinui-import", here / "../libexec/karinui/karinui-import"})
+    if (::access(candidate.c_str(), X_OK) == 0) return candidate;
+  return notFound(say("The reader of body files, karinui-import, is not installed beside this program."));
+}
+
+// One point for all that are equal; triangles that thereby lose a corner go away.
+TriangleMesh joined(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> order(mesh.points.size()), name(mesh.points.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3 p = mesh.points[a], q = mesh.points[b];
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z != q.z ? p.z < q.z : a < b;
+  });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    name[order[i]] = i > 0 && mesh.points[order[i]] == mesh.points[order[i - 1]] ? name[order[i - 1]] : order[i];
+  constexpr std::uint32_t kUnused = ~std::uint32_t{0};
+  std::vector<std::uint32_t> number(mesh.points.size(), kUnused);
+  TriangleMesh result;
+  for (const Triangle& f : mesh.faces) {
+    const Triangle t{name[f[0]], name[f[1]], name[f[2]]};
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    Triangle renamed;
+    for (int k = 0; k < 3; ++k) {
+      if (number[t[k]] == kUnused) {
+        number[t[k]] = static_cast<std::uint32_t>(result.points.size());
+        result.points.push_back(mesh.points[t[k]]);
+      }
+      renamed[k] = number[t[k]];
+    }
+    result.faces.push_back(renamed);
+  }
+  return result;
+}
+
+// A person is less deep than tall, whichever way the arms are held.
+UpAxis guessUp(const Vec3& size) { return size.z > size.y ? UpAxis::Z : UpAxis::Y; }
+
+Vec3 stoodUp(Vec3 p, UpAxis up) {
+  if (up == UpAxis::Z) return {p.x, p.z, -p.y};
+  if (up == UpAxis::X) return {-p.y, p.x, p.z};
+  return p;
+}
+
+void turnAround(TriangleMesh& mesh) {
+  for (Triangle& f : mesh.faces) std::swap(f[1], f[2]);
+}
+
+// Puts the mesh into metres, upright, on the ground. Says what was guessed.
+Result<void> stand(ImportedBody& body, const BodyReadOptions& options, const std::string& format) {
+  const char* axisNames[] = {"x", "y", "z"};
+  const bool fixedUp = format == "gltf" || format == "glb";  // the format says y
+  body.up = options.up ? *options.up : fixedUp ? UpAxis::Y : guessUp(boxOf(body.mesh.points).size());
+  for (Vec3& p : body.mesh.points) p = stoodUp(p, body.up);
+  if (!options.up && !fixedUp)
+    body.notes.push_back(say("Taken as standing along its {0} axis.", axisNames[static_cast<int>(body.up)]));
+
+  const double height = boxOf(body.mesh.points).size().y;
+  if (options.unit) {
+    body.unit = *options.unit;
+  } else {
+    const auto guess = std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitWords& w) {
+      return height >= w.leastHeight && height <= w.mostHeight;
+    });
+    if (guess == kUnits.end())
+      return badInput(
+          say("A body {0} units high fits no unit of length; say which unit the file is in.", shortest(height)));
+    body.unit = guess->unit;
+    body.notes.push_back(
+        say("Taken as {0}: the body is {1} cm high.", guess->name, fixed(height * guess->metres * 100, 1)));
+  }
+  const double metres = wordsOf(body.unit).metres;
+  if (!(height * metres >= 0.03) || !(height * metres <= 60))
+    return badInput(say("The body would be {0} m high in {1}; that is no body.", shortest(height * metres),
+                        wordsOf(body.unit).name));
+  for (Vec3& p : body.mesh.points) p *= metres;
+
+  const Box box = boxOf(body.mesh.points);
+  const double aside = std::hypot(box.centre().x, box.centre().z);
+  const bool carry = aside > 0.25 * box.size().y;
+  const Vec3 by{carry ? -box.centre().x : 0, -box.low.y, carry ? -box.centre().z : 0};
+  for (Vec3& p : body.mesh.points) p += by;
+  if (length(by) > 1e-4)
+    body.notes.push_back(say("Moved by {0} cm to stand on the ground in the middle.", fixed(length(by) * 100, 1)));
+  return {};
+}
+
+void sayWhatIsWrong(ImportedBody& body) {
+  const MeshReport& r = body.report;
+  if (r.shells > 1) body.notes.push_back(say("The surface is of {0} separate parts.", r.shells));
+  if (r.selfCrossings > 0)
+    body.notes.push_back(say("{0} pairs of triangles cross each other; that is tolerated.", r.selfCrossings));
+}
+
+}  // namespace
+
+Result<ImportedBody> readBody(const fs::path& path, const BodyReadOptions& options, Workers& workers,
+                              const Token& token) {
+  const auto format = formatOf(path);
+  if (!format) return format.error();
+  const auto helper = findHelper(options.helper);
+  if (!helper) return helper.error();
+  token.progress(0, say("Reading the body"));
+  auto read = readInOtherProcess(path, *format, *helper, options.limits, token);
+  if (!read) return read.error();
+
+  ImportedBody body;
+  body.mesh = joined(*read);
+  if (body.mesh.faces.empty()) return badInput(say("Every triangle of the file is without area."));
+  if (const auto done = stand(body, options, *format); !done) return done.error();
+  body.found = body.report = inspectTopology(body.mesh);
+  if (!body.report.closed()) {
+    if (!options.wrap)
+      return badInput(
+          say("The body is not closed: {0} edges are open, {1} are shared by more than two triangles and {2} "
+              "join triangles that face opposite ways. It can be wrapped in a watertight skin on request.",
+              body.report.openEdges, body.report.nonManifoldEdges, body.report.flippedEdges));
+    // The skin asks which side is out, so most of the surface must agree on it.
+    if (!body.report.outward) turnAround(body.mesh), body.turnedOutward = true;
+    auto skin = wrapped(body.mesh, options.wrapCell, workers, token);
+    if (!skin) return skin.error();
+    body.mesh = std::move(*skin);
+    body.wrapped = true;
+    body.notes.push_back(say("Wrapped in a watertight skin with cells of {0} mm; it had {1} open edges.",
+                             fixed(options.wrapCell * 1e3, 1), body.found.openEdges));
+  } else if (!body.report.outward) {
+    turnAround(body.mesh);
+    body.turnedOutward = true;
+  }
+  if (body.turnedOutward) body.notes.push_back(say("The surface faced inward and was turned."));
+  if (token.cancelled()) return cancelled();
+  body.report = inspect(body.mesh);
+  if (!body.report.closed() || !body.report.outward || volume(body.mesh) < 1e-9)
+    return badInput(say("The surface encloses no body."));
+  sayWhatIsWrong(body);
+  token.progress(1);
+  return body;
+}
+
+}  // namespace karinui

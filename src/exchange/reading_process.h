@@ -1,0 +1,19 @@
+#pragma once
+// Runs karinui-import over one file and brings back a mesh that has been checked: finite, indices in range, within
+// limits.
+#include <filesystem>
+#include <string>
+
+#include "karinui/exchange/read_body.h"
+
+namespace karinui {
+
+// format: "obj", "ply", "gltf" or "glb".
+Result<TriangleMesh> readInOtherProcess(const std::filesystem::path& path, const std::string& format,
+                                        const std::filesystem::path& helper, const BodyReadLimits& limits,
+                                        const Token& token);
+
+// The first limit.fileBytes of a plain file, or why not.
+Result<std::string> readPlainFile(const std::filesystem::path& path, std::size_t atMost, bool followLinks);
+
+}  // namespace karinui

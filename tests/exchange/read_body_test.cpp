@@ -1,0 +1,316 @@
+#include "karinui/exchange/read_body.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <fstream>
+
+#include "geometry/shapes.h"
+#include "karinui/base/number.h"
+#include "karinui/geometry/bvh.h"
+
+namespace karinui {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class ReadBody : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("karinui_read_body_" + std::to_string(::getpid()));
+    fs::create_directories(folder_ / "inner");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path file(const std::string& name, std::string_view bytes) {
+    const fs::path path = folder_ / name;
+    std::ofstream(path, std::ios::binary) << bytes;
+    return path;
+  }
+  Result<ImportedBody> read(const fs::path& path, const BodyReadOptions& options = {}) {
+    return readBody(path, options, workers_, Token{});
+  }
+  std::string refusal(const fs::path& path, const BodyReadOptions& options = {}) {
+    const auto body = read(path, options);
+    return body ? "it was taken" : text(body.error().what);
+  }
+
+  fs::path folder_;
+  Workers workers_{2};
+};
+
+// A figure 1.7 m high, taller than wide, wider than deep, in units of `unit` metres.
+TriangleMesh figure(double unit = 1) {
+  TriangleMesh m = test::ball({}, 1, 4);
+  for (Vec3& p : m.points) p = Vec3{p.x * 0.3, 0.85 + p.y * 0.85, p.z * 0.15} * (1 / unit);
+  return m;
+}
+
+std::string asObj(const TriangleMesh& m) {
+  std::string s;
+  for (Vec3 p : m.points) s += "v " + shortest(p.x) + " " + shortest(p.y) + " " + shortest(p.z) + "\n";
+  for (const Triangle& f : m.faces)
+    s += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
+  return s;
+}
+
+std::string asPly(const TriangleMesh& m) {
+  std::string s = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(m.points.size()) +
+                  "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                  std::to_string(m.faces.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (Vec3 p : m.points) s += shortest(p.x) + " " + shortest(p.y) + " " + shortest(p.z) + "\n";
+  for (const Triangle& f : m.faces)
+    s += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]) + "\n";
+  return s;
+}
+
+std::string bufferOf(const TriangleMesh& m) {
+  std::string s;
+  for (Vec3 p : m.points)
+    for (double x : {p.x, p.y, p.z}) {
+      const auto f = static_cast<float>(x);
+      s.append(reinterpret_cast<const char*>(&f), 4);
+    }
+  for (const Triangle& f : m.faces) s.append(reinterpret_cast<const char*>(f.data()), 12);
+  return s;
+}
+
+// uri: where the buffer is; empty for a GLB.
+std::string gltfJson(const TriangleMesh& m, const std::string& uri, const std::string& nodes = R"([{"mesh":0}])") {
+  const std::string points = std::to_string(m.points.size()), pointBytes = std::to_string(m.points.size() * 12);
+  const std::string faceBytes = std::to_string(m.faces.size() * 12);
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":)" + nodes +
+         R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,)"
+         R"("componentType":5126,"count":)" +
+         points + R"(,"type":"VEC3","min":[-9,-9,-9],"max":[9,9,9]},{"bufferView":1,"componentType":5125,"count":)" +
+         std::to_string(m.faces.size() * 3) + R"(,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":)" +
+         pointBytes + R"(},{"buffer":0,"byteOffset":)" + pointBytes + R"(,"byteLength":)" + faceBytes +
+         R"(}],"buffers":[{)" + (uri.empty() ? "" : R"("uri":")" + uri + R"(",)") + R"("byteLength":)" +
+         std::to_string(m.points.size() * 12 + m.faces.size() * 12) + "}]}";
+}
+
+std::string asGlb(const TriangleMesh& m) {
+  std::string json = gltfJson(m, "");
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string buffer = bufferOf(m);
+  const auto number = [](std::uint32_t n) { return std::string(reinterpret_cast<const char*>(&n), 4); };
+  return "glTF" + number(2) + number(static_cast<std::uint32_t>(28 + json.size() + buffer.size())) +
+         number(static_cast<std::uint32_t>(json.size())) + "JSON" + json +
+         number(static_cast<std::uint32_t>(buffer.size())) + std::string("BIN\0", 4) + buffer;
+}
+
+TEST_F(ReadBody, TakesTheSameFigureFromEveryFormat) {
+  const TriangleMesh m = figure();
+  file("b.bin", bufferOf(m));
+  for (const fs::path& path : {file("b.obj", asObj(m)), file("b.PLY", asPly(m)), file("b.glb", asGlb(m)),
+                               file("b.gltf", gltfJson(m, "b.bin"))}) {
+    const auto body = read(path);
+    ASSERT_TRUE(body) << path << " " << refusal(path);
+    EXPECT_EQ(body->report.triangles, m.faces.size());
+    EXPECT_EQ(body->report.points, m.points.size()) << path;
+    EXPECT_TRUE(body->report.closed());
+    EXPECT_NEAR(volume(body->mesh), volume(m), 1e-6);
+    EXPECT_EQ(body->unit, LengthUnit::Metre);
+    EXPECT_EQ(body->up, UpAxis::Y);
+  }
+}
+
+TEST_F(ReadBody, GuessesUnitsAndSaysSo) {
+  for (const auto& [unit, metres, name] :
+       {std::tuple{LengthUnit::Centimetre, 0.01, "centimetres"},
+        std::tuple{LengthUnit::Millimetre, 0.001, "millimetres"}, std::tuple{LengthUnit::Inch, 0.0254, "inches"},
+        std::tuple{LengthUnit::Decimetre, 0.1, "decimetres"}, std::tuple{LengthUnit::Foot, 0.3048, "feet"}}) {
+    const auto body = read(file("b.obj", asObj(figure(metres))));
+    ASSERT_TRUE(body);
+    EXPECT_EQ(body->unit, unit);
+    EXPECT_NEAR(boxOf(body->mesh.points).high.y, 1.7, 1e-4);
+    EXPECT_THAT(text(body->notes.at(1)), HasSubstr(name));
+  }
+  EXPECT_THAT(refusal(file("b.obj", asObj(figure(1e-5)))), HasSubstr("say which unit"));
+  BodyReadOptions doll;
+  doll.unit = LengthUnit::Centimetre;
+  const auto small = read(file("b.obj", asObj(figure())), doll);
+  EXPECT_FALSE(small) << "17 mm is no body";
+}
+
+TEST_F(ReadBody, StandsUpWhatLies) {
+  TriangleMesh m = figure();
+  for (Vec3& p : m.points) p = Vec3{p.x + 20, -p.z, p.y};
+  const auto body = read(file("b.obj", asObj(m)));
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->up, UpAxis::Z);
+  const Box box = boxOf(body->mesh.points);
+  EXPECT_NEAR(box.low.y, 0, 1e-9);
+  EXPECT_NEAR(box.high.y, 1.7, 1e-5);
+  EXPECT_NEAR(box.high.z, 0.15, 1e-5);
+  EXPECT_NEAR(box.centre().x, 0, 1e-5);
+  EXPECT_TRUE(body->report.outward);
+}
+
+TEST_F(ReadBody, TurnsWhatFacesInward) {
+  TriangleMesh m = figure();
+  for (Triangle& f : m.faces) std::swap(f[0], f[1]);
+  const auto body = read(file("b.ply", asPly(m)));
+  ASSERT_TRUE(body);
+  EXPECT_TRUE(body->turnedOutward);
+  EXPECT_GT(volume(body->mesh), 0);
+}
+
+TEST_F(ReadBody, WrapsAScanOnlyWhenAsked) {
+  TriangleMesh m = figure();
+  std::erase_if(m.faces, [&](const Triangle& f) { return m.points[f[0]].y > 1.6; });
+  const fs::path path = file("scan.obj", asObj(m));
+  EXPECT_THAT(refusal(path), testing::AllOf(HasSubstr("not closed"), HasSubstr("wrapped in a watertight skin")));
+  BodyReadOptions options;
+  options.wrap = true;
+  options.wrapCell = 0.02;
+  const auto body = read(path, options);
+  ASSERT_TRUE(body);
+  EXPECT_TRUE(body->wrapped);
+  EXPECT_TRUE(body->report.closed());
+  EXPECT_EQ(body->report.selfCrossings, 0u);
+  EXPECT_GT(body->found.openEdges, 0u);
+}
+
+TEST_F(ReadBody, RefusesHostileFiles) {
+  const TriangleMesh m = figure();
+  const auto takes = [&](const std::string& name, std::string_view bytes) { return refusal(file(name, bytes)); };
+  std::string nan = asObj(m);
+  nan.replace(0, nan.find('\n'), "v nan 0 0");
+  EXPECT_THAT(takes("nan.obj", nan), HasSubstr("not numbers"));
+  EXPECT_EQ(takes("empty.obj", ""), "empty.obj is empty.");
+  EXPECT_NE(
+      takes("range.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 99\n"),
+      "it was taken");
+  EXPECT_NE(
+      takes("huge.ply",
+            "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
+            "property float z\nelement face 2000000000\nproperty list uchar int vertex_indices\nend_header\n"),
+      "it was taken");
+  const std::string glb = asGlb(m);
+  for (std::size_t size : {1u, 11u, 20u, 60u, 900u, 20000u})
+    EXPECT_NE(takes("cut.glb", glb.substr(0, size)), "it was taken");
+  const std::string obj = asObj(m);
+  EXPECT_NE(takes("cut.obj", obj.substr(0, obj.size() / 2)), "it was taken");
+  test::Numbers numbers(1);
+  for (const char* name : {"random.obj", "random.ply", "random.glb", "random.gltf"}) {
+    std::string bytes;
+    for (int i = 0; i < 5000; ++i) bytes += static_cast<char>(numbers.below(256));
+    EXPECT_NE(takes(name, bytes), "it was taken");
+  }
+  EXPECT_THAT(takes("body.stl", "solid"), HasSubstr("does not end in"));
+  EXPECT_THAT(refusal(folder_ / "nowhere.obj"), HasSubstr("There is no file"));
+  EXPECT_THAT(refusal(folder_ / "inner/../inner"), HasSubstr("does not end in"));
+  fs::create_directory(folder_ / "dir.obj");
+  EXPECT_THAT(refusal(folder_ / "dir.obj"), HasSubstr("is not a file"));
+}
+
+TEST_F(ReadBody, ReadsNoFileButThoseBesideIt) {
+  const TriangleMesh m = figure();
+  file("secret.bin", bufferOf(m));
+  const std::string plain = "does not lie beside it under a plain name";
+  for (const char* uri : {"../secret.bin", "/etc/passwd", "inner/../../secret.bin", "%2e%2e%2fsecret.bin", ".."})
+    EXPECT_NE(refusal(file("inner/b.gltf", gltfJson(m, uri))), "it was taken") << uri;
+  EXPECT_THAT(refusal(file("inner/b.gltf", gltfJson(m, "../secret.bin"))), HasSubstr(plain));
+  EXPECT_THAT(refusal(file("inner/b.gltf", gltfJson(m, "missing.bin"))), HasSubstr("There is no file missing.bin"));
+  fs::create_symlink(folder_ / "secret.bin", folder_ / "inner/link.bin");
+  EXPECT_NE(refusal(file("inner/b.gltf", gltfJson(m, "link.bin"))), "it was taken");
+  // A material library is never looked for, so it does no harm.
+  EXPECT_TRUE(read(file("inner/b.obj", "mtllib ../../../etc/passwd\nusemtl x\n" + asObj(m))));
+}
+
+TEST_F(ReadBody, RefusesNodesThatNestWithoutEnd) {
+  const TriangleMesh m = figure();
+  file("b.bin", bufferOf(m));
+  std::string chain = "[";
+  for (int i = 0; i < 20000; ++i) chain += R"({"children":[)" + std::to_string(i + 1) + "]},";
+  chain += R"({"mesh":0}])";
+  EXPECT_THAT(refusal(file("chain.gltf", gltfJson(m, "b.bin", chain))), HasSubstr("nested"));
+  EXPECT_THAT(refusal(file("loop.gltf", gltfJson(m, "b.bin", R"([{"children":[1]},{"children":[0],"mesh":0}])"))),
+              HasSubstr("nested"));
+  std::string fan = "[";  // each of 60 nodes twice the next: 2^60 ways down
+  for (int i = 0; i < 60; ++i) fan += R"({"children":[)" + std::to_string(i + 1) + "," + std::to_string(i + 1) + "]},";
+  fan += R"({"mesh":0}])";
+  EXPECT_NE(refusal(file("fan.gltf", gltfJson(m, "b.bin", fan))), "it was taken");
+}
+
+TEST_F(ReadBody, KeepsToItsLimits) {
+  const fs::path path = file("b.obj", asObj(figure()));
+  BodyReadOptions options;
+  options.limits.triangles = 100;
+  EXPECT_THAT(refusal(path, options), HasSubstr("more than"));
+  options = {};
+  options.limits.fileBytes = 1000;
+  EXPECT_THAT(refusal(path, options), HasSubstr("larger than"));
+  options = {};
+  options.helper = folder_ / "not_there";
+  EXPECT_THAT(refusal(path, options), HasSubstr("could not be started"));
+  Token token;
+  token.cancel();
+  const auto stopped = readBody(path, {}, workers_, token);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, Error::Kind::Cancelled);
+}
+
+TEST_F(ReadBody, AHelperThatHangsDiesOrLiesIsOnlyASentence) {
+  const fs::path path = file("b.obj", asObj(figure()));
+  BodyReadOptions options;
+  options.limits.seconds = 1;
+  const auto script = [&](const std::string& body) {
+    const fs::path helper = file("helper", "#!/bin/sh\n" + body + "\n");
+    fs::permissions(helper, fs::perms::owner_all);
+    options.helper = helper;
+    return refusal(path, options);
+  };
+  EXPECT_THAT(script("kill -SEGV $$"), HasSubstr("made the reader fail"));
+  EXPECT_THAT(script("echo hello"), HasSubstr("damaged"));
+  EXPECT_THAT(script("/bin/cat /dev/zero"), HasSubstr("more than"));
+  EXPECT_THAT(script("exec /bin/sleep 60"), HasSubstr("longer than 1 seconds"));
+}
+
+TEST_F(ReadBody, TakesEveryBodyHandedToTheTests) {
+  const fs::path bodies = KARINUI_SHARED_DIR "/bodies";
+  if (!fs::exists(bodies)) GTEST_SKIP() << "the shared bodies are not here";
+  for (const auto& entry : fs::directory_iterator(bodies)) {
+    if (entry.path().extension() != ".obj") continue;
+    const auto body = read(entry.path());
+    ASSERT_TRUE(body) << entry.path();
+    EXPECT_EQ(body->report.triangles, 26756u);
+    EXPECT_EQ(body->report.points, 13380u);
+    EXPECT_TRUE(body->report.closed());
+    EXPECT_FALSE(body->turnedOutward);
+    EXPECT_EQ(body->report.shells, 1u);
+    EXPECT_EQ(body->unit, LengthUnit::Metre);
+    EXPECT_LE(body->report.selfCrossings, 54u);
+  }
+}
+
+TEST_F(ReadBody, StandsEveryBadFileHandedToTheTests) {
+  const fs::path bad = KARINUI_SHARED_DIR "/badinput";
+  if (!fs::exists(bad)) GTEST_SKIP() << "the shared bad files are not here";
+  std::size_t tried = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(bad)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending != ".obj" && ending != ".ply" && ending != ".gltf" && ending != ".glb") continue;
+    ++tried;
+    for (bool wrap : {false, true}) {
+      BodyReadOptions options;
+      options.wrap = wrap;
+      const auto body = read(entry.path(), options);
+      if (body) {
+        EXPECT_TRUE(body->report.closed()) << entry.path();
+      } else {
+        EXPECT_FALSE(text(body.error().what).empty());
+      }
+    }
+  }
+  EXPECT_GT(tried, 100u);
+}
+
+}  // namespace
+}  // namespace karinui
