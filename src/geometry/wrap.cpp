@@ -9,7 +9,7 @@
 namespace karinui {
 namespace {
 
-constexpr double kMostPoints = 12e6;  // some ten seconds of work
+constexpr double kMostPoints = 6e6;  // a second or ten of work
 
 struct Grid {
   Vec3 origin;
