@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "karinui/base/id.h"
+#include "karinui/body/body.h"
 #include "karinui/geometry/vec.h"
 
 namespace karinui {
@@ -61,6 +62,12 @@ struct Stated {
   Length value;
   bool operator==(const Stated&) const = default;
 };
+
+// The same place said the same way.
+inline bool operator==(const BodyPoint& a, const BodyPoint& b) {
+  return a.part == b.part && a.along == b.along && a.around == b.around && a.landmark == b.landmark &&
+         a.onFace.face == b.onFace.face && a.onFace.weight == b.onFace.weight;
+}
 
 enum class Choice { Auto, Yes, No };  // Auto is decided when the operation is performed, and recorded as decided
 
