@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "karinui/body/body.h"
+
+namespace karinui {
+namespace {
+
+BodyPtr made(const Measurements& wanted, int threads = 1) {
+  Workers workers(threads);
+  const Token token;
+  auto body = makeMannequin(wanted, workers, token);
+  EXPECT_TRUE(body) << text(body.error().what);
+  return body ? *body : nullptr;
+}
+
+Measurements sizeNamed(const std::string& name) {
+  if (name == "large") return {Sex::Female, {{"bust_girth", 1.16}, {"waist_girth", 1.02}, {"hip_girth", 1.22}, {"height", 1.66}}};
+  return builtInSize(name).value();
+}
+
+BodyPtr kept(const std::string& name) {  // made once for all tests of this program
+  static std::map<std::string, BodyPtr> bodies;
+  if (!bodies.contains(name)) bodies[name] = made(sizeNamed(name));
+  return bodies[name];
+}
+
+void meets(const Measurements& wanted, const Body& body) {
+  const Measurements measured = measure(body.mesh(), body.bvh());
+  for (const auto& [key, value] : wanted.value)
+    EXPECT_NEAR(measured.value.at(key), value, key.ends_with("_girth") ? 0.003 : 0.005) << key;
+  const MeshReport report = inspect(body.mesh());
+  EXPECT_TRUE(report.closed() && report.outward);
+  EXPECT_EQ(report.shells, 1u);
+  EXPECT_EQ(report.selfCrossings, 0u);
+  EXPECT_EQ(report.points + report.triangles - report.triangles * 3 / 2, 2u);  // genus 0
+  EXPECT_GE(report.triangles, 10000u);
+  EXPECT_LE(report.triangles, 40000u);
+  double low = 1;
+  for (const Vec3& p : body.mesh().points) low = std::min(low, p.y);
+  EXPECT_NEAR(low, 0, 1e-9);
+  EXPECT_NEAR(measured.value.at("arm_angle") * 180 / M_PI, 46, 6);
+}
+
+class Sizes : public testing::TestWithParam<const char*> {};
+
+TEST_P(Sizes, MeetTheTapeOnASoundMesh) {
+  const BodyPtr body = kept(GetParam());
+  ASSERT_TRUE(body);
+  meets(sizeNamed(GetParam()), *body);
+  for (const char* key : {"height", "bust_girth", "under_bust_girth", "waist_girth", "hip_girth", "neck_girth", "upper_arm_girth",
+                          "wrist_girth", "thigh_girth", "knee_girth", "calf_girth", "ankle_girth", "arm_length", "crotch_height",
+                          "waist_height", "bust_height", "hip_height", "armpit_height", "shoulder_width", "back_waist_length"})
+    EXPECT_TRUE(body->measured().value.contains(key)) << key;
+}
+
+TEST_P(Sizes, APlaceIsFoundAgainFromItsDescription) {
+  const BodyPtr body = kept(GetParam());
+  ASSERT_TRUE(body);
+  std::mt19937_64 random(7);
+  std::size_t named = 0, tried = 0;
+  for (int i = 0; i < 400; ++i, ++tried) {
+    const auto face = static_cast<std::uint32_t>(random() % body->mesh().faces.size());
+    const SurfacePoint place{face, {0.2, 0.3, 0.5}};
+    const BodyPoint point = body->describe(place);
+    named += point.part != BodyPoint::Part::Face;
+    const auto parsed = parseBodyPoint(text(point));
+    ASSERT_TRUE(parsed) << text(point);
+    EXPECT_EQ(text(*parsed), text(point));
+    const auto found = body->find(*parsed);
+    ASSERT_TRUE(found);
+    EXPECT_LT(distance(at(body->mesh(), *found), at(body->mesh(), place)), 0.001) << text(point);
+  }
+  EXPECT_GT(named, tried * 9 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Body, Sizes, testing::Values("jis9ar", "eu38", "eu50", "large"));
+
+TEST(Mannequin, LimbGirthsAndLengthsAskedForAreMet) {
+  const Measurements wanted{Sex::Female,
+                            {{"height", 1.68}, {"bust_girth", 0.9}, {"waist_girth", 0.73}, {"hip_girth", 0.98}, {"neck_girth", 0.355},
+                             {"upper_arm_girth", 0.29}, {"wrist_girth", 0.162}, {"calf_girth", 0.36}, {"arm_length", 0.49},
+                             {"shoulder_width", 0.38}}};
+  const BodyPtr body = made(wanted);
+  ASSERT_TRUE(body);
+  meets(wanted, *body);
+}
+
+TEST(Mannequin, RandomPlausiblePeopleAreMet) {
+  std::mt19937_64 random(11);
+  const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random() % 10001) / 10000; };
+  for (int i = 0; i < 3; ++i) {
+    Measurements wanted{i % 2 ? Sex::Male : Sex::Female, {}};
+    const double height = wanted.value["height"] = between(1.55, 1.88), wide = between(0, 1);
+    const bool female = wanted.sex == Sex::Female;
+    wanted.value["bust_girth"] = height * ((female ? 0.51 : 0.54) + 0.10 * wide);
+    wanted.value["waist_girth"] = height * ((female ? 0.40 : 0.43) + 0.10 * wide);
+    wanted.value["hip_girth"] = height * ((female ? 0.56 : 0.54) + 0.08 * wide);
+    const BodyPtr body = made(wanted);
+    ASSERT_TRUE(body);
+    meets(wanted, *body);
+  }
+}
+
+TEST(Mannequin, SameBitsForAnyNumberOfThreads) {
+  EXPECT_EQ(kept("jis9ar")->hash(), made(sizeNamed("jis9ar"), 2)->hash());
+}
+
+TEST(Mannequin, ACancelledOneIsNotMade) {
+  Workers workers(1);
+  Token token;
+  token.cancel();
+  const auto body = makeMannequin(sizeNamed("eu38"), workers, token);
+  ASSERT_FALSE(body);
+  EXPECT_EQ(body.error().kind, Error::Kind::Cancelled);
+}
+
+TEST(Mannequin, TheSamePlaceOnAnotherBody) {
+  const BodyPtr a = kept("jis9ar"), b = kept("large");
+  ASSERT_TRUE(a && b);
+  for (const BodyPtr& body : {a, b}) {
+    const auto waist = body->find(parseBodyPoint("torso:waist@0").value());
+    const auto bust = body->find(parseBodyPoint("torso:bust@0.07").value());
+    const auto left = body->find(parseBodyPoint("torso:waist@0.25").value());
+    ASSERT_TRUE(waist && bust && left);
+    EXPECT_NEAR(at(body->mesh(), *waist).y, body->measured().value.at("waist_height"), 0.03);
+    EXPECT_GT(at(body->mesh(), *bust).y, at(body->mesh(), *waist).y + 0.08);
+    EXPECT_GT(at(body->mesh(), *left).x, 0.08);
+    const BodyPoint elbow = parseBodyPoint("left_arm:elbow@0.1").value();
+    const auto here = body->find(elbow), there = body->find(body->mirrored(elbow).value());
+    ASSERT_TRUE(here && there);
+    const Vec3 p = at(body->mesh(), *here), q = at(body->mesh(), *there);
+    EXPECT_LT(distance({-p.x, p.y, p.z}, q), 0.002);
+    for (const char* name : {"shoulder_left", "neck_front", "neck_back", "neck_left", "armpit_left", "bust_left", "crotch", "elbow_left",
+                             "wrist_left", "knee_left", "ankle_left", "waist_front"})
+      EXPECT_TRUE(body->find(parseBodyPoint(std::string("landmark:") + name).value())) << name;
+  }
+}
+
+TEST(BodyPoint, BadTextIsRefusedWithASentence) {
+  for (const char* bad : {"", "torso", "torso:", "torso:waist", "torso:wasit@0", "torso:99@0", "torso:-1@0", "torso:waist@x", "tail:1@0",
+                          "landmark:", "landmark:A B", "face:1", "face:-1@0,0", "face:1@0.9,0.9", "torso:nan@0", "torso:1@inf"})
+    EXPECT_FALSE(parseBodyPoint(bad)) << bad;
+  EXPECT_DOUBLE_EQ(parseBodyPoint("torso:waist+0.5@1.25")->along, 3.5);
+  EXPECT_DOUBLE_EQ(parseBodyPoint("torso:waist+0.5@1.25")->around, 0.25);
+}
+
+}  // namespace
+}  // namespace karinui
