@@ -17,7 +17,8 @@ BodyPtr made(const Measurements& wanted, int threads = 1) {
 }
 
 Measurements sizeNamed(const std::string& name) {
-  if (name == "large") return {Sex::Female, {{"bust_girth", 1.16}, {"waist_girth", 1.02}, {"hip_girth", 1.22}, {"height", 1.66}}};
+  if (name == "large")
+    return {Sex::Female, {{"bust_girth", 1.16}, {"waist_girth", 1.02}, {"hip_girth", 1.22}, {"height", 1.66}}};
   return builtInSize(name).value();
 }
 
@@ -50,9 +51,10 @@ TEST_P(Sizes, MeetTheTapeOnASoundMesh) {
   const BodyPtr body = kept(GetParam());
   ASSERT_TRUE(body);
   meets(sizeNamed(GetParam()), *body);
-  for (const char* key : {"height", "bust_girth", "under_bust_girth", "waist_girth", "hip_girth", "neck_girth", "upper_arm_girth",
-                          "wrist_girth", "thigh_girth", "knee_girth", "calf_girth", "ankle_girth", "arm_length", "crotch_height",
-                          "waist_height", "bust_height", "hip_height", "armpit_height", "shoulder_width", "back_waist_length"})
+  for (const char* key : {"height",      "bust_girth",      "under_bust_girth", "waist_girth",    "hip_girth",
+                          "neck_girth",  "upper_arm_girth", "wrist_girth",      "thigh_girth",    "knee_girth",
+                          "calf_girth",  "ankle_girth",     "arm_length",       "crotch_height",  "waist_height",
+                          "bust_height", "hip_height",      "armpit_height",    "shoulder_width", "back_waist_length"})
     EXPECT_TRUE(body->measured().value.contains(key)) << key;
 }
 
@@ -80,8 +82,15 @@ INSTANTIATE_TEST_SUITE_P(Body, Sizes, testing::Values("jis9ar", "eu38", "eu50", 
 
 TEST(Mannequin, LimbGirthsAndLengthsAskedForAreMet) {
   const Measurements wanted{Sex::Female,
-                            {{"height", 1.68}, {"bust_girth", 0.9}, {"waist_girth", 0.73}, {"hip_girth", 0.98}, {"neck_girth", 0.355},
-                             {"upper_arm_girth", 0.29}, {"wrist_girth", 0.162}, {"calf_girth", 0.36}, {"arm_length", 0.49},
+                            {{"height", 1.68},
+                             {"bust_girth", 0.9},
+                             {"waist_girth", 0.73},
+                             {"hip_girth", 0.98},
+                             {"neck_girth", 0.355},
+                             {"upper_arm_girth", 0.29},
+                             {"wrist_girth", 0.162},
+                             {"calf_girth", 0.36},
+                             {"arm_length", 0.49},
                              {"shoulder_width", 0.38}}};
   const BodyPtr body = made(wanted);
   ASSERT_TRUE(body);
@@ -90,7 +99,9 @@ TEST(Mannequin, LimbGirthsAndLengthsAskedForAreMet) {
 
 TEST(Mannequin, RandomPlausiblePeopleAreMet) {
   std::mt19937_64 random(11);
-  const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random() % 10001) / 10000; };
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() % 10001) / 10000;
+  };
   for (int i = 0; i < 3; ++i) {
     Measurements wanted{i % 2 ? Sex::Male : Sex::Female, {}};
     const double height = wanted.value["height"] = between(1.55, 1.88), wide = between(0, 1);
@@ -133,15 +144,16 @@ TEST(Mannequin, TheSamePlaceOnAnotherBody) {
     ASSERT_TRUE(here && there);
     const Vec3 p = at(body->mesh(), *here), q = at(body->mesh(), *there);
     EXPECT_LT(distance({-p.x, p.y, p.z}, q), 0.002);
-    for (const char* name : {"shoulder_left", "neck_front", "neck_back", "neck_left", "armpit_left", "bust_left", "crotch", "elbow_left",
-                             "wrist_left", "knee_left", "ankle_left", "waist_front"})
+    for (const char* name : {"shoulder_left", "neck_front", "neck_back", "neck_left", "armpit_left", "bust_left",
+                             "crotch", "elbow_left", "wrist_left", "knee_left", "ankle_left", "waist_front"})
       EXPECT_TRUE(body->find(parseBodyPoint(std::string("landmark:") + name).value())) << name;
   }
 }
 
 TEST(BodyPoint, BadTextIsRefusedWithASentence) {
-  for (const char* bad : {"", "torso", "torso:", "torso:waist", "torso:wasit@0", "torso:99@0", "torso:-1@0", "torso:waist@x", "tail:1@0",
-                          "landmark:", "landmark:A B", "face:1", "face:-1@0,0", "face:1@0.9,0.9", "torso:nan@0", "torso:1@inf"})
+  for (const char* bad :
+       {"", "torso", "torso:", "torso:waist", "torso:wasit@0", "torso:99@0", "torso:-1@0", "torso:waist@x", "tail:1@0",
+        "landmark:", "landmark:A B", "face:1", "face:-1@0,0", "face:1@0.9,0.9", "torso:nan@0", "torso:1@inf"})
     EXPECT_FALSE(parseBodyPoint(bad)) << bad;
   EXPECT_DOUBLE_EQ(parseBodyPoint("torso:waist+0.5@1.25")->along, 3.5);
   EXPECT_DOUBLE_EQ(parseBodyPoint("torso:waist+0.5@1.25")->around, 0.25);
