@@ -1,0 +1,21 @@
+#pragma once
+// Whole files, safely. A write is all or nothing: the bytes go to a new file beside the target, are forced to the disk
+// and only then take the target's name, so a crash or a full disk leaves the old file as it was. Any thread.
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "karinui/base/result.h"
+
+namespace karinui {
+
+inline constexpr std::size_t kLargestFile = std::size_t{256} << 20;  // bytes read at most, unless told otherwise
+
+// Refuses what is not a plain file, cannot be read or is larger than `most` bytes.
+Result<std::string> readFile(const std::filesystem::path& path, std::size_t most = kLargestFile);
+
+// Refuses with Error::Kind::Storage, saying why and what to do; then nothing was changed.
+Done writeFile(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace karinui

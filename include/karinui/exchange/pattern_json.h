@@ -1,0 +1,17 @@
+#pragma once
+// Our own exact text of a paper pattern, `karinui-pattern-1` (docs/format/pattern-json.md): every curve, seam, mark and
+// placement, in metres, with numbers that read back as the same doubles. Pure; any thread.
+#include <string>
+#include <string_view>
+
+#include "karinui/base/result.h"
+#include "karinui/pattern/piece.h"
+
+namespace karinui {
+
+std::string writePatternJson(const Pattern& pattern);
+
+// Refuses what cannot be a pattern, naming the piece or seam: open or crossing outlines, names twice, seams to nothing.
+Result<Pattern> readPatternJson(std::string_view json);
+
+}  // namespace karinui

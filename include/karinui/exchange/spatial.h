@@ -1,0 +1,35 @@
+#pragma once
+// A garment and the body it is worn on, as shapes for other programs: OBJ and GLB (glTF 2.0). Metres, y up, facing +z;
+// texture coordinates are the flat pattern in metres, so that a fabric's picture keeps its scale. The same values give
+// the same bytes. Pure; any thread.
+//
+// The body is an object named `body`, every piece an object of its own name; a name that cannot be one (empty, `body`,
+// one that another piece has) gets a number.
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "karinui/base/result.h"
+#include "karinui/geometry/mesh.h"
+
+namespace karinui {
+
+struct SpatialPiece {
+  std::string name, fabric;
+  TriangleMesh mesh;                                 // in space, posed
+  std::vector<Flat> flat;                            // where each point is on paper
+  std::array<float, 3> colour{0.35f, 0.45f, 0.65f};  // linear RGB; pieces of one fabric share the first one's
+};
+
+struct SpatialGarment {
+  std::optional<TriangleMesh> body;
+  std::vector<SpatialPiece> pieces;
+};
+
+// Refused with a sentence: points that are not finite, faces that name points that are not there.
+Result<std::string> writeObj(const SpatialGarment& garment);
+Result<std::string> writeObj(const TriangleMesh& mesh, std::string_view name);  // points and faces only
+Result<std::string> writeGlb(const SpatialGarment& garment);
+
+}  // namespace karinui

@@ -1,0 +1,97 @@
+#include "names.h"
+
+namespace karinui {
+namespace {
+
+// How many bytes the UTF-8 character at `i` has; 0 where there is none (RFC 3629, table of well-formed sequences).
+std::size_t characterLength(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
+  const auto follows = [&](std::size_t k) { return (byte(k) & 0xC0u) == 0x80u; };
+  const unsigned first = byte(i), second = byte(i + 1);
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return follows(i + 1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool good = !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F);
+    return good && follows(i + 1) && follows(i + 2) ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool good = !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F);
+    return good && follows(i + 1) && follows(i + 2) && follows(i + 3) ? 4 : 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string cleanText(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size() && out.size() < 197;) {
+    const std::size_t count = characterLength(text, i);
+    const std::string_view character = text.substr(i, count);
+    // C1 controls and the two code points XML 1.0 has no place for are replaced as well.
+    const bool c1 = count == 2 && character[0] == '\xC2' && static_cast<unsigned char>(character[1]) < 0xA0;
+    const bool noncharacter = character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
+    if (count == 0 || noncharacter)
+      out += "\xEF\xBF\xBD";
+    else if (c1 || static_cast<unsigned char>(text[i]) < 0x20 || text[i] == 0x7f)
+      out += ' ';
+    else
+      out += character;
+    i += count == 0 ? 1 : count;
+  }
+  return out;
+}
+
+std::string xmlEscaped(std::string_view text) {
+  std::string out;
+  for (const char c : cleanText(text)) switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&apos;";
+        break;
+      default:
+        out += c;
+    }
+  return out;
+}
+
+std::string oneWord(std::string_view text, std::string_view otherwise) {
+  std::string out = cleanText(text);
+  for (char& c : out)
+    if (c == ' ') c = '_';
+  return out.empty() ? std::string(otherwise) : out;
+}
+
+std::string edgeWord(std::string_view text) {
+  std::string out;
+  for (const char c : text.substr(0, 64)) {
+    const bool usable =
+        (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    if (usable)
+      out += c;
+    else if (!out.empty() && out.back() != '_')
+      out += '_';
+  }
+  return out.find_first_not_of('_') == std::string::npos ? std::string{} : out;
+}
+
+std::string distinct(std::string name, std::set<std::string>& taken) {
+  if (taken.insert(name).second) return name;
+  for (std::size_t n = 2;; ++n) {
+    std::string next = name + "_" + std::to_string(n);
+    if (taken.insert(next).second) return next;
+  }
+}
+
+}  // namespace karinui

@@ -1,0 +1,166 @@
+#include "pdf_canvas.h"
+
+#include <cairo-ft.h>
+#include <cairo-pdf.h>
+#include <fontconfig/fontconfig.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace karinui {
+namespace {
+
+constexpr double kPoint = 72 / 25.4;  // points in a millimetre
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned count) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+// A sans-serif font that has (most of) the characters of a text.
+cairo_font_face_t* fontFor(const std::string& words) {
+  FcCharSet* characters = FcCharSetCreate();
+  const auto* at = reinterpret_cast<const FcChar8*>(words.data());
+  for (int left = static_cast<int>(words.size()); left > 0;) {
+    FcChar32 character = 0;
+    const int used = FcUtf8ToUcs4(at, &character, left);
+    if (used <= 0) break;
+    FcCharSetAddChar(characters, character);
+    at += used, left -= used;
+  }
+  FcPattern* wanted = FcPatternCreate();
+  FcPatternAddString(wanted, FC_FAMILY, reinterpret_cast<const FcChar8*>("sans-serif"));
+  FcPatternAddCharSet(wanted, FC_CHARSET, characters);
+  FcPatternAddBool(wanted, FC_SCALABLE, FcTrue);
+  FcConfigSubstitute(nullptr, wanted, FcMatchPattern);
+  FcDefaultSubstitute(wanted);
+  FcResult result = FcResultMatch;
+  FcPattern* found = FcFontMatch(nullptr, wanted, &result);
+  cairo_font_face_t* face = found ? cairo_ft_font_face_create_for_pattern(found) : nullptr;
+  if (found) FcPatternDestroy(found);
+  FcPatternDestroy(wanted);
+  FcCharSetDestroy(characters);
+  return face;
+}
+
+}  // namespace
+
+PdfCanvas::PdfCanvas(double widthMm, double heightMm, const std::string& title)
+    : surface_(cairo_pdf_surface_create_for_stream(append, &bytes_, widthMm * kPoint, heightMm * kPoint)) {
+  // 1.4 keeps objects readable by the oldest plotters, and the file open to withoutPrintScaling.
+  cairo_pdf_surface_restrict_to_version(surface_.get(), CAIRO_PDF_VERSION_1_4);
+  cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
+  cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATOR, "Karinui");
+  // No date: the same pattern gives the same bytes, and a pattern passed on does not say when it was made.
+  cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
+  cairo_.reset(cairo_create(surface_.get()));
+}
+
+void PdfCanvas::begin(double widthMm, double heightMm) {
+  cairo_pdf_surface_set_size(surface_.get(), widthMm * kPoint, heightMm * kPoint);
+  cairo_identity_matrix(cairo_.get());
+  cairo_scale(cairo_.get(), kPoint, kPoint);
+  cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
+}
+void PdfCanvas::end() { cairo_show_page(cairo_.get()); }
+
+void PdfCanvas::push(Mm low, Mm high, Mm shift) {
+  cairo_save(cairo_.get());
+  cairo_rectangle(cairo_.get(), low.x, low.y, high.x - low.x, high.y - low.y);
+  cairo_clip(cairo_.get());
+  cairo_translate(cairo_.get(), shift.x, shift.y);
+}
+void PdfCanvas::pop() { cairo_restore(cairo_.get()); }
+
+void PdfCanvas::colour(double grey) { cairo_set_source_rgb(cairo_.get(), grey, grey, grey); }
+
+void PdfCanvas::stroke(double width, bool dashed) {
+  const double dash[] = {5, 2};
+  cairo_set_dash(cairo_.get(), dash, dashed ? 2 : 0, 0);
+  cairo_set_line_width(cairo_.get(), width);
+  cairo_stroke(cairo_.get());
+}
+void PdfCanvas::fill() { cairo_fill(cairo_.get()); }
+void PdfCanvas::moveTo(Mm p) { cairo_move_to(cairo_.get(), p.x, p.y); }
+void PdfCanvas::lineTo(Mm p) { cairo_line_to(cairo_.get(), p.x, p.y); }
+void PdfCanvas::close() { cairo_close_path(cairo_.get()); }
+
+void PdfCanvas::curve(const SheetPiece& piece, const Curve& curve) {
+  const auto cubic = [&](Flat c1, Flat c2, Flat end) {
+    const Mm a = piece.at(c1), b = piece.at(c2), p = piece.at(end);
+    cairo_curve_to(cairo_.get(), a.x, a.y, b.x, b.y, p.x, p.y);
+  };
+  if (curve.kind == Curve::Kind::Cubic) return cubic(curve.control1, curve.control2, curve.end);
+  if (curve.kind == Curve::Kind::Line || curve.bulge == 0) return lineTo(piece.at(curve.end));
+  // An arc as cubics of at most 45 degrees each: nowhere more than a millionth of its radius beside it. A part that
+  // turns by four times atan(b) has handles of 4/3 tan(angle / 4) radii, that is 4/3 b radii.
+  const double turned = 4 * std::abs(std::atan(curve.bulge));
+  const int count = std::max(1, static_cast<int>(std::ceil(turned / (std::numbers::pi / 4))));
+  for (int i = 0; i < count; ++i) {
+    const Curve part = curve.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    const double quarter = std::atan(std::abs(part.bulge));
+    const double handle = 4.0 / 3 * std::abs(part.bulge) * distance(part.start, part.end) / (2 * std::sin(2 * quarter));
+    cubic(part.start + normalized(part.tangent(0)) * handle, part.end - normalized(part.tangent(1)) * handle, part.end);
+  }
+}
+
+void PdfCanvas::circle(Mm centre, double radius) {
+  cairo_new_sub_path(cairo_.get());
+  cairo_arc(cairo_.get(), centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+}
+
+void PdfCanvas::words(const SheetText& text, bool centred) {
+  cairo_save(cairo_.get());
+  if (cairo_font_face_t* face = fontFor(text.words)) {
+    cairo_set_font_face(cairo_.get(), face);
+    cairo_font_face_destroy(face);
+  }
+  cairo_set_font_size(cairo_.get(), text.size);
+  cairo_text_extents_t extents{};
+  cairo_text_extents(cairo_.get(), text.words.c_str(), &extents);
+  cairo_translate(cairo_.get(), text.place.x, text.place.y);
+  if (!text.upright) cairo_rotate(cairo_.get(), -std::numbers::pi / 2);
+  cairo_move_to(cairo_.get(), centred ? -extents.x_advance / 2 : 0, text.size * 0.35);
+  cairo_show_text(cairo_.get(), text.words.c_str());
+  cairo_restore(cairo_.get());
+}
+
+Result<std::string> PdfCanvas::finish() {
+  const cairo_status_t drawn = cairo_status(cairo_.get());
+  cairo_.reset();
+  cairo_surface_finish(surface_.get());
+  const cairo_status_t written = cairo_surface_status(surface_.get());
+  if (drawn != CAIRO_STATUS_SUCCESS || written != CAIRO_STATUS_SUCCESS)
+    return refused(
+        say("The PDF cannot be drawn: {0}.", cairo_status_to_string(drawn != CAIRO_STATUS_SUCCESS ? drawn : written)));
+  return withoutPrintScaling(std::move(bytes_));
+}
+
+std::string withoutPrintScaling(std::string pdf) {
+  const auto numberAfter = [&](std::size_t at) { return std::strtoul(pdf.c_str() + at, nullptr, 10); };
+  const std::size_t trailer = pdf.rfind("trailer"), start = pdf.rfind("startxref");
+  const std::size_t root = trailer == std::string::npos ? trailer : pdf.find("/Root", trailer);
+  if (root == std::string::npos || start == std::string::npos) return pdf;
+  const unsigned long catalogue = numberAfter(root + 5), previous = numberAfter(start + 9);
+  const std::string opening = "\n" + std::to_string(catalogue) + " 0 obj";
+  const std::size_t begin = pdf.rfind(opening), end = begin == std::string::npos ? begin : pdf.find("endobj", begin);
+  const std::size_t close = end == std::string::npos ? end : pdf.rfind(">>", end);
+  const std::size_t dictionary = pdf.find("<<", trailer), dictionaryEnd = pdf.rfind(">>", start);
+  if (close == std::string::npos || close < begin || dictionaryEnd == std::string::npos) return pdf;
+
+  const std::string entries = pdf.substr(dictionary, dictionaryEnd - dictionary);
+  std::string object =
+      pdf.substr(begin + 1, close - begin - 1) + "   /ViewerPreferences << /PrintScaling /None >>\n>>\nendobj\n";
+  if (pdf.back() != '\n') pdf += '\n';
+  char offset[24];
+  std::snprintf(offset, sizeof offset, "%010zu 00000 n \n", pdf.size());
+  pdf += object;
+  const std::size_t table = pdf.size();
+  pdf += "xref\n" + std::to_string(catalogue) + " 1\n" + offset + "trailer\n" + entries + "   /Prev " +
+         std::to_string(previous) + "\n>>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
+  return pdf;
+}
+
+}  // namespace karinui

@@ -1,0 +1,139 @@
+#include "sheet.h"
+
+#include <algorithm>
+
+#include "names.h"
+
+namespace karinui {
+namespace {
+
+constexpr double kMargin = 20, kGap = 15, kHeader = kSquare + 60;  // mm
+constexpr double kNotch = 5;                                       // mm, without seam allowance
+constexpr double kTagDepth = 6, kTagSize = 4.5;                    // mm
+
+// Paper in mm with y down, before the piece has its place on the sheet.
+Mm turned(Flat p) { return {p.u * 1000, -p.v * 1000}; }
+
+void grow(SheetPiece& piece, Mm p) {
+  piece.low = {std::min(piece.low.x, p.x), std::min(piece.low.y, p.y)};
+  piece.high = {std::max(piece.high.x, p.x), std::max(piece.high.y, p.y)};
+}
+
+Result<SheetPiece> draw(const Piece& piece, double allowance) {
+  SheetPiece out;
+  out.piece = &piece;
+  const Ring ring = piece.outline.flattened(1e-5);
+  out.low = out.high = turned(ring[0]);
+  for (const Flat p : ring) grow(out, turned(p));
+  if (allowance > 0) {
+    Result<Ring> cut = movedOutwards(ring, allowance);
+    if (!cut) return cut.error();
+    out.cutLines.emplace_back();
+    for (const Flat p : *cut) {
+      out.cutLines.back().push_back(turned(p));
+      grow(out, turned(p));
+    }
+  }
+  for (const Mark& mark : piece.marks)
+    if (mark.edge.empty()) out.drills.push_back(turned(mark.place));
+  return out;
+}
+
+void move(SheetPiece& piece, Mm by) {
+  piece.origin = piece.origin + by;
+  piece.low = piece.low + by;
+  piece.high = piece.high + by;
+  for (auto& line : piece.cutLines)
+    for (Mm& p : line) p = p + by;
+  for (Mm& p : piece.drills) p = p + by;
+}
+
+// Shelves: the tallest first, from left to right, a new shelf below when the roll's width is used up.
+void shelve(Sheet& sheet, double rollWidth) {
+  std::vector<std::size_t> order(sheet.pieces.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto tall = [&](std::size_t i) { return sheet.pieces[i].high.y - sheet.pieces[i].low.y; };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return tall(a) > tall(b); });
+  double widest = rollWidth - 2 * kMargin;
+  for (const SheetPiece& piece : sheet.pieces) widest = std::max(widest, piece.high.x - piece.low.x);
+  Mm at{kMargin, kMargin + kHeader};
+  double shelf = 0, used = 1.7 * kSquare + kMargin;
+  for (const std::size_t i : order) {
+    SheetPiece& piece = sheet.pieces[i];
+    const double wide = piece.high.x - piece.low.x;
+    if (at.x > kMargin && at.x + wide > kMargin + widest + 1e-9) at = {kMargin, at.y + shelf + kGap}, shelf = 0;
+    move(piece, at - piece.low);
+    at.x += wide + kGap;
+    shelf = std::max(shelf, tall(i));
+    used = std::max(used, piece.high.x);
+  }
+  sheet.width = std::ceil(used + kMargin);
+  sheet.height = std::ceil(at.y + shelf + kMargin);
+}
+
+void addNotches(Sheet& sheet, const Pattern& pattern, double allowance) {
+  std::map<PieceId, SheetPiece*> of;
+  for (SheetPiece& piece : sheet.pieces) of[piece.piece->id] = &piece;
+  // Outwards to the cut line; on a pattern of seam lines only, a short stroke inwards.
+  const double reach = allowance > 0 ? allowance : -kNotch / 1000;
+  for (const NotchPlace& notch : notchPlaces(pattern)) {
+    SheetPiece& piece = *of.at(notch.piece);
+    piece.notches.push_back({{piece.at(notch.place), piece.at(notch.place + notch.outward * reach)}, notch.seam});
+  }
+  for (SheetPiece& piece : sheet.pieces)
+    for (const Mark& mark : piece.piece->marks)
+      if (const Edge* edge = mark.edge.empty() ? nullptr : findEdge(*piece.piece, mark.edge)) {
+        const double t = edge->curve.parameterAt(std::clamp(mark.fraction, 0.0, 1.0) * edge->curve.length());
+        const bool hole = !piece.piece->outline.find(mark.edge);
+        const Flat place = edge->curve.at(t), outward = leftOf(normalized(edge->curve.tangent(t))) * (hole ? 1 : -1);
+        piece.notches.push_back({{piece.at(place), piece.at(place + outward * reach)}, ""});
+      }
+  for (const SeamTag& tag : seamTags(pattern)) {
+    SheetPiece& piece = *of.at(tag.piece);
+    const Mm place = piece.at(tag.place - tag.outward * (kTagDepth / 1000));
+    piece.texts.push_back({place, kTagSize, true, std::to_string(tag.number)});
+  }
+}
+
+}  // namespace
+
+Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
+  if (pattern.pieces.empty()) return refused(say("There is no piece to print."));
+  if (!std::isfinite(settings.allowance) || settings.allowance < 0 || settings.allowance > 0.1)
+    return refused(say("A seam allowance lies between 0 and 100 mm; usual are 7 to 15 mm."));
+  if (!std::isfinite(settings.rollWidth) || settings.rollWidth < 0.1 || settings.rollWidth > 10)
+    return refused(say("A roll of paper is between 0.1 and 10 m wide."));
+  Sheet sheet;
+  sheet.title = cleanText(settings.title);
+  for (const auto& [id, piece] : pattern.pieces) {
+    Result<SheetPiece> drawn = draw(*piece, settings.allowance);
+    if (!drawn) return drawn.error();
+    sheet.pieces.push_back(*std::move(drawn));
+  }
+  shelve(sheet, settings.rollWidth * 1000);
+  for (SheetPiece& piece : sheet.pieces) placeLabels(piece, settings);
+  addNotches(sheet, pattern, settings.allowance);
+
+  sheet.square = {kMargin, kMargin};
+  const auto said = [&](const Message& message) { return text(message, settings.language); };
+  // Below the square and no wider than an A4 page shows, so that the first sheet can be read as it is.
+  Mm at{kMargin, kMargin + kSquare + 10};
+  const auto heading = [&](std::string words, double size) {
+    sheet.headings.push_back({at, size, true, std::move(words)});
+    at.y += size * 1.8;
+  };
+  heading(sheet.title, 7);
+  heading(said(say("Print at 100 %. The square must measure 100 mm.")), 4);
+  if (settings.allowance > 0)
+    heading(said(say("Solid line: cut. Dashed line: sew. Seam allowance {0} mm.",
+                     std::round(settings.allowance * 1e4) / 10)),
+            4.5);
+  else
+    heading(said(say("The lines are seam lines: add the seam allowance yourself.")), 4);
+  heading(said(say("Arrow: grain. Short strokes: notches. Equal numbers are sewn together.")), 4);
+  for (const SheetText& words : sheet.headings)
+    sheet.width = std::max(sheet.width, std::ceil(words.place.x + wordsWidth(words.words, words.size) + kMargin));
+  return sheet;
+}
+
+}  // namespace karinui

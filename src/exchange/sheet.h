@@ -1,0 +1,80 @@
+#pragma once
+// A sheet of pieces, ready to be drawn: everything in millimetres, x to the right, y down, from the sheet's top left.
+#include <optional>
+#include <vector>
+
+#include "karinui/exchange/sheet.h"
+
+namespace karinui {
+
+struct Mm {
+  double x = 0, y = 0;
+};
+inline Mm operator+(Mm a, Mm b) { return {a.x + b.x, a.y + b.y}; }
+inline Mm operator-(Mm a, Mm b) { return {a.x - b.x, a.y - b.y}; }
+inline Mm operator*(Mm a, double s) { return {a.x * s, a.y * s}; }
+
+struct SheetStroke {
+  Mm from, to;
+};
+struct SheetText {  // centred on its place
+  Mm place;
+  double size = 4;      // mm, of the font
+  bool upright = true;  // else turned to read from below upwards
+  std::string words;    // UTF-8
+};
+struct SheetNotch {
+  SheetStroke stroke;
+  std::string seam;  // name; empty for a mark of the person's own
+};
+
+struct SheetPiece {
+  const Piece* piece = nullptr;
+  Mm origin;  // where the paper's (0, 0) lies
+  std::vector<std::vector<Mm>> cutLines;
+  std::vector<SheetNotch> notches;
+  std::vector<SheetText> texts;  // name first, then what to cut, then the seams' numbers
+  std::optional<SheetStroke> grain;
+  std::vector<Mm> drills;
+  Mm low, high;  // of all that is drawn of it
+
+  Mm at(Flat paper) const { return {origin.x + paper.u * 1000, origin.y - paper.v * 1000}; }
+};
+
+struct Sheet {
+  double width = 0, height = 0;
+  std::string title;
+  std::vector<SheetPiece> pieces;
+  Mm square;                        // top left of the 100 mm square
+  std::vector<SheetText> headings;  // beside it; these begin at their place
+};
+inline constexpr double kSquare = 100;  // mm
+
+// Refused: an empty pattern, an absurd allowance.
+Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings);
+
+// The words' width, mm, estimated: half-width letters 0.6 of the size, all others 1.
+double wordsWidth(std::string_view words, double size);
+
+// sheet_offset.cpp: the ring moved outwards by `distance` with mitred corners; several rings never arise from one.
+Result<Ring> movedOutwards(const Ring& ring, double distance);
+
+// sheet_notches.cpp: places where sewn pieces must meet; the two sides of a seam get the same number of them.
+struct NotchPlace {
+  PieceId piece;
+  Flat place, outward;  // paper; unit
+  std::string seam;
+};
+std::vector<NotchPlace> notchPlaces(const Pattern& pattern);
+// The middle of each side of each seam, with the seam's number counted from 1.
+struct SeamTag {
+  PieceId piece;
+  Flat place, outward;
+  std::size_t number = 0;
+};
+std::vector<SeamTag> seamTags(const Pattern& pattern);
+
+// sheet_labels.cpp: the name, what to cut and the grain arrow, placed within the piece where there is room.
+void placeLabels(SheetPiece& piece, const SheetSettings& settings);
+
+}  // namespace karinui

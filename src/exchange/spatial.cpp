@@ -1,0 +1,39 @@
+#include "spatial.h"
+
+#include "names.h"
+#include "strict_json.h"
+
+namespace karinui {
+
+Done checkMesh(const TriangleMesh& mesh, std::string_view name) {
+  for (const Vec3 p : mesh.points)
+    if (!finite(p)) return badInput(say("\"{0}\" has a point that is nowhere (not a finite number).", shown(name)));
+  for (const Triangle& face : mesh.faces)
+    for (const std::uint32_t corner : face)
+      if (corner >= mesh.points.size())
+        return badInput(say("\"{0}\" has a triangle with a corner that is not there.", shown(name)));
+  return {};
+}
+
+Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment) {
+  constexpr std::array<float, 3> kSkin{0.78f, 0.66f, 0.58f};
+  std::vector<NamedMesh> out;
+  std::set<std::string> taken{"body"};
+  if (garment.body) {
+    if (auto good = checkMesh(*garment.body, "body"); !good) return good.error();
+    out.push_back({"body", "", &*garment.body, nullptr, kSkin});
+  }
+  for (const SpatialPiece& piece : garment.pieces) {
+    if (auto good = checkMesh(piece.mesh, piece.name); !good) return good.error();
+    if (piece.flat.size() != piece.mesh.points.size())
+      return badInput(say("\"{0}\" does not know where all its points are on paper.", shown(piece.name)));
+    for (const Flat p : piece.flat)
+      if (!finite(p))
+        return badInput(say("\"{0}\" has a point that is nowhere (not a finite number).", shown(piece.name)));
+    out.push_back({distinct(oneWord(piece.name, "piece"), taken), oneWord(piece.fabric, "fabric"), &piece.mesh,
+                   &piece.flat, piece.colour});
+  }
+  return out;
+}
+
+}  // namespace karinui

@@ -1,0 +1,20 @@
+#pragma once
+// What OBJ and GLB share: checked meshes, object names.
+#include "karinui/exchange/spatial.h"
+
+namespace karinui {
+
+struct NamedMesh {
+  std::string name;
+  std::string fabric;  // empty: the body
+  const TriangleMesh* mesh = nullptr;
+  const std::vector<Flat>* flat = nullptr;  // null: no texture coordinates
+  std::array<float, 3> colour{};
+};
+
+// The body first, then the pieces in their order, each under a name of its own.
+Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment);
+
+Done checkMesh(const TriangleMesh& mesh, std::string_view name);
+
+}  // namespace karinui

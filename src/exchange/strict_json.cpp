@@ -1,0 +1,102 @@
+#include "strict_json.h"
+
+#include <set>
+#include <vector>
+
+namespace karinui {
+namespace {
+
+// Watches the parser's events and stops it; the tree itself is built by a second pass, which then cannot fail.
+class Watch : public nlohmann::json_sax<Json> {
+ public:
+  Message wrong;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t value, const string_t& text) override {
+    if (std::isfinite(value)) return true;
+    wrong = say("The number {0} is too large.", shown(text));
+    return false;
+  }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override {
+    keys_.emplace_back();
+    return deeper();
+  }
+  bool key(string_t& name) override {
+    if (keys_.back().insert(name).second) return true;
+    wrong = say("The key \"{0}\" stands twice in one object; only one can be meant.", shown(name));
+    return false;
+  }
+  bool end_object() override {
+    keys_.pop_back();
+    --depth_;
+    return true;
+  }
+  bool start_array(std::size_t) override { return deeper(); }
+  bool end_array() override {
+    --depth_;
+    return true;
+  }
+  bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception&) override {
+    wrong = say("This is not JSON: byte {0}, near \"{1}\".", position, shown(token));
+    return false;
+  }
+
+ private:
+  bool deeper() {
+    if (++depth_ <= kDeepestJson) return true;
+    wrong = say("The JSON is nested more than {0} levels deep.", kDeepestJson);
+    return false;
+  }
+  int depth_ = 0;
+  std::vector<std::set<std::string>> keys_;
+};
+
+}  // namespace
+
+Result<Json> parseStrictJson(std::string_view text) {
+  if (text.size() > kLargestJson)
+    return badInput(
+        say("The JSON is too large: {0} MB, at most {1} MB are read.", text.size() >> 20, kLargestJson >> 20));
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return badInput(say("The file is empty."));
+  try {
+    Watch watch;
+    if (!Json::sax_parse(text.begin(), text.end(), &watch)) return badInput(std::move(watch.wrong));
+    return Json::parse(text.begin(), text.end());
+  } catch (const std::exception& problem) {
+    return badInput(say("This JSON cannot be read: {0}.", shown(problem.what())));
+  }
+}
+
+const Json* member(const Json& value, const char* key) {
+  if (!value.is_object()) return nullptr;
+  const auto found = value.find(key);
+  return found == value.end() ? nullptr : &*found;
+}
+
+bool isFinite(const Json& value) {
+  return value.is_number() && std::isfinite(value.get<double>()) && std::abs(value.get<double>()) <= 1e9;
+}
+
+bool isPoint(const Json& value, std::size_t dimensions) {
+  if (!value.is_array() || value.size() != dimensions) return false;
+  for (const Json& number : value)
+    if (!isFinite(number)) return false;
+  return true;
+}
+
+std::string shown(std::string_view name) {
+  std::string out;
+  for (const char c : name.substr(0, 80)) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  while (!out.empty() && out.size() < name.size() && (static_cast<unsigned char>(out.back()) & 0xC0) == 0x80)
+    out.pop_back();
+  if (out.size() < name.size()) out += "…";
+  return out;
+}
+
+}  // namespace karinui

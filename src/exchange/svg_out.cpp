@@ -1,0 +1,149 @@
+// The sheet as SVG 1.1. Numbers carry six decimals of a millimetre: a curve read back is the same to a nanometre.
+#include "karinui/base/number.h"
+#include "names.h"
+#include "sheet.h"
+#include "strict_json.h"
+
+namespace karinui {
+namespace {
+
+std::string number(double value) {
+  std::string out = fixed(value, 6);
+  while (out.back() == '0') out.pop_back();
+  if (out.back() == '.') out.pop_back();
+  return out;
+}
+std::string pair(Mm p) { return number(p.x) + " " + number(p.y); }
+std::string pair(Flat p) { return shortest(p.u) + " " + shortest(p.v); }
+
+std::string pathTo(const SheetPiece& piece, const Curve& curve) {
+  const std::string end = pair(piece.at(curve.end));
+  if (curve.kind == Curve::Kind::Cubic)
+    return "C " + pair(piece.at(curve.control1)) + " " + pair(piece.at(curve.control2)) + " " + end;
+  if (curve.kind == Curve::Kind::Arc && std::abs(curve.bulge) > 1e-9) {
+    const double quarter = std::atan(std::abs(curve.bulge));
+    const std::string radius = fixed(distance(curve.start, curve.end) * 1000 / (2 * std::sin(2 * quarter)), 9);
+    // y points down here: what turns left on paper turns against SVG's positive sweep.
+    return "A " + radius + " " + radius + " 0 " + (std::abs(curve.bulge) > 1 ? "1 " : "0 ") +
+           (curve.bulge > 0 ? "0 " : "1 ") + end;
+  }
+  return "L " + end;
+}
+
+void outline(std::string& out, const SheetPiece& piece, const Outline& ring, const char* kind, std::size_t index) {
+  for (const Edge& edge : ring.edges) {
+    out += std::string("    <path class=\"") + kind + "\" data-edge=\"" + xmlEscaped(edge.name) + "\"";
+    if (std::string_view(kind) == "hole") out += " data-hole=\"" + std::to_string(index) + "\"";
+    out += " d=\"M " + pair(piece.at(edge.curve.start)) + " " + pathTo(piece, edge.curve) + "\"/>\n";
+  }
+}
+
+void words(std::string& out, const SheetText& text, const char* kind) {
+  out += std::string("    <text class=\"") + kind + "\" x=\"" + number(text.place.x) + "\" y=\"" +
+         number(text.place.y) + "\" font-size=\"" + number(text.size) + "\"";
+  if (!text.upright) out += " transform=\"rotate(-90 " + pair(text.place) + ")\"";
+  out += " dy=\"0.35em\">" + xmlEscaped(text.words) + "</text>\n";
+}
+
+void stroke(std::string& out, const char* kind, Mm from, Mm to, const std::string& more = {}) {
+  out += std::string("    <path class=\"") + kind + "\"" + more + " d=\"M " + pair(from) + " L " + pair(to) + "\"/>\n";
+}
+
+void piece(std::string& out, const SheetPiece& drawn, std::size_t index) {
+  const Piece& p = *drawn.piece;
+  const std::string name = xmlEscaped(p.name);
+  out += "  <g id=\"piece-" + std::to_string(index) + "\" class=\"piece\" data-piece=\"" + name + "\" data-id=\"" +
+         std::to_string(p.id.value) + "\" data-fabric=\"" + xmlEscaped(p.fabric) + "\" data-grain=\"" + pair(p.grain) +
+         "\" data-layer=\"" + std::to_string(p.layer) + "\" data-origin=\"" + pair(drawn.origin) + "\">\n    <title>" +
+         name + "</title>\n";
+  for (const auto& line : drawn.cutLines) {
+    out += "    <path class=\"cut\" d=\"M " + pair(line[0]);
+    for (std::size_t i = 1; i < line.size(); ++i) out += " L " + pair(line[i]);
+    out += " Z\"/>\n";
+  }
+  outline(out, drawn, p.outline, drawn.cutLines.empty() ? "seam only" : "seam", 0);
+  for (std::size_t i = 0; i < p.holes.size(); ++i) outline(out, drawn, p.holes[i], "hole", i);
+  for (const InternalLine& line : p.lines) {
+    if (line.curves.empty()) continue;
+    out += "    <path class=\"internal\" data-line=\"" + xmlEscaped(line.name) + "\" d=\"";
+    for (std::size_t i = 0; i < line.curves.size(); ++i) {
+      if (i == 0 || line.curves[i].start != line.curves[i - 1].end)
+        out += (i == 0 ? "M " : " M ") + pair(drawn.at(line.curves[i].start));
+      out += " " + pathTo(drawn, line.curves[i]);
+    }
+    out += "\"/>\n";
+  }
+  for (const SheetNotch& notch : drawn.notches)
+    stroke(out, "notch", notch.stroke.from, notch.stroke.to, " data-seam=\"" + xmlEscaped(notch.seam) + "\"");
+  for (const Mm place : drawn.drills) {
+    out += "    <circle class=\"drill\" cx=\"" + number(place.x) + "\" cy=\"" + number(place.y) + "\" r=\"2.5\"/>\n";
+    stroke(out, "drill", place + Mm{-4, 0}, place + Mm{4, 0});
+    stroke(out, "drill", place + Mm{0, -4}, place + Mm{0, 4});
+  }
+  for (const Mark& mark : p.marks) {
+    out += "    <metadata class=\"mark\" data-mark=\"" + xmlEscaped(mark.name) + "\"";
+    if (mark.edge.empty())
+      out += " data-place=\"" + pair(mark.place) + "\"/>\n";
+    else
+      out += " data-edge=\"" + xmlEscaped(mark.edge) + "\" data-fraction=\"" + shortest(mark.fraction) + "\"/>\n";
+  }
+  if (drawn.grain) stroke(out, "grain", drawn.grain->from, drawn.grain->to);
+  for (std::size_t i = 0; i < drawn.texts.size(); ++i)
+    words(out, drawn.texts[i], i == 0 ? "name" : i == 1 ? "cut-count" : "seam-number");
+  out += "  </g>\n";
+}
+
+std::string spans(const std::vector<EdgeSpan>& side) {
+  std::string out;
+  for (const EdgeSpan& span : side)
+    out += (out.empty() ? "" : " ") + std::to_string(span.piece.value) + "." + span.edge + "@" + shortest(span.from) +
+           ".." + shortest(span.to);
+  return out;
+}
+
+constexpr const char* kStyle =
+    "  <style>\n"
+    "    path, circle, rect { fill: none; stroke: #000; stroke-width: 0.35; stroke-linecap: round; stroke-linejoin: "
+    "round }\n"
+    "    .cut { stroke-width: 0.6 } .seam, .hole { stroke-dasharray: 5 2 } .only { stroke-width: 0.6; "
+    "stroke-dasharray: none }\n"
+    "    .internal { stroke-dasharray: 1 2; stroke: #333 } .notch { stroke-width: 0.7 }\n"
+    "    .grain { stroke-width: 0.5; marker-start: url(#tail); marker-end: url(#head) }\n"
+    "    text { font-family: 'IPAPGothic', 'Noto Sans CJK JP', 'DejaVu Sans', sans-serif; text-anchor: middle; fill: "
+    "#000 }\n"
+    "    .heading { text-anchor: start } .seam-number { fill: #333 }\n"
+    "  </style>\n"
+    "  <defs>\n"
+    "    <marker id=\"head\" markerUnits=\"userSpaceOnUse\" markerWidth=\"9\" markerHeight=\"6\" refX=\"8\" refY=\"3\" "
+    "orient=\"auto\">"
+    "<path d=\"M 0 0 L 8 3 L 0 6 z\" style=\"fill:#000;stroke:none\"/></marker>\n"
+    "    <marker id=\"tail\" markerUnits=\"userSpaceOnUse\" markerWidth=\"9\" markerHeight=\"6\" refX=\"1\" refY=\"3\" "
+    "orient=\"auto\">"
+    "<path d=\"M 9 0 L 1 3 L 9 6 z\" style=\"fill:#000;stroke:none\"/></marker>\n"
+    "  </defs>\n";
+
+}  // namespace
+
+Result<std::string> writeSvg(const Pattern& pattern, const SheetSettings& settings) {
+  const Result<Sheet> sheet = layOut(pattern, settings);
+  if (!sheet) return sheet.error();
+  const std::string width = number(sheet->width), height = number(sheet->height);
+  std::string out =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
+      width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
+      "\" data-format=\"karinui-sheet-1\">\n  <title>" + xmlEscaped(sheet->title) + "</title>\n" + kStyle;
+  out += "  <g id=\"test-square\">\n    <rect x=\"" + number(sheet->square.x) + "\" y=\"" + number(sheet->square.y) +
+         "\" width=\"100\" height=\"100\"/>\n";
+  words(out, {sheet->square + Mm{kSquare / 2, kSquare / 2}, 6, true, "100 × 100 mm"}, "square");
+  for (const SheetText& heading : sheet->headings) words(out, heading, "heading");
+  out += "  </g>\n";
+  for (std::size_t i = 0; i < sheet->pieces.size(); ++i) piece(out, sheet->pieces[i], i + 1);
+  for (const auto& [id, seam] : pattern.seams)
+    out += "  <metadata class=\"sewing\" data-seam=\"" + xmlEscaped(seam.name) + "\" data-id=\"" +
+           std::to_string(id.value) + "\" data-a=\"" + spans(seam.a) + "\" data-b=\"" + spans(seam.b) +
+           "\" data-reversed=\"" + (seam.reversed ? "1" : "0") + "\" data-tie=\"" +
+           (seam.tie == Seam::Tie::TwoToOne ? "2:1" : "1:1") + "\"/>\n";
+  return out + "</svg>\n";
+}
+
+}  // namespace karinui

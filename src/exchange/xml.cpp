@@ -1,0 +1,174 @@
+#include "xml.h"
+
+#include <charconv>
+#include <optional>
+
+#include "strict_json.h"
+
+namespace karinui {
+namespace {
+
+constexpr std::size_t kDeepest = 64, kMostElements = 500000;
+
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool isName(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x80 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-' || c == ':' || c == '.';
+}
+
+void appendUtf8(std::string& out, std::uint32_t code) {
+  const auto byte = [&](std::uint32_t value) { out += static_cast<char>(value); };
+  if (code < 0x80) {
+    byte(code);
+  } else if (code < 0x800) {
+    byte(0xC0 | code >> 6), byte(0x80 | (code & 0x3F));
+  } else if (code < 0x10000) {
+    byte(0xE0 | code >> 12), byte(0x80 | (code >> 6 & 0x3F)), byte(0x80 | (code & 0x3F));
+  } else {
+    byte(0xF0 | code >> 18), byte(0x80 | (code >> 12 & 0x3F)), byte(0x80 | (code >> 6 & 0x3F)),
+        byte(0x80 | (code & 0x3F));
+  }
+}
+
+std::optional<std::string> resolved(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '<') return std::nullopt;
+    if (text[i] != '&') {
+      out += text[i];
+      continue;
+    }
+    const std::size_t end = text.find(';', i);
+    if (end == std::string_view::npos || end - i > 10) return std::nullopt;
+    const std::string_view name = text.substr(i + 1, end - i - 1);
+    if (name == "amp")
+      out += '&';
+    else if (name == "lt")
+      out += '<';
+    else if (name == "gt")
+      out += '>';
+    else if (name == "quot")
+      out += '"';
+    else if (name == "apos")
+      out += '\'';
+    else if (name.size() > 1 && name[0] == '#') {
+      const bool hex = name[1] == 'x';
+      const std::string_view digits = name.substr(hex ? 2 : 1);
+      std::uint32_t code = 0;
+      const auto [stop, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), code, hex ? 16 : 10);
+      if (problem != std::errc{} || stop != digits.data() + digits.size() || code < 0x20 || code > 0x10FFFF ||
+          (code >= 0xD800 && code < 0xE000))
+        return std::nullopt;
+      appendUtf8(out, code);
+    } else {
+      return std::nullopt;
+    }
+    i = end;
+  }
+  return out;
+}
+
+class Parser {
+ public:
+  explicit Parser(std::string_view text) : text_(text) {}
+
+  Result<std::vector<XmlElement>> run() {
+    while (at_ < text_.size()) {
+      const std::size_t open = text_.find('<', at_);
+      if (open == std::string_view::npos) break;
+      at_ = open;
+      if (!markup()) return badInput(wrong_.empty() ? say("The drawing is damaged at byte {0}.", at_) : wrong_);
+      if (out_.size() > kMostElements) return badInput(say("The drawing has more than {0} elements.", kMostElements));
+    }
+    if (out_.empty()) return badInput(say("This is not an SVG drawing."));
+    if (!open_.empty()) return badInput(say("The drawing ends too early: \"{0}\" is not closed.", shown(open_.back())));
+    return std::move(out_);
+  }
+
+ private:
+  bool starts(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
+  bool skipPast(std::string_view what) {
+    const std::size_t found = text_.find(what, at_);
+    if (found == std::string_view::npos) return false;
+    at_ = found + what.size();
+    return true;
+  }
+  bool markup() {
+    if (starts("<!--")) return skipPast("-->");
+    if (starts("<![CDATA[")) return skipPast("]]>");
+    if (starts("<?")) return skipPast("?>");
+    if (starts("<!")) {
+      wrong_ = say("The drawing has a DOCTYPE, which is not read for safety. Save it as plain SVG.");
+      return false;
+    }
+    if (starts("</")) {
+      at_ += 2;
+      const std::string name = word();
+      while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
+      if (!starts(">") || open_.empty() || open_.back() != name) return false;
+      ++at_;
+      open_.pop_back();
+      return true;
+    }
+    ++at_;
+    return element();
+  }
+  std::string word() {
+    const std::size_t from = at_;
+    while (at_ < text_.size() && isName(text_[at_])) ++at_;
+    return std::string(text_.substr(from, at_ - from));
+  }
+  bool element() {
+    XmlElement element{word(), {}, open_.size()};
+    if (element.name.empty() || (open_.empty() && !out_.empty())) return false;
+    if (open_.size() >= kDeepest) {
+      wrong_ = say("The drawing is nested more than {0} levels deep.", kDeepest);
+      return false;
+    }
+    for (;;) {
+      while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
+      if (starts("/>")) {
+        at_ += 2;
+        out_.push_back(std::move(element));
+        return true;
+      }
+      if (starts(">")) {
+        ++at_;
+        open_.push_back(element.name);
+        out_.push_back(std::move(element));
+        return true;
+      }
+      if (!attribute(element)) return false;
+    }
+  }
+  bool attribute(XmlElement& element) {
+    const std::string key = word();
+    if (key.empty() || !starts("=")) return false;
+    ++at_;
+    if (at_ >= text_.size() || (text_[at_] != '"' && text_[at_] != '\'')) return false;
+    const std::size_t end = text_.find(text_[at_], at_ + 1);
+    if (end == std::string_view::npos) return false;
+    const auto value = resolved(text_.substr(at_ + 1, end - at_ - 1));
+    if (!value || !element.attributes.emplace(key, *value).second) return false;
+    at_ = end + 1;
+    return true;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::vector<XmlElement> out_;
+  std::vector<std::string> open_;
+  Message wrong_;
+};
+
+}  // namespace
+
+Result<std::vector<XmlElement>> parseXml(std::string_view text) {
+  if (text.size() > kLargestJson)
+    return badInput(say("The drawing is too large: at most {0} MB are read.", kLargestJson >> 20));
+  if (text.find('\0') != std::string_view::npos) return badInput(say("This is not an SVG drawing."));
+  return Parser(text).run();
+}
+
+}  // namespace karinui

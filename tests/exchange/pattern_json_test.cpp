@@ -1,0 +1,93 @@
+#include "karinui/exchange/pattern_json.h"
+
+#include <gtest/gtest.h>
+
+#include "patterns.h"
+
+namespace karinui {
+namespace {
+
+void expectSame(const Piece& a, const Piece& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.outline, b.outline) << a.name;
+  EXPECT_EQ(a.holes, b.holes) << a.name;
+  EXPECT_EQ(a.lines, b.lines) << a.name;
+  EXPECT_EQ(a.marks, b.marks) << a.name;
+  EXPECT_EQ(a.grain, b.grain) << a.name;
+  EXPECT_EQ(a.fabric, b.fabric);
+  EXPECT_EQ(a.layer, b.layer);
+  EXPECT_EQ(a.frozen, b.frozen);
+  EXPECT_EQ(a.mirrorOf, b.mirrorOf);
+  EXPECT_EQ(a.pose, b.pose) << a.name;
+  ASSERT_EQ(!a.form, !b.form);
+  if (a.form) {
+    EXPECT_EQ(a.form->flat, b.form->flat);
+    EXPECT_EQ(a.form->space, b.form->space);
+    EXPECT_EQ(a.form->faces, b.form->faces);
+  }
+}
+
+TEST(PatternJson, ReadsBackExactly) {
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    Pattern once = test::random(seed);
+    Piece odd = *once.pieces.begin()->second;
+    odd.name = "前身頃 <&\"'> ../\\";
+    odd.frozen = true;
+    odd.mirrorOf = madeBy<PieceId>(7, 1);
+    odd.form = std::make_shared<const Form>(
+        Form{{{0, 0}, {0.1, 0}, {0, 1.0 / 3}}, {{0, 0, 0}, {0.1, 0, 0.05}, {0, 0.3, 0}}, {{0, 1, 2}}});
+    once.pieces[odd.id] = std::make_shared<const Piece>(odd);
+    const std::string text = writePatternJson(once);
+    const auto again = readPatternJson(text);
+    ASSERT_TRUE(again) << karinui::text(again.error().what);
+    ASSERT_EQ(again->pieces.size(), once.pieces.size());
+    for (const auto& [id, piece] : once.pieces) expectSame(*piece, *again->pieces.at(id));
+    EXPECT_EQ(again->seams, once.seams);
+    EXPECT_EQ(writePatternJson(*again), text);
+  }
+}
+
+TEST(PatternJson, DraftedPatternsToo) {
+  if (!exists(test::shared("patterns/shirt_m_eu50.json"))) GTEST_SKIP() << "the shared patterns are not here";
+  for (const std::string name :
+       {"shirt_m_eu50", "bodice_block_f_eu38", "trouser_block_m_eu50", "pencil_skirt_f_eu38"}) {
+    const Pattern once = test::drafted(test::shared("patterns/" + name + ".json"));
+    ASSERT_FALSE(once.pieces.empty()) << name;
+    const auto again = readPatternJson(writePatternJson(once));
+    ASSERT_TRUE(again) << name;
+    for (const auto& [id, piece] : once.pieces) expectSame(*piece, *again->pieces.at(id));
+  }
+}
+
+TEST(PatternJson, RefusesWhatCannotBe) {
+  const std::string good = writePatternJson(test::random(3));
+  const auto broken = [&](const std::string& what, const std::string& by) {
+    std::string json = good;
+    const std::size_t at = json.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    json.replace(at, what.size(), by);
+    const auto result = readPatternJson(json);
+    EXPECT_FALSE(result) << what << " -> " << by;
+    return result ? std::string() : text(result.error().what);
+  };
+  EXPECT_NE(broken("karinui-pattern-1", "karinui-pattern-9").find("format"), std::string::npos);
+  EXPECT_NE(broken("\"piece 1\"", "\"piece 0\"").find("two pieces"), std::string::npos);
+  EXPECT_NE(broken("\"side_0\"", "\"side 0\"").find("name"), std::string::npos);
+  EXPECT_NE(broken("\"grain\": [", "\"grain\": [7,").find("grain"), std::string::npos);
+  EXPECT_NE(broken("\"from\": 0", "\"from\": 2").find("from"), std::string::npos);
+  EXPECT_NE(broken("\"tie\": \"1:1\"", "\"tie\": \"3:1\"").find("tie"), std::string::npos);
+  EXPECT_NE(broken("\"id\": 458752", "\"id\": -1").find("id"), std::string::npos);
+  EXPECT_FALSE(broken("\"start\": [", "\"start\": [1e9,").empty());
+  for (std::size_t cut = 0; cut + 2 < good.size(); cut += 97) EXPECT_FALSE(readPatternJson(good.substr(0, cut))) << cut;
+}
+
+TEST(PatternJson, EveryMalformedJsonIsRefused) {
+  if (!exists(test::shared("badinput/json"))) GTEST_SKIP() << "the shared bad input is not here";
+  for (const auto& file : std::filesystem::recursive_directory_iterator(test::shared("badinput/json")))
+    if (file.path().extension() == ".json") {
+      EXPECT_FALSE(readPatternJson(test::content(file.path()))) << file.path().filename();
+    }
+}
+
+}  // namespace
+}  // namespace karinui

@@ -1,0 +1,297 @@
+#include "karinui/exchange/sheet.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <cstdio>
+#include <regex>
+
+#include "exchange/sheet.h"
+#include "exchange/xml.h"
+#include "karinui/base/file.h"
+#include "karinui/exchange/garment_code.h"
+#include "patterns.h"
+
+namespace karinui {
+namespace {
+
+Pattern shirt() {
+  const auto path = test::shared("patterns/garmentcode/shirt_mean_specification.json");
+  if (!exists(path)) return {};
+  return *readGarmentCode(test::content(path));
+}
+
+Pattern renamed(Pattern pattern, const std::string& name) {
+  Piece piece = *pattern.pieces.begin()->second;
+  piece.name = name;
+  pattern.pieces.begin()->second = std::make_shared<const Piece>(piece);
+  return pattern;
+}
+
+TEST(Svg, ReadsBackWhatItWrites) {
+  for (unsigned seed = 1; seed <= 25; ++seed)
+    for (const double allowance : {0.0, 0.010}) {
+      SheetSettings settings;
+      settings.allowance = allowance;
+      const Pattern once = test::random(seed);
+      const auto svg = writeSvg(once, settings);
+      ASSERT_TRUE(svg) << seed << text(svg.error().what);
+      EXPECT_EQ(*svg, *writeSvg(once, settings));
+      const auto again = readSvg(*svg);
+      ASSERT_TRUE(again) << seed << text(again.error().what);
+      EXPECT_EQ(test::difference(once, *again, 1e-8), "") << seed;  // 0.05 mm are asked for
+      EXPECT_EQ(once.seams, again->seams);
+      for (const auto& [id, piece] : once.pieces) {
+        const Piece& other = *again->pieces.at(id);
+        EXPECT_EQ(piece->marks, other.marks);
+        EXPECT_EQ(piece->grain, other.grain);
+        EXPECT_EQ(piece->fabric, other.fabric);
+        ASSERT_EQ(piece->holes.size(), other.holes.size());
+        EXPECT_NEAR(piece->holes[0].length(), other.holes[0].length(), 1e-8);
+        ASSERT_EQ(piece->lines.size(), other.lines.size());
+        EXPECT_EQ(piece->lines[0].curves.size(), other.lines[0].curves.size());
+      }
+    }
+}
+
+TEST(Svg, IsTrueToSize) {
+  const auto svg = writeSvg(test::random(4));
+  ASSERT_TRUE(svg);
+  const auto elements = parseXml(*svg);
+  ASSERT_TRUE(elements);
+  const XmlElement& root = elements->front();
+  EXPECT_EQ(*root.find("viewBox"), "0 0 " + root.find("width")->substr(0, root.find("width")->size() - 2) + " " +
+                                       root.find("height")->substr(0, root.find("height")->size() - 2));
+  EXPECT_TRUE(root.find("width")->ends_with("mm"));
+  bool square = false;
+  for (const XmlElement& element : *elements)
+    square |= element.name == "rect" && *element.find("width") == "100" && *element.find("height") == "100";
+  EXPECT_TRUE(square);
+}
+
+TEST(Svg, HostileNamesAreHarmless) {
+  for (const std::string name : {"<script>&\"'</g>", "../../etc/passwd", "前身頃", "a]]>b", "--><x>"}) {
+    const Pattern pattern = renamed(test::random(2), name);
+    const auto svg = writeSvg(pattern);
+    ASSERT_TRUE(svg);
+    EXPECT_EQ(svg->find("<script"), std::string::npos);
+    const auto again = readSvg(*svg);
+    ASSERT_TRUE(again) << text(again.error().what);
+    EXPECT_EQ(again->pieces.begin()->second->name, name);
+  }
+  const auto broken = writeSvg(renamed(test::random(2), "a\nb\x01\xff"));
+  ASSERT_TRUE(broken);
+  EXPECT_EQ(readSvg(*broken)->pieces.begin()->second->name, "a b \xEF\xBF\xBD");
+}
+
+TEST(Svg, DraftedPatterns) {
+  if (!exists(test::shared("patterns"))) GTEST_SKIP() << "the shared patterns are not here";
+  for (const std::string name :
+       {"shirt_m_eu50", "bodice_block_f_eu38", "trouser_block_m_eu50", "tshirt_f_eu38", "face_mask"}) {
+    const Pattern once = test::drafted(test::shared("patterns/" + name + ".json"));
+    ASSERT_FALSE(once.pieces.empty()) << name;
+    const auto svg = writeSvg(once);
+    ASSERT_TRUE(svg) << name;
+    const auto again = readSvg(*svg);
+    ASSERT_TRUE(again) << name << text(again.error().what);
+    EXPECT_EQ(test::difference(once, *again, 5e-5), "") << name;
+  }
+}
+
+TEST(Svg, RefusesStrangers) {
+  const auto sentence = [](const std::string& svg) {
+    const auto result = readSvg(svg);
+    return result ? std::string("accepted") : text(result.error().what);
+  };
+  EXPECT_NE(sentence(""), "accepted");
+  EXPECT_NE(sentence("<svg xmlns='http://www.w3.org/2000/svg'/>").find("not written by Karinui"), std::string::npos);
+  EXPECT_NE(sentence("<!DOCTYPE x [<!ENTITY a 'b'>]><svg/>").find("DOCTYPE"), std::string::npos);
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "<g>";
+  EXPECT_NE(sentence(deep).find("levels deep"), std::string::npos);
+  const std::string good = *writeSvg(test::random(1));
+  for (std::size_t cut = 0; cut + 8 < good.size(); cut += 61) EXPECT_FALSE(readSvg(good.substr(0, cut))) << cut;
+  std::string nan = good;
+  nan.replace(nan.find("d=\"M ", nan.find("class=\"seam\"")) + 5, 3, "nan");
+  EXPECT_NE(sentence(nan), "accepted");
+  if (!exists(test::shared("badinput/resvg"))) return;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(test::shared("badinput/resvg")))
+    if (file.path().extension() == ".svg") {
+      EXPECT_FALSE(readSvg(test::content(file.path()))) << file.path();
+    }
+}
+
+TEST(Sheet, PiecesDoNotOverlap) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const Pattern pattern = test::random(seed);
+    const auto sheet = layOut(pattern, {});
+    ASSERT_TRUE(sheet);
+    for (std::size_t i = 0; i < sheet->pieces.size(); ++i) {
+      const SheetPiece& a = sheet->pieces[i];
+      EXPECT_GE(a.low.x, 0);
+      EXPECT_GE(a.low.y, sheet->square.y + kSquare);
+      EXPECT_LE(a.high.x, sheet->width);
+      EXPECT_LE(a.high.y, sheet->height);
+      for (std::size_t k = 0; k < i; ++k) {
+        const SheetPiece& b = sheet->pieces[k];
+        EXPECT_TRUE(a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y) << seed;
+      }
+    }
+  }
+}
+
+TEST(Sheet, LetteringAndGrainLieWithinTheirPiece) {
+  const Pattern pattern = shirt();
+  if (pattern.pieces.empty()) GTEST_SKIP() << "the shared patterns are not here";
+  const auto sheet = layOut(pattern, {});
+  ASSERT_TRUE(sheet);
+  for (const SheetPiece& piece : sheet->pieces) {
+    Ring ring;
+    for (const Flat p : piece.piece->outline.flattened()) ring.push_back({piece.at(p).x, piece.at(p).y});
+    for (std::size_t i = 0; i < 2; ++i) {
+      const SheetText& words = piece.texts[i];
+      const double half = wordsWidth(words.words, words.size) / 2;
+      for (const double side : {-half, half}) {
+        const Mm end = words.place + (words.upright ? Mm{side, 0} : Mm{0, side});
+        EXPECT_TRUE(contains(ring, {end.x, end.y})) << piece.piece->name;
+      }
+    }
+    ASSERT_TRUE(piece.grain);
+    const Flat along =
+        normalized(Flat{piece.grain->to.x - piece.grain->from.x, piece.grain->from.y - piece.grain->to.y});
+    EXPECT_NEAR(dot(along, piece.piece->grain), 1, 1e-9);
+  }
+}
+
+TEST(Sheet, PartnersGetTheSameNotches) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Pattern pattern = test::random(seed);
+    std::map<std::string, std::vector<NotchPlace>> bySeam;
+    for (const NotchPlace& notch : notchPlaces(pattern)) bySeam[notch.seam].push_back(notch);
+    for (const auto& [id, seam] : pattern.seams) {
+      const auto& notches = bySeam[seam.name];
+      ASSERT_EQ(notches.size() % 2, 0u);
+      for (std::size_t i = 0; i < notches.size(); i += 2) {
+        EXPECT_EQ(notches[i].piece, seam.a[0].piece);
+        EXPECT_EQ(notches[i + 1].piece, seam.b[0].piece);
+      }
+    }
+    EXPECT_GE(bySeam["seam 1"].size(), 4u) << "a seam that begins within an edge";
+    EXPECT_GE(bySeam["seam 2"].size(), 2u) << "a break within a side";
+    const auto sheet = layOut(pattern, {});
+    for (const SheetPiece& piece : sheet->pieces)  // perpendicular strokes from the seam line, as long as the allowance
+      for (const SheetNotch& notch : piece.notches) {
+        EXPECT_NEAR(std::hypot(notch.stroke.to.x - notch.stroke.from.x, notch.stroke.to.y - notch.stroke.from.y), 10,
+                    1e-6);
+        Ring ring;
+        for (const Flat p : piece.piece->outline.flattened(1e-6)) ring.push_back({piece.at(p).x, piece.at(p).y});
+        EXPECT_LT(distanceToRing(ring, {notch.stroke.from.x, notch.stroke.from.y}), 0.01);
+        EXPECT_GT(distanceToRing(ring, {notch.stroke.to.x, notch.stroke.to.y}), 1) << seed;
+      }
+  }
+}
+
+TEST(Sheet, TheCutLineKeepsItsDistance) {
+  const Pattern pattern = test::random(6);
+  const auto sheet = layOut(pattern, {});
+  ASSERT_TRUE(sheet);
+  for (const SheetPiece& piece : sheet->pieces) {
+    ASSERT_EQ(piece.cutLines.size(), 1u);
+    Ring ring, cut;
+    for (const Flat p : piece.piece->outline.flattened(1e-6)) ring.push_back({piece.at(p).x, piece.at(p).y});
+    for (const Mm p : piece.cutLines[0]) cut.push_back({p.x, p.y});
+    for (const Flat p : ring) EXPECT_GE(distanceToRing(cut, p), 9.95);
+    for (const Flat p : cut)
+      EXPECT_LE(distanceToRing(ring, p), 35.05) << "no mitre is longer than three and a half times";
+  }
+}
+
+TEST(Sheet, RefusesNonsense) {
+  EXPECT_FALSE(writeSvg({}));
+  EXPECT_FALSE(writePdf({}));
+  for (const double allowance : {-0.01, 0.5, std::nan("")}) {
+    SheetSettings settings;
+    settings.allowance = allowance;
+    EXPECT_FALSE(writeSvg(test::random(1), settings));
+  }
+}
+
+// What a page's content says, as poppler draws it: a page rendered to grey values.
+struct Picture {
+  int width = 0, height = 0;
+  std::string grey;
+};
+Picture rendered(const std::string& pdf, int page, int dpi, const std::string& crop) {
+  std::string folder = (std::filesystem::temp_directory_path() / "karinui-pdf-XXXXXX").string();
+  if (!::mkdtemp(folder.data()) || !writeFile(folder + "/a.pdf", pdf)) return {};
+  const std::string number = std::to_string(page);
+  const std::string command = "pdftoppm -gray -singlefile -aa no -aaVector no -f " + number + " -l " + number + " -r " +
+                              std::to_string(dpi) + " " + crop + " " + folder + "/a.pdf " + folder + "/a 2>/dev/null";
+  Picture out;
+  if (std::system(command.c_str()) == 0) {
+    std::istringstream file(test::content(folder + "/a.pgm"));
+    std::string magic;
+    int most = 0;
+    file >> magic >> out.width >> out.height >> most;
+    file.get();
+    out.grey.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  std::filesystem::remove_all(folder);
+  return out;
+}
+
+TEST(Pdf, TheSquareMeasuresAHundredMillimetres) {
+  if (std::system("pdftoppm -v >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdftoppm is not installed";
+  for (const PaperKind paper : {PaperKind::OneSheet, PaperKind::A4}) {
+    const auto pdf = writePdf(test::random(5), paper);
+    ASSERT_TRUE(pdf);
+    // 2540 dpi: a hundred pixels a millimetre. A strip at 60 mm from the top, 200 mm wide, shows both upright sides.
+    const double top = paper == PaperKind::A4 ? 80 : 70;
+    const Picture strip =
+        rendered(*pdf, 1, 2540, "-x 0 -y " + std::to_string(static_cast<int>(top * 100)) + " -W 20000 -H 1");
+    ASSERT_GE(strip.grey.size(), 14000u);
+    std::vector<double> lines;
+    for (std::size_t i = 1; i < 14500; ++i) {
+      const bool dark = static_cast<unsigned char>(strip.grey[i]) < 100;
+      const bool before = static_cast<unsigned char>(strip.grey[i - 1]) < 100;
+      if (dark && !before) lines.push_back(static_cast<double>(i));
+      if (!dark && before && !lines.empty()) lines.back() = (lines.back() + static_cast<double>(i)) / 2;
+    }
+    ASSERT_GE(lines.size(), 2u);
+    double nearest = 1e9;
+    for (const double a : lines)
+      for (const double b : lines) nearest = std::min(nearest, std::abs(std::abs(b - a) / 100 - 100));
+    EXPECT_LT(nearest, 0.05);
+  }
+}
+
+TEST(Pdf, IsItselfAndAsksNotToBeScaled) {
+  const Pattern pattern = renamed(test::random(5), "前身頃 <&\"'");
+  for (const PaperKind paper : {PaperKind::OneSheet, PaperKind::A4}) {
+    const auto pdf = writePdf(pattern, paper);
+    ASSERT_TRUE(pdf);
+    EXPECT_EQ(*pdf, *writePdf(pattern, paper)) << "no date, no chance";
+    EXPECT_TRUE(pdf->starts_with("%PDF-1.4"));
+    EXPECT_NE(pdf->find("/PrintScaling /None"), std::string::npos);
+    EXPECT_EQ(pdf->find("CreationDate"), std::string::npos);
+    EXPECT_EQ(pdf->find("/Author"), std::string::npos);
+    // The last table of contents stands where the file's end says, and its one entry where the catalogue begins.
+    const std::size_t table = std::stoul(pdf->substr(pdf->rfind("startxref") + 9));
+    EXPECT_EQ(pdf->substr(table, 4), "xref");
+    std::smatch entry;
+    const std::string rest = pdf->substr(table);
+    ASSERT_TRUE(std::regex_search(rest, entry, std::regex("xref\n(\\d+) 1\n(\\d{10}) 00000 n")));
+    EXPECT_EQ(pdf->find(entry[1].str() + " 0 obj", std::stoul(entry[2])), std::stoul(entry[2]));
+  }
+}
+
+TEST(Pdf, OneSheetIsAsLargeAsTheDrawing) {
+  const auto sheet = layOut(test::random(5), {});
+  const auto pdf = writePdf(test::random(5));
+  std::smatch box;
+  ASSERT_TRUE(std::regex_search(*pdf, box, std::regex("MediaBox \\[ 0 0 ([0-9.]+) ([0-9.]+) \\]")));
+  EXPECT_NEAR(std::stod(box[1]) * 25.4 / 72, sheet->width, 0.01);
+  EXPECT_NEAR(std::stod(box[2]) * 25.4 / 72, sheet->height, 0.01);
+}
+
+}  // namespace
+}  // namespace karinui

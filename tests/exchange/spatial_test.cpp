@@ -1,0 +1,220 @@
+#include "karinui/exchange/spatial.h"
+
+#include <gtest/gtest.h>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include "patterns.h"
+
+namespace karinui {
+namespace {
+
+SpatialPiece sheetOf(const std::string& name, double width, double height) {
+  SpatialPiece out{name, "cotton", {}, {}, {0.2f, 0.4f, 0.6f}};
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const Flat p{width * i / 3, height * j / 3};
+      out.flat.push_back(p);
+      out.mesh.points.push_back({0.05 + p.u / 3, 1 + p.v, 0.01 * i * i});
+    }
+  for (std::uint32_t j = 0; j < 3; ++j)
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = 4 * j + i;
+      out.mesh.faces.push_back({a, a + 1, a + 5});
+      out.mesh.faces.push_back({a, a + 5, a + 4});
+    }
+  return out;
+}
+
+TriangleMesh tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+SpatialGarment garment() {
+  return {
+      tetrahedron(),
+      {sheetOf("front", 0.4, 0.6), sheetOf("袖", 0.2, 0.5), sheetOf("body", 0.1, 0.1), sheetOf("a b\nc", 0.3, 0.1)}};
+}
+
+struct ReadObject {
+  std::vector<Vec3> points;
+  std::vector<Flat> flat;
+  std::size_t normals = 0;
+  std::vector<std::array<long, 3>> corners;  // v, vt, vn, counted within the file
+};
+
+std::vector<std::pair<std::string, ReadObject>> parse(const std::string& obj) {
+  std::vector<std::pair<std::string, ReadObject>> out;
+  std::istringstream lines(obj);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string key, rest;
+    words >> key;
+    if (key == "o") {
+      std::getline(words, rest);
+      out.push_back({rest.substr(1), {}});
+    } else if (key == "v") {
+      auto& p = out.back().second.points.emplace_back();
+      words >> p.x >> p.y >> p.z;
+    } else if (key == "vt") {
+      auto& p = out.back().second.flat.emplace_back();
+      words >> p.u >> p.v;
+    } else if (key == "vn") {
+      Vec3 n;
+      words >> n.x >> n.y >> n.z;
+      EXPECT_NEAR(length(n), 1, 1e-6);
+      ++out.back().second.normals;
+    } else if (key == "f") {
+      for (std::string corner; words >> corner;) {
+        std::array<long, 3> c{};
+        if (std::sscanf(corner.c_str(), "%ld/%ld/%ld", &c[0], &c[1], &c[2]) != 3)
+          std::sscanf(corner.c_str(), "%ld//%ld", &c[0], &c[2]);
+        out.back().second.corners.push_back(c);
+      }
+    }
+  }
+  return out;
+}
+
+TEST(Obj, EveryPieceAnObjectWithItsPaper) {
+  const SpatialGarment g = garment();
+  const auto text = writeObj(g);
+  ASSERT_TRUE(text);
+  EXPECT_EQ(*text, *writeObj(g));
+  const auto objects = parse(*text);
+  ASSERT_EQ(objects.size(), 5u);
+  EXPECT_EQ(objects[0].first, "body");
+  EXPECT_EQ(objects[1].first, "front");
+  EXPECT_EQ(objects[2].first, "袖");
+  EXPECT_EQ(objects[3].first, "body_2") << "only the body is called body";
+  EXPECT_EQ(objects[4].first, "a_b_c") << "a name is one word on one line";
+  long point = 0, flat = 0;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    const ReadObject& o = objects[k].second;
+    const TriangleMesh& mesh = k == 0 ? *g.body : g.pieces[k - 1].mesh;
+    ASSERT_EQ(o.points.size(), mesh.points.size());
+    EXPECT_EQ(o.normals, mesh.points.size());
+    for (std::size_t i = 0; i < o.points.size(); ++i) EXPECT_LT(distance(o.points[i], mesh.points[i]), 1e-8);
+    if (k > 0) {
+      ASSERT_EQ(o.flat.size(), mesh.points.size());
+      for (std::size_t i = 0; i < o.flat.size(); ++i) EXPECT_LT(distance(o.flat[i], g.pieces[k - 1].flat[i]), 1e-8);
+    }
+    ASSERT_EQ(o.corners.size(), mesh.faces.size() * 3);
+    for (std::size_t i = 0; i < o.corners.size(); ++i) {
+      const long index = static_cast<long>(mesh.faces[i / 3][i % 3]);
+      EXPECT_EQ(o.corners[i][0], point + 1 + index);
+      EXPECT_EQ(o.corners[i][2], point + 1 + index);
+      EXPECT_EQ(o.corners[i][1], k == 0 ? 0 : flat + 1 + index);
+    }
+    point += static_cast<long>(o.points.size());
+    flat += static_cast<long>(o.flat.size());
+  }
+}
+
+TEST(Obj, APlainMesh) {
+  const auto text = writeObj(tetrahedron(), "mannequin");
+  ASSERT_TRUE(text);
+  EXPECT_NE(text->find("\no mannequin\nv 0.000000000 0.000000000 0.000000000\n"), std::string::npos);
+  EXPECT_NE(text->find("\nf 1 3 2\n"), std::string::npos);
+}
+
+TEST(Obj, RefusesWhatIsNowhere) {
+  SpatialGarment g = garment();
+  g.pieces[0].mesh.points[3].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(text(writeObj(g).error().what).find("front"), std::string::npos);
+  EXPECT_FALSE(writeGlb(g));
+  g = garment();
+  g.pieces[1].mesh.faces[0][1] = 99;
+  EXPECT_FALSE(writeObj(g));
+  EXPECT_FALSE(writeGlb(g));
+  g = garment();
+  g.pieces[1].flat.pop_back();
+  EXPECT_FALSE(writeObj(g));
+  EXPECT_FALSE(writeGlb(SpatialGarment{}));
+}
+
+// Reads a GLB as the specification has it, checking what a validator checks.
+struct Glb {
+  nlohmann::json json;
+  std::string numbers;
+
+  explicit Glb(const std::string& bytes) {
+    const auto word = [&](std::size_t at) {
+      std::uint32_t value = 0;
+      std::memcpy(&value, bytes.data() + at, 4);
+      return value;
+    };
+    EXPECT_EQ(bytes.substr(0, 4), "glTF");
+    EXPECT_EQ(word(4), 2u);
+    EXPECT_EQ(word(8), bytes.size());
+    const std::size_t size = word(12);
+    EXPECT_EQ(size % 4, 0u);
+    EXPECT_EQ(bytes.substr(16, 4), "JSON");
+    json = nlohmann::json::parse(bytes.substr(20, size));
+    EXPECT_EQ(word(20 + size) % 4, 0u);
+    EXPECT_EQ(bytes.substr(24 + size, 4), std::string("BIN\0", 4));
+    EXPECT_EQ(28 + size + word(20 + size), bytes.size());
+    numbers = bytes.substr(28 + size);
+    EXPECT_LE(json["buffers"][0]["byteLength"].get<std::size_t>(), numbers.size());
+    EXPECT_LT(numbers.size() - json["buffers"][0]["byteLength"].get<std::size_t>(), 4u);
+  }
+  template <class Number>
+  std::vector<Number> values(std::size_t accessor) const {
+    const auto& a = json["accessors"][accessor];
+    const auto& view = json["bufferViews"][a["bufferView"].get<std::size_t>()];
+    const std::map<std::string, std::size_t> width{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}};
+    const std::size_t per = width.at(a["type"]);
+    std::vector<Number> out(a["count"].get<std::size_t>() * per);
+    EXPECT_EQ(a["componentType"], (std::is_same_v<Number, float> ? 5126 : 5125));
+    EXPECT_EQ(view["byteOffset"].get<std::size_t>() % 4, 0u);
+    EXPECT_EQ(view["byteLength"].get<std::size_t>(), out.size() * sizeof(Number));
+    EXPECT_LE(view["byteOffset"].get<std::size_t>() + out.size() * sizeof(Number), numbers.size());
+    std::memcpy(out.data(), numbers.data() + view["byteOffset"].get<std::size_t>(), out.size() * sizeof(Number));
+    if (a.contains("min"))
+      for (std::size_t k = 0; k < per; ++k) {
+        Number low = out[k], high = out[k];
+        for (std::size_t i = k; i < out.size(); i += per) low = std::min(low, out[i]), high = std::max(high, out[i]);
+        EXPECT_EQ(a["min"][k].get<Number>(), low);
+        EXPECT_EQ(a["max"][k].get<Number>(), high);
+      }
+    return out;
+  }
+};
+
+TEST(Glb, IsValidAndHoldsTheGarment) {
+  const SpatialGarment g = garment();
+  const auto bytes = writeGlb(g);
+  ASSERT_TRUE(bytes);
+  EXPECT_EQ(*bytes, *writeGlb(g));
+  const Glb glb(*bytes);
+  EXPECT_EQ(glb.json["asset"]["version"], "2.0");
+  ASSERT_EQ(glb.json["nodes"].size(), 5u);
+  EXPECT_EQ(glb.json["scenes"][0]["nodes"].size(), 5u);
+  EXPECT_EQ(glb.json["materials"].size(), 2u) << "one for the skin, one for the cotton";
+  const std::vector<std::string> names{"body", "front", "袖", "body_2", "a_b_c"};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto& node = glb.json["nodes"][k];
+    EXPECT_EQ(node["name"], names[k]);
+    const auto& primitive = glb.json["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0];
+    const TriangleMesh& mesh = k == 0 ? *g.body : g.pieces[k - 1].mesh;
+    const auto points = glb.values<float>(primitive["attributes"]["POSITION"]);
+    ASSERT_EQ(points.size(), mesh.points.size() * 3);
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) EXPECT_NEAR(points[3 * i + 1], mesh.points[i].y, 1e-7);
+    EXPECT_TRUE(glb.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()].contains("min"));
+    const auto normals = glb.values<float>(primitive["attributes"]["NORMAL"]);
+    for (std::size_t i = 0; i + 2 < normals.size(); i += 3)
+      EXPECT_NEAR(std::hypot(normals[i], normals[i + 1], normals[i + 2]), 1, 1e-5);
+    for (const std::uint32_t index : glb.values<std::uint32_t>(primitive["indices"]))
+      EXPECT_LT(index, mesh.points.size());
+    if (k == 0) continue;
+    const auto flat = glb.values<float>(primitive["attributes"]["TEXCOORD_0"]);
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+      EXPECT_NEAR(flat[2 * i], g.pieces[k - 1].flat[i].u, 1e-7);
+      EXPECT_NEAR(1 - flat[2 * i + 1], g.pieces[k - 1].flat[i].v, 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace karinui
