@@ -1,0 +1,285 @@
+// Nothing that was acknowledged is lost, and nothing that is no document of ours is taken for one.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sqlite3.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "design/workroom.h"
+
+namespace karinui {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+
+class KeptDocument : public ::testing::Test {
+ protected:
+  KeptDocument() {
+    std::string name = (fs::temp_directory_path() / "karinui-test-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    path_ = folder_ / "coat.karinui";
+  }
+  ~KeptDocument() override { fs::remove_all(folder_); }
+
+  std::string bytes() const {
+    std::ifstream in(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void write(const std::string& all) const { std::ofstream(path_, std::ios::binary) << all; }
+  void sql(const char* text) const {
+    sqlite3* db = nullptr;
+    ASSERT_EQ(sqlite3_open(path_.c_str(), &db), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(db, text, nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
+    sqlite3_close(db);
+  }
+  // A document with some steps, closed. Gives its hash.
+  std::string makeOne() {
+    auto file = DocumentFile::create(path_);
+    EXPECT_TRUE(file);
+    EXPECT_TRUE(room_.play(
+        *file, std::string(kTwoPieces) + "sew a=front.side_left b=back.side_left\ndrape\nset spacing=5mm\n"));
+    return hash(file->document());
+  }
+  std::string opening() const {
+    const auto file = DocumentFile::open(path_);
+    return file ? "opened" : text(file.error().what);
+  }
+
+  fs::path folder_, path_;
+  Workroom room_;
+};
+
+TEST_F(KeptDocument, IsTheSameAfterClosingAndLeavesOneFile) {
+  const std::string before = makeOne();
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+  const auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_EQ(hash(file->document()), before);
+  EXPECT_EQ(file->steps().size(), 5u);
+  ASSERT_TRUE(file->document().drape.last);
+  EXPECT_TRUE(file->document().drape.last->settled);
+  EXPECT_EQ(drapeHash(file->document()), file->steps().back().stand);
+  EXPECT_EQ(fs::status(path_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(KeptDocument, IsOpenedWithoutDrapingAgain) {
+  makeOne();
+  Context never = room_.context;
+  never.drape = [](const Document&, const DrapePieces&, Context&) -> Result<DrapeOutcome> {
+    return refused(say("draped again"));
+  };
+  EXPECT_TRUE(DocumentFile::open(path_, &never));
+  sql("DELETE FROM snap");  // the kept documents are gone: now they are made again
+  const auto again = DocumentFile::open(path_, &never);
+  ASSERT_FALSE(again);
+  EXPECT_THAT(text(again.error().what), HasSubstr("draped again"));
+  EXPECT_TRUE(DocumentFile::open(path_, &room_.context));
+}
+
+TEST_F(KeptDocument, UndoAndRedoSurviveClosing) {
+  const std::string last = makeOne();
+  std::string third;
+  {
+    auto file = *DocumentFile::open(path_);
+    ASSERT_TRUE(file.undo(room_.context));
+    ASSERT_TRUE(file.undo(room_.context));
+    third = hash(file.document());
+    EXPECT_EQ(file.undone().size(), 2u);
+  }
+  {
+    auto file = *DocumentFile::open(path_);
+    EXPECT_EQ(hash(file.document()), third);
+    ASSERT_TRUE(file.redo(room_.context));
+    ASSERT_TRUE(file.redo(room_.context));
+    EXPECT_EQ(hash(file.document()), last);
+    const auto more = file.redo(room_.context);
+    ASSERT_FALSE(more);
+    EXPECT_EQ(text(more.error().what), "There is nothing to redo.");
+    while (file.undo(room_.context)) {
+    }
+    EXPECT_EQ(hash(file.document()), hash(Document()));
+  }
+  auto file = *DocumentFile::open(path_);
+  EXPECT_EQ(file.document().operations, 0u);
+  // New work after undo: redo is gone from view, the old branch stays in the file.
+  ASSERT_TRUE(file.perform(*parseOperation("set ease=1cm"), room_.context));
+  EXPECT_TRUE(file.undone().empty());
+  EXPECT_EQ(file.steps().front().seq, 6u);
+  EXPECT_EQ(file.steps().front().serial, 1u);
+}
+
+TEST_F(KeptDocument, KeepsTheImportedBody) {
+  const std::string name = *room_.blobs.put(packBody(egg()));
+  {
+    auto file = *DocumentFile::create(path_);
+    ASSERT_TRUE(file.perform(SetBody{{}, {}, {}, name}, room_.context));
+  }
+  Workroom other;  // knows nothing of the body
+  auto file = *DocumentFile::open(path_);
+  Context own{other.workers, other.token, file.blobs(), other.bodies, {}, {}};
+  const auto body = bodyOf(file.document(), own);
+  ASSERT_TRUE(body) << text(body.error().what);
+  EXPECT_EQ((*body)->hash(), file.document().body.hash);
+  EXPECT_EQ((*body)->name(), "egg");
+}
+
+TEST_F(KeptDocument, RefusesWhatIsNotOurs) {
+  EXPECT_THAT(opening(), HasSubstr("There is no file"));
+  write("");
+  EXPECT_THAT(opening(), HasSubstr("is empty"));
+  write("hello, this is a letter and not a garment");
+  EXPECT_THAT(opening(), HasSubstr("is not a Karinui document"));
+  fs::remove(path_);
+  sql("CREATE TABLE birds(name TEXT)");
+  EXPECT_THAT(opening(), HasSubstr("is not a Karinui document"));
+  fs::remove(path_);
+  makeOne();
+  EXPECT_THAT(text(DocumentFile::create(path_).error().what), HasSubstr("There is already a file"));
+  EXPECT_EQ(opening(), "opened");
+  sql("PRAGMA user_version=7");
+  EXPECT_THAT(opening(), HasSubstr("made by a newer Karinui (form 7)"));
+  sql("PRAGMA user_version=1; CREATE TRIGGER t AFTER INSERT ON op BEGIN DELETE FROM op; END");
+  EXPECT_THAT(opening(), HasSubstr("holds something a Karinui document does not have (“t”)"));
+  sql("DROP TRIGGER t; UPDATE op SET args = 'ease=2mm' WHERE seq = 5");
+  EXPECT_THAT(opening(), HasSubstr("damaged"));
+  EXPECT_THAT(text(DocumentFile::create(folder_ / "nowhere" / "x.karinui").error().what),
+              HasSubstr("folder is missing"));
+  EXPECT_THAT(text(DocumentFile::open(folder_).error().what), HasSubstr("is not a file"));
+}
+
+TEST_F(KeptDocument, HasOneOwnerAtATime) {
+  makeOne();
+  const auto first = DocumentFile::open(path_);
+  ASSERT_TRUE(first);
+  EXPECT_THAT(opening(), HasSubstr("is open in another program"));
+}
+
+TEST_F(KeptDocument, MayBeReadWhereItMayNotBeWritten) {
+  const std::string before = makeOne();
+  auto file = DocumentFile::openForReading(path_);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_EQ(hash(file->document()), before);
+  const auto step = file->perform(*parseOperation("set ease=1cm"), room_.context);
+  ASSERT_FALSE(step);
+  EXPECT_THAT(text(step.error().what), HasSubstr("opened for reading only"));
+  EXPECT_FALSE(file->undo(room_.context));
+}
+
+// In a child, because the limit on file sizes is the process's own.
+TEST_F(KeptDocument, StaysWholeWhenTheDiskIsFull) {
+  const std::string before = makeOne();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    auto file = DocumentFile::open(path_);
+    const rlimit limit{fs::file_size(path_) + 8192, RLIM_INFINITY};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    int refusals = 0;
+    for (int i = 0; file && i < 60; ++i) {
+      if (!file->perform(*parseOperation("piece name=x" + std::to_string(i) +
+                                         " outline=\"M 0 0; a L 100 0; b L 100 100; c L 0 0\""),
+                         room_.context)) {
+        ++refusals;
+      }
+    }
+    const bool consistent = file && file->steps().size() == 5 + 60u - static_cast<std::size_t>(refusals);
+    ::_exit(refusals > 0 && consistent ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file) << text(file.error().what);
+  while (file->steps().size() > 5) ASSERT_TRUE(file->undo(room_.context));
+  EXPECT_EQ(hash(file->document()), before);
+}
+
+// A child works and says over a pipe what it was told is kept; it is killed at any moment.
+TEST_F(KeptDocument, LosesNothingWhenTheProgramIsKilled) {
+  std::mt19937_64 dice(20261121);
+  for (int run = 0; run < 200; ++run) {
+    fs::remove_all(folder_);
+    fs::create_directory(folder_);
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::close(ends[0]);
+      auto file = DocumentFile::create(path_);
+      if (!file || !room_.play(*file, kTwoPieces)) ::_exit(1);
+      for (std::uint32_t i = 0;; ++i) {
+        const auto step = i % 5 == 4   ? file->undo(room_.context)
+                          : i % 5 == 3 ? file->perform(*parseOperation("drape"), room_.context)
+                                       : file->perform(*parseOperation("move piece=front by=0,1mm,0"), room_.context);
+        if (!step) ::_exit(2);
+        const std::uint64_t said[2] = {i, file->steps().back().seq};
+        if (::write(ends[1], said, sizeof said) != sizeof said) ::_exit(3);
+      }
+    }
+    ::close(ends[1]);
+    std::uint64_t said[2] = {0, 0}, last[2] = {0, 0};
+    bool any = false;
+    for (std::uint64_t n = 0, until = dice() % 12; n <= until && ::read(ends[0], said, sizeof said) == sizeof said;
+         ++n) {
+      std::copy_n(said, 2, last), any = true;
+    }
+    volatile std::uint64_t idle = 0;  // some moment within the next transaction
+    for (std::uint64_t n = dice() % 2'000'000; n > 0; --n) idle = idle + n;
+    ::kill(child, SIGKILL);
+    while (::read(ends[0], said, sizeof said) == sizeof said) std::copy_n(said, 2, last);  // said before it died
+    ::close(ends[0]);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status) && any) << "run " << run;
+
+    const auto file = DocumentFile::open(path_);
+    ASSERT_TRUE(file) << "run " << run << ": " << text(file.error().what);
+    ASSERT_EQ(hash(file->document()), file->steps().back().after);
+    // What the child had said is there; at most the one thing it was just doing came after.
+    const auto steps = file->steps();
+    const bool asSaid = steps.back().seq == last[1];
+    const bool oneMore = steps.back().seq > last[1] || (last[0] + 1) % 5 == 4;
+    ASSERT_TRUE(asSaid || oneMore) << "run " << run << ": said " << last[1] << ", found " << steps.back().seq;
+  }
+}
+
+// Two hundred damaged copies: each is refused in a sentence, or opens with what it had.
+TEST_F(KeptDocument, DamagedFilesAreRefusedOrWhole) {
+  makeOne();
+  const std::string good = bytes();
+  auto whole = *DocumentFile::open(path_);
+  const std::string log = whole.log();
+  std::map<std::string, std::string> known;  // chain -> document
+  for (const Step& s : whole.steps()) known[s.chain] = s.after;
+  whole = DocumentFile::inMemory();
+  std::mt19937_64 dice(4711);
+  int opened = 0;
+  for (int seed = 0; seed < 200; ++seed) {
+    std::string bad = good;
+    if (seed % 4 == 0) bad.resize(dice() % bad.size());
+    for (std::size_t i = 0, n = seed % 4 == 1 ? 1 : 1 + dice() % 30; i < n && !bad.empty(); ++i)
+      bad[dice() % bad.size()] ^= static_cast<char>(1 + dice() % 255);
+    write(bad);
+    const auto file = DocumentFile::open(path_, &room_.context);
+    if (!file) {
+      EXPECT_FALSE(text(file.error().what).empty());
+      continue;
+    }
+    ++opened;
+    EXPECT_EQ(file->log(), log) << seed;
+    EXPECT_EQ(hash(file->document()), known.at(file->steps().back().chain)) << seed;
+  }
+  EXPECT_GT(opened, 0);
+  EXPECT_LT(opened, 200);
+}
+
+}  // namespace
+}  // namespace karinui
