@@ -38,6 +38,40 @@ Vec3 meanOf(const std::vector<std::uint32_t>& near, std::span<const Vec3> of) {
   return sum * (1.0 / static_cast<double>(near.size()));
 }
 
+std::vector<Vec3> smoothed(std::vector<Vec3> normals, const Neighbours& near, int rounds) {
+  std::vector<Vec3> next(normals.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      next[i] = near[i].empty() ? normals[i] : normalized(normals[i] + meanOf(near[i], normals));
+    normals.swap(next);
+  }
+  return normals;
+}
+
+// Points of faces that turn sharply against a neighbour.
+std::vector<std::uint8_t> folded(const TriangleMesh& mesh) {
+  std::vector<std::uint8_t> bad(mesh.points.size(), 0);
+  struct Side {
+    std::uint32_t low, high, face;
+  };
+  std::vector<Side> sides;
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = mesh.faces[f][k], b = mesh.faces[f][(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), f});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+  });
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const Side &a = sides[i], &b = sides[i + 1];
+    if (a.low != b.low || a.high != b.high || dot(faceNormal(mesh, a.face), faceNormal(mesh, b.face)) > 0.2) continue;
+    for (std::uint32_t f : {a.face, b.face})
+      for (std::uint32_t v : mesh.faces[f]) bad[v] = 1;
+  }
+  return bad;
+}
+
 }  // namespace
 
 void liftOff(Patch& patch, const TriangleMesh& body, const Bvh& bvh, const LiftSettings& settings) {
@@ -45,11 +79,11 @@ void liftOff(Patch& patch, const TriangleMesh& body, const Bvh& bvh, const LiftS
   const Neighbours all = neighboursOf(patch.mesh);
   Neighbours near = all;
   borderLooksAlong(patch.border, near);
-  std::vector<std::uint8_t> onBorder(points.size(), 0), corner(points.size(), 0), folded(points.size(), 0);
+  std::vector<std::uint8_t> onBorder(points.size(), 0), corner(points.size(), 0), onFold(points.size(), 0);
   for (std::uint32_t p : patch.border) onBorder[p] = 1;
   for (std::uint32_t i : patch.first) corner[patch.border[i]] = 1;
   for (std::uint32_t p : settings.fold) {
-    folded[p] = 1;
+    onFold[p] = 1;
     near[p] = all[p];
   }
   // Border points that are one place on the body (the two sides of a slit) stay one.
@@ -69,25 +103,30 @@ void liftOff(Patch& patch, const TriangleMesh& body, const Bvh& bvh, const LiftS
   };
 
   const std::vector<Vec3> bodyNormals = pointNormals(body);
+  const auto skinNormal = [&](const SurfacePoint& place, const std::vector<Vec3>& of) {
+    const Triangle& t = body.faces[place.face];
+    Vec3 n;
+    for (std::size_t k = 0; k < 3; ++k) n += of[t[k]] * place.weight[k];
+    return normalized(n);
+  };
   // Out of the body at the nearest place: along the way from there, or the skin's smoothed normal when on or under it.
   const auto clear = [&](Vec3 p, double least) {
     const auto hit = bvh.nearest(p);
     if (!hit) return p;
-    const Triangle& t = body.faces[hit->place.face];
-    Vec3 n;
-    for (std::size_t k = 0; k < 3; ++k) n += bodyNormals[t[k]] * hit->place.weight[k];
-    n = normalized(n);
+    const Vec3 n = skinNormal(hit->place, bodyNormals);
     const double above = dot(p - hit->point, n) < 0 ? -hit->distance : hit->distance;
     if (above >= least) return p;
     return p + n * (least - above);
   };
 
-  // The sheet's own normals, smoothed, say where "off the body" is.
-  std::vector<Vec3> normals = pointNormals(patch.mesh), next(points.size());
-  for (int round = 0; round < 8; ++round) {
-    keepTogether(normals);
-    for (std::size_t i = 0; i < points.size(); ++i) next[i] = normalized(normals[i] + meanOf(all[i], normals));
-    normals.swap(next);
+  // The skin's normals, smoothed over the whole body, say where "off the body" is. (Smoothed over the sheet alone they
+  // would lean inwards along its border and draw it together.)
+  const std::vector<Vec3> smooth = smoothed(bodyNormals, neighboursOf(body), 8);
+  std::vector<Vec3> normals(points.size()), next(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto hit = bvh.nearest(points[i]);
+    KARINUI_ASSERT(hit);
+    normals[i] = skinNormal(hit->place, smooth);
   }
   keepTogether(normals);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -105,10 +144,22 @@ void liftOff(Patch& patch, const TriangleMesh& body, const Bvh& bvh, const LiftS
       // Along the sheet only a little, so that the drawn line and the triangles stay where they are.
       const double out = dot(step, normals[i]);
       const Vec3 level = step - normals[i] * out;
-      next[i] = points[i] + normals[i] * (0.5 * out) + level * (onBorder[i] && !folded[i] ? 0.0 : 0.2);
+      next[i] = points[i] + normals[i] * (0.5 * out) + level * (onBorder[i] && !onFold[i] ? 0.0 : 0.2);
     }
     points.swap(next);
     for (std::size_t i = 0; i < points.size(); ++i) points[i] = clear(points[i], settings.ease);
+    keepTogether(points);
+  }
+
+  // Deep in an armpit or crotch the sheet may have been pushed against itself: there it is drawn smooth, whatever the
+  // ease.
+  for (int round = 0; round < 60; ++round) {
+    const std::vector<std::uint8_t> bad = folded(patch.mesh);
+    if (std::none_of(bad.begin(), bad.end(), [](std::uint8_t b) { return b != 0; })) break;
+    next = points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (bad[i] && !corner[i]) next[i] = (points[i] + meanOf(near[i], points)) * 0.5;
+    points.swap(next);
     keepTogether(points);
   }
 }
