@@ -117,7 +117,7 @@ OneFit fitOne(std::span<const Flat> points, const Flat* startWay, const Flat* en
   Cubic before{};
   for (int round = 0; round < 100; ++round) {
     OneFit now;
-    now.cubic = before = leastSquares(points, t, startWay, endWay, round < 5 ? nullptr : &before);
+    now.cubic = before = leastSquares(points, t, startWay, endWay, round < 30 ? nullptr : &before);
     for (int k = 0; k < 3; ++k) reparametrise(now.cubic, points, t);
     now.worst = points.size() / 2;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -127,12 +127,12 @@ OneFit fitOne(std::span<const Flat> points, const Flat* startWay, const Flat* en
         now.worst = i;
       }
     }
-    const double score = now.miss + std::fabs(lengthOf(now.cubic) - whole);
+    const double score = 2 * now.miss + std::fabs(lengthOf(now.cubic) - whole);
     if (score < bestScore) {
       best = now;
       bestScore = score;
     }
-    if (round % 20 == 19) {
+    if (round > 30 && round % 20 == 19) {
       if (bestScore > 0.98 * lastScore) break;
       lastScore = bestScore;
     }
