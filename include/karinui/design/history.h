@@ -30,10 +30,11 @@ class DocumentFile {
  public:
   // A new file; refuses to overwrite one.
   static Result<DocumentFile> create(const std::filesystem::path& path);
-  // Opens for work. Damaged, foreign, newer, locked or unwritable files are refused with a sentence; nothing is changed.
-  // Every step is kept with the document it led to, drapes included, so that opening does not compute; a kept document
-  // that is missing or does not match its hash is made again by replaying, with `how` (nothing: one quiet thread). One
-  // that an older program left is taken as it is: a person's drape does not change because the program did.
+  // Opens for work. Damaged, foreign, newer, locked or unwritable files are refused with a sentence; nothing is
+  // changed. Every step is kept with the document it led to, drapes included, so that opening does not compute; a kept
+  // document that is missing or does not match its hash is made again by replaying, with `how` (nothing: one quiet
+  // thread). One that an older program left is taken as it is: a person's drape does not change because the program
+  // did.
   static Result<DocumentFile> open(const std::filesystem::path& path, Context* how = nullptr);
   // The same for reading only: what may not be written, or what should not be. perform, undo and redo are then refused.
   static Result<DocumentFile> openForReading(const std::filesystem::path& path, Context* how = nullptr);

@@ -38,8 +38,8 @@ struct SetBody {
 };
 
 // draw name=front line="landmark:neck_left; torso:bust@0.98; …" mirror=yes
-// `edges` speaks of the places one by one: a name for the edge that begins there, or "~" where there is no corner and the
-// edge before runs smoothly through. With symmetric=yes the line is one half, from the body's centre to its centre.
+// `edges` speaks of the places one by one: a name for the edge that begins there, or "~" where there is no corner and
+// the edge before runs smoothly through. With symmetric=yes the line is one half, from the body's centre to its centre.
 struct DrawPiece {
   static constexpr std::string_view kName = "draw";
   static constexpr std::string_view kHelp =

@@ -2,18 +2,18 @@
 // What each operation does, one file an operation. Two functions each, found by overloading:
 //   resolve()  turns names into ids and decides what was left open, so that the record means the same for ever;
 //   perform()  gives the document after, from a resolved operation. Pure; refuses in a sentence; never half done.
-// apply() counts the operation and checks what is common to all; perform() must leave Document::operations alone. Ids are
-// minted with mint<PieceId>(before, nth).
+// apply() counts the operation and checks what is common to all; perform() must leave Document::operations alone. Ids
+// are minted with mint<PieceId>(before, nth).
 #include "karinui/design/apply.h"
 #include "karinui/design/drape.h"
 
 namespace karinui {
 
-#define KARINUI_DECLARE_OPERATION(Op)                                 \
+#define KARINUI_DECLARE_OPERATION(Op)                                    \
   Done resolve(const Document& before, Op& operation, Context& context); \
   Result<Document> perform(const Document& before, const Op& operation, Context& context);
 KARINUI_DECLARE_OPERATION(SetBody)
-KARINUI_DECLARE_OPERATION(DrawPiece)     // draw.cpp
+KARINUI_DECLARE_OPERATION(DrawPiece)  // draw.cpp
 KARINUI_DECLARE_OPERATION(MovePiece)
 KARINUI_DECLARE_OPERATION(SewEdges)
 KARINUI_DECLARE_OPERATION(Unsew)
