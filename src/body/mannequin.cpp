@@ -83,11 +83,15 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   for (const char* key : {"height", "bust_girth", "waist_girth", "hip_girth"})
     if (const auto it = complete.value.find(key); it != complete.value.end()) aim.insert(*it);
   const std::map<std::string, double> usual = model.usual(complete);
-  for (const char* key : {"neck_girth", "upper_arm_girth", "wrist_girth", "crotch_height"})
-    aim.insert({key, usual.at(key)});
+  for (const char* key : {"neck_girth", "upper_arm_girth", "wrist_girth"}) aim.insert({key, usual.at(key)});
   const double height = complete.value.at("height");
 
   Figure figure = model.draw(complete);
+  if (!stated.contains("crotch_height")) {
+    // Where the legs are joined softly they meet lower than drawn. Only this much: heavy thighs do touch further down.
+    figure.at.crotch += 0.015 * height;
+    figure.at.hip.y += 0.015 * height;
+  }
   Try best;
   double cell = kFine;
   std::size_t shift = 0;
