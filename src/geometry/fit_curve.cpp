@@ -96,6 +96,19 @@ void reparametrise(const Cubic& cubic, std::span<const Flat> points, std::vector
   }
 }
 
+bool crossesItself(const Cubic& cubic) {
+  constexpr int kParts = 48;
+  Flat p[kParts + 1];
+  for (int i = 0; i <= kParts; ++i) p[i] = cubic.at(static_cast<double>(i) / kParts);
+  const auto turn = [](Flat a, Flat b, Flat c) { return cross(b - a, c - a); };
+  for (int i = 0; i < kParts; ++i)
+    for (int j = i + 2; j < kParts; ++j)
+      if (turn(p[i], p[i + 1], p[j]) * turn(p[i], p[i + 1], p[j + 1]) < 0 &&
+          turn(p[j], p[j + 1], p[i]) * turn(p[j], p[j + 1], p[i + 1]) < 0)
+        return true;
+  return false;
+}
+
 struct OneFit {
   Cubic cubic;
   double miss = 0;
@@ -112,6 +125,10 @@ OneFit fitOne(std::span<const Flat> points, const Flat* startWay, const Flat* en
     return sum;
   };
   OneFit best;
+  best.cubic = {points.front(), lerp(points.front(), points.back(), 1.0 / 3),
+                lerp(points.front(), points.back(), 2.0 / 3), points.back()};
+  best.miss = bow(points);
+  best.worst = points.size() / 2;
   double bestScore = 1e300;
   double lastScore = 1e300;
   Cubic before{};
@@ -128,7 +145,7 @@ OneFit fitOne(std::span<const Flat> points, const Flat* startWay, const Flat* en
       }
     }
     const double score = 2 * now.miss + std::fabs(lengthOf(now.cubic) - whole);
-    if (score < bestScore) {
+    if (score < bestScore && !crossesItself(now.cubic)) {
       best = now;
       bestScore = score;
     }

@@ -74,6 +74,11 @@ Result<std::vector<Flat>> reflatten(std::span<const Flat> flat, std::span<const 
     rest.push_back(
         restTriangle(t, Flat{0, 0}, Flat{wanted(0, 0), wanted(1, 0)}, Flat{wanted(0, 1), wanted(1, 1)}, 0.01));
   }
+  // What did not move in space is what the rest is aligned to.
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const double moved = distance(before[i], after[i]) / 0.001;
+    weight[i] *= std::exp(-moved * moved) + 1e-6;
+  }
   std::vector<Flat> out(flat.begin(), flat.end());
   if (most < 1e-9) return out;
   if (!foldFree(rest, out)) return refused(say("The piece's flat shape has folds; draw it anew."));

@@ -1,0 +1,84 @@
+// Drawing on our own mannequin, as a dressmaker would.
+#include <gtest/gtest.h>
+
+#include "design/workroom.h"
+#include "karinui/design/drawing.h"
+
+namespace karinui {
+namespace {
+
+class OnTheMannequin : public ::testing::Test {
+ protected:
+  static Workroom& room() {
+    static Workroom shared;  // the figure is built once
+    return shared;
+  }
+  DocumentFile file_ = DocumentFile::inMemory();
+  void SetUp() override { ASSERT_TRUE(room().play(file_, "body size=jis9ar")); }
+  const Piece& draw(const std::string& line, const char* name) {
+    const Done done = room().play(file_, line);
+    EXPECT_TRUE(done) << text(done.error().what);
+    const Piece* piece = file_.document().pieceNamed(name);
+    EXPECT_TRUE(piece);
+    return *piece;
+  }
+};
+
+const std::string kFront =
+    "draw name=front symmetric=yes line=\"torso:shoulder+0.5@0; torso:shoulder+0.8@0.08; torso:neck_base+0.2@0.25; "
+    "landmark:shoulder_left; torso:armpit+0.5@0.16; torso:armpit@0.19; torso:armpit-0.3@0.25; torso:waist@0.25; "
+    "torso:hip@0.25; torso:hip@0\" edges=\"neck ~ shoulder armhole ~ ~ side ~ hem\"\n";
+const std::string kBack =
+    "draw name=back symmetric=yes line=\"torso:neck_base@0.5; torso:neck_base+0.05@0.42; torso:neck_base+0.2@0.25; "
+    "landmark:shoulder_left; torso:armpit+0.5@0.34; torso:armpit@0.31; torso:armpit-0.3@0.25; torso:waist@0.25; "
+    "torso:hip@0.25; torso:hip@0.5\" edges=\"neck ~ shoulder armhole ~ ~ side ~ hem\"\n";
+
+double lengthOf(const Piece& piece, std::string_view edge) {
+  const auto found = piece.outline.find(edge);
+  EXPECT_TRUE(found) << edge;
+  return found ? piece.outline.edges[*found].curve.length() : 0;
+}
+
+TEST_F(OnTheMannequin, FrontAndBackBodiceFitTogether) {
+  const Piece front = draw(kFront, "front"), back = draw(kBack, "back");
+  for (const char* edge : {"shoulder_left", "shoulder_right", "side_left", "side_right"})
+    EXPECT_NEAR(lengthOf(front, edge) / lengthOf(back, edge), 1, 0.01) << edge;
+  const auto body = bodyOf(file_.document(), room().context);
+  ASSERT_TRUE(body);
+  for (const Piece* piece : {&front, &back}) {
+    ASSERT_TRUE(piece->form);
+    EXPECT_EQ(piece->pose, Rigid{});
+    double nearest = 1;
+    for (Vec3 p : piece->form->space) nearest = std::fmin(nearest, (*body)->bvh().signedDistance(p));
+    EXPECT_GT(nearest, 0.004) << piece->name;
+  }
+  EXPECT_GT(front.outline.area(), 0.08);
+  EXPECT_LT(front.outline.area(), 0.4);
+}
+
+TEST_F(OnTheMannequin, AHandDrawnLineClosesItselfWithinFifteenMillimetres) {
+  const std::string places = "torso:hip@0.05; torso:hip@0.2; torso:waist@0.2; torso:waist@0.05; ";
+  const Piece panel = draw("draw name=panel closed=no line=\"" + places + "torso:hip+0.03@0.052\"\n", "panel");
+  EXPECT_EQ(panel.outline.edges.size(), 4u);
+  const auto op = parseOperation("draw name=other closed=no line=\"" + places + "torso:hip+0.8@0.05\"");
+  ASSERT_TRUE(op);
+  const auto refused = file_.perform(*op, room().context);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(text(refused.error().what).find("The line is open"), std::string::npos);
+}
+
+TEST_F(OnTheMannequin, TheAdviceNamesAnEdgeOfThePiece) {
+  const auto op = parseOperation(kFront.substr(0, kFront.size() - 1));
+  ASSERT_TRUE(op);
+  const auto made = drawn(file_.document(), std::get<DrawPiece>(*op), room().context);
+  ASSERT_TRUE(made) << text(made.error().what);
+  if (made->distortion.gate == Distortion::Gate::Red) {
+    ASSERT_TRUE(made->advice);
+    EXPECT_TRUE(made->piece.outline.find(made->advice->values[3] + "_left"));
+  } else {
+    EXPECT_FALSE(made->advice);
+  }
+}
+
+}  // namespace
+}  // namespace karinui
