@@ -8,6 +8,7 @@ namespace {
 constexpr double kFirmness = 3e5;  // N/m per m2 of cloth: 30 N/m for each cm2
 constexpr double kHarder = 4;      // how the push grows with depth: r + 4 r^3, r = depth / offset
 constexpr double kStraight = 2;    // beyond this r it grows straight on
+constexpr double kGlide = 2e-5;    // metres: friction of a node that slips is no stiffer than over this
 constexpr std::size_t kBlock = 256;
 
 }  // namespace
@@ -54,6 +55,7 @@ void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& work
       at.push = push.force;
       at.along = push.slope;
       at.across = 0;
+      at.ahead = {};
       at.force = contact.normal * -push.force;
       if (!withFriction || node.friction <= 0) continue;
       if (!at.stuck) {
@@ -67,7 +69,8 @@ void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& work
       const double spring = length > 0 ? std::fmin(hold, most / length) : hold;
       at.force += pull * spring;
       // A node that slipped goes on slipping: seen as stiff as its anchor's spring it would creep as in syrup.
-      at.across = at.slip > 0 ? std::fmin(spring, most / (length + at.slip)) : spring;
+      at.across = at.slip > 0 ? std::fmin(spring, most / std::fmax(kGlide, length + at.slip)) : spring;
+      if (at.slip > 0 && length > 0) at.ahead = pull * (at.across * at.slip / length);
     }
   });
   touching_ = 0;
@@ -77,6 +80,11 @@ void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& work
 void BodyContact::addGradient(std::span<Vec3> gradient) const {
   for (std::size_t k = 0; k < nodes_.size(); ++k)
     if (at_[k].touches) gradient[nodes_[k].node] += at_[k].force;
+}
+
+void BodyContact::addExpectedSlip(std::span<Vec3> force) const {
+  for (std::size_t k = 0; k < nodes_.size(); ++k)
+    if (at_[k].touches) force[nodes_[k].node] += at_[k].ahead;
 }
 
 void BodyContact::addBlocks(const TieMap& ties, BlockSystem& system) const {

@@ -23,6 +23,9 @@ class BodyContact {
   // Finds who touches at these places. Forces, blocks and anchors speak of what was found last.
   void find(std::span<const Vec3> x, bool withFriction, Workers& workers);
   void addGradient(std::span<Vec3> gradient) const;
+  // What a slipping node is expected to slip again does not load its friction: added to the step's right-hand side, it
+  // lets sliding cloth gather way and lets it stop without turning back.
+  void addExpectedSlip(std::span<Vec3> force) const;
   void addBlocks(const TieMap& ties, BlockSystem& system) const;
   void moveAnchors(std::span<const Vec3> x, Workers& workers);  // after a step; once
   void forgetAnchors();
@@ -38,7 +41,7 @@ class BodyContact {
  private:
   struct At {
     bool touches = false, stuck = false;
-    Vec3 normal, anchor, force;
+    Vec3 normal, anchor, force, ahead;
     double push = 0, along = 0, across = 0;  // N, N/m
     double slip = 0;
   };

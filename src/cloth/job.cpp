@@ -70,7 +70,7 @@ Error tornApart() {
 }
 
 RestRule finestRule(const SettleSettings& settings) {
-  return {settings.stopMove, settings.stopResidual, settings.stopMove * 10 / 3, settings.maxSteps};
+  return {settings.stopMove, settings.stopResidual, settings.stopMove * 10 / 3, 8, settings.maxSteps};
 }
 
 std::vector<Vec3> finish(LevelSolver& solver, const Collider& body, const SettleSettings& settings,

@@ -202,6 +202,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   for (Vec3 f : force_) squares += squaredLength(f);
   outcome.residual = std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
   for (NodeIndex k : moving_) nodeForce[k] += velocity_[k] * (mass_[k] * stride.keep / stride.seconds);
+  contact_.addExpectedSlip(nodeForce);
   ties_->reduce(nodeForce, force_);
   outcome.iterations = system_->solve(force_, stride.stop, token, workers_, move_);
   ties_->spread(move_, nodeMove_);

@@ -89,7 +89,7 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
       stride.seconds = stride.seconds > kLongest ? std::fmax(kLongest, 0.5 * stride.seconds)
                                                  : std::fmin(kLongest, 1.1 * stride.seconds);
     calm = step.move < allowed && step.residual < rule.residual && solver.allTied() ? calm + 1 : 0;
-    if (calm < 3) continue;
+    if (calm < rule.calmSteps) continue;
     if (rule.left > 0) {
       LevelSolver::Stride longer = stride;
       longer.seconds = 0.25;

@@ -12,6 +12,7 @@ struct RestRule {
   double move = 0.00015;  // metres a step
   double residual = 0.4;  // node weights, rms
   double left = 0.0005;   // metres of the largest move still predicted; 0: not asked
+  int calmSteps = 8;       // in a row; enough for cloth that only begins to slide to show it
   int mostSteps = 400;
 };
 struct RestOutcome {
@@ -23,7 +24,7 @@ using StepWatcher = std::function<void(int step, const LevelSolver::Outcome& out
 
 // Seams are drawn together: no weight, no friction, until all are tied or nothing moves on.
 RestOutcome sew(LevelSolver& solver, const Token& token, const StepWatcher& watch);
-// Weight and friction, until three calm steps in a row and little left to move.
+// Weight and friction, until some calm steps in a row and little left to move.
 RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double firstSeconds, const Token& token,
                  const StepWatcher& watch);
 

@@ -130,4 +130,45 @@ inline ClothLevel tunic(std::uint32_t cells, const Fabric& fabric) {
   return level;
 }
 
+// A rectangle as a pattern piece, from the origin; edges bottom, right, top, left.
+inline std::shared_ptr<Piece> rectangle(std::uint64_t id, double width, double height, Flat grain = {0, 1}) {
+  auto piece = std::make_shared<Piece>();
+  piece->id = PieceId{id};
+  piece->name = "piece" + std::to_string(id);
+  piece->grain = normalized(grain);
+  const Flat a{0, 0}, b{width, 0}, c{width, height}, d{0, height};
+  piece->outline.edges = {{"bottom", Curve::line(a, b)},
+                          {"right", Curve::line(b, c)},
+                          {"top", Curve::line(c, d)},
+                          {"left", Curve::line(d, a)}};
+  return piece;
+}
+
+inline Pattern patternOf(const std::vector<std::shared_ptr<Piece>>& pieces) {
+  Pattern pattern;
+  for (const auto& piece : pieces) pattern.pieces[piece->id] = piece;
+  return pattern;
+}
+
+inline ClothLevel levelOf(const Pattern& pattern, double spacing, const Fabric& fabric, const ClothChoice& choice = {}) {
+  const auto laid = lay(pattern, spacing);
+  KARINUI_ASSERT(laid);
+  auto cloth = assemble(pattern, *laid, {{"cotton", fabric}}, choice);
+  KARINUI_ASSERT(cloth);
+  ClothState state = standing(pattern, *cloth);
+  return {std::move(*cloth), std::move(state)};
+}
+
+// Stiff in its plane, no toe, no slack: cloth as in the textbooks.
+inline Fabric textbook(double stretch, double bend, double weight) {
+  Fabric f;
+  f.weight = weight;
+  f.stretchWarp = f.stretchWeft = stretch;
+  f.shear = 0.5 * stretch;
+  f.bendWarp = f.bendWeft = bend;
+  f.compression = 1;
+  f.toe = 0;
+  return f;
+}
+
 }  // namespace karinui::test

@@ -51,7 +51,7 @@ struct SettleReport {
 
 struct SettleSettings {
   Vec3 gravity{0, -9.81, 0};
-  double stopMove = 0.00015;  // metres a step; three calm steps in a row
+  double stopMove = 0.00015;  // metres a step; eight calm steps in a row
   double stopResidual = 0.4;  // node weights, rms
   int maxSteps = 400;         // on the finest level
   double skin = 0.0015;       // metres the cloth keeps from the body

@@ -1,0 +1,236 @@
+#include <gtest/gtest.h>
+
+#include "cloth/bending.h"
+#include "cloth/helpers.h"
+#include "cloth/membrane.h"
+#include "cloth/springs.h"
+
+namespace karinui::test {
+namespace {
+
+// A piece whose grid stands askew in its outline, so that half of it is ring.
+ClothLevel askew(const Fabric& fabric) {
+  return levelOf(patternOf({rectangle(1, 0.11, 0.09, {0.3, 1})}), 0.01, fabric);
+}
+
+std::vector<std::unique_ptr<Energy>> energiesOf(const Cloth& cloth) {
+  std::vector<std::unique_ptr<Energy>> all;
+  all.push_back(std::make_unique<Membrane>(cloth));
+  all.push_back(std::make_unique<Bending>(cloth, std::vector<std::uint8_t>(cloth.nodeCount, 0)));
+  all.push_back(std::make_unique<Springs>(simclothSprings(cloth), cloth.nodeCount));
+  all.push_back(std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount));
+  return all;
+}
+
+std::vector<Vec3> shaken(const ClothLevel& level, double stretch, double noise, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> by(-noise, noise);
+  std::vector<Vec3> x = level.state.position;
+  for (Vec3& p : x) p = Vec3{p.x * stretch, p.y * stretch, 0.02 * std::sin(40 * p.x)} + Vec3{by(random), by(random), by(random)};
+  return x;
+}
+
+class EveryLaw : public testing::TestWithParam<Fabric::Law> {
+ protected:
+  Fabric fabric() const {
+    Fabric f = *preset(GetParam() == Fabric::Law::Woven ? "denim" : "simcloth");
+    return f;
+  }
+  Workers workers{1};
+};
+
+TEST_P(EveryLaw, GradientIsTheSlopeOfTheValue) {
+  const ClothLevel level = askew(fabric());
+  for (double stretch : {1.1, 0.9})
+    for (const auto& energy : energiesOf(level.cloth)) {
+      std::vector<Vec3> x = shaken(level, stretch, 0.0005, 7);
+      std::vector<Vec3> gradient(x.size());
+      energy->addGradient(x, gradient, workers);
+      double scale = 0;
+      for (Vec3 g : gradient) scale = std::fmax(scale, length(g));
+      if (scale == 0) continue;
+      for (std::size_t k = 0; k < x.size(); k += 3) {
+        Vec3 slope;
+        for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+          const double step = 1e-6, before = x[k].*axis;
+          x[k].*axis = before + step;
+          const double up = energy->value(x, workers);
+          x[k].*axis = before - step;
+          const double down = energy->value(x, workers);
+          x[k].*axis = before;
+          slope.*axis = (up - down) / (2 * step);
+        }
+        EXPECT_LT(length(slope - gradient[k]), 2e-7 * scale + 1e-9) << "node " << k;
+      }
+    }
+}
+
+TEST_P(EveryLaw, PullsOnNothingOutside) {
+  const ClothLevel level = askew(fabric());
+  const std::vector<Vec3> x = shaken(level, 1.05, 0.001, 11);
+  for (const auto& energy : energiesOf(level.cloth)) {
+    std::vector<Vec3> gradient(x.size());
+    energy->addGradient(x, gradient, workers);
+    Vec3 force, torque;
+    double scale = 1e-12;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      force += gradient[k];
+      torque += cross(x[k], gradient[k]);
+      scale = std::fmax(scale, length(gradient[k]));
+    }
+    EXPECT_LT(length(force), 1e-11 * scale);
+    EXPECT_LT(length(torque), 1e-11 * scale);
+  }
+}
+
+TEST_P(EveryLaw, FeelsNoRigidMotion) {
+  const ClothLevel level = askew(fabric());
+  const Rigid turn = after(turnAbout({1, 2, 3}, 1.1), turnAbout({0, 1, 0}, 0.4));
+  std::vector<Vec3> x = level.state.position;
+  for (Vec3& p : x) p = turn(p) + Vec3{3, -2, 1};
+  for (const auto& energy : energiesOf(level.cloth)) {
+    std::vector<Vec3> gradient(x.size());
+    energy->addGradient(x, gradient, workers);
+    for (Vec3 g : gradient) EXPECT_LT(length(g), 1e-9);
+  }
+}
+
+TEST_P(EveryLaw, BlocksAreTheSlopeOfTheGradientAlongStretch) {
+  // Where nothing is squeezed the stand-in keeps all but the shear's small indefinite part, so it must predict the
+  // gradient's change under further stretch.
+  const ClothLevel level = askew(fabric());
+  std::vector<Vec3> x = level.state.position, move = x;
+  for (Vec3& p : x) p = p * 1.2;
+  const double step = 1e-7;
+  for (const auto& energy : energiesOf(level.cloth)) {
+    std::vector<NodePair> pairs;
+    energy->appendPairs(pairs);
+    std::vector<Block3> blocks(energy->pairCount());
+    ASSERT_EQ(pairs.size(), blocks.size());
+    energy->blocks(x, blocks, workers);
+    std::vector<Vec3> predicted(x.size()), before(x.size()), afterwards(x.size());
+    for (std::size_t s = 0; s < pairs.size(); ++s) {
+      const Block3& b = blocks[s];
+      const Vec3 m = move[pairs[s].column];
+      predicted[pairs[s].row] += Vec3{b[0] * m.x + b[1] * m.y + b[2] * m.z, b[3] * m.x + b[4] * m.y + b[5] * m.z,
+                                      b[6] * m.x + b[7] * m.y + b[8] * m.z};
+    }
+    energy->addGradient(x, before, workers);
+    std::vector<Vec3> further = x;
+    for (std::size_t k = 0; k < x.size(); ++k) further[k] += move[k] * step;
+    energy->addGradient(further, afterwards, workers);
+    double scale = 1e-2;
+    for (Vec3 p : predicted) scale = std::fmax(scale, length(p));
+    for (std::size_t k = 0; k < x.size(); ++k)
+      EXPECT_LT(length((afterwards[k] - before[k]) * (1 / step) - predicted[k]), 1e-3 * scale);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Fabrics, EveryLaw, testing::Values(Fabric::Law::Woven, Fabric::Law::Simcloth));
+
+TEST(Membrane, UniformStretchIsFeltTheSameAcrossLatticeAndRing) {
+  Workers workers(1);
+  const double k = 800, strain = 0.01;
+  const ClothLevel level = askew(textbook(k, 0, 0.1));
+  const Flat warp = level.cloth.pieces[0].lattice->warp, weft = level.cloth.pieces[0].lattice->weft;
+  std::vector<Vec3> x = level.state.position;
+  for (Vec3& p : x) {
+    const Flat f{p.x, p.y};
+    const Flat to = warp * (dot(f, warp) * (1 + strain)) + weft * dot(f, weft);
+    p = {to.u, to.v, 0};
+  }
+  const Membrane membrane(level.cloth);
+  EXPECT_NEAR(membrane.value(x, workers), 0.5 * k * strain * strain * 0.11 * 0.09, 1e-12);
+  // Inside nothing is out of balance; on the border the forces are those of a uniform tension.
+  std::vector<Vec3> gradient(x.size());
+  membrane.addGradient(x, gradient, workers);
+  std::vector<std::uint8_t> border(x.size(), 0);
+  for (std::uint32_t n : level.cloth.pieces[0].lattice->border) border[n] = 1;
+  for (std::size_t n = 0; n < x.size(); ++n)
+    if (!border[n]) {
+      EXPECT_LT(length(gradient[n]), 1e-12);
+    }
+}
+
+TEST(Membrane, BiasModulusFollowsFromStretchAndShear) {
+  // 1/(1/(4 Ku) + 1/(4 Kv) + 1/(4 G)) without Poisson coupling.
+  const double k = 2000, g = 40, strain = 1e-4;
+  const double modulus = 1 / (1 / (4 * k) + 1 / (4 * k) + 1 / (4 * g));
+  Fabric f = textbook(k, 0, 0.1);
+  f.shear = g;
+  Cloth cloth;
+  addPiece(cloth, gridLattice(6, 6, 0.01), f);
+  const Membrane membrane(cloth);
+  Workers workers(1);
+  // Uniform fields: stretch e along the bias, c across, symmetric. The energy's least value over c is 1/2 modulus e^2.
+  const auto energy = [&](double c) {
+    std::vector<Vec3> x;
+    for (Flat p : cloth.pieces[0].lattice->nodes) {
+      const Flat along{std::sqrt(0.5), std::sqrt(0.5)}, across = leftOf(along);
+      const Flat q = along * (dot(p, along) * (1 + strain)) + across * (dot(p, across) * (1 + c));
+      x.push_back({q.u, q.v, 0});
+    }
+    return membrane.value(x, workers) / (0.06 * 0.06);
+  };
+  double low = -3 * strain, high = strain;
+  for (int i = 0; i < 200; ++i) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    (energy(a) < energy(b) ? high : low) = energy(a) < energy(b) ? b : a;
+  }
+  EXPECT_NEAR(2 * energy(low) / (strain * strain), modulus, 0.002 * modulus);
+  EXPECT_NEAR(modulus, 153.8, 0.1);
+}
+
+TEST(Membrane, PictureFrameForce) {
+  // F = a dPhi/dgamma / sin(pi/4 - gamma/2) along the frame's diagonal: G 40, a 0.2, gamma 0.1: 1.192 N.
+  Fabric f = textbook(2000, 0, 0.1);
+  f.shear = 40;
+  Cloth cloth;
+  addPiece(cloth, gridLattice(10, 10, 0.02), f);
+  const Membrane membrane(cloth);
+  Workers workers(1);
+  const auto energy = [&](double gamma) {
+    const double angle = std::acos(-1.0) / 4 - gamma / 2;  // half the frame's corner
+    const Vec3 a{std::cos(angle), std::sin(angle), 0}, b{std::cos(angle), -std::sin(angle), 0};
+    std::vector<Vec3> x;
+    for (Flat p : cloth.pieces[0].lattice->nodes) x.push_back(a * p.u + b * p.v);
+    return membrane.value(x, workers);
+  };
+  const auto diagonal = [](double gamma) { return 2 * 0.2 * std::cos(std::acos(-1.0) / 4 - gamma / 2); };
+  const double step = 1e-5;
+  const double force = (energy(0.1 + step) - energy(0.1 - step)) / (diagonal(0.1 + step) - diagonal(0.1 - step));
+  EXPECT_NEAR(force, 1.192, 0.002);
+}
+
+TEST(Bending, CylinderCostsHalfBTimesCurvatureSquared) {
+  Workers workers(1);
+  const double b = 2e-5, radius = 0.2;
+  for (Flat grain : {Flat{0, 1}, Flat{1, 1}, Flat{0.3, 1}}) {
+    const ClothLevel level = levelOf(patternOf({rectangle(1, 0.11, 0.09, grain)}), 0.005, textbook(1000, b, 0.1));
+    std::vector<Vec3> x = level.state.position;
+    for (Vec3& p : x) p = {radius * std::sin(p.x / radius), p.y, radius * std::cos(p.x / radius)};
+    const Bending bending(level.cloth, std::vector<std::uint8_t>(level.cloth.nodeCount, 0));
+    EXPECT_NEAR(bending.value(x, workers), 0.5 * b / (radius * radius) * 0.11 * 0.09,
+                0.01 * 0.5 * b / (radius * radius) * 0.11 * 0.09);
+  }
+}
+
+TEST(Springs, SimclothKnowsEightNeighboursAndFourFurther) {
+  Cloth cloth;
+  addPiece(cloth, gridLattice(4, 4, 0.01), *preset("simcloth"));
+  int atMiddle = 0;
+  for (const auto& spring : simclothSprings(cloth)) atMiddle += spring.a == 12 || spring.b == 12;
+  EXPECT_EQ(atMiddle, 12);
+  const double k = cloth.pieces[0].fabric.stretchWarp;
+  const Springs one({{0, 1, 0.01, k}}, 2);
+  Workers workers(1);
+  std::vector<Vec3> pull(2);
+  one.addGradient(std::vector<Vec3>{{0, 0, 0}, {0.012, 0, 0}}, pull, workers);
+  EXPECT_NEAR(pull[1].x, k * 0.002, 1e-12);  // K (x - x_k)(l - L)/l
+  std::fill(pull.begin(), pull.end(), Vec3{});
+  one.addGradient(std::vector<Vec3>{{0, 0, 0}, {0.008, 0, 0}}, pull, workers);
+  EXPECT_EQ(pull[1], Vec3{});  // never pushes
+}
+
+}  // namespace
+}  // namespace karinui::test

@@ -1,0 +1,210 @@
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "karinui/base/hash.h"
+#include "karinui/cloth/check.h"
+#include "cloth/helpers.h"
+
+namespace karinui::test {
+namespace {
+
+std::string hashOf(const ClothState& state) { return Hasher().add(std::span<const Vec3>(state.position)).hex(); }
+
+SettleReport mustSettle(std::vector<ClothLevel>& levels, const Collider& body, int threads = 1,
+                        const SettleSettings& settings = {}) {
+  Workers workers(threads);
+  const auto report = settle(levels, body, settings, Token(), workers);
+  KARINUI_ASSERT(report);
+  return *report;
+}
+
+std::vector<ClothLevel> tunicLevels() {
+  const Fabric f = *preset("cotton");
+  return {tunic(9, f), tunic(18, f)};
+}
+
+TEST(Settle, TunicComesToRestOnItsBody) {
+  auto levels = tunicLevels();
+  const SettleReport report = mustSettle(levels, tunicBody());
+  EXPECT_TRUE(report.settled) << text(report.why);
+  EXPECT_LE(report.seamGap, 0.0005);
+  EXPECT_LE(report.penetration, 1e-6);
+  EXPECT_LT(report.strain.mean, 0.01);
+  EXPECT_LT(report.residual, 0.4);
+  EXPECT_GT(report.steps, 0u);
+  const ClothCheck found = check(levels.back().cloth, levels.back().state, nullptr);
+  EXPECT_TRUE(found.finite);
+  EXPECT_EQ(found.clothClothCrossings, 0u);
+  EXPECT_NEAR(found.strain.mean, report.strain.mean, 1e-9);
+  // It hangs from the arms: no lower than it can reach, no higher than it was.
+  for (Vec3 p : levels.back().state.position) {
+    EXPECT_GT(p.y, -0.7);
+    EXPECT_LT(p.y, 0.33);
+  }
+}
+
+TEST(Settle, SameBitsForOneAndTwoThreads) {
+  auto one = tunicLevels(), two = tunicLevels();
+  mustSettle(one, tunicBody(), 1);
+  mustSettle(two, tunicBody(), 2);
+  EXPECT_EQ(hashOf(one.back().state), hashOf(two.back().state));
+}
+
+TEST(Settle, CancelledLeavesTheStateAlone) {
+  auto levels = tunicLevels();
+  const std::string before = hashOf(levels.back().state);
+  int calls = 0;
+  Token* self = nullptr;
+  Token token([&](double, const Message&) {
+    if (++calls == 20) self->cancel();
+  });
+  self = &token;
+  Workers workers(1);
+  const auto report = settle(levels, tunicBody(), {}, token, workers);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().kind, Error::Kind::Cancelled);
+  EXPECT_EQ(calls, 20);  // not one step more
+  EXPECT_EQ(hashOf(levels.back().state), before);
+}
+
+TEST(Settle, FrozenPiecesDoNotMoveAndHoldWhatIsSewnToThem) {
+  ClothLevel level = tunic(12, *preset("cotton"));
+  level.cloth.pieces[1].live = false;
+  const std::vector<Vec3> before = level.state.position;
+  const std::uint32_t back = level.cloth.pieces[1].firstNode;
+  std::vector<ClothLevel> levels{level};
+  const SettleReport report = mustSettle(levels, NoBody());
+  EXPECT_TRUE(report.settled) << text(report.why);
+  for (std::size_t k = back; k < before.size(); ++k) EXPECT_EQ(levels[0].state.position[k], before[k]);
+  EXPECT_LE(report.seamGap, 1e-12);
+}
+
+TEST(Settle, ClothThatNothingHoldsIsSaidToFall) {
+  ClothLevel level;
+  Fabric slippery = *preset("silk");
+  slippery.frictionBody = 0;
+  addPiece(level.cloth, gridLattice(10, 10, 0.02), slippery);
+  level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u + 0.2, 0.31, p.v - 0.1}; });
+  std::vector<ClothLevel> levels{level};
+  const SettleReport report = mustSettle(levels, CapsuleBody({{{0, 0, 0}, {0, 0, 0}, 0.3}}));
+  EXPECT_FALSE(report.settled);
+  EXPECT_NE(text(report.why).find("falls"), std::string::npos) << text(report.why);
+  EXPECT_LE(report.steps, 400u);
+}
+
+TEST(Settle, FrictionHoldsOnASlopeThatIsGentleEnough) {
+  for (const bool holds : {true, false}) {
+    const double slope = std::atan(0.3) + (holds ? -0.05 : 0.3);
+    Fabric f = *preset("denim");
+    f.frictionBody = 0.3;
+    ClothLevel level;
+    addPiece(level.cloth, gridLattice(8, 8, 0.02), f);
+    const Vec3 down{std::cos(slope), -std::sin(slope), 0}, out{std::sin(slope), std::cos(slope), 0};
+    level.state = standingBy(level.cloth, [&](std::size_t, Flat p) { return down * p.u + Vec3{0, 0, p.v} + out * 0.0014; });
+    std::vector<ClothLevel> levels{level};
+    SettleSettings settings;
+    settings.maxSteps = 120;
+    const SettleReport report = mustSettle(levels, PlaneBody(out, 0), 1, settings);
+    double moved = 0;
+    for (std::size_t k = 0; k < level.state.position.size(); ++k)
+      moved = std::fmax(moved, distance(level.state.position[k], levels[0].state.position[k]));
+    if (holds) {
+      EXPECT_TRUE(report.settled) << text(report.why);
+      EXPECT_LT(moved, 0.002);
+    } else {
+      EXPECT_FALSE(report.settled);
+      EXPECT_GT(moved, 0.02);
+    }
+  }
+}
+
+TEST(Settle, TubeOfOnePieceClosesRoundALimb) {
+  auto piece = rectangle(1, 0.4, 0.2);
+  Pattern pattern = patternOf({piece});
+  Seam seam;
+  seam.id = SeamId{1};
+  seam.name = "underarm";
+  seam.a = {{piece->id, "left"}};
+  seam.b = {{piece->id, "right"}};
+  pattern.seams[seam.id] = seam;
+  std::vector<ClothLevel> levels{levelOf(pattern, 0.04, *preset("cotton")), levelOf(pattern, 0.02, *preset("cotton"))};
+  // Wrapped loosely about the limb, a hand's breadth open.
+  for (ClothLevel& level : levels)
+    level.state = standingBy(level.cloth, [](std::size_t, Flat p) {
+      const double turn = 5.4 * (p.u / 0.4 - 0.5);
+      return Vec3{p.v - 0.1, 0.02 - 0.074 * std::cos(turn), 0.074 * std::sin(turn)};
+    });
+  ASSERT_FALSE(levels[1].cloth.ties.empty());
+  const SettleReport report = mustSettle(levels, CapsuleBody({{{-0.5, 0, 0}, {0.5, 0, 0}, 0.045}}));
+  EXPECT_TRUE(report.settled) << text(report.why);
+  EXPECT_LE(report.seamGap, 1e-9);
+  EXPECT_LE(report.penetration, 1e-6);
+}
+
+TEST(Settle, FoldedPairsMeetTheirSinglePointInTheMiddle) {
+  auto shorter = rectangle(1, 0.2, 0.1), longer = rectangle(2, 0.4, 0.1);
+  Pattern pattern = patternOf({shorter, longer});
+  Seam seam;
+  seam.id = SeamId{1};
+  seam.name = "gathered";
+  seam.a = {{shorter->id, "bottom"}};
+  seam.b = {{longer->id, "top"}};
+  seam.tie = Seam::Tie::TwoToOne;
+  pattern.seams[seam.id] = seam;
+  ClothChoice choice;
+  choice.pins[shorter->id] = {{0, 0.1}, {0.2, 0.1}};
+  ClothLevel level = levelOf(pattern, 0.02, *preset("silk"), choice);
+  int folded = 0;
+  for (const Tie& tie : level.cloth.ties) folded += tie.c != kNoNode;
+  ASSERT_GT(folded, 3);
+  level.state = standingBy(level.cloth, [](std::size_t piece, Flat p) {
+    return piece == 0 ? Vec3{p.u, p.v, 0} : Vec3{p.u - 0.1, p.v - 0.12, 0.002 * std::sin(60 * p.u)};
+  });
+  std::vector<ClothLevel> levels{level};
+  SettleSettings settings;
+  settings.maxSteps = 800;
+  const SettleReport report = mustSettle(levels, NoBody(), 1, settings);
+  EXPECT_LE(report.seamGap, 1e-9);
+  for (const Tie& tie : level.cloth.ties)
+    if (tie.c != kNoNode) {
+      const auto& x = levels[0].state.position;
+      EXPECT_LT(distance(x[tie.a], (x[tie.b] + x[tie.c]) * 0.5), 1e-9);
+    }
+}
+
+TEST(Settle, ASecondSettleStartsFromWhereTheClothRests) {
+  auto levels = tunicLevels();
+  const SettleReport first = mustSettle(levels, tunicBody());
+  const std::vector<Vec3> rested = levels.back().state.position;
+  const SettleReport again = mustSettle(levels, tunicBody());
+  EXPECT_TRUE(again.settled);
+  EXPECT_LT(again.steps, first.steps / 2);
+  Vec3 drift;
+  for (std::size_t k = 0; k < rested.size(); ++k) drift += levels.back().state.position[k] - rested[k];
+  EXPECT_LT(length(drift) / static_cast<double>(rested.size()), 0.003);
+}
+
+TEST(Settle, RefusesWhatMakesNoSense) {
+  Workers workers(1);
+  std::vector<ClothLevel> none;
+  EXPECT_FALSE(settle(none, NoBody(), {}, Token(), workers));
+  ClothLevel level = tunic(6, *preset("cotton"));
+  const auto refusedWith = [&](auto spoil) {
+    std::vector<ClothLevel> levels{level};
+    SettleSettings settings;
+    spoil(levels[0], settings);
+    const auto report = settle(levels, tunicBody(), settings, Token(), workers);
+    return !report && !text(report.error().what).empty();
+  };
+  EXPECT_TRUE(refusedWith([](ClothLevel& l, SettleSettings&) { l.state.position[3].y = std::nan(""); }));
+  EXPECT_TRUE(refusedWith([](ClothLevel& l, SettleSettings&) { l.state.position[3].y = 1e30; }));
+  EXPECT_TRUE(refusedWith([](ClothLevel& l, SettleSettings&) { l.state.position.pop_back(); }));
+  EXPECT_TRUE(refusedWith([](ClothLevel& l, SettleSettings&) { l.cloth.pieces[0].fabric.weight = -1; }));
+  EXPECT_TRUE(refusedWith([](ClothLevel& l, SettleSettings&) { l.cloth.ties[0].a = 1u << 30; }));
+  EXPECT_TRUE(refusedWith([](ClothLevel&, SettleSettings& s) { s.gravity.y = std::nan(""); }));
+  EXPECT_TRUE(refusedWith([](ClothLevel&, SettleSettings& s) { s.maxSteps = 0; }));
+}
+
+}  // namespace
+}  // namespace karinui::test
