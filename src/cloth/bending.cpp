@@ -50,7 +50,7 @@ Fit fitAround(const Lattice& lattice, const std::vector<std::vector<std::uint32_
     for (Eigen::Index k = 0; k < n; ++k) {
       const Flat d = (lattice.nodes[nodes[k]] - lattice.nodes[centre]) * (1 / h);
       const double u = dot(d, lattice.weft), v = dot(d, lattice.warp);
-      root[k] = 1 / std::sqrt(0.25 + u * u + v * v);
+      root[k] = 1 / ((0.25 + u * u + v * v) * (0.25 + u * u + v * v));
       linear.row(k) << root[k], root[k] * u, root[k] * v;
       square.row(k) << root[k] * u * u / 2, root[k] * u * v, root[k] * v * v / 2;
     }

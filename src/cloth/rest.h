@@ -12,7 +12,7 @@ struct RestRule {
   double move = 0.00015;  // metres a step
   double residual = 0.4;  // node weights, rms
   double left = 0.0005;   // metres of the largest move still predicted; 0: not asked
-  int calmSteps = 8;       // in a row; enough for cloth that only begins to slide to show it
+  int calmSteps = 8;      // in a row; enough for cloth that only begins to slide to show it
   int mostSteps = 400;
 };
 struct RestOutcome {

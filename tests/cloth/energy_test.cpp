@@ -26,7 +26,8 @@ std::vector<Vec3> shaken(const ClothLevel& level, double stretch, double noise, 
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> by(-noise, noise);
   std::vector<Vec3> x = level.state.position;
-  for (Vec3& p : x) p = Vec3{p.x * stretch, p.y * stretch, 0.02 * std::sin(40 * p.x)} + Vec3{by(random), by(random), by(random)};
+  for (Vec3& p : x)
+    p = Vec3{p.x * stretch, p.y * stretch, 0.02 * std::sin(40 * p.x)} + Vec3{by(random), by(random), by(random)};
   return x;
 }
 

@@ -150,7 +150,8 @@ inline Pattern patternOf(const std::vector<std::shared_ptr<Piece>>& pieces) {
   return pattern;
 }
 
-inline ClothLevel levelOf(const Pattern& pattern, double spacing, const Fabric& fabric, const ClothChoice& choice = {}) {
+inline ClothLevel levelOf(const Pattern& pattern, double spacing, const Fabric& fabric,
+                          const ClothChoice& choice = {}) {
   const auto laid = lay(pattern, spacing);
   KARINUI_ASSERT(laid);
   auto cloth = assemble(pattern, *laid, {{"cotton", fabric}}, choice);

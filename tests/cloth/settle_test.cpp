@@ -2,9 +2,9 @@
 
 #include <thread>
 
+#include "cloth/helpers.h"
 #include "karinui/base/hash.h"
 #include "karinui/cloth/check.h"
-#include "cloth/helpers.h"
 
 namespace karinui::test {
 namespace {
@@ -101,7 +101,9 @@ TEST(Settle, FrictionHoldsOnASlopeThatIsGentleEnough) {
     ClothLevel level;
     addPiece(level.cloth, gridLattice(8, 8, 0.02), f);
     const Vec3 down{std::cos(slope), -std::sin(slope), 0}, out{std::sin(slope), std::cos(slope), 0};
-    level.state = standingBy(level.cloth, [&](std::size_t, Flat p) { return down * p.u + Vec3{0, 0, p.v} + out * 0.0014; });
+    level.state = standingBy(level.cloth, [&](std::size_t, Flat p) {
+      return down * p.u + Vec3{0, 0, p.v} + out * 0.0014;
+    });
     std::vector<ClothLevel> levels{level};
     SettleSettings settings;
     settings.maxSteps = 120;

@@ -1,6 +1,6 @@
 #pragma once
-// Cloth = what is fixed (lattices, fabrics, ties, masses); ClothState = what moves. A Cloth is built once per change of the
-// pattern and shared.
+// Cloth = what is fixed (lattices, fabrics, ties, masses); ClothState = what moves. A Cloth is built once per change of
+// the pattern and shared.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -18,7 +18,7 @@ struct ClothPiece {
   Fabric fabric;
   std::uint32_t firstNode = 0;  // the piece's lattice node k is cloth node firstNode + k
   int layer = 0;
-  bool live = true;             // false: rigid or frozen, its nodes do not move and act as a fixed boundary
+  bool live = true;  // false: rigid or frozen, its nodes do not move and act as a fixed boundary
 };
 
 struct Tie {  // of cloth nodes; see SeamTie
@@ -40,8 +40,8 @@ struct ClothState {
 };
 
 struct ClothChoice {
-  std::map<PieceId, bool> live;                       // missing: live unless the piece is frozen
-  std::map<PieceId, std::vector<Flat>> pins;          // paper places; the nodes within `pinRadius` of each are held
+  std::map<PieceId, bool> live;               // missing: live unless the piece is frozen
+  std::map<PieceId, std::vector<Flat>> pins;  // paper places; the nodes within `pinRadius` of each are held
   double pinRadius = 0.01;
 };
 
