@@ -54,7 +54,7 @@ Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& gri
   if (const auto fine = checkGrip(grip, level.cloth); !fine) return fine.error();
 
   LevelSolver solver(level.cloth, level.state.position, body, settings,
-                     clothRadius(level.cloth.spacing, level.cloth.spacing), workers);
+                     settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers);
   solver.tieWithin(level.cloth.spacing);
   LevelSolver::Hand hand;
   hand.nodes = grip.nodes;

@@ -238,6 +238,7 @@ std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& wor
 }
 
 void SelfContact::find(std::span<const Vec3> x, Workers& workers) {
+  if (radius_ <= 0) return;
   found_ = collect({x, {}, radius_, longestEdge(x)}, workers);
   for (Pair& pair : found_) {
     pair.push = firmness_ * (radius_ - pair.gap);
@@ -258,6 +259,7 @@ void SelfContact::addCouplings(const TieMap& ties, std::vector<Coupling>& coupli
 
 bool SelfContact::guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const {
   bool cut = false;
+  if (radius_ <= 0) return cut;
   for (int pass = 0; pass < 3; ++pass) {  // again where what was cut may meet something new
     if (!guardOnce(x, move, workers)) break;
     cut = true;

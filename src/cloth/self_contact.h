@@ -15,7 +15,7 @@ namespace karinui {
 
 class SelfContact {
  public:
-  // `radius`: how near cloth comes to cloth before it pushes, metres.
+  // `radius`: how near cloth comes to cloth before it pushes, metres; 0: cloth does not meet cloth.
   SelfContact(const Cloth& cloth, double radius);
   void setTies(const TieMap& ties);
 

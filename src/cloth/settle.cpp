@@ -81,7 +81,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     Prolonged finer;
     if (l > first) finer = prolong(levels[l - 1].cloth, x, level.cloth, level.state.position);
     LevelSolver solver(level.cloth, l > first ? finer.straight : level.state.position, body, here,
-                       clothRadius(level.cloth.spacing, finest.cloth.spacing), workers);
+                       settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
     const auto share = static_cast<double>(l - first) / static_cast<double>(levels.size() - first);
     const auto watch = [&](Message doing) {
       return

@@ -106,13 +106,14 @@ TEST(Simcloth, HasOneRestWhateverTheStart) {
     SettleSettings settings;
     settings.stopMove = 1e-6;
     settings.stopResidual = 0.02;
-    settings.maxSteps = 600;
+    settings.maxSteps = 1500;
+    settings.clothOnCloth = false;  // a heap of crossing cloth is no convex problem
     Workers workers(1);
     const auto report = settle(levels, NoBody(), settings, Token(), workers);
     ASSERT_TRUE(report);
     if (first.empty()) first = levels[0].state.position;
     for (std::size_t k = 0; k < first.size(); ++k)
-      EXPECT_LT(distance(first[k], levels[0].state.position[k]), 0.002) << "seed " << seed << " node " << k;
+      EXPECT_LT(distance(first[k], levels[0].state.position[k]), 2e-5) << "seed " << seed << " node " << k;
   }
 }
 

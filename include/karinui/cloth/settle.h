@@ -55,6 +55,7 @@ struct SettleSettings {
   double stopResidual = 0.4;  // node weights, rms
   int maxSteps = 400;         // on the finest level
   double skin = 0.0015;       // metres the cloth keeps from the body
+  bool clothOnCloth = true;   // whether cloth keeps from passing through cloth
 };
 
 // `levels`: the same garment at 4h, 2h, h (coarse first; one level is allowed). `state` stands on the finest level and
