@@ -1,0 +1,92 @@
+// settle, check, info: what a document is and how its cloth stands.
+#include "bench.h"
+#include "json_answers.h"
+#include "karinui/cloth/check.h"
+#include "karinui/design/drape.h"
+
+namespace karinui::app {
+
+namespace {
+
+struct DocumentOnly {
+  std::string path;
+};
+
+struct SettleOptions {
+  std::string path;
+  int threads = 0;
+  bool again = false;
+};
+
+Result<ClothCheck> examined(Bench& bench) {
+  const Result<Standing> standing = standingCloth(bench.document(), livePieces(bench.document(), {}));
+  if (!standing) return standing.error();
+  if (!bench.document().body.chosen()) return check(standing->cloth, standing->state, nullptr);
+  const Result<BodyPtr> body = bodyOf(bench.document(), bench.context());
+  if (!body) return body.error();
+  return check(standing->cloth, standing->state, body->get());
+}
+
+int answerCheck(Program& program, const DocumentOnly& options) {
+  return atBench(program, options.path, true, [&](Bench& bench) -> int {
+    const Result<ClothCheck> found = examined(bench);
+    if (!found) return program.console.refuse(found.error());
+    const Json object = checkJson(*found);
+    program.console.answer(object, words(object));
+    return kDone;
+  });
+}
+
+// A garment at rest is not draped again unless asked: the answer then is the report of the drape that is kept.
+bool atRest(const Document& document) {
+  return document.drape.last && document.drape.last->settled && document.drape.dirty.empty();
+}
+
+int answerSettle(Program& program, const SettleOptions& options) {
+  if (options.threads > 0) program.threads = options.threads;
+  return atBench(program, options.path, false, [&](Bench& bench) -> int {
+    const bool kept = atRest(bench.document()) && !options.again;
+    if (!kept) {
+      const Result<Step> step = bench.perform(DrapePieces{});
+      if (!step) return program.console.refuse(step.error());
+    }
+    const Result<ClothCheck> found = examined(bench);
+    if (!found) return program.console.refuse(found.error());
+    const SettleReport& report = *bench.document().drape.last;
+    Json object = settleJson(report, *found, program.console);
+    object["kept"] = kept;
+    program.console.answer(object, words(object));
+    return report.settled ? kDone : kNotSettled;
+  });
+}
+
+int answerInfo(Program& program, const DocumentOnly& options) {
+  return atBench(program, options.path, true, [&](Bench& bench) -> int {
+    const Json object = infoJson(bench.document());
+    program.console.answer(object, words(object));
+    return kDone;
+  });
+}
+
+}  // namespace
+
+void addAnswerVerbs(Program& program) {
+  auto settle = std::make_shared<SettleOptions>();
+  CLI::App* verb = program.verb(program.cli, "settle", "Brings the garment to rest on its body", settle, answerSettle);
+  verb->add_option("document", settle->path, "The .karinui document")->required();
+  verb->add_option("--threads", settle->threads, "How many threads work; the result is the same")
+      ->check(CLI::Range(1, 256));
+  verb->add_flag("--again", settle->again, "Also when it is at rest already");
+
+  auto checked = std::make_shared<DocumentOnly>();
+  program.verb(program.cli, "check", "Examines the cloth, independently of the solver", checked, answerCheck)
+      ->add_option("document", checked->path, "The .karinui document")
+      ->required();
+
+  auto info = std::make_shared<DocumentOnly>();
+  program.verb(program.cli, "info", "Lists pieces, seams and lengths", info, answerInfo)
+      ->add_option("document", info->path, "The .karinui document")
+      ->required();
+}
+
+}  // namespace karinui::app

@@ -1,0 +1,27 @@
+#include "bench.h"
+
+#include "karinui/base/number.h"
+
+namespace karinui::app {
+
+Result<Step> Bench::perform(Operation operation) {
+  const bool rests =
+      std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation);
+  Result<Step> step = file_.perform(std::move(operation), context_);
+  if (!step || !rests || !document().drape.last) return step;
+  const SettleReport& report = *document().drape.last;
+  settled_ = settled_ && (report.settled || std::holds_alternative<PullCloth>(step->operation));
+  if (!report.settled && std::holds_alternative<DrapePieces>(step->operation)) {
+    program_.console.note(say("The cloth did not come to rest: {0}", program_.console.said(report.why)));
+  }
+  return step;
+}
+
+int atBench(Program& program, const std::string& path, bool forReading, const std::function<int(Bench&)>& work) {
+  Result<DocumentFile> file = forReading ? DocumentFile::openForReading(path) : DocumentFile::open(path);
+  if (!file) return program.console.refuse(file.error());
+  Bench bench(program, std::move(*file));
+  return work(bench);
+}
+
+}  // namespace karinui::app

@@ -1,0 +1,37 @@
+#pragma once
+// The cutter's bench: an open document and what operations on it need. One per command.
+#include <string>
+
+#include "commands.h"
+#include "karinui/design/history.h"
+
+namespace karinui::app {
+
+class Bench {
+ public:
+  Bench(Program& program, DocumentFile file)
+      : program_(program), workers_(program.threads), file_(std::move(file)),
+        context_{workers_, program.console.token(), file_.blobs(), bodies_, {}, {}} {}
+
+  Program& program() { return program_; }
+  DocumentFile& file() { return file_; }
+  const Document& document() const { return file_.document(); }
+  Context& context() { return context_; }
+
+  // Records one operation; says on stderr what a drape or a pull came to. `settled` becomes false for one that did not rest.
+  Result<Step> perform(Operation operation);
+  bool settled() const { return settled_; }
+
+ private:
+  Program& program_;
+  Workers workers_;
+  Bodies bodies_;
+  DocumentFile file_;
+  Context context_;
+  bool settled_ = true;
+};
+
+// Opens a document and runs `work` at the bench; the exit status is what `work` gives, or that of a refusal.
+int atBench(Program& program, const std::string& path, bool forReading, const std::function<int(Bench&)>& work);
+
+}  // namespace karinui::app

@@ -1,0 +1,91 @@
+// body make, body measure: figures without a document.
+#include "commands.h"
+#include "figure.h"
+#include "json_answers.h"
+#include "karinui/base/file.h"
+#include "karinui/base/number.h"
+#include "karinui/exchange/spatial.h"
+
+namespace karinui::app {
+
+namespace {
+
+struct MakeOptions {
+  std::string size, sex, out;
+  std::vector<std::string> set;
+};
+
+struct MeasureOptions {
+  std::string path;
+  bool wrap = false;
+};
+
+Result<Measurements> wanted(const MakeOptions& options) {
+  Measurements measurements;
+  if (!options.size.empty()) {
+    Result<Measurements> size = builtInSize(options.size);
+    if (!size) return size.error();
+    measurements = std::move(*size);
+  }
+  if (!options.sex.empty()) measurements.sex = options.sex == "male" ? Sex::Male : Sex::Female;
+  for (const std::string& stated : options.set) {
+    const std::size_t is = stated.find('=');
+    if (is == std::string::npos) {
+      return badInput(say("“{0}” states no measurement; write it like bust_girth=88cm.", stated));
+    }
+    const Result<std::string> key = measurementKey(stated.substr(0, is));
+    if (!key) return key.error();
+    const Result<double> value = parseLength(stated.substr(is + 1));
+    if (!value) return value.error();
+    measurements.value[*key] = *value;
+  }
+  if (measurements.value.empty()) {
+    return badInput(say("Say which body: --size jis9ar, --size eu38, --size eu50, or --set bust_girth=88cm …"));
+  }
+  return measurements;
+}
+
+int runMake(Program& program, const MakeOptions& options) {
+  const Result<Measurements> measurements = wanted(options);
+  if (!measurements) return program.console.refuse(measurements.error());
+  Workers workers(program.threads);
+  const Result<BodyPtr> body = makeMannequin(*measurements, workers, program.console.token());
+  if (!body) return program.console.refuse(body.error());
+  const Result<std::string> obj = writeObj((*body)->mesh(), "body");
+  if (!obj) return program.console.refuse(obj.error());
+  if (const Done done = writeFile(options.out, *obj); !done) return program.console.refuse(done.error());
+  Json object = bodyJson(measure((*body)->mesh(), (*body)->bvh()), inspect((*body)->mesh()));
+  object["file"] = options.out;
+  program.console.answer(object, words(object));
+  return kDone;
+}
+
+int runMeasure(Program& program, const MeasureOptions& options) {
+  Workers workers(program.threads);
+  const Result<Body::Parts> figure = readFigure(program, workers, options.path, options.wrap);
+  if (!figure) return program.console.refuse(figure.error());
+  const Json object = bodyJson(measure(figure->mesh, Bvh(figure->mesh)), inspect(figure->mesh));
+  program.console.answer(object, words(object));
+  return kDone;
+}
+
+}  // namespace
+
+void addBodyVerbs(Program& program) {
+  CLI::App* body = program.cli.add_subcommand("body", "Makes and measures bodies");
+  body->require_subcommand(1);
+
+  auto make = std::make_shared<MakeOptions>();
+  CLI::App* verb = program.verb(*body, "make", "Makes a mannequin from measurements", make, runMake);
+  verb->add_option("--size", make->size, "A built-in size: jis9ar, eu38, eu50");
+  verb->add_option("--set", make->set, "Measurements: bust_girth=88cm …");
+  verb->add_option("--sex", make->sex, "female or male: which family of shapes")->check(CLI::IsMember({"female", "male"}));
+  verb->add_option("-o,--output", make->out, "The OBJ file")->required();
+
+  auto measured = std::make_shared<MeasureOptions>();
+  verb = program.verb(*body, "measure", "Measures a body as a tape does", measured, runMeasure);
+  verb->add_option("body", measured->path, "A body: .obj, .ply, .gltf, .glb")->required();
+  verb->add_flag("--wrap", measured->wrap, "Close a scan's holes first");
+}
+
+}  // namespace karinui::app

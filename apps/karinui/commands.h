@@ -1,0 +1,33 @@
+#pragma once
+// The verbs of the command line. Each add… hangs its verbs on the program and leaves the exit status in `exit` when run.
+#include <CLI/CLI.hpp>
+
+#include "console.h"
+#include "karinui/base/workers.h"
+
+namespace karinui::app {
+
+struct Program {
+  CLI::App cli{"Karinui: made-to-measure clothes, designed on a body, draped, and printed as true-size patterns.",
+               "karinui"};
+  Console console;
+  int threads = 2;
+  int exit = kDone;
+
+  // A verb with --json; `run` gives the exit status.
+  template <class Options>
+  CLI::App* verb(CLI::App& parent, const std::string& name, const std::string& help, std::shared_ptr<Options> options,
+                 int (*run)(Program&, const Options&)) {
+    CLI::App* added = parent.add_subcommand(name, help);
+    added->add_flag("--json", console.json, "Answer with one JSON object");
+    added->callback([this, options, run] { exit = run(*this, *options); });
+    return added;
+  }
+};
+
+void addBodyVerbs(Program& program);      // body make, body measure
+void addDocumentVerbs(Program& program);  // play, do, undo, redo, log, import
+void addAnswerVerbs(Program& program);    // settle, check, info
+void addOutputVerbs(Program& program);    // export, picture
+
+}  // namespace karinui::app

@@ -1,0 +1,54 @@
+#include "console.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include "karinui/base/number.h"
+
+namespace karinui::app {
+
+namespace {
+// A signal handler may only reach a global; there is one command in a process and so one token.
+std::atomic<Token*> interruptible{nullptr};
+void onInterrupt(int) {
+  if (Token* token = interruptible.load()) token->cancel();
+}
+}  // namespace
+
+void Console::answer(const Json& object, const std::string& words) const {
+  const std::string out = json ? object.dump(2) : words;
+  std::fwrite(out.data(), 1, out.size(), stdout);
+  if (!out.ends_with('\n')) std::fputc('\n', stdout);
+}
+
+void Console::note(const Message& message) const { std::fprintf(stderr, "%s\n", said(message).c_str()); }
+
+int Console::refuse(const Error& error) const {
+  if (showing_) std::fputc('\n', stderr);
+  std::fprintf(stderr, "karinui: %s\n", said(error.what).c_str());
+  if (json) answer({{"error", said(error.what)}}, "");
+  return kRefused;
+}
+
+const Token& Console::token() {
+  interruptible = &token_;
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
+  return token_;
+}
+
+void Console::show(double fraction, const Message& doing) {
+  const auto now = std::chrono::steady_clock::now();
+  const bool end = fraction >= 1 && showing_;
+  if (now - shown_ < std::chrono::milliseconds(500) && !end) return;
+  shown_ = now;
+  showing_ = !end;
+  const bool screen = isatty(STDERR_FILENO) != 0;
+  std::fprintf(stderr, "%s  %3d%% %s%s", screen ? "\r" : "", static_cast<int>(100 * fraction), said(doing).c_str(),
+               screen && !end ? "\033[K" : "\n");
+}
+
+}  // namespace karinui::app

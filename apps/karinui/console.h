@@ -1,0 +1,37 @@
+#pragma once
+// What the command says and how it ends: answers on stdout (words, or one JSON object), progress and trouble on stderr.
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "karinui/base/result.h"
+#include "karinui/base/token.h"
+
+namespace karinui::app {
+
+using Json = nlohmann::ordered_json;
+
+enum Exit { kDone = 0, kWrongCall = 2, kRefused = 3, kNotSettled = 4 };
+
+class Console {
+ public:
+  explicit Console(Language language = spokenHere()) : language_(language) {}
+  bool json = false;  // --json
+
+  std::string said(const Message& message) const { return text(message, language_); }
+  // The one answer of a command: the object if --json, else the words.
+  void answer(const Json& object, const std::string& words) const;
+  void note(const Message& message) const;  // stderr
+  int refuse(const Error& error) const;     // says why; gives the exit status
+  // Ctrl-C cancels it; after half a second its progress is shown.
+  const Token& token();
+
+ private:
+  void show(double fraction, const Message& doing);
+  Language language_;
+  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
+  Token token_{[this](double fraction, const Message& doing) { show(fraction, doing); }};
+  bool showing_ = false;
+};
+
+}  // namespace karinui::app

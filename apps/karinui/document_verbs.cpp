@@ -1,0 +1,273 @@
+// play, do, undo, redo, log, import: what makes and changes documents.
+#include <filesystem>
+#include <fstream>
+
+#include "bench.h"
+#include "figure.h"
+#include "karinui/base/file.h"
+#include "karinui/design/script.h"
+#include "karinui/exchange/garment_code.h"
+#include "karinui/exchange/pattern_json.h"
+#include "stage_pictures.h"
+
+namespace karinui::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlayOptions {
+  std::string script, body, out, pictures;
+  bool overwrite = false;
+};
+struct DoOptions {
+  std::string path;
+  std::vector<std::string> operations;
+};
+struct DocumentOnly {
+  std::string path;
+};
+struct ImportOptions {
+  std::string file, body, out;
+  bool overwrite = false;
+};
+
+Json stepJson(const Step& step, const Document& document) {
+  return {{"operation", text(step.operation)}, {"operations", document.operations}, {"hash", step.after}};
+}
+
+// Makes a new document in a file beside the wanted one and gives it its name only when all went well: a refused or
+// stopped command leaves nothing behind, and a document that was there stays until the new one is whole.
+int makeDocument(Program& program, const std::string& wanted, bool overwrite,
+                 const std::function<Result<void>(Bench&)>& fill) {
+  std::error_code trouble;
+  if (!overwrite && fs::exists(wanted, trouble)) {
+    return program.console.refuse(
+        refused(say("“{0}” is there already. Choose another name, or say --overwrite.", wanted)));
+  }
+  const std::string part = wanted + ".part";
+  fs::remove(part, trouble);
+  int exit = kDone;
+  {
+    Result<DocumentFile> file = DocumentFile::create(part);
+    if (!file) return program.console.refuse(file.error());
+    Bench bench(program, std::move(*file));
+    if (const Result<void> filled = fill(bench); !filled) {
+      exit = program.console.refuse(filled.error());
+    } else {
+      if (!bench.settled()) exit = kNotSettled;
+      const Document& document = bench.document();
+      program.console.answer({{"document", wanted},
+                              {"operations", document.operations},
+                              {"pieces", document.pattern.pieces.size()},
+                              {"seams", document.pattern.seams.size()},
+                              {"settled", bench.settled()},
+                              {"hash", hash(document)},
+                              {"drape_hash", drapeHash(document)}},
+                             wanted + ": " + std::to_string(document.operations) + " operations, " +
+                                 std::to_string(document.pattern.pieces.size()) + " pieces, " +
+                                 std::to_string(document.pattern.seams.size()) + " seams");
+    }
+  }
+  if (exit == kRefused) {
+    fs::remove(part, trouble);
+    return exit;
+  }
+  fs::rename(part, wanted, trouble);
+  if (trouble) {
+    return program.console.refuse(storageError(say("“{0}” could not be written: {1}", wanted, trouble.message())));
+  }
+  return exit;
+}
+
+Result<void> playScript(Bench& bench, const std::string& script, const std::string& body, StagePictures& pictures) {
+  const Result<std::vector<ScriptLine>> lines = parseScript(script);
+  if (!lines) return lines.error();
+  if (!body.empty()) {
+    Result<SetBody> chosen = bodyOperation(bench, body);
+    if (!chosen) return chosen.error();
+    if (const auto step = bench.perform(std::move(*chosen)); !step) return step.error();
+  }
+  for (const ScriptLine& line : *lines) {
+    if (const Done drawn = pictures.before(line.number, bench); !drawn) return drawn;
+    if (!body.empty() && std::holds_alternative<SetBody>(line.operation)) continue;
+    if (const auto step = bench.perform(line.operation); !step) {
+      const Error& why = step.error();
+      return Error{why.kind, say("line {0}: {1}", line.number, bench.program().console.said(why.what))};
+    }
+  }
+  return pictures.rest(bench);
+}
+
+int runPlay(Program& program, const PlayOptions& options) {
+  const Result<std::string> script = readFile(options.script);
+  if (!script) return program.console.refuse(script.error());
+  return makeDocument(program, options.out, options.overwrite, [&](Bench& bench) -> Result<void> {
+    StagePictures pictures(options.pictures, *script);
+    return playScript(bench, *script, options.body, pictures);
+  });
+}
+
+int runDo(Program& program, const DoOptions& options) {
+  std::vector<Operation> operations;
+  for (const std::string& line : options.operations) {
+    Result<Operation> operation = parseOperation(line);
+    if (!operation) return program.console.refuse(operation.error());
+    operations.push_back(std::move(*operation));
+  }
+  return atBench(program, options.path, false, [&](Bench& bench) -> int {
+    for (Operation& operation : operations) {
+      const Result<Step> step = bench.perform(std::move(operation));
+      if (!step) return program.console.refuse(step.error());
+      Json object = stepJson(*step, bench.document());
+      const DrapeInfo& drape = bench.document().drape;
+      if (std::holds_alternative<PullCloth>(step->operation)) {
+        double most = 0;
+        for (const Vec3& force : drape.force) most = std::max(most, length(force));
+        object["max_force_n"] = most;
+      }
+      program.console.answer(object, text(step->operation));
+    }
+    return bench.settled() ? kDone : kNotSettled;
+  });
+}
+
+template <Result<Step> (DocumentFile::*turn)(Context&)>
+int runTurn(Program& program, const DocumentOnly& options) {
+  return atBench(program, options.path, false, [&](Bench& bench) -> int {
+    const Result<Step> step = (bench.file().*turn)(bench.context());
+    if (!step) return program.console.refuse(step.error());
+    Json object = {{"operation", text(step->operation)},
+                   {"operations", bench.document().operations},
+                   {"hash", hash(bench.document())}};
+    program.console.answer(object, text(step->operation));
+    return kDone;
+  });
+}
+
+int runLog(Program& program, const DocumentOnly& options) {
+  return atBench(program, options.path, true, [&](Bench& bench) -> int {
+    Json steps = Json::array();
+    for (const Step& step : bench.file().steps()) {
+      steps.push_back({{"serial", step.serial}, {"operation", text(step.operation)}, {"hash", step.after}});
+    }
+    program.console.answer({{"operations", steps}}, bench.file().log());
+    return kDone;
+  });
+}
+
+EdgeRef refTo(const Pattern& pattern, const EdgeSpan& span) {
+  EdgeRef ref;
+  ref.piece = PieceRef(pattern.pieces.at(span.piece)->name);
+  ref.edge = span.edge;
+  ref.from = span.from;
+  ref.to = span.to;
+  return ref;
+}
+
+// A whole pattern as the operations that make it.
+Result<void> addPattern(Bench& bench, Pattern pattern) {
+  for (auto& [id, shared] : pattern.pieces) {
+    auto piece = std::make_shared<Piece>(*shared);
+    piece->name = usableName(bench.document(), piece->name);
+    shared = piece;
+    AddPiece add;
+    add.name = piece->name;
+    add.outline = piece->outline;
+    add.holes = piece->holes;
+    add.lines = piece->lines;
+    add.marks = piece->marks;
+    add.grain = piece->grain;
+    add.fabric = piece->fabric;
+    add.pose = piece->pose;
+    add.layer = piece->layer;
+    if (const auto step = bench.perform(std::move(add)); !step) return step.error();
+  }
+  for (const auto& [id, seam] : pattern.seams) {
+    SewEdges sew;
+    for (const EdgeSpan& span : seam.a) sew.a.push_back(refTo(pattern, span));
+    for (const EdgeSpan& span : seam.b) sew.b.push_back(refTo(pattern, span));
+    sew.name = seam.name;
+    sew.reversed = seam.reversed ? Choice::Yes : Choice::No;
+    sew.tie = seam.tie == Seam::Tie::TwoToOne ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
+    if (const auto step = bench.perform(std::move(sew)); !step) return step.error();
+  }
+  return {};
+}
+
+Result<Pattern> readPattern(const std::string& path) {
+  const Result<std::string> bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  const bool ours = bytes->find("\"karinui-pattern-1\"") != std::string::npos;
+  return ours ? readPatternJson(*bytes) : readGarmentCode(*bytes);
+}
+
+int runImport(Program& program, const ImportOptions& options) {
+  const std::string ending = fs::path(options.file).extension().string();
+  if (ending == ".ops") return runPlay(program, {options.file, options.body, options.out, "", options.overwrite});
+  return makeDocument(program, options.out, options.overwrite, [&](Bench& bench) -> Result<void> {
+    std::optional<Pattern> pattern;
+    if (ending == ".json") {
+      Result<Pattern> read = readPattern(options.file);
+      if (!read) return read.error();
+      pattern = std::move(*read);
+    }
+    const std::string body = pattern ? options.body : options.file;
+    if (!body.empty()) {
+      Result<SetBody> chosen = bodyOperation(bench, body);
+      if (!chosen) return chosen.error();
+      if (const auto step = bench.perform(std::move(*chosen)); !step) return step.error();
+    }
+    return pattern ? addPattern(bench, std::move(*pattern)) : Result<void>{};
+  });
+}
+
+std::string vocabulary() {
+  std::string lines = "Operations:\n";
+  for (const OperationHelp& operation : operationHelp()) {
+    lines += "  " + operation.name + std::string(std::max<std::size_t>(1, 10 - operation.name.size()), ' ') +
+             operation.help + "\n";
+  }
+  return lines + "Their fields: karinui do --help OPERATION, or docs/format/operations.md";
+}
+
+}  // namespace
+
+void addDocumentVerbs(Program& program) {
+  auto play = std::make_shared<PlayOptions>();
+  CLI::App* verb = program.verb(program.cli, "play", "Plays a script of operations into a new document", play, runPlay);
+  verb->add_option("script", play->script, "The script: one operation a line")->required();
+  verb->add_option("-o,--output", play->out, "The .karinui document to make")->required();
+  verb->add_option("--body", play->body, "A body file (or built-in size) instead of the script's own");
+  verb->add_option("--pictures", play->pictures,
+                   "A folder for the pictures the script asks for (\"# picture: NAME view=front\")");
+  verb->add_flag("--overwrite", play->overwrite, "Replace a document that is there already");
+  verb->footer(vocabulary());
+
+  auto perform = std::make_shared<DoOptions>();
+  verb = program.verb(program.cli, "do", "Does operations on a document", perform, runDo);
+  verb->add_option("document", perform->path, "The .karinui document")->required();
+  verb->add_option("operation", perform->operations, "'OP key=value …', one or more")->required();
+  verb->footer(vocabulary());
+
+  auto undo = std::make_shared<DocumentOnly>(), redo = std::make_shared<DocumentOnly>(),
+       log = std::make_shared<DocumentOnly>();
+  program.verb(program.cli, "undo", "Takes the last operation back", undo, runTurn<&DocumentFile::undo>)
+      ->add_option("document", undo->path, "The .karinui document")
+      ->required();
+  program.verb(program.cli, "redo", "Does again what was taken back", redo, runTurn<&DocumentFile::redo>)
+      ->add_option("document", redo->path, "The .karinui document")
+      ->required();
+  program.verb(program.cli, "log", "Writes the operations as a script that play reads", log, runLog)
+      ->add_option("document", log->path, "The .karinui document")
+      ->required();
+
+  auto import = std::make_shared<ImportOptions>();
+  verb = program.verb(program.cli, "import", "Makes a document from a pattern, a body or a script", import, runImport);
+  verb->add_option("file", import->file, "GarmentCode or Karinui .json; .obj .ply .gltf .glb; .ops")->required();
+  verb->add_option("-o,--output", import->out, "The .karinui document to make")->required();
+  verb->add_option("--body", import->body, "A body file or built-in size to put the pattern on");
+  verb->add_flag("--overwrite", import->overwrite, "Replace a document that is there already");
+}
+
+}  // namespace karinui::app

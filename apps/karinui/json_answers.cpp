@@ -1,0 +1,102 @@
+#include "json_answers.h"
+
+namespace karinui::app {
+
+Json bodyJson(const Measurements& measured, const MeshReport& mesh) {
+  Json measurements = Json::object();
+  for (const auto& [key, metres] : measured.value) measurements[key] = metres;
+  return {{"measurements", measurements},
+          {"triangles", mesh.triangles},
+          {"closed", mesh.closed()},
+          {"self_crossings", mesh.selfCrossings},
+          {"shells", mesh.shells},
+          {"open_edges", mesh.openEdges},
+          {"non_manifold_edges", mesh.nonManifoldEdges}};
+}
+
+Json checkJson(const ClothCheck& check) {
+  return {{"finite", check.finite},
+          {"penetration_mm", check.penetration * 1000},
+          {"cloth_body_crossings", check.clothBodyCrossings},
+          {"cloth_cloth_crossings", check.clothClothCrossings},
+          {"seam_gap_mm", check.seamGap * 1000},
+          {"strain_mean", check.strain.mean},
+          {"strain_p99", check.strain.p99},
+          {"strain_max", check.strain.max},
+          {"vertices", check.vertices}};
+}
+
+Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console) {
+  Json object = {{"settled", report.settled},
+                 {"why", console.said(report.why)},
+                 {"residual", report.residual},
+                 {"steps", report.steps},
+                 {"cpu_s", report.cpuSeconds},
+                 {"wall_s", report.wallSeconds},
+                 {"peak_mb", report.peakMegabytes}};
+  object.update(checkJson(check));
+  return object;
+}
+
+Json infoJson(const Document& document) {
+  Json pieces = Json::array();
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    Json edges = Json::array();
+    for (const Edge& edge : piece->outline.edges) {
+      edges.push_back({{"name", edge.name}, {"length_m", edge.curve.length()}});
+    }
+    double area = piece->outline.area();
+    for (const Outline& hole : piece->holes) area -= std::abs(hole.area());
+    pieces.push_back({{"id", text(id)},
+                      {"name", piece->name},
+                      {"area_m2", area},
+                      {"perimeter_m", piece->outline.length()},
+                      {"edges", edges},
+                      {"fabric", piece->fabric},
+                      {"layer", piece->layer},
+                      {"frozen", piece->frozen},
+                      {"draped", piece->form != nullptr && !document.drape.dirty.contains(id)}});
+  }
+  Json seams = Json::array();
+  const auto side = [&](const std::vector<EdgeSpan>& spans) {
+    Json list = Json::array();
+    for (const EdgeSpan& span : spans) {
+      list.push_back({{"piece", document.find(span.piece)->name}, {"edge", span.edge}, {"from", span.from}, {"to", span.to}});
+    }
+    return list;
+  };
+  for (const auto& [id, seam] : document.pattern.seams) {
+    seams.push_back({{"id", text(id)},
+                     {"name", seam.name},
+                     {"a", side(seam.a)},
+                     {"b", side(seam.b)},
+                     {"length_a_m", length(document.pattern, seam.a)},
+                     {"length_b_m", length(document.pattern, seam.b)},
+                     {"ratio", easeRatio(document.pattern, seam)},
+                     {"tie", seam.tie == Seam::Tie::TwoToOne ? "2:1" : "1:1"}});
+  }
+  Json object = {{"pieces", pieces}, {"seams", seams}, {"operations", document.operations}, {"hash", hash(document)},
+                 {"drape_hash", drapeHash(document)}, {"spacing_m", document.settings.spacing}};
+  if (!document.drape.force.empty()) {
+    Json force = Json::array();
+    for (const Vec3& f : document.drape.force) force.push_back({f.x, f.y, f.z});
+    object["pull_force_n"] = force;
+  }
+  return object;
+}
+
+std::string words(const Json& object, int indent) {
+  std::string lines;
+  for (const auto& [key, value] : object.items()) {
+    lines += std::string(indent, ' ');
+    if (object.is_object()) lines += key + ": ";
+    if (value.is_structured()) {
+      lines += "\n" + words(value, indent + 2);
+    } else {
+      lines += (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+    }
+  }
+  return lines;
+}
+
+}  // namespace karinui::app

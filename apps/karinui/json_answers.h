@@ -1,0 +1,18 @@
+#pragma once
+// The JSON objects of the command line, one function a kind. Metres and seconds unless a key says otherwise.
+#include "console.h"
+#include "karinui/body/body.h"
+#include "karinui/cloth/check.h"
+#include "karinui/design/document.h"
+
+namespace karinui::app {
+
+Json bodyJson(const Measurements& measured, const MeshReport& mesh);
+Json checkJson(const ClothCheck& check);
+Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console);
+Json infoJson(const Document& document);
+
+// "key: value" lines, nested objects indented: what a person reads of the same object.
+std::string words(const Json& object, int indent = 0);
+
+}  // namespace karinui::app

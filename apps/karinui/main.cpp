@@ -1,0 +1,35 @@
+// The command line: argument parsing and the exit status; the verbs are in the files beside this one.
+#include <algorithm>
+#include <exception>
+#include <thread>
+
+#include "commands.h"
+
+int main(int count, char** words) {
+  using namespace karinui::app;
+  Program program;
+  program.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  program.cli.require_subcommand(1);
+  program.cli.set_version_flag("--version", "karinui 0.1.0");
+  program.cli.footer(
+      "A first garment:\n"
+      "  karinui play examples/first_tunic.ops -o tunic.karinui\n"
+      "  karinui picture tunic.karinui -o tunic.png --view oblique\n"
+      "  karinui do tunic.karinui 'cut piece=front line=\"0,-20cm 0,0\"'\n"
+      "  karinui undo tunic.karinui\n"
+      "  karinui export tunic.karinui -o tunic.pdf\n"
+      "Exit status: 0 done, 2 wrong call, 3 refused input, 4 the cloth did not settle.");
+  addBodyVerbs(program);
+  addDocumentVerbs(program);
+  addAnswerVerbs(program);
+  addOutputVerbs(program);
+  try {
+    program.cli.parse(count, words);
+  } catch (const CLI::ParseError& trouble) {
+    return program.cli.exit(trouble) == 0 ? kDone : kWrongCall;
+  } catch (const std::bad_alloc&) {
+    std::fputs("karinui: there is not enough memory for this.\n", stderr);
+    return kRefused;
+  }
+  return program.exit;
+}

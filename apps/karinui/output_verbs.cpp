@@ -1,0 +1,134 @@
+// export, picture: what leaves a document.
+#include <filesystem>
+#include <map>
+
+#include "bench.h"
+#include "karinui/base/file.h"
+#include "karinui/exchange/garment_code.h"
+#include "karinui/exchange/pattern_json.h"
+#include "karinui/exchange/sheet.h"
+#include "karinui/exchange/spatial.h"
+#include "karinui/view/picture.h"
+#include "scene_of.h"
+
+namespace karinui::app {
+
+namespace {
+
+struct ExportOptions {
+  std::string path, out, paper = "sheet", format;
+  double allowanceMm = 10;
+};
+
+struct PictureWish {
+  std::string path, out, view = "front", map = "none", eyes = "mono", size = "1200x1600";
+};
+
+Result<SpatialGarment> spatialOf(Bench& bench) {
+  Result<SceneFrame> frame = sceneOf(bench);
+  if (!frame) return frame.error();
+  SpatialGarment garment;
+  if (!frame->bodies.empty()) garment.body = std::move(frame->bodies.front().mesh);
+  for (SceneCloth& cloth : frame->cloths) {
+    const std::string fabric = bench.document().pieceNamed(cloth.name)->fabric;
+    garment.pieces.push_back({cloth.name, fabric, std::move(cloth.mesh), std::move(cloth.flat), cloth.colour});
+  }
+  return garment;
+}
+
+Result<std::string> bytesFor(Bench& bench, const ExportOptions& options) {
+  const std::string ending = std::filesystem::path(options.out).extension().string();
+  const Pattern& pattern = bench.document().pattern;
+  SheetSettings sheet;
+  sheet.allowance = options.allowanceMm / 1000;
+  sheet.title = std::filesystem::path(options.path).stem().string();
+  sheet.language = spokenHere();
+  if (ending == ".svg") return writeSvg(pattern, sheet);
+  if (ending == ".pdf") return writePdf(pattern, options.paper == "a4" ? PaperKind::A4 : PaperKind::OneSheet, sheet);
+  if (ending == ".json") {
+    return options.format == "garmentcode" ? writeGarmentCode(pattern) : Result<std::string>(writePatternJson(pattern));
+  }
+  if (ending == ".ops") return bench.file().log();
+  if (ending == ".obj" || ending == ".glb") {
+    const Result<SpatialGarment> garment = spatialOf(bench);
+    if (!garment) return garment.error();
+    return ending == ".obj" ? writeObj(*garment) : writeGlb(*garment);
+  }
+  return badInput(say("“{0}” is not an ending Karinui writes; choose .svg, .pdf, .obj, .glb, .json or .ops.", ending));
+}
+
+int runExport(Program& program, const ExportOptions& options) {
+  return atBench(program, options.path, true, [&](Bench& bench) -> int {
+    const Result<std::string> bytes = bytesFor(bench, options);
+    if (!bytes) return program.console.refuse(bytes.error());
+    if (const Done done = writeFile(options.out, *bytes); !done) return program.console.refuse(done.error());
+    program.console.answer({{"file", options.out}, {"bytes", bytes->size()}}, options.out);
+    return kDone;
+  });
+}
+
+Result<PictureOptions> picked(const PictureWish& wish) {
+  const auto view = viewNamed(wish.view);
+  if (!view) return view.error();
+  const auto map = mapNamed(wish.map);
+  if (!map) return map.error();
+  const auto eyes = eyesNamed(wish.eyes);
+  if (!eyes) return eyes.error();
+  const auto size = sizeNamed(wish.size);
+  if (!size) return size.error();
+  PictureOptions options;
+  options.view = *view;
+  options.map = *map;
+  options.eyes = *eyes;
+  options.width = (*size)[0];
+  options.height = (*size)[1];
+  options.language = spokenHere();
+  return options;
+}
+
+int runPicture(Program& program, const PictureWish& wish) {
+  const Result<PictureOptions> options = picked(wish);
+  if (!options) {
+    program.console.refuse(options.error());
+    return kWrongCall;
+  }
+  return atBench(program, wish.path, true, [&](Bench& bench) -> int {
+    const Result<SceneFrame> frame = sceneOf(bench);
+    if (!frame) return program.console.refuse(frame.error());
+    const auto picture = Picture::open();
+    if (!picture) return program.console.refuse(picture.error());
+    const Result<Image> image = (*picture)->draw(*frame, *options);
+    if (!image) return program.console.refuse(image.error());
+    for (const Message& note : (*picture)->notes()) program.console.note(note);
+    if (const Done done = writePng(wish.out, *image); !done) return program.console.refuse(done.error());
+    program.console.answer({{"file", wish.out}, {"width", image->width}, {"height", image->height}}, wish.out);
+    return kDone;
+  });
+}
+
+}  // namespace
+
+void addOutputVerbs(Program& program) {
+  auto out = std::make_shared<ExportOptions>();
+  CLI::App* verb = program.verb(program.cli, "export", "Writes the pattern (svg, pdf, json), the garment in 3D (obj, "
+                                "glb) or the operations (ops)", out, runExport);
+  verb->add_option("document", out->path, "The .karinui document")->required();
+  verb->add_option("-o,--output", out->out, "The file; its ending says what it will be")->required();
+  verb->add_option("--paper", out->paper, "PDF: one true-size sheet, or A4 sheets to glue")
+      ->check(CLI::IsMember({"sheet", "a4"}));
+  verb->add_option("--allowance", out->allowanceMm, "SVG and PDF: seam allowance in mm, 0 for none")
+      ->check(CLI::Range(0.0, 100.0));
+  verb->add_option("--format", out->format, "JSON: karinui (exact) or garmentcode")
+      ->check(CLI::IsMember({"karinui", "garmentcode"}));
+
+  auto wish = std::make_shared<PictureWish>();
+  verb = program.verb(program.cli, "picture", "Draws the garment on its body", wish, runPicture);
+  verb->add_option("document", wish->path, "The .karinui document")->required();
+  verb->add_option("-o,--output", wish->out, "The PNG file")->required();
+  verb->add_option("--view", wish->view, "front, back, left, right, oblique");
+  verb->add_option("--map", wish->map, "none, strain");
+  verb->add_option("--eyes", wish->eyes, "mono, side-by-side, top-bottom, anaglyph");
+  verb->add_option("--size", wish->size, "WIDTHxHEIGHT in pixels");
+}
+
+}  // namespace karinui::app

@@ -1,0 +1,109 @@
+#include "scene_of.h"
+
+#include <array>
+#include <cmath>
+
+#include "karinui/design/drape.h"
+
+namespace karinui::app {
+
+namespace {
+
+// Cloth colours that stay apart on a skin-coloured body, in linear light; a fabric keeps its place in the order of names.
+constexpr std::array<Colour, 6> kDyes{{{0.25f, 0.38f, 0.60f},
+                                       {0.62f, 0.30f, 0.26f},
+                                       {0.30f, 0.46f, 0.32f},
+                                       {0.66f, 0.55f, 0.30f},
+                                       {0.42f, 0.30f, 0.50f},
+                                       {0.50f, 0.52f, 0.54f}}};
+
+// Per node, the mean of |l/L - 1| over the warp and weft edges of the lattice that meet there.
+std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& position) {
+  std::vector<float> sum(lattice.nodes.size(), 0), count(lattice.nodes.size(), 0);
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+    if (a == kNoNode || b == kNoNode) return;
+    const double rest = distance(lattice.nodes[a], lattice.nodes[b]);
+    const auto strain = static_cast<float>(std::abs(distance(position[a], position[b]) / rest - 1));
+    for (const std::uint32_t node : {a, b}) {
+      sum[node] += strain;
+      count[node] += 1;
+    }
+  };
+  for (std::uint32_t j = 0; j < lattice.rows; ++j) {
+    for (std::uint32_t i = 0; i < lattice.columns; ++i) {
+      const std::uint32_t node = lattice.grid[j * lattice.columns + i];
+      if (i + 1 < lattice.columns) add(node, lattice.grid[j * lattice.columns + i + 1]);
+      if (j + 1 < lattice.rows) add(node, lattice.grid[(j + 1) * lattice.columns + i]);
+    }
+  }
+  for (std::size_t i = 0; i < lattice.border.size(); ++i) {
+    add(lattice.border[i], lattice.border[(i + 1) % lattice.border.size()]);
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = count[i] > 0 ? sum[i] / count[i] : 0;
+  return sum;
+}
+
+// The runs of a piece's own nodes that are tied to something: where stitches are drawn.
+std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothPiece& piece) {
+  std::vector<bool> tied(piece.lattice->nodes.size(), false);
+  const auto mark = [&](std::uint32_t node) {
+    if (node != kNoNode && node >= piece.firstNode && node - piece.firstNode < tied.size()) {
+      tied[node - piece.firstNode] = true;
+    }
+  };
+  for (const Tie& tie : cloth.ties) {
+    mark(tie.a);
+    mark(tie.b);
+    mark(tie.c);
+  }
+  std::vector<std::vector<std::uint32_t>> runs;
+  bool open = false;
+  for (std::size_t i = 0; i <= piece.lattice->border.size(); ++i) {
+    const std::uint32_t node = piece.lattice->border[i % piece.lattice->border.size()];
+    if (!tied[node]) {
+      open = false;
+      continue;
+    }
+    if (!open) runs.emplace_back();
+    open = true;
+    runs.back().push_back(node);
+  }
+  return runs;
+}
+
+}  // namespace
+
+Result<SceneFrame> sceneOf(Bench& bench) {
+  const Document& document = bench.document();
+  SceneFrame frame;
+  if (document.body.chosen()) {
+    const Result<BodyPtr> body = bodyOf(document, bench.context());
+    if (!body) return body.error();
+    frame.bodies.push_back({(*body)->mesh(), SceneBody{}.colour});
+  }
+  if (document.pattern.pieces.empty()) return frame;
+  const Result<Standing> standing = standingCloth(document, livePieces(document, {}));
+  if (!standing) return standing.error();
+  const auto fabrics = fabricsInUse(document);
+  if (!fabrics) return fabrics.error();
+  for (const ClothPiece& piece : standing->cloth.pieces) {
+    const Lattice& lattice = *piece.lattice;
+    const auto first = standing->state.position.begin() + piece.firstNode;
+    SceneCloth cloth;
+    cloth.name = piece.name;
+    cloth.mesh.points.assign(first, first + static_cast<std::ptrdiff_t>(lattice.nodes.size()));
+    cloth.mesh.faces = lattice.faces;
+    cloth.flat = lattice.nodes;
+    cloth.strain = strainOf(lattice, cloth.mesh.points);
+    cloth.outlines.push_back(lattice.border);
+    cloth.outlines.back().push_back(lattice.border.front());
+    for (const auto& hole : lattice.holes) cloth.outlines.push_back(hole);
+    cloth.seams = seamsOf(standing->cloth, piece);
+    const auto dye = std::distance(fabrics->begin(), fabrics->find(piece.fabric.name));
+    cloth.colour = kDyes[static_cast<std::size_t>(dye) % kDyes.size()];
+    frame.cloths.push_back(std::move(cloth));
+  }
+  return frame;
+}
+
+}  // namespace karinui::app

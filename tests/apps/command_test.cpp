@@ -1,0 +1,171 @@
+// The command line as people and other programs meet it: verbs, JSON keys, exit statuses, and that a refused command
+// leaves nothing behind.
+#include "apps/command.h"
+
+namespace karinui::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A tunic of two flat panels, hung on a small size: quick to settle.
+const char* const kTunic =
+    "body size=jis9ar\n"
+    "set spacing=20mm\n"
+    "piece name=front outline=\"M -260 0; hem L 260 0; side_left L 260 480; arm_left L 250 680; shoulder_left L 110 700; "
+    "neck L -110 700; shoulder_right L -250 680; arm_right L -260 480; side_right L -260 0\" pose=\"0,0.68,0.22\"\n"
+    "piece name=back outline=\"M -260 0; hem L 260 0; side_left L 260 480; arm_left L 250 680; shoulder_left L 110 700; "
+    "neck L -110 700; shoulder_right L -250 680; arm_right L -260 480; side_right L -260 0\" pose=\"0,0.68,-0.2\"\n"
+    "sew a=front.shoulder_left b=back.shoulder_left reversed=no\n"
+    "sew a=front.shoulder_right b=back.shoulder_right reversed=no\n"
+    "sew a=front.side_left b=back.side_left reversed=no\n"
+    "sew a=front.side_right b=back.side_right reversed=no\n";
+
+class Command : public testing::Test {
+ protected:
+  Folder folder;
+  std::string script(const std::string& text) {
+    write(folder / "script.ops", text);
+    return folder / "script.ops";
+  }
+  std::string document() { return folder / "d.karinui"; }
+  Said play(const std::string& text) { return karinui("play " + script(text) + " -o " + document() + " --json"); }
+};
+
+TEST_F(Command, TeachesWhenAskedAndRefusesWrongCalls) {
+  const Said help = karinui("--help");
+  EXPECT_EQ(help.exit, 0);
+  for (const char* verb : {"body", "play", "do", "undo", "redo", "log", "import", "settle", "check", "info", "export", "picture"}) {
+    EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
+  }
+  EXPECT_EQ(karinui("").exit, 2);
+  EXPECT_EQ(karinui("iron my.shirt").exit, 2);
+  EXPECT_EQ(karinui("settle").exit, 2);
+  EXPECT_EQ(karinui("do --help").exit, 0);
+  EXPECT_NE(karinui("do --help").out.find("reshape"), std::string::npos);
+}
+
+TEST_F(Command, MakesAndMeasuresABody) {
+  const std::string body = folder / "b.obj";
+  const Said made = karinui("body make --size jis9ar -o " + body + " --json");
+  ASSERT_EQ(made.exit, 0) << made.err;
+  const Said measured = karinui("body measure " + body + " --json");
+  ASSERT_EQ(measured.exit, 0) << measured.err;
+  const auto json = measured.json();
+  EXPECT_NEAR(json["measurements"]["bust_girth"].get<double>(), 0.83, 0.003);
+  EXPECT_NEAR(json["measurements"]["waist_girth"].get<double>(), 0.64, 0.003);
+  EXPECT_NEAR(json["measurements"]["hip_girth"].get<double>(), 0.91, 0.003);
+  EXPECT_NEAR(json["measurements"]["height"].get<double>(), 1.58, 0.005);
+  for (const char* key : {"under_bust_girth", "neck_girth", "upper_arm_girth", "wrist_girth", "thigh_girth", "arm_length"}) {
+    EXPECT_TRUE(json["measurements"].contains(key)) << key;
+  }
+  EXPECT_TRUE(json["closed"].get<bool>());
+  EXPECT_EQ(json["self_crossings"].get<int>(), 0);
+  EXPECT_GE(json["triangles"].get<int>(), 10'000);
+  EXPECT_LE(json["triangles"].get<int>(), 40'000);
+}
+
+TEST_F(Command, RefusesABodyNobodyHas) {
+  const Said said = karinui("body make --set bust_girth=5m -o " + (folder / "b.obj"));
+  EXPECT_EQ(said.exit, 3);
+  EXPECT_FALSE(said.err.empty());
+  EXPECT_FALSE(fs::exists(folder / "b.obj"));
+  EXPECT_EQ(karinui("body make --set best_girth=88cm -o " + (folder / "b.obj")).exit, 3);
+}
+
+TEST_F(Command, PlaysSettlesChecksAndExports) {
+  ASSERT_EQ(play(kTunic).exit, 0);
+  const Said settled = karinui("settle " + document() + " --json");
+  ASSERT_EQ(settled.exit, 0) << settled.err << settled.out;
+  const auto json = settled.json();
+  for (const char* key : {"settled", "why", "residual", "cpu_s", "wall_s", "peak_mb", "finite", "penetration_mm",
+                          "cloth_body_crossings", "cloth_cloth_crossings", "seam_gap_mm", "strain_mean", "strain_p99",
+                          "strain_max", "vertices"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_TRUE(json["settled"].get<bool>());
+  EXPECT_LE(json["penetration_mm"].get<double>(), 1.0);
+  EXPECT_LE(json["seam_gap_mm"].get<double>(), 1.0);
+  EXPECT_LE(json["strain_mean"].get<double>(), 0.02);
+
+  const auto info = karinui("info " + document() + " --json").json();
+  EXPECT_EQ(info["pieces"].size(), 2u);
+  EXPECT_EQ(info["seams"].size(), 4u);
+  EXPECT_NEAR(info["pieces"][0]["edges"][0]["length_m"].get<double>(), 0.52, 1e-9);
+
+  for (const char* ending : {"svg", "pdf", "obj", "glb", "json", "ops"}) {
+    const std::string file = folder / (std::string("out.") + ending);
+    EXPECT_EQ(karinui("export " + document() + " -o " + file).exit, 0) << ending;
+    EXPECT_GT(contents(file).size(), 200u) << ending;
+  }
+  const std::string obj = contents(folder / "out.obj");
+  for (const char* object : {"\no body\n", "\no front\n", "\no back\n"}) EXPECT_NE(obj.find(object), std::string::npos);
+  EXPECT_EQ(karinui("export " + document() + " -o " + (folder / "out.xyz")).exit, 3);
+  EXPECT_EQ(karinui("picture " + document() + " -o " + (folder / "p.png") + " --view oblique --map strain --size 300x400").exit, 0);
+  EXPECT_EQ(contents(folder / "p.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Command, SameBitsForOneAndTwoThreadsAndOnReplay) {
+  ASSERT_EQ(play(kTunic).exit, 0);
+  fs::copy(document(), folder / "two.karinui");
+  ASSERT_EQ(karinui("settle " + document() + " --threads 1").exit, 0);
+  ASSERT_EQ(karinui("settle " + (folder / "two.karinui") + " --threads 2").exit, 0);
+  const auto one = karinui("info " + document() + " --json").json();
+  EXPECT_EQ(one["drape_hash"], karinui("info " + (folder / "two.karinui") + " --json").json()["drape_hash"]);
+
+  write(folder / "log.ops", karinui("log " + document()).out);
+  ASSERT_EQ(karinui("play " + (folder / "log.ops") + " -o " + (folder / "again.karinui")).exit, 0);
+  const auto again = karinui("info " + (folder / "again.karinui") + " --json").json();
+  EXPECT_EQ(one["hash"], again["hash"]);
+  EXPECT_EQ(one["drape_hash"], again["drape_hash"]);
+}
+
+TEST_F(Command, UndoAndRedoSurviveClosing) {
+  ASSERT_EQ(play(kTunic).exit, 0);
+  const auto before = karinui("info " + document() + " --json").json()["hash"];
+  ASSERT_EQ(karinui("do " + document() + " 'rename piece=front to=bodice'").exit, 0);
+  const auto renamed = karinui("info " + document() + " --json").json()["hash"];
+  EXPECT_NE(before, renamed);
+  EXPECT_EQ(karinui("undo " + document()).exit, 0);
+  EXPECT_EQ(karinui("info " + document() + " --json").json()["hash"], before);
+  EXPECT_EQ(karinui("redo " + document()).exit, 0);
+  EXPECT_EQ(karinui("info " + document() + " --json").json()["hash"], renamed);
+  EXPECT_EQ(karinui("redo " + document()).exit, 3);
+}
+
+TEST_F(Command, RefusedInputChangesNothing) {
+  EXPECT_EQ(play("body size=jis9ar\nsew a=front.side b=back.side\n").exit, 3);
+  EXPECT_FALSE(fs::exists(document()));
+  ASSERT_EQ(play(kTunic).exit, 0);
+  const std::string bytes = contents(document());
+  const Said refused = karinui("do " + document() + " 'cut piece=front line=\"0,10cm 0,20cm\"'");
+  EXPECT_EQ(refused.exit, 3);
+  EXPECT_FALSE(refused.err.empty());
+  EXPECT_EQ(karinui("do " + document() + " 'knit piece=front'").exit, 3);
+  EXPECT_EQ(contents(document()), bytes);
+  EXPECT_EQ(play(kTunic).exit, 3) << "a document that is there is not overwritten";
+  for (const auto& entry : fs::directory_iterator(fs::path(document()).parent_path())) {
+    EXPECT_TRUE(entry.path().extension() == ".karinui" || entry.path().extension() == ".ops") << entry.path();
+  }
+}
+
+TEST_F(Command, EveryReaderRefusesNonsenseInASentence) {
+  const std::string nonsense[] = {"", "\0\0\0\0", "nan nan nan", "{\"pattern\":", std::string(70'000, '['), "v nan 0 0\nf 1 1 1\n",
+                                  "SQLite format 3", "\xff\xfe\xfa"};
+  int number = 0;
+  for (const char* ending : {"json", "obj", "ply", "glb", "gltf", "ops", "karinui", "xyz"}) {
+    for (const std::string& bytes : nonsense) {
+      const std::string file = folder / ("bad" + std::to_string(number++) + "." + ending);
+      write(file, bytes);
+      const bool opened = std::string(ending) == "karinui";
+      const Said said = opened ? karinui("info " + file) : karinui("import " + file + " -o " + document());
+      const bool emptyScript = std::string(ending) == "ops" && bytes.empty();
+      EXPECT_EQ(said.exit, emptyScript ? 0 : 3) << file << "\n" << said.err;
+      EXPECT_EQ(fs::exists(document()), emptyScript) << file;
+      fs::remove(document());
+    }
+  }
+  EXPECT_EQ(karinui("import " + (folder / "not_there.obj") + " -o " + document()).exit, 3);
+}
+
+}  // namespace
+}  // namespace karinui::test
