@@ -5,8 +5,7 @@
 namespace karinui::app {
 
 Result<Step> Bench::perform(Operation operation) {
-  const bool rests =
-      std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation);
+  const bool rests = std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation);
   Result<Step> step = file_.perform(std::move(operation), context_);
   if (!step || !rests || !document().drape.last) return step;
   const SettleReport& report = *document().drape.last;

@@ -10,15 +10,20 @@ namespace karinui::app {
 class Bench {
  public:
   Bench(Program& program, DocumentFile file)
-      : program_(program), workers_(program.threads), file_(std::move(file)),
-        context_{workers_, program.console.token(), file_.blobs(), bodies_, {}, {}} {}
+      : program_(program), workers_(program.threads), file_(std::move(file)), context_{workers_,
+                                                                                       program.console.token(),
+                                                                                       file_.blobs(),
+                                                                                       bodies_,
+                                                                                       {},
+                                                                                       {}} {}
 
   Program& program() { return program_; }
   DocumentFile& file() { return file_; }
   const Document& document() const { return file_.document(); }
   Context& context() { return context_; }
 
-  // Records one operation; says on stderr what a drape or a pull came to. `settled` becomes false for one that did not rest.
+  // Records one operation; says on stderr what a drape or a pull came to. `settled` becomes false for one that did not
+  // rest.
   Result<Step> perform(Operation operation);
   bool settled() const { return settled_; }
 

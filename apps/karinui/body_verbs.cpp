@@ -79,7 +79,8 @@ void addBodyVerbs(Program& program) {
   CLI::App* verb = program.verb(*body, "make", "Makes a mannequin from measurements", make, runMake);
   verb->add_option("--size", make->size, "A built-in size: jis9ar, eu38, eu50");
   verb->add_option("--set", make->set, "Measurements: bust_girth=88cm …");
-  verb->add_option("--sex", make->sex, "female or male: which family of shapes")->check(CLI::IsMember({"female", "male"}));
+  verb->add_option("--sex", make->sex, "female or male: which family of shapes")
+      ->check(CLI::IsMember({"female", "male"}));
   verb->add_option("-o,--output", make->out, "The OBJ file")->required();
 
   auto measured = std::make_shared<MeasureOptions>();

@@ -1,5 +1,6 @@
 #pragma once
-// The verbs of the command line. Each add… hangs its verbs on the program and leaves the exit status in `exit` when run.
+// The verbs of the command line. Each add… hangs its verbs on the program and leaves the exit status in `exit` when
+// run.
 #include <CLI/CLI.hpp>
 
 #include "console.h"

@@ -27,12 +27,8 @@ Json checkJson(const ClothCheck& check) {
 }
 
 Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console) {
-  Json object = {{"settled", report.settled},
-                 {"why", console.said(report.why)},
-                 {"residual", report.residual},
-                 {"steps", report.steps},
-                 {"cpu_s", report.cpuSeconds},
-                 {"wall_s", report.wallSeconds},
+  Json object = {{"settled", report.settled},      {"why", console.said(report.why)}, {"residual", report.residual},
+                 {"steps", report.steps},          {"cpu_s", report.cpuSeconds},      {"wall_s", report.wallSeconds},
                  {"peak_mb", report.peakMegabytes}};
   object.update(checkJson(check));
   return object;
@@ -61,7 +57,8 @@ Json infoJson(const Document& document) {
   const auto side = [&](const std::vector<EdgeSpan>& spans) {
     Json list = Json::array();
     for (const EdgeSpan& span : spans) {
-      list.push_back({{"piece", document.find(span.piece)->name}, {"edge", span.edge}, {"from", span.from}, {"to", span.to}});
+      list.push_back(
+          {{"piece", document.find(span.piece)->name}, {"edge", span.edge}, {"from", span.from}, {"to", span.to}});
     }
     return list;
   };
@@ -75,8 +72,12 @@ Json infoJson(const Document& document) {
                      {"ratio", easeRatio(document.pattern, seam)},
                      {"tie", seam.tie == Seam::Tie::TwoToOne ? "2:1" : "1:1"}});
   }
-  Json object = {{"pieces", pieces}, {"seams", seams}, {"operations", document.operations}, {"hash", hash(document)},
-                 {"drape_hash", drapeHash(document)}, {"spacing_m", document.settings.spacing}};
+  Json object = {{"pieces", pieces},
+                 {"seams", seams},
+                 {"operations", document.operations},
+                 {"hash", hash(document)},
+                 {"drape_hash", drapeHash(document)},
+                 {"spacing_m", document.settings.spacing}};
   if (!document.drape.force.empty()) {
     Json force = Json::array();
     for (const Vec3& f : document.drape.force) force.push_back({f.x, f.y, f.z});

@@ -110,8 +110,10 @@ int runPicture(Program& program, const PictureWish& wish) {
 
 void addOutputVerbs(Program& program) {
   auto out = std::make_shared<ExportOptions>();
-  CLI::App* verb = program.verb(program.cli, "export", "Writes the pattern (svg, pdf, json), the garment in 3D (obj, "
-                                "glb) or the operations (ops)", out, runExport);
+  CLI::App* verb = program.verb(program.cli, "export",
+                                "Writes the pattern (svg, pdf, json), the garment in 3D (obj, "
+                                "glb) or the operations (ops)",
+                                out, runExport);
   verb->add_option("document", out->path, "The .karinui document")->required();
   verb->add_option("-o,--output", out->out, "The file; its ending says what it will be")->required();
   verb->add_option("--paper", out->paper, "PDF: one true-size sheet, or A4 sheets to glue")

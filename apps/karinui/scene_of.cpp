@@ -9,7 +9,8 @@ namespace karinui::app {
 
 namespace {
 
-// Cloth colours that stay apart on a skin-coloured body, in linear light; a fabric keeps its place in the order of names.
+// Cloth colours that stay apart on a skin-coloured body, in linear light; a fabric keeps its place in the order of
+// names.
 constexpr std::array<Colour, 6> kDyes{{{0.25f, 0.38f, 0.60f},
                                        {0.62f, 0.30f, 0.26f},
                                        {0.30f, 0.46f, 0.32f},

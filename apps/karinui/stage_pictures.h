@@ -12,8 +12,9 @@ namespace karinui::app {
 class StagePictures {
  public:
   StagePictures(std::string folder, const std::string& script);  // an empty folder: no pictures
-  Done before(int line, Bench& bench);  // draws those asked for before this line of the script
+  Done before(int line, Bench& bench);                           // draws those asked for before this line of the script
   Done rest(Bench& bench);
+
  private:
   struct Wish {
     int line = 0;

@@ -44,7 +44,8 @@ Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live)
 Result<std::unique_ptr<Collider>> colliderOf(const Document& document, Context& context) {
   Result<BodyPtr> body = bodyOf(document, context);
   if (!body) return body.error();
-  if (document.settings.collider == Settings::Collider::Planes) return std::unique_ptr<Collider>(std::make_unique<MergedPlanes>(*body));
+  if (document.settings.collider == Settings::Collider::Planes)
+    return std::unique_ptr<Collider>(std::make_unique<MergedPlanes>(*body));
   return fieldCollider(*body);
 }
 
@@ -96,8 +97,7 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   if (!levels) return levels.error();
   SettleSettings settings;
   settings.gravity = drape.gravity;
-  const Result<SettleReport> report =
-      settle(levels->coarseFirst, **collider, settings, context.token, context.workers);
+  const Result<SettleReport> report = settle(levels->coarseFirst, **collider, settings, context.token, context.workers);
   if (!report) return report.error();
   return DrapeOutcome{formsLeft(levels->finest()), *report, {}};
 }

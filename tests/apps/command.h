@@ -44,7 +44,8 @@ inline void write(const std::string& path, const std::string& bytes) { std::ofst
 // `words` as in a shell; 'karinui' is put before them.
 inline Said karinui(const std::string& words) {
   Folder folder;
-  const std::string command = "LC_ALL=C '" KARINUI_COMMAND "' " + words + " >'" + (folder / "out") + "' 2>'" + (folder / "err") + "'";
+  const std::string command =
+      "LC_ALL=C '" KARINUI_COMMAND "' " + words + " >'" + (folder / "out") + "' 2>'" + (folder / "err") + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, contents(folder / "out"), contents(folder / "err")};
 }

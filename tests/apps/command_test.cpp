@@ -11,9 +11,11 @@ namespace fs = std::filesystem;
 const char* const kTunic =
     "body size=jis9ar\n"
     "set spacing=20mm\n"
-    "piece name=front outline=\"M -260 0; hem L 260 0; side_left L 260 480; arm_left L 250 680; shoulder_left L 110 700; "
+    "piece name=front outline=\"M -260 0; hem L 260 0; side_left L 260 480; arm_left L 250 680; shoulder_left L 110 "
+    "700; "
     "neck L -110 700; shoulder_right L -250 680; arm_right L -260 480; side_right L -260 0\" pose=\"0,0.68,0.22\"\n"
-    "piece name=back outline=\"M -260 0; hem L 260 0; side_left L 260 480; arm_left L 250 680; shoulder_left L 110 700; "
+    "piece name=back outline=\"M -260 0; hem L 260 0; side_left L 260 480; arm_left L 250 680; shoulder_left L 110 "
+    "700; "
     "neck L -110 700; shoulder_right L -250 680; arm_right L -260 480; side_right L -260 0\" pose=\"0,0.68,-0.2\"\n"
     "sew a=front.shoulder_left b=back.shoulder_left reversed=no\n"
     "sew a=front.shoulder_right b=back.shoulder_right reversed=no\n"
@@ -34,7 +36,8 @@ class Command : public testing::Test {
 TEST_F(Command, TeachesWhenAskedAndRefusesWrongCalls) {
   const Said help = karinui("--help");
   EXPECT_EQ(help.exit, 0);
-  for (const char* verb : {"body", "play", "do", "undo", "redo", "log", "import", "settle", "check", "info", "export", "picture"}) {
+  for (const char* verb :
+       {"body", "play", "do", "undo", "redo", "log", "import", "settle", "check", "info", "export", "picture"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
   }
   EXPECT_EQ(karinui("").exit, 2);
@@ -55,7 +58,8 @@ TEST_F(Command, MakesAndMeasuresABody) {
   EXPECT_NEAR(json["measurements"]["waist_girth"].get<double>(), 0.64, 0.003);
   EXPECT_NEAR(json["measurements"]["hip_girth"].get<double>(), 0.91, 0.003);
   EXPECT_NEAR(json["measurements"]["height"].get<double>(), 1.58, 0.005);
-  for (const char* key : {"under_bust_girth", "neck_girth", "upper_arm_girth", "wrist_girth", "thigh_girth", "arm_length"}) {
+  for (const char* key :
+       {"under_bust_girth", "neck_girth", "upper_arm_girth", "wrist_girth", "thigh_girth", "arm_length"}) {
     EXPECT_TRUE(json["measurements"].contains(key)) << key;
   }
   EXPECT_TRUE(json["closed"].get<bool>());
@@ -77,9 +81,9 @@ TEST_F(Command, PlaysSettlesChecksAndExports) {
   const Said settled = karinui("settle " + document() + " --json");
   ASSERT_EQ(settled.exit, 0) << settled.err << settled.out;
   const auto json = settled.json();
-  for (const char* key : {"settled", "why", "residual", "cpu_s", "wall_s", "peak_mb", "finite", "penetration_mm",
-                          "cloth_body_crossings", "cloth_cloth_crossings", "seam_gap_mm", "strain_mean", "strain_p99",
-                          "strain_max", "vertices"}) {
+  for (const char* key :
+       {"settled", "why", "residual", "cpu_s", "wall_s", "peak_mb", "finite", "penetration_mm", "cloth_body_crossings",
+        "cloth_cloth_crossings", "seam_gap_mm", "strain_mean", "strain_p99", "strain_max", "vertices"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_TRUE(json["settled"].get<bool>());
@@ -100,7 +104,10 @@ TEST_F(Command, PlaysSettlesChecksAndExports) {
   const std::string obj = contents(folder / "out.obj");
   for (const char* object : {"\no body\n", "\no front\n", "\no back\n"}) EXPECT_NE(obj.find(object), std::string::npos);
   EXPECT_EQ(karinui("export " + document() + " -o " + (folder / "out.xyz")).exit, 3);
-  EXPECT_EQ(karinui("picture " + document() + " -o " + (folder / "p.png") + " --view oblique --map strain --size 300x400").exit, 0);
+  EXPECT_EQ(
+      karinui("picture " + document() + " -o " + (folder / "p.png") + " --view oblique --map strain --size 300x400")
+          .exit,
+      0);
   EXPECT_EQ(contents(folder / "p.png").substr(1, 3), "PNG");
 }
 
@@ -149,8 +156,14 @@ TEST_F(Command, RefusedInputChangesNothing) {
 }
 
 TEST_F(Command, EveryReaderRefusesNonsenseInASentence) {
-  const std::string nonsense[] = {"", "\0\0\0\0", "nan nan nan", "{\"pattern\":", std::string(70'000, '['), "v nan 0 0\nf 1 1 1\n",
-                                  "SQLite format 3", "\xff\xfe\xfa"};
+  const std::string nonsense[] = {"",
+                                  "\0\0\0\0",
+                                  "nan nan nan",
+                                  "{\"pattern\":",
+                                  std::string(70'000, '['),
+                                  "v nan 0 0\nf 1 1 1\n",
+                                  "SQLite format 3",
+                                  "\xff\xfe\xfa"};
   int number = 0;
   for (const char* ending : {"json", "obj", "ply", "glb", "gltf", "ops", "karinui", "xyz"}) {
     for (const std::string& bytes : nonsense) {
