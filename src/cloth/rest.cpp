@@ -115,8 +115,12 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
 
 namespace {
 
-// Places of a face that are asked about: its corners are nodes; these are the middles of its sides and its own.
-constexpr double kSamples[4][3] = {{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1.0 / 3, 1.0 / 3, 1.0 / 3}};
+// Places of a face that are asked about beside its corners: a grid of quarters, since a body has finer features than
+// cloth has faces.
+constexpr double kSamples[12][3] = {{.75, .25, 0}, {.5, .5, 0},    {.25, .75, 0},  {0, .75, .25},
+                                    {0, .5, .5},   {0, .25, .75},  {.25, 0, .75},  {.5, 0, .5},
+                                    {.75, 0, .25}, {.5, .25, .25}, {.25, .5, .25}, {.25, .25, .5}};
+constexpr std::size_t kSampleCount = std::size(kSamples);
 
 template <class Visit>
 void liveFaces(const Cloth& cloth, Visit visit) {
@@ -154,13 +158,12 @@ double deepest(const Cloth& cloth, const Collider& body, std::span<const Vec3> x
 
 double liftOff(const Cloth& cloth, const std::vector<NodeIndex>& moving, const Collider& body, double clearance,
                std::vector<Vec3>& x, Workers& workers) {
-  std::vector<std::uint8_t> moves(cloth.nodeCount, 0);
-  for (NodeIndex k : moving) moves[k] = 1;
   std::vector<Triangle> faces;
   liveFaces(cloth, [&](const Triangle& face) { faces.push_back(face); });
-  std::vector<Vec3> lift(faces.size() * 4);
+  std::vector<Vec3> best(cloth.nodeCount);
+  std::vector<Vec3> lift(faces.size() * kSampleCount);
   constexpr std::size_t kBlock = 256;
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < 30; ++round) {
     workers.forBlocks(moving.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         Vec3& place = x[moving[n]];
@@ -171,25 +174,30 @@ double liftOff(const Cloth& cloth, const std::vector<NodeIndex>& moving, const C
     });
     workers.forBlocks(faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
-        for (int s = 0; s < 4; ++s) {
+        for (std::size_t s = 0; s < kSampleCount; ++s) {
           const auto& w = kSamples[s];
           const Vec3 place = x[faces[f][0]] * w[0] + x[faces[f][1]] * w[1] + x[faces[f][2]] * w[2];
-          lift[f * 4 + s] = {};
+          lift[f * kSampleCount + s] = {};
           if (!body.mayTouch(place, clearance)) continue;
           const auto contact = body.confirmed(place);
-          // Half the nodes' clearance is enough between them.
-          if (contact.distance < 0.5 * clearance)
-            lift[f * 4 + s] = contact.normal * (0.5 * clearance - contact.distance);
+          if (contact.distance < clearance)
+            lift[f * kSampleCount + s] = contact.normal * (clearance - contact.distance);
         }
     });
+    // A node goes by the largest lift asked of it: the sum of many would fling it.
     bool any = false;
+    std::fill(best.begin(), best.end(), Vec3{});
     for (std::size_t f = 0; f < faces.size(); ++f)
-      for (int s = 0; s < 4; ++s) {
-        if (squaredLength(lift[f * 4 + s]) == 0) continue;
+      for (std::size_t s = 0; s < kSampleCount; ++s) {
+        const Vec3 asked = lift[f * kSampleCount + s];
+        if (squaredLength(asked) == 0) continue;
         any = true;
-        for (int c = 0; c < 3; ++c)
-          if (kSamples[s][c] > 0 && moves[faces[f][c]]) x[faces[f][c]] += lift[f * 4 + s] * 0.6;
+        for (int c = 0; c < 3; ++c) {
+          Vec3& most = best[faces[f][c]];
+          if (kSamples[s][c] > 0 && squaredLength(asked) > squaredLength(most)) most = asked;
+        }
       }
+    for (NodeIndex k : moving) x[k] += best[k];
     if (!any) break;
   }
   return deepest(cloth, body, x, workers);
