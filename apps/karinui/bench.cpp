@@ -11,7 +11,7 @@ Result<Step> Bench::perform(Operation operation) {
   const SettleReport& report = *document().drape.last;
   settled_ = settled_ && (report.settled || std::holds_alternative<PullCloth>(step->operation));
   if (!report.settled && std::holds_alternative<DrapePieces>(step->operation)) {
-    program_.console.note(say("The cloth did not come to rest: {0}", program_.console.said(report.why)));
+    program_.console.note(say("The cloth did not come to rest: {0}", report.why));
   }
   return step;
 }

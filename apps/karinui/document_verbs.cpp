@@ -93,7 +93,7 @@ Result<void> playScript(Bench& bench, const std::string& script, const std::stri
     if (!body.empty() && std::holds_alternative<SetBody>(line.operation)) continue;
     if (const auto step = bench.perform(line.operation); !step) {
       const Error& why = step.error();
-      return Error{why.kind, say("line {0}: {1}", line.number, bench.program().console.said(why.what))};
+      return Error{why.kind, say("Line {0}: {1}", line.number, why.what)};
     }
   }
   return pictures.rest(bench);

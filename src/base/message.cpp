@@ -46,13 +46,18 @@ std::string text(const Message& message, Language language) {
                                   ? static_cast<std::size_t>(pattern[i + 1] - '0')
                                   : message.values.size();
     if (which < message.values.size()) {
-      said += message.values[which];
+      said += text(message.values[which], language);
       i += 2;
     } else {
       said += pattern[i];
     }
   }
   return said;
+}
+
+std::string text(const Message::Value& value, Language language) {
+  const Message* sentence = std::get_if<Message>(&value);
+  return sentence ? text(*sentence, language) : std::get<std::string>(value);
 }
 
 Language spokenHere() {

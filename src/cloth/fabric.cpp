@@ -26,7 +26,7 @@ const std::array<Fabric, 8>& own() {
 }
 
 struct Range {
-  const char* what;
+  Message what;
   double value, low, high;
   const char* unit;
 };
@@ -46,17 +46,17 @@ Result<Fabric> preset(std::string_view name) {
 
 Result<void> checkFabric(const Fabric& fabric) {
   const Range ranges[] = {
-      {"weight", fabric.weight, 0.005, 5, "kg/m2"},
-      {"stretch along the warp", fabric.stretchWarp, 1, 1e6, "N/m"},
-      {"stretch along the weft", fabric.stretchWeft, 1, 1e6, "N/m"},
-      {"shear", fabric.shear, 0, 1e6, "N/m"},
-      {"bending of the warp", fabric.bendWarp, 0, 1, "N m"},
-      {"bending of the weft", fabric.bendWeft, 0, 1, "N m"},
-      {"compression", fabric.compression, 0, 1, ""},
-      {"toe", fabric.toe, 0, 0.5, ""},
-      {"thickness", fabric.thickness, 1e-5, 0.02, "m"},
-      {"friction on the body", fabric.frictionBody, 0, 5, ""},
-      {"friction on cloth", fabric.frictionCloth, 0, 5, ""},
+      {say("weight"), fabric.weight, 0.005, 5, "kg/m2"},
+      {say("stretch along the warp"), fabric.stretchWarp, 1, 1e6, "N/m"},
+      {say("stretch along the weft"), fabric.stretchWeft, 1, 1e6, "N/m"},
+      {say("shear"), fabric.shear, 0, 1e6, "N/m"},
+      {say("bending of the warp"), fabric.bendWarp, 0, 1, "N m"},
+      {say("bending of the weft"), fabric.bendWeft, 0, 1, "N m"},
+      {say("compression"), fabric.compression, 0, 1, ""},
+      {say("toe"), fabric.toe, 0, 0.5, ""},
+      {say("thickness"), fabric.thickness, 1e-5, 0.02, "m"},
+      {say("friction on the body"), fabric.frictionBody, 0, 5, ""},
+      {say("friction on cloth"), fabric.frictionCloth, 0, 5, ""},
   };
   for (const Range& range : ranges)
     if (!std::isfinite(range.value) || range.value < range.low || range.value > range.high)

@@ -15,9 +15,7 @@ std::string chained(const std::string& before, const Operation& operation) {
   return Hasher().add(std::string_view(before)).add(std::string_view(text(operation))).hex();
 }
 
-Error atStep(std::size_t serial, const Error& error) {
-  return {error.kind, say("Step {0}: {1}", serial, text(error.what))};
-}
+Error atStep(std::size_t serial, const Error& error) { return {error.kind, say("Step {0}: {1}", serial, error.what)}; }
 
 }  // namespace
 

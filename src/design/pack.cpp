@@ -67,7 +67,8 @@ Measurements readMeasurements(Reader& r) {
 }
 
 void add(Writer& w, const SettleReport& s) {
-  w.add(static_cast<std::uint8_t>(s.settled)).add(s.why.pattern).all(s.why.values);
+  w.add(static_cast<std::uint8_t>(s.settled)).add(s.why.pattern).add(std::uint64_t{s.why.values.size()});
+  for (const Message::Value& value : s.why.values) w.add(text(value));
   for (const double v : {s.residual, s.step, s.penetration, s.seamGap, s.strain.mean, s.strain.p99, s.strain.max,
                          s.cpuSeconds, s.wallSeconds, s.peakMegabytes})
     w.add(std::isfinite(v) ? v : -1.0);
@@ -77,7 +78,7 @@ SettleReport readReport(Reader& r) {
   SettleReport s;
   s.settled = r.number<std::uint8_t>() != 0;
   s.why.pattern = r.text();
-  for (std::size_t n = r.count(8); n > 0 && r.good(); --n) s.why.values.push_back(r.text());
+  for (std::size_t n = r.count(8); n > 0 && r.good(); --n) s.why.values.emplace_back(r.text());
   for (double* v : {&s.residual, &s.step, &s.penetration, &s.seamGap, &s.strain.mean, &s.strain.p99, &s.strain.max,
                     &s.cpuSeconds, &s.wallSeconds, &s.peakMegabytes})
     *v = r.number<double>();

@@ -43,23 +43,23 @@ class EdgeReader {
     const Json* ends = member(edge, "endpoints");
     const auto pointAt = [&](std::size_t k) { return endpoint((*ends)[k]); };
     if (!ends || !ends->is_array() || ends->size() != 2 || !pointAt(0) || !pointAt(1))
-      return wrong(index, "its endpoints must be two numbers of vertices");
+      return wrong(index, say("its endpoints must be two numbers of vertices"));
     const Flat start = points_[*pointAt(0)], end = points_[*pointAt(1)];
-    if (distance(start, end) < 1e-9) return wrong(index, "it begins and ends at the same place");
+    if (distance(start, end) < 1e-9) return wrong(index, say("it begins and ends at the same place"));
     const Json* bend = member(edge, "curvature");
     if (!bend || bend->is_null()) return Curve::line(start, end);
     if (isPoint(*bend, 2)) return quadratic(start, control(start, end, *bend), end);
     const Json* type = member(*bend, "type");
     const Json* params = member(*bend, "params");
     if (!type || !type->is_string() || !params || !params->is_array())
-      return wrong(index, "its curvature must have a type and params");
+      return wrong(index, say("its curvature must have a type and params"));
     const auto& kind = type->get_ref<const std::string&>();
     if (kind == "circle") return circle(*params, start, end, index);
     const std::size_t controls = kind == "quadratic" ? 1 : kind == "cubic" ? 2 : 0;
-    if (controls == 0) return wrong(index, "its curvature is of a kind this program does not know");
-    if (params->size() != controls) return wrong(index, "it has too few or too many control points");
+    if (controls == 0) return wrong(index, say("its curvature is of a kind this program does not know"));
+    if (params->size() != controls) return wrong(index, say("it has too few or too many control points"));
     for (const Json& point : *params)
-      if (!isPoint(point, 2)) return wrong(index, "its control points must be pairs of finite numbers");
+      if (!isPoint(point, 2)) return wrong(index, say("its control points must be pairs of finite numbers"));
     if (controls == 1) return quadratic(start, control(start, end, (*params)[0]), end);
     return Curve::cubic(start, control(start, end, (*params)[0]), control(start, end, (*params)[1]), end);
   }
@@ -71,7 +71,7 @@ class EdgeReader {
     return static_cast<std::size_t>(index);
   }
 
-  Error wrong(std::size_t index, std::string_view why) const {
+  Error wrong(std::size_t index, const Message& why) const {
     return badInput(say("Panel \"{0}\", edge {1}: {2}.", shown(panel_), index, why));
   }
 
@@ -87,7 +87,7 @@ class EdgeReader {
   Result<Curve> circle(const Json& params, Flat start, Flat end, std::size_t index) const {
     const auto flag = [&](std::size_t k) { return params[k].is_boolean() || params[k].is_number_integer(); };
     if (params.size() != 3 || !isFinite(params[0]) || params[0].get<double>() <= 0 || !flag(1) || !flag(2))
-      return wrong(index, "a circle needs a radius and two flags");
+      return wrong(index, say("a circle needs a radius and two flags"));
     const auto set = [&](std::size_t k) {
       return params[k].is_boolean() ? params[k].get<bool>() : params[k].get<long long>() != 0;
     };
@@ -135,7 +135,7 @@ Result<Panel> readPanel(const std::string& name, const Json& json, double metres
     Result<Curve> curve = reader.read(edge, i);
     if (!curve) return curve.error();
     if (i > 0 && panel.piece.outline.edges.back().curve.end != curve->start)
-      return reader.wrong(i, "it does not begin where the edge before it ends");
+      return reader.wrong(i, say("it does not begin where the edge before it ends"));
     const Json* label = member(edge, "name");  // as we write it ourselves
     if (!label) label = member(edge, "label");
     std::string word = label && label->is_string() ? edgeWord(label->get_ref<const std::string&>()) : std::string{};
@@ -163,7 +163,7 @@ Result<Panel> readPanel(const std::string& name, const Json& json, double metres
     panel.piece.pose = after(panel.piece.pose, Rigid{0, 0, 1, 0, {}});  // half a turn about the vertical
   }
   Result<Outline> whole = checked(outline);
-  if (!whole) return badInput(say("Panel \"{0}\": {1}", shown(name), text(whole.error().what)));
+  if (!whole) return badInput(say("Panel \"{0}\": {1}", shown(name), whole.error().what));
   outline = *std::move(whole);
   panel.piece.name = cleanText(name).empty() ? "panel" : cleanText(name);
   return panel;

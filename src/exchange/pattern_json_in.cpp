@@ -20,9 +20,9 @@ class Reader {
     if (!error) error = badInput(std::move(what));
   }
   void refuse(std::string_view key) {
-    refuse(say("{0}: \"{1}\" is missing or of the wrong kind.", where_.empty() ? "The pattern" : where_, key));
+    refuse(say("{0}: \"{1}\" is missing or of the wrong kind.", where_.empty() ? say("The pattern") : where_, key));
   }
-  void at(std::string where) { where_ = std::move(where); }
+  void at(Message where) { where_ = std::move(where); }
 
   const Json& list(const Json& of, const char* key, bool required = true) {
     static const Json kEmpty = Json::array();
@@ -86,7 +86,7 @@ class Reader {
     if (error) return {};
     Result<Outline> whole = checked(std::move(out));
     if (whole) return *std::move(whole);
-    refuse(say("{0}: {1}", where_, karinui::text(whole.error().what)));
+    refuse(say("{0}: {1}", where_, whole.error().what));
     return {};
   }
   std::shared_ptr<const Form> form(const Json& json) {
@@ -123,7 +123,7 @@ class Reader {
     Piece out;
     out.id = {id(json, "id")};
     out.name = text(json, "name");
-    where_ = "\"" + shown(out.name) + "\"";
+    where_ = say("Piece \"{0}\"", shown(out.name));
     if (!out.id) refuse("id");
     if (out.name.empty() || cleanText(out.name) != out.name) refuse("name");
     out.fabric = text(json, "fabric");
@@ -168,7 +168,7 @@ class Reader {
     Seam out;
     out.id = {id(json, "id")};
     out.name = text(json, "name");
-    where_ = "Seam \"" + shown(out.name) + "\"";
+    where_ = say("Seam \"{0}\"", shown(out.name));
     if (!out.id) refuse("id");
     out.a = side(list(json, "a"), pattern);
     out.b = side(list(json, "b"), pattern);
@@ -180,7 +180,7 @@ class Reader {
   }
 
  private:
-  std::string where_;
+  Message where_;  // empty: the pattern itself
 };
 
 }  // namespace

@@ -18,22 +18,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct UnitWords {
+struct UnitRange {
   LengthUnit unit;
-  const char* name;
   double metres;
   double leastHeight, mostHeight;  // in the unit: a person's heights for which it is guessed
 };
 // In the order of guessing. Inches come before centimetres: 55 to 80 of them are an adult, as centimetres a baby.
-constexpr std::array<UnitWords, 6> kUnits{{{LengthUnit::Metre, "metres", 1, 0.4, 2.6},
-                                           {LengthUnit::Foot, "feet", 0.3048, 3.5, 8},
-                                           {LengthUnit::Decimetre, "decimetres", 0.1, 8, 26},
-                                           {LengthUnit::Inch, "inches", 0.0254, 48, 82},
-                                           {LengthUnit::Centimetre, "centimetres", 0.01, 40, 260},
-                                           {LengthUnit::Millimetre, "millimetres", 0.001, 400, 2600}}};
+constexpr std::array<UnitRange, 6> kUnits{{{LengthUnit::Metre, 1, 0.4, 2.6},
+                                           {LengthUnit::Foot, 0.3048, 3.5, 8},
+                                           {LengthUnit::Decimetre, 0.1, 8, 26},
+                                           {LengthUnit::Inch, 0.0254, 48, 82},
+                                           {LengthUnit::Centimetre, 0.01, 40, 260},
+                                           {LengthUnit::Millimetre, 0.001, 400, 2600}}};
 
-const UnitWords& wordsOf(LengthUnit unit) {
-  return *std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitWords& w) { return w.unit == unit; });
+const UnitRange& rangeOf(LengthUnit unit) {
+  return *std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitRange& w) { return w.unit == unit; });
+}
+
+Message nameOf(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::Metre:
+      return say("metres");
+    case LengthUnit::Foot:
+      return say("feet");
+    case LengthUnit::Decimetre:
+      return say("decimetres");
+    case LengthUnit::Inch:
+      return say("inches");
+    case LengthUnit::Centimetre:
+      return say("centimetres");
+    case LengthUnit::Millimetre:
+      return say("millimetres");
+  }
+  return {};
 }
 
 Result<std::string> formatOf(const fs::path& path) {
@@ -109,7 +126,7 @@ Result<void> stand(ImportedBody& body, const BodyReadOptions& options, const std
   if (options.unit) {
     body.unit = *options.unit;
   } else {
-    const auto guess = std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitWords& w) {
+    const auto guess = std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitRange& w) {
       return height >= w.leastHeight && height <= w.mostHeight;
     });
     if (guess == kUnits.end())
@@ -117,12 +134,12 @@ Result<void> stand(ImportedBody& body, const BodyReadOptions& options, const std
           say("A body {0} units high fits no unit of length; say which unit the file is in.", shortest(height)));
     body.unit = guess->unit;
     body.notes.push_back(
-        say("Taken as {0}: the body is {1} cm high.", guess->name, fixed(height * guess->metres * 100, 1)));
+        say("Taken as {0}: the body is {1} cm high.", nameOf(guess->unit), fixed(height * guess->metres * 100, 1)));
   }
-  const double metres = wordsOf(body.unit).metres;
+  const double metres = rangeOf(body.unit).metres;
   if (!(height * metres >= 0.03) || !(height * metres <= 60))
-    return badInput(say("The body would be {0} m high in {1}; that is no body.", shortest(height * metres),
-                        wordsOf(body.unit).name));
+    return badInput(
+        say("The body would be {0} m high in {1}; that is no body.", shortest(height * metres), nameOf(body.unit)));
   for (Vec3& p : body.mesh.points) p *= metres;
 
   const Box box = boxOf(body.mesh.points);

@@ -125,7 +125,7 @@ class SheetReader {
   }
 
  private:
-  Error wrong(std::string_view part) const {
+  Error wrong(const Message& part) const {
     return badInput(say("Piece \"{0}\" of the drawing: {1} cannot be read.", shown(piece_.name), part));
   }
   Done begin(const XmlElement& element) {
@@ -141,7 +141,7 @@ class SheetReader {
     const auto height = layer ? parseNumber(*layer) : 0.0;
     if (!name || name->empty() || !number || *number == 0 || !grain || std::abs(length(*grain) - 1) > 1e-6 || !origin ||
         !fabric || !height || std::abs(*height) > 1000)
-      return wrong("what is said of it");
+      return wrong(say("what is said of it"));
     if (!names_.insert(*name).second || out_.pieces.contains({*number}))
       return badInput(say("There are two pieces \"{0}\".", shown(*name)));
     piece_.id = {*number};
@@ -156,25 +156,26 @@ class SheetReader {
                       *mark = element.find("data-mark");
     if (kind == "seam" || kind == "seam only" || kind == "hole") {
       auto curves = curvesOf(element.find("d"), origin_);
-      if (!edge || edgeWord(*edge) != *edge || edge->empty() || !curves || curves->size() != 1) return wrong("an edge");
+      if (!edge || edgeWord(*edge) != *edge || edge->empty() || !curves || curves->size() != 1)
+        return wrong(say("an edge"));
       Outline* ring = &piece_.outline;
       if (kind == "hole") {
         const std::string* index = element.find("data-hole");
         const auto number = index ? wholeNumber(*index) : std::nullopt;
-        if (!number || *number > piece_.holes.size()) return wrong("a hole");
+        if (!number || *number > piece_.holes.size()) return wrong(say("a hole"));
         piece_.holes.resize(std::max<std::size_t>(piece_.holes.size(), *number + 1));
         ring = &piece_.holes[*number];
       }
       ring->edges.push_back({*edge, curves->front()});
     } else if (kind == "internal") {
       auto curves = curvesOf(element.find("d"), origin_);
-      if (!line || !curves) return wrong("an internal line");
+      if (!line || !curves) return wrong(say("an internal line"));
       piece_.lines.push_back({*line, *std::move(curves)});
     } else if (kind == "mark") {
       const std::string* fraction = element.find("data-fraction");
       const auto share = fraction ? parseNumber(*fraction) : std::nullopt;
       const auto place = pairOf(element.find("data-place"));
-      if (!mark || (edge ? !share || *share < 0 || *share > 1 : !place)) return wrong("a mark");
+      if (!mark || (edge ? !share || *share < 0 || *share > 1 : !place)) return wrong(say("a mark"));
       piece_.marks.push_back({*mark, edge ? *edge : "", edge ? *share : 0, edge ? Flat{} : *place});
     }
     return {};
@@ -183,7 +184,7 @@ class SheetReader {
     open_ = false;
     const auto whole = [&](Outline& ring) -> Done {
       Result<Outline> good = checked(std::move(ring));
-      if (!good) return badInput(say("{0}: {1}", "\"" + shown(piece_.name) + "\"", text(good.error().what)));
+      if (!good) return badInput(say("{0}: {1}", "\"" + shown(piece_.name) + "\"", good.error().what));
       ring = *std::move(good);
       return {};
     };
@@ -191,7 +192,7 @@ class SheetReader {
     for (Outline& hole : piece_.holes)
       if (auto good = whole(hole); !good) return good;
     for (const Mark& mark : piece_.marks)
-      if (!mark.edge.empty() && !findEdge(piece_, mark.edge)) return wrong("a mark");
+      if (!mark.edge.empty() && !findEdge(piece_, mark.edge)) return wrong(say("a mark"));
     const PieceId id = piece_.id;
     out_.pieces[id] = std::make_shared<const Piece>(std::move(piece_));
     return {};

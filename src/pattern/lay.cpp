@@ -182,7 +182,7 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
       if (!trouble)
         trouble = badInput(
             say("Piece {0} cannot be laid as cloth: its outline comes too near itself; keep its edges apart. ({1})",
-                piece.name, text(lattice.error().what)));
+                piece.name, lattice.error().what));
       if (clash) {
         for (std::size_t k : *clash)
           if (k < stretchOf.size()) tooCoarse.insert(stretchOf[k]);

@@ -23,6 +23,12 @@ TEST(Message, SpeaksJapaneseWhereThereIsATranslation) {
   EXPECT_EQ(text(say("No such sentence {0}.", 1), Language::Japanese), "No such sentence 1.");
 }
 
+TEST(Message, SaysASentenceWithinASentenceInTheSameLanguage) {
+  const Message within = say("Line {0}: {1}", 3, say("Step {0}: {1}", 2, say("There is nothing to undo.")));
+  EXPECT_EQ(text(within), "Line 3: Step 2: There is nothing to undo.");
+  EXPECT_EQ(text(within, Language::Japanese), "3 行目：手順 2：取り消すことはありません。");
+}
+
 TEST(Number, LengthsInTheUnitsPeopleWrite) {
   EXPECT_EQ(*parseLength("12mm"), 0.012);
   EXPECT_EQ(*parseLength("88cm"), 0.88);

@@ -131,8 +131,8 @@ TEST(Patch, ACrossingLineIsRefusedSayingWhere) {
   const auto patch =
       cutPatch(guide, closedLine(guide, bvh, {{0.1, 0.1, 0}, {0.9, 0.83, 0}, {0.9, 0.1, 0}, {0.1, 0.9, 0}}));
   ASSERT_FALSE(patch);
-  EXPECT_EQ(patch.error().what.values[0], "1");
-  EXPECT_EQ(patch.error().what.values[1], "3");
+  EXPECT_EQ(text(patch.error().what.values[0]), "1");
+  EXPECT_EQ(text(patch.error().what.values[1]), "3");
 }
 
 TEST(Patch, ACrossingAtACornerOfTheMeshIsRefused) {

@@ -17,7 +17,7 @@ struct Id {
 using PieceId = Id<struct PieceTag>;
 using SeamId = Id<struct SeamTag>;
 
-// The nth thing (from 0) made by the step with this serial (from 1).
+// The nth thing (from 0, below 65536) made by the step with this serial (from 1).
 template <class AnyId>
 constexpr AnyId madeBy(std::uint32_t serial, std::uint32_t nth) {
   return {std::uint64_t{serial} << 16 | nth};

@@ -1,5 +1,6 @@
 #pragma once
 // Numbers as text, always in the "C" way (point as decimal sign), whatever the person's locale.
+// What cannot be read is refused with Error::Kind::BadInput and a sentence that quotes it. Any thread.
 #include <optional>
 #include <string>
 #include <string_view>

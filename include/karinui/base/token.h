@@ -11,7 +11,7 @@ namespace karinui {
 class Token {
  public:
   using Watcher = std::function<void(double fraction, const Message& doing)>;
-  Token() = default;
+  Token() = default;  // silent: nobody watches
   explicit Token(Watcher watcher) : watcher_(std::move(watcher)) {}
 
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }

@@ -11,14 +11,14 @@ namespace karinui {
 
 class Workers {
  public:
-  explicit Workers(int threads = 1);  // the caller's thread is one of them
+  explicit Workers(int threads = 1);  // the caller's thread is one of them; fewer than 1 is 1
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
   int threads() const;
 
   // Calls work(begin, end) for consecutive blocks of `block` items covering [0, count). Returns when all are done.
-  // Not reentrant: one caller at a time, no nesting.
+  // Not reentrant: one caller at a time, no nesting. `work` runs on several threads at once and must not throw.
   void forBlocks(std::size_t count, std::size_t block, const std::function<void(std::size_t, std::size_t)>& work);
 
   // The sum of part(begin, end) over all blocks, added in order.

@@ -1,5 +1,6 @@
 #pragma once
 // An examiner that shares no code with the solver: exact triangle tests against the body's mesh, not its field.
+// Pure; any thread, but one at work.
 #include "karinui/body/body.h"
 #include "karinui/cloth/cloth.h"
 #include "karinui/cloth/settle.h"
@@ -7,7 +8,7 @@
 namespace karinui {
 
 struct ClothCheck {
-  bool finite = true;
+  bool finite = true;                   // false: nothing else was examined
   double penetration = 0;               // metres: deepest of all nodes and face samples below the body's mesh
   std::size_t clothBodyCrossings = 0;   // pairs of faces
   std::size_t clothClothCrossings = 0;  // pairs of faces that share no node and no tie
@@ -15,6 +16,7 @@ struct ClothCheck {
   StrainReport strain;
   std::size_t vertices = 0;
 };
+// `state` has one place per node of `cloth`. No body (null): nothing is entered or crossed but the cloth itself.
 ClothCheck check(const Cloth& cloth, const ClothState& state, const Body* body);
 
 }  // namespace karinui

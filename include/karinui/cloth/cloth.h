@@ -1,6 +1,6 @@
 #pragma once
 // Cloth = what is fixed (lattices, fabrics, ties, masses); ClothState = what moves. A Cloth is built once per change of
-// the pattern and shared.
+// the pattern and shared. Metres, in space. Plain values and pure functions; any thread.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -45,7 +45,8 @@ struct ClothChoice {
   double pinRadius = 0.01;
 };
 
-// Puts a laid pattern's pieces, fabrics and ties together as one cloth.
+// Puts a laid pattern's pieces, fabrics and ties together as one cloth. Refuses a piece that was not laid or whose
+// fabric is neither in `fabrics` nor a preset.
 Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const std::map<std::string, Fabric>& fabrics,
                        const ClothChoice& choice);
 

@@ -24,8 +24,8 @@ struct Fabric {
   bool operator==(const Fabric&) const = default;
 };
 
-std::span<const Fabric> presets();
-Result<Fabric> preset(std::string_view name);
+std::span<const Fabric> presets();               // lasts as long as the program
+Result<Fabric> preset(std::string_view name);    // NotFound lists those there are
 Result<void> checkFabric(const Fabric& fabric);  // refuses absurd values, saying which and what is usual
 
 }  // namespace karinui

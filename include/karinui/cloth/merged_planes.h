@@ -1,7 +1,7 @@
 #pragma once
 // The historical collider: adjacent faces of the body whose normals hardly differ are merged into one flat polygon, and
 // cloth is tested by segments against polygons. Coarser than the distance field, and it tells how many tests the
-// merging saved. Immutable once built; any thread may ask.
+// merging saved. Metres. Immutable once built (but for its count of tests); any thread may ask.
 #include <atomic>
 
 #include "karinui/cloth/settle.h"

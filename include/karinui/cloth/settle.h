@@ -1,6 +1,9 @@
 #pragma once
 // Settle: from where the cloth stands straight to rest on the body. Deterministic: the same input gives the same bits
 // for any number of threads. The report does not flatter.
+// Metres, kilograms, seconds. The caller's thread and its workers do the work; it returns when all is done. Cloth that
+// does not come to rest is no error but a report with settled = false; errors are input that makes no sense, and
+// Cancelled.
 #include <array>
 #include <memory>
 #include <span>
@@ -58,8 +61,8 @@ struct SettleSettings {
   bool clothOnCloth = true;   // whether cloth keeps from passing through cloth
 };
 
-// `levels`: the same garment at 4h, 2h, h (coarse first; one level is allowed). `state` stands on the finest level and
-// is replaced on success; a cancelled job leaves it as it was. `start`: gives the state of a coarser level.
+// `levels`: the same garment at 4h, 2h, h (coarse first; one level is allowed). The finest level's state is replaced on
+// success; a cancelled or refused job leaves it as it was.
 struct ClothLevel {
   Cloth cloth;
   ClothState state;  // where it stands at the start

@@ -1,5 +1,6 @@
 #pragma once
 // The two operations that make paper from shapes in space, as functions a gesture can preview with.
+// Pure; metres.
 #include <optional>
 #include <span>
 

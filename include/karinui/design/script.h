@@ -2,6 +2,7 @@
 // Operations as text, one a line: `sew a=front.side_left b=back.side_left`. Values with spaces in quotes, lists with
 // ";" or spaces between, # begins a comment, a backslash at the end of a line continues it. Two exact inverses:
 // parseOperation(text(op)) == op bit for bit, and text(parse(line)) is the canonical form. docs/format/operations.md.
+// Pure; any thread. What cannot be read is BadInput and names the word that is wrong.
 #include <string>
 #include <string_view>
 #include <vector>

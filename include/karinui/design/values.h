@@ -1,6 +1,7 @@
 #pragma once
 // The kinds of values an operation is made of. Each has one text form: parse(text(x)) == x bit for bit.
 // Lengths read "12mm", "5cm", "0.3m", "2in" or bare metres; angles "30deg" or bare radians.
+// Plain values; any thread.
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-// A tree of boxes over the faces of a mesh: nearest place, rays, and everything near a box. Built once, then read by any
-// number of threads. Keeps its own copy of what it needs; the mesh may go away.
+// A tree of boxes over the faces of a mesh: nearest place, rays, and everything near a box. Built once, then read by
+// any number of threads. Keeps its own copy of what it needs; the mesh may go away. Metres.
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -48,7 +48,8 @@ class Bvh {
     bool outside = false;  // the ray came from the outer side of the face
   };
   std::optional<Hit> first(Vec3 origin, Vec3 unitDirection) const;
-  std::vector<Hit> all(Vec3 origin, Vec3 unitDirection) const;  // sorted along the ray
+  // All faces the ray meets, sorted along it.
+  std::vector<Hit> all(Vec3 origin, Vec3 unitDirection) const;
 
   // Distance with sign: negative inside. The sign comes from the generalized winding number, so small self-crossings
   // and holes do not flip it.

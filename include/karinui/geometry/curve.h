@@ -1,6 +1,7 @@
 #pragma once
 // A piece of a pattern's edge: a straight line, a cubic Bézier or a circular arc, in exact doubles. Metres on paper.
 // Where it starts is the end of the curve before it, so a Curve is only meaningful with its two ends.
+// Pure; any thread.
 #include <array>
 #include <vector>
 

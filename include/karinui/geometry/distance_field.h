@@ -18,12 +18,14 @@ class DistanceField {
     double cell = 0.005;  // metres
     double band = 0.03;   // metres around the surface where the distance is exact
   };
+  // Keeps nothing of mesh and tree. Refuses a surface that is empty, open or not finite, and cells too small for its
+  // size.
   static Result<DistanceField> build(const TriangleMesh& mesh, const Bvh& bvh, const Settings& settings,
                                      Workers& workers, const Token& token);
 
   struct Sample {
-    double distance = 0;
-    Vec3 gradient;  // of the trilinear function; about unit length near the surface
+    double distance = 0;  // metres; outside the grid a lower bound
+    Vec3 gradient;        // of the trilinear function; about unit length near the surface
   };
   Sample sample(Vec3 place) const;
   double distance(Vec3 place) const;

@@ -1,6 +1,6 @@
 #pragma once
 // Clean edges from measured points: a straight line where the points are straight enough, else few smooth cubics.
-// Metres on paper.
+// Metres on paper. Pure; any thread.
 #include <optional>
 #include <span>
 #include <vector>

@@ -2,7 +2,8 @@
 // Laying a curved sheet flat as cloth: the paper shape whose cloth has to stretch, squeeze and shear least to take the
 // sheet's shape. Least-squares conformal map (Lévy et al. 2002; Tutte's embedding where that folds), then the symmetric
 // Dirichlet energy (Smith & Schaefer 2015) by projected Newton steps that never turn a triangle over, then the fabric's
-// own membrane energy with the grain held. Metres.
+// own membrane energy with the grain held. Metres. Pure; any thread. Refused (with a sentence): what is no sheet, and
+// what cannot be laid flat without a fold; Cancelled when the token says so.
 #include <cstdint>
 #include <optional>
 #include <span>

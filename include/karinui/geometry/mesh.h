@@ -1,6 +1,7 @@
 #pragma once
 // A triangle mesh in space: the body, a scan, a piece of cloth as a shape. Plain data; faces are counter-clockwise seen
-// from outside. Metres.
+// from outside. Metres. Pure functions, any thread; faces and places that name a point or face that is not there are
+// the caller's fault (readers check a stranger's mesh first).
 #include <array>
 #include <cstdint>
 #include <vector>

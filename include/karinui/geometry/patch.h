@@ -1,6 +1,6 @@
 #pragma once
 // A piece of a surface cut out along a closed line: from "a line drawn on the body" to a sheet of triangles that can be
-// laid flat. Metres.
+// laid flat. Metres. Pure; any thread.
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -21,7 +21,7 @@ struct Patch {
   std::vector<std::uint32_t> side;    // side[i]: of the step border[i] -> border[i + 1]
   std::vector<std::uint32_t> first;   // first[s]: the index into border where side s begins
   bool turned = false;                // the line was drawn clockwise: the border runs against it
-  double area() const;
+  double area() const;                // square metres
   double borderLength() const;
   double sideLength(std::uint32_t s) const;
 };
@@ -37,6 +37,7 @@ Result<Patch> cutPatch(const SurfaceGuide& guide, std::span<const SurfacePath> s
 
 // The same sheet with well-shaped triangles of about `spacing`, its corners and the course of its sides kept. `flat` is
 // where its points lie when flattened (any map without folds will do). Each new point's place on the old mesh is kept.
+// Refuses a border too small for `spacing` or one that, laid flat, overlaps itself.
 struct Remeshed {
   Patch patch;
   std::vector<Flat> flat;

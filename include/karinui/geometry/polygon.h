@@ -1,6 +1,6 @@
 #pragma once
-// Flat polygons: closed rings of points without a repeated last one. Thin, exact wrapping of GEOS (LGPL) where it
-// serves.
+// Flat polygons: closed rings of points without a repeated last one. Metres. Pure; any thread. Thin, exact wrapping of
+// GEOS (LGPL) where it serves.
 #include <array>
 #include <cstdint>
 #include <optional>

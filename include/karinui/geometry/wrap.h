@@ -1,5 +1,5 @@
 #pragma once
-// A watertight skin over a surface with holes: the place where a grid of cells turns from outside to inside.
+// A watertight skin over a surface with holes: the place where a grid of cells turns from outside to inside. Metres.
 #include "karinui/base/result.h"
 #include "karinui/base/token.h"
 #include "karinui/base/workers.h"

@@ -1,7 +1,8 @@
 #pragma once
 // Changes of paper pieces that keep the identity of edges, so that seams and notches follow. Pure: values in, values
-// out. Metres on paper. Naming: when an edge "side" is divided, its first part stays "side", the next becomes "side_2"
-// (or the next free number); new edges along a cut are "cut", "cut_2" …
+// out; any thread. Metres on paper. What makes no sense is refused with its place; an unknown edge is NotFound. Naming:
+// when an edge "side" is divided, its first part stays "side", the next becomes "side_2" (or the next free number); new
+// edges along a cut are "cut", "cut_2" …
 #include <map>
 #include <span>
 #include <string>

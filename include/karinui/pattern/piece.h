@@ -1,6 +1,6 @@
 #pragma once
 // The paper pattern: the truth from which meshes, drapes and prints are made. Plain values, shared and never edited in
-// place. Metres on paper.
+// place; any thread may read. Metres on paper.
 #include <map>
 #include <memory>
 #include <optional>
@@ -105,9 +105,9 @@ struct Pattern {
   std::map<SeamId, Seam> seams;
 };
 
-double length(const Pattern& pattern, const std::vector<EdgeSpan>& side);
-const Edge* findEdge(const Piece& piece, std::string_view name);  // on the outline or a hole; null: none
-double lengthMismatch(const Pattern& pattern, const Seam& seam);  // length of a - length of b, metres
-double easeRatio(const Pattern& pattern, const Seam& seam);       // longer / shorter, >= 1
+double length(const Pattern& pattern, const std::vector<EdgeSpan>& side);  // metres
+const Edge* findEdge(const Piece& piece, std::string_view name);           // on the outline or a hole; null: none
+double lengthMismatch(const Pattern& pattern, const Seam& seam);           // length of a - length of b, metres
+double easeRatio(const Pattern& pattern, const Seam& seam);                // longer / shorter, >= 1
 
 }  // namespace karinui

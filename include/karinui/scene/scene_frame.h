@@ -1,6 +1,6 @@
 #pragma once
 // A picture's worth of plain data: what session and command line hand to the renderer. Owns everything; no ids of the
-// document, no pointers. Metres; colours linear RGB in [0, 1].
+// document, no pointers; any thread may read. Metres, y up; colours linear RGB in [0, 1].
 #include <array>
 #include <string>
 #include <vector>

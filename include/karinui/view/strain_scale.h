@@ -1,6 +1,6 @@
 #pragma once
 // The colours of the strain map: from dark blue (slack) through grey to bright yellow (tight). Lightness rises evenly,
-// so the order is read by every kind of colour vision and on a black-and-white print.
+// so the order is read by every kind of colour vision and on a black-and-white print. Pure; any thread.
 #include "karinui/scene/scene_frame.h"
 
 namespace karinui {

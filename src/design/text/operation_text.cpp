@@ -201,7 +201,7 @@ Result<std::vector<ScriptLine>> parseScript(std::string_view script) {
     if (begin == std::string::npos || line[begin] == '#') continue;
     auto operation = parseOperation(line);
     if (!operation) {
-      return Error{operation.error().kind, say("Line {0}: {1}", first, text(operation.error().what))};
+      return Error{operation.error().kind, say("Line {0}: {1}", first, operation.error().what)};
     }
     lines.push_back({first, *std::move(operation)});
   }
