@@ -72,20 +72,21 @@ int answerInfo(Program& program, const DocumentOnly& options) {
 
 void addAnswerVerbs(Program& program) {
   auto settle = std::make_shared<SettleOptions>();
-  CLI::App* verb = program.verb(program.cli, "settle", "Brings the garment to rest on its body", settle, answerSettle);
-  verb->add_option("document", settle->path, "The .karinui document")->required();
-  verb->add_option("--threads", settle->threads, "How many threads work; the result is the same")
+  CLI::App* verb =
+      program.verb(program.cli, "settle", help("Brings the garment to rest on its body"), settle, answerSettle);
+  verb->add_option("document", settle->path, help("The .karinui document"))->required();
+  verb->add_option("--threads", settle->threads, help("How many threads work; the result is the same"))
       ->check(CLI::Range(1, 256));
-  verb->add_flag("--again", settle->again, "Also when it is at rest already");
+  verb->add_flag("--again", settle->again, help("Also when it is at rest already"));
 
   auto checked = std::make_shared<DocumentOnly>();
-  program.verb(program.cli, "check", "Examines the cloth, independently of the solver", checked, answerCheck)
-      ->add_option("document", checked->path, "The .karinui document")
+  program.verb(program.cli, "check", help("Examines the cloth, independently of the solver"), checked, answerCheck)
+      ->add_option("document", checked->path, help("The .karinui document"))
       ->required();
 
   auto info = std::make_shared<DocumentOnly>();
-  program.verb(program.cli, "info", "Lists pieces, seams and lengths", info, answerInfo)
-      ->add_option("document", info->path, "The .karinui document")
+  program.verb(program.cli, "info", help("Lists pieces, seams and lengths"), info, answerInfo)
+      ->add_option("document", info->path, help("The .karinui document"))
       ->required();
 }
 

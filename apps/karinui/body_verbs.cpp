@@ -72,21 +72,22 @@ int runMeasure(Program& program, const MeasureOptions& options) {
 }  // namespace
 
 void addBodyVerbs(Program& program) {
-  CLI::App* body = program.cli.add_subcommand("body", "Makes and measures bodies");
+  CLI::App* body = program.cli.add_subcommand("body", help("Makes and measures bodies"));
+  body->group(help("Commands"));
   body->require_subcommand(1);
 
   auto make = std::make_shared<MakeOptions>();
-  CLI::App* verb = program.verb(*body, "make", "Makes a mannequin from measurements", make, runMake);
-  verb->add_option("--size", make->size, "A built-in size: jis9ar, eu38, eu50");
-  verb->add_option("--set", make->set, "Measurements: bust_girth=88cm …");
-  verb->add_option("--sex", make->sex, "female or male: which family of shapes")
+  CLI::App* verb = program.verb(*body, "make", help("Makes a mannequin from measurements"), make, runMake);
+  verb->add_option("--size", make->size, help("A built-in size: jis9ar, eu38, eu50"));
+  verb->add_option("--set", make->set, help("Measurements: bust_girth=88cm …"));
+  verb->add_option("--sex", make->sex, help("female or male: which family of shapes"))
       ->check(CLI::IsMember({"female", "male"}));
-  verb->add_option("-o,--output", make->out, "The OBJ file")->required();
+  verb->add_option("-o,--output", make->out, help("The OBJ file"))->required();
 
   auto measured = std::make_shared<MeasureOptions>();
-  verb = program.verb(*body, "measure", "Measures a body as a tape does", measured, runMeasure);
-  verb->add_option("body", measured->path, "A body: .obj, .ply, .gltf, .glb")->required();
-  verb->add_flag("--wrap", measured->wrap, "Close a scan's holes first");
+  verb = program.verb(*body, "measure", help("Measures a body as a tape does"), measured, runMeasure);
+  verb->add_option("body", measured->path, help("A body: .obj, .ply, .gltf, .glb"))->required();
+  verb->add_flag("--wrap", measured->wrap, help("Close a scan's holes first"));
 }
 
 }  // namespace karinui::app

@@ -9,7 +9,7 @@
 namespace karinui::app {
 
 struct Program {
-  CLI::App cli{"Karinui: made-to-measure clothes, designed on a body, draped, and printed as true-size patterns.",
+  CLI::App cli{help("Karinui: made-to-measure clothes, designed on a body, draped, and printed as true-size patterns."),
                "karinui"};
   Console console;
   int threads = 2;
@@ -17,10 +17,11 @@ struct Program {
 
   // A verb with --json; `run` gives the exit status.
   template <class Options>
-  CLI::App* verb(CLI::App& parent, const std::string& name, const std::string& help, std::shared_ptr<Options> options,
+  CLI::App* verb(CLI::App& parent, const std::string& name, const std::string& what, std::shared_ptr<Options> options,
                  int (*run)(Program&, const Options&)) {
-    CLI::App* added = parent.add_subcommand(name, help);
-    added->add_flag("--json", console.json, "Answer with one JSON object");
+    CLI::App* added = parent.add_subcommand(name, what);
+    added->group(help("Commands"));
+    added->add_flag("--json", console.json, help("Answer with one JSON object"));
     added->callback([this, options, run] { exit = run(*this, *options); });
     return added;
   }

@@ -18,6 +18,8 @@ void onInterrupt(int) {
 }
 }  // namespace
 
+std::string help(std::string_view english) { return text(say(english), spokenHere()); }
+
 void Console::answer(const Json& object, const std::string& words) const {
   const std::string out = json ? object.dump(2) : words;
   std::fwrite(out.data(), 1, out.size(), stdout);

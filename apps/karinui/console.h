@@ -13,6 +13,9 @@ using Json = nlohmann::ordered_json;
 
 enum Exit { kDone = 0, kWrongCall = 2, kRefused = 3, kNotSettled = 4 };
 
+// A sentence of the help, in the person's language.
+std::string help(std::string_view english);
+
 class Console {
  public:
   explicit Console(Language language = spokenHere()) : language_(language) {}

@@ -64,9 +64,9 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
                               {"settled", bench.settled()},
                               {"hash", hash(document)},
                               {"drape_hash", drapeHash(document)}},
-                             wanted + ": " + std::to_string(document.operations) + " operations, " +
-                                 std::to_string(document.pattern.pieces.size()) + " pieces, " +
-                                 std::to_string(document.pattern.seams.size()) + " seams");
+                             program.console.said(say("{0}: {1} operations, {2} pieces, {3} seams", wanted,
+                                                      written(static_cast<long long>(document.operations)),
+                                                      document.pattern.pieces.size(), document.pattern.seams.size())));
     }
   }
   if (exit == kRefused) {
@@ -222,52 +222,66 @@ int runImport(Program& program, const ImportOptions& options) {
   });
 }
 
-std::string vocabulary() {
-  std::string lines = "Operations:\n";
-  for (const OperationHelp& operation : operationHelp()) {
-    lines += "  " + operation.name + std::string(std::max<std::size_t>(1, 10 - operation.name.size()), ' ') +
-             operation.help + "\n";
+std::string padded(const std::string& name, std::size_t width) {
+  return "  " + name + std::string(std::max(width, name.size() + 1) - name.size(), ' ');
+}
+
+// All operations, or the fields of the one that is named.
+std::string vocabulary(const std::string& named) {
+  const std::vector<OperationHelp> all = operationHelp();
+  const auto one = std::find_if(all.begin(), all.end(), [&](const OperationHelp& o) { return o.name == named; });
+  std::string lines;
+  if (one != all.end()) {
+    lines = one->name + ": " + help(one->help) + "\n";
+    for (const FieldHelp& field : one->fields) {
+      lines += padded(field.name + "=", 16) + help(field.help) + (field.needed ? " " + help("(needed)") : "") + "\n";
+    }
+    return lines;
   }
-  return lines + "Their fields: karinui do --help OPERATION, or docs/format/operations.md";
+  lines = help("Operations:") + "\n";
+  for (const OperationHelp& operation : all) lines += padded(operation.name, 10) + help(operation.help) + "\n";
+  return lines + help("Their fields: karinui do --help OPERATION, or docs/format/operations.md");
 }
 
 }  // namespace
 
 void addDocumentVerbs(Program& program) {
   auto play = std::make_shared<PlayOptions>();
-  CLI::App* verb = program.verb(program.cli, "play", "Plays a script of operations into a new document", play, runPlay);
-  verb->add_option("script", play->script, "The script: one operation a line")->required();
-  verb->add_option("-o,--output", play->out, "The .karinui document to make")->required();
-  verb->add_option("--body", play->body, "A body file (or built-in size) instead of the script's own");
+  CLI::App* verb =
+      program.verb(program.cli, "play", help("Plays a script of operations into a new document"), play, runPlay);
+  verb->add_option("script", play->script, help("The script: one operation a line"))->required();
+  verb->add_option("-o,--output", play->out, help("The .karinui document to make"))->required();
+  verb->add_option("--body", play->body, help("A body file (or built-in size) instead of the script's own"));
   verb->add_option("--pictures", play->pictures,
-                   "A folder for the pictures the script asks for (\"# picture: NAME view=front\")");
-  verb->add_flag("--overwrite", play->overwrite, "Replace a document that is there already");
-  verb->footer(vocabulary());
+                   help("A folder for the pictures the script asks for (\"# picture: NAME view=front\")"));
+  verb->add_flag("--overwrite", play->overwrite, help("Replace a document that is there already"));
+  verb->footer(vocabulary(""));
 
   auto perform = std::make_shared<DoOptions>();
-  verb = program.verb(program.cli, "do", "Does operations on a document", perform, runDo);
-  verb->add_option("document", perform->path, "The .karinui document")->required();
-  verb->add_option("operation", perform->operations, "'OP key=value …', one or more")->required();
-  verb->footer(vocabulary());
+  verb = program.verb(program.cli, "do", help("Does operations on a document"), perform, runDo);
+  verb->add_option("document", perform->path, help("The .karinui document"))->required();
+  verb->add_option("operation", perform->operations, help("'OP key=value …', one or more"))->required();
+  verb->footer([perform] { return vocabulary(perform->path); });
 
   auto undo = std::make_shared<DocumentOnly>(), redo = std::make_shared<DocumentOnly>(),
        log = std::make_shared<DocumentOnly>();
-  program.verb(program.cli, "undo", "Takes the last operation back", undo, runTurn<&DocumentFile::undo>)
-      ->add_option("document", undo->path, "The .karinui document")
+  program.verb(program.cli, "undo", help("Takes the last operation back"), undo, runTurn<&DocumentFile::undo>)
+      ->add_option("document", undo->path, help("The .karinui document"))
       ->required();
-  program.verb(program.cli, "redo", "Does again what was taken back", redo, runTurn<&DocumentFile::redo>)
-      ->add_option("document", redo->path, "The .karinui document")
+  program.verb(program.cli, "redo", help("Does again what was taken back"), redo, runTurn<&DocumentFile::redo>)
+      ->add_option("document", redo->path, help("The .karinui document"))
       ->required();
-  program.verb(program.cli, "log", "Writes the operations as a script that play reads", log, runLog)
-      ->add_option("document", log->path, "The .karinui document")
+  program.verb(program.cli, "log", help("Writes the operations as a script that play reads"), log, runLog)
+      ->add_option("document", log->path, help("The .karinui document"))
       ->required();
 
   auto import = std::make_shared<ImportOptions>();
-  verb = program.verb(program.cli, "import", "Makes a document from a pattern, a body or a script", import, runImport);
-  verb->add_option("file", import->file, "GarmentCode or Karinui .json; .obj .ply .gltf .glb; .ops")->required();
-  verb->add_option("-o,--output", import->out, "The .karinui document to make")->required();
-  verb->add_option("--body", import->body, "A body file or built-in size to put the pattern on");
-  verb->add_flag("--overwrite", import->overwrite, "Replace a document that is there already");
+  verb = program.verb(program.cli, "import", help("Makes a document from a pattern, a body or a script"), import,
+                      runImport);
+  verb->add_option("file", import->file, help("GarmentCode or Karinui .json; .obj .ply .gltf .glb; .ops"))->required();
+  verb->add_option("-o,--output", import->out, help("The .karinui document to make"))->required();
+  verb->add_option("--body", import->body, help("A body file or built-in size to put the pattern on"));
+  verb->add_flag("--overwrite", import->overwrite, help("Replace a document that is there already"));
 }
 
 }  // namespace karinui::app

@@ -11,14 +11,21 @@ int main(int count, char** words) {
   program.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   program.cli.require_subcommand(1);
   program.cli.set_version_flag("--version", "karinui 0.1.0");
-  program.cli.footer(
-      "A first garment:\n"
-      "  karinui play examples/first_tunic.ops -o tunic.karinui\n"
-      "  karinui picture tunic.karinui -o tunic.png --view oblique\n"
-      "  karinui do tunic.karinui 'cut piece=front line=\"0,-20cm 0,0\"'\n"
-      "  karinui undo tunic.karinui\n"
-      "  karinui export tunic.karinui -o tunic.pdf\n"
-      "Exit status: 0 done, 2 wrong call, 3 refused input, 4 the cloth did not settle.");
+  program.cli.option_defaults()->group(help("Options"));
+  program.cli.set_help_flag("-h,--help", help("Print this help and exit"));
+  program.cli.get_formatter()->label("Usage", help("Usage"));
+  program.cli.get_formatter()->label("OPTIONS", help("OPTIONS"));
+  program.cli.get_formatter()->label("SUBCOMMAND", help("COMMAND"));
+  program.cli.get_formatter()->label("Positionals", help("Given in order"));
+  program.cli.get_formatter()->label("REQUIRED", help("(needed)"));
+  program.cli.footer(help("A first garment:") +
+                     "\n"
+                     "  karinui play examples/first_tunic.ops -o tunic.karinui\n"
+                     "  karinui picture tunic.karinui -o tunic.png --view oblique\n"
+                     "  karinui do tunic.karinui 'cut piece=front line=\"0,-20cm 0,0\"'\n"
+                     "  karinui undo tunic.karinui\n"
+                     "  karinui export tunic.karinui -o tunic.pdf\n" +
+                     help("Exit status: 0 done, 2 wrong call, 3 refused input, 4 the cloth did not settle."));
   addBodyVerbs(program);
   addDocumentVerbs(program);
   addAnswerVerbs(program);
@@ -28,8 +35,7 @@ int main(int count, char** words) {
   } catch (const CLI::ParseError& trouble) {
     return program.cli.exit(trouble) == 0 ? kDone : kWrongCall;
   } catch (const std::bad_alloc&) {
-    std::fputs("karinui: there is not enough memory for this.\n", stderr);
-    return kRefused;
+    return program.console.refuse(karinui::refused(karinui::say("There is not enough memory for this.")));
   }
   return program.exit;
 }

@@ -111,26 +111,26 @@ int runPicture(Program& program, const PictureWish& wish) {
 void addOutputVerbs(Program& program) {
   auto out = std::make_shared<ExportOptions>();
   CLI::App* verb = program.verb(program.cli, "export",
-                                "Writes the pattern (svg, pdf, json), the garment in 3D (obj, "
-                                "glb) or the operations (ops)",
+                                help("Writes the pattern (svg, pdf, json), the garment in 3D (obj, "
+                                     "glb) or the operations (ops)"),
                                 out, runExport);
-  verb->add_option("document", out->path, "The .karinui document")->required();
-  verb->add_option("-o,--output", out->out, "The file; its ending says what it will be")->required();
-  verb->add_option("--paper", out->paper, "PDF: one true-size sheet, or A4 sheets to glue")
+  verb->add_option("document", out->path, help("The .karinui document"))->required();
+  verb->add_option("-o,--output", out->out, help("The file; its ending says what it will be"))->required();
+  verb->add_option("--paper", out->paper, help("PDF: one true-size sheet, or A4 sheets to glue"))
       ->check(CLI::IsMember({"sheet", "a4"}));
-  verb->add_option("--allowance", out->allowanceMm, "SVG and PDF: seam allowance in mm, 0 for none")
+  verb->add_option("--allowance", out->allowanceMm, help("SVG and PDF: seam allowance in mm, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));
-  verb->add_option("--format", out->format, "JSON: karinui (exact) or garmentcode")
+  verb->add_option("--format", out->format, help("JSON: karinui (exact) or garmentcode"))
       ->check(CLI::IsMember({"karinui", "garmentcode"}));
 
   auto wish = std::make_shared<PictureWish>();
-  verb = program.verb(program.cli, "picture", "Draws the garment on its body", wish, runPicture);
-  verb->add_option("document", wish->path, "The .karinui document")->required();
-  verb->add_option("-o,--output", wish->out, "The PNG file")->required();
-  verb->add_option("--view", wish->view, "front, back, left, right, oblique");
-  verb->add_option("--map", wish->map, "none, strain");
-  verb->add_option("--eyes", wish->eyes, "mono, side-by-side, top-bottom, anaglyph");
-  verb->add_option("--size", wish->size, "WIDTHxHEIGHT in pixels");
+  verb = program.verb(program.cli, "picture", help("Draws the garment on its body"), wish, runPicture);
+  verb->add_option("document", wish->path, help("The .karinui document"))->required();
+  verb->add_option("-o,--output", wish->out, help("The PNG file"))->required();
+  verb->add_option("--view", wish->view, help("front, back, left, right, oblique"));
+  verb->add_option("--map", wish->map, help("none, strain"));
+  verb->add_option("--eyes", wish->eyes, help("mono, side-by-side, top-bottom, anaglyph"));
+  verb->add_option("--size", wish->size, help("WIDTHxHEIGHT in pixels"));
 }
 
 }  // namespace karinui::app
