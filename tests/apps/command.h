@@ -42,10 +42,10 @@ inline std::string contents(const std::string& path) {
 inline void write(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
 // `words` as in a shell; 'karinui' is put before them.
-inline Said karinui(const std::string& words) {
+inline Said karinui(const std::string& words, const std::string& language = "C") {
   Folder folder;
-  const std::string command =
-      "LC_ALL=C '" KARINUI_COMMAND "' " + words + " >'" + (folder / "out") + "' 2>'" + (folder / "err") + "'";
+  const std::string command = "LC_ALL=" + language + " '" KARINUI_COMMAND "' " + words + " >'" + (folder / "out") +
+                              "' 2>'" + (folder / "err") + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, contents(folder / "out"), contents(folder / "err")};
 }

@@ -45,6 +45,8 @@ TEST_F(Command, TeachesWhenAskedAndRefusesWrongCalls) {
   EXPECT_EQ(karinui("settle").exit, 2);
   EXPECT_EQ(karinui("do --help").exit, 0);
   EXPECT_NE(karinui("do --help").out.find("reshape"), std::string::npos);
+  EXPECT_NE(karinui("do --help cut").out.find("the piece to cut"), std::string::npos);
+  EXPECT_NE(karinui("do --help cut", "ja_JP.UTF-8").out.find("切るパーツ"), std::string::npos);
 }
 
 TEST_F(Command, MakesAndMeasuresABody) {

@@ -199,7 +199,7 @@ struct DrapePieces {
   bool operator==(const DrapePieces&) const = default;
 };
 
-// fabric name=denim piece="front back"        fabric name=my_wool like=wool weight=0.32
+// fabric name=denim piece="front back"        fabric name=my_wool like="wool suiting" weight=0.32
 struct SetFabric {
   static constexpr std::string_view kName = "fabric";
   static constexpr std::string_view kHelp = "Describes a fabric, and cuts pieces from it.";
