@@ -21,7 +21,8 @@ void onInterrupt(int) {
 std::string help(std::string_view english) { return text(say(english), spokenHere()); }
 
 void Console::answer(const Json& object, const std::string& words) const {
-  const std::string out = json ? object.dump(2) : words;
+  // A file's name may hold bytes that are no text.
+  const std::string out = json ? object.dump(2, ' ', false, Json::error_handler_t::replace) : words;
   std::fwrite(out.data(), 1, out.size(), stdout);
   if (!out.ends_with('\n')) std::fputc('\n', stdout);
 }

@@ -159,7 +159,7 @@ TEST_F(Command, RefusedInputChangesNothing) {
 
 TEST_F(Command, EveryReaderRefusesNonsenseInASentence) {
   const std::string nonsense[] = {"",
-                                  "\0\0\0\0",
+                                  std::string(4, '\0'),
                                   "nan nan nan",
                                   "{\"pattern\":",
                                   std::string(70'000, '['),
@@ -180,6 +180,9 @@ TEST_F(Command, EveryReaderRefusesNonsenseInASentence) {
     }
   }
   EXPECT_EQ(karinui("import " + (folder / "not_there.obj") + " -o " + document()).exit, 3);
+  const Said unreadable = karinui("info '" + (folder / "\xff.karinui") + "' --json");  // a name that is no text
+  EXPECT_EQ(unreadable.exit, 3) << unreadable.err;
+  EXPECT_TRUE(unreadable.json().contains("error")) << unreadable.out;
 }
 
 }  // namespace
