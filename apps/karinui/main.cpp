@@ -22,7 +22,7 @@ int main(int count, char** words) {
                      "\n"
                      "  karinui play examples/first_tunic.ops -o tunic.karinui\n"
                      "  karinui picture tunic.karinui -o tunic.png --view oblique\n"
-                     "  karinui do tunic.karinui 'cut piece=front line=\"0,-20cm 0,0\"'\n"
+                     "  karinui do tunic.karinui 'cut piece=front line=\"0,-1cm 0,20cm\"'\n"
                      "  karinui undo tunic.karinui\n"
                      "  karinui export tunic.karinui -o tunic.pdf\n" +
                      help("Exit status: 0 done, 2 wrong call, 3 refused input, 4 the cloth did not settle."));
