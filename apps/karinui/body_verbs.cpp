@@ -72,8 +72,7 @@ int runMeasure(Program& program, const MeasureOptions& options) {
 }  // namespace
 
 void addBodyVerbs(Program& program) {
-  CLI::App* body = program.cli.add_subcommand("body", help("Makes and measures bodies"));
-  body->group(help("Commands"));
+  CLI::App* body = Program::word(program.cli, "body", help("Makes and measures bodies"));
   body->require_subcommand(1);
 
   auto make = std::make_shared<MakeOptions>();

@@ -15,12 +15,19 @@ struct Program {
   int threads = 2;
   int exit = kDone;
 
+  // A word of the command line, with its help in the person's language throughout.
+  static CLI::App* word(CLI::App& parent, const std::string& name, const std::string& what) {
+    CLI::App* added = parent.add_subcommand(name, what);
+    added->group(help("Commands"));
+    added->set_help_flag("-h,--help", help("Print this help and exit"))->group(help("Options"));
+    return added;
+  }
+
   // A verb with --json; `run` gives the exit status.
   template <class Options>
   CLI::App* verb(CLI::App& parent, const std::string& name, const std::string& what, std::shared_ptr<Options> options,
                  int (*run)(Program&, const Options&)) {
-    CLI::App* added = parent.add_subcommand(name, what);
-    added->group(help("Commands"));
+    CLI::App* added = word(parent, name, what);
     added->add_flag("--json", console.json, help("Answer with one JSON object"));
     added->callback([this, options, run] { exit = run(*this, *options); });
     return added;
