@@ -13,7 +13,8 @@ Document panel(const std::function<Vec3(Flat)>& place) {
   auto piece = std::make_shared<Piece>();
   piece->id = madeBy<PieceId>(1, 0);
   piece->name = "panel";
-  piece->outline = *checked(*parseOutline("M 0 0; hem L 300 0; side C 330 100 320 300 300 400; waist L 0 400; centre L 0 0"));
+  piece->outline =
+      *checked(*parseOutline("M 0 0; hem L 300 0; side C 330 100 320 300 300 400; waist L 0 400; centre L 0 0"));
   Document document;
   document.operations = 1;
   document.pattern.pieces[piece->id] = piece;

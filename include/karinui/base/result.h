@@ -29,12 +29,12 @@ inline Error notFound(Message what) { return {Error::Kind::NotFound, std::move(w
 inline Error storageError(Message what) { return {Error::Kind::Storage, std::move(what)}; }
 inline Error cancelled() { return {Error::Kind::Cancelled, say("Stopped; nothing was changed.")}; }
 
-#define KARINUI_ASSERT(condition)                                                                        \
-  do {                                                                                                   \
-    if (!(condition)) {                                                                                  \
-      std::fprintf(stderr, "karinui: broken promise at %s:%d: %s\n", __FILE__, __LINE__, #condition);    \
-      std::abort();                                                                                      \
-    }                                                                                                    \
+#define KARINUI_ASSERT(condition)                                                                     \
+  do {                                                                                                \
+    if (!(condition)) {                                                                               \
+      std::fprintf(stderr, "karinui: broken promise at %s:%d: %s\n", __FILE__, __LINE__, #condition); \
+      std::abort();                                                                                   \
+    }                                                                                                 \
   } while (false)
 
 template <class T>

@@ -1,6 +1,6 @@
 #pragma once
-// The two spaces, as two types the compiler will not mix: Flat is a place (or step) on the paper pattern, Vec3 one in the
-// space around the body (y up, right-handed, the body faces +z). Metres.
+// The two spaces, as two types the compiler will not mix: Flat is a place (or step) on the paper pattern, Vec3 one in
+// the space around the body (y up, right-handed, the body faces +z). Metres.
 #include <cmath>
 
 namespace karinui {
@@ -67,8 +67,7 @@ struct Rigid {
 // first, then second: after(second, first)(p) == second(first(p))
 inline Rigid after(const Rigid& s, const Rigid& f) {
   return {s.w * f.w - s.x * f.x - s.y * f.y - s.z * f.z, s.w * f.x + s.x * f.w + s.y * f.z - s.z * f.y,
-          s.w * f.y - s.x * f.z + s.y * f.w + s.z * f.x, s.w * f.z + s.x * f.y - s.y * f.x + s.z * f.w,
-          s(f.carry)};
+          s.w * f.y - s.x * f.z + s.y * f.w + s.z * f.x, s.w * f.z + s.x * f.y - s.y * f.x + s.z * f.w, s(f.carry)};
 }
 inline Rigid turnAbout(Vec3 axis, double radians) {
   const Vec3 n = normalized(axis) * std::sin(radians / 2);
