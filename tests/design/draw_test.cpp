@@ -74,7 +74,7 @@ TEST_F(OnTheMannequin, TheAdviceNamesAnEdgeOfThePiece) {
   ASSERT_TRUE(made) << text(made.error().what);
   if (made->distortion.gate == Distortion::Gate::Red) {
     ASSERT_TRUE(made->advice);
-    EXPECT_TRUE(made->piece.outline.find(made->advice->values[3] + "_left"));
+    EXPECT_TRUE(made->piece.outline.find(text(made->advice->values[3]) + "_left"));
   } else {
     EXPECT_FALSE(made->advice);
   }
