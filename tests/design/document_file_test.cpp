@@ -205,7 +205,7 @@ TEST_F(KeptDocument, StaysWholeWhenTheDiskIsFull) {
 // A child works and says over a pipe what it was told is kept; it is killed at any moment.
 TEST_F(KeptDocument, LosesNothingWhenTheProgramIsKilled) {
   std::mt19937_64 dice(20261121);
-  for (int run = 0; run < 200; ++run) {
+  for (int run = 0; run < soak(200); ++run) {
     fs::remove_all(folder_);
     fs::create_directory(folder_);
     int ends[2];
@@ -262,7 +262,7 @@ TEST_F(KeptDocument, DamagedFilesAreRefusedOrWhole) {
   whole = DocumentFile::inMemory();
   std::mt19937_64 dice(4711);
   int opened = 0;
-  for (int seed = 0; seed < 200; ++seed) {
+  for (int seed = 0; seed < soak(200); ++seed) {
     std::string bad = good;
     if (seed % 4 == 0) bad.resize(dice() % bad.size());
     for (std::size_t i = 0, n = seed % 4 == 1 ? 1 : 1 + dice() % 30; i < n && !bad.empty(); ++i)
