@@ -28,30 +28,17 @@ std::vector<std::uint32_t> nodesAt(const Lattice& lattice, Flat place, double ra
 }
 
 // A form's places on paper by their exact bits: a node that was there when the form was left stands where it stood.
-class FormPlaces {
- public:
-  explicit FormPlaces(const Form& form) : form_(form), finder_(form.flat, form.faces) {
-    order_.resize(form.flat.size());
-    for (std::uint32_t k = 0; k < order_.size(); ++k) order_[k] = k;
-    std::sort(order_.begin(), order_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return before(form.flat[a], form.flat[b]); });
+// Where a form holds the nodes of a lattice, each on its own bank of a slit.
+std::vector<Vec3> placesIn(const Form& form, const Lattice& lattice) {
+  const LatticeFinder finder(form.flat, form.faces);
+  const std::vector<Flat> inwards = inwardsOf(lattice.nodes, lattice.faces);
+  std::vector<Vec3> places(lattice.nodes.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const LatticePlace in = finder.find(lattice.nodes[k], inwards[k]);
+    for (int c = 0; c < 3; ++c) places[k] += form.space[in.face[c]] * in.weight[c];
   }
-  Vec3 at(Flat place) const {
-    const auto found = std::lower_bound(order_.begin(), order_.end(), place,
-                                        [&](std::uint32_t k, Flat p) { return before(form_.flat[k], p); });
-    if (found != order_.end() && form_.flat[*found] == place) return form_.space[*found];
-    const LatticePlace in = finder_.find(place);
-    Vec3 sum;
-    for (int c = 0; c < 3; ++c) sum += form_.space[in.face[c]] * in.weight[c];
-    return sum;
-  }
-
- private:
-  static bool before(Flat a, Flat b) { return a.u != b.u ? a.u < b.u : a.v < b.v; }
-  const Form& form_;
-  LatticeFinder finder_;
-  std::vector<std::uint32_t> order_;
-};
+  return places;
+}
 
 }  // namespace
 
@@ -101,11 +88,10 @@ ClothState standing(const Pattern& pattern, const Cloth& cloth) {
     const Piece& piece = *pattern.pieces.at(part.id);
     const Lattice& lattice = *part.lattice;
     const bool formed = piece.form && !piece.form->faces.empty() && piece.form->flat.size() == piece.form->space.size();
-    std::optional<FormPlaces> form;
-    if (formed) form.emplace(*piece.form);
+    const std::vector<Vec3> places = formed ? placesIn(*piece.form, lattice) : std::vector<Vec3>();
     for (std::uint32_t k = 0; k < lattice.nodes.size(); ++k) {
       const Flat flat = lattice.nodes[k];
-      state.position[part.firstNode + k] = piece.pose(form ? form->at(flat) : Vec3{flat.u, flat.v, 0});
+      state.position[part.firstNode + k] = piece.pose(formed ? places[k] : Vec3{flat.u, flat.v, 0});
     }
   }
   return state;

@@ -48,11 +48,12 @@ Prolonged prolong(const Cloth& coarse, std::span<const Vec3> x, const Cloth& fin
       const std::span<const Vec3> stood = x.subspan(other.firstNode, lattice.nodes.size());
       const auto slopes = slopesOf(lattice, stood);
       const LatticeFinder finder(lattice.nodes, lattice.faces);
+      const std::vector<Flat> inwards = inwardsOf(piece.lattice->nodes, piece.lattice->faces);
       out.smooth.resize(out.straight.size());
       for (std::uint32_t k = 0; k < piece.lattice->nodes.size(); ++k) {
         if (held[piece.firstNode + k]) continue;
         const Flat place = piece.lattice->nodes[k];
-        const LatticePlace in = finder.find(place);
+        const LatticePlace in = finder.find(place, inwards[k]);
         Vec3 straight, bent;
         for (int c = 0; c < 3; ++c) {
           const Flat d = place - lattice.nodes[in.face[c]];

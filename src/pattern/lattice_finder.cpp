@@ -105,4 +105,31 @@ LatticePlace LatticeFinder::find(Flat place) const {
   return {faces_[bestFace], best.weight};
 }
 
+LatticePlace LatticeFinder::find(Flat place, Flat inwards) const {
+  constexpr double kStep = 1e-5;  // metres: off the slit's line, still within the same triangle
+  LatticePlace found = find(place + normalized(inwards - place) * kStep);
+  for (int k = 0; k < 3; ++k) {
+    if (nodes_[found.face[k]] != place) continue;
+    found.weight = {};
+    found.weight[k] = 1;  // a node of the mesh gets itself, to the bit
+    return found;
+  }
+  found.weight = nearestOn(nodes_[found.face[0]], nodes_[found.face[1]], nodes_[found.face[2]], place).weight;
+  return found;
+}
+
+std::vector<Flat> inwardsOf(const std::vector<Flat>& nodes, const std::vector<Triangle>& faces) {
+  std::vector<Flat> sum(nodes.size());
+  std::vector<double> count(nodes.size(), 0);
+  for (const Triangle& f : faces) {
+    const Flat middle = (nodes[f[0]] + nodes[f[1]] + nodes[f[2]]) * (1.0 / 3);
+    for (const std::uint32_t n : f) {
+      sum[n] += middle;
+      count[n] += 1;
+    }
+  }
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] = count[n] > 0 ? sum[n] * (1 / count[n]) : nodes[n];
+  return sum;
+}
+
 }  // namespace karinui

@@ -63,10 +63,16 @@ struct LatticePlace {
   Triangle face{};
   std::array<double, 3> weight{};
 };
+// For each node the middle of the triangles it belongs to: which bank of a slit it is on.
+std::vector<Flat> inwardsOf(const std::vector<Flat>& nodes, const std::vector<Triangle>& faces);
+
 class LatticeFinder {  // built once per lattice, then read by any thread
  public:
   LatticeFinder(const std::vector<Flat>& nodes, const std::vector<Triangle>& faces);
   LatticePlace find(Flat place) const;
+  // The same for a place on the bank of a slit, where two triangles on different banks lie under one place: the one on
+  // the side of `inwards`, a place of the same bank.
+  LatticePlace find(Flat place, Flat inwards) const;
 
  private:
   std::vector<Flat> nodes_;
