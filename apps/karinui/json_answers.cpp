@@ -30,6 +30,12 @@ Json settleJson(const SettleReport& report, const ClothCheck& check, const Conso
   Json object = {{"settled", report.settled},      {"why", console.said(report.why)}, {"residual", report.residual},
                  {"steps", report.steps},          {"cpu_s", report.cpuSeconds},      {"wall_s", report.wallSeconds},
                  {"peak_mb", report.peakMegabytes}};
+  if (report.merged) {
+    object["body_faces"] = report.merged->facesBefore;
+    object["planes"] = report.merged->planesAfter;
+    object["plane_tests"] = report.merged->testsDone;
+    object["plane_tests_saved"] = report.merged->testsSaved;
+  }
   object.update(checkJson(check));
   return object;
 }

@@ -1,4 +1,4 @@
-#include "karinui/cloth/settle.h"
+#include "cloth/true_distance.h"
 
 namespace karinui {
 namespace {
@@ -16,19 +16,7 @@ class FieldCollider : public Collider {
 
   bool mayTouch(Vec3 place, double within) const override { return body_->field().distance(place) < within; }
 
-  Contact confirmed(Vec3 place) const override {
-    const Contact rough = contact(place);
-    if (rough.distance > 3 * body_->field().cell()) return rough;
-    const auto near = body_->bvh().nearest(place);
-    if (!near) return rough;
-    const double distance = body_->bvh().signedDistance(place);
-    // Right on the surface the way to the nearest point says nothing; the face does.
-    const Vec3 out = place - near->point;
-    const double away = length(out);
-    const Vec3 normal =
-        away > 1e-7 ? out * ((distance < 0 ? -1 : 1) / away) : faceNormal(body_->mesh(), near->place.face);
-    return {distance, length(normal) > 0 ? normal : rough.normal};
-  }
+  Contact confirmed(Vec3 place) const override { return trueContact(*body_, place); }
 
  private:
   BodyPtr body_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "cloth/true_distance.h"
+
 namespace karinui {
 namespace {
 
@@ -25,19 +27,32 @@ std::vector<std::array<std::uint32_t, 3>> facesBeside(const TriangleMesh& mesh) 
   return beside;
 }
 
-// Whether a place on the polygon's plane lies within its outline: how often a ray from it crosses the outline.
-bool within(const MergedPlanes::Polygon& polygon, Vec3 place) {
-  const Vec3 n = polygon.normal;
-  const Vec3 u = normalized(std::fabs(n.x) < 0.7 ? cross(n, Vec3{1, 0, 0}) : cross(n, Vec3{0, 1, 0})), v = cross(n, u);
-  const double pu = dot(place, u), pv = dot(place, v);
+struct Frame {  // of a plane
+  Vec3 u, v;
+  explicit Frame(Vec3 n)
+      : u(normalized(std::fabs(n.x) < 0.7 ? cross(n, Vec3{1, 0, 0}) : cross(n, Vec3{0, 1, 0}))), v(cross(n, u)) {}
+  Flat flat(Vec3 place) const { return {dot(place, u), dot(place, v)}; }
+};
+
+// The polygon's place nearest to one on its plane: itself where it lies within (a ray from it crosses the outline an
+// odd number of times), else the nearest of the outline.
+Flat nearestWithin(const std::vector<std::array<Flat, 2>>& outline, Flat place) {
   bool inside = false;
-  for (const auto& side : polygon.outline) {
-    const double av = dot(side[0], v), bv = dot(side[1], v);
-    if ((av > pv) == (bv > pv)) continue;
-    const double au = dot(side[0], u), bu = dot(side[1], u);
-    if (pu < au + (bu - au) * (pv - av) / (bv - av)) inside = !inside;
+  Flat best = place;
+  double least = 1e300;
+  for (const auto& [a, b] : outline) {
+    if ((a.v > place.v) != (b.v > place.v) && place.u < a.u + (b.u - a.u) * (place.v - a.v) / (b.v - a.v))
+      inside = !inside;
+    const Flat side = b - a;
+    const double whole = dot(side, side);
+    const Flat near = a + side * (whole > 0 ? std::clamp(dot(place - a, side) / whole, 0.0, 1.0) : 0.0);
+    const double squared = dot(place - near, place - near);
+    if (squared < least) {
+      least = squared;
+      best = near;
+    }
   }
-  return inside;
+  return inside ? place : best;
 }
 
 }  // namespace
@@ -84,6 +99,9 @@ MergedPlanes::MergedPlanes(BodyPtr body, const Settings& settings)
         if (beside[f][c] == kNone || polygonOf_[beside[f][c]] != number)
           polygon.outline.push_back(
               {onPlane(mesh.points[mesh.faces[f][c]]), onPlane(mesh.points[mesh.faces[f][(c + 1) % 3]])});
+    const Frame frame(polygon.normal);
+    flat_.emplace_back();
+    for (const auto& side : polygon.outline) flat_.back().push_back({frame.flat(side[0]), frame.flat(side[1])});
     polygons_.push_back(std::move(polygon));
   }
 }
@@ -94,42 +112,48 @@ bool MergedPlanes::mayTouch(Vec3 place, double within) const {
 }
 
 Collider::Contact MergedPlanes::contact(Vec3 place) const {
+  const DistanceField::Sample rough = body_->field().sample(place);
+  const Contact far{rough.distance, length(rough.gradient) > 1e-9 ? normalized(rough.gradient) : Vec3{0, 1, 0}};
+  // A polygon that stands further off than the skin itself is another part's: through a wrist one sees its other side.
+  const double reach =
+      std::fmin(settings_.reach, std::fabs(rough.distance) + 2 * settings_.flatness + body_->field().cell());
   Box box;
-  box.include(place - Vec3{1, 1, 1} * settings_.reach);
-  box.include(place + Vec3{1, 1, 1} * settings_.reach);
+  box.include(place - Vec3{1, 1, 1} * reach);
+  box.include(place + Vec3{1, 1, 1} * reach);
   std::vector<std::uint32_t> near;
   std::size_t faces = 0;
   body_->bvh().touching(box, [&](std::uint32_t f) {
     ++faces;
     near.push_back(polygonOf_[f]);
   });
+  if (faces == 0) return far;
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
-  Contact best{settings_.reach, {0, 1, 0}};
-  bool hit = false;
+  done_.fetch_add(near.size(), std::memory_order_relaxed);
+  saved_.fetch_add(faces - near.size(), std::memory_order_relaxed);
+  // The nearest of all polygons, whether the segment along its normal meets it within its outline or beside it: so the
+  // distance has no steps where one polygon takes over from the next.
+  double least = 1e300;
+  Contact best;
   for (std::uint32_t k : near) {
     const Polygon& polygon = polygons_[k];
-    // The segment through the place along the polygon's normal, `reach` to both sides.
     const double height = dot(place - polygon.centre, polygon.normal);
-    if (std::fabs(height) > settings_.reach || (hit && std::fabs(height) >= std::fabs(best.distance))) continue;
-    if (!within(polygon, place - polygon.normal * height)) continue;
-    best = {height, polygon.normal};
-    hit = true;
+    if (std::fabs(height) >= least) continue;
+    const Frame frame(polygon.normal);
+    const Flat at = frame.flat(place), beside = at - nearestWithin(flat_[k], at);
+    const double away = std::hypot(height, length(beside));
+    if (away >= least) continue;
+    least = away;
+    // Far enough from the skin its field knows better on which side a place beside a polygon is.
+    const bool inside =
+        length(beside) > 0 && std::fabs(rough.distance) > 0.5 * body_->field().cell() ? rough.distance < 0 : height < 0;
+    const Vec3 out = polygon.normal * height + frame.u * beside.u + frame.v * beside.v;
+    best = {inside ? -away : away, away > 1e-6 ? out * ((inside ? -1 : 1) / away) : polygon.normal};
   }
-  done_.fetch_add(near.size(), std::memory_order_relaxed);
-  saved_.fetch_add(faces - std::min(faces, near.size()), std::memory_order_relaxed);
-  if (hit) return best;
-  // Above an edge or a corner no polygon is met straight on: the nearest place of the mesh speaks, with its polygon's
-  // normal.
-  const auto nearest = body_->bvh().nearest(place, settings_.reach);
-  if (!nearest) {
-    const DistanceField::Sample far = body_->field().sample(place);
-    return {far.distance, length(far.gradient) > 1e-9 ? normalized(far.gradient) : Vec3{0, 1, 0}};
-  }
-  const Polygon& polygon = polygons_[polygonOf_[nearest->place.face]];
-  const double side = dot(place - nearest->point, polygon.normal) < 0 ? -1 : 1;
-  return {side * nearest->distance, polygon.normal};
+  return best;
 }
+
+Collider::Contact MergedPlanes::confirmed(Vec3 place) const { return trueContact(*body_, place); }
 
 MergeReport MergedPlanes::report() const {
   return {body_->mesh().faces.size(), polygons_.size(), done_.load(std::memory_order_relaxed),

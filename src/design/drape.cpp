@@ -49,6 +49,12 @@ Result<std::unique_ptr<Collider>> colliderOf(const Document& document, Context& 
   return fieldCollider(*body);
 }
 
+// What merging the body's faces saved, for the historical collider.
+SettleReport told(SettleReport report, const Collider& collider) {
+  if (const auto* planes = dynamic_cast<const MergedPlanes*>(&collider)) report.merged = planes->report();
+  return report;
+}
+
 std::map<PieceId, std::shared_ptr<const Form>> formsLeft(const ClothLevel& level) {
   std::map<PieceId, std::shared_ptr<const Form>> forms;
   for (std::size_t i = 0; i < level.cloth.pieces.size(); ++i) {
@@ -99,7 +105,7 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   settings.gravity = drape.gravity;
   const Result<SettleReport> report = settle(levels->coarseFirst, **collider, settings, context.token, context.workers);
   if (!report) return report.error();
-  return DrapeOutcome{formsLeft(levels->finest()), *report, {}};
+  return DrapeOutcome{formsLeft(levels->finest()), told(*report, **collider), {}};
 }
 
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context) {
@@ -120,7 +126,7 @@ Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull,
   grip.letGo = pull.letGo;
   Result<PullReport> report = karinui::pull(*level, **collider, grip, {}, context.token, context.workers);
   if (!report) return report.error();
-  return DrapeOutcome{formsLeft(*level), report->end, std::move(report->force)};
+  return DrapeOutcome{formsLeft(*level), told(report->end, **collider), std::move(report->force)};
 }
 
 }  // namespace karinui

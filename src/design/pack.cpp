@@ -66,23 +66,36 @@ Measurements readMeasurements(Reader& r) {
   return m;
 }
 
+// What a report's first byte says; files from before the merged planes were reported hold 0 or 1.
+constexpr std::uint8_t kSettled = 1, kMerged = 2;
+
 void add(Writer& w, const SettleReport& s) {
-  w.add(static_cast<std::uint8_t>(s.settled)).add(s.why.pattern).add(std::uint64_t{s.why.values.size()});
+  w.add(static_cast<std::uint8_t>((s.settled ? kSettled : 0) | (s.merged ? kMerged : 0)));
+  w.add(s.why.pattern).add(std::uint64_t{s.why.values.size()});
   for (const Message::Value& value : s.why.values) w.add(text(value));
   for (const double v : {s.residual, s.step, s.penetration, s.seamGap, s.strain.mean, s.strain.p99, s.strain.max,
                          s.cpuSeconds, s.wallSeconds, s.peakMegabytes})
     w.add(std::isfinite(v) ? v : -1.0);
   w.add(std::uint64_t{s.steps}).add(std::uint64_t{s.solves});
+  if (s.merged)
+    for (const std::size_t v :
+         {s.merged->facesBefore, s.merged->planesAfter, s.merged->testsDone, s.merged->testsSaved})
+      w.add(std::uint64_t{v});
 }
 SettleReport readReport(Reader& r) {
   SettleReport s;
-  s.settled = r.number<std::uint8_t>() != 0;
+  const auto flags = r.number<std::uint8_t>();
+  s.settled = (flags & kSettled) != 0;
   s.why.pattern = r.text();
   for (std::size_t n = r.count(8); n > 0 && r.good(); --n) s.why.values.emplace_back(r.text());
   for (double* v : {&s.residual, &s.step, &s.penetration, &s.seamGap, &s.strain.mean, &s.strain.p99, &s.strain.max,
                     &s.cpuSeconds, &s.wallSeconds, &s.peakMegabytes})
     *v = r.number<double>();
   s.steps = r.number<std::uint64_t>(), s.solves = r.number<std::uint64_t>();
+  if (flags & kMerged) {
+    MergeReport& m = s.merged.emplace();
+    for (std::size_t* v : {&m.facesBefore, &m.planesAfter, &m.testsDone, &m.testsSaved}) *v = r.number<std::uint64_t>();
+  }
   return s;
 }
 

@@ -20,6 +20,7 @@ class MergedPlanes : public Collider {
 
   Contact contact(Vec3 place) const override;
   bool mayTouch(Vec3 place, double within) const override;
+  Contact confirmed(Vec3 place) const override;  // by the mesh itself, not by its planes
 
   struct Polygon {
     Vec3 centre, normal;                       // its plane, normal out of the body
@@ -33,7 +34,8 @@ class MergedPlanes : public Collider {
   BodyPtr body_;
   Settings settings_;
   std::vector<Polygon> polygons_;
-  std::vector<std::uint32_t> polygonOf_;  // per face
+  std::vector<std::vector<std::array<Flat, 2>>> flat_;  // each polygon's outline in its own plane
+  std::vector<std::uint32_t> polygonOf_;                // per face
   mutable std::atomic<std::size_t> done_{0}, saved_{0};
 };
 

@@ -6,6 +6,7 @@
 // Cancelled.
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct SettleReport {
   double seamGap = 0;      // widest, metres
   StrainReport strain;
   std::size_t steps = 0, solves = 0;
+  std::optional<MergeReport> merged;  // where the merged planes were the collider; filled by who made it
   double cpuSeconds = 0, wallSeconds = 0, peakMegabytes = 0;
 };
 
