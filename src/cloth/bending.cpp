@@ -99,8 +99,11 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, st
   };
   const double second[] = {perSquare, -2 * perSquare, perSquare};
   const double mixed[] = {perSquare, -perSquare, -perSquare, perSquare};
-  for (const auto& c : shares.corners)
-    addTerm(entries, {node(c[0]), node(c[1]), node(c[2]), node(c[3])}, mixed, 2 * twist * h * h);
+  for (const auto& c : shares.corners) {
+    // Three corners held: the clamp runs across the cell, and only the half with the free corner twists, twice as much.
+    const bool halved = isHeld(c[0]) + isHeld(c[1]) + isHeld(c[2]) + isHeld(c[3]) == 3;
+    addTerm(entries, {node(c[0]), node(c[1]), node(c[2]), node(c[3])}, mixed, 2 * twist * h * h * (halved ? 2 : 1));
+  }
   for (std::uint32_t k = 0; k < lattice.nodes.size(); ++k) {
     const auto& x = shares.cross[k];
     const double area = shares.cell[k] + shares.ring[k];
@@ -118,7 +121,7 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, st
     const Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> rows = fit.curvature;
     const auto n = rows.cols();
     addTerm(entries, nodes, rows.data(), bu * area * twice);
-    addTerm(entries, nodes, rows.data() + n, 2 * twist * shares.ring[k]);
+    addTerm(entries, nodes, rows.data() + n, 2 * twist * shares.ring[k] * twice);
     addTerm(entries, nodes, rows.data() + 2 * n, bv * area * twice);
     const double leftover = kLeftover * 0.5 * (bu + bv) * area;
     for (Eigen::Index a = 0; a < n; ++a)
