@@ -9,7 +9,15 @@ constexpr double kFirmness = 3e5;  // N/m per m2 of cloth: 30 N/m for each cm2
 constexpr double kHarder = 4;      // how the push grows with depth: r + 4 r^3, r = depth / offset
 constexpr double kStraight = 2;    // beyond this r it grows straight on
 constexpr double kGlide = 2e-5;    // metres: friction of a node that slips is no stiffer than over this
+constexpr double kCrease = 0.9;    // cosine between a node's normals of two steps below which it is in a crease,
+constexpr double kTurn = 0.2;      // where its normal turns by this share of the way a step
 constexpr std::size_t kBlock = 256;
+
+Vec3 turned(Vec3 before, Vec3 now) {
+  if (squaredLength(before) == 0 || dot(before, now) > kCrease) return now;
+  const Vec3 between = before + (now - before) * kTurn;
+  return squaredLength(between) > 1e-6 ? normalized(between) : now;
+}
 
 }  // namespace
 
@@ -51,6 +59,9 @@ void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& work
         continue;
       }
       const Push push = pushAt(node.area, offset_ - contact.distance);
+      // In a crease of the body, as under the arm, the nearest side changes back and forth: there the normal turns
+      // slowly, so that a node between two sides comes to rest between them.
+      contact.normal = turned(at.normal, contact.normal);
       at.normal = contact.normal;
       at.push = push.force;
       at.along = push.slope;

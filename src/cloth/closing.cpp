@@ -26,7 +26,7 @@ Vec3 aroundBody(Vec3 pull, Vec3 normal) {
 }  // namespace
 
 std::vector<ClosingPull> closingPulls(const Cloth& cloth, const std::vector<std::uint8_t>& tied,
-                                      std::span<const Vec3> x, const BodyContact& contact) {
+                                      std::span<const Vec3> x, const BodyContact& contact, double firmness) {
   std::vector<ClosingPull> pulls;
   const double h = cloth.spacing;
   for (std::size_t t = 0; t < cloth.ties.size(); ++t) {
@@ -35,7 +35,7 @@ std::vector<ClosingPull> closingPulls(const Cloth& cloth, const std::vector<std:
     const Vec3 gap = gapOf(tie, x);
     const double open = length(gap);
     if (!(open > 0)) continue;
-    ClosingPull pull{tie, {}, {}, std::fmin(kFirmness * h * h, kStrength * h / open)};
+    ClosingPull pull{tie, {}, {}, firmness * std::fmin(kFirmness * h * h, kStrength * h / open)};
     const Vec3 force = gap * pull.stiffness;
     pull.onA = aroundBody(force, contact.normalAt(tie.a));
     Vec3 normalB = contact.normalAt(tie.b);

@@ -16,16 +16,16 @@ int side(const NanoPoint& a, const NanoPoint& b, const NanoPoint& c, const NanoP
   return det > 0 ? 1 : det < 0 ? -1 : 0;
 }
 
-bool pierces(const NanoPoint& p, const NanoPoint& q, const std::array<NanoPoint, 3>& t) {
-  if (side(t[0], t[1], t[2], p) * side(t[0], t[1], t[2], q) >= 0) return false;
-  const int s = side(p, q, t[0], t[1]);
-  return s != 0 && side(p, q, t[1], t[2]) == s && side(p, q, t[2], t[0]) == s;
-}
-
 }  // namespace
 
 NanoPoint nano(Vec3 place) {
   return {std::llround(place.x * 1e9), std::llround(place.y * 1e9), std::llround(place.z * 1e9)};
+}
+
+bool pierces(const NanoPoint& p, const NanoPoint& q, const std::array<NanoPoint, 3>& t) {
+  if (side(t[0], t[1], t[2], p) * side(t[0], t[1], t[2], q) >= 0) return false;
+  const int s = side(p, q, t[0], t[1]);
+  return s != 0 && side(p, q, t[1], t[2]) == s && side(p, q, t[2], t[0]) == s;
 }
 
 bool trianglesCross(const std::array<NanoPoint, 3>& a, const std::array<NanoPoint, 3>& b) {

@@ -9,6 +9,10 @@
 namespace karinui {
 namespace {
 
+constexpr double kApart = 20;       // N per metre of cloth that stands crossed
+constexpr double kApartMove = 0.1;  // spacings it goes apart in a step when nothing holds it
+constexpr int kPatience = 60;       // steps without fewer crossings before it is left as it is
+
 struct Moving {
   std::vector<NodeIndex> nodes;
   std::vector<std::uint8_t> held;  // per cloth node
@@ -146,6 +150,36 @@ void LevelSolver::tieWithin(double gap) {
   ties_->spread(p, velocity_);
 }
 
+void LevelSolver::untangle() {
+  tangle_ = std::make_unique<Tangle>(cloth_);
+  noBetter_ = 0;
+  leastCrossings_ = static_cast<std::size_t>(-1);
+  followTangle();
+}
+
+void LevelSolver::followTangle() {
+  if (!tangle_) return;
+  tangle_->find(x_);
+  if (tangle_->crossings() < leastCrossings_) {
+    leastCrossings_ = tangle_->crossings();
+    noBetter_ = 0;
+  } else {
+    ++noBetter_;
+  }
+  self_.leaveOut(tangle_->crossings() > 0 ? tangle_->near() : std::vector<std::uint8_t>{});
+  if (tangle_->crossings() == 0 || noBetter_ > kPatience) tangle_.reset();  // what is left stays left out
+}
+
+void LevelSolver::pushApart(std::vector<std::pair<NodeIndex, double>>& stiff) {
+  if (!tangle_) return;
+  const double force = kApart * cloth_.spacing;
+  for (NodeIndex k : moving_)
+    if (const Vec3 way = tangle_->way()[k]; squaredLength(way) > 0) {
+      gradient_[k] -= way * force;
+      stiff.emplace_back(k, force / (kApartMove * cloth_.spacing));
+    }
+}
+
 void LevelSolver::assemble(const Stride& stride) {
   std::fill(gradient_.begin(), gradient_.end(), Vec3{});
   for (const auto& energy : energies_) energy->addGradient(x_, gradient_, workers_);
@@ -157,10 +191,12 @@ void LevelSolver::assemble(const Stride& stride) {
   self_.addGradient(gradient_);
   self_.addCouplings(*ties_, couplings);
   if (open_ > 0) {
-    const auto pulls = closingPulls(cloth_, tied_, x_, contact_);
+    const auto pulls = closingPulls(cloth_, tied_, x_, contact_, stride.closing);
     karinui::addGradient(pulls, gradient_);
     karinui::addCouplings(pulls, *ties_, couplings);
   }
+  std::vector<std::pair<NodeIndex, double>> stiff;
+  pushApart(stiff);
   if (hand_)
     for (std::size_t k = 0; k < hand_->nodes.size(); ++k) {
       const NodeIndex node = hand_->nodes[k];
@@ -185,6 +221,7 @@ void LevelSolver::assemble(const Stride& stride) {
     }
   };
   for (NodeIndex k : moving_) addIsotropic(k, mass_[k] * inertia);
+  for (const auto& [node, value] : stiff) addIsotropic(node, value);
   if (hand_)
     for (NodeIndex node : hand_->nodes) addIsotropic(node, hand_->stiffness);
   contact_.addBlocks(*ties_, *system_);
@@ -234,6 +271,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   outcome.along = now > 0 && before > 0 ? both / std::sqrt(now * before) : 0;
   if (!cloth_.ties.empty()) ties_->gather(x_);
   if (stride.friction) contact_.moveAnchors(x_, workers_);
+  followTangle();
   return outcome;
 }
 

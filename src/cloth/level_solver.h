@@ -11,6 +11,7 @@
 #include "cloth/membrane.h"
 #include "cloth/self_contact.h"
 #include "cloth/springs.h"
+#include "cloth/tangle.h"
 #include "karinui/cloth/settle.h"
 
 namespace karinui {
@@ -27,6 +28,7 @@ class LevelSolver {
     double mostMove = 0;                  // metres; the whole step is shortened to it
     Vec3 gravity;
     bool friction = true;
+    double closing = 1;  // how much firmer than usual open seams are drawn together
     BlockSystem::Stop stop;
   };
   struct Outcome {
@@ -47,7 +49,11 @@ class LevelSolver {
   void moveGuarded(std::vector<Vec3> moves);
   bool allTied() const { return open_ == 0; }
   void tieWithin(double gap);  // ties every open pair nearer than this
-  void stop();                 // forget velocity and anchors
+  // Whether cloth meets cloth; it does at first.
+  void meetCloth(bool on) { self_.meet(on); }
+  // Looks whether the cloth stands crossed, and if so takes it apart in the steps that follow, as long as that helps.
+  void untangle();
+  void stop();  // forget velocity and anchors
   double anchorMove() const { return contact_.anchorMove(); }
   std::size_t selfPairs() const { return self_.pairs(); }
   std::size_t touching() const { return contact_.touching(); }
@@ -65,8 +71,10 @@ class LevelSolver {
   Vec3 handForce() const;  // newtons the hand feels: what threads stretched beyond their length pull with
 
  private:
-  void assemble(const Stride& stride);  // forces and system at x_
-  void rebuild();                       // after ties changed
+  void assemble(const Stride& stride);                               // forces and system at x_
+  void pushApart(std::vector<std::pair<NodeIndex, double>>& stiff);  // what crosses; adds to the gradient
+  void followTangle();                                               // after a step
+  void rebuild();                                                    // after ties changed
 
   const Cloth& cloth_;
   Workers& workers_;
@@ -84,6 +92,9 @@ class LevelSolver {
   std::unique_ptr<BlockSystem> system_;
   BodyContact contact_;
   SelfContact self_;
+  std::unique_ptr<Tangle> tangle_;  // while there is something to take apart
+  std::size_t leastCrossings_ = 0;
+  int noBetter_ = 0;  // steps without fewer crossings
   std::optional<Hand> hand_;
   double nodeWeight_ = 0;
   std::vector<Vec3> force_, move_, nodeMove_;

@@ -12,9 +12,13 @@ constexpr double kCreep = 0.95;         // cosine between steps
 constexpr double kCreepLongest = 0.25;  // seconds of a step while cloth creeps
 constexpr double kCalming = 0.002;      // share of the velocity taken off per step, growing,
 constexpr int kCalmAfter = 100;         // after so many steps: the long waves have run by then
-constexpr double kTieGap = 0.002;       // metres: nearer than this a pair is sewn
-constexpr int kSewSteps = 300;
-constexpr int kFallSteps = 40;  // steps on nothing at all
+constexpr double kTieGap = 0.002;       // metres: nearer than this a pair is sewn,
+constexpr double kTieShare = 0.1;       // or than this share of the spacing
+constexpr int kSewSteps = 300, kSewIdle = 100;
+constexpr int kFirmAfter = 10;    // steps without getting nearer, after which open seams are drawn together firmer,
+constexpr double kFirmer = 1.08;  // each step so much,
+constexpr double kFirmest = 30;   // up to so many times
+constexpr int kFallSteps = 40;    // steps on nothing at all
 
 RestOutcome& note(RestOutcome& so, const LevelSolver::Outcome& step, const Token& token) {
   ++so.steps;
@@ -36,18 +40,20 @@ RestOutcome sew(LevelSolver& solver, const Token& token, const StepWatcher& watc
   stride.mostMove = 0.5 * solver.cloth().spacing;
   stride.friction = false;
   stride.stop = {40, 60, 0.1};
+  const double tieGap = std::fmax(kTieGap, kTieShare * solver.cloth().spacing);
   double narrowest = widestGap(solver.cloth(), solver.places());
   int idle = 0;
   for (int k = 0; k < kSewSteps && !solver.allTied(); ++k) {
     const auto step = solver.step(stride, token);
     note(so, step, token);
     if (!so.finite || so.cancelled) return so;
-    solver.tieWithin(kTieGap);
+    solver.tieWithin(tieGap);
     if (watch) watch(k, step);
     const double gap = widestGap(solver.cloth(), solver.places());
     idle = gap < 0.98 * narrowest ? 0 : idle + 1;
     narrowest = std::fmin(narrowest, gap);
-    if (idle > 100) break;
+    if (idle > kSewIdle) break;
+    stride.closing = idle > kFirmAfter ? std::fmin(kFirmest, kFirmer * stride.closing) : stride.closing;
   }
   so.settled = solver.allTied();
   return so;

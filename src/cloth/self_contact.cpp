@@ -224,6 +224,7 @@ std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& wor
               const double far = still + 0.25 * spacing_ + 1.5 * length(ask.move[a] - ask.move[b]);
               if (d2 > far * far) continue;
             }
+            if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;
             if (neighbours(a, b)) continue;
             nodeFaces(a, b, ask, out);
             nodeFaces(b, a, ask, out);
@@ -238,7 +239,8 @@ std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& wor
 }
 
 void SelfContact::find(std::span<const Vec3> x, Workers& workers) {
-  if (radius_ <= 0) return;
+  found_.clear();
+  if (radius_ <= 0 || !on_) return;
   found_ = collect({x, {}, radius_, longestEdge(x)}, workers);
   for (Pair& pair : found_) {
     pair.push = firmness_ * (radius_ - pair.gap);
@@ -259,7 +261,7 @@ void SelfContact::addCouplings(const TieMap& ties, std::vector<Coupling>& coupli
 
 bool SelfContact::guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const {
   bool cut = false;
-  if (radius_ <= 0) return cut;
+  if (radius_ <= 0 || !on_) return cut;
   for (int pass = 0; pass < 3; ++pass) {  // again where what was cut may meet something new
     if (!guardOnce(x, move, workers)) break;
     cut = true;

@@ -18,6 +18,9 @@ class SelfContact {
   // `radius`: how near cloth comes to cloth before it pushes, metres; 0: cloth does not meet cloth.
   SelfContact(const Cloth& cloth, double radius);
   void setTies(const TieMap& ties);
+  // Nodes marked here do not meet each other: they stand crossed. Empty: none.
+  void leaveOut(std::vector<std::uint8_t> marked) { leftOut_ = std::move(marked); }
+  void meet(bool on) { on_ = on; }  // whether cloth meets cloth at all; it does at first
 
   void find(std::span<const Vec3> x, Workers& workers);
   void addGradient(std::span<Vec3> gradient) const;
@@ -58,7 +61,8 @@ class SelfContact {
   std::vector<std::uint32_t> nearStart_, nearItem_;                         // partner numbers near each partner number
   std::vector<std::vector<NodeIndex>> together_;                            // nodes that move as one, where several
   std::vector<std::uint32_t> togetherOf_;
-  std::vector<std::uint8_t> held_;
+  std::vector<std::uint8_t> held_, leftOut_;
+  bool on_ = true;
   std::vector<Pair> found_;
 };
 

@@ -48,6 +48,18 @@ std::vector<Vec3> outOfBody(const LevelSolver& solver, const Collider& body, dou
   return moves;
 }
 
+constexpr double kUsualSteps = 100;
+
+// How much of the work is done before this level: a step of it costs as its nodes do.
+double partOf(const std::vector<ClothLevel>& levels, std::size_t first, std::size_t level) {
+  double done = 0, all = 0;
+  for (std::size_t l = first; l < levels.size(); ++l) {
+    all += levels[l].cloth.nodeCount;
+    if (l < level) done += levels[l].cloth.nodeCount;
+  }
+  return all > 0 ? done / all : 0;
+}
+
 }  // namespace
 
 Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& body, const SettleSettings& settings,
@@ -78,14 +90,20 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     const bool last = l + 1 == levels.size();
     SettleSettings here = settings;
     here.skin = skinOffset(settings, level.cloth.spacing, finest.cloth.spacing);
+    // Pieces that have yet to be sewn come from anywhere, through each other: cloth meets cloth once they are.
+    const bool loose = l == 0 && !sewn && !last;
     Prolonged finer;
     if (l > first) finer = prolong(levels[l - 1].cloth, x, level.cloth, level.state.position);
     LevelSolver solver(level.cloth, l > first ? finer.straight : level.state.position, body, here,
                        settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
-    const auto share = static_cast<double>(l - first) / static_cast<double>(levels.size() - first);
-    const auto watch = [&](Message doing) {
-      return
-          [&token, share, doing = std::move(doing)](int, const LevelSolver::Outcome&) { token.progress(share, doing); };
+    solver.meetCloth(!loose);
+    const double before = partOf(levels, first, l), after = partOf(levels, first, l + 1);
+    // Nobody knows how many steps it takes; each takes its share of what is left of the stage.
+    const auto watch = [&](Message doing, double from, double to) {
+      const double start = before + (after - before) * from, span = (after - before) * (to - from);
+      return [&token, start, span, doing = std::move(doing)](int step, const LevelSolver::Outcome&) {
+        token.progress(start + span * step / (step + kUsualSteps), doing);
+      };
     };
     if (sewn) solver.tieWithin(sewnAlready ? level.cloth.spacing : kFarApart);
     if (l > first) {  // straight on the coarse triangles nothing crosses; the rest only as far as that stays so
@@ -99,14 +117,16 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
       report.solves += end.solves;
     };
     if (!solver.allTied()) {
-      end = sew(solver, token, watch(say("Drawing the seams together")));
+      end = sew(solver, token, watch(say("Drawing the seams together"), 0, 0.4));
       add();
       solver.stop();
     }
     if (end.finite && !end.cancelled) {
+      solver.meetCloth(true);
+      if (settings.clothOnCloth) solver.untangle();
       const RestRule rule =
           last ? finestRule(settings) : RestRule{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 3, 150};
-      end = rest(solver, settings.gravity, rule, 1.0 / 60, token, watch(say("Draping")));
+      end = rest(solver, settings.gravity, rule, 1.0 / 60, token, watch(say("Draping"), sewn ? 0 : 0.4, 1));
       add();
     }
     if (end.cancelled || token.cancelled()) return cancelled();

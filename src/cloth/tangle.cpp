@@ -1,0 +1,122 @@
+#include "cloth/tangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "cloth/crossing.h"
+#include "karinui/geometry/bvh.h"
+
+namespace karinui {
+namespace {
+
+Vec3 normalOf(const TriangleMesh& mesh, const Triangle& f) {
+  return normalized(cross(mesh.points[f[1]] - mesh.points[f[0]], mesh.points[f[2]] - mesh.points[f[0]]));
+}
+
+}  // namespace
+
+Tangle::Tangle(const Cloth& cloth) : group_(cloth.nodeCount), near_(cloth.nodeCount, 0), way_(cloth.nodeCount) {
+  std::iota(group_.begin(), group_.end(), 0);
+  const auto root = [&](std::uint32_t k) {
+    while (group_[k] != k) k = group_[k] = group_[group_[k]];
+    return k;
+  };
+  for (const Tie& tie : cloth.ties) {
+    group_[root(tie.b)] = root(tie.a);
+    if (tie.c != kNoNode) group_[root(tie.c)] = root(tie.a);
+  }
+  for (std::uint32_t k = 0; k < group_.size(); ++k) group_[k] = root(k);
+
+  std::map<std::array<NodeIndex, 2>, std::uint32_t> known;
+  for (const ClothPiece& piece : cloth.pieces)
+    for (const Triangle& f : piece.lattice->faces) {
+      const Triangle face{piece.firstNode + f[0], piece.firstNode + f[1], piece.firstNode + f[2]};
+      const auto number = static_cast<std::uint32_t>(mesh_.faces.size());
+      std::array<std::uint32_t, 3> around{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto [low, high] = std::minmax(face[c], face[(c + 1) % 3]);
+        const auto [at, isNew] = known.try_emplace({low, high}, static_cast<std::uint32_t>(edges_.size()));
+        if (isNew)
+          edges_.push_back({{low, high}, {number, kNoNode}});
+        else
+          edges_[at->second].face[1] = number;
+        around[c] = at->second;
+      }
+      mesh_.faces.push_back(face);
+      edgeOf_.push_back(around);
+    }
+}
+
+void Tangle::find(std::span<const Vec3> x) {
+  mesh_.points.assign(x.begin(), x.end());
+  std::fill(near_.begin(), near_.end(), 0);
+  std::fill(way_.begin(), way_.end(), Vec3{});
+  crossings_ = 0;
+  if (mesh_.faces.empty()) return;
+  const Bvh tree(mesh_);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pierced;  // edge and face
+  const auto ask = [&](std::uint32_t f, std::uint32_t g) {
+    const Triangle& face = mesh_.faces[g];
+    const std::array<NanoPoint, 3> corners{nano(x[face[0]]), nano(x[face[1]]), nano(x[face[2]])};
+    for (const std::uint32_t e : edgeOf_[f])
+      if (pierces(nano(x[edges_[e].node[0]]), nano(x[edges_[e].node[1]]), corners)) pierced.emplace_back(e, g);
+  };
+  for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) {
+    Box box;
+    for (NodeIndex k : mesh_.faces[f]) box.include(x[k]);
+    tree.touching(box, [&](std::uint32_t g) {
+      if (g <= f) return;
+      for (NodeIndex a : mesh_.faces[f])
+        for (NodeIndex b : mesh_.faces[g])
+          if (group_[a] == group_[b]) return;
+      ask(f, g);
+      ask(g, f);
+    });
+  }
+  std::sort(pierced.begin(), pierced.end());
+  pierced.erase(std::unique(pierced.begin(), pierced.end()), pierced.end());
+  crossings_ = pierced.size();
+  if (pierced.empty()) return;
+
+  for (const auto& [e, g] : pierced) {
+    shorten(x, edges_[e], g);
+    for (NodeIndex k : mesh_.faces[g]) near_[k] = 1;
+    for (const std::uint32_t f : edges_[e].face)
+      if (f != kNoNode)
+        for (NodeIndex k : mesh_.faces[f]) near_[k] = 1;
+  }
+  for (Vec3& way : way_)
+    if (const double far = length(way); far > 1) way = way * (1 / far);
+  const std::vector<std::uint8_t> concerned = near_;
+  for (const Triangle& face : mesh_.faces)
+    if (concerned[face[0]] || concerned[face[1]] || concerned[face[2]])
+      for (NodeIndex k : face) near_[k] = 1;
+}
+
+// Where the edge moves by d against the face, the point where it pierces moves by d - e (d.n)/(e.n) in the face's
+// plane, and the line of crossing, which leaves it along r in each face beside the edge, grows by -r times that.
+void Tangle::shorten(std::span<const Vec3> x, const Edge& edge, std::uint32_t face) {
+  const Vec3 along = normalized(x[edge.node[1]] - x[edge.node[0]]);
+  const Vec3 n = normalOf(mesh_, mesh_.faces[face]);
+  const double steep = dot(along, n);
+  if (std::fabs(steep) < 1e-6) return;
+  Vec3 way;
+  for (const std::uint32_t beside : edge.face) {
+    if (beside == kNoNode) continue;
+    const Triangle& f = mesh_.faces[beside];
+    Vec3 r = normalized(cross(n, normalOf(mesh_, f)));
+    Vec3 inward;
+    for (NodeIndex k : f)
+      if (k != edge.node[0] && k != edge.node[1]) inward = x[k] - x[edge.node[0]];
+    inward = inward - along * dot(inward, along);
+    if (dot(r, inward) < 0) r = -r;
+    way += r - n * (dot(along, r) / steep);
+  }
+  way = way * (1 / std::sqrt(1 + squaredLength(way)));
+  for (NodeIndex k : edge.node) way_[k] += way;
+  for (NodeIndex k : mesh_.faces[face]) way_[k] -= way;
+}
+
+}  // namespace karinui

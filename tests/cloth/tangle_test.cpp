@@ -1,0 +1,50 @@
+#include "cloth/tangle.h"
+
+#include <gtest/gtest.h>
+
+#include "cloth/helpers.h"
+
+namespace karinui::test {
+namespace {
+
+// Two sheets; the second stands upright on a corner, which is `below` the first.
+struct Sheets {
+  Cloth cloth;
+  ClothState state;
+};
+Sheets sheets(double below) {
+  Sheets s;
+  addPiece(s.cloth, gridLattice(8, 8, 0.02), *preset("cotton"));
+  addPiece(s.cloth, gridLattice(8, 8, 0.02), *preset("cotton"));
+  s.state = standingBy(s.cloth, [&](std::size_t piece, Flat p) {
+    return piece == 0 ? Vec3{p.u, 0, p.v} : Vec3{0.7 * (p.u - p.v) + 0.073, 0.7 * (p.u + p.v) - below, 0.071};
+  });
+  return s;
+}
+
+TEST(Tangle, SheetsApartAreNotCrossed) {
+  const Sheets s = sheets(-0.001);
+  Tangle tangle(s.cloth);
+  tangle.find(s.state.position);
+  EXPECT_EQ(tangle.crossings(), 0u);
+  for (Vec3 way : tangle.way()) EXPECT_EQ(squaredLength(way), 0);
+}
+
+TEST(Tangle, TheWayOutDrawsThePassedCornerBack) {
+  Sheets s = sheets(0.011);
+  Tangle tangle(s.cloth);
+  tangle.find(s.state.position);
+  ASSERT_GT(tangle.crossings(), 0u);
+  for (int k = 0; k < 60 && tangle.crossings() > 0; ++k) {
+    for (std::size_t n = 0; n < s.state.position.size(); ++n) {
+      EXPECT_LE(length(tangle.way()[n]), 1 + 1e-12);
+      if (squaredLength(tangle.way()[n]) > 0) EXPECT_TRUE(tangle.near()[n]);
+      s.state.position[n] += tangle.way()[n] * 0.002;
+    }
+    tangle.find(s.state.position);
+  }
+  EXPECT_EQ(tangle.crossings(), 0u);
+}
+
+}  // namespace
+}  // namespace karinui::test
