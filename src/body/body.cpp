@@ -8,6 +8,7 @@
 #include "body/chart.h"
 #include "body/reading.h"
 #include "karinui/base/hash.h"
+#include "karinui/base/result.h"
 
 namespace karinui {
 
@@ -15,6 +16,7 @@ namespace {
 
 using Part = BodyPoint::Part;
 constexpr double kSamePlace = 1e-4;  // metres: a chart place that comes back this near is the same
+constexpr double kOnSkin = 1e-9;     // metres: nearer than this a landmark lies on the skin and stays, bit for bit
 
 std::string hashOf(const Body::Parts& parts) {
   Hasher hasher;
@@ -41,11 +43,12 @@ std::string otherSide(const std::string& name) {
 
 }  // namespace
 
-Body::Body(Parts parts, Bvh bvh, DistanceField field, std::string hash)
-    : parts_(std::move(parts)), bvh_(std::move(bvh)), field_(std::move(field)), hash_(std::move(hash)) {}
+Body::Body(Parts parts, Bvh bvh, std::string hash)
+    : parts_(std::move(parts)), bvh_(std::move(bvh)), hash_(std::move(hash)) {}
 
-Result<std::shared_ptr<const Body>> Body::make(Parts parts, Workers& workers, const Token& token) {
+Result<std::shared_ptr<const Body>> Body::make(Parts parts) {
   if (const Done ok = usable(parts.mesh); !ok) return ok.error();
+  if (const Done closed = DistanceField::buildable(parts.mesh, {}); !closed) return closed.error();
   Bvh bvh(parts.mesh);
   if (!parts.chart || parts.measured.value.empty() || parts.landmarks.empty()) {
     const Reading reading = readBody(parts.mesh);
@@ -54,11 +57,36 @@ Result<std::shared_ptr<const Body>> Body::make(Parts parts, Workers& workers, co
     if (parts.landmarks.empty()) parts.landmarks = reading.landmark;
   }
   for (auto& [name, place] : parts.landmarks)  // landmarks lie on the skin
-    if (const auto near = bvh.nearest(place)) place = near->point;
+    if (const auto near = bvh.nearest(place); near && near->distance > kOnSkin) place = near->point;
   std::string hash = hashOf(parts);
-  auto field = DistanceField::build(parts.mesh, bvh, {}, workers, token);
+  return std::make_shared<const Body>(std::move(parts), std::move(bvh), std::move(hash));
+}
+
+Done Body::prepareField(Workers& workers, const Token& token) const {
+  const std::lock_guard lock(making_);  // a second asker waits for the first
+  if (made_) return {};
+  auto field = DistanceField::build(parts_.mesh, bvh_, {}, workers, token);
   if (!field) return field.error();
-  return std::make_shared<const Body>(std::move(parts), std::move(bvh), std::move(field).value(), std::move(hash));
+  made_ = std::make_unique<const DistanceField>(*std::move(field));
+  field_.store(made_.get(), std::memory_order_release);
+  return {};
+}
+
+const DistanceField& Body::field() const {
+  if (const DistanceField* ready = field_.load(std::memory_order_acquire)) return *ready;
+  Workers alone(1);
+  const Token quiet;
+  const Done done = prepareField(alone, quiet);
+  KARINUI_ASSERT(done);  // make() has seen that it can be built
+  return *made_;
+}
+
+std::vector<double> Body::chartNumbers() const {
+  return parts_.chart ? numbersOf(*parts_.chart) : std::vector<double>();
+}
+
+std::shared_ptr<const Body::Parts::Template> Body::chartFrom(std::span<const double> numbers) {
+  return templateFrom(numbers);
 }
 
 Result<SurfacePoint> Body::find(const BodyPoint& point) const {

@@ -140,6 +140,36 @@ std::vector<double> Template::alongOf(Part part, Vec3 place) const {
   return found;
 }
 
+std::vector<double> numbersOf(const Template& chart) {
+  std::vector<double> numbers{chart.height};
+  for (const auto& levels : chart.level)
+    for (const Level& level : levels)
+      for (const Vec3& v : {level.centre, level.normal}) numbers.insert(numbers.end(), {v.x, v.y, v.z});
+  return numbers;
+}
+
+std::shared_ptr<const Template> templateFrom(std::span<const double> numbers) {
+  auto chart = std::make_shared<Template>();
+  std::size_t levels = 0;
+  for (std::size_t part = 0; part < chart->level.size(); ++part) {
+    chart->level[part].resize(chartLevels(static_cast<Part>(part)).size());
+    levels += chart->level[part].size();
+  }
+  if (numbers.size() != 1 + 6 * levels) return nullptr;
+  for (const double number : numbers)
+    if (!std::isfinite(number)) return nullptr;
+  std::size_t next = 0;
+  const auto point = [&] {
+    const double x = numbers[next], y = numbers[next + 1], z = numbers[next + 2];
+    next += 3;
+    return Vec3{x, y, z};
+  };
+  chart->height = numbers[next++];
+  for (auto& part : chart->level)
+    for (Level& level : part) level.centre = point(), level.normal = point();
+  return chart;
+}
+
 std::shared_ptr<const Template> chartOf(const Figure& figure, const Reading& reading) {
   const Joints& at = figure.at;
   const auto torso = torsoSections(figure);

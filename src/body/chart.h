@@ -33,4 +33,8 @@ struct Body::Parts::Template {
 std::shared_ptr<const Body::Parts::Template> chartOf(const Figure& figure, const Reading& reading);
 std::shared_ptr<const Body::Parts::Template> chartOf(const Reading& reading);  // null: not enough was found
 
+// Height, then each part's levels as centre and normal; and back, null where the numbers cannot be those of a chart.
+std::vector<double> numbersOf(const Body::Parts::Template& chart);
+std::shared_ptr<const Body::Parts::Template> templateFrom(std::span<const double> numbers);
+
 }  // namespace karinui

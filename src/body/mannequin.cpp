@@ -131,7 +131,7 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   parts.landmarks = best.reading.landmark;
   parts.chart = chartOf(best.figure, best.reading);
   parts.mesh = std::move(best.mesh);
-  return Body::make(std::move(parts), workers, token);
+  return Body::make(std::move(parts));
 }
 
 }  // namespace karinui

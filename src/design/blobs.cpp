@@ -18,6 +18,18 @@ Result<std::string> MemoryBlobs::get(const std::string& name) const {
   return at->second;
 }
 
+Result<std::string> Blobs::figure(const std::string& hash) const {
+  return notFound(say("The figure {0} was not kept in this document.", hash));
+}
+
+namespace {
+
+constexpr std::string_view kFigure = "karinui figure 1";
+
+Error damagedBody() { return storageError(say("The stored body is damaged.")); }
+
+}  // namespace
+
 std::string packBody(const Body::Parts& parts) {
   Writer w;
   w.add(std::string_view("karinui body 1")).add(parts.name).all(parts.mesh.points).all(parts.mesh.faces);
@@ -46,16 +58,46 @@ Result<Body::Parts> unpackBody(std::string_view bytes) {
     const std::string name = r.text();
     parts.landmarks[name] = r.vec3();
   }
-  if (!ours || !r.finished()) return storageError(say("The stored body is damaged."));
+  if (!ours || !r.finished()) return damagedBody();
   return parts;
 }
 
+std::string packFigure(const Body& body) {
+  Body::Parts parts;
+  parts.name = body.name();
+  parts.mesh = body.mesh();
+  parts.measured = body.measured();
+  parts.landmarks = body.landmarks();
+  Writer w;
+  w.add(kFigure).add(packBody(parts)).all(body.chartNumbers());
+  return w.taken();
+}
+
+Result<BodyPtr> unpackFigure(std::string_view bytes) {
+  Reader r(bytes);
+  if (r.text() != kFigure) return damagedBody();
+  auto parts = unpackBody(r.text());
+  if (!parts) return parts.error();
+  std::vector<double> chart(r.count(sizeof(double)));
+  for (double& number : chart) number = r.number<double>();
+  if (!r.finished()) return damagedBody();
+  parts->chart = Body::chartFrom(chart);
+  return Body::make(*std::move(parts));
+}
+
 Result<BodyPtr> Bodies::find(const BodyChoice& choice, const Blobs& blobs, Workers& workers, const Token& token) {
+  const std::lock_guard lock(mutex_);  // held while building: a second asker for the same figure waits for the first
+  if (choice.chosen()) {
+    if (const auto at = byHash_.find(choice.hash); at != byHash_.end()) return at->second;
+    if (const auto bytes = blobs.figure(choice.hash)) {
+      if (const auto body = unpackFigure(*bytes); body && (*body)->hash() == choice.hash)
+        return byHash_[choice.hash] = *body;
+    }
+  }
   Writer key;
   key.add(choice.mesh).add(static_cast<std::uint8_t>(choice.measurements.sex));
   for (const auto& [name, value] : choice.measurements.value) key.add(name).add(value);
   const std::string name = key.taken();
-  const std::lock_guard lock(mutex_);  // held while building: a second asker for the same figure waits for the first
   if (const auto at = built_.find(name); at != built_.end()) return at->second;
   Result<BodyPtr> body = [&]() -> Result<BodyPtr> {
     if (choice.mesh.empty()) return makeMannequin(choice.measurements, workers, token);
@@ -63,10 +105,16 @@ Result<BodyPtr> Bodies::find(const BodyChoice& choice, const Blobs& blobs, Worke
     if (!bytes) return notFound(say("The imported body {0} is not in this document; import it again.", choice.mesh));
     auto parts = unpackBody(*bytes);
     if (!parts) return parts.error();
-    return Body::make(*std::move(parts), workers, token);
+    return Body::make(*std::move(parts));
   }();
-  if (body) built_[name] = *body;
+  if (body) built_[name] = byHash_[(*body)->hash()] = *body;
   return body;
+}
+
+BodyPtr Bodies::known(const std::string& hash) const {
+  const std::lock_guard lock(mutex_);
+  const auto at = byHash_.find(hash);
+  return at == byHash_.end() ? nullptr : at->second;
 }
 
 }  // namespace karinui

@@ -44,6 +44,7 @@ Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live)
 Result<std::unique_ptr<Collider>> colliderOf(const Document& document, Context& context) {
   Result<BodyPtr> body = bodyOf(document, context);
   if (!body) return body.error();
+  if (const Done ready = (*body)->prepareField(context.workers, context.token); !ready) return ready.error();
   if (document.settings.collider == Settings::Collider::Planes)
     return std::unique_ptr<Collider>(std::make_unique<MergedPlanes>(*body));
   return fieldCollider(*body);

@@ -38,6 +38,7 @@ struct DocumentFile::Inside {
   std::filesystem::path path;
   // Names of parts that are in the file already. Holding the part keeps its address from being used again.
   std::map<std::shared_ptr<const void>, std::string> packed;
+  std::map<std::string, std::string> figures;  // Body::hash() of figures that are in the file, and their blobs
 
   // The file's blobs as the rest of the program sees them.
   struct FileBlobs : Blobs {
@@ -54,6 +55,13 @@ struct DocumentFile::Inside {
     Result<std::string> get(const std::string& name) const override {
       return in->store ? in->store->blob(name) : in->memory.get(name);
     }
+    Result<std::string> figure(const std::string& hash) const override {
+      const auto at = in->figures.find(hash);
+      if (at == in->figures.end()) return Blobs::figure(hash);
+      auto bytes = get(at->second);
+      if (!bytes) in->figures.erase(at);  // lost or damaged: kept anew with the next step
+      return bytes;
+    }
   } blobs{this};
 
   // The file's blobs first, then the caller's; what the caller had to give is remembered, to be kept with the step.
@@ -69,6 +77,10 @@ struct DocumentFile::Inside {
       auto theirs = other->get(name);
       if (theirs) borrowed[name] = *theirs;
       return theirs ? theirs : mine;
+    }
+    Result<std::string> figure(const std::string& hash) const override {
+      auto mine = own->figure(hash);
+      return mine || other == own ? mine : other->figure(hash);
     }
   };
 
@@ -92,7 +104,7 @@ struct DocumentFile::Inside {
   }
 
   // The document's parts as blobs. Only what the file does not have yet comes into `fresh`.
-  Parts pack(const Document& document, std::map<std::string, std::string>& fresh) {
+  Parts pack(const Document& document, const Bodies& bodies, std::map<std::string, std::string>& fresh) {
     Parts parts;
     const auto put = [&](const std::string& part, std::shared_ptr<const void> thing, auto&& bytesOf) {
       const auto known = thing ? packed.find(thing) : packed.end();
@@ -103,6 +115,12 @@ struct DocumentFile::Inside {
       parts[part] = name;
     };
     put("rest", nullptr, [&] { return packRest(document); });
+    // The figure is kept so that nobody waits for it again. Where no figure was needed nothing is built for this.
+    if (const auto known = figures.find(document.body.hash); known != figures.end()) {
+      parts["figure"] = known->second;
+    } else if (const BodyPtr figure = bodies.known(document.body.hash)) {
+      put("figure", nullptr, [&] { return packFigure(*figure); });
+    }
     for (const auto& [id, piece] : document.pattern.pieces) {
       put("piece " + std::to_string(id.value), piece, [&p = piece] { return packPiece(*p); });
       if (piece->form)
@@ -112,6 +130,7 @@ struct DocumentFile::Inside {
   }
 
   void remember(const Document& document, const Parts& parts) {
+    if (const auto figure = parts.find("figure"); figure != parts.end()) figures[document.body.hash] = figure->second;
     for (const auto& [id, piece] : document.pattern.pieces) {
       packed[piece] = parts.at("piece " + std::to_string(id.value));
       if (piece->form) packed[piece->form] = parts.at("form " + std::to_string(id.value));
@@ -275,7 +294,7 @@ Result<Step> DocumentFile::perform(Operation operation, Context& context) {
   const Head head{step.seq, step.seq};
   if (in.store) {
     std::map<std::string, std::string> fresh = std::move(borrowing.borrowed);
-    const Parts parts = in.pack(*after, fresh);
+    const Parts parts = in.pack(*after, own.bodies, fresh);
     const std::string line = text(step.operation);
     const std::string kind(nameOf(step.operation));
     const StepRow row{

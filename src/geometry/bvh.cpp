@@ -25,10 +25,17 @@ class Pending {
   std::size_t size_ = 0;
 };
 
+// How far v lies beyond [low, high]. Written out: std::fmax is a call into the library, and this runs millions of
+// times.
+double beyond(double low, double high, double v) {
+  const double below = low - v, above = v - high, most = below > above ? below : above;
+  return most > 0 ? most : 0;
+}
+
 double squaredDistance(const Box& box, Vec3 p) {
-  const double x = std::fmax(std::fmax(box.low.x - p.x, p.x - box.high.x), 0);
-  const double y = std::fmax(std::fmax(box.low.y - p.y, p.y - box.high.y), 0);
-  const double z = std::fmax(std::fmax(box.low.z - p.z, p.z - box.high.z), 0);
+  const double x = beyond(box.low.x, box.high.x, p.x);
+  const double y = beyond(box.low.y, box.high.y, p.y);
+  const double z = beyond(box.low.z, box.high.z, p.z);
   return x * x + y * y + z * z;
 }
 

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geometry/triangle.h"
+
 namespace karinui {
 namespace {
 
 constexpr std::size_t kStride = 4;     // grid points between two of the coarse grid
 constexpr double kMostPoints = 200e6;  // 800 MB: beyond this the cells are too small for the body
 constexpr std::int8_t kUnknown = 0;
+constexpr std::uint32_t kNoFace = ~0u;
 
 using Count = std::array<std::size_t, 3>;
 
@@ -130,27 +133,47 @@ std::size_t pointsFor(double extent, double cell) {
   return static_cast<std::size_t>(std::fmax(std::ceil(extent / (cell * kStride)), 1)) * kStride + 1;
 }
 
+double distanceToFace(const TriangleMesh& mesh, std::uint32_t face, Vec3 place) {
+  const Triangle& f = mesh.faces[face];
+  const Corners c{mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
+  const auto w = nearestWeights(c, place);
+  return distance(c[0] * w[0] + c[1] * w[1] + c[2] * w[2], place);
+}
+
+double marginOf(const DistanceField::Settings& settings) { return settings.band + settings.cell; }
+
+Box boxOf(const TriangleMesh& mesh) {
+  Box box;
+  for (const Triangle& f : mesh.faces)
+    for (const std::uint32_t i : f) box.include(mesh.points[i]);
+  return box;
+}
+
 }  // namespace
 
-Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& bvh, const Settings& settings,
-                                           Workers& workers, const Token& token) {
+Done DistanceField::buildable(const TriangleMesh& mesh, const Settings& settings) {
   if (!(settings.cell > 0) || !(settings.band >= settings.cell))
     return badInput(say("A distance field needs a cell above zero and a band no thinner than a cell."));
   const MeshReport report = inspectTopology(mesh);
   if (report.triangles == 0) return badInput(say("There is no surface to measure distances from."));
   if (report.openEdges > 0)
     return badInput(say("The surface is not closed: {0} edges are open, so it has no inside.", report.openEdges));
-  Box box;
-  for (const Triangle& f : mesh.faces)
-    for (std::uint32_t i : f) box.include(mesh.points[i]);
+  const Box box = boxOf(mesh);
   if (!finite(box.low) || !finite(box.high)) return badInput(say("The surface has coordinates that are not numbers."));
-
-  const double margin = settings.band + settings.cell;
-  const Vec3 extent = box.size() + Vec3{1, 1, 1} * (2 * margin);
+  const Vec3 extent = box.size() + Vec3{1, 1, 1} * (2 * marginOf(settings));
   const double cells = extent.x * extent.y * extent.z / (settings.cell * settings.cell * settings.cell);
   if (!(cells < kMostPoints))
     return badInput(say("Cells of {0} mm are too small for a surface of this size; use {1} mm or more.",
                         settings.cell * 1e3, std::ceil(settings.cell * std::cbrt(cells / kMostPoints) * 1.1e3)));
+  return {};
+}
+
+Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& bvh, const Settings& settings,
+                                           Workers& workers, const Token& token) {
+  if (const Done possible = buildable(mesh, settings); !possible) return possible.error();
+  const Box box = boxOf(mesh);
+  const double margin = marginOf(settings);
+  const Vec3 extent = box.size() + Vec3{1, 1, 1} * (2 * margin);
   Grid grid{
       box.low - Vec3{1, 1, 1} * margin,
       settings.cell,
@@ -172,16 +195,20 @@ Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& 
   workers.forBlocks(grid.count[1] * grid.count[2], 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end && !token.cancelled(); ++row) {
       const std::size_t j = row % grid.count[1], k = row / grid.count[1];
-      double last = std::numeric_limits<double>::infinity();
+      std::uint32_t face = kNoFace;  // the nearest one of the last point: this point's is no further
       for (std::size_t i = 0; i < grid.count[0]; ++i) {
         const double atLeast = bound.at(i, j, k);
         double d = std::fmax(atLeast, settings.band);
-        double next = std::numeric_limits<double>::infinity();
-        if (atLeast <= settings.band)
-          if (const auto near = bvh.nearest(grid.place(i, j, k), std::fmin(last * (1 + 1e-9), settings.band)))
-            d = near->distance, next = d + grid.step;
+        if (atLeast <= settings.band) {
+          const Vec3 place = grid.place(i, j, k);
+          const double within = face != kNoFace ? distanceToFace(mesh, face, place) * (1 + 1e-9) : settings.band;
+          const auto near = bvh.nearest(place, std::fmin(within, settings.band));
+          if (near) d = near->distance;
+          face = near ? near->place.face : kNoFace;
+        } else {
+          face = kNoFace;
+        }
         field.value_[grid.index(i, j, k)] = static_cast<float>(d);
-        last = next;
       }
     }
   });

@@ -60,7 +60,7 @@ TEST(Measure, AnImportedBodyHasAChartOfItsOwn) {
   const Token token;
   Body::Parts parts;
   parts.mesh = readObj(file);
-  const auto body = Body::make(std::move(parts), workers, token);
+  const auto body = Body::make(std::move(parts));
   ASSERT_TRUE(body);
   const auto waist = (*body)->find(parseBodyPoint("torso:waist@0.25").value());
   ASSERT_TRUE(waist);
@@ -74,11 +74,11 @@ TEST(Measure, WhatIsNoBodyIsLeftAlone) {
   EXPECT_TRUE(measure({}, Bvh(TriangleMesh{})).value.empty());
   Workers workers(1);
   const Token token;
-  EXPECT_FALSE(Body::make({}, workers, token));
+  EXPECT_FALSE(Body::make({}));
   TriangleMesh block{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
   Body::Parts parts;
   parts.mesh = block;
-  const auto body = Body::make(std::move(parts), workers, token);
+  const auto body = Body::make(std::move(parts));
   ASSERT_TRUE(body);
   EXPECT_EQ((*body)->describe({0, {1, 0, 0}}).part, BodyPoint::Part::Face);
   EXPECT_FALSE((*body)->find(parseBodyPoint("torso:waist@0").value()));

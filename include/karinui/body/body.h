@@ -8,8 +8,10 @@
 // middle). On any other body the levels and limb axes are estimated from plane sections of the mesh: waist, hip, bust,
 // armpit and crotch are those of measure() (good to millimetres), the joints of the arm are good to about a centimetre,
 // neck and shoulder levels to about two. Landmarks lie on the skin; they are estimated from sections on every body.
+#include <atomic>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,7 +47,7 @@ std::span<const std::string_view> chartLevels(BodyPoint::Part part);
 
 class Body {
  public:
-  // Takes a closed mesh as it is. `workers` builds the distance field once.
+  // Takes a closed mesh as it is; refuses one that is open or no surface at all.
   struct Parts {
     std::string name;
     TriangleMesh mesh;
@@ -54,12 +56,15 @@ class Body {
     struct Template;                        // the mannequin's chart; private to body/
     std::shared_ptr<const Template> chart;  // estimated when null, where the body can be read
   };
-  static Result<std::shared_ptr<const Body>> make(Parts parts, Workers& workers, const Token& token);
+  static Result<std::shared_ptr<const Body>> make(Parts parts);
 
   const std::string& name() const { return parts_.name; }
   const TriangleMesh& mesh() const { return parts_.mesh; }
   const Bvh& bvh() const { return bvh_; }
-  const DistanceField& field() const { return field_; }
+  // How far a place is from the skin. Only a drape asks, so the field is made on first need: quickest by prepareField()
+  // with a team of threads (an error only when cancelled), else by field() alone. The same bits either way.
+  const DistanceField& field() const;
+  Done prepareField(Workers& workers, const Token& token) const;
   const Measurements& measured() const { return parts_.measured; }
   const std::map<std::string, Vec3>& landmarks() const { return parts_.landmarks; }
   const std::string& hash() const { return hash_; }  // of mesh and landmarks
@@ -72,13 +77,19 @@ class Body {
   BodyPoint describe(const SurfacePoint& place) const;
   Result<BodyPoint> mirrored(const BodyPoint& point) const;  // the same place on the other side (x -> -x)
 
-  Body(Parts parts, Bvh bvh, DistanceField field, std::string hash);
+  // The chart as plain numbers, for keeping a figure; empty: no chart. And back; null: these numbers are no chart.
+  std::vector<double> chartNumbers() const;
+  static std::shared_ptr<const Parts::Template> chartFrom(std::span<const double> numbers);
+
+  Body(Parts parts, Bvh bvh, std::string hash);
 
  private:
   Parts parts_;
   Bvh bvh_;
-  DistanceField field_;
   std::string hash_;
+  mutable std::mutex making_;
+  mutable std::unique_ptr<const DistanceField> made_;
+  mutable std::atomic<const DistanceField*> field_ = nullptr;
 };
 using BodyPtr = std::shared_ptr<const Body>;
 

@@ -18,6 +18,8 @@ class Blobs {
   virtual ~Blobs() = default;
   virtual Result<std::string> put(std::string bytes) = 0;              // gives the name
   virtual Result<std::string> get(const std::string& name) const = 0;  // NotFound: no such blob
+  // A figure that was built before, by its Body::hash(), as packFigure() left it. NotFound: build it.
+  virtual Result<std::string> figure(const std::string& hash) const;
 };
 class MemoryBlobs : public Blobs {
  public:
@@ -32,16 +34,23 @@ std::string blobName(std::string_view bytes);
 // An imported figure as bytes for a blob, and back (refuses damaged ones). The template does not travel.
 std::string packBody(const Body::Parts& parts);
 Result<Body::Parts> unpackBody(std::string_view bytes);
+// A built figure as bytes, chart included, and back: the same Body::hash(). Refuses damaged ones.
+std::string packFigure(const Body& body);
+Result<BodyPtr> unpackFigure(std::string_view bytes);
 
 // Figures that were built already. May be shared by documents and threads.
 class Bodies {
  public:
-  // The figure of a choice; built now if it was not. `blobs` gives an imported mesh.
+  // The figure of a choice: as `blobs` kept it, else built now from the measurements or the imported mesh in `blobs`.
+  // One that was kept is taken as it is, even where this program would build another: a person's figure does not change
+  // because the program did.
   Result<BodyPtr> find(const BodyChoice& choice, const Blobs& blobs, Workers& workers, const Token& token);
+  BodyPtr known(const std::string& hash) const;  // null: not built here yet
 
  private:
-  std::mutex mutex_;
-  std::map<std::string, BodyPtr> built_;
+  mutable std::mutex mutex_;
+  std::map<std::string, BodyPtr> built_;   // by what they are made from
+  std::map<std::string, BodyPtr> byHash_;  // by Body::hash(), kept ones included
 };
 
 // Where a drape or a pull left the cloth.

@@ -18,8 +18,9 @@ class DistanceField {
     double cell = 0.005;  // metres
     double band = 0.03;   // metres around the surface where the distance is exact
   };
-  // Keeps nothing of mesh and tree. Refuses a surface that is empty, open or not finite, and cells too small for its
-  // size.
+  // Refuses a surface that is empty, open or not finite, and cells too small for its size.
+  static Done buildable(const TriangleMesh& mesh, const Settings& settings);
+  // Keeps nothing of mesh and tree. Refuses what is not buildable.
   static Result<DistanceField> build(const TriangleMesh& mesh, const Bvh& bvh, const Settings& settings,
                                      Workers& workers, const Token& token);
 

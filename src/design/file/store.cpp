@@ -173,7 +173,8 @@ Done Store::load() {
 Done Store::write(const StepRow* row, const Parts& parts, const std::map<std::string, std::string>& blobs,
                   const Head* head) {
   for (const auto& [name, bytes] : blobs) {
-    auto insert = db_.ask("INSERT OR IGNORE INTO blob VALUES(?, ?)");
+    auto insert =
+        db_.ask("INSERT INTO blob VALUES(?1, ?2) ON CONFLICT(hash) DO UPDATE SET bytes = ?2 WHERE bytes <> ?2");
     if (!insert) return insert.error();
     if (Done done = insert->bind(1, name).bindBytes(2, bytes).finish(); !done) return done;
   }
