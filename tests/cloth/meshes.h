@@ -53,8 +53,7 @@ inline BodyPtr bodyOf(TriangleMesh mesh) {
   Body::Parts parts;
   parts.name = "test";
   parts.mesh = std::move(mesh);
-  Workers workers(1);
-  auto body = Body::make(std::move(parts), workers, Token());
+  auto body = Body::make(std::move(parts));
   EXPECT_TRUE(body) << (body ? "" : text(body.error().what));
   return *body;
 }
