@@ -201,7 +201,8 @@ Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& 
         double d = std::fmax(atLeast, settings.band);
         if (atLeast <= settings.band) {
           const Vec3 place = grid.place(i, j, k);
-          const double within = face != kNoFace ? distanceToFace(mesh, face, place) * (1 + 1e-9) : settings.band;
+          // A nanometre more, so that a grid point on the face itself finds it.
+          const double within = face != kNoFace ? distanceToFace(mesh, face, place) + 1e-9 : settings.band;
           const auto near = bvh.nearest(place, std::fmin(within, settings.band));
           if (near) d = near->distance;
           face = near ? near->place.face : kNoFace;

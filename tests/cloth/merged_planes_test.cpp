@@ -36,7 +36,9 @@ void expectNear(const BodyPtr& body, unsigned seed, double spread) {
     const auto contact = planes.contact(place);
     EXPECT_NEAR(contact.distance, right, 0.0025) << place.x << " " << place.y << " " << place.z;
     EXPECT_NEAR(length(contact.normal), 1, 1e-9);
-    EXPECT_TRUE(planes.mayTouch(place, std::fmax(0.0, contact.distance) + 1e-9));
+    EXPECT_TRUE(planes.mayTouch(place, std::fmax(0.0, contact.distance) + 1e-9))
+        << contact.distance << " true " << right << " field " << body->field().distance(place) << " cell "
+        << body->field().cell();
     EXPECT_NEAR(planes.confirmed(place).distance, right, 1e-9);
     ++asked;
   }
