@@ -57,6 +57,23 @@ TEST(DistanceField, FarAwayIsALowerBoundThatGrows) {
   EXPECT_GT(field.distance({0.5, 0.5, -3}), 2.9);
 }
 
+// The grid begins a whole number of cells before the low sides, so its points lie on them but for rounding.
+TEST(DistanceField, FindsASideThatLiesOnTheGrid) {
+  Numbers numbers(6);
+  for (int n = 0; n < 30; ++n) {
+    const Vec3 low = numbers.point(0.7), size = Vec3{0.06, 0.06, 0.06} + numbers.point(0.02);
+    const TriangleMesh m = box(low, low + size);
+    const DistanceField field = built(m, {0.005, 0.03});
+    const Bvh bvh(m);
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 middle = low + size * 0.5, off = numbers.point(0.04);
+      for (const Vec3 p : {middle + off, Vec3{low.x, middle.y, middle.z} + off * 0.3,
+                           Vec3{middle.x, low.y, middle.z} + off * 0.3, Vec3{middle.x, middle.y, low.z} + off * 0.3})
+        EXPECT_NEAR(field.distance(p), bvh.signedDistance(p), 0.006);
+    }
+  }
+}
+
 TEST(DistanceField, GradientIsTheDerivativeOfTheDistance) {
   const DistanceField field = built(ball({}, 0.1, 4), {0.01, 0.03});
   Numbers numbers(2);
