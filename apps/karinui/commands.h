@@ -38,5 +38,6 @@ void addBodyVerbs(Program& program);      // body make, body measure
 void addDocumentVerbs(Program& program);  // play, do, undo, redo, log, import
 void addAnswerVerbs(Program& program);    // settle, check, info
 void addOutputVerbs(Program& program);    // export, picture
+void addBenchVerb(Program& program);      // bench
 
 }  // namespace karinui::app

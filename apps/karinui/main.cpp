@@ -30,6 +30,7 @@ int main(int count, char** words) {
   addDocumentVerbs(program);
   addAnswerVerbs(program);
   addOutputVerbs(program);
+  addBenchVerb(program);
   try {
     program.cli.parse(count, words);
   } catch (const CLI::ParseError& trouble) {

@@ -36,8 +36,8 @@ class Command : public testing::Test {
 TEST_F(Command, TeachesWhenAskedAndRefusesWrongCalls) {
   const Said help = karinui("--help");
   EXPECT_EQ(help.exit, 0);
-  for (const char* verb :
-       {"body", "play", "do", "undo", "redo", "log", "import", "settle", "check", "info", "export", "picture"}) {
+  for (const char* verb : {"body", "play", "do", "undo", "redo", "log", "import", "settle", "check", "info", "export",
+                           "picture", "bench"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
   }
   EXPECT_EQ(karinui("").exit, 2);

@@ -1,0 +1,85 @@
+// bench: measures the drape engine on scenes that others were measured on too.
+#include <fstream>
+
+#include "bench/run.h"
+#include "commands.h"
+#include "json_answers.h"
+#include "karinui/base/file.h"
+#include "karinui/exchange/spatial.h"
+
+namespace karinui::app {
+
+namespace {
+
+struct BenchOptions {
+  std::string scene, out, data = "../shared";
+  std::size_t vertices = 0;
+  int threads = 1;
+};
+
+Result<bench::Workload> workloadOf(const BenchOptions& options, Workers& workers, const Token& token) {
+  if (options.scene == "w1") return bench::curtain(options.vertices);
+  if (options.scene == "w2") return bench::sphere(options.vertices);
+  if (options.scene == "w3") return bench::tunic(options.vertices);
+  const std::filesystem::path data = options.data;
+  const char* pattern = options.scene == "shirt" ? "shirt_mean_specification.json" : "dress_pencil_specification.json";
+  return bench::garment(options.scene, {data / "patterns" / "garmentcode" / pattern, data / "bodies" / "f_eu38.obj"},
+                        options.vertices, workers, token);
+}
+
+Json findingJson(const bench::Workload& load, const bench::Finding& found, int threads, const Console& console) {
+  Json object = {{"scene", load.name}, {"threads", threads}};
+  object.update(settleJson(found.report, found.check, console));
+  if (found.clearance < 1) object["clearance_mm"] = found.clearance * 1000;  // none where there is no body
+  object["drift_mm"] = found.after.drift * 1000;
+  object["first_top_speed_mm_s"] = found.after.firstTopSpeed * 1000;
+  object["top_speed_mm_s"] = found.after.topSpeed * 1000;
+  return object;
+}
+
+Done writeScene(const bench::Workload& load, const std::string& path) {
+  SpatialGarment garment;
+  if (load.body) garment.body = load.body->mesh();
+  const ClothLevel& finest = load.levels.back();
+  for (const ClothPiece& piece : finest.cloth.pieces) {
+    const auto first = finest.state.position.begin() + piece.firstNode;
+    TriangleMesh mesh{{first, first + static_cast<std::ptrdiff_t>(piece.lattice->nodes.size())}, piece.lattice->faces};
+    garment.pieces.push_back({piece.name, piece.fabric.name, std::move(mesh), piece.lattice->nodes});
+  }
+  const auto bytes = writeObj(garment);
+  if (!bytes) return bytes.error();
+  return writeFile(path, *bytes);
+}
+
+int runBench(Program& program, const BenchOptions& options) {
+  Workers workers(options.threads);
+  auto load = workloadOf(options, workers, program.console.token());
+  if (!load) return program.console.refuse(load.error());
+  const auto found = bench::run(*load, program.console.token(), workers);
+  if (!found) return program.console.refuse(found.error());
+  if (!options.out.empty())
+    if (const Done written = writeScene(*load, options.out); !written) return program.console.refuse(written.error());
+  const Json object = findingJson(*load, *found, options.threads, program.console);
+  program.console.answer(object, words(object));
+  return found->report.settled ? kDone : kNotSettled;
+}
+
+}  // namespace
+
+void addBenchVerb(Program& program) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* verb = program.verb(program.cli, "bench", help("Measures how fast and how well a scene comes to rest"),
+                                options, runBench);
+  verb->add_option("scene", options->scene,
+                   help("w1 a curtain, w2 a cloth on a ball, w3 a tunic on capsules, shirt or dress on a body"))
+      ->required()
+      ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress"}));
+  verb->add_option("--vertices", options->vertices, help("About how many points the cloth has; otherwise as defined"))
+      ->check(CLI::Range(100, 1'000'000));
+  verb->add_option("--threads", options->threads, help("How many threads work; the result is the same"))
+      ->check(CLI::Range(1, 256));
+  verb->add_option("--data", options->data, help("The folder with bodies/ and patterns/ for shirt and dress"));
+  verb->add_option("-o,--out", options->out, help("Write the cloth at rest as an OBJ file"));
+}
+
+}  // namespace karinui::app

@@ -1,0 +1,40 @@
+#include "bench/run.h"
+
+#include <cmath>
+
+namespace karinui::bench {
+namespace {
+
+// The least distance of 15 places of each face.
+double clearanceOf(const Cloth& cloth, const ClothState& state, const Collider& body) {
+  double least = 1e9;
+  for (const ClothPiece& piece : cloth.pieces)
+    for (const Triangle& face : piece.lattice->faces)
+      for (int a = 0; a <= 4; ++a)
+        for (int b = 0; a + b <= 4; ++b) {
+          const Vec3 place = state.position[piece.firstNode + face[0]] * (a / 4.0) +
+                             state.position[piece.firstNode + face[1]] * (b / 4.0) +
+                             state.position[piece.firstNode + face[2]] * ((4 - a - b) / 4.0);
+          least = std::fmin(least, body.confirmed(place).distance);
+        }
+  return least;
+}
+
+}  // namespace
+
+Result<Finding> run(Workload& load, const Token& token, Workers& workers) {
+  Finding finding;
+  const auto report = settle(load.levels, *load.collider, {}, token, workers);
+  if (!report) return report.error();
+  finding.report = *report;
+  const ClothLevel& finest = load.levels.back();
+  finding.check = check(finest.cloth, finest.state, load.body.get());
+  finding.clearance = clearanceOf(finest.cloth, finest.state, *load.collider);
+  finding.check.penetration = std::fmax(finding.check.penetration, -finding.clearance);
+  const auto after = runOn(finest, *load.collider, {}, kRunOnFrames, token, workers);
+  if (!after) return after.error();
+  finding.after = *after;
+  return finding;
+}
+
+}  // namespace karinui::bench

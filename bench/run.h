@@ -1,0 +1,18 @@
+#pragma once
+// Settles a workload and examines what came of it.
+#include "bench/workload.h"
+#include "karinui/cloth/check.h"
+#include "karinui/cloth/run_on.h"
+
+namespace karinui::bench {
+
+struct Finding {
+  SettleReport report;
+  ClothCheck check;      // with the penetration of an analytic body as well
+  double clearance = 0;  // metres the cloth keeps from the body, at 15 places of each face; negative: penetration
+  RunOn after;           // 300 frames of dynamics after rest
+};
+// The workload's finest state becomes the settled one.
+Result<Finding> run(Workload& load, const Token& token, Workers& workers);
+
+}  // namespace karinui::bench

@@ -1,0 +1,42 @@
+// The scenes the drape engine is measured on, small: what the answer holds and that it is the same for every team.
+#include "apps/command.h"
+
+namespace karinui::test {
+namespace {
+
+TEST(BenchCommand, TellsHowASceneCameToRest) {
+  Folder folder;
+  const std::string obj = folder / "w3.obj";
+  const Said said = karinui("bench w3 --vertices 800 --json -o " + obj);
+  ASSERT_EQ(said.exit, 0) << said.err << said.out;
+  const auto json = said.json();
+  EXPECT_EQ(json["scene"], "w3");
+  EXPECT_EQ(json["threads"], 1);
+  EXPECT_EQ(json["settled"], true);
+  EXPECT_NEAR(json["vertices"].get<double>(), 800, 100);
+  EXPECT_LE(json["seam_gap_mm"].get<double>(), 0.5);
+  EXPECT_EQ(json["cloth_cloth_crossings"], 0);
+  EXPECT_EQ(json["penetration_mm"], 0.0);
+  EXPECT_GT(json["clearance_mm"].get<double>(), 0);
+  EXPECT_LT(json["strain_mean"].get<double>(), 0.009);
+  EXPECT_LT(json["drift_mm"].get<double>(), 1);
+  EXPECT_GE(json["top_speed_mm_s"].get<double>(), json["first_top_speed_mm_s"].get<double>());
+  EXPECT_GT(json["cpu_s"].get<double>(), 0);
+  const std::string bytes = contents(obj);
+  EXPECT_NE(bytes.find("o front"), std::string::npos);
+
+  const std::string again = folder / "two.obj";
+  ASSERT_EQ(karinui("bench w3 --vertices 800 --threads 2 -o " + again).exit, 0);
+  EXPECT_EQ(contents(again), bytes);
+}
+
+TEST(BenchCommand, RefusesWhatItCannotMeasure) {
+  EXPECT_EQ(karinui("bench w4").exit, 2);
+  EXPECT_EQ(karinui("bench w1 --vertices 3").exit, 2);
+  const Said said = karinui("bench shirt --data /nowhere");
+  EXPECT_EQ(said.exit, 3);
+  EXPECT_NE(said.err.find("/nowhere"), std::string::npos) << said.err;
+}
+
+}  // namespace
+}  // namespace karinui::test
