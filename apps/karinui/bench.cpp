@@ -1,6 +1,6 @@
 #include "bench.h"
 
-#include "karinui/base/number.h"
+#include "karinui/session/scene_of.h"
 
 namespace karinui::app {
 
@@ -14,6 +14,13 @@ Result<Step> Bench::perform(Operation operation) {
     program_.console.note(say("The cloth did not come to rest: {0}", report.why));
   }
   return step;
+}
+
+Result<SceneFrame> Bench::scene() {
+  if (!document().body.chosen()) return sceneOf(document(), nullptr);
+  const Result<BodyPtr> body = bodyOf(document(), context_);
+  if (!body) return body.error();
+  return sceneOf(document(), body->get());
 }
 
 int atBench(Program& program, const std::string& path, bool forReading, const std::function<int(Bench&)>& work) {

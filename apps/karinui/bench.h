@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "karinui/design/history.h"
+#include "karinui/scene/scene_frame.h"
 
 namespace karinui::app {
 
@@ -26,6 +27,7 @@ class Bench {
   // rest.
   Result<Step> perform(Operation operation);
   bool settled() const { return settled_; }
+  Result<SceneFrame> scene();  // the garment on its body, for pictures
 
  private:
   Program& program_;

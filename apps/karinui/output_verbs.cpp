@@ -9,7 +9,6 @@
 #include "karinui/exchange/sheet.h"
 #include "karinui/exchange/spatial.h"
 #include "karinui/view/picture.h"
-#include "scene_of.h"
 
 namespace karinui::app {
 
@@ -25,7 +24,7 @@ struct PictureWish {
 };
 
 Result<SpatialGarment> spatialOf(Bench& bench) {
-  Result<SceneFrame> frame = sceneOf(bench);
+  Result<SceneFrame> frame = bench.scene();
   if (!frame) return frame.error();
   SpatialGarment garment;
   if (!frame->bodies.empty()) garment.body = std::move(frame->bodies.front().mesh);
@@ -93,7 +92,7 @@ int runPicture(Program& program, const PictureWish& wish) {
     return kWrongCall;
   }
   return atBench(program, wish.path, true, [&](Bench& bench) -> int {
-    const Result<SceneFrame> frame = sceneOf(bench);
+    const Result<SceneFrame> frame = bench.scene();
     if (!frame) return program.console.refuse(frame.error());
     const auto picture = Picture::open();
     if (!picture) return program.console.refuse(picture.error());

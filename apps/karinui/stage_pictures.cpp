@@ -4,8 +4,6 @@
 #include <limits>
 #include <sstream>
 
-#include "scene_of.h"
-
 namespace karinui::app {
 
 StagePictures::StagePictures(std::string folder, const std::string& script) : folder_(std::move(folder)) {
@@ -55,7 +53,7 @@ Done StagePictures::draw(const Wish& wish, Bench& bench) {
       return badInput(say("A picture knows “view” and “map”, not “{0}”.", key));
     }
   }
-  const Result<SceneFrame> frame = sceneOf(bench);
+  const Result<SceneFrame> frame = bench.scene();
   if (!frame) return frame.error();
   const Result<Image> image = picture_->draw(*frame, options);
   if (!image) return image.error();

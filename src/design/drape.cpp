@@ -80,6 +80,26 @@ std::vector<std::uint32_t> patchAround(const Cloth& cloth, PieceId id, Flat plac
   return patch;
 }
 
+// A hand about to pull: what stops the cloth, the cloth, what the fingers hold and where its middle is.
+struct Hold {
+  std::unique_ptr<Collider> collider;
+  ClothLevel level;
+  Grip grip;
+  Vec3 middle;
+};
+Result<Hold> holdOf(const Document& document, const PullCloth& pull, Context& context) {
+  auto collider = colliderOf(document, context);
+  if (!collider) return collider.error();
+  const std::set<PieceId> live = livePieces(document, pull.live.empty() ? std::vector{pull.piece} : pull.live);
+  Result<ClothLevel> level = levelAt(document, live, document.settings.spacing);
+  if (!level) return level.error();
+  Hold hold{*std::move(collider), *std::move(level), {}, {}};
+  hold.grip.nodes = patchAround(hold.level.cloth, pull.piece.id, pull.at, pull.patch);
+  for (const std::uint32_t node : hold.grip.nodes) hold.middle += hold.level.state.position[node];
+  hold.middle *= 1.0 / static_cast<double>(hold.grip.nodes.size());
+  return hold;
+}
+
 }  // namespace
 
 std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRef>& named) {
@@ -110,24 +130,48 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
 }
 
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context) {
-  const auto collider = colliderOf(document, context);
-  if (!collider) return collider.error();
-  std::set<PieceId> live = livePieces(document, pull.live.empty() ? std::vector{pull.piece} : pull.live);
-  Result<ClothLevel> level = levelAt(document, live, document.settings.spacing);
-  if (!level) return level.error();
-
-  Grip grip;
-  grip.nodes = patchAround(level->cloth, pull.piece.id, pull.at, pull.patch);
-  Vec3 middle;
-  for (const std::uint32_t node : grip.nodes) middle += level->state.position[node];
-  middle *= 1.0 / static_cast<double>(grip.nodes.size());
+  auto hold = holdOf(document, pull, context);
+  if (!hold) return hold.error();
+  auto& [collider, level, grip, middle] = *hold;
   grip.path = {middle};
   for (const Vec3& step : pull.by) grip.path.push_back(middle + step);
   grip.seconds = pull.seconds;
   grip.letGo = pull.letGo;
-  Result<PullReport> report = karinui::pull(*level, **collider, grip, {}, context.token, context.workers);
+  Result<PullReport> report = karinui::pull(level, *collider, grip, {}, context.token, context.workers);
   if (!report) return report.error();
-  return DrapeOutcome{formsLeft(*level), told(report->end, **collider), std::move(report->force)};
+  return DrapeOutcome{formsLeft(level), told(report->end, *collider), std::move(report->force)};
 }
+
+struct LivePull::Inside {
+  Hold hold;
+  Vec3 by;
+};
+LivePull::LivePull() = default;
+LivePull::LivePull(LivePull&&) noexcept = default;
+LivePull::~LivePull() = default;
+
+Result<LivePull> LivePull::take(const Document& document, const PullCloth& pull, Context& context) {
+  auto hold = holdOf(document, pull, context);
+  if (!hold) return hold.error();
+  LivePull live;
+  live.inside_ = std::make_unique<Inside>(Inside{*std::move(hold), {}});
+  return live;
+}
+
+Result<Vec3> LivePull::to(Vec3 by, Context& context) {
+  Hold& hold = inside_->hold;
+  hold.grip.path = {hold.middle + inside_->by, hold.middle + by};
+  hold.grip.seconds = 1.0 / 60;
+  hold.grip.letGo = false;
+  SettleSettings settings;
+  settings.maxSteps = 2;  // not to rest: the hand moves on
+  const Result<PullReport> report =
+      karinui::pull(hold.level, *hold.collider, hold.grip, settings, context.token, context.workers);
+  if (!report) return report.error();
+  inside_->by = by;
+  return report->force.back();
+}
+
+std::map<PieceId, std::shared_ptr<const Form>> LivePull::forms() const { return formsLeft(inside_->hold.level); }
 
 }  // namespace karinui

@@ -12,6 +12,25 @@ std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRe
 Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context);
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context);
 
+// A hand on the cloth while it still moves: a preview of the pull that will be performed once it lets go. Each step
+// drapes a little further from where the last one left the cloth. One thread at a time.
+class LivePull {
+ public:
+  // `pull` need not be resolved but its pieces must be ids; its path is not used.
+  static Result<LivePull> take(const Document& document, const PullCloth& pull, Context& context);
+  // Leads the hand to `by` from where it took hold; gives the force it feels, newtons.
+  Result<Vec3> to(Vec3 by, Context& context);
+  std::map<PieceId, std::shared_ptr<const Form>> forms() const;  // as the cloth is now
+
+  LivePull(LivePull&&) noexcept;
+  ~LivePull();
+
+ private:
+  LivePull();
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
 // The garment as cloth at its finest level, where it stands now: what check, pictures and exports need.
 struct Standing {
   Cloth cloth;

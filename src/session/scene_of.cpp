@@ -1,11 +1,11 @@
-#include "scene_of.h"
+#include "karinui/session/scene_of.h"
 
 #include <array>
 #include <cmath>
 
 #include "karinui/design/drape.h"
 
-namespace karinui::app {
+namespace karinui {
 
 namespace {
 
@@ -74,14 +74,9 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
 
 }  // namespace
 
-Result<SceneFrame> sceneOf(Bench& bench) {
-  const Document& document = bench.document();
+Result<SceneFrame> sceneOf(const Document& document, const Body* body) {
   SceneFrame frame;
-  if (document.body.chosen()) {
-    const Result<BodyPtr> body = bodyOf(document, bench.context());
-    if (!body) return body.error();
-    frame.bodies.push_back({(*body)->mesh(), SceneBody{}.colour});
-  }
+  if (body) frame.bodies.push_back({body->mesh(), SceneBody{}.colour});
   if (document.pattern.pieces.empty()) return frame;
   const Result<Standing> standing = standingCloth(document, livePieces(document, {}));
   if (!standing) return standing.error();
@@ -102,9 +97,17 @@ Result<SceneFrame> sceneOf(Bench& bench) {
     cloth.seams = seamsOf(standing->cloth, piece);
     const auto dye = std::distance(fabrics->begin(), fabrics->find(piece.fabric.name));
     cloth.colour = kDyes[static_cast<std::size_t>(dye) % kDyes.size()];
+    cloth.live = document.drape.dirty.contains(piece.id);
     frame.cloths.push_back(std::move(cloth));
   }
   return frame;
 }
 
-}  // namespace karinui::app
+std::vector<float> easeOf(const SceneCloth& cloth, const Body& body) {
+  std::vector<float> ease;
+  ease.reserve(cloth.mesh.points.size());
+  for (const Vec3 p : cloth.mesh.points) ease.push_back(static_cast<float>(body.field().distance(p)));
+  return ease;
+}
+
+}  // namespace karinui

@@ -1,0 +1,71 @@
+#pragma once
+// One state of the garment, ready to be drawn and picked. Immutable, shared between threads; made off the hand's
+// thread.
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "karinui/design/document.h"
+#include "karinui/design/values.h"
+#include "karinui/geometry/bvh.h"
+#include "karinui/scene/pointer.h"
+#include "karinui/scene/scene_frame.h"
+
+namespace karinui {
+
+struct Fitting {
+  Document document;
+  BodyPtr body;      // null: none chosen, or not to be had
+  SceneFrame frame;  // cloths in the order of the document's pieces
+  struct Worn {      // cloth k of the frame
+    PieceId id;
+    std::shared_ptr<const Bvh> tree;
+    Ring ring;  // the outline on paper, for the table
+  };
+  std::vector<Worn> worn;
+  std::optional<Message> trouble;  // why pieces could not be laid together (then each stands alone, without seams)
+};
+using FittingPtr = std::shared_ptr<const Fitting>;
+FittingPtr fittingOf(Document document, BodyPtr body);
+
+// Where each piece lies on the cutting table: the pattern's own paper, moved so that no two lie on each other. A piece
+// keeps its place while it is edited. Part of the view, not of the document.
+class Table {
+ public:
+  void arrange(const Fitting& fitting);  // gives new pieces a place, forgets those that are gone
+  Flat at(PieceId id) const;             // what to add to a paper place; (0, 0) for a piece it does not know
+  void carry(PieceId id, Flat by);
+
+ private:
+  std::map<PieceId, Flat> place_;
+};
+
+struct EdgeNear {
+  PieceId piece;
+  std::string edge;
+  double fraction = 0;  // by length
+  double away = 0;      // in the sample's own measure: radians or metres
+  bool operator==(const EdgeNear&) const = default;
+};
+
+struct Hit {
+  enum class On { Nothing, Body, Cloth } on = On::Nothing;
+  double along = 0;  // metres along the ray
+  Vec3 point;        // in space: where the cloth or the skin is
+  SurfacePoint skin;
+  PieceId piece;
+  Flat paper;
+  std::optional<EdgeNear> edge;  // within reach, hidden ones left out
+};
+
+// What is under the pointer. Cheap; any thread.
+Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample);
+Hit pickBody(const Fitting& fitting, const PointerSample& sample);  // through the cloth
+
+// Where a paper place of a piece is in space now; nothing for a piece that is not there.
+std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId piece, Flat paper);
+// A part of an edge as a line in space and on the table; nothing when it is not there.
+std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part);
+
+}  // namespace karinui

@@ -1,0 +1,79 @@
+#pragma once
+// A drag as a little state machine: press, drag, release. Until release the document is untouched and only a preview
+// moves; then there is at most one operation. Dropping a gesture undoes nothing, for nothing was done. A gesture
+// belongs to the session's thread and knows no clock but that of its samples.
+#include <memory>
+#include <optional>
+#include <set>
+#include <variant>
+
+#include "karinui/design/operation.h"
+#include "karinui/scene/overlay.h"
+#include "karinui/session/command.h"
+#include "karinui/session/fitting.h"
+
+namespace karinui {
+
+// What a gesture sees of the room.
+struct Workbench {
+  FittingPtr fitting;
+  const Table* table = nullptr;
+  Language language = Language::English;
+};
+
+// What a gesture shows meanwhile.
+struct Preview {
+  SceneOverlay space;
+  TableOverlay table;
+  std::map<PieceId, Rigid> carried;     // pieces shown moved in space, as rigid things
+  std::map<PieceId, Outline> outlines;  // pieces whose paper is about to be so
+};
+
+// What a gesture would like to know, worked out beside it; only the newest question is answered.
+struct AskPull {  // live drape: the hand at `by` from where it took hold
+  PieceId piece;
+  Flat at;
+  Vec3 by;
+};
+struct AskAfter {  // the garment as it would be
+  Operation operation;
+};
+using Ask = std::variant<std::monostate, AskPull, AskAfter>;
+struct Answer {
+  FittingPtr after;            // AskAfter
+  std::optional<Vec3> force;   // AskPull: newtons
+  std::optional<Message> why;  // refused
+};
+
+struct Told {
+  bool over = false;                        // the gesture has ended
+  std::optional<Operation> operation = {};  // then: what it comes to
+  std::optional<Message> why = {};          // a sentence for the person: refused, or what to do next
+  Ask ask = {};
+};
+
+// What is chosen, in space and on the table alike.
+struct Selection {
+  std::set<PieceId> pieces;
+  std::optional<EdgeNear> edge;
+  SeamId seam;
+  bool operator==(const Selection&) const = default;
+};
+
+class Gesture {
+ public:
+  virtual ~Gesture() = default;
+  virtual Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) = 0;
+  virtual Told confirm(const Workbench&) { return {}; }  // Enter
+  virtual bool takeBack() { return false; }              // undo within the gesture; false: there is nothing
+  virtual void answered(const Answer&) {}
+  virtual Preview preview(const Workbench& bench) const = 0;
+  virtual Message hint() const = 0;  // what to do now
+  virtual bool begun() const = 0;    // something would be lost
+  // Select and Move on the table, which change the view only.
+  virtual std::optional<Selection> chosen() { return std::nullopt; }
+  virtual std::optional<std::pair<PieceId, Flat>> laidAside() { return std::nullopt; }
+};
+std::unique_ptr<Gesture> gestureFor(Command tool);
+
+}  // namespace karinui

@@ -1,0 +1,28 @@
+#pragma once
+// The floating bar as data: what is on it, where it hangs, and what a ray meets. One hit test for mouse, controller and
+// stylus. Pure; any thread.
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "karinui/scene/overlay.h"
+#include "karinui/scene/pointer.h"
+#include "karinui/session/command.h"
+
+namespace karinui {
+
+std::span<const Command> menuBar();
+
+struct MenuState {
+  std::function<bool(Command)> enabled, chosen;
+  std::optional<Command> hot;
+};
+// The bar as it hangs before someone who looks from there: low in view, a little nearer than what is looked at, turned
+// towards the eye. Its size is that of the view, so that it reads alike however far one stands.
+ScenePanel menuPanel(const Sight& sight, const MenuState& state);
+
+// The button a ray meets, from either side; nothing beside them.
+std::optional<Command> menuHit(const ScenePanel& panel, const Ray& ray);
+bool meets(const ScenePanel& panel, const Ray& ray);  // the board itself
+
+}  // namespace karinui

@@ -1,0 +1,112 @@
+#pragma once
+// The one owner of a document while a person works on it. Samples of a pointer become gestures, gestures operations,
+// operations steps of the document's history; drapes and everything else that takes time run on a thread of the
+// session's own. A window or a headset is a thin face over this.
+//
+// All functions belong to one thread, the hand's. None of them waits for a drape (finish() does, for tests and for
+// leaving). What the other thread has finished is taken in by update(), which also tells whether there is anything new
+// to show.
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "karinui/design/history.h"
+#include "karinui/session/command.h"
+#include "karinui/session/fitting.h"
+#include "karinui/session/gesture.h"
+#include "karinui/session/menu.h"
+
+namespace karinui {
+
+struct SessionOptions {
+  int threads = 1;                 // for drapes
+  bool settleByItself = true;      // what was at rest is brought to rest again after it was changed
+  std::function<void()> wake;      // from the other thread: call update() soon
+  std::shared_ptr<Bodies> bodies;  // figures that were built already; empty: its own
+  // Instead of the real solver, for tests; called on the session's own thread.
+  std::function<Result<DrapeOutcome>(const Document&, const DrapePieces&, Context&)> drape;
+  std::function<Result<DrapeOutcome>(const Document&, const PullCloth&, Context&)> pull;
+};
+
+struct Notice {  // what the person should read once
+  enum class Kind { Said, Advice, Refused } kind = Kind::Said;
+  Message what;
+};
+
+struct Busy {
+  bool any = false;       // something is being worked out
+  bool settling = false;  // and it is a drape
+  double fraction = 0;
+  Message doing;
+};
+
+// Where the hand's time goes; read with the face's own clock. Counts only.
+struct SessionNews {
+  std::uint64_t garment = 0;    // the shown garment changed
+  std::uint64_t history = 0;    // steps were added, undone, redone, or another document came
+  std::uint64_t overlay = 0;    // preview, menu, hint, selection
+  std::uint64_t settled = 0;    // drapes that came to rest
+  std::uint64_t predicted = 0;  // first new drapes
+};
+
+class Session {
+ public:
+  explicit Session(SessionOptions options = {});
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  // --- the document. Each replaces the one before, which is closed.
+  void begin(DocumentFile file);                     // takes it over
+  void create(const std::filesystem::path& path);    // refuses to overwrite
+  void open(const std::filesystem::path& path);      // read-only where it cannot be written
+  void saveCopy(const std::filesystem::path& path);  // and works on in the copy
+  // Plays the steps of this document anew on another figure, into a new document at `path`.
+  void replayOn(SetBody body, const std::filesystem::path& path);
+  void importBody(const std::filesystem::path& file);
+  void importPattern(const std::filesystem::path& file);  // into this document; .json of ours or GarmentCode, .ops
+  // Writes by the ending: .svg .pdf .json .ops .obj .glb
+  void exportTo(const std::filesystem::path& file, double allowance, bool a4, Language language);
+  const std::filesystem::path& path() const;  // empty: in memory
+  bool readOnly() const;
+
+  // --- what there is
+  const Fitting& fitting() const;  // the document as it is
+  const Fitting& shown() const;    // what to draw: a prediction or a drag's preview while there is one
+  FittingPtr shownPtr() const;
+  const Table& table() const;
+  const std::vector<Step>& steps() const;
+  const std::vector<Step>& undone() const;
+  const Selection& selection() const;
+  Command tool() const;
+  Message hint() const;
+  Preview preview() const;
+  std::optional<ScenePanel> menu() const;  // nothing before setSight()
+  Busy busy() const;
+  std::vector<Notice> takeNotices();
+  std::optional<Command> takeView();  // a view that was asked for
+  const SessionNews& news() const;
+
+  // --- what the person does
+  void feed(const PointerSample& sample);
+  void setSight(const Sight& sight);
+  void setLanguage(Language language);
+  bool can(Command command) const;
+  void command(Command command);
+  void select(Selection selection);
+  void perform(Operation operation);
+  void goTo(std::size_t steps);  // undo or redo until this many steps are done
+
+  // --- time
+  bool update();  // takes in what was finished; true: something is new
+  void finish();  // waits until nothing is left to do
+  bool idle() const;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace karinui

@@ -1,0 +1,56 @@
+#include "karinui/session/command.h"
+
+#include <vector>
+
+#include "karinui/base/result.h"
+
+namespace karinui {
+
+std::span<const CommandInfo> commands() {
+  static const std::vector<CommandInfo> all{
+      {Command::Select, "select", "select", "Q", say("Select"), say("Click a piece, an edge or a seam to choose it.")},
+      {Command::Draw, "draw", "draw", "D", say("Draw"),
+       say("Draw a closed line on the body, by dragging or click by click; half a line from centre to centre makes a "
+           "symmetric piece.")},
+      {Command::Move, "move", "move", "G", say("Move"),
+       say("Drag a piece to carry it; with Ctrl it turns. Near another outline it snaps, unless Alt is held.")},
+      {Command::Sew, "sew", "sew", "N", say("Sew"),
+       say("Drag from one edge to the one it is sewn to; drag along an edge to sew a part of it.")},
+      {Command::Cut, "cut", "cut", "C", say("Cut"),
+       say("Drag across a piece to cut it, or from its edge inwards for a slit; Shift keeps the line straight.")},
+      {Command::Pull, "pull", "pull", "P", say("Pull"),
+       say("Take hold of the cloth and pull: it drapes while you pull. With Shift it stays held.")},
+      {Command::Reshape, "reshape", "reshape", "R", say("Reshape"),
+       say("Pull the cloth to where it should be; its paper is cut anew to fit.")},
+      {Command::Points, "points", "points", "Z", say("Edit points"),
+       say("On the flat pattern: drag a corner, or bend an edge; Shift moves the whole edge.")},
+      {Command::Undo, "undo", "undo", "Ctrl+Z", say("Undo"), say("Takes back the last step; in mid-drag, the drag.")},
+      {Command::Redo, "redo", "redo", "Ctrl+Shift+Z", say("Redo"), say("Does again what was undone.")},
+      {Command::Settle, "settle", "settle", "Space", say("Settle"),
+       say("Brings the pieces that changed to rest on the body; again to stop.")},
+      {Command::Cancel, "cancel", "", "Esc", say("Cancel"), say("Drops what the hand is doing.")},
+      {Command::Confirm, "confirm", "", "Return", say("Finish"), say("Ends a line drawn click by click.")},
+      {Command::Remove, "remove", "trash", "Del", say("Remove"), say("Takes away the chosen piece or seam.")},
+      {Command::Duplicate, "duplicate", "", "Ctrl+D", say("Duplicate"), say("Makes a second piece beside the first.")},
+      {Command::Mirror, "mirror", "", "Ctrl+M", say("Mirror"), say("Makes the copy for the body's other side.")},
+      {Command::Freeze, "freeze", "", "Ctrl+K", say("Freeze"),
+       say("Keeps the chosen pieces as they are; again thaws them.")},
+      {Command::FlipSeam, "flip", "", "F", say("Turn the seam round"), say("Sews a crossed seam the other way round.")},
+      {Command::ViewFront, "front", "", "1", say("Front"), say("Looks from the front.")},
+      {Command::ViewBack, "back", "", "3", say("Back"), say("Looks from the back.")},
+      {Command::ViewLeft, "left", "", "4", say("Left side"), say("Looks from the body's left.")},
+      {Command::ViewRight, "right", "", "6", say("Right side"), say("Looks from the body's right.")},
+      {Command::ViewOblique, "oblique", "view", "2", say("Oblique"),
+       say("Looks from the front and a little from the side.")},
+      {Command::ViewAll, "all", "frame", "0", say("All"), say("Shows everything.")},
+  };
+  return all;
+}
+
+const CommandInfo& info(Command command) {
+  for (const CommandInfo& one : commands())
+    if (one.command == command) return one;
+  KARINUI_ASSERT(false);
+}
+
+}  // namespace karinui

@@ -1,0 +1,136 @@
+// Cutting along a drag. The line lives on the paper of the first piece it meets.
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/pattern/edit.h"
+#include "session/gestures.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kStep = 0.003;   // metres on paper before a place is noted
+constexpr double kMiss = 0.0025;  // metres the cut may pass from the hand's line
+constexpr double kBeyond = 0.03;  // metres a line that ran off the cloth is led on, over the outline
+
+class CutGesture : public Gesture {
+ public:
+  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+    switch (sample.phase) {
+      case PointerSample::Phase::Hover:
+        return {};
+      case PointerSample::Phase::Press:
+        *this = CutGesture();
+        down_ = true;
+        break;
+      case PointerSample::Phase::Drag:
+      case PointerSample::Phase::Release:
+        break;
+    }
+    if (!down_) return {};
+    straight_ = sample.shift;
+    note(sample, hit, bench);
+    line_ = lineNow();
+    why_.reset();
+    will_ = false;
+    if (piece_ && line_.size() > 1) {
+      const Piece* piece = bench.fitting->document.find(piece_);
+      if (const auto cut = piece ? cutPiece(*piece, line_, PieceId{1}, "second") : Result<CutPieces>(cancelled()); !cut)
+        why_ = cut.error().what;
+      else
+        will_ = true, parts_ = cut->pieces.size();
+    }
+    if (sample.phase != PointerSample::Phase::Release) return {};
+    down_ = false;
+    if (!piece_) return {.over = true, .why = say("The line met no cloth; drag across a piece, or in from its edge.")};
+    if (line_.size() < 2) return {.over = true};
+    if (!will_) return {.over = true, .why = why_};
+    CutPiece cut;
+    cut.piece = piece_;
+    cut.line = line_;
+    return {.over = true, .operation = std::move(cut)};
+  }
+
+  Preview preview(const Workbench& bench) const override {
+    Preview shown;
+    const Piece* piece = bench.fitting->document.find(piece_);
+    if (!piece || line_.empty()) return shown;
+    const Flat lies = bench.table->at(piece_);
+    const Stand stand(*piece);
+    SceneLine space;
+    TableLine table;
+    space.colour = table.colour = will_ ? kGood : kBad;
+    space.widthMm = 3;
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+      table.points.push_back(line_[i] + lies);
+      const int steps =
+          i + 1 < line_.size() ? std::max(1, static_cast<int>(distance(line_[i], line_[i + 1]) / 0.008)) : 1;
+      for (int k = 0; k < steps; ++k) {
+        const Flat p = i + 1 < line_.size() ? lerp(line_[i], line_[i + 1], static_cast<double>(k) / steps) : line_[i];
+        space.points.push_back(stand(p));
+      }
+    }
+    shown.space.lines.push_back(std::move(space));
+    shown.table.lines.push_back(std::move(table));
+    return shown;
+  }
+  Message hint() const override {
+    if (!down_ || !piece_) return info(Command::Cut).hint;
+    if (will_) return parts_ > 1 ? say("Let go to cut the piece in two.") : say("Let go to cut a slit.");
+    return why_ ? *why_ : info(Command::Cut).hint;
+  }
+  bool begun() const override { return down_; }
+
+ private:
+  void note(const PointerSample& sample, const Hit& hit, const Workbench& bench) {
+    std::optional<Flat> paper;
+    const bool table = sample.where == PointerSample::Where::Table;
+    if (!piece_ && hit.piece && (hit.on == Hit::On::Cloth || table)) piece_ = hit.piece;
+    if (table) {
+      if (!piece_) return before_.push_back(sample.place);
+      const Flat lies = bench.table->at(piece_);
+      if (!before_.empty()) noted_.push_back(before_.back() - lies), before_.clear();
+      paper = sample.place - lies;
+    } else if (hit.on == Hit::On::Cloth && hit.piece == piece_) {
+      paper = hit.paper;
+    }
+    if (!paper) {
+      if (piece_) left_ = true;  // ran off; what follows elsewhere does not count
+      if (!piece_) came_ = true;
+      return;
+    }
+    if (left_) return;
+    if (noted_.empty() || distance(noted_.back(), *paper) >= kStep)
+      noted_.push_back(*paper);
+    else if (sample.phase == PointerSample::Phase::Release)
+      noted_.back() = *paper;
+  }
+
+  std::vector<Flat> lineNow() const {
+    std::vector<Flat> line = noted_;
+    if (line.size() < 2) return line;
+    if (came_)
+      line.insert(line.begin(),
+                  line[0] + normalized(line[0] - line[std::min<std::size_t>(3, line.size() - 1)]) * kBeyond);
+    if (left_) {
+      const Flat last = line.back(), before = line[line.size() - 1 - std::min<std::size_t>(3, line.size() - 1)];
+      line.push_back(last + normalized(last - before) * kBeyond);
+    }
+    if (straight_) line = {line.front(), line.back()};
+    std::vector<Flat> kept;
+    for (const std::size_t i : mattering<Flat>(line, kMiss)) kept.push_back(tenth(line[i]));
+    return kept;
+  }
+
+  bool down_ = false, came_ = false, left_ = false, straight_ = false, will_ = false;
+  std::size_t parts_ = 0;
+  PieceId piece_;
+  std::vector<Flat> noted_, before_, line_;
+  std::optional<Message> why_;
+};
+
+}  // namespace
+
+std::unique_ptr<Gesture> cutGesture() { return std::make_unique<CutGesture>(); }
+
+}  // namespace karinui

@@ -1,0 +1,251 @@
+// Drawing on the body: strokes and clicks make one line over the skin. It ends by itself where it meets its own
+// beginning, or, drawn from centre to centre, as one half of a symmetric piece.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "karinui/geometry/geodesic.h"
+#include "session/gestures.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kMeets = 0.022;   // metres: an end this near to the beginning closes the line
+constexpr double kCentre = 0.020;  // metres from the body's middle plane that still mean the middle
+constexpr double kStep = 0.004;    // metres a stroke goes before it is noted
+constexpr double kMiss = 0.004;    // metres a kept line may pass from the drawn one
+constexpr double kLongest = 0.11;  // metres between two kept places of a stroke
+constexpr double kLook = 0.022;    // metres before and after a place over which its turn is judged
+constexpr double kCorner = 42 * std::numbers::pi / 180;
+
+struct Noted {
+  SurfacePoint place;
+  Vec3 point;
+  bool corner = true;
+};
+
+double turnAt(std::span<const Noted> line, std::size_t i) {
+  std::size_t a = i, b = i;
+  while (a > 0 && distance(line[a].point, line[i].point) < kLook) --a;
+  while (b + 1 < line.size() && distance(line[b].point, line[i].point) < kLook) ++b;
+  const Vec3 in = line[i].point - line[a].point, out = line[b].point - line[i].point;
+  return std::atan2(length(cross(in, out)), dot(in, out));
+}
+
+// A stroke's places that matter: corners where the hand turned sharply, and enough between for a smooth curve.
+std::vector<Noted> thinned(const std::vector<Noted>& stroke) {
+  std::vector<Vec3> points;
+  for (const Noted& n : stroke) points.push_back(n.point);
+  std::vector<Noted> kept;
+  std::size_t before = 0;
+  for (const std::size_t i : mattering<Vec3>(points, kMiss)) {
+    for (std::size_t k = before + 1; k < i; ++k)
+      if (distance(kept.back().point, points[k]) > kLongest && distance(points[k], points[i]) > kLongest / 3)
+        kept.push_back({stroke[k].place, points[k], false});
+    const bool end = i == 0 || i + 1 == stroke.size();
+    const double turn = end ? 10 : turnAt(stroke, i);
+    Noted here{stroke[i].place, points[i], turn > kCorner};
+    // Two corners a finger's breadth apart are one, the sharper.
+    if (!kept.empty() && !end && here.corner && kept.back().corner && distance(kept.back().point, here.point) < 0.015)
+      here.corner = false;
+    if (!kept.empty() && !end && !here.corner && distance(kept.back().point, here.point) < 0.012) continue;
+    kept.push_back(here);
+    before = i;
+  }
+  return kept;
+}
+
+BodyPoint spoken(const Body& body, const SurfacePoint& place) {
+  BodyPoint exact = body.describe(place);
+  if (exact.part == BodyPoint::Part::Face || exact.part == BodyPoint::Part::Landmark) return exact;
+  BodyPoint rounded = exact;
+  rounded.along = std::round(exact.along * 1e4) / 1e4;
+  rounded.around = std::fmod(std::round(exact.around * 1e4) / 1e4, 1.0);
+  const auto there = body.find(rounded);
+  if (!there || distance(at(body.mesh(), *there), at(body.mesh(), place)) > 0.002) return exact;
+  return rounded;
+}
+
+// What a tailor would call a piece that lies there.
+std::string calledBy(const std::vector<BodyPoint>& line, bool symmetric) {
+  int arm = 0, leg = 0, left = 0;
+  double front = 0;
+  for (const BodyPoint& p : line) {
+    arm += p.part == BodyPoint::Part::LeftArm || p.part == BodyPoint::Part::RightArm;
+    leg += p.part == BodyPoint::Part::LeftLeg || p.part == BodyPoint::Part::RightLeg;
+    left += p.part == BodyPoint::Part::LeftArm || p.part == BodyPoint::Part::LeftLeg ||
+            (p.part == BodyPoint::Part::Torso && p.around > 0 && p.around < 0.5);
+    if (p.part == BodyPoint::Part::Torso) front += std::cos(2 * std::numbers::pi * p.around);
+  }
+  const int half = static_cast<int>(line.size()) / 2;
+  const std::string side = symmetric ? "" : left > half ? "_left" : "_right";
+  if (arm > half) return "sleeve" + side;
+  if (leg > half) return "leg" + side;
+  return (front >= 0 ? "front" : "back") + (left > 0 && left < static_cast<int>(line.size()) ? std::string() : side);
+}
+
+class DrawGesture : public Gesture {
+ public:
+  Told feed(const PointerSample& sample, const Hit&, const Workbench& bench) override {
+    if (sample.where != PointerSample::Where::Space) return {};
+    const Fitting& fitting = *bench.fitting;
+    const Hit skin = pickBody(fitting, sample);
+    const bool on = skin.on == Hit::On::Body;
+    hover_ = on ? std::optional(Noted{skin.skin, skin.point}) : std::nullopt;
+    switch (sample.phase) {
+      case PointerSample::Phase::Hover:
+        return {};
+      case PointerSample::Phase::Press:
+        if (!fitting.body) return {.why = say("There is no body to draw on; choose one in the body panel.")};
+        if (!on) return {.why = say("Begin the line on the body.")};
+        smooth_ = sample.shift;
+        stroke_ = {Noted{skin.skin, skin.point}};
+        return {};
+      case PointerSample::Phase::Drag:
+        if (!stroke_.empty() && on && distance(skin.point, stroke_.back().point) >= kStep)
+          stroke_.push_back({skin.skin, skin.point, false});
+        return {};
+      case PointerSample::Phase::Release:
+        break;
+    }
+    if (stroke_.empty()) return {};
+    if (on && distance(skin.point, stroke_.back().point) > 1e-9 && stroke_.size() > 1)
+      stroke_.push_back({skin.skin, skin.point, false});
+    double way = 0;
+    for (std::size_t i = 1; i < stroke_.size(); ++i) way += distance(stroke_[i - 1].point, stroke_[i].point);
+    const bool click = way < 2 * kStep;
+    std::vector<Noted> part = click ? std::vector{stroke_.front()} : thinned(stroke_);
+    stroke_.clear();
+    if (click) part.front().corner = !smooth_;
+    if (!parts_.empty() && !click && distance(parts_.back().back().point, part.front().point) < kMeets)
+      part.erase(part.begin());
+    if (part.empty()) return {};
+    parts_.push_back(std::move(part));
+    return ended(bench, false);
+  }
+
+  Told confirm(const Workbench& bench) override { return parts_.empty() ? Told{} : ended(bench, true); }
+
+  bool takeBack() override {
+    if (!stroke_.empty()) return stroke_.clear(), true;
+    if (parts_.empty()) return false;
+    parts_.pop_back();
+    return true;
+  }
+
+  Preview preview(const Workbench& bench) const override {
+    Preview shown;
+    std::vector<Vec3> line = path(bench);
+    for (const auto& part : parts_)
+      for (const Noted& n : part)
+        if (n.corner) shown.space.dots.push_back(n.point);
+    if (!stroke_.empty())
+      for (const Noted& n : stroke_) line.push_back(n.point);
+    else if (hover_ && !parts_.empty())
+      line.push_back(hover_->point);
+    if (hover_ && stroke_.empty()) shown.space.dots.push_back(hover_->point);
+    if (line.size() > 1) shown.space.lines.push_back({std::move(line), kChalk, 3, false});
+    return shown;
+  }
+
+  Message hint() const override {
+    if (parts_.empty() && stroke_.empty()) return info(Command::Draw).hint;
+    return say(
+        "End the line where it began, or on the body's centre; Enter closes it, undo takes back the last stroke.");
+  }
+  bool begun() const override { return !parts_.empty() || !stroke_.empty(); }
+
+ private:
+  std::vector<Noted> all() const {
+    std::vector<Noted> line;
+    for (const auto& part : parts_) line.insert(line.end(), part.begin(), part.end());
+    return line;
+  }
+
+  // The line as it runs over the skin.
+  std::vector<Vec3> path(const Workbench& bench) const {
+    const std::vector<Noted> line = all();
+    std::vector<Vec3> points;
+    if (!bench.fitting->body) return points;
+    if (guideOf_ != bench.fitting->body) {
+      guideOf_ = bench.fitting->body;
+      guide_ = std::make_unique<SurfaceGuide>(guideOf_->mesh());
+      known_.clear();
+    }
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (i > 0) {
+        if (known_.size() < i) {
+          auto way = guide_->straight(line[i - 1].place, line[i].place);
+          known_.push_back({line[i - 1].point, line[i].point, way ? way->points : std::vector<Vec3>{}});
+        }
+        Known& leg = known_[i - 1];
+        if (leg.from != line[i - 1].point || leg.to != line[i].point) {
+          auto way = guide_->straight(line[i - 1].place, line[i].place);
+          leg = {line[i - 1].point, line[i].point, way ? way->points : std::vector<Vec3>{}};
+        }
+        points.insert(points.end(), leg.points.begin(), leg.points.end());
+      }
+      points.push_back(line[i].point);
+    }
+    return points;
+  }
+
+  Told ended(const Workbench& bench, bool asked) {
+    const std::vector<Noted> line = all();
+    if (line.size() < 2)
+      return asked ? Told{.why = say("A line needs at least three places to hold a piece of cloth.")} : Told{};
+    const Vec3 a = line.front().point, b = line.back().point;
+    const bool meets = line.size() > 3 && distance(a, b) < kMeets;
+    const auto middle = [](Vec3 p) { return std::fabs(p.x) < kCentre; };
+    const bool half = !meets && line.size() > 2 && middle(a) && middle(b) && distance(a, b) > 3 * kMeets;
+    if (!meets && !half && !asked) return {};
+    if (asked && line.size() < 3) return {.why = say("A line needs at least three places to hold a piece of cloth.")};
+
+    const Body& body = *bench.fitting->body;
+    DrawPiece draw;
+    draw.symmetric = half;
+    std::size_t count = line.size();
+    if (meets) --count;
+    int corners = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      BodyPoint point = spoken(body, line[i].place);
+      const bool end = half && (i == 0 || i + 1 == count);
+      if (end) {
+        if (point.part != BodyPoint::Part::Torso)
+          return refuse(say("A half line begins and ends on the middle of the trunk."));
+        point.around = point.around > 0.25 && point.around < 0.75 ? 0.5 : 0;
+      }
+      draw.line.push_back(point);
+      const bool last = half && i + 1 == count;
+      if (!last) draw.edges.push_back(line[i].corner || i == 0 ? "e" + std::to_string(++corners) : "~");
+    }
+    draw.name = usableName(bench.fitting->document, calledBy(draw.line, draw.symmetric));
+    parts_.clear();
+    hover_.reset();
+    return {.over = true, .operation = std::move(draw)};
+  }
+
+  Told refuse(Message why) {
+    parts_.pop_back();
+    return {.why = std::move(why)};
+  }
+
+  std::vector<std::vector<Noted>> parts_;
+  std::vector<Noted> stroke_;
+  std::optional<Noted> hover_;
+  bool smooth_ = false;
+  struct Known {
+    Vec3 from, to;
+    std::vector<Vec3> points;
+  };
+  mutable BodyPtr guideOf_;
+  mutable std::unique_ptr<SurfaceGuide> guide_;
+  mutable std::vector<Known> known_;
+};
+
+}  // namespace
+
+std::unique_ptr<Gesture> drawGesture() { return std::make_unique<DrawGesture>(); }
+
+}  // namespace karinui

@@ -1,0 +1,249 @@
+#include "karinui/session/fitting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/pattern/lattice.h"
+#include "karinui/session/scene_of.h"
+
+namespace karinui {
+
+namespace {
+
+// Every piece for itself, for patterns whose seams cannot be laid together: what is there is shown all the same.
+SceneFrame scenePieceByPiece(const Document& document, const Body* body) {
+  SceneFrame frame;
+  if (body) frame.bodies.push_back({body->mesh(), SceneBody{}.colour});
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    Document alone = document;
+    alone.pattern.seams.clear();
+    std::erase_if(alone.pattern.pieces, [&](const auto& other) { return other.first != id; });
+    Result<SceneFrame> one = sceneOf(alone, nullptr);
+    if (one && !one->cloths.empty())
+      frame.cloths.push_back(std::move(one->cloths.front()));
+    else
+      frame.cloths.push_back({.name = piece->name, .mesh = {}, .flat = {}, .strain = {}, .outlines = {}, .seams = {}});
+  }
+  return frame;
+}
+
+struct Closest {
+  double angle = 1e9;  // between the ray and the way to the place
+  double along = 0;    // metres along the ray
+  double share = 0;    // of the segment
+};
+
+// How near a ray passes to a segment in space, as an angle seen from where it starts. The nearest approach of the two
+// lines, kept within the segment.
+Closest closest(const Ray& ray, Vec3 a, Vec3 b) {
+  const Vec3 side = b - a, from = a - ray.origin;
+  const double sd = dot(side, ray.direction), ss = squaredLength(side);
+  const double fd = dot(from, ray.direction), fs = dot(from, side);
+  const double bottom = ss - sd * sd;
+  const double t = bottom > 1e-18 ? std::clamp((sd * fd - fs) / bottom, 0.0, 1.0) : 0.0;
+  const Vec3 p = from + side * t;
+  const double along = dot(p, ray.direction);
+  if (along <= 0) return {};
+  return {std::atan2(length(p - ray.direction * along), along), along, t};
+}
+
+// The edge of a piece nearest to a paper place: its name and the fraction of its length.
+std::optional<EdgeNear> edgeOnPaper(const Piece& piece, Flat place) {
+  std::optional<EdgeNear> best;
+  for (const Edge& edge : piece.outline.edges) {
+    const std::vector<Flat> points = edge.curve.flattened(1e-4);
+    double done = 0, bestHere = 1e9, at = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const Flat side = points[i + 1] - points[i];
+      const double whole = length(side);
+      const double t = whole > 0 ? std::clamp(dot(place - points[i], side) / (whole * whole), 0.0, 1.0) : 0;
+      const double away = distance(place, points[i] + side * t);
+      if (away < bestHere) bestHere = away, at = done + t * whole;
+      done += whole;
+    }
+    if (!best || bestHere < best->away)
+      best = {piece.id, edge.name, done > 0 ? std::clamp(at / done, 0.0, 1.0) : 0.0, bestHere};
+  }
+  return best;
+}
+
+Hit pickTable(const Fitting& fitting, const Table& table, const PointerSample& sample) {
+  Hit hit;
+  for (auto w = fitting.worn.rbegin(); w != fitting.worn.rend(); ++w) {
+    const Piece* piece = fitting.document.find(w->id);
+    if (!piece) continue;
+    const Flat paper = sample.place - table.at(w->id);
+    auto edge = edgeOnPaper(*piece, paper);
+    const bool inside = contains(w->ring, paper);
+    if (edge && edge->away <= sample.reach && (!hit.edge || edge->away < hit.edge->away)) {
+      hit.edge = edge;
+      if (!inside && hit.on == Hit::On::Nothing) {
+        hit.piece = w->id;
+        hit.paper = paper;
+      }
+    }
+    if (inside && hit.on == Hit::On::Nothing) {
+      hit.on = Hit::On::Cloth;
+      hit.piece = w->id;
+      hit.paper = paper;
+    }
+  }
+  if (hit.on == Hit::On::Cloth)
+    if (const auto at = spaceOf(fitting, hit.piece, hit.paper)) hit.point = *at;
+  return hit;
+}
+
+void pickEdge(const Fitting& fitting, const PointerSample& sample, Hit& hit) {
+  constexpr double kBehind = 0.03;  // metres: an edge just behind the first thing met still counts
+  double nearest = sample.reach;
+  for (std::size_t k = 0; k < fitting.worn.size(); ++k) {
+    const SceneCloth& cloth = fitting.frame.cloths[k];
+    const Piece* piece = fitting.document.find(fitting.worn[k].id);
+    if (!piece || cloth.outlines.empty()) continue;
+    const auto& border = cloth.outlines.front();
+    for (std::size_t i = 0; i + 1 < border.size(); ++i) {
+      const Closest near = closest(sample.ray, cloth.mesh.points[border[i]], cloth.mesh.points[border[i + 1]]);
+      // An edge that lies on another piece's is no nearer than it: a whisker decides for the first.
+      if (near.angle >= nearest * 0.999 || (hit.on != Hit::On::Nothing && near.along > hit.along + kBehind)) continue;
+      const Flat paper = lerp(cloth.flat[border[i]], cloth.flat[border[i + 1]], near.share);
+      auto edge = edgeOnPaper(*piece, paper);
+      if (!edge) continue;
+      nearest = near.angle;
+      edge->away = near.angle;
+      hit.edge = edge;
+      if (hit.on != Hit::On::Cloth) {
+        hit.piece = piece->id;
+        hit.paper = paper;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+FittingPtr fittingOf(Document document, BodyPtr body) {
+  auto fitting = std::make_shared<Fitting>();
+  fitting->body = std::move(body);
+  Result<SceneFrame> frame = sceneOf(document, fitting->body.get());
+  if (frame) {
+    fitting->frame = *std::move(frame);
+  } else {
+    fitting->trouble = frame.error().what;
+    fitting->frame = scenePieceByPiece(document, fitting->body.get());
+  }
+  auto cloth = fitting->frame.cloths.begin();
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    KARINUI_ASSERT(cloth != fitting->frame.cloths.end() && cloth->name == piece->name);
+    fitting->worn.push_back({id, std::make_shared<const Bvh>(cloth->mesh), piece->outline.flattened(2e-4)});
+    ++cloth;
+  }
+  fitting->document = std::move(document);
+  return fitting;
+}
+
+void Table::arrange(const Fitting& fitting) {
+  constexpr double kGap = 0.04, kWide = 1.1;  // metres
+  std::erase_if(place_, [&](const auto& known) { return !fitting.document.find(known.first); });
+  const auto box = [](const Ring& ring) {
+    Box b;
+    for (const Flat p : ring) b.include({p.u, p.v, 0});
+    return b;
+  };
+  // Rows from the top downwards; a new piece goes to the end of the last row.
+  double right = 0, top = 0, low = 0;
+  bool any = false;
+  for (const auto& worn : fitting.worn) {
+    const auto at = place_.find(worn.id);
+    if (at == place_.end()) continue;
+    const Box b = box(worn.ring);
+    const double lower = b.low.y + at->second.v;
+    if (!any || lower < low - 1e-9) low = lower;
+    any = true;
+  }
+  double rowTop = 0;
+  for (const auto& worn : fitting.worn) {
+    const auto at = place_.find(worn.id);
+    if (at == place_.end()) continue;
+    const Box b = box(worn.ring);
+    rowTop = std::max(any ? rowTop : -1e9, b.high.y + at->second.v);
+    right = std::max(right, b.high.x + at->second.u + kGap);
+  }
+  if (!any) rowTop = 0;
+  top = rowTop;
+  for (const auto& worn : fitting.worn) {
+    if (place_.contains(worn.id)) continue;
+    const Box b = box(worn.ring);
+    if (any && right + b.size().x > kWide) {
+      top = low - kGap;
+      right = 0;
+    }
+    place_[worn.id] = Flat{right - b.low.x, top - b.high.y};
+    right += b.size().x + kGap;
+    low = any ? std::min(low, top - b.size().y) : top - b.size().y;
+    any = true;
+  }
+}
+
+Flat Table::at(PieceId id) const {
+  const auto at = place_.find(id);
+  return at == place_.end() ? Flat{} : at->second;
+}
+
+void Table::carry(PieceId id, Flat by) {
+  if (const auto at = place_.find(id); at != place_.end()) at->second += by;
+}
+
+Hit pickBody(const Fitting& fitting, const PointerSample& sample) {
+  Hit hit;
+  if (!fitting.body || sample.where != PointerSample::Where::Space) return hit;
+  if (const auto met = fitting.body->bvh().first(sample.ray.origin, sample.ray.direction)) {
+    hit.on = Hit::On::Body;
+    hit.along = met->along;
+    hit.point = met->point;
+    hit.skin = met->place;
+  }
+  return hit;
+}
+
+Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample) {
+  if (sample.where == PointerSample::Where::Table) return pickTable(fitting, table, sample);
+  Hit hit = pickBody(fitting, sample);
+  for (std::size_t k = 0; k < fitting.worn.size(); ++k) {
+    const SceneCloth& cloth = fitting.frame.cloths[k];
+    if (cloth.mesh.faces.empty()) continue;
+    const auto met = fitting.worn[k].tree->first(sample.ray.origin, sample.ray.direction);
+    // Cloth that lies on the skin, or a hair within it, is what is seen.
+    constexpr double kSkin = 0.004;
+    if (!met || (hit.on != Hit::On::Nothing && met->along > hit.along + (hit.on == Hit::On::Body ? kSkin : 0.0)))
+      continue;
+    hit.on = Hit::On::Cloth;
+    hit.along = met->along;
+    hit.point = met->point;
+    hit.piece = fitting.worn[k].id;
+    hit.paper = {};
+    const Triangle& face = cloth.mesh.faces[met->place.face];
+    for (std::size_t i = 0; i < 3; ++i) hit.paper += cloth.flat[face[i]] * met->place.weight[i];
+  }
+  pickEdge(fitting, sample, hit);
+  return hit;
+}
+
+std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId id, Flat paper) {
+  const Piece* piece = fitting.document.find(id);
+  if (!piece) return std::nullopt;
+  return Stand(*piece)(paper);
+}
+
+std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part) {
+  std::vector<Vec3> line;
+  const Piece* piece = fitting.document.find(part.piece.id);
+  const Edge* edge = piece ? findEdge(*piece, part.edge) : nullptr;
+  if (!edge) return line;
+  const Stand stand(*piece);
+  const int steps = std::clamp(static_cast<int>(edge->curve.length() * (part.to - part.from) / 0.008), 4, 200);
+  for (int i = 0; i <= steps; ++i)
+    line.push_back(stand(edge->curve.atFraction(part.from + (part.to - part.from) * i / steps)));
+  return line;
+}
+
+}  // namespace karinui

@@ -1,0 +1,107 @@
+#include "session/gestures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/base/number.h"
+
+namespace karinui {
+
+std::unique_ptr<Gesture> gestureFor(Command tool) {
+  switch (tool) {
+    case Command::Draw:
+      return drawGesture();
+    case Command::Move:
+      return moveGesture();
+    case Command::Sew:
+      return sewGesture();
+    case Command::Cut:
+      return cutGesture();
+    case Command::Pull:
+      return pullGesture();
+    case Command::Reshape:
+      return reshapeGesture();
+    case Command::Points:
+      return pointsGesture();
+    default:
+      return selectGesture();
+  }
+}
+
+double tenth(double metres) {
+  const double rounded = std::round(metres * 1e4) / 1e4;
+  return rounded == 0 ? 0 : rounded;  // no negative zero in the record
+}
+Flat tenth(Flat p) { return {tenth(p.u), tenth(p.v)}; }
+Vec3 tenth(Vec3 p) { return {tenth(p.x), tenth(p.y), tenth(p.z)}; }
+
+Vec3 onFacing(const PointerSample& sample, Vec3 through) {
+  const double slope = dot(sample.ray.direction, sample.facing);
+  if (std::fabs(slope) < 0.05) return through;  // looking along the plane: nothing sensible
+  return sample.ray.origin + sample.ray.direction * (dot(through - sample.ray.origin, sample.facing) / slope);
+}
+
+namespace {
+
+template <class Point>
+double awayFrom(Point a, Point b, Point p) {
+  const auto side = b - a;
+  const double ss = dot(side, side);
+  const double t = ss > 0 ? std::clamp(dot(p - a, side) / ss, 0.0, 1.0) : 0.0;
+  return length(p - (a + side * t));
+}
+
+template <class Point>
+void between(std::span<const Point> line, std::size_t from, std::size_t to, double miss,
+             std::vector<std::size_t>& kept) {
+  std::size_t worst = from;
+  double most = miss;
+  for (std::size_t i = from + 1; i < to; ++i)
+    if (const double away = awayFrom(line[from], line[to], line[i]); away > most) most = away, worst = i;
+  if (worst == from) return;
+  between(line, from, worst, miss, kept);
+  kept.push_back(worst);
+  between(line, worst, to, miss, kept);
+}
+
+}  // namespace
+
+template <class Point>
+std::vector<std::size_t> mattering(std::span<const Point> line, double miss) {
+  if (line.empty()) return {};
+  std::vector<std::size_t> kept{0};
+  if (line.size() == 1) return kept;
+  between(line, 0, line.size() - 1, miss, kept);
+  kept.push_back(line.size() - 1);
+  return kept;
+}
+template std::vector<std::size_t> mattering(std::span<const Flat>, double);
+template std::vector<std::size_t> mattering(std::span<const Vec3>, double);
+
+std::vector<Flat> edgeOnTable(const Workbench& bench, const EdgeRef& part) {
+  std::vector<Flat> line;
+  const Piece* piece = bench.fitting->document.find(part.piece.id);
+  const Edge* edge = piece ? findEdge(*piece, part.edge) : nullptr;
+  if (!edge) return line;
+  const Flat lies = bench.table->at(piece->id);
+  for (int i = 0; i <= 40; ++i)
+    line.push_back(edge->curve.atFraction(part.from + (part.to - part.from) * i / 40) + lies);
+  return line;
+}
+
+double lengthOf(const Workbench& bench, const EdgeRef& part) {
+  const Piece* piece = bench.fitting->document.find(part.piece.id);
+  const Edge* edge = piece ? findEdge(*piece, part.edge) : nullptr;
+  return edge ? edge->curve.length() * (part.to - part.from) : 0;
+}
+
+void showEdge(Preview& preview, const Workbench& bench, const EdgeRef& part, const Colour& colour) {
+  auto space = edgeInSpace(*bench.fitting, part);
+  if (space.empty()) return;
+  preview.space.lines.push_back({std::move(space), colour, 4, false});
+  preview.table.lines.push_back({edgeOnTable(bench, part), colour, false});
+}
+
+std::string centimetres(double metres) { return fixed(metres * 100, 1) + " cm"; }
+
+}  // namespace karinui

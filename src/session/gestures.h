@@ -1,0 +1,44 @@
+#pragma once
+// What the gestures share.
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "karinui/session/gesture.h"
+
+namespace karinui {
+
+std::unique_ptr<Gesture> selectGesture();
+std::unique_ptr<Gesture> drawGesture();
+std::unique_ptr<Gesture> moveGesture();
+std::unique_ptr<Gesture> sewGesture();
+std::unique_ptr<Gesture> cutGesture();
+std::unique_ptr<Gesture> pullGesture();
+std::unique_ptr<Gesture> reshapeGesture();
+std::unique_ptr<Gesture> pointsGesture();
+
+inline constexpr Colour kChalk{0.93f, 0.33f, 0.10f};    // what is being done
+inline constexpr Colour kGood{0.05f, 0.42f, 0.25f};     // will be accepted
+inline constexpr Colour kBad{0.70f, 0.04f, 0.06f};      // will be refused
+inline constexpr Colour kPartner{0.05f, 0.25f, 0.62f};  // the other side
+
+// Tenths of a millimetre: a hand is no finer, and the record stays readable.
+double tenth(double metres);
+Flat tenth(Flat place);
+Vec3 tenth(Vec3 step);
+
+// Where the ray of a sample meets the plane through `through` that faces who looks.
+Vec3 onFacing(const PointerSample& sample, Vec3 through);
+
+// The places of a line that matter, ends included (Douglas and Peucker, 1973); indices in order.
+template <class Point>
+std::vector<std::size_t> mattering(std::span<const Point> line, double miss);
+
+// A part of an edge on the table, and its length.
+std::vector<Flat> edgeOnTable(const Workbench& bench, const EdgeRef& part);
+double lengthOf(const Workbench& bench, const EdgeRef& part);
+void showEdge(Preview& preview, const Workbench& bench, const EdgeRef& part, const Colour& colour);
+std::string centimetres(double metres);
+
+}  // namespace karinui

@@ -1,0 +1,184 @@
+// Choosing, and working on the paper itself: corners dragged, edges bent or moved.
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/pattern/edit.h"
+#include "session/gestures.h"
+
+namespace karinui {
+
+namespace {
+
+class SelectGesture : public Gesture {
+ public:
+  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+    if (sample.phase == PointerSample::Phase::Hover) hover_ = hit.edge;
+    if (sample.phase != PointerSample::Phase::Press) return {};
+    Selection selection;
+    if (hit.piece) selection.pieces = {hit.piece};
+    selection.edge = hit.edge;
+    if (hit.edge)
+      for (const auto& [id, seam] : bench.fitting->document.pattern.seams)
+        for (const auto* side : {&seam.a, &seam.b})
+          for (const EdgeSpan& span : *side)
+            if (span.piece == hit.edge->piece && span.edge == hit.edge->edge &&
+                span.from <= hit.edge->fraction + 1e-9 && hit.edge->fraction <= span.to + 1e-9)
+              selection.seam = id;
+    chosen_ = selection;
+    return {};
+  }
+  Preview preview(const Workbench& bench) const override {
+    Preview shown;
+    if (hover_) showEdge(shown, bench, {PieceRef(hover_->piece), hover_->edge}, kChalk);
+    return shown;
+  }
+  Message hint() const override { return info(Command::Select).hint; }
+  bool begun() const override { return false; }
+  std::optional<Selection> chosen() override { return std::exchange(chosen_, std::nullopt); }
+
+ private:
+  std::optional<EdgeNear> hover_;
+  std::optional<Selection> chosen_;
+};
+
+class PointsGesture : public Gesture {
+ public:
+  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+    if (sample.where != PointerSample::Where::Table) {
+      if (sample.phase == PointerSample::Phase::Press) return {.why = say("Points are edited on the flat pattern.")};
+      return {};
+    }
+    switch (sample.phase) {
+      case PointerSample::Phase::Hover:
+        hover_ = grip(hit, sample, bench);
+        return {};
+      case PointerSample::Phase::Press:
+        held_ = grip(hit, sample, bench);
+        if (!held_) return {.why = say("Take hold of a corner or an edge of the pattern.")};
+        before_ = bench.fitting->document.find(held_->piece)->outline;
+        now_ = before_;
+        start_ = sample.place;
+        why_.reset();
+        return {};
+      case PointerSample::Phase::Drag:
+      case PointerSample::Phase::Release:
+        break;
+    }
+    if (!held_) return {};
+    const Piece* piece = bench.fitting->document.find(held_->piece);
+    if (!piece) return over({});
+    const Flat lies = bench.table->at(held_->piece), to = sample.place - lies;
+    const auto changed = held_->corner ? corner(*piece, to) : bent(*piece, to, sample.place - start_, sample.shift);
+    why_.reset();
+    if (changed)
+      now_ = *changed;
+    else
+      why_ = changed.error().what;
+    const bool moved = !(now_ == before_);
+    ReshapePiece op;
+    op.piece = held_->piece;
+    op.outline = now_;
+    if (sample.phase == PointerSample::Phase::Drag) return {.ask = moved && !why_ ? Ask(AskAfter{op}) : Ask{}};
+    if (why_) return over({}, why_);
+    return over(moved ? std::optional<Operation>(op) : std::nullopt);
+  }
+
+  Preview preview(const Workbench& bench) const override {
+    Preview shown;
+    const auto& here = held_ ? held_ : hover_;
+    if (!here) return shown;
+    const Flat lies = bench.table->at(here->piece);
+    if (held_) {
+      shown.outlines[held_->piece] = now_;
+      const auto n = now_.find(held_->edge);
+      if (n) {
+        const Curve& curve = now_.edges[*n].curve;
+        if (held_->corner) shown.table.dots.push_back(curve.start + lies);
+        shown.table.words.push_back({curve.atFraction(0.5) + lies, centimetres(curve.length())});
+        if (held_->corner) {
+          const Curve& other = now_.edges[(*n + now_.edges.size() - 1) % now_.edges.size()].curve;
+          shown.table.words.push_back({other.atFraction(0.5) + lies, centimetres(other.length())});
+        }
+      }
+      return shown;
+    }
+    if (here->corner)
+      shown.table.dots.push_back(here->place + lies);
+    else
+      showEdge(shown, bench, {PieceRef(here->piece), here->edge}, kChalk);
+    return shown;
+  }
+  Message hint() const override { return why_ ? *why_ : info(Command::Points).hint; }
+  bool begun() const override { return held_.has_value(); }
+
+ private:
+  struct Grip {
+    PieceId piece;
+    std::string edge;  // that begins at the corner, or is held
+    bool corner = false;
+    double fraction = 0;
+    Flat place;
+  };
+  static std::optional<Grip> grip(const Hit& hit, const PointerSample& sample, const Workbench& bench) {
+    if (!hit.edge) return std::nullopt;
+    const Piece* piece = bench.fitting->document.find(hit.edge->piece);
+    if (!piece) return std::nullopt;
+    const Flat paper = sample.place - bench.table->at(piece->id);
+    Grip grip{piece->id, hit.edge->edge, false, hit.edge->fraction, paper};
+    double nearest = 1.6 * sample.reach;
+    for (const Edge& edge : piece->outline.edges)
+      if (const double d = distance(edge.curve.start, paper); d < nearest)
+        nearest = d, grip.edge = edge.name, grip.corner = true, grip.place = edge.curve.start;
+    return grip;
+  }
+
+  Result<Outline> corner(const Piece& piece, Flat to) const {
+    const Result<Piece> moved = moveCorner(piece, held_->edge, tenth(to));
+    if (!moved) return moved.error();
+    return checked(moved->outline);
+  }
+
+  // The edge drawn so that the place it was taken at comes under the hand; with Shift the whole edge goes along and its
+  // neighbours follow at their ends.
+  Result<Outline> bent(const Piece& piece, Flat to, Flat by, bool whole) const {
+    if (whole) {
+      const auto n = piece.outline.find(held_->edge);
+      const Edge& edge = piece.outline.edges[*n];
+      const Edge& next = piece.outline.edges[(*n + 1) % piece.outline.edges.size()];
+      const Result<Piece> first = moveCorner(piece, edge.name, tenth(edge.curve.start + by));
+      if (!first) return first.error();
+      const Result<Piece> both = moveCorner(*first, next.name, tenth(next.curve.start + by));
+      if (!both) return both.error();
+      return checked(both->outline);
+    }
+    Outline outline = piece.outline;
+    Curve& curve = outline.edges[*outline.find(held_->edge)].curve;
+    const double t = std::clamp(curve.parameterAt(held_->fraction * curve.length()), 0.1, 0.9);
+    const double s = 1 - t, share = 3 * s * s * t + 3 * s * t * t;
+    if (curve.kind != Curve::Kind::Cubic) {
+      const Curve half = curve;
+      curve = Curve::cubic(half.start, half.at(1.0 / 3), half.at(2.0 / 3), half.end);
+    }
+    const Flat miss = (to - curve.at(t)) * (1 / share);
+    curve.control1 = tenth(curve.control1 + miss);
+    curve.control2 = tenth(curve.control2 + miss);
+    return checked(std::move(outline));
+  }
+
+  Told over(std::optional<Operation> operation, std::optional<Message> why = {}) {
+    held_.reset();
+    return {.over = true, .operation = std::move(operation), .why = std::move(why)};
+  }
+
+  std::optional<Grip> hover_, held_;
+  Outline before_, now_;
+  Flat start_;
+  std::optional<Message> why_;
+};
+
+}  // namespace
+
+std::unique_ptr<Gesture> selectGesture() { return std::make_unique<SelectGesture>(); }
+std::unique_ptr<Gesture> pointsGesture() { return std::make_unique<PointsGesture>(); }
+
+}  // namespace karinui

@@ -1,0 +1,175 @@
+// Pulling with live drape, and reshaping with live paper: the same hand, once with force and once without.
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/base/number.h"
+#include "session/gestures.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kLeast = 0.003;  // metres: less is a click
+
+class HandOnCloth : public Gesture {
+ public:
+  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+    if (sample.where != PointerSample::Where::Space) {
+      if (sample.phase == PointerSample::Phase::Press) return {.why = say("Take hold of the cloth on the body.")};
+      return {};
+    }
+    switch (sample.phase) {
+      case PointerSample::Phase::Hover:
+        hover_ = hit.on == Hit::On::Cloth ? std::optional(hit.point) : std::nullopt;
+        return {};
+      case PointerSample::Phase::Press: {
+        if (hit.on != Hit::On::Cloth) return {.why = say("Take hold of the cloth on the body.")};
+        if (const Piece* piece = bench.fitting->document.find(hit.piece); piece && piece->frozen && !mayBeFrozen())
+          return {.why = say("“{0}” is frozen; thaw it first.", piece->name)};
+        held_ = hit.piece;
+        at_ = tenth(hit.paper);
+        start_ = hit.point;
+        grip_ = onFacing(sample, start_);
+        path_ = {Vec3{}};
+        began_ = sample.seconds;
+        hover_.reset();
+        took();
+        return {};
+      }
+      case PointerSample::Phase::Drag:
+      case PointerSample::Phase::Release:
+        break;
+    }
+    if (!held_) return {};
+    const Vec3 by = tenth(onFacing(sample, grip_) - grip_);
+    const bool moved = distance(by, path_.back()) > 0;
+    if (moved) path_.push_back(by);
+    keep_ = sample.shift;
+    if (sample.phase == PointerSample::Phase::Drag) return {.ask = moved ? ask() : Ask{}};
+    const double most = furthest();
+    Told told{.over = true};
+    if (most >= kLeast) told.operation = operation(sample.seconds - began_);
+    held_ = {};
+    return told;
+  }
+
+  Message hint() const override { return words(); }
+  bool begun() const override { return static_cast<bool>(held_); }
+
+ protected:
+  virtual bool mayBeFrozen() const { return false; }
+  virtual void took() {}
+  virtual Ask ask() const = 0;
+  virtual Operation operation(double seconds) const = 0;
+  virtual Message words() const = 0;
+  Vec3 by() const { return path_.back(); }
+  double furthest() const {
+    double most = 0;
+    for (const Vec3 p : path_) most = std::max(most, length(p));
+    return most;
+  }
+
+  PieceId held_;
+  Flat at_;
+  Vec3 start_, grip_;
+  std::vector<Vec3> path_;
+  std::optional<Vec3> hover_;
+  double began_ = 0;
+  bool keep_ = false;
+};
+
+class PullGesture : public HandOnCloth {
+ public:
+  void answered(const Answer& answer) override {
+    if (answer.force) force_ = answer.force;
+    why_ = answer.why;
+  }
+  Preview preview(const Workbench&) const override {
+    Preview shown;
+    if (hover_) shown.space.dots.push_back(*hover_);
+    if (!held_) return shown;
+    const Vec3 hand = start_ + by();
+    shown.space.dots.push_back(hand);
+    // The arrow is what the cloth does to the hand: 1 cm for a tenth of a newton, never longer than an arm.
+    const double newtons = force_ ? length(*force_) : 0;
+    if (force_ && newtons > 1e-3) {
+      const Vec3 arrow = normalized(*force_) * std::min(0.4, 0.1 * newtons);
+      shown.space.lines.push_back({{hand, hand + arrow}, kPartner, 5, true});
+    } else {
+      shown.space.lines.push_back({{start_, hand}, kChalk, 2, true});
+    }
+    if (force_) shown.space.words.push_back({hand, fixed(newtons, 2) + " N"});
+    return shown;
+  }
+
+ protected:
+  void took() override { force_.reset(), why_.reset(); }
+  Ask ask() const override { return AskPull{held_, at_, by()}; }
+  Operation operation(double seconds) const override {
+    PullCloth pull;
+    pull.piece = held_;
+    pull.at = at_;
+    const auto kept = mattering<Vec3>(path_, 0.005);
+    for (std::size_t k = 1; k < kept.size(); ++k) pull.by.push_back(path_[kept[k]]);
+    if (pull.by.empty()) pull.by.push_back(path_.back());
+    pull.seconds = std::clamp(std::round(seconds * 10) / 10, 0.3, 3.0);
+    pull.letGo = !keep_;
+    return pull;
+  }
+  Message words() const override {
+    if (why_) return *why_;
+    if (held_ && force_)
+      return say("The cloth pulls with {0} N. Let go and it swings back; with Shift it stays held.",
+                 fixed(length(*force_), 2));
+    return info(Command::Pull).hint;
+  }
+
+ private:
+  std::optional<Vec3> force_;
+  std::optional<Message> why_;
+};
+
+class ReshapeGesture : public HandOnCloth {
+ public:
+  void answered(const Answer& answer) override {
+    after_ = answer.after ? answer.after : after_;
+    why_ = answer.why;
+  }
+  Preview preview(const Workbench&) const override {
+    Preview shown;
+    if (hover_) shown.space.dots.push_back(*hover_);
+    if (!held_) return shown;
+    const Vec3 hand = start_ + by();
+    shown.space.lines.push_back({{start_, hand}, kChalk, 3, true});
+    shown.space.dots.push_back(hand);
+    shown.space.words.push_back({hand, centimetres(length(by()))});
+    if (after_)
+      if (const Piece* piece = after_->document.find(held_)) shown.outlines[held_] = piece->outline;
+    return shown;
+  }
+
+ protected:
+  bool mayBeFrozen() const override { return true; }
+  void took() override { after_.reset(), why_.reset(); }
+  Ask ask() const override { return AskAfter{reshape()}; }
+  Operation operation(double) const override { return reshape(); }
+  Message words() const override { return why_ ? *why_ : info(Command::Reshape).hint; }
+
+ private:
+  ReshapePiece reshape() const {
+    ReshapePiece op;
+    op.piece = held_;
+    op.at = {at_};
+    op.by = {by()};
+    return op;
+  }
+  FittingPtr after_;
+  std::optional<Message> why_;
+};
+
+}  // namespace
+
+std::unique_ptr<Gesture> pullGesture() { return std::make_unique<PullGesture>(); }
+std::unique_ptr<Gesture> reshapeGesture() { return std::make_unique<ReshapeGesture>(); }
+
+}  // namespace karinui

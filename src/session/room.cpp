@@ -1,0 +1,116 @@
+#include "session/room.h"
+
+#include "karinui/base/file.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kCoarse = 3;        // times the document's spacing, for the first answer
+constexpr std::size_t kWorthIt = 4;  // below this many times the coarse answer's cost it is not worth having
+
+// The garment after a drape, for looking at.
+Document adopted(Document document, const std::map<PieceId, std::shared_ptr<const Form>>& forms) {
+  for (const auto& [id, form] : forms) {
+    const Piece* old = document.find(id);
+    if (!old) continue;
+    Piece piece = *old;
+    piece.form = form;
+    piece.pose = Rigid();
+    document.pattern.pieces[id] = std::make_shared<const Piece>(std::move(piece));
+  }
+  return document;
+}
+
+double area(const Document& document, const std::vector<PieceRef>& live) {
+  double sum = 0;
+  for (const PieceRef& ref : live)
+    if (const Piece* piece = document.find(ref.id)) sum += piece->outline.area();
+  return sum;
+}
+
+}  // namespace
+
+Context Room::context(const Token& token) {
+  Context context{*workers_, token, file_.blobs(), *bodies_, options_.drape, options_.pull};
+  if (!context.drape)
+    context.drape = [this](const Document& document, const DrapePieces& drape, Context& own) {
+      const double spacing = document.settings.spacing;
+      if (predicted && area(document, drape.live) / (spacing * spacing) > 100 * kWorthIt) {
+        Document coarse = document;
+        coarse.settings.spacing = kCoarse * spacing;
+        if (const auto first = drapeOnBody(coarse, drape, own); first && !own.token.cancelled())
+          predicted(fitted(adopted(document, first->forms), own.token));
+      }
+      return drapeOnBody(document, drape, own);
+    };
+  return context;
+}
+
+FittingPtr Room::fitted(Document document, const Token& token) {
+  BodyPtr body;
+  if (document.body.chosen()) {
+    Context own = context(token);
+    if (auto found = bodyOf(document, own)) body = *found;
+  }
+  return fittingOf(std::move(document), std::move(body));
+}
+
+Result<Step> Room::perform(Operation operation, const Token& token) {
+  Context own = context(token);
+  return file_.perform(std::move(operation), own);
+}
+Result<Step> Room::undo(const Token& token) {
+  Context own = context(token);
+  return file_.undo(own);
+}
+Result<Step> Room::redo(const Token& token) {
+  Context own = context(token);
+  return file_.redo(own);
+}
+
+RoomState Room::state(const Token& token) {
+  pull_.reset();
+  return {fitted(file_.document(), token), file_.steps(), file_.undone(), file_.path(), readOnly_};
+}
+
+Result<FittingPtr> Room::after(const Operation& operation, const Token& token) {
+  Context own = context(token);
+  Result<Document> document = apply(file_.document(), operation, own);
+  if (!document) return document.error();
+  return fitted(*std::move(document), token);
+}
+
+Result<Vec3> Room::pullTo(const AskPull& ask, const Token& token, FittingPtr& shown) {
+  Context own = context(token);
+  if (!pull_ || pull_->piece != ask.piece || !(pull_->at == ask.at)) {
+    PullCloth pull;
+    pull.piece = ask.piece;
+    pull.at = ask.at;
+    auto live = LivePull::take(file_.document(), pull, own);
+    if (!live) return live.error();
+    pull_ = std::make_unique<Pulling>(Pulling{ask.piece, ask.at, *std::move(live)});
+  }
+  Result<Vec3> force = pull_->live.to(ask.by, own);
+  if (force) shown = fitted(adopted(file_.document(), pull_->live.forms()), token);
+  return force;
+}
+
+Done Room::moveTo(const std::filesystem::path& path) {
+  std::error_code trouble;
+  if (file_.path().empty()) return refused(say("This garment has no file yet; open it as a document first."));
+  const std::filesystem::path old = file_.path();
+  file_ = DocumentFile::inMemory();  // closes: one whole file
+  std::optional<Error> why;
+  if (const auto bytes = readFile(old); !bytes)
+    why = bytes.error();
+  else if (const Done written = writeFile(path, *bytes); !written)
+    why = written.error();
+  auto opened = why && readOnly_ ? DocumentFile::openForReading(old) : DocumentFile::open(why ? old : path);
+  if (!opened) return opened.error();
+  file_ = *std::move(opened);
+  if (!why) readOnly_ = false;
+  return why ? Done(*why) : Done();
+}
+
+}  // namespace karinui

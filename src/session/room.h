@@ -1,0 +1,73 @@
+#pragma once
+// The document and what working on it needs, as the session's second thread has it: nothing here is touched by the
+// hand's thread while a task runs.
+#include <filesystem>
+#include <memory>
+
+#include "karinui/design/drape.h"
+#include "karinui/design/history.h"
+#include "karinui/session/session.h"
+
+namespace karinui {
+
+// Everything the hand's thread is told after a step.
+struct RoomState {
+  FittingPtr fitting;
+  std::vector<Step> steps, undone;
+  std::filesystem::path path;
+  bool readOnly = false;
+};
+
+class Room {
+ public:
+  Room(DocumentFile file, const SessionOptions& options, std::shared_ptr<Bodies> bodies,
+       std::shared_ptr<Workers> workers, bool readOnly = false)
+      : file_(std::move(file)),
+        options_(options),
+        bodies_(std::move(bodies)),
+        workers_(std::move(workers)),
+        readOnly_(readOnly) {}
+
+  // Published while a drape is worked out: a first, coarse answer.
+  std::function<void(FittingPtr)> predicted;
+
+  DocumentFile& file() { return file_; }
+  bool readOnly() const { return readOnly_; }
+  Result<Step> perform(Operation operation, const Token& token);
+  Result<Step> undo(const Token& token);
+  Result<Step> redo(const Token& token);
+  RoomState state(const Token& token);
+  Result<FittingPtr> after(const Operation& operation, const Token& token);  // without doing it
+  Result<Vec3> pullTo(const AskPull& ask, const Token& token, FittingPtr& shown);
+  void letGo() { pull_.reset(); }
+  Done moveTo(const std::filesystem::path& path);  // a copy, and works on in it
+  Context context(const Token& token);
+  Workers& workers() { return *workers_; }
+
+ private:
+  FittingPtr fitted(Document document, const Token& token);
+  DocumentFile file_;
+  SessionOptions options_;
+  std::shared_ptr<Bodies> bodies_;
+  std::shared_ptr<Workers> workers_;
+  bool readOnly_ = false;
+  struct Pulling {
+    PieceId piece;
+    Flat at;
+    LivePull live;
+  };
+  std::unique_ptr<Pulling> pull_;
+};
+
+// Files in and out (session's second thread).
+Done importPatternInto(Room& room, const std::filesystem::path& file, const Token& token);
+Done importBodyInto(Room& room, const std::filesystem::path& file, const Token& token, std::vector<Message>& notes);
+struct ExportWish {
+  std::filesystem::path file;
+  double allowance = 0.010;
+  bool a4 = false;
+  Language language = Language::English;
+};
+Done exportFrom(const Fitting& fitting, const std::string& log, const ExportWish& wish);
+
+}  // namespace karinui

@@ -1,0 +1,96 @@
+#include "session/task_line.h"
+
+#include <algorithm>
+
+namespace karinui {
+
+TaskLine::TaskLine(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { run(); }) {}
+
+TaskLine::~TaskLine() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+    waiting_.clear();
+    if (running_) running_->cancel();
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void TaskLine::add(Kind kind, Work work) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back({kind, std::move(work)});
+  }
+  changed_.notify_all();
+}
+
+void TaskLine::cancel(Kind kind) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(waiting_, [&](const Task& t) { return t.kind == kind; });
+  if (running_ && runningKind_ == kind) running_->cancel();
+}
+
+bool TaskLine::busy() const {
+  const std::lock_guard lock(mutex_);
+  return running_ || !waiting_.empty() || !finished_.empty();
+}
+
+bool TaskLine::busy(Kind kind) const {
+  const std::lock_guard lock(mutex_);
+  return (running_ && runningKind_ == kind) ||
+         std::any_of(waiting_.begin(), waiting_.end(), [&](const Task& t) { return t.kind == kind; });
+}
+
+TaskLine::Progress TaskLine::progress() const {
+  const std::lock_guard lock(mutex_);
+  return progress_;
+}
+
+bool TaskLine::takeIn() {
+  std::deque<Finish> taken;
+  {
+    const std::lock_guard lock(mutex_);
+    taken.swap(finished_);
+  }
+  for (const Finish& finish : taken)
+    if (finish) finish();
+  return !taken.empty();
+}
+
+void TaskLine::wait() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return !finished_.empty() || (!running_ && waiting_.empty()); });
+}
+
+void TaskLine::run() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [&] { return closing_ || !waiting_.empty(); });
+    if (closing_) return;
+    Task task = std::move(waiting_.front());
+    waiting_.pop_front();
+    running_ = std::make_shared<Token>([this](double fraction, const Message& doing) {
+      {
+        const std::lock_guard inner(mutex_);
+        progress_ = {fraction, doing};
+      }
+      if (wake_) wake_();
+    });
+    runningKind_ = task.kind;
+    progress_ = {};
+    const std::shared_ptr<Token> token = running_;
+    lock.unlock();
+    Finish finish = task.work(*token);
+    task.work = nullptr;  // what it held ends here, not under the lock
+    lock.lock();
+    finished_.push_back(std::move(finish));
+    running_.reset();
+    changed_.notify_all();
+    lock.unlock();
+    if (wake_) wake_();
+    lock.lock();
+  }
+}
+
+}  // namespace karinui

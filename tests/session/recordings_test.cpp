@@ -1,0 +1,114 @@
+// Recorded hands: each file is a garment that is given, a stream of samples and commands, and what they come to:
+// steps as text, and sentences of refusal. With KARINUI_ACCEPT=1 what they come to is written into the files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "design/workroom.h"
+#include "karinui/session/session.h"
+
+namespace karinui {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Recording {
+  std::vector<std::string> given, played, expected;
+  std::string kept;  // the file without what is expected
+};
+
+Recording recordingIn(const fs::path& path) {
+  Recording recording;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("expect ")) {
+      recording.expected.push_back(line.substr(7));
+      continue;
+    }
+    recording.kept += line + "\n";
+    if (line.starts_with("given "))
+      recording.given.push_back(line.substr(6));
+    else if (!line.empty() && line[0] != '#')
+      recording.played.push_back(line);
+  }
+  return recording;
+}
+
+SessionOptions cheap(std::shared_ptr<Bodies> bodies) {
+  SessionOptions options;
+  options.bodies = std::move(bodies);
+  options.drape = [](const Document& d, const DrapePieces& op, Context&) { return fallABit(d, op.live); };
+  options.pull = [](const Document& d, const PullCloth& op, Context&) { return fallABit(d, op.live); };
+  return options;
+}
+
+std::optional<Command> named(std::string_view name) {
+  for (const CommandInfo& one : commands())
+    if (one.name == name) return one.command;
+  return std::nullopt;
+}
+
+std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodies> bodies) {
+  Session session(cheap(std::move(bodies)));
+  for (const std::string& line : recording.given) {
+    auto operation = parseOperation(line);
+    EXPECT_TRUE(operation) << line;
+    if (operation) session.perform(*std::move(operation));
+    session.finish();
+  }
+  const std::size_t before = session.steps().size();
+  EXPECT_EQ(before, recording.given.size());
+  std::vector<std::string> came;
+  const auto note = [&] {
+    for (const Notice& notice : session.takeNotices())
+      if (notice.kind == Notice::Kind::Refused) came.push_back("refused: " + text(notice.what));
+  };
+  for (const std::string& line : recording.played) {
+    std::istringstream words(line);
+    std::string first, second;
+    words >> first >> second;
+    if (first == "tool" || first == "command") {
+      const auto command = named(second);
+      EXPECT_TRUE(command) << line;
+      if (command) session.command(*command);
+    } else {
+      const auto sample = parsePointerSample(line);
+      EXPECT_TRUE(sample) << line;
+      if (sample) session.feed(*sample);
+    }
+    (void)session.preview();  // what is shown meanwhile is part of the life of a gesture
+    (void)session.hint();
+  }
+  session.finish();
+  note();
+  for (std::size_t i = before; i < session.steps().size(); ++i) came.push_back(text(session.steps()[i].operation));
+  return came;
+}
+
+TEST(Recordings, ComeToWhatWasExpected) {
+  const fs::path folder = fs::path(KARINUI_SOURCE_DIR) / "tests/session/recordings";
+  const auto bodies = std::make_shared<Bodies>();
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  EXPECT_GE(files.size(), 40u);
+  for (const fs::path& path : files) {
+    SCOPED_TRACE(path.filename().string());
+    const Recording recording = recordingIn(path);
+    const std::vector<std::string> came = cameTo(recording, bodies);
+    if (std::getenv("KARINUI_ACCEPT")) {
+      std::ofstream file(path);
+      file << recording.kept;
+      for (const std::string& line : came) file << "expect " << line << "\n";
+    } else {
+      EXPECT_THAT(came, testing::ElementsAreArray(recording.expected));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace karinui

@@ -1,0 +1,259 @@
+#include "karinui/session/session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <future>
+
+#include "design/workroom.h"
+#include "session/task_line.h"
+
+namespace karinui {
+namespace {
+
+Operation op(const std::string& line) { return *parseOperation(line); }
+
+std::vector<std::string> stepsOf(const Session& session) {
+  std::vector<std::string> all;
+  for (const Step& step : session.steps()) all.push_back(text(step.operation));
+  return all;
+}
+
+// A session whose solver waits until it is allowed to end, so that a test may look at it in the middle.
+struct Held {
+  std::promise<void> begun, allow;
+  std::shared_future<void> mayEnd{allow.get_future()};
+  std::atomic<int> drapes{0};
+  SessionOptions options() {
+    SessionOptions o;
+    o.drape = [this](const Document& d, const DrapePieces& drape, Context& context) -> Result<DrapeOutcome> {
+      if (drapes++ == 0) {
+        begun.set_value();
+        while (!context.token.cancelled() &&
+               mayEnd.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {
+        }
+      }
+      if (context.token.cancelled()) return cancelled();
+      return fallABit(d, drape.live);
+    };
+    o.pull = [](const Document& d, const PullCloth& pull, Context&) { return fallABit(d, pull.live); };
+    return o;
+  }
+};
+
+void giveTwo(Session& session) {
+  const auto lines = parseScript(kTwoPieces);
+  for (const ScriptLine& line : *lines) session.perform(line.operation);
+  session.finish();
+}
+
+TEST(Session, SettlesWhatChangedAndRecordsIt) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("drape live=front"));
+  session.finish();
+  EXPECT_THAT(stepsOf(session).back(), testing::HasSubstr("drape live=p1"));
+  EXPECT_EQ(session.fitting().document.drape.dirty,
+            std::set<PieceId>{session.fitting().document.pieceNamed("back")->id});
+}
+
+TEST(Session, UndoWhileSettlingOnlyStopsWhatWasAskedFor) {
+  Held held;
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("drape live=front"));
+  held.begun.get_future().wait();
+  EXPECT_TRUE(session.busy().settling);
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 2u);
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 1u);
+}
+
+TEST(Session, AStepInterruptsTheDrapeWhichThenGoesOn) {
+  Held held;
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("drape live=front"));
+  held.begun.get_future().wait();
+  session.perform(op("move piece=front by=0,1cm,0"));
+  session.finish();
+  ASSERT_EQ(session.steps().size(), 4u);
+  EXPECT_THAT(stepsOf(session)[2], testing::HasSubstr("move"));
+  EXPECT_THAT(stepsOf(session)[3], testing::HasSubstr("drape live=p1"));
+}
+
+TEST(Session, WhatWasAtRestIsBroughtToRestAgainAndUndoneWithItsCause) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("drape"));
+  session.finish();
+  const std::size_t before = session.steps().size();
+  session.perform(op("cut piece=front line=\"0.2,-0.01 0.2,0.1\""));
+  session.finish();
+  ASSERT_EQ(session.steps().size(), before + 2);
+  EXPECT_THAT(stepsOf(session).back(), testing::HasSubstr("drape live=p1"));
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), before);
+  session.command(Command::Redo);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), before + 2);
+}
+
+TEST(Session, NothingThatNeverHungIsDrapedByItself) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("cut piece=front line=\"0.2,-0.01 0.2,0.1\""));
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 3u);
+}
+
+TEST(Session, SpaceStopsADrapeAndNothingIsChanged) {
+  Held held;
+  Session session(held.options());
+  giveTwo(session);
+  const std::string stand = drapeHash(session.fitting().document);
+  session.perform(op("drape"));
+  held.begun.get_future().wait();
+  session.command(Command::Settle);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 2u);
+  EXPECT_EQ(drapeHash(session.fitting().document), stand);
+  EXPECT_FALSE(session.busy().any);
+}
+
+TEST(Session, ASeamIsTurnedRound) {
+  Held held;
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("sew a=front.side_left b=back.side_right reversed=no"));
+  session.finish();
+  Selection selection;
+  selection.seam = session.fitting().document.pattern.seams.begin()->first;
+  session.select(selection);
+  session.command(Command::FlipSeam);
+  session.finish();
+  ASSERT_EQ(session.fitting().document.pattern.seams.size(), 1u);
+  EXPECT_TRUE(session.fitting().document.pattern.seams.begin()->second.reversed);
+}
+
+TEST(Session, GoesBackAndForthInItsHistory) {
+  Held held;
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("move piece=front by=0,1cm,0"));
+  session.finish();
+  session.goTo(1);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 1u);
+  EXPECT_EQ(session.undone().size(), 2u);
+  session.goTo(3);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 3u);
+}
+
+TEST(Session, TheMenuIsHitByThePointerThatWorksTheCloth) {
+  Held held;
+  Session session(held.options());
+  giveTwo(session);
+  Sight sight;
+  sight.eye = {0, 1, 4};
+  session.setSight(sight);
+  const ScenePanel panel = *session.menu();
+  const auto& bar = menuBar();
+  for (std::size_t i = 0; i < bar.size(); ++i) {
+    if (!isTool(bar[i]) || !session.can(bar[i])) continue;
+    const auto& b = panel.buttons[i];
+    const Vec3 there = panel.corner + normalized(panel.across) * (b.left + b.width / 2) +
+                       normalized(panel.upward) * (b.bottom + b.height / 2);
+    PointerSample sample;
+    sample.ray = {sight.eye, normalized(there - sight.eye)};
+    sample.phase = PointerSample::Phase::Press;
+    session.feed(sample);
+    EXPECT_EQ(session.tool(), bar[i]);
+    sample.phase = PointerSample::Phase::Release;
+    session.feed(sample);
+  }
+  EXPECT_EQ(session.tool(), Command::Reshape);
+}
+
+TEST(Session, OpensCopiesAndReopensWhereItWas) {
+  const auto folder = std::filesystem::temp_directory_path() / "karinui_session_test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  {
+    Held held;
+    Session session(held.options());
+    session.create(folder / "a.karinui");
+    giveTwo(session);
+    session.perform(op("move piece=front by=0,1cm,0"));
+    session.command(Command::Undo);
+    session.saveCopy(folder / "b.karinui");
+    session.finish();
+    EXPECT_EQ(session.path(), folder / "b.karinui");
+    EXPECT_EQ(session.steps().size(), 2u);
+  }
+  Held held;
+  Session session(held.options());
+  session.open(folder / "b.karinui");
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 2u);
+  EXPECT_EQ(session.undone().size(), 1u);
+  session.open(folder / "none.karinui");
+  session.finish();
+  const auto notices = session.takeNotices();
+  EXPECT_TRUE(
+      std::any_of(notices.begin(), notices.end(), [](const Notice& n) { return n.kind == Notice::Kind::Refused; }));
+  EXPECT_EQ(session.path(), folder / "b.karinui");  // what was open stays
+}
+
+TEST(TaskLine, CancelsWhatRunsAndDropsWhatWaits) {
+  TaskLine line({});
+  std::promise<void> begun;
+  int ended = 0;
+  bool stopped = false;
+  line.add(TaskLine::Kind::Settle, [&](const Token& token) -> TaskLine::Finish {
+    begun.set_value();
+    while (!token.cancelled()) std::this_thread::yield();
+    stopped = true;
+    return [&] { ++ended; };
+  });
+  line.add(TaskLine::Kind::Settle, [&](const Token&) -> TaskLine::Finish { return [&] { ended += 100; }; });
+  begun.get_future().wait();
+  EXPECT_TRUE(line.busy(TaskLine::Kind::Settle));
+  line.cancel(TaskLine::Kind::Settle);
+  while (line.busy()) {
+    line.wait();
+    line.takeIn();
+  }
+  EXPECT_TRUE(stopped);
+  EXPECT_EQ(ended, 1);
+}
+
+TEST(Menu, HangsInViewAndKnowsItsButtons) {
+  Sight sight;
+  sight.eye = {1, 2, 3};
+  sight.aspect = 0.8;
+  const ScenePanel panel = menuPanel(sight, {});
+  EXPECT_EQ(panel.buttons.size(), menuBar().size());
+  EXPECT_FALSE(menuHit(panel, {sight.eye, -sight.back}));  // the middle of the view is free
+  EXPECT_FALSE(meets(panel, {sight.eye, sight.back}));     // nothing behind
+  for (const auto& b : panel.buttons) {
+    EXPECT_GE(b.left, 0);
+    EXPECT_LE(b.left + b.width, length(panel.across));
+    EXPECT_LE(b.bottom + b.height, length(panel.upward));
+  }
+}
+
+}  // namespace
+}  // namespace karinui
