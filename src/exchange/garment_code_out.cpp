@@ -77,11 +77,13 @@ class Splits {
     bool grew = false;
     for (const auto& [id, seam] : pattern_.seams) {
       const SeamSides sides(pattern_, seam);
-      for (const double x : sides.breaks()) grew |= add(sides.a.at(x)) | add(sides.b.at(x));
-      grew |= carry(sides.a, sides.b) | carry(sides.b, sides.a);
+      for (const double x : sides.breaks())
+        for (const SeamSide* side : {&sides.a, &sides.b}) grew |= add(side->at(x));
+      grew |= carry(sides.a, sides.b);
+      grew |= carry(sides.b, sides.a);
       for (const auto* spans : {&seam.a, &seam.b})
         for (const EdgeSpan& span : *spans)
-          grew |= add({span.piece, span.edge, span.from}) | add({span.piece, span.edge, span.to});
+          for (const double at : {span.from, span.to}) grew |= add({span.piece, span.edge, at});
     }
     return grew;
   }

@@ -58,15 +58,12 @@ std::optional<AnyId> idIn(std::string_view text, char letter) {
   if (text.size() < 2 || text[0] != letter) return std::nullopt;
   std::uint32_t serial = 0, count = 1;
   const char* end = text.data() + text.size();
-  auto [at, error] = std::from_chars(text.data() + 1, end, serial);
-  if (error != std::errc() || serial == 0) return std::nullopt;
-  if (at != end) {
-    if (*at != '.') return std::nullopt;
-    std::tie(at, error) = [&] {
-      const auto r = std::from_chars(at + 1, end, count);
-      return std::pair(r.ptr, r.ec);
-    }();
-    if (error != std::errc() || at != end || count == 0 || count > 0x10000) return std::nullopt;
+  const auto first = std::from_chars(text.data() + 1, end, serial);
+  if (first.ec != std::errc() || serial == 0) return std::nullopt;
+  if (first.ptr != end) {
+    if (*first.ptr != '.') return std::nullopt;
+    const auto second = std::from_chars(first.ptr + 1, end, count);
+    if (second.ec != std::errc() || second.ptr != end || count == 0 || count > 0x10000) return std::nullopt;
   }
   return madeBy<AnyId>(serial, count - 1);
 }
