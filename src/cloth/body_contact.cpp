@@ -9,17 +9,17 @@ constexpr double kFirmness = 3e5;  // N/m per m2 of cloth: 30 N/m for each cm2
 constexpr double kHarder = 4;      // how the push grows with depth: r + 4 r^3, r = depth / offset
 constexpr double kStraight = 2;    // beyond this r it grows straight on
 constexpr double kGlide = 2e-5;    // metres: friction of a node that slips is no stiffer than over this
-constexpr double kCrease = 0.9;    // cosine between a node's normals of two steps below which it is in a crease,
-constexpr double kTurn = 0.2;      // where its normal turns by this share of the way a step
 constexpr std::size_t kBlock = 256;
 
-Vec3 turned(Vec3 before, Vec3 now) {
-  if (squaredLength(before) == 0 || dot(before, now) > kCrease) return now;
-  const Vec3 between = before + (now - before) * kTurn;
-  return squaredLength(between) > 1e-6 ? normalized(between) : now;
-}
-
 }  // namespace
+
+Push bodyPush(double area, double depth, double offset) {
+  const double k = kFirmness * area, r = depth / offset;
+  if (r <= kStraight) return {k * offset * (r + kHarder * r * r * r), k * (1 + 3 * kHarder * r * r)};
+  const double slope = k * (1 + 3 * kHarder * kStraight * kStraight);
+  return {k * offset * (kStraight + kHarder * kStraight * kStraight * kStraight) + slope * (depth - kStraight * offset),
+          slope};
+}
 
 BodyContact::BodyContact(const Collider& body, std::vector<Node> nodes, double offset)
     : body_(body), nodes_(std::move(nodes)), at_(nodes_.size()), offset_(offset) {
@@ -31,15 +31,6 @@ BodyContact::BodyContact(const Collider& body, std::vector<Node> nodes, double o
 void BodyContact::cover(std::size_t nodeCount) {
   slot_.assign(nodeCount, kNoNode);
   for (std::uint32_t k = 0; k < nodes_.size(); ++k) slot_[nodes_[k].node] = k;
-}
-
-BodyContact::Push BodyContact::pushAt(double area, double depth) const {
-  const double k = kFirmness * area, r = depth / offset_;
-  if (r <= kStraight) return {k * offset_ * (r + kHarder * r * r * r), k * (1 + 3 * kHarder * r * r)};
-  const double slope = k * (1 + 3 * kHarder * kStraight * kStraight);
-  return {
-      k * offset_ * (kStraight + kHarder * kStraight * kStraight * kStraight) + slope * (depth - kStraight * offset_),
-      slope};
 }
 
 void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& workers) {
@@ -58,10 +49,7 @@ void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& work
         at = {};
         continue;
       }
-      const Push push = pushAt(node.area, offset_ - contact.distance);
-      // In a crease of the body, as under the arm, the nearest side changes back and forth: there the normal turns
-      // slowly, so that a node between two sides comes to rest between them.
-      contact.normal = turned(at.normal, contact.normal);
+      const Push push = bodyPush(node.area, offset_ - contact.distance, offset_);
       at.normal = contact.normal;
       at.push = push.force;
       at.along = push.slope;
@@ -124,7 +112,7 @@ void BodyContact::moveAnchors(std::span<const Vec3> x, Workers& workers) {
         at = {};
         continue;
       }
-      const double push = pushAt(nodes_[k].area, offset_ - contact.distance).force;
+      const double push = bodyPush(nodes_[k].area, offset_ - contact.distance, offset_).force;
       Vec3 pull = place - at.anchor;
       pull = pull - contact.normal * dot(pull, contact.normal);
       const double length = karinui::length(pull);

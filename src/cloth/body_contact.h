@@ -11,6 +11,12 @@
 
 namespace karinui {
 
+// The body's push on `area` of cloth (m2) that stands `depth` deep in a skin of `offset`: newtons, and N/m by depth.
+struct Push {
+  double force = 0, slope = 0;
+};
+Push bodyPush(double area, double depth, double offset);
+
 class BodyContact {
  public:
   struct Node {
@@ -45,11 +51,6 @@ class BodyContact {
     double push = 0, along = 0, across = 0;  // N, N/m
     double slip = 0;
   };
-  struct Push {
-    double force, slope;
-  };
-  Push pushAt(double area, double depth) const;
-
   const Collider& body_;
   std::vector<Node> nodes_;
   std::vector<At> at_;

@@ -8,15 +8,21 @@ class FieldCollider : public Collider {
  public:
   explicit FieldCollider(BodyPtr body) : body_(std::move(body)) {}
 
+  // The way out is the field's slope over a cell around the place. The slope at the place itself jumps from cell to
+  // cell and from side to side of a crease, as under the arm, where cloth would go to and fro between two answers.
   Contact contact(Vec3 place) const override {
-    const DistanceField::Sample sample = body_->field().sample(place);
-    const double steep = length(sample.gradient);
-    return {sample.distance, steep > 1e-9 ? sample.gradient * (1 / steep) : Vec3{0, 1, 0}};
+    const DistanceField& field = body_->field();
+    const double reach = 0.5 * field.cell();
+    const auto slope = [&](Vec3 by) { return field.distance(place + by) - field.distance(place - by); };
+    const Vec3 steepest{slope({reach, 0, 0}), slope({0, reach, 0}), slope({0, 0, reach})};
+    const double steep = length(steepest);
+    return {field.distance(place), steep > 1e-9 ? steepest * (1 / steep) : Vec3{0, 1, 0}};
   }
 
   bool mayTouch(Vec3 place, double within) const override { return body_->field().distance(place) < within; }
 
   Contact confirmed(Vec3 place) const override { return trueContact(*body_, place); }
+  Vec3 passesThrough(const std::array<Vec3, 3>& face) const override { return truePassage(*body_, face); }
 
  private:
   BodyPtr body_;

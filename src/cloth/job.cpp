@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/lift.h"
 #include "cloth/strain.h"
 #include "karinui/base/number.h"
 
@@ -75,10 +76,8 @@ RestRule finestRule(const SettleSettings& settings) {
 
 std::vector<Vec3> finish(LevelSolver& solver, const Collider& body, const SettleSettings& settings,
                          const RestOutcome& end, SettleReport& report, Workers& workers) {
-  std::vector<Vec3> x = solver.places();
-  liftOff(solver.cloth(), solver.moving(), body, std::min(0.0003, 0.3 * settings.skin), x, workers);
-  solver.place(x);  // ties hold after the lift
-  x = solver.places();
+  liftOff(solver, body, std::min(0.0003, 0.3 * settings.skin), workers);
+  const std::vector<Vec3> x = solver.places();
   report.settled = end.settled;
   report.residual = end.residual;
   report.step = end.left;

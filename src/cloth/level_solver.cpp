@@ -9,9 +9,13 @@
 namespace karinui {
 namespace {
 
-constexpr double kApart = 20;       // N per metre of cloth that stands crossed
-constexpr double kApartMove = 0.1;  // spacings it goes apart in a step when nothing holds it
-constexpr int kPatience = 60;       // steps without fewer crossings before it is left as it is
+constexpr double kApart = 20;        // N per metre of cloth that stands crossed
+constexpr double kApartMove = 0.1;   // spacings it goes apart in a step when nothing holds it
+constexpr int kPatience = 60;        // steps without fewer crossings before it is left as it is
+constexpr double kTurnsBack = 2e-5;  // metres a node moves that is said to turn back,
+constexpr double kSlower = 3;        // so many times slower each time it does,
+constexpr double kQuicker = 0.7;     // quicker again each time it does not,
+constexpr double kSlowest = 1e5;     // and at most so many times heavier than it is
 
 struct Moving {
   std::vector<NodeIndex> nodes;
@@ -64,12 +68,14 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
       gradient_(cloth.nodeCount),
       tied_(cloth.ties.size(), 0),
       contact_(body, movingOf(cloth).contact, settings.skin),
+      faces_(cloth, body, settings.skin),
       self_(cloth, clothRadius) {
   Moving moving = movingOf(cloth);
   mass_ = std::move(moving.mass);
   held_ = std::move(moving.held);
   moving_ = std::move(moving.nodes);
   contact_.cover(cloth.nodeCount);
+  slowing_.assign(cloth.nodeCount, 0);
   double total = 0;
   for (NodeIndex k : moving_) total += mass_[k];
   const double g = length(settings.gravity);
@@ -124,8 +130,21 @@ void LevelSolver::moveGuarded(std::vector<Vec3> moves) {
   stop();
 }
 
+// Between two sides of a crease, or where a wrinkle snaps, a node may go to and fro for ever while all else rests. A
+// cost on its way makes each turn shorter; it moves no rest, and what is judged for rest is predicted without it.
+void LevelSolver::calmDown(const Stride& stride) {
+  if (!stride.calm) return;
+  for (NodeIndex k : moving_) {
+    const double heavy = mass_[k] / (stride.seconds * stride.seconds);
+    const bool back = dot(nodeMove_[k], velocity_[k]) < 0 && squaredLength(nodeMove_[k]) > kTurnsBack * kTurnsBack;
+    slowing_[k] = back ? std::fmin(kSlowest * heavy, kSlower * (slowing_[k] + heavy)) : kQuicker * slowing_[k];
+    if (slowing_[k] < 0.1 * heavy) slowing_[k] = 0;
+  }
+}
+
 void LevelSolver::stop() {
   std::fill(velocity_.begin(), velocity_.end(), Vec3{});
+  std::fill(slowing_.begin(), slowing_.end(), 0.0);
   contact_.forgetAnchors();
 }
 
@@ -150,11 +169,13 @@ void LevelSolver::tieWithin(double gap) {
   ties_->spread(p, velocity_);
 }
 
-void LevelSolver::untangle() {
+bool LevelSolver::untangle() {
+  if (!self_.meets()) return false;
   tangle_ = std::make_unique<Tangle>(cloth_);
   noBetter_ = 0;
   leastCrossings_ = static_cast<std::size_t>(-1);
   followTangle();
+  return tangle_ != nullptr;
 }
 
 void LevelSolver::followTangle() {
@@ -186,6 +207,8 @@ void LevelSolver::assemble(const Stride& stride) {
   for (NodeIndex k : moving_) gradient_[k] -= stride.gravity * mass_[k];
   contact_.find(x_, stride.friction, workers_);
   contact_.addGradient(gradient_);
+  faces_.find(x_, workers_);
+  faces_.addGradient(gradient_);
   std::vector<Coupling> couplings;
   self_.find(x_, workers_);
   self_.addGradient(gradient_);
@@ -220,11 +243,12 @@ void LevelSolver::assemble(const Stride& stride) {
       system_->addDiagonal(part.unknown, block);
     }
   };
-  for (NodeIndex k : moving_) addIsotropic(k, mass_[k] * inertia);
+  for (NodeIndex k : moving_) addIsotropic(k, mass_[k] * inertia + (stride.calm ? slowing_[k] : 0));
   for (const auto& [node, value] : stiff) addIsotropic(node, value);
   if (hand_)
     for (NodeIndex node : hand_->nodes) addIsotropic(node, hand_->stiffness);
   contact_.addBlocks(*ties_, *system_);
+  faces_.addBlocks(*ties_, *system_);
   system_->setCouplings(std::move(couplings));
 }
 
@@ -259,6 +283,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
     }
   });
   self_.guard(x_, nodeMove_, workers_);
+  calmDown(stride);
   double now = 0, before = 0, both = 0;
   for (NodeIndex k : moving_) {
     x_[k] += nodeMove_[k];

@@ -8,6 +8,7 @@
 #include "cloth/block_system.h"
 #include "cloth/body_contact.h"
 #include "cloth/closing.h"
+#include "cloth/face_contact.h"
 #include "cloth/membrane.h"
 #include "cloth/self_contact.h"
 #include "cloth/springs.h"
@@ -29,6 +30,7 @@ class LevelSolver {
     Vec3 gravity;
     bool friction = true;
     double closing = 1;  // how much firmer than usual open seams are drawn together
+    bool calm = false;   // nodes that turn back at every step are slowed, one by one
     BlockSystem::Stop stop;
   };
   struct Outcome {
@@ -51,8 +53,9 @@ class LevelSolver {
   void tieWithin(double gap);  // ties every open pair nearer than this
   // Whether cloth meets cloth; it does at first.
   void meetCloth(bool on) { self_.meet(on); }
-  // Looks whether the cloth stands crossed, and if so takes it apart in the steps that follow, as long as that helps.
-  void untangle();
+  // Looks whether the cloth stands crossed, and if so takes it apart in the steps that follow, as long as that helps;
+  // whether there is something to take apart.
+  bool untangle();
   void stop();  // forget velocity and anchors
   double anchorMove() const { return contact_.anchorMove(); }
   std::size_t selfPairs() const { return self_.pairs(); }
@@ -74,6 +77,7 @@ class LevelSolver {
   void assemble(const Stride& stride);                               // forces and system at x_
   void pushApart(std::vector<std::pair<NodeIndex, double>>& stiff);  // what crosses; adds to the gradient
   void followTangle();                                               // after a step
+  void calmDown(const Stride& stride);                               // after a step, before velocities change
   void rebuild();                                                    // after ties changed
 
   const Cloth& cloth_;
@@ -91,12 +95,14 @@ class LevelSolver {
   std::unique_ptr<TieMap> ties_;
   std::unique_ptr<BlockSystem> system_;
   BodyContact contact_;
+  FaceContact faces_;
   SelfContact self_;
   std::unique_ptr<Tangle> tangle_;  // while there is something to take apart
   std::size_t leastCrossings_ = 0;
   int noBetter_ = 0;  // steps without fewer crossings
   std::optional<Hand> hand_;
   double nodeWeight_ = 0;
+  std::vector<double> slowing_;  // N/m per node: a step's way costs so much, wherever it leads
   std::vector<Vec3> force_, move_, nodeMove_;
 };
 

@@ -155,6 +155,8 @@ Collider::Contact MergedPlanes::contact(Vec3 place) const {
 
 Collider::Contact MergedPlanes::confirmed(Vec3 place) const { return trueContact(*body_, place); }
 
+Vec3 MergedPlanes::passesThrough(const std::array<Vec3, 3>& face) const { return truePassage(*body_, face); }
+
 MergeReport MergedPlanes::report() const {
   return {body_->mesh().faces.size(), polygons_.size(), done_.load(std::memory_order_relaxed),
           saved_.load(std::memory_order_relaxed)};

@@ -19,6 +19,7 @@ constexpr int kFirmAfter = 10;    // steps without getting nearer, after which o
 constexpr double kFirmer = 1.08;  // each step so much,
 constexpr double kFirmest = 30;   // up to so many times
 constexpr int kFallSteps = 40;    // steps on nothing at all
+constexpr int kUntangles = 3;     // times cloth at rest that stands crossed is taken apart
 
 RestOutcome& note(RestOutcome& so, const LevelSolver::Outcome& step, const Token& token) {
   ++so.steps;
@@ -69,10 +70,11 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
   const bool canFall = solver.cloth().pinned.empty() && length(gravity) > 0 &&
                        std::all_of(solver.cloth().pieces.begin(), solver.cloth().pieces.end(),
                                    [](const ClothPiece& p) { return p.live; });
-  int calm = 0, alone = 0;
+  int calm = 0, alone = 0, untangled = 0;
   bool touched = false;
   for (int k = 0; k < rule.mostSteps; ++k) {
     stride.keep = std::clamp(1 - kCalming * (k - kCalmAfter), 0.5, 1.0);
+    stride.calm = k > kCalmAfter;
     const auto step = solver.step(stride, token);
     note(so, step, token);
     if (!so.finite || so.cancelled) return so;
@@ -99,6 +101,7 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
     if (rule.left > 0) {
       LevelSolver::Stride longer = stride;
       longer.seconds = 0.25;
+      longer.calm = false;
       longer.stop = {40, 300, 0.02};
       const auto ahead = solver.predict(longer, token);
       so.solves += static_cast<std::size_t>(ahead.iterations);
@@ -112,101 +115,17 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
         continue;
       }
     }
+    // The guard looks along nearest directions and may miss what folds sharply: rest is looked over once more.
+    if (untangled < kUntangles && solver.untangle()) {
+      ++untangled;
+      calm = 0;
+      continue;
+    }
     so.settled = true;
     return so;
   }
   so.falls = canFall && solver.touching() == 0;
   return so;
-}
-
-namespace {
-
-// Places of a face that are asked about beside its corners: a grid of quarters, since a body has finer features than
-// cloth has faces.
-constexpr double kSamples[12][3] = {{.75, .25, 0}, {.5, .5, 0},    {.25, .75, 0},  {0, .75, .25},
-                                    {0, .5, .5},   {0, .25, .75},  {.25, 0, .75},  {.5, 0, .5},
-                                    {.75, 0, .25}, {.5, .25, .25}, {.25, .5, .25}, {.25, .25, .5}};
-constexpr std::size_t kSampleCount = std::size(kSamples);
-
-template <class Visit>
-void liveFaces(const Cloth& cloth, Visit visit) {
-  for (const ClothPiece& piece : cloth.pieces)
-    if (piece.live)
-      for (const Triangle& face : piece.lattice->faces)
-        visit(Triangle{piece.firstNode + face[0], piece.firstNode + face[1], piece.firstNode + face[2]});
-}
-
-}  // namespace
-
-double deepest(const Cloth& cloth, const Collider& body, std::span<const Vec3> x, Workers& workers) {
-  std::vector<Triangle> faces;
-  liveFaces(cloth, [&](const Triangle& face) { faces.push_back(face); });
-  constexpr std::size_t kBlock = 256;
-  std::vector<double> worst((faces.size() + kBlock - 1) / kBlock, 0);
-  workers.forBlocks(faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    double most = 0;
-    const auto ask = [&](Vec3 place) {
-      if (body.mayTouch(place, 0.001)) most = std::fmax(most, -body.confirmed(place).distance);
-    };
-    for (std::size_t f = begin; f < end; ++f) {
-      const Vec3 a = x[faces[f][0]], b = x[faces[f][1]], c = x[faces[f][2]];
-      ask(a);
-      ask(b);
-      ask(c);
-      for (const auto& w : kSamples) ask(a * w[0] + b * w[1] + c * w[2]);
-    }
-    worst[begin / kBlock] = most;
-  });
-  double most = 0;
-  for (double w : worst) most = std::fmax(most, w);
-  return most;
-}
-
-double liftOff(const Cloth& cloth, const std::vector<NodeIndex>& moving, const Collider& body, double clearance,
-               std::vector<Vec3>& x, Workers& workers) {
-  std::vector<Triangle> faces;
-  liveFaces(cloth, [&](const Triangle& face) { faces.push_back(face); });
-  std::vector<Vec3> best(cloth.nodeCount);
-  std::vector<Vec3> lift(faces.size() * kSampleCount);
-  constexpr std::size_t kBlock = 256;
-  for (int round = 0; round < 30; ++round) {
-    workers.forBlocks(moving.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        Vec3& place = x[moving[n]];
-        if (!body.mayTouch(place, clearance)) continue;
-        const auto contact = body.confirmed(place);
-        if (contact.distance < clearance) place += contact.normal * (clearance - contact.distance);
-      }
-    });
-    workers.forBlocks(faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f)
-        for (std::size_t s = 0; s < kSampleCount; ++s) {
-          const auto& w = kSamples[s];
-          const Vec3 place = x[faces[f][0]] * w[0] + x[faces[f][1]] * w[1] + x[faces[f][2]] * w[2];
-          lift[f * kSampleCount + s] = {};
-          if (!body.mayTouch(place, clearance)) continue;
-          const auto contact = body.confirmed(place);
-          if (contact.distance < clearance)
-            lift[f * kSampleCount + s] = contact.normal * (clearance - contact.distance);
-        }
-    });
-    // A node goes by the largest lift asked of it: the sum of many would fling it.
-    bool any = false;
-    std::fill(best.begin(), best.end(), Vec3{});
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      for (std::size_t s = 0; s < kSampleCount; ++s) {
-        const Vec3 asked = lift[f * kSampleCount + s];
-        if (squaredLength(asked) == 0) continue;
-        any = true;
-        for (int c = 0; c < 3; ++c) {
-          Vec3& most = best[faces[f][c]];
-          if (kSamples[s][c] > 0 && squaredLength(asked) > squaredLength(most)) most = asked;
-        }
-      }
-    for (NodeIndex k : moving) x[k] += best[k];
-    if (!any) break;
-  }
-  return deepest(cloth, body, x, workers);
 }
 
 }  // namespace karinui

@@ -28,10 +28,4 @@ RestOutcome sew(LevelSolver& solver, const Token& token, const StepWatcher& watc
 RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double firstSeconds, const Token& token,
                  const StepWatcher& watch);
 
-// Lifts what stands less than `clearance` above the true surface, faces' middles included; returns the deepest that is
-// left below it (>= 0), metres.
-double liftOff(const Cloth& cloth, const std::vector<NodeIndex>& moving, const Collider& body, double clearance,
-               std::vector<Vec3>& x, Workers& workers);
-double deepest(const Cloth& cloth, const Collider& body, std::span<const Vec3> x, Workers& workers);
-
 }  // namespace karinui

@@ -13,6 +13,7 @@ namespace {
 constexpr double kFirmness = 3e5;  // N/m per m2 of cloth, as against the body
 constexpr double kSlide = 0.0005;  // metres of sliding in a step at which friction is fully felt
 constexpr double kReach = 0.75;    // in longest edges: how far a pair's nearest corners can lie apart
+constexpr double kNarrow = 3;      // radii: nearer than this on paper, corners across an edge do not meet
 constexpr std::size_t kMostCells = 400'000;
 constexpr std::size_t kBlock = 128;
 
@@ -83,7 +84,9 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> byNode, nears;
   std::vector<std::pair<std::array<NodeIndex, 2>, NodeIndex>> sides;  // edge and the corner opposite
+  std::vector<Flat> flat;                                             // of each node
   for (const ClothPiece& piece : cloth.pieces) {
+    flat.insert(flat.end(), piece.lattice->nodes.begin(), piece.lattice->nodes.end());
     for (std::uint32_t k = 0; k < piece.lattice->nodes.size(); ++k) {
       friction_[piece.firstNode + k] = piece.fabric.frictionCloth;
       live_[piece.firstNode + k] = piece.live ? 1 : 0;
@@ -108,7 +111,9 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto& [edge, opposite] = sides[s];
     if (s > 0 && sides[s - 1].first == edge) {
-      near(sides[s - 1].second, opposite);
+      // Corners across an edge lie a fold apart and must meet, but in a ring so narrow that they always would.
+      const NodeIndex other = sides[s - 1].second;
+      if (distance(flat[other], flat[opposite]) < kNarrow * radius) near(other, opposite);
       continue;
     }
     near(edge[0], edge[1]);

@@ -21,6 +21,7 @@ class SelfContact {
   // Nodes marked here do not meet each other: they stand crossed. Empty: none.
   void leaveOut(std::vector<std::uint8_t> marked) { leftOut_ = std::move(marked); }
   void meet(bool on) { on_ = on; }  // whether cloth meets cloth at all; it does at first
+  bool meets() const { return on_ && radius_ > 0; }
 
   void find(std::span<const Vec3> x, Workers& workers);
   void addGradient(std::span<Vec3> gradient) const;

@@ -123,7 +123,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     }
     if (end.finite && !end.cancelled) {
       solver.meetCloth(true);
-      if (settings.clothOnCloth) solver.untangle();
+      solver.untangle();
       const RestRule rule =
           last ? finestRule(settings) : RestRule{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 3, 150};
       end = rest(solver, settings.gravity, rule, 1.0 / 60, token, watch(say("Draping"), sewn ? 0 : 0.4, 1));

@@ -1,5 +1,7 @@
 #include "cloth/true_distance.h"
 
+#include "cloth/crossing.h"
+
 namespace karinui {
 
 Collider::Contact trueContact(const Body& body, Vec3 place) {
@@ -15,6 +17,24 @@ Collider::Contact trueContact(const Body& body, Vec3 place) {
   const double away = length(out);
   const Vec3 normal = away > 1e-7 ? out * ((distance < 0 ? -1 : 1) / away) : faceNormal(body.mesh(), near->place.face);
   return {distance, length(normal) > 0 ? normal : rough.normal};
+}
+
+Vec3 truePassage(const Body& body, const std::array<Vec3, 3>& face) {
+  const Vec3 middle = (face[0] + face[1] + face[2]) * (1.0 / 3);
+  double reach = 0;
+  for (Vec3 p : face) reach = std::fmax(reach, distance(p, middle));
+  if (body.field().distance(middle) > reach + body.field().cell()) return {};
+  Box box;
+  for (Vec3 p : face) box.include(p);
+  const std::array<NanoPoint, 3> corners{nano(face[0]), nano(face[1]), nano(face[2])};
+  const TriangleMesh& mesh = body.mesh();
+  Vec3 out;
+  body.bvh().touching(box, [&](std::uint32_t g) {
+    const Triangle& t = mesh.faces[g];
+    if (trianglesCross(corners, {nano(mesh.points[t[0]]), nano(mesh.points[t[1]]), nano(mesh.points[t[2]])}))
+      out += faceNormal(mesh, g);
+  });
+  return squaredLength(out) > 0 ? normalized(out) : out;
 }
 
 }  // namespace karinui

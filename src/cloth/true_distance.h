@@ -6,5 +6,6 @@ namespace karinui {
 
 // Beyond three cells of the body's field the field's own answer is enough.
 Collider::Contact trueContact(const Body& body, Vec3 place);
+Vec3 truePassage(const Body& body, const std::array<Vec3, 3>& face);  // as Collider::passesThrough
 
 }  // namespace karinui

@@ -27,10 +27,14 @@ Result<ClothLevel> levelAt(const Document& document, const std::set<PieceId>& li
   return ClothLevel{std::move(*cloth), std::move(state)};
 }
 
-// 4, 2 and 1 times the document's spacing; a level that some piece is too small for is left out.
+constexpr double kCoarsest = 0.09;  // metres: cloth of wider cells does not know an arm from a shoulder
+
+// 4, 2 and 1 times the document's spacing; a level that some piece is too small for, or that is too coarse for a body,
+// is left out.
 Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live) {
   Levels levels;
   for (const double times : {4.0, 2.0}) {
+    if (times * document.settings.spacing > kCoarsest) continue;
     if (Result<ClothLevel> level = levelAt(document, live, times * document.settings.spacing)) {
       levels.coarseFirst.push_back(std::move(*level));
     }

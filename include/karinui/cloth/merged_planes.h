@@ -21,6 +21,7 @@ class MergedPlanes : public Collider {
   Contact contact(Vec3 place) const override;
   bool mayTouch(Vec3 place, double within) const override;
   Contact confirmed(Vec3 place) const override;  // by the mesh itself, not by its planes
+  Vec3 passesThrough(const std::array<Vec3, 3>& face) const override;
 
   struct Polygon {
     Vec3 centre, normal;                       // its plane, normal out of the body

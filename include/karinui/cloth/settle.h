@@ -29,6 +29,8 @@ class Collider {
   virtual bool mayTouch(Vec3 place, double within) const = 0;  // cheap rejection
   // The true distance, dearer: asked once at rest, so that nothing rests below the surface itself.
   virtual Contact confirmed(Vec3 place) const { return contact(place); }
+  // Which way out, unit, a face lies whose insides a point or side of the body passes through; zero: none does.
+  virtual Vec3 passesThrough(const std::array<Vec3, 3>&) const { return {}; }
 };
 std::unique_ptr<Collider> fieldCollider(BodyPtr body);
 struct MergeReport {
