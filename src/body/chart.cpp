@@ -183,20 +183,32 @@ std::shared_ptr<const Template> chartOf(const Figure& figure, const Reading& rea
   };
   Marks m;
   m.height = m.crown = at.crown;
-  const auto crotch = reading.value.find("crotch_height");
-  m.crotch = crotch == reading.value.end() ? at.crotch : crotch->second;
-  m.waist = at.waist, m.bust = at.bust, m.shoulder = at.shoulder.y, m.neckBase = at.neck, m.chin = at.head;
-  m.underBust = std::max(at.bust - 0.045 * at.crown, std::lerp(at.waist, at.bust, 0.3));
-  m.armpit = std::max(at.armpit.y, at.bust + 0.01 * at.crown);
-  m.neck = std::lerp(at.neck, at.head, 0.35);
+  // The levels are those the tape finds on the finished mesh; where it found none, those of the drawing.
+  const auto level = [&](const char* key, double drawn) {
+    const auto it = reading.value.find(key);
+    return it == reading.value.end() ? drawn : it->second;
+  };
+  m.crotch = level("crotch_height", at.crotch), m.waist = level("waist_height", at.waist);
+  m.bust = level("bust_height", at.bust);
+  m.armpit = std::max(at.armpit.y, m.bust + 0.01 * at.crown);
+  m.underBust = std::max(level("under_bust_height", m.bust - 0.075), std::lerp(m.waist, m.bust, 0.3));
+  m.shoulder = at.shoulder.y, m.chin = at.head;
+  m.neckBase = (level("neck_front_height", at.neck) + level("neck_back_height", at.neck)) / 2;
+  m.neck = std::lerp(m.neckBase, m.chin, 0.35);
   m.hipZ = depth(std::lerp(m.crotch, m.waist, 0.27)), m.waistZ = depth(m.waist), m.bustZ = depth(m.bust);
   m.shoulderZ = depth(m.shoulder), m.neckZ = depth(m.neck), m.headZ = depth(std::lerp(at.head, at.crown, 0.5));
   m.arm[0] = {at.shoulder, at.elbow, at.wrist, at.tip};
   // The middle of the leg runs through its sections, not through the hip joint.
   const auto leg = legSections(figure);
   m.leg[0].top = leg.front().centre;
-  m.leg[0].middle = at.knee;
-  m.leg[0].end = at.ankle;
+  const auto onLeg = [&](double y) {
+    std::size_t i = 1;
+    while (i + 1 < leg.size() && leg[i].centre.y > y) ++i;
+    const Vec3 a = leg[i - 1].centre, b = leg[i].centre;
+    return lerp(a, b, (a.y - y) / (a.y - b.y));
+  };
+  m.leg[0].middle = onLeg(level("knee_height", at.knee.y));
+  m.leg[0].end = onLeg(level("ankle_height", at.ankle.y));
   m.leg[0].tip = {at.ankle.x, 0, at.ankle.z};
   m.armpitPlace = {at.armpit, Vec3{-at.armpit.x, at.armpit.y, at.armpit.z}};
   m.arm[1] = mirrored(m.arm[0]), m.leg[1] = mirrored(m.leg[0]);

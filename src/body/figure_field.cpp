@@ -106,8 +106,9 @@ Block capsuleBlock(const FieldGrid& g, Vec3 p, Vec3 q, double r0, double r1, Wor
   return b;
 }
 
-// Joins `b` into the grid-like lookup `a` over the corners [x0, x1): a fillet of radius k where the surfaces meet at an
-// angle, none where they are tangent (so a shoulder does not bulge).
+// Joins `b` into the grid-like lookup `a` over the corners [x0, x1): a fillet of radius k where the surfaces cross,
+// none where they are tangent (a shoulder does not bulge) or face each other (thighs, an arm along the ribs: no web
+// between).
 template <class A, class B, class Put>
 void smoothUnion(int x0, int x1, int y0, int y1, int z0, int z1, double cell, double k, const A& a, const B& b,
                  const Put& put, Workers& workers) {
@@ -125,7 +126,7 @@ void smoothUnion(int x0, int x1, int y0, int y1, int z0, int z1, double cell, do
             const Vec3 ga = slope(a), gb = slope(b);
             const double size = std::sqrt(squaredLength(ga) * squaredLength(gb));
             const double cosine = dot(ga, gb) / std::max(size, 1e-6 * cell * cell);
-            const double reach = std::max(k * std::clamp(1 - cosine, 0.0, 1.2), 1e-5);
+            const double reach = std::max(k * (1 - std::min(cosine * cosine, 1.0)), 1e-5);
             const double h = std::max(reach - std::abs(double{va} - double{vb}), 0.0) / reach;
             joined -= static_cast<float>(h * h * reach / 4);
           }
@@ -152,15 +153,18 @@ class FieldMaker {
     joinOne([&](int x, int y, int z) { return b.at(-x - 1, y, z); }, -b.x1, -b.x0, b, k);
   }
 
-  void smooth(double sigma, const std::function<float(Vec3)>* share) {
-    const Values soft = blurred(sigma);
+  // Softens the levels from lowY to highY, each place by its share.
+  void smooth(double sigma, double lowY, double highY, const std::function<float(Vec3)>& share) {
+    const auto row = [&](double y) { return static_cast<int>(std::floor((y - g_.lowY) / g_.cell)); };
+    const int y0 = std::clamp(row(lowY), 0, static_cast<int>(g_.ny)),
+              y1 = std::clamp(row(highY) + 1, y0, static_cast<int>(g_.ny));
+    const Values soft = blurred(sigma, y0, y1);
     workers_.forBlocks(g_.nx, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x)
-        for (std::size_t y = 0; y < g_.ny; ++y)
+        for (int y = y0; y < y1; ++y)
           for (std::size_t z = 0; z < g_.nz; ++z) {
-            const std::size_t i = g_.index(x, y, z);
-            const float w = share ? (*share)(g_.place(x, y, z)) : 1.0f;
-            g_.value[i] += w * (soft[i] - g_.value[i]);
+            const std::size_t i = g_.index(x, static_cast<std::size_t>(y), z);
+            g_.value[i] += share(g_.place(x, static_cast<std::size_t>(y), z)) * (soft[i] - g_.value[i]);
           }
     });
   }
@@ -175,26 +179,39 @@ class FieldMaker {
         [&](int x, int y, int z, float v) { g_.value[g_.index(x, y, z)] = v; }, workers_);
   }
 
-  Values blurred(double sigma) const {
+  // A Gaussian along one axis after the other, in the levels [y0, y1).
+  Values blurred(double sigma, int y0, int y1) const {
     const double s = sigma / g_.cell;
     const int reach = static_cast<int>(std::ceil(3.5 * s));
     std::vector<float> weight(reach + 1);
     double total = 0;
     for (int i = 0; i <= reach; ++i) total += (i ? 2 : 1) * std::exp(-0.5 * i * i / (s * s));
     for (int i = 0; i <= reach; ++i) weight[i] = static_cast<float>(std::exp(-0.5 * i * i / (s * s)) / total);
-    Values from = g_.value, to(from.size());
-    for (int axis = 0; axis < 3; ++axis) {
-      const int dx = axis == 0, dy = axis == 1, dz = axis == 2;
+    const int nx = static_cast<int>(g_.nx), ny = static_cast<int>(g_.ny), nz = static_cast<int>(g_.nz);
+    Values from = g_.value, to = g_.value;
+    // y first, so that levels outside the range are read as they were.
+    for (const int axis : {1, 0, 2}) {
       workers_.forBlocks(g_.nx, 1, [&](std::size_t begin, std::size_t end) {
         for (int x = static_cast<int>(begin); x < static_cast<int>(end); ++x)
-          for (int y = 0; y < static_cast<int>(g_.ny); ++y)
-            for (int z = 0; z < static_cast<int>(g_.nz); ++z) {
-              float sum = weight[0] * from[g_.index(x, y, z)];
-              for (int i = 1; i <= reach; ++i)
-                sum += weight[i] *
-                       (at(from, x + i * dx, y + i * dy, z + i * dz) + at(from, x - i * dx, y - i * dy, z - i * dz));
-              to[g_.index(x, y, z)] = sum;
+          for (int y = y0; y < y1; ++y) {
+            float* out = &to[g_.index(x, y, 0)];
+            const float* here = &from[g_.index(x, y, 0)];
+            for (int z = 0; z < nz; ++z) out[z] = weight[0] * here[z];
+            for (int i = 1; i <= reach; ++i) {
+              if (axis == 2) {
+                for (int z = 0; z < nz; ++z)
+                  out[z] += weight[i] * (here[std::min(z + i, nz - 1)] + here[std::max(z - i, 0)]);
+                continue;
+              }
+              const auto row = [&](int by) {
+                int rx = axis == 0 ? x + by : x;
+                if (rx < 0) rx = -rx - 1;
+                return &from[g_.index(std::min(rx, nx - 1), std::clamp(axis == 1 ? y + by : y, 0, ny - 1), 0)];
+              };
+              const float *after = row(i), *before = row(-i);
+              for (int z = 0; z < nz; ++z) out[z] += weight[i] * (after[z] + before[z]);
             }
+          }
       });
       std::swap(from, to);
     }
@@ -302,18 +319,16 @@ FieldGrid fieldOf(const Figure& figure, double cell, double shift, Workers& work
   });
   maker.join(wholeArm, 0.035);
   maker.join(wholeLeg, 0.030);
-  maker.smooth(0.006, nullptr);
-  const std::function<float(Vec3)> atCrotch = [&](Vec3 p) {
+  maker.smooth(0.006, low.y, high.y, [](Vec3) { return 1.0f; });
+  maker.smooth(0.013, at.crotch - 0.07, at.crotch + 0.07, [&](Vec3 p) {
     const double off = (p.y - at.crotch - 0.002) / 0.028;
     return static_cast<float>(0.9 * std::exp(-off * off));
-  };
-  maker.smooth(0.013, &atCrotch);
+  });
   const Armscye cut = armscye(at);
-  const std::function<float(Vec3)> atArmscye = [&](Vec3 p) {
+  maker.smooth(0.013, cut.through.y, at.shoulder.y + 0.12, [&](Vec3 p) {
     const double off = dot(Vec3{p.x, p.y, 0} - cut.through, cut.outward) / 0.03;
     return static_cast<float>(0.85 * std::exp(-off * off) * std::clamp((p.y - cut.through.y - 0.01) / 0.03, 0.0, 1.0));
-  };
-  maker.smooth(0.013, &atArmscye);
+  });
   return g;
 }
 

@@ -1,6 +1,7 @@
 // From measurements to a finished mannequin: draw the figure, polygonise, lay the tape, take in or let out, repeat.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "body/chart.h"
 #include "body/fitting.h"
@@ -13,10 +14,10 @@ namespace karinui {
 
 namespace {
 
-constexpr double kCoarse = 0.013, kFine = 0.011;  // grid cells, metres
+constexpr double kCoarse = 0.014, kFine = 0.011;  // grid cells, metres
 constexpr double kTriangles = 36000;              // at about this many a body is fine enough
-constexpr int kCoarseRounds = 8, kRounds = 20;
-constexpr double kGood = 0.3;  // share of the allowed miss at which there is no more to gain
+constexpr int kCoarseRounds = 30, kFineRounds = 10;
+constexpr double kNear = 0.6, kGood = 0.4;  // shares of the allowed miss at which a search has done enough
 constexpr double kShifts[] = {0, 0.31, 0.57, 0.13, 0.77, 0.43};
 
 // Feet on the floor and exactly as tall as asked for: the polygonised height is off by about a thousandth.
@@ -34,29 +35,49 @@ bool sound(const TriangleMesh& mesh) {
   return report.closed() && report.outward && report.shells == 1 && euler == 2 && report.selfCrossings == 0;
 }
 
-struct Try {
-  TriangleMesh mesh;
-  Figure figure;
-  Reading reading;
-  double worst = 1e9;
-};
-
-double worstOf(const std::map<std::string, double>& wanted, const Reading& reading) {
-  double worst = 0;
-  for (const Miss& miss : misses(wanted, reading)) worst = std::max(worst, miss.share);
-  return worst;
+std::string inWords(std::string_view key, double value) {
+  return isAngle(key) ? fixed(value * 180 / std::numbers::pi, 0) + " deg" : fixed(value * 100, 1) + " cm";
 }
 
-std::string centimetres(double metres) { return fixed(metres * 100, 1) + " cm"; }
+// What is aimed at: everything stated, and what follows from it for the rest of the torso.
+std::vector<Aim> aimsFor(const Measurements& stated, const Measurements& complete, const SectionModel& model,
+                         const Joints& drawn) {
+  std::map<std::string, double> follows = {{"waist_height", drawn.waist}, {"crotch_height", drawn.crotch}};
+  for (const char* key : {"bust_girth", "waist_girth", "hip_girth"}) follows[key] = complete.value.at(key);
+  const auto usual = model.usual(complete);
+  for (const char* key : {"neck_girth", "upper_arm_girth", "wrist_girth"}) follows[key] = usual.at(key);
+  if (complete.sex == Sex::Female) {
+    follows["bust_height"] = drawn.bust;
+    follows["under_bust_girth"] = complete.value.at("under_bust_girth");
+  }
+  std::vector<Aim> aims;
+  for (const auto& [key, value] : stated.value)
+    if (key != "height") aims.push_back({key, value, true});
+  for (const auto& [key, value] : follows)
+    if (!stated.value.contains(key)) aims.push_back({key, value, false});
+  return aims;
+}
 
-Error unmet(const std::map<std::string, double>& stated, const Reading& reading) {
+Error unmet(const Fitting& fitting, const Reading& reading) {
   Miss worst;
-  for (const Miss& miss : misses(stated, reading))
-    if (miss.share > worst.share) worst = miss;
-  return refused(
-      say("No body could be made with {0} {1} beside the other measurements; the nearest has {2}. Change it or leave "
-          "it out.",
-          worst.key, centimetres(worst.wanted), centimetres(worst.got)));
+  const auto all = misses(fitting.aims(), reading);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (fitting.aims()[i].stated && all[i].share > worst.share) worst = all[i];
+  if (worst.key.empty()) return refused(say("No sound body could be made from these measurements; leave some out."));
+  const std::string other = fitting.quarrelsWith(worst.key);
+  if (other.empty())
+    return refused(
+        say("No body could be made with {0} {1} beside the other measurements; the nearest has {2}. Change it or leave "
+            "it out.",
+            worst.key, inWords(worst.key, worst.wanted), inWords(worst.key, worst.got)));
+  const auto its = std::find_if(all.begin(), all.end(), [&](const Miss& miss) { return miss.key == other; });
+  const std::string wanted = inWords(worst.key, worst.wanted), had = inWords(other, its->wanted),
+                    limit = inWords(worst.key, worst.got);
+  return worst.got < worst.wanted
+             ? refused(say("{0} {1} and {2} {3} do not go together: with this {2}, {0} is at most {4}.", worst.key,
+                           wanted, other, had, limit))
+             : refused(say("{0} {1} and {2} {3} do not go together: with this {2}, {0} is at least {4}.", worst.key,
+                           wanted, other, had, limit));
 }
 
 }  // namespace
@@ -64,11 +85,9 @@ Error unmet(const std::map<std::string, double>& stated, const Reading& reading)
 Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token) {
   if (const Done ok = plausible(wanted); !ok) return ok.error();
   const auto made = mannequinKeys();
-  std::map<std::string, double> stated;
   for (const auto& [key, value] : wanted.value) {
     if (std::find(made.begin(), made.end(), key) == made.end())
       return refused(say("A mannequin cannot be made to {0}; it is only measured. Leave it out.", key));
-    stated[key] = value;
   }
   const SectionModel model = SectionModel::of(wanted.sex);
   const Measurements complete = model.completed(wanted);
@@ -76,61 +95,53 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   if (model.distance(complete) > 9)
     return refused(say(
         "These girths do not belong to one body: bust {0}, waist {1}, hip {2} at a height of {3}. Check the numbers.",
-        centimetres(complete.value.at("bust_girth")), centimetres(complete.value.at("waist_girth")),
-        centimetres(complete.value.at("hip_girth")), centimetres(complete.value.at("height"))));
-  // What is aimed at: everything stated, and the girths that follow for the rest of the torso.
-  std::map<std::string, double> aim = stated;
-  for (const char* key : {"height", "bust_girth", "waist_girth", "hip_girth"})
-    if (const auto it = complete.value.find(key); it != complete.value.end()) aim.insert(*it);
-  const std::map<std::string, double> usual = model.usual(complete);
-  for (const char* key : {"neck_girth", "upper_arm_girth", "wrist_girth"}) aim.insert({key, usual.at(key)});
+        inWords("bust_girth", complete.value.at("bust_girth")),
+        inWords("waist_girth", complete.value.at("waist_girth")), inWords("hip_girth", complete.value.at("hip_girth")),
+        inWords("height", complete.value.at("height"))));
   const double height = complete.value.at("height");
+  const Figure drawn = model.draw(complete);
+  Fitting fitting(aimsFor(wanted, complete, model, drawn.at));
 
-  Figure figure = model.draw(complete);
-  if (!stated.contains("crotch_height")) {
-    // Where the legs are joined softly they meet lower than drawn. Only this much: heavy thighs do touch further down.
-    figure.at.crotch += 0.015 * height;
-    figure.at.hip.y += 0.015 * height;
-  }
-  Try best;
-  double cell = kFine;
-  std::size_t shift = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    if (token.cancelled()) return cancelled();
-    token.progress(0.9 * round / kRounds, say("Fitting the mannequin"));
-    const bool coarse = round < kCoarseRounds;
-    Try now;
-    now.figure = figure;
-    now.mesh = polygonise(
-        fieldOf(figure, coarse ? kCoarse : cell * (1 + 0.07 * kShifts[shift]), coarse ? 0 : kShifts[shift], workers),
-        coarse ? 2 : 4, workers);
-    if (now.mesh.faces.empty()) return unmet(stated, {});
+  struct {
+    TriangleMesh mesh;
+    Figure figure;
+    Reading reading;
+  } now;
+  double cell = kCoarse, shift = 0;
+  int polish = 2, tries = 0;
+  const Fitting::Wear wear = [&](const Alteration& by) -> std::optional<Reading> {
+    if (token.cancelled()) return std::nullopt;
+    token.progress(0.95 * (1 - std::exp(-0.06 * ++tries)), say("Fitting the mannequin"));
+    now.figure = altered(drawn, by);
+    now.mesh = polygonise(fieldOf(now.figure, cell * (1 + 0.07 * shift), shift, workers), polish, workers);
+    if (now.mesh.faces.empty()) return std::nullopt;
     stand(now.mesh, height);
     now.reading = readBody(now.mesh);
-    now.worst = worstOf(aim, now.reading);
-    if (coarse) {
-      cell = std::max(kFine, kCoarse * std::sqrt(static_cast<double>(now.mesh.faces.size()) / kTriangles));
-      if (now.worst < 0.7) round = kCoarseRounds - 1;
-    } else if (now.worst < best.worst) {
-      if (now.worst < 1 && !sound(now.mesh)) {
-        shift = (shift + 1) % std::size(kShifts);  // an awkward meeting of grid and surface: another grid
-        continue;
-      }
-      best = now;
-      if (best.worst < kGood) break;
-    }
-    if (round > kCoarseRounds + 6 && best.worst < 0.7) break;
-    refit(figure, aim, now.reading, round < 3 ? 1.0 : round < 10 ? 0.75 : 0.5);
+    return now.reading;
+  };
+  const double far = fitting.search(wear, kCoarseRounds, kNear, 3);
+  if (token.cancelled()) return cancelled();
+  cell = std::max(kFine, kCoarse * std::sqrt(static_cast<double>(now.mesh.faces.size()) / kTriangles));
+  polish = 4;
+  bool met = false;
+  for (const double other : kShifts) {  // an awkward meeting of grid and surface: another grid
+    shift = other;
+    fitting.search(wear, kFineRounds, kGood, far > 1 && far < 3 ? 1 : 0);
+    if (token.cancelled()) return cancelled();
+    if (!wear(fitting.alteration())) return cancelled();
+    met = worstShare(fitting.aims(), now.reading, true) <= 1;
+    if (met && sound(now.mesh)) break;
+    if (!met) return unmet(fitting, now.reading);
+    met = false;
   }
-  if (worstOf(stated, best.reading) > 1 || best.worst > 1e8) return unmet(stated, best.reading);
-  if (!sound(best.mesh)) return unmet(stated, best.reading);
+  if (!met) return refused(say("No sound body could be made from these measurements; leave some out."));
 
   Body::Parts parts;
   parts.name = "mannequin";
-  parts.measured = {wanted.sex, best.reading.value};
-  parts.landmarks = best.reading.landmark;
-  parts.chart = chartOf(best.figure, best.reading);
-  parts.mesh = std::move(best.mesh);
+  parts.measured = {wanted.sex, now.reading.value};
+  parts.landmarks = now.reading.landmark;
+  parts.chart = chartOf(now.figure, now.reading);
+  parts.mesh = std::move(now.mesh);
   return Body::make(std::move(parts));
 }
 

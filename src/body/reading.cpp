@@ -9,6 +9,8 @@ namespace karinui {
 namespace {
 
 constexpr Vec3 kUp{0, 1, 0};
+constexpr double kUnderBust = 0.075;  // below the bust
+constexpr double kRibs = 0.065;       // of the height below the bust: no waist is sought above, ribs may be slimmer
 
 struct Extent {
   double low = 1e9, high = -1e9;
@@ -27,6 +29,53 @@ double refined(double at, double step, double before, double here, double after)
   return std::abs(bend) < 1e-12 ? at : at + step * std::clamp(0.5 * (before - after) / bend, -1.0, 1.0);
 }
 
+// Only the points that a face uses, in the order of their first use.
+TriangleMesh compacted(const TriangleMesh& mesh, std::span<const std::uint32_t> faces,
+                       std::vector<std::uint32_t>& name) {
+  constexpr std::uint32_t kNone = ~0u;
+  name.resize(mesh.points.size(), kNone);
+  TriangleMesh out;
+  std::vector<std::uint32_t> named;
+  for (const std::uint32_t f : faces) {
+    Triangle face = mesh.faces[f];
+    for (std::uint32_t& p : face) {
+      if (name[p] == kNone) {
+        name[p] = static_cast<std::uint32_t>(out.points.size());
+        out.points.push_back(mesh.points[p]);
+        named.push_back(p);
+      }
+      p = name[p];
+    }
+    out.faces.push_back(face);
+  }
+  for (const std::uint32_t p : named) name[p] = kNone;  // for the next
+  return out;
+}
+
+// A mesh in level slices: a level plane meets only the faces of one slice.
+class Slices {
+ public:
+  Slices(const TriangleMesh& mesh, double low, double high) : low_(low), thick_(std::max(high - low, 1e-9) / kCount) {
+    std::vector<std::vector<std::uint32_t>> of(kCount);  // faces
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+      const Triangle& t = mesh.faces[f];
+      const auto [least, most] = std::minmax({mesh.points[t[0]].y, mesh.points[t[1]].y, mesh.points[t[2]].y});
+      for (std::size_t s = number(least); s <= number(most); ++s) of[s].push_back(f);
+    }
+    std::vector<std::uint32_t> name;
+    for (const auto& faces : of) slice_.push_back(compacted(mesh, faces, name));
+  }
+  const TriangleMesh& at(double y) const { return slice_[number(y)]; }
+
+ private:
+  static constexpr std::size_t kCount = 96;
+  std::size_t number(double y) const {
+    return static_cast<std::size_t>(std::clamp((y - low_) / thick_, 0.0, kCount - 1.0));
+  }
+  double low_, thick_;
+  std::vector<TriangleMesh> slice_;
+};
+
 class Reader {
  public:
   explicit Reader(const TriangleMesh& mesh) : mesh_(mesh) {}
@@ -40,6 +89,7 @@ class Reader {
     middle_ = (wide.low + wide.high) / 2;
     if (!(height_ > 0.3 && height_ < 3)) return {};
     set("height", height_);
+    slices_.emplace(mesh_, tall.low, tall.high);
     if (!findCrotch() || !findArmpit()) return out_;
     torso();
     legs();
@@ -57,7 +107,7 @@ class Reader {
     return it == out_.value.end() ? 0 : it->second;
   }
   double level(double y) const { return y - floor_; }
-  std::vector<SectionLoop> at(double y) const { return section(mesh_, {{0, y, 0}, kUp}); }
+  std::vector<SectionLoop> at(double y) const { return section(slices_->at(y), {{0, y, 0}, kUp}); }
 
   bool joined(double y) const {  // do the legs meet at this level?
     for (const SectionLoop& loop : at(y)) {
@@ -153,14 +203,44 @@ class Reader {
     return e;
   }
 
+  // The same where the girth hardly changes over a hand's breadth: the middle of the levels within half a millimetre
+  // of the extreme, so that a hair's difference does not move the level by centimetres.
+  template <class Girth>
+  static Extreme broadExtreme(double low, double high, int count, bool largest, const Girth& girth) {
+    constexpr double kHair = 0.0005;
+    const Extreme sharp = extreme(low, high, count, largest, girth);
+    double sum = 0, total = 0;
+    for (int i = 0; i < count; ++i) {
+      const double y = low + (high - low) * i / (count - 1), off = std::abs(girth(y) - sharp.girth) / kHair;
+      const double weight = std::exp(-off);
+      sum += weight * y, total += weight;
+    }
+    return {sharp.girth, total > 0 ? sum / total : sharp.y};
+  }
+
+  double foremostBust(double y) const {
+    double most = -1;
+    if (const auto loop = torsoLoop(y))
+      for (const Vec3& p : loop->points)
+        if (std::abs(p.x - middle_) > 0.028 * height_) most = std::max(most, p.z);
+    return most;
+  }
+
   void torso() {
     const auto girth = [&](double y) { return torsoGirth(y); };
     const Extreme hip = extreme(crotch_ + 0.01, crotch_ + 0.20, 20, true, [&](double y) { return hipGirth(y); });
-    // The bust may sit right under the armpit, never in it.
-    const Extreme bust = extreme(crotch_ + 0.72 * (armpit_ - crotch_), armpit_ - 0.003, 22, true, girth);
-    const double under = bust.y - 0.075;
-    const Extreme waist = extreme(std::max(crotch_ + 0.10, hip.y + 0.05),
-                                  std::max(bust.y - 0.045 * height_, crotch_ + 0.16), 28, false, girth);
+    // A woman's bust is taken around the bust points, so that a full arm does not draw the tape up into the armpit; a
+    // man's chest where it is widest, which may be right under the armpit. How much a bust stands out says which it is.
+    const double highest = armpit_ - 0.003;
+    const Extreme points =
+        extreme(armpit_ - 0.055 * height_, highest, 14, true, [&](double y) { return 1 + foremostBust(y); });
+    const double reach = 0.012 * height_;
+    Extreme bust = broadExtreme(points.y - reach, std::min(highest, points.y + reach), 13, true, girth);
+    bosom_ = std::clamp(((bust.girth - girth(bust.y - kUnderBust)) / height_ - 0.040) / 0.030, 0.0, 1.0);
+    if (bosom_ < 0.5) bust = extreme(crotch_ + 0.72 * (armpit_ - crotch_), highest, 22, true, girth);
+    const double under = bust.y - kUnderBust;
+    const Extreme waist = broadExtreme(std::max(crotch_ + 0.10, hip.y + 0.05),
+                                       std::max(bust.y - kRibs * height_, crotch_ + 0.16), 28, false, girth);
     hip_ = hip.y, bust_ = bust.y, waist_ = waist.y;
     set("hip_girth", hip.girth), set("hip_height", level(hip.y));
     set("bust_girth", bust.girth), set("bust_height", level(bust.y));
@@ -169,8 +249,6 @@ class Reader {
     const double highHip = (crotch_ + waist.y) / 2;
     set("high_hip_girth", hipGirth(highHip)), set("high_hip_height", level(highHip));
     set("waist_to_hip_length", waist.y - hip.y);
-    // How much a bust stands out tells where the neck's tape lies (lower on a woman's longer neck).
-    bosom_ = std::clamp(((bust.girth - get("under_bust_girth")) / height_ - 0.040) / 0.030, 0.0, 1.0);
     out_.landmark["crotch"] = onTorso(crotch_ + 0.002, 0);
     for (const auto& [name, y] : {std::pair{"waist", waist.y}, {"hip", hip.y}, {"under_bust", under}}) {
       const char* places[] = {"front", "left", "back", "right"};
@@ -258,8 +336,22 @@ class Reader {
     double girth = 0;
   };
 
+  // What an arm's sections need of the mesh: quicker to cut than the whole. The trunk's side is cut open, but an arm's
+  // own loop is whole.
+  TriangleMesh armSide(int side) const {
+    const double sign = side ? -1 : 1;
+    std::vector<std::uint32_t> faces, name;
+    for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f)
+      for (const std::uint32_t p : mesh_.faces[f])
+        if (sign * (mesh_.points[p].x - middle_) > 0.045 * height_ && mesh_.points[p].y > floor_ + 0.3 * height_) {
+          faces.push_back(f);
+          break;
+        }
+    return compacted(mesh_, faces, name);
+  }
+
   // Follows the arm from the armpit to the fingertips, each plane across the way the last ones went.
-  std::vector<Ring> trace(int side) const {
+  std::vector<Ring> trace(const TriangleMesh& mesh, int side) const {
     std::vector<Ring> way;
     const double sign = side ? -1 : 1;
     Vec3 here;
@@ -273,7 +365,7 @@ class Reader {
     Vec3 going = normalized(Vec3{0.67 * sign, -0.74, 0});
     const double step = 0.006 * height_;
     for (int i = 0; i < 90; ++i) {
-      const auto loop = loopNear(mesh_, here, going, here);
+      const auto loop = loopNear(mesh, here, going, here);
       if (!loop) break;
       const Vec3 c = lineCentre(*loop);
       const double girth = tightTapeLength(loop->points, going);
@@ -310,7 +402,8 @@ class Reader {
   }
 
   void arm(int side) {
-    const auto way = trace(side);
+    const TriangleMesh mesh = armSide(side);
+    const auto way = trace(mesh, side);
     if (way.size() < 30) return;
     const double sign = side ? -1 : 1;
     // The wrist: narrowest place between forearm and hand.
@@ -319,6 +412,10 @@ class Reader {
       if (way[i].girth < way[wrist].girth) wrist = i;
       if (way[i].girth > 1.15 * way[wrist].girth) break;  // the hand begins; its tip is narrow again
     }
+    const double between =
+        wrist + 1 < way.size() ? refined(0, 1, way[wrist - 1].girth, way[wrist].girth, way[wrist + 1].girth) : 0;
+    const Vec3 narrow = between < 0 ? lerp(way[wrist].centre, way[wrist - 1].centre, -between)
+                                    : lerp(way[wrist].centre, way[std::min(wrist + 1, way.size() - 1)].centre, between);
     // The elbow: where two straight lines through the middles of the sections meet best.
     std::size_t split = 0;
     double least = 1e9;
@@ -338,7 +435,7 @@ class Reader {
     const Vec3 onUpper = upper.through + upper.along * ((b * e - d) / den);
     const Vec3 onFore = fore.through + fore.along * ((e - b * d) / den);
     const auto across = [&](Vec3 p, Vec3 normal) {
-      const auto loop = loopNear(mesh_, p, normal, p);
+      const auto loop = loopNear(mesh, p, normal, p);
       return loop ? tightTapeLength(loop->points, normal) : 0;
     };
     // The flesh does not lie evenly around the bones. How far the joints stand from the middle of the flesh was read
@@ -347,7 +444,7 @@ class Reader {
     line.middle = lerp(onUpper, onFore, 0.5) - Vec3{0, 0, 0.0062 * height_ * (1 - bosom_)} -
                   upper.along * (0.0065 * height_ * bosom_);
     const double thick = across(line.middle - upper.along * (0.0755 * height_), upper.along) / height_;
-    const double narrowest = dot(way[wrist].centre - fore.through, fore.along);
+    const double narrowest = dot(narrow - fore.through, fore.along);
     line.end = fore.through +
                fore.along * (narrowest + height_ * (std::lerp(0.0048, 0.0013, bosom_) + 0.05 * (thick - 0.1667)));
     line.tip = way.back().centre;
@@ -359,7 +456,7 @@ class Reader {
     out_.arm[side] = line;
     const std::string s = side ? "_right" : "_left";
     const auto onSkin = [&](Vec3 p, Vec3 normal) {
-      const auto loop = loopNear(mesh_, p, normal, p);
+      const auto loop = loopNear(mesh, p, normal, p);
       return loop ? outmost(*loop, side) : p;
     };
     out_.landmark["elbow" + s] = onSkin(line.middle, normalized(upper.along + fore.along));
@@ -370,7 +467,7 @@ class Reader {
     set("wrist_girth", across(fore.through + fore.along * (narrowest - 0.010), fore.along));
     set("upper_arm_length", distance(line.top, line.middle));
     set("forearm_length", distance(line.middle, line.end));
-    set("arm_length", distance(line.top, line.middle) + distance(line.middle, line.end));
+    set("arm_joint_length", distance(line.top, line.middle) + distance(line.middle, line.end));
     set("arm_angle", std::atan2(line.top.y - line.middle.y, sign * (line.middle.x - line.top.x)));
   }
 
@@ -465,7 +562,7 @@ class Reader {
     set("shoulder_width", distance(l.at("shoulder_left"), l.at("shoulder_right")));
     set("shoulder_height", level(l.at("shoulder_left").y));
     set("shoulder_joint_width", distance(out_.arm[0]->top, out_.arm[1]->top));
-    set("shoulder_to_wrist_length",
+    set("arm_length",
         distance(l.at("shoulder_left"), out_.arm[0]->middle) + distance(out_.arm[0]->middle, out_.arm[0]->end));
     if (l.contains("neck_left")) {
       const Vec3 along = l.at("shoulder_left") - l.at("neck_left");
@@ -508,6 +605,7 @@ class Reader {
   }
 
   const TriangleMesh& mesh_;
+  std::optional<Slices> slices_;
   Reading out_;
   double floor_ = 0, height_ = 0, middle_ = 0, crotch_ = 0, armpit_ = 0, hip_ = 0, waist_ = 0, bust_ = 0, bosom_ = 0;
 };

@@ -183,6 +183,46 @@ Limb SectionModel::drawLimb(const LimbModel& model, const Row& clipped, const Ro
   return limb;
 }
 
+namespace {
+
+// A dressmaker's figure has a plain head: without eyes, mouth and ears, which sections of one radius per direction only
+// hint at as hollows. Above the chin the fine harmonics go, and what is left is evened from station to station.
+void calmHead(Figure& figure) {
+  auto& station = figure.torso.station;
+  const auto stood = torsoSections(figure);
+  const double chin = 0.885 * figure.at.crown, brow = 0.915 * figure.at.crown;
+  std::vector<double> share;
+  for (const Section& s : stood) share.push_back(std::clamp((s.centre.y - chin) / (brow - chin), 0.0, 1.0));
+  for (std::size_t i = 0; i < station.size(); ++i)
+    for (int k = 3; k <= figure.torso.harmonics.count; ++k) station[i].shape[k] *= 1 - share[i];
+  constexpr int kRounds = 12;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto before = station;
+    for (std::size_t i = 1; i + 4 < station.size(); ++i) {  // the crowded last stations round the crown off
+      if (share[i] == 0) continue;
+      const double below = stood[i].centre.y - stood[i - 1].centre.y, above = stood[i + 1].centre.y - stood[i].centre.y;
+      const double t = below / (below + above), w = 0.5 * share[i];
+      for (int k = 1; k < kMostCoefficients; ++k) {  // the shape apart from its size: the skull keeps its girths
+        const auto at = [&](std::size_t j) { return before[j].shape[k] / before[j].shape[0]; };
+        station[i].shape[k] += w * (std::lerp(at(i - 1), at(i + 1), t) - at(i)) * before[i].shape[0];
+      }
+      station[i].forward += w * (std::lerp(before[i - 1].forward, before[i + 1].forward, t) - before[i].forward);
+    }
+  }
+}
+
+// The thumb lies along the hand, half-way from where it was described: a spread one is caught by every sleeve.
+void calmThumb(Joints& at) {
+  const Vec3 hand = normalized(at.tip - at.wrist);
+  const std::array<Vec3, 4> spread = at.thumb;
+  for (std::size_t i = 1; i < spread.size(); ++i) {
+    const Vec3 bone = spread[i] - spread[i - 1];
+    at.thumb[i] = at.thumb[i - 1] + normalized(normalized(bone) * 0.45 + hand * 0.55) * length(bone);
+  }
+}
+
+}  // namespace
+
 Figure SectionModel::draw(const Measurements& complete) const {
   const double height = complete.value.at("height");
   Row girths = predictors(complete), clipped = girths;
@@ -213,6 +253,8 @@ Figure SectionModel::draw(const Measurements& complete) const {
   figure.arm = drawLimb(arm_, clipped, girths, height);
   figure.leg = drawLimb(leg_, clipped, girths, height);
   figure.foot = drawLimb(foot_, clipped, girths, height);
+  calmHead(figure);
+  calmThumb(at);
   figure.thumbRadius = {thumbRadius_[0] * height, thumbRadius_[1] * height};
   return figure;
 }

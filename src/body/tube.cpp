@@ -47,6 +47,10 @@ Tube::Tube(const std::vector<Section>& stations, Harmonics harmonics, int steps)
   for (int i = 0; i + 1 < n; ++i)
     for (int s = 0; s < steps; ++s) ring_.push_back(mix(i, double(s) / steps));
   ring_.push_back(stations.back());
+  parallel_ = std::all_of(ring_.begin(), ring_.end(),
+                          [&](const Section& s) { return squaredLength(s.normal - ring_[0].normal) < 1e-24; });
+  for (std::size_t i = 1; i < ring_.size(); ++i)
+    parallel_ = parallel_ && dot(ring_[i].centre - ring_[i - 1].centre, ring_[0].normal) > 0;
   for (std::size_t i = 0; i + 1 < ring_.size(); ++i)
     reach_.push_back(std::max(ring_[i].shape[0], ring_[i + 1].shape[0]) * 2.2 + kPad +
                      distance(ring_[i].centre, ring_[i + 1].centre));
@@ -60,7 +64,16 @@ Tube::Value Tube::at(Vec3 p) const {
   Value out;
   std::size_t low = n;
   double t = 0, before = first;
-  for (std::size_t k = 1; k < n; ++k) {
+  std::size_t start = 1;
+  if (parallel_) {  // the only interval there can be
+    std::size_t high = n;
+    while (high - start > 1) {
+      const std::size_t middle = (start + high) / 2;
+      (beyond(middle - 1) >= 0 ? start : high) = middle;
+    }
+    before = beyond(start - 1);
+  }
+  for (std::size_t k = start; k < n; ++k) {
     const double now = beyond(k);
     if (before >= 0 && now < 0 && within(lerp(ring_[k - 1].centre, ring_[k].centre, 0.5), reach_[k - 1])) {
       low = k - 1;
@@ -68,6 +81,7 @@ Tube::Value Tube::at(Vec3 p) const {
       break;
     }
     before = now;
+    if (parallel_) break;
   }
   if (low == n) {
     if (first < 0 && first > -kPad && within(ring_[0].centre, ring_[0].shape[0] * 2.2 + kPad)) {

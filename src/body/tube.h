@@ -24,6 +24,7 @@ class Tube {
   std::vector<Section> ring_;
   std::vector<double> reach_;  // how far from the middle of an interval its planes are believed
   Harmonics harmonics_;
+  bool parallel_ = false;  // all planes: each place lies between two of them at the most
 };
 
 }  // namespace karinui

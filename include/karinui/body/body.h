@@ -3,11 +3,11 @@
 // place on it is found again on any other mannequin. Immutable and shared once built; any thread may read. Metres, y
 // up, feet on y = 0, facing +z, +x is the body's left.
 //
-// What is exact and what is estimated. On a mannequin of ours the chart stands on the joints it was drawn from, so the
-// same BodyPoint lies at the anatomically same place on every mannequin (the same level, the same direction from the
-// middle). On any other body the levels and limb axes are estimated from plane sections of the mesh: waist, hip, bust,
-// armpit and crotch are those of measure() (good to millimetres), the joints of the arm are good to about a centimetre,
-// neck and shoulder levels to about two. Landmarks lie on the skin; they are estimated from sections on every body.
+// What is exact and what is estimated. The chart's levels – crotch, waist, under bust, bust, armpit, knee, ankle – are
+// those that measure() finds on the mesh (good to millimetres on any body); the joints of the arm are good to about
+// half a centimetre, neck and shoulder levels to about two centimetres on strangers' bodies and exact on a mannequin of
+// ours. So the same BodyPoint lies at the anatomically same place on every figure: the same level, the same direction
+// from the middle. Landmarks lie on the skin; they are estimated from sections on every body.
 #include <atomic>
 #include <map>
 #include <memory>

@@ -1,9 +1,9 @@
 #pragma once
 // What a tape says of a person. Keys are the ISO 8559-1 names in snake case (bust_girth, waist_girth, height, …), in
 // metres; shoulder_slope and arm_angle in radians. FreeSewing, GarmentCode and Valentina names are accepted as aliases.
-// One key means something else than its everyday name: arm_length runs along the bones, from the middle of the shoulder
-// joint over the elbow to the wrist, so that it does not depend on the flesh; the tape over the shoulder point is
-// shoulder_to_wrist_length. docs/user/body.md says how each is taken. Pure functions, any thread.
+// arm_length is the tape from the shoulder point over the elbow to the wrist, as all of these mean it; arm_joint_length
+// runs along the bones instead, from the middle of the shoulder joint, so that it does not depend on the flesh.
+// docs/user/body.md says how each is taken. Pure functions, any thread.
 #include <map>
 #include <span>
 #include <string>
