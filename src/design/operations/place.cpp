@@ -1,5 +1,6 @@
-// Wraps a piece round the torso or a limb: a general cylinder whose section is the hull of the body's sections over the
-// height the piece covers, grown by the ease. Along the section lengths are kept, along the axis too: no distortion.
+// Wraps a piece round the torso or a limb: a general cylinder whose section is the hull of the limb's own sections over
+// the length the piece covers, grown by the ease. Along the section lengths are kept, along the axis too: no
+// distortion.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +16,8 @@ namespace {
 constexpr double kMostEase = 0.5;
 constexpr double kOff = 1e-7;  // a plane just beside a mesh's own points cuts its faces cleanly
 constexpr int kLevels = 9;     // sections taken over the piece's height
+constexpr int kAround = 48;    // places looked for round a limb, and kRings such rings from one named level to the next
+constexpr int kRings = 12;
 
 // A right-handed frame with y along the limb, towards the head; z out of the body at the anchor.
 struct Limb {
@@ -25,25 +28,51 @@ struct Limb {
   Vec3 inSpace(Flat p, double height) const { return origin + right * p.u - out * p.v + up * height; }
 };
 
-Vec3 ringMiddle(const Body& body, BodyPoint at, double along) {
-  constexpr int kAround = 16;
-  Vec3 sum;
-  int found = 0;
-  at.along = along;
-  for (int i = 0; i < kAround; ++i) {
-    at.around = static_cast<double>(i) / kAround;
-    if (const auto place = body.find(at)) sum += karinui::at(body.mesh(), *place), ++found;
+// The limb's own skin: places all round it, ring by ring along the chart. A direction that runs into the trunk has
+// none, so a ring near the shoulder or the crotch is open on its inner side.
+struct LimbRing {
+  double along = 0;
+  Vec3 middle;
+  std::vector<Vec3> skin;
+};
+
+std::vector<LimbRing> ringsOf(const Body& body, BodyPoint::Part part) {
+  std::vector<LimbRing> rings;
+  const int levels = static_cast<int>(chartLevels(part).size());
+  for (int i = 0; i <= (levels - 1) * kRings; ++i) {
+    LimbRing ring{static_cast<double>(i) / kRings, {}, {}};
+    for (int k = 0; k < kAround; ++k) {
+      BodyPoint at;
+      at.part = part, at.along = ring.along, at.around = static_cast<double>(k) / kAround;
+      if (const auto place = body.find(at)) ring.skin.push_back(karinui::at(body.mesh(), *place));
+    }
+    for (const Vec3 p : ring.skin) ring.middle += p * (1.0 / static_cast<double>(ring.skin.size()));
+    if (ring.skin.size() >= kAround / 4) rings.push_back(std::move(ring));
   }
-  return found > 0 ? sum * (1.0 / found) : sum;
+  return rings;
 }
 
-Vec3 axisAt(const Body& body, const BodyPoint& at) {
-  if (at.part == BodyPoint::Part::Torso || at.part == BodyPoint::Part::Landmark || at.part == BodyPoint::Part::Face)
-    return {0, 1, 0};
-  const Vec3 way =
-      normalized(ringMiddle(body, at, at.along + 0.2) - ringMiddle(body, at, std::fmax(0, at.along - 0.2)));
-  if (!(length(way) > 0.5)) return {0, 1, 0};
-  return way.y < 0 ? -way : way;
+bool isLimb(BodyPoint::Part part) {
+  return part != BodyPoint::Part::Torso && part != BodyPoint::Part::Landmark && part != BodyPoint::Part::Face;
+}
+
+// Towards the head along the stretch of the limb from `low` to `high` (metres towards the head from the anchor).
+Vec3 axisOver(const std::vector<LimbRing>& rings, Vec3 anchor, double low, double high) {
+  Vec3 up{0, 1, 0};
+  for (int round = 0; round < 3; ++round) {
+    const LimbRing *bottom = nullptr, *top = nullptr;
+    const auto height = [&](const LimbRing& ring) { return dot(ring.middle - anchor, up); };
+    for (const LimbRing& ring : rings) {
+      // Open rings have no middle; they lie beyond the first closed one.
+      if (ring.skin.size() < kAround) continue;
+      if (!bottom || std::abs(height(ring) - low) < std::abs(height(*bottom) - low)) bottom = &ring;
+      if (!top || std::abs(height(ring) - high) < std::abs(height(*top) - high)) top = &ring;
+    }
+    if (!bottom || !top || distance(bottom->middle, top->middle) < 0.02) return up;
+    up = normalized(top->middle - bottom->middle);
+    if (up.y < 0) up = -up;
+  }
+  return up;
 }
 
 // Where the mesh meets the plane `height` above the limb's origin: loose segments on the plane, grouped by being
@@ -129,6 +158,58 @@ Ring grown(const Ring& ring, double ease) {
   return out;
 }
 
+struct PaperBox {
+  Flat low, high;
+};
+PaperBox boxOf(const Ring& ring) {
+  PaperBox box{ring.front(), ring.front()};
+  for (const Flat p : ring) {
+    box.low = {std::fmin(box.low.u, p.u), std::fmin(box.low.v, p.v)};
+    box.high = {std::fmax(box.high.u, p.u), std::fmax(box.high.v, p.v)};
+  }
+  return box;
+}
+
+Error unwrappable(const BodyPoint& at) {
+  return refused(say("A piece cannot be wrapped round the body at {0}; choose a place on its side.", text(at)));
+}
+
+// The limb's skin that the piece passes, seen along the axis.
+std::vector<Flat> ringsAround(const std::vector<LimbRing>& rings, const Limb& limb, const PaperBox& box) {
+  constexpr double kBeside = 0.005;  // a piece narrower than the way from ring to ring
+  std::vector<Flat> all;
+  for (const LimbRing& ring : rings)
+    for (const Vec3 p : ring.skin) {
+      const double height = dot(p - limb.origin, limb.up);
+      if (height >= box.low.v - kBeside && height <= box.high.v + kBeside) all.push_back(limb.onPlane(p));
+    }
+  return all;
+}
+
+// The same round the trunk: loops of level sections that lie over the anchor's own one (not arms, not the whole
+// figure).
+std::vector<Flat> levelsAround(const Body& body, const Limb& limb, const PaperBox& box) {
+  const auto around = sections(body, limb, kOff);
+  const auto* found = nearest(around, {0, 0});
+  if (!found || found->size() < 3) return {};
+  std::vector<Flat> all = *found;
+  const PaperBox core = boxOf(all);
+  const Flat middle = lerp(core.low, core.high, 0.5);
+  const Ring coreHull = hull(all);
+  const double reach = 1.5 * length(core.high - core.low);
+  for (int k = 0; k < kLevels; ++k) {
+    const auto loops = sections(body, limb, box.low.v + (box.high.v - box.low.v) * k / (kLevels - 1) + kOff);
+    for (const auto& loop : loops) {
+      const PaperBox its = boxOf(loop);
+      const Flat centre = lerp(its.low, its.high, 0.5);
+      if (length(its.high - its.low) <= reach && contains(coreHull, centre) &&
+          distance(centre, middle) < 0.5 * length(core.high - core.low))
+        all.insert(all.end(), loop.begin(), loop.end());
+    }
+  }
+  return all;
+}
+
 // A closed line by arc length.
 class Girth {
  public:
@@ -166,18 +247,6 @@ class Girth {
   double length_ = 0;
 };
 
-struct PaperBox {
-  Flat low, high;
-};
-PaperBox boxOf(const Ring& ring) {
-  PaperBox box{ring.front(), ring.front()};
-  for (const Flat p : ring) {
-    box.low = {std::fmin(box.low.u, p.u), std::fmin(box.low.v, p.v)};
-    box.high = {std::fmax(box.high.u, p.u), std::fmax(box.high.v, p.v)};
-  }
-  return box;
-}
-
 }  // namespace
 
 Done resolve(const Document& before, PlacePiece& op, Context&) {
@@ -201,15 +270,6 @@ Result<Document> perform(const Document& before, const PlacePiece& op, Context& 
   if (!place) return place.error();
   Piece piece = *before.find(op.piece.id);
 
-  Limb limb;
-  limb.origin = at((*body)->mesh(), *place);
-  limb.up = axisAt(**body, op.at);
-  const Vec3 normal = faceNormal((*body)->mesh(), place->face);
-  limb.out = normalized(normal - limb.up * dot(normal, limb.up));
-  if (!(length(limb.out) > 0.5))
-    return refused(say("A piece cannot be wrapped round the body at {0}; choose a place on its side.", text(op.at)));
-  limb.right = cross(limb.up, limb.out);
-
   // The paper about its anchor, turned.
   const double c = std::cos(op.turn), s = std::sin(op.turn);
   const auto turned = [&](Flat p) {
@@ -220,29 +280,18 @@ Result<Document> perform(const Document& before, const PlacePiece& op, Context& 
   for (Flat& p : paper) p = turned(p);
   const PaperBox box = boxOf(paper);
 
-  // Everything of this limb the piece passes, seen along the axis. From level to level the loop nearest to the last
-  // one's middle is the limb.
-  const auto around = sections(**body, limb, kOff);
-  const auto* found = nearest(around, {0, 0});
-  const std::vector<Flat> first = found ? *found : std::vector<Flat>();
-  if (first.size() < 3)
-    return refused(say("A piece cannot be wrapped round the body at {0}; choose a place on its side.", text(op.at)));
-  const PaperBox core = boxOf(first);
-  const Flat middle = lerp(core.low, core.high, 0.5);
-  std::vector<Flat> all = first;
-  const Ring coreHull = hull(first);
-  const double reach = 1.5 * length(core.high - core.low);
-  for (int k = 0; k < kLevels; ++k) {
-    const auto loops = sections(**body, limb, box.low.v + (box.high.v - box.low.v) * k / (kLevels - 1) + kOff);
-    for (const auto& loop : loops) {
-      const PaperBox its = boxOf(loop);
-      // Of this limb: it lies over the core, and is not the whole figure.
-      if (length(its.high - its.low) <= reach && contains(coreHull, lerp(its.low, its.high, 0.5)) &&
-          distance(lerp(its.low, its.high, 0.5), middle) < 0.5 * length(core.high - core.low)) {
-        all.insert(all.end(), loop.begin(), loop.end());
-      }
-    }
-  }
+  Limb limb;
+  limb.origin = at((*body)->mesh(), *place);
+  const BodyPoint::Part part = isLimb(op.at.part) ? op.at.part : (*body)->describe(*place).part;
+  const std::vector<LimbRing> rings = isLimb(part) ? ringsOf(**body, part) : std::vector<LimbRing>();
+  limb.up = rings.empty() ? Vec3{0, 1, 0} : axisOver(rings, limb.origin, box.low.v, box.high.v);
+  const Vec3 normal = faceNormal((*body)->mesh(), place->face);
+  limb.out = normalized(normal - limb.up * dot(normal, limb.up));
+  if (!(length(limb.out) > 0.5)) return unwrappable(op.at);
+  limb.right = cross(limb.up, limb.out);
+
+  std::vector<Flat> all = rings.empty() ? levelsAround(**body, limb, box) : ringsAround(rings, limb, box);
+  if (all.size() < 3) return unwrappable(op.at);
   const Ring tape = hull(std::move(all));
   const double width = box.high.u - box.low.u;
   // A tube must close: a piece wider than the girth stands further off, its two sides a hair apart.
