@@ -11,11 +11,13 @@ namespace {
 
 constexpr double kApart = 20;        // N per metre of cloth that stands crossed
 constexpr double kApartMove = 0.1;   // spacings it goes apart in a step when nothing holds it
-constexpr int kPatience = 60;        // steps without fewer crossings before it is left as it is
-constexpr double kTurnsBack = 2e-5;  // metres a node moves that is said to turn back,
-constexpr double kSlower = 3;        // so many times slower each time it does,
-constexpr double kQuicker = 0.7;     // quicker again each time it does not,
-constexpr double kSlowest = 1e5;     // and at most so many times heavier than it is
+constexpr double kSlackReach = 0.3;  // of a step's largest move: what two ends of a spring move apart
+constexpr double kLeastReach = 1e-7, kMostReach = 0.05;  // metres, spacings
+constexpr int kPatience = 60;                            // steps without fewer crossings before it is left as it is
+constexpr double kTurnsBack = 2e-5;                      // metres a node moves that is said to turn back,
+constexpr double kSlower = 3;                            // so many times slower each time it does,
+constexpr double kQuicker = 0.7;                         // quicker again each time it does not,
+constexpr double kSlowest = 1e5;                         // and at most so many times heavier than it is
 
 struct Moving {
   std::vector<NodeIndex> nodes;
@@ -84,9 +86,10 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
   auto membrane = std::make_unique<Membrane>(cloth);
   membrane_ = membrane.get();
   energies_.push_back(std::move(membrane));
-  for (const auto& list : {simclothSprings(cloth), edgeSprings(cloth)}) {
-    auto springs = std::make_unique<Springs>(list, cloth.nodeCount);
+  for (const bool edges : {false, true}) {
+    auto springs = std::make_unique<Springs>(edges ? edgeSprings(cloth) : simclothSprings(cloth), cloth.nodeCount);
     springs_.push_back(springs.get());
+    if (!edges && springs->count() > 0) simcloth_ = springs.get();
     energies_.push_back(std::move(springs));
   }
   energies_.push_back(std::make_unique<Bending>(cloth, held_));
@@ -293,6 +296,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
     velocity_[k] = nodeMove_[k] * (1 / stride.seconds);
     outcome.move = std::fmax(outcome.move, length(nodeMove_[k]));
   }
+  if (simcloth_) simcloth_->setReach(std::clamp(kSlackReach * outcome.move, kLeastReach, kMostReach * cloth_.spacing));
   outcome.along = now > 0 && before > 0 ? both / std::sqrt(now * before) : 0;
   if (!cloth_.ties.empty()) ties_->gather(x_);
   if (stride.friction) contact_.moveAnchors(x_, workers_);

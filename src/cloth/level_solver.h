@@ -57,6 +57,8 @@ class LevelSolver {
   // whether there is something to take apart.
   bool untangle();
   void stop();  // forget velocity and anchors
+  // Whether some of it is simcloth, which nothing but its weight moves where it is slack.
+  bool goesSlack() const { return simcloth_ != nullptr; }
   double anchorMove() const { return contact_.anchorMove(); }
   std::size_t selfPairs() const { return self_.pairs(); }
   std::size_t touching() const { return contact_.touching(); }
@@ -90,6 +92,7 @@ class LevelSolver {
   std::vector<std::unique_ptr<Energy>> energies_;
   const Membrane* membrane_ = nullptr;   // of energies_
   std::vector<const Springs*> springs_;  // of energies_
+  Springs* simcloth_ = nullptr;          // of springs_; null: none of the pieces is
   std::vector<NodePair> changing_, constant_;
   std::vector<Block3> changingBlocks_, constantBlocks_;
   std::unique_ptr<TieMap> ties_;

@@ -10,6 +10,7 @@ namespace karinui {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr double kBlend = 0.003;  // metres further away than the nearest a polygon may be to turn the way out
 
 using Side = std::pair<std::uint32_t, std::uint32_t>;  // of the mesh, low corner first
 
@@ -132,25 +133,34 @@ Collider::Contact MergedPlanes::contact(Vec3 place) const {
   done_.fetch_add(near.size(), std::memory_order_relaxed);
   saved_.fetch_add(faces - near.size(), std::memory_order_relaxed);
   // The nearest of all polygons, whether the segment along its normal meets it within its outline or beside it: so the
-  // distance has no steps where one polygon takes over from the next.
+  // distance has no steps where one polygon takes over from the next; nor has the way out, in which polygons hardly
+  // further away have their share.
   double least = 1e300;
-  Contact best;
+  bool below = false;
+  std::vector<std::pair<double, Vec3>> ways;  // how far each polygon is, and the way out from it
   for (std::uint32_t k : near) {
     const Polygon& polygon = polygons_[k];
     const double height = dot(place - polygon.centre, polygon.normal);
-    if (std::fabs(height) >= least) continue;
+    if (std::fabs(height) >= least + kBlend) continue;
     const Frame frame(polygon.normal);
     const Flat at = frame.flat(place), beside = at - nearestWithin(flat_[k], at);
     const double away = std::hypot(height, length(beside));
-    if (away >= least) continue;
-    least = away;
+    if (away >= least + kBlend) continue;
     // Far enough from the skin its field knows better on which side a place beside a polygon is.
     const bool inside =
         length(beside) > 0 && std::fabs(rough.distance) > 0.5 * body_->field().cell() ? rough.distance < 0 : height < 0;
     const Vec3 out = polygon.normal * height + frame.u * beside.u + frame.v * beside.v;
-    best = {inside ? -away : away, away > 1e-6 ? out * ((inside ? -1 : 1) / away) : polygon.normal};
+    ways.emplace_back(away, away > 1e-6 ? out * ((inside ? -1 : 1) / away) : polygon.normal);
+    if (away >= least) continue;
+    least = away;
+    below = inside;
   }
-  return best;
+  Vec3 normal;
+  for (const auto& [away, way] : ways) {
+    const double share = std::fmax(0.0, 1 - (away - least) / kBlend);
+    normal += way * (share * share);
+  }
+  return {below ? -least : least, squaredLength(normal) > 1e-12 ? normalized(normal) : far.normal};
 }
 
 Collider::Contact MergedPlanes::confirmed(Vec3 place) const { return trueContact(*body_, place); }

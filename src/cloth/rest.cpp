@@ -12,6 +12,8 @@ constexpr double kCreep = 0.95;         // cosine between steps
 constexpr double kCreepLongest = 0.25;  // seconds of a step while cloth creeps
 constexpr double kCalming = 0.002;      // share of the velocity taken off per step, growing,
 constexpr int kCalmAfter = 100;         // after so many steps: the long waves have run by then
+constexpr double kKept = 0.5;           // but never below this share
+constexpr int kSlackSteps = 4;          // simcloth hangs by its weight alone, and takes so many times the steps
 constexpr double kTieGap = 0.002;       // metres: nearer than this a pair is sewn,
 constexpr double kTieShare = 0.1;       // or than this share of the spacing
 constexpr int kSewSteps = 300, kSewIdle = 100;
@@ -72,8 +74,10 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
                                    [](const ClothPiece& p) { return p.live; });
   int calm = 0, alone = 0, untangled = 0;
   bool touched = false;
-  for (int k = 0; k < rule.mostSteps; ++k) {
-    stride.keep = std::clamp(1 - kCalming * (k - kCalmAfter), 0.5, 1.0);
+  const bool slack = solver.goesSlack();
+  const int mostSteps = rule.left > 0 && slack ? kSlackSteps * rule.mostSteps : rule.mostSteps;
+  for (int k = 0; k < mostSteps; ++k) {
+    stride.keep = std::clamp(1 - kCalming * (k - kCalmAfter), kKept, 1.0);
     stride.calm = k > kCalmAfter;
     const auto step = solver.step(stride, token);
     note(so, step, token);
@@ -110,7 +114,7 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
       so.finite = ahead.finite;
       so.cancelled = token.cancelled();
       if (!so.finite || so.cancelled) return so;
-      if (!(ahead.move < rule.left)) {
+      if (!(ahead.move < rule.left && ahead.residual < rule.residual)) {
         calm = 0;
         continue;
       }

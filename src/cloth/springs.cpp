@@ -1,6 +1,7 @@
 #include "cloth/springs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace karinui {
@@ -40,8 +41,8 @@ void Springs::elementBlocks(std::size_t e, const Corners& x, std::span<Block3> o
   for (Block3& block : out) block = {};
   const Vec3 d = x[1] - x[0];
   const double l = length(d), longer = l - length_[e];
-  if (longer <= 0) return;
-  const double across = stiffness_[e] * longer / l, along = stiffness_[e] - across;
+  if (longer <= -reach_ || !(l > 0)) return;
+  const double across = stiffness_[e] * std::fmax(0.0, longer) / l, along = stiffness_[e] - across;
   const Vec3 n = d * (1 / l);
   addStretch(out[0], across, along, n);
   addStretch(out[3], across, along, n);
