@@ -517,6 +517,7 @@ void Session::select(Selection selection) {
   if (selection == inside_->selection) return;
   inside_->selection = std::move(selection);
   ++inside_->news.overlay;
+  if (inside_->options.wake) inside_->options.wake();
 }
 
 bool Session::can(Command command) const {

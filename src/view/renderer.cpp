@@ -70,7 +70,7 @@ Beam beamFrom(Vec3 towards, double radius) {
 }
 
 // Directions spread evenly over the upper half of the sky (Fibonacci spiral), never quite level.
-std::vector<Vec3> skyDirections(int count) {
+std::vector<Vec3> spread(int count) {
   std::vector<Vec3> all;
   for (int i = 0; i < count; ++i) {
     const double y = (i + 0.5) / count, r = std::sqrt(1 - y * y), turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
@@ -120,8 +120,16 @@ struct KeepTarget {
 struct Renderer::Parts {
   Studio studio;
   GlProgram depth, sky, backdrop, solid, ribbon;
-  GlArrays solidArrays, ribbonArrays, noArrays;
-  GlBuffer solidVertices, solidCorners, ribbonVertices, ribbonCorners;
+  GlArrays solidArrays, noArrays;
+  GlBuffer solidVertices, solidCorners;
+  struct Lines {
+    GlArrays arrays;
+    GlBuffer vertices, corners;
+    std::size_t count = 0;
+    void make();
+    void take(const Ribbons& ribbons);
+  };
+  Lines ribbons, over;
   GlTexture softLight, strainTable;
   GlTarget softTarget;
   std::unique_ptr<ShadowMap> keyMap, skyMap;
@@ -132,7 +140,7 @@ struct Renderer::Parts {
     std::size_t first = 0, count = 0;  // corners
   };
   std::vector<Run> runs;
-  std::size_t casting = 0, castingVertices = 0, ribbonCount = 0;
+  std::size_t casting = 0, castingVertices = 0;
   Vec3 origin;
   double radius = 1, strainTop = 0;
   Beam key;
@@ -140,8 +148,32 @@ struct Renderer::Parts {
   std::vector<Message> notes;
 
   void castShadow(const ShadowMap& map, const Beam& beam) const;
-  void gatherSky(const std::vector<SurfaceVertex>& all);
+  void gatherSky(const std::vector<SurfaceVertex>& all, int skyDirections);
 };
+
+void Renderer::Parts::Lines::make() {
+  arrays = newArrays();
+  vertices = newBuffer(), corners = newBuffer();
+  glBindVertexArray(arrays);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, corners);
+  constexpr std::size_t kRibbon = sizeof(RibbonVertex);
+  attribute(0, 3, kRibbon, offsetof(RibbonVertex, from));
+  attribute(1, 3, kRibbon, offsetof(RibbonVertex, to));
+  attribute(2, 2, kRibbon, offsetof(RibbonVertex, place));
+  attribute(3, 2, kRibbon, offsetof(RibbonVertex, halfWidth));
+  attribute(4, 2, kRibbon, offsetof(RibbonVertex, along));
+  attribute(5, 3, kRibbon, offsetof(RibbonVertex, colour));
+  attribute(6, 1, kRibbon, offsetof(RibbonVertex, lift));
+  attribute(7, 2, kRibbon, offsetof(RibbonVertex, stitch));
+}
+
+void Renderer::Parts::Lines::take(const Ribbons& fresh) {
+  count = fresh.corners.size();
+  glBindVertexArray(0);
+  upload(GL_ARRAY_BUFFER, vertices, fresh.vertices);
+  upload(GL_ARRAY_BUFFER, corners, fresh.corners);
+}
 
 Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
 Renderer::~Renderer() = default;
@@ -166,9 +198,8 @@ Result<std::unique_ptr<Renderer>> Renderer::make(const Studio& studio) {
   }
   const KeepTarget keep;
   p.noArrays = newArrays();
-  p.solidArrays = newArrays(), p.ribbonArrays = newArrays();
-  p.solidVertices = newBuffer(), p.solidCorners = newBuffer(), p.ribbonVertices = newBuffer(),
-  p.ribbonCorners = newBuffer();
+  p.solidArrays = newArrays();
+  p.solidVertices = newBuffer(), p.solidCorners = newBuffer();
   glBindVertexArray(p.solidArrays);
   glBindBuffer(GL_ARRAY_BUFFER, p.solidVertices);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, p.solidCorners);
@@ -178,18 +209,7 @@ Result<std::unique_ptr<Renderer>> Renderer::make(const Studio& studio) {
   attribute(2, 3, kSolid, offsetof(SurfaceVertex, colour));
   attribute(3, 2, kSolid, offsetof(SurfaceVertex, flat));
   attribute(4, 2, kSolid, offsetof(SurfaceVertex, cavity));  // and strain, which follows it
-  glBindVertexArray(p.ribbonArrays);
-  glBindBuffer(GL_ARRAY_BUFFER, p.ribbonVertices);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, p.ribbonCorners);
-  constexpr std::size_t kRibbon = sizeof(RibbonVertex);
-  attribute(0, 3, kRibbon, offsetof(RibbonVertex, from));
-  attribute(1, 3, kRibbon, offsetof(RibbonVertex, to));
-  attribute(2, 2, kRibbon, offsetof(RibbonVertex, place));
-  attribute(3, 2, kRibbon, offsetof(RibbonVertex, halfWidth));
-  attribute(4, 2, kRibbon, offsetof(RibbonVertex, along));
-  attribute(5, 3, kRibbon, offsetof(RibbonVertex, colour));
-  attribute(6, 1, kRibbon, offsetof(RibbonVertex, lift));
-  attribute(7, 2, kRibbon, offsetof(RibbonVertex, stitch));
+  p.ribbons.make(), p.over.make();
   p.keyMap = std::make_unique<ShadowMap>(std::clamp(studio.keyMap, 16, 8192));
   p.skyMap = std::make_unique<ShadowMap>(std::clamp(studio.skyMap, 16, 4096));
 
@@ -229,7 +249,7 @@ void Renderer::Parts::castShadow(const ShadowMap& map, const Beam& beam) const {
 
 // How much of the sky each vertex sees, on both sides of its surface: a shadow map from each direction, added up in a
 // table with a texel for each vertex. It belongs to the scene, not to a view, so both eyes and all sides share it.
-void Renderer::Parts::gatherSky(const std::vector<SurfaceVertex>& all) {
+void Renderer::Parts::gatherSky(const std::vector<SurfaceVertex>& all, int skyDirections) {
   const int wide = glsl::kSkyWide, high = std::max<int>(1, static_cast<int>((all.size() + wide - 1) / wide));
   glBindTexture(GL_TEXTURE_2D, softLight);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, wide, high, 0, GL_RG, GL_FLOAT, nullptr);
@@ -238,11 +258,11 @@ void Renderer::Parts::gatherSky(const std::vector<SurfaceVertex>& all) {
   glBindFramebuffer(GL_FRAMEBUFFER, softTarget);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, softLight, 0);
   glDisable(GL_SCISSOR_TEST);
-  const float open = studio.skyDirections > 0 ? 0.0f : 0.5f;
+  const float open = skyDirections > 0 ? 0.0f : 0.5f;
   glClearColor(open, open, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
   const double texel = 2 * radius / skyMap->side;
-  const std::vector<Vec3> directions = skyDirections(std::clamp(studio.skyDirections, 0, 512));
+  const std::vector<Vec3> directions = spread(std::clamp(skyDirections, 0, 512));
   double upward = 0;
   for (const Vec3 d : directions) upward += d.y;
   for (const Vec3 d : directions) {
@@ -272,7 +292,7 @@ void Renderer::Parts::gatherSky(const std::vector<SurfaceVertex>& all) {
   }
 }
 
-void Renderer::show(const SceneFrame& frame, double strainTop) {
+void Renderer::show(const SceneFrame& frame, double strainTop, int skyDirections) {
   Parts& p = *parts_;
   const KeepTarget keep;
   p.notes.clear();
@@ -306,13 +326,11 @@ void Renderer::show(const SceneFrame& frame, double strainTop) {
     p.radius = std::max(p.radius, std::hypot(floor * 0.8, p.origin.y - ground));
   }
   const Ribbons ribbons = ribbonsOf(frame, p.origin);
-  p.ribbonCount = ribbons.corners.size();
   glBindVertexArray(0);
   upload(GL_ARRAY_BUFFER, p.solidVertices, surface.vertices);
   upload(GL_ARRAY_BUFFER, p.solidCorners, surface.corners);
-  upload(GL_ARRAY_BUFFER, p.ribbonVertices, ribbons.vertices);
-  upload(GL_ARRAY_BUFFER, p.ribbonCorners, ribbons.corners);
-  p.gatherSky(surface.vertices);
+  p.ribbons.take(ribbons);
+  p.gatherSky(surface.vertices, skyDirections < 0 ? p.studio.skyDirections : skyDirections);
 
   if (surface.leftOut + ribbons.leftOut > 0)
     p.notes.push_back(
@@ -320,6 +338,12 @@ void Renderer::show(const SceneFrame& frame, double strainTop) {
             "or not there.",
             surface.leftOut, ribbons.leftOut));
   if (nothing) p.notes.push_back(say("There is nothing to see: no body, no cloth and no line."));
+}
+
+void Renderer::overlay(const std::vector<SceneLine>& lines) {
+  SceneFrame frame;
+  frame.lines = lines;
+  parts_->over.take(ribbonsOf(frame, parts_->origin));
 }
 
 void Renderer::light(const Camera& camera) {
@@ -406,13 +430,14 @@ void Renderer::draw(const Eye& eye, const DrawArea& area) const {
       glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.count), GL_UNSIGNED_INT,
                      reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
     }
-  if (p.ribbonCount > 0) {
+  for (const Parts::Lines* lines : {&p.ribbons, &p.over}) {
+    if (lines->count == 0) continue;
     common(p.ribbon);
     const double pixels = area.pictureHeight > 0 ? area.pictureHeight : area.height;
     set(p.ribbon, "pixelsPerMetre", pixels / 2 * eye.projection.m[5]);
     set(p.ribbon, "leastPixels", std::max(1.0, pixels / 2400));
-    glBindVertexArray(p.ribbonArrays);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(p.ribbonCount), GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(lines->arrays);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(lines->count), GL_UNSIGNED_INT, nullptr);
   }
   glBindVertexArray(0);
   glUseProgram(0);

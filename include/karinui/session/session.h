@@ -23,7 +23,7 @@ namespace karinui {
 struct SessionOptions {
   int threads = 1;                 // for drapes
   bool settleByItself = true;      // what was at rest is brought to rest again after it was changed
-  std::function<void()> wake;      // from the other thread: call update() soon
+  std::function<void()> wake;      // from any thread: call update() soon
   std::shared_ptr<Bodies> bodies;  // figures that were built already; empty: its own
   // Instead of the real solver, for tests; called on the session's own thread.
   std::function<Result<DrapeOutcome>(const Document&, const DrapePieces&, Context&)> drape;

@@ -37,8 +37,12 @@ class Renderer {
   // Takes a frame in: copies it to the graphics memory and works out the soft light. strainTop > 0 shows the strain map
   // up to that strain instead of the cloth's colours. Parts that cannot be drawn (places that are no numbers or too far
   // away, corners that do not exist) are left out and told by notes().
-  void show(const SceneFrame& frame, double strainTop = 0);
+  // `skyDirections` >= 0 instead of the studio's own: fewer while the hand moves.
+  void show(const SceneFrame& frame, double strainTop = 0, int skyDirections = -1);
   const std::vector<Message>& notes() const;
+
+  // Lines over what is shown (a stroke, an arrow, what is chosen): cheap, for every move of the hand.
+  void overlay(const std::vector<SceneLine>& lines);
 
   // Sets up the key light and its shadow for someone looking from this camera. Once per view, not per eye.
   void light(const Camera& camera);

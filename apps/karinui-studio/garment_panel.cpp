@@ -1,0 +1,306 @@
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QTreeWidget>
+#include <cmath>
+#include <numbers>
+
+#include "karinui/base/number.h"
+#include "karinui/pattern/edit.h"
+#include "look.h"
+#include "panels.h"
+
+namespace karinui::studio {
+
+QLabel* Panel::title(const Message& words) {
+  auto* label = new QLabel;
+  label->setProperty("role", "title");
+  Look::here().keep(label, [label, words] { label->setText(inWords(words)); });
+  return label;
+}
+QLabel* Panel::word(const Message& words) {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  Look::here().keep(label, [label, words] { label->setText(inWords(words)); });
+  return label;
+}
+
+namespace {
+
+enum Kind { kPiece = 1, kEdge, kSeam };
+
+QString seamName(const Document& document, const Seam& seam) {
+  if (!seam.name.empty()) return QString::fromStdString(seam.name);
+  const auto side = [&](const std::vector<EdgeSpan>& spans) {
+    const Piece* piece = document.find(spans.front().piece);
+    return QString::fromStdString((piece ? piece->name : "") + "." + spans.front().edge);
+  };
+  return side(seam.a) + " – " + side(seam.b);
+}
+
+QDoubleSpinBox* number(double low, double high, int decimals, const char* unit) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(low, high);
+  box->setDecimals(decimals);
+  box->setSuffix(QString::fromLatin1(unit));
+  box->setKeyboardTracking(false);
+  box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  return box;
+}
+
+}  // namespace
+
+GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(14, 14, 14, 14);
+  column->setSpacing(10);
+  tree_ = new QTreeWidget;
+  tree_->setHeaderHidden(true);
+  tree_->setIndentation(14);
+  tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  column->addWidget(tree_, 3);
+
+  pieceBoard_ = new QWidget;
+  auto* form = new QFormLayout(pieceBoard_);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(title(say("Piece")));
+  name_ = new QLineEdit;
+  fabric_ = new QComboBox;
+  layer_ = new QSpinBox;
+  layer_->setRange(0, 20);
+  frozen_ = new QCheckBox;
+  Look::here().keep(frozen_, [this] { frozen_->setText(inWords(say("stays as it is"))); });
+  grain_ = number(-180, 180, 1, " °");
+  area_ = new QLabel;
+  area_->setProperty("role", "faint");
+  form->addRow(word(say("Name")), name_);
+  form->addRow(word(say("Fabric")), fabric_);
+  form->addRow(word(say("Grain")), grain_);
+  form->addRow(word(say("Layer")), layer_);
+  form->addRow(word(say("Frozen")), frozen_);
+  form->addRow(word(say("Area")), area_);
+  column->addWidget(pieceBoard_);
+
+  edgeBoard_ = new QWidget;
+  form = new QFormLayout(edgeBoard_);
+  form->setContentsMargins(0, 6, 0, 0);
+  form->addRow(title(say("Edge")));
+  edgeName_ = new QLineEdit;
+  length_ = number(0.1, 1000, 2, " cm");
+  u_ = number(-500, 500, 2, " cm");
+  v_ = number(-500, 500, 2, " cm");
+  sewn_ = new QLabel;
+  sewn_->setWordWrap(true);
+  sewn_->setProperty("role", "faint");
+  form->addRow(word(say("Name")), edgeName_);
+  form->addRow(word(say("Length")), length_);
+  form->addRow(word(say("From, across")), u_);
+  form->addRow(word(say("From, up")), v_);
+  form->addRow(word(say("Sewn to")), sewn_);
+  column->addWidget(edgeBoard_);
+  column->addStretch(1);
+
+  connect(tree_, &QTreeWidget::itemSelectionChanged, this, [this] {
+    if (filling_) return;
+    Selection selection;
+    for (const QTreeWidgetItem* item : tree_->selectedItems()) {
+      const PieceId piece{item->data(0, Qt::UserRole + 1).toULongLong()};
+      switch (item->data(0, Qt::UserRole).toInt()) {
+        case kPiece:
+          selection.pieces.insert(piece);
+          break;
+        case kEdge:
+          selection.pieces.insert(piece);
+          selection.edge = EdgeNear{piece, item->data(0, Qt::UserRole + 2).toString().toStdString(), 0.5, 0};
+          break;
+        case kSeam:
+          selection.seam = SeamId{item->data(0, Qt::UserRole + 1).toULongLong()};
+          break;
+        default:
+          break;
+      }
+    }
+    session_.select(selection);
+  });
+  const auto pieceChosen = [this]() -> const Piece* {
+    if (filling_ || session_.selection().pieces.empty()) return nullptr;
+    return session_.fitting().document.find(*session_.selection().pieces.begin());
+  };
+  connect(name_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
+    const Piece* piece = pieceChosen();
+    if (!piece || name_->text().toStdString() == piece->name) return;
+    Rename rename;
+    rename.piece = piece->id;
+    rename.to = name_->text().toStdString();
+    session_.perform(rename);
+  });
+  connect(fabric_, &QComboBox::activated, this, [this, pieceChosen] {
+    const Piece* piece = pieceChosen();
+    if (!piece || fabric_->currentText().toStdString() == piece->fabric) return;
+    SetFabric set;
+    set.name = fabric_->currentText().toStdString();
+    for (const PieceId id : session_.selection().pieces) set.pieces.push_back(PieceRef(id));
+    session_.perform(set);
+  });
+  connect(layer_, &QSpinBox::editingFinished, this, [this, pieceChosen] {
+    const Piece* piece = pieceChosen();
+    if (!piece || layer_->value() == piece->layer) return;
+    session_.perform(SetLayer{{PieceRef(piece->id)}, layer_->value()});
+  });
+  connect(frozen_, &QCheckBox::clicked, this, [this, pieceChosen](bool on) {
+    if (const Piece* piece = pieceChosen()) session_.perform(FreezePieces{{PieceRef(piece->id)}, on});
+  });
+  connect(grain_, &QDoubleSpinBox::valueChanged, this, [this, pieceChosen](double degrees) {
+    const Piece* piece = pieceChosen();
+    if (!piece) return;
+    const double a = degrees * std::numbers::pi / 180;
+    session_.perform(SetGrain{PieceRef(piece->id), {std::sin(a), std::cos(a)}});
+  });
+  connect(edgeName_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
+    const Piece* piece = pieceChosen();
+    if (!piece || !session_.selection().edge || edgeName_->text().toStdString() == session_.selection().edge->edge)
+      return;
+    Rename rename;
+    rename.edge = EdgeRef{PieceRef(piece->id), session_.selection().edge->edge, 0, 1};
+    rename.to = edgeName_->text().toStdString();
+    session_.perform(rename);
+  });
+  connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double cm) {
+    edgeTyped([this, cm](const Piece& piece) -> Result<Outline> {
+      // The edge's end goes along the chord, so that its length is as typed.
+      const auto n = *piece.outline.find(session_.selection().edge->edge);
+      const Curve& curve = piece.outline.edges[n].curve;
+      const std::string next = piece.outline.edges[(n + 1) % piece.outline.edges.size()].name;
+      const Flat along = normalized(curve.end - curve.start);
+      Piece now = piece;
+      for (int i = 0; i < 12; ++i) {
+        const Curve& is = now.outline.edges[n].curve;
+        const double miss = cm / 100 - is.length();
+        if (std::fabs(miss) < 1e-6) break;
+        auto moved = moveCorner(now, next, is.end + along * miss);
+        if (!moved) return moved.error();
+        now = *std::move(moved);
+      }
+      return now.outline;
+    });
+  });
+  for (QDoubleSpinBox* box : {u_, v_})
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+      edgeTyped([this](const Piece& piece) -> Result<Outline> {
+        auto moved = moveCorner(piece, session_.selection().edge->edge, {u_->value() / 100, v_->value() / 100});
+        if (!moved) return moved.error();
+        return moved->outline;
+      });
+    });
+}
+
+void GarmentPanel::edgeTyped(const std::function<Result<Outline>(const Piece&)>& change) {
+  if (filling_ || !session_.selection().edge) return;
+  const Piece* piece = session_.fitting().document.find(session_.selection().edge->piece);
+  if (!piece || !piece->outline.find(session_.selection().edge->edge)) return;
+  const auto outline = change(*piece);
+  ReshapePiece op;
+  op.piece = piece->id;
+  if (outline) op.outline = *outline;  // a refusal is told by the operation itself
+  session_.perform(op);
+}
+
+void GarmentPanel::refresh() {
+  if (historyShown_ != session_.news().history) {
+    historyShown_ = session_.news().history;
+    fillTree();
+    fillProperties();
+  } else if (!(selectionShown_ == session_.selection())) {
+    fillTree();
+    fillProperties();
+  }
+  selectionShown_ = session_.selection();
+}
+
+void GarmentPanel::fillTree() {
+  filling_ = true;
+  std::set<std::uint64_t> open;
+  for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+    if (tree_->topLevelItem(i)->isExpanded())
+      open.insert(tree_->topLevelItem(i)->data(0, Qt::UserRole + 1).toULongLong());
+  tree_->clear();
+  const Document& document = session_.fitting().document;
+  const Selection& selection = session_.selection();
+  QTreeWidgetItem* current = nullptr;
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    auto* item = new QTreeWidgetItem(tree_);
+    QString words = QString::fromStdString(piece->name);
+    if (piece->frozen) words += "  ❄";
+    if (document.drape.dirty.contains(id)) words += "  •";
+    item->setText(0, words);
+    item->setData(0, Qt::UserRole, kPiece);
+    item->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
+    const bool chosen = selection.pieces.contains(id);
+    for (const Edge& edge : piece->outline.edges) {
+      auto* child = new QTreeWidgetItem(item);
+      child->setText(0, QString::fromStdString(edge.name + "   " + fixed(edge.curve.length() * 100, 1) + " cm"));
+      child->setData(0, Qt::UserRole, kEdge);
+      child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
+      child->setData(0, Qt::UserRole + 2, QString::fromStdString(edge.name));
+      if (selection.edge && selection.edge->piece == id && selection.edge->edge == edge.name) {
+        item->setExpanded(true);
+        child->setSelected(true);
+        current = child;
+      }
+    }
+    item->setExpanded(item->isExpanded() || open.contains(id.value));
+    if (chosen && !(selection.edge && selection.edge->piece == id)) item->setSelected(true), current = item;
+  }
+  for (const auto& [id, seam] : document.pattern.seams) {
+    auto* item = new QTreeWidgetItem(tree_);
+    item->setText(0, seamName(document, seam) + (seam.tie == Seam::Tie::TwoToOne ? "   2:1" : ""));
+    item->setIcon(0, Look::here().icon("sew"));
+    item->setData(0, Qt::UserRole, kSeam);
+    item->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
+    if (selection.seam == id && !selection.edge) item->setSelected(true), current = item;
+  }
+  if (current) tree_->scrollToItem(current);
+  filling_ = false;
+}
+
+void GarmentPanel::fillProperties() {
+  filling_ = true;
+  const Document& document = session_.fitting().document;
+  const Selection& selection = session_.selection();
+  const Piece* piece = selection.pieces.empty() ? nullptr : document.find(*selection.pieces.begin());
+  pieceBoard_->setVisible(piece);
+  edgeBoard_->setVisible(piece && selection.edge.has_value());
+  if (piece) {
+    name_->setText(QString::fromStdString(piece->name));
+    fabric_->clear();
+    for (const Fabric& f : presets()) fabric_->addItem(QString::fromStdString(f.name));
+    for (const auto& [name, f] : document.fabrics)
+      if (fabric_->findText(QString::fromStdString(name)) < 0) fabric_->addItem(QString::fromStdString(name));
+    fabric_->setCurrentText(QString::fromStdString(piece->fabric));
+    layer_->setValue(piece->layer);
+    frozen_->setChecked(piece->frozen);
+    grain_->setValue(std::atan2(piece->grain.u, piece->grain.v) * 180 / std::numbers::pi);
+    area_->setText(QString::fromStdString(fixed(piece->outline.area() * 1e4, 0) + " cm²"));
+  }
+  if (piece && selection.edge) {
+    if (const Edge* edge = findEdge(*piece, selection.edge->edge)) {
+      edgeName_->setText(QString::fromStdString(edge->name));
+      length_->setValue(edge->curve.length() * 100);
+      u_->setValue(edge->curve.start.u * 100);
+      v_->setValue(edge->curve.start.v * 100);
+      QString sewn = "–";
+      for (const auto& [id, seam] : document.pattern.seams)
+        for (const auto* side : {&seam.a, &seam.b})
+          for (const EdgeSpan& s : *side)
+            if (s.piece == piece->id && s.edge == edge->name) sewn = seamName(document, seam);
+      sewn_->setText(sewn);
+    }
+  }
+  filling_ = false;
+}
+
+}  // namespace karinui::studio

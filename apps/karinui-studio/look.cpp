@@ -1,0 +1,194 @@
+#include "look.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPalette>
+#include <QStyleFactory>
+
+#include "karinui/scene/icon.h"
+#include "karinui/view/image.h"
+
+namespace karinui::studio {
+
+namespace {
+
+const Palette kLight{QColor("#f3f0eb"), QColor("#faf8f5"), QColor("#ffffff"), QColor("#e0dad1"), QColor("#3b3630"),
+                     QColor("#8b8378"), QColor("#c2562d"), QColor("#f6e3d8"), QColor("#fffdf9"), QColor("#ece6dc")};
+const Palette kDark{QColor("#24211e"), QColor("#2c2926"), QColor("#363230"), QColor("#46413c"), QColor("#ece6de"),
+                    QColor("#a1988c"), QColor("#e88a5f"), QColor("#5a3a2b"), QColor("#302c29"), QColor("#3b3733")};
+
+class HouseIcon : public QIconEngine {
+ public:
+  explicit HouseIcon(std::string_view name) : name_(name) {}
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+    const Palette& p = Look::here().palette();
+    QColor ink = state == QIcon::On ? p.accent : p.ink;
+    if (mode == QIcon::Disabled) ink.setAlphaF(0.3f);
+    drawIcon(*painter, name_, rect, ink);
+  }
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap map(size);
+    map.fill(Qt::transparent);
+    QPainter painter(&map);
+    paint(&painter, QRect(QPoint(), size), mode, state);
+    return map;
+  }
+  QIconEngine* clone() const override { return new HouseIcon(*this); }
+
+ private:
+  std::string name_;
+};
+
+QString sheetFor(const Palette& p) {
+  QString sheet = QStringLiteral(R"(
+* { font-size: 10pt; }
+QMainWindow, QDialog { background: @window; }
+QToolTip { background: @raised; color: @ink; border: 1px solid @line; padding: 6px; }
+QMenuBar { background: @window; padding: 2px 6px; }
+QMenuBar::item { padding: 5px 10px; border-radius: 5px; background: transparent; }
+QMenuBar::item:selected { background: @accentSoft; }
+QMenu { background: @raised; border: 1px solid @line; padding: 5px; }
+QMenu::item { padding: 6px 26px 6px 26px; border-radius: 5px; }
+QMenu::item:selected { background: @accentSoft; color: @ink; }
+QMenu::item:disabled { color: @faint; }
+QMenu::separator { height: 1px; background: @line; margin: 5px 8px; }
+QToolBar { background: @window; border: none; spacing: 3px; padding: 5px; }
+QToolBar::separator { background: @line; width: 1px; height: 1px; margin: 7px; }
+QToolBar QToolButton { border: none; border-radius: 8px; padding: 5px; margin: 1px; color: @ink; }
+QToolBar QToolButton:hover { background: @raised; }
+QToolBar QToolButton:checked { background: @accentSoft; color: @accent; }
+QStatusBar { background: @window; color: @faint; min-height: 26px; }
+QStatusBar QLabel { color: @ink; padding: 2px 10px; }
+QStatusBar::item { border: none; }
+QDockWidget { titlebar-close-icon: none; }
+QTabWidget::pane { border: none; background: @panel; }
+QTabBar { qproperty-drawBase: 0; }
+QTabBar::tab { padding: 8px 13px; color: @faint; background: transparent; border-bottom: 2px solid transparent; }
+QTabBar::tab:selected { color: @ink; border-bottom: 2px solid @accent; }
+QTabBar::tab:hover { color: @ink; }
+QSplitter::handle { background: @line; }
+QTreeWidget, QListWidget, QTableWidget { background: @panel; border: none; outline: none; alternate-background-color: @panel; }
+QTreeWidget::item, QListWidget::item { padding: 4px 4px; border-radius: 5px; }
+QTreeWidget::item:selected, QListWidget::item:selected { background: @accentSoft; color: @ink; }
+QHeaderView::section { background: @panel; border: none; color: @faint; padding: 4px; }
+QLineEdit, QComboBox, QDoubleSpinBox, QSpinBox { background: @raised; border: 1px solid @line; border-radius: 6px; padding: 4px 7px; selection-background-color: @accent; }
+QLineEdit:focus, QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 1px solid @accent; }
+QComboBox::drop-down { border: none; width: 20px; }
+QComboBox QAbstractItemView { background: @raised; border: 1px solid @line; selection-background-color: @accentSoft; selection-color: @ink; }
+QPushButton { background: @raised; border: 1px solid @line; border-radius: 7px; padding: 6px 14px; }
+QPushButton:hover { border: 1px solid @accent; }
+QPushButton:default { background: @accent; color: white; border: 1px solid @accent; }
+QPushButton:disabled { color: @faint; }
+QScrollArea { border: none; background: transparent; }
+QScrollBar:vertical { width: 10px; background: transparent; }
+QScrollBar::handle:vertical { background: @line; border-radius: 4px; min-height: 24px; margin: 1px; }
+QScrollBar:horizontal { height: 10px; background: transparent; }
+QScrollBar::handle:horizontal { background: @line; border-radius: 4px; min-width: 24px; margin: 1px; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QProgressBar { background: @line; border: none; border-radius: 3px; max-height: 6px; }
+QProgressBar::chunk { background: @accent; border-radius: 3px; }
+QLabel[role="title"] { font-size: 11pt; font-weight: 600; color: @ink; }
+QLabel[role="faint"] { color: @faint; }
+)");
+  const std::pair<const char*, QColor> names[] = {
+      {"@window", p.window}, {"@panel", p.panel}, {"@raised", p.raised},         {"@line", p.line},
+      {"@ink", p.ink},       {"@faint", p.faint}, {"@accentSoft", p.accentSoft}, {"@accent", p.accent}};
+  for (const auto& [name, colour] : names) sheet.replace(QLatin1String(name), colour.name());
+  return sheet;
+}
+
+}  // namespace
+
+Look& Look::here() {
+  static Look look;
+  return look;
+}
+
+const Palette& Look::palette() const { return dark_ ? kDark : kLight; }
+
+QString Look::say(const Message& message) const { return QString::fromStdString(text(message, language_)); }
+
+QIcon Look::icon(std::string_view name) const { return name.empty() ? QIcon() : QIcon(new HouseIcon(name)); }
+
+void Look::setLanguage(Language language) {
+  language_ = language;
+  emit changed();
+}
+
+void Look::setDark(bool dark) {
+  dark_ = dark;
+  if (auto* app = qobject_cast<QApplication*>(QCoreApplication::instance())) apply(*app);
+  emit changed();
+}
+
+void Look::apply(QApplication& app) {
+  const Palette& p = palette();
+  app.setStyle(QStyleFactory::create("Fusion"));
+  QPalette q;
+  q.setColor(QPalette::Window, p.window);
+  q.setColor(QPalette::WindowText, p.ink);
+  q.setColor(QPalette::Base, p.panel);
+  q.setColor(QPalette::AlternateBase, p.panel);
+  q.setColor(QPalette::Text, p.ink);
+  q.setColor(QPalette::Button, p.raised);
+  q.setColor(QPalette::ButtonText, p.ink);
+  q.setColor(QPalette::Highlight, p.accent);
+  q.setColor(QPalette::HighlightedText, Qt::white);
+  q.setColor(QPalette::ToolTipBase, p.raised);
+  q.setColor(QPalette::ToolTipText, p.ink);
+  q.setColor(QPalette::PlaceholderText, p.faint);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    q.setColor(QPalette::Disabled, role, p.faint);
+  app.setPalette(q);
+  app.setStyleSheet(sheetFor(p));
+}
+
+void Look::keep(QObject* owner, std::function<void()> put) {
+  put();
+  QObject::connect(this, &Look::changed, owner, std::move(put));
+}
+
+void Look::keep(QAction* action, const Message& label, const Message& hint, std::string_view icon) {
+  const std::string name(icon);
+  keep(action, [this, action, label, hint, name] {
+    action->setText(say(label));
+    const QString key = action->shortcut().toString(QKeySequence::NativeText);
+    const QString teach = say(hint);
+    action->setToolTip("<b>" + say(label) + "</b>" + (key.isEmpty() ? QString() : "  (" + key + ")") + "<br>" + teach);
+    action->setStatusTip(teach);
+    if (!name.empty()) action->setIcon(this->icon(name));
+  });
+}
+
+QColor shown(const Colour& linear) {
+  const Pixel p = pixelOf(linear);
+  return QColor(p[0], p[1], p[2]);
+}
+
+void drawIcon(QPainter& painter, std::string_view name, const QRectF& square, const QColor& ink) {
+  const Icon* drawn = karinui::icon(name);
+  if (!drawn) return;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(square.topLeft());
+  painter.scale(square.width() / 24, square.height() / 24);
+  QPen pen(ink, 1.6);
+  pen.setCapStyle(Qt::RoundCap);
+  pen.setJoinStyle(Qt::RoundJoin);
+  for (const IconStroke& stroke : drawn->strokes) {
+    QPainterPath path;
+    for (std::size_t i = 0; i < stroke.points.size(); ++i) {
+      const QPointF p(stroke.points[i].u, stroke.points[i].v);
+      i == 0 ? path.moveTo(p) : path.lineTo(p);
+    }
+    painter.setPen(stroke.filled ? Qt::NoPen : pen);
+    painter.setBrush(stroke.filled ? QBrush(ink) : QBrush(Qt::NoBrush));
+    painter.drawPath(path);
+  }
+  painter.restore();
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,56 @@
+#pragma once
+// How the studio looks and in which language it speaks: one palette for light and one for dark, the icons, the words.
+// GUI thread only.
+#include <QColor>
+#include <QIcon>
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <string_view>
+
+#include "karinui/base/message.h"
+#include "karinui/scene/scene_frame.h"
+
+class QAction;
+class QApplication;
+
+namespace karinui::studio {
+
+struct Palette {
+  QColor window, panel, raised, line, ink, faint, accent, accentSoft, paper, paperLine;
+};
+
+class Look : public QObject {
+  Q_OBJECT
+ public:
+  static Look& here();
+
+  Language language() const { return language_; }
+  bool dark() const { return dark_; }
+  void setLanguage(Language language);
+  void setDark(bool dark);
+  const Palette& palette() const;
+  QString say(const Message& message) const;
+  QIcon icon(std::string_view name) const;  // in today's colours
+  void apply(QApplication& app);
+
+  // Keeps the words (and the icon) of a thing right whatever language and colours come: `put` is called now and at each
+  // change, as long as `owner` lives.
+  void keep(QObject* owner, std::function<void()> put);
+  void keep(QAction* action, const Message& label, const Message& hint, std::string_view icon = {});
+
+ signals:
+  void changed();
+
+ private:
+  Look() = default;
+  Language language_ = Language::English;
+  bool dark_ = false;
+};
+
+inline QString inWords(const Message& message) { return Look::here().say(message); }
+QColor shown(const Colour& linear);  // linear light to screen
+// Draws an icon of the house into a square.
+void drawIcon(class QPainter& painter, std::string_view name, const class QRectF& square, const QColor& ink);
+
+}  // namespace karinui::studio

@@ -1,0 +1,119 @@
+// karinui-studio [FILE]            opens a document, a body or a pattern; without one, where one left off
+//   --new SIZE        begins a garment on a built-in size
+//   --self-check      works by itself for a moment, prints how long things take, and ends
+//   --picture FILE    opens, waits until all is at rest, keeps a picture of the window, and ends
+//   --language en|ja  --dark  --threads N
+#include <QApplication>
+#include <QFileInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QThread>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "karinui/base/number.h"
+#include "look.h"
+#include "main_window.h"
+#include "self_check.h"
+
+using namespace karinui;
+using namespace karinui::studio;
+
+namespace {
+
+struct Wish {
+  QString file, picture, fresh;
+  bool selfCheck = false, dark = false, help = false;
+  std::optional<Language> language;
+  int threads = 0;
+};
+
+// Why there can be no window; Qt would only abort.
+bool displayIsThere() {
+  const char* platform = std::getenv("QT_QPA_PLATFORM");
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  return set("DISPLAY") || set("WAYLAND_DISPLAY") || (platform && *platform && std::strcmp(platform, "xcb") != 0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Wish wish;
+  const Language spoken = spokenHere();
+  const auto refuse = [&](const Message& why) {
+    std::fprintf(stderr, "%s\n", text(why, wish.language.value_or(spoken)).c_str());
+    return 2;
+  };
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool more = i + 1 < argc;
+    if (word == "--self-check")
+      wish.selfCheck = true;
+    else if (word == "--dark")
+      wish.dark = true;
+    else if (word == "--help" || word == "-h")
+      wish.help = true;
+    else if (word == "--picture" && more)
+      wish.picture = QString::fromLocal8Bit(argv[++i]);
+    else if (word == "--new" && more)
+      wish.fresh = QString::fromLocal8Bit(argv[++i]);
+    else if (word == "--threads" && more)
+      wish.threads = std::atoi(argv[++i]);
+    else if (word == "--language" && more)
+      wish.language = std::string(argv[++i]) == "ja" ? Language::Japanese : Language::English;
+    else if (word.starts_with("-"))
+      return refuse(say("karinui-studio does not know “{0}”; try karinui-studio --help.", word));
+    else
+      wish.file = QString::fromLocal8Bit(argv[i]);
+  }
+  if (wish.help) {
+    std::puts(text(say("karinui-studio [FILE] [--new SIZE] [--language en|ja] [--dark] [--threads N] [--self-check] "
+                       "[--picture FILE]: "
+                       "the window in which garments are designed. FILE is a .karinui document, a body or a pattern."),
+                   wish.language.value_or(spoken))
+                  .c_str());
+    return 0;
+  }
+  if (!displayIsThere())
+    return refuse(say("There is no display to open a window on; on a machine without one use the command karinui."));
+
+  QSurfaceFormat format;
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication app(argc, argv);
+  QApplication::setOrganizationName("karinui");
+  QApplication::setApplicationName("karinui-studio");
+  QApplication::setDesktopFileName("karinui-studio");
+  const QSettings settings;
+  Look& look = Look::here();
+  const QString kept = settings.value("language").toString();
+  look.setLanguage(wish.language  ? *wish.language
+                   : kept == "ja" ? Language::Japanese
+                   : kept == "en" ? Language::English
+                                  : spoken);
+  look.setDark(wish.dark || settings.value("dark").toBool());
+  look.apply(app);
+
+  MainWindow window(wish.threads > 0 ? wish.threads : std::max(1, QThread::idealThreadCount()));
+  window.show();
+  if (wish.selfCheck) return selfCheck(app, window);
+  if (!wish.fresh.isEmpty())
+    window.newGarment(wish.fresh.toLower().toStdString(), wish.file);
+  else if (!wish.file.isEmpty())
+    window.openPath(QFileInfo(wish.file).absoluteFilePath());
+  else if (const QStringList recent = settings.value("recent").toStringList();
+           !recent.isEmpty() && QFileInfo::exists(recent.front()))
+    window.openPath(recent.front());
+  else
+    window.startGuide();
+  if (!wish.picture.isEmpty()) return keepPicture(app, window, wish.picture);
+  return QApplication::exec();
+}

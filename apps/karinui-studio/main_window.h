@@ -1,0 +1,86 @@
+#pragma once
+// The window: fitting at the left, pattern beside it, boards at the right; menus, keys, files, words. GUI thread.
+#include <QMainWindow>
+#include <QTimer>
+
+#include "clockwork.h"
+#include "karinui/session/session.h"
+#include "panels.h"
+#include "table_view.h"
+
+class QLabel;
+class QProgressBar;
+class QTabWidget;
+class QToolBar;
+
+namespace karinui::studio {
+
+class Guide;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(int threads);
+  ~MainWindow() override;
+
+  Session& session() { return *session_; }
+  SpaceView& space() { return *space_; }
+  TableView& table() { return *table_; }
+  Clockwork& clockwork() { return clockwork_; }
+  QAction* action(Command command) const { return actions_.at(command); }
+  QTabWidget& boards() { return *boards_; }
+  QString said() const;                // the last sentence shown
+  void openPath(const QString& path);  // a document, a pattern or a body, by its ending
+  void newGarment(const std::string& size, const QString& path);
+  void startGuide();
+
+ signals:
+  void refreshed();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void makeActions();
+  void makeMenus();
+  void refresh();
+  void tell(const Notice& notice);
+  void placeToast();
+  void run(Command command);
+  void askNew();
+  void askOpen();
+  void askImport();
+  void askExport();
+  void askSaveCopy();
+  void askReplay(const SetBody& body);
+  void print();
+  void picture();
+  void remember(const QString& path);
+  void fillRecent();
+  void keysDialog();
+  QString freshPath(const QString& name) const;
+
+  Clockwork clockwork_;
+  std::unique_ptr<Session> session_;
+  SpaceView* space_ = nullptr;
+  TableView* table_ = nullptr;
+  QTabWidget* boards_ = nullptr;
+  std::vector<Panel*> panels_;
+  std::map<Command, QAction*> actions_;
+  QMenu* recent_ = nullptr;
+  QMenu* viewMenu_ = nullptr;
+  QToolBar* tools_ = nullptr;
+  QToolBar* top_ = nullptr;
+  QLabel *hint_, *place_, *toast_;
+  QProgressBar* progress_;
+  QTimer toastTime_, wake_;
+  Guide* guide_ = nullptr;
+  SessionNews seen_;
+  bool inches_ = false;
+};
+
+}  // namespace karinui::studio

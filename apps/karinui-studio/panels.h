@@ -1,0 +1,128 @@
+#pragma once
+// The boards at the right: the garment and its properties, figure, fabric, fit, history. Each shows the session and
+// asks it for operations; none keeps a state of its own. GUI thread.
+#include <QVBoxLayout>
+#include <QWidget>
+#include <functional>
+
+#include "karinui/session/session.h"
+#include "space_view.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QSpinBox;
+class QTreeWidget;
+
+namespace karinui::studio {
+
+class Panel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Panel(Session& session) : session_(session) {}
+  virtual void refresh() = 0;  // the session has something new
+
+ protected:
+  QLabel* title(const Message& words);
+  QLabel* word(const Message& words);
+  Session& session_;
+  bool filling_ = false;  // values are being shown, not entered
+};
+
+class GarmentPanel : public Panel {
+  Q_OBJECT
+ public:
+  explicit GarmentPanel(Session& session);
+  void refresh() override;
+
+ private:
+  void fillTree();
+  void fillProperties();
+  void edgeTyped(const std::function<Result<Outline>(const Piece&)>& change);
+  QTreeWidget* tree_;
+  QWidget* pieceBoard_;
+  QWidget* edgeBoard_;
+  QLineEdit* name_;
+  QComboBox* fabric_;
+  QSpinBox* layer_;
+  QCheckBox* frozen_;
+  QDoubleSpinBox* grain_;
+  QLabel* area_;
+  QLineEdit* edgeName_;
+  QDoubleSpinBox* length_;
+  QDoubleSpinBox* u_;
+  QDoubleSpinBox* v_;
+  QLabel* sewn_;
+  std::uint64_t historyShown_ = ~0ull;
+  Selection selectionShown_;
+};
+
+class BodyPanel : public Panel {
+  Q_OBJECT
+ public:
+  explicit BodyPanel(Session& session);
+  void refresh() override;
+ signals:
+  void importAsked();
+  void replayAsked(const SetBody& body);
+
+ private:
+  SetBody wished() const;
+  QComboBox* size_;
+  QComboBox* sex_;
+  std::map<std::string, QDoubleSpinBox*> typed_;
+  QPushButton *use_, *replay_;
+  QLabel* measured_;
+  std::string shown_;
+};
+
+class FabricPanel : public Panel {
+  Q_OBJECT
+ public:
+  explicit FabricPanel(Session& session);
+  void refresh() override;
+
+ private:
+  void show(const Fabric& fabric);
+  class Curve;
+  QListWidget* list_;
+  Curve* curve_;
+  QPushButton* cut_;
+  QPushButton* change_;
+  std::map<std::string, QDoubleSpinBox*> values_;
+  Fabric fabric_;
+  std::uint64_t historyShown_ = ~0ull;
+};
+
+class FitPanel : public Panel {
+  Q_OBJECT
+ public:
+  FitPanel(Session& session, SpaceView& view);
+  void refresh() override;
+
+ private:
+  SpaceView& view_;
+  QComboBox* map_;
+  QCheckBox* tape_;
+  QComboBox* stereo_;
+  QDoubleSpinBox *eyes_, *focus_;
+  QLabel* report_;
+  std::uint64_t historyShown_ = ~0ull;
+};
+
+class HistoryPanel : public Panel {
+  Q_OBJECT
+ public:
+  explicit HistoryPanel(Session& session);
+  void refresh() override;
+
+ private:
+  QListWidget* list_;
+  std::uint64_t historyShown_ = ~0ull;
+};
+
+}  // namespace karinui::studio

@@ -1,0 +1,92 @@
+#pragma once
+// The fitting in 3D: draws what the session shows, and hands it the mouse as a pointer. GUI thread.
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <QVariantAnimation>
+#include <memory>
+
+#include "clockwork.h"
+#include "karinui/session/session.h"
+#include "karinui/view/camera.h"
+#include "karinui/view/renderer.h"
+
+namespace karinui::studio {
+
+class EyeCompositor;
+
+enum class Stereo { Off, SideBySide, TopBottom, Anaglyph, Interleaved };
+enum class FitMap { None, Strain, Ease };
+
+class SpaceView : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  SpaceView(Session& session, Clockwork& clockwork, QWidget* parent = nullptr);
+  ~SpaceView() override;
+
+  void look(View view);  // from a side, all of it in view
+  void setStereo(Stereo stereo);
+  void setEyes(double separationMm, double convergence);
+  Stereo stereo() const { return stereo_; }
+  void setMap(FitMap map);
+  FitMap map() const { return map_; }
+  double mapTop() const { return mapTop_; }
+  void setTape(bool on);
+  bool tape() const { return tape_; }
+  void setBlenderKeys(bool on) { blender_ = on; }
+  void refresh();  // the session has something new
+  const Camera& camera() const { return camera_; }
+  void setCamera(const Camera& camera);
+  QString driver() const { return driver_; }
+  const std::optional<Error>& trouble() const { return trouble_; }
+  std::optional<QPointF> onScreen(Vec3 place) const;  // for tests and guides
+  bool still() const { return fine_; }
+
+ signals:
+  void failed(const QString& why);
+  void painted();
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  void resizeGL(int width, int height) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  PointerSample sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const;
+  void giveBack();
+  void cameraMoved();
+  void showGarment();
+  void showOverlay();
+  void drawEye(double sideways, int width, int height);
+  void paintOver(QPainter& painter, double sideways, int width, int height);
+  double aspect() const;
+
+  Session& session_;
+  Clockwork& clockwork_;
+  Camera camera_;
+  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<EyeCompositor> compositor_;
+  std::optional<Error> trouble_;
+  QString driver_;
+  bool software_ = false;
+  std::uint64_t garmentShown_ = ~0ull;
+  bool stale_ = true, fine_ = false, framed_ = false;
+  Stereo stereo_ = Stereo::Off;
+  double separation_ = 0.063, convergence_ = 1;
+  FitMap map_ = FitMap::None;
+  double mapTop_ = 0;
+  bool tape_ = false, blender_ = false;
+  std::vector<Vec3> tapeLine_;
+  double tapeLength_ = 0;
+  std::vector<SceneLine> seamThreads_;
+  QTimer rest_;
+  QVariantAnimation walk_;
+  enum class Held { Nothing, Tool, Turn, Pan } held_ = Held::Nothing;
+  QPointF last_;
+};
+
+}  // namespace karinui::studio

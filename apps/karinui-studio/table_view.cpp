@@ -1,0 +1,335 @@
+#include "table_view.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+#include <array>
+#include <cmath>
+
+#include "karinui/base/number.h"
+#include "look.h"
+
+namespace karinui::studio {
+
+namespace {
+
+// One hue a seam, told apart by most eyes (P. Tol's bright scheme).
+constexpr std::array<QRgb, 7> kThreads{0x4477AA, 0xEE6677, 0x228833, 0xB08B12, 0x2A9DB5, 0xAA3377, 0x777777};
+
+double niceStep(double pixelsPerMetre) {
+  for (const double step : {0.001, 0.005, 0.01, 0.05, 0.1, 0.5, 1.0})
+    if (step * pixelsPerMetre >= 14) return step;
+  return 5;
+}
+
+}  // namespace
+
+QString lengthText(double metres, bool inches) {
+  return QString::fromStdString(inches ? fixed(metres / 0.0254, 2) + " in" : fixed(metres * 100, 1) + " cm");
+}
+
+TableView::TableView(Session& session, Clockwork& clockwork, QWidget* parent)
+    : QWidget(parent), session_(session), clockwork_(clockwork) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(220, 200);
+  setAccessibleName("pattern");
+  connect(&Look::here(), &Look::changed, this, [this] { update(); });
+}
+
+QString TableView::lengthText(double metres) const { return studio::lengthText(metres, inches_); }
+
+QPointF TableView::onScreen(Flat p) const {
+  return {width() / 2.0 + (p.u - middle_.u) * scale_, height() / 2.0 - (p.v - middle_.v) * scale_};
+}
+Flat TableView::onTable(const QPointF& s) const {
+  return {middle_.u + (s.x() - width() / 2.0) / scale_, middle_.v - (s.y() - height() / 2.0) / scale_};
+}
+
+void TableView::showAll() {
+  Flat low{1e9, 1e9}, high{-1e9, -1e9};
+  for (const auto& worn : session_.fitting().worn)
+    for (const Flat p : worn.ring) {
+      const Flat q = p + session_.table().at(worn.id);
+      low = {std::fmin(low.u, q.u), std::fmin(low.v, q.v)};
+      high = {std::fmax(high.u, q.u), std::fmax(high.v, q.v)};
+    }
+  if (low.u > high.u) low = {0, -0.7}, high = {0.9, 0};
+  middle_ = lerp(low, high, 0.5);
+  const Flat size = high - low;
+  scale_ = std::clamp(std::min(width() * 0.88 / std::max(size.u, 0.05), height() * 0.86 / std::max(size.v, 0.05)), 20.0,
+                      6000.0);
+  mine_ = false;
+  update();
+}
+
+void TableView::refresh() {
+  const std::size_t pieces = session_.fitting().worn.size();
+  if (pieces != piecesShown_ && !mine_) showAll();
+  piecesShown_ = pieces;
+  update();
+}
+
+void TableView::resizeEvent(QResizeEvent*) {
+  if (!mine_) showAll();
+}
+
+void TableView::paintPiece(QPainter& painter, const Piece& piece, const Outline& outline, const Preview& preview) {
+  const Palette& p = Look::here().palette();
+  const Flat lies = session_.table().at(piece.id);
+  const bool chosen = session_.selection().pieces.contains(piece.id);
+  const bool previewed = preview.outlines.contains(piece.id);
+  const Fitting& fitting = session_.fitting();
+  Colour dye{0.5f, 0.5f, 0.5f};
+  for (std::size_t k = 0; k < fitting.worn.size(); ++k)
+    if (fitting.worn[k].id == piece.id) dye = fitting.frame.cloths[k].colour;
+  const auto path = [&](const Outline& o) {
+    QPainterPath line;
+    const Ring ring = o.flattened(2e-4);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      i == 0 ? line.moveTo(onScreen(ring[i] + lies)) : line.lineTo(onScreen(ring[i] + lies));
+    line.closeSubpath();
+    return line;
+  };
+  QPainterPath shape = path(outline);
+  for (const Outline& hole : piece.holes) shape = shape.subtracted(path(hole));
+  QColor fill = shown(dye);
+  fill.setAlphaF(Look::here().dark() ? 0.42f : 0.24f);
+  painter.setBrush(fill);
+  painter.setPen(Qt::NoPen);
+  painter.drawPath(shape);
+  if (previewed) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(p.faint, 1, Qt::DashLine));
+    painter.drawPath(path(piece.outline));
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(chosen ? p.accent : p.ink, chosen ? 2.2 : 1.4, piece.frozen ? Qt::DotLine : Qt::SolidLine));
+  painter.drawPath(shape);
+  for (const InternalLine& line : piece.lines)
+    for (const Curve& curve : line.curves) {
+      QPolygonF points;
+      for (const Flat q : curve.flattened(2e-4)) points << onScreen(q + lies);
+      painter.setPen(QPen(p.ink, 1, Qt::DashLine));
+      painter.drawPolyline(points);
+    }
+  // Grain, through the middle of the paper.
+  Flat low{1e9, 1e9}, high{-1e9, -1e9};
+  for (const Flat q : outline.flattened(1e-3)) {
+    low = {std::fmin(low.u, q.u), std::fmin(low.v, q.v)};
+    high = {std::fmax(high.u, q.u), std::fmax(high.v, q.v)};
+  }
+  const Flat centre = lerp(low, high, 0.5) + lies;
+  const double half = std::min({0.07, length(high - low) * 0.22});
+  const QPointF a = onScreen(centre - piece.grain * half), b = onScreen(centre + piece.grain * half);
+  painter.setPen(QPen(p.faint, 1.2));
+  painter.drawLine(a, b);
+  const QPointF way = (b - a) / std::max(1.0, std::hypot(b.x() - a.x(), b.y() - a.y()));
+  const QPointF side(-way.y(), way.x());
+  painter.drawPolyline(QPolygonF({b - way * 8 + side * 4, b, b - way * 8 - side * 4}));
+  painter.drawPolyline(QPolygonF({a + way * 8 + side * 4, a, a + way * 8 - side * 4}));
+  for (const Mark& mark : piece.marks) {
+    if (mark.edge.empty()) {
+      painter.drawEllipse(onScreen(mark.place + lies), 3, 3);
+      continue;
+    }
+    const auto n = outline.find(mark.edge);
+    if (!n) continue;
+    const Curve& curve = outline.edges[*n].curve;
+    const double t = curve.parameterAt(mark.fraction * curve.length());
+    const Flat in = leftOf(normalized(curve.tangent(t)));
+    painter.setPen(QPen(p.ink, 1.6));
+    painter.drawLine(onScreen(curve.at(t) + lies), onScreen(curve.at(t) + in * 0.006 + lies));
+  }
+  // Name, above the grain line; and what is still to be settled.
+  QFont name = font();
+  name.setPointSizeF(10.5);
+  name.setWeight(QFont::DemiBold);
+  painter.setFont(name);
+  painter.setPen(chosen ? p.accent : p.ink);
+  const QPointF middle = onScreen(centre) + QPointF(10, 4);
+  const QString label = QString::fromStdString(piece.name);
+  painter.drawText(middle, label);
+  if (fitting.document.drape.dirty.contains(piece.id)) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(p.accent);
+    painter.drawEllipse(middle + QPointF(painter.fontMetrics().horizontalAdvance(label) + 9, -4), 3.5, 3.5);
+    painter.setBrush(Qt::NoBrush);
+  }
+  if (session_.tool() == Command::Points) {
+    painter.setPen(QPen(p.ink, 1.2));
+    painter.setBrush(p.raised);
+    for (const Edge& edge : outline.edges) {
+      const QPointF c = onScreen(edge.curve.start + lies);
+      painter.drawRect(QRectF(c - QPointF(3, 3), QSizeF(6, 6)));
+    }
+    painter.setBrush(Qt::NoBrush);
+  }
+}
+
+void TableView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Palette& p = Look::here().palette();
+  painter.fillRect(rect(), p.paper);
+  const double step = niceStep(scale_);
+  const Flat low = onTable({0, static_cast<double>(height())}), high = onTable({static_cast<double>(width()), 0});
+  for (int pass = 0; pass < 2; ++pass) {
+    const double s = pass == 0 ? step : step * 5;
+    QColor line = p.paperLine;
+    if (pass == 0) line.setAlphaF(0.55f);
+    painter.setPen(QPen(line, 1));
+    for (double u = std::ceil(low.u / s) * s; u < high.u; u += s) {
+      const double x = std::floor(onScreen({u, 0}).x()) + 0.5;
+      painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+    }
+    for (double v = std::ceil(low.v / s) * s; v < high.v; v += s) {
+      const double y = std::floor(onScreen({0, v}).y()) + 0.5;
+      painter.drawLine(QPointF(0, y), QPointF(width(), y));
+    }
+  }
+  const Preview preview = session_.preview();
+  const Document& document = session_.fitting().document;
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    const auto other = preview.outlines.find(id);
+    paintPiece(painter, *piece, other == preview.outlines.end() ? piece->outline : other->second, preview);
+  }
+  // Seams: both sides in one colour, with ticks that say which end meets which.
+  std::size_t n = 0;
+  for (const auto& [id, seam] : document.pattern.seams) {
+    QColor thread(kThreads[n++ % kThreads.size()]);
+    const bool chosen = session_.selection().seam == id;
+    for (const auto* side : {&seam.a, &seam.b}) {
+      const bool turned = side == &seam.b && seam.reversed;
+      double whole = 0, done = 0;
+      for (const EdgeSpan& s : *side)
+        if (const Piece* piece = document.find(s.piece))
+          if (const Edge* edge = findEdge(*piece, s.edge)) whole += edge->curve.length() * (s.to - s.from);
+      for (const EdgeSpan& s : *side) {
+        const Piece* piece = document.find(s.piece);
+        const Edge* edge = piece ? findEdge(*piece, s.edge) : nullptr;
+        if (!edge) continue;
+        const Flat lies = session_.table().at(piece->id);
+        QPolygonF line;
+        const double part = edge->curve.length() * (s.to - s.from);
+        for (int i = 0; i <= 30; ++i) {
+          const double f = s.from + (s.to - s.from) * i / 30;
+          const double t = edge->curve.parameterAt(f * edge->curve.length());
+          line << onScreen(edge->curve.at(t) + leftOf(normalized(edge->curve.tangent(t))) * (3 / scale_) + lies);
+        }
+        painter.setPen(QPen(thread, chosen ? 4 : 2.2));
+        painter.drawPolyline(line);
+        for (const double tick : {0.25, 0.3}) {  // two ticks near the beginning
+          const double along = (turned ? 1 - tick : tick) * whole - done;
+          if (along < 0 || along > part) continue;
+          const double t = edge->curve.parameterAt(s.from * edge->curve.length() + along);
+          const Flat in = leftOf(normalized(edge->curve.tangent(t)));
+          painter.drawLine(onScreen(edge->curve.at(t) + lies), onScreen(edge->curve.at(t) + in * (9 / scale_) + lies));
+        }
+        done += part;
+      }
+    }
+  }
+  for (const TableLine& line : preview.table.lines) {
+    QPolygonF points;
+    for (const Flat q : line.points) points << onScreen(q);
+    painter.setPen(QPen(shown(line.colour), 3, line.dashed ? Qt::DashLine : Qt::SolidLine, Qt::RoundCap));
+    painter.drawPolyline(points);
+  }
+  painter.setPen(QPen(Qt::white, 1.5));
+  painter.setBrush(p.accent);
+  for (const Flat dot : preview.table.dots) painter.drawEllipse(onScreen(dot), 5, 5);
+  QFont small = font();
+  small.setPointSizeF(9.5);
+  painter.setFont(small);
+  for (const TableWord& word : preview.table.words) {
+    const QString words = QString::fromStdString(word.text);
+    QRectF box = painter.fontMetrics().boundingRect(words);
+    box.moveCenter(onScreen(word.place) + QPointF(0, -16));
+    box.adjust(-8, -3, 8, 3);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(40, 36, 32, 215));
+    painter.drawRoundedRect(box, 7, 7);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, words);
+  }
+  if (session_.selection().edge) {
+    const EdgeNear& e = *session_.selection().edge;
+    const Piece* piece = document.find(e.piece);
+    if (const Edge* edge = piece ? findEdge(*piece, e.edge) : nullptr) {
+      QPolygonF line;
+      const Flat lies = session_.table().at(piece->id);
+      for (const Flat q : edge->curve.flattened(2e-4)) line << onScreen(q + lies);
+      painter.setPen(QPen(p.accent, 3));
+      painter.drawPolyline(line);
+    }
+  }
+  // A ruler in the corner: how large things are.
+  const double ruler = step * 5;
+  const QPointF left(18, height() - 18.0), right(18 + ruler * scale_, height() - 18.0);
+  painter.setPen(QPen(p.faint, 1.4));
+  painter.drawLine(left, right);
+  painter.drawLine(left - QPointF(0, 4), left + QPointF(0, 4));
+  painter.drawLine(right - QPointF(0, 4), right + QPointF(0, 4));
+  painter.drawText(left + QPointF(2, -6), lengthText(ruler));
+  if (document.pattern.pieces.empty()) {
+    painter.setPen(p.faint);
+    painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap,
+                     inWords(say("Pieces you draw on the body appear here as flat paper pattern.")));
+  }
+}
+
+void TableView::feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) {
+  PointerSample sample;
+  sample.phase = phase;
+  sample.where = PointerSample::Where::Table;
+  sample.seconds = clockwork_.now() / 1000;
+  sample.place = onTable(at);
+  sample.reach = 9 / scale_;
+  sample.shift = keys.testFlag(Qt::ShiftModifier);
+  sample.control = keys.testFlag(Qt::ControlModifier);
+  sample.alt = keys.testFlag(Qt::AltModifier);
+  session_.feed(sample);
+  emit pointed(sample.place);
+  update();
+}
+
+void TableView::mousePressEvent(QMouseEvent* event) {
+  last_ = event->position();
+  setFocus();
+  if (event->button() == Qt::LeftButton) {
+    pressed_ = true;
+    feed(last_, event->modifiers(), PointerSample::Phase::Press);
+  } else {
+    panning_ = true;
+  }
+}
+
+void TableView::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF step = event->position() - last_;
+  last_ = event->position();
+  if (panning_) {
+    middle_ += Flat{-step.x() / scale_, step.y() / scale_};
+    mine_ = true;
+    return update();
+  }
+  feed(last_, event->modifiers(), pressed_ ? PointerSample::Phase::Drag : PointerSample::Phase::Hover);
+}
+
+void TableView::mouseReleaseEvent(QMouseEvent* event) {
+  if (pressed_ && event->button() == Qt::LeftButton)
+    feed(event->position(), event->modifiers(), PointerSample::Phase::Release);
+  pressed_ = panning_ = false;
+}
+
+void TableView::wheelEvent(QWheelEvent* event) {
+  const Flat fixed = onTable(event->position());
+  scale_ = std::clamp(scale_ * std::pow(1.14, event->angleDelta().y() / 120.0), 20.0, 20000.0);
+  const Flat now = onTable(event->position());
+  middle_ += fixed - now;
+  mine_ = true;
+  update();
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,48 @@
+#pragma once
+// The flat pattern on the cutting table: what the session's table says, in metres, and the mouse as its pointer.
+// GUI thread.
+#include <QWidget>
+
+#include "clockwork.h"
+#include "karinui/session/session.h"
+
+namespace karinui::studio {
+
+class TableView : public QWidget {
+  Q_OBJECT
+ public:
+  TableView(Session& session, Clockwork& clockwork, QWidget* parent = nullptr);
+  void showAll();
+  void refresh();
+  QPointF onScreen(Flat table) const;
+  Flat onTable(const QPointF& screen) const;
+  QString lengthText(double metres) const;
+  void setInches(bool inches) { inches_ = inches, update(); }
+
+ signals:
+  void pointed(Flat table);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase);
+  void paintPiece(QPainter& painter, const Piece& piece, const Outline& outline, const Preview& preview);
+
+  Session& session_;
+  Clockwork& clockwork_;
+  double scale_ = 500;  // pixels a metre
+  Flat middle_{0.4, -0.3};
+  std::size_t piecesShown_ = 0;
+  bool panning_ = false, pressed_ = false, inches_ = false, mine_ = false;
+  QPointF last_;
+};
+
+QString lengthText(double metres, bool inches);
+
+}  // namespace karinui::studio

@@ -1,0 +1,91 @@
+// epoxy before anything that might pull in the system's GL
+#include <epoxy/gl.h>
+
+#include "view_eyes.h"
+
+#include <QOpenGLShaderProgram>
+
+namespace karinui::studio {
+
+namespace {
+
+constexpr const char* kVertex = R"(#version 330 core
+out vec2 at;
+void main() {
+  at = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  gl_Position = vec4(at * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+constexpr const char* kFragment = R"(#version 330 core
+in vec2 at;
+uniform sampler2D leftEye, rightEye;
+uniform int way;  // 1 side by side, 2 top and bottom, 3 anaglyph, 4 rows
+out vec4 colour;
+const mat3 kLeft = mat3(0.4561, -0.0400822, -0.0152161, 0.500484, -0.0378246, -0.0205971, 0.176381, -0.0157589, -0.00546856);
+const mat3 kRight = mat3(-0.0434706, 0.378476, -0.0721527, -0.0879388, 0.73364, -0.112961, -0.00155529, -0.0184503, 1.2264);
+vec3 decoded(vec3 c) { return pow(c, vec3(2.2)); }
+void main() {
+  vec3 seen;
+  if (way == 1) seen = at.x < 0.5 ? texture(leftEye, vec2(at.x * 2.0, at.y)).rgb : texture(rightEye, vec2(at.x * 2.0 - 1.0, at.y)).rgb;
+  else if (way == 2) seen = at.y >= 0.5 ? texture(leftEye, vec2(at.x, at.y * 2.0 - 1.0)).rgb : texture(rightEye, vec2(at.x, at.y * 2.0)).rgb;
+  else if (way == 3) seen = pow(clamp(kLeft * decoded(texture(leftEye, at).rgb) + kRight * decoded(texture(rightEye, at).rgb), 0.0, 1.0), vec3(1.0 / 2.2));
+  else seen = (int(gl_FragCoord.y) & 1) == 0 ? texture(rightEye, at).rgb : texture(leftEye, at).rgb;
+  colour = vec4(seen, 1.0);
+}
+)";
+
+}  // namespace
+
+EyeCompositor::EyeCompositor() : program_(std::make_unique<QOpenGLShaderProgram>()) {
+  program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kVertex);
+  program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kFragment);
+  program_->link();
+  glGenVertexArrays(1, &arrays_);
+}
+
+EyeCompositor::~EyeCompositor() { glDeleteVertexArrays(1, &arrays_); }
+
+QOpenGLFramebufferObject& EyeCompositor::eye(int which, int width, int height) {
+  auto& eye = eyes_[static_cast<std::size_t>(which)];
+  const QSize size(std::max(1, width), std::max(1, height));
+  if (!eye || eye->size() != size) {
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    eye = std::make_unique<QOpenGLFramebufferObject>(size, format);
+    glBindTexture(GL_TEXTURE_2D, eye->texture());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  }
+  return *eye;
+}
+
+void EyeCompositor::copy(QOpenGLFramebufferObject& from, unsigned target, int width, int height) {
+  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+  glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+void EyeCompositor::compose(Stereo stereo, unsigned target, int width, int height) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target);
+  glViewport(0, 0, width, height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  program_->bind();
+  program_->setUniformValue("leftEye", 0);
+  program_->setUniformValue("rightEye", 1);
+  program_->setUniformValue("way", static_cast<int>(stereo));
+  for (unsigned k = 0; k < 2; ++k) {
+    glActiveTexture(GL_TEXTURE0 + k);
+    glBindTexture(GL_TEXTURE_2D, eyes_[k]->texture());
+  }
+  glBindVertexArray(arrays_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  glActiveTexture(GL_TEXTURE0);
+  program_->release();
+}
+
+}  // namespace karinui::studio

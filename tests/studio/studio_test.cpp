@@ -1,0 +1,505 @@
+// The real window, worked with the mouse: from the first stroke to the pattern.
+#include <gmock/gmock.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QTabWidget>
+#include <QTreeWidget>
+#include <csignal>
+#include <fstream>
+
+#include "karinui/design/script.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// How many pixels of two pictures differ clearly.
+int differing(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < std::min(a.height(), b.height()); ++y)
+    for (int x = 0; x < std::min(a.width(), b.width()); ++x) {
+      const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+      count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) > 40;
+    }
+  return count;
+}
+
+TEST(Studio, ShowsAGarmentAndItsPattern) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  EXPECT_EQ(w.session().fitting().document.pattern.pieces.size(), 2u);
+  const QImage picture = w.space().grabFramebuffer();
+  const QPointF chest = w.inSpace("front", {0, 0.3});
+  const QColor cloth = picture.pixelColor(chest.toPoint() * w.space().devicePixelRatio());
+  EXPECT_GT(cloth.blue(), cloth.red() + 20) << "the cloth is dyed blue";
+  w.keep("studio");
+}
+
+TEST(Studio, DrawsHalfALineIntoASymmetricPiece) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().begin(DocumentFile::inMemory());
+  w.session().perform(SetBody{.size = "jis9ar", .sex = {}, .set = {}, .mesh = {}});
+  w.rest();
+  w.view(View::Front);
+  w.key(Command::Draw);
+  std::vector<QPointF> line;
+  for (const char* place :
+       {"torso:shoulder+0.4@0", "torso:shoulder+0.6@0.1", "torso:armpit+0.4@0.16", "torso:armpit-0.2@0.2",
+        "torso:waist@0.19", "torso:hip@0.19", "torso:hip@0.1", "torso:hip@0"})
+    line.push_back(w.onSkin(place));
+  w.drag(w.space(), line, {}, [&] {
+    w.keep("studio_draw");
+    EXPECT_FALSE(w.session().preview().space.lines.empty());
+    EXPECT_EQ(w.count(), 1u) << "nothing happens before the release";
+  });
+  w.rest();
+  ASSERT_EQ(w.count(), 2u) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), StartsWith("draw name=front"));
+  EXPECT_THAT(w.last(), HasSubstr("symmetric=yes"));
+}
+
+TEST(Studio, UndoTakesBackAStroke) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().begin(DocumentFile::inMemory());
+  w.session().perform(SetBody{.size = "jis9ar", .sex = {}, .set = {}, .mesh = {}});
+  w.rest();
+  w.view(View::Front);
+  w.key(Command::Draw);
+  for (const char* place : {"torso:armpit@0.05", "torso:waist@0.05", "torso:waist@0.95", "torso:hip@0.95"})
+    w.click(w.space(), w.onSkin(place));
+  w.key(Command::Undo);
+  w.click(w.space(), w.onSkin("torso:armpit@0.95"));
+  w.key(Command::Confirm);
+  w.rest();
+  ASSERT_EQ(w.count(), 2u) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), testing::Not(HasSubstr("torso:hip")));
+}
+
+TEST(Studio, CutsASlitAndItSettles) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Cut);
+  w.drag(w.space(), {w.inSpace("front", {0.03, 0.0}) + QPointF(0, 30), w.inSpace("front", {0.03, 0.13})}, {}, [&] {
+    w.keep("studio_cut");
+    EXPECT_THAT(text(w.session().hint()), HasSubstr("slit"));
+  });
+  w.rest();
+  ASSERT_EQ(w.count(), before + 2) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("cut piece=p"));
+  EXPECT_THAT(w.last(), StartsWith("drape live="));
+  w.key(Command::Undo);
+  w.rest();
+  EXPECT_EQ(w.count(), before) << "the drape that came by itself goes with the cut";
+}
+
+TEST(Studio, CutsOnTheTable) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Cut);
+  w.drag(w.table(), {w.onTable("back", {0.05, -0.08}), w.onTable("back", {0.05, 0.1})});
+  w.rest();
+  EXPECT_GE(w.count(), before + 1) << w.main().said().toStdString();
+}
+
+TEST(Studio, SaysWhyACutIsRefused) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Cut);
+  w.drag(w.space(), {w.inSpace("front", {-0.04, 0.2}), w.inSpace("front", {0.04, 0.3})});
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("does not reach the outline"));
+  w.keep("studio_refused");
+}
+
+TEST(Studio, PullsWithALivePreviewAndAForce) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  const std::uint64_t predicted = w.session().news().predicted;
+  w.key(Command::Pull);
+  const QPointF hem = w.inSpace("front", {0.04, 0.04});
+  w.drag(w.space(), {hem, hem + QPointF(40, 20)}, {}, [&] {
+    w.session().finish();
+    w.keep("studio_pull");
+    EXPECT_GT(w.session().news().predicted, predicted) << "the cloth followed the hand";
+    EXPECT_THAT(text(w.session().hint()), HasSubstr(" N."));
+    EXPECT_EQ(w.count(), before);
+  });
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), StartsWith("pull piece=p"));
+}
+
+TEST(Studio, ReshapesWithThePaperFollowing) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Reshape);
+  const QPointF hem = w.inSpace("front", {0.0, 0.015});
+  w.drag(w.space(), {hem, hem + QPointF(0, 22)}, {}, [&] {
+    w.session().finish();
+    w.keep("studio_reshape");
+    EXPECT_EQ(w.session().preview().outlines.size(), 1u);
+  });
+  w.rest();
+  ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("reshape piece=p"));
+}
+
+TEST(Studio, MovesAPieceAndEscapeDropsIt) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Move);
+  const QPointF at = w.inSpace("front", {0, 0.3});
+  w.drag(w.space(), {at, at + QPointF(60, -30)}, {}, [&] {
+    EXPECT_EQ(w.session().preview().carried.size(), 1u);
+    w.key(Command::Cancel);
+  });
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+  w.drag(w.space(), {at, at + QPointF(60, -30)}, Qt::AltModifier, [&] { w.keep("studio_move"); });
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1);
+  EXPECT_THAT(w.last(), StartsWith("move piece=p"));
+}
+
+TEST(Studio, UndoInMidDragDropsOnlyTheDrag) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Move);
+  const QPointF at = w.inSpace("front", {0, 0.3});
+  w.drag(w.space(), {at, at + QPointF(60, -30)}, {}, [&] { w.key(Command::Undo); });
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+}
+
+TEST(Studio, UnsewsAndSewsFromEdgeToEdge) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Selection seam;
+  seam.seam = w.session().fitting().document.pattern.seams.begin()->first;
+  w.session().select(seam);
+  w.rest();
+  w.key(Command::Remove);
+  w.rest();
+  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 3u);
+  const auto middle = [&](const char* piece) {
+    const Piece* p = w.session().fitting().document.pieceNamed(piece);
+    return w.onTable(piece, findEdge(*p, "shoulder_left")->curve.atFraction(0.5));
+  };
+  w.key(Command::Sew);
+  w.drag(w.table(), {middle("front"), middle("back")}, {}, [&] {
+    w.keep("studio_sew");
+    EXPECT_FALSE(w.session().preview().table.words.empty()) << "both lengths are told before the release";
+  });
+  w.rest();
+  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 4u) << w.main().said().toStdString();
+}
+
+TEST(Studio, DragsACornerOfThePatternAndTheClothFollows) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Points);
+  const Piece* front = w.session().fitting().document.pieceNamed("front");
+  const Flat corner = findEdge(*front, "side_left")->curve.start;
+  w.drag(w.table(), {w.onTable("front", corner), w.onTable("front", corner) + QPointF(8, 14)}, {}, [&] {
+    w.session().finish();
+    w.keep("studio_points");
+    EXPECT_NE(&w.session().shown(), &w.session().fitting()) << "the fitting shows what is to come";
+  });
+  w.rest();
+  ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("reshape piece=p"));
+}
+
+TEST(Studio, SpaceSettlesAndStops) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Settle);
+  EXPECT_TRUE(w.session().busy().settling);
+  w.key(Command::Settle);
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+  w.key(Command::Settle);
+  w.rest();
+  EXPECT_EQ(w.count(), before + 1);
+}
+
+TEST(Studio, TheFloatingBarTakesTheSameClicks) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const ScenePanel panel = *w.session().menu();
+  const auto& b = panel.buttons[3];
+  const Vec3 there = panel.corner + normalized(panel.across) * (b.left + b.width / 2) +
+                     normalized(panel.upward) * (b.bottom + b.height / 2);
+  w.hover(w.space(), *w.space().onScreen(there));
+  EXPECT_EQ(text(w.session().hint()), text(info(Command::Cut).hint));
+  w.click(w.space(), *w.space().onScreen(there));
+  w.rest();
+  EXPECT_EQ(w.session().tool(), Command::Cut);
+  EXPECT_TRUE(w.main().action(Command::Cut)->isChecked());
+}
+
+TEST(Studio, ChoosingIsMirroredEverywhere) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  w.click(w.space(), w.inSpace("front", {0, 0.3}));
+  w.rest();
+  const PieceId front = w.session().fitting().document.pieceNamed("front")->id;
+  EXPECT_EQ(w.session().selection().pieces, std::set<PieceId>{front});
+  auto* tree = w.main().findChild<QTreeWidget*>();
+  ASSERT_EQ(tree->selectedItems().size(), 1);
+  EXPECT_THAT(tree->selectedItems().front()->text(0).toStdString(), StartsWith("front"));
+  w.click(w.table(), w.onTable("back", {0, 0.3}));
+  w.rest();
+  EXPECT_THAT(tree->selectedItems().front()->text(0).toStdString(), StartsWith("back"));
+  tree->setCurrentItem(tree->topLevelItem(0));
+  EXPECT_EQ(w.session().selection().pieces, std::set<PieceId>{front});
+}
+
+TEST(Studio, ANumberTypedIsTheNumberCut) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Selection edge;
+  const Piece* front = w.session().fitting().document.pieceNamed("front");
+  edge.pieces = {front->id};
+  edge.edge = EdgeNear{front->id, "shoulder_left", 0.5, 0};
+  w.session().select(edge);
+  w.main().action(Command::Select)->trigger();
+  const auto boxes = w.main().findChildren<QDoubleSpinBox*>();
+  const double now = findEdge(*front, "shoulder_left")->curve.length() * 100;
+  for (QDoubleSpinBox* box : boxes)
+    if (std::fabs(box->value() - now) < 0.006 && box->suffix() == " cm" && box->isVisible()) {
+      box->setValue(now + 1);
+      break;
+    }
+  w.rest();
+  const Piece* after = w.session().fitting().document.pieceNamed("front");
+  EXPECT_NEAR(findEdge(*after, "shoulder_left")->curve.length() * 100, now + 1, 0.006);
+}
+
+TEST(Studio, TurnsPansAndZoomsWithoutAStep) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  const QPointF at = w.inSpace("front", {0, 0.3});
+  const Camera first = w.space().camera();
+  w.drag(w.space(), {at, at + QPointF(80, 10)}, {}, {}, Qt::RightButton);
+  const Camera second = w.space().camera();
+  EXPECT_GT(distance(first.eye, second.eye), 0.2);
+  EXPECT_NEAR(distance(first.target, second.target), 0, 1e-9);
+  const Vec3 place = *spaceOf(w.session().fitting(), w.session().fitting().document.pieceNamed("front")->id, {0, 0.3});
+  const QPointF seen = *w.space().onScreen(place);
+  QWheelEvent wheel(seen, w.space().mapToGlobal(seen), {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                    false);
+  QApplication::sendEvent(&w.space(), &wheel);
+  EXPECT_LT(w.space().camera().distance(), second.distance());
+  EXPECT_LT(QLineF(*w.space().onScreen(place), seen).length(), 6) << "what is under the cursor stays there";
+  w.key(Command::ViewBack);
+  w.rest();
+  EXPECT_LT(w.space().camera().eye.z, w.space().camera().target.z);
+  EXPECT_EQ(w.count(), before);
+}
+
+TEST(Studio, SpeaksJapaneseAtOnce) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const QString before = w.main().action(Command::Sew)->text();
+  w.main().findChild<QAction*>("japanese")->trigger();
+  w.rest();
+  EXPECT_NE(w.main().action(Command::Sew)->text(), before);
+  EXPECT_EQ(w.main().boards().tabText(0), QString::fromUtf8("服"));
+  w.keep("studio_ja");
+  w.main().findChild<QAction*>("english")->trigger();
+  EXPECT_EQ(w.main().action(Command::Sew)->text(), before);
+}
+
+TEST(Studio, IsDarkWhenAsked) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const QImage light = w.main().grab().toImage();
+  w.main().findChild<QAction*>("dark")->trigger();
+  w.rest();
+  const QImage dark = w.main().grab().toImage();
+  w.keep("studio_dark");
+  w.main().findChild<QAction*>("dark")->trigger();
+  EXPECT_GT(differing(light, dark), light.width() * light.height() / 4);
+}
+
+TEST(Studio, ShowsStrainAndDistance) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const QImage plain = w.space().grabFramebuffer();
+  w.space().setMap(FitMap::Strain);
+  w.rest();
+  const QImage strain = w.space().grabFramebuffer();
+  EXPECT_GT(w.space().mapTop(), 0);
+  w.keep("studio_strain");
+  w.space().setMap(FitMap::Ease);
+  w.rest();
+  const QImage ease = w.space().grabFramebuffer();
+  w.main().boards().setCurrentIndex(3);
+  w.keep("studio_ease");
+  EXPECT_GT(differing(plain, strain), 2000);
+  EXPECT_GT(differing(strain, ease), 2000);
+}
+
+TEST(Studio, GivesEachEyeItsOwnPicture) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.space().setStereo(Stereo::SideBySide);
+  w.rest();
+  const QImage side = w.space().grabFramebuffer();
+  const int half = side.width() / 2;
+  const QImage left = side.copy(0, 0, half, side.height()), right = side.copy(half, 0, half, side.height());
+  EXPECT_GT(differing(left, right), 300);
+  w.keep("studio_stereo");
+  for (const Stereo way : {Stereo::TopBottom, Stereo::Anaglyph, Stereo::Interleaved}) {
+    w.space().setStereo(way);
+    w.rest();
+    EXPECT_GT(differing(side, w.space().grabFramebuffer()), 2000);
+  }
+}
+
+TEST(Studio, MeasuresWithATape) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const QImage before = w.space().grabFramebuffer();
+  w.space().setTape(true);
+  w.hover(w.space(), w.inSpace("front", {0, 0.25}));
+  w.rest();
+  w.keep("studio_tape");
+  EXPECT_GT(differing(before, w.space().grabFramebuffer()), 150);
+}
+
+TEST(Studio, GoesBackInTheListOfSteps) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t all = w.count();
+  w.main().boards().setCurrentIndex(4);
+  QListWidget* list = nullptr;
+  for (QListWidget* one : w.main().findChildren<QListWidget*>())
+    if (one->count() == static_cast<int>(all) + 1) list = one;
+  ASSERT_TRUE(list);
+  w.keep("studio_steps");
+  emit list->itemActivated(list->item(4));
+  w.rest();
+  EXPECT_EQ(w.count(), 4u);
+  w.session().goTo(all);
+  w.rest();
+  EXPECT_EQ(w.count(), all);
+}
+
+TEST(Studio, WhatIsNoDocumentIsASentence) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  Folder folder;
+  const fs::path bad = folder.path / "bad.karinui";
+  std::ofstream(bad) << "this is no garment";
+  w.open(bad);
+  EXPECT_FALSE(w.main().said().isEmpty());
+  EXPECT_EQ(w.count(), before) << "what was open stays open";
+}
+
+TEST(Studio, GuidesThroughAFirstGarment) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.main().startGuide();
+  w.rest();
+  w.keep("studio_guide");
+  w.session().begin(DocumentFile::inMemory());
+  w.session().perform(SetBody{.size = "jis9ar", .sex = {}, .set = {}, .mesh = {}});
+  w.rest();
+  QString title;
+  for (QLabel* label : w.space().findChildren<QLabel*>())
+    if (label->property("role") == "title") title = label->text();
+  EXPECT_EQ(title, "The front") << "the guide saw the figure";
+}
+
+// The program itself, as a process.
+int run(const std::vector<std::string>& words, const std::vector<std::string>& without, std::string* said,
+        pid_t* running = nullptr) {
+  int ends[2];
+  if (pipe(ends) != 0) return -1;
+  const pid_t child = fork();
+  if (child == 0) {
+    for (const std::string& name : without) unsetenv(name.c_str());
+    dup2(ends[1], 1), dup2(ends[1], 2);
+    close(ends[0]), close(ends[1]);
+    std::vector<char*> argv{const_cast<char*>(KARINUI_STUDIO)};
+    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+    argv.push_back(nullptr);
+    execv(KARINUI_STUDIO, argv.data());
+    _exit(127);
+  }
+  close(ends[1]);
+  if (running) {
+    *running = child;
+    close(ends[0]);
+    return 0;
+  }
+  char buffer[512];
+  for (ssize_t got = 0; (got = read(ends[0], buffer, sizeof buffer)) > 0;)
+    said->append(buffer, static_cast<std::size_t>(got));
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(StudioProgram, WithoutADisplayItSaysSoAndStartsNoWindow) {
+  std::string said;
+  EXPECT_EQ(run({}, {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}, &said), 2);
+  EXPECT_THAT(said, HasSubstr("There is no display"));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
+}
+
+TEST(StudioProgram, AWordItDoesNotKnowIsASentence) {
+  std::string said;
+  EXPECT_EQ(run({"--fly"}, {}, &said), 2);
+  EXPECT_THAT(said, HasSubstr("--fly"));
+}
+
+}  // namespace
+}  // namespace karinui::studio

@@ -1,0 +1,185 @@
+#include "studio/window.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "design/workroom.h"
+#include "karinui/design/script.h"
+
+namespace karinui::studio {
+
+namespace {
+
+pid_t display = 0;
+
+void endDisplay() {
+  if (display > 0) kill(display, SIGTERM), waitpid(display, nullptr, 0);
+}
+
+std::string startDisplay() {
+  int ends[2];
+  if (pipe(ends) != 0) return "no pipe for a display";
+  display = fork();
+  if (display == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    close(ends[0]);
+    const int quiet = ::open("/dev/null", O_WRONLY);
+    dup2(quiet, 1), dup2(quiet, 2);
+    const std::string number = std::to_string(ends[1]);
+    execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1600x1000x24", "-nolisten", "tcp", nullptr);
+    _exit(127);
+  }
+  close(ends[1]);
+  char said[16] = {};
+  const ssize_t got = read(ends[0], said, sizeof said - 1);
+  close(ends[0]);
+  if (got <= 0) {
+    waitpid(display, nullptr, 0);
+    display = 0;
+    return "no display and no Xvfb to make one (Debian package xvfb)";
+  }
+  setenv("DISPLAY", (":" + std::to_string(std::atoi(said))).c_str(), 1);
+  std::atexit(endDisplay);
+  return {};
+}
+
+}  // namespace
+
+std::string displayTrouble() {
+  static const std::string trouble = startDisplay();  // never the person's own screen
+  return trouble;
+}
+
+QApplication& application() {
+  static int argc = 1;
+  static char name[] = "karinui-studio-test";
+  static char* argv[] = {name, nullptr};
+  static QApplication* app = [] {
+    static Folder home;  // settings and documents of the tests' own
+    setenv("HOME", home.path.c_str(), 1);
+    setenv("XDG_CONFIG_HOME", home.path.c_str(), 1);
+    setenv("XDG_RUNTIME_DIR", home.path.c_str(), 1);
+    fs::permissions(home.path, fs::perms::owner_all);
+    unsetenv("WAYLAND_DISPLAY");
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    QSurfaceFormat::setDefaultFormat(format);
+    auto* made = new QApplication(argc, argv);
+    QApplication::setOrganizationName("karinui-tests");
+    Look::here().apply(*made);
+    return made;
+  }();
+  return *app;
+}
+
+Window::Window() {
+  application();
+  Look::here().setLanguage(Language::English);
+  main_ = std::make_unique<MainWindow>(1);
+  main_->resize(std::getenv("KARINUI_PICTURES") ? QSize(1400, 860) : QSize(860, 540));
+  main_->show();
+  QApplication::processEvents();
+}
+
+void Window::openTunic() {
+  static Folder kept;
+  const fs::path made = kept.path / "tunic.karinui";
+  if (!fs::exists(made)) {
+    Workroom room;
+    room.context.drape = {};
+    room.context.pull = {};
+    auto file = DocumentFile::create(made);
+    ASSERT_TRUE(file) << text(file.error().what);
+    const std::string script =
+        std::string("body size=jis9ar\nset spacing=20mm ease=12mm\n") +
+        "draw name=front symmetric=yes edges=\"neck ~ shoulder armhole ~ ~ side ~ hem\" "
+        "line=\"torso:shoulder+0.5@0; torso:shoulder+0.8@0.08; torso:neck_base+0.2@0.25; "
+        "landmark:shoulder_left; torso:armpit+0.5@0.16; torso:armpit@0.19; torso:armpit-0.3@0.25; "
+        "torso:waist@0.25; torso:hip@0.25; torso:hip@0\"\n"
+        "draw name=back symmetric=yes edges=\"neck ~ shoulder armhole ~ ~ side ~ hem\" "
+        "line=\"torso:neck_base@0.5; torso:neck_base+0.05@0.42; torso:neck_base+0.2@0.25; "
+        "landmark:shoulder_left; torso:armpit+0.5@0.34; torso:armpit@0.31; torso:armpit-0.3@0.25; "
+        "torso:waist@0.25; torso:hip@0.25; torso:hip@0.5\"\n"
+        "sew a=front.shoulder_left b=back.shoulder_left\nsew a=front.shoulder_right b=back.shoulder_right\n"
+        "sew a=front.side_left b=back.side_left\nsew a=front.side_right b=back.side_right\ndrape\n";
+    const Done played = room.play(*file, script);
+    ASSERT_TRUE(played) << text(played.error().what);
+  }
+  const fs::path mine = folder_.path / "tunic.karinui";
+  fs::copy_file(made, mine);
+  open(mine);
+  view(View::Front);
+}
+
+QPointF Window::inSpace(const char* piece, Flat paper) {
+  const Piece* p = session().fitting().document.pieceNamed(piece);
+  EXPECT_TRUE(p) << piece;
+  return space().onScreen(*spaceOf(session().fitting(), p->id, paper)).value_or(QPointF());
+}
+QPointF Window::onTable(const char* piece, Flat paper) {
+  const Piece* p = session().fitting().document.pieceNamed(piece);
+  EXPECT_TRUE(p) << piece;
+  return table().onScreen(paper + session().table().at(p->id));
+}
+QPointF Window::onSkin(const char* place) {
+  const Body& body = *session().fitting().body;
+  const auto point = parseBodyPoint(place);
+  EXPECT_TRUE(point) << place;
+  const auto there = body.find(*point);
+  EXPECT_TRUE(there) << place;
+  return space().onScreen(at(body.mesh(), *there)).value_or(QPointF());
+}
+
+void Window::drag(QWidget& widget, std::vector<QPointF> path, Qt::KeyboardModifiers keys, std::function<void()> before,
+                  Qt::MouseButton button, bool release) {
+  const auto send = [&](QEvent::Type type, QPointF at, Qt::MouseButtons held) {
+    QMouseEvent event(type, at, widget.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button, held, keys);
+    QApplication::sendEvent(&widget, &event);
+    QApplication::processEvents();
+  };
+  send(QEvent::MouseMove, path.front(), Qt::NoButton);
+  send(QEvent::MouseButtonPress, path.front(), button);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    constexpr int kSteps = 5;
+    for (int k = 1; k <= kSteps; ++k)
+      send(QEvent::MouseMove, path[i - 1] + (path[i] - path[i - 1]) * k / kSteps, button);
+  }
+  if (before) before();
+  if (release) send(QEvent::MouseButtonRelease, path.back(), Qt::NoButton);
+}
+
+void Window::hover(QWidget& widget, QPointF at) {
+  QMouseEvent event(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+  QApplication::sendEvent(&widget, &event);
+  QApplication::processEvents();
+}
+
+void Window::type(QWidget& widget, int key, Qt::KeyboardModifiers keys) {
+  QKeyEvent down(QEvent::KeyPress, key, keys), up(QEvent::KeyRelease, key, keys);
+  QApplication::sendEvent(&widget, &down);
+  QApplication::sendEvent(&widget, &up);
+  QApplication::processEvents();
+}
+
+std::string Window::last() const {
+  const auto& steps = main_->session().steps();
+  return steps.empty() ? std::string() : text(steps.back().operation);
+}
+
+void Window::keep(const std::string& name) {
+  const char* folder = std::getenv("KARINUI_PICTURES");
+  if (!folder) return;
+  rest();
+  fs::create_directories(folder);
+  EXPECT_TRUE(main_->grab().save(QString::fromStdString((fs::path(folder) / (name + ".png")).string())));
+}
+
+}  // namespace karinui::studio
