@@ -230,9 +230,11 @@ void SpaceView::setTape(bool on) {
 
 void SpaceView::refresh() {
   if (!framed_ && session_.fitting().body) look(View::Oblique);
-  stale_ = true;
-  fine_ = false;
-  rest_.start();
+  if (garmentShown_ != session_.news().garment || !session_.preview().carried.empty()) {
+    stale_ = true;
+    fine_ = false;
+    rest_.start();
+  }
   update();
 }
 
@@ -240,7 +242,8 @@ void SpaceView::showGarment() {
   const FittingPtr fitting = session_.shownPtr();
   const Preview preview = session_.preview();
   const bool carried = !preview.carried.empty();
-  if (garmentShown_ == session_.news().garment && !carried && !fine_) return;
+  const std::uint64_t now = session_.news().garment;
+  if (garmentShown_ == now && !carried && (!fine_ || soft_)) return;
   SceneFrame frame = fitting->frame;
   double top = 0;
   if (map_ == FitMap::Strain) {
@@ -259,9 +262,11 @@ void SpaceView::showGarment() {
     for (Vec3& p : frame.cloths[k].mesh.points) p = at->second(p);
   }
   const bool quick = !fine_ && (carried || garmentShown_ != ~0ull);
+  soft_ = !quick;
+  stale_ = true;
   renderer_->show(frame, top, quick ? kQuickSky : -1);
   seamThreads_ = carried ? std::vector<SceneLine>{} : threadsOf(*fitting);
-  garmentShown_ = carried ? ~1ull : session_.news().garment;
+  garmentShown_ = carried ? ~1ull : now;
 }
 
 void SpaceView::showOverlay() {
@@ -288,10 +293,11 @@ void SpaceView::showOverlay() {
   renderer_->overlay(lines);
 }
 
-void SpaceView::drawEye(double sideways, int w, int h) {
+// The camera, with the screen at the depth that was asked for.
+Camera SpaceView::lens() const {
   Camera camera = camera_;
   if (convergence_ != 1) camera.target = camera.eye + (camera.target - camera.eye) * convergence_;
-  renderer_->draw(eyeOf(camera, static_cast<double>(w) / h, sideways), {.x = 0, .y = 0, .width = w, .height = h});
+  return camera;
 }
 
 void SpaceView::paintGL() {
@@ -305,40 +311,31 @@ void SpaceView::paintGL() {
   }
   showGarment();
   showOverlay();
-  if (!software_ || fine_ || stale_) renderer_->light(camera_);
-  stale_ = false;
   const double ratio = devicePixelRatioF();
   const int w = static_cast<int>(width() * ratio), h = static_cast<int>(height() * ratio);
-  const GLuint target = defaultFramebufferObject();
-  const int finer = fine_ ? 2 : 1;
-  if (stereo_ == Stereo::Off) {
-    QOpenGLFramebufferObject& eye = compositor_->eye(0, w * finer, h * finer);
-    eye.bind();
-    drawEye(0, w * finer, h * finer);
-    compositor_->copy(eye, target, w, h);
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glViewport(0, 0, w, h);
+  const bool stereo = stereo_ != Stereo::Off, side = stereo_ == Stereo::SideBySide, top = stereo_ == Stereo::TopBottom;
+  const int ew = side ? w / 2 : w, eh = top ? h / 2 : h, finer = fine_ ? 2 : 1;
+  if (stale_) renderer_->light(camera_);
+  for (int k = 0; k < (stereo ? 2 : 1); ++k) {
+    const double sideways = stereo ? (k == 0 ? -0.5 : 0.5) * separation_ : 0;
+    // The scene is drawn anew only when something in it moved; words, lines and the bar over it every time.
+    if (stale_) {
+      compositor_->scene(k, ew * finer, eh * finer).bind();
+      renderer_->draw(eyeOf(lens(), static_cast<double>(ew) / eh, sideways),
+                      {.x = 0, .y = 0, .width = ew * finer, .height = eh * finer});
+    }
+    compositor_->onScreen(k, ew, eh);
+    renderer_->drawOver(eyeOf(lens(), static_cast<double>(ew) / eh, sideways),
+                        {.x = 0, .y = 0, .width = ew, .height = eh});
     readyForPainter();
-    QOpenGLPaintDevice device(w, h);  // not the widget: a picture of the window must hold what is painted here too
+    // Not the widget: a picture of the window must hold what is painted here too.
+    QOpenGLPaintDevice device(ew, eh);
     device.setDevicePixelRatio(ratio);
     QPainter painter(&device);
-    paintOver(painter, 0, width(), height());
-  } else {
-    const bool side = stereo_ == Stereo::SideBySide, top = stereo_ == Stereo::TopBottom;
-    const int ew = side ? w / 2 : w, eh = top ? h / 2 : h;
-    for (int k = 0; k < 2; ++k) {
-      QOpenGLFramebufferObject& big = compositor_->eye(k, ew * finer, eh * finer);
-      const double sideways = (k == 0 ? -0.5 : 0.5) * separation_;
-      big.bind();
-      drawEye(sideways, ew * finer, eh * finer);
-      readyForPainter();
-      QOpenGLPaintDevice device(ew * finer, eh * finer);
-      device.setDevicePixelRatio(ratio * finer);
-      QPainter painter(&device);
-      paintOver(painter, sideways, static_cast<int>(ew / ratio), static_cast<int>(eh / ratio));
-    }
-    compositor_->compose(stereo_, target, w, h);
+    paintOver(painter, sideways, static_cast<int>(ew / ratio), static_cast<int>(eh / ratio));
   }
+  stale_ = false;
+  compositor_->show(stereo_, defaultFramebufferObject(), w, h);
   clockwork_.end("event to picture");
   emit painted();
 }
@@ -346,9 +343,7 @@ void SpaceView::paintGL() {
 // Words, dots and the floating bar, as this eye sees them.
 void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
   painter.setRenderHint(QPainter::Antialiasing);
-  Camera camera = camera_;
-  if (convergence_ != 1) camera.target = camera.eye + (camera.target - camera.eye) * convergence_;
-  const Eye eye = eyeOf(camera, static_cast<double>(w) / h, sideways);
+  const Eye eye = eyeOf(lens(), static_cast<double>(w) / h, sideways);
   const Palette& p = Look::here().palette();
   const auto at = [&](Vec3 place) {
     const OnPicture on = project(eye, place, w, h);

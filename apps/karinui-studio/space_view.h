@@ -61,7 +61,7 @@ class SpaceView : public QOpenGLWidget {
   void cameraMoved();
   void showGarment();
   void showOverlay();
-  void drawEye(double sideways, int width, int height);
+  Camera lens() const;
   void paintOver(QPainter& painter, double sideways, int width, int height);
   double aspect() const;
 
@@ -75,6 +75,7 @@ class SpaceView : public QOpenGLWidget {
   bool software_ = false;
   std::uint64_t garmentShown_ = ~0ull;
   bool stale_ = true, fine_ = false, framed_ = false;
+  bool soft_ = false;  // the soft light is that of a still picture
   Stereo stereo_ = Stereo::Off;
   double separation_ = 0.063, convergence_ = 1;
   FitMap map_ = FitMap::None;

@@ -45,18 +45,32 @@ EyeCompositor::EyeCompositor() : program_(std::make_unique<QOpenGLShaderProgram>
 
 EyeCompositor::~EyeCompositor() { glDeleteVertexArrays(1, &arrays_); }
 
-QOpenGLFramebufferObject& EyeCompositor::eye(int which, int width, int height) {
-  auto& eye = eyes_[static_cast<std::size_t>(which)];
+namespace {
+QOpenGLFramebufferObject& sized(std::unique_ptr<QOpenGLFramebufferObject>& target, int width, int height) {
   const QSize size(std::max(1, width), std::max(1, height));
-  if (!eye || eye->size() != size) {
+  if (!target || target->size() != size) {
     QOpenGLFramebufferObjectFormat format;
     format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    eye = std::make_unique<QOpenGLFramebufferObject>(size, format);
-    glBindTexture(GL_TEXTURE_2D, eye->texture());
+    target = std::make_unique<QOpenGLFramebufferObject>(size, format);
+    glBindTexture(GL_TEXTURE_2D, target->texture());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   }
-  return *eye;
+  return *target;
+}
+}  // namespace
+
+QOpenGLFramebufferObject& EyeCompositor::scene(int which, int width, int height) {
+  return sized(scenes_[static_cast<std::size_t>(which)], width, height);
+}
+
+QOpenGLFramebufferObject& EyeCompositor::onScreen(int which, int width, int height) {
+  QOpenGLFramebufferObject& from = *scenes_[static_cast<std::size_t>(which)];
+  QOpenGLFramebufferObject& to = sized(eyes_[static_cast<std::size_t>(which)], width, height);
+  copy(from, to.handle(), width, height);
+  glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  to.bind();
+  return to;
 }
 
 void EyeCompositor::copy(QOpenGLFramebufferObject& from, unsigned target, int width, int height) {
@@ -66,7 +80,8 @@ void EyeCompositor::copy(QOpenGLFramebufferObject& from, unsigned target, int wi
   glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
-void EyeCompositor::compose(Stereo stereo, unsigned target, int width, int height) {
+void EyeCompositor::show(Stereo stereo, unsigned target, int width, int height) {
+  if (stereo == Stereo::Off) return copy(*eyes_[0], target, width, height);
   glBindFramebuffer(GL_FRAMEBUFFER, target);
   glViewport(0, 0, width, height);
   glDisable(GL_DEPTH_TEST);

@@ -15,12 +15,15 @@ class EyeCompositor {
  public:
   EyeCompositor();
   ~EyeCompositor();
-  QOpenGLFramebufferObject& eye(int which, int width, int height);
-  void copy(QOpenGLFramebufferObject& from, unsigned target, int width, int height);
-  void compose(Stereo stereo, unsigned target, int width, int height);
+  // The scene as an eye sees it, kept as long as nothing in it moves; may be larger than the screen, for smooth edges.
+  QOpenGLFramebufferObject& scene(int which, int width, int height);
+  // The same at the screen's size, colours and depths, to draw on.
+  QOpenGLFramebufferObject& onScreen(int which, int width, int height);
+  void show(Stereo stereo, unsigned target, int width, int height);  // what is on screen, on the screen
 
  private:
-  std::array<std::unique_ptr<QOpenGLFramebufferObject>, 2> eyes_;
+  void copy(QOpenGLFramebufferObject& from, unsigned target, int width, int height);  // colours only
+  std::array<std::unique_ptr<QOpenGLFramebufferObject>, 2> scenes_, eyes_;
   std::unique_ptr<QOpenGLShaderProgram> program_;
   unsigned arrays_ = 0;
 };

@@ -46,6 +46,7 @@ struct Session::Inside {
   std::vector<Notice> notices;
   SessionNews news;
   Message doing;
+  BodyPtr ready;  // whose distances were asked for already
 
   // Settling.
   std::set<PieceId> settling;  // what the running (or waiting) drape brings to rest
@@ -87,6 +88,14 @@ struct Session::Inside {
     if (selection.edge && !edgeThere(*selection.edge)) selection.edge.reset();
     if (selection.seam && !state.fitting->document.find(selection.seam)) selection.seam = {};
     ++news.garment, ++news.history, ++news.overlay;
+    // The first drape and the first pull need to know how far everything is from the skin: find out while nobody waits.
+    if (state.fitting->body && state.fitting->body != ready && !options.drape) {
+      ready = state.fitting->body;
+      line.add(TaskLine::Kind::Preview, [this, body = ready](const Token& token) {
+        (void)body->prepareField(*workers, token);
+        return TaskLine::Finish();
+      });
+    }
   }
   bool edgeThere(const EdgeNear& edge) const {
     const Piece* piece = state.fitting->document.find(edge.piece);

@@ -128,6 +128,7 @@ struct Renderer::Parts {
     std::size_t count = 0;
     void make();
     void take(const Ribbons& ribbons);
+    void draw(GLuint program, const Eye& eye, const DrawArea& area) const;  // the program is in use
   };
   Lines ribbons, over;
   GlTexture softLight, strainTable;
@@ -173,6 +174,15 @@ void Renderer::Parts::Lines::take(const Ribbons& fresh) {
   glBindVertexArray(0);
   upload(GL_ARRAY_BUFFER, vertices, fresh.vertices);
   upload(GL_ARRAY_BUFFER, corners, fresh.corners);
+}
+
+void Renderer::Parts::Lines::draw(GLuint program, const Eye& eye, const DrawArea& area) const {
+  if (count == 0) return;
+  const double pixels = area.pictureHeight > 0 ? area.pictureHeight : area.height;
+  set(program, "pixelsPerMetre", pixels / 2 * eye.projection.m[5]);
+  set(program, "leastPixels", std::max(1.0, pixels / 2400));
+  glBindVertexArray(arrays);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
 }
 
 Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
@@ -359,6 +369,39 @@ void Renderer::light(const Camera& camera) {
   p.castShadow(*p.keyMap, p.key);
 }
 
+namespace {
+
+// What every program of one picture is told.
+struct Sitting {
+  Matrix4 toClip;
+  Vec3 seenFrom;
+  Vec3 backdrop;
+  const DrawArea& area;
+  Sitting(const Eye& eye, const DrawArea& a, Vec3 origin, const Colour& behind)
+      : seenFrom(eye.place - origin), backdrop{behind[0], behind[1], behind[2]}, area(a) {
+    const double wide = area.right - area.left, high = area.top - area.bottom;
+    // The part of the picture this area shows: clip space moved and stretched.
+    Matrix4 crop, fromOrigin;
+    crop.m[0] = 1 / wide, crop.m[5] = 1 / high;
+    crop.m[12] = -(area.left + area.right - 1) / wide, crop.m[13] = -(area.bottom + area.top - 1) / high;
+    fromOrigin.m[12] = origin.x, fromOrigin.m[13] = origin.y, fromOrigin.m[14] = origin.z;
+    toClip = crop * eye.projection * eye.view * fromOrigin;
+  }
+  void tell(GLuint program) const {
+    glUseProgram(program);
+    set(program, "backdrop", backdrop);
+    glUniform4f(glGetUniformLocation(program, "areaInPicture"), static_cast<float>(area.left),
+                static_cast<float>(area.bottom), static_cast<float>(area.right - area.left),
+                static_cast<float>(area.top - area.bottom));
+    glUniform4f(glGetUniformLocation(program, "areaInPixels"), static_cast<float>(area.x), static_cast<float>(area.y),
+                static_cast<float>(area.width), static_cast<float>(area.height));
+    set(program, "toClip", toClip);
+    set(program, "eye", seenFrom);
+  }
+};
+
+}  // namespace
+
 void Renderer::draw(const Eye& eye, const DrawArea& area) const {
   const Parts& p = *parts_;
   glViewport(area.x, area.y, area.width, area.height);
@@ -368,39 +411,8 @@ void Renderer::draw(const Eye& eye, const DrawArea& area) const {
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
-  const double wide = area.right - area.left, high = area.top - area.bottom;
-  // The part of the picture this area shows: clip space moved and stretched.
-  Matrix4 crop;
-  crop.m = {1 / wide,
-            0,
-            0,
-            0,
-            0,
-            1 / high,
-            0,
-            0,
-            0,
-            0,
-            1,
-            0,
-            -(area.left + area.right - 1) / wide,
-            -(area.bottom + area.top - 1) / high,
-            0,
-            1};
-  Matrix4 fromOrigin;
-  fromOrigin.m[12] = p.origin.x, fromOrigin.m[13] = p.origin.y, fromOrigin.m[14] = p.origin.z;
-  const Matrix4 toClip = crop * eye.projection * eye.view * fromOrigin;
-  const Vec3 seenFrom = eye.place - p.origin;
-  const auto common = [&](GLuint program) {
-    glUseProgram(program);
-    set(program, "backdrop", Vec3{p.studio.backdrop[0], p.studio.backdrop[1], p.studio.backdrop[2]});
-    glUniform4f(glGetUniformLocation(program, "areaInPicture"), static_cast<float>(area.left),
-                static_cast<float>(area.bottom), static_cast<float>(wide), static_cast<float>(high));
-    glUniform4f(glGetUniformLocation(program, "areaInPixels"), static_cast<float>(area.x), static_cast<float>(area.y),
-                static_cast<float>(area.width), static_cast<float>(area.height));
-    set(program, "toClip", toClip);
-    set(program, "eye", seenFrom);
-  };
+  const Sitting sitting(eye, area, p.origin, p.studio.backdrop);
+  const auto common = [&](GLuint program) { sitting.tell(program); };
   glDisable(GL_DEPTH_TEST);
   common(p.backdrop);
   glBindVertexArray(p.noArrays);
@@ -430,18 +442,26 @@ void Renderer::draw(const Eye& eye, const DrawArea& area) const {
       glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.count), GL_UNSIGNED_INT,
                      reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
     }
-  for (const Parts::Lines* lines : {&p.ribbons, &p.over}) {
-    if (lines->count == 0) continue;
-    common(p.ribbon);
-    const double pixels = area.pictureHeight > 0 ? area.pictureHeight : area.height;
-    set(p.ribbon, "pixelsPerMetre", pixels / 2 * eye.projection.m[5]);
-    set(p.ribbon, "leastPixels", std::max(1.0, pixels / 2400));
-    glBindVertexArray(lines->arrays);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(lines->count), GL_UNSIGNED_INT, nullptr);
-  }
+  common(p.ribbon);
+  p.ribbons.draw(p.ribbon, eye, area);
   glBindVertexArray(0);
   glUseProgram(0);
   glDisable(GL_SCISSOR_TEST);
+}
+
+void Renderer::drawOver(const Eye& eye, const DrawArea& area) const {
+  const Parts& p = *parts_;
+  if (p.over.count == 0) return;
+  glViewport(area.x, area.y, area.width, area.height);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  Sitting(eye, area, p.origin, p.studio.backdrop).tell(p.ribbon);
+  p.over.draw(p.ribbon, eye, area);
+  glBindVertexArray(0);
+  glUseProgram(0);
 }
 
 }  // namespace karinui

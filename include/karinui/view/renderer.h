@@ -47,8 +47,10 @@ class Renderer {
   // Sets up the key light and its shadow for someone looking from this camera. Once per view, not per eye.
   void light(const Camera& camera);
 
-  // Clears the area and draws into it.
+  // Clears the area and draws into it, without the overlay.
   void draw(const Eye& eye, const DrawArea& area) const;
+  // The overlay alone, over a picture (and its depths) that draw() left there.
+  void drawOver(const Eye& eye, const DrawArea& area) const;
 
  private:
   Renderer();
