@@ -52,6 +52,25 @@ std::optional<Command> named(std::string_view name) {
   return std::nullopt;
 }
 
+// A drawn line is told by what does not hang on the very shape of the figure: its name, its corners, whether it is a
+// half. Where it runs is compared with the rays that drew it.
+std::string told(const Operation& operation) {
+  const auto* draw = std::get_if<DrawPiece>(&operation);
+  if (!draw) return text(operation);
+  const auto smooth = std::count(draw->edges.begin(), draw->edges.end(), "~");
+  return "draw name=" + draw->name + " corners=" + std::to_string(static_cast<long>(draw->edges.size()) - smooth) +
+         (draw->symmetric ? " symmetric=yes" : "");
+}
+
+double awayFromRays(Vec3 place, const std::vector<Ray>& rays) {
+  double nearest = 1e9;
+  for (const Ray& ray : rays) {
+    const Vec3 to = place - ray.origin;
+    nearest = std::min(nearest, length(to - ray.direction * dot(to, ray.direction)));
+  }
+  return nearest;
+}
+
 std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodies> bodies) {
   Session session(cheap(std::move(bodies)));
   for (const std::string& line : recording.given) {
@@ -63,6 +82,7 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
   const std::size_t before = session.steps().size();
   EXPECT_EQ(before, recording.given.size());
   std::vector<std::string> came;
+  std::vector<Ray> rays;
   const auto note = [&] {
     for (const Notice& notice : session.takeNotices())
       if (notice.kind == Notice::Kind::Refused) came.push_back("refused: " + text(notice.what));
@@ -78,14 +98,25 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
     } else {
       const auto sample = parsePointerSample(line);
       EXPECT_TRUE(sample) << line;
-      if (sample) session.feed(*sample);
+      if (sample) session.feed(*sample), rays.push_back(sample->ray);
     }
     (void)session.preview();  // what is shown meanwhile is part of the life of a gesture
     (void)session.hint();
   }
   session.finish();
   note();
-  for (std::size_t i = before; i < session.steps().size(); ++i) came.push_back(text(session.steps()[i].operation));
+  for (std::size_t i = before; i < session.steps().size(); ++i) {
+    const Operation& operation = session.steps()[i].operation;
+    came.push_back(told(operation));
+    if (const auto* draw = std::get_if<DrawPiece>(&operation)) {
+      const Body& body = *session.fitting().body;
+      for (const BodyPoint& point : draw->line) {
+        const auto place = body.find(point);
+        EXPECT_TRUE(place) << text(point);
+        EXPECT_LT(place ? awayFromRays(at(body.mesh(), *place), rays) : 1, 0.004) << text(point);
+      }
+    }
+  }
   return came;
 }
 
