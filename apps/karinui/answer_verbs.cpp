@@ -1,4 +1,5 @@
 // settle, check, info: what a document is and how its cloth stands.
+#include "answers_in_words.h"
 #include "bench.h"
 #include "json_answers.h"
 #include "karinui/cloth/check.h"
@@ -31,8 +32,7 @@ int answerCheck(Program& program, const DocumentOnly& options) {
   return atBench(program, options.path, true, [&](Bench& bench) -> int {
     const Result<ClothCheck> found = examined(bench);
     if (!found) return program.console.refuse(found.error());
-    const Json object = checkJson(*found);
-    program.console.answer(object, words(object));
+    program.console.answer(checkJson(*found), checkWords(*found, program.console));
     return kDone;
   });
 }
@@ -55,15 +55,14 @@ int answerSettle(Program& program, const SettleOptions& options) {
     const SettleReport& report = *bench.document().drape.last;
     Json object = settleJson(report, *found, program.console);
     object["kept"] = kept;
-    program.console.answer(object, words(object));
+    program.console.answer(object, settleWords(report, *found, kept, program.console));
     return report.settled ? kDone : kNotSettled;
   });
 }
 
 int answerInfo(Program& program, const DocumentOnly& options) {
   return atBench(program, options.path, true, [&](Bench& bench) -> int {
-    const Json object = infoJson(bench.document());
-    program.console.answer(object, words(object));
+    program.console.answer(infoJson(bench.document()), infoWords(bench.document(), program.console));
     return kDone;
   });
 }
@@ -75,7 +74,7 @@ void addAnswerVerbs(Program& program) {
   CLI::App* verb =
       program.verb(program.cli, "settle", help("Brings the garment to rest on its body"), settle, answerSettle);
   verb->add_option("document", settle->path, help("The .karinui document"))->required();
-  verb->add_option("--threads", settle->threads, help("How many threads work; the result is the same"))
+  verb->add_option("--threads", settle->threads, help("How many threads work, 1 to 256; the result is the same"))
       ->check(CLI::Range(1, 256));
   verb->add_flag("--again", settle->again, help("Also when it is at rest already"));
 

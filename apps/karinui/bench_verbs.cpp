@@ -76,7 +76,7 @@ void addBenchVerb(Program& program) {
       ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress"}));
   verb->add_option("--vertices", options->vertices, help("About how many points the cloth has; otherwise as defined"))
       ->check(CLI::Range(100, 1'000'000));
-  verb->add_option("--threads", options->threads, help("How many threads work; the result is the same"))
+  verb->add_option("--threads", options->threads, help("How many threads work, 1 to 256; the result is the same"))
       ->check(CLI::Range(1, 256));
   verb->add_option("--data", options->data, help("The folder with bodies/ and patterns/ for shirt and dress"));
   verb->add_option("-o,--out", options->out, help("Write the cloth at rest as an OBJ file"));

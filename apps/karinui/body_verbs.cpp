@@ -1,4 +1,5 @@
 // body make, body measure: figures without a document.
+#include "answers_in_words.h"
 #include "commands.h"
 #include "figure.h"
 #include "json_answers.h"
@@ -54,9 +55,11 @@ int runMake(Program& program, const MakeOptions& options) {
   const Result<std::string> obj = writeObj((*body)->mesh(), "body");
   if (!obj) return program.console.refuse(obj.error());
   if (const Done done = writeFile(options.out, *obj); !done) return program.console.refuse(done.error());
-  Json object = bodyJson(measure((*body)->mesh(), (*body)->bvh()), inspect((*body)->mesh()));
+  const Measurements measured = measure((*body)->mesh(), (*body)->bvh());
+  const MeshReport report = inspect((*body)->mesh());
+  Json object = bodyJson(measured, report);
   object["file"] = options.out;
-  program.console.answer(object, words(object));
+  program.console.answer(object, options.out + "\n" + bodyWords(measured, report, program.console));
   return kDone;
 }
 
@@ -64,8 +67,9 @@ int runMeasure(Program& program, const MeasureOptions& options) {
   Workers workers(program.threads);
   const Result<Body::Parts> figure = readFigure(program, workers, options.path, options.wrap);
   if (!figure) return program.console.refuse(figure.error());
-  const Json object = bodyJson(measure(figure->mesh, Bvh(figure->mesh)), inspect(figure->mesh));
-  program.console.answer(object, words(object));
+  const Measurements measured = measure(figure->mesh, Bvh(figure->mesh));
+  const MeshReport report = inspect(figure->mesh);
+  program.console.answer(bodyJson(measured, report), bodyWords(measured, report, program.console));
   return kDone;
 }
 

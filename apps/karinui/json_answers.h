@@ -12,7 +12,7 @@ Json checkJson(const ClothCheck& check);
 Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console);
 Json infoJson(const Document& document);
 
-// "key: value" lines, nested objects indented: what a person reads of the same object.
+// "key: value" lines, nested objects indented: for answers that programs read more than people.
 std::string words(const Json& object, int indent = 0);
 
 }  // namespace karinui::app

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "commands.h"
+#include "wrong_call.h"
 
 int main(int count, char** words) {
   using namespace karinui::app;
@@ -34,7 +35,11 @@ int main(int count, char** words) {
   try {
     program.cli.parse(count, words);
   } catch (const CLI::ParseError& trouble) {
-    return program.cli.exit(trouble) == 0 ? kDone : kWrongCall;
+    if (trouble.get_exit_code() == 0) return program.cli.exit(trouble);  // help or the version was asked for
+    program.console.json =
+        std::any_of(words, words + count, [](const char* word) { return word == std::string("--json"); });
+    program.console.refuse(karinui::badInput(wrongCall(program, trouble)));
+    return kWrongCall;
   } catch (const std::bad_alloc&) {
     return program.console.refuse(karinui::refused(karinui::say("There is not enough memory for this.")));
   }

@@ -115,9 +115,9 @@ void addOutputVerbs(Program& program) {
                                 out, runExport);
   verb->add_option("document", out->path, help("The .karinui document"))->required();
   verb->add_option("-o,--output", out->out, help("The file; its ending says what it will be"))->required();
-  verb->add_option("--paper", out->paper, help("PDF: one true-size sheet, or A4 sheets to glue"))
+  verb->add_option("--paper,--page", out->paper, help("PDF: one true-size sheet (sheet), or A4 sheets to glue (a4)"))
       ->check(CLI::IsMember({"sheet", "a4"}));
-  verb->add_option("--allowance", out->allowanceMm, help("SVG and PDF: seam allowance in mm, 0 for none"))
+  verb->add_option("--allowance", out->allowanceMm, help("SVG and PDF: seam allowance in mm, up to 100, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--format", out->format, help("JSON: karinui (exact) or garmentcode"))
       ->check(CLI::IsMember({"karinui", "garmentcode"}));

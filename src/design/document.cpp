@@ -24,6 +24,7 @@ struct Truth {
   void add(const Curve& c) {
     add(static_cast<std::uint64_t>(c.kind));
     add(c.start), add(c.end), add(c.control1), add(c.control2), add(c.bulge);
+    for (const Flat p : c.between) add(p);
   }
   void add(const Edge& e) { add(e.name), add(e.curve); }
   void add(const Outline& o) { each(o.edges); }

@@ -62,6 +62,14 @@ Rigid nearestPlane(const Form& form) {
 class Splits {
  public:
   explicit Splits(const Pattern& pattern) : pattern_(pattern) {
+    // The format has no chains: each cubic is an edge of its own.
+    for (const auto& [id, piece] : pattern.pieces)
+      for (const Edge& edge : piece->outline.edges) {
+        const auto cubics = edge.curve.parts().size();
+        const double whole = edge.curve.length();
+        for (std::size_t k = 1; k < cubics; ++k)
+          add({id, edge.name, edge.curve.lengthTo(static_cast<double>(k) / static_cast<double>(cubics)) / whole}, 0);
+      }
     // A split made for one seam may lie within another; each round carries them across, and few rounds are needed.
     for (int round = 0; round < 8; ++round)
       if (!carryAcross()) break;
@@ -98,14 +106,15 @@ class Splits {
     }
     return grew;
   }
-  bool add(const EdgePlace& place) {
+  // `apart`: metres; nearer to another split (a hundredth of a millimetre) it is the same one.
+  bool add(const EdgePlace& place, double apart = 1e-5) {
     const Edge* edge = edgeOf(pattern_, place.piece, place.edge);
     if (!edge) return false;
-    const double tiny = 1e-5 / edge->curve.length();  // a hundredth of a millimetre
-    if (place.fraction < tiny || place.fraction > 1 - tiny) return false;
+    const double tiny = apart / edge->curve.length();
+    if (place.fraction <= tiny || place.fraction >= 1 - tiny) return false;
     auto& list = at_[{place.piece, place.edge}];
     for (const double f : list)
-      if (std::abs(f - place.fraction) < tiny) return false;
+      if (std::abs(f - place.fraction) <= tiny) return false;
     list.insert(std::upper_bound(list.begin(), list.end(), place.fraction), place.fraction);
     return true;
   }

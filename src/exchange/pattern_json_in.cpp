@@ -70,8 +70,12 @@ class Reader {
     Curve out = Curve::line(flatAt(json, "start"), flatAt(json, "end"));
     if (kind == "cubic") {
       const Json& controls = list(json, "controls");
-      if (controls.size() != 2) return refuse("controls"), out;
-      return Curve::cubic(out.start, flat(controls[0], "controls"), flat(controls[1], "controls"), out.end);
+      if (controls.size() % 3 != 2 || controls.size() > kMostPoints) return refuse("controls"), out;
+      std::vector<Flat> between;
+      for (const Json& place : controls) between.push_back(flat(place, "controls"));
+      out = Curve::cubic(out.start, between.front(), between.back(), out.end);
+      out.between.assign(between.begin() + 1, between.end() - 1);
+      return out;
     }
     if (kind == "arc") return Curve::arc(out.start, out.end, number(json, "bulge"));
     if (kind != "line") refuse("kind");

@@ -22,7 +22,11 @@ Json of(const Curve& curve) {
       break;
   }
   out["start"] = of(curve.start);
-  if (curve.kind == Curve::Kind::Cubic) out["controls"] = Json::array({of(curve.control1), of(curve.control2)});
+  if (curve.kind == Curve::Kind::Cubic) {  // all that lies between start and end: of a chain its joints too
+    out["controls"] = Json::array({of(curve.control1)});
+    for (const Flat p : curve.between) out["controls"].push_back(of(p));
+    out["controls"].push_back(of(curve.control2));
+  }
   if (curve.kind == Curve::Kind::Arc) out["bulge"] = curve.bulge;
   out["end"] = of(curve.end);
   return out;

@@ -88,21 +88,10 @@ void PdfCanvas::lineTo(Mm p) { cairo_line_to(cairo_.get(), p.x, p.y); }
 void PdfCanvas::close() { cairo_close_path(cairo_.get()); }
 
 void PdfCanvas::curve(const SheetPiece& piece, const Curve& curve) {
-  const auto cubic = [&](Flat c1, Flat c2, Flat end) {
-    const Mm a = piece.at(c1), b = piece.at(c2), p = piece.at(end);
+  if (curve.kind == Curve::Kind::Line) return lineTo(piece.at(curve.end));
+  for (const Curve& cubic : curve.cubics()) {
+    const Mm a = piece.at(cubic.control1), b = piece.at(cubic.control2), p = piece.at(cubic.end);
     cairo_curve_to(cairo_.get(), a.x, a.y, b.x, b.y, p.x, p.y);
-  };
-  if (curve.kind == Curve::Kind::Cubic) return cubic(curve.control1, curve.control2, curve.end);
-  if (curve.kind == Curve::Kind::Line || curve.bulge == 0) return lineTo(piece.at(curve.end));
-  // An arc as cubics of at most 45 degrees each: nowhere more than a millionth of its radius beside it. A part that
-  // turns by four times atan(b) has handles of 4/3 tan(angle / 4) radii, that is 4/3 b radii.
-  const double turned = 4 * std::abs(std::atan(curve.bulge));
-  const int count = std::max(1, static_cast<int>(std::ceil(turned / (std::numbers::pi / 4))));
-  for (int i = 0; i < count; ++i) {
-    const Curve part = curve.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    const double quarter = std::atan(std::abs(part.bulge));
-    const double handle = 4.0 / 3 * std::abs(part.bulge) * distance(part.start, part.end) / (2 * std::sin(2 * quarter));
-    cubic(part.start + normalized(part.tangent(0)) * handle, part.end - normalized(part.tangent(1)) * handle, part.end);
   }
 }
 

@@ -156,7 +156,7 @@ class SheetReader {
                       *mark = element.find("data-mark");
     if (kind == "seam" || kind == "seam only" || kind == "hole") {
       auto curves = curvesOf(element.find("d"), origin_);
-      if (!edge || edgeWord(*edge) != *edge || edge->empty() || !curves || curves->size() != 1)
+      if (!edge || edgeWord(*edge) != *edge || edge->empty() || !curves || curves->empty())
         return wrong(say("an edge"));
       Outline* ring = &piece_.outline;
       if (kind == "hole") {
@@ -166,7 +166,7 @@ class SheetReader {
         piece_.holes.resize(std::max<std::size_t>(piece_.holes.size(), *number + 1));
         ring = &piece_.holes[*number];
       }
-      ring->edges.push_back({*edge, curves->front()});
+      ring->edges.push_back({*edge, Curve::joined(*curves)});
     } else if (kind == "internal") {
       auto curves = curvesOf(element.find("d"), origin_);
       if (!line || !curves) return wrong(say("an internal line"));

@@ -18,8 +18,13 @@ std::string pair(Flat p) { return shortest(p.u) + " " + shortest(p.v); }
 
 std::string pathTo(const SheetPiece& piece, const Curve& curve) {
   const std::string end = pair(piece.at(curve.end));
-  if (curve.kind == Curve::Kind::Cubic)
-    return "C " + pair(piece.at(curve.control1)) + " " + pair(piece.at(curve.control2)) + " " + end;
+  if (curve.kind == Curve::Kind::Cubic) {
+    std::string all;
+    for (const Curve& c : curve.parts())
+      all += (all.empty() ? "C " : " C ") + pair(piece.at(c.control1)) + " " + pair(piece.at(c.control2)) + " " +
+             pair(piece.at(c.end));
+    return all;
+  }
   if (curve.kind == Curve::Kind::Arc && std::abs(curve.bulge) > 1e-9) {
     const double quarter = std::atan(std::abs(curve.bulge));
     const std::string radius = fixed(distance(curve.start, curve.end) * 1000 / (2 * std::sin(2 * quarter)), 9);
@@ -132,6 +137,9 @@ Result<std::string> writeSvg(const Pattern& pattern, const SheetSettings& settin
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
       width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
       "\" data-format=\"karinui-sheet-1\">\n  <title>" + xmlEscaped(sheet->title) + "</title>\n" + kStyle;
+  // White paper, also where a viewer is dark.
+  out += "  <rect id=\"paper\" x=\"0\" y=\"0\" width=\"" + width + "\" height=\"" + height +
+         "\" style=\"fill:#fff;stroke:none\"/>\n";
   out += "  <g id=\"test-square\">\n    <rect x=\"" + number(sheet->square.x) + "\" y=\"" + number(sheet->square.y) +
          "\" width=\"100\" height=\"100\"/>\n";
   words(out, {sheet->square + Mm{kSquare / 2, kSquare / 2}, 6, true, "100 × 100 mm"}, "square");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "karinui/base/result.h"
 
@@ -13,6 +14,26 @@ constexpr std::array<double, 4> kPlace = {0.1834346424956498, 0.5255324099163290
                                           0.9602898564975363};
 constexpr std::array<double, 4> kWeight = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
                                            0.1012285362903763};
+
+// The cubics of a chain; every other curve counts as one.
+std::size_t count(const Curve& curve) { return 1 + curve.between.size() / 3; }
+Curve cubicOf(const Curve& chain, std::size_t k) {
+  const auto& b = chain.between;
+  const bool first = k == 0, last = k + 1 == count(chain);
+  return Curve::cubic(first ? chain.start : b[3 * k - 2], first ? chain.control1 : b[3 * k - 1],
+                      last ? chain.control2 : b[3 * k], last ? chain.end : b[3 * k + 1]);
+}
+// Which of a chain's cubics a parameter is on, and where on it.
+struct Within {
+  std::size_t k = 0;
+  double t = 0;
+};
+Within within(const Curve& chain, double t) {
+  const auto n = static_cast<double>(count(chain));
+  const double along = std::clamp(t, 0.0, 1.0) * n;
+  const double k = std::fmin(std::floor(along), n - 1);
+  return {static_cast<std::size_t>(k), along - k};
+}
 
 double gauss(const Curve& curve, double from, double to) {
   const double middle = (from + to) / 2, half = (to - from) / 2;
@@ -48,6 +69,10 @@ double arcOverChord(const Curve& arc) {
 Flat Curve::at(double t) const {
   if (t <= 0) return start;
   if (t >= 1) return end;
+  if (!between.empty()) {
+    const Within in = within(*this, t);
+    return cubicOf(*this, in.k).at(in.t);
+  }
   const double s = 1 - t;
   switch (kind) {
     case Kind::Line:
@@ -66,6 +91,10 @@ Flat Curve::at(double t) const {
 }
 
 Flat Curve::tangent(double t) const {
+  if (!between.empty()) {
+    const Within in = within(*this, t);
+    return cubicOf(*this, in.k).tangent(in.t) * static_cast<double>(count(*this));
+  }
   const double s = 1 - t;
   switch (kind) {
     case Kind::Line:
@@ -83,6 +112,12 @@ double Curve::length() const { return lengthTo(1); }
 double Curve::lengthTo(double t) const {
   t = std::clamp(t, 0.0, 1.0);
   if (t == 0) return 0;
+  if (!between.empty()) {
+    const Within in = within(*this, t);
+    double sum = 0;
+    for (std::size_t k = 0; k < in.k; ++k) sum += cubicOf(*this, k).length();
+    return sum + cubicOf(*this, in.k).lengthTo(in.t);
+  }
   switch (kind) {
     case Kind::Line:
       return t * distance(start, end);
@@ -99,6 +134,16 @@ double Curve::parameterAt(double s) const {
   if (!(s > 0) || whole <= 0) return 0;
   if (s >= whole) return 1;
   if (kind != Kind::Cubic) return s / whole;
+  if (!between.empty()) {
+    const std::size_t n = count(*this);
+    double left = s;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Curve cubic = cubicOf(*this, k);
+      const double own = cubic.length();
+      if (left < own || k + 1 == n) return (static_cast<double>(k) + cubic.parameterAt(left)) / static_cast<double>(n);
+      left -= own;
+    }
+  }
   // Newton's steps, kept between what is surely too little and surely too much.
   double low = 0, high = 1, t = s / whole;
   for (int round = 0; round < 80; ++round) {
@@ -116,6 +161,16 @@ double Curve::parameterAt(double s) const {
 Curve Curve::part(double t0, double t1) const {
   KARINUI_ASSERT(t0 < t1);
   if (t0 <= 0 && t1 >= 1) return *this;
+  if (!between.empty()) {
+    const Within from = within(*this, t0), to = within(*this, t1);
+    std::vector<Curve> kept;
+    for (std::size_t k = from.k; k <= to.k; ++k) {
+      const double a = k == from.k ? from.t : 0, b = k == to.k ? to.t : 1;
+      if (b - a > 1e-9) kept.push_back(cubicOf(*this, k).part(a, b));
+    }
+    if (kept.empty()) return line(at(t0), at(t1));
+    return joined(kept);
+  }
   Curve piece = *this;
   piece.start = at(t0);
   piece.end = at(t1);
@@ -128,7 +183,10 @@ Curve Curve::part(double t0, double t1) const {
   return piece;
 }
 
-Curve Curve::reversed() const { return {kind, end, start, control2, control1, kind == Kind::Arc ? -bulge : bulge}; }
+Curve Curve::reversed() const {
+  const double other = kind == Kind::Arc ? -bulge : bulge;
+  return {kind, end, start, control2, control1, other, {between.rbegin(), between.rend()}};
+}
 
 Curve Curve::mirrored(Flat through, Flat unitAxis) const {
   const auto image = [&](Flat p) {
@@ -141,6 +199,7 @@ Curve Curve::mirrored(Flat through, Flat unitAxis) const {
   if (kind == Kind::Cubic) {
     mirror.control1 = image(control1);
     mirror.control2 = image(control2);
+    for (Flat& p : mirror.between) p = image(p);
   }
   if (kind == Kind::Arc) mirror.bulge = -bulge;
   return mirror;
@@ -149,7 +208,12 @@ Curve Curve::mirrored(Flat through, Flat unitAxis) const {
 std::vector<Flat> Curve::flattened(double miss) const {
   KARINUI_ASSERT(miss > 0);
   double parts = 1;
-  if (kind == Kind::Cubic) {
+  if (!between.empty()) {
+    // As many on each cubic, so that the points are evenly spaced in the chain's own parameter too.
+    std::size_t most = 1;
+    for (std::size_t k = 0; k < count(*this); ++k) most = std::max(most, cubicOf(*this, k).flattened(miss).size() - 1);
+    parts = static_cast<double>(most * count(*this));
+  } else if (kind == Kind::Cubic) {
     // A chord over dt is off by at most max|B''| dt^2 / 8; B'' runs straight between its two ends.
     const double bend =
         6 * std::max(karinui::length(start - 2 * control1 + control2), karinui::length(control1 - 2 * control2 + end));
@@ -161,10 +225,52 @@ std::vector<Flat> Curve::flattened(double miss) const {
     const double widest = miss < 2 * radius ? 4 * std::asin(std::sqrt(miss / (2 * radius))) : angle;
     parts = std::ceil(angle / widest);
   }
-  const auto count = static_cast<std::size_t>(std::clamp(parts, 1.0, 1e5));
-  std::vector<Flat> points(count + 1);
-  for (std::size_t k = 0; k <= count; ++k) points[k] = at(static_cast<double>(k) / static_cast<double>(count));
+  const auto chords = static_cast<std::size_t>(std::clamp(parts, 1.0, 1e5));
+  std::vector<Flat> points(chords + 1);
+  for (std::size_t k = 0; k <= chords; ++k) points[k] = at(static_cast<double>(k) / static_cast<double>(chords));
   return points;
+}
+
+std::vector<Curve> Curve::parts() const {
+  if (between.empty()) return {*this};
+  std::vector<Curve> all;
+  for (std::size_t k = 0; k < count(*this); ++k) all.push_back(cubicOf(*this, k));
+  return all;
+}
+
+std::vector<Curve> Curve::cubics() const {
+  if (kind == Kind::Cubic) return parts();
+  if (kind == Kind::Line || bulge == 0)
+    return {cubic(start, lerp(start, end, 1.0 / 3), lerp(start, end, 2.0 / 3), end)};
+  // Of at most 22.5 degrees each: an arc of angle a has handles of 4/3 tan(a / 4) radii,
+  // and the cubic then lies within 2e-6 a^6 radii of it (Goldapp 1991).
+  const int n = std::max(1, static_cast<int>(std::ceil(std::abs(turn(*this)) / (std::numbers::pi / 8))));
+  std::vector<Curve> all;
+  for (int k = 0; k < n; ++k) {
+    const Curve arc = part(static_cast<double>(k) / n, static_cast<double>(k + 1) / n);
+    const double angle = turn(arc), radius = distance(arc.start, arc.end) / (2 * std::sin(std::abs(angle) / 2));
+    const double handle = 4.0 / 3 * std::abs(arc.bulge) * radius;
+    all.push_back(cubic(k == 0 ? start : all.back().end, arc.start + normalized(arc.tangent(0)) * handle,
+                        arc.end - normalized(arc.tangent(1)) * handle, k + 1 == n ? end : arc.end));
+  }
+  return all;
+}
+
+Curve Curve::joined(std::span<const Curve> curves) {
+  KARINUI_ASSERT(!curves.empty());
+  if (curves.size() == 1) return curves.front();
+  Curve chain;
+  for (const Curve& curve : curves)
+    for (const Curve& cubic : curve.cubics()) {
+      if (chain.kind == Kind::Line) {
+        chain = cubic;
+        continue;
+      }
+      chain.between.insert(chain.between.end(), {chain.control2, chain.end, cubic.control1});
+      chain.control2 = cubic.control2;
+      chain.end = cubic.end;
+    }
+  return chain;
 }
 
 }  // namespace karinui

@@ -124,27 +124,30 @@ OneFit fitOne(std::span<const Flat> points, const Flat* startWay, const Flat* en
     for (int i = 0; i < 64; ++i) sum += distance(cubic.at(i / 64.0), cubic.at((i + 1) / 64.0));
     return sum;
   };
-  OneFit best;
-  best.cubic = {points.front(), lerp(points.front(), points.back(), 1.0 / 3),
-                lerp(points.front(), points.back(), 2.0 / 3), points.back()};
-  best.miss = bow(points);
-  best.worst = points.size() / 2;
-  double bestScore = 1e300;
+  const auto scored = [&](const Cubic& cubic) {
+    OneFit fit{cubic, 0, points.size() / 2};
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+      if (const double d = distance(cubic.at(t[i]), points[i]); d > fit.miss) fit.miss = d, fit.worst = i;
+    return fit;
+  };
+  const auto scoreOf = [&](const OneFit& fit) { return 2 * fit.miss + std::fabs(lengthOf(fit.cubic) - whole); };
+  // With few points between, least squares may swing far out along the given tangents: handles of a third of the chord
+  // are what it has to beat.
+  const Flat first = points.front(), last = points.back();
+  const double third = distance(first, last) / 3;
+  Cubic plain{first, startWay ? first + *startWay * third : lerp(first, last, 1.0 / 3),
+              endWay ? last + *endWay * third : lerp(first, last, 2.0 / 3), last};
+  for (int k = 0; k < 3; ++k) reparametrise(plain, points, t);
+  OneFit best = scored(plain);
+  t = chordParameters(points);
+  double bestScore = scoreOf(best);
   double lastScore = 1e300;
   Cubic before{};
   for (int round = 0; round < 100; ++round) {
-    OneFit now;
-    now.cubic = before = leastSquares(points, t, startWay, endWay, round < 30 ? nullptr : &before);
-    for (int k = 0; k < 3; ++k) reparametrise(now.cubic, points, t);
-    now.worst = points.size() / 2;
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-      const double d = distance(now.cubic.at(t[i]), points[i]);
-      if (d > now.miss) {
-        now.miss = d;
-        now.worst = i;
-      }
-    }
-    const double score = 2 * now.miss + std::fabs(lengthOf(now.cubic) - whole);
+    before = leastSquares(points, t, startWay, endWay, round < 30 ? nullptr : &before);
+    for (int k = 0; k < 3; ++k) reparametrise(before, points, t);
+    const OneFit now = scored(before);
+    const double score = scoreOf(now);
     if (score < bestScore && !crossesItself(now.cubic)) {
       best = now;
       bestScore = score;
@@ -157,27 +160,43 @@ OneFit fitOne(std::span<const Flat> points, const Flat* startWay, const Flat* en
   return best;
 }
 
-// The direction of the points at an inner one, from a few on either side.
-Flat wayAt(std::span<const Flat> points, std::size_t i) {
-  const std::size_t reach = std::min({std::size_t{3}, i, points.size() - 1 - i});
+// The direction of the points at an inner one, from those on either side: two, or as many as lie within `near` metres.
+Flat wayAt(std::span<const Flat> points, std::size_t i, double near) {
+  const std::size_t most = std::min(i, points.size() - 1 - i);
+  std::size_t reach = std::min<std::size_t>(2, most);
+  while (reach < most && distance(points[i + reach + 1], points[i - reach - 1]) < 2 * near) ++reach;
   return normalized(points[i + reach] - points[i - reach]);
 }
 
-void fitRun(std::span<const Flat> points, const Flat* startWay, const Flat* endWay, double tolerance, Fitted& out) {
-  const OneFit one = fitOne(points, startWay, endWay);
-  if (one.miss <= tolerance || points.size() < 7) {
-    out.curves.push_back(Curve::cubic(one.cubic.p0, one.cubic.p1, one.cubic.p2, one.cubic.p3));
-    out.miss = std::fmax(out.miss, one.miss);
-    return;
-  }
-  const std::size_t split = std::clamp(one.worst, std::size_t{3}, points.size() - 4);
-  const Flat way = wayAt(points, split), back = -way;
-  fitRun(points.subspan(0, split + 1), startWay, &back, tolerance, out);
-  fitRun(points.subspan(split), &way, endWay, tolerance, out);
-}
+// Cubics from point `from` to point `to` within the tolerance, divided where one alone is furthest off (Schneider
+// 1990).
+struct Chain {
+  std::span<const Flat> points;
+  double tolerance = 0, shortest = 0, miss = 0;
+  std::vector<Curve> curves;
 
-// A fixed number of cubics, of equal length, joined smoothly.
-void fitPieces(std::span<const Flat> points, const Flat* startWay, const Flat* endWay, int pieces, Fitted& out) {
+  void fit(std::size_t from, std::size_t to, const Flat* startWay, const Flat* endWay) {
+    const OneFit one = fitOne(points.subspan(from, to - from + 1), startWay, endWay);
+    const std::size_t least = std::min<std::size_t>(2, (to - from) / 2);
+    std::size_t first = from + least, last = to - least;
+    while (first < last && distance(points[from], points[first]) < shortest) ++first;
+    while (first < last && distance(points[last], points[to]) < shortest) --last;
+    const bool roomy = to - from >= 2 && distance(points[from], points[first]) >= shortest &&
+                       distance(points[last], points[to]) >= shortest;
+    if (one.miss <= tolerance || !roomy) {
+      curves.push_back(Curve::cubic(one.cubic.p0, one.cubic.p1, one.cubic.p2, one.cubic.p3));
+      miss = std::fmax(miss, one.miss);
+      return;
+    }
+    const std::size_t split = std::clamp(from + one.worst, first, last);
+    const Flat way = wayAt(points, split, shortest / 2), back = -way;
+    fit(from, split, startWay, &back);
+    fit(split, to, &way, endWay);
+  }
+};
+
+// Where a fixed number of curves of equal length meet.
+std::vector<std::size_t> jointsOf(std::span<const Flat> points, int pieces) {
   std::vector<std::size_t> joint{0};
   const std::vector<double> t = chordParameters(points);
   for (int k = 1; k < pieces; ++k) {
@@ -186,19 +205,7 @@ void fitPieces(std::span<const Flat> points, const Flat* startWay, const Flat* e
     if (i > joint.back() + 1 && i + 2 < points.size()) joint.push_back(i);
   }
   joint.push_back(points.size() - 1);
-  std::vector<Flat> way(joint.size());
-  for (std::size_t k = 1; k + 1 < joint.size(); ++k) {  // the direction over a third of the shorter neighbour
-    const std::size_t reach = std::max<std::size_t>(1, std::min(joint[k] - joint[k - 1], joint[k + 1] - joint[k]) / 3);
-    way[k] = normalized(points[joint[k] + reach] - points[joint[k] - reach]);
-  }
-  for (std::size_t k = 0; k + 1 < joint.size(); ++k) {
-    const Flat back = -way[k + 1];
-    const Flat* start = k == 0 ? startWay : &way[k];
-    const Flat* end = k + 2 == joint.size() ? endWay : &back;
-    const OneFit one = fitOne(points.subspan(joint[k], joint[k + 1] - joint[k] + 1), start, end);
-    out.curves.push_back(Curve::cubic(one.cubic.p0, one.cubic.p1, one.cubic.p2, one.cubic.p3));
-    out.miss = std::fmax(out.miss, one.miss);
-  }
+  return joint;
 }
 
 std::vector<Flat> withoutRepeats(std::span<const Flat> points) {
@@ -234,17 +241,16 @@ Fitted fitEdge(std::span<const Flat> given, const FitSettings& settings, const s
   }
   const Flat into = endWay ? -*endWay : Flat{};
   const Flat *start = startWay ? &*startWay : nullptr, *end = endWay ? &into : nullptr;
-  if (settings.pieces > 0) {
-    fitPieces(points, start, end, settings.pieces, out);
-    return out;
+  const std::vector<std::size_t> joint = jointsOf(points, settings.pieces);
+  for (std::size_t k = 0; k + 1 < joint.size(); ++k) {
+    const bool first = k == 0, last = k + 2 == joint.size();
+    const Flat way = first ? Flat{} : wayAt(points, joint[k], 0),
+               back = last ? Flat{} : -wayAt(points, joint[k + 1], 0);
+    Chain chain{points, settings.tolerance, settings.shortest, 0, {}};
+    chain.fit(joint[k], joint[k + 1], first ? start : &way, last ? end : &back);
+    out.curves.push_back(Curve::joined(chain.curves));
+    out.miss = std::fmax(out.miss, chain.miss);
   }
-  const OneFit one = fitOne(points, start, end);
-  if (one.miss <= std::fmax(settings.single, settings.tolerance)) {
-    out.curves.push_back(Curve::cubic(one.cubic.p0, one.cubic.p1, one.cubic.p2, one.cubic.p3));
-    out.miss = one.miss;
-    return out;
-  }
-  fitRun(points, start, end, settings.tolerance, out);
   return out;
 }
 

@@ -72,10 +72,55 @@ std::vector<std::uint8_t> folded(const TriangleMesh& mesh) {
   return bad;
 }
 
+// Evens out what belongs to the points of a border, along each side: what changes within a few points goes, what
+// changes over more stays (Taubin 1995). Corners stay, but where a side begins or ends on the fold it runs on into its
+// image.
+template <class Afterwards>
+void evenOut(std::span<const std::uint32_t> border, const std::vector<std::uint8_t>& corner,
+             const std::vector<std::uint8_t>& onFold, std::vector<Vec3>& values, std::span<const double> wanted,
+             int rounds, const Afterwards& keepTogether) {
+  const std::size_t n = border.size();
+  std::vector<Vec3> next = values;
+  for (int round = 0; round < rounds; ++round)
+    for (const double share : {0.5, -0.53}) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::uint32_t before = border[(i + n - 1) % n], here = border[i], behind = border[(i + 1) % n];
+        Vec3 middle = (values[before] + values[behind]) * 0.5;
+        if (corner[here]) {
+          const bool ends = onFold[here] && onFold[before] != onFold[behind];
+          middle = ends ? values[onFold[before] ? behind : before] : values[here];
+        }
+        next[here] = values[here] + (middle - values[here]) * (share * wanted[i]);
+      }
+      values.swap(next);
+      keepTogether(values);
+    }
+}
+
+// Where a border leaps about from point to point, 0 to 1: how far points lie from the cubic through two on either side.
+std::vector<double> raggedness(std::span<const std::uint32_t> border, const std::vector<std::uint8_t>& corner,
+                               const std::vector<Vec3>& points) {
+  constexpr double kSmooth = 0.0006, kRagged = 0.0012;  // metres
+  const std::size_t n = border.size();
+  const auto at = [&](std::size_t i) { return points[border[i % n]]; };
+  std::vector<double> leap(n), widened(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    bool smooth = true;  // a corner is no raggedness
+    for (std::size_t k = n - 1; k <= n + 1; ++k) smooth = smooth && !corner[border[(i + k) % n]];
+    if (!smooth) continue;
+    const Vec3 through = (at(i + n - 1) + at(i + 1)) * (4.0 / 6) - (at(i + n - 2) + at(i + 2)) * (1.0 / 6);
+    leap[i] = std::clamp((distance(at(i), through) - kSmooth) / (kRagged - kSmooth), 0.0, 1.0);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = n - 2; k <= n + 2; ++k) widened[i] = std::max(widened[i], leap[(i + k) % n]);
+  return widened;
+}
+
 }  // namespace
 
 void liftOff(Patch& patch, const TriangleMesh& body, const Bvh& bvh, const LiftSettings& settings) {
   std::vector<Vec3>& points = patch.mesh.points;
+  const std::vector<Vec3> drawn = points;
   const Neighbours all = neighboursOf(patch.mesh);
   Neighbours near = all;
   borderLooksAlong(patch.border, near);
@@ -162,6 +207,15 @@ void liftOff(Patch& patch, const TriangleMesh& body, const Bvh& bvh, const LiftS
     points.swap(next);
     keepTogether(points);
   }
+
+  // The way off the body is a little different at every point, which leaves a line that was drawn smoothly ragged by a
+  // millimetre or two; and the skin's own facets a little more.
+  std::vector<Vec3> off = points;
+  for (std::size_t i = 0; i < points.size(); ++i) off[i] = points[i] - drawn[i];
+  const std::vector<double> everywhere(patch.border.size(), 1.0);
+  evenOut(patch.border, corner, onFold, off, everywhere, 10, keepTogether);
+  for (const std::uint32_t p : patch.border) points[p] = drawn[p] + off[p];
+  evenOut(patch.border, corner, onFold, points, raggedness(patch.border, corner, points), 2, keepTogether);
 }
 
 }  // namespace karinui

@@ -63,7 +63,8 @@ struct FlatProblem {
     double weight = 0;
   };
   std::vector<Hold> holds;
-  bool holdTurn = false;  // no turning of the whole
+  std::vector<std::uint8_t> pinned;  // 1: the point stays where it is; empty: none
+  bool holdTurn = false;             // no turning of the whole
   int maxSteps = 60;
   double enough = 1e-9;  // relative decrease of a step at which it is done
 };

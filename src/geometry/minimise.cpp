@@ -33,11 +33,16 @@ void derivatives(const FlatProblem& problem, std::span<const Flat> flat, Eigen::
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(problem.rest.size() * 36 + problem.springs.size() * 16 + 2 * flat.size());
   slope.setZero(static_cast<Eigen::Index>(2 * flat.size()));
+  const auto stays = [&](int unknown) {
+    return !problem.pinned.empty() && problem.pinned[static_cast<std::size_t>(unknown) / 2] != 0;
+  };
   const auto scatter = [&](std::span<const int> at, const auto& g, const auto& h) {
     for (std::size_t i = 0; i < at.size(); ++i) {
+      if (stays(at[i])) continue;
       slope[at[i]] += g[static_cast<Eigen::Index>(i)];
       for (std::size_t j = 0; j < at.size(); ++j)
-        entries.emplace_back(at[i], at[j], h(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+        if (!stays(at[j]))
+          entries.emplace_back(at[i], at[j], h(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
     }
   };
   double diagonal = 0;

@@ -1,6 +1,7 @@
 // A drape's own strain must not go into the paper: only what was changed in space since may.
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/membrane.h"
@@ -74,7 +75,7 @@ Result<std::vector<Flat>> reflatten(std::span<const Flat> flat, std::span<const 
     rest.push_back(
         restTriangle(t, Flat{0, 0}, Flat{wanted(0, 0), wanted(1, 0)}, Flat{wanted(0, 1), wanted(1, 1)}, 0.01));
   }
-  // What did not move in space is what the rest is aligned to.
+  // What did not move in space stays on paper; where too little stayed, the rest is aligned to what moved least.
   for (std::size_t i = 0; i < flat.size(); ++i) {
     const double moved = distance(before[i], after[i]) / 0.001;
     weight[i] *= std::exp(-moved * moved) + 1e-6;
@@ -86,9 +87,10 @@ Result<std::vector<Flat>> reflatten(std::span<const Flat> flat, std::span<const 
   problem.rest = rest;
   problem.law = symmetricDirichlet;
   problem.enough = 1e-8;
+  for (std::size_t i = 0; i < flat.size(); ++i) problem.pinned.push_back(before[i] == after[i] ? 1 : 0);
   minimise(problem, out, token);
   if (token.cancelled()) return cancelled();
-  alignTo(flat, weight, out);
+  if (std::count(problem.pinned.begin(), problem.pinned.end(), 1) < 2) alignTo(flat, weight, out);
   return out;
 }
 

@@ -85,11 +85,13 @@ double turning(const Curve& curve) {
   if (curve.kind == Curve::Kind::Arc) return std::abs(4 * std::atan(curve.bulge));
   double sum = 0;
   constexpr int kLooks = 16;
-  Flat before = curve.tangent(1e-6);
-  for (int k = 1; k <= kLooks; ++k) {
-    const Flat now = curve.tangent(k == kLooks ? 1 - 1e-6 : k / double{kLooks});
-    sum += std::abs(std::atan2(cross(before, now), dot(before, now)));
-    before = now;
+  for (const Curve& cubic : curve.parts()) {
+    Flat before = cubic.tangent(1e-6);
+    for (int k = 1; k <= kLooks; ++k) {
+      const Flat now = cubic.tangent(k == kLooks ? 1 - 1e-6 : k / double{kLooks});
+      sum += std::abs(std::atan2(cross(before, now), dot(before, now)));
+      before = now;
+    }
   }
   return sum;
 }

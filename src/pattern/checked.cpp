@@ -21,9 +21,12 @@ bool goodName(std::string_view name) {
   });
 }
 
+bool onTable(Flat p) { return finite(p) && std::abs(p.u) <= kLargest && std::abs(p.v) <= kLargest; }
+
 bool reasonable(const Curve& curve) {
   for (Flat p : {curve.start, curve.end, curve.control1, curve.control2})
-    if (!finite(p) || std::abs(p.u) > kLargest || std::abs(p.v) > kLargest) return false;
+    if (!onTable(p)) return false;
+  if (!std::all_of(curve.between.begin(), curve.between.end(), onTable)) return false;
   return std::isfinite(curve.bulge) && std::abs(curve.bulge) < 1e3;
 }
 

@@ -58,12 +58,13 @@ Meeting nearestOn(const Outline& outline, Flat place) {
   double least = HUGE_VAL;
   for (std::size_t e = 0; e < outline.edges.size(); ++e) {
     const Curve& curve = outline.edges[e].curve;
-    constexpr int kLooks = 64;
+    const int looks = 64 * static_cast<int>(curve.parts().size());
     double guess = 0, near = HUGE_VAL;
-    for (int k = 0; k <= kLooks; ++k)
-      if (const double d = distance(curve.at(k / double{kLooks}), place); d < near)
-        near = d, guess = k / double{kLooks};
-    double low = std::max(0.0, guess - 1.0 / kLooks), high = std::min(1.0, guess + 1.0 / kLooks);
+    for (int k = 0; k <= looks; ++k) {
+      const double t = static_cast<double>(k) / looks;
+      if (const double d = distance(curve.at(t), place); d < near) near = d, guess = t;
+    }
+    double low = std::max(0.0, guess - 1.0 / looks), high = std::min(1.0, guess + 1.0 / looks);
     for (int round = 0; round < 60; ++round) {  // the distance has one valley here
       const double a = low + (high - low) / 3, b = high - (high - low) / 3;
       (distance(curve.at(a), place) < distance(curve.at(b), place) ? high : low) =

@@ -93,35 +93,14 @@ Result<Piece> reshaped(const Piece& piece, Outline outline) {
   return now;
 }
 
-Piece mirrored(const Piece& piece, Flat through, Flat unitAxis) {
-  Piece mirror = piece;
-  const auto place = [&](Flat p) { return Curve::line(p, p).mirrored(through, unitAxis).start; };
-  const auto turnRound = [&](Outline& outline) {
-    std::reverse(outline.edges.begin(), outline.edges.end());
-    for (Edge& edge : outline.edges) edge.curve = edge.curve.mirrored(through, unitAxis).reversed();
-  };
-  turnRound(mirror.outline);
-  for (Outline& hole : mirror.holes) turnRound(hole);
-  for (InternalLine& line : mirror.lines)
-    for (Curve& curve : line.curves) curve = curve.mirrored(through, unitAxis);
-  for (Mark& mark : mirror.marks) {
-    mark.place = place(mark.place);
-    if (!mark.edge.empty()) mark.fraction = 1 - mark.fraction;
-  }
-  mirror.grain = place(through + piece.grain) - through;
-  mirror.form = nullptr;
-  mirror.pose = {};
-  return mirror;
-}
-
 bool facesReversed(std::span<const Vec3> a, std::span<const Vec3> b) {
   KARINUI_ASSERT(a.size() == b.size());
   double along = 0, against = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
-    along += distance(a[k], b[k]);
-    against += distance(a[k], b[b.size() - 1 - k]);
+    along += squaredLength(a[k] - b[k]);
+    against += squaredLength(a[k] - b[b.size() - 1 - k]);
   }
-  return against <= along * (1 + 1e-9);
+  return !(along < 0.9 * against);
 }
 
 }  // namespace karinui

@@ -40,7 +40,8 @@ double Outline::length() const {
 
 double Outline::area() const {
   double sum = 0;
-  for (const Edge& edge : edges) sum += swept(edge.curve, edges.front().curve.start);
+  for (const Edge& edge : edges)
+    for (const Curve& part : edge.curve.parts()) sum += swept(part, edges.front().curve.start);
   return sum;
 }
 

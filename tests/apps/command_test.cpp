@@ -49,6 +49,55 @@ TEST_F(Command, TeachesWhenAskedAndRefusesWrongCalls) {
   EXPECT_NE(karinui("do --help cut", "ja_JP.UTF-8").out.find("切るパーツ"), std::string::npos);
 }
 
+TEST_F(Command, ExplainsAWrongCallInBothLanguages) {
+  struct Wrong {
+    const char *words, *english, *japanese;
+  };
+  for (const auto& [words, english, japanese] : {
+           Wrong{"", "what “karinui” should do", "何をさせるか"},
+           Wrong{"iron my.shirt", "has no command “iron”", "「iron」というコマンドはありません"},
+           Wrong{"body knit", "“karinui body” has no command “knit”", "「knit」というコマンドはありません"},
+           Wrong{"settle", "“karinui settle” needs document: The .karinui document", "document が必要です"},
+           Wrong{"export a.karinui", "“karinui export” needs --output", "--output が必要です"},
+           Wrong{"export a.karinui -o", "--output needs a value", "--output には値が必要です"},
+           Wrong{"export a.karinui -o b.pdf --page b4", "cannot be “b4”", "「b4」は使えません"},
+           Wrong{"settle a.karinui --threads many", "--threads cannot be “many”: How many threads work, 1 to 256",
+                 "--threads に「many」は使えません"},
+           Wrong{"settle a.karinui --thraeds 2", "“karinui settle” has no option “--thraeds”",
+                 "「--thraeds」というオプションはありません"},
+           Wrong{"undo a.karinui b.karinui", "“b.karinui” is one word too many", "「b.karinui」が余分です"},
+       }) {
+    const Said said = karinui(words), inJapanese = karinui(words, "ja_JP.UTF-8");
+    EXPECT_EQ(said.exit, 2) << words;
+    EXPECT_NE(said.err.find(english), std::string::npos) << words << "\n" << said.err;
+    EXPECT_NE(said.err.find("--help"), std::string::npos) << words;
+    EXPECT_NE(inJapanese.err.find(japanese), std::string::npos) << words << "\n" << inJapanese.err;
+    EXPECT_TRUE(said.out.empty()) << words;
+  }
+  EXPECT_TRUE(karinui("settle --json").json().contains("error"));
+}
+
+TEST_F(Command, AnswersInSentencesWithUnits) {
+  ASSERT_EQ(play("piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; top L 0 500; centre L 0 0\"\n"
+                 "piece name=back outline=\"M 0 0; hem L 400 0; side L 400 505; top L 0 505; centre L 0 0\" "
+                 "pose=\"0,0,-0.1 y 180deg\"\nsew a=front.side b=back.centre name=left_side\n")
+                .exit,
+            0);
+  const Said info = karinui("info " + document()), japanese = karinui("info " + document(), "ja_JP.UTF-8");
+  for (const char* part :
+       {"3 operations", "10.0 mm apart",
+        "Piece front (p1): cotton, layer 0; 2000.0 cm2, 1800.0 mm "
+        "round; not draped yet",
+        "  centre  500.0 mm", "left_side  front.side 500.0 mm", "back.centre 505.0 mm", "eased, 1.0 % longer"})
+    EXPECT_NE(info.out.find(part), std::string::npos) << part << "\n" << info.out;
+  for (const char* part : {"パーツ front（p1）", "2000.0 cm2", "未ドレープ", "いせ込み、1.0 % 長い"})
+    EXPECT_NE(japanese.out.find(part), std::string::npos) << part << "\n" << japanese.out;
+  const Said check = karinui("check " + document());
+  for (const char* part : {"Widest gap in a seam", " mm\n", "Stretch, at most", " %\n"})
+    EXPECT_NE(check.out.find(part), std::string::npos) << part << "\n" << check.out;
+  EXPECT_EQ(check.out.find('_'), std::string::npos) << "no raw keys";
+}
+
 TEST_F(Command, MakesAndMeasuresABody) {
   const std::string body = folder / "b.obj";
   const Said made = karinui("body make --size jis9ar -o " + body + " --json");

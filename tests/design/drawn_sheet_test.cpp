@@ -74,6 +74,34 @@ TEST(DrawnSheet, ASmoothClosedLineIsOneEdgeInAFewCurves) {
   EXPECT_NEAR(sheet->outline.area(), std::numbers::pi * 0.04, 0.002);
 }
 
+// On a plane the paper is the drawing itself: the outline follows the drawn line everywhere.
+TEST(DrawnSheet, TheOutlineFollowsTheDrawnLine) {
+  const TriangleMesh mesh = surfaces::plane(80, 1.0);
+  const Bvh bvh(mesh);
+  const DrawingGround ground(mesh, bvh);
+  const auto on = [&](double x, double y) { return surfaces::nearest(bvh, {x, y, 0}); };
+  DrawnLine line;  // a sleeve: a high cap that swings in and out, and a hollow hem
+  line.places = {on(0.2, 0.5), on(0.26, 0.53), on(0.33, 0.68), on(0.45, 0.74), on(0.58, 0.66), on(0.63, 0.54),
+                 on(0.7, 0.5), on(0.64, 0.2),  on(0.55, 0.23), on(0.45, 0.16), on(0.3, 0.2)};
+  line.edges = {"cap", "", "", "", "", "", "back", "hem", "", "", "front"};
+  const auto sheet = drawnSheet(ground, line, {}, Token());
+  ASSERT_TRUE(sheet) << text(sheet.error().what);
+  expectSensible(*sheet);
+  EXPECT_LT(sheet->fitMiss, 0.0005);
+  const Edge& cap = edgeOf(*sheet, "cap");
+  EXPECT_GT(cap.curve.parts().size(), 1u) << "one cubic alone is millimetres off";
+  // The border runs counter-clockwise, the line was drawn clockwise.
+  const Ring ring = sheet->outline.flattened();
+  const Flat carry = edgeOf(*sheet, "back").curve.end - Flat{0.7, 0.5};
+  double worst = 0;
+  for (const auto& [first, last] : {std::pair{0, 6}, std::pair{7, 10}}) {
+    const auto side = drawnSide(ground, std::span(line.places).subspan(first, last - first + 1));
+    ASSERT_TRUE(side);
+    for (const Vec3 p : side->points) worst = std::fmax(worst, distanceToRing(ring, Flat{p.x, p.y} + carry));
+  }
+  EXPECT_LT(worst, 0.0005);
+}
+
 TEST(DrawnSheet, RefusesCrossingTinyAndRoundTheBodyLines) {
   const TriangleMesh mesh = surfaces::cylinder(120, 60, 0.15, 0.8);
   const Bvh bvh(mesh);
@@ -134,6 +162,7 @@ TEST_F(OnAFigure, ABodiceIsSymmetricAndItsSeamsMatch) {
   for (const DrawnSheet* sheet : {&*front, &*back}) {
     expectSensible(*sheet);
     ASSERT_EQ(sheet->outline.edges.size(), 10u);
+    EXPECT_LT(sheet->fitMiss, 0.0005);
     for (const char* name : {"neck", "shoulder", "armhole", "side", "hem"}) {
       const Curve left = edgeOf(*sheet, std::string(name) + "_left").curve;
       const Curve right = edgeOf(*sheet, std::string(name) + "_right").curve;
@@ -171,6 +200,7 @@ TEST_F(OnAFigure, ASleeveIsOneLineSlitAlongTheUnderarm) {
   const auto sheet = drawnSheet(*ground_, line, {}, Token());
   ASSERT_TRUE(sheet) << text(sheet.error().what);
   expectSensible(*sheet);
+  EXPECT_LT(sheet->fitMiss, 0.0005);
   EXPECT_NEAR(edgeOf(*sheet, "front").curve.length() / edgeOf(*sheet, "back").curve.length(), 1, 0.01);
 }
 

@@ -72,11 +72,13 @@ struct Dice {
   Curve curve(Flat from) {
     Flat a, b, c;
     fill(a), fill(b), fill(c);
-    switch (below(3)) {
+    switch (below(4)) {
       case 0:
         return Curve::line(from, a);
       case 1:
         return Curve::cubic(from, a, b, c);
+      case 2:
+        return Curve::joined(std::vector<Curve>{Curve::cubic(from, a, b, c), Curve::cubic(c, b, from, a)});
       default:
         return Curve::arc(from, a, real());
     }

@@ -94,6 +94,12 @@ inline Pattern random(unsigned seed) {
                              a + along * 0.7 + leftOf(along) * uniform(-0.1, 0.1), b);
       else if (engine() % 3 == 1)
         curve = Curve::arc(a, b, uniform(-0.15, 0.15));
+      else if (engine() % 2 == 1) {  // a chain, smooth at its joint
+        const Flat joint = lerp(a, b, 0.4) + leftOf(along) * uniform(-0.06, 0.06);
+        const Curve chain[] = {Curve::cubic(a, lerp(a, joint, 0.4), joint - along * 0.15, joint),
+                               Curve::cubic(joint, joint + along * 0.2, lerp(joint, b, 0.7), b)};
+        curve = Curve::joined(chain);
+      }
       piece.outline.edges.push_back({"side_" + std::to_string(k), curve});
     }
     const Flat hole{0.02, 0.01};

@@ -66,6 +66,13 @@ TEST(Svg, IsTrueToSize) {
   for (const XmlElement& element : *elements)
     square |= element.name == "rect" && *element.find("width") == "100" && *element.find("height") == "100";
   EXPECT_TRUE(square);
+  // White paper under all of it, drawn first.
+  const auto paper =
+      std::find_if(elements->begin(), elements->end(), [](const XmlElement& e) { return e.name == "rect"; });
+  ASSERT_NE(paper, elements->end());
+  EXPECT_EQ(*paper->find("width") + "mm", *root.find("width"));
+  EXPECT_EQ(*paper->find("height") + "mm", *root.find("height"));
+  EXPECT_NE(paper->find("style")->find("fill:#fff"), std::string::npos);
 }
 
 TEST(Svg, HostileNamesAreHarmless) {
@@ -244,13 +251,17 @@ Picture rendered(const std::string& pdf, int page, int dpi, const std::string& c
 
 TEST(Pdf, TheSquareMeasuresAHundredMillimetres) {
   if (std::system("pdftoppm -v >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdftoppm is not installed";
-  for (const PaperKind paper : {PaperKind::OneSheet, PaperKind::A4}) {
+  struct Place {
+    PaperKind paper;
+    int page, top;  // mm from the page's top: a strip that shows both upright sides
+  };
+  // On A4 the overview has the square at the foot of the page, the first tile where the sheet has it.
+  for (const auto& [paper, page, top] :
+       {Place{PaperKind::OneSheet, 1, 70}, Place{PaperKind::A4, 1, 237}, Place{PaperKind::A4, 2, 80}}) {
     const auto pdf = writePdf(test::random(5), paper);
     ASSERT_TRUE(pdf);
-    // 2540 dpi: a hundred pixels a millimetre. A strip at 60 mm from the top, 200 mm wide, shows both upright sides.
-    const double top = paper == PaperKind::A4 ? 80 : 70;
-    const Picture strip =
-        rendered(*pdf, 1, 2540, "-x 0 -y " + std::to_string(static_cast<int>(top * 100)) + " -W 20000 -H 1");
+    // 2540 dpi: a hundred pixels a millimetre.
+    const Picture strip = rendered(*pdf, page, 2540, "-x 0 -y " + std::to_string(top * 100) + " -W 20000 -H 1");
     ASSERT_GE(strip.grey.size(), 14000u);
     std::vector<double> lines;
     for (std::size_t i = 1; i < 14500; ++i) {

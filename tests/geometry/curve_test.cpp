@@ -55,6 +55,43 @@ TEST(Curve, partsReversesMirrorsAndChords) {
   }
 }
 
+// Three curves of any kind, joined: measured against the three.
+TEST(Curve, aChainIsItsParts) {
+  std::mt19937 random(2);
+  for (int k = 0; k < 100; ++k) {
+    std::vector<Curve> three{randomCurve(random), randomCurve(random), randomCurve(random)};
+    for (std::size_t i = 1; i < 3; ++i) three[i].start = three[i - 1].end;
+    const Curve chain = Curve::joined(three);
+    double whole = 0;
+    for (const Curve& curve : three) {
+      EXPECT_NEAR(distance(chain.at(chain.parameterAt(whole + 0.3 * curve.length())), curve.atFraction(0.3)), 0, 2e-6);
+      whole += curve.length();
+    }
+    EXPECT_NEAR(chain.length(), whole, 2e-6);
+    EXPECT_EQ(chain.start, three.front().start);
+    EXPECT_EQ(chain.end, three.back().end);
+    EXPECT_EQ(Curve::joined(chain.parts()), chain);
+    EXPECT_EQ(chain.reversed().reversed(), chain);
+    EXPECT_LT(distance(chain.reversed().atFraction(0.2), chain.atFraction(0.8)), 1e-9);
+    const Curve mirror = chain.mirrored({0.2, 0.1}, {0.6, 0.8});
+    EXPECT_LT(distance(mirror.mirrored({0.2, 0.1}, {0.6, 0.8}).at(0.6), chain.at(0.6)), 1e-12);
+    EXPECT_NEAR(chain.part(0, 0.4).length() + chain.part(0.4, 1).length(), chain.length(), 1e-9);
+    const double from = chain.lengthTo(0.2), to = chain.lengthTo(0.7);
+    const Curve part = chain.part(0.2, 0.7);
+    EXPECT_NEAR(part.length(), to - from, 1e-9);
+    EXPECT_LT(distance(part.atFraction(0.5), chain.at(chain.parameterAt((from + to) / 2))), 1e-8);
+    EXPECT_NEAR(chain.lengthTo(chain.parameterAt(0.3 * whole)), 0.3 * whole, 1e-9);
+    const double t = 0.31, h = 1e-7;
+    EXPECT_LT(length((chain.at(t + h) - chain.at(t - h)) * (0.5 / h) - chain.tangent(t)), 1e-5);
+    const auto chords = chain.flattened(1e-4);
+    const double step = 1.0 / static_cast<double>(chords.size() - 1);
+    for (std::size_t n = 0; n < chords.size(); ++n)
+      EXPECT_LT(distance(chords[n], chain.at(static_cast<double>(n) * step)), 1e-12);
+    for (std::size_t n = 0; n + 1 < chords.size(); ++n)
+      EXPECT_LE(distanceToSegment(chords[n], chords[n + 1], chain.at((static_cast<double>(n) + 0.5) * step)), 1.001e-4);
+  }
+}
+
 TEST(Triangulate, fillsRandomPolygonsExactly) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(0, 1);

@@ -152,7 +152,7 @@ TEST(Cut, endsSnapAndSeamsFollow) {
 TEST(Edit, mirroringTwiceIsTheSame) {
   std::mt19937 random(2);
   const Piece piece = pieceOf(1, randomOutline(random, 0.3));
-  const Piece once = mirrored(piece, {0.1, 0}, {0, 1}), twice = mirrored(once, {0.1, 0}, {0, 1});
+  const Piece once = mirrored(piece), twice = mirrored(once);
   EXPECT_NEAR(once.outline.area(), piece.outline.area(), 1e-12);
   for (std::size_t k = 0; k < piece.outline.edges.size(); ++k) {
     EXPECT_EQ(piece.outline.edges[k].name, twice.outline.edges[k].name);

@@ -132,6 +132,9 @@ TEST(Seam, easeAndDirection) {
   const std::vector<Vec3> up{{0, 0, 0}, {0, 1, 0}}, near{{0.1, 0, 0}, {0.1, 1, 0}}, down{{0.1, 1, 0}, {0.1, 0, 0}};
   EXPECT_FALSE(facesReversed(up, near));
   EXPECT_TRUE(facesReversed(up, down));
+  // Where the places do not tell, facing outlines run against each other.
+  const std::vector<Vec3> across{{-0.1, 0.5, 0}, {0.1, 0.5, 0}};
+  EXPECT_TRUE(facesReversed(up, across));
 }
 
 }  // namespace

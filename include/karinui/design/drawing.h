@@ -25,9 +25,11 @@ struct ReshapePull {
   Vec3 by;  // metres in space
 };
 // The reshape operation for pulls on a piece as it stands: the pulled shape, cloth within `within` coming along, is
-// laid flat again and its outline cleaned. Edges keep their names; those whose points hardly moved stay exactly as they
-// are, straight ones straight. The operation holds the new outline. No pull gives the old outline.
+// laid flat again. Edges keep their names; what the pulls did not reach stays exactly as it is. A straight edge stays
+// straight unless it is pulled between its ends; what is cut anew meets its neighbours at the old angle. `symmetric`: a
+// piece whose halves mirror each other is pulled on both (Auto: if it is such a piece); the operation holds all pulls
+// and the new outline. No pull gives the old outline.
 Result<ReshapePiece> reshaped(const Document& document, PieceId piece, std::span<const ReshapePull> pulls,
-                              Length within, const Token& token);
+                              Length within, Choice symmetric, const Token& token);
 
 }  // namespace karinui

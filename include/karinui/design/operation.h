@@ -173,6 +173,7 @@ struct ReshapePiece {
   std::vector<Flat> at;
   std::vector<Vec3> by;
   Length within{0.12};
+  Choice symmetric = Choice::Auto;
   Outline outline;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -180,6 +181,8 @@ struct ReshapePiece {
     visit("at", self.at, "the places that are pulled, on its paper", kOptional);
     visit("by", self.by, "how far each is pulled in space (x,y,z)", kOptional);
     visit("within", self.within, "how far round a pulled place the cloth comes along", kOptional);
+    visit("symmetric", self.symmetric,
+          "a symmetric piece is pulled on both halves: auto, yes, no (auto: if it is symmetric)", kOptional);
     visit("outline", self.outline, "the new outline; found from at and by if it is not given", kOptional);
   }
   bool operator==(const ReshapePiece&) const = default;

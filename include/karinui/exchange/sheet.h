@@ -27,7 +27,7 @@ Result<Pattern> readSvg(std::string_view svg);
 
 enum class PaperKind {
   OneSheet,  // one page as large as the sheet, for a plotter or a print shop
-  A4,        // sheets to be glued, numbered by row letter and column number; empty sheets are left out
+  A4,        // an overview, then pages to be glued, named by row letter and column number; empty ones are left out
 };
 // A PDF at true size that asks viewers not to scale it; no author and no date. Text is embedded in a font that has its
 // characters, if the machine has one.

@@ -1,5 +1,6 @@
 #pragma once
-// Clean edges from measured points: a straight line where the points are straight enough, else few smooth cubics.
+// Clean edges from measured points: a straight line where the points are straight enough, else a smooth chain of few
+// cubics.
 // Metres on paper. Pure; any thread.
 #include <optional>
 #include <span>
@@ -10,10 +11,10 @@
 namespace karinui {
 
 struct FitSettings {
-  double straight = 0.001;    // points nearer than this to the chord make a straight line
+  double straight = 0.0005;   // points nearer than this to the chord make a straight line
   double tolerance = 0.0003;  // how far cubics may pass from the points
-  double single = 0.001;      // one cubic alone is preferred to a chain while it passes this near
-  int pieces = 0;             // > 0: exactly this many cubics, however near they pass (a line stays a line)
+  double shortest = 0;  // metres of points each cubic has at least, however near it passes: keeps it from rippling
+  int pieces = 1;       // how many curves of equal length, each a chain of its own (a line stays a line)
 };
 
 struct Fitted {

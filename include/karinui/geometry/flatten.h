@@ -61,7 +61,7 @@ Result<Flattened> flattenFrom(std::span<const Flat> guess, const TriangleMesh& s
 Result<std::vector<Flat>> unfold(const TriangleMesh& sheet, std::span<const std::uint32_t> border, const Token& token);
 
 // After a sheet's points moved in space from `before` to `after`: where its paper points go when the cloth's strain in
-// space stays what it was. Nothing moved gives exactly the old places.
+// space stays what it was. Points that did not move at all stay exactly where they are.
 Result<std::vector<Flat>> reflatten(std::span<const Flat> flat, std::span<const Triangle> faces,
                                     std::span<const Vec3> before, std::span<const Vec3> after, const Token& token);
 

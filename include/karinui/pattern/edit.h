@@ -49,12 +49,16 @@ Result<Piece> moveCorner(const Piece& piece, std::string_view edge, Flat to);
 // Another outline for a piece; it must name the same edges in the same order (round the curve), so that all seams hold.
 Result<Piece> reshaped(const Piece& piece, Outline outline);
 
-// The piece mirrored in a line of the paper: edge names stay, each edge runs the other way so that the outline is again
-// counter-clockwise. Forms and poses are dropped: the copy lies flat.
-Piece mirrored(const Piece& piece, Flat through, Flat unitAxis);
+// The symmetric copy of a piece (body's left <-> right, x -> -x): paper mirrored in u, form and pose mirrored, left and
+// right exchanged in edge names; each edge runs the other way, so that the outline is again counter-clockwise. Id and
+// name are left empty.
+Piece mirrored(const Piece& piece);
+// "left" <-> "right", "_l" <-> "_r" in a name; unchanged if there is neither.
+std::string otherSide(const std::string& name);
 
 // Seam::reversed so that the seam is not crossed: places of both sides in space, as many on each, evenly spread from
-// start to end in the outlines' own direction. Reversed when both ways are as far.
+// start to end in the outlines' own direction. Two outlines that face each other run against each other: that is
+// chosen where the places do not tell clearly.
 bool facesReversed(std::span<const Vec3> a, std::span<const Vec3> b);
 
 }  // namespace karinui

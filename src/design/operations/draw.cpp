@@ -187,7 +187,7 @@ Result<Document> perform(const Document& before, const DrawPiece& draw, Context&
   piece.id = mint<PieceId>(before, 0);
   std::optional<Piece> copy;
   if (draw.mirror) {
-    copy = mirroredPiece(piece);
+    copy = mirrored(piece);
     copy->id = mint<PieceId>(before, 1);
     copy->mirrorOf = piece.id;
     copy->name = otherSide(piece.name);

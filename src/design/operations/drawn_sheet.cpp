@@ -12,14 +12,15 @@ namespace karinui {
 namespace {
 
 constexpr double kSmallest = 4e-4;  // m2: less is no piece of cloth
-constexpr double kLevel = 0.35;     // radians: an edge that meets the centre this nearly level runs on smoothly there
+constexpr double kLevel = 0.2;      // radians: an edge that meets the centre this nearly level runs on smoothly there
 
-// How many cubics an edge gets depends on how it was drawn, not on how it came out: on any figure the same edges have
-// the same names, and seams find them. One for an edge between two or through up to four places, then one for each two
-// more.
+// How many edges a line between two corners becomes depends on how it was drawn, not on how it came out: on any figure
+// the same edges have the same names, and seams find them. One for a line between two or through up to four places,
+// then one for each two more. Each is a chain of as many cubics as its shape needs.
 FitSettings fitFor(int curves) {
   FitSettings fit;
   fit.pieces = curves;
+  fit.tolerance = 0.0002;
   return fit;
 }
 int curvesFor(std::size_t places, bool ring) { return std::clamp(static_cast<int>(places - 1) / 2, ring ? 3 : 1, 8); }
@@ -27,7 +28,7 @@ int curvesFor(std::size_t places, bool ring) { return std::clamp(static_cast<int
 struct Sides {
   std::vector<SurfacePath> paths;
   std::vector<std::string> names;  // the centre line of a half has none
-  std::vector<int> curves;         // how many its edge is made of
+  std::vector<int> curves;         // how many edges each becomes
 };
 
 Result<Sides> sidesOf(const DrawingGround& ground, DrawnLine line) {
@@ -125,16 +126,9 @@ Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const
     addEdges(other, name + (leftHalf ? "_right" : "_left"), fit.curves);
     there.edges.insert(there.edges.end(), other.edges.begin(), other.edges.end());
   }
-  const auto mirror = [](Flat p) { return Flat{p.u == 0 ? 0.0 : -p.u, p.v}; };
   for (std::size_t k = there.edges.size(); k-- > 0;) {
-    Edge edge = there.edges[k];
-    const Curve c = edge.curve;
-    edge.curve = c;
-    edge.curve.start = mirror(c.end);
-    edge.curve.end = mirror(c.start);
-    edge.curve.control1 = mirror(c.control2);
-    edge.curve.control2 = mirror(c.control1);
-    here.edges.push_back(std::move(edge));
+    const Edge& edge = there.edges[k];
+    here.edges.push_back({edge.name, edge.curve.mirrored({0, 0}, {0, 1}).reversed()});
   }
   return here;
 }

@@ -6,6 +6,7 @@
 // are minted with mint<PieceId>(before, nth).
 #include "karinui/design/apply.h"
 #include "karinui/design/drape.h"
+#include "karinui/pattern/edit.h"
 
 namespace karinui {
 
@@ -55,11 +56,6 @@ Document withPiece(Document document, Piece piece);
 Done checkFabricName(const Document& document, const std::string& name);
 // The name a new piece gets: as asked, if it is good and free.
 Done checkNewName(const Document& document, const std::string& name);
-// The symmetric copy of a piece (body's left <-> right, x -> -x): paper mirrored in u, form and pose mirrored, left and
-// right exchanged in edge names. Id and name are left empty.
-Piece mirroredPiece(const Piece& piece);
-// "left" <-> "right", "_l" <-> "_r" in a name; unchanged if there is neither.
-std::string otherSide(const std::string& name);
 // The document after a drape: new forms, poses at rest, the report kept, the pieces no longer dirty.
 Document adopted(Document document, const DrapeOutcome& outcome);
 

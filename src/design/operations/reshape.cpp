@@ -3,17 +3,14 @@
 #include <map>
 
 #include "design/operations/operations.h"
+#include "design/operations/paper_symmetry.h"
+#include "design/operations/recut_outline.h"
 #include "karinui/base/number.h"
 #include "karinui/design/drawing.h"
-#include "karinui/geometry/fit_curve.h"
 #include "karinui/pattern/lattice.h"
 
 namespace karinui {
 namespace {
-
-constexpr double kStill = 0.0005;    // metres: outline points that move less did not move
-constexpr double kStraight = 0.002;  // a straight edge stays straight while it bows less
-constexpr double kSample = 0.005;    // metres between the points an edge is measured at
 
 // The shape a piece holds; a piece that was never given one lies flat.
 Result<std::shared_ptr<const Form>> shapeOf(const Document& document, const Piece& piece) {
@@ -66,35 +63,51 @@ class Shift {
   LatticeFinder finder_;
 };
 
-Outline movedOutline(const Outline& old, const Shift& shift) {
-  const auto cornerShift = [&](Flat corner) {
-    const Flat by = shift(corner);
-    return length(by) < kStill ? Flat{} : by;
-  };
-  Outline outline = old;
-  for (Edge& edge : outline.edges) {
-    const Curve was = edge.curve;
-    const auto steps = static_cast<int>(std::clamp(std::ceil(was.length() / kSample), 4.0, 400.0));
-    const Flat startBy = cornerShift(was.start), endBy = cornerShift(was.end);
-    std::vector<Flat> points;
-    double most = 0;
-    for (int i = 0; i <= steps; ++i) {
-      const Flat p = i == 0 ? was.start : i == steps ? was.end : was.atFraction(static_cast<double>(i) / steps);
-      const Flat by = i == 0 ? startBy : i == steps ? endBy : shift(p);
-      most = std::fmax(most, length(by));
-      points.push_back(p + by);
-    }
-    if (most < kStill) continue;
-    FitSettings one;  // an edge stays one curve: seams know it by its name
-    one.straight = was.kind == Curve::Kind::Line ? kStraight : 1e-5;
-    one.single = 1e9;
-    edge.curve = fitEdge(points, one).curves.front();
-  }
-  return outline;
+// The paper's directions and the way out of the cloth, in space, at a paper place.
+struct Frame {
+  Vec3 u, v, out;
+};
+Frame frameAt(const Form& form, const LatticeFinder& finder, Flat place) {
+  const Triangle t = finder.find(place).face;
+  const Flat p = form.flat[t[1]] - form.flat[t[0]], q = form.flat[t[2]] - form.flat[t[0]];
+  const Vec3 a = form.space[t[1]] - form.space[t[0]], b = form.space[t[2]] - form.space[t[0]];
+  const double turn = cross(p, q);
+  if (!(turn > 0)) return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  return {(a * q.v - b * p.v) * (1 / turn), (b * p.u - a * q.u) * (1 / turn), normalized(cross(a, b))};
 }
 
-// A piece cut anew: the shape's paper places follow the outline, its places in space stay.
-Piece recut(Piece piece, const Outline& outline) {
+// With a pull on one half of a symmetric piece comes the same pull on the other half: as far along the mirrored ways of
+// the paper, as far out of the cloth.
+std::vector<ReshapePull> onBothHalves(const Form& form, const Rigid& pose, const PaperSymmetry& symmetry,
+                                      std::span<const ReshapePull> pulls) {
+  constexpr double kOne = 0.001;  // metres: pulls nearer than this are each other's image already
+  const LatticeFinder finder(form.flat, form.faces);
+  const Rigid back{pose.w, -pose.x, -pose.y, -pose.z, {}};
+  std::vector<ReshapePull> all(pulls.begin(), pulls.end());
+  for (const ReshapePull& pull : pulls) {
+    const Flat there = symmetry.image(pull.at);
+    const bool onAxis = distance(there, pull.at) < kOne;  // then it is its own image, less what goes sideways
+    const auto taken = [&](const ReshapePull& other) { return &other != &pull && distance(other.at, there) < kOne; };
+    if (std::any_of(pulls.begin(), pulls.end(), taken)) continue;
+    const Frame here = frameAt(form, finder, pull.at), image = frameAt(form, finder, there);
+    const Vec3 by = back.turned(pull.by);
+    const double uu = dot(here.u, here.u), uv = dot(here.u, here.v), vv = dot(here.v, here.v);
+    const double bu = dot(by, here.u), bv = dot(by, here.v), whole = uu * vv - uv * uv;
+    const Flat along = whole > 0 ? Flat{(bu * vv - bv * uv) / whole, (bv * uu - bu * uv) / whole} : Flat{};
+    const Flat mirrored = symmetry.imageOf(along);
+    const Vec3 other = pose.turned(image.u * mirrored.u + image.v * mirrored.v + image.out * dot(by, here.out));
+    if (onAxis)
+      all[static_cast<std::size_t>(&pull - pulls.data())].by =
+          distance(other, pull.by) < 1e-9 ? pull.by : (pull.by + other) * 0.5;
+    else
+      all.push_back({there, other});
+  }
+  return all;
+}
+
+// A piece cut anew: the shape's paper places follow the outline (those further than `within` from all places pulled
+// stay), its places in space stay. Notches keep to their cloth.
+Piece recut(Piece piece, const Outline& outline, std::span<const Flat> pulled, double within) {
   if (piece.form) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
     for (const Triangle& t : piece.form->faces)
@@ -112,15 +125,20 @@ Piece recut(Piece piece, const Outline& outline) {
       KARINUI_ASSERT(now);
       const Curve &was = edge.curve, &is = outline.edges[*now].curve;
       const auto steps = static_cast<int>(std::clamp(std::ceil(was.length() / 0.002), 4.0, 1000.0));
+      const FollowEdge follow(was, is);
       for (int i = 0; i < steps; ++i) {
         const double f = static_cast<double>(i) / steps;
         const Flat p = was.atFraction(f);
-        samples.push_back({p, was == is ? Flat{} : is.atFraction(f) - p});
+        samples.push_back({p, was == is ? Flat{} : is.atFraction(follow(f)) - p});
       }
     }
     std::vector<Carried> held;
     for (std::uint32_t p = 0; p < rim.size(); ++p) {
-      if (!rim[p]) continue;
+      if (!rim[p]) {
+        const auto reached = [&](Flat at) { return distance(at, piece.form->flat[p]) < within; };
+        if (!pulled.empty() && std::none_of(pulled.begin(), pulled.end(), reached)) held.push_back({p, {}});
+        continue;
+      }
       const auto nearest = std::min_element(samples.begin(), samples.end(), [&](const Sample& a, const Sample& b) {
         return distance(a.old, piece.form->flat[p]) < distance(b.old, piece.form->flat[p]);
       });
@@ -130,17 +148,28 @@ Piece recut(Piece piece, const Outline& outline) {
     form->flat = carryAlong(form->flat, form->faces, held);
     piece.form = std::move(form);
   }
+  for (Mark& mark : piece.marks)
+    if (const auto k = piece.outline.find(mark.edge)) {
+      const Curve &was = piece.outline.edges[*k].curve, &is = outline.edges[*outline.find(mark.edge)].curve;
+      if (was != is) mark.fraction = FollowEdge(was, is)(mark.fraction);
+    }
   piece.outline = outline;
   return piece;
 }
 
-Done sameEdges(const Outline& old, const Outline& now) {
-  for (const Edge& edge : old.edges)
-    if (!now.find(edge.name))
-      return refused(say("The new outline has no edge {0}; reshaping keeps every edge.", edge.name));
-  if (old.edges.size() != now.edges.size())
-    return refused(say("The new outline has more edges than the piece; reshaping keeps the edges as they are."));
-  return {};
+// Seams over a part of an edge stay on the cloth they were on.
+void followSeams(Pattern& pattern, const Piece& old, const Outline& now) {
+  for (auto& [id, seam] : pattern.seams)
+    for (auto* side : {&seam.a, &seam.b})
+      for (EdgeSpan& span : *side) {
+        const auto k = old.outline.find(span.edge);
+        if (span.piece != old.id || !k || (span.from == 0 && span.to == 1)) continue;
+        const Curve &was = old.outline.edges[*k].curve, &is = now.edges[*now.find(span.edge)].curve;
+        if (was == is) continue;
+        const FollowEdge follow(was, is);
+        if (span.from > 0) span.from = follow(span.from);
+        if (span.to < 1) span.to = follow(span.to);
+      }
 }
 
 Done checkPulls(const std::vector<Flat>& at, const std::vector<Vec3>& by, double within) {
@@ -162,24 +191,36 @@ std::vector<ReshapePull> pullsOf(const ReshapePiece& reshape) {
 
 }  // namespace
 
-Result<ReshapePiece> reshaped(const Document& document, PieceId id, std::span<const ReshapePull> pulls, Length within,
-                              const Token& token) {
+Result<ReshapePiece> reshaped(const Document& document, PieceId id, std::span<const ReshapePull> given, Length within,
+                              Choice symmetric, const Token& token) {
   const Piece* piece = document.find(id);
   if (!piece) return notFound(say("There is no piece to reshape."));
   ReshapePiece reshape;
   reshape.piece = id;
   reshape.within = within;
-  for (const ReshapePull& pull : pulls) {
-    reshape.at.push_back(pull.at);
-    reshape.by.push_back(pull.by);
-  }
+  std::vector<ReshapePull> pulls(given.begin(), given.end());
+  const auto keep = [&] {
+    reshape.at.clear(), reshape.by.clear();
+    for (const ReshapePull& pull : pulls) reshape.at.push_back(pull.at), reshape.by.push_back(pull.by);
+  };
+  keep();
   if (auto fine = checkPulls(reshape.at, reshape.by, within); !fine) return fine.error();
   const auto shape = shapeOf(document, *piece);
   if (!shape) return shape.error();
   const Form& form = **shape;
+  const auto symmetry = symmetric == Choice::No ? std::nullopt : symmetryOf(piece->outline);
+  if (symmetric == Choice::Yes && !symmetry)
+    return refused(say("Piece {0} is not symmetric; leave symmetric= away.", piece->name));
+  if (symmetry) {
+    pulls = onBothHalves(form, piece->pose, *symmetry, pulls);
+    keep();
+  }
+  reshape.symmetric = symmetry ? Choice::Yes : Choice::No;
   const auto flat = reflatten(form.flat, form.faces, form.space, pulledShape(form, piece->pose, pulls, within), token);
   if (!flat) return flat.error();
-  auto outline = checked(movedOutline(piece->outline, Shift(form, *flat)));
+  Outline recut = recutOutline(piece->outline, Shift(form, *flat));
+  if (symmetry && recut != piece->outline) recut = symmetrised(std::move(recut), *symmetry);
+  auto outline = checked(std::move(recut));
   if (!outline) return outline.error();
   reshape.outline = std::move(*outline);
   return reshape;
@@ -190,37 +231,39 @@ Done resolve(const Document& before, ReshapePiece& reshape, Context& context) {
   if (auto fine = checkPulls(reshape.at, reshape.by, reshape.within); !fine) return fine;
   if (!reshape.outline.edges.empty()) return {};
   if (reshape.at.empty()) return refused(say("Say which places are pulled and how far, or give the new outline."));
-  auto made = reshaped(before, reshape.piece.id, pullsOf(reshape), reshape.within, context.token);
+  auto made = reshaped(before, reshape.piece.id, pullsOf(reshape), reshape.within, reshape.symmetric, context.token);
   if (!made) return made.error();
-  reshape.outline = std::move(made->outline);
+  reshape = std::move(*made);
   return {};
 }
 
 Result<Document> perform(const Document& before, const ReshapePiece& reshape, Context&) {
   const Piece* old = before.find(reshape.piece.id);
   if (!old) return notFound(say("There is no piece to reshape."));
-  const auto outline = checked(reshape.outline);
-  if (!outline) return outline.error();
-  if (auto fine = sameEdges(old->outline, *outline); !fine) return fine.error();
+  const auto cut = reshaped(*old, reshape.outline);
+  if (!cut) return cut.error();
   Piece piece = *old;
   if (piece.form && !reshape.at.empty()) {  // it stands as it was pulled
     auto form = std::make_shared<Form>(*piece.form);
     form->space = pulledShape(*form, piece.pose, pullsOf(reshape), reshape.within);
     piece.form = std::move(form);
   }
-  piece = recut(std::move(piece), *outline);
+  piece = recut(std::move(piece), cut->outline, reshape.at, reshape.within);
+  Document after = before;
+  followSeams(after.pattern, *old, cut->outline);
 
   // The symmetric copy (or the piece this is the copy of) follows.
-  std::vector<Piece> followers;
-  const Outline mirrored = mirroredPiece(piece).outline;
+  std::vector<Flat> mirroredAt;
+  for (const Flat at : reshape.at) mirroredAt.push_back({-at.u, at.v});
+  const Outline image = mirrored(piece).outline;
   for (const auto& [id, other] : before.pattern.pieces) {
     if (id == piece.id || (other->mirrorOf != piece.id && piece.mirrorOf != id)) continue;
-    if (auto fine = sameEdges(other->outline, mirrored); !fine) continue;  // it went its own way since
-    followers.push_back(recut(*other, mirrored));
+    const auto likewise = reshaped(*other, image);
+    if (!likewise) continue;  // it went its own way since
+    followSeams(after.pattern, *other, likewise->outline);
+    after = withPiece(std::move(after), recut(*other, likewise->outline, mirroredAt, reshape.within));
   }
-  Document after = withPiece(before, std::move(piece));
-  for (Piece& follower : followers) after = withPiece(std::move(after), std::move(follower));
-  return after;
+  return withPiece(std::move(after), std::move(piece));
 }
 
 }  // namespace karinui

@@ -24,7 +24,8 @@ std::vector<EdgeSpan> spans(const std::vector<EdgeRef>& refs) {
   return side;
 }
 
-// Places in space along a side, evenly by length, about their own middle.
+// Places in space along a side, evenly by length, about their own middle: so a piece that still hangs apart is judged
+// by its shape.
 std::vector<Vec3> stood(const Document& document, const std::vector<EdgeSpan>& side) {
   const double whole = length(document.pattern, side);
   std::vector<Vec3> places;
@@ -46,19 +47,6 @@ std::vector<Vec3> stood(const Document& document, const std::vector<EdgeSpan>& s
   for (const Vec3 p : places) middle += p * (1.0 / static_cast<double>(places.size()));
   for (Vec3& p : places) p = p - middle;
   return places;
-}
-
-// Which way round the sides meet without crossing, as they lie in space (each about its own middle, so a piece that
-// still hangs apart is judged by its shape). Outlines both run counter-clockwise, so facing edges run against each
-// other: that is chosen where the shapes do not tell.
-bool meetReversed(const Document& document, const std::vector<EdgeSpan>& a, const std::vector<EdgeSpan>& b) {
-  const auto left = stood(document, a), right = stood(document, b);
-  double same = 0, reversed = 0;
-  for (std::size_t i = 0; i < left.size() && i < right.size(); ++i) {
-    same += squaredLength(left[i] - right[i]);
-    reversed += squaredLength(left[i] - right[right.size() - 1 - i]);
-  }
-  return !(same < 0.9 * reversed);
 }
 
 }  // namespace
@@ -99,7 +87,8 @@ Done resolve(const Document& before, SewEdges& op, Context&) {
     return refused(say("One side of this seam is {0} times as long as the other; that much cannot be gathered.",
                        written(std::round(ratio * 10) / 10)));
   }
-  if (op.reversed == Choice::Auto) op.reversed = meetReversed(before, a, b) ? Choice::Yes : Choice::No;
+  if (op.reversed == Choice::Auto)
+    op.reversed = facesReversed(stood(before, a), stood(before, b)) ? Choice::Yes : Choice::No;
   if (op.tie == SewEdges::Tie::Auto) {
     op.tie = ratio >= kTwoToOneFrom ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
   }

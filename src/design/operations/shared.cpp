@@ -1,6 +1,5 @@
 // What several operations need.
 #include <algorithm>
-#include <array>
 
 #include "design/operations/operations.h"
 
@@ -111,22 +110,6 @@ Document adopted(Document document, const DrapeOutcome& outcome) {
   document.drape.last = outcome.report;
   document.drape.force = outcome.force;
   return document;
-}
-
-std::string otherSide(const std::string& name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kWords{
-      {{"left", "right"}, {"Left", "Right"}}};
-  for (const auto& [left, right] : kWords) {
-    if (const auto at = name.find(left); at != std::string::npos)
-      return std::string(name).replace(at, left.size(), right);
-    if (const auto at = name.find(right); at != std::string::npos)
-      return std::string(name).replace(at, right.size(), left);
-  }
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kEnds{
-      {{"_l", "_r"}, {"_r", "_l"}, {"_L", "_R"}, {"_R", "_L"}}};
-  for (const auto& [end, other] : kEnds)
-    if (name.ends_with(end)) return name.substr(0, name.size() - end.size()) + std::string(other);
-  return name;
 }
 
 }  // namespace karinui

@@ -23,8 +23,11 @@ std::string curveText(const Curve& curve) {
   switch (curve.kind) {
     case Curve::Kind::Line:
       return joined({"L ", end});
-    case Curve::Kind::Cubic:
-      return joined({"C ", placeText(curve.control1), " ", placeText(curve.control2), " ", end});
+    case Curve::Kind::Cubic: {
+      std::string all = joined({"C ", placeText(curve.control1), " "});
+      for (const Flat place : curve.between) all += joined({placeText(place), " "});
+      return all + joined({placeText(curve.control2), " ", end});
+    }
     case Curve::Kind::Arc:
       return joined({"A ", shortest(curve.bulge), " ", end});
   }
@@ -81,6 +84,11 @@ class Words {
     } else if (command == "C") {
       const Flat c1 = place(), c2 = place();
       made = Curve::cubic(pen, c1, c2, place());
+      while (good_ && !done() && parseMillimetres(words_[at_])) {  // a chain goes on
+        made.between.insert(made.between.end(), {made.control2, made.end, place()});
+        made.control2 = place();
+        made.end = place();
+      }
     } else if (command == "A") {
       const double bulge = number();
       made = Curve::arc(pen, place(), bulge);
@@ -122,7 +130,7 @@ Done readValue(std::string_view text, Outline& outline) {
     }
     if (!words.good() || !words.done()) {
       return badInput(
-          say("“{0}” is not an edge of an outline; write “name L u v”, “name C u v u v u v” or “name A bulge u v” "
+          say("“{0}” is not an edge of an outline; write “name L u v”, “name C u v u v u v …” or “name A bulge u v” "
               "in millimetres.",
               item));
     }

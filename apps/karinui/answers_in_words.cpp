@@ -1,0 +1,148 @@
+#include "answers_in_words.h"
+
+#include <algorithm>
+
+#include "karinui/base/number.h"
+
+namespace karinui::app {
+
+namespace {
+
+std::string mm(double metres) { return fixed(metres * 1000, 1) + " mm"; }
+std::string percent(double share) { return fixed(share * 100, 1) + " %"; }
+std::string seconds(double s) { return fixed(s, 1) + " s"; }
+
+// Columns on a screen: letters of Chinese and Japanese take two.
+std::size_t columns(const std::string& words) {
+  std::size_t wide = 0;
+  for (const char c : words) {
+    const auto byte = static_cast<unsigned char>(c);
+    wide += byte < 0x80 ? 1 : byte >= 0xE3 ? 2 : byte >= 0xC0 ? 1 : 0;
+  }
+  return wide;
+}
+
+// Rows of words, their columns aligned; the last column is not padded.
+class Table {
+ public:
+  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  std::string words(std::size_t indent) const {
+    std::vector<std::size_t> wide;
+    for (const auto& cells : rows_)
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (i == wide.size()) wide.push_back(0);
+        wide[i] = std::max(wide[i], columns(cells[i]));
+      }
+    std::string all;
+    for (const auto& cells : rows_) {
+      all += std::string(indent, ' ');
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        all += cells[i] + (i + 1 == cells.size() ? "\n" : std::string(wide[i] - columns(cells[i]) + 2, ' '));
+    }
+    return all;
+  }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string sideWords(const Document& document, const std::vector<EdgeSpan>& side) {
+  std::string all;
+  for (const EdgeSpan& span : side) {
+    all += (all.empty() ? "" : " + ") + document.find(span.piece)->name + "." + span.edge;
+    if (span.from != 0 || span.to != 1) all += "@" + fixed(span.from, 3) + ":" + fixed(span.to, 3);
+  }
+  return all + " " + mm(length(document.pattern, side));
+}
+
+std::string yesOrNo(bool yes, const Console& console) { return console.said(yes ? say("yes") : say("no")); }
+
+}  // namespace
+
+std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console) {
+  Table table;
+  for (const auto& [key, metres] : measured.value) table.row({key, mm(metres)});
+  Table surface;
+  surface.row({console.said(say("Triangles")), std::to_string(mesh.triangles)});
+  surface.row({console.said(say("Closed")), yesOrNo(mesh.closed(), console)});
+  surface.row({console.said(say("Crosses itself")), console.said(say("at {0} places", mesh.selfCrossings))});
+  surface.row({console.said(say("Separate parts")), std::to_string(mesh.shells)});
+  if (mesh.openEdges > 0) surface.row({console.said(say("Open edges")), std::to_string(mesh.openEdges)});
+  if (mesh.nonManifoldEdges > 0)
+    surface.row({console.said(say("Edges of more than two triangles")), std::to_string(mesh.nonManifoldEdges)});
+  return console.said(say("Measured with the tape:")) + "\n" + table.words(2) + console.said(say("The surface:")) +
+         "\n" + surface.words(2);
+}
+
+std::string checkWords(const ClothCheck& check, const Console& console) {
+  Table table;
+  const auto row = [&](const Message& what, const std::string& value) { table.row({console.said(what), value}); };
+  if (!check.finite) row(say("Broken: some places of the cloth are no numbers"), "");
+  row(say("Deepest inside the body"), mm(check.penetration));
+  row(say("Cloth through the body"), console.said(say("at {0} places", check.clothBodyCrossings)));
+  row(say("Cloth through cloth"), console.said(say("at {0} places", check.clothClothCrossings)));
+  row(say("Widest gap in a seam"), mm(check.seamGap));
+  row(say("Stretch, on average"), percent(check.strain.mean));
+  row(say("Stretch, 99 of 100 threads below"), percent(check.strain.p99));
+  row(say("Stretch, at most"), percent(check.strain.max));
+  row(say("Points of cloth"), std::to_string(check.vertices));
+  return console.said(say("The cloth as it stands:")) + "\n" + table.words(2);
+}
+
+std::string settleWords(const SettleReport& report, const ClothCheck& check, bool kept, const Console& console) {
+  std::string words = console.said(!report.settled ? say("The cloth did not come to rest: {0}", report.why)
+                                   : kept          ? say("The garment was at rest already; --again drapes it anew.")
+                                                   : say("The garment is at rest.")) +
+                      "\n";
+  Table table;
+  table.row({console.said(say("Draping took")),
+             console.said(say("{0} ({1} of processor time, {2} steps)", seconds(report.wallSeconds),
+                              seconds(report.cpuSeconds), report.steps))});
+  table.row({console.said(say("Memory")), fixed(report.peakMegabytes, 0) + " MB"});
+  if (report.merged)
+    table.row({console.said(say("The body as planes")),
+               console.said(say("{0} planes of {1} triangles, {2} of {3} tests saved", report.merged->planesAfter,
+                                report.merged->facesBefore, report.merged->testsSaved,
+                                report.merged->testsDone + report.merged->testsSaved))});
+  return words + table.words(2) + checkWords(check, console);
+}
+
+std::string infoWords(const Document& document, const Console& console) {
+  const auto said = [&](const Message& message) { return console.said(message); };
+  std::string words = said(say("{0} operations; the cloth's threads lie {1} apart.",
+                               static_cast<long long>(document.operations), mm(document.settings.spacing))) +
+                      "\n";
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    double area = piece->outline.area();
+    for (const Outline& hole : piece->holes) area -= std::abs(hole.area());
+    const bool draped = piece->form && !document.drape.dirty.contains(id);
+    words += "\n" +
+             said(say("Piece {0} ({1}): {2}, layer {3}; {4} cm2, {5} round; {6}", piece->name, text(id), piece->fabric,
+                      piece->layer, fixed(area * 1e4, 1), mm(piece->outline.length()),
+                      piece->frozen ? say("frozen")
+                      : draped      ? say("draped")
+                                    : say("not draped yet"))) +
+             "\n";
+    Table edges;
+    for (const Edge& edge : piece->outline.edges) edges.row({edge.name, mm(edge.curve.length())});
+    words += edges.words(2);
+  }
+  if (!document.pattern.seams.empty()) words += "\n" + said(say("Seams:")) + "\n";
+  Table seams;
+  for (const auto& [id, seam] : document.pattern.seams) {
+    const double ease = easeRatio(document.pattern, seam) - 1;
+    seams.row({text(id), seam.name, sideWords(document, seam.a), sideWords(document, seam.b),
+               seam.tie == Seam::Tie::TwoToOne ? said(say("gathered, {0} longer", percent(ease)))
+               : ease < 0.0005                 ? said(say("even"))
+                                               : said(say("eased, {0} longer", percent(ease)))});
+  }
+  words += seams.words(2);
+  if (!document.drape.force.empty()) {
+    double most = 0;
+    for (const Vec3& force : document.drape.force) most = std::max(most, length(force));
+    words += "\n" + said(say("The last pull took up to {0} N.", fixed(most, 1))) + "\n";
+  }
+  return words;
+}
+
+}  // namespace karinui::app

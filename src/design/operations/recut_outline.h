@@ -1,0 +1,25 @@
+#pragma once
+// An outline cut anew where its cloth was pulled. What the pulls did not reach stays exactly as it is; straight edges
+// stay straight unless they were pulled between their ends; where edges meet they keep their angle.
+#include <functional>
+
+#include "karinui/pattern/piece.h"
+
+namespace karinui {
+
+// `shift`: how far a paper place moved; exactly nothing beyond the pulls' reach.
+Outline recutOutline(const Outline& old, const std::function<Flat(Flat)>& shift);
+
+// Which place of an edge cut anew was which of the old one: the ends that stayed keep their lengths, what is between is
+// spread evenly.
+class FollowEdge {
+ public:
+  FollowEdge(const Curve& was, const Curve& is);
+  double operator()(double fraction) const;  // of the old length -> of the new
+
+ private:
+  double was_, is_;             // metres
+  double head_ = 0, tail_ = 0;  // metres that stayed, at the start and at the end
+};
+
+}  // namespace karinui

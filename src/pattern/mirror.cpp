@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <array>
+
+#include "karinui/pattern/edit.h"
+
+namespace karinui {
+
+namespace {
+
+Flat across(Flat p) { return {-p.u, p.v}; }
+Vec3 across(Vec3 p) { return {-p.x, p.y, p.z}; }
+
+// Mirroring turns an outline clockwise; running it backwards turns it counter-clockwise again.
+Outline across(const Outline& outline) {
+  Outline copy;
+  for (auto edge = outline.edges.rbegin(); edge != outline.edges.rend(); ++edge) {
+    copy.edges.push_back({otherSide(edge->name), edge->curve.mirrored({0, 0}, {0, 1}).reversed()});
+  }
+  // An edge "left" beside an edge "right" changes names with it; one whose other name is taken keeps its own.
+  std::map<std::string, int> count;
+  for (const Edge& edge : copy.edges) ++count[edge.name];
+  if (std::any_of(count.begin(), count.end(), [](const auto& c) { return c.second > 1; })) {
+    for (std::size_t i = 0; i < copy.edges.size(); ++i)
+      copy.edges[i].name = outline.edges[copy.edges.size() - 1 - i].name;
+  }
+  return copy;
+}
+
+// M R M for the mirror M = diag(-1, 1, 1): the turn's part about x stays, those about y and z turn the other way.
+Rigid across(const Rigid& pose) { return {pose.w, pose.x, -pose.y, -pose.z, across(pose.carry)}; }
+
+}  // namespace
+
+Piece mirrored(const Piece& piece) {
+  Piece copy = piece;
+  copy.id = PieceId();
+  copy.name.clear();
+  copy.outline = across(piece.outline);
+  for (Outline& hole : copy.holes) hole = across(hole);
+  for (InternalLine& line : copy.lines) {
+    line.name = otherSide(line.name);
+    for (Curve& curve : line.curves) curve = curve.mirrored({0, 0}, {0, 1});
+  }
+  for (Mark& mark : copy.marks) {
+    if (const auto at = piece.outline.find(mark.edge)) {
+      mark.edge = copy.outline.edges[copy.outline.edges.size() - 1 - *at].name;
+      mark.fraction = 1 - mark.fraction;
+    }
+    mark.place = across(mark.place);
+  }
+  copy.grain = across(piece.grain);
+  copy.pose = across(piece.pose);
+  if (piece.form) {
+    auto form = std::make_shared<Form>(*piece.form);
+    for (Flat& p : form->flat) p = across(p);
+    for (Vec3& p : form->space) p = across(p);
+    for (Triangle& face : form->faces) std::swap(face[1], face[2]);
+    copy.form = std::move(form);
+  }
+  return copy;
+}
+
+std::string otherSide(const std::string& name) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kWords{
+      {{"left", "right"}, {"Left", "Right"}}};
+  for (const auto& [left, right] : kWords) {
+    if (const auto at = name.find(left); at != std::string::npos)
+      return std::string(name).replace(at, left.size(), right);
+    if (const auto at = name.find(right); at != std::string::npos)
+      return std::string(name).replace(at, right.size(), left);
+  }
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kEnds{
+      {{"_l", "_r"}, {"_r", "_l"}, {"_L", "_R"}, {"_R", "_L"}}};
+  for (const auto& [end, other] : kEnds)
+    if (name.ends_with(end)) return name.substr(0, name.size() - end.size()) + std::string(other);
+  return name;
+}
+
+}  // namespace karinui
