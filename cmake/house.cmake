@@ -27,9 +27,10 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
 endif()
 if(KARINUI_SANITIZE)
   # What a sanitizer finds ends the program: a test that goes on would pass.
-  target_compile_options(karinui_flags INTERFACE -fsanitize=${KARINUI_SANITIZE} -fno-sanitize-recover=all
-    -fno-omit-frame-pointer -O1 -g)
-  target_link_options(karinui_flags INTERFACE -fsanitize=${KARINUI_SANITIZE})
+  set(sanitized "$<NOT:$<BOOL:$<TARGET_PROPERTY:KARINUI_UNSANITIZED>>>")
+  target_compile_options(karinui_flags INTERFACE -fno-omit-frame-pointer -O1 -g
+    $<${sanitized}:-fsanitize=${KARINUI_SANITIZE}> $<${sanitized}:-fno-sanitize-recover=all>)
+  target_link_options(karinui_flags INTERFACE $<${sanitized}:-fsanitize=${KARINUI_SANITIZE}>)
 endif()
 
 # karinui_module(cloth USES geometry pattern body LINKS Eigen3::Eigen): the library karinui_cloth from src/cloth/**.cpp,
