@@ -172,24 +172,27 @@ Flat wayAt(std::span<const Flat> points, std::size_t i, double near) {
 // 1990).
 struct Chain {
   std::span<const Flat> points;
-  double tolerance = 0, shortest = 0, miss = 0;
+  const FitSettings& settings;
+  double miss = 0;
   std::vector<Curve> curves;
 
   void fit(std::size_t from, std::size_t to, const Flat* startWay, const Flat* endWay) {
     const OneFit one = fitOne(points.subspan(from, to - from + 1), startWay, endWay);
     const std::size_t least = std::min<std::size_t>(2, (to - from) / 2);
+    const double shortest = settings.shortest;
     std::size_t first = from + least, last = to - least;
     while (first < last && distance(points[from], points[first]) < shortest) ++first;
     while (first < last && distance(points[last], points[to]) < shortest) --last;
-    const bool roomy = to - from >= 2 && distance(points[from], points[first]) >= shortest &&
-                       distance(points[last], points[to]) >= shortest;
-    if (one.miss <= tolerance || !roomy) {
+    const bool roomy =
+        distance(points[from], points[first]) >= shortest && distance(points[last], points[to]) >= shortest;
+    if (!roomy) first = from + least, last = to - least;
+    if (one.miss <= (roomy ? settings.tolerance : settings.farthest) || to - from < 2) {
       curves.push_back(Curve::cubic(one.cubic.p0, one.cubic.p1, one.cubic.p2, one.cubic.p3));
       miss = std::fmax(miss, one.miss);
       return;
     }
     const std::size_t split = std::clamp(from + one.worst, first, last);
-    const Flat way = wayAt(points, split, shortest / 2), back = -way;
+    const Flat way = wayAt(points, split, roomy ? shortest / 2 : 0), back = -way;
     fit(from, split, startWay, &back);
     fit(split, to, &way, endWay);
   }
@@ -246,7 +249,7 @@ Fitted fitEdge(std::span<const Flat> given, const FitSettings& settings, const s
     const bool first = k == 0, last = k + 2 == joint.size();
     const Flat way = first ? Flat{} : wayAt(points, joint[k], 0),
                back = last ? Flat{} : -wayAt(points, joint[k + 1], 0);
-    Chain chain{points, settings.tolerance, settings.shortest, 0, {}};
+    Chain chain{points, settings, 0, {}};
     chain.fit(joint[k], joint[k + 1], first ? start : &way, last ? end : &back);
     out.curves.push_back(Curve::joined(chain.curves));
     out.miss = std::fmax(out.miss, chain.miss);

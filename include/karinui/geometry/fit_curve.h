@@ -13,8 +13,9 @@ namespace karinui {
 struct FitSettings {
   double straight = 0.0005;   // points nearer than this to the chord make a straight line
   double tolerance = 0.0003;  // how far cubics may pass from the points
-  double shortest = 0;  // metres of points each cubic has at least, however near it passes: keeps it from rippling
-  int pieces = 1;       // how many curves of equal length, each a chain of its own (a line stays a line)
+  double shortest = 0;        // metres of points a cubic has at least: keeps the chain from rippling …
+  double farthest = 0.0005;   // … unless it would pass farther than this
+  int pieces = 1;             // how many curves of equal length, each a chain of its own (a line stays a line)
 };
 
 struct Fitted {

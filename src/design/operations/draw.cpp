@@ -170,6 +170,7 @@ Result<DrawnPiece> drawn(const Document& document, const DrawPiece& given, Conte
 
 Done resolve(const Document& before, DrawPiece& draw, Context& context) {
   if (auto fine = checkNewName(before, draw.name); !fine) return fine;
+  if (draw.layer < 0 || draw.layer > 20) return refused(say("A layer is a number from 0, next to the skin, to 20."));
   const auto body = bodyOf(before, context);
   if (!body) return body.error();
   const DrawingGround ground((*body)->mesh(), (*body)->bvh());

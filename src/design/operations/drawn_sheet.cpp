@@ -20,7 +20,8 @@ constexpr double kLevel = 0.2;      // radians: an edge that meets the centre th
 FitSettings fitFor(int curves) {
   FitSettings fit;
   fit.pieces = curves;
-  fit.tolerance = 0.0002;
+  fit.tolerance = 0.0003;
+  fit.shortest = 0.02;  // shorter ones would follow every unevenness of the skin
   return fit;
 }
 int curvesFor(std::size_t places, bool ring) { return std::clamp(static_cast<int>(places - 1) / 2, ring ? 3 : 1, 8); }

@@ -130,6 +130,7 @@ Curve cutAnew(const Measured& m) {
   FitSettings fit;
   fit.straight = 0;
   fit.tolerance = 0.0003;
+  fit.farthest = 0.002;
   fit.shortest = 0.03;  // the shift is known from triangle to triangle: shorter cubics would follow their edges
   const Flat startWay = m.first == 0 ? m.startWay : normalized(m.was.tangent(m.t[m.first]));
   const Flat endWay = m.last + 1 == m.by.size() ? m.endWay : normalized(m.was.tangent(m.t[m.last]));

@@ -208,6 +208,11 @@ Result<ReshapePiece> reshaped(const Document& document, PieceId id, std::span<co
   const auto shape = shapeOf(document, *piece);
   if (!shape) return shape.error();
   const Form& form = **shape;
+  for (const ReshapePull& pull : pulls)
+    if (const Ring ring = piece->outline.flattened(1e-4);
+        !contains(ring, pull.at) && distanceToRing(ring, pull.at) > within)
+      return refused(say("The place {0} mm, {1} mm is too far from piece {2} for its cloth to come along.",
+                         fixed(pull.at.u * 1000, 0), fixed(pull.at.v * 1000, 0), piece->name));
   const auto symmetry = symmetric == Choice::No ? std::nullopt : symmetryOf(piece->outline);
   if (symmetric == Choice::Yes && !symmetry)
     return refused(say("Piece {0} is not symmetric; leave symmetric= away.", piece->name));
