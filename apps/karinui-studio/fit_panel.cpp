@@ -56,9 +56,12 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   eyes_->setRange(0, 200);
   eyes_->setValue(63);
   eyes_->setSuffix(" mm");
+  eyes_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  eyes_->setDecimals(0);
   focus_ = new QDoubleSpinBox;
   focus_->setRange(0.3, 3);
   focus_->setSingleStep(0.05);
+  focus_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   focus_->setValue(1);
   form->addRow(word(say("Screen")), stereo_);
   form->addRow(word(say("Eyes apart")), eyes_);

@@ -46,7 +46,7 @@ QDoubleSpinBox* number(double low, double high, int decimals, const char* unit) 
   auto* box = new QDoubleSpinBox;
   box->setRange(low, high);
   box->setDecimals(decimals);
-  box->setSuffix(QString::fromLatin1(unit));
+  box->setSuffix(QString::fromUtf8(unit));
   box->setKeyboardTracking(false);
   box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   return box;

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #include "karinui/base/number.h"
 #include "look.h"
@@ -37,6 +38,13 @@ bool displayIsThere() {
     const char* value = std::getenv(name);
     return value && *value;
   };
+  // A display of this machine has a socket; one that is named but not there would make Qt abort.
+  const std::string display = set("DISPLAY") ? std::getenv("DISPLAY") : "";
+  if (display.starts_with(":") && !set("WAYLAND_DISPLAY") && !(platform && *platform)) {
+    const std::string number = display.substr(1, display.find('.') - 1);
+    std::error_code trouble;
+    return std::filesystem::exists("/tmp/.X11-unix/X" + number, trouble);
+  }
   return set("DISPLAY") || set("WAYLAND_DISPLAY") || (platform && *platform && std::strcmp(platform, "xcb") != 0);
 }
 

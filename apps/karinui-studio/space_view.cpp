@@ -396,7 +396,7 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     QColor back = p.raised;
     back.setAlphaF(0.9f);
     painter.setBrush(back);
-    painter.drawRoundedRect(QRectF(left - 10, top - 10, 118, tall + 54), 10, 10);
+    painter.drawRoundedRect(QRectF(left - 10, top - 10, 142, tall + 54), 10, 10);
     painter.setPen(p.ink);
     painter.drawText(QPointF(left, top + 10),
                      map_ == FitMap::Strain ? inWords(say("strain")) : inWords(say("distance to body")));

@@ -9,9 +9,9 @@ namespace karinui {
 
 namespace {
 
-constexpr double kStep = 0.003;   // metres on paper before a place is noted
-constexpr double kMiss = 0.0025;  // metres the cut may pass from the hand's line
-constexpr double kBeyond = 0.03;  // metres a line that ran off the cloth is led on, over the outline
+constexpr double kStep = 0.003;    // metres on paper before a place is noted
+constexpr double kMiss = 0.0025;   // metres the cut may pass from the hand's line
+constexpr double kBeyond = 0.025;  // metres at least that a line which ran off the cloth is led on
 
 class CutGesture : public Gesture {
  public:
@@ -30,7 +30,7 @@ class CutGesture : public Gesture {
     if (!down_) return {};
     straight_ = sample.shift;
     note(sample, hit, bench);
-    line_ = lineNow();
+    line_ = lineNow(bench);
     why_.reset();
     will_ = false;
     if (piece_ && line_.size() > 1) {
@@ -106,16 +106,25 @@ class CutGesture : public Gesture {
       noted_.back() = *paper;
   }
 
-  std::vector<Flat> lineNow() const {
+  // From a place on the cloth onwards until it is off it.
+  static Flat runOff(const Ring& ring, Flat from, Flat way) {
+    constexpr double kStride = 0.005, kFurthest = 0.2;
+    double far = kBeyond;
+    while (far < kFurthest && contains(ring, from + way * far)) far += kStride;
+    return from + way * (far + kStride);
+  }
+
+  std::vector<Flat> lineNow(const Workbench& bench) const {
     std::vector<Flat> line = noted_;
     if (line.size() < 2) return line;
-    if (came_)
-      line.insert(line.begin(),
-                  line[0] + normalized(line[0] - line[std::min<std::size_t>(3, line.size() - 1)]) * kBeyond);
-    if (left_) {
-      const Flat last = line.back(), before = line[line.size() - 1 - std::min<std::size_t>(3, line.size() - 1)];
-      line.push_back(last + normalized(last - before) * kBeyond);
-    }
+    const Piece* piece = bench.fitting->document.find(piece_);
+    if (!piece) return line;
+    const Ring ring = piece->outline.flattened(1e-3);
+    const std::size_t look = std::min<std::size_t>(3, line.size() - 1);
+    const Flat first = line.front(), last = line.back();
+    const Flat in = normalized(first - line[look]), out = normalized(last - line[line.size() - 1 - look]);
+    if (came_) line.insert(line.begin(), runOff(ring, first, in));
+    if (left_) line.push_back(runOff(ring, last, out));
     if (straight_) line = {line.front(), line.back()};
     std::vector<Flat> kept;
     for (const std::size_t i : mattering<Flat>(line, kMiss)) kept.push_back(tenth(line[i]));

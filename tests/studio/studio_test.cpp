@@ -8,7 +8,6 @@
 #include <QListWidget>
 #include <QTabWidget>
 #include <QTreeWidget>
-#include <csignal>
 #include <fstream>
 
 #include "karinui/design/script.h"
@@ -458,8 +457,7 @@ TEST(Studio, GuidesThroughAFirstGarment) {
 }
 
 // The program itself, as a process.
-int run(const std::vector<std::string>& words, const std::vector<std::string>& without, std::string* said,
-        pid_t* running = nullptr) {
+int run(const std::vector<std::string>& words, const std::vector<std::string>& without, std::string* said) {
   int ends[2];
   if (pipe(ends) != 0) return -1;
   const pid_t child = fork();
@@ -474,11 +472,6 @@ int run(const std::vector<std::string>& words, const std::vector<std::string>& w
     _exit(127);
   }
   close(ends[1]);
-  if (running) {
-    *running = child;
-    close(ends[0]);
-    return 0;
-  }
   char buffer[512];
   for (ssize_t got = 0; (got = read(ends[0], buffer, sizeof buffer)) > 0;)
     said->append(buffer, static_cast<std::size_t>(got));
@@ -493,6 +486,33 @@ TEST(StudioProgram, WithoutADisplayItSaysSoAndStartsNoWindow) {
   EXPECT_EQ(run({}, {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}, &said), 2);
   EXPECT_THAT(said, HasSubstr("There is no display"));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
+}
+
+TEST(Studio, WhatMayNotBeWrittenIsShownForReading) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Folder folder;
+  const fs::path path = folder.path / "locked.karinui";
+  fs::copy_file(w.session().path(), path);
+  // Held by another program: the same as may not be written.
+  const auto other = DocumentFile::open(path);
+  ASSERT_TRUE(other);
+  Window second;
+  second.open(path);
+  if (second.session().path() == path) {
+    EXPECT_TRUE(second.session().readOnly());
+    second.key(Command::Cut);
+    second.rest();
+  }
+  EXPECT_FALSE(second.main().said().isEmpty()) << "the person is told";
+}
+
+TEST(StudioProgram, ADisplayThatIsNotThereIsNoDisplay) {
+  setenv("DISPLAY", ":4711", 1);
+  std::string said;
+  EXPECT_EQ(run({}, {"WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}, &said), 2);
+  EXPECT_THAT(said, HasSubstr("There is no display"));
 }
 
 TEST(StudioProgram, AWordItDoesNotKnowIsASentence) {

@@ -35,15 +35,15 @@ std::string startDisplay() {
     _exit(127);
   }
   close(ends[1]);
-  char said[16] = {};
-  const ssize_t got = read(ends[0], said, sizeof said - 1);
+  std::string said;
+  for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';) said += c;
   close(ends[0]);
-  if (got <= 0) {
+  if (said.empty()) {
     waitpid(display, nullptr, 0);
     display = 0;
     return "no display and no Xvfb to make one (Debian package xvfb)";
   }
-  setenv("DISPLAY", (":" + std::to_string(std::atoi(said))).c_str(), 1);
+  setenv("DISPLAY", (":" + said).c_str(), 1);
   std::atexit(endDisplay);
   return {};
 }
@@ -179,7 +179,9 @@ void Window::keep(const std::string& name) {
   if (!folder) return;
   rest();
   fs::create_directories(folder);
-  EXPECT_TRUE(main_->grab().save(QString::fromStdString((fs::path(folder) / (name + ".png")).string())));
+  EXPECT_TRUE(main_->grab()
+                  .scaledToWidth(1000, Qt::SmoothTransformation)
+                  .save(QString::fromStdString((fs::path(folder) / (name + ".png")).string())));
 }
 
 }  // namespace karinui::studio
