@@ -27,9 +27,9 @@ Json checkJson(const ClothCheck& check) {
 }
 
 Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console) {
-  Json object = {{"settled", report.settled},      {"why", console.said(report.why)}, {"residual", report.residual},
-                 {"steps", report.steps},          {"cpu_s", report.cpuSeconds},      {"wall_s", report.wallSeconds},
-                 {"peak_mb", report.peakMegabytes}};
+  Json object = {{"settled", report.settled},    {"why", console.said(report.why)}, {"residual", report.residual},
+                 {"steps", report.steps},        {"solves", report.solves},         {"cpu_s", report.cpuSeconds},
+                 {"wall_s", report.wallSeconds}, {"peak_mb", report.peakMegabytes}};
   if (report.merged) {
     object["body_faces"] = report.merged->facesBefore;
     object["planes"] = report.merged->planesAfter;

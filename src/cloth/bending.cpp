@@ -12,10 +12,7 @@ constexpr double kLeftover = 1.0;   // strength of what a border's quadratic lea
 constexpr double kSeen = 0.05;      // a curvature the nodes around hardly show is not asked for
 constexpr std::size_t kEnough = 9;  // nodes for a border's quadratic
 
-struct Entry {
-  NodeIndex row, column;
-  double weight;
-};
+using Entry = NodeWeight;
 
 // Adds c (sum w x)^2 / 2.
 void addTerm(std::vector<Entry>& entries, const std::vector<NodeIndex>& nodes, const double* w, double c) {
@@ -86,7 +83,9 @@ Fit fitAround(const Lattice& lattice, const std::vector<std::vector<std::uint32_
   return fit;
 }
 
-void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, std::vector<Entry>& entries) {
+// Fills `inside` with the grid's terms and `border` with the others'.
+void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, const PanelPlan& plan,
+              std::vector<Entry>& inside, std::vector<Entry>& border, PanelBending& panels) {
   const Lattice& lattice = *piece.lattice;
   const double bu = piece.fabric.bendWeft, bv = piece.fabric.bendWarp, twist = std::sqrt(bu * bv);
   const double h = lattice.spacing, perSquare = 1 / (h * h);
@@ -102,14 +101,19 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, st
   for (const auto& c : shares.corners) {
     // Three corners held: the clamp runs across the cell, and only the half with the free corner twists, twice as much.
     const bool halved = isHeld(c[0]) + isHeld(c[1]) + isHeld(c[2]) + isHeld(c[3]) == 3;
-    addTerm(entries, {node(c[0]), node(c[1]), node(c[2]), node(c[3])}, mixed, 2 * twist * h * h * (halved ? 2 : 1));
+    const double strength = 2 * twist * h * h * (halved ? 2 : 1);
+    addTerm(inside, {node(c[0]), node(c[1]), node(c[2]), node(c[3])}, mixed, strength);
+    panels.twist[plan.slotOf[node(c[0])]] = static_cast<float>(strength * perSquare * perSquare);
   }
   for (std::uint32_t k = 0; k < lattice.nodes.size(); ++k) {
     const auto& x = shares.cross[k];
     const double area = shares.cell[k] + shares.ring[k];
     if (x[0] != kNoNode) {
-      addTerm(entries, {node(x[0]), node(k), node(x[1])}, second, bu * area * clamp(x[0], k, x[1]));
-      addTerm(entries, {node(x[2]), node(k), node(x[3])}, second, bv * area * clamp(x[2], k, x[3]));
+      const double weft = bu * area * clamp(x[0], k, x[1]), warp = bv * area * clamp(x[2], k, x[3]);
+      addTerm(inside, {node(x[0]), node(k), node(x[1])}, second, weft);
+      addTerm(inside, {node(x[2]), node(k), node(x[3])}, second, warp);
+      panels.weft[plan.slotOf[node(k)]] = static_cast<float>(weft * perSquare * perSquare);
+      panels.warp[plan.slotOf[node(k)]] = static_cast<float>(warp * perSquare * perSquare);
       continue;
     }
     const Fit fit = fitAround(lattice, near, k);
@@ -120,23 +124,25 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, st
     for (std::uint32_t other : fit.nodes) nodes.push_back(node(other));
     const Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> rows = fit.curvature;
     const auto n = rows.cols();
-    addTerm(entries, nodes, rows.data(), bu * area * twice);
-    addTerm(entries, nodes, rows.data() + n, 2 * twist * shares.ring[k] * twice);
-    addTerm(entries, nodes, rows.data() + 2 * n, bv * area * twice);
+    addTerm(border, nodes, rows.data(), bu * area * twice);
+    addTerm(border, nodes, rows.data() + n, 2 * twist * shares.ring[k] * twice);
+    addTerm(border, nodes, rows.data() + 2 * n, bv * area * twice);
     const double leftover = kLeftover * 0.5 * (bu + bv) * area;
     for (Eigen::Index a = 0; a < n; ++a)
-      for (Eigen::Index b = 0; b < n; ++b) entries.push_back({nodes[a], nodes[b], leftover * fit.leftover(a, b)});
+      for (Eigen::Index b = 0; b < n; ++b) border.push_back({nodes[a], nodes[b], leftover * fit.leftover(a, b)});
   }
 }
 
 }  // namespace
 
-Bending::Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held) {
+Bending::Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, const PanelPlan& plan)
+    : panels_(plan.slots) {
   std::vector<Entry> entries;
   for (const ClothPiece& piece : cloth.pieces)
     if (piece.live && piece.fabric.law == Fabric::Law::Woven &&
         (piece.fabric.bendWarp > 0 || piece.fabric.bendWeft > 0))
-      addPiece(piece, held, entries);
+      addPiece(piece, held, plan, entries, rest_, panels_);
+  entries.insert(entries.end(), rest_.begin(), rest_.end());
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.row != b.row ? a.row < b.row : a.column < b.column; });
   start_.push_back(0);
@@ -173,20 +179,6 @@ double Bending::value(std::span<const Vec3> x, Workers& workers) const {
 void Bending::addGradient(std::span<const Vec3> x, std::span<Vec3> gradient, Workers& workers) const {
   workers.forBlocks(node_.size(), 512, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) gradient[node_[r]] += rowTimes(r, x);
-  });
-}
-
-void Bending::appendPairs(std::vector<NodePair>& pairs) const {
-  for (std::size_t r = 0; r < node_.size(); ++r)
-    for (std::uint32_t c = start_[r]; c < start_[r + 1]; ++c) pairs.push_back({node_[r], column_[c]});
-}
-
-void Bending::blocks(std::span<const Vec3>, std::span<Block3> out, Workers& workers) const {
-  workers.forBlocks(weight_.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      out[c] = {};
-      out[c][0] = out[c][4] = out[c][8] = static_cast<float>(weight_[c]);
-    }
   });
 }
 

@@ -6,20 +6,20 @@
 //   Border:  the quadratic that fits the nodes around best, made blind to rigid and uniform motion; what the quadratic
 //            leaves over is held too, so no jagged border is free of charge.
 // A node that is held on one side is a clamp: only the free half of its stretch bends, so it counts twice.
-#include "cloth/energy.h"
+#include "cloth/sparse_rows.h"
 #include "karinui/cloth/cloth.h"
 
 namespace karinui {
 
 class Bending : public Energy {
  public:
-  Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held);  // of the live woven pieces; held: per cloth node
+  // Of the live woven pieces; held: per cloth node.
+  Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, const PanelPlan& plan);
   double value(std::span<const Vec3> x, Workers& workers) const override;
   void addGradient(std::span<const Vec3> x, std::span<Vec3> gradient, Workers& workers) const override;
-  void appendPairs(std::vector<NodePair>& pairs) const override;
-  std::size_t pairCount() const override { return column_.size(); }
-  void blocks(std::span<const Vec3> x, std::span<Block3> out, Workers& workers) const override;
-  bool constantBlocks() const override { return true; }
+  // The second derivative: the panels' part of it, and the rest.
+  const PanelBending& panels() const { return panels_; }
+  const std::vector<NodeWeight>& rest() const { return rest_; }
 
  private:
   Vec3 rowTimes(std::size_t row, std::span<const Vec3> x) const;
@@ -27,6 +27,8 @@ class Bending : public Energy {
   std::vector<std::uint32_t> start_;  // rows in column_ and weight_
   std::vector<NodeIndex> column_;
   std::vector<double> weight_;  // N/m
+  PanelBending panels_;
+  std::vector<NodeWeight> rest_;
 };
 
 }  // namespace karinui

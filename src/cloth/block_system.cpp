@@ -3,136 +3,143 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/wide.h"
+
 namespace karinui {
 namespace {
 
-constexpr std::size_t kBlock = 256;  // unknowns a worker takes at once
+constexpr std::size_t kBlock = 2048;  // slots a worker takes at once
 
-struct Wanted {
-  std::uint32_t row, column, pair;
-  float weight;
-  bool constant;
+struct Axes {
+  float *x, *y, *z;
+};
+Axes axes(Lanes3& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
+struct Blocks {
+  const float *a, *b, *c, *d, *e, *f;
 };
 
-float sum3(const Lane& a) { return a.v[0] + a.v[1] + a.v[2]; }
-Lane lane(Vec3 a, double s) {
-  return {Lane::Float4{static_cast<float>(a.x * s), static_cast<float>(a.y * s), static_cast<float>(a.z * s), 0}};
+// z = M r, and r . z lane by lane; with a step: d += alpha p, r -= alpha q before.
+KARINUI_WIDE void advance(std::size_t begin, std::size_t end, float alpha, const Axes p, const Axes q, const Blocks m,
+                          const Axes d, const Axes r, const Axes z, float* __restrict sum) {
+  for (std::size_t k = begin; k < end; k += kLanes) {
+    KARINUI_APART
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const std::size_t s = k + l;
+      d.x[s] += alpha * p.x[s];
+      d.y[s] += alpha * p.y[s];
+      d.z[s] += alpha * p.z[s];
+      const float x = r.x[s] - alpha * q.x[s], y = r.y[s] - alpha * q.y[s], w = r.z[s] - alpha * q.z[s];
+      const float zx = m.a[s] * x + m.b[s] * y + m.c[s] * w, zy = m.b[s] * x + m.d[s] * y + m.e[s] * w,
+                  zz = m.c[s] * x + m.e[s] * y + m.f[s] * w;
+      r.x[s] = x;
+      r.y[s] = y;
+      r.z[s] = w;
+      z.x[s] = zx;
+      z.y[s] = zy;
+      z.z[s] = zz;
+      sum[l] += x * zx + y * zy + w * zz;
+    }
+  }
 }
 
-template <class Columns>
-void addTo(Columns& to, const Block3& b, float w) {
-  to.x.v += Lane::Float4{b[0] * w, b[3] * w, b[6] * w, 0};
-  to.y.v += Lane::Float4{b[1] * w, b[4] * w, b[7] * w, 0};
-  to.z.v += Lane::Float4{b[2] * w, b[5] * w, b[8] * w, 0};
-}
-
-template <class Columns>
-Lane::Float4 times(const Columns& m, const Lane& p) {
-  return m.x.v * p.v[0] + m.y.v * p.v[1] + m.z.v * p.v[2];
+KARINUI_WIDE void turn(std::size_t begin, std::size_t end, float beta, const float* __restrict z, float* __restrict p) {
+  for (std::size_t s = begin; s < end; ++s) p[s] = z[s] + beta * p[s];
 }
 
 }  // namespace
 
-BlockSystem::BlockSystem(const TieMap& ties, std::span<const NodePair> changing, std::span<const NodePair> constant,
-                         std::span<const Block3> constantBlocks) {
-  const std::size_t rows = ties.unknowns();
-  std::vector<std::vector<Wanted>> wanted(rows);
-  const auto want = [&](std::span<const NodePair> pairs, bool isConstant) {
-    for (std::uint32_t s = 0; s < pairs.size(); ++s)
-      for (const TieMap::Part& a : ties.parts(pairs[s].row))
-        for (const TieMap::Part& b : ties.parts(pairs[s].column))
-          wanted[a.unknown].push_back({a.unknown, b.unknown, s, static_cast<float>(a.weight * b.weight), isConstant});
-  };
-  want(changing, false);
-  want(constant, true);
-  rowStart_.assign(1, 0);
-  sourceStart_.assign(1, 0);
-  diagonal_.resize(rows);
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    auto& list = wanted[row];
-    list.push_back({row, row, 0, 0, true});  // the diagonal is always there
-    std::stable_sort(list.begin(), list.end(), [](const Wanted& a, const Wanted& b) { return a.column < b.column; });
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      if (k == 0 || list[k].column != list[k - 1].column) {
-        if (k > 0) sourceStart_.push_back(static_cast<std::uint32_t>(source_.size()));
-        if (list[k].column == row) diagonal_[row] = static_cast<std::uint32_t>(column_.size());
-        column_.push_back(list[k].column);
-        constant_.emplace_back();
-      }
-      if (!list[k].constant)
-        source_.push_back({list[k].pair, list[k].weight});
-      else if (list[k].weight != 0)
-        addTo(constant_.back(), constantBlocks[list[k].pair], list[k].weight);
-    }
-    sourceStart_.push_back(static_cast<std::uint32_t>(source_.size()));
-    rowStart_.push_back(static_cast<std::uint32_t>(column_.size()));
-    std::vector<Wanted>().swap(list);
-  }
-  value_.resize(column_.size());
-  inverse_.resize(rows);
-  for (std::vector<Lane>* v : {&r_, &z_, &p_, &q_, &d_}) v->resize(rows);
+BlockSystem::BlockSystem(const PanelPlan& plan, PanelBending bending, std::span<const NodePair> pairs,
+                         std::span<const NodeWeight> weights)
+    : plan_(plan), bending_(std::move(bending)), sparse_(plan.slotOf, pairs, weights) {
+  for (auto* blocks : {&own_, &inverse_})
+    for (auto& array : *blocks) array.assign(plan.slots, 0);
+  for (auto* lanes : {&d_, &r_, &z_, &p_, &q_})
+    for (auto& axis : *lanes) axis.assign(plan.slots, 0);
 }
 
-void BlockSystem::gather(std::span<const Block3> changingBlocks, Workers& workers) {
+void BlockSystem::setTies(const TieMap& ties) {
+  home_.assign(ties.unknowns(), kNoNode);
+  guests_.clear();
+  for (NodeIndex node = 0; node < plan_.slotOf.size(); ++node) {
+    const auto parts = ties.parts(node);
+    if (parts.size() == 1 && parts[0].weight == 1 && home_[parts[0].unknown] == kNoNode)
+      home_[parts[0].unknown] = plan_.slotOf[node];
+  }
+  for (NodeIndex node = 0; node < plan_.slotOf.size(); ++node) {
+    const std::uint32_t slot = plan_.slotOf[node];
+    for (const TieMap::Part& part : ties.parts(node))
+      if (home_[part.unknown] != slot) guests_.push_back({slot, home_[part.unknown], static_cast<float>(part.weight)});
+  }
+}
+
+void BlockSystem::gather(std::span<const Block3> blocks, Workers& workers) {
   couplings_.clear();
-  workers.forBlocks(value_.size(), 2048, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      Columns sum = constant_[slot];
-      for (std::uint32_t s = sourceStart_[slot]; s < sourceStart_[slot + 1]; ++s)
-        addTo(sum, changingBlocks[source_[s].pair], source_[s].weight);
-      value_[slot] = sum;
-    }
-  });
+  for (auto& array : own_) std::fill(array.begin(), array.end(), 0.0f);
+  sparse_.gather(blocks, own_, workers);
 }
 
 void BlockSystem::addDiagonal(std::uint32_t unknown, const Block3& block) {
-  addTo(value_[diagonal_[unknown]], block, 1);
+  const std::uint32_t s = home_[unknown];
+  constexpr std::size_t kFrom[] = {0, 1, 2, 4, 5, 8};
+  for (std::size_t e = 0; e < 6; ++e) own_[e][s] += block[kFrom[e]];
 }
 
 void BlockSystem::invertDiagonal(Workers& workers) {
-  std::vector<Block3> extra(couplings_.empty() ? 0 : unknowns());
+  OwnBlocks& sum = inverse_;
+  for (std::size_t e = 0; e < 6; ++e) std::copy(own_[e].begin(), own_[e].end(), sum[e].begin());
+  addDiagonals(plan_, panels_, bending_, sum, workers);
+  for (const Guest& guest : guests_)
+    for (std::size_t e = 0; e < 6; ++e) sum[e][guest.home] += guest.weight * guest.weight * sum[e][guest.slot];
   for (const Coupling& c : couplings_)
-    for (const TieMap::Part& part : c.parts)
-      addStretch(extra[part.unknown], part.weight * part.weight * c.across,
-                 part.weight * part.weight * (c.along - c.across), c.normal);
-  workers.forBlocks(unknowns(), kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      Columns sum = value_[diagonal_[row]];
-      if (!extra.empty()) addTo(sum, extra[row], 1);
-      const double a = sum.x.v[0], b = sum.x.v[1], c = sum.x.v[2], d = sum.y.v[1], e = sum.y.v[2], f = sum.z.v[2];
+    for (const TieMap::Part& part : c.parts) {
+      Block3 block{};
+      addStretch(block, part.weight * part.weight * c.across, part.weight * part.weight * (c.along - c.across),
+                 c.normal);
+      constexpr std::size_t kFrom[] = {0, 1, 2, 4, 5, 8};
+      for (std::size_t e = 0; e < 6; ++e) sum[e][home_[part.unknown]] += block[kFrom[e]];
+    }
+  std::vector<std::uint8_t> free(plan_.slots, 0);
+  for (std::uint32_t s : home_) free[s] = 1;
+  workers.forBlocks(plan_.slots, kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      const double a = sum[0][s], b = sum[1][s], c = sum[2][s], d = sum[3][s], e = sum[4][s], f = sum[5][s];
       const double A = d * f - e * e, B = c * e - b * f, C = b * e - c * d;
       const double det = a * A + b * B + c * C;
-      const double s = det > 1e-300 ? 1 / det : 0;
-      const auto at = [&](double v) { return static_cast<float>(v * s); };
-      inverse_[row].x.v = Lane::Float4{at(A), at(B), at(C), 0};
-      inverse_[row].y.v = Lane::Float4{at(B), at(a * f - c * c), at(b * c - a * e), 0};
-      inverse_[row].z.v = Lane::Float4{at(C), at(b * c - a * e), at(a * d - b * b), 0};
+      const double scale = free[s] && det > 1e-300 ? 1 / det : 0;
+      const auto at = [&](double v) { return static_cast<float>(v * scale); };
+      inverse_[0][s] = at(A);
+      inverse_[1][s] = at(B);
+      inverse_[2][s] = at(C);
+      inverse_[3][s] = at(a * f - c * c);
+      inverse_[4][s] = at(b * c - a * e);
+      inverse_[5][s] = at(a * d - b * b);
     }
   });
 }
 
-double BlockSystem::multiply(const std::vector<Lane>& p, std::vector<Lane>& q, Workers& workers) const {
-  const auto rows = [&](std::size_t begin, std::size_t end) {
-    double total = 0;
-    for (std::size_t row = begin; row < end; ++row) {
-      Lane::Float4 sum{};
-      for (std::uint32_t s = rowStart_[row]; s < rowStart_[row + 1]; ++s) sum += times(value_[s], p[column_[s]]);
-      q[row].v = sum;
-      total += sum3({sum * p[row].v});
-    }
-    return total;
-  };
-  double product = workers.sum(unknowns(), kBlock, rows);
+double BlockSystem::multiply(Workers& workers) {
+  for (const Guest& guest : guests_)
+    for (auto& axis : p_) axis[guest.slot] = 0;
+  for (const Guest& guest : guests_)
+    for (auto& axis : p_) axis[guest.slot] += guest.weight * axis[guest.home];
+  double product = multiplyPanels(plan_, panels_, bending_, own_, p_, q_, workers);
+  product += sparse_.multiply(p_, q_, workers);
   for (const Coupling& c : couplings_) {  // few; in order
-    Lane::Float4 move{};
-    for (const TieMap::Part& part : c.parts) move += p[part.unknown].v * static_cast<float>(part.weight);
-    const Lane n = lane(c.normal, 1);
+    float move[3] = {};
+    for (const TieMap::Part& part : c.parts)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        move[axis] += p_[axis][home_[part.unknown]] * static_cast<float>(part.weight);
+    const float n[3] = {static_cast<float>(c.normal.x), static_cast<float>(c.normal.y), static_cast<float>(c.normal.z)};
     const float across = static_cast<float>(c.across);
-    const float normal = static_cast<float>(c.along - c.across) * sum3({move * n.v});
-    const Lane::Float4 force = move * across + n.v * normal;
-    product += sum3({force * move});
-    for (const TieMap::Part& part : c.parts) q[part.unknown].v += force * static_cast<float>(part.weight);
+    const float normal = static_cast<float>(c.along - c.across) * (move[0] * n[0] + move[1] * n[1] + move[2] * n[2]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float force = move[axis] * across + n[axis] * normal;
+      product += force * move[axis];
+      for (const TieMap::Part& part : c.parts) q_[axis][home_[part.unknown]] += force * static_cast<float>(part.weight);
+    }
   }
+  for (const Guest& guest : guests_)
+    for (auto& axis : q_) axis[guest.home] += guest.weight * axis[guest.slot];
   return product;
 }
 
@@ -145,44 +152,67 @@ int BlockSystem::solve(std::span<const Vec3> force, const Stop& stop, const Toke
     largest = std::fmax(largest, std::fmax(std::fabs(f.x), std::fmax(std::fabs(f.y), std::fabs(f.z))));
   if (!(largest > 0)) return 0;
   invertDiagonal(workers);
-  const auto precondition = [&](std::size_t begin, std::size_t end) {
-    double total = 0;
-    for (std::size_t k = begin; k < end; ++k) {
-      z_[k].v = times(inverse_[k], r_[k]);
-      total += sum3({r_[k].v * z_[k].v});
-    }
-    return total;
-  };
+  for (auto* lanes : {&d_, &r_, &p_, &q_})
+    for (auto& axis : *lanes) std::fill(axis.begin(), axis.end(), 0.0f);
   for (std::size_t k = 0; k < count; ++k) {  // scaled to one, so small forces do not drown in float
-    r_[k] = lane(force[k], 1 / largest);
-    d_[k] = {};
+    r_[0][home_[k]] = static_cast<float>(force[k].x / largest);
+    r_[1][home_[k]] = static_cast<float>(force[k].y / largest);
+    r_[2][home_[k]] = static_cast<float>(force[k].z / largest);
   }
-  double rz = workers.sum(count, kBlock, precondition);
+  const auto go = [&](float alpha) {
+    return workers.sum(plan_.slots, kBlock, [&](std::size_t begin, std::size_t end) {
+      float lanes[kLanes] = {};
+      advance(begin, end, alpha, axes(p_), axes(q_),
+              {inverse_[0].data(), inverse_[1].data(), inverse_[2].data(), inverse_[3].data(), inverse_[4].data(),
+               inverse_[5].data()},
+              axes(d_), axes(r_), axes(z_), lanes);
+      double total = 0;
+      for (float lane : lanes) total += lane;
+      return total;
+    });
+  };
+  double rz = go(0);
   const double first = rz;
   p_ = z_;
   int iteration = 0;
-  while (iteration < stop.most && rz > 0 &&
-         (iteration < stop.least ? rz > 1e-12 * first : rz > stop.tolerance * stop.tolerance * first)) {
+  // Twice the energy that each iteration still found: what is left is about what the last ones brought. The residual
+  // alone would be content long before slow waves have run through the cloth.
+  constexpr int kLast = 10;
+  double energy = 0, lately[kLast] = {};
+  const auto content = [&] {
+    double last = 0;
+    for (double e : lately) last += e;
+    return last < stop.tolerance * stop.tolerance * energy;
+  };
+  while (iteration < stop.most && rz > 1e-12 * first && (iteration < stop.least || !content())) {
     if (token.cancelled()) break;
-    const double pq = multiply(p_, q_, workers);
+    const double pq = multiply(workers);
     if (!(pq > 0)) break;
-    const auto alpha = static_cast<float>(rz / pq);
-    const double next = workers.sum(count, kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        d_[k].v += p_[k].v * alpha;
-        r_[k].v -= q_[k].v * alpha;
-      }
-      return precondition(begin, end);
-    });
+    lately[iteration % kLast] = rz / pq * rz;
+    energy += lately[iteration % kLast];
+    const double next = go(static_cast<float>(rz / pq));
     const auto beta = static_cast<float>(next / rz);
     rz = next;
-    workers.forBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) p_[k].v = z_[k].v + p_[k].v * beta;
+    workers.forBlocks(plan_.slots, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t axis = 0; axis < 3; ++axis) turn(begin, end, beta, z_[axis].data(), p_[axis].data());
     });
     ++iteration;
   }
-  for (std::size_t k = 0; k < count; ++k) move[k] = Vec3{d_[k].v[0], d_[k].v[1], d_[k].v[2]} * largest;
+  for (std::size_t k = 0; k < count; ++k) move[k] = Vec3{d_[0][home_[k]], d_[1][home_[k]], d_[2][home_[k]]} * largest;
   return iteration;
+}
+
+std::vector<Vec3> BlockSystem::times(std::span<const Vec3> unknown, Workers& workers) {
+  for (auto& axis : p_) std::fill(axis.begin(), axis.end(), 0.0f);
+  for (std::size_t k = 0; k < unknown.size(); ++k) {
+    p_[0][home_[k]] = static_cast<float>(unknown[k].x);
+    p_[1][home_[k]] = static_cast<float>(unknown[k].y);
+    p_[2][home_[k]] = static_cast<float>(unknown[k].z);
+  }
+  multiply(workers);
+  std::vector<Vec3> product(unknown.size());
+  for (std::size_t k = 0; k < unknown.size(); ++k) product[k] = {q_[0][home_[k]], q_[1][home_[k]], q_[2][home_[k]]};
+  return product;
 }
 
 }  // namespace karinui

@@ -1,24 +1,20 @@
 #pragma once
-// The linear system of one implicit step: 3x3 blocks between unknowns in rows, gathered from the energies' blocks,
-// solved by conjugate gradients with the inverse 3x3 diagonal as preconditioner. In float: it only finds the next move;
-// rest is judged in double.
+// The linear system of one implicit step, solved by conjugate gradients with the inverse 3x3 diagonal as
+// preconditioner. In float: it only finds the next move; rest is judged in double.
 //
-// Blocks are stored rather than recomputed per product: one layout then serves lattice, ring, ties and every energy.
+// Unknowns live in slots, as nodes do: a free node's unknown is at home in the node's own slot, that of nodes sewn
+// together in the first one's. The others are guests: before each product they are given their mix of the homes, after
+// it they hand back what they felt.
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "cloth/energy.h"
+#include "cloth/sparse_rows.h"
 #include "cloth/tie_map.h"
 #include "karinui/base/token.h"
 #include "karinui/base/workers.h"
 
 namespace karinui {
-
-struct Lane {
-  using Float4 = float __attribute__((vector_size(16)));
-  Float4 v{};
-};
 
 // A contact between bits of cloth: `along` n n^T + `across` (I - n n^T) on the weighted sum of its unknowns.
 struct Coupling {
@@ -29,41 +25,44 @@ struct Coupling {
 
 class BlockSystem {
  public:
-  // Rows for these pairs of nodes under these ties. `changing` get new blocks each step; `constant` have theirs for
-  // good.
-  BlockSystem(const TieMap& ties, std::span<const NodePair> changing, std::span<const NodePair> constant,
-              std::span<const Block3> constantBlocks);
+  // What stays as long as the cloth does. `pairs`: blocks that are new each step; `weights`: constant ones.
+  BlockSystem(const PanelPlan& plan, PanelBending bending, std::span<const NodePair> pairs,
+              std::span<const NodeWeight> weights);
+  void setTies(const TieMap& ties);
 
-  void gather(std::span<const Block3> changingBlocks, Workers& workers);  // starts a new system
-  void addDiagonal(std::uint32_t unknown, const Block3& block);
+  PanelStiffness& panels() { return panels_; }                    // to be filled before `gather`
+  void gather(std::span<const Block3> blocks, Workers& workers);  // starts a new system; a block per pair
+  void addDiagonal(std::uint32_t unknown, const Block3& block);   // symmetric
   void setCouplings(std::vector<Coupling> couplings) { couplings_ = std::move(couplings); }
 
   struct Stop {
-    int least = 40, most = 150;
-    double tolerance = 0.2;  // in the preconditioned norm
+    int least = 40, most = 400;
+    double tolerance = 0.1;  // of the move, in the matrix's own norm
   };
   // The move for a force on each unknown (newtons); how many iterations it took. Cut short when cancelled.
   int solve(std::span<const Vec3> force, const Stop& stop, const Token& token, Workers& workers,
             std::vector<Vec3>& move);
-  std::size_t unknowns() const { return rowStart_.size() - 1; }
+  // The matrix times a vector of unknowns, for those who want to look.
+  std::vector<Vec3> times(std::span<const Vec3> unknown, Workers& workers);
+  std::size_t unknowns() const { return home_.size(); }
 
  private:
-  struct Columns {  // of a 3x3 block, padded
-    Lane x, y, z;
-  };
-  struct Source {
-    std::uint32_t pair = 0;
+  struct Guest {
+    std::uint32_t slot = 0, home = 0;
     float weight = 1;
   };
   void invertDiagonal(Workers& workers);
-  double multiply(const std::vector<Lane>& p, std::vector<Lane>& q, Workers& workers) const;  // q = A p, returns p.q
+  double multiply(Workers& workers);  // q = A p, returns p.q
 
-  std::vector<std::uint32_t> rowStart_, column_, diagonal_;
-  std::vector<Columns> value_, constant_, inverse_;
-  std::vector<std::uint32_t> sourceStart_;  // of each slot
-  std::vector<Source> source_;
+  const PanelPlan& plan_;
+  PanelBending bending_;
+  PanelStiffness panels_;
+  SparseRows sparse_;
+  std::vector<std::uint32_t> home_;  // slot of each unknown
+  std::vector<Guest> guests_;        // by slot, then home
   std::vector<Coupling> couplings_;
-  std::vector<Lane> r_, z_, p_, q_, d_;
+  OwnBlocks own_, inverse_;
+  Lanes3 d_, r_, z_, p_, q_;
 };
 
 }  // namespace karinui

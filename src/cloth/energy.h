@@ -1,7 +1,7 @@
 #pragma once
-// One interface for all that stores energy in cloth. An energy knows its value, its gradient and a positive
-// semidefinite stand-in for its second derivative as 3x3 blocks between pairs of nodes. Everything is gathered: each
-// output is written by one block of work, so the bits do not depend on the number of threads.
+// One interface for all that stores energy in cloth: its value and its gradient, and for those that lie in no panel a
+// positive semidefinite stand-in for the second derivative as 3x3 blocks between pairs of nodes. Everything is
+// gathered: each output is written by one block of work, so the bits do not depend on the number of threads.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -23,16 +23,19 @@ class Energy {
   virtual ~Energy() = default;
   virtual double value(std::span<const Vec3> x, Workers& workers) const = 0;                                // joules
   virtual void addGradient(std::span<const Vec3> x, std::span<Vec3> gradient, Workers& workers) const = 0;  // newtons
+};
+
+class BlockEnergy : public Energy {
+ public:
   virtual void appendPairs(std::vector<NodePair>& pairs) const = 0;
   virtual std::size_t pairCount() const = 0;
   virtual void blocks(std::span<const Vec3> x, std::span<Block3> out, Workers& workers) const = 0;  // as appendPairs
-  virtual bool constantBlocks() const { return false; }
 };
 
 // Sum over many small elements of K nodes each. Derived gives `elementValue` and friends by `Self` (no virtual call per
 // element).
 template <class Self, int K>
-class ElementEnergy : public Energy {
+class ElementEnergy : public BlockEnergy {
  public:
   double value(std::span<const Vec3> x, Workers& workers) const override {
     return workers.sum(nodes_.size(), kBlock, [&](std::size_t begin, std::size_t end) {

@@ -69,6 +69,8 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
       velocity_(cloth.nodeCount),
       gradient_(cloth.nodeCount),
       tied_(cloth.ties.size(), 0),
+      plan_(cloth),
+      stretch_(cloth, plan_),
       contact_(body, movingOf(cloth).contact, settings.skin),
       faces_(cloth, body, settings.skin),
       self_(cloth, clothRadius) {
@@ -83,25 +85,22 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
   const double g = length(settings.gravity);
   nodeWeight_ = std::max(1e-12, total / std::max<std::size_t>(1, moving_.size()) * (g > 0 ? g : 9.81));
 
-  auto membrane = std::make_unique<Membrane>(cloth);
-  membrane_ = membrane.get();
-  energies_.push_back(std::move(membrane));
-  for (const bool edges : {false, true}) {
-    auto springs = std::make_unique<Springs>(edges ? edgeSprings(cloth) : simclothSprings(cloth), cloth.nodeCount);
-    springs_.push_back(springs.get());
-    if (!edges && springs->count() > 0) simcloth_ = springs.get();
-    energies_.push_back(std::move(springs));
-  }
-  energies_.push_back(std::make_unique<Bending>(cloth, held_));
-  for (const auto& energy : energies_) energy->appendPairs(energy->constantBlocks() ? constant_ : changing_);
-  changingBlocks_.resize(changing_.size());
-  constantBlocks_.resize(constant_.size());
-  std::size_t at = 0;
-  for (const auto& energy : energies_)
-    if (energy->constantBlocks()) {
-      energy->blocks(x_, std::span(constantBlocks_).subspan(at, energy->pairCount()), workers_);
-      at += energy->pairCount();
-    }
+  std::vector<NodePair> pairs;
+  const auto add = [&](auto energy) {
+    auto* raw = energy.get();
+    energy->appendPairs(pairs);
+    blockEnergies_.push_back(raw);
+    energies_.push_back(std::move(energy));
+    return raw;
+  };
+  membrane_ = add(std::make_unique<Membrane>(cloth, &plan_));
+  Springs* simcloth = add(std::make_unique<Springs>(simclothSprings(cloth), cloth.nodeCount));
+  if (simcloth->count() > 0) simcloth_ = simcloth;
+  springs_ = {simcloth, add(std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount))};
+  auto bending = std::make_unique<Bending>(cloth, held_, plan_);
+  system_ = std::make_unique<BlockSystem>(plan_, bending->panels(), pairs, bending->rest());
+  energies_.push_back(std::move(bending));
+  blocks_.resize(pairs.size());
   // Ties between nodes that do not move are not ours to close.
   for (std::size_t t = 0; t < cloth.ties.size(); ++t) {
     const Tie& tie = cloth.ties[t];
@@ -113,7 +112,7 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
 void LevelSolver::rebuild() {
   ties_ = std::make_unique<TieMap>(cloth_, held_, tied_);
   ties_->gather(x_);
-  system_ = std::make_unique<BlockSystem>(*ties_, changing_, constant_, constantBlocks_);
+  system_->setTies(*ties_);
   self_.setTies(*ties_);
   open_ = static_cast<std::size_t>(std::count(tied_.begin(), tied_.end(), 0));
 }
@@ -206,6 +205,7 @@ void LevelSolver::pushApart(std::vector<std::pair<NodeIndex, double>>& stiff) {
 
 void LevelSolver::assemble(const Stride& stride) {
   std::fill(gradient_.begin(), gradient_.end(), Vec3{});
+  stretch_.evaluate(x_, gradient_, system_->panels(), workers_);
   for (const auto& energy : energies_) energy->addGradient(x_, gradient_, workers_);
   for (NodeIndex k : moving_) gradient_[k] -= stride.gravity * mass_[k];
   contact_.find(x_, stride.friction, workers_);
@@ -230,12 +230,11 @@ void LevelSolver::assemble(const Stride& stride) {
     }
 
   std::size_t at = 0;
-  for (const auto& energy : energies_)
-    if (!energy->constantBlocks()) {
-      energy->blocks(x_, std::span(changingBlocks_).subspan(at, energy->pairCount()), workers_);
-      at += energy->pairCount();
-    }
-  system_->gather(changingBlocks_, workers_);
+  for (const BlockEnergy* energy : blockEnergies_) {
+    energy->blocks(x_, std::span(blocks_).subspan(at, energy->pairCount()), workers_);
+    at += energy->pairCount();
+  }
+  system_->gather(blocks_, workers_);
   const double inertia = 1 / (stride.seconds * stride.seconds);
   const auto addIsotropic = [&](NodeIndex node, double value) {
     double whole = 0;

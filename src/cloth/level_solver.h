@@ -10,6 +10,7 @@
 #include "cloth/closing.h"
 #include "cloth/face_contact.h"
 #include "cloth/membrane.h"
+#include "cloth/panel_stretch.h"
 #include "cloth/self_contact.h"
 #include "cloth/springs.h"
 #include "cloth/tangle.h"
@@ -89,12 +90,14 @@ class LevelSolver {
   std::vector<std::uint8_t> held_, tied_;
   std::size_t open_ = 0;
   std::vector<NodeIndex> moving_;
-  std::vector<std::unique_ptr<Energy>> energies_;
-  const Membrane* membrane_ = nullptr;   // of energies_
-  std::vector<const Springs*> springs_;  // of energies_
-  Springs* simcloth_ = nullptr;          // of springs_; null: none of the pieces is
-  std::vector<NodePair> changing_, constant_;
-  std::vector<Block3> changingBlocks_, constantBlocks_;
+  PanelPlan plan_;
+  PanelStretch stretch_;
+  std::vector<std::unique_ptr<Energy>> energies_;  // beside the panels' stretch
+  std::vector<const BlockEnergy*> blockEnergies_;  // of energies_
+  const Membrane* membrane_ = nullptr;             // of energies_
+  std::vector<const Springs*> springs_;            // of energies_
+  Springs* simcloth_ = nullptr;                    // of springs_; null: none of the pieces is
+  std::vector<Block3> blocks_;
   std::unique_ptr<TieMap> ties_;
   std::unique_ptr<BlockSystem> system_;
   BodyContact contact_;

@@ -38,16 +38,19 @@ double ThreadCurve::tangent(double e) const {
   return stiffness;
 }
 
-Membrane::Membrane(const Cloth& cloth) {
+Membrane::Membrane(const Cloth& cloth, const PanelPlan* plan) {
   std::vector<std::array<NodeIndex, 3>> nodes;
-  for (const ClothPiece& piece : cloth.pieces) {
+  for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
+    const ClothPiece& piece = cloth.pieces[p];
     const Fabric& f = piece.fabric;
     if (!piece.live || f.law != Fabric::Law::Woven) continue;
     threads_.push_back({{f.stretchWarp, f.compression * f.stretchWarp, f.toe},
                         {f.stretchWeft, f.compression * f.stretchWeft, f.toe},
                         f.shear});
+    threads_.push_back({{}, {}, f.shear});  // where the threads are the panel's
     const Lattice& lattice = *piece.lattice;
-    for (const Triangle& face : lattice.faces) {
+    for (std::size_t n = 0; n < lattice.faces.size(); ++n) {
+      const Triangle& face = lattice.faces[n];
       const Flat a = lattice.nodes[face[0]], ab = lattice.nodes[face[1]] - a, ac = lattice.nodes[face[2]] - a;
       const double twice = cross(ab, ac);
       if (!(twice > 0)) continue;  // a face of no area stores no energy
@@ -55,9 +58,16 @@ Membrane::Membrane(const Cloth& cloth) {
         const double b = cross(d, ac) / twice, c = cross(ab, d) / twice;
         return std::array<double, 3>{-b - c, b, c};
       };
-      share_.push_back(
-          {unit(lattice.weft), unit(lattice.warp), 0.5 * twice, static_cast<std::uint32_t>(threads_.size() - 1)});
-      nodes.push_back({piece.firstNode + face[0], piece.firstNode + face[1], piece.firstNode + face[2]});
+      const auto whole = static_cast<std::uint32_t>(threads_.size() - 2);
+      const PanelPlan::Left left = plan ? plan->left[p][n] : PanelPlan::Left::All;
+      const Share share{unit(lattice.weft), unit(lattice.warp), 0.5 * twice, whole};
+      const std::array<NodeIndex, 3> corners{piece.firstNode + face[0], piece.firstNode + face[1],
+                                             piece.firstNode + face[2]};
+      all_.push_back({corners, share});
+      if (left == PanelPlan::Left::Nothing) continue;
+      share_.push_back(share);
+      if (left == PanelPlan::Left::Shear) ++share_.back().threads;
+      nodes.push_back(corners);
     }
   }
   setElements(std::move(nodes), cloth.nodeCount);
@@ -107,10 +117,8 @@ void Membrane::elementBlocks(std::size_t e, const Corners& x, std::span<Block3> 
 
 Vec3 Membrane::tensionAt(std::span<const Vec3> x, const std::vector<std::uint8_t>& patch) const {
   Vec3 pull;
-  for (std::size_t e = 0; e < count(); ++e) {
-    const auto& n = nodes_[e];
+  for (const auto& [n, share] : all_) {
     if (!patch[n[0]] && !patch[n[1]] && !patch[n[2]]) continue;
-    const Share& share = share_[e];
     const Threads& t = threads_[share.threads];
     const std::array<Vec3, 3> corner{x[n[0]], x[n[1]], x[n[2]]};
     const Vec3 weft = carried(share.weft, corner), warp = carried(share.warp, corner);

@@ -2,6 +2,7 @@
 // How a woven cloth resists being stretched and sheared in its own plane: warp, weft and shear each by a curve, on
 // every triangle of the lattice and of its ring alike, so that a uniform stretch is felt the same across both.
 #include "cloth/energy.h"
+#include "cloth/panel_plan.h"
 #include "karinui/cloth/cloth.h"
 
 namespace karinui {
@@ -16,7 +17,8 @@ struct ThreadCurve {
 
 class Membrane : public ElementEnergy<Membrane, 3> {
  public:
-  explicit Membrane(const Cloth& cloth);  // of the live woven pieces
+  // Of the live woven pieces; given a plan, of what it leaves.
+  explicit Membrane(const Cloth& cloth, const PanelPlan* plan = nullptr);
   double elementValue(std::size_t e, const Corners& x) const;
   void elementGradient(std::size_t e, const Corners& x, std::span<Vec3, 3> out) const;
   void elementBlocks(std::size_t e, const Corners& x, std::span<Block3> out) const;
@@ -34,8 +36,13 @@ class Membrane : public ElementEnergy<Membrane, 3> {
     double area = 0;
     std::uint32_t threads = 0;
   };
+  struct Thread {  // what a triangle adds to the tension in its threads, for the hand
+    std::array<NodeIndex, 3> node{};
+    Share share;
+  };
   std::vector<Threads> threads_;
   std::vector<Share> share_;
+  std::vector<Thread> all_;  // every triangle
 };
 
 }  // namespace karinui

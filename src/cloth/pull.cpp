@@ -134,6 +134,7 @@ Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& gri
   stride.keep = 0.9;
   stride.mostMove = level.cloth.spacing;
   stride.gravity = settings.gravity;
+  stride.stop = {40, 150, 0.1};  // what the hand feels is asked at every point of its way
   const std::vector<Stop> stops = stopsOf(grip.path, grip.seconds, level.cloth.spacing);
   for (std::size_t k = 0; k < stops.size(); ++k) {
     hand.drawTo(stops[k].place);

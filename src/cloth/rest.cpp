@@ -106,7 +106,7 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
       LevelSolver::Stride longer = stride;
       longer.seconds = 0.25;
       longer.calm = false;
-      longer.stop = {40, 300, 0.02};
+      longer.stop = {40, 1000, 0.01};
       const auto ahead = solver.predict(longer, token);
       so.solves += static_cast<std::size_t>(ahead.iterations);
       so.left = ahead.move;
@@ -115,6 +115,8 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
       so.cancelled = token.cancelled();
       if (!so.finite || so.cancelled) return so;
       if (!(ahead.move < rule.left && ahead.residual < rule.residual)) {
+        // It was the loosely solved steps that were calm, not the cloth.
+        stride.stop.tolerance = std::fmax(0.03, 0.5 * stride.stop.tolerance);
         calm = 0;
         continue;
       }

@@ -14,6 +14,7 @@ constexpr double kFirmness = 3e5;  // N/m per m2 of cloth, as against the body
 constexpr double kSlide = 0.0005;  // metres of sliding in a step at which friction is fully felt
 constexpr double kReach = 0.75;    // in longest edges: how far a pair's nearest corners can lie apart
 constexpr double kNarrow = 3;      // radii: nearer than this on paper, corners across an edge do not meet
+constexpr double kRoom = 0.7;      // in spacings: how much further it is looked around than is asked for
 constexpr std::size_t kMostCells = 400'000;
 constexpr std::size_t kBlock = 128;
 
@@ -200,19 +201,20 @@ void SelfContact::edgeEdges(NodeIndex a, NodeIndex b, const Ask& ask, std::vecto
   }
 }
 
-std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& workers) const {
-  const std::size_t count = ask.x.size();
-  double most = 0;
-  for (Vec3 m : ask.move) most = std::fmax(most, squaredLength(m));
-  const double still = ask.within + kReach * ask.longest;
-  const double reach = still + 2.4 * std::sqrt(most);
-  const Grid grid(ask.x, reach);
-  std::vector<std::vector<Pair>> parts((count + kBlock - 1) / kBlock);
-  workers.forBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+void SelfContact::lookAround(std::span<const Vec3> x, double reach, Workers& workers) {
+  double moved = 0;
+  if (nearAt_.size() == x.size())
+    for (std::size_t k = 0; k < x.size(); ++k) moved = std::fmax(moved, squaredLength(x[k] - nearAt_[k]));
+  if (nearAt_.size() == x.size() && reach + 2 * std::sqrt(moved) <= nearReach_) return;
+  nearReach_ = reach + kRoom * spacing_;
+  nearAt_.assign(x.begin(), x.end());
+  const Grid grid(x, nearReach_);
+  std::vector<std::vector<std::array<NodeIndex, 2>>> parts((x.size() + kBlock - 1) / kBlock);
+  workers.forBlocks(x.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     auto& out = parts[begin / kBlock];
     for (std::size_t n = begin; n < end; ++n) {
       const auto a = static_cast<NodeIndex>(n);
-      const Vec3 p = ask.x[a];
+      const Vec3 p = x[a];
       const auto c = grid.at(p);
       for (std::int64_t k = std::max<std::int64_t>(0, c[2] - 1); k <= std::min(grid.count[2] - 1, c[2] + 1); ++k)
         for (std::int64_t j = std::max<std::int64_t>(0, c[1] - 1); j <= std::min(grid.count[1] - 1, c[1] + 1); ++j) {
@@ -222,20 +224,38 @@ std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& wor
           for (std::uint32_t i = grid.start[from]; i < grid.start[to + 1]; ++i) {
             const NodeIndex b = grid.item[i];
             if (b <= a || (!live_[a] && !live_[b])) continue;
-            const double d2 = squaredLength(ask.x[b] - p);
-            if (d2 > reach * reach) continue;
-            if (!ask.move.empty()) {
-              // The nodes of a pair move nearly alike, so what these two do stands for it, with room to spare.
-              const double far = still + 0.25 * spacing_ + 1.5 * length(ask.move[a] - ask.move[b]);
-              if (d2 > far * far) continue;
-            }
-            if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;
-            if (neighbours(a, b)) continue;
-            nodeFaces(a, b, ask, out);
-            nodeFaces(b, a, ask, out);
-            edgeEdges(a, b, ask, out);
+            if (squaredLength(x[b] - p) > nearReach_ * nearReach_ || neighbours(a, b)) continue;
+            out.push_back({a, b});
           }
         }
+    }
+  });
+  near_.clear();
+  for (const auto& part : parts) near_.insert(near_.end(), part.begin(), part.end());
+}
+
+std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& workers) {
+  double most = 0;
+  for (Vec3 m : ask.move) most = std::fmax(most, squaredLength(m));
+  const double still = ask.within + kReach * ask.longest;
+  const double reach = still + 2.4 * std::sqrt(most);
+  lookAround(ask.x, reach, workers);
+  std::vector<std::vector<Pair>> parts((near_.size() + kBlock - 1) / kBlock);
+  workers.forBlocks(near_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    auto& out = parts[begin / kBlock];
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto [a, b] = near_[n];
+      const double d2 = squaredLength(ask.x[b] - ask.x[a]);
+      if (d2 > reach * reach) continue;
+      if (!ask.move.empty()) {
+        // The nodes of a pair move nearly alike, so what these two do stands for it, with room to spare.
+        const double far = still + 0.25 * spacing_ + 1.5 * length(ask.move[a] - ask.move[b]);
+        if (d2 > far * far) continue;
+      }
+      if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;
+      nodeFaces(a, b, ask, out);
+      nodeFaces(b, a, ask, out);
+      edgeEdges(a, b, ask, out);
     }
   });
   std::vector<Pair> all;
@@ -264,7 +284,7 @@ void SelfContact::addCouplings(const TieMap& ties, std::vector<Coupling>& coupli
     couplings.push_back({partsOf(ties, pair.node, pair.weight), pair.normal, firmness_, pair.across});
 }
 
-bool SelfContact::guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const {
+bool SelfContact::guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {
   bool cut = false;
   if (radius_ <= 0 || !on_) return cut;
   for (int pass = 0; pass < 3; ++pass) {  // again where what was cut may meet something new
@@ -274,7 +294,7 @@ bool SelfContact::guard(std::span<const Vec3> x, std::vector<Vec3>& move, Worker
   return cut;
 }
 
-bool SelfContact::guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const {
+bool SelfContact::guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {
   const std::vector<Pair> pairs = collect({x, move, 0.15 * radius_, longestEdge(x)}, workers);
   const auto set = [&](NodeIndex k, Vec3 m) {
     if (held_[k]) return;

@@ -27,7 +27,7 @@ class SelfContact {
   void addGradient(std::span<Vec3> gradient) const;
   void addCouplings(const TieMap& ties, std::vector<Coupling>& couplings) const;
   // Shortens the moves of nodes where something would pass through; true when something was cut.
-  bool guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const;
+  bool guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers);
   std::size_t pairs() const { return found_.size(); }
 
  private:
@@ -45,11 +45,12 @@ class SelfContact {
     double within = 0;              // metres
     double longest = 0;             // edge
   };
-  std::vector<Pair> collect(const Ask& ask, Workers& workers) const;
+  std::vector<Pair> collect(const Ask& ask, Workers& workers);
+  void lookAround(std::span<const Vec3> x, double reach, Workers& workers);
   void nodeFaces(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const;
   void edgeEdges(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const;
   bool neighbours(NodeIndex a, NodeIndex b) const;
-  bool guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) const;
+  bool guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers);
   double longestEdge(std::span<const Vec3> x) const;
 
   double radius_, firmness_, spacing_;
@@ -65,6 +66,11 @@ class SelfContact {
   std::vector<std::uint8_t> held_, leftOut_;
   bool on_ = true;
   std::vector<Pair> found_;
+  // Nodes, no neighbours, that were nearer than nearReach_ when the cloth stood at nearAt_: good for all who ask for
+  // less, less by what has moved since.
+  std::vector<std::array<NodeIndex, 2>> near_;
+  std::vector<Vec3> nearAt_;
+  double nearReach_ = 0;
 };
 
 }  // namespace karinui

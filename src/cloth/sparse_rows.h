@@ -1,0 +1,41 @@
+#pragma once
+// The part of the step's matrix that lies in no panel: 3x3 blocks of the ring, of springs and of simcloth, new each
+// step, and plain weights of the border's bending, which stay. Rows of slots; what is on the diagonal is handed over.
+#include <span>
+#include <vector>
+
+#include "cloth/panel_product.h"
+
+namespace karinui {
+
+struct NodeWeight {
+  NodeIndex row = 0, column = 0;
+  double weight = 0;  // N/m, the same on all three axes
+};
+
+class SparseRows {
+ public:
+  SparseRows(std::span<const std::uint32_t> slotOf, std::span<const NodePair> pairs,
+             std::span<const NodeWeight> weights);
+  void gather(std::span<const Block3> blocks, OwnBlocks& own, Workers& workers);  // one block per pair
+  double multiply(const Lanes3& p, Lanes3& q, Workers& workers);  // adds to q; returns p . what it added
+
+ private:
+  using Float4 = float __attribute__((vector_size(16)));
+  struct Columns {  // of a 3x3 block, padded
+    Float4 x{}, y{}, z{};
+  };
+  struct Row {
+    std::uint32_t slot = 0, firstBlock = 0, firstWeight = 0;
+    float own = 0;  // of the weights
+  };
+  std::vector<std::uint32_t> slot_;  // that some row speaks of; rows and columns count in these
+  std::vector<Row> rows_;            // and one past the last
+  std::vector<std::uint32_t> ownBlock_, blockColumn_, weightColumn_;
+  std::vector<Columns> block_;
+  std::vector<std::uint32_t> sourceStart_, source_;  // pairs that make a block
+  std::vector<float> weight_;
+  std::vector<Float4> p_;
+};
+
+}  // namespace karinui

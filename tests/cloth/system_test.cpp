@@ -1,0 +1,136 @@
+// The step's linear system against the energies it stands for: panels and what is left of them must make up the whole.
+#include <gtest/gtest.h>
+
+#include "cloth/bending.h"
+#include "cloth/block_system.h"
+#include "cloth/helpers.h"
+#include "cloth/membrane.h"
+#include "cloth/springs.h"
+
+namespace karinui::test {
+namespace {
+
+// A cloth with everything in it: a grid askew in its outline, a second piece of another size, both sewn together.
+ClothLevel patched() {
+  Fabric f = *preset("denim");
+  f.stretchWeft = 0.7 * f.stretchWarp;
+  Pattern pattern = patternOf({rectangle(1, 0.31, 0.14, {0.3, 1}), rectangle(2, 0.31, 0.1)});
+  Seam seam;
+  seam.id = SeamId{1};
+  seam.a = {{PieceId{1}, "top"}};
+  seam.b = {{PieceId{2}, "bottom"}};
+  pattern.seams[seam.id] = seam;
+  return levelOf(pattern, 0.01, f);
+}
+
+std::vector<Vec3> stretched(const Cloth& cloth) {
+  std::vector<Vec3> x;
+  for (const ClothPiece& piece : cloth.pieces)
+    for (Flat p : piece.lattice->nodes) x.push_back({1.1 * p.u + 0.05 * p.v, 1.15 * p.v + 0.08 * p.u, 0});
+  return x;
+}
+
+struct Parts {
+  explicit Parts(const Cloth& cloth)
+      : plan(cloth),
+        held(cloth.nodeCount, 0),
+        tied(cloth.ties.size(), 1),
+        ties(cloth, held, tied),
+        stretch(cloth, plan),
+        whole(cloth),
+        rest(cloth, &plan),
+        bending(cloth, held, plan) {
+    rest.appendPairs(pairs);
+    system = std::make_unique<BlockSystem>(plan, bending.panels(), pairs, bending.rest());
+    system->setTies(ties);
+  }
+  std::vector<Vec3> gradient(const std::vector<Vec3>& x) {
+    std::vector<Vec3> g(x.size());
+    stretch.evaluate(x, g, system->panels(), workers);
+    rest.addGradient(x, g, workers);
+    bending.addGradient(x, g, workers);
+    std::vector<Block3> blocks(pairs.size());
+    rest.blocks(x, blocks, workers);
+    system->gather(blocks, workers);
+    return g;
+  }
+  Workers workers{1};
+  PanelPlan plan;
+  std::vector<std::uint8_t> held, tied;
+  TieMap ties;
+  PanelStretch stretch;
+  Membrane whole, rest;
+  Bending bending;
+  std::vector<NodePair> pairs;
+  std::unique_ptr<BlockSystem> system;
+};
+
+TEST(System, PanelsPullAsTheMembraneDoes) {
+  const ClothLevel level = patched();
+  Parts parts(level.cloth);
+  ASSERT_EQ(parts.plan.panels.size(), 2u);
+  EXPECT_LT(parts.rest.count(), parts.whole.count() / 2);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> by(-0.001, 0.001);
+  std::vector<Vec3> x = stretched(level.cloth);
+  for (Vec3& p : x) p += Vec3{by(random), by(random), by(random)};
+  std::vector<Vec3> expected(x.size());
+  parts.whole.addGradient(x, expected, parts.workers);
+  parts.bending.addGradient(x, expected, parts.workers);
+  const std::vector<Vec3> found = parts.gradient(x);
+  double scale = 0;
+  for (Vec3 g : expected) scale = std::fmax(scale, length(g));
+  for (std::size_t k = 0; k < x.size(); ++k) EXPECT_LT(length(found[k] - expected[k]), 1e-12 * scale) << k;
+}
+
+TEST(System, ProductIsTheSlopeOfTheGradient) {
+  // Stretched everywhere: nothing is left out but the shear's small indefinite part.
+  const ClothLevel level = patched();
+  Parts parts(level.cloth);
+  std::vector<Vec3> x = stretched(level.cloth);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> by(-1, 1);
+  std::vector<Vec3> unknown(parts.ties.unknowns()), move, up = x, down = x, slope;
+  for (Vec3& m : unknown) m = {by(random), by(random), by(random)};
+  parts.ties.spread(unknown, move);
+  const double step = 1e-6;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    up[k] += move[k] * step;
+    down[k] += move[k] * -step;
+  }
+  const std::vector<Vec3> after = parts.gradient(up), before = parts.gradient(down);
+  std::vector<Vec3> change(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) change[k] = (after[k] - before[k]) * (0.5 / step);
+  parts.ties.reduce(change, slope);
+  parts.gradient(x);
+  const std::vector<Vec3> found = parts.system->times(unknown, parts.workers);
+  double scale = 0;
+  for (Vec3 s : slope) scale = std::fmax(scale, length(s));
+  double worst = 0, wrong = 0, all = 0;
+  for (std::size_t u = 0; u < slope.size(); ++u) {
+    worst = std::fmax(worst, length(found[u] - slope[u]));
+    wrong += squaredLength(found[u] - slope[u]);
+    all += squaredLength(slope[u]);
+  }
+  EXPECT_LT(worst, 0.03 * scale);
+  EXPECT_LT(std::sqrt(wrong / all), 0.01);
+}
+
+TEST(System, SolvesWhatItMultiplies) {
+  const ClothLevel level = patched();
+  Parts parts(level.cloth);
+  parts.gradient(stretched(level.cloth));
+  Block3 mass{};
+  mass[0] = mass[4] = mass[8] = 5;
+  for (std::uint32_t u = 0; u < parts.system->unknowns(); ++u) parts.system->addDiagonal(u, mass);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> by(-1, 1);
+  std::vector<Vec3> expected(parts.system->unknowns()), found;
+  for (Vec3& m : expected) m = {by(random), by(random), by(random)};
+  const std::vector<Vec3> force = parts.system->times(expected, parts.workers);
+  parts.system->solve(force, {10, 2000, 1e-5}, Token(), parts.workers, found);
+  for (std::size_t u = 0; u < found.size(); ++u) EXPECT_LT(length(found[u] - expected[u]), 5e-3) << u;
+}
+
+}  // namespace
+}  // namespace karinui::test
