@@ -307,16 +307,22 @@ bool SelfContact::guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Wo
   for (int round = 0; round < 40; ++round) {
     bool bad = false;
     for (const Pair& pair : pairs) {
-      double low = 1e300, high = -1e300;  // lowest of the first side, highest of the second, along the normal
+      // Lowest of the first side, highest of the second, along the normal: as they stand and as they would.
+      double low = 1e300, high = -1e300, lowNow = 1e300, highNow = -1e300;
       for (int k = 0; k < 4; ++k) {
-        const double s = dot(x[pair.node[k]] + move[pair.node[k]], pair.normal);
-        if (k < pair.first)
+        const double now = dot(x[pair.node[k]], pair.normal), s = now + dot(move[pair.node[k]], pair.normal);
+        if (k < pair.first) {
           low = std::fmin(low, s);
-        else
+          lowNow = std::fmin(lowNow, now);
+        } else {
           high = std::fmax(high, s);
+          highNow = std::fmax(highNow, now);
+        }
       }
-      const double least = std::fmin(0.25 * pair.gap, 0.05 * radius_);
-      if (low - high >= 0.999 * least) continue;
+      // Where the nearest places are on rims no plane parts the whole of both sides; they must not come to lie deeper
+      // than they do, but asked for more they could never move again.
+      const double least = std::fmin(std::fmin(0.25 * pair.gap, 0.05 * radius_), lowNow - highNow);
+      if (low - high >= least - 1e-3 * std::fabs(least)) continue;
       bad = any = true;
       if (round < 12) {  // both sides to the middle plane
         const double middle = 0.5 * (low + high);
