@@ -190,7 +190,7 @@ std::shared_ptr<const Template> chartOf(const Figure& figure, const Reading& rea
   };
   m.crotch = level("crotch_height", at.crotch), m.waist = level("waist_height", at.waist);
   m.bust = level("bust_height", at.bust);
-  m.armpit = std::max(at.armpit.y, m.bust + 0.01 * at.crown);
+  m.armpit = std::max(level("armpit_height", at.armpit.y), m.bust + 0.01 * at.crown);
   m.underBust = std::max(level("under_bust_height", m.bust - 0.075), std::lerp(m.waist, m.bust, 0.3));
   m.shoulder = at.shoulder.y, m.chin = at.head;
   m.neckBase = (level("neck_front_height", at.neck) + level("neck_back_height", at.neck)) / 2;
