@@ -1,5 +1,6 @@
 #include "karinui/base/workers.h"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -7,21 +8,37 @@
 #include <thread>
 
 namespace karinui {
+namespace {
 
-// Helpers sleep until a job's number changes; blocks are handed out by a counter, so a slow block delays nobody.
+constexpr int kSpins = 2000;  // some tens of microseconds: longer than the pause between two jobs of a solver
+
+void breathe() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#else
+  std::this_thread::yield();
+#endif
+}
+
+}  // namespace
+
+// Blocks are handed out by a counter, so a slow block delays nobody. A solver's jobs are shorter than waking a thread:
+// helpers look out for the next job a while before they sleep, and the caller waits only for helpers that took part,
+// never for one that is still waking up. The counters are sequentially consistent: whoever enters either sees the job
+// closed or is seen inside.
 struct Workers::Team {
   struct Job {
     const std::function<void(std::size_t, std::size_t)>* work = nullptr;
     std::size_t count = 0, block = 1;
     std::atomic<std::size_t> next{0};
   };
-  Job job;
+  Job job;  // written only while it is closed and nobody is inside
   std::vector<std::thread> helpers;
+  std::atomic<std::uint64_t> number{0};
+  std::atomic<bool> open{false}, closing{false};
+  std::atomic<int> inside{0}, sleeping{0};
   std::mutex mutex;
-  std::condition_variable begin, end;
-  std::uint64_t number = 0;
-  std::size_t busy = 0;
-  bool closing = false;
+  std::condition_variable begin;
 
   void takeBlocks() {
     for (;;) {
@@ -33,16 +50,27 @@ struct Workers::Team {
 
   void help() {
     std::uint64_t seen = 0;
-    std::unique_lock lock(mutex);
+    const auto called = [&] { return closing || number != seen; };
     for (;;) {
-      begin.wait(lock, [&] { return closing || number != seen; });
+      for (int i = 0; i < kSpins && !called(); ++i) breathe();
+      if (!called()) {
+        std::unique_lock lock(mutex);
+        ++sleeping;
+        begin.wait(lock, called);
+        --sleeping;
+      }
       if (closing) return;
       seen = number;
-      lock.unlock();
-      takeBlocks();
-      lock.lock();
-      if (--busy == 0) end.notify_one();
+      ++inside;
+      if (open) takeBlocks();
+      --inside;
     }
+  }
+
+  void wake() {
+    if (sleeping == 0) return;
+    { const std::lock_guard lock(mutex); }  // who is about to sleep does so first
+    begin.notify_all();
   }
 };
 
@@ -51,11 +79,8 @@ Workers::Workers(int threads) : team_(std::make_unique<Team>()) {
 }
 
 Workers::~Workers() {
-  {
-    std::lock_guard lock(team_->mutex);
-    team_->closing = true;
-  }
-  team_->begin.notify_all();
+  team_->closing = true;
+  team_->wake();
   for (std::thread& helper : team_->helpers) helper.join();
 }
 
@@ -67,19 +92,17 @@ void Workers::forBlocks(std::size_t count, std::size_t block,
     for (std::size_t from = 0; from < count; from += block) work(from, std::min(from + block, count));
     return;
   }
-  {
-    std::lock_guard lock(team_->mutex);
-    team_->job.work = &work;
-    team_->job.count = count;
-    team_->job.block = block;
-    team_->job.next = 0;
-    team_->busy = team_->helpers.size();
-    ++team_->number;
-  }
-  team_->begin.notify_all();
-  team_->takeBlocks();
-  std::unique_lock lock(team_->mutex);
-  team_->end.wait(lock, [&] { return team_->busy == 0; });
+  Team& team = *team_;
+  team.job.work = &work;
+  team.job.count = count;
+  team.job.block = block;
+  team.job.next = 0;
+  team.open = true;
+  ++team.number;
+  team.wake();
+  team.takeBlocks();
+  team.open = false;
+  for (int i = 0; team.inside != 0; ++i) i < kSpins ? breathe() : std::this_thread::yield();
 }
 
 }  // namespace karinui
