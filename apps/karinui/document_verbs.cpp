@@ -6,8 +6,8 @@
 #include "figure.h"
 #include "karinui/base/file.h"
 #include "karinui/design/script.h"
-#include "karinui/exchange/garment_code.h"
-#include "karinui/exchange/pattern_json.h"
+#include "karinui/design/steps_of.h"
+#include "karinui/exchange/read_pattern.h"
 #include "stage_pictures.h"
 
 namespace karinui::app {
@@ -156,58 +156,12 @@ int runLog(Program& program, const DocumentOnly& options) {
   });
 }
 
-EdgeRef refTo(const Pattern& pattern, const EdgeSpan& span) {
-  EdgeRef ref;
-  ref.piece = PieceRef(pattern.pieces.at(span.piece)->name);
-  ref.edge = span.edge;
-  ref.from = span.from;
-  ref.to = span.to;
-  return ref;
-}
-
-// A whole pattern as the operations that make it.
-Result<void> addPattern(Bench& bench, Pattern pattern) {
-  for (auto& [id, shared] : pattern.pieces) {
-    auto piece = std::make_shared<Piece>(*shared);
-    piece->name = usableName(bench.document(), piece->name);
-    shared = piece;
-    AddPiece add;
-    add.name = piece->name;
-    add.outline = piece->outline;
-    add.holes = piece->holes;
-    add.lines = piece->lines;
-    add.marks = piece->marks;
-    add.grain = piece->grain;
-    add.fabric = piece->fabric;
-    add.pose = piece->pose;
-    add.layer = piece->layer;
-    if (const auto step = bench.perform(std::move(add)); !step) return step.error();
-  }
-  for (const auto& [id, seam] : pattern.seams) {
-    SewEdges sew;
-    for (const EdgeSpan& span : seam.a) sew.a.push_back(refTo(pattern, span));
-    for (const EdgeSpan& span : seam.b) sew.b.push_back(refTo(pattern, span));
-    sew.name = seam.name;
-    sew.reversed = seam.reversed ? Choice::Yes : Choice::No;
-    sew.tie = seam.tie == Seam::Tie::TwoToOne ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
-    if (const auto step = bench.perform(std::move(sew)); !step) return step.error();
-  }
-  return {};
-}
-
-Result<Pattern> readPattern(const std::string& path) {
-  const Result<std::string> bytes = readFile(path);
-  if (!bytes) return bytes.error();
-  const bool ours = bytes->find("\"karinui-pattern-1\"") != std::string::npos;
-  return ours ? readPatternJson(*bytes) : readGarmentCode(*bytes);
-}
-
 int runImport(Program& program, const ImportOptions& options) {
   const std::string ending = fs::path(options.file).extension().string();
   if (ending == ".ops") return runPlay(program, {options.file, options.body, options.out, "", options.overwrite});
   return makeDocument(program, options.out, options.overwrite, [&](Bench& bench) -> Result<void> {
     std::optional<Pattern> pattern;
-    if (ending == ".json") {
+    if (ending == ".json" || ending == ".svg") {
       Result<Pattern> read = readPattern(options.file);
       if (!read) return read.error();
       pattern = std::move(*read);
@@ -218,7 +172,10 @@ int runImport(Program& program, const ImportOptions& options) {
       if (!chosen) return chosen.error();
       if (const auto step = bench.perform(std::move(*chosen)); !step) return step.error();
     }
-    return pattern ? addPattern(bench, std::move(*pattern)) : Result<void>{};
+    if (!pattern) return {};
+    for (Operation& operation : stepsOf(*pattern, bench.document()))
+      if (const auto step = bench.perform(std::move(operation)); !step) return step.error();
+    return {};
   });
 }
 
@@ -278,7 +235,9 @@ void addDocumentVerbs(Program& program) {
   auto import = std::make_shared<ImportOptions>();
   verb = program.verb(program.cli, "import", help("Makes a document from a pattern, a body or a script"), import,
                       runImport);
-  verb->add_option("file", import->file, help("GarmentCode or Karinui .json; .obj .ply .gltf .glb; .ops"))->required();
+  verb->add_option("file", import->file,
+                   help("GarmentCode or Karinui .json, .svg Karinui drew; .obj .ply .gltf .glb; .ops"))
+      ->required();
   verb->add_option("-o,--output", import->out, help("The .karinui document to make"))->required();
   verb->add_option("--body", import->body, help("A body file or built-in size to put the pattern on"));
   verb->add_flag("--overwrite", import->overwrite, help("Replace a document that is there already"));

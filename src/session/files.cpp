@@ -1,9 +1,10 @@
 // Files in and out of a session.
 #include "karinui/base/file.h"
 #include "karinui/design/script.h"
-#include "karinui/exchange/garment_code.h"
+#include "karinui/design/steps_of.h"
 #include "karinui/exchange/pattern_json.h"
 #include "karinui/exchange/read_body.h"
+#include "karinui/exchange/read_pattern.h"
 #include "karinui/exchange/sheet.h"
 #include "karinui/exchange/spatial.h"
 #include "session/room.h"
@@ -11,38 +12,6 @@
 namespace karinui {
 
 namespace {
-
-EdgeRef refTo(const std::map<PieceId, std::string>& names, const EdgeSpan& span) {
-  return {PieceRef(names.at(span.piece)), span.edge, span.from, span.to};
-}
-
-// A whole pattern as the operations that make it.
-Done addPattern(Room& room, const Pattern& pattern, const Token& token) {
-  std::map<PieceId, std::string> names;
-  for (const auto& [id, piece] : pattern.pieces) {
-    AddPiece add;
-    add.name = names[id] = usableName(room.file().document(), piece->name);
-    add.outline = piece->outline;
-    add.holes = piece->holes;
-    add.lines = piece->lines;
-    add.marks = piece->marks;
-    add.grain = piece->grain;
-    add.fabric = piece->fabric;
-    add.pose = piece->pose;
-    add.layer = piece->layer;
-    if (const auto step = room.perform(std::move(add), token); !step) return step.error();
-  }
-  for (const auto& [id, seam] : pattern.seams) {
-    SewEdges sew;
-    for (const EdgeSpan& span : seam.a) sew.a.push_back(refTo(names, span));
-    for (const EdgeSpan& span : seam.b) sew.b.push_back(refTo(names, span));
-    sew.name = seam.name;
-    sew.reversed = seam.reversed ? Choice::Yes : Choice::No;
-    sew.tie = seam.tie == Seam::Tie::TwoToOne ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
-    if (const auto step = room.perform(std::move(sew), token); !step) return step.error();
-  }
-  return {};
-}
 
 SpatialGarment spatialOf(const Fitting& fitting) {
   SpatialGarment garment;
@@ -72,9 +41,9 @@ Result<std::string> bytesFor(const Fitting& fitting, const std::string& log, con
 }  // namespace
 
 Done importPatternInto(Room& room, const std::filesystem::path& file, const Token& token) {
-  const Result<std::string> bytes = readFile(file);
-  if (!bytes) return bytes.error();
   if (file.extension() == ".ops") {
+    const Result<std::string> bytes = readFile(file);
+    if (!bytes) return bytes.error();
     const auto lines = parseScript(*bytes);
     if (!lines) return lines.error();
     for (std::size_t i = 0; i < lines->size(); ++i) {
@@ -84,11 +53,11 @@ Done importPatternInto(Room& room, const std::filesystem::path& file, const Toke
     }
     return {};
   }
-  const bool ours = bytes->find("\"karinui-pattern-1\"") != std::string::npos;
-  const Result<Pattern> pattern = file.extension() == ".svg" ? readSvg(*bytes)
-                                  : ours                     ? readPatternJson(*bytes)
-                                                             : readGarmentCode(*bytes);
-  return pattern ? addPattern(room, *pattern, token) : Done(pattern.error());
+  const Result<Pattern> pattern = readPattern(file);
+  if (!pattern) return pattern.error();
+  for (Operation& operation : stepsOf(*pattern, room.file().document()))
+    if (const auto step = room.perform(std::move(operation), token); !step) return step.error();
+  return {};
 }
 
 Done importBodyInto(Room& room, const std::filesystem::path& file, const Token& token, std::vector<Message>& notes) {

@@ -152,6 +152,16 @@ TEST_F(Command, PlaysSettlesChecksAndExports) {
     EXPECT_EQ(karinui("export " + document() + " -o " + file).exit, 0) << ending;
     EXPECT_GT(contents(file).size(), 200u) << ending;
   }
+  for (const char* ending : {"svg", "json"}) {
+    const std::string again = folder / (std::string("again_") + ending + ".karinui");
+    ASSERT_EQ(karinui("import " + (folder / (std::string("out.") + ending)) + " -o " + again).exit, 0) << ending;
+    const auto read = karinui("info " + again + " --json").json();
+    ASSERT_EQ(read["pieces"].size(), 2u) << ending;
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_EQ(read["pieces"][i]["name"], info["pieces"][i]["name"]) << ending;
+      EXPECT_NEAR(read["pieces"][i]["perimeter_m"].get<double>(), info["pieces"][i]["perimeter_m"].get<double>(), 5e-5);
+    }
+  }
   const std::string obj = contents(folder / "out.obj");
   for (const char* object : {"\no body\n", "\no front\n", "\no back\n"}) EXPECT_NE(obj.find(object), std::string::npos);
   EXPECT_EQ(karinui("export " + document() + " -o " + (folder / "out.xyz")).exit, 3);
@@ -216,7 +226,7 @@ TEST_F(Command, EveryReaderRefusesNonsenseInASentence) {
                                   "SQLite format 3",
                                   "\xff\xfe\xfa"};
   int number = 0;
-  for (const char* ending : {"json", "obj", "ply", "glb", "gltf", "ops", "karinui", "xyz"}) {
+  for (const char* ending : {"json", "svg", "obj", "ply", "glb", "gltf", "ops", "karinui", "xyz"}) {
     for (const std::string& bytes : nonsense) {
       const std::string file = folder / ("bad" + std::to_string(number++) + "." + ending);
       write(file, bytes);

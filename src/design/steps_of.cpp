@@ -1,0 +1,45 @@
+#include "karinui/design/steps_of.h"
+
+#include <map>
+
+namespace karinui {
+
+std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into) {
+  std::vector<Operation> steps;
+  std::map<PieceId, std::string> names;
+  Document named = into;  // knows the names given so far; its pieces are never looked at
+  for (const auto& [id, piece] : pattern.pieces) {
+    AddPiece add;
+    add.name = names[id] = usableName(named, piece->name);
+    add.outline = piece->outline;
+    add.holes = piece->holes;
+    add.lines = piece->lines;
+    add.marks = piece->marks;
+    add.grain = piece->grain;
+    add.fabric = piece->fabric;
+    add.pose = piece->pose;
+    add.layer = piece->layer;
+    auto held = std::make_shared<Piece>();
+    held->name = add.name;
+    const auto& taken = named.pattern.pieces;
+    named.pattern.pieces[PieceId{taken.empty() ? 1 : taken.rbegin()->first.value + 1}] = std::move(held);
+    steps.push_back(std::move(add));
+  }
+  const auto refs = [&](const std::vector<EdgeSpan>& side) {
+    std::vector<EdgeRef> all;
+    for (const EdgeSpan& span : side) all.push_back({PieceRef(names.at(span.piece)), span.edge, span.from, span.to});
+    return all;
+  };
+  for (const auto& [id, seam] : pattern.seams) {
+    SewEdges sew;
+    sew.a = refs(seam.a);
+    sew.b = refs(seam.b);
+    sew.name = seam.name;
+    sew.reversed = seam.reversed ? Choice::Yes : Choice::No;
+    sew.tie = seam.tie == Seam::Tie::TwoToOne ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
+    steps.push_back(std::move(sew));
+  }
+  return steps;
+}
+
+}  // namespace karinui
