@@ -191,4 +191,21 @@ void drawIcon(QPainter& painter, std::string_view name, const QRectF& square, co
   painter.restore();
 }
 
+void paintWord(QPainter& painter, const QPointF& above, const QString& words) {
+  painter.save();
+  QFont small = painter.font();
+  small.setPointSizeF(9.5);
+  small.setWeight(QFont::DemiBold);
+  painter.setFont(small);
+  QRectF tag = painter.fontMetrics().boundingRect(words);
+  tag.moveCenter(above + QPointF(0, -20));
+  tag.adjust(-9, -4, 9, 4);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(40, 36, 32, 215));
+  painter.drawRoundedRect(tag, 8, 8);
+  painter.setPen(Qt::white);
+  painter.drawText(tag, Qt::AlignCenter, words);
+  painter.restore();
+}
+
 }  // namespace karinui::studio

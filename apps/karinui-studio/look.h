@@ -53,4 +53,7 @@ QColor shown(const Colour& linear);  // linear light to screen
 // Draws an icon of the house into a square.
 void drawIcon(class QPainter& painter, std::string_view name, const class QRectF& square, const QColor& ink);
 
+// A word on a dark tag, above a place.
+void paintWord(class QPainter& painter, const class QPointF& above, const QString& words);
+
 }  // namespace karinui::studio

@@ -3,20 +3,16 @@
 
 #include "space_view.h"
 
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLPaintDevice>
 #include <QPainter>
-#include <QPainterPath>
-#include <QWheelEvent>
 #include <cmath>
 
-#include "karinui/base/number.h"
-#include "karinui/geometry/section.h"
 #include "karinui/session/scene_of.h"
 #include "karinui/view/strain_scale.h"
 #include "look.h"
+#include "mouse.h"
 #include "orbit.h"
 #include "view_eyes.h"
 
@@ -42,76 +38,11 @@ void readyForPainter() {
   glUseProgram(0);
 }
 
-// Threads between edges that are to be sewn but hang apart.
-std::vector<SceneLine> threadsOf(const Fitting& fitting) {
-  std::vector<SceneLine> lines;
-  for (const auto& [id, seam] : fitting.document.pattern.seams) {
-    const auto run = [&](const std::vector<EdgeSpan>& side) {
-      std::vector<Vec3> points;
-      for (const EdgeSpan& s : side) {
-        const auto part = edgeInSpace(fitting, {PieceRef(s.piece), s.edge, s.from, s.to});
-        points.insert(points.end(), part.begin(), part.end());
-      }
-      return points;
-    };
-    const auto a = run(seam.a);
-    auto b = run(seam.b);
-    if (a.size() < 2 || b.size() < 2) continue;
-    if (seam.reversed) std::reverse(b.begin(), b.end());
-    const int count = std::clamp(static_cast<int>(lineLength(a, false) / 0.025), 4, 40);
-    for (int i = 0; i <= count; ++i) {
-      const auto at = [&](const std::vector<Vec3>& line) {
-        return line[static_cast<std::size_t>(i) * (line.size() - 1) / static_cast<std::size_t>(count)];
-      };
-      if (distance(at(a), at(b)) > 0.012) lines.push_back({{at(a), at(b)}, {0.75f, 0.40f, 0.12f}, 0.8f, false});
-    }
-  }
-  return lines;
-}
-
-// The floating bar as a flat picture, so many pixels wide.
-QImage boardPicture(const ScenePanel& panel, int pixels, QFont font) {
-  const Palette& p = Look::here().palette();
-  const double wide = length(panel.across), high = length(panel.upward), scale = pixels / wide;
-  QImage image(pixels, std::max(1, static_cast<int>(high * scale)), QImage::Format_ARGB32_Premultiplied);
-  image.fill(Qt::transparent);
-  QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const double unit = panel.buttons.front().width * scale;
-  QColor board = p.raised;
-  board.setAlphaF(0.94f);
-  painter.setPen(QPen(p.line, 1.2));
-  painter.setBrush(board);
-  painter.drawRoundedRect(QRectF(image.rect()).adjusted(1, 1, -1, -1), unit * 0.24, unit * 0.24);
-  for (const ScenePanel::Button& b : panel.buttons) {
-    const QRectF box(b.left * scale, (high - b.bottom - b.height) * scale, b.width * scale, b.height * scale);
-    QColor ink = b.chosen ? p.accent : p.ink;
-    if (!b.enabled) ink.setAlphaF(0.3f);
-    if (b.chosen || (b.hot && b.enabled)) {
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(b.chosen ? p.accentSoft : p.window);
-      painter.drawRoundedRect(box, unit * 0.17, unit * 0.17);
-    }
-    drawIcon(painter, b.icon, QRectF(box.center().x() - unit * 0.24, box.top() + unit * 0.13, unit * 0.48, unit * 0.48),
-             ink);
-    const QString caption = inWords(b.label);
-    font.setPixelSize(std::max(1, static_cast<int>(unit * 0.2)));
-    if (const double w = QFontMetricsF(font).horizontalAdvance(caption); w > unit * 0.96)
-      font.setPixelSize(std::max(1, static_cast<int>(unit * 0.2 * 0.96 * unit / w)));
-    painter.setFont(font);
-    painter.setPen(ink);
-    painter.drawText(QRectF(box.left(), box.bottom() - unit * 0.36, box.width(), unit * 0.3), Qt::AlignCenter, caption);
-  }
-  return image;
-}
-
 }  // namespace
 
 SpaceView::SpaceView(Session& session, Clockwork& clockwork, QWidget* parent)
     : QOpenGLWidget(parent), session_(session), clockwork_(clockwork) {
-  setMouseTracking(true);
-  setFocusPolicy(Qt::StrongFocus);
-  setMinimumSize(320, 280);
+  preparePointing(*this, {320, 280});
   setAccessibleName("3D");
   camera_ = frameAll({}, View::Oblique, 1);
   rest_.setSingleShot(true);
@@ -224,7 +155,7 @@ void SpaceView::setMap(FitMap map) {
 }
 void SpaceView::setTape(bool on) {
   tape_ = on;
-  tapeLine_.clear();
+  tapeShown_ = {};
   refresh();
 }
 
@@ -289,7 +220,7 @@ void SpaceView::showOverlay() {
     auto line = edgeInSpace(*fitting, {PieceRef(e.piece), e.edge});
     if (line.size() > 1) lines.push_back({std::move(line), {0.05f, 0.25f, 0.62f}, 4, false});
   }
-  if (tapeLine_.size() > 1) lines.push_back({tapeLine_, {0.85f, 0.60f, 0.02f}, 5, false});
+  if (!tapeShown_.line.empty()) lines.push_back({tapeShown_.line, {0.85f, 0.60f, 0.02f}, 5, false});
   renderer_->overlay(lines);
 }
 
@@ -340,203 +271,10 @@ void SpaceView::paintGL() {
   emit painted();
 }
 
-// Words, dots and the floating bar, as this eye sees them.
-void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
-  painter.setRenderHint(QPainter::Antialiasing);
-  const Eye eye = eyeOf(lens(), static_cast<double>(w) / h, sideways);
-  const Palette& p = Look::here().palette();
-  const auto at = [&](Vec3 place) {
-    const OnPicture on = project(eye, place, w, h);
-    return QPointF(on.x, on.y);
-  };
-  const Preview preview = session_.preview();
-  for (const Vec3 dot : preview.space.dots) {
-    painter.setPen(QPen(Qt::white, 2));
-    painter.setBrush(QColor("#d4552a"));
-    painter.drawEllipse(at(dot), 5, 5);
-  }
-  QFont small = font();
-  small.setPointSizeF(9.5);
-  small.setWeight(QFont::DemiBold);
-  painter.setFont(small);
-  const auto label = [&](QPointF where, const QString& words) {
-    QRectF box = painter.fontMetrics().boundingRect(words);
-    box.moveCenter(where + QPointF(0, -22));
-    box.adjust(-9, -4, 9, 4);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(40, 36, 32, 215));
-    painter.drawRoundedRect(box, 8, 8);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, words);
-  };
-  for (const SceneWord& word : preview.space.words) label(at(word.place), QString::fromStdString(word.text));
-  if (tapeLine_.size() > 1) label(at(tapeLine_.front()), QString::fromStdString(fixed(tapeLength_ * 100, 1)) + " cm");
-
-  const auto panel = session_.menu();
-  if (!panel) return;
-  // The board is drawn flat and hung in space by the projection of its corners.
-  const QPolygonF seen({at(panel->corner + panel->upward), at(panel->corner + panel->across + panel->upward),
-                        at(panel->corner + panel->across), at(panel->corner)});
-  const double ratio = painter.device()->devicePixelRatioF();
-  const int pixels = static_cast<int>(std::hypot(seen[1].x() - seen[0].x(), seen[1].y() - seen[0].y()) * ratio);
-  const QImage board = boardPicture(*panel, std::clamp(pixels, 64, 4096), font());
-  const QPolygonF flat(QRectF(board.rect()));
-  QTransform hang;
-  if (QTransform::quadToQuad(QPolygonF({flat[0], flat[1], flat[2], flat[3]}), seen, hang)) {
-    painter.save();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.setTransform(hang, true);
-    painter.drawImage(0, 0, board);
-    painter.restore();
-  }
-
-  if (mapTop_ > 0) {  // the scale of the map
-    const double left = 22, top = 22, tall = std::min(190.0, h * 0.3);
-    painter.setPen(Qt::NoPen);
-    QColor back = p.raised;
-    back.setAlphaF(0.9f);
-    painter.setBrush(back);
-    painter.drawRoundedRect(QRectF(left - 10, top - 10, 142, tall + 54), 10, 10);
-    painter.setPen(p.ink);
-    painter.drawText(QPointF(left, top + 10),
-                     map_ == FitMap::Strain ? inWords(say("strain")) : inWords(say("distance to body")));
-    QLinearGradient scale(0, top + 22 + tall, 0, top + 22);
-    for (int i = 0; i <= 16; ++i) scale.setColorAt(i / 16.0, shown(strainColour(i / 16.0)));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(scale);
-    painter.drawRoundedRect(QRectF(left, top + 22, 16, tall), 4, 4);
-    painter.setPen(p.ink);
-    for (int i = 0; i <= 5; ++i) {
-      const double v = mapTop_ * i / 5;
-      painter.drawText(QPointF(left + 24, top + 22 + tall * (1 - i / 5.0) + 4),
-                       map_ == FitMap::Strain ? QString::fromStdString(fixed(100 * v, 1)) + " %"
-                                              : QString::fromStdString(fixed(1000 * v, 0)) + " mm");
-    }
-  }
-}
-
 std::optional<QPointF> SpaceView::onScreen(Vec3 place) const {
   const OnPicture on = project(eyeOf(camera_, aspect()), place, width(), height());
   if (on.depth <= 0) return std::nullopt;
   return QPointF(on.x, on.y);
-}
-
-PointerSample SpaceView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const {
-  PointerSample sample;
-  sample.phase = phase;
-  sample.seconds = clockwork_.now() / 1000;
-  double x = at.x(), y = at.y(), w = width(), h = height();
-  if (stereo_ == Stereo::SideBySide) w /= 2, x = std::fmod(x, w);
-  if (stereo_ == Stereo::TopBottom) h /= 2, y = std::fmod(y, h);
-  sample.ray = rayAt(camera_, x, y, w, h);
-  sample.facing = normalized(camera_.eye - camera_.target);
-  sample.reach = 11 * camera_.fieldOfView / h;  // eleven pixels
-  sample.shift = keys.testFlag(Qt::ShiftModifier);
-  sample.control = keys.testFlag(Qt::ControlModifier);
-  sample.alt = keys.testFlag(Qt::AltModifier);
-  return sample;
-}
-
-void SpaceView::mousePressEvent(QMouseEvent* event) {
-  last_ = event->position();
-  walk_.stop();
-  const bool alt = event->modifiers().testFlag(Qt::AltModifier);
-  const Qt::MouseButton turn = blender_ ? Qt::MiddleButton : Qt::RightButton;
-  if (event->button() == turn && !(blender_ && event->modifiers().testFlag(Qt::ShiftModifier))) {
-    held_ = Held::Turn;
-  } else if (event->button() == Qt::MiddleButton || (blender_ && event->button() == Qt::MiddleButton)) {
-    held_ = Held::Pan;
-  } else if (event->button() == Qt::LeftButton && alt && session_.tool() != Command::Move) {
-    held_ = Held::Turn;
-  } else if (event->button() == Qt::LeftButton) {
-    held_ = Held::Tool;
-    clockwork_.begin("event to picture");
-    session_.feed(sampleAt(last_, event->modifiers(), PointerSample::Phase::Press));
-    refresh();
-  }
-  setFocus();
-}
-
-void SpaceView::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF step = event->position() - last_;
-  last_ = event->position();
-  if (tape_ && held_ == Held::Nothing) {
-    const PointerSample sample = sampleAt(last_, event->modifiers(), PointerSample::Phase::Hover);
-    const FittingPtr fitting = session_.shownPtr();
-    const Hit hit = pick(*fitting, session_.table(), sample);
-    tapeLine_.clear();
-    if (hit.on != Hit::On::Nothing) {
-      const Plane level{hit.point, {0, 1, 0}};
-      // On cloth the tape goes round the garment, on skin round the body: the loop nearest to the hand.
-      std::vector<Vec3> garment;
-      double nearest = 1e9;
-      const auto consider = [&](const TriangleMesh& mesh, bool gather) {
-        for (const SectionLoop& loop : section(mesh, level)) {
-          if (gather) {
-            garment.insert(garment.end(), loop.points.begin(), loop.points.end());
-            continue;
-          }
-          for (const Vec3 point : loop.points)
-            if (const double d = distance(point, hit.point); d < nearest) nearest = d, tapeLine_ = loop.points;
-        }
-      };
-      if (hit.on == Hit::On::Cloth) {
-        for (const SceneCloth& cloth : fitting->frame.cloths) consider(cloth.mesh, true);
-        if (garment.size() > 2) tapeLine_ = tightTape(garment, level.normal);
-      } else if (fitting->body) {
-        consider(fitting->body->mesh(), false);
-        if (tapeLine_.size() > 2) tapeLine_ = tightTape(tapeLine_, level.normal);
-      }
-      if (!tapeLine_.empty()) {
-        const auto best = std::min_element(tapeLine_.begin(), tapeLine_.end(), [&](Vec3 a, Vec3 b) {
-          return distance(a, hit.point) < distance(b, hit.point);
-        });
-        std::rotate(tapeLine_.begin(), best, tapeLine_.end());
-        tapeLength_ = lineLength(tapeLine_, true);
-        tapeLine_.push_back(tapeLine_.front());
-      }
-    }
-  }
-  switch (held_) {
-    case Held::Turn:
-      camera_ = turned(camera_, step.x() * 0.0075, step.y() * 0.0075);
-      return cameraMoved();
-    case Held::Pan:
-      camera_ = panned(camera_, step.x(), step.y(), height());
-      return cameraMoved();
-    default:
-      break;
-  }
-  clockwork_.begin("event to picture");
-  if (held_ == Held::Tool) clockwork_.begin("drag to preview");
-  session_.feed(sampleAt(last_, event->modifiers(),
-                         held_ == Held::Tool ? PointerSample::Phase::Drag : PointerSample::Phase::Hover));
-  refresh();
-}
-
-void SpaceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (held_ == Held::Tool && event->button() == Qt::LeftButton) {
-    clockwork_.forget("drag to preview");
-    session_.feed(sampleAt(event->position(), event->modifiers(), PointerSample::Phase::Release));
-    refresh();
-  }
-  held_ = Held::Nothing;
-}
-
-void SpaceView::wheelEvent(QWheelEvent* event) {
-  if (!event->pixelDelta().isNull() && event->modifiers().testFlag(Qt::ShiftModifier)) {  // two fingers on a trackpad
-    camera_ = panned(camera_, event->pixelDelta().x(), event->pixelDelta().y(), height());
-    return cameraMoved();
-  }
-  const double turns = event->angleDelta().y() / 120.0;
-  camera_ = zoomed(camera_, std::pow(0.88, turns),
-                   rayAt(camera_, event->position().x(), event->position().y(), width(), height()));
-  cameraMoved();
-}
-
-void SpaceView::leaveEvent(QEvent*) {
-  tapeLine_.clear();
-  refresh();
 }
 
 }  // namespace karinui::studio

@@ -5,10 +5,11 @@
 #include <QVariantAnimation>
 #include <memory>
 
-#include "clockwork.h"
 #include "karinui/session/session.h"
+#include "karinui/session/tape.h"
 #include "karinui/view/camera.h"
 #include "karinui/view/renderer.h"
+#include "mouse.h"
 
 namespace karinui::studio {
 
@@ -63,6 +64,7 @@ class SpaceView : public QOpenGLWidget {
   void showOverlay();
   Camera lens() const;
   void paintOver(QPainter& painter, double sideways, int width, int height);
+  void paintScale(QPainter& painter, int height) const;
   double aspect() const;
 
   Session& session_;
@@ -81,12 +83,11 @@ class SpaceView : public QOpenGLWidget {
   FitMap map_ = FitMap::None;
   double mapTop_ = 0;
   bool tape_ = false, blender_ = false;
-  std::vector<Vec3> tapeLine_;
-  double tapeLength_ = 0;
+  Tape tapeShown_;
   std::vector<SceneLine> seamThreads_;
   QTimer rest_;
   QVariantAnimation walk_;
-  enum class Held { Nothing, Tool, Turn, Pan } held_ = Held::Nothing;
+  Held held_ = Held::Nothing;
   QPointF last_;
 };
 

@@ -1,6 +1,5 @@
 #include "table_view.h"
 
-#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QWheelEvent>
@@ -9,6 +8,7 @@
 
 #include "karinui/base/number.h"
 #include "look.h"
+#include "mouse.h"
 
 namespace karinui::studio {
 
@@ -31,9 +31,7 @@ QString lengthText(double metres, bool inches) {
 
 TableView::TableView(Session& session, Clockwork& clockwork, QWidget* parent)
     : QWidget(parent), session_(session), clockwork_(clockwork) {
-  setMouseTracking(true);
-  setFocusPolicy(Qt::StrongFocus);
-  setMinimumSize(220, 200);
+  preparePointing(*this, {220, 200});
   setAccessibleName("pattern");
   connect(&Look::here(), &Look::changed, this, [this] { update(); });
 }
@@ -240,20 +238,8 @@ void TableView::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(Qt::white, 1.5));
   painter.setBrush(p.accent);
   for (const Flat dot : preview.table.dots) painter.drawEllipse(onScreen(dot), 5, 5);
-  QFont small = font();
-  small.setPointSizeF(9.5);
-  painter.setFont(small);
-  for (const TableWord& word : preview.table.words) {
-    const QString words = QString::fromStdString(word.text);
-    QRectF box = painter.fontMetrics().boundingRect(words);
-    box.moveCenter(onScreen(word.place) + QPointF(0, -16));
-    box.adjust(-8, -3, 8, 3);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(40, 36, 32, 215));
-    painter.drawRoundedRect(box, 7, 7);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, words);
-  }
+  for (const TableWord& word : preview.table.words)
+    paintWord(painter, onScreen(word.place), QString::fromStdString(word.text));
   if (session_.selection().edge) {
     const EdgeNear& e = *session_.selection().edge;
     const Piece* piece = document.find(e.piece);
@@ -281,15 +267,9 @@ void TableView::paintEvent(QPaintEvent*) {
 }
 
 void TableView::feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) {
-  PointerSample sample;
-  sample.phase = phase;
-  sample.where = PointerSample::Where::Table;
-  sample.seconds = clockwork_.now() / 1000;
+  PointerSample sample = mouseSample(phase, PointerSample::Where::Table, keys, clockwork_);
   sample.place = onTable(at);
   sample.reach = 9 / scale_;
-  sample.shift = keys.testFlag(Qt::ShiftModifier);
-  sample.control = keys.testFlag(Qt::ControlModifier);
-  sample.alt = keys.testFlag(Qt::AltModifier);
   session_.feed(sample);
   emit pointed(sample.place);
   update();
@@ -299,28 +279,28 @@ void TableView::mousePressEvent(QMouseEvent* event) {
   last_ = event->position();
   setFocus();
   if (event->button() == Qt::LeftButton) {
-    pressed_ = true;
+    held_ = Held::Tool;
     feed(last_, event->modifiers(), PointerSample::Phase::Press);
   } else {
-    panning_ = true;
+    held_ = Held::Pan;
   }
 }
 
 void TableView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF step = event->position() - last_;
   last_ = event->position();
-  if (panning_) {
+  if (held_ == Held::Pan) {
     middle_ += Flat{-step.x() / scale_, step.y() / scale_};
     mine_ = true;
     return update();
   }
-  feed(last_, event->modifiers(), pressed_ ? PointerSample::Phase::Drag : PointerSample::Phase::Hover);
+  feed(last_, event->modifiers(), held_ == Held::Tool ? PointerSample::Phase::Drag : PointerSample::Phase::Hover);
 }
 
 void TableView::mouseReleaseEvent(QMouseEvent* event) {
-  if (pressed_ && event->button() == Qt::LeftButton)
+  if (held_ == Held::Tool && event->button() == Qt::LeftButton)
     feed(event->position(), event->modifiers(), PointerSample::Phase::Release);
-  pressed_ = panning_ = false;
+  held_ = Held::Nothing;
 }
 
 void TableView::wheelEvent(QWheelEvent* event) {

@@ -3,8 +3,8 @@
 // GUI thread.
 #include <QWidget>
 
-#include "clockwork.h"
 #include "karinui/session/session.h"
+#include "mouse.h"
 
 namespace karinui::studio {
 
@@ -39,7 +39,8 @@ class TableView : public QWidget {
   double scale_ = 500;  // pixels a metre
   Flat middle_{0.4, -0.3};
   std::size_t piecesShown_ = 0;
-  bool panning_ = false, pressed_ = false, inches_ = false, mine_ = false;
+  Held held_ = Held::Nothing;
+  bool inches_ = false, mine_ = false;
   QPointF last_;
 };
 

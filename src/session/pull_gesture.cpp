@@ -53,6 +53,15 @@ class HandOnCloth : public Gesture {
     return told;
   }
 
+  Preview preview(const Workbench&) const override {
+    Preview shown;
+    if (hover_) shown.space.dots.push_back(*hover_);
+    if (!held_) return shown;
+    const Vec3 hand = start_ + by();
+    shown.space.dots.push_back(hand);
+    showHeld(shown, hand);
+    return shown;
+  }
   Message hint() const override { return words(); }
   bool begun() const override { return static_cast<bool>(held_); }
 
@@ -62,6 +71,7 @@ class HandOnCloth : public Gesture {
   virtual Ask ask() const = 0;
   virtual Operation operation(double seconds) const = 0;
   virtual Message words() const = 0;
+  virtual void showHeld(Preview& shown, Vec3 hand) const = 0;
   Vec3 by() const { return path_.back(); }
   double furthest() const {
     double most = 0;
@@ -84,12 +94,9 @@ class PullGesture : public HandOnCloth {
     if (answer.force) force_ = answer.force;
     why_ = answer.why;
   }
-  Preview preview(const Workbench&) const override {
-    Preview shown;
-    if (hover_) shown.space.dots.push_back(*hover_);
-    if (!held_) return shown;
-    const Vec3 hand = start_ + by();
-    shown.space.dots.push_back(hand);
+
+ protected:
+  void showHeld(Preview& shown, Vec3 hand) const override {
     // The arrow is what the cloth does to the hand: 1 cm for a tenth of a newton, never longer than an arm.
     const double newtons = force_ ? length(*force_) : 0;
     if (force_ && newtons > 1e-3) {
@@ -99,10 +106,7 @@ class PullGesture : public HandOnCloth {
       shown.space.lines.push_back({{start_, hand}, kChalk, 2, true});
     }
     if (force_) shown.space.words.push_back({hand, fixed(newtons, 2) + " N"});
-    return shown;
   }
-
- protected:
   void took() override { force_.reset(), why_.reset(); }
   Ask ask() const override { return AskPull{held_, at_, by()}; }
   Operation operation(double seconds) const override {
@@ -135,20 +139,14 @@ class ReshapeGesture : public HandOnCloth {
     after_ = answer.after ? answer.after : after_;
     why_ = answer.why;
   }
-  Preview preview(const Workbench&) const override {
-    Preview shown;
-    if (hover_) shown.space.dots.push_back(*hover_);
-    if (!held_) return shown;
-    const Vec3 hand = start_ + by();
+
+ protected:
+  void showHeld(Preview& shown, Vec3 hand) const override {
     shown.space.lines.push_back({{start_, hand}, kChalk, 3, true});
-    shown.space.dots.push_back(hand);
     shown.space.words.push_back({hand, centimetres(length(by()))});
     if (after_)
       if (const Piece* piece = after_->document.find(held_)) shown.outlines[held_] = piece->outline;
-    return shown;
   }
-
- protected:
   bool mayBeFrozen() const override { return true; }
   void took() override { after_.reset(), why_.reset(); }
   Ask ask() const override { return AskAfter{reshape()}; }

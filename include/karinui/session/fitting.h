@@ -67,5 +67,7 @@ Hit pickBody(const Fitting& fitting, const PointerSample& sample);  // through t
 std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId piece, Flat paper);
 // A part of an edge as a line in space and on the table; nothing when it is not there.
 std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part);
+// Threads between edges that are to be sewn but hang apart, from place to place as they will be sewn.
+std::vector<SceneLine> threadsOf(const Fitting& fitting);
 
 }  // namespace karinui

@@ -1,0 +1,151 @@
+// The menus, the bars and the keys of the window.
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QToolBar>
+
+#include "guide.h"
+#include "look.h"
+#include "main_window.h"
+
+namespace karinui::studio {
+
+void MainWindow::makeActions() {
+  const QSettings settings;
+  for (const CommandInfo& about : commands()) {
+    auto* action = new QAction(this);
+    const QString name = QString::fromUtf8(about.name.data(), static_cast<int>(about.name.size()));
+    action->setObjectName(name);
+    const QString usual = QString::fromUtf8(about.key.data(), static_cast<int>(about.key.size()));
+    action->setShortcut(QKeySequence(settings.value("keys/" + name, usual).toString()));
+    action->setShortcutContext(Qt::WindowShortcut);
+    action->setCheckable(isTool(about.command));
+    Look::here().keep(action, about.label, about.hint, about.icon);
+    connect(action, &QAction::triggered, this, [this, c = about.command] { run(c); });
+    addAction(action);
+    actions_[about.command] = action;
+  }
+}
+
+void MainWindow::makeMenus() {
+  const auto menu = [this](const Message& words) {
+    QMenu* made = menuBar()->addMenu(QString());
+    Look::here().keep(made, [made, words] { made->setTitle(inWords(words)); });
+    return made;
+  };
+  const auto add = [this](QMenu* to, const Message& words, const char* icon, const char* key, auto&& what) {
+    QAction* action = to->addAction(QString());
+    if (*key) action->setShortcut(QKeySequence(QString::fromLatin1(key)));
+    Look::here().keep(action, words, words, icon);
+    connect(action, &QAction::triggered, this, what);
+    return action;
+  };
+  QMenu* file = menu(say("File"));
+  QAction* fresh = add(file, say("New garment…"), "new", "Ctrl+N", [this] { askNew(); });
+  QAction* open = add(file, say("Open…"), "open", "Ctrl+O", [this] { askOpen(); });
+  recent_ = file->addMenu(QString());
+  Look::here().keep(recent_, [this] { recent_->setTitle(inWords(say("Recent"))); });
+  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  QMenu* examples = file->addMenu(QString());
+  Look::here().keep(examples, [examples] { examples->setTitle(inWords(say("Examples"))); });
+  for (const char* name : {"first_tunic", "six_operations", "kyoto_fitting", "shirt_fitting"}) {
+    QAction* one = examples->addAction(QString(name).replace('_', ' '));
+    connect(one, &QAction::triggered, this, [this, name] {
+      session_->create(freshPath(name).toStdString());
+      session_->importPattern(QString(KARINUI_EXAMPLES "/%1.ops").arg(name).toStdString());
+      refresh();
+    });
+  }
+  file->addSeparator();
+  add(file, say("Keep a copy as…"), "", "Ctrl+Shift+S", [this] { askSaveCopy(); });
+  add(file, say("Import…"), "", "Ctrl+I", [this] { askImport(); });
+  QAction* out = add(file, say("Export…"), "export", "Ctrl+E", [this] { askExport(); });
+  add(file, say("Picture of the fitting…"), "", "", [this] { picture(); });
+  add(file, say("Print the pattern…"), "print", "Ctrl+P", [this] { print(); });
+  file->addSeparator();
+  add(file, say("Close"), "", "Ctrl+Q", [this] { close(); });
+
+  QMenu* edit = menu(say("Edit"));
+  for (const Command c : {Command::Undo, Command::Redo}) edit->addAction(actions_[c]);
+  edit->addSeparator();
+  for (const Command c : {Command::Remove, Command::Duplicate, Command::Mirror, Command::Freeze, Command::FlipSeam})
+    edit->addAction(actions_[c]);
+  edit->addSeparator();
+  add(edit, say("Keys…"), "", "", [this] { keysDialog(); });
+
+  QMenu* work = menu(say("Work"));
+  for (const CommandInfo& about : commands())
+    if (isTool(about.command)) work->addAction(actions_[about.command]);
+  work->addSeparator();
+  work->addAction(actions_[Command::Settle]);
+  work->addAction(actions_[Command::Confirm]);
+  work->addAction(actions_[Command::Cancel]);
+
+  viewMenu_ = menu(say("View"));
+  for (const Command c : {Command::ViewFront, Command::ViewBack, Command::ViewLeft, Command::ViewRight,
+                          Command::ViewOblique, Command::ViewAll})
+    viewMenu_->addAction(actions_[c]);
+  viewMenu_->addSeparator();
+  const auto map = [&](const Message& words, const char* key, FitMap which) {
+    QAction* action = add(viewMenu_, words, "fit", key, [this, which] {
+      space_->setMap(space_->map() == which ? FitMap::None : which);
+      refresh();
+    });
+    (void)action;
+  };
+  map(say("Strain map"), "Alt+7", FitMap::Strain);
+  map(say("Distance to the body"), "Alt+8", FitMap::Ease);
+  viewMenu_->addSeparator();
+  QAction* dark = add(viewMenu_, say("Dark"), "", "", [] { Look::here().setDark(!Look::here().dark()); });
+  dark->setObjectName("dark");
+  QAction* inches = add(viewMenu_, say("Inches"), "", "", [this] {
+    inches_ = !inches_;
+    table_->setInches(inches_);
+  });
+  inches->setCheckable(true);
+  QAction* blender = add(viewMenu_, say("Mouse as in Blender"), "", "", [this] {
+    const bool on = !QSettings().value("blender").toBool();
+    QSettings().setValue("blender", on);
+    space_->setBlenderKeys(on);
+  });
+  blender->setCheckable(true);
+  blender->setChecked(QSettings().value("blender").toBool());
+  space_->setBlenderKeys(blender->isChecked());
+  viewMenu_->addSeparator();
+  QAction* english = viewMenu_->addAction("English");
+  QAction* japanese = viewMenu_->addAction(QString::fromUtf8("日本語"));
+  english->setObjectName("english");
+  japanese->setObjectName("japanese");
+  connect(english, &QAction::triggered, this, [] { Look::here().setLanguage(Language::English); });
+  connect(japanese, &QAction::triggered, this, [] { Look::here().setLanguage(Language::Japanese); });
+
+  QMenu* help = menu(say("Help"));
+  add(help, say("A first garment, step by step"), "", "F1", [this] { startGuide(); });
+  add(help, say("About Karinui"), "", "", [this] {
+    QMessageBox::about(
+        this, "Karinui",
+        inWords(say("Karinui: made-to-measure clothes designed on the body, draped, and cut to paper patterns. "
+                    "Apache-2.0; built with Qt (LGPL). Nothing is ever sent over a network.")));
+  });
+
+  top_ = addToolBar("top");
+  top_->setMovable(false);
+  top_->setIconSize(QSize(22, 22));
+  for (QAction* a : {fresh, open, out}) top_->addAction(a);
+  top_->addSeparator();
+  top_->addAction(actions_[Command::Undo]);
+  top_->addAction(actions_[Command::Redo]);
+  top_->addSeparator();
+  top_->addAction(actions_[Command::Settle]);
+  top_->addSeparator();
+  top_->addAction(actions_[Command::ViewOblique]);
+  top_->addAction(actions_[Command::ViewAll]);
+  tools_ = new QToolBar("tools");
+  tools_->setMovable(false);
+  tools_->setIconSize(QSize(25, 25));
+  for (const CommandInfo& about : commands())
+    if (isTool(about.command)) tools_->addAction(actions_[about.command]);
+  addToolBar(Qt::LeftToolBarArea, tools_);
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,93 @@
+// The mouse over the fitting: the pointer that works the cloth, and walking round.
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "mouse.h"
+#include "orbit.h"
+#include "space_view.h"
+
+namespace karinui::studio {
+
+PointerSample SpaceView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const {
+  PointerSample sample = mouseSample(phase, PointerSample::Where::Space, keys, clockwork_);
+  double x = at.x(), y = at.y(), w = width(), h = height();
+  if (stereo_ == Stereo::SideBySide) w /= 2, x = std::fmod(x, w);
+  if (stereo_ == Stereo::TopBottom) h /= 2, y = std::fmod(y, h);
+  sample.ray = rayAt(camera_, x, y, w, h);
+  sample.facing = normalized(camera_.eye - camera_.target);
+  sample.reach = 11 * camera_.fieldOfView / h;  // eleven pixels
+  return sample;
+}
+
+void SpaceView::mousePressEvent(QMouseEvent* event) {
+  last_ = event->position();
+  walk_.stop();
+  const bool alt = event->modifiers().testFlag(Qt::AltModifier);
+  const Qt::MouseButton turn = blender_ ? Qt::MiddleButton : Qt::RightButton;
+  if (event->button() == turn && !(blender_ && event->modifiers().testFlag(Qt::ShiftModifier))) {
+    held_ = Held::Turn;
+  } else if (event->button() == Qt::MiddleButton) {
+    held_ = Held::Pan;
+  } else if (event->button() == Qt::LeftButton && alt && session_.tool() != Command::Move) {
+    held_ = Held::Turn;
+  } else if (event->button() == Qt::LeftButton) {
+    held_ = Held::Tool;
+    clockwork_.begin("event to picture");
+    session_.feed(sampleAt(last_, event->modifiers(), PointerSample::Phase::Press));
+    refresh();
+  }
+  setFocus();
+}
+
+void SpaceView::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF step = event->position() - last_;
+  last_ = event->position();
+  if (tape_ && held_ == Held::Nothing) {
+    const PointerSample sample = sampleAt(last_, event->modifiers(), PointerSample::Phase::Hover);
+    const FittingPtr fitting = session_.shownPtr();
+    tapeShown_ = tapeAt(*fitting, pick(*fitting, session_.table(), sample));
+  }
+  switch (held_) {
+    case Held::Turn:
+      camera_ = turned(camera_, step.x() * 0.0075, step.y() * 0.0075);
+      return cameraMoved();
+    case Held::Pan:
+      camera_ = panned(camera_, step.x(), step.y(), height());
+      return cameraMoved();
+    default:
+      break;
+  }
+  clockwork_.begin("event to picture");
+  if (held_ == Held::Tool) clockwork_.begin("drag to preview");
+  session_.feed(sampleAt(last_, event->modifiers(),
+                         held_ == Held::Tool ? PointerSample::Phase::Drag : PointerSample::Phase::Hover));
+  refresh();
+}
+
+void SpaceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (held_ == Held::Tool && event->button() == Qt::LeftButton) {
+    clockwork_.forget("drag to preview");
+    session_.feed(sampleAt(event->position(), event->modifiers(), PointerSample::Phase::Release));
+    refresh();
+  }
+  held_ = Held::Nothing;
+}
+
+void SpaceView::wheelEvent(QWheelEvent* event) {
+  if (!event->pixelDelta().isNull() && event->modifiers().testFlag(Qt::ShiftModifier)) {  // two fingers on a trackpad
+    camera_ = panned(camera_, event->pixelDelta().x(), event->pixelDelta().y(), height());
+    return cameraMoved();
+  }
+  const double turns = event->angleDelta().y() / 120.0;
+  camera_ = zoomed(camera_, std::pow(0.88, turns),
+                   rayAt(camera_, event->position().x(), event->position().y(), width(), height()));
+  cameraMoved();
+}
+
+void SpaceView::leaveEvent(QEvent*) {
+  tapeShown_ = {};
+  refresh();
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,120 @@
+// What is painted over the scene: words, dots, the floating bar, the scale of a map.
+#include <QPainter>
+#include <QPainterPath>
+#include <cmath>
+#include <functional>
+
+#include "karinui/base/number.h"
+#include "karinui/view/strain_scale.h"
+#include "look.h"
+#include "space_view.h"
+
+namespace karinui::studio {
+
+namespace {
+
+// The floating bar as a flat picture, so many pixels wide.
+QImage boardPicture(const ScenePanel& panel, int pixels, QFont font) {
+  const Palette& p = Look::here().palette();
+  const double wide = length(panel.across), high = length(panel.upward), scale = pixels / wide;
+  QImage image(pixels, std::max(1, static_cast<int>(high * scale)), QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double unit = panel.buttons.front().width * scale;
+  QColor board = p.raised;
+  board.setAlphaF(0.94f);
+  painter.setPen(QPen(p.line, 1.2));
+  painter.setBrush(board);
+  painter.drawRoundedRect(QRectF(image.rect()).adjusted(1, 1, -1, -1), unit * 0.24, unit * 0.24);
+  for (const ScenePanel::Button& b : panel.buttons) {
+    const QRectF box(b.left * scale, (high - b.bottom - b.height) * scale, b.width * scale, b.height * scale);
+    QColor ink = b.chosen ? p.accent : p.ink;
+    if (!b.enabled) ink.setAlphaF(0.3f);
+    if (b.chosen || (b.hot && b.enabled)) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(b.chosen ? p.accentSoft : p.window);
+      painter.drawRoundedRect(box, unit * 0.17, unit * 0.17);
+    }
+    drawIcon(painter, b.icon, QRectF(box.center().x() - unit * 0.24, box.top() + unit * 0.13, unit * 0.48, unit * 0.48),
+             ink);
+    const QString caption = inWords(b.label);
+    font.setPixelSize(std::max(1, static_cast<int>(unit * 0.2)));
+    if (const double w = QFontMetricsF(font).horizontalAdvance(caption); w > unit * 0.96)
+      font.setPixelSize(std::max(1, static_cast<int>(unit * 0.2 * 0.96 * unit / w)));
+    painter.setFont(font);
+    painter.setPen(ink);
+    painter.drawText(QRectF(box.left(), box.bottom() - unit * 0.36, box.width(), unit * 0.3), Qt::AlignCenter, caption);
+  }
+  return image;
+}
+
+// The floating bar, drawn flat and hung in space by the projection of its corners.
+void paintBoard(QPainter& painter, const ScenePanel& panel, const std::function<QPointF(Vec3)>& at) {
+  const QPolygonF seen({at(panel.corner + panel.upward), at(panel.corner + panel.across + panel.upward),
+                        at(panel.corner + panel.across), at(panel.corner)});
+  const double ratio = painter.device()->devicePixelRatioF();
+  const int pixels = static_cast<int>(std::hypot(seen[1].x() - seen[0].x(), seen[1].y() - seen[0].y()) * ratio);
+  const QImage board = boardPicture(panel, std::clamp(pixels, 64, 4096), painter.font());
+  const QPolygonF flat(QRectF(board.rect()));
+  QTransform hang;
+  if (QTransform::quadToQuad(QPolygonF({flat[0], flat[1], flat[2], flat[3]}), seen, hang)) {
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setTransform(hang, true);
+    painter.drawImage(0, 0, board);
+    painter.restore();
+  }
+}
+
+}  // namespace
+
+// Words, dots and the floating bar, as this eye sees them.
+void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Eye eye = eyeOf(lens(), static_cast<double>(w) / h, sideways);
+  const auto at = [&](Vec3 place) {
+    const OnPicture on = project(eye, place, w, h);
+    return QPointF(on.x, on.y);
+  };
+  const Preview preview = session_.preview();
+  for (const Vec3 dot : preview.space.dots) {
+    painter.setPen(QPen(Qt::white, 2));
+    painter.setBrush(QColor("#d4552a"));
+    painter.drawEllipse(at(dot), 5, 5);
+  }
+  for (const SceneWord& word : preview.space.words)
+    paintWord(painter, at(word.place), QString::fromStdString(word.text));
+  if (!tapeShown_.line.empty())
+    paintWord(painter, at(tapeShown_.line.front()), QString::fromStdString(fixed(tapeShown_.length * 100, 1)) + " cm");
+  if (const auto panel = session_.menu()) paintBoard(painter, *panel, at);
+  if (mapTop_ > 0) paintScale(painter, h);
+}
+
+// What the colours of a map mean.
+void SpaceView::paintScale(QPainter& painter, int h) const {
+  const Palette& p = Look::here().palette();
+  const double left = 22, top = 22, tall = std::min(190.0, h * 0.3);
+  painter.setPen(Qt::NoPen);
+  QColor back = p.raised;
+  back.setAlphaF(0.9f);
+  painter.setBrush(back);
+  painter.drawRoundedRect(QRectF(left - 10, top - 10, 142, tall + 54), 10, 10);
+  painter.setPen(p.ink);
+  painter.drawText(QPointF(left, top + 10),
+                   map_ == FitMap::Strain ? inWords(say("strain")) : inWords(say("distance to body")));
+  QLinearGradient scale(0, top + 22 + tall, 0, top + 22);
+  for (int i = 0; i <= 16; ++i) scale.setColorAt(i / 16.0, shown(strainColour(i / 16.0)));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(scale);
+  painter.drawRoundedRect(QRectF(left, top + 22, 16, tall), 4, 4);
+  painter.setPen(p.ink);
+  for (int i = 0; i <= 5; ++i) {
+    const double v = mapTop_ * i / 5;
+    painter.drawText(QPointF(left + 24, top + 22 + tall * (1 - i / 5.0) + 4),
+                     map_ == FitMap::Strain ? QString::fromStdString(fixed(100 * v, 1)) + " %"
+                                            : QString::fromStdString(fixed(1000 * v, 0)) + " mm");
+  }
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,16 @@
+#pragma once
+// The tape measure at the pointer: level, round the garment where the pointer is on cloth, round the body where it is
+// on skin. Pure; long for large garments; any thread. Metres.
+#include <vector>
+
+#include "karinui/session/fitting.h"
+
+namespace karinui {
+
+struct Tape {
+  std::vector<Vec3> line;  // closed, begins and ends nearest to the pointer; empty: nothing to measure there
+  double length = 0;
+};
+Tape tapeAt(const Fitting& fitting, const Hit& hit);
+
+}  // namespace karinui

@@ -1,0 +1,77 @@
+#pragma once
+// What a session keeps between two moves of the hand. The hand's thread only, but for `room`, which is the line's once
+// the session has begun. Its work lies in files by what is done: steps.cpp, settling.cpp, questions.cpp, documents.cpp.
+#include "karinui/base/latest.h"
+#include "karinui/session/session.h"
+#include "session/room.h"
+#include "session/task_line.h"
+
+namespace karinui {
+
+struct Session::Inside {
+  SessionOptions options;
+  std::shared_ptr<Bodies> bodies;
+  std::shared_ptr<Workers> workers;
+  std::shared_ptr<Room> room;  // the line's thread only, once the session has begun
+
+  RoomState state;
+  FittingPtr preview;            // what a drag or a drape under way would come to
+  Latest<FittingPtr> predicted;  // from the other thread
+  Table table;
+  Selection selection;
+  Command tool = Command::Select;
+  std::unique_ptr<Gesture> gesture;
+  Language language = Language::English;
+  std::optional<Sight> sight;
+  std::optional<Command> hot;
+  bool onMenu = false;  // the button was pressed on the menu
+  std::optional<Command> viewAsked;
+  std::vector<Notice> notices;
+  SessionNews news;
+  BodyPtr ready;  // whose distances were asked for already
+
+  // Settling.
+  std::set<PieceId> settling;  // what the running (or waiting) drape brings to rest
+  bool settlingByItself = false;
+  std::set<PieceId> interrupted;     // what a step interrupted
+  std::set<std::uint64_t> byItself;  // steps that nobody asked for, by seq
+
+  // Previews: only the newest question is asked.
+  bool asking = false;
+  Ask next;
+
+  TaskLine line;  // last: it stops before anything it uses goes
+
+  explicit Inside(SessionOptions options);
+  Workbench bench() const { return {state.fitting, &table, language}; }
+
+  // Sentences for the person.
+  void tell(Notice::Kind kind, Message what);
+  void tellError(const Error& error);
+
+  // steps.cpp
+  void take(RoomState fresh);  // what the line's thread found out after a step
+  void perform(Operation operation);
+  void turn(bool back);  // one step back or forth; a drape that came by itself goes with the step it belongs to
+
+  // settling.cpp
+  bool settlingNow() const { return line.busy(TaskLine::Kind::Settle); }
+  void settle(std::set<PieceId> live, bool byItselfNow);
+  void interruptSettling();
+  void settleInterrupted();
+  void stopSettling();
+
+  // questions.cpp: the gesture in hand, and what it asks
+  void ask(Ask question);  // the newest only, one at a time
+  void askNext();
+  void told(Told answer, bool begunBefore);
+  void dropGesture();
+
+  // documents.cpp
+  void leave();  // another document comes: whatever was under way for the old one is over
+  // Work that may replace the document or add many steps to it.
+  void longWork(std::function<Result<std::shared_ptr<Room>>(const Token&)> work, Message done);
+  std::shared_ptr<Room> roomOf(DocumentFile file, bool readOnly);  // any thread
+};
+
+}  // namespace karinui

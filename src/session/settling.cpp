@@ -1,0 +1,60 @@
+// Bringing cloth to rest: asked for, interrupted by a step, taken up again.
+#include "session/inside.h"
+
+namespace karinui {
+
+void Session::Inside::settle(std::set<PieceId> live, bool byItselfNow) {
+  line.cancel(TaskLine::Kind::Settle);
+  if (live.empty()) live = livePieces(state.fitting->document, {});
+  if (live.empty()) return tell(Notice::Kind::Refused, say("There is no cloth to drape."));
+  settling = live;
+  settlingByItself = byItselfNow;
+  DrapePieces drape;
+  for (const PieceId id : live) drape.live.push_back(PieceRef(id));
+  ++news.overlay;
+  line.add(TaskLine::Kind::Settle, [this, drape, byItselfNow](const Token& token) {
+    Result<Step> step = room->perform(drape, token);
+    const auto fresh = step ? std::make_shared<RoomState>(room->state(token)) : nullptr;
+    return [this, step = std::move(step), fresh, byItselfNow] {
+      ++news.overlay;
+      if (!step) {
+        tellError(step.error());
+        if (preview && !gesture->begun()) preview.reset(), ++news.garment;
+        if (step.error().kind != Error::Kind::Cancelled) settling.clear();
+        return;
+      }
+      settling.clear();
+      if (byItselfNow) byItself.insert(step->seq);
+      take(*fresh);
+      ++news.settled;
+      const SettleReport& report = *state.fitting->document.drape.last;
+      if (!report.settled) tell(Notice::Kind::Advice, say("The cloth did not come to rest: {0}", report.why));
+    };
+  });
+}
+
+void Session::Inside::interruptSettling() {
+  if (settling.empty()) return;
+  interrupted.insert(settling.begin(), settling.end());
+  settling.clear();
+  line.cancel(TaskLine::Kind::Settle);
+}
+
+void Session::Inside::stopSettling() {
+  line.cancel(TaskLine::Kind::Settle);
+  settling.clear(), interrupted.clear();
+}
+
+void Session::Inside::settleInterrupted() {
+  std::set<PieceId> live;
+  for (const PieceId id : std::exchange(interrupted, {})) {
+    const Piece* piece = state.fitting->document.find(id);
+    if (piece && !piece->frozen && state.fitting->document.drape.dirty.contains(id)) live.insert(id);
+  }
+  if (!live.empty() && !line.busy(TaskLine::Kind::Step))
+    settle(live, true);
+  else
+    interrupted = live;
+}
+
+}  // namespace karinui

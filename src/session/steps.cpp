@@ -1,0 +1,130 @@
+// Steps of the document's history, asked for by the hand and taken in when they are done.
+#include "session/inside.h"
+
+namespace karinui {
+
+namespace {
+
+bool drapes(const Operation& op) {
+  return std::holds_alternative<DrapePieces>(op) || std::holds_alternative<PullCloth>(op);
+}
+
+// What changes cloth so that it should come to rest again where it was at rest before.
+bool disturbs(const Operation& op) {
+  return std::holds_alternative<CutPiece>(op) || std::holds_alternative<ReshapePiece>(op) ||
+         std::holds_alternative<SetFabric>(op) || std::holds_alternative<Unsew>(op) ||
+         std::holds_alternative<UnpinCloth>(op) || std::holds_alternative<SetGrain>(op) ||
+         std::holds_alternative<SetBody>(op);
+}
+
+}  // namespace
+
+void Session::Inside::take(RoomState fresh) {
+  state = std::move(fresh);
+  preview.reset();
+  if (state.fitting->trouble) tell(Notice::Kind::Advice, *state.fitting->trouble);
+  table.arrange(*state.fitting);
+  std::erase_if(selection.pieces, [&](PieceId id) { return !state.fitting->document.find(id); });
+  if (selection.edge)
+    if (const Piece* piece = state.fitting->document.find(selection.edge->piece);
+        !piece || !findEdge(*piece, selection.edge->edge))
+      selection.edge.reset();
+  if (selection.seam && !state.fitting->document.find(selection.seam)) selection.seam = {};
+  ++news.garment, ++news.history, ++news.overlay;
+  // The first drape and the first pull need to know how far everything is from the skin: find out while nobody waits.
+  if (state.fitting->body && state.fitting->body != ready && !options.drape) {
+    ready = state.fitting->body;
+    line.add(TaskLine::Kind::Preview, [this, body = ready](const Token& token) {
+      (void)body->prepareField(*workers, token);
+      return TaskLine::Finish();
+    });
+  }
+}
+
+void Session::Inside::perform(Operation operation) {
+  if (const auto* drape = std::get_if<DrapePieces>(&operation)) {
+    std::set<PieceId> live;
+    for (const PieceRef& ref : drape->live) {
+      const Document& document = state.fitting->document;
+      const Piece* piece = ref.id ? document.find(ref.id) : document.pieceNamed(ref.name);
+      if (!piece) return tell(Notice::Kind::Refused, say("There is no piece “{0}”.", ref.name));
+      live.insert(piece->id);
+    }
+    return settle(live, false);
+  }
+  interruptSettling();
+  const auto before = state.fitting;
+  line.add(TaskLine::Kind::Step, [this, before, operation = std::move(operation)](const Token& token) mutable {
+    const bool disturbing = disturbs(operation);
+    Result<Step> step = room->perform(std::move(operation), token);
+    const auto fresh = std::make_shared<RoomState>(room->state(token));
+    return [this, before, disturbing, step = std::move(step), fresh, doing = line.progress().doing] {
+      if (!step) {
+        tellError(step.error());
+        preview.reset();
+        ++news.garment, ++news.overlay;
+        return settleInterrupted();
+      }
+      take(*fresh);
+      if (drapes(step->operation)) ++news.settled;
+      if (std::holds_alternative<DrawPiece>(step->operation) && !doing.empty()) tell(Notice::Kind::Advice, doing);
+      if (std::holds_alternative<PullCloth>(step->operation))
+        if (const auto& last = state.fitting->document.drape.last; last && !last->why.empty())
+          tell(Notice::Kind::Said, last->why);
+      if (disturbing && options.settleByItself) {
+        const DrapeInfo& old = before->document.drape;
+        for (const PieceId id : state.fitting->document.drape.dirty)
+          if (old.last && !old.dirty.contains(id)) interrupted.insert(id);
+      }
+      settleInterrupted();
+    };
+  });
+}
+
+void Session::Inside::turn(bool back) {
+  interrupted.clear();
+  const bool wasAsked = settlingNow() && !settlingByItself;
+  if (settlingNow()) {
+    settling.clear();
+    line.cancel(TaskLine::Kind::Settle);
+    preview.reset();
+    ++news.garment;
+    if (back && wasAsked) return tell(Notice::Kind::Said, say("Stopped; nothing was changed."));
+  }
+  const auto own = byItself;
+  line.add(TaskLine::Kind::Step, [this, back, own](const Token& token) {
+    Result<Step> step = back ? room->undo(token) : room->redo(token);
+    if (step && back && own.contains(step->seq)) step = room->undo(token);
+    if (step && !back) {
+      const auto waiting = room->file().undone();
+      if (!waiting.empty() && own.contains(waiting.front().seq)) (void)room->redo(token);
+    }
+    const auto fresh = std::make_shared<RoomState>(room->state(token));
+    return [this, step = std::move(step), fresh] {
+      if (!step) return tellError(step.error());
+      take(*fresh);
+    };
+  });
+}
+
+void Session::perform(Operation operation) { inside_->perform(std::move(operation)); }
+
+void Session::goTo(std::size_t steps) {
+  auto& in = *inside_;
+  in.leave();
+  in.line.add(TaskLine::Kind::Step, [this, steps](const Token& token) {
+    std::optional<Error> why;
+    Room& room = *inside_->room;
+    while (!why && room.file().steps().size() != steps) {
+      const Result<Step> step = room.file().steps().size() > steps ? room.undo(token) : room.redo(token);
+      if (!step) why = step.error();
+    }
+    const auto fresh = std::make_shared<RoomState>(room.state(token));
+    return [this, why, fresh] {
+      if (why) inside_->tellError(*why);
+      inside_->take(*fresh);
+    };
+  });
+}
+
+}  // namespace karinui
