@@ -30,21 +30,46 @@ struct Grid {
   }
 };
 
-// Distances to the mesh at all points of a coarse grid. Walking along a row, the last distance plus the step bounds the
-// next one, which keeps the search in the tree short. A row is one block, so the outcome does not depend on the
+double distanceToFace(const TriangleMesh& mesh, std::uint32_t face, Vec3 place) {
+  const Triangle& f = mesh.faces[face];
+  const Corners c{mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
+  const auto w = nearestWeights(c, place);
+  return distance(c[0] * w[0] + c[1] * w[1] + c[2] * w[2], place);
+}
+
+// Walking along a row, the face nearest to the last point bounds this one's distance, which keeps the search in the
+// tree short.
+class RowWalk {
+ public:
+  RowWalk(const TriangleMesh& mesh, const Bvh& bvh) : mesh_(mesh), bvh_(bvh) {}
+
+  // The distance where it is at most `within`.
+  std::optional<double> next(Vec3 place, double within) {
+    // A nanometre more, so that a grid point on the face itself finds it.
+    if (face_ != kNoFace) within = std::fmin(within, distanceToFace(mesh_, face_, place) + 1e-9);
+    const auto near = bvh_.nearest(place, within);
+    face_ = near ? near->place.face : kNoFace;
+    return near ? std::optional(near->distance) : std::nullopt;
+  }
+  void skip() { face_ = kNoFace; }
+
+ private:
+  const TriangleMesh& mesh_;
+  const Bvh& bvh_;
+  std::uint32_t face_ = kNoFace;
+};
+
+// Distances to the mesh at all points of a coarse grid. A row is one block, so the outcome does not depend on the
 // threads.
-std::vector<double> coarseDistances(const Grid& grid, const Bvh& bvh, Workers& workers, const Token& token) {
+std::vector<double> coarseDistances(const Grid& grid, const TriangleMesh& mesh, const Bvh& bvh, Workers& workers,
+                                    const Token& token) {
   std::vector<double> distances(grid.points(), 0.0);
   workers.forBlocks(grid.count[1] * grid.count[2], 1, [&](std::size_t row, std::size_t) {
     if (token.cancelled()) return;
     const std::size_t j = row % grid.count[1], k = row / grid.count[1];
-    double within = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < grid.count[0]; ++i) {
-      const std::optional<Bvh::Near> near = bvh.nearest(grid.place(i, j, k), within);
-      const double d = near ? near->distance : within;
-      distances[grid.index(i, j, k)] = d;
-      within = (d + grid.step) * (1 + 1e-9);
-    }
+    RowWalk walk(mesh, bvh);
+    for (std::size_t i = 0; i < grid.count[0]; ++i)
+      distances[grid.index(i, j, k)] = *walk.next(grid.place(i, j, k), std::numeric_limits<double>::infinity());
   });
   return distances;
 }
@@ -133,13 +158,6 @@ std::size_t pointsFor(double extent, double cell) {
   return static_cast<std::size_t>(std::fmax(std::ceil(extent / (cell * kStride)), 1)) * kStride + 1;
 }
 
-double distanceToFace(const TriangleMesh& mesh, std::uint32_t face, Vec3 place) {
-  const Triangle& f = mesh.faces[face];
-  const Corners c{mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
-  const auto w = nearestWeights(c, place);
-  return distance(c[0] * w[0] + c[1] * w[1] + c[2] * w[2], place);
-}
-
 double marginOf(const DistanceField::Settings& settings) { return settings.band + settings.cell; }
 
 Box boxOf(const TriangleMesh& mesh) {
@@ -183,7 +201,7 @@ Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& 
 
   const Message doing = say("Measuring the space around the body");
   token.progress(0, doing);
-  const std::vector<double> coarseDistance = coarseDistances(coarse, bvh, workers, token);
+  const std::vector<double> coarseDistance = coarseDistances(coarse, mesh, bvh, workers, token);
   const CoarseBound bound(coarse, coarseDistance);
   token.progress(0.2, doing);
 
@@ -195,20 +213,14 @@ Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& 
   workers.forBlocks(grid.count[1] * grid.count[2], 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end && !token.cancelled(); ++row) {
       const std::size_t j = row % grid.count[1], k = row / grid.count[1];
-      std::uint32_t face = kNoFace;  // the nearest one of the last point: this point's is no further
+      RowWalk walk(mesh, bvh);
       for (std::size_t i = 0; i < grid.count[0]; ++i) {
         const double atLeast = bound.at(i, j, k);
         double d = std::fmax(atLeast, settings.band);
-        if (atLeast <= settings.band) {
-          const Vec3 place = grid.place(i, j, k);
-          // A nanometre more, so that a grid point on the face itself finds it.
-          const double within = face != kNoFace ? distanceToFace(mesh, face, place) + 1e-9 : settings.band;
-          const auto near = bvh.nearest(place, std::fmin(within, settings.band));
-          if (near) d = near->distance;
-          face = near ? near->place.face : kNoFace;
-        } else {
-          face = kNoFace;
-        }
+        if (atLeast <= settings.band)
+          d = walk.next(grid.place(i, j, k), settings.band).value_or(d);
+        else
+          walk.skip();
         field.value_[grid.index(i, j, k)] = static_cast<float>(d);
       }
     }

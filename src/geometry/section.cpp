@@ -1,7 +1,6 @@
 #include "karinui/geometry/section.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -82,12 +81,14 @@ std::vector<SectionLoop> section(const TriangleMesh& mesh, const Plane& plane) {
   for (std::size_t i = 0; i < height.size(); ++i) height[i] = dot(mesh.points[i] - plane.through, plane.normal);
   const std::vector<Cut> cuts = cutFaces(mesh, height);
 
-  std::multimap<CutEdge, std::size_t> starting;  // cuts by the edge they start on; equal keys keep the order of faces
-  std::map<CutEdge, std::size_t> ending;
-  for (std::size_t i = 0; i < cuts.size(); ++i) {
-    starting.emplace(cuts[i].from, i);
-    ++ending[cuts[i].to];
-  }
+  // Cuts in the order of the edge they start on, those of one edge in the order of faces; and the edges where one ends.
+  std::vector<std::size_t> starting(cuts.size());
+  std::iota(starting.begin(), starting.end(), std::size_t{0});
+  std::stable_sort(starting.begin(), starting.end(),
+                   [&](std::size_t a, std::size_t b) { return cuts[a].from < cuts[b].from; });
+  std::vector<CutEdge> ending(cuts.size());
+  std::transform(cuts.begin(), cuts.end(), ending.begin(), [](const Cut& cut) { return cut.to; });
+  std::sort(ending.begin(), ending.end());
   const auto placeOn = [&](CutEdge e) {
     const double a = height[e.first], b = height[e.second];
     return lerp(mesh.points[e.first], mesh.points[e.second], a / (a - b));
@@ -102,20 +103,21 @@ std::vector<SectionLoop> section(const TriangleMesh& mesh, const Plane& plane) {
       loop.points.push_back(placeOn(cuts[i].from));
       loop.faces.push_back(cuts[i].face);
       if (cuts[i].to == cuts[first].from) break;
-      auto [next, last] = starting.equal_range(cuts[i].to);
-      while (next != last && used[next->second]) ++next;
-      if (next == last) {
+      auto next = std::lower_bound(starting.begin(), starting.end(), cuts[i].to,
+                                   [&](std::size_t cut, const CutEdge& edge) { return cuts[cut].from < edge; });
+      while (next != starting.end() && cuts[*next].from == cuts[i].to && used[*next]) ++next;
+      if (next == starting.end() || cuts[*next].from != cuts[i].to) {
         loop.points.push_back(placeOn(cuts[i].to));
         loop.closed = false;
         break;
       }
-      i = next->second;
+      i = *next;
     }
     loops.push_back(std::move(loop));
   };
   // Open lines first, from the edges where nothing ends; what is left runs in circles.
   for (std::size_t i = 0; i < cuts.size(); ++i)
-    if (!used[i] && !ending.contains(cuts[i].from)) follow(i);
+    if (!used[i] && !std::binary_search(ending.begin(), ending.end(), cuts[i].from)) follow(i);
   for (std::size_t i = 0; i < cuts.size(); ++i)
     if (!used[i]) follow(i);
   std::sort(loops.begin(), loops.end(),
