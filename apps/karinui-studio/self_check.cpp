@@ -71,8 +71,7 @@ void comeToRest(MainWindow& window) {
 
 int selfCheck(QApplication&, MainWindow& window) {
   const auto lines = parseScript(kGarment);
-  for (const ScriptLine& line : *lines) window.session().perform(line.operation);
-  comeToRest(window);
+  for (const ScriptLine& line : *lines) window.session().perform(line.operation), comeToRest(window);
   if (window.space().trouble()) return 1;
   Clockwork& clock = window.clockwork();
   const QSize size = window.space().size();
