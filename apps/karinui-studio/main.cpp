@@ -110,7 +110,9 @@ int main(int argc, char** argv) {
   look.setDark(wish.dark || settings.value("dark").toBool());
   look.apply(app);
 
-  MainWindow window(wish.threads > 0 ? wish.threads : std::max(1, QThread::idealThreadCount()));
+  SessionOptions options;
+  options.threads = wish.threads > 0 ? wish.threads : std::max(1, QThread::idealThreadCount());
+  MainWindow window(options);
   window.show();
   if (wish.selfCheck) return selfCheck(app, window);
   if (!wish.fresh.isEmpty())

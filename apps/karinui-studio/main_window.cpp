@@ -14,9 +14,7 @@
 
 namespace karinui::studio {
 
-MainWindow::MainWindow(int threads) {
-  SessionOptions options;
-  options.threads = threads;
+MainWindow::MainWindow(SessionOptions options) {
   wake_.setSingleShot(true);
   wake_.setInterval(0);
   connect(&wake_, &QTimer::timeout, this, &MainWindow::refresh);
@@ -28,7 +26,7 @@ MainWindow::MainWindow(int threads) {
         },
         Qt::QueuedConnection);
   };
-  session_ = std::make_unique<Session>(options);
+  session_ = std::make_unique<Session>(std::move(options));
   session_->setLanguage(Look::here().language());
 
   space_ = new SpaceView(*session_, clockwork_);

@@ -20,7 +20,7 @@ class Guide;
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  explicit MainWindow(int threads);
+  explicit MainWindow(SessionOptions options);  // `wake` is the window's own
   ~MainWindow() override;
 
   Session& session() { return *session_; }

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 // A sleeveless tunic drawn on a small size, coarsely laid: quick to settle.
 const char* const kTunic =
     "body size=jis9ar\n"
-    "set spacing=20mm\n"
+    "set spacing=30mm\n"
     "draw name=front symmetric=yes edges=\"neck ~ shoulder armhole ~ ~ side ~ hem\" line=\"torso:shoulder+0.5@0; "
     "torso:shoulder+0.8@0.08; torso:neck_base+0.2@0.25; landmark:shoulder_left; torso:armpit+0.5@0.16; "
     "torso:armpit@0.19; torso:armpit-0.3@0.25; torso:waist@0.25; torso:hip@0.25; torso:hip@0\"\n"

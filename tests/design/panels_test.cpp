@@ -97,6 +97,7 @@ TEST(Panels, HangOnTheFigureTheyStoodAround) {
 // The historical material comes to rest too; slack, it crumples within its own springs.
 TEST(Panels, HangAsSimcloth) {
   Panels p;
+  p.spacing = 30;
   p.fabric = "simcloth";
   Hung hung;
   hang(p, hung);
@@ -112,6 +113,7 @@ TEST(Panels, HangAsSimcloth) {
 // distance has bends where planes meet, and a node there may still move a little after all steps; then it says so.
 TEST(Panels, HangOnMergedPlanes) {
   Panels p;
+  p.spacing = 30;
   p.collider = "planes";
   Hung hung;
   hang(p, hung);

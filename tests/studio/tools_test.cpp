@@ -1,0 +1,248 @@
+// The tools in the real window, worked with the mouse: from the first stroke to the pattern.
+#include <gmock/gmock.h>
+
+#include <QDoubleSpinBox>
+
+#include "karinui/design/script.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(StudioTools, DrawsHalfALineIntoASymmetricPiece) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().begin(DocumentFile::inMemory());
+  w.session().perform(SetBody{.size = "jis9ar", .sex = {}, .set = {}, .mesh = {}});
+  w.rest();
+  w.view(View::Front);
+  w.key(Command::Draw);
+  std::vector<QPointF> line;
+  for (const char* place :
+       {"torso:shoulder+0.4@0", "torso:shoulder+0.6@0.1", "torso:armpit+0.4@0.16", "torso:armpit-0.2@0.2",
+        "torso:waist@0.19", "torso:hip@0.19", "torso:hip@0.1", "torso:hip@0"})
+    line.push_back(w.onSkin(place));
+  w.drag(w.space(), line, {}, [&] {
+    w.keep("studio_draw");
+    EXPECT_FALSE(w.session().preview().space.lines.empty());
+    EXPECT_EQ(w.count(), 1u) << "nothing happens before the release";
+  });
+  w.rest();
+  ASSERT_EQ(w.count(), 2u) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), StartsWith("draw name=front"));
+  EXPECT_THAT(w.last(), HasSubstr("symmetric=yes"));
+}
+
+TEST(StudioTools, UndoTakesBackAStroke) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().begin(DocumentFile::inMemory());
+  w.session().perform(SetBody{.size = "jis9ar", .sex = {}, .set = {}, .mesh = {}});
+  w.rest();
+  w.view(View::Front);
+  w.key(Command::Draw);
+  for (const char* place : {"torso:armpit@0.05", "torso:waist@0.05", "torso:waist@0.95", "torso:hip@0.95"})
+    w.click(w.space(), w.onSkin(place));
+  w.key(Command::Undo);
+  w.click(w.space(), w.onSkin("torso:armpit@0.95"));
+  w.key(Command::Confirm);
+  w.rest();
+  ASSERT_EQ(w.count(), 2u) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), testing::Not(HasSubstr("torso:hip")));
+}
+
+TEST(StudioTools, CutsASlitAndItSettles) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Cut);
+  w.drag(w.space(), {w.inSpace("front", {0.03, 0.0}) + QPointF(0, 30), w.inSpace("front", {0.03, 0.13})}, {}, [&] {
+    w.keep("studio_cut");
+    EXPECT_THAT(text(w.session().hint()), HasSubstr("slit"));
+  });
+  w.rest();
+  ASSERT_EQ(w.count(), before + 2) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("cut piece=p"));
+  EXPECT_THAT(w.last(), StartsWith("drape live="));
+  w.key(Command::Undo);
+  w.rest();
+  EXPECT_EQ(w.count(), before) << "the drape that came by itself goes with the cut";
+}
+
+TEST(StudioTools, CutsOnTheTable) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Cut);
+  w.drag(w.table(), {w.onTable("back", {0.05, -0.08}), w.onTable("back", {0.05, 0.1})});
+  w.rest();
+  EXPECT_GE(w.count(), before + 1) << w.main().said().toStdString();
+}
+
+TEST(StudioTools, SaysWhyACutIsRefused) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Cut);
+  w.drag(w.space(), {w.inSpace("front", {-0.04, 0.2}), w.inSpace("front", {0.04, 0.3})});
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("does not reach the outline"));
+  w.keep("studio_refused");
+}
+
+TEST(StudioTools, PullsWithALivePreviewAndAForce) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  const std::uint64_t predicted = w.session().news().predicted;
+  w.key(Command::Pull);
+  const QPointF hem = w.inSpace("front", {0.04, 0.04});
+  w.drag(w.space(), {hem, hem + QPointF(40, 20)}, {}, [&] {
+    w.session().finish();
+    w.keep("studio_pull");
+    EXPECT_GT(w.session().news().predicted, predicted) << "the cloth followed the hand";
+    EXPECT_THAT(text(w.session().hint()), HasSubstr(" N."));
+    EXPECT_EQ(w.count(), before);
+  });
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), StartsWith("pull piece=p"));
+}
+
+TEST(StudioTools, ReshapesWithThePaperFollowing) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Reshape);
+  const QPointF hem = w.inSpace("front", {0.0, 0.015});
+  w.drag(w.space(), {hem, hem + QPointF(0, 22)}, {}, [&] {
+    w.session().finish();
+    w.keep("studio_reshape");
+    EXPECT_EQ(w.session().preview().outlines.size(), 1u);
+  });
+  w.rest();
+  ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("reshape piece=p"));
+}
+
+TEST(StudioTools, MovesAPieceAndEscapeDropsIt) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Move);
+  const QPointF at = w.inSpace("front", {0, 0.3});
+  w.drag(w.space(), {at, at + QPointF(60, -30)}, {}, [&] {
+    EXPECT_EQ(w.session().preview().carried.size(), 1u);
+    w.key(Command::Cancel);
+  });
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+  w.drag(w.space(), {at, at + QPointF(60, -30)}, Qt::AltModifier, [&] { w.keep("studio_move"); });
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1);
+  EXPECT_THAT(w.last(), StartsWith("move piece=p"));
+}
+
+TEST(StudioTools, UndoInMidDragDropsOnlyTheDrag) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Move);
+  const QPointF at = w.inSpace("front", {0, 0.3});
+  w.drag(w.space(), {at, at + QPointF(60, -30)}, {}, [&] { w.key(Command::Undo); });
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+}
+
+TEST(StudioTools, UnsewsAndSewsFromEdgeToEdge) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Selection seam;
+  seam.seam = w.session().fitting().document.pattern.seams.begin()->first;
+  w.session().select(seam);
+  w.rest();
+  w.key(Command::Remove);
+  w.rest();
+  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 3u);
+  const auto middle = [&](const char* piece) {
+    const Piece* p = w.session().fitting().document.pieceNamed(piece);
+    return w.onTable(piece, findEdge(*p, "shoulder_left")->curve.atFraction(0.5));
+  };
+  w.key(Command::Sew);
+  w.drag(w.table(), {middle("front"), middle("back")}, {}, [&] {
+    w.keep("studio_sew");
+    EXPECT_FALSE(w.session().preview().table.words.empty()) << "both lengths are told before the release";
+  });
+  w.rest();
+  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 4u) << w.main().said().toStdString();
+}
+
+TEST(StudioTools, DragsACornerOfThePatternAndTheClothFollows) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Points);
+  const Piece* front = w.session().fitting().document.pieceNamed("front");
+  const Flat corner = findEdge(*front, "side_left")->curve.start;
+  w.drag(w.table(), {w.onTable("front", corner), w.onTable("front", corner) + QPointF(8, 14)}, {}, [&] {
+    w.session().finish();
+    w.keep("studio_points");
+    EXPECT_NE(&w.session().shown(), &w.session().fitting()) << "the fitting shows what is to come";
+  });
+  w.rest();
+  ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("reshape piece=p"));
+}
+
+TEST(StudioTools, SpaceSettlesAndStops) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Settle);
+  EXPECT_TRUE(w.session().busy().settling);
+  w.key(Command::Settle);
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+  w.key(Command::Settle);
+  w.rest();
+  EXPECT_EQ(w.count(), before + 1);
+}
+
+TEST(StudioTools, ANumberTypedIsTheNumberCut) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Selection edge;
+  const Piece* front = w.session().fitting().document.pieceNamed("front");
+  edge.pieces = {front->id};
+  edge.edge = EdgeNear{front->id, "shoulder_left", 0.5, 0};
+  w.session().select(edge);
+  w.main().action(Command::Select)->trigger();
+  const auto boxes = w.main().findChildren<QDoubleSpinBox*>();
+  const double now = findEdge(*front, "shoulder_left")->curve.length() * 100;
+  for (QDoubleSpinBox* box : boxes)
+    if (std::fabs(box->value() - now) < 0.006 && box->suffix() == " cm" && box->isVisible()) {
+      box->setValue(now + 1);
+      break;
+    }
+  w.rest();
+  const Piece* after = w.session().fitting().document.pieceNamed("front");
+  EXPECT_NEAR(findEdge(*after, "shoulder_left")->curve.length() * 100, now + 1, 0.006);
+}
+
+}  // namespace
+}  // namespace karinui::studio
