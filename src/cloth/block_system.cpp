@@ -2,13 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "cloth/wide.h"
 
 namespace karinui {
 namespace {
 
-constexpr std::size_t kBlock = 2048;  // slots a worker takes at once
+constexpr std::size_t kBlock = 2048;          // slots a worker takes at once
+constexpr int kLast = 10;                     // iterations by which is judged what is left,
+constexpr int kLastCoarse = 4;                // with a coarse space, which
+constexpr int kQuicker = 4;                   // needs so much less of them,
+constexpr std::size_t kLeastForCoarse = 200;  // and is not worth its while for fewer unknowns
+constexpr int kOld = 20;                      // solves with one matrix of the coarse space
+constexpr double kDear = 1.4;                 // times as many iterations as when it was new,
+constexpr int kFew = 10;                      // unless they are few anyway
 
 struct Axes {
   float *x, *y, *z;
@@ -48,9 +56,9 @@ KARINUI_WIDE void turn(std::size_t begin, std::size_t end, float beta, const flo
 
 }  // namespace
 
-BlockSystem::BlockSystem(const PanelPlan& plan, PanelBending bending, std::span<const NodePair> pairs,
-                         std::span<const NodeWeight> weights)
-    : plan_(plan), bending_(std::move(bending)), sparse_(plan.slotOf, pairs, weights) {
+BlockSystem::BlockSystem(const Cloth& cloth, const PanelPlan& plan, PanelBending bending,
+                         std::span<const NodePair> pairs, std::span<const NodeWeight> weights)
+    : plan_(plan), bending_(std::move(bending)), sparse_(plan.slotOf, pairs, weights), coarse_(cloth, plan) {
   for (auto* blocks : {&own_, &inverse_})
     for (auto& array : *blocks) array.assign(plan.slots, 0);
   for (auto* lanes : {&d_, &r_, &z_, &p_, &q_})
@@ -70,6 +78,7 @@ void BlockSystem::setTies(const TieMap& ties) {
     for (const TieMap::Part& part : ties.parts(node))
       if (home_[part.unknown] != slot) guests_.push_back({slot, home_[part.unknown], static_cast<float>(part.weight)});
   }
+  coarse_.setTies(home_, guests_);
 }
 
 void BlockSystem::gather(std::span<const Block3> blocks, Workers& workers) {
@@ -117,14 +126,14 @@ void BlockSystem::invertDiagonal(Workers& workers) {
   });
 }
 
-double BlockSystem::multiply(Workers& workers) {
+double BlockSystem::multiply(std::span<const Coupling> couplings, Workers& workers) {
   for (const Guest& guest : guests_)
     for (auto& axis : p_) axis[guest.slot] = 0;
   for (const Guest& guest : guests_)
     for (auto& axis : p_) axis[guest.slot] += guest.weight * axis[guest.home];
   double product = multiplyPanels(plan_, panels_, bending_, own_, p_, q_, workers);
   product += sparse_.multiply(p_, q_, workers);
-  for (const Coupling& c : couplings_) {  // few; in order
+  for (const Coupling& c : couplings) {  // few; in order
     float move[3] = {};
     for (const TieMap::Part& part : c.parts)
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -143,6 +152,15 @@ double BlockSystem::multiply(Workers& workers) {
   return product;
 }
 
+// The matrix changes little from step to step; it is taken up anew when it is old or has grown dear.
+bool BlockSystem::coarseReady(Workers& workers) {
+  if (unknowns() < kLeastForCoarse) return false;
+  const bool dear = age_ > 2 && iterations_ > kDear * iterationsWhenNew_;
+  if (coarse_.ready() && age_ < kOld && !dear) return true;
+  age_ = 0;
+  return coarse_.refresh([&] { multiply({}, workers); }, p_, q_, workers);
+}
+
 int BlockSystem::solve(std::span<const Vec3> force, const Stop& stop, const Token& token, Workers& workers,
                        std::vector<Vec3>& move) {
   const std::size_t count = unknowns();
@@ -152,6 +170,7 @@ int BlockSystem::solve(std::span<const Vec3> force, const Stop& stop, const Toke
     largest = std::fmax(largest, std::fmax(std::fabs(f.x), std::fmax(std::fabs(f.y), std::fabs(f.z))));
   if (!(largest > 0)) return 0;
   invertDiagonal(workers);
+  const bool coarse = coarseReady(workers);
   for (auto* lanes : {&d_, &r_, &p_, &q_})
     for (auto& axis : *lanes) std::fill(axis.begin(), axis.end(), 0.0f);
   for (std::size_t k = 0; k < count; ++k) {  // scaled to one, so small forces do not drown in float
@@ -171,33 +190,41 @@ int BlockSystem::solve(std::span<const Vec3> force, const Stop& stop, const Toke
       return total;
     });
   };
-  double rz = go(0);
-  const double first = rz;
-  p_ = z_;
-  int iteration = 0;
-  // Twice the energy that each iteration still found: what is left is about what the last ones brought. The residual
-  // alone would be content long before slow waves have run through the cloth.
-  constexpr int kLast = 10;
-  double energy = 0, lately[kLast] = {};
-  const auto content = [&] {
-    double last = 0;
-    for (double e : lately) last += e;
-    return last < stop.tolerance * stop.tolerance * energy;
+  const auto precondition = [&](float alpha) {  // z, and r . z
+    const double own = go(alpha);
+    return coarse ? own + coarse_.answer(r_, workers) : own;
   };
-  while (iteration < stop.most && rz > 1e-12 * first && (iteration < stop.least || !content())) {
-    if (token.cancelled()) break;
-    const double pq = multiply(workers);
-    if (!(pq > 0)) break;
-    lately[iteration % kLast] = rz / pq * rz;
-    energy += lately[iteration % kLast];
-    const double next = go(static_cast<float>(rz / pq));
-    const auto beta = static_cast<float>(next / rz);
-    rz = next;
+  const auto turnTo = [&](float beta) {
+    if (coarse) return coarse_.turn(z_, beta, p_, workers);
     workers.forBlocks(plan_.slots, kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t axis = 0; axis < 3; ++axis) turn(begin, end, beta, z_[axis].data(), p_[axis].data());
     });
+  };
+  double rz = precondition(0);
+  const double first = rz;
+  turnTo(0);
+  int iteration = 0;
+  // Twice the energy that each iteration still found: what is left is about what the last ones brought. The residual
+  // alone would be content long before slow waves have run through the cloth.
+  const int last = coarse ? kLastCoarse : kLast, least = coarse ? stop.least / kQuicker : stop.least;
+  double energy = 0, lately[kLast] = {};
+  const auto content = [&] {
+    const double brought = std::accumulate(lately, lately + last, 0.0);
+    return brought < stop.tolerance * stop.tolerance * energy;
+  };
+  while (iteration < stop.most && rz > 1e-12 * first && (iteration < least || !content())) {
+    if (token.cancelled()) break;
+    const double pq = multiply(couplings_, workers);
+    if (!(pq > 0)) break;
+    lately[iteration % last] = rz / pq * rz;
+    energy += lately[iteration % last];
+    const double next = precondition(static_cast<float>(rz / pq));
+    turnTo(static_cast<float>(next / rz));
+    rz = next;
     ++iteration;
   }
+  iterations_ = iteration;
+  if (age_++ == 0) iterationsWhenNew_ = std::max(iteration, kFew);
   for (std::size_t k = 0; k < count; ++k) move[k] = Vec3{d_[0][home_[k]], d_[1][home_[k]], d_[2][home_[k]]} * largest;
   return iteration;
 }
@@ -209,7 +236,7 @@ std::vector<Vec3> BlockSystem::times(std::span<const Vec3> unknown, Workers& wor
     p_[1][home_[k]] = static_cast<float>(unknown[k].y);
     p_[2][home_[k]] = static_cast<float>(unknown[k].z);
   }
-  multiply(workers);
+  multiply(couplings_, workers);
   std::vector<Vec3> product(unknown.size());
   for (std::size_t k = 0; k < unknown.size(); ++k) product[k] = {q_[0][home_[k]], q_[1][home_[k]], q_[2][home_[k]]};
   return product;

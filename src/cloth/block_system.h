@@ -1,6 +1,6 @@
 #pragma once
-// The linear system of one implicit step, solved by conjugate gradients with the inverse 3x3 diagonal as
-// preconditioner. In float: it only finds the next move; rest is judged in double.
+// The linear system of one implicit step, solved by conjugate gradients with the inverse 3x3 diagonal and a coarse
+// space as preconditioner. In float: it only finds the next move; rest is judged in double.
 //
 // Unknowns live in slots, as nodes do: a free node's unknown is at home in the node's own slot, that of nodes sewn
 // together in the first one's. The others are guests: before each product they are given their mix of the homes, after
@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "cloth/coarse_space.h"
 #include "cloth/sparse_rows.h"
 #include "cloth/tie_map.h"
 #include "karinui/base/token.h"
@@ -26,7 +27,7 @@ struct Coupling {
 class BlockSystem {
  public:
   // What stays as long as the cloth does. `pairs`: blocks that are new each step; `weights`: constant ones.
-  BlockSystem(const PanelPlan& plan, PanelBending bending, std::span<const NodePair> pairs,
+  BlockSystem(const Cloth& cloth, const PanelPlan& plan, PanelBending bending, std::span<const NodePair> pairs,
               std::span<const NodeWeight> weights);
   void setTies(const TieMap& ties);
 
@@ -36,8 +37,8 @@ class BlockSystem {
   void setCouplings(std::vector<Coupling> couplings) { couplings_ = std::move(couplings); }
 
   struct Stop {
-    int least = 40, most = 400;
-    double tolerance = 0.1;  // of the move, in the matrix's own norm
+    int least = 40, most = 400;  // with a coarse space an eighth of the least is enough
+    double tolerance = 0.1;      // of the move, in the matrix's own norm
   };
   // The move for a force on each unknown (newtons); how many iterations it took. Cut short when cancelled.
   int solve(std::span<const Vec3> force, const Stop& stop, const Token& token, Workers& workers,
@@ -47,19 +48,18 @@ class BlockSystem {
   std::size_t unknowns() const { return home_.size(); }
 
  private:
-  struct Guest {
-    std::uint32_t slot = 0, home = 0;
-    float weight = 1;
-  };
   void invertDiagonal(Workers& workers);
-  double multiply(Workers& workers);  // q = A p, returns p.q
+  double multiply(std::span<const Coupling> couplings, Workers& workers);  // q = A p, returns p . q
+  bool coarseReady(Workers& workers);                                      // made new when it is due
 
   const PanelPlan& plan_;
   PanelBending bending_;
   PanelStiffness panels_;
   SparseRows sparse_;
-  std::vector<std::uint32_t> home_;  // slot of each unknown
-  std::vector<Guest> guests_;        // by slot, then home
+  CoarseSpace coarse_;
+  int age_ = 0, iterations_ = 0, iterationsWhenNew_ = 0;  // of the coarse space's matrix, in solves; of the last solve
+  std::vector<std::uint32_t> home_;                       // slot of each unknown
+  std::vector<Guest> guests_;                             // by slot, then home
   std::vector<Coupling> couplings_;
   OwnBlocks own_, inverse_;
   Lanes3 d_, r_, z_, p_, q_;

@@ -98,7 +98,7 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
   if (simcloth->count() > 0) simcloth_ = simcloth;
   springs_ = {simcloth, add(std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount))};
   auto bending = std::make_unique<Bending>(cloth, held_, plan_);
-  system_ = std::make_unique<BlockSystem>(plan_, bending->panels(), pairs, bending->rest());
+  system_ = std::make_unique<BlockSystem>(cloth, plan_, bending->panels(), pairs, bending->rest());
   energies_.push_back(std::move(bending));
   blocks_.resize(pairs.size());
   // Ties between nodes that do not move are not ours to close.
