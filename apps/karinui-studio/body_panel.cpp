@@ -1,11 +1,11 @@
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 
 #include "karinui/base/number.h"
+#include "length_box.h"
 #include "look.h"
 #include "panels.h"
 
@@ -61,12 +61,9 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   const auto keys = mannequinKeys();
   for (const Asked& a : asked()) {
     if (std::find(keys.begin(), keys.end(), std::string_view(a.key)) == keys.end()) continue;
-    auto* box = new QDoubleSpinBox;
-    box->setRange(0, 260);
-    box->setDecimals(1);
-    box->setSuffix(" cm");
+    auto* box = new LengthBox(a.label, 0, 2.6);
     box->setSpecialValueText("–");
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setMetres(0);
     form->addRow(word(a.label), box);
     typed_[a.key] = box;
   }
@@ -106,7 +103,7 @@ SetBody BodyPanel::wished() const {
     body.size = std::string(builtInSizes()[static_cast<std::size_t>(size_->currentIndex() - 1)]);
   if (sex_->currentIndex() > 0) body.sex = sex_->currentIndex() == 1 ? Sex::Female : Sex::Male;
   for (const auto& [key, box] : typed_)
-    if (box->value() > 0) body.set.push_back({key, {box->value() / 100}});
+    if (box->value() > 0) body.set.push_back({key, {box->value()}});
   return body;
 }
 
@@ -121,7 +118,7 @@ void BodyPanel::refresh() {
     for (const auto& [key, value] : fitting.body->measured().value)
       lines +=
           "<tr><td>" + QString::fromStdString(key).replace('_', ' ') + "&nbsp;&nbsp;</td><td align=right>" +
-          QString::fromStdString(isAngle(key) ? fixed(value * 57.29577951, 1) + "°" : fixed(value * 100, 1) + " cm") +
+          QString::fromStdString(isAngle(key) ? fixed(value * 57.29577951, 1) + "°" : lengthText(value).toStdString()) +
           "</td></tr>";
   measured_->setText("<table>" + lines + "</table>");
 }

@@ -8,6 +8,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/design/script.h"
+#include "length_box.h"
 #include "look.h"
 #include "panels.h"
 
@@ -52,12 +53,8 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
                        inWords(say("red-cyan glasses")), inWords(say("row by row"))});
     stereo_->setCurrentIndex(std::max(0, was));
   });
-  eyes_ = new QDoubleSpinBox;
-  eyes_->setRange(0, 200);
-  eyes_->setValue(63);
-  eyes_->setSuffix(" mm");
-  eyes_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  eyes_->setDecimals(0);
+  eyes_ = new LengthBox(say("Eyes apart"), 0, 0.2);
+  eyes_->setMetres(0.063);
   focus_ = new QDoubleSpinBox;
   focus_->setRange(0.3, 3);
   focus_->setSingleStep(0.05);
@@ -71,7 +68,7 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   connect(map_, &QComboBox::currentIndexChanged, this, [this](int i) { view_.setMap(static_cast<FitMap>(i)); });
   connect(tape_, &QCheckBox::toggled, this, [this](bool on) { view_.setTape(on); });
   connect(stereo_, &QComboBox::currentIndexChanged, this, [this](int i) { view_.setStereo(static_cast<Stereo>(i)); });
-  for (QDoubleSpinBox* box : {eyes_, focus_})
+  for (QDoubleSpinBox* box : {static_cast<QDoubleSpinBox*>(eyes_), focus_})
     connect(box, &QDoubleSpinBox::valueChanged, this, [this] { view_.setEyes(eyes_->value(), focus_->value()); });
 }
 
@@ -94,8 +91,8 @@ void FitPanel::refresh() {
   QString table = row(inWords(say("at rest")), last->settled ? inWords(say("yes")) : inWords(say("no")));
   table += row(inWords(say("mean strain")), percent(last->strain.mean));
   table += row(inWords(say("strain, 99 of 100")), percent(last->strain.p99));
-  table += row(inWords(say("widest seam gap")), QString::fromStdString(fixed(last->seamGap * 1000, 1)) + " mm");
-  table += row(inWords(say("deepest in the body")), QString::fromStdString(fixed(last->penetration * 1000, 2)) + " mm");
+  table += row(inWords(say("widest seam gap")), lengthText(last->seamGap, 2));
+  table += row(inWords(say("deepest in the body")), lengthText(last->penetration, 3));
   report_->setText("<table>" + table + "</table>");
 }
 

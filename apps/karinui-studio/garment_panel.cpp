@@ -9,8 +9,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "edge_numbers.h"
 #include "karinui/base/number.h"
 #include "karinui/pattern/edit.h"
+#include "length_box.h"
 #include "look.h"
 #include "panels.h"
 
@@ -90,9 +92,9 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->setContentsMargins(0, 6, 0, 0);
   form->addRow(title(say("Edge")));
   edgeName_ = new QLineEdit;
-  length_ = number(0.1, 1000, 2, " cm");
-  u_ = number(-500, 500, 2, " cm");
-  v_ = number(-500, 500, 2, " cm");
+  length_ = new LengthBox(say("Length"), 0.001, 10);
+  u_ = new LengthBox(say("From, across"), -5, 5);
+  v_ = new LengthBox(say("From, up"), -5, 5);
   sewn_ = new QLabel;
   sewn_->setWordWrap(true);
   sewn_->setProperty("role", "faint");
@@ -101,6 +103,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->addRow(word(say("From, across")), u_);
   form->addRow(word(say("From, up")), v_);
   form->addRow(word(say("Sewn to")), sewn_);
+  form->addRow(new EdgeNumbers(session));
   column->addWidget(edgeBoard_);
   column->addStretch(1);
 
@@ -169,8 +172,8 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
     rename.to = edgeName_->text().toStdString();
     session_.perform(rename);
   });
-  connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double cm) {
-    edgeTyped([this, cm](const Piece& piece) -> Result<Outline> {
+  connect(length_, &LengthBox::typed, this, [this](double wanted) {
+    edgeTyped([this, wanted](const Piece& piece) -> Result<Outline> {
       // The edge's end goes along the chord, so that its length is as typed.
       const auto n = *piece.outline.find(session_.selection().edge->edge);
       const Curve& curve = piece.outline.edges[n].curve;
@@ -179,7 +182,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
       Piece now = piece;
       for (int i = 0; i < 12; ++i) {
         const Curve& is = now.outline.edges[n].curve;
-        const double miss = cm / 100 - is.length();
+        const double miss = wanted - is.length();
         if (std::fabs(miss) < 1e-6) break;
         auto moved = moveCorner(now, next, is.end + along * miss);
         if (!moved) return moved.error();
@@ -188,10 +191,10 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
       return now.outline;
     });
   });
-  for (QDoubleSpinBox* box : {u_, v_})
-    connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+  for (LengthBox* box : {u_, v_})
+    connect(box, &LengthBox::typed, this, [this] {
       edgeTyped([this](const Piece& piece) -> Result<Outline> {
-        auto moved = moveCorner(piece, session_.selection().edge->edge, {u_->value() / 100, v_->value() / 100});
+        auto moved = moveCorner(piece, session_.selection().edge->edge, {u_->value(), v_->value()});
         if (!moved) return moved.error();
         return moved->outline;
       });
@@ -242,7 +245,7 @@ void GarmentPanel::fillTree() {
     const bool chosen = selection.pieces.contains(id);
     for (const Edge& edge : piece->outline.edges) {
       auto* child = new QTreeWidgetItem(item);
-      child->setText(0, QString::fromStdString(edge.name + "   " + fixed(edge.curve.length() * 100, 1) + " cm"));
+      child->setText(0, QString::fromStdString(edge.name) + "   " + lengthText(edge.curve.length()));
       child->setData(0, Qt::UserRole, kEdge);
       child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
       child->setData(0, Qt::UserRole + 2, QString::fromStdString(edge.name));
@@ -289,9 +292,9 @@ void GarmentPanel::fillProperties() {
   if (piece && selection.edge) {
     if (const Edge* edge = findEdge(*piece, selection.edge->edge)) {
       edgeName_->setText(QString::fromStdString(edge->name));
-      length_->setValue(edge->curve.length() * 100);
-      u_->setValue(edge->curve.start.u * 100);
-      v_->setValue(edge->curve.start.v * 100);
+      length_->setMetres(edge->curve.length());
+      u_->setMetres(edge->curve.start.u);
+      v_->setMetres(edge->curve.start.v);
       QString sewn = "–";
       for (const auto& [id, seam] : document.pattern.seams)
         for (const auto* side : {&seam.a, &seam.b})

@@ -8,6 +8,7 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+#include "karinui/base/number.h"
 #include "karinui/scene/icon.h"
 #include "karinui/view/image.h"
 
@@ -118,6 +119,11 @@ void Look::setLanguage(Language language) {
   emit changed();
 }
 
+void Look::setInches(bool inches) {
+  if (inches == inches_) return;
+  inches_ = inches;
+  emit changed();
+}
 void Look::setDark(bool dark) {
   dark_ = dark;
   if (auto* app = qobject_cast<QApplication*>(QCoreApplication::instance())) apply(*app);
@@ -189,6 +195,10 @@ void drawIcon(QPainter& painter, std::string_view name, const QRectF& square, co
     painter.drawPath(path);
   }
   painter.restore();
+}
+
+QString lengthText(double metres, int decimals) {
+  return QString::fromStdString(lengthSaid(metres, Look::here().inches(), decimals));
 }
 
 void paintWord(QPainter& painter, const QPointF& above, const QString& words) {

@@ -29,6 +29,8 @@ class Look : public QObject {
   bool dark() const { return dark_; }
   void setLanguage(Language language);
   void setDark(bool dark);
+  bool inches() const { return inches_; }  // instead of centimetres
+  void setInches(bool inches);
   const Palette& palette() const;
   QString say(const Message& message) const;
   QIcon icon(std::string_view name) const;  // in today's colours
@@ -45,11 +47,12 @@ class Look : public QObject {
  private:
   Look() = default;
   Language language_ = Language::English;
-  bool dark_ = false;
+  bool dark_ = false, inches_ = false;
 };
 
 inline QString inWords(const Message& message) { return Look::here().say(message); }
-QColor shown(const Colour& linear);  // linear light to screen
+QString lengthText(double metres, int decimals = 1);  // "12.3 cm" or "4.84 in"
+QColor shown(const Colour& linear);                   // linear light to screen
 // Draws an icon of the house into a square.
 void drawIcon(class QPainter& painter, std::string_view name, const class QRectF& square, const QColor& ink);
 

@@ -107,6 +107,7 @@ int main(int argc, char** argv) {
                    : kept == "ja" ? Language::Japanese
                    : kept == "en" ? Language::English
                                   : spoken);
+  look.setInches(settings.value("inches").toBool());
   look.setDark(wish.dark || settings.value("dark").toBool());
   look.apply(app);
 

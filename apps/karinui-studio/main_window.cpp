@@ -74,7 +74,7 @@ MainWindow::MainWindow(SessionOptions options) {
   statusBar()->addPermanentWidget(progress_);
   statusBar()->setSizeGripEnabled(false);
   connect(table_, &TableView::pointed, this,
-          [this](Flat p) { place_->setText(lengthText(p.u, inches_) + "  " + lengthText(p.v, inches_)); });
+          [this](Flat p) { place_->setText(lengthText(p.u) + "  " + lengthText(p.v)); });
 
   toast_ = new QLabel(space_);
   toast_->setObjectName("toast");
@@ -98,6 +98,7 @@ MainWindow::MainWindow(SessionOptions options) {
   if (settings.contains("window")) restoreGeometry(settings.value("window").toByteArray());
   connect(&Look::here(), &Look::changed, this, [this] {
     session_->setLanguage(Look::here().language());
+    session_->setInches(Look::here().inches());
     seen_.history = ~0ull;
     refresh();
   });
@@ -211,6 +212,7 @@ void MainWindow::startGuide() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings settings;
   settings.setValue("window", saveGeometry());
+  settings.setValue("inches", Look::here().inches());
   settings.setValue("dark", Look::here().dark());
   settings.setValue("language", Look::here().language() == Language::Japanese ? "ja" : "en");
   session_->command(Command::Cancel);

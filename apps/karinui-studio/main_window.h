@@ -80,7 +80,6 @@ class MainWindow : public QMainWindow {
   QTimer toastTime_, wake_;
   Guide* guide_ = nullptr;
   SessionNews seen_;
-  bool inches_ = false;
 };
 
 }  // namespace karinui::studio

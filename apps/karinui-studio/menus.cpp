@@ -98,11 +98,10 @@ void MainWindow::makeMenus() {
   viewMenu_->addSeparator();
   QAction* dark = add(viewMenu_, say("Dark"), "", "", [] { Look::here().setDark(!Look::here().dark()); });
   dark->setObjectName("dark");
-  QAction* inches = add(viewMenu_, say("Inches"), "", "", [this] {
-    inches_ = !inches_;
-    table_->setInches(inches_);
-  });
+  QAction* inches = add(viewMenu_, say("Inches"), "", "", [] { Look::here().setInches(!Look::here().inches()); });
   inches->setCheckable(true);
+  inches->setChecked(Look::here().inches());
+  inches->setObjectName("inches");
   QAction* blender = add(viewMenu_, say("Mouse as in Blender"), "", "", [this] {
     const bool on = !QSettings().value("blender").toBool();
     QSettings().setValue("blender", on);

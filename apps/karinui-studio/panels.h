@@ -20,6 +20,8 @@ class QTreeWidget;
 
 namespace karinui::studio {
 
+class LengthBox;
+
 class Panel : public QWidget {
   Q_OBJECT
  public:
@@ -53,9 +55,7 @@ class GarmentPanel : public Panel {
   QDoubleSpinBox* grain_;
   QLabel* area_;
   QLineEdit* edgeName_;
-  QDoubleSpinBox* length_;
-  QDoubleSpinBox* u_;
-  QDoubleSpinBox* v_;
+  LengthBox *length_, *u_, *v_;
   QLabel* sewn_;
   std::uint64_t historyShown_ = ~0ull;
   Selection selectionShown_;
@@ -74,7 +74,7 @@ class BodyPanel : public Panel {
   SetBody wished() const;
   QComboBox* size_;
   QComboBox* sex_;
-  std::map<std::string, QDoubleSpinBox*> typed_;
+  std::map<std::string, LengthBox*> typed_;
   QPushButton *use_, *replay_;
   QLabel* measured_;
   std::string shown_;
@@ -109,7 +109,8 @@ class FitPanel : public Panel {
   QComboBox* map_;
   QCheckBox* tape_;
   QComboBox* stereo_;
-  QDoubleSpinBox *eyes_, *focus_;
+  LengthBox* eyes_;
+  QDoubleSpinBox* focus_;
   QLabel* report_;
   std::uint64_t historyShown_ = ~0ull;
 };

@@ -143,8 +143,8 @@ void SpaceView::look(View view) {
 }
 
 void SpaceView::setStereo(Stereo stereo) { stereo_ = stereo, cameraMoved(); }
-void SpaceView::setEyes(double separationMm, double convergence) {
-  separation_ = separationMm / 1000;
+void SpaceView::setEyes(double separation, double convergence) {
+  separation_ = separation;
   convergence_ = convergence;
   cameraMoved();
 }

@@ -26,7 +26,7 @@ class SpaceView : public QOpenGLWidget {
 
   void look(View view);  // from a side, all of it in view
   void setStereo(Stereo stereo);
-  void setEyes(double separationMm, double convergence);
+  void setEyes(double separation, double convergence);  // metres; share of the distance to what is looked at
   Stereo stereo() const { return stereo_; }
   void setMap(FitMap map);
   FitMap map() const { return map_; }

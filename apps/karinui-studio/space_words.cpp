@@ -85,8 +85,7 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
   }
   for (const SceneWord& word : preview.space.words)
     paintWord(painter, at(word.place), QString::fromStdString(word.text));
-  if (!tapeShown_.line.empty())
-    paintWord(painter, at(tapeShown_.line.front()), QString::fromStdString(fixed(tapeShown_.length * 100, 1)) + " cm");
+  if (!tapeShown_.line.empty()) paintWord(painter, at(tapeShown_.line.front()), lengthText(tapeShown_.length));
   if (const auto panel = session_.menu()) paintBoard(painter, *panel, at);
   if (mapTop_ > 0) paintScale(painter, h);
 }
@@ -112,8 +111,7 @@ void SpaceView::paintScale(QPainter& painter, int h) const {
   for (int i = 0; i <= 5; ++i) {
     const double v = mapTop_ * i / 5;
     painter.drawText(QPointF(left + 24, top + 22 + tall * (1 - i / 5.0) + 4),
-                     map_ == FitMap::Strain ? QString::fromStdString(fixed(100 * v, 1)) + " %"
-                                            : QString::fromStdString(fixed(1000 * v, 0)) + " mm");
+                     map_ == FitMap::Strain ? QString::fromStdString(fixed(100 * v, 1)) + " %" : lengthText(v));
   }
 }
 

@@ -25,18 +25,12 @@ double niceStep(double pixelsPerMetre) {
 
 }  // namespace
 
-QString lengthText(double metres, bool inches) {
-  return QString::fromStdString(inches ? fixed(metres / 0.0254, 2) + " in" : fixed(metres * 100, 1) + " cm");
-}
-
 TableView::TableView(Session& session, Clockwork& clockwork, QWidget* parent)
     : QWidget(parent), session_(session), clockwork_(clockwork) {
   preparePointing(*this, {220, 200});
   setAccessibleName("pattern");
   connect(&Look::here(), &Look::changed, this, [this] { update(); });
 }
-
-QString TableView::lengthText(double metres) const { return studio::lengthText(metres, inches_); }
 
 QPointF TableView::onScreen(Flat p) const {
   return {width() / 2.0 + (p.u - middle_.u) * scale_, height() / 2.0 - (p.v - middle_.v) * scale_};

@@ -16,8 +16,6 @@ class TableView : public QWidget {
   void refresh();
   QPointF onScreen(Flat table) const;
   Flat onTable(const QPointF& screen) const;
-  QString lengthText(double metres) const;
-  void setInches(bool inches) { inches_ = inches, update(); }
 
  signals:
   void pointed(Flat table);
@@ -40,10 +38,8 @@ class TableView : public QWidget {
   Flat middle_{0.4, -0.3};
   std::size_t piecesShown_ = 0;
   Held held_ = Held::Nothing;
-  bool inches_ = false, mine_ = false;
+  bool mine_ = false;
   QPointF last_;
 };
-
-QString lengthText(double metres, bool inches);
 
 }  // namespace karinui::studio

@@ -2,7 +2,6 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QPainter>
@@ -10,6 +9,7 @@
 #include <QPrinter>
 #include <cmath>
 
+#include "length_box.h"
 #include "look.h"
 #include "main_window.h"
 
@@ -40,10 +40,8 @@ void MainWindow::askExport() {
   for (const auto& [ending, words] : kinds) kind->addItem(inWords(words), ending);
   auto* paper = new QComboBox;
   paper->addItems({inWords(say("one large sheet")), inWords(say("A4 sheets to glue"))});
-  auto* allowance = new QDoubleSpinBox;
-  allowance->setRange(0, 100);
-  allowance->setValue(10);
-  allowance->setSuffix(" mm");
+  auto* allowance = new LengthBox(say("Seam allowance"), 0, 0.1);
+  allowance->setMetres(0.010);
   form->addRow(inWords(say("What")), kind);
   form->addRow(inWords(say("Paper")), paper);
   form->addRow(inWords(say("Seam allowance")), allowance);
@@ -64,8 +62,7 @@ void MainWindow::askExport() {
                                               freshPath("pattern").replace(".karinui", "." + ending), "*." + ending);
   if (path.isEmpty()) return;
   if (!path.endsWith("." + ending)) path += "." + ending;
-  session_->exportTo(path.toStdString(), allowance->value() / 1000, paper->currentIndex() == 1,
-                     Look::here().language());
+  session_->exportTo(path.toStdString(), allowance->value(), paper->currentIndex() == 1, Look::here().language());
   refresh();
 }
 

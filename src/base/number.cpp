@@ -63,4 +63,8 @@ std::string fixed(double value, int decimals) {
   return digits;
 }
 
+std::string lengthSaid(double metres, bool inches, int decimals) {
+  return inches ? fixed(metres / 0.0254, decimals + 1) + " in" : fixed(metres * 100, decimals) + " cm";
+}
+
 }  // namespace karinui

@@ -52,8 +52,9 @@ void followMarks(Piece& piece, const EdgeMap& map) {
     if (parts == map.end()) continue;
     for (const EdgePart& part : parts->second) {
       if (mark.fraction > part.to) continue;
+      const double share = std::clamp((mark.fraction - part.from) / (part.to - part.from), 0.0, 1.0);
       mark.edge = part.now.edge;
-      mark.fraction = std::clamp((mark.fraction - part.from) / (part.to - part.from), 0.0, 1.0);
+      mark.fraction = part.now.from + share * (part.now.to - part.now.from);
       break;
     }
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "divide_edges.h"
 #include "words.h"
 
 namespace karinui {
@@ -27,7 +26,15 @@ void updateSeams(Pattern& pattern, const EdgeMap& map) {
         now.push_back(std::move(piece));
       }
     }
-    return now;
+    std::vector<EdgeSpan> joined;
+    for (EdgeSpan& span : now) {
+      EdgeSpan* last = joined.empty() ? nullptr : &joined.back();
+      if (last && last->piece == span.piece && last->edge == span.edge && std::fabs(last->to - span.from) < 1e-9)
+        last->to = span.to;
+      else
+        joined.push_back(std::move(span));
+    }
+    return joined;
   };
   for (auto& [id, seam] : pattern.seams) {
     seam.a = led(seam.a);
@@ -35,44 +42,16 @@ void updateSeams(Pattern& pattern, const EdgeMap& map) {
   }
 }
 
-Result<EditedPiece> splitEdge(const Piece& piece, std::string_view edge, double fraction) {
-  EditedPiece edited{piece, {}};
-  std::vector<Outline*> outlines{&edited.piece.outline};
-  for (Outline& hole : edited.piece.holes) outlines.push_back(&hole);
-  for (Outline* outline : outlines) {
-    const auto k = outline->find(edge);
-    if (!k) continue;
-    const double whole = outline->edges[*k].curve.length();
-    if (!(fraction * whole >= 1e-3 && (1 - fraction) * whole >= 1e-3))
-      return refused(say("Edge {0} is {1} mm long; a corner on it must stay 1 mm from both ends.", edge, inMm(whole)));
-    const auto taken = edgeNames(piece);
-    divideEdges(*outline, {{*k, outline->edges[*k].curve.parameterAt(fraction * whole)}}, taken, piece.id,
-                edited.edges);
-    followMarks(edited.piece, edited.edges);
-    return edited;
+std::optional<std::pair<std::string, double>> placeNow(const EdgeMap& map, PieceId piece, const std::string& edge,
+                                                       double fraction) {
+  const auto parts = map.find({piece, edge});
+  if (parts == map.end()) return std::pair(edge, fraction);
+  for (const EdgePart& part : parts->second) {
+    if (fraction < part.from || fraction > part.to) continue;
+    const double share = (fraction - part.from) / (part.to - part.from);
+    return std::pair(part.now.edge, part.now.from + share * (part.now.to - part.now.from));
   }
-  return notFound(say("Piece {0} has no edge {1}.", piece.name, edge));
-}
-
-Result<Piece> moveCorner(const Piece& piece, std::string_view edge, Flat to) {
-  Piece moved = piece;
-  std::vector<Outline*> outlines{&moved.outline};
-  for (Outline& hole : moved.holes) outlines.push_back(&hole);
-  for (Outline* outline : outlines) {
-    const auto k = outline->find(edge);
-    if (!k) continue;
-    Curve& after = outline->edges[*k].curve;
-    Curve& before = outline->edges[(*k + outline->edges.size() - 1) % outline->edges.size()].curve;
-    const Flat step = to - after.start;
-    if (after.kind == Curve::Kind::Cubic) after.control1 += step;
-    if (before.kind == Curve::Kind::Cubic) before.control2 += step;
-    after.start = before.end = to;
-    auto good = checked(*outline);
-    if (!good) return good.error();
-    *outline = std::move(*good);
-    return moved;
-  }
-  return notFound(say("Piece {0} has no edge {1}.", piece.name, edge));
+  return std::nullopt;
 }
 
 Result<Piece> reshaped(const Piece& piece, Outline outline) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "divide_edges.h"
 #include "karinui/pattern/edit.h"
 
 namespace karinui {
@@ -58,6 +59,33 @@ Piece mirrored(const Piece& piece) {
     copy.form = std::move(form);
   }
   return copy;
+}
+
+std::optional<EditedPiece> editedLikewise(const Piece& copy, const Piece& before, const EditedPiece& edit) {
+  constexpr double kSame = 1e-6;  // metres
+  const Outline was = across(before.outline);
+  if (was.edges.size() != copy.outline.edges.size()) return std::nullopt;
+  for (const Edge& edge : was.edges) {
+    const auto k = copy.outline.find(edge.name);
+    if (!k || distance(copy.outline.edges[*k].curve.start, edge.curve.start) > kSame) return std::nullopt;
+  }
+  EditedPiece likewise{copy, {}};
+  likewise.piece.outline = across(edit.piece.outline);
+  // An edge's name on the other side: by its place in the outline, as across() gave it.
+  const auto other = [](const Outline& outline, const Outline& image, const std::string& name) {
+    return image.edges[image.edges.size() - 1 - *outline.find(name)].name;
+  };
+  for (const auto& [edge, parts] : edit.edges) {
+    if (!before.outline.find(edge.second)) return std::nullopt;  // of a hole
+    auto& now = likewise.edges[{copy.id, other(before.outline, was, edge.second)}];
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part)
+      now.push_back({1 - part->to,
+                     1 - part->from,
+                     {copy.id, other(edit.piece.outline, likewise.piece.outline, part->now.edge), 1 - part->now.to,
+                      1 - part->now.from}});
+  }
+  followMarks(likewise.piece, likewise.edges);
+  return likewise;
 }
 
 std::string otherSide(const std::string& name) {

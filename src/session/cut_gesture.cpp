@@ -53,25 +53,7 @@ class CutGesture : public Gesture {
 
   Preview preview(const Workbench& bench) const override {
     Preview shown;
-    const Piece* piece = bench.fitting->document.find(piece_);
-    if (!piece || line_.empty()) return shown;
-    const Flat lies = bench.table->at(piece_);
-    const Stand stand(*piece);
-    SceneLine space;
-    TableLine table;
-    space.colour = table.colour = will_ ? kGood : kBad;
-    space.widthMm = 3;
-    for (std::size_t i = 0; i < line_.size(); ++i) {
-      table.points.push_back(line_[i] + lies);
-      const int steps =
-          i + 1 < line_.size() ? std::max(1, static_cast<int>(distance(line_[i], line_[i + 1]) / 0.008)) : 1;
-      for (int k = 0; k < steps; ++k) {
-        const Flat p = i + 1 < line_.size() ? lerp(line_[i], line_[i + 1], static_cast<double>(k) / steps) : line_[i];
-        space.points.push_back(stand(p));
-      }
-    }
-    shown.space.lines.push_back(std::move(space));
-    shown.table.lines.push_back(std::move(table));
+    showOnPaper(shown, bench, piece_, line_, will_ ? kGood : kBad);
     return shown;
   }
   Message hint() const override {

@@ -23,6 +23,12 @@ std::unique_ptr<Gesture> gestureFor(Command tool) {
       return reshapeGesture();
     case Command::Points:
       return pointsGesture();
+    case Command::Notch:
+      return notchGesture();
+    case Command::Dart:
+      return dartGesture();
+    case Command::Line:
+      return lineGesture();
     default:
       return selectGesture();
   }
@@ -34,6 +40,10 @@ double tenth(double metres) {
 }
 Flat tenth(Flat p) { return {tenth(p.u), tenth(p.v)}; }
 Vec3 tenth(Vec3 p) { return {tenth(p.x), tenth(p.y), tenth(p.z)}; }
+
+double roundShare(double share, double near) {
+  return std::fabs(share - 0.5) < near ? 0.5 : std::clamp(std::round(share * 1000) / 1000, 0.001, 0.999);
+}
 
 Vec3 onFacing(const PointerSample& sample, Vec3 through) {
   const double slope = dot(sample.ray.direction, sample.facing);
@@ -102,6 +112,23 @@ void showEdge(Preview& preview, const Workbench& bench, const EdgeRef& part, con
   preview.table.lines.push_back({edgeOnTable(bench, part), colour, false});
 }
 
-std::string centimetres(double metres) { return fixed(metres * 100, 1) + " cm"; }
+void showOnPaper(Preview& preview, const Workbench& bench, PieceId id, const std::vector<Flat>& line,
+                 const Colour& colour) {
+  constexpr double kStride = 0.008;  // metres: cloth bends between the places
+  const Piece* piece = bench.fitting->document.find(id);
+  if (!piece || line.empty()) return;
+  const Flat lies = bench.table->at(id);
+  const Stand stand(*piece);
+  SceneLine space{{}, colour, 3, false};
+  TableLine table{{}, colour, false};
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    table.points.push_back(line[i] + lies);
+    const Flat next = line[std::min(i + 1, line.size() - 1)];
+    const int steps = std::max(1, static_cast<int>(distance(line[i], next) / kStride));
+    for (int k = 0; k < steps; ++k) space.points.push_back(stand(lerp(line[i], next, static_cast<double>(k) / steps)));
+  }
+  preview.space.lines.push_back(std::move(space));
+  preview.table.lines.push_back(std::move(table));
+}
 
 }  // namespace karinui

@@ -17,6 +17,9 @@ std::unique_ptr<Gesture> cutGesture();
 std::unique_ptr<Gesture> pullGesture();
 std::unique_ptr<Gesture> reshapeGesture();
 std::unique_ptr<Gesture> pointsGesture();
+std::unique_ptr<Gesture> notchGesture();
+std::unique_ptr<Gesture> dartGesture();
+std::unique_ptr<Gesture> lineGesture();
 
 inline constexpr Colour kChalk{0.93f, 0.33f, 0.10f};    // what is being done
 inline constexpr Colour kGood{0.05f, 0.42f, 0.25f};     // will be accepted
@@ -27,6 +30,9 @@ inline constexpr Colour kPartner{0.05f, 0.25f, 0.62f};  // the other side
 double tenth(double metres);
 Flat tenth(Flat place);
 Vec3 tenth(Vec3 step);
+
+// A share of an edge's length in thousandths; the middle where it is within `near` of it.
+double roundShare(double share, double near);
 
 // Where the ray of a sample meets the plane through `through` that faces who looks.
 Vec3 onFacing(const PointerSample& sample, Vec3 through);
@@ -39,6 +45,8 @@ std::vector<std::size_t> mattering(std::span<const Point> line, double miss);
 std::vector<Flat> edgeOnTable(const Workbench& bench, const EdgeRef& part);
 double lengthOf(const Workbench& bench, const EdgeRef& part);
 void showEdge(Preview& preview, const Workbench& bench, const EdgeRef& part, const Colour& colour);
-std::string centimetres(double metres);
+// A line on a piece's paper, on the table and on the cloth.
+void showOnPaper(Preview& preview, const Workbench& bench, PieceId piece, const std::vector<Flat>& line,
+                 const Colour& colour);
 
 }  // namespace karinui

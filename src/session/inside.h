@@ -22,6 +22,8 @@ struct Session::Inside {
   Command tool = Command::Select;
   std::unique_ptr<Gesture> gesture;
   Language language = Language::English;
+  double dartWidth = 0.02;
+  bool inches = false;
   std::optional<Sight> sight;
   std::optional<Command> hot;
   bool onMenu = false;  // the button was pressed on the menu
@@ -43,7 +45,7 @@ struct Session::Inside {
   TaskLine line;  // last: it stops before anything it uses goes
 
   explicit Inside(SessionOptions options);
-  Workbench bench() const { return {state.fitting, &table, language}; }
+  Workbench bench() const { return {state.fitting, &table, language, dartWidth, inches}; }
 
   // Sentences for the person.
   void tell(Notice::Kind kind, Message what);

@@ -86,7 +86,7 @@ class MoveGesture : public Gesture {
     if (snapped_) shown.space.dots.push_back(*snapped_);
     if (!turning_ && length(by_) > 0) {
       shown.space.lines.push_back({{start_, start_ + by_}, kChalk, 2, true});
-      shown.space.words.push_back({start_ + by_, centimetres(length(by_))});
+      shown.space.words.push_back({start_ + by_, bench.said(length(by_))});
     } else if (turning_) {
       shown.space.words.push_back({middle_, std::to_string(std::lround(turn_ * 180 / std::numbers::pi)) + "°"});
     }

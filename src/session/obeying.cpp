@@ -15,6 +15,9 @@ bool Session::can(Command command) const {
     case Command::Pull:
     case Command::Reshape:
     case Command::Points:
+    case Command::Notch:
+    case Command::Dart:
+    case Command::Line:
       return !document.pattern.pieces.empty() && !in.state.readOnly;
     case Command::Undo:
       return in.gesture->begun() || in.settlingNow() || (!in.state.steps.empty() && !in.state.readOnly);
@@ -109,17 +112,8 @@ void Session::command(Command command) {
       const Piece* first = in.state.fitting->document.find(chosen().front().id);
       return in.perform(FreezePieces{chosen(), !first->frozen});
     }
-    case Command::FlipSeam: {
-      const Seam seam = *in.state.fitting->document.find(in.selection.seam);
-      SewEdges sew;
-      for (const EdgeSpan& s : seam.a) sew.a.push_back({PieceRef(s.piece), s.edge, s.from, s.to});
-      for (const EdgeSpan& s : seam.b) sew.b.push_back({PieceRef(s.piece), s.edge, s.from, s.to});
-      sew.name = seam.name;
-      sew.reversed = seam.reversed ? Choice::No : Choice::Yes;
-      sew.tie = seam.tie == Seam::Tie::TwoToOne ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
-      in.perform(Unsew{{SeamRef(seam.id)}});
-      return in.perform(std::move(sew));
-    }
+    case Command::FlipSeam:
+      return in.perform(FlipSeam{SeamRef(in.selection.seam)});
     default:
       in.viewAsked = command;
   }

@@ -1,45 +1,15 @@
-// Choosing, and working on the paper itself: corners dragged, edges bent or moved.
+// Working on the paper itself: corners dragged, edges bent or moved, points put on and taken away. What is done to one
+// half of a symmetric piece is done to the other, unless Alt is held.
 #include <algorithm>
 #include <cmath>
 
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/symmetry.h"
 #include "session/gestures.h"
 
 namespace karinui {
 
 namespace {
-
-class SelectGesture : public Gesture {
- public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
-    if (sample.phase == PointerSample::Phase::Hover) hover_ = hit.edge;
-    if (sample.phase != PointerSample::Phase::Press) return {};
-    Selection selection;
-    if (hit.piece) selection.pieces = {hit.piece};
-    selection.edge = hit.edge;
-    if (hit.edge)
-      for (const auto& [id, seam] : bench.fitting->document.pattern.seams)
-        for (const auto* side : {&seam.a, &seam.b})
-          for (const EdgeSpan& span : *side)
-            if (span.piece == hit.edge->piece && span.edge == hit.edge->edge &&
-                span.from <= hit.edge->fraction + 1e-9 && hit.edge->fraction <= span.to + 1e-9)
-              selection.seam = id;
-    chosen_ = selection;
-    return {};
-  }
-  Preview preview(const Workbench& bench) const override {
-    Preview shown;
-    if (hover_) showEdge(shown, bench, {PieceRef(hover_->piece), hover_->edge}, kChalk);
-    return shown;
-  }
-  Message hint() const override { return info(Command::Select).hint; }
-  bool begun() const override { return false; }
-  std::optional<Selection> chosen() override { return std::exchange(chosen_, std::nullopt); }
-
- private:
-  std::optional<EdgeNear> hover_;
-  std::optional<Selection> chosen_;
-};
 
 class PointsGesture : public Gesture {
  public:
@@ -51,10 +21,13 @@ class PointsGesture : public Gesture {
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
         hover_ = grip(hit, sample, bench);
+        putting_ = sample.control;
         return {};
       case PointerSample::Phase::Press:
         held_ = grip(hit, sample, bench);
         if (!held_) return {.why = say("Take hold of a corner or an edge of the pattern.")};
+        if (sample.control) return over(pointed(sample, bench));
+        symmetry_ = symmetryOf(bench.fitting->document.find(held_->piece)->outline);
         before_ = bench.fitting->document.find(held_->piece)->outline;
         now_ = before_;
         start_ = sample.place;
@@ -68,7 +41,9 @@ class PointsGesture : public Gesture {
     const Piece* piece = bench.fitting->document.find(held_->piece);
     if (!piece) return over({});
     const Flat lies = bench.table->at(held_->piece), to = sample.place - lies;
-    const auto changed = held_->corner ? corner(*piece, to) : bent(*piece, to, sample.place - start_, sample.shift);
+    auto changed = held_->corner ? corner(*piece, to) : bent(*piece, to, sample.place - start_, sample.shift);
+    if (changed && symmetry_ && !sample.alt)
+      changed = checked(readable(onBothHalves(before_, *std::move(changed), *symmetry_)));
     why_.reset();
     if (changed)
       now_ = *changed;
@@ -94,18 +69,16 @@ class PointsGesture : public Gesture {
       if (n) {
         const Curve& curve = now_.edges[*n].curve;
         if (held_->corner) shown.table.dots.push_back(curve.start + lies);
-        shown.table.words.push_back({curve.atFraction(0.5) + lies, centimetres(curve.length())});
+        shown.table.words.push_back({curve.atFraction(0.5) + lies, bench.said(curve.length())});
         if (held_->corner) {
           const Curve& other = now_.edges[(*n + now_.edges.size() - 1) % now_.edges.size()].curve;
-          shown.table.words.push_back({other.atFraction(0.5) + lies, centimetres(other.length())});
+          shown.table.words.push_back({other.atFraction(0.5) + lies, bench.said(other.length())});
         }
       }
       return shown;
     }
-    if (here->corner)
-      shown.table.dots.push_back(here->place + lies);
-    else
-      showEdge(shown, bench, {PieceRef(here->piece), here->edge}, kChalk);
+    if (here->corner || putting_) shown.table.dots.push_back(here->place + lies);
+    if (!here->corner) showEdge(shown, bench, {PieceRef(here->piece), here->edge}, kChalk);
     return shown;
   }
   Message hint() const override { return why_ ? *why_ : info(Command::Points).hint; }
@@ -119,6 +92,28 @@ class PointsGesture : public Gesture {
     double fraction = 0;
     Flat place;
   };
+  // With Ctrl: a point more on the edge, or the corner taken away.
+  Operation pointed(const PointerSample& sample, const Workbench& bench) const {
+    const Outline& outline = bench.fitting->document.find(held_->piece)->outline;
+    const std::size_t k = *outline.find(held_->edge), n = outline.edges.size();
+    const Choice symmetric = sample.alt ? Choice::No : Choice::Auto;
+    if (held_->corner) return JoinEdges{{PieceRef(held_->piece), outline.edges[(k + n - 1) % n].name}, symmetric};
+    const double at = roundShare(held_->fraction, sample.reach / outline.edges[k].curve.length());
+    return SplitEdge{{PieceRef(held_->piece), held_->edge}, at, symmetric};
+  }
+  // Mirrored numbers without their noise; what did not move stays as it was.
+  Outline readable(Outline outline) const {
+    const auto clean = [](Flat& now, Flat was) {
+      if (!(now == was)) now = {std::round(now.u * 1e7) / 1e7, std::round(now.v * 1e7) / 1e7};
+    };
+    for (std::size_t k = 0; k < outline.edges.size(); ++k) {
+      Curve& now = outline.edges[k].curve;
+      const Curve& was = before_.edges[k].curve;
+      clean(now.start, was.start), clean(now.end, was.end);
+      clean(now.control1, was.control1), clean(now.control2, was.control2);
+    }
+    return outline;
+  }
   static std::optional<Grip> grip(const Hit& hit, const PointerSample& sample, const Workbench& bench) {
     if (!hit.edge) return std::nullopt;
     const Piece* piece = bench.fitting->document.find(hit.edge->piece);
@@ -171,6 +166,8 @@ class PointsGesture : public Gesture {
   }
 
   std::optional<Grip> hover_, held_;
+  std::optional<PaperSymmetry> symmetry_;
+  bool putting_ = false;
   Outline before_, now_;
   Flat start_;
   std::optional<Message> why_;
@@ -178,7 +175,6 @@ class PointsGesture : public Gesture {
 
 }  // namespace
 
-std::unique_ptr<Gesture> selectGesture() { return std::make_unique<SelectGesture>(); }
 std::unique_ptr<Gesture> pointsGesture() { return std::make_unique<PointsGesture>(); }
 
 }  // namespace karinui

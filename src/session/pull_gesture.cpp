@@ -53,13 +53,13 @@ class HandOnCloth : public Gesture {
     return told;
   }
 
-  Preview preview(const Workbench&) const override {
+  Preview preview(const Workbench& bench) const override {
     Preview shown;
     if (hover_) shown.space.dots.push_back(*hover_);
     if (!held_) return shown;
     const Vec3 hand = start_ + by();
     shown.space.dots.push_back(hand);
-    showHeld(shown, hand);
+    showHeld(shown, hand, bench);
     return shown;
   }
   Message hint() const override { return words(); }
@@ -71,7 +71,7 @@ class HandOnCloth : public Gesture {
   virtual Ask ask() const = 0;
   virtual Operation operation(double seconds) const = 0;
   virtual Message words() const = 0;
-  virtual void showHeld(Preview& shown, Vec3 hand) const = 0;
+  virtual void showHeld(Preview& shown, Vec3 hand, const Workbench& bench) const = 0;
   Vec3 by() const { return path_.back(); }
   double furthest() const {
     double most = 0;
@@ -96,7 +96,7 @@ class PullGesture : public HandOnCloth {
   }
 
  protected:
-  void showHeld(Preview& shown, Vec3 hand) const override {
+  void showHeld(Preview& shown, Vec3 hand, const Workbench&) const override {
     // The arrow is what the cloth does to the hand: 1 cm for a tenth of a newton, never longer than an arm.
     const double newtons = force_ ? length(*force_) : 0;
     if (force_ && newtons > 1e-3) {
@@ -141,9 +141,9 @@ class ReshapeGesture : public HandOnCloth {
   }
 
  protected:
-  void showHeld(Preview& shown, Vec3 hand) const override {
+  void showHeld(Preview& shown, Vec3 hand, const Workbench& bench) const override {
     shown.space.lines.push_back({{start_, hand}, kChalk, 3, true});
-    shown.space.words.push_back({hand, centimetres(length(by()))});
+    shown.space.words.push_back({hand, bench.said(length(by()))});
     if (after_)
       if (const Piece* piece = after_->document.find(held_)) shown.outlines[held_] = piece->outline;
   }

@@ -67,6 +67,10 @@ Busy Session::busy() const {
 void Session::setSight(const Sight& sight) { inside_->sight = sight, ++inside_->news.overlay; }
 void Session::setLanguage(Language language) { inside_->language = language, ++inside_->news.overlay; }
 
+void Session::setInches(bool inches) { inside_->inches = inches, ++inside_->news.overlay; }
+void Session::setDartWidth(double metres) { inside_->dartWidth = metres, ++inside_->news.overlay; }
+double Session::dartWidth() const { return inside_->dartWidth; }
+
 void Session::feed(const PointerSample& sample) {
   auto& in = *inside_;
   ++in.news.overlay;

@@ -63,7 +63,7 @@ class SewGesture : public Gesture {
     if (b) showEdge(shown, bench, *b, a ? kPartner : kChalk);
     if (!b) return shown;
     const Vec3 where = edgeInSpace(*bench.fitting, *b).at(2);
-    const std::string mine = centimetres(lengthOf(bench, *b));
+    const std::string mine = bench.said(lengthOf(bench, *b));
     if (!a || (*a).edge.empty() || (a->piece == b->piece && a->edge == b->edge)) {
       shown.space.words.push_back({where, b->edge + "  " + mine});
       shown.table.words.push_back({edgeOnTable(bench, *b).at(20), b->edge + "  " + mine});
@@ -80,8 +80,8 @@ class SewGesture : public Gesture {
       shown.space.lines.push_back({{at(left, i), at(right, crossed ? 12 - i : i)}, kPartner, 1, false});
     }
     const double la = lengthOf(bench, *a), lb = lengthOf(bench, *b);
-    const std::string words = centimetres(la) + " / " + centimetres(lb) + "   " + (lb >= la ? "+" : "−") +
-                              fixed(std::fabs(lb - la) * 1000, 0) + " mm";
+    const std::string words =
+        bench.said(la) + " / " + bench.said(lb) + "   " + (lb >= la ? "+" : "−") + bench.said(std::fabs(lb - la));
     shown.space.words.push_back({where, words});
     shown.table.words.push_back({edgeOnTable(bench, *b).at(20), words});
     return shown;

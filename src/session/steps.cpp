@@ -14,7 +14,8 @@ bool disturbs(const Operation& op) {
   return std::holds_alternative<CutPiece>(op) || std::holds_alternative<ReshapePiece>(op) ||
          std::holds_alternative<SetFabric>(op) || std::holds_alternative<Unsew>(op) ||
          std::holds_alternative<UnpinCloth>(op) || std::holds_alternative<SetGrain>(op) ||
-         std::holds_alternative<SetBody>(op);
+         std::holds_alternative<SetBody>(op) || std::holds_alternative<AddDart>(op) ||
+         std::holds_alternative<JoinEdges>(op) || std::holds_alternative<FlipSeam>(op);
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ std::string facts(const Document& d) {
     if (p->frozen) out << "  frozen\n";
     if (p->mirrorOf) out << "  mirror of " << name(p->mirrorOf) << "\n";
     if (p->grain != Flat{0, 1}) out << "  grain " << fixed(p->grain.u, 3) << " " << fixed(p->grain.v, 3) << "\n";
-    for (const Mark& m : p->marks) out << "  mark " << m.name << " " << (m.edge.empty() ? "hole" : m.edge) << "\n";
+    for (const Mark& m : p->marks)
+      out << "  mark " << m.name << " " << (m.edge.empty() ? "hole" : m.edge + "@" + fixed(m.fraction, 3)) << "\n";
     for (const Outline& h : p->holes) out << "  hole area_cm2 " << fixed(h.area() * 1e4, 1) << "\n";
     for (const InternalLine& l : p->lines) out << "  line " << l.name << "\n";
     const Ring ring = p->outline.flattened(1e-3);

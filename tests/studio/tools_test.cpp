@@ -222,27 +222,5 @@ TEST(StudioTools, SpaceSettlesAndStops) {
   EXPECT_EQ(w.count(), before + 1);
 }
 
-TEST(StudioTools, ANumberTypedIsTheNumberCut) {
-  KARINUI_NEEDS_DISPLAY();
-  Window w;
-  w.openTunic();
-  Selection edge;
-  const Piece* front = w.session().fitting().document.pieceNamed("front");
-  edge.pieces = {front->id};
-  edge.edge = EdgeNear{front->id, "shoulder_left", 0.5, 0};
-  w.session().select(edge);
-  w.main().action(Command::Select)->trigger();
-  const auto boxes = w.main().findChildren<QDoubleSpinBox*>();
-  const double now = findEdge(*front, "shoulder_left")->curve.length() * 100;
-  for (QDoubleSpinBox* box : boxes)
-    if (std::fabs(box->value() - now) < 0.006 && box->suffix() == " cm" && box->isVisible()) {
-      box->setValue(now + 1);
-      break;
-    }
-  w.rest();
-  const Piece* after = w.session().fitting().document.pieceNamed("front");
-  EXPECT_NEAR(findEdge(*after, "shoulder_left")->curve.length() * 100, now + 1, 0.006);
-}
-
 }  // namespace
 }  // namespace karinui::studio

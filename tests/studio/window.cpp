@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <QLineEdit>
 #include <csignal>
 #include <cstdlib>
 
@@ -173,6 +174,25 @@ void Window::type(QWidget& widget, int key, Qt::KeyboardModifiers keys) {
   QApplication::sendEvent(&widget, &down);
   QApplication::sendEvent(&widget, &up);
   QApplication::processEvents();
+}
+
+LengthBox& Window::box(const char* name) {
+  for (LengthBox* one : main_->findChildren<LengthBox*>())
+    if (one->accessibleName() == name) return *one;
+  ADD_FAILURE() << "no box is called " << name;
+  std::abort();
+}
+void Window::type(LengthBox& box, const QString& text) {
+  QLineEdit* line = box.findChild<QLineEdit*>();
+  line->selectAll();
+  line->insert(text);
+  type(box, Qt::Key_Return);
+}
+QPushButton& Window::button(const char* words) {
+  for (QPushButton* one : main_->findChildren<QPushButton*>())
+    if (one->text() == words) return *one;
+  ADD_FAILURE() << "no button says " << words;
+  std::abort();
 }
 
 std::string Window::last() const {

@@ -5,11 +5,13 @@
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 #include <filesystem>
 
+#include "length_box.h"
 #include "look.h"
 #include "main_window.h"
 #include "self_check.h"
@@ -65,6 +67,9 @@ class Window {
   void hover(QWidget& widget, QPointF at);
   void key(Command command) { main_->action(command)->trigger(); }
   void type(QWidget& widget, int key, Qt::KeyboardModifiers keys = {});
+  LengthBox& box(const char* name);                // by the name it says of itself
+  void type(LengthBox& box, const QString& text);  // and Enter
+  QPushButton& button(const char* text);
   std::string last() const;  // the last step, as text
   std::size_t count() const { return main_->session().steps().size(); }
   void keep(const std::string& name);  // a picture for the manual, where KARINUI_PICTURES says

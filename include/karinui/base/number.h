@@ -24,4 +24,7 @@ std::string shortest(double value);
 // Fixed decimals, no negative zero: fixed(1.2345, 2) == "1.23".
 std::string fixed(double value, int decimals);
 
+// A length as a person reads it: "12.3 cm", or "4.84 in" (a decimal more: an inch is longer).
+std::string lengthSaid(double metres, bool inches, int decimals = 1);
+
 }  // namespace karinui

@@ -435,6 +435,7 @@ struct AddNotch {
   PieceRef piece;
   std::optional<Flat> point;
   std::string name;
+  bool symmetric = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge to notch", kOptional);
@@ -442,14 +443,116 @@ struct AddNotch {
     visit("piece", self.piece, "for a drill hole: the piece", kOptional);
     visit("point", self.point, "for a drill hole: the place on its paper", kOptional);
     visit("name", self.name, "the mark's name", kOptional);
+    visit("symmetric", self.symmetric, "yes: on the other half of a symmetric piece too", kOptional);
   }
   bool operator==(const AddNotch&) const = default;
 };
 
-using Operation =
-    std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, CutPiece, PullCloth, ReshapePiece, DrapePieces,
-                 SetFabric, PinCloth, UnpinCloth, RemovePieces, DuplicatePiece, MirrorPiece, Rename, PlacePiece,
-                 FreezePieces, SetLayer, ChangeSettings, AddPiece, SetGrain, AddNotch>;
+// split edge=front.side_left at=0.4
+struct SplitEdge {
+  static constexpr std::string_view kName = "split";
+  static constexpr std::string_view kHelp = "Puts a point on an edge, which becomes two.";
+  EdgeRef edge;
+  double at = 0.5;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge", kNeeded);
+    visit("at", self.at, "how far along it, as a share of its length", kOptional);
+    visit("symmetric", self.symmetric, "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)",
+          kOptional);
+  }
+  bool operator==(const SplitEdge&) const = default;
+};
+
+// join edge=front.side_left
+struct JoinEdges {
+  static constexpr std::string_view kName = "join";
+  static constexpr std::string_view kHelp = "Takes away the point between an edge and the next; the two become one.";
+  EdgeRef edge;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge that ends at the point", kNeeded);
+    visit("symmetric", self.symmetric, "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)",
+          kOptional);
+  }
+  bool operator==(const JoinEdges&) const = default;
+};
+
+// dart edge=front.waist at=0.3 tip=8cm,12cm width=25mm
+struct AddDart {
+  static constexpr std::string_view kName = "dart";
+  static constexpr std::string_view kHelp = "Takes a wedge out of an edge and sews its two sides together.";
+  EdgeRef edge;
+  double at = 0.5;
+  Flat tip;
+  Length width{0.02};
+  std::string name;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge the dart opens at", kNeeded);
+    visit("at", self.at, "the middle of its mouth, as a share of the edge's length", kOptional);
+    visit("tip", self.tip, "where it ends, on the paper", kNeeded);
+    visit("width", self.width, "how wide it opens, along the edge", kOptional);
+    visit("name", self.name, "the name of its sides", kOptional);
+    visit("symmetric", self.symmetric, "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)",
+          kOptional);
+  }
+  bool operator==(const AddDart&) const = default;
+};
+
+// line piece=front along="5cm,10cm; 9cm,10cm" name=pocket
+struct AddLine {
+  static constexpr std::string_view kName = "line";
+  static constexpr std::string_view kHelp = "Draws a line inside a piece: a fold, a pocket, a place to sew to.";
+  PieceRef piece;
+  std::vector<Flat> along;
+  bool smooth = false;
+  std::string name;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece", kNeeded);
+    visit("along", self.along, "places on its paper", kNeeded);
+    visit("smooth", self.smooth, "yes: a curve through the places instead of straight lines", kOptional);
+    visit("name", self.name, "the line's name", kOptional);
+  }
+  bool operator==(const AddLine&) const = default;
+};
+
+// erase piece=front at=5cm,10cm        erase piece=front name=pocket
+struct EraseMarks {
+  static constexpr std::string_view kName = "erase";
+  static constexpr std::string_view kHelp = "Takes notches, drill holes and internal lines away.";
+  PieceRef piece;
+  std::vector<std::string> names;
+  std::optional<Flat> at;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece", kNeeded);
+    visit("name", self.names, "the names of what goes", kOptional);
+    visit("at", self.at, "or a place on its paper: the nearest within 1 cm goes", kOptional);
+  }
+  bool operator==(const EraseMarks&) const = default;
+};
+
+// flip seam=s5
+struct FlipSeam {
+  static constexpr std::string_view kName = "flip";
+  static constexpr std::string_view kHelp = "Sews a seam the other way round.";
+  SeamRef seam;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("seam", self.seam, "the seam: s5, or its name", kNeeded);
+  }
+  bool operator==(const FlipSeam&) const = default;
+};
+
+using Operation = std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, CutPiece, PullCloth, ReshapePiece,
+                               DrapePieces, SetFabric, PinCloth, UnpinCloth, RemovePieces, DuplicatePiece, MirrorPiece,
+                               Rename, PlacePiece, FreezePieces, SetLayer, ChangeSettings, AddPiece, SetGrain, AddNotch,
+                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam>;
 
 std::string_view nameOf(const Operation& operation);
 

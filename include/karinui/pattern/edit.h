@@ -4,6 +4,7 @@
 // when an edge "side" is divided, its first part stays "side", the next becomes "side_2" (or the next free number); new
 // edges along a cut are "cut", "cut_2" …
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -21,8 +22,12 @@ struct EdgePart {
 };
 using EdgeMap = std::map<std::pair<PieceId, std::string>, std::vector<EdgePart>>;
 
-// The seams of the pattern, led over to the new edges. A span over a divided edge becomes several, in order.
+// The seams of the pattern, led over to the new edges. A span over a divided edge becomes several, in order; spans that
+// follow each other on one edge become one.
 void updateSeams(Pattern& pattern, const EdgeMap& map);
+// Where a place on an edge is now; nothing where it was cut away.
+std::optional<std::pair<std::string, double>> placeNow(const EdgeMap& map, PieceId piece, const std::string& edge,
+                                                       double fraction);
 
 struct CutPieces {
   std::vector<Piece> pieces;  // one with a slit, or two; the first (the larger) keeps id and name
@@ -41,6 +46,22 @@ struct EditedPiece {
 };
 // Puts a corner on an edge, at a fraction of its length (both parts at least 1 mm long).
 Result<EditedPiece> splitEdge(const Piece& piece, std::string_view edge, double fraction);
+
+// Takes away the corner at which `edge` ends: it and the next become one, under its name. Two straight edges become one
+// straight one, edges that meet smoothly keep their shape, others become a curve that leaves and arrives as they did.
+Result<EditedPiece> joinEdges(const Piece& piece, std::string_view edge);
+
+// Takes a wedge out of an edge: `width` of it, about a fraction of its length, up to `tip` inside the piece. Its two
+// sides are new edges, "name" and "name_2" (or the next free), from the edge to the tip and back.
+struct DartedPiece {
+  EditedPiece edited;
+  std::string to, back;  // the names of the two sides
+};
+Result<DartedPiece> addDart(const Piece& piece, std::string_view edge, double fraction, double width, Flat tip,
+                            const std::string& name);
+
+// The same edit on a symmetric copy of the piece; nothing if the copy went its own way since.
+std::optional<EditedPiece> editedLikewise(const Piece& copy, const Piece& before, const EditedPiece& edit);
 
 // Carries the corner at which `edge` starts to another place; the two edges there keep their shape near their other
 // ends (cubics carry their near control along, arcs keep their bulge).

@@ -18,6 +18,9 @@ enum class Command {
   Pull,
   Reshape,
   Points,
+  Notch,
+  Dart,
+  Line,
   // What is done at once.
   Undo,
   Redo,
@@ -47,6 +50,6 @@ struct CommandInfo {
 };
 std::span<const CommandInfo> commands();
 const CommandInfo& info(Command command);
-inline bool isTool(Command command) { return command <= Command::Points; }
+inline bool isTool(Command command) { return command <= Command::Line; }
 
 }  // namespace karinui

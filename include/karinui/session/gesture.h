@@ -7,6 +7,7 @@
 #include <set>
 #include <variant>
 
+#include "karinui/base/number.h"
 #include "karinui/design/operation.h"
 #include "karinui/scene/overlay.h"
 #include "karinui/session/command.h"
@@ -19,6 +20,9 @@ struct Workbench {
   FittingPtr fitting;
   const Table* table = nullptr;
   Language language = Language::English;
+  double dartWidth = 0.02;  // metres
+  bool inches = false;
+  std::string said(double metres) const { return lengthSaid(metres, inches); }
 };
 
 // What a gesture shows meanwhile.

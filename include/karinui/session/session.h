@@ -93,6 +93,9 @@ class Session {
   void feed(const PointerSample& sample);
   void setSight(const Sight& sight);
   void setLanguage(Language language);
+  void setInches(bool inches);       // instead of centimetres, in what gestures tell
+  void setDartWidth(double metres);  // of the next dart
+  double dartWidth() const;
   bool can(Command command) const;
   void command(Command command);
   void select(Selection selection);

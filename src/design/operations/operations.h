@@ -36,6 +36,12 @@ KARINUI_DECLARE_OPERATION(ChangeSettings)
 KARINUI_DECLARE_OPERATION(AddPiece)
 KARINUI_DECLARE_OPERATION(SetGrain)
 KARINUI_DECLARE_OPERATION(AddNotch)
+KARINUI_DECLARE_OPERATION(SplitEdge)
+KARINUI_DECLARE_OPERATION(JoinEdges)
+KARINUI_DECLARE_OPERATION(AddDart)
+KARINUI_DECLARE_OPERATION(AddLine)
+KARINUI_DECLARE_OPERATION(EraseMarks)
+KARINUI_DECLARE_OPERATION(FlipSeam)
 #undef KARINUI_DECLARE_OPERATION
 
 // The id of the nth thing (from 0) that the operation now being performed makes.
@@ -52,6 +58,11 @@ Done resolve(const Document& before, std::vector<PieceRef>& pieces);  // duplica
 
 // The document with a piece added or exchanged; the piece and its seam neighbours become dirty.
 Document withPiece(Document document, Piece piece);
+// The document with an edited piece: its seams follow, and its symmetric copies (or the piece it is the copy of) are
+// edited likewise as long as they are its likeness. `others`, if given, hears of those.
+Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceId>* others = nullptr);
+// Auto is decided: whether a piece is symmetric by itself. Refuses Yes where it is not.
+Done resolveSymmetric(const Piece& piece, Choice& symmetric);
 // A fabric a piece may be cut from exists: one of the document or a preset.
 Done checkFabricName(const Document& document, const std::string& name);
 // The name a new piece gets: as asked, if it is good and free.

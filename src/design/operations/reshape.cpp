@@ -3,11 +3,11 @@
 #include <map>
 
 #include "design/operations/operations.h"
-#include "design/operations/paper_symmetry.h"
 #include "design/operations/recut_outline.h"
 #include "karinui/base/number.h"
 #include "karinui/design/drawing.h"
 #include "karinui/pattern/lattice.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 namespace {

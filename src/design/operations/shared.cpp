@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "design/operations/operations.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -81,6 +82,33 @@ Document withPiece(Document document, Piece piece) {
   const PieceId id = piece.id;
   document.pattern.pieces[id] = std::make_shared<const Piece>(std::move(piece));
   return document;
+}
+
+Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceId>* others) {
+  const auto before = document.pattern.pieces.at(edit.piece.id);
+  const auto take = [&](const EditedPiece& now) {
+    updateSeams(document.pattern, now.edges);
+    document = withPiece(std::move(document), now.piece);
+  };
+  take(edit);
+  const auto all = document.pattern.pieces;
+  for (const auto& [id, other] : all) {
+    if (id == before->id || (other->mirrorOf != before->id && before->mirrorOf != id)) continue;
+    const auto likewise = editedLikewise(*other, *before, edit);
+    if (!likewise) continue;
+    take(*likewise);
+    if (others) others->push_back(id);
+  }
+  return document;
+}
+
+Done resolveSymmetric(const Piece& piece, Choice& symmetric) {
+  if (symmetric == Choice::No) return {};
+  const bool is = symmetryOf(piece.outline).has_value();
+  if (symmetric == Choice::Yes && !is)
+    return refused(say("Piece {0} is not symmetric; leave symmetric= away.", piece.name));
+  symmetric = is ? Choice::Yes : Choice::No;
+  return {};
 }
 
 Done checkFabricName(const Document& document, const std::string& name) {

@@ -1,4 +1,4 @@
-// The small ones: freeze, layer, set, grain, notch.
+// The small ones: freeze, layer, set, grain.
 #include "design/operations/operations.h"
 
 namespace karinui {
@@ -61,44 +61,6 @@ Result<Document> perform(const Document& before, const SetGrain& op, Context&) {
   Piece piece = *before.find(op.piece.id);
   piece.grain = normalized(op.to);
   return withPiece(before, std::move(piece));
-}
-
-Done resolve(const Document& before, AddNotch& op, Context&) {
-  if (op.edge == EdgeRef() ? !op.point : op.point.has_value()) {
-    return refused(say("Say where to mark: edge=front.side at=0.5, or piece=front point=10cm,5cm."));
-  }
-  if (!op.name.empty()) {
-    if (Done done = checkName(op.name); !done) return done;
-  }
-  if (op.point) {
-    if (Done done = resolve(before, op.piece); !done) return done;
-    const Piece& piece = *before.find(op.piece.id);
-    if (!contains(piece.outline.flattened(1e-4), *op.point)) {
-      return refused(say("The drill hole is not on “{0}”.", piece.name));
-    }
-    return {};
-  }
-  op.edge.from = 0, op.edge.to = 1;
-  if (Done done = resolve(before, op.edge); !done) return done;
-  op.piece = op.edge.piece;
-  if (!(op.at >= 0 && op.at <= 1)) return refused(say("A notch lies between 0, the edge's beginning, and 1, its end."));
-  return {};
-}
-
-Result<Document> perform(const Document& before, const AddNotch& op, Context&) {
-  Document after = before;
-  Piece piece = *before.find(op.piece.id);
-  Mark mark;
-  mark.name = op.name;
-  if (op.point) {
-    mark.place = *op.point;
-  } else {
-    mark.edge = op.edge.edge;
-    mark.fraction = op.at;
-  }
-  piece.marks.push_back(std::move(mark));
-  after.pattern.pieces[piece.id] = std::make_shared<const Piece>(std::move(piece));  // a mark moves no cloth
-  return after;
 }
 
 }  // namespace karinui

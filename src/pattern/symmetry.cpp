@@ -1,4 +1,4 @@
-#include "design/operations/paper_symmetry.h"
+#include "karinui/pattern/symmetry.h"
 
 #include <cmath>
 #include <numbers>
@@ -71,6 +71,38 @@ Outline symmetrised(Outline outline, const PaperSymmetry& symmetry) {
     }
   }
   return outline;
+}
+
+Outline onBothHalves(const Outline& before, Outline now, const PaperSymmetry& symmetry) {
+  auto& edges = now.edges;
+  const std::size_t n = edges.size();
+  const auto halfway = [&](Flat a, Flat b) { return (a + symmetry.image(b)) * 0.5; };
+  // Corners: edge k starts where the edge behind its partner starts.
+  const Outline done = now;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t other = (symmetry.partner[k] + 1) % n;
+    const auto moved = [&](std::size_t c) { return !(done.edges[c].curve.start == before.edges[c].curve.start); };
+    if (moved(k) && (other == k || !moved(other)))
+      edges[other].curve.start = other == k ? halfway(done.edges[k].curve.start, done.edges[k].curve.start)
+                                            : symmetry.image(done.edges[k].curve.start);
+  }
+  for (std::size_t k = 0; k < n; ++k) edges[k].curve.end = edges[(k + 1) % n].curve.start;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t other = symmetry.partner[k];
+    const auto changed = [&](std::size_t e) { return !(done.edges[e].curve == before.edges[e].curve); };
+    Curve& curve = edges[k].curve;
+    if (!changed(k)) continue;
+    if (other != k) {
+      if (k < other || !changed(other)) edges[other].curve = symmetry.image(curve).reversed();
+    } else if (curve.kind == Curve::Kind::Cubic) {  // it crosses the axis: as much on both sides
+      const Curve image = symmetry.image(curve).reversed();
+      curve.control1 = (curve.control1 + image.control1) * 0.5;
+      curve.control2 = (curve.control2 + image.control2) * 0.5;
+      for (std::size_t i = 0; i < curve.between.size(); ++i)
+        curve.between[i] = (curve.between[i] + image.between[i]) * 0.5;
+    }
+  }
+  return now;
 }
 
 }  // namespace karinui

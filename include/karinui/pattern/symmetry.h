@@ -1,5 +1,6 @@
 #pragma once
-// The symmetry a piece of paper has by itself: its left half is the mirror image of its right one.
+// The symmetry a piece of paper has by itself: its left half is the mirror image of its right one. Pure; any thread.
+// Metres on paper.
 #include <optional>
 #include <vector>
 
@@ -20,5 +21,9 @@ std::optional<PaperSymmetry> symmetryOf(const Outline& outline);
 
 // The outline made exactly symmetric again, after changes that ought to have been.
 Outline symmetrised(Outline outline, const PaperSymmetry& symmetry);
+
+// What was done to corners and edges of one half of `before`, done to their partners too. What was not touched stays
+// bit for bit.
+Outline onBothHalves(const Outline& before, Outline now, const PaperSymmetry& symmetry);
 
 }  // namespace karinui

@@ -1,0 +1,79 @@
+#include "edge_numbers.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "karinui/pattern/symmetry.h"
+#include "length_box.h"
+#include "look.h"
+
+namespace karinui::studio {
+
+EdgeNumbers::EdgeNumbers(Session& session) : session_(session) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  const auto box = [form](const Message& words, double low, double metres) {
+    auto* made = new LengthBox(words, low, 10);
+    made->setMetres(metres);
+    auto* label = new QLabel;
+    Look::here().keep(label, [label, words] { label->setText(inWords(words)); });
+    form->addRow(label, made);
+    return made;
+  };
+  along_ = box(say("Along the edge"), 0, 0.05);
+  width_ = box(say("Dart, wide"), 0.001, session.dartWidth());
+  depth_ = box(say("Dart, deep"), 0.001, 0.1);
+  connect(width_, &LengthBox::typed, this, [this](double metres) { session_.setDartWidth(metres); });
+  auto* grid = new QGridLayout;
+  const auto button = [&](int at, const Message& words, const Message& hint, Operation (EdgeNumbers::*what)() const) {
+    auto* made = new QPushButton;
+    Look::here().keep(made, [made, words, hint] {
+      made->setText(inWords(words));
+      made->setToolTip(inWords(hint));
+    });
+    connect(made, &QPushButton::clicked, this, [this, what] {
+      if (edge()) session_.perform((this->*what)());
+    });
+    grid->addWidget(made, at / 2, at % 2);
+  };
+  button(0, say("Point there"), say("Puts a point on the edge, which becomes two."), &EdgeNumbers::split);
+  button(1, say("Take its end away"), say("Takes away the point at the edge's end."), &EdgeNumbers::join);
+  button(2, say("Notch there"), say("Marks the place with a notch."), &EdgeNumbers::notch);
+  button(3, say("Dart there"), say("Takes a wedge as wide and as deep out of the edge."), &EdgeNumbers::dart);
+  form->addRow(grid);
+}
+
+const Edge* EdgeNumbers::edge() const {
+  const auto& chosen = session_.selection().edge;
+  const Piece* piece = chosen ? session_.fitting().document.find(chosen->piece) : nullptr;
+  return piece ? findEdge(*piece, chosen->edge) : nullptr;
+}
+EdgeRef EdgeNumbers::ref() const {
+  return {PieceRef(session_.selection().edge->piece), session_.selection().edge->edge};
+}
+double EdgeNumbers::share() const { return std::clamp(along_->value() / edge()->curve.length(), 0.0, 1.0); }
+
+Operation EdgeNumbers::split() const { return SplitEdge{ref(), share()}; }
+Operation EdgeNumbers::join() const { return JoinEdges{ref()}; }
+Operation EdgeNumbers::notch() const {
+  AddNotch notch;
+  notch.edge = ref();
+  notch.at = share();
+  notch.symmetric = symmetryOf(session_.fitting().document.find(notch.edge.piece.id)->outline).has_value();
+  return notch;
+}
+Operation EdgeNumbers::dart() const {
+  const Curve& curve = edge()->curve;
+  AddDart dart;
+  dart.edge = ref();
+  dart.at = share();
+  dart.width = {width_->value()};
+  dart.tip = curve.atFraction(dart.at) +
+             leftOf(normalized(curve.tangent(curve.parameterAt(dart.at * curve.length())))) * depth_->value();
+  return dart;
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,29 @@
+#pragma once
+// What is put on the chosen edge by number: a point, a notch, a dart. GUI thread.
+#include <QWidget>
+
+#include "karinui/session/session.h"
+
+namespace karinui::studio {
+
+class LengthBox;
+
+class EdgeNumbers : public QWidget {
+  Q_OBJECT
+ public:
+  explicit EdgeNumbers(Session& session);
+
+ private:
+  const Edge* edge() const;  // null: none chosen
+  EdgeRef ref() const;
+  double share() const;
+  Operation split() const;
+  Operation join() const;
+  Operation notch() const;
+  Operation dart() const;
+
+  Session& session_;
+  LengthBox *along_, *width_, *depth_;
+};
+
+}  // namespace karinui::studio

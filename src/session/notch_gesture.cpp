@@ -1,0 +1,77 @@
+// Notches: a click on an edge puts one, a click on one takes it away. On a symmetric piece both halves are marked,
+// unless Alt is held.
+#include <cmath>
+
+#include "karinui/pattern/symmetry.h"
+#include "session/gestures.h"
+
+namespace karinui {
+
+namespace {
+
+class NotchGesture : public Gesture {
+ public:
+  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+    here_ = hit.edge ? found(*hit.edge, sample, bench) : std::nullopt;
+    if (sample.phase != PointerSample::Phase::Press) return {};
+    if (!here_) return {.why = say("A notch lies on the edge of a piece.")};
+    const Piece& piece = *bench.fitting->document.find(here_->edge.piece.id);
+    if (here_->there) return {.over = true, .operation = EraseMarks{here_->edge.piece, {}, tenth(here_->paper)}};
+    AddNotch notch;
+    notch.edge = here_->edge;
+    notch.at = here_->at;
+    notch.symmetric = !sample.alt && symmetryOf(piece.outline).has_value();
+    return {.over = true, .operation = std::move(notch)};
+  }
+  Preview preview(const Workbench& bench) const override {
+    Preview shown;
+    if (!here_) return shown;
+    showEdge(shown, bench, here_->edge, here_->there ? kBad : kChalk);
+    if (const auto place = spaceOf(*bench.fitting, here_->edge.piece.id, here_->paper)) {
+      shown.space.dots.push_back(*place);
+      shown.space.words.push_back({*place, words(bench)});
+    }
+    const Flat table = here_->paper + bench.table->at(here_->edge.piece.id);
+    shown.table.dots.push_back(table);
+    shown.table.words.push_back({table, words(bench)});
+    return shown;
+  }
+  Message hint() const override {
+    return here_ && here_->there ? say("Click to take this notch away.") : info(Command::Notch).hint;
+  }
+  bool begun() const override { return false; }
+
+ private:
+  struct Here {
+    EdgeRef edge;
+    double at = 0;
+    Flat paper;
+    bool there = false;  // a notch is there already
+  };
+  // From both ends of the edge, as a tailor would note it.
+  std::string words(const Workbench& bench) const {
+    const double whole = lengthOf(bench, here_->edge);
+    return bench.said(here_->at * whole) + " | " + bench.said((1 - here_->at) * whole);
+  }
+  static std::optional<Here> found(const EdgeNear& near, const PointerSample& sample, const Workbench& bench) {
+    constexpr double kNear = 0.006;  // metres along the edge
+    const Piece* piece = bench.fitting->document.find(near.piece);
+    const Edge* edge = piece ? findEdge(*piece, near.edge) : nullptr;
+    if (!edge) return std::nullopt;
+    const double whole = edge->curve.length();
+    const double reach = sample.where == PointerSample::Where::Table ? sample.reach : kNear;
+    Here here{{PieceRef(near.piece), near.edge}, roundShare(near.fraction, reach / whole), {}, false};
+    for (const Mark& mark : piece->marks)
+      if (mark.edge == near.edge && std::fabs(mark.fraction - near.fraction) * whole < reach)
+        here.at = mark.fraction, here.there = true;
+    here.paper = edge->curve.atFraction(here.at);
+    return here;
+  }
+  std::optional<Here> here_;
+};
+
+}  // namespace
+
+std::unique_ptr<Gesture> notchGesture() { return std::make_unique<NotchGesture>(); }
+
+}  // namespace karinui

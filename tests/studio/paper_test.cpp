@@ -1,0 +1,103 @@
+// Editing on the paper in the real window: points, notches, darts, lines, by mouse and by number.
+#include <gmock/gmock.h>
+
+#include "karinui/design/script.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+Selection edgeOf(Window& w, const char* piece, const char* edge) {
+  Selection chosen;
+  const PieceId id = w.session().fitting().document.pieceNamed(piece)->id;
+  chosen.pieces = {id};
+  chosen.edge = EdgeNear{id, edge, 0.5, 0};
+  return chosen;
+}
+Flat onEdge(Window& w, const char* piece, const char* edge, double at) {
+  return findEdge(*w.session().fitting().document.pieceNamed(piece), edge)->curve.atFraction(at);
+}
+
+TEST(StudioPaper, MakesDartsWithTwoClicksAndTheClothFollows) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count(), seams = w.session().fitting().document.pattern.seams.size();
+  w.key(Command::Dart);
+  const Flat mouth = onEdge(w, "front", "side_left", 0.5);
+  w.click(w.table(), w.onTable("front", mouth));
+  w.hover(w.table(), w.onTable("front", mouth + Flat{-0.07, 0.01}));
+  w.keep("studio_dart");
+  EXPECT_FALSE(w.session().preview().space.lines.empty()) << "it is seen on the cloth before it is made";
+  w.click(w.table(), w.onTable("front", mouth + Flat{-0.07, 0.01}));
+  w.rest();
+  ASSERT_EQ(w.count(), before + 2) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("dart edge=p"));
+  EXPECT_THAT(w.last(), StartsWith("drape live="));
+  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), seams + 2) << "one on each half, sewn";
+  EXPECT_TRUE(w.session().fitting().document.drape.last->settled);
+  EXPECT_LT(w.session().fitting().document.drape.last->seamGap, 0.002) << "the darts are closed";
+}
+
+TEST(StudioPaper, ANumberTypedIsTheNumberCut) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().select(edgeOf(w, "front", "shoulder_left"));
+  w.rest();
+  const double now = findEdge(*w.session().fitting().document.pieceNamed("front"), "shoulder_left")->curve.length();
+  w.type(w.box("Length"), QString::fromStdString(fixed(now * 100 + 1, 4)) + " cm");
+  w.rest();
+  const Piece* after = w.session().fitting().document.pieceNamed("front");
+  EXPECT_NEAR(findEdge(*after, "shoulder_left")->curve.length(), now + 0.01, 1e-6);
+}
+
+TEST(StudioPaper, PutsWhatIsTypedWhereItIsTyped) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().select(edgeOf(w, "front", "shoulder_left"));
+  w.rest();
+  const double whole = findEdge(*w.session().fitting().document.pieceNamed("front"), "shoulder_left")->curve.length();
+  Look::here().setInches(true);
+  w.type(w.box("Along the edge"), "2");
+  w.button("Notch there").click();
+  w.rest();
+  EXPECT_THAT(w.last(), StartsWith("notch edge=p"));
+  const Mark& mark = w.session().fitting().document.pieceNamed("front")->marks.at(0);
+  EXPECT_NEAR(mark.fraction * whole, 0.0508, 1e-6);
+  EXPECT_EQ(w.session().fitting().document.pieceNamed("front")->marks.size(), 2u) << "both halves are marked";
+  EXPECT_THAT(w.box("Length").text().toStdString(), HasSubstr(" in"));
+  Look::here().setInches(false);
+  EXPECT_THAT(w.box("Length").text().toStdString(), HasSubstr(" cm"));
+  w.button("Point there").click();
+  w.rest();
+  const Piece* front = w.session().fitting().document.pieceNamed("front");
+  EXPECT_NEAR(findEdge(*front, "shoulder_left")->curve.length(), 0.0508, 1e-6);
+  w.button("Take its end away").click();
+  w.rest();
+  front = w.session().fitting().document.pieceNamed("front");
+  EXPECT_NEAR(findEdge(*front, "shoulder_left")->curve.length(), whole, 1e-6);
+}
+
+TEST(StudioPaper, EditsBothHalvesAtOnce) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Points);
+  const Flat corner = onEdge(w, "front", "side_left", 0);
+  const Flat before = onEdge(w, "front", "side_right", 1);
+  w.drag(w.table(), {w.onTable("front", corner), w.onTable("front", corner) + QPointF(10, 6)}, {}, [&] {
+    w.session().finish();
+    w.keep("studio_points_both");
+  });
+  w.rest();
+  const Flat after = onEdge(w, "front", "side_right", 1);
+  EXPECT_GT(distance(before, after), 0.005) << "the other half's corner went along";
+}
+
+}  // namespace
+}  // namespace karinui::studio
