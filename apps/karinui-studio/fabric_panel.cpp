@@ -17,14 +17,6 @@ class FabricPanel::Curve : public QWidget {
  public:
   Fabric fabric;
   Curve() { setMinimumHeight(120); }
-  static double tension(double k, const Fabric& f, double e) {
-    const double low = f.compression * k;
-    if (e <= 0) return low * e;
-    // Stiffness rises evenly from the squeeze's to the stretch's over the toe.
-    if (f.toe <= 0) return k * e;
-    if (e < f.toe) return low * e + (k - low) * e * e / (2 * f.toe);
-    return low * f.toe + (k - low) * f.toe / 2 + k * (e - f.toe);
-  }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -32,8 +24,7 @@ class FabricPanel::Curve : public QWidget {
     painter.setRenderHint(QPainter::Antialiasing);
     const Palette& p = Look::here().palette();
     const QRectF box = QRectF(rect()).adjusted(44, 8, -8, -24);
-    const double e = 0.03,
-                 top = std::max(tension(fabric.stretchWarp, fabric, e), tension(fabric.stretchWeft, fabric, e));
+    const double e = 0.03, top = std::max(fabric.warpCurve().force(e), fabric.weftCurve().force(e));
     painter.setPen(QPen(p.line, 1));
     painter.drawRect(box);
     painter.setPen(p.faint);
@@ -41,15 +32,43 @@ class FabricPanel::Curve : public QWidget {
     painter.drawText(QRectF(0, box.center().y() - 7, 40, 14), Qt::AlignRight, "N/m");
     painter.drawText(QRectF(box.left(), box.bottom() + 4, box.width(), 16), Qt::AlignRight, "3 %");
     for (const bool warp : {true, false}) {
+      const ThreadCurve threads = warp ? fabric.warpCurve() : fabric.weftCurve();
       QPolygonF line;
       for (int i = 0; i <= 60; ++i)
         line << QPointF(box.left() + box.width() * i / 60,
-                        box.bottom() - box.height() *
-                                           tension(warp ? fabric.stretchWarp : fabric.stretchWeft, fabric, e * i / 60) /
-                                           top);
+                        box.bottom() - box.height() * threads.force(e * i / 60) / top);
       painter.setPen(QPen(warp ? p.accent : QColor(0x44, 0x77, 0xAA), 2, warp ? Qt::SolidLine : Qt::DashLine));
       painter.drawPolyline(line);
     }
+    if (const auto figure = drapeFigure(fabric)) drawDraped(painter, box.topLeft() + QPointF(40, 36), *figure);
+  }
+
+ private:
+  // The disc of the drape tester from above: what hangs over the support, in its folds, as large as its shadow.
+  static void drawDraped(QPainter& painter, QPointF middle, const DrapeFigure& figure) {
+    const Palette& p = Look::here().palette();
+    constexpr double kScale = 2, kDisc = 15, kSupport = 9;  // pixels a centimetre, centimetres
+    const double ring = kDisc * kDisc - kSupport * kSupport;
+    const double mean = std::sqrt(kSupport * kSupport + ring * figure.coefficient / 100);
+    const double wave = std::min(0.45 * (mean - kSupport), kDisc - mean);
+    QPolygonF rim;
+    for (int i = 0; i < 180; ++i) {
+      const double turn = i * 3.14159265358979 / 90;
+      const double r = std::sqrt(mean * mean - wave * wave / 2) + wave * std::cos(figure.folds * turn);
+      rim << middle + QPointF(std::cos(turn), std::sin(turn)) * (kScale * r);
+    }
+    painter.setPen(QPen(p.line, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(middle, kScale * kDisc, kScale * kDisc);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(p.accent.lighter(160));
+    painter.drawPolygon(rim);
+    painter.setBrush(p.accent);
+    painter.drawEllipse(middle, kScale * kSupport, kScale * kSupport);
+    painter.setPen(p.faint);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawText(QRectF(middle.x() + kScale * kDisc + 6, middle.y() - 16, 90, 32), Qt::AlignLeft | Qt::AlignVCenter,
+                     inWords(say("drape {0} %", fixed(figure.coefficient, 0))));
   }
 };
 

@@ -1,6 +1,9 @@
 // bench: measures the drape engine on scenes that others were measured on too.
+#include <algorithm>
 #include <fstream>
+#include <numeric>
 
+#include "bench/cusick.h"
 #include "bench/run.h"
 #include "commands.h"
 #include "json_answers.h"
@@ -12,9 +15,9 @@ namespace karinui::app {
 namespace {
 
 struct BenchOptions {
-  std::string scene, out, data = "../shared";
+  std::string scene, out, data = "../shared", fabric;
   std::size_t vertices = 0;
-  int threads = 1;
+  int threads = 1, runs = 0;
 };
 
 Result<bench::Workload> workloadOf(const BenchOptions& options, Workers& workers, const Token& token) {
@@ -51,7 +54,62 @@ Done writeScene(const bench::Workload& load, const std::string& path) {
   return writeFile(path, *bytes);
 }
 
+// Each preset of woven law (or the one asked for) laid several times on the drape tester.
+int runCusick(Program& program, const BenchOptions& options) {
+  Workers workers(options.threads);
+  std::vector<Fabric> fabrics;
+  if (!options.fabric.empty()) {
+    const auto one = preset(options.fabric);
+    if (!one) return program.console.refuse(one.error());
+    fabrics = {*one};
+  } else {
+    for (const Fabric& fabric : presets())
+      if (fabric.law == Fabric::Law::Woven) fabrics.push_back(fabric);
+  }
+  const int runs = options.runs > 0 ? options.runs : 6;
+  Json list = Json::array();
+  bool settled = true;
+  for (const Fabric& fabric : fabrics) {
+    std::vector<double> found;
+    std::vector<int> folds;
+    double seconds = 0;
+    for (int seed = 0; seed < runs; ++seed) {
+      const auto draped =
+          bench::cusick(fabric, options.vertices, static_cast<unsigned>(seed), workers, program.console.token());
+      if (!draped) return program.console.refuse(draped.error());
+      settled = settled && draped->report.settled;
+      found.push_back(draped->coefficient);
+      folds.push_back(draped->folds);
+      seconds += draped->report.cpuSeconds;
+      if (!options.out.empty()) {
+        const bench::Workload load{"cusick", {draped->disc}, nullptr, nullptr};
+        if (const Done written = writeScene(load, options.out); !written)
+          return program.console.refuse(written.error());
+      }
+    }
+    const auto [low, high] = std::minmax_element(found.begin(), found.end());
+    const double mean = std::accumulate(found.begin(), found.end(), 0.0) / runs;
+    std::sort(folds.begin(), folds.end());
+    const auto threads = [](const ThreadCurve& c) {
+      return Json{{"strain_at_490_n_m", c.strainAt(490.3)}, {"linearity", c.linearity(490.3)}};
+    };
+    list.push_back({{"fabric", fabric.name},
+                    {"drape_coefficient", mean},
+                    {"listed", drapeFigure(fabric).value_or(DrapeFigure{}).coefficient},
+                    {"lowest", *low},
+                    {"highest", *high},
+                    {"folds", folds[folds.size() / 2]},
+                    {"warp", threads(fabric.warpCurve())},
+                    {"weft", threads(fabric.weftCurve())},
+                    {"cpu_s", seconds}});
+  }
+  const Json object{{"scene", "cusick"}, {"settled", settled}, {"runs", runs}, {"fabrics", list}};
+  program.console.answer(object, words(object));
+  return settled ? kDone : kNotSettled;
+}
+
 int runBench(Program& program, const BenchOptions& options) {
+  if (options.scene == "cusick") return runCusick(program, options);
   Workers workers(options.threads);
   auto load = workloadOf(options, workers, program.console.token());
   if (!load) return program.console.refuse(load.error());
@@ -70,15 +128,20 @@ void addBenchVerb(Program& program) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* verb = program.verb(program.cli, "bench", help("Measures how fast and how well a scene comes to rest"),
                                 options, runBench);
-  verb->add_option("scene", options->scene,
-                   help("w1 a curtain, w2 a cloth on a ball, w3 a tunic on capsules, shirt or dress on a body"))
+  verb->add_option(
+          "scene", options->scene,
+          help("w1 a curtain, w2 a cloth on a ball, w3 a tunic on capsules, shirt or dress on a body, cusick the "
+               "shop's fabrics on the drape tester"))
       ->required()
-      ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress"}));
+      ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress", "cusick"}));
   verb->add_option("--vertices", options->vertices, help("About how many points the cloth has; otherwise as defined"))
       ->check(CLI::Range(100, 1'000'000));
   verb->add_option("--threads", options->threads, help("How many threads work, 1 to 256; the result is the same"))
       ->check(CLI::Range(1, 256));
   verb->add_option("--data", options->data, help("The folder with bodies/ and patterns/ for shirt and dress"));
+  verb->add_option("--fabric", options->fabric, help("cusick: one fabric of the shop; otherwise all"));
+  verb->add_option("--runs", options->runs, help("cusick: how many times each is laid on, otherwise 6"))
+      ->check(CLI::Range(1, 1000));
   verb->add_option("-o,--out", options->out, help("Write the cloth at rest as an OBJ file"));
 }
 

@@ -10,33 +10,7 @@ Vec3 carried(const std::array<double, 3>& weight, const std::array<Vec3, 3>& x) 
   return x[0] * weight[0] + x[1] * weight[1] + x[2] * weight[2];
 }
 
-// Shear energy per area G/2 (s^2 + s^4/3) of s = warp . weft. Its slope by the angle is G gamma up to the fifth order
-// (sin g + 2/3 sin^3 g) cos g = g + O(g^5), and it stays a smooth polynomial for crushed cloth.
-double shearEnergy(double g, double s) { return 0.5 * g * (s * s + s * s * s * s / 3); }
-double shearSlope(double g, double s) { return g * (s + 2.0 / 3 * s * s * s); }
-double shearCurvature(double g, double s) { return g * (1 + 2 * s * s); }
-
 }  // namespace
-
-double ThreadCurve::energy(double e) const {
-  if (e <= 0) return 0.5 * squeeze * e * e;
-  const double rise = stiffness - squeeze;
-  if (e < toe) return 0.5 * squeeze * e * e + rise * e * e * e / (6 * toe);
-  return 0.5 * stiffness * e * e - 0.5 * rise * toe * e + rise * toe * toe / 6;
-}
-
-double ThreadCurve::force(double e) const {
-  if (e <= 0) return squeeze * e;
-  const double rise = stiffness - squeeze;
-  if (e < toe) return squeeze * e + rise * e * e / (2 * toe);
-  return stiffness * e - 0.5 * rise * toe;
-}
-
-double ThreadCurve::tangent(double e) const {
-  if (e <= 0) return squeeze;
-  if (e < toe) return squeeze + (stiffness - squeeze) * e / toe;
-  return stiffness;
-}
 
 Membrane::Membrane(const Cloth& cloth, const PanelPlan* plan) {
   std::vector<std::array<NodeIndex, 3>> nodes;
@@ -44,10 +18,9 @@ Membrane::Membrane(const Cloth& cloth, const PanelPlan* plan) {
     const ClothPiece& piece = cloth.pieces[p];
     const Fabric& f = piece.fabric;
     if (!piece.live || f.law != Fabric::Law::Woven) continue;
-    threads_.push_back({{f.stretchWarp, f.compression * f.stretchWarp, f.toe},
-                        {f.stretchWeft, f.compression * f.stretchWeft, f.toe},
-                        f.shear});
-    threads_.push_back({{}, {}, f.shear});  // where the threads are the panel's
+    const ShearCurve shear{f.shear, f.shearStiffen};
+    threads_.push_back({f.warpCurve(), f.weftCurve(), shear});
+    threads_.push_back({{}, {}, shear});  // where the threads are the panel's
     const Lattice& lattice = *piece.lattice;
     for (std::size_t n = 0; n < lattice.faces.size(); ++n) {
       const Triangle& face = lattice.faces[n];
@@ -78,14 +51,14 @@ double Membrane::elementValue(std::size_t e, const Corners& x) const {
   const Threads& t = threads_[share.threads];
   const Vec3 weft = carried(share.weft, x), warp = carried(share.warp, x);
   return share.area *
-         (t.weft.energy(length(weft) - 1) + t.warp.energy(length(warp) - 1) + shearEnergy(t.shear, dot(weft, warp)));
+         (t.weft.energy(length(weft) - 1) + t.warp.energy(length(warp) - 1) + t.shear.energy(dot(weft, warp)));
 }
 
 void Membrane::elementGradient(std::size_t e, const Corners& x, std::span<Vec3, 3> out) const {
   const Share& share = share_[e];
   const Threads& t = threads_[share.threads];
   const Vec3 weft = carried(share.weft, x), warp = carried(share.warp, x);
-  const double lu = length(weft), lv = length(warp), slope = shearSlope(t.shear, dot(weft, warp));
+  const double lu = length(weft), lv = length(warp), slope = t.shear.slope(dot(weft, warp));
   const Vec3 byWeft = weft * (lu > kShortest ? t.weft.force(lu - 1) / lu : 0) + warp * slope;
   const Vec3 byWarp = warp * (lv > kShortest ? t.warp.force(lv - 1) / lv : 0) + weft * slope;
   for (int a = 0; a < 3; ++a) out[a] = (byWeft * share.weft[a] + byWarp * share.warp[a]) * share.area;
@@ -101,7 +74,7 @@ void Membrane::elementBlocks(std::size_t e, const Corners& x, std::span<Block3> 
   const double au = lu > kShortest ? std::fmax(0.0, t.weft.force(lu - 1) / lu) : 0;
   const double av = lv > kShortest ? std::fmax(0.0, t.warp.force(lv - 1) / lv) : 0;
   const double bu = t.weft.tangent(lu - 1) - au, bv = t.warp.tangent(lv - 1) - av;
-  const double shear = shearCurvature(t.shear, dot(weft, warp));
+  const double shear = t.shear.curvature(dot(weft, warp));
   std::array<Vec3, 3> turn;
   for (int a = 0; a < 3; ++a) turn[a] = warp * share.weft[a] + weft * share.warp[a];
   for (int a = 0; a < 3; ++a)

@@ -7,12 +7,14 @@
 
 namespace karinui {
 
-// Force per width at a strain: `squeeze` K below zero, rising over the toe to K. Energy, slope and curvature per area.
-struct ThreadCurve {
-  double stiffness = 0, squeeze = 0, toe = 0;
-  double energy(double strain) const;
-  double force(double strain) const;
-  double tangent(double strain) const;
+// Energy per area of a right angle that was sheared until warp . weft = s. Its slope by the angle g is G (g + k g^3) up
+// to the fifth order, and it stays a smooth polynomial for crushed cloth.
+struct ShearCurve {
+  double modulus = 0, stiffening = 0;  // G; k
+  double cubic() const { return 2.0 / 3 + stiffening; }
+  double energy(double s) const { return modulus * (0.5 * s * s + 0.25 * cubic() * s * s * s * s); }
+  double slope(double s) const { return modulus * (s + cubic() * s * s * s); }
+  double curvature(double s) const { return modulus * (1 + 3 * cubic() * s * s); }
 };
 
 class Membrane : public ElementEnergy<Membrane, 3> {
@@ -29,7 +31,7 @@ class Membrane : public ElementEnergy<Membrane, 3> {
  private:
   struct Threads {  // of one piece
     ThreadCurve warp, weft;
-    double shear = 0;
+    ShearCurve shear;
   };
   struct Share {  // of one triangle: unit weft and warp, carried by the cloth, are sums of corners
     std::array<double, 3> weft{}, warp{};

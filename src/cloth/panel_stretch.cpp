@@ -11,7 +11,7 @@ constexpr double kTiny = 1e-40;  // squared metres: a thread of no length has no
 
 struct ThreadLoop {
   std::size_t begin, end, next;  // slots, and how far the next one along the thread is
-  double step, squeeze, rise, toe, perToe, halfPerToe;
+  double step, squeeze, rise, toe, perToe, halfPerToe, firmer, firming;
 };
 ThreadLoop threadLoop(std::size_t begin, std::size_t end, std::size_t next, double step, const ThreadCurve& c) {
   return {begin,
@@ -22,7 +22,9 @@ ThreadLoop threadLoop(std::size_t begin, std::size_t end, std::size_t next, doub
           c.stiffness - c.squeeze,
           c.toe,
           c.toe > 0 ? 1 / c.toe : 1e300,
-          c.toe > 0 ? 0.5 / c.toe : 0};
+          c.toe > 0 ? 0.5 / c.toe : 0,
+          c.stiffening * c.stiffness,
+          c.firming()};
 }
 
 struct Floats {
@@ -43,14 +45,16 @@ KARINUI_WIDE void pullThreads(const ThreadLoop loop, const double* __restrict x,
     const double l = squared * perLength;
     const double e = l * perStep - 1, over = e > 0 ? e : 0;
     const double bent = over < loop.toe ? over : loop.toe, straight = over - bent;
-    const double force = loop.squeeze * e + loop.rise * (bent * bent * loop.halfPerToe + straight);
+    const double firmed = straight < loop.firming ? straight : loop.firming;
+    const double force = loop.squeeze * e + loop.rise * (bent * bent * loop.halfPerToe + straight) +
+                         loop.firmer * firmed * (straight - 0.5 * firmed);
     const double risen = over * loop.perToe;
-    const double tangent = loop.squeeze + loop.rise * (risen < 1 ? risen : 1);
+    const double tangent = loop.squeeze + loop.rise * (risen < 1 ? risen : 1) + loop.firmer * firmed;
     const double perThread = area[s] * perStep;
     const double pull = perThread * force * perLength;
     const double held = pull > 0 ? pull : 0;
-    const double firmer = perThread * perStep * tangent - held;
-    const double root = std::sqrt(firmer > 0 ? firmer : 0) * perLength;
+    const double more = perThread * perStep * tangent - held;
+    const double root = std::sqrt(more > 0 ? more : 0) * perLength;
     dx[s] = a;
     dy[s] = b;
     dz[s] = c;
@@ -69,10 +73,11 @@ struct Ways {  // of threads, three axes
   const double *x, *y, *z;
 };
 // The shear at each node of four right angles: its slopes, and its stiffness.
-KARINUI_WIDE void shearCorners(std::size_t begin, std::size_t end, std::size_t stride, double scale, double modulus,
+KARINUI_WIDE void shearCorners(std::size_t begin, std::size_t end, std::size_t stride, double scale, ShearCurve curve,
                                const double* __restrict area, const Ways u, const Ways v, double* __restrict pp,
                                double* __restrict pm, double* __restrict mp, double* __restrict mm,
                                float* __restrict corner) {
+  const double modulus = curve.modulus, cubic = curve.cubic(), square = 0.75 * curve.cubic();
   KARINUI_APART
   for (std::size_t s = begin; s < end; ++s) {
     const std::size_t l = s - 1, d = s - stride;
@@ -81,11 +86,11 @@ KARINUI_WIDE void shearCorners(std::size_t begin, std::size_t end, std::size_t s
     const double c = (u.x[l] * v.x[s] + u.y[l] * v.y[s] + u.z[l] * v.z[s]) * scale;
     const double e = (u.x[l] * v.x[d] + u.y[l] * v.y[d] + u.z[l] * v.z[d]) * scale;
     const double k = area[s] * modulus * scale;
-    pp[s] = k * (a + 2.0 / 3 * a * a * a);
-    pm[s] = k * (b + 2.0 / 3 * b * b * b);
-    mp[s] = k * (c + 2.0 / 3 * c * c * c);
-    mm[s] = k * (e + 2.0 / 3 * e * e * e);
-    corner[s] = static_cast<float>(k * scale * (1 + 0.5 * (a * a + b * b + c * c + e * e)));
+    pp[s] = k * (a + cubic * a * a * a);
+    pm[s] = k * (b + cubic * b * b * b);
+    mp[s] = k * (c + cubic * c * c * c);
+    mm[s] = k * (e + cubic * e * e * e);
+    corner[s] = static_cast<float>(k * scale * (1 + square * (a * a + b * b + c * c + e * e)));
   }
 }
 
@@ -116,9 +121,7 @@ PanelStretch::PanelStretch(const Cloth& cloth, const PanelPlan& plan) : plan_(pl
   for (const Panel& panel : plan.panels) {
     const ClothPiece& piece = cloth.pieces[panel.piece];
     const Fabric& f = piece.fabric;
-    threads_.push_back({{f.stretchWeft, f.compression * f.stretchWeft, f.toe},
-                        {f.stretchWarp, f.compression * f.stretchWarp, f.toe},
-                        f.shear});
+    threads_.push_back({f.weftCurve(), f.warpCurve(), {f.shear, f.shearStiffen}});
     std::vector<NodeIndex> nodes;
     for (const std::uint32_t k : piece.lattice->grid)
       if (k != kNoNode) nodes.push_back(piece.firstNode + k);

@@ -26,7 +26,7 @@ class PanelStretch {
  private:
   struct Threads {
     ThreadCurve weft, warp;
-    double shear = 0;
+    ShearCurve shear;
   };
   const PanelPlan& plan_;
   std::vector<Threads> threads_;                    // per panel

@@ -43,8 +43,15 @@ struct Truth {
   void add(const Fabric& f) {
     add(f.name), add(static_cast<std::uint64_t>(f.law));
     for (const double v : {f.weight, f.stretchWarp, f.stretchWeft, f.shear, f.bendWarp, f.bendWeft, f.compression,
-                           f.toe, f.thickness, f.frictionBody, f.frictionCloth})
+                           f.toeWarp, f.thickness, f.frictionBody, f.frictionCloth})
       add(v);
+    const Fabric plain;  // fabrics of before curves keep their hash
+    std::uint64_t which = 0;
+    for (const auto& [v, usual] : {std::pair{f.toeWeft, f.toeWarp},
+                                   {f.stiffenWarp, plain.stiffenWarp},
+                                   {f.stiffenWeft, plain.stiffenWeft},
+                                   {f.shearStiffen, plain.shearStiffen}})
+      if (++which; v != usual) add(which), add(v);
   }
 };
 

@@ -33,21 +33,28 @@ std::vector<EdgeSpan> readSide(Reader& r) {
   return side;
 }
 
+// What a fabric's first byte says; files from before the curves hold 0 or 1.
+constexpr std::uint8_t kSimcloth = 1, kCurves = 2;
+
 void add(Writer& w, const Fabric& f) {
-  w.add(f.name).add(static_cast<std::uint8_t>(f.law));
-  for (const double v : {f.weight, f.stretchWarp, f.stretchWeft, f.shear, f.bendWarp, f.bendWeft, f.compression, f.toe,
-                         f.thickness, f.frictionBody, f.frictionCloth})
+  w.add(f.name).add(static_cast<std::uint8_t>((f.law == Fabric::Law::Simcloth ? kSimcloth : 0) | kCurves));
+  for (const double v :
+       {f.weight, f.stretchWarp, f.stretchWeft, f.shear, f.bendWarp, f.bendWeft, f.compression, f.toeWarp, f.thickness,
+        f.frictionBody, f.frictionCloth, f.toeWeft, f.stiffenWarp, f.stiffenWeft, f.shearStiffen})
     w.add(v);
 }
 Fabric readFabric(Reader& r) {
   Fabric f;
   f.name = r.text();
-  const auto law = r.number<std::uint8_t>();
-  if (law > 1) r.fail();
-  f.law = law == 1 ? Fabric::Law::Simcloth : Fabric::Law::Woven;
+  const auto flags = r.number<std::uint8_t>();
+  if (flags > (kSimcloth | kCurves)) r.fail();
+  f.law = flags & kSimcloth ? Fabric::Law::Simcloth : Fabric::Law::Woven;
   for (double* v : {&f.weight, &f.stretchWarp, &f.stretchWeft, &f.shear, &f.bendWarp, &f.bendWeft, &f.compression,
-                    &f.toe, &f.thickness, &f.frictionBody, &f.frictionCloth})
+                    &f.toeWarp, &f.thickness, &f.frictionBody, &f.frictionCloth})
     *v = r.number<double>();
+  f.toeWeft = f.toeWarp;
+  if (flags & kCurves)
+    for (double* v : {&f.toeWeft, &f.stiffenWarp, &f.stiffenWeft, &f.shearStiffen}) *v = r.number<double>();
   if (!checkFabric(f)) r.fail();
   return f;
 }

@@ -30,8 +30,23 @@ TEST(BenchCommand, TellsHowASceneCameToRest) {
   EXPECT_EQ(contents(again), bytes);
 }
 
+// Laid anew on a coarser lattice, a limp and a stiff cloth come out as the shop says of them, and in that order.
+TEST(BenchCommand, LaysFabricsOnTheDrapeTester) {
+  double before = 0;
+  for (const char* name : {"chiffon", "denim"}) {
+    const Said said = karinui(std::string("bench cusick --vertices 700 --runs 2 --json --fabric ") + name);
+    ASSERT_EQ(said.exit, 0) << said.err << said.out;
+    const auto found = said.json()["fabrics"][0];
+    EXPECT_NEAR(found["drape_coefficient"].get<double>(), found["listed"].get<double>(), 7) << name;
+    EXPECT_GT(found["drape_coefficient"].get<double>(), before + 25) << name;
+    EXPECT_GE(found["highest"].get<double>(), found["lowest"].get<double>());
+    before = found["drape_coefficient"].get<double>();
+  }
+}
+
 TEST(BenchCommand, RefusesWhatItCannotMeasure) {
   EXPECT_EQ(karinui("bench w4").exit, 2);
+  EXPECT_EQ(karinui("bench cusick --fabric cardboard").exit, 3);
   EXPECT_EQ(karinui("bench w1 --vertices 3").exit, 2);
   const Said said = karinui("bench shirt --data /nowhere");
   EXPECT_EQ(said.exit, 3);

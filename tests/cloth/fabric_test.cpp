@@ -11,7 +11,7 @@ namespace karinui::test {
 namespace {
 
 TEST(Fabrics, AreSoundAndFoundByName) {
-  ASSERT_GE(presets().size(), 5u);
+  ASSERT_GE(presets().size(), 9u);  // eight of woven law and simcloth at least
   for (const Fabric& fabric : presets()) {
     EXPECT_TRUE(checkFabric(fabric)) << fabric.name;
     const auto found = preset(fabric.name);
@@ -32,7 +32,11 @@ TEST(Fabrics, AbsurdValuesAreRefusedByName) {
                                                              {&Fabric::bendWarp, "bending of the warp"},
                                                              {&Fabric::bendWeft, "bending of the weft"},
                                                              {&Fabric::compression, "compression"},
-                                                             {&Fabric::toe, "toe"},
+                                                             {&Fabric::toeWarp, "toe of the warp"},
+                                                             {&Fabric::toeWeft, "toe of the weft"},
+                                                             {&Fabric::stiffenWarp, "stiffening of the warp"},
+                                                             {&Fabric::stiffenWeft, "stiffening of the weft"},
+                                                             {&Fabric::shearStiffen, "stiffening of the shear"},
                                                              {&Fabric::thickness, "thickness"},
                                                              {&Fabric::frictionBody, "friction on the body"},
                                                              {&Fabric::frictionCloth, "friction on cloth"}};
@@ -70,6 +74,22 @@ TEST(Fabrics, LieWithinWhatWasMeasured) {
     EXPECT_LT(f.shear, 0.5 * std::fmin(f.stretchWarp, f.stretchWeft)) << f.name;
     EXPECT_TRUE(f.thickness >= 0.0001 && f.thickness <= 0.0012) << f.name;
   }
+  // Stretched as the measured denims are: the strain at 500 gf/cm and the linearity of the way there.
+  const Fabric jeans = *preset("denim");
+  double lowest = 1, highest = 0, leastLinear = 1, mostLinear = 0;
+  for (const auto& sample : measured.at("fabrics"))
+    if (sample.contains("kes_as_printed")) {
+      const double strain = sample.at("si").at("tensile_strain_at_490_N_per_m"),
+                   line = sample.at("si").at("tensile_linearity");
+      lowest = std::fmin(lowest, strain), highest = std::fmax(highest, strain);
+      leastLinear = std::fmin(leastLinear, line), mostLinear = std::fmax(mostLinear, line);
+    }
+  for (const ThreadCurve& threads : {jeans.warpCurve(), jeans.weftCurve()}) {
+    EXPECT_GE(threads.strainAt(490.3), 0.99 * lowest);
+    EXPECT_LE(threads.strainAt(490.3), 1.01 * highest);
+    EXPECT_GE(threads.linearity(490.3), leastLinear);
+    EXPECT_LE(threads.linearity(490.3), mostLinear);
+  }
   for (const auto& sample : measured.at("fabrics")) {  // as thick and heavy as the one measured sample of its kind
     const std::string id = sample.at("id");
     if (id != "penava2014/cotton" && id != "penava2014/wool") continue;
@@ -77,6 +97,44 @@ TEST(Fabrics, LieWithinWhatWasMeasured) {
     EXPECT_NEAR(f.thickness, sample.at("thickness_m"), 0.2 * f.thickness);
     EXPECT_NEAR(f.weight, sample.at("areal_density_kg_m2"), 0.2 * f.weight);
   }
+}
+
+// The published bands of the drape tester (see docs/user/fabrics.md), and the order of limp and stiff.
+TEST(Fabrics, HangAsPublished) {
+  const auto drape = [](const char* name) { return drapeFigure(*preset(name)).value().coefficient; };
+  for (const Fabric& fabric : presets()) EXPECT_EQ(drapeFigure(fabric).has_value(), fabric.law == Fabric::Law::Woven);
+  EXPECT_TRUE(drape("silk") >= 20 && drape("silk") <= 40);
+  EXPECT_TRUE(drape("cotton") >= 60 && drape("cotton") <= 76);
+  EXPECT_TRUE(drape("wool suiting") >= 40 && drape("wool suiting") <= 70);
+  EXPECT_TRUE(drape("denim") >= 70 && drape("denim") <= 90);
+  Fabric changed = *preset("denim");
+  changed.shear *= 1.01;
+  EXPECT_FALSE(drapeFigure(changed));  // nobody laid that one on
+}
+
+TEST(ThreadCurve, IsOneLawInEnergyForceAndSlope) {
+  for (const ThreadCurve& c :
+       {ThreadCurve{1000, 50, 0.002, 0}, ThreadCurve{1800, 90, 0.002, 220}, ThreadCurve{120, 12, 0.01, 130},
+        ThreadCurve{1000, 1000, 0, 0}, ThreadCurve{500, 25, 0, 1e4}}) {
+    double before = -1e300;
+    for (double e = -0.2; e < 0.4; e += 0.00137) {
+      const double d = 1e-7;
+      EXPECT_NEAR((c.energy(e + d) - c.energy(e - d)) / (2 * d), c.force(e), 1e-5 * c.stiffness + 1e-6 * c.force(e));
+      if (std::fabs(e) > 2 * d) {
+        EXPECT_NEAR((c.force(e + d) - c.force(e - d)) / (2 * d), c.tangent(e), 0.002 * c.tangent(e)) << e;
+      }
+      EXPECT_GT(c.force(e), before);  // monotone: more stretch, more force
+      before = c.force(e);
+      EXPECT_LE(c.tangent(e), ThreadCurve::kFirmest * c.stiffness * (1 + 1e-9));
+    }
+    EXPECT_DOUBLE_EQ(c.energy(0), 0);
+    EXPECT_NEAR(c.force(c.strainAt(490)), 490, 1e-6);
+  }
+  EXPECT_NEAR((ThreadCurve{1000, 1000, 0, 0}).linearity(490), 1, 1e-9);  // a straight line
+  // Stiffening alone, closed form: F = K e (1 + s e / 2), W = K e^2 (1 + s e / 3) / 2.
+  const ThreadCurve stiffening{1000, 1000, 0, 300};
+  EXPECT_NEAR(stiffening.force(0.05), 1000 * 0.05 * (1 + 300 * 0.05 / 2), 1e-9);
+  EXPECT_NEAR(stiffening.linearity(stiffening.force(0.05)), (1 + 5.0) / (1 + 7.5), 1e-9);
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ inline Fabric textbook(double stretch, double bend, double weight) {
   f.shear = 0.5 * stretch;
   f.bendWarp = f.bendWeft = bend;
   f.compression = 1;
-  f.toe = 0;
+  f.toeWarp = f.toeWeft = 0;
   return f;
 }
 

@@ -209,8 +209,8 @@ struct SetFabric {
   std::string name, like;
   std::vector<PieceRef> pieces;
   std::optional<Fabric::Law> law;
-  std::optional<double> weight, stretchWarp, stretchWeft, shear, bendWarp, bendWeft, compression, toe, frictionBody,
-      frictionCloth;
+  std::optional<double> weight, stretchWarp, stretchWeft, stiffenWarp, stiffenWeft, shear, shearStiffen, bendWarp,
+      bendWeft, compression, toe, toeWarp, toeWeft, frictionBody, frictionCloth;
   std::optional<Length> thickness;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -219,13 +219,18 @@ struct SetFabric {
     visit("like", self.like, "the fabric a new one starts from", kOptional);
     visit("law", self.law, "woven, or simcloth (the historical law)", kOptional);
     visit("weight", self.weight, "kg/m2", kOptional);
-    visit("stretch_warp", self.stretchWarp, "N/m for a strain of one, along the grain", kOptional);
-    visit("stretch_weft", self.stretchWeft, "N/m for a strain of one, across the grain", kOptional);
+    visit("stretch_warp", self.stretchWarp, "N/m for a strain of one at the toe's end, along the grain", kOptional);
+    visit("stretch_weft", self.stretchWeft, "N/m for a strain of one at the toe's end, across the grain", kOptional);
+    visit("stiffen_warp", self.stiffenWarp, "growth of that by a strain of one, in times itself", kOptional);
+    visit("stiffen_weft", self.stiffenWeft, "the same across the grain", kOptional);
     visit("shear", self.shear, "N/m per radian", kOptional);
+    visit("shear_stiffen", self.shearStiffen, "growth of that: the force is shear (g + shear_stiffen g^3)", kOptional);
     visit("bend_warp", self.bendWarp, "N m", kOptional);
     visit("bend_weft", self.bendWeft, "N m", kOptional);
     visit("compression", self.compression, "share of the stiffness that resists squeezing, 0 to 1", kOptional);
-    visit("toe", self.toe, "strain over which the stiffness rises", kOptional);
+    visit("toe", self.toe, "strain over which the stretch stiffness rises, both ways", kOptional);
+    visit("toe_warp", self.toeWarp, "the same along the grain alone", kOptional);
+    visit("toe_weft", self.toeWeft, "the same across the grain alone", kOptional);
     visit("thickness", self.thickness, "a length", kOptional);
     visit("friction_body", self.frictionBody, "against the body", kOptional);
     visit("friction_cloth", self.frictionCloth, "against cloth", kOptional);

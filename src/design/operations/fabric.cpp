@@ -6,8 +6,9 @@ namespace {
 
 // Whether the operation describes the fabric, or only cuts pieces from one that is known.
 bool describes(const SetFabric& op) {
-  return !op.like.empty() || op.law || op.weight || op.stretchWarp || op.stretchWeft || op.shear || op.bendWarp ||
-         op.bendWeft || op.compression || op.toe || op.thickness || op.frictionBody || op.frictionCloth;
+  SetFabric cuts;
+  cuts.name = op.name, cuts.pieces = op.pieces;
+  return !(op == cuts);
 }
 
 Result<Fabric> known(const Document& document, const std::string& name) {
@@ -40,8 +41,12 @@ Result<Document> perform(const Document& before, const SetFabric& op, Context&) 
       if (given) into = *given;
     };
     take(fabric.weight, op.weight), take(fabric.stretchWarp, op.stretchWarp), take(fabric.stretchWeft, op.stretchWeft);
-    take(fabric.shear, op.shear), take(fabric.bendWarp, op.bendWarp), take(fabric.bendWeft, op.bendWeft);
-    take(fabric.compression, op.compression), take(fabric.toe, op.toe), take(fabric.thickness, op.thickness);
+    take(fabric.toeWarp, op.toe), take(fabric.toeWeft, op.toe);
+    take(fabric.toeWarp, op.toeWarp), take(fabric.toeWeft, op.toeWeft);
+    take(fabric.stiffenWarp, op.stiffenWarp), take(fabric.stiffenWeft, op.stiffenWeft);
+    take(fabric.shear, op.shear), take(fabric.shearStiffen, op.shearStiffen);
+    take(fabric.bendWarp, op.bendWarp), take(fabric.bendWeft, op.bendWeft);
+    take(fabric.compression, op.compression), take(fabric.thickness, op.thickness);
     take(fabric.frictionBody, op.frictionBody), take(fabric.frictionCloth, op.frictionCloth);
     if (Done done = checkFabric(fabric); !done) return done.error();
     after.fabrics[op.name] = std::move(fabric);
