@@ -150,7 +150,7 @@ TEST(System, FeelsAPullFarAwayInFewIterations) {
   const auto pulled = level.cloth.pieces[0].lattice->edges.at("bottom").nodes;
   for (const std::uint32_t node : pulled) force[parts.ties.parts(node)[0].unknown] = {0, -1, 0};
   const int iterations = parts.system->solve(force, {40, 4000, 0.01}, Token(), parts.workers, found);
-  EXPECT_LT(iterations, 60);
+  EXPECT_LT(iterations, 100);
   const std::vector<Vec3> felt = parts.system->times(found, parts.workers);
   double wrong = 0, all = 0;  // in energy
   std::vector<Vec3> exact;
