@@ -17,11 +17,11 @@ constexpr int kSlackSteps = 4;          // simcloth hangs by its weight alone, a
 constexpr double kTieGap = 0.002;       // metres: nearer than this a pair is sewn,
 constexpr double kTieShare = 0.1;       // or than this share of the spacing
 constexpr int kSewSteps = 300, kSewIdle = 100;
-constexpr int kFirmAfter = 10;    // steps without getting nearer, after which open seams are drawn together firmer,
-constexpr double kFirmer = 1.08;  // each step so much,
-constexpr double kFirmest = 1000;   // up to so many times
-constexpr int kFallSteps = 40;    // steps on nothing at all
-constexpr int kUntangles = 3;     // times cloth at rest that stands crossed is taken apart
+constexpr int kFirmAfter = 10;     // steps without getting nearer, after which open seams are drawn together firmer,
+constexpr double kFirmer = 1.08;   // each step so much,
+constexpr double kFirmest = 1000;  // up to so many times
+constexpr int kFallSteps = 40;     // steps on nothing at all
+constexpr int kUntangles = 3;      // times cloth at rest that stands crossed is taken apart
 
 RestOutcome& note(RestOutcome& so, const LevelSolver::Outcome& step, const Token& token) {
   ++so.steps;
