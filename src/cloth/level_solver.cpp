@@ -124,8 +124,7 @@ void LevelSolver::place(std::vector<Vec3> x) {
 }
 
 void LevelSolver::moveGuarded(std::vector<Vec3> moves) {
-  for (NodeIndex k = 0; k < cloth_.nodeCount; ++k)
-    if (held_[k]) moves[k] = {};
+  ties_->share(moves);
   self_.guard(x_, moves, workers_);
   for (NodeIndex k = 0; k < cloth_.nodeCount; ++k) x_[k] += moves[k];
   ties_->gather(x_);

@@ -142,6 +142,16 @@ void TieMap::spread(std::span<const Vec3> unknown, std::vector<Vec3>& node) cons
     for (const Part& part : parts(k)) node[k] += unknown[part.unknown] * part.weight;
 }
 
+void TieMap::share(std::vector<Vec3>& move) const {
+  std::vector<Vec3> unknown;
+  reduce(move, unknown);
+  std::vector<double> weight(unknowns_, 0);
+  for (const Part& part : part_) weight[part.unknown] += part.weight * part.weight;
+  for (std::size_t u = 0; u < unknowns_; ++u)
+    if (weight[u] > 0) unknown[u] = unknown[u] * (1 / weight[u]);
+  spread(unknown, move);
+}
+
 std::vector<TieMap::Part> partsOf(const TieMap& ties, std::span<const std::uint32_t> nodes,
                                   std::span<const double> weights) {
   std::vector<TieMap::Part> parts;

@@ -30,6 +30,8 @@ class TieMap {
   // Sums node values onto unknowns (of forces), and spreads moves of unknowns onto nodes.
   void reduce(std::span<const Vec3> node, std::vector<Vec3>& unknown) const;
   void spread(std::span<const Vec3> unknown, std::vector<Vec3>& node) const;
+  // Makes moves wished for nodes such as ties allow: each unknown goes by the mean of what its nodes wish.
+  void share(std::vector<Vec3>& move) const;
 
  private:
   struct Mix {  // of groups

@@ -82,8 +82,8 @@ Cubic leastSquares(std::span<const Flat> points, const std::vector<double>& t, c
   for (int r = 0; r < 4; ++r) x[r] = m[r][4] / m[r][r];
   Cubic cubic{p0, {}, {}, p3};
   // A control point behind its end would make a hook.
-  cubic.p1 = startWay ? p0 + *startWay * std::fmax(x[0], 0.05 * reach) : p0 + Flat{x[0], x[1]};
-  cubic.p2 = endWay ? p3 + *endWay * std::fmax(x[2], 0.05 * reach) : p3 + Flat{x[2], x[3]};
+  cubic.p1 = startWay ? p0 + *startWay * std::fmax(x[0], 0.15 * reach) : p0 + Flat{x[0], x[1]};
+  cubic.p2 = endWay ? p3 + *endWay * std::fmax(x[2], 0.15 * reach) : p3 + Flat{x[2], x[3]};
   return cubic;
 }
 

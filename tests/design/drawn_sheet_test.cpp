@@ -9,6 +9,8 @@
 namespace karinui {
 namespace {
 
+constexpr double kFair = 0.004;  // metres a fair edge may pass from the line as drawn
+
 const Edge& edgeOf(const DrawnSheet& sheet, std::string_view name) {
   const auto found = sheet.outline.find(name);
   EXPECT_TRUE(found) << name;
@@ -87,9 +89,8 @@ TEST(DrawnSheet, TheOutlineFollowsTheDrawnLine) {
   const auto sheet = drawnSheet(ground, line, {}, Token());
   ASSERT_TRUE(sheet) << text(sheet.error().what);
   expectSensible(*sheet);
-  EXPECT_LT(sheet->fitMiss, 0.0005);
-  const Edge& cap = edgeOf(*sheet, "cap");
-  EXPECT_GT(cap.curve.parts().size(), 1u) << "one cubic alone is millimetres off";
+  EXPECT_LT(sheet->fitMiss, kFair);
+  EXPECT_LE(edgeOf(*sheet, "cap").curve.parts().size(), 2u) << "a fair line is not made of many pieces";
   // The border runs counter-clockwise, the line was drawn clockwise.
   const Ring ring = sheet->outline.flattened();
   const Flat carry = edgeOf(*sheet, "back").curve.end - Flat{0.7, 0.5};
@@ -99,7 +100,7 @@ TEST(DrawnSheet, TheOutlineFollowsTheDrawnLine) {
     ASSERT_TRUE(side);
     for (const Vec3 p : side->points) worst = std::fmax(worst, distanceToRing(ring, Flat{p.x, p.y} + carry));
   }
-  EXPECT_LT(worst, 0.0005);
+  EXPECT_LT(worst, kFair);
 }
 
 TEST(DrawnSheet, RefusesCrossingTinyAndRoundTheBodyLines) {
@@ -162,7 +163,7 @@ TEST_F(OnAFigure, ABodiceIsSymmetricAndItsSeamsMatch) {
   for (const DrawnSheet* sheet : {&*front, &*back}) {
     expectSensible(*sheet);
     ASSERT_EQ(sheet->outline.edges.size(), 10u);
-    EXPECT_LT(sheet->fitMiss, 0.0005);
+    EXPECT_LT(sheet->fitMiss, kFair);
     for (const char* name : {"neck", "shoulder", "armhole", "side", "hem"}) {
       const Curve left = edgeOf(*sheet, std::string(name) + "_left").curve;
       const Curve right = edgeOf(*sheet, std::string(name) + "_right").curve;
@@ -200,7 +201,7 @@ TEST_F(OnAFigure, ASleeveIsOneLineSlitAlongTheUnderarm) {
   const auto sheet = drawnSheet(*ground_, line, {}, Token());
   ASSERT_TRUE(sheet) << text(sheet.error().what);
   expectSensible(*sheet);
-  EXPECT_LT(sheet->fitMiss, 0.0005);
+  EXPECT_LT(sheet->fitMiss, kFair);
   EXPECT_NEAR(edgeOf(*sheet, "front").curve.length() / edgeOf(*sheet, "back").curve.length(), 1, 0.01);
 }
 

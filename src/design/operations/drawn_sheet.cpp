@@ -12,16 +12,18 @@ namespace karinui {
 namespace {
 
 constexpr double kSmallest = 4e-4;  // m2: less is no piece of cloth
-constexpr double kLevel = 0.2;      // radians: an edge that meets the centre this nearly level runs on smoothly there
+constexpr double kLevel = 0.6;      // radians: an edge that meets the centre this nearly level is squared to it
 
 // How many edges a line between two corners becomes depends on how it was drawn, not on how it came out: on any figure
 // the same edges have the same names, and seams find them. One for a line between two or through up to four places,
-// then one for each two more. Each is a chain of as many cubics as its shape needs.
+// then one for each two more. Each is a chain of as few cubics as its shape allows: an edge on paper is a fair line,
+// and a hand on a body, or the skin under it, wavers by millimetres.
 FitSettings fitFor(int curves) {
   FitSettings fit;
   fit.pieces = curves;
-  fit.tolerance = 0.0003;
-  fit.shortest = 0.02;  // shorter ones would follow every unevenness of the skin
+  fit.tolerance = 0.0025;
+  fit.shortest = 0.04;
+  fit.farthest = 0.004;
   return fit;
 }
 int curvesFor(std::size_t places, bool ring) { return std::clamp(static_cast<int>(places - 1) / 2, ring ? 3 : 1, 8); }
