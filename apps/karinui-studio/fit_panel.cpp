@@ -3,11 +3,8 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QListWidget>
-#include <QRegularExpression>
 
 #include "karinui/base/number.h"
-#include "karinui/design/script.h"
 #include "length_box.h"
 #include "look.h"
 #include "panels.h"
@@ -94,56 +91,6 @@ void FitPanel::refresh() {
   table += row(inWords(say("widest seam gap")), lengthText(last->seamGap, 2));
   table += row(inWords(say("deepest in the body")), lengthText(last->penetration, 3));
   report_->setText("<table>" + table + "</table>");
-}
-
-HistoryPanel::HistoryPanel(Session& session) : Panel(session) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(14, 14, 14, 14);
-  column->setSpacing(10);
-  column->addWidget(title(say("Steps")));
-  column->addWidget(
-      word(say("Double-click a step to go back to it; the later ones stay until something new is done.")));
-  list_ = new QListWidget;
-  list_->setWordWrap(false);
-  list_->setTextElideMode(Qt::ElideRight);
-  column->addWidget(list_, 1);
-  connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
-    session_.goTo(static_cast<std::size_t>(item->data(Qt::UserRole).toUInt()));
-  });
-}
-
-void HistoryPanel::refresh() {
-  if (historyShown_ == session_.news().history) return;
-  historyShown_ = session_.news().history;
-  list_->clear();
-  const auto add = [this](std::size_t number, const Step* step, bool undone) {
-    QString words = step ? QString::fromStdString(text(step->operation)) : QString();
-    for (const auto& [id, piece] : session_.fitting().document.pattern.pieces) {
-      const QRegularExpression whole("(?<![\\w.-])" + QString::fromStdString(karinui::text(id)) + "(?![\\w-])");
-      words.replace(whole, QString::fromStdString(piece->name));
-    }
-    auto* item = new QListWidgetItem(
-        QString::number(number) + "   " + (step ? words : inWords(say("the empty beginning"))), list_);
-    item->setData(Qt::UserRole, static_cast<unsigned>(number));
-    if (step) {
-      const std::string kind(nameOf(step->operation));
-      const char* icon = kind == "drape"                    ? "settle"
-                         : kind == "pin" || kind == "unpin" ? "pin"
-                         : kind == "remove"                 ? "trash"
-                                                            : kind.c_str();
-      item->setIcon(Look::here().icon(icon));
-      item->setToolTip(words.left(600));
-    }
-    if (undone) item->setForeground(Look::here().palette().faint);
-    return item;
-  };
-  add(0, nullptr, false);
-  std::size_t n = 0;
-  QListWidgetItem* here = list_->item(0);
-  for (const Step& step : session_.steps()) here = add(++n, &step, false);
-  for (const Step& step : session_.undone()) add(++n, &step, true);
-  list_->setCurrentItem(here);
-  list_->scrollToItem(here);
 }
 
 }  // namespace karinui::studio

@@ -43,7 +43,7 @@ MainWindow::MainWindow(SessionOptions options) {
   auto* body = new BodyPanel(*session_);
   auto* fabric = new FabricPanel(*session_);
   auto* fit = new FitPanel(*session_, *space_);
-  auto* history = new HistoryPanel(*session_);
+  auto* history = new HistoryPanel(*session_, *space_);
   const std::pair<Panel*, Message> boards[] = {{garment, say("Garment")},
                                                {body, say("Body")},
                                                {fabric, say("Fabric")},

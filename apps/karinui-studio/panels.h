@@ -11,9 +11,11 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QListWidgetItem;
 class QPushButton;
 class QSpinBox;
 class QTreeWidget;
@@ -115,14 +117,35 @@ class FitPanel : public Panel {
   std::uint64_t historyShown_ = ~0ull;
 };
 
+// Every step with its picture; going back to any, and changing one of them.
 class HistoryPanel : public Panel {
   Q_OBJECT
  public:
-  explicit HistoryPanel(Session& session);
+  HistoryPanel(Session& session, SpaceView& view);
   void refresh() override;
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
+  QListWidgetItem* addStep(std::size_t number, const Step* step, bool undone);
+  void fillSteps();
+  void fillFields();  // of the chosen step
+  void playAgain();
+  void askPicture();  // the next one that is missing, while the panel is seen
+  QIcon pictureOf(const Step& step) const;
+  const Step* chosen() const;  // null: none, or the beginning
+
+  SpaceView& view_;
   QListWidget* list_;
+  QWidget* board_;
+  QLabel* about_;
+  QFormLayout* fields_;
+  QPushButton* again_;
+  std::vector<std::pair<std::string, QLineEdit*>> typed_;  // by field
+  std::map<std::string, QPixmap> pictures_;                // by the hash of all steps up to there
+  bool asked_ = false;
+  int stay_ = 0;  // the row that stays chosen when the list is made anew; 0: the step one stands at
   std::uint64_t historyShown_ = ~0ull;
 };
 

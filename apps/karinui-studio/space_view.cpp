@@ -14,6 +14,7 @@
 #include "look.h"
 #include "mouse.h"
 #include "orbit.h"
+#include "portraits.h"
 #include "view_eyes.h"
 
 namespace karinui::studio {
@@ -65,6 +66,7 @@ void SpaceView::giveBack() {
   makeCurrent();
   renderer_.reset();
   compositor_.reset();
+  portraits_.reset();
   doneCurrent();
 }
 
@@ -269,6 +271,15 @@ void SpaceView::paintGL() {
   compositor_->show(stereo_, defaultFramebufferObject(), w, h);
   clockwork_.end("event to picture");
   emit painted();
+}
+
+QImage SpaceView::portrait(const SceneFrame& frame, QSize pixels) {
+  if (!renderer_) return {};
+  makeCurrent();
+  if (!portraits_) portraits_ = std::make_unique<Portraits>();
+  QImage image = portraits_->of(frame, pixels);
+  doneCurrent();
+  return image;
 }
 
 std::optional<QPointF> SpaceView::onScreen(Vec3 place) const {

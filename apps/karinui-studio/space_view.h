@@ -14,6 +14,7 @@
 namespace karinui::studio {
 
 class EyeCompositor;
+class Portraits;
 
 enum class Stereo { Off, SideBySide, TopBottom, Anaglyph, Interleaved };
 enum class FitMap { None, Strain, Ease };
@@ -41,6 +42,8 @@ class SpaceView : public QOpenGLWidget {
   const std::optional<Error>& trouble() const { return trouble_; }
   std::optional<QPointF> onScreen(Vec3 place) const;  // for tests and guides
   bool still() const { return fine_; }
+  // A small picture of a fitting, for lists and dialogs; empty where nothing can be drawn.
+  QImage portrait(const SceneFrame& frame, QSize pixels);
 
  signals:
   void failed(const QString& why);
@@ -72,6 +75,7 @@ class SpaceView : public QOpenGLWidget {
   Camera camera_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<EyeCompositor> compositor_;
+  std::unique_ptr<Portraits> portraits_;
   std::optional<Error> trouble_;
   QString driver_;
   bool software_ = false;

@@ -1,6 +1,7 @@
 #include "karinui/design/history.h"
 
 #include <algorithm>
+#include <set>
 
 #include "design/file/store.h"
 #include "design/pack.h"
@@ -190,6 +191,14 @@ struct DocumentFile::Inside {
   }
 
   Done begin(Store opened, Context* how);
+
+  struct Worked;
+  std::uint64_t nextSeq() const { return steps.empty() ? 1 : steps.back().seq + 1; }
+  Result<Worked> work(const Step* parent, const Document& before, std::uint64_t seq, Operation operation,
+                      Context& context);
+  Done keep(Worked worked, Head then, const Bodies& bodies);
+  Done stand(Head there);
+  void forget();
 };
 
 DocumentFile::DocumentFile(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {
@@ -270,45 +279,143 @@ std::vector<Step> DocumentFile::undone() const {
   return all;
 }
 
-Result<Step> DocumentFile::perform(Operation operation, Context& context) {
-  Inside& in = *inside_;
-  if (Done done = in.writable(); !done) return done.error();
-  Inside::Borrowing borrowing(&in.blobs, &context.blobs);
+// One step worked out on the document before it, and what keeping it needs.
+struct DocumentFile::Inside::Worked {
+  Step step;
+  Document after;
+  std::map<std::string, std::string> borrowed;  // blobs of the caller's that it used
+};
+
+Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* parent, const Document& before,
+                                                                std::uint64_t seq, Operation operation,
+                                                                Context& context) {
+  Borrowing borrowing(&blobs, &context.blobs);
   Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull};
-  const Document& before = document();
   auto settled = resolved(before, std::move(operation), own);
   if (!settled) return settled.error();
   auto after = apply(before, *settled, own);
   if (!after) return after.error();
-
-  const Step* parent = in.step(in.head.seq);
-  Step step;
-  step.seq = in.steps.empty() ? 1 : in.steps.back().seq + 1;
-  step.parent = in.head.seq;
-  step.serial = after->operations;
+  Worked worked{{}, *std::move(after), std::move(borrowing.borrowed)};
+  Step& step = worked.step;
+  step.seq = seq;
+  step.parent = parent ? parent->seq : 0;
+  step.serial = worked.after.operations;
   step.operation = *std::move(settled);
   step.chain = chained(parent ? parent->chain : std::string(), step.operation);
   step.before = parent ? parent->after : hash(before);
-  step.after = hash(*after);
-  step.stand = drapeHash(*after);
-  const Head head{step.seq, step.seq};
-  if (in.store) {
-    std::map<std::string, std::string> fresh = std::move(borrowing.borrowed);
-    const Parts parts = in.pack(*after, own.bodies, fresh);
+  step.after = hash(worked.after);
+  step.stand = drapeHash(worked.after);
+  return worked;
+}
+
+Done DocumentFile::Inside::keep(Worked worked, Head then, const Bodies& bodies) {
+  const Step& step = worked.step;
+  if (store) {
+    const Parts parts = pack(worked.after, bodies, worked.borrowed);
     const std::string line = text(step.operation);
     const std::string kind(nameOf(step.operation));
     const StepRow row{
         step.seq,   step.parent, step.serial, kind,      line.size() > kind.size() ? line.substr(kind.size() + 1) : "",
         step.chain, step.before, step.after,  step.stand};
-    if (Done done = in.store->append(row, parts, fresh, head); !done) return done.error();
-    in.remember(*after, parts);
+    if (Done done = store->append(row, parts, worked.borrowed, then); !done) return done.error();
+    remember(worked.after, parts);
   } else {
-    for (auto& [name, bytes] : borrowing.borrowed) (void)in.memory.put(bytes);
+    for (auto& [name, bytes] : worked.borrowed) (void)memory.put(bytes);
   }
-  in.head = head;
-  in.documents[step.seq] = *std::move(after);
-  in.steps.push_back(step);
+  head = then;
+  documents[step.seq] = std::move(worked.after);
+  steps.push_back(std::move(worked.step));
+  forget();
+  return {};
+}
+
+Done DocumentFile::Inside::stand(Head there) {
+  if (store) {
+    if (Done done = store->move(there); !done) return done;
+  }
+  head = there;
+  forget();
+  return {};
+}
+
+// What lies in the file need not lie in memory too, but for the steps one is about to see again.
+void DocumentFile::Inside::forget() {
+  if (!store) return;
+  constexpr std::size_t kNear = 24;
+  for (auto at = documents.begin(); documents.size() > kNear && at != documents.end();)
+    at = at->first == 0 || at->first == head.seq ? std::next(at) : documents.erase(at);
+  std::erase_if(packed, [](const auto& part) { return part.first.use_count() == 1; });
+}
+
+Result<Step> DocumentFile::perform(Operation operation, Context& context) {
+  Inside& in = *inside_;
+  if (Done done = in.writable(); !done) return done.error();
+  auto worked = in.work(in.step(in.head.seq), document(), in.nextSeq(), std::move(operation), context);
+  if (!worked) return worked.error();
+  const Step step = worked->step;
+  if (Done done = in.keep(*std::move(worked), {step.seq, step.seq}, context.bodies); !done) return done.error();
   return step;
+}
+
+Result<Document> DocumentFile::documentAfter(std::uint64_t seq, Context& context) {
+  if (seq != 0 && !inside_->step(seq)) return notFound(say("There is no such step in this document."));
+  const auto found = inside_->documentAt(seq, context);
+  if (!found) return found.error();
+  Document document = **found;
+  inside_->forget();
+  return document;
+}
+
+Done DocumentFile::goTo(std::uint64_t seq, Context& context) {
+  Inside& in = *inside_;
+  if (Done done = in.writable(); !done) return done;
+  if (seq != 0 && !in.step(seq)) return notFound(say("There is no such step in this document."));
+  if (const auto document = in.documentAt(seq, context); !document) return document.error();
+  const auto way = in.line(in.head.tip);
+  const bool here = seq == 0 || std::any_of(way.begin(), way.end(), [&](const Step* s) { return s->seq == seq; });
+  return in.stand({seq, here ? in.head.tip : seq});
+}
+
+std::vector<Step> DocumentFile::otherEnds() const {
+  std::set<std::uint64_t> parents;
+  for (const Step& s : inside_->steps) parents.insert(s.parent);
+  std::vector<Step> ends;
+  for (auto s = inside_->steps.rbegin(); s != inside_->steps.rend(); ++s)
+    if (!parents.contains(s->seq) && s->seq != inside_->head.tip) ends.push_back(*s);
+  return ends;
+}
+
+Done DocumentFile::amend(std::size_t which, Operation operation, Context& context) {
+  Inside& in = *inside_;
+  if (Done done = in.writable(); !done) return done;
+  const auto way = in.line(in.head.seq);
+  KARINUI_ASSERT(which >= 1 && which <= way.size());
+  // All of it is worked out first: only what holds to the end is written.
+  std::vector<Inside::Worked> all;
+  const std::uint64_t before = way[which - 1]->parent;
+  const auto start = in.documentAt(before, context);
+  if (!start) return start.error();
+  const Document* document = *start;
+  const Step* parent = in.step(before);
+  for (std::size_t i = which - 1; i < way.size(); ++i) {
+    context.token.progress(static_cast<double>(i - (which - 1)) / static_cast<double>(way.size() - (which - 1)),
+                           say("Playing step {0} again", i + 1));
+    auto worked = in.work(parent, *document, in.nextSeq() + all.size(),
+                          i + 1 == which ? std::move(operation) : way[i]->operation, context);
+    if (!worked) return worked.error().kind == Error::Kind::Cancelled ? worked.error() : atStep(i + 1, worked.error());
+    all.reserve(way.size());  // what points into it stays
+    all.push_back(*std::move(worked));
+    document = &all.back().after;
+    parent = &all.back().step;
+  }
+  // The head stays where it is until the last is on the disk: whatever happens, it is the old garment or the new.
+  const Head old = in.head;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::uint64_t seq = all[i].step.seq;
+    const Head then = i + 1 == all.size() ? Head{seq, seq} : old;
+    if (Done done = in.keep(std::move(all[i]), then, context.bodies); !done) return done;
+  }
+  return {};
 }
 
 Result<Step> DocumentFile::undo(Context& context) {
@@ -317,11 +424,7 @@ Result<Step> DocumentFile::undo(Context& context) {
   const Step* step = in.step(in.head.seq);
   if (!step) return refused(say("There is nothing to undo."));
   if (const auto document = in.documentAt(step->parent, context); !document) return document.error();
-  const Head head{step->parent, in.head.tip};
-  if (in.store) {
-    if (Done done = in.store->move(head); !done) return done.error();
-  }
-  in.head = head;
+  if (Done done = in.stand({step->parent, in.head.tip}); !done) return done.error();
   return *step;
 }
 
@@ -332,11 +435,7 @@ Result<Step> DocumentFile::redo(Context& context) {
   if (waiting.empty()) return refused(say("There is nothing to redo."));
   const Step& step = waiting.front();
   if (const auto document = in.documentAt(step.seq, context); !document) return document.error();
-  const Head head{step.seq, in.head.tip};
-  if (in.store) {
-    if (Done done = in.store->move(head); !done) return done.error();
-  }
-  in.head = head;
+  if (Done done = in.stand({step.seq, in.head.tip}); !done) return done.error();
   return step;
 }
 

@@ -6,8 +6,11 @@ namespace karinui {
 void Session::Inside::leave() {
   dropGesture();
   line.cancel(TaskLine::Kind::Preview);
+  line.cancel(TaskLine::Kind::Glimpse);
   stopSettling();
   byItself.clear();
+  amended.clear();
+  ++documents;
 }
 
 void Session::Inside::longWork(std::function<Result<std::shared_ptr<Room>>(const Token&)> work, Message done) {
@@ -21,6 +24,7 @@ void Session::Inside::longWork(std::function<Result<std::shared_ptr<Room>>(const
     if (!made) why = made.error();
     return [this, other, why, fresh, done] {
       if (other) {
+        ++documents;
         table = Table();
         selection = {};
         viewAsked = Command::ViewAll;

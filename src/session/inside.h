@@ -38,6 +38,11 @@ struct Session::Inside {
   std::set<PieceId> interrupted;     // what a step interrupted
   std::set<std::uint64_t> byItself;  // steps that nobody asked for, by seq
 
+  // Steps that were changed: where one stood before and after, so that undo and redo can go between the two ways.
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> amended;
+
+  std::uint64_t documents = 0;  // that came and went: what was asked about another is not told
+
   // Previews: only the newest question is asked.
   bool asking = false;
   Ask next;
@@ -55,6 +60,9 @@ struct Session::Inside {
   void take(RoomState fresh);  // what the line's thread found out after a step
   void perform(Operation operation);
   void turn(bool back);  // one step back or forth; a drape that came by itself goes with the step it belongs to
+  void goTo(std::uint64_t seq);
+  std::uint64_t head() const { return state.steps.empty() ? 0 : state.steps.back().seq; }
+  std::optional<std::uint64_t> otherWay(bool back) const;  // where undo (redo) of a changed step leads from here
 
   // settling.cpp
   bool settlingNow() const { return line.busy(TaskLine::Kind::Settle); }

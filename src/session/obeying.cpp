@@ -22,7 +22,7 @@ bool Session::can(Command command) const {
     case Command::Undo:
       return in.gesture->begun() || in.settlingNow() || (!in.state.steps.empty() && !in.state.readOnly);
     case Command::Redo:
-      return !in.state.undone.empty() && !in.state.readOnly;
+      return (!in.state.undone.empty() || in.otherWay(false)) && !in.state.readOnly;
     case Command::Settle:
       return in.settlingNow() || (!document.pattern.pieces.empty() && document.body.chosen() && !in.state.readOnly);
     case Command::Confirm:

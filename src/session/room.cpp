@@ -69,9 +69,24 @@ Result<Step> Room::redo(const Token& token) {
   return file_.redo(own);
 }
 
+Done Room::goTo(std::uint64_t seq, const Token& token) {
+  Context own = context(token);
+  return file_.goTo(seq, own);
+}
+Done Room::amend(std::size_t which, Operation operation, const Token& token) {
+  Context own = context(token);
+  return file_.amend(which, std::move(operation), own);
+}
+
 RoomState Room::state(const Token& token) {
   pull_.reset();
-  return {fitted(file_.document(), token), file_.steps(), file_.undone(), file_.path(), readOnly_};
+  return {fitted(file_.document(), token), file_.steps(), file_.undone(), file_.otherEnds(), file_.path(), readOnly_};
+}
+
+FittingPtr Room::glimpse(std::uint64_t seq, const Token& token) {
+  Context own = context(token);
+  Result<Document> document = file_.documentAfter(seq, own);
+  return document ? fitted(*std::move(document), token) : nullptr;
 }
 
 Result<FittingPtr> Room::after(const Operation& operation, const Token& token) {

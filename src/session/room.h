@@ -13,7 +13,7 @@ namespace karinui {
 // Everything the hand's thread is told after a step.
 struct RoomState {
   FittingPtr fitting;
-  std::vector<Step> steps, undone;
+  std::vector<Step> steps, undone, otherEnds;
   std::filesystem::path path;
   bool readOnly = false;
 };
@@ -36,7 +36,10 @@ class Room {
   Result<Step> perform(Operation operation, const Token& token);
   Result<Step> undo(const Token& token);
   Result<Step> redo(const Token& token);
+  Done goTo(std::uint64_t seq, const Token& token);
+  Done amend(std::size_t which, Operation operation, const Token& token);
   RoomState state(const Token& token);
+  FittingPtr glimpse(std::uint64_t seq, const Token& token);                 // null: not to be had
   Result<FittingPtr> after(const Operation& operation, const Token& token);  // without doing it
   Result<Vec3> pullTo(const AskPull& ask, const Token& token, FittingPtr& shown);
   void letGo() { pull_.reset(); }

@@ -36,6 +36,10 @@ const std::vector<Step>& Session::undone() const { return inside_->state.undone;
 const Selection& Session::selection() const { return inside_->selection; }
 Command Session::tool() const { return inside_->tool; }
 Preview Session::preview() const { return inside_->gesture->preview(inside_->bench()); }
+void Session::refuse(const Error& why) {
+  inside_->tellError(why);
+  if (inside_->options.wake) inside_->options.wake();
+}
 const SessionNews& Session::news() const { return inside_->news; }
 std::vector<Notice> Session::takeNotices() { return std::exchange(inside_->notices, {}); }
 std::optional<Command> Session::takeView() { return std::exchange(inside_->viewAsked, std::nullopt); }

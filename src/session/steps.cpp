@@ -92,6 +92,7 @@ void Session::Inside::turn(bool back) {
     ++news.garment;
     if (back && wasAsked) return tell(Notice::Kind::Said, say("Stopped; nothing was changed."));
   }
+  if (const auto there = otherWay(back)) return goTo(*there);
   const auto own = byItself;
   line.add(TaskLine::Kind::Step, [this, back, own](const Token& token) {
     Result<Step> step = back ? room->undo(token) : room->redo(token);
@@ -108,22 +109,77 @@ void Session::Inside::turn(bool back) {
   });
 }
 
+void Session::Inside::goTo(std::uint64_t seq) {
+  dropGesture();
+  stopSettling();
+  line.add(TaskLine::Kind::Step, [this, seq](const Token& token) {
+    const Done done = room->goTo(seq, token);
+    const auto fresh = std::make_shared<RoomState>(room->state(token));
+    return [this, done, fresh] {
+      if (!done) tellError(done.error());
+      take(*fresh);
+    };
+  });
+}
+
+std::optional<std::uint64_t> Session::Inside::otherWay(bool back) const {
+  for (auto way = amended.rbegin(); way != amended.rend(); ++way) {
+    if (back && way->second == head()) return way->first;
+    if (!back && way->first == head() && state.undone.empty()) return way->second;
+  }
+  return std::nullopt;
+}
+
 void Session::perform(Operation operation) { inside_->perform(std::move(operation)); }
 
 void Session::goTo(std::size_t steps) {
+  const auto& in = *inside_;
+  const auto& done = in.state.steps;
+  const auto& undone = in.state.undone;
+  if (steps == done.size() || steps > done.size() + undone.size()) return;
+  inside_->goTo(steps == 0 ? 0 : steps < done.size() ? done[steps - 1].seq : undone[steps - done.size() - 1].seq);
+}
+
+const std::vector<Step>& Session::otherEnds() const { return inside_->state.otherEnds; }
+void Session::takeWay(const Step& end) { inside_->goTo(end.seq); }
+
+void Session::amend(std::size_t which, Operation operation) {
   auto& in = *inside_;
-  in.leave();
-  in.line.add(TaskLine::Kind::Step, [this, steps](const Token& token) {
-    std::optional<Error> why;
-    Room& room = *inside_->room;
-    while (!why && room.file().steps().size() != steps) {
-      const Result<Step> step = room.file().steps().size() > steps ? room.undo(token) : room.redo(token);
-      if (!step) why = step.error();
-    }
-    const auto fresh = std::make_shared<RoomState>(room.state(token));
-    return [this, why, fresh] {
-      if (why) inside_->tellError(*why);
-      inside_->take(*fresh);
+  KARINUI_ASSERT(which >= 1 && which <= in.state.steps.size());
+  // What a reshape led to is kept with it; pulled otherwise it leads elsewhere.
+  if (auto* now = std::get_if<ReshapePiece>(&operation))
+    if (const auto* old = std::get_if<ReshapePiece>(&in.state.steps[which - 1].operation);
+        old && now->outline == old->outline && !(*now == *old) && !now->at.empty())
+      now->outline = {};
+  in.dropGesture();
+  in.stopSettling();
+  in.settlingByItself = false;
+  const std::uint64_t old = in.head();
+  in.line.add(TaskLine::Kind::Settle, [this, which, old, operation = std::move(operation)](const Token& token) mutable {
+    auto& inside = *inside_;
+    const Done done = inside.room->amend(which, std::move(operation), token);
+    const auto fresh = std::make_shared<RoomState>(inside.room->state(token));
+    return [this, done, old, which, fresh] {
+      auto& own = *inside_;
+      if (!done) {
+        own.tellError(done.error());
+        own.preview.reset();
+        ++own.news.garment;
+        return;
+      }
+      own.take(*fresh);
+      own.amended.push_back({old, own.head()});
+      own.tell(Notice::Kind::Said, say("Step {0} was changed, and all that followed done again.", which));
+    };
+  });
+}
+
+void Session::glimpse(std::uint64_t seq, std::function<void(FittingPtr)> then) {
+  auto& in = *inside_;
+  in.line.add(TaskLine::Kind::Glimpse, [this, seq, of = in.documents, then = std::move(then)](const Token& token) {
+    FittingPtr found = inside_->room->glimpse(seq, token);
+    return [this, of, then, found] {
+      if (of == inside_->documents) then(found);
     };
   });
 }

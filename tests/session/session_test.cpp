@@ -162,6 +162,95 @@ TEST(Session, GoesBackAndForthInItsHistory) {
   EXPECT_EQ(session.steps().size(), 3u);
 }
 
+TEST(Session, AnEarlierStepIsChangedAndOneUndoBringsTheOldWayBack) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("move piece=front by=0,1cm,0"));
+  session.perform(op("drape"));
+  session.finish();
+  const auto before = stepsOf(session);
+  session.amend(3, op("move piece=front by=0,5cm,0"));
+  session.finish();
+  auto after = before;
+  after[2] = "move piece=p1 by=0,50mm,0";
+  EXPECT_EQ(stepsOf(session), after);
+  ASSERT_EQ(session.otherEnds().size(), 1u);
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_EQ(stepsOf(session), before);
+  EXPECT_TRUE(session.can(Command::Redo));
+  session.command(Command::Redo);
+  session.finish();
+  EXPECT_EQ(stepsOf(session), after);
+  session.takeWay(session.otherEnds().front());
+  session.finish();
+  EXPECT_EQ(stepsOf(session), before);
+}
+
+TEST(Session, AChangeThatCannotBeFollowedIsASentenceAndChangesNothing) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("sew a=front.side_left b=back.side_right"));
+  session.finish();
+  const auto before = stepsOf(session);
+  session.takeNotices();
+  session.amend(1, op("piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; neck L 0 0\""));
+  session.finish();
+  EXPECT_EQ(stepsOf(session), before);
+  const auto notices = session.takeNotices();
+  ASSERT_EQ(notices.size(), 1u);
+  EXPECT_EQ(notices[0].kind, Notice::Kind::Refused);
+  EXPECT_THAT(text(notices[0].what), testing::StartsWith("Step 3: "));
+}
+
+TEST(Session, StoppedWhileItPlaysAgainNothingIsChanged) {
+  std::promise<void> again;
+  int drapes = 0;
+  SessionOptions options;
+  options.drape = [&](const Document& d, const DrapePieces& drape, Context& context) -> Result<DrapeOutcome> {
+    if (drapes++ == 0) return fallABit(d, drape.live);
+    again.set_value();
+    while (!context.token.cancelled()) std::this_thread::yield();
+    return cancelled();
+  };
+  Session session(options);
+  giveTwo(session);
+  session.perform(op("move piece=front by=0,1cm,0"));
+  session.perform(op("drape"));
+  session.finish();
+  const auto before = stepsOf(session);
+  session.amend(3, op("move piece=front by=0,5cm,0"));
+  again.get_future().wait();
+  EXPECT_TRUE(session.busy().settling);
+  session.command(Command::Settle);
+  session.finish();
+  EXPECT_EQ(stepsOf(session), before);
+  EXPECT_TRUE(session.otherEnds().empty());
+}
+
+TEST(Session, LooksBackWithoutGoingThere) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  giveTwo(session);
+  session.perform(op("remove piece=back"));
+  session.finish();
+  std::map<std::uint64_t, std::size_t> pieces;
+  for (const std::uint64_t seq : {0, 1, 2, 3})
+    session.glimpse(seq, [&pieces, seq](FittingPtr then) { pieces[seq] = then->document.pattern.pieces.size(); });
+  session.finish();
+  EXPECT_EQ(pieces, (std::map<std::uint64_t, std::size_t>{{0, 0}, {1, 1}, {2, 2}, {3, 1}}));
+  EXPECT_EQ(session.steps().size(), 3u);
+  session.glimpse(1, [&](FittingPtr) { pieces[99] = 0; });
+  session.begin(DocumentFile::inMemory());
+  session.finish();
+  EXPECT_FALSE(pieces.contains(99)) << "what was asked about another document is not told";
+}
+
 TEST(Session, TheMenuIsHitByThePointerThatWorksTheCloth) {
   Held held;
   Session session(held.options());

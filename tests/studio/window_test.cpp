@@ -4,7 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <QLabel>
-#include <QListWidget>
 #include <QTabWidget>
 #include <QTreeWidget>
 #include <fstream>
@@ -173,25 +172,6 @@ TEST(StudioWindow, MeasuresWithATape) {
   w.rest();
   w.keep("studio_tape");
   EXPECT_GT(differing(before, w.space().grabFramebuffer()), 150);
-}
-
-TEST(StudioWindow, GoesBackInTheListOfSteps) {
-  KARINUI_NEEDS_DISPLAY();
-  Window w;
-  w.openTunic();
-  const std::size_t all = w.count();
-  w.main().boards().setCurrentIndex(4);
-  QListWidget* list = nullptr;
-  for (QListWidget* one : w.main().findChildren<QListWidget*>())
-    if (one->count() == static_cast<int>(all) + 1) list = one;
-  ASSERT_TRUE(list);
-  w.keep("studio_steps");
-  emit list->itemActivated(list->item(4));
-  w.rest();
-  EXPECT_EQ(w.count(), 4u);
-  w.session().goTo(all);
-  w.rest();
-  EXPECT_EQ(w.count(), all);
 }
 
 TEST(StudioWindow, WhatIsNoDocumentIsASentence) {

@@ -58,6 +58,18 @@ class DocumentFile {
   Result<Step> undo(Context& context);
   Result<Step> redo(Context& context);
 
+  // --- the whole tree of steps, for going back and changing one's mind
+  // The garment after a step of any branch; 0: the empty beginning.
+  Result<Document> documentAfter(std::uint64_t seq, Context& context);
+  // Stands at a step of any branch. On the present one redo still walks on to its end.
+  Done goTo(std::uint64_t seq, Context& context);
+  // The last steps of the branches that were left, newest first.
+  std::vector<Step> otherEnds() const;
+  // The garment as if step `which` (from 1) had been this operation: it and all that came after it up to the head are
+  // played again, on a branch of their own that begins before it. All or nothing: when one is refused, or it is
+  // cancelled, the error names the step and nothing has changed.
+  Done amend(std::size_t which, Operation operation, Context& context);
+
   // The text that play reads: one operation a line from the beginning to the head.
   std::string log() const;
 

@@ -25,6 +25,8 @@ struct FieldText {
   std::string name, value;
 };
 std::vector<FieldText> fieldTexts(const Operation& operation);
+// The line of an operation of this name with these fields, for parseOperation().
+std::string lineOf(std::string_view name, const std::vector<FieldText>& fields);
 
 // What there is, for --help and the manual; grown from the operations' own field lists.
 struct FieldHelp {

@@ -86,6 +86,7 @@ class Session {
   std::optional<ScenePanel> menu() const;  // nothing before setSight()
   Busy busy() const;
   std::vector<Notice> takeNotices();
+  void refuse(const Error& why);      // what a face could not make of something typed, told like any refusal
   std::optional<Command> takeView();  // a view that was asked for
   const SessionNews& news() const;
 
@@ -100,7 +101,17 @@ class Session {
   void command(Command command);
   void select(Selection selection);
   void perform(Operation operation);
-  void goTo(std::size_t steps);  // undo or redo until this many steps are done
+  void goTo(std::size_t steps);  // back or forth until this many steps are done
+
+  // --- the steps' whole tree
+  const std::vector<Step>& otherEnds() const;  // where ways that were left end, newest first
+  void takeWay(const Step& end);               // goes there
+  // Makes step `which` (from 1) this operation and plays all that follows again; Space or Escape stops it. Refused or
+  // stopped, nothing has changed. One undo brings the old way back.
+  void amend(std::size_t which, Operation operation);
+  // The garment as it was after a step of steps() or undone() (0: the beginning), told to `then` by update() when it
+  // is there (null: it could not be made); never, where another document came first.
+  void glimpse(std::uint64_t seq, std::function<void(FittingPtr)> then);
 
   // --- time
   bool update();  // takes in what was finished; true: something is new

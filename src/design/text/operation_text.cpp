@@ -145,11 +145,13 @@ std::vector<FieldText> fieldTexts(const Operation& operation) {
   return all;
 }
 
-std::string text(const Operation& operation) {
-  std::string line(nameOf(operation));
-  for (const FieldText& field : fieldTexts(operation)) line += " " + field.name + "=" + quoted(field.value);
+std::string lineOf(std::string_view name, const std::vector<FieldText>& fields) {
+  std::string line(name);
+  for (const FieldText& field : fields) line += " " + field.name + "=" + quoted(field.value);
   return line;
 }
+
+std::string text(const Operation& operation) { return lineOf(nameOf(operation), fieldTexts(operation)); }
 
 Result<Operation> parseOperation(std::string_view text) {
   const auto line = takenApart(text);

@@ -1,0 +1,239 @@
+// The steps that made the garment: seen, gone back to, changed.
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollArea>
+
+#include "karinui/design/script.h"
+#include "look.h"
+#include "panels.h"
+
+namespace karinui::studio {
+
+namespace {
+
+constexpr QSize kPicture(54, 72);
+enum Role { kNumber = Qt::UserRole, kEnd };  // how many steps are done there; or the end of a way that was left, by seq
+
+// A step's line as people call the things in it.
+QString named(const Document& document, QString words) {
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    const QRegularExpression whole("(?<![\\w.-])" + QString::fromStdString(karinui::text(id)) + "(?![\\w-])");
+    words.replace(whole, QString::fromStdString(piece->name));
+  }
+  return words;
+}
+
+QString lineOf(const Document& document, const Step& step) {
+  const std::string kind(nameOf(step.operation));
+  const QString words = QString::fromStdString(text(step.operation)).mid(static_cast<int>(kind.size()) + 1);
+  return named(document, words);
+}
+
+const OperationHelp& helpOf(const Operation& operation) {
+  static const std::vector<OperationHelp> all = operationHelp();
+  return *std::find_if(all.begin(), all.end(), [&](const auto& help) { return help.name == nameOf(operation); });
+}
+
+const char* iconOf(const Step& step) {
+  const std::string_view kind = nameOf(step.operation);
+  return kind == "drape" ? "settle" : kind == "unpin" ? "pin" : kind == "remove" ? "trash" : kind.data();
+}
+
+}  // namespace
+
+HistoryPanel::HistoryPanel(Session& session, SpaceView& view) : Panel(session), view_(view) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(14, 14, 14, 14);
+  column->setSpacing(8);
+  column->addWidget(title(say("Steps")));
+  auto* note = word(say("Double-click (Enter) goes back to a step; the later ones stay. Choose one to change it."));
+  note->setProperty("role", "faint");
+  column->addWidget(note);
+  list_ = new QListWidget;
+  list_->setIconSize(kPicture);
+  list_->setTextElideMode(Qt::ElideRight);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setUniformItemSizes(true);
+  Look::here().keep(list_, [this] { list_->setAccessibleName(inWords(say("Steps"))); });
+  column->addWidget(list_, 3);
+
+  board_ = new QWidget;
+  auto* inner = new QVBoxLayout(board_);
+  inner->setContentsMargins(0, 0, 0, 0);
+  about_ = new QLabel;
+  about_->setWordWrap(true);
+  inner->addWidget(about_);
+  auto* holder = new QWidget;
+  fields_ = new QFormLayout(holder);
+  fields_->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(holder);
+  scroll->setWidgetResizable(true);
+  inner->addWidget(scroll, 1);
+  again_ = new QPushButton;
+  Look::here().keep(again_, [this] {
+    again_->setText(inWords(say("Play again with this")));
+    again_->setToolTip(inWords(say("Changes this step and does all that followed again. One undo brings it back.")));
+  });
+  inner->addWidget(again_);
+  column->addWidget(board_, 2);
+  board_->hide();
+
+  connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+    if (const auto end = item->data(kEnd).toULongLong()) {
+      for (const Step& step : session_.otherEnds())
+        if (step.seq == end) return session_.takeWay(step);
+    } else {
+      session_.goTo(static_cast<std::size_t>(item->data(kNumber).toUInt()));
+    }
+  });
+  connect(list_, &QListWidget::currentItemChanged, this, [this] {
+    if (!filling_) fillFields();
+  });
+  connect(again_, &QPushButton::clicked, this, &HistoryPanel::playAgain);
+}
+
+const Step* HistoryPanel::chosen() const {
+  const QListWidgetItem* item = list_->currentItem();
+  if (!item || item->data(kEnd).toULongLong()) return nullptr;
+  const std::size_t number = item->data(kNumber).toUInt();
+  return number >= 1 && number <= session_.steps().size() ? &session_.steps()[number - 1] : nullptr;
+}
+
+QIcon HistoryPanel::pictureOf(const Step& step) const {
+  const auto at = pictures_.find(step.chain);
+  if (at == pictures_.end() || at->second.isNull()) return Look::here().icon(iconOf(step));
+  QIcon icon(at->second);
+  icon.addPixmap(at->second, QIcon::Selected);  // as it is, not dyed
+  return icon;
+}
+
+QListWidgetItem* HistoryPanel::addStep(std::size_t number, const Step* step, bool undone) {
+  const Document& document = session_.fitting().document;
+  QString words = QString::number(number) + "   ";
+  auto* item = new QListWidgetItem(list_);
+  item->setSizeHint(QSize(0, kPicture.height() + 6));
+  item->setData(kNumber, static_cast<unsigned>(number));
+  if (step) {
+    const std::string kind(nameOf(step->operation));
+    const QString rest = lineOf(document, *step);
+    words += QString::fromStdString(kind) + "\n" + rest.left(160);
+    item->setIcon(pictureOf(*step));
+    item->setToolTip("<b>" + inWords(Message{helpOf(step->operation).help, {}}) + "</b><br>" +
+                     rest.left(600).toHtmlEscaped());
+  } else {
+    words += inWords(say("the empty beginning"));
+  }
+  item->setText(words);
+  if (undone) item->setForeground(Look::here().palette().faint);
+  return item;
+}
+
+void HistoryPanel::refresh() {
+  if (historyShown_ != session_.news().history) {
+    historyShown_ = session_.news().history;
+    asked_ = false;
+    fillSteps();
+  }
+  askPicture();
+}
+
+void HistoryPanel::showEvent(QShowEvent* event) {
+  Panel::showEvent(event);
+  askPicture();
+}
+
+void HistoryPanel::fillSteps() {
+  filling_ = true;
+  list_->clear();
+  QListWidgetItem* here = addStep(0, nullptr, false);
+  std::size_t n = 0;
+  for (const Step& step : session_.steps()) here = addStep(++n, &step, false);
+  for (const Step& step : session_.undone()) addStep(++n, &step, true);
+  for (const Step& end : session_.otherEnds()) {
+    QListWidgetItem* item = addStep(end.serial, &end, true);
+    item->setText(inWords(say("another way, {0} steps", static_cast<std::size_t>(end.serial))) + "\n… " +
+                  QString::fromStdString(std::string(nameOf(end.operation))) + "  " +
+                  lineOf(session_.fitting().document, end).left(120));
+    item->setData(kEnd, static_cast<qulonglong>(end.seq));
+  }
+  if (const int stay = std::exchange(stay_, 0); stay > 0 && stay < list_->count()) here = list_->item(stay);
+  list_->setCurrentItem(here);
+  list_->scrollToItem(here);
+  filling_ = false;
+  fillFields();
+}
+
+void HistoryPanel::fillFields() {
+  const Step* step = chosen();
+  board_->setVisible(step && !session_.readOnly());
+  while (fields_->rowCount() > 0) fields_->removeRow(0);
+  typed_.clear();
+  if (!step) return;
+  const OperationHelp& help = helpOf(step->operation);
+  about_->setText(inWords(Message{help.help, {}}));
+  const std::vector<FieldText> known = fieldTexts(step->operation);
+  for (const FieldHelp& field : help.fields) {
+    const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
+    auto* box = new QLineEdit(value == known.end() ? QString() : QString::fromStdString(value->value));
+    box->setCursorPosition(0);
+    box->setPlaceholderText(QString::fromStdString(field.usual));
+    box->setToolTip(inWords(Message{field.help, {}}));
+    box->setAccessibleName(QString::fromStdString(field.name));
+    connect(box, &QLineEdit::returnPressed, this, &HistoryPanel::playAgain);
+    fields_->addRow(QString::fromStdString(field.name), box);
+    typed_.push_back({field.name, box});
+  }
+}
+
+void HistoryPanel::playAgain() {
+  const Step* step = chosen();
+  if (!step) return;
+  std::vector<FieldText> fields;
+  for (const auto& [name, box] : typed_)
+    if (!box->text().trimmed().isEmpty()) fields.push_back({name, box->text().trimmed().toStdString()});
+  const auto operation = parseOperation(karinui::lineOf(nameOf(step->operation), fields));
+  if (!operation) return session_.refuse(operation.error());
+  if (*operation == step->operation) return;
+  stay_ = static_cast<int>(step->serial);
+  session_.amend(step->serial, *operation);
+}
+
+void HistoryPanel::askPicture() {
+  if (asked_ || !isVisible() || !session_.idle()) return;
+  const auto ask = [this](const Step& step) {
+    if (pictures_.contains(step.chain)) return false;
+    asked_ = true;
+    session_.glimpse(step.seq, [this, chain = step.chain](FittingPtr then) {
+      asked_ = false;
+      constexpr std::size_t kMost = 400;
+      if (pictures_.size() > kMost) pictures_.clear();
+      const double ratio = devicePixelRatioF();
+      QPixmap picture =
+          then ? QPixmap::fromImage(view_.portrait(then->frame, (QSizeF(kPicture) * ratio).toSize())) : QPixmap();
+      picture.setDevicePixelRatio(ratio);
+      pictures_[chain] = picture;
+      for (int row = 0; row < list_->count(); ++row) {
+        QListWidgetItem* item = list_->item(row);
+        const std::size_t number = item->data(kNumber).toUInt();
+        const auto& done = session_.steps();
+        const auto& undone = session_.undone();
+        if (item->data(kEnd).toULongLong() || number == 0 || number > done.size() + undone.size()) continue;
+        const Step& shown = number <= done.size() ? done[number - 1] : undone[number - 1 - done.size()];
+        if (shown.chain == chain) item->setIcon(pictureOf(shown));
+      }
+    });
+    return true;
+  };
+  // The newest first: that is where one looks.
+  for (auto step = session_.steps().rbegin(); step != session_.steps().rend(); ++step)
+    if (ask(*step)) return;
+  for (const Step& step : session_.undone())
+    if (ask(step)) return;
+}
+
+}  // namespace karinui::studio
