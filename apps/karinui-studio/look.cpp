@@ -47,6 +47,7 @@ QString sheetFor(const Palette& p) {
   QString sheet = QStringLiteral(R"(
 * { font-size: 10pt; }
 QMainWindow, QDialog { background: @window; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QToolTip { background: @raised; color: @ink; border: 1px solid @line; padding: 6px; }
 QMenuBar { background: @window; padding: 2px 6px; }
 QMenuBar::item { padding: 5px 10px; border-radius: 5px; background: transparent; }

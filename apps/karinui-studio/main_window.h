@@ -9,6 +9,7 @@
 #include "table_view.h"
 
 class QLabel;
+class QPrinter;
 class QProgressBar;
 class QTabWidget;
 class QToolBar;
@@ -33,6 +34,7 @@ class MainWindow : public QMainWindow {
   void openPath(const QString& path);  // a document, a pattern or a body, by its ending
   void newGarment(const std::string& size, const QString& path);
   void startGuide();
+  void printOn(QPrinter& printer);  // the pattern, at true size
 
  signals:
   void refreshed();

@@ -78,9 +78,8 @@ void drawSheet(PdfCanvas& canvas, const Sheet& sheet) {
   for (const SheetPiece& piece : sheet.pieces) drawPiece(canvas, piece);
 }
 
-}  // namespace
-
-Result<std::string> writePdf(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {
+// The sheet, laid out so that it fits the paper.
+Result<Sheet> sheetFor(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {
   Result<Sheet> sheet = layOut(pattern, settings);
   // A page that would be too long becomes wider instead.
   for (SheetSettings wider = settings;
@@ -88,30 +87,80 @@ Result<std::string> writePdf(const Pattern& pattern, PaperKind paper, const Shee
     wider.rollWidth *= 1.5;
     sheet = layOut(pattern, wider);
   }
-  if (!sheet) return sheet.error();
+  if (sheet && paper == PaperKind::OneSheet && (sheet->height > kLargestPage || sheet->width > kLargestPage))
+    return refused(say("The pieces need a page larger than 5 m, which PDF does not have. Print them on A4 sheets."));
+  return sheet;
+}
+
+Mm firstPage(const Sheet& sheet, PaperKind paper) {
+  return paper == PaperKind::OneSheet ? Mm{sheet.width, sheet.height} : Mm{kA4Width, kA4Height};
+}
+
+void drawPages(PdfCanvas& canvas, const Sheet& sheet, PaperKind paper, const SheetSettings& settings) {
   if (paper == PaperKind::OneSheet) {
-    if (sheet->height > kLargestPage || sheet->width > kLargestPage)
-      return refused(say("The pieces need a page larger than 5 m, which PDF does not have. Print them on A4 sheets."));
-    PdfCanvas canvas(sheet->width, sheet->height, sheet->title);
-    canvas.begin(sheet->width, sheet->height);
-    drawSheet(canvas, *sheet);
-    canvas.end();
-    return canvas.finish();
+    canvas.begin(sheet.width, sheet.height);
+    drawSheet(canvas, sheet);
+    return canvas.end();
   }
-  PdfCanvas canvas(kA4Width, kA4Height, sheet->title);
-  const std::vector<Tile> tiles = tilesOf(*sheet);
+  const std::vector<Tile> tiles = tilesOf(sheet);
   canvas.begin(kA4Width, kA4Height);
-  drawOverview(canvas, *sheet, tiles, settings);
+  drawOverview(canvas, sheet, tiles, settings);
   canvas.end();
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     canvas.begin(kA4Width, kA4Height);
     canvas.push({kEdge, kEdge}, {kA4Width - kEdge, kA4Height - kEdge}, Mm{kEdge, kEdge} - tiles[i].low());
-    drawSheet(canvas, *sheet);
+    drawSheet(canvas, sheet);
     canvas.pop();
     drawJoins(canvas, tiles[i], i + 2, tiles.size() + 1, settings);
     canvas.end();
   }
+}
+
+}  // namespace
+
+Result<std::string> writePdf(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {
+  const Result<Sheet> sheet = sheetFor(pattern, paper, settings);
+  if (!sheet) return sheet.error();
+  const Mm page = firstPage(*sheet, paper);
+  PdfCanvas canvas(page.x, page.y, sheet->title);
+  drawPages(canvas, *sheet, paper, settings);
   return canvas.finish();
+}
+
+struct PaperPages::Inside {
+  std::vector<PdfCanvas::Page> pages;
+};
+
+Result<PaperPages> PaperPages::of(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {
+  const Result<Sheet> sheet = sheetFor(pattern, paper, settings);
+  if (!sheet) return sheet.error();
+  PdfCanvas canvas;
+  drawPages(canvas, *sheet, paper, settings);
+  PaperPages pages;
+  pages.inside_ = std::make_shared<const Inside>(Inside{canvas.takePages()});
+  return pages;
+}
+
+std::size_t PaperPages::count() const { return inside_->pages.size(); }
+Flat PaperPages::size(std::size_t page) const {
+  return {inside_->pages.at(page).width / 1000, inside_->pages.at(page).height / 1000};
+}
+
+std::vector<std::uint32_t> PaperPages::draw(std::size_t page, double pixelsPerMetre, int left, int top, int width,
+                                            int height) const {
+  std::vector<std::uint32_t> rows(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0xffffffff);
+  const PdfCanvas::Surface target(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(rows.data()),
+                                                                      CAIRO_FORMAT_RGB24, width, height, 4 * width));
+  {
+    const std::unique_ptr<cairo_t, PdfCanvas::Drop> cairo(cairo_create(target.get()));
+    cairo_translate(cairo.get(), -left, -top);
+    cairo_scale(cairo.get(), pixelsPerMetre / 1000, pixelsPerMetre / 1000);
+    cairo_set_source_surface(cairo.get(), inside_->pages.at(page).drawn.get(), 0, 0);
+    cairo_paint(cairo.get());
+  }
+  cairo_surface_flush(target.get());
+  for (std::uint32_t& pixel : rows) pixel |= 0xff000000;
+  return rows;
 }
 
 }  // namespace karinui

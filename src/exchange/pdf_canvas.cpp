@@ -58,13 +58,30 @@ PdfCanvas::PdfCanvas(double widthMm, double heightMm, const std::string& title)
 }
 
 void PdfCanvas::begin(double widthMm, double heightMm) {
-  cairo_pdf_surface_set_size(surface_.get(), widthMm * kPoint, heightMm * kPoint);
-  cairo_identity_matrix(cairo_.get());
-  cairo_scale(cairo_.get(), kPoint, kPoint);
+  if (surface_) {
+    cairo_pdf_surface_set_size(surface_.get(), widthMm * kPoint, heightMm * kPoint);
+    cairo_identity_matrix(cairo_.get());
+    cairo_scale(cairo_.get(), kPoint, kPoint);
+  } else {
+    const cairo_rectangle_t all{0, 0, widthMm, heightMm};
+    pages_.push_back({Surface(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &all)), widthMm, heightMm});
+    cairo_.reset(cairo_create(pages_.back().drawn.get()));
+    // Letters stand where the PDF has them, not on the pixels of some screen.
+    cairo_font_options_t* options = cairo_font_options_create();
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_set_font_options(cairo_.get(), options);
+    cairo_font_options_destroy(options);
+  }
   cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
 }
-void PdfCanvas::end() { cairo_show_page(cairo_.get()); }
+void PdfCanvas::end() {
+  if (surface_)
+    cairo_show_page(cairo_.get());
+  else
+    cairo_.reset();
+}
 
 void PdfCanvas::push(Mm low, Mm high, Mm shift) {
   cairo_save(cairo_.get());

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "karinui/base/result.h"
 #include "sheet.h"
@@ -14,7 +15,18 @@ namespace karinui {
 
 class PdfCanvas {
  public:
+  struct Drop {
+    void operator()(cairo_t* c) const { cairo_destroy(c); }
+    void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+  };
+  using Surface = std::unique_ptr<cairo_surface_t, Drop>;
+  struct Page {  // what was drawn on it, in millimetres
+    Surface drawn;
+    double width = 0, height = 0;
+  };
+
   PdfCanvas(double widthMm, double heightMm, const std::string& title);
+  PdfCanvas() = default;  // writes nothing: takePages()
 
   void begin(double widthMm, double heightMm);  // a new page, empty
   void end();
@@ -33,14 +45,12 @@ class PdfCanvas {
   void words(const SheetText& text, bool centred);
 
   Result<std::string> finish();  // the bytes; the canvas is used up
+  std::vector<Page> takePages() { return std::move(pages_); }
 
  private:
-  struct Drop {
-    void operator()(cairo_t* c) const { cairo_destroy(c); }
-    void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
-  };
   std::string bytes_;
-  std::unique_ptr<cairo_surface_t, Drop> surface_;
+  std::vector<Page> pages_;
+  Surface surface_;  // null: pages are kept instead
   std::unique_ptr<cairo_t, Drop> cairo_;
 };
 

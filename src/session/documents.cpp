@@ -1,4 +1,5 @@
 // Documents that come and go, files in and out.
+#include "karinui/base/file.h"
 #include "session/inside.h"
 
 namespace karinui {
@@ -143,18 +144,19 @@ void Session::importPattern(const std::filesystem::path& file) {
       say("“{0}” was read.", file.filename().string()));
 }
 
-void Session::exportTo(const std::filesystem::path& file, double allowance, bool a4, Language language) {
+void Session::exportTo(const std::filesystem::path& file, const ExportWish& wish) {
   auto& in = *inside_;
-  const auto fitting = in.state.fitting;
-  in.line.add(TaskLine::Kind::Step, [this, fitting, file, allowance, a4, language](const Token&) {
-    const Done done = exportFrom(*fitting, inside_->room->file().log(), {file, allowance, a4, language});
-    return [this, done, file] {
-      if (done)
-        inside_->tell(Notice::Kind::Said, say("“{0}” was written.", file.string()));
-      else
-        inside_->tellError(done.error());
-    };
-  });
+  in.line.add(TaskLine::Kind::Step,
+              [this, fitting = in.state.fitting, steps = in.state.steps, file, wish](const Token&) -> TaskLine::Finish {
+                const Result<std::string> bytes = exported(*fitting, steps, wish);
+                const Done done = bytes ? writeFile(file, *bytes) : Done(bytes.error());
+                return [this, done, file] {
+                  if (done)
+                    inside_->tell(Notice::Kind::Said, say("“{0}” was written.", file.string()));
+                  else
+                    inside_->tellError(done.error());
+                };
+              });
 }
 
 }  // namespace karinui

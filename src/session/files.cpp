@@ -2,43 +2,11 @@
 #include "karinui/base/file.h"
 #include "karinui/design/script.h"
 #include "karinui/design/steps_of.h"
-#include "karinui/exchange/pattern_json.h"
 #include "karinui/exchange/read_body.h"
 #include "karinui/exchange/read_pattern.h"
-#include "karinui/exchange/sheet.h"
-#include "karinui/exchange/spatial.h"
 #include "session/room.h"
 
 namespace karinui {
-
-namespace {
-
-SpatialGarment spatialOf(const Fitting& fitting) {
-  SpatialGarment garment;
-  if (fitting.body) garment.body = fitting.body->mesh();
-  for (const SceneCloth& cloth : fitting.frame.cloths)
-    garment.pieces.push_back(
-        {cloth.name, fitting.document.pieceNamed(cloth.name)->fabric, cloth.mesh, cloth.flat, cloth.colour});
-  return garment;
-}
-
-Result<std::string> bytesFor(const Fitting& fitting, const std::string& log, const ExportWish& wish) {
-  const std::string ending = wish.file.extension().string();
-  const Pattern& pattern = fitting.document.pattern;
-  SheetSettings sheet;
-  sheet.allowance = wish.allowance;
-  sheet.title = wish.file.stem().string();
-  sheet.language = wish.language;
-  if (ending == ".svg") return writeSvg(pattern, sheet);
-  if (ending == ".pdf") return writePdf(pattern, wish.a4 ? PaperKind::A4 : PaperKind::OneSheet, sheet);
-  if (ending == ".json") return writePatternJson(pattern);
-  if (ending == ".ops") return log;
-  if (ending == ".obj") return writeObj(spatialOf(fitting));
-  if (ending == ".glb") return writeGlb(spatialOf(fitting));
-  return badInput(say("“{0}” is not an ending Karinui writes; choose .svg, .pdf, .obj, .glb, .json or .ops.", ending));
-}
-
-}  // namespace
 
 Done importPatternInto(Room& room, const std::filesystem::path& file, const Token& token) {
   if (file.extension() == ".ops") {
@@ -73,12 +41,6 @@ Done importBodyInto(Room& room, const std::filesystem::path& file, const Token& 
   choice.mesh = *blob;
   const auto step = room.perform(std::move(choice), token);
   return step ? Done() : Done(step.error());
-}
-
-Done exportFrom(const Fitting& fitting, const std::string& log, const ExportWish& wish) {
-  const Result<std::string> bytes = bytesFor(fitting, log, wish);
-  if (!bytes) return bytes.error();
-  return writeFile(wish.file, *bytes);
 }
 
 }  // namespace karinui

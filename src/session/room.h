@@ -65,12 +65,5 @@ class Room {
 // Files in and out (session's second thread).
 Done importPatternInto(Room& room, const std::filesystem::path& file, const Token& token);
 Done importBodyInto(Room& room, const std::filesystem::path& file, const Token& token, std::vector<Message>& notes);
-struct ExportWish {
-  std::filesystem::path file;
-  double allowance = 0.010;
-  bool a4 = false;
-  Language language = Language::English;
-};
-Done exportFrom(const Fitting& fitting, const std::string& log, const ExportWish& wish);
 
 }  // namespace karinui

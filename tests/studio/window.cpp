@@ -200,6 +200,14 @@ std::string Window::last() const {
   return steps.empty() ? std::string() : text(steps.back().operation);
 }
 
+void Window::keepDialog(QWidget& dialog, const std::string& name) {
+  const char* folder = std::getenv("KARINUI_PICTURES");
+  if (!folder) return;
+  dialog.show();
+  QApplication::processEvents();
+  EXPECT_TRUE(dialog.grab().save(QString::fromStdString((fs::path(folder) / (name + ".png")).string())));
+}
+
 void Window::keep(const std::string& name) {
   const char* folder = std::getenv("KARINUI_PICTURES");
   if (!folder) return;

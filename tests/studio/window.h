@@ -72,6 +72,7 @@ class Window {
   QPushButton& button(const char* text);
   std::string last() const;  // the last step, as text
   std::size_t count() const { return main_->session().steps().size(); }
+  void keepDialog(QWidget& dialog, const std::string& name);
   void keep(const std::string& name);  // a picture for the manual, where KARINUI_PICTURES says
 
  private:

@@ -1,8 +1,11 @@
 #pragma once
 // The flat pieces as a person cuts them: laid side by side at true size on one sheet, with seam lines, seam allowance,
 // notches, grain arrows and names. SVG and PDF are two ways of drawing one sheet. Pure; any thread.
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "karinui/base/message.h"
 #include "karinui/base/result.h"
@@ -33,5 +36,21 @@ enum class PaperKind {
 // characters, if the machine has one.
 Result<std::string> writePdf(const Pattern& pattern, PaperKind paper = PaperKind::OneSheet,
                              const SheetSettings& settings = {});
+
+// The pages of writePdf(), to be looked at or sent to a printer: the same drawing, at any fineness.
+class PaperPages {
+ public:
+  static Result<PaperPages> of(const Pattern& pattern, PaperKind paper, const SheetSettings& settings = {});
+  std::size_t count() const;
+  Flat size(std::size_t page) const;  // metres
+  // A window of a page at this many pixels a metre, from its top left: rows of 0xffRRGGBB, white where nothing is
+  // drawn.
+  std::vector<std::uint32_t> draw(std::size_t page, double pixelsPerMetre, int left, int top, int width,
+                                  int height) const;
+
+ private:
+  struct Inside;
+  std::shared_ptr<const Inside> inside_;
+};
 
 }  // namespace karinui

@@ -14,6 +14,7 @@
 
 #include "karinui/design/history.h"
 #include "karinui/session/command.h"
+#include "karinui/session/export.h"
 #include "karinui/session/fitting.h"
 #include "karinui/session/gesture.h"
 #include "karinui/session/menu.h"
@@ -67,8 +68,7 @@ class Session {
   void replayOn(SetBody body, const std::filesystem::path& path);
   void importBody(const std::filesystem::path& file);
   void importPattern(const std::filesystem::path& file);  // into this document; .json of ours or GarmentCode, .ops
-  // Writes by the ending: .svg .pdf .json .ops .obj .glb
-  void exportTo(const std::filesystem::path& file, double allowance, bool a4, Language language);
+  void exportTo(const std::filesystem::path& file, const ExportWish& wish);
   const std::filesystem::path& path() const;  // empty: in memory
   bool readOnly() const;
 

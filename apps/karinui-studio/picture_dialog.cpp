@@ -1,0 +1,117 @@
+#include "picture_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <thread>
+
+#include "look.h"
+
+namespace karinui::studio {
+
+namespace {
+constexpr std::array kSizes{std::array{900, 1200}, std::array{1800, 2400}, std::array{3600, 4800},
+                            std::array{1920, 1080}};
+constexpr std::array kViews{View::Front, View::Back, View::Left, View::Right, View::Oblique};
+constexpr std::array kEyes{Eyes::Mono, Eyes::SideBySide, Eyes::TopBottom, Eyes::Anaglyph};
+
+// On one sheet as large as one picture would be.
+Result<Image> fourSides(Picture& picture, const SceneFrame& frame, PictureOptions how) {
+  how.width /= 2, how.height /= 2;
+  std::vector<SheetItem> items;
+  const std::pair<View, Message> sides[] = {{View::Front, say("Front")},
+                                            {View::Left, say("Left side")},
+                                            {View::Back, say("Back")},
+                                            {View::Right, say("Right side")}};
+  for (const auto& [side, words] : sides) {
+    how.view = side;
+    auto image = picture.draw(frame, how);
+    if (!image) return image.error();
+    items.push_back({*std::move(image), text(words, how.language)});
+  }
+  return contactSheet(items, 2);
+}
+
+}  // namespace
+
+PictureDialog::PictureDialog(Session& session, SpaceView& view, QWidget* parent)
+    : QDialog(parent), session_(session), view_(view) {
+  setWindowTitle(inWords(say("Picture of the fitting")));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(24, 24, 24, 20);
+  row->setSpacing(22);
+  auto* left = new QVBoxLayout;
+  auto* form = new QFormLayout;
+  form->setSpacing(12);
+  from_ = new QComboBox;
+  from_->addItems({inWords(say("as it is seen now")), inWords(say("Front")), inWords(say("Back")),
+                   inWords(say("Left side")), inWords(say("Right side")), inWords(say("Oblique")),
+                   inWords(say("all round, on one sheet"))});
+  size_ = new QComboBox;
+  for (const auto& [wide, high] : kSizes) size_->addItem(QString("%1 × %2").arg(wide).arg(high));
+  size_->setCurrentIndex(1);
+  eyes_ = new QComboBox;
+  eyes_->addItems({inWords(say("off")), inWords(say("side by side")), inWords(say("top and bottom")),
+                   inWords(say("red-cyan glasses"))});
+  const std::pair<Message, QComboBox*> rows[] = {{say("From"), from_}, {say("Pixels"), size_}, {say("Stereo"), eyes_}};
+  for (const auto& [words, box] : rows) {
+    form->addRow(inWords(words), box);
+    box->setAccessibleName(inWords(words));
+    connect(box, &QComboBox::currentIndexChanged, this, &PictureDialog::refresh);
+  }
+  left->addLayout(form);
+  left->addStretch(1);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
+  buttons->button(QDialogButtonBox::Save)->setText(inWords(say("Save…")));
+  buttons->button(QDialogButtonBox::Cancel)->setText(inWords(say("Cancel")));
+  left->addWidget(buttons);
+  row->addLayout(left);
+  picture_ = new QLabel;
+  picture_->setAlignment(Qt::AlignCenter);
+  picture_->setFixedSize(420, 420);
+  picture_->setAccessibleName(inWords(say("Preview")));
+  row->addWidget(picture_);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  refresh();
+}
+
+Result<Image> PictureDialog::draw(double scale) const {
+  const auto size = kSizes[static_cast<std::size_t>(size_->currentIndex())];
+  PictureOptions how;
+  how.width = static_cast<int>(size[0] * scale), how.height = static_cast<int>(size[1] * scale);
+  how.eyes = kEyes[static_cast<std::size_t>(eyes_->currentIndex())];
+  how.map = view_.map() == FitMap::Strain ? Map::Strain : Map::None;
+  how.language = Look::here().language();
+  how.lettering = how.map != Map::None;
+  const int from = from_->currentIndex();
+  if (from == 0) how.camera = view_.camera();
+  if (from > 0 && from <= static_cast<int>(kViews.size())) how.view = kViews[static_cast<std::size_t>(from - 1)];
+  const bool allRound = from > static_cast<int>(kViews.size());
+  // On a thread of its own: this one's is the window's context, and some drivers allow no second.
+  std::optional<Result<Image>> image;
+  std::thread([&] {
+    auto picture = Picture::open();
+    const SceneFrame& frame = session_.fitting().frame;
+    image = !picture ? picture.error() : allRound ? fourSides(**picture, frame, how) : (*picture)->draw(frame, how);
+  }).join();
+  return *std::move(image);
+}
+
+Done PictureDialog::write(const std::string& path) const {
+  const auto image = draw();
+  return image ? writePng(path, *image) : Done(image.error());
+}
+
+void PictureDialog::refresh() {
+  const auto size = kSizes[static_cast<std::size_t>(size_->currentIndex())];
+  const auto image = draw(400.0 / std::max(size[0], size[1]));
+  if (!image) return picture_->setText(inWords(image.error().what));
+  picture_->setPixmap(QPixmap::fromImage(
+      QImage(image->rgba.data(), image->width, image->height, 4 * image->width, QImage::Format_RGBA8888)
+          .scaled(picture_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,28 @@
+#pragma once
+// A picture of the fitting for a letter or a wall: from where, how large, with which map. GUI thread.
+#include <QDialog>
+
+#include "karinui/view/picture.h"
+#include "space_view.h"
+
+class QComboBox;
+class QLabel;
+
+namespace karinui::studio {
+
+class PictureDialog : public QDialog {
+  Q_OBJECT
+ public:
+  PictureDialog(Session& session, SpaceView& view, QWidget* parent);
+  Result<Image> draw(double scale = 1) const;  // of the size that was chosen
+  Done write(const std::string& path) const;
+
+ private:
+  void refresh();
+  Session& session_;
+  SpaceView& view_;
+  QComboBox *from_, *size_, *eyes_;
+  QLabel* picture_;
+};
+
+}  // namespace karinui::studio

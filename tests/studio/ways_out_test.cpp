@@ -1,0 +1,171 @@
+// What leaves the window: every kind of file with its preview, true-size print, pictures.
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPrinter>
+#include <QSlider>
+#include <cstdio>
+
+#include "export_dialog.h"
+#include "karinui/base/file.h"
+#include "karinui/base/number.h"
+#include "paper.h"
+#include "picture_dialog.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+template <class Kind>
+Kind& named(QWidget& dialog, const char* name) {
+  for (Kind* one : dialog.findChildren<Kind*>())
+    if (one->accessibleName() == name) return *one;
+  ADD_FAILURE() << "nothing is called " << name;
+  std::abort();
+}
+
+int inked(const QImage& image) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) count += qGray(image.pixel(x, y)) < 215 && qAlpha(image.pixel(x, y)) > 200;
+  return count;
+}
+
+TEST(StudioWaysOut, EveryKindIsShownBeforeItIsWritten) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  ExportDialog dialog(w.session(), w.space(), &w.main());
+  dialog.show();
+  QApplication::processEvents();
+  auto& kind = named<QComboBox>(dialog, "What");
+  auto& picture = named<QLabel>(dialog, "Preview");
+  auto& text = named<QPlainTextEdit>(dialog, "Preview");
+  auto& page = named<QSlider>(dialog, "Page");
+  Folder folder;
+  for (int k = 0; k < kind.count(); ++k) {
+    SCOPED_TRACE(kind.itemText(k).toStdString());
+    kind.setCurrentIndex(k);
+    QApplication::processEvents();
+    ASSERT_FALSE(dialog.trouble());
+    const ExportInfo& about = info(dialog.wish().kind);
+    if (about.shows == ExportInfo::Shows::Text) {
+      EXPECT_TRUE(text.isVisible());
+      EXPECT_GT(text.toPlainText().size(), 100);
+    } else {
+      EXPECT_TRUE(picture.isVisible());
+      EXPECT_GT(inked(picture.pixmap().toImage()), 150);
+    }
+    if (dialog.wish().kind == ExportKind::PdfA4) {
+      w.keepDialog(dialog, "studio_export");
+      const QImage overview = picture.pixmap().toImage();
+      EXPECT_GT(page.maximum(), 4);
+      page.setValue(3);
+      EXPECT_NE(picture.pixmap().toImage(), overview) << "the pages are turned over";
+      page.setValue(1);
+    }
+    const fs::path file = folder.path / ("out" + std::to_string(k) + "." + std::string(about.ending));
+    w.session().exportTo(file, dialog.wish());
+    w.rest();
+    const auto bytes = readFile(file);
+    ASSERT_TRUE(bytes) << w.main().said().toStdString();
+    EXPECT_EQ(*bytes, *exported(w.session().fitting(), w.session().steps(), dialog.wish()));
+  }
+}
+
+TEST(StudioWaysOut, WithNothingToWriteThereIsASentenceInstead) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  ExportDialog dialog(w.session(), w.space(), &w.main());
+  ASSERT_TRUE(dialog.trouble());
+  EXPECT_THAT(named<QLabel>(dialog, "Preview").text().toStdString(), HasSubstr("no piece yet"));
+}
+
+// The first page of a PDF in grey, so many pixels a millimetre.
+QImage pictureOf(const fs::path& pdf, double fine) {
+  const std::string to = pdf.string() + ".page";
+  const std::string command =
+      "pdftoppm -r " + fixed(25.4 * fine, 2) + " -f 1 -l 1 -gray -singlefile '" + pdf.string() + "' '" + to + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return QImage(QString::fromStdString(to + ".pgm"));
+}
+
+TEST(StudioWaysOut, PrintsAtTrueSize) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Folder folder;
+  const fs::path path = folder.path / "printed.pdf";
+  {
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setOutputFormat(QPrinter::PdfFormat);
+    printer.setResolution(300);
+    printer.setPageSize(QPageSize(QPageSize::A4));
+    printer.setOutputFileName(QString::fromStdString(path.string()));
+    w.main().printOn(printer);
+  }
+  const QImage page = pictureOf(path, 10);
+  EXPECT_NEAR(page.width(), 2100, 3);
+  EXPECT_NEAR(page.height(), 2970, 3);
+  // The square of 100 mm stands at the lower left, 10 mm from the edges: its sides along the row through its middle.
+  const int row = page.height() - 100 - 300;
+  std::vector<int> dark;
+  for (int x = 0; x < 1300; ++x)
+    if (qGray(page.pixel(x, row)) < 140) dark.push_back(x);
+  ASSERT_FALSE(dark.empty());
+  EXPECT_NEAR(dark.front(), 100, 4);
+  EXPECT_NEAR(dark.back() - dark.front(), 1000, 4);
+}
+
+TEST(StudioWaysOut, ARollTakesTheWholeSheetAtItsOwnSize) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Folder folder;
+  const fs::path path = folder.path / "roll.pdf";
+  ExportWish wish;
+  wish.kind = ExportKind::PdfSheet;
+  const Flat size = paperOf(w.session().fitting(), wish)->size(0);
+  {
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setOutputFormat(QPrinter::PdfFormat);
+    printer.setResolution(150);
+    printer.setPageSize(QPageSize(QSizeF(914, 500), QPageSize::Millimeter));
+    printer.setOutputFileName(QString::fromStdString(path.string()));
+    w.main().printOn(printer);
+  }
+  const QImage page = pictureOf(path, 2);
+  EXPECT_NEAR(std::max(page.width(), page.height()), 2e3 * std::max(size.u, size.v), 3);
+}
+
+TEST(StudioWaysOut, TakesAPictureFromEverySide) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  PictureDialog dialog(w.session(), w.space(), &w.main());
+  named<QComboBox>(dialog, "Pixels").setCurrentIndex(0);
+  auto& from = named<QComboBox>(dialog, "From");
+  const auto now = dialog.draw(0.25);
+  ASSERT_TRUE(now) << text(now.error().what);
+  EXPECT_EQ(now->width, 225);
+  from.setCurrentIndex(2);
+  const auto back = dialog.draw(0.25);
+  ASSERT_TRUE(back);
+  EXPECT_NE(now->rgba, back->rgba);
+  from.setCurrentIndex(from.count() - 1);
+  w.keepDialog(dialog, "studio_picture");
+  Folder folder;
+  const fs::path path = folder.path / "round.png";
+  ASSERT_TRUE(dialog.write(path.string()));
+  const QImage round(QString::fromStdString(path.string()));
+  EXPECT_GT(round.width(), 850);
+  EXPECT_GT(round.height(), 1150);
+}
+
+}  // namespace
+}  // namespace karinui::studio
