@@ -3,6 +3,8 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QSlider>
+#include <cmath>
 
 #include "karinui/base/number.h"
 #include "length_box.h"
@@ -22,7 +24,8 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
     const int was = map_->currentIndex();
     const QSignalBlocker quiet(map_);
     map_->clear();
-    map_->addItems({inWords(say("cloth")), inWords(say("strain")), inWords(say("distance to body"))});
+    map_->addItems({inWords(say("cloth")), inWords(say("strain")), inWords(say("distance to body")),
+                    inWords(say("pressure on the body"))});
     map_->setCurrentIndex(std::max(0, was));
   });
   form->addRow(word(say("Show")), map_);
@@ -33,11 +36,39 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
         inWords(say("On cloth the tape goes round the garment, on skin round the body, at the pointer's height.")));
   });
   form->addRow(word(say("Tape")), tape_);
+  beside_ = new QComboBox;
+  beside_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  Look::here().keep(beside_, [this] {
+    beside_->setAccessibleName(inWords(say("Beside it")));
+    beside_->setToolTip(inWords(say("Shows the garment as it was after a step at the left, as it is at the right.")));
+  });
+  form->addRow(word(say("Beside it")), beside_);
   column->addLayout(form);
   report_ = new QLabel;
   report_->setWordWrap(true);
   report_->setTextFormat(Qt::RichText);
   column->addWidget(report_);
+
+  form = new QFormLayout;
+  form->addRow(title(say("Girths")));
+  girths_ = new QLabel;
+  girths_->setTextFormat(Qt::RichText);
+  girths_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  form->addRow(girths_);
+  level_ = new QCheckBox;
+  Look::here().keep(level_, [this] {
+    level_->setText(inWords(say("at a height")));
+    level_->setToolTip(inWords(say("A level tape round garment and body, at any height above the floor.")));
+  });
+  height_ = new LengthBox(say("Height above the floor"), 0, 2.6);
+  height_->setMetres(1.0);
+  slide_ = new QSlider(Qt::Horizontal);
+  slide_->setRange(0, 2200);
+  slide_->setValue(1000);
+  Look::here().keep(slide_, [this] { slide_->setAccessibleName(inWords(say("Height above the floor"))); });
+  form->addRow(level_, height_);
+  form->addRow(slide_);
+  column->addLayout(form);
 
   form = new QFormLayout;
   form->addRow(title(say("Stereo")));
@@ -62,6 +93,20 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   form->addRow(word(say("Depth of the screen")), focus_);
   column->addLayout(form);
   column->addStretch(1);
+  const auto levelled = [this] {
+    view_.setLevel(level_->isChecked() ? std::optional(height_->value()) : std::nullopt);
+  };
+  connect(level_, &QCheckBox::toggled, this, levelled);
+  connect(height_, &LengthBox::typed, this, [this](double metres) {
+    level_->setChecked(true);
+    slide_->setValue(static_cast<int>(std::lround(1000 * metres)));
+  });
+  connect(slide_, &QSlider::valueChanged, this, [this, levelled](int millimetres) {
+    if (std::lround(1000 * height_->value()) != millimetres) height_->setMetres(millimetres / 1000.0);
+    level_->setChecked(true);
+    levelled();
+  });
+  connect(beside_, &QComboBox::activated, this, [this] { compare(); });
   connect(map_, &QComboBox::currentIndexChanged, this, [this](int i) { view_.setMap(static_cast<FitMap>(i)); });
   connect(tape_, &QCheckBox::toggled, this, [this](bool on) { view_.setTape(on); });
   connect(stereo_, &QComboBox::currentIndexChanged, this, [this](int i) { view_.setStereo(static_cast<Stereo>(i)); });
@@ -69,28 +114,91 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
     connect(box, &QDoubleSpinBox::valueChanged, this, [this] { view_.setEyes(eyes_->value(), focus_->value()); });
 }
 
+void FitPanel::showEvent(QShowEvent* event) {
+  Panel::showEvent(event);
+  refresh();
+}
+
 void FitPanel::refresh() {
   if (map_->currentIndex() != static_cast<int>(view_.map())) {
     const QSignalBlocker quiet(map_);
     map_->setCurrentIndex(static_cast<int>(view_.map()));
   }
-  if (historyShown_ == session_.news().history) return;
+  if (!isVisible() || historyShown_ == session_.news().history) return;
   historyShown_ = session_.news().history;
+  fillBeside();
+  fillReport();
+}
+
+// The steps after which the garment hung at rest, the newest first.
+void FitPanel::fillBeside() {
+  const auto chosen = beside_->currentData().toULongLong();
+  beside_->clear();
+  beside_->addItem(inWords(say("nothing")), 0ull);
+  std::size_t number = session_.steps().size();
+  for (auto step = session_.steps().rbegin(); step != session_.steps().rend(); ++step, --number)
+    if (std::holds_alternative<DrapePieces>(step->operation) || std::holds_alternative<PullCloth>(step->operation))
+      beside_->addItem(inWords(say("after step {0}", number)), static_cast<qulonglong>(step->seq));
+  for (const Step& end : session_.otherEnds())
+    beside_->addItem(inWords(say("another way, {0} steps", static_cast<std::size_t>(end.serial))),
+                     static_cast<qulonglong>(end.seq));
+  beside_->setCurrentIndex(std::max(0, beside_->findData(static_cast<qulonglong>(chosen))));
+  if (beside_->currentIndex() == 0 && view_.beside()) compare();
+}
+
+void FitPanel::compare() {
+  const auto seq = beside_->currentData().toULongLong();
+  if (seq == 0) {
+    then_.reset();
+    view_.setBeside(nullptr, {});
+    return fillReport();
+  }
+  session_.glimpse(seq, [this, words = beside_->currentText()](FittingPtr then) {
+    then_ = then;
+    view_.setBeside(std::move(then), words);
+    fillReport();
+  });
+}
+
+void FitPanel::fillReport() {
+  const auto row = [](const std::vector<QString>& cells) {
+    QString all = "<tr>";
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      all += (i == 0 ? "<td>" : "<td align=right>") + cells[i] + (i + 1 < cells.size() ? "&nbsp;&nbsp;&nbsp;" : "") +
+             "</td>";
+    return all + "</tr>";
+  };
   const auto& last = session_.fitting().document.drape.last;
   if (!last) {
     report_->setText(inWords(say("Not draped yet. Space settles the cloth.")));
-    return;
+  } else {
+    using Said = std::function<QString(const SettleReport&)>;
+    const auto percent = [](double x) { return QString::fromStdString(fixed(100 * x, 2)) + " %"; };
+    const std::pair<Message, Said> lines[] = {
+        {say("at rest"), [](const auto& r) { return r.settled ? inWords(say("yes")) : inWords(say("no")); }},
+        {say("mean strain"), [&](const auto& r) { return percent(r.strain.mean); }},
+        {say("strain, 99 of 100"), [&](const auto& r) { return percent(r.strain.p99); }},
+        {say("widest seam gap"), [](const auto& r) { return lengthText(r.seamGap, 2); }},
+        {say("deepest in the body"), [](const auto& r) { return lengthText(r.penetration, 3); }}};
+    const SettleReport* before = then_ && then_->document.drape.last ? &*then_->document.drape.last : nullptr;
+    QString table;
+    if (before) table = row({"", inWords(say("then")), inWords(say("now"))});
+    for (const auto& [words, said] : lines)
+      table += before ? row({inWords(words), said(*before), said(*last)}) : row({inWords(words), said(*last)});
+    report_->setText("<table>" + table + "</table>");
   }
-  const auto row = [](const QString& a, const QString& b) {
-    return "<tr><td>" + a + "&nbsp;&nbsp;&nbsp;</td><td align=right>" + b + "</td></tr>";
-  };
-  const auto percent = [](double x) { return QString::fromStdString(fixed(100 * x, 2)) + " %"; };
-  QString table = row(inWords(say("at rest")), last->settled ? inWords(say("yes")) : inWords(say("no")));
-  table += row(inWords(say("mean strain")), percent(last->strain.mean));
-  table += row(inWords(say("strain, 99 of 100")), percent(last->strain.p99));
-  table += row(inWords(say("widest seam gap")), lengthText(last->seamGap, 2));
-  table += row(inWords(say("deepest in the body")), lengthText(last->penetration, 3));
-  report_->setText("<table>" + table + "</table>");
+  const std::vector<Girths> now = girthsOf(session_.fitting());
+  if (now.empty()) return girths_->setText("–");
+  std::vector<QString> head{"", inWords(say("body")), inWords(say("garment")), inWords(say("ease"))};
+  if (then_) head.push_back(inWords(say("then")));
+  QString table = row(head);
+  for (const Girths& g : now) {
+    std::vector<QString> cells{inWords(g.name), lengthText(g.body), lengthText(g.garment),
+                               lengthText(g.garment - g.body)};
+    if (then_) cells.push_back(lengthText(girthsAt(*then_, g.height).garment));
+    table += row(cells);
+  }
+  girths_->setText("<table>" + table + "</table>");
 }
 
 }  // namespace karinui::studio

@@ -95,6 +95,7 @@ void MainWindow::makeMenus() {
   };
   map(say("Strain map"), "Alt+7", FitMap::Strain);
   map(say("Distance to the body"), "Alt+8", FitMap::Ease);
+  map(say("Pressure on the body"), "Alt+9", FitMap::Pressure);
   viewMenu_->addSeparator();
   QAction* dark = add(viewMenu_, say("Dark"), "", "", [] { Look::here().setDark(!Look::here().dark()); });
   dark->setObjectName("dark");

@@ -17,6 +17,7 @@ class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
 class QPushButton;
+class QSlider;
 class QSpinBox;
 class QTreeWidget;
 
@@ -106,7 +107,19 @@ class FitPanel : public Panel {
   FitPanel(Session& session, SpaceView& view);
   void refresh() override;
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
+  void fillBeside();
+  void compare();
+  void fillReport();
+  QComboBox* beside_;
+  FittingPtr then_;  // null: nothing is shown beside
+  QLabel* girths_;
+  QCheckBox* level_;
+  LengthBox* height_;
+  QSlider* slide_;
   SpaceView& view_;
   QComboBox* map_;
   QCheckBox* tape_;

@@ -11,9 +11,9 @@ namespace karinui::studio {
 
 PointerSample SpaceView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const {
   PointerSample sample = mouseSample(phase, PointerSample::Where::Space, keys, clockwork_);
-  double x = at.x(), y = at.y(), w = width(), h = height();
-  if (stereo_ == Stereo::SideBySide) w /= 2, x = std::fmod(x, w);
-  if (stereo_ == Stereo::TopBottom) h /= 2, y = std::fmod(y, h);
+  const QSize parts = halves();
+  const double w = 1.0 * width() / parts.width(), h = 1.0 * height() / parts.height();
+  const double x = std::fmod(at.x(), w), y = std::fmod(at.y(), h);
   sample.ray = rayAt(camera_, x, y, w, h);
   sample.facing = normalized(camera_.eye - camera_.target);
   sample.reach = 11 * camera_.fieldOfView / h;  // eleven pixels

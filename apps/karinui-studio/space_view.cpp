@@ -21,8 +21,9 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr int kQuickSky = 6;       // directions of soft light while things move
-constexpr double kEaseTop = 0.05;  // metres
+constexpr int kQuickSky = 6;            // directions of soft light while things move
+constexpr double kEaseTop = 0.05;       // metres
+constexpr double kPressureLeast = 100;  // pascals, at the least, at the top of the scale
 
 // The painter takes the state of a fresh context for granted.
 void readyForPainter() {
@@ -37,6 +38,12 @@ void readyForPainter() {
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   glUseProgram(0);
+}
+
+Studio studioFor(bool software) {
+  Studio studio;
+  if (software) studio.keyMap = 1024, studio.skyDirections = 20, studio.skyMap = 384;
+  return studio;
 }
 
 }  // namespace
@@ -65,17 +72,21 @@ void SpaceView::giveBack() {
   if (!renderer_) return;
   makeCurrent();
   renderer_.reset();
+  beside_.renderer.reset();
   compositor_.reset();
   portraits_.reset();
   doneCurrent();
 }
 
 double SpaceView::aspect() const {
-  double w = width();
-  double h = std::max(1, height());
-  if (stereo_ == Stereo::SideBySide) w /= 2;
-  if (stereo_ == Stereo::TopBottom) h /= 2;
-  return std::max(0.1, w / h);
+  const QSize parts = halves();
+  return std::max(0.1,
+                  (static_cast<double>(width()) / parts.width()) / (std::max(1.0, 1.0 * height()) / parts.height()));
+}
+
+QSize SpaceView::halves() const {
+  if (beside()) return {2, 1};
+  return {stereo_ == Stereo::SideBySide ? 2 : 1, stereo_ == Stereo::TopBottom ? 2 : 1};
 }
 
 void SpaceView::initializeGL() {
@@ -89,9 +100,7 @@ void SpaceView::initializeGL() {
     emit failed(inWords(trouble_->what));
     return;
   }
-  Studio studio;
-  if (software_) studio.keyMap = 1024, studio.skyDirections = 20, studio.skyMap = 384;
-  auto made = Renderer::make(studio);
+  auto made = Renderer::make(studioFor(software_));
   if (!made) {
     trouble_ = made.error();
     emit failed(inWords(trouble_->what));
@@ -155,6 +164,17 @@ void SpaceView::setMap(FitMap map) {
   garmentShown_ = ~0ull;
   refresh();
 }
+void SpaceView::setBeside(FittingPtr other, const QString& caption) {
+  beside_.fitting = std::move(other);
+  beside_.caption = caption;
+  garmentShown_ = ~0ull;
+  cameraMoved();
+}
+void SpaceView::setLevel(std::optional<double> height) {
+  level_ = height;
+  levelShown_ = level_ ? girthsAt(session_.shown(), *level_) : Girths();
+  update();
+}
 void SpaceView::setTape(bool on) {
   tape_ = on;
   tapeShown_ = {};
@@ -171,33 +191,68 @@ void SpaceView::refresh() {
   update();
 }
 
+// What the map tells of a fitting: per point of the cloth, or, of pressure, per point of the bared body.
+SpaceView::Mapped SpaceView::mapped(const Fitting& fitting) const {
+  Mapped own{fitting.frame, {}};
+  if (map_ == FitMap::Ease && fitting.body) {
+    for (SceneCloth& cloth : own.frame.cloths) {
+      cloth.strain = easeOf(cloth, *fitting.body);
+      for (float& s : cloth.strain) s = std::max(0.0f, s);
+    }
+  } else if (map_ == FitMap::Pressure && fitting.body) {
+    Workers alone(1);
+    own.values = pressureOnBody(fitting, alone);
+    SceneCloth skin;
+    skin.name = "body";
+    skin.mesh = fitting.body->mesh();
+    skin.strain = own.values;
+    for (float& s : skin.strain)
+      if (s < 0) s = std::numeric_limits<float>::quiet_NaN();  // nothing is known where no cloth lies
+    skin.colour = SceneBody().colour;
+    own.frame.bodies.clear();
+    own.frame.cloths = {std::move(skin)};
+    for (const SceneCloth& cloth : fitting.frame.cloths)  // the garment is thread on the skin
+      for (const auto& run : cloth.outlines) {
+        SceneLine line{{}, {0.10f, 0.12f, 0.16f}, 1.2f, false};
+        for (const std::uint32_t n : run) line.points.push_back(cloth.mesh.points[n]);
+        own.frame.lines.push_back(std::move(line));
+      }
+  }
+  return own;
+}
+
 void SpaceView::showGarment() {
   const FittingPtr fitting = session_.shownPtr();
   const Preview preview = session_.preview();
   const bool carried = !preview.carried.empty();
   const std::uint64_t now = session_.news().garment;
   if (garmentShown_ == now && !carried && (!fine_ || soft_)) return;
-  SceneFrame frame = fitting->frame;
-  double top = 0;
-  if (map_ == FitMap::Strain) {
-    top = strainTop(frame);
-  } else if (map_ == FitMap::Ease && fitting->body) {
-    top = kEaseTop;
-    for (SceneCloth& cloth : frame.cloths) {
-      cloth.strain = easeOf(cloth, *fitting->body);
-      for (float& s : cloth.strain) s = std::max(0.0f, s);
-    }
-  }
+  Mapped own = mapped(*fitting);
+  SceneFrame& frame = own.frame;
+  Mapped then;
+  if (beside()) then = mapped(*beside_.fitting);
+  own.values.insert(own.values.end(), then.values.begin(), then.values.end());
+  const double top = map_ == FitMap::None       ? 0
+                     : map_ == FitMap::Ease     ? (fitting->body ? kEaseTop : 0)
+                     : map_ == FitMap::Pressure ? roundTop(std::move(own.values), kPressureLeast)
+                                                : std::max(strainTop(frame), strainTop(then.frame));
   mapTop_ = top;
   for (std::size_t k = 0; k < fitting->worn.size() && carried; ++k) {
     const auto at = preview.carried.find(fitting->worn[k].id);
     if (at == preview.carried.end()) continue;
-    for (Vec3& p : frame.cloths[k].mesh.points) p = at->second(p);
+    if (map_ != FitMap::Pressure)
+      for (Vec3& p : frame.cloths[k].mesh.points) p = at->second(p);
   }
   const bool quick = !fine_ && (carried || garmentShown_ != ~0ull);
   soft_ = !quick;
   stale_ = true;
   renderer_->show(frame, top, quick ? kQuickSky : -1);
+  if (beside()) {
+    if (!beside_.renderer)
+      if (auto made = Renderer::make(studioFor(software_))) beside_.renderer = std::move(*made);
+    if (beside_.renderer) beside_.renderer->show(then.frame, top, quick ? kQuickSky : -1);
+  }
+  levelShown_ = level_ ? girthsAt(*fitting, *level_) : Girths();
   seamThreads_ = carried ? std::vector<SceneLine>{} : threadsOf(*fitting);
   garmentShown_ = carried ? ~1ull : now;
 }
@@ -221,6 +276,10 @@ void SpaceView::showOverlay() {
     const EdgeNear& e = *session_.selection().edge;
     auto line = edgeInSpace(*fitting, {PieceRef(e.piece), e.edge});
     if (line.size() > 1) lines.push_back({std::move(line), {0.05f, 0.25f, 0.62f}, 4, false});
+  }
+  if (level_) {
+    lines.push_back({levelShown_.round, {0.85f, 0.60f, 0.02f}, 5, false});
+    lines.push_back({levelShown_.under, {0.05f, 0.25f, 0.62f}, 3, false});
   }
   if (!tapeShown_.line.empty()) lines.push_back({tapeShown_.line, {0.85f, 0.60f, 0.02f}, 5, false});
   renderer_->overlay(lines);
@@ -246,29 +305,34 @@ void SpaceView::paintGL() {
   showOverlay();
   const double ratio = devicePixelRatioF();
   const int w = static_cast<int>(width() * ratio), h = static_cast<int>(height() * ratio);
-  const bool stereo = stereo_ != Stereo::Off, side = stereo_ == Stereo::SideBySide, top = stereo_ == Stereo::TopBottom;
-  const int ew = side ? w / 2 : w, eh = top ? h / 2 : h, finer = fine_ ? 2 : 1;
+  const bool two = beside() && beside_.renderer, stereo = !two && stereo_ != Stereo::Off;
+  const int ew = w / halves().width(), eh = h / halves().height(), finer = fine_ ? 2 : 1;
   if (stale_) renderer_->light(camera_);
-  for (int k = 0; k < (stereo ? 2 : 1); ++k) {
+  if (stale_ && two) beside_.renderer->light(camera_);
+  for (int k = 0; k < (stereo || two ? 2 : 1); ++k) {
     const double sideways = stereo ? (k == 0 ? -0.5 : 0.5) * separation_ : 0;
+    const bool then = two && k == 0;  // at the left as it was, at the right as it is
+    const Renderer& scene = then ? *beside_.renderer : *renderer_;
     // The scene is drawn anew only when something in it moved; words, lines and the bar over it every time.
     if (stale_) {
       compositor_->scene(k, ew * finer, eh * finer).bind();
-      renderer_->draw(eyeOf(lens(), static_cast<double>(ew) / eh, sideways),
-                      {.x = 0, .y = 0, .width = ew * finer, .height = eh * finer});
+      scene.draw(eyeOf(lens(), static_cast<double>(ew) / eh, sideways),
+                 {.x = 0, .y = 0, .width = ew * finer, .height = eh * finer});
     }
     compositor_->onScreen(k, ew, eh);
-    renderer_->drawOver(eyeOf(lens(), static_cast<double>(ew) / eh, sideways),
-                        {.x = 0, .y = 0, .width = ew, .height = eh});
+    scene.drawOver(eyeOf(lens(), static_cast<double>(ew) / eh, sideways), {.x = 0, .y = 0, .width = ew, .height = eh});
     readyForPainter();
     // Not the widget: a picture of the window must hold what is painted here too.
     QOpenGLPaintDevice device(ew, eh);
     device.setDevicePixelRatio(ratio);
     QPainter painter(&device);
-    paintOver(painter, sideways, static_cast<int>(ew / ratio), static_cast<int>(eh / ratio));
+    if (then)
+      paintThen(painter, static_cast<int>(ew / ratio), static_cast<int>(eh / ratio));
+    else
+      paintOver(painter, sideways, static_cast<int>(ew / ratio), static_cast<int>(eh / ratio));
   }
   stale_ = false;
-  compositor_->show(stereo_, defaultFramebufferObject(), w, h);
+  compositor_->show(two ? Stereo::SideBySide : stereo ? stereo_ : Stereo::Off, defaultFramebufferObject(), w, h);
   clockwork_.end("event to picture");
   emit painted();
 }
@@ -283,9 +347,11 @@ QImage SpaceView::portrait(const SceneFrame& frame, QSize pixels) {
 }
 
 std::optional<QPointF> SpaceView::onScreen(Vec3 place) const {
-  const OnPicture on = project(eyeOf(camera_, aspect()), place, width(), height());
+  const QSize parts = halves();
+  const double w = 1.0 * width() / parts.width(), h = 1.0 * height() / parts.height();
+  const OnPicture on = project(eyeOf(camera_, aspect()), place, w, h);
   if (on.depth <= 0) return std::nullopt;
-  return QPointF(on.x, on.y);
+  return QPointF(on.x + (beside() ? w : 0), on.y);
 }
 
 }  // namespace karinui::studio

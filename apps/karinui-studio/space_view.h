@@ -5,6 +5,7 @@
 #include <QVariantAnimation>
 #include <memory>
 
+#include "karinui/session/fit.h"
 #include "karinui/session/session.h"
 #include "karinui/session/tape.h"
 #include "karinui/view/camera.h"
@@ -17,7 +18,7 @@ class EyeCompositor;
 class Portraits;
 
 enum class Stereo { Off, SideBySide, TopBottom, Anaglyph, Interleaved };
-enum class FitMap { None, Strain, Ease };
+enum class FitMap { None, Strain, Ease, Pressure };
 
 class SpaceView : public QOpenGLWidget {
   Q_OBJECT
@@ -32,6 +33,10 @@ class SpaceView : public QOpenGLWidget {
   void setMap(FitMap map);
   FitMap map() const { return map_; }
   double mapTop() const { return mapTop_; }
+  // Another state of the garment beside the one that is worked on, on the same scale; null: none.
+  void setBeside(FittingPtr other, const QString& caption);
+  bool beside() const { return beside_.fitting != nullptr; }
+  void setLevel(std::optional<double> height);  // shows the level tapes there
   void setTape(bool on);
   bool tape() const { return tape_; }
   void setBlenderKeys(bool on) { blender_ = on; }
@@ -64,11 +69,18 @@ class SpaceView : public QOpenGLWidget {
   void giveBack();
   void cameraMoved();
   void showGarment();
+  struct Mapped {  // a fitting in the colours of the map
+    SceneFrame frame;
+    std::vector<float> values;
+  };
+  Mapped mapped(const Fitting& fitting) const;
   void showOverlay();
   Camera lens() const;
   void paintOver(QPainter& painter, double sideways, int width, int height);
+  void paintThen(QPainter& painter, int width, int height) const;  // over the state beside
   void paintScale(QPainter& painter, int height) const;
   double aspect() const;
+  QSize halves() const;  // how many pictures across and down
 
   Session& session_;
   Clockwork& clockwork_;
@@ -79,6 +91,13 @@ class SpaceView : public QOpenGLWidget {
   std::optional<Error> trouble_;
   QString driver_;
   bool software_ = false;
+  struct Beside {
+    FittingPtr fitting;
+    QString caption;
+    std::unique_ptr<Renderer> renderer;
+  } beside_;
+  std::optional<double> level_;
+  Girths levelShown_;
   std::uint64_t garmentShown_ = ~0ull;
   bool stale_ = true, fine_ = false, framed_ = false;
   bool soft_ = false;  // the soft light is that of a still picture

@@ -85,8 +85,23 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
   }
   for (const SceneWord& word : preview.space.words)
     paintWord(painter, at(word.place), QString::fromStdString(word.text));
+  const std::pair<const std::vector<Vec3>*, double> tapes[] = {{&levelShown_.round, levelShown_.garment},
+                                                               {&levelShown_.under, levelShown_.body}};
+  for (const auto& [line, round] : tapes) {
+    if (line->empty() || !level_) continue;
+    const auto right =
+        std::max_element(line->begin(), line->end(), [&](Vec3 a, Vec3 b) { return at(a).x() < at(b).x(); });
+    paintWord(painter, at(*right) + QPointF(46, line == &levelShown_.round ? 14 : 40), lengthText(round));
+  }
   if (!tapeShown_.line.empty()) paintWord(painter, at(tapeShown_.line.front()), lengthText(tapeShown_.length));
   if (const auto panel = session_.menu()) paintBoard(painter, *panel, at);
+  if (mapTop_ > 0 && !beside()) paintScale(painter, h);
+  if (beside()) paintWord(painter, QPointF(w - 60.0, 44), inWords(say("now")));
+}
+
+void SpaceView::paintThen(QPainter& painter, int w, int h) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintWord(painter, QPointF(w - 60.0, 44), beside_.caption);
   if (mapTop_ > 0) paintScale(painter, h);
 }
 
@@ -100,8 +115,9 @@ void SpaceView::paintScale(QPainter& painter, int h) const {
   painter.setBrush(back);
   painter.drawRoundedRect(QRectF(left - 10, top - 10, 142, tall + 54), 10, 10);
   painter.setPen(p.ink);
-  painter.drawText(QPointF(left, top + 10),
-                   map_ == FitMap::Strain ? inWords(say("strain")) : inWords(say("distance to body")));
+  painter.drawText(QPointF(left, top + 10), inWords(map_ == FitMap::Strain ? say("strain")
+                                                    : map_ == FitMap::Ease ? say("distance to body")
+                                                                           : say("pressure")));
   QLinearGradient scale(0, top + 22 + tall, 0, top + 22);
   for (int i = 0; i <= 16; ++i) scale.setColorAt(i / 16.0, shown(strainColour(i / 16.0)));
   painter.setPen(Qt::NoPen);
@@ -111,7 +127,9 @@ void SpaceView::paintScale(QPainter& painter, int h) const {
   for (int i = 0; i <= 5; ++i) {
     const double v = mapTop_ * i / 5;
     painter.drawText(QPointF(left + 24, top + 22 + tall * (1 - i / 5.0) + 4),
-                     map_ == FitMap::Strain ? QString::fromStdString(fixed(100 * v, 1)) + " %" : lengthText(v));
+                     map_ == FitMap::Strain ? QString::fromStdString(fixed(100 * v, 1)) + " %"
+                     : map_ == FitMap::Ease ? lengthText(v)
+                                            : QString::fromStdString(fixed(v / 1000, 2)) + " kPa");
   }
 }
 

@@ -153,10 +153,12 @@ TEST(StudioWaysOut, TakesAPictureFromEverySide) {
   const auto now = dialog.draw(0.25);
   ASSERT_TRUE(now) << text(now.error().what);
   EXPECT_EQ(now->width, 225);
+  from.setCurrentIndex(1);
+  const auto front = dialog.draw(0.25);
   from.setCurrentIndex(2);
   const auto back = dialog.draw(0.25);
-  ASSERT_TRUE(back);
-  EXPECT_NE(now->rgba, back->rgba);
+  ASSERT_TRUE(front && back);
+  EXPECT_NE(front->rgba, back->rgba);
   from.setCurrentIndex(from.count() - 1);
   w.keepDialog(dialog, "studio_picture");
   Folder folder;

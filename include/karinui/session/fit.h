@@ -1,0 +1,29 @@
+#pragma once
+// How a garment fits, in numbers: what it presses with, how far round it is and how far round the body is under it.
+// Pure; long for large garments; any thread.
+#include <vector>
+
+#include "karinui/base/workers.h"
+#include "karinui/session/fitting.h"
+
+namespace karinui {
+
+// Per point of the body's mesh, pascals, the mean over a patch as large as a fingertip; negative: no cloth there.
+// Nothing without a body or a garment that can be laid.
+std::vector<float> pressureOnBody(const Fitting& fitting, Workers& workers);
+
+// The level tape: round the trunk and legs, arms and sleeves left out.
+struct Girths {
+  double height = 0;               // metres above the floor
+  Message name;                    // of a level of the body, else empty
+  double body = 0, garment = 0;    // metres round; 0: nothing there
+  std::vector<Vec3> round, under;  // the tape round the garment and round the body, closed; may be empty
+};
+Girths girthsAt(const Fitting& fitting, double height);
+// At the levels a tailor asks for that this garment covers, from the top downwards.
+std::vector<Girths> girthsOf(const Fitting& fitting);
+
+// A round number (1, 2 or 5 times a power of ten) that holds 99 of 100 of the values above zero; 0: there are none.
+double roundTop(std::vector<float> values, double least);
+
+}  // namespace karinui

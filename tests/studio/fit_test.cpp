@@ -1,0 +1,98 @@
+// Fit in the real window: maps, girths, two states side by side.
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QLabel>
+
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(StudioFit, ThePressureIsSeenOnTheBody) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(3);
+  w.rest();
+  w.space().setMap(FitMap::Pressure);
+  w.rest();
+  w.keep("studio_pressure");
+  EXPECT_GE(w.space().mapTop(), 100) << "pascals";
+  Workers alone(1);
+  const auto pressure = pressureOnBody(w.session().fitting(), alone);
+  const Body& body = *w.session().fitting().body;
+  ASSERT_EQ(pressure.size(), body.mesh().points.size());
+  // It hangs from the shoulders: there it presses, on the head and the feet there is none.
+  double shoulder = 0;
+  std::size_t bare = 0, far = 0;
+  for (std::size_t k = 0; k < pressure.size(); ++k) {
+    const Vec3 p = body.mesh().points[k];
+    if (p.y < 0.5 || p.y > 1.55) bare += pressure[k] < 0, far += 1;
+    if (std::fabs(p.y - body.landmarks().at("shoulder_left").y) < 0.04 && std::fabs(p.x) < 0.2)
+      shoulder = std::max(shoulder, static_cast<double>(pressure[k]));
+  }
+  EXPECT_GT(shoulder, 20);
+  EXPECT_EQ(bare, far);
+}
+
+TEST(StudioFit, TellsTheGirthsAndTheirEaseAtAnyHeight) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(3);
+  w.rest();
+  const Fitting& fitting = w.session().fitting();
+  const auto all = girthsOf(fitting);
+  ASSERT_GE(all.size(), 4u);
+  for (const Girths& g : all) EXPECT_GT(g.garment, g.body - 0.002) << text(g.name) << ": cloth goes round the body";
+  const auto waist = std::find_if(all.begin(), all.end(), [](const Girths& g) { return text(g.name) == "waist"; });
+  ASSERT_NE(waist, all.end());
+  EXPECT_NEAR(waist->body, fitting.body->measured().value.at("waist_girth"), 0.004);
+  bool told = false;
+  for (QLabel* label : w.main().findChildren<QLabel*>())
+    told |= label->isVisible() && label->text().contains("waist") && label->text().contains(lengthText(waist->garment));
+  EXPECT_TRUE(told) << "the board says it";
+  const QImage before = w.space().grabFramebuffer();
+  w.type(w.box("Height above the floor"), "105cm");
+  w.rest();
+  w.keep("studio_girth");
+  EXPECT_NE(before, w.space().grabFramebuffer()) << "the tapes are laid";
+}
+
+TEST(StudioFit, TwoStatesStandSideBySide) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(3);
+  w.session().perform(CutPiece{.piece = PieceRef(w.session().fitting().document.pieceNamed("front")->id),
+                               .line = {{0.03, -0.05}, {0.03, 0.15}},
+                               .name = ""});
+  w.rest();
+  QComboBox* beside = nullptr;
+  for (QComboBox* one : w.main().findChildren<QComboBox*>())
+    if (one->accessibleName() == "Beside it") beside = one;
+  ASSERT_TRUE(beside);
+  ASSERT_EQ(beside->count(), 3) << "nothing, the drape before the cut, the one after it";
+  w.space().setMap(FitMap::Ease);
+  beside->setCurrentIndex(2);
+  emit beside->activated(2);
+  w.rest();
+  w.keep("studio_beside");
+  ASSERT_TRUE(w.space().beside());
+  const QImage both = w.space().grabFramebuffer();
+  const int half = both.width() / 2;
+  EXPECT_NE(both.copy(0, 60, half, both.height() - 240), both.copy(half, 60, half, both.height() - 240));
+  // The hand works at the right, where the garment is as it is now.
+  w.click(w.space(), w.inSpace("front", {0, 0.3}));
+  EXPECT_EQ(w.session().selection().pieces.count(w.session().fitting().document.pieceNamed("front")->id), 1u);
+  beside->setCurrentIndex(0);
+  emit beside->activated(0);
+  w.rest();
+  EXPECT_FALSE(w.space().beside());
+}
+
+}  // namespace
+}  // namespace karinui::studio
