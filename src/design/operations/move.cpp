@@ -21,6 +21,8 @@ Flat middle(const Piece& piece) {
 
 Done resolve(const Document& before, MovePiece& op, Context&) {
   if (Done done = resolve(before, op.pieces); !done) return done;
+  if (length(op.by) == 0 && !(op.turn && op.turn->angle != 0))
+    return refused(say("Say how far the piece goes (by=10cm,0,0) or how it turns (turn=\"y 90deg\")."));
   if (!(length(op.by) <= kFarthest)) return refused(say("A piece is moved by at most {0} m.", kFarthest));
   if (op.turn && !(std::abs(op.turn->angle) <= 1000)) return refused(say("That turn is too large."));
   // The middle is an average of the paper, so the record says it: reshaping an earlier step then keeps the same place.
