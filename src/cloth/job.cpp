@@ -78,11 +78,14 @@ std::vector<Vec3> finish(LevelSolver& solver, const Collider& body, const Settle
                          const RestOutcome& end, SettleReport& report, Workers& workers) {
   liftOff(solver, body, std::min(0.0003, 0.3 * settings.skin), workers);
   const std::vector<Vec3> x = solver.places();
-  report.settled = end.settled;
+  const std::size_t crossings = solver.crossings();
+  report.settled = end.settled && crossings == 0;
   report.residual = end.residual;
   report.step = end.left;
   report.seamGap = widestGap(solver.cloth(), x);
   report.why = whyOf(end, solver, report.seamGap);
+  if (crossings > 0)
+    report.why = say("Cloth stands through cloth at {0} places; give it more room, or fewer folds.", crossings);
   report.penetration = deepest(solver.cloth(), body, x, workers);
   report.strain = strainOf(solver.cloth(), x);
   return x;

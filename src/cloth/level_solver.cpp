@@ -179,6 +179,13 @@ bool LevelSolver::untangle() {
   return tangle_ != nullptr;
 }
 
+std::size_t LevelSolver::crossings() const {
+  if (!self_.meets()) return 0;
+  Tangle tangle(cloth_);
+  tangle.find(x_);
+  return tangle.crossings();
+}
+
 void LevelSolver::followTangle() {
   if (!tangle_) return;
   tangle_->find(x_);

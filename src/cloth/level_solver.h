@@ -57,6 +57,7 @@ class LevelSolver {
   // Looks whether the cloth stands crossed, and if so takes it apart in the steps that follow, as long as that helps;
   // whether there is something to take apart.
   bool untangle();
+  std::size_t crossings() const;  // of an edge with a face, as it stands
   void stop();  // forget velocity and anchors
   // Whether some of it is simcloth, which nothing but its weight moves where it is slack.
   bool goesSlack() const { return simcloth_ != nullptr; }

@@ -1,0 +1,87 @@
+// The guard: whatever moves are wished, on the way nothing passes through anything.
+#include <gtest/gtest.h>
+
+#include "cloth/helpers.h"
+#include "cloth/self_contact.h"
+#include "cloth/tangle.h"
+
+namespace karinui::test {
+namespace {
+
+constexpr double kCell = 0.01;
+
+struct Sheets {
+  Sheets(std::uint32_t columns, std::uint32_t rows) {
+    for (int k = 0; k < 2; ++k) addPiece(cloth, gridLattice(columns, rows, kCell), *preset("cotton"));
+    contact = std::make_unique<SelfContact>(cloth, 0.002);
+    const std::vector<std::uint8_t> held(cloth.nodeCount, 0);
+    contact->setTies(TieMap(cloth, held, {}));
+  }
+  // How many of a hundred places on the way stand crossed.
+  int crossedOnTheWay(const std::vector<Vec3>& x, const std::vector<Vec3>& move) const {
+    Tangle tangle(cloth);
+    int crossed = 0;
+    for (int k = 0; k <= 100; ++k) {
+      std::vector<Vec3> at = x;
+      for (std::size_t n = 0; n < x.size(); ++n) at[n] += move[n] * (k / 100.0);
+      tangle.find(at);
+      crossed += tangle.crossings() > 0;
+    }
+    return crossed;
+  }
+  Cloth cloth;
+  std::unique_ptr<SelfContact> contact;
+  Workers workers{1};
+};
+
+Vec3 anyWay(std::mt19937& random) {
+  std::normal_distribution<double> by;
+  return normalized(Vec3{by(random), by(random), by(random)});
+}
+
+// Two sheets that do not cross, anyhow in space, each node sent through the other sheet.
+TEST(Guard, NothingPassesThroughAnythingOnTheWay) {
+  Sheets sheets(3, 3);
+  int tried = 0;
+  for (unsigned seed = 1; tried < 25; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> by(-1, 1);
+    std::vector<Vec3> x, move;
+    for (int k = 0; k < 2; ++k) {
+      const Vec3 u = anyWay(random), v = normalized(cross(u, anyWay(random)));
+      const Vec3 middle = k == 0 ? Vec3{} : anyWay(random) * (0.004 + 0.008 * (by(random) + 1));
+      for (const Flat p : sheets.cloth.pieces[0].lattice->nodes)
+        x.push_back(middle + u * (p.u - 1.5 * kCell) + v * (p.v - 1.5 * kCell));
+    }
+    if (sheets.crossedOnTheWay(x, std::vector<Vec3>(x.size())) > 0) continue;
+    const Vec3 onto = (x[0] + x[15] - x[16] - x[31]) * 1.0;
+    for (std::size_t n = 0; n < x.size(); ++n)
+      move.push_back(normalized(onto * (n < 16 ? -1 : 1) + Vec3{by(random), by(random), by(random)} * 0.01) *
+                     (0.5 * kCell));
+    if (sheets.crossedOnTheWay(x, move) == 0) continue;  // nothing to keep from
+    ++tried;
+    sheets.contact->find(x, sheets.workers);
+    sheets.contact->guard(x, move, sheets.workers);
+    EXPECT_EQ(sheets.crossedOnTheWay(x, move), 0) << "seed " << seed;
+  }
+}
+
+// Two strips on edge, one across the other: only their edges meet.
+TEST(Guard, StripsOnEdgeDoNotPassThroughEachOther) {
+  Sheets sheets(6, 1);
+  std::vector<Vec3> x, move;
+  for (int k = 0; k < 2; ++k)
+    for (const Flat p : sheets.cloth.pieces[0].lattice->nodes) {
+      const double along = p.u - 2.6 * kCell;
+      x.push_back(k == 0 ? Vec3{along, 0.012 + p.v, 0} : Vec3{0, p.v, along});
+      move.push_back(k == 0 ? Vec3{0, -0.05, 0} : Vec3{});
+    }
+  ASSERT_GT(sheets.crossedOnTheWay(x, move), 0);
+  sheets.contact->find(x, sheets.workers);
+  sheets.contact->guard(x, move, sheets.workers);
+  EXPECT_EQ(sheets.crossedOnTheWay(x, move), 0);
+  EXPECT_LT(move[0].y, 0) << "it goes as far as it may";
+}
+
+}  // namespace
+}  // namespace karinui::test

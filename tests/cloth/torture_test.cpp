@@ -1,0 +1,149 @@
+// What people do to cloth by mistake. Whatever comes of it, nothing is ever not a number, nothing passes through
+// anything, no seam point is lost, and what did not come to rest is said not to have.
+#include <gtest/gtest.h>
+
+#include "cloth/helpers.h"
+#include "karinui/cloth/check.h"
+
+namespace karinui::test {
+namespace {
+
+struct Ordeal {
+  SettleReport report;
+  ClothCheck found;
+  ClothState state;
+};
+
+Ordeal through(std::vector<ClothLevel> levels, const Collider& body, const SettleSettings& settings = {}) {
+  Workers workers(2);
+  const auto report = settle(levels, body, settings, Token(), workers);
+  KARINUI_ASSERT(report);
+  Ordeal so{*report, check(levels.back().cloth, levels.back().state, nullptr), levels.back().state};
+  EXPECT_TRUE(so.found.finite);
+  EXPECT_TRUE(!so.report.settled || so.found.clothClothCrossings == 0) << so.found.clothClothCrossings;
+  if (so.found.clothClothCrossings > 0) {
+    EXPECT_NE(text(so.report.why).find("through cloth"), std::string::npos) << text(so.report.why);
+  }
+  EXPECT_NEAR(so.found.seamGap, so.report.seamGap, 1e-9);
+  double deepest = 0;
+  for (const Vec3 p : so.state.position) deepest = std::fmax(deepest, -body.contact(p).distance);
+  EXPECT_LE(deepest, so.report.penetration + 1e-6) << "the report may not flatter";
+  return so;
+}
+
+// Pleated to an eighth of its width, let go on a floor.
+TEST(Torture, CrumpledClothSpreadsUncrossedAndKeepsItsSize) {
+  ClothLevel level;
+  addPiece(level.cloth, gridLattice(24, 8, 0.4 / 24), *preset("silk"));
+  level.state = standingBy(level.cloth, [](std::size_t, Flat p) {
+    const double pleat = 0.1, along = std::fmod(p.u, pleat), up = std::fmin(along, pleat - along);
+    return Vec3{p.u / 8, 0.004 + std::sqrt(1 - 1.0 / 64) * up, p.v};
+  });
+  const Ordeal so = through({level}, PlaneBody({0, 1, 0}, 0));
+  EXPECT_LT(so.found.strain.mean, 0.01);
+  EXPECT_LE(so.report.penetration, 1e-6);
+  double before = 0, after = 0;
+  for (std::size_t k = 0; k < so.state.position.size(); ++k)
+    before += level.state.position[k].y, after += so.state.position[k].y;
+  EXPECT_LT(after, 0.5 * before);
+  EXPECT_EQ(so.found.clothClothCrossings, 0u);
+}
+
+// Two bars nearer to each other than cloth needs, a sheet between them: there is no room, and the report says so.
+TEST(Torture, ClothBetweenWhatNearlyTouchesIsReportedAsItStands) {
+  for (const double gap : {0.0005, -0.002}) {
+    SCOPED_TRACE(gap);
+    ClothLevel level;
+    addPiece(level.cloth, gridLattice(10, 20, 0.02), *preset("cotton"));
+    level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u - 0.1, p.v - 0.2, 0}; });
+    const double z = 0.05 + gap / 2;
+    const CapsuleBody bars({{{-0.5, 0, z}, {0.5, 0, z}, 0.05}, {{-0.5, 0, -z}, {0.5, 0, -z}, 0.05}});
+    const Ordeal so = through({level}, bars);
+    if (gap < 0) {
+      EXPECT_TRUE(!so.report.settled || so.report.penetration > 0);
+    }
+  }
+}
+
+// A figure that runs into itself: the crease between two bars that overlap.
+TEST(Torture, ClothRestsInTheCreaseOfABodyThatCrossesItself) {
+  std::vector<ClothLevel> levels;
+  for (const std::uint32_t cells : {8u, 16u}) {
+    ClothLevel level;
+    addPiece(level.cloth, gridLattice(cells, cells, 0.4 / cells), *preset("cotton"));
+    level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u - 0.2, 0.07, p.v - 0.2}; });
+    levels.push_back(std::move(level));
+  }
+  const Ordeal so = through(
+      std::move(levels), CapsuleBody({{{-1, 0, 0.045}, {1, 0, 0.045}, 0.05}, {{-1, 0, -0.045}, {1, 0, -0.045}, 0.05}}));
+  EXPECT_TRUE(so.report.settled) << text(so.report.why);
+  EXPECT_LE(so.report.penetration, 1e-6);
+}
+
+// From a doll's handkerchief to a sail: a curtain of the same lattice, thrice.
+TEST(Torture, DollsAndSailsHangAsCurtainsDo) {
+  for (const double size : {0.05, 1.0, 10.0}) {
+    SCOPED_TRACE(size);
+    ClothLevel level;
+    addPiece(level.cloth, gridLattice(12, 12, size / 12), *preset("cotton"));
+    level.cloth.pinned = {12 * 13, 12 * 13 + 12};
+    level.state = standingBy(level.cloth, [&](std::size_t, Flat p) {
+      const bool held = p.v > 0.999 * size && (p.u < 1e-9 || p.u > 0.999 * size);
+      return Vec3{p.u, p.v, held ? 0 : 0.02 * size * std::sin(20 * p.u / size)};
+    });
+    const Ordeal so = through({level}, NoBody());
+    EXPECT_LT(so.found.strain.mean, 0.01);
+    for (const std::uint32_t k : level.cloth.pinned) EXPECT_EQ(so.state.position[k], level.state.position[k]);
+  }
+}
+
+// One side as long as the other, twice and four times as long.
+TEST(Torture, GathersOfAnyLengthCloseAndHangUncrossed) {
+  for (const double ratio : {1.0, 2.0, 4.0}) {
+    SCOPED_TRACE(ratio);
+    const double band = 0.12;
+    auto yoke = rectangle(1, band, 0.06), frill = rectangle(2, band * ratio, 0.08);
+    Pattern pattern = patternOf({yoke, frill});
+    Seam seam;
+    seam.id = SeamId{1};
+    seam.name = "gathers";
+    seam.a = {{yoke->id, "bottom"}};
+    seam.b = {{frill->id, "top"}};
+    seam.reversed = true;
+    pattern.seams[seam.id] = seam;
+    ClothChoice choice;
+    for (int k = 0; k <= 6; ++k) choice.pins[yoke->id].push_back({k * band / 6, 0.06});
+    std::vector<ClothLevel> levels;
+    for (const double spacing : {0.02, 0.01}) {
+      levels.push_back(levelOf(pattern, spacing, *preset("chiffon"), choice));
+      levels.back().state = standingBy(levels.back().cloth, [&](std::size_t piece, Flat p) {
+        return piece == 0 ? Vec3{p.u, p.v, 0}
+                          : Vec3{p.u - 0.5 * band * (ratio - 1), p.v - 0.1, 0.002 * std::sin(300 * p.u)};
+      });
+    }
+    const Ordeal so = through(std::move(levels), NoBody());
+    EXPECT_LE(so.report.seamGap, 1e-9) << text(so.report.why);
+    EXPECT_LT(so.found.strain.mean, 0.03);
+    if (ratio <= 2) {
+      EXPECT_EQ(so.found.clothClothCrossings, 0u);
+    }
+  }
+}
+
+// From gossamer to sailcloth, ten thousand times as stiff one way as the other, on ice and on glue.
+TEST(Torture, AbsurdButSoundFabricsStayWhole) {
+  for (const double weight : {0.01, 2.0})
+    for (const double weft : {10.0, 1e5})
+      for (const double friction : {0.0, 2.0}) {
+        SCOPED_TRACE(std::to_string(weight) + " kg/m2, " + std::to_string(weft) + " N/m, " + std::to_string(friction));
+        Fabric f = *preset("cotton");
+        f.weight = weight, f.stretchWeft = weft, f.frictionBody = f.frictionCloth = friction;
+        f.stretchWarp = weft > 100 ? 10 : 1e5;
+        const Ordeal so = through({tunic(6, f), tunic(12, f)}, tunicBody());
+        EXPECT_LE(so.report.penetration, 1e-6);
+        EXPECT_LE(so.report.seamGap, 0.0005) << text(so.report.why);
+      }
+}
+
+}  // namespace
+}  // namespace karinui::test
