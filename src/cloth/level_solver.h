@@ -58,7 +58,7 @@ class LevelSolver {
   // whether there is something to take apart.
   bool untangle();
   std::size_t crossings() const;  // of an edge with a face, as it stands
-  void stop();  // forget velocity and anchors
+  void stop();                    // forget velocity and anchors
   // Whether some of it is simcloth, which nothing but its weight moves where it is slack.
   bool goesSlack() const { return simcloth_ != nullptr; }
   double anchorMove() const { return contact_.anchorMove(); }
