@@ -11,8 +11,8 @@ int main(int count, char** words) {
   Program program;
   program.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   program.cli.require_subcommand(1);
-  program.cli.set_version_flag("--version", "karinui 0.1.0");
   program.cli.option_defaults()->group(help("Options"));
+  program.cli.set_version_flag("--version", "karinui 0.1.0", help("Print the version and exit"));
   program.cli.set_help_flag("-h,--help", help("Print this help and exit"));
   program.cli.get_formatter()->label("Usage", help("Usage"));
   program.cli.get_formatter()->label("OPTIONS", help("OPTIONS"));

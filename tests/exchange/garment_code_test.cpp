@@ -208,6 +208,8 @@ TEST(GarmentCode, RefusesWithASentence) {
   EXPECT_NE(sentence(square("", R"(,"stitches":[[{"panel":"p","edge":-1},{"panel":"p","edge":1}]])")), "accepted");
   EXPECT_NE(sentence(square("", R"(,"stitches":{})")), "accepted");
   EXPECT_NE(sentence(square("", R"(,"panels":{})")).find("twice"), std::string::npos);
+  EXPECT_NE(sentence(square("", R"(,"panel_order":["q"])")).find("panel_order"), std::string::npos);
+  EXPECT_NE(sentence(square("", R"(,"panel_order":[7])")).find("panel_order"), std::string::npos);
   std::string open = square("");
   open.replace(open.find("[3,0]"), 5, "[3,1]");
   EXPECT_NE(sentence(open).find("not closed"), std::string::npos);

@@ -23,6 +23,11 @@ TEST(Checked, refusesWithThePlace) {
   EXPECT_FALSE(checked(rectangle(std::nan(""), 1)));
   EXPECT_FALSE(checked(rectangle(HUGE_VAL, 1)));
   EXPECT_FALSE(checked(Outline{}));
+  for (const char* name : {"", "side seam", "a.b", "a;b", "a/b", "a:b", "a\n", "\xe3\x81\x82"}) {
+    Outline called = rectangle(0.2, 0.2);
+    called.edges[1].name = name;
+    EXPECT_FALSE(checked(called)) << name;
+  }
   Outline clockwise = rectangle(0.2, 0.1);
   std::reverse(clockwise.edges.begin(), clockwise.edges.end());
   for (Edge& e : clockwise.edges) e.curve = e.curve.reversed();
