@@ -175,5 +175,26 @@ TEST(Edit, cornersMoveAndOutlinesAreReplacedByName) {
   EXPECT_FALSE(reshaped(piece, circle(0.2)));
 }
 
+TEST(Edit, everyCornerMovesWithBothItsEdges) {
+  for (const std::size_t corners : {3u, 5u, 6u, 7u}) {
+    std::vector<Flat> round;
+    for (std::size_t k = 0; k < corners; ++k) {
+      const double turn = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(corners);
+      round.push_back({0.3 * std::cos(turn), 0.3 * std::sin(turn)});
+    }
+    for (std::size_t k = 0; k < corners; ++k) {
+      std::vector<Flat> wanted = round;
+      wanted[k] = round[k] * 1.2;
+      const auto moved = moveCorner(pieceOf(1, polygon(round)), "e" + std::to_string(k), wanted[k]);
+      ASSERT_TRUE(moved);
+      const Outline expected = polygon(wanted);
+      for (std::size_t e = 0; e < corners; ++e) {
+        EXPECT_EQ(moved->outline.edges[e].curve.start, expected.edges[e].curve.start) << corners << " " << k;
+        EXPECT_EQ(moved->outline.edges[e].curve.end, expected.edges[e].curve.end) << corners << " " << k;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace karinui
