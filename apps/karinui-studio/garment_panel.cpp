@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QTreeWidget>
 #include <cmath>
@@ -33,7 +34,7 @@ QLabel* Panel::word(const Message& words) {
 
 namespace {
 
-enum Kind { kPiece = 1, kEdge, kSeam };
+enum Kind { kPiece = 1, kEdge, kSeam, kMark, kLine };
 
 QString seamName(const Document& document, const Seam& seam) {
   if (!seam.name.empty()) return QString::fromStdString(seam.name);
@@ -64,7 +65,18 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   tree_->setHeaderHidden(true);
   tree_->setIndentation(14);
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  column->addWidget(tree_, 3);
+  tree_->setMinimumHeight(190);
+  Look::here().keep(tree_, [this] { tree_->setAccessibleName(inWords(say("Pieces and seams"))); });
+  column->addWidget(tree_, 1);
+  // The properties take what is left, and scroll: the list keeps its rows.
+  auto* boards = new QWidget;
+  auto* below = new QVBoxLayout(boards);
+  below->setContentsMargins(0, 0, 6, 0);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(boards);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(scroll, 1);
 
   pieceBoard_ = new QWidget;
   auto* form = new QFormLayout(pieceBoard_);
@@ -74,6 +86,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   fabric_ = new QComboBox;
   layer_ = new QSpinBox;
   layer_->setRange(0, 20);
+  layer_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   frozen_ = new QCheckBox;
   Look::here().keep(frozen_, [this] { frozen_->setText(inWords(say("stays as it is"))); });
   grain_ = number(-180, 180, 1, " °");
@@ -85,7 +98,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->addRow(word(say("Layer")), layer_);
   form->addRow(word(say("Frozen")), frozen_);
   form->addRow(word(say("Area")), area_);
-  column->addWidget(pieceBoard_);
+  below->addWidget(pieceBoard_);
 
   edgeBoard_ = new QWidget;
   form = new QFormLayout(edgeBoard_);
@@ -104,8 +117,8 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->addRow(word(say("From, up")), v_);
   form->addRow(word(say("Sewn to")), sewn_);
   form->addRow(new EdgeNumbers(session));
-  column->addWidget(edgeBoard_);
-  column->addStretch(1);
+  below->addWidget(edgeBoard_);
+  below->addStretch(1);
 
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, [this] {
     if (filling_) return;
@@ -119,6 +132,14 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
         case kEdge:
           selection.pieces.insert(piece);
           selection.edge = EdgeNear{piece, item->data(0, Qt::UserRole + 2).toString().toStdString(), 0.5, 0};
+          break;
+        case kMark:
+          selection.pieces.insert(piece);
+          selection.mark = Flat{item->data(0, Qt::UserRole + 3).toDouble(), item->data(0, Qt::UserRole + 4).toDouble()};
+          break;
+        case kLine:
+          selection.pieces.insert(piece);
+          selection.line = item->data(0, Qt::UserRole + 2).toString().toStdString();
           break;
         case kSeam:
           selection.seam = SeamId{item->data(0, Qt::UserRole + 1).toULongLong()};
@@ -255,8 +276,42 @@ void GarmentPanel::fillTree() {
         current = child;
       }
     }
+    const auto add = [&](int kind, const QString& line, const char* icon, bool isChosen) {
+      auto* child = new QTreeWidgetItem(item);
+      child->setText(0, line);
+      child->setIcon(0, Look::here().icon(icon));
+      child->setData(0, Qt::UserRole, kind);
+      child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
+      if (chosen && isChosen) {
+        item->setExpanded(true);
+        child->setSelected(true);
+        current = child;
+      }
+      return child;
+    };
+    for (const Mark& m : piece->marks) {
+      const Edge* edge = m.edge.empty() ? nullptr : findEdge(*piece, m.edge);
+      const Flat place = edge ? edge->curve.atFraction(m.fraction) : m.place;
+      const QString name =
+          m.name.empty() ? inWords(edge ? say("Notch") : say("Drill hole")) : QString::fromStdString(m.name);
+      QTreeWidgetItem* child =
+          add(kMark,
+              name + "   " +
+                  (edge ? QString::fromStdString(m.edge) + "  " + lengthText(m.fraction * edge->curve.length())
+                        : lengthText(place.u) + "  " + lengthText(place.v)),
+              "notch", selection.mark == place);
+      child->setData(0, Qt::UserRole + 3, place.u);
+      child->setData(0, Qt::UserRole + 4, place.v);
+    }
+    for (const InternalLine& line : piece->lines) {
+      double whole = 0;
+      for (const Curve& curve : line.curves) whole += curve.length();
+      add(kLine, QString::fromStdString(line.name) + "   " + lengthText(whole), "line", selection.line == line.name)
+          ->setData(0, Qt::UserRole + 2, QString::fromStdString(line.name));
+    }
     item->setExpanded(item->isExpanded() || open.contains(id.value));
-    if (chosen && !(selection.edge && selection.edge->piece == id)) item->setSelected(true), current = item;
+    if (chosen && !selection.mark && selection.line.empty() && !(selection.edge && selection.edge->piece == id))
+      item->setSelected(true), current = item;
   }
   for (const auto& [id, seam] : document.pattern.seams) {
     auto* item = new QTreeWidgetItem(tree_);

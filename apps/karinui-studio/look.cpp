@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QFontDatabase>
 #include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
@@ -198,8 +199,23 @@ void drawIcon(QPainter& painter, std::string_view name, const QRectF& square, co
   painter.restore();
 }
 
+std::optional<Message> japaneseTrouble() {
+  if (!QFontDatabase::families(QFontDatabase::Japanese).isEmpty()) return std::nullopt;
+  return karinui::say(
+      "No font of this machine has Japanese letters; install one, for instance the Debian package "
+      "fonts-ipafont-gothic.");
+}
+
 QString lengthText(double metres, int decimals) {
   return QString::fromStdString(lengthSaid(metres, Look::here().inches(), decimals));
+}
+
+void paintPin(QPainter& painter, const QPointF& tip) {
+  painter.setPen(QPen(QColor("#4a453f"), 1.3));
+  painter.drawLine(tip, tip + QPointF(5, -9));
+  painter.setPen(QPen(Qt::white, 1));
+  painter.setBrush(QColor("#b3261e"));
+  painter.drawEllipse(tip + QPointF(5.6, -10.2), 3.4, 3.4);
 }
 
 void paintWord(QPainter& painter, const QPointF& above, const QString& words) {

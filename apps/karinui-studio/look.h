@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "karinui/base/message.h"
@@ -51,10 +52,14 @@ class Look : public QObject {
 };
 
 inline QString inWords(const Message& message) { return Look::here().say(message); }
+// Why Japanese cannot be shown on this machine; nothing: it can.
+std::optional<Message> japaneseTrouble();
 QString lengthText(double metres, int decimals = 1);  // "12.3 cm" or "4.84 in"
 QColor shown(const Colour& linear);                   // linear light to screen
 // Draws an icon of the house into a square.
 void drawIcon(class QPainter& painter, std::string_view name, const class QRectF& square, const QColor& ink);
+
+void paintPin(class QPainter& painter, const class QPointF& tip);
 
 // A word on a dark tag, above a place.
 void paintWord(class QPainter& painter, const class QPointF& above, const QString& words);

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QLocale>
+#include <QMessageBox>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QThread>
@@ -111,10 +112,18 @@ int main(int argc, char** argv) {
   look.setDark(wish.dark || settings.value("dark").toBool());
   look.apply(app);
 
+  if (const auto why = drawingTrouble()) {
+    if (!wish.selfCheck && wish.picture.isEmpty()) QMessageBox::critical(nullptr, "Karinui", inWords(*why));
+    return refuse(*why);
+  }
+  const auto unreadable = look.language() == Language::Japanese ? japaneseTrouble() : std::nullopt;
+  if (unreadable) look.setLanguage(Language::English);
+
   SessionOptions options;
   options.threads = wish.threads > 0 ? wish.threads : std::max(1, QThread::idealThreadCount());
   MainWindow window(options);
   window.show();
+  if (unreadable) window.session().refuse(notFound(*unreadable));
   if (wish.selfCheck) return selfCheck(app, window);
   if (!wish.fresh.isEmpty())
     window.newGarment(wish.fresh.toLower().toStdString(), wish.file);

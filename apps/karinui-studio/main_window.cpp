@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -173,13 +174,23 @@ void MainWindow::refresh() {
   emit refreshed();
 }
 
+namespace {
+
+// The library's sentences measure in millimetres; a person reads the measure that was chosen.
+QString inChosenMeasure(QString words) {
+  static const QRegularExpression metric("(-?\\d+(?:\\.\\d+)?) ?mm\\b");
+  for (QRegularExpressionMatch found; (found = metric.match(words)).hasMatch();)
+    words.replace(found.capturedStart(), found.capturedLength(), lengthText(found.captured(1).toDouble() / 1000, 2));
+  return words;
+}
+
+}  // namespace
+
 void MainWindow::tell(const Notice& notice) {
-  const Palette& p = Look::here().palette();
-  toast_->setText(inWords(notice.what));
+  toast_->setText(inChosenMeasure(inWords(notice.what)));
   const QColor back = notice.kind == Notice::Kind::Refused  ? QColor("#8f2f1d")
                       : notice.kind == Notice::Kind::Advice ? QColor("#7a5a12")
                                                             : QColor("#2f4a3c");
-  (void)p;
   toast_->setStyleSheet(
       QString(
           "QLabel#toast { background: %1; color: white; border-radius: 10px; padding: 10px 18px; font-size: 10.5pt; }")

@@ -117,7 +117,10 @@ void MainWindow::makeMenus() {
   english->setObjectName("english");
   japanese->setObjectName("japanese");
   connect(english, &QAction::triggered, this, [] { Look::here().setLanguage(Language::English); });
-  connect(japanese, &QAction::triggered, this, [] { Look::here().setLanguage(Language::Japanese); });
+  connect(japanese, &QAction::triggered, this, [this] {
+    if (const auto why = japaneseTrouble()) return session_->refuse(notFound(*why));
+    Look::here().setLanguage(Language::Japanese);
+  });
 
   QMenu* help = menu(say("Help"));
   add(help, say("A first garment, step by step"), "", "F1", [this] { startGuide(); });

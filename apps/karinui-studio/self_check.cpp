@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QEventLoop>
 #include <QMouseEvent>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
 #include <cstdio>
 
 #include "karinui/base/number.h"
@@ -55,6 +57,19 @@ void drag(MainWindow& window, QPointF from, QPointF to, Qt::MouseButton button, 
 
 }  // namespace
 
+std::optional<Message> drawingTrouble() {
+  QOffscreenSurface surface;
+  surface.create();
+  QOpenGLContext context;
+  if (!context.create() || !context.makeCurrent(&surface))
+    return say("No OpenGL can be had on this display; Karinui needs 3.3. A graphics driver may be missing.");
+  const QSurfaceFormat is = context.format();
+  context.doneCurrent();
+  if (is.majorVersion() * 10 + is.minorVersion() >= 33) return std::nullopt;
+  return say("This machine offers OpenGL {0}; Karinui needs 3.3. A newer graphics driver may help.",
+             written(is.majorVersion()) + "." + written(is.minorVersion()));
+}
+
 void comeToRest(MainWindow& window) {
   QEventLoop loop;
   const auto check = [&] {
@@ -106,6 +121,7 @@ int selfCheck(QApplication&, MainWindow& window) {
 
 int keepPicture(QApplication&, MainWindow& window, const QString& path) {
   comeToRest(window);
+  if (!window.said().isEmpty()) std::printf("%s\n", window.said().toUtf8().constData());
   return window.grab().save(path) ? 0 : 1;
 }
 

@@ -77,6 +77,10 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     const OnPicture on = project(eye, place, w, h);
     return QPointF(on.x, on.y);
   };
+  const FittingPtr fitting = session_.shownPtr();
+  for (const auto& [id, pins] : fitting->document.pins)
+    for (const Flat pin : pins)
+      if (const auto place = spaceOf(*fitting, id, pin)) paintPin(painter, at(*place));
   const Preview preview = session_.preview();
   for (const Vec3 dot : preview.space.dots) {
     painter.setPen(QPen(Qt::white, 2));

@@ -223,6 +223,8 @@ void TableView::paintEvent(QPaintEvent*) {
       }
     }
   }
+  for (const auto& [id, pins] : document.pins)
+    for (const Flat pin : pins) paintPin(painter, onScreen(pin + session_.table().at(id)));
   for (const TableLine& line : preview.table.lines) {
     QPolygonF points;
     for (const Flat q : line.points) points << onScreen(q);
@@ -232,8 +234,18 @@ void TableView::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(Qt::white, 1.5));
   painter.setBrush(p.accent);
   for (const Flat dot : preview.table.dots) painter.drawEllipse(onScreen(dot), 5, 5);
-  for (const TableWord& word : preview.table.words)
-    paintWord(painter, onScreen(word.place), QString::fromStdString(word.text));
+  for (const TableWord& word : preview.table.words) {
+    // Above what is being drawn there, never over it.
+    QPointF place = onScreen(word.place);
+    constexpr double kNear = 90;  // pixels to either side
+    double top = place.y();
+    for (const TableLine& line : preview.table.lines)
+      for (const Flat q : line.points)
+        if (const QPointF at = onScreen(q); std::fabs(at.x() - place.x()) < kNear && place.y() - at.y() < 2 * kNear)
+          top = std::min(top, at.y());
+    place.setY(std::max(top, 34.0));
+    paintWord(painter, place, QString::fromStdString(word.text));
+  }
   if (session_.selection().edge) {
     const EdgeNear& e = *session_.selection().edge;
     const Piece* piece = document.find(e.piece);

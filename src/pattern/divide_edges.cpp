@@ -13,8 +13,13 @@ std::set<std::string> edgeNames(const Piece& piece) {
 }
 
 std::string freeName(const std::string& name, std::set<std::string>& taken) {
+  // Of "hem_2" the next is "hem_3": a number is counted on, not given one of its own.
+  std::size_t digits = name.size();
+  while (digits > 0 && name[digits - 1] >= '0' && name[digits - 1] <= '9') --digits;
+  const bool numbered = digits > 1 && digits < name.size() && name[digits - 1] == '_';
+  const std::string stem = numbered ? name.substr(0, digits - 1) : name;
   std::string made = name;
-  for (int k = 2; !taken.insert(made).second; ++k) made = name + "_" + std::to_string(k);
+  for (int k = 2; !taken.insert(made).second; ++k) made = stem + "_" + std::to_string(k);
   return made;
 }
 

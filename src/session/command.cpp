@@ -10,8 +10,9 @@ std::span<const CommandInfo> commands() {
   static const std::vector<CommandInfo> all{
       {Command::Select, "select", "select", "Q", say("Select"), say("Click a piece, an edge or a seam to choose it.")},
       {Command::Draw, "draw", "draw", "D", say("Draw"),
-       say("Draw a closed line on the body, by dragging or click by click; half a line from centre to centre makes a "
-           "symmetric piece.")},
+       say("Draw a closed line on the body, by dragging (with Ctrl straight) or click by click; half a line from "
+           "centre "
+           "to centre makes a symmetric piece.")},
       {Command::Move, "move", "move", "G", say("Move"),
        say("Drag a piece to carry it; with Ctrl it turns. Near another outline it snaps, unless Alt is held.")},
       {Command::Sew, "sew", "sew", "N", say("Sew"),
@@ -31,6 +32,8 @@ std::span<const CommandInfo> commands() {
        say("Click the edge where the dart opens, then its tip inside the piece.")},
       {Command::Line, "line", "line", "L", say("Inner line"),
        say("Click from place to place inside a piece, and Enter; or drag a curve.")},
+      {Command::Pin, "pin", "pin", "W", say("Pin"),
+       say("Click the cloth to pin it where it is; click a pin to take it out. With Shift a whole edge is pinned.")},
       {Command::Undo, "undo", "undo", "Ctrl+Z", say("Undo"), say("Takes back the last step; in mid-drag, the drag.")},
       {Command::Redo, "redo", "redo", "Ctrl+Shift+Z", say("Redo"), say("Does again what was undone.")},
       {Command::Settle, "settle", "settle", "Space", say("Settle"),

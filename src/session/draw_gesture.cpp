@@ -103,8 +103,10 @@ class DrawGesture : public Gesture {
         stroke_ = {Noted{skin.skin, skin.point}};
         return {};
       case PointerSample::Phase::Drag:
+        straight_ = sample.control;
+        if (!stroke_.empty() && on && straight_) stroke_.resize(1);  // as a ruler lies: only its ends count
         if (!stroke_.empty() && on && distance(skin.point, stroke_.back().point) >= kStep)
-          stroke_.push_back({skin.skin, skin.point, false});
+          stroke_.push_back({skin.skin, skin.point, straight_});
         return {};
       case PointerSample::Phase::Release:
         break;
@@ -234,7 +236,7 @@ class DrawGesture : public Gesture {
   std::vector<std::vector<Noted>> parts_;
   std::vector<Noted> stroke_;
   std::optional<Noted> hover_;
-  bool smooth_ = false;
+  bool smooth_ = false, straight_ = false;
   struct Known {
     Vec3 from, to;
     std::vector<Vec3> points;

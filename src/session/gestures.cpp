@@ -29,6 +29,8 @@ std::unique_ptr<Gesture> gestureFor(Command tool) {
       return dartGesture();
     case Command::Line:
       return lineGesture();
+    case Command::Pin:
+      return pinGesture();
     default:
       return selectGesture();
   }
@@ -110,6 +112,13 @@ void showEdge(Preview& preview, const Workbench& bench, const EdgeRef& part, con
   if (space.empty()) return;
   preview.space.lines.push_back({std::move(space), colour, 4, false});
   preview.table.lines.push_back({edgeOnTable(bench, part), colour, false});
+}
+
+std::string easeSaid(const Workbench& bench, double one, double other) {
+  const std::string sign = other >= one ? "+" : "−";
+  const double spare = std::fabs(other - one);
+  return bench.said(one) + " / " + bench.said(other) + "   " + sign + bench.said(spare) + " (" + sign +
+         fixed(one > 0 ? 100 * spare / one : 0, 1) + " %)";
 }
 
 void showOnPaper(Preview& preview, const Workbench& bench, PieceId id, const std::vector<Flat>& line,

@@ -20,6 +20,7 @@ std::unique_ptr<Gesture> pointsGesture();
 std::unique_ptr<Gesture> notchGesture();
 std::unique_ptr<Gesture> dartGesture();
 std::unique_ptr<Gesture> lineGesture();
+std::unique_ptr<Gesture> pinGesture();
 
 inline constexpr Colour kChalk{0.93f, 0.33f, 0.10f};    // what is being done
 inline constexpr Colour kGood{0.05f, 0.42f, 0.25f};     // will be accepted
@@ -45,6 +46,8 @@ std::vector<std::size_t> mattering(std::span<const Point> line, double miss);
 std::vector<Flat> edgeOnTable(const Workbench& bench, const EdgeRef& part);
 double lengthOf(const Workbench& bench, const EdgeRef& part);
 void showEdge(Preview& preview, const Workbench& bench, const EdgeRef& part, const Colour& colour);
+// "12.3 cm / 12.8 cm   +0.5 cm (4.1 %)": two sides of a seam, and what the second has to spare.
+std::string easeSaid(const Workbench& bench, double one, double other);
 // A line on a piece's paper, on the table and on the cloth.
 void showOnPaper(Preview& preview, const Workbench& bench, PieceId piece, const std::vector<Flat>& line,
                  const Colour& colour);

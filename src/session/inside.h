@@ -26,7 +26,8 @@ struct Session::Inside {
   bool inches = false;
   std::optional<Sight> sight;
   std::optional<Command> hot;
-  bool onMenu = false;  // the button was pressed on the menu
+  bool onCross = false;  // the pointer is on the mark of a crossed seam
+  bool onMenu = false;   // the button was pressed on the menu
   std::optional<Command> viewAsked;
   std::vector<Notice> notices;
   SessionNews news;
@@ -51,6 +52,9 @@ struct Session::Inside {
 
   explicit Inside(SessionOptions options);
   Workbench bench() const { return {state.fitting, &table, language, dartWidth, inches}; }
+
+  // Whether marks of crossed seams are shown, to be clicked.
+  bool turnsCrossed() const { return (tool == Command::Select || tool == Command::Sew) && !gesture->begun(); }
 
   // Sentences for the person.
   void tell(Notice::Kind kind, Message what);

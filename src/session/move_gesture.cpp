@@ -1,4 +1,4 @@
-// Carrying and turning a piece as a rigid thing. Near another outline the nearest corners (or else edges) meet.
+// Carrying and turning a piece as a rigid thing. Near another piece corners meet, or else outline meets outline.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +10,7 @@ namespace karinui {
 namespace {
 
 constexpr double kSnaps = 0.015;  // metres, as seen
+constexpr double kAlong = 0.006;  // metres between places of an outline
 constexpr double kDeep = 0.08;    // metres a snap may draw the piece nearer or further
 
 class MoveGesture : public Gesture {
@@ -93,7 +94,8 @@ class MoveGesture : public Gesture {
     return shown;
   }
   Message hint() const override {
-    if (snapped_) return say("Corner meets corner; hold Alt to place it freely.");
+    if (snapped_ && onCorner_) return say("Corner meets corner; hold Alt to place it freely.");
+    if (snapped_) return say("Outline meets outline; hold Alt to place it freely.");
     return info(Command::Move).hint;
   }
   bool begun() const override { return static_cast<bool>(held_); }
@@ -120,21 +122,45 @@ class MoveGesture : public Gesture {
   void collect(const Workbench& bench) {
     mine_.clear();
     theirs_.clear();
+    myOutline_.clear();
+    theirOutline_.clear();
     for (const auto& [id, piece] : bench.fitting->document.pattern.pieces) {
       const Stand stand(*piece);
-      for (const Edge& edge : piece->outline.edges) (id == held_ ? mine_ : theirs_).push_back(stand(edge.curve.start));
+      for (const Edge& edge : piece->outline.edges) {
+        const Vec3 corner = stand(edge.curve.start);
+        id == held_ ? mine_.push_back(corner) : theirs_.push_back({corner, corner});
+        const int steps = std::max(1, static_cast<int>(edge.curve.length() / kAlong));
+        Vec3 before = corner;
+        for (int i = 1; i <= steps; ++i) {
+          const Vec3 next = stand(edge.curve.atFraction(1.0 * i / steps));
+          id == held_ ? myOutline_.push_back(next) : theirOutline_.push_back({before, next});
+          before = next;
+        }
+      }
     }
   }
 
   void snap() {
-    double nearest = kSnaps;
+    onCorner_ = meet(mine_, theirs_);
+    if (!onCorner_) meet(myOutline_, theirOutline_);
+  }
+  // Brings the nearest place of mine and of their lines together, as seen; false: none is near.
+  bool meet(const std::vector<Vec3>& mine, const std::vector<std::pair<Vec3, Vec3>>& theirs) {
+    const auto flat = [&](Vec3 v) { return v - facing_ * dot(v, facing_); };
+    double nearest = kSnaps * kSnaps;
     Vec3 step;
-    for (const Vec3 a : mine_)
-      for (const Vec3 b : theirs_)
-        if (const Vec3 way = b - (a + by_); std::fabs(dot(way, facing_)) < kDeep)
-          if (const double d = length(way - facing_ * dot(way, facing_)); d < nearest)
-            nearest = d, step = way, snapped_ = b;
+    for (const Vec3 place : mine)
+      for (const auto& [from, to] : theirs) {
+        const Vec3 start = from - (place + by_), side = flat(to - from);
+        const double ss = squaredLength(side);
+        const double t = ss > 0 ? std::clamp(-dot(flat(start), side) / ss, 0.0, 1.0) : 0;
+        const Vec3 way = start + (to - from) * t;
+        if (std::fabs(dot(way, facing_)) > kDeep) continue;
+        if (const double d = squaredLength(flat(way)); d < nearest)
+          nearest = d, step = way, snapped_ = from + (to - from) * t;
+      }
     if (snapped_) by_ = tenth(by_ + step);
+    return snapped_.has_value();
   }
 
   PieceId held_, over_;
@@ -144,7 +170,9 @@ class MoveGesture : public Gesture {
   double turn_ = 0;
   Rigid rigid_;
   std::optional<Vec3> snapped_;
-  std::vector<Vec3> mine_, theirs_;
+  bool onCorner_ = false;
+  std::vector<Vec3> mine_, myOutline_;  // corners; places all along
+  std::vector<std::pair<Vec3, Vec3>> theirs_, theirOutline_;
   std::optional<std::pair<PieceId, Flat>> aside_;
 };
 

@@ -18,6 +18,7 @@ bool Session::can(Command command) const {
     case Command::Notch:
     case Command::Dart:
     case Command::Line:
+    case Command::Pin:
       return !document.pattern.pieces.empty() && !in.state.readOnly;
     case Command::Undo:
       return in.gesture->begun() || in.settlingNow() || (!in.state.steps.empty() && !in.state.readOnly);
@@ -97,6 +98,8 @@ void Session::command(Command command) {
       return in.told(in.gesture->confirm(in.bench()), begun);
     }
     case Command::Remove:
+      if (!in.selection.line.empty()) return in.perform(EraseMarks{chosen().front(), {in.selection.line}, {}});
+      if (in.selection.mark) return in.perform(EraseMarks{chosen().front(), {}, in.selection.mark});
       if (in.selection.seam) return in.perform(Unsew{{SeamRef(in.selection.seam)}});
       return in.perform(RemovePieces{chosen()});
     case Command::Duplicate: {

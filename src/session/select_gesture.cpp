@@ -5,6 +5,17 @@ namespace karinui {
 
 namespace {
 
+SeamId seamAt(const Document& document, const EdgeNear& near) {
+  SeamId found;
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side)
+        if (span.piece == near.piece && span.edge == near.edge && span.from <= near.fraction + 1e-9 &&
+            near.fraction <= span.to + 1e-9)
+          found = id;
+  return found;
+}
+
 class SelectGesture : public Gesture {
  public:
   Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
@@ -13,19 +24,34 @@ class SelectGesture : public Gesture {
     Selection selection;
     if (hit.piece) selection.pieces = {hit.piece};
     selection.edge = hit.edge;
-    if (hit.edge)
-      for (const auto& [id, seam] : bench.fitting->document.pattern.seams)
-        for (const auto* side : {&seam.a, &seam.b})
-          for (const EdgeSpan& span : *side)
-            if (span.piece == hit.edge->piece && span.edge == hit.edge->edge &&
-                span.from <= hit.edge->fraction + 1e-9 && hit.edge->fraction <= span.to + 1e-9)
-              selection.seam = id;
+    if (hit.edge) selection.seam = seamAt(bench.fitting->document, *hit.edge);
     chosen_ = selection;
     return {};
   }
   Preview preview(const Workbench& bench) const override {
     Preview shown;
-    if (hover_) showEdge(shown, bench, {PieceRef(hover_->piece), hover_->edge}, kChalk);
+    if (!hover_) return shown;
+    showEdge(shown, bench, {PieceRef(hover_->piece), hover_->edge}, kChalk);
+    // Where it is sewn: to what, and what one side has to spare.
+    const Document& document = bench.fitting->document;
+    if (const auto at = document.pattern.seams.find(seamAt(document, *hover_)); at != document.pattern.seams.end()) {
+      const auto whole = [&](const std::vector<EdgeSpan>& side) {
+        double sum = 0;
+        for (const EdgeSpan& s : side) {
+          const EdgeRef part{PieceRef(s.piece), s.edge, s.from, s.to};
+          sum += lengthOf(bench, part);
+          showEdge(shown, bench, part, kPartner);
+        }
+        return sum;
+      };
+      const double one = whole(at->second.a), other = whole(at->second.b);
+      const std::string words = easeSaid(bench, one, other);
+      const EdgeRef here{PieceRef(hover_->piece), hover_->edge};
+      if (const auto line = edgeInSpace(*bench.fitting, here); !line.empty())
+        shown.space.words.push_back({line[line.size() / 2], words});
+      if (const auto line = edgeOnTable(bench, here); !line.empty())
+        shown.table.words.push_back({line[line.size() / 2], words});
+    }
     return shown;
   }
   Message hint() const override { return info(Command::Select).hint; }

@@ -35,7 +35,16 @@ const std::vector<Step>& Session::steps() const { return inside_->state.steps; }
 const std::vector<Step>& Session::undone() const { return inside_->state.undone; }
 const Selection& Session::selection() const { return inside_->selection; }
 Command Session::tool() const { return inside_->tool; }
-Preview Session::preview() const { return inside_->gesture->preview(inside_->bench()); }
+Preview Session::preview() const {
+  const auto& in = *inside_;
+  Preview preview = in.gesture->preview(in.bench());
+  if (!in.turnsCrossed()) return preview;
+  for (const CrossedSeam& one : crossedSeams(*in.state.fitting, in.table)) {
+    preview.space.words.push_back({one.place, "⇄"});
+    for (const Flat p : one.table) preview.table.words.push_back({p, "⇄"});
+  }
+  return preview;
+}
 void Session::refuse(const Error& why) {
   inside_->tellError(why);
   if (inside_->options.wake) inside_->options.wake();
@@ -45,6 +54,7 @@ std::vector<Notice> Session::takeNotices() { return std::exchange(inside_->notic
 std::optional<Command> Session::takeView() { return std::exchange(inside_->viewAsked, std::nullopt); }
 
 Message Session::hint() const {
+  if (inside_->onCross) return say("This seam crosses itself; click to sew it the other way round.");
   if (inside_->hot) return info(*inside_->hot).hint;
   return inside_->gesture->hint();
 }
@@ -99,6 +109,14 @@ void Session::feed(const PointerSample& sample) {
   } else {
     in.hot.reset();
   }
+  if (in.turnsCrossed())
+    if (const auto seam = crossedAt(*in.state.fitting, in.table, sample)) {
+      in.onCross = true;
+      if (sample.phase == Phase::Press && can(Command::Sew) && !in.line.busy(TaskLine::Kind::Step))
+        in.perform(FlipSeam{SeamRef(*seam)});
+      if (sample.phase != Phase::Release) return;
+    }
+  if (std::exchange(in.onCross, false)) return;
   const bool begun = in.gesture->begun();
   const Hit hit = pick(*in.state.fitting, in.table, sample);
   Told told = in.gesture->feed(sample, hit, in.bench());

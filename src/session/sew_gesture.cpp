@@ -79,9 +79,7 @@ class SewGesture : public Gesture {
       };
       shown.space.lines.push_back({{at(left, i), at(right, crossed ? 12 - i : i)}, kPartner, 1, false});
     }
-    const double la = lengthOf(bench, *a), lb = lengthOf(bench, *b);
-    const std::string words =
-        bench.said(la) + " / " + bench.said(lb) + "   " + (lb >= la ? "+" : "−") + bench.said(std::fabs(lb - la));
+    const std::string words = easeSaid(bench, lengthOf(bench, *a), lengthOf(bench, *b));
     shown.space.words.push_back({where, words});
     shown.table.words.push_back({edgeOnTable(bench, *b).at(20), words});
     return shown;

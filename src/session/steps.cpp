@@ -30,6 +30,7 @@ void Session::Inside::take(RoomState fresh) {
     if (const Piece* piece = state.fitting->document.find(selection.edge->piece);
         !piece || !findEdge(*piece, selection.edge->edge))
       selection.edge.reset();
+  selection.line.clear(), selection.mark.reset();  // the step may have been about them
   if (selection.seam && !state.fitting->document.find(selection.seam)) selection.seam = {};
   ++news.garment, ++news.history, ++news.overlay;
   // The first drape and the first pull need to know how far everything is from the skin: find out while nobody waits.

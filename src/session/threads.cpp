@@ -6,23 +6,33 @@
 
 namespace karinui {
 
+namespace {
+
+std::vector<Vec3> sideInSpace(const Fitting& fitting, const std::vector<EdgeSpan>& side) {
+  std::vector<Vec3> points;
+  for (const EdgeSpan& s : side) {
+    const auto part = edgeInSpace(fitting, {PieceRef(s.piece), s.edge, s.from, s.to});
+    points.insert(points.end(), part.begin(), part.end());
+  }
+  return points;
+}
+
+// Both sides of a seam, from where it begins to where it ends.
+std::pair<std::vector<Vec3>, std::vector<Vec3>> sidesOf(const Fitting& fitting, const Seam& seam) {
+  auto a = sideInSpace(fitting, seam.a), b = sideInSpace(fitting, seam.b);
+  if (seam.reversed) std::reverse(b.begin(), b.end());
+  return {std::move(a), std::move(b)};
+}
+
+}  // namespace
+
 std::vector<SceneLine> threadsOf(const Fitting& fitting) {
   constexpr Colour kThread{0.75f, 0.40f, 0.12f};
   constexpr double kApart = 0.012, kStitch = 0.025;  // metres
   std::vector<SceneLine> lines;
-  const auto run = [&](const std::vector<EdgeSpan>& side) {
-    std::vector<Vec3> points;
-    for (const EdgeSpan& s : side) {
-      const auto part = edgeInSpace(fitting, {PieceRef(s.piece), s.edge, s.from, s.to});
-      points.insert(points.end(), part.begin(), part.end());
-    }
-    return points;
-  };
   for (const auto& [id, seam] : fitting.document.pattern.seams) {
-    const auto a = run(seam.a);
-    auto b = run(seam.b);
+    const auto [a, b] = sidesOf(fitting, seam);
     if (a.size() < 2 || b.size() < 2) continue;
-    if (seam.reversed) std::reverse(b.begin(), b.end());
     const int count = std::clamp(static_cast<int>(lineLength(a, false) / kStitch), 4, 40);
     for (int i = 0; i <= count; ++i) {
       const auto at = [&](const std::vector<Vec3>& line) {
@@ -32,6 +42,40 @@ std::vector<SceneLine> threadsOf(const Fitting& fitting) {
     }
   }
   return lines;
+}
+
+std::vector<CrossedSeam> crossedSeams(const Fitting& fitting, const Table& table) {
+  constexpr double kApart = 0.02;  // metres: a closed seam crosses nothing
+  std::vector<CrossedSeam> crossed;
+  for (const auto& [id, seam] : fitting.document.pattern.seams) {
+    const auto [a, b] = sidesOf(fitting, seam);
+    if (a.size() < 2 || b.size() < 2) continue;
+    const double straight = distance(a.front(), b.front()) + distance(a.back(), b.back());
+    const double turned = distance(a.front(), b.back()) + distance(a.back(), b.front());
+    if (straight < 2 * kApart || turned > 0.98 * straight) continue;
+    CrossedSeam one{id, (a[a.size() / 2] + b[b.size() / 2]) * 0.5, {}};
+    for (const auto* side : {&seam.a, &seam.b}) {
+      const EdgeSpan& span = (*side)[side->size() / 2];
+      const Piece* piece = fitting.document.find(span.piece);
+      if (const Edge* edge = piece ? findEdge(*piece, span.edge) : nullptr)
+        one.table.push_back(edge->curve.atFraction((span.from + span.to) / 2) + table.at(piece->id));
+    }
+    crossed.push_back(std::move(one));
+  }
+  return crossed;
+}
+
+std::optional<SeamId> crossedAt(const Fitting& fitting, const Table& table, const PointerSample& sample) {
+  for (const CrossedSeam& one : crossedSeams(fitting, table)) {
+    if (sample.where == PointerSample::Where::Table) {
+      for (const Flat p : one.table)
+        if (distance(p, sample.place) < sample.reach) return one.seam;
+    } else if (const Vec3 way = one.place - sample.ray.origin;
+               length(cross(way, sample.ray.direction)) < sample.reach * dot(way, sample.ray.direction)) {
+      return one.seam;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace karinui

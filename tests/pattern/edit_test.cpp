@@ -196,5 +196,38 @@ TEST(Edit, everyCornerMovesWithBothItsEdges) {
   }
 }
 
+TEST(Edit, ADartsSidesAreTruedToOneLength) {
+  Piece piece;
+  piece.id = PieceId{1};
+  piece.name = "skirt";
+  piece.outline.edges = {{"waist", Curve::line({0, 0}, {0.4, 0})},
+                         {"right", Curve::line({0.4, 0}, {0.4, 0.6})},
+                         {"hem", Curve::line({0.4, 0.6}, {0, 0.6})},
+                         {"left", Curve::line({0, 0.6}, {0, 0})}};
+  const auto dart = addDart(piece, "waist", 0.5, 0.03, {0.24, 0.1}, "dart");
+  ASSERT_TRUE(dart) << text(dart.error().what);
+  const Piece& after = dart->edited.piece;
+  const Curve to = findEdge(after, dart->to)->curve, back = findEdge(after, dart->back)->curve;
+  EXPECT_NEAR(to.length(), back.length(), 1e-12);
+  EXPECT_NEAR(to.length(), std::hypot(0.055, 0.1), 1e-9) << "the shorter side grew";
+  EXPECT_EQ(findEdge(after, "waist")->curve.end, to.start);
+}
+
+TEST(Edit, ASplitEdgesPartIsCountedOn) {
+  Piece piece;
+  piece.id = PieceId{1};
+  piece.name = "band";
+  piece.outline.edges = {{"hem", Curve::line({0, 0}, {0.4, 0})},
+                         {"right", Curve::line({0.4, 0}, {0.4, 0.1})},
+                         {"top", Curve::line({0.4, 0.1}, {0, 0.1})},
+                         {"left", Curve::line({0, 0.1}, {0, 0})}};
+  const auto once = splitEdge(piece, "hem", 0.5);
+  ASSERT_TRUE(once);
+  const auto twice = splitEdge(once->piece, "hem_2", 0.5);
+  ASSERT_TRUE(twice);
+  EXPECT_TRUE(findEdge(twice->piece, "hem_3"));
+  EXPECT_FALSE(findEdge(twice->piece, "hem_2_2"));
+}
+
 }  // namespace
 }  // namespace karinui

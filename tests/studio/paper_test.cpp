@@ -1,6 +1,8 @@
 // Editing on the paper in the real window: points, notches, darts, lines, by mouse and by number.
 #include <gmock/gmock.h>
 
+#include <QTreeWidget>
+
 #include "karinui/design/script.h"
 #include "studio/window.h"
 
@@ -81,6 +83,72 @@ TEST(StudioPaper, PutsWhatIsTypedWhereItIsTyped) {
   w.rest();
   front = w.session().fitting().document.pieceNamed("front");
   EXPECT_NEAR(findEdge(*front, "shoulder_left")->curve.length(), whole, 1e-6);
+}
+
+TEST(StudioPaper, MarksAndLinesAreInTheListAndGoWithDelete) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const PieceId front = w.session().fitting().document.pieceNamed("front")->id;
+  w.session().perform(*parseOperation("line piece=front along=\"-0.05,0.3; 0.05,0.3\" name=pocket"));
+  w.session().perform(*parseOperation("notch edge=front.hem_left at=0.25"));
+  w.rest();
+  w.session().select(edgeOf(w, "front", "hem_left"));
+  w.rest();
+  auto* tree = w.main().findChild<QTreeWidget*>();
+  EXPECT_GE(tree->viewport()->height() / std::max(1, tree->sizeHintForRow(0)), 6)
+      << "with an edge chosen the list is a list";
+  w.keep("studio_tree");
+  const auto inList = [&](const char* words) {
+    const auto found = tree->findItems(words, Qt::MatchStartsWith | Qt::MatchRecursive);
+    return found.empty() ? nullptr : found.front();
+  };
+  ASSERT_TRUE(inList("pocket"));
+  tree->setCurrentItem(inList("pocket"));
+  w.key(Command::Remove);
+  w.rest();
+  EXPECT_TRUE(w.session().fitting().document.find(front)->lines.empty()) << w.main().said().toStdString();
+  EXPECT_FALSE(inList("pocket"));
+  ASSERT_EQ(w.session().fitting().document.find(front)->marks.size(), 1u);
+  ASSERT_TRUE(inList("Notch"));
+  tree->setCurrentItem(inList("Notch"));
+  w.key(Command::Remove);
+  w.rest();
+  EXPECT_TRUE(w.session().fitting().document.find(front)->marks.empty());
+}
+
+TEST(StudioPaper, RefusesInTheMeasureThatWasChosen) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const auto refuse = [&] {
+    w.session().perform(*parseOperation("dart edge=front.shoulder_left at=0.5 tip=0,0.3 width=60cm"));
+    w.rest();
+    return w.main().said().toStdString();
+  };
+  EXPECT_THAT(refuse(), HasSubstr("60.00 cm wide"));
+  Look::here().setInches(true);
+  EXPECT_THAT(refuse(), HasSubstr("23.622 in wide"));
+  Look::here().setInches(false);
+}
+
+TEST(StudioPaper, PinsWithAClickAndHoldsWhileItSettles) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  EXPECT_EQ(w.main().action(Command::Pin)->shortcut(), QKeySequence("W"));
+  const PieceId front = w.session().fitting().document.pieceNamed("front")->id;
+  w.key(Command::Pin);
+  const Flat hem{0.06, 0.03};
+  w.click(w.space(), w.inSpace("front", hem));
+  w.rest();
+  ASSERT_EQ(w.session().fitting().document.pins.at(front).size(), 1u) << w.main().said().toStdString();
+  const Flat pin = w.session().fitting().document.pins.at(front)[0];
+  EXPECT_LT(distance(pin, hem), 0.01);
+  w.keep("studio_pin");
+  w.click(w.table(), w.onTable("front", pin));
+  w.rest();
+  EXPECT_FALSE(w.session().fitting().document.pins.contains(front)) << "a click on a pin takes it out";
 }
 
 TEST(StudioPaper, EditsBothHalvesAtOnce) {

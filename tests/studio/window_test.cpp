@@ -1,8 +1,6 @@
 // The real window: what it shows, and the ways into and out of it.
 #include <gmock/gmock.h>
 
-#include <sys/wait.h>
-#include <unistd.h>
 #include <QLabel>
 #include <QTabWidget>
 #include <QTreeWidget>
@@ -202,38 +200,6 @@ TEST(StudioWindow, GuidesThroughAFirstGarment) {
   EXPECT_EQ(title, "The front") << "the guide saw the figure";
 }
 
-// The program itself, as a process.
-int run(const std::vector<std::string>& words, const std::vector<std::string>& without, std::string* said) {
-  int ends[2];
-  if (pipe(ends) != 0) return -1;
-  const pid_t child = fork();
-  if (child == 0) {
-    for (const std::string& name : without) unsetenv(name.c_str());
-    dup2(ends[1], 1), dup2(ends[1], 2);
-    close(ends[0]), close(ends[1]);
-    std::vector<char*> argv{const_cast<char*>(KARINUI_STUDIO)};
-    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-    argv.push_back(nullptr);
-    execv(KARINUI_STUDIO, argv.data());
-    _exit(127);
-  }
-  close(ends[1]);
-  char buffer[512];
-  for (ssize_t got = 0; (got = read(ends[0], buffer, sizeof buffer)) > 0;)
-    said->append(buffer, static_cast<std::size_t>(got));
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-TEST(StudioProgram, WithoutADisplayItSaysSoAndStartsNoWindow) {
-  std::string said;
-  EXPECT_EQ(run({}, {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}, &said), 2);
-  EXPECT_THAT(said, HasSubstr("There is no display"));
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
-}
-
 TEST(StudioWindow, WhatMayNotBeWrittenIsShownForReading) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
@@ -252,19 +218,6 @@ TEST(StudioWindow, WhatMayNotBeWrittenIsShownForReading) {
     second.rest();
   }
   EXPECT_FALSE(second.main().said().isEmpty()) << "the person is told";
-}
-
-TEST(StudioProgram, ADisplayThatIsNotThereIsNoDisplay) {
-  setenv("DISPLAY", ":4711", 1);
-  std::string said;
-  EXPECT_EQ(run({}, {"WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}, &said), 2);
-  EXPECT_THAT(said, HasSubstr("There is no display"));
-}
-
-TEST(StudioProgram, AWordItDoesNotKnowIsASentence) {
-  std::string said;
-  EXPECT_EQ(run({"--fly"}, {}, &said), 2);
-  EXPECT_THAT(said, HasSubstr("--fly"));
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ enum class Command {
   Notch,
   Dart,
   Line,
+  Pin,
   // What is done at once.
   Undo,
   Redo,
@@ -50,6 +51,6 @@ struct CommandInfo {
 };
 std::span<const CommandInfo> commands();
 const CommandInfo& info(Command command);
-inline bool isTool(Command command) { return command <= Command::Line; }
+inline bool isTool(Command command) { return command <= Command::Pin; }
 
 }  // namespace karinui

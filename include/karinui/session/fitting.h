@@ -70,4 +70,13 @@ std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part);
 // Threads between edges that are to be sewn but hang apart, from place to place as they will be sewn.
 std::vector<SceneLine> threadsOf(const Fitting& fitting);
 
+// Open seams whose threads cross: sewn as they are the cloth would twist; a click on the mark turns one round.
+struct CrossedSeam {
+  SeamId seam;
+  Vec3 place;               // where the threads cross
+  std::vector<Flat> table;  // the middle of either side
+};
+std::vector<CrossedSeam> crossedSeams(const Fitting& fitting, const Table& table);
+std::optional<SeamId> crossedAt(const Fitting& fitting, const Table& table, const PointerSample& sample);
+
 }  // namespace karinui

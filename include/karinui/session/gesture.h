@@ -61,6 +61,8 @@ struct Selection {
   std::set<PieceId> pieces;
   std::optional<EdgeNear> edge;
   SeamId seam;
+  std::string line = {};          // an inner line of the first piece
+  std::optional<Flat> mark = {};  // a notch or drill hole of it, by its place on the paper
   bool operator==(const Selection&) const = default;
 };
 
