@@ -131,6 +131,7 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
   column->setSpacing(10);
   column->addWidget(title(say("Fabrics")));
   list_ = new QListWidget;
+  Look::here().keep(list_, [this] { list_->setAccessibleName(inWords(say("Fabrics"))); });
   list_->setIconSize(QSize(32, 32));
   column->addWidget(list_, 2);
   curve_ = new Curve;

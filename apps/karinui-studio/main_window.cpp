@@ -2,12 +2,14 @@
 
 #include <QCloseEvent>
 #include <QFileInfo>
+#include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTabWidget>
 
 #include "guide.h"
@@ -86,6 +88,7 @@ MainWindow::MainWindow(SessionOptions options) {
   toastTime_.setSingleShot(true);
   connect(&toastTime_, &QTimer::timeout, toast_, &QLabel::hide);
 
+  nameForScreenReaders();
   makeActions();
   makeMenus();
   connect(body, &BodyPanel::importAsked, this, &MainWindow::askImport);
@@ -104,6 +107,23 @@ MainWindow::MainWindow(SessionOptions options) {
     refresh();
   });
   refresh();
+}
+
+// What is written before a box is its name for those who hear the screen; what nothing is written before names itself.
+void MainWindow::nameForScreenReaders() {
+  for (QFormLayout* form : boards_->findChildren<QFormLayout*>())
+    for (int row = 0; row < form->rowCount(); ++row) {
+      const QLayoutItem *label = form->itemAt(row, QFormLayout::LabelRole),
+                        *field = form->itemAt(row, QFormLayout::FieldRole);
+      QWidget* box = field ? field->widget() : nullptr;
+      if (auto* words = label ? qobject_cast<QLabel*>(label->widget()) : nullptr; words && box) words->setBuddy(box);
+    }
+  Look::here().keep(this, [this] {
+    space_->setAccessibleName(inWords(say("Fitting in 3D")));
+    table_->setAccessibleName(inWords(say("Flat pattern")));
+    boards_->setAccessibleName(inWords(say("Boards")));
+    if (QWidget* tabs = boards_->tabBar()) tabs->setAccessibleName(inWords(say("Boards")));
+  });
 }
 
 MainWindow::~MainWindow() {

@@ -47,6 +47,7 @@ class MainWindow : public QMainWindow {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void nameForScreenReaders();
   void makeActions();
   void makeMenus();
   void refresh();

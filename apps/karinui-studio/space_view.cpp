@@ -51,7 +51,6 @@ Studio studioFor(bool software) {
 SpaceView::SpaceView(Session& session, Clockwork& clockwork, QWidget* parent)
     : QOpenGLWidget(parent), session_(session), clockwork_(clockwork) {
   preparePointing(*this, {320, 280});
-  setAccessibleName("3D");
   camera_ = frameAll({}, View::Oblique, 1);
   rest_.setSingleShot(true);
   rest_.setInterval(140);

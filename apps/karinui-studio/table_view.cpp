@@ -28,7 +28,6 @@ double niceStep(double pixelsPerMetre) {
 TableView::TableView(Session& session, Clockwork& clockwork, QWidget* parent)
     : QWidget(parent), session_(session), clockwork_(clockwork) {
   preparePointing(*this, {220, 200});
-  setAccessibleName("pattern");
   connect(&Look::here(), &Look::changed, this, [this] { update(); });
 }
 

@@ -1,7 +1,10 @@
 // The real window: what it shows, and the ways into and out of it.
 #include <gmock/gmock.h>
 
+#include <QAccessible>
 #include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
 #include <QTabWidget>
 #include <QTreeWidget>
 #include <fstream>
@@ -108,6 +111,31 @@ TEST(StudioWindow, SpeaksJapaneseAtOnce) {
   w.keep("studio_ja");
   w.main().findChild<QAction*>("english")->trigger();
   EXPECT_EQ(w.main().action(Command::Sew)->text(), before);
+}
+
+TEST(StudioWindow, EverythingThatTakesAKeySaysWhatItIs) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Selection chosen;
+  chosen.pieces = {w.session().fitting().document.pieceNamed("front")->id};
+  chosen.edge = EdgeNear{*chosen.pieces.begin(), "side_left", 0.5, 0};
+  w.session().select(chosen);
+  std::set<std::string> nameless;
+  for (int board = 0; board < w.main().boards().count(); ++board) {
+    w.main().boards().setCurrentIndex(board);
+    w.rest();
+    for (QWidget* one : w.main().findChildren<QWidget*>()) {
+      if (!one->isVisible() || !(one->focusPolicy() & Qt::TabFocus) || qobject_cast<QLabel*>(one)) continue;
+      if (qobject_cast<QScrollArea*>(one) || (one->parentWidget() && one->focusProxy())) continue;
+      if (qobject_cast<QLineEdit*>(one) && qobject_cast<QAbstractSpinBox*>(one->parentWidget())) continue;
+      QAccessibleInterface* heard = QAccessible::queryAccessibleInterface(one);
+      if (!heard || heard->text(QAccessible::Name).isEmpty())
+        nameless.insert(one->metaObject()->className() + (" on board " + std::to_string(board)) + " in " +
+                        one->parentWidget()->metaObject()->className());
+    }
+  }
+  EXPECT_TRUE(nameless.empty()) << testing::PrintToString(nameless);
 }
 
 TEST(StudioWindow, IsDarkWhenAsked) {
