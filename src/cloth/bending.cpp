@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "cloth/by_row.h"
 #include "cloth/lattice_shares.h"
 
 namespace karinui {
@@ -138,13 +139,14 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, co
 Bending::Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, const PanelPlan& plan)
     : panels_(plan.slots) {
   std::vector<Entry> entries;
+  entries.reserve(40 * std::size_t{cloth.nodeCount});
   for (const ClothPiece& piece : cloth.pieces)
     if (piece.live && piece.fabric.law == Fabric::Law::Woven &&
         (piece.fabric.bendWarp > 0 || piece.fabric.bendWeft > 0))
       addPiece(piece, held, plan, entries, rest_, panels_);
   entries.insert(entries.end(), rest_.begin(), rest_.end());
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const Entry& a, const Entry& b) { return a.row != b.row ? a.row < b.row : a.column < b.column; });
+  sortByRow(
+      entries, cloth.nodeCount, [](const Entry& e) { return e.row; }, [](const Entry& e) { return e.column; });
   start_.push_back(0);
   for (std::size_t e = 0; e < entries.size(); ++e) {
     if (e == 0 || entries[e].row != entries[e - 1].row) {

@@ -144,11 +144,19 @@ bool SelfContact::neighbours(NodeIndex a, NodeIndex b) const {
   return pa == pb || std::binary_search(nearItem_.begin() + nearStart_[pa], nearItem_.begin() + nearStart_[pa + 1], pb);
 }
 
-double SelfContact::longestEdge(std::span<const Vec3> x) const {
-  double longest = 0;
-  for (const auto& edge : edges_) longest = std::fmax(longest, squaredLength(x[edge[1]] - x[edge[0]]));
+double SelfContact::measureEdges(std::span<const Vec3> x) {
   // One torn edge must not make every pair near: such a place is coarse anyway.
-  return std::fmin(std::sqrt(longest), 3 * spacing_);
+  const double most = 9 * spacing_ * spacing_;
+  double longest = 0;
+  longest_.assign(x.size(), 0);
+  for (const auto& [a, b] : edges_) {
+    const double length = std::fmin(most, squaredLength(x[b] - x[a]));
+    longest_[a] = std::fmax(longest_[a], length);
+    longest_[b] = std::fmax(longest_[b], length);
+    longest = std::fmax(longest, length);
+  }
+  for (double& length : longest_) length = std::sqrt(length);
+  return std::sqrt(longest);
 }
 
 void SelfContact::nodeFaces(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const {
@@ -247,11 +255,10 @@ std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& wor
       const auto [a, b] = near_[n];
       const double d2 = squaredLength(ask.x[b] - ask.x[a]);
       if (d2 > reach * reach) continue;
-      if (!ask.move.empty()) {
-        // The nodes of a pair move nearly alike, so what these two do stands for it, with room to spare.
-        const double far = still + 0.25 * spacing_ + 1.5 * length(ask.move[a] - ask.move[b]);
-        if (d2 > far * far) continue;
-      }
+      double far = ask.within + kReach * std::fmax(longest_[a], longest_[b]);
+      // The nodes of a pair move nearly alike, so what these two do stands for it, with room to spare.
+      if (!ask.move.empty()) far += 0.25 * spacing_ + 1.5 * length(ask.move[a] - ask.move[b]);
+      if (d2 > far * far) continue;
       if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;
       nodeFaces(a, b, ask, out);
       nodeFaces(b, a, ask, out);
@@ -266,7 +273,7 @@ std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& wor
 void SelfContact::find(std::span<const Vec3> x, Workers& workers) {
   found_.clear();
   if (radius_ <= 0 || !on_) return;
-  found_ = collect({x, {}, radius_, longestEdge(x)}, workers);
+  found_ = collect({x, {}, radius_, measureEdges(x)}, workers);
   for (Pair& pair : found_) {
     pair.push = firmness_ * (radius_ - pair.gap);
     const double friction = std::sqrt(friction_[pair.node[0]] * friction_[pair.node[3]]);
@@ -295,7 +302,7 @@ bool SelfContact::guard(std::span<const Vec3> x, std::vector<Vec3>& move, Worker
 }
 
 bool SelfContact::guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {
-  const std::vector<Pair> pairs = collect({x, move, 0.15 * radius_, longestEdge(x)}, workers);
+  const std::vector<Pair> pairs = collect({x, move, 0.15 * radius_, measureEdges(x)}, workers);
   const auto set = [&](NodeIndex k, Vec3 m) {
     if (held_[k]) return;
     if (togetherOf_[k] == kNoNode)

@@ -51,7 +51,7 @@ class SelfContact {
   void edgeEdges(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const;
   bool neighbours(NodeIndex a, NodeIndex b) const;
   bool guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers);
-  double longestEdge(std::span<const Vec3> x) const;
+  double measureEdges(std::span<const Vec3> x);  // the longest; of each node in longest_
 
   double radius_, firmness_, spacing_;
   std::vector<double> friction_;  // per node
@@ -65,6 +65,7 @@ class SelfContact {
   std::vector<std::uint32_t> togetherOf_;
   std::vector<std::uint8_t> held_, leftOut_;
   bool on_ = true;
+  std::vector<double> longest_;  // of the edges at each node, metres
   std::vector<Pair> found_;
   // Nodes, no neighbours, that were nearer than nearReach_ when the cloth stood at nearAt_: good for all who ask for
   // less, less by what has moved since.

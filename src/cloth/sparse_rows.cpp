@@ -2,34 +2,44 @@
 
 #include <algorithm>
 
+#include "cloth/by_row.h"
+
 namespace karinui {
 namespace {
 
 constexpr std::size_t kBlock = 256;
 
 struct Wanted {
-  std::uint32_t row, column, pair;
+  std::uint32_t row = 0, column = 0, pair = 0;
 };
+using Plain = NodeWeight;  // its nodes numbered as rows
 
 }  // namespace
 
 SparseRows::SparseRows(std::span<const std::uint32_t> slotOf, std::span<const NodePair> pairs,
                        std::span<const NodeWeight> weights) {
-  for (const NodePair& pair : pairs) slot_.push_back(slotOf[pair.row]);
-  for (const NodeWeight& w : weights) slot_.push_back(slotOf[w.row]);
-  std::sort(slot_.begin(), slot_.end());
-  slot_.erase(std::unique(slot_.begin(), slot_.end()), slot_.end());
-  const auto place = [&](NodeIndex node) {
-    return static_cast<std::uint32_t>(std::lower_bound(slot_.begin(), slot_.end(), slotOf[node]) - slot_.begin());
+  std::vector<std::uint8_t> spokenOf;
+  const auto speak = [&](NodeIndex node) {
+    if (spokenOf.size() <= slotOf[node]) spokenOf.resize(slotOf[node] + 1, 0);
+    spokenOf[slotOf[node]] = 1;
   };
+  for (const NodePair& pair : pairs) speak(pair.row);
+  for (const NodeWeight& w : weights) speak(w.row);
+  std::vector<std::uint32_t> placeOf(spokenOf.size(), 0);
+  for (std::uint32_t s = 0; s < spokenOf.size(); ++s)
+    if (spokenOf[s]) {
+      placeOf[s] = static_cast<std::uint32_t>(slot_.size());
+      slot_.push_back(s);
+    }
+  const auto place = [&](NodeIndex node) { return placeOf[slotOf[node]]; };
   std::vector<Wanted> blocks;
   for (std::uint32_t s = 0; s < pairs.size(); ++s) blocks.push_back({place(pairs[s].row), place(pairs[s].column), s});
-  std::vector<std::pair<std::array<std::uint32_t, 2>, double>> plain;
-  for (const NodeWeight& w : weights) plain.push_back({{place(w.row), place(w.column)}, w.weight});
-  std::stable_sort(blocks.begin(), blocks.end(), [](const Wanted& a, const Wanted& b) {
-    return a.row != b.row ? a.row < b.row : a.column < b.column;
-  });
-  std::stable_sort(plain.begin(), plain.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Plain> plain;
+  for (const NodeWeight& w : weights) plain.push_back({place(w.row), place(w.column), w.weight});
+  sortByRow(
+      blocks, slot_.size(), [](const Wanted& b) { return b.row; }, [](const Wanted& b) { return b.column; });
+  sortByRow(
+      plain, slot_.size(), [](const Plain& w) { return w.row; }, [](const Plain& w) { return w.column; });
 
   std::size_t b = 0, w = 0;
   ownBlock_.assign(slot_.size(), kNoNode);
@@ -45,10 +55,10 @@ SparseRows::SparseRows(std::span<const std::uint32_t> slotOf, std::span<const No
       blockColumn_.push_back(column);
       block_.emplace_back();
     }
-    while (w < plain.size() && plain[w].first[0] == row) {
-      const std::uint32_t column = plain[w].first[1];
+    while (w < plain.size() && plain[w].row == row) {
+      const std::uint32_t column = plain[w].column;
       double sum = 0;
-      for (; w < plain.size() && plain[w].first == std::array{row, column}; ++w) sum += plain[w].second;
+      for (; w < plain.size() && plain[w].row == row && plain[w].column == column; ++w) sum += plain[w].weight;
       if (column == row) {
         rows_.back().own = static_cast<float>(sum);
       } else {

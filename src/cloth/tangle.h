@@ -30,6 +30,8 @@ class Tangle {
     std::array<NodeIndex, 2> node{};
     std::array<std::uint32_t, 2> face{};  // the second kNoNode on a border
   };
+  template <class Tell>
+  void forTouchingFaces(const Tell& tell) const;
   void shorten(std::span<const Vec3> x, const Edge& edge, std::uint32_t face);
 
   TriangleMesh mesh_;  // the cloth's faces; its points are those of the last look
