@@ -1,6 +1,5 @@
 #include "cloth/coarse_space.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -41,12 +40,6 @@ void sortOnce(std::vector<std::uint32_t>& list) {
 
 }  // namespace
 
-struct CoarseSpace::Factor {
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> cholesky;
-  bool analysed = false;
-  Eigen::VectorXd force, move;
-};
-
 CoarseSpace::Lines::Lines(std::uint32_t fine) {
   const double last = std::max(2u, fine) - 1.0, cells = std::fmax(1.0, std::round(last / kEach));
   for (double k = 0; k <= cells; ++k) at.push_back(static_cast<std::uint32_t>(std::lround(k * last / cells)));
@@ -64,7 +57,7 @@ std::pair<std::uint32_t, double> CoarseSpace::Lines::place(double fine) const {
 }
 
 CoarseSpace::CoarseSpace(const Cloth& cloth, const PanelPlan& plan)
-    : cloth_(cloth), plan_(plan), shares_(plan.slots), factor_(std::make_unique<Factor>()) {
+    : cloth_(cloth), plan_(plan), shares_(plan.slots) {
   for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
     const auto panel =
         std::find_if(plan.panels.begin(), plan.panels.end(), [&](const Panel& q) { return q.piece == p; });
@@ -76,8 +69,6 @@ CoarseSpace::CoarseSpace(const Cloth& cloth, const PanelPlan& plan)
     if (net.panel) most = std::max(most, std::size_t{net.rows()} * net.panel->stride);
   row_.assign(most, 0);
 }
-
-CoarseSpace::~CoarseSpace() = default;
 
 void CoarseSpace::addNet(const ClothPiece& piece, const Panel* panel) {
   const Lattice& lattice = *piece.lattice;
@@ -130,8 +121,24 @@ void CoarseSpace::number() {
       nodeOf_.push_back(node);
     }
   meet();
+  // Renumbered so that those who feel each other have numbers near each other.
+  const std::vector<std::uint32_t> near = nearNumbers(around_);
+  std::vector<std::uint32_t> nodes(nodeOf_.size());
+  std::vector<std::vector<std::uint32_t>> around(nodeOf_.size());
+  for (std::uint32_t c = 0; c < nodeOf_.size(); ++c) {
+    nodes[near[c]] = nodeOf_[c];
+    numberOf_[nodeOf_[c]] = near[c];
+    for (const std::uint32_t other : around_[c]) around[near[c]].push_back(near[other]);
+    std::sort(around[near[c]].begin(), around[near[c]].end());
+  }
+  nodeOf_ = std::move(nodes);
+  around_ = std::move(around);
   colour();
-  factor_->analysed = false;
+  std::vector<std::uint32_t> first;
+  for (std::uint32_t c = 0; c < nodeOf_.size(); ++c)
+    for (int axis = 0; axis < 3; ++axis) first.push_back(3 * around_[c].front());
+  matrix_ = Envelope(std::move(first));
+  found_.assign(3 * nodeOf_.size(), 0);
   numbered_ = true;
 }
 
@@ -183,7 +190,7 @@ void CoarseSpace::colour() {
 // Each product with one move of every coarse node of a colour gives that many columns of the matrix.
 bool CoarseSpace::refresh(const Product& product, Lanes3& p, const Lanes3& q, Workers& workers) {
   if (!numbered_) number();
-  std::vector<Eigen::Triplet<double>> entries;
+  matrix_.clear();
   const Lanes3 nothing{std::vector<float>(plan_.slots, 0), std::vector<float>(plan_.slots, 0),
                        std::vector<float>(plan_.slots, 0)};
   for (const auto& colour : colours_)
@@ -195,22 +202,14 @@ bool CoarseSpace::refresh(const Product& product, Lanes3& p, const Lanes3& q, Wo
       gather(q, workers);
       for (const std::uint32_t c : colour)
         for (const std::uint32_t other : around_[c])
-          for (std::size_t b = 0; b < 3;
-               ++b) {  // what is felt of neighbours' neighbours is shared out, alike both ways
-            const int i = static_cast<int>(3 * other + b), j = static_cast<int>(3 * c + axis);
+          for (std::uint32_t b = 0; b < 3; ++b) {
+            // What is felt of neighbours' neighbours is shared out, alike both ways.
+            const std::uint32_t i = 3 * other + b, j = 3 * c + static_cast<std::uint32_t>(axis);
             const double half = 0.5 * double{value_[b][nodeOf_[other]]};
-            entries.emplace_back(i, j, half);
-            entries.emplace_back(j, i, half);
+            matrix_.at(std::max(i, j), std::min(i, j)) += i == j ? 2 * half : half;
           }
     }
-  const auto size = static_cast<Eigen::Index>(3 * nodeOf_.size());
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  if (!factor_->analysed) factor_->cholesky.analyzePattern(matrix);
-  factor_->analysed = true;
-  factor_->cholesky.factorize(matrix);
-  factor_->force.resize(size);
-  ready_ = factor_->cholesky.info() == Eigen::Success;
+  ready_ = matrix_.factor();
   return ready_;
 }
 
@@ -252,17 +251,20 @@ void CoarseSpace::gather(const Lanes3& r, Workers& workers) {
 
 double CoarseSpace::answer(const Lanes3& r, Workers& workers) {
   gather(r, workers);
-  Eigen::VectorXd &force = factor_->force, &move = factor_->move;
-  const auto each = [&](const auto& use) {
-    for (std::size_t c = 0; c < nodeOf_.size(); ++c)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        use(static_cast<Eigen::Index>(3 * c + axis), value_[axis][nodeOf_[c]]);
-  };
-  each([&](Eigen::Index at, float value) { force[at] = value; });
-  move = factor_->cholesky.solve(force);
-  for (auto& values : value_) std::fill(values.begin(), values.end(), 0.0f);
-  each([&](Eigen::Index at, float& value) { value = static_cast<float>(move[at]); });
-  return force.dot(move);
+  for (std::size_t c = 0; c < nodeOf_.size(); ++c)
+    for (std::size_t axis = 0; axis < 3; ++axis) found_[3 * c + axis] = value_[axis][nodeOf_[c]];
+  matrix_.solve(found_);
+  double product = 0;
+  for (std::size_t c = 0; c < nodeOf_.size(); ++c)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      float& value = value_[axis][nodeOf_[c]];
+      product += double{value} * double{found_[3 * c + axis]};
+      value = found_[3 * c + axis];
+    }
+  for (std::uint32_t node = 0; node < nodes_; ++node)
+    if (numberOf_[node] == kNoNode)
+      for (auto& values : value_) values[node] = 0;
+  return product;
 }
 
 void CoarseSpace::turn(const Lanes3& z, float beta, Lanes3& p, Workers& workers) {

@@ -7,10 +7,10 @@
 // The factored matrix may be older than the step's: that costs iterations, never truth.
 #include <array>
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "cloth/envelope.h"
 #include "cloth/panel_product.h"
 
 namespace karinui {
@@ -25,7 +25,6 @@ class CoarseSpace {
  public:
   // Both must outlive this.
   CoarseSpace(const Cloth& cloth, const PanelPlan& plan);
-  ~CoarseSpace();
 
   void setTies(std::span<const std::uint32_t> homes, std::span<const Guest> guests);  // forgets the matrix
   using Product = std::function<void()>;
@@ -58,8 +57,6 @@ class CoarseSpace {
     std::uint32_t columns() const { return static_cast<std::uint32_t>(column.at.size()); }
     std::uint32_t rows() const { return static_cast<std::uint32_t>(row.at.size()); }
   };
-  struct Factor;
-
   void addNet(const ClothPiece& piece, const Panel* panel);
   Shares sharesAt(const Net& net, double column, double row) const;
   void number();                                   // the coarse nodes that move something
@@ -80,7 +77,8 @@ class CoarseSpace {
   std::vector<std::vector<std::uint32_t>> colours_;  // numbers
   std::array<std::vector<float>, 3> value_;          // per coarse node
   std::vector<float> row_;                           // coarse rows of a panel, at its fine columns
-  std::unique_ptr<Factor> factor_;
+  Envelope matrix_;
+  std::vector<float> found_;
   bool numbered_ = false, ready_ = false;
 };
 
