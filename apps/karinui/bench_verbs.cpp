@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "bench/cusick.h"
+#include "bench/edits.h"
 #include "bench/run.h"
 #include "commands.h"
 #include "json_answers.h"
@@ -108,8 +109,41 @@ int runCusick(Program& program, const BenchOptions& options) {
   return settled ? kDone : kNotSettled;
 }
 
+// What a person waits for after an edit of the tunic, by the clock.
+int runEdits(Program& program, const BenchOptions& options) {
+  const int runs = options.runs > 0 ? options.runs : 5;
+  const auto found = bench::edits(options.vertices, runs, options.threads, program.console.token());
+  if (!found) return program.console.refuse(found.error());
+  const auto ms = [](const std::vector<double>& seconds) {
+    return Json{{"median", 1000 * bench::percentile(seconds, 0.5)}, {"p95", 1000 * bench::percentile(seconds, 0.95)}};
+  };
+  Json list = Json::array();
+  std::size_t unsettled = 0;
+  for (const bench::EditTimes& edit : found->edits) {
+    unsettled += edit.unsettled;
+    list.push_back({{"edit", edit.name},
+                    {"first_picture_ms", ms(edit.first)},
+                    {"within_2_mm_ms", ms(edit.within2mm)},
+                    {"settled_ms", ms(edit.rest)},
+                    {"unsettled", edit.unsettled},
+                    {"undraped", edit.undraped},
+                    {"steps", edit.last.steps},
+                    {"strain_mean", edit.last.strain.mean},
+                    {"strain_max", edit.last.strain.max},
+                    {"penetration_mm", edit.last.penetration * 1000},
+                    {"seam_gap_mm", edit.last.seamGap * 1000},
+                    {"cloth_cloth_crossings", edit.crossings}});
+  }
+  const Json object{
+      {"scene", "edits"}, {"threads", options.threads},         {"vertices", found->vertices}, {"runs", runs},
+      {"edits", list},    {"pull_step_ms", ms(found->pullStep)}};
+  program.console.answer(object, words(object));
+  return unsettled == 0 ? kDone : kNotSettled;
+}
+
 int runBench(Program& program, const BenchOptions& options) {
   if (options.scene == "cusick") return runCusick(program, options);
+  if (options.scene == "edits") return runEdits(program, options);
   Workers workers(options.threads);
   auto load = workloadOf(options, workers, program.console.token());
   if (!load) return program.console.refuse(load.error());
@@ -130,17 +164,18 @@ void addBenchVerb(Program& program) {
                                 options, runBench);
   verb->add_option(
           "scene", options->scene,
-          help("w1 a curtain, w2 a cloth on a ball, w3 a tunic on capsules, shirt or dress on a body, cusick the "
-               "shop's fabrics on the drape tester"))
+          help("w1 a curtain, w2 a cloth on a ball, w3 a tunic on capsules, shirt or dress on a body, edits of the "
+               "tunic by the clock, cusick the shop's fabrics on the drape tester"))
       ->required()
-      ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress", "cusick"}));
+      ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress", "edits", "cusick"}));
   verb->add_option("--vertices", options->vertices, help("About how many points the cloth has; otherwise as defined"))
       ->check(CLI::Range(100, 1'000'000));
   verb->add_option("--threads", options->threads, help("How many threads work, 1 to 256; the result is the same"))
       ->check(CLI::Range(1, 256));
   verb->add_option("--data", options->data, help("The folder with bodies/ and patterns/ for shirt and dress"));
   verb->add_option("--fabric", options->fabric, help("cusick: one fabric of the shop; otherwise all"));
-  verb->add_option("--runs", options->runs, help("cusick: how many times each is laid on, otherwise 6"))
+  verb->add_option("--runs", options->runs,
+                   help("How many times each fabric is laid on (cusick, otherwise 6) or each edit made (otherwise 5)"))
       ->check(CLI::Range(1, 1000));
   verb->add_option("-o,--out", options->out, help("Write the cloth at rest as an OBJ file"));
 }

@@ -56,8 +56,7 @@ std::pair<std::uint32_t, double> CoarseSpace::Lines::place(double fine) const {
   return {before, std::clamp((fine - at[before]) / (at[before + 1] - at[before]), 0.0, 1.0)};
 }
 
-CoarseSpace::CoarseSpace(const Cloth& cloth, const PanelPlan& plan)
-    : cloth_(cloth), plan_(plan), shares_(plan.slots) {
+CoarseSpace::CoarseSpace(const Cloth& cloth, const PanelPlan& plan) : cloth_(cloth), plan_(plan), shares_(plan.slots) {
   for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
     const auto panel =
         std::find_if(plan.panels.begin(), plan.panels.end(), [&](const Panel& q) { return q.piece == p; });

@@ -17,7 +17,7 @@ class Envelope {
   double& at(std::uint32_t row, std::uint32_t column) {  // column from the row's first to the row
     return value_[start_[row] + column - first_[row]];
   }
-  bool factor();                    // whether it was positive
+  bool factor();                         // whether it was positive
   void solve(std::span<float> x) const;  // in: the right-hand side
 
  private:

@@ -4,7 +4,7 @@
 #include "cloth/job.h"
 #include "cloth/tie_map.h"
 #include "karinui/base/number.h"
-#include "karinui/cloth/settle.h"
+#include "karinui/cloth/live_hand.h"
 
 namespace karinui {
 namespace {
@@ -13,7 +13,9 @@ constexpr double kFrame = 1.0 / 60;
 constexpr double kHandStiffness = 2e4;  // N/m of the whole patch: how firmly a hand keeps to its path
 constexpr double kHandStrength = 40;    // N: cloth that resists more holds the hand back
 constexpr double kStride = 0.5;         // spacings the hand goes in a step; more would outrun the cloth
+constexpr double kLiveStride = 1;       // spacings, while somebody watches and waits
 constexpr double kMostSteps = 1200;     // of a hand in a hurry; it waits for the cloth at the end of its path
+constexpr double kFarthest = 1000;      // metres from the origin
 constexpr double kHeldBack = 0.005;     // metres short of the path's end that are worth telling
 
 double wayOf(const std::vector<Vec3>& path) {
@@ -64,7 +66,7 @@ Done checkGrip(const Grip& grip, const Cloth& cloth) {
   if (!any) return refused(say("The hand holds cloth that is pinned; take the pin out to pull it."));
   if (grip.path.empty()) return badInput(say("The hand has no path to follow."));
   for (Vec3 p : grip.path)
-    if (!finite(p) || length(p) > 1000) return badInput(say("The hand's path leads nowhere sensible."));
+    if (!finite(p) || length(p) > kFarthest) return badInput(say("The hand's path leads nowhere sensible."));
   if (!(grip.seconds > 0) || grip.seconds > 600)
     return badInput(say("A pull takes between 0 and 600 seconds, not {0}.", grip.seconds));
   return {};
@@ -114,7 +116,65 @@ class PullingHand {
   LevelSolver::Hand hand_;
 };
 
+LevelSolver::Stride strideOf(const Cloth& cloth, const SettleSettings& settings) {
+  LevelSolver::Stride stride;
+  stride.seconds = kFrame;
+  stride.keep = 0.9;
+  stride.mostMove = cloth.spacing;
+  stride.gravity = settings.gravity;
+  stride.stop = {40, 150, 0.1};  // what the hand feels is asked at every point of its way
+  return stride;
+}
+
 }  // namespace
+
+struct LiveHand::Inside {
+  Inside(ClothLevel from, const Collider& body, const Grip& grip, const SettleSettings& settings, Workers& workers)
+      : level(std::move(from)),
+        solver(level.cloth, level.state.position, body, settings,
+               settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers),
+        hand((solver.tieWithin(level.cloth.spacing), solver), patchOf(grip, level.cloth, solver.places())),
+        stride(strideOf(level.cloth, settings)),
+        middle(grip.path.front()) {}
+  ClothLevel level;
+  LevelSolver solver;
+  PullingHand hand;
+  LevelSolver::Stride stride;
+  Vec3 middle;
+};
+
+LiveHand::LiveHand() = default;
+LiveHand::LiveHand(LiveHand&&) noexcept = default;
+LiveHand::~LiveHand() = default;
+
+Result<LiveHand> LiveHand::take(ClothLevel level, const Collider& body, const Grip& grip,
+                                const SettleSettings& settings, Workers& workers) {
+  if (const auto fine = checkLevel(level); !fine) return fine.error();
+  if (const auto fine = checkSettings(settings); !fine) return fine.error();
+  if (const auto fine = checkGrip(grip, level.cloth); !fine) return fine.error();
+  LiveHand hand;
+  hand.inside_ = std::make_unique<Inside>(std::move(level), body, grip, settings, workers);
+  return hand;
+}
+
+Result<Vec3> LiveHand::to(Vec3 place, const Token& token) {
+  Inside& in = *inside_;
+  if (!finite(place) || length(place) > kFarthest) return badInput(say("The hand's path leads nowhere sensible."));
+  const double way = distance(in.middle, place) / (kLiveStride * in.level.cloth.spacing);
+  const int steps = static_cast<int>(std::clamp(std::ceil(way), 1.0, kMostSteps));
+  const Vec3 from = in.middle;
+  for (int k = 1; k <= steps; ++k) {
+    in.middle = lerp(from, place, static_cast<double>(k) / steps);
+    in.hand.drawTo(in.middle);
+    const auto step = in.solver.step(in.stride, token);
+    if (token.cancelled()) return cancelled();
+    if (!step.finite) return tornApart();
+  }
+  return in.solver.handForce();
+}
+
+const Cloth& LiveHand::cloth() const { return inside_->level.cloth; }
+const std::vector<Vec3>& LiveHand::places() const { return inside_->solver.places(); }
 
 Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& grip, const SettleSettings& settings,
                         const Token& token, Workers& workers) {
@@ -129,12 +189,7 @@ Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& gri
   PullingHand hand(solver, patchOf(grip, level.cloth, solver.places()));
 
   PullReport report;
-  LevelSolver::Stride stride;
-  stride.seconds = kFrame;
-  stride.keep = 0.9;
-  stride.mostMove = level.cloth.spacing;
-  stride.gravity = settings.gravity;
-  stride.stop = {40, 150, 0.1};  // what the hand feels is asked at every point of its way
+  const LevelSolver::Stride stride = strideOf(level.cloth, settings);
   const std::vector<Stop> stops = stopsOf(grip.path, grip.seconds, level.cloth.spacing);
   for (std::size_t k = 0; k < stops.size(); ++k) {
     hand.drawTo(stops[k].place);

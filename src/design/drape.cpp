@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "karinui/cloth/live_hand.h"
 #include "karinui/cloth/merged_planes.h"
 
 namespace karinui {
@@ -60,11 +61,11 @@ SettleReport told(SettleReport report, const Collider& collider) {
   return report;
 }
 
-std::map<PieceId, std::shared_ptr<const Form>> formsLeft(const ClothLevel& level) {
+std::map<PieceId, std::shared_ptr<const Form>> formsLeft(const Cloth& cloth, const ClothState& state) {
   std::map<PieceId, std::shared_ptr<const Form>> forms;
-  for (std::size_t i = 0; i < level.cloth.pieces.size(); ++i) {
-    const ClothPiece& piece = level.cloth.pieces[i];
-    if (piece.live) forms[piece.id] = formOf(level.cloth, level.state, i);
+  for (std::size_t i = 0; i < cloth.pieces.size(); ++i) {
+    const ClothPiece& piece = cloth.pieces[i];
+    if (piece.live) forms[piece.id] = formOf(cloth, state, i);
   }
   return forms;
 }
@@ -130,7 +131,7 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   settings.gravity = drape.gravity;
   const Result<SettleReport> report = settle(levels->coarseFirst, **collider, settings, context.token, context.workers);
   if (!report) return report.error();
-  return DrapeOutcome{formsLeft(levels->finest()), told(*report, **collider), {}};
+  return DrapeOutcome{formsLeft(levels->finest().cloth, levels->finest().state), told(*report, **collider), {}};
 }
 
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context) {
@@ -143,12 +144,13 @@ Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull,
   grip.letGo = pull.letGo;
   Result<PullReport> report = karinui::pull(level, *collider, grip, {}, context.token, context.workers);
   if (!report) return report.error();
-  return DrapeOutcome{formsLeft(level), told(report->end, *collider), std::move(report->force)};
+  return DrapeOutcome{formsLeft(level.cloth, level.state), told(report->end, *collider), std::move(report->force)};
 }
 
 struct LivePull::Inside {
-  Hold hold;
-  Vec3 by;
+  std::unique_ptr<Collider> collider;
+  Vec3 middle;  // where it took hold
+  LiveHand hand;
 };
 LivePull::LivePull() = default;
 LivePull::LivePull(LivePull&&) noexcept = default;
@@ -157,25 +159,19 @@ LivePull::~LivePull() = default;
 Result<LivePull> LivePull::take(const Document& document, const PullCloth& pull, Context& context) {
   auto hold = holdOf(document, pull, context);
   if (!hold) return hold.error();
+  Grip& grip = hold->grip;
+  grip.path = {hold->middle};
+  auto hand = LiveHand::take(std::move(hold->level), *hold->collider, grip, {}, context.workers);
+  if (!hand) return hand.error();
   LivePull live;
-  live.inside_ = std::make_unique<Inside>(Inside{*std::move(hold), {}});
+  live.inside_ = std::make_unique<Inside>(Inside{std::move(hold->collider), hold->middle, *std::move(hand)});
   return live;
 }
 
-Result<Vec3> LivePull::to(Vec3 by, Context& context) {
-  Hold& hold = inside_->hold;
-  hold.grip.path = {hold.middle + inside_->by, hold.middle + by};
-  hold.grip.seconds = 1.0 / 60;
-  hold.grip.letGo = false;
-  SettleSettings settings;
-  settings.maxSteps = 2;  // not to rest: the hand moves on
-  const Result<PullReport> report =
-      karinui::pull(hold.level, *hold.collider, hold.grip, settings, context.token, context.workers);
-  if (!report) return report.error();
-  inside_->by = by;
-  return report->force.back();
-}
+Result<Vec3> LivePull::to(Vec3 by, Context& context) { return inside_->hand.to(inside_->middle + by, context.token); }
 
-std::map<PieceId, std::shared_ptr<const Form>> LivePull::forms() const { return formsLeft(inside_->hold.level); }
+std::map<PieceId, std::shared_ptr<const Form>> LivePull::forms() const {
+  return formsLeft(inside_->hand.cloth(), {inside_->hand.places()});
+}
 
 }  // namespace karinui

@@ -16,7 +16,8 @@ Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull,
 // drapes a little further from where the last one left the cloth. One thread at a time.
 class LivePull {
  public:
-  // `pull` need not be resolved but its pieces must be ids; its path is not used.
+  // `pull` need not be resolved but its pieces must be ids; its path is not used. The context's workers must outlive
+  // it.
   static Result<LivePull> take(const Document& document, const PullCloth& pull, Context& context);
   // Leads the hand to `by` from where it took hold; gives the force it feels, newtons.
   Result<Vec3> to(Vec3 by, Context& context);
