@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60;
 constexpr double kLongest = 1.0 / 30;   // seconds of a step
-constexpr double kCreep = 0.95;         // cosine between steps
+constexpr double kCreep = 0.9;          // cosine between steps
 constexpr double kCreepLongest = 0.25;  // seconds of a step while cloth creeps
 constexpr double kCalming = 0.002;      // share of the velocity taken off per step, growing,
 constexpr int kCalmAfter = 100;         // after so many steps: the long waves have run by then
