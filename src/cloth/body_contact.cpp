@@ -33,7 +33,7 @@ void BodyContact::cover(std::size_t nodeCount) {
   for (std::uint32_t k = 0; k < nodes_.size(); ++k) slot_[nodes_[k].node] = k;
 }
 
-void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& workers) {
+void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& workers, bool sliding) {
   workers.forBlocks(nodes_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Node& node = nodes_[k];
@@ -69,6 +69,7 @@ void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& work
       at.force += pull * spring;
       // A node that slipped goes on slipping: seen as stiff as its anchor's spring it would creep as in syrup.
       at.across = at.slip > 0 ? std::fmin(spring, most / std::fmax(kGlide, length + at.slip)) : spring;
+      if (sliding && at.slip > kSlides) at.across = 0;
       if (at.slip > 0 && length > 0) at.ahead = pull * (at.across * at.slip / length);
     }
   });

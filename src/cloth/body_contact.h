@@ -17,6 +17,9 @@ struct Push {
 };
 Push bodyPush(double area, double depth, double offset);
 
+// Metres in a step: what slipped less is not said to slide.
+inline constexpr double kSlides = 4e-6;
+
 class BodyContact {
  public:
   struct Node {
@@ -27,7 +30,8 @@ class BodyContact {
   BodyContact(const Collider& body, std::vector<Node> nodes, double offset);
 
   // Finds who touches at these places. Forces, blocks and anchors speak of what was found last.
-  void find(std::span<const Vec3> x, bool withFriction, Workers& workers);
+  // `sliding`: what slipped last is held by friction's force but by no stiffness, to see whether it goes on.
+  void find(std::span<const Vec3> x, bool withFriction, Workers& workers, bool sliding = false);
   void addGradient(std::span<Vec3> gradient) const;
   // What a slipping node is expected to slip again does not load its friction: added to the step's right-hand side, it
   // lets sliding cloth gather way and lets it stop without turning back.

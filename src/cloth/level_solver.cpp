@@ -147,6 +147,7 @@ void LevelSolver::stop() {
   std::fill(velocity_.begin(), velocity_.end(), Vec3{});
   std::fill(slowing_.begin(), slowing_.end(), 0.0);
   contact_.forgetAnchors();
+  self_.forgetAnchors();
 }
 
 void LevelSolver::tieWithin(double gap) {
@@ -209,17 +210,17 @@ void LevelSolver::pushApart(std::vector<std::pair<NodeIndex, double>>& stiff) {
     }
 }
 
-void LevelSolver::assemble(const Stride& stride) {
+void LevelSolver::assemble(const Stride& stride, bool sliding) {
   std::fill(gradient_.begin(), gradient_.end(), Vec3{});
   stretch_.evaluate(x_, gradient_, system_->panels(), workers_);
   for (const auto& energy : energies_) energy->addGradient(x_, gradient_, workers_);
   for (NodeIndex k : moving_) gradient_[k] -= stride.gravity * mass_[k];
-  contact_.find(x_, stride.friction, workers_);
+  contact_.find(x_, stride.friction, workers_, sliding);
   contact_.addGradient(gradient_);
   faces_.find(x_, workers_);
   faces_.addGradient(gradient_);
   std::vector<Coupling> couplings;
-  self_.find(x_, workers_);
+  self_.find(x_, workers_, sliding);
   self_.addGradient(gradient_);
   self_.addCouplings(*ties_, couplings);
   if (open_ > 0) {
@@ -272,6 +273,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   outcome.residual = std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
   for (NodeIndex k : moving_) nodeForce[k] += velocity_[k] * (mass_[k] * stride.keep / stride.seconds);
   contact_.addExpectedSlip(nodeForce);
+  self_.addExpectedSlip(nodeForce);
   ties_->reduce(nodeForce, force_);
   outcome.iterations = system_->solve(force_, stride.stop, token, workers_, move_);
   ties_->spread(move_, nodeMove_);
@@ -304,7 +306,10 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   if (simcloth_) simcloth_->setReach(std::clamp(kSlackReach * outcome.move, kLeastReach, kMostReach * cloth_.spacing));
   outcome.along = now > 0 && before > 0 ? both / std::sqrt(now * before) : 0;
   if (!cloth_.ties.empty()) ties_->gather(x_);
-  if (stride.friction) contact_.moveAnchors(x_, workers_);
+  if (stride.friction) {
+    contact_.moveAnchors(x_, workers_);
+    self_.moveAnchors(x_);
+  }
   followTangle();
   return outcome;
 }
@@ -312,7 +317,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
 LevelSolver::Outcome LevelSolver::predict(const Stride& stride, const Token& token) {
   Outcome outcome;
   if (ties_->unknowns() == 0) return outcome;
-  assemble(stride);
+  assemble(stride, true);
   std::vector<Vec3> nodeForce(cloth_.nodeCount);
   for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
   ties_->reduce(nodeForce, force_);

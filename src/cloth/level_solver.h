@@ -78,7 +78,7 @@ class LevelSolver {
   Vec3 handForce() const;  // newtons the hand feels: what threads stretched beyond their length pull with
 
  private:
-  void assemble(const Stride& stride);                               // forces and system at x_
+  void assemble(const Stride& stride, bool sliding = false);         // forces and system at x_
   void pushApart(std::vector<std::pair<NodeIndex, double>>& stiff);  // what crosses; adds to the gradient
   void followTangle();                                               // after a step
   void calmDown(const Stride& stride);                               // after a step, before velocities change

@@ -4,17 +4,20 @@
 #include <cmath>
 #include <numeric>
 
+#include "cloth/body_contact.h"
 #include "cloth/lattice_shares.h"
 #include "cloth/nearest.h"
 
 namespace karinui {
 namespace {
 
-constexpr double kFirmness = 3e5;  // N/m per m2 of cloth, as against the body
-constexpr double kSlide = 0.0005;  // metres of sliding in a step at which friction is fully felt
-constexpr double kReach = 0.75;    // in longest edges: how far a pair's nearest corners can lie apart
-constexpr double kNarrow = 3;      // radii: nearer than this on paper, corners across an edge do not meet
-constexpr double kRoom = 0.7;      // in spacings: how much further it is looked around than is asked for
+constexpr double kFirmness = 3e5;    // N/m per m2 of cloth, as against the body
+constexpr double kAside = 1.1;       // radii within which a pair that held keeps its anchor
+constexpr double kNews = 0.2;        // how much a step's push counts in that of late
+constexpr double kForgotten = 1e-8;  // metres: an anchor that holds no further is none
+constexpr double kReach = 0.75;      // in longest edges: how far a pair's nearest corners can lie apart
+constexpr double kNarrow = 3;        // radii: nearer than this on paper, corners across an edge do not meet
+constexpr double kRoom = 0.7;        // in spacings: how much further it is looked around than is asked for
 constexpr std::size_t kMostCells = 400'000;
 constexpr std::size_t kBlock = 128;
 
@@ -270,25 +273,86 @@ std::vector<SelfContact::Pair> SelfContact::collect(const Ask& ask, Workers& wor
   return all;
 }
 
-void SelfContact::find(std::span<const Vec3> x, Workers& workers) {
+void SelfContact::find(std::span<const Vec3> x, Workers& workers, bool sliding) {
   found_.clear();
+  hold_.clear();
   if (radius_ <= 0 || !on_) return;
-  found_ = collect({x, {}, radius_, measureEdges(x)}, workers);
+  found_ = collect({x, {}, kAside * radius_, measureEdges(x)}, workers);
   for (Pair& pair : found_) {
-    pair.push = firmness_ * (radius_ - pair.gap);
-    const double friction = std::sqrt(friction_[pair.node[0]] * friction_[pair.node[3]]);
-    pair.across = std::fmin(firmness_, friction * pair.push / kSlide);
+    pair.push = std::fmax(0.0, firmness_ * (radius_ - pair.gap));
+    hold_.push_back(holdOn(pair, x));
+    if (sliding && hold_.back().anchor.slip > kSlides) pair.across = 0;
   }
 }
 
+Vec3 SelfContact::pullOf(const Pair& pair, const Anchor& anchor, std::span<const Vec3> x) {
+  Vec3 pull = anchor.offset;
+  for (int k = 0; k < 4; ++k) pull += x[pair.node[k]] * anchor.weight[k];
+  return pull - pair.normal * dot(pull, pair.normal);
+}
+
+SelfContact::Hold SelfContact::holdOn(Pair& pair, std::span<const Vec3> x) const {
+  Hold hold;
+  const auto at = std::lower_bound(stuck_.begin(), stuck_.end(), pair.node,
+                                   [](const Stuck& s, const std::array<NodeIndex, 4>& n) { return s.node < n; });
+  if (at == stuck_.end() || at->node != pair.node) {
+    hold.anchor.weight = pair.weight;
+    hold.anchor.push = pair.push;
+    pair.across = pair.push > 0 && frictionOf(pair) > 0 ? firmness_ : 0;
+    return hold;
+  }
+  hold.anchor = at->anchor;
+  hold.anchor.push = std::lerp(at->anchor.push, pair.push, kNews);
+  const double most = frictionOf(pair) * hold.anchor.push;
+  if (most <= 0) return hold;
+  const Vec3 pull = pullOf(pair, hold.anchor, x);
+  const double length = karinui::length(pull), slip = hold.anchor.slip;
+  const double spring = length > 0 ? std::fmin(firmness_, most / length) : firmness_;
+  pair.across = slip > 0 ? std::fmin(spring, most / (length + slip)) : spring;
+  hold.force = pull * spring;
+  if (slip > 0 && length > 0) hold.ahead = pull * (pair.across * slip / length);
+  return hold;
+}
+
+void SelfContact::moveAnchors(std::span<const Vec3> x) {
+  std::vector<Stuck> kept;
+  for (std::size_t p = 0; p < found_.size(); ++p) {
+    const Pair& pair = found_[p];
+    Vec3 apart;
+    for (int k = 0; k < 4; ++k) apart += x[pair.node[k]] * pair.weight[k];
+    Anchor anchor = hold_[p].anchor;
+    const double gap = dot(apart, pair.normal);
+    const double most = frictionOf(pair) * anchor.push / firmness_;  // metres the spring stretches
+    if (most <= kForgotten) continue;
+    const Vec3 pull = pullOf(pair, anchor, x);
+    const double length = karinui::length(pull);
+    anchor.slip = std::fmax(0.0, length - most);
+    if (anchor.slip > 0) {
+      anchor.weight = pair.weight;
+      anchor.offset = pull * (most / length) - (apart - pair.normal * gap);
+    }
+    kept.push_back({pair.node, anchor});
+  }
+  std::sort(kept.begin(), kept.end(), [](const Stuck& a, const Stuck& b) { return a.node < b.node; });
+  stuck_ = std::move(kept);
+}
+
 void SelfContact::addGradient(std::span<Vec3> gradient) const {
-  for (const Pair& pair : found_)
-    for (int k = 0; k < 4; ++k) gradient[pair.node[k]] -= pair.normal * (pair.weight[k] * pair.push);
+  for (std::size_t p = 0; p < found_.size(); ++p)
+    for (int k = 0; k < 4; ++k)
+      gradient[found_[p].node[k]] += (hold_[p].force - found_[p].normal * found_[p].push) * found_[p].weight[k];
+}
+
+void SelfContact::addExpectedSlip(std::span<Vec3> force) const {
+  for (std::size_t p = 0; p < found_.size(); ++p)
+    for (int k = 0; k < 4; ++k) force[found_[p].node[k]] += hold_[p].ahead * found_[p].weight[k];
 }
 
 void SelfContact::addCouplings(const TieMap& ties, std::vector<Coupling>& couplings) const {
   for (const Pair& pair : found_)
-    couplings.push_back({partsOf(ties, pair.node, pair.weight), pair.normal, firmness_, pair.across});
+    if (pair.push > 0 || pair.across > 0)
+      couplings.push_back(
+          {partsOf(ties, pair.node, pair.weight), pair.normal, pair.push > 0 ? firmness_ : 0, pair.across});
 }
 
 bool SelfContact::guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {
