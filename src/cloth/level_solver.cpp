@@ -14,7 +14,7 @@ constexpr double kApartMove = 0.1;   // spacings it goes apart in a step when no
 constexpr double kSlackReach = 0.3;  // of a step's largest move: what two ends of a spring move apart
 constexpr double kLeastReach = 1e-7, kMostReach = 0.05;  // metres, spacings
 constexpr int kPatience = 60;                            // steps without fewer crossings before it is left as it is
-constexpr double kTurnsBack = 2e-5;                      // metres a node moves that is said to turn back,
+constexpr double kTurnsBack = 5e-6;                      // metres a node moves that is said to turn back,
 constexpr double kSlower = 3;                            // so many times slower each time it does,
 constexpr double kQuicker = 0.7;                         // quicker again each time it does not,
 constexpr double kSlowest = 1e5;                         // and at most so many times heavier than it is
