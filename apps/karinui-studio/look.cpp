@@ -210,6 +210,19 @@ QString lengthText(double metres, int decimals) {
   return QString::fromStdString(lengthSaid(metres, Look::here().inches(), decimals));
 }
 
+void paintFingertip(QPainter& painter, const QPointF& at) {
+  painter.save();
+  painter.setBrush(Qt::NoBrush);
+  const std::pair<QColor, double> strokes[] = {{Qt::white, 4.5}, {QColor("#1a1714"), 1.8}};
+  for (const auto& [ink, wide] : strokes) {
+    painter.setPen(QPen(ink, wide, Qt::SolidLine, Qt::RoundCap));
+    painter.drawEllipse(at, 8, 8);
+    for (const QPointF way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+      painter.drawLine(at + way * 8, at + way * 17);
+  }
+  painter.restore();
+}
+
 void paintPin(QPainter& painter, const QPointF& tip) {
   painter.setPen(QPen(QColor("#4a453f"), 1.3));
   painter.drawLine(tip, tip + QPointF(5, -9));

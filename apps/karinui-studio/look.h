@@ -59,6 +59,8 @@ QColor shown(const Colour& linear);                   // linear light to screen
 // Draws an icon of the house into a square.
 void drawIcon(class QPainter& painter, std::string_view name, const class QRectF& square, const QColor& ink);
 
+// Where a hand without a pointer is.
+void paintFingertip(class QPainter& painter, const class QPointF& at);
 void paintPin(class QPainter& painter, const class QPointF& tip);
 
 // A word on a dark tag, above a place.

@@ -11,8 +11,10 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QToolBar>
 
 #include "guide.h"
+#include "keys.h"
 #include "look.h"
 
 namespace karinui::studio {
@@ -186,9 +188,14 @@ void MainWindow::refresh() {
   progress_->setVisible(busy.any);
   progress_->setValue(static_cast<int>(1000 * busy.fraction));
   actions_[Command::Settle]->setIcon(Look::here().icon(busy.settling ? "pause" : "settle"));
+  const QString keys = inWords(session_->keyHint());
   hint_->setText(busy.settling                     ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
-                                                   : inWords(session_->hint()));
+                 : keys.isEmpty()                  ? inWords(session_->hint())
+                                                   : keys + "   –   " + inWords(session_->hint()));
+  if (!keys.isEmpty())
+    announce(focusWidget(), inWords(session_->underFingertip()) + ". " + hint_->text() +
+                                (toast_->isVisible() ? " " + toast_->text() : QString()));
   if (guide_) guide_->refresh();
   seen_ = now;
   emit refreshed();
@@ -219,6 +226,17 @@ void MainWindow::tell(const Notice& notice) {
   toast_->show();
   toast_->raise();
   toastTime_.start(notice.kind == Notice::Kind::Said ? 3500 : 8000);
+}
+
+void MainWindow::goToNextPart() {
+  QWidget* const parts[] = {space_, table_, boards_, tools_};
+  const QWidget* now = focusWidget();
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < std::size(parts); ++k)
+    if (now && (parts[k] == now || parts[k]->isAncestorOf(now))) next = (k + 1) % std::size(parts);
+  QWidget* to = parts[next];
+  if (to == tools_) to = tools_->widgetForAction(actions_.at(session_->tool()));
+  to->setFocus(Qt::TabFocusReason);
 }
 
 void MainWindow::placeToast() {

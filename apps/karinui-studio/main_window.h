@@ -52,6 +52,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void refresh();
   void tell(const Notice& notice);
+  void goToNextPart();  // of the window, with the keys
   void placeToast();
   void run(Command command);
   void askNew();

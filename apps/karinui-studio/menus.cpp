@@ -97,6 +97,8 @@ void MainWindow::makeMenus() {
   map(say("Distance to the body"), "Alt+8", FitMap::Ease);
   map(say("Pressure on the body"), "Alt+9", FitMap::Pressure);
   viewMenu_->addSeparator();
+  add(viewMenu_, say("Next part of the window"), "", "F6", [this] { goToNextPart(); });
+  viewMenu_->addSeparator();
   QAction* dark = add(viewMenu_, say("Dark"), "", "", [] { Look::here().setDark(!Look::here().dark()); });
   dark->setObjectName("dark");
   QAction* inches = add(viewMenu_, say("Inches"), "", "", [] { Look::here().setInches(!Look::here().inches()); });

@@ -3,6 +3,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "keys.h"
 #include "mouse.h"
 #include "orbit.h"
 #include "space_view.h"
@@ -18,6 +19,19 @@ PointerSample SpaceView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys,
   sample.facing = normalized(camera_.eye - camera_.target);
   sample.reach = 11 * camera_.fieldOfView / h;  // eleven pixels
   return sample;
+}
+
+bool SpaceView::event(QEvent* event) {
+  if (isForFingertip(event, session_)) event->accept();
+  return QOpenGLWidget::event(event);
+}
+
+void SpaceView::keyPressEvent(QKeyEvent* event) {
+  const auto stroke = strokeOf(*event);
+  if (!stroke) return QOpenGLWidget::keyPressEvent(event);
+  clockwork_.begin("event to picture");
+  session_.strike(*stroke, sampleAt({}, event->modifiers(), PointerSample::Phase::Hover));
+  refresh();
 }
 
 void SpaceView::mousePressEvent(QMouseEvent* event) {

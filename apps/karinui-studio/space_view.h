@@ -62,6 +62,9 @@ class SpaceView : public QOpenGLWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+  bool focusNextPrevChild(bool) override { return false; }  // Tab goes from place to place; F6 leaves
   void leaveEvent(QEvent* event) override;
 
  private:

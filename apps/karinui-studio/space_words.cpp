@@ -87,6 +87,8 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     painter.setBrush(QColor("#d4552a"));
     painter.drawEllipse(at(dot), 5, 5);
   }
+  if (const auto tip = session_.fingertip(); tip && tip->where == PointerSample::Where::Space)
+    paintFingertip(painter, at(tip->ray.origin + tip->ray.direction * camera_.distance()));
   for (const SceneWord& word : preview.space.words)
     paintWord(painter, at(word.place), QString::fromStdString(word.text));
   const std::pair<const std::vector<Vec3>*, double> tapes[] = {{&levelShown_.round, levelShown_.garment},

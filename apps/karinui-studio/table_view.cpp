@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "karinui/base/number.h"
+#include "keys.h"
 #include "look.h"
 #include "mouse.h"
 
@@ -233,6 +234,8 @@ void TableView::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(Qt::white, 1.5));
   painter.setBrush(p.accent);
   for (const Flat dot : preview.table.dots) painter.drawEllipse(onScreen(dot), 5, 5);
+  if (const auto tip = session_.fingertip(); tip && tip->where == PointerSample::Where::Table)
+    paintFingertip(painter, onScreen(tip->place));
   for (const TableWord& word : preview.table.words) {
     // Above what is being drawn there, never over it.
     QPointF place = onScreen(word.place);
@@ -271,10 +274,32 @@ void TableView::paintEvent(QPaintEvent*) {
   }
 }
 
-void TableView::feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) {
+PointerSample TableView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const {
   PointerSample sample = mouseSample(phase, PointerSample::Where::Table, keys, clockwork_);
   sample.place = onTable(at);
   sample.reach = 9 / scale_;
+  return sample;
+}
+
+bool TableView::event(QEvent* event) {
+  if (isForFingertip(event, session_)) event->accept();
+  return QWidget::event(event);
+}
+
+void TableView::keyPressEvent(QKeyEvent* event) {
+  const auto stroke = strokeOf(*event);
+  if (!stroke) return QWidget::keyPressEvent(event);
+  session_.strike(*stroke, sampleAt({}, event->modifiers(), PointerSample::Phase::Hover));
+  if (const auto tip = session_.fingertip()) {
+    const QPointF at = onScreen(tip->place);
+    if (!QRectF(rect()).adjusted(20, 20, -20, -20).contains(at)) middle_ = tip->place, mine_ = true;
+    emit pointed(tip->place);
+  }
+  update();
+}
+
+void TableView::feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) {
+  const PointerSample sample = sampleAt(at, keys, phase);
   session_.feed(sample);
   emit pointed(sample.place);
   update();

@@ -27,8 +27,12 @@ class TableView : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+  bool focusNextPrevChild(bool) override { return false; }  // as in the fitting
 
  private:
+  PointerSample sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const;
   void feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase);
   void paintPiece(QPainter& painter, const Piece& piece, const Outline& outline, const Preview& preview);
 

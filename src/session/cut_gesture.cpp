@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kStep = 0.003;    // metres on paper before a place is noted
 constexpr double kMiss = 0.0025;   // metres the cut may pass from the hand's line
+constexpr double kBrink = 0.004;   // metres from the outline that still mean the outline
 constexpr double kBeyond = 0.025;  // metres at least that a line which ran off the cloth is led on
 
 class CutGesture : public Gesture {
@@ -62,6 +63,7 @@ class CutGesture : public Gesture {
     return why_ ? *why_ : info(Command::Cut).hint;
   }
   bool begun() const override { return down_; }
+  Stops stops() const override { return Stops::Corners; }
 
  private:
   void note(const PointerSample& sample, const Hit& hit, const Workbench& bench) {
@@ -82,6 +84,8 @@ class CutGesture : public Gesture {
       return;
     }
     if (left_) return;
+    brink_ = brink(hit, bench, *paper);
+    if (noted_.empty()) beganAt_ = brink_;
     if (noted_.empty() || distance(noted_.back(), *paper) >= kStep)
       noted_.push_back(*paper);
     else if (sample.phase == PointerSample::Phase::Release)
@@ -96,6 +100,16 @@ class CutGesture : public Gesture {
     return from + way * (far + kStride);
   }
 
+  // Just beyond the outline, where a place lies on its brink.
+  std::optional<Flat> brink(const Hit& hit, const Workbench& bench, Flat paper) const {
+    const Piece* piece = bench.fitting->document.find(piece_);
+    const Edge* edge = piece && hit.edge && hit.edge->piece == piece_ ? findEdge(*piece, hit.edge->edge) : nullptr;
+    if (!edge) return std::nullopt;
+    const double t = edge->curve.parameterAt(hit.edge->fraction * edge->curve.length());
+    if (distance(edge->curve.at(t), paper) > kBrink) return std::nullopt;
+    return edge->curve.at(t) - leftOf(normalized(edge->curve.tangent(t))) * kBrink;
+  }
+
   std::vector<Flat> lineNow(const Workbench& bench) const {
     std::vector<Flat> line = noted_;
     if (line.size() < 2) return line;
@@ -105,6 +119,8 @@ class CutGesture : public Gesture {
     const std::size_t look = std::min<std::size_t>(3, line.size() - 1);
     const Flat first = line.front(), last = line.back();
     const Flat in = normalized(first - line[look]), out = normalized(last - line[line.size() - 1 - look]);
+    if (beganAt_ && !came_) line.insert(line.begin(), *beganAt_);
+    if (brink_ && !left_) line.push_back(*brink_);
     if (came_) line.insert(line.begin(), runOff(ring, first, in));
     if (left_) line.push_back(runOff(ring, last, out));
     if (straight_) line = {line.front(), line.back()};
@@ -117,6 +133,7 @@ class CutGesture : public Gesture {
   std::size_t parts_ = 0;
   PieceId piece_;
   std::vector<Flat> noted_, before_, line_;
+  std::optional<Flat> beganAt_, brink_;  // beyond the outline, where the line begins and ends
   std::optional<Message> why_;
 };
 

@@ -72,6 +72,8 @@ class DartGesture : public Gesture {
     return mouth_ ? say("Now click where the dart ends.") : info(Command::Dart).hint;
   }
   bool begun() const override { return mouth_.has_value(); }
+  Stops stops() const override { return mouth_ ? Stops::Pieces : Stops::Edges; }
+  bool clicks() const override { return true; }
 
  private:
   static constexpr double kMiddle = 0.004;  // metres from an edge's middle that mean the middle

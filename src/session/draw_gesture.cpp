@@ -12,6 +12,7 @@ namespace karinui {
 namespace {
 
 constexpr double kMeets = 0.022;   // metres: an end this near to the beginning closes the line
+constexpr double kAgain = 0.003;   // metres: a click this near to the last one ends the line
 constexpr double kCentre = 0.020;  // metres from the body's middle plane that still mean the middle
 constexpr double kStep = 0.004;    // metres a stroke goes before it is noted
 constexpr double kMiss = 0.004;    // metres a kept line may pass from the drawn one
@@ -117,6 +118,10 @@ class DrawGesture : public Gesture {
     double way = 0;
     for (std::size_t i = 1; i < stroke_.size(); ++i) way += distance(stroke_[i - 1].point, stroke_[i].point);
     const bool click = way < 2 * kStep;
+    if (click && !parts_.empty() && distance(parts_.back().back().point, stroke_.front().point) < kAgain) {
+      stroke_.clear();
+      return ended(bench, true);
+    }
     std::vector<Noted> part = click ? std::vector{stroke_.front()} : thinned(stroke_);
     stroke_.clear();
     if (click) part.front().corner = !smooth_;
@@ -157,6 +162,8 @@ class DrawGesture : public Gesture {
         "End the line where it began, or on the body's centre; Enter closes it, undo takes back the last stroke.");
   }
   bool begun() const override { return !parts_.empty() || !stroke_.empty(); }
+  Stops stops() const override { return Stops::Skin; }
+  bool clicks() const override { return true; }
 
  private:
   std::vector<Noted> all() const {

@@ -28,6 +28,7 @@ struct Session::Inside {
   std::optional<Command> hot;
   bool onCross = false;  // the pointer is on the mark of a crossed seam
   bool onMenu = false;   // the button was pressed on the menu
+  KeyHand keyHand;
   std::optional<Command> viewAsked;
   std::vector<Notice> notices;
   SessionNews news;
@@ -56,6 +57,8 @@ struct Session::Inside {
   // Whether marks of crossed seams are shown, to be clicked.
   bool turnsCrossed() const { return (tool == Command::Select || tool == Command::Sew) && !gesture->begun(); }
 
+  void choose(Selection chosen);
+
   // Sentences for the person.
   void tell(Notice::Kind kind, Message what);
   void tellError(const Error& error);
@@ -74,6 +77,10 @@ struct Session::Inside {
   void interruptSettling();
   void settleInterrupted();
   void stopSettling();
+
+  // pointing.cpp
+  void point(const PointerSample& sample);
+  bool overMenu(const PointerSample& sample);  // then it is not for the gesture
 
   // questions.cpp: the gesture in hand, and what it asks
   void ask(Ask question);  // the newest only, one at a time

@@ -66,6 +66,7 @@ class LineGesture : public Gesture {
     return piece_ ? say("Click on, and Enter ends the line.") : info(Command::Line).hint;
   }
   bool begun() const override { return static_cast<bool>(piece_); }
+  bool clicks() const override { return true; }
 
  private:
   static constexpr double kSame = 0.003, kStep = 0.003, kMiss = 0.001;  // metres

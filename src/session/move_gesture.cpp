@@ -99,6 +99,7 @@ class MoveGesture : public Gesture {
     return info(Command::Move).hint;
   }
   bool begun() const override { return static_cast<bool>(held_); }
+  Stops stops() const override { return held_ ? Stops::Corners : Stops::Pieces; }
   std::optional<std::pair<PieceId, Flat>> laidAside() override { return std::exchange(aside_, std::nullopt); }
 
  private:

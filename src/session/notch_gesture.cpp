@@ -40,6 +40,8 @@ class NotchGesture : public Gesture {
     return here_ && here_->there ? say("Click to take this notch away.") : info(Command::Notch).hint;
   }
   bool begun() const override { return false; }
+  Stops stops() const override { return Stops::Edges; }
+  bool clicks() const override { return true; }
 
  private:
   struct Here {

@@ -49,6 +49,7 @@ class PinGesture : public Gesture {
   }
   Message hint() const override { return there_ ? say("Click to take this pin out.") : info(Command::Pin).hint; }
   bool begun() const override { return false; }
+  bool clicks() const override { return true; }
 
  private:
   static constexpr double kNear = 0.012;  // metres on the cloth

@@ -83,6 +83,7 @@ class PointsGesture : public Gesture {
   }
   Message hint() const override { return why_ ? *why_ : info(Command::Points).hint; }
   bool begun() const override { return held_.has_value(); }
+  Stops stops() const override { return Stops::Corners; }
 
  private:
   struct Grip {

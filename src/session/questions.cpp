@@ -44,6 +44,7 @@ void Session::Inside::askNext() {
 void Session::Inside::told(Told answer, bool begunBefore) {
   if (answer.why) tell(Notice::Kind::Refused, *answer.why);
   if (!answer.over) return ask(std::move(answer.ask));
+  keyHand.letGo();
   line.cancel(TaskLine::Kind::Preview);
   asking = false;
   next = {};
@@ -59,6 +60,7 @@ void Session::Inside::told(Told answer, bool begunBefore) {
 }
 
 void Session::Inside::dropGesture() {
+  keyHand.letGo();
   line.cancel(TaskLine::Kind::Preview);
   asking = false;  // what was dropped unanswered must not keep the next gesture from asking
   next = {};

@@ -56,6 +56,7 @@ class SelectGesture : public Gesture {
   }
   Message hint() const override { return info(Command::Select).hint; }
   bool begun() const override { return false; }
+  bool clicks() const override { return true; }
   std::optional<Selection> chosen() override { return std::exchange(chosen_, std::nullopt); }
 
  private:

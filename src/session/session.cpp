@@ -85,58 +85,6 @@ void Session::setInches(bool inches) { inside_->inches = inches, ++inside_->news
 void Session::setDartWidth(double metres) { inside_->dartWidth = metres, ++inside_->news.overlay; }
 double Session::dartWidth() const { return inside_->dartWidth; }
 
-void Session::feed(const PointerSample& sample) {
-  auto& in = *inside_;
-  ++in.news.overlay;
-  using Phase = PointerSample::Phase;
-  // The menu comes first, unless a drag is on its way across it.
-  if (in.sight && sample.where == PointerSample::Where::Space &&
-      (sample.phase == Phase::Hover || sample.phase == Phase::Press || in.onMenu)) {
-    const ScenePanel panel = menuPanel(*in.sight, {});
-    const auto hit = menuHit(panel, sample.ray);
-    const bool board = meets(panel, sample.ray);
-    in.hot = hit;
-    if (sample.phase == Phase::Press && board) {
-      in.onMenu = true;
-      if (hit) command(*hit == Command::ViewOblique ? Command::ViewAll : *hit);
-      return;
-    }
-    if (in.onMenu) {
-      if (sample.phase == Phase::Release) in.onMenu = false;
-      return;
-    }
-    if (board) return;
-  } else {
-    in.hot.reset();
-  }
-  if (in.turnsCrossed())
-    if (const auto seam = crossedAt(*in.state.fitting, in.table, sample)) {
-      in.onCross = true;
-      if (sample.phase == Phase::Press && can(Command::Sew) && !in.line.busy(TaskLine::Kind::Step))
-        in.perform(FlipSeam{SeamRef(*seam)});
-      if (sample.phase != Phase::Release) return;
-    }
-  if (std::exchange(in.onCross, false)) return;
-  const bool begun = in.gesture->begun();
-  const Hit hit = pick(*in.state.fitting, in.table, sample);
-  Told told = in.gesture->feed(sample, hit, in.bench());
-  if (const auto chosen = in.gesture->chosen()) select(*chosen);
-  if (const auto aside = in.gesture->laidAside()) in.table.carry(aside->first, aside->second);
-  if (sample.phase == Phase::Press && in.gesture->begun() && hit.piece && in.tool != Command::Draw) {
-    Selection selection;
-    selection.pieces = {hit.piece};
-    selection.edge = hit.edge;
-    select(selection);
-  }
-  in.told(std::move(told), begun);
-}
-
-void Session::select(Selection selection) {
-  if (selection == inside_->selection) return;
-  inside_->selection = std::move(selection);
-  ++inside_->news.overlay;
-  if (inside_->options.wake) inside_->options.wake();
-}
 bool Session::update() {
   auto& in = *inside_;
   bool any = in.line.takeIn();

@@ -91,6 +91,7 @@ class SewGesture : public Gesture {
     return info(Command::Sew).hint;
   }
   bool begun() const override { return from_ || first_; }
+  Stops stops() const override { return Stops::Edges; }
 
  private:
   static EdgeRef ref(const EdgeNear& near) { return {PieceRef(near.piece), near.edge, 0, 1}; }

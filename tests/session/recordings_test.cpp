@@ -62,6 +62,35 @@ std::string told(const Operation& operation) {
          (draw->symmetric ? " symmetric=yes" : "");
 }
 
+// "sight ex ey ez tx ty tz": from where to where one looks.
+Sight sightIn(std::istringstream& words) {
+  Vec3 to;
+  Sight sight;
+  words >> sight.eye.x >> sight.eye.y >> sight.eye.z >> to.x >> to.y >> to.z;
+  sight.distance = distance(sight.eye, to);
+  sight.back = normalized(sight.eye - to);
+  sight.right = normalized(cross(Vec3{0, 1, 0}, sight.back));
+  sight.up = cross(sight.back, sight.right);
+  return sight;
+}
+
+// "key right 12 space shift": so often.
+void strike(Session& session, std::istringstream& words, double seconds) {
+  static const std::map<std::string, KeyStroke> strokes{
+      {"left", KeyStroke::Left},   {"right", KeyStroke::Right},     {"up", KeyStroke::Up},
+      {"down", KeyStroke::Down},   {"next", KeyStroke::Next},       {"previous", KeyStroke::Previous},
+      {"press", KeyStroke::Press}, {"shorter", KeyStroke::Shorter}, {"longer", KeyStroke::Longer}};
+  std::string name, word;
+  int times = 0;
+  PointerSample with;
+  words >> name >> times >> word;
+  with.seconds = seconds;
+  with.reach = 0.005;
+  with.where = word == "table" ? PointerSample::Where::Table : PointerSample::Where::Space;
+  while (words >> word) with.shift |= word == "shift", with.control |= word == "control", with.alt |= word == "alt";
+  for (int k = 0; k < times; ++k) session.strike(strokes.at(name), with);
+}
+
 double awayFromRays(Vec3 place, const std::vector<Ray>& rays) {
   double nearest = 1e9;
   for (const Ray& ray : rays) {
@@ -83,6 +112,7 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
   EXPECT_EQ(before, recording.given.size());
   std::vector<std::string> came;
   std::vector<Ray> rays;
+  double seconds = 0;
   const auto note = [&] {
     for (const Notice& notice : session.takeNotices())
       if (notice.kind == Notice::Kind::Refused) came.push_back("refused: " + text(notice.what));
@@ -95,6 +125,13 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
       const auto command = named(second);
       EXPECT_TRUE(command) << line;
       if (command) session.command(*command);
+    } else if (first == "sight" || first == "key") {
+      words.seekg(static_cast<std::streamoff>(first.size()));
+      if (first == "sight")
+        session.setSight(sightIn(words));
+      else
+        strike(session, words, seconds += 0.1);
+      if (const auto tip = session.fingertip()) rays.push_back(tip->ray);
     } else {
       const auto sample = parsePointerSample(line);
       EXPECT_TRUE(sample) << line;

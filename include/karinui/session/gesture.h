@@ -12,6 +12,7 @@
 #include "karinui/scene/overlay.h"
 #include "karinui/session/command.h"
 #include "karinui/session/fitting.h"
+#include "karinui/session/key_hand.h"
 
 namespace karinui {
 
@@ -76,6 +77,9 @@ class Gesture {
   virtual Preview preview(const Workbench& bench) const = 0;
   virtual Message hint() const = 0;  // what to do now
   virtual bool begun() const = 0;    // something would be lost
+  // To a hand without a pointer: what it is led to, and whether it clicks or drags.
+  virtual Stops stops() const { return Stops::Pieces; }
+  virtual bool clicks() const { return false; }
   // Select and Move on the table, which change the view only.
   virtual std::optional<Selection> chosen() { return std::nullopt; }
   virtual std::optional<std::pair<PieceId, Flat>> laidAside() { return std::nullopt; }

@@ -92,6 +92,12 @@ class Session {
 
   // --- what the person does
   void feed(const PointerSample& sample);
+  // The same with keys alone. `with` says where, when, how near touching is, and which modifiers are held; the rest is
+  // the fingertip's.
+  void strike(KeyStroke key, const PointerSample& with);
+  std::optional<PointerSample> fingertip() const;  // nothing while a pointer is used
+  Message keyHint() const;                         // what keys do now; empty while a pointer is used
+  Message underFingertip() const;                  // for those who hear the screen
   void setSight(const Sight& sight);
   void setLanguage(Language language);
   void setInches(bool inches);       // instead of centimetres, in what gestures tell

@@ -1,0 +1,131 @@
+// Where the hand points: a pointer's samples, and those of a hand that has only keys.
+#include <cmath>
+
+#include "karinui/base/number.h"
+#include "session/inside.h"
+
+namespace karinui {
+
+using Phase = PointerSample::Phase;
+using Where = PointerSample::Where;
+
+namespace {
+
+// A place of the figure as one says it: to a tenth of the way between two levels, to a hundredth of a turn.
+std::string nearly(BodyPoint point) {
+  const auto levels = chartLevels(point.part);
+  if (point.part == BodyPoint::Part::Face) return "–";
+  if (levels.empty()) return text(point);
+  const double tenths = std::round(point.along * 10), turn = std::fmod(std::round(point.around * 100), 100) / 100;
+  const auto level = static_cast<std::size_t>(tenths) / 10;
+  const double more = (tenths - 10 * static_cast<double>(level)) / 10;
+  point.along = 0;
+  const std::string part = text(point);
+  return part.substr(0, part.find(':') + 1) + std::string(levels[level]) + (more > 0 ? "+" + shortest(more) : "") +
+         "@" + shortest(turn);
+}
+
+}  // namespace
+
+// The menu comes first, unless a drag is on its way across it.
+bool Session::Inside::overMenu(const PointerSample& sample) {
+  const bool asked = sample.phase == Phase::Hover || sample.phase == Phase::Press || onMenu;
+  if (!sight || sample.where != Where::Space || !asked) return hot.reset(), false;
+  const ScenePanel panel = menuPanel(*sight, {});
+  hot = menuHit(panel, sample.ray);
+  const bool board = meets(panel, sample.ray);
+  if (sample.phase == Phase::Press && board) return onMenu = true;
+  if (!onMenu) return board;
+  if (sample.phase == Phase::Release) onMenu = false;
+  return true;
+}
+
+void Session::Inside::choose(Selection chosen) {
+  if (chosen == selection) return;
+  selection = std::move(chosen);
+  ++news.overlay;
+  if (options.wake) options.wake();
+}
+
+void Session::Inside::point(const PointerSample& sample) {
+  if (turnsCrossed())
+    if (const auto seam = crossedAt(*state.fitting, table, sample)) {
+      onCross = true;
+      if (sample.phase == Phase::Press && !state.readOnly && !line.busy(TaskLine::Kind::Step))
+        perform(FlipSeam{SeamRef(*seam)});
+      if (sample.phase != Phase::Release) return;
+    }
+  if (std::exchange(onCross, false)) return;
+  const bool begun = gesture->begun();
+  const Hit hit = pick(*state.fitting, table, sample);
+  Told answer = gesture->feed(sample, hit, bench());
+  if (const auto chosen = gesture->chosen()) choose(*chosen);
+  if (const auto aside = gesture->laidAside()) table.carry(aside->first, aside->second);
+  if (sample.phase == Phase::Press && gesture->begun() && hit.piece && tool != Command::Draw) {
+    Selection taken;
+    taken.pieces = {hit.piece};
+    taken.edge = hit.edge;
+    choose(std::move(taken));
+  }
+  told(std::move(answer), begun);
+}
+
+void Session::feed(const PointerSample& sample) {
+  auto& in = *inside_;
+  ++in.news.overlay;
+  if (sample.phase == Phase::Hover && in.keyHand.down()) return;  // a nudge of the table is no hand
+  in.keyHand.sleep();
+  if (in.overMenu(sample)) {
+    if (sample.phase == Phase::Press && in.hot) command(*in.hot == Command::ViewOblique ? Command::ViewAll : *in.hot);
+    return;
+  }
+  in.point(sample);
+}
+
+void Session::strike(KeyStroke key, const PointerSample& with) {
+  auto& in = *inside_;
+  ++in.news.overlay;
+  in.hot.reset();
+  const KeyHand::Around around{*in.state.fitting, in.table, in.sight.value_or(Sight()), in.gesture->stops(),
+                               in.gesture->clicks()};
+  for (const PointerSample& sample : in.keyHand.strike(key, with, around)) in.point(sample);
+  if (in.options.wake) in.options.wake();
+}
+
+std::optional<PointerSample> Session::fingertip() const {
+  const auto& in = *inside_;
+  if (!in.keyHand.awake()) return std::nullopt;
+  return in.keyHand.now(in.sight.value_or(Sight()));
+}
+
+Message Session::keyHint() const {
+  const auto& in = *inside_;
+  if (!in.keyHand.awake()) return {};
+  const std::string step = lengthSaid(in.keyHand.step(), in.inches);
+  if (in.keyHand.down()) return say("Arrows carry it {0} a time, Tab to the next place; Enter lets go", step);
+  if (in.gesture->clicks())
+    return say("Arrows go {0} (Page Up, Page Down), Tab to the next place; Enter clicks, twice ends a line", step);
+  return say("Arrows go {0} (Page Up, Page Down), Tab to the next place; Enter takes hold", step);
+}
+
+Message Session::underFingertip() const {
+  const auto& in = *inside_;
+  const auto tip = fingertip();
+  if (!tip) return {};
+  const Fitting& fitting = *in.state.fitting;
+  const bool drawing = in.gesture->stops() == Stops::Skin;
+  const Hit hit = drawing ? pickBody(fitting, *tip) : pick(fitting, in.table, *tip);
+  if (hit.on == Hit::On::Body && !hit.edge) return say("On the body, at {0}", nearly(fitting.body->describe(hit.skin)));
+  if (!hit.piece) return say("Beside everything");
+  const Piece& piece = *fitting.document.find(hit.piece);
+  const Piece* owner = hit.edge ? fitting.document.find(hit.edge->piece) : nullptr;
+  const Edge* edge = owner ? findEdge(*owner, hit.edge->edge) : nullptr;
+  if (!edge) return say("On “{0}”", piece.name);
+  const double whole = edge->curve.length();
+  return say("On “{0}”, edge “{1}”, {2} of {3} along it", owner->name, edge->name,
+             lengthSaid(hit.edge->fraction * whole, in.inches), lengthSaid(whole, in.inches));
+}
+
+void Session::select(Selection selection) { inside_->choose(std::move(selection)); }
+
+}  // namespace karinui

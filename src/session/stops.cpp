@@ -1,0 +1,144 @@
+// Places that keys go to.
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/session/key_hand.h"
+
+namespace karinui {
+
+namespace {
+
+using Where = PointerSample::Where;
+
+class Finder {
+ public:
+  Finder(const Fitting& fitting, const Table& table, PointerSample with, const Sight& sight)
+      : fitting_(fitting), table_(table), with_(with), sight_(sight) {}
+
+  std::vector<Stop> pieces() {
+    for (const auto& worn : fitting_.worn) {
+      const Piece& piece = *fitting_.document.find(worn.id);
+      inside(piece, worn.ring);
+      for (const Edge& edge : piece.outline.edges) besideEdge(piece, edge);
+    }
+    return std::move(found_);
+  }
+  std::vector<Stop> edges(bool corners) {
+    for (const auto& worn : fitting_.worn) {
+      const Piece& piece = *fitting_.document.find(worn.id);
+      for (const Edge& edge : piece.outline.edges) {
+        if (corners)
+          add(piece, edge.curve.start, [&](const Hit& hit) { return !hidden(hit, piece, edge.curve.start); });
+        onEdge(piece, edge);
+      }
+    }
+    return std::move(found_);
+  }
+  // The named places of the figure.
+  std::vector<Stop> skin() {
+    if (!fitting_.body || with_.where != Where::Space) return {};
+    const Body& body = *fitting_.body;
+    std::vector<Vec3> places;
+    for (const auto& [name, place] : body.landmarks()) places.push_back(place);
+    for (const auto part : {BodyPoint::Part::Torso, BodyPoint::Part::LeftArm, BodyPoint::Part::RightArm,
+                            BodyPoint::Part::LeftLeg, BodyPoint::Part::RightLeg}) {
+      const auto levels = chartLevels(part);
+      for (std::size_t level = 0; level + 1 < levels.size(); ++level)
+        for (int k = 0; k < 8; k += part == BodyPoint::Part::Torso ? 1 : 2) {
+          BodyPoint point;
+          point.part = part, point.along = static_cast<double>(level), point.around = k / 8.0;
+          if (const auto there = body.find(point)) places.push_back(at(body.mesh(), *there));
+        }
+    }
+    constexpr double kRow = 0.02, kSame = 0.012;  // metres
+    for (const Vec3 place : places) {
+      const auto seen = pickBody(fitting_, towards(place));
+      const bool known =
+          std::any_of(found_.begin(), found_.end(), [&](const Stop& s) { return distance(s.space, place) < kSame; });
+      if (!known && inView(place) && seen.on == Hit::On::Body && distance(seen.point, place) < 0.005)
+        found_.push_back({place, {}});
+    }
+    std::sort(found_.begin(), found_.end(), [&](const Stop& a, const Stop& b) {
+      const double p = std::round(a.space.y / kRow), q = std::round(b.space.y / kRow);
+      return p != q ? p > q : dot(a.space, sight_.right) < dot(b.space, sight_.right);
+    });
+    return std::move(found_);
+  }
+
+ private:
+  bool inView(Vec3 place) const {
+    const Vec3 way = place - sight_.eye;
+    const double deep = -dot(way, sight_.back);
+    return deep > 0 && std::fabs(dot(way, sight_.up)) < deep * sight_.tanHalf &&
+           std::fabs(dot(way, sight_.right)) < deep * sight_.tanHalf * sight_.aspect;
+  }
+  PointerSample towards(Vec3 place) const {
+    PointerSample sample = with_;
+    sample.ray = {sight_.eye, normalized(place - sight_.eye)};
+    return sample;
+  }
+  // Whether something lies between the eye and a place of a piece.
+  bool hidden(const Hit& hit, const Piece& piece, Flat paper) const {
+    constexpr double kNear = 0.012;  // metres
+    if (hit.on == Hit::On::Nothing) return false;
+    return hit.along < distance(*spaceOf(fitting_, piece.id, paper), sight_.eye) - kNear;
+  }
+  template <class Seen>
+  bool add(const Piece& piece, Flat paper, Seen&& seen) {
+    const Vec3 space = *spaceOf(fitting_, piece.id, paper);
+    if (with_.where == Where::Space && (!inView(space) || !seen(pick(fitting_, table_, towards(space))))) return false;
+    found_.push_back({space, paper + table_.at(piece.id)});
+    return true;
+  }
+  // A place well inside, the middle if it is.
+  void inside(const Piece& piece, const Ring& ring) {
+    Flat low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const Flat p : ring) {
+      low = {std::fmin(low.u, p.u), std::fmin(low.v, p.v)};
+      high = {std::fmax(high.u, p.u), std::fmax(high.v, p.v)};
+    }
+    for (const double up : {0.5, 0.35, 0.65, 0.2, 0.8})
+      for (const double across : {0.5, 0.35, 0.65, 0.2, 0.8}) {
+        const Flat p{low.u + across * (high.u - low.u), low.v + up * (high.v - low.v)};
+        if (!contains(ring, p) || distanceToRing(ring, p) < 0.01) continue;
+        if (add(piece, p, [&](const Hit& hit) { return hit.on == Hit::On::Cloth && hit.piece == piece.id; })) return;
+      }
+  }
+  // Where one takes hold of the cloth at an edge.
+  void besideEdge(const Piece& piece, const Edge& edge) {
+    constexpr double kHem = 0.006;  // metres
+    const double t = edge.curve.parameterAt(edge.curve.length() / 2);
+    add(piece, edge.curve.at(t) + leftOf(normalized(edge.curve.tangent(t))) * kHem,
+        [&](const Hit& hit) { return hit.on == Hit::On::Cloth && hit.piece == piece.id; });
+  }
+  // The middle of an edge, or what is seen of it.
+  void onEdge(const Piece& piece, const Edge& edge) {
+    for (const double share : {0.5, 0.3, 0.7, 0.1, 0.9})
+      if (add(piece, edge.curve.atFraction(share),
+              [&](const Hit& hit) { return hit.edge && hit.edge->piece == piece.id && hit.edge->edge == edge.name; }))
+        return;
+  }
+
+  const Fitting& fitting_;
+  const Table& table_;
+  PointerSample with_;
+  const Sight& sight_;
+  std::vector<Stop> found_;
+};
+
+}  // namespace
+
+std::vector<Stop> stopsOf(const Fitting& fitting, const Table& table, Stops wanted, const PointerSample& with,
+                          const Sight& sight) {
+  Finder finder(fitting, table, with, sight);
+  switch (wanted) {
+    case Stops::Skin:
+      return finder.skin();
+    case Stops::Pieces:
+      return finder.pieces();
+    default:
+      return finder.edges(wanted == Stops::Corners);
+  }
+}
+
+}  // namespace karinui
