@@ -1,3 +1,4 @@
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -5,8 +6,8 @@
 #include <QScrollArea>
 
 #include "karinui/base/number.h"
-#include "length_box.h"
 #include "look.h"
+#include "measure_row.h"
 #include "panels.h"
 
 namespace karinui::studio {
@@ -61,13 +62,21 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   const auto keys = mannequinKeys();
   for (const Asked& a : asked()) {
     if (std::find(keys.begin(), keys.end(), std::string_view(a.key)) == keys.end()) continue;
-    auto* box = new LengthBox(a.label, 0, 2.6);
-    box->setSpecialValueText("–");
-    box->setMetres(0);
-    form->addRow(word(a.label), box);
-    typed_[a.key] = box;
+    auto* row = new MeasureRow(a.label);
+    form->addRow(word(a.label), row);
+    connect(row, &MeasureRow::turned, this, [this] { session_.tryFigure(wished()); });
+    connect(row, &MeasureRow::set, this, &BodyPanel::wear);
+    rows_[a.key] = row;
   }
   column->addLayout(form);
+  follow_ = new QCheckBox;
+  follow_->setChecked(true);
+  Look::here().keep(follow_, [this] {
+    follow_->setText(inWords(say("the garment is made again for it at once")));
+    follow_->setToolTip(
+        inWords(say("Every step is played again on the figure as you change it; one undo brings the old one back.")));
+  });
+  column->addWidget(follow_);
   use_ = new QPushButton;
   Look::here().keep(use_, [this] {
     use_->setText(inWords(say("Put the garment on this figure")));
@@ -92,6 +101,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   scroll->setWidget(measured_);
   scroll->setWidgetResizable(true);
   column->addWidget(scroll, 1);
+  for (QComboBox* box : {size_, sex_}) connect(box, &QComboBox::activated, this, &BodyPanel::wear);
   connect(use_, &QPushButton::clicked, this, [this] { session_.perform(wished()); });
   connect(replay_, &QPushButton::clicked, this, [this] { emit replayAsked(wished()); });
   connect(load, &QPushButton::clicked, this, &BodyPanel::importAsked);
@@ -102,17 +112,51 @@ SetBody BodyPanel::wished() const {
   if (size_->currentIndex() > 0)
     body.size = std::string(builtInSizes()[static_cast<std::size_t>(size_->currentIndex() - 1)]);
   if (sex_->currentIndex() > 0) body.sex = sex_->currentIndex() == 1 ? Sex::Female : Sex::Male;
-  for (const auto& [key, box] : typed_)
-    if (box->value() > 0) body.set.push_back({key, {box->value()}});
+  for (const auto& [key, row] : rows_)
+    if (const auto metres = row->stated()) body.set.push_back({key, {*metres}});
   return body;
+}
+
+// A garment is made again for the figure as it is now; where there is no figure yet, the button asks for one.
+void BodyPanel::wear() {
+  const SetBody* now = session_.figure();
+  if (!now || !now->mesh.empty()) return;
+  if (follow_->isChecked())
+    session_.wearFigure(wished());
+  else
+    session_.tryFigure(wished());
+}
+
+void BodyPanel::fill() {
+  const SetBody* now = session_.figure();
+  const auto sizes = builtInSizes();
+  if (now) {
+    const auto size = std::find(sizes.begin(), sizes.end(), now->size);
+    size_->setCurrentIndex(size == sizes.end() ? 0 : static_cast<int>(size - sizes.begin()) + 1);
+    sex_->setCurrentIndex(!now->sex ? 0 : *now->sex == Sex::Female ? 1 : 2);
+  }
+  const BodyPtr& body = session_.fitting().body;
+  for (const auto& [key, row] : rows_) {
+    std::optional<double> stated;
+    if (now)
+      for (const Stated& s : now->set)
+        if (s.key == key) stated = s.value.metres;
+    const auto& measured = body ? body->measured().value : std::map<std::string, double>();
+    const auto at = measured.find(key);
+    row->show(stated, at == measured.end() ? 0 : at->second);
+  }
 }
 
 void BodyPanel::refresh() {
   replay_->setEnabled(!session_.fitting().document.pattern.pieces.empty());
   const Fitting& fitting = session_.fitting();
   const std::string now = fitting.body ? fitting.body->hash() : "-";
+  // What was refused, or stopped half-way, is not what is worn.
+  const SetBody* worn = session_.figure();
+  if (follow_->isChecked() && worn && !session_.busy().any && !(wished() == *worn)) fill();
   if (now == shown_) return;
   shown_ = now;
+  fill();
   QString lines;
   if (fitting.body)
     for (const auto& [key, value] : fitting.body->measured().value)

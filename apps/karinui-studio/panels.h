@@ -24,6 +24,7 @@ class QTreeWidget;
 namespace karinui::studio {
 
 class LengthBox;
+class MeasureRow;
 
 class Panel : public QWidget {
   Q_OBJECT
@@ -77,7 +78,10 @@ class BodyPanel : public Panel {
   SetBody wished() const;
   QComboBox* size_;
   QComboBox* sex_;
-  std::map<std::string, LengthBox*> typed_;
+  void wear();
+  void fill();  // with the figure as it was chosen
+  std::map<std::string, MeasureRow*> rows_;
+  QCheckBox* follow_;
   QPushButton *use_, *replay_;
   QLabel* measured_;
   std::string shown_;

@@ -8,6 +8,7 @@ void Session::Inside::leave() {
   dropGesture();
   line.cancel(TaskLine::Kind::Preview);
   line.cancel(TaskLine::Kind::Glimpse);
+  dropFigure();
   stopSettling();
   byItself.clear();
   amended.clear();

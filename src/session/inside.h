@@ -45,6 +45,10 @@ struct Session::Inside {
 
   std::uint64_t documents = 0;  // that came and went: what was asked about another is not told
 
+  // A figure whose measures are being turned: the newest wish that is not built yet.
+  std::optional<SetBody> tried;
+  bool trying = false, figureTurns = false;
+
   // Previews: only the newest question is asked.
   bool asking = false;
   Ask next;
@@ -87,6 +91,10 @@ struct Session::Inside {
   void askNext();
   void told(Told answer, bool begunBefore);
   void dropGesture();
+
+  // figure.cpp
+  void tryNextFigure();
+  void dropFigure();
 
   // documents.cpp
   void leave();  // another document comes: whatever was under way for the old one is over

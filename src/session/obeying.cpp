@@ -76,6 +76,10 @@ void Session::command(Command command) {
       if (in.gesture->begun()) return;
       return in.turn(false);
     case Command::Cancel:
+      if (in.figureTurns) {
+        in.dropFigure();
+        return in.settleInterrupted();
+      }
       if (in.gesture->begun()) {
         in.dropGesture();
         in.settleInterrupted();

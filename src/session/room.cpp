@@ -96,6 +96,16 @@ Result<FittingPtr> Room::after(const Operation& operation, const Token& token) {
   return fitted(*std::move(document), token);
 }
 
+Result<FittingPtr> Room::tried(const SetBody& body, const Token& token) {
+  Bodies passing;
+  Context own{*workers_, token, file_.blobs(), passing, {}, {}};
+  Result<Document> document = apply(file_.document(), body, own);
+  if (!document) return document.error();
+  Result<BodyPtr> figure = bodyOf(*document, own);
+  if (!figure) return figure.error();
+  return fittingOf(*std::move(document), *std::move(figure));
+}
+
 Result<Vec3> Room::pullTo(const AskPull& ask, const Token& token, FittingPtr& shown) {
   Context own = context(token);
   if (!pull_ || pull_->piece != ask.piece || !(pull_->at == ask.at)) {

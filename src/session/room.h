@@ -41,6 +41,7 @@ class Room {
   RoomState state(const Token& token);
   FittingPtr glimpse(std::uint64_t seq, const Token& token);                 // null: not to be had
   Result<FittingPtr> after(const Operation& operation, const Token& token);  // without doing it
+  Result<FittingPtr> tried(const SetBody& body, const Token& token);         // on a figure that is kept nowhere
   Result<Vec3> pullTo(const AskPull& ask, const Token& token, FittingPtr& shown);
   void letGo() { pull_.reset(); }
   Done moveTo(const std::filesystem::path& path);  // a copy, and works on in it

@@ -56,6 +56,8 @@ std::optional<Command> Session::takeView() { return std::exchange(inside_->viewA
 Message Session::hint() const {
   if (inside_->onCross) return say("This seam crosses itself; click to sew it the other way round.");
   if (inside_->hot) return info(*inside_->hot).hint;
+  if (inside_->figureTurns)
+    return say("Let go and every step is played again on this figure; Esc leaves it as it was.");
   return inside_->gesture->hint();
 }
 

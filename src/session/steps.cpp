@@ -22,6 +22,7 @@ bool disturbs(const Operation& op) {
 
 void Session::Inside::take(RoomState fresh) {
   state = std::move(fresh);
+  dropFigure();
   preview.reset();
   if (state.fitting->trouble) tell(Notice::Kind::Advice, *state.fitting->trouble);
   table.arrange(*state.fitting);

@@ -14,7 +14,7 @@ namespace karinui {
 
 class TaskLine {
  public:
-  enum class Kind { Step, Settle, Preview, Glimpse };
+  enum class Kind { Step, Settle, Preview, Figure, Glimpse };
   using Finish = std::function<void()>;              // runs on the owner's thread
   using Work = std::function<Finish(const Token&)>;  // runs on the line's own
   struct Progress {

@@ -207,6 +207,58 @@ TEST(Session, AChangeThatCannotBeFollowedIsASentenceAndChangesNothing) {
   EXPECT_THAT(text(notices[0].what), testing::StartsWith("Step 3: "));
 }
 
+TEST(Session, AFigureTurnedUnderTheHandIsSeenAndNothingIsDone) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  session.perform(op("body size=jis9ar"));
+  giveTwo(session);
+  const double before = session.fitting().body->measured().value.at("bust_girth");
+  SetBody wider;
+  wider.size = "jis9ar";
+  wider.set = {{"bust_girth", {before + 0.01}}};
+  session.tryFigure(wider);
+  wider.set[0].value = {before + 0.06};
+  session.tryFigure(wider);
+  session.finish();
+  EXPECT_NEAR(session.shown().body->measured().value.at("bust_girth"), before + 0.06, 0.004);
+  EXPECT_EQ(session.shown().document.pattern.pieces.size(), 2u) << "with the garment on it";
+  EXPECT_EQ(session.fitting().body->measured().value.at("bust_girth"), before);
+  EXPECT_EQ(session.steps().size(), 3u);
+  session.command(Command::Cancel);
+  EXPECT_EQ(&session.shown(), &session.fitting());
+}
+
+TEST(Session, AFigureThatIsWornPlaysTheStepsAgainOnIt) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  session.perform(op("body size=jis9ar"));
+  session.perform(
+      op("draw name=front symmetric=yes edges=\"neck side hem\" line=\"torso:bust@0; torso:bust@0.2; "
+         "torso:waist@0.2; torso:waist@0\""));
+  session.finish();
+  ASSERT_EQ(session.steps().size(), 2u);
+  const double wide = session.fitting().document.pieceNamed("front")->outline.area();
+  const SetBody before = *session.figure();
+  SetBody wider = before;
+  wider.set = {{"bust_girth", {0.93}}};
+  session.wearFigure(wider);
+  session.finish();
+  EXPECT_EQ(*session.figure(), wider);
+  ASSERT_EQ(session.steps().size(), 2u);
+  EXPECT_GT(session.fitting().document.pieceNamed("front")->outline.area(), 1.02 * wide) << "drawn anew";
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_EQ(*session.figure(), before) << "one undo";
+  wider.set = {{"bust_girth", {5.0}}};
+  session.takeNotices();
+  session.wearFigure(wider);
+  session.finish();
+  EXPECT_EQ(session.takeNotices().size(), 1u);
+  EXPECT_EQ(*session.figure(), before) << "no body is so";
+}
+
 TEST(Session, StoppedWhileItPlaysAgainNothingIsChanged) {
   std::promise<void> again;
   int drapes = 0;

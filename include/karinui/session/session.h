@@ -119,6 +119,15 @@ class Session {
   // is there (null: it could not be made); never, where another document came first.
   void glimpse(std::uint64_t seq, std::function<void(FittingPtr)> then);
 
+  // --- the figure
+  // Shows the garment on a figure while one still turns its measures: nothing is done yet, the newest wish only is
+  // built, and Cancel, or the next step, shows what is there again.
+  void tryFigure(SetBody body);
+  // The figure that was chosen last becomes this one, and every step that followed is played again on it: made to
+  // measure. Space stops it, one undo brings the old figure back.
+  void wearFigure(SetBody body);
+  const SetBody* figure() const;  // as it was chosen last; null: not yet
+
   // --- time
   bool update();  // takes in what was finished; true: something is new
   void finish();  // waits until nothing is left to do

@@ -1,0 +1,54 @@
+#include "measure_row.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <cmath>
+
+#include "length_box.h"
+#include "look.h"
+
+namespace karinui::studio {
+
+namespace {
+
+constexpr double kReach = 0.25;  // of what is measured, to either side
+int millimetres(double metres) { return static_cast<int>(std::lround(1000 * metres)); }
+
+}  // namespace
+
+MeasureRow::MeasureRow(const Message& name) : box_(new LengthBox(name, 0, 2.6)), slider_(new QSlider(Qt::Horizontal)) {
+  box_->setSpecialValueText("–");
+  box_->setMetres(0);
+  box_->setFixedWidth(86);
+  Look::here().keep(slider_, [this, name] { slider_->setAccessibleName(inWords(name)); });
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(box_);
+  row->addWidget(slider_, 1);
+  connect(box_, &LengthBox::typed, this, &MeasureRow::set);
+  connect(slider_, &QSlider::valueChanged, this, [this](int now) {
+    box_->setMetres(now / 1000.0);
+    if (slider_->isSliderDown())
+      emit turned();
+    else
+      emit set();
+  });
+  connect(slider_, &QSlider::sliderReleased, this, &MeasureRow::set);
+}
+
+std::optional<double> MeasureRow::stated() const {
+  return box_->value() > 0 ? std::optional(box_->value()) : std::nullopt;
+}
+
+void MeasureRow::show(std::optional<double> stated, double measured) {
+  if (slider_->isSliderDown() || box_->hasFocus()) return;
+  const QSignalBlocker quiet(slider_);
+  box_->setMetres(stated.value_or(0));
+  const double now = stated.value_or(measured);
+  slider_->setEnabled(now > 0);
+  slider_->setRange(millimetres((1 - kReach) * now), millimetres((1 + kReach) * now));
+  slider_->setValue(millimetres(now));
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,31 @@
+#pragma once
+// One measure of a figure: typed in a box, or turned with a slider while the figure follows. GUI thread.
+#include <QWidget>
+#include <optional>
+
+#include "karinui/base/message.h"
+
+class QSlider;
+
+namespace karinui::studio {
+
+class LengthBox;
+
+class MeasureRow : public QWidget {
+  Q_OBJECT
+ public:
+  explicit MeasureRow(const Message& name);
+  std::optional<double> stated() const;  // metres; nothing: it follows from the others
+  // What was stated, and what the figure measures there; tells nobody, and leaves a slider in hand alone.
+  void show(std::optional<double> stated, double measured);
+
+ signals:
+  void turned();  // still in hand
+  void set();     // let go, or typed
+
+ private:
+  LengthBox* box_;
+  QSlider* slider_;
+};
+
+}  // namespace karinui::studio
