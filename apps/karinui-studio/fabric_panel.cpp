@@ -1,93 +1,43 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
 #include <QPushButton>
-#include <cmath>
+#include <QScrollArea>
+#include <QTabBar>
+#include <algorithm>
 
+#include "fabric_plot.h"
 #include "karinui/base/number.h"
 #include "look.h"
 #include "panels.h"
 
 namespace karinui::studio {
 
-// Tension over stretch, along and across the grain, as the cloth's law has it: soft within the toe, then stiff.
-class FabricPanel::Curve : public QWidget {
- public:
-  Fabric fabric;
-  Curve() { setMinimumHeight(120); }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const Palette& p = Look::here().palette();
-    const QRectF box = QRectF(rect()).adjusted(44, 8, -8, -24);
-    const double e = 0.03, top = std::max(fabric.warpCurve().force(e), fabric.weftCurve().force(e));
-    painter.setPen(QPen(p.line, 1));
-    painter.drawRect(box);
-    painter.setPen(p.faint);
-    painter.drawText(QRectF(0, box.top() - 6, 40, 14), Qt::AlignRight, QString::fromStdString(fixed(top, 0)));
-    painter.drawText(QRectF(0, box.center().y() - 7, 40, 14), Qt::AlignRight, "N/m");
-    painter.drawText(QRectF(box.left(), box.bottom() + 4, box.width(), 16), Qt::AlignRight, "3 %");
-    for (const bool warp : {true, false}) {
-      const ThreadCurve threads = warp ? fabric.warpCurve() : fabric.weftCurve();
-      QPolygonF line;
-      for (int i = 0; i <= 60; ++i)
-        line << QPointF(box.left() + box.width() * i / 60,
-                        box.bottom() - box.height() * threads.force(e * i / 60) / top);
-      painter.setPen(QPen(warp ? p.accent : QColor(0x44, 0x77, 0xAA), 2, warp ? Qt::SolidLine : Qt::DashLine));
-      painter.drawPolyline(line);
-    }
-    if (const auto figure = drapeFigure(fabric)) drawDraped(painter, box.topLeft() + QPointF(40, 36), *figure);
-  }
-
- private:
-  // The disc of the drape tester from above: what hangs over the support, in its folds, as large as its shadow.
-  static void drawDraped(QPainter& painter, QPointF middle, const DrapeFigure& figure) {
-    const Palette& p = Look::here().palette();
-    constexpr double kScale = 2, kDisc = 15, kSupport = 9;  // pixels a centimetre, centimetres
-    const double ring = kDisc * kDisc - kSupport * kSupport;
-    const double mean = std::sqrt(kSupport * kSupport + ring * figure.coefficient / 100);
-    const double wave = std::min(0.45 * (mean - kSupport), kDisc - mean);
-    QPolygonF rim;
-    for (int i = 0; i < 180; ++i) {
-      const double turn = i * 3.14159265358979 / 90;
-      const double r = std::sqrt(mean * mean - wave * wave / 2) + wave * std::cos(figure.folds * turn);
-      rim << middle + QPointF(std::cos(turn), std::sin(turn)) * (kScale * r);
-    }
-    painter.setPen(QPen(p.line, 1));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(middle, kScale * kDisc, kScale * kDisc);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(p.accent.lighter(160));
-    painter.drawPolygon(rim);
-    painter.setBrush(p.accent);
-    painter.drawEllipse(middle, kScale * kSupport, kScale * kSupport);
-    painter.setPen(p.faint);
-    painter.setBrush(Qt::NoBrush);
-    painter.drawText(QRectF(middle.x() + kScale * kDisc + 6, middle.y() - 16, 90, 32), Qt::AlignLeft | Qt::AlignVCenter,
-                     inWords(say("drape {0} %", fixed(figure.coefficient, 0))));
-  }
-};
-
 namespace {
 
-// A square of the cloth, its threads as thick as its weight.
-QIcon swatch(const Fabric& f, int n) {
+// A fabric of the shop as it hangs on the drape tester (scripts/fabric_pictures made it), else a square of its threads.
+QIcon pictureOf(const Fabric& f, int n) {
+  if (drapeFigure(f)) {
+    const QPixmap hung(":/drapes/" + QString::fromStdString(f.name) + ".png");
+    QIcon icon(hung);
+    icon.addPixmap(hung, QIcon::Selected);  // its own colours, chosen or not
+    return icon;
+  }
   static constexpr std::array<QRgb, 6> kDyes{0xff8aa2c4, 0xffc9938a, 0xff97b89b, 0xffd1bf8f, 0xffb096bf, 0xffb9bcc0};
-  QPixmap map(44, 44);
+  QPixmap map(128, 128);
   map.fill(Qt::transparent);
   QPainter painter(&map);
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor dye = QColor::fromRgba(kDyes[static_cast<std::size_t>(n) % kDyes.size()]);
   painter.setBrush(dye);
   painter.setPen(Qt::NoPen);
-  painter.drawRoundedRect(QRectF(1, 1, 42, 42), 8, 8);
-  const double thread = 1.6 + 5 * std::min(1.0, f.weight / 0.5);
-  for (double v = 4; v < 40; v += thread)
-    for (double u = 4 + (static_cast<int>(v / thread) % 2) * thread; u < 40; u += 2 * thread) {
+  painter.drawRoundedRect(QRectF(3, 3, 122, 122), 16, 16);
+  const double thread = 5 + 15 * std::min(1.0, f.weight / 0.5);
+  for (double v = 12; v < 116; v += thread)
+    for (double u = 12 + (static_cast<int>(v / thread) % 2) * thread; u < 116; u += 2 * thread) {
       painter.setBrush(dye.darker(118));
       painter.drawRect(QRectF(u, v, thread * 0.8, thread * 0.55));
     }
@@ -95,32 +45,51 @@ QIcon swatch(const Fabric& f, int n) {
 }
 
 struct Field {
-  const char* key;
   Message label;
   const char* unit;
   double factor, high;
   int decimals;
+  double Fabric::*value;
 };
 const std::vector<Field>& fields() {
-  static const std::vector<Field> all{{"weight", say("weight"), " g/m²", 1000, 3000, 0},
-                                      {"warp", say("stretch, warp"), " N/m", 1, 1e6, 0},
-                                      {"weft", say("stretch, weft"), " N/m", 1, 1e6, 0},
-                                      {"shear", say("shear"), " N/m", 1, 1e5, 1},
-                                      {"bendWarp", say("bending, warp"), " µN m", 1e6, 1e5, 2},
-                                      {"bendWeft", say("bending, weft"), " µN m", 1e6, 1e5, 2},
-                                      {"thickness", say("thickness"), " mm", 1000, 20, 2},
-                                      {"friction", say("friction on skin"), "", 1, 2, 2}};
+  static const std::vector<Field> all{{say("weight"), " g/m²", 1000, 3000, 0, &Fabric::weight},
+                                      {say("stretch, warp"), " N/m", 1, 1e6, 0, &Fabric::stretchWarp},
+                                      {say("stretch, weft"), " N/m", 1, 1e6, 0, &Fabric::stretchWeft},
+                                      {say("toe, warp"), " %", 100, 50, 2, &Fabric::toeWarp},
+                                      {say("toe, weft"), " %", 100, 50, 2, &Fabric::toeWeft},
+                                      {say("stiffening, warp"), "", 1, 1e5, 0, &Fabric::stiffenWarp},
+                                      {say("stiffening, weft"), "", 1, 1e5, 0, &Fabric::stiffenWeft},
+                                      {say("shear"), " N/m", 1, 1e5, 1, &Fabric::shear},
+                                      {say("stiffening, shear"), "", 1, 1000, 2, &Fabric::shearStiffen},
+                                      {say("bending, warp"), " µN m", 1e6, 1e5, 2, &Fabric::bendWarp},
+                                      {say("bending, weft"), " µN m", 1e6, 1e5, 2, &Fabric::bendWeft},
+                                      {say("thickness"), " mm", 1000, 20, 2, &Fabric::thickness},
+                                      {say("friction on skin"), "", 1, 2, 2, &Fabric::frictionBody},
+                                      {say("friction on cloth"), "", 1, 2, 2, &Fabric::frictionCloth}};
   return all;
 }
-double& valueOf(Fabric& f, std::string_view key) {
-  if (key == "weight") return f.weight;
-  if (key == "warp") return f.stretchWarp;
-  if (key == "weft") return f.stretchWeft;
-  if (key == "shear") return f.shear;
-  if (key == "bendWarp") return f.bendWarp;
-  if (key == "bendWeft") return f.bendWeft;
-  if (key == "thickness") return f.thickness;
-  return f.frictionBody;
+
+// What differs from the fabric it was.
+SetFabric described(const Fabric& now, const Fabric& was) {
+  SetFabric set;
+  const auto tell = [&](double Fabric::*value, std::optional<double> SetFabric::*field) {
+    if (now.*value != was.*value) set.*field = now.*value;
+  };
+  tell(&Fabric::weight, &SetFabric::weight);
+  tell(&Fabric::stretchWarp, &SetFabric::stretchWarp);
+  tell(&Fabric::stretchWeft, &SetFabric::stretchWeft);
+  tell(&Fabric::toeWarp, &SetFabric::toeWarp);
+  tell(&Fabric::toeWeft, &SetFabric::toeWeft);
+  tell(&Fabric::stiffenWarp, &SetFabric::stiffenWarp);
+  tell(&Fabric::stiffenWeft, &SetFabric::stiffenWeft);
+  tell(&Fabric::shear, &SetFabric::shear);
+  tell(&Fabric::shearStiffen, &SetFabric::shearStiffen);
+  tell(&Fabric::bendWarp, &SetFabric::bendWarp);
+  tell(&Fabric::bendWeft, &SetFabric::bendWeft);
+  tell(&Fabric::frictionBody, &SetFabric::frictionBody);
+  tell(&Fabric::frictionCloth, &SetFabric::frictionCloth);
+  if (now.thickness != was.thickness) set.thickness = Length{now.thickness};
+  return set;
 }
 
 }  // namespace
@@ -128,16 +97,32 @@ double& valueOf(Fabric& f, std::string_view key) {
 FabricPanel::FabricPanel(Session& session) : Panel(session) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
-  column->setSpacing(10);
+  column->setSpacing(8);
   column->addWidget(title(say("Fabrics")));
   list_ = new QListWidget;
-  Look::here().keep(list_, [this] { list_->setAccessibleName(inWords(say("Fabrics"))); });
-  list_->setIconSize(QSize(32, 32));
-  column->addWidget(list_, 2);
-  curve_ = new Curve;
-  column->addWidget(word(say("Tension over stretch: along the grain (full), across (dashed)")));
-  column->addWidget(curve_);
-  auto* form = new QFormLayout;
+  list_->setIconSize(QSize(60, 60));
+  list_->setMinimumHeight(140);
+  column->addWidget(list_, 3);
+  law_ = new QTabBar;
+  law_->setObjectName("law");
+  law_->setExpanding(false);
+  law_->setDrawBase(false);
+  Look::here().keep(law_, [this] {
+    list_->setAccessibleName(inWords(say("Fabrics")));
+    law_->setAccessibleName(inWords(say("Curve")));
+    while (law_->count() < 2) law_->addTab(QString());
+    law_->setTabText(0, inWords(say("Stretch")));
+    law_->setTabText(1, inWords(say("Shear")));
+  });
+  column->addWidget(law_);
+  plot_ = new FabricPlot;
+  Look::here().keep(plot_, [this] {
+    plot_->setToolTip(inWords(say("Tension over stretch: along the grain full, across it dashed. Drag the points.")));
+  });
+  column->addWidget(plot_);
+  auto* inner = new QWidget;
+  auto* form = new QFormLayout(inner);
+  form->setContentsMargins(0, 0, 6, 0);
   for (const Field& f : fields()) {
     auto* box = new QDoubleSpinBox;
     box->setRange(0, f.high);
@@ -146,86 +131,143 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
     box->setKeyboardTracking(false);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     form->addRow(word(f.label), box);
-    values_[f.key] = box;
+    values_.push_back(box);
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, f](double v) {
       if (filling_) return;
-      valueOf(fabric_, f.key) = v / f.factor;
-      curve_->fabric = fabric_;
-      curve_->update();
-      change_->setEnabled(true);
+      fabric_.*f.value = v / f.factor;
+      plot_->show(fabric_, true);
+      showWhatMayBeDone();
     });
   }
-  column->addLayout(form);
-  cut_ = new QPushButton;
-  Look::here().keep(cut_, [this] { cut_->setText(inWords(say("Cut the chosen pieces from it"))); });
-  change_ = new QPushButton;
-  Look::here().keep(change_, [this] { change_->setText(inWords(say("Keep the changed values"))); });
-  column->addWidget(cut_);
-  column->addWidget(change_);
-  connect(list_, &QListWidget::currentTextChanged, this, [this](const QString& name) {
-    if (filling_ || name.isEmpty()) return;
-    const auto own = session_.fitting().document.fabrics.find(name.toStdString());
-    if (own != session_.fitting().document.fabrics.end())
-      show(own->second);
-    else if (const auto f = preset(name.toStdString()))
-      show(*f);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(inner);
+  scroll->setWidgetResizable(true);
+  column->addWidget(scroll, 2);
+  const auto button = [&](const Message& words, const Message& tip) {
+    auto* made = new QPushButton;
+    Look::here().keep(made, [made, words, tip] {
+      made->setText(inWords(words));
+      made->setToolTip(inWords(tip));
+    });
+    column->addWidget(made);
+    return made;
+  };
+  cut_ = button(say("Cut the chosen pieces from it"), say("With nothing chosen, all pieces."));
+  change_ = button(say("Keep the changed values"), say("For every piece that is cut from this fabric."));
+  own_ = button(say("Only for the chosen pieces"), say("They get a fabric of their own with these values."));
+  connect(law_, &QTabBar::currentChanged, this,
+          [this](int k) { plot_->setLaw(k == 0 ? FabricPlot::Law::Stretch : FabricPlot::Law::Shear); });
+  connect(plot_, &FabricPlot::changed, this, [this] {
+    fabric_ = plot_->fabric();
+    fillValues();
+    showWhatMayBeDone();
+  });
+  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (filling_ || !item) return;
+    show(fabricCalled(item->data(Qt::UserRole).toString().toStdString()));
   });
   connect(cut_, &QPushButton::clicked, this, [this] {
     SetFabric set;
     set.name = fabric_.name;
+    perform(std::move(set), true);
+  });
+  connect(change_, &QPushButton::clicked, this, [this] {
+    SetFabric set = described(fabric_, kept_);
+    set.name = fabric_.name;
+    perform(std::move(set), false);
+  });
+  connect(own_, &QPushButton::clicked, this, [this] {
+    SetFabric set = described(fabric_, kept_);
+    set.like = fabric_.name;
+    const auto known = [&](const std::string& name) {
+      return session_.fitting().document.fabrics.contains(name) || preset(name);
+    };
+    std::string stem = fabric_.name;
+    std::replace(stem.begin(), stem.end(), ' ', '_');
+    for (int n = 2; set.name.empty() || known(set.name); ++n) set.name = stem + "_" + std::to_string(n);
+    wanted_ = set.name;
+    perform(std::move(set), true);
+  });
+}
+
+Fabric FabricPanel::fabricCalled(const std::string& name) const {
+  const auto& own = session_.fitting().document.fabrics;
+  if (const auto at = own.find(name); at != own.end()) return at->second;
+  const auto shop = preset(name);
+  return shop ? *shop : Fabric();
+}
+
+// Of the chosen pieces, or of all.
+void FabricPanel::perform(SetFabric set, bool cut) {
+  if (cut) {
     for (const PieceId id : session_.selection().pieces) set.pieces.push_back(PieceRef(id));
     if (set.pieces.empty())
       for (const auto& [id, piece] : session_.fitting().document.pattern.pieces) set.pieces.push_back(PieceRef(id));
-    session_.perform(set);
-  });
-  connect(change_, &QPushButton::clicked, this, [this] {
-    SetFabric set;
-    set.name = fabric_.name;
-    set.weight = fabric_.weight;
-    set.stretchWarp = fabric_.stretchWarp;
-    set.stretchWeft = fabric_.stretchWeft;
-    set.shear = fabric_.shear;
-    set.bendWarp = fabric_.bendWarp;
-    set.bendWeft = fabric_.bendWeft;
-    set.thickness = Length{fabric_.thickness};
-    set.frictionBody = fabric_.frictionBody;
-    session_.perform(set);
-  });
+  }
+  session_.perform(std::move(set));
 }
 
-void FabricPanel::show(const Fabric& fabric) {
+void FabricPanel::fillValues() {
   filling_ = true;
-  fabric_ = fabric;
-  for (const Field& f : fields()) values_[f.key]->setValue(valueOf(fabric_, f.key) * f.factor);
-  curve_->fabric = fabric;
-  curve_->update();
-  change_->setEnabled(false);
+  for (std::size_t k = 0; k < values_.size(); ++k)
+    values_[k]->setValue(fabric_.*fields()[k].value * fields()[k].factor);
   filling_ = false;
 }
 
+void FabricPanel::show(const Fabric& fabric) {
+  fabric_ = kept_ = fabric;
+  fillValues();
+  plot_->show(fabric, fabric.law == Fabric::Law::Woven);
+  showWhatMayBeDone();
+}
+
+void FabricPanel::showWhatMayBeDone() {
+  const bool changed = !(fabric_ == kept_), pieces = !session_.fitting().document.pattern.pieces.empty();
+  cut_->setEnabled(pieces && !changed);
+  change_->setEnabled(changed);
+  own_->setEnabled(changed && !session_.selection().pieces.empty());
+}
+
 void FabricPanel::refresh() {
-  cut_->setEnabled(!session_.fitting().document.pattern.pieces.empty());
-  if (historyShown_ == session_.news().history) return;
+  const Selection& chosen = session_.selection();
+  if (historyShown_ == session_.news().history) {
+    // A piece that is chosen shows what it is cut from.
+    if (!(chosen == selectionShown_)) {
+      selectionShown_ = chosen;
+      const Piece* piece = chosen.pieces.empty() ? nullptr : session_.fitting().document.find(*chosen.pieces.begin());
+      if (piece && fabric_ == kept_) goTo(piece->fabric);
+      showWhatMayBeDone();
+    }
+    return;
+  }
   historyShown_ = session_.news().history;
   filling_ = true;
-  const QString was = list_->currentItem() ? list_->currentItem()->text() : QString();
+  const std::string was = wanted_.empty() ? fabric_.name : std::exchange(wanted_, {});
   list_->clear();
   int n = 0;
   std::set<std::string> used;
   for (const auto& [id, piece] : session_.fitting().document.pattern.pieces) used.insert(piece->fabric);
   const auto add = [&](const Fabric& f) {
-    auto* item = new QListWidgetItem(swatch(f, n++), QString::fromStdString(f.name), list_);
+    QString words = QString::fromStdString(f.name);
+    if (const auto figure = drapeFigure(f))
+      words += "\n" + inWords(say("drape {0} %, {1} folds", fixed(figure->coefficient, 0), figure->folds));
+    auto* item = new QListWidgetItem(pictureOf(f, n++), words, list_);
+    item->setData(Qt::UserRole, QString::fromStdString(f.name));
     QFont font = item->font();
     font.setBold(used.contains(f.name));
     item->setFont(font);
-    if (item->text() == was) list_->setCurrentItem(item);
   };
   for (const auto& [name, f] : session_.fitting().document.fabrics) add(f);
   for (const Fabric& f : presets())
     if (!session_.fitting().document.fabrics.contains(f.name)) add(f);
-  if (!list_->currentItem() && list_->count() > 0) list_->setCurrentRow(0);
   filling_ = false;
-  if (list_->currentItem()) emit list_->currentTextChanged(list_->currentItem()->text());
+  goTo(was);
+  if (!list_->currentItem() && list_->count() > 0) list_->setCurrentRow(0);
+}
+
+void FabricPanel::goTo(const std::string& name) {
+  for (int row = 0; row < list_->count(); ++row)
+    if (list_->item(row)->data(Qt::UserRole).toString().toStdString() == name) list_->setCurrentRow(row);
 }
 
 }  // namespace karinui::studio

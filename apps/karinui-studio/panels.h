@@ -19,10 +19,12 @@ class QListWidgetItem;
 class QPushButton;
 class QSlider;
 class QSpinBox;
+class QTabBar;
 class QTreeWidget;
 
 namespace karinui::studio {
 
+class FabricPlot;
 class LengthBox;
 class MeasureRow;
 
@@ -95,14 +97,20 @@ class FabricPanel : public Panel {
 
  private:
   void show(const Fabric& fabric);
-  class Curve;
+  void fillValues();
+  void showWhatMayBeDone();
+  void goTo(const std::string& name);
+  Fabric fabricCalled(const std::string& name) const;
+  void perform(SetFabric set, bool cut);
   QListWidget* list_;
-  Curve* curve_;
-  QPushButton* cut_;
-  QPushButton* change_;
-  std::map<std::string, QDoubleSpinBox*> values_;
-  Fabric fabric_;
+  QTabBar* law_;
+  FabricPlot* plot_;
+  QPushButton *cut_, *change_, *own_;
+  std::vector<QDoubleSpinBox*> values_;
+  Fabric fabric_, kept_;  // as it is being changed, and as it is
+  std::string wanted_;    // what is chosen when the list is made anew
   std::uint64_t historyShown_ = ~0ull;
+  Selection selectionShown_;
 };
 
 class FitPanel : public Panel {

@@ -7,6 +7,7 @@
 #include "bench/edits.h"
 #include "bench/run.h"
 #include "commands.h"
+#include "drape_picture.h"
 #include "json_answers.h"
 #include "karinui/base/file.h"
 #include "karinui/exchange/spatial.h"
@@ -16,7 +17,7 @@ namespace karinui::app {
 namespace {
 
 struct BenchOptions {
-  std::string scene, out, data = "../shared", fabric;
+  std::string scene, out, data = "../shared", fabric, pictures;
   std::size_t vertices = 0;
   int threads = 1, runs = 0;
 };
@@ -67,6 +68,12 @@ int runCusick(Program& program, const BenchOptions& options) {
     for (const Fabric& fabric : presets())
       if (fabric.law == Fabric::Law::Woven) fabrics.push_back(fabric);
   }
+  std::unique_ptr<Picture> picture;
+  if (!options.pictures.empty()) {
+    auto opened = Picture::open();
+    if (!opened) return program.console.refuse(opened.error());
+    picture = *std::move(opened);
+  }
   const int runs = options.runs > 0 ? options.runs : 6;
   Json list = Json::array();
   bool settled = true;
@@ -82,6 +89,12 @@ int runCusick(Program& program, const BenchOptions& options) {
       found.push_back(draped->coefficient);
       folds.push_back(draped->folds);
       seconds += draped->report.cpuSeconds;
+      if (picture && seed == 0) {
+        const auto image = drapePicture(*picture, *draped, 192);
+        if (!image) return program.console.refuse(image.error());
+        const auto file = std::filesystem::path(options.pictures) / (fabric.name + ".png");
+        if (const Done kept = writePng(file.string(), *image); !kept) return program.console.refuse(kept.error());
+      }
       if (!options.out.empty()) {
         const bench::Workload load{"cusick", {draped->disc}, nullptr, nullptr};
         if (const Done written = writeScene(load, options.out); !written)
@@ -177,6 +190,9 @@ void addBenchVerb(Program& program) {
   verb->add_option("--runs", options->runs,
                    help("How many times each fabric is laid on (cusick, otherwise 6) or each edit made (otherwise 5)"))
       ->check(CLI::Range(1, 1000));
+  verb->add_option("--pictures", options->pictures,
+                   help("cusick: a folder to keep a picture of each fabric on the tester in"))
+      ->check(CLI::ExistingDirectory);
   verb->add_option("-o,--out", options->out, help("Write the cloth at rest as an OBJ file"));
 }
 

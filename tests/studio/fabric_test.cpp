@@ -1,0 +1,97 @@
+// The board of fabrics in the real window: pictures, curves whose points are dragged, a fabric for one piece.
+#include <gmock/gmock.h>
+
+#include <QListWidget>
+#include <QTabBar>
+
+#include "fabric_plot.h"
+#include "karinui/base/number.h"
+#include "karinui/design/script.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(StudioFabric, EveryClothOfTheShopHangsOnTheTester) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.rest();
+  QListWidget* list = nullptr;
+  for (QListWidget* one : w.main().findChildren<QListWidget*>())
+    if (one->accessibleName() == "Fabrics") list = one;
+  ASSERT_TRUE(list);
+  const auto shown = [&](const std::string& name) {
+    for (int row = 0; row < list->count(); ++row)
+      if (list->item(row)->data(Qt::UserRole).toString().toStdString() == name) return list->item(row);
+    return static_cast<QListWidgetItem*>(nullptr);
+  };
+  std::vector<QImage> seen;
+  for (const Fabric& fabric : presets()) {
+    SCOPED_TRACE(fabric.name);
+    ASSERT_TRUE(shown(fabric.name));
+    const auto figure = drapeFigure(fabric);
+    if (!figure) continue;
+    EXPECT_THAT(shown(fabric.name)->text().toStdString(), HasSubstr(fixed(figure->coefficient, 0) + " %"));
+    const QImage picture = shown(fabric.name)->icon().pixmap(64, 64).toImage();
+    ASSERT_FALSE(picture.isNull());
+    int cloth = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        cloth += picture.pixelColor(x, y).blue() > picture.pixelColor(x, y).red() + 25;
+    EXPECT_GT(cloth, picture.width() * picture.height() / 6);
+    for (const QImage& other : seen) EXPECT_FALSE(picture == other);
+    seen.push_back(picture);
+  }
+  EXPECT_GE(seen.size(), 10u);
+}
+
+TEST(StudioFabric, ACurveIsDraggedAndKeptForOnePiece) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(2);
+  Selection chosen;
+  chosen.pieces = {w.session().fitting().document.pieceNamed("back")->id};
+  w.session().select(chosen);
+  w.rest();
+  auto* plot = w.main().findChild<FabricPlot*>();
+  ASSERT_TRUE(plot);
+  ASSERT_EQ(plot->fabric().name, "cotton") << "what the chosen piece is cut from";
+  const Fabric before = plot->fabric();
+  ASSERT_EQ(plot->points().size(), 6u);
+  const auto pull = [&](std::size_t point, QPointF by) {
+    const QPointF from = plot->points()[point];
+    w.drag(*plot, {from, from + by});
+  };
+  pull(1, {0, 12});  // along the grain softer
+  EXPECT_LT(plot->fabric().stretchWarp, 0.9 * before.stretchWarp);
+  EXPECT_EQ(plot->fabric().stretchWeft, before.stretchWeft);
+  pull(5, {0, -10});  // across it stiffer the further it goes
+  EXPECT_GT(plot->fabric().stiffenWeft, 1.1 * before.stiffenWeft);
+  pull(0, {9, 0});
+  EXPECT_GT(plot->fabric().toeWarp, before.toeWarp);
+  w.main().findChild<QTabBar*>("law")->setCurrentIndex(1);
+  ASSERT_EQ(plot->points().size(), 2u);
+  pull(0, {0, -10});
+  EXPECT_GT(plot->fabric().shear, before.shear);
+  const Fabric wished = plot->fabric();
+  w.keep("studio_fabric");
+  const std::size_t steps = w.count();
+  w.button("Only for the chosen pieces").click();
+  w.rest();
+  const Document& document = w.session().fitting().document;
+  ASSERT_GT(w.count(), steps) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[steps].operation),
+              StartsWith("fabric name=cotton_2 piece=p4 like=cotton stretch_warp="));
+  EXPECT_EQ(document.pieceNamed("back")->fabric, "cotton_2");
+  EXPECT_EQ(document.pieceNamed("front")->fabric, "cotton");
+  Fabric kept = document.fabrics.at("cotton_2");
+  kept.name = wished.name;
+  EXPECT_EQ(kept, wished) << "every number of the curves is in the step";
+}
+
+}  // namespace
+}  // namespace karinui::studio
