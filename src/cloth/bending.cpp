@@ -1,17 +1,14 @@
 #include "cloth/bending.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 
+#include "cloth/border_bending.h"
 #include "cloth/by_row.h"
-#include "cloth/lattice_shares.h"
 
 namespace karinui {
 namespace {
 
-constexpr double kLeftover = 1.0;   // strength of what a border's quadratic leaves over
-constexpr double kSeen = 0.05;      // a curvature the nodes around hardly show is not asked for
-constexpr std::size_t kEnough = 9;  // nodes for a border's quadratic
+constexpr double kLeftover = 1.0;  // strength of what a border's quadratic leaves over
 
 using Entry = NodeWeight;
 
@@ -23,65 +20,24 @@ void addTerm(std::vector<Entry>& entries, const std::vector<NodeIndex>& nodes, c
       if (w[a] != 0 && w[b] != 0) entries.push_back({nodes[a], nodes[b], c * w[a] * w[b]});
 }
 
-struct Fit {
-  std::vector<std::uint32_t> nodes;  // of the lattice
-  Eigen::MatrixXd curvature;         // 3 x n: k_uu, k_uv, k_vv from the nodes' places
-  Eigen::MatrixXd leftover;          // n x n: squared, weighted, in 1/m4
-};
-
-Fit fitAround(const Lattice& lattice, const std::vector<std::vector<std::uint32_t>>& near, std::uint32_t centre) {
-  Fit fit;
-  std::vector<std::uint32_t>& nodes = fit.nodes;
-  nodes = {centre};
-  const double h = lattice.spacing;
-  for (int ring = 0; ring < 3; ++ring) {
-    std::vector<std::uint32_t> wider = nodes;
-    for (std::uint32_t k : nodes) wider.insert(wider.end(), near[k].begin(), near[k].end());
-    std::sort(wider.begin(), wider.end());
-    wider.erase(std::unique(wider.begin(), wider.end()), wider.end());
-    nodes = std::move(wider);
-    if (nodes.size() < kEnough && ring < 2) continue;
-    const auto n = static_cast<Eigen::Index>(nodes.size());
-    if (n < 4) continue;
-    Eigen::MatrixXd linear(n, 3), square(n, 3);
-    Eigen::VectorXd root(n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const Flat d = (lattice.nodes[nodes[k]] - lattice.nodes[centre]) * (1 / h);
-      const double u = dot(d, lattice.weft), v = dot(d, lattice.warp);
-      root[k] = 1 / ((0.25 + u * u + v * v) * (0.25 + u * u + v * v));
-      linear.row(k) << root[k], root[k] * u, root[k] * v;
-      square.row(k) << root[k] * u * u / 2, root[k] * u * v, root[k] * v * v / 2;
-    }
-    // Taken off every column: what constant and linear fields could explain. The quadratic is fitted in the rest alone,
-    // so its curvatures are blind to them however the nodes lie.
-    Eigen::MatrixXd plain(n, 0);
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      Eigen::VectorXd v = linear.col(c);
-      for (int again = 0; again < 2; ++again) v -= plain * (plain.transpose() * v);
-      if (v.norm() < 1e-6 * linear.col(c).norm() || !(v.norm() > 0)) continue;
-      plain.conservativeResize(Eigen::NoChange, plain.cols() + 1);
-      plain.col(plain.cols() - 1) = v.normalized();
-    }
-    const Eigen::MatrixXd blind = Eigen::MatrixXd::Identity(n, n) - plain * plain.transpose();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(blind * square, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd seen = svd.singularValues();
-    if (ring < 2 && (seen.size() < 3 || seen[2] < kSeen * seen[0])) continue;
-    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(3, n), kept = blind;
-    for (Eigen::Index s = 0; s < seen.size(); ++s) {
-      if (seen[s] < kSeen * seen[0] || seen[s] < 1e-9) continue;
-      inverse += svd.matrixV().col(s) * svd.matrixU().col(s).transpose() / seen[s];
-      kept -= svd.matrixU().col(s) * svd.matrixU().col(s).transpose();
-    }
-    fit.curvature = inverse * blind * root.asDiagonal() / (h * h);
-    const Eigen::MatrixXd rest = kept * root.asDiagonal();
-    fit.leftover = rest.transpose() * rest / (root.squaredNorm() * h * h * h * h);
-    return fit;
+// Of each node's area, what can bend: between held nodes nothing does. A clamp runs through the held nodes beside free
+// ones, so that only a part of their surroundings is as bent as the whole seems to be; it counts as much more.
+std::vector<double> bendingShares(const Lattice& lattice, const LatticeShares& shares,
+                                  const std::vector<std::uint8_t>& held) {
+  std::vector<double> bends(lattice.nodes.size(), 0);
+  const double quarter = lattice.spacing * lattice.spacing / 4;
+  for (const auto& c : shares.corners) {
+    const int fixed = held[c[0]] + held[c[1]] + held[c[2]] + held[c[3]];
+    for (std::uint32_t k : c) bends[k] += quarter * (fixed == 4 ? 0 : fixed == 3 ? 0.5 : 1);
   }
-  // Three nodes or fewer: nothing can bend.
-  const auto n = static_cast<Eigen::Index>(nodes.size());
-  fit.curvature = Eigen::MatrixXd::Zero(3, n);
-  fit.leftover = Eigen::MatrixXd::Zero(n, n);
-  return fit;
+  for (std::uint32_t f : shares.ringFaces) {
+    const Triangle& face = lattice.faces[f];
+    const Flat a = lattice.nodes[face[0]];
+    const double third = cross(lattice.nodes[face[1]] - a, lattice.nodes[face[2]] - a) / 6;
+    if (!held[face[0]] || !held[face[1]] || !held[face[2]])
+      for (std::uint32_t k : face) bends[k] += third;
+  }
+  return bends;
 }
 
 // Fills `inside` with the grid's terms and `border` with the others'.
@@ -94,9 +50,6 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, co
   const auto near = neighboursOf(lattice.nodes.size(), lattice.faces);
   const auto node = [&](std::uint32_t k) { return piece.firstNode + k; };
   const auto isHeld = [&](std::uint32_t k) { return held[node(k)] != 0; };
-  const auto clamp = [&](std::uint32_t left, std::uint32_t k, std::uint32_t right) {
-    return isHeld(k) && isHeld(left) != isHeld(right) ? 2.0 : 1.0;
-  };
   const double second[] = {perSquare, -2 * perSquare, perSquare};
   const double mixed[] = {perSquare, -perSquare, -perSquare, perSquare};
   for (const auto& c : shares.corners) {
@@ -106,31 +59,37 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, co
     addTerm(inside, {node(c[0]), node(c[1]), node(c[2]), node(c[3])}, mixed, strength);
     panels.twist[plan.slotOf[node(c[0])]] = static_cast<float>(strength * perSquare * perSquare);
   }
+  std::vector<std::uint8_t> fixed(lattice.nodes.size());
+  for (std::uint32_t k = 0; k < fixed.size(); ++k) fixed[k] = held[node(k)];
+  const std::vector<double> bends = bendingShares(lattice, shares, fixed);
+  const BorderBending around = borderBending(lattice, shares, near, fixed);
   for (std::uint32_t k = 0; k < lattice.nodes.size(); ++k) {
     const auto& x = shares.cross[k];
     const double area = shares.cell[k] + shares.ring[k];
-    if (x[0] != kNoNode) {
-      const double weft = bu * area * clamp(x[0], k, x[1]), warp = bv * area * clamp(x[2], k, x[3]);
-      addTerm(inside, {node(x[0]), node(k), node(x[1])}, second, weft);
-      addTerm(inside, {node(x[2]), node(k), node(x[3])}, second, warp);
-      panels.weft[plan.slotOf[node(k)]] = static_cast<float>(weft * perSquare * perSquare);
-      panels.warp[plan.slotOf[node(k)]] = static_cast<float>(warp * perSquare * perSquare);
+    if (x[0] == kNoNode) {
+      const Fit& fit = around.fits[k];
+      const double strength = kLeftover * 0.5 * (bu + bv) * area;
+      for (Eigen::Index a = 0; a < fit.leftover.rows(); ++a)
+        for (Eigen::Index b = 0; b < fit.leftover.cols(); ++b)
+          border.push_back({node(fit.nodes[a]), node(fit.nodes[b]), strength * fit.leftover(a, b)});
       continue;
     }
-    const Fit fit = fitAround(lattice, near, k);
-    std::size_t heldNear = 0;
-    for (std::uint32_t other : near[k]) heldNear += isHeld(other) ? 1 : 0;
-    const double twice = isHeld(k) && heldNear > 0 && heldNear < near[k].size() ? 2.0 : 1.0;
+    const double times = bends[k] > 0 ? area / bends[k] : 1, weft = bu * area * times, warp = bv * area * times;
+    addTerm(inside, {node(x[0]), node(k), node(x[1])}, second, weft);
+    addTerm(inside, {node(x[2]), node(k), node(x[3])}, second, warp);
+    panels.weft[plan.slotOf[node(k)]] = static_cast<float>(weft * perSquare * perSquare);
+    panels.warp[plan.slotOf[node(k)]] = static_cast<float>(warp * perSquare * perSquare);
+  }
+  for (const BendRegion& region : around.regions) {
+    double bending = 0;
+    for (std::uint32_t k : region.members) bending += bends[k];
+    const double times = bending > 0 ? region.area / bending : 1;
     std::vector<NodeIndex> nodes;
-    for (std::uint32_t other : fit.nodes) nodes.push_back(node(other));
-    const Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> rows = fit.curvature;
-    const auto n = rows.cols();
-    addTerm(border, nodes, rows.data(), bu * area * twice);
-    addTerm(border, nodes, rows.data() + n, 2 * twist * shares.ring[k] * twice);
-    addTerm(border, nodes, rows.data() + 2 * n, bv * area * twice);
-    const double leftover = kLeftover * 0.5 * (bu + bv) * area;
-    for (Eigen::Index a = 0; a < n; ++a)
-      for (Eigen::Index b = 0; b < n; ++b) border.push_back({nodes[a], nodes[b], leftover * fit.leftover(a, b)});
+    for (std::uint32_t k : region.nodes) nodes.push_back(node(k));
+    const auto n = region.rows.cols();
+    addTerm(border, nodes, region.rows.data(), bu * region.area * times);
+    addTerm(border, nodes, region.rows.data() + n, 2 * twist * region.ring * times);
+    addTerm(border, nodes, region.rows.data() + 2 * n, bv * region.area * times);
   }
 }
 

@@ -3,9 +3,9 @@
 // curvatures as second differences of the places, so the second derivative is constant (exact for cloth that does not
 // stretch; Bergou et al. 2006 call this isometric bending).
 //   Inside:  three nodes along warp and weft, the four corners of a cell for the twist.
-//   Border:  the quadratic that fits the nodes around best, made blind to rigid and uniform motion; what the quadratic
-//            leaves over is held too, so no jagged border is free of charge.
-// A node that is held on one side is a clamp: only the free half of its stretch bends, so it counts twice.
+//   Border:  the mean curvature of regions around the nodes (border_bending.h); what the nodes' best-fitting quadratics
+//            leave over is held too, so no jagged border is free of charge.
+// Between held nodes nothing bends: a region that is clamped in part counts as much more as it bends less.
 #include "cloth/sparse_rows.h"
 #include "karinui/cloth/cloth.h"
 

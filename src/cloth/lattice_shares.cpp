@@ -30,7 +30,8 @@ LatticeShares sharesOf(const Lattice& lattice) {
     for (std::uint32_t i = 1; i + 1 < columns; ++i)
       if (whole(i - 1, j - 1) && whole(i, j - 1) && whole(i - 1, j) && whole(i, j))
         shares.cross[at(i, j)] = {at(i - 1, j), at(i + 1, j), at(i, j - 1), at(i, j + 1)};
-  for (const Triangle& face : lattice.faces) {
+  for (std::uint32_t f = 0; f < lattice.faces.size(); ++f) {
+    const Triangle& face = lattice.faces[f];
     // A face of a whole cell has its three corners on that cell's grid points.
     std::int64_t i = place[face[0]][0], j = place[face[0]][1];
     bool onGrid = true;
@@ -45,7 +46,9 @@ LatticeShares sharesOf(const Lattice& lattice) {
       continue;
     const Flat a = lattice.nodes[face[0]];
     const double third = cross(lattice.nodes[face[1]] - a, lattice.nodes[face[2]] - a) / 6;
-    for (std::uint32_t k : face) shares.ring[k] += std::max(0.0, third);
+    if (!(third > 0)) continue;
+    shares.ringFaces.push_back(f);
+    for (std::uint32_t k : face) shares.ring[k] += third;
   }
   return shares;
 }

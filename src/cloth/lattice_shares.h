@@ -13,6 +13,7 @@ struct LatticeShares {
   std::vector<std::array<std::uint32_t, 4>> corners;  // of each whole cell: (i,j) (i+1,j) (i,j+1) (i+1,j+1)
   // The node's four neighbours -weft, +weft, -warp, +warp when all four cells around it are whole; else kNoNode.
   std::vector<std::array<std::uint32_t, 4>> cross;
+  std::vector<std::uint32_t> ringFaces;  // those that have an area and lie in no whole cell
 };
 LatticeShares sharesOf(const Lattice& lattice);
 
