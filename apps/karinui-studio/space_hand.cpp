@@ -43,7 +43,8 @@ void SpaceView::mousePressEvent(QMouseEvent* event) {
     held_ = Held::Turn;
   } else if (event->button() == Qt::MiddleButton) {
     held_ = Held::Pan;
-  } else if (event->button() == Qt::LeftButton && alt && session_.tool() != Command::Move) {
+  } else if (event->button() == Qt::LeftButton && alt && session_.tool() != Command::Move &&
+             session_.tool() != Command::Draw) {
     held_ = Held::Turn;
   } else if (event->button() == Qt::LeftButton) {
     held_ = Held::Tool;

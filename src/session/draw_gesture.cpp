@@ -1,23 +1,26 @@
 // Drawing on the body: strokes and clicks make one line over the skin. It ends by itself where it meets its own
-// beginning, or, drawn from centre to centre, as one half of a symmetric piece.
+// beginning, or, drawn from centre to centre, as one half of a symmetric piece. Its places are drawn to what lies there
+// (DrawSnaps), and a run that was meant straight, or along an outline, becomes so; Alt leaves both out.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "karinui/geometry/geodesic.h"
+#include "session/draw_snaps.h"
 #include "session/gestures.h"
 
 namespace karinui {
 
 namespace {
 
-constexpr double kMeets = 0.022;   // metres: an end this near to the beginning closes the line
-constexpr double kAgain = 0.003;   // metres: a click this near to the last one ends the line
-constexpr double kCentre = 0.020;  // metres from the body's middle plane that still mean the middle
-constexpr double kStep = 0.004;    // metres a stroke goes before it is noted
-constexpr double kMiss = 0.004;    // metres a kept line may pass from the drawn one
-constexpr double kLongest = 0.11;  // metres between two kept places of a stroke
-constexpr double kLook = 0.022;    // metres before and after a place over which its turn is judged
+constexpr double kMeets = 0.022;     // metres: an end this near to the beginning closes the line
+constexpr double kAgain = 0.003;     // metres: a click this near to the last one ends the line
+constexpr double kCentre = 0.020;    // metres from the body's middle plane that still mean the middle
+constexpr double kStep = 0.004;      // metres a stroke goes before it is noted
+constexpr double kMiss = 0.004;      // metres a kept line may pass from the drawn one
+constexpr double kLongest = 0.11;    // metres between two kept places of a stroke
+constexpr double kStraight = 0.006;  // metres a run may pass from the straight line over the skin and be meant so
+constexpr double kLook = 0.022;      // metres before and after a place over which its turn is judged
 constexpr double kCorner = 42 * std::numbers::pi / 180;
 
 struct Noted {
@@ -91,8 +94,14 @@ class DrawGesture : public Gesture {
   Told feed(const PointerSample& sample, const Hit&, const Workbench& bench) override {
     if (sample.where != PointerSample::Where::Space) return {};
     const Fitting& fitting = *bench.fitting;
-    const Hit skin = pickBody(fitting, sample);
+    Hit skin = pickBody(fitting, sample);
     const bool on = skin.on == Hit::On::Body;
+    free_ = sample.alt;
+    snap_.reset();
+    if (on && !free_ && sample.phase != PointerSample::Phase::Drag) {
+      snaps_.of(bench.fitting);
+      if ((snap_ = snaps_.near(skin.point))) skin.skin = snap_->skin, skin.point = snap_->point;
+    }
     hover_ = on ? std::optional(Noted{skin.skin, skin.point}) : std::nullopt;
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
@@ -113,7 +122,9 @@ class DrawGesture : public Gesture {
         break;
     }
     if (stroke_.empty()) return {};
-    if (on && distance(skin.point, stroke_.back().point) > 1e-9 && stroke_.size() > 1)
+    if (snap_)  // no hook where the line is drawn to its end
+      while (stroke_.size() > 1 && distance(stroke_.back().point, skin.point) < 2 * kStep) stroke_.pop_back();
+    if (on && distance(skin.point, stroke_.back().point) > 1e-9 && (stroke_.size() > 1 || snap_))
       stroke_.push_back({skin.skin, skin.point, false});
     double way = 0;
     for (std::size_t i = 1; i < stroke_.size(); ++i) way += distance(stroke_[i - 1].point, stroke_[i].point);
@@ -122,7 +133,7 @@ class DrawGesture : public Gesture {
       stroke_.clear();
       return ended(bench, true);
     }
-    std::vector<Noted> part = click ? std::vector{stroke_.front()} : thinned(stroke_);
+    std::vector<Noted> part = click ? std::vector{stroke_.front()} : meant(thinned(stroke_), bench);
     stroke_.clear();
     if (click) part.front().corner = !smooth_;
     if (!parts_.empty() && !click && distance(parts_.back().back().point, part.front().point) < kMeets)
@@ -157,6 +168,7 @@ class DrawGesture : public Gesture {
   }
 
   Message hint() const override {
+    if (snap_) return snap_->what;
     if (parts_.empty() && stroke_.empty()) return info(Command::Draw).hint;
     return say(
         "End the line where it began, or on the body's centre; Enter closes it, undo takes back the last stroke.");
@@ -172,25 +184,66 @@ class DrawGesture : public Gesture {
     return line;
   }
 
-  // The line as it runs over the skin.
-  std::vector<Vec3> path(const Workbench& bench) const {
-    const std::vector<Noted> line = all();
-    std::vector<Vec3> points;
-    if (!bench.fitting->body) return points;
+  // Each run between two corners as it was meant: straight over the skin, along an outline, or as it was drawn.
+  std::vector<Noted> meant(const std::vector<Noted>& line, const Workbench& bench) const {
+    if (free_ || line.size() < 3) return line;
+    std::vector<Noted> better;
+    for (std::size_t from = 0, to = 0; from + 1 < line.size(); from = to) {
+      for (to = from + 1; to + 1 < line.size() && !line[to].corner; ++to) {
+      }
+      better.push_back(line[from]);
+      const bool round = distance(line[from].point, line[to].point) < kMeets;
+      const auto way = guide(bench).straight(line[from].place, line[to].place);
+      if (!round && way && !strays(line[from].point, line[to].point, way->points)) continue;
+      std::vector<Vec3> places;
+      for (std::size_t i = from + 1; i < to; ++i) places.push_back(line[i].point);
+      if (const auto run = snaps_.along(places))
+        for (const DrawSnaps::Snap& s : *run) better.push_back({s.skin, s.point, false});
+      else
+        better.insert(better.end(), line.begin() + static_cast<std::ptrdiff_t>(from) + 1,
+                      line.begin() + static_cast<std::ptrdiff_t>(to));
+    }
+    better.push_back(line.back());
+    return better;
+  }
+  // Whether the stroke between two of its places leaves the straight way.
+  bool strays(Vec3 from, Vec3 to, const std::vector<Vec3>& way) const {
+    const auto at = [&](Vec3 p) {
+      return std::find_if(stroke_.begin(), stroke_.end(), [&](const Noted& n) { return n.point == p; });
+    };
+    for (auto n = at(from); n != stroke_.end() && n->point != to; ++n) {
+      double nearest = 1e9;
+      for (std::size_t i = 0; i + 1 < way.size(); ++i)
+        nearest = std::min(nearest, awayFromSegment(way[i], way[i + 1], n->point));
+      if (nearest > kStraight) return true;
+    }
+    return false;
+  }
+
+  const SurfaceGuide& guide(const Workbench& bench) const {
     if (guideOf_ != bench.fitting->body) {
       guideOf_ = bench.fitting->body;
       guide_ = std::make_unique<SurfaceGuide>(guideOf_->mesh());
       known_.clear();
     }
+    return *guide_;
+  }
+
+  // The line as it runs over the skin.
+  std::vector<Vec3> path(const Workbench& bench) const {
+    const std::vector<Noted> line = all();
+    std::vector<Vec3> points;
+    if (!bench.fitting->body) return points;
+    const SurfaceGuide& skin = guide(bench);
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (i > 0) {
         if (known_.size() < i) {
-          auto way = guide_->straight(line[i - 1].place, line[i].place);
+          auto way = skin.straight(line[i - 1].place, line[i].place);
           known_.push_back({line[i - 1].point, line[i].point, way ? way->points : std::vector<Vec3>{}});
         }
         Known& leg = known_[i - 1];
         if (leg.from != line[i - 1].point || leg.to != line[i].point) {
-          auto way = guide_->straight(line[i - 1].place, line[i].place);
+          auto way = skin.straight(line[i - 1].place, line[i].place);
           leg = {line[i - 1].point, line[i].point, way ? way->points : std::vector<Vec3>{}};
         }
         points.insert(points.end(), leg.points.begin(), leg.points.end());
@@ -243,7 +296,9 @@ class DrawGesture : public Gesture {
   std::vector<std::vector<Noted>> parts_;
   std::vector<Noted> stroke_;
   std::optional<Noted> hover_;
-  bool smooth_ = false, straight_ = false;
+  bool smooth_ = false, straight_ = false, free_ = false;
+  DrawSnaps snaps_;
+  std::optional<DrawSnaps::Snap> snap_;  // what the hand is drawn to now
   struct Known {
     Vec3 from, to;
     std::vector<Vec3> points;

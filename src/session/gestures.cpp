@@ -56,20 +56,12 @@ Vec3 onFacing(const PointerSample& sample, Vec3 through) {
 namespace {
 
 template <class Point>
-double awayFrom(Point a, Point b, Point p) {
-  const auto side = b - a;
-  const double ss = dot(side, side);
-  const double t = ss > 0 ? std::clamp(dot(p - a, side) / ss, 0.0, 1.0) : 0.0;
-  return length(p - (a + side * t));
-}
-
-template <class Point>
 void between(std::span<const Point> line, std::size_t from, std::size_t to, double miss,
              std::vector<std::size_t>& kept) {
   std::size_t worst = from;
   double most = miss;
   for (std::size_t i = from + 1; i < to; ++i)
-    if (const double away = awayFrom(line[from], line[to], line[i]); away > most) most = away, worst = i;
+    if (const double away = awayFromSegment(line[from], line[to], line[i]); away > most) most = away, worst = i;
   if (worst == from) return;
   between(line, from, worst, miss, kept);
   kept.push_back(worst);

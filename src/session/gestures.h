@@ -1,5 +1,6 @@
 #pragma once
 // What the gestures share.
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string>
@@ -37,6 +38,14 @@ double roundShare(double share, double near);
 
 // Where the ray of a sample meets the plane through `through` that faces who looks.
 Vec3 onFacing(const PointerSample& sample, Vec3 through);
+
+template <class Point>
+double awayFromSegment(Point a, Point b, Point p) {
+  const auto side = b - a;
+  const double ss = dot(side, side);
+  const double t = ss > 0 ? std::clamp(dot(p - a, side) / ss, 0.0, 1.0) : 0.0;
+  return length(p - (a + side * t));
+}
 
 // The places of a line that matter, ends included (Douglas and Peucker, 1973); indices in order.
 template <class Point>

@@ -59,7 +59,7 @@ std::string told(const Operation& operation) {
   if (!draw) return text(operation);
   const auto smooth = std::count(draw->edges.begin(), draw->edges.end(), "~");
   return "draw name=" + draw->name + " corners=" + std::to_string(static_cast<long>(draw->edges.size()) - smooth) +
-         (draw->symmetric ? " symmetric=yes" : "");
+         (smooth > 0 ? " curved=yes" : "") + (draw->symmetric ? " symmetric=yes" : "");
 }
 
 // "sight ex ey ez tx ty tz": from where to where one looks.

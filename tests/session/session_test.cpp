@@ -207,6 +207,50 @@ TEST(Session, AChangeThatCannotBeFollowedIsASentenceAndChangesNothing) {
   EXPECT_THAT(text(notices[0].what), testing::StartsWith("Step 3: "));
 }
 
+TEST(Session, ALineIsDrawnToTheCornersAndOutlinesThatLieThere) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  session.perform(op("body size=jis9ar"));
+  session.perform(
+      op("draw name=front edges=\"top left low right\" line=\"torso:bust@0.94; torso:bust@0.06; "
+         "torso:waist@0.06; torso:waist@0.94\""));
+  session.finish();
+  ASSERT_EQ(session.steps().size(), 2u);
+  const Piece& front = *session.fitting().document.pieceNamed("front");
+  const Body& body = *session.fitting().body;
+  const Stand stand(front);
+  const auto skinOf = [&](Vec3 p) { return body.bvh().nearest(p)->point; };
+  const Vec3 corner = skinOf(stand(findEdge(front, "left")->curve.start));
+  const Vec3 beside = skinOf(stand(findEdge(front, "left")->curve.atFraction(0.6)));
+  const auto drawn = [&](bool alt) {
+    session.command(Command::Draw);
+    for (const Vec3 to : {corner + Vec3{0.008, 0, 0}, beside + Vec3{0.006, 0, 0}, corner + Vec3{0.05, 0.08, 0}}) {
+      PointerSample sample;
+      sample.ray = {{to.x, to.y, 2}, {0, 0, -1}};
+      sample.alt = alt;
+      for (const auto phase : {PointerSample::Phase::Hover, PointerSample::Phase::Press, PointerSample::Phase::Release})
+        sample.phase = phase, session.feed(sample);
+    }
+    session.command(Command::Confirm);
+    session.finish();
+    std::vector<Vec3> places;
+    for (const BodyPoint& point : std::get<DrawPiece>(session.steps().back().operation).line)
+      places.push_back(at(body.mesh(), *body.find(point)));
+    return places;
+  };
+  const auto met = drawn(false);
+  ASSERT_EQ(met.size(), 3u);
+  EXPECT_LT(distance(met[0], corner), 0.002);
+  EXPECT_LT(distance(met[1], beside), 0.006) << "on the outline";
+  EXPECT_NEAR(met[2].x, corner.x + 0.05, 0.003) << "where nothing is near";
+  session.command(Command::Undo);
+  session.finish();
+  const auto freely = drawn(true);
+  EXPECT_GT(distance(freely[0], corner), 0.006);
+  EXPECT_GT(freely[1].x, met[1].x + 0.003);
+}
+
 TEST(Session, AFigureTurnedUnderTheHandIsSeenAndNothingIsDone) {
   Held held;
   held.allow.set_value();
