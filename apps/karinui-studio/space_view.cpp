@@ -21,7 +21,6 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr int kQuickSky = 6;            // directions of soft light while things move
 constexpr double kEaseTop = 0.05;       // metres
 constexpr double kPressureLeast = 100;  // pascals, at the least, at the top of the scale
 
@@ -245,11 +244,12 @@ void SpaceView::showGarment() {
   const bool quick = !fine_ && (carried || garmentShown_ != ~0ull);
   soft_ = !quick;
   stale_ = true;
-  renderer_->show(frame, top, quick ? kQuickSky : -1);
+  const SoftLight light = quick ? SoftLight::Kept : SoftLight::Anew;
+  renderer_->show(frame, top, light);
   if (beside()) {
     if (!beside_.renderer)
       if (auto made = Renderer::make(studioFor(software_))) beside_.renderer = std::move(*made);
-    if (beside_.renderer) beside_.renderer->show(then.frame, top, quick ? kQuickSky : -1);
+    if (beside_.renderer) beside_.renderer->show(then.frame, top, light);
   }
   levelShown_ = level_ ? girthsAt(*fitting, *level_) : Girths();
   seamThreads_ = carried ? std::vector<SceneLine>{} : threadsOf(*fitting);

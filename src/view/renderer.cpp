@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <random>
 
 #include "karinui/view/strain_scale.h"
 #include "view/gl_objects.h"
@@ -15,6 +16,7 @@ namespace karinui {
 namespace {
 
 constexpr double kFloorShare = 2.4;  // radius of the floor over that of the scene's footprint
+constexpr double kAlike = 0.03;      // by so much a scene may grow before the kept soft light would look wrong
 
 void set(GLuint program, const char* name, const Matrix4& m) {
   glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, m.floats().data());
@@ -119,7 +121,7 @@ struct KeepTarget {
 
 struct Renderer::Parts {
   Studio studio;
-  GlProgram depth, sky, backdrop, solid, ribbon;
+  GlProgram depth, sky, backdrop, solid, floor, ribbon;
   GlArrays solidArrays, noArrays;
   GlBuffer solidVertices, solidCorners;
   struct Lines {
@@ -131,7 +133,7 @@ struct Renderer::Parts {
     void draw(GLuint program, const Eye& eye, const DrawArea& area) const;  // the program is in use
   };
   Lines ribbons, over;
-  GlTexture softLight, strainTable;
+  GlTexture skyPlaces, skyNormals, softLight, strainTable, yarns;
   GlTarget softTarget;
   std::unique_ptr<ShadowMap> keyMap, skyMap;
 
@@ -141,7 +143,12 @@ struct Renderer::Parts {
     std::size_t first = 0, count = 0;  // corners
   };
   std::vector<Run> runs;
-  std::size_t casting = 0, castingVertices = 0;
+  std::size_t bodies = 0, casting = 0;  // corners: those of bodies come first
+  std::size_t castingVertices = 0;
+  struct {
+    std::size_t vertices = 0;
+    double radius = 0;
+  } lit;  // what the soft light was worked out for
   Vec3 origin;
   double radius = 1, strainTop = 0;
   Beam key;
@@ -197,9 +204,10 @@ Result<std::unique_ptr<Renderer>> Renderer::make(const Studio& studio) {
     GlProgram& program;
     const std::string &vertex, &fragment;
   } wanted[] = {{p.depth, glsl::kDepthVertex, {}},
-                {p.sky, glsl::kSkyVertex, glsl::kSkyFragment},
-                {p.backdrop, glsl::kBackdropVertex, glsl::kBackdropFragment},
+                {p.sky, glsl::kWholeVertex, glsl::kSkyFragment},
+                {p.backdrop, glsl::kWholeVertex, glsl::kBackdropFragment},
                 {p.solid, glsl::kSolidVertex, glsl::kSolidFragment},
+                {p.floor, glsl::kSolidVertex, glsl::kFloorFragment},
                 {p.ribbon, glsl::kRibbonVertex, glsl::kRibbonFragment}};
   for (const auto& w : wanted) {
     auto program = makeProgram(w.vertex, w.fragment);
@@ -232,6 +240,17 @@ Result<std::unique_ptr<Renderer>> Renderer::make(const Studio& studio) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  p.yarns = newTexture();
+  glBindTexture(GL_TEXTURE_2D, p.yarns);
+  std::vector<std::uint8_t> uneven(glsl::kYarnSide * glsl::kYarnSide);
+  std::minstd_rand lot;
+  for (std::uint8_t& u : uneven) u = static_cast<std::uint8_t>(lot() >> 16);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, glsl::kYarnSide, glsl::kYarnSide, 0, GL_RED, GL_UNSIGNED_BYTE, uneven.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  p.skyPlaces = newTexture(), p.skyNormals = newTexture();
   p.softLight = newTexture();
   p.softTarget = newTarget();
   if (glGetError() == GL_OUT_OF_MEMORY)
@@ -254,25 +273,44 @@ void Renderer::Parts::castShadow(const ShadowMap& map, const Beam& beam) const {
   glUseProgram(depth);
   set(depth, "toLight", beam.toLight);
   glBindVertexArray(solidArrays);
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(casting), GL_UNSIGNED_INT, nullptr);
+  glEnable(GL_CULL_FACE);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(bodies), GL_UNSIGNED_INT, nullptr);
+  glDisable(GL_CULL_FACE);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(casting - bodies), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(bodies * sizeof(std::uint32_t)));
 }
 
 // How much of the sky each vertex sees, on both sides of its surface: a shadow map from each direction, added up in a
 // table with a texel for each vertex. It belongs to the scene, not to a view, so both eyes and all sides share it.
 void Renderer::Parts::gatherSky(const std::vector<SurfaceVertex>& all, int skyDirections) {
   const int wide = glsl::kSkyWide, high = std::max<int>(1, static_cast<int>((all.size() + wide - 1) / wide));
-  glBindTexture(GL_TEXTURE_2D, softLight);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, wide, high, 0, GL_RG, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  const auto table = [&](const GlTexture& texture, GLint inside, GLenum format, const float* values) {
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, inside, wide, high, 0, format, GL_FLOAT, values);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  };
+  const std::size_t texels = static_cast<std::size_t>(wide) * static_cast<std::size_t>(high);
+  std::vector<float> places(3 * texels), normals(3 * texels);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::copy_n(all[i].place, 3, &places[3 * i]);
+    std::copy_n(all[i].normal, 3, &normals[3 * i]);
+  }
+  table(skyPlaces, GL_RGB32F, GL_RGB, places.data());
+  table(skyNormals, GL_RGB32F, GL_RGB, normals.data());
+  table(softLight, GL_RG32F, GL_RG, nullptr);
+  lit = {all.size(), radius};
+
   glBindFramebuffer(GL_FRAMEBUFFER, softTarget);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, softLight, 0);
   glDisable(GL_SCISSOR_TEST);
-  const float open = skyDirections > 0 ? 0.0f : 0.5f;
+  const bool shaded = skyDirections > 0 && casting > 0;
+  const float open = shaded ? 0.0f : casting > 0 ? 0.5f : 1.0f;  // nothing keeps the sky from an empty floor
   glClearColor(open, open, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
+  if (!shaded) return;
   const double texel = 2 * radius / skyMap->side;
-  const std::vector<Vec3> directions = spread(std::clamp(skyDirections, 0, 512));
+  const std::vector<Vec3> directions = spread(std::min(skyDirections, 512));
   double upward = 0;
   for (const Vec3 d : directions) upward += d.y;
   for (const Vec3 d : directions) {
@@ -289,20 +327,20 @@ void Renderer::Parts::gatherSky(const std::vector<SurfaceVertex>& all, int skyDi
     set(sky, "towards", d);
     set(sky, "weight", 1 / upward);  // open ground gets 1
     set(sky, "lift", 1.2 * texel);
-    glUniform2i(glGetUniformLocation(sky, "table"), wide, high);
-    set(sky, "map", 0);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, skyMap->depth);
-    glBindVertexArray(solidArrays);
-    set(sky, "spread", 0.0);
-    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(castingVertices));
     set(sky, "spread", 0.045 * radius);
-    glDrawArrays(GL_POINTS, static_cast<GLint>(castingVertices), static_cast<GLsizei>(all.size() - castingVertices));
+    set(sky, "wide", wide);
+    set(sky, "floorFrom", static_cast<int>(castingVertices));
+    set(sky, "map", 0), set(sky, "places", 1), set(sky, "normals", 2);
+    const GLuint textures[] = {skyMap->depth, skyPlaces, skyNormals};
+    for (unsigned i = 0; i < 3; ++i) glActiveTexture(GL_TEXTURE0 + i), glBindTexture(GL_TEXTURE_2D, textures[i]);
+    glBindVertexArray(noArrays);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);
   }
+  glActiveTexture(GL_TEXTURE0);
 }
 
-void Renderer::show(const SceneFrame& frame, double strainTop, int skyDirections) {
+void Renderer::show(const SceneFrame& frame, double strainTop, SoftLight softLight) {
   Parts& p = *parts_;
   const KeepTarget keep;
   p.notes.clear();
@@ -320,6 +358,7 @@ void Renderer::show(const SceneFrame& frame, double strainTop, int skyDirections
     p.runs.push_back({kind, weave, first, surface.corners.size() - first});
   };
   for (const SceneBody& body : frame.bodies) run(0, false, [&] { addMesh(surface, body.mesh, p.origin, body.colour); });
+  p.bodies = surface.corners.size();
   for (const SceneCloth& cloth : frame.cloths)
     run(1, cloth.flat.size() == cloth.mesh.points.size(),
         [&] { addMesh(surface, cloth.mesh, p.origin, cloth.colour, cloth.flat, cloth.strain); });
@@ -340,7 +379,11 @@ void Renderer::show(const SceneFrame& frame, double strainTop, int skyDirections
   upload(GL_ARRAY_BUFFER, p.solidVertices, surface.vertices);
   upload(GL_ARRAY_BUFFER, p.solidCorners, surface.corners);
   p.ribbons.take(ribbons);
-  p.gatherSky(surface.vertices, skyDirections < 0 ? p.studio.skyDirections : skyDirections);
+  const bool alike = p.lit.vertices == surface.vertices.size() && std::fabs(p.lit.radius / p.radius - 1) < kAlike;
+  if (softLight == SoftLight::Anew)
+    p.gatherSky(surface.vertices, p.studio.skyDirections);
+  else if (!alike)
+    p.gatherSky(surface.vertices, p.studio.skyDirections / 3);
 
   if (surface.leftOut + ribbons.leftOut > 0)
     p.notes.push_back(
@@ -420,28 +463,34 @@ void Renderer::draw(const Eye& eye, const DrawArea& area) const {
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  common(p.solid);
-  set(p.solid, "keyTowards", p.key.towards);
-  set(p.solid, "keyRight", p.key.right);
-  set(p.solid, "fillTowards", p.fill);
-  set(p.solid, "toKey", p.key.toLight);
-  set(p.solid, "keyTexel", 2 * p.radius / p.keyMap->side);
-  set(p.solid, "scaleTop", p.strainTop);
-  set(p.solid, "skyWide", glsl::kSkyWide);
-  set(p.solid, "sky", 0), set(p.solid, "keyMap", 1), set(p.solid, "strainTable", 2);
-  const GLuint textures[] = {p.softLight, p.keyMap->depth, p.strainTable};
-  for (unsigned i = 0; i < 3; ++i) glActiveTexture(GL_TEXTURE0 + i), glBindTexture(GL_TEXTURE_2D, textures[i]);
+  const GLuint textures[] = {p.softLight, p.keyMap->depth, p.strainTable, p.yarns};
+  for (unsigned i = 0; i < 4; ++i) glActiveTexture(GL_TEXTURE0 + i), glBindTexture(GL_TEXTURE_2D, textures[i]);
+  for (const GlProgram* program : {&p.solid, &p.floor}) {
+    common(*program);
+    set(*program, "keyTowards", p.key.towards);
+    set(*program, "keyRight", p.key.right);
+    set(*program, "fillTowards", p.fill);
+    set(*program, "toKey", p.key.toLight);
+    set(*program, "keyTexel", 2 * p.radius / p.keyMap->side);
+    set(*program, "scaleTop", p.strainTop);
+    set(*program, "skyWide", glsl::kSkyWide);
+    set(*program, "sky", 0), set(*program, "keyMap", 1), set(*program, "strainTable", 2), set(*program, "yarnTable", 3);
+  }
   glBindVertexArray(p.solidArrays);
   // Cloth before skin: the nearer surface first saves shading the one behind it.
   for (const int kind : {1, 0, 2})
     for (const Parts::Run& run : p.runs) {
       if (run.kind != kind || run.count == 0) continue;
-      set(p.solid, "kind", kind);
-      set(p.solid, "weave", run.weave ? 1 : 0);
-      set(p.solid, "pushBack", kind == 0 ? 0.0025 : 0.0);
+      const GlProgram& program = kind == 2 ? p.floor : p.solid;
+      glUseProgram(program);
+      set(program, "cloth", kind == 1 ? 1 : 0);
+      set(program, "weave", run.weave ? 1 : 0);
+      set(program, "pushBack", kind == 0 ? 0.0025 : 0.0);
+      (kind == 1 ? glDisable : glEnable)(GL_CULL_FACE);  // only cloth has an inner side
       glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.count), GL_UNSIGNED_INT,
                      reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
     }
+  glDisable(GL_CULL_FACE);
   common(p.ribbon);
   p.ribbons.draw(p.ribbon, eye, area);
   glBindVertexArray(0);

@@ -24,6 +24,32 @@ vec3 shown(vec3 c) {
 }
 )";
 
+// What body, cloth and floor are told of their place and of the lamps.
+const std::string kLit = kCommon + R"(
+in vec3 p, n, albedo;
+in vec2 paper, soft;
+in float cavity, strain;
+uniform vec3 eye, keyTowards, keyRight, fillTowards;
+uniform mat4 toKey;
+uniform float keyTexel;  // metres
+uniform sampler2DShadow keyMap;
+out vec4 colour;
+
+float keySeen(vec3 normal, float spread) {
+  float turn = 6.2831853 * grain(gl_FragCoord.xy);
+  mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
+  vec3 from = p + normal * (2.0 * keyTexel + 0.002) + keyTowards * (spread * 0.25);
+  vec3 up = cross(keyTowards, keyRight);
+  float sum = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    float r = sqrt((float(i) + 0.5) / 12.0), a = float(i) * 2.399963;
+    vec2 o = spin * vec2(cos(a), sin(a)) * r * spread;
+    sum += texture(keyMap, (toKey * vec4(from + keyRight * o.x + up * o.y, 1.0)).xyz * 0.5 + 0.5);
+  }
+  return sum / 12.0;
+}
+)";
+
 }  // namespace
 
 const std::string kDepthVertex = R"(
@@ -32,45 +58,36 @@ uniform mat4 toLight;
 void main() { gl_Position = toLight * vec4(place, 1.0); }
 )";
 
-const std::string kSkyVertex = R"(
-layout(location = 0) in vec3 place;
-layout(location = 1) in vec3 normal;
+const std::string kWholeVertex = R"(
+void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }
+)";
+
+const std::string kSkyFragment = R"(
 uniform mat4 toLight;
 uniform vec3 towards;
 uniform float weight, lift, spread;
-uniform ivec2 table;  // wide, high
+uniform int wide, floorFrom;  // texels in a row, the first vertex of the floor
+uniform sampler2D places, normals;
 uniform sampler2DShadow map;
-out vec2 light;
-float at(vec3 p) { return texture(map, (toLight * vec4(p, 1.0)).xyz * 0.5 + 0.5); }
-// The floor looks at a wider patch, or the shadows of the single directions would show as streaks.
-float seen(vec3 p) {
-  float sum = at(p);
-  if (spread == 0.0) return sum;
-  for (int i = 0; i < 12; ++i) {
-    float r = spread * sqrt((float(i) + 0.5) / 12.0), a = float(i) * 2.399963;
-    sum += at(p + vec3(r * cos(a), 0.0, r * sin(a)));
-  }
-  return sum / 13.0;
-}
-void main() {
-  float c = dot(normal, towards);
-  // Light for the outer side in x, for the inner side in y.
-  light = weight * (c > 0.0 ? vec2(c * seen(place + normal * lift + towards * lift), 0.0)
-                            : vec2(0.0, -c * seen(place - normal * lift + towards * lift)));
-  vec2 texel = vec2(gl_VertexID % table.x, gl_VertexID / table.x) + 0.5;
-  gl_Position = vec4(texel / vec2(table) * 2.0 - 1.0, 0.0, 1.0);
-  gl_PointSize = 1.0;
-}
-)";
-const std::string kSkyFragment = R"(
-in vec2 light;
 out vec4 sum;
-void main() { sum = vec4(light, 0.0, 0.0); }
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec3 normal = texelFetch(normals, texel, 0).xyz;
+  float c = dot(normal, towards);
+  vec3 from = texelFetch(places, texel, 0).xyz + (c > 0.0 ? normal : -normal) * lift + towards * lift;
+  // The floor looks at a wider patch, or the shadows of the single directions would show as streaks.
+  int looks = texel.y * wide + texel.x < floorFrom ? 1 : 13;
+  float seen = 0.0;
+  for (int i = 0; i < looks; ++i) {
+    float r = spread * sqrt((float(i) - 0.5 * sign(float(i))) / 12.0), a = float(i) * 2.399963;
+    vec3 p = from + vec3(r * cos(a), 0.0, r * sin(a));
+    seen += texture(map, (toLight * vec4(p, 1.0)).xyz * 0.5 + 0.5);
+  }
+  float light = weight * abs(c) * seen / float(looks);
+  sum = vec4(c > 0.0 ? light : 0.0, c > 0.0 ? 0.0 : light, 0.0, 0.0);  // for the outer side in x, for the inner side in y
+}
 )";
 
-const std::string kBackdropVertex = R"(
-void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }
-)";
 const std::string kBackdropFragment = kCommon + R"(
 out vec4 colour;
 void main() { colour = vec4(shown(backdropHere()), 1.0); }
@@ -101,27 +118,32 @@ void main() {
 }
 )";
 
-const std::string kSolidFragment = kCommon + R"(
-in vec3 p, n, albedo;
-in vec2 paper, soft;
-in float cavity, strain;
-uniform vec3 eye, keyTowards, keyRight, fillTowards;
-uniform mat4 toKey;
-uniform float keyTexel;    // metres
-uniform float scaleTop;    // > 0: strain map
-uniform int kind;          // 0 skin, 1 cloth, 2 floor
-uniform bool weave;
-uniform sampler2DShadow keyMap;
-uniform sampler2D strainTable;
-out vec4 colour;
+const std::string kFloorFragment = kLit + R"(
+void main() {
+  // The floor is the backdrop itself, dimmed by what the body keeps away: no edge, only shadows and a pale disc.
+  float unlit = 1.0 - soft.x;
+  float shade = mix(1.0, keySeen(normalize(n), 0.03), 0.24) * (1.0 - 0.90 * clamp(unlit, 0.0, 1.0));
+  float fade = 1.0 - smoothstep(0.5, 1.0, paper.x);
+  float edge = max(fwidth(paper.x), 1e-5);
+  float disc = 1.0 - smoothstep(-1.5, 1.5, (paper.x - 0.42) / edge);
+  float rim = exp(-pow((paper.x - 0.42) / max(0.0035, 1.2 * edge), 2.0));
+  vec3 base = backdropHere() * (1.0 + 0.055 * disc) * (1.0 - 0.10 * rim);
+  colour = vec4(shown(base * mix(vec3(1.0), vec3(shade, shade * 0.985, shade * 0.96), fade)), 1.0);
+}
+)";
 
-float hash(vec2 q) { return fract(sin(dot(q, vec2(127.1, 311.7))) * 43758.5453); }
+const std::string kSolidFragment = kLit + R"(
+uniform float scaleTop;  // > 0: strain map
+uniform bool cloth;      // or else skin
+uniform bool weave;
+uniform sampler2D strainTable, yarnTable;
+
+// Uneven yarns along warp and weft, each scale fading out before it would flicker.
 float noise(vec2 q) {
   vec2 i = floor(q), f = fract(q);
-  f = f * f * (3.0 - 2.0 * f);
-  return mix(mix(hash(i), hash(i + vec2(1, 0)), f.x), mix(hash(i + vec2(0, 1)), hash(i + vec2(1, 1)), f.x), f.y);
+  return texture(yarnTable, (i + f * f * (3.0 - 2.0 * f) + 0.5) / float(textureSize(yarnTable, 0).x)).r;
 }
-// Uneven yarns along warp and weft, each scale fading out before it would flicker.
+
 float yarns() {
   float w = max(length(fwidth(paper)), 1e-6), sum = 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -132,71 +154,45 @@ float yarns() {
   }
   return sum;
 }
-float keySeen(vec3 normal, float spread) {
-  float turn = 6.2831853 * grain(gl_FragCoord.xy);
-  mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
-  vec3 from = p + normal * (2.0 * keyTexel + 0.002) + keyTowards * (spread * 0.25);
-  vec3 up = cross(keyTowards, keyRight);
-  float sum = 0.0;
-  for (int i = 0; i < 12; ++i) {
-    float r = sqrt((float(i) + 0.5) / 12.0), a = float(i) * 2.399963;
-    vec2 o = spin * vec2(cos(a), sin(a)) * r * spread;
-    sum += texture(keyMap, (toKey * vec4(from + keyRight * o.x + up * o.y, 1.0)).xyz * 0.5 + 0.5);
-  }
-  return sum / 12.0;
-}
 
 void main() {
   vec3 v = normalize(eye - p);
   vec3 normal = normalize(n);
-  if (kind == 2) {
-    // The floor is the backdrop itself, dimmed by what the body keeps away: no edge, only shadows and a pale disc.
-    float unlit = 1.0 - soft.x;
-    float shade = mix(1.0, keySeen(normal, 0.03), 0.24) * (1.0 - 0.90 * clamp(unlit, 0.0, 1.0));
-    float fade = 1.0 - smoothstep(0.5, 1.0, paper.x);
-    float edge = max(fwidth(paper.x), 1e-5);
-    float disc = 1.0 - smoothstep(-1.5, 1.5, (paper.x - 0.42) / edge);
-    float rim = exp(-pow((paper.x - 0.42) / max(0.0035, 1.2 * edge), 2.0));
-    vec3 base = backdropHere() * (1.0 + 0.055 * disc) * (1.0 - 0.10 * rim);
-    colour = vec4(shown(base * mix(vec3(1.0), vec3(shade, shade * 0.985, shade * 0.96), fade)), 1.0);
-    return;
-  }
-  bool inner = kind == 1 ? !gl_FrontFacing : false;
+  bool inner = cloth && !gl_FrontFacing;
   if (inner) normal = -normal;
-  if (kind == 0 && dot(normal, v) < 0.0 && !gl_FrontFacing) normal = -normal;
   float open = inner ? soft.y : soft.x;
   float hollow = inner ? -cavity : cavity;
 
   vec3 base = albedo;
   if (inner) base = mix(base, vec3(dot(base, vec3(0.3, 0.55, 0.15))), 0.35) * 0.62;
-  bool mapped = kind == 1 && scaleTop > 0.0;
+  bool mapped = cloth && scaleTop > 0.0;
   if (mapped) {
     base = strain < 0.0 ? vec3(0.5) : texture(strainTable, vec2(clamp(strain / scaleTop, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
     if (inner) base *= 0.75;
-  } else if (kind == 1 && weave) {
+  } else if (cloth && weave) {
     base *= 1.0 + 0.16 * yarns();
   }
   float dents = clamp(1.0 - 0.75 * max(hollow, 0.0) + 0.2 * max(-hollow, 0.0), 0.4, 1.2);
 
-  float wrap = kind == 0 ? 0.22 : 0.10;
+  float wrap = !cloth ? 0.22 : 0.10;
   float facing = dot(normal, keyTowards);
   float lit = clamp((facing + wrap) / (1.0 + wrap), 0.0, 1.0);
   float seen = lit > 0.0 ? keySeen(normal, 0.011) : 0.0;
   vec3 key = vec3(1.0, 0.955, 0.89) * lit * seen;
-  if (kind == 0) key += vec3(0.10, 0.025, 0.012) * seen * clamp(1.0 - abs(facing) * 2.5, 0.0, 1.0);
+  if (!cloth) key += vec3(0.10, 0.025, 0.012) * seen * clamp(1.0 - abs(facing) * 2.5, 0.0, 1.0);
   vec3 fill = vec3(0.90, 0.95, 1.0) * max(dot(normal, fillTowards), 0.0) * mix(0.45, 1.0, open);
   vec3 above = mix(vec3(0.80, 0.74, 0.66), vec3(1.0, 0.99, 0.98), normal.y * 0.5 + 0.5);
   float bounce = (0.5 - 0.5 * normal.y) * 0.22;
   vec3 ambient = above * (0.16 + open * 1.1 + bounce * mix(0.4, 1.0, open));
   vec3 light = mapped ? vec3(0.36) + 0.40 * key + 0.16 * fill + 0.42 * ambient
-                      : kind == 0 ? 0.66 * key + 0.14 * fill + 0.44 * ambient
+                      : !cloth ? 0.66 * key + 0.14 * fill + 0.44 * ambient
                       : 0.82 * key + 0.17 * fill + 0.50 * ambient;
   vec3 c = base * light * (mapped ? mix(1.0, dents, 0.8) : dents);
 
   // The rim light from behind draws the silhouette; cloth's fine hairs catch more of it than skin.
   float graze = pow(1.0 - clamp(dot(normal, v), 0.0, 1.0), 3.5);
-  c += (kind == 1 ? 0.16 : 0.07) * graze * mix(base, vec3(0.9, 0.88, 0.84), 0.45) * (0.25 + 0.75 * open) * (inner || mapped ? 0.25 : 1.0);
-  if (kind == 0) {
+  c += (cloth ? 0.16 : 0.07) * graze * mix(base, vec3(0.9, 0.88, 0.84), 0.45) * (0.25 + 0.75 * open) * (inner || mapped ? 0.25 : 1.0);
+  if (!cloth) {
     vec3 h = normalize(v + keyTowards);
     c += vec3(0.045) * pow(max(dot(normal, h), 0.0), 18.0) * seen;
   }

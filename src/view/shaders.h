@@ -4,12 +4,15 @@
 
 namespace karinui::glsl {
 
-extern const std::string kDepthVertex;              // shadow maps
-extern const std::string kSkyVertex, kSkyFragment;  // soft light, a texel for each vertex
-extern const std::string kBackdropVertex, kBackdropFragment;
-extern const std::string kSolidVertex, kSolidFragment;  // body, cloth, floor
+extern const std::string kDepthVertex;  // shadow maps
+extern const std::string kWholeVertex;  // one triangle over the whole target
+extern const std::string kSkyFragment;  // soft light, a texel for each vertex
+extern const std::string kBackdropFragment;
+// Body and cloth; the floor. Two programs, for a software renderer works out both sides of every `if`.
+extern const std::string kSolidVertex, kSolidFragment, kFloorFragment;
 extern const std::string kRibbonVertex, kRibbonFragment;
 
 inline constexpr int kSkyWide = 1024;  // texels in a row of the soft light's table
+inline constexpr int kYarnSide = 256;  // side of the table of unevenness
 
 }  // namespace karinui::glsl

@@ -24,7 +24,7 @@ struct SceneCloth {
 };
 
 struct SceneBody {
-  TriangleMesh mesh;
+  TriangleMesh mesh;  // closed, facing outward: its inside is not drawn
   Colour colour{0.78f, 0.66f, 0.58f};
 };
 

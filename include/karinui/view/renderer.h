@@ -27,6 +27,8 @@ struct DrawArea {
   double pictureHeight = 0;  // pixels of the whole picture, for thin lines; 0: height
 };
 
+enum class SoftLight { Anew, Kept };
+
 class Renderer {
  public:
   static Result<std::unique_ptr<Renderer>> make(const Studio& studio = {});
@@ -37,8 +39,9 @@ class Renderer {
   // Takes a frame in: copies it to the graphics memory and works out the soft light. strainTop > 0 shows the strain map
   // up to that strain instead of the cloth's colours. Parts that cannot be drawn (places that are no numbers or too far
   // away, corners that do not exist) are left out and told by notes().
-  // `skyDirections` >= 0 instead of the studio's own: fewer while the hand moves.
-  void show(const SceneFrame& frame, double strainTop = 0, int skyDirections = -1);
+  // `SoftLight::Kept`, while things move: the soft light stays that of the last picture with as many points, or is
+  // worked out roughly where there is none.
+  void show(const SceneFrame& frame, double strainTop = 0, SoftLight softLight = SoftLight::Anew);
   const std::vector<Message>& notes() const;
 
   // Lines over what is shown (a stroke, an arrow, what is chosen): cheap, for every move of the hand.
