@@ -25,8 +25,7 @@ class Pending {
   std::size_t size_ = 0;
 };
 
-// How far v lies beyond [low, high]. Written out: std::fmax is a call into the library, and this runs millions of
-// times.
+// How far v lies beyond [low, high].
 double beyond(double low, double high, double v) {
   const double below = low - v, above = v - high, most = below > above ? below : above;
   return most > 0 ? most : 0;
@@ -91,8 +90,8 @@ class Ray {
       return;
     }
     const double t = (low - from) * inverse, s = (high - from) * inverse;
-    enter = std::fmax(enter, std::fmin(t, s));
-    leave = std::fmin(leave, std::fmax(t, s));
+    enter = std::max(enter, std::min(t, s));
+    leave = std::min(leave, std::max(t, s));
   }
   std::array<double, 3> turned(Vec3 p) const {
     const std::array<double, 3> d = part(p - origin_);

@@ -62,10 +62,12 @@ std::array<double, 3> nearestWeights(const Corners& t, Vec3 from) {
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
   const double whole = va + vb + vc;  // four times the squared area
   // A sliver this thin is its sides as far as distances go, while its weights would be rounding noise.
-  const double longest = std::fmax(std::fmax(squaredLength(ab), squaredLength(ac)), squaredLength(t[2] - t[1]));
-  if (va > 0 && vb > 0 && vc > 0 && whole > 1e-12 * longest * longest)
-    return {1 - vb / whole - vc / whole, vb / whole, vc / whole};
-  return nearestOnSides(t, from);
+  const double longest = std::max({squaredLength(ab), squaredLength(ac), squaredLength(t[2] - t[1])});
+  if (!(whole > 1e-12 * longest * longest)) return nearestOnSides(t, from);
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  if (va <= 0 && d4 >= d3 && d5 >= d6) return {0, 1 - (d4 - d3) / (d4 - d3 + d5 - d6), (d4 - d3) / (d4 - d3 + d5 - d6)};
+  return {1 - vb / whole - vc / whole, vb / whole, vc / whole};
 }
 
 double solidAngle(const Corners& t, Vec3 from) {

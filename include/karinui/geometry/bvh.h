@@ -17,9 +17,10 @@ struct Box {
            std::numeric_limits<double>::infinity()};
   Vec3 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
             -std::numeric_limits<double>::infinity()};
+  // What is no number changes nothing. Written out: std::fmin calls the library, and this runs millions of times.
   void include(Vec3 p) {
-    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
-    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
+    low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
+    high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
   }
   bool empty() const { return low.x > high.x; }
   Vec3 centre() const { return (low + high) * 0.5; }

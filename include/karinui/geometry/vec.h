@@ -19,7 +19,7 @@ constexpr Flat& operator-=(Flat& a, Flat b) { return a = a - b; }
 constexpr double dot(Flat a, Flat b) { return a.u * b.u + a.v * b.v; }
 constexpr double cross(Flat a, Flat b) { return a.u * b.v - a.v * b.u; }  // > 0: b is counter-clockwise of a
 constexpr Flat leftOf(Flat a) { return {-a.v, a.u}; }                     // a turned by +90 degrees
-inline double length(Flat a) { return std::hypot(a.u, a.v); }
+inline double length(Flat a) { return std::sqrt(a.u * a.u + a.v * a.v); }
 inline double distance(Flat a, Flat b) { return length(b - a); }
 inline Flat normalized(Flat a) {
   const double l = length(a);
