@@ -63,7 +63,10 @@ SpaceView::SpaceView(Session& session, Clockwork& clockwork, QWidget* parent)
   connect(&Look::here(), &Look::changed, this, [this] { update(); });
 }
 
-SpaceView::~SpaceView() { giveBack(); }
+SpaceView::~SpaceView() {
+  giveBack();
+  if (context()) disconnect(context(), nullptr, this, nullptr);  // it ends after this view, and would still tell it
+}
 
 // What lives in graphics memory goes while its context is there.
 void SpaceView::giveBack() {
