@@ -1,5 +1,7 @@
 // The scenes the drape engine is measured on, small: what the answer holds and that it is the same for every team.
 #include "apps/command.h"
+#include "bench/cusick.h"
+#include "karinui/cloth/check.h"
 
 namespace karinui::test {
 namespace {
@@ -42,6 +44,36 @@ TEST(BenchCommand, LaysFabricsOnTheDrapeTester) {
     EXPECT_GE(found["highest"].get<double>(), found["lowest"].get<double>());
     before = found["drape_coefficient"].get<double>();
   }
+}
+
+// Without stiffness cloth hangs down as far as its folds let it, with all of it it stands straight out; in between more
+// bending, or more shear, never drapes deeper. Means over two ways to lay it on, as one cloth has many drapes.
+TEST(DrapeTester, GrowsWithStiffnessFromLimpToBoard) {
+  Workers workers(1);
+  const auto drape = [&](double bend, double shear) {
+    Fabric f = *preset("cotton");
+    f.bendWarp = f.bendWeft = bend, f.shear = shear;
+    double mean = 0;
+    for (const unsigned seed : {1u, 2u}) {
+      const auto draped = bench::cusick(f, 500, seed, workers, Token());
+      KARINUI_ASSERT(draped);
+      EXPECT_EQ(check(draped->disc.cloth, draped->disc.state, nullptr).clothClothCrossings, 0u);
+      mean += draped->coefficient / 2;
+    }
+    return mean;
+  };
+  const double scatter = 2;
+  double before = drape(1e-7, 40);
+  EXPECT_LT(before, 30);
+  before -= 2 * scatter;  // there it is the cells that bend no further
+  for (const double bend : {3e-6, 1e-5, 3e-5, 1e-4, 1e-3}) {
+    const double now = drape(bend, 40);
+    EXPECT_GT(now, before + scatter) << bend;
+    before = now;
+  }
+  EXPECT_GT(drape(0.1, 40), 99);
+  EXPECT_GT(drape(1e-5, 40), drape(1e-5, 4) + scatter);
+  EXPECT_GT(drape(1e-5, 400), drape(1e-5, 40) - scatter);
 }
 
 TEST(BenchCommand, RefusesWhatItCannotMeasure) {

@@ -98,11 +98,11 @@ TEST(Column, StandsUntilItsWeightBucklesIt) {
 }
 
 TEST(Simcloth, HasOneRestWhateverTheStart) {
-  // Tension only and weight: convex, so every start ends at the same place.
+  // Tension only and weight: convex, so every start ends at the same place, to a micrometre.
   Fabric f = *preset("simcloth");
   f.stretchWarp = 50;
   std::vector<Vec3> first;
-  for (unsigned seed = 1; seed <= 4; ++seed) {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
     ClothLevel level;
     addPiece(level.cloth, gridLattice(5, 5, 0.04), f);
     level.cloth.pinned = {30, 35};
@@ -110,20 +110,21 @@ TEST(Simcloth, HasOneRestWhateverTheStart) {
     std::uniform_real_distribution<double> by(-0.1, 0.1);
     level.state = standingBy(level.cloth, [&](std::size_t, Flat p) {
       const bool pinned = p.v > 0.19 && (p.u < 0.01 || p.u > 0.19);
-      return Vec3{p.u, p.v, 0} + (pinned ? Vec3{} : Vec3{by(random), by(random), 0});
+      return Vec3{p.u, p.v, 0} + (pinned ? Vec3{} : Vec3{by(random), by(random), by(random)});
     });
     std::vector<ClothLevel> levels{level};
     SettleSettings settings;
-    settings.stopMove = 1e-6;
-    settings.stopResidual = 0.02;
+    settings.stopMove = 1e-8;
+    settings.stopResidual = 0.0002;
     settings.maxSteps = 1500;
     settings.clothOnCloth = false;  // a heap of crossing cloth is no convex problem
     Workers workers(1);
     const auto report = settle(levels, NoBody(), settings, Token(), workers);
     ASSERT_TRUE(report);
+    ASSERT_TRUE(report->settled) << text(report->why);
     if (first.empty()) first = levels[0].state.position;
     for (std::size_t k = 0; k < first.size(); ++k)
-      EXPECT_LT(distance(first[k], levels[0].state.position[k]), 2e-5) << "seed " << seed << " node " << k;
+      EXPECT_LT(distance(first[k], levels[0].state.position[k]), 1e-6) << "seed " << seed << " node " << k;
   }
 }
 
