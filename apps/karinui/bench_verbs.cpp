@@ -10,6 +10,7 @@
 #include "drape_picture.h"
 #include "json_answers.h"
 #include "karinui/base/file.h"
+#include "karinui/base/hash.h"
 #include "karinui/exchange/spatial.h"
 
 namespace karinui::app {
@@ -36,6 +37,7 @@ Json findingJson(const bench::Workload& load, const bench::Finding& found, int t
   Json object = {{"scene", load.name}, {"threads", threads}};
   object.update(settleJson(found.report, found.check, console));
   if (found.clearance < 1) object["clearance_mm"] = found.clearance * 1000;  // none where there is no body
+  object["hash"] = Hasher().add(std::span<const Vec3>(load.levels.back().state.position)).hex();  // of where it rests
   object["drift_mm"] = found.after.drift * 1000;
   object["first_top_speed_mm_s"] = found.after.firstTopSpeed * 1000;
   object["top_speed_mm_s"] = found.after.topSpeed * 1000;

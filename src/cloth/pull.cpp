@@ -104,6 +104,11 @@ class PullingHand {
     solver_.setHand(hand_);
   }
   void again() { drawTo(hand_.middle); }
+  // What it feels: cloth that whips may pull harder than the hand holds, and then it slips in the hand.
+  Vec3 felt() const {
+    const Vec3 force = solver_.handForce();
+    return force * std::min(1.0, kHandStrength / std::max(1e-9, length(force)));
+  }
   double shortBy() const { return distance(hand_.middle, meanOfPatch()); }
 
  private:
@@ -170,7 +175,7 @@ Result<Vec3> LiveHand::to(Vec3 place, const Token& token) {
     if (token.cancelled()) return cancelled();
     if (!step.finite) return tornApart();
   }
-  return in.solver.handForce();
+  return in.hand.felt();
 }
 
 const Cloth& LiveHand::cloth() const { return inside_->level.cloth; }
@@ -200,7 +205,7 @@ Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& gri
       ++report.end.steps;
       report.end.solves += static_cast<std::size_t>(step.iterations);
     }
-    const Vec3 force = solver.handForce();
+    const Vec3 force = hand.felt();
     report.force.resize(stops[k].reached, force);
     report.maxForce = std::max(report.maxForce, length(force));
     token.progress(0.5 * static_cast<double>(k) / static_cast<double>(stops.size()), say("Pulling the cloth"));
@@ -227,7 +232,7 @@ Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& gri
   if (end.cancelled || token.cancelled()) return cancelled();
   if (!end.finite) return tornApart();
   if (!grip.letGo) {  // what the hand feels once all is calm
-    report.force.back() = solver.handForce();
+    report.force.back() = hand.felt();
     report.maxForce = std::max(report.maxForce, length(report.force.back()));
   }
   const double left = hand.shortBy();

@@ -32,6 +32,20 @@ TEST(BenchCommand, TellsHowASceneCameToRest) {
   EXPECT_EQ(contents(again), bytes);
 }
 
+TEST(BenchCommand, RestsWithTheSameBitsForAnyTeam) {
+  for (const char* scene : {"w1", "w2", "w3"}) {
+    std::string first;
+    for (const char* threads : {"1", "2", "4"}) {
+      const Said said = karinui(std::string("bench ") + scene + " --vertices 400 --json --threads " + threads);
+      ASSERT_EQ(said.exit, 0) << said.err << said.out;
+      const std::string hash = said.json()["hash"].get<std::string>();
+      if (first.empty()) first = hash;
+      EXPECT_EQ(hash.size(), 32u);
+      EXPECT_EQ(hash, first) << scene << " with " << threads << " threads";
+    }
+  }
+}
+
 // Laid anew on a coarser lattice, a limp and a stiff cloth come out as the shop says of them, and in that order.
 TEST(BenchCommand, LaysFabricsOnTheDrapeTester) {
   double before = 0;

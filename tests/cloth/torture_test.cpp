@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
+#include "cloth/level_solver.h"
 #include "karinui/cloth/check.h"
 
 namespace karinui::test {
@@ -143,6 +144,122 @@ TEST(Torture, AbsurdButSoundFabricsStayWhole) {
         EXPECT_LE(so.report.penetration, 1e-6);
         EXPECT_LE(so.report.seamGap, 0.0005) << text(so.report.why);
       }
+}
+
+// A tunic stepped at a tenth of the usual time, as it is, and after a stall or a pause: whatever a step is given, all
+// stays finite, sewn, outside the body and uncrossed, and does not fly off.
+TEST(Torture, StepsOfAnyLengthKeepTheCloth) {
+  std::vector<ClothLevel> levels{tunic(6, *preset("cotton")), tunic(12, *preset("cotton"))};
+  const Ordeal before = through(levels, tunicBody());
+  ASSERT_TRUE(before.report.settled);
+  Workers workers(1);
+  const CapsuleBody body = tunicBody();
+  for (const double seconds : {1.0 / 600, 1.0 / 60, 4.0 / 60, 16.0 / 60, 3600.0}) {
+    SCOPED_TRACE(seconds);
+    LevelSolver solver(levels[1].cloth, before.state.position, body, {}, 0.002, workers);
+    solver.tieWithin(levels[1].cloth.spacing);
+    LevelSolver::Stride stride;
+    stride.mostMove = levels[1].cloth.spacing;
+    stride.gravity = {0, -9.81, 0};
+    for (int k = 0; k < 30; ++k) {
+      stride.seconds = k % 10 == 5 ? seconds : 1.0 / 60;  // once in a while, as a stall comes; then from there on
+      if (k > 15) stride.seconds = seconds;
+      ASSERT_TRUE(solver.step(stride, Token()).finite) << k;
+    }
+    ClothState state{solver.places()};
+    const ClothCheck found = check(levels[1].cloth, state, nullptr);
+    EXPECT_TRUE(found.finite);
+    EXPECT_EQ(found.clothClothCrossings, 0u);
+    EXPECT_LE(found.seamGap, 1e-9);
+    for (std::size_t k = 0; k < state.position.size(); ++k) {
+      EXPECT_GT(body.contact(state.position[k]).distance, -0.001);
+      EXPECT_LT(distance(state.position[k], before.state.position[k]), 0.05);
+    }
+  }
+}
+
+// A hem jerked at 5 m/s and a target that leaps a metre away and back, at the rate a device sends; between them places
+// that are no numbers, which are refused and move nothing. Let go, the tunic is whole.
+TEST(Torture, AHandThatJerksLeapsAndStammersTearsNothing) {
+  std::vector<ClothLevel> levels{tunic(6, *preset("cotton")), tunic(12, *preset("cotton"))};
+  const Ordeal before = through(levels, tunicBody());
+  ASSERT_TRUE(before.report.settled);
+  const CapsuleBody body = tunicBody();
+  Workers workers(1);
+  SettleSettings settings;
+  settings.maxSteps = 100;
+  std::mt19937 dice(5);
+  for (int trial = 0; trial < 6; ++trial) {
+    SCOPED_TRACE(trial);
+    ClothLevel level{levels[1].cloth, before.state};
+    Grip grip;
+    grip.nodes = {static_cast<std::uint32_t>(dice() % level.cloth.nodeCount)};
+    Vec3 at = level.state.position[grip.nodes[0]];
+    grip.path = {at};
+    const auto sway = [&] { return (static_cast<double>(dice() % 2001) - 1000) / 1000; };
+    for (int k = 0; k < (trial % 2 ? 2 : 6); ++k) {
+      const Vec3 way = normalized(Vec3{sway(), sway(), sway()});
+      at += way * (trial % 2 ? 1.0 : 5.0 / 60);
+      grip.path.push_back(at);
+      if (trial % 2) grip.path.push_back(at - way);
+    }
+    grip.seconds = static_cast<double>(grip.path.size()) / 60;
+    grip.letGo = trial % 3 == 0;
+    Grip stammering = grip;
+    stammering.path[1].y = trial % 2 ? std::nan("") : HUGE_VAL;
+    EXPECT_FALSE(pull(level, body, stammering, settings, Token(), workers));
+    EXPECT_EQ(level.state.position, before.state.position);
+    const auto report = pull(level, body, grip, settings, Token(), workers);
+    ASSERT_TRUE(report) << text(report.error().what);
+    const ClothCheck found = check(level.cloth, level.state, nullptr);
+    EXPECT_TRUE(found.finite);
+    EXPECT_LE(found.seamGap, 0.0005);
+    // Wrung, cells of 5 cm may pass through each other; then that is what the report says.
+    EXPECT_TRUE(!report->end.settled || found.clothClothCrossings == 0);
+    if (found.clothClothCrossings > 0) {
+      EXPECT_NE(text(report->end.why).find("through cloth"), std::string::npos) << text(report->end.why);
+    }
+    for (const Vec3 f : report->force) EXPECT_LE(length(f), 40.001);  // no stronger than a hand
+  }
+}
+
+// Ten times in a row, as if nothing had been before: garments of three kinds, each time at rest, each time the same
+// bits for one, two and four threads.
+TEST(Torture, TenTimesInARowIsTenTimesTheSame) {
+  const Fabric cotton = *preset("cotton"), simcloth = *preset("simcloth");
+  const auto curtain = [&] {
+    Pattern pattern = patternOf({rectangle(1, 0.3, 0.25, {0.3, 1})});
+    ClothLevel level = levelOf(pattern, 0.02, cotton);
+    for (std::uint32_t k : level.cloth.pieces[0].lattice->edges.at("top").nodes) level.cloth.pinned.push_back(k);
+    std::sort(level.cloth.pinned.begin(), level.cloth.pinned.end());
+    level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{0.9 * p.u, 0, -p.v}; });
+    return std::vector<ClothLevel>{level};
+  };
+  const auto coat = [&] { return std::vector<ClothLevel>{tunic(6, cotton), tunic(12, cotton)}; };
+  const auto tension = [&] {
+    ClothLevel level;
+    addPiece(level.cloth, gridLattice(12, 12, 0.02), simcloth);
+    level.cloth.pinned = {12 * 13, 12 * 13 + 12};
+    level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u, p.v, 0.01 * p.u}; });
+    return std::vector<ClothLevel>{level};
+  };
+  const std::function<std::vector<ClothLevel>()> scenes[] = {curtain, coat, tension};
+  const NoBody nobody;
+  const CapsuleBody body = tunicBody();
+  for (int scene = 0; scene < 3; ++scene) {
+    SCOPED_TRACE(scene);
+    std::vector<Vec3> first;
+    for (int run = 0; run < 10; ++run) {
+      Workers workers(run % 3 == 2 ? 4 : run % 3 + 1);
+      auto levels = scenes[scene]();
+      const auto report =
+          settle(levels, scene == 1 ? static_cast<const Collider&>(body) : nobody, {}, Token(), workers);
+      ASSERT_TRUE(report);
+      ASSERT_TRUE(report->settled) << text(report->why);
+      if (run == 0) first = levels.back().state.position;
+      ASSERT_EQ(levels.back().state.position, first) << "run " << run << ", " << workers.threads() << " threads";
+    }
+  }
 }
 
 }  // namespace
