@@ -78,7 +78,8 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
     const QSignalBlocker quiet(stereo_);
     stereo_->clear();
     stereo_->addItems({inWords(say("off")), inWords(say("side by side")), inWords(say("top and bottom")),
-                       inWords(say("red-cyan glasses")), inWords(say("row by row"))});
+                       inWords(say("red-cyan glasses")), inWords(say("row by row")),
+                       inWords(say("two pictures at once, on a screen of its own"))});
     stereo_->setCurrentIndex(std::max(0, was));
   });
   eyes_ = new LengthBox(say("Eyes apart"), 0, 0.2);
@@ -109,7 +110,10 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   connect(beside_, &QComboBox::activated, this, [this] { compare(); });
   connect(map_, &QComboBox::currentIndexChanged, this, [this](int i) { view_.setMap(static_cast<FitMap>(i)); });
   connect(tape_, &QCheckBox::toggled, this, [this](bool on) { view_.setTape(on); });
-  connect(stereo_, &QComboBox::currentIndexChanged, this, [this](int i) { view_.setStereo(static_cast<Stereo>(i)); });
+  connect(stereo_, &QComboBox::currentIndexChanged, this, [this](int i) {
+    view_.setStereo(static_cast<Stereo>(i));
+    stereo_->setCurrentIndex(static_cast<int>(view_.stereo()));
+  });
   for (QDoubleSpinBox* box : {static_cast<QDoubleSpinBox*>(eyes_), focus_})
     connect(box, &QDoubleSpinBox::valueChanged, this, [this] { view_.setEyes(eyes_->value(), focus_->value()); });
 }

@@ -10,6 +10,7 @@
 #include <QStyleFactory>
 
 #include "karinui/base/number.h"
+#include "karinui/base/said_lengths.h"
 #include "karinui/scene/icon.h"
 #include "karinui/view/image.h"
 
@@ -112,7 +113,10 @@ Look& Look::here() {
 
 const Palette& Look::palette() const { return dark_ ? kDark : kLight; }
 
-QString Look::say(const Message& message) const { return QString::fromStdString(text(message, language_)); }
+QString Look::say(const Message& message) const {
+  const auto words = [](double metres) { return lengthText(metres, 2).toStdString(); };
+  return QString::fromStdString(text(message, language_, words));
+}
 
 QIcon Look::icon(std::string_view name) const { return name.empty() ? QIcon() : QIcon(new HouseIcon(name)); }
 

@@ -5,7 +5,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
-#include <QRegularExpression>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -16,6 +15,7 @@
 #include "guide.h"
 #include "keys.h"
 #include "look.h"
+#include "orbit.h"
 
 namespace karinui::studio {
 
@@ -98,6 +98,11 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(space_, &SpaceView::failed, this, [this](const QString& why) { statusBar()->showMessage(why); });
   space_->installEventFilter(this);
   table_->installEventFilter(this);
+  cap_ = new SpaceMouse(this);
+  connect(cap_, &SpaceMouse::moved, this,
+          [this](const CapMotion& motion) { space_->setCamera(carried(space_->camera(), motion)); });
+  connect(cap_, &SpaceMouse::pressed, this,
+          [this](int button) { run(button == 0 ? Command::ViewAll : Command::ViewFront); });
   setAcceptDrops(true);
   resize(1500, 920);
   const QSettings settings;
@@ -201,20 +206,8 @@ void MainWindow::refresh() {
   emit refreshed();
 }
 
-namespace {
-
-// The library's sentences measure in millimetres; a person reads the measure that was chosen.
-QString inChosenMeasure(QString words) {
-  static const QRegularExpression metric("(-?\\d+(?:\\.\\d+)?) ?mm\\b");
-  for (QRegularExpressionMatch found; (found = metric.match(words)).hasMatch();)
-    words.replace(found.capturedStart(), found.capturedLength(), lengthText(found.captured(1).toDouble() / 1000, 2));
-  return words;
-}
-
-}  // namespace
-
 void MainWindow::tell(const Notice& notice) {
-  toast_->setText(inChosenMeasure(inWords(notice.what)));
+  toast_->setText(inWords(notice.what));
   const QColor back = notice.kind == Notice::Kind::Refused  ? QColor("#8f2f1d")
                       : notice.kind == Notice::Kind::Advice ? QColor("#7a5a12")
                                                             : QColor("#2f4a3c");

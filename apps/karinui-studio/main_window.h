@@ -17,6 +17,7 @@ class QToolBar;
 namespace karinui::studio {
 
 class Guide;
+class SpaceMouse;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -83,6 +84,7 @@ class MainWindow : public QMainWindow {
   QProgressBar* progress_;
   QTimer toastTime_, wake_;
   Guide* guide_ = nullptr;
+  SpaceMouse* cap_ = nullptr;
   SessionNews seen_;
 };
 

@@ -41,6 +41,13 @@ Camera zoomed(const Camera& camera, double factor, const Ray& towards) {
   return after;
 }
 
+Camera carried(const Camera& camera, const CapMotion& cap) {
+  constexpr double kTurn = 1.6, kPan = 0.7, kZoom = 1.4;  // radians, heights of the view, powers of e in a second
+  Camera after = turned(camera, kTurn * cap.turn * cap.seconds, kTurn * cap.tilt * cap.seconds);
+  after = panned(after, kPan * cap.right * cap.seconds, -kPan * cap.up * cap.seconds, 1);
+  return zoomed(after, std::exp(kZoom * cap.away * cap.seconds), {after.eye, normalized(after.target - after.eye)});
+}
+
 Camera between(const Camera& a, const Camera& b, double t) {
   // Round the target, not through it.
   const auto angles = [](const Camera& c) {

@@ -15,6 +15,7 @@
 #include "mouse.h"
 #include "orbit.h"
 #include "portraits.h"
+#include "quad_window.h"
 #include "view_eyes.h"
 
 namespace karinui::studio {
@@ -74,6 +75,7 @@ void SpaceView::giveBack() {
   makeCurrent();
   renderer_.reset();
   beside_.renderer.reset();
+  quad_.reset();
   compositor_.reset();
   portraits_.reset();
   doneCurrent();
@@ -154,7 +156,18 @@ void SpaceView::look(View view) {
   }
 }
 
-void SpaceView::setStereo(Stereo stereo) { stereo_ = stereo, cameraMoved(); }
+void SpaceView::setStereo(Stereo stereo) {
+  if (stereo == Stereo::QuadBuffer && !QuadWindow::mayBeHad())
+    return session_.refuse(notFound(say(
+        "No screen of this machine shows two pictures at once; side by side, red-cyan or row by row always work.")));
+  stereo_ = stereo;
+  quad_.reset();
+  if (stereo == Stereo::QuadBuffer) {
+    quad_ = std::make_unique<QuadWindow>(context());
+    quad_->showFullScreen();
+  }
+  cameraMoved();
+}
 void SpaceView::setEyes(double separation, double convergence) {
   separation_ = separation;
   convergence_ = convergence;
@@ -335,6 +348,7 @@ void SpaceView::paintGL() {
   }
   stale_ = false;
   compositor_->show(two ? Stereo::SideBySide : stereo ? stereo_ : Stereo::Off, defaultFramebufferObject(), w, h);
+  if (quad_) quad_->show(compositor_->textures());
   clockwork_.end("event to picture");
   emit painted();
 }

@@ -16,8 +16,9 @@ namespace karinui::studio {
 
 class EyeCompositor;
 class Portraits;
+class QuadWindow;
 
-enum class Stereo { Off, SideBySide, TopBottom, Anaglyph, Interleaved };
+enum class Stereo { Off, SideBySide, TopBottom, Anaglyph, Interleaved, QuadBuffer };
 enum class FitMap { None, Strain, Ease, Pressure };
 
 class SpaceView : public QOpenGLWidget {
@@ -26,8 +27,8 @@ class SpaceView : public QOpenGLWidget {
   SpaceView(Session& session, Clockwork& clockwork, QWidget* parent = nullptr);
   ~SpaceView() override;
 
-  void look(View view);  // from a side, all of it in view
-  void setStereo(Stereo stereo);
+  void look(View view);           // from a side, all of it in view
+  void setStereo(Stereo stereo);  // a quad buffer only where one may be had; else it stays, and says so
   void setEyes(double separation, double convergence);  // metres; share of the distance to what is looked at
   Stereo stereo() const { return stereo_; }
   void setMap(FitMap map);
@@ -91,6 +92,7 @@ class SpaceView : public QOpenGLWidget {
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<EyeCompositor> compositor_;
   std::unique_ptr<Portraits> portraits_;
+  std::unique_ptr<QuadWindow> quad_;  // while both eyes have a screen of their own
   std::optional<Error> trouble_;
   QString driver_;
   bool software_ = false;

@@ -80,8 +80,12 @@ void EyeCompositor::copy(QOpenGLFramebufferObject& from, unsigned target, int wi
   glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
+std::array<unsigned, 2> EyeCompositor::textures() const {
+  return {eyes_[0] ? eyes_[0]->texture() : 0, eyes_[1] ? eyes_[1]->texture() : 0};
+}
+
 void EyeCompositor::show(Stereo stereo, unsigned target, int width, int height) {
-  if (stereo == Stereo::Off) return copy(*eyes_[0], target, width, height);
+  if (stereo == Stereo::Off || stereo == Stereo::QuadBuffer) return copy(*eyes_[0], target, width, height);
   glBindFramebuffer(GL_FRAMEBUFFER, target);
   glViewport(0, 0, width, height);
   glDisable(GL_DEPTH_TEST);

@@ -19,6 +19,7 @@ class EyeCompositor {
   QOpenGLFramebufferObject& scene(int which, int width, int height);
   // The same at the screen's size, colours and depths, to draw on.
   QOpenGLFramebufferObject& onScreen(int which, int width, int height);
+  std::array<unsigned, 2> textures() const;                          // both eyes, as on screen
   void show(Stereo stereo, unsigned target, int width, int height);  // what is on screen, on the screen
 
  private:

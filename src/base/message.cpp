@@ -2,8 +2,10 @@
 
 #include <cstdlib>
 #include <map>
+#include <optional>
 
 #include "karinui/base/number.h"
+#include "karinui/base/said_lengths.h"
 
 namespace karinui {
 
@@ -37,23 +39,55 @@ std::string_view translated(std::string_view pattern) {
 std::string written(double value) { return shortest(value); }
 std::string written(long long value) { return std::to_string(value); }
 
-std::string text(const Message& message, Language language) {
+namespace {
+
+constexpr std::string_view kUnit = " mm";
+
+// Millimetres in other words; several, as a place has them, between what stands between them. Nothing: no number.
+std::optional<std::string> reworded(std::string_view millimetres, LengthWords lengths) {
+  std::string said;
+  bool any = false;
+  for (std::size_t i = 0; i < millimetres.size();) {
+    const std::size_t end = std::min(millimetres.find_first_not_of("-0123456789.", i), millimetres.size());
+    if (const auto number = parseNumber(millimetres.substr(i, end - i))) {
+      said += lengths(*number / 1000);
+      any = true;
+    } else {
+      said += millimetres.substr(i, std::max(end, i + 1) - i);
+    }
+    i = std::max(end, i + 1);
+  }
+  return any ? std::optional(said) : std::nullopt;
+}
+
+}  // namespace
+
+std::string text(const Message& message, Language language, LengthWords lengths) {
   const std::string_view pattern =
       language == Language::Japanese ? translated(message.pattern) : std::string_view(message.pattern);
   std::string said;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
+  for (std::size_t i = 0; i < pattern.size();) {
+    // A value, or a number that stands in the pattern itself.
     const std::size_t which = i + 2 < pattern.size() && pattern[i] == '{' && pattern[i + 2] == '}'
                                   ? static_cast<std::size_t>(pattern[i + 1] - '0')
                                   : message.values.size();
-    if (which < message.values.size()) {
-      said += text(message.values[which], language);
-      i += 2;
-    } else {
-      said += pattern[i];
-    }
+    const bool value = which < message.values.size();
+    const bool fresh = said.empty() || std::string_view("0123456789.").find(said.back()) == std::string_view::npos;
+    std::size_t end = value ? i + 3 : i + 1;
+    if (!value && fresh) end = std::max(end, std::min(pattern.find_first_not_of("0123456789.", i), pattern.size()));
+    const Message* sentence = value ? std::get_if<Message>(&message.values[which]) : nullptr;
+    std::string part = sentence ? text(*sentence, language, lengths)
+                       : value  ? std::get<std::string>(message.values[which])
+                                : std::string(pattern.substr(i, end - i));
+    if (lengths && pattern.substr(end).starts_with(kUnit))
+      if (auto words = reworded(part, lengths)) part = *std::move(words), end += kUnit.size();
+    said += part;
+    i = end;
   }
   return said;
 }
+
+std::string text(const Message& message, Language language) { return text(message, language, nullptr); }
 
 std::string text(const Message::Value& value, Language language) {
   const Message* sentence = std::get_if<Message>(&value);

@@ -154,6 +154,29 @@ TEST(StudioProgram, ABodyOfAMillionTrianglesIsWornOrRefusedWithASentence) {
   EXPECT_TRUE(fs::exists(program.picture()));
 }
 
+TEST(StudioProgram, OnAScreenTwiceAsFineEverythingIsTwiceAsFine) {
+  KARINUI_NEEDS_DISPLAY();
+  Started program;
+  program.start({"--new", "jis9ar", (program.folder.path / "coat.karinui").string()}, {{"QT_SCALE_FACTOR", "2"}});
+  ASSERT_EQ(program.status, 0) << program.said;
+  if (const char* folder = std::getenv("KARINUI_PICTURES"))
+    fs::copy_file(program.picture(), fs::path(folder) / "studio_fine.png", fs::copy_options::overwrite_existing);
+  const QImage fine(QString::fromStdString(program.picture().string()));
+  EXPECT_EQ(fine.size(), QSize(3000, 1840)) << "the same window in twice the pixels";
+  // What a coarser screen could not show: lost when it is made coarse and large again. Doubled pixels lose nothing.
+  const QImage coarse = fine.scaled(fine.size() / 2, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  const auto lost = [&](const QRect& part) {
+    int count = 0;
+    for (int y = part.top(); y <= part.bottom(); ++y)
+      for (int x = part.left(); x <= part.right(); ++x)
+        count += std::abs(qGray(fine.pixel(x, y)) - qGray(coarse.pixel(x / 2, y / 2))) > 24;
+    return count;
+  };
+  EXPECT_GT(lost({0, 0, 3000, 150}), 300) << "words and icons of the bars";
+  EXPECT_GT(lost({120, 1580, 1300, 190}), 300) << "the bar in the space";
+  EXPECT_GT(lost({360, 380, 660, 1100}), 60) << "the figure's outline";
+}
+
 // --- a power cut in the middle of a drag
 
 TEST(StudioKilled, DISABLED_WhileItDrags) {  // run as a process of its own by the next test

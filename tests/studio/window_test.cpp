@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <QAccessible>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -9,6 +10,7 @@
 #include <QTreeWidget>
 #include <fstream>
 
+#include "quad_window.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
@@ -186,6 +188,22 @@ TEST(StudioWindow, GivesEachEyeItsOwnPicture) {
     w.rest();
     EXPECT_GT(differing(side, w.space().grabFramebuffer()), 2000);
   }
+}
+
+TEST(StudioWindow, WhereNoScreenShowsTwoPicturesAtOnceASentenceSaysSo) {
+  KARINUI_NEEDS_DISPLAY();
+  if (QuadWindow::mayBeHad()) GTEST_SKIP() << "this screen does";
+  Window w;
+  QComboBox* screen = nullptr;
+  for (QComboBox* one : w.main().findChildren<QComboBox*>())
+    if (one->accessibleName() == "Screen" || one->findText("row by row") >= 0) screen = one;
+  ASSERT_TRUE(screen);
+  screen->setCurrentIndex(static_cast<int>(Stereo::Anaglyph));
+  screen->setCurrentIndex(static_cast<int>(Stereo::QuadBuffer));
+  w.rest();
+  EXPECT_EQ(w.space().stereo(), Stereo::Anaglyph) << "it stays as it was";
+  EXPECT_EQ(screen->currentIndex(), static_cast<int>(Stereo::Anaglyph));
+  EXPECT_THAT(w.main().said().toStdString(), StartsWith("No screen of this machine"));
 }
 
 TEST(StudioWindow, MeasuresWithATape) {

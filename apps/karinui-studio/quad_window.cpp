@@ -1,0 +1,84 @@
+// epoxy before anything that might pull in the system's GL
+#include <epoxy/gl.h>
+
+#include "quad_window.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLShaderProgram>
+
+namespace karinui::studio {
+
+namespace {
+
+constexpr const char* kVertex = R"(#version 330 core
+out vec2 at;
+void main() {
+  at = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  gl_Position = vec4(at * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+constexpr const char* kFragment = R"(#version 330 core
+in vec2 at;
+uniform sampler2D eye;
+out vec4 colour;
+void main() { colour = vec4(texture(eye, at).rgb, 1.0); }
+)";
+
+QSurfaceFormat twofold() {
+  QSurfaceFormat format = QSurfaceFormat::defaultFormat();
+  format.setStereo(true);
+  return format;
+}
+
+}  // namespace
+
+bool QuadWindow::mayBeHad() {
+  QOpenGLContext context;
+  context.setFormat(twofold());
+  return context.create() && context.format().stereo();
+}
+
+QuadWindow::QuadWindow(QOpenGLContext* shared) : QOpenGLWindow(shared) {
+  setFormat(twofold());
+  setTitle("Karinui");
+}
+
+QuadWindow::~QuadWindow() {
+  makeCurrent();
+  if (arrays_) glDeleteVertexArrays(1, &arrays_);
+  program_.reset();
+  doneCurrent();
+}
+
+void QuadWindow::show(std::array<unsigned, 2> eyes) {
+  eyes_ = eyes;
+  update();
+}
+
+void QuadWindow::initializeGL() {
+  program_ = std::make_unique<QOpenGLShaderProgram>();
+  program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kVertex);
+  program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kFragment);
+  program_->link();
+  glGenVertexArrays(1, &arrays_);
+}
+
+void QuadWindow::paintGL() {
+  const double ratio = devicePixelRatioF();
+  glViewport(0, 0, static_cast<int>(width() * ratio), static_cast<int>(height() * ratio));
+  glDisable(GL_DEPTH_TEST);
+  program_->bind();
+  program_->setUniformValue("eye", 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindVertexArray(arrays_);
+  const GLenum sides[] = {GL_BACK_LEFT, GL_BACK_RIGHT};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (format().stereo()) glDrawBuffer(sides[k]);
+    glBindTexture(GL_TEXTURE_2D, eyes_[k]);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  glBindVertexArray(0);
+  program_->release();
+}
+
+}  // namespace karinui::studio
