@@ -105,7 +105,7 @@ Result<SurfacePoint> Body::find(const BodyPoint& point) const {
   const double top = static_cast<double>(chartLevels(point.part).size() - 1);
   if (!(point.along >= 0 && point.along <= top) || !std::isfinite(point.around))
     return badInput(say("The place {0} lies beyond its part of the body.", text(point)));
-  const Ray ray = parts_.chart->at(point.part, point.along);
+  const ChartRay ray = parts_.chart->at(point.part, point.along);
   const Vec3 towards = normalized(ray.towards(point.around));
   // The skin of this part is where the ray first leaves the body.
   for (const Bvh::Hit& hit : bvh_.all(ray.from, towards)) {
@@ -122,7 +122,7 @@ BodyPoint Body::describe(const SurfacePoint& place) const {
     static constexpr std::array kOrder{Part::LeftArm, Part::RightArm, Part::LeftLeg, Part::RightLeg, Part::Torso};
     for (const Part part : kOrder)
       for (const double along : parts_.chart->alongOf(part, p)) {
-        const Ray ray = parts_.chart->at(part, along);
+        const ChartRay ray = parts_.chart->at(part, along);
         const Vec3 q = p - ray.from;
         const double turns = std::atan2(dot(q, ray.side), dot(q, ray.front)) / (2 * std::numbers::pi);
         point.part = part;

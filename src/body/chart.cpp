@@ -97,7 +97,7 @@ std::span<const std::string_view> chartLevels(Part part) {
   }
 }
 
-Vec3 Ray::towards(double around) const {
+Vec3 ChartRay::towards(double around) const {
   const double t = 2 * std::numbers::pi * around;
   return front * std::cos(t) + side * std::sin(t);
 }
@@ -106,13 +106,13 @@ double Template::reach(Part part) const {
   return height * (part == Part::Torso ? 0.20 : part == Part::LeftArm || part == Part::RightArm ? 0.075 : 0.17);
 }
 
-Ray Template::at(Part part, double along) const {
+ChartRay Template::at(Part part, double along) const {
   const auto& levels = level[static_cast<std::size_t>(part)];
   const double top = static_cast<double>(levels.size() - 1);
   along = std::clamp(along, 0.0, top);
   const auto i = std::min(static_cast<std::size_t>(along), levels.size() - 2);
   const double t = along - static_cast<double>(i);
-  Ray ray;
+  ChartRay ray;
   ray.from = lerp(levels[i].centre, levels[i + 1].centre, t);
   ray.normal = normalized(lerp(levels[i].normal, levels[i + 1].normal, t));
   const Vec3 z{0, 0, 1};
@@ -123,7 +123,7 @@ Ray Template::at(Part part, double along) const {
 
 std::vector<double> Template::alongOf(Part part, Vec3 place) const {
   const auto beyond = [&](double s) {
-    const Ray ray = at(part, s);
+    const ChartRay ray = at(part, s);
     return dot(place - ray.from, ray.normal);
   };
   std::vector<double> found;

@@ -16,7 +16,7 @@ struct Level {
 };
 
 // A plane of the chart with its directions: around = 0 is front, 0.25 the body's left.
-struct Ray {
+struct ChartRay {
   Vec3 from, normal, front, side;
   Vec3 towards(double around) const;
 };
@@ -25,7 +25,7 @@ struct Body::Parts::Template {
   std::array<std::vector<Level>, 5> level;  // torso, left arm, right arm, left leg, right leg
   double height = 1.7;
   double reach(BodyPoint::Part part) const;  // further out than this a ray has left the part
-  Ray at(BodyPoint::Part part, double along) const;
+  ChartRay at(BodyPoint::Part part, double along) const;
   // Every `along` at which the part's plane passes through the place.
   std::vector<double> alongOf(BodyPoint::Part part, Vec3 place) const;
 };

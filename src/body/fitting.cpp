@@ -67,7 +67,7 @@ double worstShare(const std::vector<Aim>& aims, const Reading& reading, bool sta
   return worst;
 }
 
-Fitting::Fitting(std::vector<Aim> aims) : aims_(std::move(aims)) {
+FigureFitting::FigureFitting(std::vector<Aim> aims) : aims_(std::move(aims)) {
   for (const Aim& aim : aims_)
     if (const std::string knob = knobOf(aim.key);
         !knob.empty() && std::find(knob_.begin(), knob_.end(), knob) == knob_.end())
@@ -88,7 +88,7 @@ Fitting::Fitting(std::vector<Aim> aims) : aims_(std::move(aims)) {
   at_.assign(knob_.size(), 0);
 }
 
-std::vector<double> Fitting::gapsOf(const Reading& reading) const {
+std::vector<double> FigureFitting::gapsOf(const Reading& reading) const {
   std::vector<double> gaps;
   for (const Aim& aim : aims_) {
     const auto it = reading.value.find(aim.key);
@@ -98,15 +98,15 @@ std::vector<double> Fitting::gapsOf(const Reading& reading) const {
   return gaps;
 }
 
-Alteration Fitting::amounts(const std::vector<double>& units) const {
+Alteration FigureFitting::amounts(const std::vector<double>& units) const {
   Alteration out;
   for (std::size_t k = 0; k < knob_.size(); ++k) out[knob_[k]] = units[k] * unit_[k];
   return out;
 }
 
 // The step that brings the gaps nearest to zero if the answers are true, damped.
-std::vector<double> Fitting::step(const std::vector<double>& at, const std::vector<double>& gaps,
-                                  double damping) const {
+std::vector<double> FigureFitting::step(const std::vector<double>& at, const std::vector<double>& gaps,
+                                        double damping) const {
   const auto n = static_cast<Eigen::Index>(knob_.size()), m = static_cast<Eigen::Index>(aims_.size());
   MatrixXd a(m, n);
   VectorXd r(m), x(n);
@@ -123,7 +123,7 @@ std::vector<double> Fitting::step(const std::vector<double>& at, const std::vect
   return out;
 }
 
-void Fitting::learn(const std::vector<double>& step, const std::vector<double>& change) {
+void FigureFitting::learn(const std::vector<double>& step, const std::vector<double>& change) {
   const double size = norm(step);
   if (size < 0.05) return;  // less than the tape's own trembling
   for (std::size_t i = 0; i < aims_.size(); ++i) {
@@ -133,7 +133,7 @@ void Fitting::learn(const std::vector<double>& step, const std::vector<double>& 
   }
 }
 
-bool Fitting::measureAnswers(const Wear& wear, const std::vector<double>& at, const std::vector<double>& gaps) {
+bool FigureFitting::measureAnswers(const Wear& wear, const std::vector<double>& at, const std::vector<double>& gaps) {
   for (std::size_t k = 0; k < knob_.size(); ++k) {
     std::vector<double> turned = at;
     turned[k] += 0.6;
@@ -146,7 +146,7 @@ bool Fitting::measureAnswers(const Wear& wear, const std::vector<double>& at, co
   return true;
 }
 
-double Fitting::search(const Wear& wear, int rounds, double enough, int measures) {
+double FigureFitting::search(const Wear& wear, int rounds, double enough, int measures) {
   const auto worst = [&](const std::vector<double>& gaps) {
     double most = 0;
     for (std::size_t i = 0; i < gaps.size(); ++i)
@@ -190,7 +190,7 @@ double Fitting::search(const Wear& wear, int rounds, double enough, int measures
   return least;
 }
 
-std::string Fitting::quarrelsWith(const std::string& missed) const {
+std::string FigureFitting::quarrelsWith(const std::string& missed) const {
   const auto n = static_cast<Eigen::Index>(knob_.size());
   const auto it = std::find_if(aims_.begin(), aims_.end(), [&](const Aim& aim) { return aim.key == missed; });
   if (it == aims_.end()) return {};

@@ -31,11 +31,11 @@ struct Miss {
 std::vector<Miss> misses(const std::vector<Aim>& aims, const Reading& reading);
 double worstShare(const std::vector<Aim>& aims, const Reading& reading, bool statedOnly);
 
-class Fitting {
+class FigureFitting {
  public:
   // Makes and reads the figure altered so; nothing where there is no body to read.
   using Wear = std::function<std::optional<Reading>(const Alteration&)>;
-  explicit Fitting(std::vector<Aim> aims);
+  explicit FigureFitting(std::vector<Aim> aims);
 
   const std::vector<Aim>& aims() const { return aims_; }
   // At most `rounds` tries; stops as soon as every miss is below `enough`. `measures`: how often the answers may be

@@ -58,7 +58,7 @@ std::vector<Aim> aimsFor(const Measurements& stated, const Measurements& complet
   return aims;
 }
 
-Error unmet(const Fitting& fitting, const Reading& reading) {
+Error unmet(const FigureFitting& fitting, const Reading& reading) {
   Miss worst;
   const auto all = misses(fitting.aims(), reading);
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -100,7 +100,7 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
         inWords("height", complete.value.at("height"))));
   const double height = complete.value.at("height");
   const Figure drawn = model.draw(complete);
-  Fitting fitting(aimsFor(wanted, complete, model, drawn.at));
+  FigureFitting fitting(aimsFor(wanted, complete, model, drawn.at));
 
   struct {
     TriangleMesh mesh;
@@ -109,7 +109,7 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   } now;
   double cell = kCoarse, shift = 0;
   int polish = 2, tries = 0;
-  const Fitting::Wear wear = [&](const Alteration& by) -> std::optional<Reading> {
+  const FigureFitting::Wear wear = [&](const Alteration& by) -> std::optional<Reading> {
     if (token.cancelled()) return std::nullopt;
     token.progress(0.95 * (1 - std::exp(-0.06 * ++tries)), say("Fitting the mannequin"));
     now.figure = altered(drawn, by);

@@ -107,7 +107,7 @@ class Splits {
     return grew;
   }
   // `apart`: metres; nearer to another split (a hundredth of a millimetre) it is the same one.
-  bool add(const EdgePlace& place, double apart = 1e-5) {
+  bool add(const SeamPlace& place, double apart = 1e-5) {
     const Edge* edge = edgeOf(pattern_, place.piece, place.edge);
     if (!edge) return false;
     const double tiny = apart / edge->curve.length();
@@ -198,7 +198,7 @@ Result<std::string> writeGarmentCode(const Pattern& pattern) {
     panels[names[id]] = panelOf(*piece, edges[id]);
     order.push_back(names[id]);
   }
-  const auto sideAt = [&](const EdgePlace& place) -> std::optional<Json> {
+  const auto sideAt = [&](const SeamPlace& place) -> std::optional<Json> {
     const auto found = edges.find(place.piece);
     if (found == edges.end()) return std::nullopt;
     for (std::size_t i = 0; i < found->second.size(); ++i) {

@@ -36,7 +36,7 @@ std::vector<double> SeamSide::breaks() const {
   return out;
 }
 
-EdgePlace SeamSide::at(double fraction) const {
+SeamPlace SeamSide::at(double fraction) const {
   if (spans_.empty()) return {};
   const double along = std::clamp(against_ ? 1 - fraction : fraction, 0.0, 1.0) * length();
   std::size_t i = 0;

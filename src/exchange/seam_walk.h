@@ -8,7 +8,7 @@
 
 namespace karinui {
 
-struct EdgePlace {
+struct SeamPlace {
   PieceId piece;
   std::string edge;
   double fraction = 0;  // of the edge's length
@@ -22,7 +22,7 @@ class SeamSide {
 
   double length() const { return end_.empty() ? 0 : end_.back(); }
   std::vector<double> breaks() const;   // fractions where spans begin or end: 0 … 1, ascending
-  EdgePlace at(double fraction) const;  // at a break: on one of the two spans that meet there
+  SeamPlace at(double fraction) const;  // at a break: on one of the two spans that meet there
   const std::vector<EdgeSpan>& spans() const { return spans_; }
   double fractionOf(std::size_t span, double edgeFraction) const;  // where a place of that span comes on the walk
 

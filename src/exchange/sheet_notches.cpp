@@ -23,7 +23,7 @@ Flat unitTangent(const Curve& curve, double t) {
                             : curve.at(t) - curve.at(t - 1e-3));  // a handle of no length
 }
 
-std::optional<OnEdge> placeOf(const Pattern& pattern, const EdgePlace& at) {
+std::optional<OnEdge> placeOf(const Pattern& pattern, const SeamPlace& at) {
   const auto found = pattern.pieces.find(at.piece);
   if (found == pattern.pieces.end()) return std::nullopt;
   const Piece& piece = *found->second;
@@ -63,7 +63,7 @@ std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
         std::none_of(fractions.begin(), fractions.end(), [](double f) { return std::abs(f - 0.5) < 0.1; });
     if (balance && free) fractions.insert(std::upper_bound(fractions.begin(), fractions.end(), 0.5), 0.5);
     for (const double fraction : fractions) {
-      const EdgePlace atA = sides.a.at(fraction), atB = sides.b.at(fraction);
+      const SeamPlace atA = sides.a.at(fraction), atB = sides.b.at(fraction);
       const auto a = placeOf(pattern, atA), b = placeOf(pattern, atB);
       if (!a || !b) continue;
       if (a->corner && b->corner) continue;  // two corners find each other
@@ -81,7 +81,7 @@ std::vector<SeamTag> seamTags(const Pattern& pattern) {
     ++number;
     const SeamSides sides(pattern, seam);
     for (const SeamSide* side : {&sides.a, &sides.b}) {
-      const EdgePlace at = side->at(0.5);
+      const SeamPlace at = side->at(0.5);
       if (const auto place = placeOf(pattern, at)) out.push_back({at.piece, place->place, place->outward, number});
     }
   }
