@@ -6,17 +6,12 @@
 #include <QOpenGLContext>
 #include <QOpenGLShaderProgram>
 
+#include "view_eyes.h"
+
 namespace karinui::studio {
 
 namespace {
 
-constexpr const char* kVertex = R"(#version 330 core
-out vec2 at;
-void main() {
-  at = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
-  gl_Position = vec4(at * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
 constexpr const char* kFragment = R"(#version 330 core
 in vec2 at;
 uniform sampler2D eye;
@@ -57,7 +52,7 @@ void QuadWindow::show(std::array<unsigned, 2> eyes) {
 
 void QuadWindow::initializeGL() {
   program_ = std::make_unique<QOpenGLShaderProgram>();
-  program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kVertex);
+  program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kWholeTarget);
   program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kFragment);
   program_->link();
   glGenVertexArrays(1, &arrays_);

@@ -11,6 +11,15 @@ class QOpenGLShaderProgram;
 
 namespace karinui::studio {
 
+// A triangle over the whole target; `at` runs from 0 to 1 across it and up.
+inline constexpr const char* kWholeTarget = R"(#version 330 core
+out vec2 at;
+void main() {
+  at = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  gl_Position = vec4(at * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
 class EyeCompositor {
  public:
   EyeCompositor();
