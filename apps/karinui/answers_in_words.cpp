@@ -1,6 +1,7 @@
 #include "answers_in_words.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "karinui/base/number.h"
 
@@ -61,7 +62,8 @@ std::string yesOrNo(bool yes, const Console& console) { return console.said(yes 
 
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console) {
   Table table;
-  for (const auto& [key, metres] : measured.value) table.row({key, mm(metres)});
+  for (const auto& [key, value] : measured.value)
+    table.row({key, isAngle(key) ? fixed(value * 180 / std::numbers::pi, 1) + " deg" : mm(value)});
   Table surface;
   surface.row({console.said(say("Triangles")), std::to_string(mesh.triangles)});
   surface.row({console.said(say("Closed")), yesOrNo(mesh.closed(), console)});

@@ -533,17 +533,18 @@ class Reader {
         if (std::abs(p.x - middle_) < reach) ring.push_back(p);
       if (ring.size() > 3) set("neck_base_girth", tightTapeLength(ring, up));
     }
-    const double side = 0.038 * height_;
+    const double side = 0.038 * height_;  // beside the neck, where it runs out into the shoulder; above it is the head
     for (const int s : {0, 1})
-      if (const auto p = topAt(middle_ + (s ? -side : side))) out_.landmark[s ? "neck_right" : "neck_left"] = *p;
+      if (const auto p = topAt(middle_ + (s ? -side : side), through.y))
+        out_.landmark[s ? "neck_right" : "neck_left"] = *p;
   }
 
-  // The highest point of the body in the plane x = const.
-  std::optional<Vec3> topAt(double x) const {
+  // The highest point of the body in the plane x = const, no higher than asked.
+  std::optional<Vec3> topAt(double x, double below = 1e9) const {
     std::optional<Vec3> best;
     for (const SectionLoop& loop : section(mesh_, {{x, 0, 0}, {1, 0, 0}}))
       for (const Vec3& p : loop.points)
-        if (!best || p.y > best->y) best = p;
+        if (p.y <= below && (!best || p.y > best->y)) best = p;
     return best;
   }
 

@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Body, WholePeople, testing::Values("f_eu38", "f_jis9ar"
 TEST(Mannequin, EveryKeyCanBeAskedFor) {
   const BodyPtr usual = kept("eu38");
   ASSERT_TRUE(usual);
-  constexpr std::size_t kSets = 4;
+  constexpr std::size_t kSets = 3;
   std::vector<Measurements> sets(kSets, sizeNamed("eu38"));
   std::size_t turn = 0;
   for (const auto key : mannequinKeys()) {
@@ -182,6 +182,22 @@ TEST(Mannequin, ACancelledOneIsNotMade) {
   const auto body = makeMannequin(sizeNamed("eu38"), workers, token);
   ASSERT_FALSE(body);
   EXPECT_EQ(body.error().kind, Error::Kind::Cancelled);
+}
+
+TEST(Mannequin, TheNeckEndsInItsShoulders) {
+  for (const char* size : {"jis9ar", "eu38", "large"}) {
+    const BodyPtr body = kept(size);
+    ASSERT_TRUE(body) << size;
+    const auto& m = body->measured().value;
+    EXPECT_GT(m.at("shoulder_length"), 0.10) << size;
+    EXPECT_LT(m.at("shoulder_length"), 0.18) << size;
+    EXPECT_NEAR(m.at("shoulder_slope"), 0.42, 0.14) << size;  // 16 to 32 degrees
+    for (const char* name : {"neck_left", "neck_right"}) {
+      const Vec3 p = body->landmarks().at(name);
+      EXPECT_GT(p.y, m.at("shoulder_height")) << size;
+      EXPECT_LT(p.y, m.at("neck_height")) << size << ": not on the head";
+    }
+  }
 }
 
 TEST(Mannequin, TheSamePlaceOnAnotherBody) {

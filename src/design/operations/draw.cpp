@@ -11,6 +11,7 @@ namespace karinui {
 namespace {
 
 constexpr double kNearlyMeet = 0.015;                    // metres: ends this near are one
+constexpr double kShortestDart = 0.015;                  // metres: a shorter one would take nothing in
 constexpr double kCorner = 35 * std::numbers::pi / 180;  // a line that turns more has a corner
 constexpr std::string_view kCurvesOn = "~";
 
@@ -114,12 +115,18 @@ Done settleLine(DrawPiece& draw, const DrawingGround& ground, const Body& body) 
 
 std::optional<Message> adviceOn(const DrawnSheet& sheet) {
   if (sheet.distortion.gate != Distortion::Gate::Red) return std::nullopt;
+  const std::string stretch = fixed(100 * std::fmax(sheet.distortion.warp.p99, sheet.distortion.weft.p99), 1),
+                    shear = fixed(sheet.distortion.shear.p99 * 180 / std::numbers::pi, 0),
+                    high = fixed(sheet.worst.y * 100, 0);
+  if (sheet.cutLength < kShortestDart)
+    return say(
+        "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} degrees, most {2} cm above the "
+        "floor, at the edge {3}. Another course of that edge, or a seam through there, would help.",
+        stretch, shear, high, sheet.nearestEdge);
   return say(
       "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} degrees, most {2} cm above the "
       "floor. A dart or cut from the edge {3}, {4} cm long, would help.",
-      fixed(100 * std::fmax(sheet.distortion.warp.p99, sheet.distortion.weft.p99), 1),
-      fixed(sheet.distortion.shear.p99 * 180 / std::numbers::pi, 0), fixed(sheet.worst.y * 100, 0), sheet.nearestEdge,
-      fixed(sheet.cutLength * 100, 0));
+      stretch, shear, high, sheet.nearestEdge, fixed(sheet.cutLength * 100, 0));
 }
 
 }  // namespace
