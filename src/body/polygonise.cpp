@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 namespace karinui {
@@ -47,12 +46,30 @@ class Whole {
   std::size_t corner(std::size_t cellIndex, int c) const {
     return cellIndex + (c & 1) * ny_ * nz_ + (c >> 1 & 1) * nz_ + (c >> 2 & 1);
   }
-  unsigned inside(std::size_t cellIndex) const {
-    unsigned bits = 0;
-    for (int c = 0; c < kCorners; ++c) bits |= static_cast<unsigned>(value_[corner(cellIndex, c)] < 0) << c;
-    return bits;
-  }
   Vec3 world(Vec3 p) const { return low_ + p * cell_; }  // p in cells
+
+  struct Cell {
+    std::array<std::size_t, 3> at;
+    std::size_t index;
+    unsigned inside;  // a bit for each corner
+  };
+  // The cells the surface passes through, in the grid's order.
+  std::vector<Cell> crossed() const {
+    std::vector<Cell> out;
+    std::vector<std::uint8_t> rows(nz_);  // of four rows of corners, which are inside
+    for (std::size_t x = 0; x + 1 < nx_; ++x)
+      for (std::size_t y = 0; y + 1 < ny_; ++y) {
+        const std::size_t first = index(x, y, 0);
+        const float *a = &value_[first], *b = &value_[corner(first, 1)], *c = &value_[corner(first, 2)],
+                    *d = &value_[corner(first, 3)];
+        for (std::size_t z = 0; z < nz_; ++z)
+          rows[z] = static_cast<std::uint8_t>((a[z] < 0) | (b[z] < 0) << 1 | (c[z] < 0) << 2 | (d[z] < 0) << 3);
+        for (std::size_t z = 0; z + 1 < nz_; ++z)
+          if (const unsigned bits = rows[z] | unsigned{rows[z + 1]} << 4; bits != 0 && bits != 255)
+            out.push_back({{x, y, z}, first + z, bits});
+      }
+    return out;
+  }
 
   // Fills the nearest outer corner of every cell in which inside or outside falls apart, until there is none.
   void fillAwkwardCells() {
@@ -61,28 +78,21 @@ class Whole {
     for (bool changed = true; changed;) {
       changed = false;
       std::vector<std::size_t> fill;
-      forCells([&](std::size_t, std::size_t, std::size_t, std::size_t i) {
-        const unsigned bits = inside(i);
-        if (good[bits]) return;
+      for (const Cell& cell : crossed()) {
+        if (good[cell.inside]) continue;
         std::size_t nearest = 0;
         float least = 1e9f;
         for (int c = 0; c < kCorners; ++c)
-          if (!(bits >> c & 1) && value_[corner(i, c)] < least) least = value_[corner(i, c)], nearest = corner(i, c);
+          if (const std::size_t i = corner(cell.index, c); !(cell.inside >> c & 1) && value_[i] < least)
+            least = value_[i], nearest = i;
         fill.push_back(nearest);
-      });
+      }
       for (const std::size_t i : fill) {
         const std::size_t x = i / (ny_ * nz_);
         for (const std::size_t at : {i, i + (nx_ - 1 - 2 * x) * ny_ * nz_})  // on both sides alike
           if (value_[at] >= 0) value_[at] = -1e-4f, changed = true;
       }
     }
-  }
-
-  template <class Visit>
-  void forCells(const Visit& visit) const {
-    for (std::size_t x = 0; x + 1 < nx_; ++x)
-      for (std::size_t y = 0; y + 1 < ny_; ++y)
-        for (std::size_t z = 0; z + 1 < nz_; ++z) visit(x, y, z, index(x, y, z));
   }
 
   // Value and slope (per cell) of the trilinear function; p in cells.
@@ -184,26 +194,23 @@ TriangleMesh polygonise(const FieldGrid& half, int rounds, Workers& workers) {
   constexpr std::uint32_t kNone = ~0u;
   std::vector<std::uint32_t> pointOf(grid.nx() * grid.ny() * grid.nz(), kNone);
   std::vector<Vec3> points;
-  grid.forCells([&](std::size_t x, std::size_t y, std::size_t z, std::size_t i) {
-    const unsigned bits = grid.inside(i);
-    if (bits == 0 || bits == 255) return;
+  const auto crossed = grid.crossed();
+  for (const auto& [at, i, inside] : crossed) {
     pointOf[i] = static_cast<std::uint32_t>(points.size());
-    points.push_back(crossingMean(grid, i, Vec3{double(x), double(y), double(z)}));
-  });
+    points.push_back(crossingMean(grid, i, Vec3{double(at[0]), double(at[1]), double(at[2])}));
+  }
   const std::array<std::size_t, 3> stride{grid.ny() * grid.nz(), grid.nz(), 1};
   std::vector<Quad> quads;
-  grid.forCells([&](std::size_t x, std::size_t y, std::size_t z, std::size_t i) {
-    const std::array<std::size_t, 3> at{x, y, z};
+  for (const auto& [at, i, inside] : crossed)
     for (int axis = 0; axis < 3; ++axis) {
       const int b = (axis + 1) % 3, c = (axis + 2) % 3;
       if (at[b] == 0 || at[c] == 0) continue;
-      const bool here = grid.value(i) < 0, there = grid.value(i + stride[axis]) < 0;
+      const bool here = inside & 1, there = inside >> (1 << axis) & 1;
       if (here == there) continue;
       Quad q{pointOf[i - stride[b] - stride[c]], pointOf[i - stride[c]], pointOf[i], pointOf[i - stride[b]]};
       if (!here) std::swap(q[1], q[3]);
       quads.push_back(q);
     }
-  });
   relax(grid, points, quads, rounds, workers);
   TriangleMesh mesh;
   mesh.points.resize(points.size());

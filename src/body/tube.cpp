@@ -47,6 +47,7 @@ Tube::Tube(const std::vector<Section>& stations, Harmonics harmonics, int steps)
   for (int i = 0; i + 1 < n; ++i)
     for (int s = 0; s < steps; ++s) ring_.push_back(mix(i, double(s) / steps));
   ring_.push_back(stations.back());
+  for (const Section& s : ring_) level_.push_back({s.centre, s.normal});
   parallel_ = std::all_of(ring_.begin(), ring_.end(),
                           [&](const Section& s) { return squaredLength(s.normal - ring_[0].normal) < 1e-24; });
   for (std::size_t i = 1; i < ring_.size(); ++i)
@@ -58,7 +59,7 @@ Tube::Tube(const std::vector<Section>& stations, Harmonics harmonics, int steps)
 
 Tube::Value Tube::at(Vec3 p) const {
   const std::size_t n = ring_.size();
-  const auto beyond = [&](std::size_t k) { return dot(p - ring_[k].centre, ring_[k].normal); };
+  const auto beyond = [&](std::size_t k) { return dot(p - level_[k].centre, level_[k].normal); };
   const double first = beyond(0), last = beyond(n - 1);
   const auto within = [&](Vec3 centre, double reach) { return squaredLength(p - centre) < reach * reach; };
   Value out;
@@ -75,7 +76,7 @@ Tube::Value Tube::at(Vec3 p) const {
   }
   for (std::size_t k = start; k < n; ++k) {
     const double now = beyond(k);
-    if (before >= 0 && now < 0 && within(lerp(ring_[k - 1].centre, ring_[k].centre, 0.5), reach_[k - 1])) {
+    if (before >= 0 && now < 0 && within(lerp(level_[k - 1].centre, level_[k].centre, 0.5), reach_[k - 1])) {
       low = k - 1;
       t = before / std::max(before - now, 1e-12);
       break;

@@ -21,7 +21,11 @@ class Tube {
   void bounds(Vec3& low, Vec3& high) const;
 
  private:
+  struct Level {
+    Vec3 centre, normal;
+  };
   std::vector<Section> ring_;
+  std::vector<Level> level_;   // of the rings, close together: they are gone through for every place
   std::vector<double> reach_;  // how far from the middle of an interval its planes are believed
   Harmonics harmonics_;
   bool parallel_ = false;  // all planes: each place lies between two of them at the most

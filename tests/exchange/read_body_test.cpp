@@ -306,9 +306,11 @@ TEST_F(ReadBody, StandsEveryBadFileHandedToTheTests) {
       const auto body = read(entry.path(), options);
       if (body) {
         EXPECT_TRUE(body->report.closed()) << entry.path();
-      } else {
-        EXPECT_FALSE(text(body.error().what).empty());
+        break;
       }
+      const std::string said = text(body.error().what);
+      EXPECT_FALSE(said.empty());
+      if (said.find("wrapped") == said.npos) break;  // not what a skin over it would mend
     }
   }
   EXPECT_GT(tried, 100u);
