@@ -22,16 +22,22 @@ double clearanceOf(const Cloth& cloth, const ClothState& state, const Collider& 
 
 }  // namespace
 
+Examined examine(const Workload& load) {
+  const ClothLevel& finest = load.levels.back();
+  Examined so{check(finest.cloth, finest.state, load.body.get())};
+  if (!so.check.finite) return so;
+  so.clearance = clearanceOf(finest.cloth, finest.state, *load.collider);
+  so.check.penetration = std::fmax(so.check.penetration, -so.clearance);
+  return so;
+}
+
 Result<Finding> run(Workload& load, const Token& token, Workers& workers) {
   Finding finding;
   const auto report = settle(load.levels, *load.collider, {}, token, workers);
   if (!report) return report.error();
   finding.report = *report;
-  const ClothLevel& finest = load.levels.back();
-  finding.check = check(finest.cloth, finest.state, load.body.get());
-  finding.clearance = clearanceOf(finest.cloth, finest.state, *load.collider);
-  finding.check.penetration = std::fmax(finding.check.penetration, -finding.clearance);
-  const auto after = runOn(finest, *load.collider, {}, kRunOnFrames, token, workers);
+  finding.found = examine(load);
+  const auto after = runOn(load.levels.back(), *load.collider, {}, kRunOnFrames, token, workers);
   if (!after) return after.error();
   finding.after = *after;
   return finding;

@@ -6,11 +6,16 @@
 
 namespace karinui::bench {
 
-struct Finding {
-  SettleReport report;
+struct Examined {
   ClothCheck check;      // with the penetration of an analytic body as well
   double clearance = 0;  // metres the cloth keeps from the body, at 15 places of each face; negative: penetration
-  RunOn after;           // 300 frames of dynamics after rest
+};
+Examined examine(const Workload& load);  // its finest state
+
+struct Finding {
+  SettleReport report;
+  Examined found;
+  RunOn after;  // 300 frames of dynamics after rest
 };
 // The workload's finest state becomes the settled one.
 Result<Finding> run(Workload& load, const Token& token, Workers& workers);

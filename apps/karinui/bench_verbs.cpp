@@ -5,6 +5,7 @@
 
 #include "bench/cusick.h"
 #include "bench/edits.h"
+#include "bench/foreign.h"
 #include "bench/run.h"
 #include "commands.h"
 #include "drape_picture.h"
@@ -18,7 +19,8 @@ namespace karinui::app {
 namespace {
 
 struct BenchOptions {
-  std::string scene, out, data = "../shared", fabric, pictures;
+  std::string scene, out, data = "../shared", fabric, pictures, start;
+  std::vector<std::string> judged;
   std::size_t vertices = 0;
   int threads = 1, runs = 0;
 };
@@ -33,10 +35,15 @@ Result<bench::Workload> workloadOf(const BenchOptions& options, Workers& workers
                         options.vertices, workers, token);
 }
 
+void addClearance(Json& object, const bench::Examined& found) {
+  if (found.check.finite && found.clearance < 1)  // none where there is no body
+    object["clearance_mm"] = found.clearance * 1000;
+}
+
 Json findingJson(const bench::Workload& load, const bench::Finding& found, int threads, const Console& console) {
   Json object = {{"scene", load.name}, {"threads", threads}};
-  object.update(settleJson(found.report, found.check, console));
-  if (found.clearance < 1) object["clearance_mm"] = found.clearance * 1000;  // none where there is no body
+  object.update(settleJson(found.report, found.found.check, console));
+  addClearance(object, found.found);
   object["hash"] = Hasher().add(std::span<const Vec3>(load.levels.back().state.position)).hex();  // of where it rests
   object["drift_mm"] = found.after.drift * 1000;
   object["first_top_speed_mm_s"] = found.after.firstTopSpeed * 1000;
@@ -156,12 +163,35 @@ int runEdits(Program& program, const BenchOptions& options) {
   return unsettled == 0 ? kDone : kNotSettled;
 }
 
+// What another program made of the scene.
+int runJudge(Program& program, const BenchOptions& options, bench::Workload& load) {
+  const auto judged = bench::judge(load, {options.judged.begin(), options.judged.end()});
+  if (!judged) return program.console.refuse(judged.error());
+  Json object = {{"scene", load.name}};
+  object.update(checkJson(judged->found.check));
+  addClearance(object, judged->found);
+  object["height_m"] = judged->height;
+  object["drift_mm"] = judged->drift * 1000;
+  object["top_speed_mm_s"] = judged->topSpeed * 1000;
+  program.console.answer(object, words(object));
+  return kDone;
+}
+
+int writeStart(Program& program, const BenchOptions& options, const bench::Workload& load) {
+  const auto scene = bench::startOf(load);
+  if (!scene) return program.console.refuse(scene.error());
+  if (const Done written = writeFile(options.start, *scene); !written) return program.console.refuse(written.error());
+  return kDone;
+}
+
 int runBench(Program& program, const BenchOptions& options) {
   if (options.scene == "cusick") return runCusick(program, options);
   if (options.scene == "edits") return runEdits(program, options);
   Workers workers(options.threads);
   auto load = workloadOf(options, workers, program.console.token());
   if (!load) return program.console.refuse(load.error());
+  if (!options.start.empty()) return writeStart(program, options, *load);
+  if (!options.judged.empty()) return runJudge(program, options, *load);
   const auto found = bench::run(*load, program.console.token(), workers);
   if (!found) return program.console.refuse(found.error());
   if (!options.out.empty())
@@ -195,6 +225,11 @@ void addBenchVerb(Program& program) {
   verb->add_option("--pictures", options->pictures,
                    help("cusick: a folder to keep a picture of each fabric on the tester in"))
       ->check(CLI::ExistingDirectory);
+  verb->add_option("--start", options->start,
+                   help("w1, w2, w3: write the scene as it starts as JSON for another program, and settle nothing"));
+  verb->add_option("--judge", options->judged,
+                   help("w1, w2, w3: examine what another program made of the scene, an OBJ file or several, 1/60 s "
+                        "apart, and settle nothing"));
   verb->add_option("-o,--out", options->out, help("Write the cloth at rest as an OBJ file"));
 }
 

@@ -46,6 +46,41 @@ TEST(BenchCommand, RestsWithTheSameBitsForAnyTeam) {
   }
 }
 
+// The judge of other programs' cloth says of ours what we said of it, and sees where it is spoilt.
+TEST(BenchCommand, JudgesAStrangersDrape) {
+  Folder folder;
+  const std::string start = folder / "start.json", rest = folder / "rest.obj", spoilt = folder / "spoilt.obj";
+  ASSERT_EQ(karinui("bench w3 --vertices 400 --start " + start).exit, 0);
+  const auto scene = nlohmann::json::parse(contents(start));
+  EXPECT_EQ(scene["capsules"].size(), 3u);
+  EXPECT_EQ(scene["capsules"][1]["b"], nlohmann::json({0.5, 0.18, 0.0}));
+  EXPECT_EQ(scene["weight"], 0.15);
+
+  const auto said = karinui("bench w3 --vertices 400 --json -o " + rest).json();
+  const auto judged = karinui("bench w3 --vertices 400 --json --judge " + rest).json();
+  EXPECT_EQ(judged["vertices"], scene["points"].size());
+  for (const char* key : {"strain_mean", "strain_p99", "strain_max", "clearance_mm", "seam_gap_mm", "penetration_mm"})
+    EXPECT_NEAR(judged[key].get<double>(), said[key].get<double>(), 1e-5) << key;
+  EXPECT_EQ(judged["cloth_cloth_crossings"], 0);
+  EXPECT_EQ(judged["top_speed_mm_s"], 0.0);
+
+  // Its first point, sewn to the back, goes to the body's middle within a frame.
+  std::string obj = contents(rest);
+  const std::size_t at = obj.find("v "), end = obj.find('\n', at);
+  double x = 0, y = 0, z = 0;
+  std::sscanf(obj.c_str() + at, "v %lf %lf %lf", &x, &y, &z);
+  obj.replace(at, end - at, "v 0 0 0");
+  write(spoilt, obj);
+  const auto found = karinui("bench w3 --vertices 400 --json --judge " + rest + " " + spoilt).json();
+  EXPECT_NEAR(found["top_speed_mm_s"].get<double>(), std::sqrt(x * x + y * y + z * z) * 60000, 1e-3);
+  EXPECT_NEAR(found["seam_gap_mm"].get<double>(), std::sqrt(x * x + y * y + z * z) * 1000, 1e-3);
+  EXPECT_NEAR(found["penetration_mm"].get<double>(), 140, 1e-6);
+  EXPECT_GT(found["strain_max"].get<double>(), 1);
+
+  EXPECT_EQ(karinui("bench w3 --vertices 800 --judge " + rest).exit, 3);
+  EXPECT_EQ(karinui("bench w3 --judge " + (folder / "nowhere.obj")).exit, 3);
+}
+
 // Laid anew on a coarser lattice, a limp and a stiff cloth come out as the shop says of them, and in that order.
 TEST(BenchCommand, LaysFabricsOnTheDrapeTester) {
   double before = 0;
