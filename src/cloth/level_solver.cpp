@@ -261,9 +261,15 @@ void LevelSolver::assemble(const Stride& stride, bool sliding) {
   system_->setCouplings(std::move(couplings));
 }
 
+bool LevelSolver::sound() const {
+  return std::all_of(x_.begin(), x_.end(), [](Vec3 p) { return finite(p); });
+}
+
 LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token) {
   Outcome outcome;
   if (ties_->unknowns() == 0) return outcome;
+  outcome.finite = sound();
+  if (!outcome.finite) return outcome;
   assemble(stride);
   std::vector<Vec3> nodeForce(cloth_.nodeCount);
   for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
@@ -283,7 +289,8 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
     most = std::fmax(most, squaredLength(nodeMove_[k]));
   }
   most = std::sqrt(most);
-  if (!outcome.finite || !std::isfinite(outcome.residual) || token.cancelled()) return outcome;
+  outcome.finite = outcome.finite && std::isfinite(outcome.residual);
+  if (!outcome.finite || token.cancelled()) return outcome;
   const double scale = most > stride.mostMove ? stride.mostMove / most : 1;
   outcome.shortened = scale < 1;
   workers_.forBlocks(moving_.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -302,7 +309,9 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
     both += dot(nodeMove_[k], velocity_[k]);
     velocity_[k] = nodeMove_[k] * (1 / stride.seconds);
     outcome.move = std::fmax(outcome.move, length(nodeMove_[k]));
+    outcome.finite = outcome.finite && finite(nodeMove_[k]);
   }
+  if (!outcome.finite) return outcome;
   if (simcloth_) simcloth_->setReach(std::clamp(kSlackReach * outcome.move, kLeastReach, kMostReach * cloth_.spacing));
   outcome.along = now > 0 && before > 0 ? both / std::sqrt(now * before) : 0;
   if (!cloth_.ties.empty()) ties_->gather(x_);
@@ -317,6 +326,8 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
 LevelSolver::Outcome LevelSolver::predict(const Stride& stride, const Token& token) {
   Outcome outcome;
   if (ties_->unknowns() == 0) return outcome;
+  outcome.finite = sound();
+  if (!outcome.finite) return outcome;
   assemble(stride, true);
   std::vector<Vec3> nodeForce(cloth_.nodeCount);
   for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
@@ -325,6 +336,7 @@ LevelSolver::Outcome LevelSolver::predict(const Stride& stride, const Token& tok
   for (Vec3 f : force_) squares += squaredLength(f);
   outcome.residual = std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
   outcome.iterations = system_->solve(force_, stride.stop, token, workers_, move_);
+  outcome.finite = std::isfinite(outcome.residual);
   for (Vec3 m : move_) {
     outcome.finite = outcome.finite && finite(m);
     outcome.move = std::fmax(outcome.move, length(m));

@@ -78,6 +78,7 @@ class LevelSolver {
   Vec3 handForce() const;  // newtons the hand feels: what threads stretched beyond their length pull with
 
  private:
+  bool sound() const;                                                // whether every place is a number
   void assemble(const Stride& stride, bool sliding = false);         // forces and system at x_
   void pushApart(std::vector<std::pair<NodeIndex, double>>& stiff);  // what crosses; adds to the gradient
   void followTangle();                                               // after a step

@@ -178,6 +178,36 @@ TEST(Torture, StepsOfAnyLengthKeepTheCloth) {
   }
 }
 
+// A handkerchief falls onto a sheet that is held, and onto a board of bars 6 mm thick, as far in a step as a step may
+// carry it, 1 cm: it lands on them.
+TEST(Torture, WhatFallsFastLandsOnWhatIsThin) {
+  for (const bool onCloth : {true, false}) {
+    SCOPED_TRACE(onCloth ? "on cloth" : "on bars");
+    ClothLevel level;
+    addPiece(level.cloth, gridLattice(6, 6, 0.01), *preset("cotton"));
+    if (onCloth) addPiece(level.cloth, gridLattice(14, 14, 0.01, {-0.04, -0.04}), *preset("cotton"), false);
+    level.state = standingBy(level.cloth, [](std::size_t piece, Flat p) {
+      return Vec3{p.u, piece == 0 ? 0.15 + 0.1 * p.u + 0.05 * p.v : 0.0, p.v};
+    });
+    std::vector<CapsuleBody::Capsule> bars;
+    for (int k = -20; k < 50 && !onCloth; ++k) bars.push_back({{-1, -0.003, 0.002 * k}, {1, -0.003, 0.002 * k}, 0.003});
+    const CapsuleBody body(bars);
+    Workers workers(1);
+    LevelSolver solver(level.cloth, level.state.position, body, {}, 0.002, workers);
+    LevelSolver::Stride stride;
+    stride.seconds = 1.0 / 60;
+    stride.mostMove = level.cloth.spacing;
+    stride.gravity = {0, -98.1, 0};
+    for (int k = 0; k < 60; ++k) {
+      stride.seconds = k % 3 == 1 ? 4.0 / 60 : 1.0 / 60;
+      ASSERT_TRUE(solver.step(stride, Token()).finite);
+      const ClothCheck found = check(level.cloth, {solver.places()}, nullptr);
+      ASSERT_EQ(found.clothClothCrossings, 0u) << k;
+      for (std::uint32_t n = 0; n < 49; ++n) ASSERT_GT(solver.places()[n].y, -0.001) << k;
+    }
+  }
+}
+
 // A hem jerked at 5 m/s and a target that leaps a metre away and back, at the rate a device sends; between them places
 // that are no numbers, which are refused and move nothing. Let go, the tunic is whole.
 TEST(Torture, AHandThatJerksLeapsAndStammersTearsNothing) {
@@ -221,6 +251,41 @@ TEST(Torture, AHandThatJerksLeapsAndStammersTearsNothing) {
     }
     for (const Vec3 f : report->force) EXPECT_LE(length(f), 40.001);  // no stronger than a hand
   }
+}
+
+// A body that answers nonsense now and then: what is no number is noticed in the step it comes up in, and the cloth
+// stays where it stood.
+class MadBody : public CapsuleBody {
+ public:
+  MadBody(double distance, Vec3 normal, int sane) : CapsuleBody(tunicBody()), mad_{distance, normal}, sane_(sane) {}
+  Contact contact(Vec3 p) const override { return ++asked_ > sane_ ? mad_ : CapsuleBody::contact(p); }
+  bool mayTouch(Vec3, double) const override { return true; }
+  Contact confirmed(Vec3 p) const override { return CapsuleBody::contact(p); }
+  int asked() const { return asked_; }
+
+ private:
+  Contact mad_;
+  int sane_;
+  mutable int asked_ = 0;
+};
+
+TEST(Torture, WhatIsNoNumberIsRefusedAndSpreadsNowhere) {
+  const double nan = std::nan(""), huge = HUGE_VAL;
+  for (const auto& [distance, normal] : {std::pair<double, Vec3>{-0.001, {nan, 0, 0}},
+                                         {-huge, {0, 1, 0}},
+                                         {-0.001, {0, huge, 0}},
+                                         {-1e300, {1e300, 0, 0}}})
+    for (const int sane : {0, 3000, 30000}) {
+      SCOPED_TRACE(std::to_string(distance) + ", " + std::to_string(normal.x) + ", after " + std::to_string(sane));
+      std::vector<ClothLevel> levels{tunic(6, *preset("cotton")), tunic(12, *preset("cotton"))};
+      const std::vector<Vec3> before = levels.back().state.position;
+      const MadBody body(distance, normal, sane);
+      Workers workers(1);
+      const auto report = settle(levels, body, {}, Token(), workers);
+      EXPECT_FALSE(report);
+      EXPECT_EQ(levels.back().state.position, before);
+      EXPECT_LT(body.asked(), sane + 20'000) << "noticed late";
+    }
 }
 
 // Ten times in a row, as if nothing had been before: garments of three kinds, each time at rest, each time the same
