@@ -81,6 +81,40 @@ TEST(BenchCommand, JudgesAStrangersDrape) {
   EXPECT_EQ(karinui("bench w3 --judge " + (folder / "nowhere.obj")).exit, 3);
 }
 
+// Every kind of edit is made on the tunic at rest and waited for. How long that takes is not for a test to say, but
+// what is shown first is shown no later than what is at rest, and of neither there are fewer than runs.
+TEST(BenchCommand, TellsHowLongEditsTake) {
+  const Said said = karinui("bench edits --vertices 400 --runs 1 --threads 2 --json");
+  ASSERT_TRUE(said.exit == 0 || said.exit == 4) << said.err << said.out;
+  const auto json = said.json();
+  EXPECT_EQ(json["scene"], "edits");
+  EXPECT_EQ(json["runs"], 1);
+  EXPECT_EQ(json["threads"], 2);
+  EXPECT_NEAR(json["vertices"].get<double>(), 400, 100);
+  EXPECT_GT(json["pull_step_ms"]["median"].get<double>(), 0);
+  std::vector<std::string> names;
+  std::size_t unsettled = 0;
+  for (const auto& edit : json["edits"]) {
+    names.push_back(edit["edit"]);
+    SCOPED_TRACE(names.back());
+    for (const char* part : {"median", "p95"}) {
+      const double first = edit["first_picture_ms"][part], near = edit["within_2_mm_ms"][part],
+                   rest = edit["settled_ms"][part];
+      EXPECT_GT(first, 0);
+      EXPECT_LE(first, near);
+      EXPECT_LE(near, rest);
+    }
+    unsettled += edit["unsettled"].get<std::size_t>();
+    EXPECT_LE(edit["unsettled"].get<int>(), 1);
+    EXPECT_LE(edit["undraped"].get<int>(), names.back() == "sew" || names.back() == "move");
+    EXPECT_EQ(edit["penetration_mm"].get<double>(), 0);
+    EXPECT_EQ(edit["cloth_cloth_crossings"], 0);
+    EXPECT_LE(edit["seam_gap_mm"].get<double>(), 0.5);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"seam", "sew", "cut", "move", "pull"}));
+  EXPECT_EQ(said.exit, unsettled == 0 ? 0 : 4);
+}
+
 // Laid anew on a coarser lattice, a limp and a stiff cloth come out as the shop says of them, and in that order.
 TEST(BenchCommand, LaysFabricsOnTheDrapeTester) {
   double before = 0;

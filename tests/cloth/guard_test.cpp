@@ -83,5 +83,27 @@ TEST(Guard, StripsOnEdgeDoNotPassThroughEachOther) {
   EXPECT_LT(move[0].y, 0) << "it goes as far as it may";
 }
 
+// A sheet on its corner, over the middle of each face of another in turn: there is one pair, that corner and that face,
+// and all hangs on its being found.
+TEST(Guard, ACornerAloneDoesNotPassThroughAFace) {
+  const auto lattice = gridLattice(3, 3, kCell);
+  for (const std::size_t poking : {0u, 1u})
+    for (const Triangle& face : lattice->faces) {
+      Sheets sheets(3, 3);
+      const Flat spot = (lattice->nodes[face[0]] + lattice->nodes[face[1]] + lattice->nodes[face[2]]) * (1.0 / 3);
+      const ClothState stands = standingBy(sheets.cloth, [&](std::size_t piece, Flat p) {
+        if (piece != poking) return Vec3{p.u, p.v, 0};
+        return Vec3{spot.u + 0.7 * (p.u - p.v), spot.v, 0.0004 + 0.7 * (p.u + p.v)};
+      });
+      std::vector<Vec3> move(sheets.cloth.nodeCount);
+      Vec3& down = move[poking * 16];
+      down = {0, 0, -0.0008};
+      ASSERT_GT(sheets.crossedOnTheWay(stands.position, move), 0);
+      EXPECT_TRUE(sheets.contact->guard(stands.position, move, sheets.workers));
+      EXPECT_EQ(sheets.crossedOnTheWay(stands.position, move), 0);
+      EXPECT_LT(down.z, -0.0001) << "it goes as far as it may";
+    }
+}
+
 }  // namespace
 }  // namespace karinui::test

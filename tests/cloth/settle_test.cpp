@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "cloth/helpers.h"
@@ -51,21 +52,61 @@ TEST(Settle, SameBitsForOneAndTwoThreads) {
   EXPECT_EQ(hashOf(one.back().state), hashOf(two.back().state));
 }
 
-TEST(Settle, CancelledLeavesTheStateAlone) {
-  auto levels = tunicLevels();
-  const std::string before = hashOf(levels.back().state);
-  int calls = 0;
-  Token* self = nullptr;
-  Token token([&](double, const Message&) {
-    if (++calls == 20) self->cancel();
+// A cloth so large that every loop and every sum is cut into several blocks (the largest have 2048 nodes), on a body,
+// touching itself: smaller ones are summed in one piece and would come out the same anyhow.
+TEST(Settle, SameBitsForAnyTeamWhereThereIsWorkForAll) {
+  ClothLevel level;
+  addPiece(level.cloth, gridLattice(64, 64, 0.012), *preset("cotton"));
+  addPiece(level.cloth, gridLattice(32, 32, 0.012), *preset("denim"));
+  level.state = standingBy(level.cloth, [](std::size_t piece, Flat p) {
+    return piece == 0 ? Vec3{p.u - 0.4, 0.301, p.v - 0.37} : Vec3{p.u - 0.2, 0.3025, p.v - 0.2};
   });
-  self = &token;
-  Workers workers(1);
-  const auto report = settle(levels, tunicBody(), {}, token, workers);
-  ASSERT_FALSE(report);
-  EXPECT_EQ(report.error().kind, Error::Kind::Cancelled);
-  EXPECT_EQ(calls, 20);  // not one step more
-  EXPECT_EQ(hashOf(levels.back().state), before);
+  SettleSettings settings;
+  settings.maxSteps = 8;
+  std::string first;
+  for (const int threads : {1, 2, 4}) {
+    std::vector<ClothLevel> levels{level};
+    mustSettle(levels, CapsuleBody({{{}, {}, 0.3}}), threads, settings);
+    if (first.empty()) first = hashOf(levels[0].state);
+    EXPECT_EQ(hashOf(levels[0].state), first) << threads << " threads";
+  }
+}
+
+// Every step asks whether it is still wanted, from the first seam drawn together to the last look at the rest: none is
+// begun after somebody said stop, and a step is some milliseconds for each ten thousand nodes.
+TEST(Settle, StopsWithinAStepWhereverItIsAndLeavesTheStateAlone) {
+  std::vector<std::string> stages;
+  std::size_t steps = 0;
+  const auto run = [&](std::size_t stopAt) {
+    auto levels = tunicLevels();
+    const std::string before = hashOf(levels.back().state);
+    std::size_t calls = 0;
+    Token* self = nullptr;
+    Token token([&](double, const Message& doing) {
+      if (stopAt == 0) stages.push_back(text(doing));
+      if (++calls == stopAt) self->cancel();
+    });
+    self = &token;
+    Workers workers(1);
+    const auto report = settle(levels, tunicBody(), {}, token, workers);
+    if (stopAt == 0) {
+      KARINUI_ASSERT(report);
+      steps = report->steps;
+      return;
+    }
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().kind, Error::Kind::Cancelled);
+    EXPECT_EQ(calls, stopAt);  // not one step more
+    EXPECT_EQ(hashOf(levels.back().state), before);
+  };
+  run(0);
+  EXPECT_EQ(stages.size(), steps);  // it is heard of at every step
+  const auto draping = static_cast<std::size_t>(std::find(stages.begin(), stages.end(), "Draping") - stages.begin());
+  ASSERT_GT(draping, 2u);
+  for (const std::size_t at : {std::size_t{1}, draping / 2, draping, draping + 1, draping + 20, steps - 1, steps}) {
+    SCOPED_TRACE(at);
+    run(at);
+  }
 }
 
 TEST(Settle, FrozenPiecesDoNotMoveAndHoldWhatIsSewnToThem) {
