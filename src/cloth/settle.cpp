@@ -63,7 +63,7 @@ double partOf(const std::vector<ClothLevel>& levels, std::size_t first, std::siz
 }  // namespace
 
 Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& body, const SettleSettings& settings,
-                            const Token& token, Workers& workers) {
+                            const Token& token, Workers& workers, const SettleWatcher& watcher) {
   const Spent spent;
   if (levels.empty()) return badInput(say("There is no cloth to drape."));
   for (const ClothLevel& level : levels)
@@ -101,8 +101,9 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     // Nobody knows how many steps it takes; each takes its share of what is left of the stage.
     const auto watch = [&](Message doing, double from, double to) {
       const double start = before + (after - before) * from, span = (after - before) * (to - from);
-      return [&token, start, span, doing = std::move(doing)](int step, const LevelSolver::Outcome&) {
+      return [&, start, span, doing = std::move(doing)](int step, const LevelSolver::Outcome&) {
         token.progress(start + span * step / (step + kUsualSteps), doing);
+        if (watcher) watcher(level.cloth, solver.places());
       };
     };
     if (sewn) solver.tieWithin(sewnAlready ? level.cloth.spacing : kFarApart);

@@ -122,14 +122,21 @@ Result<Standing> standingCloth(const Document& document, const std::set<PieceId>
   return Standing{std::move(level->cloth), std::move(level->state)};
 }
 
-Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context) {
+Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
+                                 const DrapeOnlooker& onlooker) {
   const auto collider = colliderOf(document, context);
   if (!collider) return collider.error();
   Result<Levels> levels = levelsOf(document, livePieces(document, drape.live));
   if (!levels) return levels.error();
   SettleSettings settings;
   settings.gravity = drape.gravity;
-  const Result<SettleReport> report = settle(levels->coarseFirst, **collider, settings, context.token, context.workers);
+  SettleWatcher watcher;
+  if (onlooker)
+    watcher = [&](const Cloth& cloth, const std::vector<Vec3>& places) {
+      onlooker([&] { return formsLeft(cloth, {places}); });
+    };
+  const Result<SettleReport> report =
+      settle(levels->coarseFirst, **collider, settings, context.token, context.workers, watcher);
   if (!report) return report.error();
   return DrapeOutcome{formsLeft(levels->finest().cloth, levels->finest().state), told(*report, **collider), {}};
 }

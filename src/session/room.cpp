@@ -1,13 +1,16 @@
 #include "session/room.h"
 
+#include <chrono>
+
 #include "karinui/base/file.h"
 
 namespace karinui {
 
 namespace {
 
-constexpr double kCoarse = 3;        // times the document's spacing, for the first answer
-constexpr std::size_t kWorthIt = 4;  // below this many times the coarse answer's cost it is not worth having
+using Clock = std::chrono::steady_clock;
+constexpr auto kBetween = std::chrono::milliseconds(40);  // two looks at cloth on its way, at least,
+constexpr int kShare = 5;                                 // and looking takes no more than so small a share of the time
 
 // The garment after a drape, for looking at.
 Document adopted(Document document, const std::map<PieceId, std::shared_ptr<const Form>>& forms) {
@@ -22,27 +25,19 @@ Document adopted(Document document, const std::map<PieceId, std::shared_ptr<cons
   return document;
 }
 
-double area(const Document& document, const std::vector<PieceRef>& live) {
-  double sum = 0;
-  for (const PieceRef& ref : live)
-    if (const Piece* piece = document.find(ref.id)) sum += piece->outline.area();
-  return sum;
-}
-
 }  // namespace
 
 Context Room::context(const Token& token) {
   Context context{*workers_, token, file_.blobs(), *bodies_, options_.drape, options_.pull};
-  if (!context.drape)
+  if (!context.drape && predicted)
     context.drape = [this](const Document& document, const DrapePieces& drape, Context& own) {
-      const double spacing = document.settings.spacing;
-      if (predicted && area(document, drape.live) / (spacing * spacing) > 100 * kWorthIt) {
-        Document coarse = document;
-        coarse.settings.spacing = kCoarse * spacing;
-        if (const auto first = drapeOnBody(coarse, drape, own); first && !own.token.cancelled())
-          predicted(fitted(adopted(document, first->forms), own.token));
-      }
-      return drapeOnBody(document, drape, own);
+      Clock::time_point next = Clock::now();
+      return drapeOnBody(document, drape, own, [&](const FormsNow& forms) {
+        const auto now = Clock::now();
+        if (now < next || own.token.cancelled()) return;
+        predicted(fitted(adopted(document, forms()), own.token));
+        next = Clock::now() + std::max<Clock::duration>(kBetween, kShare * (Clock::now() - now));
+      });
     };
   return context;
 }

@@ -28,7 +28,7 @@ class Room {
         workers_(std::move(workers)),
         readOnly_(readOnly) {}
 
-  // Published while a drape is worked out: a first, coarse answer.
+  // Published while a drape is worked out: the garment as it stands then, some times a second.
   std::function<void(FittingPtr)> predicted;
 
   DocumentFile& file() { return file_; }

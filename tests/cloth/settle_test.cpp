@@ -52,6 +52,25 @@ TEST(Settle, SameBitsForOneAndTwoThreads) {
   EXPECT_EQ(hashOf(one.back().state), hashOf(two.back().state));
 }
 
+TEST(Settle, AnOnlookerSeesEveryStepAndChangesNothing) {
+  const Fabric f = *preset("cotton");
+  std::vector<ClothLevel> alone{tunic(5, f), tunic(9, f)}, watched = alone;
+  mustSettle(alone, tunicBody(), 1);
+  std::size_t looks = 0;
+  std::vector<Vec3> last;
+  Workers workers(1);
+  const auto report = settle(watched, tunicBody(), {}, {}, workers, [&](const Cloth& cloth, const auto& places) {
+    EXPECT_EQ(places.size(), cloth.nodeCount);
+    ++looks, last = places;
+  });
+  ASSERT_TRUE(report);
+  EXPECT_EQ(looks, report->steps);
+  EXPECT_EQ(hashOf(watched.back().state), hashOf(alone.back().state));
+  ASSERT_EQ(last.size(), watched.back().state.position.size());
+  for (std::size_t k = 0; k < last.size(); ++k)  // from there it is only lifted off the skin
+    EXPECT_LT(distance(last[k], watched.back().state.position[k]), 0.01);
+}
+
 // A cloth so large that every loop and every sum is cut into several blocks (the largest have 2048 nodes), on a body,
 // touching itself: smaller ones are summed in one piece and would come out the same anyhow.
 TEST(Settle, SameBitsForAnyTeamWhereThereIsWorkForAll) {

@@ -49,7 +49,9 @@ struct Hung {
 };
 void hang(const Panels& panels, Hung& hung) {
   static Workroom room;  // the figure is built once
-  room.context.drape = drapeOnBody;
+  room.context.drape = [](const Document& d, const DrapePieces& pieces, Context& own) {
+    return drapeOnBody(d, pieces, own);
+  };
   const auto script = parseScript(scriptOf(panels));
   ASSERT_TRUE(script) << text(script.error().what);
   Document document;

@@ -217,9 +217,11 @@ TEST(StudioTools, SpaceSettlesAndStops) {
   w.key(Command::Settle);
   w.rest();
   EXPECT_EQ(w.count(), before);
+  const std::uint64_t predicted = w.session().news().predicted;
   w.key(Command::Settle);
   w.rest();
   EXPECT_EQ(w.count(), before + 1);
+  EXPECT_GT(w.session().news().predicted, predicted) << "the cloth was seen on its way";
 }
 
 }  // namespace

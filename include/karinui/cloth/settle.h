@@ -5,6 +5,7 @@
 // does not come to rest is no error but a report with settled = false; errors are input that makes no sense, and
 // Cancelled.
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,8 +26,11 @@ class Collider {
     double distance = 0;  // negative inside
     Vec3 normal;          // unit, out of the body
   };
-  virtual Contact contact(Vec3 place) const = 0;               // thread-safe; asked at every step
-  virtual bool mayTouch(Vec3 place, double within) const = 0;  // cheap rejection
+  virtual Contact contact(Vec3 place) const = 0;  // thread-safe; asked at every step
+  // Cheaply, no more than the distance; from place to place it changes by at most kSteepest times the way.
+  virtual double clearance(Vec3 place) const = 0;
+  static constexpr double kSteepest = 2;
+  bool mayTouch(Vec3 place, double within) const { return clearance(place) < within; }
   // The true distance, dearer: asked once at rest, so that nothing rests below the surface itself.
   virtual Contact confirmed(Vec3 place) const { return contact(place); }
   // Which way out, unit, a face lies whose insides a point or side of the body passes through; zero: none does.
@@ -56,6 +60,10 @@ struct SettleReport {
   double cpuSeconds = 0, wallSeconds = 0, peakMegabytes = 0;
 };
 
+// Looks on while cloth comes to rest: which level, and where each of its nodes stands. Called by the caller's thread
+// after every step; what it does is no part of the outcome.
+using SettleWatcher = std::function<void(const Cloth&, const std::vector<Vec3>&)>;
+
 struct SettleSettings {
   Vec3 gravity{0, -9.81, 0};
   double stopMove = 0.00015;  // metres a step; eight calm steps in a row
@@ -72,7 +80,7 @@ struct ClothLevel {
   ClothState state;  // where it stands at the start
 };
 Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& body, const SettleSettings& settings,
-                            const Token& token, Workers& workers);
+                            const Token& token, Workers& workers, const SettleWatcher& watcher = {});
 
 // Takes places of the cloth along a path while it drapes; the hand is a patch, not a point.
 struct Grip {

@@ -9,7 +9,11 @@ namespace karinui {
 // The pieces that move in a drape: those named, or every piece that is not frozen.
 std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRef>& named);
 
-Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context);
+// While it lasts `onlooker` may ask, after every step, for the forms as they are then; on the caller's thread.
+using FormsNow = std::function<std::map<PieceId, std::shared_ptr<const Form>>()>;
+using DrapeOnlooker = std::function<void(const FormsNow&)>;
+Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
+                                 const DrapeOnlooker& onlooker = {});
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context);
 
 // A hand on the cloth while it still moves: a preview of the pull that will be performed once it lets go. Each step
