@@ -19,7 +19,7 @@ class Capsules : public Collider {  // an analytic body; a ball is a capsule of 
   };
   explicit Capsules(std::vector<Capsule> capsules) : capsules_(std::move(capsules)) {}
   Contact contact(Vec3 place) const override;
-  bool mayTouch(Vec3 place, double within) const override { return contact(place).distance < within; }
+  double clearance(Vec3 place) const override { return contact(place).distance; }
   const std::vector<Capsule>& all() const { return capsules_; }
 
  private:

@@ -22,7 +22,7 @@ Push bodyPush(double area, double depth, double offset) {
 }
 
 BodyContact::BodyContact(const Collider& body, std::vector<Node> nodes, double offset)
-    : body_(body), nodes_(std::move(nodes)), at_(nodes_.size()), offset_(offset) {
+    : body_(body), nodes_(std::move(nodes)), at_(nodes_.size()), farOff_(nodes_.size()), offset_(offset) {
   NodeIndex last = 0;
   for (const Node& n : nodes_) last = std::max(last, n.node + 1);
   cover(last);
@@ -41,7 +41,7 @@ void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& work
       const Vec3 place = x[node.node];
       at.touches = false;
       Collider::Contact contact;
-      if (body_.mayTouch(place, offset_)) {
+      if (farOff_.mayTouch(body_, k, place, offset_)) {
         contact = body_.contact(place);
         at.touches = contact.distance < offset_;
       }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cloth/block_system.h"
+#include "cloth/far_off.h"
 #include "karinui/base/workers.h"
 #include "karinui/cloth/settle.h"
 
@@ -58,6 +59,7 @@ class BodyContact {
   const Collider& body_;
   std::vector<Node> nodes_;
   std::vector<At> at_;
+  FarOff farOff_;
   std::vector<std::uint32_t> slot_;
   double offset_, anchorMove_ = 0;
   std::size_t touching_ = 0;

@@ -27,6 +27,7 @@ std::vector<std::array<double, 3>> middlesOf(int parts) {
 
 FaceContact::FaceContact(const Cloth& cloth, const Collider& body, double offset)
     : places_(middlesOf(std::max(1, static_cast<int>(std::lround(cloth.spacing / kApart))))),
+      farOff_(0),
       body_(body),
       offset_(offset),
       begin_(kBegin * offset) {
@@ -39,6 +40,7 @@ FaceContact::FaceContact(const Cloth& cloth, const Collider& body, double offset
       area_.push_back(0.5 * std::fabs(twice) / static_cast<double>(places_.size()));
     }
   }
+  farOff_ = FarOff(faces_.size() * places_.size());
 }
 
 void FaceContact::find(std::span<const Vec3> x, Workers& workers) {
@@ -46,9 +48,10 @@ void FaceContact::find(std::span<const Vec3> x, Workers& workers) {
   workers.forBlocks(faces_.size(), kBlock, [&](std::size_t from, std::size_t to) {
     for (std::size_t f = from; f < to; ++f) {
       const Vec3 a = x[faces_[f][0]], b = x[faces_[f][1]], c = x[faces_[f][2]];
-      for (const auto& w : places_) {
+      for (std::size_t k = 0; k < places_.size(); ++k) {
+        const auto& w = places_[k];
         const Vec3 place = a * w[0] + b * w[1] + c * w[2];
-        if (!body_.mayTouch(place, begin_)) continue;
+        if (!farOff_.mayTouch(body_, f * places_.size() + k, place, begin_)) continue;
         const Collider::Contact contact = body_.contact(place);
         if (contact.distance >= begin_) continue;
         found[from / kBlock].push_back(

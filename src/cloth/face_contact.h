@@ -28,6 +28,7 @@ class FaceContact {
   std::vector<Triangle> faces_;  // of the live pieces
   std::vector<double> area_;     // of each of a face's places
   std::vector<std::array<double, 3>> places_;
+  FarOff farOff_;
   std::vector<Touch> touching_;
   const Collider& body_;
   double offset_, begin_;

@@ -19,7 +19,8 @@ class FieldCollider : public Collider {
     return {field.distance(place), steep > 1e-9 ? steepest * (1 / steep) : Vec3{0, 1, 0}};
   }
 
-  bool mayTouch(Vec3 place, double within) const override { return body_->field().distance(place) < within; }
+  // Between the field's points its slope may be the root of three.
+  double clearance(Vec3 place) const override { return body_->field().distance(place); }
 
   Contact confirmed(Vec3 place) const override { return trueContact(*body_, place); }
   Vec3 passesThrough(const std::array<Vec3, 3>& face) const override { return truePassage(*body_, face); }

@@ -107,9 +107,9 @@ MergedPlanes::MergedPlanes(BodyPtr body, const Settings& settings)
   }
 }
 
-bool MergedPlanes::mayTouch(Vec3 place, double within) const {
+double MergedPlanes::clearance(Vec3 place) const {
   // The planes stand at most the flatness above the mesh.
-  return body_->field().distance(place) < within + settings_.flatness + body_->field().cell();
+  return body_->field().distance(place) - (settings_.flatness + body_->field().cell());
 }
 
 Collider::Contact MergedPlanes::contact(Vec3 place) const {

@@ -160,6 +160,8 @@ std::size_t pointsFor(double extent, double cell) {
 
 double marginOf(const DistanceField::Settings& settings) { return settings.band + settings.cell; }
 
+double mix(double a, double b, double t) { return a + (b - a) * t; }
+
 Box boxOf(const TriangleMesh& mesh) {
   Box box;
   for (const Triangle& f : mesh.faces)
@@ -233,33 +235,44 @@ Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& 
   return field;
 }
 
-DistanceField::Sample DistanceField::sample(Vec3 place) const {
-  // A place outside the grid is judged from the nearest place of the grid's box. The box is convex and holds the mesh,
-  // so the way from there to the mesh and the way to the box are at a right angle or wider: the root is a lower bound.
+// The cell a place lies in, or the nearest one: its eight values, x first, and where in it.
+struct DistanceField::Cell {
+  std::array<double, 8> value;
+  std::array<double, 3> at;
+  Vec3 outside;  // metres beyond the grid
+};
+
+DistanceField::Cell DistanceField::cellOf(Vec3 place) const {
   const std::array<double, 3> from{(place.x - origin_.x) / cell_, (place.y - origin_.y) / cell_,
                                    (place.z - origin_.z) / cell_};
   std::array<std::size_t, 3> c;
-  std::array<double, 3> f, outside;
+  std::array<double, 3> outside;
+  Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
     const double last = static_cast<double>(count_[axis] - 1);
     const double inside = std::fmin(std::fmax(from[axis], 0), last);  // not a number: 0
     outside[axis] = (from[axis] - inside) * cell_;
     c[axis] = std::min(static_cast<std::size_t>(inside), count_[axis] - 2);
-    f[axis] = inside - static_cast<double>(c[axis]);
+    cell.at[axis] = inside - static_cast<double>(c[axis]);
   }
+  cell.outside = {outside[0], outside[1], outside[2]};
   const std::size_t nx = count_[0], nxy = nx * count_[1];
   const float* v = &value_[c[2] * nxy + c[1] * nx + c[0]];
-  const double v000 = v[0], v100 = v[1], v010 = v[nx], v110 = v[nx + 1];
-  const double v001 = v[nxy], v101 = v[nxy + 1], v011 = v[nxy + nx], v111 = v[nxy + nx + 1];
-  const auto mix = [](double a, double b, double t) { return a + (b - a) * t; };
-  const double x00 = mix(v000, v100, f[0]), x10 = mix(v010, v110, f[0]);
-  const double x01 = mix(v001, v101, f[0]), x11 = mix(v011, v111, f[0]);
+  cell.value = {v[0], v[1], v[nx], v[nx + 1], v[nxy], v[nxy + 1], v[nxy + nx], v[nxy + nx + 1]};
+  return cell;
+}
+
+// A place outside the grid is judged from the nearest place of the grid's box. The box is convex and holds the mesh,
+// so the way from there to the mesh and the way to the box are at a right angle or wider: the root is a lower bound.
+DistanceField::Sample DistanceField::sample(Vec3 place) const {
+  const auto& [v, f, off] = cellOf(place);
+  const double x00 = mix(v[0], v[1], f[0]), x10 = mix(v[2], v[3], f[0]);
+  const double x01 = mix(v[4], v[5], f[0]), x11 = mix(v[6], v[7], f[0]);
   const double y0 = mix(x00, x10, f[1]), y1 = mix(x01, x11, f[1]);
   Sample s;
   s.distance = mix(y0, y1, f[2]);
-  s.gradient = {mix(mix(v100 - v000, v110 - v010, f[1]), mix(v101 - v001, v111 - v011, f[1]), f[2]) / cell_,
+  s.gradient = {mix(mix(v[1] - v[0], v[3] - v[2], f[1]), mix(v[5] - v[4], v[7] - v[6], f[1]), f[2]) / cell_,
                 mix(x10 - x00, x11 - x01, f[2]) / cell_, (y1 - y0) / cell_};
-  const Vec3 off{outside[0], outside[1], outside[2]};
   if (off == Vec3{}) return s;
   // Where the place is beyond the box along an axis, moving along it does not move the place it is judged from.
   const double atBox = s.distance;
@@ -269,6 +282,12 @@ DistanceField::Sample DistanceField::sample(Vec3 place) const {
   return s;
 }
 
-double DistanceField::distance(Vec3 place) const { return sample(place).distance; }
+double DistanceField::distance(Vec3 place) const {
+  const auto& [v, f, off] = cellOf(place);
+  const double y0 = mix(mix(v[0], v[1], f[0]), mix(v[2], v[3], f[0]), f[1]);
+  const double y1 = mix(mix(v[4], v[5], f[0]), mix(v[6], v[7], f[0]), f[1]);
+  const double inGrid = mix(y0, y1, f[2]);
+  return off == Vec3{} ? inGrid : std::sqrt(squaredLength(off) + inGrid * inGrid);
+}
 
 }  // namespace karinui

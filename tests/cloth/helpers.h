@@ -59,14 +59,14 @@ inline ClothState standingBy(const Cloth& cloth, const std::function<Vec3(std::s
 class NoBody : public Collider {
  public:
   Contact contact(Vec3) const override { return {1e3, {0, 1, 0}}; }
-  bool mayTouch(Vec3, double) const override { return false; }
+  double clearance(Vec3) const override { return 1e9; }
 };
 
 class PlaneBody : public Collider {
  public:
   PlaneBody(Vec3 unitNormal, double height) : normal_(unitNormal), height_(height) {}
   Contact contact(Vec3 p) const override { return {dot(p, normal_) - height_, normal_}; }
-  bool mayTouch(Vec3 p, double within) const override { return contact(p).distance < within; }
+  double clearance(Vec3 p) const override { return contact(p).distance; }
 
  private:
   Vec3 normal_;
@@ -92,7 +92,7 @@ class CapsuleBody : public Collider {  // a ball is a capsule of no length
     }
     return nearest;
   }
-  bool mayTouch(Vec3 p, double within) const override { return contact(p).distance < within; }
+  double clearance(Vec3 p) const override { return contact(p).distance; }
 
  private:
   std::vector<Capsule> capsules_;

@@ -259,7 +259,7 @@ class MadBody : public CapsuleBody {
  public:
   MadBody(double distance, Vec3 normal, int sane) : CapsuleBody(tunicBody()), mad_{distance, normal}, sane_(sane) {}
   Contact contact(Vec3 p) const override { return ++asked_ > sane_ ? mad_ : CapsuleBody::contact(p); }
-  bool mayTouch(Vec3, double) const override { return true; }
+  double clearance(Vec3) const override { return -1; }
   Contact confirmed(Vec3 p) const override { return CapsuleBody::contact(p); }
   int asked() const { return asked_; }
 

@@ -19,7 +19,7 @@ class MergedPlanes : public Collider {
   explicit MergedPlanes(BodyPtr body) : MergedPlanes(std::move(body), Settings{}) {}
 
   Contact contact(Vec3 place) const override;
-  bool mayTouch(Vec3 place, double within) const override;
+  double clearance(Vec3 place) const override;
   Contact confirmed(Vec3 place) const override;  // by the mesh itself, not by its planes
   Vec3 passesThrough(const std::array<Vec3, 3>& face) const override;
 

@@ -33,6 +33,8 @@ class DistanceField {
   double cell() const { return cell_; }
 
  private:
+  struct Cell;
+  Cell cellOf(Vec3 place) const;
   double cell_ = 0;
   Vec3 origin_;
   std::array<std::size_t, 3> count_{};
