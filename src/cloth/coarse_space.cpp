@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kEach = 8;             // fine lines from one coarse line to the next, about
 constexpr double kLeastSupport = 0.05;  // fine nodes: a coarse one that moves less is left out
-constexpr std::size_t kRows = 16;       // a worker takes at once
-constexpr std::size_t kTail = 2048;     // slots a worker takes at once
+constexpr std::uint32_t kRows = 16;     // a worker takes at once,
+constexpr std::uint32_t kCoarseRows = 2;
+constexpr std::size_t kTail = 2048;  // slots a worker takes at once
 
 KARINUI_WIDE void addScaled(std::size_t count, float scale, const float* __restrict from, const float* __restrict free,
                             float* __restrict to) {
@@ -63,10 +64,26 @@ CoarseSpace::CoarseSpace(const Cloth& cloth, const PanelPlan& plan) : cloth_(clo
     if (cloth.pieces[p].live) addNet(cloth.pieces[p], panel == plan.panels.end() ? nullptr : &*panel);
   }
   for (auto& axis : value_) axis.assign(nodes_, 0);
-  std::size_t most = 0;
-  for (const Net& net : nets_)
-    if (net.panel) most = std::max(most, std::size_t{net.rows()} * net.panel->stride);
-  row_.assign(most, 0);
+  coarseRows_ = rowsOf(kCoarseRows, true);
+  fineRows_ = rowsOf(kRows, false);
+  std::size_t blends = 0;
+  for (const Net& net : nets_) {
+    firstBlend_.push_back(blends);
+    if (!net.panel) continue;
+    blends += std::size_t{net.rows()} * net.panel->stride;
+    tail_ = net.panel->first + std::size_t{net.panel->rows} * net.panel->stride;
+  }
+  for (auto& axis : blend_) axis.assign(blends, 0);
+}
+
+std::vector<CoarseSpace::Rows> CoarseSpace::rowsOf(std::uint32_t atOnce, bool coarse) const {
+  std::vector<Rows> all;
+  for (std::uint32_t n = 0; n < nets_.size(); ++n) {
+    if (!nets_[n].panel) continue;
+    const std::uint32_t count = coarse ? nets_[n].rows() : nets_[n].panel->rows;
+    for (std::uint32_t k = 0; k < count; k += atOnce) all.push_back({n, k, std::min(k + atOnce, count)});
+  }
+  return all;
 }
 
 void CoarseSpace::addNet(const ClothPiece& piece, const Panel* panel) {
@@ -213,39 +230,37 @@ bool CoarseSpace::refresh(const Product& product, Lanes3& p, const Lanes3& q, Wo
 }
 
 void CoarseSpace::gather(const Lanes3& r, Workers& workers) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::vector<float>& value = value_[axis];
-    const float* from = r[axis].data();
-    std::fill(value.begin(), value.end(), 0.0f);
-    for (const Net& net : nets_) {
-      if (!net.panel) continue;
-      const Panel& panel = *net.panel;
-      workers.forBlocks(net.rows(), 2, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t c = begin; c < end; ++c) {
-          float* row = row_.data() + c * panel.stride;
-          std::fill(row, row + panel.columns, 0.0f);
-          const std::size_t first = net.row.at[c > 0 ? c - 1 : 0],
-                            last = net.row.at[std::min<std::size_t>(c + 1, net.rows() - 1)];
-          for (std::size_t j = first; j <= last && j < panel.rows; ++j) {
-            const float next = net.row.next[j];
-            const float weight = net.row.cell[j] == c ? 1 - next : net.row.cell[j] + 1 == c ? next : 0;
-            const std::size_t s = panel.first + j * panel.stride;
-            if (weight > 0) addScaled(panel.columns, weight, from + s, free_.data() + s, row);
-          }
-          float* to = value.data() + net.first + c * net.columns();
-          for (std::size_t i = 0; i < panel.columns; ++i) {
-            const float next = net.column.next[i];
-            to[net.column.cell[i]] += (1 - next) * row[i];
-            to[net.column.cell[i] + 1] += next * row[i];
-          }
+  for (auto& value : value_) std::fill(value.begin(), value.end(), 0.0f);
+  workers.forBlocks(coarseRows_.size(), 1, [&](std::size_t at, std::size_t) {
+    thread_local std::vector<float> row;
+    const Rows rows = coarseRows_[at];
+    const Net& net = nets_[rows.net];
+    const Panel& panel = *net.panel;
+    for (std::size_t c = rows.begin; c < rows.end; ++c) {
+      const std::size_t first = net.row.at[c > 0 ? c - 1 : 0],
+                        last = net.row.at[std::min<std::size_t>(c + 1, net.rows() - 1)];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        row.assign(panel.columns, 0);
+        for (std::size_t j = first; j <= last && j < panel.rows; ++j) {
+          const float next = net.row.next[j];
+          const float weight = net.row.cell[j] == c ? 1 - next : net.row.cell[j] + 1 == c ? next : 0;
+          const std::size_t s = panel.first + j * panel.stride;
+          if (weight > 0) addScaled(panel.columns, weight, r[axis].data() + s, free_.data() + s, row.data());
         }
-      });
+        float* to = value_[axis].data() + net.first + c * net.columns();
+        for (std::size_t i = 0; i < panel.columns; ++i) {
+          const float next = net.column.next[i];
+          to[net.column.cell[i]] += (1 - next) * row[i];
+          to[net.column.cell[i] + 1] += next * row[i];
+        }
+      }
     }
-    for (const std::uint32_t slot : loose_) {
-      const float own = free_[slot] * from[slot];
-      for (const Share& share : shares_[slot]) value[share.node] += share.weight * own;
+  });
+  for (const std::uint32_t slot : loose_)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float own = free_[slot] * r[axis][slot];
+      for (const Share& share : shares_[slot]) value_[axis][share.node] += share.weight * own;
     }
-  }
 }
 
 double CoarseSpace::answer(const Lanes3& r, Workers& workers) {
@@ -267,39 +282,45 @@ double CoarseSpace::answer(const Lanes3& r, Workers& workers) {
 }
 
 void CoarseSpace::turn(const Lanes3& z, float beta, Lanes3& p, Workers& workers) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::vector<float>& value = value_[axis];
-    std::size_t tail = 0;
-    for (const Net& net : nets_) {
-      if (!net.panel) continue;
-      const Panel& panel = *net.panel;
+  for (std::size_t n = 0; n < nets_.size(); ++n) {
+    const Net& net = nets_[n];
+    if (!net.panel) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
       for (std::size_t c = 0; c < net.rows(); ++c) {
-        float* row = row_.data() + c * panel.stride;
-        const float* from = value.data() + net.first + c * net.columns();
-        for (std::size_t i = 0; i < panel.columns; ++i) {
+        float* row = blend_[axis].data() + firstBlend_[n] + c * net.panel->stride;
+        const float* from = value_[axis].data() + net.first + c * net.columns();
+        for (std::size_t i = 0; i < net.panel->columns; ++i) {
           const float next = net.column.next[i];
           row[i] = (1 - next) * from[net.column.cell[i]] + next * from[net.column.cell[i] + 1];
         }
       }
-      workers.forBlocks(panel.rows, kRows, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t j = begin; j < end; ++j) {
-          const std::size_t s = panel.first + j * panel.stride;
-          const float* row = row_.data() + net.row.cell[j] * panel.stride;
-          turnRow(panel.columns, beta, {row, row + panel.stride, 1 - net.row.next[j], net.row.next[j]},
-                  free_.data() + s, z[axis].data() + s, p[axis].data() + s);
-        }
-      });
-      tail = panel.first + panel.rows * panel.stride;
+  }
+  const std::size_t rest = plan_.slots - tail_, tails = (rest + kTail - 1) / kTail;
+  workers.forBlocks(fineRows_.size() + tails, 1, [&](std::size_t at, std::size_t) {
+    if (at >= fineRows_.size()) {
+      const std::size_t begin = tail_ + (at - fineRows_.size()) * kTail;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        turnTail(begin, std::min(begin + kTail, plan_.slots), beta, z[axis].data(), p[axis].data());
+      return;
     }
-    workers.forBlocks(plan_.slots - tail, kTail, [&](std::size_t begin, std::size_t end) {
-      turnTail(tail + begin, tail + end, beta, z[axis].data(), p[axis].data());
-    });
-    for (const std::uint32_t slot : loose_) {
+    const Rows rows = fineRows_[at];
+    const Net& net = nets_[rows.net];
+    const Panel& panel = *net.panel;
+    for (std::size_t j = rows.begin; j < rows.end; ++j) {
+      const std::size_t s = panel.first + j * panel.stride;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float* row = blend_[axis].data() + firstBlend_[rows.net] + net.row.cell[j] * panel.stride;
+        turnRow(panel.columns, beta, {row, row + panel.stride, 1 - net.row.next[j], net.row.next[j]}, free_.data() + s,
+                z[axis].data() + s, p[axis].data() + s);
+      }
+    }
+  });
+  for (const std::uint32_t slot : loose_)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       float move = 0;
-      for (const Share& share : shares_[slot]) move += share.weight * value[share.node];
+      for (const Share& share : shares_[slot]) move += share.weight * value_[axis][share.node];
       p[axis][slot] += free_[slot] * move;
     }
-  }
 }
 
 }  // namespace karinui

@@ -57,7 +57,11 @@ class CoarseSpace {
     std::uint32_t columns() const { return static_cast<std::uint32_t>(column.at.size()); }
     std::uint32_t rows() const { return static_cast<std::uint32_t>(row.at.size()); }
   };
+  struct Rows {  // of one net, what a worker takes at once: coarse ones, or fine ones
+    std::uint32_t net = 0, begin = 0, end = 0;
+  };
   void addNet(const ClothPiece& piece, const Panel* panel);
+  std::vector<Rows> rowsOf(std::uint32_t atOnce, bool coarse) const;  // of all nets on panels
   Shares sharesAt(const Net& net, double column, double row) const;
   void number();                                   // the coarse nodes that move something
   void meet();                                     // which of them feel each other
@@ -76,7 +80,10 @@ class CoarseSpace {
   std::vector<std::vector<std::uint32_t>> around_;   // numbers that feel a number
   std::vector<std::vector<std::uint32_t>> colours_;  // numbers
   std::array<std::vector<float>, 3> value_;          // per coarse node
-  std::vector<float> row_;                           // coarse rows of a panel, at its fine columns
+  std::vector<Rows> coarseRows_, fineRows_;
+  std::size_t tail_ = 0;                     // the first slot after all panels
+  std::vector<std::size_t> firstBlend_;      // per net: in blend_
+  std::array<std::vector<float>, 3> blend_;  // coarse rows of the nets, at the panels' fine columns
   Envelope matrix_;
   std::vector<float> found_;
   bool numbered_ = false, ready_ = false;

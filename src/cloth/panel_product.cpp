@@ -1,5 +1,7 @@
 #include "cloth/panel_product.h"
 
+#include <algorithm>
+
 #include "cloth/wide.h"
 
 namespace karinui {
@@ -116,6 +118,69 @@ double dotOf(std::size_t begin, std::size_t end, const Lanes3& p, const Lanes3& 
   return total;
 }
 
+// Six sums: xx, xy, xz, yy, yz, zz.
+struct Own {
+  float a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;
+  inline void across(float k) { a += k, d += k, f += k; }
+  inline void along(float k, float x, float y, float z) {
+    a += k * x * x;
+    b += k * x * y;
+    c += k * x * z;
+    d += k * y * y;
+    e += k * y * z;
+    f += k * z * z;
+  }
+  inline void along(float k, const Axes& way, std::size_t t) { along(k, way.x[t], way.y[t], way.z[t]); }
+};
+struct Threads {  // all a panel's matrix is made of
+  const float *weftAcross, *warpAcross;
+  Axes weftAlong, warpAlong, weftWay, warpWay;
+  const float *corner, *bendWeft, *bendWarp, *twist;
+};
+
+// What each node feels of its own move.
+KARINUI_WIDE void diagonals(std::size_t begin, std::size_t end, std::size_t stride, const Threads k,
+                            float* const* own) {
+  float* __restrict oa = own[0], * __restrict ob = own[1], * __restrict oc = own[2], * __restrict od = own[3], * __restrict oe = own[4], * __restrict of = own[5];
+  const Axes u = k.weftWay, v = k.warpWay;
+  KARINUI_APART
+  for (std::size_t s = begin; s < end; ++s) {
+    const std::size_t l = s - 1, r = s + 1, d = s - stride, a = s + stride;
+    Own sum;
+    sum.across(k.weftAcross[l]);
+    sum.along(1, k.weftAlong, l);
+    sum.across(k.weftAcross[s]);
+    sum.along(1, k.weftAlong, s);
+    sum.across(k.warpAcross[d]);
+    sum.along(1, k.warpAlong, d);
+    sum.across(k.warpAcross[s]);
+    sum.along(1, k.warpAlong, s);
+    // Its own four right angles, in which both threads move,
+    const float c = k.corner[s];
+    sum.along(c, v.x[d] + u.x[l], v.y[d] + u.y[l], v.z[d] + u.z[l]);
+    sum.along(c, v.x[s] - u.x[l], v.y[s] - u.y[l], v.z[s] - u.z[l]);
+    sum.along(c, v.x[d] - u.x[s], v.y[d] - u.y[s], v.z[d] - u.z[s]);
+    sum.along(c, v.x[s] + u.x[s], v.y[s] + u.y[s], v.z[s] + u.z[s]);
+    // and two of each neighbour's.
+    sum.along(k.corner[l], v, l - stride);
+    sum.along(k.corner[l], v, l);
+    sum.along(k.corner[r], v, r - stride);
+    sum.along(k.corner[r], v, r);
+    sum.along(k.corner[d], u, d - 1);
+    sum.along(k.corner[d], u, d);
+    sum.along(k.corner[a], u, a - 1);
+    sum.along(k.corner[a], u, a);
+    sum.across(4 * k.bendWeft[s] + k.bendWeft[l] + k.bendWeft[r] + 4 * k.bendWarp[s] + k.bendWarp[d] + k.bendWarp[a] +
+               k.twist[s] + k.twist[l] + k.twist[d] + k.twist[d - 1]);
+    oa[s] += sum.a;
+    ob[s] += sum.b;
+    oc[s] += sum.c;
+    od[s] += sum.d;
+    oe[s] += sum.e;
+    of[s] += sum.f;
+  }
+}
+
 constexpr std::size_t kOwn[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
 // What rows pass to each other, for a band of rows and one above and below it.
@@ -133,97 +198,79 @@ struct Band {
 
 double multiplyPanels(const PanelPlan& plan, const PanelStiffness& k, const PanelBending& bending, const OwnBlocks& own,
                       const Lanes3& p, Lanes3& q, Workers& workers) {
-  double product = 0;
-  const Axes from = axes(p);
+  struct Part {  // what a worker takes at once: rows of a panel, or slots of what is no panel
+    const Panel* panel = nullptr;
+    std::size_t begin = 0, end = 0;
+    double product = 0;
+  };
+  std::vector<Part> parts;
   std::size_t tail = 0;
   for (const Panel& panel : plan.panels) {
-    const std::size_t stride = panel.stride;
-    tail = panel.first + panel.rows * stride;
-    product += workers.sum(panel.rows, kRows, [&](std::size_t begin, std::size_t end) {
-      thread_local Band band;
-      const std::size_t first = panel.first + begin * stride, last = panel.first + end * stride;
-      const std::size_t base = first - stride - kLanes;  // one row above, and room for the slot before it
-      band.fit(last + stride + kLanes - base);
-      const Corners corners{band.at(0), band.at(1), band.at(2), band.at(3)};
-      shear(first - stride, last + stride, stride, from, axes(k.weftWay), axes(k.warpWay), k.corner.data(), base,
-            corners);
-      float *fu[] = {band.at(4), band.at(5), band.at(6)}, *fv[] = {band.at(7), band.at(8), band.at(9)};
-      threads(first, last, 1, stride, from,
-              {k.weftAcross.data(), k.weftAlong[0].data(), k.weftAlong[1].data(), k.weftAlong[2].data()},
-              axes(k.warpWay), base, {corners.ff, corners.fb, corners.bf, corners.bb}, fu[0], fu[1], fu[2]);
-      threads(first - stride, last, stride, 1, from,
-              {k.warpAcross.data(), k.warpAlong[0].data(), k.warpAlong[1].data(), k.warpAlong[2].data()},
-              axes(k.weftWay), base, {corners.ff, corners.bf, corners.fb, corners.bb}, fv[0], fv[1], fv[2]);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        float *u = band.at(10 + 3 * axis), *v = band.at(11 + 3 * axis), *w = band.at(12 + 3 * axis);
-        bends(first - stride, last + stride, stride, p[axis].data(), bending.weft.data(), bending.warp.data(),
-              bending.twist.data(), base, u, v, w);
-        fu[axis][first - 1 - base] = 0;  // before the first column: no thread, no cell
-        w[first - stride - 1 - base] = 0;
-        gather(first, last, stride, base, {fu[axis], fv[axis], u, v, w}, own[kOwn[axis][0]].data(),
-               own[kOwn[axis][1]].data(), own[kOwn[axis][2]].data(), from, q[axis].data());
-      }
-      return dotOf(first, last, p, q);
-    });
+    for (std::size_t row = 0; row < panel.rows; row += kRows)
+      parts.push_back({&panel, row, std::min<std::size_t>(row + kRows, panel.rows)});
+    tail = panel.first + std::size_t{panel.rows} * panel.stride;
   }
-  // What is no panel: all slots after the last one's rows (those between panels hold nothing).
-  tail = tail / kLanes * kLanes;
-  const std::size_t rest = plan.slots - kLanes - tail;
-  product += workers.sum(rest, kTail, [&](std::size_t begin, std::size_t end) {
+  // All slots after the last panel's rows (those between panels hold nothing).
+  const std::size_t slots = plan.slots - kLanes;
+  for (std::size_t s = tail / kLanes * kLanes; s < slots; s += kTail)
+    parts.push_back({nullptr, s, std::min(s + kTail, slots)});
+
+  const Axes from = axes(p);
+  const auto ofPanel = [&](const Panel& panel, std::size_t begin, std::size_t end) {
+    thread_local Band band;
+    const std::size_t stride = panel.stride;
+    const std::size_t first = panel.first + begin * stride, last = panel.first + end * stride;
+    const std::size_t base = first - stride - kLanes;  // one row above, and room for the slot before it
+    band.fit(last + stride + kLanes - base);
+    const Corners corners{band.at(0), band.at(1), band.at(2), band.at(3)};
+    shear(first - stride, last + stride, stride, from, axes(k.weftWay), axes(k.warpWay), k.corner.data(), base,
+          corners);
+    float *fu[] = {band.at(4), band.at(5), band.at(6)}, *fv[] = {band.at(7), band.at(8), band.at(9)};
+    threads(first, last, 1, stride, from,
+            {k.weftAcross.data(), k.weftAlong[0].data(), k.weftAlong[1].data(), k.weftAlong[2].data()}, axes(k.warpWay),
+            base, {corners.ff, corners.fb, corners.bf, corners.bb}, fu[0], fu[1], fu[2]);
+    threads(first - stride, last, stride, 1, from,
+            {k.warpAcross.data(), k.warpAlong[0].data(), k.warpAlong[1].data(), k.warpAlong[2].data()}, axes(k.weftWay),
+            base, {corners.ff, corners.bf, corners.fb, corners.bb}, fv[0], fv[1], fv[2]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      float *u = band.at(10 + 3 * axis), *v = band.at(11 + 3 * axis), *w = band.at(12 + 3 * axis);
+      bends(first - stride, last + stride, stride, p[axis].data(), bending.weft.data(), bending.warp.data(),
+            bending.twist.data(), base, u, v, w);
+      fu[axis][first - 1 - base] = 0;  // before the first column: no thread, no cell
+      w[first - stride - 1 - base] = 0;
+      gather(first, last, stride, base, {fu[axis], fv[axis], u, v, w}, own[kOwn[axis][0]].data(),
+             own[kOwn[axis][1]].data(), own[kOwn[axis][2]].data(), from, q[axis].data());
+    }
+    return dotOf(first, last, p, q);
+  };
+  const auto ofTheRest = [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      ownOnly(tail + begin, tail + end, own[kOwn[axis][0]].data(), own[kOwn[axis][1]].data(), own[kOwn[axis][2]].data(),
-              from, q[axis].data());
-    return dotOf(tail + begin, tail + end, p, q);
+      ownOnly(begin, end, own[kOwn[axis][0]].data(), own[kOwn[axis][1]].data(), own[kOwn[axis][2]].data(), from,
+              q[axis].data());
+    return dotOf(begin, end, p, q);
+  };
+  workers.forBlocks(parts.size(), 1, [&](std::size_t at, std::size_t) {
+    Part& part = parts[at];
+    part.product = part.panel ? ofPanel(*part.panel, part.begin, part.end) : ofTheRest(part.begin, part.end);
   });
+  double product = 0;
+  for (auto part = parts.begin(); part != parts.end();) {  // panel by panel
+    double sum = 0;
+    for (const Panel* of = part->panel; part != parts.end() && part->panel == of; ++part) sum += part->product;
+    product += sum;
+  }
   return product;
 }
 
 void addDiagonals(const PanelPlan& plan, const PanelStiffness& k, const PanelBending& bending, OwnBlocks& own,
                   Workers& workers) {
+  const Threads all{k.weftAcross.data(), k.warpAcross.data(), axes(k.weftAlong), axes(k.warpAlong),
+                    axes(k.weftWay),     axes(k.warpWay),     k.corner.data(),   bending.weft.data(),
+                    bending.warp.data(), bending.twist.data()};
+  float* const out[6] = {own[0].data(), own[1].data(), own[2].data(), own[3].data(), own[4].data(), own[5].data()};
   for (const Panel& panel : plan.panels)
-    workers.forBlocks(panel.rows * panel.stride, kTail, [&](std::size_t begin, std::size_t end) {
-      const std::size_t stride = panel.stride;
-      for (std::size_t s = panel.first + begin; s < panel.first + end; ++s) {
-        float block[6] = {};
-        const auto across = [&](float a) {
-          block[0] += a;
-          block[3] += a;
-          block[5] += a;
-        };
-        const auto along = [&](float scale, float x, float y, float z) {
-          block[0] += scale * x * x;
-          block[1] += scale * x * y;
-          block[2] += scale * x * z;
-          block[3] += scale * y * y;
-          block[4] += scale * y * z;
-          block[5] += scale * z * z;
-        };
-        for (const std::size_t t : {s - 1, s}) {
-          across(k.weftAcross[t]);
-          along(1, k.weftAlong[0][t], k.weftAlong[1][t], k.weftAlong[2][t]);
-        }
-        for (const std::size_t t : {s - stride, s}) {
-          across(k.warpAcross[t]);
-          along(1, k.warpAlong[0][t], k.warpAlong[1][t], k.warpAlong[2][t]);
-        }
-        const auto by = [&](float scale, const Lanes3& way, std::size_t t) {
-          along(scale, way[0][t], way[1][t], way[2][t]);
-        };
-        for (const std::size_t u : {s - 1, s})  // its own four right angles, in which both threads move,
-          for (const std::size_t v : {s - stride, s}) {
-            const float sign = (u == s) == (v == s) ? 1.0f : -1.0f;
-            along(k.corner[s], k.warpWay[0][v] + sign * k.weftWay[0][u], k.warpWay[1][v] + sign * k.weftWay[1][u],
-                  k.warpWay[2][v] + sign * k.weftWay[2][u]);
-          }
-        for (const std::size_t t : {s - 1, s + 1})  // and two of each neighbour's
-          for (const std::size_t v : {t - stride, t}) by(k.corner[t], k.warpWay, v);
-        for (const std::size_t t : {s - stride, s + stride})
-          for (const std::size_t u : {t - 1, t}) by(k.corner[t], k.weftWay, u);
-        across(4 * bending.weft[s] + bending.weft[s - 1] + bending.weft[s + 1] + 4 * bending.warp[s] +
-               bending.warp[s - stride] + bending.warp[s + stride] + bending.twist[s] + bending.twist[s - 1] +
-               bending.twist[s - stride] + bending.twist[s - stride - 1]);
-        for (std::size_t e = 0; e < 6; ++e) own[e][s] += block[e];
-      }
+    workers.forBlocks(std::size_t{panel.rows} * panel.stride, kTail, [&](std::size_t begin, std::size_t end) {
+      diagonals(panel.first + begin, panel.first + end, panel.stride, all, out);
     });
 }
 

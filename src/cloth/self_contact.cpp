@@ -153,10 +153,10 @@ double SelfContact::measureEdges(std::span<const Vec3> x) {
   double longest = 0;
   longest_.assign(x.size(), 0);
   for (const auto& [a, b] : edges_) {
-    const double length = std::fmin(most, squaredLength(x[b] - x[a]));
-    longest_[a] = std::fmax(longest_[a], length);
-    longest_[b] = std::fmax(longest_[b], length);
-    longest = std::fmax(longest, length);
+    const double own = squaredLength(x[b] - x[a]), length = own < most ? own : most;  // what is no number: the most
+    longest_[a] = std::max(longest_[a], length);
+    longest_[b] = std::max(longest_[b], length);
+    longest = std::max(longest, length);
   }
   for (double& length : longest_) length = std::sqrt(length);
   return std::sqrt(longest);
