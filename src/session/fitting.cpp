@@ -17,7 +17,7 @@ SceneFrame scenePieceByPiece(const Document& document, const Body* body) {
   for (const auto& [id, piece] : document.pattern.pieces) {
     Document alone = document;
     alone.pattern.seams.clear();
-    std::erase_if(alone.pattern.pieces, [&](const auto& other) { return other.first != id; });
+    std::erase_if(alone.pattern.pieces, [own = id](const auto& other) { return other.first != own; });
     Result<SceneFrame> one = sceneOf(alone, nullptr);
     if (one && !one->cloths.empty())
       frame.cloths.push_back(std::move(one->cloths.front()));
