@@ -188,8 +188,9 @@ TEST(Friction, SkirtStaysOnTheWaist) {
       const double y = finest.state.position[finest.cloth.pieces[p].firstNode + k].y;
       low = std::fmin(low, y), high = std::fmax(high, y);
     }
-  EXPECT_GT(low, girth.at("hip_height") + 0.05);  // above the hip,
-  EXPECT_LT(high, top + 0.06);                    // about the waist
+  // Where it was put, a centimetre above the waist; without friction it slides 17 mm down, as far as the hip lets it.
+  EXPECT_NEAR(low, top + 0.01, 0.008);
+  EXPECT_LT(high, top + 0.06);
 }
 
 }  // namespace
