@@ -82,7 +82,7 @@ class SpaceView : public QOpenGLWidget {
   Camera lens() const;
   void paintOver(QPainter& painter, double sideways, int width, int height);
   void paintThen(QPainter& painter, int width, int height) const;  // over the state beside
-  void paintScale(QPainter& painter, int height) const;
+  void paintScale(QPainter& painter, int w, int h) const;
   double aspect() const;
   QSize halves() const;  // how many pictures across and down
 

@@ -101,41 +101,51 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
   }
   if (!tapeShown_.line.empty()) paintWord(painter, at(tapeShown_.line.front()), lengthText(tapeShown_.length));
   if (const auto panel = session_.menu()) paintBoard(painter, *panel, at);
-  if (mapTop_ > 0 && !beside()) paintScale(painter, h);
+  if (mapTop_ > 0 && !beside()) paintScale(painter, w, h);
   if (beside()) paintWord(painter, QPointF(w - 60.0, 44), inWords(say("now")));
 }
 
 void SpaceView::paintThen(QPainter& painter, int w, int h) const {
   painter.setRenderHint(QPainter::Antialiasing);
   paintWord(painter, QPointF(w - 60.0, 44), beside_.caption);
-  if (mapTop_ > 0) paintScale(painter, h);
+  if (mapTop_ > 0) paintScale(painter, w, h);
 }
 
-// What the colours of a map mean.
-void SpaceView::paintScale(QPainter& painter, int h) const {
+// What the colours of a map mean: standing in a corner, or lying below the feet where two figures leave it no room.
+void SpaceView::paintScale(QPainter& painter, int w, int h) const {
   const Palette& p = Look::here().palette();
-  const double left = 22, top = 22, tall = std::min(190.0, h * 0.3);
+  const bool lying = beside();
+  const double room = lying ? std::min(270.0, w - 80.0) : std::min(190.0, h * 0.3);
+  const QRectF board = lying ? QRectF(12, h - 76, room + 56, 66) : QRectF(12, 12, 142, room + 54);
+  const QRectF bar = lying ? QRectF(board.left() + 20, board.top() + 28, room, 12)
+                           : QRectF(board.left() + 10, board.top() + 32, 16, room);
   painter.setPen(Qt::NoPen);
   QColor back = p.raised;
   back.setAlphaF(0.9f);
   painter.setBrush(back);
-  painter.drawRoundedRect(QRectF(left - 10, top - 10, 142, tall + 54), 10, 10);
+  painter.drawRoundedRect(board, 10, 10);
   painter.setPen(p.ink);
-  painter.drawText(QPointF(left, top + 10), inWords(map_ == FitMap::Strain ? say("strain")
-                                                    : map_ == FitMap::Ease ? say("distance to body")
-                                                                           : say("pressure")));
-  QLinearGradient scale(0, top + 22 + tall, 0, top + 22);
+  painter.drawText(board.topLeft() + QPointF(10, 20), inWords(map_ == FitMap::Strain ? say("strain")
+                                                              : map_ == FitMap::Ease ? say("distance to body")
+                                                                                     : say("pressure")));
+  QLinearGradient scale(bar.bottomLeft(), lying ? bar.bottomRight() : bar.topLeft());
   for (int i = 0; i <= 16; ++i) scale.setColorAt(i / 16.0, shown(strainColour(i / 16.0)));
   painter.setPen(Qt::NoPen);
   painter.setBrush(scale);
-  painter.drawRoundedRect(QRectF(left, top + 22, 16, tall), 4, 4);
+  painter.drawRoundedRect(bar, 4, 4);
   painter.setPen(p.ink);
-  for (int i = 0; i <= 5; ++i) {
+  const int every = lying && room < 240 ? 5 : 1;
+  for (int i = 0; i <= 5; i += every) {
     const double v = mapTop_ * i / 5;
-    painter.drawText(QPointF(left + 24, top + 22 + tall * (1 - i / 5.0) + 4),
-                     map_ == FitMap::Strain ? QString::fromStdString(fixed(100 * v, 1)) + " %"
-                     : map_ == FitMap::Ease ? lengthText(v)
-                                            : QString::fromStdString(fixed(v / 1000, 2)) + " kPa");
+    const QString words = map_ == FitMap::Strain ? QString::fromStdString(fixed(100 * v, 1)) + " %"
+                          : map_ == FitMap::Ease ? lengthText(v)
+                                                 : QString::fromStdString(fixed(v / 1000, 2)) + " kPa";
+    if (lying) {
+      const QPointF middle(bar.left() + room * i / 5, bar.bottom() + 11);
+      painter.drawText(QRectF(middle - QPointF(40, 10), QSizeF(80, 20)), Qt::AlignCenter, words);
+    } else {
+      painter.drawText(QPointF(bar.right() + 8, bar.bottom() - room * i / 5 + 4), words);
+    }
   }
 }
 
