@@ -276,12 +276,12 @@ void GarmentPanel::fillTree() {
         current = child;
       }
     }
-    const auto add = [&](int kind, const QString& line, const char* icon, bool isChosen) {
+    const auto add = [&, own = id.value](int kind, const QString& line, const char* icon, bool isChosen) {
       auto* child = new QTreeWidgetItem(item);
       child->setText(0, line);
       child->setIcon(0, Look::here().icon(icon));
       child->setData(0, Qt::UserRole, kind);
-      child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
+      child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(own));
       if (chosen && isChosen) {
         item->setExpanded(true);
         child->setSelected(true);

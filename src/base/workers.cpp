@@ -22,17 +22,22 @@ void breathe() {
 
 }  // namespace
 
-// Blocks are handed out by a counter, so a slow block delays nobody. A solver's jobs are shorter than waking a thread:
+// Each of the team has its own share of the blocks, the same in every job of a size, so that it finds the data of the
+// last job in its own cache; who is done helps the next. A solver's jobs are shorter than waking a thread:
 // helpers look out for the next job a while before they sleep, and the caller waits only for helpers that took part,
 // never for one that is still waking up. The counters are sequentially consistent: whoever enters either sees the job
 // closed or is seen inside.
 struct Workers::Team {
   struct Job {
     const std::function<void(std::size_t, std::size_t)>* work = nullptr;
-    std::size_t count = 0, block = 1;
-    std::atomic<std::size_t> next{0};
+    std::size_t block = 1;
   };
-  Job job;  // written only while it is closed and nobody is inside
+  struct alignas(64) Share {  // a cache line each
+    std::atomic<std::size_t> next{0};
+    std::size_t end = 0;
+  };
+  Job job;  // this and the shares are written only while it is closed and nobody is inside
+  std::vector<Share> shares;
   std::vector<std::thread> helpers;
   std::atomic<std::uint64_t> number{0};
   std::atomic<bool> open{false}, closing{false};
@@ -40,15 +45,28 @@ struct Workers::Team {
   std::mutex mutex;
   std::condition_variable begin;
 
-  void takeBlocks() {
-    for (;;) {
-      const std::size_t from = job.next.fetch_add(job.block, std::memory_order_relaxed);
-      if (from >= job.count) return;
-      (*job.work)(from, std::min(from + job.block, job.count));
+  explicit Team(int threads) : shares(static_cast<std::size_t>(std::max(1, threads))) {}
+
+  void share(std::size_t count) {
+    const std::size_t blocks = (count + job.block - 1) / job.block, n = shares.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      shares[k].next = k * blocks / n * job.block;
+      shares[k].end = std::min((k + 1) * blocks / n * job.block, count);
     }
   }
 
-  void help() {
+  void takeBlocks(std::size_t me) {
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      Share& share = shares[(me + k) % shares.size()];
+      for (;;) {
+        const std::size_t from = share.next.fetch_add(job.block, std::memory_order_relaxed);
+        if (from >= share.end) break;
+        (*job.work)(from, std::min(from + job.block, share.end));
+      }
+    }
+  }
+
+  void help(std::size_t me) {
     std::uint64_t seen = 0;
     const auto called = [&] { return closing || number != seen; };
     for (;;) {
@@ -62,7 +80,7 @@ struct Workers::Team {
       if (closing) return;
       seen = number;
       ++inside;
-      if (open) takeBlocks();
+      if (open) takeBlocks(me);
       --inside;
     }
   }
@@ -74,8 +92,9 @@ struct Workers::Team {
   }
 };
 
-Workers::Workers(int threads) : team_(std::make_unique<Team>()) {
-  for (int i = 1; i < threads; ++i) team_->helpers.emplace_back([team = team_.get()] { team->help(); });
+Workers::Workers(int threads) : team_(std::make_unique<Team>(threads)) {
+  for (int i = 1; i < threads; ++i)
+    team_->helpers.emplace_back([team = team_.get(), i] { team->help(static_cast<std::size_t>(i)); });
 }
 
 Workers::~Workers() {
@@ -94,13 +113,12 @@ void Workers::forBlocks(std::size_t count, std::size_t block,
   }
   Team& team = *team_;
   team.job.work = &work;
-  team.job.count = count;
   team.job.block = block;
-  team.job.next = 0;
+  team.share(count);
   team.open = true;
   ++team.number;
   team.wake();
-  team.takeBlocks();
+  team.takeBlocks(0);
   team.open = false;
   for (int i = 0; team.inside != 0; ++i) i < kSpins ? breathe() : std::this_thread::yield();
 }
