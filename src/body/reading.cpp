@@ -52,6 +52,8 @@ TriangleMesh compacted(const TriangleMesh& mesh, std::span<const std::uint32_t> 
   return out;
 }
 
+constexpr double kBesideNeck = 1.05;  // of the neck's own radius: where its side runs out into the shoulder
+
 // A mesh in level slices: a level plane meets only the faces of one slice.
 class Slices {
  public:
@@ -533,7 +535,10 @@ class Reader {
         if (std::abs(p.x - middle_) < reach) ring.push_back(p);
       if (ring.size() > 3) set("neck_base_girth", tightTapeLength(ring, up));
     }
-    const double side = 0.038 * height_;  // beside the neck, where it runs out into the shoulder; above it is the head
+    // Above its side points is the head.
+    const auto girth = out_.value.find("neck_girth");
+    const double side =
+        girth != out_.value.end() ? kBesideNeck * girth->second / (2 * std::numbers::pi) : 0.038 * height_;
     for (const int s : {0, 1})
       if (const auto p = topAt(middle_ + (s ? -side : side), through.y))
         out_.landmark[s ? "neck_right" : "neck_left"] = *p;
