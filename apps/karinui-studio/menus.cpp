@@ -113,6 +113,15 @@ void MainWindow::makeMenus() {
   blender->setCheckable(true);
   blender->setChecked(QSettings().value("blender").toBool());
   space_->setBlenderKeys(blender->isChecked());
+  QAction* fine = add(viewMenu_, say("Fine pictures when still"), "", "", [this] {
+    const bool on = !QSettings().value("fine", true).toBool();
+    QSettings().setValue("fine", on);
+    space_->setFine(on);
+  });
+  fine->setObjectName("fine");
+  fine->setCheckable(true);
+  fine->setChecked(QSettings().value("fine", true).toBool());
+  space_->setFine(fine->isChecked());
   viewMenu_->addSeparator();
   QAction* english = viewMenu_->addAction("English");
   QAction* japanese = viewMenu_->addAction(QString::fromUtf8("日本語"));

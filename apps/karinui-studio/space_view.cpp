@@ -189,6 +189,12 @@ void SpaceView::setLevel(std::optional<double> height) {
   levelShown_ = level_ ? girthsAt(session_.shown(), *level_) : Girths();
   update();
 }
+void SpaceView::setFine(bool on) {
+  finest_ = on;
+  soft_ = false;
+  stale_ = true;
+  update();
+}
 void SpaceView::setTape(bool on) {
   tape_ = on;
   tapeShown_ = {};
@@ -257,8 +263,8 @@ void SpaceView::showGarment() {
     if (map_ != FitMap::Pressure)
       for (Vec3& p : frame.cloths[k].mesh.points) p = at->second(p);
   }
-  const bool quick = !fine_ && (carried || garmentShown_ != ~0ull);
-  soft_ = !quick;
+  const bool quick = !(fine_ && finest_) && (carried || garmentShown_ != ~0ull);
+  soft_ = !quick || !finest_;
   stale_ = true;
   const SoftLight light = quick ? SoftLight::Kept : SoftLight::Anew;
   renderer_->show(frame, top, light);
@@ -321,7 +327,7 @@ void SpaceView::paintGL() {
   const double ratio = devicePixelRatioF();
   const int w = static_cast<int>(width() * ratio), h = static_cast<int>(height() * ratio);
   const bool two = beside() && beside_.renderer, stereo = !two && stereo_ != Stereo::Off;
-  const int ew = w / halves().width(), eh = h / halves().height(), finer = fine_ ? 2 : 1;
+  const int ew = w / halves().width(), eh = h / halves().height(), finer = fine_ && finest_ ? 2 : 1;
   if (stale_) renderer_->light(camera_);
   if (stale_ && two) beside_.renderer->light(camera_);
   for (int k = 0; k < (stereo || two ? 2 : 1); ++k) {

@@ -41,7 +41,8 @@ class SpaceView : public QOpenGLWidget {
   void setTape(bool on);
   bool tape() const { return tape_; }
   void setBlenderKeys(bool on) { blender_ = on; }
-  void refresh();  // the session has something new
+  void setFine(bool on);  // whether still pictures are drawn finer than moving ones; not where drawing is slow
+  void refresh();         // the session has something new
   const Camera& camera() const { return camera_; }
   void setCamera(const Camera& camera);
   QString driver() const { return driver_; }
@@ -104,7 +105,7 @@ class SpaceView : public QOpenGLWidget {
   std::optional<double> level_;
   Girths levelShown_;
   std::uint64_t garmentShown_ = ~0ull;
-  bool stale_ = true, fine_ = false, framed_ = false;
+  bool stale_ = true, fine_ = false, finest_ = true, framed_ = false;
   bool soft_ = false;  // the soft light is that of a still picture
   Stereo stereo_ = Stereo::Off;
   double separation_ = 0.063, convergence_ = 1;

@@ -295,11 +295,13 @@ TEST_F(ReadBody, TakesEveryBodyHandedToTheTests) {
 TEST_F(ReadBody, StandsEveryBadFileHandedToTheTests) {
   const fs::path bad = KARINUI_SHARED_DIR "/badinput";
   if (!fs::exists(bad)) GTEST_SKIP() << "the shared bad files are not here";
+  const char* asked = std::getenv("KARINUI_LONG");
+  const bool all = asked && *asked;  // each is a process; a third of them otherwise
   std::size_t tried = 0;
   for (const auto& entry : fs::recursive_directory_iterator(bad)) {
     const std::string ending = entry.path().extension().string();
     if (ending != ".obj" && ending != ".ply" && ending != ".gltf" && ending != ".glb") continue;
-    ++tried;
+    if (tried++ % 3 > 0 && !all) continue;
     for (bool wrap : {false, true}) {
       BodyReadOptions options;
       options.wrap = wrap;
