@@ -117,7 +117,7 @@ void SpaceView::paintScale(QPainter& painter, int w, int h) const {
   const bool lying = beside();
   const double room = lying ? std::min(270.0, w - 80.0) : std::min(190.0, h * 0.3);
   const QRectF board = lying ? QRectF(12, h - 76, room + 56, 66) : QRectF(12, 12, 142, room + 54);
-  const QRectF bar = lying ? QRectF(board.left() + 20, board.top() + 28, room, 12)
+  const QRectF bar = lying ? QRectF(board.left() + 28, board.top() + 28, room, 12)
                            : QRectF(board.left() + 10, board.top() + 32, 16, room);
   painter.setPen(Qt::NoPen);
   QColor back = p.raised;
