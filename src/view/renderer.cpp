@@ -143,6 +143,7 @@ struct Renderer::Parts {
     std::size_t first = 0, count = 0;  // corners
   };
   std::vector<Run> runs;
+  std::vector<KeptMesh> kept;           // one for each body
   std::size_t bodies = 0, casting = 0;  // corners: those of bodies come first
   std::size_t castingVertices = 0;
   struct {
@@ -357,7 +358,9 @@ void Renderer::show(const SceneFrame& frame, double strainTop, SoftLight softLig
     add();
     p.runs.push_back({kind, weave, first, surface.corners.size() - first});
   };
-  for (const SceneBody& body : frame.bodies) run(0, false, [&] { addMesh(surface, body.mesh, p.origin, body.colour); });
+  p.kept.resize(frame.bodies.size());
+  for (std::size_t b = 0; b < frame.bodies.size(); ++b)
+    run(0, false, [&] { p.kept[b].add(surface, frame.bodies[b].mesh, p.origin, frame.bodies[b].colour); });
   p.bodies = surface.corners.size();
   for (const SceneCloth& cloth : frame.cloths)
     run(1, cloth.flat.size() == cloth.mesh.points.size(),

@@ -81,6 +81,21 @@ void addMesh(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colo
     for (const std::uint32_t i : f) surface.corners.push_back(base + i);
 }
 
+void KeptMesh::add(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colour& colour) {
+  if (mesh.points != mesh_.points || mesh.faces != mesh_.faces || colour != colour_) {
+    mesh_ = mesh;
+    colour_ = colour;
+    own_ = {};
+    addMesh(own_, mesh, {}, colour);
+  }
+  const auto base = static_cast<std::uint32_t>(surface.vertices.size());
+  surface.vertices.insert(surface.vertices.end(), own_.vertices.begin(), own_.vertices.end());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    if (drawable(mesh.points[i])) put(surface.vertices[base + i].place, mesh.points[i] - origin);
+  for (const std::uint32_t i : own_.corners) surface.corners.push_back(base + i);
+  surface.leftOut += own_.leftOut;
+}
+
 void addFloor(Surface& surface, Vec3 centre, double radius) {
   constexpr std::uint32_t kRings = 72, kRays = 96;
   const auto base = static_cast<std::uint32_t>(surface.vertices.size());

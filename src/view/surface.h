@@ -26,6 +26,18 @@ struct Surface {
 void addMesh(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colour& colour,
              const std::vector<Flat>& flat = {}, const std::vector<float>& strain = {});
 
+// A mesh that is shown again and again while other things move: normals and folds are worked out when it is another
+// one.
+class KeptMesh {
+ public:
+  void add(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colour& colour);
+
+ private:
+  TriangleMesh mesh_;
+  Colour colour_{};
+  Surface own_;  // about the mesh's own origin
+};
+
 // Adds a round floor, finest in the middle where the shadows are.
 void addFloor(Surface& surface, Vec3 centre, double radius);
 

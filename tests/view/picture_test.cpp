@@ -162,6 +162,21 @@ TEST_F(ViewPicture, TheSamePictureTwiceIsTheSameBytes) {
   EXPECT_EQ(draw(covered(), small()).rgba, draw(covered(), small()).rgba);
 }
 
+// What was worked out for a body is kept while it stays: a picture must not tell what was drawn before it.
+TEST_F(ViewPicture, WhatWasDrawnBeforeDoesNotShow) {
+  SceneFrame moved = covered(), tinted = covered(), larger = covered(), two = covered();
+  for (Vec3& p : moved.cloths[0].mesh.points) p.x += 0.4;  // and with it the middle of the scene
+  tinted.bodies[0].colour = {0.1f, 0.5f, 0.2f};
+  larger.bodies[0] = ball({0, 0.7, 0}, 0.7);
+  two.bodies.push_back(ball({0.8, 0.2, 0}, 0.2));
+  for (const SceneFrame& frame : {covered(), moved, tinted, larger, two, covered()}) {
+    const Image after = draw(frame, small());
+    const auto fresh = (*Picture::open())->draw(frame, small());
+    ASSERT_TRUE(fresh);
+    EXPECT_EQ(after.rgba, fresh->rgba);
+  }
+}
+
 TEST_F(ViewPicture, BrokenScenesGiveAPictureAndASentence) {
   SceneFrame frame = covered();
   const double nan = std::numeric_limits<double>::quiet_NaN();
