@@ -1,20 +1,9 @@
 #include "geometry/membrane.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 namespace karinui {
-namespace {
-
-// The nearest positive semidefinite matrix: Newton then always goes downhill.
-Eigen::Matrix4d withoutNegative(const Eigen::Matrix4d& h) {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(h);
-  const Eigen::Vector4d kept = solver.eigenvalues().cwiseMax(0.0);
-  return solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
-}
-
-}  // namespace
 
 RestTriangle restTriangle(const Triangle& corner, Flat a, Flat b, Flat c, double thinnest) {
   RestTriangle rest;
@@ -79,21 +68,29 @@ bool foldFree(std::span<const RestTriangle> rest, std::span<const Flat> flat) {
   });
 }
 
-// With I = |F|^2 and J = det F the energy is I + I / J^2.
+// With I = |F|^2 and J = det F the energy is I + I / J^2. Of the second derivative's four eigenvalues only that of the
+// twist, which turns F by its own rotation and a quarter, can be below zero (Smith, de Goes and Kim: Analytic
+// Eigensystems for Isotropic Distortion Energies, 2019); it is raised to zero, so that Newton always goes downhill.
 MembraneTerm symmetricDirichlet(const Gradient& f, bool derivatives) {
   MembraneTerm term;
   const double i = f.squaredNorm(), j = determinant(f), j2 = 1 / (j * j);
   term.value = i * (1 + j2) - 4;
   if (!derivatives) return term;
   const Eigen::Vector4d dj(f[3], -f[2], -f[1], f[0]);
-  Eigen::Matrix4d ddj = Eigen::Matrix4d::Zero();
-  ddj(0, 3) = ddj(3, 0) = 1;
-  ddj(1, 2) = ddj(2, 1) = -1;
   const double j3 = j2 / j, j4 = j2 * j2;
   term.slope = 2 * (1 + j2) * f - 2 * i * j3 * dj;
-  term.stiffness =
-      withoutNegative(2 * (1 + j2) * Eigen::Matrix4d::Identity() - 4 * j3 * (f * dj.transpose() + dj * f.transpose()) +
-                      6 * i * j4 * dj * dj.transpose() - 2 * i * j3 * ddj);
+  const Eigen::Vector4d across = 3 * i * j4 * dj - 4 * j3 * f;
+  term.stiffness = across * dj.transpose() + dj * across.transpose();
+  term.stiffness.diagonal().array() += 2 * (1 + j2);
+  const double bent = 2 * i * j3;  // by the second derivative of J
+  term.stiffness(0, 3) -= bent, term.stiffness(3, 0) -= bent;
+  term.stiffness(1, 2) += bent, term.stiffness(2, 1) += bent;
+  const double twist = 2 - 2 * (i - j) * j3;
+  if (twist < 0) {
+    const double c = f[0] + f[3], s = f[2] - f[1];  // the rotation's cosine and sine, times the sum of stretches
+    const Eigen::Vector4d t(-s, -c, c, -s);
+    term.stiffness -= twist / (2 * (c * c + s * s)) * t * t.transpose();
+  }
   return term;
 }
 

@@ -13,9 +13,28 @@ namespace {
 using Sparse = Eigen::SparseMatrix<double>;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-double energy(const FlatProblem& problem, std::span<const Flat> flat) {
+// The points that may move, and the triangles that feel it: all else stays as it is, and costs nothing.
+struct Moving {
+  std::vector<std::uint32_t> points;
+  std::vector<int> number;  // of each point among those; -1: pinned
+  std::vector<RestTriangle> rest;
+
+  explicit Moving(const FlatProblem& problem, std::size_t count) : number(count, -1) {
+    for (std::uint32_t p = 0; p < count; ++p) {
+      if (!problem.pinned.empty() && problem.pinned[p] != 0) continue;
+      number[p] = static_cast<int>(points.size());
+      points.push_back(p);
+    }
+    for (const RestTriangle& t : problem.rest)
+      if (std::any_of(t.corner.begin(), t.corner.end(), [&](std::uint32_t p) { return number[p] >= 0; }))
+        rest.push_back(t);
+  }
+  Eigen::Index unknowns() const { return static_cast<Eigen::Index>(2 * points.size()); }
+};
+
+double energy(const FlatProblem& problem, const Moving& moving, std::span<const Flat> flat) {
   double sum = 0;
-  for (const RestTriangle& rest : problem.rest) {
+  for (const RestTriangle& rest : moving.rest) {
     const Gradient f = gradientOf(rest, flat);
     if (!(determinant(f) > 0)) return kInfinite;
     sum += rest.area * problem.law(f, false).value;
@@ -28,58 +47,56 @@ double energy(const FlatProblem& problem, std::span<const Flat> flat) {
   return sum;
 }
 
-// Slope and stiffness of the whole; point p owns unknowns 2p (u) and 2p + 1 (v).
-void derivatives(const FlatProblem& problem, std::span<const Flat> flat, Eigen::VectorXd& slope, Sparse& stiffness) {
+// Slope and stiffness of the whole; the n-th point that moves owns unknowns 2n (u) and 2n + 1 (v).
+void derivatives(const FlatProblem& problem, const Moving& moving, std::span<const Flat> flat, Eigen::VectorXd& slope,
+                 Sparse& stiffness) {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(problem.rest.size() * 36 + problem.springs.size() * 16 + 2 * flat.size());
-  slope.setZero(static_cast<Eigen::Index>(2 * flat.size()));
-  const auto stays = [&](int unknown) {
-    return !problem.pinned.empty() && problem.pinned[static_cast<std::size_t>(unknown) / 2] != 0;
-  };
-  const auto scatter = [&](std::span<const int> at, const auto& g, const auto& h) {
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (stays(at[i])) continue;
-      slope[at[i]] += g[static_cast<Eigen::Index>(i)];
-      for (std::size_t j = 0; j < at.size(); ++j)
-        if (!stays(at[j]))
-          entries.emplace_back(at[i], at[j], h(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+  entries.reserve(moving.rest.size() * 36 + problem.springs.size() * 16 + 2 * moving.points.size());
+  slope.setZero(moving.unknowns());
+  const auto scatter = [&](std::span<const std::uint32_t> points, const auto& g, const auto& h) {
+    for (std::size_t i = 0; i < 2 * points.size(); ++i) {
+      const int row = moving.number[points[i / 2]];
+      if (row < 0) continue;
+      const int at = 2 * row + static_cast<int>(i % 2);
+      slope[at] += g[static_cast<Eigen::Index>(i)];
+      for (std::size_t j = 0; j < 2 * points.size(); ++j)
+        if (const int column = moving.number[points[j / 2]]; column >= 0)
+          entries.emplace_back(at, 2 * column + static_cast<int>(j % 2),
+                               h(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
     }
   };
   double diagonal = 0;
-  for (const RestTriangle& rest : problem.rest) {
+  for (const RestTriangle& rest : moving.rest) {
     const MembraneTerm term = problem.law(gradientOf(rest, flat), true);
     Eigen::Matrix<double, 4, 6> b = Eigen::Matrix<double, 4, 6>::Zero();
-    std::array<int, 6> at{};
     for (int k = 0; k < 3; ++k) {
       const Flat g = rest.gradient[static_cast<std::size_t>(k)];
       b(0, 2 * k) = b(2, 2 * k + 1) = g.u;
       b(1, 2 * k) = b(3, 2 * k + 1) = g.v;
-      const int p = static_cast<int>(rest.corner[static_cast<std::size_t>(k)]);
-      at[static_cast<std::size_t>(2 * k)] = 2 * p;
-      at[static_cast<std::size_t>(2 * k + 1)] = 2 * p + 1;
     }
     const Eigen::Matrix<double, 6, 1> g = rest.area * (b.transpose() * term.slope);
     const Eigen::Matrix<double, 6, 6> h = rest.area * (b.transpose() * term.stiffness * b);
     diagonal += h.trace();
-    scatter(at, g, h);
+    scatter(rest.corner, g, h);
   }
   for (const auto& s : problem.springs) {
     const Flat step = flat[s.b] - flat[s.a];
     const double l = length(step), miss = l / s.length - 1;
     const Flat n = step * (1 / (l * s.length));
     const Eigen::Vector4d d(-n.u, -n.v, n.u, n.v);
-    const std::array<int, 4> at{static_cast<int>(2 * s.a), static_cast<int>(2 * s.a + 1), static_cast<int>(2 * s.b),
-                                static_cast<int>(2 * s.b + 1)};
-    scatter(at, Eigen::Vector4d(2 * s.weight * miss * d), Eigen::Matrix4d(2 * s.weight * d * d.transpose()));
+    const std::array<std::uint32_t, 2> ends{s.a, s.b};
+    scatter(ends, Eigen::Vector4d(2 * s.weight * miss * d), Eigen::Matrix4d(2 * s.weight * d * d.transpose()));
   }
   for (const auto& h : problem.holds) {
-    slope[static_cast<int>(2 * h.point)] += 2 * h.weight * flat[h.point].u;
-    entries.emplace_back(static_cast<int>(2 * h.point), static_cast<int>(2 * h.point), 2 * h.weight);
+    const int at = 2 * moving.number[h.point];
+    if (at < 0) continue;
+    slope[at] += 2 * h.weight * flat[h.point].u;
+    entries.emplace_back(at, at, 2 * h.weight);
   }
   // A trace of stiffness everywhere: the whole may be carried and turned without cost, but the system has one answer.
-  const double trace = 1e-9 * diagonal / static_cast<double>(2 * flat.size());
-  for (int i = 0; i < static_cast<int>(2 * flat.size()); ++i) entries.emplace_back(i, i, trace);
-  stiffness.resize(static_cast<Eigen::Index>(2 * flat.size()), static_cast<Eigen::Index>(2 * flat.size()));
+  const double trace = 1e-9 * diagonal / static_cast<double>(moving.unknowns());
+  for (int i = 0; i < static_cast<int>(moving.unknowns()); ++i) entries.emplace_back(i, i, trace);
+  stiffness.resize(moving.unknowns(), moving.unknowns());
   stiffness.setFromTriplets(entries.begin(), entries.end());
 }
 
@@ -97,16 +114,16 @@ double firstFold(Flat a, Flat b, Flat c, Flat da, Flat db, Flat dc) {
   return best;
 }
 
-// How each point moves when the whole turns about its middle.
-Eigen::VectorXd turning(std::span<const Flat> flat) {
+// How each point that moves does so when the whole turns about its middle.
+Eigen::VectorXd turning(const Moving& moving, std::span<const Flat> flat) {
   Flat middle;
   for (Flat p : flat) middle += p;
   middle = middle * (1.0 / static_cast<double>(flat.size()));
-  Eigen::VectorXd r(static_cast<Eigen::Index>(2 * flat.size()));
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    const Flat t = leftOf(flat[i] - middle);
-    r[static_cast<Eigen::Index>(2 * i)] = t.u;
-    r[static_cast<Eigen::Index>(2 * i + 1)] = t.v;
+  Eigen::VectorXd r(moving.unknowns());
+  for (std::size_t n = 0; n < moving.points.size(); ++n) {
+    const Flat t = leftOf(flat[moving.points[n]] - middle);
+    r[static_cast<Eigen::Index>(2 * n)] = t.u;
+    r[static_cast<Eigen::Index>(2 * n + 1)] = t.v;
   }
   return r;
 }
@@ -114,40 +131,42 @@ Eigen::VectorXd turning(std::span<const Flat> flat) {
 }  // namespace
 
 void minimise(const FlatProblem& problem, std::vector<Flat>& flat, const Token& token) {
-  double now = energy(problem, flat);
-  if (!std::isfinite(now)) return;
+  const Moving moving(problem, flat.size());
+  double now = energy(problem, moving, flat);
+  if (moving.points.empty() || !std::isfinite(now)) return;
   Eigen::SimplicialLDLT<Sparse> solver;
   Eigen::VectorXd slope;
   Sparse stiffness;
   bool analysed = false;
   int calm = 0;
   for (int step = 0; step < problem.maxSteps && !token.cancelled(); ++step) {
-    derivatives(problem, flat, slope, stiffness);
+    derivatives(problem, moving, flat, slope, stiffness);
     if (!analysed) solver.analyzePattern(stiffness);
     analysed = true;
     solver.factorize(stiffness);
     if (solver.info() != Eigen::Success) return;
     Eigen::VectorXd move = -solver.solve(slope);
     if (problem.holdTurn) {  // the least energy among all that do not turn the whole: one multiplier
-      const Eigen::VectorXd turn = turning(flat), answer = solver.solve(turn);
+      const Eigen::VectorXd turn = turning(moving, flat), answer = solver.solve(turn);
       move -= answer * (turn.dot(move) / turn.dot(answer));
     }
     const double descent = slope.dot(move);
     if (!std::isfinite(descent) || descent >= 0) return;
 
     const auto stepOf = [&](std::uint32_t p) {
-      return Flat{move[static_cast<Eigen::Index>(2 * p)], move[static_cast<Eigen::Index>(2 * p + 1)]};
+      const Eigen::Index n = 2 * Eigen::Index{moving.number[p]};
+      return n < 0 ? Flat{} : Flat{move[n], move[n + 1]};
     };
     double t = 1;
-    for (const RestTriangle& rest : problem.rest) {
+    for (const RestTriangle& rest : moving.rest) {
       const auto& c = rest.corner;
       t = std::fmin(t, 0.8 * firstFold(flat[c[0]], flat[c[1]], flat[c[2]], stepOf(c[0]), stepOf(c[1]), stepOf(c[2])));
     }
-    std::vector<Flat> trial(flat.size());
+    std::vector<Flat> trial = flat;
     double then = kInfinite;
     for (int halving = 0; halving < 40; ++halving, t *= 0.5) {
-      for (std::uint32_t p = 0; p < flat.size(); ++p) trial[p] = flat[p] + stepOf(p) * t;
-      then = energy(problem, trial);
+      for (const std::uint32_t p : moving.points) trial[p] = flat[p] + stepOf(p) * t;
+      then = energy(problem, moving, trial);
       if (then <= now + 1e-4 * t * descent) break;
     }
     if (!(then < now)) return;

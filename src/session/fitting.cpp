@@ -121,6 +121,11 @@ void pickEdge(const Fitting& fitting, const PointerSample& sample, Hit& hit) {
 
 }  // namespace
 
+const Bvh& PickingTree::operator*() const {
+  std::call_once(asked_, [&] { tree_.emplace(mesh_); });
+  return *tree_;
+}
+
 FittingPtr fittingOf(Document document, BodyPtr body) {
   auto fitting = std::make_shared<Fitting>();
   fitting->body = std::move(body);
@@ -134,7 +139,7 @@ FittingPtr fittingOf(Document document, BodyPtr body) {
   auto cloth = fitting->frame.cloths.begin();
   for (const auto& [id, piece] : document.pattern.pieces) {
     KARINUI_ASSERT(cloth != fitting->frame.cloths.end() && cloth->name == piece->name);
-    fitting->worn.push_back({id, std::make_shared<const Bvh>(cloth->mesh), piece->outline.flattened(2e-4)});
+    fitting->worn.push_back({id, std::make_shared<const PickingTree>(cloth->mesh), piece->outline.flattened(2e-4)});
     ++cloth;
   }
   fitting->document = std::move(document);
@@ -211,7 +216,7 @@ Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample
   for (std::size_t k = 0; k < fitting.worn.size(); ++k) {
     const SceneCloth& cloth = fitting.frame.cloths[k];
     if (cloth.mesh.faces.empty()) continue;
-    const auto met = fitting.worn[k].tree->first(sample.ray.origin, sample.ray.direction);
+    const auto met = (*fitting.worn[k].tree)->first(sample.ray.origin, sample.ray.direction);
     // Cloth that lies on the skin, or a hair within it, is what is seen.
     constexpr double kSkin = 0.004;
     if (!met || (hit.on != Hit::On::Nothing && met->along > hit.along + (hit.on == Hit::On::Body ? kSkin : 0.0)))

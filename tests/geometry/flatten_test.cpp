@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <map>
+#include <random>
 
+#include "geometry/membrane.h"
 #include "geometry/surfaces.h"
 #include "karinui/geometry/patch.h"
 
@@ -119,6 +122,32 @@ TEST(Flatten, RefusesPointsThatAreNoNumbers) {
   TriangleMesh mesh = surfaces::plane(4, 1);
   mesh.points[3].x = std::nan("");
   EXPECT_FALSE(flatten(mesh, borderOf(mesh), {}, Token()));
+}
+
+TEST(Membrane, ItsStiffnessIsTheSecondDerivativeWithoutWhatGoesDownhill) {
+  std::mt19937 lot(7);
+  std::uniform_real_distribution<double> any(-2, 2);
+  int raised = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Gradient f(any(lot), any(lot), any(lot), any(lot));
+    if (determinant(f) < 0.05) continue;
+    const MembraneTerm term = symmetricDirichlet(f, true);
+    Eigen::Vector4d slope;
+    Eigen::Matrix4d second;
+    for (int k = 0; k < 4; ++k) {
+      const double h = 1e-6;
+      const Gradient step = h * Gradient::Unit(k);
+      slope[k] = (symmetricDirichlet(f + step, false).value - symmetricDirichlet(f - step, false).value) / (2 * h);
+      second.col(k) = (symmetricDirichlet(f + step, true).slope - symmetricDirichlet(f - step, true).slope) / (2 * h);
+    }
+    EXPECT_LT((slope - term.slope).norm(), 1e-6 * (1 + term.slope.norm()));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> parts(0.5 * (second + second.transpose()));
+    raised += parts.eigenvalues().minCoeff() < -1e-3 ? 1 : 0;
+    const Eigen::Matrix4d nearest =
+        parts.eigenvectors() * parts.eigenvalues().cwiseMax(0.0).asDiagonal() * parts.eigenvectors().transpose();
+    EXPECT_LT((nearest - term.stiffness).norm(), 1e-5 * (1 + second.norm())) << f.transpose();
+  }
+  EXPECT_GT(raised, 100);
 }
 
 TEST(Reflatten, NothingMovedIsTheOldPaper) {

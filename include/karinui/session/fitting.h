@@ -3,6 +3,7 @@
 // thread.
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -14,13 +15,27 @@
 
 namespace karinui {
 
+// A tree over a piece of cloth that is built when the pointer first asks for it: most pictures of cloth on its way are
+// never pointed at. Any thread.
+class PickingTree {
+ public:
+  explicit PickingTree(TriangleMesh mesh) : mesh_(std::move(mesh)) {}
+  const Bvh& operator*() const;
+  const Bvh* operator->() const { return &**this; }
+
+ private:
+  const TriangleMesh mesh_;
+  mutable std::once_flag asked_;
+  mutable std::optional<Bvh> tree_;
+};
+
 struct Fitting {
   Document document;
   BodyPtr body;      // null: none chosen, or not to be had
   SceneFrame frame;  // cloths in the order of the document's pieces
   struct Worn {      // cloth k of the frame
     PieceId id;
-    std::shared_ptr<const Bvh> tree;
+    std::shared_ptr<const PickingTree> tree;
     Ring ring;  // the outline on paper, for the table
   };
   std::vector<Worn> worn;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "design/operations/operations.h"
@@ -139,10 +140,12 @@ Piece recut(Piece piece, const Outline& outline, std::span<const Flat> pulled, d
         if (!pulled.empty() && std::none_of(pulled.begin(), pulled.end(), reached)) held.push_back({p, {}});
         continue;
       }
-      const auto nearest = std::min_element(samples.begin(), samples.end(), [&](const Sample& a, const Sample& b) {
-        return distance(a.old, piece.form->flat[p]) < distance(b.old, piece.form->flat[p]);
-      });
-      held.push_back({p, nearest->by});
+      Sample nearest;
+      double least = std::numeric_limits<double>::infinity();
+      for (const Sample& sample : samples)
+        if (const Flat to = sample.old - piece.form->flat[p]; dot(to, to) < least)
+          least = dot(to, to), nearest = sample;
+      held.push_back({p, nearest.by});
     }
     auto form = std::make_shared<Form>(*piece.form);
     form->flat = carryAlong(form->flat, form->faces, held);
