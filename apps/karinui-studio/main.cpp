@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "karinui/base/memory.h"
 #include "karinui/base/number.h"
 #include "look.h"
 #include "main_window.h"
@@ -52,6 +53,7 @@ bool displayIsThere() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepFreedMemory();
   Wish wish;
   const Language spoken = spokenHere();
   const auto refuse = [&](const Message& why) {

@@ -4,10 +4,12 @@
 #include <thread>
 
 #include "commands.h"
+#include "karinui/base/memory.h"
 #include "wrong_call.h"
 
 int main(int count, char** words) {
   using namespace karinui::app;
+  karinui::keepFreedMemory();
   Program program;
   program.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   program.cli.require_subcommand(1);

@@ -39,6 +39,7 @@ struct SelfContact::Grid {
   double cell = 1;
   std::array<std::int64_t, 3> count{};
   std::vector<std::uint32_t> start, item;
+  std::vector<Vec3> place;  // of each item
 
   std::array<std::int64_t, 3> at(Vec3 p) const {
     return {static_cast<std::int64_t>((p.x - low.x) / cell), static_cast<std::int64_t>((p.y - low.y) / cell),
@@ -67,6 +68,7 @@ struct SelfContact::Grid {
       items.emplace_back(static_cast<std::uint32_t>(number(c[0], c[1], c[2])), n);
     }
     startsOf(static_cast<std::size_t>(count[0] * count[1] * count[2]), items, start, item);
+    for (const std::uint32_t n : item) place.push_back(x[n]);
   }
 };
 
@@ -235,7 +237,7 @@ void SelfContact::lookAround(std::span<const Vec3> x, double reach, Workers& wor
           for (std::uint32_t i = grid.start[from]; i < grid.start[to + 1]; ++i) {
             const NodeIndex b = grid.item[i];
             if (b <= a || (!live_[a] && !live_[b])) continue;
-            if (squaredLength(x[b] - p) > nearReach_ * nearReach_ || neighbours(a, b)) continue;
+            if (squaredLength(grid.place[i] - p) > nearReach_ * nearReach_ || neighbours(a, b)) continue;
             out.push_back({a, b});
           }
         }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
+#include <unordered_map>
 
 #include "cloth/crossing.h"
 #include "karinui/geometry/bvh.h"
@@ -31,7 +31,10 @@ Tangle::Tangle(const Cloth& cloth) : group_(cloth.nodeCount), near_(cloth.nodeCo
   }
   for (std::uint32_t k = 0; k < group_.size(); ++k) group_[k] = root(k);
 
-  std::map<std::array<NodeIndex, 2>, std::uint32_t> known;
+  std::unordered_map<std::uint64_t, std::uint32_t> known;  // by both nodes
+  std::size_t faces = 0;
+  for (const ClothPiece& piece : cloth.pieces) faces += piece.lattice->faces.size();
+  known.reserve(2 * faces);
   for (const ClothPiece& piece : cloth.pieces)
     for (const Triangle& f : piece.lattice->faces) {
       const Triangle face{piece.firstNode + f[0], piece.firstNode + f[1], piece.firstNode + f[2]};
@@ -39,7 +42,8 @@ Tangle::Tangle(const Cloth& cloth) : group_(cloth.nodeCount), near_(cloth.nodeCo
       std::array<std::uint32_t, 3> around{};
       for (std::size_t c = 0; c < 3; ++c) {
         const auto [low, high] = std::minmax(face[c], face[(c + 1) % 3]);
-        const auto [at, isNew] = known.try_emplace({low, high}, static_cast<std::uint32_t>(edges_.size()));
+        const auto [at, isNew] =
+            known.try_emplace(std::uint64_t{low} << 32 | high, static_cast<std::uint32_t>(edges_.size()));
         if (isNew)
           edges_.push_back({{low, high}, {number, kNoNode}});
         else
