@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "cloth/wide.h"
+#include "karinui/base/wide.h"
 
 namespace karinui {
 namespace {

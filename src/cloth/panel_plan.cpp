@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/wide.h"
+#include "karinui/base/wide.h"
 
 namespace karinui {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cloth/wide.h"
+#include "karinui/base/wide.h"
 
 namespace karinui {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cloth/wide.h"
+#include "karinui/base/wide.h"
 
 namespace karinui {
 namespace {

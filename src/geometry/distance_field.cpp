@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "geometry/triangle.h"
+#include "karinui/base/wide.h"
 
 namespace karinui {
 namespace {
@@ -24,42 +25,29 @@ struct Grid {
   Count count{};
   std::size_t points() const { return count[0] * count[1] * count[2]; }
   std::size_t index(std::size_t i, std::size_t j, std::size_t k) const { return (k * count[1] + j) * count[0] + i; }
+  Count split(std::size_t n, std::size_t times) const {  // an index into its three, so many times
+    return {n % count[0] * times, n / count[0] % count[1] * times, n / (count[0] * count[1]) * times};
+  }
   Vec3 place(std::size_t i, std::size_t j, std::size_t k) const {
     return {origin.x + step * static_cast<double>(i), origin.y + step * static_cast<double>(j),
             origin.z + step * static_cast<double>(k)};
   }
 };
 
-double distanceToFace(const TriangleMesh& mesh, std::uint32_t face, Vec3 place) {
+double mix(double a, double b, double t) { return a + (b - a) * t; }
+
+Corners cornersOf(const TriangleMesh& mesh, std::uint32_t face) {
   const Triangle& f = mesh.faces[face];
-  const Corners c{mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
+  return {mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
+}
+
+double distanceToFace(const Corners& c, Vec3 place) {
   const auto w = nearestWeights(c, place);
   return distance(c[0] * w[0] + c[1] * w[1] + c[2] * w[2], place);
 }
 
-// Walking along a row, the face nearest to the last point bounds this one's distance, which keeps the search in the
-// tree short.
-class RowWalk {
- public:
-  RowWalk(const TriangleMesh& mesh, const Bvh& bvh) : mesh_(mesh), bvh_(bvh) {}
-
-  // The distance where it is at most `within`.
-  std::optional<double> next(Vec3 place, double within) {
-    // A nanometre more, so that a grid point on the face itself finds it.
-    if (face_ != kNoFace) within = std::fmin(within, distanceToFace(mesh_, face_, place) + 1e-9);
-    const auto near = bvh_.nearest(place, within);
-    face_ = near ? near->place.face : kNoFace;
-    return near ? std::optional(near->distance) : std::nullopt;
-  }
-  void skip() { face_ = kNoFace; }
-
- private:
-  const TriangleMesh& mesh_;
-  const Bvh& bvh_;
-  std::uint32_t face_ = kNoFace;
-};
-
-// Distances to the mesh at all points of a coarse grid. A row is one block, so the outcome does not depend on the
+// Distances to the mesh at all points of a coarse grid. Along a row the face nearest to the last point bounds this
+// one's distance, which keeps the search in the tree short. A row is one block, so the outcome does not depend on the
 // threads.
 std::vector<double> coarseDistances(const Grid& grid, const TriangleMesh& mesh, const Bvh& bvh, Workers& workers,
                                     const Token& token) {
@@ -67,40 +55,147 @@ std::vector<double> coarseDistances(const Grid& grid, const TriangleMesh& mesh, 
   workers.forBlocks(grid.count[1] * grid.count[2], 1, [&](std::size_t row, std::size_t) {
     if (token.cancelled()) return;
     const std::size_t j = row % grid.count[1], k = row / grid.count[1];
-    RowWalk walk(mesh, bvh);
-    for (std::size_t i = 0; i < grid.count[0]; ++i)
-      distances[grid.index(i, j, k)] = *walk.next(grid.place(i, j, k), std::numeric_limits<double>::infinity());
+    double within = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < grid.count[0]; ++i) {
+      const auto near = bvh.nearest(grid.place(i, j, k), within);
+      distances[grid.index(i, j, k)] = near->distance;
+      // A nanometre more, so that a grid point on the face itself finds it.
+      within = distanceToFace(cornersOf(mesh, near->place.face), grid.place(i + 1, j, k)) + 1e-9;
+    }
   });
   return distances;
 }
 
-// Lower bounds of the distance between the points of the coarse grid, from the triangle inequality.
-class CoarseBound {
- public:
-  CoarseBound(const Grid& coarse, const std::vector<double>& distances) : coarse_(coarse), distances_(distances) {}
+// What is known of faces before they are asked exactly: the plane each lies in and a circle around it there. Places are
+// from a middle nearby, so that floats tell micrometres.
+struct Circles {
+  std::vector<float> x, y, z, nx, ny, nz, radius;  // middle, normal
+  void clear() {
+    for (auto* values : {&x, &y, &z, &nx, &ny, &nz, &radius}) values->clear();
+  }
+  void add(Vec3 middle, Vec3 normal, double r) {
+    x.push_back(static_cast<float>(middle.x));
+    y.push_back(static_cast<float>(middle.y));
+    z.push_back(static_cast<float>(middle.z));
+    nx.push_back(static_cast<float>(normal.x));
+    ny.push_back(static_cast<float>(normal.y));
+    nz.push_back(static_cast<float>(normal.z));
+    radius.push_back(static_cast<float>(r));
+  }
+};
 
-  // A bound at the fine point (i, j, k), smooth in space: the trilinear mean less the greatest error it can have, which
-  // is half the diagonal of a coarse cell (the mean distance to its corners is nowhere larger).
-  double at(std::size_t i, std::size_t j, std::size_t k) const {
-    const auto [ci, fi] = split(i, 0);
-    const auto [cj, fj] = split(j, 1);
-    const auto [ck, fk] = split(k, 2);
-    double mean = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
-      mean +=
-          (x ? fi : 1 - fi) * (y ? fj : 1 - fj) * (z ? fk : 1 - fk) * distances_[coarse_.index(ci + x, cj + y, ck + z)];
-    }
-    return mean - coarse_.step * std::sqrt(3.0) / 2;
+// By how much each circle comes within `reach` of (x, y, z), as a difference of squares: below zero it does not.
+KARINUI_WIDE void comeNear(std::size_t count, const float* __restrict cx, const float* __restrict cy,
+                           const float* __restrict cz, const float* __restrict nx, const float* __restrict ny,
+                           const float* __restrict nz, const float* __restrict radius, float x, float y, float z,
+                           float reach, float* __restrict room) {
+  KARINUI_APART
+  for (std::size_t k = 0; k < count; ++k) {
+    const float a = x - cx[k], b = y - cy[k], c = z - cz[k];
+    const float above = a * nx[k] + b * ny[k] + c * nz[k], left = reach * reach - above * above;
+    const float beside = std::sqrt(left > 0 ? left : 0) + radius[k];
+    room[k] = left < 0 ? left : beside * beside - (a * a + b * b + c * c - above * above);
+  }
+}
+
+// The points between two of the coarse grid each way are measured together: the faces that can be nearest to any of
+// them are looked up in the tree once, and of those a point asks only the few whose circles come near enough.
+class Brick {
+ public:
+  Brick(const Grid& grid, const TriangleMesh& mesh, const Bvh& bvh) : grid_(grid), mesh_(mesh), bvh_(bvh) {}
+
+  // Takes up the faces near the points from `first` on, `count` of them each way; whether any lies within `band` of
+  // one.
+  bool take(const Count& first, const Count& count, double band) {
+    faces_.clear();
+    circles_.clear();
+    const Vec3 low = grid_.place(first[0], first[1], first[2]);
+    const Vec3 high = grid_.place(first[0] + count[0] - 1, first[1] + count[1] - 1, first[2] + count[2] - 1);
+    middle_ = (low + high) * 0.5;
+    const double half = distance(middle_, high);
+    const auto near = bvh_.nearest(middle_, band + half);
+    if (!near) return false;
+    const double reach = std::fmin(near->distance + 2 * half, band + half) + kRounding;
+    const Vec3 around{reach, reach, reach};
+    bvh_.touching({middle_ - around, middle_ + around}, [&](std::uint32_t face) {
+      const Corners c = cornersOf(mesh_, face);
+      const Vec3 centre = (c[0] + c[1] + c[2]) * (1.0 / 3);
+      double radius = 0;
+      for (Vec3 corner : c) radius = std::fmax(radius, distance(corner, centre));
+      if (distance(centre, middle_) - radius > reach) return;
+      faces_.push_back(c);
+      circles_.add(centre - middle_, normalized(cross(c[1] - c[0], c[2] - c[0])), radius + kRounding);
+    });
+    last_ = 0;
+    return !faces_.empty();
+  }
+
+  // The distance where it is at most `band`.
+  std::optional<double> distanceAt(Vec3 place, double band) {
+    double best = band * band;
+    bool found = false;
+    const auto ask = [&](std::size_t k) {
+      const Corners& c = faces_[k];
+      const auto w = nearestWeights(c, place);
+      const double squared = squaredLength(c[0] * w[0] + c[1] * w[1] + c[2] * w[2] - place);
+      if (squared > best) return;
+      best = squared;
+      found = true;
+      last_ = k;
+    };
+    ask(last_);  // what was nearest to the last point
+    const Vec3 from = place - middle_;
+    room_.resize(faces_.size());
+    comeNear(faces_.size(), circles_.x.data(), circles_.y.data(), circles_.z.data(), circles_.nx.data(),
+             circles_.ny.data(), circles_.nz.data(), circles_.radius.data(), static_cast<float>(from.x),
+             static_cast<float>(from.y), static_cast<float>(from.z), static_cast<float>(std::sqrt(best) + kRounding),
+             room_.data());
+    for (std::size_t k = 0; k < room_.size(); ++k)
+      if (!(room_[k] < 0)) ask(k);
+    return found ? std::optional(std::sqrt(best)) : std::nullopt;
   }
 
  private:
-  std::pair<std::size_t, double> split(std::size_t i, int axis) const {
-    const std::size_t cell = std::min(i / kStride, coarse_.count[axis] - 2);
-    return {cell, static_cast<double>(i - cell * kStride) / kStride};
+  static constexpr double kRounding = 1e-6;  // metres, more than floats lose on a body
+  const Grid& grid_;
+  const TriangleMesh& mesh_;
+  const Bvh& bvh_;
+  Vec3 middle_;
+  std::vector<Corners> faces_;
+  Circles circles_;
+  std::vector<float> room_;
+  std::size_t last_ = 0;
+};
+
+// Lower bounds of the distance at the fine points of a brick, from the triangle inequality: the trilinear mean of the
+// coarse distances, smooth in space, less the greatest error it can have, which is half the diagonal of a coarse cell
+// (the mean distance to its corners is nowhere larger).
+class CoarseBound {
+ public:
+  // `first`: a fine point that is a coarse one too.
+  CoarseBound(const Grid& coarse, const std::vector<double>& distances, const Count& first)
+      : slack_(coarse.step * std::sqrt(3.0) / 2) {
+    Count cell;
+    for (int axis = 0; axis < 3; ++axis) {
+      cell[axis] = std::min(first[axis] / kStride, coarse.count[axis] - 2);
+      from_[axis] = first[axis] - cell[axis] * kStride;
+    }
+    for (std::size_t k = 0; k < 8; ++k)
+      corner_[k] = distances[coarse.index(cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2))];
   }
-  const Grid& coarse_;
-  const std::vector<double>& distances_;
+  double least() const { return *std::min_element(corner_.begin(), corner_.end()) - slack_; }
+  // At the fine point so many after the first.
+  double at(std::size_t i, std::size_t j, std::size_t k) const {
+    const double x = way(i, 0), y = way(j, 1), z = way(k, 2);
+    const auto row = [&](std::size_t c) { return mix(corner_[c], corner_[c + 1], x); };
+    return mix(mix(row(0), row(2), y), mix(row(4), row(6), y), z) - slack_;
+  }
+
+ private:
+  double way(std::size_t n, int axis) const { return static_cast<double>(from_[axis] + n) / kStride; }
+  std::array<double, 8> corner_;
+  Count from_;
+  double slack_;
 };
 
 // Between two grid points whose distances sum to more than their spacing the surface cannot pass, so both lie on the
@@ -160,8 +255,6 @@ std::size_t pointsFor(double extent, double cell) {
 
 double marginOf(const DistanceField::Settings& settings) { return settings.band + settings.cell; }
 
-double mix(double a, double b, double t) { return a + (b - a) * t; }
-
 Box boxOf(const TriangleMesh& mesh) {
   Box box;
   for (const Triangle& f : mesh.faces)
@@ -204,7 +297,6 @@ Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& 
   const Message doing = say("Measuring the space around the body");
   token.progress(0, doing);
   const std::vector<double> coarseDistance = coarseDistances(coarse, mesh, bvh, workers, token);
-  const CoarseBound bound(coarse, coarseDistance);
   token.progress(0.2, doing);
 
   DistanceField field;
@@ -212,19 +304,24 @@ Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& 
   field.origin_ = grid.origin;
   field.count_ = grid.count;
   field.value_.assign(grid.points(), 0.0f);
-  workers.forBlocks(grid.count[1] * grid.count[2], 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end && !token.cancelled(); ++row) {
-      const std::size_t j = row % grid.count[1], k = row / grid.count[1];
-      RowWalk walk(mesh, bvh);
-      for (std::size_t i = 0; i < grid.count[0]; ++i) {
-        const double atLeast = bound.at(i, j, k);
-        double d = std::fmax(atLeast, settings.band);
-        if (atLeast <= settings.band)
-          d = walk.next(grid.place(i, j, k), settings.band).value_or(d);
-        else
-          walk.skip();
-        field.value_[grid.index(i, j, k)] = static_cast<float>(d);
-      }
+  workers.forBlocks(coarse.points(), 16, [&](std::size_t begin, std::size_t end) {
+    Brick brick(grid, mesh, bvh);
+    for (std::size_t n = begin; n < end && !token.cancelled(); ++n) {
+      const Count first = coarse.split(n, kStride);
+      Count count;
+      for (int axis = 0; axis < 3; ++axis) count[axis] = std::min(kStride, grid.count[axis] - first[axis]);
+      const CoarseBound bound(coarse, coarseDistance, first);
+      const bool near = bound.least() <= settings.band && brick.take(first, count, settings.band);
+      for (std::size_t k = 0; k < count[2]; ++k)
+        for (std::size_t j = 0; j < count[1]; ++j)
+          for (std::size_t i = 0; i < count[0]; ++i) {
+            const Count at{first[0] + i, first[1] + j, first[2] + k};
+            const double atLeast = bound.at(i, j, k);
+            double d = std::fmax(atLeast, settings.band);
+            if (near && atLeast <= settings.band)
+              d = brick.distanceAt(grid.place(at[0], at[1], at[2]), settings.band).value_or(d);
+            field.value_[grid.index(at[0], at[1], at[2])] = static_cast<float>(d);
+          }
     }
   });
   token.progress(0.8, doing);
