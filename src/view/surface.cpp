@@ -97,7 +97,7 @@ void KeptMesh::add(Surface& surface, const TriangleMesh& mesh, Vec3 origin, cons
 }
 
 void addFloor(Surface& surface, Vec3 centre, double radius) {
-  constexpr std::uint32_t kRings = 72, kRays = 96;
+  constexpr std::uint32_t kRings = 48, kRays = 72;
   const auto base = static_cast<std::uint32_t>(surface.vertices.size());
   for (std::uint32_t ring = 0; ring <= kRings; ++ring)
     for (std::uint32_t ray = 0; ray < kRays; ++ray) {
