@@ -24,6 +24,7 @@ namespace {
 
 constexpr double kEaseTop = 0.05;       // metres
 constexpr double kPressureLeast = 100;  // pascals, at the least, at the top of the scale
+constexpr int kStillAfter = 140;        // milliseconds without a move until the fine picture is drawn
 
 // The painter takes the state of a fresh context for granted.
 void readyForPainter() {
@@ -53,10 +54,10 @@ SpaceView::SpaceView(Session& session, Clockwork& clockwork, QWidget* parent)
   preparePointing(*this, {320, 280});
   camera_ = frameAll({}, View::Oblique, 1);
   rest_.setSingleShot(true);
-  rest_.setInterval(140);
+  rest_.setInterval(kStillAfter);
   connect(&rest_, &QTimer::timeout, this, [this] {
     fine_ = true;
-    stale_ = true;
+    stale_ = stale_ || finest_;
     update();
   });
   walk_.setDuration(260);
@@ -191,6 +192,7 @@ void SpaceView::setLevel(std::optional<double> height) {
 }
 void SpaceView::setFine(bool on) {
   finest_ = on;
+  rest_.setInterval(on ? kStillAfter : 0);  // no finer picture to wait for
   soft_ = false;
   stale_ = true;
   update();
@@ -303,6 +305,7 @@ void SpaceView::showOverlay() {
     lines.push_back({levelShown_.under, {0.05f, 0.25f, 0.62f}, 3, false});
   }
   if (!tapeShown_.line.empty()) lines.push_back({tapeShown_.line, {0.85f, 0.60f, 0.02f}, 5, false});
+  overlaid_ = !lines.empty();
   renderer_->overlay(lines);
 }
 
@@ -340,7 +343,7 @@ void SpaceView::paintGL() {
       scene.draw(eyeOf(lens(), static_cast<double>(ew) / eh, sideways),
                  {.x = 0, .y = 0, .width = ew * finer, .height = eh * finer});
     }
-    compositor_->onScreen(k, ew, eh);
+    compositor_->onScreen(k, ew, eh, overlaid_);
     scene.drawOver(eyeOf(lens(), static_cast<double>(ew) / eh, sideways), {.x = 0, .y = 0, .width = ew, .height = eh});
     readyForPainter();
     // Not the widget: a picture of the window must hold what is painted here too.

@@ -105,7 +105,7 @@ class SpaceView : public QOpenGLWidget {
   std::optional<double> level_;
   Girths levelShown_;
   std::uint64_t garmentShown_ = ~0ull;
-  bool stale_ = true, fine_ = false, finest_ = true, framed_ = false;
+  bool stale_ = true, overlaid_ = false, fine_ = false, finest_ = true, framed_ = false;
   bool soft_ = false;  // the soft light is that of a still picture
   Stereo stereo_ = Stereo::Off;
   double separation_ = 0.063, convergence_ = 1;

@@ -57,11 +57,12 @@ QOpenGLFramebufferObject& EyeCompositor::scene(int which, int width, int height)
   return sized(scenes_[static_cast<std::size_t>(which)], width, height);
 }
 
-QOpenGLFramebufferObject& EyeCompositor::onScreen(int which, int width, int height) {
+QOpenGLFramebufferObject& EyeCompositor::onScreen(int which, int width, int height, bool depths) {
   QOpenGLFramebufferObject& from = *scenes_[static_cast<std::size_t>(which)];
   QOpenGLFramebufferObject& to = sized(eyes_[static_cast<std::size_t>(which)], width, height);
   copy(from, to.handle(), width, height);
-  glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  if (depths)
+    glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   to.bind();
   return to;
 }

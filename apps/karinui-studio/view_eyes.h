@@ -26,8 +26,9 @@ class EyeCompositor {
   ~EyeCompositor();
   // The scene as an eye sees it, kept as long as nothing in it moves; may be larger than the screen, for smooth edges.
   QOpenGLFramebufferObject& scene(int which, int width, int height);
-  // The same at the screen's size, colours and depths, to draw on.
-  QOpenGLFramebufferObject& onScreen(int which, int width, int height);
+  // The same at the screen's size, to draw on; with its depths (slow where the processor draws) for what may lie
+  // behind.
+  QOpenGLFramebufferObject& onScreen(int which, int width, int height, bool depths);
   std::array<unsigned, 2> textures() const;                          // both eyes, as on screen
   void show(Stereo stereo, unsigned target, int width, int height);  // what is on screen, on the screen
 

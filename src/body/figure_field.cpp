@@ -63,13 +63,17 @@ Block tubeBlock(const FieldGrid& g, const Tube& tube, Workers& workers) {
   Block across = blockFor(g, low, high), out = across;
   std::vector<float> cap(across.value.size());
   workers.forBlocks(static_cast<std::size_t>(across.x1 - across.x0), 1, [&](std::size_t begin, std::size_t end) {
+    Tube::Column column;
     for (int x = across.x0 + static_cast<int>(begin); x < across.x0 + static_cast<int>(end); ++x)
-      for (int y = across.y0; y < across.y1; ++y)
+      for (int y = across.y0; y < across.y1; ++y) {
+        const Vec3 foot = placeOf(g, x, y, 0);
+        tube.narrow(foot.x, foot.y, column);
         for (int z = across.z0; z < across.z1; ++z) {
-          const Tube::Value v = tube.at(placeOf(g, x, y, z));
+          const Tube::Value v = tube.at(placeOf(g, x, y, z), column);
           across.value[across.index(x, y, z)] = static_cast<float>(v.across);
           cap[across.index(x, y, z)] = static_cast<float>(v.cap);
         }
+      }
   });
   // The value is a distance seen along the radius; its slope tells by how much that is too long.
   workers.forBlocks(static_cast<std::size_t>(out.x1 - out.x0), 1, [&](std::size_t begin, std::size_t end) {

@@ -18,6 +18,7 @@ constexpr double kCoarse = 0.014, kFine = 0.011;  // grid cells, metres
 constexpr double kTriangles = 36000;              // at about this many a body is fine enough
 constexpr int kCoarseRounds = 30, kFineRounds = 10;
 constexpr double kNear = 0.6, kGood = 0.4;  // shares of the allowed miss at which a search has done enough
+constexpr double kHopeless = 6;             // and at which a finer grid, which moves the tape by 1 or 2, cannot help
 constexpr double kShifts[] = {0, 0.31, 0.57, 0.13, 0.77, 0.43};
 
 // Feet on the floor and exactly as tall as asked for: the polygonised height is off by about a thousandth.
@@ -58,12 +59,14 @@ std::vector<Aim> aimsFor(const Measurements& stated, const Measurements& complet
   return aims;
 }
 
+Error unsound() { return refused(say("No sound body could be made from these measurements; leave some out.")); }
+
 Error unmet(const FigureFitting& fitting, const Reading& reading) {
   Miss worst;
   const auto all = misses(fitting.aims(), reading);
   for (std::size_t i = 0; i < all.size(); ++i)
     if (fitting.aims()[i].stated && all[i].share > worst.share) worst = all[i];
-  if (worst.key.empty()) return refused(say("No sound body could be made from these measurements; leave some out."));
+  if (worst.key.empty()) return unsound();
   const std::string other = fitting.quarrelsWith(worst.key);
   if (other.empty())
     return refused(
@@ -121,6 +124,8 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   };
   const double far = fitting.search(wear, kCoarseRounds, kNear, 3);
   if (token.cancelled()) return cancelled();
+  const auto none = [&] { return token.cancelled() ? cancelled() : unsound(); };
+  if (far > kHopeless) return wear(fitting.alteration()) ? unmet(fitting, now.reading) : none();
   cell = std::max(kFine, kCoarse * std::sqrt(static_cast<double>(now.mesh.faces.size()) / kTriangles));
   polish = 4;
   bool met = false;
@@ -128,13 +133,13 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
     shift = other;
     fitting.search(wear, kFineRounds, kGood, far > 1 && far < 3 ? 1 : 0);
     if (token.cancelled()) return cancelled();
-    if (!wear(fitting.alteration())) return cancelled();
+    if (!wear(fitting.alteration())) return none();
     met = worstShare(fitting.aims(), now.reading, true) <= 1;
     if (met && sound(now.mesh)) break;
     if (!met) return unmet(fitting, now.reading);
     met = false;
   }
-  if (!met) return refused(say("No sound body could be made from these measurements; leave some out."));
+  if (!met) return unsound();
 
   Body::Parts parts;
   parts.name = "mannequin";

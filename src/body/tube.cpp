@@ -57,32 +57,41 @@ Tube::Tube(const std::vector<Section>& stations, Harmonics harmonics, int steps)
                      distance(ring_[i].centre, ring_[i + 1].centre));
 }
 
-Tube::Value Tube::at(Vec3 p) const {
+void Tube::narrow(double x, double y, Column& to) const {
+  to.interval.clear();
+  if (parallel_) return;  // found by halving
+  for (std::size_t k = 0; k < reach_.size(); ++k) {
+    const Vec3 middle = lerp(level_[k].centre, level_[k + 1].centre, 0.5);
+    const double dx = x - middle.x, dy = y - middle.y;
+    if (dx * dx + dy * dy < reach_[k] * reach_[k]) to.interval.push_back(static_cast<std::uint32_t>(k));
+  }
+}
+
+Tube::Value Tube::at(Vec3 p, const Column& column) const {
   const std::size_t n = ring_.size();
   const auto beyond = [&](std::size_t k) { return dot(p - level_[k].centre, level_[k].normal); };
   const double first = beyond(0), last = beyond(n - 1);
   const auto within = [&](Vec3 centre, double reach) { return squaredLength(p - centre) < reach * reach; };
   Value out;
   std::size_t low = n;
-  double t = 0, before = first;
-  std::size_t start = 1;
+  double t = 0;
+  const auto lies = [&](std::size_t k) {
+    const double before = beyond(k), now = beyond(k + 1);
+    if (!(before >= 0 && now < 0 && within(lerp(level_[k].centre, level_[k + 1].centre, 0.5), reach_[k]))) return false;
+    low = k;
+    t = before / std::max(before - now, 1e-12);
+    return true;
+  };
   if (parallel_) {  // the only interval there can be
-    std::size_t high = n;
-    while (high - start > 1) {
-      const std::size_t middle = (start + high) / 2;
-      (beyond(middle - 1) >= 0 ? start : high) = middle;
+    std::size_t start = 0, end = n - 1;
+    while (end - start > 1) {
+      const std::size_t middle = (start + end) / 2;
+      (beyond(middle) >= 0 ? start : end) = middle;
     }
-    before = beyond(start - 1);
-  }
-  for (std::size_t k = start; k < n; ++k) {
-    const double now = beyond(k);
-    if (before >= 0 && now < 0 && within(lerp(level_[k - 1].centre, level_[k].centre, 0.5), reach_[k - 1])) {
-      low = k - 1;
-      t = before / std::max(before - now, 1e-12);
-      break;
-    }
-    before = now;
-    if (parallel_) break;
+    lies(start);
+  } else {
+    for (const std::uint32_t k : column.interval)
+      if (lies(k)) break;
   }
   if (low == n) {
     if (first < 0 && first > -kPad && within(ring_[0].centre, ring_[0].shape[0] * 2.2 + kPad)) {

@@ -1,6 +1,7 @@
 #pragma once
 // A limb as a distance field: a row of sections, drawn out finely between its stations by Catmull-Rom over their index.
 // Near the surface the value is the distance divided by nothing more than the slope of the radius; the caller evens it.
+#include <cstdint>
 #include <vector>
 
 #include "body/figure.h"
@@ -16,7 +17,12 @@ class Tube {
     double across = kNowhere;  // distance to the centre less the section's radius there
     double cap = -1;           // > 0 beyond the first or last plane
   };
-  Value at(Vec3 p) const;
+  // Places one above the other in z: only some intervals can hold any of them.
+  struct Column {
+    std::vector<std::uint32_t> interval;  // in order; k lies between the rings k and k + 1
+  };
+  void narrow(double x, double y, Column& to) const;
+  Value at(Vec3 p, const Column& column) const;
   const std::vector<Section>& rings() const { return ring_; }
   void bounds(Vec3& low, Vec3& high) const;
 

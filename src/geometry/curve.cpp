@@ -51,6 +51,22 @@ double cubicLength(const Curve& curve, double from, double to, double whole, int
   return cubicLength(curve, from, middle, left, depth - 1) + cubicLength(curve, middle, to, right, depth - 1);
 }
 
+// The parameter in [from, to] by which the cubic has run s of the `whole` it is long there, within `close` metres.
+double placeAfter(const Curve& cubic, double from, double to, double s, double whole, double close) {
+  // Newton's steps, kept between what is surely too little and surely too much.
+  double low = from, high = to, t = whole > 0 ? from + (to - from) * (s / whole) : from;
+  for (int round = 0; round < 80; ++round) {
+    const double miss = cubicLength(cubic, from, t, gauss(cubic, from, t), 24) - s;
+    if (std::abs(miss) < close) break;
+    (miss > 0 ? high : low) = t;
+    const double speed = length(cubic.tangent(t));
+    const double next = speed > 0 ? t - miss / speed : -1;
+    t = next > low && next < high ? next : (low + high) / 2;
+    if (high - low < 1e-16) break;
+  }
+  return t;
+}
+
 Flat turned(Flat a, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * a.u - s * a.v, s * a.u + c * a.v};
@@ -144,18 +160,37 @@ double Curve::parameterAt(double s) const {
       left -= own;
     }
   }
-  // Newton's steps, kept between what is surely too little and surely too much.
-  double low = 0, high = 1, t = s / whole;
-  for (int round = 0; round < 80; ++round) {
-    const double miss = lengthTo(t) - s;
-    if (std::abs(miss) < 1e-13) break;
-    (miss > 0 ? high : low) = t;
-    const double speed = karinui::length(tangent(t));
-    const double next = speed > 0 ? t - miss / speed : -1;
-    t = next > low && next < high ? next : (low + high) / 2;
-    if (high - low < 1e-16) break;
+  return placeAfter(*this, 0, 1, s, whole, 1e-13);
+}
+
+std::vector<Flat> Curve::evenly(double from, double to, int steps) const {
+  KARINUI_ASSERT(steps > 0);
+  const auto fraction = [&](int i) { return std::clamp(from + (to - from) * i / steps, 0.0, 1.0); };
+  std::vector<Flat> places;
+  places.reserve(static_cast<std::size_t>(steps) + 1);
+  if (kind != Kind::Cubic) {
+    for (int i = 0; i <= steps; ++i) places.push_back(at(fraction(i)));
+    return places;
   }
-  return t;
+  // The lengths up to every eighth of each cubic; Newton's steps then have little left to measure.
+  constexpr std::size_t kParts = 8;
+  const std::vector<Curve> cubics = parts();
+  std::vector<double> reached{0};
+  for (const Curve& cubic : cubics)
+    for (std::size_t k = 0; k < kParts; ++k) {
+      const double low = static_cast<double>(k) / kParts, high = low + 1.0 / kParts;
+      reached.push_back(reached.back() + cubicLength(cubic, low, high, gauss(cubic, low, high), 24));
+    }
+  for (int i = 0; i <= steps; ++i) {
+    const double s = fraction(i) * reached.back();
+    const auto past = std::upper_bound(reached.begin() + 1, reached.end() - 1, s);
+    const auto cell = static_cast<std::size_t>(past - reached.begin()) - 1;
+    const Curve& cubic = cubics[cell / kParts];
+    const double low = static_cast<double>(cell % kParts) / kParts, high = low + 1.0 / kParts, own = s - reached[cell];
+    const double t = placeAfter(cubic, low, high, own, reached[cell + 1] - reached[cell], 1e-10);
+    places.push_back(cubic.at(t));
+  }
+  return places;
 }
 
 Curve Curve::part(double t0, double t1) const {

@@ -22,12 +22,13 @@ struct Cut {
 CutEdge named(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 std::vector<Cut> cutFaces(const TriangleMesh& mesh, const std::vector<double>& height) {
+  std::vector<std::uint8_t> over(height.size());  // small, for nearly all faces are only asked this
+  for (std::size_t i = 0; i < height.size(); ++i) over[i] = height[i] >= 0;
   std::vector<Cut> cuts;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
     const Triangle& t = mesh.faces[f];
-    std::array<bool, 3> above;
-    for (int k = 0; k < 3; ++k) above[k] = height[t[k]] >= 0;
-    if (above[0] == above[1] && above[1] == above[2]) continue;
+    const std::array<std::uint8_t, 3> above{over[t[0]], over[t[1]], over[t[2]]};
+    if (const int sum = above[0] + above[1] + above[2]; sum == 0 || sum == 3) continue;
     Cut cut;
     cut.face = f;
     for (int k = 0; k < 3; ++k) {

@@ -29,8 +29,8 @@ void DrawSnaps::of(FittingPtr fitting) {
             {skin->place, skin->point, say("At a corner of “{0}”; with Alt freely.", piece->name), true});
       Outline line{{}, say("Along the outline of “{0}”; with Alt freely.", piece->name)};
       const int steps = std::max(1, static_cast<int>(edge.curve.length() / kStride));
-      for (int i = 0; i <= steps; ++i)
-        if (const auto skin = onSkin(stand(edge.curve.atFraction(1.0 * i / steps)))) line.points.push_back(skin->point);
+      for (const Flat p : edge.curve.evenly(0, 1, steps))
+        if (const auto skin = onSkin(stand(p))) line.points.push_back(skin->point);
       if (line.points.size() > 1) outlines_.push_back(std::move(line));
     }
   }

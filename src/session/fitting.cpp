@@ -246,8 +246,7 @@ std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part) {
   if (!edge) return line;
   const Stand stand(*piece);
   const int steps = std::clamp(static_cast<int>(edge->curve.length() * (part.to - part.from) / 0.008), 4, 200);
-  for (int i = 0; i <= steps; ++i)
-    line.push_back(stand(edge->curve.atFraction(part.from + (part.to - part.from) * i / steps)));
+  for (const Flat p : edge->curve.evenly(part.from, part.to, steps)) line.push_back(stand(p));
   return line;
 }
 

@@ -88,8 +88,7 @@ std::vector<Flat> edgeOnTable(const Workbench& bench, const EdgeRef& part) {
   const Edge* edge = piece ? findEdge(*piece, part.edge) : nullptr;
   if (!edge) return line;
   const Flat lies = bench.table->at(piece->id);
-  for (int i = 0; i <= 40; ++i)
-    line.push_back(edge->curve.atFraction(part.from + (part.to - part.from) * i / 40) + lies);
+  for (const Flat p : edge->curve.evenly(part.from, part.to, 40)) line.push_back(p + lies);
   return line;
 }
 

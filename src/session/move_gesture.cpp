@@ -132,8 +132,8 @@ class MoveGesture : public Gesture {
         id == held_ ? mine_.push_back(corner) : theirs_.push_back({corner, corner});
         const int steps = std::max(1, static_cast<int>(edge.curve.length() / kAlong));
         Vec3 before = corner;
-        for (int i = 1; i <= steps; ++i) {
-          const Vec3 next = stand(edge.curve.atFraction(1.0 * i / steps));
+        for (const Flat p : edge.curve.evenly(0, 1, steps)) {
+          const Vec3 next = stand(p);
           id == held_ ? myOutline_.push_back(next) : theirOutline_.push_back({before, next});
           before = next;
         }

@@ -56,6 +56,20 @@ TEST(Curve, partsReversesMirrorsAndChords) {
 }
 
 // Three curves of any kind, joined: measured against the three.
+TEST(Curve, walksEvenly) {
+  std::mt19937 random(3);
+  for (int k = 0; k < 200; ++k) {
+    Curve curve = randomCurve(random);
+    if (k % 3 == 0) curve = Curve::joined(std::vector{curve, Curve::cubic(curve.end, {2, 0}, {0, 2}, {1, 1})});
+    const double from = k % 2 == 0 ? 0 : 0.2, to = k % 2 == 0 ? 1 : 0.7;
+    const std::vector<Flat> walk = curve.evenly(from, to, 23);
+    ASSERT_EQ(walk.size(), 24u);
+    for (std::size_t i = 0; i < walk.size(); ++i)
+      EXPECT_LT(distance(walk[i], curve.atFraction(from + (to - from) * static_cast<double>(i) / 23)), 1e-6);
+  }
+  EXPECT_LT(distance(Curve::cubic({0, 0}, {0, 0}, {0, 0}, {0, 0}).evenly(0, 1, 1).back(), {}), 1e-12);
+}
+
 TEST(Curve, aChainIsItsParts) {
   std::mt19937 random(2);
   for (int k = 0; k < 100; ++k) {
