@@ -323,7 +323,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   return outcome;
 }
 
-LevelSolver::Outcome LevelSolver::predict(const Stride& stride, const Token& token) {
+LevelSolver::Outcome LevelSolver::predict(const Stride& stride, const Token& token, std::vector<Vec3>* moves) {
   Outcome outcome;
   if (ties_->unknowns() == 0) return outcome;
   outcome.finite = sound();
@@ -341,7 +341,26 @@ LevelSolver::Outcome LevelSolver::predict(const Stride& stride, const Token& tok
     outcome.finite = outcome.finite && finite(m);
     outcome.move = std::fmax(outcome.move, length(m));
   }
+  if (moves) ties_->spread(move_, *moves);
   return outcome;
+}
+
+std::vector<Vec3> LevelSolver::pulls() {
+  std::vector<Vec3> pull(cloth_.nodeCount);
+  stretch_.evaluate(x_, pull, system_->panels(), workers_);
+  for (const auto& energy : energies_) energy->addGradient(x_, pull, workers_);
+  for (Vec3& p : pull) p = -p;
+  return pull;
+}
+
+std::vector<Vec3> LevelSolver::answerTo(const std::vector<Vec3>& force, const Stride& stride, const Token& token) {
+  std::vector<Vec3> moves(cloth_.nodeCount);
+  if (ties_->unknowns() == 0 || !sound()) return moves;
+  assemble(stride);
+  ties_->reduce(force, force_);
+  system_->solve(force_, stride.stop, token, workers_, move_);
+  ties_->spread(move_, moves);
+  return moves;
 }
 
 Vec3 LevelSolver::handForce() const {

@@ -42,8 +42,12 @@ class LevelSolver {
     int iterations = 0;
   };
   Outcome step(const Stride& stride, const Token& token);
-  // The largest move of one long, well converged step; nothing moves.
-  Outcome predict(const Stride& stride, const Token& token);
+  // The largest move of one long, well converged step; nothing moves. `moves`: of each node.
+  Outcome predict(const Stride& stride, const Token& token, std::vector<Vec3>* moves = nullptr);
+  // What the cloth's own threads pull each node with, newtons, also those that stand still.
+  std::vector<Vec3> pulls();
+  // How each node would go in one well converged step if nothing but `force` (newtons, per node) were out of balance.
+  std::vector<Vec3> answerTo(const std::vector<Vec3>& force, const Stride& stride, const Token& token);
 
   const Cloth& cloth() const { return cloth_; }
   const std::vector<Vec3>& places() const { return x_; }

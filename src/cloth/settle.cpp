@@ -6,11 +6,14 @@
 #include "cloth/job.h"
 #include "cloth/prolong.h"
 #include "cloth/rest.h"
+#include "cloth/rim.h"
 #include "cloth/strain.h"
 #include "cloth/tie_map.h"
 
 namespace karinui {
 namespace {
+
+constexpr double kStirs = 0.002;  // metres a piece that stands still would give way to what it is sewn to
 
 bool anyLive(const Cloth& cloth) {
   return std::any_of(cloth.pieces.begin(), cloth.pieces.end(), [](const ClothPiece& p) { return p.live; });
@@ -85,6 +88,8 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
   const std::size_t first = sewnAlready ? levels.size() - 1 : 0;
   std::vector<Vec3> x;
   bool sewn = sewnAlready;
+  const Rim rim(finest.cloth);
+  std::vector<Vec3> pulledBefore(rim.empty() ? 0 : finest.cloth.nodeCount), pulledAfter;
   for (std::size_t l = first; l < levels.size(); ++l) {
     const ClothLevel& level = levels[l];
     const bool last = l + 1 == levels.size();
@@ -112,6 +117,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
       solver.moveGuarded(std::move(finer.smooth));
       solver.moveGuarded(outOfBody(solver, body, here.skin, workers));
     }
+    if (sewnAlready && !rim.empty()) pulledBefore = solver.pulls();
     RestOutcome end;
     const auto add = [&] {
       report.steps += end.steps;
@@ -133,8 +139,10 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     if (end.cancelled || token.cancelled()) return cancelled();
     if (!end.finite) return tornApart();
     sewn = solver.allTied();
+    if (last && !rim.empty()) pulledAfter = solver.pulls();
     x = last ? finish(solver, body, settings, end, report, workers) : solver.places();
   }
+  if (!rim.empty()) report.stirred = rim.stirred(pulledBefore, pulledAfter, x, body, settings, kStirs, token, workers);
   if (token.cancelled()) return cancelled();
   finest.state.position = std::move(x);
   spent.tell(report);

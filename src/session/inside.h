@@ -78,6 +78,7 @@ struct Session::Inside {
   // settling.cpp
   bool settlingNow() const { return line.busy(TaskLine::Kind::Settle); }
   void settle(std::set<PieceId> live, bool byItselfNow);
+  void settleStirred(const std::set<PieceId>& live, const SettleReport& report);
   void interruptSettling();
   void settleInterrupted();
   void stopSettling();

@@ -12,10 +12,10 @@ void Session::Inside::settle(std::set<PieceId> live, bool byItselfNow) {
   DrapePieces drape;
   for (const PieceId id : live) drape.live.push_back(PieceRef(id));
   ++news.overlay;
-  line.add(TaskLine::Kind::Settle, [this, drape, byItselfNow](const Token& token) {
+  line.add(TaskLine::Kind::Settle, [this, live, drape, byItselfNow](const Token& token) {
     Result<Step> step = room->perform(drape, token);
     const auto fresh = step ? std::make_shared<RoomState>(room->state(token)) : nullptr;
-    return [this, step = std::move(step), fresh, byItselfNow] {
+    return [this, live, step = std::move(step), fresh, byItselfNow] {
       ++news.overlay;
       if (!step) {
         tellError(step.error());
@@ -29,8 +29,19 @@ void Session::Inside::settle(std::set<PieceId> live, bool byItselfNow) {
       ++news.settled;
       const SettleReport& report = *state.fitting->document.drape.last;
       if (!report.settled) tell(Notice::Kind::Advice, say("The cloth did not come to rest: {0}", report.why));
+      if (byItselfNow) settleStirred(live, report);
     };
   });
+}
+
+// What stood still beside cloth that came to rest, and is pulled otherwise now, joins it.
+void Session::Inside::settleStirred(const std::set<PieceId>& live, const SettleReport& report) {
+  std::set<PieceId> more = live;
+  for (const PieceId id : report.stirred) {
+    const Piece* piece = state.fitting->document.find(id);
+    if (piece && !piece->frozen && !state.fitting->document.drape.dirty.contains(id)) more.insert(id);
+  }
+  if (more.size() > live.size()) settle(std::move(more), true);
 }
 
 void Session::Inside::interruptSettling() {

@@ -140,6 +140,31 @@ TEST(Settle, FrozenPiecesDoNotMoveAndHoldWhatIsSewnToThem) {
   EXPECT_LE(report.seamGap, 1e-12);
 }
 
+// A cloth hangs slack from two corners and holds another, sewn on below. Standing still it is named only where it would
+// give way: not when the lower one comes to rest again as it was, but when that is twenty times as heavy.
+TEST(Settle, NamesWhatWouldGiveWayWereItLive) {
+  constexpr std::uint32_t kColumns = 12, kRows = 6;
+  constexpr double kCell = 0.03;
+  ClothLevel level;
+  const Fabric cotton = *preset("cotton");
+  const std::uint32_t upper = addPiece(level.cloth, gridLattice(kColumns, kRows, kCell), cotton),
+                      lower = addPiece(level.cloth, gridLattice(kColumns, kRows, kCell), cotton);
+  level.cloth.seams = {SeamId{1}};
+  for (std::uint32_t i = 0; i <= kColumns; ++i)
+    level.cloth.ties.push_back({upper + i, lower + kRows * (kColumns + 1) + i, kNoNode, 0});
+  level.cloth.pinned = {upper + kRows * (kColumns + 1), upper + kRows * (kColumns + 1) + kColumns};
+  level.state = standingBy(level.cloth, [&](std::size_t piece, Flat p) {
+    return Vec3{0.85 * p.u, p.v + (piece == 0 ? kRows * kCell : 0), 0.2 * p.u * (kColumns * kCell - p.u)};
+  });
+  std::vector<ClothLevel> levels{level};
+  ASSERT_TRUE(mustSettle(levels, NoBody()).stirred.empty()) << "all is live";
+  ClothPiece &still = levels[0].cloth.pieces[0], &live = levels[0].cloth.pieces[1];
+  still.live = false;
+  EXPECT_TRUE(mustSettle(levels, NoBody()).stirred.empty());
+  live.fabric.weight *= 20;
+  EXPECT_EQ(mustSettle(levels, NoBody()).stirred, std::vector{still.id});
+}
+
 TEST(Settle, ClothThatNothingHoldsIsSaidToFall) {
   ClothLevel level;
   Fabric slippery = *preset("silk");

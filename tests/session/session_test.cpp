@@ -303,6 +303,39 @@ TEST(Session, AFigureThatIsWornPlaysTheStepsAgainOnIt) {
   EXPECT_EQ(*session.figure(), before) << "no body is so";
 }
 
+// What is brought to rest by itself takes along what it pulls at, unless that is frozen; what was asked for does not.
+TEST(Session, WhatIsPulledAtComesToRestToo) {
+  std::vector<std::set<PieceId>> drapes;
+  SessionOptions options;
+  options.drape = [&](const Document& d, const DrapePieces& drape, Context&) -> Result<DrapeOutcome> {
+    std::set<PieceId> live;
+    for (const PieceRef& ref : drape.live) live.insert(ref.id);
+    drapes.push_back(live);
+    auto outcome = fallABit(d, drape.live);
+    for (const auto& [id, piece] : d.pattern.pieces)
+      if (!live.contains(id)) outcome->report.stirred.push_back(id);
+    return outcome;
+  };
+  Session session(options);
+  giveTwo(session);
+  const auto perform = [&](const char* text) {
+    drapes.clear();
+    session.perform(op(text));
+    session.finish();
+  };
+  perform("drape");
+  const std::set<PieceId> both = drapes.at(0);
+  ASSERT_EQ(both.size(), 2u);
+  const PieceId front = *both.begin();
+  perform("cut piece=front line=\"10cm,-5cm 10cm,5cm\"");
+  EXPECT_EQ(drapes, (std::vector<std::set<PieceId>>{{front}, both}));
+  perform("drape live=front");
+  EXPECT_EQ(drapes, std::vector<std::set<PieceId>>{{front}}) << "as it was asked";
+  perform("freeze piece=back");
+  perform("cut piece=front line=\"12cm,-5cm 12cm,5cm\"");
+  EXPECT_EQ(drapes, std::vector<std::set<PieceId>>{{front}});
+}
+
 TEST(Session, StoppedWhileItPlaysAgainNothingIsChanged) {
   std::promise<void> again;
   int drapes = 0;

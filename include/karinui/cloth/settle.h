@@ -55,6 +55,9 @@ struct SettleReport {
   double penetration = 0;  // deepest below the collider's surface, metres
   double seamGap = 0;      // widest, metres
   StrainReport strain;
+  // Pieces that were not live and would give way now, were they: what they are sewn to pulls otherwise than it did.
+  // Told once, not kept with a document.
+  std::vector<PieceId> stirred;
   std::size_t steps = 0, solves = 0;
   std::optional<MergeReport> merged;  // where the merged planes were the collider; filled by who made it
   double cpuSeconds = 0, wallSeconds = 0, peakMegabytes = 0;

@@ -1,0 +1,53 @@
+#include "cloth/rim.h"
+
+#include <algorithm>
+#include <span>
+
+namespace karinui {
+
+Rim::Rim(const Cloth& cloth) : cloth_(cloth) {
+  const auto pieceOf = [&](NodeIndex node) {
+    const auto after = std::upper_bound(cloth.pieces.begin(), cloth.pieces.end(), node,
+                                        [](NodeIndex n, const ClothPiece& piece) { return n < piece.firstNode; });
+    return static_cast<std::size_t>(after - cloth.pieces.begin()) - 1;
+  };
+  for (const Tie& tie : cloth.ties)
+    for (const NodeIndex still : {tie.a, tie.b, tie.c})
+      for (const NodeIndex live : {tie.a, tie.b, tie.c})
+        if (still != kNoNode && live != kNoNode && !cloth.pieces[pieceOf(still)].live &&
+            cloth.pieces[pieceOf(live)].live)
+          sewnTo_[pieceOf(still)].push_back(live);
+}
+
+std::vector<PieceId> Rim::stirred(const std::vector<Vec3>& before, const std::vector<Vec3>& after,
+                                  const std::vector<Vec3>& x, const Collider& body, const SettleSettings& settings,
+                                  double far, const Token& token, Workers& workers) const {
+  Cloth woken = cloth_;
+  std::vector<Vec3> change(cloth_.nodeCount);
+  for (const auto& [piece, nodes] : sewnTo_) {
+    woken.pieces[piece].live = true;
+    for (const NodeIndex k : nodes) change[k] = after[k] - before[k];
+  }
+  LevelSolver solver(woken, x, body, settings, settings.clothOnCloth ? clothRadius(woken.spacing, woken.spacing) : 0,
+                     workers);
+  solver.tieWithin(woken.spacing);
+  LevelSolver::Stride stride;
+  stride.seconds = 0.25;
+  stride.stop = {40, 1000, 0.01};
+  const std::vector<Vec3> answer = solver.answerTo(change, stride, token);
+  stride.gravity = settings.gravity;
+  std::vector<Vec3> moves(cloth_.nodeCount);
+  solver.predict(stride, token, &moves);
+  std::vector<PieceId> stirred;
+  for (const auto& [piece, nodes] : sewnTo_) {
+    const ClothPiece& still = cloth_.pieces[piece];
+    const auto goesFar = [&](const std::vector<Vec3>& way) {
+      const auto own = std::span(way).subspan(still.firstNode, still.lattice->nodes.size());
+      return std::any_of(own.begin(), own.end(), [&](Vec3 move) { return squaredLength(move) > far * far; });
+    };
+    if (goesFar(answer) && goesFar(moves)) stirred.push_back(still.id);
+  }
+  return stirred;
+}
+
+}  // namespace karinui
