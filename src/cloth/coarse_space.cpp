@@ -8,7 +8,8 @@
 namespace karinui {
 namespace {
 
-constexpr double kEach = 8;             // fine lines from one coarse line to the next, about
+constexpr double kEach = 8;   // fine lines from one coarse line to the next, about; but of very fine cloth
+constexpr double kMost = 22;  // so many that a square has this many coarse cells a side: more of them serve worse
 constexpr double kLeastSupport = 0.05;  // fine nodes: a coarse one that moves less is left out
 constexpr std::uint32_t kRows = 16;     // a worker takes at once,
 constexpr std::uint32_t kCoarseRows = 2;
@@ -41,8 +42,8 @@ void sortOnce(std::vector<std::uint32_t>& list) {
 
 }  // namespace
 
-CoarseSpace::Lines::Lines(std::uint32_t fine) {
-  const double last = std::max(2u, fine) - 1.0, cells = std::fmax(1.0, std::round(last / kEach));
+CoarseSpace::Lines::Lines(std::uint32_t fine, double each) {
+  const double last = std::max(2u, fine) - 1.0, cells = std::fmax(1.0, std::round(last / each));
   for (double k = 0; k <= cells; ++k) at.push_back(static_cast<std::uint32_t>(std::lround(k * last / cells)));
   for (std::uint32_t i = 0; i < fine; ++i) {
     const auto [before, way] = place(i);
@@ -88,7 +89,8 @@ std::vector<CoarseSpace::Rows> CoarseSpace::rowsOf(std::uint32_t atOnce, bool co
 
 void CoarseSpace::addNet(const ClothPiece& piece, const Panel* panel) {
   const Lattice& lattice = *piece.lattice;
-  Net net{panel, Lines(lattice.columns), Lines(lattice.rows), nodes_};
+  const double each = std::fmax(kEach, std::sqrt(1.0 * lattice.columns * lattice.rows) / kMost);
+  Net net{panel, Lines(lattice.columns, each), Lines(lattice.rows, each), nodes_};
   nodes_ += net.columns() * net.rows();
   const double weftStep = panel ? panel->weftStep : lattice.spacing,
                warpStep = panel ? panel->warpStep : lattice.spacing;

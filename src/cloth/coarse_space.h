@@ -1,8 +1,9 @@
 #pragma once
 // Conjugate gradients pass a force on from node to node, an iteration each; long waves take hundreds. Here they are met
-// at once: a net of coarse nodes, one for every eight lattice nodes each way, moves running straight between them, and
-// the step's matrix as such moves feel it, factored. What it finds is added to what the diagonal finds: a two-level
-// additive Schwarz preconditioner (Smith, Bjorstad, Gropp: Domain Decomposition, 1996, chapter 1).
+// at once: a net of coarse nodes, one for every eight lattice nodes each way (fewer in very fine cloth), moves running
+// straight between them, and the step's matrix as such moves feel it, factored. What it finds is added to what the
+// diagonal finds: a two-level additive Schwarz preconditioner (Smith, Bjorstad, Gropp: Domain Decomposition, 1996,
+// chapter 1).
 //
 // The factored matrix may be older than the step's: that costs iterations, never truth.
 #include <array>
@@ -42,7 +43,7 @@ class CoarseSpace {
     std::vector<std::uint32_t> at;    // which fine line each is
     std::vector<std::uint32_t> cell;  // per fine line: the coarse one before it,
     std::vector<float> next;          // and how far it is on the way to the next
-    explicit Lines(std::uint32_t fine);
+    Lines(std::uint32_t fine, double each);
     std::pair<std::uint32_t, double> place(double fine) const;  // the same for any place
   };
   struct Share {
