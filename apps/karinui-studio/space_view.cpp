@@ -265,7 +265,7 @@ void SpaceView::showGarment() {
     if (map_ != FitMap::Pressure)
       for (Vec3& p : frame.cloths[k].mesh.points) p = at->second(p);
   }
-  const bool quick = !(fine_ && finest_) && (carried || garmentShown_ != ~0ull);
+  const bool quick = !finest_ || (!fine_ && (carried || garmentShown_ != ~0ull));
   soft_ = !quick || !finest_;
   stale_ = true;
   const SoftLight light = quick ? SoftLight::Kept : SoftLight::Anew;

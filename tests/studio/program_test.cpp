@@ -71,6 +71,10 @@ struct Started {
     words.insert(words.begin(), {"--picture", picture().string(), "--threads", "1"});
     with.push_back({"HOME", folder.path.string()});
     with.push_back({"XDG_CONFIG_HOME", folder.path.string()});
+    if (!std::getenv("KARINUI_PICTURES")) {  // quicker, and only pictures need it
+      fs::create_directories(folder.path / "karinui");
+      std::ofstream(folder.path / "karinui" / "karinui-studio.conf") << "[General]\nfine=false\n";
+    }
     status = run(words, {"WAYLAND_DISPLAY"}, &said, with);
   }
 };
