@@ -23,6 +23,26 @@ constexpr double kFirmest = 1000;  // up to so many times
 constexpr int kFallSteps = 40;     // steps on nothing at all
 constexpr int kUntangles = 3;      // times cloth at rest that stands crossed is taken apart
 
+// Open seams are drawn together the firmer the longer they come no nearer.
+class Drawing {
+ public:
+  explicit Drawing(const LevelSolver& solver) : solver_(solver), narrowest_(gap()) {}
+  void look() {  // after each step
+    const double now = gap();
+    idle_ = now < 0.98 * narrowest_ ? 0 : idle_ + 1;
+    narrowest_ = std::fmin(narrowest_, now);
+    if (idle_ > kFirmAfter) firmness_ = std::fmin(kFirmest, kFirmer * firmness_);
+  }
+  double firmness() const { return firmness_; }
+  bool hopeless() const { return idle_ > kSewIdle; }
+
+ private:
+  double gap() const { return widestGap(solver_.cloth(), solver_.places()); }
+  const LevelSolver& solver_;
+  double narrowest_, firmness_ = 1;
+  int idle_ = 0;
+};
+
 RestOutcome& note(RestOutcome& so, const LevelSolver::Outcome& step, const Token& token) {
   ++so.steps;
   so.solves += static_cast<std::size_t>(step.iterations);
@@ -44,19 +64,16 @@ RestOutcome sew(LevelSolver& solver, const Token& token, const StepWatcher& watc
   stride.friction = false;
   stride.stop = {40, 60, 0.1};
   const double tieGap = std::fmax(kTieGap, kTieShare * solver.cloth().spacing);
-  double narrowest = widestGap(solver.cloth(), solver.places());
-  int idle = 0;
+  Drawing drawing(solver);
   for (int k = 0; k < kSewSteps && !solver.allTied(); ++k) {
     const auto step = solver.step(stride, token);
     note(so, step, token);
     if (!so.finite || so.cancelled) return so;
     solver.tieWithin(tieGap);
     if (watch) watch(k, step);
-    const double gap = widestGap(solver.cloth(), solver.places());
-    idle = gap < 0.98 * narrowest ? 0 : idle + 1;
-    narrowest = std::fmin(narrowest, gap);
-    if (idle > kSewIdle) break;
-    stride.closing = idle > kFirmAfter ? std::fmin(kFirmest, kFirmer * stride.closing) : stride.closing;
+    drawing.look();
+    if (drawing.hopeless()) break;
+    stride.closing = drawing.firmness();
   }
   so.settled = solver.allTied();
   return so;
@@ -74,6 +91,7 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
                                    [](const ClothPiece& p) { return p.live; });
   int calm = 0, alone = 0, untangled = 0;
   bool touched = false;
+  Drawing drawing(solver);
   const bool slack = solver.goesSlack();
   const int mostSteps = rule.left > 0 && slack ? kSlackSteps * rule.mostSteps : rule.mostSteps;
   for (int k = 0; k < mostSteps; ++k) {
@@ -83,6 +101,11 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
     note(so, step, token);
     if (!so.finite || so.cancelled) return so;
     if (!solver.allTied()) solver.tieWithin(kTieGap);
+    if (rule.sews && !solver.allTied()) {
+      drawing.look();
+      if (drawing.hopeless()) return so;
+      stride.closing = drawing.firmness();
+    }
     if (watch) watch(k, step);
     touched = touched || solver.touching() > 0;
     alone = solver.touching() > 0 ? 0 : alone + 1;

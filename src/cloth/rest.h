@@ -14,6 +14,7 @@ struct RestRule {
   double left = 0.0005;   // metres of the largest move still predicted; 0: not asked
   int calmSteps = 8;      // in a row; enough for cloth that only begins to slide to show it
   int mostSteps = 400;
+  bool sews = false;  // open seams are drawn together meanwhile, ever firmer, and given up where they come no nearer
 };
 struct RestOutcome {
   bool settled = false, finite = true, cancelled = false, falls = false;

@@ -14,6 +14,9 @@ namespace karinui {
 namespace {
 
 constexpr double kStirs = 0.002;  // metres a piece that stands still would give way to what it is sewn to
+constexpr double kSewn = 0.5;     // spacings: a pair nearer than this is sewn
+constexpr double kNear = 0.1;     // metres: one no farther is drawn together where it is, if no more of the pairs
+constexpr double kFew = 1.0 / 3;  // than this are open
 
 bool anyLive(const Cloth& cloth) {
   return std::any_of(cloth.pieces.begin(), cloth.pieces.end(), [](const ClothPiece& p) { return p.live; });
@@ -28,12 +31,17 @@ bool liesFlat(const ClothPiece& piece, std::span<const Vec3> x) {
   return std::all_of(own.begin(), own.end(), [&](Vec3 p) { return std::fabs(dot(p - own.front(), normal)) <= 1e-4; });
 }
 
-// Whether the finest level already stands sewn and formed, so that only what changed has to move.
-bool standsSewn(const ClothLevel& finest) {
-  if (widestGap(finest.cloth, finest.state.position) > 0.5 * finest.cloth.spacing) return false;
-  for (const ClothPiece& piece : finest.cloth.pieces)
-    if (piece.live && liesFlat(piece, finest.state.position)) return false;
-  return true;
+// Whether the finest level already stands formed, and sewn but for a few pairs that are near each other, so that only
+// what changed has to move.
+bool standsFormed(const ClothLevel& finest) {
+  const std::vector<Vec3>& x = finest.state.position;
+  const std::vector<double> gaps = liveGaps(finest.cloth, x);
+  const auto wider = [&](double than) {
+    return static_cast<double>(std::count_if(gaps.begin(), gaps.end(), [&](double gap) { return !(gap <= than); }));
+  };
+  if (wider(kNear) > 0 || wider(kSewn * finest.cloth.spacing) > kFew * static_cast<double>(gaps.size())) return false;
+  return std::none_of(finest.cloth.pieces.begin(), finest.cloth.pieces.end(),
+                      [&](const ClothPiece& piece) { return piece.live && liesFlat(piece, x); });
 }
 
 // A level that was interpolated may stand in the skin.
@@ -84,13 +92,11 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     spent.tell(report);
     return report;
   }
-  const bool sewnAlready = standsSewn(finest);
-  const std::size_t first = sewnAlready ? levels.size() - 1 : 0;
+  bool formed = standsFormed(finest), sewn = formed;
   std::vector<Vec3> x;
-  bool sewn = sewnAlready;
   const Rim rim(finest.cloth);
   std::vector<Vec3> pulledBefore(rim.empty() ? 0 : finest.cloth.nodeCount), pulledAfter;
-  for (std::size_t l = first; l < levels.size(); ++l) {
+  for (std::size_t first = formed ? levels.size() - 1 : 0, l = first; l < levels.size();) {
     const ClothLevel& level = levels[l];
     const bool last = l + 1 == levels.size();
     SettleSettings here = settings;
@@ -111,19 +117,19 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
         if (watcher) watcher(level.cloth, solver.places());
       };
     };
-    if (sewn) solver.tieWithin(sewnAlready ? level.cloth.spacing : kFarApart);
+    if (sewn) solver.tieWithin(formed ? kSewn * level.cloth.spacing : kFarApart);
     if (l > first) {  // straight on the coarse triangles nothing crosses; the rest only as far as that stays so
       for (std::size_t k = 0; k < finer.smooth.size(); ++k) finer.smooth[k] -= finer.straight[k];
       solver.moveGuarded(std::move(finer.smooth));
       solver.moveGuarded(outOfBody(solver, body, here.skin, workers));
     }
-    if (sewnAlready && !rim.empty()) pulledBefore = solver.pulls();
+    if (formed && !rim.empty()) pulledBefore = solver.pulls();
     RestOutcome end;
     const auto add = [&] {
       report.steps += end.steps;
       report.solves += end.solves;
     };
-    if (!solver.allTied()) {
+    if (!solver.allTied() && !formed) {
       end = sew(solver, token, watch(say("Drawing the seams together"), 0, 0.4));
       add();
       solver.stop();
@@ -131,16 +137,23 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     if (end.finite && !end.cancelled) {
       solver.meetCloth(true);
       solver.untangle();
-      const RestRule rule =
+      RestRule rule =
           last ? finestRule(settings) : RestRule{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 3, 150};
+      rule.sews = formed;
       end = rest(solver, settings.gravity, rule, 1.0 / 60, token, watch(say("Draping"), sewn ? 0 : 0.4, 1));
       add();
     }
     if (end.cancelled || token.cancelled()) return cancelled();
     if (!end.finite) return tornApart();
     sewn = solver.allTied();
+    if (formed && !sewn) {  // it did not come together where it stands: from the coarsest on
+      formed = false;
+      l = first = 0;
+      continue;
+    }
     if (last && !rim.empty()) pulledAfter = solver.pulls();
     x = last ? finish(solver, body, settings, end, report, workers) : solver.places();
+    ++l;
   }
   if (!rim.empty()) report.stirred = rim.stirred(pulledBefore, pulledAfter, x, body, settings, kStirs, token, workers);
   if (token.cancelled()) return cancelled();

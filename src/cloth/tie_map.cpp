@@ -173,15 +173,19 @@ Vec3 gapOf(const Tie& tie, std::span<const Vec3> position) {
   return other - position[tie.a];
 }
 
-double widestGap(const Cloth& cloth, std::span<const Vec3> position) {
+std::vector<double> liveGaps(const Cloth& cloth, std::span<const Vec3> position) {
   std::vector<std::uint8_t> live(cloth.nodeCount, 0);
   for (const ClothPiece& piece : cloth.pieces)
     if (piece.live) std::fill_n(live.begin() + piece.firstNode, piece.lattice->nodes.size(), 1);
-  double widest = 0;
+  std::vector<double> gaps;
   for (const Tie& tie : cloth.ties)
-    if (live[tie.a] || live[tie.b] || (tie.c != kNoNode && live[tie.c]))
-      widest = std::fmax(widest, length(gapOf(tie, position)));
-  return widest;
+    if (live[tie.a] || live[tie.b] || (tie.c != kNoNode && live[tie.c])) gaps.push_back(length(gapOf(tie, position)));
+  return gaps;
+}
+
+double widestGap(const Cloth& cloth, std::span<const Vec3> position) {
+  const std::vector<double> gaps = liveGaps(cloth, position);
+  return gaps.empty() ? 0 : *std::max_element(gaps.begin(), gaps.end());
 }
 
 }  // namespace karinui

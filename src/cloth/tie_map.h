@@ -51,7 +51,8 @@ class TieMap {
 std::vector<TieMap::Part> partsOf(const TieMap& ties, std::span<const std::uint32_t> nodes,
                                   std::span<const double> weights);
 
-// Widest opening of the ties that touch a live piece, metres. Empty garments have none.
+// How far those ties stand open that touch a live piece, metres; and the widest of them, 0 where there are none.
+std::vector<double> liveGaps(const Cloth& cloth, std::span<const Vec3> position);
 double widestGap(const Cloth& cloth, std::span<const Vec3> position);
 Vec3 gapOf(const Tie& tie, std::span<const Vec3> position);  // from a to b, or to the middle of b and c
 

@@ -273,6 +273,43 @@ TEST(Settle, ASecondSettleStartsFromWhereTheClothRests) {
   EXPECT_LT(length(drift) / static_cast<double>(rested.size()), 0.003);
 }
 
+// A side seam pulled open by 3 cm, as by a change of the pattern.
+TEST(Settle, ASeamThatStandsALittleOpenIsClosedWhereItIs) {
+  auto levels = tunicLevels();
+  const SettleReport first = mustSettle(levels, tunicBody());
+  ClothLevel& finest = levels.back();
+  const std::vector<Vec3> rested = finest.state.position;
+  const ClothPiece& front = finest.cloth.pieces[0];
+  for (std::uint32_t k = 0; k < front.lattice->nodes.size(); ++k) {
+    const Flat p = front.lattice->nodes[k];
+    const double near = std::fmax(0, 1 - length(p - Flat{0.6, 0.2}) / 0.15);
+    finest.state.position[front.firstNode + k].x -= 0.03 * near;
+  }
+  double open = 0;
+  for (const Tie& tie : finest.cloth.ties)
+    open = std::fmax(open, distance(finest.state.position[tie.a], finest.state.position[tie.b]));
+  ASSERT_GT(open, finest.cloth.spacing / 2) << "it does stand open";
+  const SettleReport again = mustSettle(levels, tunicBody());
+  EXPECT_TRUE(again.settled) << text(again.why);
+  EXPECT_LE(again.seamGap, 1e-9);
+  EXPECT_LT(again.steps, first.steps / 2) << "it did not begin anew";
+  double moved = 0;
+  for (std::size_t k = 0; k < rested.size(); ++k) moved += distance(finest.state.position[k], rested[k]);
+  EXPECT_LT(moved / static_cast<double>(rested.size()), 0.003) << "nearly all stays where it was";
+}
+
+// What is too far apart to come together where it stands begins from the coarsest level, as if it were new.
+TEST(Settle, ASeamThatStandsFarOpenBeginsAnew) {
+  auto levels = tunicLevels();
+  mustSettle(levels, tunicBody());
+  ClothLevel& finest = levels.back();
+  const ClothPiece& front = finest.cloth.pieces[0];
+  for (std::uint32_t k = 0; k < front.lattice->nodes.size(); ++k) finest.state.position[front.firstNode + k].z += 0.25;
+  const SettleReport again = mustSettle(levels, tunicBody());
+  EXPECT_TRUE(again.settled) << text(again.why);
+  EXPECT_LE(again.seamGap, 1e-9);
+}
+
 TEST(Settle, RefusesWhatMakesNoSense) {
   Workers workers(1);
   std::vector<ClothLevel> none;
