@@ -199,7 +199,9 @@ void FitPanel::fillReport() {
   for (const Girths& g : now) {
     std::vector<QString> cells{inWords(g.name), lengthText(g.body), lengthText(g.garment),
                                lengthText(g.garment - g.body)};
-    if (then_) cells.push_back(lengthText(girthsAt(*then_, g.height).garment));
+    if (then_)
+      for (const Girths& before : girthsAt(*then_, g.height))
+        if (before.what == g.what) cells.push_back(lengthText(before.garment));
     table += row(cells);
   }
   girths_->setText("<table>" + table + "</table>");

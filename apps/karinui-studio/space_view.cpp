@@ -187,7 +187,7 @@ void SpaceView::setBeside(FittingPtr other, const QString& caption) {
 }
 void SpaceView::setLevel(std::optional<double> height) {
   level_ = height;
-  levelShown_ = level_ ? girthsAt(session_.shown(), *level_) : Girths();
+  levelShown_ = level_ ? girthsAt(session_.shown(), *level_) : std::vector<Girths>();
   update();
 }
 void SpaceView::setFine(bool on) {
@@ -275,7 +275,7 @@ void SpaceView::showGarment() {
       if (auto made = Renderer::make(studioFor(software_))) beside_.renderer = std::move(*made);
     if (beside_.renderer) beside_.renderer->show(then.frame, top, light);
   }
-  levelShown_ = level_ ? girthsAt(*fitting, *level_) : Girths();
+  levelShown_ = level_ ? girthsAt(*fitting, *level_) : std::vector<Girths>();
   seamThreads_ = carried ? std::vector<SceneLine>{} : threadsOf(*fitting);
   garmentShown_ = carried ? ~1ull : now;
 }
@@ -300,9 +300,9 @@ void SpaceView::showOverlay() {
     auto line = edgeInSpace(*fitting, {PieceRef(e.piece), e.edge});
     if (line.size() > 1) lines.push_back({std::move(line), {0.05f, 0.25f, 0.62f}, 4, false});
   }
-  if (level_) {
-    lines.push_back({levelShown_.round, {0.85f, 0.60f, 0.02f}, 5, false});
-    lines.push_back({levelShown_.under, {0.05f, 0.25f, 0.62f}, 3, false});
+  for (const Girths& girths : levelShown_) {
+    lines.push_back({girths.round, {0.85f, 0.60f, 0.02f}, 5, false});
+    lines.push_back({girths.under, {0.05f, 0.25f, 0.62f}, 3, false});
   }
   if (!tapeShown_.line.empty()) lines.push_back({tapeShown_.line, {0.85f, 0.60f, 0.02f}, 5, false});
   overlaid_ = !lines.empty();

@@ -103,7 +103,7 @@ class SpaceView : public QOpenGLWidget {
     std::unique_ptr<Renderer> renderer;
   } beside_;
   std::optional<double> level_;
-  Girths levelShown_;
+  std::vector<Girths> levelShown_;
   std::uint64_t garmentShown_ = ~0ull;
   bool stale_ = true, overlaid_ = false, fine_ = false, finest_ = true, framed_ = false;
   bool soft_ = false;  // the soft light is that of a still picture

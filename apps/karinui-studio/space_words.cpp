@@ -91,13 +91,22 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     paintFingertip(painter, at(tip->ray.origin + tip->ray.direction * camera_.distance()));
   for (const SceneWord& word : preview.space.words)
     paintWord(painter, at(word.place), QString::fromStdString(word.text));
-  const std::pair<const std::vector<Vec3>*, double> tapes[] = {{&levelShown_.round, levelShown_.garment},
-                                                               {&levelShown_.under, levelShown_.body}};
-  for (const auto& [line, round] : tapes) {
-    if (line->empty() || !level_) continue;
-    const auto right =
-        std::max_element(line->begin(), line->end(), [&](Vec3 a, Vec3 b) { return at(a).x() < at(b).x(); });
-    paintWord(painter, at(*right) + QPointF(46, line == &levelShown_.round ? 14 : 40), lengthText(round));
+  // What the tapes say stands beside them: right of the trunk or of the leg that is seen at the right, else left.
+  const auto side = [&](const std::vector<Vec3>& line, bool right) {
+    QPointF most = at(line.front());
+    for (const Vec3 p : line)
+      if (const QPointF here = at(p); right ? here.x() > most.x() : here.x() < most.x()) most = here;
+    return most;
+  };
+  const auto middle = [&](const Girths& g) { return (side(g.under, true).x() + side(g.under, false).x()) / 2; };
+  for (const Girths& girths : levelShown_) {
+    const bool right = std::all_of(levelShown_.begin(), levelShown_.end(), [&](const Girths& other) {
+      return other.under.empty() || girths.under.empty() || middle(girths) >= middle(other);
+    });
+    for (const bool garment : {true, false})
+      if (const auto& line = garment ? girths.round : girths.under; !line.empty())
+        paintWord(painter, side(line, right) + QPointF(right ? 46 : -46, garment ? 14 : 40),
+                  lengthText(garment ? girths.garment : girths.body));
   }
   if (!tapeShown_.line.empty()) paintWord(painter, at(tapeShown_.line.front()), lengthText(tapeShown_.length));
   if (const auto panel = session_.menu()) paintBoard(painter, *panel, at);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <unordered_map>
 
 #include "karinui/cloth/support.h"
@@ -40,20 +42,24 @@ class Boxes {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> boxes_;
 };
 
-bool isArm(BodyPoint::Part part) { return part == BodyPoint::Part::LeftArm || part == BodyPoint::Part::RightArm; }
-
-// Whether a line of the figure's section runs round an arm: what most of its places say.
-bool roundArm(const Body& body, const SectionLoop& loop) {
-  std::size_t arm = 0, asked = 0;
+// Which limb a line of the figure's section runs round, or the trunk: what most of its places say. A figure that cannot
+// be read is all trunk.
+BodyPoint::Part roundWhat(const Body& body, const SectionLoop& loop) {
+  std::map<BodyPoint::Part, std::size_t> says;
   const std::size_t stride = std::max<std::size_t>(1, loop.faces.size() / 9);
-  for (std::size_t i = 0; i < loop.faces.size(); i += stride, ++asked)
-    arm += isArm(body.describe({loop.faces[i], {1.0 / 3, 1.0 / 3, 1.0 / 3}}).part);
-  return 2 * arm > asked;
+  for (std::size_t i = 0; i < loop.faces.size(); i += stride)
+    ++says[body.describe({loop.faces[i], {1.0 / 3, 1.0 / 3, 1.0 / 3}}).part];
+  const auto most =
+      std::max_element(says.begin(), says.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == says.end() || most->first == BodyPoint::Part::Face ? BodyPoint::Part::Torso : most->first;
 }
+
+// An open front is still a garment round the body; a narrow skirt leaves little more open on the inner side of a leg.
+constexpr double kOpen = std::numbers::pi / 2, kOpenLeg = std::numbers::pi / 4;
 
 // Whether the places lie on all sides of the figure: a hem that hangs lower at the back than in front goes round
 // nothing.
-bool allRound(const std::vector<Vec3>& places, const std::vector<Vec3>& figure) {
+bool allRound(const std::vector<Vec3>& places, const std::vector<Vec3>& figure, double open) {
   Vec3 middle;
   for (const Vec3 p : figure.empty() ? places : figure) middle += p;
   middle *= 1.0 / static_cast<double>(std::max<std::size_t>(1, (figure.empty() ? places : figure).size()));
@@ -62,7 +68,7 @@ bool allRound(const std::vector<Vec3>& places, const std::vector<Vec3>& figure) 
   std::sort(way.begin(), way.end());
   double widest = way.empty() ? 7 : way.front() + 2 * std::numbers::pi - way.back();
   for (std::size_t i = 1; i < way.size(); ++i) widest = std::fmax(widest, way[i] - way[i - 1]);
-  return widest < std::numbers::pi / 2;  // an open front is still a garment round the body
+  return widest < open;
 }
 
 std::vector<Vec3> taped(std::vector<Vec3> points, double& length) {
@@ -108,30 +114,54 @@ std::vector<float> pressureOnBody(const Fitting& fitting, Workers& workers) {
   return pressure;
 }
 
-Girths girthsAt(const Fitting& fitting, double height) {
-  Girths girths;
-  girths.height = height;
+std::vector<Girths> girthsAt(const Fitting& fitting, double height) {
+  using Part = BodyPoint::Part;
   const Plane level{{0, height, 0}, {0, 1, 0}};
-  std::vector<Vec3> trunk, arms;
+  std::map<Part, std::vector<Vec3>> figure;
   if (fitting.body)
     for (const SectionLoop& loop : section(fitting.body->mesh(), level)) {
-      auto& mine = roundArm(*fitting.body, loop) ? arms : trunk;
+      auto& mine = figure[roundWhat(*fitting.body, loop)];
       mine.insert(mine.end(), loop.points.begin(), loop.points.end());
     }
-  std::vector<Vec3> cloth;
-  const auto away = [](const std::vector<Vec3>& line, Vec3 p) {
+  // Cloth is round what it is nearest to.
+  const auto nearest = [&](Vec3 p) {
+    Part best = Part::Torso;
     double least = 1e9;
-    for (const Vec3 q : line) least = std::fmin(least, squaredLength(p - q));
-    return least;
+    for (const auto& [part, line] : figure)
+      for (const Vec3 q : line)
+        if (const double away = squaredLength(p - q); away < least) least = away, best = part;
+    return best;
   };
+  std::map<Part, std::vector<Vec3>> cloth;
   for (const SceneCloth& piece : fitting.frame.cloths)
     for (const SectionLoop& loop : section(piece.mesh, level))
-      for (const Vec3 p : loop.points)
-        if (arms.empty() || away(trunk, p) <= away(arms, p)) cloth.push_back(p);
-  if (!allRound(cloth, trunk)) cloth.clear();
-  girths.under = taped(std::move(trunk), girths.body);
-  girths.round = taped(std::move(cloth), girths.garment);
-  return girths;
+      for (const Vec3 p : loop.points) cloth[nearest(p)].push_back(p);
+  const auto tape = [&](Girths::Round what, std::vector<Vec3> under, std::vector<Vec3> round) {
+    Girths girths;
+    girths.what = what;
+    girths.height = height;
+    girths.under = taped(std::move(under), girths.body);
+    girths.round = taped(std::move(round), girths.garment);
+    return girths;
+  };
+  const bool legs = figure.contains(Part::LeftLeg) && figure.contains(Part::RightLeg);
+  const auto isRound = [&](Part leg) { return allRound(cloth[leg], figure[leg], kOpenLeg); };
+  const bool left = legs && isRound(Part::LeftLeg), right = legs && isRound(Part::RightLeg);
+  if (left || right) {
+    const auto own = [&](bool worn, Part leg) { return worn ? cloth[leg] : std::vector<Vec3>(); };
+    return {tape(Girths::Round::LeftLeg, figure[Part::LeftLeg], own(left, Part::LeftLeg)),
+            tape(Girths::Round::RightLeg, figure[Part::RightLeg], own(right, Part::RightLeg))};
+  }
+  std::vector<Vec3> under, round;
+  const auto add = [](std::vector<Vec3>& all, const std::vector<Vec3>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  for (const Part part : {Part::Torso, Part::LeftLeg, Part::RightLeg}) {
+    add(under, figure[part]);
+    add(round, cloth[part]);
+  }
+  if (!allRound(round, under, kOpen)) round.clear();
+  return {tape(Girths::Round::Trunk, std::move(under), std::move(round))};
 }
 
 std::vector<Girths> girthsOf(const Fitting& fitting) {
@@ -142,14 +172,32 @@ std::vector<Girths> girthsOf(const Fitting& fitting) {
                                                     {"torso:under_bust@0", say("under bust")},
                                                     {"torso:waist@0", say("waist")},
                                                     {"torso:hip@0", say("hip")}};
-  for (const auto& [place, name] : levels) {
+  const auto heightOf = [&](const char* place) -> std::optional<double> {
     const auto point = parseBodyPoint(place);
     const auto there = point ? fitting.body->find(*point) : Result<SurfacePoint>(point.error());
-    if (!there) continue;
-    Girths girths = girthsAt(fitting, at(fitting.body->mesh(), *there).y);
-    girths.name = name;
-    if (girths.garment > 0) all.push_back(std::move(girths));
-  }
+    return there ? std::optional(at(fitting.body->mesh(), *there).y) : std::nullopt;
+  };
+  for (const auto& [place, name] : levels)
+    if (const auto height = heightOf(place))
+      for (Girths& girths : girthsAt(fitting, *height)) {
+        if (girths.what != Girths::Round::Trunk || girths.garment <= 0) continue;
+        girths.name = name;
+        all.push_back(std::move(girths));
+      }
+  struct LegLevel {
+    const char* place;
+    Message left, right;
+  };
+  const LegLevel legLevels[] = {{"left_leg:crotch+0.15@0", say("left thigh"), say("right thigh")},
+                                {"left_leg:knee@0", say("left knee"), say("right knee")},
+                                {"left_leg:ankle@0", say("left ankle"), say("right ankle")}};
+  for (const LegLevel& level : legLevels)
+    if (const auto height = heightOf(level.place))
+      for (Girths& girths : girthsAt(fitting, *height)) {
+        if (girths.what == Girths::Round::Trunk || girths.garment <= 0) continue;
+        girths.name = girths.what == Girths::Round::LeftLeg ? level.left : level.right;
+        all.push_back(std::move(girths));
+      }
   return all;
 }
 

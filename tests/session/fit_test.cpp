@@ -24,7 +24,7 @@ FittingPtr panelsRoundAnEgg() {
 
 TEST(Fit, TheLevelTapeGoesRoundGarmentAndBody) {
   const FittingPtr fitting = panelsRoundAnEgg();
-  const Girths girths = girthsAt(*fitting, 0.4);
+  const Girths girths = girthsAt(*fitting, 0.4).at(0);
   const double share = std::sqrt(1 - 0.25);  // of the egg's half axes, half-way up
   EXPECT_NEAR(girths.body, ellipse(0.15 * share, 0.12 * share), 0.006);
   EXPECT_NEAR(girths.garment, 2 * (0.4 + 0.3), 0.001);
@@ -33,7 +33,7 @@ TEST(Fit, TheLevelTapeGoesRoundGarmentAndBody) {
 }
 
 TEST(Fit, AboveTheGarmentOnlyTheBodyIsMeasured) {
-  const Girths girths = girthsAt(*panelsRoundAnEgg(), 1.2);
+  const Girths girths = girthsAt(*panelsRoundAnEgg(), 1.2).at(0);
   EXPECT_EQ(girths.garment, 0);
   EXPECT_TRUE(girths.round.empty());
   EXPECT_GT(girths.body, 0.5);
@@ -43,7 +43,62 @@ TEST(Fit, WhereOnlyOneSideHangsNothingGoesRound) {
   FittingPtr whole = panelsRoundAnEgg();
   Fitting half = *whole;
   half.frame.cloths.pop_back();
-  EXPECT_EQ(girthsAt(half, 0.4).garment, 0);
+  EXPECT_EQ(girthsAt(half, 0.4).at(0).garment, 0);
+}
+
+// A tube of cloth that stands on the floor, round each of `rings`.
+struct Ring {
+  double x, z, half;
+};
+Fitting tubesOn(const BodyPtr& body, const std::vector<Ring>& rings) {
+  Fitting fitting;
+  fitting.body = body;
+  for (const Ring& ring : rings) {
+    SceneCloth cloth;
+    constexpr std::uint32_t kAround = 48;
+    for (std::uint32_t k = 0; k < kAround; ++k) {
+      const double turn = 2 * std::numbers::pi * k / kAround;
+      for (const double y : {0.0, 0.7})
+        cloth.mesh.points.push_back({ring.x + ring.half * std::cos(turn), y, ring.z + ring.half * std::sin(turn)});
+    }
+    for (std::uint32_t k = 0; k < kAround; ++k) {
+      const std::uint32_t a = 2 * k, b = 2 * ((k + 1) % kAround);
+      cloth.mesh.faces.push_back({a, b, a + 1});
+      cloth.mesh.faces.push_back({b, b + 1, a + 1});
+    }
+    fitting.frame.cloths.push_back(std::move(cloth));
+  }
+  return fitting;
+}
+
+TEST(Fit, ATrouserLegIsMeasuredByItself) {
+  Workers alone(1);
+  const auto body = makeMannequin(*builtInSize("jis9ar"), alone, Token());
+  ASSERT_TRUE(body) << text(body.error().what);
+  const auto knee = (*body)->find(*parseBodyPoint("left_leg:knee@0"));
+  ASSERT_TRUE(knee);
+  const Vec3 left = at((*body)->mesh(), *knee);
+  const double z = left.z - 0.05;
+  const auto trousers = girthsAt(tubesOn(*body, {{left.x, z, 0.1}, {-left.x, z, 0.1}}), left.y);
+  ASSERT_EQ(trousers.size(), 2u);
+  EXPECT_EQ(trousers[0].what, Girths::Round::LeftLeg);
+  EXPECT_EQ(trousers[1].what, Girths::Round::RightLeg);
+  for (const Girths& leg : trousers) {
+    EXPECT_NEAR(leg.garment, 2 * std::numbers::pi * 0.1, 0.003);
+    EXPECT_NEAR(leg.body, (*body)->measured().value.at("knee_girth"), 0.006);
+  }
+  for (const Vec3 p : trousers[0].round) EXPECT_GT(p.x, 0) << "the body's left is +x";
+  const auto skirt = girthsAt(tubesOn(*body, {{0, z, 0.17}}), left.y);
+  ASSERT_EQ(skirt.size(), 1u) << "a narrow skirt goes round both";
+  EXPECT_NEAR(skirt[0].garment, 2 * std::numbers::pi * 0.17, 0.004);
+  EXPECT_GT(skirt[0].body, 1.3 * (*body)->measured().value.at("knee_girth"));
+  const auto one = girthsAt(tubesOn(*body, {{-left.x, z, 0.1}}), left.y);
+  ASSERT_EQ(one.size(), 2u);
+  EXPECT_EQ(one[0].garment, 0);
+  EXPECT_GT(one[1].garment, 0.6);
+  const auto bare = girthsAt(tubesOn(*body, {}), left.y);
+  ASSERT_EQ(bare.size(), 1u);
+  EXPECT_EQ(bare[0].garment, 0);
 }
 
 TEST(Fit, TheTopOfAScaleIsRound) {

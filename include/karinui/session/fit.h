@@ -12,14 +12,17 @@ namespace karinui {
 // Nothing without a body or a garment that can be laid.
 std::vector<float> pressureOnBody(const Fitting& fitting, Workers& workers);
 
-// The level tape: round the trunk and legs, arms and sleeves left out.
+// The level tape: round the trunk, or both legs together, arms and sleeves left out; or round one leg.
 struct Girths {
+  enum class Round { Trunk, LeftLeg, RightLeg };
+  Round what = Round::Trunk;
   double height = 0;               // metres above the floor
   Message name;                    // of a level of the body, else empty
   double body = 0, garment = 0;    // metres round; 0: nothing there
   std::vector<Vec3> round, under;  // the tape round the garment and round the body, closed; may be empty
 };
-Girths girthsAt(const Fitting& fitting, double height);
+// One; or two where the garment goes round a leg by itself, the left one first.
+std::vector<Girths> girthsAt(const Fitting& fitting, double height);
 // At the levels a tailor asks for that this garment covers, from the top downwards.
 std::vector<Girths> girthsOf(const Fitting& fitting);
 
