@@ -24,6 +24,41 @@ double niceStep(double pixelsPerMetre) {
   return 5;
 }
 
+constexpr double kBesideGrain = 10, kClear = 14;  // pixels from the grain line, and in all from grain line and outline
+
+// A piece's name, where the whole of it has room: level beside the grain line in the middle of the paper, along that
+// line as tailors write it, or level across it; else its beginning and end. A dot: the piece has yet to be settled.
+void paintName(QPainter& painter, const QString& name, const QRectF& paper, bool dirty) {
+  painter.save();
+  QFont font = painter.font();
+  font.setPointSizeF(10.5);
+  font.setWeight(QFont::DemiBold);
+  painter.setFont(font);
+  const QFontMetricsF metrics(font);
+  const double dot = dirty ? 16 : 0, needed = metrics.horizontalAdvance(name) + dot, up = metrics.ascent();
+  const double beside = paper.width() / 2 - kClear, along = paper.height() - kClear, whole = paper.width() - kClear;
+  const bool turned = needed > beside && needed <= along, across = needed > beside && !turned;
+  const double room = turned ? along : across ? std::fmax(whole, 4 * kClear) : beside;
+  const QString label = needed <= room ? name : metrics.elidedText(name, Qt::ElideMiddle, room - dot);
+  const double wide = metrics.horizontalAdvance(label);
+  painter.translate(paper.center());
+  if (turned) painter.rotate(-90);
+  const QPointF start = turned ? QPointF(-(wide + dot) / 2, kBesideGrain + 0.5 * up)
+                               : QPointF(across ? -(wide + dot) / 2 : kBesideGrain, 0.35 * up);
+  if (across) {
+    QColor ground = Look::here().palette().paper;
+    ground.setAlphaF(0.8f);
+    painter.fillRect(QRectF(start.x() - 3, start.y() - up, wide + dot + 6, 1.3 * up), ground);
+  }
+  painter.drawText(start, label);
+  if (dirty) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Look::here().palette().accent);
+    painter.drawEllipse(start + QPointF(wide + 9, -4), 3.5, 3.5);
+  }
+  painter.restore();
+}
+
 }  // namespace
 
 TableView::TableView(Session& session, Clockwork& clockwork, QWidget* parent)
@@ -134,21 +169,10 @@ void TableView::paintPiece(QPainter& painter, const Piece& piece, const Outline&
     painter.setPen(QPen(p.ink, 1.6));
     painter.drawLine(onScreen(curve.at(t) + lies), onScreen(curve.at(t) + in * 0.006 + lies));
   }
-  // Name, above the grain line; and what is still to be settled.
-  QFont name = font();
-  name.setPointSizeF(10.5);
-  name.setWeight(QFont::DemiBold);
-  painter.setFont(name);
   painter.setPen(chosen ? p.accent : p.ink);
-  const QPointF middle = onScreen(centre) + QPointF(10, 4);
-  const QString label = QString::fromStdString(piece.name);
-  painter.drawText(middle, label);
-  if (fitting.document.drape.dirty.contains(piece.id)) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(p.accent);
-    painter.drawEllipse(middle + QPointF(painter.fontMetrics().horizontalAdvance(label) + 9, -4), 3.5, 3.5);
-    painter.setBrush(Qt::NoBrush);
-  }
+  paintName(painter, QString::fromStdString(piece.name),
+            QRectF(onScreen(low + lies), onScreen(high + lies)).normalized(),
+            fitting.document.drape.dirty.contains(piece.id));
   if (session_.tool() == Command::Points) {
     painter.setPen(QPen(p.ink, 1.2));
     painter.setBrush(p.raised);

@@ -238,7 +238,7 @@ TEST(StudioProgram, ALongDayNeedsNoMoreMemoryThanItsMorning) {
   if (const char* asked = std::getenv("KARINUI_LONG"); !asked || !*asked) GTEST_SKIP() << "./test --long";
   Window w;
   w.openTunic();
-  const auto anHour = [&](int k) {
+  const auto aRound = [&](int k) {
     w.main().boards().setCurrentIndex(k % 5);
     w.key(Command::Cut);
     w.drag(w.table(), {w.onTable("front", {0.03, -0.05}), w.onTable("front", {0.03, 0.10 + 0.001 * (k % 7)})});
@@ -257,10 +257,10 @@ TEST(StudioProgram, ALongDayNeedsNoMoreMemoryThanItsMorning) {
     w.key(Command::ViewFront);
     w.rest();
   };
-  constexpr int kMorning = 40, kDay = 160;
-  for (int k = 0; k < kMorning; ++k) anHour(k);
+  constexpr int kMorning = 40, kDay = 480;  // eight hours of a round a minute, without the pauses
+  for (int k = 0; k < kMorning; ++k) aRound(k);
   const std::size_t morning = residentKilobytes();
-  for (int k = kMorning; k < kDay; ++k) anHour(k);
+  for (int k = kMorning; k < kDay; ++k) aRound(k);
   const std::size_t evening = residentKilobytes();
   std::printf("%zu steps, %zu kB after %d rounds, %zu kB after %d\n", w.count(), morning, kMorning, evening, kDay);
   EXPECT_LT(evening, morning + morning / 10);
