@@ -33,9 +33,4 @@ bool isForFingertip(QEvent* event, const Session& session) {
   return strokeOf(*static_cast<QKeyEvent*>(event)) == KeyStroke::Press;
 }
 
-void announce(QWidget* speaker, const QString& words) {
-  if (!speaker || words.isEmpty() || speaker->accessibleDescription() == words) return;
-  speaker->setAccessibleDescription(words);  // tells whoever listens
-}
-
 }  // namespace karinui::studio

@@ -16,10 +16,12 @@
 #include "keys.h"
 #include "look.h"
 #include "orbit.h"
+#include "spoken.h"
 
 namespace karinui::studio {
 
 MainWindow::MainWindow(SessionOptions options) {
+  letViewsSpeak();
   wake_.setSingleShot(true);
   wake_.setInterval(0);
   connect(&wake_, &QTimer::timeout, this, &MainWindow::refresh);
@@ -198,12 +200,24 @@ void MainWindow::refresh() {
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
                  : keys.isEmpty()                  ? inWords(session_->hint())
                                                    : keys + "   –   " + inWords(session_->hint()));
-  if (!keys.isEmpty())
-    announce(focusWidget(), inWords(session_->underFingertip()) + ". " + hint_->text() +
-                                (toast_->isVisible() ? " " + toast_->text() : QString()));
+  tellFingertip(keys);
   if (guide_) guide_->refresh();
   seen_ = now;
   emit refreshed();
+}
+
+// What lies under it, what was answered, what keys and tool do there: of these, what has changed.
+void MainWindow::tellFingertip(const QString& keys) {
+  Heard now;
+  if (!keys.isEmpty()) {
+    const QString answer = toast_->isVisible() ? toast_->text() : QString();
+    now = {inWords(session_->underFingertip()) + ".", answer, inWords(session_->hint()), keys + "."};
+  }
+  const Heard before = std::exchange(heard_, now);
+  QStringList words;
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (now[k] != before[k] && !now[k].isEmpty()) words << now[k];
+  if (!words.isEmpty() || (keys.isEmpty() && !before[0].isEmpty())) announce(focusWidget(), words.join(' '));
 }
 
 void MainWindow::tell(const Notice& notice) {

@@ -2,6 +2,7 @@
 // The window: fitting at the left, pattern beside it, boards at the right; menus, keys, files, words. GUI thread.
 #include <QMainWindow>
 #include <QTimer>
+#include <array>
 
 #include "clockwork.h"
 #include "karinui/session/session.h"
@@ -53,7 +54,8 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void refresh();
   void tell(const Notice& notice);
-  void goToNextPart();  // of the window, with the keys
+  void tellFingertip(const QString& keys);  // to those who hear the screen; no keys: there is none
+  void goToNextPart();                      // of the window, with the keys
   void placeToast();
   void run(Command command);
   void askNew();
@@ -81,6 +83,8 @@ class MainWindow : public QMainWindow {
   QToolBar* tools_ = nullptr;
   QToolBar* top_ = nullptr;
   QLabel *hint_, *place_, *toast_;
+  using Heard = std::array<QString, 4>;
+  Heard heard_;  // last of the fingertip
   QProgressBar* progress_;
   QTimer toastTime_, wake_;
   Guide* guide_ = nullptr;

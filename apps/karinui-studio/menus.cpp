@@ -30,7 +30,10 @@ void MainWindow::makeActions() {
 void MainWindow::makeMenus() {
   const auto menu = [this](const Message& words) {
     QMenu* made = menuBar()->addMenu(QString());
-    Look::here().keep(made, [made, words] { made->setTitle(inWords(words)); });
+    Look::here().keep(made, [made, words] {  // Alt and the English word's first letter open it
+      const QString title = inWords(words), letter = QString::fromStdString(text(words)).left(1);
+      made->setTitle(title.startsWith(letter) ? "&" + title : title + "(&" + letter + ")");
+    });
     return made;
   };
   const auto add = [this](QMenu* to, const Message& words, const char* icon, const char* key, auto&& what) {
@@ -160,6 +163,11 @@ void MainWindow::makeMenus() {
   for (const CommandInfo& about : commands())
     if (isTool(about.command)) tools_->addAction(actions_[about.command]);
   addToolBar(Qt::LeftToolBarArea, tools_);
+  for (QToolBar* bar : {top_, tools_})
+    Look::here().keep(bar, [bar] {  // to those who hear the screen without the tooltip's bold letters
+      for (QAction* a : bar->actions())
+        if (QWidget* button = bar->widgetForAction(a)) button->setAccessibleDescription(a->statusTip());
+    });
 }
 
 }  // namespace karinui::studio

@@ -14,7 +14,6 @@ namespace {
 // A place of the figure as one says it: to a tenth of the way between two levels, to a hundredth of a turn.
 std::string nearly(BodyPoint point) {
   const auto levels = chartLevels(point.part);
-  if (point.part == BodyPoint::Part::Face) return "–";
   if (levels.empty()) return text(point);
   const double tenths = std::round(point.along * 10), turn = std::fmod(std::round(point.around * 100), 100) / 100;
   const auto level = static_cast<std::size_t>(tenths) / 10;
@@ -23,6 +22,23 @@ std::string nearly(BodyPoint point) {
   const std::string part = text(point);
   return part.substr(0, part.find(':') + 1) + std::string(levels[level]) + (more > 0 ? "+" + shortest(more) : "") +
          "@" + shortest(turn);
+}
+
+// By the landmark it is on, else by the figure's levels, a little above or below where they do not reach (the very
+// crotch), else (between fingers) by height.
+Message placeOn(const Body& body, SurfacePoint skin, bool inches) {
+  constexpr double kOn = 0.01;  // metres
+  const Vec3 place = at(body.mesh(), skin);
+  const std::string* nearest = nullptr;
+  double least = kOn;
+  for (const auto& [name, there] : body.landmarks())
+    if (const double away = distance(place, there); away < least) least = away, nearest = &name;
+  if (nearest) return say("On the body, at {0}", *nearest);
+  for (const double up : {0.0, -0.005, 0.005, -0.015, 0.015})
+    if (const auto near = body.bvh().nearest(place + Vec3{0, up, 0}))
+      if (const BodyPoint point = body.describe(near->place); point.part != BodyPoint::Part::Face)
+        return say("On the body, at {0}", nearly(point));
+  return say("On the body, {0} above the floor", lengthSaid(place.y, inches));
 }
 
 }  // namespace
@@ -115,7 +131,7 @@ Message Session::underFingertip() const {
   const Fitting& fitting = *in.state.fitting;
   const bool drawing = in.gesture->stops() == Stops::Skin;
   const Hit hit = drawing ? pickBody(fitting, *tip) : pick(fitting, in.table, *tip);
-  if (hit.on == Hit::On::Body && !hit.edge) return say("On the body, at {0}", nearly(fitting.body->describe(hit.skin)));
+  if (hit.on == Hit::On::Body && !hit.edge) return placeOn(*fitting.body, hit.skin, in.inches);
   if (!hit.piece) return say("Beside everything");
   const Piece& piece = *fitting.document.find(hit.piece);
   const Piece* owner = hit.edge ? fitting.document.find(hit.edge->piece) : nullptr;

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QTabWidget>
+#include <QToolBar>
 #include <QTreeWidget>
 #include <fstream>
 
@@ -138,6 +139,13 @@ TEST(StudioWindow, EverythingThatTakesAKeySaysWhatItIs) {
     }
   }
   EXPECT_TRUE(nameless.empty()) << testing::PrintToString(nameless);
+  for (QToolBar* bar : w.main().findChildren<QToolBar*>())
+    for (QAction* action : bar->actions()) {
+      if (action->isSeparator()) continue;
+      QAccessibleInterface* heard = QAccessible::queryAccessibleInterface(bar->widgetForAction(action));
+      ASSERT_TRUE(heard);
+      EXPECT_EQ(heard->text(QAccessible::Description), action->statusTip()) << "without the signs that make it bold";
+    }
 }
 
 TEST(StudioWindow, IsDarkWhenAsked) {
