@@ -125,6 +125,9 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
       const auto command = named(second);
       EXPECT_TRUE(command) << line;
       if (command) session.command(*command);
+    } else if (first == "read") {  // what stands beside the hand
+      const Preview preview = session.preview();
+      for (const SceneWord& word : preview.space.words) came.push_back("reads: " + word.text);
     } else if (first == "sight" || first == "key") {
       words.seekg(static_cast<std::streamoff>(first.size()));
       if (first == "sight")
