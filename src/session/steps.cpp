@@ -61,7 +61,7 @@ void Session::Inside::perform(Operation operation) {
     const bool disturbing = disturbs(operation);
     Result<Step> step = room->perform(std::move(operation), token);
     const auto fresh = std::make_shared<RoomState>(room->state(token));
-    return [this, before, disturbing, step = std::move(step), fresh, doing = line.progress().doing] {
+    return [this, before, disturbing, step = std::move(step), fresh, end = line.progress()] {
       if (!step) {
         tellError(step.error());
         preview.reset();
@@ -70,7 +70,9 @@ void Session::Inside::perform(Operation operation) {
       }
       take(*fresh);
       if (drapes(step->operation)) ++news.settled;
-      if (std::holds_alternative<DrawPiece>(step->operation) && !doing.empty()) tell(Notice::Kind::Advice, doing);
+      // What is said when all is done is advice on it.
+      if (std::holds_alternative<DrawPiece>(step->operation) && end.fraction >= 1)
+        tell(Notice::Kind::Advice, end.doing);
       if (std::holds_alternative<PullCloth>(step->operation))
         if (const auto& last = state.fitting->document.drape.last; last && !last->why.empty())
           tell(Notice::Kind::Said, last->why);

@@ -115,7 +115,10 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
   double seconds = 0;
   const auto note = [&] {
     for (const Notice& notice : session.takeNotices())
-      if (notice.kind == Notice::Kind::Refused) came.push_back("refused: " + text(notice.what));
+      if (notice.kind == Notice::Kind::Refused)
+        came.push_back("refused: " + text(notice.what));
+      else if (notice.kind == Notice::Kind::Advice)
+        came.push_back("advised: " + text(notice.what));
   };
   for (const std::string& line : recording.played) {
     std::istringstream words(line);

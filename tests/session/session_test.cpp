@@ -60,6 +60,23 @@ TEST(Session, SettlesWhatChangedAndRecordsIt) {
             std::set<PieceId>{session.fitting().document.pieceNamed("back")->id});
 }
 
+// Recorded hands show that nothing is advised where there is nothing to advise.
+TEST(Session, WhatCannotLieAsDrawnIsAdvisedOn) {
+  Session session(Held().options());
+  for (const char* step : {"body size=jis9ar",
+                           "draw name=front symmetric=yes edges=\"neck ~ shoulder armhole ~ ~ side ~ hem\" "
+                           "line=\"torso:shoulder+0.5@0; torso:shoulder+0.8@0.08; torso:neck_base+0.2@0.25; "
+                           "landmark:shoulder_left; torso:armpit+0.5@0.16; torso:armpit@0.19; torso:armpit-0.3@0.25; "
+                           "torso:waist@0.25; torso:hip@0.25; torso:hip@0\""})
+    session.perform(op(step));
+  session.finish();
+  ASSERT_EQ(session.steps().size(), 2u);
+  std::string advised;
+  for (const Notice& notice : session.takeNotices())
+    if (notice.kind == Notice::Kind::Advice) advised += text(notice.what);
+  EXPECT_THAT(advised, testing::StartsWith("Cloth cannot lie as drawn"));
+}
+
 TEST(Session, UndoWhileSettlingOnlyStopsWhatWasAskedFor) {
   Held held;
   Session session(held.options());
