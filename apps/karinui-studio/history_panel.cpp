@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
+#include <QScrollBar>
 
 #include "karinui/design/script.h"
 #include "look.h"
@@ -16,6 +17,7 @@ namespace karinui::studio {
 namespace {
 
 constexpr QSize kPicture(54, 72);
+constexpr std::size_t kMostPictures = 64;    // kept, beside those in sight
 enum Role { kNumber = Qt::UserRole, kEnd };  // how many steps are done there; or the end of a way that was left, by seq
 
 // A step's line as people call the things in it.
@@ -94,14 +96,31 @@ HistoryPanel::HistoryPanel(Session& session, SpaceView& view) : Panel(session), 
   connect(list_, &QListWidget::currentItemChanged, this, [this] {
     if (!filling_) fillFields();
   });
+  connect(list_->verticalScrollBar(), &QScrollBar::valueChanged, this, &HistoryPanel::askPicture);
   connect(again_, &QPushButton::clicked, this, &HistoryPanel::playAgain);
+}
+
+const Step* HistoryPanel::stepIn(const QListWidgetItem& item) const {
+  const std::size_t number = item.data(kNumber).toUInt();
+  const auto& done = session_.steps();
+  const auto& undone = session_.undone();
+  if (item.data(kEnd).toULongLong() || number == 0 || number > done.size() + undone.size()) return nullptr;
+  return number <= done.size() ? &done[number - 1] : &undone[number - 1 - done.size()];
 }
 
 const Step* HistoryPanel::chosen() const {
   const QListWidgetItem* item = list_->currentItem();
-  if (!item || item->data(kEnd).toULongLong()) return nullptr;
-  const std::size_t number = item->data(kNumber).toUInt();
-  return number >= 1 && number <= session_.steps().size() ? &session_.steps()[number - 1] : nullptr;
+  return item && item->data(kNumber).toUInt() <= session_.steps().size() ? stepIn(*item) : nullptr;
+}
+
+std::vector<QListWidgetItem*> HistoryPanel::inSight() const {
+  std::vector<QListWidgetItem*> items;
+  for (int row = std::max(0, list_->indexAt(QPoint(4, 4)).row()); row < list_->count(); ++row) {
+    QListWidgetItem* item = list_->item(row);
+    if (list_->visualItemRect(item).top() >= list_->viewport()->height()) break;
+    items.push_back(item);
+  }
+  return items;
 }
 
 QIcon HistoryPanel::pictureOf(const Step& step) const {
@@ -203,37 +222,38 @@ void HistoryPanel::playAgain() {
   session_.amend(step->serial, *operation);
 }
 
+// Only of what is in sight: a long day has more steps than pictures are kept.
 void HistoryPanel::askPicture() {
   if (asked_ || !isVisible() || !session_.idle()) return;
-  const auto ask = [this](const Step& step) {
-    if (pictures_.contains(step.chain)) return false;
+  const std::vector<QListWidgetItem*> seen = inSight();
+  for (auto item = seen.rbegin(); item != seen.rend(); ++item) {  // the newest first: that is where one looks
+    const Step* step = stepIn(**item);
+    if (!step || pictures_.contains(step->chain)) continue;
     asked_ = true;
-    session_.glimpse(step.seq, [this, chain = step.chain](FittingPtr then) {
+    session_.glimpse(step->seq, [this, chain = step->chain](const FittingPtr& then) {
       asked_ = false;
-      constexpr std::size_t kMost = 400;
-      if (pictures_.size() > kMost) pictures_.clear();
-      const double ratio = devicePixelRatioF();
-      QPixmap picture =
-          then ? QPixmap::fromImage(view_.portrait(then->frame, (QSizeF(kPicture) * ratio).toSize())) : QPixmap();
-      picture.setDevicePixelRatio(ratio);
-      pictures_[chain] = picture;
-      for (int row = 0; row < list_->count(); ++row) {
-        QListWidgetItem* item = list_->item(row);
-        const std::size_t number = item->data(kNumber).toUInt();
-        const auto& done = session_.steps();
-        const auto& undone = session_.undone();
-        if (item->data(kEnd).toULongLong() || number == 0 || number > done.size() + undone.size()) continue;
-        const Step& shown = number <= done.size() ? done[number - 1] : undone[number - 1 - done.size()];
-        if (shown.chain == chain) item->setIcon(pictureOf(shown));
-      }
+      keepPicture(chain, then);
     });
-    return true;
-  };
-  // The newest first: that is where one looks.
-  for (auto step = session_.steps().rbegin(); step != session_.steps().rend(); ++step)
-    if (ask(*step)) return;
-  for (const Step& step : session_.undone())
-    if (ask(step)) return;
+    return;
+  }
+}
+
+void HistoryPanel::keepPicture(const std::string& chain, const FittingPtr& then) {
+  const std::vector<QListWidgetItem*> seen = inSight();
+  if (pictures_.size() >= kMostPictures) {
+    std::map<std::string, QPixmap> kept;
+    for (const QListWidgetItem* item : seen)
+      if (const Step* step = stepIn(*item))
+        if (const auto at = pictures_.find(step->chain); at != pictures_.end()) kept.insert(*at);
+    pictures_ = std::move(kept);
+  }
+  const double ratio = devicePixelRatioF();
+  QPixmap picture;
+  if (then) picture = QPixmap::fromImage(view_.portrait(then->frame, (QSizeF(kPicture) * ratio).toSize()));
+  picture.setDevicePixelRatio(ratio);
+  pictures_[chain] = picture;
+  for (QListWidgetItem* item : seen)
+    if (const Step* step = stepIn(*item); step && step->chain == chain) item->setIcon(pictureOf(*step));
 }
 
 }  // namespace karinui::studio

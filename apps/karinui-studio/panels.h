@@ -157,9 +157,12 @@ class HistoryPanel : public Panel {
   void fillSteps();
   void fillFields();  // of the chosen step
   void playAgain();
-  void askPicture();  // the next one that is missing, while the panel is seen
+  std::vector<QListWidgetItem*> inSight() const;  // rows, from the top
+  void askPicture();                              // the next one that is missing in sight, while the panel is seen
+  void keepPicture(const std::string& chain, const FittingPtr& then);
   QIcon pictureOf(const Step& step) const;
-  const Step* chosen() const;  // null: none, or the beginning
+  const Step* stepIn(const QListWidgetItem& item) const;  // null: the beginning, or the end of another way
+  const Step* chosen() const;                             // null: none, or not done
 
   SpaceView& view_;
   QListWidget* list_;
