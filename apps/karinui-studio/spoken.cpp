@@ -43,13 +43,14 @@ class Place : public QAccessibleInterface {
 class SpeakingView : public QAccessibleWidget {
  public:
   explicit SpeakingView(QWidget* view) : QAccessibleWidget(view, QAccessible::Client) {
-    for (Place*& place : place_) {
-      place = new Place(view);
-      QAccessible::registerAccessibleInterface(place);
+    for (const int own : {0, 1}) {
+      place_[own] = new Place(view);
+      id_[own] = QAccessible::registerAccessibleInterface(place_[own]);
     }
   }
   ~SpeakingView() override {
-    for (Place* place : place_) QAccessible::deleteAccessibleInterface(QAccessible::uniqueId(place));
+    for (const QAccessible::Id id : id_)  // at the very end Qt may have let go of them first
+      if (QAccessible::accessibleInterface(id)) QAccessible::deleteAccessibleInterface(id);
   }
   void say(const QString& words) {
     if (place_[now_]->text(QAccessible::Name) == words) return;
@@ -79,6 +80,7 @@ class SpeakingView : public QAccessibleWidget {
 
  private:
   Place* place_[2] = {};  // owned by Qt's register, until this ends
+  QAccessible::Id id_[2] = {};
   int now_ = 0;
 };
 
