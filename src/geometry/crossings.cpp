@@ -11,10 +11,6 @@ bool shareCorner(const Triangle& f, const Triangle& g) {
   return std::any_of(f.begin(), f.end(), [&](std::uint32_t i) { return i == g[0] || i == g[1] || i == g[2]; });
 }
 
-Corners cornersOf(const TriangleMesh& mesh, const Triangle& f) {
-  return {mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
-}
-
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> selfCrossings(const TriangleMesh& mesh) {

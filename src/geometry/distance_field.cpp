@@ -34,7 +34,7 @@ std::vector<double> coarseDistances(const SpacedGrid& grid, const TriangleMesh& 
       const auto near = bvh.nearest(grid.place(i, j, k), within);
       distances[grid.index(i, j, k)] = near->distance;
       // A nanometre more, so that a grid point on the face itself finds it.
-      within = distanceToFace(cornersOf(mesh, near->place.face), grid.place(i + 1, j, k)) + 1e-9;
+      within = distanceToFace(cornersOf(mesh, mesh.faces[near->place.face]), grid.place(i + 1, j, k)) + 1e-9;
     }
   });
   return distances;

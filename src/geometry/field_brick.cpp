@@ -25,11 +25,6 @@ KARINUI_WIDE void comeNear(std::size_t count, const float* __restrict cx, const 
 
 }  // namespace
 
-Corners cornersOf(const TriangleMesh& mesh, std::uint32_t face) {
-  const Triangle& f = mesh.faces[face];
-  return {mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
-}
-
 bool FieldBrick::take(const Count& first, const Count& count, double band) {
   faces_.clear();
   circles_.clear();
@@ -42,7 +37,7 @@ bool FieldBrick::take(const Count& first, const Count& count, double band) {
   const double reach = std::fmin(near->distance + 2 * half, band + half) + kRounding;
   const Vec3 around{reach, reach, reach};
   bvh_.touching({middle_ - around, middle_ + around}, [&](std::uint32_t face) {
-    const Corners c = cornersOf(mesh_, face);
+    const Corners c = cornersOf(mesh_, mesh_.faces[face]);
     const Vec3 centre = (c[0] + c[1] + c[2]) * (1.0 / 3);
     double radius = 0;
     for (Vec3 corner : c) radius = std::fmax(radius, distance(corner, centre));

@@ -11,8 +11,6 @@
 
 namespace karinui {
 
-Corners cornersOf(const TriangleMesh& mesh, std::uint32_t face);
-
 class FieldBrick {
  public:
   // All must outlive this.

@@ -2,11 +2,14 @@
 // One triangle in space: its nearest point, its solid angle, and whether it passes through another.
 #include <array>
 
-#include "karinui/geometry/vec.h"
+#include "karinui/geometry/mesh.h"
 
 namespace karinui {
 
 using Corners = std::array<Vec3, 3>;
+inline Corners cornersOf(const TriangleMesh& mesh, const Triangle& face) {
+  return {mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]]};
+}
 
 // The weights (sum 1, all >= 0) of the triangle's point nearest to a place. Right for degenerate triangles too.
 std::array<double, 3> nearestWeights(const Corners& triangle, Vec3 from);
