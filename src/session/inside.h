@@ -60,6 +60,10 @@ struct Session::Inside {
 
   // Whether marks of crossed seams are shown, to be clicked.
   bool turnsCrossed() const { return (tool == Command::Select || tool == Command::Sew) && !gesture->begun(); }
+  const std::vector<CrossedSeam>& crossed() const {  // found once for a garment, not for each of its pictures
+    if (crossedOf_ != state.fitting) crossed_ = crossedSeams(*state.fitting), crossedOf_ = state.fitting;
+    return crossed_;
+  }
 
   void choose(Selection chosen);
 
@@ -102,6 +106,9 @@ struct Session::Inside {
   // Work that may replace the document or add many steps to it.
   void longWork(std::function<Result<std::shared_ptr<Room>>(const Token&)> work, Message done);
   std::shared_ptr<Room> roomOf(DocumentFile file, bool readOnly);  // any thread
+
+  mutable std::vector<CrossedSeam> crossed_;
+  mutable FittingPtr crossedOf_;  // the garment they are of
 };
 
 }  // namespace karinui

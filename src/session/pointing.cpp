@@ -65,7 +65,7 @@ void Session::Inside::choose(Selection chosen) {
 
 void Session::Inside::point(const PointerSample& sample) {
   if (turnsCrossed())
-    if (const auto seam = crossedAt(*state.fitting, table, sample)) {
+    if (const auto seam = crossedAt(crossed(), table, sample)) {
       onCross = true;
       if (sample.phase == Phase::Press && !state.readOnly && !line.busy(TaskLine::Kind::Step))
         perform(FlipSeam{SeamRef(*seam)});

@@ -39,9 +39,9 @@ Preview Session::preview() const {
   const auto& in = *inside_;
   Preview preview = in.gesture->preview(in.bench());
   if (!in.turnsCrossed()) return preview;
-  for (const CrossedSeam& one : crossedSeams(*in.state.fitting, in.table)) {
+  for (const CrossedSeam& one : in.crossed()) {
     preview.space.words.push_back({one.place, "⇄"});
-    for (const Flat p : one.table) preview.table.words.push_back({p, "⇄"});
+    for (const auto& [piece, place] : one.paper) preview.table.words.push_back({place + in.table.at(piece), "⇄"});
   }
   return preview;
 }

@@ -44,7 +44,7 @@ std::vector<SceneLine> threadsOf(const Fitting& fitting) {
   return lines;
 }
 
-std::vector<CrossedSeam> crossedSeams(const Fitting& fitting, const Table& table) {
+std::vector<CrossedSeam> crossedSeams(const Fitting& fitting) {
   constexpr double kApart = 0.02;  // metres: a closed seam crosses nothing
   std::vector<CrossedSeam> crossed;
   for (const auto& [id, seam] : fitting.document.pattern.seams) {
@@ -58,18 +58,19 @@ std::vector<CrossedSeam> crossedSeams(const Fitting& fitting, const Table& table
       const EdgeSpan& span = (*side)[side->size() / 2];
       const Piece* piece = fitting.document.find(span.piece);
       if (const Edge* edge = piece ? findEdge(*piece, span.edge) : nullptr)
-        one.table.push_back(edge->curve.atFraction((span.from + span.to) / 2) + table.at(piece->id));
+        one.paper.emplace_back(piece->id, edge->curve.atFraction((span.from + span.to) / 2));
     }
     crossed.push_back(std::move(one));
   }
   return crossed;
 }
 
-std::optional<SeamId> crossedAt(const Fitting& fitting, const Table& table, const PointerSample& sample) {
-  for (const CrossedSeam& one : crossedSeams(fitting, table)) {
+std::optional<SeamId> crossedAt(const std::vector<CrossedSeam>& crossed, const Table& table,
+                                const PointerSample& sample) {
+  for (const CrossedSeam& one : crossed) {
     if (sample.where == PointerSample::Where::Table) {
-      for (const Flat p : one.table)
-        if (distance(p, sample.place) < sample.reach) return one.seam;
+      for (const auto& [piece, place] : one.paper)
+        if (distance(place + table.at(piece), sample.place) < sample.reach) return one.seam;
     } else if (const Vec3 way = one.place - sample.ray.origin;
                length(cross(way, sample.ray.direction)) < sample.reach * dot(way, sample.ray.direction)) {
       return one.seam;

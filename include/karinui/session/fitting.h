@@ -88,10 +88,11 @@ std::vector<SceneLine> threadsOf(const Fitting& fitting);
 // Open seams whose threads cross: sewn as they are the cloth would twist; a click on the mark turns one round.
 struct CrossedSeam {
   SeamId seam;
-  Vec3 place;               // where the threads cross
-  std::vector<Flat> table;  // the middle of either side
+  Vec3 place;                                   // where the threads cross
+  std::vector<std::pair<PieceId, Flat>> paper;  // the middle of either side
 };
-std::vector<CrossedSeam> crossedSeams(const Fitting& fitting, const Table& table);
-std::optional<SeamId> crossedAt(const Fitting& fitting, const Table& table, const PointerSample& sample);
+std::vector<CrossedSeam> crossedSeams(const Fitting& fitting);  // takes milliseconds of a fine garment
+std::optional<SeamId> crossedAt(const std::vector<CrossedSeam>& crossed, const Table& table,
+                                const PointerSample& sample);
 
 }  // namespace karinui
