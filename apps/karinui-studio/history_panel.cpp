@@ -252,8 +252,9 @@ void HistoryPanel::keepPicture(const std::string& chain, const FittingPtr& then)
   if (then) picture = QPixmap::fromImage(view_.portrait(then->frame, (QSizeF(kPicture) * ratio).toSize()));
   picture.setDevicePixelRatio(ratio);
   pictures_[chain] = picture;
-  for (QListWidgetItem* item : seen)
-    if (const Step* step = stepIn(*item); step && step->chain == chain) item->setIcon(pictureOf(*step));
+  for (int row = 0; row < list_->count(); ++row)  // its row may have been scrolled out of sight meanwhile
+    if (const Step* step = stepIn(*list_->item(row)); step && step->chain == chain)
+      list_->item(row)->setIcon(pictureOf(*step));
 }
 
 }  // namespace karinui::studio
