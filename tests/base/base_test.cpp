@@ -1,9 +1,12 @@
 // The lowest storey: messages, numbers, workers, hashes.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <thread>
 
 #include "karinui/base/hash.h"
 #include "karinui/base/message.h"
@@ -92,6 +95,27 @@ TEST(Workers, EveryItemOnceEvenWhenCalledManyTimes) {
     });
   }
   for (int count : seen) EXPECT_EQ(count, 500);
+}
+
+// Jobs of a few blocks follow each other faster than helpers wake, sleep or are put off the processor by others; the
+// work of each is gone when it returns.
+TEST(Workers, EveryItemOnceHoweverLateHelpersCome) {
+  std::mt19937_64 random(7);
+  for (const int threads : {2, 3, 8}) {
+    Workers workers(threads);
+    for (int round = 0; round < 3000; ++round) {
+      const std::size_t count = random() % 60, block = 1 + random() % 7;
+      std::vector<std::atomic<int>> seen(count);
+      const auto pause = std::chrono::microseconds(random() % 50 == 0 ? 300 : 0);
+      workers.forBlocks(count, block, [&](std::size_t begin, std::size_t end) {
+        if (begin % 5 == 0 && pause.count() > 0) std::this_thread::sleep_for(pause);
+        EXPECT_LE(end, begin + block);
+        for (std::size_t i = begin; i < end; ++i) ++seen[i];
+      });
+      for (const auto& times : seen) ASSERT_EQ(times, 1);
+      if (random() % 200 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));  // helpers fall asleep
+    }
+  }
 }
 
 TEST(Hash, TellsApartWhatDiffersAndNothingElse) {
