@@ -27,9 +27,10 @@ std::vector<std::uint32_t> nodesAt(const Lattice& lattice, Flat place, double ra
   return nodes;
 }
 
-// A form's places on paper by their exact bits: a node that was there when the form was left stands where it stood.
-// Where a form holds the nodes of a lattice, each on its own bank of a slit.
+// Where a form holds the nodes of a lattice, each on its own bank of a slit. A form that was left by this very lattice
+// holds each where it stood.
 std::vector<Vec3> placesIn(const Form& form, const Lattice& lattice) {
+  if (form.flat == lattice.nodes && form.faces == lattice.faces) return form.space;
   const LatticeFinder finder(form.flat, form.faces);
   const std::vector<Flat> inwards = inwardsOf(lattice.nodes, lattice.faces);
   std::vector<Vec3> places(lattice.nodes.size());

@@ -15,12 +15,13 @@ std::vector<Flat> carryAlong(std::span<const Flat> flat, std::span<const Triangl
     by[c.point] = c.by;
     unknown[c.point] = -1;
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // those that have an unknown end
   std::vector<std::uint8_t> used(flat.size(), 0);
   for (const Triangle& t : faces)
     for (std::size_t k = 0; k < 3; ++k) {
-      used[t[k]] = 1;
-      edges.emplace_back(std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]));
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      used[a] = 1;
+      if (unknown[a] == 0 || unknown[b] == 0) edges.emplace_back(std::min(a, b), std::max(a, b));
     }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

@@ -165,11 +165,16 @@ double Curve::parameterAt(double s) const {
 
 std::vector<Flat> Curve::evenly(double from, double to, int steps) const {
   KARINUI_ASSERT(steps > 0);
-  const auto fraction = [&](int i) { return std::clamp(from + (to - from) * i / steps, 0.0, 1.0); };
+  std::vector<double> fractions;
+  for (int i = 0; i <= steps; ++i) fractions.push_back(from + (to - from) * i / steps);
+  return atFractions(fractions);
+}
+
+std::vector<Flat> Curve::atFractions(std::span<const double> fractions) const {
   std::vector<Flat> places;
-  places.reserve(static_cast<std::size_t>(steps) + 1);
+  places.reserve(fractions.size());
   if (kind != Kind::Cubic) {
-    for (int i = 0; i <= steps; ++i) places.push_back(at(fraction(i)));
+    for (const double f : fractions) places.push_back(at(std::clamp(f, 0.0, 1.0)));
     return places;
   }
   // The lengths up to every eighth of each cubic; Newton's steps then have little left to measure.
@@ -181,8 +186,8 @@ std::vector<Flat> Curve::evenly(double from, double to, int steps) const {
       const double low = static_cast<double>(k) / kParts, high = low + 1.0 / kParts;
       reached.push_back(reached.back() + cubicLength(cubic, low, high, gauss(cubic, low, high), 24));
     }
-  for (int i = 0; i <= steps; ++i) {
-    const double s = fraction(i) * reached.back();
+  for (const double f : fractions) {
+    const double s = std::clamp(f, 0.0, 1.0) * reached.back();
     const auto past = std::upper_bound(reached.begin() + 1, reached.end() - 1, s);
     const auto cell = static_cast<std::size_t>(past - reached.begin()) - 1;
     const Curve& cubic = cubics[cell / kParts];

@@ -10,7 +10,9 @@
 namespace karinui {
 namespace {
 
-__extension__ typedef __int128 Wide;  // 2^27 places, differences to the fourth power: 2^120
+// Places lie within 2^27, the three corners beyond them all within 2^30: products of two differences stay below 2^61,
+// those of four need more than 64 bits.
+__extension__ typedef __int128 Wide;
 
 int indexOf(const Delaunay::Face& face, std::uint32_t corner) {
   for (int k = 0; k < 3; ++k)
@@ -51,21 +53,24 @@ bool Delaunay::real(const Face& face) const { return face.corner[0] > 2 && face.
 int Delaunay::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
   const std::int64_t bu = at_[b].u - at_[a].u, bv = at_[b].v - at_[a].v;
   const std::int64_t cu = at_[c].u - at_[a].u, cv = at_[c].v - at_[a].v;
-  const Wide area = static_cast<Wide>(bu) * cv - static_cast<Wide>(bv) * cu;
+  const std::int64_t area = bu * cv - bv * cu;
   return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
 bool Delaunay::insideCircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-  std::array<Wide, 3> u, v, square;
+  std::array<std::int64_t, 3> u, v, square;
   const std::array<std::uint32_t, 3> three{a, b, c};
   for (int k = 0; k < 3; ++k) {
     u[k] = at_[three[k]].u - at_[d].u;
     v[k] = at_[three[k]].v - at_[d].v;
     square[k] = u[k] * u[k] + v[k] * v[k];
   }
-  return square[0] * (u[1] * v[2] - v[1] * u[2]) + square[1] * (u[2] * v[0] - v[2] * u[0]) +
-             square[2] * (u[0] * v[1] - v[0] * u[1]) >
-         0;
+  Wide sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    sum += static_cast<Wide>(square[k]) * (u[l] * v[m] - v[l] * u[m]);
+  }
+  return sum > 0;
 }
 
 std::uint32_t Delaunay::locate(std::uint32_t corner) const {
@@ -210,9 +215,7 @@ Delaunay::Forced Delaunay::force(std::uint32_t a, std::uint32_t b, std::array<st
     const std::uint32_t right = faces_[face].corner[(k + 1) % 3], left = faces_[face].corner[(k + 2) % 3];
     const int toRight = turn(a, b, right), toLeft = turn(a, b, left);
     const auto ahead = [&](std::uint32_t c) {
-      return static_cast<Wide>(at_[c].u - at_[a].u) * (at_[b].u - at_[a].u) +
-                 static_cast<Wide>(at_[c].v - at_[a].v) * (at_[b].v - at_[a].v) >
-             0;
+      return (at_[c].u - at_[a].u) * (at_[b].u - at_[a].u) + (at_[c].v - at_[a].v) * (at_[b].v - at_[a].v) > 0;
     };
     if (toRight == 0 && ahead(right)) return met = {right, right}, Forced::Touched;
     if (toLeft == 0 && ahead(left)) return met = {left, left}, Forced::Touched;
@@ -268,7 +271,7 @@ void Delaunay::improve() {
     for (std::uint32_t face = 0; face < faces_.size(); ++face)
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t b = faces_[face].corner[(k + 1) % 3], c = faces_[face].corner[(k + 2) % 3];
-        if (faces_[face].beyond[k] == kNone || forced(b, c) || !wantsFlip(face, k)) continue;
+        if (faces_[face].beyond[k] == kNone || !wantsFlip(face, k) || forced(b, c)) continue;
         flip(face, k);
         changed = true;
       }

@@ -32,6 +32,38 @@ struct Moving {
   Eigen::Index unknowns() const { return static_cast<Eigen::Index>(2 * points.size()); }
 };
 
+// A symmetric matrix, on and below its diagonal, summed from parts that come in the same order every time: where each
+// goes is found out once.
+class Summed {
+ public:
+  explicit Summed(Eigen::Index unknowns) : matrix_(unknowns, unknowns) {}
+  void begin() {
+    next_ = 0;
+    if (!slot_.empty()) std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+  }
+  void add(int row, int column, double value) {
+    if (slot_.empty())
+      parts_.emplace_back(row, column, value);
+    else
+      matrix_.valuePtr()[slot_[next_++]] += value;
+  }
+  const Sparse& end() {
+    if (!slot_.empty()) return matrix_;
+    matrix_.setFromTriplets(parts_.begin(), parts_.end());
+    const int *start = matrix_.outerIndexPtr(), *row = matrix_.innerIndexPtr();
+    for (const auto& part : parts_)
+      slot_.push_back(std::lower_bound(row + start[part.col()], row + start[part.col() + 1], part.row()) - row);
+    parts_ = {};
+    return matrix_;
+  }
+
+ private:
+  Sparse matrix_;
+  std::vector<Eigen::Triplet<double>> parts_;
+  std::vector<std::ptrdiff_t> slot_;
+  std::size_t next_ = 0;
+};
+
 double energy(const FlatProblem& problem, const Moving& moving, std::span<const Flat> flat) {
   double sum = 0;
   for (const RestTriangle& rest : moving.rest) {
@@ -49,9 +81,8 @@ double energy(const FlatProblem& problem, const Moving& moving, std::span<const 
 
 // Slope and stiffness of the whole; the n-th point that moves owns unknowns 2n (u) and 2n + 1 (v).
 void derivatives(const FlatProblem& problem, const Moving& moving, std::span<const Flat> flat, Eigen::VectorXd& slope,
-                 Sparse& stiffness) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(moving.rest.size() * 36 + problem.springs.size() * 16 + 2 * moving.points.size());
+                 Summed& stiffness) {
+  stiffness.begin();
   slope.setZero(moving.unknowns());
   const auto scatter = [&](std::span<const std::uint32_t> points, const auto& g, const auto& h) {
     for (std::size_t i = 0; i < 2 * points.size(); ++i) {
@@ -60,9 +91,8 @@ void derivatives(const FlatProblem& problem, const Moving& moving, std::span<con
       const int at = 2 * row + static_cast<int>(i % 2);
       slope[at] += g[static_cast<Eigen::Index>(i)];
       for (std::size_t j = 0; j < 2 * points.size(); ++j)
-        if (const int column = moving.number[points[j / 2]]; column >= 0)
-          entries.emplace_back(at, 2 * column + static_cast<int>(j % 2),
-                               h(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+        if (const int column = 2 * moving.number[points[j / 2]] + static_cast<int>(j % 2); column >= 0 && column <= at)
+          stiffness.add(at, column, h(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
     }
   };
   double diagonal = 0;
@@ -91,13 +121,11 @@ void derivatives(const FlatProblem& problem, const Moving& moving, std::span<con
     const int at = 2 * moving.number[h.point];
     if (at < 0) continue;
     slope[at] += 2 * h.weight * flat[h.point].u;
-    entries.emplace_back(at, at, 2 * h.weight);
+    stiffness.add(at, at, 2 * h.weight);
   }
   // A trace of stiffness everywhere: the whole may be carried and turned without cost, but the system has one answer.
   const double trace = 1e-9 * diagonal / static_cast<double>(moving.unknowns());
-  for (int i = 0; i < static_cast<int>(moving.unknowns()); ++i) entries.emplace_back(i, i, trace);
-  stiffness.resize(moving.unknowns(), moving.unknowns());
-  stiffness.setFromTriplets(entries.begin(), entries.end());
+  for (int i = 0; i < static_cast<int>(moving.unknowns()); ++i) stiffness.add(i, i, trace);
 }
 
 // The smallest positive t at which a triangle's area would vanish along a step.
@@ -136,11 +164,13 @@ void minimise(const FlatProblem& problem, std::vector<Flat>& flat, const Token& 
   if (moving.points.empty() || !std::isfinite(now)) return;
   Eigen::SimplicialLDLT<Sparse> solver;
   Eigen::VectorXd slope;
-  Sparse stiffness;
+  Summed sum(moving.unknowns());
   bool analysed = false;
   int calm = 0;
+  double gained = 0;  // by the last step
   for (int step = 0; step < problem.maxSteps && !token.cancelled(); ++step) {
-    derivatives(problem, moving, flat, slope, stiffness);
+    derivatives(problem, moving, flat, slope, sum);
+    const Sparse& stiffness = sum.end();
     if (!analysed) solver.analyzePattern(stiffness);
     analysed = true;
     solver.factorize(stiffness);
@@ -170,11 +200,14 @@ void minimise(const FlatProblem& problem, std::vector<Flat>& flat, const Token& 
       if (then <= now + 1e-4 * t * descent) break;
     }
     if (!(then < now)) return;
-    const double gain = now - then;
+    const double gain = now - then, enough = problem.enough * std::fmax(then, 1e-12);
     flat = std::move(trial);
     now = then;
-    calm = gain <= problem.enough * std::fmax(now, 1e-12) ? calm + 1 : 0;
-    if (calm >= 2 || now < 1e-16) return;
+    calm = gain <= enough ? calm + 1 : 0;
+    // Where steps gain less and less at a quick rate, what is left to gain follows from the last two.
+    const bool nothingLeft = t == 1 && gain < 0.1 * gained && gain * gain <= enough * (gained - gain);
+    if (calm >= 2 || nothingLeft || now < 1e-16) return;
+    gained = gain;
   }
 }
 

@@ -62,19 +62,17 @@ Result<std::vector<Flat>> reflatten(std::span<const Flat> flat, std::span<const 
   std::vector<double> weight(flat.size(), 1.0);
   double most = 0;
   for (const Triangle& t : faces) {
+    if (std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return before[v] == after[v]; })) continue;
     const std::array<Flat, 3> paper{flat[t[0]], flat[t[1]], flat[t[2]]};
     const Eigen::Matrix2d p = edges(paper), b = edges(laidFace(was, t));
     if (!(p.determinant() > 0) || !(std::fabs(b.determinant()) > 1e-14)) continue;
-    Eigen::Matrix2d wanted = p;
-    if (std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return !(before[v] == after[v]); })) {
-      const Eigen::Matrix2d u = stretchPart(edges(laidFace(is, t)) * b.inverse()), g = b * p.inverse();
-      wanted = g.inverse() * u * g * p;
-      if (!wanted.allFinite() || !(wanted.determinant() > 0))
-        return refused(say("The cloth was pulled so far that it folds over."));
-      const double change = (u - Eigen::Matrix2d::Identity()).norm();
-      most = std::fmax(most, change);
-      for (std::uint32_t v : t) weight[v] = std::fmin(weight[v], std::exp(-change * change / (0.003 * 0.003)) + 1e-6);
-    }
+    const Eigen::Matrix2d u = stretchPart(edges(laidFace(is, t)) * b.inverse()), g = b * p.inverse();
+    const Eigen::Matrix2d wanted = g.inverse() * u * g * p;
+    if (!wanted.allFinite() || !(wanted.determinant() > 0))
+      return refused(say("The cloth was pulled so far that it folds over."));
+    const double change = (u - Eigen::Matrix2d::Identity()).norm();
+    most = std::fmax(most, change);
+    for (std::uint32_t v : t) weight[v] = std::fmin(weight[v], std::exp(-change * change / (0.003 * 0.003)) + 1e-6);
     rest.push_back(
         restTriangle(t, Flat{0, 0}, Flat{wanted(0, 0), wanted(1, 0)}, Flat{wanted(0, 1), wanted(1, 1)}, 0.01));
   }

@@ -73,16 +73,20 @@ Result<std::vector<Triangle>> triangulateRegion(std::span<const Flat> points, st
   }
 
   // The first point at each corner, and whether there are several.
-  std::map<std::uint32_t, std::uint32_t> pointAt;
+  constexpr std::uint32_t kNobody = 0xffffffffu;
+  std::vector<std::uint32_t> pointAt(points.size() + 3, kNobody);
   std::vector<std::uint8_t> shared(points.size() + 3, 0);
   for (std::uint32_t k = 0; k < points.size(); ++k)
-    if (!pointAt.emplace(corner[k], k).second) shared[corner[k]] = 1;
+    if (pointAt[corner[k]] == kNobody)
+      pointAt[corner[k]] = k;
+    else
+      shared[corner[k]] = 1;
 
   // Where several points share a corner, a face belongs to the one whose side bounds its wedge: go round clockwise
   // until a side that leaves the corner with the face on its left.
   const auto pointOf = [&](std::uint32_t face, int at) {
     const std::uint32_t c = faces[face].corner[at];
-    if (!shared[c]) return pointAt.at(c);
+    if (!shared[c]) return pointAt[c];
     std::uint32_t here = face;
     do {
       int k = 0;
@@ -91,7 +95,7 @@ Result<std::vector<Triangle>> triangulateRegion(std::span<const Flat> points, st
       if (side != sideAt.end()) return sides[side->second][0];
       here = faces[here].beyond[(k + 2) % 3];
     } while (here != Delaunay::kNone && here != face);
-    return pointAt.at(c);
+    return pointAt[c];
   };
 
   std::vector<Triangle> triangles;

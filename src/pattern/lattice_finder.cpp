@@ -46,9 +46,9 @@ LatticeFinder::LatticeFinder(const std::vector<Flat>& nodes, const std::vector<T
       low_ = {std::min(low_.u, nodes_[n].u), std::min(low_.v, nodes_[n].v)};
       high = {std::max(high.u, nodes_[n].u), std::max(high.v, nodes_[n].v)};
     }
-  // About one face to a cell.
+  // About two faces to a cell.
   const double width = std::max(high.u - low_.u, 1e-9), height = std::max(high.v - low_.v, 1e-9);
-  cell_ = std::max({std::sqrt(width * height / static_cast<double>(faces_.size())), width / 4000, height / 4000});
+  cell_ = std::max({std::sqrt(2 * width * height / static_cast<double>(faces_.size())), width / 4000, height / 4000});
   columns_ = static_cast<std::uint32_t>(width / cell_) + 1;
   rows_ = static_cast<std::uint32_t>(height / cell_) + 1;
   const auto cells = [&](const Triangle& f, auto&& visit) {
@@ -60,8 +60,10 @@ LatticeFinder::LatticeFinder(const std::vector<Flat>& nodes, const std::vector<T
     const auto at = [&](double x, std::uint32_t count) {
       return std::min(static_cast<std::uint32_t>(std::max(x, 0.0) / cell_), count - 1);
     };
-    for (std::uint32_t j = at(a.v - low_.v, rows_); j <= at(b.v - low_.v, rows_); ++j)
-      for (std::uint32_t i = at(a.u - low_.u, columns_); i <= at(b.u - low_.u, columns_); ++i) visit(j * columns_ + i);
+    const std::uint32_t i0 = at(a.u - low_.u, columns_), i1 = at(b.u - low_.u, columns_);
+    const std::uint32_t j0 = at(a.v - low_.v, rows_), j1 = at(b.v - low_.v, rows_);
+    for (std::uint32_t j = j0; j <= j1; ++j)
+      for (std::uint32_t i = i0; i <= i1; ++i) visit(j * columns_ + i);
   };
   start_.assign(std::size_t{columns_} * rows_ + 1, 0);
   for (const Triangle& f : faces_) cells(f, [&](std::uint32_t c) { ++start_[c + 1]; });

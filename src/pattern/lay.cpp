@@ -3,7 +3,9 @@
 #include <set>
 
 #include "border_plan.h"
+#include "karinui/base/hash.h"
 #include "karinui/pattern/lattice.h"
+#include "kept_lattices.h"
 #include "piece_lattice.h"
 #include "words.h"
 
@@ -156,6 +158,19 @@ void fillEdges(Lattice& lattice, const Track& track, const TrackNodes& nodes, st
   }
 }
 
+// All that a piece's lattice is made from.
+std::string contentOf(std::span<const Track> tracks, std::span<const TrackNodes> nodes, Flat centre, Flat grain,
+                      double spacing) {
+  Hasher content;
+  content.add(spacing).bytes(&grain, sizeof grain).bytes(&centre, sizeof centre);
+  for (std::size_t k = 0; k < tracks.size(); ++k) {
+    content.add(std::span<const Flat>(nodes[k].place)).add(std::span<const double>(nodes[k].at));
+    content.add(std::span<const double>(tracks[k].edgeStart)).add(std::uint64_t{tracks[k].hole});
+    for (const Edge& edge : tracks[k].outline->edges) content.add(edge.name);
+  }
+  return content.hex();
+}
+
 // Makes all lattices, or says which stretches must be divided more finely first.
 Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, double spacing,
                            std::set<std::array<std::size_t, 2>>& tooCoarse) {
@@ -175,9 +190,24 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
       (end == t ? border.outline : border.holes.emplace_back()) = nodes[end].place;
       for (std::size_t k : nodes[end].stretch) stretchOf.push_back({end, k});
     }
+    const Flat grain = normalized(piece.grain), centre = centreOf(piece.outline.flattened(1e-4), grain);
+    const std::span own(tracks.data() + t, end - t);
+    const std::string name = contentOf(own, std::span(nodes.data() + t, own.size()), centre, grain, spacing);
+    const auto numberAsNodes = [&](std::size_t nodesInAll) {
+      auto first = static_cast<std::uint32_t>(nodesInAll - stretchOf.size());
+      for (std::size_t k = t; k < end; ++k) {
+        firstNode[k] = first;
+        first += static_cast<std::uint32_t>(nodes[k].place.size());
+      }
+    };
+    if (auto before = keptLattices().find(name)) {
+      numberAsNodes(before->nodes.size());
+      laid.lattices[piece.id] = std::move(before);
+      t = end;
+      continue;
+    }
     std::optional<std::array<std::size_t, 2>> clash;
-    auto lattice = latticeOf(border, centreOf(piece.outline.flattened(1e-4), normalized(piece.grain)),
-                             normalized(piece.grain), spacing, &clash);
+    auto lattice = latticeOf(border, centre, grain, spacing, &clash);
     if (!lattice) {
       if (!trouble)
         trouble = badInput(
@@ -190,17 +220,17 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
         tooCoarse.insert(stretchOf.begin(), stretchOf.end());
       }
     } else {
-      auto first = static_cast<std::uint32_t>(lattice->nodes.size() - stretchOf.size());
+      numberAsNodes(lattice->nodes.size());
       for (std::size_t k = t; k < end; ++k) {
-        firstNode[k] = first;
+        const std::uint32_t first = firstNode[k];
         fillEdges(*lattice, tracks[k], nodes[k], first);
-        if (k > t) {
-          auto& hole = lattice->holes.emplace_back();
-          for (std::size_t n = nodes[k].place.size(); n-- > 0;) hole.push_back(first + static_cast<std::uint32_t>(n));
-        }
-        first += static_cast<std::uint32_t>(nodes[k].place.size());
+        if (k == t) continue;
+        auto& hole = lattice->holes.emplace_back();
+        for (std::size_t n = nodes[k].place.size(); n-- > 0;) hole.push_back(first + static_cast<std::uint32_t>(n));
       }
-      laid.lattices[piece.id] = std::make_shared<const Lattice>(std::move(*lattice));
+      auto made = std::make_shared<const Lattice>(std::move(*lattice));
+      keptLattices().keep(name, made);
+      laid.lattices[piece.id] = std::move(made);
     }
     t = end;
   }

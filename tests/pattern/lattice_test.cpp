@@ -52,14 +52,40 @@ TEST(Lay, randomOutlinesAreSoundAndRepeatable) {
     auto outline = checked(randomOutline(random, 0.3));
     if (!outline) continue;  // now and then two bows meet
     const Pattern pattern = patternOf({pieceOf(1, *outline)});
+    for (Edge& edge : outline->edges) edge.name += " again";  // not found among what was laid before
+    const Pattern renamed = patternOf({pieceOf(1, *outline)});
     for (const double spacing : {0.05, 0.017}) {
-      const auto laid = lay(pattern, spacing), again = lay(pattern, spacing);
+      const auto laid = lay(pattern, spacing), again = lay(renamed, spacing);
       ASSERT_TRUE(laid) << text(laid.error().what);
+      EXPECT_TRUE(again->lattices.at({1})->edges.contains(outline->edges[0].name));
       expectSound(*laid->lattices.at({1}), "random outline " + std::to_string(k));
       EXPECT_EQ(laid->lattices.at({1})->nodes, again->lattices.at({1})->nodes);
       EXPECT_EQ(laid->lattices.at({1})->faces, again->lattices.at({1})->faces);
     }
   }
+}
+
+TEST(Lay, onlyWhatWasCutAnewIsLaidAnew) {
+  Piece front = pieceOf(1, rectangle(0.4, 0.3), "front"), back = pieceOf(2, rectangle(0.5, 0.3), "back");
+  const auto before = lay(patternOf({front, back}), 0.01);
+  back.name = "the back";
+  back.outline = rectangle(0.501, 0.3);
+  const auto after = lay(patternOf({front, back}), 0.01), finer = lay(patternOf({front, back}), 0.0099);
+  front.grain = {1, 0};
+  const auto turned = lay(patternOf({front, back}), 0.01);
+  ASSERT_TRUE(before && after && finer && turned);
+  EXPECT_EQ(after->lattices.at({1}), before->lattices.at({1}));
+  EXPECT_EQ(turned->lattices.at({2}), after->lattices.at({2}));
+  EXPECT_NE(after->lattices.at({2}), before->lattices.at({2}));
+  EXPECT_NE(finer->lattices.at({1}), before->lattices.at({1}));
+  EXPECT_NE(turned->lattices.at({1}), before->lattices.at({1}));
+
+  // Not for ever: after a quarter of a million other nodes it is laid anew, and is the same.
+  front.grain = {0, 1};
+  for (int k = 0; k < 25; ++k) ASSERT_TRUE(lay(patternOf({pieceOf(1, rectangle(1 + 0.001 * k, 1))}), 0.01));
+  const auto anew = lay(patternOf({front}), 0.01);
+  EXPECT_NE(anew->lattices.at({1}), before->lattices.at({1}));
+  EXPECT_EQ(anew->lattices.at({1})->nodes, before->lattices.at({1})->nodes);
 }
 
 TEST(Lay, thinPiecesHaveNodesOnTheirOutlineOnly) {

@@ -37,8 +37,9 @@ struct Curve {
   double lengthTo(double t) const;                                           // of the part [0, t]
   double parameterAt(double s) const;                                        // s in [0, length]; inverse of lengthTo
   Flat atFraction(double f) const { return at(parameterAt(f * length())); }  // f by length
-  // steps + 1 points from fraction `from` to fraction `to`, equally far along the curve: atFraction of each, much
-  // sooner, to 1e-9 m (beside a cusp 1e-6 m).
+  // atFraction of each, much sooner, to 1e-9 m (beside a cusp 1e-6 m).
+  std::vector<Flat> atFractions(std::span<const double> fractions) const;
+  // Of steps + 1 fractions from `from` to `to`, equally far along the curve.
   std::vector<Flat> evenly(double from, double to, int steps) const;
   Curve part(double t0, double t1) const;  // exact; t0 < t1
   Curve reversed() const;

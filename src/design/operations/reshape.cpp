@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "design/operations/operations.h"
 #include "design/operations/recut_outline.h"
@@ -50,7 +49,8 @@ std::vector<Vec3> pulledShape(const Form& form, const Rigid& pose, std::span<con
 // How far paper places moved from one flat map of a form to another.
 class Shift {
  public:
-  Shift(const Form& form, std::span<const Flat> after) : form_(form), after_(after), finder_(form.flat, form.faces) {}
+  Shift(const Form& form, const LatticeFinder& finder, std::span<const Flat> after)
+      : form_(form), after_(after), finder_(finder) {}
   Flat operator()(Flat place) const {
     const LatticePlace under = finder_.find(place);
     Flat by;
@@ -61,7 +61,7 @@ class Shift {
  private:
   const Form& form_;
   std::span<const Flat> after_;
-  LatticeFinder finder_;
+  const LatticeFinder& finder_;
 };
 
 // The paper's directions and the way out of the cloth, in space, at a paper place.
@@ -79,10 +79,9 @@ Frame frameAt(const Form& form, const LatticeFinder& finder, Flat place) {
 
 // With a pull on one half of a symmetric piece comes the same pull on the other half: as far along the mirrored ways of
 // the paper, as far out of the cloth.
-std::vector<ReshapePull> onBothHalves(const Form& form, const Rigid& pose, const PaperSymmetry& symmetry,
-                                      std::span<const ReshapePull> pulls) {
+std::vector<ReshapePull> onBothHalves(const Form& form, const LatticeFinder& finder, const Rigid& pose,
+                                      const PaperSymmetry& symmetry, std::span<const ReshapePull> pulls) {
   constexpr double kOne = 0.001;  // metres: pulls nearer than this are each other's image already
-  const LatticeFinder finder(form.flat, form.faces);
   const Rigid back{pose.w, -pose.x, -pose.y, -pose.z, {}};
   std::vector<ReshapePull> all(pulls.begin(), pulls.end());
   for (const ReshapePull& pull : pulls) {
@@ -106,33 +105,48 @@ std::vector<ReshapePull> onBothHalves(const Form& form, const Rigid& pose, const
   return all;
 }
 
+// 1 for each point that its faces do not close round: those that follow it in its faces are then not those that go
+// before it, and the two sums differ.
+std::vector<std::uint8_t> rimOf(std::span<const Triangle> faces, std::size_t points) {
+  std::vector<std::uint64_t> turn(points, 0);
+  const auto mark = [](std::uint64_t point) { return (point + 1) * (point + 1); };
+  for (const Triangle& t : faces)
+    for (std::size_t k = 0; k < 3; ++k) turn[t[k]] += mark(t[(k + 1) % 3]) - mark(t[(k + 2) % 3]);
+  std::vector<std::uint8_t> rim(points);
+  std::transform(turn.begin(), turn.end(), rim.begin(), [](std::uint64_t sum) { return sum != 0; });
+  return rim;
+}
+
+// How far places along an outline go when it becomes another one.
+struct Moved {
+  Flat old, by;
+};
+std::vector<Moved> movedAlong(const Outline& before, const Outline& after) {
+  std::vector<Moved> moved;
+  for (const Edge& edge : before.edges) {
+    const auto now = after.find(edge.name);
+    KARINUI_ASSERT(now);
+    const Curve &was = edge.curve, &is = after.edges[*now].curve;
+    const auto steps = static_cast<int>(std::clamp(std::ceil(was.length() / 0.002), 4.0, 1000.0));
+    const std::vector<Flat> old = was.evenly(0, 1, steps);
+    std::vector<Flat> fresh = old;
+    if (was != is) {
+      const FollowEdge follow(was, is);
+      std::vector<double> fractions;
+      for (int i = 0; i <= steps; ++i) fractions.push_back(follow(static_cast<double>(i) / steps));
+      fresh = is.atFractions(fractions);
+    }
+    for (std::size_t i = 0; i + 1 < old.size(); ++i) moved.push_back({old[i], fresh[i] - old[i]});
+  }
+  return moved;
+}
+
 // A piece cut anew: the shape's paper places follow the outline (those further than `within` from all places pulled
 // stay), its places in space stay. Notches keep to their cloth.
 Piece recut(Piece piece, const Outline& outline, std::span<const Flat> pulled, double within) {
   if (piece.form) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-    for (const Triangle& t : piece.form->faces)
-      for (std::size_t k = 0; k < 3; ++k) ++sides[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
-    std::vector<std::uint8_t> rim(piece.form->flat.size(), 0);
-    for (const auto& [side, count] : sides)
-      if (count == 1) rim[side.first] = rim[side.second] = 1;
-
-    struct Sample {
-      Flat old, by;
-    };
-    std::vector<Sample> samples;
-    for (const Edge& edge : piece.outline.edges) {
-      const auto now = outline.find(edge.name);
-      KARINUI_ASSERT(now);
-      const Curve &was = edge.curve, &is = outline.edges[*now].curve;
-      const auto steps = static_cast<int>(std::clamp(std::ceil(was.length() / 0.002), 4.0, 1000.0));
-      const FollowEdge follow(was, is);
-      for (int i = 0; i < steps; ++i) {
-        const double f = static_cast<double>(i) / steps;
-        const Flat p = was.atFraction(f);
-        samples.push_back({p, was == is ? Flat{} : is.atFraction(follow(f)) - p});
-      }
-    }
+    const std::vector<std::uint8_t> rim = rimOf(piece.form->faces, piece.form->flat.size());
+    const std::vector<Moved> samples = movedAlong(piece.outline, outline);
     std::vector<Carried> held;
     for (std::uint32_t p = 0; p < rim.size(); ++p) {
       if (!rim[p]) {
@@ -140,9 +154,9 @@ Piece recut(Piece piece, const Outline& outline, std::span<const Flat> pulled, d
         if (!pulled.empty() && std::none_of(pulled.begin(), pulled.end(), reached)) held.push_back({p, {}});
         continue;
       }
-      Sample nearest;
+      Moved nearest;
       double least = std::numeric_limits<double>::infinity();
-      for (const Sample& sample : samples)
+      for (const Moved& sample : samples)
         if (const Flat to = sample.old - piece.form->flat[p]; dot(to, to) < least)
           least = dot(to, to), nearest = sample;
       held.push_back({p, nearest.by});
@@ -211,6 +225,7 @@ Result<ReshapePiece> reshaped(const Document& document, PieceId id, std::span<co
   const auto shape = shapeOf(document, *piece);
   if (!shape) return shape.error();
   const Form& form = **shape;
+  const LatticeFinder finder(form.flat, form.faces);
   for (const ReshapePull& pull : pulls)
     if (const Ring ring = piece->outline.flattened(1e-4);
         !contains(ring, pull.at) && distanceToRing(ring, pull.at) > within)
@@ -220,13 +235,13 @@ Result<ReshapePiece> reshaped(const Document& document, PieceId id, std::span<co
   if (symmetric == Choice::Yes && !symmetry)
     return refused(say("Piece {0} is not symmetric; leave symmetric= away.", piece->name));
   if (symmetry) {
-    pulls = onBothHalves(form, piece->pose, *symmetry, pulls);
+    pulls = onBothHalves(form, finder, piece->pose, *symmetry, pulls);
     keep();
   }
   reshape.symmetric = symmetry ? Choice::Yes : Choice::No;
   const auto flat = reflatten(form.flat, form.faces, form.space, pulledShape(form, piece->pose, pulls, within), token);
   if (!flat) return flat.error();
-  Outline recut = recutOutline(piece->outline, Shift(form, *flat));
+  Outline recut = recutOutline(piece->outline, Shift(form, finder, *flat));
   if (symmetry && recut != piece->outline) recut = symmetrised(std::move(recut), *symmetry);
   auto outline = checked(std::move(recut));
   if (!outline) return outline.error();
