@@ -95,51 +95,73 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, co
 
 }  // namespace
 
-Bending::Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, const PanelPlan& plan)
+Bending::Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, const PanelPlan& plan, Workers& workers)
     : panels_(plan.slots) {
-  std::vector<Entry> entries;
-  entries.reserve(40 * std::size_t{cloth.nodeCount});
+  std::vector<const ClothPiece*> pieces;
   for (const ClothPiece& piece : cloth.pieces)
     if (piece.live && piece.fabric.law == Fabric::Law::Woven &&
         (piece.fabric.bendWarp > 0 || piece.fabric.bendWeft > 0))
-      addPiece(piece, held, plan, entries, rest_, panels_);
-  entries.insert(entries.end(), rest_.begin(), rest_.end());
+      pieces.push_back(&piece);
+  std::vector<std::vector<Entry>> rest(pieces.size());
+  std::vector<Rows> rows(pieces.size());
+  workers.forBlocks(pieces.size(), 1, [&](std::size_t p, std::size_t) {
+    std::vector<Entry> entries;
+    entries.reserve(40 * pieces[p]->lattice->nodes.size());
+    addPiece(*pieces[p], held, plan, entries, rest[p], panels_);
+    entries.insert(entries.end(), rest[p].begin(), rest[p].end());
+    rows[p] = summed(std::move(entries), *pieces[p]);
+  });
+  for (const auto& entries : rest) rest_.insert(rest_.end(), entries.begin(), entries.end());
+  for (const Rows& own : rows) {
+    const auto before = static_cast<std::uint32_t>(rows_.column.size());
+    for (const std::uint32_t start : own.start) rows_.start.push_back(before + start);
+    rows_.node.insert(rows_.node.end(), own.node.begin(), own.node.end());
+    rows_.column.insert(rows_.column.end(), own.column.begin(), own.column.end());
+    rows_.weight.insert(rows_.weight.end(), own.weight.begin(), own.weight.end());
+  }
+  rows_.start.push_back(static_cast<std::uint32_t>(rows_.column.size()));
+}
+
+// The entries of one piece, those of one place added up in the order they came.
+Bending::Rows Bending::summed(std::vector<NodeWeight> entries, const ClothPiece& piece) {
   sortByRow(
-      entries, cloth.nodeCount, [](const Entry& e) { return e.row; }, [](const Entry& e) { return e.column; });
-  start_.push_back(0);
+      entries, piece.lattice->nodes.size(), [&](const Entry& e) { return e.row - piece.firstNode; },
+      [&](const Entry& e) { return e.column - piece.firstNode; });
+  Rows rows;
   for (std::size_t e = 0; e < entries.size(); ++e) {
     if (e == 0 || entries[e].row != entries[e - 1].row) {
-      if (e > 0) start_.push_back(static_cast<std::uint32_t>(column_.size()));
-      node_.push_back(entries[e].row);
-    } else if (entries[e].column == column_.back()) {
-      weight_.back() += entries[e].weight;
+      rows.start.push_back(static_cast<std::uint32_t>(rows.column.size()));
+      rows.node.push_back(entries[e].row);
+    } else if (entries[e].column == rows.column.back()) {
+      rows.weight.back() += entries[e].weight;
       continue;
     }
-    column_.push_back(entries[e].column);
-    weight_.push_back(entries[e].weight);
+    rows.column.push_back(entries[e].column);
+    rows.weight.push_back(entries[e].weight);
   }
-  if (!node_.empty()) start_.push_back(static_cast<std::uint32_t>(column_.size()));
+  return rows;
 }
 
 Vec3 Bending::rowTimes(std::size_t row, std::span<const Vec3> x) const {
   // Rows sum to nothing, so places may be taken from the row's own node: no rounding from how far away the cloth is.
-  const Vec3 here = x[node_[row]];
+  const Vec3 here = x[rows_.node[row]];
   Vec3 sum;
-  for (std::uint32_t c = start_[row]; c < start_[row + 1]; ++c) sum += (x[column_[c]] - here) * weight_[c];
+  for (std::uint32_t c = rows_.start[row]; c < rows_.start[row + 1]; ++c)
+    sum += (x[rows_.column[c]] - here) * rows_.weight[c];
   return sum;
 }
 
 double Bending::value(std::span<const Vec3> x, Workers& workers) const {
-  return workers.sum(node_.size(), 512, [&](std::size_t begin, std::size_t end) {
+  return workers.sum(rows_.node.size(), 512, [&](std::size_t begin, std::size_t end) {
     double total = 0;
-    for (std::size_t r = begin; r < end; ++r) total += 0.5 * dot(x[node_[r]], rowTimes(r, x));
+    for (std::size_t r = begin; r < end; ++r) total += 0.5 * dot(x[rows_.node[r]], rowTimes(r, x));
     return total;
   });
 }
 
 void Bending::addGradient(std::span<const Vec3> x, std::span<Vec3> gradient, Workers& workers) const {
-  workers.forBlocks(node_.size(), 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) gradient[node_[r]] += rowTimes(r, x);
+  workers.forBlocks(rows_.node.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) gradient[rows_.node[r]] += rowTimes(r, x);
   });
 }
 

@@ -14,7 +14,7 @@ namespace karinui {
 class Bending : public Energy {
  public:
   // Of the live woven pieces; held: per cloth node.
-  Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, const PanelPlan& plan);
+  Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, const PanelPlan& plan, Workers& workers);
   double value(std::span<const Vec3> x, Workers& workers) const override;
   void addGradient(std::span<const Vec3> x, std::span<Vec3> gradient, Workers& workers) const override;
   // The second derivative: the panels' part of it, and the rest.
@@ -22,11 +22,15 @@ class Bending : public Energy {
   const std::vector<NodeWeight>& rest() const { return rest_; }
 
  private:
+  struct Rows {
+    std::vector<NodeIndex> node;       // of each row
+    std::vector<std::uint32_t> start;  // of each row in column and weight; of all rows, one more: the end
+    std::vector<NodeIndex> column;
+    std::vector<double> weight;  // N/m
+  };
+  static Rows summed(std::vector<NodeWeight> entries, const ClothPiece& piece);
   Vec3 rowTimes(std::size_t row, std::span<const Vec3> x) const;
-  std::vector<NodeIndex> node_;       // of each row
-  std::vector<std::uint32_t> start_;  // rows in column_ and weight_
-  std::vector<NodeIndex> column_;
-  std::vector<double> weight_;  // N/m
+  Rows rows_;
   PanelBending panels_;
   std::vector<NodeWeight> rest_;
 };

@@ -1,26 +1,25 @@
 #pragma once
-// Entries of a matrix put in order of row and column, those of one place in the order they came. Rows are short, so
-// dealing the entries out to their rows first is several times quicker than sorting them all.
-#include <algorithm>
+// Entries of a matrix put in order of row and column, those of one place in the order they came: dealt out to their
+// columns first, then to their rows, which is several times quicker than sorting them.
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
 namespace karinui {
 
-// `row`, `column`: what number an entry has; rows are below `rows`.
+// `row`, `column`: what number an entry has, both below `size`.
 template <class Entry, class Row, class Column>
-void sortByRow(std::vector<Entry>& entries, std::size_t rows, const Row& row, const Column& column) {
-  std::vector<std::uint32_t> start(rows + 1, 0);
-  for (const Entry& e : entries) ++start[row(e) + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
+void sortByRow(std::vector<Entry>& entries, std::size_t size, const Row& row, const Column& column) {
   std::vector<Entry> dealt(entries.size());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (const Entry& e : entries) dealt[next[row(e)]++] = e;
-  for (std::size_t r = 0; r < rows; ++r)
-    std::stable_sort(dealt.begin() + start[r], dealt.begin() + start[r + 1],
-                     [&](const Entry& a, const Entry& b) { return column(a) < column(b); });
-  entries = std::move(dealt);
+  const auto deal = [&](const auto& number) {
+    std::vector<std::uint32_t> next(size + 1, 0);
+    for (const Entry& e : entries) ++next[number(e) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (const Entry& e : entries) dealt[next[number(e)]++] = e;
+    entries.swap(dealt);
+  };
+  deal(column);
+  deal(row);
 }
 
 }  // namespace karinui

@@ -97,7 +97,7 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
   Springs* simcloth = add(std::make_unique<Springs>(simclothSprings(cloth), cloth.nodeCount));
   if (simcloth->count() > 0) simcloth_ = simcloth;
   springs_ = {simcloth, add(std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount))};
-  auto bending = std::make_unique<Bending>(cloth, held_, plan_);
+  auto bending = std::make_unique<Bending>(cloth, held_, plan_, workers);
   system_ = std::make_unique<BlockSystem>(cloth, plan_, bending->panels(), pairs, bending->rest());
   energies_.push_back(std::move(bending));
   blocks_.resize(pairs.size());
@@ -173,23 +173,27 @@ void LevelSolver::tieWithin(double gap) {
 
 bool LevelSolver::untangle() {
   if (!self_.meets()) return false;
-  tangle_ = std::make_unique<Tangle>(cloth_);
+  takingApart_ = true;
   noBetter_ = 0;
   leastCrossings_ = static_cast<std::size_t>(-1);
   followTangle();
-  return tangle_ != nullptr;
+  return takingApart_;
 }
 
-std::size_t LevelSolver::crossings() const {
+std::size_t LevelSolver::crossings() {
   if (!self_.meets()) return 0;
-  Tangle tangle(cloth_);
-  tangle.find(x_);
-  return tangle.crossings();
+  lookForCrossings();
+  return tangle_->crossings();
+}
+
+void LevelSolver::lookForCrossings() {
+  if (!tangle_) tangle_ = std::make_unique<Tangle>(cloth_);
+  tangle_->find(x_, workers_);
 }
 
 void LevelSolver::followTangle() {
-  if (!tangle_) return;
-  tangle_->find(x_);
+  if (!takingApart_) return;
+  lookForCrossings();
   if (tangle_->crossings() < leastCrossings_) {
     leastCrossings_ = tangle_->crossings();
     noBetter_ = 0;
@@ -197,11 +201,11 @@ void LevelSolver::followTangle() {
     ++noBetter_;
   }
   self_.leaveOut(tangle_->crossings() > 0 ? tangle_->near() : std::vector<std::uint8_t>{});
-  if (tangle_->crossings() == 0 || noBetter_ > kPatience) tangle_.reset();  // what is left stays left out
+  if (tangle_->crossings() == 0 || noBetter_ > kPatience) takingApart_ = false;  // what is left stays left out
 }
 
 void LevelSolver::pushApart(std::vector<std::pair<NodeIndex, double>>& stiff) {
-  if (!tangle_) return;
+  if (!takingApart_) return;
   const double force = kApart * cloth_.spacing;
   for (NodeIndex k : moving_)
     if (const Vec3 way = tangle_->way()[k]; squaredLength(way) > 0) {

@@ -61,8 +61,8 @@ class LevelSolver {
   // Looks whether the cloth stands crossed, and if so takes it apart in the steps that follow, as long as that helps;
   // whether there is something to take apart.
   bool untangle();
-  std::size_t crossings() const;  // of an edge with a face, as it stands
-  void stop();                    // forget velocity and anchors
+  std::size_t crossings();  // of an edge with a face, as it stands
+  void stop();              // forget velocity and anchors
   // Whether some of it is simcloth, which nothing but its weight moves where it is slack.
   bool goesSlack() const { return simcloth_ != nullptr; }
   double anchorMove() const { return contact_.anchorMove(); }
@@ -85,9 +85,10 @@ class LevelSolver {
   bool sound() const;                                                // whether every place is a number
   void assemble(const Stride& stride, bool sliding = false);         // forces and system at x_
   void pushApart(std::vector<std::pair<NodeIndex, double>>& stiff);  // what crosses; adds to the gradient
-  void followTangle();                                               // after a step
-  void calmDown(const Stride& stride);                               // after a step, before velocities change
-  void rebuild();                                                    // after ties changed
+  void lookForCrossings();
+  void followTangle();                  // after a step
+  void calmDown(const Stride& stride);  // after a step, before velocities change
+  void rebuild();                       // after ties changed
 
   const Cloth& cloth_;
   Workers& workers_;
@@ -109,7 +110,8 @@ class LevelSolver {
   BodyContact contact_;
   FaceContact faces_;
   SelfContact self_;
-  std::unique_ptr<Tangle> tangle_;  // while there is something to take apart
+  std::unique_ptr<Tangle> tangle_;  // once it was asked about
+  bool takingApart_ = false;        // what stands crossed
   std::size_t leastCrossings_ = 0;
   int noBetter_ = 0;  // steps without fewer crossings
   std::optional<Hand> hand_;

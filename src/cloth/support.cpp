@@ -33,7 +33,7 @@ std::vector<Vec3> supportOf(const Cloth& cloth, const ClothState& state, Vec3 gr
   Membrane(cloth).addGradient(state.position, force, workers);
   Springs(simclothSprings(cloth), cloth.nodeCount).addGradient(state.position, force, workers);
   Springs(edgeSprings(cloth), cloth.nodeCount).addGradient(state.position, force, workers);
-  Bending(cloth, held, plan).addGradient(state.position, force, workers);
+  Bending(cloth, held, plan, workers).addGradient(state.position, force, workers);
   for (std::size_t k = 0; k < force.size(); ++k) {
     force[k] -= gravity * (weight[k] * area[k]);
     areas[k] = {area[k], 0, 0};

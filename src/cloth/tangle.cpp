@@ -12,10 +12,75 @@ namespace karinui {
 namespace {
 
 constexpr double kMostCells = 1e6;
+constexpr std::size_t kCells = 1024;  // a worker takes at once
 
 Vec3 normalOf(const TriangleMesh& mesh, const Triangle& f) {
   return normalized(cross(mesh.points[f[1]] - mesh.points[f[0]], mesh.points[f[2]] - mesh.points[f[0]]));
 }
+
+// Faces in the cells of a grid; two whose boxes overlap are told of once, in the cell where the overlap begins.
+class FaceGrid {
+ public:
+  explicit FaceGrid(const TriangleMesh& mesh) : boxes_(mesh.faces.size()) {
+    Box all;
+    double sides = 0;
+    for (std::size_t f = 0; f < boxes_.size(); ++f) {
+      for (NodeIndex k : mesh.faces[f]) boxes_[f].include(mesh.points[k]);
+      all.include(boxes_[f].low);
+      all.include(boxes_[f].high);
+      const Vec3 size = boxes_[f].high - boxes_[f].low;
+      sides += std::fmax(size.x, std::fmax(size.y, size.z));
+    }
+    const Vec3 whole = all.high - all.low;
+    const double usual = 1.5 * sides / static_cast<double>(boxes_.size());
+    low_ = all.low;
+    cell_ = std::fmax(usual, std::cbrt((whole.x + usual) * (whole.y + usual) * (whole.z + usual) / kMostCells));
+    last_ = at(all.high);
+    start_.assign(number(last_) + 2, 0);
+    for (const Box& box : boxes_) eachCell(box, [&](std::size_t c) { ++start_[c + 1]; });
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    face_.resize(start_.back());
+    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+    for (std::uint32_t f = 0; f < boxes_.size(); ++f) eachCell(boxes_[f], [&](std::size_t c) { face_[next[c]++] = f; });
+  }
+
+  std::size_t cells() const { return start_.size() - 1; }
+  template <class Tell>
+  void forTouchingFaces(std::size_t cell, const Tell& tell) const {
+    for (std::uint32_t m = start_[cell]; m < start_[cell + 1]; ++m)
+      for (std::uint32_t n = m + 1; n < start_[cell + 1]; ++n) {
+        const Box &a = boxes_[face_[m]], &b = boxes_[face_[n]];
+        const Vec3 low{std::fmax(a.low.x, b.low.x), std::fmax(a.low.y, b.low.y), std::fmax(a.low.z, b.low.z)};
+        if (low.x > std::fmin(a.high.x, b.high.x) || low.y > std::fmin(a.high.y, b.high.y) ||
+            low.z > std::fmin(a.high.z, b.high.z))
+          continue;
+        if (number(at(low)) == cell) tell(face_[m], face_[n]);
+      }
+  }
+
+ private:
+  using Cell = std::array<std::uint32_t, 3>;
+  Cell at(Vec3 p) const {
+    return {static_cast<std::uint32_t>((p.x - low_.x) / cell_), static_cast<std::uint32_t>((p.y - low_.y) / cell_),
+            static_cast<std::uint32_t>((p.z - low_.z) / cell_)};
+  }
+  std::size_t number(const Cell& c) const {
+    return (std::size_t{c[2]} * (last_[1] + 1) + c[1]) * (last_[0] + 1) + c[0];
+  }
+  template <class Use>
+  void eachCell(const Box& box, const Use& use) const {
+    const Cell low = at(box.low), high = at(box.high);
+    for (std::uint32_t k = low[2]; k <= high[2]; ++k)
+      for (std::uint32_t j = low[1]; j <= high[1]; ++j)
+        for (std::uint32_t i = low[0]; i <= high[0]; ++i) use(number({i, j, k}));
+  }
+
+  std::vector<Box> boxes_;
+  Vec3 low_;
+  double cell_ = 1;
+  Cell last_{};
+  std::vector<std::uint32_t> start_, face_;
+};
 
 }  // namespace
 
@@ -55,62 +120,14 @@ Tangle::Tangle(const Cloth& cloth) : group_(cloth.nodeCount), near_(cloth.nodeCo
     }
 }
 
-// Faces in the cells of a grid; two whose boxes overlap are told of once, in the cell where the overlap begins.
-template <class Tell>
-void Tangle::forTouchingFaces(const Tell& tell) const {
-  std::vector<Box> boxes(mesh_.faces.size());
-  Box all;
-  double sides = 0;
-  for (std::size_t f = 0; f < boxes.size(); ++f) {
-    for (NodeIndex k : mesh_.faces[f]) boxes[f].include(mesh_.points[k]);
-    all.include(boxes[f].low);
-    all.include(boxes[f].high);
-    const Vec3 size = boxes[f].high - boxes[f].low;
-    sides += std::fmax(size.x, std::fmax(size.y, size.z));
-  }
-  const Vec3 whole = all.high - all.low;
-  const double usual = 1.5 * sides / static_cast<double>(boxes.size());
-  const double cell =
-      std::fmax(usual, std::cbrt((whole.x + usual) * (whole.y + usual) * (whole.z + usual) / kMostCells));
-  using Cell = std::array<std::uint32_t, 3>;
-  const auto at = [&](Vec3 p) {
-    return Cell{static_cast<std::uint32_t>((p.x - all.low.x) / cell),
-                static_cast<std::uint32_t>((p.y - all.low.y) / cell),
-                static_cast<std::uint32_t>((p.z - all.low.z) / cell)};
-  };
-  const Cell last = at(all.high);
-  const auto number = [&](const Cell& c) { return (std::size_t{c[2]} * (last[1] + 1) + c[1]) * (last[0] + 1) + c[0]; };
-  const auto eachCell = [&](const Box& box, const auto& use) {
-    const Cell low = at(box.low), high = at(box.high);
-    for (std::uint32_t k = low[2]; k <= high[2]; ++k)
-      for (std::uint32_t j = low[1]; j <= high[1]; ++j)
-        for (std::uint32_t i = low[0]; i <= high[0]; ++i) use(number({i, j, k}));
-  };
-  std::vector<std::uint32_t> start(number(last) + 2, 0);
-  for (const Box& box : boxes) eachCell(box, [&](std::size_t c) { ++start[c + 1]; });
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::uint32_t> item(start.back()), fill(start.begin(), start.end() - 1);
-  for (std::uint32_t f = 0; f < boxes.size(); ++f) eachCell(boxes[f], [&](std::size_t c) { item[fill[c]++] = f; });
-  for (std::size_t c = 0; c + 1 < start.size(); ++c)
-    for (std::uint32_t m = start[c]; m < start[c + 1]; ++m)
-      for (std::uint32_t n = m + 1; n < start[c + 1]; ++n) {
-        const Box &a = boxes[item[m]], &b = boxes[item[n]];
-        const Vec3 low{std::fmax(a.low.x, b.low.x), std::fmax(a.low.y, b.low.y), std::fmax(a.low.z, b.low.z)};
-        if (low.x > std::fmin(a.high.x, b.high.x) || low.y > std::fmin(a.high.y, b.high.y) ||
-            low.z > std::fmin(a.high.z, b.high.z))
-          continue;
-        if (number(at(low)) == c) tell(item[m], item[n]);
-      }
-}
-
-void Tangle::find(std::span<const Vec3> x) {
+void Tangle::find(std::span<const Vec3> x, Workers& workers) {
   mesh_.points.assign(x.begin(), x.end());
   std::fill(near_.begin(), near_.end(), 0);
   std::fill(way_.begin(), way_.end(), Vec3{});
   crossings_ = 0;
   if (mesh_.faces.empty()) return;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pierced;  // edge and face
-  const auto ask = [&](std::uint32_t f, std::uint32_t g) {
+  using Pierced = std::pair<std::uint32_t, std::uint32_t>;  // edge and face
+  const auto ask = [&](std::uint32_t f, std::uint32_t g, std::vector<Pierced>& pierced) {
     const Triangle& face = mesh_.faces[g];
     const std::array<NanoPoint, 3> corners{nano(x[face[0]]), nano(x[face[1]]), nano(x[face[2]])};
     for (const std::uint32_t e : edgeOf_[f])
@@ -122,11 +139,19 @@ void Tangle::find(std::span<const Vec3> x) {
         if (group_[a] == group_[b]) return true;
     return false;
   };
-  forTouchingFaces([&](std::uint32_t f, std::uint32_t g) {
-    if (sewn(f, g)) return;
-    ask(f, g);
-    ask(g, f);
+  const FaceGrid grid(mesh_);
+  std::vector<std::vector<Pierced>> parts((grid.cells() + kCells - 1) / kCells);
+  workers.forBlocks(grid.cells(), kCells, [&](std::size_t begin, std::size_t end) {
+    auto& out = parts[begin / kCells];
+    for (std::size_t cell = begin; cell < end; ++cell)
+      grid.forTouchingFaces(cell, [&](std::uint32_t f, std::uint32_t g) {
+        if (sewn(f, g)) return;
+        ask(f, g, out);
+        ask(g, f, out);
+      });
   });
+  std::vector<Pierced> pierced;
+  for (const auto& part : parts) pierced.insert(pierced.end(), part.begin(), part.end());
   std::sort(pierced.begin(), pierced.end());
   pierced.erase(std::unique(pierced.begin(), pierced.end()), pierced.end());
   crossings_ = pierced.size();

@@ -18,7 +18,7 @@ class Tangle {
   explicit Tangle(const Cloth& cloth);
 
   // Looks where the cloth crosses itself; faces sewn to each other do not.
-  void find(std::span<const Vec3> x);
+  void find(std::span<const Vec3> x, Workers& workers);
   std::size_t crossings() const { return crossings_; }  // of an edge with a face
   // Per node: whether it is of a face that crosses another, or beside one. Such nodes do not meet each other as cloth.
   const std::vector<std::uint8_t>& near() const { return near_; }
@@ -30,8 +30,6 @@ class Tangle {
     std::array<NodeIndex, 2> node{};
     std::array<std::uint32_t, 2> face{};  // the second kNoNode on a border
   };
-  template <class Tell>
-  void forTouchingFaces(const Tell& tell) const;
   void shorten(std::span<const Vec3> x, const Edge& edge, std::uint32_t face);
 
   TriangleMesh mesh_;  // the cloth's faces; its points are those of the last look

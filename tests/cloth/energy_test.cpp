@@ -16,7 +16,9 @@ ClothLevel askew(const Fabric& fabric) {
 std::vector<std::unique_ptr<Energy>> energiesOf(const Cloth& cloth) {
   std::vector<std::unique_ptr<Energy>> all;
   all.push_back(std::make_unique<Membrane>(cloth));
-  all.push_back(std::make_unique<Bending>(cloth, std::vector<std::uint8_t>(cloth.nodeCount, 0), PanelPlan(cloth)));
+  Workers workers;
+  all.push_back(
+      std::make_unique<Bending>(cloth, std::vector<std::uint8_t>(cloth.nodeCount, 0), PanelPlan(cloth), workers));
   all.push_back(std::make_unique<Springs>(simclothSprings(cloth), cloth.nodeCount));
   all.push_back(std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount));
   return all;
@@ -236,7 +238,8 @@ TEST(Bending, EvenlyBentPieceIsInBalanceButOnItsBentEdges) {
     const ClothLevel level = levelOf(patternOf({rectangle(1, width, height, {std::sin(turn), std::cos(turn)})}), 0.01,
                                      textbook(1000, b, 0.1));
     const auto& nodes = level.cloth.pieces[0].lattice->nodes;
-    const Bending bending(level.cloth, std::vector<std::uint8_t>(level.cloth.nodeCount, 0), PanelPlan(level.cloth));
+    const std::vector<std::uint8_t> held(level.cloth.nodeCount, 0);
+    const Bending bending(level.cloth, held, PanelPlan(level.cloth), workers);
     for (const bool across : {true, false}) {
       SCOPED_TRACE(std::to_string(degrees) + (across ? " degrees, across" : " degrees, along"));
       std::vector<Vec3> x, force(nodes.size());

@@ -18,13 +18,13 @@ struct Sheets {
     contact->setTies(TieMap(cloth, held, {}));
   }
   // How many of a hundred places on the way stand crossed.
-  int crossedOnTheWay(const std::vector<Vec3>& x, const std::vector<Vec3>& move) const {
+  int crossedOnTheWay(const std::vector<Vec3>& x, const std::vector<Vec3>& move) {
     Tangle tangle(cloth);
     int crossed = 0;
     for (int k = 0; k <= 100; ++k) {
       std::vector<Vec3> at = x;
       for (std::size_t n = 0; n < x.size(); ++n) at[n] += move[n] * (k / 100.0);
-      tangle.find(at);
+      tangle.find(at, workers);
       crossed += tangle.crossings() > 0;
     }
     return crossed;

@@ -26,7 +26,7 @@ TEST(Steps, NeverGainEnergyOnceTheFirstFallIsOver) {
     std::vector<std::uint8_t> held(cloth.nodeCount, 0);
     held[0] = held[20] = 1;
     const Membrane membrane(cloth);
-    const Bending bending(cloth, held, PanelPlan(cloth));
+    const Bending bending(cloth, held, PanelPlan(cloth), workers);
     const Springs edges(edgeSprings(cloth), cloth.nodeCount);
     const LatticeShares shares = sharesOf(*cloth.pieces[0].lattice);
     LevelSolver::Stride stride;

@@ -39,7 +39,7 @@ struct Parts {
         stretch(cloth, plan),
         whole(cloth),
         rest(cloth, &plan),
-        bending(cloth, held, plan) {
+        bending(cloth, held, plan, workers) {
     rest.appendPairs(pairs);
     system = std::make_unique<BlockSystem>(cloth, plan, bending.panels(), pairs, bending.rest());
     system->setTies(ties);

@@ -25,7 +25,8 @@ Sheets sheets(double below) {
 TEST(Tangle, SheetsApartAreNotCrossed) {
   const Sheets s = sheets(-0.001);
   Tangle tangle(s.cloth);
-  tangle.find(s.state.position);
+  Workers workers(2);
+  tangle.find(s.state.position, workers);
   EXPECT_EQ(tangle.crossings(), 0u);
   for (Vec3 way : tangle.way()) EXPECT_EQ(squaredLength(way), 0);
 }
@@ -33,7 +34,8 @@ TEST(Tangle, SheetsApartAreNotCrossed) {
 TEST(Tangle, TheWayOutDrawsThePassedCornerBack) {
   Sheets s = sheets(0.011);
   Tangle tangle(s.cloth);
-  tangle.find(s.state.position);
+  Workers workers(2);
+  tangle.find(s.state.position, workers);
   ASSERT_GT(tangle.crossings(), 0u);
   for (int k = 0; k < 60 && tangle.crossings() > 0; ++k) {
     for (std::size_t n = 0; n < s.state.position.size(); ++n) {
@@ -41,7 +43,7 @@ TEST(Tangle, TheWayOutDrawsThePassedCornerBack) {
       EXPECT_TRUE(tangle.near()[n] || squaredLength(tangle.way()[n]) == 0);
       s.state.position[n] += tangle.way()[n] * 0.002;
     }
-    tangle.find(s.state.position);
+    tangle.find(s.state.position, workers);
   }
   EXPECT_EQ(tangle.crossings(), 0u);
 }
