@@ -16,7 +16,9 @@ class Bench {
                                                                                        file_.blobs(),
                                                                                        bodies_,
                                                                                        {},
-                                                                                       {}} {}
+                                                                                       {}} {
+    context_.advise = [&program](const Message& advice) { program.console.note(advice); };
+  }
 
   Program& program() { return program_; }
   DocumentFile& file() { return file_; }

@@ -104,7 +104,8 @@ int runPlay(Program& program, const PlayOptions& options) {
   if (!script) return program.console.refuse(script.error());
   return makeDocument(program, options.out, options.overwrite, [&](Bench& bench) -> Result<void> {
     StagePictures pictures(options.pictures, *script);
-    return playScript(bench, *script, options.body, pictures);
+    const Result<void> played = playScript(bench, *script, options.body, pictures);
+    return played ? played : inFile(options.script, played.error());
   });
 }
 

@@ -125,4 +125,9 @@ Done writeFile(const std::filesystem::path& path, std::string_view bytes) {
   return {};
 }
 
+Error inFile(const std::filesystem::path& file, Error error) {
+  if (error.kind != Error::Kind::Cancelled) error.what = say("{0}: {1}", file.filename().string(), error.what);
+  return error;
+}
+
 }  // namespace karinui

@@ -290,7 +290,7 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
                                                                 std::uint64_t seq, Operation operation,
                                                                 Context& context) {
   Borrowing borrowing(&blobs, &context.blobs);
-  Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull};
+  Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull, context.advise};
   auto settled = resolved(before, std::move(operation), own);
   if (!settled) return settled.error();
   auto after = apply(before, *settled, own);

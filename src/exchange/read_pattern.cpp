@@ -10,9 +10,11 @@ namespace karinui {
 Result<Pattern> readPattern(const std::filesystem::path& file) {
   const Result<std::string> bytes = readFile(file);
   if (!bytes) return bytes.error();
-  if (file.extension() == ".svg") return readSvg(*bytes);
+  const bool drawn = file.extension() == ".svg";
   const bool ours = bytes->find("\"karinui-pattern-1\"") != std::string::npos;
-  return ours ? readPatternJson(*bytes) : readGarmentCode(*bytes);
+  auto pattern = drawn ? readSvg(*bytes) : ours ? readPatternJson(*bytes) : readGarmentCode(*bytes);
+  if (!pattern) return inFile(file, pattern.error());
+  return pattern;
 }
 
 }  // namespace karinui

@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "exchange/import_wire.h"
+#include "karinui/base/file.h"
 
 namespace karinui {
 namespace {
@@ -159,7 +160,7 @@ class Child {
 Error refusal(wire::Reason reason, const BodyReadLimits& limits) {
   switch (reason) {
     case wire::Reason::NoSurface:
-      return badInput(say("The file holds no surface: there is not a single triangle in it."));
+      return badInput(say("The file holds no surface, not a single triangle; save the body as a mesh of triangles."));
     case wire::Reason::TooLarge:
       return badInput(say("The file holds more than {0} points or {1} triangles.", limits.points, limits.triangles));
     case wire::Reason::Memory:
@@ -169,7 +170,7 @@ Error refusal(wire::Reason reason, const BodyReadLimits& limits) {
     case wire::Reason::Unsupported:
       return badInput(say("The file keeps its surface in a way that cannot be read here; save it as plain triangles."));
     default:
-      return badInput(say("The file is damaged or is not what its name says."));
+      return badInput(say("The file is damaged or is not what its name says; save it anew where it was made."));
   }
 }
 
@@ -226,6 +227,33 @@ Result<std::vector<HandedOver>> sideFiles(std::string_view body, const wire::Rep
   return files;
 }
 
+// `folder`: where side files may lie.
+Result<TriangleMesh> meshIn(std::string bytes, const std::string& format, const fs::path& folder,
+                            const fs::path& helper, const BodyReadLimits& limits, const Token& token) {
+  const std::size_t bytesLeft = limits.fileBytes - bytes.size();
+  std::vector<HandedOver> files;
+  files.push_back({"body", std::move(bytes)});
+  for (const bool second : {false, true}) {
+    const auto input = inMemory(files);
+    if (!input) return input.error();
+    auto child = Child::start(helper, format, limits, *input);
+    if (!child) return child.error();
+    const auto said = child->listen(limits, token);
+    if (!said) return said.error();
+    wire::Reply reply;
+    if (said->size() < sizeof reply) return damagedReply();
+    std::memcpy(&reply, said->data(), sizeof reply);
+    const std::string_view body = std::string_view(*said).substr(sizeof reply);
+    if (reply.magic != wire::kMagic) return damagedReply();
+    if (reply.kind == wire::Kind::Mesh) return checkedMesh(body, reply, limits);
+    if (reply.kind != wire::Kind::Needs || second) return refusal(reply.reason, limits);
+    auto more = sideFiles(body, reply, folder, bytesLeft);
+    if (!more) return more.error();
+    for (HandedOver& file : *more) files.push_back(std::move(file));
+  }
+  return damagedReply();
+}
+
 }  // namespace
 
 Result<std::string> readPlainFile(const fs::path& path, std::size_t atMost, bool followLinks) {
@@ -257,28 +285,9 @@ Result<TriangleMesh> readInOtherProcess(const fs::path& path, const std::string&
   auto main = readPlainFile(path, limits.fileBytes, true);
   if (!main) return main.error();
   if (main->empty()) return badInput(say("{0} is empty.", path.filename().string()));
-  const std::size_t bytesLeft = limits.fileBytes - main->size();
-  std::vector<HandedOver> files;
-  files.push_back({"body", std::move(*main)});
-  for (const bool second : {false, true}) {
-    const auto input = inMemory(files);
-    if (!input) return input.error();
-    auto child = Child::start(helper, format, limits, *input);
-    if (!child) return child.error();
-    const auto said = child->listen(limits, token);
-    if (!said) return said.error();
-    wire::Reply reply;
-    if (said->size() < sizeof reply) return damagedReply();
-    std::memcpy(&reply, said->data(), sizeof reply);
-    const std::string_view body = std::string_view(*said).substr(sizeof reply);
-    if (reply.magic != wire::kMagic) return damagedReply();
-    if (reply.kind == wire::Kind::Mesh) return checkedMesh(body, reply, limits);
-    if (reply.kind != wire::Kind::Needs || second) return refusal(reply.reason, limits);
-    auto more = sideFiles(body, reply, path.parent_path(), bytesLeft);
-    if (!more) return more.error();
-    for (HandedOver& file : *more) files.push_back(std::move(file));
-  }
-  return damagedReply();
+  auto mesh = meshIn(std::move(*main), format, path.parent_path(), helper, limits, token);
+  if (!mesh) return inFile(path, mesh.error());
+  return mesh;
 }
 
 }  // namespace karinui

@@ -13,11 +13,11 @@ Done importPatternInto(Room& room, const std::filesystem::path& file, const Toke
     const Result<std::string> bytes = readFile(file);
     if (!bytes) return bytes.error();
     const auto lines = parseScript(*bytes);
-    if (!lines) return lines.error();
+    if (!lines) return inFile(file, lines.error());
     for (std::size_t i = 0; i < lines->size(); ++i) {
       token.progress(static_cast<double>(i) / static_cast<double>(lines->size()), say("Playing the script"));
       if (const auto step = room.perform((*lines)[i].operation, token); !step)
-        return Error{step.error().kind, say("Line {0}: {1}", (*lines)[i].number, step.error().what)};
+        return inFile(file, {step.error().kind, say("Line {0}: {1}", (*lines)[i].number, step.error().what)});
     }
     return {};
   }

@@ -1,6 +1,7 @@
 #include "session/room.h"
 
 #include <chrono>
+#include <utility>
 
 #include "karinui/base/file.h"
 
@@ -29,6 +30,7 @@ Document adopted(Document document, const std::map<PieceId, std::shared_ptr<cons
 
 Context Room::context(const Token& token) {
   Context context{*workers_, token, file_.blobs(), *bodies_, options_.drape, options_.pull};
+  context.advise = [this](const Message& advice) { advice_.push_back(advice); };
   if (!context.drape && predicted)
     context.drape = [this](const Document& document, const DrapePieces& drape, Context& own) {
       Clock::time_point next = Clock::now();
@@ -70,12 +72,14 @@ Done Room::goTo(std::uint64_t seq, const Token& token) {
 }
 Done Room::amend(std::size_t which, Operation operation, const Token& token) {
   Context own = context(token);
+  own.advise = {};  // every step after it is done anew
   return file_.amend(which, std::move(operation), own);
 }
 
 RoomState Room::state(const Token& token) {
   pull_.reset();
-  return {fitted(file_.document(), token), file_.steps(), file_.undone(), file_.otherEnds(), file_.path(), readOnly_};
+  return {fitted(file_.document(), token), file_.steps(), file_.undone(), file_.otherEnds(), file_.path(), readOnly_,
+          std::exchange(advice_, {})};
 }
 
 FittingPtr Room::glimpse(std::uint64_t seq, const Token& token) {
@@ -86,6 +90,7 @@ FittingPtr Room::glimpse(std::uint64_t seq, const Token& token) {
 
 Result<FittingPtr> Room::after(const Operation& operation, const Token& token) {
   Context own = context(token);
+  own.advise = {};
   Result<Document> document = apply(file_.document(), operation, own);
   if (!document) return document.error();
   return fitted(*std::move(document), token);

@@ -16,6 +16,7 @@ struct RoomState {
   std::vector<Step> steps, undone, otherEnds;
   std::filesystem::path path;
   bool readOnly = false;
+  std::vector<Message> advice = {};  // on what was done since the last time
 };
 
 class Room {
@@ -55,6 +56,7 @@ class Room {
   std::shared_ptr<Bodies> bodies_;
   std::shared_ptr<Workers> workers_;
   bool readOnly_ = false;
+  std::vector<Message> advice_;
   struct Pulling {
     PieceId piece;
     Flat at;

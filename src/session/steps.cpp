@@ -1,4 +1,6 @@
 // Steps of the document's history, asked for by the hand and taken in when they are done.
+#include <utility>
+
 #include "session/inside.h"
 
 namespace karinui {
@@ -25,6 +27,7 @@ void Session::Inside::take(RoomState fresh) {
   dropFigure();
   preview.reset();
   if (state.fitting->trouble) tell(Notice::Kind::Advice, *state.fitting->trouble);
+  for (Message& advice : std::exchange(state.advice, {})) tell(Notice::Kind::Advice, std::move(advice));
   table.arrange(*state.fitting);
   std::erase_if(selection.pieces, [&](PieceId id) { return !state.fitting->document.find(id); });
   if (selection.edge)
@@ -61,7 +64,7 @@ void Session::Inside::perform(Operation operation) {
     const bool disturbing = disturbs(operation);
     Result<Step> step = room->perform(std::move(operation), token);
     const auto fresh = std::make_shared<RoomState>(room->state(token));
-    return [this, before, disturbing, step = std::move(step), fresh, end = line.progress()] {
+    return [this, before, disturbing, step = std::move(step), fresh] {
       if (!step) {
         tellError(step.error());
         preview.reset();
@@ -70,9 +73,6 @@ void Session::Inside::perform(Operation operation) {
       }
       take(*fresh);
       if (drapes(step->operation)) ++news.settled;
-      // What is said when all is done is advice on it.
-      if (std::holds_alternative<DrawPiece>(step->operation) && end.fraction >= 1)
-        tell(Notice::Kind::Advice, end.doing);
       if (std::holds_alternative<PullCloth>(step->operation))
         if (const auto& last = state.fitting->document.drape.last; last && !last->why.empty())
           tell(Notice::Kind::Said, last->why);

@@ -35,7 +35,9 @@ class Command : public testing::Test {
   void haveTunic() {
     static Folder kept;
     if (!fs::exists(kept / "d.karinui")) {
-      ASSERT_EQ(play(kTunic).exit, 0);
+      const Said said = play(kTunic);
+      ASSERT_EQ(said.exit, 0);
+      EXPECT_NE(said.err.find("Cloth cannot lie as drawn"), std::string::npos) << "advice on the drawing: " << said.err;
       fs::rename(document(), kept / "d.karinui");
     }
     fs::copy(kept / "d.karinui", document());
@@ -244,6 +246,7 @@ TEST_F(Command, EveryReaderRefusesNonsenseInASentence) {
       const bool emptyScript = std::string(ending) == "ops" && bytes.empty();
       EXPECT_EQ(said.exit, emptyScript ? 0 : 3) << file << "\n" << said.err;
       EXPECT_EQ(fs::exists(document()), emptyScript) << file;
+      EXPECT_EQ(said.err.find(fs::path(file).filename()) == std::string::npos, emptyScript) << file << "\n" << said.err;
       fs::remove(document());
     }
   }

@@ -18,4 +18,7 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
 // Refuses with Error::Kind::Storage, saying why and what to do; then nothing was changed.
 Done writeFile(const std::filesystem::path& path, std::string_view bytes);
 
+// The error with the file it is about named first; that the person stopped is no file's fault.
+Error inFile(const std::filesystem::path& file, Error error);
+
 }  // namespace karinui

@@ -69,6 +69,8 @@ struct Context {
   // The solver; empty: the real one (see drape.h). Tests put a cheap one here.
   std::function<Result<DrapeOutcome>(const Document&, const DrapePieces&, Context&)> drape;
   std::function<Result<DrapeOutcome>(const Document&, const PullCloth&, Context&)> pull;
+  // Told what a person should know of what was just done; empty: nobody asks.
+  std::function<void(const Message&)> advise = {};
 };
 
 Result<BodyPtr> bodyOf(const Document& document, Context& context);  // refused: no body chosen yet

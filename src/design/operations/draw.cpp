@@ -190,7 +190,7 @@ Done resolve(const Document& before, DrawPiece& draw, Context& context) {
 Result<Document> perform(const Document& before, const DrawPiece& draw, Context& context) {
   auto made = drawn(before, draw, context);
   if (!made) return made.error();
-  if (made->advice) context.token.progress(1, *made->advice);
+  if (made->advice && context.advise) context.advise(*made->advice);
   Piece piece = std::move(made->piece);
   piece.id = mint<PieceId>(before, 0);
   std::optional<Piece> copy;
