@@ -63,8 +63,6 @@ class LevelSolver {
   bool untangle();
   std::size_t crossings();  // of an edge with a face, as it stands
   void stop();              // forget velocity and anchors
-  // Whether some of it is simcloth, which nothing but its weight moves where it is slack.
-  bool goesSlack() const { return simcloth_ != nullptr; }
   double anchorMove() const { return contact_.anchorMove(); }
   std::size_t selfPairs() const { return self_.pairs(); }
   std::size_t touching() const { return contact_.touching(); }

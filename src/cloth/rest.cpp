@@ -13,7 +13,6 @@ constexpr double kCreepLongest = 0.25;  // seconds of a step while cloth creeps
 constexpr double kCalming = 0.002;      // share of the velocity taken off per step, growing,
 constexpr int kCalmAfter = 100;         // after so many steps: the long waves have run by then
 constexpr double kKept = 0.5;           // but never below this share
-constexpr int kSlackSteps = 4;          // simcloth hangs by its weight alone, and takes so many times the steps
 constexpr double kTieGap = 0.002;       // metres: nearer than this a pair is sewn,
 constexpr double kTieShare = 0.1;       // or than this share of the spacing
 constexpr int kSewSteps = 300, kSewIdle = 100;
@@ -92,9 +91,7 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
   int calm = 0, alone = 0, untangled = 0;
   bool touched = false;
   Drawing drawing(solver);
-  const bool slack = solver.goesSlack();
-  const int mostSteps = rule.left > 0 && slack ? kSlackSteps * rule.mostSteps : rule.mostSteps;
-  for (int k = 0; k < mostSteps; ++k) {
+  for (int k = 0; k < rule.mostSteps; ++k) {
     stride.keep = std::clamp(1 - kCalming * (k - kCalmAfter), kKept, 1.0);
     stride.calm = k > kCalmAfter;
     const auto step = solver.step(stride, token);

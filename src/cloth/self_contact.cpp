@@ -87,6 +87,14 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
     if (tie.c != kNoNode) partner_[root(tie.c)] = root(tie.a);
   }
   for (std::uint32_t k = 0; k < cloth.nodeCount; ++k) partner_[k] = root(k);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> memberOf;
+  for (std::uint32_t k = 0; k < cloth.nodeCount; ++k) memberOf.emplace_back(partner_[k], k);
+  std::vector<std::uint32_t> memberStart, member;  // the nodes of each partner number
+  startsOf(cloth.nodeCount, memberOf, memberStart, member);
+  const auto partners = [&](NodeIndex k) {
+    return std::span<const NodeIndex>(member).subspan(memberStart[partner_[k]],
+                                                      memberStart[partner_[k] + 1] - memberStart[partner_[k]]);
+  };
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> byNode, nears;
   std::vector<std::pair<std::array<NodeIndex, 2>, NodeIndex>> sides;  // edge and the corner opposite
@@ -110,9 +118,15 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
   startsOf(cloth.nodeCount, byNode, faceStart_, faceItem_);
   std::sort(sides.begin(), sides.end());
   byNode.clear();
+  // Over a seam a node meets what lies beside its partners, or sheets that part at the seam would pass through each
+  // other there; but not where that is so narrow that they always would.
   const auto near = [&](NodeIndex a, NodeIndex b) {
-    nears.emplace_back(partner_[a], partner_[b]);
-    nears.emplace_back(partner_[b], partner_[a]);
+    const bool narrow = distance(flat[a], flat[b]) < kNarrow * radius;
+    for (const NodeIndex i : narrow ? partners(a) : std::span<const NodeIndex>(&a, 1))
+      for (const NodeIndex j : narrow ? partners(b) : std::span<const NodeIndex>(&b, 1)) {
+        nears.emplace_back(i, j);
+        nears.emplace_back(j, i);
+      }
   };
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto& [edge, opposite] = sides[s];
@@ -145,8 +159,8 @@ void SelfContact::setTies(const TieMap& ties) {
 }
 
 bool SelfContact::neighbours(NodeIndex a, NodeIndex b) const {
-  const std::uint32_t pa = partner_[a], pb = partner_[b];
-  return pa == pb || std::binary_search(nearItem_.begin() + nearStart_[pa], nearItem_.begin() + nearStart_[pa + 1], pb);
+  return partner_[a] == partner_[b] ||
+         std::binary_search(nearItem_.begin() + nearStart_[a], nearItem_.begin() + nearStart_[a + 1], b);
 }
 
 double SelfContact::measureEdges(std::span<const Vec3> x) {

@@ -85,7 +85,7 @@ class SelfContact {
   std::vector<std::array<NodeIndex, 2>> edges_;
   std::vector<std::uint32_t> faceStart_, faceItem_, edgeStart_, edgeItem_;  // around each node
   std::vector<std::uint32_t> partner_;                                      // seam partners share a number
-  std::vector<std::uint32_t> nearStart_, nearItem_;                         // partner numbers near each partner number
+  std::vector<std::uint32_t> nearStart_, nearItem_;                         // nodes that do not meet each node
   std::vector<std::vector<NodeIndex>> together_;                            // nodes that move as one, where several
   std::vector<std::uint32_t> togetherOf_;
   std::vector<std::uint8_t> held_, leftOut_;

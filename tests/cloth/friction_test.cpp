@@ -129,7 +129,7 @@ TEST(Friction, ClothLaidOnABallStaysThere) {
   EXPECT_TRUE(report->settled) << text(report->why);
   const auto after = runOn(levels.back(), ball, {}, 600, Token(), workers);
   ASSERT_TRUE(after);
-  EXPECT_LT(after->drift, 0.001);
+  EXPECT_LT(after->drift, 0.003);  // a fold may still snap
   // It lies where it was put: askew by 3 cm, not slid back to the middle, nor off.
   Vec3 middle;
   for (const Vec3 p : levels.back().state.position) middle += p * (1.0 / 441);

@@ -13,8 +13,8 @@ constexpr double kWidth = 0.06, kLength = 0.3, kStretch = 200;
 
 // A strip pinned along its top, the hand at the middle of its hem.
 struct HangingStrip {
-  HangingStrip() {
-    addPiece(level.cloth, gridLattice(6, 30, 0.01), textbook(kStretch, 1e-6, 0.02));
+  explicit HangingStrip(const Fabric& fabric = textbook(kStretch, 1e-6, 0.02)) {
+    addPiece(level.cloth, gridLattice(6, 30, 0.01), fabric);
     level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u, p.v - kLength, 0}; });
     for (std::uint32_t k = 0; k <= 6; ++k) {
       level.cloth.pinned.push_back(30 * 7 + k);
@@ -54,9 +54,10 @@ TEST(LiveHand, LeadsItsPatchAndFeelsStiffnessTimesWidthTimesStrain) {
   for (const std::uint32_t k : strip.level.cloth.pinned) EXPECT_EQ(hand->places()[k], strip.level.state.position[k]);
 }
 
-// Between two moves the cloth is not stilled: slack, carried aside and held, it swings on.
+// Between two moves the cloth is not stilled: slack, carried aside and held, it swings on. Of firm cloth, whose bight
+// has no folds that snap.
 TEST(LiveHand, KeepsTheSwing) {
-  HangingStrip strip;
+  HangingStrip strip(textbook(kStretch, 1e-4, 0.1));
   auto hand = strip.take();
   ASSERT_TRUE(hand);
   const auto middle = [&] {
@@ -75,7 +76,7 @@ TEST(LiveHand, KeepsTheSwing) {
   ASSERT_GT(carried, 0.001);
   before = middle();
   for (int k = 0; k < 2; ++k) ASSERT_TRUE(hand->to(place, Token()));
-  EXPECT_GT(middle() - before, 0.25 * carried);  // stilled at each move it would be 0.1
+  EXPECT_GT(middle() - before, carried);  // stilled at each move it would be half of that
 }
 
 // A hand that is suddenly elsewhere takes as many steps to get there as the cloth needs to come along.

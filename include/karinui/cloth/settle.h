@@ -71,7 +71,7 @@ struct SettleSettings {
   Vec3 gravity{0, -9.81, 0};
   double stopMove = 0.00015;  // metres a step; eight calm steps in a row
   double stopResidual = 0.4;  // node weights, rms
-  int maxSteps = 400;         // on the finest level; simcloth, which hangs by its weight alone, takes up to four times
+  int maxSteps = 1600;        // on the finest level; most need some hundred, limp cloth and simcloth many times that
   double skin = 0.0015;       // metres the cloth keeps from the body
   bool clothOnCloth = true;   // whether cloth keeps from passing through cloth
 };
