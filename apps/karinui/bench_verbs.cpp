@@ -23,12 +23,20 @@ struct BenchOptions {
   std::vector<std::string> judged;
   std::size_t vertices = 0;
   int threads = 1, runs = 0;
+  double stretch = 0;  // N/m; 0: as the scene has it
 };
 
+Result<bench::Workload> withStretch(bench::Workload load, double stretch) {
+  if (stretch > 0)
+    for (ClothLevel& level : load.levels)
+      for (ClothPiece& piece : level.cloth.pieces) piece.fabric.stretchWarp = piece.fabric.stretchWeft = stretch;
+  return load;
+}
+
 Result<bench::Workload> workloadOf(const BenchOptions& options, Workers& workers, const Token& token) {
-  if (options.scene == "w1") return bench::curtain(options.vertices);
-  if (options.scene == "w2") return bench::sphere(options.vertices);
-  if (options.scene == "w3") return bench::tunic(options.vertices);
+  if (options.scene == "w1") return withStretch(bench::curtain(options.vertices), options.stretch);
+  if (options.scene == "w2") return withStretch(bench::sphere(options.vertices), options.stretch);
+  if (options.scene == "w3") return withStretch(bench::tunic(options.vertices), options.stretch);
   const std::filesystem::path data = options.data;
   const char* pattern = options.scene == "shirt" ? "shirt_mean_specification.json" : "dress_pencil_specification.json";
   return bench::garment(options.scene, {data / "patterns" / "garmentcode" / pattern, data / "bodies" / "f_eu38.obj"},
@@ -215,6 +223,8 @@ void addBenchVerb(Program& program) {
       ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress", "edits", "cusick"}));
   verb->add_option("--vertices", options->vertices, help("About how many points the cloth has; otherwise as defined"))
       ->check(CLI::Range(100, 1'000'000));
+  verb->add_option("--stretch", options->stretch, help("w1, w2, w3: how firm the threads are, N/m; otherwise 1000"))
+      ->check(CLI::Range(10, 100'000));
   verb->add_option("--threads", options->threads, help("How many threads work, 1 to 256; the result is the same"))
       ->check(CLI::Range(1, 256));
   verb->add_option("--data", options->data, help("The folder with bodies/ and patterns/ for shirt and dress"));

@@ -46,6 +46,15 @@ TEST(BenchCommand, RestsWithTheSameBitsForAnyTeam) {
   }
 }
 
+TEST(BenchCommand, FirmerThreadsStrainLess) {
+  const auto mean = [](const std::string& more) {
+    return karinui("bench w1 --vertices 400 --json" + more).json()["strain_mean"].get<double>();
+  };
+  const double asDefined = mean("");
+  EXPECT_EQ(mean(" --stretch 1000"), asDefined);
+  EXPECT_LT(mean(" --stretch 2000"), 0.7 * asDefined);
+}
+
 // The judge of other programs' cloth says of ours what we said of it, and sees where it is spoilt.
 TEST(BenchCommand, JudgesAStrangersDrape) {
   Folder folder;
@@ -163,6 +172,7 @@ TEST(BenchCommand, RefusesWhatItCannotMeasure) {
   EXPECT_EQ(karinui("bench w4").exit, 2);
   EXPECT_EQ(karinui("bench cusick --fabric cardboard").exit, 3);
   EXPECT_EQ(karinui("bench w1 --vertices 3").exit, 2);
+  EXPECT_EQ(karinui("bench w1 --stretch 0").exit, 2);
   const Said said = karinui("bench shirt --data /nowhere");
   EXPECT_EQ(said.exit, 3);
   EXPECT_NE(said.err.find("/nowhere"), std::string::npos) << said.err;
