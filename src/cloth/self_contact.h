@@ -2,7 +2,7 @@
 // Cloth against cloth: node-against-face and edge-against-edge pairs nearer than a radius push apart along their
 // nearest direction. Friction holds each pair by a spring between the two places where it stuck, slipping where the
 // pull exceeds friction (return mapping), as on the body. A guard cuts the part of a move by which a pair would pass
-// through. Neighbours within one ring and seam partners do not collide with each other. Frozen pieces stand in the way
+// through. Neighbours on an edge and seam partners do not collide with each other. Frozen pieces stand in the way
 // like any cloth.
 //
 // The guard keeps apart what is apart; it does not untangle what stands crossed at the start.

@@ -47,7 +47,6 @@ class Delaunay {
   void insert(std::uint32_t corner);
   void settle(std::vector<std::uint32_t>& open, std::uint32_t apex);
   void flip(std::uint32_t face, int side);
-  void link(std::uint32_t face, int side, std::uint32_t other);
   void replaceBeyond(std::uint32_t face, std::uint32_t before, std::uint32_t now);
   bool wantsFlip(std::uint32_t face, int side) const;
 

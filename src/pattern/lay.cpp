@@ -171,6 +171,13 @@ std::string contentOf(std::span<const Track> tracks, std::span<const TrackNodes>
   return content.hex();
 }
 
+// Whether a lattice's last nodes are these of the outline and the holes: names may be alike by malice.
+bool endsOn(const Lattice& lattice, const BorderNodes& border) {
+  std::vector<Flat> wanted = border.outline;
+  for (const auto& hole : border.holes) wanted.insert(wanted.end(), hole.begin(), hole.end());
+  return wanted.size() <= lattice.nodes.size() && std::equal(wanted.rbegin(), wanted.rend(), lattice.nodes.rbegin());
+}
+
 // Makes all lattices, or says which stretches must be divided more finely first.
 Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, double spacing,
                            std::set<std::array<std::size_t, 2>>& tooCoarse) {
@@ -200,7 +207,7 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
         first += static_cast<std::uint32_t>(nodes[k].place.size());
       }
     };
-    if (auto before = keptLattices().find(name)) {
+    if (auto before = keptLattices().find(name); before && endsOn(*before, border)) {
       numberAsNodes(before->nodes.size());
       laid.lattices[piece.id] = std::move(before);
       t = end;
