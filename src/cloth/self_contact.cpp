@@ -18,6 +18,7 @@ constexpr double kForgotten = 1e-8;  // metres: an anchor that holds no further 
 constexpr double kReach = 0.75;      // in longest edges: how far a pair's nearest corners can lie apart
 constexpr double kNarrow = 3;        // radii: nearer than this on paper, corners across an edge do not meet
 constexpr double kRoom = 0.7;        // in spacings: how much further it is looked around than is asked for
+constexpr double kOpen = -0.5;       // a seam opened wider is not asked whether its sheets pass through each other
 constexpr std::size_t kMostCells = 400'000;
 constexpr std::size_t kBlock = 128;
 
@@ -29,6 +30,10 @@ void startsOf(std::size_t count, const std::vector<std::pair<std::uint32_t, std:
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
   for (const auto& [key, value] : items) item[fill[key]++] = value;
+}
+
+bool beside(const std::vector<std::uint32_t>& start, const std::vector<std::uint32_t>& item, NodeIndex a, NodeIndex b) {
+  return std::binary_search(item.begin() + start[a], item.begin() + start[a + 1], b);
 }
 
 }  // namespace
@@ -96,7 +101,7 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
                                                       memberStart[partner_[k] + 1] - memberStart[partner_[k]]);
   };
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> byNode, nears;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> byNode, nears, over;
   std::vector<std::pair<std::array<NodeIndex, 2>, NodeIndex>> sides;  // edge and the corner opposite
   std::vector<Flat> flat;                                             // of each node
   for (const ClothPiece& piece : cloth.pieces) {
@@ -122,10 +127,11 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
   // other there; but not where that is so narrow that they always would.
   const auto near = [&](NodeIndex a, NodeIndex b) {
     const bool narrow = distance(flat[a], flat[b]) < kNarrow * radius;
-    for (const NodeIndex i : narrow ? partners(a) : std::span<const NodeIndex>(&a, 1))
-      for (const NodeIndex j : narrow ? partners(b) : std::span<const NodeIndex>(&b, 1)) {
-        nears.emplace_back(i, j);
-        nears.emplace_back(j, i);
+    for (const NodeIndex i : partners(a))
+      for (const NodeIndex j : partners(b)) {
+        auto& to = narrow || (i == a && j == b) ? nears : over;
+        to.emplace_back(i, j);
+        to.emplace_back(j, i);
       }
   };
   for (std::size_t s = 0; s < sides.size(); ++s) {
@@ -141,9 +147,12 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
     edges_.push_back(edge);
   }
   startsOf(cloth.nodeCount, byNode, edgeStart_, edgeItem_);
-  std::sort(nears.begin(), nears.end());
-  nears.erase(std::unique(nears.begin(), nears.end()), nears.end());
+  for (auto* pairs : {&nears, &over}) {
+    std::sort(pairs->begin(), pairs->end());
+    pairs->erase(std::unique(pairs->begin(), pairs->end()), pairs->end());
+  }
   startsOf(cloth.nodeCount, nears, nearStart_, nearItem_);
+  startsOf(cloth.nodeCount, over, overStart_, overItem_);
 }
 
 void SelfContact::setTies(const TieMap& ties) {
@@ -159,8 +168,19 @@ void SelfContact::setTies(const TieMap& ties) {
 }
 
 bool SelfContact::neighbours(NodeIndex a, NodeIndex b) const {
-  return partner_[a] == partner_[b] ||
-         std::binary_search(nearItem_.begin() + nearStart_[a], nearItem_.begin() + nearStart_[a + 1], b);
+  return partner_[a] == partner_[b] || beside(nearStart_, nearItem_, a, b);
+}
+
+// The cosine by which the sheets at two nodes beside each other over a seam stand apart: -1 where they lie open.
+double SelfContact::folded(NodeIndex a, NodeIndex b, std::span<const Vec3> x) const {
+  const auto into = [&](NodeIndex k, NodeIndex other) {  // from the seam into the sheet
+    if (togetherOf_[k] == kNoNode) return x[k] - x[other];
+    Vec3 sum;
+    for (std::uint32_t f = faceStart_[k]; f < faceStart_[k + 1]; ++f)
+      for (const NodeIndex c : faces_[faceItem_[f]]) sum += x[c] - x[k];
+    return sum;
+  };
+  return dot(normalized(into(a, b)), normalized(into(b, a)));
 }
 
 double SelfContact::measureEdges(std::span<const Vec3> x) {
@@ -252,6 +272,8 @@ void SelfContact::lookAround(std::span<const Vec3> x, double reach, Workers& wor
             const NodeIndex b = grid.item[i];
             if (b <= a || (!live_[a] && !live_[b])) continue;
             if (squaredLength(grid.place[i] - p) > nearReach_ * nearReach_ || neighbours(a, b)) continue;
+            if (overStart_[a] < overStart_[a + 1] && beside(overStart_, overItem_, a, b) && folded(a, b, x) < kOpen)
+              continue;
             out.push_back({a, b});
           }
         }

@@ -71,6 +71,7 @@ class SelfContact {
   void nodeFaces(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const;
   void edgeEdges(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const;
   bool neighbours(NodeIndex a, NodeIndex b) const;
+  double folded(NodeIndex a, NodeIndex b, std::span<const Vec3> x) const;
   bool guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers);
   double measureEdges(std::span<const Vec3> x);  // the longest; of each node in longest_
   static Vec3 pullOf(const Pair& pair, const Anchor& anchor,
@@ -86,6 +87,7 @@ class SelfContact {
   std::vector<std::uint32_t> faceStart_, faceItem_, edgeStart_, edgeItem_;  // around each node
   std::vector<std::uint32_t> partner_;                                      // seam partners share a number
   std::vector<std::uint32_t> nearStart_, nearItem_;                         // nodes that do not meet each node
+  std::vector<std::uint32_t> overStart_, overItem_;                         // nodes beside each over a seam
   std::vector<std::vector<NodeIndex>> together_;                            // nodes that move as one, where several
   std::vector<std::uint32_t> togetherOf_;
   std::vector<std::uint8_t> held_, leftOut_;
