@@ -10,7 +10,8 @@
 namespace karinui {
 namespace {
 
-constexpr int kSpins = 2000;  // some tens of microseconds: longer than the pause between two jobs of a solver
+constexpr int kSpins = 20000;    // some hundreds of microseconds: longer than the pause between two jobs of a solver
+constexpr int kPatience = 1000;  // some ten: what it takes to fetch another's data
 
 void breathe() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -55,9 +56,35 @@ struct Workers::Team {
     }
   }
 
+  void share(std::span<const double> before) {
+    const double each = before.back() / static_cast<double>(shares.size());
+    const auto last = before.end() - 1;
+    auto from = before.begin();
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      const double wish = each * static_cast<double>(k + 1);
+      auto to = k + 1 == shares.size() ? last : std::lower_bound(from, last, wish);
+      if (to > from && to < last && wish - to[-1] < to[0] - wish) --to;
+      shares[k].next = static_cast<std::size_t>(from - before.begin());
+      shares[k].end = static_cast<std::size_t>(to - before.begin());
+      from = to;
+    }
+  }
+
+  // Has all shares' blocks done.
+  void run(const std::function<void(std::size_t, std::size_t)>& work) {
+    job.work = &work;
+    open = true;
+    ++number;
+    wake();
+    takeBlocks(0);
+    open = false;
+    for (int i = 0; inside != 0; ++i) i < kSpins ? breathe() : std::this_thread::yield();
+  }
+
   void takeBlocks(std::size_t me) {
     for (std::size_t k = 0; k < shares.size(); ++k) {
       Share& share = shares[(me + k) % shares.size()];
+      for (int i = 0; k == 1 && i < kPatience && share.next.load(std::memory_order_relaxed) < share.end; ++i) breathe();
       for (;;) {
         const std::size_t from = share.next.fetch_add(job.block, std::memory_order_relaxed);
         if (from >= share.end) break;
@@ -111,16 +138,19 @@ void Workers::forBlocks(std::size_t count, std::size_t block,
     for (std::size_t from = 0; from < count; from += block) work(from, std::min(from + block, count));
     return;
   }
-  Team& team = *team_;
-  team.job.work = &work;
-  team.job.block = block;
-  team.share(count);
-  team.open = true;
-  ++team.number;
-  team.wake();
-  team.takeBlocks(0);
-  team.open = false;
-  for (int i = 0; team.inside != 0; ++i) i < kSpins ? breathe() : std::this_thread::yield();
+  team_->job.block = block;
+  team_->share(count);
+  team_->run(work);
+}
+
+void Workers::forParts(std::span<const double> before, const std::function<void(std::size_t)>& work) {
+  if (team_->helpers.empty() || before.size() <= 2) {
+    for (std::size_t k = 0; k + 1 < before.size(); ++k) work(k);
+    return;
+  }
+  team_->job.block = 1;
+  team_->share(before);
+  team_->run([&work](std::size_t k, std::size_t) { work(k); });
 }
 
 }  // namespace karinui

@@ -9,7 +9,8 @@
 namespace karinui {
 namespace {
 
-constexpr std::size_t kBlock = 2048;          // slots a worker takes at once
+// What a slot of a panel, a loose one and an entry of its row weigh in an iteration.
+constexpr double kPanelSlot = 35, kLooseSlot = 12, kEntry = 20;
 constexpr int kLast = 10;                     // iterations by which is judged what is left,
 constexpr int kLastCoarse = 4;                // with a coarse space, which
 constexpr int kQuicker = 4;                   // needs so much less of them,
@@ -26,9 +27,14 @@ struct Blocks {
   const float *a, *b, *c, *d, *e, *f;
 };
 
-// z = M r, and r . z lane by lane; with a step: d += alpha p, r -= alpha q before.
-KARINUI_WIDE void advance(std::size_t begin, std::size_t end, float alpha, const Axes p, const Axes q, const Blocks m,
-                          const Axes d, const Axes r, const Axes z, float* __restrict sum) {
+KARINUI_WIDE void less(std::size_t begin, std::size_t end, float alpha, const float* __restrict q,
+                       float* __restrict r) {
+  for (std::size_t s = begin; s < end; ++s) r[s] -= alpha * q[s];
+}
+
+// d += alpha p, z = M r, and r . z lane by lane.
+KARINUI_WIDE void advance(std::size_t begin, std::size_t end, float alpha, const Axes p, const Axes r, const Blocks m,
+                          const Axes d, const Axes z, float* __restrict sum) {
   for (std::size_t k = begin; k < end; k += kLanes) {
     KARINUI_APART
     for (std::size_t l = 0; l < kLanes; ++l) {
@@ -36,12 +42,9 @@ KARINUI_WIDE void advance(std::size_t begin, std::size_t end, float alpha, const
       d.x[s] += alpha * p.x[s];
       d.y[s] += alpha * p.y[s];
       d.z[s] += alpha * p.z[s];
-      const float x = r.x[s] - alpha * q.x[s], y = r.y[s] - alpha * q.y[s], w = r.z[s] - alpha * q.z[s];
+      const float x = r.x[s], y = r.y[s], w = r.z[s];
       const float zx = m.a[s] * x + m.b[s] * y + m.c[s] * w, zy = m.b[s] * x + m.d[s] * y + m.e[s] * w,
                   zz = m.c[s] * x + m.e[s] * y + m.f[s] * w;
-      r.x[s] = x;
-      r.y[s] = y;
-      r.z[s] = w;
       z.x[s] = zx;
       z.y[s] = zy;
       z.z[s] = zz;
@@ -63,6 +66,13 @@ BlockSystem::BlockSystem(const Cloth& cloth, const PanelPlan& plan, PanelBending
     for (auto& array : *blocks) array.assign(plan.slots, 0);
   for (auto* lanes : {&d_, &r_, &z_, &p_, &q_})
     for (auto& axis : *lanes) axis.assign(plan.slots, 0);
+  // The coarse space's answer goes before the parts and takes none from the caller's share.
+  load_.assign(2, 0);
+  for (const SlotPart& part : plan.parts)
+    load_.push_back(load_.back() +
+                    (part.loose() ? kLooseSlot : kPanelSlot) * static_cast<double>(part.end - part.begin) +
+                    kEntry * static_cast<double>(sparse_.entries(part.begin, part.end)));
+  sums_.assign(plan.parts.size() + 1, 0);
 }
 
 void BlockSystem::setTies(const TieMap& ties) {
@@ -78,6 +88,8 @@ void BlockSystem::setTies(const TieMap& ties) {
     for (const TieMap::Part& part : ties.parts(node))
       if (home_[part.unknown] != slot) guests_.push_back({slot, home_[part.unknown], static_cast<float>(part.weight)});
   }
+  free_.assign(plan_.slots, 0);
+  for (std::uint32_t s : home_) free_[s] = 1;
   coarse_.setTies(home_, guests_);
 }
 
@@ -95,8 +107,12 @@ void BlockSystem::addDiagonal(std::uint32_t unknown, const Block3& block) {
 
 void BlockSystem::invertDiagonal(Workers& workers) {
   OwnBlocks& sum = inverse_;
-  for (std::size_t e = 0; e < 6; ++e) std::copy(own_[e].begin(), own_[e].end(), sum[e].begin());
-  addDiagonals(plan_, panels_, bending_, sum, workers);
+  workers.forParts(parts(), [&](std::size_t k) {
+    const SlotPart& part = plan_.parts[k];
+    for (std::size_t e = 0; e < 6; ++e)
+      std::copy(own_[e].data() + part.begin, own_[e].data() + part.end, sum[e].data() + part.begin);
+    addDiagonals(plan_, part, panels_, bending_, sum);
+  });
   for (const Guest& guest : guests_)
     for (std::size_t e = 0; e < 6; ++e) sum[e][guest.home] += guest.weight * guest.weight * sum[e][guest.slot];
   for (const Coupling& c : couplings_)
@@ -107,14 +123,12 @@ void BlockSystem::invertDiagonal(Workers& workers) {
       constexpr std::size_t kFrom[] = {0, 1, 2, 4, 5, 8};
       for (std::size_t e = 0; e < 6; ++e) sum[e][home_[part.unknown]] += block[kFrom[e]];
     }
-  std::vector<std::uint8_t> free(plan_.slots, 0);
-  for (std::uint32_t s : home_) free[s] = 1;
-  workers.forBlocks(plan_.slots, kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t s = begin; s < end; ++s) {
+  workers.forParts(parts(), [&](std::size_t k) {
+    for (std::size_t s = plan_.parts[k].begin; s < plan_.parts[k].end; ++s) {
       const double a = sum[0][s], b = sum[1][s], c = sum[2][s], d = sum[3][s], e = sum[4][s], f = sum[5][s];
       const double A = d * f - e * e, B = c * e - b * f, C = b * e - c * d;
       const double det = a * A + b * B + c * C;
-      const double scale = free[s] && det > 1e-300 ? 1 / det : 0;
+      const double scale = free_[s] && det > 1e-300 ? 1 / det : 0;
       const auto at = [&](double v) { return static_cast<float>(v * scale); };
       inverse_[0][s] = at(A);
       inverse_[1][s] = at(B);
@@ -131,8 +145,14 @@ double BlockSystem::multiply(std::span<const Coupling> couplings, Workers& worke
     for (auto& axis : p_) axis[guest.slot] = 0;
   for (const Guest& guest : guests_)
     for (auto& axis : p_) axis[guest.slot] += guest.weight * axis[guest.home];
-  double product = multiplyPanels(plan_, panels_, bending_, own_, p_, q_, workers);
-  product += sparse_.multiply(p_, q_, workers);
+  for (const Guest& guest : guests_) sparse_.takeUp(p_, guest.slot, guest.slot + 1);
+  workers.forParts(parts(), [&](std::size_t k) {
+    const SlotPart& part = plan_.parts[k];
+    multiplyPart(plan_, part, panels_, bending_, own_, p_, q_);
+    sparse_.multiply(part.begin, part.end, q_);
+    sums_[k + 1] = dotOf(part, p_, q_);
+  });
+  double product = std::accumulate(sums_.begin() + 1, sums_.end(), 0.0);
   for (const Coupling& c : couplings) {  // few; in order
     float move[3] = {};
     for (const TieMap::Part& part : c.parts)
@@ -158,7 +178,51 @@ bool BlockSystem::coarseReady(Workers& workers) {
   const bool dear = age_ > 2 && iterations_ > kDear * iterationsWhenNew_;
   if (coarse_.ready() && age_ < kOld && !dear) return true;
   age_ = 0;
-  return coarse_.refresh([&] { multiply({}, workers); }, p_, q_, workers);
+  for (auto& axis : z_) std::fill(axis.begin(), axis.end(), 0.0f);
+  return coarse_.refresh([&] {
+    turn(0, true, workers);
+    multiply({}, workers);
+    workers.forParts(parts(), [&](std::size_t k) { coarse_.feel(plan_.parts[k], q_); });
+  });
+}
+
+void BlockSystem::shorten(float alpha, bool coarse, Workers& workers) {
+  workers.forParts(parts(), [&](std::size_t k) {
+    const SlotPart& part = plan_.parts[k];
+    for (std::size_t axis = 0; axis < 3; ++axis) less(part.begin, part.end, alpha, q_[axis].data(), r_[axis].data());
+    if (coarse) coarse_.feel(part, r_);
+  });
+}
+
+// The coarse space's answer is one thread's work; the others go on meanwhile.
+double BlockSystem::precondition(float alpha, bool coarse, Workers& workers) {
+  workers.forParts(load_, [&](std::size_t k) {
+    if (k == 0) {
+      sums_[0] = coarse ? coarse_.answer() : 0;
+      return;
+    }
+    const SlotPart& part = plan_.parts[k - 1];
+    float lanes[kLanes] = {};
+    advance(part.begin, part.end, alpha, axes(p_), axes(r_),
+            {inverse_[0].data(), inverse_[1].data(), inverse_[2].data(), inverse_[3].data(), inverse_[4].data(),
+             inverse_[5].data()},
+            axes(d_), axes(z_), lanes);
+    sums_[k] = std::accumulate(std::begin(lanes), std::end(lanes), 0.0);
+  });
+  return std::accumulate(sums_.begin(), sums_.end(), 0.0);
+}
+
+void BlockSystem::turn(float beta, bool coarse, Workers& workers) {
+  workers.forParts(parts(), [&](std::size_t k) {
+    const SlotPart& part = plan_.parts[k];
+    if (coarse) {
+      coarse_.turn(part, z_, beta, p_);
+    } else {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        karinui::turn(part.begin, part.end, beta, z_[axis].data(), p_[axis].data());
+    }
+    sparse_.takeUp(p_, part.begin, part.end);
+  });
 }
 
 int BlockSystem::solve(std::span<const Vec3> force, const Stop& stop, const Token& token, Workers& workers,
@@ -178,31 +242,10 @@ int BlockSystem::solve(std::span<const Vec3> force, const Stop& stop, const Toke
     r_[1][home_[k]] = static_cast<float>(force[k].y / largest);
     r_[2][home_[k]] = static_cast<float>(force[k].z / largest);
   }
-  const auto go = [&](float alpha) {
-    return workers.sum(plan_.slots, kBlock, [&](std::size_t begin, std::size_t end) {
-      float lanes[kLanes] = {};
-      advance(begin, end, alpha, axes(p_), axes(q_),
-              {inverse_[0].data(), inverse_[1].data(), inverse_[2].data(), inverse_[3].data(), inverse_[4].data(),
-               inverse_[5].data()},
-              axes(d_), axes(r_), axes(z_), lanes);
-      double total = 0;
-      for (float lane : lanes) total += lane;
-      return total;
-    });
-  };
-  const auto precondition = [&](float alpha) {  // z, and r . z
-    const double own = go(alpha);
-    return coarse ? own + coarse_.answer(r_, workers) : own;
-  };
-  const auto turnTo = [&](float beta) {
-    if (coarse) return coarse_.turn(z_, beta, p_, workers);
-    workers.forBlocks(plan_.slots, kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t axis = 0; axis < 3; ++axis) turn(begin, end, beta, z_[axis].data(), p_[axis].data());
-    });
-  };
-  double rz = precondition(0);
+  shorten(0, coarse, workers);
+  double rz = precondition(0, coarse, workers);
   const double first = rz;
-  turnTo(0);
+  turn(0, coarse, workers);
   int iteration = 0;
   // Twice the energy that each iteration still found: what is left is about what the last ones brought. The residual
   // alone would be content long before slow waves have run through the cloth.
@@ -218,8 +261,10 @@ int BlockSystem::solve(std::span<const Vec3> force, const Stop& stop, const Toke
     if (!(pq > 0)) break;
     lately[iteration % last] = rz / pq * rz;
     energy += lately[iteration % last];
-    const double next = precondition(static_cast<float>(rz / pq));
-    turnTo(static_cast<float>(next / rz));
+    const auto alpha = static_cast<float>(rz / pq);
+    shorten(alpha, coarse, workers);
+    const double next = precondition(alpha, coarse, workers);
+    turn(static_cast<float>(next / rz), coarse, workers);
     rz = next;
     ++iteration;
   }
@@ -236,6 +281,7 @@ std::vector<Vec3> BlockSystem::times(std::span<const Vec3> unknown, Workers& wor
     p_[1][home_[k]] = static_cast<float>(unknown[k].y);
     p_[2][home_[k]] = static_cast<float>(unknown[k].z);
   }
+  sparse_.takeUp(p_, 0, plan_.slots);
   multiply(couplings_, workers);
   std::vector<Vec3> product(unknown.size());
   for (std::size_t k = 0; k < unknown.size(); ++k) product[k] = {q_[0][home_[k]], q_[1][home_[k]], q_[2][home_[k]]};

@@ -49,8 +49,12 @@ class BlockSystem {
 
  private:
   void invertDiagonal(Workers& workers);
+  bool coarseReady(Workers& workers);  // made new when it is due
+  // The jobs of an iteration, each over the plan's parts.
   double multiply(std::span<const Coupling> couplings, Workers& workers);  // q = A p, returns p . q
-  bool coarseReady(Workers& workers);                                      // made new when it is due
+  void shorten(float alpha, bool coarse, Workers& workers);                // r -= alpha q, and what coarse moves feel
+  double precondition(float alpha, bool coarse, Workers& workers);         // d += alpha p, z = M r; returns r . z
+  void turn(float beta, bool coarse, Workers& workers);                    // p = z + beta p
 
   const PanelPlan& plan_;
   PanelBending bending_;
@@ -59,8 +63,13 @@ class BlockSystem {
   CoarseSpace coarse_;
   int age_ = 0, iterations_ = 0, iterationsWhenNew_ = 0;  // of the coarse space's matrix, in solves; of the last solve
   std::vector<std::uint32_t> home_;                       // slot of each unknown
+  std::vector<std::uint8_t> free_;                        // per slot: whether it is one
   std::vector<Guest> guests_;                             // by slot, then home
   std::vector<Coupling> couplings_;
+  std::span<const double> parts() const { return std::span(load_).subspan(1); }
+
+  std::vector<double> load_;  // of what comes before each part, and before them the coarse space's answer
+  std::vector<double> sums_;  // of the answer and the parts
   OwnBlocks own_, inverse_;
   Lanes3 d_, r_, z_, p_, q_;
 };

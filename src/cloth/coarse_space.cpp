@@ -11,13 +11,22 @@ namespace {
 constexpr double kEach = 8;   // fine lines from one coarse line to the next, about; but of very fine cloth
 constexpr double kMost = 22;  // so many that a square has this many coarse cells a side: more of them serve worse
 constexpr double kLeastSupport = 0.05;  // fine nodes: a coarse one that moves less is left out
-constexpr std::uint32_t kRows = 16;     // a worker takes at once,
-constexpr std::uint32_t kCoarseRows = 2;
-constexpr std::size_t kTail = 2048;  // slots a worker takes at once
 
-KARINUI_WIDE void addScaled(std::size_t count, float scale, const float* __restrict from, const float* __restrict free,
-                            float* __restrict to) {
-  for (std::size_t k = 0; k < count; ++k) to[k] += scale * free[k] * from[k];
+// What two coarse rows feel of a fine one.
+KARINUI_WIDE void share(std::size_t count, const float next, const float* __restrict r, const float* __restrict free,
+                        float* __restrict here, float* __restrict above) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const float own = free[k] * r[k];
+    here[k] += (1 - next) * own;
+    above[k] += next * own;
+  }
+}
+
+// A coarse row at each fine column from one coarse line to the next, and some more.
+KARINUI_WIDE void alongCell(std::size_t begin, std::size_t end, float here, float there, const float* __restrict next,
+                            float* __restrict row) {
+  for (std::size_t i = begin; i < end; i += kLanes)
+    for (std::size_t l = 0; l < kLanes; ++l) row[i + l] = (1 - next[i + l]) * here + next[i + l] * there;
 }
 
 struct Blend {  // of two coarse rows
@@ -30,8 +39,8 @@ KARINUI_WIDE void turnRow(std::size_t count, float beta, const Blend rows, const
     p[k] = z[k] + beta * p[k] + free[k] * (rows.here * rows.one[k] + rows.next * rows.other[k]);
 }
 
-KARINUI_WIDE void turnTail(std::size_t begin, std::size_t end, float beta, const float* __restrict z,
-                           float* __restrict p) {
+KARINUI_WIDE void turnLoose(std::size_t begin, std::size_t end, float beta, const float* __restrict z,
+                            float* __restrict p) {
   for (std::size_t s = begin; s < end; ++s) p[s] = z[s] + beta * p[s];
 }
 
@@ -50,6 +59,7 @@ CoarseSpace::Lines::Lines(std::uint32_t fine, double each) {
     cell.push_back(before);
     next.push_back(static_cast<float>(way));
   }
+  next.resize(next.size() + kLanes, 0);
 }
 
 std::pair<std::uint32_t, double> CoarseSpace::Lines::place(double fine) const {
@@ -62,29 +72,39 @@ CoarseSpace::CoarseSpace(const Cloth& cloth, const PanelPlan& plan) : cloth_(clo
   for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
     const auto panel =
         std::find_if(plan.panels.begin(), plan.panels.end(), [&](const Panel& q) { return q.piece == p; });
+    if (panel != plan.panels.end()) netOf_.push_back(static_cast<std::uint32_t>(nets_.size()));
     if (cloth.pieces[p].live) addNet(cloth.pieces[p], panel == plan.panels.end() ? nullptr : &*panel);
   }
   for (auto& axis : value_) axis.assign(nodes_, 0);
-  coarseRows_ = rowsOf(kCoarseRows, true);
-  fineRows_ = rowsOf(kRows, false);
-  std::size_t blends = 0;
-  for (const Net& net : nets_) {
-    firstBlend_.push_back(blends);
-    if (!net.panel) continue;
-    blends += std::size_t{net.rows()} * net.panel->stride;
-    tail_ = net.panel->first + std::size_t{net.panel->rows} * net.panel->stride;
-  }
-  for (auto& axis : blend_) axis.assign(blends, 0);
+  for (const SlotPart& part : plan.parts) felt_.push_back(reachOf(part));
 }
 
-std::vector<CoarseSpace::Rows> CoarseSpace::rowsOf(std::uint32_t atOnce, bool coarse) const {
-  std::vector<Rows> all;
-  for (std::uint32_t n = 0; n < nets_.size(); ++n) {
-    if (!nets_[n].panel) continue;
-    const std::uint32_t count = coarse ? nets_[n].rows() : nets_[n].panel->rows;
-    for (std::uint32_t k = 0; k < count; k += atOnce) all.push_back({n, k, std::min(k + atOnce, count)});
+std::pair<std::uint32_t, std::uint32_t> CoarseSpace::coarseRows(const SlotPart& part) const {
+  const std::vector<std::uint32_t>& cell = nets_[netOf_[part.panel]].row.cell;
+  const std::uint32_t first = cell[part.row];
+  return {first, cell[part.row + part.rows - 1] + 2 - first};
+}
+
+CoarseSpace::Felt CoarseSpace::reachOf(const SlotPart& part) const {
+  Felt felt;
+  if (!part.loose()) {
+    const Net& net = nets_[netOf_[part.panel]];
+    const auto [first, count] = coarseRows(part);
+    felt.first = net.first + first * net.columns();
+    felt.count = count * net.columns();
+  } else {
+    std::uint32_t least = nodes_, most = 0;
+    for (std::size_t slot = part.begin; slot < part.end; ++slot)
+      for (const Share& share : shares_[slot])
+        if (share.weight > 0) {
+          least = std::min(least, share.node);
+          most = std::max(most, share.node);
+        }
+    felt.first = std::min(least, most);
+    felt.count = least > most ? 0 : most - least + 1;
   }
-  return all;
+  felt.value.assign(3 * std::size_t{felt.count}, 0);
+  return felt;
 }
 
 void CoarseSpace::addNet(const ClothPiece& piece, const Panel* panel) {
@@ -94,19 +114,16 @@ void CoarseSpace::addNet(const ClothPiece& piece, const Panel* panel) {
   nodes_ += net.columns() * net.rows();
   const double weftStep = panel ? panel->weftStep : lattice.spacing,
                warpStep = panel ? panel->warpStep : lattice.spacing;
-  std::vector<std::uint8_t> onPanel(lattice.nodes.size(), 0);
   Flat origin = lattice.nodes.front();  // of the grid; a piece too narrow for one has a net of one cell
   for (std::uint32_t j = 0; j < lattice.rows; ++j)
     for (std::uint32_t i = 0; i < lattice.columns; ++i)
       if (const std::uint32_t k = lattice.grid[std::size_t{j} * lattice.columns + i]; k != kNoNode) {
-        onPanel[k] = panel != nullptr;
         origin = lattice.nodes[k] - lattice.weft * (i * weftStep) - lattice.warp * (j * warpStep);
       }
   for (std::uint32_t k = 0; k < lattice.nodes.size(); ++k) {
     const std::uint32_t slot = plan_.slotOf[piece.firstNode + k];
     const Flat at = lattice.nodes[k] - origin;
     shares_[slot] = sharesAt(net, dot(at, lattice.weft) / weftStep, dot(at, lattice.warp) / warpStep);
-    if (!onPanel[k]) loose_.push_back(slot);
   }
   nets_.push_back(std::move(net));
 }
@@ -206,18 +223,15 @@ void CoarseSpace::colour() {
 }
 
 // Each product with one move of every coarse node of a colour gives that many columns of the matrix.
-bool CoarseSpace::refresh(const Product& product, Lanes3& p, const Lanes3& q, Workers& workers) {
+bool CoarseSpace::refresh(const std::function<void()>& product) {
   if (!numbered_) number();
   matrix_.clear();
-  const Lanes3 nothing{std::vector<float>(plan_.slots, 0), std::vector<float>(plan_.slots, 0),
-                       std::vector<float>(plan_.slots, 0)};
   for (const auto& colour : colours_)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (auto& values : value_) std::fill(values.begin(), values.end(), 0.0f);
       for (const std::uint32_t c : colour) value_[axis][nodeOf_[c]] = 1;
-      turn(nothing, 0, p, workers);
       product();
-      gather(q, workers);
+      sumUp();
       for (const std::uint32_t c : colour)
         for (const std::uint32_t other : around_[c])
           for (std::uint32_t b = 0; b < 3; ++b) {
@@ -231,42 +245,64 @@ bool CoarseSpace::refresh(const Product& product, Lanes3& p, const Lanes3& q, Wo
   return ready_;
 }
 
-void CoarseSpace::gather(const Lanes3& r, Workers& workers) {
-  for (auto& value : value_) std::fill(value.begin(), value.end(), 0.0f);
-  workers.forBlocks(coarseRows_.size(), 1, [&](std::size_t at, std::size_t) {
-    thread_local std::vector<float> row;
-    const Rows rows = coarseRows_[at];
-    const Net& net = nets_[rows.net];
-    const Panel& panel = *net.panel;
-    for (std::size_t c = rows.begin; c < rows.end; ++c) {
-      const std::size_t first = net.row.at[c > 0 ? c - 1 : 0],
-                        last = net.row.at[std::min<std::size_t>(c + 1, net.rows() - 1)];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        row.assign(panel.columns, 0);
-        for (std::size_t j = first; j <= last && j < panel.rows; ++j) {
-          const float next = net.row.next[j];
-          const float weight = net.row.cell[j] == c ? 1 - next : net.row.cell[j] + 1 == c ? next : 0;
-          const std::size_t s = panel.first + j * panel.stride;
-          if (weight > 0) addScaled(panel.columns, weight, r[axis].data() + s, free_.data() + s, row.data());
-        }
-        float* to = value_[axis].data() + net.first + c * net.columns();
-        for (std::size_t i = 0; i < panel.columns; ++i) {
-          const float next = net.column.next[i];
-          to[net.column.cell[i]] += (1 - next) * row[i];
-          to[net.column.cell[i] + 1] += next * row[i];
-        }
+void CoarseSpace::feel(const SlotPart& part, const Lanes3& r) {
+  Felt& felt = felt_[static_cast<std::size_t>(&part - plan_.parts.data())];
+  std::fill(felt.value.begin(), felt.value.end(), 0.0f);
+  if (felt.count == 0) return;
+  if (part.loose()) {
+    for (std::size_t slot = part.begin; slot < part.end; ++slot) {
+      if (free_[slot] == 0) continue;
+      for (const Share& share : shares_[slot]) {
+        if (share.weight == 0) continue;
+        float* to = felt.value.data() + (share.node - felt.first);
+        for (std::size_t axis = 0; axis < 3; ++axis) to[axis * felt.count] += share.weight * r[axis][slot];
       }
     }
-  });
-  for (const std::uint32_t slot : loose_)
+    return;
+  }
+  const Panel& panel = plan_.panels[part.panel];
+  const Net& net = nets_[netOf_[part.panel]];
+  const auto [first, count] = coarseRows(part);
+  thread_local std::array<std::vector<float>, 3> rows;  // the coarse rows at the fine columns, one after the other
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rows[axis].assign(count * panel.columns, 0);
+    for (std::size_t j = part.row; j < part.row + part.rows; ++j) {
+      const std::size_t s = panel.first + j * panel.stride;
+      float* here = rows[axis].data() + (net.row.cell[j] - first) * panel.columns;
+      share(panel.columns, net.row.next[j], r[axis].data() + s, free_.data() + s, here, here + panel.columns);
+    }
+  }
+  // Cell by cell: what its ends feel. The sums of all axes side by side, so that none waits for the last.
+  for (std::size_t c = 0; c < count; ++c) {
+    float* to = felt.value.data() + c * net.columns();
+    for (std::size_t cell = 0, i = 0; cell + 1 < net.columns(); ++cell) {
+      float here[3] = {}, next[3] = {};
+      for (; i < panel.columns && net.column.cell[i] == cell; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const float own = rows[axis][c * panel.columns + i];
+          here[axis] += (1 - net.column.next[i]) * own;
+          next[axis] += net.column.next[i] * own;
+        }
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        to[axis * felt.count + cell] += here[axis];
+        to[axis * felt.count + cell + 1] += next[axis];
+      }
+    }
+  }
+}
+
+void CoarseSpace::sumUp() {
+  for (auto& value : value_) std::fill(value.begin(), value.end(), 0.0f);
+  for (const Felt& felt : felt_)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float own = free_[slot] * r[axis][slot];
-      for (const Share& share : shares_[slot]) value_[axis][share.node] += share.weight * own;
+      const float* from = felt.value.data() + axis * felt.count;
+      float* to = value_[axis].data() + felt.first;
+      for (std::size_t k = 0; k < felt.count; ++k) to[k] += from[k];
     }
 }
 
-double CoarseSpace::answer(const Lanes3& r, Workers& workers) {
-  gather(r, workers);
+double CoarseSpace::answer() {
+  sumUp();
   for (std::size_t c = 0; c < nodeOf_.size(); ++c)
     for (std::size_t axis = 0; axis < 3; ++axis) found_[3 * c + axis] = value_[axis][nodeOf_[c]];
   matrix_.solve(found_);
@@ -283,46 +319,38 @@ double CoarseSpace::answer(const Lanes3& r, Workers& workers) {
   return product;
 }
 
-void CoarseSpace::turn(const Lanes3& z, float beta, Lanes3& p, Workers& workers) {
-  for (std::size_t n = 0; n < nets_.size(); ++n) {
-    const Net& net = nets_[n];
-    if (!net.panel) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (std::size_t c = 0; c < net.rows(); ++c) {
-        float* row = blend_[axis].data() + firstBlend_[n] + c * net.panel->stride;
-        const float* from = value_[axis].data() + net.first + c * net.columns();
-        for (std::size_t i = 0; i < net.panel->columns; ++i) {
-          const float next = net.column.next[i];
-          row[i] = (1 - next) * from[net.column.cell[i]] + next * from[net.column.cell[i] + 1];
-        }
-      }
-  }
-  const std::size_t rest = plan_.slots - tail_, tails = (rest + kTail - 1) / kTail;
-  workers.forBlocks(fineRows_.size() + tails, 1, [&](std::size_t at, std::size_t) {
-    if (at >= fineRows_.size()) {
-      const std::size_t begin = tail_ + (at - fineRows_.size()) * kTail;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        turnTail(begin, std::min(begin + kTail, plan_.slots), beta, z[axis].data(), p[axis].data());
-      return;
-    }
-    const Rows rows = fineRows_[at];
-    const Net& net = nets_[rows.net];
-    const Panel& panel = *net.panel;
-    for (std::size_t j = rows.begin; j < rows.end; ++j) {
-      const std::size_t s = panel.first + j * panel.stride;
+void CoarseSpace::turn(const SlotPart& part, const Lanes3& z, float beta, Lanes3& p) const {
+  if (part.loose()) {
+    for (std::size_t axis = 0; axis < 3; ++axis) turnLoose(part.begin, part.end, beta, z[axis].data(), p[axis].data());
+    for (std::size_t slot = part.begin; slot < part.end; ++slot) {
+      if (free_[slot] == 0) continue;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float* row = blend_[axis].data() + firstBlend_[rows.net] + net.row.cell[j] * panel.stride;
-        turnRow(panel.columns, beta, {row, row + panel.stride, 1 - net.row.next[j], net.row.next[j]}, free_.data() + s,
-                z[axis].data() + s, p[axis].data() + s);
+        float move = 0;
+        for (const Share& share : shares_[slot]) move += share.weight * value_[axis][share.node];
+        p[axis][slot] += move;
       }
     }
-  });
-  for (const std::uint32_t slot : loose_)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      float move = 0;
-      for (const Share& share : shares_[slot]) move += share.weight * value_[axis][share.node];
-      p[axis][slot] += free_[slot] * move;
+    return;
+  }
+  const Panel& panel = plan_.panels[part.panel];
+  const Net& net = nets_[netOf_[part.panel]];
+  const auto [first, count] = coarseRows(part);
+  thread_local std::vector<float> rows;  // coarse ones at the fine columns, one after the other
+  rows.resize(count * panel.stride + kLanes);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t c = 0; c < count; ++c) {
+      const float* from = value_[axis].data() + net.first + (first + c) * net.columns();
+      for (std::size_t cell = 0; cell + 1 < net.columns(); ++cell)
+        alongCell(net.column.at[cell], net.column.at[cell + 1] + 1, from[cell], from[cell + 1], net.column.next.data(),
+                  rows.data() + c * panel.stride);
     }
+    for (std::size_t j = part.row; j < part.row + part.rows; ++j) {
+      const std::size_t s = panel.first + j * panel.stride;
+      const float* row = rows.data() + (net.row.cell[j] - first) * panel.stride;
+      turnRow(panel.columns, beta, {row, row + panel.stride, 1 - net.row.next[j], net.row.next[j]}, free_.data() + s,
+              z[axis].data() + s, p[axis].data() + s);
+    }
+  }
 }
 
 }  // namespace karinui

@@ -28,21 +28,23 @@ class CoarseSpace {
   CoarseSpace(const Cloth& cloth, const PanelPlan& plan);
 
   void setTies(std::span<const std::uint32_t> homes, std::span<const Guest> guests);  // forgets the matrix
-  using Product = std::function<void()>;
-  // Takes up the matrix by which `product` makes q from p; both are scratch. Whether it could be factored.
-  bool refresh(const Product& product, Lanes3& p, const Lanes3& q, Workers& workers);
+  // Takes up the matrix anew. `product`: p = 0 moved by every part (`turn`, beta 0), q = A p, every part feels q.
+  // Whether it could be factored.
+  bool refresh(const std::function<void()>& product);
   bool ready() const { return ready_; }
 
-  // Finds the coarse move that answers a residual; returns r . move.
-  double answer(const Lanes3& r, Workers& workers);
-  // p = z + beta p + the move.
-  void turn(const Lanes3& z, float beta, Lanes3& p, Workers& workers);
+  // What coarse moves feel of a part's residual; for different parts from different threads.
+  void feel(const SlotPart& part, const Lanes3& r);
+  // Finds the coarse move that answers all parts' residuals; returns residual . move. On one thread.
+  double answer();
+  // p = z + beta p + the move, for a part.
+  void turn(const SlotPart& part, const Lanes3& z, float beta, Lanes3& p) const;
 
  private:
   struct Lines {                      // coarse lines along one side of a piece's grid
     std::vector<std::uint32_t> at;    // which fine line each is
     std::vector<std::uint32_t> cell;  // per fine line: the coarse one before it,
-    std::vector<float> next;          // and how far it is on the way to the next
+    std::vector<float> next;          // and how far it is on the way to the next; padded
     Lines(std::uint32_t fine, double each);
     std::pair<std::uint32_t, double> place(double fine) const;  // the same for any place
   };
@@ -58,33 +60,32 @@ class CoarseSpace {
     std::uint32_t columns() const { return static_cast<std::uint32_t>(column.at.size()); }
     std::uint32_t rows() const { return static_cast<std::uint32_t>(row.at.size()); }
   };
-  struct Rows {  // of one net, what a worker takes at once: coarse ones, or fine ones
-    std::uint32_t net = 0, begin = 0, end = 0;
+  struct Felt {  // by a part's slots, of these coarse nodes; three axes, one after the other
+    std::uint32_t first = 0, count = 0;
+    std::vector<float> value;
   };
   void addNet(const ClothPiece& piece, const Panel* panel);
-  std::vector<Rows> rowsOf(std::uint32_t atOnce, bool coarse) const;  // of all nets on panels
+  Felt reachOf(const SlotPart& part) const;
+  std::pair<std::uint32_t, std::uint32_t> coarseRows(const SlotPart& part) const;  // the first, and how many
+  void sumUp();                                                                    // value_ = what was felt
   Shares sharesAt(const Net& net, double column, double row) const;
-  void number();                                   // the coarse nodes that move something
-  void meet();                                     // which of them feel each other
-  void colour();                                   // sets of them that nothing feels two of
-  void gather(const Lanes3& r, Workers& workers);  // value_ = what coarse moves feel of r
+  void number();  // the coarse nodes that move something
+  void meet();    // which of them feel each other
+  void colour();  // sets of them that nothing feels two of
 
   const Cloth& cloth_;
   const PanelPlan& plan_;
   std::vector<Net> nets_;
+  std::vector<std::uint32_t> netOf_;  // per panel
   std::uint32_t nodes_ = 0;           // coarse
   std::vector<Shares> shares_;        // per slot
-  std::vector<std::uint32_t> loose_;  // slots in no panel
   std::vector<float> free_;           // per slot: 1 for an unknown's own, else 0
   std::vector<Guest> guests_;
   std::vector<std::uint32_t> numberOf_, nodeOf_;     // of coarse nodes that move something, and back
   std::vector<std::vector<std::uint32_t>> around_;   // numbers that feel a number
   std::vector<std::vector<std::uint32_t>> colours_;  // numbers
-  std::array<std::vector<float>, 3> value_;          // per coarse node
-  std::vector<Rows> coarseRows_, fineRows_;
-  std::size_t tail_ = 0;                     // the first slot after all panels
-  std::vector<std::size_t> firstBlend_;      // per net: in blend_
-  std::array<std::vector<float>, 3> blend_;  // coarse rows of the nets, at the panels' fine columns
+  std::array<std::vector<float>, 3> value_;          // per coarse node: what it feels, then how it moves
+  std::vector<Felt> felt_;                           // per part of the plan
   Envelope matrix_;
   std::vector<float> found_;
   bool numbered_ = false, ready_ = false;

@@ -9,6 +9,7 @@
 namespace karinui {
 namespace {
 
+constexpr std::size_t kBlock = 256;  // nodes a worker takes at once
 constexpr double kApart = 20;        // N per metre of cloth that stands crossed
 constexpr double kApartMove = 0.1;   // spacings it goes apart in a step when nothing holds it
 constexpr double kSlackReach = 0.3;  // of a step's largest move: what two ends of a spring move apart
@@ -269,6 +270,12 @@ bool LevelSolver::sound() const {
   return std::all_of(x_.begin(), x_.end(), [](Vec3 p) { return finite(p); });
 }
 
+double LevelSolver::residual() const {
+  double squares = 0;
+  for (Vec3 f : force_) squares += squaredLength(f);
+  return std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
+}
+
 LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token) {
   Outcome outcome;
   if (ties_->unknowns() == 0) return outcome;
@@ -278,9 +285,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   std::vector<Vec3> nodeForce(cloth_.nodeCount);
   for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
   ties_->reduce(nodeForce, force_);
-  double squares = 0;
-  for (Vec3 f : force_) squares += squaredLength(f);
-  outcome.residual = std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
+  outcome.residual = residual();
   for (NodeIndex k : moving_) nodeForce[k] += velocity_[k] * (mass_[k] * stride.keep / stride.seconds);
   contact_.addExpectedSlip(nodeForce);
   self_.addExpectedSlip(nodeForce);
@@ -289,15 +294,16 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   ties_->spread(move_, nodeMove_);
   double most = 0;
   for (NodeIndex k : moving_) {
-    if (!finite(nodeMove_[k])) outcome.finite = false;
-    most = std::fmax(most, squaredLength(nodeMove_[k]));
+    const double own = squaredLength(nodeMove_[k]);
+    if (!std::isfinite(own)) outcome.finite = false;
+    most = std::max(most, own);
   }
   most = std::sqrt(most);
   outcome.finite = outcome.finite && std::isfinite(outcome.residual);
   if (!outcome.finite || token.cancelled()) return outcome;
   const double scale = most > stride.mostMove ? stride.mostMove / most : 1;
   outcome.shortened = scale < 1;
-  workers_.forBlocks(moving_.size(), 256, [&](std::size_t begin, std::size_t end) {
+  workers_.forBlocks(moving_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const NodeIndex k = moving_[n];
       nodeMove_[k] = contact_.limited(x_[k], nodeMove_[k] * scale);
@@ -305,19 +311,35 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   });
   self_.guard(x_, nodeMove_, workers_);
   calmDown(stride);
-  double now = 0, before = 0, both = 0;
-  for (NodeIndex k : moving_) {
-    x_[k] += nodeMove_[k];
-    now += squaredLength(nodeMove_[k]);
-    before += squaredLength(velocity_[k]);
-    both += dot(nodeMove_[k], velocity_[k]);
-    velocity_[k] = nodeMove_[k] * (1 / stride.seconds);
-    outcome.move = std::fmax(outcome.move, length(nodeMove_[k]));
-    outcome.finite = outcome.finite && finite(nodeMove_[k]);
+  struct Way {
+    double now = 0, before = 0, both = 0, most = 0;
+  };
+  const std::vector<Way> ways = workers_.each(moving_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    Way way;
+    for (std::size_t n = begin; n < end; ++n) {
+      const NodeIndex k = moving_[n];
+      const double own = squaredLength(nodeMove_[k]);
+      x_[k] += nodeMove_[k];
+      way.now += own;
+      way.before += squaredLength(velocity_[k]);
+      way.both += dot(nodeMove_[k], velocity_[k]);
+      way.most = std::max(way.most, own);
+      velocity_[k] = nodeMove_[k] * (1 / stride.seconds);
+    }
+    return way;
+  });
+  Way whole;
+  for (const Way& way : ways) {
+    whole.now += way.now;
+    whole.before += way.before;
+    whole.both += way.both;
+    whole.most = std::max(whole.most, way.most);
   }
+  outcome.move = std::sqrt(whole.most);
+  outcome.finite = std::isfinite(whole.now);
   if (!outcome.finite) return outcome;
   if (simcloth_) simcloth_->setReach(std::clamp(kSlackReach * outcome.move, kLeastReach, kMostReach * cloth_.spacing));
-  outcome.along = now > 0 && before > 0 ? both / std::sqrt(now * before) : 0;
+  outcome.along = whole.now > 0 && whole.before > 0 ? whole.both / std::sqrt(whole.now * whole.before) : 0;
   if (!cloth_.ties.empty()) ties_->gather(x_);
   if (stride.friction) {
     contact_.moveAnchors(x_, workers_);
@@ -336,9 +358,7 @@ LevelSolver::Outcome LevelSolver::predict(const Stride& stride, const Token& tok
   std::vector<Vec3> nodeForce(cloth_.nodeCount);
   for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
   ties_->reduce(nodeForce, force_);
-  double squares = 0;
-  for (Vec3 f : force_) squares += squaredLength(f);
-  outcome.residual = std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
+  outcome.residual = residual();
   outcome.iterations = system_->solve(force_, stride.stop, token, workers_, move_);
   outcome.finite = std::isfinite(outcome.residual);
   for (Vec3 m : move_) {

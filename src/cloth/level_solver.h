@@ -85,6 +85,7 @@ class LevelSolver {
   void pushApart(std::vector<std::pair<NodeIndex, double>>& stiff);  // what crosses; adds to the gradient
   void lookForCrossings();
   void followTangle();                  // after a step
+  double residual() const;              // rms of force_, in node weights
   void calmDown(const Stride& stride);  // after a step, before velocities change
   void rebuild();                       // after ties changed
 

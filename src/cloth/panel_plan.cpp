@@ -9,6 +9,9 @@ namespace karinui {
 namespace {
 
 constexpr double kExact = 1e-7;  // of a step: how well threads keep to the grid
+// A part: small enough that what is worked out on the way stays in a processor's cache.
+constexpr std::uint32_t kRows = 8;  // about
+constexpr std::size_t kLoose = 256;
 
 struct Corner {  // a right angle: its node, and which ways its weft and warp go
   std::uint32_t i = 0, j = 0;
@@ -117,6 +120,20 @@ PanelPlan::PanelPlan(const Cloth& cloth) : slotOf(cloth.nodeCount, kNoNode), lef
       for (std::uint32_t k = 0; k < piece.lattice->nodes.size(); ++k)
         if (slotOf[piece.firstNode + k] == kNoNode) slotOf[piece.firstNode + k] = next++;
   slots = (next + 3 * kLanes - 1) / kLanes * kLanes;
+  std::size_t loose = 0;
+  for (std::uint32_t p = 0; p < panels.size(); ++p) {
+    const Panel& panel = panels[p];
+    const std::uint32_t count = 2 * std::max(1u, (panel.rows + kRows) / (2 * kRows));  // for two and four workers
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t row = k * panel.rows / count, rows = (k + 1) * panel.rows / count - row;
+      if (rows == 0) continue;
+      const std::size_t begin = panel.first + std::size_t{row} * panel.stride;
+      parts.push_back({p, row, rows, begin, begin + std::size_t{rows} * panel.stride});
+    }
+    loose = parts.back().end;
+  }
+  for (std::size_t s = loose; s < slots - kLanes; s += kLoose)
+    parts.push_back({SlotPart::kNoPanel, 0, 0, s, std::min(s + kLoose, slots - kLanes)});
   for (auto* area : {&weftArea, &warpArea, &cornerArea}) area->resize(slots, 0);
 }
 

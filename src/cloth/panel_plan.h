@@ -19,6 +19,16 @@ struct Panel {
   double weftStep = 0, warpStep = 0;  // metres between neighbours
 };
 
+// Slots that are one worker's in every job of an iteration, so that what a job leaves in a processor's cache is there
+// for the next: some rows of a panel, or loose ones.
+struct SlotPart {
+  std::uint32_t panel = kNoPanel;
+  std::uint32_t row = 0, rows = 0;  // of the panel
+  std::size_t begin = 0, end = 0;   // multiples of kLanes
+  static constexpr std::uint32_t kNoPanel = static_cast<std::uint32_t>(-1);
+  bool loose() const { return panel == kNoPanel; }
+};
+
 // Triangles of whole cells have one right angle. Their weft and warp sides are threads of the panel; the shear between
 // those is felt at the right angle's node. Grid squares alternate their diagonals, so every other node of a whole
 // neighbourhood has four right angles around it and the rest have none.
@@ -29,6 +39,7 @@ class PanelPlan {
   std::vector<Panel> panels;
   std::size_t slots = 0;              // with room around for a neighbour's neighbour
   std::vector<std::uint32_t> slotOf;  // per node; kNoNode for nodes of pieces that are not live
+  std::vector<SlotPart> parts;        // all slots in which something is, in order
   // Per slot, m2: of the thread to the next slot along weft or warp, and of each of the four right angles around it (0
   // unless there are four).
   std::vector<double> weftArea, warpArea, cornerArea;

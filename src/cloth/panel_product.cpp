@@ -1,14 +1,11 @@
 #include "cloth/panel_product.h"
 
-#include <algorithm>
+#include <numeric>
 
 #include "karinui/base/wide.h"
 
 namespace karinui {
 namespace {
-
-constexpr std::size_t kRows = 8;  // of a panel a worker takes at once: what it works out on the way stays in its cache
-constexpr std::size_t kTail = 1024;
 
 struct Axes {
   const float *x, *y, *z;
@@ -110,13 +107,6 @@ KARINUI_WIDE void dotLanes(std::size_t begin, std::size_t end, const Axes p, con
     for (std::size_t l = 0; l < kLanes; ++l)
       sum[l] += p.x[s + l] * q.x[s + l] + p.y[s + l] * q.y[s + l] + p.z[s + l] * q.z[s + l];
 }
-double dotOf(std::size_t begin, std::size_t end, const Lanes3& p, const Lanes3& q) {
-  float sum[kLanes] = {};
-  dotLanes(begin, end, axes(p), axes(q), sum);
-  double total = 0;
-  for (float part : sum) total += part;
-  return total;
-}
 
 // Six sums: xx, xy, xz, yy, yz, zz.
 struct Own {
@@ -196,82 +186,54 @@ struct Band {
 
 }  // namespace
 
-double multiplyPanels(const PanelPlan& plan, const PanelStiffness& k, const PanelBending& bending, const OwnBlocks& own,
-                      const Lanes3& p, Lanes3& q, Workers& workers) {
-  struct Part {  // what a worker takes at once: rows of a panel, or slots of what is no panel
-    const Panel* panel = nullptr;
-    std::size_t begin = 0, end = 0;
-    double product = 0;
-  };
-  std::vector<Part> parts;
-  std::size_t tail = 0;
-  for (const Panel& panel : plan.panels) {
-    for (std::size_t row = 0; row < panel.rows; row += kRows)
-      parts.push_back({&panel, row, std::min<std::size_t>(row + kRows, panel.rows)});
-    tail = panel.first + std::size_t{panel.rows} * panel.stride;
-  }
-  // All slots after the last panel's rows (those between panels hold nothing).
-  const std::size_t slots = plan.slots - kLanes;
-  for (std::size_t s = tail / kLanes * kLanes; s < slots; s += kTail)
-    parts.push_back({nullptr, s, std::min(s + kTail, slots)});
-
+void multiplyPart(const PanelPlan& plan, const SlotPart& part, const PanelStiffness& k, const PanelBending& bending,
+                  const OwnBlocks& own, const Lanes3& p, Lanes3& q) {
   const Axes from = axes(p);
-  const auto ofPanel = [&](const Panel& panel, std::size_t begin, std::size_t end) {
-    thread_local Band band;
-    const std::size_t stride = panel.stride;
-    const std::size_t first = panel.first + begin * stride, last = panel.first + end * stride;
-    const std::size_t base = first - stride - kLanes;  // one row above, and room for the slot before it
-    band.fit(last + stride + kLanes - base);
-    const Corners corners{band.at(0), band.at(1), band.at(2), band.at(3)};
-    shear(first - stride, last + stride, stride, from, axes(k.weftWay), axes(k.warpWay), k.corner.data(), base,
-          corners);
-    float *fu[] = {band.at(4), band.at(5), band.at(6)}, *fv[] = {band.at(7), band.at(8), band.at(9)};
-    threads(first, last, 1, stride, from,
-            {k.weftAcross.data(), k.weftAlong[0].data(), k.weftAlong[1].data(), k.weftAlong[2].data()}, axes(k.warpWay),
-            base, {corners.ff, corners.fb, corners.bf, corners.bb}, fu[0], fu[1], fu[2]);
-    threads(first - stride, last, stride, 1, from,
-            {k.warpAcross.data(), k.warpAlong[0].data(), k.warpAlong[1].data(), k.warpAlong[2].data()}, axes(k.weftWay),
-            base, {corners.ff, corners.bf, corners.fb, corners.bb}, fv[0], fv[1], fv[2]);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      float *u = band.at(10 + 3 * axis), *v = band.at(11 + 3 * axis), *w = band.at(12 + 3 * axis);
-      bends(first - stride, last + stride, stride, p[axis].data(), bending.weft.data(), bending.warp.data(),
-            bending.twist.data(), base, u, v, w);
-      fu[axis][first - 1 - base] = 0;  // before the first column: no thread, no cell
-      w[first - stride - 1 - base] = 0;
-      gather(first, last, stride, base, {fu[axis], fv[axis], u, v, w}, own[kOwn[axis][0]].data(),
-             own[kOwn[axis][1]].data(), own[kOwn[axis][2]].data(), from, q[axis].data());
-    }
-    return dotOf(first, last, p, q);
-  };
-  const auto ofTheRest = [&](std::size_t begin, std::size_t end) {
+  const std::size_t first = part.begin, last = part.end;
+  if (part.loose()) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      ownOnly(begin, end, own[kOwn[axis][0]].data(), own[kOwn[axis][1]].data(), own[kOwn[axis][2]].data(), from,
+      ownOnly(first, last, own[kOwn[axis][0]].data(), own[kOwn[axis][1]].data(), own[kOwn[axis][2]].data(), from,
               q[axis].data());
-    return dotOf(begin, end, p, q);
-  };
-  workers.forBlocks(parts.size(), 1, [&](std::size_t at, std::size_t) {
-    Part& part = parts[at];
-    part.product = part.panel ? ofPanel(*part.panel, part.begin, part.end) : ofTheRest(part.begin, part.end);
-  });
-  double product = 0;
-  for (auto part = parts.begin(); part != parts.end();) {  // panel by panel
-    double sum = 0;
-    for (const Panel* of = part->panel; part != parts.end() && part->panel == of; ++part) sum += part->product;
-    product += sum;
+    return;
   }
-  return product;
+  thread_local Band band;
+  const std::size_t stride = plan.panels[part.panel].stride;
+  const std::size_t base = first - stride - kLanes;  // one row above, and room for the slot before it
+  band.fit(last + stride + kLanes - base);
+  const Corners corners{band.at(0), band.at(1), band.at(2), band.at(3)};
+  shear(first - stride, last + stride, stride, from, axes(k.weftWay), axes(k.warpWay), k.corner.data(), base, corners);
+  float *fu[] = {band.at(4), band.at(5), band.at(6)}, *fv[] = {band.at(7), band.at(8), band.at(9)};
+  threads(first, last, 1, stride, from,
+          {k.weftAcross.data(), k.weftAlong[0].data(), k.weftAlong[1].data(), k.weftAlong[2].data()}, axes(k.warpWay),
+          base, {corners.ff, corners.fb, corners.bf, corners.bb}, fu[0], fu[1], fu[2]);
+  threads(first - stride, last, stride, 1, from,
+          {k.warpAcross.data(), k.warpAlong[0].data(), k.warpAlong[1].data(), k.warpAlong[2].data()}, axes(k.weftWay),
+          base, {corners.ff, corners.bf, corners.fb, corners.bb}, fv[0], fv[1], fv[2]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    float *u = band.at(10 + 3 * axis), *v = band.at(11 + 3 * axis), *w = band.at(12 + 3 * axis);
+    bends(first - stride, last + stride, stride, p[axis].data(), bending.weft.data(), bending.warp.data(),
+          bending.twist.data(), base, u, v, w);
+    fu[axis][first - 1 - base] = 0;  // before the first column: no thread, no cell
+    w[first - stride - 1 - base] = 0;
+    gather(first, last, stride, base, {fu[axis], fv[axis], u, v, w}, own[kOwn[axis][0]].data(),
+           own[kOwn[axis][1]].data(), own[kOwn[axis][2]].data(), from, q[axis].data());
+  }
 }
 
-void addDiagonals(const PanelPlan& plan, const PanelStiffness& k, const PanelBending& bending, OwnBlocks& own,
-                  Workers& workers) {
+double dotOf(const SlotPart& part, const Lanes3& p, const Lanes3& q) {
+  float sum[kLanes] = {};
+  dotLanes(part.begin, part.end, axes(p), axes(q), sum);
+  return std::accumulate(std::begin(sum), std::end(sum), 0.0);
+}
+
+void addDiagonals(const PanelPlan& plan, const SlotPart& part, const PanelStiffness& k, const PanelBending& bending,
+                  OwnBlocks& own) {
+  if (part.loose()) return;
   const Threads all{k.weftAcross.data(), k.warpAcross.data(), axes(k.weftAlong), axes(k.warpAlong),
                     axes(k.weftWay),     axes(k.warpWay),     k.corner.data(),   bending.weft.data(),
                     bending.warp.data(), bending.twist.data()};
   float* const out[6] = {own[0].data(), own[1].data(), own[2].data(), own[3].data(), own[4].data(), own[5].data()};
-  for (const Panel& panel : plan.panels)
-    workers.forBlocks(std::size_t{panel.rows} * panel.stride, kTail, [&](std::size_t begin, std::size_t end) {
-      diagonals(panel.first + begin, panel.first + end, panel.stride, all, out);
-    });
+  diagonals(part.begin, part.end, plan.panels[part.panel].stride, all, out);
 }
 
 }  // namespace karinui

@@ -21,12 +21,13 @@ struct PanelBending {
 // Each slot's own 3x3 block, symmetric: xx xy xz yy yz zz.
 using OwnBlocks = std::array<std::vector<float>, 6>;
 
-// q = A p on the panels' slots; other slots get their own block times p. Returns p . q.
-double multiplyPanels(const PanelPlan& plan, const PanelStiffness& stiffness, const PanelBending& bending,
-                      const OwnBlocks& own, const Lanes3& p, Lanes3& q, Workers& workers);
+// q = A p on a part's slots; loose ones get their own block times p.
+void multiplyPart(const PanelPlan& plan, const SlotPart& part, const PanelStiffness& stiffness,
+                  const PanelBending& bending, const OwnBlocks& own, const Lanes3& p, Lanes3& q);
+double dotOf(const SlotPart& part, const Lanes3& p, const Lanes3& q);
 
-// Adds to each slot's own block what the panels' stretch, shear and bending have on the diagonal.
-void addDiagonals(const PanelPlan& plan, const PanelStiffness& stiffness, const PanelBending& bending, OwnBlocks& own,
-                  Workers& workers);
+// Adds to the slots' own blocks what the panel's stretch, shear and bending have on the diagonal.
+void addDiagonals(const PanelPlan& plan, const SlotPart& part, const PanelStiffness& stiffness,
+                  const PanelBending& bending, OwnBlocks& own);
 
 }  // namespace karinui

@@ -16,6 +16,7 @@ constexpr double kAside = 1.1;       // radii within which a pair that held keep
 constexpr double kNews = 0.2;        // how much a step's push counts in that of late
 constexpr double kForgotten = 1e-8;  // metres: an anchor that holds no further is none
 constexpr double kReach = 0.75;      // in longest edges: how far a pair's nearest corners can lie apart
+constexpr double kFlat = 1.5;        // radii: nearer than this on paper, what a fold squeezes does not push
 constexpr double kNarrow = 3;        // radii: nearer than this on paper, corners across an edge do not meet
 constexpr double kRoom = 0.7;        // in spacings: how much further it is looked around than is asked for
 constexpr double kOpen = -0.5;       // a seam opened wider is not asked whether its sheets pass through each other
@@ -103,9 +104,9 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> byNode, nears, over;
   std::vector<std::pair<std::array<NodeIndex, 2>, NodeIndex>> sides;  // edge and the corner opposite
-  std::vector<Flat> flat;                                             // of each node
   for (const ClothPiece& piece : cloth.pieces) {
-    flat.insert(flat.end(), piece.lattice->nodes.begin(), piece.lattice->nodes.end());
+    piece_.insert(piece_.end(), piece.lattice->nodes.size(), static_cast<std::uint32_t>(&piece - cloth.pieces.data()));
+    flat_.insert(flat_.end(), piece.lattice->nodes.begin(), piece.lattice->nodes.end());
     for (std::uint32_t k = 0; k < piece.lattice->nodes.size(); ++k) {
       friction_[piece.firstNode + k] = piece.fabric.frictionCloth;
       live_[piece.firstNode + k] = piece.live ? 1 : 0;
@@ -126,7 +127,7 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
   // Over a seam a node meets what lies beside its partners, or sheets that part at the seam would pass through each
   // other there; but not where that is so narrow that they always would.
   const auto near = [&](NodeIndex a, NodeIndex b) {
-    const bool narrow = distance(flat[a], flat[b]) < kNarrow * radius;
+    const bool narrow = distance(flat_[a], flat_[b]) < kNarrow * radius;
     for (const NodeIndex i : partners(a))
       for (const NodeIndex j : partners(b)) {
         auto& to = narrow || (i == a && j == b) ? nears : over;
@@ -139,7 +140,7 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
     if (s > 0 && sides[s - 1].first == edge) {
       // Corners across an edge lie a fold apart and must meet, but in a ring so narrow that they always would.
       const NodeIndex other = sides[s - 1].second;
-      if (distance(flat[other], flat[opposite]) < kNarrow * radius) near(other, opposite);
+      if (distance(flat_[other], flat_[opposite]) < kNarrow * radius) near(other, opposite);
       continue;
     }
     near(edge[0], edge[1]);
@@ -198,24 +199,40 @@ double SelfContact::measureEdges(std::span<const Vec3> x) {
   return std::sqrt(longest);
 }
 
+// Each pair is asked about by its two nearest nodes. Neighbours do not ask; where cloth is squeezed in a sharp fold
+// they may yet be the nearest, and the next nearest ask instead. Then what lies so near on paper, too, does not push.
+bool SelfContact::asks(NodeIndex a, NodeIndex b, bool& squeezed) const {
+  if (!neighbours(a, b)) return true;
+  squeezed = true;
+  return false;
+}
+
+bool SelfContact::nearOnPaper(const Pair& pair) const {
+  Flat apart;
+  for (int k = 0; k < 4; ++k) apart = apart + flat_[pair.node[k]] * pair.weight[k];
+  return piece_[pair.node[0]] != piece_[pair.node[3]] || length(apart) < kFlat * radius_;
+}
+
 void SelfContact::nodeFaces(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const {
   const Vec3 p = ask.x[a];
   const double toB = squaredLength(p - ask.x[b]);
   for (std::uint32_t k = faceStart_[b]; k < faceStart_[b + 1]; ++k) {
     const Triangle& face = faces_[faceItem_[k]];
-    bool mine = true;  // each face is asked about from its nearest corner
+    bool mine = true, squeezed = false;  // each face is asked about from its nearest corner
     double apart = 0;
     for (NodeIndex c : face) {
       const double toC = squaredLength(p - ask.x[c]);
-      if (partner_[c] == partner_[a] || (c != b && (toC < toB || (toC == toB && c < b)))) mine = false;
+      if (partner_[c] == partner_[a] || (c != b && (toC < toB || (toC == toB && c < b)) && asks(a, c, squeezed)))
+        mine = false;
       if (!ask.move.empty()) apart = std::fmax(apart, squaredLength(ask.move[a] - ask.move[c]));
     }
     if (!mine) continue;
     const auto w = nearestOnTriangle(p, ask.x[face[0]], ask.x[face[1]], ask.x[face[2]]);
     const Vec3 d = p - (ask.x[face[0]] * w[0] + ask.x[face[1]] * w[1] + ask.x[face[2]] * w[2]);
     const double gap = length(d);
-    if (gap < ask.within + 1.2 * std::sqrt(apart) && gap > 1e-9)
-      out.push_back({{a, face[0], face[1], face[2]}, {1, -w[0], -w[1], -w[2]}, 1, d * (1 / gap), gap});
+    if (!(gap < ask.within + 1.2 * std::sqrt(apart) && gap > 1e-9)) continue;
+    const Pair pair{{a, face[0], face[1], face[2]}, {1, -w[0], -w[1], -w[2]}, 1, d * (1 / gap), gap};
+    if (!(squeezed && ask.move.empty() && nearOnPaper(pair))) out.push_back(pair);
   }
 }
 
@@ -227,13 +244,17 @@ void SelfContact::edgeEdges(NodeIndex a, NodeIndex b, const Ask& ask, std::vecto
     const NodeIndex a2 = other(edgeItem_[i], a);
     const Vec3 pa2 = ask.x[a2];
     const double cross1 = squaredLength(pa2 - pb);
-    if (cross1 < both || (cross1 == both && a2 < a) || partner_[a2] == partner_[b]) continue;
+    if (partner_[a2] == partner_[b]) continue;
+    bool squeezed1 = false;
+    if ((cross1 < both || (cross1 == both && a2 < a)) && asks(a2, b, squeezed1)) continue;
     for (std::uint32_t j = edgeStart_[b]; j < edgeStart_[b + 1]; ++j) {
       const NodeIndex b2 = other(edgeItem_[j], b);
       if (partner_[a2] == partner_[b2] || partner_[b2] == partner_[a]) continue;
       const Vec3 pb2 = ask.x[b2];
       const double cross2 = squaredLength(pb2 - pa);
-      if (cross2 < both || (cross2 == both && b2 < b) || squaredLength(pa2 - pb2) < both) continue;
+      bool squeezed = squeezed1;
+      if ((cross2 < both || (cross2 == both && b2 < b)) && asks(a, b2, squeezed)) continue;
+      if (squaredLength(pa2 - pb2) < both && asks(a2, b2, squeezed)) continue;
       const auto at = nearestOnSegments(pa, pa2, pb, pb2);
       if (ask.move.empty() && (at[0] <= 0 || at[0] >= 1 || at[1] <= 0 || at[1] >= 1)) continue;  // a node speaks there
       const Vec3 d = lerp(pa, pa2, at[0]) - lerp(pb, pb2, at[1]);
@@ -242,8 +263,9 @@ void SelfContact::edgeEdges(NodeIndex a, NodeIndex b, const Ask& ask, std::vecto
         for (NodeIndex m : {a, a2})
           for (NodeIndex n : {b, b2}) apart = std::fmax(apart, squaredLength(ask.move[m] - ask.move[n]));
       const double gap = length(d);
-      if (gap < ask.within + 1.2 * std::sqrt(apart) && gap > 1e-9)
-        out.push_back({{a, a2, b, b2}, {1 - at[0], at[0], at[1] - 1, -at[1]}, 2, d * (1 / gap), gap});
+      if (!(gap < ask.within + 1.2 * std::sqrt(apart) && gap > 1e-9)) continue;
+      const Pair pair{{a, a2, b, b2}, {1 - at[0], at[0], at[1] - 1, -at[1]}, 2, d * (1 / gap), gap};
+      if (!(squeezed && ask.move.empty() && nearOnPaper(pair))) out.push_back(pair);
     }
   }
 }
@@ -396,15 +418,17 @@ void SelfContact::addCouplings(const TieMap& ties, std::vector<Coupling>& coupli
 bool SelfContact::guard(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {
   bool cut = false;
   if (radius_ <= 0 || !on_) return cut;
+  const double longest = measureEdges(x);
   for (int pass = 0; pass < 3; ++pass) {  // again where what was cut may meet something new
-    if (!guardOnce(x, move, workers)) break;
+    if (!guardOnce({x, move, 0.15 * radius_, longest}, move, workers)) break;
     cut = true;
   }
   return cut;
 }
 
-bool SelfContact::guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {
-  const std::vector<Pair> pairs = collect({x, move, 0.15 * radius_, measureEdges(x)}, workers);
+bool SelfContact::guardOnce(const Ask& ask, std::vector<Vec3>& move, Workers& workers) {
+  const std::span<const Vec3> x = ask.x;
+  const std::vector<Pair> pairs = collect(ask, workers);
   const auto set = [&](NodeIndex k, Vec3 m) {
     if (held_[k]) return;
     if (togetherOf_[k] == kNoNode)

@@ -71,16 +71,20 @@ class SelfContact {
   void nodeFaces(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const;
   void edgeEdges(NodeIndex a, NodeIndex b, const Ask& ask, std::vector<Pair>& out) const;
   bool neighbours(NodeIndex a, NodeIndex b) const;
+  bool asks(NodeIndex a, NodeIndex b, bool& squeezed) const;
+  bool nearOnPaper(const Pair& pair) const;
   double folded(NodeIndex a, NodeIndex b, std::span<const Vec3> x) const;
-  bool guardOnce(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers);
-  double measureEdges(std::span<const Vec3> x);  // the longest; of each node in longest_
+  bool guardOnce(const Ask& ask, std::vector<Vec3>& move, Workers& workers);  // ask.move: the same
+  double measureEdges(std::span<const Vec3> x);                               // the longest; of each node in longest_
   static Vec3 pullOf(const Pair& pair, const Anchor& anchor,
                      std::span<const Vec3> x);  // how far its places have been drawn apart
   Hold holdOn(Pair& pair, std::span<const Vec3> x) const;
   double frictionOf(const Pair& pair) const { return std::sqrt(friction_[pair.node[0]] * friction_[pair.node[3]]); }
 
   double radius_, firmness_, spacing_;
-  std::vector<double> friction_;  // per node
+  std::vector<std::uint32_t> piece_;  // per node,
+  std::vector<Flat> flat_;            // and where it is on paper
+  std::vector<double> friction_;      // per node
   std::vector<std::uint8_t> live_;
   std::vector<Triangle> faces_;
   std::vector<std::array<NodeIndex, 2>> edges_;

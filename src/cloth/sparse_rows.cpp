@@ -25,13 +25,11 @@ SparseRows::SparseRows(std::span<const std::uint32_t> slotOf, std::span<const No
   };
   for (const NodePair& pair : pairs) speak(pair.row);
   for (const NodeWeight& w : weights) speak(w.row);
-  std::vector<std::uint32_t> placeOf(spokenOf.size(), 0);
-  for (std::uint32_t s = 0; s < spokenOf.size(); ++s)
-    if (spokenOf[s]) {
-      placeOf[s] = static_cast<std::uint32_t>(slot_.size());
-      slot_.push_back(s);
-    }
-  const auto place = [&](NodeIndex node) { return placeOf[slotOf[node]]; };
+  for (std::uint32_t s = 0; s < spokenOf.size(); ++s) {
+    rowAt_.push_back(static_cast<std::uint32_t>(slot_.size()));
+    if (spokenOf[s]) slot_.push_back(s);
+  }
+  const auto place = [&](NodeIndex node) { return rowAt_[slotOf[node]]; };
   std::vector<Wanted> blocks;
   for (std::uint32_t s = 0; s < pairs.size(); ++s) blocks.push_back({place(pairs[s].row), place(pairs[s].column), s});
   std::vector<Plain> plain;
@@ -100,35 +98,33 @@ void SparseRows::gather(std::span<const Block3> blocks, OwnBlocks& own, Workers&
   });
 }
 
-double SparseRows::multiply(const Lanes3& p, Lanes3& q, Workers& workers) {
-  workers.forBlocks(slot_.size(), 4 * kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) p_[k] = Float4{p[0][slot_[k]], p[1][slot_[k]], p[2][slot_[k]], 0};
-  });
-  return workers.sum(slot_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    double product = 0;
-    for (std::size_t row = begin; row < end; ++row) {
-      Float4 sum{};
-      for (std::uint32_t k = rows_[row].firstBlock; k < rows_[row + 1].firstBlock; ++k) {
-        const Float4 from = p_[blockColumn_[k]];
-        sum += block_[k].x * from[0] + block_[k].y * from[1] + block_[k].z * from[2];
-      }
-      // Four sums side by side, so that none waits for the last.
-      Float4 part[4] = {};
-      std::uint32_t w = rows_[row].firstWeight;
-      const std::uint32_t last = rows_[row + 1].firstWeight;
-      for (; w + 4 <= last; w += 4)
-        for (std::uint32_t n = 0; n < 4; ++n) part[n] += weight_[w + n] * p_[weightColumn_[w + n]];
-      for (; w < last; ++w) part[0] += weight_[w] * p_[weightColumn_[w]];
-      sum += (part[0] + part[1]) + (part[2] + part[3]);
-      const std::uint32_t slot = slot_[row];
-      q[0][slot] += sum[0];
-      q[1][slot] += sum[1];
-      q[2][slot] += sum[2];
-      const Float4 with = sum * p_[row];
-      product += with[0] + with[1] + with[2];
+std::size_t SparseRows::entries(std::size_t begin, std::size_t end) const {
+  const Row &first = rows_[rowAt(begin)], &last = rows_[rowAt(end)];
+  return last.firstBlock - first.firstBlock + (last.firstWeight - first.firstWeight);
+}
+
+void SparseRows::takeUp(const Lanes3& p, std::size_t begin, std::size_t end) {
+  for (std::size_t k = rowAt(begin), last = rowAt(end); k < last; ++k)
+    p_[k] = Float4{p[0][slot_[k]], p[1][slot_[k]], p[2][slot_[k]], 0};
+}
+
+void SparseRows::multiply(std::size_t begin, std::size_t end, Lanes3& q) const {
+  for (std::size_t row = rowAt(begin), rows = rowAt(end); row < rows; ++row) {
+    Float4 sum{};
+    for (std::uint32_t k = rows_[row].firstBlock; k < rows_[row + 1].firstBlock; ++k) {
+      const Float4 from = p_[blockColumn_[k]];
+      sum += block_[k].x * from[0] + block_[k].y * from[1] + block_[k].z * from[2];
     }
-    return product;
-  });
+    // Four sums side by side, so that none waits for the last.
+    Float4 part[4] = {};
+    std::uint32_t w = rows_[row].firstWeight;
+    const std::uint32_t last = rows_[row + 1].firstWeight;
+    for (; w + 4 <= last; w += 4)
+      for (std::uint32_t n = 0; n < 4; ++n) part[n] += weight_[w + n] * p_[weightColumn_[w + n]];
+    for (; w < last; ++w) part[0] += weight_[w] * p_[weightColumn_[w]];
+    sum += (part[0] + part[1]) + (part[2] + part[3]);
+    for (std::size_t axis = 0; axis < 3; ++axis) q[axis][slot_[row]] += sum[axis];
+  }
 }
 
 }  // namespace karinui

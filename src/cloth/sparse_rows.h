@@ -18,7 +18,11 @@ class SparseRows {
   SparseRows(std::span<const std::uint32_t> slotOf, std::span<const NodePair> pairs,
              std::span<const NodeWeight> weights);
   void gather(std::span<const Block3> blocks, OwnBlocks& own, Workers& workers);  // one block per pair
-  double multiply(const Lanes3& p, Lanes3& q, Workers& workers);  // adds to q; returns p . what it added
+  // A product, in two goes over the slots' parts: p is taken up from all of them, then q added to.
+  void takeUp(const Lanes3& p, std::size_t begin, std::size_t end);
+  void multiply(std::size_t begin, std::size_t end, Lanes3& q) const;
+  // Blocks and weights in the rows of these slots.
+  std::size_t entries(std::size_t begin, std::size_t end) const;
 
  private:
   using Float4 = float __attribute__((vector_size(16)));
@@ -29,8 +33,11 @@ class SparseRows {
     std::uint32_t slot = 0, firstBlock = 0, firstWeight = 0;
     float own = 0;  // of the weights
   };
-  std::vector<std::uint32_t> slot_;  // that some row speaks of; rows and columns count in these
-  std::vector<Row> rows_;            // and one past the last
+  std::size_t rowAt(std::size_t slot) const { return slot < rowAt_.size() ? rowAt_[slot] : slot_.size(); }
+
+  std::vector<std::uint32_t> slot_;   // that some row speaks of; rows and columns count in these
+  std::vector<std::uint32_t> rowAt_;  // of each slot, or the first after it
+  std::vector<Row> rows_;             // and one past the last
   std::vector<std::uint32_t> ownBlock_, blockColumn_, weightColumn_;
   std::vector<Columns> block_;
   std::vector<std::uint32_t> sourceStart_, source_;  // pairs that make a block

@@ -89,6 +89,9 @@ TieMap::TieMap(const Cloth& cloth, const std::vector<std::uint8_t>& held, const 
     follower_.emplace_back(group, std::move(mix));
   }
 
+  for (std::uint32_t g = 0; g < members_.size(); ++g)
+    if (members_[g].size() > 1 && !follow.contains(g)) several_.push_back(g);
+
   std::vector<std::uint32_t> unknownOf(members_.size(), kNoNode);
   for (std::uint32_t g = 0; g < members_.size(); ++g)
     if (!groupHeld_[g] && !follow.contains(g)) unknownOf[g] = static_cast<std::uint32_t>(unknowns_++);
@@ -105,29 +108,32 @@ TieMap::TieMap(const Cloth& cloth, const std::vector<std::uint8_t>& held, const 
   }
 }
 
-void TieMap::gather(std::vector<Vec3>& position) const {
-  std::vector<Vec3> middle(members_.size());
-  for (std::size_t g = 0; g < members_.size(); ++g) {
-    const auto& nodes = members_[g];
-    Vec3 sum, fixed;
-    double fixedCount = 0;
-    for (std::uint32_t k : nodes) {
-      sum += position[k];
-      if (nodeHeld_[k]) {
-        fixed += position[k];
-        fixedCount += 1;
-      }
+Vec3 TieMap::middleOf(std::uint32_t group, std::span<const Vec3> position) const {
+  Vec3 sum, fixed;
+  double fixedCount = 0;
+  for (std::uint32_t k : members_[group]) {
+    sum += position[k];
+    if (nodeHeld_[k]) {
+      fixed += position[k];
+      fixedCount += 1;
     }
-    middle[g] = fixedCount > 0 ? fixed * (1 / fixedCount)
-                               : (nodes.size() > 1 ? sum * (1.0 / static_cast<double>(nodes.size())) : sum);
   }
+  return fixedCount > 0 ? fixed * (1 / fixedCount) : sum * (1.0 / static_cast<double>(members_[group].size()));
+}
+
+void TieMap::gather(std::vector<Vec3>& position) const {
+  std::vector<Vec3> followed;
   for (const auto& [group, mix] : follower_) {
     Vec3 place;
-    for (const Mix& m : mix) place += middle[m.group] * m.weight;
-    middle[group] = place;
+    for (const Mix& m : mix) place += middleOf(m.group, position) * m.weight;
+    followed.push_back(place);
   }
-  for (std::uint32_t k = 0; k < group_.size(); ++k)
-    if (!nodeHeld_[k]) position[k] = middle[group_[k]];
+  const auto bring = [&](std::uint32_t group, Vec3 place) {
+    for (std::uint32_t k : members_[group])
+      if (!nodeHeld_[k]) position[k] = place;
+  };
+  for (std::uint32_t group : several_) bring(group, middleOf(group, position));
+  for (std::size_t f = 0; f < follower_.size(); ++f) bring(follower_[f].first, followed[f]);
 }
 
 void TieMap::reduce(std::span<const Vec3> node, std::vector<Vec3>& unknown) const {

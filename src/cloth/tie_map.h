@@ -38,9 +38,12 @@ class TieMap {
     std::uint32_t group = 0;
     double weight = 1;
   };
+  Vec3 middleOf(std::uint32_t group, std::span<const Vec3> position) const;
+
   std::vector<std::uint32_t> group_;                 // per node
-  std::vector<std::vector<std::uint32_t>> members_;  // per group, only where several or sewn
+  std::vector<std::vector<std::uint32_t>> members_;  // per group
   std::vector<std::uint8_t> groupHeld_, nodeHeld_;
+  std::vector<std::uint32_t> several_;                                // groups of several nodes that no others give
   std::vector<std::pair<std::uint32_t, std::vector<Mix>>> follower_;  // groups given by others, all resolved
   std::size_t unknowns_ = 0;
   std::vector<std::uint32_t> start_;

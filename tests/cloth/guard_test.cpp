@@ -96,6 +96,32 @@ TEST(Guard, SheetsSewnTogetherDoNotPassThroughEachOther) {
   }
 }
 
+// A crumpled sheet squeezed into a ball, again and again: in its sharp folds the nearest nodes are often neighbours,
+// and nothing pushes apart what comes ever nearer.
+TEST(Guard, ACrumpledSheetDoesNotPassThroughItself) {
+  Sheets sheets(3, 3);
+  int tried = 0;
+  for (unsigned seed = 1; tried < 100; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> by(-1, 1);
+    const auto any = [&](double far) { return Vec3{by(random), by(random), by(random)} * far; };
+    std::vector<Vec3> x;
+    for (int k = 0; k < 2; ++k)
+      for (const Flat p : sheets.cloth.pieces[0].lattice->nodes)
+        x.push_back(k == 0 ? Vec3{p.u, p.v, 0} + any(0.3 * kCell) : Vec3{p.u, p.v, 1});
+    if (sheets.crossedOnTheWay(x, std::vector<Vec3>(x.size())) > 0) continue;
+    ++tried;
+    for (int step = 0; step < 12; ++step) {
+      const Vec3 middle = (x[0] + x[3] + x[12] + x[15]) * 0.25;
+      std::vector<Vec3> way(x.size());
+      for (int n = 0; n < 16; ++n) way[n] = (middle - x[n]) * 0.2 + any(0.2 * kCell);
+      sheets.contact->guard(x, way, sheets.workers);
+      ASSERT_EQ(sheets.crossedOnTheWay(x, way), 0) << "seed " << seed << ", step " << step;
+      for (std::size_t n = 0; n < x.size(); ++n) x[n] += way[n];
+    }
+  }
+}
+
 // Two strips on edge, one across the other: only their edges meet.
 TEST(Guard, StripsOnEdgeDoNotPassThroughEachOther) {
   Sheets sheets(6, 1);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace karinui {
@@ -21,13 +22,23 @@ class Workers {
   // Not reentrant: one caller at a time, no nesting. `work` runs on several threads at once and must not throw.
   void forBlocks(std::size_t count, std::size_t block, const std::function<void(std::size_t, std::size_t)>& work);
 
+  // Calls work(k) for parts of different weight, of which the members of the team get about alike. `before`: the
+  // weight of all parts before each, and of all of them at the end. Which part is whose is the same each time.
+  void forParts(std::span<const double> before, const std::function<void(std::size_t)>& work);
+
+  // What part(begin, end) finds in each block, in order.
+  template <class Part>
+  auto each(std::size_t count, std::size_t block, Part part) {
+    std::vector<decltype(part(count, block))> parts((count + block - 1) / block);
+    forBlocks(count, block, [&](std::size_t begin, std::size_t end) { parts[begin / block] = part(begin, end); });
+    return parts;
+  }
+
   // The sum of part(begin, end) over all blocks, added in order.
   template <class Part>
   double sum(std::size_t count, std::size_t block, Part part) {
-    std::vector<double> parts((count + block - 1) / block, 0.0);
-    forBlocks(count, block, [&](std::size_t begin, std::size_t end) { parts[begin / block] = part(begin, end); });
     double total = 0;
-    for (double p : parts) total += p;
+    for (double p : each(count, block, part)) total += p;
     return total;
   }
 
