@@ -50,6 +50,7 @@ class BlockSystem {
  private:
   void invertDiagonal(Workers& workers);
   bool coarseReady(Workers& workers);  // made new when it is due
+  std::span<const double> parts() const { return std::span(load_).subspan(1); }
   // The jobs of an iteration, each over the plan's parts.
   double multiply(std::span<const Coupling> couplings, Workers& workers);  // q = A p, returns p . q
   void shorten(float alpha, bool coarse, Workers& workers);                // r -= alpha q, and what coarse moves feel
@@ -66,8 +67,6 @@ class BlockSystem {
   std::vector<std::uint8_t> free_;                        // per slot: whether it is one
   std::vector<Guest> guests_;                             // by slot, then home
   std::vector<Coupling> couplings_;
-  std::span<const double> parts() const { return std::span(load_).subspan(1); }
-
   std::vector<double> load_;  // of what comes before each part, and before them the coarse space's answer
   std::vector<double> sums_;  // of the answer and the parts
   OwnBlocks own_, inverse_;

@@ -43,7 +43,8 @@ class CutGesture : public Gesture {
     }
     if (sample.phase != PointerSample::Phase::Release) return {};
     down_ = false;
-    if (!piece_) return {.over = true, .why = say("The line met no cloth; drag across a piece, or in from its edge.")};
+    if (!piece_ || (line_.size() < 2 && left_))
+      return {.over = true, .why = say("The line met no cloth; drag across a piece, or in from its edge.")};
     if (line_.size() < 2) return {.over = true};
     if (!will_) return {.over = true, .why = why_};
     CutPiece cut;

@@ -10,6 +10,8 @@ constexpr double kTwoToOneFrom = 1.41421356;  // nearer to 2:1 than to 1:1 in ra
 constexpr double kMostEase = 10;
 constexpr int kSamples = 24;
 
+std::string spoken(const Seam& seam) { return seam.name.empty() ? text(seam.id) : seam.name; }
+
 std::string spoken(const Document& document, const EdgeRef& edge) {
   return document.find(edge.piece.id)->name + "." + edge.edge;
 }
@@ -69,7 +71,7 @@ Done resolve(const Document& before, SewEdges& op, Context&) {
         for (const EdgeSpan& span : *side) {
           if (overlap(edge, span.piece, span.edge, span.from, span.to)) {
             return refused(
-                say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge), text(id)));
+                say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge), spoken(seam)));
           }
         }
       }
