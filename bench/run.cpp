@@ -15,7 +15,7 @@ double clearanceOf(const Cloth& cloth, const ClothState& state, const Collider& 
           const Vec3 place = state.position[piece.firstNode + face[0]] * (a / 4.0) +
                              state.position[piece.firstNode + face[1]] * (b / 4.0) +
                              state.position[piece.firstNode + face[2]] * ((4 - a - b) / 4.0);
-          least = std::fmin(least, body.confirmed(place).distance);
+          least = std::fmin(least, body.exactSample(place).distance);
         }
   return least;
 }
@@ -37,7 +37,7 @@ Result<Finding> run(Workload& load, const Token& token, Workers& workers) {
   if (!report) return report.error();
   finding.report = *report;
   finding.found = examine(load);
-  const auto after = runOn(load.levels.back(), *load.collider, {}, kRunOnFrames, token, workers);
+  const auto after = runDynamics(load.levels.back(), *load.collider, {}, kDynamicsFrames, token, workers);
   if (!after) return after.error();
   finding.after = *after;
   return finding;

@@ -2,7 +2,7 @@
 // Settles a workload and examines what came of it.
 #include "bench/workload.h"
 #include "karinui/cloth/check.h"
-#include "karinui/cloth/run_on.h"
+#include "karinui/cloth/dynamics.h"
 
 namespace karinui::bench {
 
@@ -15,7 +15,7 @@ Examined examine(const Workload& load);  // its finest state
 struct Finding {
   SettleReport report;
   Examined found;
-  RunOn after;  // 300 frames of dynamics after rest
+  DynamicsReport after;  // 300 frames of dynamics after rest
 };
 // The workload's finest state becomes the settled one.
 Result<Finding> run(Workload& load, const Token& token, Workers& workers);

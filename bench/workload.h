@@ -18,8 +18,8 @@ class Capsules : public Collider {  // an analytic body; a ball is a capsule of 
     double radius = 0;
   };
   explicit Capsules(std::vector<Capsule> capsules) : capsules_(std::move(capsules)) {}
-  Contact contact(Vec3 place) const override;
-  double clearance(Vec3 place) const override { return contact(place).distance; }
+  Sample sample(Vec3 place) const override;
+  double clearance(Vec3 place) const override { return sample(place).distance; }
   const std::vector<Capsule>& all() const { return capsules_; }
 
  private:

@@ -100,8 +100,8 @@ ClothLevel tunicLevel(const Panel& panel) {
 
 }  // namespace
 
-Collider::Contact Capsules::contact(Vec3 p) const {
-  Contact nearest{1e9, {0, 1, 0}};
+Collider::Sample Capsules::sample(Vec3 p) const {
+  Sample nearest{1e9, {0, 1, 0}};
   for (const Capsule& c : capsules_) {
     const Vec3 axis = c.b - c.a;
     const double l2 = squaredLength(axis);

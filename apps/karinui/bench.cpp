@@ -13,7 +13,7 @@ Result<Step> Bench::perform(Operation operation) {
   if (!report.settled && std::holds_alternative<DrapePieces>(step->operation)) {
     program_.console.note(say("The cloth did not come to rest: {0}", report.why));
   }
-  for (const PieceId id : report.stirred)
+  for (const PieceId id : report.toActivate)
     if (const Piece* piece = document().find(id))
       program_.console.note(
           say("“{0}” stood still, but what is sewn to it pulls at it anew: drape it, too.", piece->name));

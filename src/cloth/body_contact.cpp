@@ -40,9 +40,9 @@ void BodyContact::find(std::span<const Vec3> x, bool withFriction, Workers& work
       At& at = at_[k];
       const Vec3 place = x[node.node];
       at.touches = false;
-      Collider::Contact contact;
-      if (farOff_.mayTouch(body_, k, place, offset_)) {
-        contact = body_.contact(place);
+      Collider::Sample contact;
+      if (farOff_.mayBeWithin(body_, k, place, offset_)) {
+        contact = body_.sample(place);
         at.touches = contact.distance < offset_;
       }
       if (!at.touches) {
@@ -108,7 +108,7 @@ void BodyContact::moveAnchors(std::span<const Vec3> x, Workers& workers) {
       At& at = at_[k];
       if (!at.stuck) continue;
       const Vec3 place = x[nodes_[k].node];
-      const Collider::Contact contact = body_.contact(place);
+      const Collider::Sample contact = body_.sample(place);
       if (contact.distance >= offset_) {
         at = {};
         continue;
@@ -133,8 +133,8 @@ void BodyContact::forgetAnchors() {
 Vec3 BodyContact::limited(Vec3 from, Vec3 move) const {
   const double reach = length(move);
   const double fine = 0.5 * offset_;
-  if (reach <= fine || !body_.mayTouch(from, reach)) return move;
-  const Collider::Contact start = body_.contact(from);
+  if (reach <= fine || !body_.mayBeWithin(from, reach)) return move;
+  const Collider::Sample start = body_.sample(from);
   if (start.distance > reach) return move;
   const double floor = std::fmin(0.0, start.distance);  // never deeper than the surface, or than it already is
   Vec3 place = from, left = move;
@@ -145,7 +145,7 @@ Vec3 BodyContact::limited(Vec3 from, Vec3 move) const {
     const double stride = std::fmin(go, std::fmax(fine, clear));
     const Vec3 next = place + left * (stride / go);
     left = left * ((go - stride) / go);
-    const Collider::Contact contact = body_.contact(next);
+    const Collider::Sample contact = body_.sample(next);
     place = next;
     clear = contact.distance;
     if (clear < floor) {

@@ -51,8 +51,8 @@ void FaceContact::find(std::span<const Vec3> x, Workers& workers) {
       for (std::size_t k = 0; k < places_.size(); ++k) {
         const auto& w = places_[k];
         const Vec3 place = a * w[0] + b * w[1] + c * w[2];
-        if (!farOff_.mayTouch(body_, f * places_.size() + k, place, begin_)) continue;
-        const Collider::Contact contact = body_.contact(place);
+        if (!farOff_.mayBeWithin(body_, f * places_.size() + k, place, begin_)) continue;
+        const Collider::Sample contact = body_.sample(place);
         if (contact.distance >= begin_) continue;
         found[from / kBlock].push_back(
             {static_cast<std::uint32_t>(f), w, contact.normal, bodyPush(area_[f], begin_ - contact.distance, offset_)});

@@ -2,7 +2,7 @@
 // Remembers how far off the body places were, so that those far off are not asked about again at every step.
 #include <vector>
 
-#include "karinui/cloth/settle.h"
+#include "karinui/cloth/collider.h"
 
 namespace karinui {
 
@@ -11,10 +11,10 @@ class FarOff {
   explicit FarOff(std::size_t places) : seen_(places) {}
 
   // Whether place number k, now here, may be nearer to the body than `within`. Each number by one thread at a time.
-  bool mayTouch(const Collider& body, std::size_t k, Vec3 place, double within) {
+  bool mayBeWithin(const Collider& body, std::size_t k, Vec3 place, double within) {
     Seen& seen = seen_[k];
     const double spare = seen.clearance - within;
-    if (spare > 0 && squaredLength((place - seen.place) * Collider::kSteepest) < spare * spare) return false;
+    if (spare > 0 && squaredLength((place - seen.place) * Collider::kLipschitz) < spare * spare) return false;
     seen = {place, body.clearance(place)};
     return seen.clearance < within;
   }

@@ -1,4 +1,4 @@
-#include "cloth/true_distance.h"
+#include "cloth/mesh_distance.h"
 
 namespace karinui {
 namespace {
@@ -10,7 +10,7 @@ class FieldCollider : public Collider {
 
   // The way out is the field's slope over a cell around the place. The slope at the place itself jumps from cell to
   // cell and from side to side of a crease, as under the arm, where cloth would go to and fro between two answers.
-  Contact contact(Vec3 place) const override {
+  Sample sample(Vec3 place) const override {
     const DistanceField& field = body_->field();
     const double reach = 0.5 * field.cell();
     const auto slope = [&](Vec3 by) { return field.distance(place + by) - field.distance(place - by); };
@@ -22,8 +22,10 @@ class FieldCollider : public Collider {
   // Between the field's points its slope may be the root of three.
   double clearance(Vec3 place) const override { return body_->field().distance(place); }
 
-  Contact confirmed(Vec3 place) const override { return trueContact(*body_, place); }
-  Vec3 passesThrough(const std::array<Vec3, 3>& face) const override { return truePassage(*body_, face); }
+  Sample exactSample(Vec3 place) const override { return meshSample(*body_, place); }
+  Vec3 intersectionNormal(const std::array<Vec3, 3>& face) const override {
+    return meshIntersectionNormal(*body_, face);
+  }
 
  private:
   BodyPtr body_;

@@ -35,8 +35,8 @@ Corners liftOf(const Corners& x, const Collider& body, double clearance, double 
   Corners lift{};
   bool any = false;
   const auto ask = [&](Vec3 place, const double(&weight)[3]) {
-    if (!body.mayTouch(place, clearance)) return;
-    const Collider::Contact contact = body.confirmed(place);
+    if (!body.mayBeWithin(place, clearance)) return;
+    const Collider::Sample contact = body.exactSample(place);
     if (contact.distance >= kEnough * clearance) return;
     any = true;
     const Vec3 asked = contact.normal * (clearance - contact.distance);
@@ -48,7 +48,7 @@ Corners liftOf(const Corners& x, const Collider& body, double clearance, double 
   ask(x[2], {0, 0, 1});
   for (const auto& w : kSamples) ask(x[0] * w[0] + x[1] * w[1] + x[2] * w[2], w);
   if (any) return lift;
-  if (const Vec3 out = body.passesThrough(x); squaredLength(out) > 0) lift.fill(out * nudge);
+  if (const Vec3 out = body.intersectionNormal(x); squaredLength(out) > 0) lift.fill(out * nudge);
   return lift;
 }
 
@@ -60,7 +60,7 @@ double deepest(const Cloth& cloth, const Collider& body, std::span<const Vec3> x
   workers.forBlocks(faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     double most = 0;
     const auto ask = [&](Vec3 place) {
-      if (body.mayTouch(place, 0.001)) most = std::fmax(most, -body.confirmed(place).distance);
+      if (body.mayBeWithin(place, 0.001)) most = std::fmax(most, -body.exactSample(place).distance);
     };
     for (std::size_t f = begin; f < end; ++f) {
       const Vec3 a = x[faces[f][0]], b = x[faces[f][1]], c = x[faces[f][2]];

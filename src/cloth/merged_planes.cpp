@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "cloth/true_distance.h"
+#include "cloth/mesh_distance.h"
 
 namespace karinui {
 namespace {
@@ -112,9 +112,9 @@ double MergedPlanes::clearance(Vec3 place) const {
   return body_->field().distance(place) - (settings_.flatness + body_->field().cell());
 }
 
-Collider::Contact MergedPlanes::contact(Vec3 place) const {
+Collider::Sample MergedPlanes::sample(Vec3 place) const {
   const DistanceField::Sample rough = body_->field().sample(place);
-  const Contact far{rough.distance, length(rough.gradient) > 1e-9 ? normalized(rough.gradient) : Vec3{0, 1, 0}};
+  const Sample far{rough.distance, length(rough.gradient) > 1e-9 ? normalized(rough.gradient) : Vec3{0, 1, 0}};
   // A polygon that stands further off than the skin itself is another part's: through a wrist one sees its other side.
   const double reach =
       std::fmin(settings_.reach, std::fabs(rough.distance) + 2 * settings_.flatness + body_->field().cell());
@@ -163,9 +163,11 @@ Collider::Contact MergedPlanes::contact(Vec3 place) const {
   return {below ? -least : least, squaredLength(normal) > 1e-12 ? normalized(normal) : far.normal};
 }
 
-Collider::Contact MergedPlanes::confirmed(Vec3 place) const { return trueContact(*body_, place); }
+Collider::Sample MergedPlanes::exactSample(Vec3 place) const { return meshSample(*body_, place); }
 
-Vec3 MergedPlanes::passesThrough(const std::array<Vec3, 3>& face) const { return truePassage(*body_, face); }
+Vec3 MergedPlanes::intersectionNormal(const std::array<Vec3, 3>& face) const {
+  return meshIntersectionNormal(*body_, face);
+}
 
 MergeReport MergedPlanes::report() const {
   return {body_->mesh().faces.size(), polygons_.size(), done_.load(std::memory_order_relaxed),

@@ -51,8 +51,8 @@ std::vector<Vec3> outOfBody(const LevelSolver& solver, const Collider& body, dou
   workers.forBlocks(moving.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const Vec3 place = solver.places()[moving[n]];
-      if (!body.mayTouch(place, offset)) continue;
-      const auto contact = body.contact(place);
+      if (!body.mayBeWithin(place, offset)) continue;
+      const auto contact = body.sample(place);
       if (contact.distance < 0.95 * offset) moves[moving[n]] = contact.normal * (0.95 * offset - contact.distance);
     }
   });
@@ -155,7 +155,8 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     x = last ? finish(solver, body, settings, end, report, workers) : solver.places();
     ++l;
   }
-  if (!rim.empty()) report.stirred = rim.stirred(pulledBefore, pulledAfter, x, body, settings, kStirs, token, workers);
+  if (!rim.empty())
+    report.toActivate = rim.stirred(pulledBefore, pulledAfter, x, body, settings, kStirs, token, workers);
   if (token.cancelled()) return cancelled();
   finest.state.position = std::move(x);
   spent.tell(report);

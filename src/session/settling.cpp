@@ -37,7 +37,7 @@ void Session::Inside::settle(std::set<PieceId> live, bool byItselfNow) {
 // What stood still beside cloth that came to rest, and is pulled otherwise now, joins it.
 void Session::Inside::settleStirred(const std::set<PieceId>& live, const SettleReport& report) {
   std::set<PieceId> more = live;
-  for (const PieceId id : report.stirred) {
+  for (const PieceId id : report.toActivate) {
     const Piece* piece = state.fitting->document.find(id);
     if (piece && !piece->frozen && !state.fitting->document.drape.dirty.contains(id)) more.insert(id);
   }

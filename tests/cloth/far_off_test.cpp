@@ -15,7 +15,7 @@ TEST(FarOff, WhatComesNearIsNeverOverlooked) {
   struct Steep : CapsuleBody {
     using CapsuleBody::CapsuleBody;
     mutable std::size_t asked = 0;
-    double clearance(Vec3 p) const override { return ++asked, std::sqrt(3.0) * contact(p).distance; }
+    double clearance(Vec3 p) const override { return ++asked, std::sqrt(3.0) * sample(p).distance; }
   };
   const Steep body({{{}, {}, 0.1}});
   std::mt19937_64 random(5);
@@ -31,9 +31,9 @@ TEST(FarOff, WhatComesNearIsNeverOverlooked) {
     for (std::size_t k = 0; k < kPlaces; ++k) {
       const double pace = step % 50 == 0 ? 0.2 : 0.004;
       x[k] += Vec3{between(-pace, pace), between(-pace, pace), between(-pace, pace)} - x[k] * 0.01;
-      const bool is = std::sqrt(3.0) * body.contact(x[k]).distance < 0.0015;
+      const bool is = std::sqrt(3.0) * body.sample(x[k]).distance < 0.0015;
       near += is;
-      EXPECT_EQ(far.mayTouch(body, k, x[k], 0.0015), is) << step;
+      EXPECT_EQ(far.mayBeWithin(body, k, x[k], 0.0015), is) << step;
     }
   EXPECT_GT(near, 1000u);
   EXPECT_LT(body.asked, kPlaces * kSteps / 2 + near);  // it spares something

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
-#include "karinui/cloth/run_on.h"
+#include "karinui/cloth/dynamics.h"
 
 namespace karinui::test {
 namespace {
@@ -25,7 +25,7 @@ Fate fateOf(const ClothLevel& level, const Collider& body, int maxSteps, int fra
   for (std::size_t k = 0; k < level.state.position.size(); ++k)
     fate.moved = std::fmax(fate.moved, distance(level.state.position[k], levels[0].state.position[k]));
   if (frames > 0) {
-    const auto after = runOn(levels[0], body, settings, frames, Token(), workers);
+    const auto after = runDynamics(levels[0], body, settings, frames, Token(), workers);
     KARINUI_ASSERT(after);
     fate.drift = after->drift;
   }
@@ -127,7 +127,7 @@ TEST(Friction, ClothLaidOnABallStaysThere) {
   const auto report = settle(levels, ball, {}, Token(), workers);
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->settled) << text(report->why);
-  const auto after = runOn(levels.back(), ball, {}, 600, Token(), workers);
+  const auto after = runDynamics(levels.back(), ball, {}, 600, Token(), workers);
   ASSERT_TRUE(after);
   EXPECT_LT(after->drift, 0.003);  // a fold may still snap
   // It lies where it was put: askew by 3 cm, not slid back to the middle, nor off.
@@ -178,7 +178,7 @@ TEST(Friction, SkirtStaysOnTheWaist) {
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->settled) << text(report->why);
   EXPECT_LE(report->seamGap, 0.0005);
-  const auto after = runOn(levels.back(), *collider, {}, 150, token, workers);
+  const auto after = runDynamics(levels.back(), *collider, {}, 150, token, workers);
   ASSERT_TRUE(after);
   EXPECT_LT(after->drift, 0.001);
   const ClothLevel& finest = levels.back();

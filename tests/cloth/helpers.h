@@ -5,7 +5,7 @@
 #include <functional>
 #include <random>
 
-#include "karinui/cloth/settle.h"
+#include "karinui/cloth/pull.h"
 
 namespace karinui::test {
 
@@ -58,15 +58,15 @@ inline ClothState standingBy(const Cloth& cloth, const std::function<Vec3(std::s
 
 class NoBody : public Collider {
  public:
-  Contact contact(Vec3) const override { return {1e3, {0, 1, 0}}; }
+  Sample sample(Vec3) const override { return {1e3, {0, 1, 0}}; }
   double clearance(Vec3) const override { return 1e9; }
 };
 
 class PlaneBody : public Collider {
  public:
   PlaneBody(Vec3 unitNormal, double height) : normal_(unitNormal), height_(height) {}
-  Contact contact(Vec3 p) const override { return {dot(p, normal_) - height_, normal_}; }
-  double clearance(Vec3 p) const override { return contact(p).distance; }
+  Sample sample(Vec3 p) const override { return {dot(p, normal_) - height_, normal_}; }
+  double clearance(Vec3 p) const override { return sample(p).distance; }
 
  private:
   Vec3 normal_;
@@ -80,8 +80,8 @@ class CapsuleBody : public Collider {  // a ball is a capsule of no length
     double radius;
   };
   explicit CapsuleBody(std::vector<Capsule> capsules) : capsules_(std::move(capsules)) {}
-  Contact contact(Vec3 p) const override {
-    Contact nearest{1e9, {0, 1, 0}};
+  Sample sample(Vec3 p) const override {
+    Sample nearest{1e9, {0, 1, 0}};
     for (const Capsule& c : capsules_) {
       const Vec3 axis = c.b - c.a;
       const double l2 = squaredLength(axis);
@@ -92,7 +92,7 @@ class CapsuleBody : public Collider {  // a ball is a capsule of no length
     }
     return nearest;
   }
-  double clearance(Vec3 p) const override { return contact(p).distance; }
+  double clearance(Vec3 p) const override { return sample(p).distance; }
 
  private:
   std::vector<Capsule> capsules_;

@@ -114,7 +114,7 @@ TEST(LiveHand, GoesOnFromMoveToMoveWithTheSameBits) {
   const ClothCheck found = check(a->cloth(), {a->places()}, nullptr);
   EXPECT_EQ(found.clothClothCrossings, 0u);
   EXPECT_LE(found.seamGap, 1e-9);
-  for (const Vec3 p : a->places()) EXPECT_GT(body.contact(p).distance, -0.001);
+  for (const Vec3 p : a->places()) EXPECT_GT(body.sample(p).distance, -0.001);
 }
 
 TEST(LiveHand, RefusesWhatMakesNoSenseAndStopsWhenTold) {

@@ -12,12 +12,12 @@ TEST(MergedPlanes, ABoxIsSixPolygons) {
   EXPECT_EQ(planes.report().planesAfter, 6u);
   for (const auto& polygon : planes.polygons()) EXPECT_EQ(polygon.outline.size(), 32u);
   for (double height : {0.003, 0.0, -0.004}) {
-    const auto contact = planes.contact({0.02, 0.15 + height, -0.03});
+    const auto contact = planes.sample({0.02, 0.15 + height, -0.03});
     EXPECT_NEAR(contact.distance, height, 1e-12);
     EXPECT_NEAR(contact.normal.y, 1, 1e-12);
   }
   // Above the edge no polygon is met straight on.
-  const auto edge = planes.contact({0.1 + 0.003, 0.15 + 0.004, 0});
+  const auto edge = planes.sample({0.1 + 0.003, 0.15 + 0.004, 0});
   EXPECT_NEAR(edge.distance, 0.005, 1e-9);
   EXPECT_GT(planes.report().testsSaved, 4 * planes.report().testsDone);
 }
@@ -33,13 +33,13 @@ void expectNear(const BodyPtr& body, unsigned seed, double spread) {
     const Vec3 skin = mesh.points[random() % mesh.points.size()];
     const Vec3 place = skin + Vec3{side(random), side(random), side(random)} * spread;
     const double right = body->bvh().signedDistance(place);
-    const auto contact = planes.contact(place);
+    const auto contact = planes.sample(place);
     EXPECT_NEAR(contact.distance, right, 0.0025) << place.x << " " << place.y << " " << place.z;
     EXPECT_NEAR(length(contact.normal), 1, 1e-9);
-    EXPECT_TRUE(planes.mayTouch(place, std::fmax(0.0, contact.distance) + 1e-9))
+    EXPECT_TRUE(planes.mayBeWithin(place, std::fmax(0.0, contact.distance) + 1e-9))
         << contact.distance << " true " << right << " field " << body->field().distance(place) << " cell "
         << body->field().cell();
-    EXPECT_NEAR(planes.confirmed(place).distance, right, 1e-9);
+    EXPECT_NEAR(planes.exactSample(place).distance, right, 1e-9);
     ++asked;
   }
 }

@@ -157,12 +157,12 @@ TEST(Settle, NamesWhatWouldGiveWayWereItLive) {
     return Vec3{0.85 * p.u, p.v + (piece == 0 ? kRows * kCell : 0), 0.2 * p.u * (kColumns * kCell - p.u)};
   });
   std::vector<ClothLevel> levels{level};
-  ASSERT_TRUE(mustSettle(levels, NoBody()).stirred.empty()) << "all is live";
+  ASSERT_TRUE(mustSettle(levels, NoBody()).toActivate.empty()) << "all is live";
   ClothPiece &still = levels[0].cloth.pieces[0], &live = levels[0].cloth.pieces[1];
   still.live = false;
-  EXPECT_TRUE(mustSettle(levels, NoBody()).stirred.empty());
+  EXPECT_TRUE(mustSettle(levels, NoBody()).toActivate.empty());
   live.fabric.weight *= 20;
-  EXPECT_EQ(mustSettle(levels, NoBody()).stirred, std::vector{still.id});
+  EXPECT_EQ(mustSettle(levels, NoBody()).toActivate, std::vector{still.id});
 }
 
 TEST(Settle, ClothThatNothingHoldsIsSaidToFall) {

@@ -27,7 +27,7 @@ Ordeal through(std::vector<ClothLevel> levels, const Collider& body, const Settl
   }
   EXPECT_NEAR(so.found.seamGap, so.report.seamGap, 1e-9);
   double deepest = 0;
-  for (const Vec3 p : so.state.position) deepest = std::fmax(deepest, -body.contact(p).distance);
+  for (const Vec3 p : so.state.position) deepest = std::fmax(deepest, -body.sample(p).distance);
   EXPECT_LE(deepest, so.report.penetration + 1e-6) << "the report may not flatter";
   return so;
 }
@@ -172,7 +172,7 @@ TEST(Torture, StepsOfAnyLengthKeepTheCloth) {
     EXPECT_EQ(found.clothClothCrossings, 0u);
     EXPECT_LE(found.seamGap, 1e-9);
     for (std::size_t k = 0; k < state.position.size(); ++k) {
-      EXPECT_GT(body.contact(state.position[k]).distance, -0.001);
+      EXPECT_GT(body.sample(state.position[k]).distance, -0.001);
       EXPECT_LT(distance(state.position[k], before.state.position[k]), 0.05);
     }
   }
@@ -258,13 +258,13 @@ TEST(Torture, AHandThatJerksLeapsAndStammersTearsNothing) {
 class MadBody : public CapsuleBody {
  public:
   MadBody(double distance, Vec3 normal, int sane) : CapsuleBody(tunicBody()), mad_{distance, normal}, sane_(sane) {}
-  Contact contact(Vec3 p) const override { return ++asked_ > sane_ ? mad_ : CapsuleBody::contact(p); }
+  Sample sample(Vec3 p) const override { return ++asked_ > sane_ ? mad_ : CapsuleBody::sample(p); }
   double clearance(Vec3) const override { return -1; }
-  Contact confirmed(Vec3 p) const override { return CapsuleBody::contact(p); }
+  Sample exactSample(Vec3 p) const override { return CapsuleBody::sample(p); }
   int asked() const { return asked_; }
 
  private:
-  Contact mad_;
+  Sample mad_;
   int sane_;
   mutable int asked_ = 0;
 };

@@ -330,7 +330,7 @@ TEST(Session, WhatIsPulledAtComesToRestToo) {
     drapes.push_back(live);
     auto outcome = fallABit(d, drape.live);
     for (const auto& [id, piece] : d.pattern.pieces)
-      if (!live.contains(id)) outcome->report.stirred.push_back(id);
+      if (!live.contains(id)) outcome->report.toActivate.push_back(id);
     return outcome;
   };
   Session session(options);

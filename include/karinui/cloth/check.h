@@ -3,7 +3,7 @@
 // Pure; any thread, but one at work.
 #include "karinui/body/body.h"
 #include "karinui/cloth/cloth.h"
-#include "karinui/cloth/settle.h"
+#include "karinui/cloth/settle_report.h"
 
 namespace karinui {
 

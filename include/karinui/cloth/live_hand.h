@@ -1,7 +1,7 @@
 #pragma once
-// A hand on the cloth while it still moves (see pull in settle.h): the cloth is kept between the hand's moves, each a
+// A hand on the cloth while it still moves (see pull.h): the cloth is kept between the hand's moves, each a
 // step or a few, none to rest. Metres, seconds, newtons. One caller at a time.
-#include "karinui/cloth/settle.h"
+#include "karinui/cloth/pull.h"
 
 namespace karinui {
 

@@ -4,7 +4,8 @@
 // merging saved. Metres. Immutable once built (but for its count of tests); any thread may ask.
 #include <atomic>
 
-#include "karinui/cloth/settle.h"
+#include "karinui/cloth/collider.h"
+#include "karinui/cloth/settle_report.h"
 
 namespace karinui {
 
@@ -18,10 +19,10 @@ class MergedPlanes : public Collider {
   MergedPlanes(BodyPtr body, const Settings& settings);
   explicit MergedPlanes(BodyPtr body) : MergedPlanes(std::move(body), Settings{}) {}
 
-  Contact contact(Vec3 place) const override;
+  Sample sample(Vec3 place) const override;
   double clearance(Vec3 place) const override;
-  Contact confirmed(Vec3 place) const override;  // by the mesh itself, not by its planes
-  Vec3 passesThrough(const std::array<Vec3, 3>& face) const override;
+  Sample exactSample(Vec3 place) const override;  // by the mesh itself, not by its planes
+  Vec3 intersectionNormal(const std::array<Vec3, 3>& face) const override;
 
   struct Polygon {
     Vec3 centre, normal;                       // its plane, normal out of the body

@@ -14,7 +14,7 @@
 
 #include "karinui/body/body.h"
 #include "karinui/cloth/fabric.h"
-#include "karinui/cloth/settle.h"
+#include "karinui/cloth/settle_report.h"
 #include "karinui/pattern/piece.h"
 
 namespace karinui {

@@ -2,6 +2,7 @@
 // The bridge from a garment to the solver: a document's pattern is laid, put together as cloth where it stands, brought
 // to rest on the document's body, and the forms it leaves are read off. Long work: one context, one thread at a time.
 // A drape that did not settle is an outcome whose report says so, not an error.
+#include "karinui/cloth/cloth.h"
 #include "karinui/design/apply.h"
 
 namespace karinui {

@@ -1,4 +1,4 @@
-#include "karinui/cloth/run_on.h"
+#include "karinui/cloth/dynamics.h"
 
 #include <cmath>
 
@@ -15,8 +15,8 @@ Vec3 centreOf(const LevelSolver& solver) {
 
 }  // namespace
 
-Result<RunOn> runOn(const ClothLevel& level, const Collider& body, const SettleSettings& settings, int frames,
-                    const Token& token, Workers& workers) {
+Result<DynamicsReport> runDynamics(const ClothLevel& level, const Collider& body, const SettleSettings& settings,
+                                   int frames, const Token& token, Workers& workers) {
   if (const auto fine = checkLevel(level); !fine) return fine.error();
   if (const auto fine = checkSettings(settings); !fine) return fine.error();
   LevelSolver solver(level.cloth, level.state.position, body, settings,
@@ -27,7 +27,7 @@ Result<RunOn> runOn(const ClothLevel& level, const Collider& body, const SettleS
   stride.mostMove = 1e9;
   stride.gravity = settings.gravity;
   stride.stop = {40, 150, 0.02};
-  RunOn so;
+  DynamicsReport so;
   const Vec3 before = centreOf(solver);
   for (int frame = 0; frame < frames; ++frame) {
     const auto step = solver.step(stride, token);

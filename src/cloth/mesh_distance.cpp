@@ -1,13 +1,13 @@
-#include "cloth/true_distance.h"
+#include "cloth/mesh_distance.h"
 
 #include "cloth/crossing.h"
 
 namespace karinui {
 
-Collider::Contact trueContact(const Body& body, Vec3 place) {
+Collider::Sample meshSample(const Body& body, Vec3 place) {
   const DistanceField::Sample sample = body.field().sample(place);
   const double steep = length(sample.gradient);
-  const Collider::Contact rough{sample.distance, steep > 1e-9 ? sample.gradient * (1 / steep) : Vec3{0, 1, 0}};
+  const Collider::Sample rough{sample.distance, steep > 1e-9 ? sample.gradient * (1 / steep) : Vec3{0, 1, 0}};
   if (rough.distance > 3 * body.field().cell()) return rough;
   const auto near = body.bvh().nearest(place);
   if (!near) return rough;
@@ -19,7 +19,7 @@ Collider::Contact trueContact(const Body& body, Vec3 place) {
   return {distance, length(normal) > 0 ? normal : rough.normal};
 }
 
-Vec3 truePassage(const Body& body, const std::array<Vec3, 3>& face) {
+Vec3 meshIntersectionNormal(const Body& body, const std::array<Vec3, 3>& face) {
   const Vec3 middle = (face[0] + face[1] + face[2]) * (1.0 / 3);
   double reach = 0;
   for (Vec3 p : face) reach = std::fmax(reach, distance(p, middle));

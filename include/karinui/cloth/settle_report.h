@@ -1,0 +1,44 @@
+#pragma once
+// What a drape tells of its outcome. Plain values; any thread. Metres, newtons, seconds.
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "karinui/base/id.h"
+#include "karinui/base/message.h"
+
+namespace karinui {
+
+struct StrainReport {
+  double mean = 0, p99 = 0, max = 0;  // |l/L - 1| over warp and weft edges of the lattice
+};
+
+struct MergeReport {  // of the merged planes
+  std::size_t facesBefore = 0, planesAfter = 0;
+  std::size_t testsDone = 0, testsSaved = 0;  // segment-against-polygon tests so far
+};
+
+struct ContactTime {
+  std::string name;  // of a kind of contact
+  double seconds = 0;
+};
+
+struct SettleReport {
+  bool settled = false;
+  Message why;             // why not, or what made it stop
+  double residual = 0;     // rms unbalanced force / node weight
+  double step = 0;         // largest predicted move left, metres
+  double penetration = 0;  // deepest below the collider's surface, metres
+  double seamGap = 0;      // widest, metres
+  StrainReport strain;
+  // Pieces that were not live and should be: the force of what they are sewn to has changed by so much that they would
+  // move. Told once, not kept with a document.
+  std::vector<PieceId> toActivate;
+  std::size_t steps = 0, solves = 0;      // `solves`: iterations of the linear solver
+  std::optional<MergeReport> merged;      // where the merged planes were the collider; filled by who made it
+  std::vector<ContactTime> contactTimes;  // wall time by kind of contact; told once, not kept with a document
+  double cpuSeconds = 0, wallSeconds = 0, peakMegabytes = 0;
+};
+
+}  // namespace karinui
