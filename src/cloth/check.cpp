@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "cloth/crossing.h"
+#include "cloth/triangle_intersection.h"
 
 namespace karinui {
 namespace {
@@ -24,7 +24,7 @@ struct Sheet {  // the whole cloth as one mesh
 Sheet sheetOf(const Cloth& cloth, const ClothState& state) {
   Sheet sheet;
   sheet.mesh.points = state.position;
-  for (Vec3 p : state.position) sheet.nano.push_back(karinui::nano(p));
+  for (Vec3 p : state.position) sheet.nano.push_back(karinui::toNano(p));
   for (const ClothPiece& piece : cloth.pieces)
     for (const Triangle& f : piece.lattice->faces)
       sheet.mesh.faces.push_back({piece.firstNode + f[0], piece.firstNode + f[1], piece.firstNode + f[2]});
@@ -65,12 +65,12 @@ double penetrationOf(const Sheet& sheet, const Bvh& body) {
 std::size_t crossingsWith(const Sheet& sheet, const Body& body) {
   const TriangleMesh& mesh = body.mesh();
   std::vector<NanoPoint> nano;
-  for (Vec3 p : mesh.points) nano.push_back(karinui::nano(p));
+  for (Vec3 p : mesh.points) nano.push_back(karinui::toNano(p));
   std::size_t crossings = 0;
   for (std::uint32_t f = 0; f < sheet.mesh.faces.size(); ++f)
     body.bvh().touching(boxOfFace(sheet.mesh, sheet.mesh.faces[f]), [&](std::uint32_t g) {
       const Triangle& other = mesh.faces[g];
-      if (trianglesCross(sheet.corners(f), {nano[other[0]], nano[other[1]], nano[other[2]]})) ++crossings;
+      if (trianglesIntersect(sheet.corners(f), {nano[other[0]], nano[other[1]], nano[other[2]]})) ++crossings;
     });
   return crossings;
 }
@@ -84,7 +84,7 @@ std::size_t crossingsWithin(const Sheet& sheet) {
       for (std::uint32_t a : sheet.mesh.faces[f])
         for (std::uint32_t b : sheet.mesh.faces[g])
           if (sheet.group[a] == sheet.group[b]) return;
-      if (trianglesCross(sheet.corners(f), sheet.corners(g))) ++crossings;
+      if (trianglesIntersect(sheet.corners(f), sheet.corners(g))) ++crossings;
     });
   return crossings;
 }

@@ -15,11 +15,11 @@ Vec3 centreOf(const LevelSolver& solver) {
 
 }  // namespace
 
-Result<DynamicsReport> runDynamics(const ClothLevel& level, const Collider& body, const SettleSettings& settings,
-                                   int frames, const Token& token, Workers& workers) {
+Result<DynamicsReport> runDynamics(const ClothLevel& level, const ColliderList& colliders,
+                                   const SettleSettings& settings, int frames, const Token& token, Workers& workers) {
   if (const auto fine = checkLevel(level); !fine) return fine.error();
   if (const auto fine = checkSettings(settings); !fine) return fine.error();
-  LevelSolver solver(level.cloth, level.state.position, body, settings,
+  LevelSolver solver(level.cloth, level.state.position, colliders, settings,
                      settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers);
   solver.tieWithin(level.cloth.spacing);
   LevelSolver::Stride stride;

@@ -70,13 +70,24 @@ Error tornApart() {
   return refused(say("The drape could not be computed: the cloth stands too torn apart. Place the pieces again."));
 }
 
+void addContactTimes(SettleReport& report, const LevelSolver& solver) {
+  for (const ContactTime& time : solver.contactTimes()) {
+    const auto at = std::find_if(report.contactTimes.begin(), report.contactTimes.end(),
+                                 [&](const ContactTime& known) { return known.name == time.name; });
+    if (at == report.contactTimes.end())
+      report.contactTimes.push_back(time);
+    else
+      at->seconds += time.seconds;
+  }
+}
+
 RestRule finestRule(const SettleSettings& settings) {
   return {settings.stopMove, settings.stopResidual, settings.stopMove * 10 / 3, 8, settings.maxSteps};
 }
 
-std::vector<Vec3> finish(LevelSolver& solver, const Collider& body, const SettleSettings& settings,
+std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, const SettleSettings& settings,
                          const RestOutcome& end, SettleReport& report, Workers& workers) {
-  liftOff(solver, body, std::min(0.0003, 0.3 * settings.skin), workers);
+  liftOff(solver, colliders, std::min(0.0003, 0.3 * settings.skin), workers);
   const std::vector<Vec3> x = solver.places();
   const std::size_t crossings = solver.crossings();
   report.settled = end.settled && crossings == 0;
@@ -86,7 +97,7 @@ std::vector<Vec3> finish(LevelSolver& solver, const Collider& body, const Settle
   report.why = whyOf(end, solver, report.seamGap);
   if (crossings > 0)
     report.why = say("Cloth stands through cloth at {0} places; give it more room, or fewer folds.", crossings);
-  report.penetration = deepest(solver.cloth(), body, x, workers);
+  report.penetration = deepest(solver.cloth(), colliders, x, workers);
   report.strain = strainOf(solver.cloth(), x);
   return x;
 }

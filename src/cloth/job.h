@@ -21,9 +21,11 @@ Done checkLevel(const ClothLevel& level);
 Done checkSettings(const SettleSettings& settings);
 Error tornApart();
 
+void addContactTimes(SettleReport& report, const LevelSolver& solver);
+
 RestRule finestRule(const SettleSettings& settings);
 // Lifts the resting cloth off the surface and fills the report from where it then stands.
-std::vector<Vec3> finish(LevelSolver& solver, const Collider& body, const SettleSettings& settings,
+std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, const SettleSettings& settings,
                          const RestOutcome& end, SettleReport& report, Workers& workers);
 
 }  // namespace karinui

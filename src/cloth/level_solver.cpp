@@ -1,20 +1,19 @@
 #include "cloth/level_solver.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "cloth/bending.h"
+#include "cloth/collider_face_contact.h"
 #include "cloth/lattice_shares.h"
 
 namespace karinui {
 namespace {
 
 constexpr std::size_t kBlock = 256;  // nodes a worker takes at once
-constexpr double kApart = 20;        // N per metre of cloth that stands crossed
-constexpr double kApartMove = 0.1;   // spacings it goes apart in a step when nothing holds it
 constexpr double kSlackReach = 0.3;  // of a step's largest move: what two ends of a spring move apart
 constexpr double kLeastReach = 1e-7, kMostReach = 0.05;  // metres, spacings
-constexpr int kPatience = 60;                            // steps without fewer crossings before it is left as it is
 constexpr double kTurnsBack = 5e-6;                      // metres a node moves that is said to turn back,
 constexpr double kSlower = 3;                            // so many times slower each time it does,
 constexpr double kQuicker = 0.7;                         // quicker again each time it does not,
@@ -24,7 +23,7 @@ struct Moving {
   std::vector<NodeIndex> nodes;
   std::vector<std::uint8_t> held;  // per cloth node
   std::vector<double> mass, area;
-  std::vector<BodyContact::Node> contact;
+  std::vector<ColliderContact::Node> contact;  // with the fabrics' own friction
 };
 
 Moving movingOf(const Cloth& cloth) {
@@ -62,8 +61,8 @@ double skinOffset(const SettleSettings& settings, double spacing, double finest)
 
 double clothRadius(double spacing, double finest) { return spacing > 1.25 * finest ? 0.2 * spacing : 0.002; }
 
-LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider& body, const SettleSettings& settings,
-                         double clothRadius, Workers& workers)
+LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const ColliderList& colliders,
+                         const SettleSettings& settings, double clothRadius, Workers& workers)
     : cloth_(cloth),
       workers_(workers),
       x_(std::move(x)),
@@ -71,15 +70,11 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
       gradient_(cloth.nodeCount),
       tied_(cloth.ties.size(), 0),
       plan_(cloth),
-      stretch_(cloth, plan_),
-      contact_(body, movingOf(cloth).contact, settings.skin),
-      faces_(cloth, body, settings.skin),
-      self_(cloth, clothRadius) {
+      stretch_(cloth, plan_) {
   Moving moving = movingOf(cloth);
   mass_ = std::move(moving.mass);
   held_ = std::move(moving.held);
   moving_ = std::move(moving.nodes);
-  contact_.cover(cloth.nodeCount);
   slowing_.assign(cloth.nodeCount, 0);
   double total = 0;
   for (NodeIndex k : moving_) total += mass_[k];
@@ -107,14 +102,62 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
     const Tie& tie = cloth.ties[t];
     if (held_[tie.a] && held_[tie.b] && (tie.c == kNoNode || held_[tie.c])) tied_[t] = 1;
   }
+  const auto addContact = [&](auto contact) {
+    auto* raw = contact.get();
+    contacts_.push_back(std::move(contact));
+    return raw;
+  };
+  // The last one to limit a move is obeyed: that is the first of the list.
+  for (std::size_t k = colliders.entries().size(); k-- > 0;) {
+    const ColliderList::Entry& entry = colliders.entries()[k];
+    std::vector<ColliderContact::Node> nodes = moving.contact;
+    if (entry.friction)
+      for (ColliderContact::Node& node : nodes) node.friction = *entry.friction;
+    colliders_.push_back(addContact(
+        std::make_unique<ColliderContact>(*entry.collider, std::move(nodes), cloth.nodeCount, settings.skin)));
+    addContact(std::make_unique<ColliderFaceContact>(cloth, *entry.collider, settings.skin));
+  }
+  self_ = addContact(std::make_unique<SelfContact>(cloth, clothRadius));
+  seams_ = addContact(std::make_unique<SeamClosing>(cloth, tied_, colliders_));
+  intersections_ = addContact(std::make_unique<IntersectionRemoval>(cloth, moving_, *self_));
+  hand_ = addContact(std::make_unique<HandContact>());
+  contactSeconds_.assign(contacts_.size(), 0);
   rebuild();
+}
+
+template <class Use>
+void LevelSolver::eachContact(const Use& use) {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const auto start = std::chrono::steady_clock::now();
+    use(*contacts_[k]);
+    contactSeconds_[k] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+}
+
+std::vector<ContactTime> LevelSolver::contactTimes() const {
+  std::vector<ContactTime> times;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const auto at = std::find_if(times.begin(), times.end(),
+                                 [&](const ContactTime& time) { return time.name == contacts_[k]->name(); });
+    if (at == times.end())
+      times.push_back({contacts_[k]->name(), contactSeconds_[k]});
+    else
+      at->seconds += contactSeconds_[k];
+  }
+  return times;
+}
+
+std::size_t LevelSolver::touching() const {
+  std::size_t nodes = 0;
+  for (const ColliderContact* contact : colliders_) nodes += contact->touching();
+  return nodes;
 }
 
 void LevelSolver::rebuild() {
   ties_ = std::make_unique<TieMap>(cloth_, held_, tied_);
   ties_->gather(x_);
   system_->setTies(*ties_);
-  self_.setTies(*ties_);
+  for (const auto& contact : contacts_) contact->setTies(*ties_);
   open_ = static_cast<std::size_t>(std::count(tied_.begin(), tied_.end(), 0));
 }
 
@@ -126,7 +169,7 @@ void LevelSolver::place(std::vector<Vec3> x) {
 
 void LevelSolver::moveGuarded(std::vector<Vec3> moves) {
   ties_->share(moves);
-  self_.guard(x_, moves, workers_);
+  self_->limitMove(x_, moves, workers_);
   for (NodeIndex k = 0; k < cloth_.nodeCount; ++k) x_[k] += moves[k];
   ties_->gather(x_);
   stop();
@@ -147,8 +190,7 @@ void LevelSolver::calmDown(const Stride& stride) {
 void LevelSolver::stop() {
   std::fill(velocity_.begin(), velocity_.end(), Vec3{});
   std::fill(slowing_.begin(), slowing_.end(), 0.0);
-  contact_.forgetAnchors();
-  self_.forgetAnchors();
+  for (const auto& contact : contacts_) contact->reset();
 }
 
 void LevelSolver::tieWithin(double gap) {
@@ -172,74 +214,18 @@ void LevelSolver::tieWithin(double gap) {
   ties_->spread(p, velocity_);
 }
 
-bool LevelSolver::untangle() {
-  if (!self_.meets()) return false;
-  takingApart_ = true;
-  noBetter_ = 0;
-  leastCrossings_ = static_cast<std::size_t>(-1);
-  followTangle();
-  return takingApart_;
-}
+bool LevelSolver::untangle() { return intersections_->start(x_, workers_); }
 
-std::size_t LevelSolver::crossings() {
-  if (!self_.meets()) return 0;
-  lookForCrossings();
-  return tangle_->crossings();
-}
-
-void LevelSolver::lookForCrossings() {
-  if (!tangle_) tangle_ = std::make_unique<Tangle>(cloth_);
-  tangle_->find(x_, workers_);
-}
-
-void LevelSolver::followTangle() {
-  if (!takingApart_) return;
-  lookForCrossings();
-  if (tangle_->crossings() < leastCrossings_) {
-    leastCrossings_ = tangle_->crossings();
-    noBetter_ = 0;
-  } else {
-    ++noBetter_;
-  }
-  self_.leaveOut(tangle_->crossings() > 0 ? tangle_->near() : std::vector<std::uint8_t>{});
-  if (tangle_->crossings() == 0 || noBetter_ > kPatience) takingApart_ = false;  // what is left stays left out
-}
-
-void LevelSolver::pushApart(std::vector<std::pair<NodeIndex, double>>& stiff) {
-  if (!takingApart_) return;
-  const double force = kApart * cloth_.spacing;
-  for (NodeIndex k : moving_)
-    if (const Vec3 way = tangle_->way()[k]; squaredLength(way) > 0) {
-      gradient_[k] -= way * force;
-      stiff.emplace_back(k, force / (kApartMove * cloth_.spacing));
-    }
-}
+std::size_t LevelSolver::crossings() { return intersections_->count(x_, workers_); }
 
 void LevelSolver::assemble(const Stride& stride, bool sliding) {
   std::fill(gradient_.begin(), gradient_.end(), Vec3{});
   stretch_.evaluate(x_, gradient_, system_->panels(), workers_);
   for (const auto& energy : energies_) energy->addGradient(x_, gradient_, workers_);
   for (NodeIndex k : moving_) gradient_[k] -= stride.gravity * mass_[k];
-  contact_.find(x_, stride.friction, workers_, sliding);
-  contact_.addGradient(gradient_);
-  faces_.find(x_, workers_);
-  faces_.addGradient(gradient_);
-  std::vector<Coupling> couplings;
-  self_.find(x_, workers_, sliding);
-  self_.addGradient(gradient_);
-  self_.addCouplings(*ties_, couplings);
-  if (open_ > 0) {
-    const auto pulls = closingPulls(cloth_, tied_, x_, contact_, stride.closing);
-    karinui::addGradient(pulls, gradient_);
-    karinui::addCouplings(pulls, *ties_, couplings);
-  }
-  std::vector<std::pair<NodeIndex, double>> stiff;
-  pushApart(stiff);
-  if (hand_)
-    for (std::size_t k = 0; k < hand_->nodes.size(); ++k) {
-      const NodeIndex node = hand_->nodes[k];
-      gradient_[node] += (x_[node] - hand_->middle - hand_->offset[k]) * hand_->stiffness;
-    }
+  seams_->setStrength(stride.closing);
+  eachContact([&](Contact& contact) { contact.detect({x_, stride.friction, sliding}, workers_); });
+  eachContact([&](Contact& contact) { contact.addGradient(gradient_); });
 
   std::size_t at = 0;
   for (const BlockEnergy* energy : blockEnergies_) {
@@ -248,22 +234,10 @@ void LevelSolver::assemble(const Stride& stride, bool sliding) {
   }
   system_->gather(blocks_, workers_);
   const double inertia = 1 / (stride.seconds * stride.seconds);
-  const auto addIsotropic = [&](NodeIndex node, double value) {
-    double whole = 0;
-    for (const TieMap::Part& part : ties_->parts(node)) whole += std::fabs(part.weight);
-    for (const TieMap::Part& part : ties_->parts(node)) {
-      Block3 block{};
-      block[0] = block[4] = block[8] = static_cast<float>(value * whole * std::fabs(part.weight));
-      system_->addDiagonal(part.unknown, block);
-    }
-  };
-  for (NodeIndex k : moving_) addIsotropic(k, mass_[k] * inertia + (stride.calm ? slowing_[k] : 0));
-  for (const auto& [node, value] : stiff) addIsotropic(node, value);
-  if (hand_)
-    for (NodeIndex node : hand_->nodes) addIsotropic(node, hand_->stiffness);
-  contact_.addBlocks(*ties_, *system_);
-  faces_.addBlocks(*ties_, *system_);
-  system_->setCouplings(std::move(couplings));
+  ContactHessian hessian(*ties_, *system_);
+  for (NodeIndex k : moving_) hessian.addIsotropic(k, mass_[k] * inertia + (stride.calm ? slowing_[k] : 0));
+  eachContact([&](Contact& contact) { contact.addHessian(hessian); });
+  hessian.finish();
 }
 
 bool LevelSolver::sound() const {
@@ -287,8 +261,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   ties_->reduce(nodeForce, force_);
   outcome.residual = residual();
   for (NodeIndex k : moving_) nodeForce[k] += velocity_[k] * (mass_[k] * stride.keep / stride.seconds);
-  contact_.addExpectedSlip(nodeForce);
-  self_.addExpectedSlip(nodeForce);
+  eachContact([&](Contact& contact) { contact.addSlipForce(nodeForce); });
   ties_->reduce(nodeForce, force_);
   outcome.iterations = system_->solve(force_, stride.stop, token, workers_, move_);
   ties_->spread(move_, nodeMove_);
@@ -303,13 +276,9 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   if (!outcome.finite || token.cancelled()) return outcome;
   const double scale = most > stride.mostMove ? stride.mostMove / most : 1;
   outcome.shortened = scale < 1;
-  workers_.forBlocks(moving_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const NodeIndex k = moving_[n];
-      nodeMove_[k] = contact_.limited(x_[k], nodeMove_[k] * scale);
-    }
-  });
-  self_.guard(x_, nodeMove_, workers_);
+  if (outcome.shortened)
+    for (NodeIndex k : moving_) nodeMove_[k] = nodeMove_[k] * scale;
+  eachContact([&](Contact& contact) { contact.limitMove(x_, nodeMove_, workers_); });
   calmDown(stride);
   struct Way {
     double now = 0, before = 0, both = 0, most = 0;
@@ -341,11 +310,7 @@ LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token)
   if (simcloth_) simcloth_->setReach(std::clamp(kSlackReach * outcome.move, kLeastReach, kMostReach * cloth_.spacing));
   outcome.along = whole.now > 0 && whole.before > 0 ? whole.both / std::sqrt(whole.now * whole.before) : 0;
   if (!cloth_.ties.empty()) ties_->gather(x_);
-  if (stride.friction) {
-    contact_.moveAnchors(x_, workers_);
-    self_.moveAnchors(x_);
-  }
-  followTangle();
+  eachContact([&](Contact& contact) { contact.afterStep(x_, stride.friction, workers_); });
   return outcome;
 }
 
@@ -388,9 +353,10 @@ std::vector<Vec3> LevelSolver::answerTo(const std::vector<Vec3>& force, const St
 }
 
 Vec3 LevelSolver::handForce() const {
-  if (!hand_) return {};
+  const std::optional<Hand>& hand = hand_->hand();
+  if (!hand) return {};
   std::vector<std::uint8_t> patch(cloth_.nodeCount, 0);
-  for (NodeIndex node : hand_->nodes) patch[node] = 1;
+  for (NodeIndex node : hand->nodes) patch[node] = 1;
   Vec3 force = membrane_->tensionAt(x_, patch);
   for (const Springs* springs : springs_) force += springs->tensionAt(x_, patch);
   return force;

@@ -6,24 +6,26 @@
 #include <vector>
 
 #include "cloth/block_system.h"
-#include "cloth/body_contact.h"
-#include "cloth/closing.h"
-#include "cloth/face_contact.h"
+#include "cloth/collider_contact.h"
+#include "cloth/hand_contact.h"
+#include "cloth/intersection_removal.h"
 #include "cloth/membrane.h"
 #include "cloth/panel_stretch.h"
+#include "cloth/seam_closing.h"
 #include "cloth/self_contact.h"
 #include "cloth/springs.h"
-#include "cloth/tangle.h"
 #include "karinui/cloth/settle.h"
 
 namespace karinui {
 
 class LevelSolver {
  public:
-  // The cloth and the collider must outlive this. `x`: where the cloth stands.
+  // The cloth and the colliders must outlive this. `x`: where the cloth stands.
   // `clothRadius`: how near cloth comes to cloth, metres.
-  LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider& body, const SettleSettings& settings,
+  LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const ColliderList& colliders, const SettleSettings& settings,
               double clothRadius, Workers& workers);
+  LevelSolver(const LevelSolver&) = delete;  // its contacts refer to it
+  LevelSolver& operator=(const LevelSolver&) = delete;
 
   struct Stride {
     double seconds = 1.0 / 60, keep = 1;  // of the velocity
@@ -57,34 +59,24 @@ class LevelSolver {
   bool allTied() const { return open_ == 0; }
   void tieWithin(double gap);  // ties every open pair nearer than this
   // Whether cloth meets cloth; it does at first.
-  void meetCloth(bool on) { self_.meet(on); }
+  void meetCloth(bool on) { self_->enable(on); }
   // Looks whether the cloth stands crossed, and if so takes it apart in the steps that follow, as long as that helps;
   // whether there is something to take apart.
   bool untangle();
-  std::size_t crossings();  // of an edge with a face, as it stands
-  void stop();              // forget velocity and anchors
-  double anchorMove() const { return contact_.anchorMove(); }
-  std::size_t selfPairs() const { return self_.pairs(); }
-  std::size_t touching() const { return contact_.touching(); }
-  std::size_t unknowns() const { return ties_->unknowns(); }
+  std::size_t crossings();       // of an edge with a face, as it stands
+  void stop();                   // forget velocity and anchors
+  std::size_t touching() const;  // nodes in contact with a collider
   const std::vector<NodeIndex>& moving() const { return moving_; }
 
-  // A hand that holds nodes: springs that draw them to places. Returned force is what it takes beyond natural length.
-  struct Hand {
-    std::vector<NodeIndex> nodes;
-    std::vector<Vec3> offset;  // of each from the middle
-    Vec3 middle;
-    double stiffness = 0;  // N/m, per node
-  };
-  void setHand(std::optional<Hand> hand) { hand_ = std::move(hand); }
+  void setHand(std::optional<Hand> hand) { hand_->set(std::move(hand)); }
   Vec3 handForce() const;  // newtons the hand feels: what threads stretched beyond their length pull with
+  std::vector<ContactTime> contactTimes() const;  // so far; contacts of one name together
 
  private:
-  bool sound() const;                                                // whether every place is a number
-  void assemble(const Stride& stride, bool sliding = false);         // forces and system at x_
-  void pushApart(std::vector<std::pair<NodeIndex, double>>& stiff);  // what crosses; adds to the gradient
-  void lookForCrossings();
-  void followTangle();                  // after a step
+  bool sound() const;                                         // whether every place is a number
+  void assemble(const Stride& stride, bool sliding = false);  // forces and system at x_
+  template <class Use>
+  void eachContact(const Use& use);     // in order, with its time taken
   double residual() const;              // rms of force_, in node weights
   void calmDown(const Stride& stride);  // after a step, before velocities change
   void rebuild();                       // after ties changed
@@ -106,14 +98,13 @@ class LevelSolver {
   std::vector<Block3> blocks_;
   std::unique_ptr<TieMap> ties_;
   std::unique_ptr<BlockSystem> system_;
-  BodyContact contact_;
-  FaceContact faces_;
-  SelfContact self_;
-  std::unique_ptr<Tangle> tangle_;  // once it was asked about
-  bool takingApart_ = false;        // what stands crossed
-  std::size_t leastCrossings_ = 0;
-  int noBetter_ = 0;  // steps without fewer crossings
-  std::optional<Hand> hand_;
+  std::vector<std::unique_ptr<Contact>> contacts_;  // in the order they are asked; those below are of them
+  std::vector<double> contactSeconds_;              // of each
+  std::vector<const ColliderContact*> colliders_;
+  SelfContact* self_ = nullptr;
+  SeamClosing* seams_ = nullptr;
+  IntersectionRemoval* intersections_ = nullptr;
+  HandContact* hand_ = nullptr;
   double nodeWeight_ = 0;
   std::vector<double> slowing_;  // N/m per node: a step's way costs so much, wherever it leads
   std::vector<Vec3> force_, move_, nodeMove_;

@@ -31,36 +31,44 @@ std::vector<Triangle> liveFaces(const Cloth& cloth) {
 using Corners = std::array<Vec3, 3>;
 
 // What a face asks of its corners. `nudge`: how far a face goes that the body passes through between these places.
-Corners liftOf(const Corners& x, const Collider& body, double clearance, double nudge) {
+Corners liftOf(const Corners& x, const ColliderList& colliders, double clearance, double nudge) {
   Corners lift{};
   bool any = false;
   const auto ask = [&](Vec3 place, const double(&weight)[3]) {
-    if (!body.mayBeWithin(place, clearance)) return;
-    const Collider::Sample contact = body.exactSample(place);
-    if (contact.distance >= kEnough * clearance) return;
-    any = true;
-    const Vec3 asked = contact.normal * (clearance - contact.distance);
-    for (int c = 0; c < 3; ++c)
-      if (weight[c] > 0 && squaredLength(asked) > squaredLength(lift[c])) lift[c] = asked;
+    for (const ColliderList::Entry& entry : colliders) {
+      if (!entry.collider->mayBeWithin(place, clearance)) continue;
+      const Collider::Sample sample = entry.collider->exactSample(place);
+      if (sample.distance >= kEnough * clearance) continue;
+      any = true;
+      const Vec3 asked = sample.normal * (clearance - sample.distance);
+      for (int c = 0; c < 3; ++c)
+        if (weight[c] > 0 && squaredLength(asked) > squaredLength(lift[c])) lift[c] = asked;
+    }
   };
   ask(x[0], {1, 0, 0});
   ask(x[1], {0, 1, 0});
   ask(x[2], {0, 0, 1});
   for (const auto& w : kSamples) ask(x[0] * w[0] + x[1] * w[1] + x[2] * w[2], w);
   if (any) return lift;
-  if (const Vec3 out = body.intersectionNormal(x); squaredLength(out) > 0) lift.fill(out * nudge);
+  for (const ColliderList::Entry& entry : colliders)
+    if (const Vec3 out = entry.collider->intersectionNormal(x); squaredLength(out) > 0) {
+      lift.fill(out * nudge);
+      break;
+    }
   return lift;
 }
 
 }  // namespace
 
-double deepest(const Cloth& cloth, const Collider& body, std::span<const Vec3> x, Workers& workers) {
+double deepest(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x, Workers& workers) {
   const std::vector<Triangle> faces = liveFaces(cloth);
   std::vector<double> worst((faces.size() + kBlock - 1) / kBlock, 0);
   workers.forBlocks(faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     double most = 0;
     const auto ask = [&](Vec3 place) {
-      if (body.mayBeWithin(place, 0.001)) most = std::fmax(most, -body.exactSample(place).distance);
+      for (const ColliderList::Entry& entry : colliders)
+        if (entry.collider->mayBeWithin(place, 0.001))
+          most = std::fmax(most, -entry.collider->exactSample(place).distance);
     };
     for (std::size_t f = begin; f < end; ++f) {
       const Vec3 a = x[faces[f][0]], b = x[faces[f][1]], c = x[faces[f][2]];
@@ -76,7 +84,7 @@ double deepest(const Cloth& cloth, const Collider& body, std::span<const Vec3> x
   return most;
 }
 
-void liftOff(LevelSolver& solver, const Collider& body, double clearance, Workers& workers) {
+void liftOff(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers) {
   const Cloth& cloth = solver.cloth();
   const std::vector<Triangle> faces = liveFaces(cloth);
   std::vector<std::uint32_t> asked(faces.size());  // the faces that are looked at
@@ -89,7 +97,7 @@ void liftOff(LevelSolver& solver, const Collider& body, double clearance, Worker
     workers.forBlocks(asked.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const Triangle& face = faces[asked[k]];
-        lift[k] = liftOf({before[face[0]], before[face[1]], before[face[2]]}, body, clearance, nudge[asked[k]]);
+        lift[k] = liftOf({before[face[0]], before[face[1]], before[face[2]]}, colliders, clearance, nudge[asked[k]]);
       }
     });
     // A node goes by the largest lift asked of it: the sum of many would fling it.

@@ -6,8 +6,8 @@ namespace karinui {
 
 // Lifts what stands less than `clearance` (metres) above the true surface, places within faces included, and every face
 // that a point or side of the body passes through, as far as cloth does not pass through cloth.
-void liftOff(LevelSolver& solver, const Collider& body, double clearance, Workers& workers);
+void liftOff(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers);
 // The deepest the cloth of live pieces stands below the true surface (>= 0), metres.
-double deepest(const Cloth& cloth, const Collider& body, std::span<const Vec3> x, Workers& workers);
+double deepest(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x, Workers& workers);
 
 }  // namespace karinui

@@ -1,6 +1,6 @@
 #include "cloth/mesh_distance.h"
 
-#include "cloth/crossing.h"
+#include "cloth/triangle_intersection.h"
 
 namespace karinui {
 
@@ -26,12 +26,12 @@ Vec3 meshIntersectionNormal(const Body& body, const std::array<Vec3, 3>& face) {
   if (body.field().distance(middle) > reach + body.field().cell()) return {};
   Box box;
   for (Vec3 p : face) box.include(p);
-  const std::array<NanoPoint, 3> corners{nano(face[0]), nano(face[1]), nano(face[2])};
+  const std::array<NanoPoint, 3> corners{toNano(face[0]), toNano(face[1]), toNano(face[2])};
   const TriangleMesh& mesh = body.mesh();
   Vec3 out;
   body.bvh().touching(box, [&](std::uint32_t g) {
     const Triangle& t = mesh.faces[g];
-    if (trianglesCross(corners, {nano(mesh.points[t[0]]), nano(mesh.points[t[1]]), nano(mesh.points[t[2]])}))
+    if (trianglesIntersect(corners, {toNano(mesh.points[t[0]]), toNano(mesh.points[t[1]]), toNano(mesh.points[t[2]])}))
       out += faceNormal(mesh, g);
   });
   return squaredLength(out) > 0 ? normalized(out) : out;

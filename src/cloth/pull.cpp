@@ -118,7 +118,7 @@ class PullingHand {
     return sum * (1.0 / static_cast<double>(hand_.nodes.size()));
   }
   LevelSolver& solver_;
-  LevelSolver::Hand hand_;
+  Hand hand_;
 };
 
 LevelSolver::Stride strideOf(const Cloth& cloth, const SettleSettings& settings) {
@@ -134,9 +134,10 @@ LevelSolver::Stride strideOf(const Cloth& cloth, const SettleSettings& settings)
 }  // namespace
 
 struct LiveHand::Inside {
-  Inside(ClothLevel from, const Collider& body, const Grip& grip, const SettleSettings& settings, Workers& workers)
+  Inside(ClothLevel from, const ColliderList& colliders, const Grip& grip, const SettleSettings& settings,
+         Workers& workers)
       : level(std::move(from)),
-        solver(level.cloth, level.state.position, body, settings,
+        solver(level.cloth, level.state.position, colliders, settings,
                settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers),
         hand((solver.tieWithin(level.cloth.spacing), solver), patchOf(grip, level.cloth, solver.places())),
         stride(strideOf(level.cloth, settings)),
@@ -152,13 +153,13 @@ LiveHand::LiveHand() = default;
 LiveHand::LiveHand(LiveHand&&) noexcept = default;
 LiveHand::~LiveHand() = default;
 
-Result<LiveHand> LiveHand::take(ClothLevel level, const Collider& body, const Grip& grip,
+Result<LiveHand> LiveHand::take(ClothLevel level, const ColliderList& colliders, const Grip& grip,
                                 const SettleSettings& settings, Workers& workers) {
   if (const auto fine = checkLevel(level); !fine) return fine.error();
   if (const auto fine = checkSettings(settings); !fine) return fine.error();
   if (const auto fine = checkGrip(grip, level.cloth); !fine) return fine.error();
   LiveHand hand;
-  hand.inside_ = std::make_unique<Inside>(std::move(level), body, grip, settings, workers);
+  hand.inside_ = std::make_unique<Inside>(std::move(level), colliders, grip, settings, workers);
   return hand;
 }
 
@@ -181,14 +182,14 @@ Result<Vec3> LiveHand::to(Vec3 place, const Token& token) {
 const Cloth& LiveHand::cloth() const { return inside_->level.cloth; }
 const std::vector<Vec3>& LiveHand::places() const { return inside_->solver.places(); }
 
-Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& grip, const SettleSettings& settings,
-                        const Token& token, Workers& workers) {
+Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const Grip& grip,
+                        const SettleSettings& settings, const Token& token, Workers& workers) {
   const Spent spent;
   if (const auto fine = checkLevel(level); !fine) return fine.error();
   if (const auto fine = checkSettings(settings); !fine) return fine.error();
   if (const auto fine = checkGrip(grip, level.cloth); !fine) return fine.error();
 
-  LevelSolver solver(level.cloth, level.state.position, body, settings,
+  LevelSolver solver(level.cloth, level.state.position, colliders, settings,
                      settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers);
   solver.tieWithin(level.cloth.spacing);
   PullingHand hand(solver, patchOf(grip, level.cloth, solver.places()));
@@ -235,8 +236,9 @@ Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& gri
     report.force.back() = hand.felt();
     report.maxForce = std::max(report.maxForce, length(report.force.back()));
   }
+  addContactTimes(report.end, solver);
   const double left = hand.shortBy();
-  level.state.position = finish(solver, body, settings, end, report.end, workers);
+  level.state.position = finish(solver, colliders, settings, end, report.end, workers);
   if (!grip.letGo && end.settled && left > kHeldBack)
     report.end.why = say("The cloth held the hand back with {0} N, {1} mm before the end of its path.",
                          fixed(length(report.force.back()), 1), fixed(left * 1000, 0));

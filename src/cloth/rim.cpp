@@ -20,16 +20,17 @@ Rim::Rim(const Cloth& cloth) : cloth_(cloth) {
 }
 
 std::vector<PieceId> Rim::stirred(const std::vector<Vec3>& before, const std::vector<Vec3>& after,
-                                  const std::vector<Vec3>& x, const Collider& body, const SettleSettings& settings,
-                                  double far, const Token& token, Workers& workers) const {
+                                  const std::vector<Vec3>& x, const ColliderList& colliders,
+                                  const SettleSettings& settings, double far, const Token& token,
+                                  Workers& workers) const {
   Cloth woken = cloth_;
   std::vector<Vec3> change(cloth_.nodeCount);
   for (const auto& [piece, nodes] : sewnTo_) {
     woken.pieces[piece].live = true;
     for (const NodeIndex k : nodes) change[k] = after[k] - before[k];
   }
-  LevelSolver solver(woken, x, body, settings, settings.clothOnCloth ? clothRadius(woken.spacing, woken.spacing) : 0,
-                     workers);
+  LevelSolver solver(woken, x, colliders, settings,
+                     settings.clothOnCloth ? clothRadius(woken.spacing, woken.spacing) : 0, workers);
   solver.tieWithin(woken.spacing);
   LevelSolver::Stride stride;
   stride.seconds = 0.25;

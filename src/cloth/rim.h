@@ -17,8 +17,8 @@ class Rim {
   // not for their own sake (friction is forgotten at rest), but as far as that also if they felt nothing else than how
   // the live cloth's pull at their seams changed from `before` to `after` (newtons, per node of the cloth).
   std::vector<PieceId> stirred(const std::vector<Vec3>& before, const std::vector<Vec3>& after,
-                               const std::vector<Vec3>& x, const Collider& body, const SettleSettings& settings,
-                               double far, const Token& token, Workers& workers) const;
+                               const std::vector<Vec3>& x, const ColliderList& colliders,
+                               const SettleSettings& settings, double far, const Token& token, Workers& workers) const;
 
  private:
   const Cloth& cloth_;

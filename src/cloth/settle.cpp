@@ -44,16 +44,22 @@ bool standsFormed(const ClothLevel& finest) {
                       [&](const ClothPiece& piece) { return piece.live && liesFlat(piece, x); });
 }
 
+constexpr double kOutOfSkin = 0.95;  // of the skin
+
 // A level that was interpolated may stand in the skin.
-std::vector<Vec3> outOfBody(const LevelSolver& solver, const Collider& body, double offset, Workers& workers) {
+std::vector<Vec3> outOfSkin(const LevelSolver& solver, const ColliderList& colliders, double offset, Workers& workers) {
   std::vector<Vec3> moves(solver.places().size());
   const auto& moving = solver.moving();
   workers.forBlocks(moving.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const Vec3 place = solver.places()[moving[n]];
-      if (!body.mayBeWithin(place, offset)) continue;
-      const auto contact = body.sample(place);
-      if (contact.distance < 0.95 * offset) moves[moving[n]] = contact.normal * (0.95 * offset - contact.distance);
+      for (const ColliderList::Entry& entry : colliders) {
+        if (!entry.collider->mayBeWithin(place, offset)) continue;
+        const Collider::Sample sample = entry.collider->sample(place);
+        if (!(sample.distance < kOutOfSkin * offset)) continue;
+        const Vec3 out = sample.normal * (kOutOfSkin * offset - sample.distance);
+        if (squaredLength(out) > squaredLength(moves[moving[n]])) moves[moving[n]] = out;
+      }
     }
   });
   return moves;
@@ -73,8 +79,9 @@ double partOf(const std::vector<ClothLevel>& levels, std::size_t first, std::siz
 
 }  // namespace
 
-Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& body, const SettleSettings& settings,
-                            const Token& token, Workers& workers, const SettleWatcher& watcher) {
+Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList& colliders,
+                            const SettleSettings& settings, const Token& token, Workers& workers,
+                            const SettleWatcher& watcher) {
   const Spent spent;
   if (levels.empty()) return badInput(say("There is no cloth to drape."));
   for (const ClothLevel& level : levels)
@@ -105,7 +112,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     const bool loose = l == 0 && !sewn && !last;
     Prolonged finer;
     if (l > first) finer = prolong(levels[l - 1].cloth, x, level.cloth, level.state.position);
-    LevelSolver solver(level.cloth, l > first ? finer.straight : level.state.position, body, here,
+    LevelSolver solver(level.cloth, l > first ? finer.straight : level.state.position, colliders, here,
                        settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
     solver.meetCloth(!loose);
     const double before = partOf(levels, first, l), after = partOf(levels, first, l + 1);
@@ -121,7 +128,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     if (l > first) {  // straight on the coarse triangles nothing crosses; the rest only as far as that stays so
       for (std::size_t k = 0; k < finer.smooth.size(); ++k) finer.smooth[k] -= finer.straight[k];
       solver.moveGuarded(std::move(finer.smooth));
-      solver.moveGuarded(outOfBody(solver, body, here.skin, workers));
+      solver.moveGuarded(outOfSkin(solver, colliders, here.skin, workers));
     }
     if (formed && !rim.empty()) pulledBefore = solver.pulls();
     RestOutcome end;
@@ -145,6 +152,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     }
     if (end.cancelled || token.cancelled()) return cancelled();
     if (!end.finite) return tornApart();
+    addContactTimes(report, solver);
     sewn = solver.allTied();
     if (formed && !sewn) {  // it did not come together where it stands: from the coarsest on
       formed = false;
@@ -152,11 +160,11 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
       continue;
     }
     if (last && !rim.empty()) pulledAfter = solver.pulls();
-    x = last ? finish(solver, body, settings, end, report, workers) : solver.places();
+    x = last ? finish(solver, colliders, settings, end, report, workers) : solver.places();
     ++l;
   }
   if (!rim.empty())
-    report.toActivate = rim.stirred(pulledBefore, pulledAfter, x, body, settings, kStirs, token, workers);
+    report.toActivate = rim.stirred(pulledBefore, pulledAfter, x, colliders, settings, kStirs, token, workers);
   if (token.cancelled()) return cancelled();
   finest.state.position = std::move(x);
   spent.tell(report);

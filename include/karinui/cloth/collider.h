@@ -1,8 +1,10 @@
 #pragma once
-// A rigid surface that cloth may not enter. Metres. A collider is immutable
+// Rigid surfaces that cloth may not enter, and the list of those that one drape meets. Metres. A collider is immutable
 // while a drape uses it; its functions are asked from several threads at once.
 #include <array>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "karinui/body/body.h"
 
@@ -28,5 +30,27 @@ class Collider {
 
 // The body's distance field.
 std::unique_ptr<Collider> fieldCollider(BodyPtr body);
+
+// The colliders of one drape. Where two of them ask for opposite moves of a node within a step, the one added first is
+// obeyed. Holds no collider: each must outlive the list and the drape.
+class ColliderList {
+ public:
+  struct Entry {
+    const Collider* collider = nullptr;
+    std::optional<double> friction;  // Coulomb's coefficient against any cloth; none: each fabric's `frictionBody`
+  };
+  ColliderList() = default;
+  ColliderList(const Collider& only) { add(only); }  // implicit: most drapes meet a body and nothing else
+  ColliderList& add(const Collider& collider, std::optional<double> friction = {}) {
+    entries_.push_back({&collider, friction});
+    return *this;
+  }
+  auto begin() const { return entries_.begin(); }
+  auto end() const { return entries_.end(); }
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  std::vector<Entry> entries_;
+};
 
 }  // namespace karinui

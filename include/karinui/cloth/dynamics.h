@@ -12,7 +12,7 @@ struct DynamicsReport {
   double firstTopSpeed = 0;  // m/s of the fastest node in the first ten frames,
   double topSpeed = 0;       // and in all of them
 };
-Result<DynamicsReport> runDynamics(const ClothLevel& level, const Collider& body, const SettleSettings& settings,
-                                   int frames, const Token& token, Workers& workers);
+Result<DynamicsReport> runDynamics(const ClothLevel& level, const ColliderList& colliders,
+                                   const SettleSettings& settings, int frames, const Token& token, Workers& workers);
 
 }  // namespace karinui

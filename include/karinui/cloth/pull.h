@@ -16,7 +16,7 @@ struct PullReport {
   std::vector<Vec3> force;  // newtons the hand feels, one per path point; only beyond natural length
   double maxForce = 0;
 };
-Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& grip, const SettleSettings& settings,
-                        const Token& token, Workers& workers);
+Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const Grip& grip,
+                        const SettleSettings& settings, const Token& token, Workers& workers);
 
 }  // namespace karinui

@@ -34,7 +34,8 @@ struct ClothLevel {
   Cloth cloth;
   ClothState state;  // where it stands at the start
 };
-Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& body, const SettleSettings& settings,
-                            const Token& token, Workers& workers, const SettleWatcher& watcher = {});
+Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList& colliders,
+                            const SettleSettings& settings, const Token& token, Workers& workers,
+                            const SettleWatcher& watcher = {});
 
 }  // namespace karinui

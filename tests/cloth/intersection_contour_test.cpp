@@ -1,4 +1,4 @@
-#include "cloth/tangle.h"
+#include "cloth/intersection_contour.h"
 
 #include <gtest/gtest.h>
 
@@ -22,30 +22,30 @@ Sheets sheets(double below) {
   return s;
 }
 
-TEST(Tangle, SheetsApartAreNotCrossed) {
+TEST(IntersectionContour, SheetsApartAreNotCrossed) {
   const Sheets s = sheets(-0.001);
-  Tangle tangle(s.cloth);
+  IntersectionContour contour(s.cloth);
   Workers workers(2);
-  tangle.find(s.state.position, workers);
-  EXPECT_EQ(tangle.crossings(), 0u);
-  for (Vec3 way : tangle.way()) EXPECT_EQ(squaredLength(way), 0);
+  contour.find(s.state.position, workers);
+  EXPECT_EQ(contour.crossings(), 0u);
+  for (Vec3 way : contour.direction()) EXPECT_EQ(squaredLength(way), 0);
 }
 
-TEST(Tangle, TheWayOutDrawsThePassedCornerBack) {
+TEST(IntersectionContour, TheWayOutDrawsThePassedCornerBack) {
   Sheets s = sheets(0.011);
-  Tangle tangle(s.cloth);
+  IntersectionContour contour(s.cloth);
   Workers workers(2);
-  tangle.find(s.state.position, workers);
-  ASSERT_GT(tangle.crossings(), 0u);
-  for (int k = 0; k < 60 && tangle.crossings() > 0; ++k) {
+  contour.find(s.state.position, workers);
+  ASSERT_GT(contour.crossings(), 0u);
+  for (int k = 0; k < 60 && contour.crossings() > 0; ++k) {
     for (std::size_t n = 0; n < s.state.position.size(); ++n) {
-      EXPECT_LE(length(tangle.way()[n]), 1 + 1e-12);
-      EXPECT_TRUE(tangle.near()[n] || squaredLength(tangle.way()[n]) == 0);
-      s.state.position[n] += tangle.way()[n] * 0.002;
+      EXPECT_LE(length(contour.direction()[n]), 1 + 1e-12);
+      EXPECT_TRUE(contour.near()[n] || squaredLength(contour.direction()[n]) == 0);
+      s.state.position[n] += contour.direction()[n] * 0.002;
     }
-    tangle.find(s.state.position, workers);
+    contour.find(s.state.position, workers);
   }
-  EXPECT_EQ(tangle.crossings(), 0u);
+  EXPECT_EQ(contour.crossings(), 0u);
 }
 
 }  // namespace

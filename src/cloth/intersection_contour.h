@@ -13,9 +13,9 @@
 
 namespace karinui {
 
-class Tangle {
+class IntersectionContour {
  public:
-  explicit Tangle(const Cloth& cloth);
+  explicit IntersectionContour(const Cloth& cloth);
 
   // Looks where the cloth crosses itself; faces sewn to each other do not.
   void find(std::span<const Vec3> x, Workers& workers);
@@ -23,21 +23,21 @@ class Tangle {
   // Per node: whether it is of a face that crosses another, or beside one. Such nodes do not meet each other as cloth.
   const std::vector<std::uint8_t>& near() const { return near_; }
   // Per node: the way that shortens the crossing, of length one at most; zero for nodes that are not concerned.
-  const std::vector<Vec3>& way() const { return way_; }
+  const std::vector<Vec3>& direction() const { return direction_; }
 
  private:
   struct Edge {
     std::array<NodeIndex, 2> node{};
     std::array<std::uint32_t, 2> face{};  // the second kNoNode on a border
   };
-  void shorten(std::span<const Vec3> x, const Edge& edge, std::uint32_t face);
+  void addShortening(std::span<const Vec3> x, const Edge& edge, std::uint32_t face);
 
   TriangleMesh mesh_;  // the cloth's faces; its points are those of the last look
   std::vector<std::array<std::uint32_t, 3>> edgeOf_;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> group_;  // nodes sewn together carry the same number
   std::vector<std::uint8_t> near_;
-  std::vector<Vec3> way_;
+  std::vector<Vec3> direction_;
   std::size_t crossings_ = 0;
 };
 

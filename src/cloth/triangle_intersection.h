@@ -11,9 +11,9 @@ namespace karinui {
 struct NanoPoint {
   std::int64_t x = 0, y = 0, z = 0;
 };
-NanoPoint nano(Vec3 place);  // |place| below a kilometre
+NanoPoint toNano(Vec3 place);  // |place| below a kilometre
 // Whether the edge from p to q passes through the triangle.
-bool pierces(const NanoPoint& p, const NanoPoint& q, const std::array<NanoPoint, 3>& t);
-bool trianglesCross(const std::array<NanoPoint, 3>& a, const std::array<NanoPoint, 3>& b);
+bool segmentCrossesTriangle(const NanoPoint& p, const NanoPoint& q, const std::array<NanoPoint, 3>& t);
+bool trianglesIntersect(const std::array<NanoPoint, 3>& a, const std::array<NanoPoint, 3>& b);
 
 }  // namespace karinui

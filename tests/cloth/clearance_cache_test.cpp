@@ -1,4 +1,4 @@
-#include "cloth/far_off.h"
+#include "cloth/clearance_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,9 @@
 namespace karinui::test {
 namespace {
 
-// What was far off is not asked about again before it may have come near; a field's slope may be the root of three.
-TEST(FarOff, WhatComesNearIsNeverOverlooked) {
+// A place that was far off is not asked about again before it may have come near. A field's slope may be the root of
+// three.
+TEST(ClearanceCache, WhatComesNearIsNeverOverlooked) {
   struct Steep : CapsuleBody {
     using CapsuleBody::CapsuleBody;
     mutable std::size_t asked = 0;
@@ -23,7 +24,7 @@ TEST(FarOff, WhatComesNearIsNeverOverlooked) {
     return low + (high - low) * static_cast<double>(random() % 100001) / 100000;
   };
   constexpr std::size_t kPlaces = 50, kSteps = 400;
-  FarOff far(kPlaces);
+  ClearanceCache cache(kPlaces);
   std::vector<Vec3> x(kPlaces);
   for (Vec3& p : x) p = {between(-0.3, 0.3), between(-0.3, 0.3), between(-0.3, 0.3)};
   std::size_t near = 0;
@@ -33,7 +34,7 @@ TEST(FarOff, WhatComesNearIsNeverOverlooked) {
       x[k] += Vec3{between(-pace, pace), between(-pace, pace), between(-pace, pace)} - x[k] * 0.01;
       const bool is = std::sqrt(3.0) * body.sample(x[k]).distance < 0.0015;
       near += is;
-      EXPECT_EQ(far.mayBeWithin(body, k, x[k], 0.0015), is) << step;
+      EXPECT_EQ(cache.mayBeWithin(body, k, x[k], 0.0015), is) << step;
     }
   EXPECT_GT(near, 1000u);
   EXPECT_LT(body.asked, kPlaces * kSteps / 2 + near);  // it spares something

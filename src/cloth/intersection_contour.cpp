@@ -1,11 +1,11 @@
-#include "cloth/tangle.h"
+#include "cloth/intersection_contour.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
 
-#include "cloth/crossing.h"
+#include "cloth/triangle_intersection.h"
 #include "karinui/geometry/bvh.h"
 
 namespace karinui {
@@ -84,7 +84,8 @@ class FaceGrid {
 
 }  // namespace
 
-Tangle::Tangle(const Cloth& cloth) : group_(cloth.nodeCount), near_(cloth.nodeCount, 0), way_(cloth.nodeCount) {
+IntersectionContour::IntersectionContour(const Cloth& cloth)
+    : group_(cloth.nodeCount), near_(cloth.nodeCount, 0), direction_(cloth.nodeCount) {
   std::iota(group_.begin(), group_.end(), 0);
   const auto root = [&](std::uint32_t k) {
     while (group_[k] != k) k = group_[k] = group_[group_[k]];
@@ -120,18 +121,19 @@ Tangle::Tangle(const Cloth& cloth) : group_(cloth.nodeCount), near_(cloth.nodeCo
     }
 }
 
-void Tangle::find(std::span<const Vec3> x, Workers& workers) {
+void IntersectionContour::find(std::span<const Vec3> x, Workers& workers) {
   mesh_.points.assign(x.begin(), x.end());
   std::fill(near_.begin(), near_.end(), 0);
-  std::fill(way_.begin(), way_.end(), Vec3{});
+  std::fill(direction_.begin(), direction_.end(), Vec3{});
   crossings_ = 0;
   if (mesh_.faces.empty()) return;
   using Pierced = std::pair<std::uint32_t, std::uint32_t>;  // edge and face
   const auto ask = [&](std::uint32_t f, std::uint32_t g, std::vector<Pierced>& pierced) {
     const Triangle& face = mesh_.faces[g];
-    const std::array<NanoPoint, 3> corners{nano(x[face[0]]), nano(x[face[1]]), nano(x[face[2]])};
+    const std::array<NanoPoint, 3> corners{toNano(x[face[0]]), toNano(x[face[1]]), toNano(x[face[2]])};
     for (const std::uint32_t e : edgeOf_[f])
-      if (pierces(nano(x[edges_[e].node[0]]), nano(x[edges_[e].node[1]]), corners)) pierced.emplace_back(e, g);
+      if (segmentCrossesTriangle(toNano(x[edges_[e].node[0]]), toNano(x[edges_[e].node[1]]), corners))
+        pierced.emplace_back(e, g);
   };
   const auto sewn = [&](std::uint32_t f, std::uint32_t g) {
     for (NodeIndex a : mesh_.faces[f])
@@ -158,13 +160,13 @@ void Tangle::find(std::span<const Vec3> x, Workers& workers) {
   if (pierced.empty()) return;
 
   for (const auto& [e, g] : pierced) {
-    shorten(x, edges_[e], g);
+    addShortening(x, edges_[e], g);
     for (NodeIndex k : mesh_.faces[g]) near_[k] = 1;
     for (const std::uint32_t f : edges_[e].face)
       if (f != kNoNode)
         for (NodeIndex k : mesh_.faces[f]) near_[k] = 1;
   }
-  for (Vec3& way : way_)
+  for (Vec3& way : direction_)
     if (const double far = length(way); far > 1) way = way * (1 / far);
   const std::vector<std::uint8_t> concerned = near_;
   for (const Triangle& face : mesh_.faces)
@@ -172,9 +174,10 @@ void Tangle::find(std::span<const Vec3> x, Workers& workers) {
       for (NodeIndex k : face) near_[k] = 1;
 }
 
-// Where the edge moves by d against the face, the point where it pierces moves by d - e (d.n)/(e.n) in the face's
-// plane, and the line of crossing, which leaves it along r in each face beside the edge, grows by -r times that.
-void Tangle::shorten(std::span<const Vec3> x, const Edge& edge, std::uint32_t face) {
+// Where the edge moves by d against the face, the point where it segmentCrossesTriangle moves by d - e (d.n)/(e.n) in
+// the face's plane, and the line of crossing, which leaves it along r in each face beside the edge, grows by -r times
+// that.
+void IntersectionContour::addShortening(std::span<const Vec3> x, const Edge& edge, std::uint32_t face) {
   const Vec3 along = normalized(x[edge.node[1]] - x[edge.node[0]]);
   const Vec3 n = normalOf(mesh_, mesh_.faces[face]);
   const double steep = dot(along, n);
@@ -192,8 +195,8 @@ void Tangle::shorten(std::span<const Vec3> x, const Edge& edge, std::uint32_t fa
     way += r - n * (dot(along, r) / steep);
   }
   way = way * (1 / std::sqrt(1 + squaredLength(way)));
-  for (NodeIndex k : edge.node) way_[k] += way;
-  for (NodeIndex k : mesh_.faces[face]) way_[k] -= way;
+  for (NodeIndex k : edge.node) direction_[k] += way;
+  for (NodeIndex k : mesh_.faces[face]) direction_[k] -= way;
 }
 
 }  // namespace karinui

@@ -1,9 +1,9 @@
-// The guard: whatever moves are wished, on the way nothing passes through anything.
+// The continuous collision filter: whatever moves are wished, on the way nothing passes through anything.
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
+#include "cloth/intersection_contour.h"
 #include "cloth/self_contact.h"
-#include "cloth/tangle.h"
 
 namespace karinui::test {
 namespace {
@@ -22,13 +22,13 @@ struct Sheets {
   }
   // How many of a hundred places on the way stand crossed.
   int crossedOnTheWay(const std::vector<Vec3>& x, const std::vector<Vec3>& move) {
-    Tangle tangle(cloth);
+    IntersectionContour contour(cloth);
     int crossed = 0;
     for (int k = 0; k <= 100; ++k) {
       std::vector<Vec3> at = x;
       for (std::size_t n = 0; n < x.size(); ++n) at[n] += move[n] * (k / 100.0);
-      tangle.find(at, workers);
-      crossed += tangle.crossings() > 0;
+      contour.find(at, workers);
+      crossed += contour.crossings() > 0;
     }
     return crossed;
   }
@@ -43,7 +43,7 @@ Vec3 anyWay(std::mt19937& random) {
 }
 
 // Two sheets that do not cross, anyhow in space, each node sent through the other sheet.
-TEST(Guard, NothingPassesThroughAnythingOnTheWay) {
+TEST(CollisionFilter, NothingPassesThroughAnythingOnTheWay) {
   Sheets sheets(3, 3);
   int tried = 0;
   for (unsigned seed = 1; tried < 25; ++seed) {
@@ -63,15 +63,15 @@ TEST(Guard, NothingPassesThroughAnythingOnTheWay) {
                      (0.5 * kCell));
     if (sheets.crossedOnTheWay(x, move) == 0) continue;  // nothing to keep from
     ++tried;
-    sheets.contact->find(x, sheets.workers);
-    sheets.contact->guard(x, move, sheets.workers);
+    sheets.contact->detect({x}, sheets.workers);
+    sheets.contact->limitMove(x, move, sheets.workers);
     EXPECT_EQ(sheets.crossedOnTheWay(x, move), 0) << "seed " << seed;
   }
 }
 
 // Two sheets folded together at their seam, each a little crumpled, one sent through the other: beside the seam, too,
 // cloth meets what it is sewn to.
-TEST(Guard, SheetsSewnTogetherDoNotPassThroughEachOther) {
+TEST(CollisionFilter, SheetsSewnTogetherDoNotPassThroughEachOther) {
   Sheets sheets(3, 3, true);
   int tried = 0;
   for (unsigned seed = 1; tried < 25; ++seed) {
@@ -90,15 +90,15 @@ TEST(Guard, SheetsSewnTogetherDoNotPassThroughEachOther) {
     if (sheets.crossedOnTheWay(x, std::vector<Vec3>(x.size())) > 0) continue;
     if (sheets.crossedOnTheWay(x, move) == 0) continue;
     ++tried;
-    sheets.contact->find(x, sheets.workers);
-    sheets.contact->guard(x, move, sheets.workers);
+    sheets.contact->detect({x}, sheets.workers);
+    sheets.contact->limitMove(x, move, sheets.workers);
     EXPECT_EQ(sheets.crossedOnTheWay(x, move), 0) << "seed " << seed;
   }
 }
 
 // A crumpled sheet squeezed into a ball, again and again: in its sharp folds the nearest nodes are often neighbours,
 // and nothing pushes apart what comes ever nearer.
-TEST(Guard, ACrumpledSheetDoesNotPassThroughItself) {
+TEST(CollisionFilter, ACrumpledSheetDoesNotPassThroughItself) {
   Sheets sheets(3, 3);
   int tried = 0;
   for (unsigned seed = 1; tried < 100; ++seed) {
@@ -115,7 +115,7 @@ TEST(Guard, ACrumpledSheetDoesNotPassThroughItself) {
       const Vec3 middle = (x[0] + x[3] + x[12] + x[15]) * 0.25;
       std::vector<Vec3> way(x.size());
       for (int n = 0; n < 16; ++n) way[n] = (middle - x[n]) * 0.2 + any(0.2 * kCell);
-      sheets.contact->guard(x, way, sheets.workers);
+      sheets.contact->limitMove(x, way, sheets.workers);
       ASSERT_EQ(sheets.crossedOnTheWay(x, way), 0) << "seed " << seed << ", step " << step;
       for (std::size_t n = 0; n < x.size(); ++n) x[n] += way[n];
     }
@@ -123,7 +123,7 @@ TEST(Guard, ACrumpledSheetDoesNotPassThroughItself) {
 }
 
 // Two strips on edge, one across the other: only their edges meet.
-TEST(Guard, StripsOnEdgeDoNotPassThroughEachOther) {
+TEST(CollisionFilter, StripsOnEdgeDoNotPassThroughEachOther) {
   Sheets sheets(6, 1);
   std::vector<Vec3> x, move;
   for (int k = 0; k < 2; ++k)
@@ -133,15 +133,15 @@ TEST(Guard, StripsOnEdgeDoNotPassThroughEachOther) {
       move.push_back(k == 0 ? Vec3{0, -0.05, 0} : Vec3{});
     }
   ASSERT_GT(sheets.crossedOnTheWay(x, move), 0);
-  sheets.contact->find(x, sheets.workers);
-  sheets.contact->guard(x, move, sheets.workers);
+  sheets.contact->detect({x}, sheets.workers);
+  sheets.contact->limitMove(x, move, sheets.workers);
   EXPECT_EQ(sheets.crossedOnTheWay(x, move), 0);
   EXPECT_LT(move[0].y, 0) << "it goes as far as it may";
 }
 
 // A sheet on its corner, over the middle of each face of another in turn: there is one pair, that corner and that face,
 // and all hangs on its being found.
-TEST(Guard, ACornerAloneDoesNotPassThroughAFace) {
+TEST(CollisionFilter, ACornerAloneDoesNotPassThroughAFace) {
   const auto lattice = gridLattice(3, 3, kCell);
   for (const std::size_t poking : {0u, 1u})
     for (const Triangle& face : lattice->faces) {
@@ -155,7 +155,9 @@ TEST(Guard, ACornerAloneDoesNotPassThroughAFace) {
       Vec3& down = move[poking * 16];
       down = {0, 0, -0.0008};
       ASSERT_GT(sheets.crossedOnTheWay(stands.position, move), 0);
-      EXPECT_TRUE(sheets.contact->guard(stands.position, move, sheets.workers));
+      const Vec3 wished = down;
+      sheets.contact->limitMove(stands.position, move, sheets.workers);
+      EXPECT_NE(down, wished);
       EXPECT_EQ(sheets.crossedOnTheWay(stands.position, move), 0);
       EXPECT_LT(down.z, -0.0001) << "it goes as far as it may";
     }

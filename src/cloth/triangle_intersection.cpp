@@ -1,4 +1,4 @@
-#include "cloth/crossing.h"
+#include "cloth/triangle_intersection.h"
 
 #include <cmath>
 
@@ -18,19 +18,19 @@ int side(const NanoPoint& a, const NanoPoint& b, const NanoPoint& c, const NanoP
 
 }  // namespace
 
-NanoPoint nano(Vec3 place) {
+NanoPoint toNano(Vec3 place) {
   return {std::llround(place.x * 1e9), std::llround(place.y * 1e9), std::llround(place.z * 1e9)};
 }
 
-bool pierces(const NanoPoint& p, const NanoPoint& q, const std::array<NanoPoint, 3>& t) {
+bool segmentCrossesTriangle(const NanoPoint& p, const NanoPoint& q, const std::array<NanoPoint, 3>& t) {
   if (side(t[0], t[1], t[2], p) * side(t[0], t[1], t[2], q) >= 0) return false;
   const int s = side(p, q, t[0], t[1]);
   return s != 0 && side(p, q, t[1], t[2]) == s && side(p, q, t[2], t[0]) == s;
 }
 
-bool trianglesCross(const std::array<NanoPoint, 3>& a, const std::array<NanoPoint, 3>& b) {
+bool trianglesIntersect(const std::array<NanoPoint, 3>& a, const std::array<NanoPoint, 3>& b) {
   for (int k = 0; k < 3; ++k)
-    if (pierces(a[k], a[(k + 1) % 3], b) || pierces(b[k], b[(k + 1) % 3], a)) return true;
+    if (segmentCrossesTriangle(a[k], a[(k + 1) % 3], b) || segmentCrossesTriangle(b[k], b[(k + 1) % 3], a)) return true;
   return false;
 }
 

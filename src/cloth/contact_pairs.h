@@ -1,0 +1,53 @@
+#pragma once
+// Node-face and edge-edge pairs of cloth that are near each other or might become so in a step.
+#include <array>
+#include <span>
+#include <vector>
+
+#include "cloth/proximity_list.h"
+
+namespace karinui {
+
+struct ContactPair {
+  std::array<NodeIndex, 4> node{};
+  std::array<double, 4> weight{};  // of the two closest points: first side positive, second negative
+  int first = 1;                   // how many nodes are of the first side
+  Vec3 normal;                     // from the second side to the first
+  double gap = 0;                  // metres
+  double push = 0, across = 0;     // N; N/m of friction
+};
+
+class ContactPairs {
+ public:
+  // Both must outlive this. `radius`: of contact; `spacing`: of the cloth; metres.
+  ContactPairs(const ClothTopology& topology, const SewnGroups& sewn, double radius, double spacing)
+      : topology_(topology), list_(topology, sewn, spacing), radius_(radius), spacing_(spacing) {}
+
+  // Two nodes that are both marked here do not make a pair. Empty: none is left out.
+  void leaveOut(std::vector<std::uint8_t> marked) { leftOut_ = std::move(marked); }
+
+  // The pairs with a gap below `within` at x; given moves, also those that may come so near during them. Call
+  // measureEdges for x first.
+  struct Search {
+    std::span<const Vec3> x, move;  // `move` may be empty
+    double within = 0;              // metres
+  };
+  std::vector<ContactPair> find(const Search& search, Workers& workers);
+  void measureEdges(std::span<const Vec3> x);
+
+ private:
+  void nodeFaces(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const;
+  void edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const;
+  bool takes(NodeIndex a, NodeIndex b, bool& squeezed) const;
+  bool nearOnPaper(const ContactPair& pair) const;
+  bool keeps(const ContactPair& pair, const Search& search, bool squeezed) const;
+
+  const ClothTopology& topology_;
+  ProximityList list_;
+  double radius_, spacing_;
+  std::vector<std::uint8_t> leftOut_;
+  std::vector<double> longestEdge_;  // at each node, metres
+  double longest_ = 0;               // of all
+};
+
+}  // namespace karinui

@@ -1,0 +1,78 @@
+// Several colliders in one drape, each with its own friction. The solver knows nothing of their kinds.
+#include <gtest/gtest.h>
+
+#include "cloth/helpers.h"
+
+namespace karinui::test {
+namespace {
+
+constexpr double kCell = 0.02;
+constexpr std::uint32_t kCells = 12;
+
+// A square of cotton; `at` places it.
+ClothLevel square(const std::function<Vec3(Flat)>& at, double friction) {
+  ClothLevel level;
+  Fabric fabric = *preset("cotton");
+  fabric.frictionBody = friction;
+  addPiece(level.cloth, gridLattice(kCells, kCells, kCell), fabric);
+  level.state = standingBy(level.cloth, [&](std::size_t, Flat p) { return at(p); });
+  return level;
+}
+
+Vec3 middleOf(const ClothState& state) {
+  Vec3 sum;
+  for (Vec3 p : state.position) sum += p;
+  return sum * (1.0 / static_cast<double>(state.position.size()));
+}
+
+double nearestTo(const Collider& collider, const std::vector<Vec3>& x) {
+  double least = 1e9;
+  for (Vec3 p : x) least = std::fmin(least, collider.sample(p).distance);
+  return least;
+}
+
+TEST(Colliders, AClothFallsPastOneOntoTheOther) {
+  const CapsuleBody ball({{{0, 0.25, 0}, {0, 0.25, 0}, 0.08}});
+  const PlaneBody floor({0, 1, 0}, 0);
+  ColliderList colliders;
+  colliders.add(ball, 0).add(floor, 0.8);
+  const double half = 0.5 * kCells * kCell;
+  std::vector<ClothLevel> levels{square([&](Flat p) { return Vec3{p.u - half + 0.12, 0.36, p.v - half}; }, 0.3)};
+  bool metBall = false;
+  Workers workers(2);
+  const auto report = settle(levels, colliders, {}, Token(), workers, [&](const Cloth&, const std::vector<Vec3>& x) {
+    metBall = metBall || nearestTo(ball, x) < SettleSettings().skin;
+  });
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->settled) << report->why.pattern;
+  EXPECT_TRUE(metBall);
+  EXPECT_EQ(report->penetration, 0);
+  EXPECT_GE(nearestTo(ball, levels[0].state.position), 0);
+  EXPECT_GE(nearestTo(floor, levels[0].state.position), 0);
+  EXPECT_LT(middleOf(levels[0].state).y, 0.02) << "it lies on the floor";
+}
+
+// On a slope of 20 degrees cloth slides where friction is below 0.36; at the slope's foot stands a wall.
+TEST(Colliders, EachHasFrictionOfItsOwn) {
+  const double steep = 20 * M_PI / 180, c = std::cos(steep), s = std::sin(steep);
+  const PlaneBody slope({-s, c, 0}, 0), wall({1, 0, 0}, -0.1);  // down the slope is towards the wall
+  const auto onSlope = [&](Flat p) { return Vec3{c * p.u, s * p.u, p.v} + Vec3{-s, c, 0} * 0.0012; };
+  const auto slidBy = [&](std::optional<double> friction, double fabric) {
+    std::vector<ClothLevel> levels{square(onSlope, fabric)};
+    const Vec3 before = middleOf(levels[0].state);
+    ColliderList colliders;
+    colliders.add(slope, friction).add(wall, 0);
+    Workers workers(2);
+    const auto report = settle(levels, colliders, {}, Token(), workers);
+    EXPECT_TRUE(report && report->settled);
+    EXPECT_GE(nearestTo(wall, levels[0].state.position), 0);
+    EXPECT_GE(nearestTo(slope, levels[0].state.position), 0);
+    return length(middleOf(levels[0].state) - before);
+  };
+  EXPECT_LT(slidBy(0.8, 0), 0.003) << "the slope's own friction holds it";
+  EXPECT_GT(slidBy(0.0, 0.8), 0.05) << "and nothing but the wall where it has none";
+  EXPECT_LT(slidBy({}, 0.8), 0.003) << "a collider that states none has the fabric's";
+}
+
+}  // namespace
+}  // namespace karinui::test
