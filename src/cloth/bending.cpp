@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cloth/border_bending.h"
-#include "cloth/by_row.h"
+#include "cloth/sort_by_row.h"
 
 namespace karinui {
 namespace {
@@ -21,16 +21,16 @@ void addTerm(std::vector<Entry>& entries, const std::vector<NodeIndex>& nodes, c
 }
 
 // Of each node's area, what can bend: between held nodes nothing does. A clamp runs through the held nodes beside free
-// ones, so that only a part of their surroundings is as bent as the whole seems to be; it counts as much more.
-std::vector<double> bendingShares(const Lattice& lattice, const LatticeShares& shares,
+// ones, so that the curvature is that of a part of their surroundings only; the part is weighted as the whole.
+std::vector<double> bendingShares(const Lattice& lattice, const LatticeAreas& areas,
                                   const std::vector<std::uint8_t>& held) {
   std::vector<double> bends(lattice.nodes.size(), 0);
   const double quarter = lattice.spacing * lattice.spacing / 4;
-  for (const auto& c : shares.corners) {
+  for (const auto& c : areas.corners) {
     const int fixed = held[c[0]] + held[c[1]] + held[c[2]] + held[c[3]];
     for (std::uint32_t k : c) bends[k] += quarter * (fixed == 4 ? 0 : fixed == 3 ? 0.5 : 1);
   }
-  for (std::uint32_t f : shares.ringFaces) {
+  for (std::uint32_t f : areas.ringFaces) {
     const Triangle& face = lattice.faces[f];
     const Flat a = lattice.nodes[face[0]];
     const double third = cross(lattice.nodes[face[1]] - a, lattice.nodes[face[2]] - a) / 6;
@@ -40,34 +40,34 @@ std::vector<double> bendingShares(const Lattice& lattice, const LatticeShares& s
   return bends;
 }
 
-// Fills `inside` with the grid's terms and `border` with the others'.
-void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, const PanelPlan& plan,
-              std::vector<Entry>& inside, std::vector<Entry>& border, PanelBending& panels) {
+// Fills `inside` with the terms on the grid and `border` with the others.
+void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, const GridLayout& layout,
+              std::vector<Entry>& inside, std::vector<Entry>& border, GridBending& grid) {
   const Lattice& lattice = *piece.lattice;
   const double bu = piece.fabric.bendWeft, bv = piece.fabric.bendWarp, twist = std::sqrt(bu * bv);
   const double h = lattice.spacing, perSquare = 1 / (h * h);
-  const LatticeShares shares = sharesOf(lattice);
+  const LatticeAreas areas = latticeAreas(lattice);
   const auto near = neighboursOf(lattice.nodes.size(), lattice.faces);
   const auto node = [&](std::uint32_t k) { return piece.firstNode + k; };
   const auto isHeld = [&](std::uint32_t k) { return held[node(k)] != 0; };
   const double second[] = {perSquare, -2 * perSquare, perSquare};
   const double mixed[] = {perSquare, -perSquare, -perSquare, perSquare};
-  for (const auto& c : shares.corners) {
+  for (const auto& c : areas.corners) {
     // Three corners held: the clamp runs across the cell, and only the half with the free corner twists, twice as much.
     const bool halved = isHeld(c[0]) + isHeld(c[1]) + isHeld(c[2]) + isHeld(c[3]) == 3;
     const double strength = 2 * twist * h * h * (halved ? 2 : 1);
     addTerm(inside, {node(c[0]), node(c[1]), node(c[2]), node(c[3])}, mixed, strength);
-    panels.twist[plan.slotOf[node(c[0])]] = static_cast<float>(strength * perSquare * perSquare);
+    grid.twist[layout.slotOf[node(c[0])]] = static_cast<float>(strength * perSquare * perSquare);
   }
   std::vector<std::uint8_t> fixed(lattice.nodes.size());
   for (std::uint32_t k = 0; k < fixed.size(); ++k) fixed[k] = held[node(k)];
-  const std::vector<double> bends = bendingShares(lattice, shares, fixed);
-  const BorderBending around = borderBending(lattice, shares, near, fixed);
+  const std::vector<double> bends = bendingShares(lattice, areas, fixed);
+  const BorderBending around = borderBending(lattice, areas, near, fixed);
   for (std::uint32_t k = 0; k < lattice.nodes.size(); ++k) {
-    const auto& x = shares.cross[k];
-    const double area = shares.cell[k] + shares.ring[k];
+    const auto& x = areas.stencil[k];
+    const double area = areas.cell[k] + areas.ring[k];
     if (x[0] == kNoNode) {
-      const Fit& fit = around.fits[k];
+      const QuadraticFit& fit = around.fits[k];
       const double strength = kLeftover * 0.5 * (bu + bv) * area;
       for (Eigen::Index a = 0; a < fit.leftover.rows(); ++a)
         for (Eigen::Index b = 0; b < fit.leftover.cols(); ++b)
@@ -77,8 +77,8 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, co
     const double times = bends[k] > 0 ? area / bends[k] : 1, weft = bu * area * times, warp = bv * area * times;
     addTerm(inside, {node(x[0]), node(k), node(x[1])}, second, weft);
     addTerm(inside, {node(x[2]), node(k), node(x[3])}, second, warp);
-    panels.weft[plan.slotOf[node(k)]] = static_cast<float>(weft * perSquare * perSquare);
-    panels.warp[plan.slotOf[node(k)]] = static_cast<float>(warp * perSquare * perSquare);
+    grid.weft[layout.slotOf[node(k)]] = static_cast<float>(weft * perSquare * perSquare);
+    grid.warp[layout.slotOf[node(k)]] = static_cast<float>(warp * perSquare * perSquare);
   }
   for (const BendRegion& region : around.regions) {
     double bending = 0;
@@ -95,23 +95,23 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, co
 
 }  // namespace
 
-Bending::Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, const PanelPlan& plan, Workers& workers)
-    : panels_(plan.slots) {
+Bending::Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, const GridLayout& layout, Workers& workers)
+    : grid_(layout.slots) {
   std::vector<const ClothPiece*> pieces;
   for (const ClothPiece& piece : cloth.pieces)
     if (piece.live && piece.fabric.law == Fabric::Law::Woven &&
         (piece.fabric.bendWarp > 0 || piece.fabric.bendWeft > 0))
       pieces.push_back(&piece);
-  std::vector<std::vector<Entry>> rest(pieces.size());
+  std::vector<std::vector<Entry>> remainder(pieces.size());
   std::vector<Rows> rows(pieces.size());
   workers.forBlocks(pieces.size(), 1, [&](std::size_t p, std::size_t) {
     std::vector<Entry> entries;
     entries.reserve(40 * pieces[p]->lattice->nodes.size());
-    addPiece(*pieces[p], held, plan, entries, rest[p], panels_);
-    entries.insert(entries.end(), rest[p].begin(), rest[p].end());
+    addPiece(*pieces[p], held, layout, entries, remainder[p], grid_);
+    entries.insert(entries.end(), remainder[p].begin(), remainder[p].end());
     rows[p] = summed(std::move(entries), *pieces[p]);
   });
-  for (const auto& entries : rest) rest_.insert(rest_.end(), entries.begin(), entries.end());
+  for (const auto& entries : remainder) remainder_.insert(remainder_.end(), entries.begin(), entries.end());
   for (const Rows& own : rows) {
     const auto before = static_cast<std::uint32_t>(rows_.column.size());
     for (const std::uint32_t start : own.start) rows_.start.push_back(before + start);

@@ -1,10 +1,11 @@
 #pragma once
-// The linear system of one implicit step, solved by conjugate gradients with the inverse 3x3 diagonal and a coarse
-// space as preconditioner. In float: it only finds the next move; rest is judged in double.
+// The linear system of one implicit step, solved by preconditioned conjugate gradients (Hestenes and Stiefel 1952). The
+// preconditioner is the inverse of the 3x3 diagonal blocks plus a coarse space. In float: it only finds the next move;
+// rest is judged in double.
 //
-// Unknowns live in slots, as nodes do: a free node's unknown is at home in the node's own slot, that of nodes sewn
-// together in the first one's. The others are guests: before each product they are given their mix of the homes, after
-// it they hand back what they felt.
+// Every node has a slot. The slot of a free node is independent and holds its unknown; of nodes sewn together the first
+// one's is. The other slots depend on independent ones: before each product p is expanded to them, after it q is
+// reduced from them.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,9 +18,9 @@
 
 namespace karinui {
 
-// A contact between bits of cloth: `along` n n^T + `across` (I - n n^T) on the weighted sum of its unknowns.
+// The stiffness of a contact: `along` n n^T + `across` (I - n n^T) on the weighted sum of its unknowns.
 struct Coupling {
-  std::vector<TieMap::Part> parts;
+  std::vector<TieMap::Term> terms;
   Vec3 normal;
   double along = 0, across = 0;  // N/m
 };
@@ -27,50 +28,50 @@ struct Coupling {
 class BlockSystem {
  public:
   // What stays as long as the cloth does. `pairs`: blocks that are new each step; `weights`: constant ones.
-  BlockSystem(const Cloth& cloth, const PanelPlan& plan, PanelBending bending, std::span<const NodePair> pairs,
+  BlockSystem(const Cloth& cloth, const GridLayout& layout, GridBending bending, std::span<const NodePair> pairs,
               std::span<const NodeWeight> weights);
   void setTies(const TieMap& ties);
 
-  PanelStiffness& panels() { return panels_; }                    // to be filled before `gather`
-  void gather(std::span<const Block3> blocks, Workers& workers);  // starts a new system; a block per pair
-  void addDiagonal(std::uint32_t unknown, const Block3& block);   // symmetric
+  GridStiffness& gridStiffness() { return stiffness_; }             // to be filled before `gather`
+  void assemble(std::span<const Block3> blocks, Workers& workers);  // starts a new system; a block per pair
+  void addDiagonal(std::uint32_t unknown, const Block3& block);     // symmetric
   void setCouplings(std::vector<Coupling> couplings) { couplings_ = std::move(couplings); }
 
-  struct Stop {
-    int least = 40, most = 400;  // with a coarse space an eighth of the least is enough
-    double tolerance = 0.1;      // of the move, in the matrix's own norm
+  struct StoppingRule {
+    int least = 40, most = 400;  // iterations; with a coarse space a quarter of the least is enough
+    double tolerance = 0.1;      // error of the move in the norm of the matrix
   };
   // The move for a force on each unknown (newtons); how many iterations it took. Cut short when cancelled.
-  int solve(std::span<const Vec3> force, const Stop& stop, const Token& token, Workers& workers,
+  int solve(std::span<const Vec3> force, const StoppingRule& rule, const Token& token, Workers& workers,
             std::vector<Vec3>& move);
-  // The matrix times a vector of unknowns, for those who want to look.
+  // The matrix times a vector of unknowns, for tests.
   std::vector<Vec3> times(std::span<const Vec3> unknown, Workers& workers);
-  std::size_t unknowns() const { return home_.size(); }
+  std::size_t unknowns() const { return slotOf_.size(); }
 
  private:
   void invertDiagonal(Workers& workers);
-  bool coarseReady(Workers& workers);  // made new when it is due
-  std::span<const double> parts() const { return std::span(load_).subspan(1); }
-  // The jobs of an iteration, each over the plan's parts.
+  bool coarseMatrixReady(Workers& workers);  // assembled anew when it is due
+  std::span<const double> rangeLoads() const { return std::span(load_).subspan(1); }
+  // The passes of an iteration, each over the ranges of the layout.
   double multiply(std::span<const Coupling> couplings, Workers& workers);  // q = A p, returns p . q
-  void shorten(float alpha, bool coarse, Workers& workers);                // r -= alpha q, and what coarse moves feel
-  double precondition(float alpha, bool coarse, Workers& workers);         // d += alpha p, z = M r; returns r . z
-  void turn(float beta, bool coarse, Workers& workers);                    // p = z + beta p
+  void updateResidual(float alpha, bool coarse, Workers& workers);         // r -= alpha q, and its restriction
+  double applyPreconditioner(float alpha, bool coarse, Workers& workers);  // d += alpha p, z = M r; returns r . z
+  void updateDirection(float beta, bool coarse, Workers& workers);         // p = z + beta p
 
-  const PanelPlan& plan_;
-  PanelBending bending_;
-  PanelStiffness panels_;
+  const GridLayout& layout_;
+  GridBending bending_;
+  GridStiffness stiffness_;
   SparseRows sparse_;
   CoarseSpace coarse_;
   int age_ = 0, iterations_ = 0, iterationsWhenNew_ = 0;  // of the coarse space's matrix, in solves; of the last solve
-  std::vector<std::uint32_t> home_;                       // slot of each unknown
+  std::vector<std::uint32_t> slotOf_;                     // slot of each unknown
   std::vector<std::uint8_t> free_;                        // per slot: whether it is one
-  std::vector<Guest> guests_;                             // by slot, then home
+  std::vector<DependentSlot> dependents_;                 // sorted by slot, then by independent
   std::vector<Coupling> couplings_;
-  std::vector<double> load_;  // of what comes before each part, and before them the coarse space's answer
-  std::vector<double> sums_;  // of the answer and the parts
-  OwnBlocks own_, inverse_;
-  Lanes3 d_, r_, z_, p_, q_;
+  std::vector<double> load_;  // work before each range, and before all of them the coarse solve
+  std::vector<double> sums_;  // of the coarse solve and the ranges
+  DiagonalBlocks diagonal_, inverse_;
+  SlotVectors d_, r_, z_, p_, q_;
 };
 
 }  // namespace karinui

@@ -7,15 +7,15 @@
 namespace karinui {
 namespace {
 
-constexpr double kSeen = 0.05;       // a curvature the nodes around hardly show is not asked for
-constexpr std::size_t kEnough = 6;   // nodes for a quadratic that sees all sides,
-constexpr std::size_t kEdge = 9;     // and for one on the piece's edge
-constexpr double kLeastArea = 0.25;  // cells: a smaller region joins its neighbour,
-constexpr double kLeastRing = 0.1;   // and one with less of the ring
+constexpr double kLeastSingular = 0.05;  // of the largest singular value: curvatures below it are left out
+constexpr std::size_t kEnough = 6;       // nodes to fit a quadratic to,
+constexpr std::size_t kEdge = 9;         // and on the piece's edge
+constexpr double kLeastArea = 0.25;      // cells: a smaller region joins its neighbour,
+constexpr double kLeastRing = 0.1;       // and one with less of the ring
 
-Fit fitAround(const Lattice& lattice, const std::vector<std::vector<std::uint32_t>>& near, std::uint32_t centre,
-              std::size_t enough) {
-  Fit fit;
+QuadraticFit fitAround(const Lattice& lattice, const std::vector<std::vector<std::uint32_t>>& near,
+                       std::uint32_t centre, std::size_t enough) {
+  QuadraticFit fit;
   std::vector<std::uint32_t>& nodes = fit.nodes;
   nodes = {centre};
   const double h = lattice.spacing;
@@ -37,27 +37,27 @@ Fit fitAround(const Lattice& lattice, const std::vector<std::vector<std::uint32_
       linear.row(k) << root[k], root[k] * u, root[k] * v;
       square.row(k) << root[k] * u * u / 2, root[k] * u * v, root[k] * v * v / 2;
     }
-    // Taken off every column: what constant and linear fields could explain. The quadratic is fitted in the rest alone,
-    // so its curvatures are blind to them however the nodes lie.
-    Eigen::MatrixXd plain(n, 0);
+    // The quadratic is fitted in the orthogonal complement of constant and linear fields, so that its curvatures do not
+    // depend on them however the nodes lie.
+    Eigen::MatrixXd linearBasis(n, 0);
     for (Eigen::Index c = 0; c < 3; ++c) {
       Eigen::VectorXd v = linear.col(c);
-      for (int again = 0; again < 2; ++again) v -= plain * (plain.transpose() * v);
+      for (int again = 0; again < 2; ++again) v -= linearBasis * (linearBasis.transpose() * v);
       if (v.norm() < 1e-6 * linear.col(c).norm() || !(v.norm() > 0)) continue;
-      plain.conservativeResize(Eigen::NoChange, plain.cols() + 1);
-      plain.col(plain.cols() - 1) = v.normalized();
+      linearBasis.conservativeResize(Eigen::NoChange, linearBasis.cols() + 1);
+      linearBasis.col(linearBasis.cols() - 1) = v.normalized();
     }
-    const Eigen::MatrixXd blind = Eigen::MatrixXd::Identity(n, n) - plain * plain.transpose();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(blind * square, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd seen = svd.singularValues();
-    if (ring < 2 && (seen.size() < 3 || seen[2] < kSeen * seen[0])) continue;
-    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(3, n), kept = blind;
-    for (Eigen::Index s = 0; s < seen.size(); ++s) {
-      if (seen[s] < kSeen * seen[0] || seen[s] < 1e-9) continue;
-      inverse += svd.matrixV().col(s) * svd.matrixU().col(s).transpose() / seen[s];
+    const Eigen::MatrixXd complement = Eigen::MatrixXd::Identity(n, n) - linearBasis * linearBasis.transpose();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(complement * square, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::VectorXd singular = svd.singularValues();
+    if (ring < 2 && (singular.size() < 3 || singular[2] < kLeastSingular * singular[0])) continue;
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(3, n), kept = complement;
+    for (Eigen::Index s = 0; s < singular.size(); ++s) {
+      if (singular[s] < kLeastSingular * singular[0] || singular[s] < 1e-9) continue;
+      inverse += svd.matrixV().col(s) * svd.matrixU().col(s).transpose() / singular[s];
       kept -= svd.matrixU().col(s) * svd.matrixU().col(s).transpose();
     }
-    const Eigen::MatrixXd bent = inverse * blind * root.asDiagonal();
+    const Eigen::MatrixXd bent = inverse * complement * root.asDiagonal();
     fit.curvature = bent / (h * h);
     const Eigen::MatrixXd straight = linear.completeOrthogonalDecomposition().pseudoInverse();
     fit.slope = (straight.bottomRows(2) * (Eigen::MatrixXd(root.asDiagonal()) - square * bent)) / h;
@@ -65,7 +65,7 @@ Fit fitAround(const Lattice& lattice, const std::vector<std::vector<std::uint32_
     fit.leftover = rest.transpose() * rest / (root.squaredNorm() * h * h * h * h);
     return fit;
   }
-  // Three nodes or fewer: nothing can bend.
+  // Three nodes or fewer: nothing bends.
   const auto n = static_cast<Eigen::Index>(nodes.size());
   fit.slope = Eigen::MatrixXd::Zero(2, n);
   fit.curvature = Eigen::MatrixXd::Zero(3, n);
@@ -73,32 +73,32 @@ Fit fitAround(const Lattice& lattice, const std::vector<std::vector<std::uint32_
   return fit;
 }
 
-struct Weight {  // of one node's place in how steeply the cloth runs along weft and warp
+struct Weight {  // of one node's position in the slopes along weft and warp
   std::uint32_t node = 0;
   double u = 0, v = 0;
 };
 using Slope = std::vector<Weight>;
-using Side = std::array<std::uint32_t, 2>;  // from node to node, what it bounds on its left
-enum class Part { All, Bends, Twist };      // of the curvature: bends are k_uu and k_vv
+using Side = std::array<std::uint32_t, 2>;  // from node to node; what it bounds lies on its left
+enum class Terms { All, Bends, Twist };     // of the curvature: Bends are k_uu and k_vv, Twist is k_uv
 
 class Regions {
  public:
-  Regions(const Lattice& lattice, const LatticeShares& shares, const std::vector<Fit>& fits)
-      : lattice_(lattice), shares_(shares), fits_(fits), sums_(lattice.nodes.size()) {
+  Regions(const Lattice& lattice, const LatticeAreas& areas, const std::vector<QuadraticFit>& fits)
+      : lattice_(lattice), areas_(areas), fits_(fits), sums_(lattice.nodes.size()) {
     for (std::uint32_t k : lattice.grid)
-      if (k != kNoNode) grids_ = std::max(grids_, k + 1);
-    for (const auto& c : shares.corners)
+      if (k != kNoNode) gridNodes_ = std::max(gridNodes_, k + 1);
+    for (const auto& c : areas.corners)
       for (const Side side : {Side{c[0], c[1]}, {c[1], c[3]}, {c[3], c[2]}, {c[2], c[0]}}) ofCells_.push_back(side);
-    for (std::uint32_t f : shares.ringFaces)
+    for (std::uint32_t f : areas.ringFaces)
       for (int c = 0; c < 3; ++c) ofRing_.push_back({lattice.faces[f][c], lattice.faces[f][(c + 1) % 3]});
     std::sort(ofCells_.begin(), ofCells_.end());
     std::sort(ofRing_.begin(), ofRing_.end());
-    for (const auto& c : shares.corners) divideCell(c);
+    for (const auto& c : areas.corners) divideCell(c);
     for (const Side& side : ofCells_)
-      if (!has(ofCells_, side[1], side[0]) && !has(ofRing_, side[1], side[0])) rim(side);
-    for (std::uint32_t f : shares.ringFaces) divideFace(lattice.faces[f]);
+      if (!has(ofCells_, side[1], side[0]) && !has(ofRing_, side[1], side[0])) addEdge(side);
+    for (std::uint32_t f : areas.ringFaces) divideFace(lattice.faces[f]);
     for (const Side& side : ofRing_)
-      if (has(ofCells_, side[1], side[0])) beside(side);
+      if (has(ofCells_, side[1], side[0])) addInterface(side);
   }
 
   struct Sum {  // of a region: its curvature times its area
@@ -111,11 +111,11 @@ class Regions {
   static bool has(const std::vector<Side>& sides, std::uint32_t from, std::uint32_t to) {
     return std::binary_search(sides.begin(), sides.end(), Side{from, to});
   }
-  bool mine(std::uint32_t node) const { return shares_.cross[node][0] == kNoNode; }
+  bool onBorder(std::uint32_t node) const { return areas_.stencil[node][0] == kNoNode; }
   Flat place(std::uint32_t node) const { return lattice_.nodes[node]; }
 
-  Slope fitted(std::uint32_t node, Flat at, double share = 1) const {
-    const Fit& fit = fits_[node];
+  Slope slopeFrom(std::uint32_t node, Flat at, double share = 1) const {
+    const QuadraticFit& fit = fits_[node];
     const double u = dot(at - place(node), lattice_.weft), v = dot(at - place(node), lattice_.warp);
     Slope slope;
     for (Eigen::Index k = 0; k < fit.slope.cols(); ++k) {
@@ -127,43 +127,43 @@ class Regions {
   }
 
   // `out`: across the stretch of outline, as long as it is, out of the node's region.
-  void add(std::uint32_t node, Flat out, const Slope& slope, Part part) {
+  void add(std::uint32_t node, Flat out, const Slope& slope, Terms terms) {
     const double u = dot(out, lattice_.weft), v = dot(out, lattice_.warp);
     for (const Weight& w : slope) {
       Sum sum{w.node, 0, 0, 0};
-      if (part != Part::Twist) sum.uu = u * w.u, sum.vv = v * w.v;
-      if (part != Part::Bends) sum.uv = 0.5 * (u * w.v + v * w.u);
+      if (terms != Terms::Twist) sum.uu = u * w.u, sum.vv = v * w.v;
+      if (terms != Terms::Bends) sum.uv = 0.5 * (u * w.v + v * w.u);
       sums_[node].push_back(sum);
     }
   }
 
-  // Between the corners of a whole cell. Along a thread from a lattice's own node the slope is as the lattice has it;
-  // elsewhere as the cell has it, a quarter of a spacing further in.
+  // Between the corners of a whole cell. Along a thread from a node with a stencil the slope is the lattice's;
+  // elsewhere it is the cell's, a quarter of a spacing further in.
   void divideCell(const std::array<std::uint32_t, 4>& c) {
     const double h = lattice_.spacing, twist = 1 / (4 * h);
     for (const auto& [a, b, towards] : {std::array<int, 3>{0, 1, 1}, {2, 3, -1}, {0, 2, 1}, {1, 3, -1}}) {
       const std::uint32_t from = c[a], to = c[b];
-      if (!mine(from) && !mine(to)) continue;
+      if (!onBorder(from) && !onBorder(to)) continue;
       const bool weft = b == a + 1;
       Slope slope{{from, -1 / h, 0}, {to, 1 / h, 0}};
-      if (mine(from) && mine(to))
+      if (onBorder(from) && onBorder(to))
         for (int k = 0; k < 4; ++k) slope.push_back({c[k], (k == 0 || k == 3 ? 1 : -1) * towards * twist, 0});
       if (!weft)
         for (Weight& w : slope) std::swap(w.u, w.v);
       const Flat out = (weft ? lattice_.weft : lattice_.warp) * (0.5 * h);
-      if (mine(from)) add(from, out, slope, Part::Bends);
-      if (mine(to)) add(to, -out, slope, Part::Bends);
+      if (onBorder(from)) add(from, out, slope, Terms::Bends);
+      if (onBorder(to)) add(to, -out, slope, Terms::Bends);
     }
   }
 
-  // As the fits around a face's corners on the grid say: they see all sides, and few of them serve many faces.
-  Slope fittedIn(const Triangle& face, Flat at) const {
+  // The mean of the fits around a face's corners on the grid, which have neighbours on all sides; few serve many faces.
+  Slope slopeInFace(const Triangle& face, Flat at) const {
     int onGrid = 0;
-    for (std::uint32_t k : face) onGrid += k < grids_ ? 1 : 0;
+    for (std::uint32_t k : face) onGrid += k < gridNodes_ ? 1 : 0;
     Slope slope;
     for (std::uint32_t k : face)
-      if (onGrid == 0 || k < grids_) {
-        const Slope more = fitted(k, at, 1.0 / (onGrid == 0 ? 3 : onGrid));
+      if (onGrid == 0 || k < gridNodes_) {
+        const Slope more = slopeFrom(k, at, 1.0 / (onGrid == 0 ? 3 : onGrid));
         slope.insert(slope.end(), more.begin(), more.end());
       }
     return slope;
@@ -175,25 +175,25 @@ class Regions {
     for (int c = 0; c < 3; ++c) {
       const std::uint32_t from = face[c], to = face[(c + 1) % 3];
       const Flat half = (place(from) + place(to)) * 0.5, out = leftOf(half - middle);
-      const Slope slope = fittedIn(face, (half + middle) * 0.5);
-      add(from, out, slope, Part::All);
-      add(to, -out, slope, Part::All);
+      const Slope slope = slopeInFace(face, (half + middle) * 0.5);
+      add(from, out, slope, Terms::All);
+      add(to, -out, slope, Terms::All);
       if (has(ofCells_, to, from) || has(ofRing_, to, from)) continue;
       const Flat run = place(to) - place(from);  // the piece's edge
       for (const std::uint32_t end : {from, to})
-        add(end, -leftOf(run) * 0.5, fittedIn(face, place(from) + run * (end == from ? 0.25 : 0.75)), Part::All);
+        add(end, -leftOf(run) * 0.5, slopeInFace(face, place(from) + run * (end == from ? 0.25 : 0.75)), Terms::All);
     }
   }
 
   // Where the ring meets a whole cell the slope along the side is the cell's; the bends' regions reach into the cell.
-  void beside(Side side) {
+  void addInterface(Side side) {
     const Flat run = place(side[1]) - place(side[0]);
     const double length = karinui::length(run);
     const bool weft = std::fabs(dot(run, lattice_.weft)) > std::fabs(dot(run, lattice_.warp));
     const double sign = dot(run, weft ? lattice_.weft : lattice_.warp) > 0 ? 1 : -1;
     Slope even{{side[0], -sign / length, 0}, {side[1], sign / length, 0}}, change;
     for (const std::uint32_t node : side) {
-      const Fit& fit = fits_[node];
+      const QuadraticFit& fit = fits_[node];
       for (Eigen::Index k = 0; k < fit.curvature.cols(); ++k)
         change.push_back(
             {fit.nodes[static_cast<std::size_t>(k)], 0.5 * fit.curvature(weft ? 0 : 2, k) * sign * length / 4, 0});
@@ -203,60 +203,60 @@ class Regions {
       for (const Weight& w : change) slope.push_back({w.node, end == 0 ? -w.u : w.u, 0});
       if (!weft)
         for (Weight& w : slope) std::swap(w.u, w.v);
-      add(side[end], -leftOf(run) * 0.5, slope, Part::Twist);
+      add(side[end], -leftOf(run) * 0.5, slope, Terms::Twist);
     }
   }
 
   // The edge of a piece that has no ring.
-  void rim(Side side) {
+  void addEdge(Side side) {
     const Flat run = place(side[1]) - place(side[0]);
     for (const int end : {0, 1})
-      add(side[end], -leftOf(run) * 0.5, fitted(side[end], place(side[end]) + run * (end == 0 ? 0.25 : -0.25)),
-          Part::Bends);
+      add(side[end], -leftOf(run) * 0.5, slopeFrom(side[end], place(side[end]) + run * (end == 0 ? 0.25 : -0.25)),
+          Terms::Bends);
   }
 
   const Lattice& lattice_;
-  const LatticeShares& shares_;
-  const std::vector<Fit>& fits_;
-  std::uint32_t grids_ = 0;  // nodes on the grid come first
+  const LatticeAreas& areas_;
+  const std::vector<QuadraticFit>& fits_;
+  std::uint32_t gridNodes_ = 0;  // nodes on the grid come first
   std::vector<Side> ofCells_, ofRing_;
   std::vector<std::vector<Sum>> sums_;  // per node
 };
 
-// Which node speaks for each: regions that are too small to have a curvature of their own join the largest beside them.
-std::vector<std::uint32_t> joined(const Lattice& lattice, const LatticeShares& shares,
-                                  const std::vector<std::vector<std::uint32_t>>& near,
-                                  const std::vector<std::uint8_t>& held) {
+// The representative of each node: regions too small to have a curvature of their own join the largest beside them.
+std::vector<std::uint32_t> mergedRegions(const Lattice& lattice, const LatticeAreas& areas,
+                                         const std::vector<std::vector<std::uint32_t>>& near,
+                                         const std::vector<std::uint8_t>& held) {
   const std::size_t count = lattice.nodes.size();
   const double square = lattice.spacing * lattice.spacing;
-  std::vector<std::uint32_t> speaker(count);
-  std::vector<double> area(count), ring = shares.ring;
+  std::vector<std::uint32_t> representative(count);
+  std::vector<double> area(count), ring = areas.ring;
   for (std::uint32_t k = 0; k < count; ++k) {
-    speaker[k] = k;
-    area[k] = shares.cell[k] + shares.ring[k];
+    representative[k] = k;
+    area[k] = areas.cell[k] + areas.ring[k];
   }
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (shares.cross[k][0] != kNoNode) continue;
-    const std::uint32_t own = speaker[k];
+    if (areas.stencil[k][0] != kNoNode) continue;
+    const std::uint32_t own = representative[k];
     if (area[own] >= kLeastArea * square && (ring[own] <= 0 || ring[own] >= kLeastRing * square)) continue;
     std::uint32_t best = kNoNode;
     for (std::uint32_t other : near[k]) {
-      const std::uint32_t its = speaker[other];
-      if (its == own || shares.cross[other][0] != kNoNode || (held[other] != 0) != (held[k] != 0)) continue;
+      const std::uint32_t its = representative[other];
+      if (its == own || areas.stencil[other][0] != kNoNode || (held[other] != 0) != (held[k] != 0)) continue;
       if (best == kNoNode || area[its] > area[best]) best = its;
     }
     if (best == kNoNode) continue;
-    for (std::uint32_t& s : speaker)
+    for (std::uint32_t& s : representative)
       if (s == own) s = best;
     area[best] += area[own];
     ring[best] += ring[own];
   }
-  return speaker;
+  return representative;
 }
 
 }  // namespace
 
-BorderBending borderBending(const Lattice& lattice, const LatticeShares& shares,
+BorderBending borderBending(const Lattice& lattice, const LatticeAreas& areas,
                             const std::vector<std::vector<std::uint32_t>>& near,
                             const std::vector<std::uint8_t>& held) {
   const auto count = static_cast<std::uint32_t>(lattice.nodes.size());
@@ -267,14 +267,14 @@ BorderBending borderBending(const Lattice& lattice, const LatticeShares& shares,
   for (const auto& hole : lattice.holes)
     for (std::uint32_t k : hole) enough[k] = kEdge;
   for (std::uint32_t k = 0; k < count; ++k)
-    if (shares.cross[k][0] == kNoNode) border.fits[k] = fitAround(lattice, near, k, enough[k]);
-  const Regions regions(lattice, shares, border.fits);
-  const std::vector<std::uint32_t> speaker = joined(lattice, shares, near, held);
+    if (areas.stencil[k][0] == kNoNode) border.fits[k] = fitAround(lattice, near, k, enough[k]);
+  const Regions regions(lattice, areas, border.fits);
+  const std::vector<std::uint32_t> representative = mergedRegions(lattice, areas, near, held);
   std::vector<std::uint32_t> numberOf(count, kNoNode);
   std::vector<std::vector<Regions::Sum>> sums;
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (shares.cross[k][0] != kNoNode) continue;
-    std::uint32_t& number = numberOf[speaker[k]];
+    if (areas.stencil[k][0] != kNoNode) continue;
+    std::uint32_t& number = numberOf[representative[k]];
     if (number == kNoNode) {
       number = static_cast<std::uint32_t>(border.regions.size());
       border.regions.emplace_back();
@@ -282,8 +282,8 @@ BorderBending borderBending(const Lattice& lattice, const LatticeShares& shares,
     }
     BendRegion& region = border.regions[number];
     region.members.push_back(k);
-    region.area += shares.cell[k] + shares.ring[k];
-    region.ring += shares.ring[k];
+    region.area += areas.cell[k] + areas.ring[k];
+    region.ring += areas.ring[k];
     sums[number].insert(sums[number].end(), regions.of(k).begin(), regions.of(k).end());
   }
   for (std::size_t r = 0; r < sums.size(); ++r) {

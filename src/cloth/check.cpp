@@ -9,7 +9,7 @@
 namespace karinui {
 namespace {
 
-constexpr double kFarthest = 1000;  // metres; beyond it cloth is nowhere
+constexpr double kFarthest = 1000;  // metres; a place beyond is a mistake
 
 struct Sheet {  // the whole cloth as one mesh
   TriangleMesh mesh;
@@ -89,7 +89,7 @@ std::size_t crossingsWithin(const Sheet& sheet) {
   return crossings;
 }
 
-// Warp and weft edges of whole cells, by their own reckoning: two grid neighbours that share a covered cell.
+// Over warp and weft edges of whole cells, found without the solver's code: two grid neighbours of a covered cell.
 StrainReport strainOf(const Cloth& cloth, const ClothState& state) {
   std::vector<double> strain;
   for (const ClothPiece& piece : cloth.pieces) {

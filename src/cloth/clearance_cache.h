@@ -1,5 +1,5 @@
 #pragma once
-// Keeps for each of many places how far it was from a collider, so that places far off are not asked about at every
+// Keeps for each of many places how far it was from a collider, so that places far away need no sample at every
 // step: clearance is Lipschitz, so a place that has moved little is still far off.
 #include <vector>
 

@@ -8,13 +8,13 @@
 namespace karinui {
 namespace {
 
-constexpr double kEach = 8;   // fine lines from one coarse line to the next, about; but of very fine cloth
-constexpr double kMost = 22;  // so many that a square has this many coarse cells a side: more of them serve worse
-constexpr double kLeastSupport = 0.05;  // fine nodes: a coarse one that moves less is left out
+constexpr double kCoarsening = 8;       // fine lines from one coarse line to the next, about; more in very fine cloth,
+constexpr double kMostCells = 22;       // so that a square has no more coarse cells a side: more of them converge worse
+constexpr double kLeastSupport = 0.05;  // sum of squared weights: a coarse node that moves less is left out
 
-// What two coarse rows feel of a fine one.
-KARINUI_WIDE void share(std::size_t count, const float next, const float* __restrict r, const float* __restrict free,
-                        float* __restrict here, float* __restrict above) {
+// Restricts a fine row onto the two coarse rows beside it.
+KARINUI_WIDE void restrictRow(std::size_t count, const float next, const float* __restrict r,
+                              const float* __restrict free, float* __restrict here, float* __restrict above) {
   for (std::size_t k = 0; k < count; ++k) {
     const float own = free[k] * r[k];
     here[k] += (1 - next) * own;
@@ -22,9 +22,9 @@ KARINUI_WIDE void share(std::size_t count, const float next, const float* __rest
   }
 }
 
-// A coarse row at each fine column from one coarse line to the next, and some more.
-KARINUI_WIDE void alongCell(std::size_t begin, std::size_t end, float here, float there, const float* __restrict next,
-                            float* __restrict row) {
+// Interpolates a coarse row at the fine columns from one coarse line to the next, and some more.
+KARINUI_WIDE void interpolateCell(std::size_t begin, std::size_t end, float here, float there,
+                                  const float* __restrict next, float* __restrict row) {
   for (std::size_t i = begin; i < end; i += kLanes)
     for (std::size_t l = 0; l < kLanes; ++l) row[i + l] = (1 - next[i + l]) * here + next[i + l] * there;
 }
@@ -33,14 +33,14 @@ struct Blend {  // of two coarse rows
   const float *one, *other;
   float here, next;
 };
-KARINUI_WIDE void turnRow(std::size_t count, float beta, const Blend rows, const float* __restrict free,
-                          const float* __restrict z, float* __restrict p) {
+KARINUI_WIDE void updateDirectionRow(std::size_t count, float beta, const Blend rows, const float* __restrict free,
+                                     const float* __restrict z, float* __restrict p) {
   for (std::size_t k = 0; k < count; ++k)
     p[k] = z[k] + beta * p[k] + free[k] * (rows.here * rows.one[k] + rows.next * rows.other[k]);
 }
 
-KARINUI_WIDE void turnLoose(std::size_t begin, std::size_t end, float beta, const float* __restrict z,
-                            float* __restrict p) {
+KARINUI_WIDE void updateDirectionUnstructured(std::size_t begin, std::size_t end, float beta, const float* __restrict z,
+                                              float* __restrict p) {
   for (std::size_t s = begin; s < end; ++s) p[s] = z[s] + beta * p[s];
 }
 
@@ -51,7 +51,7 @@ void sortOnce(std::vector<std::uint32_t>& list) {
 
 }  // namespace
 
-CoarseSpace::Lines::Lines(std::uint32_t fine, double each) {
+CoarseSpace::CoarseLines::CoarseLines(std::uint32_t fine, double each) {
   const double last = std::max(2u, fine) - 1.0, cells = std::fmax(1.0, std::round(last / each));
   for (double k = 0; k <= cells; ++k) at.push_back(static_cast<std::uint32_t>(std::lround(k * last / cells)));
   for (std::uint32_t i = 0; i < fine; ++i) {
@@ -62,92 +62,94 @@ CoarseSpace::Lines::Lines(std::uint32_t fine, double each) {
   next.resize(next.size() + kLanes, 0);
 }
 
-std::pair<std::uint32_t, double> CoarseSpace::Lines::place(double fine) const {
+std::pair<std::uint32_t, double> CoarseSpace::CoarseLines::place(double fine) const {
   std::uint32_t before = 0;
   while (before + 2 < at.size() && fine >= at[before + 1]) ++before;
   return {before, std::clamp((fine - at[before]) / (at[before + 1] - at[before]), 0.0, 1.0)};
 }
 
-CoarseSpace::CoarseSpace(const Cloth& cloth, const PanelPlan& plan) : cloth_(cloth), plan_(plan), shares_(plan.slots) {
+CoarseSpace::CoarseSpace(const Cloth& cloth, const GridLayout& layout)
+    : cloth_(cloth), layout_(layout), stencils_(layout.slots) {
   for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
-    const auto panel =
-        std::find_if(plan.panels.begin(), plan.panels.end(), [&](const Panel& q) { return q.piece == p; });
-    if (panel != plan.panels.end()) netOf_.push_back(static_cast<std::uint32_t>(nets_.size()));
-    if (cloth.pieces[p].live) addNet(cloth.pieces[p], panel == plan.panels.end() ? nullptr : &*panel);
+    const auto block =
+        std::find_if(layout.blocks.begin(), layout.blocks.end(), [&](const GridBlock& q) { return q.piece == p; });
+    if (block != layout.blocks.end()) gridOf_.push_back(static_cast<std::uint32_t>(grids_.size()));
+    if (cloth.pieces[p].live) addGrid(cloth.pieces[p], block == layout.blocks.end() ? nullptr : &*block);
   }
   for (auto& axis : value_) axis.assign(nodes_, 0);
-  for (const SlotPart& part : plan.parts) felt_.push_back(reachOf(part));
+  for (const SlotRange& range : layout.ranges) restrictions_.push_back(restrictionOf(range));
 }
 
-std::pair<std::uint32_t, std::uint32_t> CoarseSpace::coarseRows(const SlotPart& part) const {
-  const std::vector<std::uint32_t>& cell = nets_[netOf_[part.panel]].row.cell;
-  const std::uint32_t first = cell[part.row];
-  return {first, cell[part.row + part.rows - 1] + 2 - first};
+std::pair<std::uint32_t, std::uint32_t> CoarseSpace::coarseRows(const SlotRange& range) const {
+  const std::vector<std::uint32_t>& cell = grids_[gridOf_[range.block]].row.cell;
+  const std::uint32_t first = cell[range.row];
+  return {first, cell[range.row + range.rows - 1] + 2 - first};
 }
 
-CoarseSpace::Felt CoarseSpace::reachOf(const SlotPart& part) const {
-  Felt felt;
-  if (!part.loose()) {
-    const Net& net = nets_[netOf_[part.panel]];
-    const auto [first, count] = coarseRows(part);
-    felt.first = net.first + first * net.columns();
-    felt.count = count * net.columns();
+CoarseSpace::Restriction CoarseSpace::restrictionOf(const SlotRange& range) const {
+  Restriction restricted;
+  if (!range.unstructured()) {
+    const CoarseGrid& grid = grids_[gridOf_[range.block]];
+    const auto [first, count] = coarseRows(range);
+    restricted.first = grid.first + first * grid.columns();
+    restricted.count = count * grid.columns();
   } else {
     std::uint32_t least = nodes_, most = 0;
-    for (std::size_t slot = part.begin; slot < part.end; ++slot)
-      for (const Share& share : shares_[slot])
-        if (share.weight > 0) {
-          least = std::min(least, share.node);
-          most = std::max(most, share.node);
+    for (std::size_t slot = range.begin; slot < range.end; ++slot)
+      for (const StencilEntry& entry : stencils_[slot])
+        if (entry.weight > 0) {
+          least = std::min(least, entry.node);
+          most = std::max(most, entry.node);
         }
-    felt.first = std::min(least, most);
-    felt.count = least > most ? 0 : most - least + 1;
+    restricted.first = std::min(least, most);
+    restricted.count = least > most ? 0 : most - least + 1;
   }
-  felt.value.assign(3 * std::size_t{felt.count}, 0);
-  return felt;
+  restricted.value.assign(3 * std::size_t{restricted.count}, 0);
+  return restricted;
 }
 
-void CoarseSpace::addNet(const ClothPiece& piece, const Panel* panel) {
+void CoarseSpace::addGrid(const ClothPiece& piece, const GridBlock* block) {
   const Lattice& lattice = *piece.lattice;
-  const double each = std::fmax(kEach, std::sqrt(1.0 * lattice.columns * lattice.rows) / kMost);
-  Net net{panel, Lines(lattice.columns, each), Lines(lattice.rows, each), nodes_};
-  nodes_ += net.columns() * net.rows();
-  const double weftStep = panel ? panel->weftStep : lattice.spacing,
-               warpStep = panel ? panel->warpStep : lattice.spacing;
-  Flat origin = lattice.nodes.front();  // of the grid; a piece too narrow for one has a net of one cell
+  const double each = std::fmax(kCoarsening, std::sqrt(1.0 * lattice.columns * lattice.rows) / kMostCells);
+  CoarseGrid grid{block, CoarseLines(lattice.columns, each), CoarseLines(lattice.rows, each), nodes_};
+  nodes_ += grid.columns() * grid.rows();
+  const double weftStep = block ? block->weftStep : lattice.spacing,
+               warpStep = block ? block->warpStep : lattice.spacing;
+  Flat origin = lattice.nodes.front();  // of the grid; a piece too narrow for one has a grid of one cell
   for (std::uint32_t j = 0; j < lattice.rows; ++j)
     for (std::uint32_t i = 0; i < lattice.columns; ++i)
       if (const std::uint32_t k = lattice.grid[std::size_t{j} * lattice.columns + i]; k != kNoNode) {
         origin = lattice.nodes[k] - lattice.weft * (i * weftStep) - lattice.warp * (j * warpStep);
       }
   for (std::uint32_t k = 0; k < lattice.nodes.size(); ++k) {
-    const std::uint32_t slot = plan_.slotOf[piece.firstNode + k];
+    const std::uint32_t slot = layout_.slotOf[piece.firstNode + k];
     const Flat at = lattice.nodes[k] - origin;
-    shares_[slot] = sharesAt(net, dot(at, lattice.weft) / weftStep, dot(at, lattice.warp) / warpStep);
+    stencils_[slot] = stencilAt(grid, dot(at, lattice.weft) / weftStep, dot(at, lattice.warp) / warpStep);
   }
-  nets_.push_back(std::move(net));
+  grids_.push_back(std::move(grid));
 }
 
-CoarseSpace::Shares CoarseSpace::sharesAt(const Net& net, double column, double row) const {
-  const auto [i, u] = net.column.place(column);
-  const auto [j, v] = net.row.place(row);
-  const std::uint32_t here = net.first + j * net.columns() + i, above = here + net.columns();
-  return {Share{here, static_cast<float>((1 - u) * (1 - v))}, Share{here + 1, static_cast<float>(u * (1 - v))},
-          Share{above, static_cast<float>((1 - u) * v)}, Share{above + 1, static_cast<float>(u * v)}};
+CoarseSpace::Stencil CoarseSpace::stencilAt(const CoarseGrid& grid, double column, double row) const {
+  const auto [i, u] = grid.column.place(column);
+  const auto [j, v] = grid.row.place(row);
+  const std::uint32_t here = grid.first + j * grid.columns() + i, above = here + grid.columns();
+  return {StencilEntry{here, static_cast<float>((1 - u) * (1 - v))},
+          StencilEntry{here + 1, static_cast<float>(u * (1 - v))}, StencilEntry{above, static_cast<float>((1 - u) * v)},
+          StencilEntry{above + 1, static_cast<float>(u * v)}};
 }
 
-void CoarseSpace::setTies(std::span<const std::uint32_t> homes, std::span<const Guest> guests) {
-  free_.assign(plan_.slots, 0);
-  for (const std::uint32_t home : homes) free_[home] = 1;
-  guests_.assign(guests.begin(), guests.end());
+void CoarseSpace::setTies(std::span<const std::uint32_t> independents, std::span<const DependentSlot> dependents) {
+  free_.assign(layout_.slots, 0);
+  for (const std::uint32_t independent : independents) free_[independent] = 1;
+  dependents_.assign(dependents.begin(), dependents.end());
   numbered_ = ready_ = false;
 }
 
-void CoarseSpace::number() {
+void CoarseSpace::numberNodes() {
   std::vector<double> support(nodes_, 0);
   for (std::size_t slot = 0; slot < free_.size(); ++slot)
     if (free_[slot] > 0)
-      for (const Share& share : shares_[slot]) support[share.node] += double{share.weight} * share.weight;
+      for (const StencilEntry& entry : stencils_[slot]) support[entry.node] += double{entry.weight} * entry.weight;
   numberOf_.assign(nodes_, kNoNode);
   nodeOf_.clear();
   for (std::uint32_t node = 0; node < nodes_; ++node)
@@ -155,9 +157,9 @@ void CoarseSpace::number() {
       numberOf_[node] = static_cast<std::uint32_t>(nodeOf_.size());
       nodeOf_.push_back(node);
     }
-  meet();
-  // Renumbered so that those who feel each other have numbers near each other.
-  const std::vector<std::uint32_t> near = nearNumbers(around_);
+  findCouplings();
+  // Renumbered for a narrow envelope.
+  const std::vector<std::uint32_t> near = reverseCuthillMcKee(around_);
   std::vector<std::uint32_t> nodes(nodeOf_.size());
   std::vector<std::vector<std::uint32_t>> around(nodeOf_.size());
   for (std::uint32_t c = 0; c < nodeOf_.size(); ++c) {
@@ -168,74 +170,74 @@ void CoarseSpace::number() {
   }
   nodeOf_ = std::move(nodes);
   around_ = std::move(around);
-  colour();
+  colourNodes();
   std::vector<std::uint32_t> first;
   for (std::uint32_t c = 0; c < nodeOf_.size(); ++c)
     for (int axis = 0; axis < 3; ++axis) first.push_back(3 * around_[c].front());
-  matrix_ = Envelope(std::move(first));
+  matrix_ = EnvelopeCholesky(std::move(first));
   found_.assign(3 * nodeOf_.size(), 0);
   numbered_ = true;
 }
 
-// Two meet where a face of the cloth feels both.
-void CoarseSpace::meet() {
-  std::vector<std::vector<std::uint32_t>> homes(plan_.slots);
-  for (const Guest& guest : guests_) homes[guest.slot].push_back(guest.home);
+// Two coarse nodes are coupled where a face of the cloth depends on both.
+void CoarseSpace::findCouplings() {
+  std::vector<std::vector<std::uint32_t>> independents(layout_.slots);
+  for (const DependentSlot& dependent : dependents_) independents[dependent.slot].push_back(dependent.independent);
   around_.assign(nodeOf_.size(), {});
-  std::vector<std::uint32_t> felt, last;
-  const auto feel = [&](std::uint32_t slot) {
+  std::vector<std::uint32_t> coupled, last;
+  const auto addCoarseNodes = [&](std::uint32_t slot) {
     if (free_[slot] == 0) return;
-    for (const Share& share : shares_[slot])
-      if (share.weight > 0 && numberOf_[share.node] != kNoNode) felt.push_back(numberOf_[share.node]);
+    for (const StencilEntry& entry : stencils_[slot])
+      if (entry.weight > 0 && numberOf_[entry.node] != kNoNode) coupled.push_back(numberOf_[entry.node]);
   };
   for (const ClothPiece& piece : cloth_.pieces) {
     if (!piece.live) continue;
     for (const Triangle& face : piece.lattice->faces) {
-      felt.clear();
+      coupled.clear();
       for (const std::uint32_t k : face) {
-        const std::uint32_t slot = plan_.slotOf[piece.firstNode + k];
-        feel(slot);
-        for (const std::uint32_t home : homes[slot]) feel(home);
+        const std::uint32_t slot = layout_.slotOf[piece.firstNode + k];
+        addCoarseNodes(slot);
+        for (const std::uint32_t independent : independents[slot]) addCoarseNodes(independent);
       }
-      sortOnce(felt);
-      if (felt == last) continue;
-      for (const std::uint32_t a : felt) around_[a].insert(around_[a].end(), felt.begin(), felt.end());
-      last = felt;
+      sortOnce(coupled);
+      if (coupled == last) continue;
+      for (const std::uint32_t a : coupled) around_[a].insert(around_[a].end(), coupled.begin(), coupled.end());
+      last = coupled;
     }
   }
   for (auto& list : around_) sortOnce(list);
 }
 
-void CoarseSpace::colour() {
+void CoarseSpace::colourNodes() {
   colours_.clear();
-  std::vector<std::vector<std::uint8_t>> feelsOne;  // per colour and number
+  std::vector<std::vector<std::uint8_t>> taken;  // per colour and number
   for (std::uint32_t c = 0; c < nodeOf_.size(); ++c) {
     std::size_t k = 0;
-    const auto clash = [&](std::uint32_t other) { return feelsOne[k][other] != 0; };
-    while (k < colours_.size() && std::any_of(around_[c].begin(), around_[c].end(), clash)) ++k;
+    const auto conflicts = [&](std::uint32_t other) { return taken[k][other] != 0; };
+    while (k < colours_.size() && std::any_of(around_[c].begin(), around_[c].end(), conflicts)) ++k;
     if (k == colours_.size()) {
       colours_.emplace_back();
-      feelsOne.emplace_back(nodeOf_.size(), 0);
+      taken.emplace_back(nodeOf_.size(), 0);
     }
     colours_[k].push_back(c);
-    for (const std::uint32_t other : around_[c]) feelsOne[k][other] = 1;
+    for (const std::uint32_t other : around_[c]) taken[k][other] = 1;
   }
 }
 
-// Each product with one move of every coarse node of a colour gives that many columns of the matrix.
-bool CoarseSpace::refresh(const std::function<void()>& product) {
-  if (!numbered_) number();
+// Each product with one move of every coarse node of a colour gives that many columns of A_c.
+bool CoarseSpace::assemble(const std::function<void()>& product) {
+  if (!numbered_) numberNodes();
   matrix_.clear();
   for (const auto& colour : colours_)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (auto& values : value_) std::fill(values.begin(), values.end(), 0.0f);
       for (const std::uint32_t c : colour) value_[axis][nodeOf_[c]] = 1;
       product();
-      sumUp();
+      sumRestrictions();
       for (const std::uint32_t c : colour)
         for (const std::uint32_t other : around_[c])
           for (std::uint32_t b = 0; b < 3; ++b) {
-            // What is felt of neighbours' neighbours is shared out, alike both ways.
+            // What lies beyond the couplings falls on coupled nodes; half from each triangle keeps it symmetric.
             const std::uint32_t i = 3 * other + b, j = 3 * c + static_cast<std::uint32_t>(axis);
             const double half = 0.5 * double{value_[b][nodeOf_[other]]};
             matrix_.at(std::max(i, j), std::min(i, j)) += i == j ? 2 * half : half;
@@ -245,64 +247,64 @@ bool CoarseSpace::refresh(const std::function<void()>& product) {
   return ready_;
 }
 
-void CoarseSpace::feel(const SlotPart& part, const Lanes3& r) {
-  Felt& felt = felt_[static_cast<std::size_t>(&part - plan_.parts.data())];
-  std::fill(felt.value.begin(), felt.value.end(), 0.0f);
-  if (felt.count == 0) return;
-  if (part.loose()) {
-    for (std::size_t slot = part.begin; slot < part.end; ++slot) {
+void CoarseSpace::restrictResidual(const SlotRange& range, const SlotVectors& r) {
+  Restriction& restricted = restrictions_[static_cast<std::size_t>(&range - layout_.ranges.data())];
+  std::fill(restricted.value.begin(), restricted.value.end(), 0.0f);
+  if (restricted.count == 0) return;
+  if (range.unstructured()) {
+    for (std::size_t slot = range.begin; slot < range.end; ++slot) {
       if (free_[slot] == 0) continue;
-      for (const Share& share : shares_[slot]) {
-        if (share.weight == 0) continue;
-        float* to = felt.value.data() + (share.node - felt.first);
-        for (std::size_t axis = 0; axis < 3; ++axis) to[axis * felt.count] += share.weight * r[axis][slot];
+      for (const StencilEntry& entry : stencils_[slot]) {
+        if (entry.weight == 0) continue;
+        float* to = restricted.value.data() + (entry.node - restricted.first);
+        for (std::size_t axis = 0; axis < 3; ++axis) to[axis * restricted.count] += entry.weight * r[axis][slot];
       }
     }
     return;
   }
-  const Panel& panel = plan_.panels[part.panel];
-  const Net& net = nets_[netOf_[part.panel]];
-  const auto [first, count] = coarseRows(part);
+  const GridBlock& block = layout_.blocks[range.block];
+  const CoarseGrid& grid = grids_[gridOf_[range.block]];
+  const auto [first, count] = coarseRows(range);
   thread_local std::array<std::vector<float>, 3> rows;  // the coarse rows at the fine columns, one after the other
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    rows[axis].assign(count * panel.columns, 0);
-    for (std::size_t j = part.row; j < part.row + part.rows; ++j) {
-      const std::size_t s = panel.first + j * panel.stride;
-      float* here = rows[axis].data() + (net.row.cell[j] - first) * panel.columns;
-      share(panel.columns, net.row.next[j], r[axis].data() + s, free_.data() + s, here, here + panel.columns);
+    rows[axis].assign(count * block.columns, 0);
+    for (std::size_t j = range.row; j < range.row + range.rows; ++j) {
+      const std::size_t s = block.first + j * block.stride;
+      float* here = rows[axis].data() + (grid.row.cell[j] - first) * block.columns;
+      restrictRow(block.columns, grid.row.next[j], r[axis].data() + s, free_.data() + s, here, here + block.columns);
     }
   }
-  // Cell by cell: what its ends feel. The sums of all axes side by side, so that none waits for the last.
+  // Cell by cell onto its two ends. The sums of all axes side by side, so that none waits for the last.
   for (std::size_t c = 0; c < count; ++c) {
-    float* to = felt.value.data() + c * net.columns();
-    for (std::size_t cell = 0, i = 0; cell + 1 < net.columns(); ++cell) {
+    float* to = restricted.value.data() + c * grid.columns();
+    for (std::size_t cell = 0, i = 0; cell + 1 < grid.columns(); ++cell) {
       float here[3] = {}, next[3] = {};
-      for (; i < panel.columns && net.column.cell[i] == cell; ++i)
+      for (; i < block.columns && grid.column.cell[i] == cell; ++i)
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          const float own = rows[axis][c * panel.columns + i];
-          here[axis] += (1 - net.column.next[i]) * own;
-          next[axis] += net.column.next[i] * own;
+          const float own = rows[axis][c * block.columns + i];
+          here[axis] += (1 - grid.column.next[i]) * own;
+          next[axis] += grid.column.next[i] * own;
         }
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        to[axis * felt.count + cell] += here[axis];
-        to[axis * felt.count + cell + 1] += next[axis];
+        to[axis * restricted.count + cell] += here[axis];
+        to[axis * restricted.count + cell + 1] += next[axis];
       }
     }
   }
 }
 
-void CoarseSpace::sumUp() {
+void CoarseSpace::sumRestrictions() {
   for (auto& value : value_) std::fill(value.begin(), value.end(), 0.0f);
-  for (const Felt& felt : felt_)
+  for (const Restriction& restricted : restrictions_)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float* from = felt.value.data() + axis * felt.count;
-      float* to = value_[axis].data() + felt.first;
-      for (std::size_t k = 0; k < felt.count; ++k) to[k] += from[k];
+      const float* from = restricted.value.data() + axis * restricted.count;
+      float* to = value_[axis].data() + restricted.first;
+      for (std::size_t k = 0; k < restricted.count; ++k) to[k] += from[k];
     }
 }
 
-double CoarseSpace::answer() {
-  sumUp();
+double CoarseSpace::coarseSolve() {
+  sumRestrictions();
   for (std::size_t c = 0; c < nodeOf_.size(); ++c)
     for (std::size_t axis = 0; axis < 3; ++axis) found_[3 * c + axis] = value_[axis][nodeOf_[c]];
   matrix_.solve(found_);
@@ -319,36 +321,37 @@ double CoarseSpace::answer() {
   return product;
 }
 
-void CoarseSpace::turn(const SlotPart& part, const Lanes3& z, float beta, Lanes3& p) const {
-  if (part.loose()) {
-    for (std::size_t axis = 0; axis < 3; ++axis) turnLoose(part.begin, part.end, beta, z[axis].data(), p[axis].data());
-    for (std::size_t slot = part.begin; slot < part.end; ++slot) {
+void CoarseSpace::updateDirection(const SlotRange& range, const SlotVectors& z, float beta, SlotVectors& p) const {
+  if (range.unstructured()) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      updateDirectionUnstructured(range.begin, range.end, beta, z[axis].data(), p[axis].data());
+    for (std::size_t slot = range.begin; slot < range.end; ++slot) {
       if (free_[slot] == 0) continue;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         float move = 0;
-        for (const Share& share : shares_[slot]) move += share.weight * value_[axis][share.node];
+        for (const StencilEntry& entry : stencils_[slot]) move += entry.weight * value_[axis][entry.node];
         p[axis][slot] += move;
       }
     }
     return;
   }
-  const Panel& panel = plan_.panels[part.panel];
-  const Net& net = nets_[netOf_[part.panel]];
-  const auto [first, count] = coarseRows(part);
+  const GridBlock& block = layout_.blocks[range.block];
+  const CoarseGrid& grid = grids_[gridOf_[range.block]];
+  const auto [first, count] = coarseRows(range);
   thread_local std::vector<float> rows;  // coarse ones at the fine columns, one after the other
-  rows.resize(count * panel.stride + kLanes);
+  rows.resize(count * block.stride + kLanes);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t c = 0; c < count; ++c) {
-      const float* from = value_[axis].data() + net.first + (first + c) * net.columns();
-      for (std::size_t cell = 0; cell + 1 < net.columns(); ++cell)
-        alongCell(net.column.at[cell], net.column.at[cell + 1] + 1, from[cell], from[cell + 1], net.column.next.data(),
-                  rows.data() + c * panel.stride);
+      const float* from = value_[axis].data() + grid.first + (first + c) * grid.columns();
+      for (std::size_t cell = 0; cell + 1 < grid.columns(); ++cell)
+        interpolateCell(grid.column.at[cell], grid.column.at[cell + 1] + 1, from[cell], from[cell + 1],
+                        grid.column.next.data(), rows.data() + c * block.stride);
     }
-    for (std::size_t j = part.row; j < part.row + part.rows; ++j) {
-      const std::size_t s = panel.first + j * panel.stride;
-      const float* row = rows.data() + (net.row.cell[j] - first) * panel.stride;
-      turnRow(panel.columns, beta, {row, row + panel.stride, 1 - net.row.next[j], net.row.next[j]}, free_.data() + s,
-              z[axis].data() + s, p[axis].data() + s);
+    for (std::size_t j = range.row; j < range.row + range.rows; ++j) {
+      const std::size_t s = block.first + j * block.stride;
+      const float* row = rows.data() + (grid.row.cell[j] - first) * block.stride;
+      updateDirectionRow(block.columns, beta, {row, row + block.stride, 1 - grid.row.next[j], grid.row.next[j]},
+                         free_.data() + s, z[axis].data() + s, p[axis].data() + s);
     }
   }
 }

@@ -59,7 +59,7 @@ class Contact {
   virtual ~Contact() = default;
   virtual const char* name() const = 0;  // for the profile; contacts of one kind share it
   virtual void setTies(const TieMap&) {}
-  // Finds what is in contact. The functions below speak of what was found last.
+  // Finds what is in contact. The functions below are about what was found last.
   virtual void detect(const ContactQuery& query, Workers& workers) = 0;
   virtual void addGradient(std::span<Vec3> gradient) const = 0;  // newtons, per node
   virtual void addHessian(ContactHessian& hessian) const = 0;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cloth/nearest.h"
+#include "cloth/closest_points.h"
 
 namespace karinui {
 namespace {
@@ -66,7 +66,7 @@ void ContactPairs::nodeFaces(NodeIndex a, NodeIndex b, const Search& search, std
       if (!search.move.empty()) apart = std::fmax(apart, squaredLength(search.move[a] - search.move[c]));
     }
     if (!mine) continue;
-    const auto w = nearestOnTriangle(p, search.x[face[0]], search.x[face[1]], search.x[face[2]]);
+    const auto w = closestOnTriangle(p, search.x[face[0]], search.x[face[1]], search.x[face[2]]);
     const Vec3 d = p - (search.x[face[0]] * w[0] + search.x[face[1]] * w[1] + search.x[face[2]] * w[2]);
     const double gap = length(d);
     if (!(gap < search.within + kMoveReach * std::sqrt(apart) && gap > kLeastGap)) continue;
@@ -96,7 +96,7 @@ void ContactPairs::edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std
       bool squeezed = squeezed1;
       if ((cross2 < both || (cross2 == both && b2 < b)) && takes(a, b2, squeezed)) continue;
       if (squaredLength(pa2 - pb2) < both && takes(a2, b2, squeezed)) continue;
-      const auto at = nearestOnSegments(pa, pa2, pb, pb2);
+      const auto at = closestOnSegments(pa, pa2, pb, pb2);
       // At an edge's end the node-face pair answers.
       if (search.move.empty() && (at[0] <= 0 || at[0] >= 1 || at[1] <= 0 || at[1] >= 1)) continue;
       const Vec3 d = lerp(pa, pa2, at[0]) - lerp(pb, pb2, at[1]);
@@ -127,7 +127,7 @@ std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& worke
       const double d2 = squaredLength(search.x[b] - search.x[a]);
       if (d2 > reach * reach) continue;
       double far = search.within + kEdgeReach * std::fmax(longestEdge_[a], longestEdge_[b]);
-      // The nodes of a pair move nearly alike, so what these two do stands for it, with room to spare.
+      // The nodes of a pair move nearly alike, so the moves of these two bound it, with some margin.
       if (!search.move.empty()) far += kNodeReach * spacing_ + kNodeMoveReach * length(search.move[a] - search.move[b]);
       if (d2 > far * far) continue;
       if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;

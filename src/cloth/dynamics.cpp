@@ -2,14 +2,15 @@
 
 #include <cmath>
 
-#include "cloth/job.h"
+#include "cloth/finish.h"
+#include "cloth/input_check.h"
 
 namespace karinui {
 namespace {
 
 Vec3 centreOf(const LevelSolver& solver) {
   Vec3 sum;
-  for (NodeIndex k : solver.moving()) sum += solver.places()[k];
+  for (NodeIndex k : solver.moving()) sum += solver.positions()[k];
   return sum * (1.0 / static_cast<double>(std::max<std::size_t>(1, solver.moving().size())));
 }
 
@@ -22,23 +23,23 @@ Result<DynamicsReport> runDynamics(const ClothLevel& level, const ColliderList& 
   LevelSolver solver(level.cloth, level.state.position, colliders, settings,
                      settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers);
   solver.tieWithin(level.cloth.spacing);
-  LevelSolver::Stride stride;
-  stride.seconds = 1.0 / 60;
-  stride.mostMove = 1e9;
-  stride.gravity = settings.gravity;
-  stride.stop = {40, 150, 0.02};
-  DynamicsReport so;
+  LevelSolver::StepOptions options;
+  options.seconds = 1.0 / 60;
+  options.mostMove = 1e9;
+  options.gravity = settings.gravity;
+  options.stopping = {40, 150, 0.02};
+  DynamicsReport report;
   const Vec3 before = centreOf(solver);
   for (int frame = 0; frame < frames; ++frame) {
-    const auto step = solver.step(stride, token);
+    const auto step = solver.step(options, token);
     if (token.cancelled()) return cancelled();
     if (!step.finite) return tornApart();
-    const double speed = step.move / stride.seconds;
-    so.topSpeed = std::fmax(so.topSpeed, speed);
-    if (frame < 10) so.firstTopSpeed = so.topSpeed;
+    const double speed = step.move / options.seconds;
+    report.topSpeed = std::fmax(report.topSpeed, speed);
+    if (frame < 10) report.firstTopSpeed = report.topSpeed;
   }
-  so.drift = distance(centreOf(solver), before);
-  return so;
+  report.drift = distance(centreOf(solver), before);
+  return report;
 }
 
 }  // namespace karinui

@@ -1,7 +1,7 @@
 #pragma once
-// One interface for all that stores energy in cloth: its value and its gradient, and for those that lie in no panel a
-// positive semidefinite stand-in for the second derivative as 3x3 blocks between pairs of nodes. Everything is
-// gathered: each output is written by one block of work, so the bits do not depend on the number of threads.
+// One interface for all that stores energy in cloth: its value and its gradient, and for those that lie in no grid
+// block a positive semidefinite approximation of the second derivative as 3x3 blocks between pairs of nodes. Each
+// output is written by one block of work, so the bits do not depend on the number of threads.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -16,7 +16,7 @@ using NodeIndex = std::uint32_t;
 struct NodePair {
   NodeIndex row = 0, column = 0;
 };
-using Block3 = std::array<float, 9>;  // row by row; only preconditions and steers, never judges rest
+using Block3 = std::array<float, 9>;  // row by row; in float, as it only finds moves and never judges rest
 
 class Energy {
  public:
@@ -32,8 +32,8 @@ class BlockEnergy : public Energy {
   virtual void blocks(std::span<const Vec3> x, std::span<Block3> out, Workers& workers) const = 0;  // as appendPairs
 };
 
-// Sum over many small elements of K nodes each. Derived gives `elementValue` and friends by `Self` (no virtual call per
-// element).
+// The sum over many small elements of K nodes each. `Self` has elementValue, elementGradient and elementBlocks, which
+// are no virtual calls.
 template <class Self, int K>
 class ElementEnergy : public BlockEnergy {
  public:
@@ -105,8 +105,8 @@ class ElementEnergy : public BlockEnergy {
   mutable std::vector<Vec3> force_;          // scratch; one caller at a time, as Workers
 };
 
-// a I + b n n^T
-inline void addStretch(Block3& block, double a, double b, Vec3 n) {
+// block += a I + b n n^T
+inline void addIdentityAndOuter(Block3& block, double a, double b, Vec3 n) {
   block[0] += static_cast<float>(a + b * n.x * n.x);
   block[1] += static_cast<float>(b * n.x * n.y);
   block[2] += static_cast<float>(b * n.x * n.z);

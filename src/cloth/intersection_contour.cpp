@@ -18,7 +18,7 @@ Vec3 normalOf(const TriangleMesh& mesh, const Triangle& f) {
   return normalized(cross(mesh.points[f[1]] - mesh.points[f[0]], mesh.points[f[2]] - mesh.points[f[0]]));
 }
 
-// Faces in the cells of a grid; two whose boxes overlap are told of once, in the cell where the overlap begins.
+// Faces in the cells of a grid. Two whose boxes overlap are reported once, in the cell where the overlap begins.
 class FaceGrid {
  public:
   explicit FaceGrid(const TriangleMesh& mesh) : boxes_(mesh.faces.size()) {
@@ -45,8 +45,8 @@ class FaceGrid {
   }
 
   std::size_t cells() const { return start_.size() - 1; }
-  template <class Tell>
-  void forTouchingFaces(std::size_t cell, const Tell& tell) const {
+  template <class Report>
+  void forTouchingFaces(std::size_t cell, const Report& report) const {
     for (std::uint32_t m = start_[cell]; m < start_[cell + 1]; ++m)
       for (std::uint32_t n = m + 1; n < start_[cell + 1]; ++n) {
         const Box &a = boxes_[face_[m]], &b = boxes_[face_[n]];
@@ -54,7 +54,7 @@ class FaceGrid {
         if (low.x > std::fmin(a.high.x, b.high.x) || low.y > std::fmin(a.high.y, b.high.y) ||
             low.z > std::fmin(a.high.z, b.high.z))
           continue;
-        if (number(at(low)) == cell) tell(face_[m], face_[n]);
+        if (number(at(low)) == cell) report(face_[m], face_[n]);
       }
   }
 
@@ -128,7 +128,7 @@ void IntersectionContour::find(std::span<const Vec3> x, Workers& workers) {
   crossings_ = 0;
   if (mesh_.faces.empty()) return;
   using Pierced = std::pair<std::uint32_t, std::uint32_t>;  // edge and face
-  const auto ask = [&](std::uint32_t f, std::uint32_t g, std::vector<Pierced>& pierced) {
+  const auto test = [&](std::uint32_t f, std::uint32_t g, std::vector<Pierced>& pierced) {
     const Triangle& face = mesh_.faces[g];
     const std::array<NanoPoint, 3> corners{toNano(x[face[0]]), toNano(x[face[1]]), toNano(x[face[2]])};
     for (const std::uint32_t e : edgeOf_[f])
@@ -148,8 +148,8 @@ void IntersectionContour::find(std::span<const Vec3> x, Workers& workers) {
     for (std::size_t cell = begin; cell < end; ++cell)
       grid.forTouchingFaces(cell, [&](std::uint32_t f, std::uint32_t g) {
         if (sewn(f, g)) return;
-        ask(f, g, out);
-        ask(g, f, out);
+        test(f, g, out);
+        test(g, f, out);
       });
   });
   std::vector<Pierced> pierced;
@@ -174,9 +174,9 @@ void IntersectionContour::find(std::span<const Vec3> x, Workers& workers) {
       for (NodeIndex k : face) near_[k] = 1;
 }
 
-// Where the edge moves by d against the face, the point where it segmentCrossesTriangle moves by d - e (d.n)/(e.n) in
-// the face's plane, and the line of crossing, which leaves it along r in each face beside the edge, grows by -r times
-// that.
+// Where the edge (unit direction e) moves by d against the face (normal n), the point where it passes through moves by
+// d - e (d.n)/(e.n) in the face's plane. The contour leaves that point along r in each face beside the edge and so
+// grows by -r times that move.
 void IntersectionContour::addShortening(std::span<const Vec3> x, const Edge& edge, std::uint32_t face) {
   const Vec3 along = normalized(x[edge.node[1]] - x[edge.node[0]]);
   const Vec3 n = normalOf(mesh_, mesh_.faces[face]);

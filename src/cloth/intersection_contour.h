@@ -1,7 +1,8 @@
 #pragma once
-// Cloth that has passed through cloth: who is concerned, and which way is out. Nothing tells the right side of a sheet
-// that stands crossed, but the line in which sheets cross can be shortened until it is gone (after P. Volino and
-// N. Magnenat-Thalmann, "Resolving surface collisions through intersection contour minimization", 2006).
+// Where cloth intersects itself, which nodes are concerned, and the directions that shorten the intersection contour,
+// the line in which sheets cross. No history tells the right side of a sheet, but the contour can be shortened until it
+// is gone (P. Volino and N. Magnenat-Thalmann, "Resolving surface collisions through intersection contour
+// minimization", 2006).
 #include <array>
 #include <cstdint>
 #include <span>
@@ -17,12 +18,12 @@ class IntersectionContour {
  public:
   explicit IntersectionContour(const Cloth& cloth);
 
-  // Looks where the cloth crosses itself; faces sewn to each other do not.
+  // Finds the intersections; faces sewn to each other have none.
   void find(std::span<const Vec3> x, Workers& workers);
   std::size_t crossings() const { return crossings_; }  // of an edge with a face
-  // Per node: whether it is of a face that crosses another, or beside one. Such nodes do not meet each other as cloth.
+  // Per node: whether it is of a face that intersects another, or beside one.
   const std::vector<std::uint8_t>& near() const { return near_; }
-  // Per node: the way that shortens the crossing, of length one at most; zero for nodes that are not concerned.
+  // Per node: the direction that shortens the contour, of length one at most; zero for nodes that are not concerned.
   const std::vector<Vec3>& direction() const { return direction_; }
 
  private:
@@ -32,7 +33,7 @@ class IntersectionContour {
   };
   void addShortening(std::span<const Vec3> x, const Edge& edge, std::uint32_t face);
 
-  TriangleMesh mesh_;  // the cloth's faces; its points are those of the last look
+  TriangleMesh mesh_;  // the cloth's faces; its points are those of the last find
   std::vector<std::array<std::uint32_t, 3>> edgeOf_;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> group_;  // nodes sewn together carry the same number

@@ -6,18 +6,19 @@
 
 #include "cloth/bending.h"
 #include "cloth/collider_face_contact.h"
-#include "cloth/lattice_shares.h"
+#include "cloth/lattice_areas.h"
 
 namespace karinui {
 namespace {
 
-constexpr std::size_t kBlock = 256;  // nodes a worker takes at once
-constexpr double kSlackReach = 0.3;  // of a step's largest move: what two ends of a spring move apart
-constexpr double kLeastReach = 1e-7, kMostReach = 0.05;  // metres, spacings
-constexpr double kTurnsBack = 5e-6;                      // metres a node moves that is said to turn back,
-constexpr double kSlower = 3;                            // so many times slower each time it does,
-constexpr double kQuicker = 0.7;                         // quicker again each time it does not,
-constexpr double kSlowest = 1e5;                         // and at most so many times heavier than it is
+constexpr std::size_t kBlock = 256;  // nodes in one piece of work
+constexpr double kSlackShare =
+    0.3;  // of a step's largest move: the slack below which springs enter the matrix as taut,
+constexpr double kLeastSlack = 1e-7, kMostSlack = 0.05;  // and its bounds: metres, spacings
+constexpr double kReversal = 5e-6;                       // metres: a longer move against the last one is a reversal,
+constexpr double kDampingGrowth = 3;                     // factor on the damping each time,
+constexpr double kDampingDecay = 0.7;                    // and each time there is none;
+constexpr double kMostDamping = 1e5;                     // times inertia, at most
 
 struct Moving {
   std::vector<NodeIndex> nodes;
@@ -34,7 +35,7 @@ Moving movingOf(const Cloth& cloth) {
   std::vector<double> friction(cloth.nodeCount, 0);
   for (const ClothPiece& piece : cloth.pieces) {
     if (!piece.live) continue;
-    const LatticeShares shares = sharesOf(*piece.lattice);
+    const LatticeAreas shares = latticeAreas(*piece.lattice);
     const double least = 0.01 * piece.lattice->spacing * piece.lattice->spacing;
     for (std::size_t k = 0; k < shares.cell.size(); ++k) {
       const std::size_t node = piece.firstNode + k;
@@ -69,13 +70,13 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
       velocity_(cloth.nodeCount),
       gradient_(cloth.nodeCount),
       tied_(cloth.ties.size(), 0),
-      plan_(cloth),
-      stretch_(cloth, plan_) {
+      layout_(cloth),
+      membraneOnGrid_(cloth, layout_) {
   Moving moving = movingOf(cloth);
   mass_ = std::move(moving.mass);
   held_ = std::move(moving.held);
   moving_ = std::move(moving.nodes);
-  slowing_.assign(cloth.nodeCount, 0);
+  damping_.assign(cloth.nodeCount, 0);
   double total = 0;
   for (NodeIndex k : moving_) total += mass_[k];
   const double g = length(settings.gravity);
@@ -89,15 +90,15 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
     energies_.push_back(std::move(energy));
     return raw;
   };
-  membrane_ = add(std::make_unique<Membrane>(cloth, &plan_));
+  membrane_ = add(std::make_unique<Membrane>(cloth, &layout_));
   Springs* simcloth = add(std::make_unique<Springs>(simclothSprings(cloth), cloth.nodeCount));
   if (simcloth->count() > 0) simcloth_ = simcloth;
   springs_ = {simcloth, add(std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount))};
-  auto bending = std::make_unique<Bending>(cloth, held_, plan_, workers);
-  system_ = std::make_unique<BlockSystem>(cloth, plan_, bending->panels(), pairs, bending->rest());
+  auto bending = std::make_unique<Bending>(cloth, held_, layout_, workers);
+  system_ = std::make_unique<BlockSystem>(cloth, layout_, bending->grid(), pairs, bending->remainder());
   energies_.push_back(std::move(bending));
   blocks_.resize(pairs.size());
-  // Ties between nodes that do not move are not ours to close.
+  // Ties between nodes that do not move cannot be closed here.
   for (std::size_t t = 0; t < cloth.ties.size(); ++t) {
     const Tie& tie = cloth.ties[t];
     if (held_[tie.a] && held_[tie.b] && (tie.c == kNoNode || held_[tie.c])) tied_[t] = 1;
@@ -155,41 +156,42 @@ std::size_t LevelSolver::touching() const {
 
 void LevelSolver::rebuild() {
   ties_ = std::make_unique<TieMap>(cloth_, held_, tied_);
-  ties_->gather(x_);
+  ties_->enforce(x_);
   system_->setTies(*ties_);
   for (const auto& contact : contacts_) contact->setTies(*ties_);
   open_ = static_cast<std::size_t>(std::count(tied_.begin(), tied_.end(), 0));
 }
 
-void LevelSolver::place(std::vector<Vec3> x) {
+void LevelSolver::setPositions(std::vector<Vec3> x) {
   x_ = std::move(x);
-  ties_->gather(x_);
-  stop();
+  ties_->enforce(x_);
+  resetMotion();
 }
 
-void LevelSolver::moveGuarded(std::vector<Vec3> moves) {
-  ties_->share(moves);
+void LevelSolver::moveFiltered(std::vector<Vec3> moves) {
+  ties_->makeAdmissible(moves);
   self_->limitMove(x_, moves, workers_);
   for (NodeIndex k = 0; k < cloth_.nodeCount; ++k) x_[k] += moves[k];
-  ties_->gather(x_);
-  stop();
+  ties_->enforce(x_);
+  resetMotion();
 }
 
-// Between two sides of a crease, or where a wrinkle snaps, a node may go to and fro for ever while all else rests. A
-// cost on its way makes each turn shorter; it moves no rest, and what is judged for rest is predicted without it.
-void LevelSolver::calmDown(const Stride& stride) {
-  if (!stride.calm) return;
+// Between two sides of a crease, or where a wrinkle snaps, a node may oscillate for ever while all else rests. Damping
+// that grows with each reversal ends that. It changes no equilibrium, and rest is judged by a step without it.
+void LevelSolver::updateDamping(const StepOptions& options) {
+  if (!options.damped) return;
   for (NodeIndex k : moving_) {
-    const double heavy = mass_[k] / (stride.seconds * stride.seconds);
-    const bool back = dot(nodeMove_[k], velocity_[k]) < 0 && squaredLength(nodeMove_[k]) > kTurnsBack * kTurnsBack;
-    slowing_[k] = back ? std::fmin(kSlowest * heavy, kSlower * (slowing_[k] + heavy)) : kQuicker * slowing_[k];
-    if (slowing_[k] < 0.1 * heavy) slowing_[k] = 0;
+    const double inertia = mass_[k] / (options.seconds * options.seconds);
+    const bool reverses = dot(nodeMove_[k], velocity_[k]) < 0 && squaredLength(nodeMove_[k]) > kReversal * kReversal;
+    damping_[k] = reverses ? std::fmin(kMostDamping * inertia, kDampingGrowth * (damping_[k] + inertia))
+                           : kDampingDecay * damping_[k];
+    if (damping_[k] < 0.1 * inertia) damping_[k] = 0;
   }
 }
 
-void LevelSolver::stop() {
+void LevelSolver::resetMotion() {
   std::fill(velocity_.begin(), velocity_.end(), Vec3{});
-  std::fill(slowing_.begin(), slowing_.end(), 0.0);
+  std::fill(damping_.begin(), damping_.end(), 0.0);
   for (const auto& contact : contacts_) contact->reset();
 }
 
@@ -202,7 +204,7 @@ void LevelSolver::tieWithin(double gap) {
     }
   if (!changed) return;
   rebuild();
-  // What is tied moves as one from now on.
+  // What is tied moves as one from now on, with its common momentum.
   std::vector<Vec3> impulse(cloth_.nodeCount), mass(cloth_.nodeCount), p, m;
   for (NodeIndex k : moving_) {
     impulse[k] = velocity_[k] * mass_[k];
@@ -211,20 +213,20 @@ void LevelSolver::tieWithin(double gap) {
   ties_->reduce(impulse, p);
   ties_->reduce(mass, m);
   for (std::size_t u = 0; u < p.size(); ++u) p[u] = m[u].x > 0 ? p[u] * (1 / m[u].x) : Vec3{};
-  ties_->spread(p, velocity_);
+  ties_->expand(p, velocity_);
 }
 
-bool LevelSolver::untangle() { return intersections_->start(x_, workers_); }
+bool LevelSolver::separateIntersections() { return intersections_->start(x_, workers_); }
 
-std::size_t LevelSolver::crossings() { return intersections_->count(x_, workers_); }
+std::size_t LevelSolver::intersections() { return intersections_->count(x_, workers_); }
 
-void LevelSolver::assemble(const Stride& stride, bool sliding) {
+void LevelSolver::assemble(const StepOptions& options, bool sliding) {
   std::fill(gradient_.begin(), gradient_.end(), Vec3{});
-  stretch_.evaluate(x_, gradient_, system_->panels(), workers_);
+  membraneOnGrid_.evaluate(x_, gradient_, system_->gridStiffness(), workers_);
   for (const auto& energy : energies_) energy->addGradient(x_, gradient_, workers_);
-  for (NodeIndex k : moving_) gradient_[k] -= stride.gravity * mass_[k];
-  seams_->setStrength(stride.closing);
-  eachContact([&](Contact& contact) { contact.detect({x_, stride.friction, sliding}, workers_); });
+  for (NodeIndex k : moving_) gradient_[k] -= options.gravity * mass_[k];
+  seams_->setStrength(options.seamPull);
+  eachContact([&](Contact& contact) { contact.detect({x_, options.friction, sliding}, workers_); });
   eachContact([&](Contact& contact) { contact.addGradient(gradient_); });
 
   std::size_t at = 0;
@@ -232,15 +234,15 @@ void LevelSolver::assemble(const Stride& stride, bool sliding) {
     energy->blocks(x_, std::span(blocks_).subspan(at, energy->pairCount()), workers_);
     at += energy->pairCount();
   }
-  system_->gather(blocks_, workers_);
-  const double inertia = 1 / (stride.seconds * stride.seconds);
+  system_->assemble(blocks_, workers_);
+  const double inertia = 1 / (options.seconds * options.seconds);
   ContactHessian hessian(*ties_, *system_);
-  for (NodeIndex k : moving_) hessian.addIsotropic(k, mass_[k] * inertia + (stride.calm ? slowing_[k] : 0));
+  for (NodeIndex k : moving_) hessian.addIsotropic(k, mass_[k] * inertia + (options.damped ? damping_[k] : 0));
   eachContact([&](Contact& contact) { contact.addHessian(hessian); });
   hessian.finish();
 }
 
-bool LevelSolver::sound() const {
+bool LevelSolver::allFinite() const {
   return std::all_of(x_.begin(), x_.end(), [](Vec3 p) { return finite(p); });
 }
 
@@ -250,105 +252,107 @@ double LevelSolver::residual() const {
   return std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
 }
 
-LevelSolver::Outcome LevelSolver::step(const Stride& stride, const Token& token) {
-  Outcome outcome;
-  if (ties_->unknowns() == 0) return outcome;
-  outcome.finite = sound();
-  if (!outcome.finite) return outcome;
-  assemble(stride);
+LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Token& token) {
+  StepResult result;
+  if (ties_->unknowns() == 0) return result;
+  result.finite = allFinite();
+  if (!result.finite) return result;
+  assemble(options);
   std::vector<Vec3> nodeForce(cloth_.nodeCount);
   for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
   ties_->reduce(nodeForce, force_);
-  outcome.residual = residual();
-  for (NodeIndex k : moving_) nodeForce[k] += velocity_[k] * (mass_[k] * stride.keep / stride.seconds);
+  result.residual = residual();
+  for (NodeIndex k : moving_) nodeForce[k] += velocity_[k] * (mass_[k] * options.velocityKept / options.seconds);
   eachContact([&](Contact& contact) { contact.addSlipForce(nodeForce); });
   ties_->reduce(nodeForce, force_);
-  outcome.iterations = system_->solve(force_, stride.stop, token, workers_, move_);
-  ties_->spread(move_, nodeMove_);
+  result.iterations = system_->solve(force_, options.stopping, token, workers_, move_);
+  ties_->expand(move_, nodeMove_);
   double most = 0;
   for (NodeIndex k : moving_) {
     const double own = squaredLength(nodeMove_[k]);
-    if (!std::isfinite(own)) outcome.finite = false;
+    if (!std::isfinite(own)) result.finite = false;
     most = std::max(most, own);
   }
   most = std::sqrt(most);
-  outcome.finite = outcome.finite && std::isfinite(outcome.residual);
-  if (!outcome.finite || token.cancelled()) return outcome;
-  const double scale = most > stride.mostMove ? stride.mostMove / most : 1;
-  outcome.shortened = scale < 1;
-  if (outcome.shortened)
+  result.finite = result.finite && std::isfinite(result.residual);
+  if (!result.finite || token.cancelled()) return result;
+  const double scale = most > options.mostMove ? options.mostMove / most : 1;
+  result.shortened = scale < 1;
+  if (result.shortened)
     for (NodeIndex k : moving_) nodeMove_[k] = nodeMove_[k] * scale;
   eachContact([&](Contact& contact) { contact.limitMove(x_, nodeMove_, workers_); });
-  calmDown(stride);
-  struct Way {
+  updateDamping(options);
+  struct Moved {
     double now = 0, before = 0, both = 0, most = 0;
   };
-  const std::vector<Way> ways = workers_.each(moving_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    Way way;
+  const std::vector<Moved> blocks = workers_.each(moving_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    Moved moved;
     for (std::size_t n = begin; n < end; ++n) {
       const NodeIndex k = moving_[n];
       const double own = squaredLength(nodeMove_[k]);
       x_[k] += nodeMove_[k];
-      way.now += own;
-      way.before += squaredLength(velocity_[k]);
-      way.both += dot(nodeMove_[k], velocity_[k]);
-      way.most = std::max(way.most, own);
-      velocity_[k] = nodeMove_[k] * (1 / stride.seconds);
+      moved.now += own;
+      moved.before += squaredLength(velocity_[k]);
+      moved.both += dot(nodeMove_[k], velocity_[k]);
+      moved.most = std::max(moved.most, own);
+      velocity_[k] = nodeMove_[k] * (1 / options.seconds);
     }
-    return way;
+    return moved;
   });
-  Way whole;
-  for (const Way& way : ways) {
-    whole.now += way.now;
-    whole.before += way.before;
-    whole.both += way.both;
-    whole.most = std::max(whole.most, way.most);
+  Moved whole;
+  for (const Moved& moved : blocks) {
+    whole.now += moved.now;
+    whole.before += moved.before;
+    whole.both += moved.both;
+    whole.most = std::max(whole.most, moved.most);
   }
-  outcome.move = std::sqrt(whole.most);
-  outcome.finite = std::isfinite(whole.now);
-  if (!outcome.finite) return outcome;
-  if (simcloth_) simcloth_->setReach(std::clamp(kSlackReach * outcome.move, kLeastReach, kMostReach * cloth_.spacing));
-  outcome.along = whole.now > 0 && whole.before > 0 ? whole.both / std::sqrt(whole.now * whole.before) : 0;
-  if (!cloth_.ties.empty()) ties_->gather(x_);
-  eachContact([&](Contact& contact) { contact.afterStep(x_, stride.friction, workers_); });
-  return outcome;
+  result.move = std::sqrt(whole.most);
+  result.finite = std::isfinite(whole.now);
+  if (!result.finite) return result;
+  if (simcloth_)
+    simcloth_->setSlackTolerance(std::clamp(kSlackShare * result.move, kLeastSlack, kMostSlack * cloth_.spacing));
+  result.along = whole.now > 0 && whole.before > 0 ? whole.both / std::sqrt(whole.now * whole.before) : 0;
+  if (!cloth_.ties.empty()) ties_->enforce(x_);
+  eachContact([&](Contact& contact) { contact.afterStep(x_, options.friction, workers_); });
+  return result;
 }
 
-LevelSolver::Outcome LevelSolver::predict(const Stride& stride, const Token& token, std::vector<Vec3>* moves) {
-  Outcome outcome;
-  if (ties_->unknowns() == 0) return outcome;
-  outcome.finite = sound();
-  if (!outcome.finite) return outcome;
-  assemble(stride, true);
+LevelSolver::StepResult LevelSolver::predict(const StepOptions& options, const Token& token, std::vector<Vec3>* moves) {
+  StepResult result;
+  if (ties_->unknowns() == 0) return result;
+  result.finite = allFinite();
+  if (!result.finite) return result;
+  assemble(options, true);
   std::vector<Vec3> nodeForce(cloth_.nodeCount);
   for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
   ties_->reduce(nodeForce, force_);
-  outcome.residual = residual();
-  outcome.iterations = system_->solve(force_, stride.stop, token, workers_, move_);
-  outcome.finite = std::isfinite(outcome.residual);
+  result.residual = residual();
+  result.iterations = system_->solve(force_, options.stopping, token, workers_, move_);
+  result.finite = std::isfinite(result.residual);
   for (Vec3 m : move_) {
-    outcome.finite = outcome.finite && finite(m);
-    outcome.move = std::fmax(outcome.move, length(m));
+    result.finite = result.finite && finite(m);
+    result.move = std::fmax(result.move, length(m));
   }
-  if (moves) ties_->spread(move_, *moves);
-  return outcome;
+  if (moves) ties_->expand(move_, *moves);
+  return result;
 }
 
-std::vector<Vec3> LevelSolver::pulls() {
+std::vector<Vec3> LevelSolver::internalForces() {
   std::vector<Vec3> pull(cloth_.nodeCount);
-  stretch_.evaluate(x_, pull, system_->panels(), workers_);
+  membraneOnGrid_.evaluate(x_, pull, system_->gridStiffness(), workers_);
   for (const auto& energy : energies_) energy->addGradient(x_, pull, workers_);
   for (Vec3& p : pull) p = -p;
   return pull;
 }
 
-std::vector<Vec3> LevelSolver::answerTo(const std::vector<Vec3>& force, const Stride& stride, const Token& token) {
+std::vector<Vec3> LevelSolver::responseTo(const std::vector<Vec3>& force, const StepOptions& options,
+                                          const Token& token) {
   std::vector<Vec3> moves(cloth_.nodeCount);
-  if (ties_->unknowns() == 0 || !sound()) return moves;
-  assemble(stride);
+  if (ties_->unknowns() == 0 || !allFinite()) return moves;
+  assemble(options);
   ties_->reduce(force, force_);
-  system_->solve(force_, stride.stop, token, workers_, move_);
-  ties_->spread(move_, moves);
+  system_->solve(force_, options.stopping, token, workers_, move_);
+  ties_->expand(move_, moves);
   return moves;
 }
 

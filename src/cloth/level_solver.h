@@ -1,16 +1,16 @@
 #pragma once
-// One level of a garment on its way to rest: strongly damped implicit steps (backward Euler with long time steps,
-// velocity kept), each one linear solve. See docs/develop/drape.md.
+// Brings one level of a garment towards static equilibrium by implicit time steps: backward Euler (Baraff and Witkin
+// 1998) with long steps, each one linear solve. See docs/develop/drape.md.
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "cloth/block_system.h"
 #include "cloth/collider_contact.h"
+#include "cloth/grid_membrane.h"
 #include "cloth/hand_contact.h"
 #include "cloth/intersection_removal.h"
 #include "cloth/membrane.h"
-#include "cloth/panel_stretch.h"
 #include "cloth/seam_closing.h"
 #include "cloth/self_contact.h"
 #include "cloth/springs.h"
@@ -27,59 +27,60 @@ class LevelSolver {
   LevelSolver(const LevelSolver&) = delete;  // its contacts refer to it
   LevelSolver& operator=(const LevelSolver&) = delete;
 
-  struct Stride {
-    double seconds = 1.0 / 60, keep = 1;  // of the velocity
-    double mostMove = 0;                  // metres; the whole step is shortened to it
+  struct StepOptions {
+    double seconds = 1.0 / 60;
+    double velocityKept = 1;  // share
+    double mostMove = 0;      // metres; the whole step is scaled to it
     Vec3 gravity;
-    bool friction = true;
-    double closing = 1;  // how much firmer than usual open seams are drawn together
-    bool calm = false;   // nodes that turn back at every step are slowed, one by one
-    BlockSystem::Stop stop;
+    bool friction = true;  // with colliders
+    double seamPull = 1;   // factor on the force that closes open seams
+    bool damped = false;   // nodes that reverse at every step are damped, one by one
+    BlockSystem::StoppingRule stopping;
   };
-  struct Outcome {
+  struct StepResult {
     double move = 0;      // largest, metres
     double residual = 0;  // rms unbalanced force in node weights, before the step
-    double along = 0;     // cosine between this step's moves and the last one's: 1 is creep, below 0 swinging
+    double along = 0;     // cosine between this step's moves and the last one's: 1 is creep, below 0 oscillation
     bool shortened = false, finite = true;
     int iterations = 0;
   };
-  Outcome step(const Stride& stride, const Token& token);
-  // The largest move of one long, well converged step; nothing moves. `moves`: of each node.
-  Outcome predict(const Stride& stride, const Token& token, std::vector<Vec3>* moves = nullptr);
-  // What the cloth's own threads pull each node with, newtons, also those that stand still.
-  std::vector<Vec3> pulls();
-  // How each node would go in one well converged step if nothing but `force` (newtons, per node) were out of balance.
-  std::vector<Vec3> answerTo(const std::vector<Vec3>& force, const Stride& stride, const Token& token);
+  StepResult step(const StepOptions& options, const Token& token);
+  // The largest move of a step that is computed but not taken. `moves`: of each node.
+  StepResult predict(const StepOptions& options, const Token& token, std::vector<Vec3>* moves = nullptr);
+  // The force of stretch, shear and bending on each node, newtons, also on those that do not move.
+  std::vector<Vec3> internalForces();
+  // The move of each node in a step by `force` (newtons, per node) in place of the unbalanced force; not taken.
+  std::vector<Vec3> responseTo(const std::vector<Vec3>& force, const StepOptions& options, const Token& token);
 
   const Cloth& cloth() const { return cloth_; }
-  const std::vector<Vec3>& places() const { return x_; }
-  void place(std::vector<Vec3> x);  // stand elsewhere, at rest
-  // Stands as moved, as far as nothing passes through other cloth; at rest.
-  void moveGuarded(std::vector<Vec3> moves);
+  const std::vector<Vec3>& positions() const { return x_; }
+  void setPositions(std::vector<Vec3> x);  // at rest there
+  // Moves the nodes as far as the collision filter allows; at rest there.
+  void moveFiltered(std::vector<Vec3> moves);
   bool allTied() const { return open_ == 0; }
   void tieWithin(double gap);  // ties every open pair nearer than this
   // Whether cloth meets cloth; it does at first.
-  void meetCloth(bool on) { self_->enable(on); }
-  // Looks whether the cloth stands crossed, and if so takes it apart in the steps that follow, as long as that helps;
-  // whether there is something to take apart.
-  bool untangle();
-  std::size_t crossings();       // of an edge with a face, as it stands
-  void stop();                   // forget velocity and anchors
+  void enableSelfContact(bool on) { self_->enable(on); }
+  // Looks whether the cloth intersects itself and if so separates it in the steps that follow; whether there is
+  // something to separate.
+  bool separateIntersections();
+  std::size_t intersections();   // of an edge with a face, as it stands
+  void resetMotion();            // forgets velocity, damping and friction
   std::size_t touching() const;  // nodes in contact with a collider
   const std::vector<NodeIndex>& moving() const { return moving_; }
 
   void setHand(std::optional<Hand> hand) { hand_->set(std::move(hand)); }
-  Vec3 handForce() const;  // newtons the hand feels: what threads stretched beyond their length pull with
+  Vec3 handForce() const;                         // newtons: of threads stretched beyond their length
   std::vector<ContactTime> contactTimes() const;  // so far; contacts of one name together
 
  private:
-  bool sound() const;                                         // whether every place is a number
-  void assemble(const Stride& stride, bool sliding = false);  // forces and system at x_
+  bool allFinite() const;                                           // positions
+  void assemble(const StepOptions& options, bool sliding = false);  // forces and system at x_
   template <class Use>
-  void eachContact(const Use& use);     // in order, with its time taken
-  double residual() const;              // rms of force_, in node weights
-  void calmDown(const Stride& stride);  // after a step, before velocities change
-  void rebuild();                       // after ties changed
+  void eachContact(const Use& use);                // in order, with its time taken
+  double residual() const;                         // rms of force_, in node weights
+  void updateDamping(const StepOptions& options);  // after a step, before velocities change
+  void rebuild();                                  // after ties changed
 
   const Cloth& cloth_;
   Workers& workers_;
@@ -88,9 +89,9 @@ class LevelSolver {
   std::vector<std::uint8_t> held_, tied_;
   std::size_t open_ = 0;
   std::vector<NodeIndex> moving_;
-  PanelPlan plan_;
-  PanelStretch stretch_;
-  std::vector<std::unique_ptr<Energy>> energies_;  // beside the panels' stretch
+  GridLayout layout_;
+  GridMembrane membraneOnGrid_;
+  std::vector<std::unique_ptr<Energy>> energies_;  // beside the grid blocks' membrane
   std::vector<const BlockEnergy*> blockEnergies_;  // of energies_
   const Membrane* membrane_ = nullptr;             // of energies_
   std::vector<const Springs*> springs_;            // of energies_
@@ -105,12 +106,12 @@ class LevelSolver {
   SeamClosing* seams_ = nullptr;
   IntersectionRemoval* intersections_ = nullptr;
   HandContact* hand_ = nullptr;
-  double nodeWeight_ = 0;
-  std::vector<double> slowing_;  // N/m per node: a step's way costs so much, wherever it leads
+  double nodeWeight_ = 0;        // newtons, mean
+  std::vector<double> damping_;  // N/m per node, on the move of a step in any direction
   std::vector<Vec3> force_, move_, nodeMove_;
 };
 
-// On coarse levels cloth keeps further away, so that finer cloth finds room.
+// Offsets of contact, metres. On coarse levels they are wider, so that the finer cloth finds room.
 double skinOffset(const SettleSettings& settings, double spacing, double finest);
 double clothRadius(double spacing, double finest);
 

@@ -1,8 +1,8 @@
 #pragma once
-// How a woven cloth resists being stretched and sheared in its own plane: warp, weft and shear each by a curve, on
-// every triangle of the lattice and of its ring alike, so that a uniform stretch is felt the same across both.
+// Stretch and shear of woven cloth in its own plane: warp, weft and shear each by a curve, on every triangle of the
+// lattice and of its ring alike, so that a uniform stretch has one stress across both.
 #include "cloth/energy.h"
-#include "cloth/panel_plan.h"
+#include "cloth/grid_layout.h"
 #include "karinui/cloth/cloth.h"
 
 namespace karinui {
@@ -19,12 +19,12 @@ struct ShearCurve {
 
 class Membrane : public ElementEnergy<Membrane, 3> {
  public:
-  // Of the live woven pieces; given a plan, of what it leaves.
-  explicit Membrane(const Cloth& cloth, const PanelPlan* plan = nullptr);
+  // Of the live woven pieces; given a layout, of what its grid blocks do not hold.
+  explicit Membrane(const Cloth& cloth, const GridLayout* layout = nullptr);
   double elementValue(std::size_t e, const Corners& x) const;
   void elementGradient(std::size_t e, const Corners& x, std::span<Vec3, 3> out) const;
   void elementBlocks(std::size_t e, const Corners& x, std::span<Block3> out) const;
-  // What stretched threads pull at these nodes with, newtons; squeezed threads, shear and weight are left out. Threads
+  // The force of stretched threads on these nodes, newtons; compressed threads, shear and weight are left out. Threads
   // within the patch cancel.
   Vec3 tensionAt(std::span<const Vec3> x, const std::vector<std::uint8_t>& patch) const;
 
@@ -33,18 +33,18 @@ class Membrane : public ElementEnergy<Membrane, 3> {
     ThreadCurve warp, weft;
     ShearCurve shear;
   };
-  struct Share {  // of one triangle: unit weft and warp, carried by the cloth, are sums of corners
+  struct Gradient {  // of one triangle: the deformation gradient's columns (weft, warp) as sums of corners
     std::array<double, 3> weft{}, warp{};
     double area = 0;
     std::uint32_t threads = 0;
   };
-  struct Thread {  // what a triangle adds to the tension in its threads, for the hand
+  struct Tension {  // of a triangle's threads, for the hand
     std::array<NodeIndex, 3> node{};
-    Share share;
+    Gradient gradient;
   };
   std::vector<Threads> threads_;
-  std::vector<Share> share_;
-  std::vector<Thread> all_;  // every triangle
+  std::vector<Gradient> gradient_;
+  std::vector<Tension> all_;  // every triangle
 };
 
 }  // namespace karinui

@@ -10,7 +10,7 @@ namespace karinui {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-constexpr double kBlend = 0.003;  // metres further away than the nearest a polygon may be to turn the way out
+constexpr double kBlend = 0.003;  // metres: polygons further away than the nearest by less have a share in the normal
 
 using Side = std::pair<std::uint32_t, std::uint32_t>;  // of the mesh, low corner first
 
@@ -115,7 +115,7 @@ double MergedPlanes::clearance(Vec3 place) const {
 Collider::Sample MergedPlanes::sample(Vec3 place) const {
   const DistanceField::Sample rough = body_->field().sample(place);
   const Sample far{rough.distance, length(rough.gradient) > 1e-9 ? normalized(rough.gradient) : Vec3{0, 1, 0}};
-  // A polygon that stands further off than the skin itself is another part's: through a wrist one sees its other side.
+  // A polygon further away than the surface itself belongs to another part of the body, as the other side of a wrist.
   const double reach =
       std::fmin(settings_.reach, std::fabs(rough.distance) + 2 * settings_.flatness + body_->field().cell());
   Box box;
@@ -132,12 +132,11 @@ Collider::Sample MergedPlanes::sample(Vec3 place) const {
   near.erase(std::unique(near.begin(), near.end()), near.end());
   done_.fetch_add(near.size(), std::memory_order_relaxed);
   saved_.fetch_add(faces - near.size(), std::memory_order_relaxed);
-  // The nearest of all polygons, whether the segment along its normal meets it within its outline or beside it: so the
-  // distance has no steps where one polygon takes over from the next; nor has the way out, in which polygons hardly
-  // further away have their share.
+  // The distance is that to the nearest polygon, within its outline or beside it, so that it is continuous where one
+  // polygon takes over from the next. So is the normal, in which polygons hardly further away have a share.
   double least = 1e300;
   bool below = false;
-  std::vector<std::pair<double, Vec3>> ways;  // how far each polygon is, and the way out from it
+  std::vector<std::pair<double, Vec3>> normals;  // how far each polygon is, and its normal
   for (std::uint32_t k : near) {
     const Polygon& polygon = polygons_[k];
     const double height = dot(place - polygon.centre, polygon.normal);
@@ -150,15 +149,15 @@ Collider::Sample MergedPlanes::sample(Vec3 place) const {
     const bool inside =
         length(beside) > 0 && std::fabs(rough.distance) > 0.5 * body_->field().cell() ? rough.distance < 0 : height < 0;
     const Vec3 out = polygon.normal * height + frame.u * beside.u + frame.v * beside.v;
-    ways.emplace_back(away, away > 1e-6 ? out * ((inside ? -1 : 1) / away) : polygon.normal);
+    normals.emplace_back(away, away > 1e-6 ? out * ((inside ? -1 : 1) / away) : polygon.normal);
     if (away >= least) continue;
     least = away;
     below = inside;
   }
   Vec3 normal;
-  for (const auto& [away, way] : ways) {
+  for (const auto& [away, out] : normals) {
     const double share = std::fmax(0.0, 1 - (away - least) / kBlend);
-    normal += way * (share * share);
+    normal += out * (share * share);
   }
   return {below ? -least : least, squaredLength(normal) > 1e-12 ? normalized(normal) : far.normal};
 }

@@ -12,7 +12,7 @@ Collider::Sample meshSample(const Body& body, Vec3 place) {
   const auto near = body.bvh().nearest(place);
   if (!near) return rough;
   const double distance = body.bvh().signedDistance(place);
-  // Right on the surface the way to the nearest point says nothing; the face does.
+  // On the surface itself the vector to the closest point has no direction; the face has.
   const Vec3 out = place - near->point;
   const double away = length(out);
   const Vec3 normal = away > 1e-7 ? out * ((distance < 0 ? -1 : 1) / away) : faceNormal(body.mesh(), near->place.face);

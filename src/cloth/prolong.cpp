@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cloth/lattice_shares.h"
+#include "cloth/lattice_areas.h"
 
 namespace karinui {
 namespace {
@@ -11,7 +11,7 @@ struct Slopes {  // of the place in space by the place on paper
   Vec3 byU, byV;
 };
 
-// The plane that fits a node's neighbours best.
+// Least-squares tangent planes at the nodes.
 std::vector<Slopes> slopesOf(const Lattice& lattice, std::span<const Vec3> x) {
   const auto near = neighboursOf(lattice.nodes.size(), lattice.faces);
   std::vector<Slopes> slopes(lattice.nodes.size());
@@ -37,7 +37,7 @@ std::vector<Slopes> slopesOf(const Lattice& lattice, std::span<const Vec3> x) {
 
 Prolonged prolong(const Cloth& coarse, std::span<const Vec3> x, const Cloth& fine, std::span<const Vec3> standing) {
   Prolonged out;
-  out.straight.assign(standing.begin(), standing.end());
+  out.linear.assign(standing.begin(), standing.end());
   std::vector<std::uint8_t> held(fine.nodeCount, 0);
   for (std::uint32_t k : fine.pinned) held[k] = 1;
   for (const ClothPiece& piece : fine.pieces) {
@@ -49,25 +49,25 @@ Prolonged prolong(const Cloth& coarse, std::span<const Vec3> x, const Cloth& fin
       const auto slopes = slopesOf(lattice, stood);
       const LatticeFinder finder(lattice.nodes, lattice.faces);
       const std::vector<Flat> inwards = inwardsOf(piece.lattice->nodes, piece.lattice->faces);
-      out.smooth.resize(out.straight.size());
+      out.quadratic.resize(out.linear.size());
       for (std::uint32_t k = 0; k < piece.lattice->nodes.size(); ++k) {
         if (held[piece.firstNode + k]) continue;
         const Flat place = piece.lattice->nodes[k];
         const LatticePlace in = finder.find(place, inwards[k]);
-        Vec3 straight, bent;
+        Vec3 linear, tangent;
         for (int c = 0; c < 3; ++c) {
           const Flat d = place - lattice.nodes[in.face[c]];
           const Slopes& slope = slopes[in.face[c]];
-          straight += stood[in.face[c]] * in.weight[c];
-          bent += (slope.byU * d.u + slope.byV * d.v) * in.weight[c];
+          linear += stood[in.face[c]] * in.weight[c];
+          tangent += (slope.byU * d.u + slope.byV * d.v) * in.weight[c];
         }
-        out.straight[piece.firstNode + k] = straight;
-        out.smooth[piece.firstNode + k] = bent * 0.5;
+        out.linear[piece.firstNode + k] = linear;
+        out.quadratic[piece.firstNode + k] = tangent * 0.5;
       }
     }
   }
-  out.smooth.resize(out.straight.size());
-  for (std::size_t k = 0; k < out.smooth.size(); ++k) out.smooth[k] += out.straight[k];
+  out.quadratic.resize(out.linear.size());
+  for (std::size_t k = 0; k < out.quadratic.size(); ++k) out.quadratic[k] += out.linear[k];
   return out;
 }
 

@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/job.h"
+#include "cloth/finish.h"
+#include "cloth/input_check.h"
 #include "cloth/tie_map.h"
 #include "karinui/base/number.h"
 #include "karinui/cloth/live_hand.h"
@@ -11,9 +12,9 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60;
 constexpr double kHandStiffness = 2e4;  // N/m of the whole patch: how firmly a hand keeps to its path
-constexpr double kHandStrength = 40;    // N: cloth that resists more holds the hand back
-constexpr double kStride = 0.5;         // spacings the hand goes in a step; more would outrun the cloth
-constexpr double kLiveStride = 1;       // spacings, while somebody watches and waits
+constexpr double kMostHandForce = 40;   // N: cloth that resists more holds the hand back
+constexpr double kStepLength = 0.5;     // spacings the hand goes in a step; more would outrun the cloth
+constexpr double kLiveStepLength = 1;   // spacings, in a live pull
 constexpr double kMostSteps = 1200;     // of a hand in a hurry; it waits for the cloth at the end of its path
 constexpr double kFarthest = 1000;      // metres from the origin
 constexpr double kHeldBack = 0.005;     // metres short of the path's end that are worth telling
@@ -24,23 +25,24 @@ double wayOf(const std::vector<Vec3>& path) {
   return way;
 }
 
-// Where the hand is at each step, and how many of the path's points it has reached by then. Every leg has a step of its
-// own, so that a force can be told for each point.
-struct Stop {
+// Where the hand is at each step, and how many of the path's points it has reached by then. Every leg has at least one
+// step, so that there is a force for each point.
+struct Waypoint {
   Vec3 place;
   std::size_t reached = 0;
 };
-std::vector<Stop> stopsOf(const std::vector<Vec3>& path, double seconds, double spacing) {
+std::vector<Waypoint> waypointsOf(const std::vector<Vec3>& path, double seconds, double spacing) {
   const double way = wayOf(path);
-  const double steps = std::max(seconds / kFrame, std::min(kMostSteps, way / (kStride * spacing)));
-  std::vector<Stop> stops{{path.front(), 1}};
+  const double steps = std::max(seconds / kFrame, std::min(kMostSteps, way / (kStepLength * spacing)));
+  std::vector<Waypoint> waypoints{{path.front(), 1}};
   for (std::size_t k = 1; k < path.size(); ++k) {
     const double part = way > 0 ? distance(path[k - 1], path[k]) / way : 1 / static_cast<double>(path.size() - 1);
     const int count = std::max(1, static_cast<int>(std::lround(part * steps)));
-    for (int i = 1; i < count; ++i) stops.push_back({lerp(path[k - 1], path[k], static_cast<double>(i) / count), k});
-    stops.push_back({path[k], k + 1});
+    for (int i = 1; i < count; ++i)
+      waypoints.push_back({lerp(path[k - 1], path[k], static_cast<double>(i) / count), k});
+    waypoints.push_back({path[k], k + 1});
   }
-  return stops;
+  return waypoints;
 }
 
 std::vector<std::uint8_t> movable(const Cloth& cloth) {
@@ -89,46 +91,46 @@ std::vector<NodeIndex> patchOf(const Grip& grip, const Cloth& cloth, std::span<c
   return patch;
 }
 
-// A hand of limited strength: it draws its patch to where it wants it, softer the further that is.
+// A hand of limited force: a spring on its patch, softer the further away its place is.
 class PullingHand {
  public:
   PullingHand(LevelSolver& solver, std::vector<NodeIndex> nodes) : solver_(solver) {
     hand_.nodes = std::move(nodes);
     const Vec3 middle = meanOfPatch();
-    for (NodeIndex node : hand_.nodes) hand_.offset.push_back(solver_.places()[node] - middle);
+    for (NodeIndex node : hand_.nodes) hand_.offset.push_back(solver_.positions()[node] - middle);
   }
-  void drawTo(Vec3 place) {
+  void moveTo(Vec3 place) {
     hand_.middle = place;
-    const double firm = std::min(kHandStiffness, kHandStrength / std::max(1e-9, shortBy()));
+    const double firm = std::min(kHandStiffness, kMostHandForce / std::max(1e-9, distanceLeft()));
     hand_.stiffness = firm / static_cast<double>(hand_.nodes.size());
     solver_.setHand(hand_);
   }
-  void again() { drawTo(hand_.middle); }
-  // What it feels: cloth that whips may pull harder than the hand holds, and then it slips in the hand.
+  void update() { moveTo(hand_.middle); }
+  // The force it feels: cloth that whips may pull harder than the hand holds, and then it slips in the hand.
   Vec3 felt() const {
     const Vec3 force = solver_.handForce();
-    return force * std::min(1.0, kHandStrength / std::max(1e-9, length(force)));
+    return force * std::min(1.0, kMostHandForce / std::max(1e-9, length(force)));
   }
-  double shortBy() const { return distance(hand_.middle, meanOfPatch()); }
+  double distanceLeft() const { return distance(hand_.middle, meanOfPatch()); }
 
  private:
   Vec3 meanOfPatch() const {
     Vec3 sum;
-    for (NodeIndex node : hand_.nodes) sum += solver_.places()[node];
+    for (NodeIndex node : hand_.nodes) sum += solver_.positions()[node];
     return sum * (1.0 / static_cast<double>(hand_.nodes.size()));
   }
   LevelSolver& solver_;
   Hand hand_;
 };
 
-LevelSolver::Stride strideOf(const Cloth& cloth, const SettleSettings& settings) {
-  LevelSolver::Stride stride;
-  stride.seconds = kFrame;
-  stride.keep = 0.9;
-  stride.mostMove = cloth.spacing;
-  stride.gravity = settings.gravity;
-  stride.stop = {40, 150, 0.1};  // what the hand feels is asked at every point of its way
-  return stride;
+LevelSolver::StepOptions stepOptions(const Cloth& cloth, const SettleSettings& settings) {
+  LevelSolver::StepOptions options;
+  options.seconds = kFrame;
+  options.velocityKept = 0.9;
+  options.mostMove = cloth.spacing;
+  options.gravity = settings.gravity;
+  options.stopping = {40, 150, 0.1};  // the hand's force is reported at every point of its path
+  return options;
 }
 
 }  // namespace
@@ -139,13 +141,13 @@ struct LiveHand::Inside {
       : level(std::move(from)),
         solver(level.cloth, level.state.position, colliders, settings,
                settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers),
-        hand((solver.tieWithin(level.cloth.spacing), solver), patchOf(grip, level.cloth, solver.places())),
-        stride(strideOf(level.cloth, settings)),
+        hand((solver.tieWithin(level.cloth.spacing), solver), patchOf(grip, level.cloth, solver.positions())),
+        options(stepOptions(level.cloth, settings)),
         middle(grip.path.front()) {}
   ClothLevel level;
   LevelSolver solver;
   PullingHand hand;
-  LevelSolver::Stride stride;
+  LevelSolver::StepOptions options;
   Vec3 middle;
 };
 
@@ -166,13 +168,13 @@ Result<LiveHand> LiveHand::take(ClothLevel level, const ColliderList& colliders,
 Result<Vec3> LiveHand::to(Vec3 place, const Token& token) {
   Inside& in = *inside_;
   if (!finite(place) || length(place) > kFarthest) return badInput(say("The hand's path leads nowhere sensible."));
-  const double way = distance(in.middle, place) / (kLiveStride * in.level.cloth.spacing);
+  const double way = distance(in.middle, place) / (kLiveStepLength * in.level.cloth.spacing);
   const int steps = static_cast<int>(std::clamp(std::ceil(way), 1.0, kMostSteps));
   const Vec3 from = in.middle;
   for (int k = 1; k <= steps; ++k) {
     in.middle = lerp(from, place, static_cast<double>(k) / steps);
-    in.hand.drawTo(in.middle);
-    const auto step = in.solver.step(in.stride, token);
+    in.hand.moveTo(in.middle);
+    const auto step = in.solver.step(in.options, token);
     if (token.cancelled()) return cancelled();
     if (!step.finite) return tornApart();
   }
@@ -180,11 +182,11 @@ Result<Vec3> LiveHand::to(Vec3 place, const Token& token) {
 }
 
 const Cloth& LiveHand::cloth() const { return inside_->level.cloth; }
-const std::vector<Vec3>& LiveHand::places() const { return inside_->solver.places(); }
+const std::vector<Vec3>& LiveHand::places() const { return inside_->solver.positions(); }
 
 Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const Grip& grip,
                         const SettleSettings& settings, const Token& token, Workers& workers) {
-  const Spent spent;
+  const ResourceUse spent;
   if (const auto fine = checkLevel(level); !fine) return fine.error();
   if (const auto fine = checkSettings(settings); !fine) return fine.error();
   if (const auto fine = checkGrip(grip, level.cloth); !fine) return fine.error();
@@ -192,39 +194,39 @@ Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const 
   LevelSolver solver(level.cloth, level.state.position, colliders, settings,
                      settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers);
   solver.tieWithin(level.cloth.spacing);
-  PullingHand hand(solver, patchOf(grip, level.cloth, solver.places()));
+  PullingHand hand(solver, patchOf(grip, level.cloth, solver.positions()));
 
   PullReport report;
-  const LevelSolver::Stride stride = strideOf(level.cloth, settings);
-  const std::vector<Stop> stops = stopsOf(grip.path, grip.seconds, level.cloth.spacing);
-  for (std::size_t k = 0; k < stops.size(); ++k) {
-    hand.drawTo(stops[k].place);
+  const LevelSolver::StepOptions options = stepOptions(level.cloth, settings);
+  const std::vector<Waypoint> waypoints = waypointsOf(grip.path, grip.seconds, level.cloth.spacing);
+  for (std::size_t k = 0; k < waypoints.size(); ++k) {
+    hand.moveTo(waypoints[k].place);
     if (k > 0) {
-      const auto step = solver.step(stride, token);
+      const auto step = solver.step(options, token);
       if (token.cancelled()) return cancelled();
       if (!step.finite) return tornApart();
       ++report.end.steps;
       report.end.solves += static_cast<std::size_t>(step.iterations);
     }
     const Vec3 force = hand.felt();
-    report.force.resize(stops[k].reached, force);
+    report.force.resize(waypoints[k].reached, force);
     report.maxForce = std::max(report.maxForce, length(force));
-    token.progress(0.5 * static_cast<double>(k) / static_cast<double>(stops.size()), say("Pulling the cloth"));
+    token.progress(0.5 * static_cast<double>(k) / static_cast<double>(waypoints.size()), say("Pulling the cloth"));
   }
   if (grip.letGo) solver.setHand(std::nullopt);
-  RestRule rule = finestRule(settings);
-  RestOutcome end;
-  const auto watch = [&](int, const LevelSolver::Outcome&) {
-    if (!grip.letGo) hand.again();
+  RestCriteria criteria = finestCriteria(settings);
+  StageResult end;
+  const auto watch = [&](int, const LevelSolver::StepResult&) {
+    if (!grip.letGo) hand.update();
     token.progress(0.5, say("Draping"));
   };
-  end = rest(solver, settings.gravity, rule, kFrame, token, watch);
+  end = relax(solver, settings.gravity, criteria, kFrame, token, watch);
   report.end.steps += end.steps;
   report.end.solves += end.solves;
   if (end.falls && !grip.letGo) {  // cloth clear of the body does not fall while a hand holds it
-    rule.mostSteps -= static_cast<int>(end.steps);
-    if (rule.mostSteps > 0) {
-      end = rest(solver, settings.gravity, rule, kFrame, token, watch);
+    criteria.mostSteps -= static_cast<int>(end.steps);
+    if (criteria.mostSteps > 0) {
+      end = relax(solver, settings.gravity, criteria, kFrame, token, watch);
       report.end.steps += end.steps;
       report.end.solves += end.solves;
     }
@@ -237,7 +239,7 @@ Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const 
     report.maxForce = std::max(report.maxForce, length(report.force.back()));
   }
   addContactTimes(report.end, solver);
-  const double left = hand.shortBy();
+  const double left = hand.distanceLeft();
   level.state.position = finish(solver, colliders, settings, end, report.end, workers);
   if (!grip.letGo && end.settled && left > kHeldBack)
     report.end.why = say("The cloth held the hand back with {0} N, {1} mm before the end of its path.",

@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/job.h"
+#include "cloth/boundary_activation.h"
+#include "cloth/finish.h"
+#include "cloth/input_check.h"
 #include "cloth/prolong.h"
-#include "cloth/rest.h"
-#include "cloth/rim.h"
+#include "cloth/stages.h"
 #include "cloth/strain.h"
 #include "cloth/tie_map.h"
 
 namespace karinui {
 namespace {
 
-constexpr double kStirs = 0.002;  // metres a piece that stands still would give way to what it is sewn to
-constexpr double kSewn = 0.5;     // spacings: a pair nearer than this is sewn
+constexpr double kActivationMove = 0.002;  // metres: a neighbour that would move further is to be activated
+constexpr double kSewn = 0.5;              // spacings: a pair nearer than this is sewn
 constexpr double kNear = 0.1;     // metres: one no farther is drawn together where it is, if no more of the pairs
 constexpr double kFew = 1.0 / 3;  // than this are open
 
@@ -31,8 +32,8 @@ bool liesFlat(const ClothPiece& piece, std::span<const Vec3> x) {
   return std::all_of(own.begin(), own.end(), [&](Vec3 p) { return std::fabs(dot(p - own.front(), normal)) <= 1e-4; });
 }
 
-// Whether the finest level already stands formed, and sewn but for a few pairs that are near each other, so that only
-// what changed has to move.
+// Whether the finest level already stands formed, and sewn but for a few pairs that are near each other: then coarser
+// levels are not needed.
 bool standsFormed(const ClothLevel& finest) {
   const std::vector<Vec3>& x = finest.state.position;
   const std::vector<double> gaps = liveGaps(finest.cloth, x);
@@ -48,11 +49,11 @@ constexpr double kOutOfSkin = 0.95;  // of the skin
 
 // A level that was interpolated may stand in the skin.
 std::vector<Vec3> outOfSkin(const LevelSolver& solver, const ColliderList& colliders, double offset, Workers& workers) {
-  std::vector<Vec3> moves(solver.places().size());
+  std::vector<Vec3> moves(solver.positions().size());
   const auto& moving = solver.moving();
   workers.forBlocks(moving.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      const Vec3 place = solver.places()[moving[n]];
+      const Vec3 place = solver.positions()[moving[n]];
       for (const ColliderList::Entry& entry : colliders) {
         if (!entry.collider->mayBeWithin(place, offset)) continue;
         const Collider::Sample sample = entry.collider->sample(place);
@@ -68,7 +69,7 @@ std::vector<Vec3> outOfSkin(const LevelSolver& solver, const ColliderList& colli
 constexpr double kUsualSteps = 100;
 
 // How much of the work is done before this level: a step of it costs as its nodes do.
-double partOf(const std::vector<ClothLevel>& levels, std::size_t first, std::size_t level) {
+double shareBefore(const std::vector<ClothLevel>& levels, std::size_t first, std::size_t level) {
   double done = 0, all = 0;
   for (std::size_t l = first; l < levels.size(); ++l) {
     all += levels[l].cloth.nodeCount;
@@ -82,7 +83,7 @@ double partOf(const std::vector<ClothLevel>& levels, std::size_t first, std::siz
 Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList& colliders,
                             const SettleSettings& settings, const Token& token, Workers& workers,
                             const SettleWatcher& watcher) {
-  const Spent spent;
+  const ResourceUse spent;
   if (levels.empty()) return badInput(say("There is no cloth to drape."));
   for (const ClothLevel& level : levels)
     if (const auto fine = checkLevel(level); !fine) return fine.error();
@@ -101,8 +102,8 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
   }
   bool formed = standsFormed(finest), sewn = formed;
   std::vector<Vec3> x;
-  const Rim rim(finest.cloth);
-  std::vector<Vec3> pulledBefore(rim.empty() ? 0 : finest.cloth.nodeCount), pulledAfter;
+  const BoundaryActivation activation(finest.cloth);
+  std::vector<Vec3> forceBefore(activation.empty() ? 0 : finest.cloth.nodeCount), forceAfter;
   for (std::size_t first = formed ? levels.size() - 1 : 0, l = first; l < levels.size();) {
     const ClothLevel& level = levels[l];
     const bool last = l + 1 == levels.size();
@@ -112,59 +113,60 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     const bool loose = l == 0 && !sewn && !last;
     Prolonged finer;
     if (l > first) finer = prolong(levels[l - 1].cloth, x, level.cloth, level.state.position);
-    LevelSolver solver(level.cloth, l > first ? finer.straight : level.state.position, colliders, here,
+    LevelSolver solver(level.cloth, l > first ? finer.linear : level.state.position, colliders, here,
                        settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
-    solver.meetCloth(!loose);
-    const double before = partOf(levels, first, l), after = partOf(levels, first, l + 1);
-    // Nobody knows how many steps it takes; each takes its share of what is left of the stage.
+    solver.enableSelfContact(!loose);
+    const double before = shareBefore(levels, first, l), after = shareBefore(levels, first, l + 1);
+    // The number of steps is not known: progress approaches the end of the stage hyperbolically.
     const auto watch = [&](Message doing, double from, double to) {
       const double start = before + (after - before) * from, span = (after - before) * (to - from);
-      return [&, start, span, doing = std::move(doing)](int step, const LevelSolver::Outcome&) {
+      return [&, start, span, doing = std::move(doing)](int step, const LevelSolver::StepResult&) {
         token.progress(start + span * step / (step + kUsualSteps), doing);
-        if (watcher) watcher(level.cloth, solver.places());
+        if (watcher) watcher(level.cloth, solver.positions());
       };
     };
     if (sewn) solver.tieWithin(formed ? kSewn * level.cloth.spacing : kFarApart);
-    if (l > first) {  // straight on the coarse triangles nothing crosses; the rest only as far as that stays so
-      for (std::size_t k = 0; k < finer.smooth.size(); ++k) finer.smooth[k] -= finer.straight[k];
-      solver.moveGuarded(std::move(finer.smooth));
-      solver.moveGuarded(outOfSkin(solver, colliders, here.skin, workers));
+    if (l > first) {  // on the coarse triangles nothing intersects; the rest of the way only as far as that stays so
+      for (std::size_t k = 0; k < finer.quadratic.size(); ++k) finer.quadratic[k] -= finer.linear[k];
+      solver.moveFiltered(std::move(finer.quadratic));
+      solver.moveFiltered(outOfSkin(solver, colliders, here.skin, workers));
     }
-    if (formed && !rim.empty()) pulledBefore = solver.pulls();
-    RestOutcome end;
+    if (formed && !activation.empty()) forceBefore = solver.internalForces();
+    StageResult end;
     const auto add = [&] {
       report.steps += end.steps;
       report.solves += end.solves;
     };
     if (!solver.allTied() && !formed) {
-      end = sew(solver, token, watch(say("Drawing the seams together"), 0, 0.4));
+      end = closeSeams(solver, token, watch(say("Drawing the seams together"), 0, 0.4));
       add();
-      solver.stop();
+      solver.resetMotion();
     }
     if (end.finite && !end.cancelled) {
-      solver.meetCloth(true);
-      solver.untangle();
-      RestRule rule =
-          last ? finestRule(settings) : RestRule{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 3, 150};
-      rule.sews = formed;
-      end = rest(solver, settings.gravity, rule, 1.0 / 60, token, watch(say("Draping"), sewn ? 0 : 0.4, 1));
+      solver.enableSelfContact(true);
+      solver.separateIntersections();
+      RestCriteria criteria = last ? finestCriteria(settings)
+                                   : RestCriteria{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 3, 150};
+      criteria.sews = formed;
+      end = relax(solver, settings.gravity, criteria, 1.0 / 60, token, watch(say("Draping"), sewn ? 0 : 0.4, 1));
       add();
     }
     if (end.cancelled || token.cancelled()) return cancelled();
     if (!end.finite) return tornApart();
     addContactTimes(report, solver);
     sewn = solver.allTied();
-    if (formed && !sewn) {  // it did not come together where it stands: from the coarsest on
+    if (formed && !sewn) {  // it did not close where it stands: start from the coarsest level
       formed = false;
       l = first = 0;
       continue;
     }
-    if (last && !rim.empty()) pulledAfter = solver.pulls();
-    x = last ? finish(solver, colliders, settings, end, report, workers) : solver.places();
+    if (last && !activation.empty()) forceAfter = solver.internalForces();
+    x = last ? finish(solver, colliders, settings, end, report, workers) : solver.positions();
     ++l;
   }
-  if (!rim.empty())
-    report.toActivate = rim.stirred(pulledBefore, pulledAfter, x, colliders, settings, kStirs, token, workers);
+  if (!activation.empty())
+    report.toActivate =
+        activation.piecesToActivate(forceBefore, forceAfter, x, colliders, settings, kActivationMove, token, workers);
   if (token.cancelled()) return cancelled();
   finest.state.position = std::move(x);
   spent.tell(report);

@@ -12,7 +12,7 @@ struct SewnGroups {
 
   SewnGroups() = default;
   SewnGroups(const TieMap& ties, std::size_t nodeCount) : groupOf(nodeCount, kNoNode), held(nodeCount, 0) {
-    for (NodeIndex k = 0; k < nodeCount; ++k) held[k] = ties.parts(k).empty() ? 1 : 0;
+    for (NodeIndex k = 0; k < nodeCount; ++k) held[k] = ties.terms(k).empty() ? 1 : 0;
     for (const auto& members : ties.groups()) {
       if (members.size() < 2) continue;
       for (NodeIndex k : members) groupOf[k] = static_cast<std::uint32_t>(groups.size());

@@ -2,42 +2,42 @@
 
 #include <algorithm>
 
-#include "cloth/by_row.h"
+#include "cloth/sort_by_row.h"
 
 namespace karinui {
 namespace {
 
 constexpr std::size_t kBlock = 256;
 
-struct Wanted {
+struct BlockEntry {
   std::uint32_t row = 0, column = 0, pair = 0;
 };
-using Plain = NodeWeight;  // its nodes numbered as rows
+using WeightEntry = NodeWeight;  // its nodes numbered as rows
 
 }  // namespace
 
 SparseRows::SparseRows(std::span<const std::uint32_t> slotOf, std::span<const NodePair> pairs,
                        std::span<const NodeWeight> weights) {
-  std::vector<std::uint8_t> spokenOf;
-  const auto speak = [&](NodeIndex node) {
-    if (spokenOf.size() <= slotOf[node]) spokenOf.resize(slotOf[node] + 1, 0);
-    spokenOf[slotOf[node]] = 1;
+  std::vector<std::uint8_t> hasRow;
+  const auto mark = [&](NodeIndex node) {
+    if (hasRow.size() <= slotOf[node]) hasRow.resize(slotOf[node] + 1, 0);
+    hasRow[slotOf[node]] = 1;
   };
-  for (const NodePair& pair : pairs) speak(pair.row);
-  for (const NodeWeight& w : weights) speak(w.row);
-  for (std::uint32_t s = 0; s < spokenOf.size(); ++s) {
+  for (const NodePair& pair : pairs) mark(pair.row);
+  for (const NodeWeight& w : weights) mark(w.row);
+  for (std::uint32_t s = 0; s < hasRow.size(); ++s) {
     rowAt_.push_back(static_cast<std::uint32_t>(slot_.size()));
-    if (spokenOf[s]) slot_.push_back(s);
+    if (hasRow[s]) slot_.push_back(s);
   }
   const auto place = [&](NodeIndex node) { return rowAt_[slotOf[node]]; };
-  std::vector<Wanted> blocks;
+  std::vector<BlockEntry> blocks;
   for (std::uint32_t s = 0; s < pairs.size(); ++s) blocks.push_back({place(pairs[s].row), place(pairs[s].column), s});
-  std::vector<Plain> plain;
-  for (const NodeWeight& w : weights) plain.push_back({place(w.row), place(w.column), w.weight});
+  std::vector<WeightEntry> scalar;
+  for (const NodeWeight& w : weights) scalar.push_back({place(w.row), place(w.column), w.weight});
   sortByRow(
-      blocks, slot_.size(), [](const Wanted& b) { return b.row; }, [](const Wanted& b) { return b.column; });
+      blocks, slot_.size(), [](const BlockEntry& b) { return b.row; }, [](const BlockEntry& b) { return b.column; });
   sortByRow(
-      plain, slot_.size(), [](const Plain& w) { return w.row; }, [](const Plain& w) { return w.column; });
+      scalar, slot_.size(), [](const WeightEntry& w) { return w.row; }, [](const WeightEntry& w) { return w.column; });
 
   std::size_t b = 0, w = 0;
   ownBlock_.assign(slot_.size(), kNoNode);
@@ -53,10 +53,10 @@ SparseRows::SparseRows(std::span<const std::uint32_t> slotOf, std::span<const No
       blockColumn_.push_back(column);
       block_.emplace_back();
     }
-    while (w < plain.size() && plain[w].row == row) {
-      const std::uint32_t column = plain[w].column;
+    while (w < scalar.size() && scalar[w].row == row) {
+      const std::uint32_t column = scalar[w].column;
       double sum = 0;
-      for (; w < plain.size() && plain[w].row == row && plain[w].column == column; ++w) sum += plain[w].weight;
+      for (; w < scalar.size() && scalar[w].row == row && scalar[w].column == column; ++w) sum += scalar[w].weight;
       if (column == row) {
         rows_.back().own = static_cast<float>(sum);
       } else {
@@ -70,7 +70,7 @@ SparseRows::SparseRows(std::span<const std::uint32_t> slotOf, std::span<const No
   p_.resize(slot_.size());
 }
 
-void SparseRows::gather(std::span<const Block3> blocks, OwnBlocks& own, Workers& workers) {
+void SparseRows::assemble(std::span<const Block3> blocks, DiagonalBlocks& own, Workers& workers) {
   workers.forBlocks(slot_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       for (std::uint32_t k = rows_[row].firstBlock; k < rows_[row + 1].firstBlock; ++k) {
@@ -103,12 +103,12 @@ std::size_t SparseRows::entries(std::size_t begin, std::size_t end) const {
   return last.firstBlock - first.firstBlock + (last.firstWeight - first.firstWeight);
 }
 
-void SparseRows::takeUp(const Lanes3& p, std::size_t begin, std::size_t end) {
+void SparseRows::load(const SlotVectors& p, std::size_t begin, std::size_t end) {
   for (std::size_t k = rowAt(begin), last = rowAt(end); k < last; ++k)
     p_[k] = Float4{p[0][slot_[k]], p[1][slot_[k]], p[2][slot_[k]], 0};
 }
 
-void SparseRows::multiply(std::size_t begin, std::size_t end, Lanes3& q) const {
+void SparseRows::multiply(std::size_t begin, std::size_t end, SlotVectors& q) const {
   for (std::size_t row = rowAt(begin), rows = rowAt(end); row < rows; ++row) {
     Float4 sum{};
     for (std::uint32_t k = rows_[row].firstBlock; k < rows_[row + 1].firstBlock; ++k) {

@@ -1,10 +1,11 @@
 #pragma once
-// The part of the step's matrix that lies in no panel: 3x3 blocks of the ring, of springs and of simcloth, new each
-// step, and plain weights of the border's bending, which stay. Rows of slots; what is on the diagonal is handed over.
+// The part of the step's matrix that lies in no grid block, in compressed rows: 3x3 blocks of the ring, of springs and
+// of simcloth, new each step, and scalar weights of the border's bending, which stay. Rows and columns are slots; what
+// is on the diagonal is handed over.
 #include <span>
 #include <vector>
 
-#include "cloth/panel_product.h"
+#include "cloth/grid_product.h"
 
 namespace karinui {
 
@@ -17,10 +18,10 @@ class SparseRows {
  public:
   SparseRows(std::span<const std::uint32_t> slotOf, std::span<const NodePair> pairs,
              std::span<const NodeWeight> weights);
-  void gather(std::span<const Block3> blocks, OwnBlocks& own, Workers& workers);  // one block per pair
-  // A product, in two goes over the slots' parts: p is taken up from all of them, then q added to.
-  void takeUp(const Lanes3& p, std::size_t begin, std::size_t end);
-  void multiply(std::size_t begin, std::size_t end, Lanes3& q) const;
+  void assemble(std::span<const Block3> blocks, DiagonalBlocks& own, Workers& workers);  // one block per pair
+  // A product, in two passes over the ranges: p is loaded from all of them, then q is added to.
+  void load(const SlotVectors& p, std::size_t begin, std::size_t end);
+  void multiply(std::size_t begin, std::size_t end, SlotVectors& q) const;
   // Blocks and weights in the rows of these slots.
   std::size_t entries(std::size_t begin, std::size_t end) const;
 
@@ -35,7 +36,7 @@ class SparseRows {
   };
   std::size_t rowAt(std::size_t slot) const { return slot < rowAt_.size() ? rowAt_[slot] : slot_.size(); }
 
-  std::vector<std::uint32_t> slot_;   // that some row speaks of; rows and columns count in these
+  std::vector<std::uint32_t> slot_;   // that have a row; rows and columns count in these
   std::vector<std::uint32_t> rowAt_;  // of each slot, or the first after it
   std::vector<Row> rows_;             // and one past the last
   std::vector<std::uint32_t> ownBlock_, blockColumn_, weightColumn_;

@@ -41,13 +41,13 @@ void Springs::elementBlocks(std::size_t e, const Corners& x, std::span<Block3> o
   for (Block3& block : out) block = {};
   const Vec3 d = x[1] - x[0];
   const double l = length(d), longer = l - length_[e];
-  if (longer <= -reach_ || !(l > 0)) return;
+  if (longer <= -slackTolerance_ || !(l > 0)) return;
   const double across = stiffness_[e] * std::fmax(0.0, longer) / l, along = stiffness_[e] - across;
   const Vec3 n = d * (1 / l);
-  addStretch(out[0], across, along, n);
-  addStretch(out[3], across, along, n);
-  addStretch(out[1], -across, -along, n);
-  addStretch(out[2], -across, -along, n);
+  addIdentityAndOuter(out[0], across, along, n);
+  addIdentityAndOuter(out[3], across, along, n);
+  addIdentityAndOuter(out[1], -across, -along, n);
+  addIdentityAndOuter(out[2], -across, -along, n);
 }
 
 Vec3 Springs::tensionAt(std::span<const Vec3> x, const std::vector<std::uint8_t>& patch) const {

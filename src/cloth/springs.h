@@ -1,5 +1,5 @@
 #pragma once
-// Springs that only pull. Two uses: the historical simcloth, and the edge of seams and hems.
+// Tension-only springs. Two uses: the historical simcloth, and the edge of seams and hems.
 //   simcloth: each lattice node to its eight neighbours and the four nodes one further along warp and weft,
 //             force K (x - x_k)(l - L)/l, only when l > L. Convex: with gravity alone there is one rest.
 //   edge:     a seam's stitches and a finished edge keep neighbours from drifting apart.
@@ -18,14 +18,14 @@ class Springs : public ElementEnergy<Springs, 2> {
   double elementValue(std::size_t e, const Corners& x) const;
   void elementGradient(std::size_t e, const Corners& x, std::span<Vec3, 2> out) const;
   void elementBlocks(std::size_t e, const Corners& x, std::span<Block3> out) const;
-  // Springs shorter than taut by less than this many metres steer as if they were taut: set to what a step moves, so
-  // that a step does not end where they pull and the next where they do not. Forces and rest are the same.
-  void setReach(double metres) { reach_ = metres; }
+  // Springs slack by less than this many metres enter the matrix as if they were taut. Set to the move of a step, it
+  // keeps steps from alternating between taut and slack. Forces, and so rest, are the same.
+  void setSlackTolerance(double metres) { slackTolerance_ = metres; }
   Vec3 tensionAt(std::span<const Vec3> x, const std::vector<std::uint8_t>& patch) const;  // as of Membrane
 
  private:
   std::vector<double> length_, stiffness_;
-  double reach_ = 0;
+  double slackTolerance_ = 0;
 };
 
 std::vector<Springs::Spring> simclothSprings(const Cloth& cloth);  // of the live simcloth pieces

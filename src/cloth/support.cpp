@@ -1,7 +1,7 @@
 #include "karinui/cloth/support.h"
 
 #include "cloth/bending.h"
-#include "cloth/lattice_shares.h"
+#include "cloth/lattice_areas.h"
 #include "cloth/membrane.h"
 #include "cloth/springs.h"
 #include "cloth/tie_map.h"
@@ -11,7 +11,7 @@ namespace karinui {
 std::vector<double> areasOf(const Cloth& cloth) {
   std::vector<double> area(cloth.nodeCount, 0);
   for (const ClothPiece& piece : cloth.pieces) {
-    const LatticeShares shares = sharesOf(*piece.lattice);
+    const LatticeAreas shares = latticeAreas(*piece.lattice);
     for (std::size_t k = 0; k < shares.cell.size(); ++k) area[piece.firstNode + k] = shares.cell[k] + shares.ring[k];
   }
   return area;
@@ -29,11 +29,11 @@ std::vector<Vec3> supportOf(const Cloth& cloth, const ClothState& state, Vec3 gr
 
   const std::vector<double> area = areasOf(cloth);
   std::vector<Vec3> force(cloth.nodeCount), areas(cloth.nodeCount);
-  const PanelPlan plan(cloth);
+  const GridLayout layout(cloth);
   Membrane(cloth).addGradient(state.position, force, workers);
   Springs(simclothSprings(cloth), cloth.nodeCount).addGradient(state.position, force, workers);
   Springs(edgeSprings(cloth), cloth.nodeCount).addGradient(state.position, force, workers);
-  Bending(cloth, held, plan, workers).addGradient(state.position, force, workers);
+  Bending(cloth, held, layout, workers).addGradient(state.position, force, workers);
   for (std::size_t k = 0; k < force.size(); ++k) {
     force[k] -= gravity * (weight[k] * area[k]);
     areas[k] = {area[k], 0, 0};
@@ -44,7 +44,7 @@ std::vector<Vec3> supportOf(const Cloth& cloth, const ClothState& state, Vec3 gr
   ties.reduce(areas, shared);
   for (std::size_t u = 0; u < together.size(); ++u)
     together[u] = shared[u].x > 0 ? together[u] * (1 / shared[u].x) : Vec3{};
-  ties.spread(together, apart);
+  ties.expand(together, apart);
   return apart;
 }
 

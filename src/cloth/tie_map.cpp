@@ -50,8 +50,9 @@ TieMap::TieMap(const Cloth& cloth, const std::vector<std::uint8_t>& held, const 
     if (held[k]) groupHeld_[group] = 1;
   }
 
-  // Folded pairs: a = (b + c)/2 between groups, solved one after the other; each makes one free group a follower.
-  std::map<std::uint32_t, Row> follow;
+  // Pairs sewn 2:1: a = (b + c)/2 between groups, eliminated one after the other. Each makes one free group dependent
+  // on others: the one with the largest weight (the pivot).
+  std::map<std::uint32_t, Row> dependence;
   for (std::size_t t = 0; t < cloth.ties.size(); ++t) {
     const Tie& tie = cloth.ties[t];
     if (!tied[t] || tie.c == kNoNode || tie.c == tie.b) continue;
@@ -60,8 +61,8 @@ TieMap::TieMap(const Cloth& cloth, const std::vector<std::uint8_t>& held, const 
     addScaled(raw, {{group_[tie.b], 1.0}}, -0.5);
     addScaled(raw, {{group_[tie.c], 1.0}}, -0.5);
     for (const auto& [group, weight] : raw) {
-      const auto known = follow.find(group);
-      addScaled(row, known == follow.end() ? Row{{group, 1.0}} : known->second, weight);
+      const auto known = dependence.find(group);
+      addScaled(row, known == dependence.end() ? Row{{group, 1.0}} : known->second, weight);
     }
     std::uint32_t pivot = kNoNode;
     double largest = 1e-9;
@@ -75,36 +76,36 @@ TieMap::TieMap(const Cloth& cloth, const std::vector<std::uint8_t>& held, const 
     row.erase(pivot);
     Row given;
     addScaled(given, row, scale);
-    for (auto& [other, mix] : follow)
+    for (auto& [other, mix] : dependence)
       if (const auto uses = mix.find(pivot); uses != mix.end()) {
         const double weight = uses->second;
         mix.erase(uses);
         addScaled(mix, given, weight);
       }
-    follow.emplace(pivot, std::move(given));
+    dependence.emplace(pivot, std::move(given));
   }
-  for (const auto& [group, row] : follow) {
+  for (const auto& [group, row] : dependence) {
     std::vector<Mix> mix;
     for (const auto& [other, weight] : row) mix.push_back({other, weight});
-    follower_.emplace_back(group, std::move(mix));
+    dependent_.emplace_back(group, std::move(mix));
   }
 
   for (std::uint32_t g = 0; g < members_.size(); ++g)
-    if (members_[g].size() > 1 && !follow.contains(g)) several_.push_back(g);
+    if (members_[g].size() > 1 && !dependence.contains(g)) sewnGroups_.push_back(g);
 
   std::vector<std::uint32_t> unknownOf(members_.size(), kNoNode);
   for (std::uint32_t g = 0; g < members_.size(); ++g)
-    if (!groupHeld_[g] && !follow.contains(g)) unknownOf[g] = static_cast<std::uint32_t>(unknowns_++);
+    if (!groupHeld_[g] && !dependence.contains(g)) unknownOf[g] = static_cast<std::uint32_t>(unknowns_++);
   start_.assign(1, 0);
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t g = group_[k];
-    if (const auto row = follow.find(g); row != follow.end()) {
+    if (const auto row = dependence.find(g); row != dependence.end()) {
       for (const auto& [other, weight] : row->second)
-        if (unknownOf[other] != kNoNode) part_.push_back({unknownOf[other], weight});
+        if (unknownOf[other] != kNoNode) term_.push_back({unknownOf[other], weight});
     } else if (unknownOf[g] != kNoNode) {
-      part_.push_back({unknownOf[g], 1});
+      term_.push_back({unknownOf[g], 1});
     }
-    start_.push_back(static_cast<std::uint32_t>(part_.size()));
+    start_.push_back(static_cast<std::uint32_t>(term_.size()));
   }
 }
 
@@ -121,57 +122,57 @@ Vec3 TieMap::middleOf(std::uint32_t group, std::span<const Vec3> position) const
   return fixedCount > 0 ? fixed * (1 / fixedCount) : sum * (1.0 / static_cast<double>(members_[group].size()));
 }
 
-void TieMap::gather(std::vector<Vec3>& position) const {
-  std::vector<Vec3> followed;
-  for (const auto& [group, mix] : follower_) {
+void TieMap::enforce(std::vector<Vec3>& position) const {
+  std::vector<Vec3> placed;
+  for (const auto& [group, mix] : dependent_) {
     Vec3 place;
     for (const Mix& m : mix) place += middleOf(m.group, position) * m.weight;
-    followed.push_back(place);
+    placed.push_back(place);
   }
   const auto bring = [&](std::uint32_t group, Vec3 place) {
     for (std::uint32_t k : members_[group])
       if (!nodeHeld_[k]) position[k] = place;
   };
-  for (std::uint32_t group : several_) bring(group, middleOf(group, position));
-  for (std::size_t f = 0; f < follower_.size(); ++f) bring(follower_[f].first, followed[f]);
+  for (std::uint32_t group : sewnGroups_) bring(group, middleOf(group, position));
+  for (std::size_t f = 0; f < dependent_.size(); ++f) bring(dependent_[f].first, placed[f]);
 }
 
 void TieMap::reduce(std::span<const Vec3> node, std::vector<Vec3>& unknown) const {
   unknown.assign(unknowns_, {});
   for (std::uint32_t k = 0; k < group_.size(); ++k)
-    for (const Part& part : parts(k)) unknown[part.unknown] += node[k] * part.weight;
+    for (const Term& term : terms(k)) unknown[term.unknown] += node[k] * term.weight;
 }
 
-void TieMap::spread(std::span<const Vec3> unknown, std::vector<Vec3>& node) const {
+void TieMap::expand(std::span<const Vec3> unknown, std::vector<Vec3>& node) const {
   node.assign(group_.size(), {});
   for (std::uint32_t k = 0; k < group_.size(); ++k)
-    for (const Part& part : parts(k)) node[k] += unknown[part.unknown] * part.weight;
+    for (const Term& term : terms(k)) node[k] += unknown[term.unknown] * term.weight;
 }
 
-void TieMap::share(std::vector<Vec3>& move) const {
+void TieMap::makeAdmissible(std::vector<Vec3>& move) const {
   std::vector<Vec3> unknown;
   reduce(move, unknown);
   std::vector<double> weight(unknowns_, 0);
-  for (const Part& part : part_) weight[part.unknown] += part.weight * part.weight;
+  for (const Term& term : term_) weight[term.unknown] += term.weight * term.weight;
   for (std::size_t u = 0; u < unknowns_; ++u)
     if (weight[u] > 0) unknown[u] = unknown[u] * (1 / weight[u]);
-  spread(unknown, move);
+  expand(unknown, move);
 }
 
-std::vector<TieMap::Part> partsOf(const TieMap& ties, std::span<const std::uint32_t> nodes,
+std::vector<TieMap::Term> termsOf(const TieMap& ties, std::span<const std::uint32_t> nodes,
                                   std::span<const double> weights) {
-  std::vector<TieMap::Part> parts;
+  std::vector<TieMap::Term> terms;
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    for (const TieMap::Part& part : ties.parts(nodes[k])) {
+    for (const TieMap::Term& term : ties.terms(nodes[k])) {
       bool found = false;
-      for (TieMap::Part& have : parts)
-        if (have.unknown == part.unknown) {
-          have.weight += part.weight * weights[k];
+      for (TieMap::Term& have : terms)
+        if (have.unknown == term.unknown) {
+          have.weight += term.weight * weights[k];
           found = true;
         }
-      if (!found) parts.push_back({part.unknown, part.weight * weights[k]});
+      if (!found) terms.push_back({term.unknown, term.weight * weights[k]});
     }
-  return parts;
+  return terms;
 }
 
 Vec3 gapOf(const Tie& tie, std::span<const Vec3> position) {

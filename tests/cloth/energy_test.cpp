@@ -18,7 +18,7 @@ std::vector<std::unique_ptr<Energy>> energiesOf(const Cloth& cloth) {
   all.push_back(std::make_unique<Membrane>(cloth));
   Workers workers;
   all.push_back(
-      std::make_unique<Bending>(cloth, std::vector<std::uint8_t>(cloth.nodeCount, 0), PanelPlan(cloth), workers));
+      std::make_unique<Bending>(cloth, std::vector<std::uint8_t>(cloth.nodeCount, 0), GridLayout(cloth), workers));
   all.push_back(std::make_unique<Springs>(simclothSprings(cloth), cloth.nodeCount));
   all.push_back(std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount));
   return all;
@@ -239,7 +239,7 @@ TEST(Bending, EvenlyBentPieceIsInBalanceButOnItsBentEdges) {
                                      textbook(1000, b, 0.1));
     const auto& nodes = level.cloth.pieces[0].lattice->nodes;
     const std::vector<std::uint8_t> held(level.cloth.nodeCount, 0);
-    const Bending bending(level.cloth, held, PanelPlan(level.cloth), workers);
+    const Bending bending(level.cloth, held, GridLayout(level.cloth), workers);
     for (const bool across : {true, false}) {
       SCOPED_TRACE(std::to_string(degrees) + (across ? " degrees, across" : " degrees, along"));
       std::vector<Vec3> x, force(nodes.size());

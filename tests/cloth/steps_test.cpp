@@ -3,7 +3,7 @@
 
 #include "cloth/bending.h"
 #include "cloth/helpers.h"
-#include "cloth/lattice_shares.h"
+#include "cloth/lattice_areas.h"
 #include "cloth/level_solver.h"
 
 namespace karinui::test {
@@ -26,22 +26,22 @@ TEST(Steps, NeverGainEnergyOnceTheFirstFallIsOver) {
     std::vector<std::uint8_t> held(cloth.nodeCount, 0);
     held[0] = held[20] = 1;
     const Membrane membrane(cloth);
-    const Bending bending(cloth, held, PanelPlan(cloth), workers);
+    const Bending bending(cloth, held, GridLayout(cloth), workers);
     const Springs edges(edgeSprings(cloth), cloth.nodeCount);
-    const LatticeShares shares = sharesOf(*cloth.pieces[0].lattice);
-    LevelSolver::Stride stride;
-    stride.seconds = 1.0 / 30;
-    stride.mostMove = 0.05;
-    stride.gravity = {0, -9.81, 0};
+    const LatticeAreas areas = latticeAreas(*cloth.pieces[0].lattice);
+    LevelSolver::StepOptions options;
+    options.seconds = 1.0 / 30;
+    options.mostMove = 0.05;
+    options.gravity = {0, -9.81, 0};
     double before = 0;
-    std::vector<Vec3> last = solver.places();
+    std::vector<Vec3> last = solver.positions();
     for (int k = 0; k < 200; ++k) {
-      solver.step(stride, Token());
-      const std::vector<Vec3>& x = solver.places();
+      solver.step(options, Token());
+      const std::vector<Vec3>& x = solver.positions();
       double energy = membrane.value(x, workers) + bending.value(x, workers) + edges.value(x, workers);
       for (std::size_t n = 0; n < x.size(); ++n) {
-        const double mass = fabric.weight * (shares.cell[n] + shares.ring[n]);
-        energy += mass * (9.81 * x[n].y + 0.5 * squaredLength(x[n] - last[n]) / (stride.seconds * stride.seconds));
+        const double mass = fabric.weight * (areas.cell[n] + areas.ring[n]);
+        energy += mass * (9.81 * x[n].y + 0.5 * squaredLength(x[n] - last[n]) / (options.seconds * options.seconds));
       }
       if (k > 10) {
         ASSERT_LE(energy, before + 1e-12) << "step " << k;

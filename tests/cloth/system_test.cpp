@@ -1,4 +1,4 @@
-// The step's linear system against the energies it stands for: panels and what is left of them must make up the whole.
+// The step's linear system against the energies it stands for: grid blocks and the remainder must make up the whole.
 #include <gtest/gtest.h>
 
 #include "cloth/bending.h"
@@ -30,54 +30,54 @@ std::vector<Vec3> stretched(const Cloth& cloth) {
   return x;
 }
 
-struct Parts {
-  explicit Parts(const Cloth& cloth)
-      : plan(cloth),
+struct Matrices {
+  explicit Matrices(const Cloth& cloth)
+      : layout(cloth),
         held(cloth.nodeCount, 0),
         tied(cloth.ties.size(), 1),
         ties(cloth, held, tied),
-        stretch(cloth, plan),
+        stretch(cloth, layout),
         whole(cloth),
-        rest(cloth, &plan),
-        bending(cloth, held, plan, workers) {
+        rest(cloth, &layout),
+        bending(cloth, held, layout, workers) {
     rest.appendPairs(pairs);
-    system = std::make_unique<BlockSystem>(cloth, plan, bending.panels(), pairs, bending.rest());
+    system = std::make_unique<BlockSystem>(cloth, layout, bending.grid(), pairs, bending.remainder());
     system->setTies(ties);
   }
   std::vector<Vec3> gradient(const std::vector<Vec3>& x) {
     std::vector<Vec3> g(x.size());
-    stretch.evaluate(x, g, system->panels(), workers);
+    stretch.evaluate(x, g, system->gridStiffness(), workers);
     rest.addGradient(x, g, workers);
     bending.addGradient(x, g, workers);
     std::vector<Block3> blocks(pairs.size());
     rest.blocks(x, blocks, workers);
-    system->gather(blocks, workers);
+    system->assemble(blocks, workers);
     return g;
   }
   Workers workers{1};
-  PanelPlan plan;
+  GridLayout layout;
   std::vector<std::uint8_t> held, tied;
   TieMap ties;
-  PanelStretch stretch;
+  GridMembrane stretch;
   Membrane whole, rest;
   Bending bending;
   std::vector<NodePair> pairs;
   std::unique_ptr<BlockSystem> system;
 };
 
-TEST(System, PanelsPullAsTheMembraneDoes) {
+TEST(System, GridBlocksPullAsTheMembraneDoes) {
   const ClothLevel level = patched();
-  Parts parts(level.cloth);
-  ASSERT_EQ(parts.plan.panels.size(), 2u);
-  EXPECT_LT(parts.rest.count(), parts.whole.count() / 2);
+  Matrices of(level.cloth);
+  ASSERT_EQ(of.layout.blocks.size(), 2u);
+  EXPECT_LT(of.rest.count(), of.whole.count() / 2);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> by(-0.001, 0.001);
   std::vector<Vec3> x = stretched(level.cloth);
   for (Vec3& p : x) p += Vec3{by(random), by(random), by(random)};
   std::vector<Vec3> expected(x.size());
-  parts.whole.addGradient(x, expected, parts.workers);
-  parts.bending.addGradient(x, expected, parts.workers);
-  const std::vector<Vec3> found = parts.gradient(x);
+  of.whole.addGradient(x, expected, of.workers);
+  of.bending.addGradient(x, expected, of.workers);
+  const std::vector<Vec3> found = of.gradient(x);
   double scale = 0;
   for (Vec3 g : expected) scale = std::fmax(scale, length(g));
   for (std::size_t k = 0; k < x.size(); ++k) EXPECT_LT(length(found[k] - expected[k]), 1e-12 * scale) << k;
@@ -86,24 +86,24 @@ TEST(System, PanelsPullAsTheMembraneDoes) {
 TEST(System, ProductIsTheSlopeOfTheGradient) {
   // Stretched everywhere: nothing is left out but the shear's small indefinite part.
   const ClothLevel level = patched();
-  Parts parts(level.cloth);
+  Matrices of(level.cloth);
   std::vector<Vec3> x = stretched(level.cloth);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> by(-1, 1);
-  std::vector<Vec3> unknown(parts.ties.unknowns()), move, up = x, down = x, slope;
+  std::vector<Vec3> unknown(of.ties.unknowns()), move, up = x, down = x, slope;
   for (Vec3& m : unknown) m = {by(random), by(random), by(random)};
-  parts.ties.spread(unknown, move);
+  of.ties.expand(unknown, move);
   const double step = 1e-6;
   for (std::size_t k = 0; k < x.size(); ++k) {
     up[k] += move[k] * step;
     down[k] += move[k] * -step;
   }
-  const std::vector<Vec3> after = parts.gradient(up), before = parts.gradient(down);
+  const std::vector<Vec3> after = of.gradient(up), before = of.gradient(down);
   std::vector<Vec3> change(x.size());
   for (std::size_t k = 0; k < x.size(); ++k) change[k] = (after[k] - before[k]) * (0.5 / step);
-  parts.ties.reduce(change, slope);
-  parts.gradient(x);
-  const std::vector<Vec3> found = parts.system->times(unknown, parts.workers);
+  of.ties.reduce(change, slope);
+  of.gradient(x);
+  const std::vector<Vec3> found = of.system->times(unknown, of.workers);
   double scale = 0;
   for (Vec3 s : slope) scale = std::fmax(scale, length(s));
   double worst = 0, wrong = 0, all = 0;
@@ -118,22 +118,22 @@ TEST(System, ProductIsTheSlopeOfTheGradient) {
 
 TEST(System, SolvesWhatItMultiplies) {
   const ClothLevel level = patched();
-  Parts parts(level.cloth);
-  parts.gradient(stretched(level.cloth));
+  Matrices of(level.cloth);
+  of.gradient(stretched(level.cloth));
   Block3 mass{};
   mass[0] = mass[4] = mass[8] = 5;
-  for (std::uint32_t u = 0; u < parts.system->unknowns(); ++u) parts.system->addDiagonal(u, mass);
+  for (std::uint32_t u = 0; u < of.system->unknowns(); ++u) of.system->addDiagonal(u, mass);
   std::mt19937 random(8);
   std::uniform_real_distribution<double> by(-1, 1);
-  std::vector<Vec3> expected(parts.system->unknowns()), found;
+  std::vector<Vec3> expected(of.system->unknowns()), found;
   for (Vec3& m : expected) m = {by(random), by(random), by(random)};
-  const std::vector<Vec3> force = parts.system->times(expected, parts.workers);
-  parts.system->solve(force, {10, 2000, 1e-5}, Token(), parts.workers, found);
+  const std::vector<Vec3> force = of.system->times(expected, of.workers);
+  of.system->solve(force, {10, 2000, 1e-5}, Token(), of.workers, found);
   for (std::size_t u = 0; u < found.size(); ++u) EXPECT_LT(length(found[u] - expected[u]), 5e-3) << u;
 }
 
-// Node by node a pull at one end takes an iteration a row to be felt at the other.
-TEST(System, FeelsAPullFarAwayInFewIterations) {
+// Node by node a pull at one end takes an iteration a row to reach the other.
+TEST(System, PropagatesAPullFarInFewIterations) {
   Pattern pattern = patternOf({rectangle(1, 0.2, 0.8), rectangle(2, 0.2, 0.8, {0.3, 1})});
   Seam seam;
   seam.id = SeamId{1};
@@ -141,21 +141,21 @@ TEST(System, FeelsAPullFarAwayInFewIterations) {
   seam.b = {{PieceId{2}, "bottom"}};
   pattern.seams[seam.id] = seam;
   const ClothLevel level = levelOf(pattern, 0.01, *preset("denim"));
-  Parts parts(level.cloth);
-  parts.gradient(stretched(level.cloth));
+  Matrices of(level.cloth);
+  of.gradient(stretched(level.cloth));
   Block3 mass{};
   mass[0] = mass[4] = mass[8] = 0.01f;
-  for (std::uint32_t u = 0; u < parts.system->unknowns(); ++u) parts.system->addDiagonal(u, mass);
-  std::vector<Vec3> force(parts.system->unknowns()), found;
+  for (std::uint32_t u = 0; u < of.system->unknowns(); ++u) of.system->addDiagonal(u, mass);
+  std::vector<Vec3> force(of.system->unknowns()), found;
   const auto pulled = level.cloth.pieces[0].lattice->edges.at("bottom").nodes;
-  for (const std::uint32_t node : pulled) force[parts.ties.parts(node)[0].unknown] = {0, -1, 0};
-  const int iterations = parts.system->solve(force, {40, 4000, 0.01}, Token(), parts.workers, found);
+  for (const std::uint32_t node : pulled) force[of.ties.terms(node)[0].unknown] = {0, -1, 0};
+  const int iterations = of.system->solve(force, {40, 4000, 0.01}, Token(), of.workers, found);
   EXPECT_LT(iterations, 100);
-  const std::vector<Vec3> felt = parts.system->times(found, parts.workers);
+  const std::vector<Vec3> felt = of.system->times(found, of.workers);
   double wrong = 0, all = 0;  // in energy
   std::vector<Vec3> exact;
-  parts.system->solve(force, {4000, 4000, 1e-9}, Token(), parts.workers, exact);
-  const std::vector<Vec3> whole = parts.system->times(exact, parts.workers);
+  of.system->solve(force, {4000, 4000, 1e-9}, Token(), of.workers, exact);
+  const std::vector<Vec3> whole = of.system->times(exact, of.workers);
   for (std::size_t u = 0; u < found.size(); ++u) {
     wrong += dot(whole[u] - felt[u], exact[u] - found[u]);
     all += dot(whole[u], exact[u]);
@@ -164,7 +164,7 @@ TEST(System, FeelsAPullFarAwayInFewIterations) {
   // One solve of a large cloth may take longer than who said stop should wait.
   Token stop;
   stop.cancel();
-  EXPECT_EQ(parts.system->solve(force, {4000, 4000, 1e-9}, stop, parts.workers, exact), 0);
+  EXPECT_EQ(of.system->solve(force, {4000, 4000, 1e-9}, stop, of.workers, exact), 0);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(Ties, WhatOneOfAFoldedPairWishesBothDoEachTheirWay) {
     std::vector<Vec3> move(5);
     move[who] = {0, 0.2, 0};
     move[0] = {1, 1, 1};  // held: it goes nowhere
-    sewn.map().share(move);
+    sewn.map().makeAdmissible(move);
     EXPECT_EQ(move[0], Vec3{});
     EXPECT_NEAR(move[who].y, 0.1, 1e-15) << who;
     EXPECT_LT(length(move[1] + move[2]), 1e-15) << "their middle stays on the held point";
@@ -33,7 +33,7 @@ TEST(Ties, SewnPointsGoByTheMeanOfTheirWishes) {
   std::vector<Vec3> move(5);
   move[3] = {0.2, 0, 0};
   move[4] = {0, 0.4, 0};
-  sewn.map().share(move);
+  sewn.map().makeAdmissible(move);
   EXPECT_LT(length(move[3] - Vec3{0.1, 0.2, 0}), 1e-15);
   EXPECT_EQ(move[3], move[4]);
 }

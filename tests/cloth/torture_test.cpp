@@ -158,15 +158,15 @@ TEST(Torture, StepsOfAnyLengthKeepTheCloth) {
     SCOPED_TRACE(seconds);
     LevelSolver solver(levels[1].cloth, before.state.position, body, {}, 0.002, workers);
     solver.tieWithin(levels[1].cloth.spacing);
-    LevelSolver::Stride stride;
-    stride.mostMove = levels[1].cloth.spacing;
-    stride.gravity = {0, -9.81, 0};
+    LevelSolver::StepOptions options;
+    options.mostMove = levels[1].cloth.spacing;
+    options.gravity = {0, -9.81, 0};
     for (int k = 0; k < 30; ++k) {
-      stride.seconds = k % 10 == 5 ? seconds : 1.0 / 60;  // once in a while, as a stall comes; then from there on
-      if (k > 15) stride.seconds = seconds;
-      ASSERT_TRUE(solver.step(stride, Token()).finite) << k;
+      options.seconds = k % 10 == 5 ? seconds : 1.0 / 60;  // once in a while, as a stall comes; then from there on
+      if (k > 15) options.seconds = seconds;
+      ASSERT_TRUE(solver.step(options, Token()).finite) << k;
     }
-    ClothState state{solver.places()};
+    ClothState state{solver.positions()};
     const ClothCheck found = check(levels[1].cloth, state, nullptr);
     EXPECT_TRUE(found.finite);
     EXPECT_EQ(found.clothClothCrossings, 0u);
@@ -194,16 +194,16 @@ TEST(Torture, WhatFallsFastLandsOnWhatIsThin) {
     const CapsuleBody body(bars);
     Workers workers(1);
     LevelSolver solver(level.cloth, level.state.position, body, {}, 0.002, workers);
-    LevelSolver::Stride stride;
-    stride.seconds = 1.0 / 60;
-    stride.mostMove = level.cloth.spacing;
-    stride.gravity = {0, -98.1, 0};
+    LevelSolver::StepOptions options;
+    options.seconds = 1.0 / 60;
+    options.mostMove = level.cloth.spacing;
+    options.gravity = {0, -98.1, 0};
     for (int k = 0; k < 60; ++k) {
-      stride.seconds = k % 3 == 1 ? 4.0 / 60 : 1.0 / 60;
-      ASSERT_TRUE(solver.step(stride, Token()).finite);
-      const ClothCheck found = check(level.cloth, {solver.places()}, nullptr);
+      options.seconds = k % 3 == 1 ? 4.0 / 60 : 1.0 / 60;
+      ASSERT_TRUE(solver.step(options, Token()).finite);
+      const ClothCheck found = check(level.cloth, {solver.positions()}, nullptr);
       ASSERT_EQ(found.clothClothCrossings, 0u) << k;
-      for (std::uint32_t n = 0; n < 49; ++n) ASSERT_GT(solver.places()[n].y, -0.001) << k;
+      for (std::uint32_t n = 0; n < 49; ++n) ASSERT_GT(solver.positions()[n].y, -0.001) << k;
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "cloth/lift.h"
+#include "cloth/penetration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,13 @@ namespace karinui {
 namespace {
 
 constexpr int kRounds = 80;
-constexpr double kEnough = 0.9;   // of the clearance
-constexpr double kNudge = 5e-5;   // metres a face that something passes through is lifted at first,
-constexpr double kFirmer = 1.25;  // more each time it is not enough,
-constexpr double kFirmest = 1e-3;
+constexpr double kEnough = 0.9;        // of the clearance
+constexpr double kFirstNudge = 5e-5;   // metres: the first lift of a face that a surface intersects,
+constexpr double kNudgeGrowth = 1.25;  // which grows by this factor while it does,
+constexpr double kMostNudge = 1e-3;    // to this at most
 constexpr std::size_t kBlock = 256;
 
-// Places of a face that are asked about beside its corners: a grid of quarters, since a body has finer features than
-// cloth has faces.
+// Sample points of a face beside its corners: a grid of quarters, since a body has finer features than cloth has faces.
 constexpr double kSamples[12][3] = {{.75, .25, 0}, {.5, .5, 0},    {.25, .75, 0},  {0, .75, .25},
                                     {0, .5, .5},   {0, .25, .75},  {.25, 0, .75},  {.5, 0, .5},
                                     {.75, 0, .25}, {.5, .25, .25}, {.25, .5, .25}, {.25, .25, .5}};
@@ -30,25 +29,25 @@ std::vector<Triangle> liveFaces(const Cloth& cloth) {
 
 using Corners = std::array<Vec3, 3>;
 
-// What a face asks of its corners. `nudge`: how far a face goes that the body passes through between these places.
+// The lift of a face's corners. `nudge`: of a face that a surface intersects between the sample points.
 Corners liftOf(const Corners& x, const ColliderList& colliders, double clearance, double nudge) {
   Corners lift{};
   bool any = false;
-  const auto ask = [&](Vec3 place, const double(&weight)[3]) {
+  const auto sample = [&](Vec3 place, const double(&weight)[3]) {
     for (const ColliderList::Entry& entry : colliders) {
       if (!entry.collider->mayBeWithin(place, clearance)) continue;
-      const Collider::Sample sample = entry.collider->exactSample(place);
-      if (sample.distance >= kEnough * clearance) continue;
+      const Collider::Sample found = entry.collider->exactSample(place);
+      if (found.distance >= kEnough * clearance) continue;
       any = true;
-      const Vec3 asked = sample.normal * (clearance - sample.distance);
+      const Vec3 asked = found.normal * (clearance - found.distance);
       for (int c = 0; c < 3; ++c)
         if (weight[c] > 0 && squaredLength(asked) > squaredLength(lift[c])) lift[c] = asked;
     }
   };
-  ask(x[0], {1, 0, 0});
-  ask(x[1], {0, 1, 0});
-  ask(x[2], {0, 0, 1});
-  for (const auto& w : kSamples) ask(x[0] * w[0] + x[1] * w[1] + x[2] * w[2], w);
+  sample(x[0], {1, 0, 0});
+  sample(x[1], {0, 1, 0});
+  sample(x[2], {0, 0, 1});
+  for (const auto& w : kSamples) sample(x[0] * w[0] + x[1] * w[1] + x[2] * w[2], w);
   if (any) return lift;
   for (const ColliderList::Entry& entry : colliders)
     if (const Vec3 out = entry.collider->intersectionNormal(x); squaredLength(out) > 0) {
@@ -60,22 +59,23 @@ Corners liftOf(const Corners& x, const ColliderList& colliders, double clearance
 
 }  // namespace
 
-double deepest(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x, Workers& workers) {
+double deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x,
+                          Workers& workers) {
   const std::vector<Triangle> faces = liveFaces(cloth);
   std::vector<double> worst((faces.size() + kBlock - 1) / kBlock, 0);
   workers.forBlocks(faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     double most = 0;
-    const auto ask = [&](Vec3 place) {
+    const auto sample = [&](Vec3 place) {
       for (const ColliderList::Entry& entry : colliders)
         if (entry.collider->mayBeWithin(place, 0.001))
           most = std::fmax(most, -entry.collider->exactSample(place).distance);
     };
     for (std::size_t f = begin; f < end; ++f) {
       const Vec3 a = x[faces[f][0]], b = x[faces[f][1]], c = x[faces[f][2]];
-      ask(a);
-      ask(b);
-      ask(c);
-      for (const auto& w : kSamples) ask(a * w[0] + b * w[1] + c * w[2]);
+      sample(a);
+      sample(b);
+      sample(c);
+      for (const auto& w : kSamples) sample(a * w[0] + b * w[1] + c * w[2]);
     }
     worst[begin / kBlock] = most;
   });
@@ -84,15 +84,15 @@ double deepest(const Cloth& cloth, const ColliderList& colliders, std::span<cons
   return most;
 }
 
-void liftOff(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers) {
+void liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers) {
   const Cloth& cloth = solver.cloth();
   const std::vector<Triangle> faces = liveFaces(cloth);
-  std::vector<std::uint32_t> asked(faces.size());  // the faces that are looked at
+  std::vector<std::uint32_t> asked(faces.size());  // the faces to be tested
   for (std::uint32_t f = 0; f < asked.size(); ++f) asked[f] = f;
-  std::vector<double> nudge(faces.size(), kNudge);
+  std::vector<double> nudge(faces.size(), kFirstNudge);
   std::vector<Corners> lift;
   for (int round = 0; round < kRounds && !asked.empty(); ++round) {
-    const std::vector<Vec3> before = solver.places();
+    const std::vector<Vec3> before = solver.positions();
     lift.assign(asked.size(), {});
     workers.forBlocks(asked.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
@@ -100,7 +100,7 @@ void liftOff(LevelSolver& solver, const ColliderList& colliders, double clearanc
         lift[k] = liftOf({before[face[0]], before[face[1]], before[face[2]]}, colliders, clearance, nudge[asked[k]]);
       }
     });
-    // A node goes by the largest lift asked of it: the sum of many would fling it.
+    // A node moves by the largest lift of its faces: the sum of many would overshoot.
     std::vector<Vec3> moves(cloth.nodeCount);
     std::vector<std::uint8_t> again(faces.size(), 0);
     bool any = false;
@@ -108,16 +108,16 @@ void liftOff(LevelSolver& solver, const ColliderList& colliders, double clearanc
       for (int c = 0; c < 3; ++c) {
         if (squaredLength(lift[k][c]) == 0) continue;
         any = true;
-        if (!again[asked[k]]) nudge[asked[k]] = std::fmin(kFirmest, kFirmer * nudge[asked[k]]);
+        if (!again[asked[k]]) nudge[asked[k]] = std::fmin(kMostNudge, kNudgeGrowth * nudge[asked[k]]);
         again[asked[k]] = 1;
         Vec3& most = moves[faces[asked[k]][c]];
         if (squaredLength(lift[k][c]) > squaredLength(most)) most = lift[k][c];
       }
     if (!any) break;
-    solver.moveGuarded(std::move(moves));
+    solver.moveFiltered(std::move(moves));
     std::vector<std::uint8_t> moved(cloth.nodeCount, 0);
     for (NodeIndex k = 0; k < cloth.nodeCount; ++k)
-      moved[k] = squaredLength(solver.places()[k] - before[k]) > 0 ? 1 : 0;
+      moved[k] = squaredLength(solver.positions()[k] - before[k]) > 0 ? 1 : 0;
     asked.clear();
     for (std::uint32_t f = 0; f < faces.size(); ++f)
       if (again[f] || moved[faces[f][0]] || moved[faces[f][1]] || moved[faces[f][2]]) asked.push_back(f);

@@ -1,11 +1,11 @@
-#include "cloth/nearest.h"
+#include "cloth/closest_points.h"
 
 #include <algorithm>
 
 namespace karinui {
 
 // By the regions of the triangle's corners, edges and inside (Ericson, Real-Time Collision Detection, 5.1.5).
-std::array<double, 3> nearestOnTriangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
+std::array<double, 3> closestOnTriangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
   const double abAp = dot(ab, ap), acAp = dot(ac, ap);
   if (abAp <= 0 && acAp <= 0) return {1, 0, 0};
@@ -34,7 +34,7 @@ std::array<double, 3> nearestOnTriangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
   return {1 - v - w, v, w};
 }
 
-std::array<double, 2> nearestOnSegments(Vec3 a0, Vec3 a1, Vec3 b0, Vec3 b1) {
+std::array<double, 2> closestOnSegments(Vec3 a0, Vec3 a1, Vec3 b0, Vec3 b1) {
   const Vec3 u = a1 - a0, v = b1 - b0, r = a0 - b0;
   const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
   if (!(uu > 0) || !(vv > 0)) return {0.5, 0.5};

@@ -1,4 +1,4 @@
-#include "cloth/panel_plan.h"
+#include "cloth/grid_layout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@ namespace karinui {
 namespace {
 
 constexpr double kExact = 1e-7;  // of a step: how well threads keep to the grid
-// A part: small enough that what is worked out on the way stays in a processor's cache.
+// A range: small enough that what is computed on the way stays in a processor's cache.
 constexpr std::uint32_t kRows = 8;  // about
-constexpr std::size_t kLoose = 256;
+constexpr std::size_t kUnstructured = 256;
 
 struct Corner {  // a right angle: its node, and which ways its weft and warp go
   std::uint32_t i = 0, j = 0;
@@ -19,14 +19,14 @@ struct Corner {  // a right angle: its node, and which ways its weft and warp go
   double area = 0;
 };
 
-class Grid {
+class LatticeGrid {
  public:
-  explicit Grid(const Lattice& lattice) : lattice_(lattice), at_(lattice.nodes.size(), {-1, -1}) {
+  explicit LatticeGrid(const Lattice& lattice) : lattice_(lattice), at_(lattice.nodes.size(), {-1, -1}) {
     for (std::uint32_t j = 0; j < lattice.rows; ++j)
       for (std::uint32_t i = 0; i < lattice.columns; ++i)
         if (const std::uint32_t k = lattice.grid[std::size_t{j} * lattice.columns + i]; k != kNoNode) at_[k] = {i, j};
   }
-  // The steps of the first whole cell; none: there is no panel.
+  // The spacings of the first whole cell; false: there is none.
   bool measure(double& weftStep, double& warpStep) const {
     for (std::uint32_t j = 0; j + 1 < lattice_.rows; ++j)
       for (std::uint32_t i = 0; i + 1 < lattice_.columns; ++i)
@@ -70,48 +70,48 @@ class Grid {
 
 }  // namespace
 
-PanelPlan::PanelPlan(const Cloth& cloth) : slotOf(cloth.nodeCount, kNoNode), left(cloth.pieces.size()) {
+GridLayout::GridLayout(const Cloth& cloth) : slotOf(cloth.nodeCount, kNoNode), remainder(cloth.pieces.size()) {
   std::uint32_t next = kLanes;
   for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
     const ClothPiece& piece = cloth.pieces[p];
     const Lattice& lattice = *piece.lattice;
-    left[p].assign(lattice.faces.size(), Left::All);
+    remainder[p].assign(lattice.faces.size(), Remainder::All);
     if (!piece.live || piece.fabric.law != Fabric::Law::Woven) continue;
-    Panel panel;
-    panel.piece = p;
-    panel.columns = lattice.columns;
-    panel.rows = lattice.rows;
-    panel.stride = static_cast<std::uint32_t>((lattice.columns + 2 + kLanes - 1) / kLanes * kLanes);
-    if (!Grid(lattice).measure(panel.weftStep, panel.warpStep)) continue;
-    panel.first = next + 2 * panel.stride;
-    next = panel.first + (panel.rows + 2) * panel.stride;
+    GridBlock block;
+    block.piece = p;
+    block.columns = lattice.columns;
+    block.rows = lattice.rows;
+    block.stride = static_cast<std::uint32_t>((lattice.columns + 2 + kLanes - 1) / kLanes * kLanes);
+    if (!LatticeGrid(lattice).measure(block.weftStep, block.warpStep)) continue;
+    block.first = next + 2 * block.stride;
+    next = block.first + (block.rows + 2) * block.stride;
     for (std::uint32_t j = 0; j < lattice.rows; ++j)
       for (std::uint32_t i = 0; i < lattice.columns; ++i)
         if (const std::uint32_t k = lattice.grid[std::size_t{j} * lattice.columns + i]; k != kNoNode)
-          slotOf[piece.firstNode + k] = panel.first + j * panel.stride + i;
-    panels.push_back(panel);
+          slotOf[piece.firstNode + k] = block.first + j * block.stride + i;
+    blocks.push_back(block);
   }
   weftArea.assign(next, 0);
   warpArea.assign(next, 0);
   cornerArea.assign(next, 0);
   std::vector<std::uint8_t> around(next, 0);
-  for (const Panel& panel : panels) {
-    const Lattice& lattice = *cloth.pieces[panel.piece].lattice;
-    const Grid grid(lattice);
+  for (const GridBlock& block : blocks) {
+    const Lattice& lattice = *cloth.pieces[block.piece].lattice;
+    const LatticeGrid grid(lattice);
     const auto bit = [](const Corner& c) { return 1u << ((c.along > 0 ? 1 : 0) + (c.up > 0 ? 2 : 0)); };
     std::vector<std::pair<std::size_t, Corner>> corners;
     for (std::size_t f = 0; f < lattice.faces.size(); ++f) {
       Corner c;
-      if (!grid.corner(lattice.faces[f], panel.weftStep, panel.warpStep, c)) continue;
-      const std::uint32_t slot = panel.first + c.j * panel.stride + c.i;
+      if (!grid.corner(lattice.faces[f], block.weftStep, block.warpStep, c)) continue;
+      const std::uint32_t slot = block.first + c.j * block.stride + c.i;
       weftArea[c.along > 0 ? slot : slot - 1] += c.area;
-      warpArea[c.up > 0 ? slot : slot - panel.stride] += c.area;
+      warpArea[c.up > 0 ? slot : slot - block.stride] += c.area;
       around[slot] = static_cast<std::uint8_t>(around[slot] | bit(c));
       corners.emplace_back(f, c);
     }
     for (const auto& [f, c] : corners) {
-      const std::uint32_t slot = panel.first + c.j * panel.stride + c.i;
-      left[panel.piece][f] = around[slot] == 15 ? Left::Nothing : Left::Shear;
+      const std::uint32_t slot = block.first + c.j * block.stride + c.i;
+      remainder[block.piece][f] = around[slot] == 15 ? Remainder::Nothing : Remainder::Shear;
       if (around[slot] == 15) cornerArea[slot] = c.area;
     }
   }
@@ -120,20 +120,20 @@ PanelPlan::PanelPlan(const Cloth& cloth) : slotOf(cloth.nodeCount, kNoNode), lef
       for (std::uint32_t k = 0; k < piece.lattice->nodes.size(); ++k)
         if (slotOf[piece.firstNode + k] == kNoNode) slotOf[piece.firstNode + k] = next++;
   slots = (next + 3 * kLanes - 1) / kLanes * kLanes;
-  std::size_t loose = 0;
-  for (std::uint32_t p = 0; p < panels.size(); ++p) {
-    const Panel& panel = panels[p];
-    const std::uint32_t count = 2 * std::max(1u, (panel.rows + kRows) / (2 * kRows));  // for two and four workers
+  std::size_t unstructured = 0;
+  for (std::uint32_t p = 0; p < blocks.size(); ++p) {
+    const GridBlock& block = blocks[p];
+    const std::uint32_t count = 2 * std::max(1u, (block.rows + kRows) / (2 * kRows));  // for two and four workers
     for (std::uint32_t k = 0; k < count; ++k) {
-      const std::uint32_t row = k * panel.rows / count, rows = (k + 1) * panel.rows / count - row;
+      const std::uint32_t row = k * block.rows / count, rows = (k + 1) * block.rows / count - row;
       if (rows == 0) continue;
-      const std::size_t begin = panel.first + std::size_t{row} * panel.stride;
-      parts.push_back({p, row, rows, begin, begin + std::size_t{rows} * panel.stride});
+      const std::size_t begin = block.first + std::size_t{row} * block.stride;
+      ranges.push_back({p, row, rows, begin, begin + std::size_t{rows} * block.stride});
     }
-    loose = parts.back().end;
+    unstructured = ranges.back().end;
   }
-  for (std::size_t s = loose; s < slots - kLanes; s += kLoose)
-    parts.push_back({SlotPart::kNoPanel, 0, 0, s, std::min(s + kLoose, slots - kLanes)});
+  for (std::size_t s = unstructured; s < slots - kLanes; s += kUnstructured)
+    ranges.push_back({SlotRange::kNoBlock, 0, 0, s, std::min(s + kUnstructured, slots - kLanes)});
   for (auto* area : {&weftArea, &warpArea, &cornerArea}) area->resize(slots, 0);
 }
 

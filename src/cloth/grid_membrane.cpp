@@ -1,4 +1,4 @@
-#include "cloth/panel_stretch.h"
+#include "cloth/grid_membrane.h"
 
 #include <cmath>
 
@@ -31,11 +31,11 @@ struct Floats {
   float *x, *y, *z;
 };
 
-// Each thread's way, its force per metre of that way, and its stiffness.
-KARINUI_WIDE void pullThreads(const ThreadLoop loop, const double* __restrict x, const double* __restrict y,
-                              const double* __restrict z, const double* __restrict area, double* __restrict dx,
-                              double* __restrict dy, double* __restrict dz, double* __restrict t,
-                              float* __restrict across, const Floats along, const Floats way) {
+// Each thread's vector, its force per length of that vector, and its stiffness.
+KARINUI_WIDE void evaluateThreads(const ThreadLoop loop, const double* __restrict x, const double* __restrict y,
+                                  const double* __restrict z, const double* __restrict area, double* __restrict dx,
+                                  double* __restrict dy, double* __restrict dz, double* __restrict t,
+                                  float* __restrict across, const Floats along, const Floats way) {
   const double perStep = 1 / loop.step;
   KARINUI_APART
   for (std::size_t s = loop.begin; s < loop.end; ++s) {
@@ -73,10 +73,10 @@ struct Ways {  // of threads, three axes
   const double *x, *y, *z;
 };
 // The shear at each node of four right angles: its slopes, and its stiffness.
-KARINUI_WIDE void shearCorners(std::size_t begin, std::size_t end, std::size_t stride, double scale, ShearCurve curve,
-                               const double* __restrict area, const Ways u, const Ways v, double* __restrict pp,
-                               double* __restrict pm, double* __restrict mp, double* __restrict mm,
-                               float* __restrict corner) {
+KARINUI_WIDE void evaluateShear(std::size_t begin, std::size_t end, std::size_t stride, double scale, ShearCurve curve,
+                                const double* __restrict area, const Ways u, const Ways v, double* __restrict pp,
+                                double* __restrict pm, double* __restrict mp, double* __restrict mm,
+                                float* __restrict corner) {
   const double modulus = curve.modulus, cubic = curve.cubic(), square = 0.75 * curve.cubic();
   KARINUI_APART
   for (std::size_t s = begin; s < end; ++s) {
@@ -95,11 +95,11 @@ KARINUI_WIDE void shearCorners(std::size_t begin, std::size_t end, std::size_t s
 }
 
 // One axis of the gradient: what the four threads at a node pull.
-KARINUI_WIDE void pullNodes(std::size_t begin, std::size_t end, std::size_t stride, const double* __restrict u,
-                            const double* __restrict v, const double* __restrict tu, const double* __restrict tv,
-                            const double* __restrict pp, const double* __restrict pm, const double* __restrict mp,
-                            const double* __restrict mm, double* __restrict g) {
-  // The force of the thread that starts at a slot: its own pull, and the shear at its two ends.
+KARINUI_WIDE void gatherForces(std::size_t begin, std::size_t end, std::size_t stride, const double* __restrict u,
+                               const double* __restrict v, const double* __restrict tu, const double* __restrict tv,
+                               const double* __restrict pp, const double* __restrict pm, const double* __restrict mp,
+                               const double* __restrict mm, double* __restrict g) {
+  // The force of the thread that starts at a slot: its tension, and the shear at its two ends.
   const auto weft = [&](std::size_t s) {
     return tu[s] * u[s] + pp[s] * v[s] + pm[s] * v[s - stride] + mp[s + 1] * v[s + 1] + mm[s + 1] * v[s + 1 - stride];
   };
@@ -113,13 +113,13 @@ KARINUI_WIDE void pullNodes(std::size_t begin, std::size_t end, std::size_t stri
 
 Floats floats(std::array<std::vector<float>, 3>& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
 
-constexpr std::size_t kRows = 8;  // a worker takes at once
+constexpr std::size_t kRows = 8;  // of a grid block, in one piece of work
 
 }  // namespace
 
-PanelStretch::PanelStretch(const Cloth& cloth, const PanelPlan& plan) : plan_(plan) {
-  for (const Panel& panel : plan.panels) {
-    const ClothPiece& piece = cloth.pieces[panel.piece];
+GridMembrane::GridMembrane(const Cloth& cloth, const GridLayout& layout) : layout_(layout) {
+  for (const GridBlock& block : layout.blocks) {
+    const ClothPiece& piece = cloth.pieces[block.piece];
     const Fabric& f = piece.fabric;
     threads_.push_back({f.weftCurve(), f.warpCurve(), {f.shear, f.shearStiffen}});
     std::vector<NodeIndex> nodes;
@@ -128,49 +128,49 @@ PanelStretch::PanelStretch(const Cloth& cloth, const PanelPlan& plan) : plan_(pl
     node_.push_back(std::move(nodes));
   }
   for (auto* axes : {&x_, &du_, &dv_})
-    for (auto& axis : *axes) axis.assign(plan.slots, 0);
-  for (auto* array : {&tu_, &tv_, &slope_[0], &slope_[1], &slope_[2], &slope_[3]}) array->assign(plan.slots, 0);
+    for (auto& axis : *axes) axis.assign(layout.slots, 0);
+  for (auto* array : {&tu_, &tv_, &slope_[0], &slope_[1], &slope_[2], &slope_[3]}) array->assign(layout.slots, 0);
 }
 
-void PanelStretch::evaluate(std::span<const Vec3> x, std::span<Vec3> gradient, PanelStiffness& k, Workers& workers) {
+void GridMembrane::evaluate(std::span<const Vec3> x, std::span<Vec3> gradient, GridStiffness& k, Workers& workers) {
   for (auto* axes : {&k.weftAlong, &k.warpAlong, &k.weftWay, &k.warpWay})
-    for (auto& axis : *axes) axis.resize(plan_.slots, 0);
-  for (auto* array : {&k.weftAcross, &k.warpAcross, &k.corner}) array->resize(plan_.slots, 0);
-  for (std::size_t p = 0; p < plan_.panels.size(); ++p) {
-    const Panel& panel = plan_.panels[p];
+    for (auto& axis : *axes) axis.resize(layout_.slots, 0);
+  for (auto* array : {&k.weftAcross, &k.warpAcross, &k.corner}) array->resize(layout_.slots, 0);
+  for (std::size_t p = 0; p < layout_.blocks.size(); ++p) {
+    const GridBlock& block = layout_.blocks[p];
     const Threads& t = threads_[p];
     const auto& nodes = node_[p];
     workers.forBlocks(nodes.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
-        const std::uint32_t s = plan_.slotOf[nodes[n]];
+        const std::uint32_t s = layout_.slotOf[nodes[n]];
         x_[0][s] = x[nodes[n]].x;
         x_[1][s] = x[nodes[n]].y;
         x_[2][s] = x[nodes[n]].z;
       }
     });
-    const auto slots = [&](std::size_t row) { return panel.first + row * panel.stride; };
-    workers.forBlocks(panel.rows, kRows, [&](std::size_t begin, std::size_t end) {
-      pullThreads(threadLoop(slots(begin), slots(end), 1, panel.weftStep, t.weft), x_[0].data(), x_[1].data(),
-                  x_[2].data(), plan_.weftArea.data(), du_[0].data(), du_[1].data(), du_[2].data(), tu_.data(),
-                  k.weftAcross.data(), floats(k.weftAlong), floats(k.weftWay));
-      pullThreads(threadLoop(slots(begin), slots(end), panel.stride, panel.warpStep, t.warp), x_[0].data(),
-                  x_[1].data(), x_[2].data(), plan_.warpArea.data(), dv_[0].data(), dv_[1].data(), dv_[2].data(),
-                  tv_.data(), k.warpAcross.data(), floats(k.warpAlong), floats(k.warpWay));
+    const auto slots = [&](std::size_t row) { return block.first + row * block.stride; };
+    workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
+      evaluateThreads(threadLoop(slots(begin), slots(end), 1, block.weftStep, t.weft), x_[0].data(), x_[1].data(),
+                      x_[2].data(), layout_.weftArea.data(), du_[0].data(), du_[1].data(), du_[2].data(), tu_.data(),
+                      k.weftAcross.data(), floats(k.weftAlong), floats(k.weftWay));
+      evaluateThreads(threadLoop(slots(begin), slots(end), block.stride, block.warpStep, t.warp), x_[0].data(),
+                      x_[1].data(), x_[2].data(), layout_.warpArea.data(), dv_[0].data(), dv_[1].data(), dv_[2].data(),
+                      tv_.data(), k.warpAcross.data(), floats(k.warpAlong), floats(k.warpWay));
     });
-    workers.forBlocks(panel.rows, kRows, [&](std::size_t begin, std::size_t end) {
-      shearCorners(slots(begin), slots(end), panel.stride, 1 / (panel.weftStep * panel.warpStep), t.shear,
-                   plan_.cornerArea.data(), {du_[0].data(), du_[1].data(), du_[2].data()},
-                   {dv_[0].data(), dv_[1].data(), dv_[2].data()}, slope_[0].data(), slope_[1].data(), slope_[2].data(),
-                   slope_[3].data(), k.corner.data());
+    workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
+      evaluateShear(slots(begin), slots(end), block.stride, 1 / (block.weftStep * block.warpStep), t.shear,
+                    layout_.cornerArea.data(), {du_[0].data(), du_[1].data(), du_[2].data()},
+                    {dv_[0].data(), dv_[1].data(), dv_[2].data()}, slope_[0].data(), slope_[1].data(), slope_[2].data(),
+                    slope_[3].data(), k.corner.data());
     });
-    workers.forBlocks(panel.rows, kRows, [&](std::size_t begin, std::size_t end) {
+    workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
       for (std::size_t axis = 0; axis < 3; ++axis)
-        pullNodes(slots(begin), slots(end), panel.stride, du_[axis].data(), dv_[axis].data(), tu_.data(), tv_.data(),
-                  slope_[0].data(), slope_[1].data(), slope_[2].data(), slope_[3].data(), x_[axis].data());
+        gatherForces(slots(begin), slots(end), block.stride, du_[axis].data(), dv_[axis].data(), tu_.data(), tv_.data(),
+                     slope_[0].data(), slope_[1].data(), slope_[2].data(), slope_[3].data(), x_[axis].data());
     });
     workers.forBlocks(nodes.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
-        const std::uint32_t s = plan_.slotOf[nodes[n]];
+        const std::uint32_t s = layout_.slotOf[nodes[n]];
         gradient[nodes[n]] += Vec3{x_[0][s], x_[1][s], x_[2][s]};
       }
     });

@@ -1,11 +1,11 @@
-#include "cloth/rim.h"
+#include "cloth/boundary_activation.h"
 
 #include <algorithm>
 #include <span>
 
 namespace karinui {
 
-Rim::Rim(const Cloth& cloth) : cloth_(cloth) {
+BoundaryActivation::BoundaryActivation(const Cloth& cloth) : cloth_(cloth) {
   const auto pieceOf = [&](NodeIndex node) {
     const auto after = std::upper_bound(cloth.pieces.begin(), cloth.pieces.end(), node,
                                         [](NodeIndex n, const ClothPiece& piece) { return n < piece.firstNode; });
@@ -19,36 +19,36 @@ Rim::Rim(const Cloth& cloth) : cloth_(cloth) {
           sewnTo_[pieceOf(still)].push_back(live);
 }
 
-std::vector<PieceId> Rim::stirred(const std::vector<Vec3>& before, const std::vector<Vec3>& after,
-                                  const std::vector<Vec3>& x, const ColliderList& colliders,
-                                  const SettleSettings& settings, double far, const Token& token,
-                                  Workers& workers) const {
-  Cloth woken = cloth_;
+std::vector<PieceId> BoundaryActivation::piecesToActivate(const std::vector<Vec3>& before,
+                                                          const std::vector<Vec3>& after, const std::vector<Vec3>& x,
+                                                          const ColliderList& colliders, const SettleSettings& settings,
+                                                          double far, const Token& token, Workers& workers) const {
+  Cloth active = cloth_;
   std::vector<Vec3> change(cloth_.nodeCount);
   for (const auto& [piece, nodes] : sewnTo_) {
-    woken.pieces[piece].live = true;
+    active.pieces[piece].live = true;
     for (const NodeIndex k : nodes) change[k] = after[k] - before[k];
   }
-  LevelSolver solver(woken, x, colliders, settings,
-                     settings.clothOnCloth ? clothRadius(woken.spacing, woken.spacing) : 0, workers);
-  solver.tieWithin(woken.spacing);
-  LevelSolver::Stride stride;
-  stride.seconds = 0.25;
-  stride.stop = {40, 1000, 0.01};
-  const std::vector<Vec3> answer = solver.answerTo(change, stride, token);
-  stride.gravity = settings.gravity;
+  LevelSolver solver(active, x, colliders, settings,
+                     settings.clothOnCloth ? clothRadius(active.spacing, active.spacing) : 0, workers);
+  solver.tieWithin(active.spacing);
+  LevelSolver::StepOptions options;
+  options.seconds = 0.25;
+  options.stopping = {40, 1000, 0.01};
+  const std::vector<Vec3> response = solver.responseTo(change, options, token);
+  options.gravity = settings.gravity;
   std::vector<Vec3> moves(cloth_.nodeCount);
-  solver.predict(stride, token, &moves);
-  std::vector<PieceId> stirred;
+  solver.predict(options, token, &moves);
+  std::vector<PieceId> moving;
   for (const auto& [piece, nodes] : sewnTo_) {
     const ClothPiece& still = cloth_.pieces[piece];
     const auto goesFar = [&](const std::vector<Vec3>& way) {
       const auto own = std::span(way).subspan(still.firstNode, still.lattice->nodes.size());
       return std::any_of(own.begin(), own.end(), [&](Vec3 move) { return squaredLength(move) > far * far; });
     };
-    if (goesFar(answer) && goesFar(moves)) stirred.push_back(still.id);
+    if (goesFar(response) && goesFar(moves)) moving.push_back(still.id);
   }
-  return stirred;
+  return moving;
 }
 
 }  // namespace karinui

@@ -1,4 +1,4 @@
-#include "cloth/envelope.h"
+#include "cloth/envelope_cholesky.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ KARINUI_WIDE void solveRows(const Rows rows, const float* __restrict value, cons
 
 }  // namespace
 
-Envelope::Envelope(std::vector<std::uint32_t> first) : first_(std::move(first)) {
+EnvelopeCholesky::EnvelopeCholesky(std::vector<std::uint32_t> first) : first_(std::move(first)) {
   std::size_t size = 0;
   for (std::size_t i = 0; i < first_.size(); ++i) {
     start_.push_back(size);
@@ -76,9 +76,9 @@ Envelope::Envelope(std::vector<std::uint32_t> first) : first_(std::move(first)) 
   perDiagonal_.resize(first_.size());
 }
 
-void Envelope::clear() { std::fill(value_.begin(), value_.end(), 0.0); }
+void EnvelopeCholesky::clear() { std::fill(value_.begin(), value_.end(), 0.0); }
 
-bool Envelope::factor() {
+bool EnvelopeCholesky::factor() {
   if (!factorRows({first_.size(), first_.data(), start_.data()}, value_.data())) return false;
   std::transform(value_.begin(), value_.end(), low_.begin(), [](double v) { return static_cast<float>(v); });
   for (std::size_t i = 0; i < first_.size(); ++i)
@@ -86,15 +86,15 @@ bool Envelope::factor() {
   return true;
 }
 
-void Envelope::solve(std::span<float> x) const {
+void EnvelopeCholesky::solve(std::span<float> x) const {
   solveRows({first_.size(), first_.data(), start_.data()}, low_.data(), perDiagonal_.data(), x.data());
 }
 
-std::vector<std::uint32_t> nearNumbers(const std::vector<std::vector<std::uint32_t>>& around) {
+std::vector<std::uint32_t> reverseCuthillMcKee(const std::vector<std::vector<std::uint32_t>>& around) {
   const std::size_t count = around.size();
   std::vector<std::uint32_t> order;
   std::vector<std::uint8_t> in(count, 0);
-  const auto walk = [&](std::uint32_t from) {  // everything that hangs together with it, ring by ring
+  const auto walk = [&](std::uint32_t from) {  // its component, breadth first
     const std::size_t begin = order.size();
     order.push_back(from);
     in[from] = 1;

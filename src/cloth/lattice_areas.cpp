@@ -1,15 +1,15 @@
-#include "cloth/lattice_shares.h"
+#include "cloth/lattice_areas.h"
 
 #include <algorithm>
 
 namespace karinui {
 
-LatticeShares sharesOf(const Lattice& lattice) {
-  LatticeShares shares;
+LatticeAreas latticeAreas(const Lattice& lattice) {
+  LatticeAreas areas;
   const std::size_t count = lattice.nodes.size();
-  shares.cell.assign(count, 0);
-  shares.ring.assign(count, 0);
-  shares.cross.assign(count, {kNoNode, kNoNode, kNoNode, kNoNode});
+  areas.cell.assign(count, 0);
+  areas.ring.assign(count, 0);
+  areas.stencil.assign(count, {kNoNode, kNoNode, kNoNode, kNoNode});
   const std::uint32_t columns = lattice.columns, rows = lattice.rows;
   const auto at = [&](std::uint32_t i, std::uint32_t j) { return lattice.grid[std::size_t{j} * columns + i]; };
   const auto whole = [&](std::uint32_t i, std::uint32_t j) {
@@ -23,13 +23,13 @@ LatticeShares sharesOf(const Lattice& lattice) {
   for (std::uint32_t j = 0; j + 1 < rows; ++j)
     for (std::uint32_t i = 0; i + 1 < columns; ++i)
       if (whole(i, j)) {
-        shares.corners.push_back({at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
-        for (std::uint32_t k : shares.corners.back()) shares.cell[k] += quarter;
+        areas.corners.push_back({at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
+        for (std::uint32_t k : areas.corners.back()) areas.cell[k] += quarter;
       }
   for (std::uint32_t j = 1; j + 1 < rows; ++j)
     for (std::uint32_t i = 1; i + 1 < columns; ++i)
       if (whole(i - 1, j - 1) && whole(i, j - 1) && whole(i - 1, j) && whole(i, j))
-        shares.cross[at(i, j)] = {at(i - 1, j), at(i + 1, j), at(i, j - 1), at(i, j + 1)};
+        areas.stencil[at(i, j)] = {at(i - 1, j), at(i + 1, j), at(i, j - 1), at(i, j + 1)};
   for (std::uint32_t f = 0; f < lattice.faces.size(); ++f) {
     const Triangle& face = lattice.faces[f];
     // A face of a whole cell has its three corners on that cell's grid points.
@@ -47,10 +47,10 @@ LatticeShares sharesOf(const Lattice& lattice) {
     const Flat a = lattice.nodes[face[0]];
     const double third = cross(lattice.nodes[face[1]] - a, lattice.nodes[face[2]] - a) / 6;
     if (!(third > 0)) continue;
-    shares.ringFaces.push_back(f);
-    for (std::uint32_t k : face) shares.ring[k] += third;
+    areas.ringFaces.push_back(f);
+    for (std::uint32_t k : face) areas.ring[k] += third;
   }
-  return shares;
+  return areas;
 }
 
 std::vector<std::vector<std::uint32_t>> neighboursOf(std::size_t nodes, const std::vector<Triangle>& faces) {

@@ -1,4 +1,4 @@
-#include "cloth/panel_product.h"
+#include "cloth/grid_product.h"
 
 #include <numeric>
 
@@ -13,13 +13,13 @@ struct Axes {
 struct Out {
   float *x, *y, *z;
 };
-Axes axes(const Lanes3& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
+Axes axes(const SlotVectors& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
 
 struct Corners {  // of the shear between weft forth, back and warp forth, back
   float *ff, *fb, *bf, *bb;
 };
 
-// The shear of the four right angles at each node, as a force per way of the other thread.
+// The shear of the four right angles at each node, as a force per length of the other thread.
 KARINUI_WIDE void shear(std::size_t begin, std::size_t end, std::size_t stride, const Axes p, const Axes u,
                         const Axes v, const float* __restrict corner, std::size_t base, const Corners out) {
   KARINUI_APART
@@ -47,8 +47,8 @@ struct AtEnds {  // shear with the other threads at this end and at the next: wi
   const float *forth, *back, *nextForth, *nextBack;
 };
 
-// The force each thread passes on, from slot s to s + next: its own and the shear at both its ends. `other`: from row
-// to row of the threads across.
+// The force of each thread from slot s to s + next: its tension and the shear at both its ends. `other`: the offset
+// from thread to thread across.
 KARINUI_WIDE void threads(std::size_t begin, std::size_t end, std::size_t next, std::size_t other, const Axes p,
                           const Thread k, const Axes way, std::size_t base, const AtEnds shear, float* __restrict fx,
                           float* __restrict fy, float* __restrict fz) {
@@ -122,13 +122,13 @@ struct Own {
   }
   inline void along(float k, const Axes& way, std::size_t t) { along(k, way.x[t], way.y[t], way.z[t]); }
 };
-struct Threads {  // all a panel's matrix is made of
+struct Threads {  // what a grid block's matrix is made of
   const float *weftAcross, *warpAcross;
   Axes weftAlong, warpAlong, weftWay, warpWay;
   const float *corner, *bendWeft, *bendWarp, *twist;
 };
 
-// What each node feels of its own move.
+// The diagonal: the force on each node by its own move.
 KARINUI_WIDE void diagonals(std::size_t begin, std::size_t end, std::size_t stride, const Threads k,
                             float* const* own) {
   float* __restrict oa = own[0], * __restrict ob = own[1], * __restrict oc = own[2], * __restrict od = own[3], * __restrict oe = own[4], * __restrict of = own[5];
@@ -173,7 +173,7 @@ KARINUI_WIDE void diagonals(std::size_t begin, std::size_t end, std::size_t stri
 
 constexpr std::size_t kOwn[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
-// What rows pass to each other, for a band of rows and one above and below it.
+// Scratch: intermediate forces of a range of rows and one above and below it.
 struct Band {
   std::vector<float> data;
   std::size_t size = 0;
@@ -186,18 +186,18 @@ struct Band {
 
 }  // namespace
 
-void multiplyPart(const PanelPlan& plan, const SlotPart& part, const PanelStiffness& k, const PanelBending& bending,
-                  const OwnBlocks& own, const Lanes3& p, Lanes3& q) {
+void multiplyRange(const GridLayout& layout, const SlotRange& range, const GridStiffness& k, const GridBending& bending,
+                   const DiagonalBlocks& own, const SlotVectors& p, SlotVectors& q) {
   const Axes from = axes(p);
-  const std::size_t first = part.begin, last = part.end;
-  if (part.loose()) {
+  const std::size_t first = range.begin, last = range.end;
+  if (range.unstructured()) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       ownOnly(first, last, own[kOwn[axis][0]].data(), own[kOwn[axis][1]].data(), own[kOwn[axis][2]].data(), from,
               q[axis].data());
     return;
   }
   thread_local Band band;
-  const std::size_t stride = plan.panels[part.panel].stride;
+  const std::size_t stride = layout.blocks[range.block].stride;
   const std::size_t base = first - stride - kLanes;  // one row above, and room for the slot before it
   band.fit(last + stride + kLanes - base);
   const Corners corners{band.at(0), band.at(1), band.at(2), band.at(3)};
@@ -220,20 +220,20 @@ void multiplyPart(const PanelPlan& plan, const SlotPart& part, const PanelStiffn
   }
 }
 
-double dotOf(const SlotPart& part, const Lanes3& p, const Lanes3& q) {
+double dotOf(const SlotRange& range, const SlotVectors& p, const SlotVectors& q) {
   float sum[kLanes] = {};
-  dotLanes(part.begin, part.end, axes(p), axes(q), sum);
+  dotLanes(range.begin, range.end, axes(p), axes(q), sum);
   return std::accumulate(std::begin(sum), std::end(sum), 0.0);
 }
 
-void addDiagonals(const PanelPlan& plan, const SlotPart& part, const PanelStiffness& k, const PanelBending& bending,
-                  OwnBlocks& own) {
-  if (part.loose()) return;
+void addDiagonals(const GridLayout& layout, const SlotRange& range, const GridStiffness& k, const GridBending& bending,
+                  DiagonalBlocks& own) {
+  if (range.unstructured()) return;
   const Threads all{k.weftAcross.data(), k.warpAcross.data(), axes(k.weftAlong), axes(k.warpAlong),
                     axes(k.weftWay),     axes(k.warpWay),     k.corner.data(),   bending.weft.data(),
                     bending.warp.data(), bending.twist.data()};
   float* const out[6] = {own[0].data(), own[1].data(), own[2].data(), own[3].data(), own[4].data(), own[5].data()};
-  diagonals(part.begin, part.end, plan.panels[part.panel].stride, all, out);
+  diagonals(range.begin, range.end, layout.blocks[range.block].stride, all, out);
 }
 
 }  // namespace karinui

@@ -1,0 +1,69 @@
+#include "cloth/finish.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "cloth/penetration.h"
+#include "cloth/strain.h"
+#include "karinui/base/number.h"
+
+namespace karinui {
+namespace {
+
+Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
+  if (end.settled) return say("At rest.");
+  if (end.falls)
+    return say("Nothing holds the cloth: it slides off and falls. Sew it closed, pin it, or place it on the body.");
+  if (!solver.allTied())
+    return say("A seam stays open by {0} mm; bring its pieces nearer or look whether something is between them.",
+               fixed(gap * 1000, 1));
+  return say("Not at rest after {0} steps: it would still move {1} mm.", end.steps, fixed(end.left * 1000, 2));
+}
+
+}  // namespace
+
+void ResourceUse::tell(SettleReport& report) const {
+  report.cpuSeconds = static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC;
+  report.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) == 0) report.peakMegabytes = static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+Error tornApart() {
+  return refused(say("The drape could not be computed: the cloth stands too torn apart. Place the pieces again."));
+}
+
+void addContactTimes(SettleReport& report, const LevelSolver& solver) {
+  for (const ContactTime& time : solver.contactTimes()) {
+    const auto at = std::find_if(report.contactTimes.begin(), report.contactTimes.end(),
+                                 [&](const ContactTime& known) { return known.name == time.name; });
+    if (at == report.contactTimes.end())
+      report.contactTimes.push_back(time);
+    else
+      at->seconds += time.seconds;
+  }
+}
+
+RestCriteria finestCriteria(const SettleSettings& settings) {
+  return {settings.stopMove, settings.stopResidual, settings.stopMove * 10 / 3, 8, settings.maxSteps};
+}
+
+std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, const SettleSettings& settings,
+                         const StageResult& end, SettleReport& report, Workers& workers) {
+  liftOffColliders(solver, colliders, std::min(0.0003, 0.3 * settings.skin), workers);
+  const std::vector<Vec3> x = solver.positions();
+  const std::size_t intersections = solver.intersections();
+  report.settled = end.settled && intersections == 0;
+  report.residual = end.residual;
+  report.step = end.left;
+  report.seamGap = widestGap(solver.cloth(), x);
+  report.why = whyOf(end, solver, report.seamGap);
+  if (intersections > 0)
+    report.why = say("Cloth stands through cloth at {0} places; give it more room, or fewer folds.", intersections);
+  report.penetration = deepestPenetration(solver.cloth(), colliders, x, workers);
+  report.strain = strainOf(solver.cloth(), x);
+  return x;
+}
+
+}  // namespace karinui

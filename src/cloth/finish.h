@@ -1,0 +1,26 @@
+#pragma once
+// The end of a drape: what settle and pull tell of it.
+#include <chrono>
+#include <ctime>
+
+#include "cloth/stages.h"
+
+namespace karinui {
+
+class ResourceUse {  // time since it was made and memory, for the report alone
+ public:
+  void tell(SettleReport& report) const;
+
+ private:
+  std::clock_t cpu_ = std::clock();
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+};
+
+Error tornApart();
+void addContactTimes(SettleReport& report, const LevelSolver& solver);
+RestCriteria finestCriteria(const SettleSettings& settings);
+// Lifts the resting cloth off the surfaces and fills the report from where it then stands.
+std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, const SettleSettings& settings,
+                         const StageResult& end, SettleReport& report, Workers& workers);
+
+}  // namespace karinui

@@ -1,0 +1,33 @@
+#pragma once
+// The two stages of a level: open seams are closed, then the cloth is relaxed to equilibrium. And the criteria of rest.
+#include <functional>
+
+#include "cloth/level_solver.h"
+
+namespace karinui {
+
+inline constexpr double kFarApart = 1e9;  // metres: ties all pairs, whatever their gap
+
+struct RestCriteria {
+  double move = 0.00015;  // metres a step
+  double residual = 0.4;  // node weights, rms
+  double left = 0.0005;   // metres of the largest move still predicted; 0: not tested
+  int calmSteps = 8;      // in a row; enough for cloth that begins to slide to show it
+  int mostSteps = 400;
+  bool sews = false;  // open seams are closed meanwhile; given up where they come no nearer
+};
+struct StageResult {
+  bool settled = false, finite = true, cancelled = false;
+  bool falls = false;  // nothing holds the cloth
+  double residual = 0, left = 0;
+  std::size_t steps = 0, solves = 0;
+};
+using StepWatcher = std::function<void(int step, const LevelSolver::StepResult& result)>;
+
+// Closes the seams without weight and friction, until all are tied or nothing comes nearer.
+StageResult closeSeams(LevelSolver& solver, const Token& token, const StepWatcher& watch);
+// Steps with weight and friction, until some calm steps in a row and a long step would move little.
+StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteria, double firstSeconds,
+                  const Token& token, const StepWatcher& watch);
+
+}  // namespace karinui
