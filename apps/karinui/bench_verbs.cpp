@@ -53,6 +53,7 @@ Json findingJson(const bench::Workload& load, const bench::Finding& found, int t
   object.update(settleJson(found.report, found.found.check, console));
   addClearance(object, found.found);
   object["hash"] = Hasher().add(std::span<const Vec3>(load.levels.back().state.position)).hex();  // of where it rests
+  for (const ContactTime& time : found.report.contactTimes) object["contact_seconds"][time.name] = time.seconds;
   object["drift_mm"] = found.after.drift * 1000;
   object["first_top_speed_mm_s"] = found.after.firstTopSpeed * 1000;
   object["top_speed_mm_s"] = found.after.topSpeed * 1000;
