@@ -120,6 +120,9 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   below->addWidget(edgeBoard_);
   below->addStretch(1);
 
+  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(tree_, &QTreeWidget::customContextMenuRequested, this,
+          [this](QPoint at) { emit menuAsked(tree_->viewport()->mapToGlobal(at)); });
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, [this] {
     if (filling_) return;
     Selection selection;

@@ -5,6 +5,8 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -17,10 +19,31 @@
 #include "look.h"
 #include "orbit.h"
 #include "spoken.h"
+#include "wheel_guard.h"
 
 namespace karinui::studio {
 
+namespace {
+
+// A board scrolls where it does not fit.
+QScrollArea* scrolling(QWidget* board) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(board);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  return scroll;
+}
+
+}  // namespace
+
+QSize firstSize(QSize available) {
+  constexpr QSize kFrame(16, 40), kMost(1720, 1080);  // the window manager's borders; more than this tires
+  return (available - kFrame).boundedTo(kMost);
+}
+
 MainWindow::MainWindow(SessionOptions options) {
+  WheelGuard::install();
   letViewsSpeak();
   wake_.setSingleShot(true);
   wake_.setInterval(0);
@@ -44,7 +67,7 @@ MainWindow::MainWindow(SessionOptions options) {
   split->addWidget(table_);
   boards_ = new QTabWidget;
   boards_->setDocumentMode(true);
-  boards_->setMinimumWidth(300);
+  boards_->setMinimumWidth(310);
   boards_->setMaximumWidth(420);
   auto* garment = new GarmentPanel(*session_);
   auto* body = new BodyPanel(*session_);
@@ -58,7 +81,7 @@ MainWindow::MainWindow(SessionOptions options) {
                                                {history, say("Steps")}};
   for (const auto& [panel, words] : boards) {
     panels_.push_back(panel);
-    const int at = boards_->addTab(panel, QString());
+    const int at = boards_->addTab(scrolling(panel), QString());
     Look::here().keep(panel, [this, at, words = words] { boards_->setTabText(at, inWords(words)); });
   }
   split->addWidget(boards_);
@@ -66,10 +89,20 @@ MainWindow::MainWindow(SessionOptions options) {
   split->setStretchFactor(1, 4);
   split->setStretchFactor(2, 0);
   split->setSizes({760, 520, 320});
-  setCentralWidget(split);
+  auto* central = new QWidget;
+  auto* column = new QVBoxLayout(central);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  guide_ = new Guide(*this);  // a strip above the views, so that it covers none of them
+  column->addWidget(guide_);
+  column->addWidget(split, 1);
+  setCentralWidget(central);
 
   hint_ = new QLabel;
   hint_->setObjectName("hint");
+  hint_->setWordWrap(true);  // a long sentence takes a second line; the window need not be wider for it
+  hint_->setFixedHeight(2 * hint_->fontMetrics().lineSpacing() + 6);
+  hint_->setMinimumWidth(1);
   place_ = new QLabel;
   progress_ = new QProgressBar;
   progress_->setRange(0, 1000);
@@ -82,6 +115,8 @@ MainWindow::MainWindow(SessionOptions options) {
   statusBar()->setSizeGripEnabled(false);
   connect(table_, &TableView::pointed, this,
           [this](Flat p) { place_->setText(lengthText(p.u) + "  " + lengthText(p.v)); });
+
+  connect(table_, &TableView::left, place_, &QLabel::clear);
 
   toast_ = new QLabel(space_);
   toast_->setObjectName("toast");
@@ -98,6 +133,10 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(body, &BodyPanel::importAsked, this, &MainWindow::askImport);
   connect(body, &BodyPanel::replayAsked, this, &MainWindow::askReplay);
   connect(space_, &SpaceView::failed, this, [this](const QString& why) { statusBar()->showMessage(why); });
+  connect(space_, &SpaceView::menuAsked, this, &MainWindow::menuAt);
+  connect(table_, &TableView::menuAsked, this, &MainWindow::menuAt);
+  connect(garment, &GarmentPanel::menuAsked, this,
+          [this](const QPoint& global) { menuOf(session_->selection(), std::nullopt, global); });
   space_->installEventFilter(this);
   table_->installEventFilter(this);
   cap_ = new SpaceMouse(this);
@@ -106,7 +145,7 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(cap_, &SpaceMouse::pressed, this,
           [this](int button) { run(button == 0 ? Command::ViewAll : Command::ViewFront); });
   setAcceptDrops(true);
-  resize(1500, 920);
+  resize(firstSize(screen()->availableSize()));
   const QSettings settings;
   if (settings.contains("window")) restoreGeometry(settings.value("window").toByteArray());
   connect(&Look::here(), &Look::changed, this, [this] {
@@ -201,7 +240,7 @@ void MainWindow::refresh() {
                  : keys.isEmpty()                  ? inWords(session_->hint())
                                                    : keys + "   –   " + inWords(session_->hint()));
   tellFingertip(keys);
-  if (guide_) guide_->refresh();
+  guide_->refresh();
   seen_ = now;
   emit refreshed();
 }
@@ -247,10 +286,10 @@ void MainWindow::goToNextPart() {
 }
 
 void MainWindow::placeToast() {
-  const int wide = std::min(space_->width() - 40, 620);
+  const int room = static_cast<int>(space_->freeWidth()), wide = std::min(room - 24, 620);
   toast_->setFixedWidth(wide);
   toast_->adjustSize();
-  toast_->move((space_->width() - wide) / 2, 18);
+  toast_->move((room - wide) / 2, 12);
 }
 
 QString MainWindow::said() const { return toast_->text(); }
@@ -260,10 +299,12 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   placeToast();
 }
 
-void MainWindow::startGuide() {
-  if (!guide_) guide_ = new Guide(*this, space_);
-  guide_->begin();
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::WindowStateChange && fullScreen_) fullScreen_->setChecked(isFullScreen());
 }
+
+void MainWindow::startGuide() { guide_->begin(); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings settings;

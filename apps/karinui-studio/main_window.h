@@ -10,6 +10,7 @@
 #include "table_view.h"
 
 class QLabel;
+class QMenu;
 class QPrinter;
 class QProgressBar;
 class QTabWidget;
@@ -18,6 +19,10 @@ class QToolBar;
 namespace karinui::studio {
 
 class Guide;
+
+// The window's size the first time, from what the screen has room for.
+QSize firstSize(QSize available);
+
 class SpaceMouse;
 
 class MainWindow : public QMainWindow {
@@ -46,6 +51,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -69,6 +75,14 @@ class MainWindow : public QMainWindow {
   void remember(const QString& path);
   void fillRecent();
   void keysDialog();
+  void setKey(Command command, const QKeySequence& key);
+  void makeStereoMenu();
+  void setFullScreen(bool on);
+  void menuAt(const PointerSample& sample, const QPoint& global);  // chooses what lies there first
+  void menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global);
+  void offer(QMenu& menu, const Message& words, Operation operation);
+  void addEdgeOperations(QMenu& menu, const EdgeNear& near);
+  void addPieceOperations(QMenu& menu, const Selection& chosen);
   QString freshPath(const QString& name) const;
 
   Clockwork clockwork_;
@@ -80,6 +94,7 @@ class MainWindow : public QMainWindow {
   std::map<Command, QAction*> actions_;
   QMenu* recent_ = nullptr;
   QMenu* viewMenu_ = nullptr;
+  QAction* fullScreen_ = nullptr;
   QToolBar* tools_ = nullptr;
   QToolBar* top_ = nullptr;
   QLabel *hint_, *place_, *toast_;

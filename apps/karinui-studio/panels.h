@@ -47,6 +47,9 @@ class GarmentPanel : public Panel {
   explicit GarmentPanel(Session& session);
   void refresh() override;
 
+ signals:
+  void menuAsked(const QPoint& global);  // of what is chosen in the tree
+
  private:
   void fillTree();
   void fillProperties();

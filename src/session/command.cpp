@@ -35,7 +35,7 @@ std::span<const CommandInfo> commands() {
       {Command::Pin, "pin", "pin", "W", say("Pin"),
        say("Click the cloth to pin it where it is; click a pin to take it out. With Shift a whole edge is pinned.")},
       {Command::Undo, "undo", "undo", "Ctrl+Z", say("Undo"), say("Takes back the last step; in mid-drag, the drag.")},
-      {Command::Redo, "redo", "redo", "Ctrl+Shift+Z", say("Redo"), say("Does again what was undone.")},
+      {Command::Redo, "redo", "redo", "Ctrl+Shift+Z", say("Redo"), say("Does again what was undone."), "Ctrl+Y"},
       {Command::Settle, "settle", "settle", "Space", say("Settle"),
        say("Brings the pieces that changed to rest on the body; again to stop.")},
       {Command::Cancel, "cancel", "", "Esc", say("Cancel"), say("Drops what the hand is doing.")},

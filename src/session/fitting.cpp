@@ -239,6 +239,17 @@ std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId id, Flat paper) {
   return Stand(*piece)(paper);
 }
 
+SeamId seamAt(const Document& document, const EdgeNear& near) {
+  SeamId found;
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side)
+        if (span.piece == near.piece && span.edge == near.edge && span.from <= near.fraction + 1e-9 &&
+            near.fraction <= span.to + 1e-9)
+          found = id;
+  return found;
+}
+
 std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part) {
   std::vector<Vec3> line;
   const Piece* piece = fitting.document.find(part.piece.id);

@@ -98,6 +98,14 @@ void Session::feed(const PointerSample& sample) {
   in.point(sample);
 }
 
+void Session::leave() {
+  auto& in = *inside_;
+  in.hot.reset();
+  in.onCross = false;
+  if (!in.keyHand.awake()) (void)in.gesture->feed({}, {}, in.bench());  // a hover over nothing
+  ++in.news.overlay;
+}
+
 void Session::strike(KeyStroke key, const PointerSample& with) {
   auto& in = *inside_;
   ++in.news.overlay;

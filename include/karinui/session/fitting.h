@@ -80,6 +80,8 @@ Hit pickBody(const Fitting& fitting, const PointerSample& sample);  // through t
 
 // Where a paper place of a piece is in space now; nothing for a piece that is not there.
 std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId piece, Flat paper);
+// The seam that runs over a place of an edge; none: an invalid id.
+SeamId seamAt(const Document& document, const EdgeNear& near);
 // A part of an edge as a line in space and on the table; nothing when it is not there.
 std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part);
 // Threads between edges that are to be sewn but hang apart, from place to place as they will be sewn.

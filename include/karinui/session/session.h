@@ -92,6 +92,7 @@ class Session {
 
   // --- what the person does
   void feed(const PointerSample& sample);
+  void leave();  // the pointer left the view: what was shown only because it hovered there goes
   // The same with keys alone. `with` says where, when, how near touching is, and which modifiers are held; the rest is
   // the fingertip's.
   void strike(KeyStroke key, const PointerSample& with);
