@@ -14,6 +14,7 @@
 #include <QTabWidget>
 #include <QToolBar>
 
+#include "drop_menu.h"
 #include "guide.h"
 #include "keys.h"
 #include "look.h"
@@ -127,6 +128,11 @@ MainWindow::MainWindow(SessionOptions options) {
   toastTime_.setSingleShot(true);
   connect(&toastTime_, &QTimer::timeout, toast_, &QLabel::hide);
 
+  spaceMenu_ = new DropMenuFrame(*session_, space_);
+  tableMenu_ = new DropMenuFrame(*session_, table_);
+  for (DropMenuFrame* menu : {spaceMenu_, tableMenu_})
+    connect(menu, &DropMenuFrame::chosen, this, [this] { refresh(); });
+
   nameForScreenReaders();
   makeActions();
   makeMenus();
@@ -239,17 +245,28 @@ void MainWindow::refresh() {
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
                  : keys.isEmpty()                  ? inWords(session_->hint())
                                                    : keys + "   –   " + inWords(session_->hint()));
+  mirrorSeams_->setChecked(session_->mirrorSeams());
+  showDropMenu();
   tellFingertip(keys);
   guide_->refresh();
   seen_ = now;
   emit refreshed();
 }
 
+void MainWindow::showDropMenu() {
+  const auto menu = session_->dropMenu();
+  const bool inSpace = menu && menu->where == PointerSample::Where::Space;
+  spaceMenu_->show(inSpace ? menu : std::nullopt,
+                   inSpace ? space_->onScreen(menu->space).value_or(QPointF(space_->rect().center())) : QPointF());
+  tableMenu_->show(menu && !inSpace ? menu : std::nullopt, menu ? table_->onScreen(menu->table) : QPointF());
+}
+
 // What lies under it, what was answered, what keys and tool do there: of these, what has changed.
 void MainWindow::tellFingertip(const QString& keys) {
   Heard now;
   if (!keys.isEmpty()) {
-    const QString answer = toast_->isVisible() ? toast_->text() : QString();
+    const QString asked = spaceMenu_->heard() + tableMenu_->heard();
+    const QString answer = !asked.isEmpty() ? asked : toast_->isVisible() ? toast_->text() : QString();
     now = {inWords(session_->underFingertip()) + ".", answer, inWords(session_->hint()), keys + "."};
   }
   const Heard before = std::exchange(heard_, now);

@@ -18,6 +18,7 @@ class QToolBar;
 
 namespace karinui::studio {
 
+class DropMenuFrame;
 class Guide;
 
 // The window's size the first time, from what the screen has room for.
@@ -63,6 +64,7 @@ class MainWindow : public QMainWindow {
   void tellFingertip(const QString& keys);  // to those who hear the screen; no keys: there is none
   void goToNextPart();                      // of the window, with the keys
   void placeToast();
+  void showDropMenu();
   void run(Command command);
   void askNew();
   void askOpen();
@@ -98,6 +100,8 @@ class MainWindow : public QMainWindow {
   QToolBar* tools_ = nullptr;
   QToolBar* top_ = nullptr;
   QLabel *hint_, *place_, *toast_;
+  DropMenuFrame *spaceMenu_, *tableMenu_;  // where a drag was dropped
+  QAction* mirrorSeams_ = nullptr;
   using Heard = std::array<QString, 4>;
   Heard heard_;  // last of the fingertip
   QProgressBar* progress_;

@@ -110,6 +110,10 @@ void MainWindow::makeMenus() {
   edit->addSeparator();
   for (const Command c : {Command::Remove, Command::Duplicate, Command::Mirror, Command::Freeze, Command::FlipSeam})
     edit->addAction(actions_[c]);
+  mirrorSeams_ =
+      add(edit, say("Sew mirrored seams too"), "", "", [this] { session_->setMirrorSeams(!session_->mirrorSeams()); });
+  mirrorSeams_->setCheckable(true);
+  mirrorSeams_->setObjectName("mirror_seams");
   edit->addSeparator();
   add(edit, say("Keys…"), "", "", [this] { keysDialog(); });
 

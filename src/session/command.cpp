@@ -16,7 +16,7 @@ std::span<const CommandInfo> commands() {
       {Command::Move, "move", "move", "G", say("Move"),
        say("Drag a piece to carry it; with Ctrl it turns. Near another outline it snaps, unless Alt is held.")},
       {Command::Sew, "sew", "sew", "N", say("Sew"),
-       say("Drag from one edge to the one it is sewn to; drag along an edge to sew a part of it.")},
+       say("Drag from one edge to the one it is sewn to; or along a side, past its corners, then along the other.")},
       {Command::Cut, "cut", "cut", "C", say("Cut"),
        say("Drag across a piece to cut it, or from its edge inwards for a slit; Shift keeps the line straight.")},
       {Command::Pull, "pull", "pull", "P", say("Pull"),

@@ -24,6 +24,7 @@ struct Session::Inside {
   Language language = Language::English;
   double dartWidth = 0.02;
   bool inches = false;
+  bool mirrorSeams = true;
   std::optional<Sight> sight;
   std::optional<Command> hot;
   bool onCross = false;  // the pointer is on the mark of a crossed seam
@@ -31,6 +32,7 @@ struct Session::Inside {
   KeyHand keyHand;
   std::optional<Command> viewAsked;
   std::vector<Notice> notices;
+  std::vector<std::string> answered;  // what a drop menu said before the step: it is not told again as advice
   SessionNews news;
   BodyPtr ready;  // whose distances were asked for already
 
@@ -56,7 +58,7 @@ struct Session::Inside {
   TaskLine line;  // last: it stops before anything it uses goes
 
   explicit Inside(SessionOptions options);
-  Workbench bench() const { return {state.fitting, &table, language, dartWidth, inches}; }
+  Workbench bench() const { return {state.fitting, &table, language, dartWidth, inches, mirrorSeams}; }
 
   // Whether marks of crossed seams are shown, to be clicked.
   bool turnsCrossed() const { return (tool == Command::Select || tool == Command::Sew) && !gesture->begun(); }

@@ -110,6 +110,15 @@ void Session::strike(KeyStroke key, const PointerSample& with) {
   auto& in = *inside_;
   ++in.news.overlay;
   in.hot.reset();
+  if (in.gesture->dropMenu(in.bench()) && !with.shift) {  // arrows and Enter work the menu
+    if (key == KeyStroke::Up) in.gesture->moveInMenu(-1, in.bench());
+    if (key == KeyStroke::Down) in.gesture->moveInMenu(1, in.bench());
+    if (key == KeyStroke::Press) command(Command::Confirm);
+    if (key == KeyStroke::Up || key == KeyStroke::Down || key == KeyStroke::Press) {
+      if (in.options.wake) in.options.wake();
+      return;
+    }
+  }
   const KeyHand::Around around{*in.state.fitting, in.table, in.sight.value_or(Sight()), in.gesture->stops(),
                                in.gesture->clicks()};
   for (const PointerSample& sample : in.keyHand.strike(key, with, around)) in.point(sample);

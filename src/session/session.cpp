@@ -45,6 +45,7 @@ Preview Session::preview() const {
   }
   return preview;
 }
+std::optional<DropMenu> Session::dropMenu() const { return inside_->gesture->dropMenu(inside_->bench()); }
 void Session::refuse(const Error& why) {
   inside_->tellError(why);
   if (inside_->options.wake) inside_->options.wake();
@@ -86,6 +87,8 @@ void Session::setLanguage(Language language) { inside_->language = language, ++i
 void Session::setInches(bool inches) { inside_->inches = inches, ++inside_->news.overlay; }
 void Session::setDartWidth(double metres) { inside_->dartWidth = metres, ++inside_->news.overlay; }
 double Session::dartWidth() const { return inside_->dartWidth; }
+void Session::setMirrorSeams(bool on) { inside_->mirrorSeams = on, ++inside_->news.overlay; }
+bool Session::mirrorSeams() const { return inside_->mirrorSeams; }
 
 bool Session::update() {
   auto& in = *inside_;

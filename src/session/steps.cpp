@@ -1,4 +1,5 @@
 // Steps of the document's history, asked for by the hand and taken in when they are done.
+#include <algorithm>
 #include <utility>
 
 #include "session/inside.h"
@@ -27,7 +28,10 @@ void Session::Inside::take(RoomState fresh) {
   dropFigure();
   preview.reset();
   if (state.fitting->trouble) tell(Notice::Kind::Advice, *state.fitting->trouble);
-  for (Message& advice : std::exchange(state.advice, {})) tell(Notice::Kind::Advice, std::move(advice));
+  for (Message& advice : std::exchange(state.advice, {}))
+    if (std::find(answered.begin(), answered.end(), text(advice)) == answered.end())
+      tell(Notice::Kind::Advice, std::move(advice));
+  answered.clear();
   table.arrange(*state.fitting);
   std::erase_if(selection.pieces, [&](PieceId id) { return !state.fitting->document.find(id); });
   if (selection.edge)
@@ -73,6 +77,8 @@ void Session::Inside::perform(Operation operation) {
       }
       take(*fresh);
       if (drapes(step->operation)) ++news.settled;
+      if (const auto* sew = std::get_if<SewEdges>(&step->operation); sew && sew->mirror)
+        tell(Notice::Kind::Said, say("Sewn, and its mirror image too; one undo takes both back."));
       if (std::holds_alternative<PullCloth>(step->operation))
         if (const auto& last = state.fitting->document.drape.last; last && !last->why.empty())
           tell(Notice::Kind::Said, last->why);

@@ -93,7 +93,7 @@ struct MovePiece {
   bool operator==(const MovePiece&) const = default;
 };
 
-// sew a=front.side_left b=back.side_left      sew a="front.armhole_l back.armhole_l" b=sleeve.cap
+// sew a=front.side_left b=back.side_left mirror=yes      sew a="front.armhole_l back.armhole_l" b=sleeve.cap
 struct SewEdges {
   static constexpr std::string_view kName = "sew";
   static constexpr std::string_view kHelp = "Joins two runs of edges with a seam.";
@@ -101,6 +101,8 @@ struct SewEdges {
   std::string name;
   Choice reversed = Choice::Auto;
   enum class Tie { Auto, OneToOne, TwoToOne } tie = Tie::Auto;
+  bool mirror = false;
+  bool replace = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("a", self.a, "edges of one side, joined end to end", kNeeded);
@@ -109,6 +111,8 @@ struct SewEdges {
     visit("reversed", self.reversed, "side b runs against its own direction: auto, yes, no (auto: as the edges lie)",
           kOptional);
     visit("tie", self.tie, "auto, 1:1, or 2:1 (two points of the longer side on one of the shorter)", kOptional);
+    visit("mirror", self.mirror, "yes: also the mirror image of the seam, on the garment's other half", kOptional);
+    visit("replace", self.replace, "yes: seams that hold a part of these edges are taken out first", kOptional);
   }
   bool operator==(const SewEdges&) const = default;
 };

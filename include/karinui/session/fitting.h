@@ -1,6 +1,7 @@
 #pragma once
 // One state of the garment, ready to be drawn and picked. Immutable, shared between threads; made off the hand's
 // thread.
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -77,6 +78,10 @@ struct Hit {
 // What is under the pointer. Cheap; any thread.
 Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample);
 Hit pickBody(const Fitting& fitting, const PointerSample& sample);  // through the cloth
+// The nearest edge within reach among those that are wanted.
+using WantedEdge = std::function<bool(const EdgeNear&)>;
+std::optional<EdgeNear> pickEdge(const Fitting& fitting, const Table& table, const PointerSample& sample,
+                                 const WantedEdge& wanted);
 
 // Where a paper place of a piece is in space now; nothing for a piece that is not there.
 std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId piece, Flat paper);

@@ -83,7 +83,8 @@ class Session {
   Command tool() const;
   Message hint() const;
   Preview preview() const;
-  std::optional<ScenePanel> menu() const;  // nothing before setSight()
+  std::optional<DropMenu> dropMenu() const;  // where a drag was dropped and something is to be chosen
+  std::optional<ScenePanel> menu() const;    // nothing before setSight()
   Busy busy() const;
   std::vector<Notice> takeNotices();
   void refuse(const Error& why);      // what a face could not make of something typed, told like any refusal
@@ -104,6 +105,9 @@ class Session {
   void setInches(bool inches);       // instead of centimetres, in what gestures tell
   void setDartWidth(double metres);  // of the next dart
   double dartWidth() const;
+  void setMirrorSeams(bool on);  // whether a seam's mirror image is sewn with it; at first it is
+  bool mirrorSeams() const;
+  void choose(std::size_t item);  // of the drop menu
   bool can(Command command) const;
   void command(Command command);
   void select(Selection selection);
