@@ -116,7 +116,7 @@ std::optional<SeamDoubt> sewnAlready(const Document& document, const SewEdges& s
 }
 
 std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew, const Body* body) {
-  constexpr double kClear = 0.02, kNear = 0.05, kThrough = 0.03;  // metres
+  constexpr double kClear = 0.02, kNear = 0.1, kThrough = 0.03;  // metres
   const std::vector<Vec3> a = stood(document, sew.a), b = stood(document, sew.b);
   const Vec3 here = middleOf(a), there = middleOf(b);
   if (here.x * there.x >= 0 || std::fmin(std::fabs(here.x), std::fabs(there.x)) < kClear) return std::nullopt;
@@ -128,7 +128,7 @@ std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew
   if (meant.b.size() == sew.b.size() && !overlap(meant.a, meant.b) && !overlap(meant.b, sew.b) &&
       seamsOn(document, meant.b).empty()) {
     const Vec3 image = middleOf(stood(document, meant.b));
-    if (distance(image, across(there)) < kNear && distance(image, here) < 0.8 * distance(there, here)) {
+    if (distance(image, across(there)) < kNear && distance(image, here) < 0.98 * distance(there, here)) {
       meant.reversed = facesReversed(document, meant) ? Choice::Yes : Choice::No;
       return SeamDoubt{SeamDoubt::Kind::OtherSide,
                        say("{0} and {1} lie on opposite sides of the body.", spoken(document, sew.a.front()),

@@ -21,8 +21,9 @@ class StudioSew : public testing::Test {
     w.emplace();
     w->openTunic();
   }
-  const Pattern& pattern() const { return w->session().fitting().document.pattern; }
+  const Pattern& pattern() { return w->session().fitting().document.pattern; }
   void unpick() {
+    w->session().perform(FreezePieces{{PieceRef("front"), PieceRef("back")}, true});  // unpicked, they would fall
     Unsew all;
     for (const auto& [id, seam] : pattern().seams) all.seams.push_back(SeamRef(id));
     w->session().perform(all);
@@ -91,6 +92,7 @@ TEST_F(StudioSew, TheWrongShoulderIsAskedAboutBefore) {
   unpick();
   wrongShoulder();
   EXPECT_EQ(w->count(), before) << "nothing is done before it is answered";
+  ASSERT_TRUE(w->session().dropMenu()) << w->main().said().toStdString();
   QFrame* menu = menuIn(w->table());
   ASSERT_TRUE(menu);
   w->keep("studio_sew_asked");
