@@ -216,6 +216,7 @@ Result<PullReport> pull(ClothLevel& level, const Collider& body, const Grip& gri
   const auto watch = [&](int, const LevelSolver::Outcome&) {
     if (!grip.letGo) hand.again();
     token.progress(0.5, say("Draping"));
+    return true;
   };
   end = rest(solver, settings.gravity, rule, kFrame, token, watch);
   report.end.steps += end.steps;

@@ -69,7 +69,10 @@ RestOutcome sew(LevelSolver& solver, const Token& token, const StepWatcher& watc
     note(so, step, token);
     if (!so.finite || so.cancelled) return so;
     solver.tieWithin(tieGap);
-    if (watch) watch(k, step);
+    if (watch && !watch(k, step)) {
+      so.stopped = true;
+      return so;
+    }
     drawing.look();
     if (drawing.hopeless()) break;
     stride.closing = drawing.firmness();
@@ -103,7 +106,10 @@ RestOutcome rest(LevelSolver& solver, Vec3 gravity, const RestRule& rule, double
       if (drawing.hopeless()) return so;
       stride.closing = drawing.firmness();
     }
-    if (watch) watch(k, step);
+    if (watch && !watch(k, step)) {
+      so.stopped = true;
+      return so;
+    }
     touched = touched || solver.touching() > 0;
     alone = solver.touching() > 0 ? 0 : alone + 1;
     if (canFall && touched && alone > kFallSteps) {

@@ -17,11 +17,12 @@ struct RestRule {
   bool sews = false;  // open seams are drawn together meanwhile, ever firmer, and given up where they come no nearer
 };
 struct RestOutcome {
-  bool settled = false, finite = true, cancelled = false, falls = false;
+  bool settled = false, finite = true, cancelled = false, falls = false, stopped = false;
   double residual = 0, left = 0;
   std::size_t steps = 0, solves = 0;
 };
-using StepWatcher = std::function<void(int step, const LevelSolver::Outcome& outcome)>;
+// Called after each step; false: stop here.
+using StepWatcher = std::function<bool(int step, const LevelSolver::Outcome& outcome)>;
 
 // Seams are drawn together: no weight, no friction, until all are tied or nothing moves on.
 RestOutcome sew(LevelSolver& solver, const Token& token, const StepWatcher& watch);

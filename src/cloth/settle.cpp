@@ -92,7 +92,8 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
     spent.tell(report);
     return report;
   }
-  bool formed = standsFormed(finest), sewn = formed;
+  bool formed = standsFormed(finest), sewn = formed, stopped = false;
+  std::size_t taken = 0;  // steps, over all levels
   std::vector<Vec3> x;
   const Rim rim(finest.cloth);
   std::vector<Vec3> pulledBefore(rim.empty() ? 0 : finest.cloth.nodeCount), pulledAfter;
@@ -115,6 +116,8 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
       return [&, start, span, doing = std::move(doing)](int step, const LevelSolver::Outcome&) {
         token.progress(start + span * step / (step + kUsualSteps), doing);
         if (watcher) watcher(level.cloth, solver.places());
+        const bool asked = settings.stop && settings.stop->askedAfterStep();
+        return ++taken != settings.stopAfter && !asked;
       };
     };
     if (sewn) solver.tieWithin(formed ? kSewn * level.cloth.spacing : kFarApart);
@@ -129,12 +132,14 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
       report.steps += end.steps;
       report.solves += end.solves;
     };
-    if (!solver.allTied() && !formed) {
+    // Once stopped it is only carried on to the finest level.
+    if (!stopped && !solver.allTied() && !formed) {
       end = sew(solver, token, watch(say("Drawing the seams together"), 0, 0.4));
       add();
       solver.stop();
     }
-    if (end.finite && !end.cancelled) {
+    stopped = stopped || end.stopped;
+    if (!stopped && end.finite && !end.cancelled) {
       solver.meetCloth(true);
       solver.untangle();
       RestRule rule =
@@ -142,20 +147,26 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const Collider& bod
       rule.sews = formed;
       end = rest(solver, settings.gravity, rule, 1.0 / 60, token, watch(say("Draping"), sewn ? 0 : 0.4, 1));
       add();
+      stopped = end.stopped;
     }
     if (end.cancelled || token.cancelled()) return cancelled();
     if (!end.finite) return tornApart();
     sewn = solver.allTied();
-    if (formed && !sewn) {  // it did not come together where it stands: from the coarsest on
+    if (formed && !sewn && !stopped) {  // it did not come together where it stands: from the coarsest on
       formed = false;
       l = first = 0;
       continue;
     }
-    if (last && !rim.empty()) pulledAfter = solver.pulls();
+    if (last && !rim.empty() && !stopped) pulledAfter = solver.pulls();
     x = last ? finish(solver, body, settings, end, report, workers) : solver.places();
     ++l;
   }
-  if (!rim.empty()) report.stirred = rim.stirred(pulledBefore, pulledAfter, x, body, settings, kStirs, token, workers);
+  if (stopped) {
+    report.stoppedAfter = taken;
+    report.why = say("Stopped after {0} steps, before it came to rest.", taken);
+  }
+  if (!rim.empty() && !stopped)
+    report.stirred = rim.stirred(pulledBefore, pulledAfter, x, body, settings, kStirs, token, workers);
   if (token.cancelled()) return cancelled();
   finest.state.position = std::move(x);
   spent.tell(report);

@@ -5,6 +5,7 @@
 // does not come to rest is no error but a report with settled = false; errors are input that makes no sense, and
 // Cancelled.
 #include <array>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -55,6 +56,7 @@ struct SettleReport {
   double penetration = 0;  // deepest below the collider's surface, metres
   double seamGap = 0;      // widest, metres
   StrainReport strain;
+  std::size_t stoppedAfter = 0;  // of the steps below, where it was stopped; 0: it was not. Not kept with a document.
   // Pieces that were not live and would give way now, were they: what they are sewn to pulls otherwise than it did.
   // Told once, not kept with a document.
   std::vector<PieceId> stirred;
@@ -67,6 +69,18 @@ struct SettleReport {
 // after every step; what it does is no part of the outcome.
 using SettleWatcher = std::function<void(const Cloth&, const std::vector<Vec3>&)>;
 
+// Asks a settle under way to stop where the cloth is. Any thread, also a signal handler; it must outlive the settle.
+class StopRequest {
+ public:
+  // False: nothing was reached yet (the solver has made no step), or it was asked before; then cancel the token.
+  bool ask() { return begun_.load() && !asked_.exchange(true); }
+  bool asked() const { return asked_.load(); }
+  bool askedAfterStep() { return begun_.store(true), asked(); }  // for the solver
+
+ private:
+  std::atomic<bool> begun_{false}, asked_{false};
+};
+
 struct SettleSettings {
   Vec3 gravity{0, -9.81, 0};
   double stopMove = 0.00015;  // metres a step; eight calm steps in a row
@@ -74,6 +88,10 @@ struct SettleSettings {
   int maxSteps = 1600;        // on the finest level; most need some hundred, limp cloth and simcloth many times that
   double skin = 0.0015;       // metres the cloth keeps from the body
   bool clothOnCloth = true;   // whether cloth keeps from passing through cloth
+  // A settle that is stopped carries the cloth to the finest level as it is, and reports stoppedAfter. With the same
+  // number in stopAfter it stops at the same place, bit for bit.
+  std::size_t stopAfter = 0;    // steps, counted over all levels; 0: not before it rests
+  StopRequest* stop = nullptr;  // asked after each step; null: nobody stops it
 };
 
 // `levels`: the same garment at 4h, 2h, h (coarse first; one level is allowed). The finest level's state is replaced on

@@ -192,16 +192,18 @@ struct ReshapePiece {
   bool operator==(const ReshapePiece&) const = default;
 };
 
-// drape        drape live=sleeve
+// drape        drape live=sleeve        drape stop=120
 struct DrapePieces {
   static constexpr std::string_view kName = "drape";
   static constexpr std::string_view kHelp = "Brings the cloth to rest on the body.";
   std::vector<PieceRef> live;
   Vec3 gravity{0, -9.81, 0};
+  int stop = 0;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("live", self.live, "the pieces that move (otherwise every piece that is not frozen)", kOptional);
     visit("gravity", self.gravity, "metres per second squared (x,y,z)", kOptional);
+    visit("stop", self.stop, "after how many of the solver's steps to stop where the cloth is (0: at rest)", kOptional);
   }
   bool operator==(const DrapePieces&) const = default;
 };

@@ -133,7 +133,10 @@ Document adopted(Document document, const DrapeOutcome& outcome) {
     piece.form = form;
     piece.pose = Rigid();
     document.pattern.pieces[id] = std::make_shared<const Piece>(std::move(piece));
-    document.drape.dirty.erase(id);
+    if (outcome.report.stoppedAfter == 0)
+      document.drape.dirty.erase(id);
+    else
+      document.drape.dirty.insert(id);
   }
   document.drape.last = outcome.report;
   document.drape.force = outcome.force;
