@@ -39,12 +39,14 @@ struct Session::Inside {
   // Settling.
   std::set<PieceId> settling;  // what the running (or waiting) drape brings to rest
   bool settlingByItself = false;
-  std::set<PieceId> interrupted;     // what a step interrupted
-  std::set<std::uint64_t> byItself;  // steps that nobody asked for, by seq
+  std::shared_ptr<StopRequest> stop;  // of the running (or waiting) drape; null: none
+  std::set<PieceId> interrupted;      // what a step interrupted
+  std::set<std::uint64_t> byItself;   // steps that nobody asked for, by seq
 
   // Steps that were changed: where one stood before and after, so that undo and redo can go between the two ways.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> amended;
 
+  int longWorks = 0;            // under way
   std::uint64_t documents = 0;  // that came and went: what was asked about another is not told
 
   // A figure whose measures are being turned: the newest wish that is not built yet.
@@ -83,11 +85,12 @@ struct Session::Inside {
 
   // settling.cpp
   bool settlingNow() const { return line.busy(TaskLine::Kind::Settle); }
-  void settle(std::set<PieceId> live, bool byItselfNow);
+  void settle(std::set<PieceId> live, bool byItselfNow, DrapePieces drape = {});  // its own pieces aside
   void settleStirred(const std::set<PieceId>& live, const SettleReport& report);
   void interruptSettling();
   void settleInterrupted();
-  void stopSettling();
+  void dropSettling();  // as if it had not begun
+  void stopSettling();  // where the cloth is; before the first step it is dropped
 
   // pointing.cpp
   void point(const PointerSample& sample);

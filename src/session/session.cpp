@@ -26,6 +26,7 @@ Session::Session(SessionOptions options) : inside_(std::make_unique<Inside>(std:
 Session::~Session() = default;
 
 const std::filesystem::path& Session::path() const { return inside_->state.path; }
+bool Session::draft() const { return isDraft(inside_->options, inside_->state.path); }
 bool Session::readOnly() const { return inside_->state.readOnly; }
 const Fitting& Session::fitting() const { return *inside_->state.fitting; }
 FittingPtr Session::shownPtr() const { return inside_->preview ? inside_->preview : inside_->state.fitting; }
@@ -109,5 +110,19 @@ void Session::finish() {
 }
 
 bool Session::idle() const { return !inside_->line.busy(); }
+
+void Session::conclude() {
+  auto& in = *inside_;
+  in.dropGesture();
+  const bool byItself = std::exchange(in.options.settleByItself, false);
+  in.stopSettling();
+  while (in.longWorks == 0 && (in.line.busy(TaskLine::Kind::Step) || in.line.busy(TaskLine::Kind::Settle))) {
+    for (const auto kind : {TaskLine::Kind::Preview, TaskLine::Kind::Figure, TaskLine::Kind::Glimpse})
+      in.line.cancel(kind);
+    in.line.wait();
+    update();
+  }
+  in.options.settleByItself = byItself;
+}
 
 }  // namespace karinui

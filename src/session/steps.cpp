@@ -60,7 +60,7 @@ void Session::Inside::perform(Operation operation) {
       if (!piece) return tell(Notice::Kind::Refused, say("There is no piece “{0}”.", ref.name));
       live.insert(piece->id);
     }
-    return settle(live, false);
+    return settle(live, false, *drape);
   }
   interruptSettling();
   const auto before = state.fitting;
@@ -121,7 +121,7 @@ void Session::Inside::turn(bool back) {
 
 void Session::Inside::goTo(std::uint64_t seq) {
   dropGesture();
-  stopSettling();
+  dropSettling();
   line.add(TaskLine::Kind::Step, [this, seq](const Token& token) {
     const Done done = room->goTo(seq, token);
     const auto fresh = std::make_shared<RoomState>(room->state(token));
@@ -162,7 +162,7 @@ void Session::amend(std::size_t which, Operation operation) {
         old && now->outline == old->outline && !(*now == *old) && !now->at.empty())
       now->outline = {};
   in.dropGesture();
-  in.stopSettling();
+  in.dropSettling();
   in.settlingByItself = false;
   const std::uint64_t old = in.head();
   in.line.add(TaskLine::Kind::Settle, [this, which, old, operation = std::move(operation)](const Token& token) mutable {
