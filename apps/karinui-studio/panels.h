@@ -81,6 +81,12 @@ class BodyPanel : public Panel {
 
  private:
   SetBody wished() const;
+  SetBody asMeasured() const;  // the mannequin with the measures taken from the imported body
+  bool imported() const;
+  void fillMeasured();
+  QFormLayout* form_;
+  QLabel *imported_, *consequence_;
+  QPushButton* mannequin_;
   QComboBox* size_;
   QComboBox* sex_;
   void wear();
@@ -89,7 +95,7 @@ class BodyPanel : public Panel {
   QCheckBox* follow_;
   QPushButton *use_, *replay_;
   QLabel* measured_;
-  std::string shown_;
+  std::string shown_, listed_;  // the figures that the rows and the list tell of
 };
 
 class FabricPanel : public Panel {
