@@ -9,17 +9,20 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolBar>
 
+#include "drafts.h"
 #include "drop_menu.h"
 #include "guide.h"
 #include "keys.h"
 #include "look.h"
 #include "orbit.h"
 #include "spoken.h"
+#include "start_page.h"
 #include "wheel_guard.h"
 
 namespace karinui::studio {
@@ -57,6 +60,10 @@ MainWindow::MainWindow(SessionOptions options) {
         },
         Qt::QueuedConnection);
   };
+  // Drafts are named on the session's thread, in the language of the moment.
+  const auto spoken = std::make_shared<std::atomic<Language>>(Look::here().language());
+  if (!options.nameDraft) options.nameDraft = [spoken](const std::string& about) { return draftName(about, *spoken); };
+  connect(&Look::here(), &Look::changed, this, [spoken] { *spoken = Look::here().language(); });
   session_ = std::make_unique<Session>(std::move(options));
   session_->setLanguage(Look::here().language());
 
@@ -97,7 +104,9 @@ MainWindow::MainWindow(SessionOptions options) {
   guide_ = new Guide(*this);  // a strip above the views, so that it covers none of them
   column->addWidget(guide_);
   column->addWidget(split, 1);
-  setCentralWidget(central);
+  parts_ = new QStackedWidget;
+  parts_->addWidget(central);
+  setCentralWidget(parts_);
 
   hint_ = new QLabel;
   hint_->setObjectName("hint");
@@ -203,6 +212,7 @@ void MainWindow::refresh() {
   session_->update();
   for (const Notice& notice : session_->takeNotices()) tell(notice);
   const SessionNews now = session_->news();
+  if (atStart() && (!session_->path().empty() || !session_->steps().empty())) leaveStart();
   if (const auto view = session_->takeView()) {
     const std::map<Command, View> views{{Command::ViewFront, View::Front},
                                         {Command::ViewBack, View::Back},
@@ -226,14 +236,20 @@ void MainWindow::refresh() {
   }
   if (now.history != seen_.history) {
     const QString path = QString::fromStdString(session_->path().string());
-    setWindowTitle((path.isEmpty() ? inWords(say("New garment")) : QFileInfo(path).completeBaseName()) +
-                   "  –  Karinui");
+    setWindowTitle(atStart() ? QString("Karinui")
+                             : (path.isEmpty() ? inWords(say("New garment")) : QFileInfo(path).completeBaseName()) +
+                                   "  –  Karinui");
     if (!path.isEmpty()) remember(path);
   }
   for (Panel* panel : panels_) panel->refresh();
   for (const auto& [command, action] : actions_) {
     // A tool that cannot be used yet stays clickable: it then says why.
-    if (!isTool(command) && command != Command::Settle) action->setEnabled(session_->can(command));
+    if (atStart())
+      action->setEnabled(false);
+    else if (!isTool(command) && command != Command::Settle)
+      action->setEnabled(session_->can(command));
+    else
+      action->setEnabled(true);
     if (action->isCheckable()) action->setChecked(session_->tool() == command);
   }
   const Busy busy = session_->busy();
@@ -241,7 +257,8 @@ void MainWindow::refresh() {
   progress_->setValue(static_cast<int>(1000 * busy.fraction));
   actions_[Command::Settle]->setIcon(Look::here().icon(busy.settling ? "pause" : "settle"));
   const QString keys = inWords(session_->keyHint());
-  hint_->setText(busy.settling                     ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
+  hint_->setText(atStart() && !busy.any            ? QString()
+                 : busy.settling                   ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
                  : keys.isEmpty()                  ? inWords(session_->hint())
                                                    : keys + "   –   " + inWords(session_->hint()));
@@ -292,6 +309,7 @@ void MainWindow::tell(const Notice& notice) {
 }
 
 void MainWindow::goToNextPart() {
+  if (atStart()) return start_->setFocus(Qt::TabFocusReason);
   QWidget* const parts[] = {space_, table_, boards_, tools_};
   const QWidget* now = focusWidget();
   std::size_t next = 0;
@@ -303,7 +321,8 @@ void MainWindow::goToNextPart() {
 }
 
 void MainWindow::placeToast() {
-  const int room = static_cast<int>(space_->freeWidth()), wide = std::min(room - 24, 620);
+  const int room = atStart() ? start_->width() : static_cast<int>(space_->freeWidth());
+  const int wide = std::min(room - 24, 620);
   toast_->setFixedWidth(wide);
   toast_->adjustSize();
   toast_->move((room - wide) / 2, 12);
@@ -321,7 +340,55 @@ void MainWindow::changeEvent(QEvent* event) {
   if (event->type() == QEvent::WindowStateChange && fullScreen_) fullScreen_->setChecked(isFullScreen());
 }
 
-void MainWindow::startGuide() { guide_->begin(); }
+bool MainWindow::atStart() const { return start_ && parts_->currentWidget() == start_; }
+
+bool MainWindow::still() const {
+  if (!session_->idle()) return false;
+  return atStart() ? start_->still() : space_->still() || space_->trouble();
+}
+
+void MainWindow::showStart() {
+  if (!start_) {
+    start_ = new StartPage;
+    parts_->addWidget(start_);
+    connect(start_, &StartPage::freshAsked, this, &MainWindow::askNew);
+    connect(start_, &StartPage::openAsked, this, &MainWindow::askOpen);
+    connect(start_, &StartPage::importAsked, this, &MainWindow::askImport);
+    connect(start_, &StartPage::guideAsked, this, &MainWindow::startGuide);
+    connect(start_, &StartPage::sampleAsked, this, [this] { openExample("first_tunic"); });
+    connect(start_, &StartPage::documentAsked, this, &MainWindow::openPath);
+    connect(start_, &StartPage::stillNow, this, &MainWindow::refreshed);
+  }
+  session_->conclude();
+  session_->begin(DocumentFile::inMemory());
+  session_->finish();
+  guide_->hide();
+  start_->fill();
+  parts_->setCurrentWidget(start_);
+  for (QToolBar* bar : {top_, tools_}) bar->hide();
+  toast_->setParent(start_);
+  toast_->hide();
+  start_->setFocus();
+  seen_.history = ~0ull;
+  refresh();
+}
+
+void MainWindow::leaveStart() {
+  const bool told = toast_->isVisible();
+  start_->leave();
+  parts_->setCurrentIndex(0);
+  for (QToolBar* bar : {top_, tools_}) bar->show();
+  toast_->setParent(space_);
+  placeToast();
+  toast_->setVisible(told);
+  space_->setFocus();
+  seen_.history = ~0ull;
+}
+
+void MainWindow::startGuide() {
+  if (atStart()) leaveStart(), refresh();
+  guide_->begin();
+}
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings settings;
@@ -329,7 +396,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings.setValue("inches", Look::here().inches());
   settings.setValue("dark", Look::here().dark());
   settings.setValue("language", Look::here().language() == Language::Japanese ? "ja" : "en");
-  session_->command(Command::Cancel);
+  setCursor(Qt::WaitCursor);
+  session_->conclude();
   event->accept();
 }
 

@@ -13,6 +13,7 @@ class QLabel;
 class QMenu;
 class QPrinter;
 class QProgressBar;
+class QStackedWidget;
 class QTabWidget;
 class QToolBar;
 
@@ -25,6 +26,7 @@ class Guide;
 QSize firstSize(QSize available);
 
 class SpaceMouse;
+class StartPage;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -38,9 +40,12 @@ class MainWindow : public QMainWindow {
   Clockwork& clockwork() { return clockwork_; }
   QAction* action(Command command) const { return actions_.at(command); }
   QTabWidget& boards() { return *boards_; }
-  QString said() const;                // the last sentence shown
-  void openPath(const QString& path);  // a document, a pattern or a body, by its ending
-  void newGarment(const std::string& size, const QString& path);
+  QString said() const;                                           // the last sentence shown
+  void openPath(const QString& path);                             // a document, a pattern or a body, by its ending
+  void newGarment(const std::string& size, const QString& path);  // without a path a draft
+  void showStart();                                               // closes what is open
+  bool atStart() const;
+  bool still() const;  // nothing is under way and all pictures are drawn
   void startGuide();
   void printOn(QPrinter& printer);  // the pattern, at true size
 
@@ -70,7 +75,10 @@ class MainWindow : public QMainWindow {
   void askOpen();
   void askImport();
   void askExport();
-  void askSaveCopy();
+  void leaveStart();
+  void openExample(const QString& name);
+  void save();  // says where the document is; a draft may be given a place
+  void askSaveAs();
   void askReplay(const SetBody& body);
   void print();
   void picture();
@@ -89,6 +97,8 @@ class MainWindow : public QMainWindow {
 
   Clockwork clockwork_;
   std::unique_ptr<Session> session_;
+  QStackedWidget* parts_ = nullptr;
+  StartPage* start_ = nullptr;  // null: not shown yet
   SpaceView* space_ = nullptr;
   TableView* table_ = nullptr;
   QTabWidget* boards_ = nullptr;

@@ -90,19 +90,17 @@ void MainWindow::makeMenus() {
   Look::here().keep(examples, [examples] { examples->setTitle(inWords(say("Examples"))); });
   for (const char* name : {"first_tunic", "six_operations", "kyoto_fitting", "shirt_fitting"}) {
     QAction* one = examples->addAction(QString(name).replace('_', ' '));
-    connect(one, &QAction::triggered, this, [this, name] {
-      session_->create(freshPath(name).toStdString());
-      session_->importPattern(QString(KARINUI_EXAMPLES "/%1.ops").arg(name).toStdString());
-      refresh();
-    });
+    connect(one, &QAction::triggered, this, [this, name] { openExample(name); });
   }
   file->addSeparator();
-  add(file, say("Keep a copy as…"), "", "Ctrl+Shift+S", [this] { askSaveCopy(); });
+  add(file, say("Save"), "", "Ctrl+S", [this] { save(); });
+  add(file, say("Save as…"), "", "Ctrl+Shift+S", [this] { askSaveAs(); });
   add(file, say("Import…"), "", "Ctrl+I", [this] { askImport(); });
   QAction* out = add(file, say("Export…"), "export", "Ctrl+E", [this] { askExport(); });
   add(file, say("Picture of the fitting…"), "", "", [this] { picture(); });
   add(file, say("Print the pattern…"), "print", "Ctrl+P", [this] { print(); });
   file->addSeparator();
+  add(file, say("Start page"), "", "Ctrl+W", [this] { showStart(); });
   add(file, say("Close"), "", "Ctrl+Q", [this] { close(); });
 
   QMenu* edit = menu(say("Edit"));
