@@ -241,6 +241,14 @@ void paintPin(QPainter& painter, const QPointF& tip) {
   painter.drawEllipse(tip + QPointF(5.6, -10.2), 3.4, 3.4);
 }
 
+void paintRing(QPainter& painter, const QPointF& at, const QColor& colour) {
+  painter.setBrush(Qt::white);
+  painter.setPen(QPen(Qt::white, 5));
+  painter.drawEllipse(at, 4.5, 4.5);
+  painter.setPen(QPen(colour, 2.4));
+  painter.drawEllipse(at, 4.5, 4.5);
+}
+
 namespace {
 QFont wordFont(QFont font) {
   font.setPointSizeF(9.5);

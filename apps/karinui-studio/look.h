@@ -65,6 +65,9 @@ void drawIcon(class QPainter& painter, std::string_view name, const class QRectF
 void paintFingertip(class QPainter& painter, const class QPointF& at);
 void paintPin(class QPainter& painter, const class QPointF& tip);
 
+// A hollow dot: what will move.
+void paintRing(class QPainter& painter, const class QPointF& at, const class QColor& colour);
+
 // Where a word's tag goes: above a place, wrapped and moved so that the whole of it lies within `bounds`.
 QRectF wordTag(const class QFont& font, const QPointF& above, const QString& words, const QRectF& bounds);
 // A word on a dark tag there.

@@ -26,6 +26,7 @@ namespace karinui::studio {
 
 class FabricPlot;
 class LengthBox;
+class LengthChoice;
 class MeasureRow;
 
 class Panel : public QWidget {
@@ -65,6 +66,7 @@ class GarmentPanel : public Panel {
   QLabel* area_;
   QLineEdit* edgeName_;
   LengthBox *length_, *u_, *v_;
+  LengthChoice* stays_;
   QLabel* sewn_;
   std::uint64_t historyShown_ = ~0ull;
   Selection selectionShown_;

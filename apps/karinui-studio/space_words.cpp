@@ -92,6 +92,7 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     painter.setBrush(QColor("#d4552a"));
     painter.drawEllipse(at(dot), 5, 5);
   }
+  for (const Vec3 ring : preview.space.rings) paintRing(painter, at(ring), QColor("#d4552a"));
   if (const auto tip = session_.fingertip(); tip && tip->where == PointerSample::Where::Space)
     paintFingertip(painter, at(tip->ray.origin + tip->ray.direction * camera_.distance()));
   for (const SceneWord& word : preview.space.words)

@@ -260,6 +260,7 @@ void TableView::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(Qt::white, 1.5));
   painter.setBrush(p.accent);
   for (const Flat dot : preview.table.dots) painter.drawEllipse(onScreen(dot), 5, 5);
+  for (const Flat ring : preview.table.rings) paintRing(painter, onScreen(ring), p.accent);
   if (const auto tip = session_.fingertip(); tip && tip->where == PointerSample::Where::Table)
     paintFingertip(painter, onScreen(tip->place));
   for (const TableWord& word : preview.table.words) {

@@ -23,6 +23,7 @@ struct Session::Inside {
   std::unique_ptr<Gesture> gesture;
   Language language = Language::English;
   double dartWidth = 0.02;
+  SetLength::Keep keepWished = SetLength::Keep::Auto;  // for the chosen edge
   bool inches = false;
   bool mirrorSeams = true;
   std::optional<Sight> sight;
@@ -71,6 +72,17 @@ struct Session::Inside {
 
   void choose(Selection chosen);
 
+  // The ends of the chosen edge, and of its image on the other half, when its length is typed. Found once for a garment
+  // and an edge.
+  struct EdgeEnds {
+    FittingPtr of;
+    std::optional<EdgeNear> edge;
+    SetLength::Keep wished = SetLength::Keep::Auto, keep = SetLength::Keep::Start;
+    bool bothHalves = false;
+    std::vector<Flat> stay, move;  // on the paper of the edge's piece
+  };
+  const EdgeEnds& edgeEnds() const;
+
   // Sentences for the person.
   void tell(Notice::Kind kind, Message what);
   void tellError(const Error& error);
@@ -112,6 +124,7 @@ struct Session::Inside {
   void longWork(std::function<Result<std::shared_ptr<Room>>(const Token&)> work, Message done);
   std::shared_ptr<Room> roomOf(DocumentFile file, bool readOnly);  // any thread
 
+  mutable std::optional<EdgeEnds> edgeEnds_;
   mutable std::vector<CrossedSeam> crossed_;
   mutable FittingPtr crossedOf_;  // the garment they are of
 };

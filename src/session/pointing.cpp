@@ -58,6 +58,10 @@ bool Session::Inside::overMenu(const PointerSample& sample) {
 
 void Session::Inside::choose(Selection chosen) {
   if (chosen == selection) return;
+  const auto name = [](const Selection& one) {
+    return one.edge ? std::pair(one.edge->piece, one.edge->edge) : std::pair(PieceId(), std::string());
+  };
+  if (name(chosen) != name(selection)) keepWished = SetLength::Keep::Auto;
   selection = std::move(chosen);
   ++news.overlay;
   if (options.wake) options.wake();

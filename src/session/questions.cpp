@@ -43,7 +43,7 @@ void Session::Inside::askNext() {
 
 void Session::Inside::told(Told answer, bool begunBefore) {
   if (answer.mirrorSeams) mirrorSeams = *answer.mirrorSeams, ++news.overlay;
-  if (answer.why) tell(Notice::Kind::Refused, *answer.why);
+  if (answer.why) tell(answer.operation ? Notice::Kind::Advice : Notice::Kind::Refused, *answer.why);
   if (!answer.over) return ask(std::move(answer.ask));
   keyHand.letGo();
   line.cancel(TaskLine::Kind::Preview);

@@ -39,6 +39,18 @@ Command Session::tool() const { return inside_->tool; }
 Preview Session::preview() const {
   const auto& in = *inside_;
   Preview preview = in.gesture->preview(in.bench());
+  if (in.selection.edge && !in.gesture->begun()) {
+    const auto& ends = in.edgeEnds();
+    const PieceId piece = in.selection.edge->piece;
+    const auto mark = [&](const std::vector<Flat>& paper, std::vector<Flat>& table, std::vector<Vec3>& space) {
+      for (const Flat place : paper) {
+        table.push_back(place + in.table.at(piece));
+        if (const auto there = spaceOf(*in.state.fitting, piece, place)) space.push_back(*there);
+      }
+    };
+    mark(ends.stay, preview.table.dots, preview.space.dots);
+    mark(ends.move, preview.table.rings, preview.space.rings);
+  }
   if (!in.turnsCrossed()) return preview;
   for (const CrossedSeam& one : in.crossed()) {
     preview.space.words.push_back({one.place, "⇄"});
@@ -49,6 +61,10 @@ Preview Session::preview() const {
 std::optional<DropMenu> Session::dropMenu() const { return inside_->gesture->dropMenu(inside_->bench()); }
 void Session::refuse(const Error& why) {
   inside_->tellError(why);
+  if (inside_->options.wake) inside_->options.wake();
+}
+void Session::advise(Message what) {
+  inside_->tell(Notice::Kind::Advice, std::move(what));
   if (inside_->options.wake) inside_->options.wake();
 }
 const SessionNews& Session::news() const { return inside_->news; }
@@ -90,6 +106,9 @@ void Session::setDartWidth(double metres) { inside_->dartWidth = metres, ++insid
 double Session::dartWidth() const { return inside_->dartWidth; }
 void Session::setMirrorSeams(bool on) { inside_->mirrorSeams = on, ++inside_->news.overlay; }
 bool Session::mirrorSeams() const { return inside_->mirrorSeams; }
+void Session::setKeptEnd(SetLength::Keep keep) { inside_->keepWished = keep, ++inside_->news.overlay; }
+SetLength::Keep Session::keptEnd() const { return inside_->edgeEnds().keep; }
+bool Session::bothHalves() const { return inside_->edgeEnds().bothHalves; }
 
 bool Session::update() {
   auto& in = *inside_;

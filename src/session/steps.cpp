@@ -18,7 +18,8 @@ bool disturbs(const Operation& op) {
          std::holds_alternative<SetFabric>(op) || std::holds_alternative<Unsew>(op) ||
          std::holds_alternative<UnpinCloth>(op) || std::holds_alternative<SetGrain>(op) ||
          std::holds_alternative<SetBody>(op) || std::holds_alternative<AddDart>(op) ||
-         std::holds_alternative<JoinEdges>(op) || std::holds_alternative<FlipSeam>(op);
+         std::holds_alternative<JoinEdges>(op) || std::holds_alternative<FlipSeam>(op) ||
+         std::holds_alternative<SetLength>(op);
 }
 
 }  // namespace

@@ -477,16 +477,23 @@ struct SplitEdge {
 };
 
 // join edge=front.side_left
+// A record made before `refit` existed names the piece by its id and has `symmetric` decided: it keeps its old meaning.
 struct JoinEdges {
   static constexpr std::string_view kName = "join";
   static constexpr std::string_view kHelp = "Takes away the point between an edge and the next; the two become one.";
   EdgeRef edge;
   Choice symmetric = Choice::Auto;
+  Choice refit = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge that ends at the point", kNeeded);
     visit("symmetric", self.symmetric, "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)",
           kOptional);
+    visit(
+        "refit", self.refit,
+        "yes: one curve fitted to both edges; no: one that only leaves and arrives as they did (auto: yes, but no in a "
+        "record that does not have it)",
+        kOptional);
   }
   bool operator==(const JoinEdges&) const = default;
 };
@@ -560,10 +567,39 @@ struct FlipSeam {
   bool operator==(const FlipSeam&) const = default;
 };
 
+// length edge=front.side_left to=36cm        length edge=front.shoulder_left to=12cm keep=end neighbours=follow
+// The edge keeps its shape, scaled; its other end moves. Every edge but it and its neighbours at the moved ends (and
+// their mirror images) stays bit for bit.
+struct SetLength {
+  static constexpr std::string_view kName = "length";
+  static constexpr std::string_view kHelp = "Makes an edge as long as said; says which end stays and what follows.";
+  EdgeRef edge;
+  Length to;
+  enum class Keep { Auto, Start, End, Middle } keep = Keep::Auto;
+  enum class Neighbours { Keep, Follow } neighbours = Neighbours::Keep;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge", kNeeded);
+    visit("to", self.to, "its new length", kNeeded);
+    visit("keep", self.keep,
+          "what stays: auto, start, end, middle (both ends move by half); auto: the end on the centre of a symmetric "
+          "piece, else the one whose neighbour is sewn, else the higher one",
+          kOptional);
+    visit("neighbours", self.neighbours,
+          "the edges at a moved end: keep their lengths where they can, or follow (they stretch, and the edge does not "
+          "turn)",
+          kOptional);
+    visit("symmetric", self.symmetric, "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)",
+          kOptional);
+  }
+  bool operator==(const SetLength&) const = default;
+};
+
 using Operation = std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, CutPiece, PullCloth, ReshapePiece,
                                DrapePieces, SetFabric, PinCloth, UnpinCloth, RemovePieces, DuplicatePiece, MirrorPiece,
                                Rename, PlacePiece, FreezePieces, SetLayer, ChangeSettings, AddPiece, SetGrain, AddNotch,
-                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam>;
+                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam, SetLength>;
 
 std::string_view nameOf(const Operation& operation);
 

@@ -69,7 +69,7 @@ struct DropMenu {
 struct Told {
   bool over = false;                        // the gesture has ended
   std::optional<Operation> operation = {};  // then: what it comes to
-  std::optional<Message> why = {};          // a sentence for the person: refused, or what to do next
+  std::optional<Message> why = {};  // a sentence for the person: refused, what to do next, or advice on the operation
   Ask ask = {};
   std::optional<bool> mirrorSeams = {};  // as it was just set in a drop menu
 };

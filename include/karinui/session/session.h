@@ -97,6 +97,7 @@ class Session {
   Busy busy() const;
   std::vector<Notice> takeNotices();
   void refuse(const Error& why);      // what a face could not make of something typed, told like any refusal
+  void advise(Message what);          // told once, like advice on a step
   std::optional<Command> takeView();  // a view that was asked for
   const SessionNews& news() const;
 
@@ -117,6 +118,11 @@ class Session {
   void setMirrorSeams(bool on);  // whether a seam's mirror image is sewn with it; at first it is
   bool mirrorSeams() const;
   void choose(std::size_t item);  // of the drop menu
+  // Which end of the chosen edge stays when its length is typed: by itself as keptEnd() has it, until another edge is
+  // chosen. Start where no edge is chosen. preview() marks what stays with dots, what moves with rings.
+  void setKeptEnd(SetLength::Keep keep);
+  SetLength::Keep keptEnd() const;
+  bool bothHalves() const;  // the edge's image on the other half is changed with it
   bool can(Command command) const;
   void command(Command command);
   void select(Selection selection);
