@@ -118,7 +118,7 @@ std::string editOf(const std::string& name, int n) {
 class Fitter {
  public:
   explicit Fitter(int threads, DocumentFile file)
-      : session_(SessionOptions{threads, true, [this] { ring(); }, nullptr, {}, {}}) {
+      : session_(SessionOptions{threads, true, [this] { ring(); }, nullptr, {}, {}, {}, {}}) {
     session_.begin(std::move(file));
     session_.finish();
   }

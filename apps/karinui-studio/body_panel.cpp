@@ -36,7 +36,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(10);
-  auto* form = new QFormLayout;
+  auto* form = form_ = new QFormLayout;
   form->addRow(title(say("Figure")));
   size_ = new QComboBox;
   Look::here().keep(size_, [this] {
@@ -57,6 +57,11 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
     sex_->addItem(inWords(say("male")));
     sex_->setCurrentIndex(std::max(0, was));
   });
+  imported_ = new QLabel;
+  imported_->setWordWrap(true);
+  imported_->hide();
+  Look::here().keep(imported_, [this] { shown_.clear(), listed_.clear(); });  // told anew in these words and units
+  form->addRow(imported_);
   form->addRow(word(say("Size")), size_);
   form->addRow(word(say("Shape")), sex_);
   const auto keys = mannequinKeys();
@@ -64,11 +69,27 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
     if (std::find(keys.begin(), keys.end(), std::string_view(a.key)) == keys.end()) continue;
     auto* row = new MeasureRow(a.label);
     form->addRow(word(a.label), row);
-    connect(row, &MeasureRow::turned, this, [this] { session_.tryFigure(wished()); });
+    connect(row, &MeasureRow::turned, this, [this] {
+      if (!imported()) session_.tryFigure(wished());
+    });
     connect(row, &MeasureRow::set, this, &BodyPanel::wear);
     rows_[a.key] = row;
   }
   column->addLayout(form);
+  mannequin_ = new QPushButton;
+  consequence_ = new QLabel;
+  consequence_->setWordWrap(true);
+  consequence_->setProperty("role", "faint");
+  Look::here().keep(mannequin_, [this] {
+    mannequin_->setText(inWords(say("Make a mannequin with these measures")));
+    consequence_->setText(inWords(
+        say("It takes this body's place, with its measures but a mannequin's shape and posture. The garment keeps "
+            "its paper and settles anew; Undo brings the body back.")));
+    mannequin_->setAccessibleDescription(consequence_->text());
+  });
+  connect(mannequin_, &QPushButton::clicked, this, [this] { session_.perform(asMeasured()); });
+  column->addWidget(mannequin_);
+  column->addWidget(consequence_);
   follow_ = new QCheckBox;
   follow_->setChecked(true);
   Look::here().keep(follow_, [this] {
@@ -117,10 +138,23 @@ SetBody BodyPanel::wished() const {
   return body;
 }
 
+bool BodyPanel::imported() const {
+  const SetBody* now = session_.figure();
+  return now && !now->mesh.empty();
+}
+
+SetBody BodyPanel::asMeasured() const {
+  SetBody body;
+  const auto& measured = session_.fitting().body->measured().value;
+  for (const std::string_view key : mannequinKeys())
+    if (const auto at = measured.find(std::string(key)); at != measured.end() && !isAngle(at->first))
+      body.set.push_back({at->first, {at->second}});
+  return body;
+}
+
 // A garment is made again for the figure as it is now; where there is no figure yet, the button asks for one.
 void BodyPanel::wear() {
-  const SetBody* now = session_.figure();
-  if (!now || !now->mesh.empty()) return;
+  if (!session_.figure() || imported()) return;
   if (follow_->isChecked())
     session_.wearFigure(wished());
   else
@@ -130,7 +164,17 @@ void BodyPanel::wear() {
 void BodyPanel::fill() {
   const SetBody* now = session_.figure();
   const auto sizes = builtInSizes();
-  if (now) {
+  const bool mesh = imported();
+  for (QComboBox* box : {size_, sex_}) form_->setRowVisible(box, !mesh);
+  for (QWidget* own :
+       {static_cast<QWidget*>(imported_), static_cast<QWidget*>(mannequin_), static_cast<QWidget*>(consequence_)})
+    own->setVisible(mesh && session_.fitting().body);
+  for (QWidget* own : {static_cast<QWidget*>(follow_), static_cast<QWidget*>(use_), static_cast<QWidget*>(replay_)})
+    own->setVisible(!mesh);
+  if (mesh && session_.fitting().body)
+    imported_->setText(inWords(say("The imported body “{0}”. Its measures are taken from it and cannot be turned.",
+                                   session_.fitting().body->name())));
+  if (now && !mesh) {
     const auto size = std::find(sizes.begin(), sizes.end(), now->size);
     size_->setCurrentIndex(size == sizes.end() ? 0 : static_cast<int>(size - sizes.begin()) + 1);
     sex_->setCurrentIndex(!now->sex ? 0 : *now->sex == Sex::Female ? 1 : 2);
@@ -143,23 +187,35 @@ void BodyPanel::fill() {
         if (s.key == key) stated = s.value.metres;
     const auto& measured = body ? body->measured().value : std::map<std::string, double>();
     const auto at = measured.find(key);
-    row->show(stated, at == measured.end() ? 0 : at->second);
+    if (mesh)
+      row->showMeasured(at == measured.end() ? 0 : at->second);
+    else
+      row->show(stated, at == measured.end() ? 0 : at->second);
   }
 }
 
 void BodyPanel::refresh() {
   replay_->setEnabled(!session_.fitting().document.pattern.pieces.empty());
   const Fitting& fitting = session_.fitting();
-  const std::string now = fitting.body ? fitting.body->hash() : "-";
+  const std::string now = (fitting.body ? fitting.body->hash() : "-") + (imported() ? " imported" : "");
   // What was refused, or stopped half-way, is not what is worn.
   const SetBody* worn = session_.figure();
-  if (follow_->isChecked() && worn && !session_.busy().any && !(wished() == *worn)) fill();
+  if (follow_->isChecked() && worn && !imported() && !session_.busy().any && !(wished() == *worn)) fill();
+  fillMeasured();
   if (now == shown_) return;
   shown_ = now;
   fill();
+}
+
+// Of the figure that is seen, also while another is only tried.
+void BodyPanel::fillMeasured() {
+  const BodyPtr& body = session_.shown().body;
+  const std::string now = body ? body->hash() : "-";
+  if (now == listed_) return;
+  listed_ = now;
   QString lines;
-  if (fitting.body)
-    for (const auto& [key, value] : fitting.body->measured().value)
+  if (body)
+    for (const auto& [key, value] : body->measured().value)
       lines +=
           "<tr><td>" + QString::fromStdString(key).replace('_', ' ') + "&nbsp;&nbsp;</td><td align=right>" +
           QString::fromStdString(isAngle(key) ? fixed(value * 57.29577951, 1) + "°" : lengthText(value).toStdString()) +

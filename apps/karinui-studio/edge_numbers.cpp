@@ -57,12 +57,15 @@ EdgeRef EdgeNumbers::ref() const {
 double EdgeNumbers::share() const { return std::clamp(along_->value() / edge()->curve.length(), 0.0, 1.0); }
 
 Operation EdgeNumbers::split() const { return SplitEdge{ref(), share()}; }
-Operation EdgeNumbers::join() const { return JoinEdges{ref()}; }
+Operation EdgeNumbers::join() const { return JoinEdges{ref(), Choice::Auto, Choice::Yes}; }
 Operation EdgeNumbers::notch() const {
   AddNotch notch;
   notch.edge = ref();
   notch.at = share();
-  notch.symmetric = symmetryOf(session_.fitting().document.find(notch.edge.piece.id)->outline).has_value();
+  const Outline& outline = session_.fitting().document.find(notch.edge.piece.id)->outline;
+  const auto symmetry = symmetryOf(outline);
+  const auto k = outline.find(notch.edge.edge);
+  notch.symmetric = symmetry && k && imageOf(outline, *symmetry, {*k, notch.at});
   return notch;
 }
 Operation EdgeNumbers::dart() const {

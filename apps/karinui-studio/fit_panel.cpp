@@ -73,13 +73,12 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   form = new QFormLayout;
   form->addRow(title(say("Stereo")));
   stereo_ = new QComboBox;
+  stereo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   Look::here().keep(stereo_, [this] {
     const int was = stereo_->currentIndex();
     const QSignalBlocker quiet(stereo_);
     stereo_->clear();
-    stereo_->addItems({inWords(say("off")), inWords(say("side by side")), inWords(say("top and bottom")),
-                       inWords(say("red-cyan glasses")), inWords(say("row by row")),
-                       inWords(say("two pictures at once, on a screen of its own"))});
+    for (const Message& name : stereoNames()) stereo_->addItem(inWords(name));
     stereo_->setCurrentIndex(std::max(0, was));
   });
   eyes_ = new LengthBox(say("Eyes apart"), 0, 0.2);
@@ -127,6 +126,10 @@ void FitPanel::refresh() {
   if (map_->currentIndex() != static_cast<int>(view_.map())) {
     const QSignalBlocker quiet(map_);
     map_->setCurrentIndex(static_cast<int>(view_.map()));
+  }
+  if (stereo_->currentIndex() != static_cast<int>(view_.stereo())) {
+    const QSignalBlocker quiet(stereo_);
+    stereo_->setCurrentIndex(static_cast<int>(view_.stereo()));
   }
   if (!isVisible() || historyShown_ == session_.news().history) return;
   historyShown_ = session_.news().history;

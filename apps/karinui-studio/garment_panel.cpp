@@ -13,7 +13,9 @@
 #include "edge_numbers.h"
 #include "karinui/base/number.h"
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/symmetry.h"
 #include "length_box.h"
+#include "length_choice.h"
 #include "look.h"
 #include "panels.h"
 
@@ -112,7 +114,9 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   sewn_->setWordWrap(true);
   sewn_->setProperty("role", "faint");
   form->addRow(word(say("Name")), edgeName_);
+  stays_ = new LengthChoice(session);
   form->addRow(word(say("Length")), length_);
+  form->addRow(stays_);
   form->addRow(word(say("From, across")), u_);
   form->addRow(word(say("From, up")), v_);
   form->addRow(word(say("Sewn to")), sewn_);
@@ -120,6 +124,9 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   below->addWidget(edgeBoard_);
   below->addStretch(1);
 
+  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(tree_, &QTreeWidget::customContextMenuRequested, this,
+          [this](QPoint at) { emit menuAsked(tree_->viewport()->mapToGlobal(at)); });
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, [this] {
     if (filling_) return;
     Selection selection;
@@ -194,23 +201,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
     session_.perform(rename);
   });
   connect(length_, &LengthBox::typed, this, [this](double wanted) {
-    edgeTyped([this, wanted](const Piece& piece) -> Result<Outline> {
-      // The edge's end goes along the chord, so that its length is as typed.
-      const auto n = *piece.outline.find(session_.selection().edge->edge);
-      const Curve& curve = piece.outline.edges[n].curve;
-      const std::string next = piece.outline.edges[(n + 1) % piece.outline.edges.size()].name;
-      const Flat along = normalized(curve.end - curve.start);
-      Piece now = piece;
-      for (int i = 0; i < 12; ++i) {
-        const Curve& is = now.outline.edges[n].curve;
-        const double miss = wanted - is.length();
-        if (std::fabs(miss) < 1e-6) break;
-        auto moved = moveCorner(now, next, is.end + along * miss);
-        if (!moved) return moved.error();
-        now = *std::move(moved);
-      }
-      return now.outline;
-    });
+    if (!filling_ && session_.selection().edge) session_.perform(stays_->length(wanted));
   });
   for (LengthBox* box : {u_, v_})
     connect(box, &LengthBox::typed, this, [this] {
@@ -225,11 +216,21 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
 void GarmentPanel::edgeTyped(const std::function<Result<Outline>(const Piece&)>& change) {
   if (filling_ || !session_.selection().edge) return;
   const Piece* piece = session_.fitting().document.find(session_.selection().edge->piece);
-  if (!piece || !piece->outline.find(session_.selection().edge->edge)) return;
-  const auto outline = change(*piece);
+  if (!piece) return;
+  const auto k = piece->outline.find(session_.selection().edge->edge);
+  if (!k) return;
+  auto outline = change(*piece);
+  if (outline)
+    if (const auto symmetry = symmetryOf(piece->outline)) {
+      if (!symmetry->corner[*k])
+        session_.advise(
+            say("Only this half was changed: the other half has no such place, because of a slit or dart."));
+      outline = checked(onBothHalves(piece->outline, *std::move(outline), *symmetry));
+    }
+  if (!outline) return session_.refuse(outline.error());
   ReshapePiece op;
   op.piece = piece->id;
-  if (outline) op.outline = *outline;  // a refusal is told by the operation itself
+  op.outline = *std::move(outline);
   session_.perform(op);
 }
 
@@ -348,6 +349,7 @@ void GarmentPanel::fillProperties() {
     if (const Edge* edge = findEdge(*piece, selection.edge->edge)) {
       edgeName_->setText(QString::fromStdString(edge->name));
       length_->setMetres(edge->curve.length());
+      stays_->refresh();
       u_->setMetres(edge->curve.start.u);
       v_->setMetres(edge->curve.start.v);
       QString sewn = "–";

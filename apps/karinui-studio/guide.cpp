@@ -3,7 +3,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "look.h"
 #include "main_window.h"
@@ -17,14 +20,15 @@ struct Lesson {
   std::function<bool(const Session&)> done;
 };
 
+bool faces(const Piece& piece, bool front) {
+  double z = 0;
+  if (piece.form)
+    for (const Vec3 p : piece.form->space) z += piece.pose(p).z;
+  return piece.form && (z > 0) == front;
+}
 std::size_t piecesFacing(const Session& session, bool front) {
   std::size_t count = 0;
-  for (const auto& [id, piece] : session.fitting().document.pattern.pieces) {
-    double z = 0;
-    if (piece->form)
-      for (const Vec3 p : piece->form->space) z += piece->pose(p).z;
-    count += piece->form && (z > 0) == front;
-  }
+  for (const auto& [id, piece] : session.fitting().document.pattern.pieces) count += faces(*piece, front);
   return count;
 }
 template <class Op>
@@ -50,7 +54,7 @@ const std::vector<Lesson>& lessons() {
        [](const Session& s) { return piecesFacing(s, false) > 0; }},
       {say("Sewing"),
        say("Take Sew. Drag from a shoulder of the front to that of the back, then from side to side: four seams."),
-       [](const Session& s) { return s.fitting().document.pattern.seams.size() >= 4; }},
+       [](const Session& s) { return firstSeams(s.fitting()).count() == 4; }},
       {say("Settling"), say("Press Space: the cloth comes to rest on the body."),
        [](const Session& s) { return did<DrapePieces>(s); }},
       {say("A slit"), say("Take Cut and drag from below the hem some way up the front."),
@@ -62,49 +66,94 @@ const std::vector<Lesson>& lessons() {
   return all;
 }
 
+// One side of a seam as it runs in space.
+struct SideInSpace {
+  Vec3 middle, across;  // from one end to the other
+};
+std::optional<SideInSpace> inSpace(const Fitting& fitting, const std::vector<EdgeSpan>& side, bool front) {
+  Box box;
+  for (const EdgeSpan& span : side) {
+    const Piece* piece = fitting.document.find(span.piece);
+    if (!piece || !faces(*piece, front)) return std::nullopt;
+    for (const Vec3 p : edgeInSpace(fitting, {PieceRef(span.piece), span.edge, span.from, span.to})) box.include(p);
+  }
+  if (box.empty()) return std::nullopt;
+  return SideInSpace{box.centre(), box.high - box.low};
+}
+
+constexpr int kSewing = 3;  // the lesson
+
 }  // namespace
 
-Guide::Guide(MainWindow& window, QWidget* over) : QFrame(over), window_(window) {
+FirstSeams firstSeams(const Fitting& fitting) {
+  FirstSeams found;
+  if (!fitting.body) return found;
+  const auto& landmarks = fitting.body->landmarks();
+  const auto armpit = landmarks.find("armpit_left");
+  if (armpit == landmarks.end()) return found;
+  const double height = armpit->second.y;
+  for (const auto& [id, seam] : fitting.document.pattern.seams) {
+    auto front = inSpace(fitting, seam.a, true), back = inSpace(fitting, seam.b, false);
+    if (!front || !back) front = inSpace(fitting, seam.b, true), back = inSpace(fitting, seam.a, false);
+    if (!front || !back || (front->middle.x > 0) != (back->middle.x > 0)) continue;
+    const auto shoulder = [&](const SideInSpace& s) { return s.middle.y > height && s.across.x > s.across.y; };
+    const auto side = [&](const SideInSpace& s) { return s.middle.y < height && s.across.y > s.across.x; };
+    const bool left = front->middle.x > 0;  // the body's own left
+    if (shoulder(*front) && shoulder(*back)) (left ? found.shoulderLeft : found.shoulderRight) = true;
+    if (side(*front) && side(*back)) (left ? found.sideLeft : found.sideRight) = true;
+  }
+  return found;
+}
+
+Guide::Guide(MainWindow& window) : window_(window) {
   setObjectName("guide");
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(18, 14, 18, 14);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(16, 7, 10, 7);
+  row->setSpacing(10);
+  auto* head = new QVBoxLayout;
+  head->setSpacing(1);
   count_ = new QLabel;
   count_->setProperty("role", "faint");
   title_ = new QLabel;
   title_->setProperty("role", "title");
+  head->addWidget(count_);
+  head->addWidget(title_);
   words_ = new QLabel;
   words_->setWordWrap(true);
-  auto* row = new QHBoxLayout;
+  row->addLayout(head);
+  row->addWidget(words_, 1);
   auto* skip = new QPushButton;
-  auto* next = new QPushButton;
-  Look::here().keep(skip, [this, skip, next] {
+  back_ = new QPushButton;
+  next_ = new QPushButton;
+  for (QPushButton* button : {back_, next_, skip}) row->addWidget(button);
+  Look::here().keep(skip, [this, skip] {
+    back_->setText(inWords(say("Go back")));
+    next_->setText(inWords(say("Next")));
     skip->setText(inWords(say("Skip")));
-    next->setText(inWords(say("Next")));
     if (step_ >= 0) show(step_);
     const Palette& p = Look::here().palette();
-    setStyleSheet(QString("QFrame#guide { background: %1; border: 1px solid %2; border-radius: 12px; }")
-                      .arg(p.raised.name(), p.line.name()));
+    setStyleSheet(QString("QFrame#guide { background: %1; border: none; border-bottom: 1px solid %2; }")
+                      .arg(p.accentSoft.name(), p.line.name()));
   });
-  row->addWidget(skip);
-  row->addStretch(1);
-  row->addWidget(next);
-  column->addWidget(count_);
-  column->addWidget(title_);
-  column->addWidget(words_);
-  column->addLayout(row);
   connect(skip, &QPushButton::clicked, this, [this] { hide(); });
-  connect(next, &QPushButton::clicked, this, [this] { step_ + 1 < steps() ? show(step_ + 1) : hide(); });
-  setFixedWidth(300);
-  move(18, 18);
+  connect(back_, &QPushButton::clicked, this, [this] { show(std::max(0, step_ - 1)); });
+  connect(next_, &QPushButton::clicked, this, [this] { step_ + 1 < steps() ? show(step_ + 1) : hide(); });
+  hide();
 }
 
 int Guide::steps() { return static_cast<int>(lessons().size()); }
 
+std::vector<bool> Guide::done() const {
+  std::vector<bool> done;
+  for (const Lesson& lesson : lessons()) done.push_back(lesson.done(window_.session()));
+  return done;
+}
+
 void Guide::begin() {
-  show(0);
+  seen_ = done();
+  const auto open = std::find(seen_.begin(), seen_.end(), false);
+  show(static_cast<int>(std::min<std::ptrdiff_t>(open - seen_.begin(), steps() - 1)));
   QFrame::show();
-  raise();
-  refresh();
 }
 
 void Guide::show(int step) {
@@ -112,13 +161,25 @@ void Guide::show(int step) {
   const Lesson& lesson = lessons()[static_cast<std::size_t>(step)];
   count_->setText(QString("%1 / %2").arg(step + 1).arg(steps()));
   title_->setText(inWords(lesson.title));
-  words_->setText(inWords(lesson.words));
-  adjustSize();
+  QString words = inWords(lesson.words);
+  if (step == kSewing) words += "  " + inWords(say("Sewn: {0} of 4.", firstSeams(window_.session().fitting()).count()));
+  words_->setText(words);
+  back_->setEnabled(step > 0);
 }
 
+// On where the step at hand was done just now, back where an earlier one was undone; paged to, it stays.
 void Guide::refresh() {
   if (!isVisible() || step_ < 0) return;
-  while (step_ + 1 < steps() && lessons()[static_cast<std::size_t>(step_)].done(window_.session())) show(step_ + 1);
+  const std::vector<bool> before = std::exchange(seen_, done());
+  int to = step_;
+  for (int k = 0; k < step_; ++k)
+    if (before[static_cast<std::size_t>(k)] && !seen_[static_cast<std::size_t>(k)]) {
+      to = k;
+      break;
+    }
+  if (to == step_ && !before[static_cast<std::size_t>(to)])
+    while (to + 1 < steps() && seen_[static_cast<std::size_t>(to)]) ++to;
+  show(to);
 }
 
 }  // namespace karinui::studio

@@ -43,7 +43,7 @@ void MainWindow::keysDialog() {
   if (dialog.exec() != QDialog::Accepted) return;
   QSettings settings;
   for (const auto& [command, edit] : edits) {
-    actions_[command]->setShortcut(edit->keySequence());
+    setKey(command, edit->keySequence());
     const auto name = info(command).name;
     settings.setValue("keys/" + QString::fromUtf8(name.data(), static_cast<int>(name.size())),
                       edit->keySequence().toString());

@@ -18,10 +18,13 @@ namespace karinui::studio {
 
 namespace {
 
-const Palette kLight{QColor("#f3f0eb"), QColor("#faf8f5"), QColor("#ffffff"), QColor("#e0dad1"), QColor("#3b3630"),
-                     QColor("#8b8378"), QColor("#c2562d"), QColor("#f6e3d8"), QColor("#fffdf9"), QColor("#ece6dc")};
-const Palette kDark{QColor("#24211e"), QColor("#2c2926"), QColor("#363230"), QColor("#46413c"), QColor("#ece6de"),
-                    QColor("#a1988c"), QColor("#e88a5f"), QColor("#5a3a2b"), QColor("#302c29"), QColor("#3b3733")};
+// Letters stand out from every ground they lie on at least 4.5:1 (WCAG 2.2, 1.4.3); a test computes it.
+const Palette kLight{QColor("#f3f0eb"), QColor("#faf8f5"), QColor("#ffffff"), QColor("#e0dad1"),
+                     QColor("#3b3630"), QColor("#6d665c"), QColor("#ad4822"), QColor("#f6e3d8"),
+                     QColor("#fffdf9"), QColor("#ece6dc"), QColor("#ffffff")};
+const Palette kDark{QColor("#24211e"), QColor("#2c2926"), QColor("#363230"), QColor("#46413c"),
+                    QColor("#ece6de"), QColor("#bab1a5"), QColor("#f0a27c"), QColor("#5a3a2b"),
+                    QColor("#302c29"), QColor("#3b3733"), QColor("#24211e")};
 
 class HouseIcon : public QIconEngine {
  public:
@@ -59,9 +62,10 @@ QMenu::item { padding: 6px 26px 6px 26px; border-radius: 5px; }
 QMenu::item:selected { background: @accentSoft; color: @ink; }
 QMenu::item:disabled { color: @faint; }
 QMenu::separator { height: 1px; background: @line; margin: 5px 8px; }
-QToolBar { background: @window; border: none; spacing: 3px; padding: 5px; }
+QToolBar { background: @window; border: none; spacing: 2px; padding: 5px; }
 QToolBar::separator { background: @line; width: 1px; height: 1px; margin: 7px; }
-QToolBar QToolButton { border: none; border-radius: 8px; padding: 5px; margin: 1px; color: @ink; }
+QToolBar QToolButton { border: none; border-radius: 8px; padding: 4px; margin: 1px; color: @ink; }
+QToolBar QToolButton#qt_toolbar_ext_button { padding: 0px; margin: 0px; background: @accentSoft; }
 QToolBar QToolButton:hover { background: @raised; }
 QToolBar QToolButton:checked { background: @accentSoft; color: @accent; }
 QStatusBar { background: @window; color: @faint; min-height: 26px; }
@@ -78,13 +82,14 @@ QTreeWidget, QListWidget, QTableWidget { background: @panel; border: none; outli
 QTreeWidget::item, QListWidget::item { padding: 4px 4px; border-radius: 5px; }
 QTreeWidget::item:selected, QListWidget::item:selected { background: @accentSoft; color: @ink; }
 QHeaderView::section { background: @panel; border: none; color: @faint; padding: 4px; }
-QLineEdit, QComboBox, QDoubleSpinBox, QSpinBox { background: @raised; border: 1px solid @line; border-radius: 6px; padding: 4px 7px; selection-background-color: @accent; }
+QLineEdit, QComboBox, QDoubleSpinBox, QSpinBox { background: @raised; border: 1px solid @line; border-radius: 6px; padding: 4px 7px; selection-background-color: @accent; selection-color: @onAccent; }
 QLineEdit:focus, QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 1px solid @accent; }
-QComboBox::drop-down { border: none; width: 20px; }
+QComboBox::drop-down { border: none; width: 22px; }
+QComboBox::down-arrow { image: url(:/look/arrow.png); width: 10px; height: 6px; }
 QComboBox QAbstractItemView { background: @raised; border: 1px solid @line; selection-background-color: @accentSoft; selection-color: @ink; }
 QPushButton { background: @raised; border: 1px solid @line; border-radius: 7px; padding: 6px 14px; }
 QPushButton:hover { border: 1px solid @accent; }
-QPushButton:default { background: @accent; color: white; border: 1px solid @accent; }
+QPushButton:default { background: @accent; color: @onAccent; border: 1px solid @accent; }
 QPushButton:disabled { color: @faint; }
 QScrollArea { border: none; background: transparent; }
 QScrollBar:vertical { width: 10px; background: transparent; }
@@ -98,8 +103,9 @@ QLabel[role="title"] { font-size: 11pt; font-weight: 600; color: @ink; }
 QLabel[role="faint"] { color: @faint; }
 )");
   const std::pair<const char*, QColor> names[] = {
-      {"@window", p.window}, {"@panel", p.panel}, {"@raised", p.raised},         {"@line", p.line},
-      {"@ink", p.ink},       {"@faint", p.faint}, {"@accentSoft", p.accentSoft}, {"@accent", p.accent}};
+      {"@window", p.window},    {"@panel", p.panel}, {"@raised", p.raised},         {"@line", p.line},
+      {"@ink", p.ink},          {"@faint", p.faint}, {"@accentSoft", p.accentSoft}, {"@accent", p.accent},
+      {"@onAccent", p.onAccent}};
   for (const auto& [name, colour] : names) sheet.replace(QLatin1String(name), colour.name());
   return sheet;
 }
@@ -148,7 +154,7 @@ void Look::apply(QApplication& app) {
   q.setColor(QPalette::Button, p.raised);
   q.setColor(QPalette::ButtonText, p.ink);
   q.setColor(QPalette::Highlight, p.accent);
-  q.setColor(QPalette::HighlightedText, Qt::white);
+  q.setColor(QPalette::HighlightedText, p.onAccent);
   q.setColor(QPalette::ToolTipBase, p.raised);
   q.setColor(QPalette::ToolTipText, p.ink);
   q.setColor(QPalette::PlaceholderText, p.faint);
@@ -235,20 +241,43 @@ void paintPin(QPainter& painter, const QPointF& tip) {
   painter.drawEllipse(tip + QPointF(5.6, -10.2), 3.4, 3.4);
 }
 
-void paintWord(QPainter& painter, const QPointF& above, const QString& words) {
-  painter.save();
-  QFont small = painter.font();
-  small.setPointSizeF(9.5);
-  small.setWeight(QFont::DemiBold);
-  painter.setFont(small);
-  QRectF tag = painter.fontMetrics().boundingRect(words);
+void paintRing(QPainter& painter, const QPointF& at, const QColor& colour) {
+  painter.setBrush(Qt::white);
+  painter.setPen(QPen(Qt::white, 5));
+  painter.drawEllipse(at, 4.5, 4.5);
+  painter.setPen(QPen(colour, 2.4));
+  painter.drawEllipse(at, 4.5, 4.5);
+}
+
+namespace {
+QFont wordFont(QFont font) {
+  font.setPointSizeF(9.5);
+  font.setWeight(QFont::DemiBold);
+  return font;
+}
+constexpr double kBeside = 9, kOver = 4, kAside = 3;  // pixels round the letters, and from the bounds
+}  // namespace
+
+QRectF wordTag(const QFont& font, const QPointF& above, const QString& words, const QRectF& bounds) {
+  const QRectF within = bounds.adjusted(kAside, kAside, -kAside, -kAside);
+  const QRectF most(0, 0, std::max(1.0, within.width() - 2 * kBeside), 1e4);
+  QRectF tag = QFontMetricsF(wordFont(font)).boundingRect(most, Qt::AlignCenter | Qt::TextWordWrap, words);
+  tag.adjust(-kBeside, -kOver, kBeside, kOver);
   tag.moveCenter(above + QPointF(0, -20));
-  tag.adjust(-9, -4, 9, 4);
+  tag.moveLeft(std::max(within.left(), std::min(tag.left(), within.right() - tag.width())));
+  tag.moveTop(std::max(within.top(), std::min(tag.top(), within.bottom() - tag.height())));
+  return tag;
+}
+
+void paintWord(QPainter& painter, const QPointF& above, const QString& words, const QRectF& bounds) {
+  painter.save();
+  const QRectF tag = wordTag(painter.font(), above, words, bounds);
+  painter.setFont(wordFont(painter.font()));
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(40, 36, 32, 215));
   painter.drawRoundedRect(tag, 8, 8);
   painter.setPen(Qt::white);
-  painter.drawText(tag, Qt::AlignCenter, words);
+  painter.drawText(tag, Qt::AlignCenter | Qt::TextWordWrap, words);
   painter.restore();
 }
 

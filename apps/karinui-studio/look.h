@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QIcon>
 #include <QObject>
+#include <QRectF>
 #include <QString>
 #include <functional>
 #include <optional>
@@ -19,6 +20,7 @@ namespace karinui::studio {
 
 struct Palette {
   QColor window, panel, raised, line, ink, faint, accent, accentSoft, paper, paperLine;
+  QColor onAccent;  // letters on the accent
 };
 
 class Look : public QObject {
@@ -63,7 +65,12 @@ void drawIcon(class QPainter& painter, std::string_view name, const class QRectF
 void paintFingertip(class QPainter& painter, const class QPointF& at);
 void paintPin(class QPainter& painter, const class QPointF& tip);
 
-// A word on a dark tag, above a place.
-void paintWord(class QPainter& painter, const class QPointF& above, const QString& words);
+// A hollow dot: what will move.
+void paintRing(class QPainter& painter, const class QPointF& at, const class QColor& colour);
+
+// Where a word's tag goes: above a place, wrapped and moved so that the whole of it lies within `bounds`.
+QRectF wordTag(const class QFont& font, const QPointF& above, const QString& words, const QRectF& bounds);
+// A word on a dark tag there.
+void paintWord(class QPainter& painter, const QPointF& above, const QString& words, const QRectF& bounds);
 
 }  // namespace karinui::studio

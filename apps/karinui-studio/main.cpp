@@ -1,5 +1,5 @@
-// karinui-studio [FILE]            opens a document, a body or a pattern; without one, where one left off
-//   --new SIZE        begins a garment on a built-in size
+// karinui-studio [FILE]            opens a document, a body or a pattern; without one, the start page
+//   --new SIZE        begins a garment on a built-in size, in FILE or as a draft
 //   --self-check      works by itself for a moment, prints how long things take, and ends
 //   --picture FILE    opens, waits until all is at rest, keeps a picture of the window, and ends
 //   --language en|ja  --dark  --threads N
@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "drafts.h"
 #include "karinui/base/memory.h"
 #include "karinui/base/number.h"
 #include "look.h"
@@ -122,6 +123,7 @@ int main(int argc, char** argv) {
   if (unreadable) look.setLanguage(Language::English);
 
   SessionOptions options;
+  if (!wish.selfCheck) options.drafts = draftsFolder();
   options.threads = wish.threads > 0 ? wish.threads : std::max(1, QThread::idealThreadCount());
   MainWindow window(options);
   window.show();
@@ -131,11 +133,8 @@ int main(int argc, char** argv) {
     window.newGarment(wish.fresh.toLower().toStdString(), wish.file);
   else if (!wish.file.isEmpty())
     window.openPath(QFileInfo(wish.file).absoluteFilePath());
-  else if (const QStringList recent = settings.value("recent").toStringList();
-           !recent.isEmpty() && QFileInfo::exists(recent.front()))
-    window.openPath(recent.front());
   else
-    window.startGuide();
+    window.showStart();
   if (!wish.picture.isEmpty()) return keepPicture(app, window, wish.picture);
   return QApplication::exec();
 }

@@ -5,22 +5,49 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolBar>
 
+#include "drafts.h"
+#include "drop_menu.h"
 #include "guide.h"
 #include "keys.h"
 #include "look.h"
 #include "orbit.h"
 #include "spoken.h"
+#include "start_page.h"
+#include "wheel_guard.h"
 
 namespace karinui::studio {
 
+namespace {
+
+// A board scrolls where it does not fit.
+QScrollArea* scrolling(QWidget* board) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(board);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  return scroll;
+}
+
+}  // namespace
+
+QSize firstSize(QSize available) {
+  constexpr QSize kFrame(16, 40), kMost(1720, 1080);  // the window manager's borders; more than this tires
+  return (available - kFrame).boundedTo(kMost);
+}
+
 MainWindow::MainWindow(SessionOptions options) {
+  WheelGuard::install();
   letViewsSpeak();
   wake_.setSingleShot(true);
   wake_.setInterval(0);
@@ -33,6 +60,10 @@ MainWindow::MainWindow(SessionOptions options) {
         },
         Qt::QueuedConnection);
   };
+  // Drafts are named on the session's thread, in the language of the moment.
+  const auto spoken = std::make_shared<std::atomic<Language>>(Look::here().language());
+  if (!options.nameDraft) options.nameDraft = [spoken](const std::string& about) { return draftName(about, *spoken); };
+  connect(&Look::here(), &Look::changed, this, [spoken] { *spoken = Look::here().language(); });
   session_ = std::make_unique<Session>(std::move(options));
   session_->setLanguage(Look::here().language());
 
@@ -44,7 +75,7 @@ MainWindow::MainWindow(SessionOptions options) {
   split->addWidget(table_);
   boards_ = new QTabWidget;
   boards_->setDocumentMode(true);
-  boards_->setMinimumWidth(300);
+  boards_->setMinimumWidth(310);
   boards_->setMaximumWidth(420);
   auto* garment = new GarmentPanel(*session_);
   auto* body = new BodyPanel(*session_);
@@ -58,7 +89,7 @@ MainWindow::MainWindow(SessionOptions options) {
                                                {history, say("Steps")}};
   for (const auto& [panel, words] : boards) {
     panels_.push_back(panel);
-    const int at = boards_->addTab(panel, QString());
+    const int at = boards_->addTab(scrolling(panel), QString());
     Look::here().keep(panel, [this, at, words = words] { boards_->setTabText(at, inWords(words)); });
   }
   split->addWidget(boards_);
@@ -66,10 +97,22 @@ MainWindow::MainWindow(SessionOptions options) {
   split->setStretchFactor(1, 4);
   split->setStretchFactor(2, 0);
   split->setSizes({760, 520, 320});
-  setCentralWidget(split);
+  auto* central = new QWidget;
+  auto* column = new QVBoxLayout(central);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  guide_ = new Guide(*this);  // a strip above the views, so that it covers none of them
+  column->addWidget(guide_);
+  column->addWidget(split, 1);
+  parts_ = new QStackedWidget;
+  parts_->addWidget(central);
+  setCentralWidget(parts_);
 
   hint_ = new QLabel;
   hint_->setObjectName("hint");
+  hint_->setWordWrap(true);  // a long sentence takes a second line; the window need not be wider for it
+  hint_->setFixedHeight(2 * hint_->fontMetrics().lineSpacing() + 6);
+  hint_->setMinimumWidth(1);
   place_ = new QLabel;
   progress_ = new QProgressBar;
   progress_->setRange(0, 1000);
@@ -83,6 +126,8 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(table_, &TableView::pointed, this,
           [this](Flat p) { place_->setText(lengthText(p.u) + "  " + lengthText(p.v)); });
 
+  connect(table_, &TableView::left, place_, &QLabel::clear);
+
   toast_ = new QLabel(space_);
   toast_->setObjectName("toast");
   toast_->setWordWrap(true);
@@ -92,12 +137,21 @@ MainWindow::MainWindow(SessionOptions options) {
   toastTime_.setSingleShot(true);
   connect(&toastTime_, &QTimer::timeout, toast_, &QLabel::hide);
 
+  spaceMenu_ = new DropMenuFrame(*session_, space_);
+  tableMenu_ = new DropMenuFrame(*session_, table_);
+  for (DropMenuFrame* menu : {spaceMenu_, tableMenu_})
+    connect(menu, &DropMenuFrame::chosen, this, [this] { refresh(); });
+
   nameForScreenReaders();
   makeActions();
   makeMenus();
   connect(body, &BodyPanel::importAsked, this, &MainWindow::askImport);
   connect(body, &BodyPanel::replayAsked, this, &MainWindow::askReplay);
   connect(space_, &SpaceView::failed, this, [this](const QString& why) { statusBar()->showMessage(why); });
+  connect(space_, &SpaceView::menuAsked, this, &MainWindow::menuAt);
+  connect(table_, &TableView::menuAsked, this, &MainWindow::menuAt);
+  connect(garment, &GarmentPanel::menuAsked, this,
+          [this](const QPoint& global) { menuOf(session_->selection(), std::nullopt, global); });
   space_->installEventFilter(this);
   table_->installEventFilter(this);
   cap_ = new SpaceMouse(this);
@@ -106,7 +160,7 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(cap_, &SpaceMouse::pressed, this,
           [this](int button) { run(button == 0 ? Command::ViewAll : Command::ViewFront); });
   setAcceptDrops(true);
-  resize(1500, 920);
+  resize(firstSize(screen()->availableSize()));
   const QSettings settings;
   if (settings.contains("window")) restoreGeometry(settings.value("window").toByteArray());
   connect(&Look::here(), &Look::changed, this, [this] {
@@ -158,6 +212,7 @@ void MainWindow::refresh() {
   session_->update();
   for (const Notice& notice : session_->takeNotices()) tell(notice);
   const SessionNews now = session_->news();
+  if (atStart() && (!session_->path().empty() || !session_->steps().empty())) leaveStart();
   if (const auto view = session_->takeView()) {
     const std::map<Command, View> views{{Command::ViewFront, View::Front},
                                         {Command::ViewBack, View::Back},
@@ -181,14 +236,20 @@ void MainWindow::refresh() {
   }
   if (now.history != seen_.history) {
     const QString path = QString::fromStdString(session_->path().string());
-    setWindowTitle((path.isEmpty() ? inWords(say("New garment")) : QFileInfo(path).completeBaseName()) +
-                   "  –  Karinui");
+    setWindowTitle(atStart() ? QString("Karinui")
+                             : (path.isEmpty() ? inWords(say("New garment")) : QFileInfo(path).completeBaseName()) +
+                                   "  –  Karinui");
     if (!path.isEmpty()) remember(path);
   }
   for (Panel* panel : panels_) panel->refresh();
   for (const auto& [command, action] : actions_) {
     // A tool that cannot be used yet stays clickable: it then says why.
-    if (!isTool(command) && command != Command::Settle) action->setEnabled(session_->can(command));
+    if (atStart())
+      action->setEnabled(false);
+    else if (!isTool(command) && command != Command::Settle)
+      action->setEnabled(session_->can(command));
+    else
+      action->setEnabled(true);
     if (action->isCheckable()) action->setChecked(session_->tool() == command);
   }
   const Busy busy = session_->busy();
@@ -196,21 +257,33 @@ void MainWindow::refresh() {
   progress_->setValue(static_cast<int>(1000 * busy.fraction));
   actions_[Command::Settle]->setIcon(Look::here().icon(busy.settling ? "pause" : "settle"));
   const QString keys = inWords(session_->keyHint());
-  hint_->setText(busy.settling                     ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
+  hint_->setText(atStart() && !busy.any            ? QString()
+                 : busy.settling                   ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
                  : keys.isEmpty()                  ? inWords(session_->hint())
                                                    : keys + "   –   " + inWords(session_->hint()));
+  mirrorSeams_->setChecked(session_->mirrorSeams());
+  showDropMenu();
   tellFingertip(keys);
-  if (guide_) guide_->refresh();
+  guide_->refresh();
   seen_ = now;
   emit refreshed();
+}
+
+void MainWindow::showDropMenu() {
+  const auto menu = session_->dropMenu();
+  const bool inSpace = menu && menu->where == PointerSample::Where::Space;
+  spaceMenu_->show(inSpace ? menu : std::nullopt,
+                   inSpace ? space_->onScreen(menu->space).value_or(QPointF(space_->rect().center())) : QPointF());
+  tableMenu_->show(menu && !inSpace ? menu : std::nullopt, menu ? table_->onScreen(menu->table) : QPointF());
 }
 
 // What lies under it, what was answered, what keys and tool do there: of these, what has changed.
 void MainWindow::tellFingertip(const QString& keys) {
   Heard now;
   if (!keys.isEmpty()) {
-    const QString answer = toast_->isVisible() ? toast_->text() : QString();
+    const QString asked = spaceMenu_->heard() + tableMenu_->heard();
+    const QString answer = !asked.isEmpty() ? asked : toast_->isVisible() ? toast_->text() : QString();
     now = {inWords(session_->underFingertip()) + ".", answer, inWords(session_->hint()), keys + "."};
   }
   const Heard before = std::exchange(heard_, now);
@@ -236,6 +309,7 @@ void MainWindow::tell(const Notice& notice) {
 }
 
 void MainWindow::goToNextPart() {
+  if (atStart()) return start_->setFocus(Qt::TabFocusReason);
   QWidget* const parts[] = {space_, table_, boards_, tools_};
   const QWidget* now = focusWidget();
   std::size_t next = 0;
@@ -247,10 +321,11 @@ void MainWindow::goToNextPart() {
 }
 
 void MainWindow::placeToast() {
-  const int wide = std::min(space_->width() - 40, 620);
+  const int room = atStart() ? start_->width() : static_cast<int>(space_->freeWidth());
+  const int wide = std::min(room - 24, 620);
   toast_->setFixedWidth(wide);
   toast_->adjustSize();
-  toast_->move((space_->width() - wide) / 2, 18);
+  toast_->move((room - wide) / 2, 12);
 }
 
 QString MainWindow::said() const { return toast_->text(); }
@@ -260,8 +335,58 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   placeToast();
 }
 
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::WindowStateChange && fullScreen_) fullScreen_->setChecked(isFullScreen());
+}
+
+bool MainWindow::atStart() const { return start_ && parts_->currentWidget() == start_; }
+
+bool MainWindow::still() const {
+  if (!session_->idle()) return false;
+  return atStart() ? start_->still() : space_->still() || space_->trouble();
+}
+
+void MainWindow::showStart() {
+  if (!start_) {
+    start_ = new StartPage;
+    parts_->addWidget(start_);
+    connect(start_, &StartPage::freshAsked, this, &MainWindow::askNew);
+    connect(start_, &StartPage::openAsked, this, &MainWindow::askOpen);
+    connect(start_, &StartPage::importAsked, this, &MainWindow::askImport);
+    connect(start_, &StartPage::guideAsked, this, &MainWindow::startGuide);
+    connect(start_, &StartPage::sampleAsked, this, [this] { openExample("first_tunic"); });
+    connect(start_, &StartPage::documentAsked, this, &MainWindow::openPath);
+    connect(start_, &StartPage::stillNow, this, &MainWindow::refreshed);
+  }
+  session_->conclude();
+  session_->begin(DocumentFile::inMemory());
+  session_->finish();
+  guide_->hide();
+  start_->fill();
+  parts_->setCurrentWidget(start_);
+  for (QToolBar* bar : {top_, tools_}) bar->hide();
+  toast_->setParent(start_);
+  toast_->hide();
+  start_->setFocus();
+  seen_.history = ~0ull;
+  refresh();
+}
+
+void MainWindow::leaveStart() {
+  const bool told = toast_->isVisible();
+  start_->leave();
+  parts_->setCurrentIndex(0);
+  for (QToolBar* bar : {top_, tools_}) bar->show();
+  toast_->setParent(space_);
+  placeToast();
+  toast_->setVisible(told);
+  space_->setFocus();
+  seen_.history = ~0ull;
+}
+
 void MainWindow::startGuide() {
-  if (!guide_) guide_ = new Guide(*this, space_);
+  if (atStart()) leaveStart(), refresh();
   guide_->begin();
 }
 
@@ -271,7 +396,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings.setValue("inches", Look::here().inches());
   settings.setValue("dark", Look::here().dark());
   settings.setValue("language", Look::here().language() == Language::Japanese ? "ja" : "en");
-  session_->command(Command::Cancel);
+  setCursor(Qt::WaitCursor);
+  session_->conclude();
   event->accept();
 }
 

@@ -10,15 +10,23 @@
 #include "table_view.h"
 
 class QLabel;
+class QMenu;
 class QPrinter;
 class QProgressBar;
+class QStackedWidget;
 class QTabWidget;
 class QToolBar;
 
 namespace karinui::studio {
 
+class DropMenuFrame;
 class Guide;
+
+// The window's size the first time, from what the screen has room for.
+QSize firstSize(QSize available);
+
 class SpaceMouse;
+class StartPage;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -32,9 +40,12 @@ class MainWindow : public QMainWindow {
   Clockwork& clockwork() { return clockwork_; }
   QAction* action(Command command) const { return actions_.at(command); }
   QTabWidget& boards() { return *boards_; }
-  QString said() const;                // the last sentence shown
-  void openPath(const QString& path);  // a document, a pattern or a body, by its ending
-  void newGarment(const std::string& size, const QString& path);
+  QString said() const;                                           // the last sentence shown
+  void openPath(const QString& path);                             // a document, a pattern or a body, by its ending
+  void newGarment(const std::string& size, const QString& path);  // without a path a draft
+  void showStart();                                               // closes what is open
+  bool atStart() const;
+  bool still() const;  // nothing is under way and all pictures are drawn
   void startGuide();
   void printOn(QPrinter& printer);  // the pattern, at true size
 
@@ -46,6 +57,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -57,22 +69,36 @@ class MainWindow : public QMainWindow {
   void tellFingertip(const QString& keys);  // to those who hear the screen; no keys: there is none
   void goToNextPart();                      // of the window, with the keys
   void placeToast();
+  void showDropMenu();
   void run(Command command);
   void askNew();
   void askOpen();
   void askImport();
   void askExport();
-  void askSaveCopy();
+  void leaveStart();
+  void openExample(const QString& name);
+  void save();  // says where the document is; a draft may be given a place
+  void askSaveAs();
   void askReplay(const SetBody& body);
   void print();
   void picture();
   void remember(const QString& path);
   void fillRecent();
   void keysDialog();
+  void setKey(Command command, const QKeySequence& key);
+  void makeStereoMenu();
+  void setFullScreen(bool on);
+  void menuAt(const PointerSample& sample, const QPoint& global);  // chooses what lies there first
+  void menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global);
+  void offer(QMenu& menu, const Message& words, Operation operation);
+  void addEdgeOperations(QMenu& menu, const EdgeNear& near);
+  void addPieceOperations(QMenu& menu, const Selection& chosen);
   QString freshPath(const QString& name) const;
 
   Clockwork clockwork_;
   std::unique_ptr<Session> session_;
+  QStackedWidget* parts_ = nullptr;
+  StartPage* start_ = nullptr;  // null: not shown yet
   SpaceView* space_ = nullptr;
   TableView* table_ = nullptr;
   QTabWidget* boards_ = nullptr;
@@ -80,9 +106,12 @@ class MainWindow : public QMainWindow {
   std::map<Command, QAction*> actions_;
   QMenu* recent_ = nullptr;
   QMenu* viewMenu_ = nullptr;
+  QAction* fullScreen_ = nullptr;
   QToolBar* tools_ = nullptr;
   QToolBar* top_ = nullptr;
   QLabel *hint_, *place_, *toast_;
+  DropMenuFrame *spaceMenu_, *tableMenu_;  // where a drag was dropped
+  QAction* mirrorSeams_ = nullptr;
   using Heard = std::array<QString, 4>;
   Heard heard_;  // last of the fingertip
   QProgressBar* progress_;

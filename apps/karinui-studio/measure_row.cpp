@@ -46,9 +46,19 @@ void MeasureRow::show(std::optional<double> stated, double measured) {
   const QSignalBlocker quiet(slider_);
   box_->setMetres(stated.value_or(0));
   const double now = stated.value_or(measured);
+  box_->setEnabled(true);
   slider_->setEnabled(now > 0);
   slider_->setRange(millimetres((1 - kReach) * now), millimetres((1 + kReach) * now));
   slider_->setValue(millimetres(now));
+}
+
+void MeasureRow::showMeasured(double measured) {
+  const QSignalBlocker quiet(slider_);
+  box_->setMetres(measured);
+  box_->setEnabled(false);
+  slider_->setEnabled(false);
+  slider_->setRange(0, 2 * millimetres(measured));
+  slider_->setValue(millimetres(measured));
 }
 
 }  // namespace karinui::studio

@@ -18,6 +18,7 @@ class MeasureRow : public QWidget {
   std::optional<double> stated() const;  // metres; nothing: it follows from the others
   // What was stated, and what the figure measures there; tells nobody, and leaves a slider in hand alone.
   void show(std::optional<double> stated, double measured);
+  void showMeasured(double measured);  // only to be read: the body is as it is
 
  signals:
   void turned();  // still in hand

@@ -1,4 +1,5 @@
 // The menus, the bars and the keys of the window.
+#include <QActionGroup>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
@@ -17,14 +18,50 @@ void MainWindow::makeActions() {
     const QString name = QString::fromUtf8(about.name.data(), static_cast<int>(about.name.size()));
     action->setObjectName(name);
     const QString usual = QString::fromUtf8(about.key.data(), static_cast<int>(about.key.size()));
-    action->setShortcut(QKeySequence(settings.value("keys/" + name, usual).toString()));
     action->setShortcutContext(Qt::WindowShortcut);
     action->setCheckable(isTool(about.command));
     Look::here().keep(action, about.label, about.hint, about.icon);
     connect(action, &QAction::triggered, this, [this, c = about.command] { run(c); });
     addAction(action);
     actions_[about.command] = action;
+    setKey(about.command, QKeySequence(settings.value("keys/" + name, usual).toString()));
   }
+}
+
+// The chosen key, and the command's second usual one.
+void MainWindow::setKey(Command command, const QKeySequence& key) {
+  QList<QKeySequence> keys;
+  if (!key.isEmpty()) keys << key;
+  const std::string_view other = info(command).otherKey;
+  if (!other.empty()) keys << QKeySequence(QString::fromLatin1(other.data(), static_cast<int>(other.size())));
+  actions_.at(command)->setShortcuts(keys);
+}
+
+// The choices of the board "Fit".
+void MainWindow::makeStereoMenu() {
+  QMenu* menu = viewMenu_->addMenu(QString());
+  menu->setObjectName("stereo");
+  auto* group = new QActionGroup(menu);
+  for (std::size_t k = 0; k < stereoNames().size(); ++k) {
+    QAction* one = menu->addAction(QString());
+    one->setCheckable(true);
+    group->addAction(one);
+    connect(one, &QAction::triggered, this, [this, k] {
+      space_->setStereo(static_cast<Stereo>(k));
+      refresh();
+    });
+  }
+  Look::here().keep(menu, [menu] {
+    menu->setTitle(inWords(say("Stereo")));
+    for (std::size_t k = 0; k < stereoNames().size(); ++k)
+      menu->actions()[static_cast<int>(k)]->setText(inWords(stereoNames()[k]));
+  });
+  connect(menu, &QMenu::aboutToShow, this,
+          [this, menu] { menu->actions()[static_cast<int>(space_->stereo())]->setChecked(true); });
+}
+
+void MainWindow::setFullScreen(bool on) {
+  setWindowState(windowState().setFlag(Qt::WindowFullScreen, on));  // maximized or not as before, when it ends
 }
 
 void MainWindow::makeMenus() {
@@ -53,19 +90,17 @@ void MainWindow::makeMenus() {
   Look::here().keep(examples, [examples] { examples->setTitle(inWords(say("Examples"))); });
   for (const char* name : {"first_tunic", "six_operations", "kyoto_fitting", "shirt_fitting"}) {
     QAction* one = examples->addAction(QString(name).replace('_', ' '));
-    connect(one, &QAction::triggered, this, [this, name] {
-      session_->create(freshPath(name).toStdString());
-      session_->importPattern(QString(KARINUI_EXAMPLES "/%1.ops").arg(name).toStdString());
-      refresh();
-    });
+    connect(one, &QAction::triggered, this, [this, name] { openExample(name); });
   }
   file->addSeparator();
-  add(file, say("Keep a copy as…"), "", "Ctrl+Shift+S", [this] { askSaveCopy(); });
+  add(file, say("Save"), "", "Ctrl+S", [this] { save(); });
+  add(file, say("Save as…"), "", "Ctrl+Shift+S", [this] { askSaveAs(); });
   add(file, say("Import…"), "", "Ctrl+I", [this] { askImport(); });
   QAction* out = add(file, say("Export…"), "export", "Ctrl+E", [this] { askExport(); });
   add(file, say("Picture of the fitting…"), "", "", [this] { picture(); });
   add(file, say("Print the pattern…"), "print", "Ctrl+P", [this] { print(); });
   file->addSeparator();
+  add(file, say("Start page"), "", "Ctrl+W", [this] { showStart(); });
   add(file, say("Close"), "", "Ctrl+Q", [this] { close(); });
 
   QMenu* edit = menu(say("Edit"));
@@ -73,6 +108,10 @@ void MainWindow::makeMenus() {
   edit->addSeparator();
   for (const Command c : {Command::Remove, Command::Duplicate, Command::Mirror, Command::Freeze, Command::FlipSeam})
     edit->addAction(actions_[c]);
+  mirrorSeams_ =
+      add(edit, say("Sew mirrored seams too"), "", "", [this] { session_->setMirrorSeams(!session_->mirrorSeams()); });
+  mirrorSeams_->setCheckable(true);
+  mirrorSeams_->setObjectName("mirror_seams");
   edit->addSeparator();
   add(edit, say("Keys…"), "", "", [this] { keysDialog(); });
 
@@ -100,6 +139,9 @@ void MainWindow::makeMenus() {
   map(say("Distance to the body"), "Alt+8", FitMap::Ease);
   map(say("Pressure on the body"), "Alt+9", FitMap::Pressure);
   viewMenu_->addSeparator();
+  makeStereoMenu();
+  fullScreen_ = add(viewMenu_, say("Full screen"), "", "F11", [this] { setFullScreen(!isFullScreen()); });
+  fullScreen_->setCheckable(true);
   add(viewMenu_, say("Next part of the window"), "", "F6", [this] { goToNextPart(); });
   viewMenu_->addSeparator();
   QAction* dark = add(viewMenu_, say("Dark"), "", "", [] { Look::here().setDark(!Look::here().dark()); });

@@ -26,6 +26,7 @@ namespace karinui::studio {
 
 class FabricPlot;
 class LengthBox;
+class LengthChoice;
 class MeasureRow;
 
 class Panel : public QWidget {
@@ -47,6 +48,9 @@ class GarmentPanel : public Panel {
   explicit GarmentPanel(Session& session);
   void refresh() override;
 
+ signals:
+  void menuAsked(const QPoint& global);  // of what is chosen in the tree
+
  private:
   void fillTree();
   void fillProperties();
@@ -62,6 +66,7 @@ class GarmentPanel : public Panel {
   QLabel* area_;
   QLineEdit* edgeName_;
   LengthBox *length_, *u_, *v_;
+  LengthChoice* stays_;
   QLabel* sewn_;
   std::uint64_t historyShown_ = ~0ull;
   Selection selectionShown_;
@@ -78,6 +83,12 @@ class BodyPanel : public Panel {
 
  private:
   SetBody wished() const;
+  SetBody asMeasured() const;  // the mannequin with the measures taken from the imported body
+  bool imported() const;
+  void fillMeasured();
+  QFormLayout* form_;
+  QLabel *imported_, *consequence_;
+  QPushButton* mannequin_;
   QComboBox* size_;
   QComboBox* sex_;
   void wear();
@@ -86,7 +97,7 @@ class BodyPanel : public Panel {
   QCheckBox* follow_;
   QPushButton *use_, *replay_;
   QLabel* measured_;
-  std::string shown_;
+  std::string shown_, listed_;  // the figures that the rows and the list tell of
 };
 
 class FabricPanel : public Panel {

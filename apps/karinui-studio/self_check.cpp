@@ -73,12 +73,12 @@ std::optional<Message> drawingTrouble() {
 void comeToRest(MainWindow& window) {
   QEventLoop loop;
   const auto check = [&] {
-    if (window.session().idle() && (window.space().still() || window.space().trouble())) loop.quit();
+    if (window.still()) loop.quit();
   };
   const auto a = QObject::connect(&window, &MainWindow::refreshed, &loop, check);
   const auto b = QObject::connect(&window.space(), &SpaceView::painted, &loop, check);
   window.space().update();
-  loop.exec();
+  if (!(window.atStart() && window.still())) loop.exec();
   QObject::disconnect(a);
   QObject::disconnect(b);
   QApplication::processEvents();

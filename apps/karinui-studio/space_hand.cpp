@@ -1,8 +1,11 @@
 // The mouse over the fitting: the pointer that works the cloth, and walking round.
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <cmath>
 
+#include "karinui/session/menu.h"
 #include "keys.h"
 #include "mouse.h"
 #include "orbit.h"
@@ -37,6 +40,7 @@ void SpaceView::keyPressEvent(QKeyEvent* event) {
 void SpaceView::mousePressEvent(QMouseEvent* event) {
   last_ = event->position();
   walk_.stop();
+  clicked_ = event->button() == Qt::RightButton ? std::optional(last_) : std::nullopt;
   const bool alt = event->modifiers().testFlag(Qt::AltModifier);
   const Qt::MouseButton turn = blender_ ? Qt::MiddleButton : Qt::RightButton;
   if (event->button() == turn && !(blender_ && event->modifiers().testFlag(Qt::ShiftModifier))) {
@@ -56,6 +60,10 @@ void SpaceView::mousePressEvent(QMouseEvent* event) {
 }
 
 void SpaceView::mouseMoveEvent(QMouseEvent* event) {
+  if (clicked_) {
+    if ((event->position() - *clicked_).manhattanLength() < QApplication::startDragDistance()) return;
+    clicked_.reset();
+  }
   const QPointF step = event->position() - last_;
   last_ = event->position();
   if (tape_ && held_ == Held::Nothing) {
@@ -65,9 +73,13 @@ void SpaceView::mouseMoveEvent(QMouseEvent* event) {
   }
   switch (held_) {
     case Held::Turn:
+      framedAs_.reset();
+      session_.leave();
       camera_ = turned(camera_, step.x() * 0.0075, step.y() * 0.0075);
       return cameraMoved();
     case Held::Pan:
+      framedAs_.reset();
+      session_.leave();
       camera_ = panned(camera_, step.x(), step.y(), height());
       return cameraMoved();
     default:
@@ -87,9 +99,23 @@ void SpaceView::mouseReleaseEvent(QMouseEvent* event) {
     refresh();
   }
   held_ = Held::Nothing;
+  if (event->button() != Qt::RightButton || !std::exchange(clicked_, std::nullopt)) return;
+  const PointerSample sample = sampleAt(event->position(), event->modifiers(), PointerSample::Phase::Hover);
+  if (const auto bar = session_.menu(); bar && meets(*bar, sample.ray)) return;
+  emit menuAsked(sample, event->globalPosition().toPoint());
+}
+
+// The mouse asks when its button comes up; here only the keyboard does.
+void SpaceView::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() != QContextMenuEvent::Keyboard) return;
+  PointerSample sample = sampleAt(rect().center(), {}, PointerSample::Phase::Hover);
+  if (const auto tip = session_.fingertip()) sample = *tip;
+  const auto at = onScreen(sample.ray.origin + sample.ray.direction * camera_.distance());
+  emit menuAsked(sample, mapToGlobal(at.value_or(rect().center()).toPoint()));
 }
 
 void SpaceView::wheelEvent(QWheelEvent* event) {
+  framedAs_.reset();
   if (!event->pixelDelta().isNull() && event->modifiers().testFlag(Qt::ShiftModifier)) {  // two fingers on a trackpad
     camera_ = panned(camera_, event->pixelDelta().x(), event->pixelDelta().y(), height());
     return cameraMoved();
@@ -102,6 +128,7 @@ void SpaceView::wheelEvent(QWheelEvent* event) {
 
 void SpaceView::leaveEvent(QEvent*) {
   tapeShown_ = {};
+  session_.leave();
   refresh();
 }
 

@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "karinui/session/menu.h"
 #include "karinui/session/scene_of.h"
 #include "karinui/view/strain_scale.h"
 #include "look.h"
@@ -24,6 +25,7 @@ namespace {
 
 constexpr double kEaseTop = 0.05;       // metres
 constexpr double kPressureLeast = 100;  // pascals, at the least, at the top of the scale
+constexpr double kLyingScale = 84;      // pixels
 constexpr int kStillAfter = 140;        // milliseconds without a move until the fine picture is drawn
 
 // The painter takes the state of a fresh context for granted.
@@ -48,6 +50,16 @@ Studio studioFor(bool software) {
 }
 
 }  // namespace
+
+const std::vector<Message>& stereoNames() {
+  static const std::vector<Message> all{say("off"),
+                                        say("side by side"),
+                                        say("top and bottom"),
+                                        say("red-cyan glasses"),
+                                        say("row by row"),
+                                        say("two pictures at once, on a screen of its own")};
+  return all;
+}
 
 SpaceView::SpaceView(Session& session, Clockwork& clockwork, QWidget* parent)
     : QOpenGLWidget(parent), session_(session), clockwork_(clockwork) {
@@ -116,7 +128,7 @@ void SpaceView::initializeGL() {
   garmentShown_ = ~0ull;
 }
 
-void SpaceView::resizeGL(int, int) { cameraMoved(); }
+void SpaceView::resizeGL(int, int) { frameAnew(); }
 
 void SpaceView::cameraMoved() {
   session_.setSight(sightOf(camera_, aspect()));
@@ -128,18 +140,35 @@ void SpaceView::cameraMoved() {
 
 void SpaceView::setCamera(const Camera& camera) {
   walk_.stop();
+  framedAs_.reset();
   camera_ = camera;
   cameraMoved();
 }
 
+double SpaceView::freeWidth() const { return width() * (1 - menuShare(sightOf(camera_, aspect())) / halves().width()); }
+
+Camera SpaceView::framed(View view) const {
+  const QSize parts = halves();
+  const double w = 1.0 * width() / parts.width(), h = std::max(1.0, 1.0 * height() / parts.height());
+  const double bar = w * menuShare(sightOf(camera_, aspect()));
+  const double scale = beside() && map_ != FitMap::None ? std::min(kLyingScale, h / 3) : 0;  // lies below the feet
+  Camera to = frameAll(session_.shown().frame, view, std::max(0.1, (w - bar) / (h - scale)));
+  to.eye = to.target + (to.eye - to.target) * (h / (h - scale));
+  return panned(to, -bar / 2, -scale / 2, h);
+}
+
+void SpaceView::frameAnew() {
+  if (framedAs_) {
+    walk_.stop();
+    camera_ = framed(*framedAs_);
+  }
+  cameraMoved();
+}
+
 void SpaceView::look(View view) {
-  Camera to = frameAll(session_.shown().frame, view, aspect());
+  session_.leave();  // what was under the pointer is there no more
+  const Camera to = framed(view);
   framed_ = true;
-  // Room for the bar at the foot of the picture.
-  const double room = 1.13;
-  to.eye = to.target + (to.eye - to.target) * room;
-  const Vec3 down{0, -0.045 * to.distance() * std::tan(to.fieldOfView / 2) * 2, 0};
-  to.eye += down, to.target += down;
   const Camera from = camera_;
   walk_.stop();
   walk_.disconnect(this);
@@ -155,6 +184,7 @@ void SpaceView::look(View view) {
   } else {
     walk_.start();
   }
+  framedAs_ = view;
 }
 
 void SpaceView::setStereo(Stereo stereo) {
@@ -167,7 +197,7 @@ void SpaceView::setStereo(Stereo stereo) {
     quad_ = std::make_unique<QuadWindow>(context());
     quad_->showFullScreen();
   }
-  cameraMoved();
+  frameAnew();
 }
 void SpaceView::setEyes(double separation, double convergence) {
   separation_ = separation;
@@ -177,13 +207,14 @@ void SpaceView::setEyes(double separation, double convergence) {
 void SpaceView::setMap(FitMap map) {
   map_ = map;
   garmentShown_ = ~0ull;
+  if (beside()) frameAnew();
   refresh();
 }
 void SpaceView::setBeside(FittingPtr other, const QString& caption) {
   beside_.fitting = std::move(other);
   beside_.caption = caption;
   garmentShown_ = ~0ull;
-  cameraMoved();
+  frameAnew();
 }
 void SpaceView::setLevel(std::optional<double> height) {
   level_ = height;

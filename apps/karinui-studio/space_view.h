@@ -18,7 +18,9 @@ class EyeCompositor;
 class Portraits;
 class QuadWindow;
 
+// In the order of the names stereoNames() gives them.
 enum class Stereo { Off, SideBySide, TopBottom, Anaglyph, Interleaved, QuadBuffer };
+const std::vector<Message>& stereoNames();
 enum class FitMap { None, Strain, Ease, Pressure };
 
 class SpaceView : public QOpenGLWidget {
@@ -49,12 +51,15 @@ class SpaceView : public QOpenGLWidget {
   const std::optional<Error>& trouble() const { return trouble_; }
   std::optional<QPointF> onScreen(Vec3 place) const;  // for tests and guides
   bool still() const { return fine_; }
+  double freeWidth() const;  // pixels of the view, from its left edge, that the floating bar leaves
   // A small picture of a fitting, for lists and dialogs; empty where nothing can be drawn.
   QImage portrait(const SceneFrame& frame, QSize pixels);
 
  signals:
   void failed(const QString& why);
   void painted();
+  // The right button was clicked without a drag, or the menu key struck: what lies at `sample` is asked about.
+  void menuAsked(const PointerSample& sample, const QPoint& global);
 
  protected:
   void initializeGL() override;
@@ -65,6 +70,7 @@ class SpaceView : public QOpenGLWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   bool event(QEvent* event) override;
   bool focusNextPrevChild(bool) override { return false; }  // Tab goes from place to place; F6 leaves
   void leaveEvent(QEvent* event) override;
@@ -73,6 +79,8 @@ class SpaceView : public QOpenGLWidget {
   PointerSample sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const;
   void giveBack();
   void cameraMoved();
+  Camera framed(View view) const;  // all of the fitting, in the part of the view that is free
+  void frameAnew();                // after the view's shape changed, unless it was turned, panned or zoomed
   void showGarment();
   struct Mapped {  // a fitting in the colours of the map
     SceneFrame frame;
@@ -116,7 +124,9 @@ class SpaceView : public QOpenGLWidget {
   std::vector<SceneLine> seamThreads_;
   QTimer rest_;
   QVariantAnimation walk_;
+  std::optional<View> framedAs_;
   Held held_ = Held::Nothing;
+  std::optional<QPointF> clicked_;  // where the right button went down; none once the mouse was dragged
   QPointF last_;
 };
 

@@ -5,8 +5,10 @@
 #include <functional>
 
 #include "karinui/base/number.h"
+#include "karinui/session/menu.h"
 #include "karinui/view/strain_scale.h"
 #include "look.h"
+#include "orbit.h"
 #include "space_view.h"
 
 namespace karinui::studio {
@@ -36,15 +38,17 @@ QImage boardPicture(const ScenePanel& panel, int pixels, QFont font) {
       painter.setBrush(b.chosen ? p.accentSoft : p.window);
       painter.drawRoundedRect(box, unit * 0.17, unit * 0.17);
     }
-    drawIcon(painter, b.icon, QRectF(box.center().x() - unit * 0.24, box.top() + unit * 0.13, unit * 0.48, unit * 0.48),
+    drawIcon(painter, b.icon, QRectF(box.center().x() - unit * 0.27, box.top() + unit * 0.1, unit * 0.54, unit * 0.54),
              ink);
     const QString caption = inWords(b.label);
-    font.setPixelSize(std::max(1, static_cast<int>(unit * 0.2)));
-    if (const double w = QFontMetricsF(font).horizontalAdvance(caption); w > unit * 0.96)
-      font.setPixelSize(std::max(1, static_cast<int>(unit * 0.2 * 0.96 * unit / w)));
+    constexpr double kCaption = 0.25;  // of a button
+    font.setPixelSize(std::max(1, static_cast<int>(unit * kCaption)));
+    if (const double w = QFontMetricsF(font).horizontalAdvance(caption); w > unit * 1.1)
+      font.setPixelSize(std::max(1, static_cast<int>(unit * kCaption * 1.1 * unit / w)));
     painter.setFont(font);
     painter.setPen(ink);
-    painter.drawText(QRectF(box.left(), box.bottom() - unit * 0.36, box.width(), unit * 0.3), Qt::AlignCenter, caption);
+    painter.drawText(QRectF(box.left() - unit * 0.1, box.bottom() - unit * 0.4, box.width() + unit * 0.2, unit * 0.36),
+                     Qt::AlignCenter, caption);
   }
   return image;
 }
@@ -77,6 +81,7 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     const OnPicture on = project(eye, place, w, h);
     return QPointF(on.x, on.y);
   };
+  const QRectF room(0, 0, w * (1 - menuShare(sightOf(camera_, static_cast<double>(w) / h))), h);
   const FittingPtr fitting = session_.shownPtr();
   for (const auto& [id, pins] : fitting->document.pins)
     for (const Flat pin : pins)
@@ -87,10 +92,11 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     painter.setBrush(QColor("#d4552a"));
     painter.drawEllipse(at(dot), 5, 5);
   }
+  for (const Vec3 ring : preview.space.rings) paintRing(painter, at(ring), QColor("#d4552a"));
   if (const auto tip = session_.fingertip(); tip && tip->where == PointerSample::Where::Space)
     paintFingertip(painter, at(tip->ray.origin + tip->ray.direction * camera_.distance()));
   for (const SceneWord& word : preview.space.words)
-    paintWord(painter, at(word.place), QString::fromStdString(word.text));
+    paintWord(painter, at(word.place), QString::fromStdString(word.text), room);
   // What the tapes say stands beside them: right of the trunk or of the leg that is seen at the right, else left.
   const auto side = [&](const std::vector<Vec3>& line, bool right) {
     QPointF most = at(line.front());
@@ -106,17 +112,17 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     for (const bool garment : {true, false})
       if (const auto& line = garment ? girths.round : girths.under; !line.empty())
         paintWord(painter, side(line, right) + QPointF(right ? 46 : -46, garment ? 14 : 40),
-                  lengthText(garment ? girths.garment : girths.body));
+                  lengthText(garment ? girths.garment : girths.body), room);
   }
-  if (!tapeShown_.line.empty()) paintWord(painter, at(tapeShown_.line.front()), lengthText(tapeShown_.length));
+  if (!tapeShown_.line.empty()) paintWord(painter, at(tapeShown_.line.front()), lengthText(tapeShown_.length), room);
   if (const auto panel = session_.menu()) paintBoard(painter, *panel, at);
   if (mapTop_ > 0 && !beside()) paintScale(painter, w, h);
-  if (beside()) paintWord(painter, QPointF(w - 60.0, 44), inWords(say("now")));
+  if (beside()) paintWord(painter, QPointF(room.right() - 60, 44), inWords(say("now")), room);
 }
 
 void SpaceView::paintThen(QPainter& painter, int w, int h) const {
   painter.setRenderHint(QPainter::Antialiasing);
-  paintWord(painter, QPointF(w - 60.0, 44), beside_.caption);
+  paintWord(painter, QPointF(w - 60.0, 44), beside_.caption, QRectF(0, 0, w, h));
   if (mapTop_ > 0) paintScale(painter, w, h);
 }
 

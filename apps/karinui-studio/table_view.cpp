@@ -1,5 +1,7 @@
 #include "table_view.h"
 
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QWheelEvent>
@@ -258,6 +260,7 @@ void TableView::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(Qt::white, 1.5));
   painter.setBrush(p.accent);
   for (const Flat dot : preview.table.dots) painter.drawEllipse(onScreen(dot), 5, 5);
+  for (const Flat ring : preview.table.rings) paintRing(painter, onScreen(ring), p.accent);
   if (const auto tip = session_.fingertip(); tip && tip->where == PointerSample::Where::Table)
     paintFingertip(painter, onScreen(tip->place));
   for (const TableWord& word : preview.table.words) {
@@ -269,8 +272,8 @@ void TableView::paintEvent(QPaintEvent*) {
       for (const Flat q : line.points)
         if (const QPointF at = onScreen(q); std::fabs(at.x() - place.x()) < kNear && place.y() - at.y() < 2 * kNear)
           top = std::min(top, at.y());
-    place.setY(std::max(top, 34.0));
-    paintWord(painter, place, QString::fromStdString(word.text));
+    place.setY(top);
+    paintWord(painter, place, QString::fromStdString(word.text), rect());
   }
   if (session_.selection().edge) {
     const EdgeNear& e = *session_.selection().edge;
@@ -331,6 +334,7 @@ void TableView::feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSampl
 
 void TableView::mousePressEvent(QMouseEvent* event) {
   last_ = event->position();
+  clicked_ = event->button() == Qt::RightButton ? std::optional(last_) : std::nullopt;
   setFocus();
   if (event->button() == Qt::LeftButton) {
     held_ = Held::Tool;
@@ -341,6 +345,10 @@ void TableView::mousePressEvent(QMouseEvent* event) {
 }
 
 void TableView::mouseMoveEvent(QMouseEvent* event) {
+  if (clicked_) {
+    if ((event->position() - *clicked_).manhattanLength() < QApplication::startDragDistance()) return;
+    clicked_.reset();
+  }
   const QPointF step = event->position() - last_;
   last_ = event->position();
   if (held_ == Held::Pan) {
@@ -355,6 +363,23 @@ void TableView::mouseReleaseEvent(QMouseEvent* event) {
   if (held_ == Held::Tool && event->button() == Qt::LeftButton)
     feed(event->position(), event->modifiers(), PointerSample::Phase::Release);
   held_ = Held::Nothing;
+  if (event->button() == Qt::RightButton && std::exchange(clicked_, std::nullopt))
+    emit menuAsked(sampleAt(event->position(), event->modifiers(), PointerSample::Phase::Hover),
+                   event->globalPosition().toPoint());
+}
+
+// The mouse asks when its button comes up; here only the keyboard does.
+void TableView::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() != QContextMenuEvent::Keyboard) return;
+  PointerSample sample = sampleAt(rect().center(), {}, PointerSample::Phase::Hover);
+  if (const auto tip = session_.fingertip()) sample = *tip;
+  emit menuAsked(sample, mapToGlobal(onScreen(sample.place).toPoint()));
+}
+
+void TableView::leaveEvent(QEvent*) {
+  session_.leave();
+  emit left();
+  update();
 }
 
 void TableView::wheelEvent(QWheelEvent* event) {

@@ -19,6 +19,8 @@ class TableView : public QWidget {
 
  signals:
   void pointed(Flat table);
+  void left();                                                        // by the pointer
+  void menuAsked(const PointerSample& sample, const QPoint& global);  // as in the fitting
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -28,6 +30,8 @@ class TableView : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   bool event(QEvent* event) override;
   bool focusNextPrevChild(bool) override { return false; }  // as in the fitting
 
@@ -44,6 +48,7 @@ class TableView : public QWidget {
   Held held_ = Held::Nothing;
   bool mine_ = false;
   QPointF last_;
+  std::optional<QPointF> clicked_;  // where the right button went down; none once the mouse was dragged
 };
 
 }  // namespace karinui::studio

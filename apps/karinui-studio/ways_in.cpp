@@ -13,18 +13,18 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTabWidget>
 
+#include "drafts.h"
 #include "look.h"
 #include "main_window.h"
+#include "start_page.h"
 
 namespace karinui::studio {
 
 QString MainWindow::freshPath(const QString& name) const {
-  QDir folder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
-  folder.mkpath("Karinui");
-  folder.cd("Karinui");
+  const QDir folder(QString::fromStdString(documentsFolder().string()));
+  folder.mkpath(".");
   for (int n = 1;; ++n) {
     const QString path = folder.filePath(n == 1 ? name + ".karinui" : QString("%1 %2.karinui").arg(name).arg(n));
     if (!QFileInfo::exists(path)) return path;
@@ -42,6 +42,7 @@ void MainWindow::remember(const QString& path) {
 void MainWindow::fillRecent() {
   recent_->clear();
   for (const QString& path : QSettings().value("recent").toStringList()) {
+    if (!QFileInfo::exists(path)) continue;  // a draft that moved
     QAction* one = recent_->addAction(QFileInfo(path).completeBaseName() + "   " + QFileInfo(path).absolutePath());
     connect(one, &QAction::triggered, this, [this, path] { openPath(path); });
   }
@@ -50,13 +51,11 @@ void MainWindow::fillRecent() {
 void MainWindow::openPath(const QString& path) {
   const QString ending = QFileInfo(path).suffix().toLower();
   const std::filesystem::path file = path.toStdString();
+  if (atStart()) start_->leave();  // it may be reading this very file
   if (ending == "karinui") {
     session_->open(file);
   } else if (ending == "obj" || ending == "ply" || ending == "glb" || ending == "gltf" || ending == "stl") {
     session_->importBody(file);
-  } else if (ending == "ops" && session_->path().empty()) {
-    session_->create(freshPath(QFileInfo(path).completeBaseName()).toStdString());
-    session_->importPattern(file);
   } else {
     session_->importPattern(file);
   }
@@ -64,11 +63,19 @@ void MainWindow::openPath(const QString& path) {
 }
 
 void MainWindow::newGarment(const std::string& size, const QString& path) {
-  session_->create(path.toStdString());
+  // Its first step makes it a draft, also where no file can be made as wished; what was open is left alone.
+  session_->begin(DocumentFile::inMemory());
+  if (!path.isEmpty()) session_->create(path.toStdString());
   SetBody body;
   body.size = size;
   session_->perform(body);
   boards_->setCurrentIndex(0);
+  refresh();
+}
+
+void MainWindow::openExample(const QString& name) {
+  session_->begin(DocumentFile::inMemory());
+  session_->importPattern(QString(KARINUI_EXAMPLES "/%1.ops").arg(name).toStdString());
   refresh();
 }
 
@@ -78,14 +85,16 @@ void MainWindow::askNew() {
   auto* form = new QFormLayout(&dialog);
   form->setContentsMargins(24, 24, 24, 20);
   form->setSpacing(12);
-  auto* name = new QLineEdit(inWords(say("my garment")));
+  auto* name = new QLineEdit;
+  name->setPlaceholderText(inWords(say("may be given later, with Save as")));
   auto* size = new QComboBox;
   for (const std::string_view s : builtInSizes())
     size->addItem(QString::fromUtf8(s.data(), static_cast<int>(s.size())).toUpper());
   form->addRow(inWords(say("Name")), name);
   form->addRow(inWords(say("Figure")), size);
-  auto* note =
-      new QLabel(inWords(say("Measurements can be typed in the body panel at any time. Every step is saved at once.")));
+  auto* note = new QLabel(inWords(
+      say("Measurements can be typed in the body panel at any time. Every step is saved at once; without a name it "
+          "is a draft.")));
   note->setWordWrap(true);
   note->setProperty("role", "faint");
   form->addRow(note);
@@ -96,8 +105,9 @@ void MainWindow::askNew() {
   connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
   if (dialog.exec() != QDialog::Accepted) return;
+  const QString called = name->text().trimmed().replace('/', '-');
   newGarment(std::string(builtInSizes()[static_cast<std::size_t>(size->currentIndex())]),
-             freshPath(name->text().trimmed().isEmpty() ? "garment" : name->text().trimmed().replace('/', '-')));
+             called.isEmpty() ? QString() : freshPath(called));
 }
 
 void MainWindow::askOpen() {

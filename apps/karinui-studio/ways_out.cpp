@@ -1,7 +1,9 @@
 // What leaves the window: copies, exports, pictures, paper.
 #include <QFileDialog>
+#include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrinter>
+#include <QPushButton>
 
 #include "export_dialog.h"
 #include "look.h"
@@ -11,12 +13,37 @@
 
 namespace karinui::studio {
 
-void MainWindow::askSaveCopy() {
-  QString path =
-      QFileDialog::getSaveFileName(this, inWords(say("Keep a copy as")), freshPath("garment"), "Karinui (*.karinui)");
+void MainWindow::save() {
+  const std::string path = session_->path().string();
+  if (path.empty())
+    return tell(
+        {Notice::Kind::Said, say("There is nothing to save yet: the first step makes a file, and each one is in "
+                                 "it at once.")});
+  if (session_->readOnly())
+    return tell({Notice::Kind::Refused, say("This garment was opened for reading only; keep a copy to work on it.")});
+  if (!session_->draft()) return tell({Notice::Kind::Said, say("Saved: every step is on the disk, in “{0}”.", path)});
+  auto* box = new QMessageBox(
+      QMessageBox::Information, "Karinui",
+      inWords(
+          say("Saved: every step is on the disk, in the draft “{0}”. Save as gives it a name and a place of its own.",
+              path)),
+      QMessageBox::NoButton, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* as = box->addButton(inWords(say("Save as…")), QMessageBox::AcceptRole);
+  box->setEscapeButton(box->addButton(inWords(say("Leave it a draft")), QMessageBox::RejectRole));
+  box->setDefaultButton(as);
+  connect(as, &QPushButton::clicked, this, &MainWindow::askSaveAs, Qt::QueuedConnection);
+  box->open();
+}
+
+void MainWindow::askSaveAs() {
+  const QString name = session_->draft() || session_->path().empty()
+                           ? inWords(say("my garment"))
+                           : QString::fromStdString(session_->path().stem().string());
+  QString path = QFileDialog::getSaveFileName(this, inWords(say("Save as")), freshPath(name), "Karinui (*.karinui)");
   if (path.isEmpty()) return;
   if (!path.endsWith(".karinui")) path += ".karinui";
-  session_->saveCopy(path.toStdString());
+  session_->saveAs(path.toStdString());
   refresh();
 }
 

@@ -47,7 +47,12 @@ int answerSettle(Program& program, const SettleOptions& options) {
   return atBench(program, options.path, false, [&](Bench& bench) -> int {
     const bool kept = atRest(bench.document()) && !options.again;
     if (!kept) {
+      StopRequest stop;
+      bench.context().stop = &stop;
+      program.console.stopFirst(&stop);
       const Result<Step> step = bench.perform(DrapePieces{});
+      program.console.stopFirst(nullptr);
+      bench.context().stop = nullptr;
       if (!step) return program.console.refuse(step.error());
     }
     const Result<ClothCheck> found = examined(bench);

@@ -13,7 +13,9 @@ namespace karinui::app {
 namespace {
 // A signal handler may only reach a global; there is one command in a process and so one token.
 std::atomic<Token*> interruptible{nullptr};
+std::atomic<StopRequest*> stoppable{nullptr};
 void onInterrupt(int) {
+  if (StopRequest* stop = stoppable.load(); stop && stop->ask()) return;
   if (Token* token = interruptible.load()) token->cancel();
 }
 }  // namespace
@@ -42,6 +44,8 @@ const Token& Console::token() {
   std::signal(SIGTERM, onInterrupt);
   return token_;
 }
+
+void Console::stopFirst(StopRequest* stop) { stoppable = stop; }
 
 void Console::show(double fraction, const Message& doing) {
   const auto now = std::chrono::steady_clock::now();

@@ -6,6 +6,7 @@
 
 #include "karinui/base/result.h"
 #include "karinui/base/token.h"
+#include "karinui/cloth/stop_request.h"
 
 namespace karinui::app {
 
@@ -28,6 +29,8 @@ class Console {
   int refuse(const Error& error) const;     // says why; gives the exit status
   // Ctrl-C cancels it; after half a second its progress is shown.
   const Token& token();
+  // Ctrl-C asks this first, and cancels only what cannot be stopped so; null: not any more.
+  void stopFirst(StopRequest* stop);
 
  private:
   void show(double fraction, const Message& doing);

@@ -219,6 +219,7 @@ Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const 
   const auto watch = [&](int, const LevelSolver::StepResult&) {
     if (!grip.letGo) hand.update();
     token.progress(0.5, say("Draping"));
+    return true;
   };
   end = relax(solver, settings.gravity, criteria, kFrame, token, watch);
   report.end.steps += end.steps;

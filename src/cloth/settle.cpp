@@ -100,7 +100,8 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     spent.tell(report);
     return report;
   }
-  bool formed = standsFormed(finest), sewn = formed;
+  bool formed = standsFormed(finest), sewn = formed, stopped = false;
+  std::size_t taken = 0;  // steps, over all levels
   std::vector<Vec3> x;
   const BoundaryActivation activation(finest.cloth);
   std::vector<Vec3> forceBefore(activation.empty() ? 0 : finest.cloth.nodeCount), forceAfter;
@@ -123,6 +124,8 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       return [&, start, span, doing = std::move(doing)](int step, const LevelSolver::StepResult&) {
         token.progress(start + span * step / (step + kUsualSteps), doing);
         if (watcher) watcher(level.cloth, solver.positions());
+        const bool asked = settings.stop && settings.stop->askedAfterStep();
+        return ++taken != settings.stopAfter && !asked;
       };
     };
     if (sewn) solver.tieWithin(formed ? kSewn * level.cloth.spacing : kFarApart);
@@ -137,12 +140,14 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       report.steps += end.steps;
       report.solves += end.solves;
     };
-    if (!solver.allTied() && !formed) {
+    // Once stopped it is only carried on to the finest level.
+    if (!stopped && !solver.allTied() && !formed) {
       end = closeSeams(solver, token, watch(say("Drawing the seams together"), 0, 0.4));
       add();
       solver.resetMotion();
     }
-    if (end.finite && !end.cancelled) {
+    stopped = stopped || end.stopped;
+    if (!stopped && end.finite && !end.cancelled) {
       solver.enableSelfContact(true);
       solver.separateIntersections();
       RestCriteria criteria = last ? finestCriteria(settings)
@@ -150,21 +155,26 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       criteria.sews = formed;
       end = relax(solver, settings.gravity, criteria, 1.0 / 60, token, watch(say("Draping"), sewn ? 0 : 0.4, 1));
       add();
+      stopped = end.stopped;
     }
     if (end.cancelled || token.cancelled()) return cancelled();
     if (!end.finite) return tornApart();
     addContactTimes(report, solver);
     sewn = solver.allTied();
-    if (formed && !sewn) {  // it did not close where it stands: start from the coarsest level
+    if (formed && !sewn && !stopped) {  // it did not close where it stands: start from the coarsest level
       formed = false;
       l = first = 0;
       continue;
     }
-    if (last && !activation.empty()) forceAfter = solver.internalForces();
+    if (last && !activation.empty() && !stopped) forceAfter = solver.internalForces();
     x = last ? finish(solver, colliders, settings, end, report, workers) : solver.positions();
     ++l;
   }
-  if (!activation.empty())
+  if (stopped) {
+    report.stoppedAfter = taken;
+    report.why = say("Stopped after {0} steps, before it came to rest.", taken);
+  }
+  if (!activation.empty() && !stopped)
     report.toActivate =
         activation.piecesToActivate(forceBefore, forceAfter, x, colliders, settings, kActivationMove, token, workers);
   if (token.cancelled()) return cancelled();

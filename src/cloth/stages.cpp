@@ -69,7 +69,10 @@ StageResult closeSeams(LevelSolver& solver, const Token& token, const StepWatche
     record(result, step, token);
     if (!result.finite || result.cancelled) return result;
     solver.tieWithin(tieGap);
-    if (watch) watch(k, step);
+    if (watch && !watch(k, step)) {
+      result.stopped = true;
+      return result;
+    }
     schedule.update();
     if (schedule.hopeless()) break;
     options.seamPull = schedule.factor();
@@ -103,7 +106,10 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
       if (schedule.hopeless()) return result;
       options.seamPull = schedule.factor();
     }
-    if (watch) watch(k, step);
+    if (watch && !watch(k, step)) {
+      result.stopped = true;
+      return result;
+    }
     touched = touched || solver.touching() > 0;
     withoutContact = solver.touching() > 0 ? 0 : withoutContact + 1;
     if (canFall && touched && withoutContact > kFallSteps) {

@@ -17,12 +17,13 @@ struct RestCriteria {
   bool sews = false;  // open seams are closed meanwhile; given up where they come no nearer
 };
 struct StageResult {
-  bool settled = false, finite = true, cancelled = false;
+  bool settled = false, finite = true, cancelled = false, stopped = false;
   bool falls = false;  // nothing holds the cloth
   double residual = 0, left = 0;
   std::size_t steps = 0, solves = 0;
 };
-using StepWatcher = std::function<void(int step, const LevelSolver::StepResult& result)>;
+// Called after each step; false: stop here.
+using StepWatcher = std::function<bool(int step, const LevelSolver::StepResult& result)>;
 
 // Closes the seams without weight and friction, until all are tied or nothing comes nearer.
 StageResult closeSeams(LevelSolver& solver, const Token& token, const StepWatcher& watch);

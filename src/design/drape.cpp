@@ -130,6 +130,8 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   if (!levels) return levels.error();
   SettleSettings settings;
   settings.gravity = drape.gravity;
+  settings.stopAfter = static_cast<std::size_t>(drape.stop);
+  settings.stop = context.stop;
   SettleWatcher watcher;
   if (onlooker)
     watcher = [&](const Cloth& cloth, const std::vector<Vec3>& places) {

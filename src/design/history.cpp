@@ -290,7 +290,8 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
                                                                 std::uint64_t seq, Operation operation,
                                                                 Context& context) {
   Borrowing borrowing(&blobs, &context.blobs);
-  Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull, context.advise};
+  Context own{context.workers, context.token, borrowing,      context.bodies,
+              context.drape,   context.pull,  context.advise, context.stop};
   auto settled = resolved(before, std::move(operation), own);
   if (!settled) return settled.error();
   auto after = apply(before, *settled, own);
@@ -301,6 +302,8 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
   step.parent = parent ? parent->seq : 0;
   step.serial = worked.after.operations;
   step.operation = *std::move(settled);
+  if (auto* drape = std::get_if<DrapePieces>(&step.operation); drape && worked.after.drape.last->stoppedAfter > 0)
+    drape->stop = static_cast<int>(worked.after.drape.last->stoppedAfter);
   step.chain = chained(parent ? parent->chain : std::string(), step.operation);
   step.before = parent ? parent->after : hash(before);
   step.after = hash(worked.after);

@@ -3,6 +3,7 @@
 
 #include "divide_edges.h"
 #include "karinui/pattern/edit.h"
+#include "refit_curve.h"
 #include "words.h"
 
 namespace karinui {
@@ -27,7 +28,8 @@ Found findIn(Piece& piece, std::string_view edge) {
   return {};
 }
 
-// One curve in the place of two that follow each other.
+// One curve in the place of two that follow each other, as documents of before have it: of two that meet at a corner
+// only the outer directions are kept.
 Curve oneCurve(const Curve& first, const Curve& second) {
   constexpr double kSmooth = 0.02;  // radians
   const Flat leaves = normalized(first.tangent(1)), arrives = normalized(second.tangent(0));
@@ -55,7 +57,7 @@ Result<EditedPiece> splitEdge(const Piece& piece, std::string_view edge, double 
   return edited;
 }
 
-Result<EditedPiece> joinEdges(const Piece& piece, std::string_view edge) {
+Result<EditedPiece> joinEdges(const Piece& piece, std::string_view edge, bool refit) {
   EditedPiece edited{piece, {}};
   const auto [outline, k] = findIn(edited.piece, edge);
   if (!outline) return noEdge(piece, edge);
@@ -66,7 +68,7 @@ Result<EditedPiece> joinEdges(const Piece& piece, std::string_view edge) {
   const double first = edges[k].curve.length(), share = first / (first + edges[next].curve.length());
   edited.edges[{piece.id, edges[k].name}] = {{0, 1, {piece.id, edges[k].name, 0, share}}};
   edited.edges[{piece.id, edges[next].name}] = {{0, 1, {piece.id, edges[k].name, share, 1}}};
-  edges[k].curve = oneCurve(edges[k].curve, edges[next].curve);
+  edges[k].curve = (refit ? refitted : oneCurve)(edges[k].curve, edges[next].curve);
   edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(next));
   auto good = checked(*outline);
   if (!good) return good.error();

@@ -17,6 +17,7 @@ void Session::Inside::leave() {
 
 void Session::Inside::longWork(std::function<Result<std::shared_ptr<Room>>(const Token&)> work, Message done) {
   leave();
+  ++longWorks;
   line.add(TaskLine::Kind::Step, [this, work = std::move(work), done = std::move(done)](const Token& token) {
     Result<std::shared_ptr<Room>> made = work(token);
     const bool other = made && *made != room;
@@ -25,6 +26,7 @@ void Session::Inside::longWork(std::function<Result<std::shared_ptr<Room>>(const
     std::optional<Error> why;
     if (!made) why = made.error();
     return [this, other, why, fresh, done] {
+      --longWorks;
       if (other) {
         ++documents;
         table = Table();
@@ -86,7 +88,7 @@ void Session::open(const std::filesystem::path& path) {
       {});
 }
 
-void Session::saveCopy(const std::filesystem::path& path) {
+void Session::saveAs(const std::filesystem::path& path) {
   auto& in = *inside_;
   in.longWork(
       [&in, path](const Token&) -> Result<std::shared_ptr<Room>> {

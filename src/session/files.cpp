@@ -8,7 +8,9 @@
 
 namespace karinui {
 
-Done importPatternInto(Room& room, const std::filesystem::path& file, const Token& token) {
+namespace {
+
+Done patternInto(Room& room, const std::filesystem::path& file, const Token& token) {
   if (file.extension() == ".ops") {
     const Result<std::string> bytes = readFile(file);
     if (!bytes) return bytes.error();
@@ -28,19 +30,36 @@ Done importPatternInto(Room& room, const std::filesystem::path& file, const Toke
   return {};
 }
 
-Done importBodyInto(Room& room, const std::filesystem::path& file, const Token& token, std::vector<Message>& notes) {
+Done bodyInto(Room& room, const std::filesystem::path& file, const Token& token, std::vector<Message>& notes) {
   Result<ImportedBody> read = readBody(file, {}, room.workers(), token);
   if (!read) return read.error();
   notes = read->notes;
   Body::Parts parts;
   parts.name = file.stem().string();
   parts.mesh = std::move(read->mesh);
+  // Its bytes go into the document's file.
+  if (const Done draft = room.beginDraft(parts.name); !draft) return draft;
   const Result<std::string> blob = room.file().blobs().put(packBody(parts));
   if (!blob) return blob.error();
   SetBody choice;
   choice.mesh = *blob;
   const auto step = room.perform(std::move(choice), token);
   return step ? Done() : Done(step.error());
+}
+
+}  // namespace
+
+Done importPatternInto(Room& room, const std::filesystem::path& file, const Token& token) {
+  if (const Done draft = room.beginDraft(file.stem().string()); !draft) return draft;
+  const Done done = patternInto(room, file, token);
+  room.dropEmptyDraft();
+  return done;
+}
+
+Done importBodyInto(Room& room, const std::filesystem::path& file, const Token& token, std::vector<Message>& notes) {
+  const Done done = bodyInto(room, file, token, notes);
+  room.dropEmptyDraft();
+  return done;
 }
 
 }  // namespace karinui

@@ -47,8 +47,10 @@ Closest closest(const Ray& ray, Vec3 a, Vec3 b) {
   return {std::atan2(length(p - ray.direction * along), along), along, t};
 }
 
-// The edge of a piece nearest to a paper place: its name and the fraction of its length.
-std::optional<EdgeNear> edgeOnPaper(const Piece& piece, Flat place) {
+bool anyEdge(const EdgeNear&) { return true; }
+
+// The wanted edge of a piece nearest to a paper place: its name and the fraction of its length.
+std::optional<EdgeNear> edgeOnPaper(const Piece& piece, Flat place, const WantedEdge& wanted) {
   std::optional<EdgeNear> best;
   for (const Edge& edge : piece.outline.edges) {
     const std::vector<Flat> points = edge.curve.flattened(1e-4);
@@ -61,19 +63,20 @@ std::optional<EdgeNear> edgeOnPaper(const Piece& piece, Flat place) {
       if (away < bestHere) bestHere = away, at = done + t * whole;
       done += whole;
     }
-    if (!best || bestHere < best->away)
-      best = {piece.id, edge.name, done > 0 ? std::clamp(at / done, 0.0, 1.0) : 0.0, bestHere};
+    if (best && bestHere >= best->away) continue;
+    const EdgeNear here{piece.id, edge.name, done > 0 ? std::clamp(at / done, 0.0, 1.0) : 0.0, bestHere};
+    if (wanted(here)) best = here;
   }
   return best;
 }
 
-Hit pickTable(const Fitting& fitting, const Table& table, const PointerSample& sample) {
+Hit pickTable(const Fitting& fitting, const Table& table, const PointerSample& sample, const WantedEdge& wanted) {
   Hit hit;
   for (auto w = fitting.worn.rbegin(); w != fitting.worn.rend(); ++w) {
     const Piece* piece = fitting.document.find(w->id);
     if (!piece) continue;
     const Flat paper = sample.place - table.at(w->id);
-    auto edge = edgeOnPaper(*piece, paper);
+    auto edge = edgeOnPaper(*piece, paper, wanted);
     const bool inside = contains(w->ring, paper);
     if (edge && edge->away <= sample.reach && (!hit.edge || edge->away < hit.edge->away)) {
       hit.edge = edge;
@@ -93,7 +96,7 @@ Hit pickTable(const Fitting& fitting, const Table& table, const PointerSample& s
   return hit;
 }
 
-void pickEdge(const Fitting& fitting, const PointerSample& sample, Hit& hit) {
+void pickEdge(const Fitting& fitting, const PointerSample& sample, const WantedEdge& wanted, Hit& hit) {
   constexpr double kBehind = 0.03;  // metres: an edge just behind the first thing met still counts
   double nearest = sample.reach;
   for (std::size_t k = 0; k < fitting.worn.size(); ++k) {
@@ -106,8 +109,8 @@ void pickEdge(const Fitting& fitting, const PointerSample& sample, Hit& hit) {
       // An edge that lies on another piece's is no nearer than it: a whisker decides for the first.
       if (near.angle >= nearest * 0.999 || (hit.on != Hit::On::Nothing && near.along > hit.along + kBehind)) continue;
       const Flat paper = lerp(cloth.flat[border[i]], cloth.flat[border[i + 1]], near.share);
-      auto edge = edgeOnPaper(*piece, paper);
-      if (!edge) continue;
+      auto edge = edgeOnPaper(*piece, paper, anyEdge);
+      if (!edge || !wanted(*edge)) continue;
       nearest = near.angle;
       edge->away = near.angle;
       hit.edge = edge;
@@ -210,8 +213,10 @@ Hit pickBody(const Fitting& fitting, const PointerSample& sample) {
   return hit;
 }
 
-Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample) {
-  if (sample.where == PointerSample::Where::Table) return pickTable(fitting, table, sample);
+namespace {
+
+Hit pickWanted(const Fitting& fitting, const Table& table, const PointerSample& sample, const WantedEdge& wanted) {
+  if (sample.where == PointerSample::Where::Table) return pickTable(fitting, table, sample, wanted);
   Hit hit = pickBody(fitting, sample);
   for (std::size_t k = 0; k < fitting.worn.size(); ++k) {
     const SceneCloth& cloth = fitting.frame.cloths[k];
@@ -229,14 +234,35 @@ Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample
     const Triangle& face = cloth.mesh.faces[met->place.face];
     for (std::size_t i = 0; i < 3; ++i) hit.paper += cloth.flat[face[i]] * met->place.weight[i];
   }
-  pickEdge(fitting, sample, hit);
+  pickEdge(fitting, sample, wanted, hit);
   return hit;
+}
+
+}  // namespace
+
+Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample) {
+  return pickWanted(fitting, table, sample, anyEdge);
+}
+std::optional<EdgeNear> pickEdge(const Fitting& fitting, const Table& table, const PointerSample& sample,
+                                 const WantedEdge& wanted) {
+  return pickWanted(fitting, table, sample, wanted).edge;
 }
 
 std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId id, Flat paper) {
   const Piece* piece = fitting.document.find(id);
   if (!piece) return std::nullopt;
   return Stand(*piece)(paper);
+}
+
+SeamId seamAt(const Document& document, const EdgeNear& near) {
+  SeamId found;
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side)
+        if (span.piece == near.piece && span.edge == near.edge && span.from <= near.fraction + 1e-9 &&
+            near.fraction <= span.to + 1e-9)
+          found = id;
+  return found;
 }
 
 std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part) {

@@ -43,6 +43,10 @@ double tenth(double metres) {
 Flat tenth(Flat p) { return {tenth(p.u), tenth(p.v)}; }
 Vec3 tenth(Vec3 p) { return {tenth(p.x), tenth(p.y), tenth(p.z)}; }
 
+Message onlyThisHalf() {
+  return say("Only this half was changed: the other half has no such place, because of a slit or dart.");
+}
+
 double roundShare(double share, double near) {
   return std::fabs(share - 0.5) < near ? 0.5 : std::clamp(std::round(share * 1000) / 1000, 0.001, 0.999);
 }

@@ -23,7 +23,9 @@ struct Session::Inside {
   std::unique_ptr<Gesture> gesture;
   Language language = Language::English;
   double dartWidth = 0.02;
+  SetLength::Keep keepWished = SetLength::Keep::Auto;  // for the chosen edge
   bool inches = false;
+  bool mirrorSeams = true;
   std::optional<Sight> sight;
   std::optional<Command> hot;
   bool onCross = false;  // the pointer is on the mark of a crossed seam
@@ -31,18 +33,21 @@ struct Session::Inside {
   KeyHand keyHand;
   std::optional<Command> viewAsked;
   std::vector<Notice> notices;
+  std::vector<std::string> answered;  // what a drop menu said before the step: it is not told again as advice
   SessionNews news;
   BodyPtr ready;  // whose distances were asked for already
 
   // Settling.
   std::set<PieceId> settling;  // what the running (or waiting) drape brings to rest
   bool settlingByItself = false;
-  std::set<PieceId> interrupted;     // what a step interrupted
-  std::set<std::uint64_t> byItself;  // steps that nobody asked for, by seq
+  std::shared_ptr<StopRequest> stop;  // of the running (or waiting) drape; null: none
+  std::set<PieceId> interrupted;      // what a step interrupted
+  std::set<std::uint64_t> byItself;   // steps that nobody asked for, by seq
 
   // Steps that were changed: where one stood before and after, so that undo and redo can go between the two ways.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> amended;
 
+  int longWorks = 0;            // under way
   std::uint64_t documents = 0;  // that came and went: what was asked about another is not told
 
   // A figure whose measures are being turned: the newest wish that is not built yet.
@@ -56,7 +61,7 @@ struct Session::Inside {
   TaskLine line;  // last: it stops before anything it uses goes
 
   explicit Inside(SessionOptions options);
-  Workbench bench() const { return {state.fitting, &table, language, dartWidth, inches}; }
+  Workbench bench() const { return {state.fitting, &table, language, dartWidth, inches, mirrorSeams}; }
 
   // Whether marks of crossed seams are shown, to be clicked.
   bool turnsCrossed() const { return (tool == Command::Select || tool == Command::Sew) && !gesture->begun(); }
@@ -66,6 +71,17 @@ struct Session::Inside {
   }
 
   void choose(Selection chosen);
+
+  // The ends of the chosen edge, and of its image on the other half, when its length is typed. Found once for a garment
+  // and an edge.
+  struct EdgeEnds {
+    FittingPtr of;
+    std::optional<EdgeNear> edge;
+    SetLength::Keep wished = SetLength::Keep::Auto, keep = SetLength::Keep::Start;
+    bool bothHalves = false;
+    std::vector<Flat> stay, move;  // on the paper of the edge's piece
+  };
+  const EdgeEnds& edgeEnds() const;
 
   // Sentences for the person.
   void tell(Notice::Kind kind, Message what);
@@ -81,11 +97,12 @@ struct Session::Inside {
 
   // settling.cpp
   bool settlingNow() const { return line.busy(TaskLine::Kind::Settle); }
-  void settle(std::set<PieceId> live, bool byItselfNow);
+  void settle(std::set<PieceId> live, bool byItselfNow, DrapePieces drape = {});  // its own pieces aside
   void settleStirred(const std::set<PieceId>& live, const SettleReport& report);
   void interruptSettling();
   void settleInterrupted();
-  void stopSettling();
+  void dropSettling();  // as if it had not begun
+  void stopSettling();  // where the cloth is; before the first step it is dropped
 
   // pointing.cpp
   void point(const PointerSample& sample);
@@ -107,6 +124,7 @@ struct Session::Inside {
   void longWork(std::function<Result<std::shared_ptr<Room>>(const Token&)> work, Message done);
   std::shared_ptr<Room> roomOf(DocumentFile file, bool readOnly);  // any thread
 
+  mutable std::optional<EdgeEnds> edgeEnds_;
   mutable std::vector<CrossedSeam> crossed_;
   mutable FittingPtr crossedOf_;  // the garment they are of
 };

@@ -9,10 +9,20 @@ namespace {
 
 constexpr std::array kBar{Command::Draw,    Command::Move,        Command::Sew,  Command::Cut,   Command::Pull,
                           Command::Reshape, Command::ViewOblique, Command::Undo, Command::Settle};
-constexpr double kNear = 0.62;                             // of the distance to what is looked at
-constexpr double kButton = 1.0, kGap = 0.10, kRim = 0.16;  // in buttons
-constexpr double kHigh = 1.08;                             // of a button, its word included
-constexpr std::size_t kTools = 6;                          // a wider gap after them
+constexpr double kNear = 0.62;  // of the distance to what is looked at
+constexpr double kHigh = 1.08;  // of a button's width, its label included; the rest is in buttons, too
+constexpr double kGap = 0.06, kRim = 0.12, kMargin = 0.14;
+constexpr std::size_t kTools = 6;                        // a wider gap after them
+constexpr double kMostHigh = 0.94, kMostWide = 1 / 6.0;  // of the view
+constexpr double kButtonMost = 0.09;                     // of the view's height
+
+constexpr double kWide = 1 + 2 * kRim;
+constexpr double kTall = kBar.size() * kHigh + (kBar.size() + 1) * kGap + 2 * kRim;
+
+// The side of a button, of half the view's height.
+double buttonOf(const Sight& sight) {
+  return 2 * std::min({kMostHigh / kTall, kMostWide * sight.aspect / kWide, kButtonMost});
+}
 
 std::optional<std::array<double, 2>> placeOn(const ScenePanel& panel, const Ray& ray) {
   const Vec3 normal = cross(panel.across, panel.upward);
@@ -30,27 +40,23 @@ std::optional<std::array<double, 2>> placeOn(const ScenePanel& panel, const Ray&
 
 std::span<const Command> menuBar() { return kBar; }
 
+double menuShare(const Sight& sight) { return (kWide + 2 * kMargin) * buttonOf(sight) / (2 * sight.aspect); }
+
 ScenePanel menuPanel(const Sight& sight, const MenuState& state) {
-  const double far = sight.distance * kNear, half = far * sight.tanHalf;
-  const double count = kBar.size();
-  const double wide = count * kButton + (count - 1) * kGap + 2 * kRim + kGap * 2;
-  // A ninth of the view's height a button, or what fits its width.
-  const double unit = std::min(half * 2 / 9, half * 2 * sight.aspect * 0.94 / wide);
+  const double far = sight.distance * kNear, half = far * sight.tanHalf, unit = half * buttonOf(sight);
   ScenePanel panel;
-  const Vec3 middle = sight.eye - sight.back * far - sight.up * (half * 0.965 - (kHigh / 2 + kRim) * unit);
-  panel.across = sight.right * (wide * unit);
-  // Leaning back a little, like a tray.
-  const double lean = 0.12;
-  panel.upward = normalized(sight.up * std::cos(lean) - sight.back * std::sin(lean)) * ((kHigh + 2 * kRim) * unit);
+  panel.across = sight.right * (kWide * unit);
+  panel.upward = sight.up * (kTall * unit);
+  const Vec3 middle = sight.eye - sight.back * far + sight.right * (half * sight.aspect - (kMargin + kWide / 2) * unit);
   panel.corner = middle - panel.across * 0.5 - panel.upward * 0.5;
-  double x = kRim;
+  double top = kTall - kRim;
   for (std::size_t i = 0; i < kBar.size(); ++i) {
     const CommandInfo& about = info(kBar[i]);
-    if (i == kTools) x += 2 * kGap;
+    if (i == kTools) top -= 2 * kGap;
     ScenePanel::Button button;
-    button.left = x * unit;
-    button.bottom = kRim * unit;
-    button.width = kButton * unit;
+    button.left = kRim * unit;
+    button.bottom = (top - kHigh) * unit;
+    button.width = unit;
     button.height = kHigh * unit;
     button.icon = kBar[i] == Command::ViewOblique ? "view" : std::string(about.icon);
     button.label = kBar[i] == Command::ViewOblique ? say("View") : about.label;
@@ -58,7 +64,7 @@ ScenePanel menuPanel(const Sight& sight, const MenuState& state) {
     button.chosen = state.chosen && state.chosen(kBar[i]);
     button.enabled = !state.enabled || state.enabled(kBar[i]);
     panel.buttons.push_back(std::move(button));
-    x += kButton + kGap;
+    top -= kHigh + kGap;
   }
   return panel;
 }

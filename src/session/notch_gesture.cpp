@@ -20,8 +20,13 @@ class NotchGesture : public Gesture {
     AddNotch notch;
     notch.edge = here_->edge;
     notch.at = here_->at;
-    notch.symmetric = !sample.alt && symmetryOf(piece.outline).has_value();
-    return {.over = true, .operation = std::move(notch)};
+    const auto symmetry = sample.alt ? std::nullopt : symmetryOf(piece.outline);
+    const auto edge = piece.outline.find(here_->edge.edge);
+    notch.symmetric = symmetry && edge && imageOf(piece.outline, *symmetry, {*edge, here_->at});
+    Told told{.over = true};
+    if (symmetry && !notch.symmetric) told.why = onlyThisHalf();
+    told.operation = std::move(notch);
+    return told;
   }
   Preview preview(const Workbench& bench) const override {
     Preview shown;

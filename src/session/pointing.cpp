@@ -58,6 +58,10 @@ bool Session::Inside::overMenu(const PointerSample& sample) {
 
 void Session::Inside::choose(Selection chosen) {
   if (chosen == selection) return;
+  const auto name = [](const Selection& one) {
+    return one.edge ? std::pair(one.edge->piece, one.edge->edge) : std::pair(PieceId(), std::string());
+  };
+  if (name(chosen) != name(selection)) keepWished = SetLength::Keep::Auto;
   selection = std::move(chosen);
   ++news.overlay;
   if (options.wake) options.wake();
@@ -98,10 +102,27 @@ void Session::feed(const PointerSample& sample) {
   in.point(sample);
 }
 
+void Session::leave() {
+  auto& in = *inside_;
+  in.hot.reset();
+  in.onCross = false;
+  if (!in.keyHand.awake()) (void)in.gesture->feed({}, {}, in.bench());  // a hover over nothing
+  ++in.news.overlay;
+}
+
 void Session::strike(KeyStroke key, const PointerSample& with) {
   auto& in = *inside_;
   ++in.news.overlay;
   in.hot.reset();
+  if (in.gesture->dropMenu(in.bench()) && !with.shift) {  // arrows and Enter work the menu
+    if (key == KeyStroke::Up) in.gesture->moveInMenu(-1, in.bench());
+    if (key == KeyStroke::Down) in.gesture->moveInMenu(1, in.bench());
+    if (key == KeyStroke::Press) command(Command::Confirm);
+    if (key == KeyStroke::Up || key == KeyStroke::Down || key == KeyStroke::Press) {
+      if (in.options.wake) in.options.wake();
+      return;
+    }
+  }
   const KeyHand::Around around{*in.state.fitting, in.table, in.sight.value_or(Sight()), in.gesture->stops(),
                                in.gesture->clicks()};
   for (const PointerSample& sample : in.keyHand.strike(key, with, around)) in.point(sample);

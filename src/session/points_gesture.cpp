@@ -27,8 +27,8 @@ class PointsGesture : public Gesture {
         held_ = grip(hit, sample, bench);
         if (!held_) return {.why = say("Take hold of a corner or an edge of the pattern.")};
         if (sample.control) return over(pointed(sample, bench));
-        symmetry_ = symmetryOf(bench.fitting->document.find(held_->piece)->outline);
         before_ = bench.fitting->document.find(held_->piece)->outline;
+        symmetry_ = symmetryOf(before_);
         now_ = before_;
         start_ = sample.place;
         why_.reset();
@@ -38,6 +38,7 @@ class PointsGesture : public Gesture {
         break;
     }
     if (!held_) return {};
+    alone_ = symmetry_ && !sample.alt && !hasImage(sample.shift);
     const Piece* piece = bench.fitting->document.find(held_->piece);
     if (!piece) return over({});
     const Flat lies = bench.table->at(held_->piece), to = sample.place - lies;
@@ -55,7 +56,8 @@ class PointsGesture : public Gesture {
     op.outline = now_;
     if (sample.phase == PointerSample::Phase::Drag) return {.ask = moved && !why_ ? Ask(AskAfter{op}) : Ask{}};
     if (why_) return over({}, why_);
-    return over(moved ? std::optional<Operation>(op) : std::nullopt);
+    if (!moved) return over({});
+    return over(op, alone_ ? std::optional(onlyThisHalf()) : std::nullopt);
   }
 
   Preview preview(const Workbench& bench) const override {
@@ -81,7 +83,11 @@ class PointsGesture : public Gesture {
     if (!here->corner) showEdge(shown, bench, {PieceRef(here->piece), here->edge}, kChalk);
     return shown;
   }
-  Message hint() const override { return why_ ? *why_ : info(Command::Points).hint; }
+  Message hint() const override {
+    if (held_ && alone_ && !why_)
+      return say("Only this half moves: the other has no such place, because of a slit or dart.");
+    return why_ ? *why_ : info(Command::Points).hint;
+  }
   bool begun() const override { return held_.has_value(); }
   Stops stops() const override { return Stops::Corners; }
 
@@ -98,9 +104,18 @@ class PointsGesture : public Gesture {
     const Outline& outline = bench.fitting->document.find(held_->piece)->outline;
     const std::size_t k = *outline.find(held_->edge), n = outline.edges.size();
     const Choice symmetric = sample.alt ? Choice::No : Choice::Auto;
-    if (held_->corner) return JoinEdges{{PieceRef(held_->piece), outline.edges[(k + n - 1) % n].name}, symmetric};
+    if (held_->corner)
+      return JoinEdges{{PieceRef(held_->piece), outline.edges[(k + n - 1) % n].name}, symmetric, Choice::Yes};
     const double at = roundShare(held_->fraction, sample.reach / outline.edges[k].curve.length());
     return SplitEdge{{PieceRef(held_->piece), held_->edge}, at, symmetric};
+  }
+  // Whether the other half has what is held; `whole`: the edge with both its ends.
+  bool hasImage(bool whole) const {
+    const auto k = before_.find(held_->edge);
+    if (!k) return true;
+    if (held_->corner) return symmetry_->corner[*k].has_value();
+    const std::size_t next = (*k + 1) % before_.edges.size();
+    return symmetry_->partner[*k] || (whole && symmetry_->corner[*k] && symmetry_->corner[next]);
   }
   // Mirrored numbers without their noise; what did not move stays as it was.
   Outline readable(Outline outline) const {
@@ -169,6 +184,7 @@ class PointsGesture : public Gesture {
   std::optional<Grip> hover_, held_;
   std::optional<PaperSymmetry> symmetry_;
   bool putting_ = false;
+  bool alone_ = false;  // the other half has no such corner or edge
   Outline before_, now_;
   Flat start_;
   std::optional<Message> why_;

@@ -42,7 +42,8 @@ void Session::Inside::askNext() {
 }
 
 void Session::Inside::told(Told answer, bool begunBefore) {
-  if (answer.why) tell(Notice::Kind::Refused, *answer.why);
+  if (answer.mirrorSeams) mirrorSeams = *answer.mirrorSeams, ++news.overlay;
+  if (answer.why) tell(answer.operation ? Notice::Kind::Advice : Notice::Kind::Refused, *answer.why);
   if (!answer.over) return ask(std::move(answer.ask));
   keyHand.letGo();
   line.cancel(TaskLine::Kind::Preview);
@@ -50,6 +51,9 @@ void Session::Inside::told(Told answer, bool begunBefore) {
   next = {};
   const bool performs = answer.operation.has_value();
   if (performs) {
+    answered.clear();
+    if (const auto menu = gesture->dropMenu(bench()))
+      for (const Message& said : menu->title) answered.push_back(text(said));
     perform(std::move(*answer.operation));
   } else {
     if (preview && !settlingNow()) preview.reset(), ++news.garment;
@@ -57,6 +61,14 @@ void Session::Inside::told(Told answer, bool begunBefore) {
   }
   gesture = gestureFor(tool);
   ++news.overlay;
+}
+
+void Session::choose(std::size_t item) {
+  auto& in = *inside_;
+  ++in.news.overlay;
+  const bool begun = in.gesture->begun();
+  in.told(in.gesture->choose(item, in.bench()), begun);
+  if (in.options.wake) in.options.wake();
 }
 
 void Session::Inside::dropGesture() {

@@ -26,6 +26,12 @@ Document adopted(Document document, const std::map<PieceId, std::shared_ptr<cons
   return document;
 }
 
+// A journal beside a file that was replaced would be taken for the new one's.
+void dropJournal(const std::filesystem::path& path) {
+  std::error_code none;
+  std::filesystem::remove(path.string() + "-journal", none);
+}
+
 }  // namespace
 
 Context Room::context(const Token& token) {
@@ -53,9 +59,14 @@ FittingPtr Room::fitted(Document document, const Token& token) {
   return fittingOf(std::move(document), std::move(body));
 }
 
-Result<Step> Room::perform(Operation operation, const Token& token) {
+Result<Step> Room::perform(Operation operation, const Token& token, StopRequest* stop) {
+  const auto* body = std::get_if<SetBody>(&operation);
+  if (const Done file = beginDraft(body ? body->size : std::string()); !file) return file.error();
   Context own = context(token);
-  return file_.perform(std::move(operation), own);
+  own.stop = stop;
+  Result<Step> step = file_.perform(std::move(operation), own);
+  if (!step) dropEmptyDraft();
+  return step;
 }
 Result<Step> Room::undo(const Token& token) {
   Context own = context(token);
@@ -123,19 +134,69 @@ Result<Vec3> Room::pullTo(const AskPull& ask, const Token& token, FittingPtr& sh
 
 Done Room::moveTo(const std::filesystem::path& path) {
   std::error_code trouble;
-  if (file_.path().empty()) return refused(say("This garment has no file yet; open it as a document first."));
+  if (file_.path().empty()) {
+    if (!file_.steps().empty() || !file_.undone().empty())
+      return refused(say("This garment has no file yet; open it as a document first."));
+    auto made = DocumentFile::create(path);
+    if (!made) return made.error();
+    file_ = *std::move(made);
+    return {};
+  }
   const std::filesystem::path old = file_.path();
+  if (std::filesystem::equivalent(old, path, trouble)) return {};
+  const bool leaves = isDraft(options_, old) && !readOnly_;
   file_ = DocumentFile::inMemory();  // closes: one whole file
   std::optional<Error> why;
-  if (const auto bytes = readFile(old); !bytes)
-    why = bytes.error();
-  else if (const Done written = writeFile(path, *bytes); !written)
-    why = written.error();
+  if (leaves) std::filesystem::rename(old, path, trouble);
+  if (!leaves || trouble) {  // a copy; a draft may also go to another disk
+    if (const auto bytes = readFile(old); !bytes)
+      why = bytes.error();
+    else if (const Done written = writeFile(path, *bytes); !written)
+      why = written.error();
+    if (leaves && !why) std::filesystem::remove(old, trouble);
+  }
+  if (!why) dropJournal(path);
   auto opened = why && readOnly_ ? DocumentFile::openForReading(old) : DocumentFile::open(why ? old : path);
   if (!opened) return opened.error();
   file_ = *std::move(opened);
-  if (!why) readOnly_ = false;
+  if (!why) readOnly_ = false, begunDraft_ = false;
   return why ? Done(*why) : Done();
+}
+
+Done Room::beginDraft(const std::string& about) {
+  if (!file_.path().empty() || options_.drafts.empty() || !file_.steps().empty()) return {};
+  std::error_code trouble;
+  std::filesystem::create_directories(options_.drafts, trouble);
+  const std::string name = options_.nameDraft ? options_.nameDraft(about) : about.empty() ? "draft" : about;
+  for (int n = 1;; ++n) {
+    const auto path = options_.drafts / (name + (n > 1 ? " " + std::to_string(n) : "") + ".karinui");
+    if (std::filesystem::exists(path, trouble)) continue;
+    auto made = DocumentFile::create(path);
+    if (!made && std::filesystem::exists(path, trouble)) continue;  // another Karinui was quicker
+    if (!made)
+      return storageError(say(
+          "A new garment is kept in “{0}” from its first step on, and no file can be made there. Choose a place for "
+          "it with File, Save as; nothing was done.",
+          options_.drafts.string()));
+    file_ = *std::move(made);
+    begunDraft_ = true;
+    return {};
+  }
+}
+
+void Room::dropEmptyDraft() {
+  if (!begunDraft_ || !file_.steps().empty() || !file_.undone().empty() || !file_.otherEnds().empty()) return;
+  const std::filesystem::path path = file_.path();
+  file_ = DocumentFile::inMemory();
+  begunDraft_ = false;
+  std::error_code none;
+  std::filesystem::remove(path, none);
+}
+
+bool isDraft(const SessionOptions& options, const std::filesystem::path& path) {
+  std::error_code trouble;
+  return !options.drafts.empty() && !path.empty() &&
+         std::filesystem::equivalent(path.parent_path(), options.drafts, trouble);
 }
 
 }  // namespace karinui

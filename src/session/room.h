@@ -34,7 +34,8 @@ class Room {
 
   DocumentFile& file() { return file_; }
   bool readOnly() const { return readOnly_; }
-  Result<Step> perform(Operation operation, const Token& token);
+  // The first step of a document without a file makes it a draft; `stop` stops a drape where it is (null: nobody does).
+  Result<Step> perform(Operation operation, const Token& token, StopRequest* stop = nullptr);
   Result<Step> undo(const Token& token);
   Result<Step> redo(const Token& token);
   Done goTo(std::uint64_t seq, const Token& token);
@@ -45,7 +46,9 @@ class Room {
   Result<FittingPtr> tried(const SetBody& body, const Token& token);         // on a figure that is kept nowhere
   Result<Vec3> pullTo(const AskPull& ask, const Token& token, FittingPtr& shown);
   void letGo() { pull_.reset(); }
-  Done moveTo(const std::filesystem::path& path);  // a copy, and works on in it
+  Done moveTo(const std::filesystem::path& path);  // see Session::saveAs
+  Done beginDraft(const std::string& about);       // a file, where there is none and drafts are kept
+  void dropEmptyDraft();                           // a draft begun here in which nothing was done leaves no file
   Context context(const Token& token);
   Workers& workers() { return *workers_; }
 
@@ -56,6 +59,7 @@ class Room {
   std::shared_ptr<Bodies> bodies_;
   std::shared_ptr<Workers> workers_;
   bool readOnly_ = false;
+  bool begunDraft_ = false;
   std::vector<Message> advice_;
   struct Pulling {
     PieceId piece;
@@ -64,6 +68,9 @@ class Room {
   };
   std::unique_ptr<Pulling> pull_;
 };
+
+// Whether a document lies in the drafts folder.
+bool isDraft(const SessionOptions& options, const std::filesystem::path& path);
 
 // Files in and out (session's second thread).
 Done importPatternInto(Room& room, const std::filesystem::path& file, const Token& token);

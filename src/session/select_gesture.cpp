@@ -5,17 +5,6 @@ namespace karinui {
 
 namespace {
 
-SeamId seamAt(const Document& document, const EdgeNear& near) {
-  SeamId found;
-  for (const auto& [id, seam] : document.pattern.seams)
-    for (const auto* side : {&seam.a, &seam.b})
-      for (const EdgeSpan& span : *side)
-        if (span.piece == near.piece && span.edge == near.edge && span.from <= near.fraction + 1e-9 &&
-            near.fraction <= span.to + 1e-9)
-          found = id;
-  return found;
-}
-
 class SelectGesture : public Gesture {
  public:
   Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {

@@ -26,6 +26,7 @@ Session::Session(SessionOptions options) : inside_(std::make_unique<Inside>(std:
 Session::~Session() = default;
 
 const std::filesystem::path& Session::path() const { return inside_->state.path; }
+bool Session::draft() const { return isDraft(inside_->options, inside_->state.path); }
 bool Session::readOnly() const { return inside_->state.readOnly; }
 const Fitting& Session::fitting() const { return *inside_->state.fitting; }
 FittingPtr Session::shownPtr() const { return inside_->preview ? inside_->preview : inside_->state.fitting; }
@@ -38,6 +39,18 @@ Command Session::tool() const { return inside_->tool; }
 Preview Session::preview() const {
   const auto& in = *inside_;
   Preview preview = in.gesture->preview(in.bench());
+  if (in.selection.edge && !in.gesture->begun()) {
+    const auto& ends = in.edgeEnds();
+    const PieceId piece = in.selection.edge->piece;
+    const auto mark = [&](const std::vector<Flat>& paper, std::vector<Flat>& table, std::vector<Vec3>& space) {
+      for (const Flat place : paper) {
+        table.push_back(place + in.table.at(piece));
+        if (const auto there = spaceOf(*in.state.fitting, piece, place)) space.push_back(*there);
+      }
+    };
+    mark(ends.stay, preview.table.dots, preview.space.dots);
+    mark(ends.move, preview.table.rings, preview.space.rings);
+  }
   if (!in.turnsCrossed()) return preview;
   for (const CrossedSeam& one : in.crossed()) {
     preview.space.words.push_back({one.place, "⇄"});
@@ -45,8 +58,13 @@ Preview Session::preview() const {
   }
   return preview;
 }
+std::optional<DropMenu> Session::dropMenu() const { return inside_->gesture->dropMenu(inside_->bench()); }
 void Session::refuse(const Error& why) {
   inside_->tellError(why);
+  if (inside_->options.wake) inside_->options.wake();
+}
+void Session::advise(Message what) {
+  inside_->tell(Notice::Kind::Advice, std::move(what));
   if (inside_->options.wake) inside_->options.wake();
 }
 const SessionNews& Session::news() const { return inside_->news; }
@@ -86,6 +104,11 @@ void Session::setLanguage(Language language) { inside_->language = language, ++i
 void Session::setInches(bool inches) { inside_->inches = inches, ++inside_->news.overlay; }
 void Session::setDartWidth(double metres) { inside_->dartWidth = metres, ++inside_->news.overlay; }
 double Session::dartWidth() const { return inside_->dartWidth; }
+void Session::setMirrorSeams(bool on) { inside_->mirrorSeams = on, ++inside_->news.overlay; }
+bool Session::mirrorSeams() const { return inside_->mirrorSeams; }
+void Session::setKeptEnd(SetLength::Keep keep) { inside_->keepWished = keep, ++inside_->news.overlay; }
+SetLength::Keep Session::keptEnd() const { return inside_->edgeEnds().keep; }
+bool Session::bothHalves() const { return inside_->edgeEnds().bothHalves; }
 
 bool Session::update() {
   auto& in = *inside_;
@@ -106,5 +129,19 @@ void Session::finish() {
 }
 
 bool Session::idle() const { return !inside_->line.busy(); }
+
+void Session::conclude() {
+  auto& in = *inside_;
+  in.dropGesture();
+  const bool byItself = std::exchange(in.options.settleByItself, false);
+  in.stopSettling();
+  while (in.longWorks == 0 && (in.line.busy(TaskLine::Kind::Step) || in.line.busy(TaskLine::Kind::Settle))) {
+    for (const auto kind : {TaskLine::Kind::Preview, TaskLine::Kind::Figure, TaskLine::Kind::Glimpse})
+      in.line.cancel(kind);
+    in.line.wait();
+    update();
+  }
+  in.options.settleByItself = byItself;
+}
 
 }  // namespace karinui

@@ -1,138 +1,273 @@
-// Sewing: from edge to edge. A drag that ends on another edge sews whole edges; one that ends on its own edge chooses
-// the part it ran along, and the other side is shown next in the same way.
+// Sewing: two runs of edges. A run is dragged along the border, past corners and over sewn neighbours; a click takes a
+// whole edge, with Shift one more. A drag across to another edge takes whole edges and both sides at once. What is
+// plain is sewn at the drop; else a menu asks how.
 #include <algorithm>
 #include <cmath>
 
 #include "karinui/base/number.h"
+#include "karinui/design/sewing.h"
 #include "session/gestures.h"
+#include "session/sew_plan.h"
+#include "session/sew_stroke.h"
 
 namespace karinui {
 
 namespace {
 
-constexpr double kPart = 0.03;   // metres along an edge that make a part of it
-constexpr double kSnaps = 0.02;  // metres: a part's end this near to a corner, a notch or the middle is there
+using Where = PointerSample::Where;
 
 class SewGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+  Told feed(const PointerSample& sample, const Hit&, const Workbench& bench) override {
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
-        hover_ = hit.edge;
+        if (!asks_) hover_ = under(bench, sample);
         return {};
       case PointerSample::Phase::Press:
-        hover_ = hit.edge;
-        if (!hit.edge) return {.why = say("Begin on the edge of a piece.")};
-        from_ = hit.edge;
-        return {};
+        return press(bench, sample);
       case PointerSample::Phase::Drag:
-        if (hit.edge || !from_) hover_ = hit.edge;
-        if (!hit.edge) hover_.reset();
+        if (stroke_) stroke_->to(bench, sample, free());
         return {};
       case PointerSample::Phase::Release:
         break;
     }
-    if (!from_) return {};
-    const EdgeNear from = *std::exchange(from_, std::nullopt);
-    if (!hit.edge) {
-      if (first_) return {.why = say("End on the edge it is sewn to.")};
-      return {.over = true, .why = say("End on the edge it is sewn to.")};
+    if (!stroke_) return {};
+    stroke_->to(bench, sample, free());
+    const SewStroke stroke = *std::exchange(stroke_, std::nullopt);
+    where_ = sample.where, always_ = sample.control;
+    if (asks_) return added(bench, second_, stroke);
+    if (stroke.target()) {
+      const Run other = SewStroke(bench, *stroke.target(), sample).edge();
+      const Run mine = overlap(first_, stroke.edge()) ? first_ : stroke.sideBeforeLeaving();
+      backwards_ = overlap(first_, mine) ? backwards_ : stroke.isRun() && stroke.backwards();
+      return dropped(bench, mine, other);
     }
-    const EdgeNear to = *hit.edge;
-    const bool same = to.piece == from.piece && to.edge == from.edge;
-    if (!same && !first_) return sewn({ref(from)}, {ref(to)});
-    const EdgeRef here = same ? part(bench, from, to) : ref(to);
-    if (first_) return sewn({*std::exchange(first_, std::nullopt)}, {here});
-    first_ = here;
-    return {};
+    if (!stroke.onBorder()) {
+      return {.over = first_.empty(), .why = say("End on the edge it is sewn to.")};
+    }
+    if (!first_.empty() && sample.shift) return added(bench, first_, stroke);
+    Run run = stroke.run();
+    if (first_.empty()) {
+      first_ = std::move(run);
+      backwards_ = stroke.isRun() && stroke.backwards();
+      return {};
+    }
+    if (overlap(first_, run)) {
+      if (!stroke.isRun() || run == first_) return first_.clear(), Told{.over = true};  // chosen no more
+      return {.why = say("{0} cannot be sewn to itself; choose another edge for the other side.",
+                         spoken(bench, run.front()))};
+    }
+    return dropped(bench, first_, std::move(run));
   }
 
+  Told confirm(const Workbench& bench) override { return asks_ ? choose(current_, bench) : Told(); }
+
   bool takeBack() override {
-    const bool any = from_ || first_;
-    from_.reset();
-    first_.reset();
+    if (std::exchange(asks_, false)) return second_.clear(), swapped_ = false, true;
+    const bool any = stroke_ || !first_.empty();
+    stroke_.reset();
+    first_.clear();
     return any;
+  }
+
+  std::optional<DropMenu> dropMenu(const Workbench& bench) const override {
+    if (!asks_) return std::nullopt;
+    DropMenu menu;
+    const SewPlan plan = planned(bench);
+    for (const SeamDoubt& doubt : plan.doubts) menu.title.push_back(doubt.what);
+    if (plan.doubts.empty()) menu.title.push_back(say("How is it sewn?  {0}", easeSaid(bench, plan.la, plan.lb)));
+    for (const SewPlan::Item& item : plan.items) menu.items.push_back({item.label, item.checked});
+    menu.current = std::min(current_, menu.items.size() - 1);
+    menu.where = where_;
+    menu.space = middleOf(edgeInSpace(*bench.fitting, second_.back()));
+    menu.table = middleOf(edgeOnTable(bench, second_.back()));
+    return menu;
+  }
+
+  Told choose(std::size_t which, const Workbench& bench) override {
+    if (!asks_) return {};
+    const SewPlan plan = planned(bench);
+    if (which >= plan.items.size()) return {};
+    const SewPlan::Item& item = plan.items[which];
+    switch (item.does) {
+      case SewPlan::Does::Sew:
+        return sewn(bench, item.sew);
+      case SewPlan::Does::Swap:
+        swapped_ = !swapped_;
+        return {};
+      case SewPlan::Does::Mirror:
+        return {.mirrorSeams = !bench.mirrorSeams};
+      case SewPlan::Does::Leave:
+        break;
+    }
+    return {.over = true};
+  }
+  void moveInMenu(int by, const Workbench& bench) override {
+    if (!asks_) return;
+    const std::size_t count = planned(bench).items.size();
+    current_ = (std::min(current_, count - 1) + count + static_cast<std::size_t>(by + static_cast<int>(count))) % count;
   }
 
   Preview preview(const Workbench& bench) const override {
     Preview shown;
-    const std::optional<EdgeRef> a = first_ ? first_ : from_ ? std::optional(ref(*from_)) : std::nullopt;
-    std::optional<EdgeRef> b;
-    if (hover_) b = from_ && same(*from_, *hover_) ? part(bench, *from_, *hover_) : ref(*hover_);
-    if (a && !(b && from_ && !first_ && same(*from_, *hover_))) showEdge(shown, bench, *a, kChalk);
-    if (b) showEdge(shown, bench, *b, a ? kPartner : kChalk);
-    if (!b) return shown;
-    const Vec3 where = edgeInSpace(*bench.fitting, *b).at(2);
-    const std::string mine = bench.said(lengthOf(bench, *b));
-    if (!a || (*a).edge.empty() || (a->piece == b->piece && a->edge == b->edge)) {
-      shown.space.words.push_back({where, b->edge + "  " + mine});
-      shown.table.words.push_back({edgeOnTable(bench, *b).at(20), b->edge + "  " + mine});
+    Run a = first_, b;
+    std::optional<SewEdges> seam;
+    bool doubted = false;
+    if (asks_) {
+      const SewPlan plan = planned(bench);
+      const SewPlan::Item& item = plan.items[std::min(current_, plan.items.size() - 1)];
+      seam = item.does == SewPlan::Does::Sew ? item.sew : plan.whole;
+      doubted = !plan.doubts.empty() && seam->a == plan.whole.a && seam->b == plan.whole.b && !seam->replace;
+    } else if (stroke_ && stroke_->target()) {
+      a = overlap(first_, stroke_->edge()) ? first_ : stroke_->sideBeforeLeaving();
+      b = {{PieceRef(stroke_->target()->piece), stroke_->target()->edge, 0, 1}};
+    } else if (stroke_ && stroke_->onBorder()) {
+      b = stroke_->run();
+      if (a.empty()) std::swap(a, b);
+    } else if (stroke_) {
+      if (a.empty()) a = stroke_->sideBeforeLeaving();
+    } else if (hover_) {
+      b = {{PieceRef(hover_->piece), hover_->edge, 0, 1}};
+      if (a.empty()) std::swap(a, b);
+    }
+    if (!seam && !a.empty() && !b.empty() && !overlap(a, b)) seam = seamOf(bench, a, b, false);
+    if (!seam) {
+      for (const EdgeRef& ref : a) showEdge(shown, bench, ref, kChalk);
+      for (const EdgeRef& ref : b) showEdge(shown, bench, ref, kBad);
+      const Run& last = b.empty() ? a : b;
+      if (last.empty()) return shown;
+      std::string words;
+      for (const EdgeRef& ref : last) words += (words.empty() ? "" : " + ") + ref.edge;
+      words += "  " + bench.said(lengthOf(bench.fitting->document, last));
+      shown.space.words.push_back({middleOf(edgeInSpace(*bench.fitting, last.back())), words});
+      shown.table.words.push_back({middleOf(edgeOnTable(bench, last.back())), words});
       return shown;
     }
-    // Threads from side to side, and what is left over.
-    const auto left = edgeInSpace(*bench.fitting, *a);
-    const auto right = edgeInSpace(*bench.fitting, *b);
-    const bool crossed = crosses(left, right);
-    for (int i = 0; i <= 12; ++i) {
-      const auto at = [&](const std::vector<Vec3>& line, int k) {
-        return line[static_cast<std::size_t>(k) * (line.size() - 1) / 12];
-      };
-      shown.space.lines.push_back({{at(left, i), at(right, crossed ? 12 - i : i)}, kPartner, 1, false});
-    }
-    const std::string words = easeSaid(bench, lengthOf(bench, *a), lengthOf(bench, *b));
-    shown.space.words.push_back({where, words});
-    shown.table.words.push_back({edgeOnTable(bench, *b).at(20), words});
+    showSeam(shown, bench, *seam, doubted ? kBad : kPartner);
+    if (seam->mirror)
+      if (const auto image = mirrorImage(bench.fitting->document, *seam)) showSeam(shown, bench, *image, kPartner);
+    const Document& document = bench.fitting->document;
+    const std::string words = easeSaid(bench, lengthOf(document, seam->a), lengthOf(document, seam->b));
+    shown.space.words.push_back({middleOf(edgeInSpace(*bench.fitting, seam->b.back())), words});
+    shown.table.words.push_back({middleOf(edgeOnTable(bench, seam->b.back())), words});
     return shown;
   }
 
   Message hint() const override {
-    if (first_) return say("Now the other side: click an edge, or drag along the part of it.");
-    if (from_) return say("Drag to the edge it is sewn to, or along this edge to sew a part of it.");
+    if (asks_)
+      return say("Choose how it is sewn: click, or arrows and Enter; Esc leaves it. Shift+click adds an edge.");
+    if (stroke_)
+      return say("Drag along the side, past corners too, to sew all of it; or across to the edge it is sewn to.");
+    if (!first_.empty())
+      return say("Now the other side: click an edge or drag along it. Shift+click adds an edge to the first.");
     return info(Command::Sew).hint;
   }
-  bool begun() const override { return from_ || first_; }
+  bool begun() const override { return stroke_ || !first_.empty(); }
   Stops stops() const override { return Stops::Edges; }
 
  private:
-  static EdgeRef ref(const EdgeNear& near) { return {PieceRef(near.piece), near.edge, 0, 1}; }
-  static bool same(const EdgeNear& a, const EdgeNear& b) { return a.piece == b.piece && a.edge == b.edge; }
+  static std::string spoken(const Workbench& bench, const EdgeRef& ref) {
+    return bench.fitting->document.find(ref.piece.id)->name + "." + ref.edge;
+  }
+  template <class Point>
+  static Point middleOf(const std::vector<Point>& line) {
+    return line.empty() ? Point() : line[line.size() / 2];
+  }
 
-  // The run between two places of one edge; hardly any run means the whole edge.
-  static EdgeRef part(const Workbench& bench, const EdgeNear& from, const EdgeNear& to) {
-    EdgeRef whole = ref(from);
-    const double all = lengthOf(bench, whole);
-    if (!(all > 0) || std::fabs(to.fraction - from.fraction) * all < kPart) return whole;
-    std::vector<double> marks{0, 0.5, 1};
-    if (const Piece* piece = bench.fitting->document.find(from.piece))
-      for (const Mark& mark : piece->marks)
-        if (mark.edge == from.edge) marks.push_back(mark.fraction);
-    const auto snapped = [&](double f) {
-      double best = std::round(f * 1000) / 1000, nearest = kSnaps / all;
-      for (const double mark : marks)
-        if (std::fabs(mark - f) < nearest) nearest = std::fabs(mark - f), best = mark;
-      return best;
+  // Edges of the side chosen already are not offered for the other.
+  WantedEdge free() const {
+    return [this](const EdgeNear& near) {
+      return std::none_of(first_.begin(), first_.end(), [&](const EdgeRef& ref) {
+        return ref.piece.id == near.piece && ref.edge == near.edge && ref.from <= near.fraction &&
+               near.fraction <= ref.to;
+      });
     };
-    whole.from = snapped(std::min(from.fraction, to.fraction));
-    whole.to = snapped(std::max(from.fraction, to.fraction));
-    if (whole.to <= whole.from) whole.from = 0, whole.to = 1;
-    return whole;
+  }
+  std::optional<EdgeNear> under(const Workbench& bench, const PointerSample& sample) const {
+    if (auto near = pickEdge(*bench.fitting, *bench.table, sample, free())) return near;
+    return pickEdge(*bench.fitting, *bench.table, sample, [](const EdgeNear&) { return true; });
   }
 
-  static bool crosses(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    const double straight = squaredLength(a.front() - b.front()) + squaredLength(a.back() - b.back());
-    const double turned = squaredLength(a.front() - b.back()) + squaredLength(a.back() - b.front());
-    return turned < straight;
+  Told press(const Workbench& bench, const PointerSample& sample) {
+    stroke_.reset(), hover_.reset();
+    if (asks_ && !sample.shift) return {};
+    const auto near = under(bench, sample);
+    if (!near) return {.why = say("Begin on the edge of a piece.")};
+    stroke_.emplace(bench, *near, sample);
+    return {};
   }
 
-  static Told sewn(std::vector<EdgeRef> a, std::vector<EdgeRef> b) {
-    SewEdges sew;
-    sew.a = std::move(a);
-    sew.b = std::move(b);
-    return {.over = true, .operation = std::move(sew)};
+  // One more edge or run of a side; an edge of it that is clicked again is taken away.
+  Told added(const Workbench& bench, Run& side, const SewStroke& stroke) {
+    const Run more = stroke.run();
+    const auto at = std::find(side.begin(), side.end(), more.front());
+    if (more.size() == 1 && at != side.end() && side.size() > 1) {
+      side.erase(at);
+    } else if (overlap(first_, more) || overlap(second_, more)) {
+      return {.why = say("{0} is chosen already.", spoken(bench, more.front()))};
+    } else {
+      // Before or after what there is: where the ends are nearer; in the order of the clicks where both are.
+      const auto end = [&](const Run& run) { return edgeInSpace(*bench.fitting, run.back()).back(); };
+      const auto begin = [&](const Run& run) { return edgeInSpace(*bench.fitting, run.front()).front(); };
+      constexpr double kSameGap = 0.02;  // metres
+      const bool before = distance(end(more), begin(side)) + kSameGap < distance(end(side), begin(more));
+      side.insert(before ? side.begin() : side.end(), more.begin(), more.end());
+    }
+    current_ = 0;
+    return {};
   }
 
-  std::optional<EdgeNear> hover_, from_;
-  std::optional<EdgeRef> first_;
+  SewPlan planned(const Workbench& bench) const { return sewPlan(bench, first_, second_, swapped_, backwards_); }
+
+  // Both sides are there.
+  Told dropped(const Workbench& bench, Run a, Run b) {
+    if (overlap(a, b))
+      return {.over = first_.empty(),
+              .why = say("{0} cannot be sewn to itself; choose another edge for the other side.",
+                         spoken(bench, b.front()))};
+    first_ = std::move(a), second_ = std::move(b);
+    current_ = 0;
+    const SewPlan plan = planned(bench);
+    if (!always_ && plan.plain()) return sewn(bench, plan.whole);
+    asks_ = true;
+    return {};
+  }
+
+  static Told sewn(const Workbench&, SewEdges sew) { return {.over = true, .operation = std::move(sew)}; }
+
+  // Both sides, and threads from one to the other.
+  static void showSeam(Preview& shown, const Workbench& bench, const SewEdges& sew, const Colour& threads) {
+    const auto line = [&](const Run& run) {
+      std::vector<Vec3> points;
+      for (const EdgeRef& ref : run) {
+        const auto part = edgeInSpace(*bench.fitting, ref);
+        points.insert(points.end(), part.begin(), part.end());
+      }
+      return points;
+    };
+    for (const EdgeRef& ref : sew.a) showEdge(shown, bench, ref, kChalk);
+    for (const EdgeRef& ref : sew.b) showEdge(shown, bench, ref, kPartner);
+    const auto a = line(sew.a), b = line(sew.b);
+    if (a.empty() || b.empty()) return;
+    const bool against =
+        sew.reversed == Choice::Auto ? facesReversed(bench.fitting->document, sew) : sew.reversed == Choice::Yes;
+    constexpr std::size_t kThreads = 12;
+    for (std::size_t i = 0; i <= kThreads; ++i) {
+      const auto at = [&](const std::vector<Vec3>& points, std::size_t k) {
+        return points[k * (points.size() - 1) / kThreads];
+      };
+      shown.space.lines.push_back({{at(a, i), at(b, against ? kThreads - i : i)}, threads, 1, false});
+    }
+  }
+
+  std::optional<EdgeNear> hover_;
+  std::optional<SewStroke> stroke_;
+  Run first_, second_;
+  bool backwards_ = false;  // the first side was dragged against its outlines' direction
+  bool asks_ = false, swapped_ = false;
+  bool always_ = false;  // Ctrl at the drop: the menu opens even where all is plain
+  std::size_t current_ = 0;
+  Where where_ = Where::Space;
 };
 
 }  // namespace

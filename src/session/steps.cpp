@@ -1,4 +1,5 @@
 // Steps of the document's history, asked for by the hand and taken in when they are done.
+#include <algorithm>
 #include <utility>
 
 #include "session/inside.h"
@@ -17,7 +18,8 @@ bool disturbs(const Operation& op) {
          std::holds_alternative<SetFabric>(op) || std::holds_alternative<Unsew>(op) ||
          std::holds_alternative<UnpinCloth>(op) || std::holds_alternative<SetGrain>(op) ||
          std::holds_alternative<SetBody>(op) || std::holds_alternative<AddDart>(op) ||
-         std::holds_alternative<JoinEdges>(op) || std::holds_alternative<FlipSeam>(op);
+         std::holds_alternative<JoinEdges>(op) || std::holds_alternative<FlipSeam>(op) ||
+         std::holds_alternative<SetLength>(op);
 }
 
 }  // namespace
@@ -27,7 +29,10 @@ void Session::Inside::take(RoomState fresh) {
   dropFigure();
   preview.reset();
   if (state.fitting->trouble) tell(Notice::Kind::Advice, *state.fitting->trouble);
-  for (Message& advice : std::exchange(state.advice, {})) tell(Notice::Kind::Advice, std::move(advice));
+  for (Message& advice : std::exchange(state.advice, {}))
+    if (std::find(answered.begin(), answered.end(), text(advice)) == answered.end())
+      tell(Notice::Kind::Advice, std::move(advice));
+  answered.clear();
   table.arrange(*state.fitting);
   std::erase_if(selection.pieces, [&](PieceId id) { return !state.fitting->document.find(id); });
   if (selection.edge)
@@ -56,7 +61,7 @@ void Session::Inside::perform(Operation operation) {
       if (!piece) return tell(Notice::Kind::Refused, say("There is no piece “{0}”.", ref.name));
       live.insert(piece->id);
     }
-    return settle(live, false);
+    return settle(live, false, *drape);
   }
   interruptSettling();
   const auto before = state.fitting;
@@ -73,6 +78,8 @@ void Session::Inside::perform(Operation operation) {
       }
       take(*fresh);
       if (drapes(step->operation)) ++news.settled;
+      if (const auto* sew = std::get_if<SewEdges>(&step->operation); sew && sew->mirror)
+        tell(Notice::Kind::Said, say("Sewn, and its mirror image too; one undo takes both back."));
       if (std::holds_alternative<PullCloth>(step->operation))
         if (const auto& last = state.fitting->document.drape.last; last && !last->why.empty())
           tell(Notice::Kind::Said, last->why);
@@ -115,7 +122,7 @@ void Session::Inside::turn(bool back) {
 
 void Session::Inside::goTo(std::uint64_t seq) {
   dropGesture();
-  stopSettling();
+  dropSettling();
   line.add(TaskLine::Kind::Step, [this, seq](const Token& token) {
     const Done done = room->goTo(seq, token);
     const auto fresh = std::make_shared<RoomState>(room->state(token));
@@ -156,7 +163,7 @@ void Session::amend(std::size_t which, Operation operation) {
         old && now->outline == old->outline && !(*now == *old) && !now->at.empty())
       now->outline = {};
   in.dropGesture();
-  in.stopSettling();
+  in.dropSettling();
   in.settlingByItself = false;
   const std::uint64_t old = in.head();
   in.line.add(TaskLine::Kind::Settle, [this, which, old, operation = std::move(operation)](const Token& token) mutable {

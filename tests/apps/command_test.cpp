@@ -183,6 +183,23 @@ TEST_F(Command, PlaysSettlesChecksAndExports) {
   EXPECT_EQ(contents(folder / "p.png").substr(1, 3), "PNG");
 }
 
+TEST_F(Command, CtrlCLeavesTheClothWhereItIs) {
+  haveTunic();
+  const auto before = karinui("info " + document() + " --json").json();
+  ASSERT_EQ(karinui("do " + document() + " 'set spacing=5mm'").exit, 0);
+  // As soon as it tells that the solver is at work.
+  write(folder / "stop.sh", "'" KARINUI_COMMAND "' settle " + document() + " --threads 1 2>" + (folder / "said") +
+                                " &\nwhile kill -0 $! && ! grep -qE \"Draping|seams\" " + (folder / "said") +
+                                "; do :; done\nkill -INT $!\nwait $!\n");
+  const int status = std::system(("LC_ALL=C bash -m " + (folder / "stop.sh") + " >/dev/null").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 4) << contents(folder / "said");
+  EXPECT_NE(contents(folder / "said").find("Stopped after"), std::string::npos) << contents(folder / "said");
+  EXPECT_NE(karinui("log " + document()).out.find(" stop="), std::string::npos);
+  EXPECT_NE(before["drape_hash"], karinui("info " + document() + " --json").json()["drape_hash"]);
+  EXPECT_EQ(karinui("undo " + document()).exit, 0);
+  EXPECT_EQ(before["drape_hash"], karinui("info " + document() + " --json").json()["drape_hash"]);
+}
+
 TEST_F(Command, SameBitsForOneAndTwoThreadsAndOnReplay) {
   haveTunic();
   fs::copy(document(), folder / "two.karinui");

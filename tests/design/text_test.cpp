@@ -113,6 +113,8 @@ struct Dice {
   void fill(Sex& v) { v = below(2) == 0 ? Sex::Female : Sex::Male; }
   void fill(Choice& v) { v = static_cast<Choice>(below(3)); }
   void fill(SewEdges::Tie& v) { v = static_cast<SewEdges::Tie>(below(3)); }
+  void fill(SetLength::Keep& v) { v = static_cast<SetLength::Keep>(below(4)); }
+  void fill(SetLength::Neighbours& v) { v = static_cast<SetLength::Neighbours>(below(2)); }
   void fill(Fabric::Law& v) { v = static_cast<Fabric::Law>(below(2)); }
   void fill(Settings::Collider& v) { v = static_cast<Settings::Collider>(below(2)); }
   template <class T>

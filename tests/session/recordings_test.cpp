@@ -131,6 +131,16 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
     } else if (first == "read") {  // what stands beside the hand
       const Preview preview = session.preview();
       for (const SceneWord& word : preview.space.words) came.push_back("reads: " + word.text);
+      if (const auto menu = session.dropMenu()) {
+        for (const Message& title : menu->title) came.push_back("asks: " + text(title));
+        for (std::size_t k = 0; k < menu->items.size(); ++k) {
+          const DropMenu::Item& item = menu->items[k];
+          const std::string check = !item.checked ? "" : *item.checked ? "[x] " : "[ ] ";
+          came.push_back((k == menu->current ? "offers first: " : "offers: ") + check + text(item.label));
+        }
+      }
+    } else if (first == "choose") {  // "choose 0": an item of the drop menu
+      session.choose(std::stoul(second));
     } else if (first == "sight" || first == "key") {
       words.seekg(static_cast<std::streamoff>(first.size()));
       if (first == "sight")

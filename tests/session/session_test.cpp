@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <future>
 
@@ -135,7 +137,7 @@ TEST(Session, NothingThatNeverHungIsDrapedByItself) {
   EXPECT_EQ(session.steps().size(), 3u);
 }
 
-TEST(Session, SpaceStopsADrapeAndNothingIsChanged) {
+TEST(Session, ADrapeStoppedBeforeItsFirstStepChangesNothing) {
   Held held;
   Session session(held.options());
   giveTwo(session);
@@ -147,6 +149,92 @@ TEST(Session, SpaceStopsADrapeAndNothingIsChanged) {
   EXPECT_EQ(session.steps().size(), 2u);
   EXPECT_EQ(drapeHash(session.fitting().document), stand);
   EXPECT_FALSE(session.busy().any);
+}
+
+// A solver that steps until it is asked to stop; `begun` after its first step.
+struct Stepping {
+  std::promise<void> begun;
+  std::atomic<int> drapes{0};
+  SessionOptions options() {
+    SessionOptions o;
+    o.drape = [this](const Document& d, const DrapePieces& drape, Context& context) -> Result<DrapeOutcome> {
+      Result<DrapeOutcome> outcome = fallABit(d, drape.live);
+      if (drapes++ > 0) return outcome;
+      bool told = false;
+      for (std::size_t step = 1;; ++step) {
+        const bool asked = context.stop->askedAfterStep();
+        if (context.token.cancelled()) return cancelled();
+        if (!std::exchange(told, true)) begun.set_value();
+        if (!asked) continue;
+        outcome->report.settled = false;
+        outcome->report.stoppedAfter = step;
+        return outcome;
+      }
+    };
+    return o;
+  }
+};
+
+TEST(Session, AStoppedDrapeStaysWhereItIsAndIsUndone) {
+  for (const Command key : {Command::Settle, Command::Cancel}) {
+    Stepping solver;
+    Session session(solver.options());
+    giveTwo(session);
+    const std::string stand = drapeHash(session.fitting().document);
+    session.perform(op("drape live=front"));
+    solver.begun.get_future().wait();
+    session.command(key);
+    session.command(key == Command::Settle ? key : Command::Select);  // struck twice it is still stopped once
+    session.finish();
+    ASSERT_EQ(session.steps().size(), 3u);
+    EXPECT_THAT(stepsOf(session).back(), testing::MatchesRegex("drape live=p1 stop=[0-9]+"));
+    const Document& document = session.fitting().document;
+    EXPECT_NE(drapeHash(document), stand);
+    EXPECT_TRUE(document.drape.dirty.contains(document.pieceNamed("front")->id)) << "not at rest";
+    EXPECT_FALSE(document.drape.last->settled);
+    session.command(Command::Undo);
+    session.finish();
+    EXPECT_EQ(drapeHash(session.fitting().document), stand);
+    EXPECT_EQ(session.steps().size(), 2u);
+  }
+}
+
+TEST(Session, AStepAfterAStopFindsTheClothWhereItStopped) {
+  Stepping solver;
+  Session session(solver.options());
+  giveTwo(session);
+  session.perform(op("drape live=front"));
+  solver.begun.get_future().wait();
+  session.command(Command::Settle);
+  session.perform(op("move piece=back by=0,1cm,0"));
+  session.finish();
+  ASSERT_EQ(session.steps().size(), 4u);
+  EXPECT_THAT(stepsOf(session)[2], testing::HasSubstr("stop="));
+  EXPECT_THAT(stepsOf(session)[3], testing::StartsWith("move"));
+}
+
+TEST(Session, ADrapeUnderWayIsKeptWhenAnotherDocumentComesOrOneLeaves) {
+  const auto path = std::filesystem::temp_directory_path() / ("karinui_stop_" + std::to_string(getpid()) + ".karinui");
+  for (const bool leaves : {false, true}) {
+    std::filesystem::remove(path);
+    {
+      Stepping solver;
+      Session session(solver.options());
+      session.create(path);
+      giveTwo(session);
+      session.perform(op("drape"));
+      solver.begun.get_future().wait();
+      if (leaves)
+        session.conclude();
+      else
+        session.begin(DocumentFile::inMemory()), session.finish();
+    }
+    const auto kept = DocumentFile::openForReading(path);
+    ASSERT_TRUE(kept);
+    ASSERT_EQ(kept->steps().size(), 3u);
+    EXPECT_THAT(text(kept->steps().back().operation), testing::HasSubstr("stop="));
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(Session, ASeamIsTurnedRound) {
@@ -433,7 +521,7 @@ TEST(Session, OpensCopiesAndReopensWhereItWas) {
     giveTwo(session);
     session.perform(op("move piece=front by=0,1cm,0"));
     session.command(Command::Undo);
-    session.saveCopy(folder / "b.karinui");
+    session.saveAs(folder / "b.karinui");
     session.finish();
     EXPECT_EQ(session.path(), folder / "b.karinui");
     EXPECT_EQ(session.steps().size(), 2u);

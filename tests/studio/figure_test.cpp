@@ -1,8 +1,12 @@
 // The board of the figure in the real window: turned, let go, taken back.
 #include <gmock/gmock.h>
 
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
 #include <QSlider>
 #include <QStyleOptionSlider>
+#include <fstream>
 
 #include "studio/window.h"
 
@@ -18,6 +22,12 @@ QPointF knobOf(const QSlider& slider) {
   return slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider).center();
 }
 
+QSlider* sliderOf(Window& w, const char* name) {
+  for (QSlider* one : w.main().findChildren<QSlider*>())
+    if (one->accessibleName() == name) return one;
+  return nullptr;
+}
+
 TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
@@ -28,9 +38,7 @@ TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
   const auto bust = [](const Fitting& f) { return f.body->measured().value.at("bust_girth"); };
   const auto chest = [&] { return w.session().fitting().document.pieceNamed("front")->outline.area(); };
   const double girth = bust(w.session().fitting()), area = chest();
-  QSlider* slider = nullptr;
-  for (QSlider* one : w.main().findChildren<QSlider*>())
-    if (one->accessibleName() == "bust girth") slider = one;
+  QSlider* slider = sliderOf(w, "bust girth");
   ASSERT_TRUE(slider);
   const QPointF knob = knobOf(*slider);
   w.drag(*slider, {knob, knob + QPointF(slider->width() * 0.12, 0)}, {}, [&] {
@@ -50,6 +58,95 @@ TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
   EXPECT_EQ(bust(w.session().fitting()), girth);
   EXPECT_EQ(chest(), area);
   EXPECT_EQ(w.box("bust girth").text().toStdString(), "–") << "the board says what is worn";
+}
+
+// An imported body is as it is: sliders do not put another in its place, and its own measures are told.
+TEST(StudioFigure, AnImportedBodyStaysUntilAMannequinIsAskedFor) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(1);
+  w.rest();
+  Folder folder;
+  const fs::path file = folder.path / "client.obj";
+  {
+    std::ofstream out(file);
+    const TriangleMesh& mesh = w.session().fitting().body->mesh();
+    for (const Vec3 p : mesh.points) out << "v " << 1.08 * p.x << ' ' << p.y << ' ' << 1.08 * p.z << '\n';
+    for (const Triangle& f : mesh.faces) out << "f " << f[0] + 1 << ' ' << f[1] + 1 << ' ' << f[2] + 1 << '\n';
+  }
+  const auto bust = [](const Fitting& f) { return f.body->measured().value.at("bust_girth"); };
+  const double girth = bust(w.session().fitting());
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+  QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&w.main(), &enter);
+  QDropEvent drop(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&w.main(), &drop);
+  w.rest();
+  w.session().finish();
+  w.rest();
+  ASSERT_NEAR(bust(w.session().fitting()), 1.08 * girth, 0.02) << w.main().said().toStdString();
+  const std::size_t steps = w.count();
+  const std::string imported = w.session().fitting().body->hash();
+
+  QSlider* slider = sliderOf(w, "bust girth");
+  ASSERT_TRUE(slider);
+  EXPECT_NEAR(w.box("bust girth").value(), bust(w.session().fitting()), 0.001) << "what was measured";
+  const QPointF knob = knobOf(*slider);
+  w.drag(*slider, {knob, knob + QPointF(slider->width() * 0.2, 0)}, {}, [&] {
+    w.session().finish();
+    EXPECT_EQ(w.session().shown().body->hash(), imported) << "no mannequin stands there";
+  });
+  w.rest();
+  EXPECT_EQ(w.session().shown().body->hash(), imported);
+  EXPECT_EQ(w.count(), steps);
+  std::string said;
+  for (const QLabel* label : w.main().findChildren<QLabel*>())
+    if (label->isVisible()) said += label->text().toStdString() + "\n";
+  EXPECT_THAT(said, testing::HasSubstr("The imported body “client”"));
+  EXPECT_THAT(said, testing::HasSubstr("It takes this body's place"));
+  w.keep("studio_imported_body");
+
+  QPushButton& make = w.button("Make a mannequin with these measures");
+  ASSERT_TRUE(make.isVisible());
+  const double was = bust(w.session().fitting());
+  w.click(make, make.rect().center());
+  w.rest();
+  ASSERT_GT(w.count(), steps) << w.main().said().toStdString();
+  EXPECT_TRUE(w.session().figure()->mesh.empty());
+  EXPECT_NEAR(bust(w.session().fitting()), was, 0.01);
+  EXPECT_FALSE(make.isVisible());
+  w.key(Command::Undo);
+  w.rest();
+  EXPECT_EQ(w.session().fitting().body->hash(), imported) << "and Undo brings it back";
+  EXPECT_TRUE(make.isVisible());
+}
+
+// While a figure is only tried on, the list tells its measures.
+TEST(StudioFigure, TheListOfMeasuresIsOfTheFigureThatIsSeen) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(1);
+  w.rest();
+  const auto listed = [&] {
+    for (const QLabel* label : w.main().findChildren<QLabel*>())
+      if (label->isVisible() && label->text().startsWith("<table>") && label->text().contains("height"))
+        return label->text();
+    return QString();
+  };
+  const QString before = listed();
+  ASSERT_FALSE(before.isEmpty());
+  QSlider* slider = sliderOf(w, "bust girth");
+  const QPointF knob = knobOf(*slider);
+  w.drag(*slider, {knob, knob + QPointF(slider->width() * 0.12, 0)}, {}, [&] {
+    w.session().finish();
+    w.rest();
+    EXPECT_NE(listed(), before);
+  });
+  w.key(Command::Cancel);
+  w.rest();
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // Editing on the paper in the real window: points, notches, darts, lines, by mouse and by number.
 #include <gmock/gmock.h>
 
+#include <QComboBox>
 #include <QTreeWidget>
 
 #include "karinui/design/script.h"
+#include "length_choice.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
@@ -165,6 +167,69 @@ TEST(StudioPaper, EditsBothHalvesAtOnce) {
   w.rest();
   const Flat after = onEdge(w, "front", "side_right", 1);
   EXPECT_GT(distance(before, after), 0.005) << "the other half's corner went along";
+}
+
+double lengthOf(Window& w, const char* piece, const char* edge) {
+  return findEdge(*w.session().fitting().document.pieceNamed(piece), edge)->curve.length();
+}
+
+TEST(StudioPaper, ATypedLengthChangesBothHalvesAndShowsWhichEndStays) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().select(edgeOf(w, "front", "side_left"));
+  w.rest();
+  auto* stays = w.main().findChild<LengthChoice*>();
+  ASSERT_TRUE(stays);
+  auto* box = stays->findChild<QComboBox*>();
+  EXPECT_EQ(box->currentText(), "the end at armhole_left stays");
+  const Preview shown = w.session().preview();
+  ASSERT_EQ(shown.table.dots.size(), 2u) << "what stays, on both halves";
+  ASSERT_EQ(shown.table.rings.size(), 2u) << "what moves";
+  EXPECT_EQ(shown.space.rings.size(), 2u);
+  w.keep("studio_length");
+  const double side = lengthOf(w, "front", "side_left"), armhole = lengthOf(w, "front", "armhole_left"),
+               hem = lengthOf(w, "front", "hem_left");
+  w.type(w.box("Length"), QString::fromStdString(fixed(side * 100 + 2, 5)) + " cm");
+  w.rest();
+  EXPECT_NEAR(lengthOf(w, "front", "side_left"), side + 0.02, 1e-6);
+  EXPECT_NEAR(lengthOf(w, "front", "side_right"), side + 0.02, 1e-6);
+  EXPECT_EQ(lengthOf(w, "front", "armhole_left"), armhole);
+  EXPECT_NEAR(lengthOf(w, "front", "hem_left"), hem, 1e-6);
+  EXPECT_THAT(text(w.session().steps()[w.count() - 2].operation), StartsWith("length edge=p"));
+  // The other end, by choice.
+  const auto lower = [&] {
+    const Flat a = onEdge(w, "front", "side_left", 0), b = onEdge(w, "front", "side_left", 1);
+    return a.v < b.v ? a : b;
+  };
+  const Flat low = lower();
+  box->setCurrentIndex(box->findText("the end at hem_left stays"));
+  emit box->activated(box->currentIndex());
+  w.rest();
+  w.type(w.box("Length"), QString::fromStdString(fixed(side * 100, 5)) + " cm");
+  w.rest();
+  EXPECT_NEAR(lengthOf(w, "front", "side_right"), side, 1e-6);
+  EXPECT_LT(distance(lower(), low), 1e-12);
+}
+
+TEST(StudioPaper, EditsBothHalvesBesideASlit) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const Flat hem = onEdge(w, "front", "hem_left", 0.5);
+  w.session().perform(*parseOperation("cut piece=front line=\"" + fixed(hem.u, 4) + "," + fixed(hem.v - 0.02, 4) + " " +
+                                      fixed(hem.u, 4) + "," + fixed(hem.v + 0.1, 4) + "\""));
+  w.rest();
+  w.key(Command::Points);
+  const Flat corner = onEdge(w, "front", "side_left", 1), before = onEdge(w, "front", "side_right", 0);
+  w.drag(w.table(), {w.onTable("front", corner), w.onTable("front", corner) + QPointF(10, 6)});
+  w.rest();
+  EXPECT_GT(distance(before, onEdge(w, "front", "side_right", 0)), 0.005) << w.main().said().toStdString();
+  // The tip of the slit has no image: only this half moves, and that is said.
+  const Flat tip = onEdge(w, "front", "cut", 1);
+  w.drag(w.table(), {w.onTable("front", tip), w.onTable("front", tip) + QPointF(6, 0)});
+  w.rest();
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("Only this half was changed"));
 }
 
 }  // namespace

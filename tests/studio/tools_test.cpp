@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <QDoubleSpinBox>
+#include <QTest>
 
 #include "karinui/design/script.h"
 #include "studio/window.h"
@@ -212,12 +213,43 @@ TEST(StudioTools, SpaceSettlesAndStops) {
   Window w;
   w.openTunic();
   const std::size_t before = w.count();
+  const std::string stand = drapeHash(w.session().fitting().document);
+  // Stopped before anything has moved, nothing is changed.
   w.key(Command::Settle);
   EXPECT_TRUE(w.session().busy().settling);
   w.key(Command::Settle);
   w.rest();
-  EXPECT_EQ(w.count(), before);
-  const std::uint64_t predicted = w.session().news().predicted;
+  if (w.count() > before) w.key(Command::Undo), w.rest();
+  ASSERT_EQ(w.count(), before);
+  // Stopped under way the cloth stays where it is, and one undo takes it back.
+  ChangeSettings fine;  // so that it takes a while
+  fine.spacing = Length{0.008};
+  w.session().perform(fine);
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1);
+  std::uint64_t predicted = w.session().news().predicted;
+  w.key(Command::Settle);
+  while (w.session().busy().settling && w.session().news().predicted == predicted)
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  ASSERT_TRUE(w.session().busy().settling) << "seen on its way";
+  w.space().setFocus();
+  w.main().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.main()));
+  QTest::keyClick(&w.space(), Qt::Key_Space);
+  w.rest();
+  ASSERT_EQ(w.count(), before + 2) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), testing::MatchesRegex("drape live=.* stop=[0-9]+"));
+  EXPECT_THAT(w.main().said().toStdString(), testing::HasSubstr("Stopped where it is"));
+  const Document& document = w.session().fitting().document;
+  EXPECT_FALSE(document.drape.last->settled);
+  EXPECT_TRUE(document.drape.dirty.contains(document.pieceNamed("front")->id)) << "its dot stays";
+  w.key(Command::Undo);
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1);
+  w.key(Command::Undo);
+  w.rest();
+  EXPECT_EQ(drapeHash(w.session().fitting().document), stand);
+  predicted = w.session().news().predicted;
   w.key(Command::Settle);
   w.rest();
   EXPECT_EQ(w.count(), before + 1);

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "drafts.h"
 #include "karinui/design/script.h"
 
 namespace karinui::studio {
@@ -87,6 +88,7 @@ SessionOptions options() {
   SessionOptions options;
   static const auto figures = std::make_shared<Bodies>();
   options.bodies = figures;
+  options.drafts = draftsFolder();
   return options;
 }
 

@@ -249,7 +249,7 @@ TEST(StudioWindow, GuidesThroughAFirstGarment) {
   w.session().perform(SetBody{.size = "jis9ar", .sex = {}, .set = {}, .mesh = {}});
   w.rest();
   QString title;
-  for (QLabel* label : w.space().findChildren<QLabel*>())
+  for (QLabel* label : w.main().findChild<QWidget*>("guide")->findChildren<QLabel*>())
     if (label->property("role") == "title") title = label->text();
   EXPECT_EQ(title, "The front") << "the guide saw the figure";
 }

@@ -12,6 +12,7 @@
 #include "karinui/cloth/cloth.h"
 #include "karinui/cloth/collider.h"
 #include "karinui/cloth/settle_report.h"
+#include "karinui/cloth/stop_request.h"
 
 namespace karinui {
 
@@ -26,6 +27,10 @@ struct SettleSettings {
   int maxSteps = 1600;        // on the finest level; most need some hundred, limp cloth and simcloth many times that
   double skin = 0.0015;       // metres the cloth keeps from colliders
   bool clothOnCloth = true;   // whether cloth keeps from passing through cloth
+  // A settle that is stopped carries the cloth to the finest level as it is, and reports stoppedAfter. With the same
+  // number in stopAfter it stops at the same place, bit for bit.
+  std::size_t stopAfter = 0;    // steps, counted over all levels; 0: not before it rests
+  StopRequest* stop = nullptr;  // asked after each step; null: nobody stops it
 };
 
 // `levels`: the same garment at 4h, 2h, h (coarse first; one level is allowed). The finest level's state is replaced on

@@ -32,6 +32,7 @@ struct SettleReport {
   double penetration = 0;  // deepest below the collider's surface, metres
   double seamGap = 0;      // widest, metres
   StrainReport strain;
+  std::size_t stoppedAfter = 0;  // of the steps below, where it was stopped; 0: it was not. Not kept with a document.
   // Pieces that were not live and should be: the force of what they are sewn to has changed by so much that they would
   // move. Told once, not kept with a document.
   std::vector<PieceId> toActivate;

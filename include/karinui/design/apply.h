@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "karinui/cloth/stop_request.h"
 #include "karinui/design/operation.h"
 
 namespace karinui {
@@ -71,6 +72,8 @@ struct Context {
   std::function<Result<DrapeOutcome>(const Document&, const PullCloth&, Context&)> pull;
   // Told what a person should know of what was just done; empty: nobody asks.
   std::function<void(const Message&)> advise = {};
+  // Stops a drape where the cloth is; the recorded operation then says after how many steps. Null: nobody stops it.
+  StopRequest* stop = nullptr;
 };
 
 Result<BodyPtr> bodyOf(const Document& document, Context& context);  // refused: no body chosen yet

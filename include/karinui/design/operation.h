@@ -93,7 +93,7 @@ struct MovePiece {
   bool operator==(const MovePiece&) const = default;
 };
 
-// sew a=front.side_left b=back.side_left      sew a="front.armhole_l back.armhole_l" b=sleeve.cap
+// sew a=front.side_left b=back.side_left mirror=yes      sew a="front.armhole_l back.armhole_l" b=sleeve.cap
 struct SewEdges {
   static constexpr std::string_view kName = "sew";
   static constexpr std::string_view kHelp = "Joins two runs of edges with a seam.";
@@ -101,6 +101,8 @@ struct SewEdges {
   std::string name;
   Choice reversed = Choice::Auto;
   enum class Tie { Auto, OneToOne, TwoToOne } tie = Tie::Auto;
+  bool mirror = false;
+  bool replace = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("a", self.a, "edges of one side, joined end to end", kNeeded);
@@ -109,6 +111,8 @@ struct SewEdges {
     visit("reversed", self.reversed, "side b runs against its own direction: auto, yes, no (auto: as the edges lie)",
           kOptional);
     visit("tie", self.tie, "auto, 1:1, or 2:1 (two points of the longer side on one of the shorter)", kOptional);
+    visit("mirror", self.mirror, "yes: also the mirror image of the seam, on the garment's other half", kOptional);
+    visit("replace", self.replace, "yes: seams that hold a part of these edges are taken out first", kOptional);
   }
   bool operator==(const SewEdges&) const = default;
 };
@@ -188,16 +192,18 @@ struct ReshapePiece {
   bool operator==(const ReshapePiece&) const = default;
 };
 
-// drape        drape live=sleeve
+// drape        drape live=sleeve        drape stop=120
 struct DrapePieces {
   static constexpr std::string_view kName = "drape";
   static constexpr std::string_view kHelp = "Brings the cloth to rest on the body.";
   std::vector<PieceRef> live;
   Vec3 gravity{0, -9.81, 0};
+  int stop = 0;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("live", self.live, "the pieces that move (otherwise every piece that is not frozen)", kOptional);
     visit("gravity", self.gravity, "metres per second squared (x,y,z)", kOptional);
+    visit("stop", self.stop, "after how many of the solver's steps to stop where the cloth is (0: at rest)", kOptional);
   }
   bool operator==(const DrapePieces&) const = default;
 };
@@ -471,16 +477,23 @@ struct SplitEdge {
 };
 
 // join edge=front.side_left
+// A record made before `refit` existed names the piece by its id and has `symmetric` decided: it keeps its old meaning.
 struct JoinEdges {
   static constexpr std::string_view kName = "join";
   static constexpr std::string_view kHelp = "Takes away the point between an edge and the next; the two become one.";
   EdgeRef edge;
   Choice symmetric = Choice::Auto;
+  Choice refit = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge that ends at the point", kNeeded);
     visit("symmetric", self.symmetric, "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)",
           kOptional);
+    visit(
+        "refit", self.refit,
+        "yes: one curve fitted to both edges; no: one that only leaves and arrives as they did (auto: yes, but no in a "
+        "record that does not have it)",
+        kOptional);
   }
   bool operator==(const JoinEdges&) const = default;
 };
@@ -554,10 +567,39 @@ struct FlipSeam {
   bool operator==(const FlipSeam&) const = default;
 };
 
+// length edge=front.side_left to=36cm        length edge=front.shoulder_left to=12cm keep=end neighbours=follow
+// The edge keeps its shape, scaled; its other end moves. Every edge but it and its neighbours at the moved ends (and
+// their mirror images) stays bit for bit.
+struct SetLength {
+  static constexpr std::string_view kName = "length";
+  static constexpr std::string_view kHelp = "Makes an edge as long as said; says which end stays and what follows.";
+  EdgeRef edge;
+  Length to;
+  enum class Keep { Auto, Start, End, Middle } keep = Keep::Auto;
+  enum class Neighbours { Keep, Follow } neighbours = Neighbours::Keep;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge", kNeeded);
+    visit("to", self.to, "its new length", kNeeded);
+    visit("keep", self.keep,
+          "what stays: auto, start, end, middle (both ends move by half); auto: the end on the centre of a symmetric "
+          "piece, else the one whose neighbour is sewn, else the higher one",
+          kOptional);
+    visit("neighbours", self.neighbours,
+          "the edges at a moved end: keep their lengths where they can, or follow (they stretch, and the edge does not "
+          "turn)",
+          kOptional);
+    visit("symmetric", self.symmetric, "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)",
+          kOptional);
+  }
+  bool operator==(const SetLength&) const = default;
+};
+
 using Operation = std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, CutPiece, PullCloth, ReshapePiece,
                                DrapePieces, SetFabric, PinCloth, UnpinCloth, RemovePieces, DuplicatePiece, MirrorPiece,
                                Rename, PlacePiece, FreezePieces, SetLayer, ChangeSettings, AddPiece, SetGrain, AddNotch,
-                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam>;
+                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam, SetLength>;
 
 std::string_view nameOf(const Operation& operation);
 

@@ -48,8 +48,11 @@ struct EditedPiece {
 Result<EditedPiece> splitEdge(const Piece& piece, std::string_view edge, double fraction);
 
 // Takes away the corner at which `edge` ends: it and the next become one, under its name. Two straight edges become one
-// straight one, edges that meet smoothly keep their shape, others become a curve that leaves and arrives as they did.
-Result<EditedPiece> joinEdges(const Piece& piece, std::string_view edge);
+// straight one. With `refit` the parts of one curve become that curve again, edges that meet smoothly become the fewest
+// cubics within 0.1 mm of both, and a corner is rounded: beyond a third of the shorter edge from it the curve stays
+// within 0.5 mm of both. Without, edges that meet smoothly keep their shape and others become a curve that leaves and
+// arrives as they did.
+Result<EditedPiece> joinEdges(const Piece& piece, std::string_view edge, bool refit = false);
 
 // Takes a wedge out of an edge: `width` of it, about a fraction of its length, up to `tip` inside the piece. Its two
 // sides are new edges, "name" and "name_2" (or the next free), from the edge to the tip and back.

@@ -37,7 +37,7 @@ struct SceneWord {
 
 struct SceneOverlay {
   std::vector<SceneLine> lines;
-  std::vector<Vec3> dots;
+  std::vector<Vec3> dots, rings;  // filled, and hollow
   std::vector<SceneWord> words;
   std::vector<ScenePanel> panels;
 };
@@ -54,7 +54,7 @@ struct TableWord {
 };
 struct TableOverlay {
   std::vector<TableLine> lines;
-  std::vector<Flat> dots;
+  std::vector<Flat> dots, rings;
   std::vector<TableWord> words;
 };
 

@@ -44,10 +44,11 @@ enum class Command {
 
 struct CommandInfo {
   Command command;
-  std::string_view name;  // as key bindings say it: "draw"
-  std::string_view icon;  // in scene/icon.h; empty: none
-  std::string_view key;   // the usual one: "Space", "Ctrl+Z", "D"
-  Message label, hint;    // a word or two; a sentence that teaches
+  std::string_view name;           // as key bindings say it: "draw"
+  std::string_view icon;           // in scene/icon.h; empty: none
+  std::string_view key;            // the usual one: "Space", "Ctrl+Z", "D"
+  Message label, hint;             // a word or two; a sentence that teaches
+  std::string_view otherKey = {};  // a second usual one
 };
 std::span<const CommandInfo> commands();
 const CommandInfo& info(Command command);

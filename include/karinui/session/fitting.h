@@ -1,6 +1,7 @@
 #pragma once
 // One state of the garment, ready to be drawn and picked. Immutable, shared between threads; made off the hand's
 // thread.
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -77,9 +78,15 @@ struct Hit {
 // What is under the pointer. Cheap; any thread.
 Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample);
 Hit pickBody(const Fitting& fitting, const PointerSample& sample);  // through the cloth
+// The nearest edge within reach among those that are wanted.
+using WantedEdge = std::function<bool(const EdgeNear&)>;
+std::optional<EdgeNear> pickEdge(const Fitting& fitting, const Table& table, const PointerSample& sample,
+                                 const WantedEdge& wanted);
 
 // Where a paper place of a piece is in space now; nothing for a piece that is not there.
 std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId piece, Flat paper);
+// The seam that runs over a place of an edge; none: an invalid id.
+SeamId seamAt(const Document& document, const EdgeNear& near);
 // A part of an edge as a line in space and on the table; nothing when it is not there.
 std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part);
 // Threads between edges that are to be sewn but hang apart, from place to place as they will be sewn.

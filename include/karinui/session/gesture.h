@@ -23,6 +23,7 @@ struct Workbench {
   Language language = Language::English;
   double dartWidth = 0.02;  // metres
   bool inches = false;
+  bool mirrorSeams = true;  // a seam's mirror image is sewn with it
   std::string said(double metres) const { return lengthSaid(metres, inches); }
 };
 
@@ -50,11 +51,27 @@ struct Answer {
   std::optional<Message> why;  // refused
 };
 
+// A menu where a drag was dropped: what is still to be chosen before anything is done. Lengths are written as the
+// person reads them.
+struct DropMenu {
+  struct Item {
+    Message label;
+    std::optional<bool> checked = {};  // a check mark that is set or taken away; the menu stays
+  };
+  std::vector<Message> title;  // sentences
+  std::vector<Item> items;
+  std::size_t current = 0;  // the item Enter takes
+  PointerSample::Where where = PointerSample::Where::Space;
+  Vec3 space;  // beside which place it opens,
+  Flat table;  // in either view
+};
+
 struct Told {
   bool over = false;                        // the gesture has ended
   std::optional<Operation> operation = {};  // then: what it comes to
-  std::optional<Message> why = {};          // a sentence for the person: refused, or what to do next
+  std::optional<Message> why = {};  // a sentence for the person: refused, what to do next, or advice on the operation
   Ask ask = {};
+  std::optional<bool> mirrorSeams = {};  // as it was just set in a drop menu
 };
 
 // What is chosen, in space and on the table alike.
@@ -75,8 +92,12 @@ class Gesture {
   virtual bool takeBack() { return false; }              // undo within the gesture; false: there is nothing
   virtual void answered(const Answer&) {}
   virtual Preview preview(const Workbench& bench) const = 0;
-  virtual Message hint() const = 0;  // what to do now
-  virtual bool begun() const = 0;    // something would be lost
+  // The menu at the drop, if something is to be chosen there; choose() takes one of its items.
+  virtual std::optional<DropMenu> dropMenu(const Workbench&) const { return std::nullopt; }
+  virtual Told choose(std::size_t, const Workbench&) { return {}; }
+  virtual void moveInMenu(int, const Workbench&) {}  // by so many items
+  virtual Message hint() const = 0;                  // what to do now
+  virtual bool begun() const = 0;                    // something would be lost
   // To a hand without a pointer: what it is led to, and whether it clicks or drags.
   virtual Stops stops() const { return Stops::Pieces; }
   virtual bool clicks() const { return false; }

@@ -17,9 +17,11 @@ struct MenuState {
   std::function<bool(Command)> enabled, chosen;
   std::optional<Command> hot;
 };
-// The bar as it hangs before someone who looks from there: low in view, a little nearer than what is looked at, turned
-// towards the eye. Its size is that of the view, so that it reads alike however far one stands.
+// The bar as it hangs before someone who looks from there: a column at the right edge of the view, a little nearer than
+// what is looked at, facing the eye. Its size is that of the view, so that it reads alike however far one stands.
 ScenePanel menuPanel(const Sight& sight, const MenuState& state);
+// The share of the view's width the bar takes at the right edge, its margins included: less than a fourth.
+double menuShare(const Sight& sight);
 
 // The button a ray meets, from either side; nothing beside them.
 std::optional<Command> menuHit(const ScenePanel& panel, const Ray& ray);

@@ -26,6 +26,11 @@ struct SessionOptions {
   bool settleByItself = true;      // what was at rest is brought to rest again after it was changed
   std::function<void()> wake;      // from any thread: call update() soon
   std::shared_ptr<Bodies> bodies;  // figures that were built already; empty: its own
+  // Where a document that was given no file gets one with its first step; made when needed. Empty: it stays in memory.
+  std::filesystem::path drafts;
+  // A name for a draft, without ending; a number is added where it is taken. `about`: what it begins with (a size, an
+  // imported file), or empty. Called on the session's own thread. Not set: `about`, or "draft".
+  std::function<std::string(const std::string& about)> nameDraft;
   // Instead of the real solver, for tests; called on the session's own thread.
   std::function<Result<DrapeOutcome>(const Document&, const DrapePieces&, Context&)> drape;
   std::function<Result<DrapeOutcome>(const Document&, const PullCloth&, Context&)> pull;
@@ -59,17 +64,21 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  // --- the document. Each replaces the one before, which is closed.
-  void begin(DocumentFile file);                     // takes it over
-  void create(const std::filesystem::path& path);    // refuses to overwrite
-  void open(const std::filesystem::path& path);      // read-only where it cannot be written
-  void saveCopy(const std::filesystem::path& path);  // and works on in the copy
+  // --- the document. Each replaces the one before, which is closed. A document without a file (there is one at first)
+  // becomes a draft with its first step; where no draft can be written the step is refused.
+  void begin(DocumentFile file);                   // takes it over
+  void create(const std::filesystem::path& path);  // refuses to overwrite
+  void open(const std::filesystem::path& path);    // read-only where it cannot be written
+  // Works on in `path`, which is replaced: a draft moves there, another document leaves a copy behind, an empty one
+  // without a file begins there.
+  void saveAs(const std::filesystem::path& path);
   // Plays the steps of this document anew on another figure, into a new document at `path`.
   void replayOn(SetBody body, const std::filesystem::path& path);
   void importBody(const std::filesystem::path& file);
   void importPattern(const std::filesystem::path& file);  // into this document; .json of ours or GarmentCode, .ops
   void exportTo(const std::filesystem::path& file, const ExportWish& wish);
-  const std::filesystem::path& path() const;  // empty: in memory
+  const std::filesystem::path& path() const;  // empty: no step yet (or no drafts folder)
+  bool draft() const;                         // lies in the drafts folder
   bool readOnly() const;
 
   // --- what there is
@@ -83,15 +92,18 @@ class Session {
   Command tool() const;
   Message hint() const;
   Preview preview() const;
-  std::optional<ScenePanel> menu() const;  // nothing before setSight()
+  std::optional<DropMenu> dropMenu() const;  // where a drag was dropped and something is to be chosen
+  std::optional<ScenePanel> menu() const;    // nothing before setSight()
   Busy busy() const;
   std::vector<Notice> takeNotices();
   void refuse(const Error& why);      // what a face could not make of something typed, told like any refusal
+  void advise(Message what);          // told once, like advice on a step
   std::optional<Command> takeView();  // a view that was asked for
   const SessionNews& news() const;
 
   // --- what the person does
   void feed(const PointerSample& sample);
+  void leave();  // the pointer left the view: what was shown only because it hovered there goes
   // The same with keys alone. `with` says where, when, how near touching is, and which modifiers are held; the rest is
   // the fingertip's.
   void strike(KeyStroke key, const PointerSample& with);
@@ -103,6 +115,14 @@ class Session {
   void setInches(bool inches);       // instead of centimetres, in what gestures tell
   void setDartWidth(double metres);  // of the next dart
   double dartWidth() const;
+  void setMirrorSeams(bool on);  // whether a seam's mirror image is sewn with it; at first it is
+  bool mirrorSeams() const;
+  void choose(std::size_t item);  // of the drop menu
+  // Which end of the chosen edge stays when its length is typed: by itself as keptEnd() has it, until another edge is
+  // chosen. Start where no edge is chosen. preview() marks what stays with dots, what moves with rings.
+  void setKeptEnd(SetLength::Keep keep);
+  SetLength::Keep keptEnd() const;
+  bool bothHalves() const;  // the edge's image on the other half is changed with it
   bool can(Command command) const;
   void command(Command command);
   void select(Selection selection);
@@ -132,6 +152,8 @@ class Session {
   bool update();  // takes in what was finished; true: something is new
   void finish();  // waits until nothing is left to do
   bool idle() const;
+  // Before leaving: waits for the steps that were asked for, stops a drape where it is. Imports are not waited for.
+  void conclude();
 
  private:
   struct Inside;

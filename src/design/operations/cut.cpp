@@ -24,6 +24,15 @@ void sharePins(Document& document, const Piece& first, const Piece& second) {
   if (!gone.empty()) document.pins[second.id] = std::move(gone);
 }
 
+// A cut piece is no longer its symmetric copy's likeness.
+void tellUnlike(const Document& before, const Piece& piece, const Context& context) {
+  if (!context.advise) return;
+  for (const auto& [id, other] : before.pattern.pieces)
+    if (id != piece.id && (other->mirrorOf == piece.id || piece.mirrorOf == id))
+      context.advise(say("“{0}” and “{1}” are no longer alike: what is done to one is not done to the other any more.",
+                         piece.name, other->name));
+}
+
 }  // namespace
 
 Done resolve(const Document& before, CutPiece& op, Context&) {
@@ -39,9 +48,10 @@ Done resolve(const Document& before, CutPiece& op, Context&) {
   return checkNewName(before, op.name);
 }
 
-Result<Document> perform(const Document& before, const CutPiece& op, Context&) {
+Result<Document> perform(const Document& before, const CutPiece& op, Context& context) {
   auto cut = cutPiece(*before.find(op.piece.id), op.line, mint<PieceId>(before, 0), op.name);
   if (!cut) return cut.error();
+  tellUnlike(before, *before.find(op.piece.id), context);
   Document after = before;
   updateSeams(after.pattern, cut->edges);
   if (cut->pieces.size() > 1) sharePins(after, cut->pieces[0], cut->pieces[1]);

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "design/operations/operations.h"
-#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -43,13 +42,16 @@ Result<Document> darted(const Document& before, const AddDart& op, const Dart& d
 
 }  // namespace
 
-Done resolve(const Document& before, AddDart& op, Context&) {
+Done resolve(const Document& before, AddDart& op, Context& context) {
   op.edge.from = 0, op.edge.to = 1;
   if (Done done = resolve(before, op.edge); !done) return done;
   if (op.name.empty()) op.name = "dart";
   if (Done done = checkName(op.name); !done) return done;
   if (!(op.width > 0 && op.width <= 1)) return refused(say("A dart is between 1 mm and 1 m wide."));
-  return resolveSymmetric(*before.find(op.edge.piece.id), op.symmetric);
+  const Piece& piece = *before.find(op.edge.piece.id);
+  return resolveSymmetric(piece, op.symmetric, context, [&](const PaperSymmetry& symmetry) {
+    return imageOf(piece.outline, symmetry, {*piece.outline.find(op.edge.edge), op.at}).has_value();
+  });
 }
 
 Result<Document> perform(const Document& before, const AddDart& op, Context&) {
@@ -59,10 +61,11 @@ Result<Document> perform(const Document& before, const AddDart& op, Context&) {
   auto after = darted(before, op, {op.edge.edge, op.at, op.tip}, map, seams);
   if (!after || op.symmetric != Choice::Yes) return after;
   const auto symmetry = symmetryOf(piece.outline);
-  const std::string& other = piece.outline.edges[symmetry->partner[*piece.outline.find(op.edge.edge)]].name;
+  const auto image = imageOf(piece.outline, *symmetry, {*piece.outline.find(op.edge.edge), op.at});
+  const std::string& other = piece.outline.edges[image->edge].name;
   const Flat tip = symmetry->image(op.tip);
   if (other == op.edge.edge && std::fabs(op.at - 0.5) < 1e-6 && distance(tip, op.tip) < 1e-6) return after;
-  const auto there = placeNow(map, piece.id, other, 1 - op.at);
+  const auto there = placeNow(map, piece.id, other, image->at);
   if (!there) return refused(say("The darts of both halves would meet; write symmetric=no for one alone."));
   return darted(*after, op, {there->first, there->second, tip}, map, seams);
 }

@@ -4,7 +4,6 @@
 
 #include "design/operations/operations.h"
 #include "karinui/geometry/fit_curve.h"
-#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -12,9 +11,12 @@ namespace {
 
 constexpr double kReach = 0.01;  // metres
 
-Done checkSymmetric(const Piece& piece, bool symmetric) {
+// `edge`: the edge a notch lies on, empty for a drill hole.
+Done checkSymmetric(const Piece& piece, bool symmetric, const std::string& edge, double at, Context& context) {
   Choice choice = symmetric ? Choice::Yes : Choice::No;
-  return resolveSymmetric(piece, choice);
+  return resolveSymmetric(piece, choice, context, [&](const PaperSymmetry& symmetry) {
+    return edge.empty() || imageOf(piece.outline, symmetry, {*piece.outline.find(edge), at});
+  });
 }
 
 Document marked(Document document, Piece piece) {
@@ -43,7 +45,7 @@ double away(const InternalLine& line, Flat at) {
 
 }  // namespace
 
-Done resolve(const Document& before, AddNotch& op, Context&) {
+Done resolve(const Document& before, AddNotch& op, Context& context) {
   if (op.edge == EdgeRef() ? !op.point : op.point.has_value()) {
     return refused(say("Say where to mark: edge=front.side at=0.5, or piece=front point=10cm,5cm."));
   }
@@ -56,13 +58,13 @@ Done resolve(const Document& before, AddNotch& op, Context&) {
     if (!contains(piece.outline.flattened(1e-4), *op.point)) {
       return refused(say("The drill hole is not on “{0}”.", piece.name));
     }
-    return checkSymmetric(piece, op.symmetric);
+    return checkSymmetric(piece, op.symmetric, {}, 0, context);
   }
   op.edge.from = 0, op.edge.to = 1;
   if (Done done = resolve(before, op.edge); !done) return done;
   op.piece = op.edge.piece;
   if (!(op.at >= 0 && op.at <= 1)) return refused(say("A notch lies between 0, the edge's beginning, and 1, its end."));
-  return checkSymmetric(*before.find(op.piece.id), op.symmetric);
+  return checkSymmetric(*before.find(op.piece.id), op.symmetric, op.edge.edge, op.at, context);
 }
 
 Result<Document> perform(const Document& before, const AddNotch& op, Context&) {
@@ -81,8 +83,9 @@ Result<Document> perform(const Document& before, const AddNotch& op, Context&) {
     const Flat here = placeOf(piece, mark);
     mark.place = op.point ? symmetry->image(*op.point) : Flat();
     if (!op.point) {
-      mark.edge = piece.outline.edges[symmetry->partner[*piece.outline.find(mark.edge)]].name;
-      mark.fraction = 1 - op.at;
+      const auto image = imageOf(piece.outline, *symmetry, {*piece.outline.find(mark.edge), op.at});
+      mark.edge = piece.outline.edges[image->edge].name;
+      mark.fraction = image->at;
     }
     if (distance(placeOf(piece, mark), here) > 1e-6) piece.marks.push_back(std::move(mark));
   }

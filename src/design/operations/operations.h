@@ -7,6 +7,7 @@
 #include "karinui/design/apply.h"
 #include "karinui/design/drape.h"
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -42,6 +43,7 @@ KARINUI_DECLARE_OPERATION(AddDart)
 KARINUI_DECLARE_OPERATION(AddLine)
 KARINUI_DECLARE_OPERATION(EraseMarks)
 KARINUI_DECLARE_OPERATION(FlipSeam)
+KARINUI_DECLARE_OPERATION(SetLength)
 #undef KARINUI_DECLARE_OPERATION
 
 // The id of the nth thing (from 0) that the operation now being performed makes.
@@ -61,8 +63,10 @@ Document withPiece(Document document, Piece piece);
 // The document with an edited piece: its seams follow, and its symmetric copies (or the piece it is the copy of) are
 // edited likewise as long as they are its likeness. `others`, if given, hears of those.
 Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceId>* others = nullptr);
-// Auto is decided: whether a piece is symmetric by itself. Refuses Yes where it is not.
-Done resolveSymmetric(const Piece& piece, Choice& symmetric);
+// Auto is decided: whether a piece is symmetric by itself and, by `both`, whether the other half has what is changed;
+// where it has not, because of a slit or dart, that is told. Refuses Yes where only one half can be changed.
+Done resolveSymmetric(const Piece& piece, Choice& symmetric, Context& context,
+                      const std::function<bool(const PaperSymmetry&)>& both);
 // A fabric a piece may be cut from exists: one of the document or a preset.
 Done checkFabricName(const Document& document, const std::string& name);
 // The name a new piece gets: as asked, if it is good and free.

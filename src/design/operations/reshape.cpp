@@ -7,7 +7,6 @@
 #include "karinui/base/number.h"
 #include "karinui/design/drawing.h"
 #include "karinui/pattern/lattice.h"
-#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 namespace {

@@ -26,6 +26,7 @@ Done resolveLive(const Document& before, std::vector<PieceRef>& live) {
 
 Done resolve(const Document& before, DrapePieces& op, Context&) {
   if (!(length(op.gravity) <= 100)) return refused(say("Gravity is about 9.81 m/s2; that is too much."));
+  if (op.stop < 0) return refused(say("A drape stops after a number of steps that is not negative."));
   return resolveLive(before, op.live);
 }
 

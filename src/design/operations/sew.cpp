@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "design/operations/operations.h"
+#include "karinui/design/sewing.h"
 
 namespace karinui {
 
@@ -8,16 +9,11 @@ namespace {
 
 constexpr double kTwoToOneFrom = 1.41421356;  // nearer to 2:1 than to 1:1 in ratio
 constexpr double kMostEase = 10;
-constexpr int kSamples = 24;
 
 std::string spoken(const Seam& seam) { return seam.name.empty() ? text(seam.id) : seam.name; }
 
 std::string spoken(const Document& document, const EdgeRef& edge) {
   return document.find(edge.piece.id)->name + "." + edge.edge;
-}
-
-bool overlap(const EdgeRef& a, PieceId piece, const std::string& edge, double from, double to) {
-  return a.piece.id == piece && a.edge == edge && std::fmin(a.to, to) - std::fmax(a.from, from) > 1e-6;
 }
 
 std::vector<EdgeSpan> spans(const std::vector<EdgeRef>& refs) {
@@ -26,29 +22,31 @@ std::vector<EdgeSpan> spans(const std::vector<EdgeRef>& refs) {
   return side;
 }
 
-// Places in space along a side, evenly by length, about their own middle: so a piece that still hangs apart is judged
-// by its shape.
-std::vector<Vec3> stood(const Document& document, const std::vector<EdgeSpan>& side) {
-  const double whole = length(document.pattern, side);
-  std::vector<Vec3> places;
-  double done = 0;
-  std::size_t next = 0;
-  for (const EdgeSpan& span : side) {
-    const Piece& piece = *document.find(span.piece);
-    const Stand stand(piece);
-    const Curve& curve = piece.outline.edges[*piece.outline.find(span.edge)].curve;
-    const double part = length(document.pattern, {span});
-    for (; next <= kSamples; ++next) {
-      const double s = whole * static_cast<double>(next) / kSamples - done;
-      if (s > part + 1e-12 && &span != &side.back()) break;
-      places.push_back(stand(curve.atFraction(span.from + (span.to - span.from) * std::fmin(1, s / part))));
+// Without the seams that are in the way, if they are to go.
+Document cleared(const Document& before, const SewEdges& op) {
+  Document after = before;
+  if (!op.replace) return after;
+  for (const auto* side : {&op.a, &op.b})
+    for (const SeamId id : seamsOn(after, *side)) {
+      const Seam& seam = after.pattern.seams.at(id);
+      for (const auto* held : {&seam.a, &seam.b})
+        for (const EdgeSpan& span : *held) after.drape.dirty.insert(span.piece);
+      after.pattern.seams.erase(id);
     }
-    done += part;
-  }
-  Vec3 middle;
-  for (const Vec3 p : places) middle += p * (1.0 / static_cast<double>(places.size()));
-  for (Vec3& p : places) p = p - middle;
-  return places;
+  return after;
+}
+
+void sew(Document& document, const SewEdges& op, SeamId id) {
+  Seam seam;
+  seam.id = id;
+  seam.name = op.name;
+  seam.a = spans(op.a);
+  seam.b = spans(op.b);
+  seam.reversed = op.reversed == Choice::Yes;
+  seam.tie = op.tie == SewEdges::Tie::TwoToOne ? Seam::Tie::TwoToOne : Seam::Tie::OneToOne;
+  for (const auto* side : {&seam.a, &seam.b})
+    for (const EdgeSpan& span : *side) document.drape.dirty.insert(span.piece);
+  document.pattern.seams[id] = std::move(seam);
 }
 
 }  // namespace
@@ -61,54 +59,47 @@ Done resolve(const Document& before, SewEdges& op, Context&) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     EdgeRef& edge = *all[i];
     if (Done done = resolve(before, edge); !done) return done;
-    for (std::size_t j = 0; j < i; ++j) {
-      if (overlap(edge, all[j]->piece.id, all[j]->edge, all[j]->from, all[j]->to)) {
-        return refused(say("{0} cannot be sewn to itself.", spoken(before, edge)));
-      }
-    }
-    for (const auto& [id, seam] : before.pattern.seams) {
-      for (const auto* side : {&seam.a, &seam.b}) {
-        for (const EdgeSpan& span : *side) {
-          if (overlap(edge, span.piece, span.edge, span.from, span.to)) {
-            return refused(
-                say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge), spoken(seam)));
-          }
-        }
-      }
-    }
+    for (std::size_t j = 0; j < i; ++j)
+      if (overlap(edge, *all[j])) return refused(say("{0} cannot be sewn to itself.", spoken(before, edge)));
+    if (op.replace) continue;
+    for (const SeamId id : seamsOn(before, {edge}))
+      return refused(
+          say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge), spoken(*before.find(id))));
   }
   if (!op.name.empty()) {
     if (Done done = checkName(op.name); !done) return done;
     for (const auto& [id, seam] : before.pattern.seams)
       if (seam.name == op.name) return refused(say("There is already a seam “{0}”; choose another name.", op.name));
   }
-  const auto a = spans(op.a), b = spans(op.b);
-  const double la = length(before.pattern, a), lb = length(before.pattern, b);
+  const double la = lengthOf(before, op.a), lb = lengthOf(before, op.b);
   const double ratio = std::fmax(la, lb) / std::fmin(la, lb);
   if (!(ratio <= kMostEase)) {
     return refused(say("One side of this seam is {0} times as long as the other; that much cannot be gathered.",
                        written(std::round(ratio * 10) / 10)));
   }
-  if (op.reversed == Choice::Auto)
-    op.reversed = facesReversed(stood(before, a), stood(before, b)) ? Choice::Yes : Choice::No;
+  if (op.reversed == Choice::Auto) op.reversed = facesReversed(before, op) ? Choice::Yes : Choice::No;
   if (op.tie == SewEdges::Tie::Auto) {
     op.tie = ratio >= kTwoToOneFrom ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
   }
+  if (op.mirror)
+    if (const auto image = mirrorImage(cleared(before, op), op); !image) return image.error();
   return {};
 }
 
-Result<Document> perform(const Document& before, const SewEdges& op, Context&) {
-  Document after = before;
-  Seam seam;
-  seam.id = mint<SeamId>(before, 0);
-  seam.name = op.name;
-  seam.a = spans(op.a);
-  seam.b = spans(op.b);
-  seam.reversed = op.reversed == Choice::Yes;
-  seam.tie = op.tie == SewEdges::Tie::TwoToOne ? Seam::Tie::TwoToOne : Seam::Tie::OneToOne;
-  for (const auto* side : {&seam.a, &seam.b})
-    for (const EdgeSpan& span : *side) after.drape.dirty.insert(span.piece);
-  after.pattern.seams[seam.id] = std::move(seam);
+Result<Document> perform(const Document& before, const SewEdges& op, Context& context) {
+  if (context.advise)
+    for (const SeamDoubt& doubt : seamDoubts(before, op, context.bodies.known(before.body.hash).get()))
+      context.advise(doubt.what);
+  Document after = cleared(before, op);
+  // The image is found before the seam is there: it may stand in its own way only where resolve() refused it.
+  std::optional<SewEdges> image;
+  if (op.mirror) {
+    auto found = mirrorImage(after, op);
+    if (!found) return found.error();
+    image = *std::move(found);
+  }
+  sew(after, op, mint<SeamId>(before, 0));
+  if (image) sew(after, *image, mint<SeamId>(before, 1));
   return after;
 }
 

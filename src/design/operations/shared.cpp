@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "design/operations/operations.h"
-#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -102,12 +101,22 @@ Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceI
   return document;
 }
 
-Done resolveSymmetric(const Piece& piece, Choice& symmetric) {
+Done resolveSymmetric(const Piece& piece, Choice& symmetric, Context& context,
+                      const std::function<bool(const PaperSymmetry&)>& both) {
   if (symmetric == Choice::No) return {};
-  const bool is = symmetryOf(piece.outline).has_value();
-  if (symmetric == Choice::Yes && !is)
+  const auto symmetry = symmetryOf(piece.outline);
+  if (symmetric == Choice::Yes && !symmetry)
     return refused(say("Piece {0} is not symmetric; leave symmetric= away.", piece.name));
-  symmetric = is ? Choice::Yes : Choice::No;
+  const bool can = symmetry && both(*symmetry);
+  if (symmetric == Choice::Yes && !can)
+    return refused(say(
+        "The other half of “{0}” has no such edge, because of a slit or dart; write symmetric=no for this half alone.",
+        piece.name));
+  if (symmetry && !can && context.advise)
+    context.advise(
+        say("Only this half of “{0}” was changed: the other half has no such edge, because of a slit or dart.",
+            piece.name));
+  symmetric = can ? Choice::Yes : Choice::No;
   return {};
 }
 
@@ -133,7 +142,10 @@ Document adopted(Document document, const DrapeOutcome& outcome) {
     piece.form = form;
     piece.pose = Rigid();
     document.pattern.pieces[id] = std::make_shared<const Piece>(std::move(piece));
-    document.drape.dirty.erase(id);
+    if (outcome.report.stoppedAfter == 0)
+      document.drape.dirty.erase(id);
+    else
+      document.drape.dirty.insert(id);
   }
   document.drape.last = outcome.report;
   document.drape.force = outcome.force;

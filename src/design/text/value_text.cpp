@@ -48,6 +48,12 @@ constexpr Words<Sex, 2> kSexes{{{{"female", Sex::Female}, {"male", Sex::Male}}}}
 constexpr Words<Choice, 3> kChoices{{{{"auto", Choice::Auto}, {"yes", Choice::Yes}, {"no", Choice::No}}}};
 constexpr Words<SewEdges::Tie, 3> kTies{
     {{{"auto", SewEdges::Tie::Auto}, {"1:1", SewEdges::Tie::OneToOne}, {"2:1", SewEdges::Tie::TwoToOne}}}};
+constexpr Words<SetLength::Keep, 4> kKept{{{{"auto", SetLength::Keep::Auto},
+                                            {"start", SetLength::Keep::Start},
+                                            {"end", SetLength::Keep::End},
+                                            {"middle", SetLength::Keep::Middle}}}};
+constexpr Words<SetLength::Neighbours, 2> kNeighbours{
+    {{{"keep", SetLength::Neighbours::Keep}, {"follow", SetLength::Neighbours::Follow}}}};
 constexpr Words<Fabric::Law, 2> kLaws{{{{"woven", Fabric::Law::Woven}, {"simcloth", Fabric::Law::Simcloth}}}};
 constexpr Words<Settings::Collider, 2> kColliders{
     {{{"field", Settings::Collider::Field}, {"planes", Settings::Collider::Planes}}}};
@@ -294,6 +300,10 @@ std::string writeValue(const Choice& value) { return kChoices.write(value); }
 Done readValue(std::string_view text, Choice& value) { return kChoices.read(text, value); }
 std::string writeValue(const SewEdges::Tie& value) { return kTies.write(value); }
 Done readValue(std::string_view text, SewEdges::Tie& value) { return kTies.read(text, value); }
+std::string writeValue(const SetLength::Keep& value) { return kKept.write(value); }
+Done readValue(std::string_view text, SetLength::Keep& value) { return kKept.read(text, value); }
+std::string writeValue(const SetLength::Neighbours& value) { return kNeighbours.write(value); }
+Done readValue(std::string_view text, SetLength::Neighbours& value) { return kNeighbours.read(text, value); }
 std::string writeValue(const Fabric::Law& value) { return kLaws.write(value); }
 Done readValue(std::string_view text, Fabric::Law& value) { return kLaws.read(text, value); }
 std::string writeValue(const Settings::Collider& value) { return kColliders.write(value); }

@@ -46,6 +46,8 @@ KARINUI_VALUE(std::vector<Mark>, "marks")
 KARINUI_VALUE(Sex, "female|male")
 KARINUI_VALUE(Choice, "auto|yes|no")
 KARINUI_VALUE(SewEdges::Tie, "auto|1:1|2:1")
+KARINUI_VALUE(SetLength::Keep, "auto|start|end|middle")
+KARINUI_VALUE(SetLength::Neighbours, "keep|follow")
 KARINUI_VALUE(Fabric::Law, "woven|simcloth")
 KARINUI_VALUE(Settings::Collider, "field|planes")
 #undef KARINUI_VALUE

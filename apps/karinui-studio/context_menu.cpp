@@ -1,0 +1,134 @@
+// The menu of the right button: what can be done with the piece, the edge or the seam it was clicked on.
+#include <QMenu>
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/pattern/symmetry.h"
+#include "look.h"
+#include "main_window.h"
+
+namespace karinui::studio {
+
+namespace {
+
+constexpr double kDartDeep = 0.1;  // metres, as the board "Garment" offers it
+
+// By length, to the millimetre, as it is then written into the step.
+double toMillimetre(double share, double whole) {
+  return whole > 0 ? std::clamp(std::round(share * whole * 1000) / 1000 / whole, 0.0, 1.0) : share;
+}
+
+}  // namespace
+
+void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
+  const Hit hit = pick(session_->fitting(), session_->table(), sample);
+  Selection chosen;
+  if (hit.piece) chosen.pieces = {hit.piece};
+  chosen.edge = hit.edge;
+  if (hit.edge) chosen.seam = seamAt(session_->fitting().document, *hit.edge);
+  // Several chosen pieces stay chosen, for what is to be done with all of them.
+  if (hit.edge || !hit.piece || !session_->selection().pieces.contains(hit.piece))
+    session_->select(chosen);
+  else
+    chosen.pieces = session_->selection().pieces;
+  refresh();
+  menuOf(chosen, hit, global);
+}
+
+void MainWindow::offer(QMenu& menu, const Message& words, Operation operation) {
+  QAction* action = menu.addAction(inWords(words));
+  action->setEnabled(!session_->readOnly());
+  connect(action, &QAction::triggered, this, [this, operation = std::move(operation)] {
+    session_->perform(operation);
+    refresh();
+  });
+}
+
+void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName("context");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (session_->can(Command::Confirm)) {  // the hand is in the middle of something
+    for (const Command c : {Command::Confirm, Command::Undo, Command::Cancel}) menu->addAction(actions_[c]);
+    return menu->popup(global);
+  }
+  if (chosen.seam) {
+    menu->addAction(actions_[Command::FlipSeam]);
+    offer(*menu, say("Unpick this seam"), Unsew{{SeamRef(chosen.seam)}});
+    menu->addSeparator();
+  }
+  if (chosen.mark || !chosen.line.empty()) {
+    menu->addAction(actions_[Command::Remove]);
+    return menu->popup(global);
+  }
+  if (chosen.edge) addEdgeOperations(*menu, *chosen.edge);
+  if (at && at->piece && !at->edge) {
+    PinCloth pin;
+    pin.piece = at->piece;
+    pin.at = {at->paper};
+    offer(*menu, say("Pin here"), pin);
+  }
+  if (!chosen.pieces.empty()) addPieceOperations(*menu, chosen);
+  if (menu->isEmpty())
+    for (const Command c : {Command::ViewFront, Command::ViewBack, Command::ViewLeft, Command::ViewRight,
+                            Command::ViewOblique, Command::ViewAll})
+      menu->addAction(actions_[c]);
+  menu->popup(global);
+}
+
+void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near) {
+  const Piece* piece = session_->fitting().document.find(near.piece);
+  const Edge* edge = piece ? findEdge(*piece, near.edge) : nullptr;
+  if (!edge) return;
+  const EdgeRef ref{PieceRef(near.piece), near.edge};
+  const Curve& curve = edge->curve;
+  const double share = toMillimetre(near.fraction, curve.length());
+  AddNotch notch;
+  notch.edge = ref;
+  notch.at = share;
+  notch.symmetric = symmetryOf(piece->outline).has_value();
+  AddDart dart;
+  dart.edge = ref;
+  dart.at = share;
+  dart.width = {session_->dartWidth()};
+  dart.tip = curve.atFraction(share) +
+             leftOf(normalized(curve.tangent(curve.parameterAt(share * curve.length())))) * kDartDeep;
+  offer(menu, say("Point there"), SplitEdge{ref, share});
+  offer(menu, say("Take its end away"), JoinEdges{ref});
+  offer(menu, say("Notch there"), notch);
+  offer(menu, say("Dart there"), dart);
+  menu.addSeparator();
+}
+
+void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
+  const Document& document = session_->fitting().document;
+  const Piece* first = document.find(*chosen.pieces.begin());
+  if (!first) return;
+  QMenu* fabrics = menu.addMenu(inWords(say("Fabric")));
+  fabrics->setEnabled(!session_->readOnly());
+  std::vector<std::string> names;
+  for (const auto& [name, fabric] : document.fabrics) names.push_back(name);
+  for (const Fabric& fabric : presets())
+    if (!document.fabrics.contains(fabric.name)) names.push_back(fabric.name);
+  for (const std::string& name : names) {
+    SetFabric set;
+    set.name = name;
+    for (const PieceId id : chosen.pieces) set.pieces.push_back(PieceRef(id));
+    QAction* one = fabrics->addAction(QString::fromStdString(name));
+    one->setCheckable(true);
+    one->setChecked(name == first->fabric);
+    connect(one, &QAction::triggered, this, [this, set] {
+      session_->perform(set);
+      refresh();
+    });
+  }
+  for (const Command c : {Command::Duplicate, Command::Mirror}) menu.addAction(actions_[c]);
+  FreezePieces freeze;
+  RemovePieces remove;
+  for (const PieceId id : chosen.pieces) freeze.pieces.push_back(PieceRef(id)), remove.pieces.push_back(PieceRef(id));
+  freeze.frozen = !first->frozen;
+  offer(menu, freeze.frozen ? say("Freeze") : say("Thaw"), freeze);
+  offer(menu, say("Remove the piece"), remove);
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,15 @@
+#pragma once
+// Where garments are kept that were given no name yet, and what they are called. Any thread.
+#include <filesystem>
+#include <string>
+
+#include "karinui/base/message.h"
+
+namespace karinui::studio {
+
+std::filesystem::path documentsFolder();  // Documents/Karinui
+std::filesystem::path draftsFolder();     // Documents/Karinui/Drafts
+// "Draft 2026-11-22", or what it is about and the day; without ending.
+std::string draftName(const std::string& about, Language language);
+
+}  // namespace karinui::studio

@@ -1,0 +1,84 @@
+#include "drop_menu.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "look.h"
+
+namespace karinui::studio {
+
+DropMenuFrame::DropMenuFrame(Session& session, QWidget* view) : QFrame(view), session_(session) {
+  setObjectName("drop_menu");
+  column_ = new QVBoxLayout(this);
+  column_->setContentsMargins(10, 10, 10, 10);
+  column_->setSpacing(4);
+  title_ = new QLabel;
+  title_->setWordWrap(true);
+  column_->addWidget(title_);
+  hide();
+}
+
+void DropMenuFrame::show(const std::optional<DropMenu>& menu, QPointF at) {
+  if (!menu) return hide();
+  QStringList title;
+  for (const Message& words : menu->title) title << inWords(words);
+  title_->setText(title.join('\n'));
+  while (buttons_.size() < menu->items.size()) {
+    auto* made = new QPushButton;
+    made->setFocusPolicy(Qt::NoFocus);
+    const std::size_t which = buttons_.size();
+    connect(made, &QPushButton::clicked, this, [this, which] {
+      session_.choose(which);
+      emit chosen();
+    });
+    column_->addWidget(made);
+    buttons_.push_back(made);
+  }
+  current_ = menu->current;
+  for (std::size_t k = 0; k < buttons_.size(); ++k) {
+    QPushButton& button = *buttons_[k];
+    button.setVisible(k < menu->items.size());
+    if (k >= menu->items.size()) continue;
+    const DropMenu::Item& item = menu->items[k];
+    const QString mark = !item.checked ? QString() : *item.checked ? QString("☑  ") : QString("☐  ");
+    button.setText(mark + inWords(item.label));
+    button.setAccessibleName(inWords(item.label));
+  }
+  const Palette& p = Look::here().palette();
+  setStyleSheet(QString("QFrame#drop_menu { background: %1; border: 1px solid %2; border-radius: 10px; }"
+                        "QFrame#drop_menu QPushButton { text-align: left; padding: 5px 10px; border: 1px solid %1; }"
+                        "QFrame#drop_menu QPushButton:hover { border: 1px solid %3; }"
+                        "QFrame#drop_menu QPushButton[current=\"true\"] { background: %4; border: 1px solid %3; }")
+                    .arg(p.raised.name(), p.line.name(), p.accent.name(), p.accentSoft.name()));
+  for (std::size_t k = 0; k < buttons_.size(); ++k) {
+    buttons_[k]->setProperty("current", k == current_);
+    buttons_[k]->style()->unpolish(buttons_[k]), buttons_[k]->style()->polish(buttons_[k]);
+  }
+  place(at);
+  QFrame::show();
+  raise();
+}
+
+void DropMenuFrame::place(QPointF at) {
+  constexpr int kWide = 290, kBeside = 24, kRim = 8;  // pixels
+  int wide = 0;
+  for (const QPushButton* button : buttons_)
+    if (!button->isHidden()) wide = std::max(wide, button->sizeHint().width());
+  const int room = parentWidget()->width() - 2 * kRim;
+  setFixedWidth(std::min(std::max(wide + 24, kWide), room));
+  setFixedHeight(column_->heightForWidth(width()) > 0 ? column_->heightForWidth(width()) : sizeHint().height());
+  const int right = static_cast<int>(at.x()) + kBeside, left = static_cast<int>(at.x()) - kBeside - width();
+  const int x = right + width() + kRim <= parentWidget()->width() ? right : left;
+  move(std::clamp(x, kRim, std::max(kRim, parentWidget()->width() - width() - kRim)),
+       std::clamp(static_cast<int>(at.y()) - height() / 2, kRim,
+                  std::max(kRim, parentWidget()->height() - height() - kRim)));
+}
+
+QString DropMenuFrame::heard() const {
+  return isVisible() && current_ < buttons_.size() ? title_->text() + " " + buttons_[current_]->text() : QString();
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,36 @@
+#pragma once
+// The session's drop menu as buttons beside the place of the drop. The view keeps the keyboard: arrows and Enter reach
+// the menu through the session. GUI thread.
+#include <QFrame>
+#include <vector>
+
+#include "karinui/session/session.h"
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace karinui::studio {
+
+class DropMenuFrame : public QFrame {
+  Q_OBJECT
+ public:
+  DropMenuFrame(Session& session, QWidget* view);
+  // Shows the menu with a corner beside `at`, within the view; nothing: hides it.
+  void show(const std::optional<DropMenu>& menu, QPointF at);
+  QString heard() const;  // what is asked and which item Enter takes, for those who hear the screen
+
+ signals:
+  void chosen();
+
+ private:
+  void place(QPointF at);
+
+  Session& session_;
+  QVBoxLayout* column_;
+  QLabel* title_;
+  std::vector<QPushButton*> buttons_;
+  std::size_t current_ = 0;
+};
+
+}  // namespace karinui::studio

@@ -1,0 +1,70 @@
+#include "length_choice.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "look.h"
+
+namespace karinui::studio {
+
+LengthChoice::LengthChoice(Session& session) : session_(session) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  keep_ = new QComboBox;
+  keep_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  keep_->setMinimumContentsLength(12);
+  neighbours_ = new QCheckBox;
+  neighbours_->setChecked(true);
+  both_ = new QLabel;
+  both_->setWordWrap(true);
+  both_->setProperty("role", "faint");
+  Look::here().keep(this, [this] {
+    keep_->setAccessibleName(inWords(say("What stays when a length is typed")));
+    keep_->setToolTip(inWords(say("The full dot stays, the ring moves.")));
+    neighbours_->setText(inWords(say("neighbours keep their length")));
+    neighbours_->setToolTip(inWords(say("Where they can: they turn a little, and so does the edge.")));
+    refresh();
+  });
+  column->addWidget(keep_);
+  column->addWidget(neighbours_);
+  column->addWidget(both_);
+  connect(keep_, &QComboBox::activated, this,
+          [this] { session_.setKeptEnd(static_cast<SetLength::Keep>(keep_->currentData().toInt())); });
+}
+
+const Piece* LengthChoice::piece() const {
+  const auto& chosen = session_.selection().edge;
+  const Piece* piece = chosen ? session_.fitting().document.find(chosen->piece) : nullptr;
+  return piece && piece->outline.find(chosen->edge) ? piece : nullptr;
+}
+
+void LengthChoice::refresh() {
+  const Piece* own = piece();
+  setVisible(own);
+  if (!own) return;
+  const auto& edges = own->outline.edges;
+  const std::size_t k = *own->outline.find(session_.selection().edge->edge), n = edges.size();
+  keep_->clear();
+  const auto add = [&](const Message& words, SetLength::Keep keep) {
+    keep_->addItem(inWords(words), static_cast<int>(keep));
+  };
+  add(say("the end at {0} stays", edges[(k + n - 1) % n].name), SetLength::Keep::Start);
+  add(say("the end at {0} stays", edges[(k + 1) % n].name), SetLength::Keep::End);
+  add(say("both ends move by half"), SetLength::Keep::Middle);
+  keep_->setCurrentIndex(keep_->findData(static_cast<int>(session_.keptEnd())));
+  both_->setText(inWords(session_.bothHalves() ? say("Both halves change.") : say("Only this edge changes.")));
+}
+
+SetLength LengthChoice::length(double metres) const {
+  SetLength set;
+  set.edge = {PieceRef(session_.selection().edge->piece), session_.selection().edge->edge};
+  set.to = {metres};
+  set.keep = session_.keptEnd();
+  set.neighbours = neighbours_->isChecked() ? SetLength::Neighbours::Keep : SetLength::Neighbours::Follow;
+  return set;
+}
+
+}  // namespace karinui::studio

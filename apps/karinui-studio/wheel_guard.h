@@ -1,0 +1,20 @@
+#pragma once
+// An event filter for the whole program: a number box, slider, combo box or tab bar reacts to the wheel only while it
+// has the focus. Without the focus the wheel event goes on to the parent, so that what the box lies in scrolls. GUI
+// thread.
+#include <QObject>
+
+namespace karinui::studio {
+
+class WheelGuard : public QObject {
+ public:
+  static void install();  // once for the application that runs, however often it is called
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  using QObject::QObject;
+};
+
+}  // namespace karinui::studio

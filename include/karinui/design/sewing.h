@@ -1,0 +1,53 @@
+#pragma once
+// Seams before they are sewn: their mirror image, how much a fabric gathers, and what a person should be asked first.
+// Operations are taken as they are recorded (ids, not names). Pure; any thread. Metres.
+#include <optional>
+#include <vector>
+
+#include "karinui/design/operation.h"
+
+namespace karinui {
+
+double lengthOf(const Document& document, const std::vector<EdgeRef>& side);
+bool overlap(const EdgeRef& a, const EdgeRef& b);
+bool overlap(const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b);
+// The seams that hold a part of one of these edges.
+std::vector<SeamId> seamsOn(const Document& document, const std::vector<EdgeRef>& side);
+// A run of edges without what lies beyond so many metres from its first end (or its last). Runs are in the outlines'
+// order.
+std::vector<EdgeRef> trimmed(const Document& document, const std::vector<EdgeRef>& side, double metres, bool fromLast);
+
+// The same part of an edge on the garment's other half: on the symmetric copy of its piece, on the other half of a
+// piece that is symmetric by itself and stands across the body's centre (or nowhere yet), or on a piece of mirrored
+// outline that stands on the body's other side. An edge across the centre is its own image. Nothing: it has none.
+std::optional<EdgeRef> mirrorImage(const Document& document, const EdgeRef& part);
+// The mirror image of a seam, named for the other side. Refused where a side has none, where the seam is its own image,
+// and where the image is sewn already.
+Result<SewEdges> mirrorImage(const Document& document, const SewEdges& sew);
+
+// How many times as long as the other side of a seam a side of this fabric may usually be: sheers 3 to 4 times,
+// shirtings 2 to 3, coatings half as long again (the fullness ratios of dressmaking).
+double mostGather(const Fabric& fabric);
+
+// Whether side b runs against its own direction, judged by how the edges lie; `sew` as for the operation.
+bool facesReversed(const Document& document, const SewEdges& sew);
+
+// What is possible but hardly meant.
+struct SeamDoubt {
+  enum class Kind {
+    Sewn,       // a part of the edges is sewn already
+    Folded,     // two edges that follow each other on one side of a piece
+    Twisted,    // the threads cross: the seam runs the wrong way round
+    OtherSide,  // left with right, though the right partner is there
+    Through,    // the threads run through the body
+    Gathered,   // far more than the fabric gathers
+  } kind;
+  Message what;                          // a sentence
+  std::optional<SewEdges> instead = {};  // what was probably meant,
+  Message proposal = {};                 // in a few words
+};
+// The gravest first. What is impossible is no doubt: it is refused by the operation. Without a body nothing is known of
+// threads through it.
+std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew, const Body* body);
+
+}  // namespace karinui

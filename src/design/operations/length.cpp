@@ -1,0 +1,121 @@
+// An edge gets a typed length.
+#include <algorithm>
+#include <cmath>
+
+#include "design/operations/operations.h"
+#include "karinui/base/number.h"
+#include "karinui/design/edge_length.h"
+#include "karinui/pattern/edge_length.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kTold = 5e-5;  // metres: smaller changes are not spoken of
+
+bool sewn(const Document& document, PieceId piece, const std::string& edge) {
+  return std::any_of(document.pattern.seams.begin(), document.pattern.seams.end(), [&](const auto& seam) {
+    const auto on = [&](const EdgeSpan& span) { return span.piece == piece && span.edge == edge; };
+    return std::any_of(seam.second.a.begin(), seam.second.a.end(), on) ||
+           std::any_of(seam.second.b.begin(), seam.second.b.end(), on);
+  });
+}
+
+std::string inMm(double metres) { return fixed(metres * 1e3, 1); }
+
+// "side_left: 340.0 mm -> 360.0 mm on both halves; armhole_left keeps 239.0 mm; hem_left: 241.0 mm -> 243.0 mm".
+Message changes(const Outline& before, const Outline& after, const SetLength& op) {
+  const std::size_t k = *before.find(op.edge.edge), n = before.edges.size();
+  const auto was = [&](std::size_t e) { return before.edges[e].curve.length(); };
+  const auto is = [&](std::size_t e) { return after.edges[e].curve.length(); };
+  Message all = op.symmetric == Choice::Yes
+                    ? say("{0}: {1} mm → {2} mm on both halves", op.edge.edge, inMm(was(k)), inMm(is(k)))
+                    : say("{0}: {1} mm → {2} mm", op.edge.edge, inMm(was(k)), inMm(is(k)));
+  for (const std::size_t e : {(k + n - 1) % n, (k + 1) % n}) {
+    const std::string& name = before.edges[e].name;
+    all = std::fabs(is(e) - was(e)) < kTold ? say("{0}; {1} keeps {2} mm", all, name, inMm(is(e)))
+                                            : say("{0}; {1}: {2} mm → {3} mm", all, name, inMm(was(e)), inMm(is(e)));
+  }
+  return say("{0}.", all);
+}
+
+// The neighbours that were to keep their lengths and could not; also on the other half.
+void tellStretched(const Outline& before, const Outline& after, const SetLength& op, const Context& context) {
+  std::vector<std::string> meant{op.edge.edge};
+  if (op.symmetric == Choice::Yes)
+    meant.push_back(before.edges[*symmetryOf(before)->partner[*before.find(op.edge.edge)]].name);
+  for (std::size_t e = 0; e < before.edges.size(); ++e) {
+    const std::string& name = before.edges[e].name;
+    const double was = before.edges[e].curve.length(), is = after.edges[e].curve.length();
+    if (std::find(meant.begin(), meant.end(), name) == meant.end() && std::fabs(is - was) >= kTold)
+      context.advise(say("{0} cannot keep its length here: {1} mm → {2} mm.", name, inMm(was), inMm(is)));
+  }
+}
+
+void tellSeams(const Document& before, const Document& after, const Context& context) {
+  for (const auto& [id, seam] : after.pattern.seams) {
+    const double was = lengthMismatch(before.pattern, before.pattern.seams.at(id)),
+                 is = lengthMismatch(after.pattern, seam);
+    if (std::fabs(is - was) < kTold) continue;
+    const auto named = [&](const EdgeSpan& span) { return after.find(span.piece)->name + "." + span.edge; };
+    context.advise(say("{0} is {1} mm longer than {2}, to which it is sewn.", named((is > 0 ? seam.a : seam.b).front()),
+                       inMm(std::fabs(is)), named((is > 0 ? seam.b : seam.a).front())));
+  }
+}
+
+}  // namespace
+
+SetLength::Keep keptEnd(const Document& document, const Piece& piece, const std::string& edge, bool symmetric) {
+  using Keep = SetLength::Keep;
+  const auto& edges = piece.outline.edges;
+  const std::size_t k = *piece.outline.find(edge), n = edges.size();
+  const auto symmetry = symmetric ? symmetryOf(piece.outline) : std::nullopt;
+  const Flat start = edges[k].curve.start, end = edges[k].curve.end;
+  if (symmetry) {
+    const auto onAxis = [&](Flat place) { return distance(symmetry->image(place), place) < 2e-5; };
+    if (symmetry->partner[k] == k) return Keep::Middle;
+    if (onAxis(start)) return canMoveEnd(piece.outline, k, false, &*symmetry) ? Keep::End : Keep::Start;
+    if (onAxis(end)) return canMoveEnd(piece.outline, k, true, &*symmetry) ? Keep::Start : Keep::End;
+  }
+  const bool sewnStart = sewn(document, piece.id, edges[(k + n - 1) % n].name),
+             sewnEnd = sewn(document, piece.id, edges[(k + 1) % n].name);
+  if (sewnStart != sewnEnd) return sewnStart ? Keep::Start : Keep::End;
+  const Stand stand(piece);
+  return stand(end).y > stand(start).y + 1e-6 ? Keep::End : Keep::Start;
+}
+
+Done resolve(const Document& before, SetLength& op, Context& context) {
+  op.edge.from = 0, op.edge.to = 1;
+  if (Done done = resolve(before, op.edge); !done) return done;
+  if (!(op.to >= 1e-3 && op.to <= 10)) return refused(say("An edge is between 1 mm and 10 m long."));
+  const Piece& piece = *before.find(op.edge.piece.id);
+  const std::size_t k = *piece.outline.find(op.edge.edge);
+  if (std::fabs(piece.outline.edges[k].curve.length() - op.to) < 1e-7)
+    return refused(say("Edge {0} is {1} mm long already.", op.edge.edge, inMm(op.to)));
+  const auto both = [&](const PaperSymmetry& symmetry) { return symmetry.partner[k].has_value(); };
+  if (Done done = resolveSymmetric(piece, op.symmetric, context, both); !done) return done;
+  if (op.keep == SetLength::Keep::Auto) op.keep = keptEnd(before, piece, op.edge.edge, op.symmetric == Choice::Yes);
+  return {};
+}
+
+Result<Document> perform(const Document& before, const SetLength& op, Context& context) {
+  const Piece& piece = *before.find(op.edge.piece.id);
+  const auto symmetry = op.symmetric == Choice::Yes ? symmetryOf(piece.outline) : std::nullopt;
+  LengthChange change{op.edge.edge, op.to, KeptEnd::Start, op.neighbours == SetLength::Neighbours::Keep};
+  if (op.keep == SetLength::Keep::End) change.keep = KeptEnd::End;
+  if (op.keep == SetLength::Keep::Middle) change.keep = KeptEnd::Middle;
+  auto outline = withLength(piece.outline, change, symmetry ? &*symmetry : nullptr);
+  if (!outline) return outline.error();
+  ReshapePiece reshape;  // marks, seams, the shape in space and the symmetric copy follow as they do there
+  reshape.piece = op.edge.piece;
+  reshape.symmetric = op.symmetric;
+  reshape.outline = *std::move(outline);
+  auto after = perform(before, reshape, context);
+  if (!after || !context.advise) return after;
+  context.advise(changes(piece.outline, reshape.outline, op));
+  if (change.neighboursKeep) tellStretched(piece.outline, reshape.outline, op, context);
+  tellSeams(before, *after, context);
+  return after;
+}
+
+}  // namespace karinui

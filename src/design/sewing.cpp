@@ -1,0 +1,323 @@
+#include "karinui/design/sewing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/base/number.h"
+#include "karinui/base/said_lengths.h"
+#include "karinui/pattern/edit.h"
+#include "karinui/pattern/symmetry.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr int kSamples = 24;
+
+const Edge& edgeOf(const Document& document, const EdgeRef& ref) {
+  return *findEdge(*document.find(ref.piece.id), ref.edge);
+}
+
+std::string spoken(const Document& document, const EdgeRef& ref) {
+  return document.find(ref.piece.id)->name + "." + ref.edge;
+}
+std::string spoken(const Seam& seam) { return seam.name.empty() ? text(seam.id) : seam.name; }
+
+// Places in space along a side, evenly by length, in the outlines' order.
+std::vector<Vec3> stood(const Document& document, const std::vector<EdgeRef>& side) {
+  const double whole = lengthOf(document, side);
+  std::vector<Vec3> places;
+  double done = 0;
+  std::size_t next = 0;
+  for (const EdgeRef& ref : side) {
+    const Stand stand(*document.find(ref.piece.id));
+    const Curve& curve = edgeOf(document, ref).curve;
+    const double part = lengthOf(document, {ref});
+    for (; next <= kSamples; ++next) {
+      const double s = whole * static_cast<double>(next) / kSamples - done;
+      if (s > part + 1e-12 && &ref != &side.back()) break;
+      places.push_back(stand(curve.atFraction(ref.from + (ref.to - ref.from) * std::fmin(1, s / part))));
+    }
+    done += part;
+  }
+  return places;
+}
+
+Vec3 middleOf(const std::vector<Vec3>& places) {
+  Vec3 middle;
+  for (const Vec3 p : places) middle += p * (1.0 / static_cast<double>(places.size()));
+  return middle;
+}
+Vec3 middleOf(const Document& document, const EdgeRef& ref) { return middleOf(stood(document, {ref})); }
+Vec3 across(Vec3 p) { return {-p.x, p.y, p.z}; }
+
+// The edge of `other` that is the mirror image of an edge of `piece`, where the outline of one is that of the other
+// mirrored, wherever it lies on its paper.
+const Edge* mirrorEdge(const Piece& piece, const Piece& other, std::size_t edge) {
+  constexpr double kSame = 2e-5;  // metres
+  const auto &mine = piece.outline.edges, &its = other.outline.edges;
+  const std::size_t n = mine.size();
+  if (its.size() != n) return nullptr;
+  const auto image = [&](std::size_t k) { return mine[k].curve.mirrored({0, 0}, {0, 1}).reversed(); };
+  for (std::size_t sum = 0; sum < n; ++sum) {
+    const Flat lies = its[sum % n].curve.start - image(0).start;
+    const auto same = [&](std::size_t k) {
+      const Curve here = image(k), there = its[(sum + n - k) % n].curve;
+      for (const double f : {0.0, 0.25, 0.5, 0.75})
+        if (distance(here.atFraction(f) + lies, there.atFraction(f)) > kSame) return false;
+      return true;
+    };
+    std::size_t k = 0;
+    while (k < n && same(k)) ++k;
+    if (k == n) return &its[(sum + n - edge) % n];
+  }
+  return nullptr;
+}
+
+// Edges that follow each other without an inward corner between them: sewn together they fold the cloth.
+bool folds(const Document& document, const SewEdges& sew) {
+  constexpr double kInward = 0.7;  // radians an inward corner turns at least: a dart's tip does by nearly three
+  const auto follows = [&](const EdgeRef& before, const EdgeRef& after) {
+    if (before.piece.id != after.piece.id) return false;
+    if (before.edge == after.edge) return std::fabs(before.to - after.from) < 1e-6;
+    const auto& edges = document.find(before.piece.id)->outline.edges;
+    const auto k = document.find(before.piece.id)->outline.find(before.edge);
+    if (!k || before.to < 1 || after.from > 0 || edges[(*k + 1) % edges.size()].name != after.edge) return false;
+    const Flat in = edges[*k].curve.tangent(1), out = edgeOf(document, after).curve.tangent(0);
+    const double turn = std::atan2(cross(in, out), dot(in, out));
+    return turn > -kInward && turn < 3;  // the banks of a slit turn by just half a circle, either way
+  };
+  return follows(sew.a.back(), sew.b.front()) || follows(sew.b.back(), sew.a.front());
+}
+
+// How far a thread runs through the body.
+double throughBody(const Body& body, Vec3 a, Vec3 b) {
+  const double whole = distance(a, b);
+  if (whole < 1e-6) return 0;
+  const Vec3 way = (b - a) * (1 / whole);
+  const auto in = body.bvh().first(a, way), out = body.bvh().first(b, -way);
+  if (!in || !out || in->along > whole || out->along > whole) return 0;
+  return std::fmax(0, whole - in->along - out->along);
+}
+
+std::optional<SeamDoubt> sewnAlready(const Document& document, const SewEdges& sew) {
+  std::vector<EdgeRef> both = sew.a;
+  both.insert(both.end(), sew.b.begin(), sew.b.end());
+  for (const EdgeRef& ref : both)
+    for (const SeamId id : seamsOn(document, {ref})) {
+      SeamDoubt doubt{SeamDoubt::Kind::Sewn,
+                      say("{0} is already sewn by seam {1}.", spoken(document, ref), spoken(*document.find(id)))};
+      doubt.instead = sew;
+      doubt.instead->replace = true;
+      doubt.proposal = say("Unpick that seam and sew this one");
+      return doubt;
+    }
+  return std::nullopt;
+}
+
+std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew, const Body* body) {
+  constexpr double kClear = 0.02, kNear = 0.1, kThrough = 0.03;  // metres
+  const std::vector<Vec3> a = stood(document, sew.a), b = stood(document, sew.b);
+  const Vec3 here = middleOf(a), there = middleOf(b);
+  if (here.x * there.x >= 0 || std::fmin(std::fabs(here.x), std::fabs(there.x)) < kClear) return std::nullopt;
+  // Left with right. Is there the partner of the same side, where it should be, nearer and free?
+  SewEdges meant = sew;
+  meant.b.clear();
+  for (auto ref = sew.b.rbegin(); ref != sew.b.rend(); ++ref)
+    if (auto image = mirrorImage(document, *ref)) meant.b.push_back(*std::move(image));
+  if (meant.b.size() == sew.b.size() && !overlap(meant.a, meant.b) && !overlap(meant.b, sew.b) &&
+      seamsOn(document, meant.b).empty()) {
+    const Vec3 image = middleOf(stood(document, meant.b));
+    if (distance(image, across(there)) < kNear && distance(image, here) < 0.98 * distance(there, here)) {
+      meant.reversed = facesReversed(document, meant) ? Choice::Yes : Choice::No;
+      return SeamDoubt{SeamDoubt::Kind::OtherSide,
+                       say("{0} and {1} lie on opposite sides of the body.", spoken(document, sew.a.front()),
+                           spoken(document, sew.b.front())),
+                       meant, say("Sew to {0}", spoken(document, meant.b.front()))};
+    }
+  }
+  if (!body) return std::nullopt;
+  const bool against = sew.reversed == Choice::Auto ? facesReversed(document, sew) : sew.reversed == Choice::Yes;
+  std::size_t through = 0, threads = 0;
+  for (std::size_t k = 0; k < a.size(); k += 3, ++threads)
+    through += throughBody(*body, a[k], b[against ? b.size() - 1 - k : k]) > kThrough;
+  if (2 * through <= threads) return std::nullopt;
+  return SeamDoubt{SeamDoubt::Kind::Through,
+                   say("{0} and {1} lie on opposite sides of the body; the seam would run through it.",
+                       spoken(document, sew.a.front()), spoken(document, sew.b.front()))};
+}
+
+std::optional<SeamDoubt> gathered(const Document& document, const SewEdges& sew) {
+  const double la = lengthOf(document, sew.a), lb = lengthOf(document, sew.b);
+  const bool longerIsA = la > lb;
+  const double ratio = std::fmax(la, lb) / std::fmin(la, lb);
+  const Piece& piece = *document.find((longerIsA ? sew.a : sew.b).front().piece.id);
+  const auto fabric = fabricOf(document, piece);
+  const double most = fabric ? mostGather(*fabric) : 3;
+  if (!(ratio > most * 1.001)) return std::nullopt;
+  SeamDoubt doubt{
+      SeamDoubt::Kind::Gathered,
+      say("{0} is {1} times as long as the other side; {2} is usually gathered up to {3} times.",
+          spoken(document, (longerIsA ? sew.a : sew.b).front()), fixed(ratio, 1), piece.fabric, fixed(most, 1))};
+  doubt.instead = sew;
+  auto& longer = longerIsA ? doubt.instead->a : doubt.instead->b;
+  const bool against = sew.reversed == Choice::Auto ? facesReversed(document, sew) : sew.reversed == Choice::Yes;
+  longer = trimmed(document, longer, most * std::fmin(la, lb), !longerIsA && against);
+  doubt.proposal = say("Gather {0}:1, the rest stays open", fixed(most, 1));
+  return doubt;
+}
+
+}  // namespace
+
+double lengthOf(const Document& document, const std::vector<EdgeRef>& side) {
+  double sum = 0;
+  for (const EdgeRef& ref : side) {
+    const Piece* piece = document.find(ref.piece.id);
+    if (const Edge* edge = piece ? findEdge(*piece, ref.edge) : nullptr)
+      sum += edge->curve.length() * (ref.to - ref.from);
+  }
+  return sum;
+}
+
+bool overlap(const EdgeRef& a, const EdgeRef& b) {
+  return a.piece.id == b.piece.id && a.edge == b.edge && std::fmin(a.to, b.to) - std::fmax(a.from, b.from) > 1e-6;
+}
+bool overlap(const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b) {
+  return std::any_of(a.begin(), a.end(), [&](const EdgeRef& one) {
+    return std::any_of(b.begin(), b.end(), [&](const EdgeRef& other) { return overlap(one, other); });
+  });
+}
+
+std::vector<SeamId> seamsOn(const Document& document, const std::vector<EdgeRef>& side) {
+  std::vector<SeamId> found;
+  for (const auto& [id, seam] : document.pattern.seams) {
+    bool holds = false;
+    for (const auto* held : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *held)
+        holds = holds || overlap(side, {{PieceRef(span.piece), span.edge, span.from, span.to}});
+    if (holds) found.push_back(id);
+  }
+  return found;
+}
+
+std::vector<EdgeRef> trimmed(const Document& document, const std::vector<EdgeRef>& side, double metres, bool fromLast) {
+  std::vector<EdgeRef> kept;
+  double left = metres;
+  for (std::size_t k = 0; k < side.size() && left > 1e-6; ++k) {
+    EdgeRef ref = side[fromLast ? side.size() - 1 - k : k];
+    const double whole = lengthOf(document, {ref});
+    if (whole > left) {
+      const double share = (ref.to - ref.from) * left / whole;
+      if (fromLast)
+        ref.from = std::round((ref.to - share) * 1e6) / 1e6;
+      else
+        ref.to = std::round((ref.from + share) * 1e6) / 1e6;
+    }
+    left -= whole;
+    kept.insert(fromLast ? kept.begin() : kept.end(), std::move(ref));
+  }
+  return kept;
+}
+
+std::optional<EdgeRef> mirrorImage(const Document& document, const EdgeRef& part) {
+  constexpr double kCentre = 0.05;  // metres a piece across the centre may stand beside it
+  const Piece& piece = *document.find(part.piece.id);
+  const auto edge = piece.outline.find(part.edge);
+  if (!edge) return std::nullopt;
+  const auto on = [&](const Piece& other, const std::string& name) {
+    return EdgeRef{PieceRef(other.id), name, 1 - part.to, 1 - part.from};
+  };
+  std::optional<EdgeRef> best;
+  double nearest = 1e9;
+  const Vec3 wanted = across(middleOf(document, part));
+  const auto offer = [&](EdgeRef image, double within) {
+    const double away = distance(middleOf(document, image), wanted);
+    if (away < std::fmin(within, nearest - 1e-3)) nearest = away, best = std::move(image);
+  };
+  // A copy that was made for the other side is meant, wherever it stands.
+  for (const auto& [id, other] : document.pattern.pieces) {
+    if (id == piece.id || (other->mirrorOf != piece.id && piece.mirrorOf != id)) continue;
+    if (const Edge* image = mirrorEdge(piece, *other, *edge)) return on(*other, image->name);
+    if (other->outline.find(otherSide(part.edge))) return on(*other, otherSide(part.edge));
+  }
+  if (const auto symmetry = symmetryOf(piece.outline)) {
+    const bool unplaced = !piece.form && piece.pose == Rigid();
+    if (unplaced || std::fabs(Stand(piece)(symmetry->through).x) < kCentre)
+      offer(on(piece, piece.outline.edges[symmetry->partner[*edge]].name), 1e9);
+  }
+  for (const auto& [id, other] : document.pattern.pieces)
+    if (id != piece.id)
+      if (const Edge* image = mirrorEdge(piece, *other, *edge)) offer(on(*other, image->name), 2 * kCentre);
+  return best;
+}
+
+Result<SewEdges> mirrorImage(const Document& document, const SewEdges& sew) {
+  SewEdges image = sew;
+  image.mirror = image.replace = false;
+  for (const auto& [from, to] : {std::pair{&sew.a, &image.a}, std::pair{&sew.b, &image.b}}) {
+    to->clear();
+    for (auto ref = from->rbegin(); ref != from->rend(); ++ref) {
+      auto found = mirrorImage(document, *ref);
+      if (!found) return refused(say("{0} has no mirror image; leave mirror= away.", spoken(document, *ref)));
+      to->push_back(*std::move(found));
+    }
+  }
+  for (const auto* mine : {&sew.a, &sew.b})
+    for (const auto* its : {&image.a, &image.b})
+      if (overlap(*mine, *its)) return refused(say("This seam is its own mirror image; leave mirror= away."));
+  for (const auto* side : {&image.a, &image.b})
+    for (const EdgeRef& ref : *side)
+      for (const SeamId id : seamsOn(document, {ref}))
+        return refused(say("{0} is already sewn by seam {1}; take that out first, or leave mirror= away.",
+                           spoken(document, ref), spoken(*document.find(id))));
+  if (!sew.name.empty()) {
+    const auto taken = [&](const std::string& name) {
+      return name == sew.name || std::any_of(document.pattern.seams.begin(), document.pattern.seams.end(),
+                                             [&](const auto& seam) { return seam.second.name == name; });
+    };
+    image.name = otherSide(sew.name);
+    for (int k = 2; taken(image.name); ++k) image.name = otherSide(sew.name) + "_" + std::to_string(k);
+  }
+  return image;
+}
+
+double mostGather(const Fabric& fabric) {
+  constexpr double kFolded = 0.00064;  // metres: with it cotton gathers 3:1, denim 1.7:1
+  return std::clamp(1 + kFolded / std::fmax(fabric.thickness, 1e-5), 1.5, 4.0);
+}
+
+bool facesReversed(const Document& document, const SewEdges& sew) {
+  // About their own middles: so a piece that still hangs apart is judged by its shape.
+  auto a = stood(document, sew.a), b = stood(document, sew.b);
+  for (auto* side : {&a, &b}) {
+    const Vec3 middle = middleOf(*side);
+    for (Vec3& p : *side) p = p - middle;
+  }
+  return facesReversed(a, b);
+}
+
+std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew, const Body* body) {
+  std::vector<SeamDoubt> doubts;
+  const auto add = [&](std::optional<SeamDoubt> doubt) {
+    if (doubt) doubts.push_back(*std::move(doubt));
+  };
+  if (!sew.replace) add(sewnAlready(document, sew));
+  if (folds(document, sew))
+    doubts.push_back({SeamDoubt::Kind::Folded,
+                      say("{0} and {1} follow each other on one side of “{2}”; sewn together "
+                          "they fold it onto itself.",
+                          sew.a.front().edge, sew.b.front().edge, document.find(sew.a.front().piece.id)->name)});
+  add(otherSide(document, sew, body));
+  if (sew.reversed != Choice::Auto && (sew.reversed == Choice::Yes) != facesReversed(document, sew)) {
+    SeamDoubt twisted{SeamDoubt::Kind::Twisted,
+                      say("The threads of this seam cross; sewn this way round the cloth is twisted.")};
+    twisted.instead = sew;
+    twisted.instead->reversed = sew.reversed == Choice::Yes ? Choice::No : Choice::Yes;
+    twisted.proposal = say("Sew it the other way round");
+    doubts.push_back(std::move(twisted));
+  }
+  add(gathered(document, sew));
+  return doubts;
+}
+
+}  // namespace karinui

@@ -1,0 +1,86 @@
+#include "session/sew_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/base/number.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kPlainRatio = 1.05;  // sides that differ by no more are eased in without asking,
+constexpr double kPlainSpare = 0.01;  // or by so many metres
+constexpr double kGathers = 1.25;     // from this ratio on it is called gathering, not ease
+
+// The longer side only as far as it goes with so much fullness.
+void offerParts(SewPlan& plan, const Workbench& bench, bool backwards) {
+  const Document& document = bench.fitting->document;
+  const SewEdges& whole = plan.whole;
+  const bool longerIsA = plan.la > plan.lb;
+  const double shorter = std::fmin(plan.la, plan.lb), longer = std::fmax(plan.la, plan.lb);
+  const bool against = whole.reversed == Choice::Auto ? facesReversed(document, whole) : whole.reversed == Choice::Yes;
+  for (const double ratio : {1.0, 1.5, 2.0}) {
+    if (longer < ratio * 1.02 * shorter) continue;
+    SewEdges part = whole;
+    auto& side = longerIsA ? part.a : part.b;
+    side = trimmed(document, side, ratio * shorter, longerIsA ? backwards : backwards != against);
+    part.tie = ratio == 2 ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
+    const std::string open = bench.said(longer - ratio * shorter);
+    Message label = ratio == 1     ? say("1:1, {0} stays open", open)
+                    : ratio == 1.5 ? say("Gathered 1.5:1, {0} stays open", open)
+                                   : say("Gathered 2:1, {0} stays open", open);
+    plan.items.push_back({SewPlan::Does::Sew, std::move(label), std::move(part)});
+  }
+}
+
+}  // namespace
+
+bool SewPlan::plain() const {
+  const double spare = std::fabs(la - lb);
+  return doubts.empty() && (spare <= kPlainSpare || spare <= (kPlainRatio - 1) * std::fmin(la, lb));
+}
+
+SewEdges seamOf(const Workbench& bench, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b, bool swapped) {
+  const Document& document = bench.fitting->document;
+  SewEdges sew;
+  sew.a = a, sew.b = b;
+  if (swapped) sew.reversed = facesReversed(document, sew) ? Choice::No : Choice::Yes;
+  sew.mirror = bench.mirrorSeams && mirrorImage(document, sew);
+  return sew;
+}
+
+SewPlan sewPlan(const Workbench& bench, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b, bool swapped,
+                bool backwards) {
+  using Does = SewPlan::Does;
+  using Kind = SeamDoubt::Kind;
+  const Document& document = bench.fitting->document;
+  SewPlan plan{lengthOf(document, a), lengthOf(document, b), seamOf(bench, a, b, swapped), {}, {}};
+  plan.doubts = seamDoubts(document, plan.whole, bench.fitting->body.get());
+  for (const SeamDoubt& doubt : plan.doubts) {
+    if (!doubt.instead || (swapped && doubt.kind == Kind::Twisted)) continue;
+    SewEdges instead = *doubt.instead;
+    instead.mirror = bench.mirrorSeams && mirrorImage(document, instead);
+    plan.items.push_back({Does::Sew, doubt.proposal, std::move(instead)});
+  }
+  const auto all = [&](auto&& is) { return std::all_of(plan.doubts.begin(), plan.doubts.end(), is); };
+  if (all([](const SeamDoubt& d) { return d.kind != Kind::Sewn; })) {
+    const double spare = std::fabs(plan.la - plan.lb), ratio = 1 + spare / std::fmin(plan.la, plan.lb);
+    // Of a seam that is hardly meant, how it is gathered matters little.
+    const bool meant = all([](const SeamDoubt& d) { return d.kind == Kind::Gathered || d.kind == Kind::Twisted; });
+    plan.items.push_back({Does::Sew,
+                          !meant              ? say("Sew it all the same")
+                          : ratio >= kGathers ? say("All of it, gathered {0}:1", fixed(ratio, 2))
+                          : spare < 1e-3      ? say("1:1")
+                                              : say("All of it, {0} of ease", bench.said(spare)),
+                          plan.whole});
+    if (meant) offerParts(plan, bench, backwards);
+    plan.items.push_back({Does::Swap, say("The other way round"), {}, swapped});
+  }
+  if (mirrorImage(document, plan.whole))
+    plan.items.push_back({Does::Mirror, say("The mirrored seam too"), {}, bench.mirrorSeams});
+  plan.items.push_back({Does::Leave, say("Leave it")});
+  return plan;
+}
+
+}  // namespace karinui

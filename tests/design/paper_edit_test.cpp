@@ -1,0 +1,116 @@
+// Edits of the paper on both halves beside slits, what is told, and records of before.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "design/workroom.h"
+#include "karinui/pattern/symmetry.h"
+
+namespace karinui {
+namespace {
+
+using ::testing::HasSubstr;
+
+// A bodice front of both halves; its axis at u = 0.
+constexpr const char* kFront =
+    "piece name=front outline=\"M 0 0; hem_left L 240 0; side_left L 250 340; armhole_left C 170 360 160 460 170 560; "
+    "shoulder_left L 70 600; neck_left C 60 540 30 520 0 520; neck_right C -30 520 -60 540 -70 600; shoulder_right L "
+    "-170 560; armhole_right C -160 460 -170 360 -250 340; side_right L -240 0; hem_right L 0 0\"\n";
+constexpr const char* kBack =
+    "piece name=back pose=\"0,0,-0.3 y 180deg\" outline=\"M -240 0; hem L 240 0; side_right L 250 340; top L -250 340; "
+    "side_left L -240 0\"\nsew a=front.side_left b=back.side_left name=side\n";
+
+struct Told {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  std::string said;
+  Told() {
+    room.context.advise = [this](const Message& what) { said += text(what) + "\n"; };
+  }
+  void play(const std::string& script) {
+    const Done done = room.play(file, script);
+    ASSERT_TRUE(done) << text(done.error().what);
+  }
+  const Outline& outline() { return file.document().pieceNamed("front")->outline; }
+  const Curve& curve(const char* edge) { return outline().edges[*outline().find(edge)].curve; }
+};
+
+TEST(PaperEdit, ATypedLengthTellsWhatChanged) {
+  Told t;
+  t.play(std::string(kFront) + kBack);
+  t.play("length edge=front.side_left to=36cm");
+  EXPECT_THAT(t.said, HasSubstr("side_left: 340.1 mm → 360.0 mm on both halves; hem_left keeps 240.0 mm; armhole_left "
+                                "keeps"));
+  EXPECT_THAT(t.said, HasSubstr("front.side_left is 19.9 mm longer than back.side_left, to which it is sewn."));
+  EXPECT_NEAR(t.curve("side_right").length(), 0.36, 1e-9);
+  EXPECT_THAT(t.file.log(), HasSubstr("keep=end symmetric=yes"));
+}
+
+TEST(PaperEdit, ASlitOnOneHalfKeepsEditsOnBoth) {
+  Told t;
+  t.play(kFront);
+  t.play("cut piece=front line=\"12cm,-1cm 12cm,15cm\"");
+  t.said.clear();
+  // Notches find the undivided hem of the other half by their place.
+  t.play("notch edge=front.hem_left_2 at=0.5 symmetric=yes");
+  ASSERT_EQ(t.file.document().pieceNamed("front")->marks.size(), 2u);
+  EXPECT_EQ(t.file.document().pieceNamed("front")->marks[1].edge, "hem_right");
+  t.play("reshape piece=front at=24cm,17cm by=2cm,0,0 within=10cm");
+  EXPECT_THAT(t.file.log(), HasSubstr("symmetric=yes outline="));
+  EXPECT_NEAR(t.curve("side_left").atFraction(0.5).u, -t.curve("side_right").atFraction(0.5).u, 1e-9);
+  t.play("length edge=front.side_left to=36cm");
+  EXPECT_NEAR(t.curve("side_right").length(), 0.36, 1e-9);
+  EXPECT_THAT(t.said, ::testing::Not(HasSubstr("Only this half")));
+  // What has no counterpart is changed alone, and that is told.
+  t.play("split edge=front.cut at=0.5");
+  EXPECT_THAT(t.said, HasSubstr("Only this half of “front” was changed"));
+  const auto forced = t.file.perform(*parseOperation("split edge=front.cut_2 at=0.5 symmetric=yes"), t.room.context);
+  ASSERT_FALSE(forced);
+  EXPECT_THAT(text(forced.error().what), HasSubstr("because of a slit or dart"));
+}
+
+TEST(PaperEdit, ASlitInOneOfTwoLikePiecesSaysThatTheyPartWays) {
+  Told t;
+  t.play(
+      "piece name=sleeve_left outline=\"M 0 0; hem L 300 0; under_front L 320 300; cap L 20 400; under_back L 0 0\"\n"
+      "mirror piece=sleeve_left\n");
+  t.play("cut piece=sleeve_left line=\"10cm,-1cm 10cm,10cm\"");
+  EXPECT_THAT(t.said, HasSubstr("“sleeve_left” and “sleeve_right” are no longer alike"));
+}
+
+TEST(PaperEdit, PutAndTakenAwayIsWhatItWasOnBothHalves) {
+  Told t;
+  t.play(kFront);
+  const Outline before = t.outline();
+  t.play("split edge=front.armhole_left at=0.4\njoin edge=front.armhole_left\n");
+  ASSERT_EQ(t.outline().edges.size(), before.edges.size());
+  for (const char* edge : {"armhole_left", "armhole_right"}) {
+    const Curve &now = t.curve(edge), &was = before.edges[*before.find(edge)].curve;
+    EXPECT_TRUE(now.between.empty());
+    for (const double f : {0.1, 0.3, 0.5, 0.7, 0.9}) EXPECT_LT(distance(now.atFraction(f), was.atFraction(f)), 1e-5);
+  }
+  // A corner is taken away, also one on the axis: the halves stay images of each other.
+  t.play("join edge=front.side_left\njoin edge=front.neck_left\n");
+  const auto symmetry = symmetryOf(t.outline());
+  ASSERT_TRUE(symmetry);
+  EXPECT_EQ(t.outline().edges[*symmetry->partner[*t.outline().find("side_left")]].name, "armhole_right");
+}
+
+TEST(PaperEdit, ARecordOfBeforeJoinsAsItDid) {
+  Told t;
+  t.play(kFront);
+  t.play("join edge=p1.side_left symmetric=yes");  // as it was written before `refit`
+  EXPECT_THAT(t.file.log(), HasSubstr("join edge=p1.side_left symmetric=yes  #"));
+  const Curve old = t.curve("side_left");
+  EXPECT_EQ(old.control1, Curve::line({0.24, 0}, {0.25, 0.34}).start +
+                              normalized(Flat{0.01, 0.34}) *
+                                  ((Curve::line({0.24, 0}, {0.25, 0.34}).length() +
+                                    Curve::cubic({0.25, 0.34}, {0.17, 0.36}, {0.16, 0.46}, {0.17, 0.56}).length()) /
+                                   3));
+  ASSERT_TRUE(t.file.undo(t.room.context));
+  t.play("join edge=front.side_left symmetric=yes");
+  EXPECT_THAT(t.file.log(), HasSubstr("refit=yes"));
+  EXPECT_NE(t.curve("side_left"), old);
+}
+
+}  // namespace
+}  // namespace karinui

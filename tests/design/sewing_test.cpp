@@ -1,0 +1,221 @@
+// Seams before they are sewn: their mirror image, and what is asked about.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "design/workroom.h"
+#include "karinui/design/sewing.h"
+
+namespace karinui {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Both stand across the centre, the back turned to it.
+const char* const kAcross =
+    "piece name=front pose=\"-0.2,0,0.1\" outline=\"M 0 0; hem L 400 0; side_left L 400 400; shoulder_left L 300 500; "
+    "neck L 100 500; shoulder_right L 0 400; side_right L 0 0\"\n"
+    "piece name=back pose=\"0.2,0,-0.1 y 180deg\" outline=\"M 0 0; hem L 400 0; side_right L 400 400; shoulder_right L "
+    "300 500; neck L 100 500; shoulder_left L 0 400; side_left L 0 0\"\n";
+
+class Sewing : public testing::Test {
+ protected:
+  static Workroom& room() {
+    static Workroom shared;  // the figure is built once
+    return shared;
+  }
+  DocumentFile file = DocumentFile::inMemory();
+  const Document& document() const { return file.document(); }
+
+  void play(const std::string& script) {
+    const Done done = room().play(file, script);
+    ASSERT_TRUE(done) << text(done.error().what);
+  }
+  std::string refusal(const std::string& line) {
+    auto step = file.perform(*parseOperation(line), room().context);
+    return step ? "" : text(step.error().what);
+  }
+  SewEdges sew(const std::string& line) {
+    auto op = resolved(document(), *parseOperation(line), room().context);
+    EXPECT_TRUE(op) << line << (op ? "" : ": " + text(op.error().what));
+    return op ? std::get<SewEdges>(*op) : SewEdges();
+  }
+  std::vector<SeamDoubt::Kind> doubts(const SewEdges& sew) {
+    std::vector<SeamDoubt::Kind> kinds;
+    for (const SeamDoubt& doubt : seamDoubts(document(), sew, room().bodies.known(document().body.hash).get()))
+      kinds.push_back(doubt.kind);
+    return kinds;
+  }
+  std::vector<std::string> seams() const {
+    std::vector<std::string> all;
+    const auto side = [&](const std::vector<EdgeSpan>& spans) {
+      std::string words;
+      for (const EdgeSpan& s : spans) {
+        words += (words.empty() ? "" : "+") + document().find(s.piece)->name + "." + s.edge;
+        if (s.from != 0 || s.to != 1) words += "@" + written(s.from) + ":" + written(s.to);
+      }
+      return words;
+    };
+    for (const auto& [id, seam] : document().pattern.seams)
+      all.push_back(text(id) + (seam.name.empty() ? "" : " " + seam.name) + " " + side(seam.a) +
+                    (seam.reversed ? " against " : " along ") + side(seam.b));
+    return all;
+  }
+};
+
+TEST_F(Sewing, TheMirrorImageIsSewnInTheSameStep) {
+  play(kAcross);
+  const std::string before = hash(document());
+  play("sew a=front.side_left@0:0.25 b=back.side_left@0.75:1 name=side_left mirror=yes");
+  EXPECT_THAT(seams(), ElementsAre("s3 side_left front.side_left@0:0.25 against back.side_left@0.75:1",
+                                   "s3.2 side_right front.side_right@0.75:1 against back.side_right@0:0.25"));
+  EXPECT_EQ(text(file.steps().back().operation),
+            "sew a=p1.side_left@0:0.25 b=p2.side_left@0.75:1 name=side_left reversed=yes tie=1:1 mirror=yes");
+  ASSERT_TRUE(file.undo(room().context));
+  EXPECT_EQ(hash(document()), before) << "one undo takes both back";
+}
+
+TEST_F(Sewing, RunsAreMirroredInTheOutlinesOrder) {
+  play(kAcross);
+  play(
+      "piece name=sleeve_left pose=\"0.5,0.3,0\" outline=\"M 0 0; low L 300 20; cuff L 300 380; high L 0 400; cap L 0 "
+      "0\"\nmirror piece=sleeve_left\n");
+  play("sew a=\"front.side_left@0.5:1 front.shoulder_left\" b=sleeve_left.cap mirror=yes");
+  ASSERT_EQ(seams().size(), 2u);
+  EXPECT_THAT(seams()[1], HasSubstr("front.shoulder_right+front.side_right@0:0.5 "));
+  EXPECT_THAT(seams()[1], HasSubstr(" sleeve_right.cap"));
+}
+
+TEST_F(Sewing, PiecesOfMirroredOutlineAreFoundByWhereTheyStand) {
+  play(
+      "piece name=a pose=\"0.3,0,0\" outline=\"M 0 0; x L 100 0; y L 60 200; z L 0 0\"\n"
+      "piece name=b pose=\"0.3,0.3,0\" outline=\"M 0 0; x L 100 0; y L 60 200; z L 0 0\"\n"
+      "piece name=c pose=\"-0.3,0,0\" outline=\"M 0 0; u L -60 200; v L -100 0; w L 0 0\"\n"
+      "piece name=d pose=\"-0.3,0.3,0\" outline=\"M 0 0; u L -60 200; v L -100 0; w L 0 0\"\n");
+  play("sew a=a.y b=b.x mirror=yes");
+  ASSERT_EQ(seams().size(), 2u);
+  EXPECT_THAT(seams()[1], testing::AnyOf(HasSubstr("c.v against d.w"), HasSubstr("c.v along d.w")));
+}
+
+TEST_F(Sewing, AMirrorImageThatIsNoneIsRefused) {
+  play(kAcross);
+  EXPECT_THAT(refusal("sew a=front.hem b=back.hem mirror=yes"), HasSubstr("is its own mirror image"));
+  play("sew a=front.side_right b=back.side_right");
+  EXPECT_THAT(refusal("sew a=front.side_left b=back.side_left mirror=yes"), HasSubstr("already sewn by seam s3"));
+  play("piece name=odd pose=\"0.4,0,0\" outline=\"M 0 0; x L 100 0; y L 60 200; z L 0 0\"");
+  EXPECT_THAT(refusal("sew a=front.shoulder_left b=odd.y mirror=yes"), HasSubstr("odd.y has no mirror image"));
+  EXPECT_EQ(seams().size(), 1u);
+}
+
+TEST_F(Sewing, ASeamInTheWayIsReplacedInOneStep) {
+  play(kAcross);
+  play("sew a=front.side_left b=back.side_right\n");
+  const std::string before = hash(document());
+  EXPECT_THAT(refusal("sew a=front.side_left b=back.side_left"), HasSubstr("already sewn"));
+  play("sew a=front.side_left b=back.side_left replace=yes");
+  EXPECT_THAT(seams(), ElementsAre("s4 front.side_left against back.side_left"));
+  ASSERT_TRUE(file.undo(room().context));
+  EXPECT_EQ(hash(document()), before);
+}
+
+TEST_F(Sewing, NonsenseIsDoubted) {
+  using enum SeamDoubt::Kind;
+  play(kAcross);
+  EXPECT_THAT(doubts(sew("sew a=front.shoulder_left b=back.shoulder_left")), IsEmpty());
+  EXPECT_THAT(doubts(sew("sew a=front.side_left b=front.side_right")), IsEmpty()) << "a tube";
+  EXPECT_THAT(doubts(sew("sew a=front.shoulder_right b=back.shoulder_left")), ElementsAre(OtherSide));
+  EXPECT_THAT(doubts(sew("sew a=front.side_left b=front.shoulder_left")), ElementsAre(Folded));
+  EXPECT_THAT(doubts(sew("sew a=front.side_left b=back.side_left reversed=no")), ElementsAre(Twisted));
+  EXPECT_THAT(doubts(sew("sew a=front.side_left b=back.side_left@0:0.2")), ElementsAre(Gathered));
+  const SewEdges again = sew("sew a=front.side_left b=back.side_left");
+  play("sew a=front.side_left b=back.hem");
+  EXPECT_THAT(doubts(again), ElementsAre(Sewn));
+}
+
+TEST_F(Sewing, ADartAndASlitAreNoFold) {
+  play(
+      "piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; top_a L 220 500; dart_a L 200 400; dart_b L 180 "
+      "500; top_b L 0 500; other L 0 0\"");
+  EXPECT_THAT(doubts(sew("sew a=front.dart_a b=front.dart_b")), IsEmpty());
+}
+
+TEST_F(Sewing, WhatWasMeantIsProposed) {
+  play(kAcross);
+  const SewEdges wrong = sew("sew a=front.shoulder_right b=back.shoulder_left");
+  const auto found = seamDoubts(document(), wrong, nullptr);
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_TRUE(found[0].instead);
+  EXPECT_EQ(text(*found[0].instead), "sew a=p1.shoulder_right b=p2.shoulder_right reversed=yes tie=1:1");
+  const auto far = seamDoubts(document(), sew("sew a=front.side_left b=back.side_left@0:0.2"), nullptr);
+  ASSERT_TRUE(far.at(0).instead);
+  EXPECT_NEAR(lengthOf(document(), far[0].instead->a), 0.08 * mostGather(*preset("cotton")), 1e-4);
+}
+
+TEST_F(Sewing, HowMuchIsGatheredHangsOnTheFabric) {
+  EXPECT_GT(mostGather(*preset("chiffon")), 3.4);
+  EXPECT_NEAR(mostGather(*preset("cotton")), 3, 0.1);
+  EXPECT_LT(mostGather(*preset("denim")), 1.8);
+  EXPECT_EQ(mostGather(*preset("wool coating")), std::max(1.5, mostGather(*preset("wool coating"))));
+}
+
+TEST_F(Sewing, AScriptIsAdvised) {
+  play(kAcross);
+  std::vector<std::string> advice;
+  Context own = room().context;
+  own.advise = [&](const Message& said) { advice.push_back(text(said)); };
+  ASSERT_TRUE(file.perform(*parseOperation("sew a=front.shoulder_right b=back.shoulder_left"), own));
+  EXPECT_THAT(advice, ElementsAre("front.shoulder_right and back.shoulder_left lie on opposite sides of the body."));
+}
+
+// On the figure: shoulder to shoulder of one piece runs through the neck; the seams of a tunic are no matter of doubt.
+TEST_F(Sewing, AThreadThroughTheBodyIsDoubted) {
+  play(
+      "body size=jis9ar\nset ease=12mm\n"
+      "draw name=front symmetric=yes edges=\"neck ~ shoulder armhole ~ ~ side ~ hem\" "
+      "line=\"torso:shoulder+0.5@0; torso:shoulder+0.8@0.08; torso:neck_base+0.2@0.25; landmark:shoulder_left; "
+      "torso:armpit+0.5@0.16; torso:armpit@0.19; torso:armpit-0.3@0.25; torso:waist@0.25; torso:hip@0.25; "
+      "torso:hip@0\"\n"
+      "draw name=back symmetric=yes edges=\"neck ~ shoulder armhole ~ ~ side ~ hem\" "
+      "line=\"torso:neck_base@0.5; torso:neck_base+0.05@0.42; torso:neck_base+0.2@0.25; landmark:shoulder_left; "
+      "torso:armpit+0.5@0.34; torso:armpit@0.31; torso:armpit-0.3@0.25; torso:waist@0.25; torso:hip@0.25; "
+      "torso:hip@0.5\"\n");
+  ASSERT_TRUE(bodyOf(document(), room().context));
+  for (const char* edge : {"shoulder_left", "shoulder_right", "side_left", "side_right"})
+    EXPECT_THAT(doubts(sew("sew a=front." + std::string(edge) + " b=back." + edge)), IsEmpty()) << edge;
+  EXPECT_THAT(doubts(sew("sew a=front.shoulder_right b=front.shoulder_left")), ElementsAre(SeamDoubt::Kind::Through));
+  EXPECT_THAT(doubts(sew("sew a=front.shoulder_right b=back.shoulder_left")), ElementsAre(SeamDoubt::Kind::OtherSide));
+  play("sew a=front.shoulder_left b=back.shoulder_left mirror=yes\nsew a=front.side_left b=back.side_left mirror=yes");
+  EXPECT_EQ(seams().size(), 4u);
+}
+
+// None of the examples is doubted.
+TEST_F(Sewing, TheExamplesAreNotDoubted) {
+  namespace fs = std::filesystem;
+  for (const auto& entry : fs::directory_iterator(fs::path(KARINUI_SOURCE_DIR) / "examples")) {
+    if (entry.path().extension() != ".ops") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    std::ifstream in(entry.path());
+    std::stringstream script;
+    script << in.rdbuf();
+    const auto lines = parseScript(script.str());
+    ASSERT_TRUE(lines);
+    DocumentFile garment = DocumentFile::inMemory();
+    Context own = room().context;
+    std::vector<std::string> advice;
+    for (const ScriptLine& line : *lines) {
+      own.advise = {};
+      if (std::holds_alternative<SewEdges>(line.operation))
+        own.advise = [&](const Message& said) { advice.push_back(text(said)); };
+      ASSERT_TRUE(garment.perform(line.operation, own)) << text(line.operation);
+    }
+    EXPECT_THAT(advice, IsEmpty());
+  }
+}
+
+}  // namespace
+}  // namespace karinui

@@ -1,0 +1,159 @@
+// Nothing is ever only in memory: a document without a file becomes a draft with its first step.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "design/workroom.h"
+#include "karinui/base/file.h"
+#include "karinui/exchange/spatial.h"
+#include "karinui/session/session.h"
+
+namespace karinui {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Drafts : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("karinui_drafts_" + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path drafts() const { return folder_ / "Drafts"; }
+  SessionOptions options() const {
+    SessionOptions options;
+    options.drafts = drafts();
+    options.nameDraft = [](const std::string& about) { return about.empty() ? "Draft today" : about + " today"; };
+    options.drape = [](const Document& d, const DrapePieces& op, Context&) { return fallABit(d, op.live); };
+    return options;
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> all;
+    if (fs::exists(drafts()))
+      for (const auto& entry : fs::directory_iterator(drafts())) all.push_back(entry.path().filename().string());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+  static void perform(Session& session, const char* line) {
+    session.perform(*parseOperation(line));
+    session.finish();
+  }
+  static std::string refused(Session& session) {
+    std::string all;
+    for (const Notice& notice : session.takeNotices())
+      if (notice.kind == Notice::Kind::Refused) all += text(notice.what);
+    return all;
+  }
+  static constexpr const char* kPiece = "piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; back L 0 0\"";
+  fs::path folder_;
+};
+
+TEST_F(Drafts, TheFirstStepMakesTheFileAndTheNextDocumentAnother) {
+  {
+    Session session(options());
+    session.finish();
+    EXPECT_TRUE(files().empty()) << "no step, no file";
+    perform(session, kPiece);
+    EXPECT_EQ(session.path(), drafts() / "Draft today.karinui") << refused(session);
+    EXPECT_TRUE(session.draft());
+    session.begin(DocumentFile::inMemory());
+    perform(session, "body size=jis9ar");
+    EXPECT_EQ(session.path(), drafts() / "jis9ar today.karinui");
+    session.begin(DocumentFile::inMemory());
+    perform(session, kPiece);
+    EXPECT_EQ(session.path(), drafts() / "Draft today 2.karinui") << "the name was taken";
+  }
+  EXPECT_EQ(files().size(), 3u) << "one whole file each";
+  const auto kept = DocumentFile::open(drafts() / "Draft today.karinui");
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->steps().size(), 1u);
+}
+
+TEST_F(Drafts, ARefusedFirstStepLeavesNoFile) {
+  Session session(options());
+  perform(session, "drape");
+  EXPECT_NE(refused(session), "");
+  perform(session, "remove piece=nobody");
+  session.importPattern(folder_ / "none.svg");
+  session.importBody(folder_ / "none.obj");
+  session.finish();
+  EXPECT_TRUE(files().empty());
+  EXPECT_TRUE(session.path().empty());
+  perform(session, kPiece);
+  EXPECT_TRUE(fs::exists(drafts() / "Draft today.karinui")) << "and the next one is kept";
+}
+
+TEST_F(Drafts, WhatIsImportedIntoAnEmptyWindowIsADraftOfItsName) {
+  ASSERT_TRUE(writeFile(folder_ / "shirt.ops", kTwoPieces));
+  const Body::Parts parts = egg();
+  std::string obj;
+  for (const Vec3 p : parts.mesh.points)
+    obj += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+  for (const Triangle& f : parts.mesh.faces)
+    obj += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
+  ASSERT_TRUE(writeFile(folder_ / "egg.obj", obj));
+  {
+    Session session(options());
+    session.importPattern(folder_ / "shirt.ops");
+    session.finish();
+    EXPECT_EQ(session.path(), drafts() / "shirt today.karinui") << refused(session);
+    session.begin(DocumentFile::inMemory());
+    session.importBody(folder_ / "egg.obj");
+    session.finish();
+    EXPECT_EQ(session.path(), drafts() / "egg today.karinui") << refused(session);
+  }
+  Session again(options());
+  again.open(drafts() / "egg today.karinui");
+  again.finish();
+  ASSERT_TRUE(again.fitting().body) << refused(again) << "the mesh is in the file";
+  EXPECT_EQ(again.fitting().body->name(), "egg");
+}
+
+TEST_F(Drafts, SaveAsMovesADraftAndCopiesADocument) {
+  Session session(options());
+  perform(session, kPiece);
+  session.saveAs(folder_ / "coat.karinui");
+  session.finish();
+  EXPECT_EQ(session.path(), folder_ / "coat.karinui") << refused(session);
+  EXPECT_FALSE(session.draft());
+  EXPECT_TRUE(files().empty()) << "no stale draft stays";
+  perform(session, "rename piece=front to=back");
+  session.saveAs(folder_ / "copy.karinui");
+  session.saveAs(folder_ / "copy.karinui");  // where it is already
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 2u) << refused(session);
+  EXPECT_TRUE(fs::exists(folder_ / "coat.karinui"));
+  EXPECT_EQ(session.path(), folder_ / "copy.karinui");
+}
+
+TEST_F(Drafts, WhereNoneCanBeWrittenTheStepIsRefusedUntilAPlaceIsChosen) {
+  ASSERT_TRUE(writeFile(drafts(), "a file where the folder should be"));
+  Session session(options());
+  perform(session, kPiece);
+  EXPECT_THAT(refused(session), testing::HasSubstr("no file can be made there"));
+  EXPECT_TRUE(session.steps().empty()) << "never silently in memory";
+  session.saveAs(folder_ / "coat.karinui");
+  perform(session, kPiece);
+  EXPECT_EQ(session.steps().size(), 1u) << refused(session);
+  EXPECT_EQ(session.path(), folder_ / "coat.karinui");
+}
+
+// Leaving: what was asked for is done first.
+TEST_F(Drafts, AStepThatWaitsIsWrittenBeforeLeaving) {
+  {
+    Session session(options());
+    session.perform(*parseOperation("body size=jis9ar"));
+    session.perform(*parseOperation(kPiece));
+    session.conclude();
+  }
+  ASSERT_EQ(files().size(), 1u);
+  const auto kept = DocumentFile::openForReading(drafts() / files().front());
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->steps().size(), 2u);
+}
+
+}  // namespace
+}  // namespace karinui

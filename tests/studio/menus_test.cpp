@@ -1,0 +1,158 @@
+// Menus and keys of the window: the right button, full screen, stereo, redo by either key.
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QMenu>
+#include <QTabWidget>
+#include <QTest>
+#include <QTreeWidget>
+
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::Contains;
+using testing::Not;
+using testing::StartsWith;
+
+void rightClick(Window& w, QWidget& widget, QPointF at) { w.drag(widget, {at}, {}, {}, Qt::RightButton); }
+
+QMenu* contextMenu() { return qobject_cast<QMenu*>(QApplication::activePopupWidget()); }
+
+std::vector<std::string> offered() {
+  std::vector<std::string> words;
+  if (const QMenu* menu = contextMenu())
+    for (const QAction* action : menu->actions())
+      if (!action->isSeparator()) words.push_back(action->text().toStdString());
+  return words;
+}
+void choose(Window& w, const char* words) {
+  for (QAction* action : contextMenu()->actions())
+    if (action->text() == words) {
+      QTest::mouseClick(contextMenu(), Qt::LeftButton, {}, contextMenu()->actionGeometry(action).center());
+      return w.rest();
+    }
+  FAIL() << "the menu has no " << words << " but " << testing::PrintToString(offered());
+}
+
+TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  const Piece front = *w.session().fitting().document.pieceNamed("front");
+  const Flat side = findEdge(front, "side_left")->curve.atFraction(0.5);
+  for (const bool table : {false, true}) {
+    QWidget& view = table ? static_cast<QWidget&>(w.table()) : w.space();
+    const auto at = [&](Flat paper) { return table ? w.onTable("front", paper) : w.inSpace("front", paper); };
+    rightClick(w, view, at({0, 0.3}));
+    EXPECT_EQ(w.session().selection().pieces, std::set<PieceId>{front.id}) << "it is chosen first";
+    EXPECT_THAT(offered(), Contains("Freeze"));
+    EXPECT_THAT(offered(), Contains("Pin here"));
+    EXPECT_THAT(offered(), Not(Contains("Unpick this seam")));
+    const std::size_t before = w.count();
+    choose(w, "Freeze");
+    EXPECT_EQ(w.count(), before + 1);
+    EXPECT_THAT(w.last(), StartsWith("freeze"));
+    rightClick(w, view, at({0, 0.3}));
+    choose(w, "Thaw");
+    rightClick(w, view, at(side));
+    EXPECT_THAT(offered(), Contains("Notch there"));
+    choose(w, "Unpick this seam");
+    EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 3u);
+    w.key(Command::Undo);
+    w.rest();
+    EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 4u);
+  }
+  // On the body, beside the cloth: where to look from.
+  rightClick(w, w.space(), {w.space().freeWidth() / 2, 12});
+  EXPECT_THAT(offered(), Contains("Front"));
+  choose(w, "Back");
+}
+
+TEST(StudioMenus, ARightDragTurnsAndAsksNothing) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const QPointF at = w.inSpace("front", {0, 0.3});
+  const Camera before = w.space().camera();
+  w.drag(w.space(), {at, at + QPointF(60, 0)}, {}, {}, Qt::RightButton);
+  EXPECT_FALSE(contextMenu());
+  EXPECT_GT(distance(before.eye, w.space().camera().eye), 0.1);
+  w.drag(w.table(), {QPointF(40, 40), QPointF(90, 60)}, {}, {}, Qt::RightButton);
+  EXPECT_FALSE(contextMenu());
+}
+
+TEST(StudioMenus, TheTreeHasItToo) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(0);
+  w.rest();
+  auto* tree = w.main().findChild<QTreeWidget*>();
+  const QTreeWidgetItem* seam = tree->topLevelItem(tree->topLevelItemCount() - 1);
+  const QPoint at = tree->visualItemRect(seam).center();
+  QTest::mouseClick(tree->viewport(), Qt::RightButton, {}, at);
+  QContextMenuEvent asked(QContextMenuEvent::Mouse, at, tree->viewport()->mapToGlobal(at));
+  QApplication::sendEvent(tree->viewport(), &asked);
+  EXPECT_TRUE(w.session().selection().seam);
+  const std::size_t seams = w.session().fitting().document.pattern.seams.size();
+  choose(w, "Unpick this seam");
+  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), seams - 1);
+}
+
+TEST(StudioMenus, RedoHasTwoKeys) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.main()));
+  w.space().setFocus();
+  const std::size_t all = w.count();
+  for (const auto& [key, keys] : {std::pair{Qt::Key_Y, Qt::KeyboardModifiers(Qt::ControlModifier)},
+                                  std::pair{Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier}}) {
+    QTest::keyClick(&w.space(), Qt::Key_Z, Qt::ControlModifier);
+    w.rest();
+    ASSERT_EQ(w.count(), all - 1);
+    QTest::keyClick(&w.space(), key, keys);
+    w.rest();
+    EXPECT_EQ(w.count(), all);
+  }
+}
+
+TEST(StudioMenus, F11FillsTheScreenAndBack) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.main().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.main()));
+  QTest::keyClick(&w.main(), Qt::Key_F11);
+  QApplication::processEvents();
+  EXPECT_TRUE(w.main().isFullScreen());
+  QTest::keyClick(&w.main(), Qt::Key_F11);
+  QApplication::processEvents();
+  EXPECT_FALSE(w.main().isFullScreen());
+}
+
+TEST(StudioMenus, StereoIsUnderView) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  auto* stereo = w.main().findChild<QMenu*>("stereo");
+  ASSERT_TRUE(stereo);
+  ASSERT_EQ(stereo->actions().size(), 6);
+  stereo->actions()[3]->trigger();
+  w.rest();
+  EXPECT_EQ(w.space().stereo(), Stereo::Anaglyph);
+  QComboBox* board = nullptr;
+  for (QComboBox* one : w.main().findChildren<QComboBox*>())
+    if (one->findText("row by row") >= 0) board = one;
+  ASSERT_TRUE(board);
+  EXPECT_EQ(board->currentIndex(), 3) << "the board says the same";
+  board->setCurrentIndex(0);
+  emit stereo->aboutToShow();
+  EXPECT_TRUE(stereo->actions()[0]->isChecked());
+}
+
+}  // namespace
+}  // namespace karinui::studio

@@ -1,0 +1,173 @@
+// Sewing with the mouse and the keys in the real window: runs of edges, the mirrored seam, and what is asked first.
+#include <gmock/gmock.h>
+
+#include <QAction>
+#include <QFrame>
+#include <QTest>
+
+#include "karinui/design/script.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class StudioSew : public testing::Test {
+ protected:
+  void SetUp() override {
+    KARINUI_NEEDS_DISPLAY();
+    w.emplace();
+    w->openTunic();
+  }
+  const Pattern& pattern() { return w->session().fitting().document.pattern; }
+  void unpick() {
+    w->session().perform(FreezePieces{{PieceRef("front"), PieceRef("back")}, true});  // unpicked, they would fall
+    Unsew all;
+    for (const auto& [id, seam] : pattern().seams) all.seams.push_back(SeamRef(id));
+    w->session().perform(all);
+    w->rest();
+    ASSERT_TRUE(pattern().seams.empty());
+    before = w->count();
+  }
+  QPointF onTable(const char* piece, const char* edge, double share) {
+    const Piece* p = w->session().fitting().document.pieceNamed(piece);
+    return w->onTable(piece, findEdge(*p, edge)->curve.atFraction(share));
+  }
+  std::vector<QPointF> along(const char* piece, const char* edge, double from, double to) {
+    std::vector<QPointF> path;
+    for (int k = 0; k <= 8; ++k) path.push_back(onTable(piece, edge, from + (to - from) * k / 8));
+    return path;
+  }
+  QFrame* menuIn(QWidget& view) {
+    auto* menu = view.findChild<QFrame*>("drop_menu");
+    return menu && menu->isVisible() ? menu : nullptr;
+  }
+  void clickOn(QPushButton& button) { QTest::mouseClick(&button, Qt::LeftButton); }
+  std::vector<QPushButton*> items(QFrame& menu) {
+    std::vector<QPushButton*> shown;
+    for (QPushButton* one : menu.findChildren<QPushButton*>())
+      if (one->isVisible()) shown.push_back(one);
+    return shown;
+  }
+  void wrongShoulder() {
+    w->key(Command::Sew);
+    w->drag(w->table(), {onTable("front", "shoulder_right", 0.5), onTable("back", "shoulder_left", 0.5)});
+    w->rest();
+  }
+
+  std::optional<Window> w;
+  std::size_t before = 0;
+};
+
+TEST_F(StudioSew, ASideOfTwoEdgesIsDraggedAlong) {
+  SplitEdge split;
+  split.edge = {PieceRef("front"), "side_left"};
+  split.at = 0.4;
+  w->session().perform(split);
+  w->rest();
+  unpick();
+  w->key(Command::Sew);
+  auto path = along("front", "side_left", 0.02, 1);
+  const auto more = along("front", "side_left_2", 0, 0.98);
+  path.insert(path.end(), more.begin(), more.end());
+  w->drag(w->table(), path, {}, [&] {
+    ASSERT_FALSE(w->session().preview().table.words.empty());
+    EXPECT_THAT(w->session().preview().table.words.back().text, HasSubstr("side_left + side_left_2"));
+  });
+  EXPECT_EQ(w->count(), before) << "nothing is sewn to itself";
+  w->drag(w->table(), along("back", "side_left", 0.98, 0.02), {}, [&] { w->keep("studio_sew_run"); });
+  w->rest();
+  ASSERT_EQ(w->count(), before + 1) << w->main().said().toStdString();
+  EXPECT_THAT(w->last(), StartsWith("sew a=\"p3.side_left; p3.side_left_2\" b=p4.side_left"));
+  EXPECT_EQ(pattern().seams.size(), 2u) << "the mirror image is sewn too";
+  EXPECT_THAT(w->main().said().toStdString(), HasSubstr("one undo takes both back"));
+  w->key(Command::Undo);
+  w->rest();
+  EXPECT_TRUE(pattern().seams.empty());
+}
+
+TEST_F(StudioSew, TheWrongShoulderIsAskedAboutBefore) {
+  unpick();
+  wrongShoulder();
+  EXPECT_EQ(w->count(), before) << "nothing is done before it is answered";
+  ASSERT_TRUE(w->session().dropMenu()) << w->main().said().toStdString();
+  QFrame* menu = menuIn(w->table());
+  ASSERT_TRUE(menu);
+  w->keep("studio_sew_asked");
+  const auto shown = items(*menu);
+  ASSERT_GE(shown.size(), 3u);
+  EXPECT_EQ(shown[0]->text(), "Sew to back.shoulder_right");
+  clickOn(*shown[0]);
+  w->rest();
+  ASSERT_EQ(w->count(), before + 1) << w->main().said().toStdString();
+  EXPECT_THAT(w->last(), StartsWith("sew a=p3.shoulder_right b=p4.shoulder_right"));
+  EXPECT_EQ(pattern().seams.size(), 2u);
+  EXPECT_FALSE(menuIn(w->table()));
+}
+
+TEST_F(StudioSew, EscapeLeavesWhatIsAsked) {
+  unpick();
+  wrongShoulder();
+  ASSERT_TRUE(menuIn(w->table()));
+  w->key(Command::Cancel);
+  w->rest();
+  EXPECT_FALSE(menuIn(w->table()));
+  EXPECT_EQ(w->count(), before);
+  EXPECT_FALSE(w->session().can(Command::Confirm)) << "nothing is left in the hand";
+}
+
+TEST_F(StudioSew, TheMenuIsWorkedWithTheKeysOfTheView) {
+  unpick();
+  w->key(Command::Sew);
+  w->drag(w->table(), {onTable("front", "side_left", 0.5), onTable("back", "shoulder_left", 0.5)});
+  w->rest();
+  QFrame* menu = menuIn(w->table());
+  ASSERT_TRUE(menu) << w->main().said().toStdString();
+  w->main().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w->main()));
+  w->table().setFocus();
+  QTest::keyClick(&w->table(), Qt::Key_Down);
+  QApplication::processEvents();
+  EXPECT_EQ(w->session().dropMenu()->current, 1u);
+  QTest::keyClick(&w->table(), Qt::Key_Return);
+  w->rest();
+  EXPECT_EQ(w->count(), before + 1);
+  EXPECT_THAT(w->last(), StartsWith("sew a="));
+}
+
+TEST_F(StudioSew, TheMenuOpensInTheSpaceToo) {
+  unpick();
+  w->view(View::Front);
+  w->key(Command::Sew);
+  const auto place = [&](const char* edge, double share) {
+    const Piece* p = w->session().fitting().document.pieceNamed("front");
+    return w->inSpace("front", findEdge(*p, edge)->curve.atFraction(share));
+  };
+  w->click(w->space(), place("hem_left", 0.5));
+  w->click(w->space(), place("neck_left", 0.5));
+  w->rest();
+  QFrame* menu = menuIn(w->space());
+  ASSERT_TRUE(menu) << w->main().said().toStdString();
+  EXPECT_TRUE(w->space().rect().contains(menu->geometry()));
+  w->keep("studio_sew_menu");
+  clickOn(*items(*menu).back());
+  w->rest();
+  EXPECT_FALSE(menuIn(w->space()));
+  EXPECT_EQ(w->count(), before) << "left as it was";
+}
+
+TEST_F(StudioSew, TheMirroredSeamIsAChoice) {
+  unpick();
+  w->main().findChild<QAction*>("mirror_seams")->trigger();
+  w->key(Command::Sew);
+  w->drag(w->table(), {onTable("front", "side_left", 0.5), onTable("back", "side_left", 0.5)});
+  w->rest();
+  ASSERT_EQ(w->count(), before + 1) << w->main().said().toStdString();
+  EXPECT_EQ(pattern().seams.size(), 1u);
+  EXPECT_THAT(w->last(), testing::Not(HasSubstr("mirror")));
+}
+
+}  // namespace
+}  // namespace karinui::studio
