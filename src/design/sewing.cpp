@@ -243,7 +243,7 @@ std::optional<EdgeRef> mirrorImage(const Document& document, const EdgeRef& part
   if (const auto symmetry = symmetryOf(piece.outline)) {
     const bool unplaced = !piece.form && piece.pose == Rigid();
     if (unplaced || std::fabs(Stand(piece)(symmetry->through).x) < kCentre)
-      offer(on(piece, piece.outline.edges[symmetry->partner[*edge]].name), 1e9);
+      if (const auto partner = symmetry->partner[*edge]) offer(on(piece, piece.outline.edges[*partner].name), 1e9);
   }
   for (const auto& [id, other] : document.pattern.pieces)
     if (id != piece.id)
