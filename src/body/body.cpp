@@ -9,6 +9,7 @@
 #include "body/reading.h"
 #include "karinui/base/hash.h"
 #include "karinui/base/result.h"
+#include "karinui/body/lines.h"
 
 namespace karinui {
 
@@ -35,16 +36,11 @@ Done usable(const TriangleMesh& mesh) {
   return {};
 }
 
-std::string otherSide(const std::string& name) {
-  for (const auto& [from, to] : {std::pair{"_left", "_right"}, {"_right", "_left"}})
-    if (name.ends_with(from)) return name.substr(0, name.size() - std::string_view(from).size()) + to;
-  return name;
-}
-
 }  // namespace
 
 Body::Body(Parts parts, Bvh bvh, std::string hash)
     : parts_(std::move(parts)), bvh_(std::move(bvh)), hash_(std::move(hash)) {}
+Body::~Body() = default;
 
 Result<std::shared_ptr<const Body>> Body::make(Parts parts) {
   if (const Done ok = usable(parts.mesh); !ok) return ok.error();
@@ -89,7 +85,19 @@ std::shared_ptr<const Body::Parts::Template> Body::chartFrom(std::span<const dou
   return templateFrom(numbers);
 }
 
+const std::vector<BodyLine>& Body::lines() const {
+  std::call_once(drawing_, [this] { lines_ = std::make_unique<const std::vector<BodyLine>>(findBodyLines(*this)); });
+  return *lines_;
+}
+
 Result<SurfacePoint> Body::find(const BodyPoint& point) const {
+  if (point.part == Part::Line) {
+    const BodyLine* line = bodyLine(*this, point.landmark);
+    if (!line) return notFound(say("This body has no line called \"{0}\".", point.landmark));
+    if (!(point.along >= 0 && point.along <= 1))
+      return badInput(say("The place {0} lies beyond its line, which runs from 0 to 1.", text(point)));
+    return bvh_.nearest(line->at(point.along))->place;
+  }
   if (point.part == Part::Landmark) {
     const auto it = parts_.landmarks.find(point.landmark);
     if (it == parts_.landmarks.end()) return notFound(say("This body has no landmark called \"{0}\".", point.landmark));
@@ -141,8 +149,15 @@ BodyPoint Body::describe(const SurfacePoint& place) const {
 Result<BodyPoint> Body::mirrored(const BodyPoint& point) const {
   BodyPoint out = point;
   switch (point.part) {
+    case Part::Line: {
+      out.landmark = mirroredName(point.landmark);
+      const BodyLine* line = bodyLine(*this, out.landmark);
+      if (!line) return notFound(say("This body has no line called \"{0}\".", out.landmark));
+      if (line->closed && line->name == point.landmark) out.along = point.along == 0 ? 0 : 1 - point.along;
+      return out;
+    }
     case Part::Landmark: {
-      out.landmark = otherSide(point.landmark);
+      out.landmark = mirroredName(point.landmark);
       if (!parts_.landmarks.contains(out.landmark))
         return notFound(say("This body has no landmark called \"{0}\".", out.landmark));
       return out;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "karinui/base/number.h"
-#include "karinui/body/body.h"
+#include "karinui/body/lines.h"
 
 namespace karinui {
 
@@ -23,8 +23,8 @@ constexpr std::array<PartName, 5> kParts{{{"torso", Part::Torso},
 
 Error unreadable(std::string_view text) {
   return badInput(
-      say("\"{0}\" is not a place on a body. Write it like torso:waist+0.4@0.25, landmark:shoulder_left or "
-          "face:123@0.2,0.3.",
+      say("\"{0}\" is not a place on a body. Write it like torso:waist+0.4@0.25, landmark:shoulder_left, "
+          "line:side_left@0.4 or face:123@0.2,0.3.",
           text.substr(0, 80)));
 }
 
@@ -66,6 +66,28 @@ Result<BodyPoint> parseFace(std::string_view all, std::string_view rest) {
   return point;
 }
 
+bool isName(std::string_view text) {
+  return !text.empty() && text.size() < 64 && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+Result<BodyPoint> parseLine(std::string_view all, std::string_view rest) {
+  const std::size_t at = rest.find('@');
+  if (at == std::string_view::npos || !isName(rest.substr(0, at))) return unreadable(all);
+  const auto share = parseNumber(rest.substr(at + 1));
+  if (!share || !(*share >= 0 && *share <= 1)) return unreadable(all);
+  const auto names = bodyLineNames();
+  BodyPoint point;
+  point.part = Part::Line;
+  point.landmark = rest.substr(0, at);
+  point.along = *share;
+  if (std::find(names.begin(), names.end(), point.landmark) != names.end()) return point;
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+  return notFound(say("There is no line \"{0}\" on a body. Lines: {1}.", point.landmark, list));
+}
+
 }  // namespace
 
 std::string text(const BodyPoint& point) {
@@ -73,6 +95,7 @@ std::string text(const BodyPoint& point) {
   if (point.part == Part::Face)
     return "face:" + std::to_string(point.onFace.face) + "@" + shortest(point.onFace.weight[0]) + "," +
            shortest(point.onFace.weight[1]);
+  if (point.part == Part::Line) return "line:" + point.landmark + "@" + shortest(point.along);
   for (const PartName& p : kParts)
     if (p.part == point.part) return std::string(p.name) + ":" + shortest(point.along) + "@" + shortest(point.around);
   return {};
@@ -84,14 +107,12 @@ Result<BodyPoint> parseBodyPoint(std::string_view text) {
   const std::string_view head = text.substr(0, colon), rest = text.substr(colon + 1);
   BodyPoint point;
   if (head == "landmark") {
-    const bool clean = !rest.empty() && rest.size() < 64 && std::all_of(rest.begin(), rest.end(), [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-    });
-    if (!clean) return unreadable(text);
+    if (!isName(rest)) return unreadable(text);
     point.part = Part::Landmark;
     point.landmark = rest;
     return point;
   }
+  if (head == "line") return parseLine(text, rest);
   if (head == "face") return parseFace(text, rest);
   const auto it = std::find_if(kParts.begin(), kParts.end(), [&](const PartName& p) { return p.name == head; });
   const std::size_t at = rest.find('@');

@@ -31,19 +31,22 @@ namespace karinui {
 //                half-way between level 2 and level 3. `around` in turns [0,1): 0 front, 0.25 the body's left.
 //                Text: "torso:3.5@0.125", also with a level's name: "torso:waist@0.25", "torso:waist+0.4@0.25".
 //   Landmark:    "landmark:shoulder_left".
+//   Line form:   a share of the length of one of the body's lines (lines.h): "line:side_left@0.4".
 //   Face form:   only for a body without a template: "face:123@0.2,0.3" (weights of the first two corners).
 struct BodyPoint {
-  enum class Part { Torso, LeftArm, RightArm, LeftLeg, RightLeg, Landmark, Face };
+  enum class Part { Torso, LeftArm, RightArm, LeftLeg, RightLeg, Landmark, Face, Line };
   Part part = Part::Torso;
-  double along = 0, around = 0;
-  std::string landmark;  // Part::Landmark
-  SurfacePoint onFace;   // Part::Face
+  double along = 0, around = 0;  // Part::Line: along is the share of its length, 0 ... 1
+  std::string landmark;          // Part::Landmark, Part::Line: its name
+  SurfacePoint onFace;           // Part::Face
 };
 std::string text(const BodyPoint& point);
 Result<BodyPoint> parseBodyPoint(std::string_view text);  // the exact inverse of text()
 // The names of a part's levels, 0 first: torso from crotch to crown, arms from shoulder to fingertip, legs from crotch
-// to sole. Empty for Landmark and Face.
+// to sole. Empty for Landmark, Face and Line.
 std::span<const std::string_view> chartLevels(BodyPoint::Part part);
+
+struct BodyLine;  // lines.h
 
 class Body {
  public:
@@ -68,6 +71,9 @@ class Body {
   const Measurements& measured() const { return parts_.measured; }
   const std::map<std::string, Vec3>& landmarks() const { return parts_.landmarks; }
   const std::string& hash() const { return hash_; }  // of mesh and landmarks
+  // The lines a tailor works by, found on first need (a tenth of a second); those that cannot be found on this body are
+  // left out. Any thread.
+  const std::vector<BodyLine>& lines() const;
 
   // A place of the chart is where the ray from the middle of its part first leaves the body. Refused where there is no
   // skin (the inner side of the shoulder runs into the trunk).
@@ -82,6 +88,7 @@ class Body {
   static std::shared_ptr<const Parts::Template> chartFrom(std::span<const double> numbers);
 
   Body(Parts parts, Bvh bvh, std::string hash);
+  ~Body();
 
  private:
   Parts parts_;
@@ -90,6 +97,8 @@ class Body {
   mutable std::mutex making_;
   mutable std::unique_ptr<const DistanceField> made_;
   mutable std::atomic<const DistanceField*> field_ = nullptr;
+  mutable std::once_flag drawing_;
+  mutable std::unique_ptr<const std::vector<BodyLine>> lines_;
 };
 using BodyPtr = std::shared_ptr<const Body>;
 

@@ -53,7 +53,8 @@ std::vector<LimbRing> ringsOf(const Body& body, BodyPoint::Part part) {
 }
 
 bool isLimb(BodyPoint::Part part) {
-  return part != BodyPoint::Part::Torso && part != BodyPoint::Part::Landmark && part != BodyPoint::Part::Face;
+  return part == BodyPoint::Part::LeftArm || part == BodyPoint::Part::RightArm || part == BodyPoint::Part::LeftLeg ||
+         part == BodyPoint::Part::RightLeg;
 }
 
 // Towards the head along the stretch of the limb from `low` to `high` (metres towards the head from the anchor).
