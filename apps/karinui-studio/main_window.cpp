@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
@@ -134,8 +135,18 @@ MainWindow::MainWindow(SessionOptions options) {
   toast_->setAlignment(Qt::AlignCenter);
   toast_->setAttribute(Qt::WA_TransparentForMouseEvents);
   toast_->hide();
+  mend_ = new QPushButton(space_);
+  mend_->setObjectName("mend");
+  mend_->setCursor(Qt::ArrowCursor);
+  mend_->setFocusPolicy(Qt::NoFocus);
+  mend_->hide();
+  Look::here().keep(this, [this] {
+    mend_->setText(inWords(info(Command::Mend).label));
+    mend_->setToolTip(inWords(info(Command::Mend).hint));
+  });
+  connect(mend_, &QPushButton::clicked, this, [this] { run(Command::Mend); });
   toastTime_.setSingleShot(true);
-  connect(&toastTime_, &QTimer::timeout, toast_, &QLabel::hide);
+  connect(&toastTime_, &QTimer::timeout, this, [this] { toast_->hide(), mend_->hide(); });
 
   spaceMenu_ = new DropMenuFrame(*session_, space_);
   tableMenu_ = new DropMenuFrame(*session_, table_);
@@ -219,7 +230,13 @@ void MainWindow::refresh() {
                                         {Command::ViewLeft, View::Left},
                                         {Command::ViewRight, View::Right}};
     const auto at = views.find(*view);
-    space_->look(at == views.end() ? View::Oblique : at->second);
+    const View side = at == views.end() ? View::Oblique : at->second;
+    // Whoever draws has gone near for it: another side of the same place is asked for.
+    const bool drawing = session_->begun() || session_->tool() == Command::Draw;
+    if (drawing && *view != Command::ViewAll)
+      space_->turnTo(side);
+    else
+      space_->look(side);
     if (*view == Command::ViewAll) table_->showAll();
   }
   if (now.predicted != seen_.predicted) {
@@ -241,6 +258,7 @@ void MainWindow::refresh() {
                                    "  –  Karinui");
     if (!path.isEmpty()) remember(path);
   }
+  if (mend_->isVisible() && !session_->can(Command::Mend)) mend_->hide(), toast_->hide();
   for (Panel* panel : panels_) panel->refresh();
   for (const auto& [command, action] : actions_) {
     // A tool that cannot be used yet stays clickable: it then says why.
@@ -250,7 +268,8 @@ void MainWindow::refresh() {
       action->setEnabled(session_->can(command));
     else
       action->setEnabled(true);
-    if (action->isCheckable()) action->setChecked(session_->tool() == command);
+    if (action->isCheckable())
+      action->setChecked(command == Command::BodyLines ? session_->linesShown() : session_->tool() == command);
   }
   const Busy busy = session_->busy();
   progress_->setVisible(busy.any);
@@ -302,10 +321,13 @@ void MainWindow::tell(const Notice& notice) {
       QString(
           "QLabel#toast { background: %1; color: white; border-radius: 10px; padding: 10px 18px; font-size: 10.5pt; }")
           .arg(back.name()));
+  const bool mends = notice.kind == Notice::Kind::Advice && session_->can(Command::Mend);
+  mend_->setVisible(mends);
   placeToast();
   toast_->show();
   toast_->raise();
-  toastTime_.start(notice.kind == Notice::Kind::Said ? 3500 : 8000);
+  mend_->raise();
+  toastTime_.start(notice.kind == Notice::Kind::Said ? 3500 : mends ? 30000 : 8000);
 }
 
 void MainWindow::goToNextPart() {
@@ -326,6 +348,8 @@ void MainWindow::placeToast() {
   toast_->setFixedWidth(wide);
   toast_->adjustSize();
   toast_->move((room - wide) / 2, 12);
+  mend_->adjustSize();
+  mend_->move((room - mend_->width()) / 2, toast_->geometry().bottom() + 6);
 }
 
 QString MainWindow::said() const { return toast_->text(); }

@@ -14,6 +14,7 @@ class QMenu;
 class QPrinter;
 class QProgressBar;
 class QStackedWidget;
+class QPushButton;
 class QTabWidget;
 class QToolBar;
 
@@ -115,6 +116,7 @@ class MainWindow : public QMainWindow {
   using Heard = std::array<QString, 4>;
   Heard heard_;  // last of the fingertip
   QProgressBar* progress_;
+  QPushButton* mend_ = nullptr;  // under the toast: does what it advises
   QTimer toastTime_, wake_;
   Guide* guide_ = nullptr;
   SpaceMouse* cap_ = nullptr;

@@ -108,6 +108,7 @@ void MainWindow::makeMenus() {
   edit->addSeparator();
   for (const Command c : {Command::Remove, Command::Duplicate, Command::Mirror, Command::Freeze, Command::FlipSeam})
     edit->addAction(actions_[c]);
+  edit->addAction(actions_[Command::Mend]);
   mirrorSeams_ =
       add(edit, say("Sew mirrored seams too"), "", "", [this] { session_->setMirrorSeams(!session_->mirrorSeams()); });
   mirrorSeams_->setCheckable(true);
@@ -127,6 +128,9 @@ void MainWindow::makeMenus() {
   for (const Command c : {Command::ViewFront, Command::ViewBack, Command::ViewLeft, Command::ViewRight,
                           Command::ViewOblique, Command::ViewAll})
     viewMenu_->addAction(actions_[c]);
+  viewMenu_->addSeparator();
+  actions_[Command::BodyLines]->setCheckable(true);
+  viewMenu_->addAction(actions_[Command::BodyLines]);
   viewMenu_->addSeparator();
   const auto map = [&](const Message& words, const char* key, FitMap which) {
     QAction* action = add(viewMenu_, words, "fit", key, [this, which] {

@@ -52,6 +52,7 @@ void SpaceView::mousePressEvent(QMouseEvent* event) {
     held_ = Held::Turn;
   } else if (event->button() == Qt::LeftButton) {
     held_ = Held::Tool;
+    toolDown_ = true;
     clockwork_.begin("event to picture");
     session_.feed(sampleAt(last_, event->modifiers(), PointerSample::Phase::Press));
     refresh();
@@ -93,12 +94,13 @@ void SpaceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SpaceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (held_ == Held::Tool && event->button() == Qt::LeftButton) {
+  if (toolDown_ && event->button() == Qt::LeftButton) {
+    toolDown_ = false;
     clockwork_.forget("drag to preview");
     session_.feed(sampleAt(event->position(), event->modifiers(), PointerSample::Phase::Release));
     refresh();
   }
-  held_ = Held::Nothing;
+  held_ = toolDown_ ? Held::Tool : Held::Nothing;  // the stroke goes on after the view was turned
   if (event->button() != Qt::RightButton || !std::exchange(clicked_, std::nullopt)) return;
   const PointerSample sample = sampleAt(event->position(), event->modifiers(), PointerSample::Phase::Hover);
   if (const auto bar = session_.menu(); bar && meets(*bar, sample.ray)) return;

@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "karinui/body/lines.h"
 #include "karinui/session/menu.h"
 #include "karinui/session/scene_of.h"
 #include "karinui/view/strain_scale.h"
@@ -169,6 +170,20 @@ void SpaceView::look(View view) {
   session_.leave();  // what was under the pointer is there no more
   const Camera to = framed(view);
   framed_ = true;
+  walkTo(to);
+  framedAs_ = view;
+}
+
+void SpaceView::turnTo(View view) {
+  const Camera all = frameAll(session_.shown().frame, view, aspect());
+  Camera to = camera_;
+  to.eye = to.target + normalized(all.eye - all.target) * camera_.distance();
+  session_.leave();
+  walkTo(to);
+  framedAs_.reset();
+}
+
+void SpaceView::walkTo(const Camera& to) {
   const Camera from = camera_;
   walk_.stop();
   walk_.disconnect(this);
@@ -184,7 +199,6 @@ void SpaceView::look(View view) {
   } else {
     walk_.start();
   }
-  framedAs_ = view;
 }
 
 void SpaceView::setStereo(Stereo stereo) {
@@ -296,6 +310,12 @@ void SpaceView::showGarment() {
     if (map_ != FitMap::Pressure)
       for (Vec3& p : frame.cloths[k].mesh.points) p = at->second(p);
   }
+  if (session_.linesShown() && fitting->body)
+    for (const BodyLine& line : fitting->body->lines()) {
+      SceneLine shown{line.points, {0.10f, 0.28f, 0.52f}, 1.6f, false};
+      if (line.closed) shown.points.push_back(shown.points.front());
+      frame.lines.push_back(std::move(shown));
+    }
   const bool quick = !finest_ || (!fine_ && (carried || garmentShown_ != ~0ull));
   soft_ = !quick || !finest_;
   stale_ = true;

@@ -30,6 +30,7 @@ class SpaceView : public QOpenGLWidget {
   ~SpaceView() override;
 
   void look(View view);           // from a side, all of it in view
+  void turnTo(View view);         // to a side, round what is looked at: pan and zoom stay
   void setStereo(Stereo stereo);  // a quad buffer only where one may be had; else it stays, and says so
   void setEyes(double separation, double convergence);  // metres; share of the distance to what is looked at
   Stereo stereo() const { return stereo_; }
@@ -78,6 +79,7 @@ class SpaceView : public QOpenGLWidget {
  private:
   PointerSample sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const;
   void giveBack();
+  void walkTo(const Camera& to);
   void cameraMoved();
   Camera framed(View view) const;  // all of the fitting, in the part of the view that is free
   void frameAnew();                // after the view's shape changed, unless it was turned, panned or zoomed
@@ -127,6 +129,7 @@ class SpaceView : public QOpenGLWidget {
   std::optional<View> framedAs_;
   Held held_ = Held::Nothing;
   std::optional<QPointF> clicked_;  // where the right button went down; none once the mouse was dragged
+  bool toolDown_ = false;  // the left button holds the tool, also while another turns the view
   QPointF last_;
 };
 

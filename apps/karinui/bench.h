@@ -17,7 +17,7 @@ class Bench {
                                                                                        bodies_,
                                                                                        {},
                                                                                        {}} {
-    context_.advise = [&program](const Message& advice) { program.console.note(advice); };
+    context_.advise = [&program](const Advice& advice) { program.console.note(advice.what); };
   }
 
   Program& program() { return program_; }

@@ -46,6 +46,7 @@ std::span<const CommandInfo> commands() {
       {Command::Freeze, "freeze", "", "Ctrl+K", say("Freeze"),
        say("Keeps the chosen pieces as they are; again thaws them.")},
       {Command::FlipSeam, "flip", "", "F", say("Turn the seam round"), say("Sews a crossed seam the other way round.")},
+      {Command::Mend, "mend", "", "M", say("Mend it"), say("Does what was advised; undo takes it back.")},
       {Command::ViewFront, "front", "", "1", say("Front"), say("Looks from the front.")},
       {Command::ViewBack, "back", "", "3", say("Back"), say("Looks from the back.")},
       {Command::ViewLeft, "left", "", "4", say("Left side"), say("Looks from the body's left.")},
@@ -53,6 +54,8 @@ std::span<const CommandInfo> commands() {
       {Command::ViewOblique, "oblique", "view", "2", say("Oblique"),
        say("Looks from the front and a little from the side.")},
       {Command::ViewAll, "all", "frame", "0", say("All"), say("Shows everything.")},
+      {Command::BodyLines, "lines", "", "B", say("Lines on the body"),
+       say("Shows the side, centre, waist and all other lines of the body; a drawn line snaps to them.")},
   };
   return all;
 }

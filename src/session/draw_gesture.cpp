@@ -19,6 +19,12 @@ constexpr double kCentre = 0.020;    // metres from the body's middle plane that
 constexpr double kStep = 0.004;      // metres a stroke goes before it is noted
 constexpr double kMiss = 0.004;      // metres a kept line may pass from the drawn one
 constexpr double kLongest = 0.11;    // metres between two kept places of a stroke
+constexpr double kAlong = 0.15;      // metres between two kept places along a line of the body
+constexpr double kGap = 0.03;        // metres a run may leave the line it follows
+constexpr double kApart = 0.015;     // metres between two corners
+constexpr double kClose = 0.012;     // metres between two kept places, at the least
+constexpr double kFar = 0.03;        // metres over the skin that are noted even where nothing moved across the view
+constexpr double kTurned = 0.9994;   // cosine of the turn of the view (2 degrees) that begins another stroke
 constexpr double kStraight = 0.006;  // metres a run may pass from the straight line over the skin and be meant so
 constexpr double kLook = 0.022;      // metres before and after a place over which its turn is judged
 constexpr double kCorner = 42 * std::numbers::pi / 180;
@@ -27,37 +33,40 @@ struct Noted {
   SurfacePoint place;
   Vec3 point;
   bool corner = true;
+  bool held = false;                    // snapped to a place: nothing moves it
+  std::optional<BodyPoint> named = {};  // on a line of the body
+  std::string run = {};                 // the body's line that is followed from here
 };
 
-double turnAt(std::span<const Noted> line, std::size_t i) {
+double turnAt(std::span<const Vec3> line, std::size_t i, double look) {
   std::size_t a = i, b = i;
-  while (a > 0 && distance(line[a].point, line[i].point) < kLook) --a;
-  while (b + 1 < line.size() && distance(line[b].point, line[i].point) < kLook) ++b;
-  const Vec3 in = line[i].point - line[a].point, out = line[b].point - line[i].point;
+  while (a > 0 && distance(line[a], line[i]) < look) --a;
+  while (b + 1 < line.size() && distance(line[b], line[i]) < look) ++b;
+  const Vec3 in = line[i] - line[a], out = line[b] - line[i];
   return std::atan2(length(cross(in, out)), dot(in, out));
 }
 
-// A stroke's places that matter: corners where the hand turned sharply, and enough between for a smooth curve.
-std::vector<Noted> thinned(const std::vector<Noted>& stroke) {
-  std::vector<Vec3> points;
-  for (const Noted& n : stroke) points.push_back(n.point);
-  std::vector<Noted> kept;
-  std::size_t before = 0;
-  for (const std::size_t i : mattering<Vec3>(points, kMiss)) {
-    for (std::size_t k = before + 1; k < i; ++k)
-      if (distance(kept.back().point, points[k]) > kLongest && distance(points[k], points[i]) > kLongest / 3)
-        kept.push_back({stroke[k].place, points[k], false});
-    const bool end = i == 0 || i + 1 == stroke.size();
-    const double turn = end ? 10 : turnAt(stroke, i);
-    Noted here{stroke[i].place, points[i], turn > kCorner};
-    // Two corners a finger's breadth apart are one, the sharper.
-    if (!kept.empty() && !end && here.corner && kept.back().corner && distance(kept.back().point, here.point) < 0.015)
-      here.corner = false;
-    if (!kept.empty() && !end && !here.corner && distance(kept.back().point, here.point) < 0.012) continue;
-    kept.push_back(here);
-    before = i;
+// Where the hand turned sharply, as it was seen: in depth a pixel at the silhouette is a corner. Ends included.
+std::vector<std::size_t> cornersOf(std::span<const StrokeSample> stroke) {
+  const std::vector<Vec3> picture = pictureOf(stroke);
+  double touching = 0;
+  for (const StrokeSample& s : stroke) touching = std::max(touching, s.touching());
+  const double look = std::max(kLook, 1.4 * touching), apart = std::max(kApart, touching);
+  std::vector<std::size_t> corners{0};
+  double last = 10;
+  for (const std::size_t i : mattering<Vec3>(picture, std::max(kMiss, 0.3 * touching))) {
+    if (i == 0 || i + 1 == stroke.size()) continue;
+    const double turn = turnAt(picture, i, look);
+    if (turn < kCorner) continue;
+    // Two a finger's breadth apart are one, the sharper.
+    const bool same = distance(picture[corners.back()], picture[i]) < apart;
+    if (same && turn <= last) continue;
+    if (same) corners.pop_back();
+    corners.push_back(i), last = turn;
   }
-  return kept;
+  if (corners.size() > 1 && distance(picture[corners.back()], picture.back()) < apart) corners.pop_back();
+  corners.push_back(stroke.size() - 1);
+  return corners;
 }
 
 BodyPoint spoken(const Body& body, const SurfacePoint& place) {
@@ -69,6 +78,28 @@ BodyPoint spoken(const Body& body, const SurfacePoint& place) {
   const auto there = body.find(rounded);
   if (!there || distance(at(body.mesh(), *there), at(body.mesh(), place)) > 0.002) return exact;
   return rounded;
+}
+
+// An edge along a line of the body is called after it: "side"; any other by its number. ~ where the line curves on.
+std::vector<std::string> edgeNames(std::span<const Noted> line, bool half) {
+  std::vector<std::string> names;
+  int corners = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (!line[i].corner && i > 0) {
+      names.emplace_back("~");
+      continue;
+    }
+    std::string name = line[i].run;
+    for (std::size_t k = i + 1; k < line.size() && !line[k].corner; ++k)
+      if (!line[k].named || line[k].named->landmark != line[i].run) name.clear();
+    if (half)  // its halves are told apart by _left and _right
+      for (const std::string_view side : {"_left", "_right"})
+        if (name.ends_with(side)) name.resize(name.size() - side.size());
+    ++corners;
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) name = "e" + std::to_string(corners);
+    names.push_back(name);
+  }
+  return names;
 }
 
 // What a tailor would call a piece that lies there.
@@ -94,52 +125,60 @@ class DrawGesture : public Gesture {
   Told feed(const PointerSample& sample, const Hit&, const Workbench& bench) override {
     if (sample.where != PointerSample::Where::Space) return {};
     const Fitting& fitting = *bench.fitting;
-    Hit skin = pickBody(fitting, sample);
-    const bool on = skin.on == Hit::On::Body;
+    const bool drawing = !stroke_.empty();
+    auto here = strokeSample(fitting, sample, drawing ? std::optional(stroke_.back().point) : std::nullopt);
     free_ = sample.alt;
     snap_.reset();
-    if (on && !free_ && sample.phase != PointerSample::Phase::Drag) {
+    if (here && !free_ && sample.phase != PointerSample::Phase::Drag) {
       snaps_.of(bench.fitting);
-      if ((snap_ = snaps_.near(skin.point))) skin.skin = snap_->skin, skin.point = snap_->point;
+      snap_ = snaps_.near(*here);
     }
-    hover_ = on ? std::optional(Noted{skin.skin, skin.point}) : std::nullopt;
+    hover_ = here ? std::optional(snap_ ? snap_->seen : here->point) : std::nullopt;
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
         return {};
       case PointerSample::Phase::Press:
         if (!fitting.body) return {.why = say("There is no body to draw on; choose one in the body panel.")};
-        if (!on) return {.why = say("Begin the line on the body.")};
+        if (!here)
+          return {.why = parts_.empty() ? say("Begin the line on the body.")
+                                        : say("That is beside the body; go on with the line on the body, or at an edge "
+                                              "or a corner of a piece.")};
         smooth_ = sample.shift;
-        stroke_ = {Noted{skin.skin, skin.point}};
+        stroke_ = {*here};
+        began_ = snap_;
         return {};
       case PointerSample::Phase::Drag:
         straight_ = sample.control;
-        if (!stroke_.empty() && on && straight_) stroke_.resize(1);  // as a ruler lies: only its ends count
-        if (!stroke_.empty() && on && distance(skin.point, stroke_.back().point) >= kStep)
-          stroke_.push_back({skin.skin, skin.point, straight_});
+        if (!drawing || !here) return {};
+        if (dot(here->facing, stroke_.front().facing) < kTurned) {  // seen from elsewhere the line goes on
+          part(bench, std::nullopt, false);
+          began_.reset();
+          stroke_ = {*here};
+          return {};
+        }
+        if (straight_) stroke_.resize(1);  // as a ruler lies: only its ends count
+        if (awayFromRay(here->ray, stroke_.back().point) >= kStep || distance(here->point, stroke_.back().point) >= kFar)
+          stroke_.push_back(*here);
         return {};
       case PointerSample::Phase::Release:
         break;
     }
-    if (stroke_.empty()) return {};
+    if (!drawing) return {};
     if (snap_)  // no hook where the line is drawn to its end
-      while (stroke_.size() > 1 && distance(stroke_.back().point, skin.point) < 2 * kStep) stroke_.pop_back();
-    if (on && distance(skin.point, stroke_.back().point) > 1e-9 && (stroke_.size() > 1 || snap_))
-      stroke_.push_back({skin.skin, skin.point, false});
+      while (stroke_.size() > 1 && awayFromRay(here->ray, stroke_.back().point) < 2 * kStep) stroke_.pop_back();
+    if (here && (stroke_.size() > 1 || snap_) && distance(here->point, stroke_.back().point) > 1e-9)
+      stroke_.push_back(*here);
     double way = 0;
-    for (std::size_t i = 1; i < stroke_.size(); ++i) way += distance(stroke_[i - 1].point, stroke_[i].point);
-    const bool click = way < 2 * kStep;
-    if (click && !parts_.empty() && distance(parts_.back().back().point, stroke_.front().point) < kAgain) {
-      stroke_.clear();
-      return ended(bench, true);
+    const std::vector<Vec3> picture = pictureOf(stroke_);
+    for (std::size_t i = 1; i < picture.size(); ++i) way += distance(picture[i - 1], picture[i]);
+    if (way >= 2 * kStep) {
+      part(bench, snap_, true);
+      return ended(bench, false);
     }
-    std::vector<Noted> part = click ? std::vector{stroke_.front()} : meant(thinned(stroke_), bench);
+    const Noted click = began_ ? noted(*began_, !smooth_) : Noted{stroke_.front().skin, stroke_.front().point, !smooth_};
     stroke_.clear();
-    if (click) part.front().corner = !smooth_;
-    if (!parts_.empty() && !click && distance(parts_.back().back().point, part.front().point) < kMeets)
-      part.erase(part.begin());
-    if (part.empty()) return {};
-    parts_.push_back(std::move(part));
+    if (!parts_.empty() && distance(parts_.back().back().point, click.point) < kAgain) return ended(bench, true);
+    parts_.push_back({click});
     return ended(bench, false);
   }
 
@@ -159,10 +198,10 @@ class DrawGesture : public Gesture {
       for (const Noted& n : part)
         if (n.corner) shown.space.dots.push_back(n.point);
     if (!stroke_.empty())
-      for (const Noted& n : stroke_) line.push_back(n.point);
+      for (const StrokeSample& s : stroke_) line.push_back(s.point);
     else if (hover_ && !parts_.empty())
-      line.push_back(hover_->point);
-    if (hover_ && stroke_.empty()) shown.space.dots.push_back(hover_->point);
+      line.push_back(*hover_);
+    if (hover_ && stroke_.empty()) shown.space.dots.push_back(*hover_);
     if (line.size() > 1) shown.space.lines.push_back({std::move(line), kChalk, 3, false});
     return shown;
   }
@@ -184,38 +223,129 @@ class DrawGesture : public Gesture {
     return line;
   }
 
-  // Each run between two corners as it was meant: straight over the skin, along an outline, or as it was drawn.
-  std::vector<Noted> meant(const std::vector<Noted>& line, const Workbench& bench) const {
-    if (free_ || line.size() < 3) return line;
+  static Noted noted(const DrawSnaps::Snap& snap, bool corner) {
+    return {snap.skin, snap.point, corner, snap.corner, snap.named};
+  }
+
+  // The stroke in hand becomes a part of the line: its corners where they snap, each run between two of them as it was
+  // meant. `corner`: the line turns at its end.
+  void part(const Workbench& bench, const std::optional<DrawSnaps::Snap>& end, bool corner) {
+    std::vector<StrokeSample> stroke = std::exchange(stroke_, {});
+    if (stroke.size() < 2) {
+      if (parts_.empty() && !stroke.empty()) parts_.push_back({Noted{stroke[0].skin, stroke[0].point}});
+      return;
+    }
+    if (!free_) snaps_.of(bench.fitting);
+    const std::vector<std::size_t> corners = cornersOf(stroke);
+    std::vector<Noted> line;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const StrokeSample& s = stroke[corners[k]];
+      std::optional<DrawSnaps::Snap> snap = k == 0 ? began_ : k + 1 == corners.size() ? end : std::nullopt;
+      if (!free_ && !snap && k > 0 && k + 1 < corners.size())
+        if (const auto near = snaps_.near(s); near && near->corner) snap = near;
+      line.push_back(snap ? noted(*snap, true) : Noted{s.skin, s.point});
+    }
     std::vector<Noted> better;
-    for (std::size_t from = 0, to = 0; from + 1 < line.size(); from = to) {
-      for (to = from + 1; to + 1 < line.size() && !line[to].corner; ++to) {
-      }
-      better.push_back(line[from]);
-      const bool round = distance(line[from].point, line[to].point) < kMeets;
-      const auto way = guide(bench).straight(line[from].place, line[to].place);
-      if (!round && way && !strays(line[from].point, line[to].point, way->points)) continue;
-      std::vector<Vec3> places;
-      for (std::size_t i = from + 1; i < to; ++i) places.push_back(line[i].point);
-      if (const auto run = snaps_.along(places))
-        for (const DrawSnaps::Snap& s : *run) better.push_back({s.skin, s.point, false});
-      else
-        better.insert(better.end(), line.begin() + static_cast<std::ptrdiff_t>(from) + 1,
-                      line.begin() + static_cast<std::ptrdiff_t>(to));
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+      const std::span<const StrokeSample> run(stroke.data() + corners[k], corners[k + 1] - corners[k] + 1);
+      std::vector<Noted> between = meant(run, line[k], line[k + 1], bench);
+      better.push_back(line[k]);
+      better.insert(better.end(), between.begin(), between.end());
     }
     better.push_back(line.back());
-    return better;
+    better.back().corner = corner;
+    if (!parts_.empty() && distance(parts_.back().back().point, better.front().point) < kMeets) {
+      parts_.back().back().run = better.front().run;
+      better.erase(better.begin());
+    }
+    if (!better.empty()) parts_.push_back(std::move(better));
   }
-  // Whether the stroke between two of its places leaves the straight way.
-  bool strays(Vec3 from, Vec3 to, const std::vector<Vec3>& way) const {
-    const auto at = [&](Vec3 p) {
-      return std::find_if(stroke_.begin(), stroke_.end(), [&](const Noted& n) { return n.point == p; });
+
+  // The places between two corners: along one of the body's lines or an outline, straight over the skin, or the fair
+  // line that was drawn. The corners come to lie on the line that is followed.
+  std::vector<Noted> meant(std::span<const StrokeSample> run, Noted& from, Noted& to, const Workbench& bench) const {
+    const Body& body = *bench.fitting->body;
+    if (run.size() < 3) return {};
+    std::vector<std::optional<DrawSnaps::Followed>> followed(run.size());
+    if (!free_) followed = snaps_.followed(run);
+    if (const auto course = wholly(run, followed); !course.empty()) {
+      const std::size_t curve = course.front().curve;
+      const auto onto = [&](Noted& corner, const DrawSnaps::Followed& place) {
+        if (!corner.held && !corner.named) corner = noted(snaps_.on(curve, place.share), corner.corner);
+      };
+      onto(from, course.front()), onto(to, course.back());
+      from.run = snaps_.bodyLineOf(curve);
+      return along(course);
+    }
+    const bool round = distance(from.point, to.point) < kMeets;
+    if (!free_ && !round)
+      if (const auto way = guide(bench).straight(from.place, to.place); way && !strays(run, way->points)) return {};
+    std::vector<std::optional<Vec3>> fixed(run.size());
+    for (std::size_t i = 0; i < run.size(); ++i)
+      if (followed[i]) fixed[i] = followed[i]->point;
+    fixed.front() = from.point, fixed.back() = to.point;
+    const std::vector<Vec3> fair = faired(body, run, fixed);
+    std::vector<Noted> places;
+    std::size_t before = 0;
+    const auto keep = [&](std::size_t i) {
+      const auto near = body.bvh().nearest(fair[i]);
+      places.push_back({near->place, near->point, false});
+      before = i;
     };
-    for (auto n = at(from); n != stroke_.end() && n->point != to; ++n) {
+    for (const std::size_t i : mattering<Vec3>(fair, kMiss)) {
+      if (i == 0) continue;
+      for (std::size_t k = before + 1; k < i; ++k)
+        if (distance(fair[before], fair[k]) > kLongest && distance(fair[k], fair[i]) > kLongest / 3) keep(k);
+      if (i + 1 < fair.size() && distance(fair[before], fair[i]) > kClose && distance(fair[i], fair.back()) > kClose)
+        keep(i);
+    }
+    return places;
+  }
+
+  // The samples of a run that follows one curve but for a little at its ends or here and there; empty: it does not.
+  static std::vector<DrawSnaps::Followed> wholly(std::span<const StrokeSample> run,
+                                                 std::span<const std::optional<DrawSnaps::Followed>> followed) {
+    const std::vector<Vec3> picture = pictureOf(run);
+    std::vector<DrawSnaps::Followed> course;
+    double gap = 0;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      if (i > 0) gap += distance(picture[i - 1], picture[i]);
+      if (followed[i]) {
+        if (!course.empty() && course.front().curve != followed[i]->curve) return {};
+        if (gap > std::max(kGap, run[i].touching())) return {};
+        course.push_back(*followed[i]);
+        gap = 0;
+      }
+    }
+    return gap > std::max(kGap, run.back().touching()) ? std::vector<DrawSnaps::Followed>() : course;
+  }
+
+  // Places along a curve from the first followed place to the last, as the hand went.
+  std::vector<Noted> along(const std::vector<DrawSnaps::Followed>& course) const {
+    const std::size_t curve = course.front().curve;
+    double went = 0;  // in shares; of a closed line past its beginning too
+    for (std::size_t i = 1; i < course.size(); ++i) {
+      const double step = course[i].share - course[i - 1].share;
+      went += snaps_.closed(curve) ? step - std::round(step) : step;
+    }
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::fabs(went) * snaps_.length(curve) / kAlong)));
+    std::vector<Noted> places;
+    for (int k = 1; k < parts; ++k) {
+      const double share = course.front().share + went * k / parts;
+      places.push_back(noted(snaps_.on(curve, share - std::floor(share)), false));
+    }
+    return places;
+  }
+
+  // Whether the stroke, as it was seen, leaves the straight way.
+  static bool strays(std::span<const StrokeSample> run, const std::vector<Vec3>& way) {
+    for (const StrokeSample& s : run) {
       double nearest = 1e9;
-      for (std::size_t i = 0; i + 1 < way.size(); ++i)
-        nearest = std::min(nearest, awayFromSegment(way[i], way[i + 1], n->point));
-      if (nearest > kStraight) return true;
+      for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        const auto flat = [&](Vec3 p) { return p - s.ray.origin - s.ray.direction * dot(p - s.ray.origin, s.ray.direction); };
+        nearest = std::min(nearest, awayFromSegment(flat(way[i]), flat(way[i + 1]), Vec3{}));
+      }
+      if (nearest > std::max(kStraight, 0.25 * s.touching())) return true;
     }
     return false;
   }
@@ -269,20 +399,22 @@ class DrawGesture : public Gesture {
     draw.symmetric = half;
     std::size_t count = line.size();
     if (meets) --count;
-    int corners = 0;
+    std::vector<BodyPoint> lies;  // where a tailor would look for them
     for (std::size_t i = 0; i < count; ++i) {
       BodyPoint point = spoken(body, line[i].place);
+      lies.push_back(point);
+      if (line[i].named) point = *line[i].named;
       const bool end = half && (i == 0 || i + 1 == count);
       if (end) {
+        point = lies.back();
         if (point.part != BodyPoint::Part::Torso)
           return refuse(say("A half line begins and ends on the middle of the trunk."));
         point.around = point.around > 0.25 && point.around < 0.75 ? 0.5 : 0;
       }
       draw.line.push_back(point);
-      const bool last = half && i + 1 == count;
-      if (!last) draw.edges.push_back(line[i].corner || i == 0 ? "e" + std::to_string(++corners) : "~");
     }
-    draw.name = usableName(bench.fitting->document, calledBy(draw.line, draw.symmetric));
+    draw.edges = edgeNames(std::span(line).first(half ? count - 1 : count), half);
+    draw.name = usableName(bench.fitting->document, calledBy(lies, draw.symmetric));
     parts_.clear();
     hover_.reset();
     return {.over = true, .operation = std::move(draw)};
@@ -294,8 +426,9 @@ class DrawGesture : public Gesture {
   }
 
   std::vector<std::vector<Noted>> parts_;
-  std::vector<Noted> stroke_;
-  std::optional<Noted> hover_;
+  std::vector<StrokeSample> stroke_;
+  std::optional<DrawSnaps::Snap> began_;  // what the stroke began at
+  std::optional<Vec3> hover_;
   bool smooth_ = false, straight_ = false, free_ = false;
   DrawSnaps snaps_;
   std::optional<DrawSnaps::Snap> snap_;  // what the hand is drawn to now

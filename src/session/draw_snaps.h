@@ -1,10 +1,12 @@
 #pragma once
-// What a line drawn on the skin is drawn to: corners and outlines of the pieces that lie there already, the figure's
-// landmarks and its middle. Made once for each state of the garment; the session's thread.
+// Snapping for lines drawn on the skin: corners and outlines of the pieces that are there already, the figure's
+// landmarks, its lines and its middle. All of it is judged as it is seen, along the ray, so that cloth off the skin and
+// lines at the silhouette are met from every view. Made once for each state of the garment; the session's thread.
 #include <optional>
 #include <vector>
 
-#include "karinui/session/fitting.h"
+#include "karinui/body/lines.h"
+#include "session/stroke.h"
 
 namespace karinui {
 
@@ -12,25 +14,43 @@ class DrawSnaps {
  public:
   struct Snap {
     SurfacePoint skin;
-    Vec3 point;
+    Vec3 point;  // on the skin
+    Vec3 seen;   // where the eye sees it: on the cloth, or the skin
     Message what;
-    bool corner = false;  // a place, not a line to run along
+    std::optional<BodyPoint> named;  // on one of the body's lines
+    bool corner = false;             // a place, not a line to run along
   };
   void of(FittingPtr fitting);
-  // The nearest of them within a finger's breadth, places before lines.
-  std::optional<Snap> near(Vec3 place) const;
-  // The outline near to every one of these places, and they on it; nothing where one of them is on none.
-  std::optional<std::vector<Snap>> along(const std::vector<Vec3>& places) const;
+  // What the pointer snaps to: places before lines, outlines before lines of the body.
+  std::optional<Snap> near(const StrokeSample& sample) const;
+
+  // Which outline or line of the body each sample of a run follows, at least a hand's breadth of it, and where on it;
+  // empty entries where none. A sample follows at most one.
+  struct Followed {
+    std::size_t curve = 0;
+    double share = 0;  // of the curve's length
+    Vec3 point;        // on the skin
+  };
+  std::vector<std::optional<Followed>> followed(std::span<const StrokeSample> run) const;
+  Snap on(std::size_t curve, double share) const;
+  bool closed(std::size_t curve) const { return curves_[curve].line.closed; }
+  double length(std::size_t curve) const { return curves_[curve].line.length; }
+  const std::string& bodyLineOf(std::size_t curve) const { return curves_[curve].line.name; }  // empty: an outline
 
  private:
-  struct Outline {
-    std::vector<Vec3> points;
+  struct Curve {
+    BodyLine line;           // as it is seen; `name` is empty for an outline
+    std::vector<Vec3> skin;  // beside each point of it; empty: the points themselves
     Message what;
   };
-  std::optional<Snap> on(const Outline& outline, Vec3 place, double within) const;
+  struct Place {
+    Snap snap;
+    bool cloth = false;
+  };
+  std::optional<Followed> onCurve(std::size_t curve, const StrokeSample& sample, double& away) const;
   FittingPtr fitting_;
-  std::vector<Snap> corners_;
-  std::vector<Outline> outlines_;
+  std::vector<Place> places_;
+  std::vector<Curve> curves_;
 };
 
 }  // namespace karinui

@@ -37,6 +37,9 @@ struct Session::Inside {
   SessionNews news;
   BodyPtr ready;  // whose distances were asked for already
 
+  std::vector<Advice> advice;  // that still holds
+  bool linesShown = false;     // of the body
+
   // Settling.
   std::set<PieceId> settling;  // what the running (or waiting) drape brings to rest
   bool settlingByItself = false;
@@ -82,6 +85,12 @@ struct Session::Inside {
     std::vector<Flat> stay, move;  // on the paper of the edge's piece
   };
   const EdgeEnds& edgeEnds() const;
+  const Advice* mendable() const {  // null: nothing that was advised can be done at once
+    for (const Advice& one : advice)
+      if (one.mend) return &one;
+    return nullptr;
+  }
+  void showAdvice(Preview& preview) const;
 
   // Sentences for the person.
   void tell(Notice::Kind kind, Message what);
@@ -89,6 +98,7 @@ struct Session::Inside {
 
   // steps.cpp
   void take(RoomState fresh);  // what the line's thread found out after a step
+  void takeAdvice(const Fitting& before);
   void perform(Operation operation);
   void turn(bool back);  // one step back or forth; a drape that came by itself goes with the step it belongs to
   void goTo(std::uint64_t seq);

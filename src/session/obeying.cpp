@@ -28,6 +28,10 @@ bool Session::can(Command command) const {
       return in.settlingNow() || (!document.pattern.pieces.empty() && document.body.chosen() && !in.state.readOnly);
     case Command::Confirm:
       return in.gesture->begun();
+    case Command::Mend:
+      return !in.state.readOnly && !in.gesture->begun() && in.mendable();
+    case Command::BodyLines:
+      return in.state.fitting->body != nullptr;
     case Command::Remove:
       return !in.state.readOnly && (!in.selection.pieces.empty() || in.selection.seam);
     case Command::Duplicate:
@@ -86,6 +90,7 @@ void Session::command(Command command) {
         return;
       }
       in.stopSettling();
+      in.advice.clear();
       if (in.tool != Command::Select) in.tool = Command::Select, in.gesture = gestureFor(in.tool);
       return;
     case Command::Settle: {
@@ -121,6 +126,12 @@ void Session::command(Command command) {
     }
     case Command::FlipSeam:
       return in.perform(FlipSeam{SeamRef(in.selection.seam)});
+    case Command::Mend:
+      return in.perform(*in.mendable()->mend);
+    case Command::BodyLines:
+      in.linesShown = !in.linesShown;
+      ++in.news.garment;
+      return;
     default:
       in.viewAsked = command;
   }

@@ -36,7 +36,7 @@ void dropJournal(const std::filesystem::path& path) {
 
 Context Room::context(const Token& token) {
   Context context{*workers_, token, file_.blobs(), *bodies_, options_.drape, options_.pull};
-  context.advise = [this](const Message& advice) { advice_.push_back(advice); };
+  context.advise = [this](const Advice& advice) { advice_.push_back(advice); };
   if (!context.drape && predicted)
     context.drape = [this](const Document& document, const DrapePieces& drape, Context& own) {
       Clock::time_point next = Clock::now();

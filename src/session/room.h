@@ -16,7 +16,7 @@ struct RoomState {
   std::vector<Step> steps, undone, otherEnds;
   std::filesystem::path path;
   bool readOnly = false;
-  std::vector<Message> advice = {};  // on what was done since the last time
+  std::vector<Advice> advice = {};  // on what was done since the last time
 };
 
 class Room {
@@ -60,7 +60,7 @@ class Room {
   std::shared_ptr<Workers> workers_;
   bool readOnly_ = false;
   bool begunDraft_ = false;
-  std::vector<Message> advice_;
+  std::vector<Advice> advice_;
   struct Pulling {
     PieceId piece;
     Flat at;

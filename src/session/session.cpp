@@ -1,5 +1,6 @@
 #include "karinui/session/session.h"
 
+#include "session/gestures.h"
 #include "session/inside.h"
 
 namespace karinui {
@@ -51,6 +52,7 @@ Preview Session::preview() const {
     mark(ends.stay, preview.table.dots, preview.space.dots);
     mark(ends.move, preview.table.rings, preview.space.rings);
   }
+  if (!in.gesture->begun()) in.showAdvice(preview);
   if (!in.turnsCrossed()) return preview;
   for (const CrossedSeam& one : in.crossed()) {
     preview.space.words.push_back({one.place, "⇄"});
@@ -59,6 +61,24 @@ Preview Session::preview() const {
   return preview;
 }
 std::optional<DropMenu> Session::dropMenu() const { return inside_->gesture->dropMenu(inside_->bench()); }
+// The edge and the place that were advised on, on the body and on the paper.
+void Session::Inside::showAdvice(Preview& shown) const {
+  constexpr Colour kAdvised{0.85f, 0.45f, 0.02f};
+  for (const Advice& one : advice) {
+    if (!one.edge.empty()) showEdge(shown, bench(), EdgeRef{PieceRef(one.piece), one.edge}, kAdvised);
+    if (!one.at) continue;
+    if (const auto there = spaceOf(*state.fitting, one.piece, *one.at)) shown.space.dots.push_back(*there);
+    shown.table.dots.push_back(*one.at + table.at(one.piece));
+    if (const auto* dart = one.mend ? std::get_if<AddDart>(&*one.mend) : nullptr)
+      if (const Edge* edge = findEdge(*state.fitting->document.find(one.piece), one.edge))
+        showOnPaper(shown, bench(), one.piece, {edge->curve.atFraction(dart->at), dart->tip}, kAdvised);
+    if (const auto* cut = one.mend ? std::get_if<CutPiece>(&*one.mend) : nullptr)
+      showOnPaper(shown, bench(), one.piece, cut->line, kAdvised);
+  }
+}
+const std::vector<Advice>& Session::advice() const { return inside_->advice; }
+bool Session::linesShown() const { return inside_->linesShown; }
+bool Session::begun() const { return inside_->gesture->begun(); }
 void Session::refuse(const Error& why) {
   inside_->tellError(why);
   if (inside_->options.wake) inside_->options.wake();

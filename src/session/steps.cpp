@@ -25,13 +25,12 @@ bool disturbs(const Operation& op) {
 }  // namespace
 
 void Session::Inside::take(RoomState fresh) {
+  const FittingPtr before = state.fitting;
   state = std::move(fresh);
   dropFigure();
   preview.reset();
   if (state.fitting->trouble) tell(Notice::Kind::Advice, *state.fitting->trouble);
-  for (Message& advice : std::exchange(state.advice, {}))
-    if (std::find(answered.begin(), answered.end(), text(advice)) == answered.end())
-      tell(Notice::Kind::Advice, std::move(advice));
+  takeAdvice(*before);
   answered.clear();
   table.arrange(*state.fitting);
   std::erase_if(selection.pieces, [&](PieceId id) { return !state.fitting->document.find(id); });
@@ -49,6 +48,20 @@ void Session::Inside::take(RoomState fresh) {
       (void)body->prepareField(*workers, token);
       return TaskLine::Finish();
     });
+  }
+}
+
+// What was advised holds until its piece changes.
+void Session::Inside::takeAdvice(const Fitting& before) {
+  const auto pieceOf = [](const Fitting& fitting, PieceId id) { return fitting.document.find(id); };
+  std::erase_if(advice, [&](const Advice& one) {
+    return !pieceOf(*state.fitting, one.piece) ||
+           pieceOf(*state.fitting, one.piece) != pieceOf(before, one.piece);
+  });
+  for (Advice& fresh : std::exchange(state.advice, {})) {
+    if (std::find(answered.begin(), answered.end(), text(fresh.what)) == answered.end())
+      tell(Notice::Kind::Advice, fresh.what);
+    if (pieceOf(*state.fitting, fresh.piece)) advice.push_back(std::move(fresh));
   }
 }
 

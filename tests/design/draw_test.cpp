@@ -74,10 +74,10 @@ TEST_F(OnTheMannequin, TheAdviceNamesAnEdgeOfThePiece) {
   const auto made = drawn(file_.document(), std::get<DrawPiece>(*op), room().context);
   ASSERT_TRUE(made) << text(made.error().what);
   if (made->distortion.gate == Distortion::Gate::Red) {
-    ASSERT_TRUE(made->advice);
-    EXPECT_TRUE(made->piece.outline.find(text(made->advice->values[3]) + "_left"));
+    ASSERT_FALSE(made->advice.empty());
+    EXPECT_TRUE(made->piece.outline.find(text(made->advice.front().what.values[3]) + "_left"));
   } else {
-    EXPECT_FALSE(made->advice);
+    EXPECT_TRUE(made->advice.empty());
   }
 }
 

@@ -24,7 +24,7 @@ struct Told {
   DocumentFile file = DocumentFile::inMemory();
   std::string said;
   Told() {
-    room.context.advise = [this](const Message& what) { said += text(what) + "\n"; };
+    room.context.advise = [this](const Advice& one) { said += text(one.what) + "\n"; };
   }
   void play(const std::string& script) {
     const Done done = room.play(file, script);

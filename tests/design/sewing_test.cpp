@@ -167,7 +167,7 @@ TEST_F(Sewing, AScriptIsAdvised) {
   play(kAcross);
   std::vector<std::string> advice;
   Context own = room().context;
-  own.advise = [&](const Message& said) { advice.push_back(text(said)); };
+  own.advise = [&](const Advice& said) { advice.push_back(text(said.what)); };
   ASSERT_TRUE(file.perform(*parseOperation("sew a=front.shoulder_right b=back.shoulder_left"), own));
   EXPECT_THAT(advice, ElementsAre("front.shoulder_right and back.shoulder_left lie on opposite sides of the body."));
 }
@@ -210,7 +210,7 @@ TEST_F(Sewing, TheExamplesAreNotDoubted) {
     for (const ScriptLine& line : *lines) {
       own.advise = {};
       if (std::holds_alternative<SewEdges>(line.operation))
-        own.advise = [&](const Message& said) { advice.push_back(text(said)); };
+        own.advise = [&](const Advice& said) { advice.push_back(text(said.what)); };
       ASSERT_TRUE(garment.perform(line.operation, own)) << text(line.operation);
     }
     EXPECT_THAT(advice, IsEmpty());

@@ -61,6 +61,15 @@ struct DrapeOutcome {
   std::vector<Vec3> force;  // of a pull, newtons along the path
 };
 
+// What a person should know of what was just done, where it is, and what would mend it.
+struct Advice {
+  Message what;
+  PieceId piece = {};
+  std::string edge = {};               // of the piece; empty: about no edge
+  std::optional<Flat> at = {};         // the place on its paper
+  std::optional<Operation> mend = {};  // the operation that does as advised
+};
+
 // What operations may use beside the document. Owned by the caller, for one call of apply at a time.
 struct Context {
   Workers& workers;
@@ -70,8 +79,7 @@ struct Context {
   // The solver; empty: the real one (see drape.h). Tests put a cheap one here.
   std::function<Result<DrapeOutcome>(const Document&, const DrapePieces&, Context&)> drape;
   std::function<Result<DrapeOutcome>(const Document&, const PullCloth&, Context&)> pull;
-  // Told what a person should know of what was just done; empty: nobody asks.
-  std::function<void(const Message&)> advise = {};
+  std::function<void(const Advice&)> advise = {};  // told what was just done; empty: nobody asks
   // Stops a drape where the cloth is; the recorded operation then says after how many steps. Null: nobody stops it.
   StopRequest* stop = nullptr;
 };

@@ -10,14 +10,19 @@
 namespace karinui {
 
 // What a drawn line gives. `piece` has no id yet. `distortion` tells how far cloth is from lying as drawn; `advice`
-// says which cut or dart would help where that is more than cloth bears.
+// says which cut or dart would help where that is more than cloth bears, and which edge wavers.
 struct DrawnPiece {
   Piece piece;
   Distortion distortion;
-  std::optional<Message> advice;
+  std::vector<Advice> advice;  // without the piece's id
 };
 // The operation need not be resolved. Refuses open lines, lines that cross themselves, parts that are no sheet.
 Result<DrawnPiece> drawn(const Document& document, const DrawPiece& draw, Context& context);
+
+// How often an edge of a hand-drawn piece turns from one side to the other and back, beyond what a tailor's curve does:
+// 0 for a fair line, a curve, an S. And the edge as a fair line between the same corners, leaving them as it did.
+int wavers(const Curve& edge);
+Curve fairEdge(const Curve& edge);
 
 // One place of the cloth taken by the hand, without force.
 struct ReshapePull {

@@ -33,6 +33,7 @@ enum class Command {
   Mirror,
   Freeze,
   FlipSeam,
+  Mend,
   // Where one looks from.
   ViewFront,
   ViewBack,
@@ -40,6 +41,7 @@ enum class Command {
   ViewRight,
   ViewOblique,
   ViewAll,
+  BodyLines,
 };
 
 struct CommandInfo {

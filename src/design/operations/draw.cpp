@@ -6,6 +6,7 @@
 #include "design/operations/operations.h"
 #include "karinui/base/number.h"
 #include "karinui/design/drawing.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 namespace {
@@ -113,8 +114,7 @@ Done settleLine(DrawPiece& draw, const DrawingGround& ground, const Body& body) 
   return nameEdges(draw, ground, *places);
 }
 
-std::optional<Message> adviceOn(const DrawnSheet& sheet) {
-  if (sheet.distortion.gate != Distortion::Gate::Red) return std::nullopt;
+Message strainSaid(const DrawnSheet& sheet) {
   const std::string stretch = fixed(100 * std::fmax(sheet.distortion.warp.p99, sheet.distortion.weft.p99), 1),
                     shear = fixed(sheet.distortion.shear.p99 * 180 / std::numbers::pi, 0),
                     high = fixed(sheet.worst.y * 100, 0);
@@ -127,6 +127,68 @@ std::optional<Message> adviceOn(const DrawnSheet& sheet) {
       "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} degrees, most {2} cm above the "
       "floor. A dart or cut from the edge {3}, {4} cm long, would help.",
       stretch, shear, high, sheet.nearestEdge, fixed(sheet.cutLength * 100, 0));
+}
+
+// The edge's outline with the edge, and on a symmetric piece its partner, as fair lines.
+ReshapePiece withFairEdge(const Piece& piece, std::size_t edge) {
+  ReshapePiece fair;
+  fair.piece.name = piece.name;
+  fair.outline = piece.outline;
+  fair.outline.edges[edge].curve = fairEdge(piece.outline.edges[edge].curve);
+  if (const auto symmetry = symmetryOf(piece.outline))
+    fair.outline = onBothHalves(piece.outline, std::move(fair.outline), *symmetry);
+  return fair;
+}
+
+// A dart where paper is too wide for the drawn shape, a cut where it is too narrow.
+std::optional<Operation> cutOrDart(const Piece& piece, const DrawnSheet& sheet, const Edge& edge, double share) {
+  const Flat mouth = edge.curve.atFraction(share);
+  if (sheet.shrunk > 0) {
+    AddDart dart;
+    dart.edge = EdgeRef{PieceRef(), edge.name};
+    dart.edge.piece.name = piece.name;
+    dart.at = share;
+    dart.tip = sheet.worstFlat;
+    dart.width = Length{std::clamp(2 * sheet.cutLength * sheet.shrunk, 0.01, 0.04)};
+    return dart;
+  }
+  CutPiece cut;
+  cut.piece.name = piece.name;
+  cut.line = {mouth + (mouth - sheet.worstFlat) * (0.01 / std::max(0.01, distance(mouth, sheet.worstFlat))),
+              sheet.worstFlat};
+  return cut;
+}
+
+std::vector<Advice> adviceOn(const DrawnSheet& sheet, const Piece& piece) {
+  std::vector<Advice> all;
+  const auto& edges = piece.outline.edges;
+  if (sheet.distortion.gate == Distortion::Gate::Red) {
+    Advice advice{strainSaid(sheet), {}, {}, sheet.worstFlat, {}};
+    std::size_t nearest = 0;
+    double share = 0, least = 1e9;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      constexpr int kSteps = 100;
+      const std::vector<Flat> points = edges[k].curve.evenly(0, 1, kSteps);
+      for (int i = 0; i <= kSteps; ++i)
+        if (const double d = distance(points[static_cast<std::size_t>(i)], sheet.worstFlat); d < least)
+          least = d, nearest = k, share = static_cast<double>(i) / kSteps;
+    }
+    advice.edge = edges[nearest].name;
+    share = std::clamp(share, 0.1, 0.9);
+    advice.mend = sheet.cutLength < kShortestDart ? Operation(withFairEdge(piece, nearest))
+                                                  : cutOrDart(piece, sheet, edges[nearest], share);
+    all.push_back(std::move(advice));
+  }
+  const auto symmetry = symmetryOf(piece.outline);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (symmetry && symmetry->partner[k] < k) continue;  // told of its partner
+    if (wavers(edges[k].curve) == 0) continue;
+    Advice advice{say("The edge “{0}” of “{1}” wavers more than cloth follows; a fair line would sew better.",
+                      edges[k].name, piece.name),
+                  {}, edges[k].name, edges[k].curve.atFraction(0.5), withFairEdge(piece, k)};
+    all.push_back(std::move(advice));
+  }
+  return all;
 }
 
 }  // namespace
@@ -171,7 +233,7 @@ Result<DrawnPiece> drawn(const Document& document, const DrawPiece& given, Conte
   out.piece.outline = std::move(*outline);
   out.piece.form = sheet->form;
   out.distortion = sheet->distortion;
-  out.advice = adviceOn(*sheet);
+  out.advice = adviceOn(*sheet, out.piece);
   return out;
 }
 
@@ -190,9 +252,12 @@ Done resolve(const Document& before, DrawPiece& draw, Context& context) {
 Result<Document> perform(const Document& before, const DrawPiece& draw, Context& context) {
   auto made = drawn(before, draw, context);
   if (!made) return made.error();
-  if (made->advice && context.advise) context.advise(*made->advice);
   Piece piece = std::move(made->piece);
   piece.id = mint<PieceId>(before, 0);
+  for (Advice& advice : made->advice) {
+    advice.piece = piece.id;
+    if (context.advise) context.advise(advice);
+  }
   std::optional<Piece> copy;
   if (draw.mirror) {
     copy = mirrored(piece);

@@ -167,6 +167,11 @@ void adviseCut(DrawnSheet& sheet, const Patch& patch, const Sides& sides, std::s
   const Triangle& t = patch.mesh.faces[sheet.distortion.worstFace];
   const Flat worst = (flat[t[0]] + flat[t[1]] + flat[t[2]]) * (1.0 / 3);
   sheet.worst = (patch.mesh.points[t[0]] + patch.mesh.points[t[1]] + patch.mesh.points[t[2]]) * (1.0 / 3);
+  sheet.worstFlat = worst;
+  const double space = length(cross(patch.mesh.points[t[1]] - patch.mesh.points[t[0]],
+                                    patch.mesh.points[t[2]] - patch.mesh.points[t[0]])),
+               paper = std::fabs(cross(flat[t[1]] - flat[t[0]], flat[t[2]] - flat[t[0]]));
+  sheet.shrunk = space > 0 ? std::sqrt(paper / space) - 1 : 0;
   sheet.cutLength = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < patch.border.size(); ++i) {
     const double d = distance(flat[patch.border[i]], worst);

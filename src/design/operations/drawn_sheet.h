@@ -39,6 +39,8 @@ struct DrawnSheet {
   Vec3 worst;               // in space: where the cloth is strained most
   std::string nearestEdge;  // from which a cut would reach it
   double cutLength = 0;     // metres on paper
+  Flat worstFlat;           // the same place on paper
+  double shrunk = 0;        // there: how much longer paper is than the drawn shape, < 0 shorter
   double fitMiss = 0;       // how far the outline passes from the drawn line
 };
 

@@ -48,7 +48,7 @@ void tellStretched(const Outline& before, const Outline& after, const SetLength&
     const std::string& name = before.edges[e].name;
     const double was = before.edges[e].curve.length(), is = after.edges[e].curve.length();
     if (std::find(meant.begin(), meant.end(), name) == meant.end() && std::fabs(is - was) >= kTold)
-      context.advise(say("{0} cannot keep its length here: {1} mm → {2} mm.", name, inMm(was), inMm(is)));
+      context.advise({say("{0} cannot keep its length here: {1} mm → {2} mm.", name, inMm(was), inMm(is))});
   }
 }
 
@@ -58,8 +58,8 @@ void tellSeams(const Document& before, const Document& after, const Context& con
                  is = lengthMismatch(after.pattern, seam);
     if (std::fabs(is - was) < kTold) continue;
     const auto named = [&](const EdgeSpan& span) { return after.find(span.piece)->name + "." + span.edge; };
-    context.advise(say("{0} is {1} mm longer than {2}, to which it is sewn.", named((is > 0 ? seam.a : seam.b).front()),
-                       inMm(std::fabs(is)), named((is > 0 ? seam.b : seam.a).front())));
+    context.advise({say("{0} is {1} mm longer than {2}, to which it is sewn.", named((is > 0 ? seam.a : seam.b).front()),
+                       inMm(std::fabs(is)), named((is > 0 ? seam.b : seam.a).front()))});
   }
 }
 
@@ -112,7 +112,7 @@ Result<Document> perform(const Document& before, const SetLength& op, Context& c
   reshape.outline = *std::move(outline);
   auto after = perform(before, reshape, context);
   if (!after || !context.advise) return after;
-  context.advise(changes(piece.outline, reshape.outline, op));
+  context.advise({changes(piece.outline, reshape.outline, op)});
   if (change.neighboursKeep) tellStretched(piece.outline, reshape.outline, op, context);
   tellSeams(before, *after, context);
   return after;

@@ -89,7 +89,7 @@ Done resolve(const Document& before, SewEdges& op, Context&) {
 Result<Document> perform(const Document& before, const SewEdges& op, Context& context) {
   if (context.advise)
     for (const SeamDoubt& doubt : seamDoubts(before, op, context.bodies.known(before.body.hash).get()))
-      context.advise(doubt.what);
+      context.advise({doubt.what});
   Document after = cleared(before, op);
   // The image is found before the seam is there: it may stand in its own way only where resolve() refused it.
   std::optional<SewEdges> image;
