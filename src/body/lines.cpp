@@ -192,7 +192,8 @@ class Finder {
     old.length = lengthOf(line, closed);
     const int parts = std::max(4, static_cast<int>(std::round(old.length / kStep)));
     std::vector<Vec3> points;
-    for (int k = 0; k + (closed ? 1 : 0) <= parts; ++k) points.push_back(onSkin(old.at(static_cast<double>(k) / parts)));
+    for (int k = 0; k + (closed ? 1 : 0) <= parts; ++k)
+      points.push_back(onSkin(old.at(static_cast<double>(k) / parts)));
     return points;
   }
 
@@ -244,8 +245,10 @@ std::span<const std::string_view> bodyLineNames() {
     std::vector<std::string> all;
     for (const Recipe& recipe : recipes())
       for (const char* side : {"_left", "_right"}) {
-        if (recipe.sided) all.push_back(std::string(recipe.name) + side);
-        else if (std::string_view(side) == "_left") all.emplace_back(recipe.name);
+        if (recipe.sided)
+          all.push_back(std::string(recipe.name) + side);
+        else if (std::string_view(side) == "_left")
+          all.emplace_back(recipe.name);
       }
     return all;
   }();

@@ -2,6 +2,7 @@
 // beginning, or, drawn from centre to centre, as one half of a symmetric piece. Its places are drawn to what lies there
 // (DrawSnaps), and a run that was meant straight, or along an outline, becomes so; Alt leaves both out.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,7 +20,8 @@ constexpr double kCentre = 0.020;    // metres from the body's middle plane that
 constexpr double kStep = 0.004;      // metres a stroke goes before it is noted
 constexpr double kMiss = 0.004;      // metres a kept line may pass from the drawn one
 constexpr double kLongest = 0.11;    // metres between two kept places of a stroke
-constexpr double kAlong = 0.15;      // metres between two kept places along a line of the body
+constexpr double kAlong = 0.15;      // metres between two kept places along a line of the body,
+constexpr double kBent = 0.7;        // and how far it may turn between them
 constexpr double kGap = 0.03;        // metres a run may leave the line it follows
 constexpr double kApart = 0.015;     // metres between two corners
 constexpr double kClose = 0.012;     // metres between two kept places, at the least
@@ -96,7 +98,8 @@ std::vector<std::string> edgeNames(std::span<const Noted> line, bool half) {
       for (const std::string_view side : {"_left", "_right"})
         if (name.ends_with(side)) name.resize(name.size() - side.size());
     ++corners;
-    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) name = "e" + std::to_string(corners);
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end())
+      name = "e" + std::to_string(corners);
     names.push_back(name);
   }
   return names;
@@ -157,7 +160,8 @@ class DrawGesture : public Gesture {
           return {};
         }
         if (straight_) stroke_.resize(1);  // as a ruler lies: only its ends count
-        if (awayFromRay(here->ray, stroke_.back().point) >= kStep || distance(here->point, stroke_.back().point) >= kFar)
+        if (awayFromRay(here->ray, stroke_.back().point) >= kStep ||
+            distance(here->point, stroke_.back().point) >= kFar)
           stroke_.push_back(*here);
         return {};
       case PointerSample::Phase::Release:
@@ -175,7 +179,8 @@ class DrawGesture : public Gesture {
       part(bench, snap_, true);
       return ended(bench, false);
     }
-    const Noted click = began_ ? noted(*began_, !smooth_) : Noted{stroke_.front().skin, stroke_.front().point, !smooth_};
+    const Noted click =
+        began_ ? noted(*began_, !smooth_) : Noted{stroke_.front().skin, stroke_.front().point, !smooth_};
     stroke_.clear();
     if (!parts_.empty() && distance(parts_.back().back().point, click.point) < kAgain) return ended(bench, true);
     parts_.push_back({click});
@@ -282,7 +287,7 @@ class DrawGesture : public Gesture {
       if (const auto way = guide(bench).straight(from.place, to.place); way && !strays(run, way->points)) return {};
     std::vector<std::optional<Vec3>> fixed(run.size());
     for (std::size_t i = 0; i < run.size(); ++i)
-      if (followed[i]) fixed[i] = followed[i]->point;
+      if (followed[i] && !run[i].certain) fixed[i] = followed[i]->point;
     fixed.front() = from.point, fixed.back() = to.point;
     const std::vector<Vec3> fair = faired(body, run, fixed);
     std::vector<Noted> places;
@@ -328,7 +333,18 @@ class DrawGesture : public Gesture {
       const double step = course[i].share - course[i - 1].share;
       went += snaps_.closed(curve) ? step - std::round(step) : step;
     }
-    const int parts = std::max(1, static_cast<int>(std::ceil(std::fabs(went) * snaps_.length(curve) / kAlong)));
+    const double length = std::fabs(went) * snaps_.length(curve);
+    const int looks = std::max(2, static_cast<int>(length / kLook));
+    double turned = 0;
+    std::array<Vec3, 3> last;
+    for (int k = 0; k <= looks; ++k) {
+      const double share = course.front().share + went * k / looks;
+      last = {last[1], last[2], snaps_.at(curve, share - std::floor(share))};
+      if (k < 2) continue;
+      const Vec3 in = last[1] - last[0], out = last[2] - last[1];
+      turned += std::atan2(karinui::length(cross(in, out)), dot(in, out));
+    }
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::max(length / kAlong, turned / kBent))));
     std::vector<Noted> places;
     for (int k = 1; k < parts; ++k) {
       const double share = course.front().share + went * k / parts;
@@ -342,7 +358,9 @@ class DrawGesture : public Gesture {
     for (const StrokeSample& s : run) {
       double nearest = 1e9;
       for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-        const auto flat = [&](Vec3 p) { return p - s.ray.origin - s.ray.direction * dot(p - s.ray.origin, s.ray.direction); };
+        const auto flat = [&](Vec3 p) {
+          return p - s.ray.origin - s.ray.direction * dot(p - s.ray.origin, s.ray.direction);
+        };
         nearest = std::min(nearest, awayFromSegment(flat(way[i]), flat(way[i + 1]), Vec3{}));
       }
       if (nearest > std::max(kStraight, 0.25 * s.touching())) return true;

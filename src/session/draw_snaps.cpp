@@ -80,9 +80,9 @@ std::optional<DrawSnaps::Followed> DrawSnaps::onCurve(std::size_t which, const S
     const Vec3 a = points[i], side = points[(i + 1) % n] - a, d = sample.ray.direction;
     const Vec3 across = side - d * dot(side, d), from = (a - sample.ray.origin);
     const Vec3 off = from - d * dot(from, d);
-    const double ss = squaredLength(across), step = length(side);
+    const double ss = squaredLength(across), step = karinui::length(side);
     const double t = ss > 1e-18 ? std::clamp(-dot(off, across) / ss, 0.0, 1.0) : 0.0;
-    const double far = length(off + across * t);
+    const double far = karinui::length(off + across * t);
     if (far < away && sees(sample, a + side * t, cloth, most)) {
       away = far;
       const Vec3 skin = cloth ? lerp(curve.skin[i], curve.skin[(i + 1) % n], t) : a + side * t;
@@ -108,7 +108,7 @@ DrawSnaps::Snap DrawSnaps::on(std::size_t which, double share) const {
     named.along = std::round(share * 1e4) / 1e4;
     snap.named = named;
     snap.skin = *fitting_->body->find(named);
-    snap.point = snap.seen = at(fitting_->body->mesh(), snap.skin);
+    snap.point = snap.seen = karinui::at(fitting_->body->mesh(), snap.skin);
   }
   return snap;
 }
@@ -167,7 +167,8 @@ std::vector<std::optional<DrawSnaps::Followed>> DrawSnaps::followed(std::span<co
       double along = std::fabs(here[to - 1]->share - here[from]->share);
       if (curves_[k].line.closed) along = std::min(along, 1 - along);
       along *= curves_[k].line.length;
-      if (distance(picture[from], picture[to - 1]) < kFollows || along < kEven * distance(picture[from], picture[to - 1]))
+      if (distance(picture[from], picture[to - 1]) < kFollows ||
+          along < kEven * distance(picture[from], picture[to - 1]))
         continue;
       const double weight = way * (curves_[k].skin.empty() ? 1 : 1.5);
       for (std::size_t i = from; i < to; ++i)

@@ -33,6 +33,7 @@ class DrawSnaps {
   };
   std::vector<std::optional<Followed>> followed(std::span<const StrokeSample> run) const;
   Snap on(std::size_t curve, double share) const;
+  Vec3 at(std::size_t curve, double share) const { return curves_[curve].line.at(share); }
   bool closed(std::size_t curve) const { return curves_[curve].line.closed; }
   double length(std::size_t curve) const { return curves_[curve].line.length; }
   const std::string& bodyLineOf(std::size_t curve) const { return curves_[curve].line.name; }  // empty: an outline

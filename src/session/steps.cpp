@@ -46,6 +46,7 @@ void Session::Inside::take(RoomState fresh) {
     ready = state.fitting->body;
     line.add(TaskLine::Kind::Preview, [this, body = ready](const Token& token) {
       (void)body->prepareField(*workers, token);
+      (void)body->lines();
       return TaskLine::Finish();
     });
   }
@@ -55,8 +56,7 @@ void Session::Inside::take(RoomState fresh) {
 void Session::Inside::takeAdvice(const Fitting& before) {
   const auto pieceOf = [](const Fitting& fitting, PieceId id) { return fitting.document.find(id); };
   std::erase_if(advice, [&](const Advice& one) {
-    return !pieceOf(*state.fitting, one.piece) ||
-           pieceOf(*state.fitting, one.piece) != pieceOf(before, one.piece);
+    return !pieceOf(*state.fitting, one.piece) || pieceOf(*state.fitting, one.piece) != pieceOf(before, one.piece);
   });
   for (Advice& fresh : std::exchange(state.advice, {})) {
     if (std::find(answered.begin(), answered.end(), text(fresh.what)) == answered.end())

@@ -133,7 +133,7 @@ TEST_F(Drawing, AShakySideDrawnFromTheFrontIsAFairEdge) {
   Hand hand(session);
   session.command(Command::Draw);
   std::vector<Pixel> path{hand.of(on("torso:shoulder+0.45@0")), hand.of(on("torso:shoulder+0.55@0.1")),
-                          hand.of(on("landmark:neck_left")), hand.of(on("landmark:shoulder_left")),
+                          hand.of(on("landmark:neck_left")),    hand.of(on("landmark:shoulder_left")),
                           hand.of(on("torso:armpit+0.5@0.17")), hand.of(on("torso:armpit@0.2"))};
   for (double share = 0.005; share < 0.37; share += 0.01)
     path.push_back(hand.rim(bodyLine(body(), "side_left")->at(share), 1));
@@ -154,7 +154,10 @@ TEST_F(Drawing, AShakySideDrawnFromTheFrontIsAFairEdge) {
   EXPECT_LT(sharpest(side->curve), 16);
   double along = side->curve.length();
   for (const char* more : {"side_left_2", "side_left_3"})
-    if (const Edge* next = findEdge(piece, more)) along += next->curve.length(), EXPECT_LT(sharpest(next->curve), 16);
+    if (const Edge* next = findEdge(piece, more)) {
+      along += next->curve.length();
+      EXPECT_LT(sharpest(next->curve), 16);
+    }
   const double length = bodyLine(body(), "side_left")->length * 0.37;
   EXPECT_NEAR(along, length, 0.04 * length) << "as long as the figure's side";
   EXPECT_LT(piece.outline.edges.size(), 17u) << "corners where the hand turned, and no others";
@@ -188,7 +191,9 @@ TEST_F(Drawing, AWaverInTheMiddleOfTheBodyIsTakenOutWithinTheHandsTolerance) {
       for (double t = 0; t <= 1; t += 0.05)
         nearest = std::min(nearest, std::hypot(seen.x - (bow[i].x + (bow[i + 1].x - bow[i].x) * t),
                                                seen.y - (bow[i].y + (bow[i + 1].y - bow[i].y) * t)));
-    if (seen.y > hand.of(on("torso:waist+0.6@0")).y) EXPECT_LT(nearest, 3.5) << text(point);
+    if (seen.y > hand.of(on("torso:waist+0.6@0")).y) {
+      EXPECT_LT(nearest, 3.5) << text(point);
+    }
   }
 }
 
@@ -254,7 +259,8 @@ TEST_F(Drawing, AStrokeGoesOnOverATurnOfTheView) {
   const auto corners = std::count_if(draw.edges.begin(), draw.edges.end(), [](const auto& e) { return e != "~"; });
   EXPECT_EQ(corners, 4) << text(session.steps().back().operation);
   double least = 1;
-  for (const BodyPoint& p : draw.line) least = std::min(least, distance(at(body().mesh(), *body().find(p)), on("torso:waist+0.5@0.3")));
+  for (const BodyPoint& p : draw.line)
+    least = std::min(least, distance(at(body().mesh(), *body().find(p)), on("torso:waist+0.5@0.3")));
   EXPECT_LT(least, 0.01) << "as far as the second view led it";
 }
 

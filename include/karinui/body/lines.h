@@ -27,9 +27,9 @@ struct BodyLine {
 // of the other side. Centre lines, side and princess lines run downwards; rings begin in front, the armhole at the
 // shoulder point, and go on to the body's left (to its right for those of the right side).
 std::span<const std::string_view> bodyLineNames();
-Message bodyLineSaid(std::string_view name);                          // "side line, left"
-const BodyLine* bodyLine(const Body& body, std::string_view name);    // null: not on this body
-std::vector<BodyLine> findBodyLines(const Body& body);                // Body::lines() keeps what this finds
-std::string mirroredName(std::string_view name);                         // _left for _right, and back; else the same
+Message bodyLineSaid(std::string_view name);                        // "side line, left"
+const BodyLine* bodyLine(const Body& body, std::string_view name);  // null: not on this body
+std::vector<BodyLine> findBodyLines(const Body& body);              // Body::lines() keeps what this finds
+std::string mirroredName(std::string_view name);                    // _left for _right, and back; else the same
 
 }  // namespace karinui

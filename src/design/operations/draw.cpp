@@ -185,7 +185,10 @@ std::vector<Advice> adviceOn(const DrawnSheet& sheet, const Piece& piece) {
     if (wavers(edges[k].curve) == 0) continue;
     Advice advice{say("The edge “{0}” of “{1}” wavers more than cloth follows; a fair line would sew better.",
                       edges[k].name, piece.name),
-                  {}, edges[k].name, edges[k].curve.atFraction(0.5), withFairEdge(piece, k)};
+                  {},
+                  edges[k].name,
+                  edges[k].curve.atFraction(0.5),
+                  withFairEdge(piece, k)};
     all.push_back(std::move(advice));
   }
   return all;
