@@ -22,6 +22,8 @@ constexpr double kMiss = 0.004;      // metres a kept line may pass from the dra
 constexpr double kLongest = 0.11;    // metres between two kept places of a stroke
 constexpr double kAlong = 0.15;      // metres between two kept places along a line of the body,
 constexpr double kBent = 0.7;        // and how far it may turn between them
+constexpr double kMean = 0.6;        // of touching: over which a stroke is averaged to find its corners
+constexpr double kFollowed = 0.15;   // metres along a line of the body that make an edge of their own
 constexpr double kGap = 0.03;        // metres a run may leave the line it follows
 constexpr double kApart = 0.015;     // metres between two corners
 constexpr double kClose = 0.012;     // metres between two kept places, at the least
@@ -50,9 +52,21 @@ double turnAt(std::span<const Vec3> line, std::size_t i, double look) {
 
 // Where the hand turned sharply, as it was seen: in depth a pixel at the silhouette is a corner. Ends included.
 std::vector<std::size_t> cornersOf(std::span<const StrokeSample> stroke) {
-  const std::vector<Vec3> picture = pictureOf(stroke);
+  const std::vector<Vec3> seen = pictureOf(stroke);
   double touching = 0;
   for (const StrokeSample& s : stroke) touching = std::max(touching, s.touching());
+  // The mean over a few pixels: a waver is no corner.
+  std::vector<Vec3> picture;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    Vec3 sum = seen[i];
+    double count = 1;
+    for (std::size_t back = i; back-- > 0 && i + (i - back) < seen.size();) {
+      const std::size_t on = i + (i - back);
+      if (std::max(distance(seen[back], seen[i]), distance(seen[on], seen[i])) > kMean * touching) break;
+      sum += seen[back] + seen[on], count += 2;
+    }
+    picture.push_back(sum * (1 / count));
+  }
   const double look = std::max(kLook, 1.4 * touching), apart = std::max(kApart, touching);
   std::vector<std::size_t> corners{0};
   double last = 10;
@@ -147,6 +161,7 @@ class DrawGesture : public Gesture {
                                         : say("That is beside the body; go on with the line on the body, or at an edge "
                                               "or a corner of a piece.")};
         smooth_ = sample.shift;
+        continues_ = false;
         stroke_ = {*here};
         began_ = snap_;
         return {};
@@ -237,11 +252,12 @@ class DrawGesture : public Gesture {
   void part(const Workbench& bench, const std::optional<DrawSnaps::Snap>& end, bool corner) {
     std::vector<StrokeSample> stroke = std::exchange(stroke_, {});
     if (stroke.size() < 2) {
+      continues_ = !corner;
       if (parts_.empty() && !stroke.empty()) parts_.push_back({Noted{stroke[0].skin, stroke[0].point}});
       return;
     }
     if (!free_) snaps_.of(bench.fitting);
-    const std::vector<std::size_t> corners = cornersOf(stroke);
+    const std::vector<std::size_t> corners = atLines(cornersOf(stroke), stroke);
     std::vector<Noted> line;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const StrokeSample& s = stroke[corners[k]];
@@ -259,11 +275,52 @@ class DrawGesture : public Gesture {
     }
     better.push_back(line.back());
     better.back().corner = corner;
+    if (std::exchange(continues_, !corner)) better.front().corner = false;
     if (!parts_.empty() && distance(parts_.back().back().point, better.front().point) < kMeets) {
       parts_.back().back().run = better.front().run;
       better.erase(better.begin());
     }
     if (!better.empty()) parts_.push_back(std::move(better));
+  }
+
+  // An edge begins and ends where a line of the body is come upon and left, if it is followed far: the side at the
+  // armhole. A corner a finger's breadth beyond is that one.
+  std::vector<std::size_t> atLines(std::vector<std::size_t> corners, std::span<const StrokeSample> stroke) const {
+    if (free_) return corners;
+    const std::vector<Vec3> picture = pictureOf(stroke);
+    std::vector<std::size_t> with{corners.front()};
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+      const std::size_t from = corners[k], to = corners[k + 1];
+      const auto followed = snaps_.followed(stroke.subspan(from, to - from + 1));
+      std::size_t first = 0, last = 0;
+      double longest = kFollowed;
+      for (std::size_t i = 0, end = 0; i < followed.size(); i = end) {
+        end = i + 1;
+        if (!followed[i] || snaps_.bodyLineOf(followed[i]->curve).empty()) continue;
+        std::size_t seen = i;
+        for (; end < followed.size() && (!followed[end] || followed[end]->curve == followed[i]->curve) &&
+               distance(picture[from + end], picture[from + seen]) < std::max(kGap, stroke[from + end].touching());
+             ++end)
+          if (followed[end]) seen = end;
+        if (const double far = distance(picture[from + i], picture[from + seen]); far > longest)
+          longest = far, first = from + i, last = from + seen;
+      }
+      const auto near = [&](std::size_t a, std::size_t b) {
+        return distance(picture[a], picture[b]) < std::max(kGap, 1.2 * stroke[a].touching());
+      };
+      if (longest > kFollowed) {
+        if (!near(first, from))
+          with.push_back(first);
+        else if (with.size() > 1 && with.back() == from)
+          with.back() = first;
+        if (!near(last, to))
+          with.push_back(last);
+        else if (k + 2 < corners.size())
+          corners[k + 1] = last;
+      }
+      if (with.back() != corners[k + 1]) with.push_back(corners[k + 1]);
+    }
+    return with;
   }
 
   // The places between two corners: along one of the body's lines or an outline, straight over the skin, or the fair
@@ -448,6 +505,7 @@ class DrawGesture : public Gesture {
   std::optional<DrawSnaps::Snap> began_;  // what the stroke began at
   std::optional<Vec3> hover_;
   bool smooth_ = false, straight_ = false, free_ = false;
+  bool continues_ = false;  // the stroke in hand goes on from the part before, seen from another side
   DrawSnaps snaps_;
   std::optional<DrawSnaps::Snap> snap_;  // what the hand is drawn to now
   struct Known {

@@ -7,13 +7,14 @@ namespace karinui {
 
 namespace {
 
-constexpr double kPlace = 0.012, kLine = 0.009;  // metres from which a place, a line snaps, seen from near
-constexpr double kStride = 0.006;                // metres between places of an outline
-constexpr double kOffSkin = 0.15;                // metres from the skin at which an edge can still be drawn to
-constexpr double kDeep = 0.07;                   // metres of depth at the silhouette between a ray and what it snaps to
-constexpr double kHidden = 0.03;                 // metres an edge may lie behind what the ray meets first
-constexpr double kFollows = 0.06;                // metres: less is crossed, not followed
-constexpr double kEven = 0.35;                   // a followed line is run along at no less than this of the hand's pace
+constexpr double kPlace = 0.012, kLine = 0.009;     // metres from which a place, a line snaps, seen from near
+constexpr double kPointed = 0.4, kAlongside = 0.8;  // of touching: a line that is pointed at, or followed
+constexpr double kStride = 0.006;                   // metres between places of an outline
+constexpr double kOffSkin = 0.15;                   // metres from the skin at which an edge can still be drawn to
+constexpr double kDeep = 0.07;     // metres of depth at the silhouette between a ray and what it snaps to
+constexpr double kHidden = 0.03;   // metres an edge may lie behind what the ray meets first
+constexpr double kFollows = 0.06;  // metres: less is crossed, not followed
+constexpr double kEven = 0.35;     // a followed line is run along at no less than this of the hand's pace
 
 // Of touching: from afar a finger covers more.
 double within(double metres, double share, const StrokeSample& sample) {
@@ -66,13 +67,13 @@ void DrawSnaps::of(FittingPtr fitting) {
 }
 
 // The place of a curve nearest to the sample's ray, of those it may mean.
-std::optional<DrawSnaps::Followed> DrawSnaps::onCurve(std::size_t which, const StrokeSample& sample,
+std::optional<DrawSnaps::Followed> DrawSnaps::onCurve(std::size_t which, const StrokeSample& sample, double share,
                                                       double& away) const {
   const Curve& curve = curves_[which];
   const bool cloth = !curve.skin.empty();
   const auto& points = curve.line.points;
   const std::size_t n = points.size();
-  const double most = sample.certain && !cloth ? within(kLine, 0.3, sample) : within(kLine, 0.8, sample);
+  const double most = sample.certain && !cloth ? within(kLine, 0.3, sample) : within(kLine, share, sample);
   away = most;
   std::optional<Followed> best;
   double done = 0;
@@ -131,7 +132,7 @@ std::optional<DrawSnaps::Snap> DrawSnaps::near(const StrokeSample& sample) const
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     double away = 0;
     if (outline && curves_[k].skin.empty()) break;  // outlines come first
-    if (const auto there = onCurve(k, sample, away); there && (!found || away < least)) {
+    if (const auto there = onCurve(k, sample, kPointed, away); there && (!found || away < least)) {
       found = there, least = away;
       outline = !curves_[k].skin.empty();
     }
@@ -152,7 +153,7 @@ std::vector<std::optional<DrawSnaps::Followed>> DrawSnaps::followed(std::span<co
     std::vector<std::optional<Followed>> here;
     for (const StrokeSample& sample : run) {
       double away = 0;
-      here.push_back(onCurve(k, sample, away));
+      here.push_back(onCurve(k, sample, kAlongside, away));
     }
     for (std::size_t from = 0, to = 0; from < run.size(); from = to) {
       to = from + 1;

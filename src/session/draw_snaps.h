@@ -48,7 +48,7 @@ class DrawSnaps {
     Snap snap;
     bool cloth = false;
   };
-  std::optional<Followed> onCurve(std::size_t curve, const StrokeSample& sample, double& away) const;
+  std::optional<Followed> onCurve(std::size_t curve, const StrokeSample& sample, double share, double& away) const;
   FittingPtr fitting_;
   std::vector<Place> places_;
   std::vector<Curve> curves_;

@@ -12,6 +12,7 @@ namespace karinui {
 namespace {
 
 constexpr double kNearlyMeet = 0.015;                    // metres: ends this near are one
+constexpr double kUsualDart = 0.06;                      // metres
 constexpr double kShortestDart = 0.015;                  // metres: a shorter one would take nothing in
 constexpr double kCorner = 35 * std::numbers::pi / 180;  // a line that turns more has a corner
 constexpr std::string_view kCurvesOn = "~";
@@ -142,20 +143,24 @@ ReshapePiece withFairEdge(const Piece& piece, std::size_t edge) {
 
 // A dart where paper is too wide for the drawn shape, a cut where it is too narrow.
 std::optional<Operation> cutOrDart(const Piece& piece, const DrawnSheet& sheet, const Edge& edge, double share) {
-  const Flat mouth = edge.curve.atFraction(share);
+  const double t = edge.curve.parameterAt(share * edge.curve.length());
+  const Flat mouth = edge.curve.at(t);
+  // Strained at the edge itself: a usual dart, straight in.
+  Flat tip = sheet.worstFlat;
+  if (sheet.cutLength < kShortestDart) tip = mouth + leftOf(normalized(edge.curve.tangent(t))) * kUsualDart;
+  if (!contains(piece.outline.flattened(2e-4), tip)) return std::nullopt;
   if (sheet.shrunk > 0) {
     AddDart dart;
     dart.edge = EdgeRef{PieceRef(), edge.name};
     dart.edge.piece.name = piece.name;
     dart.at = share;
-    dart.tip = sheet.worstFlat;
-    dart.width = Length{std::clamp(2 * sheet.cutLength * sheet.shrunk, 0.01, 0.04)};
+    dart.tip = tip;
+    dart.width = Length{std::clamp(2 * distance(mouth, tip) * sheet.shrunk, 0.01, 0.04)};
     return dart;
   }
   CutPiece cut;
   cut.piece.name = piece.name;
-  cut.line = {mouth + (mouth - sheet.worstFlat) * (0.01 / std::max(0.01, distance(mouth, sheet.worstFlat))),
-              sheet.worstFlat};
+  cut.line = {mouth + normalized(mouth - tip) * 0.01, tip};
   return cut;
 }
 
@@ -175,8 +180,10 @@ std::vector<Advice> adviceOn(const DrawnSheet& sheet, const Piece& piece) {
     }
     advice.edge = edges[nearest].name;
     share = std::clamp(share, 0.1, 0.9);
-    advice.mend = sheet.cutLength < kShortestDart ? Operation(withFairEdge(piece, nearest))
-                                                  : cutOrDart(piece, sheet, edges[nearest], share);
+    if (wavers(edges[nearest].curve) > 0 && sheet.cutLength < kShortestDart)
+      advice.mend = withFairEdge(piece, nearest);
+    else
+      advice.mend = cutOrDart(piece, sheet, edges[nearest], share);
     all.push_back(std::move(advice));
   }
   const auto symmetry = symmetryOf(piece.outline);

@@ -12,17 +12,45 @@ namespace {
 constexpr double kStep = 0.004;                         // metres between the places that are looked at
 constexpr double kSwing = 10 * std::numbers::pi / 180;  // a turn to one side that is seen
 constexpr int kUsual = 3;                               // such turns a tailor's line may have: a sleeve's crown
-constexpr double kShortest = 0.12;                      // metres: shorter waves are taken out
-constexpr int kSweeps = 4000;
+constexpr double kShortest = 0.12;                      // metres: shorter waves are taken out first
+constexpr double kFine = 25;                            // places to the shortest wave
+constexpr int kSweeps = 2000;
 
-std::vector<Flat> placesOf(const Curve& edge) {
-  return edge.evenly(0, 1, std::clamp(static_cast<int>(edge.length() / kStep), 8, 400));
+std::vector<Flat> placesOf(const Curve& edge, double step) {
+  return edge.evenly(0, 1, std::clamp(static_cast<int>(edge.length() / step), 8, 400));
+}
+
+// Second differences as springs, places held weakly where they were; both ends stay.
+Curve withoutWaves(const Curve& edge, double shortest) {
+  std::vector<Flat> p = placesOf(edge, shortest / kFine);
+  const std::vector<Flat> was = p;
+  const std::size_t n = p.size();
+  const double stiff = std::pow(shortest / (2 * std::numbers::pi * edge.length() / static_cast<double>(n - 1)), 4);
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      double bend = 0;
+      Flat pull{};
+      for (std::size_t k = std::max<std::size_t>(i - 1, 1); k <= std::min(i + 1, n - 2); ++k) {
+        Flat rest{};
+        for (std::size_t j = k - 1; j <= k + 1; ++j)
+          if (j != i) rest += p[j] * (j == k ? -2.0 : 1.0);
+        const double own = k == i ? -2 : 1;
+        bend += own * own * stiff;
+        pull = pull - rest * (own * stiff);
+      }
+      p[i] = (pull + was[i]) * (1 / (bend + 1));
+    }
+  FitSettings fit;
+  fit.tolerance = 0.002;
+  fit.shortest = 0.08;
+  fit.farthest = 0.003;
+  return Curve::joined(fitEdge(p, fit).curves);
 }
 
 }  // namespace
 
 int wavers(const Curve& edge) {
-  const std::vector<Flat> p = placesOf(edge);
+  const std::vector<Flat> p = placesOf(edge, kStep);
   int turns = 0;
   double sum = 0;
   for (std::size_t i = 1; i + 1 < p.size(); ++i) {
@@ -36,32 +64,12 @@ int wavers(const Curve& edge) {
   return std::max(0, turns - kUsual);
 }
 
-// Second differences as springs, places held weakly where they were; both ends and their directions stay.
+// Longer and longer waves are taken out until it wavers no more; a fair line stays as it is.
 Curve fairEdge(const Curve& edge) {
-  std::vector<Flat> p = placesOf(edge);
-  const std::vector<Flat> was = p;
-  const std::size_t n = p.size();
-  const double step = edge.length() / static_cast<double>(n - 1);
-  const double stiff = std::pow(kShortest / (2 * std::numbers::pi * step), 4), hold = 1;
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      double bend = 0;
-      Flat pull{};
-      for (std::size_t k = std::max<std::size_t>(i - 1, 1); k <= std::min(i + 1, n - 2); ++k) {
-        Flat rest{};
-        for (std::size_t j = k - 1; j <= k + 1; ++j)
-          if (j != i) rest += p[j] * (j == k ? -2.0 : 1.0);
-        const double own = k == i ? -2 : 1;
-        bend += own * own * stiff;
-        pull = pull - rest * (own * stiff);
-      }
-      p[i] = (pull + was[i] * hold) * (1 / (bend + hold));
-    }
-  FitSettings fit;
-  fit.tolerance = 0.002;
-  fit.shortest = 0.08;
-  fit.farthest = 0.003;
-  return Curve::joined(fitEdge(p, fit).curves);
+  Curve fair = edge;
+  for (double shortest = kShortest; wavers(fair) > 0 && shortest < 4 * edge.length(); shortest *= 1.5)
+    fair = withoutWaves(edge, shortest);
+  return fair;
 }
 
 }  // namespace karinui
