@@ -129,7 +129,7 @@ class SpaceView : public QOpenGLWidget {
   std::optional<View> framedAs_;
   Held held_ = Held::Nothing;
   std::optional<QPointF> clicked_;  // where the right button went down; none once the mouse was dragged
-  bool toolDown_ = false;  // the left button holds the tool, also while another turns the view
+  bool toolDown_ = false;           // the left button holds the tool, also while another turns the view
   QPointF last_;
 };
 

@@ -99,9 +99,9 @@ class Session {
   const std::vector<Advice>& advice() const;  // what was advised and still holds; Command::Mend does the first
   bool linesShown() const;                    // the body's lines, by Command::BodyLines
   bool begun() const;                         // a gesture is under way: a view turned now keeps pan and zoom
-  void refuse(const Error& why);      // what a face could not make of something typed, told like any refusal
-  void advise(Message what);          // told once, like advice on a step
-  std::optional<Command> takeView();  // a view that was asked for
+  void refuse(const Error& why);              // what a face could not make of something typed, told like any refusal
+  void advise(Message what);                  // told once, like advice on a step
+  std::optional<Command> takeView();          // a view that was asked for
   const SessionNews& news() const;
 
   // --- what the person does

@@ -30,7 +30,7 @@ void tellUnlike(const Document& before, const Piece& piece, const Context& conte
   for (const auto& [id, other] : before.pattern.pieces)
     if (id != piece.id && (other->mirrorOf == piece.id || piece.mirrorOf == id))
       context.advise({say("“{0}” and “{1}” are no longer alike: what is done to one is not done to the other any more.",
-                         piece.name, other->name)});
+                          piece.name, other->name)});
 }
 
 }  // namespace

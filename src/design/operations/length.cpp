@@ -58,8 +58,9 @@ void tellSeams(const Document& before, const Document& after, const Context& con
                  is = lengthMismatch(after.pattern, seam);
     if (std::fabs(is - was) < kTold) continue;
     const auto named = [&](const EdgeSpan& span) { return after.find(span.piece)->name + "." + span.edge; };
-    context.advise({say("{0} is {1} mm longer than {2}, to which it is sewn.", named((is > 0 ? seam.a : seam.b).front()),
-                       inMm(std::fabs(is)), named((is > 0 ? seam.b : seam.a).front()))});
+    context.advise(
+        {say("{0} is {1} mm longer than {2}, to which it is sewn.", named((is > 0 ? seam.a : seam.b).front()),
+             inMm(std::fabs(is)), named((is > 0 ? seam.b : seam.a).front()))});
   }
 }
 

@@ -113,8 +113,9 @@ Done resolveSymmetric(const Piece& piece, Choice& symmetric, Context& context,
         "The other half of “{0}” has no such edge, because of a slit or dart; write symmetric=no for this half alone.",
         piece.name));
   if (symmetry && !can && context.advise)
-    context.advise({say("Only this half of “{0}” was changed: the other half has no such edge, because of a slit or dart.",
-            piece.name)});
+    context.advise(
+        {say("Only this half of “{0}” was changed: the other half has no such edge, because of a slit or dart.",
+             piece.name)});
   symmetric = can ? Choice::Yes : Choice::No;
   return {};
 }
