@@ -41,16 +41,27 @@ std::string written(long long value) { return std::to_string(value); }
 
 namespace {
 
-constexpr std::string_view kUnit = " mm";
+struct Unit {
+  std::string_view written;
+  double metres;
+};
+constexpr Unit kUnits[]{{" mm", 0.001}, {" cm", 0.01}};
 
-// Millimetres in other words; several, as a place has them, between what stands between them. Nothing: no number.
-std::optional<std::string> reworded(std::string_view millimetres, LengthWords lengths) {
+// The unit that stands here; areas ("cm2") are none.
+const Unit* unitAt(std::string_view pattern) {
+  for (const Unit& unit : kUnits)
+    if (pattern.starts_with(unit.written) && !pattern.substr(unit.written.size()).starts_with('2')) return &unit;
+  return nullptr;
+}
+
+// Lengths in other words; several, as a place has them, between what stands between them. Nothing: no number.
+std::optional<std::string> reworded(std::string_view millimetres, const Unit& unit, LengthWords lengths) {
   std::string said;
   bool any = false;
   for (std::size_t i = 0; i < millimetres.size();) {
     const std::size_t end = std::min(millimetres.find_first_not_of("-0123456789.", i), millimetres.size());
     if (const auto number = parseNumber(millimetres.substr(i, end - i))) {
-      said += lengths(*number / 1000);
+      said += lengths(*number * unit.metres);
       any = true;
     } else {
       said += millimetres.substr(i, std::max(end, i + 1) - i);
@@ -62,7 +73,7 @@ std::optional<std::string> reworded(std::string_view millimetres, LengthWords le
 
 }  // namespace
 
-std::string text(const Message& message, Language language, LengthWords lengths) {
+std::string text(const Message& message, Language language, LengthWords lengths, NameWords names) {
   const std::string_view pattern =
       language == Language::Japanese ? translated(message.pattern) : std::string_view(message.pattern);
   std::string said;
@@ -76,11 +87,12 @@ std::string text(const Message& message, Language language, LengthWords lengths)
     std::size_t end = value ? i + 3 : i + 1;
     if (!value && fresh) end = std::max(end, std::min(pattern.find_first_not_of("0123456789.", i), pattern.size()));
     const Message* sentence = value ? std::get_if<Message>(&message.values[which]) : nullptr;
-    std::string part = sentence ? text(*sentence, language, lengths)
+    std::string part = sentence ? text(*sentence, language, lengths, names)
                        : value  ? std::get<std::string>(message.values[which])
                                 : std::string(pattern.substr(i, end - i));
-    if (lengths && pattern.substr(end).starts_with(kUnit))
-      if (auto words = reworded(part, lengths)) part = *std::move(words), end += kUnit.size();
+    if (const auto name = names && value && !sentence ? names(part) : std::nullopt) part = text(*name, language);
+    if (const Unit* unit = lengths ? unitAt(pattern.substr(end)) : nullptr)
+      if (auto words = reworded(part, *unit, lengths)) part = *std::move(words), end += unit->written.size();
     said += part;
     i = end;
   }

@@ -1,0 +1,147 @@
+// Every identifier a person can see has a name in both languages.
+#include "karinui/design/glossary.h"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+
+#include "design/workroom.h"
+#include "karinui/cloth/fabric.h"
+#include "karinui/design/step_words.h"
+
+namespace karinui {
+namespace {
+
+bool hasJapanese(const std::string& text) {
+  static const std::regex kana("[\xE3-\xE9][\x80-\xBF][\x80-\xBF]");
+  return std::regex_search(text, kana);
+}
+bool looksLikeAnIdentifier(const std::string& text) {
+  static const std::regex machine("[a-z0-9]_[a-z0-9]|\\be[0-9]|\\bp[0-9]|[a-z]:[a-z]|[a-z]@");
+  return std::regex_search(text, machine);
+}
+void expectNamed(Term kind, std::string_view identifier) {
+  const auto name = termSaid(kind, identifier);
+  ASSERT_TRUE(name) << identifier << " has no name";
+  const std::string english = text(*name), japanese = text(*name, Language::Japanese);
+  EXPECT_FALSE(looksLikeAnIdentifier(english)) << english;
+  EXPECT_TRUE(hasJapanese(japanese)) << identifier << " is “" << japanese << "” in Japanese";
+  EXPECT_NE(japanese, english);
+  // Words of the body and of the pattern are English words already.
+  if (kind != Term::Word && kind != Term::Level && kind != Term::Part) {
+    EXPECT_NE(english, identifier);
+  }
+}
+
+TEST(Glossary, EveryMeasureHasAName) {
+  for (const auto key : measurementKeys()) expectNamed(Term::Measure, key);
+  for (const auto key : mannequinKeys()) expectNamed(Term::Measure, key);
+}
+
+TEST(Glossary, EveryPlaceOfTheBodyHasAName) {
+  Workers workers(1);
+  Token token;
+  const auto body = makeMannequin(*builtInSize("jis9ar"), workers, token);
+  ASSERT_TRUE(body);
+  ASSERT_GT((*body)->landmarks().size(), 20u);
+  for (const auto& [landmark, place] : (*body)->landmarks()) expectNamed(Term::Landmark, landmark);
+  using Part = BodyPoint::Part;
+  for (const Part part : {Part::Torso, Part::LeftArm, Part::RightArm, Part::LeftLeg, Part::RightLeg})
+    for (const auto level : chartLevels(part)) expectNamed(Term::Level, level);
+  for (const char* part : {"torso", "left_arm", "right_arm", "left_leg", "right_leg"}) expectNamed(Term::Part, part);
+}
+
+TEST(Glossary, EveryFabricAndSizeHasAName) {
+  for (const Fabric& fabric : presets()) expectNamed(Term::Fabric, fabric.name);
+  for (const auto size : builtInSizes()) expectNamed(Term::Size, size);
+}
+
+TEST(Glossary, EveryOperationFieldAndChoiceHasAName) {
+  for (const OperationHelp& operation : operationHelp()) {
+    expectNamed(Term::Operation, operation.name);
+    EXPECT_TRUE(hasJapanese(text(Message{operation.help, {}}, Language::Japanese))) << operation.help;
+    for (const FieldHelp& field : operation.fields) {
+      SCOPED_TRACE(operation.name + "." + field.name);
+      expectNamed(Term::Field, field.name);
+      EXPECT_TRUE(hasJapanese(text(fieldSaid(operation.name, field.name), Language::Japanese)));
+      if (const std::string kind = field.kind; kind.find('|') != std::string::npos)
+        for (std::size_t at = 0, end; at <= kind.size(); at = end + 1) {
+          end = std::min(kind.find('|', at), kind.size());
+          expectNamed(Term::Value, kind.substr(at, end - at));
+        }
+    }
+  }
+}
+
+std::string said(const std::optional<Message>& message, Language language = Language::English) {
+  return message ? text(*message, language) : "nothing";
+}
+
+TEST(Glossary, NamesTheProgramMadeUpAreSaidAsATailorSaysThem) {
+  const std::vector<std::array<const char*, 3>> names{
+      {"e3", "edge 3", "辺3"},
+      {"e3_right", "edge 3, right half", "辺3（右半分）"},
+      {"edge_0", "edge 1", "辺1"},
+      {"side_left", "left side", "左脇"},
+      {"armhole_l", "left armhole", "左袖ぐり"},
+      {"hem_2", "hem 2", "裾 2"},
+      {"front", "front", "前身頃"},
+      {"sleeve_right", "right sleeve", "右袖"},
+      {"left_sleeve_f", "left front sleeve", "左前袖"},
+      {"front.e3_right", "edge 3, right half of front", "前身頃の辺3（右半分）"},
+      {"p6.edge_0", "edge 1 of piece 6", "パーツ6の辺1"},
+      {"front.side_left@0.25:0.5", "left side of front, 25 % to 50 %", "前身頃の左脇（25～50 %）"},
+      {"bust_girth", "Bust girth", "バスト囲"},
+      {"cotton_2", "Cotton 2", "綿ブロード 2"},
+      {"wool suiting", "Wool suiting", "ウールの服地"},
+      {"torso:waist+0.1@0.25", "waist, left side", "ウエストの左脇"},
+      {"torso:waist+0.5@0", "between waist and under bust, front", "ウエストとアンダーバストの間の前"},
+      {"left_arm:elbow@0", "left arm, elbow, front", "左腕、ひじの前"},
+      {"landmark:shoulder_left", "left shoulder point", "左ショルダーポイント"},
+      {"p3.2", "piece 3-2", "パーツ3-2"},
+      {"hem, side_left, e3", "hem, left side, edge 3", "裾、左脇、辺3"},
+  };
+  for (const auto& [identifier, english, japanese] : names) {
+    EXPECT_EQ(said(identifierSaid(identifier)), english);
+    EXPECT_EQ(said(identifierSaid(identifier), Language::Japanese), japanese);
+  }
+}
+
+TEST(Glossary, WhatAPersonNamedIsSaidAsGiven) {
+  for (const char* own : {"my_edge", "袖口", "cuff-links", "3", "yes", "coat.karinui", "12cm,3cm", ""})
+    EXPECT_EQ(said(identifierSaid(own)), "nothing") << own;
+  EXPECT_EQ(text(nameSaid("袖口"), Language::English), "袖口");
+  EXPECT_EQ(text(nameSaid("my_edge")), "my_edge");
+}
+
+TEST(Glossary, StepsAreSaidWithoutAnyIdentifier) {
+  Document document;
+  const auto step = [&](const char* line, Language language = Language::English) {
+    const auto operation = parseOperation(line);
+    EXPECT_TRUE(operation) << line;
+    return text(stepSaid(document, *operation), language);
+  };
+  EXPECT_EQ(step("drape gravity=0,-5,0"), "Gravity: 5 m/s² downwards");
+  EXPECT_EQ(step("drape gravity=0,-5,0", Language::Japanese), "重力：下向き 5 m/s²");
+  EXPECT_EQ(step("sew a=front.side_left b=back.side_left tie=2:1"),
+            "left side of front – left side of back, Ease or gathers: Gathered (2:1)");
+  EXPECT_EQ(step("move piece=p3 by=0,5cm,10cm turn=\"y 90deg\""),
+            "piece 3, 50.0 mm upwards, 100.0 mm forwards, Turn: 90.0° about the upright axis");
+  EXPECT_EQ(step("body size=jis9ar set=\"bust_girth=88cm\""), "JIS 9AR (women), Bust girth 880.0 mm");
+  EXPECT_EQ(step("set spacing=30mm ease=12mm"), "Fineness of the cloth: 30.0 mm, Ease: 12.0 mm");
+  EXPECT_EQ(step("notch edge=p6.edge_0 at=0.25"), "edge 1 of piece 6, Place along the edge: 25.0 %");
+  for (const char* line :
+       {"draw name=front line=\"torso:waist@0.1; torso:hip@0.1; torso:hip@0.2\"", "cut piece=p1 line=\"0,0; 5cm,5cm\"",
+        "pull piece=p1 at=1cm,2cm by=\"0,5cm,0; 0,10cm,1cm\"", "fabric name=loden like=\"wool suiting\" weight=0.3",
+        "pin edge=p2.waist", "place piece=p2 at=torso:waist@0 ease=1cm turn=30deg", "unsew seam=s5",
+        "piece name=p outline=\"M 0 0; a L 10 0; b L 10 10; c L 0 0\" at=0,1,0"}) {
+    const auto operation = parseOperation(line);
+    if (!operation) continue;
+    for (const Language language : {Language::English, Language::Japanese})
+      EXPECT_FALSE(looksLikeAnIdentifier(text(stepSaid(document, *operation), language)))
+          << text(stepSaid(document, *operation), language);
+  }
+}
+
+}  // namespace
+}  // namespace karinui
