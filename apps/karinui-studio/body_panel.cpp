@@ -14,21 +14,8 @@ namespace karinui::studio {
 
 namespace {
 
-struct Asked {
-  const char* key;
-  Message label;
-};
-const std::vector<Asked>& asked() {
-  static const std::vector<Asked> all{{"height", say("height")},
-                                      {"bust_girth", say("bust girth")},
-                                      {"under_bust_girth", say("under-bust girth")},
-                                      {"waist_girth", say("waist girth")},
-                                      {"hip_girth", say("hip girth")},
-                                      {"shoulder_width", say("shoulder width")},
-                                      {"arm_length", say("arm length")},
-                                      {"inside_leg", say("inside leg")}};
-  return all;
-}
+constexpr const char* kAsked[]{"height",    "bust_girth",     "under_bust_girth", "waist_girth",
+                               "hip_girth", "shoulder_width", "arm_length",       "crotch_height"};
 
 }  // namespace
 
@@ -44,7 +31,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
     size_->clear();
     size_->addItem(inWords(say("by measurements only")));
     for (const std::string_view s : builtInSizes())
-      size_->addItem(QString::fromUtf8(s.data(), static_cast<int>(s.size())).toUpper());
+      size_->addItem(inWords(*termSaid(Term::Size, s)));
     size_->setCurrentIndex(std::max(0, was));
   });
   size_->setCurrentIndex(1);
@@ -60,20 +47,20 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   imported_ = new QLabel;
   imported_->setWordWrap(true);
   imported_->hide();
-  Look::here().keep(imported_, [this] { shown_.clear(), listed_.clear(); });  // told anew in these words and units
   form->addRow(imported_);
   form->addRow(word(say("Size")), size_);
   form->addRow(word(say("Shape")), sex_);
   const auto keys = mannequinKeys();
-  for (const Asked& a : asked()) {
-    if (std::find(keys.begin(), keys.end(), std::string_view(a.key)) == keys.end()) continue;
-    auto* row = new MeasureRow(a.label);
-    form->addRow(word(a.label), row);
+  for (const char* key : kAsked) {
+    if (std::find(keys.begin(), keys.end(), std::string_view(key)) == keys.end()) continue;
+    const Message name = *termSaid(Term::Measure, key);
+    auto* row = new MeasureRow(name);
+    form->addRow(word(name), row);
     connect(row, &MeasureRow::turned, this, [this] {
       if (!imported()) session_.tryFigure(wished());
     });
     connect(row, &MeasureRow::set, this, &BodyPanel::wear);
-    rows_[a.key] = row;
+    rows_[key] = row;
   }
   column->addLayout(form);
   mannequin_ = new QPushButton;
@@ -198,6 +185,7 @@ void BodyPanel::refresh() {
   replay_->setEnabled(!session_.fitting().document.pattern.pieces.empty());
   const Fitting& fitting = session_.fitting();
   const std::string now = (fitting.body ? fitting.body->hash() : "-") + (imported() ? " imported" : "");
+  if (historyShown_ == ~0ull) historyShown_ = 0, shown_.clear(), listed_.clear();  // in another language or unit
   // What was refused, or stopped half-way, is not what is worn.
   const SetBody* worn = session_.figure();
   if (follow_->isChecked() && worn && !imported() && !session_.busy().any && !(wished() == *worn)) fill();
@@ -217,7 +205,7 @@ void BodyPanel::fillMeasured() {
   if (body)
     for (const auto& [key, value] : body->measured().value)
       lines +=
-          "<tr><td>" + QString::fromStdString(key).replace('_', ' ') + "&nbsp;&nbsp;</td><td align=right>" +
+          "<tr><td>" + inWords(identifierSaid(key).value_or(say("{0}", key))) + "&nbsp;&nbsp;</td><td align=right>" +
           QString::fromStdString(isAngle(key) ? fixed(value * 57.29577951, 1) + "°" : lengthText(value).toStdString()) +
           "</td></tr>";
   measured_->setText("<table>" + lines + "</table>");

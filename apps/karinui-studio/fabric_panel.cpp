@@ -248,7 +248,7 @@ void FabricPanel::refresh() {
   std::set<std::string> used;
   for (const auto& [id, piece] : session_.fitting().document.pattern.pieces) used.insert(piece->fabric);
   const auto add = [&](const Fabric& f) {
-    QString words = QString::fromStdString(f.name);
+    QString words = nameText(f.name);
     if (const auto figure = drapeFigure(f))
       words += "\n" + inWords(say("drape {0} %, {1} folds", fixed(figure->coefficient, 0), figure->folds));
     auto* item = new QListWidgetItem(pictureOf(f, n++), words, list_);

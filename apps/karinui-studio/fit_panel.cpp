@@ -183,8 +183,8 @@ void FitPanel::fillReport() {
     const auto percent = [](double x) { return QString::fromStdString(fixed(100 * x, 2)) + " %"; };
     const std::pair<Message, Said> lines[] = {
         {say("at rest"), [](const auto& r) { return r.settled ? inWords(say("yes")) : inWords(say("no")); }},
-        {say("mean strain"), [&](const auto& r) { return percent(r.strain.mean); }},
-        {say("strain, 99 of 100"), [&](const auto& r) { return percent(r.strain.p99); }},
+        {say("stretch, on average"), [&](const auto& r) { return percent(r.strain.mean); }},
+        {say("99 % of the cloth is stretched less than"), [&](const auto& r) { return percent(r.strain.p99); }},
         {say("widest seam gap"), [](const auto& r) { return lengthText(r.seamGap, 2); }},
         {say("deepest in the body"), [](const auto& r) { return lengthText(r.penetration, 3); }}};
     const SettleReport* before = then_ && then_->document.drape.last ? &*then_->document.drape.last : nullptr;

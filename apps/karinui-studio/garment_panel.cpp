@@ -12,6 +12,7 @@
 
 #include "edge_numbers.h"
 #include "karinui/base/number.h"
+#include "karinui/design/step_words.h"
 #include "karinui/pattern/edit.h"
 #include "karinui/pattern/symmetry.h"
 #include "length_box.h"
@@ -20,6 +21,13 @@
 #include "panels.h"
 
 namespace karinui::studio {
+
+Panel::Panel(Session& session) : session_(session) {
+  connect(&Look::here(), &Look::changed, this, [this] {  // all of it in the other language or unit
+    historyShown_ = ~0ull;
+    refresh();
+  });
+}
 
 QLabel* Panel::title(const Message& words) {
   auto* label = new QLabel;
@@ -30,7 +38,7 @@ QLabel* Panel::title(const Message& words) {
 QLabel* Panel::word(const Message& words) {
   auto* label = new QLabel;
   label->setWordWrap(true);
-  Look::here().keep(label, [label, words] { label->setText(inWords(words)); });
+  Look::here().keep(label, [label, words] { label->setText(asLabel(words)); });
   return label;
 }
 
@@ -38,13 +46,17 @@ namespace {
 
 enum Kind { kPiece = 1, kEdge, kSeam, kMark, kLine };
 
-QString seamName(const Document& document, const Seam& seam) {
-  if (!seam.name.empty()) return QString::fromStdString(seam.name);
-  const auto side = [&](const std::vector<EdgeSpan>& spans) {
-    const Piece* piece = document.find(spans.front().piece);
-    return QString::fromStdString((piece ? piece->name : "") + "." + spans.front().edge);
-  };
-  return side(seam.a) + " – " + side(seam.b);
+QString seamName(const Document& document, const Seam& seam) { return inWords(seamSaid(document, seam)); }
+
+// A name is shown as people say it, and kept as scripts write it.
+void showName(QLineEdit& box, const std::string& name) {
+  box.setText(nameText(name));
+  box.setToolTip(scriptHint(name));
+}
+std::optional<std::string> newName(const QLineEdit& box, const std::string& now) {
+  const std::string typed = box.text().trimmed().toStdString();
+  if (typed == nameText(now).toStdString() || typed == now) return std::nullopt;
+  return identifierOf(typed).value_or(typed);
 }
 
 QDoubleSpinBox* number(double low, double high, int decimals, const char* unit) {
@@ -163,17 +175,18 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   };
   connect(name_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
     const Piece* piece = pieceChosen();
-    if (!piece || name_->text().toStdString() == piece->name) return;
+    const auto wanted = piece ? newName(*name_, piece->name) : std::nullopt;
+    if (!wanted) return;
     Rename rename;
     rename.piece = piece->id;
-    rename.to = name_->text().toStdString();
+    rename.to = *wanted;
     session_.perform(rename);
   });
   connect(fabric_, &QComboBox::activated, this, [this, pieceChosen] {
     const Piece* piece = pieceChosen();
-    if (!piece || fabric_->currentText().toStdString() == piece->fabric) return;
     SetFabric set;
-    set.name = fabric_->currentText().toStdString();
+    set.name = fabric_->currentData().toString().toStdString();
+    if (!piece || set.name == piece->fabric) return;
     for (const PieceId id : session_.selection().pieces) set.pieces.push_back(PieceRef(id));
     session_.perform(set);
   });
@@ -193,11 +206,12 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   });
   connect(edgeName_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
     const Piece* piece = pieceChosen();
-    if (!piece || !session_.selection().edge || edgeName_->text().toStdString() == session_.selection().edge->edge)
-      return;
+    if (!piece || !session_.selection().edge) return;
+    const auto wanted = newName(*edgeName_, session_.selection().edge->edge);
+    if (!wanted) return;
     Rename rename;
     rename.edge = EdgeRef{PieceRef(piece->id), session_.selection().edge->edge, 0, 1};
-    rename.to = edgeName_->text().toStdString();
+    rename.to = *wanted;
     session_.perform(rename);
   });
   connect(length_, &LengthBox::typed, this, [this](double wanted) {
@@ -258,7 +272,7 @@ void GarmentPanel::fillTree() {
   QTreeWidgetItem* current = nullptr;
   for (const auto& [id, piece] : document.pattern.pieces) {
     auto* item = new QTreeWidgetItem(tree_);
-    QString words = QString::fromStdString(piece->name);
+    QString words = nameText(piece->name);
     if (piece->frozen) words += "  ❄";
     if (document.drape.dirty.contains(id)) words += "  •";
     item->setText(0, words);
@@ -267,7 +281,7 @@ void GarmentPanel::fillTree() {
     const bool chosen = selection.pieces.contains(id);
     for (const Edge& edge : piece->outline.edges) {
       auto* child = new QTreeWidgetItem(item);
-      child->setText(0, QString::fromStdString(edge.name) + "   " + lengthText(edge.curve.length()));
+      child->setText(0, nameText(edge.name) + "   " + lengthText(edge.curve.length()));
       child->setData(0, Qt::UserRole, kEdge);
       child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
       child->setData(0, Qt::UserRole + 2, QString::fromStdString(edge.name));
@@ -294,11 +308,11 @@ void GarmentPanel::fillTree() {
       const Edge* edge = m.edge.empty() ? nullptr : findEdge(*piece, m.edge);
       const Flat place = edge ? edge->curve.atFraction(m.fraction) : m.place;
       const QString name =
-          m.name.empty() ? inWords(edge ? say("Notch") : say("Drill hole")) : QString::fromStdString(m.name);
+          m.name.empty() ? inWords(edge ? say("Notch") : say("Drill hole")) : nameText(m.name);
       QTreeWidgetItem* child =
           add(kMark,
               name + "   " +
-                  (edge ? QString::fromStdString(m.edge) + "  " + lengthText(m.fraction * edge->curve.length())
+                  (edge ? nameText(m.edge) + "  " + lengthText(m.fraction * edge->curve.length())
                         : lengthText(place.u) + "  " + lengthText(place.v)),
               "notch", selection.mark == place);
       child->setData(0, Qt::UserRole + 3, place.u);
@@ -307,7 +321,7 @@ void GarmentPanel::fillTree() {
     for (const InternalLine& line : piece->lines) {
       double whole = 0;
       for (const Curve& curve : line.curves) whole += curve.length();
-      add(kLine, QString::fromStdString(line.name) + "   " + lengthText(whole), "line", selection.line == line.name)
+      add(kLine, nameText(line.name) + "   " + lengthText(whole), "line", selection.line == line.name)
           ->setData(0, Qt::UserRole + 2, QString::fromStdString(line.name));
     }
     item->setExpanded(item->isExpanded() || open.contains(id.value));
@@ -334,20 +348,24 @@ void GarmentPanel::fillProperties() {
   pieceBoard_->setVisible(piece);
   edgeBoard_->setVisible(piece && selection.edge.has_value());
   if (piece) {
-    name_->setText(QString::fromStdString(piece->name));
+    showName(*name_, piece->name);
     fabric_->clear();
-    for (const Fabric& f : presets()) fabric_->addItem(QString::fromStdString(f.name));
-    for (const auto& [name, f] : document.fabrics)
-      if (fabric_->findText(QString::fromStdString(name)) < 0) fabric_->addItem(QString::fromStdString(name));
-    fabric_->setCurrentText(QString::fromStdString(piece->fabric));
+    const auto add = [this](const std::string& name) {
+      const QString word = QString::fromStdString(name);
+      if (fabric_->findData(word) < 0) fabric_->addItem(nameText(name), word);
+    };
+    for (const Fabric& f : presets()) add(f.name);
+    for (const auto& [name, f] : document.fabrics) add(name);
+    add(piece->fabric);
+    fabric_->setCurrentIndex(fabric_->findData(QString::fromStdString(piece->fabric)));
     layer_->setValue(piece->layer);
     frozen_->setChecked(piece->frozen);
     grain_->setValue(std::atan2(piece->grain.u, piece->grain.v) * 180 / std::numbers::pi);
-    area_->setText(QString::fromStdString(fixed(piece->outline.area() * 1e4, 0) + " cm²"));
+    area_->setText(areaText(piece->outline.area()));
   }
   if (piece && selection.edge) {
     if (const Edge* edge = findEdge(*piece, selection.edge->edge)) {
-      edgeName_->setText(QString::fromStdString(edge->name));
+      showName(*edgeName_, edge->name);
       length_->setMetres(edge->curve.length());
       stays_->refresh();
       u_->setMetres(edge->curve.start.u);

@@ -4,11 +4,10 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 
-#include "karinui/design/script.h"
+#include "karinui/design/step_words.h"
 #include "look.h"
 #include "panels.h"
 
@@ -20,25 +19,7 @@ constexpr QSize kPicture(54, 72);
 constexpr std::size_t kMostPictures = 64;    // kept, beside those in sight
 enum Role { kNumber = Qt::UserRole, kEnd };  // how many steps are done there; or the end of a way that was left, by seq
 
-// A step's line as people call the things in it.
-QString named(const Document& document, QString words) {
-  for (const auto& [id, piece] : document.pattern.pieces) {
-    const QRegularExpression whole("(?<![\\w.-])" + QString::fromStdString(karinui::text(id)) + "(?![\\w-])");
-    words.replace(whole, QString::fromStdString(piece->name));
-  }
-  return words;
-}
-
-QString lineOf(const Document& document, const Step& step) {
-  const std::string kind(nameOf(step.operation));
-  const QString words = QString::fromStdString(text(step.operation)).mid(static_cast<int>(kind.size()) + 1);
-  return named(document, words);
-}
-
-const OperationHelp& helpOf(const Operation& operation) {
-  static const std::vector<OperationHelp> all = operationHelp();
-  return *std::find_if(all.begin(), all.end(), [&](const auto& help) { return help.name == nameOf(operation); });
-}
+QString nameOfStep(const Step& step) { return inWords(*termSaid(Term::OperationName, nameOf(step.operation))); }
 
 const char* iconOf(const Step& step) {
   const std::string_view kind = nameOf(step.operation);
@@ -138,11 +119,10 @@ QListWidgetItem* HistoryPanel::addStep(std::size_t number, const Step* step, boo
   item->setSizeHint(QSize(0, kPicture.height() + 6));
   item->setData(kNumber, static_cast<unsigned>(number));
   if (step) {
-    const std::string kind(nameOf(step->operation));
-    const QString rest = lineOf(document, *step);
-    words += QString::fromStdString(kind) + "\n" + rest.left(160);
+    const QString rest = inWords(stepSaid(document, step->operation));
+    words += nameOfStep(*step) + "\n" + rest.left(160);
     item->setIcon(pictureOf(*step));
-    item->setToolTip("<b>" + inWords(Message{helpOf(step->operation).help, {}}) + "</b><br>" +
+    item->setToolTip("<b>" + inWords(Message{helpOf(step->operation).help, {}}).toHtmlEscaped() + "</b><br>" +
                      rest.left(600).toHtmlEscaped());
   } else {
     words += inWords(say("the empty beginning"));
@@ -176,8 +156,7 @@ void HistoryPanel::fillSteps() {
   for (const Step& end : session_.otherEnds()) {
     QListWidgetItem* item = addStep(end.serial, &end, true);
     item->setText(inWords(say("another way, {0} steps", static_cast<std::size_t>(end.serial))) + "\n… " +
-                  QString::fromStdString(std::string(nameOf(end.operation))) + "  " +
-                  lineOf(session_.fitting().document, end).left(120));
+                  nameOfStep(end) + "  " + inWords(stepSaid(session_.fitting().document, end.operation)).left(120));
     item->setData(kEnd, static_cast<qulonglong>(end.seq));
   }
   if (const int stay = std::exchange(stay_, 0); stay > 0 && stay < list_->count()) here = list_->item(stay);
@@ -198,14 +177,12 @@ void HistoryPanel::fillFields() {
   const std::vector<FieldText> known = fieldTexts(step->operation);
   for (const FieldHelp& field : help.fields) {
     const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
-    auto* box = new QLineEdit(value == known.end() ? QString() : QString::fromStdString(value->value));
-    box->setCursorPosition(0);
-    box->setPlaceholderText(QString::fromStdString(field.usual));
-    box->setToolTip(inWords(Message{field.help, {}}));
-    box->setAccessibleName(QString::fromStdString(field.name));
-    connect(box, &QLineEdit::returnPressed, this, &HistoryPanel::playAgain);
-    fields_->addRow(QString::fromStdString(field.name), box);
-    typed_.push_back({field.name, box});
+    typed_.push_back(stepField(session_.fitting().document, help.name, field,
+                               value == known.end() ? std::string() : value->value, [this] { playAgain(); }));
+    auto* label = new QLabel(inWords(fieldSaid(help.name, field.name)));
+    label->setWordWrap(true);
+    label->setBuddy(typed_.back().box);
+    fields_->addRow(label, typed_.back().box);
   }
 }
 
@@ -213,8 +190,8 @@ void HistoryPanel::playAgain() {
   const Step* step = chosen();
   if (!step) return;
   std::vector<FieldText> fields;
-  for (const auto& [name, box] : typed_)
-    if (!box->text().trimmed().isEmpty()) fields.push_back({name, box->text().trimmed().toStdString()});
+  for (const StepField& field : typed_)
+    if (std::string value = field.value(); !value.empty()) fields.push_back({field.name, std::move(value)});
   const auto operation = parseOperation(karinui::lineOf(nameOf(step->operation), fields));
   if (!operation) return session_.refuse(operation.error());
   if (*operation == step->operation) return;

@@ -9,16 +9,12 @@
 
 namespace karinui::studio {
 
-namespace {
-
 std::optional<double> metresIn(QString text) {
   const std::string said = text.replace(',', '.').replace('"', "in").remove(' ').toStdString();
   if (const auto bare = parseNumber(said)) return *bare * (Look::here().inches() ? 0.0254 : 0.01);
   const auto length = parseLength(said);
   return length ? std::optional(*length) : std::nullopt;
 }
-
-}  // namespace
 
 LengthBox::LengthBox(const Message& name, double low, double high) {
   setDecimals(7);  // a tenth of a micron: no typed number is rounded

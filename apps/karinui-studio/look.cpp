@@ -121,7 +121,7 @@ const Palette& Look::palette() const { return dark_ ? kDark : kLight; }
 
 QString Look::say(const Message& message) const {
   const auto words = [](double metres) { return lengthText(metres, 2).toStdString(); };
-  return QString::fromStdString(text(message, language_, words));
+  return QString::fromStdString(text(message, language_, words, identifierSaid));
 }
 
 QIcon Look::icon(std::string_view name) const { return name.empty() ? QIcon() : QIcon(new HouseIcon(name)); }
@@ -209,6 +209,16 @@ void drawIcon(QPainter& painter, std::string_view name, const QRectF& square, co
   painter.restore();
 }
 
+QString asLabel(const Message& message) {
+  QString words = inWords(message);
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words;
+}
+QString nameText(std::string_view name) { return inWords(nameSaid(name)); }
+QString scriptHint(const std::string& word) {
+  return inWords(karinui::say("In scripts:")) + " " + QString::fromStdString(word);
+}
+
 std::optional<Message> japaneseTrouble() {
   if (!QFontDatabase::families(QFontDatabase::Japanese).isEmpty()) return std::nullopt;
   return karinui::say(
@@ -218,6 +228,12 @@ std::optional<Message> japaneseTrouble() {
 
 QString lengthText(double metres, int decimals) {
   return QString::fromStdString(lengthSaid(metres, Look::here().inches(), decimals));
+}
+
+QString areaText(double squareMetres) {
+  const bool inches = Look::here().inches();
+  return QString::fromStdString(fixed(squareMetres / (inches ? 0.0254 * 0.0254 : 1e-4), 0)) +
+         (inches ? " in²" : " cm²");
 }
 
 void paintFingertip(QPainter& painter, const QPointF& at) {

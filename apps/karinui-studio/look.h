@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "karinui/base/message.h"
+#include "karinui/design/glossary.h"
 #include "karinui/scene/scene_frame.h"
 
 class QAction;
@@ -54,9 +55,13 @@ class Look : public QObject {
 };
 
 inline QString inWords(const Message& message) { return Look::here().say(message); }
+QString asLabel(const Message& message);     // with a capital letter
+QString nameText(std::string_view name);     // of a piece, an edge, a line, a mark, a fabric
+QString scriptHint(const std::string& word);  // what scripts call it, for a tooltip
 // Why Japanese cannot be shown on this machine; nothing: it can.
 std::optional<Message> japaneseTrouble();
 QString lengthText(double metres, int decimals = 1);  // "12.3 cm" or "4.84 in"
+QString areaText(double squareMetres);                // "1234 cm²" or "191 in²"
 QColor shown(const Colour& linear);                   // linear light to screen
 // Draws an icon of the house into a square.
 void drawIcon(class QPainter& painter, std::string_view name, const class QRectF& square, const QColor& ink);

@@ -88,9 +88,14 @@ void MainWindow::makeMenus() {
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   QMenu* examples = file->addMenu(QString());
   Look::here().keep(examples, [examples] { examples->setTitle(inWords(say("Examples"))); });
-  for (const char* name : {"first_tunic", "six_operations", "kyoto_fitting", "shirt_fitting"}) {
-    QAction* one = examples->addAction(QString(name).replace('_', ' '));
-    connect(one, &QAction::triggered, this, [this, name] { openExample(name); });
+  const std::pair<const char*, Message> made[] = {{"first_tunic", say("A first tunic")},
+                                                  {"six_operations", say("The six operations")},
+                                                  {"kyoto_fitting", say("A fitting in Kyoto")},
+                                                  {"shirt_fitting", say("A shirt")}};
+  for (const auto& [name, words] : made) {
+    QAction* one = examples->addAction(QString());
+    Look::here().keep(one, words, words);
+    connect(one, &QAction::triggered, this, [this, name = name] { openExample(name); });
   }
   file->addSeparator();
   add(file, say("Save"), "", "Ctrl+S", [this] { save(); });

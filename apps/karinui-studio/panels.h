@@ -7,6 +7,7 @@
 
 #include "karinui/session/session.h"
 #include "space_view.h"
+#include "step_field.h"
 
 class QCheckBox;
 class QComboBox;
@@ -32,7 +33,7 @@ class MeasureRow;
 class Panel : public QWidget {
   Q_OBJECT
  public:
-  explicit Panel(Session& session) : session_(session) {}
+  explicit Panel(Session& session);
   virtual void refresh() = 0;  // the session has something new
 
  protected:
@@ -40,6 +41,7 @@ class Panel : public QWidget {
   QLabel* word(const Message& words);
   Session& session_;
   bool filling_ = false;  // values are being shown, not entered
+  std::uint64_t historyShown_ = ~0ull;
 };
 
 class GarmentPanel : public Panel {
@@ -68,7 +70,6 @@ class GarmentPanel : public Panel {
   LengthBox *length_, *u_, *v_;
   LengthChoice* stays_;
   QLabel* sewn_;
-  std::uint64_t historyShown_ = ~0ull;
   Selection selectionShown_;
 };
 
@@ -120,7 +121,6 @@ class FabricPanel : public Panel {
   std::vector<QDoubleSpinBox*> values_;
   Fabric fabric_, kept_;  // as it is being changed, and as it is
   std::string wanted_;    // what is chosen when the list is made anew
-  std::uint64_t historyShown_ = ~0ull;
   Selection selectionShown_;
 };
 
@@ -150,7 +150,6 @@ class FitPanel : public Panel {
   LengthBox* eyes_;
   QDoubleSpinBox* focus_;
   QLabel* report_;
-  std::uint64_t historyShown_ = ~0ull;
 };
 
 // Every step with its picture; going back to any, and changing one of them.
@@ -181,11 +180,10 @@ class HistoryPanel : public Panel {
   QLabel* about_;
   QFormLayout* fields_;
   QPushButton* again_;
-  std::vector<std::pair<std::string, QLineEdit*>> typed_;  // by field
+  std::vector<StepField> typed_;
   std::map<std::string, QPixmap> pictures_;                // by the hash of all steps up to there
   bool asked_ = false;
   int stay_ = 0;  // the row that stays chosen when the list is made anew; 0: the step one stands at
-  std::uint64_t historyShown_ = ~0ull;
 };
 
 }  // namespace karinui::studio

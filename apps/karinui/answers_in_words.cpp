@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "karinui/base/number.h"
+#include "karinui/design/glossary.h"
 
 namespace karinui::app {
 
@@ -63,7 +64,7 @@ std::string yesOrNo(bool yes, const Console& console) { return console.said(yes 
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console) {
   Table table;
   for (const auto& [key, value] : measured.value)
-    table.row({key, isAngle(key) ? fixed(value * 180 / std::numbers::pi, 1) + " deg" : mm(value)});
+    table.row({console.said(*termSaid(Term::Measure, key)), key, isAngle(key) ? fixed(value * 180 / std::numbers::pi, 1) + " deg" : mm(value)});
   Table surface;
   surface.row({console.said(say("Triangles")), std::to_string(mesh.triangles)});
   surface.row({console.said(say("Closed")), yesOrNo(mesh.closed(), console)});
@@ -85,7 +86,7 @@ std::string checkWords(const ClothCheck& check, const Console& console) {
   row(say("Cloth through cloth"), console.said(say("at {0} places", check.clothClothCrossings)));
   row(say("Widest gap in a seam"), mm(check.seamGap));
   row(say("Stretch, on average"), percent(check.strain.mean));
-  row(say("Stretch, 99 of 100 threads below"), percent(check.strain.p99));
+  row(say("99 % of the cloth is stretched less than"), percent(check.strain.p99));
   row(say("Stretch, at most"), percent(check.strain.max));
   row(say("Points of cloth"), std::to_string(check.vertices));
   return console.said(say("The cloth as it stands:")) + "\n" + table.words(2);
@@ -126,7 +127,8 @@ std::string infoWords(const Document& document, const Console& console) {
                                     : say("not draped yet"))) +
              "\n";
     Table edges;
-    for (const Edge& edge : piece->outline.edges) edges.row({edge.name, mm(edge.curve.length())});
+    for (const Edge& edge : piece->outline.edges)
+      edges.row({edge.name, said(nameSaid(edge.name)), mm(edge.curve.length())});
     words += edges.words(2);
   }
   if (!document.pattern.seams.empty()) words += "\n" + said(say("Seams:")) + "\n";

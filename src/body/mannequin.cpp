@@ -36,8 +36,8 @@ bool sound(const TriangleMesh& mesh) {
   return report.closed() && report.outward && report.shells == 1 && euler == 2 && report.selfCrossings == 0;
 }
 
-std::string inWords(std::string_view key, double value) {
-  return isAngle(key) ? fixed(value * 180 / std::numbers::pi, 0) + " deg" : fixed(value * 100, 1) + " cm";
+Message inWords(std::string_view key, double value) {
+  return isAngle(key) ? say("{0}°", fixed(value * 180 / std::numbers::pi, 0)) : say("{0} cm", fixed(value * 100, 1));
 }
 
 // What is aimed at: everything stated, and what follows from it for the rest of the torso.
@@ -74,8 +74,8 @@ Error unmet(const FigureFitting& fitting, const Reading& reading) {
             "it out.",
             worst.key, inWords(worst.key, worst.wanted), inWords(worst.key, worst.got)));
   const auto its = std::find_if(all.begin(), all.end(), [&](const Miss& miss) { return miss.key == other; });
-  const std::string wanted = inWords(worst.key, worst.wanted), had = inWords(other, its->wanted),
-                    limit = inWords(worst.key, worst.got);
+  const Message wanted = inWords(worst.key, worst.wanted), had = inWords(other, its->wanted),
+                limit = inWords(worst.key, worst.got);
   return worst.got < worst.wanted
              ? refused(say("{0} {1} and {2} {3} do not go together: with this {2}, {0} is at most {4}.", worst.key,
                            wanted, other, had, limit))

@@ -119,9 +119,9 @@ const Name* find(std::string_view key) {
   return it == kNames.end() ? nullptr : &*it;
 }
 
-std::string inWords(std::string_view key, double value) {
-  if (isAngle(key)) return fixed(value * 180 / 3.14159265358979323846, 0) + " deg";
-  return fixed(value * 100, 1) + " cm";
+Message inWords(std::string_view key, double value) {
+  if (isAngle(key)) return say("{0}°", fixed(value * 180 / 3.14159265358979323846, 0));
+  return say("{0} cm", fixed(value * 100, 1));
 }
 
 }  // namespace

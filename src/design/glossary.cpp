@@ -134,35 +134,35 @@ const std::vector<Entry>& entries() {
       {Term::Size, "eu50", say("EU 50 (men)")},
       {Term::Size, "jis9ar", say("JIS 9AR (women)")},
   // --- Operation
-      {Term::Operation, "body", say("Choose the figure")},
-      {Term::Operation, "cut", say("Cut")},
-      {Term::Operation, "dart", say("Sew a dart")},
-      {Term::Operation, "drape", say("Settle")},
-      {Term::Operation, "draw", say("Draw a piece")},
-      {Term::Operation, "duplicate", say("Duplicate")},
-      {Term::Operation, "erase", say("Erase marks")},
-      {Term::Operation, "fabric", say("Fabric")},
-      {Term::Operation, "flip", say("Turn the seam round")},
-      {Term::Operation, "freeze", say("Freeze")},
-      {Term::Operation, "grain", say("Turn the grain")},
-      {Term::Operation, "join", say("Take a point away")},
-      {Term::Operation, "layer", say("Order of layers")},
-      {Term::Operation, "line", say("Inner line")},
-      {Term::Operation, "mirror", say("Mirror")},
-      {Term::Operation, "move", say("Move")},
-      {Term::Operation, "notch", say("Notch or drill hole")},
-      {Term::Operation, "piece", say("Add a piece")},
-      {Term::Operation, "pin", say("Pin")},
-      {Term::Operation, "place", say("Wrap round the body")},
-      {Term::Operation, "pull", say("Pull")},
-      {Term::Operation, "remove", say("Remove")},
-      {Term::Operation, "rename", say("Rename")},
-      {Term::Operation, "reshape", say("Reshape")},
-      {Term::Operation, "set", say("Settings")},
-      {Term::Operation, "sew", say("Sew")},
-      {Term::Operation, "split", say("Add a point")},
-      {Term::Operation, "unpin", say("Take pins out")},
-      {Term::Operation, "unsew", say("Unpick")},
+      {Term::OperationName, "body", say("Choose the figure")},
+      {Term::OperationName, "cut", say("Cut")},
+      {Term::OperationName, "dart", say("Sew a dart")},
+      {Term::OperationName, "drape", say("Settle")},
+      {Term::OperationName, "draw", say("Draw a piece")},
+      {Term::OperationName, "duplicate", say("Duplicate")},
+      {Term::OperationName, "erase", say("Erase marks")},
+      {Term::OperationName, "fabric", say("Fabric")},
+      {Term::OperationName, "flip", say("Turn the seam round")},
+      {Term::OperationName, "freeze", say("Freeze")},
+      {Term::OperationName, "grain", say("Turn the grain")},
+      {Term::OperationName, "join", say("Take a point away")},
+      {Term::OperationName, "layer", say("Order of layers")},
+      {Term::OperationName, "line", say("Inner line")},
+      {Term::OperationName, "mirror", say("Mirror")},
+      {Term::OperationName, "move", say("Move")},
+      {Term::OperationName, "notch", say("Notch or drill hole")},
+      {Term::OperationName, "piece", say("Add a piece")},
+      {Term::OperationName, "pin", say("Pin")},
+      {Term::OperationName, "place", say("Wrap round the body")},
+      {Term::OperationName, "pull", say("Pull")},
+      {Term::OperationName, "remove", say("Remove")},
+      {Term::OperationName, "rename", say("Rename")},
+      {Term::OperationName, "reshape", say("Reshape")},
+      {Term::OperationName, "set", say("Settings")},
+      {Term::OperationName, "sew", say("Sew")},
+      {Term::OperationName, "split", say("Add a point")},
+      {Term::OperationName, "unpin", say("Take pins out")},
+      {Term::OperationName, "unsew", say("Unpick")},
   // --- Field
       {Term::Field, "a", say("One side")},
       {Term::Field, "about", say("Turn about")},
@@ -501,6 +501,27 @@ std::optional<Message> identifierSaid(std::string_view text) {
     all.push_back(one.value_or(say("{0}", item)));
   }
   return any ? std::optional(listSaid(all)) : std::nullopt;
+}
+
+std::optional<std::string> identifierOf(std::string_view said) {
+  const auto plain = [](std::string_view words) {
+    std::string low(words);
+    for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return low;
+  };
+  const std::string wanted = plain(said);
+  const auto isSaid = [&](const Message& name) {
+    return plain(text(name)) == wanted || text(name, Language::Japanese) == wanted;
+  };
+  for (const Term kind : {Term::Word, Term::Measure, Term::Fabric})
+    for (const Entry& entry : entries()) {
+      if (entry.kind != kind) continue;
+      if (isSaid(entry.name)) return std::string(entry.identifier);
+      if (kind != Term::Word) continue;
+      for (const char* side : {"_left", "_right", "_front", "_back"})
+        if (const std::string name = std::string(entry.identifier) + side; isSaid(nameSaid(name))) return name;
+    }
+  return std::nullopt;
 }
 
 Message listSaid(const std::vector<Message>& all) {

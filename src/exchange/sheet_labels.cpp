@@ -2,6 +2,7 @@
 // longest grain arrow that stays clear of the lettering too.
 #include <algorithm>
 
+#include "karinui/design/glossary.h"
 #include "names.h"
 #include "sheet.h"
 
@@ -160,8 +161,8 @@ double wordsWidth(std::string_view words, double size) {
 void placeLabels(SheetPiece& out, const SheetSettings& settings) {
   const Piece& piece = *out.piece;
   const Room room(piece);
-  const std::vector<std::string> lines{cleanText(piece.name),
-                                       text(say("Cut 1 · {0}", cleanText(piece.fabric)), settings.language)};
+  const std::vector<std::string> lines{cleanText(text(nameSaid(piece.name), settings.language)),
+                                       cleanText(text(say("Cut 1 · {0}", nameSaid(piece.fabric)), settings.language))};
   const Lettering lettering = letteringFor(room, lines);
   // The lines are stacked within the box, downwards or, turned, to the right.
   double below = -(lettering.upright ? lettering.box.half.v : lettering.box.half.u) * 1000;

@@ -58,7 +58,7 @@ TEST(Glossary, EveryFabricAndSizeHasAName) {
 
 TEST(Glossary, EveryOperationFieldAndChoiceHasAName) {
   for (const OperationHelp& operation : operationHelp()) {
-    expectNamed(Term::Operation, operation.name);
+    expectNamed(Term::OperationName, operation.name);
     EXPECT_TRUE(hasJapanese(text(Message{operation.help, {}}, Language::Japanese))) << operation.help;
     for (const FieldHelp& field : operation.fields) {
       SCOPED_TRACE(operation.name + "." + field.name);

@@ -38,7 +38,7 @@ TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
   const auto bust = [](const Fitting& f) { return f.body->measured().value.at("bust_girth"); };
   const auto chest = [&] { return w.session().fitting().document.pieceNamed("front")->outline.area(); };
   const double girth = bust(w.session().fitting()), area = chest();
-  QSlider* slider = sliderOf(w, "bust girth");
+  QSlider* slider = sliderOf(w, "Bust girth");
   ASSERT_TRUE(slider);
   const QPointF knob = knobOf(*slider);
   w.drag(*slider, {knob, knob + QPointF(slider->width() * 0.12, 0)}, {}, [&] {
@@ -57,7 +57,7 @@ TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
   w.rest();
   EXPECT_EQ(bust(w.session().fitting()), girth);
   EXPECT_EQ(chest(), area);
-  EXPECT_EQ(w.box("bust girth").text().toStdString(), "–") << "the board says what is worn";
+  EXPECT_EQ(w.box("Bust girth").text().toStdString(), "–") << "the board says what is worn";
 }
 
 // An imported body is as it is: sliders do not put another in its place, and its own measures are told.
@@ -90,9 +90,9 @@ TEST(StudioFigure, AnImportedBodyStaysUntilAMannequinIsAskedFor) {
   const std::size_t steps = w.count();
   const std::string imported = w.session().fitting().body->hash();
 
-  QSlider* slider = sliderOf(w, "bust girth");
+  QSlider* slider = sliderOf(w, "Bust girth");
   ASSERT_TRUE(slider);
-  EXPECT_NEAR(w.box("bust girth").value(), bust(w.session().fitting()), 0.001) << "what was measured";
+  EXPECT_NEAR(w.box("Bust girth").value(), bust(w.session().fitting()), 0.001) << "what was measured";
   const QPointF knob = knobOf(*slider);
   w.drag(*slider, {knob, knob + QPointF(slider->width() * 0.2, 0)}, {}, [&] {
     w.session().finish();
@@ -138,7 +138,7 @@ TEST(StudioFigure, TheListOfMeasuresIsOfTheFigureThatIsSeen) {
   };
   const QString before = listed();
   ASSERT_FALSE(before.isEmpty());
-  QSlider* slider = sliderOf(w, "bust girth");
+  QSlider* slider = sliderOf(w, "Bust girth");
   const QPointF knob = knobOf(*slider);
   w.drag(*slider, {knob, knob + QPointF(slider->width() * 0.12, 0)}, {}, [&] {
     w.session().finish();

@@ -23,7 +23,7 @@ QListWidget& stepsOf(Window& w) {
 QLineEdit& field(Window& w, const char* name) {
   QApplication::processEvents();  // what was just put on the board is shown
   for (QLineEdit* one : w.main().findChildren<QLineEdit*>())
-    if (one->accessibleName() == name && one->isVisible()) return *one;
+    if (one->objectName() == name && one->isVisible()) return *one;
   ADD_FAILURE() << "no field is called " << name;
   std::abort();
 }

@@ -21,7 +21,7 @@ enum class Term {
   Level,      // chartLevels()
   Fabric,     // presets()
   Size,       // builtInSizes()
-  Operation,  // operationHelp()
+  OperationName,  // operationHelp()
   Field,      // "ease", or "line.cut" where an operation's own differs from the others'
   Value,      // of a field that has a few: yes, 2:1, woven, planes …
   Word        // what pieces, edges, lines and marks are called by the program itself: front, armhole, dart …
@@ -39,6 +39,10 @@ Message edgeSaid(std::string_view piece, std::string_view edge);
 // The whole of `text` as one of the above, or as a list of them with commas; nothing: it is no identifier of ours.
 // This is what Look and other faces put sentences' values through.
 std::optional<Message> identifierSaid(std::string_view text);
+
+// The way back, for what a person types: the identifier that is said so in either language (letters of any case);
+// "左脇" is side_left. Nothing: no such word.
+std::optional<std::string> identifierOf(std::string_view said);
 
 // Messages one after the other: "a, b, c", in Japanese "a、b、c".
 Message listSaid(const std::vector<Message>& all);
