@@ -30,8 +30,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
     const int was = size_->currentIndex();
     size_->clear();
     size_->addItem(inWords(say("by measurements only")));
-    for (const std::string_view s : builtInSizes())
-      size_->addItem(inWords(*termSaid(Term::Size, s)));
+    for (const std::string_view s : builtInSizes()) size_->addItem(inWords(*termSaid(Term::Size, s)));
     size_->setCurrentIndex(std::max(0, was));
   });
   size_->setCurrentIndex(1);
@@ -48,6 +47,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   imported_->setWordWrap(true);
   imported_->hide();
   form->addRow(imported_);
+  letShrink(*size_);
   form->addRow(word(say("Size")), size_);
   form->addRow(word(say("Shape")), sex_);
   const auto keys = mannequinKeys();

@@ -37,11 +37,11 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   });
   form->addRow(word(say("Tape")), tape_);
   beside_ = new QComboBox;
-  beside_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   Look::here().keep(beside_, [this] {
     beside_->setAccessibleName(inWords(say("Beside it")));
     beside_->setToolTip(inWords(say("Shows the garment as it was after a step at the left, as it is at the right.")));
   });
+  letShrink(*beside_);
   form->addRow(word(say("Beside it")), beside_);
   column->addLayout(form);
   report_ = new QLabel;
@@ -81,6 +81,8 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
     for (const Message& name : stereoNames()) stereo_->addItem(inWords(name));
     stereo_->setCurrentIndex(std::max(0, was));
   });
+  letShrink(*stereo_);
+  letShrink(*map_);
   eyes_ = new LengthBox(say("Eyes apart"), 0, 0.2);
   eyes_->setMetres(0.063);
   focus_ = new QDoubleSpinBox;
@@ -186,7 +188,7 @@ void FitPanel::fillReport() {
         {say("stretch, on average"), [&](const auto& r) { return percent(r.strain.mean); }},
         {say("99 % of the cloth is stretched less than"), [&](const auto& r) { return percent(r.strain.p99); }},
         {say("widest seam gap"), [](const auto& r) { return lengthText(r.seamGap, 2); }},
-        {say("deepest in the body"), [](const auto& r) { return lengthText(r.penetration, 3); }}};
+        {say("deepest in the body"), [](const auto& r) { return lengthText(r.penetration, 2); }}};
     const SettleReport* before = then_ && then_->document.drape.last ? &*then_->document.drape.last : nullptr;
     QString table;
     if (before) table = row({"", inWords(say("then")), inWords(say("now"))});

@@ -98,6 +98,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->addRow(title(say("Piece")));
   name_ = new QLineEdit;
   fabric_ = new QComboBox;
+  letShrink(*fabric_);
   layer_ = new QSpinBox;
   layer_->setRange(0, 20);
   layer_->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -307,14 +308,12 @@ void GarmentPanel::fillTree() {
     for (const Mark& m : piece->marks) {
       const Edge* edge = m.edge.empty() ? nullptr : findEdge(*piece, m.edge);
       const Flat place = edge ? edge->curve.atFraction(m.fraction) : m.place;
-      const QString name =
-          m.name.empty() ? inWords(edge ? say("Notch") : say("Drill hole")) : nameText(m.name);
-      QTreeWidgetItem* child =
-          add(kMark,
-              name + "   " +
-                  (edge ? nameText(m.edge) + "  " + lengthText(m.fraction * edge->curve.length())
-                        : lengthText(place.u) + "  " + lengthText(place.v)),
-              "notch", selection.mark == place);
+      const QString name = m.name.empty() ? inWords(edge ? say("Notch") : say("Drill hole")) : nameText(m.name);
+      QTreeWidgetItem* child = add(kMark,
+                                   name + "   " +
+                                       (edge ? nameText(m.edge) + "  " + lengthText(m.fraction * edge->curve.length())
+                                             : lengthText(place.u) + "  " + lengthText(place.v)),
+                                   "notch", selection.mark == place);
       child->setData(0, Qt::UserRole + 3, place.u);
       child->setData(0, Qt::UserRole + 4, place.v);
     }
@@ -331,6 +330,7 @@ void GarmentPanel::fillTree() {
   for (const auto& [id, seam] : document.pattern.seams) {
     auto* item = new QTreeWidgetItem(tree_);
     item->setText(0, seamName(document, seam) + (seam.tie == Seam::Tie::TwoToOne ? "   2:1" : ""));
+    item->setToolTip(0, item->text(0));
     item->setIcon(0, Look::here().icon("sew"));
     item->setData(0, Qt::UserRole, kSeam);
     item->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));

@@ -32,6 +32,9 @@ void MainWindow::keysDialog() {
   column->addWidget(scroll);
   auto* buttons =
       new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
+  buttons->button(QDialogButtonBox::Ok)->setText(inWords(say("OK")));
+  buttons->button(QDialogButtonBox::Cancel)->setText(inWords(say("Cancel")));
+  buttons->button(QDialogButtonBox::RestoreDefaults)->setText(inWords(say("As they were at first")));
   column->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);

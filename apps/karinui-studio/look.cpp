@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QFontDatabase>
 #include <QIconEngine>
 #include <QPainter>
@@ -74,7 +75,7 @@ QStatusBar::item { border: none; }
 QDockWidget { titlebar-close-icon: none; }
 QTabWidget::pane { border: none; background: @panel; }
 QTabBar { qproperty-drawBase: 0; }
-QTabBar::tab { padding: 8px 13px; color: @faint; background: transparent; border-bottom: 2px solid transparent; }
+QTabBar::tab { padding: 8px 9px; color: @faint; background: transparent; border-bottom: 2px solid transparent; }
 QTabBar::tab:selected { color: @ink; border-bottom: 2px solid @accent; }
 QTabBar::tab:hover { color: @ink; }
 QSplitter::handle { background: @line; }
@@ -217,6 +218,17 @@ QString asLabel(const Message& message) {
 QString nameText(std::string_view name) { return inWords(nameSaid(name)); }
 QString scriptHint(const std::string& word) {
   return inWords(karinui::say("In scripts:")) + " " + QString::fromStdString(word);
+}
+
+void letShrink(QComboBox& box) {
+  box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box.setMinimumContentsLength(8);
+  const QString hint = box.toolTip();
+  const auto tell = [&box, hint] {
+    box.setToolTip(hint.isEmpty() ? box.currentText() : box.currentText().toHtmlEscaped() + "<br>" + hint);
+  };
+  QObject::connect(&box, &QComboBox::currentTextChanged, &box, tell);
+  tell();
 }
 
 std::optional<Message> japaneseTrouble() {

@@ -76,8 +76,6 @@ MainWindow::MainWindow(SessionOptions options) {
   split->addWidget(table_);
   boards_ = new QTabWidget;
   boards_->setDocumentMode(true);
-  boards_->setMinimumWidth(310);
-  boards_->setMaximumWidth(420);
   auto* garment = new GarmentPanel(*session_);
   auto* body = new BodyPanel(*session_);
   auto* fabric = new FabricPanel(*session_);
@@ -93,6 +91,12 @@ MainWindow::MainWindow(SessionOptions options) {
     const int at = boards_->addTab(scrolling(panel), QString());
     Look::here().keep(panel, [this, at, words = words] { boards_->setTabText(at, inWords(words)); });
   }
+  Look::here().keep(boards_, [this] {  // all tabs are seen, whatever the language
+    boards_->ensurePolished();
+    const int wide = std::max(310, boards_->tabBar()->sizeHint().width() + 2);
+    boards_->setMinimumWidth(wide);
+    boards_->setMaximumWidth(std::max(420, wide));
+  });
   split->addWidget(boards_);
   split->setStretchFactor(0, 5);
   split->setStretchFactor(1, 4);
@@ -177,6 +181,7 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(&Look::here(), &Look::changed, this, [this] {
     session_->setLanguage(Look::here().language());
     session_->setInches(Look::here().inches());
+    toast_->hide();  // what it says is in the other language
     seen_.history = ~0ull;
     refresh();
   });

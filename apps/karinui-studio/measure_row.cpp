@@ -20,7 +20,7 @@ int millimetres(double metres) { return static_cast<int>(std::lround(1000 * metr
 MeasureRow::MeasureRow(const Message& name) : box_(new LengthBox(name, 0, 2.6)), slider_(new QSlider(Qt::Horizontal)) {
   box_->setSpecialValueText("–");
   box_->setMetres(0);
-  box_->setFixedWidth(86);
+  box_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   Look::here().keep(slider_, [this, name] { slider_->setAccessibleName(inWords(name)); });
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

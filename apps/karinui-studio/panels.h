@@ -181,7 +181,7 @@ class HistoryPanel : public Panel {
   QFormLayout* fields_;
   QPushButton* again_;
   std::vector<StepField> typed_;
-  std::map<std::string, QPixmap> pictures_;                // by the hash of all steps up to there
+  std::map<std::string, QPixmap> pictures_;  // by the hash of all steps up to there
   bool asked_ = false;
   int stay_ = 0;  // the row that stays chosen when the list is made anew; 0: the step one stands at
 };

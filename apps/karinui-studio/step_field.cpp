@@ -50,11 +50,12 @@ Wording lengthsWording(bool bare) {
           [=](const QString& typed) {
             QString text = typed;
             if (bare) text.remove("m/s²");
-            return each(text, ",", [&](const QString& n) {
-                     if (bare) return n;
-                     const auto metres = metresIn(n);
-                     return metres ? QString::fromStdString(shortest(*metres)) : n;
-                   })
+            return each(text, ",",
+                        [&](const QString& n) {
+                          if (bare) return n;
+                          const auto metres = metresIn(n);
+                          return metres ? QString::fromStdString(shortest(*metres)) : n;
+                        })
                 .toStdString();
           }};
 }
@@ -68,9 +69,7 @@ Wording namesWording(const Document& document, std::string_view operation, const
     return QString::fromStdString(script).split(QRegularExpression("[;\\s]+"), Qt::SkipEmptyParts);
   };
   std::vector<std::pair<QString, std::string>> known;
-  const auto said = [&](const std::string& script) {
-    return inWords(valueSaid(document, operation, field, script));
-  };
+  const auto said = [&](const std::string& script) { return inWords(valueSaid(document, operation, field, script)); };
   for (const QString& item : split(held)) known.push_back({said(item.toStdString()), item.toStdString()});
   for (const auto& [id, piece] : document.pattern.pieces) {
     if (!edges && !seams) known.push_back({said(text(id)), text(id)});
@@ -109,8 +108,7 @@ Wording measuresWording() {
               const std::string key = utf8(item.section('=', 0, 0));
               const auto metres = parseLength(utf8(item.section('=', 1)));
               const QString name = inWords(identifierSaid(key).value_or(say("{0}", key)));
-              items << name + " " +
-                           (metres && !isAngle(key) ? shortLength(*metres) : item.section('=', 1).trimmed());
+              items << name + " " + (metres && !isAngle(key) ? shortLength(*metres) : item.section('=', 1).trimmed());
             }
             return items.join("; ");
           },
@@ -125,9 +123,9 @@ Wording measuresWording() {
               if (!match.hasMatch() || !key)
                 items << item.trimmed();
               else
-                items << QString::fromStdString(*key + "=") +
-                             (metres && !isAngle(*key) ? QString::fromStdString(shortest(*metres))
-                                                       : match.captured(2).remove(' '));
+                items << QString::fromStdString(*key + "=") + (metres && !isAngle(*key)
+                                                                   ? QString::fromStdString(shortest(*metres))
+                                                                   : match.captured(2).remove(' '));
             }
             return items.join("; ").toStdString();
           }};
@@ -170,8 +168,7 @@ Wording wordingOf(const Document& document, std::string_view operation, const Fi
                   const std::string& held) {
   const std::string kind = field.kind.starts_with("list of ") ? field.kind.substr(8) : field.kind;
   if (kind == "length" || kind == "u,v" || kind == "x,y,z") return lengthsWording(field.name == "gravity");
-  if (kind == "piece" || kind == "seam" || kind == "piece.edge")
-    return namesWording(document, operation, field, held);
+  if (kind == "piece" || kind == "seam" || kind == "piece.edge") return namesWording(document, operation, field, held);
   if (kind == "measurement=length") return measuresWording();
   if (kind == "number") return numberWording(document, operation, field);
   if (kind == "angle") return angleWording();
@@ -234,8 +231,6 @@ QComboBox* choices(const Document& document, std::string_view operation, const F
   }
   if (box->findData(QString::fromStdString(now)) < 0) add(QString::fromStdString(now));
   box->setCurrentIndex(box->findData(QString::fromStdString(now)));
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(8);
   return box;
 }
 
@@ -263,7 +258,12 @@ StepField stepField(const Document& document, std::string_view operation, const 
   }
   made.box->setObjectName(QString::fromStdString(field.name));
   made.box->setAccessibleName(inWords(fieldSaid(operation, field.name)));
-  made.box->setToolTip(inWords(Message{field.help, {}}).toHtmlEscaped() + "<br>" + scriptHint(field.name).toHtmlEscaped());
+  QString hint = inWords(fieldSaid(operation, field.name)).toHtmlEscaped();
+  if (const auto* line = qobject_cast<QLineEdit*>(made.box); line && !line->text().isEmpty())
+    hint += ": " + line->text().left(600).toHtmlEscaped();
+  hint += "<br>" + scriptHint(field.name).toHtmlEscaped() + ", " + inWords(Message{field.help, {}}).toHtmlEscaped();
+  made.box->setToolTip(hint);
+  if (auto* box = qobject_cast<QComboBox*>(made.box)) letShrink(*box);
   return made;
 }
 

@@ -172,8 +172,7 @@ void TableView::paintPiece(QPainter& painter, const Piece& piece, const Outline&
     painter.drawLine(onScreen(curve.at(t) + lies), onScreen(curve.at(t) + in * 0.006 + lies));
   }
   painter.setPen(chosen ? p.accent : p.ink);
-  paintName(painter, nameText(piece.name),
-            QRectF(onScreen(low + lies), onScreen(high + lies)).normalized(),
+  paintName(painter, nameText(piece.name), QRectF(onScreen(low + lies), onScreen(high + lies)).normalized(),
             fitting.document.drape.dirty.contains(piece.id));
   if (session_.tool() == Command::Points) {
     painter.setPen(QPen(p.ink, 1.2));

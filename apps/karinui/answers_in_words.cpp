@@ -57,6 +57,11 @@ std::string sideWords(const Document& document, const std::vector<EdgeSpan>& sid
   return all + " " + mm(length(document.pattern, side));
 }
 
+// What people call it, and what scripts do where that is another word.
+std::string withScript(const std::string& words, const std::string& script) {
+  return words == script ? words : words + " (" + script + ")";
+}
+
 std::string yesOrNo(bool yes, const Console& console) { return console.said(yes ? say("yes") : say("no")); }
 
 }  // namespace
@@ -64,7 +69,8 @@ std::string yesOrNo(bool yes, const Console& console) { return console.said(yes 
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console) {
   Table table;
   for (const auto& [key, value] : measured.value)
-    table.row({console.said(*termSaid(Term::Measure, key)), key, isAngle(key) ? fixed(value * 180 / std::numbers::pi, 1) + " deg" : mm(value)});
+    table.row({withScript(console.said(identifierSaid(key).value_or(say("{0}", key))), key),
+               isAngle(key) ? fixed(value * 180 / std::numbers::pi, 1) + " deg" : mm(value)});
   Table surface;
   surface.row({console.said(say("Triangles")), std::to_string(mesh.triangles)});
   surface.row({console.said(say("Closed")), yesOrNo(mesh.closed(), console)});
@@ -120,7 +126,8 @@ std::string infoWords(const Document& document, const Console& console) {
     for (const Outline& hole : piece->holes) area -= std::abs(hole.area());
     const bool draped = piece->form && !document.drape.dirty.contains(id);
     words += "\n" +
-             said(say("Piece {0} ({1}): {2}, layer {3}; {4} cm2, {5} round; {6}", piece->name, text(id), piece->fabric,
+             said(say("Piece {0} ({1}): {2}, layer {3}; {4} cm2, {5} round; {6}",
+                      withScript(said(nameSaid(piece->name)), piece->name), text(id), nameSaid(piece->fabric),
                       piece->layer, fixed(area * 1e4, 1), mm(piece->outline.length()),
                       piece->frozen ? say("frozen")
                       : draped      ? say("draped")
@@ -128,7 +135,7 @@ std::string infoWords(const Document& document, const Console& console) {
              "\n";
     Table edges;
     for (const Edge& edge : piece->outline.edges)
-      edges.row({edge.name, said(nameSaid(edge.name)), mm(edge.curve.length())});
+      edges.row({withScript(said(nameSaid(edge.name)), edge.name), mm(edge.curve.length())});
     words += edges.words(2);
   }
   if (!document.pattern.seams.empty()) words += "\n" + said(say("Seams:")) + "\n";

@@ -17,7 +17,7 @@ struct Entry {
 };
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-  // --- Measure
+      // --- Measure
       {Term::Measure, "ankle_girth", say("Ankle girth")},
       {Term::Measure, "ankle_height", say("Ankle height")},
       {Term::Measure, "arm_angle", say("Arm angle")},
@@ -60,7 +60,7 @@ const std::vector<Entry>& entries() {
       {Term::Measure, "waist_height", say("Waist height")},
       {Term::Measure, "waist_to_hip_length", say("Waist to hip")},
       {Term::Measure, "wrist_girth", say("Wrist girth")},
-  // --- Landmark
+      // --- Landmark
       {Term::Landmark, "ankle_left", say("left ankle point")},
       {Term::Landmark, "ankle_right", say("right ankle point")},
       {Term::Landmark, "armpit_left", say("left armpit point")},
@@ -92,13 +92,13 @@ const std::vector<Entry>& entries() {
       {Term::Landmark, "waist_right", say("right side of the waist")},
       {Term::Landmark, "wrist_left", say("left wrist point")},
       {Term::Landmark, "wrist_right", say("right wrist point")},
-  // --- Part
+      // --- Part
       {Term::Part, "left_arm", say("left arm")},
       {Term::Part, "left_leg", say("left leg")},
       {Term::Part, "right_arm", say("right arm")},
       {Term::Part, "right_leg", say("right leg")},
       {Term::Part, "torso", say("trunk")},
-  // --- Level
+      // --- Level
       {Term::Level, "ankle", say("ankle")},
       {Term::Level, "armpit", say("armpit")},
       {Term::Level, "bust", say("bust")},
@@ -117,7 +117,7 @@ const std::vector<Entry>& entries() {
       {Term::Level, "under_bust", say("under bust")},
       {Term::Level, "waist", say("waist")},
       {Term::Level, "wrist", say("wrist")},
-  // --- Fabric
+      // --- Fabric
       {Term::Fabric, "chiffon", say("Chiffon")},
       {Term::Fabric, "cotton", say("Cotton")},
       {Term::Fabric, "denim", say("Denim")},
@@ -129,11 +129,11 @@ const std::vector<Entry>& entries() {
       {Term::Fabric, "viscose", say("Viscose")},
       {Term::Fabric, "wool coating", say("Wool coating")},
       {Term::Fabric, "wool suiting", say("Wool suiting")},
-  // --- Size
+      // --- Size
       {Term::Size, "eu38", say("EU 38 (women)")},
       {Term::Size, "eu50", say("EU 50 (men)")},
       {Term::Size, "jis9ar", say("JIS 9AR (women)")},
-  // --- Operation
+      // --- Operation
       {Term::OperationName, "body", say("Choose the figure")},
       {Term::OperationName, "cut", say("Cut")},
       {Term::OperationName, "dart", say("Sew a dart")},
@@ -163,7 +163,7 @@ const std::vector<Entry>& entries() {
       {Term::OperationName, "split", say("Add a point")},
       {Term::OperationName, "unpin", say("Take pins out")},
       {Term::OperationName, "unsew", say("Unpick")},
-  // --- Field
+      // --- Field
       {Term::Field, "a", say("One side")},
       {Term::Field, "about", say("Turn about")},
       {Term::Field, "along", say("Places on paper")},
@@ -233,7 +233,7 @@ const std::vector<Entry>& entries() {
       {Term::Field, "width", say("Width of the dart")},
       {Term::Field, "within", say("How near")},
       {Term::Field, "within.reshape", say("Cloth comes along within")},
-  // --- Value
+      // --- Value
       {Term::Value, "1:1", say("Even (1:1)")},
       {Term::Value, "2:1", say("Gathered (2:1)")},
       {Term::Value, "auto", say("Automatic")},
@@ -245,7 +245,7 @@ const std::vector<Entry>& entries() {
       {Term::Value, "simcloth", say("Tension only (historical)")},
       {Term::Value, "woven", say("Woven or knitted")},
       {Term::Value, "yes", say("Yes")},
-  // --- Word
+      // --- Word
       {Term::Word, "ankle", say("ankle")},
       {Term::Word, "armhole", say("armhole")},
       {Term::Word, "back", say("back")},
@@ -448,9 +448,9 @@ Message placeSaid(const BodyPoint& place) {
   const double top = static_cast<double>(levels.size() - 1), along = std::clamp(place.along, 0.0, top);
   const auto level = [&](double which) { return *termSaid(Term::Level, levels[static_cast<std::size_t>(which)]); };
   const double nearest = std::round(along);
-  Message said = std::fabs(along - nearest) <= kOn ? level(nearest)
-                                                   : say("between {0} and {1}", level(std::floor(along)),
-                                                         level(std::floor(along) + 1));
+  Message said = std::fabs(along - nearest) <= kOn
+                     ? level(nearest)
+                     : say("between {0} and {1}", level(std::floor(along)), level(std::floor(along) + 1));
   switch (static_cast<int>(std::lround(place.around * 8)) % 8) {
     case 0:
       said = say("{0}, front", said);

@@ -164,9 +164,25 @@ std::optional<Message> said(const Document& document, std::string_view operation
   return std::nullopt;
 }
 
+// "left side: front – back" where both edges are called alike, else each edge with its piece.
+Message sidesSaid(const Document& document, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b) {
+  const auto whole = [](const std::vector<EdgeRef>& side) {
+    return side.size() == 1 && side[0].from == 0 && side[0].to == 1;
+  };
+  if (whole(a) && whole(b) && a[0].edge == b[0].edge)
+    return say("{0}: {1}", nameSaid(a[0].edge),
+               say("{0} – {1}", pieceSaid(document, a[0].piece), pieceSaid(document, b[0].piece)));
+  const auto side = [&](const std::vector<EdgeRef>& edges) {
+    std::vector<Message> all;
+    for (const EdgeRef& edge : edges) all.push_back(edgeSaid(document, edge));
+    return listSaid(all);
+  };
+  return say("{0} – {1}", side(a), side(b));
+}
+
 // What was decided for the person, or is seen better than read.
 bool goesWithoutSaying(std::string_view field, std::string_view value) {
-  static constexpr std::array<std::string_view, 8> kQuiet{"reversed", "edges", "closed",  "symmetric",
+  static constexpr std::array<std::string_view, 8> kQuiet{"reversed", "edges", "closed", "symmetric",
                                                           "outline",  "pose",  "inside", "grain"};
   return value.empty() || value == "no" || value == "auto" || value == "1:1" ||
          std::find(kQuiet.begin(), kQuiet.end(), field) != kQuiet.end();
@@ -197,11 +213,11 @@ Message edgeSaid(const Document& document, const EdgeRef& edge) {
 Message seamSaid(const Document& document, const Seam& seam) {
   if (!seam.name.empty()) return nameSaid(seam.name);
   const auto side = [&](const std::vector<EdgeSpan>& spans) {
-    std::vector<Message> all;
-    for (const EdgeSpan& s : spans) all.push_back(edgeSaid(document, EdgeRef{PieceRef(s.piece), s.edge, s.from, s.to}));
-    return listSaid(all);
+    std::vector<EdgeRef> all;
+    for (const EdgeSpan& s : spans) all.push_back({PieceRef(s.piece), s.edge, s.from, s.to});
+    return all;
   };
-  return say("{0} – {1}", side(seam.a), side(seam.b));
+  return sidesSaid(document, side(seam.a), side(seam.b));
 }
 
 Message seamSaid(const Document& document, const SeamRef& seam) {
@@ -217,14 +233,14 @@ Message valueSaid(const Document& document, std::string_view operation, const Fi
 Message stepSaid(const Document& document, const Operation& operation) {
   const OperationHelp& help = helpOf(operation);
   std::vector<Message> parts;
+  const auto* sew = std::get_if<SewEdges>(&operation);
+  if (sew) parts.push_back(sidesSaid(document, sew->a, sew->b));
   for (const FieldText& given : fieldTexts(operation)) {
-    if (goesWithoutSaying(given.name, given.value)) continue;
+    if (goesWithoutSaying(given.name, given.value) || (sew && (given.name == "a" || given.name == "b"))) continue;
     const FieldHelp& field =
         *std::find_if(help.fields.begin(), help.fields.end(), [&](const auto& f) { return f.name == given.name; });
     const Message value = valueSaid(document, help.name, field, given.value);
-    if (help.name == "sew" && field.name == "b" && !parts.empty())
-      parts.back() = say("{0} – {1}", parts.back(), value);
-    else if (speaksForItself(field) || (help.name == "sew" && field.name == "a"))
+    if (speaksForItself(field))
       parts.push_back(value);
     else if (field.kind == "yes|no")
       parts.push_back(fieldSaid(help.name, field.name));

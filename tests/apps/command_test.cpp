@@ -97,11 +97,12 @@ TEST_F(Command, AnswersInSentencesWithUnits) {
   const Said info = karinui("info " + document()), japanese = karinui("info " + document(), "ja_JP.UTF-8");
   for (const char* part :
        {"3 operations", "10.0 mm apart",
-        "Piece front (p1): cotton, layer 0; 2000.0 cm2, 1800.0 mm "
+        "Piece front (p1): Cotton, layer 0; 2000.0 cm2, 1800.0 mm "
         "round; not draped yet",
         "  centre  500.0 mm", "left_side  front.side 500.0 mm", "back.centre 505.0 mm", "eased, 1.0 % longer"})
     EXPECT_NE(info.out.find(part), std::string::npos) << part << "\n" << info.out;
-  for (const char* part : {"パーツ front（p1）", "2000.0 cm2", "未ドレープ", "いせ込み、1.0 % 長い"})
+  for (const char* part : {"パーツ「前身頃 (front)」（p1）", "綿ブロード", "中心 (centre)", "2000.0 cm2", "未ドレープ",
+                           "いせ込み、1.0 % 長い"})
     EXPECT_NE(japanese.out.find(part), std::string::npos) << part << "\n" << japanese.out;
   const Said check = karinui("check " + document());
   for (const char* part : {"Widest gap in a seam", " mm\n", "Stretch, at most", " %\n"})

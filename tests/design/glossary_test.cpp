@@ -124,7 +124,7 @@ TEST(Glossary, StepsAreSaidWithoutAnyIdentifier) {
   EXPECT_EQ(step("drape gravity=0,-5,0"), "Gravity: 5 m/s² downwards");
   EXPECT_EQ(step("drape gravity=0,-5,0", Language::Japanese), "重力：下向き 5 m/s²");
   EXPECT_EQ(step("sew a=front.side_left b=back.side_left tie=2:1"),
-            "left side of front – left side of back, Ease or gathers: Gathered (2:1)");
+            "left side: front – back, Ease or gathers: Gathered (2:1)");
   EXPECT_EQ(step("move piece=p3 by=0,5cm,10cm turn=\"y 90deg\""),
             "piece 3, 50.0 mm upwards, 100.0 mm forwards, Turn: 90.0° about the upright axis");
   EXPECT_EQ(step("body size=jis9ar set=\"bust_girth=88cm\""), "JIS 9AR (women), Bust girth 880.0 mm");

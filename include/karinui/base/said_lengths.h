@@ -8,7 +8,7 @@
 
 namespace karinui {
 
-using LengthWords = std::string (*)(double metres);                       // metres in, "2.54 cm" or "1 in" out
+using LengthWords = std::string (*)(double metres);                         // metres in, "2.54 cm" or "1 in" out
 using NameWords = std::optional<Message> (*)(std::string_view identifier);  // nothing: say it as it is
 std::string text(const Message& message, Language language, LengthWords lengths, NameWords names = nullptr);
 

@@ -15,16 +15,16 @@
 namespace karinui {
 
 enum class Term {
-  Measure,    // measurementKeys()
-  Landmark,   // Body::landmarks()
-  Part,       // torso, left_arm …
-  Level,      // chartLevels()
-  Fabric,     // presets()
-  Size,       // builtInSizes()
+  Measure,        // measurementKeys()
+  Landmark,       // Body::landmarks()
+  Part,           // torso, left_arm …
+  Level,          // chartLevels()
+  Fabric,         // presets()
+  Size,           // builtInSizes()
   OperationName,  // operationHelp()
-  Field,      // "ease", or "line.cut" where an operation's own differs from the others'
-  Value,      // of a field that has a few: yes, 2:1, woven, planes …
-  Word        // what pieces, edges, lines and marks are called by the program itself: front, armhole, dart …
+  Field,          // "ease", or "line.cut" where an operation's own differs from the others'
+  Value,          // of a field that has a few: yes, 2:1, woven, planes …
+  Word            // what pieces, edges, lines and marks are called by the program itself: front, armhole, dart …
 };
 std::optional<Message> termSaid(Term kind, std::string_view identifier);  // nothing: there is no such identifier
 
