@@ -114,7 +114,7 @@ void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
     SetFabric set;
     set.name = name;
     for (const PieceId id : chosen.pieces) set.pieces.push_back(PieceRef(id));
-    QAction* one = fabrics->addAction(QString::fromStdString(name));
+    QAction* one = fabrics->addAction(nameText(name));
     one->setCheckable(true);
     one->setChecked(name == first->fabric);
     connect(one, &QAction::triggered, this, [this, set] {
