@@ -37,11 +37,8 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   });
   form->addRow(word(say("Tape")), tape_);
   beside_ = new QComboBox;
-  Look::here().keep(beside_, [this] {
-    beside_->setAccessibleName(inWords(say("Beside it")));
-    beside_->setToolTip(inWords(say("Shows the garment as it was after a step at the left, as it is at the right.")));
-  });
-  letShrink(*beside_);
+  Look::here().keep(beside_, [this] { beside_->setAccessibleName(inWords(say("Beside it"))); });
+  letShrink(*beside_, say("Shows the garment as it was after a step at the left, as it is at the right."));
   form->addRow(word(say("Beside it")), beside_);
   column->addLayout(form);
   report_ = new QLabel;

@@ -220,15 +220,15 @@ QString scriptHint(const std::string& word) {
   return inWords(karinui::say("In scripts:")) + " " + QString::fromStdString(word);
 }
 
-void letShrink(QComboBox& box) {
+void letShrink(QComboBox& box, const Message& hint) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box.setMinimumContentsLength(8);
-  const QString hint = box.toolTip();
   const auto tell = [&box, hint] {
-    box.setToolTip(hint.isEmpty() ? box.currentText() : box.currentText().toHtmlEscaped() + "<br>" + hint);
+    const QString more = inWords(hint);
+    box.setToolTip(more.isEmpty() ? box.currentText() : box.currentText().toHtmlEscaped() + "<br>" + more);
   };
   QObject::connect(&box, &QComboBox::currentTextChanged, &box, tell);
-  tell();
+  Look::here().keep(&box, tell);  // after the box has its items in the other language
 }
 
 std::optional<Message> japaneseTrouble() {

@@ -59,7 +59,7 @@ inline QString inWords(const Message& message) { return Look::here().say(message
 QString asLabel(const Message& message);  // with a capital letter
 QString nameText(std::string_view name);  // of a piece, an edge, a line, a mark, a fabric
 // A box that may be narrower than its longest item says what is chosen in its tooltip.
-void letShrink(QComboBox& box);
+void letShrink(QComboBox& box, const Message& hint = {});
 QString scriptHint(const std::string& word);  // what scripts call it, for a tooltip
 // Why Japanese cannot be shown on this machine; nothing: it can.
 std::optional<Message> japaneseTrouble();

@@ -262,8 +262,11 @@ StepField stepField(const Document& document, std::string_view operation, const 
   if (const auto* line = qobject_cast<QLineEdit*>(made.box); line && !line->text().isEmpty())
     hint += ": " + line->text().left(600).toHtmlEscaped();
   hint += "<br>" + scriptHint(field.name).toHtmlEscaped() + ", " + inWords(Message{field.help, {}}).toHtmlEscaped();
+  if (auto* box = qobject_cast<QComboBox*>(made.box)) {
+    letShrink(*box);
+    hint += "<br>" + box->currentText().toHtmlEscaped();
+  }
   made.box->setToolTip(hint);
-  if (auto* box = qobject_cast<QComboBox*>(made.box)) letShrink(*box);
   return made;
 }
 
