@@ -28,9 +28,9 @@ SceneFrame scenePieceByPiece(const Document& document, const Body* body) {
 }
 
 struct Closest {
-  double angle = 1e9;  // between the ray and the way to the place
-  double along = 0;    // metres along the ray
-  double share = 0;    // of the segment
+  double away = 1e9;  // radians between the ray and the way to the place, or metres from the tip
+  double along = 0;   // metres along the ray
+  double share = 0;   // of the segment
 };
 
 // How near a ray passes to a segment in space, as an angle seen from where it starts. The nearest approach of the two
@@ -96,6 +96,14 @@ Hit pickTable(const Fitting& fitting, const Table& table, const PointerSample& s
   return hit;
 }
 
+// How near a tip is to a segment, in metres.
+Closest closest(Vec3 tip, Vec3 a, Vec3 b) {
+  const Vec3 side = b - a;
+  const double ss = squaredLength(side);
+  const double t = ss > 0 ? std::clamp(dot(tip - a, side) / ss, 0.0, 1.0) : 0.0;
+  return {distance(tip, a + side * t), 0, t};
+}
+
 void pickEdge(const Fitting& fitting, const PointerSample& sample, const WantedEdge& wanted, Hit& hit) {
   constexpr double kBehind = 0.03;  // metres: an edge just behind the first thing met still counts
   double nearest = sample.reach;
@@ -105,14 +113,15 @@ void pickEdge(const Fitting& fitting, const PointerSample& sample, const WantedE
     if (!piece || cloth.outlines.empty()) continue;
     const auto& border = cloth.outlines.front();
     for (std::size_t i = 0; i + 1 < border.size(); ++i) {
-      const Closest near = closest(sample.ray, cloth.mesh.points[border[i]], cloth.mesh.points[border[i + 1]]);
+      const Vec3 from = cloth.mesh.points[border[i]], to = cloth.mesh.points[border[i + 1]];
+      const Closest near = sample.tip ? closest(sample.tip->carry, from, to) : closest(sample.ray, from, to);
       // An edge that lies on another piece's is no nearer than it: a whisker decides for the first.
-      if (near.angle >= nearest * 0.999 || (hit.on != Hit::On::Nothing && near.along > hit.along + kBehind)) continue;
+      if (near.away >= nearest * 0.999 || (hit.on != Hit::On::Nothing && near.along > hit.along + kBehind)) continue;
       const Flat paper = lerp(cloth.flat[border[i]], cloth.flat[border[i + 1]], near.share);
       auto edge = edgeOnPaper(*piece, paper, anyEdge);
       if (!edge || !wanted(*edge)) continue;
-      nearest = near.angle;
-      edge->away = near.angle;
+      nearest = near.away;
+      edge->away = near.away;
       hit.edge = edge;
       if (hit.on != Hit::On::Cloth) {
         hit.piece = piece->id;
@@ -201,10 +210,29 @@ void Table::carry(PieceId id, Flat by) {
   if (const auto at = place_.find(id); at != place_.end()) at->second += by;
 }
 
+namespace {
+
+// What a sample meets of a surface: the first place along its ray, or the nearest within reach of its tip.
+struct Met {
+  SurfacePoint place;
+  Vec3 point;
+  double along = 0;  // the ray, or away from the tip
+};
+std::optional<Met> meet(const Bvh& tree, const PointerSample& sample) {
+  if (sample.tip) {
+    const auto near = tree.nearest(sample.tip->carry, sample.reach);
+    return near ? std::optional<Met>({near->place, near->point, near->distance}) : std::nullopt;
+  }
+  const auto first = tree.first(sample.ray.origin, sample.ray.direction);
+  return first ? std::optional<Met>({first->place, first->point, first->along}) : std::nullopt;
+}
+
+}  // namespace
+
 Hit pickBody(const Fitting& fitting, const PointerSample& sample) {
   Hit hit;
   if (!fitting.body || sample.where != PointerSample::Where::Space) return hit;
-  if (const auto met = fitting.body->bvh().first(sample.ray.origin, sample.ray.direction)) {
+  if (const auto met = meet(fitting.body->bvh(), sample)) {
     hit.on = Hit::On::Body;
     hit.along = met->along;
     hit.point = met->point;
@@ -221,7 +249,7 @@ Hit pickWanted(const Fitting& fitting, const Table& table, const PointerSample& 
   for (std::size_t k = 0; k < fitting.worn.size(); ++k) {
     const SceneCloth& cloth = fitting.frame.cloths[k];
     if (cloth.mesh.faces.empty()) continue;
-    const auto met = (*fitting.worn[k].tree)->first(sample.ray.origin, sample.ray.direction);
+    const auto met = meet(**fitting.worn[k].tree, sample);
     // Cloth that lies on the skin, or a hair within it, is what is seen.
     constexpr double kSkin = 0.004;
     if (!met || (hit.on != Hit::On::Nothing && met->along > hit.along + (hit.on == Hit::On::Body ? kSkin : 0.0)))

@@ -57,6 +57,17 @@ Vec3 onFacing(const PointerSample& sample, Vec3 through) {
   return sample.ray.origin + sample.ray.direction * (dot(through - sample.ray.origin, sample.facing) / slope);
 }
 
+Vec3 handAt(const PointerSample& sample, Vec3 through) {
+  return sample.tip ? sample.tip->carry : onFacing(sample, through);
+}
+
+std::optional<Rigid> tipMotion(const PointerSample& from, const PointerSample& to) {
+  if (!from.tip || !to.tip) return std::nullopt;
+  Rigid motion = after(*to.tip, {from.tip->w, -from.tip->x, -from.tip->y, -from.tip->z, {}});
+  motion.carry = to.tip->carry - motion.turned(from.tip->carry);
+  return motion;
+}
+
 namespace {
 
 template <class Point>

@@ -41,6 +41,10 @@ double roundShare(double share, double near);
 
 // Where the ray of a sample meets the plane through `through` that faces who looks.
 Vec3 onFacing(const PointerSample& sample, Vec3 through);
+// Where the hand is: its tip, or without one the place onFacing() gives.
+Vec3 handAt(const PointerSample& sample, Vec3 through);
+// How a tip has moved and turned from one sample to another; none where either has no tip.
+std::optional<Rigid> tipMotion(const PointerSample& from, const PointerSample& to);
 
 template <class Point>
 double awayFromSegment(Point a, Point b, Point p) {

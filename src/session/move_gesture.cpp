@@ -1,4 +1,5 @@
-// Carrying and turning a piece as a rigid thing. Near another piece corners meet, or else outline meets outline.
+// Carrying and turning a piece as a rigid thing: by a ray either in the plane that faces who looks, by a tip both at
+// once with all six degrees of freedom. Near another piece corners meet, or else outline meets outline.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,7 +10,7 @@ namespace karinui {
 
 namespace {
 
-constexpr double kSnaps = 0.015;  // metres, as seen
+constexpr double kSnaps = 0.015;  // metres, as seen; of a tip in space
 constexpr double kAlong = 0.006;  // metres between places of an outline
 constexpr double kDeep = 0.08;    // metres a snap may draw the piece nearer or further
 
@@ -24,11 +25,13 @@ class MoveGesture : public Gesture {
         if (!hit.piece) return {.why = say("Take hold of a piece to move it.")};
         held_ = hit.piece;
         onTable_ = sample.where == PointerSample::Where::Table;
-        turning_ = sample.control;
+        turning_ = sample.control && !sample.tip;
         from_ = hit.on == Hit::On::Cloth ? hit.point : spaceOf(*bench.fitting, held_, hit.paper).value_or(hit.point);
         fromTable_ = sample.place;
         facing_ = sample.facing;
-        start_ = onFacing(sample, from_);
+        start_ = handAt(sample, from_);
+        pressed_ = sample;
+        axis_ = facing_;
         rigid_ = {};
         by_ = {};
         turn_ = 0;
@@ -48,30 +51,30 @@ class MoveGesture : public Gesture {
       if (sample.phase == PointerSample::Phase::Release) return finished({});
       return {};
     }
-    const Vec3 now = onFacing(sample, start_);
     snapped_.reset();
     if (turning_) {
-      const Vec3 a = start_ - middle_, b = now - middle_;
-      turn_ = std::atan2(dot(cross(a, b), facing_), dot(a - facing_ * dot(a, facing_), b));
-      turn_ = std::round(turn_ * 1800 / std::numbers::pi) / 1800 * std::numbers::pi;  // tenths of a degree
-      rigid_ = turnAbout(facing_, turn_);
-      rigid_.carry = middle_ - rigid_.turned(middle_);
+      const Vec3 a = start_ - middle_, b = onFacing(sample, start_) - middle_;
+      turn_ = tenthOfDegree(std::atan2(dot(cross(a, b), facing_), dot(a - facing_ * dot(a, facing_), b)));
+      by_ = {};
+    } else if (const auto motion = tipMotion(pressed_, sample)) {
+      const Vec3 axis = Vec3{motion->x, motion->y, motion->z} * (motion->w < 0 ? -1 : 1);  // the shorter way round
+      turn_ = tenthOfDegree(2 * std::atan2(length(axis), std::fabs(motion->w)));
+      axis_ = turn_ != 0 ? tenth(normalized(axis)) : facing_;
+      by_ = tenth((*motion)(middle_)-middle_);
     } else {
-      by_ = tenth(now - start_);
-      if (!sample.alt) snap();
-      rigid_ = {};
-      rigid_.carry = by_;
+      by_ = tenth(handAt(sample, start_) - start_);
     }
+    turned_ = turnAbout(axis_, turn_);
+    turned_.carry = middle_ - turned_.turned(middle_);
+    if (!turning_ && !sample.alt) snap();
+    rigid_ = turned_;
+    rigid_.carry += by_;
     if (sample.phase != PointerSample::Phase::Release) return {};
     MovePiece move;
     move.pieces = {PieceRef(held_)};
-    if (turning_) {
-      if (turn_ == 0) return finished({});
-      move.turn = Turn{facing_, {turn_}};
-    } else {
-      if (length(by_) < 5e-4) return finished({});
-      move.by = by_;
-    }
+    if (turn_ != 0) move.turn = Turn{axis_, {turn_}};
+    if (length(by_) >= 5e-4) move.by = by_;
+    if (!move.turn && length(move.by) == 0) return finished({});
     return finished(std::move(move));
   }
 
@@ -88,7 +91,8 @@ class MoveGesture : public Gesture {
     if (!turning_ && length(by_) > 0) {
       shown.space.lines.push_back({{start_, start_ + by_}, kChalk, 2, true});
       shown.space.words.push_back({start_ + by_, bench.said(length(by_))});
-    } else if (turning_) {
+    }
+    if (turning_ || turn_ != 0) {
       shown.space.words.push_back({middle_, std::to_string(std::lround(turn_ * 180 / std::numbers::pi)) + "°"});
     }
     return shown;
@@ -103,6 +107,9 @@ class MoveGesture : public Gesture {
   std::optional<std::pair<PieceId, Flat>> laidAside() override { return std::exchange(aside_, std::nullopt); }
 
  private:
+  static double tenthOfDegree(double radians) {
+    return std::round(radians * 1800 / std::numbers::pi) / 1800 * std::numbers::pi;
+  }
   Told finished(std::optional<Operation> operation) {
     held_ = {};
     return {.over = true, .operation = std::move(operation)};
@@ -147,12 +154,12 @@ class MoveGesture : public Gesture {
   }
   // Brings the nearest place of mine and of their lines together, as seen; false: none is near.
   bool meet(const std::vector<Vec3>& mine, const std::vector<std::pair<Vec3, Vec3>>& theirs) {
-    const auto flat = [&](Vec3 v) { return v - facing_ * dot(v, facing_); };
+    const auto flat = [&](Vec3 v) { return pressed_.tip ? v : v - facing_ * dot(v, facing_); };
     double nearest = kSnaps * kSnaps;
     Vec3 step;
     for (const Vec3 place : mine)
       for (const auto& [from, to] : theirs) {
-        const Vec3 start = from - (place + by_), side = flat(to - from);
+        const Vec3 start = from - (turned_(place) + by_), side = flat(to - from);
         const double ss = squaredLength(side);
         const double t = ss > 0 ? std::clamp(-dot(flat(start), side) / ss, 0.0, 1.0) : 0;
         const Vec3 way = start + (to - from) * t;
@@ -168,8 +175,10 @@ class MoveGesture : public Gesture {
   bool onTable_ = false, turning_ = false;
   Vec3 from_, start_, facing_, middle_, by_;
   Flat fromTable_;
+  PointerSample pressed_;
+  Vec3 axis_;
   double turn_ = 0;
-  Rigid rigid_;
+  Rigid turned_, rigid_;  // about its middle; and carried
   std::optional<Vec3> snapped_;
   bool onCorner_ = false;
   std::vector<Vec3> mine_, myOutline_;  // corners; places all along

@@ -48,8 +48,14 @@ bool Session::Inside::overMenu(const PointerSample& sample) {
   const bool asked = sample.phase == Phase::Hover || sample.phase == Phase::Press || onMenu;
   if (!sight || sample.where != Where::Space || !asked) return hot.reset(), false;
   const ScenePanel panel = menuPanel(*sight, {});
-  hot = menuHit(panel, sample.ray);
-  const bool board = meets(panel, sample.ray);
+  Ray ray = sample.ray;
+  if (sample.tip) {  // a tip touches the board
+    const Vec3 normal = normalized(cross(panel.across, panel.upward)), tip = sample.tip->carry;
+    ray = {tip + normal, -normal};
+    if (std::fabs(dot(tip - panel.corner, normal)) > sample.reach && !onMenu) return hot.reset(), false;
+  }
+  hot = menuHit(panel, ray);
+  const bool board = meets(panel, ray);
   if (sample.phase == Phase::Press && board) return onMenu = true;
   if (!onMenu) return board;
   if (sample.phase == Phase::Release) onMenu = false;

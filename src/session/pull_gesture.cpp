@@ -29,7 +29,7 @@ class HandOnCloth : public Gesture {
         held_ = hit.piece;
         at_ = tenth(hit.paper);
         start_ = hit.point;
-        grip_ = onFacing(sample, start_);
+        grip_ = handAt(sample, start_);
         path_ = {Vec3{}};
         began_ = sample.seconds;
         hover_.reset();
@@ -41,7 +41,7 @@ class HandOnCloth : public Gesture {
         break;
     }
     if (!held_) return {};
-    const Vec3 by = tenth(onFacing(sample, grip_) - grip_);
+    const Vec3 by = tenth(handAt(sample, grip_) - grip_);
     const bool moved = distance(by, path_.back()) > 0;
     if (moved) path_.push_back(by);
     keep_ = sample.shift;

@@ -71,6 +71,8 @@ std::optional<SeamId> crossedAt(const std::vector<CrossedSeam>& crossed, const T
     if (sample.where == PointerSample::Where::Table) {
       for (const auto& [piece, place] : one.paper)
         if (distance(place + table.at(piece), sample.place) < sample.reach) return one.seam;
+    } else if (sample.tip) {
+      if (distance(one.place, sample.tip->carry) < sample.reach) return one.seam;
     } else if (const Vec3 way = one.place - sample.ray.origin;
                length(cross(way, sample.ray.direction)) < sample.reach * dot(way, sample.ray.direction)) {
       return one.seam;

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <numbers>
 #include <sstream>
 
 #include "design/workroom.h"
@@ -100,7 +102,9 @@ double awayFromRays(Vec3 place, const std::vector<Ray>& rays) {
   return nearest;
 }
 
-std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodies> bodies) {
+using Device = std::function<PointerSample(PointerSample, const Fitting&)>;
+
+std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodies> bodies, const Device& device = {}) {
   Session session(cheap(std::move(bodies)));
   for (const std::string& line : recording.given) {
     auto operation = parseOperation(line);
@@ -149,8 +153,9 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
         strike(session, words, seconds += 0.1);
       if (const auto tip = session.fingertip()) rays.push_back(tip->ray);
     } else {
-      const auto sample = parsePointerSample(line);
+      auto sample = parsePointerSample(line);
       EXPECT_TRUE(sample) << line;
+      if (sample && device) *sample = device(*sample, session.fitting());
       if (sample) session.feed(*sample), rays.push_back(sample->ray);
     }
     (void)session.preview();  // what is shown meanwhile is part of the life of a gesture
@@ -194,6 +199,76 @@ TEST(Recordings, ComeToWhatWasExpected) {
       EXPECT_THAT(came, testing::ElementsAreArray(recording.expected));
     }
   }
+}
+
+// The same by a stylus, whose tip is where the ray meets something, or else the plane of the piece in front. Its own
+// ray points elsewhere.
+PointerSample byStylus(PointerSample sample, const Fitting& fitting) {
+  const Hit hit = pick(fitting, Table(), sample);
+  Vec3 tip = sample.ray.origin - sample.ray.direction * (sample.ray.origin.z / sample.ray.direction.z);
+  if (hit.on != Hit::On::Nothing)
+    tip = hit.point;
+  else if (hit.edge)
+    tip = *spaceOf(fitting, hit.piece, hit.paper);
+  sample.tip.emplace().carry = tip;
+  sample.ray = {tip, {0, 1, 0}};
+  sample.device = PointerSample::Device::Stylus;
+  return sample;
+}
+
+TEST(Recordings, AStylusComesToTheSame) {
+  const fs::path folder = fs::path(KARINUI_SOURCE_DIR) / "tests/session/recordings";
+  const auto bodies = std::make_shared<Bodies>();
+  for (const char* name : {"move", "move_refused", "sew", "sew_part", "sew_to_nothing", "cut_slit", "cut_in_two",
+                           "cut_leaves", "cut_nothing", "pull", "pull_held", "pull_click", "reshape", "line", "pin",
+                           "draw_clicks", "draw_ring", "draw_half"}) {
+    SCOPED_TRACE(name);
+    const Recording recording = recordingIn(folder / (std::string(name) + ".txt"));
+    EXPECT_THAT(cameTo(recording, bodies, byStylus), testing::ElementsAreArray(recording.expected));
+  }
+}
+
+// Where the ray of a mouse is blind: towards the eye and away from it, and turning.
+TEST(Recordings, AStylusHasSixDegreesOfFreedom) {
+  const auto bodies = std::make_shared<Bodies>();
+  const Recording given = recordingIn(fs::path(KARINUI_SOURCE_DIR) / "tests/session/recordings/pull.txt");
+  const auto played = [&](std::string tool, Vec3 to, const Rigid& turn) {
+    Recording recording{given.given, {"tool " + tool}, {}, {}};
+    PointerSample sample;
+    sample.alt = true;  // nothing snaps
+    sample.ray.origin = {0.2, 0.45, 1};
+    sample.tip = Rigid{1, 0, 0, 0, {0.2, 0.45, 0.004}};
+    sample.phase = PointerSample::Phase::Press;
+    recording.played.push_back(text(sample));
+    sample.seconds = 1;
+    sample.phase = PointerSample::Phase::Drag;
+    sample.tip = turn;
+    sample.tip->carry = Vec3{0.2, 0.45, 0.004} + to;
+    recording.played.push_back(text(sample));
+    sample.phase = PointerSample::Phase::Release;
+    recording.played.push_back(text(sample));
+    return cameTo(recording, bodies);
+  };
+  EXPECT_THAT(played("move", {0.03, 0, 0.2}, {}), testing::ElementsAre("move piece=p1 by=30mm,0,200mm"));
+  EXPECT_THAT(played("pull", {0, 0, 0.08}, {}),
+              testing::ElementsAre(testing::StartsWith("pull piece=p1 at=200mm,450mm by=0,0,80mm")));
+  EXPECT_THAT(played("reshape", {0, -0.02, 0.015}, {}),
+              testing::ElementsAre(testing::StartsWith("reshape piece=p1 at=200mm,450mm by=0,-20mm,15mm")));
+  // The tip turns by 90 degrees about its own place, 20 cm above the middle of the piece.
+  EXPECT_THAT(
+      played("move", {}, turnAbout({0, 0, 1}, std::numbers::pi / 2)),
+      testing::ElementsAre(testing::StartsWith("move piece=p1 by=200mm,200mm,0 turn=\"z 1.5707963267948966\"")));
+}
+
+TEST(Recordings, WhatTheTipDoesNotReachIsNotTouched) {
+  const auto bodies = std::make_shared<Bodies>();
+  Recording recording = recordingIn(fs::path(KARINUI_SOURCE_DIR) / "tests/session/recordings/move.txt");
+  const auto away = [](PointerSample sample, const Fitting& fitting) {
+    sample = byStylus(std::move(sample), fitting);
+    sample.tip->carry.z = 0.006;  // metres; touching is 5 mm
+    return sample;
+  };
+  EXPECT_THAT(cameTo(recording, bodies, away), testing::ElementsAre("refused: Take hold of a piece to move it."));
 }
 
 }  // namespace

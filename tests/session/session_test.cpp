@@ -578,5 +578,31 @@ TEST(Menu, HangsInViewAndKnowsItsButtons) {
   }
 }
 
+TEST(Menu, ATipTouchesItsBoard) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  giveTwo(session);
+  Sight sight;
+  sight.eye = {0, 1, 2};
+  session.setSight(sight);
+  const ScenePanel panel = *session.menu();
+  const ScenePanel::Button& move = panel.buttons.at(1);
+  const Vec3 across = normalized(panel.across), upward = normalized(panel.upward), normal = cross(across, upward);
+  const Vec3 middle = panel.corner + across * (move.left + move.width / 2) + upward * (move.bottom + move.height / 2);
+  PointerSample sample;
+  sample.reach = 0.01;
+  sample.ray = {{0, 50, 0}, {0, 1, 0}};  // past everything
+  sample.tip.emplace().carry = middle + normal * 0.02;
+  session.feed(sample);
+  EXPECT_FALSE(session.menu()->buttons.at(1).hot);
+  sample.tip->carry = middle + normal * 0.005;
+  session.feed(sample);
+  EXPECT_TRUE(session.menu()->buttons.at(1).hot);
+  sample.phase = PointerSample::Phase::Press;
+  session.feed(sample);
+  EXPECT_EQ(session.tool(), Command::Move);
+}
+
 }  // namespace
 }  // namespace karinui

@@ -67,7 +67,7 @@ struct EdgeNear {
 
 struct Hit {
   enum class On { Nothing, Body, Cloth } on = On::Nothing;
-  double along = 0;  // metres along the ray
+  double along = 0;  // metres along the ray, or from the tip
   Vec3 point;        // in space: where the cloth or the skin is
   SurfacePoint skin;
   PieceId piece;
@@ -75,7 +75,8 @@ struct Hit {
   std::optional<EdgeNear> edge;  // within reach, hidden ones left out
 };
 
-// What is under the pointer. Cheap; any thread.
+// What is under the pointer: what its ray meets first or, where it has a tip, what is within reach of that. Cheap; any
+// thread.
 Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample);
 Hit pickBody(const Fitting& fitting, const PointerSample& sample);  // through the cloth
 // The nearest edge within reach among those that are wanted.
