@@ -1,0 +1,300 @@
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <numbers>
+
+#include "devices/json_scan.h"
+#include "devices/simulated_inverse3.h"
+#include "karinui/devices/hd_stylus.h"
+#include "karinui/devices/inverse3.h"
+#include "karinui/devices/placement.h"
+#include "karinui/devices/pose_source.h"
+#include "karinui/devices/simulated_device.h"
+#include "karinui/touch/servo.h"
+#include "touch/hand.h"
+
+namespace karinui {
+namespace {
+
+// A servo's work without its thread: one scene, tick by tick.
+double mostForce(HapticDevice& device, TouchScene scene, int ticks, const ServoSettings& settings = {}) {
+  ServoStep step(device.record(), settings);
+  scene.published = 1e9;
+  step.adopt(&scene, 0);
+  double most = 0;
+  for (int k = 0; k < ticks; ++k) {
+    const ServoTick tick = step.tick(device.sample(), k * 0.001);
+    device.apply(tick.out);
+    most = std::max(most, length(tick.out.force));
+  }
+  device.stop();
+  return most;
+}
+
+TEST(JsonScan, FindsWhatIsThereAndNothingElse) {
+  const JsonScan all(R"( {"a": [ {"k": "x\"}", "v": -1.5e2}, 3 ], "b":{"c":true,"d":{}}, "e":"" } )");
+  int elements = 0;
+  all.member("a")->each([&](const JsonScan& one) {
+    if (elements++ == 0) {
+      EXPECT_EQ(one.number("v"), -150);
+      EXPECT_TRUE(one.member("k")->isString("x\\\"}"));
+    } else {
+      EXPECT_EQ(one.number(), 3);
+    }
+    return true;
+  });
+  EXPECT_EQ(elements, 2);
+  EXPECT_TRUE(all.member("b")->flag("c", false));
+  EXPECT_FALSE(all.member("c"));
+  for (const char* broken : {"", "{", "{\"a\"", "{\"a\":", "{\"a\":}", "{\"a\":[1,{]", "{\"a\" 1}", "]", "{\"x\":\"a"})
+    EXPECT_FALSE(JsonScan(broken).member("a")) << broken;
+}
+
+TEST(Placement, TurnsScalesAndBringsForcesBack) {
+  SimulatedDevice inner([](double) { return Vec3{0.01, 0.02, 0.03}; });
+  Placement placement{turnAbout({0, 1, 0}, std::numbers::pi / 2), {0.01, 0, 0}, {1, 1, 1}, 2};
+  PlacedDevice placed(inner, placement, 0, DeviceRecord::Hand::Left);
+  EXPECT_EQ(placed.record().hand, DeviceRecord::Hand::Left);
+  EXPECT_EQ(placed.record().stiffness, 200);
+  EXPECT_EQ(placed.record().damping, 2);
+  EXPECT_EQ(placed.record().scale, 2);
+  const HandSample hand = placed.sample();
+  EXPECT_LT(distance(hand.tip.carry, {1 + 2 * 0.03, 1 + 2 * 0.02, 1}), 1e-9);
+  // A push along the scene's x is one along the device's -z... and moves the hand there.
+  const Vec3 before = inner.hand().place();
+  for (int k = 0; k < 50; ++k) placed.apply({{1, 0, 0}, {}, 0}), placed.sample();
+  const Vec3 moved = inner.hand().place() - before;
+  EXPECT_GT(moved.z, 1e-4);
+  EXPECT_NEAR(moved.x, 0, 1e-9);
+  EXPECT_LT(distance(Placement{}.broughtTo({1, 2, 3}, {4, 5, 6}).toScene({1, 2, 3}), {4, 5, 6}), 1e-12);
+}
+
+TEST(Placement, AClutchLeadsTheDeviceElsewhere) {
+  double x = 0;
+  PoseSource inner(shownRecord("pose"));
+  PlacedDevice placed(inner, {}, 2);
+  const auto at = [&](double to, std::uint32_t buttons) {
+    HandSample hand;
+    inner.place({1, 0, 0, 0, {x = to, 0, 0}}, buttons);
+    for (int k = 0; k < 500; ++k) hand = placed.sample();
+    return hand;
+  };
+  EXPECT_NEAR(at(0.05, 0).tip.carry.x, 0.05, 1e-6);
+  EXPECT_NEAR(at(-0.05, 2).tip.carry.x, 0.05, 1e-3) << "held while the button is down";
+  EXPECT_NEAR(at(0.05, 0).tip.carry.x, 0.15, 2e-3) << "and goes on from there";
+}
+
+TEST(PoseSource, AMouseIsFeltAsAnArrow) {
+  PoseSource mouse(shownRecord("mouse"));
+  EXPECT_EQ(mouse.record().freedomOut, 0);
+  EXPECT_FALSE(mouse.sample().ready);
+  ServoStep step(mouse.record());
+  TouchScene scene = floorScene();
+  scene.published = 1e9;
+  step.adopt(&scene, 0);
+  double most = 0;
+  for (int k = 0; k < 4000; ++k) {
+    // A mouse tells a place every 16 ms, and leaps.
+    if (k % 16 == 0) mouse.place({1, 0, 0, 0, {k < 3000 ? 0 : 0.05, k < 2500 ? 0.03 : -0.006, 0}}, 1);
+    const ServoTick tick = step.tick(mouse.sample(), k * 0.001);
+    if (k > 100) {
+      EXPECT_EQ(tick.fault, ServoFault::None) << k;
+    }
+    mouse.apply(tick.out);
+    most = std::max(most, length(mouse.force().force));
+  }
+  EXPECT_NEAR(most, 0.5 * 400 * 0.006, 0.2);
+  mouse.leave();
+  EXPECT_FALSE(mouse.sample().ready);
+}
+
+TEST(ScriptedDevice, PlaysARecordedHand) {
+  std::string lines = "# a hand\ntool move\nhover space 0 0 0 0 0 0 -1 0 0 1 reach 0.01\n";
+  PointerSample sample;
+  for (const auto& [seconds, y] :
+       {std::pair(0.0, 0.01), std::pair(2.0, 0.01), std::pair(3.0, -0.005), std::pair(3.5, -0.005)}) {
+    sample.seconds = seconds;
+    sample.phase = seconds < 3 ? PointerSample::Phase::Hover : PointerSample::Phase::Drag;
+    sample.tip = Rigid{1, 0, 0, 0, {0, y, 0}};
+    lines += text(sample) + "\r\n";
+  }
+  auto device = ScriptedDevice::read(lines, simulatedRecord());
+  ASSERT_TRUE(device);
+  EXPECT_EQ(device->ends(), 3.5);
+  auto again = *device;
+  for (int k = 0; k < 2501; ++k) again.sample();
+  EXPECT_NEAR(again.sample().tip.carry.y, 0.01 - 0.015 * 0.501, 1e-9);
+  EXPECT_EQ(again.sample().buttons, 0u);
+  for (int k = 0; k < 600; ++k) again.sample();
+  EXPECT_EQ(again.sample().buttons, 1u);
+  EXPECT_NEAR(mostForce(*device, floorScene(), 3500), 0.5 * 400 * 0.005, 0.01);
+  for (const char* bad : {"", "hover space 0 0 0 0 0 0 -1 0 0 1 reach 0.01", "press space x tip 1 2",
+                          "hover space 1 0 0 0 0 0 -1 0 0 1 reach 0 tip 0 0 0 1 0 0 0\n"
+                          "hover space 0 0 0 0 0 0 -1 0 0 1 reach 0 tip 0 0 0 1 0 0 0"})
+    EXPECT_FALSE(ScriptedDevice::read(bad, simulatedRecord())) << bad;
+}
+
+// --- Inverse3, before a service on the loopback interface.
+
+TEST(Inverse3, SpeaksAsTheServiceIsDocumented) {
+  SimulatedInverse3 service([](double) { return Vec3{0.01, 0.02, 0.03}; });
+  auto device = Inverse3::connect(service.port());
+  ASSERT_TRUE(device) << text(device.error().what);
+  EXPECT_EQ((*device)->record().name, "Haply Inverse3 04AB");
+  EXPECT_EQ((*device)->record().hand, DeviceRecord::Hand::Left);
+  EXPECT_EQ((*device)->record().freedomIn, 6);
+  for (int k = 0; k < 100; ++k) {
+    const HandSample hand = (*device)->sample();
+    EXPECT_TRUE(hand.ready);
+    EXPECT_LT(distance(hand.tip.carry, {0.01, 0.03, -0.02}), 0.02) << "right, up, towards the user";
+    EXPECT_EQ(hand.buttons, 5u);
+    EXPECT_EQ(hand.trigger, 0.25);
+    EXPECT_EQ(hand.tip.w, 0.6);
+    EXPECT_EQ(hand.tip.y, 0.8);
+    (*device)->apply({{0, 0.5, 0}, {}, 0});
+  }
+  EXPECT_GT((*device)->sample().tip.carry.y, 0.0301) << "pushed up";
+  (*device)->apply({});
+  (*device)->sample();
+  EXPECT_EQ(service.messages, 102) << "one for each tick";
+  EXPECT_FALSE(service.wrong);
+  (*device)->apply({{0, 2, 0}, {}, 0});
+  (*device)->stop();
+  while (service.messages < 104) std::this_thread::yield();
+  EXPECT_EQ(service.lastForce, 0) << "the last thing it is told";
+  EXPECT_FALSE((*device)->sample().ready);
+}
+
+TEST(Inverse3, AServiceThatIsNotThereIsSaid) {
+  EXPECT_FALSE(Inverse3::connect(1));
+  SimulatedInverse3 empty([](double) { return Vec3{}; }, false);
+  const auto none = Inverse3::connect(empty.port());
+  ASSERT_FALSE(none);
+  EXPECT_NE(text(none.error().what).find("plugged in"), std::string::npos);
+}
+
+TEST(Inverse3, SilenceHangingUpAndNoCalibrationAreNotReady) {
+  for (const int trouble : {0, 1, 2}) {
+    SimulatedInverse3 service([](double) { return Vec3{}; });
+    auto device = Inverse3::connect(service.port());
+    ASSERT_TRUE(device);
+    EXPECT_TRUE((*device)->sample().ready);
+    if (trouble == 0) service.silent = true;
+    if (trouble == 1) service.hangUp = true;
+    if (trouble == 2) service.calibrated = false;
+    bool ready = true;
+    for (int k = 0; k < 20; ++k) {
+      (*device)->apply({});
+      ready = (*device)->sample().ready;
+    }
+    EXPECT_FALSE(ready) << trouble;
+    (*device)->stop();
+  }
+}
+
+// The whole way: hand, device, WebSocket, servo's thread, proxy, and back into the hand.
+TEST(Inverse3, AHandFeelsAFloorThroughTheService) {
+  SimulatedInverse3 service([](double t) { return Vec3{0, 0, t < 1 ? 0.05 : 0.03}; });  // up is z there
+  auto device = Inverse3::connect(service.port());
+  ASSERT_TRUE(device);
+  ServoSettings settings;
+  settings.rampSeconds = 0.2;
+  settings.latest = 1e9;  // a busy machine is not what is tested here
+  {
+    Servo servo(**device, settings);
+    TouchScene scene = floorScene();
+    for (Facet& facet : scene.facets)
+      facet = *facetOf(facet.corner[0] + Vec3{0, 0.04, 0}, facet.corner[1] + Vec3{0, 0.04, 0},
+                       facet.corner[2] + Vec3{0, 0.04, 0}, false);
+    while (service.messages < 2500) {
+      servo.publish(std::make_unique<TouchScene>(scene));
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    const ServoTick tick = servo.last();
+    EXPECT_TRUE(tick.touching);
+    EXPECT_NEAR(tick.proxy.y, 0.04, 1e-3);
+    // The hand's spring of 300 N/m draws it to 1 cm below the floor, whose spring is half of that of the device.
+    EXPECT_NEAR(tick.out.force.y, 0.01 * 300 * 200 / 500, 0.15);
+  }
+  EXPECT_LE(service.mostForce, 3);
+  EXPECT_LE(service.work, 1e-3);
+  EXPECT_EQ(service.lastForce, 0);
+  EXPECT_FALSE(service.wrong);
+}
+
+// --- 3D Systems Touch, before a library of ours.
+
+struct FakeHd {
+  void* library = dlopen(KARINUI_FAKE_HD, RTLD_NOW | RTLD_LOCAL);
+  template <class F>
+  F get(const char* name) {
+    return reinterpret_cast<F>(dlsym(library, name));
+  }
+  std::string calls() { return get<const char* (*)()>("fakeHdCalls")(); }
+  int frames() { return get<int (*)()>("fakeHdFrames")(); }
+  ~FakeHd() { dlclose(library); }
+};
+
+TEST(HdStylus, CallsTheLibraryInOrder) {
+  FakeHd fake;
+  ASSERT_TRUE(fake.library);
+  fake.get<void (*)()>("fakeHdReset")();
+  {
+    auto stylus = HdStylus::open(KARINUI_FAKE_HD);
+    ASSERT_TRUE(stylus) << text(stylus.error().what);
+    EXPECT_EQ(fake.calls(), "init enable-force schedule start ");
+    const DeviceRecord& record = (*stylus)->record();
+    EXPECT_EQ(record.name, "Touch (fake)");
+    EXPECT_EQ(record.force, 3.3);
+    EXPECT_NEAR(record.stiffness, 500, 1e-9);
+    EXPECT_NEAR(record.damping, 4, 1e-9);
+    EXPECT_NEAR(record.workspace.high.x, 0.08, 1e-12);
+    const int before = fake.frames();
+    while (fake.frames() < before + 3) std::this_thread::yield();
+    const HandSample hand = (*stylus)->sample();
+    EXPECT_TRUE(hand.ready);
+    EXPECT_LT(distance(hand.tip.carry, {0.01, 0.02, 0.03}), 1e-12);
+    EXPECT_LT(distance(hand.tip.turned({0, 0, 1}), {1, 0, 0}), 1e-9);
+    EXPECT_LT(distance(hand.velocity, {0.1, 0, -0.05}), 1e-12);
+    EXPECT_EQ(hand.buttons, 3u);
+    while (fake.get<double (*)()>("fakeHdMostForce")() < 0.7) (*stylus)->apply({{0.75, 0, 0}, {}, 0});
+    // A servo that does not come back: its own scheduler takes the force away.
+    const int then = fake.frames();
+    while (fake.frames() < then + 40) std::this_thread::yield();
+    double force[3];
+    fake.get<void (*)(double*)>("fakeHdForce")(force);
+    EXPECT_EQ(force[0], 0);
+    (*stylus)->apply({{0.5, 0, 0}, {}, 0});
+    (*stylus)->stop();
+    fake.get<void (*)(double*)>("fakeHdForce")(force);
+    EXPECT_EQ(force[0], 0) << "nothing is left in the hand";
+  }
+  EXPECT_EQ(fake.calls(), "init enable-force schedule start stop unschedule disable ");
+  EXPECT_FALSE(fake.get<bool (*)()>("fakeHdOutOfFrame")()) << "state is read and written within a frame";
+}
+
+TEST(HdStylus, AFaultOfTheLibraryIsNotReady) {
+  FakeHd fake;
+  fake.get<void (*)()>("fakeHdReset")();
+  auto stylus = HdStylus::open(KARINUI_FAKE_HD);
+  ASSERT_TRUE(stylus);
+  fake.get<void (*)(unsigned int)>("fakeHdFail")(0x0302);
+  const int before = fake.frames();
+  while (fake.frames() < before + 3) std::this_thread::yield();
+  EXPECT_FALSE((*stylus)->sample().ready);
+}
+
+TEST(HdStylus, WhatIsNotThereIsSaid) {
+  EXPECT_FALSE(HdStylus::open("libHD-that-is-not-there.so"));
+  FakeHd fake;
+  fake.get<void (*)()>("fakeHdReset")();
+  fake.get<void (*)(bool)>("fakeHdAbsent")(true);
+  const auto none = HdStylus::open(KARINUI_FAKE_HD);
+  ASSERT_FALSE(none);
+  EXPECT_NE(text(none.error().what).find("plugged in"), std::string::npos);
+  EXPECT_EQ(fake.calls(), "init ");
+}
+
+}  // namespace
+}  // namespace karinui
