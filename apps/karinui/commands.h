@@ -39,5 +39,6 @@ void addDocumentVerbs(Program& program);  // play, do, undo, redo, log, import
 void addAnswerVerbs(Program& program);    // settle, check, info
 void addOutputVerbs(Program& program);    // export, picture
 void addBenchVerb(Program& program);      // bench
+void addTouchVerbs(Program& program);     // touch check, touch replay
 
 }  // namespace karinui::app

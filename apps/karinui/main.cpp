@@ -34,6 +34,7 @@ int main(int count, char** words) {
   addAnswerVerbs(program);
   addOutputVerbs(program);
   addBenchVerb(program);
+  addTouchVerbs(program);
   try {
     program.cli.parse(count, words);
   } catch (const CLI::ParseError& trouble) {

@@ -1,0 +1,35 @@
+#pragma once
+// What the hand feels near its tip, out of the garment as it stands: made anew on the session's side some tens of times
+// a second, and handed to a servo by whoever owns both. Takes a fraction of a millisecond; any thread.
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "karinui/session/fitting.h"
+#include "karinui/touch/touch_scene.h"
+
+namespace karinui {
+
+// What the hand is about, as far as it is felt. Reshaping the pattern is not.
+struct Handling {
+  std::set<PieceId> carried;  // moved as rigid things: they weigh, and are not touched
+  struct Pull {
+    PieceId piece;
+    Flat at;                    // the place on paper that is held
+    Vec3 place;                 // where the solver last had it,
+    std::optional<Vec3> force;  // and what the cloth then did to the hand
+  };
+  std::optional<Pull> pull;
+  PieceId cut;               // being cut: resists
+  bool changing = false;     // pieces are being cut, sewn or replaced
+  std::uint32_t clicks = 0;  // pairs of edges that have snapped together
+};
+
+inline constexpr double kPatchRadius = 0.06;  // metres: more than a hand goes between two scenes
+
+TouchScene touchSceneOf(const Fitting& fitting, Vec3 tip, const Handling& handling = {}, double radius = kPatchRadius);
+
+// A strip of a fabric, half along its warp and half along its weft: metres.
+TensionCurve tensionCurveOf(const Fabric& fabric, double width, double length);
+
+}  // namespace karinui
