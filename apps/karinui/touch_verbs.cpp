@@ -100,8 +100,9 @@ Message promise(const Measured& m) {
   const bool seldomLate = m.report.late * 5000 < m.report.ticks;
   if (m.report.realTime && m.p999 <= 200e-6 && seldomLate)
     return say("Force at 1 kHz can be relied on here, as measured.");
-  if (m.p99 <= 1e-3) return say("Force works here, but is interrupted now and then: it fades out and comes back.");
-  return say("This machine is too busy for force: expect it to fade out often.");
+  if (m.p99 <= 1e-3)
+    return say("Force works here, but the loop is woken late at times, which may be felt as roughness.");
+  return say("This machine is too busy for force: expect it to be rough, and to fade out at times.");
 }
 
 int runCheck(Program& program, const CheckOptions& options) {
@@ -130,6 +131,7 @@ int runCheck(Program& program, const CheckOptions& options) {
   const auto line = [&](const Message& what) { words += "  " + console.said(what) + "\n"; };
   words += console.said(say("The force loop, measured for {0} s at 1 kHz", shortest(options.seconds))) + "\n";
   line(m->report.realTime ? say("Real-time scheduling: permitted")
+       : options.ordinary ? say("Real-time scheduling: not asked for")
                           : say("Real-time scheduling: not permitted (see docs/user/touch.md)"));
   line(say("Late by: {0} half of the time, {1} at most in 99 %, {2} in 99.9 %, {3} at worst", micro(m->p50),
            micro(m->p99), micro(m->p999), micro(m->longest)));
@@ -187,7 +189,7 @@ int runReplay(Program& program, const ReplayOptions& options) {
         const Hit hit = pick(*fitting, Table(), sample);
         if (hit.on == Hit::On::Cloth && options.tool == "move") handling.carried = {hit.piece};
         if (hit.on == Hit::On::Cloth && options.tool == "pull")
-          handling.pull = Handling::Pull{hit.piece, hit.paper, now.tip.carry, {}};
+          handling.pull = Handling::Pull{hit.piece, hit.paper, now.tip.carry, now.tip.carry, {}};
         if (hit.on == Hit::On::Cloth && options.tool == "cut") handling.cut = hit.piece;
         published = -1;
       }

@@ -27,7 +27,8 @@ void addNear(TouchScene& scene, const Bvh& tree, const TriangleMesh& mesh, bool 
 Grab grabOf(const Piece& piece, const Fabric& fabric, const Handling::Pull& pull) {
   Grab grab;
   const Stand stand(piece);
-  grab.anchor = stand(pull.at);
+  grab.anchor = pull.from;
+  const Vec3 beside = pull.from - stand(pull.at);  // fingers hold a little beside the cloth's middle
   grab.curve = tensionCurveOf(fabric, kGripWidth, kGripLength);
   // The neighbours of the historical simcloth: eight around, and four one further along warp and weft.
   grab.springStiffness = fabric.stretchWarp;
@@ -44,7 +45,7 @@ Grab grabOf(const Piece& piece, const Fabric& fabric, const Handling::Pull& pull
                              {0, 2},
                              {0, -2}}) {
     const Flat step{u * kSpacing, v * kSpacing};
-    grab.neighbours.push_back({stand(pull.at + step), length(step)});
+    grab.neighbours.push_back({stand(pull.at + step) + beside, length(step)});
   }
   grab.place = pull.place;
   if (pull.force) {
@@ -58,11 +59,12 @@ Grab grabOf(const Piece& piece, const Fabric& fabric, const Handling::Pull& pull
 }  // namespace
 
 TensionCurve tensionCurveOf(const Fabric& fabric, double width, double length) {
-  constexpr int kPlaces = 32;
+  constexpr int kPlaces = 64;
   TensionCurve curve;
   const ThreadCurve warp = fabric.warpCurve(), weft = fabric.weftCurve();
   for (int k = 0; k <= kPlaces; ++k) {
-    const double share = static_cast<double>(k) / kPlaces, strain = kStrainMost * share * share;  // denser at the toe
+    const double share = static_cast<double>(k) / kPlaces,
+                 strain = kStrainMost * share * share * share;  // the toe is short
     curve.places.push_back({strain * length, width * (warp.force(strain) + weft.force(strain)) / 2});
   }
   return curve;

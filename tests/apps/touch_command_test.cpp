@@ -49,6 +49,7 @@ TEST_F(Touch, AReplayTellsWhatTheHandFeels) {
   EXPECT_EQ(carried["ticks"].back()["newtons"].get<double>() < 0.25, true) << "let go";
   // Pulled: towards where it was.
   const auto pulled = replay(hand("0.2 0.2 0.02", "0.2 0.2 0.003", "0.2 0.2 0.006"), "--tool pull --gain 1").json();
+  EXPECT_NEAR(pulled["ticks"][61]["newtons"].get<double>(), 0, 0.02) << "nothing pulls where it was taken";
   EXPECT_LT(pulled["ticks"][250]["force"][2].get<double>(), -0.05);
 }
 

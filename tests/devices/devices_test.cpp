@@ -195,7 +195,9 @@ TEST(Inverse3, SilenceHangingUpAndNoCalibrationAreNotReady) {
 
 // The whole way: hand, device, WebSocket, servo's thread, proxy, and back into the hand.
 TEST(Inverse3, AHandFeelsAFloorThroughTheService) {
-  SimulatedInverse3 service([](double t) { return Vec3{0, 0, t < 1 ? 0.05 : 0.03}; });  // up is z there
+  // Up, which is z there, and down to 1 cm below the floor, again and again: a service that does not get to answer for
+  // a while on a busy machine is a device that is not ready, and is armed anew.
+  SimulatedInverse3 service([](double t) { return Vec3{0, 0, std::fmod(t, 2) < 1 ? 0.05 : 0.03}; });
   auto device = Inverse3::connect(service.port());
   ASSERT_TRUE(device);
   ServoSettings settings;
@@ -207,15 +209,17 @@ TEST(Inverse3, AHandFeelsAFloorThroughTheService) {
     for (Facet& facet : scene.facets)
       facet = *facetOf(facet.corner[0] + Vec3{0, 0.04, 0}, facet.corner[1] + Vec3{0, 0.04, 0},
                        facet.corner[2] + Vec3{0, 0.04, 0}, false);
-    while (service.messages < 2500) {
+    // The hand's spring of 300 N/m draws it to 1 cm below the floor, whose spring is half of that of the device.
+    const double wanted = 0.01 * 300 * 200 / 500;
+    ServoTick tick;
+    while (service.messages < 60000 && !(tick.touching && std::fabs(tick.out.force.y - wanted) < 0.15 * wanted)) {
       servo.publish(std::make_unique<TouchScene>(scene));
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      tick = servo.last();
     }
-    const ServoTick tick = servo.last();
     EXPECT_TRUE(tick.touching);
     EXPECT_NEAR(tick.proxy.y, 0.04, 1e-3);
-    // The hand's spring of 300 N/m draws it to 1 cm below the floor, whose spring is half of that of the device.
-    EXPECT_NEAR(tick.out.force.y, 0.01 * 300 * 200 / 500, 0.15);
+    EXPECT_NEAR(tick.out.force.y, wanted, 0.15 * wanted);
   }
   EXPECT_LE(service.mostForce, 3);
   EXPECT_LE(service.work, 1e-3);

@@ -60,8 +60,8 @@ TEST(TouchScene, PulledClothPullsAsTheCurveOfItsFabricRises) {
   const Piece& front = given.front();
   const Fabric fabric = *fabricOf(given.fitting().document, front);
   Handling handling;
-  handling.pull = Handling::Pull{front.id, {0.2, 0.2}, Stand(front)({0.2, 0.2}), {}};
-  const Vec3 at = Stand(front)({0.2, 0.2});
+  const Vec3 at = Stand(front)({0.2, 0.2}) + Vec3{0, 0, 0.003};
+  handling.pull = Handling::Pull{front.id, {0.2, 0.2}, at, at, {}};
   const TouchScene scene = touchSceneOf(given.fitting(), at, handling);
   ASSERT_TRUE(scene.grab);
   double before = -1;

@@ -16,7 +16,8 @@ struct Handling {
   struct Pull {
     PieceId piece;
     Flat at;                    // the place on paper that is held
-    Vec3 place;                 // where the solver last had it,
+    Vec3 from;                  // where the hand was when it took hold: nothing pulls there
+    Vec3 place;                 // where the solver last had the held place,
     std::optional<Vec3> force;  // and what the cloth then did to the hand
   };
   std::optional<Pull> pull;
