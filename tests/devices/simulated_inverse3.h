@@ -92,7 +92,6 @@ class SimulatedInverse3 {
         boost::beast::flat_buffer buffer;
         stream.read(buffer, error);
         if (error) break;
-        ++messages;
         const auto told = nlohmann::json::parse(boost::beast::buffers_to_string(buffer.data()), nullptr, false);
         Vec3 force;
         try {
@@ -104,6 +103,7 @@ class SimulatedInverse3 {
           wrong = true;
         }
         lastForce = length(force);
+        ++messages;
         mostForce = std::max(mostForce.load(), length(force));
         hand.step(aim_(now), force, 0.001);
         now += 0.001;
