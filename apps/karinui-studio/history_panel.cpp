@@ -19,7 +19,10 @@ constexpr QSize kPicture(54, 72);
 constexpr std::size_t kMostPictures = 64;    // kept, beside those in sight
 enum Role { kNumber = Qt::UserRole, kEnd };  // how many steps are done there; or the end of a way that was left, by seq
 
-QString nameOfStep(const Step& step) { return inWords(*termSaid(Term::OperationName, nameOf(step.operation))); }
+QString nameOfStep(const Step& step) {
+  const std::string_view name = nameOf(step.operation);
+  return inWords(termSaid(Term::OperationName, name).value_or(say("{0}", std::string(name))));
+}
 
 const char* iconOf(const Step& step) {
   const std::string_view kind = nameOf(step.operation);

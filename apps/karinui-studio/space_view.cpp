@@ -132,7 +132,7 @@ void SpaceView::initializeGL() {
 void SpaceView::resizeGL(int, int) { frameAnew(); }
 
 void SpaceView::cameraMoved() {
-  session_.setSight(sightOf(camera_, aspect()));
+  session_.setSight(sight());
   fine_ = false;
   stale_ = true;
   rest_.start();
@@ -146,12 +146,18 @@ void SpaceView::setCamera(const Camera& camera) {
   cameraMoved();
 }
 
-double SpaceView::freeWidth() const { return width() * (1 - menuShare(sightOf(camera_, aspect())) / halves().width()); }
+Sight SpaceView::sight() const {
+  Sight seen = sightOf(camera_, aspect());
+  seen.points = static_cast<double>(height()) / halves().height();
+  return seen;
+}
+
+double SpaceView::freeWidth() const { return width() * (1 - menuShare(sight()) / halves().width()); }
 
 Camera SpaceView::framed(View view) const {
   const QSize parts = halves();
   const double w = 1.0 * width() / parts.width(), h = std::max(1.0, 1.0 * height() / parts.height());
-  const double bar = w * menuShare(sightOf(camera_, aspect()));
+  const double bar = w * menuShare(sight());
   const double scale = beside() && map_ != FitMap::None ? std::min(kLyingScale, h / 3) : 0;  // lies below the feet
   Camera to = frameAll(session_.shown().frame, view, std::max(0.1, (w - bar) / (h - scale)));
   to.eye = to.target + (to.eye - to.target) * (h / (h - scale));

@@ -52,6 +52,7 @@ class SpaceView : public QOpenGLWidget {
   const std::optional<Error>& trouble() const { return trouble_; }
   std::optional<QPointF> onScreen(Vec3 place) const;  // for tests and guides
   bool still() const { return fine_; }
+  Sight sight() const;
   double freeWidth() const;  // pixels of the view, from its left edge, that the floating bar leaves
   // A small picture of a fitting, for lists and dialogs; empty where nothing can be drawn.
   QImage portrait(const SceneFrame& frame, QSize pixels);

@@ -81,7 +81,7 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     const OnPicture on = project(eye, place, w, h);
     return QPointF(on.x, on.y);
   };
-  const QRectF room(0, 0, w * (1 - menuShare(sightOf(camera_, static_cast<double>(w) / h))), h);
+  const QRectF room(0, 0, w * (1 - menuShare(sight())), h);
   const FittingPtr fitting = session_.shownPtr();
   for (const auto& [id, pins] : fitting->document.pins)
     for (const Flat pin : pins)

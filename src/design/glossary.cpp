@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "karinui/base/number.h"
+#include "karinui/body/lines.h"
 
 namespace karinui {
 
@@ -147,6 +148,7 @@ const std::vector<Entry>& entries() {
       {Term::OperationName, "grain", say("Turn the grain")},
       {Term::OperationName, "join", say("Take a point away")},
       {Term::OperationName, "layer", say("Order of layers")},
+      {Term::OperationName, "length", say("Length of an edge")},
       {Term::OperationName, "line", say("Inner line")},
       {Term::OperationName, "mirror", say("Mirror")},
       {Term::OperationName, "move", say("Move")},
@@ -187,6 +189,7 @@ const std::vector<Entry>& entries() {
       {Term::Field, "gravity", say("Gravity")},
       {Term::Field, "holes", say("Holes")},
       {Term::Field, "inside", say("A place inside")},
+      {Term::Field, "keep", say("Which end stays")},
       {Term::Field, "law", say("Kind of cloth")},
       {Term::Field, "layer", say("Layer")},
       {Term::Field, "let_go", say("Let go afterwards")},
@@ -199,11 +202,14 @@ const std::vector<Entry>& entries() {
       {Term::Field, "mesh", say("Imported body")},
       {Term::Field, "mirror", say("Also the other side")},
       {Term::Field, "name", say("Name")},
+      {Term::Field, "neighbours", say("Edges beside it")},
       {Term::Field, "outline", say("Outline")},
       {Term::Field, "patch", say("Held with the fingers (radius)")},
       {Term::Field, "piece", say("Piece")},
       {Term::Field, "point", say("Place on paper")},
       {Term::Field, "pose", say("Where it stands")},
+      {Term::Field, "refit", say("Curve fitted anew")},
+      {Term::Field, "replace", say("Unpick seams in the way")},
       {Term::Field, "reversed", say("Sewn the other way round")},
       {Term::Field, "seam", say("Seam")},
       {Term::Field, "seconds", say("Takes (seconds)")},
@@ -216,6 +222,7 @@ const std::vector<Entry>& entries() {
       {Term::Field, "spacing", say("Fineness of the cloth")},
       {Term::Field, "stiffen_warp", say("Stiffening, warp")},
       {Term::Field, "stiffen_weft", say("Stiffening, weft")},
+      {Term::Field, "stop", say("Stopped after (solver steps)")},
       {Term::Field, "stretch_warp", say("Stretch, warp")},
       {Term::Field, "stretch_weft", say("Stretch, weft")},
       {Term::Field, "symmetric", say("On both halves")},
@@ -225,6 +232,7 @@ const std::vector<Entry>& entries() {
       {Term::Field, "tip", say("Tip of the dart")},
       {Term::Field, "to", say("New name")},
       {Term::Field, "to.grain", say("Direction of the grain")},
+      {Term::Field, "to.length", say("New length")},
       {Term::Field, "toe", say("Give before it holds")},
       {Term::Field, "toe_warp", say("Give, warp")},
       {Term::Field, "toe_weft", say("Give, weft")},
@@ -237,12 +245,17 @@ const std::vector<Entry>& entries() {
       {Term::Value, "1:1", say("Even (1:1)")},
       {Term::Value, "2:1", say("Gathered (2:1)")},
       {Term::Value, "auto", say("Automatic")},
+      {Term::Value, "end", say("The end stays")},
       {Term::Value, "female", say("Female")},
       {Term::Value, "field", say("Distance to the skin")},
+      {Term::Value, "follow", say("Stretch with it")},
+      {Term::Value, "keep", say("Keep their lengths")},
       {Term::Value, "male", say("Male")},
+      {Term::Value, "middle", say("Both ends move by half")},
       {Term::Value, "no", say("No")},
       {Term::Value, "planes", say("Merged planes (historical)")},
       {Term::Value, "simcloth", say("Tension only (historical)")},
+      {Term::Value, "start", say("The start stays")},
       {Term::Value, "woven", say("Woven or knitted")},
       {Term::Value, "yes", say("Yes")},
       // --- Word
@@ -442,6 +455,7 @@ Message fieldSaid(std::string_view operation, std::string_view field) {
 Message placeSaid(const BodyPoint& place) {
   if (place.part == BodyPoint::Part::Landmark)
     return termSaid(Term::Landmark, place.landmark).value_or(say("{0}", place.landmark));
+  if (place.part == BodyPoint::Part::Line) return bodyLineSaid(place.landmark);
   const auto levels = chartLevels(place.part);
   if (levels.empty()) return say("a place on the skin");
   constexpr double kOn = 0.2;  // of the way from a level to the next: still at the level

@@ -148,7 +148,7 @@ class DrawGesture : public Gesture {
     snap_.reset();
     if (here && !free_ && sample.phase != PointerSample::Phase::Drag) {
       snaps_.of(bench.fitting);
-      snap_ = snaps_.near(*here);
+      snap_ = snaps_.near(*here, bench.linesShown);
     }
     hover_ = here ? std::optional(snap_ ? snap_->seen : here->point) : std::nullopt;
     switch (sample.phase) {
@@ -263,7 +263,7 @@ class DrawGesture : public Gesture {
       const StrokeSample& s = stroke[corners[k]];
       std::optional<DrawSnaps::Snap> snap = k == 0 ? began_ : k + 1 == corners.size() ? end : std::nullopt;
       if (!free_ && !snap && k > 0 && k + 1 < corners.size())
-        if (const auto near = snaps_.near(s); near && near->corner) snap = near;
+        if (const auto near = snaps_.near(s, bench.linesShown); near && near->corner) snap = near;
       line.push_back(snap ? noted(*snap, true) : Noted{s.skin, s.point});
     }
     std::vector<Noted> better;

@@ -114,7 +114,7 @@ DrawSnaps::Snap DrawSnaps::on(std::size_t which, double share) const {
   return snap;
 }
 
-std::optional<DrawSnaps::Snap> DrawSnaps::near(const StrokeSample& sample) const {
+std::optional<DrawSnaps::Snap> DrawSnaps::near(const StrokeSample& sample, bool linesShown) const {
   if (!fitting_ || !fitting_->body) return std::nullopt;
   const Place* best = nullptr;
   double least = 1e9;
@@ -131,10 +131,11 @@ std::optional<DrawSnaps::Snap> DrawSnaps::near(const StrokeSample& sample) const
   bool outline = false;
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     double away = 0;
-    if (outline && curves_[k].skin.empty()) break;  // outlines come first
+    const bool ofTheBody = curves_[k].skin.empty();
+    if (ofTheBody && (outline || (!linesShown && sample.certain))) break;  // outlines come first
     if (const auto there = onCurve(k, sample, kPointed, away); there && (!found || away < least)) {
       found = there, least = away;
-      outline = !curves_[k].skin.empty();
+      outline = !ofTheBody;
     }
   }
   if (found) return on(found->curve, found->share);

@@ -22,7 +22,8 @@ class DrawSnaps {
   };
   void of(FittingPtr fitting);
   // What the pointer snaps to: places before lines, outlines before lines of the body.
-  std::optional<Snap> near(const StrokeSample& sample) const;
+  // The body's lines count where they are shown, and where the depth is not certain.
+  std::optional<Snap> near(const StrokeSample& sample, bool linesShown) const;
 
   // Which outline or line of the body each sample of a run follows, at least a hand's breadth of it, and where on it;
   // empty entries where none. A sample follows at most one.

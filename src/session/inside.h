@@ -64,7 +64,7 @@ struct Session::Inside {
   TaskLine line;  // last: it stops before anything it uses goes
 
   explicit Inside(SessionOptions options);
-  Workbench bench() const { return {state.fitting, &table, language, dartWidth, inches, mirrorSeams}; }
+  Workbench bench() const { return {state.fitting, &table, language, dartWidth, inches, mirrorSeams, linesShown}; }
 
   // Whether marks of crossed seams are shown, to be clicked.
   bool turnsCrossed() const { return (tool == Command::Select || tool == Command::Sew) && !gesture->begun(); }

@@ -14,14 +14,16 @@ constexpr double kHigh = 1.08;  // of a button's width, its label included; the 
 constexpr double kGap = 0.06, kRim = 0.12, kMargin = 0.14;
 constexpr std::size_t kTools = 6;                        // a wider gap after them
 constexpr double kMostHigh = 0.94, kMostWide = 1 / 6.0;  // of the view
-constexpr double kButtonMost = 0.09;                     // of the view's height
+constexpr double kButtonMost = 0.09;                     // of the view's height,
+constexpr double kButtonPoints = 52;                     // and in device-independent pixels
 
 constexpr double kWide = 1 + 2 * kRim;
 constexpr double kTall = kBar.size() * kHigh + (kBar.size() + 1) * kGap + 2 * kRim;
 
 // The side of a button, of half the view's height.
 double buttonOf(const Sight& sight) {
-  return 2 * std::min({kMostHigh / kTall, kMostWide * sight.aspect / kWide, kButtonMost});
+  const double most = sight.points > 0 ? std::min(kButtonMost, kButtonPoints / sight.points) : kButtonMost;
+  return 2 * std::min({kMostHigh / kTall, kMostWide * sight.aspect / kWide, most});
 }
 
 std::optional<std::array<double, 2>> placeOn(const ScenePanel& panel, const Ray& ray) {

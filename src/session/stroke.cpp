@@ -17,6 +17,7 @@ constexpr double kBeside = 1.5;     // times touching: how far beside the silhou
 constexpr double kSpacing = 0.01;   // metres between the nodes that are faired
 constexpr double kShortest = 0.06;  // metres: shorter waves are taken out
 constexpr double kMiss = 0.004;     // metres a faired line may pass from a certain ray
+constexpr double kAbove = 0.3;      // metres above the skin at which a tip's ray begins
 constexpr int kSweeps = 120, kRounds = 3;
 
 Vec3 onRay(const Ray& ray, Vec3 place) { return ray.origin + ray.direction * dot(place - ray.origin, ray.direction); }
@@ -35,6 +36,15 @@ std::optional<StrokeSample> strokeSample(const Fitting& fitting, const PointerSa
   found.reach = sample.reach;
   const Hit hit = pickBody(fitting, sample);
   found.met = hit.on == Hit::On::Body;
+  if (sample.tip) {
+    if (!found.met) return std::nullopt;
+    const Vec3 normal = faceNormal(body.mesh(), hit.skin.face);
+    found.ray = {hit.point + normal * kAbove, -normal};
+    found.reach = sample.reach / kAbove;
+    found.skin = hit.skin, found.point = hit.point, found.along = kAbove;
+    found.touched = true;
+    return found;
+  }
   if (found.met) {
     found.skin = hit.skin, found.point = hit.point, found.along = hit.along;
     const double slope = std::fabs(dot(faceNormal(body.mesh(), hit.skin.face), sample.ray.direction));
@@ -65,6 +75,10 @@ std::vector<Vec3> pictureOf(std::span<const StrokeSample> stroke) {
   for (const StrokeSample& s : stroke) middle += s.point * (1.0 / static_cast<double>(stroke.size()));
   std::vector<Vec3> picture;
   for (const StrokeSample& s : stroke) {
+    if (s.touched) {
+      picture.push_back(s.point);
+      continue;
+    }
     PointerSample seen;
     seen.ray = s.ray, seen.facing = s.facing;
     picture.push_back(onFacing(seen, middle));

@@ -15,10 +15,11 @@ struct StrokeSample {
   Vec3 facing{0, 0, 1};  // towards who looks
   double reach = 0.01;   // radians: how near is touching
   SurfacePoint skin;
-  Vec3 point;           // on the skin: met by the ray, or beside it
-  double along = 0;     // metres along the ray
-  bool met = true;      // the ray met the skin there
-  bool certain = true;  // in depth too
+  Vec3 point;            // on the skin: met by the ray, or beside it
+  double along = 0;      // metres along the ray
+  bool met = true;       // the ray met the skin there
+  bool certain = true;   // in depth too
+  bool touched = false;  // by a tip, which knows its depth: the ray is the skin's normal
 
   double touching() const { return reach * along; }  // metres at that depth
 };
@@ -31,7 +32,7 @@ std::optional<StrokeSample> strokeSample(const Fitting& fitting, const PointerSa
 // How far a place is from a ray.
 double awayFromRay(const Ray& ray, Vec3 place);
 
-// The stroke as the eye saw it: places in the plane across the view at the stroke's mean depth.
+// The stroke as the eye saw it: places in the plane across the view at the stroke's mean depth, or where a tip was.
 std::vector<Vec3> pictureOf(std::span<const StrokeSample> stroke);
 
 // A fair line over the skin through the first and the last sample: wiggles shorter than cloth follows (a few

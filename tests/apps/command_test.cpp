@@ -99,7 +99,7 @@ TEST_F(Command, AnswersInSentencesWithUnits) {
        {"3 operations", "10.0 mm apart",
         "Piece front (p1): Cotton, layer 0; 2000.0 cm2, 1800.0 mm "
         "round; not draped yet",
-        "  centre  500.0 mm", "left_side  front.side 500.0 mm", "back.centre 505.0 mm", "eased, 1.0 % longer"})
+        "  centre          500.0 mm", "left_side  front.side 500.0 mm", "back.centre 505.0 mm", "eased, 1.0 % longer"})
     EXPECT_NE(info.out.find(part), std::string::npos) << part << "\n" << info.out;
   for (const char* part : {"パーツ「前身頃 (front)」（p1）", "綿ブロード", "中心 (centre)", "2000.0 cm2", "未ドレープ",
                            "いせ込み、1.0 % 長い"})

@@ -41,7 +41,7 @@ TEST(Message, SaysLengthsAsThePersonReadsThemAndLeavesNamesAlone) {
   EXPECT_EQ(said(dart), "A dart 1.00 in wide does not fit there on edge 5 mm lace, which is 5.00 in long.");
   EXPECT_EQ(said(say("Step {0}: {1}", 2, dart)), "Step 2: " + said(dart));
   EXPECT_EQ(said(dart, Language::Japanese),
-            "幅 1.00 in のダーツは、長さ 5.00 in の辺 5 mm lace のその位置に入りません。");
+            "幅 1.00 in のダーツは、長さ 5.00 in の辺「5 mm lace」のその位置に入りません。");
   EXPECT_EQ(said(say("The line crosses itself at {0} mm; draw it without a loop.", "(50.8, -25.4)")),
             "The line crosses itself at (2.00 in, -1.00 in); draw it without a loop.");
   EXPECT_EQ(said(say("A dart is between 1 mm and 1 m wide.")), "A dart is between 0.04 in and 1 m wide.");

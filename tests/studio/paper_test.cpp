@@ -182,7 +182,7 @@ TEST(StudioPaper, ATypedLengthChangesBothHalvesAndShowsWhichEndStays) {
   auto* stays = w.main().findChild<LengthChoice*>();
   ASSERT_TRUE(stays);
   auto* box = stays->findChild<QComboBox*>();
-  EXPECT_EQ(box->currentText(), "the end at armhole_left stays");
+  EXPECT_EQ(box->currentText(), "the end at left armhole stays");
   const Preview shown = w.session().preview();
   ASSERT_EQ(shown.table.dots.size(), 2u) << "what stays, on both halves";
   ASSERT_EQ(shown.table.rings.size(), 2u) << "what moves";
@@ -203,7 +203,7 @@ TEST(StudioPaper, ATypedLengthChangesBothHalvesAndShowsWhichEndStays) {
     return a.v < b.v ? a : b;
   };
   const Flat low = lower();
-  box->setCurrentIndex(box->findText("the end at hem_left stays"));
+  box->setCurrentIndex(box->findText("the end at left hem stays"));
   emit box->activated(box->currentIndex());
   w.rest();
   w.type(w.box("Length"), QString::fromStdString(fixed(side * 100, 5)) + " cm");

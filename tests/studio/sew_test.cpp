@@ -98,7 +98,7 @@ TEST_F(StudioSew, TheWrongShoulderIsAskedAboutBefore) {
   w->keep("studio_sew_asked");
   const auto shown = items(*menu);
   ASSERT_GE(shown.size(), 3u);
-  EXPECT_EQ(shown[0]->text(), "Sew to back.shoulder_right");
+  EXPECT_EQ(shown[0]->text(), "Sew to right shoulder of back");
   clickOn(*shown[0]);
   w->rest();
   ASSERT_EQ(w->count(), before + 1) << w->main().said().toStdString();

@@ -15,6 +15,7 @@ struct Sight {
   Vec3 eye, right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
   double tanHalf = 0.21, aspect = 1;
   double distance = 4;  // to what is looked at
+  double points = 0;    // the view's height in device-independent pixels; 0: not known
 };
 
 // A board in space with buttons on it, facing the one who looks. Buttons are placed in the board's own metres from its

@@ -24,6 +24,7 @@ struct Workbench {
   double dartWidth = 0.02;  // metres
   bool inches = false;
   bool mirrorSeams = true;  // a seam's mirror image is sewn with it
+  bool linesShown = false;  // the lines of the body
   std::string said(double metres) const { return lengthSaid(metres, inches); }
 };
 
