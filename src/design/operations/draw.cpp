@@ -122,11 +122,11 @@ Message strainSaid(const DrawnSheet& sheet) {
   if (sheet.cutLength < kShortestDart)
     return say(
         "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} degrees, most {2} cm above the "
-        "floor, at the edge {3}. Another course of that edge, or a seam through there, would help.",
+        "floor, at “{3}”. Another course of that edge, or a seam through there, would help.",
         stretch, shear, high, sheet.nearestEdge);
   return say(
       "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} degrees, most {2} cm above the "
-      "floor. A dart or cut from the edge {3}, {4} cm long, would help.",
+      "floor. A dart or cut from “{3}”, {4} cm long, would help.",
       stretch, shear, high, sheet.nearestEdge, fixed(sheet.cutLength * 100, 0));
 }
 
