@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QFontDatabase>
 #include <QIconEngine>
+#include <QLibraryInfo>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
@@ -127,8 +128,12 @@ QString Look::say(const Message& message) const {
 
 QIcon Look::icon(std::string_view name) const { return name.empty() ? QIcon() : QIcon(new HouseIcon(name)); }
 
+// Qt's own words, as of its file dialogs, are translated by Qt (Debian package qt6-translations-l10n).
 void Look::setLanguage(Language language) {
   language_ = language;
+  QCoreApplication::removeTranslator(&ofQt_);
+  if (language == Language::Japanese && ofQt_.load("qtbase_ja", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    QCoreApplication::installTranslator(&ofQt_);
   emit changed();
 }
 

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QRectF>
 #include <QString>
+#include <QTranslator>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -52,6 +53,7 @@ class Look : public QObject {
  private:
   Look() = default;
   Language language_ = Language::English;
+  QTranslator ofQt_;
   bool dark_ = false, inches_ = false;
 };
 

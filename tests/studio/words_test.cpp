@@ -5,11 +5,13 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QPaintEngine>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QStyleOption>
@@ -194,6 +196,19 @@ TEST(StudioWords, NothingStaysEnglishInJapanese) {
       EXPECT_TRUE(allowed.contains(word)) << word.toStdString() << " in: " << text.toStdString();
     }
   Look::here().setLanguage(Language::English);
+}
+
+TEST(StudioWords, DialogsOfQtAreInTheLanguageToo) {
+  KARINUI_NEEDS_DISPLAY();
+  application();
+  const auto cancel = [] {
+    const QDialogButtonBox box(QDialogButtonBox::Cancel);
+    return box.button(QDialogButtonBox::Cancel)->text().toStdString();
+  };
+  Look::here().setLanguage(Language::Japanese);
+  EXPECT_EQ(cancel(), "キャンセル");
+  Look::here().setLanguage(Language::English);
+  EXPECT_THAT(cancel(), testing::HasSubstr("ancel"));
 }
 
 TEST(StudioWords, LengthsFollowTheUnitOfOnesChoice) {
