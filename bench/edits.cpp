@@ -127,11 +127,11 @@ class Fitter {
   // Performs and waits until all is still; what was shown when.
   struct Shown {
     double at;
-    FittingPtr fitting;
+    SnapshotPtr fitting;
   };
   std::vector<Shown> watch(Operation operation) {
     std::vector<Shown> shown;
-    std::uint64_t seen = session_.news().garment;
+    std::uint64_t seen = session_.changes().garment;
     const auto start = Clock::now();
     session_.perform(std::move(operation));
     while (true) {
@@ -141,8 +141,8 @@ class Fitter {
         rung_ = false;
       }
       session_.update();
-      if (session_.news().garment != seen) {
-        seen = session_.news().garment;
+      if (session_.changes().garment != seen) {
+        seen = session_.changes().garment;
         shown.push_back({secondsSince(start), session_.shownPtr()});
       }
       if (session_.idle()) return shown;
@@ -161,7 +161,7 @@ class Fitter {
   Session session_;
 };
 
-double farthest(const Fitting& a, const Fitting& b) {
+double farthest(const GarmentSnapshot& a, const GarmentSnapshot& b) {
   double most = 0;
   for (std::size_t k = 0; k < a.frame.cloths.size(); ++k) {
     const auto& x = a.frame.cloths[k].mesh.points;
@@ -232,7 +232,7 @@ Result<EditFinding> edits(std::size_t vertices, int runs, int threads, const Tok
       std::size_t near = shown.size() - 1;
       while (near > 0 && farthest(*shown[near - 1].fitting, *shown.back().fitting) < kNear) --near;
       times.within2mm.push_back(shown[near].at);
-      const Document& after = session.fitting().document;
+      const Document& after = session.snapshot().document;
       times.last = after.drape.last.value_or(SettleReport{});
       times.unsettled += times.last.settled || std::holds_alternative<PullCloth>(*operation) ? 0 : 1;
       times.undraped += after.drape.dirty.empty() ? 0 : 1;

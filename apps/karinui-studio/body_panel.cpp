@@ -6,9 +6,9 @@
 #include <QScrollArea>
 
 #include "karinui/base/number.h"
-#include "look.h"
 #include "measure_row.h"
 #include "panels.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -26,7 +26,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   auto* form = form_ = new QFormLayout;
   form->addRow(title(say("Figure")));
   size_ = new QComboBox;
-  Look::here().keep(size_, [this] {
+  Theme::here().keep(size_, [this] {
     const int was = size_->currentIndex();
     size_->clear();
     size_->addItem(inWords(say("by measurements only")));
@@ -35,7 +35,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   });
   size_->setCurrentIndex(1);
   sex_ = new QComboBox;
-  Look::here().keep(sex_, [this] {
+  Theme::here().keep(sex_, [this] {
     const int was = sex_->currentIndex();
     sex_->clear();
     sex_->addItem(inWords(say("as the size")));
@@ -57,7 +57,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
     auto* row = new MeasureRow(name);
     form->addRow(word(name), row);
     connect(row, &MeasureRow::turned, this, [this] {
-      if (!imported()) session_.tryFigure(wished());
+      if (!imported()) session_.previewFigure(wished());
     });
     connect(row, &MeasureRow::set, this, &BodyPanel::wear);
     rows_[key] = row;
@@ -67,7 +67,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   consequence_ = new QLabel;
   consequence_->setWordWrap(true);
   consequence_->setProperty("role", "faint");
-  Look::here().keep(mannequin_, [this] {
+  Theme::here().keep(mannequin_, [this] {
     mannequin_->setText(inWords(say("Make a mannequin with these measures")));
     consequence_->setText(inWords(
         say("It takes this body's place, with its measures but a mannequin's shape and posture. The garment keeps "
@@ -79,25 +79,25 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   column->addWidget(consequence_);
   follow_ = new QCheckBox;
   follow_->setChecked(true);
-  Look::here().keep(follow_, [this] {
+  Theme::here().keep(follow_, [this] {
     follow_->setText(inWords(say("the garment is made again for it at once")));
     follow_->setToolTip(
         inWords(say("Every step is played again on the figure as you change it; one undo brings the old one back.")));
   });
   column->addWidget(follow_);
   use_ = new QPushButton;
-  Look::here().keep(use_, [this] {
+  Theme::here().keep(use_, [this] {
     use_->setText(inWords(say("Put the garment on this figure")));
     use_->setToolTip(inWords(say("The same paper on another figure: it settles anew.")));
   });
   replay_ = new QPushButton;
-  Look::here().keep(replay_, [this] {
+  Theme::here().keep(replay_, [this] {
     replay_->setText(inWords(say("Make the garment anew for it…")));
     replay_->setToolTip(
         inWords(say("Plays every step again on the new figure, into a document of its own: made to measure.")));
   });
   auto* load = new QPushButton;
-  Look::here().keep(load, [load] { load->setText(inWords(say("Import a body…"))); });
+  Theme::here().keep(load, [load] { load->setText(inWords(say("Import a body…"))); });
   column->addWidget(use_);
   column->addWidget(replay_);
   column->addWidget(load);
@@ -132,7 +132,7 @@ bool BodyPanel::imported() const {
 
 SetBody BodyPanel::asMeasured() const {
   SetBody body;
-  const auto& measured = session_.fitting().body->measured().value;
+  const auto& measured = session_.snapshot().body->measured().value;
   for (const std::string_view key : mannequinKeys())
     if (const auto at = measured.find(std::string(key)); at != measured.end() && !isAngle(at->first))
       body.set.push_back({at->first, {at->second}});
@@ -143,9 +143,9 @@ SetBody BodyPanel::asMeasured() const {
 void BodyPanel::wear() {
   if (!session_.figure() || imported()) return;
   if (follow_->isChecked())
-    session_.wearFigure(wished());
+    session_.applyFigure(wished());
   else
-    session_.tryFigure(wished());
+    session_.previewFigure(wished());
 }
 
 void BodyPanel::fill() {
@@ -155,18 +155,18 @@ void BodyPanel::fill() {
   for (QComboBox* box : {size_, sex_}) form_->setRowVisible(box, !mesh);
   for (QWidget* own :
        {static_cast<QWidget*>(imported_), static_cast<QWidget*>(mannequin_), static_cast<QWidget*>(consequence_)})
-    own->setVisible(mesh && session_.fitting().body);
+    own->setVisible(mesh && session_.snapshot().body);
   for (QWidget* own : {static_cast<QWidget*>(follow_), static_cast<QWidget*>(use_), static_cast<QWidget*>(replay_)})
     own->setVisible(!mesh);
-  if (mesh && session_.fitting().body)
+  if (mesh && session_.snapshot().body)
     imported_->setText(inWords(say("The imported body “{0}”. Its measures are taken from it and cannot be turned.",
-                                   session_.fitting().body->name())));
+                                   session_.snapshot().body->name())));
   if (now && !mesh) {
     const auto size = std::find(sizes.begin(), sizes.end(), now->size);
     size_->setCurrentIndex(size == sizes.end() ? 0 : static_cast<int>(size - sizes.begin()) + 1);
     sex_->setCurrentIndex(!now->sex ? 0 : *now->sex == Sex::Female ? 1 : 2);
   }
-  const BodyPtr& body = session_.fitting().body;
+  const BodyPtr& body = session_.snapshot().body;
   for (const auto& [key, row] : rows_) {
     std::optional<double> stated;
     if (now)
@@ -182,8 +182,8 @@ void BodyPanel::fill() {
 }
 
 void BodyPanel::refresh() {
-  replay_->setEnabled(!session_.fitting().document.pattern.pieces.empty());
-  const Fitting& fitting = session_.fitting();
+  replay_->setEnabled(!session_.snapshot().document.pattern.pieces.empty());
+  const GarmentSnapshot& fitting = session_.snapshot();
   const std::string now = (fitting.body ? fitting.body->hash() : "-") + (imported() ? " imported" : "");
   if (historyShown_ == ~0ull) historyShown_ = 0, shown_.clear(), listed_.clear();  // in another language or unit
   // What was refused, or stopped half-way, is not what is worn.

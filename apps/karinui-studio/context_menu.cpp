@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "karinui/pattern/symmetry.h"
-#include "look.h"
 #include "main_window.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -21,11 +21,11 @@ double toMillimetre(double share, double whole) {
 }  // namespace
 
 void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
-  const Hit hit = pick(session_->fitting(), session_->table(), sample);
+  const Hit hit = pick(session_->snapshot(), session_->table(), sample);
   Selection chosen;
   if (hit.piece) chosen.pieces = {hit.piece};
   chosen.edge = hit.edge;
-  if (hit.edge) chosen.seam = seamAt(session_->fitting().document, *hit.edge);
+  if (hit.edge) chosen.seam = seamAt(session_->snapshot().document, *hit.edge);
   // Several chosen pieces stay chosen, for what is to be done with all of them.
   if (hit.edge || !hit.piece || !session_->selection().pieces.contains(hit.piece))
     session_->select(chosen);
@@ -77,7 +77,7 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
 }
 
 void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near) {
-  const Piece* piece = session_->fitting().document.find(near.piece);
+  const Piece* piece = session_->snapshot().document.find(near.piece);
   const Edge* edge = piece ? findEdge(*piece, near.edge) : nullptr;
   if (!edge) return;
   const EdgeRef ref{PieceRef(near.piece), near.edge};
@@ -90,7 +90,7 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near) {
   AddDart dart;
   dart.edge = ref;
   dart.at = share;
-  dart.width = {session_->dartWidth()};
+  dart.width = {session_->toolOptions().dartWidth};
   dart.tip = curve.atFraction(share) +
              leftOf(normalized(curve.tangent(curve.parameterAt(share * curve.length())))) * kDartDeep;
   offer(menu, say("Point there"), SplitEdge{ref, share});
@@ -101,7 +101,7 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near) {
 }
 
 void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
-  const Document& document = session_->fitting().document;
+  const Document& document = session_->snapshot().document;
   const Piece* first = document.find(*chosen.pieces.begin());
   if (!first) return;
   QMenu* fabrics = menu.addMenu(inWords(say("Fabric")));

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "look.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -47,7 +47,7 @@ void DropMenuFrame::show(const std::optional<DropMenu>& menu, QPointF at) {
     button.setText(mark + inWords(item.label));
     button.setAccessibleName(inWords(item.label));
   }
-  const Palette& p = Look::here().palette();
+  const Palette& p = Theme::here().palette();
   setStyleSheet(QString("QFrame#drop_menu { background: %1; border: 1px solid %2; border-radius: 10px; }"
                         "QFrame#drop_menu QPushButton { text-align: left; padding: 5px 10px; border: 1px solid %1; }"
                         "QFrame#drop_menu QPushButton:hover { border: 1px solid %3; }"

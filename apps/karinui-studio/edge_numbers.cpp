@@ -8,7 +8,7 @@
 
 #include "karinui/pattern/symmetry.h"
 #include "length_box.h"
-#include "look.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -19,18 +19,22 @@ EdgeNumbers::EdgeNumbers(Session& session) : session_(session) {
     auto* made = new LengthBox(words, low, 10);
     made->setMetres(metres);
     auto* label = new QLabel;
-    Look::here().keep(label, [label, words] { label->setText(inWords(words)); });
+    Theme::here().keep(label, [label, words] { label->setText(inWords(words)); });
     form->addRow(label, made);
     return made;
   };
   along_ = box(say("Along the edge"), 0, 0.05);
-  width_ = box(say("Dart, wide"), 0.001, session.dartWidth());
+  width_ = box(say("Dart, wide"), 0.001, session.toolOptions().dartWidth);
   depth_ = box(say("Dart, deep"), 0.001, 0.1);
-  connect(width_, &LengthBox::typed, this, [this](double metres) { session_.setDartWidth(metres); });
+  connect(width_, &LengthBox::typed, this, [this](double metres) {
+    ToolOptions options = session_.toolOptions();
+    options.dartWidth = metres;
+    session_.setToolOptions(options);
+  });
   auto* grid = new QGridLayout;
   const auto button = [&](int at, const Message& words, const Message& hint, Operation (EdgeNumbers::*what)() const) {
     auto* made = new QPushButton;
-    Look::here().keep(made, [made, words, hint] {
+    Theme::here().keep(made, [made, words, hint] {
       made->setText(inWords(words));
       made->setToolTip(inWords(hint));
     });
@@ -48,7 +52,7 @@ EdgeNumbers::EdgeNumbers(Session& session) : session_(session) {
 
 const Edge* EdgeNumbers::edge() const {
   const auto& chosen = session_.selection().edge;
-  const Piece* piece = chosen ? session_.fitting().document.find(chosen->piece) : nullptr;
+  const Piece* piece = chosen ? session_.snapshot().document.find(chosen->piece) : nullptr;
   return piece ? findEdge(*piece, chosen->edge) : nullptr;
 }
 EdgeRef EdgeNumbers::ref() const {
@@ -62,7 +66,7 @@ Operation EdgeNumbers::notch() const {
   AddNotch notch;
   notch.edge = ref();
   notch.at = share();
-  const Outline& outline = session_.fitting().document.find(notch.edge.piece.id)->outline;
+  const Outline& outline = session_.snapshot().document.find(notch.edge.piece.id)->outline;
   const auto symmetry = symmetryOf(outline);
   const auto k = outline.find(notch.edge.edge);
   notch.symmetric = symmetry && k && imageOf(outline, *symmetry, {*k, notch.at});

@@ -11,8 +11,8 @@
 
 #include "karinui/base/number.h"
 #include "length_box.h"
-#include "look.h"
 #include "paper.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -85,7 +85,7 @@ ExportWish ExportDialog::wish() const {
   ExportWish wish;
   wish.kind = exportKinds()[static_cast<std::size_t>(kind_->currentIndex())].kind;
   wish.sheet.allowance = allowance_->value();
-  wish.sheet.language = Look::here().language();
+  wish.sheet.language = Theme::here().language();
   if (const auto stem = session_.path().stem().string(); !stem.empty()) wish.sheet.title = stem;
   return wish;
 }
@@ -98,7 +98,7 @@ void ExportDialog::refresh() {
   allowance_->setEnabled(paper);
   paper_.reset();
   trouble_.reset();
-  const Result<std::string> bytes = exported(session_.fitting(), session_.steps(), wanted);
+  const Result<std::string> bytes = exported(session_.snapshot(), session_.steps(), wanted);
   save_->setEnabled(static_cast<bool>(bytes));
   if (!bytes) {
     trouble_ = bytes.error();
@@ -109,7 +109,7 @@ void ExportDialog::refresh() {
   }
   QString words = QString::fromStdString(fixed(static_cast<double>(bytes->size()) / 1024, 1)) + " kB";
   if (paper)
-    if (auto pages = paperOf(session_.fitting(), wanted)) {
+    if (auto pages = paperOf(session_.snapshot(), wanted)) {
       paper_ = *std::move(pages);
       const Flat size = paper_->size(0);
       words += "\n" + lengthText(size.u) + " × " + lengthText(size.v);
@@ -134,7 +134,7 @@ void ExportDialog::showPage() {
   const QSize room = (QSizeF(shown_->size()) * ratio).toSize();
   QPixmap picture = QPixmap::fromImage(
       paper_ ? pagePicture(*paper_, static_cast<std::size_t>(page_->value() - 1), room)
-             : view_.portrait(session_.fitting().frame, QSize(room.height() * 3 / 4, room.height())));
+             : view_.portrait(session_.snapshot().frame, QSize(room.height() * 3 / 4, room.height())));
   picture.setDevicePixelRatio(ratio);
   picture_->setPixmap(picture);
 }

@@ -11,8 +11,8 @@
 
 #include "fabric_plot.h"
 #include "karinui/base/number.h"
-#include "look.h"
 #include "panels.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -107,7 +107,7 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
   law_->setObjectName("law");
   law_->setExpanding(false);
   law_->setDrawBase(false);
-  Look::here().keep(law_, [this] {
+  Theme::here().keep(law_, [this] {
     list_->setAccessibleName(inWords(say("Fabrics")));
     law_->setAccessibleName(inWords(say("Curve")));
     while (law_->count() < 2) law_->addTab(QString());
@@ -116,7 +116,7 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
   });
   column->addWidget(law_);
   plot_ = new FabricPlot;
-  Look::here().keep(plot_, [this] {
+  Theme::here().keep(plot_, [this] {
     plot_->setToolTip(inWords(say("Tension over stretch: along the grain full, across it dashed. Drag the points.")));
   });
   column->addWidget(plot_);
@@ -145,7 +145,7 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
   column->addWidget(scroll, 2);
   const auto button = [&](const Message& words, const Message& tip) {
     auto* made = new QPushButton;
-    Look::here().keep(made, [made, words, tip] {
+    Theme::here().keep(made, [made, words, tip] {
       made->setText(inWords(words));
       made->setToolTip(inWords(tip));
     });
@@ -180,7 +180,7 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
     SetFabric set = described(fabric_, kept_);
     set.like = fabric_.name;
     const auto known = [&](const std::string& name) {
-      return session_.fitting().document.fabrics.contains(name) || preset(name);
+      return session_.snapshot().document.fabrics.contains(name) || preset(name);
     };
     std::string stem = fabric_.name;
     std::replace(stem.begin(), stem.end(), ' ', '_');
@@ -191,7 +191,7 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
 }
 
 Fabric FabricPanel::fabricCalled(const std::string& name) const {
-  const auto& own = session_.fitting().document.fabrics;
+  const auto& own = session_.snapshot().document.fabrics;
   if (const auto at = own.find(name); at != own.end()) return at->second;
   const auto shop = preset(name);
   return shop ? *shop : Fabric();
@@ -202,7 +202,7 @@ void FabricPanel::perform(SetFabric set, bool cut) {
   if (cut) {
     for (const PieceId id : session_.selection().pieces) set.pieces.push_back(PieceRef(id));
     if (set.pieces.empty())
-      for (const auto& [id, piece] : session_.fitting().document.pattern.pieces) set.pieces.push_back(PieceRef(id));
+      for (const auto& [id, piece] : session_.snapshot().document.pattern.pieces) set.pieces.push_back(PieceRef(id));
   }
   session_.perform(std::move(set));
 }
@@ -222,7 +222,7 @@ void FabricPanel::show(const Fabric& fabric) {
 }
 
 void FabricPanel::showWhatMayBeDone() {
-  const bool changed = !(fabric_ == kept_), pieces = !session_.fitting().document.pattern.pieces.empty();
+  const bool changed = !(fabric_ == kept_), pieces = !session_.snapshot().document.pattern.pieces.empty();
   cut_->setEnabled(pieces && !changed);
   change_->setEnabled(changed);
   own_->setEnabled(changed && !session_.selection().pieces.empty());
@@ -230,23 +230,23 @@ void FabricPanel::showWhatMayBeDone() {
 
 void FabricPanel::refresh() {
   const Selection& chosen = session_.selection();
-  if (historyShown_ == session_.news().history) {
+  if (historyShown_ == session_.changes().history) {
     // A piece that is chosen shows what it is cut from.
     if (!(chosen == selectionShown_)) {
       selectionShown_ = chosen;
-      const Piece* piece = chosen.pieces.empty() ? nullptr : session_.fitting().document.find(*chosen.pieces.begin());
+      const Piece* piece = chosen.pieces.empty() ? nullptr : session_.snapshot().document.find(*chosen.pieces.begin());
       if (piece && fabric_ == kept_) goTo(piece->fabric);
       showWhatMayBeDone();
     }
     return;
   }
-  historyShown_ = session_.news().history;
+  historyShown_ = session_.changes().history;
   filling_ = true;
   const std::string was = wanted_.empty() ? fabric_.name : std::exchange(wanted_, {});
   list_->clear();
   int n = 0;
   std::set<std::string> used;
-  for (const auto& [id, piece] : session_.fitting().document.pattern.pieces) used.insert(piece->fabric);
+  for (const auto& [id, piece] : session_.snapshot().document.pattern.pieces) used.insert(piece->fabric);
   const auto add = [&](const Fabric& f) {
     QString words = nameText(f.name);
     if (const auto figure = drapeFigure(f))
@@ -257,9 +257,9 @@ void FabricPanel::refresh() {
     font.setBold(used.contains(f.name));
     item->setFont(font);
   };
-  for (const auto& [name, f] : session_.fitting().document.fabrics) add(f);
+  for (const auto& [name, f] : session_.snapshot().document.fabrics) add(f);
   for (const Fabric& f : presets())
-    if (!session_.fitting().document.fabrics.contains(f.name)) add(f);
+    if (!session_.snapshot().document.fabrics.contains(f.name)) add(f);
   filling_ = false;
   goTo(was);
   if (!list_->currentItem() && list_->count() > 0) list_->setCurrentRow(0);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "karinui/base/number.h"
-#include "look.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -177,7 +177,7 @@ void FabricPlot::mouseReleaseEvent(QMouseEvent*) {
 void FabricPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const Palette& p = Look::here().palette();
+  const Palette& p = Theme::here().palette();
   painter.setPen(QPen(p.line, 1));
   painter.setBrush(p.raised);
   painter.drawRect(box());

@@ -8,8 +8,8 @@
 
 #include "karinui/base/number.h"
 #include "length_box.h"
-#include "look.h"
 #include "panels.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -20,7 +20,7 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   auto* form = new QFormLayout;
   form->addRow(title(say("Fit")));
   map_ = new QComboBox;
-  Look::here().keep(map_, [this] {
+  Theme::here().keep(map_, [this] {
     const int was = map_->currentIndex();
     const QSignalBlocker quiet(map_);
     map_->clear();
@@ -30,14 +30,14 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   });
   form->addRow(word(say("Show")), map_);
   tape_ = new QCheckBox;
-  Look::here().keep(tape_, [this] {
+  Theme::here().keep(tape_, [this] {
     tape_->setText(inWords(say("tape measure at the pointer")));
     tape_->setToolTip(
         inWords(say("On cloth the tape goes round the garment, on skin round the body, at the pointer's height.")));
   });
   form->addRow(word(say("Tape")), tape_);
   beside_ = new QComboBox;
-  Look::here().keep(beside_, [this] { beside_->setAccessibleName(inWords(say("Beside it"))); });
+  Theme::here().keep(beside_, [this] { beside_->setAccessibleName(inWords(say("Beside it"))); });
   letShrink(*beside_, say("Shows the garment as it was after a step at the left, as it is at the right."));
   form->addRow(word(say("Beside it")), beside_);
   column->addLayout(form);
@@ -53,7 +53,7 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   girths_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   form->addRow(girths_);
   level_ = new QCheckBox;
-  Look::here().keep(level_, [this] {
+  Theme::here().keep(level_, [this] {
     level_->setText(inWords(say("at a height")));
     level_->setToolTip(inWords(say("A level tape round garment and body, at any height above the floor.")));
   });
@@ -62,7 +62,7 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   slide_ = new QSlider(Qt::Horizontal);
   slide_->setRange(0, 2200);
   slide_->setValue(1000);
-  Look::here().keep(slide_, [this] { slide_->setAccessibleName(inWords(say("Height above the floor"))); });
+  Theme::here().keep(slide_, [this] { slide_->setAccessibleName(inWords(say("Height above the floor"))); });
   form->addRow(level_, height_);
   form->addRow(slide_);
   column->addLayout(form);
@@ -71,7 +71,7 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   form->addRow(title(say("Stereo")));
   stereo_ = new QComboBox;
   stereo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  Look::here().keep(stereo_, [this] {
+  Theme::here().keep(stereo_, [this] {
     const int was = stereo_->currentIndex();
     const QSignalBlocker quiet(stereo_);
     stereo_->clear();
@@ -130,8 +130,8 @@ void FitPanel::refresh() {
     const QSignalBlocker quiet(stereo_);
     stereo_->setCurrentIndex(static_cast<int>(view_.stereo()));
   }
-  if (!isVisible() || historyShown_ == session_.news().history) return;
-  historyShown_ = session_.news().history;
+  if (!isVisible() || historyShown_ == session_.changes().history) return;
+  historyShown_ = session_.changes().history;
   fillBeside();
   fillReport();
 }
@@ -145,7 +145,7 @@ void FitPanel::fillBeside() {
   for (auto step = session_.steps().rbegin(); step != session_.steps().rend(); ++step, --number)
     if (std::holds_alternative<DrapePieces>(step->operation) || std::holds_alternative<PullCloth>(step->operation))
       beside_->addItem(inWords(say("after step {0}", number)), static_cast<qulonglong>(step->seq));
-  for (const Step& end : session_.otherEnds())
+  for (const Step& end : session_.otherBranches())
     beside_->addItem(inWords(say("another way, {0} steps", static_cast<std::size_t>(end.serial))),
                      static_cast<qulonglong>(end.seq));
   beside_->setCurrentIndex(std::max(0, beside_->findData(static_cast<qulonglong>(chosen))));
@@ -159,7 +159,7 @@ void FitPanel::compare() {
     view_.setBeside(nullptr, {});
     return fillReport();
   }
-  session_.glimpse(seq, [this, words = beside_->currentText()](FittingPtr then) {
+  session_.snapshotAfter(seq, [this, words = beside_->currentText()](SnapshotPtr then) {
     then_ = then;
     view_.setBeside(std::move(then), words);
     fillReport();
@@ -174,7 +174,7 @@ void FitPanel::fillReport() {
              "</td>";
     return all + "</tr>";
   };
-  const auto& last = session_.fitting().document.drape.last;
+  const auto& last = session_.snapshot().document.drape.last;
   if (!last) {
     report_->setText(inWords(say("Not draped yet. Space settles the cloth.")));
   } else {
@@ -193,7 +193,7 @@ void FitPanel::fillReport() {
       table += before ? row({inWords(words), said(*before), said(*last)}) : row({inWords(words), said(*last)});
     report_->setText("<table>" + table + "</table>");
   }
-  const std::vector<Girths> now = girthsOf(session_.fitting());
+  const std::vector<Girths> now = girthsOf(session_.snapshot());
   if (now.empty()) return girths_->setText("–");
   std::vector<QString> head{"", inWords(say("body")), inWords(say("garment")), inWords(say("ease"))};
   if (then_) head.push_back(inWords(say("then")));

@@ -17,13 +17,13 @@
 #include "karinui/pattern/symmetry.h"
 #include "length_box.h"
 #include "length_choice.h"
-#include "look.h"
 #include "panels.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
 Panel::Panel(Session& session) : session_(session) {
-  connect(&Look::here(), &Look::changed, this, [this] {  // all of it in the other language or unit
+  connect(&Theme::here(), &Theme::changed, this, [this] {  // all of it in the other language or unit
     historyShown_ = ~0ull;
     refresh();
   });
@@ -32,13 +32,13 @@ Panel::Panel(Session& session) : session_(session) {
 QLabel* Panel::title(const Message& words) {
   auto* label = new QLabel;
   label->setProperty("role", "title");
-  Look::here().keep(label, [label, words] { label->setText(inWords(words)); });
+  Theme::here().keep(label, [label, words] { label->setText(inWords(words)); });
   return label;
 }
 QLabel* Panel::word(const Message& words) {
   auto* label = new QLabel;
   label->setWordWrap(true);
-  Look::here().keep(label, [label, words] { label->setText(asLabel(words)); });
+  Theme::here().keep(label, [label, words] { label->setText(asLabel(words)); });
   return label;
 }
 
@@ -80,7 +80,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   tree_->setIndentation(14);
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->setMinimumHeight(190);
-  Look::here().keep(tree_, [this] { tree_->setAccessibleName(inWords(say("Pieces and seams"))); });
+  Theme::here().keep(tree_, [this] { tree_->setAccessibleName(inWords(say("Pieces and seams"))); });
   column->addWidget(tree_, 1);
   // The properties take what is left, and scroll: the list keeps its rows.
   auto* boards = new QWidget;
@@ -103,7 +103,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   layer_->setRange(0, 20);
   layer_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   frozen_ = new QCheckBox;
-  Look::here().keep(frozen_, [this] { frozen_->setText(inWords(say("stays as it is"))); });
+  Theme::here().keep(frozen_, [this] { frozen_->setText(inWords(say("stays as it is"))); });
   grain_ = number(-180, 180, 1, " °");
   area_ = new QLabel;
   area_->setProperty("role", "faint");
@@ -172,7 +172,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   });
   const auto pieceChosen = [this]() -> const Piece* {
     if (filling_ || session_.selection().pieces.empty()) return nullptr;
-    return session_.fitting().document.find(*session_.selection().pieces.begin());
+    return session_.snapshot().document.find(*session_.selection().pieces.begin());
   };
   connect(name_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
     const Piece* piece = pieceChosen();
@@ -230,7 +230,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
 
 void GarmentPanel::edgeTyped(const std::function<Result<Outline>(const Piece&)>& change) {
   if (filling_ || !session_.selection().edge) return;
-  const Piece* piece = session_.fitting().document.find(session_.selection().edge->piece);
+  const Piece* piece = session_.snapshot().document.find(session_.selection().edge->piece);
   if (!piece) return;
   const auto k = piece->outline.find(session_.selection().edge->edge);
   if (!k) return;
@@ -250,8 +250,8 @@ void GarmentPanel::edgeTyped(const std::function<Result<Outline>(const Piece&)>&
 }
 
 void GarmentPanel::refresh() {
-  if (historyShown_ != session_.news().history) {
-    historyShown_ = session_.news().history;
+  if (historyShown_ != session_.changes().history) {
+    historyShown_ = session_.changes().history;
     fillTree();
     fillProperties();
   } else if (!(selectionShown_ == session_.selection())) {
@@ -268,7 +268,7 @@ void GarmentPanel::fillTree() {
     if (tree_->topLevelItem(i)->isExpanded())
       open.insert(tree_->topLevelItem(i)->data(0, Qt::UserRole + 1).toULongLong());
   tree_->clear();
-  const Document& document = session_.fitting().document;
+  const Document& document = session_.snapshot().document;
   const Selection& selection = session_.selection();
   QTreeWidgetItem* current = nullptr;
   for (const auto& [id, piece] : document.pattern.pieces) {
@@ -295,7 +295,7 @@ void GarmentPanel::fillTree() {
     const auto add = [&, own = id.value](int kind, const QString& line, const char* icon, bool isChosen) {
       auto* child = new QTreeWidgetItem(item);
       child->setText(0, line);
-      child->setIcon(0, Look::here().icon(icon));
+      child->setIcon(0, Theme::here().icon(icon));
       child->setData(0, Qt::UserRole, kind);
       child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(own));
       if (chosen && isChosen) {
@@ -331,7 +331,7 @@ void GarmentPanel::fillTree() {
     auto* item = new QTreeWidgetItem(tree_);
     item->setText(0, seamName(document, seam) + (seam.tie == Seam::Tie::TwoToOne ? "   2:1" : ""));
     item->setToolTip(0, item->text(0));
-    item->setIcon(0, Look::here().icon("sew"));
+    item->setIcon(0, Theme::here().icon("sew"));
     item->setData(0, Qt::UserRole, kSeam);
     item->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
     if (selection.seam == id && !selection.edge) item->setSelected(true), current = item;
@@ -342,7 +342,7 @@ void GarmentPanel::fillTree() {
 
 void GarmentPanel::fillProperties() {
   filling_ = true;
-  const Document& document = session_.fitting().document;
+  const Document& document = session_.snapshot().document;
   const Selection& selection = session_.selection();
   const Piece* piece = selection.pieces.empty() ? nullptr : document.find(*selection.pieces.begin());
   pieceBoard_->setVisible(piece);

@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "look.h"
 #include "main_window.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -28,7 +28,7 @@ bool faces(const Piece& piece, bool front) {
 }
 std::size_t piecesFacing(const Session& session, bool front) {
   std::size_t count = 0;
-  for (const auto& [id, piece] : session.fitting().document.pattern.pieces) count += faces(*piece, front);
+  for (const auto& [id, piece] : session.snapshot().document.pattern.pieces) count += faces(*piece, front);
   return count;
 }
 template <class Op>
@@ -43,7 +43,7 @@ const std::vector<Lesson>& lessons() {
       {say("A figure"),
        say("Choose a size in the board “Body” and press “Put the garment on this figure”, or begin with File, New "
            "garment."),
-       [](const Session& s) { return s.fitting().body != nullptr; }},
+       [](const Session& s) { return s.snapshot().body != nullptr; }},
       {say("The front"),
        say("Take Draw. From the hollow of the neck drag along the neckline to the shoulder, down the armhole, along "
            "the side "
@@ -54,7 +54,7 @@ const std::vector<Lesson>& lessons() {
        [](const Session& s) { return piecesFacing(s, false) > 0; }},
       {say("Sewing"),
        say("Take Sew. Drag from a shoulder of the front to that of the back, then from side to side: four seams."),
-       [](const Session& s) { return firstSeams(s.fitting()).count() == 4; }},
+       [](const Session& s) { return firstSeams(s.snapshot()).count() == 4; }},
       {say("Settling"), say("Press Space: the cloth comes to rest on the body."),
        [](const Session& s) { return did<DrapePieces>(s); }},
       {say("A slit"), say("Take Cut and drag from below the hem some way up the front."),
@@ -70,7 +70,7 @@ const std::vector<Lesson>& lessons() {
 struct SideInSpace {
   Vec3 middle, across;  // from one end to the other
 };
-std::optional<SideInSpace> inSpace(const Fitting& fitting, const std::vector<EdgeSpan>& side, bool front) {
+std::optional<SideInSpace> inSpace(const GarmentSnapshot& fitting, const std::vector<EdgeSpan>& side, bool front) {
   Box box;
   for (const EdgeSpan& span : side) {
     const Piece* piece = fitting.document.find(span.piece);
@@ -85,7 +85,7 @@ constexpr int kSewing = 3;  // the lesson
 
 }  // namespace
 
-FirstSeams firstSeams(const Fitting& fitting) {
+FirstSeams firstSeams(const GarmentSnapshot& fitting) {
   FirstSeams found;
   if (!fitting.body) return found;
   const auto& landmarks = fitting.body->landmarks();
@@ -126,12 +126,12 @@ Guide::Guide(MainWindow& window) : window_(window) {
   back_ = new QPushButton;
   next_ = new QPushButton;
   for (QPushButton* button : {back_, next_, skip}) row->addWidget(button);
-  Look::here().keep(skip, [this, skip] {
+  Theme::here().keep(skip, [this, skip] {
     back_->setText(inWords(say("Go back")));
     next_->setText(inWords(say("Next")));
     skip->setText(inWords(say("Skip")));
     if (step_ >= 0) show(step_);
-    const Palette& p = Look::here().palette();
+    const Palette& p = Theme::here().palette();
     setStyleSheet(QString("QFrame#guide { background: %1; border: none; border-bottom: 1px solid %2; }")
                       .arg(p.accentSoft.name(), p.line.name()));
   });
@@ -162,7 +162,8 @@ void Guide::show(int step) {
   count_->setText(QString("%1 / %2").arg(step + 1).arg(steps()));
   title_->setText(inWords(lesson.title));
   QString words = inWords(lesson.words);
-  if (step == kSewing) words += "  " + inWords(say("Sewn: {0} of 4.", firstSeams(window_.session().fitting()).count()));
+  if (step == kSewing)
+    words += "  " + inWords(say("Sewn: {0} of 4.", firstSeams(window_.session().snapshot()).count()));
   words_->setText(words);
   back_->setEnabled(step > 0);
 }

@@ -19,7 +19,7 @@ struct FirstSeams {
   bool shoulderLeft = false, shoulderRight = false, sideLeft = false, sideRight = false;
   int count() const { return shoulderLeft + shoulderRight + sideLeft + sideRight; }
 };
-FirstSeams firstSeams(const Fitting& fitting);
+FirstSeams firstSeams(const GarmentSnapshot& fitting);
 
 class Guide : public QFrame {
   Q_OBJECT

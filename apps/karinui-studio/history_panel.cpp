@@ -8,8 +8,8 @@
 #include <QScrollBar>
 
 #include "karinui/design/step_words.h"
-#include "look.h"
 #include "panels.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -44,7 +44,7 @@ HistoryPanel::HistoryPanel(Session& session, SpaceView& view) : Panel(session), 
   list_->setTextElideMode(Qt::ElideRight);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setUniformItemSizes(true);
-  Look::here().keep(list_, [this] { list_->setAccessibleName(inWords(say("Steps"))); });
+  Theme::here().keep(list_, [this] { list_->setAccessibleName(inWords(say("Steps"))); });
   column->addWidget(list_, 3);
 
   board_ = new QWidget;
@@ -61,7 +61,7 @@ HistoryPanel::HistoryPanel(Session& session, SpaceView& view) : Panel(session), 
   scroll->setWidgetResizable(true);
   inner->addWidget(scroll, 1);
   again_ = new QPushButton;
-  Look::here().keep(again_, [this] {
+  Theme::here().keep(again_, [this] {
     again_->setText(inWords(say("Play again with this")));
     again_->setToolTip(inWords(say("Changes this step and does all that followed again. One undo brings it back.")));
   });
@@ -71,8 +71,8 @@ HistoryPanel::HistoryPanel(Session& session, SpaceView& view) : Panel(session), 
 
   connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
     if (const auto end = item->data(kEnd).toULongLong()) {
-      for (const Step& step : session_.otherEnds())
-        if (step.seq == end) return session_.takeWay(step);
+      for (const Step& step : session_.otherBranches())
+        if (step.seq == end) return session_.switchBranch(step);
     } else {
       session_.goTo(static_cast<std::size_t>(item->data(kNumber).toUInt()));
     }
@@ -109,14 +109,14 @@ std::vector<QListWidgetItem*> HistoryPanel::inSight() const {
 
 QIcon HistoryPanel::pictureOf(const Step& step) const {
   const auto at = pictures_.find(step.chain);
-  if (at == pictures_.end() || at->second.isNull()) return Look::here().icon(iconOf(step));
+  if (at == pictures_.end() || at->second.isNull()) return Theme::here().icon(iconOf(step));
   QIcon icon(at->second);
   icon.addPixmap(at->second, QIcon::Selected);  // as it is, not dyed
   return icon;
 }
 
 QListWidgetItem* HistoryPanel::addStep(std::size_t number, const Step* step, bool undone) {
-  const Document& document = session_.fitting().document;
+  const Document& document = session_.snapshot().document;
   QString words = QString::number(number) + "   ";
   auto* item = new QListWidgetItem(list_);
   item->setSizeHint(QSize(0, kPicture.height() + 6));
@@ -131,13 +131,13 @@ QListWidgetItem* HistoryPanel::addStep(std::size_t number, const Step* step, boo
     words += inWords(say("the empty beginning"));
   }
   item->setText(words);
-  if (undone) item->setForeground(Look::here().palette().faint);
+  if (undone) item->setForeground(Theme::here().palette().faint);
   return item;
 }
 
 void HistoryPanel::refresh() {
-  if (historyShown_ != session_.news().history) {
-    historyShown_ = session_.news().history;
+  if (historyShown_ != session_.changes().history) {
+    historyShown_ = session_.changes().history;
     asked_ = false;
     fillSteps();
   }
@@ -156,10 +156,10 @@ void HistoryPanel::fillSteps() {
   std::size_t n = 0;
   for (const Step& step : session_.steps()) here = addStep(++n, &step, false);
   for (const Step& step : session_.undone()) addStep(++n, &step, true);
-  for (const Step& end : session_.otherEnds()) {
+  for (const Step& end : session_.otherBranches()) {
     QListWidgetItem* item = addStep(end.serial, &end, true);
     item->setText(inWords(say("another way, {0} steps", static_cast<std::size_t>(end.serial))) + "\n… " +
-                  nameOfStep(end) + "  " + inWords(stepSaid(session_.fitting().document, end.operation)).left(120));
+                  nameOfStep(end) + "  " + inWords(stepSaid(session_.snapshot().document, end.operation)).left(120));
     item->setData(kEnd, static_cast<qulonglong>(end.seq));
   }
   if (const int stay = std::exchange(stay_, 0); stay > 0 && stay < list_->count()) here = list_->item(stay);
@@ -180,7 +180,7 @@ void HistoryPanel::fillFields() {
   const std::vector<FieldText> known = fieldTexts(step->operation);
   for (const FieldHelp& field : help.fields) {
     const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
-    typed_.push_back(stepField(session_.fitting().document, help.name, field,
+    typed_.push_back(stepField(session_.snapshot().document, help.name, field,
                                value == known.end() ? std::string() : value->value, [this] { playAgain(); }));
     auto* label = new QLabel(inWords(fieldSaid(help.name, field.name)));
     label->setWordWrap(true);
@@ -210,7 +210,7 @@ void HistoryPanel::askPicture() {
     const Step* step = stepIn(**item);
     if (!step || pictures_.contains(step->chain)) continue;
     asked_ = true;
-    session_.glimpse(step->seq, [this, chain = step->chain](const FittingPtr& then) {
+    session_.snapshotAfter(step->seq, [this, chain = step->chain](const SnapshotPtr& then) {
       asked_ = false;
       keepPicture(chain, then);
     });
@@ -218,7 +218,7 @@ void HistoryPanel::askPicture() {
   }
 }
 
-void HistoryPanel::keepPicture(const std::string& chain, const FittingPtr& then) {
+void HistoryPanel::keepPicture(const std::string& chain, const SnapshotPtr& then) {
   const std::vector<QListWidgetItem*> seen = inSight();
   if (pictures_.size() >= kMostPictures) {
     std::map<std::string, QPixmap> kept;

@@ -8,8 +8,8 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
-#include "look.h"
 #include "main_window.h"
+#include "theme.h"
 
 namespace karinui::studio {
 

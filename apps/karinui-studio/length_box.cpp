@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "karinui/base/number.h"
-#include "look.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
 std::optional<double> metresIn(QString text) {
   const std::string said = text.replace(',', '.').replace('"', "in").remove(' ').toStdString();
-  if (const auto bare = parseNumber(said)) return *bare * (Look::here().inches() ? 0.0254 : 0.01);
+  if (const auto bare = parseNumber(said)) return *bare * (Theme::here().inches() ? 0.0254 : 0.01);
   const auto length = parseLength(said);
   return length ? std::optional(*length) : std::nullopt;
 }
@@ -22,7 +22,7 @@ LengthBox::LengthBox(const Message& name, double low, double high) {
   setSingleStep(0.005);
   setKeyboardTracking(false);
   setButtonSymbols(QAbstractSpinBox::NoButtons);
-  Look::here().keep(this, [this, name] {
+  Theme::here().keep(this, [this, name] {
     setAccessibleName(inWords(name));
     setMetres(value());
   });

@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "look.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -21,7 +21,7 @@ LengthChoice::LengthChoice(Session& session) : session_(session) {
   both_ = new QLabel;
   both_->setWordWrap(true);
   both_->setProperty("role", "faint");
-  Look::here().keep(this, [this] {
+  Theme::here().keep(this, [this] {
     keep_->setAccessibleName(inWords(say("What stays when a length is typed")));
     keep_->setToolTip(inWords(say("The full dot stays, the ring moves.")));
     neighbours_->setText(inWords(say("neighbours keep their length")));
@@ -37,7 +37,7 @@ LengthChoice::LengthChoice(Session& session) : session_(session) {
 
 const Piece* LengthChoice::piece() const {
   const auto& chosen = session_.selection().edge;
-  const Piece* piece = chosen ? session_.fitting().document.find(chosen->piece) : nullptr;
+  const Piece* piece = chosen ? session_.snapshot().document.find(chosen->piece) : nullptr;
   return piece && piece->outline.find(chosen->edge) ? piece : nullptr;
 }
 

@@ -18,9 +18,9 @@
 #include "drafts.h"
 #include "karinui/base/memory.h"
 #include "karinui/base/number.h"
-#include "look.h"
 #include "main_window.h"
 #include "self_check.h"
+#include "theme.h"
 
 using namespace karinui;
 using namespace karinui::studio;
@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("karinui-studio");
   QApplication::setDesktopFileName("karinui-studio");
   const QSettings settings;
-  Look& look = Look::here();
+  Theme& look = Theme::here();
   const QString kept = settings.value("language").toString();
   look.setLanguage(wish.language  ? *wish.language
                    : kept == "ja" ? Language::Japanese

@@ -16,14 +16,14 @@
 #include <QTabWidget>
 #include <QToolBar>
 
+#include "accessibility.h"
 #include "drafts.h"
 #include "drop_menu.h"
 #include "guide.h"
 #include "keys.h"
-#include "look.h"
 #include "orbit.h"
-#include "spoken.h"
 #include "start_page.h"
+#include "theme.h"
 #include "wheel_guard.h"
 
 namespace karinui::studio {
@@ -62,14 +62,14 @@ MainWindow::MainWindow(SessionOptions options) {
         Qt::QueuedConnection);
   };
   // Drafts are named on the session's thread, in the language of the moment.
-  const auto spoken = std::make_shared<std::atomic<Language>>(Look::here().language());
+  const auto spoken = std::make_shared<std::atomic<Language>>(Theme::here().language());
   if (!options.nameDraft) options.nameDraft = [spoken](const std::string& about) { return draftName(about, *spoken); };
-  connect(&Look::here(), &Look::changed, this, [spoken] { *spoken = Look::here().language(); });
+  connect(&Theme::here(), &Theme::changed, this, [spoken] { *spoken = Theme::here().language(); });
   session_ = std::make_unique<Session>(std::move(options));
-  session_->setLanguage(Look::here().language());
+  session_->setLanguage(Theme::here().language());
 
   space_ = new SpaceView(*session_, clockwork_);
-  table_ = new TableView(*session_, clockwork_);
+  table_ = new PatternView(*session_, clockwork_);
   auto* split = new QSplitter(Qt::Horizontal);
   split->setHandleWidth(1);
   split->addWidget(space_);
@@ -89,9 +89,9 @@ MainWindow::MainWindow(SessionOptions options) {
   for (const auto& [panel, words] : boards) {
     panels_.push_back(panel);
     const int at = boards_->addTab(scrolling(panel), QString());
-    Look::here().keep(panel, [this, at, words = words] { boards_->setTabText(at, inWords(words)); });
+    Theme::here().keep(panel, [this, at, words = words] { boards_->setTabText(at, inWords(words)); });
   }
-  Look::here().keep(boards_, [this] {  // all tabs are seen, whatever the language
+  Theme::here().keep(boards_, [this] {  // all tabs are seen, whatever the language
     boards_->ensurePolished();
     const int wide = std::max(310, boards_->tabBar()->sizeHint().width() + 2);
     boards_->setMinimumWidth(wide);
@@ -128,10 +128,10 @@ MainWindow::MainWindow(SessionOptions options) {
   statusBar()->addPermanentWidget(place_);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->setSizeGripEnabled(false);
-  connect(table_, &TableView::pointed, this,
+  connect(table_, &PatternView::pointed, this,
           [this](Flat p) { place_->setText(lengthText(p.u) + "  " + lengthText(p.v)); });
 
-  connect(table_, &TableView::left, place_, &QLabel::clear);
+  connect(table_, &PatternView::left, place_, &QLabel::clear);
 
   toast_ = new QLabel(space_);
   toast_->setObjectName("toast");
@@ -144,7 +144,7 @@ MainWindow::MainWindow(SessionOptions options) {
   mend_->setCursor(Qt::ArrowCursor);
   mend_->setFocusPolicy(Qt::NoFocus);
   mend_->hide();
-  Look::here().keep(this, [this] {
+  Theme::here().keep(this, [this] {
     mend_->setText(inWords(info(Command::Mend).label));
     mend_->setToolTip(inWords(info(Command::Mend).hint));
   });
@@ -164,7 +164,7 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(body, &BodyPanel::replayAsked, this, &MainWindow::askReplay);
   connect(space_, &SpaceView::failed, this, [this](const QString& why) { statusBar()->showMessage(why); });
   connect(space_, &SpaceView::menuAsked, this, &MainWindow::menuAt);
-  connect(table_, &TableView::menuAsked, this, &MainWindow::menuAt);
+  connect(table_, &PatternView::menuAsked, this, &MainWindow::menuAt);
   connect(garment, &GarmentPanel::menuAsked, this,
           [this](const QPoint& global) { menuOf(session_->selection(), std::nullopt, global); });
   space_->installEventFilter(this);
@@ -178,9 +178,9 @@ MainWindow::MainWindow(SessionOptions options) {
   resize(firstSize(screen()->availableSize()));
   const QSettings settings;
   if (settings.contains("window")) restoreGeometry(settings.value("window").toByteArray());
-  connect(&Look::here(), &Look::changed, this, [this] {
-    session_->setLanguage(Look::here().language());
-    session_->setInches(Look::here().inches());
+  connect(&Theme::here(), &Theme::changed, this, [this] {
+    session_->setLanguage(Theme::here().language());
+    session_->setInches(Theme::here().inches());
     toast_->hide();  // what it says is in the other language
     seen_.history = ~0ull;
     refresh();
@@ -197,7 +197,7 @@ void MainWindow::nameForScreenReaders() {
       QWidget* box = field ? field->widget() : nullptr;
       if (auto* words = label ? qobject_cast<QLabel*>(label->widget()) : nullptr; words && box) words->setBuddy(box);
     }
-  Look::here().keep(this, [this] {
+  Theme::here().keep(this, [this] {
     space_->setAccessibleName(inWords(say("Fitting in 3D")));
     table_->setAccessibleName(inWords(say("Flat pattern")));
     boards_->setAccessibleName(inWords(say("Boards")));
@@ -227,7 +227,7 @@ bool MainWindow::eventFilter(QObject*, QEvent* event) {
 void MainWindow::refresh() {
   session_->update();
   for (const Notice& notice : session_->takeNotices()) tell(notice);
-  const SessionNews now = session_->news();
+  const SessionChanges now = session_->changes();
   if (atStart() && (!session_->path().empty() || !session_->steps().empty())) leaveStart();
   if (const auto view = session_->takeView()) {
     const std::map<Command, View> views{{Command::ViewFront, View::Front},
@@ -279,14 +279,14 @@ void MainWindow::refresh() {
   const Busy busy = session_->busy();
   progress_->setVisible(busy.any);
   progress_->setValue(static_cast<int>(1000 * busy.fraction));
-  actions_[Command::Settle]->setIcon(Look::here().icon(busy.settling ? "pause" : "settle"));
+  actions_[Command::Settle]->setIcon(Theme::here().icon(busy.settling ? "pause" : "settle"));
   const QString keys = inWords(session_->keyHint());
   hint_->setText(atStart() && !busy.any            ? QString()
                  : busy.settling                   ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
                  : keys.isEmpty()                  ? inWords(session_->hint())
                                                    : keys + "   –   " + inWords(session_->hint()));
-  mirrorSeams_->setChecked(session_->mirrorSeams());
+  mirrorSeams_->setChecked(session_->toolOptions().mirrorSeams);
   showDropMenu();
   tellFingertip(keys);
   guide_->refresh();
@@ -388,7 +388,7 @@ void MainWindow::showStart() {
     connect(start_, &StartPage::documentAsked, this, &MainWindow::openPath);
     connect(start_, &StartPage::stillNow, this, &MainWindow::refreshed);
   }
-  session_->conclude();
+  session_->close();
   session_->begin(DocumentFile::inMemory());
   session_->finish();
   guide_->hide();
@@ -422,11 +422,11 @@ void MainWindow::startGuide() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings settings;
   settings.setValue("window", saveGeometry());
-  settings.setValue("inches", Look::here().inches());
-  settings.setValue("dark", Look::here().dark());
-  settings.setValue("language", Look::here().language() == Language::Japanese ? "ja" : "en");
+  settings.setValue("inches", Theme::here().inches());
+  settings.setValue("dark", Theme::here().dark());
+  settings.setValue("language", Theme::here().language() == Language::Japanese ? "ja" : "en");
   setCursor(Qt::WaitCursor);
-  session_->conclude();
+  session_->close();
   event->accept();
 }
 

@@ -4,10 +4,10 @@
 #include <QTimer>
 #include <array>
 
-#include "clockwork.h"
 #include "karinui/session/session.h"
+#include "latency_log.h"
 #include "panels.h"
-#include "table_view.h"
+#include "pattern_view.h"
 
 class QLabel;
 class QMenu;
@@ -37,8 +37,8 @@ class MainWindow : public QMainWindow {
 
   Session& session() { return *session_; }
   SpaceView& space() { return *space_; }
-  TableView& table() { return *table_; }
-  Clockwork& clockwork() { return clockwork_; }
+  PatternView& table() { return *table_; }
+  LatencyLog& clockwork() { return clockwork_; }
   QAction* action(Command command) const { return actions_.at(command); }
   QTabWidget& boards() { return *boards_; }
   QString said() const;                                           // the last sentence shown
@@ -96,12 +96,12 @@ class MainWindow : public QMainWindow {
   void addPieceOperations(QMenu& menu, const Selection& chosen);
   QString freshPath(const QString& name) const;
 
-  Clockwork clockwork_;
+  LatencyLog clockwork_;
   std::unique_ptr<Session> session_;
   QStackedWidget* parts_ = nullptr;
   StartPage* start_ = nullptr;  // null: not shown yet
   SpaceView* space_ = nullptr;
-  TableView* table_ = nullptr;
+  PatternView* table_ = nullptr;
   QTabWidget* boards_ = nullptr;
   std::vector<Panel*> panels_;
   std::map<Command, QAction*> actions_;
@@ -120,7 +120,7 @@ class MainWindow : public QMainWindow {
   QTimer toastTime_, wake_;
   Guide* guide_ = nullptr;
   SpaceMouse* cap_ = nullptr;
-  SessionNews seen_;
+  SessionChanges seen_;
 };
 
 }  // namespace karinui::studio

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "length_box.h"
-#include "look.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -21,7 +21,7 @@ MeasureRow::MeasureRow(const Message& name) : box_(new LengthBox(name, 0, 2.6)),
   box_->setSpecialValueText("–");
   box_->setMetres(0);
   box_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  Look::here().keep(slider_, [this, name] { slider_->setAccessibleName(inWords(name)); });
+  Theme::here().keep(slider_, [this, name] { slider_->setAccessibleName(inWords(name)); });
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(box_);

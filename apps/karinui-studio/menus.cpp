@@ -6,8 +6,8 @@
 #include <QToolBar>
 
 #include "guide.h"
-#include "look.h"
 #include "main_window.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -20,7 +20,7 @@ void MainWindow::makeActions() {
     const QString usual = QString::fromUtf8(about.key.data(), static_cast<int>(about.key.size()));
     action->setShortcutContext(Qt::WindowShortcut);
     action->setCheckable(isTool(about.command));
-    Look::here().keep(action, about.label, about.hint, about.icon);
+    Theme::here().keep(action, about.label, about.hint, about.icon);
     connect(action, &QAction::triggered, this, [this, c = about.command] { run(c); });
     addAction(action);
     actions_[about.command] = action;
@@ -51,7 +51,7 @@ void MainWindow::makeStereoMenu() {
       refresh();
     });
   }
-  Look::here().keep(menu, [menu] {
+  Theme::here().keep(menu, [menu] {
     menu->setTitle(inWords(say("Stereo")));
     for (std::size_t k = 0; k < stereoNames().size(); ++k)
       menu->actions()[static_cast<int>(k)]->setText(inWords(stereoNames()[k]));
@@ -67,7 +67,7 @@ void MainWindow::setFullScreen(bool on) {
 void MainWindow::makeMenus() {
   const auto menu = [this](const Message& words) {
     QMenu* made = menuBar()->addMenu(QString());
-    Look::here().keep(made, [made, words] {  // Alt and the English word's first letter open it
+    Theme::here().keep(made, [made, words] {  // Alt and the English word's first letter open it
       const QString title = inWords(words), letter = QString::fromStdString(text(words)).left(1);
       made->setTitle(title.startsWith(letter) ? "&" + title : title + "(&" + letter + ")");
     });
@@ -76,7 +76,7 @@ void MainWindow::makeMenus() {
   const auto add = [this](QMenu* to, const Message& words, const char* icon, const char* key, auto&& what) {
     QAction* action = to->addAction(QString());
     if (*key) action->setShortcut(QKeySequence(QString::fromLatin1(key)));
-    Look::here().keep(action, words, words, icon);
+    Theme::here().keep(action, words, words, icon);
     connect(action, &QAction::triggered, this, what);
     return action;
   };
@@ -84,17 +84,17 @@ void MainWindow::makeMenus() {
   QAction* fresh = add(file, say("New garment…"), "new", "Ctrl+N", [this] { askNew(); });
   QAction* open = add(file, say("Open…"), "open", "Ctrl+O", [this] { askOpen(); });
   recent_ = file->addMenu(QString());
-  Look::here().keep(recent_, [this] { recent_->setTitle(inWords(say("Recent"))); });
+  Theme::here().keep(recent_, [this] { recent_->setTitle(inWords(say("Recent"))); });
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   QMenu* examples = file->addMenu(QString());
-  Look::here().keep(examples, [examples] { examples->setTitle(inWords(say("Examples"))); });
+  Theme::here().keep(examples, [examples] { examples->setTitle(inWords(say("Examples"))); });
   const std::pair<const char*, Message> made[] = {{"first_tunic", say("A first tunic")},
                                                   {"six_operations", say("The six operations")},
                                                   {"kyoto_fitting", say("A fitting in Kyoto")},
                                                   {"shirt_fitting", say("A shirt")}};
   for (const auto& [name, words] : made) {
     QAction* one = examples->addAction(QString());
-    Look::here().keep(one, words, words);
+    Theme::here().keep(one, words, words);
     connect(one, &QAction::triggered, this, [this, name = name] { openExample(name); });
   }
   file->addSeparator();
@@ -114,8 +114,11 @@ void MainWindow::makeMenus() {
   for (const Command c : {Command::Remove, Command::Duplicate, Command::Mirror, Command::Freeze, Command::FlipSeam})
     edit->addAction(actions_[c]);
   edit->addAction(actions_[Command::Mend]);
-  mirrorSeams_ =
-      add(edit, say("Sew mirrored seams too"), "", "", [this] { session_->setMirrorSeams(!session_->mirrorSeams()); });
+  mirrorSeams_ = add(edit, say("Sew mirrored seams too"), "", "", [this] {
+    ToolOptions options = session_->toolOptions();
+    options.mirrorSeams = !options.mirrorSeams;
+    session_->setToolOptions(options);
+  });
   mirrorSeams_->setCheckable(true);
   mirrorSeams_->setObjectName("mirror_seams");
   edit->addSeparator();
@@ -153,11 +156,11 @@ void MainWindow::makeMenus() {
   fullScreen_->setCheckable(true);
   add(viewMenu_, say("Next part of the window"), "", "F6", [this] { goToNextPart(); });
   viewMenu_->addSeparator();
-  QAction* dark = add(viewMenu_, say("Dark"), "", "", [] { Look::here().setDark(!Look::here().dark()); });
+  QAction* dark = add(viewMenu_, say("Dark"), "", "", [] { Theme::here().setDark(!Theme::here().dark()); });
   dark->setObjectName("dark");
-  QAction* inches = add(viewMenu_, say("Inches"), "", "", [] { Look::here().setInches(!Look::here().inches()); });
+  QAction* inches = add(viewMenu_, say("Inches"), "", "", [] { Theme::here().setInches(!Theme::here().inches()); });
   inches->setCheckable(true);
-  inches->setChecked(Look::here().inches());
+  inches->setChecked(Theme::here().inches());
   inches->setObjectName("inches");
   QAction* blender = add(viewMenu_, say("Mouse as in Blender"), "", "", [this] {
     const bool on = !QSettings().value("blender").toBool();
@@ -181,10 +184,10 @@ void MainWindow::makeMenus() {
   QAction* japanese = viewMenu_->addAction(QString::fromUtf8("日本語"));
   english->setObjectName("english");
   japanese->setObjectName("japanese");
-  connect(english, &QAction::triggered, this, [] { Look::here().setLanguage(Language::English); });
+  connect(english, &QAction::triggered, this, [] { Theme::here().setLanguage(Language::English); });
   connect(japanese, &QAction::triggered, this, [this] {
     if (const auto why = japaneseTrouble()) return session_->refuse(notFound(*why));
-    Look::here().setLanguage(Language::Japanese);
+    Theme::here().setLanguage(Language::Japanese);
   });
 
   QMenu* help = menu(say("Help"));
@@ -215,7 +218,7 @@ void MainWindow::makeMenus() {
     if (isTool(about.command)) tools_->addAction(actions_[about.command]);
   addToolBar(Qt::LeftToolBarArea, tools_);
   for (QToolBar* bar : {top_, tools_})
-    Look::here().keep(bar, [bar] {  // to those who hear the screen without the tooltip's bold letters
+    Theme::here().keep(bar, [bar] {  // to those who hear the screen without the tooltip's bold letters
       for (QAction* a : bar->actions())
         if (QWidget* button = bar->widgetForAction(a)) button->setAccessibleDescription(a->statusTip());
     });

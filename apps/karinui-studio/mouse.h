@@ -4,8 +4,8 @@
 #include <QMouseEvent>
 #include <QWidget>
 
-#include "clockwork.h"
 #include "karinui/scene/pointer.h"
+#include "latency_log.h"
 
 namespace karinui::studio {
 
@@ -18,7 +18,7 @@ inline void preparePointing(QWidget& view, QSize least) {
 }
 
 inline PointerSample mouseSample(PointerSample::Phase phase, PointerSample::Where where, Qt::KeyboardModifiers keys,
-                                 const Clockwork& clockwork) {
+                                 const LatencyLog& clockwork) {
   PointerSample sample;
   sample.phase = phase;
   sample.where = where;

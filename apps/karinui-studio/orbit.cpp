@@ -66,8 +66,8 @@ Camera between(const Camera& a, const Camera& b, double t) {
   return c;
 }
 
-Sight sightOf(const Camera& camera, double aspect) {
-  Sight sight;
+Viewpoint sightOf(const Camera& camera, double aspect) {
+  Viewpoint sight;
   sight.eye = camera.eye;
   sight.back = normalized(camera.eye - camera.target);
   sight.right = camera.right();
@@ -79,7 +79,7 @@ Sight sightOf(const Camera& camera, double aspect) {
 }
 
 Ray rayAt(const Camera& camera, double x, double y, double width, double height) {
-  const Sight s = sightOf(camera, width / height);
+  const Viewpoint s = sightOf(camera, width / height);
   const double px = (2 * x / width - 1) * s.tanHalf * s.aspect, py = (1 - 2 * y / height) * s.tanHalf;
   return {s.eye, normalized(s.right * px + s.up * py - s.back)};
 }

@@ -14,7 +14,7 @@ Camera zoomed(const Camera& camera, double factor, const Ray& towards);
 // As a hand on a six-way cap moves what is looked at; shares of a second's way.
 Camera carried(const Camera& camera, const CapMotion& cap);
 Camera between(const Camera& a, const Camera& b, double t);
-Sight sightOf(const Camera& camera, double aspect);
+Viewpoint sightOf(const Camera& camera, double aspect);
 Ray rayAt(const Camera& camera, double x, double y, double width, double height);  // pixels from the top left
 
 }  // namespace karinui::studio

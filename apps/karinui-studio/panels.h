@@ -138,7 +138,7 @@ class FitPanel : public Panel {
   void compare();
   void fillReport();
   QComboBox* beside_;
-  FittingPtr then_;  // null: nothing is shown beside
+  SnapshotPtr then_;  // null: nothing is shown beside
   QLabel* girths_;
   QCheckBox* level_;
   LengthBox* height_;
@@ -169,7 +169,7 @@ class HistoryPanel : public Panel {
   void playAgain();
   std::vector<QListWidgetItem*> inSight() const;  // rows, from the top
   void askPicture();                              // the next one that is missing in sight, while the panel is seen
-  void keepPicture(const std::string& chain, const FittingPtr& then);
+  void keepPicture(const std::string& chain, const SnapshotPtr& then);
   QIcon pictureOf(const Step& step) const;
   const Step* stepIn(const QListWidgetItem& item) const;  // null: the beginning, or the end of another way
   const Step* chosen() const;                             // null: none, or not done

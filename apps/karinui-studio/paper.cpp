@@ -4,7 +4,7 @@
 #include <QPrinter>
 #include <cmath>
 
-#include "look.h"
+#include "theme.h"
 
 namespace karinui::studio {
 

@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <thread>
 
-#include "look.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -84,7 +84,7 @@ Result<Image> PictureDialog::draw(double scale) const {
   how.width = static_cast<int>(size[0] * scale), how.height = static_cast<int>(size[1] * scale);
   how.eyes = kEyes[static_cast<std::size_t>(eyes_->currentIndex())];
   how.map = view_.map() == FitMap::Strain ? Map::Strain : Map::None;
-  how.language = Look::here().language();
+  how.language = Theme::here().language();
   how.lettering = how.map != Map::None;
   const int from = from_->currentIndex();
   if (from == 0) how.camera = view_.camera();
@@ -94,7 +94,7 @@ Result<Image> PictureDialog::draw(double scale) const {
   std::optional<Result<Image>> image;
   std::thread([&] {
     auto picture = Picture::open();
-    const SceneFrame& frame = session_.fitting().frame;
+    const SceneFrame& frame = session_.snapshot().frame;
     image = !picture ? picture.error() : allRound ? fourSides(**picture, frame, how) : (*picture)->draw(frame, how);
   }).join();
   return *std::move(image);

@@ -6,7 +6,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLShaderProgram>
 
-#include "view_eyes.h"
+#include "eye_compositor.h"
 
 namespace karinui::studio {
 

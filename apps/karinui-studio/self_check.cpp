@@ -9,8 +9,8 @@
 
 #include "karinui/base/number.h"
 #include "karinui/design/script.h"
-#include "look.h"
 #include "main_window.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -88,7 +88,7 @@ int selfCheck(QApplication&, MainWindow& window) {
   const auto lines = parseScript(kGarment);
   for (const ScriptLine& line : *lines) window.session().perform(line.operation), comeToRest(window);
   if (window.space().trouble()) return 1;
-  Clockwork& clock = window.clockwork();
+  LatencyLog& clock = window.clockwork();
   const QSize size = window.space().size();
   const QPointF middle(size.width() / 2.0, size.height() / 2.0);
   drag(window, middle, middle + QPointF(120, 20), Qt::RightButton, 12);
@@ -98,8 +98,8 @@ int selfCheck(QApplication&, MainWindow& window) {
   comeToRest(window);
 
   const auto seen = [&](const char* piece, Flat paper) {
-    const Piece* p = window.session().fitting().document.pieceNamed(piece);
-    return window.space().onScreen(*spaceOf(window.session().fitting(), p->id, paper)).value_or(middle);
+    const Piece* p = window.session().snapshot().document.pieceNamed(piece);
+    return window.space().onScreen(*spaceOf(window.session().snapshot(), p->id, paper)).value_or(middle);
   };
   window.session().command(Command::Pull);
   const QPointF hem = seen("front", {0.02, 0.05});
@@ -111,7 +111,7 @@ int selfCheck(QApplication&, MainWindow& window) {
 
   std::printf("%s\n", window.space().driver().toUtf8().constData());
   std::size_t vertices = 0;
-  for (const SceneCloth& cloth : window.session().fitting().frame.cloths) vertices += cloth.mesh.points.size();
+  for (const SceneCloth& cloth : window.session().snapshot().frame.cloths) vertices += cloth.mesh.points.size();
   std::printf("%zu points of cloth, %zu steps\n", vertices, window.session().steps().size());
   for (const char* what : {"event to picture", "drag to preview", "release to first drape", "release to settled"})
     std::printf("%-24s median %8.1f ms   worst %8.1f ms   (%zu)\n", what, clock.quantile(what, 0.5),

@@ -9,16 +9,16 @@
 #include <QPainter>
 #include <cmath>
 
+#include "eye_compositor.h"
 #include "karinui/body/lines.h"
 #include "karinui/session/menu.h"
 #include "karinui/session/scene_of.h"
 #include "karinui/view/strain_scale.h"
-#include "look.h"
 #include "mouse.h"
 #include "orbit.h"
-#include "portraits.h"
 #include "quad_window.h"
-#include "view_eyes.h"
+#include "theme.h"
+#include "thumbnail_renderer.h"
 
 namespace karinui::studio {
 
@@ -62,7 +62,7 @@ const std::vector<Message>& stereoNames() {
   return all;
 }
 
-SpaceView::SpaceView(Session& session, Clockwork& clockwork, QWidget* parent)
+SpaceView::SpaceView(Session& session, LatencyLog& clockwork, QWidget* parent)
     : QOpenGLWidget(parent), session_(session), clockwork_(clockwork) {
   preparePointing(*this, {320, 280});
   camera_ = frameAll({}, View::Oblique, 1);
@@ -75,7 +75,7 @@ SpaceView::SpaceView(Session& session, Clockwork& clockwork, QWidget* parent)
   });
   walk_.setDuration(260);
   walk_.setEasingCurve(QEasingCurve::InOutCubic);
-  connect(&Look::here(), &Look::changed, this, [this] { update(); });
+  connect(&Theme::here(), &Theme::changed, this, [this] { update(); });
 }
 
 SpaceView::~SpaceView() {
@@ -91,7 +91,7 @@ void SpaceView::giveBack() {
   beside_.renderer.reset();
   quad_.reset();
   compositor_.reset();
-  portraits_.reset();
+  thumbnailRenderer_.reset();
   doneCurrent();
 }
 
@@ -132,7 +132,7 @@ void SpaceView::initializeGL() {
 void SpaceView::resizeGL(int, int) { frameAnew(); }
 
 void SpaceView::cameraMoved() {
-  session_.setSight(sight());
+  session_.setViewpoint(sight());
   fine_ = false;
   stale_ = true;
   rest_.start();
@@ -146,8 +146,8 @@ void SpaceView::setCamera(const Camera& camera) {
   cameraMoved();
 }
 
-Sight SpaceView::sight() const {
-  Sight seen = sightOf(camera_, aspect());
+Viewpoint SpaceView::sight() const {
+  Viewpoint seen = sightOf(camera_, aspect());
   seen.points = static_cast<double>(height()) / halves().height();
   return seen;
 }
@@ -230,7 +230,7 @@ void SpaceView::setMap(FitMap map) {
   if (beside()) frameAnew();
   refresh();
 }
-void SpaceView::setBeside(FittingPtr other, const QString& caption) {
+void SpaceView::setBeside(SnapshotPtr other, const QString& caption) {
   beside_.fitting = std::move(other);
   beside_.caption = caption;
   garmentShown_ = ~0ull;
@@ -255,8 +255,8 @@ void SpaceView::setTape(bool on) {
 }
 
 void SpaceView::refresh() {
-  if (!framed_ && session_.fitting().body) look(View::Oblique);
-  if (garmentShown_ != session_.news().garment || !session_.preview().carried.empty()) {
+  if (!framed_ && session_.snapshot().body) look(View::Oblique);
+  if (garmentShown_ != session_.changes().garment || !session_.preview().carried.empty()) {
     stale_ = true;
     fine_ = false;
     rest_.start();
@@ -265,7 +265,7 @@ void SpaceView::refresh() {
 }
 
 // What the map tells of a fitting: per point of the cloth, or, of pressure, per point of the bared body.
-SpaceView::Mapped SpaceView::mapped(const Fitting& fitting) const {
+SpaceView::Mapped SpaceView::mapped(const GarmentSnapshot& fitting) const {
   Mapped own{fitting.frame, {}};
   if (map_ == FitMap::Ease && fitting.body) {
     for (SceneCloth& cloth : own.frame.cloths) {
@@ -295,10 +295,10 @@ SpaceView::Mapped SpaceView::mapped(const Fitting& fitting) const {
 }
 
 void SpaceView::showGarment() {
-  const FittingPtr fitting = session_.shownPtr();
+  const SnapshotPtr fitting = session_.shownPtr();
   const Preview preview = session_.preview();
   const bool carried = !preview.carried.empty();
-  const std::uint64_t now = session_.news().garment;
+  const std::uint64_t now = session_.changes().garment;
   if (garmentShown_ == now && !carried && (!fine_ || soft_)) return;
   Mapped own = mapped(*fitting);
   SceneFrame& frame = own.frame;
@@ -339,7 +339,7 @@ void SpaceView::showGarment() {
 
 void SpaceView::showOverlay() {
   const Preview preview = session_.preview();
-  const FittingPtr fitting = session_.shownPtr();
+  const SnapshotPtr fitting = session_.shownPtr();
   std::vector<SceneLine> lines = preview.space.lines;
   lines.insert(lines.end(), seamThreads_.begin(), seamThreads_.end());
   for (std::size_t k = 0; k < fitting->worn.size(); ++k) {
@@ -422,8 +422,8 @@ void SpaceView::paintGL() {
 QImage SpaceView::portrait(const SceneFrame& frame, QSize pixels) {
   if (!renderer_) return {};
   makeCurrent();
-  if (!portraits_) portraits_ = std::make_unique<Portraits>();
-  QImage image = portraits_->of(frame, pixels);
+  if (!thumbnailRenderer_) thumbnailRenderer_ = std::make_unique<ThumbnailRenderer>();
+  QImage image = thumbnailRenderer_->of(frame, pixels);
   doneCurrent();
   return image;
 }

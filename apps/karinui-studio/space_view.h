@@ -15,7 +15,7 @@
 namespace karinui::studio {
 
 class EyeCompositor;
-class Portraits;
+class ThumbnailRenderer;
 class QuadWindow;
 
 // In the order of the names stereoNames() gives them.
@@ -26,7 +26,7 @@ enum class FitMap { None, Strain, Ease, Pressure };
 class SpaceView : public QOpenGLWidget {
   Q_OBJECT
  public:
-  SpaceView(Session& session, Clockwork& clockwork, QWidget* parent = nullptr);
+  SpaceView(Session& session, LatencyLog& clockwork, QWidget* parent = nullptr);
   ~SpaceView() override;
 
   void look(View view);           // from a side, all of it in view
@@ -38,7 +38,7 @@ class SpaceView : public QOpenGLWidget {
   FitMap map() const { return map_; }
   double mapTop() const { return mapTop_; }
   // Another state of the garment beside the one that is worked on, on the same scale; null: none.
-  void setBeside(FittingPtr other, const QString& caption);
+  void setBeside(SnapshotPtr other, const QString& caption);
   bool beside() const { return beside_.fitting != nullptr; }
   void setLevel(std::optional<double> height);  // shows the level tapes there
   void setTape(bool on);
@@ -52,7 +52,7 @@ class SpaceView : public QOpenGLWidget {
   const std::optional<Error>& trouble() const { return trouble_; }
   std::optional<QPointF> onScreen(Vec3 place) const;  // for tests and guides
   bool still() const { return fine_; }
-  Sight sight() const;
+  Viewpoint sight() const;
   double freeWidth() const;  // pixels of the view, from its left edge, that the floating bar leaves
   // A small picture of a fitting, for lists and dialogs; empty where nothing can be drawn.
   QImage portrait(const SceneFrame& frame, QSize pixels);
@@ -89,7 +89,7 @@ class SpaceView : public QOpenGLWidget {
     SceneFrame frame;
     std::vector<float> values;
   };
-  Mapped mapped(const Fitting& fitting) const;
+  Mapped mapped(const GarmentSnapshot& fitting) const;
   void showOverlay();
   Camera lens() const;
   void paintOver(QPainter& painter, double sideways, int width, int height);
@@ -99,17 +99,17 @@ class SpaceView : public QOpenGLWidget {
   QSize halves() const;  // how many pictures across and down
 
   Session& session_;
-  Clockwork& clockwork_;
+  LatencyLog& clockwork_;
   Camera camera_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<EyeCompositor> compositor_;
-  std::unique_ptr<Portraits> portraits_;
+  std::unique_ptr<ThumbnailRenderer> thumbnailRenderer_;
   std::unique_ptr<QuadWindow> quad_;  // while both eyes have a screen of their own
   std::optional<Error> trouble_;
   QString driver_;
   bool software_ = false;
   struct Beside {
-    FittingPtr fitting;
+    SnapshotPtr fitting;
     QString caption;
     std::unique_ptr<Renderer> renderer;
   } beside_;

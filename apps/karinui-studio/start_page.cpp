@@ -18,7 +18,7 @@
 #include <QVBoxLayout>
 
 #include "drafts.h"
-#include "look.h"
+#include "theme.h"
 #include "thumbnails.h"
 
 namespace karinui::studio {
@@ -31,7 +31,7 @@ constexpr int kMostDocuments = 48;
 enum Role { kPath = Qt::UserRole, kWhen, kIsDraft };
 
 QString whenText(const QDateTime& when) {
-  const QLocale locale(Look::here().language() == Language::Japanese ? QLocale::Japanese : QLocale::English);
+  const QLocale locale(Theme::here().language() == Language::Japanese ? QLocale::Japanese : QLocale::English);
   const QString time = when.toString("HH:mm");
   if (when.date() == QDate::currentDate()) return inWords(say("today {0}", time.toStdString()));
   return locale.toString(when.date(), QLocale::LongFormat);
@@ -45,7 +45,7 @@ class CardDelegate : public QStyledItemDelegate {
     return kPicture + QSize(2 * kRim, 2 * kRim + kWords);
   }
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    const Palette& p = Look::here().palette();
+    const Palette& p = Theme::here().palette();
     const bool chosen = option.state & QStyle::State_Selected, over = option.state & QStyle::State_MouseOver;
     const QRectF card = QRectF(option.rect).adjusted(4, 4, -4, -4);
     painter->save();
@@ -160,7 +160,7 @@ StartPage::StartPage() : thumbnails_(new Thumbnails(kPicture * 2)) {
   auto* trash = new QAction(list_);
   trash->setShortcut(QKeySequence::Delete);
   trash->setShortcutContext(Qt::WidgetShortcut);
-  Look::here().keep(trash, say("Put this draft into the trash…"), say("Put this draft into the trash…"), "trash");
+  Theme::here().keep(trash, say("Put this draft into the trash…"), say("Put this draft into the trash…"), "trash");
   list_->addAction(trash);
   list_->setContextMenuPolicy(Qt::ActionsContextMenu);
   connect(trash, &QAction::triggered, this, &StartPage::discard);
@@ -174,7 +174,7 @@ StartPage::StartPage() : thumbnails_(new Thumbnails(kPicture * 2)) {
     if (isVisible()) open(item);  // a click has opened it already where one click activates
   });
   connect(thumbnails_, &Thumbnails::made, this, &StartPage::drawn);
-  Look::here().keep(this, [this] { showWords(); });
+  Theme::here().keep(this, [this] { showWords(); });
 }
 
 StartPage::~StartPage() = default;
@@ -183,11 +183,11 @@ QPushButton* StartPage::way(const Message& words, const Message& hint, const cha
   auto* button = new QPushButton;
   button->setIconSize(QSize(22, 22));
   button->setCursor(Qt::PointingHandCursor);
-  Look::here().keep(button, [button, words, hint, icon = std::string(icon)] {
+  Theme::here().keep(button, [button, words, hint, icon = std::string(icon)] {
     button->setText(inWords(words));
     button->setToolTip(inWords(hint));
     button->setAccessibleDescription(inWords(hint));
-    button->setIcon(Look::here().icon(icon));
+    button->setIcon(Theme::here().icon(icon));
   });
   connect(button, &QPushButton::clicked, this, asked);
   ways_->addWidget(button);
@@ -195,7 +195,7 @@ QPushButton* StartPage::way(const Message& words, const Message& hint, const cha
 }
 
 void StartPage::showWords() {
-  const Palette& p = Look::here().palette();
+  const Palette& p = Theme::here().palette();
   setStyleSheet(QString("QWidget#documents { background: %1; border-left: 1px solid %2; }"
                         "QPushButton { text-align: left; padding: 10px 14px; }")
                     .arg(p.panel.name(), p.line.name()));

@@ -7,7 +7,7 @@
 
 #include "karinui/base/number.h"
 #include "length_box.h"
-#include "look.h"
+#include "theme.h"
 
 namespace karinui::studio {
 

@@ -10,7 +10,7 @@
 
 #include "karinui/design/history.h"
 #include "karinui/session/scene_of.h"
-#include "portraits.h"
+#include "thumbnail_renderer.h"
 
 namespace karinui::studio {
 
@@ -41,7 +41,7 @@ Thumbnails::Thumbnails(QSize pixels) : pixels_(pixels) { reader_.setMaxThreadCou
 Thumbnails::~Thumbnails() {
   stop();
   if (context_ && context_->makeCurrent(surface_.get())) {
-    portraits_.reset();
+    thumbnailRenderer_.reset();
     context_->doneCurrent();
   }
 }
@@ -99,8 +99,8 @@ void Thumbnails::draw(const QString& path, const SceneFrame& frame, int steps) {
     if (!context_->create()) return emit made(path, {}, steps);
   }
   if (!context_->makeCurrent(surface_.get())) return emit made(path, {}, steps);
-  if (!portraits_) portraits_ = std::make_unique<Portraits>();
-  const QImage picture = portraits_->of(frame, pixels_);
+  if (!thumbnailRenderer_) thumbnailRenderer_ = std::make_unique<ThumbnailRenderer>();
+  const QImage picture = thumbnailRenderer_->of(frame, pixels_);
   context_->doneCurrent();
   const QString file = cached(path);
   QDir().mkpath(QFileInfo(file).absolutePath());

@@ -15,7 +15,7 @@ class QOpenGLContext;
 
 namespace karinui::studio {
 
-class Portraits;
+class ThumbnailRenderer;
 
 class Thumbnails : public QObject {
   Q_OBJECT
@@ -41,7 +41,7 @@ class Thumbnails : public QObject {
   int waiting_ = 0;
   std::unique_ptr<QOffscreenSurface> surface_;
   std::unique_ptr<QOpenGLContext> context_;
-  std::unique_ptr<Portraits> portraits_;
+  std::unique_ptr<ThumbnailRenderer> thumbnailRenderer_;
 };
 
 }  // namespace karinui::studio

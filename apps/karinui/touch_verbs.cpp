@@ -64,7 +64,7 @@ Result<Measured> measured(Program& program, const CheckOptions& options) {
   const Token& token = program.console.token();
   const Result<BodyPtr> body = makeMannequin(*size, workers, token);
   if (!body) return body.error();
-  const FittingPtr fitting = fittingOf({}, *body);
+  const SnapshotPtr fitting = snapshotOf({}, *body);
   const auto landmark = (*body)->landmarks().find("armpit_left");
   const Vec3 middle = landmark != (*body)->landmarks().end() ? landmark->second : Vec3{0.18, 1.25, 0};
 
@@ -160,7 +160,7 @@ int runReplay(Program& program, const ReplayOptions& options) {
       if (!found) return program.console.refuse(found.error());
       body = *found;
     }
-    const FittingPtr fitting = fittingOf(bench.document(), body);
+    const SnapshotPtr fitting = snapshotOf(bench.document(), body);
     ServoSettings settings;
     settings.gain = options.gain;
     settings.limit = options.limit;
@@ -186,7 +186,7 @@ int runReplay(Program& program, const ReplayOptions& options) {
       if (down && !held) {  // takes hold of what is there
         PointerSample sample;
         sample.tip = now.tip;
-        const Hit hit = pick(*fitting, Table(), sample);
+        const Hit hit = pick(*fitting, TableLayout(), sample);
         if (hit.on == Hit::On::Cloth && options.tool == "move") handling.carried = {hit.piece};
         if (hit.on == Hit::On::Cloth && options.tool == "pull")
           handling.pull = Handling::Pull{hit.piece, hit.paper, now.tip.carry, now.tip.carry, {}};

@@ -379,7 +379,7 @@ Done DocumentFile::goTo(std::uint64_t seq, Context& context) {
   return in.stand({seq, here ? in.head.tip : seq});
 }
 
-std::vector<Step> DocumentFile::otherEnds() const {
+std::vector<Step> DocumentFile::otherBranches() const {
   std::set<std::uint64_t> parents;
   for (const Step& s : inside_->steps) parents.insert(s.parent);
   std::vector<Step> ends;

@@ -16,7 +16,7 @@ constexpr double kBeyond = 0.025;  // metres at least that a line which ran off 
 
 class CutGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+  GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
         return {};
@@ -30,12 +30,12 @@ class CutGesture : public Gesture {
     }
     if (!down_) return {};
     straight_ = sample.shift;
-    note(sample, hit, bench);
-    line_ = lineNow(bench);
+    note(sample, hit, context);
+    line_ = lineNow(context);
     why_.reset();
     will_ = false;
     if (piece_ && line_.size() > 1) {
-      const Piece* piece = bench.fitting->document.find(piece_);
+      const Piece* piece = context.snapshot->document.find(piece_);
       if (const auto cut = piece ? cutPiece(*piece, line_, PieceId{1}, "second") : Result<CutPieces>(cancelled()); !cut)
         why_ = cut.error().what;
       else
@@ -53,9 +53,9 @@ class CutGesture : public Gesture {
     return {.over = true, .operation = std::move(cut)};
   }
 
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
-    showOnPaper(shown, bench, piece_, line_, will_ ? kGood : kBad);
+    showOnPaper(shown, context, piece_, line_, will_ ? kGood : kBad);
     return shown;
   }
   Message hint() const override {
@@ -64,16 +64,16 @@ class CutGesture : public Gesture {
     return why_ ? *why_ : info(Command::Cut).hint;
   }
   bool begun() const override { return down_; }
-  Stops stops() const override { return Stops::Corners; }
+  KeyStops keyStops() const override { return KeyStops::Corners; }
 
  private:
-  void note(const PointerSample& sample, const Hit& hit, const Workbench& bench) {
+  void note(const PointerSample& sample, const Hit& hit, const GestureContext& context) {
     std::optional<Flat> paper;
     const bool table = sample.where == PointerSample::Where::Table;
     if (!piece_ && hit.piece && (hit.on == Hit::On::Cloth || table)) piece_ = hit.piece;
     if (table) {
       if (!piece_) return before_.push_back(sample.place);
-      const Flat lies = bench.table->at(piece_);
+      const Flat lies = context.table->at(piece_);
       if (!before_.empty()) noted_.push_back(before_.back() - lies), before_.clear();
       paper = sample.place - lies;
     } else if (hit.on == Hit::On::Cloth && hit.piece == piece_) {
@@ -85,7 +85,7 @@ class CutGesture : public Gesture {
       return;
     }
     if (left_) return;
-    brink_ = brink(hit, bench, *paper);
+    brink_ = brink(hit, context, *paper);
     if (noted_.empty()) beganAt_ = brink_;
     if (noted_.empty() || distance(noted_.back(), *paper) >= kStep)
       noted_.push_back(*paper);
@@ -102,8 +102,8 @@ class CutGesture : public Gesture {
   }
 
   // Just beyond the outline, where a place lies on its brink.
-  std::optional<Flat> brink(const Hit& hit, const Workbench& bench, Flat paper) const {
-    const Piece* piece = bench.fitting->document.find(piece_);
+  std::optional<Flat> brink(const Hit& hit, const GestureContext& context, Flat paper) const {
+    const Piece* piece = context.snapshot->document.find(piece_);
     const Edge* edge = piece && hit.edge && hit.edge->piece == piece_ ? findEdge(*piece, hit.edge->edge) : nullptr;
     if (!edge) return std::nullopt;
     const double t = edge->curve.parameterAt(hit.edge->fraction * edge->curve.length());
@@ -111,10 +111,10 @@ class CutGesture : public Gesture {
     return edge->curve.at(t) - leftOf(normalized(edge->curve.tangent(t))) * kBrink;
   }
 
-  std::vector<Flat> lineNow(const Workbench& bench) const {
+  std::vector<Flat> lineNow(const GestureContext& context) const {
     std::vector<Flat> line = noted_;
     if (line.size() < 2) return line;
-    const Piece* piece = bench.fitting->document.find(piece_);
+    const Piece* piece = context.snapshot->document.find(piece_);
     if (!piece) return line;
     const Ring ring = piece->outline.flattened(1e-3);
     const std::size_t look = std::min<std::size_t>(3, line.size() - 1);

@@ -139,23 +139,23 @@ std::string calledBy(const std::vector<BodyPoint>& line, bool symmetric) {
 
 class DrawGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit&, const Workbench& bench) override {
+  GestureResult feed(const PointerSample& sample, const Hit&, const GestureContext& context) override {
     if (sample.where != PointerSample::Where::Space) return {};
-    const Fitting& fitting = *bench.fitting;
+    const GarmentSnapshot& snapshot = *context.snapshot;
     const bool drawing = !stroke_.empty();
-    auto here = strokeSample(fitting, sample, drawing ? std::optional(stroke_.back().point) : std::nullopt);
+    auto here = strokeSample(snapshot, sample, drawing ? std::optional(stroke_.back().point) : std::nullopt);
     free_ = sample.alt;
     snap_.reset();
     if (here && !free_ && sample.phase != PointerSample::Phase::Drag) {
-      snaps_.of(bench.fitting);
-      snap_ = snaps_.near(*here, bench.linesShown);
+      snaps_.of(context.snapshot);
+      snap_ = snaps_.near(*here, context.linesShown);
     }
     hover_ = here ? std::optional(snap_ ? snap_->seen : here->point) : std::nullopt;
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
         return {};
       case PointerSample::Phase::Press:
-        if (!fitting.body) return {.why = say("There is no body to draw on; choose one in the body panel.")};
+        if (!snapshot.body) return {.why = say("There is no body to draw on; choose one in the body panel.")};
         if (!here)
           return {.why = parts_.empty() ? say("Begin the line on the body.")
                                         : say("That is beside the body; go on with the line on the body, or at an edge "
@@ -169,7 +169,7 @@ class DrawGesture : public Gesture {
         straight_ = sample.control;
         if (!drawing || !here) return {};
         if (dot(here->facing, stroke_.front().facing) < kTurned) {  // seen from elsewhere the line goes on
-          part(bench, std::nullopt, false);
+          part(context, std::nullopt, false);
           began_.reset();
           stroke_ = {*here};
           return {};
@@ -191,18 +191,20 @@ class DrawGesture : public Gesture {
     const std::vector<Vec3> picture = pictureOf(stroke_);
     for (std::size_t i = 1; i < picture.size(); ++i) way += distance(picture[i - 1], picture[i]);
     if (way >= 2 * kStep) {
-      part(bench, snap_, true);
-      return ended(bench, false);
+      part(context, snap_, true);
+      return ended(context, false);
     }
     const Noted click =
         began_ ? noted(*began_, !smooth_) : Noted{stroke_.front().skin, stroke_.front().point, !smooth_};
     stroke_.clear();
-    if (!parts_.empty() && distance(parts_.back().back().point, click.point) < kAgain) return ended(bench, true);
+    if (!parts_.empty() && distance(parts_.back().back().point, click.point) < kAgain) return ended(context, true);
     parts_.push_back({click});
-    return ended(bench, false);
+    return ended(context, false);
   }
 
-  Told confirm(const Workbench& bench) override { return parts_.empty() ? Told{} : ended(bench, true); }
+  GestureResult confirm(const GestureContext& context) override {
+    return parts_.empty() ? GestureResult{} : ended(context, true);
+  }
 
   bool takeBack() override {
     if (!stroke_.empty()) return stroke_.clear(), true;
@@ -211,9 +213,9 @@ class DrawGesture : public Gesture {
     return true;
   }
 
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
-    std::vector<Vec3> line = path(bench);
+    std::vector<Vec3> line = path(context);
     for (const auto& part : parts_)
       for (const Noted& n : part)
         if (n.corner) shown.space.dots.push_back(n.point);
@@ -233,7 +235,7 @@ class DrawGesture : public Gesture {
         "End the line where it began, or on the body's centre; Enter closes it, undo takes back the last stroke.");
   }
   bool begun() const override { return !parts_.empty() || !stroke_.empty(); }
-  Stops stops() const override { return Stops::Skin; }
+  KeyStops keyStops() const override { return KeyStops::Skin; }
   bool clicks() const override { return true; }
 
  private:
@@ -249,27 +251,27 @@ class DrawGesture : public Gesture {
 
   // The stroke in hand becomes a part of the line: its corners where they snap, each run between two of them as it was
   // meant. `corner`: the line turns at its end.
-  void part(const Workbench& bench, const std::optional<DrawSnaps::Snap>& end, bool corner) {
+  void part(const GestureContext& context, const std::optional<DrawSnaps::Snap>& end, bool corner) {
     std::vector<StrokeSample> stroke = std::exchange(stroke_, {});
     if (stroke.size() < 2) {
       continues_ = !corner;
       if (parts_.empty() && !stroke.empty()) parts_.push_back({Noted{stroke[0].skin, stroke[0].point}});
       return;
     }
-    if (!free_) snaps_.of(bench.fitting);
+    if (!free_) snaps_.of(context.snapshot);
     const std::vector<std::size_t> corners = atLines(cornersOf(stroke), stroke);
     std::vector<Noted> line;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const StrokeSample& s = stroke[corners[k]];
       std::optional<DrawSnaps::Snap> snap = k == 0 ? began_ : k + 1 == corners.size() ? end : std::nullopt;
       if (!free_ && !snap && k > 0 && k + 1 < corners.size())
-        if (const auto near = snaps_.near(s, bench.linesShown); near && near->corner) snap = near;
+        if (const auto near = snaps_.near(s, context.linesShown); near && near->corner) snap = near;
       line.push_back(snap ? noted(*snap, true) : Noted{s.skin, s.point});
     }
     std::vector<Noted> better;
     for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
       const std::span<const StrokeSample> run(stroke.data() + corners[k], corners[k + 1] - corners[k] + 1);
-      std::vector<Noted> between = meant(run, line[k], line[k + 1], bench);
+      std::vector<Noted> between = meant(run, line[k], line[k + 1], context);
       better.push_back(line[k]);
       better.insert(better.end(), between.begin(), between.end());
     }
@@ -325,8 +327,9 @@ class DrawGesture : public Gesture {
 
   // The places between two corners: along one of the body's lines or an outline, straight over the skin, or the fair
   // line that was drawn. The corners come to lie on the line that is followed.
-  std::vector<Noted> meant(std::span<const StrokeSample> run, Noted& from, Noted& to, const Workbench& bench) const {
-    const Body& body = *bench.fitting->body;
+  std::vector<Noted> meant(std::span<const StrokeSample> run, Noted& from, Noted& to,
+                           const GestureContext& context) const {
+    const Body& body = *context.snapshot->body;
     if (run.size() < 3) return {};
     std::vector<std::optional<DrawSnaps::Followed>> followed(run.size());
     if (!free_) followed = snaps_.followed(run);
@@ -341,7 +344,7 @@ class DrawGesture : public Gesture {
     }
     const bool round = distance(from.point, to.point) < kMeets;
     if (!free_ && !round)
-      if (const auto way = guide(bench).straight(from.place, to.place); way && !strays(run, way->points)) return {};
+      if (const auto way = guide(context).straight(from.place, to.place); way && !strays(run, way->points)) return {};
     std::vector<std::optional<Vec3>> fixed(run.size());
     for (std::size_t i = 0; i < run.size(); ++i)
       if (followed[i] && !run[i].certain) fixed[i] = followed[i]->point;
@@ -425,9 +428,9 @@ class DrawGesture : public Gesture {
     return false;
   }
 
-  const SurfaceGuide& guide(const Workbench& bench) const {
-    if (guideOf_ != bench.fitting->body) {
-      guideOf_ = bench.fitting->body;
+  const SurfaceGuide& guide(const GestureContext& context) const {
+    if (guideOf_ != context.snapshot->body) {
+      guideOf_ = context.snapshot->body;
       guide_ = std::make_unique<SurfaceGuide>(guideOf_->mesh());
       known_.clear();
     }
@@ -435,11 +438,11 @@ class DrawGesture : public Gesture {
   }
 
   // The line as it runs over the skin.
-  std::vector<Vec3> path(const Workbench& bench) const {
+  std::vector<Vec3> path(const GestureContext& context) const {
     const std::vector<Noted> line = all();
     std::vector<Vec3> points;
-    if (!bench.fitting->body) return points;
-    const SurfaceGuide& skin = guide(bench);
+    if (!context.snapshot->body) return points;
+    const SurfaceGuide& skin = guide(context);
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (i > 0) {
         if (known_.size() < i) {
@@ -458,10 +461,11 @@ class DrawGesture : public Gesture {
     return points;
   }
 
-  Told ended(const Workbench& bench, bool asked) {
+  GestureResult ended(const GestureContext& context, bool asked) {
     const std::vector<Noted> line = all();
     if (line.size() < 2)
-      return asked ? Told{.why = say("A line needs at least three places to hold a piece of cloth.")} : Told{};
+      return asked ? GestureResult{.why = say("A line needs at least three places to hold a piece of cloth.")}
+                   : GestureResult{};
     const Vec3 a = line.front().point, b = line.back().point;
     const bool meets = line.size() > 3 && distance(a, b) < kMeets;
     const auto middle = [](Vec3 p) { return std::fabs(p.x) < kCentre; };
@@ -469,7 +473,7 @@ class DrawGesture : public Gesture {
     if (!meets && !half && !asked) return {};
     if (asked && line.size() < 3) return {.why = say("A line needs at least three places to hold a piece of cloth.")};
 
-    const Body& body = *bench.fitting->body;
+    const Body& body = *context.snapshot->body;
     DrawPiece draw;
     draw.symmetric = half;
     std::size_t count = line.size();
@@ -489,13 +493,13 @@ class DrawGesture : public Gesture {
       draw.line.push_back(point);
     }
     draw.edges = edgeNames(std::span(line).first(half ? count - 1 : count), half);
-    draw.name = usableName(bench.fitting->document, calledBy(lies, draw.symmetric));
+    draw.name = usableName(context.snapshot->document, calledBy(lies, draw.symmetric));
     parts_.clear();
     hover_.reset();
     return {.over = true, .operation = std::move(draw)};
   }
 
-  Told refuse(Message why) {
+  GestureResult refuse(Message why) {
     parts_.pop_back();
     return {.why = std::move(why)};
   }

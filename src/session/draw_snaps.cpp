@@ -32,9 +32,9 @@ bool sees(const StrokeSample& sample, Vec3 place, bool cloth, double across) {
 
 }  // namespace
 
-void DrawSnaps::of(FittingPtr fitting) {
-  if (fitting == fitting_) return;
-  fitting_ = std::move(fitting);
+void DrawSnaps::of(SnapshotPtr snapshot) {
+  if (snapshot == fitting_) return;
+  fitting_ = std::move(snapshot);
   places_.clear();
   curves_.clear();
   if (!fitting_->body) return;

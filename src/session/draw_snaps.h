@@ -20,7 +20,7 @@ class DrawSnaps {
     std::optional<BodyPoint> named;  // on one of the body's lines
     bool corner = false;             // a place, not a line to run along
   };
-  void of(FittingPtr fitting);
+  void of(SnapshotPtr snapshot);
   // What the pointer snaps to: places before lines, outlines before lines of the body.
   // The body's lines count where they are shown, and where the depth is not certain.
   std::optional<Snap> near(const StrokeSample& sample, bool linesShown) const;
@@ -50,7 +50,7 @@ class DrawSnaps {
     bool cloth = false;
   };
   std::optional<Followed> onCurve(std::size_t curve, const StrokeSample& sample, double share, double& away) const;
-  FittingPtr fitting_;
+  SnapshotPtr fitting_;
   std::vector<Place> places_;
   std::vector<Curve> curves_;
 };

@@ -1,17 +1,17 @@
 // Which end of the chosen edge stays when its length is typed.
 #include "karinui/design/edge_length.h"
 #include "karinui/pattern/symmetry.h"
-#include "session/inside.h"
+#include "session/session_impl.h"
 
 namespace karinui {
 
-const Session::Inside::EdgeEnds& Session::Inside::edgeEnds() const {
+const Session::Impl::EdgeEnds& Session::Impl::edgeEnds() const {
   using Keep = SetLength::Keep;
-  if (edgeEnds_ && edgeEnds_->of == state.fitting && edgeEnds_->edge == selection.edge &&
+  if (edgeEnds_ && edgeEnds_->of == state.snapshot && edgeEnds_->edge == selection.edge &&
       edgeEnds_->wished == keepWished)
     return *edgeEnds_;
-  EdgeEnds ends{state.fitting, selection.edge, keepWished, Keep::Start, false, {}, {}};
-  const Piece* piece = selection.edge ? state.fitting->document.find(selection.edge->piece) : nullptr;
+  EdgeEnds ends{state.snapshot, selection.edge, keepWished, Keep::Start, false, {}, {}};
+  const Piece* piece = selection.edge ? state.snapshot->document.find(selection.edge->piece) : nullptr;
   const auto k = piece ? piece->outline.find(selection.edge->edge) : std::nullopt;
   if (k) {
     const auto symmetry = symmetryOf(piece->outline);
@@ -19,7 +19,7 @@ const Session::Inside::EdgeEnds& Session::Inside::edgeEnds() const {
     ends.bothHalves = partner.has_value();
     ends.keep = keepWished != Keep::Auto && partner != k
                     ? keepWished
-                    : karinui::keptEnd(state.fitting->document, *piece, selection.edge->edge, ends.bothHalves);
+                    : karinui::keptEnd(state.snapshot->document, *piece, selection.edge->edge, ends.bothHalves);
     const auto mark = [&](Flat place, bool stays) {
       (stays ? ends.stay : ends.move).push_back(place);
       if (partner && partner != k) (stays ? ends.stay : ends.move).push_back(symmetry->image(place));

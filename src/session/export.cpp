@@ -9,12 +9,12 @@ namespace karinui {
 
 namespace {
 
-SpatialGarment spatialOf(const Fitting& fitting) {
+SpatialGarment spatialOf(const GarmentSnapshot& snapshot) {
   SpatialGarment garment;
-  if (fitting.body) garment.body = fitting.body->mesh();
-  for (const SceneCloth& cloth : fitting.frame.cloths)
+  if (snapshot.body) garment.body = snapshot.body->mesh();
+  for (const SceneCloth& cloth : snapshot.frame.cloths)
     garment.pieces.push_back(
-        {cloth.name, fitting.document.pieceNamed(cloth.name)->fabric, cloth.mesh, cloth.flat, cloth.colour});
+        {cloth.name, snapshot.document.pieceNamed(cloth.name)->fabric, cloth.mesh, cloth.flat, cloth.colour});
   return garment;
 }
 
@@ -52,8 +52,8 @@ const ExportInfo& info(ExportKind kind) {
   KARINUI_ASSERT(false);
 }
 
-Result<std::string> exported(const Fitting& fitting, const std::vector<Step>& steps, const ExportWish& wish) {
-  const Pattern& pattern = fitting.document.pattern;
+Result<std::string> exported(const GarmentSnapshot& snapshot, const std::vector<Step>& steps, const ExportWish& wish) {
+  const Pattern& pattern = snapshot.document.pattern;
   if (wish.kind != ExportKind::Steps && pattern.pieces.empty())
     return refused(say("There is no piece yet; draw one on the body."));
   switch (wish.kind) {
@@ -63,9 +63,9 @@ Result<std::string> exported(const Fitting& fitting, const std::vector<Step>& st
     case ExportKind::Svg:
       return writeSvg(pattern, wish.sheet);
     case ExportKind::Glb:
-      return writeGlb(spatialOf(fitting));
+      return writeGlb(spatialOf(snapshot));
     case ExportKind::Obj:
-      return writeObj(spatialOf(fitting));
+      return writeObj(spatialOf(snapshot));
     case ExportKind::Json:
       return writePatternJson(pattern);
     case ExportKind::GarmentCode:
@@ -78,9 +78,9 @@ Result<std::string> exported(const Fitting& fitting, const std::vector<Step>& st
   return all;
 }
 
-Result<PaperPages> paperOf(const Fitting& fitting, const ExportWish& wish) {
-  if (fitting.document.pattern.pieces.empty()) return refused(say("There is no piece yet; draw one on the body."));
-  return PaperPages::of(fitting.document.pattern, paperKindOf(wish.kind), wish.sheet);
+Result<PaperPages> paperOf(const GarmentSnapshot& snapshot, const ExportWish& wish) {
+  if (snapshot.document.pattern.pieces.empty()) return refused(say("There is no piece yet; draw one on the body."));
+  return PaperPages::of(snapshot.document.pattern, paperKindOf(wish.kind), wish.sheet);
 }
 
 }  // namespace karinui

@@ -1,5 +1,5 @@
 // The figure turned under the hand, and worn.
-#include "session/inside.h"
+#include "session/session_impl.h"
 
 namespace karinui {
 
@@ -18,44 +18,39 @@ const SetBody* Session::figure() const {
   return last ? &std::get<SetBody>(steps()[*last].operation) : nullptr;
 }
 
-void Session::Inside::tryNextFigure() {
-  if (trying || !tried) return;
-  trying = true;
-  line.add(TaskLine::Kind::Figure, [this, body = *std::exchange(tried, std::nullopt)](const Token& token) {
-    const Result<FittingPtr> worn = room->tried(body, token);
+void Session::Impl::tryNextFigure() {
+  const auto next = trial.next();
+  if (!next) return;
+  tasks.add(TaskQueue::Kind::Figure, [this, body = *next](const Token& token) {
+    const Result<SnapshotPtr> worn = documentWorker->onFigure(body, token);
     return [this, worn] {
-      trying = false;
-      if (worn && figureTurns) preview = *worn, ++news.garment, ++news.predicted;
+      if (trial.built() && worn) preview = *worn, ++changes.garment, ++changes.predicted;
       tryNextFigure();
     };
   });
 }
 
-void Session::Inside::dropFigure() {
-  line.cancel(TaskLine::Kind::Figure);
-  tried.reset();
-  trying = false;
-  if (std::exchange(figureTurns, false) && preview) preview.reset(), ++news.garment;
+void Session::Impl::dropFigure() {
+  tasks.cancel(TaskQueue::Kind::Figure);
+  if (trial.end() && preview) preview.reset(), ++changes.garment;
 }
 
-void Session::tryFigure(SetBody body) {
-  auto& in = *inside_;
-  if (!in.figureTurns) in.interruptSettling();
-  in.figureTurns = true;
-  in.tried = std::move(body);
+void Session::previewFigure(SetBody body) {
+  auto& in = *impl_;
+  if (!in.trial.active()) in.interruptSettling();
+  in.trial.propose(std::move(body));
   in.tryNextFigure();
 }
 
-void Session::wearFigure(SetBody body) {
-  auto& in = *inside_;
+void Session::applyFigure(SetBody body) {
+  auto& in = *impl_;
   // The figure last shown stays until the new one is there.
-  in.line.cancel(TaskLine::Kind::Figure);
-  in.tried.reset();
-  in.trying = in.figureTurns = false;
+  in.tasks.cancel(TaskQueue::Kind::Figure);
+  in.trial.end();
   const auto last = lastFigure(in.state.steps);
   if (in.state.readOnly || !last) return perform(std::move(body));
   if (std::get<SetBody>(in.state.steps[*last].operation) == body) return in.dropGesture(), in.settleInterrupted();
-  const FittingPtr seen = in.preview;
+  const SnapshotPtr seen = in.preview;
   amend(*last + 1, std::move(body));
   in.preview = seen;
 }

@@ -83,18 +83,18 @@ std::vector<Vec3> taped(std::vector<Vec3> points, double& length) {
 
 }  // namespace
 
-std::vector<float> pressureOnBody(const Fitting& fitting, Workers& workers) {
-  if (!fitting.body || fitting.document.pattern.pieces.empty()) return {};
-  const Result<Standing> standing = standingCloth(fitting.document, livePieces(fitting.document, {}));
+std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& workers) {
+  if (!snapshot.body || snapshot.document.pattern.pieces.empty()) return {};
+  const Result<Standing> standing = standingCloth(snapshot.document, livePieces(snapshot.document, {}));
   if (!standing) return {};
   const std::vector<Vec3>& place = standing->state.position;
   const std::vector<Vec3> support = supportOf(standing->cloth, standing->state, DrapePieces().gravity, workers);
   const std::vector<double> area = areasOf(standing->cloth);
-  const DistanceField& skin = fitting.body->field();
+  const DistanceField& skin = snapshot.body->field();
   Boxes boxes(3 * kFinger);
   for (std::uint32_t k = 0; k < place.size(); ++k)
     if (skin.distance(place[k]) < kLies) boxes.add(place[k], k);
-  const TriangleMesh& mesh = fitting.body->mesh();
+  const TriangleMesh& mesh = snapshot.body->mesh();
   std::vector<float> pressure(mesh.points.size(), -1);
   const std::vector<Vec3> out = pointNormals(mesh);
   workers.forBlocks(pressure.size(), 512, [&](std::size_t begin, std::size_t end) {
@@ -114,13 +114,13 @@ std::vector<float> pressureOnBody(const Fitting& fitting, Workers& workers) {
   return pressure;
 }
 
-std::vector<Girths> girthsAt(const Fitting& fitting, double height) {
+std::vector<Girths> girthsAt(const GarmentSnapshot& snapshot, double height) {
   using Part = BodyPoint::Part;
   const Plane level{{0, height, 0}, {0, 1, 0}};
   std::map<Part, std::vector<Vec3>> figure;
-  if (fitting.body)
-    for (const SectionLoop& loop : section(fitting.body->mesh(), level)) {
-      auto& mine = figure[roundWhat(*fitting.body, loop)];
+  if (snapshot.body)
+    for (const SectionLoop& loop : section(snapshot.body->mesh(), level)) {
+      auto& mine = figure[roundWhat(*snapshot.body, loop)];
       mine.insert(mine.end(), loop.points.begin(), loop.points.end());
     }
   // Cloth is round what it is nearest to.
@@ -133,7 +133,7 @@ std::vector<Girths> girthsAt(const Fitting& fitting, double height) {
     return best;
   };
   std::map<Part, std::vector<Vec3>> cloth;
-  for (const SceneCloth& piece : fitting.frame.cloths)
+  for (const SceneCloth& piece : snapshot.frame.cloths)
     for (const SectionLoop& loop : section(piece.mesh, level))
       for (const Vec3 p : loop.points) cloth[nearest(p)].push_back(p);
   const auto tape = [&](Girths::Round what, std::vector<Vec3> under, std::vector<Vec3> round) {
@@ -164,9 +164,9 @@ std::vector<Girths> girthsAt(const Fitting& fitting, double height) {
   return {tape(Girths::Round::Trunk, std::move(under), std::move(round))};
 }
 
-std::vector<Girths> girthsOf(const Fitting& fitting) {
+std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {
   std::vector<Girths> all;
-  if (!fitting.body) return all;
+  if (!snapshot.body) return all;
   const std::pair<const char*, Message> levels[] = {{"torso:armpit@0", say("armpit")},
                                                     {"torso:bust@0", say("bust")},
                                                     {"torso:under_bust@0", say("under bust")},
@@ -174,12 +174,12 @@ std::vector<Girths> girthsOf(const Fitting& fitting) {
                                                     {"torso:hip@0", say("hip")}};
   const auto heightOf = [&](const char* place) -> std::optional<double> {
     const auto point = parseBodyPoint(place);
-    const auto there = point ? fitting.body->find(*point) : Result<SurfacePoint>(point.error());
-    return there ? std::optional(at(fitting.body->mesh(), *there).y) : std::nullopt;
+    const auto there = point ? snapshot.body->find(*point) : Result<SurfacePoint>(point.error());
+    return there ? std::optional(at(snapshot.body->mesh(), *there).y) : std::nullopt;
   };
   for (const auto& [place, name] : levels)
     if (const auto height = heightOf(place))
-      for (Girths& girths : girthsAt(fitting, *height)) {
+      for (Girths& girths : girthsAt(snapshot, *height)) {
         if (girths.what != Girths::Round::Trunk || girths.garment <= 0) continue;
         girths.name = name;
         all.push_back(std::move(girths));
@@ -193,7 +193,7 @@ std::vector<Girths> girthsOf(const Fitting& fitting) {
                                 {"left_leg:ankle@0", say("left ankle"), say("right ankle")}};
   for (const LegLevel& level : legLevels)
     if (const auto height = heightOf(level.place))
-      for (Girths& girths : girthsAt(fitting, *height)) {
+      for (Girths& girths : girthsAt(snapshot, *height)) {
         if (girths.what == Girths::Round::Trunk || girths.garment <= 0) continue;
         girths.name = girths.what == Girths::Round::LeftLeg ? level.left : level.right;
         all.push_back(std::move(girths));

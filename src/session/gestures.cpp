@@ -4,36 +4,13 @@
 #include <cmath>
 
 #include "karinui/base/number.h"
+#include "karinui/base/result.h"
 
 namespace karinui {
 
 std::unique_ptr<Gesture> gestureFor(Command tool) {
-  switch (tool) {
-    case Command::Draw:
-      return drawGesture();
-    case Command::Move:
-      return moveGesture();
-    case Command::Sew:
-      return sewGesture();
-    case Command::Cut:
-      return cutGesture();
-    case Command::Pull:
-      return pullGesture();
-    case Command::Reshape:
-      return reshapeGesture();
-    case Command::Points:
-      return pointsGesture();
-    case Command::Notch:
-      return notchGesture();
-    case Command::Dart:
-      return dartGesture();
-    case Command::Line:
-      return lineGesture();
-    case Command::Pin:
-      return pinGesture();
-    default:
-      return selectGesture();
-  }
+  KARINUI_ASSERT(isTool(tool));
+  return info(tool).gesture();
 }
 
 double tenth(double metres) {
@@ -97,42 +74,42 @@ std::vector<std::size_t> mattering(std::span<const Point> line, double miss) {
 template std::vector<std::size_t> mattering(std::span<const Flat>, double);
 template std::vector<std::size_t> mattering(std::span<const Vec3>, double);
 
-std::vector<Flat> edgeOnTable(const Workbench& bench, const EdgeRef& part) {
+std::vector<Flat> edgeOnTable(const GestureContext& context, const EdgeRef& part) {
   std::vector<Flat> line;
-  const Piece* piece = bench.fitting->document.find(part.piece.id);
+  const Piece* piece = context.snapshot->document.find(part.piece.id);
   const Edge* edge = piece ? findEdge(*piece, part.edge) : nullptr;
   if (!edge) return line;
-  const Flat lies = bench.table->at(piece->id);
+  const Flat lies = context.table->at(piece->id);
   for (const Flat p : edge->curve.evenly(part.from, part.to, 40)) line.push_back(p + lies);
   return line;
 }
 
-double lengthOf(const Workbench& bench, const EdgeRef& part) {
-  const Piece* piece = bench.fitting->document.find(part.piece.id);
+double lengthOf(const GestureContext& context, const EdgeRef& part) {
+  const Piece* piece = context.snapshot->document.find(part.piece.id);
   const Edge* edge = piece ? findEdge(*piece, part.edge) : nullptr;
   return edge ? edge->curve.length() * (part.to - part.from) : 0;
 }
 
-void showEdge(Preview& preview, const Workbench& bench, const EdgeRef& part, const Colour& colour) {
-  auto space = edgeInSpace(*bench.fitting, part);
+void showEdge(Preview& preview, const GestureContext& context, const EdgeRef& part, const Colour& colour) {
+  auto space = edgeInSpace(*context.snapshot, part);
   if (space.empty()) return;
   preview.space.lines.push_back({std::move(space), colour, 4, false});
-  preview.table.lines.push_back({edgeOnTable(bench, part), colour, false});
+  preview.table.lines.push_back({edgeOnTable(context, part), colour, false});
 }
 
-std::string easeSaid(const Workbench& bench, double one, double other) {
+std::string easeSaid(const GestureContext& context, double one, double other) {
   const std::string sign = other >= one ? "+" : "−";
   const double spare = std::fabs(other - one);
-  return bench.said(one) + " / " + bench.said(other) + "   " + sign + bench.said(spare) + " (" + sign +
+  return context.said(one) + " / " + context.said(other) + "   " + sign + context.said(spare) + " (" + sign +
          fixed(one > 0 ? 100 * spare / one : 0, 1) + " %)";
 }
 
-void showOnPaper(Preview& preview, const Workbench& bench, PieceId id, const std::vector<Flat>& line,
+void showOnPaper(Preview& preview, const GestureContext& context, PieceId id, const std::vector<Flat>& line,
                  const Colour& colour) {
   constexpr double kStride = 0.008;  // metres: cloth bends between the places
-  const Piece* piece = bench.fitting->document.find(id);
+  const Piece* piece = context.snapshot->document.find(id);
   if (!piece || line.empty()) return;
-  const Flat lies = bench.table->at(id);
+  const Flat lies = context.table->at(id);
   const Stand stand(*piece);
   SceneLine space{{}, colour, 3, false};
   TableLine table{{}, colour, false};

@@ -59,13 +59,13 @@ template <class Point>
 std::vector<std::size_t> mattering(std::span<const Point> line, double miss);
 
 // A part of an edge on the table, and its length.
-std::vector<Flat> edgeOnTable(const Workbench& bench, const EdgeRef& part);
-double lengthOf(const Workbench& bench, const EdgeRef& part);
-void showEdge(Preview& preview, const Workbench& bench, const EdgeRef& part, const Colour& colour);
+std::vector<Flat> edgeOnTable(const GestureContext& context, const EdgeRef& part);
+double lengthOf(const GestureContext& context, const EdgeRef& part);
+void showEdge(Preview& preview, const GestureContext& context, const EdgeRef& part, const Colour& colour);
 // "12.3 cm / 12.8 cm   +0.5 cm (4.1 %)": two sides of a seam, and what the second has to spare.
-std::string easeSaid(const Workbench& bench, double one, double other);
+std::string easeSaid(const GestureContext& context, double one, double other);
 // A line on a piece's paper, on the table and on the cloth.
-void showOnPaper(Preview& preview, const Workbench& bench, PieceId piece, const std::vector<Flat>& line,
+void showOnPaper(Preview& preview, const GestureContext& context, PieceId piece, const std::vector<Flat>& line,
                  const Colour& colour);
 
 }  // namespace karinui

@@ -8,10 +8,10 @@ namespace {
 
 class LineGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+  GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
     const bool table = sample.where == PointerSample::Where::Table;
     std::optional<Flat> paper;
-    if (table && (piece_ || hit.piece)) paper = sample.place - bench.table->at(piece_ ? piece_ : hit.piece);
+    if (table && (piece_ || hit.piece)) paper = sample.place - context.table->at(piece_ ? piece_ : hit.piece);
     if (!table && hit.on == Hit::On::Cloth && (!piece_ || hit.piece == piece_)) paper = hit.paper;
     const auto end = paper ? std::optional(tenth(*paper)) : std::nullopt;
     switch (sample.phase) {
@@ -20,7 +20,8 @@ class LineGesture : public Gesture {
         return {};
       case PointerSample::Phase::Press:
         if (!end || !hit.piece) return {.why = say("A line lies inside a piece.")};
-        if (!along_.empty() && distance(along_.back(), *end) < kSame) return along_.size() > 1 ? finished() : Told{};
+        if (!along_.empty() && distance(along_.back(), *end) < kSame)
+          return along_.size() > 1 ? finished() : GestureResult{};
         piece_ = hit.piece;
         along_.push_back(*end);
         stroke_ = {*end};
@@ -39,7 +40,7 @@ class LineGesture : public Gesture {
     smooth_ = along_.size() > 2;
     return finished();
   }
-  Told confirm(const Workbench&) override {
+  GestureResult confirm(const GestureContext&) override {
     if (along_.size() < 2) return {.why = say("A line needs at least two places.")};
     return finished();
   }
@@ -50,16 +51,16 @@ class LineGesture : public Gesture {
     if (along_.empty()) piece_ = {};
     return true;
   }
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
     if (!piece_) return shown;
     std::vector<Flat> line = along_;
     line.insert(line.end(), stroke_.begin(), stroke_.end());
     if (now_) line.push_back(*now_);
-    showOnPaper(shown, bench, piece_, line, kChalk);
+    showOnPaper(shown, context, piece_, line, kChalk);
     double length = 0;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) length += distance(line[i], line[i + 1]);
-    if (length > 0) shown.table.words.push_back({line.back() + bench.table->at(piece_), bench.said(length)});
+    if (length > 0) shown.table.words.push_back({line.back() + context.table->at(piece_), context.said(length)});
     return shown;
   }
   Message hint() const override {
@@ -70,7 +71,7 @@ class LineGesture : public Gesture {
 
  private:
   static constexpr double kSame = 0.003, kStep = 0.003, kMiss = 0.001;  // metres
-  Told finished() {
+  GestureResult finished() {
     AddLine line;
     line.piece = piece_;
     line.along = along_;

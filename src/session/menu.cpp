@@ -2,31 +2,41 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace karinui {
 
 namespace {
 
-constexpr std::array kBar{Command::Draw,    Command::Move,        Command::Sew,  Command::Cut,   Command::Pull,
-                          Command::Reshape, Command::ViewOblique, Command::Undo, Command::Settle};
+const std::vector<Command>& bar() {
+  static const std::vector<Command> on = [] {
+    std::vector<Command> found;
+    for (const CommandInfo& one : commands())
+      if (one.onBar) found.push_back(one.command);
+    return found;
+  }();
+  return on;
+}
 constexpr double kNear = 0.62;  // of the distance to what is looked at
 constexpr double kHigh = 1.08;  // of a button's width, its label included; the rest is in buttons, too
 constexpr double kGap = 0.06, kRim = 0.12, kMargin = 0.14;
-constexpr std::size_t kTools = 6;                        // a wider gap after them
 constexpr double kMostHigh = 0.94, kMostWide = 1 / 6.0;  // of the view
 constexpr double kButtonMost = 0.09;                     // of the view's height,
 constexpr double kButtonPoints = 52;                     // and in device-independent pixels
 
 constexpr double kWide = 1 + 2 * kRim;
-constexpr double kTall = kBar.size() * kHigh + (kBar.size() + 1) * kGap + 2 * kRim;
-
-// The side of a button, of half the view's height.
-double buttonOf(const Sight& sight) {
-  const double most = sight.points > 0 ? std::min(kButtonMost, kButtonPoints / sight.points) : kButtonMost;
-  return 2 * std::min({kMostHigh / kTall, kMostWide * sight.aspect / kWide, most});
+double tall() {
+  const auto buttons = static_cast<double>(bar().size());
+  return buttons * kHigh + (buttons + 1) * kGap + 2 * kRim;
 }
 
-std::optional<std::array<double, 2>> placeOn(const ScenePanel& panel, const Ray& ray) {
+// The side of a button, of half the view's height.
+double buttonOf(const Viewpoint& viewpoint) {
+  const double most = viewpoint.points > 0 ? std::min(kButtonMost, kButtonPoints / viewpoint.points) : kButtonMost;
+  return 2 * std::min({kMostHigh / tall(), kMostWide * viewpoint.aspect / kWide, most});
+}
+
+std::optional<std::array<double, 2>> placeOn(const SceneMenu& panel, const Ray& ray) {
   const Vec3 normal = cross(panel.across, panel.upward);
   const double slope = dot(normal, ray.direction);
   if (std::fabs(slope) < 1e-12 * length(normal)) return std::nullopt;
@@ -40,48 +50,51 @@ std::optional<std::array<double, 2>> placeOn(const ScenePanel& panel, const Ray&
 
 }  // namespace
 
-std::span<const Command> menuBar() { return kBar; }
+std::span<const Command> menuBar() { return bar(); }
 
-double menuShare(const Sight& sight) { return (kWide + 2 * kMargin) * buttonOf(sight) / (2 * sight.aspect); }
+double menuShare(const Viewpoint& viewpoint) {
+  return (kWide + 2 * kMargin) * buttonOf(viewpoint) / (2 * viewpoint.aspect);
+}
 
-ScenePanel menuPanel(const Sight& sight, const MenuState& state) {
-  const double far = sight.distance * kNear, half = far * sight.tanHalf, unit = half * buttonOf(sight);
-  ScenePanel panel;
-  panel.across = sight.right * (kWide * unit);
-  panel.upward = sight.up * (kTall * unit);
-  const Vec3 middle = sight.eye - sight.back * far + sight.right * (half * sight.aspect - (kMargin + kWide / 2) * unit);
+SceneMenu menuPanel(const Viewpoint& viewpoint, const MenuState& state) {
+  const double far = viewpoint.distance * kNear, half = far * viewpoint.tanHalf, unit = half * buttonOf(viewpoint);
+  SceneMenu panel;
+  panel.across = viewpoint.right * (kWide * unit);
+  panel.upward = viewpoint.up * (tall() * unit);
+  const Vec3 middle =
+      viewpoint.eye - viewpoint.back * far + viewpoint.right * (half * viewpoint.aspect - (kMargin + kWide / 2) * unit);
   panel.corner = middle - panel.across * 0.5 - panel.upward * 0.5;
-  double top = kTall - kRim;
-  for (std::size_t i = 0; i < kBar.size(); ++i) {
-    const CommandInfo& about = info(kBar[i]);
-    if (i == kTools) top -= 2 * kGap;
-    ScenePanel::Button button;
+  double top = tall() - kRim;
+  for (std::size_t i = 0; i < bar().size(); ++i) {
+    const CommandInfo& about = info(bar()[i]);
+    if (i > 0 && !isTool(bar()[i]) && isTool(bar()[i - 1])) top -= 2 * kGap;
+    SceneMenu::Button button;
     button.left = kRim * unit;
     button.bottom = (top - kHigh) * unit;
     button.width = unit;
     button.height = kHigh * unit;
-    button.icon = kBar[i] == Command::ViewOblique ? "view" : std::string(about.icon);
-    button.label = kBar[i] == Command::ViewOblique ? say("View") : about.label;
-    button.hot = state.hot == kBar[i];
-    button.chosen = state.chosen && state.chosen(kBar[i]);
-    button.enabled = !state.enabled || state.enabled(kBar[i]);
+    button.icon = bar()[i] == Command::ViewOblique ? "view" : std::string(about.icon);
+    button.label = bar()[i] == Command::ViewOblique ? say("View") : about.label;
+    button.hot = state.hot == bar()[i];
+    button.chosen = state.chosen && state.chosen(bar()[i]);
+    button.enabled = !state.enabled || state.enabled(bar()[i]);
     panel.buttons.push_back(std::move(button));
     top -= kHigh + kGap;
   }
   return panel;
 }
 
-std::optional<Command> menuHit(const ScenePanel& panel, const Ray& ray) {
+std::optional<Command> menuHit(const SceneMenu& panel, const Ray& ray) {
   const auto at = placeOn(panel, ray);
   if (!at) return std::nullopt;
   for (std::size_t i = 0; i < panel.buttons.size(); ++i) {
-    const ScenePanel::Button& b = panel.buttons[i];
+    const SceneMenu::Button& b = panel.buttons[i];
     if ((*at)[0] >= b.left && (*at)[0] <= b.left + b.width && (*at)[1] >= b.bottom && (*at)[1] <= b.bottom + b.height)
-      return kBar[i];
+      return bar()[i];
   }
   return std::nullopt;
 }
 
-bool meets(const ScenePanel& panel, const Ray& ray) { return placeOn(panel, ray).has_value(); }
+bool meets(const SceneMenu& panel, const Ray& ray) { return placeOn(panel, ray).has_value(); }
 
 }  // namespace karinui

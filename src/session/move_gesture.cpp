@@ -16,7 +16,7 @@ constexpr double kDeep = 0.08;    // metres a snap may draw the piece nearer or 
 
 class MoveGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+  GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
         over_ = hit.piece;
@@ -26,7 +26,7 @@ class MoveGesture : public Gesture {
         held_ = hit.piece;
         onTable_ = sample.where == PointerSample::Where::Table;
         turning_ = sample.control && !sample.tip;
-        from_ = hit.on == Hit::On::Cloth ? hit.point : spaceOf(*bench.fitting, held_, hit.paper).value_or(hit.point);
+        from_ = hit.on == Hit::On::Cloth ? hit.point : spaceOf(*context.snapshot, held_, hit.paper).value_or(hit.point);
         fromTable_ = sample.place;
         facing_ = sample.facing;
         start_ = handAt(sample, from_);
@@ -36,8 +36,8 @@ class MoveGesture : public Gesture {
         by_ = {};
         turn_ = 0;
         snapped_.reset();
-        middle_ = middleOf(bench);
-        collect(bench);
+        middle_ = middleOf(context);
+        collect(context);
         return {};
       }
       case PointerSample::Phase::Drag:
@@ -78,11 +78,11 @@ class MoveGesture : public Gesture {
     return finished(std::move(move));
   }
 
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
     if (!held_) {
-      if (const Piece* piece = bench.fitting->document.find(over_))
-        for (const Edge& edge : piece->outline.edges) showEdge(shown, bench, {PieceRef(over_), edge.name}, kChalk);
+      if (const Piece* piece = context.snapshot->document.find(over_))
+        for (const Edge& edge : piece->outline.edges) showEdge(shown, context, {PieceRef(over_), edge.name}, kChalk);
       return shown;
     }
     if (onTable_) return shown;
@@ -90,7 +90,7 @@ class MoveGesture : public Gesture {
     if (snapped_) shown.space.dots.push_back(*snapped_);
     if (!turning_ && length(by_) > 0) {
       shown.space.lines.push_back({{start_, start_ + by_}, kChalk, 2, true});
-      shown.space.words.push_back({start_ + by_, bench.said(length(by_))});
+      shown.space.words.push_back({start_ + by_, context.said(length(by_))});
     }
     if (turning_ || turn_ != 0) {
       shown.space.words.push_back({middle_, std::to_string(std::lround(turn_ * 180 / std::numbers::pi)) + "°"});
@@ -103,20 +103,20 @@ class MoveGesture : public Gesture {
     return info(Command::Move).hint;
   }
   bool begun() const override { return static_cast<bool>(held_); }
-  Stops stops() const override { return held_ ? Stops::Corners : Stops::Pieces; }
+  KeyStops keyStops() const override { return held_ ? KeyStops::Corners : KeyStops::Pieces; }
   std::optional<std::pair<PieceId, Flat>> laidAside() override { return std::exchange(aside_, std::nullopt); }
 
  private:
   static double tenthOfDegree(double radians) {
     return std::round(radians * 1800 / std::numbers::pi) / 1800 * std::numbers::pi;
   }
-  Told finished(std::optional<Operation> operation) {
+  GestureResult finished(std::optional<Operation> operation) {
     held_ = {};
     return {.over = true, .operation = std::move(operation)};
   }
 
-  Vec3 middleOf(const Workbench& bench) const {
-    const Piece* piece = bench.fitting->document.find(held_);
+  Vec3 middleOf(const GestureContext& context) const {
+    const Piece* piece = context.snapshot->document.find(held_);
     const Ring ring = piece->outline.flattened(1e-3);
     Flat low = ring.front(), high = low;
     for (const Flat p : ring) {
@@ -127,12 +127,12 @@ class MoveGesture : public Gesture {
   }
 
   // Corners of the piece in hand, corners and outlines of the others.
-  void collect(const Workbench& bench) {
+  void collect(const GestureContext& context) {
     mine_.clear();
     theirs_.clear();
     myOutline_.clear();
     theirOutline_.clear();
-    for (const auto& [id, piece] : bench.fitting->document.pattern.pieces) {
+    for (const auto& [id, piece] : context.snapshot->document.pattern.pieces) {
       const Stand stand(*piece);
       for (const Edge& edge : piece->outline.edges) {
         const Vec3 corner = stand(edge.curve.start);

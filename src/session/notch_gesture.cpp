@@ -11,11 +11,11 @@ namespace {
 
 class NotchGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
-    here_ = hit.edge ? found(*hit.edge, sample, bench) : std::nullopt;
+  GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
+    here_ = hit.edge ? found(*hit.edge, sample, context) : std::nullopt;
     if (sample.phase != PointerSample::Phase::Press) return {};
     if (!here_) return {.why = say("A notch lies on the edge of a piece.")};
-    const Piece& piece = *bench.fitting->document.find(here_->edge.piece.id);
+    const Piece& piece = *context.snapshot->document.find(here_->edge.piece.id);
     if (here_->there) return {.over = true, .operation = EraseMarks{here_->edge.piece, {}, tenth(here_->paper)}};
     AddNotch notch;
     notch.edge = here_->edge;
@@ -23,29 +23,29 @@ class NotchGesture : public Gesture {
     const auto symmetry = sample.alt ? std::nullopt : symmetryOf(piece.outline);
     const auto edge = piece.outline.find(here_->edge.edge);
     notch.symmetric = symmetry && edge && imageOf(piece.outline, *symmetry, {*edge, here_->at});
-    Told told{.over = true};
+    GestureResult told{.over = true};
     if (symmetry && !notch.symmetric) told.why = onlyThisHalf();
     told.operation = std::move(notch);
     return told;
   }
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
     if (!here_) return shown;
-    showEdge(shown, bench, here_->edge, here_->there ? kBad : kChalk);
-    if (const auto place = spaceOf(*bench.fitting, here_->edge.piece.id, here_->paper)) {
+    showEdge(shown, context, here_->edge, here_->there ? kBad : kChalk);
+    if (const auto place = spaceOf(*context.snapshot, here_->edge.piece.id, here_->paper)) {
       shown.space.dots.push_back(*place);
-      shown.space.words.push_back({*place, words(bench)});
+      shown.space.words.push_back({*place, words(context)});
     }
-    const Flat table = here_->paper + bench.table->at(here_->edge.piece.id);
+    const Flat table = here_->paper + context.table->at(here_->edge.piece.id);
     shown.table.dots.push_back(table);
-    shown.table.words.push_back({table, words(bench)});
+    shown.table.words.push_back({table, words(context)});
     return shown;
   }
   Message hint() const override {
     return here_ && here_->there ? say("Click to take this notch away.") : info(Command::Notch).hint;
   }
   bool begun() const override { return false; }
-  Stops stops() const override { return Stops::Edges; }
+  KeyStops keyStops() const override { return KeyStops::Edges; }
   bool clicks() const override { return true; }
 
  private:
@@ -56,13 +56,13 @@ class NotchGesture : public Gesture {
     bool there = false;  // a notch is there already
   };
   // From both ends of the edge, as a tailor would note it.
-  std::string words(const Workbench& bench) const {
-    const double whole = lengthOf(bench, here_->edge);
-    return bench.said(here_->at * whole) + " | " + bench.said((1 - here_->at) * whole);
+  std::string words(const GestureContext& context) const {
+    const double whole = lengthOf(context, here_->edge);
+    return context.said(here_->at * whole) + " | " + context.said((1 - here_->at) * whole);
   }
-  static std::optional<Here> found(const EdgeNear& near, const PointerSample& sample, const Workbench& bench) {
+  static std::optional<Here> found(const EdgeNear& near, const PointerSample& sample, const GestureContext& context) {
     constexpr double kNear = 0.006;  // metres along the edge
-    const Piece* piece = bench.fitting->document.find(near.piece);
+    const Piece* piece = context.snapshot->document.find(near.piece);
     const Edge* edge = piece ? findEdge(*piece, near.edge) : nullptr;
     if (!edge) return std::nullopt;
     const double whole = edge->curve.length();

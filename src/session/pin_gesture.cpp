@@ -7,7 +7,7 @@ namespace {
 
 class PinGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+  GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
     piece_ = hit.piece;
     edge_ = sample.shift ? hit.edge : std::nullopt;
     paper_ = tenth(hit.paper);
@@ -15,7 +15,7 @@ class PinGesture : public Gesture {
     if (piece_ && !edge_) {
       // In space a finger's breadth of cloth; on the table what is near under the pointer.
       double nearest = sample.where == PointerSample::Where::Table ? sample.reach : kNear;
-      if (const auto pins = bench.fitting->document.pins.find(piece_); pins != bench.fitting->document.pins.end())
+      if (const auto pins = context.snapshot->document.pins.find(piece_); pins != context.snapshot->document.pins.end())
         for (const Flat pin : pins->second)
           if (const double away = distance(pin, hit.paper); away < nearest) nearest = away, there_ = pin;
     }
@@ -38,13 +38,13 @@ class PinGesture : public Gesture {
     }
     return {.over = true, .operation = std::move(pin)};
   }
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
-    if (edge_) showEdge(shown, bench, {PieceRef(edge_->piece), edge_->edge}, kChalk);
+    if (edge_) showEdge(shown, context, {PieceRef(edge_->piece), edge_->edge}, kChalk);
     if (!piece_ || edge_) return shown;
     const Flat at = there_.value_or(paper_);
-    if (const auto place = spaceOf(*bench.fitting, piece_, at)) shown.space.dots.push_back(*place);
-    shown.table.dots.push_back(at + bench.table->at(piece_));
+    if (const auto place = spaceOf(*context.snapshot, piece_, at)) shown.space.dots.push_back(*place);
+    shown.table.dots.push_back(at + context.table->at(piece_));
     return shown;
   }
   Message hint() const override { return there_ ? say("Click to take this pin out.") : info(Command::Pin).hint; }

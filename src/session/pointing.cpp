@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "karinui/base/number.h"
-#include "session/inside.h"
+#include "session/session_impl.h"
 
 namespace karinui {
 
@@ -44,10 +44,10 @@ Message placeOn(const Body& body, SurfacePoint skin, bool inches) {
 }  // namespace
 
 // The menu comes first, unless a drag is on its way across it.
-bool Session::Inside::overMenu(const PointerSample& sample) {
+bool Session::Impl::overMenu(const PointerSample& sample) {
   const bool asked = sample.phase == Phase::Hover || sample.phase == Phase::Press || onMenu;
-  if (!sight || sample.where != Where::Space || !asked) return hot.reset(), false;
-  const ScenePanel panel = menuPanel(*sight, {});
+  if (!viewpoint || sample.where != Where::Space || !asked) return hot.reset(), false;
+  const SceneMenu panel = menuPanel(*viewpoint, {});
   Ray ray = sample.ray;
   if (sample.tip) {  // a tip touches the board
     const Vec3 normal = normalized(cross(panel.across, panel.upward)), tip = sample.tip->carry;
@@ -62,29 +62,29 @@ bool Session::Inside::overMenu(const PointerSample& sample) {
   return true;
 }
 
-void Session::Inside::choose(Selection chosen) {
+void Session::Impl::choose(Selection chosen) {
   if (chosen == selection) return;
   const auto name = [](const Selection& one) {
     return one.edge ? std::pair(one.edge->piece, one.edge->edge) : std::pair(PieceId(), std::string());
   };
   if (name(chosen) != name(selection)) keepWished = SetLength::Keep::Auto;
   selection = std::move(chosen);
-  ++news.overlay;
+  ++changes.overlay;
   if (options.wake) options.wake();
 }
 
-void Session::Inside::point(const PointerSample& sample) {
+void Session::Impl::point(const PointerSample& sample) {
   if (turnsCrossed())
     if (const auto seam = crossedAt(crossed(), table, sample)) {
       onCross = true;
-      if (sample.phase == Phase::Press && !state.readOnly && !line.busy(TaskLine::Kind::Step))
+      if (sample.phase == Phase::Press && !state.readOnly && !tasks.busy(TaskQueue::Kind::Step))
         perform(FlipSeam{SeamRef(*seam)});
       if (sample.phase != Phase::Release) return;
     }
   if (std::exchange(onCross, false)) return;
   const bool begun = gesture->begun();
-  const Hit hit = pick(*state.fitting, table, sample);
-  Told answer = gesture->feed(sample, hit, bench());
+  const Hit hit = pick(*state.snapshot, table, sample);
+  GestureResult answer = gesture->feed(sample, hit, context());
   if (const auto chosen = gesture->chosen()) choose(*chosen);
   if (const auto aside = gesture->laidAside()) table.carry(aside->first, aside->second);
   if (sample.phase == Phase::Press && gesture->begun() && hit.piece && tool != Command::Draw) {
@@ -93,14 +93,14 @@ void Session::Inside::point(const PointerSample& sample) {
     taken.edge = hit.edge;
     choose(std::move(taken));
   }
-  told(std::move(answer), begun);
+  takeResult(std::move(answer), begun);
 }
 
 void Session::feed(const PointerSample& sample) {
-  auto& in = *inside_;
-  ++in.news.overlay;
-  if (sample.phase == Phase::Hover && in.keyHand.down()) return;  // a nudge of the table is no hand
-  in.keyHand.sleep();
+  auto& in = *impl_;
+  ++in.changes.overlay;
+  if (sample.phase == Phase::Hover && in.keyboard.down()) return;  // a nudge of the table is no hand
+  in.keyboard.sleep();
   if (in.overMenu(sample)) {
     if (sample.phase == Phase::Press && in.hot) command(*in.hot == Command::ViewOblique ? Command::ViewAll : *in.hot);
     return;
@@ -109,59 +109,59 @@ void Session::feed(const PointerSample& sample) {
 }
 
 void Session::leave() {
-  auto& in = *inside_;
+  auto& in = *impl_;
   in.hot.reset();
   in.onCross = false;
-  if (!in.keyHand.awake()) (void)in.gesture->feed({}, {}, in.bench());  // a hover over nothing
-  ++in.news.overlay;
+  if (!in.keyboard.awake()) (void)in.gesture->feed({}, {}, in.context());  // a hover over nothing
+  ++in.changes.overlay;
 }
 
 void Session::strike(KeyStroke key, const PointerSample& with) {
-  auto& in = *inside_;
-  ++in.news.overlay;
+  auto& in = *impl_;
+  ++in.changes.overlay;
   in.hot.reset();
-  if (in.gesture->dropMenu(in.bench()) && !with.shift) {  // arrows and Enter work the menu
-    if (key == KeyStroke::Up) in.gesture->moveInMenu(-1, in.bench());
-    if (key == KeyStroke::Down) in.gesture->moveInMenu(1, in.bench());
+  if (in.gesture->dropMenu(in.context()) && !with.shift) {  // arrows and Enter work the menu
+    if (key == KeyStroke::Up) in.gesture->moveInMenu(-1, in.context());
+    if (key == KeyStroke::Down) in.gesture->moveInMenu(1, in.context());
     if (key == KeyStroke::Press) command(Command::Confirm);
     if (key == KeyStroke::Up || key == KeyStroke::Down || key == KeyStroke::Press) {
       if (in.options.wake) in.options.wake();
       return;
     }
   }
-  const KeyHand::Around around{*in.state.fitting, in.table, in.sight.value_or(Sight()), in.gesture->stops(),
-                               in.gesture->clicks()};
-  for (const PointerSample& sample : in.keyHand.strike(key, with, around)) in.point(sample);
+  const KeyboardPointer::Around around{*in.state.snapshot, in.table, in.viewpoint.value_or(Viewpoint()),
+                                       in.gesture->keyStops(), in.gesture->clicks()};
+  for (const PointerSample& sample : in.keyboard.strike(key, with, around)) in.point(sample);
   if (in.options.wake) in.options.wake();
 }
 
 std::optional<PointerSample> Session::fingertip() const {
-  const auto& in = *inside_;
-  if (!in.keyHand.awake()) return std::nullopt;
-  return in.keyHand.now(in.sight.value_or(Sight()));
+  const auto& in = *impl_;
+  if (!in.keyboard.awake()) return std::nullopt;
+  return in.keyboard.now(in.viewpoint.value_or(Viewpoint()));
 }
 
 Message Session::keyHint() const {
-  const auto& in = *inside_;
-  if (!in.keyHand.awake()) return {};
-  const std::string step = lengthSaid(in.keyHand.step(), in.inches);
-  if (in.keyHand.down()) return say("Arrows carry it {0} a time, Tab to the next place; Enter lets go", step);
+  const auto& in = *impl_;
+  if (!in.keyboard.awake()) return {};
+  const std::string step = lengthSaid(in.keyboard.step(), in.inches);
+  if (in.keyboard.down()) return say("Arrows carry it {0} a time, Tab to the next place; Enter lets go", step);
   if (in.gesture->clicks())
     return say("Arrows go {0} (Page Up, Page Down), Tab to the next place; Enter clicks, twice ends a line", step);
   return say("Arrows go {0} (Page Up, Page Down), Tab to the next place; Enter takes hold", step);
 }
 
 Message Session::underFingertip() const {
-  const auto& in = *inside_;
+  const auto& in = *impl_;
   const auto tip = fingertip();
   if (!tip) return {};
-  const Fitting& fitting = *in.state.fitting;
-  const bool drawing = in.gesture->stops() == Stops::Skin;
-  const Hit hit = drawing ? pickBody(fitting, *tip) : pick(fitting, in.table, *tip);
-  if (hit.on == Hit::On::Body && !hit.edge) return placeOn(*fitting.body, hit.skin, in.inches);
+  const GarmentSnapshot& snapshot = *in.state.snapshot;
+  const bool drawing = in.gesture->keyStops() == KeyStops::Skin;
+  const Hit hit = drawing ? pickBody(snapshot, *tip) : pick(snapshot, in.table, *tip);
+  if (hit.on == Hit::On::Body && !hit.edge) return placeOn(*snapshot.body, hit.skin, in.inches);
   if (!hit.piece) return say("Beside everything");
-  const Piece& piece = *fitting.document.find(hit.piece);
-  const Piece* owner = hit.edge ? fitting.document.find(hit.edge->piece) : nullptr;
+  const Piece& piece = *snapshot.document.find(hit.piece);
+  const Piece* owner = hit.edge ? snapshot.document.find(hit.edge->piece) : nullptr;
   const Edge* edge = owner ? findEdge(*owner, hit.edge->edge) : nullptr;
   if (!edge) return say("On “{0}”", piece.name);
   const double whole = edge->curve.length();
@@ -169,6 +169,6 @@ Message Session::underFingertip() const {
              lengthSaid(hit.edge->fraction * whole, in.inches), lengthSaid(whole, in.inches));
 }
 
-void Session::select(Selection selection) { inside_->choose(std::move(selection)); }
+void Session::select(Selection selection) { impl_->choose(std::move(selection)); }
 
 }  // namespace karinui

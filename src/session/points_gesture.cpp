@@ -13,21 +13,21 @@ namespace {
 
 class PointsGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+  GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
     if (sample.where != PointerSample::Where::Table) {
       if (sample.phase == PointerSample::Phase::Press) return {.why = say("Points are edited on the flat pattern.")};
       return {};
     }
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
-        hover_ = grip(hit, sample, bench);
+        hover_ = grip(hit, sample, context);
         putting_ = sample.control;
         return {};
       case PointerSample::Phase::Press:
-        held_ = grip(hit, sample, bench);
+        held_ = grip(hit, sample, context);
         if (!held_) return {.why = say("Take hold of a corner or an edge of the pattern.")};
-        if (sample.control) return over(pointed(sample, bench));
-        before_ = bench.fitting->document.find(held_->piece)->outline;
+        if (sample.control) return over(pointed(sample, context));
+        before_ = context.snapshot->document.find(held_->piece)->outline;
         symmetry_ = symmetryOf(before_);
         now_ = before_;
         start_ = sample.place;
@@ -39,9 +39,9 @@ class PointsGesture : public Gesture {
     }
     if (!held_) return {};
     alone_ = symmetry_ && !sample.alt && !hasImage(sample.shift);
-    const Piece* piece = bench.fitting->document.find(held_->piece);
+    const Piece* piece = context.snapshot->document.find(held_->piece);
     if (!piece) return over({});
-    const Flat lies = bench.table->at(held_->piece), to = sample.place - lies;
+    const Flat lies = context.table->at(held_->piece), to = sample.place - lies;
     auto changed = held_->corner ? corner(*piece, to) : bent(*piece, to, sample.place - start_, sample.shift);
     if (changed && symmetry_ && !sample.alt)
       changed = checked(readable(onBothHalves(before_, *std::move(changed), *symmetry_)));
@@ -54,33 +54,34 @@ class PointsGesture : public Gesture {
     ReshapePiece op;
     op.piece = held_->piece;
     op.outline = now_;
-    if (sample.phase == PointerSample::Phase::Drag) return {.ask = moved && !why_ ? Ask(AskAfter{op}) : Ask{}};
+    if (sample.phase == PointerSample::Phase::Drag)
+      return {.request = moved && !why_ ? PreviewRequest(OperationPreview{op}) : PreviewRequest{}};
     if (why_) return over({}, why_);
     if (!moved) return over({});
     return over(op, alone_ ? std::optional(onlyThisHalf()) : std::nullopt);
   }
 
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
     const auto& here = held_ ? held_ : hover_;
     if (!here) return shown;
-    const Flat lies = bench.table->at(here->piece);
+    const Flat lies = context.table->at(here->piece);
     if (held_) {
       shown.outlines[held_->piece] = now_;
       const auto n = now_.find(held_->edge);
       if (n) {
         const Curve& curve = now_.edges[*n].curve;
         if (held_->corner) shown.table.dots.push_back(curve.start + lies);
-        shown.table.words.push_back({curve.atFraction(0.5) + lies, bench.said(curve.length())});
+        shown.table.words.push_back({curve.atFraction(0.5) + lies, context.said(curve.length())});
         if (held_->corner) {
           const Curve& other = now_.edges[(*n + now_.edges.size() - 1) % now_.edges.size()].curve;
-          shown.table.words.push_back({other.atFraction(0.5) + lies, bench.said(other.length())});
+          shown.table.words.push_back({other.atFraction(0.5) + lies, context.said(other.length())});
         }
       }
       return shown;
     }
     if (here->corner || putting_) shown.table.dots.push_back(here->place + lies);
-    if (!here->corner) showEdge(shown, bench, {PieceRef(here->piece), here->edge}, kChalk);
+    if (!here->corner) showEdge(shown, context, {PieceRef(here->piece), here->edge}, kChalk);
     return shown;
   }
   Message hint() const override {
@@ -89,7 +90,7 @@ class PointsGesture : public Gesture {
     return why_ ? *why_ : info(Command::Points).hint;
   }
   bool begun() const override { return held_.has_value(); }
-  Stops stops() const override { return Stops::Corners; }
+  KeyStops keyStops() const override { return KeyStops::Corners; }
 
  private:
   struct Grip {
@@ -100,8 +101,8 @@ class PointsGesture : public Gesture {
     Flat place;
   };
   // With Ctrl: a point more on the edge, or the corner taken away.
-  Operation pointed(const PointerSample& sample, const Workbench& bench) const {
-    const Outline& outline = bench.fitting->document.find(held_->piece)->outline;
+  Operation pointed(const PointerSample& sample, const GestureContext& context) const {
+    const Outline& outline = context.snapshot->document.find(held_->piece)->outline;
     const std::size_t k = *outline.find(held_->edge), n = outline.edges.size();
     const Choice symmetric = sample.alt ? Choice::No : Choice::Auto;
     if (held_->corner)
@@ -130,11 +131,11 @@ class PointsGesture : public Gesture {
     }
     return outline;
   }
-  static std::optional<Grip> grip(const Hit& hit, const PointerSample& sample, const Workbench& bench) {
+  static std::optional<Grip> grip(const Hit& hit, const PointerSample& sample, const GestureContext& context) {
     if (!hit.edge) return std::nullopt;
-    const Piece* piece = bench.fitting->document.find(hit.edge->piece);
+    const Piece* piece = context.snapshot->document.find(hit.edge->piece);
     if (!piece) return std::nullopt;
-    const Flat paper = sample.place - bench.table->at(piece->id);
+    const Flat paper = sample.place - context.table->at(piece->id);
     Grip grip{piece->id, hit.edge->edge, false, hit.edge->fraction, paper};
     double nearest = 1.6 * sample.reach;
     for (const Edge& edge : piece->outline.edges)
@@ -176,7 +177,7 @@ class PointsGesture : public Gesture {
     return checked(std::move(outline));
   }
 
-  Told over(std::optional<Operation> operation, std::optional<Message> why = {}) {
+  GestureResult over(std::optional<Operation> operation, std::optional<Message> why = {}) {
     held_.reset();
     return {.over = true, .operation = std::move(operation), .why = std::move(why)};
   }

@@ -13,7 +13,7 @@ constexpr double kLeast = 0.003;  // metres: less is a click
 
 class HandOnCloth : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+  GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
     if (sample.where != PointerSample::Where::Space) {
       if (sample.phase == PointerSample::Phase::Press) return {.why = say("Take hold of the cloth on the body.")};
       return {};
@@ -24,7 +24,7 @@ class HandOnCloth : public Gesture {
         return {};
       case PointerSample::Phase::Press: {
         if (hit.on != Hit::On::Cloth) return {.why = say("Take hold of the cloth on the body.")};
-        if (const Piece* piece = bench.fitting->document.find(hit.piece); piece && piece->frozen && !mayBeFrozen())
+        if (const Piece* piece = context.snapshot->document.find(hit.piece); piece && piece->frozen && !mayBeFrozen())
           return {.why = say("“{0}” is frozen; thaw it first.", piece->name)};
         held_ = hit.piece;
         at_ = tenth(hit.paper);
@@ -45,21 +45,21 @@ class HandOnCloth : public Gesture {
     const bool moved = distance(by, path_.back()) > 0;
     if (moved) path_.push_back(by);
     keep_ = sample.shift;
-    if (sample.phase == PointerSample::Phase::Drag) return {.ask = moved ? ask() : Ask{}};
+    if (sample.phase == PointerSample::Phase::Drag) return {.request = moved ? request() : PreviewRequest{}};
     const double most = furthest();
-    Told told{.over = true};
+    GestureResult told{.over = true};
     if (most >= kLeast) told.operation = operation(sample.seconds - began_);
     held_ = {};
     return told;
   }
 
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
     if (hover_) shown.space.dots.push_back(*hover_);
     if (!held_) return shown;
     const Vec3 hand = start_ + by();
     shown.space.dots.push_back(hand);
-    showHeld(shown, hand, bench);
+    showHeld(shown, hand, context);
     return shown;
   }
   Message hint() const override { return words(); }
@@ -68,10 +68,10 @@ class HandOnCloth : public Gesture {
  protected:
   virtual bool mayBeFrozen() const { return false; }
   virtual void took() {}
-  virtual Ask ask() const = 0;
+  virtual PreviewRequest request() const = 0;
   virtual Operation operation(double seconds) const = 0;
   virtual Message words() const = 0;
-  virtual void showHeld(Preview& shown, Vec3 hand, const Workbench& bench) const = 0;
+  virtual void showHeld(Preview& shown, Vec3 hand, const GestureContext& context) const = 0;
   Vec3 by() const { return path_.back(); }
   double furthest() const {
     double most = 0;
@@ -90,13 +90,13 @@ class HandOnCloth : public Gesture {
 
 class PullGesture : public HandOnCloth {
  public:
-  void answered(const Answer& answer) override {
-    if (answer.force) force_ = answer.force;
-    why_ = answer.why;
+  void previewed(const PreviewReply& reply) override {
+    if (reply.force) force_ = reply.force;
+    why_ = reply.why;
   }
 
  protected:
-  void showHeld(Preview& shown, Vec3 hand, const Workbench&) const override {
+  void showHeld(Preview& shown, Vec3 hand, const GestureContext&) const override {
     // The arrow is what the cloth does to the hand: 1 cm for a tenth of a newton, never longer than an arm.
     const double newtons = force_ ? length(*force_) : 0;
     if (force_ && newtons > 1e-3) {
@@ -108,7 +108,7 @@ class PullGesture : public HandOnCloth {
     if (force_) shown.space.words.push_back({hand, fixed(newtons, 2) + " N"});
   }
   void took() override { force_.reset(), why_.reset(); }
-  Ask ask() const override { return AskPull{held_, at_, by()}; }
+  PreviewRequest request() const override { return PullPreview{held_, at_, by()}; }
   Operation operation(double seconds) const override {
     PullCloth pull;
     pull.piece = held_;
@@ -135,21 +135,21 @@ class PullGesture : public HandOnCloth {
 
 class ReshapeGesture : public HandOnCloth {
  public:
-  void answered(const Answer& answer) override {
-    after_ = answer.after ? answer.after : after_;
-    why_ = answer.why;
+  void previewed(const PreviewReply& reply) override {
+    after_ = reply.after ? reply.after : after_;
+    why_ = reply.why;
   }
 
  protected:
-  void showHeld(Preview& shown, Vec3 hand, const Workbench& bench) const override {
+  void showHeld(Preview& shown, Vec3 hand, const GestureContext& context) const override {
     shown.space.lines.push_back({{start_, hand}, kChalk, 3, true});
-    shown.space.words.push_back({hand, bench.said(length(by()))});
+    shown.space.words.push_back({hand, context.said(length(by()))});
     if (after_)
       if (const Piece* piece = after_->document.find(held_)) shown.outlines[held_] = piece->outline;
   }
   bool mayBeFrozen() const override { return true; }
   void took() override { after_.reset(), why_.reset(); }
-  Ask ask() const override { return AskAfter{reshape()}; }
+  PreviewRequest request() const override { return OperationPreview{reshape()}; }
   Operation operation(double) const override { return reshape(); }
   Message words() const override { return why_ ? *why_ : info(Command::Reshape).hint; }
 
@@ -161,7 +161,7 @@ class ReshapeGesture : public HandOnCloth {
     op.by = {by()};
     return op;
   }
-  FittingPtr after_;
+  SnapshotPtr after_;
   std::optional<Message> why_;
 };
 

@@ -7,38 +7,38 @@ namespace {
 
 class SelectGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) override {
+  GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
     if (sample.phase == PointerSample::Phase::Hover) hover_ = hit.edge;
     if (sample.phase != PointerSample::Phase::Press) return {};
     Selection selection;
     if (hit.piece) selection.pieces = {hit.piece};
     selection.edge = hit.edge;
-    if (hit.edge) selection.seam = seamAt(bench.fitting->document, *hit.edge);
+    if (hit.edge) selection.seam = seamAt(context.snapshot->document, *hit.edge);
     chosen_ = selection;
     return {};
   }
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
     if (!hover_) return shown;
-    showEdge(shown, bench, {PieceRef(hover_->piece), hover_->edge}, kChalk);
+    showEdge(shown, context, {PieceRef(hover_->piece), hover_->edge}, kChalk);
     // Where it is sewn: to what, and what one side has to spare.
-    const Document& document = bench.fitting->document;
+    const Document& document = context.snapshot->document;
     if (const auto at = document.pattern.seams.find(seamAt(document, *hover_)); at != document.pattern.seams.end()) {
       const auto whole = [&](const std::vector<EdgeSpan>& side) {
         double sum = 0;
         for (const EdgeSpan& s : side) {
           const EdgeRef part{PieceRef(s.piece), s.edge, s.from, s.to};
-          sum += lengthOf(bench, part);
-          showEdge(shown, bench, part, kPartner);
+          sum += lengthOf(context, part);
+          showEdge(shown, context, part, kPartner);
         }
         return sum;
       };
       const double one = whole(at->second.a), other = whole(at->second.b);
-      const std::string words = easeSaid(bench, one, other);
+      const std::string words = easeSaid(context, one, other);
       const EdgeRef here{PieceRef(hover_->piece), hover_->edge};
-      if (const auto line = edgeInSpace(*bench.fitting, here); !line.empty())
+      if (const auto line = edgeInSpace(*context.snapshot, here); !line.empty())
         shown.space.words.push_back({line[line.size() / 2], words});
-      if (const auto line = edgeOnTable(bench, here); !line.empty())
+      if (const auto line = edgeOnTable(context, here); !line.empty())
         shown.table.words.push_back({line[line.size() / 2], words});
     }
     return shown;

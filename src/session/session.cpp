@@ -1,52 +1,52 @@
 #include "karinui/session/session.h"
 
 #include "session/gestures.h"
-#include "session/inside.h"
+#include "session/session_impl.h"
 
 namespace karinui {
 
-Session::Inside::Inside(SessionOptions o)
+Session::Impl::Impl(SessionOptions o)
     : options(std::move(o)),
       bodies(options.bodies ? options.bodies : std::make_shared<Bodies>()),
       workers(std::make_shared<Workers>(options.threads)),
-      line(options.wake) {
+      tasks(options.wake) {
   gesture = gestureFor(tool);
-  room = roomOf(DocumentFile::inMemory(), false);
-  state.fitting = fittingOf({}, nullptr);
+  documentWorker = workerOf(DocumentFile::inMemory(), false);
+  state.snapshot = snapshotOf({}, nullptr);
 }
 
-void Session::Inside::tell(Notice::Kind kind, Message what) {
+void Session::Impl::tell(Notice::Kind kind, Message what) {
   if (!what.empty()) notices.push_back({kind, std::move(what)});
 }
 
-void Session::Inside::tellError(const Error& error) {
+void Session::Impl::tellError(const Error& error) {
   if (error.kind != Error::Kind::Cancelled) tell(Notice::Kind::Refused, error.what);
 }
 
-Session::Session(SessionOptions options) : inside_(std::make_unique<Inside>(std::move(options))) {}
+Session::Session(SessionOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
 Session::~Session() = default;
 
-const std::filesystem::path& Session::path() const { return inside_->state.path; }
-bool Session::draft() const { return isDraft(inside_->options, inside_->state.path); }
-bool Session::readOnly() const { return inside_->state.readOnly; }
-const Fitting& Session::fitting() const { return *inside_->state.fitting; }
-FittingPtr Session::shownPtr() const { return inside_->preview ? inside_->preview : inside_->state.fitting; }
-const Fitting& Session::shown() const { return *(inside_->preview ? inside_->preview : inside_->state.fitting); }
-const Table& Session::table() const { return inside_->table; }
-const std::vector<Step>& Session::steps() const { return inside_->state.steps; }
-const std::vector<Step>& Session::undone() const { return inside_->state.undone; }
-const Selection& Session::selection() const { return inside_->selection; }
-Command Session::tool() const { return inside_->tool; }
+const std::filesystem::path& Session::path() const { return impl_->state.path; }
+bool Session::draft() const { return isDraft(impl_->options, impl_->state.path); }
+bool Session::readOnly() const { return impl_->state.readOnly; }
+const GarmentSnapshot& Session::snapshot() const { return *impl_->state.snapshot; }
+SnapshotPtr Session::shownPtr() const { return impl_->preview ? impl_->preview : impl_->state.snapshot; }
+const GarmentSnapshot& Session::shown() const { return *(impl_->preview ? impl_->preview : impl_->state.snapshot); }
+const TableLayout& Session::table() const { return impl_->table; }
+const std::vector<Step>& Session::steps() const { return impl_->state.steps; }
+const std::vector<Step>& Session::undone() const { return impl_->state.undone; }
+const Selection& Session::selection() const { return impl_->selection; }
+Command Session::tool() const { return impl_->tool; }
 Preview Session::preview() const {
-  const auto& in = *inside_;
-  Preview preview = in.gesture->preview(in.bench());
+  const auto& in = *impl_;
+  Preview preview = in.gesture->preview(in.context());
   if (in.selection.edge && !in.gesture->begun()) {
     const auto& ends = in.edgeEnds();
     const PieceId piece = in.selection.edge->piece;
     const auto mark = [&](const std::vector<Flat>& paper, std::vector<Flat>& table, std::vector<Vec3>& space) {
       for (const Flat place : paper) {
         table.push_back(place + in.table.at(piece));
-        if (const auto there = spaceOf(*in.state.fitting, piece, place)) space.push_back(*there);
+        if (const auto there = spaceOf(*in.state.snapshot, piece, place)) space.push_back(*there);
       }
     };
     mark(ends.stay, preview.table.dots, preview.space.dots);
@@ -60,82 +60,80 @@ Preview Session::preview() const {
   }
   return preview;
 }
-std::optional<DropMenu> Session::dropMenu() const { return inside_->gesture->dropMenu(inside_->bench()); }
+std::optional<DropMenu> Session::dropMenu() const { return impl_->gesture->dropMenu(impl_->context()); }
 // The edge and the place that were advised on, on the body and on the paper.
-void Session::Inside::showAdvice(Preview& shown) const {
+void Session::Impl::showAdvice(Preview& shown) const {
   constexpr Colour kAdvised{0.85f, 0.45f, 0.02f};
   for (const Advice& one : advice) {
-    if (!one.edge.empty()) showEdge(shown, bench(), EdgeRef{PieceRef(one.piece), one.edge}, kAdvised);
+    if (!one.edge.empty()) showEdge(shown, context(), EdgeRef{PieceRef(one.piece), one.edge}, kAdvised);
     if (!one.at) continue;
-    if (const auto there = spaceOf(*state.fitting, one.piece, *one.at)) shown.space.dots.push_back(*there);
+    if (const auto there = spaceOf(*state.snapshot, one.piece, *one.at)) shown.space.dots.push_back(*there);
     shown.table.dots.push_back(*one.at + table.at(one.piece));
     if (const auto* dart = one.mend ? std::get_if<AddDart>(&*one.mend) : nullptr)
-      if (const Edge* edge = findEdge(*state.fitting->document.find(one.piece), one.edge))
-        showOnPaper(shown, bench(), one.piece, {edge->curve.atFraction(dart->at), dart->tip}, kAdvised);
+      if (const Edge* edge = findEdge(*state.snapshot->document.find(one.piece), one.edge))
+        showOnPaper(shown, context(), one.piece, {edge->curve.atFraction(dart->at), dart->tip}, kAdvised);
     if (const auto* cut = one.mend ? std::get_if<CutPiece>(&*one.mend) : nullptr)
-      showOnPaper(shown, bench(), one.piece, cut->line, kAdvised);
+      showOnPaper(shown, context(), one.piece, cut->line, kAdvised);
   }
 }
-const std::vector<Advice>& Session::advice() const { return inside_->advice; }
-bool Session::linesShown() const { return inside_->linesShown; }
-bool Session::begun() const { return inside_->gesture->begun(); }
+const std::vector<Advice>& Session::advice() const { return impl_->advice; }
+bool Session::linesShown() const { return impl_->linesShown; }
+bool Session::begun() const { return impl_->gesture->begun(); }
 void Session::refuse(const Error& why) {
-  inside_->tellError(why);
-  if (inside_->options.wake) inside_->options.wake();
+  impl_->tellError(why);
+  if (impl_->options.wake) impl_->options.wake();
 }
 void Session::advise(Message what) {
-  inside_->tell(Notice::Kind::Advice, std::move(what));
-  if (inside_->options.wake) inside_->options.wake();
+  impl_->tell(Notice::Kind::Advice, std::move(what));
+  if (impl_->options.wake) impl_->options.wake();
 }
-const SessionNews& Session::news() const { return inside_->news; }
-std::vector<Notice> Session::takeNotices() { return std::exchange(inside_->notices, {}); }
-std::optional<Command> Session::takeView() { return std::exchange(inside_->viewAsked, std::nullopt); }
+const SessionChanges& Session::changes() const { return impl_->changes; }
+std::vector<Notice> Session::takeNotices() { return std::exchange(impl_->notices, {}); }
+std::optional<Command> Session::takeView() { return std::exchange(impl_->viewAsked, std::nullopt); }
 
 Message Session::hint() const {
-  if (inside_->onCross) return say("This seam crosses itself; click to sew it the other way round.");
-  if (inside_->hot) return info(*inside_->hot).hint;
-  if (inside_->figureTurns)
+  if (impl_->onCross) return say("This seam crosses itself; click to sew it the other way round.");
+  if (impl_->hot) return info(*impl_->hot).hint;
+  if (impl_->trial.active())
     return say("Let go and every step is played again on this figure; Esc leaves it as it was.");
-  return inside_->gesture->hint();
+  return impl_->gesture->hint();
 }
 
-std::optional<ScenePanel> Session::menu() const {
-  if (!inside_->sight) return std::nullopt;
+std::optional<SceneMenu> Session::menu() const {
+  if (!impl_->viewpoint) return std::nullopt;
   MenuState state;
   state.enabled = [this](Command c) { return can(c); };
-  state.chosen = [this](Command c) { return c == inside_->tool || (c == Command::Settle && inside_->settlingNow()); };
-  state.hot = inside_->hot;
-  return menuPanel(*inside_->sight, state);
+  state.chosen = [this](Command c) { return c == impl_->tool || (c == Command::Settle && impl_->settlingNow()); };
+  state.hot = impl_->hot;
+  return menuPanel(*impl_->viewpoint, state);
 }
 
 Busy Session::busy() const {
   Busy busy;
-  busy.any = inside_->line.busy(TaskLine::Kind::Step) || inside_->line.busy(TaskLine::Kind::Settle);
-  busy.settling = inside_->settlingNow();
-  const auto progress = inside_->line.progress();
+  busy.any = impl_->tasks.busy(TaskQueue::Kind::Step) || impl_->tasks.busy(TaskQueue::Kind::Settle);
+  busy.settling = impl_->settlingNow();
+  const auto progress = impl_->tasks.progress();
   busy.fraction = progress.fraction;
   busy.doing = progress.doing;
   return busy;
 }
 
-void Session::setSight(const Sight& sight) { inside_->sight = sight, ++inside_->news.overlay; }
-void Session::setLanguage(Language language) { inside_->language = language, ++inside_->news.overlay; }
+void Session::setViewpoint(const Viewpoint& viewpoint) { impl_->viewpoint = viewpoint, ++impl_->changes.overlay; }
+void Session::setLanguage(Language language) { impl_->language = language, ++impl_->changes.overlay; }
 
-void Session::setInches(bool inches) { inside_->inches = inches, ++inside_->news.overlay; }
-void Session::setDartWidth(double metres) { inside_->dartWidth = metres, ++inside_->news.overlay; }
-double Session::dartWidth() const { return inside_->dartWidth; }
-void Session::setMirrorSeams(bool on) { inside_->mirrorSeams = on, ++inside_->news.overlay; }
-bool Session::mirrorSeams() const { return inside_->mirrorSeams; }
-void Session::setKeptEnd(SetLength::Keep keep) { inside_->keepWished = keep, ++inside_->news.overlay; }
-SetLength::Keep Session::keptEnd() const { return inside_->edgeEnds().keep; }
-bool Session::bothHalves() const { return inside_->edgeEnds().bothHalves; }
+void Session::setInches(bool inches) { impl_->inches = inches, ++impl_->changes.overlay; }
+const ToolOptions& Session::toolOptions() const { return impl_->toolOptions; }
+void Session::setToolOptions(const ToolOptions& options) { impl_->toolOptions = options, ++impl_->changes.overlay; }
+void Session::setKeptEnd(SetLength::Keep keep) { impl_->keepWished = keep, ++impl_->changes.overlay; }
+SetLength::Keep Session::keptEnd() const { return impl_->edgeEnds().keep; }
+bool Session::bothHalves() const { return impl_->edgeEnds().bothHalves; }
 
 bool Session::update() {
-  auto& in = *inside_;
-  bool any = in.line.takeIn();
-  if (auto fresh = in.predicted.take(); fresh && !in.settling.empty()) {
+  auto& in = *impl_;
+  bool any = in.tasks.takeIn();
+  if (auto fresh = in.predicted.take(); fresh && !in.schedule.live().empty()) {
     in.preview = *fresh;
-    ++in.news.garment, ++in.news.predicted;
+    ++in.changes.garment, ++in.changes.predicted;
     any = true;
   }
   return any;
@@ -143,25 +141,25 @@ bool Session::update() {
 
 void Session::finish() {
   do {
-    inside_->line.wait();
+    impl_->tasks.wait();
     update();
-  } while (inside_->line.busy());
+  } while (impl_->tasks.busy());
 }
 
-bool Session::idle() const { return !inside_->line.busy(); }
+bool Session::idle() const { return !impl_->tasks.busy(); }
 
-void Session::conclude() {
-  auto& in = *inside_;
+void Session::close() {
+  auto& in = *impl_;
   in.dropGesture();
-  const bool byItself = std::exchange(in.options.settleByItself, false);
+  const bool byItself = std::exchange(in.options.autoSettle, false);
   in.stopSettling();
-  while (in.longWorks == 0 && (in.line.busy(TaskLine::Kind::Step) || in.line.busy(TaskLine::Kind::Settle))) {
-    for (const auto kind : {TaskLine::Kind::Preview, TaskLine::Kind::Figure, TaskLine::Kind::Glimpse})
-      in.line.cancel(kind);
-    in.line.wait();
+  while (in.longWorks == 0 && (in.tasks.busy(TaskQueue::Kind::Step) || in.tasks.busy(TaskQueue::Kind::Settle))) {
+    for (const auto kind : {TaskQueue::Kind::Preview, TaskQueue::Kind::Figure, TaskQueue::Kind::SnapshotAfter})
+      in.tasks.cancel(kind);
+    in.tasks.wait();
     update();
   }
-  in.options.settleByItself = byItself;
+  in.options.autoSettle = byItself;
 }
 
 }  // namespace karinui

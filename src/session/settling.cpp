@@ -1,84 +1,73 @@
 // Bringing cloth to rest: asked for, interrupted by a step, taken up again.
-#include "session/inside.h"
+#include "session/session_impl.h"
 
 namespace karinui {
 
-void Session::Inside::settle(std::set<PieceId> live, bool byItselfNow, DrapePieces drape) {
-  line.cancel(TaskLine::Kind::Settle);
-  if (live.empty()) live = livePieces(state.fitting->document, {});
+void Session::Impl::settle(std::set<PieceId> live, bool automatic, DrapePieces drape) {
+  tasks.cancel(TaskQueue::Kind::Settle);
+  if (live.empty()) live = livePieces(state.snapshot->document, {});
   if (live.empty()) return tell(Notice::Kind::Refused, say("There is no cloth to drape."));
-  settling = live;
-  settlingByItself = byItselfNow;
   drape.live.clear();
   for (const PieceId id : live) drape.live.push_back(PieceRef(id));
-  ++news.overlay;
-  stop = std::make_shared<StopRequest>();
-  line.add(TaskLine::Kind::Settle, [this, live, drape, byItselfNow, asked = stop](const Token& token) {
-    Result<Step> step = room->perform(drape, token, asked.get());
-    const auto fresh = step ? std::make_shared<RoomState>(room->state(token)) : nullptr;
-    return [this, live, step = std::move(step), fresh, byItselfNow, asked] {
-      ++news.overlay;
-      if (stop == asked) stop.reset();
+  ++changes.overlay;
+  tasks.add(TaskQueue::Kind::Settle, [this, live, drape, automatic,
+                                      stop = schedule.begin(live, automatic)](const Token& token) {
+    Result<Step> step = documentWorker->perform(drape, token, stop.get());
+    const auto fresh = step ? std::make_shared<DocumentState>(documentWorker->state(token)) : nullptr;
+    return [this, live, step = std::move(step), fresh, automatic, stop] {
+      ++changes.overlay;
+      schedule.end(stop);
       if (!step) {
         tellError(step.error());
-        if (preview && !gesture->begun()) preview.reset(), ++news.garment;
-        if (step.error().kind != Error::Kind::Cancelled) settling.clear();
+        if (preview && !gesture->begun()) preview.reset(), ++changes.garment;
         return;
       }
-      settling.clear();
-      const SettleReport report = *fresh->fitting->document.drape.last;
+      const SettleReport report = *fresh->snapshot->document.drape.last;
       const bool stopped = report.stoppedAfter > 0;
-      if (byItselfNow && !stopped) byItself.insert(step->seq);  // to stop one is an act of its own
+      if (automatic && !stopped) schedule.cameByItself(step->seq);  // to stop one is an act of its own
       take(*fresh);
-      ++news.settled;
+      ++changes.settled;
       if (stopped)
         return tell(Notice::Kind::Said, say("Stopped where it is, not at rest: Settle goes on, Undo takes it back."));
       if (!report.settled) tell(Notice::Kind::Advice, say("The cloth did not come to rest: {0}", report.why));
-      if (byItselfNow) settleStirred(live, report);
+      if (automatic) settleDisturbed(live, report);
     };
   });
 }
 
 // What stood still beside cloth that came to rest, and is pulled otherwise now, joins it.
-void Session::Inside::settleStirred(const std::set<PieceId>& live, const SettleReport& report) {
+void Session::Impl::settleDisturbed(const std::set<PieceId>& live, const SettleReport& report) {
   std::set<PieceId> more = live;
   for (const PieceId id : report.toActivate) {
-    const Piece* piece = state.fitting->document.find(id);
-    if (piece && !piece->frozen && !state.fitting->document.drape.dirty.contains(id)) more.insert(id);
+    const Piece* piece = state.snapshot->document.find(id);
+    if (piece && !piece->frozen && !state.snapshot->document.drape.dirty.contains(id)) more.insert(id);
   }
   if (more.size() > live.size()) settle(std::move(more), true);
 }
 
-void Session::Inside::interruptSettling() {
-  if (settling.empty() || (stop && stop->asked())) return;  // one that was stopped is over in a moment
-  interrupted.insert(settling.begin(), settling.end());
-  settling.clear();
-  line.cancel(TaskLine::Kind::Settle);
+void Session::Impl::interruptSettling() {
+  if (schedule.interrupt()) tasks.cancel(TaskQueue::Kind::Settle);
 }
 
-void Session::Inside::dropSettling() {
-  line.cancel(TaskLine::Kind::Settle);
-  settling.clear(), interrupted.clear();
-  stop.reset();
+void Session::Impl::dropSettling() {
+  tasks.cancel(TaskQueue::Kind::Settle);
+  schedule.drop();
 }
 
-void Session::Inside::stopSettling() {
-  interrupted.clear();
-  if (stop && (stop->asked() || stop->ask())) return;
+void Session::Impl::stopSettling() {
+  if (schedule.stop() == SettleSchedule::Stopping::UnderWay) return;
   if (settlingNow()) tell(Notice::Kind::Said, say("Stopped; nothing was changed."));
   dropSettling();
 }
 
-void Session::Inside::settleInterrupted() {
+void Session::Impl::settleInterrupted() {
   std::set<PieceId> live;
-  for (const PieceId id : std::exchange(interrupted, {})) {
-    const Piece* piece = state.fitting->document.find(id);
-    if (piece && !piece->frozen && state.fitting->document.drape.dirty.contains(id)) live.insert(id);
+  for (const PieceId id : schedule.interrupted()) {
+    const Piece* piece = state.snapshot->document.find(id);
+    if (piece && !piece->frozen && state.snapshot->document.drape.dirty.contains(id)) live.insert(id);
   }
-  if (!live.empty() && !line.busy(TaskLine::Kind::Step))
-    settle(live, true);
-  else
-    interrupted = live;
+  schedule.setInterrupted(live);
+  if (!live.empty() && !tasks.busy(TaskQueue::Kind::Step)) settle(live, true);
 }
 
 }  // namespace karinui

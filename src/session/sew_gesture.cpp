@@ -18,34 +18,34 @@ using Where = PointerSample::Where;
 
 class SewGesture : public Gesture {
  public:
-  Told feed(const PointerSample& sample, const Hit&, const Workbench& bench) override {
+  GestureResult feed(const PointerSample& sample, const Hit&, const GestureContext& context) override {
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
-        if (!asks_) hover_ = under(bench, sample);
+        if (!asks_) hover_ = under(context, sample);
         return {};
       case PointerSample::Phase::Press:
-        return press(bench, sample);
+        return press(context, sample);
       case PointerSample::Phase::Drag:
-        if (stroke_) stroke_->to(bench, sample, free());
+        if (stroke_) stroke_->to(context, sample, free());
         return {};
       case PointerSample::Phase::Release:
         break;
     }
     if (!stroke_) return {};
-    stroke_->to(bench, sample, free());
+    stroke_->to(context, sample, free());
     const SewStroke stroke = *std::exchange(stroke_, std::nullopt);
     where_ = sample.where, always_ = sample.control;
-    if (asks_) return added(bench, second_, stroke);
+    if (asks_) return added(context, second_, stroke);
     if (stroke.target()) {
-      const Run other = SewStroke(bench, *stroke.target(), sample).edge();
+      const Run other = SewStroke(context, *stroke.target(), sample).edge();
       const Run mine = overlap(first_, stroke.edge()) ? first_ : stroke.sideBeforeLeaving();
       backwards_ = overlap(first_, mine) ? backwards_ : stroke.isRun() && stroke.backwards();
-      return dropped(bench, mine, other);
+      return dropped(context, mine, other);
     }
     if (!stroke.onBorder()) {
       return {.over = first_.empty(), .why = say("End on the edge it is sewn to.")};
     }
-    if (!first_.empty() && sample.shift) return added(bench, first_, stroke);
+    if (!first_.empty() && sample.shift) return added(context, first_, stroke);
     Run run = stroke.run();
     if (first_.empty()) {
       first_ = std::move(run);
@@ -53,14 +53,16 @@ class SewGesture : public Gesture {
       return {};
     }
     if (overlap(first_, run)) {
-      if (!stroke.isRun() || run == first_) return first_.clear(), Told{.over = true};  // chosen no more
+      if (!stroke.isRun() || run == first_) return first_.clear(), GestureResult{.over = true};  // chosen no more
       return {.why = say("{0} cannot be sewn to itself; choose another edge for the other side.",
-                         spoken(bench, run.front()))};
+                         spoken(context, run.front()))};
     }
-    return dropped(bench, first_, std::move(run));
+    return dropped(context, first_, std::move(run));
   }
 
-  Told confirm(const Workbench& bench) override { return asks_ ? choose(current_, bench) : Told(); }
+  GestureResult confirm(const GestureContext& context) override {
+    return asks_ ? choose(current_, context) : GestureResult();
+  }
 
   bool takeBack() override {
     if (std::exchange(asks_, false)) return second_.clear(), swapped_ = false, true;
@@ -70,51 +72,54 @@ class SewGesture : public Gesture {
     return any;
   }
 
-  std::optional<DropMenu> dropMenu(const Workbench& bench) const override {
+  std::optional<DropMenu> dropMenu(const GestureContext& context) const override {
     if (!asks_) return std::nullopt;
     DropMenu menu;
-    const SewPlan plan = planned(bench);
+    const SewPlan plan = planned(context);
     for (const SeamDoubt& doubt : plan.doubts) menu.title.push_back(doubt.what);
-    if (plan.doubts.empty()) menu.title.push_back(say("How is it sewn?  {0}", easeSaid(bench, plan.la, plan.lb)));
+    if (plan.doubts.empty()) menu.title.push_back(say("How is it sewn?  {0}", easeSaid(context, plan.la, plan.lb)));
     for (const SewPlan::Item& item : plan.items) menu.items.push_back({item.label, item.checked});
     menu.current = std::min(current_, menu.items.size() - 1);
     menu.where = where_;
-    menu.space = middleOf(edgeInSpace(*bench.fitting, second_.back()));
-    menu.table = middleOf(edgeOnTable(bench, second_.back()));
+    menu.space = middleOf(edgeInSpace(*context.snapshot, second_.back()));
+    menu.table = middleOf(edgeOnTable(context, second_.back()));
     return menu;
   }
 
-  Told choose(std::size_t which, const Workbench& bench) override {
+  GestureResult choose(std::size_t which, const GestureContext& context) override {
     if (!asks_) return {};
-    const SewPlan plan = planned(bench);
+    const SewPlan plan = planned(context);
     if (which >= plan.items.size()) return {};
     const SewPlan::Item& item = plan.items[which];
     switch (item.does) {
       case SewPlan::Does::Sew:
-        return sewn(bench, item.sew);
+        return sewn(context, item.sew);
       case SewPlan::Does::Swap:
         swapped_ = !swapped_;
         return {};
-      case SewPlan::Does::Mirror:
-        return {.mirrorSeams = !bench.mirrorSeams};
+      case SewPlan::Does::Mirror: {
+        ToolOptions options = context.options;
+        options.mirrorSeams = !options.mirrorSeams;
+        return {.options = options};
+      }
       case SewPlan::Does::Leave:
         break;
     }
     return {.over = true};
   }
-  void moveInMenu(int by, const Workbench& bench) override {
+  void moveInMenu(int by, const GestureContext& context) override {
     if (!asks_) return;
-    const std::size_t count = planned(bench).items.size();
+    const std::size_t count = planned(context).items.size();
     current_ = (std::min(current_, count - 1) + count + static_cast<std::size_t>(by + static_cast<int>(count))) % count;
   }
 
-  Preview preview(const Workbench& bench) const override {
+  Preview preview(const GestureContext& context) const override {
     Preview shown;
     Run a = first_, b;
     std::optional<SewEdges> seam;
     bool doubted = false;
     if (asks_) {
-      const SewPlan plan = planned(bench);
+      const SewPlan plan = planned(context);
       const SewPlan::Item& item = plan.items[std::min(current_, plan.items.size() - 1)];
       seam = item.does == SewPlan::Does::Sew ? item.sew : plan.whole;
       doubted = !plan.doubts.empty() && seam->a == plan.whole.a && seam->b == plan.whole.b && !seam->replace;
@@ -130,26 +135,26 @@ class SewGesture : public Gesture {
       b = {{PieceRef(hover_->piece), hover_->edge, 0, 1}};
       if (a.empty()) std::swap(a, b);
     }
-    if (!seam && !a.empty() && !b.empty() && !overlap(a, b)) seam = seamOf(bench, a, b, false);
+    if (!seam && !a.empty() && !b.empty() && !overlap(a, b)) seam = seamOf(context, a, b, false);
     if (!seam) {
-      for (const EdgeRef& ref : a) showEdge(shown, bench, ref, kChalk);
-      for (const EdgeRef& ref : b) showEdge(shown, bench, ref, kBad);
+      for (const EdgeRef& ref : a) showEdge(shown, context, ref, kChalk);
+      for (const EdgeRef& ref : b) showEdge(shown, context, ref, kBad);
       const Run& last = b.empty() ? a : b;
       if (last.empty()) return shown;
       std::string words;
       for (const EdgeRef& ref : last) words += (words.empty() ? "" : " + ") + ref.edge;
-      words += "  " + bench.said(lengthOf(bench.fitting->document, last));
-      shown.space.words.push_back({middleOf(edgeInSpace(*bench.fitting, last.back())), words});
-      shown.table.words.push_back({middleOf(edgeOnTable(bench, last.back())), words});
+      words += "  " + context.said(lengthOf(context.snapshot->document, last));
+      shown.space.words.push_back({middleOf(edgeInSpace(*context.snapshot, last.back())), words});
+      shown.table.words.push_back({middleOf(edgeOnTable(context, last.back())), words});
       return shown;
     }
-    showSeam(shown, bench, *seam, doubted ? kBad : kPartner);
+    showSeam(shown, context, *seam, doubted ? kBad : kPartner);
     if (seam->mirror)
-      if (const auto image = mirrorImage(bench.fitting->document, *seam)) showSeam(shown, bench, *image, kPartner);
-    const Document& document = bench.fitting->document;
-    const std::string words = easeSaid(bench, lengthOf(document, seam->a), lengthOf(document, seam->b));
-    shown.space.words.push_back({middleOf(edgeInSpace(*bench.fitting, seam->b.back())), words});
-    shown.table.words.push_back({middleOf(edgeOnTable(bench, seam->b.back())), words});
+      if (const auto image = mirrorImage(context.snapshot->document, *seam)) showSeam(shown, context, *image, kPartner);
+    const Document& document = context.snapshot->document;
+    const std::string words = easeSaid(context, lengthOf(document, seam->a), lengthOf(document, seam->b));
+    shown.space.words.push_back({middleOf(edgeInSpace(*context.snapshot, seam->b.back())), words});
+    shown.table.words.push_back({middleOf(edgeOnTable(context, seam->b.back())), words});
     return shown;
   }
 
@@ -163,11 +168,11 @@ class SewGesture : public Gesture {
     return info(Command::Sew).hint;
   }
   bool begun() const override { return stroke_ || !first_.empty(); }
-  Stops stops() const override { return Stops::Edges; }
+  KeyStops keyStops() const override { return KeyStops::Edges; }
 
  private:
-  static std::string spoken(const Workbench& bench, const EdgeRef& ref) {
-    return bench.fitting->document.find(ref.piece.id)->name + "." + ref.edge;
+  static std::string spoken(const GestureContext& context, const EdgeRef& ref) {
+    return context.snapshot->document.find(ref.piece.id)->name + "." + ref.edge;
   }
   template <class Point>
   static Point middleOf(const std::vector<Point>& line) {
@@ -183,32 +188,32 @@ class SewGesture : public Gesture {
       });
     };
   }
-  std::optional<EdgeNear> under(const Workbench& bench, const PointerSample& sample) const {
-    if (auto near = pickEdge(*bench.fitting, *bench.table, sample, free())) return near;
-    return pickEdge(*bench.fitting, *bench.table, sample, [](const EdgeNear&) { return true; });
+  std::optional<EdgeNear> under(const GestureContext& context, const PointerSample& sample) const {
+    if (auto near = pickEdge(*context.snapshot, *context.table, sample, free())) return near;
+    return pickEdge(*context.snapshot, *context.table, sample, [](const EdgeNear&) { return true; });
   }
 
-  Told press(const Workbench& bench, const PointerSample& sample) {
+  GestureResult press(const GestureContext& context, const PointerSample& sample) {
     stroke_.reset(), hover_.reset();
     if (asks_ && !sample.shift) return {};
-    const auto near = under(bench, sample);
+    const auto near = under(context, sample);
     if (!near) return {.why = say("Begin on the edge of a piece.")};
-    stroke_.emplace(bench, *near, sample);
+    stroke_.emplace(context, *near, sample);
     return {};
   }
 
   // One more edge or run of a side; an edge of it that is clicked again is taken away.
-  Told added(const Workbench& bench, Run& side, const SewStroke& stroke) {
+  GestureResult added(const GestureContext& context, Run& side, const SewStroke& stroke) {
     const Run more = stroke.run();
     const auto at = std::find(side.begin(), side.end(), more.front());
     if (more.size() == 1 && at != side.end() && side.size() > 1) {
       side.erase(at);
     } else if (overlap(first_, more) || overlap(second_, more)) {
-      return {.why = say("{0} is chosen already.", spoken(bench, more.front()))};
+      return {.why = say("{0} is chosen already.", spoken(context, more.front()))};
     } else {
       // Before or after what there is: where the ends are nearer; in the order of the clicks where both are.
-      const auto end = [&](const Run& run) { return edgeInSpace(*bench.fitting, run.back()).back(); };
-      const auto begin = [&](const Run& run) { return edgeInSpace(*bench.fitting, run.front()).front(); };
+      const auto end = [&](const Run& run) { return edgeInSpace(*context.snapshot, run.back()).back(); };
+      const auto begin = [&](const Run& run) { return edgeInSpace(*context.snapshot, run.front()).front(); };
       constexpr double kSameGap = 0.02;  // metres
       const bool before = distance(end(more), begin(side)) + kSameGap < distance(end(side), begin(more));
       side.insert(before ? side.begin() : side.end(), more.begin(), more.end());
@@ -217,40 +222,42 @@ class SewGesture : public Gesture {
     return {};
   }
 
-  SewPlan planned(const Workbench& bench) const { return sewPlan(bench, first_, second_, swapped_, backwards_); }
+  SewPlan planned(const GestureContext& context) const {
+    return sewPlan(context, first_, second_, swapped_, backwards_);
+  }
 
   // Both sides are there.
-  Told dropped(const Workbench& bench, Run a, Run b) {
+  GestureResult dropped(const GestureContext& context, Run a, Run b) {
     if (overlap(a, b))
       return {.over = first_.empty(),
               .why = say("{0} cannot be sewn to itself; choose another edge for the other side.",
-                         spoken(bench, b.front()))};
+                         spoken(context, b.front()))};
     first_ = std::move(a), second_ = std::move(b);
     current_ = 0;
-    const SewPlan plan = planned(bench);
-    if (!always_ && plan.plain()) return sewn(bench, plan.whole);
+    const SewPlan plan = planned(context);
+    if (!always_ && plan.plain()) return sewn(context, plan.whole);
     asks_ = true;
     return {};
   }
 
-  static Told sewn(const Workbench&, SewEdges sew) { return {.over = true, .operation = std::move(sew)}; }
+  static GestureResult sewn(const GestureContext&, SewEdges sew) { return {.over = true, .operation = std::move(sew)}; }
 
   // Both sides, and threads from one to the other.
-  static void showSeam(Preview& shown, const Workbench& bench, const SewEdges& sew, const Colour& threads) {
+  static void showSeam(Preview& shown, const GestureContext& context, const SewEdges& sew, const Colour& threads) {
     const auto line = [&](const Run& run) {
       std::vector<Vec3> points;
       for (const EdgeRef& ref : run) {
-        const auto part = edgeInSpace(*bench.fitting, ref);
+        const auto part = edgeInSpace(*context.snapshot, ref);
         points.insert(points.end(), part.begin(), part.end());
       }
       return points;
     };
-    for (const EdgeRef& ref : sew.a) showEdge(shown, bench, ref, kChalk);
-    for (const EdgeRef& ref : sew.b) showEdge(shown, bench, ref, kPartner);
+    for (const EdgeRef& ref : sew.a) showEdge(shown, context, ref, kChalk);
+    for (const EdgeRef& ref : sew.b) showEdge(shown, context, ref, kPartner);
     const auto a = line(sew.a), b = line(sew.b);
     if (a.empty() || b.empty()) return;
     const bool against =
-        sew.reversed == Choice::Auto ? facesReversed(bench.fitting->document, sew) : sew.reversed == Choice::Yes;
+        sew.reversed == Choice::Auto ? facesReversed(context.snapshot->document, sew) : sew.reversed == Choice::Yes;
     constexpr std::size_t kThreads = 12;
     for (std::size_t i = 0; i <= kThreads; ++i) {
       const auto at = [&](const std::vector<Vec3>& points, std::size_t k) {

@@ -14,8 +14,8 @@ constexpr double kPlainSpare = 0.01;  // or by so many metres
 constexpr double kGathers = 1.25;     // from this ratio on it is called gathering, not ease
 
 // The longer side only as far as it goes with so much fullness.
-void offerParts(SewPlan& plan, const Workbench& bench, bool backwards) {
-  const Document& document = bench.fitting->document;
+void offerParts(SewPlan& plan, const GestureContext& context, bool backwards) {
+  const Document& document = context.snapshot->document;
   const SewEdges& whole = plan.whole;
   const bool longerIsA = plan.la > plan.lb;
   const double shorter = std::fmin(plan.la, plan.lb), longer = std::fmax(plan.la, plan.lb);
@@ -26,7 +26,7 @@ void offerParts(SewPlan& plan, const Workbench& bench, bool backwards) {
     auto& side = longerIsA ? part.a : part.b;
     side = trimmed(document, side, ratio * shorter, longerIsA ? backwards : backwards != against);
     part.tie = ratio == 2 ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
-    const std::string open = bench.said(longer - ratio * shorter);
+    const std::string open = context.said(longer - ratio * shorter);
     Message label = ratio == 1     ? say("1:1, {0} stays open", open)
                     : ratio == 1.5 ? say("Gathered 1.5:1, {0} stays open", open)
                                    : say("Gathered 2:1, {0} stays open", open);
@@ -41,26 +41,27 @@ bool SewPlan::plain() const {
   return doubts.empty() && (spare <= kPlainSpare || spare <= (kPlainRatio - 1) * std::fmin(la, lb));
 }
 
-SewEdges seamOf(const Workbench& bench, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b, bool swapped) {
-  const Document& document = bench.fitting->document;
+SewEdges seamOf(const GestureContext& context, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b,
+                bool swapped) {
+  const Document& document = context.snapshot->document;
   SewEdges sew;
   sew.a = a, sew.b = b;
   if (swapped) sew.reversed = facesReversed(document, sew) ? Choice::No : Choice::Yes;
-  sew.mirror = bench.mirrorSeams && mirrorImage(document, sew);
+  sew.mirror = context.options.mirrorSeams && mirrorImage(document, sew);
   return sew;
 }
 
-SewPlan sewPlan(const Workbench& bench, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b, bool swapped,
-                bool backwards) {
+SewPlan sewPlan(const GestureContext& context, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b,
+                bool swapped, bool backwards) {
   using Does = SewPlan::Does;
   using Kind = SeamDoubt::Kind;
-  const Document& document = bench.fitting->document;
-  SewPlan plan{lengthOf(document, a), lengthOf(document, b), seamOf(bench, a, b, swapped), {}, {}};
-  plan.doubts = seamDoubts(document, plan.whole, bench.fitting->body.get());
+  const Document& document = context.snapshot->document;
+  SewPlan plan{lengthOf(document, a), lengthOf(document, b), seamOf(context, a, b, swapped), {}, {}};
+  plan.doubts = seamDoubts(document, plan.whole, context.snapshot->body.get());
   for (const SeamDoubt& doubt : plan.doubts) {
     if (!doubt.instead || (swapped && doubt.kind == Kind::Twisted)) continue;
     SewEdges instead = *doubt.instead;
-    instead.mirror = bench.mirrorSeams && mirrorImage(document, instead);
+    instead.mirror = context.options.mirrorSeams && mirrorImage(document, instead);
     plan.items.push_back({Does::Sew, doubt.proposal, std::move(instead)});
   }
   const auto all = [&](auto&& is) { return std::all_of(plan.doubts.begin(), plan.doubts.end(), is); };
@@ -72,13 +73,13 @@ SewPlan sewPlan(const Workbench& bench, const std::vector<EdgeRef>& a, const std
                           !meant              ? say("Sew it all the same")
                           : ratio >= kGathers ? say("All of it, gathered {0}:1", fixed(ratio, 2))
                           : spare < 1e-3      ? say("1:1")
-                                              : say("All of it, {0} of ease", bench.said(spare)),
+                                              : say("All of it, {0} of ease", context.said(spare)),
                           plan.whole});
-    if (meant) offerParts(plan, bench, backwards);
+    if (meant) offerParts(plan, context, backwards);
     plan.items.push_back({Does::Swap, say("The other way round"), {}, swapped});
   }
   if (mirrorImage(document, plan.whole))
-    plan.items.push_back({Does::Mirror, say("The mirrored seam too"), {}, bench.mirrorSeams});
+    plan.items.push_back({Does::Mirror, say("The mirrored seam too"), {}, context.options.mirrorSeams});
   plan.items.push_back({Does::Leave, say("Leave it")});
   return plan;
 }

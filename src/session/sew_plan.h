@@ -21,9 +21,10 @@ struct SewPlan {
 };
 // All of both runs, their mirror image with them if that is wanted and there is one; swapped: the other way round than
 // they lie.
-SewEdges seamOf(const Workbench& bench, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b, bool swapped);
+SewEdges seamOf(const GestureContext& context, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b,
+                bool swapped);
 // `backwards`: where a side is longer than is sewn, it is sewn from the last end of `a` on.
-SewPlan sewPlan(const Workbench& bench, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b, bool swapped,
-                bool backwards);
+SewPlan sewPlan(const GestureContext& context, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b,
+                bool swapped, bool backwards);
 
 }  // namespace karinui

@@ -20,9 +20,9 @@ double apart(const PointerSample& a, const PointerSample& b) {
   return (length(cross(a.ray.direction, b.ray.direction)) + distance(a.ray.origin, b.ray.origin)) / b.reach;
 }
 
-double reachInMetres(const Workbench& bench, const PointerSample& sample, const EdgeNear& near) {
+double reachInMetres(const GestureContext& context, const PointerSample& sample, const EdgeNear& near) {
   if (sample.where == Where::Table) return sample.reach;
-  const auto line = edgeInSpace(*bench.fitting, {PieceRef(near.piece), near.edge, 0, 1});
+  const auto line = edgeInSpace(*context.snapshot, {PieceRef(near.piece), near.edge, 0, 1});
   return line.empty() ? sample.reach : sample.reach * distance(line[line.size() / 2], sample.ray.origin);
 }
 
@@ -30,8 +30,8 @@ bool sameEdge(const EdgeNear& a, const EdgeNear& b) { return a.piece == b.piece 
 
 }  // namespace
 
-SewStroke::SewStroke(const Workbench& bench, EdgeNear from, PointerSample sample)
-    : border_(bench.fitting->document.pattern, from),
+SewStroke::SewStroke(const GestureContext& context, EdgeNear from, PointerSample sample)
+    : border_(context.snapshot->document.pattern, from),
       from_(std::move(from)),
       last_(sample),
       began_(border_.find(from_).value_or(0)) {}
@@ -39,7 +39,7 @@ SewStroke::SewStroke(const Workbench& bench, EdgeNear from, PointerSample sample
 bool SewStroke::isRun() const { return std::fabs(total_) >= kPart; }
 
 // In steps no longer than the pointer's reach.
-void SewStroke::to(const Workbench& bench, const PointerSample& sample, const WantedEdge& other) {
+void SewStroke::to(const GestureContext& context, const PointerSample& sample, const WantedEdge& other) {
   const PointerSample before = last_;
   const int steps = std::clamp(static_cast<int>(std::ceil(apart(before, sample))), 1, 400);
   for (int k = 1; k <= steps; ++k) {
@@ -48,7 +48,7 @@ void SewStroke::to(const Workbench& bench, const PointerSample& sample, const Wa
     now.place = lerp(before.place, sample.place, share);
     now.ray.origin = lerp(before.ray.origin, sample.ray.origin, share);
     now.ray.direction = normalized(lerp(before.ray.direction, sample.ray.direction, share));
-    step(bench, now, other);
+    step(context, now, other);
   }
   last_ = sample;
 }
@@ -83,17 +83,17 @@ double SewStroke::forth(double along) const {
   return by > whole / 2 ? by - whole : by;
 }
 
-void SewStroke::step(const Workbench& bench, const PointerSample& sample, const WantedEdge& other) {
+void SewStroke::step(const GestureContext& context, const PointerSample& sample, const WantedEdge& other) {
   PointerSample wide = sample;
   wide.reach *= 1.5;
-  const auto own = pickEdge(*bench.fitting, *bench.table, wide,
+  const auto own = pickEdge(*context.snapshot, *context.table, wide,
                             [&](const EdgeNear& near) { return border_.find(near).has_value(); });
-  auto any = pickEdge(*bench.fitting, *bench.table, sample, other);
+  auto any = pickEdge(*context.snapshot, *context.table, sample, other);
   if (any && sameEdge(*any, from_)) any.reset();
   const bool elsewhere = any && (!own || (own->away > 0.5 * sample.reach && any->away < 0.5 * own->away));
   if (own && !elsewhere) {
     const double by = forth(*border_.find(*own));
-    const double most = left_ ? kAgain : 4 * reachInMetres(bench, sample, from_) + 0.02;
+    const double most = left_ ? kAgain : 4 * reachInMetres(context, sample, from_) + 0.02;
     if (std::fabs(by) < most || sameEdge(*own, onto_) || sameEdge(*own, from_)) {
       total_ = std::clamp(total_ + by, -border_.length(), border_.length());
       onto_ = *own, left_ = false, beside_ = 0;
@@ -108,7 +108,7 @@ void SewStroke::step(const Workbench& bench, const PointerSample& sample, const 
 double SewStroke::snapped(double along) const {
   const double turn = along - border_.wrapped(along);
   double best = along, nearest = kSnaps;
-  for (const double stop : border_.stops())
+  for (const double stop : border_.keyStops())
     for (const double round : {-border_.length(), 0.0, border_.length()})
       if (const double away = std::fabs(stop + turn + round - along); away < nearest)
         nearest = away, best = stop + turn + round;

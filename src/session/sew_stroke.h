@@ -10,9 +10,9 @@ using Run = std::vector<EdgeRef>;  // edges that follow each other, in the outli
 
 class SewStroke {
  public:
-  SewStroke(const Workbench& bench, EdgeNear from, PointerSample sample);
+  SewStroke(const GestureContext& context, EdgeNear from, PointerSample sample);
   // Follows the pointer; `other` are the edges it may end on.
-  void to(const Workbench& bench, const PointerSample& sample, const WantedEdge& other);
+  void to(const GestureContext& context, const PointerSample& sample, const WantedEdge& other);
 
   const std::optional<EdgeNear>& target() const { return target_; }  // the other edge it is on now
   bool onBorder() const { return !left_ && !target_; }
@@ -25,7 +25,7 @@ class SewStroke {
 
  private:
   double forth(double along) const;  // the shorter way to a place of the border
-  void step(const Workbench& bench, const PointerSample& sample, const WantedEdge& other);
+  void step(const GestureContext& context, const PointerSample& sample, const WantedEdge& other);
   double snapped(double along) const;
 
   SewnBorder border_;

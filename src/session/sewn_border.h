@@ -8,7 +8,7 @@
 
 #include "karinui/design/values.h"
 #include "karinui/pattern/piece.h"
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 
 namespace karinui {
 
@@ -22,7 +22,7 @@ class SewnBorder {
   // The parts of edges between two places, `to` at most once round after `from`; in the outlines' order.
   std::vector<EdgeRef> between(double from, double to) const;
   // Corners, middles of edges and notches: where the end of a run snaps to.
-  const std::vector<double>& stops() const { return stops_; }
+  const std::vector<double>& keyStops() const { return stops_; }
   double wrapped(double along) const;  // into 0 … length()
 
  private:

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "session/inside.h"
+#include "session/session_impl.h"
 
 namespace karinui {
 
@@ -12,64 +12,54 @@ bool drapes(const Operation& op) {
   return std::holds_alternative<DrapePieces>(op) || std::holds_alternative<PullCloth>(op);
 }
 
-// What changes cloth so that it should come to rest again where it was at rest before.
-bool disturbs(const Operation& op) {
-  return std::holds_alternative<CutPiece>(op) || std::holds_alternative<ReshapePiece>(op) ||
-         std::holds_alternative<SetFabric>(op) || std::holds_alternative<Unsew>(op) ||
-         std::holds_alternative<UnpinCloth>(op) || std::holds_alternative<SetGrain>(op) ||
-         std::holds_alternative<SetBody>(op) || std::holds_alternative<AddDart>(op) ||
-         std::holds_alternative<JoinEdges>(op) || std::holds_alternative<FlipSeam>(op) ||
-         std::holds_alternative<SetLength>(op);
-}
-
 }  // namespace
 
-void Session::Inside::take(RoomState fresh) {
-  const FittingPtr before = state.fitting;
+void Session::Impl::take(DocumentState fresh) {
+  const SnapshotPtr before = state.snapshot;
   state = std::move(fresh);
   dropFigure();
   preview.reset();
-  if (state.fitting->trouble) tell(Notice::Kind::Advice, *state.fitting->trouble);
+  if (state.snapshot->trouble) tell(Notice::Kind::Advice, *state.snapshot->trouble);
   takeAdvice(*before);
-  answered.clear();
-  table.arrange(*state.fitting);
-  std::erase_if(selection.pieces, [&](PieceId id) { return !state.fitting->document.find(id); });
+  dropMenuSaid.clear();
+  table.arrange(*state.snapshot);
+  std::erase_if(selection.pieces, [&](PieceId id) { return !state.snapshot->document.find(id); });
   if (selection.edge)
-    if (const Piece* piece = state.fitting->document.find(selection.edge->piece);
+    if (const Piece* piece = state.snapshot->document.find(selection.edge->piece);
         !piece || !findEdge(*piece, selection.edge->edge))
       selection.edge.reset();
   selection.line.clear(), selection.mark.reset();  // the step may have been about them
-  if (selection.seam && !state.fitting->document.find(selection.seam)) selection.seam = {};
-  ++news.garment, ++news.history, ++news.overlay;
+  if (selection.seam && !state.snapshot->document.find(selection.seam)) selection.seam = {};
+  ++changes.garment, ++changes.history, ++changes.overlay;
   // The first drape and the first pull need to know how far everything is from the skin: find out while nobody waits.
-  if (state.fitting->body && state.fitting->body != ready && !options.drape) {
-    ready = state.fitting->body;
-    line.add(TaskLine::Kind::Preview, [this, body = ready](const Token& token) {
+  if (state.snapshot->body && state.snapshot->body != ready && !options.drape) {
+    ready = state.snapshot->body;
+    tasks.add(TaskQueue::Kind::Preview, [this, body = ready](const Token& token) {
       (void)body->prepareField(*workers, token);
       (void)body->lines();
-      return TaskLine::Finish();
+      return TaskQueue::Finish();
     });
   }
 }
 
 // What was advised holds until its piece changes.
-void Session::Inside::takeAdvice(const Fitting& before) {
-  const auto pieceOf = [](const Fitting& fitting, PieceId id) { return fitting.document.find(id); };
+void Session::Impl::takeAdvice(const GarmentSnapshot& before) {
+  const auto pieceOf = [](const GarmentSnapshot& snapshot, PieceId id) { return snapshot.document.find(id); };
   std::erase_if(advice, [&](const Advice& one) {
-    return !pieceOf(*state.fitting, one.piece) || pieceOf(*state.fitting, one.piece) != pieceOf(before, one.piece);
+    return !pieceOf(*state.snapshot, one.piece) || pieceOf(*state.snapshot, one.piece) != pieceOf(before, one.piece);
   });
   for (Advice& fresh : std::exchange(state.advice, {})) {
-    if (std::find(answered.begin(), answered.end(), text(fresh.what)) == answered.end())
+    if (std::find(dropMenuSaid.begin(), dropMenuSaid.end(), text(fresh.what)) == dropMenuSaid.end())
       tell(Notice::Kind::Advice, fresh.what);
-    if (pieceOf(*state.fitting, fresh.piece)) advice.push_back(std::move(fresh));
+    if (pieceOf(*state.snapshot, fresh.piece)) advice.push_back(std::move(fresh));
   }
 }
 
-void Session::Inside::perform(Operation operation) {
+void Session::Impl::perform(Operation operation) {
   if (const auto* drape = std::get_if<DrapePieces>(&operation)) {
     std::set<PieceId> live;
     for (const PieceRef& ref : drape->live) {
-      const Document& document = state.fitting->document;
+      const Document& document = state.snapshot->document;
       const Piece* piece = ref.id ? document.find(ref.id) : document.pieceNamed(ref.name);
       if (!piece) return tell(Notice::Kind::Refused, say("There is no piece “{0}”.", ref.name));
       live.insert(piece->id);
@@ -77,55 +67,54 @@ void Session::Inside::perform(Operation operation) {
     return settle(live, false, *drape);
   }
   interruptSettling();
-  const auto before = state.fitting;
-  line.add(TaskLine::Kind::Step, [this, before, operation = std::move(operation)](const Token& token) mutable {
-    const bool disturbing = disturbs(operation);
-    Result<Step> step = room->perform(std::move(operation), token);
-    const auto fresh = std::make_shared<RoomState>(room->state(token));
+  const auto before = state.snapshot;
+  tasks.add(TaskQueue::Kind::Step, [this, before, operation = std::move(operation)](const Token& token) mutable {
+    const bool disturbing = disturbsDrape(operation);
+    Result<Step> step = documentWorker->perform(std::move(operation), token);
+    const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
     return [this, before, disturbing, step = std::move(step), fresh] {
       if (!step) {
         tellError(step.error());
         preview.reset();
-        ++news.garment, ++news.overlay;
+        ++changes.garment, ++changes.overlay;
         return settleInterrupted();
       }
       take(*fresh);
-      if (drapes(step->operation)) ++news.settled;
+      if (drapes(step->operation)) ++changes.settled;
       if (const auto* sew = std::get_if<SewEdges>(&step->operation); sew && sew->mirror)
         tell(Notice::Kind::Said, say("Sewn, and its mirror image too; one undo takes both back."));
       if (std::holds_alternative<PullCloth>(step->operation))
-        if (const auto& last = state.fitting->document.drape.last; last && !last->why.empty())
+        if (const auto& last = state.snapshot->document.drape.last; last && !last->why.empty())
           tell(Notice::Kind::Said, last->why);
-      if (disturbing && options.settleByItself) {
+      if (disturbing && options.autoSettle) {
         const DrapeInfo& old = before->document.drape;
-        for (const PieceId id : state.fitting->document.drape.dirty)
-          if (old.last && !old.dirty.contains(id)) interrupted.insert(id);
+        for (const PieceId id : state.snapshot->document.drape.dirty)
+          if (old.last && !old.dirty.contains(id)) schedule.disturb(id);
       }
       settleInterrupted();
     };
   });
 }
 
-void Session::Inside::turn(bool back) {
-  interrupted.clear();
-  const bool wasAsked = settlingNow() && !settlingByItself;
+void Session::Impl::turn(bool back) {
+  const bool wasAsked = settlingNow() && !schedule.automatic();
+  schedule.drop();
   if (settlingNow()) {
-    settling.clear();
-    line.cancel(TaskLine::Kind::Settle);
+    tasks.cancel(TaskQueue::Kind::Settle);
     preview.reset();
-    ++news.garment;
+    ++changes.garment;
     if (back && wasAsked) return tell(Notice::Kind::Said, say("Stopped; nothing was changed."));
   }
   if (const auto there = otherWay(back)) return goTo(*there);
-  const auto own = byItself;
-  line.add(TaskLine::Kind::Step, [this, back, own](const Token& token) {
-    Result<Step> step = back ? room->undo(token) : room->redo(token);
-    if (step && back && own.contains(step->seq)) step = room->undo(token);
+  const auto own = schedule.automaticSteps();
+  tasks.add(TaskQueue::Kind::Step, [this, back, own](const Token& token) {
+    Result<Step> step = back ? documentWorker->undo(token) : documentWorker->redo(token);
+    if (step && back && own.contains(step->seq)) step = documentWorker->undo(token);
     if (step && !back) {
-      const auto waiting = room->file().undone();
-      if (!waiting.empty() && own.contains(waiting.front().seq)) (void)room->redo(token);
+      const auto waiting = documentWorker->file().undone();
+      if (!waiting.empty() && own.contains(waiting.front().seq)) (void)documentWorker->redo(token);
     }
-    const auto fresh = std::make_shared<RoomState>(room->state(token));
+    const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
     return [this, step = std::move(step), fresh] {
       if (!step) return tellError(step.error());
       take(*fresh);
@@ -133,12 +122,12 @@ void Session::Inside::turn(bool back) {
   });
 }
 
-void Session::Inside::goTo(std::uint64_t seq) {
+void Session::Impl::goTo(std::uint64_t seq) {
   dropGesture();
   dropSettling();
-  line.add(TaskLine::Kind::Step, [this, seq](const Token& token) {
-    const Done done = room->goTo(seq, token);
-    const auto fresh = std::make_shared<RoomState>(room->state(token));
+  tasks.add(TaskQueue::Kind::Step, [this, seq](const Token& token) {
+    const Done done = documentWorker->goTo(seq, token);
+    const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
     return [this, done, fresh] {
       if (!done) tellError(done.error());
       take(*fresh);
@@ -146,7 +135,7 @@ void Session::Inside::goTo(std::uint64_t seq) {
   });
 }
 
-std::optional<std::uint64_t> Session::Inside::otherWay(bool back) const {
+std::optional<std::uint64_t> Session::Impl::otherWay(bool back) const {
   for (auto way = amended.rbegin(); way != amended.rend(); ++way) {
     if (back && way->second == head()) return way->first;
     if (!back && way->first == head() && state.undone.empty()) return way->second;
@@ -154,21 +143,21 @@ std::optional<std::uint64_t> Session::Inside::otherWay(bool back) const {
   return std::nullopt;
 }
 
-void Session::perform(Operation operation) { inside_->perform(std::move(operation)); }
+void Session::perform(Operation operation) { impl_->perform(std::move(operation)); }
 
 void Session::goTo(std::size_t steps) {
-  const auto& in = *inside_;
+  const auto& in = *impl_;
   const auto& done = in.state.steps;
   const auto& undone = in.state.undone;
   if (steps == done.size() || steps > done.size() + undone.size()) return;
-  inside_->goTo(steps == 0 ? 0 : steps < done.size() ? done[steps - 1].seq : undone[steps - done.size() - 1].seq);
+  impl_->goTo(steps == 0 ? 0 : steps < done.size() ? done[steps - 1].seq : undone[steps - done.size() - 1].seq);
 }
 
-const std::vector<Step>& Session::otherEnds() const { return inside_->state.otherEnds; }
-void Session::takeWay(const Step& end) { inside_->goTo(end.seq); }
+const std::vector<Step>& Session::otherBranches() const { return impl_->state.otherBranches; }
+void Session::switchBranch(const Step& end) { impl_->goTo(end.seq); }
 
 void Session::amend(std::size_t which, Operation operation) {
-  auto& in = *inside_;
+  auto& in = *impl_;
   KARINUI_ASSERT(which >= 1 && which <= in.state.steps.size());
   // What a reshape led to is kept with it; pulled otherwise it leads elsewhere.
   if (auto* now = std::get_if<ReshapePiece>(&operation))
@@ -177,35 +166,36 @@ void Session::amend(std::size_t which, Operation operation) {
       now->outline = {};
   in.dropGesture();
   in.dropSettling();
-  in.settlingByItself = false;
   const std::uint64_t old = in.head();
-  in.line.add(TaskLine::Kind::Settle, [this, which, old, operation = std::move(operation)](const Token& token) mutable {
-    auto& inside = *inside_;
-    const Done done = inside.room->amend(which, std::move(operation), token);
-    const auto fresh = std::make_shared<RoomState>(inside.room->state(token));
-    return [this, done, old, which, fresh] {
-      auto& own = *inside_;
-      if (!done) {
-        own.tellError(done.error());
-        own.preview.reset();
-        ++own.news.garment;
-        return;
-      }
-      own.take(*fresh);
-      own.amended.push_back({old, own.head()});
-      own.tell(Notice::Kind::Said, say("Step {0} was changed, and all that followed done again.", which));
-    };
-  });
+  in.tasks.add(TaskQueue::Kind::Settle,
+               [this, which, old, operation = std::move(operation)](const Token& token) mutable {
+                 auto& inside = *impl_;
+                 const Done done = inside.documentWorker->amend(which, std::move(operation), token);
+                 const auto fresh = std::make_shared<DocumentState>(inside.documentWorker->state(token));
+                 return [this, done, old, which, fresh] {
+                   auto& own = *impl_;
+                   if (!done) {
+                     own.tellError(done.error());
+                     own.preview.reset();
+                     ++own.changes.garment;
+                     return;
+                   }
+                   own.take(*fresh);
+                   own.amended.push_back({old, own.head()});
+                   own.tell(Notice::Kind::Said, say("Step {0} was changed, and all that followed done again.", which));
+                 };
+               });
 }
 
-void Session::glimpse(std::uint64_t seq, std::function<void(FittingPtr)> then) {
-  auto& in = *inside_;
-  in.line.add(TaskLine::Kind::Glimpse, [this, seq, of = in.documents, then = std::move(then)](const Token& token) {
-    FittingPtr found = inside_->room->glimpse(seq, token);
-    return [this, of, then, found] {
-      if (of == inside_->documents) then(found);
-    };
-  });
+void Session::snapshotAfter(std::uint64_t seq, std::function<void(SnapshotPtr)> then) {
+  auto& in = *impl_;
+  in.tasks.add(TaskQueue::Kind::SnapshotAfter,
+               [this, seq, of = in.documents, then = std::move(then)](const Token& token) {
+                 SnapshotPtr found = impl_->documentWorker->snapshotAfter(seq, token);
+                 return [this, of, then, found] {
+                   if (of == impl_->documents) then(found);
+                 };
+               });
 }
 
 }  // namespace karinui

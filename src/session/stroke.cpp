@@ -26,15 +26,15 @@ Vec3 onRay(const Ray& ray, Vec3 place) { return ray.origin + ray.direction * dot
 
 double awayFromRay(const Ray& ray, Vec3 place) { return distance(onRay(ray, place), place); }
 
-std::optional<StrokeSample> strokeSample(const Fitting& fitting, const PointerSample& sample,
+std::optional<StrokeSample> strokeSample(const GarmentSnapshot& snapshot, const PointerSample& sample,
                                          const std::optional<Vec3>& before) {
-  if (!fitting.body || sample.where != PointerSample::Where::Space) return std::nullopt;
-  const Body& body = *fitting.body;
+  if (!snapshot.body || sample.where != PointerSample::Where::Space) return std::nullopt;
+  const Body& body = *snapshot.body;
   StrokeSample found;
   found.ray = sample.ray;
   found.facing = sample.facing;
   found.reach = sample.reach;
-  const Hit hit = pickBody(fitting, sample);
+  const Hit hit = pickBody(snapshot, sample);
   found.met = hit.on == Hit::On::Body;
   if (sample.tip) {
     if (!found.met) return std::nullopt;

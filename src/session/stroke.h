@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 
 namespace karinui {
 
@@ -26,7 +26,7 @@ struct StrokeSample {
 
 // Where a pointer's ray comes to on the skin, `before` being where the stroke was last: also what it just misses at the
 // silhouette, and the trunk's rim rather than an arm far behind it. Nothing: well beside the body.
-std::optional<StrokeSample> strokeSample(const Fitting& fitting, const PointerSample& sample,
+std::optional<StrokeSample> strokeSample(const GarmentSnapshot& snapshot, const PointerSample& sample,
                                          const std::optional<Vec3>& before);
 
 // How far a place is from a ray.

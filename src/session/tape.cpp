@@ -20,15 +20,15 @@ std::vector<Vec3> loopOfSkin(const TriangleMesh& skin, const Plane& level, Vec3 
 
 }  // namespace
 
-Tape tapeAt(const Fitting& fitting, const Hit& hit) {
+Tape tapeAt(const GarmentSnapshot& snapshot, const Hit& hit) {
   Tape tape;
   const Plane level{hit.point, {0, 1, 0}};
   if (hit.on == Hit::On::Cloth) {
-    for (const SceneCloth& cloth : fitting.frame.cloths)
+    for (const SceneCloth& cloth : snapshot.frame.cloths)
       for (const SectionLoop& loop : section(cloth.mesh, level))
         tape.line.insert(tape.line.end(), loop.points.begin(), loop.points.end());
-  } else if (hit.on == Hit::On::Body && fitting.body) {
-    tape.line = loopOfSkin(fitting.body->mesh(), level, hit.point);
+  } else if (hit.on == Hit::On::Body && snapshot.body) {
+    tape.line = loopOfSkin(snapshot.body->mesh(), level, hit.point);
   }
   if (tape.line.size() < 3) return {};
   tape.line = tightTape(tape.line, level.normal);

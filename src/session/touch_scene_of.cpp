@@ -70,18 +70,18 @@ TensionCurve tensionCurveOf(const Fabric& fabric, double width, double length) {
   return curve;
 }
 
-TouchScene touchSceneOf(const Fitting& fitting, Vec3 tip, const Handling& handling, double radius) {
+TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handling& handling, double radius) {
   TouchScene scene;
   scene.centre = tip;
   scene.radius = radius;
   scene.changing = handling.changing;
   scene.clicks = handling.clicks;
-  if (fitting.body) addNear(scene, fitting.body->bvh(), fitting.body->mesh(), false);
+  if (snapshot.body) addNear(scene, snapshot.body->bvh(), snapshot.body->mesh(), false);
   double friction = 0;
-  for (std::size_t k = 0; k < fitting.worn.size(); ++k) {
-    const PieceId id = fitting.worn[k].id;
-    const Piece* piece = fitting.document.find(id);
-    const auto fabric = piece ? fabricOf(fitting.document, *piece) : Result<Fabric>(cancelled());
+  for (std::size_t k = 0; k < snapshot.worn.size(); ++k) {
+    const PieceId id = snapshot.worn[k].id;
+    const Piece* piece = snapshot.document.find(id);
+    const auto fabric = piece ? fabricOf(snapshot.document, *piece) : Result<Fabric>(cancelled());
     if (!fabric) continue;
     if (handling.carried.contains(id)) {
       scene.carriedMass += piece->outline.area() * fabric->weight;
@@ -93,8 +93,8 @@ TouchScene touchSceneOf(const Fitting& fitting, Vec3 tip, const Handling& handli
     }
     if (handling.cut == id) scene.cutting = kCutResistance * fabric->thickness;
     const std::size_t before = scene.facets.size();
-    const TriangleMesh& mesh = fitting.frame.cloths[k].mesh;
-    if (!mesh.faces.empty()) addNear(scene, **fitting.worn[k].tree, mesh, true);
+    const TriangleMesh& mesh = snapshot.frame.cloths[k].mesh;
+    if (!mesh.faces.empty()) addNear(scene, **snapshot.worn[k].tree, mesh, true);
     if (scene.facets.size() > before) friction = std::max(friction, fabric->frictionBody);
   }
   if (friction > 0) scene.friction = friction;

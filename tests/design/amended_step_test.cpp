@@ -69,7 +69,7 @@ TEST_F(AmendedStep, WhatALaterStepCannotFollowChangesNothing) {
   EXPECT_THAT(text(done.error().what), HasSubstr("Step 5:"));
   EXPECT_EQ(linesOf(file_), before);
   EXPECT_EQ(hash(file_.document()), was);
-  EXPECT_TRUE(file_.otherEnds().empty());
+  EXPECT_TRUE(file_.otherBranches().empty());
   reopen();
   EXPECT_EQ(linesOf(file_), before);
 }
@@ -89,12 +89,12 @@ TEST_F(AmendedStep, TheWayItWasIsStillThere) {
   const std::uint64_t old = file_.steps().back().seq;
   ASSERT_TRUE(file_.amend(3, *parseOperation("move piece=p1 by=0,20cm,0"), room_.context));
   const auto after = linesOf(file_);
-  const auto ends = file_.otherEnds();
+  const auto ends = file_.otherBranches();
   ASSERT_EQ(ends.size(), 1u);
   EXPECT_EQ(ends.front().seq, old);
   ASSERT_TRUE(file_.goTo(old, room_.context));
   EXPECT_EQ(linesOf(file_), before);
-  ASSERT_TRUE(file_.goTo(file_.otherEnds().front().seq, room_.context));
+  ASSERT_TRUE(file_.goTo(file_.otherBranches().front().seq, room_.context));
   EXPECT_EQ(linesOf(file_), after);
 }
 

@@ -108,8 +108,8 @@ TEST_F(Drafts, WhatIsImportedIntoAnEmptyWindowIsADraftOfItsName) {
   Session again(options());
   again.open(drafts() / "egg today.karinui");
   again.finish();
-  ASSERT_TRUE(again.fitting().body) << refused(again) << "the mesh is in the file";
-  EXPECT_EQ(again.fitting().body->name(), "egg");
+  ASSERT_TRUE(again.snapshot().body) << refused(again) << "the mesh is in the file";
+  EXPECT_EQ(again.snapshot().body->name(), "egg");
 }
 
 TEST_F(Drafts, SaveAsMovesADraftAndCopiesADocument) {
@@ -147,7 +147,7 @@ TEST_F(Drafts, AStepThatWaitsIsWrittenBeforeLeaving) {
     Session session(options());
     session.perform(*parseOperation("body size=jis9ar"));
     session.perform(*parseOperation(kPiece));
-    session.conclude();
+    session.close();
   }
   ASSERT_EQ(files().size(), 1u);
   const auto kept = DocumentFile::openForReading(drafts() / files().front());

@@ -20,7 +20,7 @@ SessionOptions cheap() {
   static const auto bodies = std::make_shared<Bodies>();
   SessionOptions options;
   options.bodies = bodies;
-  options.settleByItself = false;
+  options.autoSettle = false;
   options.drape = [](const Document& d, const DrapePieces& op, Context&) { return fallABit(d, op.live); };
   return options;
 }
@@ -59,7 +59,7 @@ class Hand {
     s.reach = 11 * pixel_;
     return s;
   }
-  bool onBody(Pixel at) const { return pickBody(session_.fitting(), sample(at, Phase::Hover)).on == Hit::On::Body; }
+  bool onBody(Pixel at) const { return pickBody(session_.snapshot(), sample(at, Phase::Hover)).on == Hit::On::Body; }
   // The silhouette beside a place, to the right or left of it in the picture.
   Pixel rim(Vec3 place, double way) const {
     Pixel at = of(place);
@@ -110,7 +110,7 @@ class Drawing : public testing::Test {
     session.perform(op("body size=jis9ar"));
     session.finish();
   }
-  const Body& body() { return *session.fitting().body; }
+  const Body& body() { return *session.snapshot().body; }
   Vec3 on(const char* place) { return at(body().mesh(), *body().find(*parseBodyPoint(place))); }
   std::string refused() {
     std::string all;
@@ -147,7 +147,7 @@ TEST_F(Drawing, AShakySideDrawnFromTheFrontIsAFairEdge) {
   ASSERT_EQ(session.steps().size(), 2u) << refused();
   const DrawPiece& draw = drawn();
   EXPECT_TRUE(draw.symmetric);
-  const Piece& piece = *session.fitting().document.pieceNamed(draw.name);
+  const Piece& piece = *session.snapshot().document.pieceNamed(draw.name);
   const Edge* side = findEdge(piece, "side_left");
   ASSERT_TRUE(side) << text(session.steps().back().operation);
   EXPECT_EQ(wavers(side->curve), 0);
@@ -182,7 +182,7 @@ TEST_F(Drawing, AWaverInTheMiddleOfTheBodyIsTakenOutWithinTheHandsTolerance) {
   session.finish();
   ASSERT_EQ(session.steps().size(), 2u) << refused();
   const DrawPiece& draw = drawn();
-  const Edge& edge = session.fitting().document.pieceNamed(draw.name)->outline.edges.front();
+  const Edge& edge = session.snapshot().document.pieceNamed(draw.name)->outline.edges.front();
   EXPECT_EQ(wavers(edge.curve), 0);
   for (const BodyPoint& point : draw.line) {
     const Vec3 p = at(body().mesh(), *body().find(point));
@@ -217,10 +217,10 @@ TEST_F(Drawing, ARunAlongALineOfTheBodyIsNamedByItAndFoundOnAnotherFigure) {
   EXPECT_THAT(said, testing::HasSubstr("line:waist@"));
   EXPECT_THAT(said, testing::HasSubstr("line:hip@"));
   EXPECT_THAT(draw.edges, testing::IsSupersetOf({"waist", "hip"}));
-  session.wearFigure({.size = "eu50", .sex = {}, .set = {}, .mesh = {}});
+  session.applyFigure({.size = "eu50", .sex = {}, .set = {}, .mesh = {}});
   session.finish();
   const Vec3 moved = on("line:waist@0");
-  EXPECT_NEAR(moved.y, session.fitting().body->landmarks().at("waist_front").y, 0.004);
+  EXPECT_NEAR(moved.y, session.snapshot().body->landmarks().at("waist_front").y, 0.004);
   EXPECT_EQ(session.steps().size(), 2u) << refused();
 }
 
@@ -231,10 +231,10 @@ TEST_F(Drawing, TheBackMeetsTheVisibleCornerOfTheFront) {
   session.perform(op(wide));
   session.finish();
   session.takeNotices();
-  const Piece& front = *session.fitting().document.pieceNamed("front");
+  const Piece& front = *session.snapshot().document.pieceNamed("front");
   const Curve& hem = findEdge(front, "hem_left")->curve;
   const Flat side = std::fabs(hem.start.u) > std::fabs(hem.end.u) ? hem.start : hem.end;
-  const Vec3 corner = *spaceOf(session.fitting(), front.id, side);
+  const Vec3 corner = *spaceOf(session.snapshot(), front.id, side);
   Hand hand(session, {0, 0, -1});
   session.command(Command::Draw);
   hand.click(hand.of(on("torso:hip+0.4@0.5")));
@@ -274,7 +274,7 @@ TEST_F(Drawing, WhatIsAdvisedIsMarkedAndMendedAndUndone) {
   session.finish();
   ASSERT_FALSE(session.advice().empty());
   const Advice advice = session.advice().front();
-  const Piece* piece = session.fitting().document.find(advice.piece);
+  const Piece* piece = session.snapshot().document.find(advice.piece);
   ASSERT_TRUE(piece);
   EXPECT_TRUE(findEdge(*piece, advice.edge)) << advice.edge;
   session.command(Command::Select);

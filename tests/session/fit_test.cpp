@@ -13,17 +13,17 @@ double ellipse(double a, double b) {  // Ramanujan
 }
 
 // Two panels, 40 cm wide and 30 cm apart, before and behind.
-FittingPtr panelsRoundAnEgg() {
+SnapshotPtr panelsRoundAnEgg() {
   Workroom room;
   Document document;
   const auto lines =
       parseScript(std::string(kTwoPieces) + "move piece=front by=-20cm,0,15cm\nmove piece=back by=20cm,0,15cm\n");
   for (const ScriptLine& line : *lines) document = *apply(document, line.operation, room.context);
-  return fittingOf(document, *Body::make(egg()));
+  return snapshotOf(document, *Body::make(egg()));
 }
 
 TEST(Fit, TheLevelTapeGoesRoundGarmentAndBody) {
-  const FittingPtr fitting = panelsRoundAnEgg();
+  const SnapshotPtr fitting = panelsRoundAnEgg();
   const Girths girths = girthsAt(*fitting, 0.4).at(0);
   const double share = std::sqrt(1 - 0.25);  // of the egg's half axes, half-way up
   EXPECT_NEAR(girths.body, ellipse(0.15 * share, 0.12 * share), 0.006);
@@ -40,8 +40,8 @@ TEST(Fit, AboveTheGarmentOnlyTheBodyIsMeasured) {
 }
 
 TEST(Fit, WhereOnlyOneSideHangsNothingGoesRound) {
-  FittingPtr whole = panelsRoundAnEgg();
-  Fitting half = *whole;
+  SnapshotPtr whole = panelsRoundAnEgg();
+  GarmentSnapshot half = *whole;
   half.frame.cloths.pop_back();
   EXPECT_EQ(girthsAt(half, 0.4).at(0).garment, 0);
 }
@@ -50,8 +50,8 @@ TEST(Fit, WhereOnlyOneSideHangsNothingGoesRound) {
 struct Ring {
   double x, z, half;
 };
-Fitting tubesOn(const BodyPtr& body, const std::vector<Ring>& rings) {
-  Fitting fitting;
+GarmentSnapshot tubesOn(const BodyPtr& body, const std::vector<Ring>& rings) {
+  GarmentSnapshot fitting;
   fitting.body = body;
   for (const Ring& ring : rings) {
     SceneCloth cloth;

@@ -65,9 +65,9 @@ std::string told(const Operation& operation) {
 }
 
 // "sight ex ey ez tx ty tz": from where to where one looks.
-Sight sightIn(std::istringstream& words) {
+Viewpoint sightIn(std::istringstream& words) {
   Vec3 to;
-  Sight sight;
+  Viewpoint sight;
   words >> sight.eye.x >> sight.eye.y >> sight.eye.z >> to.x >> to.y >> to.z;
   sight.distance = distance(sight.eye, to);
   sight.back = normalized(sight.eye - to);
@@ -102,7 +102,7 @@ double awayFromRays(Vec3 place, const std::vector<Ray>& rays) {
   return nearest;
 }
 
-using Device = std::function<PointerSample(PointerSample, const Fitting&)>;
+using Device = std::function<PointerSample(PointerSample, const GarmentSnapshot&)>;
 
 std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodies> bodies, const Device& device = {}) {
   Session session(cheap(std::move(bodies)));
@@ -148,14 +148,14 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
     } else if (first == "sight" || first == "key") {
       words.seekg(static_cast<std::streamoff>(first.size()));
       if (first == "sight")
-        session.setSight(sightIn(words));
+        session.setViewpoint(sightIn(words));
       else
         strike(session, words, seconds += 0.1);
       if (const auto tip = session.fingertip()) rays.push_back(tip->ray);
     } else {
       auto sample = parsePointerSample(line);
       EXPECT_TRUE(sample) << line;
-      if (sample && device) *sample = device(*sample, session.fitting());
+      if (sample && device) *sample = device(*sample, session.snapshot());
       if (sample) session.feed(*sample), rays.push_back(sample->ray);
     }
     (void)session.preview();  // what is shown meanwhile is part of the life of a gesture
@@ -167,7 +167,7 @@ std::vector<std::string> cameTo(const Recording& recording, std::shared_ptr<Bodi
     const Operation& operation = session.steps()[i].operation;
     came.push_back(told(operation));
     if (const auto* draw = std::get_if<DrawPiece>(&operation)) {
-      const Body& body = *session.fitting().body;
+      const Body& body = *session.snapshot().body;
       for (const BodyPoint& point : draw->line) {
         const auto place = body.find(point);
         EXPECT_TRUE(place) << text(point);
@@ -203,8 +203,8 @@ TEST(Recordings, ComeToWhatWasExpected) {
 
 // The same by a stylus, whose tip is where the ray meets something, or else the plane of the piece in front. Its own
 // ray points elsewhere.
-PointerSample byStylus(PointerSample sample, const Fitting& fitting) {
-  const Hit hit = pick(fitting, Table(), sample);
+PointerSample byStylus(PointerSample sample, const GarmentSnapshot& fitting) {
+  const Hit hit = pick(fitting, TableLayout(), sample);
   Vec3 tip = sample.ray.origin - sample.ray.direction * (sample.ray.origin.z / sample.ray.direction.z);
   if (hit.on != Hit::On::Nothing)
     tip = hit.point;
@@ -263,7 +263,7 @@ TEST(Recordings, AStylusHasSixDegreesOfFreedom) {
 TEST(Recordings, WhatTheTipDoesNotReachIsNotTouched) {
   const auto bodies = std::make_shared<Bodies>();
   Recording recording = recordingIn(fs::path(KARINUI_SOURCE_DIR) / "tests/session/recordings/move.txt");
-  const auto away = [](PointerSample sample, const Fitting& fitting) {
+  const auto away = [](PointerSample sample, const GarmentSnapshot& fitting) {
     sample = byStylus(std::move(sample), fitting);
     sample.tip->carry.z = 0.006;  // metres; touching is 5 mm
     return sample;

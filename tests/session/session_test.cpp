@@ -9,7 +9,7 @@
 #include <future>
 
 #include "design/workroom.h"
-#include "session/task_line.h"
+#include "session/task_queue.h"
 
 namespace karinui {
 namespace {
@@ -58,8 +58,8 @@ TEST(Session, SettlesWhatChangedAndRecordsIt) {
   session.perform(op("drape live=front"));
   session.finish();
   EXPECT_THAT(stepsOf(session).back(), testing::HasSubstr("drape live=p1"));
-  EXPECT_EQ(session.fitting().document.drape.dirty,
-            std::set<PieceId>{session.fitting().document.pieceNamed("back")->id});
+  EXPECT_EQ(session.snapshot().document.drape.dirty,
+            std::set<PieceId>{session.snapshot().document.pieceNamed("back")->id});
 }
 
 // Recorded hands show that nothing is advised where there is nothing to advise.
@@ -141,13 +141,13 @@ TEST(Session, ADrapeStoppedBeforeItsFirstStepChangesNothing) {
   Held held;
   Session session(held.options());
   giveTwo(session);
-  const std::string stand = drapeHash(session.fitting().document);
+  const std::string stand = drapeHash(session.snapshot().document);
   session.perform(op("drape"));
   held.begun.get_future().wait();
   session.command(Command::Settle);
   session.finish();
   EXPECT_EQ(session.steps().size(), 2u);
-  EXPECT_EQ(drapeHash(session.fitting().document), stand);
+  EXPECT_EQ(drapeHash(session.snapshot().document), stand);
   EXPECT_FALSE(session.busy().any);
 }
 
@@ -180,7 +180,7 @@ TEST(Session, AStoppedDrapeStaysWhereItIsAndIsUndone) {
     Stepping solver;
     Session session(solver.options());
     giveTwo(session);
-    const std::string stand = drapeHash(session.fitting().document);
+    const std::string stand = drapeHash(session.snapshot().document);
     session.perform(op("drape live=front"));
     solver.begun.get_future().wait();
     session.command(key);
@@ -188,13 +188,13 @@ TEST(Session, AStoppedDrapeStaysWhereItIsAndIsUndone) {
     session.finish();
     ASSERT_EQ(session.steps().size(), 3u);
     EXPECT_THAT(stepsOf(session).back(), testing::MatchesRegex("drape live=p1 stop=[0-9]+"));
-    const Document& document = session.fitting().document;
+    const Document& document = session.snapshot().document;
     EXPECT_NE(drapeHash(document), stand);
     EXPECT_TRUE(document.drape.dirty.contains(document.pieceNamed("front")->id)) << "not at rest";
     EXPECT_FALSE(document.drape.last->settled);
     session.command(Command::Undo);
     session.finish();
-    EXPECT_EQ(drapeHash(session.fitting().document), stand);
+    EXPECT_EQ(drapeHash(session.snapshot().document), stand);
     EXPECT_EQ(session.steps().size(), 2u);
   }
 }
@@ -225,7 +225,7 @@ TEST(Session, ADrapeUnderWayIsKeptWhenAnotherDocumentComesOrOneLeaves) {
       session.perform(op("drape"));
       solver.begun.get_future().wait();
       if (leaves)
-        session.conclude();
+        session.close();
       else
         session.begin(DocumentFile::inMemory()), session.finish();
     }
@@ -244,12 +244,12 @@ TEST(Session, ASeamIsTurnedRound) {
   session.perform(op("sew a=front.side_left b=back.side_right reversed=no"));
   session.finish();
   Selection selection;
-  selection.seam = session.fitting().document.pattern.seams.begin()->first;
+  selection.seam = session.snapshot().document.pattern.seams.begin()->first;
   session.select(selection);
   session.command(Command::FlipSeam);
   session.finish();
-  ASSERT_EQ(session.fitting().document.pattern.seams.size(), 1u);
-  EXPECT_TRUE(session.fitting().document.pattern.seams.begin()->second.reversed);
+  ASSERT_EQ(session.snapshot().document.pattern.seams.size(), 1u);
+  EXPECT_TRUE(session.snapshot().document.pattern.seams.begin()->second.reversed);
 }
 
 TEST(Session, GoesBackAndForthInItsHistory) {
@@ -281,7 +281,7 @@ TEST(Session, AnEarlierStepIsChangedAndOneUndoBringsTheOldWayBack) {
   auto after = before;
   after[2] = "move piece=p1 by=0,50mm,0";
   EXPECT_EQ(stepsOf(session), after);
-  ASSERT_EQ(session.otherEnds().size(), 1u);
+  ASSERT_EQ(session.otherBranches().size(), 1u);
   session.command(Command::Undo);
   session.finish();
   EXPECT_EQ(stepsOf(session), before);
@@ -289,7 +289,7 @@ TEST(Session, AnEarlierStepIsChangedAndOneUndoBringsTheOldWayBack) {
   session.command(Command::Redo);
   session.finish();
   EXPECT_EQ(stepsOf(session), after);
-  session.takeWay(session.otherEnds().front());
+  session.switchBranch(session.otherBranches().front());
   session.finish();
   EXPECT_EQ(stepsOf(session), before);
 }
@@ -322,8 +322,8 @@ TEST(Session, ALineIsDrawnToTheCornersAndOutlinesThatLieThere) {
          "torso:waist@0.06; torso:waist@0.94\""));
   session.finish();
   ASSERT_EQ(session.steps().size(), 2u);
-  const Piece& front = *session.fitting().document.pieceNamed("front");
-  const Body& body = *session.fitting().body;
+  const Piece& front = *session.snapshot().document.pieceNamed("front");
+  const Body& body = *session.snapshot().body;
   const Stand stand(front);
   const auto skinOf = [&](Vec3 p) { return body.bvh().nearest(p)->point; };
   const Vec3 corner = skinOf(stand(findEdge(front, "left")->curve.start));
@@ -362,20 +362,20 @@ TEST(Session, AFigureTurnedUnderTheHandIsSeenAndNothingIsDone) {
   Session session(held.options());
   session.perform(op("body size=jis9ar"));
   giveTwo(session);
-  const double before = session.fitting().body->measured().value.at("bust_girth");
+  const double before = session.snapshot().body->measured().value.at("bust_girth");
   SetBody wider;
   wider.size = "jis9ar";
   wider.set = {{"bust_girth", {before + 0.01}}};
-  session.tryFigure(wider);
+  session.previewFigure(wider);
   wider.set[0].value = {before + 0.06};
-  session.tryFigure(wider);
+  session.previewFigure(wider);
   session.finish();
   EXPECT_NEAR(session.shown().body->measured().value.at("bust_girth"), before + 0.06, 0.004);
   EXPECT_EQ(session.shown().document.pattern.pieces.size(), 2u) << "with the garment on it";
-  EXPECT_EQ(session.fitting().body->measured().value.at("bust_girth"), before);
+  EXPECT_EQ(session.snapshot().body->measured().value.at("bust_girth"), before);
   EXPECT_EQ(session.steps().size(), 3u);
   session.command(Command::Cancel);
-  EXPECT_EQ(&session.shown(), &session.fitting());
+  EXPECT_EQ(&session.shown(), &session.snapshot());
 }
 
 TEST(Session, AFigureThatIsWornPlaysTheStepsAgainOnIt) {
@@ -388,21 +388,21 @@ TEST(Session, AFigureThatIsWornPlaysTheStepsAgainOnIt) {
          "torso:waist@0.2; torso:waist@0\""));
   session.finish();
   ASSERT_EQ(session.steps().size(), 2u);
-  const double wide = session.fitting().document.pieceNamed("front")->outline.area();
+  const double wide = session.snapshot().document.pieceNamed("front")->outline.area();
   const SetBody before = *session.figure();
   SetBody wider = before;
   wider.set = {{"bust_girth", {0.93}}};
-  session.wearFigure(wider);
+  session.applyFigure(wider);
   session.finish();
   EXPECT_EQ(*session.figure(), wider);
   ASSERT_EQ(session.steps().size(), 2u);
-  EXPECT_GT(session.fitting().document.pieceNamed("front")->outline.area(), 1.02 * wide) << "drawn anew";
+  EXPECT_GT(session.snapshot().document.pieceNamed("front")->outline.area(), 1.02 * wide) << "drawn anew";
   session.command(Command::Undo);
   session.finish();
   EXPECT_EQ(*session.figure(), before) << "one undo";
   wider.set = {{"bust_girth", {5.0}}};
   session.takeNotices();
-  session.wearFigure(wider);
+  session.applyFigure(wider);
   session.finish();
   EXPECT_EQ(session.takeNotices().size(), 1u);
   EXPECT_EQ(*session.figure(), before) << "no body is so";
@@ -463,7 +463,7 @@ TEST(Session, StoppedWhileItPlaysAgainNothingIsChanged) {
   session.command(Command::Settle);
   session.finish();
   EXPECT_EQ(stepsOf(session), before);
-  EXPECT_TRUE(session.otherEnds().empty());
+  EXPECT_TRUE(session.otherBranches().empty());
 }
 
 TEST(Session, LooksBackWithoutGoingThere) {
@@ -475,11 +475,12 @@ TEST(Session, LooksBackWithoutGoingThere) {
   session.finish();
   std::map<std::uint64_t, std::size_t> pieces;
   for (const std::uint64_t seq : {0, 1, 2, 3})
-    session.glimpse(seq, [&pieces, seq](FittingPtr then) { pieces[seq] = then->document.pattern.pieces.size(); });
+    session.snapshotAfter(seq,
+                          [&pieces, seq](SnapshotPtr then) { pieces[seq] = then->document.pattern.pieces.size(); });
   session.finish();
   EXPECT_EQ(pieces, (std::map<std::uint64_t, std::size_t>{{0, 0}, {1, 1}, {2, 2}, {3, 1}}));
   EXPECT_EQ(session.steps().size(), 3u);
-  session.glimpse(1, [&](FittingPtr) { pieces[99] = 0; });
+  session.snapshotAfter(1, [&](SnapshotPtr) { pieces[99] = 0; });
   session.begin(DocumentFile::inMemory());
   session.finish();
   EXPECT_FALSE(pieces.contains(99)) << "what was asked about another document is not told";
@@ -489,10 +490,10 @@ TEST(Session, TheMenuIsHitByThePointerThatWorksTheCloth) {
   Held held;
   Session session(held.options());
   giveTwo(session);
-  Sight sight;
+  Viewpoint sight;
   sight.eye = {0, 1, 4};
-  session.setSight(sight);
-  const ScenePanel panel = *session.menu();
+  session.setViewpoint(sight);
+  const SceneMenu panel = *session.menu();
   const auto& bar = menuBar();
   for (std::size_t i = 0; i < bar.size(); ++i) {
     if (!isTool(bar[i]) || !session.can(bar[i])) continue;
@@ -540,21 +541,21 @@ TEST(Session, OpensCopiesAndReopensWhereItWas) {
   EXPECT_EQ(session.path(), folder / "b.karinui");  // what was open stays
 }
 
-TEST(TaskLine, CancelsWhatRunsAndDropsWhatWaits) {
-  TaskLine line({});
+TEST(TaskQueue, CancelsWhatRunsAndDropsWhatWaits) {
+  TaskQueue line({});
   std::promise<void> begun;
   int ended = 0;
   bool stopped = false;
-  line.add(TaskLine::Kind::Settle, [&](const Token& token) -> TaskLine::Finish {
+  line.add(TaskQueue::Kind::Settle, [&](const Token& token) -> TaskQueue::Finish {
     begun.set_value();
     while (!token.cancelled()) std::this_thread::yield();
     stopped = true;
     return [&] { ++ended; };
   });
-  line.add(TaskLine::Kind::Settle, [&](const Token&) -> TaskLine::Finish { return [&] { ended += 100; }; });
+  line.add(TaskQueue::Kind::Settle, [&](const Token&) -> TaskQueue::Finish { return [&] { ended += 100; }; });
   begun.get_future().wait();
-  EXPECT_TRUE(line.busy(TaskLine::Kind::Settle));
-  line.cancel(TaskLine::Kind::Settle);
+  EXPECT_TRUE(line.busy(TaskQueue::Kind::Settle));
+  line.cancel(TaskQueue::Kind::Settle);
   while (line.busy()) {
     line.wait();
     line.takeIn();
@@ -564,10 +565,10 @@ TEST(TaskLine, CancelsWhatRunsAndDropsWhatWaits) {
 }
 
 TEST(Menu, HangsInViewAndKnowsItsButtons) {
-  Sight sight;
+  Viewpoint sight;
   sight.eye = {1, 2, 3};
   sight.aspect = 0.8;
-  const ScenePanel panel = menuPanel(sight, {});
+  const SceneMenu panel = menuPanel(sight, {});
   EXPECT_EQ(panel.buttons.size(), menuBar().size());
   EXPECT_FALSE(menuHit(panel, {sight.eye, -sight.back}));  // the middle of the view is free
   EXPECT_FALSE(meets(panel, {sight.eye, sight.back}));     // nothing behind
@@ -583,11 +584,11 @@ TEST(Menu, ATipTouchesItsBoard) {
   held.allow.set_value();
   Session session(held.options());
   giveTwo(session);
-  Sight sight;
+  Viewpoint sight;
   sight.eye = {0, 1, 2};
-  session.setSight(sight);
-  const ScenePanel panel = *session.menu();
-  const ScenePanel::Button& move = panel.buttons.at(1);
+  session.setViewpoint(sight);
+  const SceneMenu panel = *session.menu();
+  const SceneMenu::Button& move = panel.buttons.at(1);
   const Vec3 across = normalized(panel.across), upward = normalized(panel.upward), normal = cross(across, upward);
   const Vec3 middle = panel.corner + across * (move.left + move.width / 2) + upward * (move.bottom + move.height / 2);
   PointerSample sample;

@@ -20,15 +20,15 @@ class Tapes : public testing::Test {
     }
     auto body = Body::make(egg());
     ASSERT_TRUE(body);
-    fitting = fittingOf(document, *body);
+    fitting = snapshotOf(document, *body);
   }
   Tape along(Ray ray) {
     PointerSample sample;
     sample.ray = ray;
-    return tapeAt(*fitting, pick(*fitting, Table(), sample));
+    return tapeAt(*fitting, pick(*fitting, TableLayout(), sample));
   }
   Workroom room;
-  FittingPtr fitting;
+  SnapshotPtr fitting;
 };
 
 TEST_F(Tapes, OnClothGoesRoundTheGarment) {

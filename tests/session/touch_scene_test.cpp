@@ -22,14 +22,14 @@ struct Given {
     for (const ScriptLine& line : *lines) session.perform(line.operation);
     session.finish();
   }
-  const Fitting& fitting() { return session.fitting(); }
-  const Piece& front() { return *fitting().document.pieceNamed("front"); }
+  const GarmentSnapshot& snapshot() { return session.snapshot(); }
+  const Piece& front() { return *snapshot().document.pieceNamed("front"); }
 };
 
 TEST(TouchScene, RigidClothIsFeltFromBothSidesAndOnlyNear) {
   Given given;
   const Vec3 on = Stand(given.front())({0.2, 0.2});
-  const TouchScene scene = touchSceneOf(given.fitting(), on);
+  const TouchScene scene = touchSceneOf(given.snapshot(), on);
   ASSERT_FALSE(scene.facets.empty());
   for (const Facet& facet : scene.facets) {
     EXPECT_TRUE(facet.twoSided);
@@ -41,7 +41,7 @@ TEST(TouchScene, RigidClothIsFeltFromBothSidesAndOnlyNear) {
     const auto forces = evaluator.evaluate(scene, record(), {}, on - Vec3{0, 0, 0.005 * side}, {});
     EXPECT_NEAR(forces.contact.z, scene.stiffness * 0.005 * side, 1e-6);
   }
-  EXPECT_TRUE(touchSceneOf(given.fitting(), on + Vec3{0, 0, 0.5}).facets.empty());
+  EXPECT_TRUE(touchSceneOf(given.snapshot(), on + Vec3{0, 0, 0.5}).facets.empty());
 }
 
 TEST(TouchScene, ACarriedPieceWeighsWhatItsClothDoes) {
@@ -49,8 +49,8 @@ TEST(TouchScene, ACarriedPieceWeighsWhatItsClothDoes) {
   const Piece& front = given.front();
   Handling handling;
   handling.carried = {front.id};
-  const TouchScene scene = touchSceneOf(given.fitting(), Stand(front)({0.2, 0.2}), handling);
-  const Fabric fabric = *fabricOf(given.fitting().document, front);
+  const TouchScene scene = touchSceneOf(given.snapshot(), Stand(front)({0.2, 0.2}), handling);
+  const Fabric fabric = *fabricOf(given.snapshot().document, front);
   EXPECT_NEAR(scene.carriedMass, front.outline.area() * fabric.weight, 1e-12);
   EXPECT_TRUE(scene.facets.empty()) << "what is carried is not touched";
 }
@@ -58,11 +58,11 @@ TEST(TouchScene, ACarriedPieceWeighsWhatItsClothDoes) {
 TEST(TouchScene, PulledClothPullsAsTheCurveOfItsFabricRises) {
   Given given;
   const Piece& front = given.front();
-  const Fabric fabric = *fabricOf(given.fitting().document, front);
+  const Fabric fabric = *fabricOf(given.snapshot().document, front);
   Handling handling;
   const Vec3 at = Stand(front)({0.2, 0.2}) + Vec3{0, 0, 0.003};
   handling.pull = Handling::Pull{front.id, {0.2, 0.2}, at, at, {}};
-  const TouchScene scene = touchSceneOf(given.fitting(), at, handling);
+  const TouchScene scene = touchSceneOf(given.snapshot(), at, handling);
   ASSERT_TRUE(scene.grab);
   double before = -1;
   for (const double extension : {0.0, 0.0005, 0.001, 0.003, 0.006, 0.01}) {  // of 10 cm of cloth
@@ -82,10 +82,10 @@ TEST(TouchScene, CuttingResistsAndWhatChangesIsNotFelt) {
   handling.cut = given.front().id;
   handling.clicks = 3;
   const Vec3 at = Stand(given.front())({0.2, 0.2});
-  EXPECT_GT(touchSceneOf(given.fitting(), at, handling).cutting, 0.1);
-  EXPECT_EQ(touchSceneOf(given.fitting(), at, handling).clicks, 3u);
+  EXPECT_GT(touchSceneOf(given.snapshot(), at, handling).cutting, 0.1);
+  EXPECT_EQ(touchSceneOf(given.snapshot(), at, handling).clicks, 3u);
   handling.changing = true;
-  EXPECT_TRUE(touchSceneOf(given.fitting(), at, handling).changing);
+  EXPECT_TRUE(touchSceneOf(given.snapshot(), at, handling).changing);
 }
 
 }  // namespace

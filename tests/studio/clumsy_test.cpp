@@ -78,7 +78,7 @@ TEST(StudioClumsy, WhateverIsDoneIsOnTheDiskAndCanBeUndone) {
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Window w;
-    Look::here().setLanguage(seed % 2 ? Language::Japanese : Language::English);
+    Theme::here().setLanguage(seed % 2 ? Language::Japanese : Language::English);
     w.main().resize(1000, 620);
     w.openTunic();
     ClumsyHand hand(w, seed);
@@ -100,7 +100,7 @@ TEST(StudioClumsy, WhateverIsDoneIsOnTheDiskAndCanBeUndone) {
     for (std::size_t k = 0; k < 200 && w.count() > 0; ++k) w.key(Command::Undo), w.rest();
     EXPECT_EQ(w.count(), 0u) << "undo leads back to the beginning";
   }
-  Look::here().setLanguage(Language::English);
+  Theme::here().setLanguage(Language::English);
 }
 
 // The window is closed while everything is under way; what was done is in the file.

@@ -54,7 +54,7 @@ TEST(StudioFabric, ACurveIsDraggedAndKeptForOnePiece) {
   w.openTunic();
   w.main().boards().setCurrentIndex(2);
   Selection chosen;
-  chosen.pieces = {w.session().fitting().document.pieceNamed("back")->id};
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("back")->id};
   w.session().select(chosen);
   w.rest();
   auto* plot = w.main().findChild<FabricPlot*>();
@@ -82,7 +82,7 @@ TEST(StudioFabric, ACurveIsDraggedAndKeptForOnePiece) {
   const std::size_t steps = w.count();
   w.button("Only for the chosen pieces").click();
   w.rest();
-  const Document& document = w.session().fitting().document;
+  const Document& document = w.session().snapshot().document;
   ASSERT_GT(w.count(), steps) << w.main().said().toStdString();
   EXPECT_THAT(text(w.session().steps()[steps].operation),
               StartsWith("fabric name=cotton_2 piece=p4 like=cotton stretch_warp="));

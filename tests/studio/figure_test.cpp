@@ -35,9 +35,9 @@ TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
   w.main().boards().setCurrentIndex(1);
   w.rest();
   const std::size_t steps = w.count();
-  const auto bust = [](const Fitting& f) { return f.body->measured().value.at("bust_girth"); };
-  const auto chest = [&] { return w.session().fitting().document.pieceNamed("front")->outline.area(); };
-  const double girth = bust(w.session().fitting()), area = chest();
+  const auto bust = [](const GarmentSnapshot& f) { return f.body->measured().value.at("bust_girth"); };
+  const auto chest = [&] { return w.session().snapshot().document.pieceNamed("front")->outline.area(); };
+  const double girth = bust(w.session().snapshot()), area = chest();
   QSlider* slider = sliderOf(w, "Bust girth");
   ASSERT_TRUE(slider);
   const QPointF knob = knobOf(*slider);
@@ -46,16 +46,16 @@ TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
     w.keep("studio_figure");
     EXPECT_GT(bust(w.session().shown()), girth + 0.02) << "the figure is seen at once";
     EXPECT_EQ(w.count(), steps);
-    EXPECT_EQ(bust(w.session().fitting()), girth) << "nothing is done before it is let go";
+    EXPECT_EQ(bust(w.session().snapshot()), girth) << "nothing is done before it is let go";
   });
   w.rest();
   EXPECT_EQ(w.count(), steps) << w.main().said().toStdString();
-  EXPECT_GT(bust(w.session().fitting()), girth + 0.02);
+  EXPECT_GT(bust(w.session().snapshot()), girth + 0.02);
   EXPECT_GT(chest(), 1.01 * area) << "the garment was drawn anew on it";
-  EXPECT_TRUE(w.session().fitting().document.drape.last->settled) << "and hangs";
+  EXPECT_TRUE(w.session().snapshot().document.drape.last->settled) << "and hangs";
   w.key(Command::Undo);
   w.rest();
-  EXPECT_EQ(bust(w.session().fitting()), girth);
+  EXPECT_EQ(bust(w.session().snapshot()), girth);
   EXPECT_EQ(chest(), area);
   EXPECT_EQ(w.box("Bust girth").text().toStdString(), "–") << "the board says what is worn";
 }
@@ -71,12 +71,12 @@ TEST(StudioFigure, AnImportedBodyStaysUntilAMannequinIsAskedFor) {
   const fs::path file = folder.path / "client.obj";
   {
     std::ofstream out(file);
-    const TriangleMesh& mesh = w.session().fitting().body->mesh();
+    const TriangleMesh& mesh = w.session().snapshot().body->mesh();
     for (const Vec3 p : mesh.points) out << "v " << 1.08 * p.x << ' ' << p.y << ' ' << 1.08 * p.z << '\n';
     for (const Triangle& f : mesh.faces) out << "f " << f[0] + 1 << ' ' << f[1] + 1 << ' ' << f[2] + 1 << '\n';
   }
-  const auto bust = [](const Fitting& f) { return f.body->measured().value.at("bust_girth"); };
-  const double girth = bust(w.session().fitting());
+  const auto bust = [](const GarmentSnapshot& f) { return f.body->measured().value.at("bust_girth"); };
+  const double girth = bust(w.session().snapshot());
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
   QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -86,13 +86,13 @@ TEST(StudioFigure, AnImportedBodyStaysUntilAMannequinIsAskedFor) {
   w.rest();
   w.session().finish();
   w.rest();
-  ASSERT_NEAR(bust(w.session().fitting()), 1.08 * girth, 0.02) << w.main().said().toStdString();
+  ASSERT_NEAR(bust(w.session().snapshot()), 1.08 * girth, 0.02) << w.main().said().toStdString();
   const std::size_t steps = w.count();
-  const std::string imported = w.session().fitting().body->hash();
+  const std::string imported = w.session().snapshot().body->hash();
 
   QSlider* slider = sliderOf(w, "Bust girth");
   ASSERT_TRUE(slider);
-  EXPECT_NEAR(w.box("Bust girth").value(), bust(w.session().fitting()), 0.001) << "what was measured";
+  EXPECT_NEAR(w.box("Bust girth").value(), bust(w.session().snapshot()), 0.001) << "what was measured";
   const QPointF knob = knobOf(*slider);
   w.drag(*slider, {knob, knob + QPointF(slider->width() * 0.2, 0)}, {}, [&] {
     w.session().finish();
@@ -110,16 +110,16 @@ TEST(StudioFigure, AnImportedBodyStaysUntilAMannequinIsAskedFor) {
 
   QPushButton& make = w.button("Make a mannequin with these measures");
   ASSERT_TRUE(make.isVisible());
-  const double was = bust(w.session().fitting());
+  const double was = bust(w.session().snapshot());
   w.click(make, make.rect().center());
   w.rest();
   ASSERT_GT(w.count(), steps) << w.main().said().toStdString();
   EXPECT_TRUE(w.session().figure()->mesh.empty());
-  EXPECT_NEAR(bust(w.session().fitting()), was, 0.01);
+  EXPECT_NEAR(bust(w.session().snapshot()), was, 0.01);
   EXPECT_FALSE(make.isVisible());
   w.key(Command::Undo);
   w.rest();
-  EXPECT_EQ(w.session().fitting().body->hash(), imported) << "and Undo brings it back";
+  EXPECT_EQ(w.session().snapshot().body->hash(), imported) << "and Undo brings it back";
   EXPECT_TRUE(make.isVisible());
 }
 

@@ -22,8 +22,8 @@ TEST(StudioFit, ThePressureIsSeenOnTheBody) {
   w.keep("studio_pressure");
   EXPECT_GE(w.space().mapTop(), 100) << "pascals";
   Workers alone(1);
-  const auto pressure = pressureOnBody(w.session().fitting(), alone);
-  const Body& body = *w.session().fitting().body;
+  const auto pressure = pressureOnBody(w.session().snapshot(), alone);
+  const Body& body = *w.session().snapshot().body;
   ASSERT_EQ(pressure.size(), body.mesh().points.size());
   // It hangs from the shoulders: there it presses, on the head and the feet there is none.
   double shoulder = 0;
@@ -44,7 +44,7 @@ TEST(StudioFit, TellsTheGirthsAndTheirEaseAtAnyHeight) {
   w.openTunic();
   w.main().boards().setCurrentIndex(3);
   w.rest();
-  const Fitting& fitting = w.session().fitting();
+  const GarmentSnapshot& fitting = w.session().snapshot();
   const auto all = girthsOf(fitting);
   ASSERT_GE(all.size(), 4u);
   for (const Girths& g : all) EXPECT_GT(g.garment, g.body - 0.002) << text(g.name) << ": cloth goes round the body";
@@ -67,7 +67,7 @@ TEST(StudioFit, TwoStatesStandSideBySide) {
   Window w;
   w.openTunic();
   w.main().boards().setCurrentIndex(3);
-  w.session().perform(CutPiece{.piece = PieceRef(w.session().fitting().document.pieceNamed("front")->id),
+  w.session().perform(CutPiece{.piece = PieceRef(w.session().snapshot().document.pieceNamed("front")->id),
                                .line = {{0.03, -0.05}, {0.03, 0.15}},
                                .name = ""});
   w.rest();
@@ -94,7 +94,7 @@ TEST(StudioFit, TwoStatesStandSideBySide) {
   EXPECT_NE(left(), before);
   // The hand works at the right, where the garment is as it is now.
   w.click(w.space(), w.inSpace("front", {0, 0.3}));
-  EXPECT_EQ(w.session().selection().pieces.count(w.session().fitting().document.pieceNamed("front")->id), 1u);
+  EXPECT_EQ(w.session().selection().pieces.count(w.session().snapshot().document.pieceNamed("front")->id), 1u);
   beside->setCurrentIndex(0);
   emit beside->activated(0);
   w.rest();

@@ -53,14 +53,14 @@ TEST(StudioGuide, CountsTheRightSeamsAndGoesBackOnUndo) {
     for (const bool left : {true, false})
       perform(w, std::string("sew a=front.") + edge + (left ? "_left" : "_right") + " b=back." + edge +
                      (left ? "_right" : "_left"));
-  ASSERT_EQ(w.session().fitting().document.pattern.seams.size(), 4u);
+  ASSERT_EQ(w.session().snapshot().document.pattern.seams.size(), 4u);
   EXPECT_EQ(titleOf(w), "Sewing") << "a left edge to a right one is none of the four";
-  EXPECT_EQ(firstSeams(w.session().fitting()).count(), 0);
+  EXPECT_EQ(firstSeams(w.session().snapshot()).count(), 0);
   for (int k = 0; k < 4; ++k) w.key(Command::Undo), w.rest();
   int sewn = 0;
   for (const char* edge : {"shoulder_left", "shoulder_right", "side_left", "side_right"}) {
     EXPECT_EQ(titleOf(w), "Sewing");
-    EXPECT_EQ(firstSeams(w.session().fitting()).count(), sewn++);
+    EXPECT_EQ(firstSeams(w.session().snapshot()).count(), sewn++);
     perform(w, std::string("sew a=front.") + edge + " b=back." + edge);
   }
   EXPECT_EQ(titleOf(w), "Settling");

@@ -111,7 +111,7 @@ TEST_F(StudioKeys, SewOnTheTableAfterUnpicking) {
   key(Qt::Key_Return);
   w->rest();
   EXPECT_THAT(step(began + 2), StartsWith("sew a=p"));
-  EXPECT_EQ(w->session().fitting().document.pattern.seams.size(), 4u);
+  EXPECT_EQ(w->session().snapshot().document.pattern.seams.size(), 4u);
 }
 
 TEST_F(StudioKeys, Cut) {

@@ -43,11 +43,11 @@ TEST(StudioLayout, EveryControlIsReachedInASmallWindow) {
   Window w;
   w.openTunic();
   Selection chosen;
-  chosen.pieces = {w.session().fitting().document.pieceNamed("front")->id};
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("front")->id};
   chosen.edge = EdgeNear{*chosen.pieces.begin(), "side_left", 0.5, 0};
   w.main().startGuide();
   for (const Language language : {Language::English, Language::Japanese}) {
-    Look::here().setLanguage(language);
+    Theme::here().setLanguage(language);
     for (const QSize size : kSizes) {
       w.main().resize(size);
       w.key(Command::Draw);  // the longest hint
@@ -81,7 +81,7 @@ TEST(StudioLayout, EveryControlIsReachedInASmallWindow) {
       }
     }
   }
-  Look::here().setLanguage(Language::English);
+  Theme::here().setLanguage(Language::English);
 }
 
 TEST(StudioLayout, TheFloatingBarLeavesTheFigureFree) {
@@ -93,18 +93,18 @@ TEST(StudioLayout, TheFloatingBarLeavesTheFigureFree) {
     w.rest();
     for (const View side : {View::Front, View::Back, View::Left, View::Right, View::Oblique}) {
       w.view(side);
-      const ScenePanel panel = *w.session().menu();
+      const SceneMenu panel = *w.session().menu();
       const auto at = [&](Vec3 place) { return *w.space().onScreen(place); };
       const QRectF bar = QRectF(at(panel.corner), at(panel.corner + panel.across + panel.upward)).normalized();
       EXPECT_LE(bar.width(), w.space().width() / 3.0);
       EXPECT_TRUE(QRectF(w.space().rect()).contains(bar));
-      for (const ScenePanel::Button& b : panel.buttons) {
+      for (const SceneMenu::Button& b : panel.buttons) {
         const double share = bar.width() / length(panel.across);
         EXPECT_GE(b.width * share, 24) << "WCAG 2.2, 2.5.8";
         EXPECT_GE(b.height * share, 24);
       }
       int covered = 0;
-      for (const Vec3 p : w.session().fitting().body->mesh().points) covered += bar.contains(at(p));
+      for (const Vec3 p : w.session().snapshot().body->mesh().points) covered += bar.contains(at(p));
       EXPECT_EQ(covered, 0) << size.width() << ", view " << static_cast<int>(side);
     }
   }
@@ -132,7 +132,7 @@ TEST(StudioLayout, NoLabelOutlivesTheHover) {
     QApplication::sendEvent(&view, &event);
   };
   w.key(Command::Select);
-  const Piece& front = *w.session().fitting().document.pieceNamed("front");
+  const Piece& front = *w.session().snapshot().document.pieceNamed("front");
   const Flat side = findEdge(front, "side_left")->curve.atFraction(0.5);
   w.hover(w.space(), w.inSpace("front", side));
   ASSERT_THAT(w.session().preview().space.words, Not(IsEmpty()));
@@ -168,8 +168,8 @@ TEST(StudioLayout, LettersAreLegibleInLightAndDark) {
   KARINUI_NEEDS_DISPLAY();
   application();
   for (const bool dark : {false, true}) {
-    Look::here().setDark(dark);
-    const Palette& p = Look::here().palette();
+    Theme::here().setDark(dark);
+    const Palette& p = Theme::here().palette();
     for (const QColor& letters : {p.ink, p.faint, p.accent})
       for (const QColor& ground : {p.window, p.panel, p.raised, p.paper, p.accentSoft})
         EXPECT_GE(contrast(letters, ground), 4.5)
@@ -178,7 +178,7 @@ TEST(StudioLayout, LettersAreLegibleInLightAndDark) {
     EXPECT_GE(contrast(QApplication::palette().highlightedText().color(), QApplication::palette().highlight().color()),
               4.5);
   }
-  Look::here().setDark(false);
+  Theme::here().setDark(false);
 }
 
 TEST(StudioLayout, CombosHaveAnArrow) {
@@ -187,7 +187,7 @@ TEST(StudioLayout, CombosHaveAnArrow) {
   w.openTunic();
   w.main().boards().setCurrentIndex(1);
   for (const bool dark : {false, true}) {
-    Look::here().setDark(dark);
+    Theme::here().setDark(dark);
     w.rest();
     int combos = 0;
     for (QComboBox* box : w.main().findChildren<QComboBox*>()) {
@@ -203,7 +203,7 @@ TEST(StudioLayout, CombosHaveAnArrow) {
     }
     EXPECT_EQ(combos, 2);
   }
-  Look::here().setDark(false);
+  Theme::here().setDark(false);
 }
 
 // Run once more with QT_SCALE_FACTOR=2.
@@ -221,10 +221,10 @@ TEST(StudioScale, DrawsAndPointsInTheSamePlaces) {
   EXPECT_GT(colour(chest).blue(), colour(chest).red() + 20) << "the cloth is where it is said to be";
   w.key(Command::Select);
   w.click(w.space(), chest);
-  EXPECT_EQ(w.session().selection().pieces, std::set<PieceId>{w.session().fitting().document.pieceNamed("front")->id});
-  const ScenePanel panel = *w.session().menu();
+  EXPECT_EQ(w.session().selection().pieces, std::set<PieceId>{w.session().snapshot().document.pieceNamed("front")->id});
+  const SceneMenu panel = *w.session().menu();
   for (const std::size_t k : {0u, 3u, 8u}) {
-    const ScenePanel::Button& b = panel.buttons[k];
+    const SceneMenu::Button& b = panel.buttons[k];
     for (const double share : {0.08, 0.92}) {  // near both corners
       const Vec3 there = panel.corner + normalized(panel.across) * (b.left + b.width * share) +
                          normalized(panel.upward) * (b.bottom + b.height * share);
@@ -238,7 +238,7 @@ TEST(StudioScale, DrawsAndPointsInTheSamePlaces) {
   const QPointF low = *w.space().onScreen(panel.corner + panel.across * 0.5 + panel.upward * 0.004),
                 high = *w.space().onScreen(panel.corner + panel.across * 0.5 + panel.upward * 0.996);
   const QImage bar = w.space().grabFramebuffer();
-  const QColor raised = Look::here().palette().raised;
+  const QColor raised = Theme::here().palette().raised;
   for (const QPointF at : {low + QPointF(0, -2), high + QPointF(0, 2)})
     EXPECT_NEAR(bar.pixelColor((at * ratio).toPoint()).green(), raised.green(), 24);
 }

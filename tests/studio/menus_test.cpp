@@ -41,7 +41,7 @@ TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
   Window w;
   w.openTunic();
   w.key(Command::Select);
-  const Piece front = *w.session().fitting().document.pieceNamed("front");
+  const Piece front = *w.session().snapshot().document.pieceNamed("front");
   const Flat side = findEdge(front, "side_left")->curve.atFraction(0.5);
   for (const bool table : {false, true}) {
     QWidget& view = table ? static_cast<QWidget&>(w.table()) : w.space();
@@ -60,10 +60,10 @@ TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
     rightClick(w, view, at(side));
     EXPECT_THAT(offered(), Contains("Notch there"));
     choose(w, "Unpick this seam");
-    EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 3u);
+    EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), 3u);
     w.key(Command::Undo);
     w.rest();
-    EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 4u);
+    EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), 4u);
   }
   // On the body, beside the cloth: where to look from.
   rightClick(w, w.space(), {w.space().freeWidth() / 2, 12});
@@ -97,9 +97,9 @@ TEST(StudioMenus, TheTreeHasItToo) {
   QContextMenuEvent asked(QContextMenuEvent::Mouse, at, tree->viewport()->mapToGlobal(at));
   QApplication::sendEvent(tree->viewport(), &asked);
   EXPECT_TRUE(w.session().selection().seam);
-  const std::size_t seams = w.session().fitting().document.pattern.seams.size();
+  const std::size_t seams = w.session().snapshot().document.pattern.seams.size();
   choose(w, "Unpick this seam");
-  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), seams - 1);
+  EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), seams - 1);
 }
 
 TEST(StudioMenus, RedoHasTwoKeys) {

@@ -16,20 +16,20 @@ using testing::StartsWith;
 
 Selection edgeOf(Window& w, const char* piece, const char* edge) {
   Selection chosen;
-  const PieceId id = w.session().fitting().document.pieceNamed(piece)->id;
+  const PieceId id = w.session().snapshot().document.pieceNamed(piece)->id;
   chosen.pieces = {id};
   chosen.edge = EdgeNear{id, edge, 0.5, 0};
   return chosen;
 }
 Flat onEdge(Window& w, const char* piece, const char* edge, double at) {
-  return findEdge(*w.session().fitting().document.pieceNamed(piece), edge)->curve.atFraction(at);
+  return findEdge(*w.session().snapshot().document.pieceNamed(piece), edge)->curve.atFraction(at);
 }
 
 TEST(StudioPaper, MakesDartsWithTwoClicksAndTheClothFollows) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
-  const std::size_t before = w.count(), seams = w.session().fitting().document.pattern.seams.size();
+  const std::size_t before = w.count(), seams = w.session().snapshot().document.pattern.seams.size();
   w.key(Command::Dart);
   const Flat mouth = onEdge(w, "front", "side_left", 0.5);
   w.click(w.table(), w.onTable("front", mouth));
@@ -41,9 +41,9 @@ TEST(StudioPaper, MakesDartsWithTwoClicksAndTheClothFollows) {
   ASSERT_EQ(w.count(), before + 2) << w.main().said().toStdString();
   EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("dart edge=p"));
   EXPECT_THAT(w.last(), StartsWith("drape live="));
-  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), seams + 2) << "one on each half, sewn";
-  EXPECT_TRUE(w.session().fitting().document.drape.last->settled);
-  EXPECT_LT(w.session().fitting().document.drape.last->seamGap, 0.002) << "the darts are closed";
+  EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), seams + 2) << "one on each half, sewn";
+  EXPECT_TRUE(w.session().snapshot().document.drape.last->settled);
+  EXPECT_LT(w.session().snapshot().document.drape.last->seamGap, 0.002) << "the darts are closed";
 }
 
 TEST(StudioPaper, ANumberTypedIsTheNumberCut) {
@@ -52,10 +52,10 @@ TEST(StudioPaper, ANumberTypedIsTheNumberCut) {
   w.openTunic();
   w.session().select(edgeOf(w, "front", "shoulder_left"));
   w.rest();
-  const double now = findEdge(*w.session().fitting().document.pieceNamed("front"), "shoulder_left")->curve.length();
+  const double now = findEdge(*w.session().snapshot().document.pieceNamed("front"), "shoulder_left")->curve.length();
   w.type(w.box("Length"), QString::fromStdString(fixed(now * 100 + 1, 4)) + " cm");
   w.rest();
-  const Piece* after = w.session().fitting().document.pieceNamed("front");
+  const Piece* after = w.session().snapshot().document.pieceNamed("front");
   EXPECT_NEAR(findEdge(*after, "shoulder_left")->curve.length(), now + 0.01, 1e-6);
 }
 
@@ -65,25 +65,25 @@ TEST(StudioPaper, PutsWhatIsTypedWhereItIsTyped) {
   w.openTunic();
   w.session().select(edgeOf(w, "front", "shoulder_left"));
   w.rest();
-  const double whole = findEdge(*w.session().fitting().document.pieceNamed("front"), "shoulder_left")->curve.length();
-  Look::here().setInches(true);
+  const double whole = findEdge(*w.session().snapshot().document.pieceNamed("front"), "shoulder_left")->curve.length();
+  Theme::here().setInches(true);
   w.type(w.box("Along the edge"), "2");
   w.button("Notch there").click();
   w.rest();
   EXPECT_THAT(w.last(), StartsWith("notch edge=p"));
-  const Mark& mark = w.session().fitting().document.pieceNamed("front")->marks.at(0);
+  const Mark& mark = w.session().snapshot().document.pieceNamed("front")->marks.at(0);
   EXPECT_NEAR(mark.fraction * whole, 0.0508, 1e-6);
-  EXPECT_EQ(w.session().fitting().document.pieceNamed("front")->marks.size(), 2u) << "both halves are marked";
+  EXPECT_EQ(w.session().snapshot().document.pieceNamed("front")->marks.size(), 2u) << "both halves are marked";
   EXPECT_THAT(w.box("Length").text().toStdString(), HasSubstr(" in"));
-  Look::here().setInches(false);
+  Theme::here().setInches(false);
   EXPECT_THAT(w.box("Length").text().toStdString(), HasSubstr(" cm"));
   w.button("Point there").click();
   w.rest();
-  const Piece* front = w.session().fitting().document.pieceNamed("front");
+  const Piece* front = w.session().snapshot().document.pieceNamed("front");
   EXPECT_NEAR(findEdge(*front, "shoulder_left")->curve.length(), 0.0508, 1e-6);
   w.button("Take its end away").click();
   w.rest();
-  front = w.session().fitting().document.pieceNamed("front");
+  front = w.session().snapshot().document.pieceNamed("front");
   EXPECT_NEAR(findEdge(*front, "shoulder_left")->curve.length(), whole, 1e-6);
 }
 
@@ -91,7 +91,7 @@ TEST(StudioPaper, MarksAndLinesAreInTheListAndGoWithDelete) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
-  const PieceId front = w.session().fitting().document.pieceNamed("front")->id;
+  const PieceId front = w.session().snapshot().document.pieceNamed("front")->id;
   w.session().perform(*parseOperation("line piece=front along=\"-0.05,0.3; 0.05,0.3\" name=pocket"));
   w.session().perform(*parseOperation("notch edge=front.hem_left at=0.25"));
   w.rest();
@@ -109,14 +109,14 @@ TEST(StudioPaper, MarksAndLinesAreInTheListAndGoWithDelete) {
   tree->setCurrentItem(inList("pocket"));
   w.key(Command::Remove);
   w.rest();
-  EXPECT_TRUE(w.session().fitting().document.find(front)->lines.empty()) << w.main().said().toStdString();
+  EXPECT_TRUE(w.session().snapshot().document.find(front)->lines.empty()) << w.main().said().toStdString();
   EXPECT_FALSE(inList("pocket"));
-  ASSERT_EQ(w.session().fitting().document.find(front)->marks.size(), 1u);
+  ASSERT_EQ(w.session().snapshot().document.find(front)->marks.size(), 1u);
   ASSERT_TRUE(inList("Notch"));
   tree->setCurrentItem(inList("Notch"));
   w.key(Command::Remove);
   w.rest();
-  EXPECT_TRUE(w.session().fitting().document.find(front)->marks.empty());
+  EXPECT_TRUE(w.session().snapshot().document.find(front)->marks.empty());
 }
 
 TEST(StudioPaper, RefusesInTheMeasureThatWasChosen) {
@@ -129,9 +129,9 @@ TEST(StudioPaper, RefusesInTheMeasureThatWasChosen) {
     return w.main().said().toStdString();
   };
   EXPECT_THAT(refuse(), HasSubstr("60.00 cm wide"));
-  Look::here().setInches(true);
+  Theme::here().setInches(true);
   EXPECT_THAT(refuse(), HasSubstr("23.622 in wide"));
-  Look::here().setInches(false);
+  Theme::here().setInches(false);
 }
 
 TEST(StudioPaper, PinsWithAClickAndHoldsWhileItSettles) {
@@ -139,18 +139,18 @@ TEST(StudioPaper, PinsWithAClickAndHoldsWhileItSettles) {
   Window w;
   w.openTunic();
   EXPECT_EQ(w.main().action(Command::Pin)->shortcut(), QKeySequence("W"));
-  const PieceId front = w.session().fitting().document.pieceNamed("front")->id;
+  const PieceId front = w.session().snapshot().document.pieceNamed("front")->id;
   w.key(Command::Pin);
   const Flat hem{0.06, 0.03};
   w.click(w.space(), w.inSpace("front", hem));
   w.rest();
-  ASSERT_EQ(w.session().fitting().document.pins.at(front).size(), 1u) << w.main().said().toStdString();
-  const Flat pin = w.session().fitting().document.pins.at(front)[0];
+  ASSERT_EQ(w.session().snapshot().document.pins.at(front).size(), 1u) << w.main().said().toStdString();
+  const Flat pin = w.session().snapshot().document.pins.at(front)[0];
   EXPECT_LT(distance(pin, hem), 0.01);
   w.keep("studio_pin");
   w.click(w.table(), w.onTable("front", pin));
   w.rest();
-  EXPECT_FALSE(w.session().fitting().document.pins.contains(front)) << "a click on a pin takes it out";
+  EXPECT_FALSE(w.session().snapshot().document.pins.contains(front)) << "a click on a pin takes it out";
 }
 
 TEST(StudioPaper, EditsBothHalvesAtOnce) {
@@ -170,7 +170,7 @@ TEST(StudioPaper, EditsBothHalvesAtOnce) {
 }
 
 double lengthOf(Window& w, const char* piece, const char* edge) {
-  return findEdge(*w.session().fitting().document.pieceNamed(piece), edge)->curve.length();
+  return findEdge(*w.session().snapshot().document.pieceNamed(piece), edge)->curve.length();
 }
 
 TEST(StudioPaper, ATypedLengthChangesBothHalvesAndShowsWhichEndStays) {

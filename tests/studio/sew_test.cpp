@@ -21,7 +21,7 @@ class StudioSew : public testing::Test {
     w.emplace();
     w->openTunic();
   }
-  const Pattern& pattern() { return w->session().fitting().document.pattern; }
+  const Pattern& pattern() { return w->session().snapshot().document.pattern; }
   void unpick() {
     w->session().perform(FreezePieces{{PieceRef("front"), PieceRef("back")}, true});  // unpicked, they would fall
     Unsew all;
@@ -32,7 +32,7 @@ class StudioSew : public testing::Test {
     before = w->count();
   }
   QPointF onTable(const char* piece, const char* edge, double share) {
-    const Piece* p = w->session().fitting().document.pieceNamed(piece);
+    const Piece* p = w->session().snapshot().document.pieceNamed(piece);
     return w->onTable(piece, findEdge(*p, edge)->curve.atFraction(share));
   }
   std::vector<QPointF> along(const char* piece, const char* edge, double from, double to) {
@@ -142,7 +142,7 @@ TEST_F(StudioSew, TheMenuOpensInTheSpaceToo) {
   w->view(View::Front);
   w->key(Command::Sew);
   const auto place = [&](const char* edge, double share) {
-    const Piece* p = w->session().fitting().document.pieceNamed("front");
+    const Piece* p = w->session().snapshot().document.pieceNamed("front");
     return w->inSpace("front", findEdge(*p, edge)->curve.atFraction(share));
   };
   w->click(w->space(), place("hem_left", 0.5));

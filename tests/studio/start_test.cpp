@@ -117,7 +117,7 @@ TEST(StudioStart, WithNothingMadeYetItSaysSoInBothLanguagesAndNamesItsWays) {
   f.w.main().showStart();
   f.w.rest();
   for (const Language language : {Language::English, Language::Japanese}) {
-    Look::here().setLanguage(language);
+    Theme::here().setLanguage(language);
     f.w.rest();
     for (const Message& words : {say("New garment…"), say("Open…"), say("Import…"),
                                  say("A first garment, step by step"), say("A sample garment")}) {
@@ -135,7 +135,7 @@ TEST(StudioStart, WithNothingMadeYetItSaysSoInBothLanguagesAndNamesItsWays) {
                                                                       "here again.")));
     EXPECT_TRUE(said);
   }
-  Look::here().setLanguage(Language::English);
+  Theme::here().setLanguage(Language::English);
   QPushButton& guide = f.w.button("A first garment, step by step");
   f.w.click(guide, guide.rect().center());
   EXPECT_FALSE(f.w.main().atStart());

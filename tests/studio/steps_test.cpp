@@ -92,7 +92,7 @@ TEST(StudioSteps, AStepIsChangedAndAllThatFollowedIsDoneAgain) {
   Window w;
   w.openTunic();
   const std::size_t all = w.count();
-  const std::string before = hash(w.session().fitting().document);
+  const std::string before = hash(w.session().snapshot().document);
   QListWidget& list = stepsOf(w);
   list.setCurrentRow(2);  // set spacing=30mm ease=12mm
   field(w, "ease").setText("20mm");
@@ -102,11 +102,11 @@ TEST(StudioSteps, AStepIsChangedAndAllThatFollowedIsDoneAgain) {
   EXPECT_EQ(w.count(), all) << w.main().said().toStdString();
   EXPECT_EQ(list.currentRow(), 2) << "one stays where one was";
   EXPECT_EQ(text(w.session().steps()[1].operation), "set spacing=30mm ease=20mm");
-  EXPECT_TRUE(w.session().fitting().document.drape.last->settled) << "draped anew";
-  EXPECT_NE(hash(w.session().fitting().document), before) << "the drawn paper is wider";
+  EXPECT_TRUE(w.session().snapshot().document.drape.last->settled) << "draped anew";
+  EXPECT_NE(hash(w.session().snapshot().document), before) << "the drawn paper is wider";
   w.key(Command::Undo);
   w.rest();
-  EXPECT_EQ(hash(w.session().fitting().document), before) << "one undo";
+  EXPECT_EQ(hash(w.session().snapshot().document), before) << "one undo";
   EXPECT_EQ(w.count(), all);
 }
 
@@ -114,20 +114,20 @@ TEST(StudioSteps, WhatCannotBeFollowedIsASentenceAndChangesNothing) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
-  const std::string before = hash(w.session().fitting().document);
+  const std::string before = hash(w.session().snapshot().document);
   QListWidget& list = stepsOf(w);
   list.setCurrentRow(3);
   field(w, "edges").setText("a b c d");
   w.button("Play again with this").click();
   w.rest();
   EXPECT_THAT(w.main().said().toStdString(), StartsWith("Step "));
-  EXPECT_EQ(hash(w.session().fitting().document), before);
+  EXPECT_EQ(hash(w.session().snapshot().document), before);
   EXPECT_EQ(field(w, "edges").text(), "a b c d") << "what was typed is still there to be mended";
   field(w, "ease").setText("a lot");
   w.button("Play again with this").click();
   w.rest();
   EXPECT_THAT(w.main().said().toStdString(), HasSubstr("a lot"));
-  EXPECT_EQ(hash(w.session().fitting().document), before);
+  EXPECT_EQ(hash(w.session().snapshot().document), before);
 }
 
 }  // namespace

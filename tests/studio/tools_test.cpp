@@ -103,13 +103,13 @@ TEST(StudioTools, PullsWithALivePreviewAndAForce) {
   Window w;
   w.openTunic();
   const std::size_t before = w.count();
-  const std::uint64_t predicted = w.session().news().predicted;
+  const std::uint64_t predicted = w.session().changes().predicted;
   w.key(Command::Pull);
   const QPointF hem = w.inSpace("front", {0.04, 0.04});
   w.drag(w.space(), {hem, hem + QPointF(40, 20)}, {}, [&] {
     w.session().finish();
     w.keep("studio_pull");
-    EXPECT_GT(w.session().news().predicted, predicted) << "the cloth followed the hand";
+    EXPECT_GT(w.session().changes().predicted, predicted) << "the cloth followed the hand";
     EXPECT_THAT(text(w.session().hint()), HasSubstr(" N."));
     EXPECT_EQ(w.count(), before);
   });
@@ -171,14 +171,14 @@ TEST(StudioTools, UnsewsAndSewsFromEdgeToEdge) {
   Window w;
   w.openTunic();
   Selection seam;
-  seam.seam = w.session().fitting().document.pattern.seams.begin()->first;
+  seam.seam = w.session().snapshot().document.pattern.seams.begin()->first;
   w.session().select(seam);
   w.rest();
   w.key(Command::Remove);
   w.rest();
-  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 3u);
+  EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), 3u);
   const auto middle = [&](const char* piece) {
-    const Piece* p = w.session().fitting().document.pieceNamed(piece);
+    const Piece* p = w.session().snapshot().document.pieceNamed(piece);
     return w.onTable(piece, findEdge(*p, "shoulder_left")->curve.atFraction(0.5));
   };
   w.key(Command::Sew);
@@ -187,7 +187,7 @@ TEST(StudioTools, UnsewsAndSewsFromEdgeToEdge) {
     EXPECT_FALSE(w.session().preview().table.words.empty()) << "both lengths are told before the release";
   });
   w.rest();
-  EXPECT_EQ(w.session().fitting().document.pattern.seams.size(), 4u) << w.main().said().toStdString();
+  EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), 4u) << w.main().said().toStdString();
 }
 
 TEST(StudioTools, DragsACornerOfThePatternAndTheClothFollows) {
@@ -196,12 +196,12 @@ TEST(StudioTools, DragsACornerOfThePatternAndTheClothFollows) {
   w.openTunic();
   const std::size_t before = w.count();
   w.key(Command::Points);
-  const Piece* front = w.session().fitting().document.pieceNamed("front");
+  const Piece* front = w.session().snapshot().document.pieceNamed("front");
   const Flat corner = findEdge(*front, "side_left")->curve.start;
   w.drag(w.table(), {w.onTable("front", corner), w.onTable("front", corner) + QPointF(8, 14)}, {}, [&] {
     w.session().finish();
     w.keep("studio_points");
-    EXPECT_NE(&w.session().shown(), &w.session().fitting()) << "the fitting shows what is to come";
+    EXPECT_NE(&w.session().shown(), &w.session().snapshot()) << "the fitting shows what is to come";
   });
   w.rest();
   ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
@@ -213,7 +213,7 @@ TEST(StudioTools, SpaceSettlesAndStops) {
   Window w;
   w.openTunic();
   const std::size_t before = w.count();
-  const std::string stand = drapeHash(w.session().fitting().document);
+  const std::string stand = drapeHash(w.session().snapshot().document);
   // Stopped before anything has moved, nothing is changed.
   w.key(Command::Settle);
   EXPECT_TRUE(w.session().busy().settling);
@@ -227,9 +227,9 @@ TEST(StudioTools, SpaceSettlesAndStops) {
   w.session().perform(fine);
   w.rest();
   ASSERT_EQ(w.count(), before + 1);
-  std::uint64_t predicted = w.session().news().predicted;
+  std::uint64_t predicted = w.session().changes().predicted;
   w.key(Command::Settle);
-  while (w.session().busy().settling && w.session().news().predicted == predicted)
+  while (w.session().busy().settling && w.session().changes().predicted == predicted)
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   ASSERT_TRUE(w.session().busy().settling) << "seen on its way";
   w.space().setFocus();
@@ -240,7 +240,7 @@ TEST(StudioTools, SpaceSettlesAndStops) {
   ASSERT_EQ(w.count(), before + 2) << w.main().said().toStdString();
   EXPECT_THAT(w.last(), testing::MatchesRegex("drape live=.* stop=[0-9]+"));
   EXPECT_THAT(w.main().said().toStdString(), testing::HasSubstr("Stopped where it is"));
-  const Document& document = w.session().fitting().document;
+  const Document& document = w.session().snapshot().document;
   EXPECT_FALSE(document.drape.last->settled);
   EXPECT_TRUE(document.drape.dirty.contains(document.pieceNamed("front")->id)) << "its dot stays";
   w.key(Command::Undo);
@@ -248,12 +248,12 @@ TEST(StudioTools, SpaceSettlesAndStops) {
   ASSERT_EQ(w.count(), before + 1);
   w.key(Command::Undo);
   w.rest();
-  EXPECT_EQ(drapeHash(w.session().fitting().document), stand);
-  predicted = w.session().news().predicted;
+  EXPECT_EQ(drapeHash(w.session().snapshot().document), stand);
+  predicted = w.session().changes().predicted;
   w.key(Command::Settle);
   w.rest();
   EXPECT_EQ(w.count(), before + 1);
-  EXPECT_GT(w.session().news().predicted, predicted) << "the cloth was seen on its way";
+  EXPECT_GT(w.session().changes().predicted, predicted) << "the cloth was seen on its way";
 }
 
 }  // namespace

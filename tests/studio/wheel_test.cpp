@@ -85,7 +85,7 @@ TEST(StudioWheel, ChangesNoBoxOfABoardUnlessItHasTheFocus) {
   w.openTunic();
   w.main().resize(1000, 620);
   Selection chosen;
-  chosen.pieces = {w.session().fitting().document.pieceNamed("front")->id};
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("front")->id};
   chosen.edge = EdgeNear{*chosen.pieces.begin(), "side_left", 0.5, 0};
   w.session().select(chosen);
   const auto steps = [&] {

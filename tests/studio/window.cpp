@@ -76,7 +76,7 @@ QApplication& application() {
     QSurfaceFormat::setDefaultFormat(format);
     auto* made = new QApplication(argc, argv);
     QApplication::setOrganizationName("karinui-tests");
-    Look::here().apply(*made);
+    Theme::here().apply(*made);
     QSettings().setValue("fine", std::getenv("KARINUI_PICTURES") != nullptr);  // quicker, and only pictures need it
     return made;
   }();
@@ -94,7 +94,7 @@ SessionOptions options() {
 
 Window::Window() {
   application();
-  Look::here().setLanguage(Language::English);
+  Theme::here().setLanguage(Language::English);
   main_ = std::make_unique<MainWindow>(options());
   main_->resize(std::getenv("KARINUI_PICTURES") ? QSize(1400, 860) : QSize(860, 540));
   main_->show();
@@ -121,8 +121,8 @@ void Window::openTunic() {
         "sew a=front.side_left b=back.side_left\nsew a=front.side_right b=back.side_right\ndrape\n";
     const auto lines = parseScript(script);
     for (const ScriptLine& line : *lines) maker.perform(line.operation), maker.finish();
-    ASSERT_EQ(maker.fitting().document.pattern.seams.size(), 4u);
-    ASSERT_TRUE(maker.fitting().document.drape.last) << "draped";
+    ASSERT_EQ(maker.snapshot().document.pattern.seams.size(), 4u);
+    ASSERT_TRUE(maker.snapshot().document.drape.last) << "draped";
   }
   const fs::path mine = folder_.path / "tunic.karinui";
   fs::copy_file(made, mine);
@@ -131,17 +131,17 @@ void Window::openTunic() {
 }
 
 QPointF Window::inSpace(const char* piece, Flat paper) {
-  const Piece* p = session().fitting().document.pieceNamed(piece);
+  const Piece* p = session().snapshot().document.pieceNamed(piece);
   EXPECT_TRUE(p) << piece;
-  return space().onScreen(*spaceOf(session().fitting(), p->id, paper)).value_or(QPointF());
+  return space().onScreen(*spaceOf(session().snapshot(), p->id, paper)).value_or(QPointF());
 }
 QPointF Window::onTable(const char* piece, Flat paper) {
-  const Piece* p = session().fitting().document.pieceNamed(piece);
+  const Piece* p = session().snapshot().document.pieceNamed(piece);
   EXPECT_TRUE(p) << piece;
   return table().onScreen(paper + session().table().at(p->id));
 }
 QPointF Window::onSkin(const char* place) {
-  const Body& body = *session().fitting().body;
+  const Body& body = *session().snapshot().body;
   const auto point = parseBodyPoint(place);
   EXPECT_TRUE(point) << place;
   const auto there = body.find(*point);

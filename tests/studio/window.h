@@ -12,9 +12,9 @@
 #include <filesystem>
 
 #include "length_box.h"
-#include "look.h"
 #include "main_window.h"
 #include "self_check.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -44,7 +44,7 @@ class Window {
   MainWindow& main() { return *main_; }
   Session& session() { return main_->session(); }
   SpaceView& space() { return main_->space(); }
-  TableView& table() { return main_->table(); }
+  PatternView& table() { return main_->table(); }
   void rest() { comeToRest(*main_); }
   void open(const fs::path& path) {
     main_->openPath(QString::fromStdString(path.string()));

@@ -35,7 +35,7 @@ TEST(StudioWindow, ShowsAGarmentAndItsPattern) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
-  EXPECT_EQ(w.session().fitting().document.pattern.pieces.size(), 2u);
+  EXPECT_EQ(w.session().snapshot().document.pattern.pieces.size(), 2u);
   const QImage picture = w.space().grabFramebuffer();
   const QPointF chest = w.inSpace("front", {0, 0.3});
   const QColor cloth = picture.pixelColor(chest.toPoint() * w.space().devicePixelRatio());
@@ -47,7 +47,7 @@ TEST(StudioWindow, TheFloatingBarTakesTheSameClicks) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
-  const ScenePanel panel = *w.session().menu();
+  const SceneMenu panel = *w.session().menu();
   const auto& b = panel.buttons[3];
   const Vec3 there = panel.corner + normalized(panel.across) * (b.left + b.width / 2) +
                      normalized(panel.upward) * (b.bottom + b.height / 2);
@@ -66,7 +66,7 @@ TEST(StudioWindow, ChoosingIsMirroredEverywhere) {
   w.key(Command::Select);
   w.click(w.space(), w.inSpace("front", {0, 0.3}));
   w.rest();
-  const PieceId front = w.session().fitting().document.pieceNamed("front")->id;
+  const PieceId front = w.session().snapshot().document.pieceNamed("front")->id;
   EXPECT_EQ(w.session().selection().pieces, std::set<PieceId>{front});
   auto* tree = w.main().findChild<QTreeWidget*>();
   ASSERT_EQ(tree->selectedItems().size(), 1);
@@ -89,7 +89,8 @@ TEST(StudioWindow, TurnsPansAndZoomsWithoutAStep) {
   const Camera second = w.space().camera();
   EXPECT_GT(distance(first.eye, second.eye), 0.2);
   EXPECT_NEAR(distance(first.target, second.target), 0, 1e-9);
-  const Vec3 place = *spaceOf(w.session().fitting(), w.session().fitting().document.pieceNamed("front")->id, {0, 0.3});
+  const Vec3 place =
+      *spaceOf(w.session().snapshot(), w.session().snapshot().document.pieceNamed("front")->id, {0, 0.3});
   const QPointF seen = *w.space().onScreen(place);
   QWheelEvent wheel(seen, w.space().mapToGlobal(seen), {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                     false);
@@ -121,7 +122,7 @@ TEST(StudioWindow, EverythingThatTakesAKeySaysWhatItIs) {
   Window w;
   w.openTunic();
   Selection chosen;
-  chosen.pieces = {w.session().fitting().document.pieceNamed("front")->id};
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("front")->id};
   chosen.edge = EdgeNear{*chosen.pieces.begin(), "side_left", 0.5, 0};
   w.session().select(chosen);
   std::set<std::string> nameless;

@@ -131,7 +131,7 @@ void openNamed(Window& w) {
 std::set<QString> readInTheWindow(Window& w) {
   std::set<QString> all = readIn(w.main());
   const auto take = [&] { all.merge(readIn(w.main())); };
-  for (const auto& [id, piece] : w.session().fitting().document.pattern.pieces) {
+  for (const auto& [id, piece] : w.session().snapshot().document.pattern.pieces) {
     Selection chosen;
     chosen.pieces = {id};
     chosen.edge = EdgeNear{id, piece->outline.edges.front().name, 0.5, 0};
@@ -171,19 +171,19 @@ TEST(StudioWords, NoIdentifierIsSeenInEitherLanguage) {
   static const QRegularExpression machine(
       "[a-z0-9]_[a-z0-9]|\\be\\d+\\b|\\bp\\d+\\b|torso:|landmark:|\\d(mm|cm)\\b|\\b[a-z]+=");
   for (const Language language : {Language::English, Language::Japanese}) {
-    Look::here().setLanguage(language);
+    Theme::here().setLanguage(language);
     w.rest();
     for (const QString& text : readInTheWindow(w))
       EXPECT_FALSE(machine.match(withoutScripts(text)).hasMatch()) << withoutScripts(text).toStdString();
   }
-  Look::here().setLanguage(Language::English);
+  Theme::here().setLanguage(Language::English);
 }
 
 TEST(StudioWords, NothingStaysEnglishInJapanese) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   openNamed(w);
-  Look::here().setLanguage(Language::Japanese);
+  Theme::here().setLanguage(Language::Japanese);
   w.rest();
   static const QRegularExpression latin("[A-Za-z]{2,}");
   static const std::set<QString> allowed{
@@ -195,7 +195,7 @@ TEST(StudioWords, NothingStaysEnglishInJapanese) {
       const QString word = it.next().captured();
       EXPECT_TRUE(allowed.contains(word)) << word.toStdString() << " in: " << text.toStdString();
     }
-  Look::here().setLanguage(Language::English);
+  Theme::here().setLanguage(Language::English);
 }
 
 TEST(StudioWords, DialogsOfQtAreInTheLanguageToo) {
@@ -205,9 +205,9 @@ TEST(StudioWords, DialogsOfQtAreInTheLanguageToo) {
     const QDialogButtonBox box(QDialogButtonBox::Cancel);
     return box.button(QDialogButtonBox::Cancel)->text().toStdString();
   };
-  Look::here().setLanguage(Language::Japanese);
+  Theme::here().setLanguage(Language::Japanese);
   EXPECT_EQ(cancel(), "キャンセル");
-  Look::here().setLanguage(Language::English);
+  Theme::here().setLanguage(Language::English);
   EXPECT_THAT(cancel(), testing::HasSubstr("ancel"));
 }
 
@@ -215,14 +215,14 @@ TEST(StudioWords, LengthsFollowTheUnitOfOnesChoice) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   openNamed(w);
-  Look::here().setInches(true);
+  Theme::here().setInches(true);
   w.rest();
   static const QRegularExpression metric("\\d ?cm\\b|\\d mm\\b");
   for (const QString& text : readInTheWindow(w)) {
     if (text.contains("1 cm") || text.endsWith(" mm")) continue;  // the help of a field; a cloth's thickness
     EXPECT_FALSE(metric.match(withoutScripts(text)).hasMatch()) << text.toStdString();
   }
-  Look::here().setInches(false);
+  Theme::here().setInches(false);
 }
 
 // --- nothing is cut off
@@ -314,9 +314,9 @@ QStringList cutIn(QWidget& root) {
 }
 
 void lookAtAll(Window& w, Language language) {
-  Look::here().setLanguage(language);
+  Theme::here().setLanguage(language);
   const bool japanese = language == Language::Japanese;
-  const Piece* front = w.session().fitting().document.pieceNamed("front");
+  const Piece* front = w.session().snapshot().document.pieceNamed("front");
   Selection chosen;
   chosen.pieces = {front->id};
   chosen.edge = EdgeNear{front->id, "side_left", 0.5, 0};

@@ -64,7 +64,7 @@ class DocumentFile {
   // Stands at a step of any branch. On the present one redo still walks on to its end.
   Done goTo(std::uint64_t seq, Context& context);
   // The last steps of the branches that were left, newest first.
-  std::vector<Step> otherEnds() const;
+  std::vector<Step> otherBranches() const;
   // The garment as if step `which` (from 1) had been this operation: it and all that came after it up to the head are
   // played again, on a branch of their own that begins before it. All or nothing: when one is refused, or it is
   // cancelled, the error names the step and nothing has changed.

@@ -4,6 +4,7 @@
 // made-to-measure are one thing. Its fields are listed once, in fields(self, visit): text form, file, help and JSON all
 // grow from that list.
 //   visit(name, value, help, kNeeded | kOptional)
+// kDisturbsDrape: cloth that was at rest is brought to rest again after it (see disturbsDrape).
 // A field that has its default value is not written. Values and their text forms: values.h.
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ enum Need { kOptional, kNeeded };
 struct SetBody {
   static constexpr std::string_view kName = "body";
   static constexpr std::string_view kHelp = "Chooses the figure: a built-in size, measurements, or an imported mesh.";
+  static constexpr bool kDisturbsDrape = true;
   std::string size;
   std::optional<Sex> sex;
   std::vector<Stated> set;
@@ -120,6 +122,7 @@ struct SewEdges {
 struct Unsew {
   static constexpr std::string_view kName = "unsew";
   static constexpr std::string_view kHelp = "Takes seams out.";
+  static constexpr bool kDisturbsDrape = true;
   std::vector<SeamRef> seams;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -133,6 +136,7 @@ struct CutPiece {
   static constexpr std::string_view kName = "cut";
   static constexpr std::string_view kHelp =
       "Cuts along a line on the paper: from the outline inwards a slit, from edge to edge two pieces.";
+  static constexpr bool kDisturbsDrape = true;
   PieceRef piece;
   std::vector<Flat> line;
   std::string name;
@@ -173,6 +177,7 @@ struct PullCloth {
 struct ReshapePiece {
   static constexpr std::string_view kName = "reshape";
   static constexpr std::string_view kHelp = "Pulls places of a piece to new ones and cuts the paper anew to fit.";
+  static constexpr bool kDisturbsDrape = true;
   PieceRef piece;
   std::vector<Flat> at;
   std::vector<Vec3> by;
@@ -212,6 +217,7 @@ struct DrapePieces {
 struct SetFabric {
   static constexpr std::string_view kName = "fabric";
   static constexpr std::string_view kHelp = "Describes a fabric, and cuts pieces from it.";
+  static constexpr bool kDisturbsDrape = true;
   std::string name, like;
   std::vector<PieceRef> pieces;
   std::optional<Fabric::Law> law;
@@ -263,6 +269,7 @@ struct PinCloth {
 struct UnpinCloth {
   static constexpr std::string_view kName = "unpin";
   static constexpr std::string_view kHelp = "Takes pins out: all of a piece, or those near places.";
+  static constexpr bool kDisturbsDrape = true;
   PieceRef piece;
   std::vector<Flat> at;
   Length within{0.02};
@@ -428,6 +435,7 @@ struct AddPiece {
 struct SetGrain {
   static constexpr std::string_view kName = "grain";
   static constexpr std::string_view kHelp = "Turns the grain line of a piece.";
+  static constexpr bool kDisturbsDrape = true;
   PieceRef piece;
   Flat to{0, 1};
   template <class Self, class Visit>
@@ -481,6 +489,7 @@ struct SplitEdge {
 struct JoinEdges {
   static constexpr std::string_view kName = "join";
   static constexpr std::string_view kHelp = "Takes away the point between an edge and the next; the two become one.";
+  static constexpr bool kDisturbsDrape = true;
   EdgeRef edge;
   Choice symmetric = Choice::Auto;
   Choice refit = Choice::Auto;
@@ -502,6 +511,7 @@ struct JoinEdges {
 struct AddDart {
   static constexpr std::string_view kName = "dart";
   static constexpr std::string_view kHelp = "Takes a wedge out of an edge and sews its two sides together.";
+  static constexpr bool kDisturbsDrape = true;
   EdgeRef edge;
   double at = 0.5;
   Flat tip;
@@ -559,6 +569,7 @@ struct EraseMarks {
 struct FlipSeam {
   static constexpr std::string_view kName = "flip";
   static constexpr std::string_view kHelp = "Sews a seam the other way round.";
+  static constexpr bool kDisturbsDrape = true;
   SeamRef seam;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -573,6 +584,7 @@ struct FlipSeam {
 struct SetLength {
   static constexpr std::string_view kName = "length";
   static constexpr std::string_view kHelp = "Makes an edge as long as said; says which end stays and what follows.";
+  static constexpr bool kDisturbsDrape = true;
   EdgeRef edge;
   Length to;
   enum class Keep { Auto, Start, End, Middle } keep = Keep::Auto;
@@ -602,5 +614,14 @@ using Operation = std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, C
                                SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam, SetLength>;
 
 std::string_view nameOf(const Operation& operation);
+
+// Whether cloth that was at rest should be brought to rest again after it: said by the operation's struct.
+inline bool disturbsDrape(const Operation& operation) {
+  return std::visit(
+      []<class Op>(const Op&) {
+        return requires { Op::kDisturbsDrape; };
+      },
+      operation);
+}
 
 }  // namespace karinui

@@ -11,7 +11,7 @@
 namespace karinui {
 
 // Where someone looks from, without any window: unit vectors, half the height of the picture at distance 1.
-struct Sight {
+struct Viewpoint {
   Vec3 eye, right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
   double tanHalf = 0.21, aspect = 1;
   double distance = 4;  // to what is looked at
@@ -20,7 +20,7 @@ struct Sight {
 
 // A board in space with buttons on it, facing the one who looks. Buttons are placed in the board's own metres from its
 // lower left corner.
-struct ScenePanel {
+struct SceneMenu {
   struct Button {
     double left = 0, bottom = 0, width = 0, height = 0;
     std::string icon;  // name in scene/icon.h; empty: none
@@ -40,7 +40,7 @@ struct SceneOverlay {
   std::vector<SceneLine> lines;
   std::vector<Vec3> dots, rings;  // filled, and hollow
   std::vector<SceneWord> words;
-  std::vector<ScenePanel> panels;
+  std::vector<SceneMenu> panels;
 };
 
 // The same over the flat pattern, in metres on the table.

@@ -7,7 +7,7 @@
 
 #include "karinui/design/history.h"
 #include "karinui/exchange/sheet.h"
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 
 namespace karinui {
 
@@ -25,8 +25,8 @@ struct ExportWish {
   ExportKind kind = ExportKind::PdfA4;
   SheetSettings sheet;  // of paper: title, allowance, language
 };
-Result<std::string> exported(const Fitting& fitting, const std::vector<Step>& steps, const ExportWish& wish);
+Result<std::string> exported(const GarmentSnapshot& snapshot, const std::vector<Step>& steps, const ExportWish& wish);
 // The paper of a wish whose kind shows paper.
-Result<PaperPages> paperOf(const Fitting& fitting, const ExportWish& wish);
+Result<PaperPages> paperOf(const GarmentSnapshot& snapshot, const ExportWish& wish);
 
 }  // namespace karinui

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "karinui/base/workers.h"
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 
 namespace karinui {
 
 // Per point of the body's mesh, pascals, the mean over a patch as large as a fingertip; negative: no cloth there.
 // Nothing without a body or a garment that can be laid.
-std::vector<float> pressureOnBody(const Fitting& fitting, Workers& workers);
+std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& workers);
 
 // The level tape: round the trunk, or both legs together, arms and sleeves left out; or round one leg.
 struct Girths {
@@ -22,9 +22,9 @@ struct Girths {
   std::vector<Vec3> round, under;  // the tape round the garment and round the body, closed; may be empty
 };
 // One; or two where the garment goes round a leg by itself, the left one first.
-std::vector<Girths> girthsAt(const Fitting& fitting, double height);
+std::vector<Girths> girthsAt(const GarmentSnapshot& snapshot, double height);
 // At the levels a tailor asks for that this garment covers, from the top downwards.
-std::vector<Girths> girthsOf(const Fitting& fitting);
+std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot);
 
 // A round number (1, 2 or 5 times a power of ten) that holds 99 of 100 of the values above zero; 0: there are none.
 double roundTop(std::vector<float> values, double least);

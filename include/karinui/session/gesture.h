@@ -11,19 +11,24 @@
 #include "karinui/design/operation.h"
 #include "karinui/scene/overlay.h"
 #include "karinui/session/command.h"
-#include "karinui/session/fitting.h"
-#include "karinui/session/key_hand.h"
+#include "karinui/session/garment_snapshot.h"
+#include "karinui/session/keyboard_pointer.h"
 
 namespace karinui {
 
-// What a gesture sees of the room.
-struct Workbench {
-  FittingPtr fitting;
-  const Table* table = nullptr;
-  Language language = Language::English;
-  double dartWidth = 0.02;  // metres
-  bool inches = false;
+// What tools ask for besides the drag itself; kept from one gesture to the next.
+struct ToolOptions {
+  double dartWidth = 0.02;  // metres, of the next dart
   bool mirrorSeams = true;  // a seam's mirror image is sewn with it
+};
+
+// What a gesture sees of the session.
+struct GestureContext {
+  SnapshotPtr snapshot;
+  const TableLayout* table = nullptr;
+  Language language = Language::English;
+  bool inches = false;
+  ToolOptions options = {};
   bool linesShown = false;  // the lines of the body
   std::string said(double metres) const { return lengthSaid(metres, inches); }
 };
@@ -36,19 +41,19 @@ struct Preview {
   std::map<PieceId, Outline> outlines;  // pieces whose paper is about to be so
 };
 
-// What a gesture would like to know, worked out beside it; only the newest question is answered.
-struct AskPull {  // live drape: the hand at `by` from where it took hold
+// A preview a gesture requests of the worker thread; only the newest request is answered.
+struct PullPreview {  // live drape: the hand at `by` from where it took hold
   PieceId piece;
   Flat at;
   Vec3 by;
 };
-struct AskAfter {  // the garment as it would be
+struct OperationPreview {  // the garment as it would be
   Operation operation;
 };
-using Ask = std::variant<std::monostate, AskPull, AskAfter>;
-struct Answer {
-  FittingPtr after;            // AskAfter
-  std::optional<Vec3> force;   // AskPull: newtons
+using PreviewRequest = std::variant<std::monostate, PullPreview, OperationPreview>;
+struct PreviewReply {
+  SnapshotPtr after;           // OperationPreview
+  std::optional<Vec3> force;   // PullPreview: newtons
   std::optional<Message> why;  // refused
 };
 
@@ -67,12 +72,12 @@ struct DropMenu {
   Flat table;  // in either view
 };
 
-struct Told {
+struct GestureResult {
   bool over = false;                        // the gesture has ended
   std::optional<Operation> operation = {};  // then: what it comes to
   std::optional<Message> why = {};  // a sentence for the person: refused, what to do next, or advice on the operation
-  Ask ask = {};
-  std::optional<bool> mirrorSeams = {};  // as it was just set in a drop menu
+  PreviewRequest request = {};
+  std::optional<ToolOptions> options = {};  // as they were just set in a drop menu
 };
 
 // What is chosen, in space and on the table alike.
@@ -88,19 +93,19 @@ struct Selection {
 class Gesture {
  public:
   virtual ~Gesture() = default;
-  virtual Told feed(const PointerSample& sample, const Hit& hit, const Workbench& bench) = 0;
-  virtual Told confirm(const Workbench&) { return {}; }  // Enter
-  virtual bool takeBack() { return false; }              // undo within the gesture; false: there is nothing
-  virtual void answered(const Answer&) {}
-  virtual Preview preview(const Workbench& bench) const = 0;
+  virtual GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) = 0;
+  virtual GestureResult confirm(const GestureContext&) { return {}; }  // Enter
+  virtual bool takeBack() { return false; }  // undo within the gesture; false: there is nothing
+  virtual void previewed(const PreviewReply&) {}
+  virtual Preview preview(const GestureContext& context) const = 0;
   // The menu at the drop, if something is to be chosen there; choose() takes one of its items.
-  virtual std::optional<DropMenu> dropMenu(const Workbench&) const { return std::nullopt; }
-  virtual Told choose(std::size_t, const Workbench&) { return {}; }
-  virtual void moveInMenu(int, const Workbench&) {}  // by so many items
-  virtual Message hint() const = 0;                  // what to do now
-  virtual bool begun() const = 0;                    // something would be lost
+  virtual std::optional<DropMenu> dropMenu(const GestureContext&) const { return std::nullopt; }
+  virtual GestureResult choose(std::size_t, const GestureContext&) { return {}; }
+  virtual void moveInMenu(int, const GestureContext&) {}  // by so many items
+  virtual Message hint() const = 0;                       // what to do now
+  virtual bool begun() const = 0;                         // something would be lost
   // To a hand without a pointer: what it is led to, and whether it clicks or drags.
-  virtual Stops stops() const { return Stops::Pieces; }
+  virtual KeyStops keyStops() const { return KeyStops::Pieces; }
   virtual bool clicks() const { return false; }
   // Select and Move on the table, which change the view only.
   virtual std::optional<Selection> chosen() { return std::nullopt; }

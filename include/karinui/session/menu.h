@@ -19,12 +19,12 @@ struct MenuState {
 };
 // The bar as it hangs before someone who looks from there: a column at the right edge of the view, a little nearer than
 // what is looked at, facing the eye. Its size is that of the view, so that it reads alike however far one stands.
-ScenePanel menuPanel(const Sight& sight, const MenuState& state);
+SceneMenu menuPanel(const Viewpoint& viewpoint, const MenuState& state);
 // The share of the view's width the bar takes at the right edge, its margins included: less than a fourth.
-double menuShare(const Sight& sight);
+double menuShare(const Viewpoint& viewpoint);
 
 // The button a ray meets, from either side; nothing beside them.
-std::optional<Command> menuHit(const ScenePanel& panel, const Ray& ray);
-bool meets(const ScenePanel& panel, const Ray& ray);  // the board itself
+std::optional<Command> menuHit(const SceneMenu& panel, const Ray& ray);
+bool meets(const SceneMenu& panel, const Ray& ray);  // the board itself
 
 }  // namespace karinui

@@ -15,7 +15,7 @@
 #include "karinui/design/history.h"
 #include "karinui/session/command.h"
 #include "karinui/session/export.h"
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 #include "karinui/session/gesture.h"
 #include "karinui/session/menu.h"
 
@@ -23,15 +23,15 @@ namespace karinui {
 
 struct SessionOptions {
   int threads = 1;                 // for drapes
-  bool settleByItself = true;      // what was at rest is brought to rest again after it was changed
+  bool autoSettle = true;          // what was at rest is brought to rest again after it was changed
   std::function<void()> wake;      // from any thread: call update() soon
   std::shared_ptr<Bodies> bodies;  // figures that were built already; empty: its own
   // Where a document that was given no file gets one with its first step; made when needed. Empty: it stays in memory.
   std::filesystem::path drafts;
   // A name for a draft, without ending; a number is added where it is taken. `about`: what it begins with (a size, an
-  // imported file), or empty. Called on the session's own thread. Not set: `about`, or "draft".
+  // imported file), or empty. Called on the worker thread. Not set: `about`, or "draft".
   std::function<std::string(const std::string& about)> nameDraft;
-  // Instead of the real solver, for tests; called on the session's own thread.
+  // Instead of the real solver, for tests; called on the worker thread.
   std::function<Result<DrapeOutcome>(const Document&, const DrapePieces&, Context&)> drape;
   std::function<Result<DrapeOutcome>(const Document&, const PullCloth&, Context&)> pull;
 };
@@ -49,7 +49,7 @@ struct Busy {
 };
 
 // Where the hand's time goes; read with the face's own clock. Counts only.
-struct SessionNews {
+struct SessionChanges {
   std::uint64_t garment = 0;    // the shown garment changed
   std::uint64_t history = 0;    // steps were added, undone, redone, or another document came
   std::uint64_t overlay = 0;    // preview, menu, hint, selection
@@ -82,10 +82,10 @@ class Session {
   bool readOnly() const;
 
   // --- what there is
-  const Fitting& fitting() const;  // the document as it is
-  const Fitting& shown() const;    // what to draw: a prediction or a drag's preview while there is one
-  FittingPtr shownPtr() const;
-  const Table& table() const;
+  const GarmentSnapshot& snapshot() const;  // the document as it is
+  const GarmentSnapshot& shown() const;     // what to draw: a prediction or a drag's preview while there is one
+  SnapshotPtr shownPtr() const;
+  const TableLayout& table() const;
   const std::vector<Step>& steps() const;
   const std::vector<Step>& undone() const;
   const Selection& selection() const;
@@ -93,7 +93,7 @@ class Session {
   Message hint() const;
   Preview preview() const;
   std::optional<DropMenu> dropMenu() const;  // where a drag was dropped and something is to be chosen
-  std::optional<ScenePanel> menu() const;    // nothing before setSight()
+  std::optional<SceneMenu> menu() const;     // nothing before setViewpoint()
   Busy busy() const;
   std::vector<Notice> takeNotices();
   const std::vector<Advice>& advice() const;  // what was advised and still holds; Command::Mend does the first
@@ -102,7 +102,7 @@ class Session {
   void refuse(const Error& why);              // what a face could not make of something typed, told like any refusal
   void advise(Message what);                  // told once, like advice on a step
   std::optional<Command> takeView();          // a view that was asked for
-  const SessionNews& news() const;
+  const SessionChanges& changes() const;
 
   // --- what the person does
   void feed(const PointerSample& sample);
@@ -113,13 +113,11 @@ class Session {
   std::optional<PointerSample> fingertip() const;  // nothing while a pointer is used
   Message keyHint() const;                         // what keys do now; empty while a pointer is used
   Message underFingertip() const;                  // for those who hear the screen
-  void setSight(const Sight& sight);
+  void setViewpoint(const Viewpoint& viewpoint);
   void setLanguage(Language language);
-  void setInches(bool inches);       // instead of centimetres, in what gestures tell
-  void setDartWidth(double metres);  // of the next dart
-  double dartWidth() const;
-  void setMirrorSeams(bool on);  // whether a seam's mirror image is sewn with it; at first it is
-  bool mirrorSeams() const;
+  void setInches(bool inches);  // instead of centimetres, in what gestures tell
+  const ToolOptions& toolOptions() const;
+  void setToolOptions(const ToolOptions& options);
   void choose(std::size_t item);  // of the drop menu
   // Which end of the chosen edge stays when its length is typed: by itself as keptEnd() has it, until another edge is
   // chosen. Start where no edge is chosen. preview() marks what stays with dots, what moves with rings.
@@ -133,22 +131,22 @@ class Session {
   void goTo(std::size_t steps);  // back or forth until this many steps are done
 
   // --- the steps' whole tree
-  const std::vector<Step>& otherEnds() const;  // where ways that were left end, newest first
-  void takeWay(const Step& end);               // goes there
+  const std::vector<Step>& otherBranches() const;  // where ways that were left end, newest first
+  void switchBranch(const Step& end);              // goes there
   // Makes step `which` (from 1) this operation and plays all that follows again; Space or Escape stops it. Refused or
   // stopped, nothing has changed. One undo brings the old way back.
   void amend(std::size_t which, Operation operation);
   // The garment as it was after a step of steps() or undone() (0: the beginning), told to `then` by update() when it
   // is there (null: it could not be made); never, where another document came first.
-  void glimpse(std::uint64_t seq, std::function<void(FittingPtr)> then);
+  void snapshotAfter(std::uint64_t seq, std::function<void(SnapshotPtr)> then);
 
   // --- the figure
   // Shows the garment on a figure while one still turns its measures: nothing is done yet, the newest wish only is
   // built, and Cancel, or the next step, shows what is there again.
-  void tryFigure(SetBody body);
+  void previewFigure(SetBody body);
   // The figure that was chosen last becomes this one, and every step that followed is played again on it: made to
   // measure. Space stops it, one undo brings the old figure back.
-  void wearFigure(SetBody body);
+  void applyFigure(SetBody body);
   const SetBody* figure() const;  // as it was chosen last; null: not yet
 
   // --- time
@@ -156,11 +154,11 @@ class Session {
   void finish();  // waits until nothing is left to do
   bool idle() const;
   // Before leaving: waits for the steps that were asked for, stops a drape where it is. Imports are not waited for.
-  void conclude();
+  void close();
 
  private:
-  struct Inside;
-  std::unique_ptr<Inside> inside_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace karinui

@@ -3,7 +3,7 @@
 // on skin. Pure; long for large garments; any thread. Metres.
 #include <vector>
 
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 
 namespace karinui {
 
@@ -11,6 +11,6 @@ struct Tape {
   std::vector<Vec3> line;  // closed, begins and ends nearest to the pointer; empty: nothing to measure there
   double length = 0;
 };
-Tape tapeAt(const Fitting& fitting, const Hit& hit);
+Tape tapeAt(const GarmentSnapshot& snapshot, const Hit& hit);
 
 }  // namespace karinui

@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 #include "karinui/touch/touch_scene.h"
 
 namespace karinui {
@@ -28,7 +28,8 @@ struct Handling {
 
 inline constexpr double kPatchRadius = 0.06;  // metres: more than a hand goes between two scenes
 
-TouchScene touchSceneOf(const Fitting& fitting, Vec3 tip, const Handling& handling = {}, double radius = kPatchRadius);
+TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handling& handling = {},
+                        double radius = kPatchRadius);
 
 // A strip of a fabric, half along its warp and half along its weft: metres.
 TensionCurve tensionCurveOf(const Fabric& fabric, double width, double length);

@@ -1,7 +1,7 @@
 // epoxy before anything that might pull in the system's GL
 #include <epoxy/gl.h>
 
-#include "view_eyes.h"
+#include "eye_compositor.h"
 
 #include <QOpenGLShaderProgram>
 

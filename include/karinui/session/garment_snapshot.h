@@ -30,7 +30,7 @@ class PickingTree {
   mutable std::optional<Bvh> tree_;
 };
 
-struct Fitting {
+struct GarmentSnapshot {
   Document document;
   BodyPtr body;      // null: none chosen, or not to be had
   SceneFrame frame;  // cloths in the order of the document's pieces
@@ -42,15 +42,15 @@ struct Fitting {
   std::vector<Worn> worn;
   std::optional<Message> trouble;  // why pieces could not be laid together (then each stands alone, without seams)
 };
-using FittingPtr = std::shared_ptr<const Fitting>;
-FittingPtr fittingOf(Document document, BodyPtr body);
+using SnapshotPtr = std::shared_ptr<const GarmentSnapshot>;
+SnapshotPtr snapshotOf(Document document, BodyPtr body);
 
 // Where each piece lies on the cutting table: the pattern's own paper, moved so that no two lie on each other. A piece
 // keeps its place while it is edited. Part of the view, not of the document.
-class Table {
+class TableLayout {
  public:
-  void arrange(const Fitting& fitting);  // gives new pieces a place, forgets those that are gone
-  Flat at(PieceId id) const;             // what to add to a paper place; (0, 0) for a piece it does not know
+  void arrange(const GarmentSnapshot& snapshot);  // gives new pieces a place, forgets those that are gone
+  Flat at(PieceId id) const;                      // what to add to a paper place; (0, 0) for a piece it does not know
   void carry(PieceId id, Flat by);
 
  private:
@@ -77,21 +77,21 @@ struct Hit {
 
 // What is under the pointer: what its ray meets first or, where it has a tip, what is within reach of that. Cheap; any
 // thread.
-Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample);
-Hit pickBody(const Fitting& fitting, const PointerSample& sample);  // through the cloth
+Hit pick(const GarmentSnapshot& snapshot, const TableLayout& table, const PointerSample& sample);
+Hit pickBody(const GarmentSnapshot& snapshot, const PointerSample& sample);  // through the cloth
 // The nearest edge within reach among those that are wanted.
 using WantedEdge = std::function<bool(const EdgeNear&)>;
-std::optional<EdgeNear> pickEdge(const Fitting& fitting, const Table& table, const PointerSample& sample,
+std::optional<EdgeNear> pickEdge(const GarmentSnapshot& snapshot, const TableLayout& table, const PointerSample& sample,
                                  const WantedEdge& wanted);
 
 // Where a paper place of a piece is in space now; nothing for a piece that is not there.
-std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId piece, Flat paper);
+std::optional<Vec3> spaceOf(const GarmentSnapshot& snapshot, PieceId piece, Flat paper);
 // The seam that runs over a place of an edge; none: an invalid id.
 SeamId seamAt(const Document& document, const EdgeNear& near);
 // A part of an edge as a line in space and on the table; nothing when it is not there.
-std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part);
+std::vector<Vec3> edgeInSpace(const GarmentSnapshot& snapshot, const EdgeRef& part);
 // Threads between edges that are to be sewn but hang apart, from place to place as they will be sewn.
-std::vector<SceneLine> threadsOf(const Fitting& fitting);
+std::vector<SceneLine> threadsOf(const GarmentSnapshot& snapshot);
 
 // Open seams whose threads cross: sewn as they are the cloth would twist; a click on the mark turns one round.
 struct CrossedSeam {
@@ -99,8 +99,8 @@ struct CrossedSeam {
   Vec3 place;                                   // where the threads cross
   std::vector<std::pair<PieceId, Flat>> paper;  // the middle of either side
 };
-std::vector<CrossedSeam> crossedSeams(const Fitting& fitting);  // takes milliseconds of a fine garment
-std::optional<SeamId> crossedAt(const std::vector<CrossedSeam>& crossed, const Table& table,
+std::vector<CrossedSeam> crossedSeams(const GarmentSnapshot& snapshot);  // takes milliseconds of a fine garment
+std::optional<SeamId> crossedAt(const std::vector<CrossedSeam>& crossed, const TableLayout& table,
                                 const PointerSample& sample);
 
 }  // namespace karinui

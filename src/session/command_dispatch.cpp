@@ -1,58 +1,62 @@
 // What keys, menus and the floating bar ask for.
-#include "session/inside.h"
+#include "session/session_impl.h"
 
 namespace karinui {
 
+bool Session::Impl::has(Needs needs) const {
+  const Document& document = state.snapshot->document;
+  const bool pieces = !document.pattern.pieces.empty(), body = document.body.chosen();
+  switch (needs) {
+    case Needs::Nothing:
+      return true;
+    case Needs::Body:
+      return state.snapshot->body != nullptr;
+    case Needs::BodyToDraw:
+      return body;
+    case Needs::Pieces:
+      return pieces;
+    case Needs::BodyAndPieces:
+      return body && pieces;
+    case Needs::ChosenPiece:
+      return !selection.pieces.empty();
+    case Needs::ChosenSeam:
+      return static_cast<bool>(selection.seam);
+    case Needs::ChosenThing:
+      return !selection.pieces.empty() || selection.seam;
+  }
+  return false;
+}
+
 bool Session::can(Command command) const {
-  const auto& in = *inside_;
-  const Document& document = in.state.fitting->document;
+  const auto& in = *impl_;
   switch (command) {
-    case Command::Draw:
-      return document.body.chosen() && !in.state.readOnly;
-    case Command::Move:
-    case Command::Sew:
-    case Command::Cut:
-    case Command::Pull:
-    case Command::Reshape:
-    case Command::Points:
-    case Command::Notch:
-    case Command::Dart:
-    case Command::Line:
-    case Command::Pin:
-      return !document.pattern.pieces.empty() && !in.state.readOnly;
     case Command::Undo:
       return in.gesture->begun() || in.settlingNow() || (!in.state.steps.empty() && !in.state.readOnly);
     case Command::Redo:
       return (!in.state.undone.empty() || in.otherWay(false)) && !in.state.readOnly;
     case Command::Settle:
-      return in.settlingNow() || (!document.pattern.pieces.empty() && document.body.chosen() && !in.state.readOnly);
+      if (in.settlingNow()) return true;
+      break;
     case Command::Confirm:
       return in.gesture->begun();
     case Command::Mend:
       return !in.state.readOnly && !in.gesture->begun() && in.mendable();
-    case Command::BodyLines:
-      return in.state.fitting->body != nullptr;
-    case Command::Remove:
-      return !in.state.readOnly && (!in.selection.pieces.empty() || in.selection.seam);
-    case Command::Duplicate:
-    case Command::Mirror:
-    case Command::Freeze:
-      return !in.state.readOnly && !in.selection.pieces.empty();
-    case Command::FlipSeam:
-      return !in.state.readOnly && static_cast<bool>(in.selection.seam);
     default:
-      return true;
+      break;
   }
+  const Needs needs = info(command).needs;
+  const bool looks = needs == Needs::Nothing || needs == Needs::Body;  // changes nothing of the document
+  return in.has(needs) && (looks || !in.state.readOnly);
 }
 
 void Session::command(Command command) {
-  auto& in = *inside_;
-  ++in.news.overlay;
+  auto& in = *impl_;
+  ++in.changes.overlay;
   if (!can(command)) {
     if (in.state.readOnly)
       in.tell(Notice::Kind::Refused, say("This garment was opened for reading only; keep a copy to work on it."));
     else if (command == Command::Draw || command == Command::Settle)
-      in.tell(Notice::Kind::Refused, in.state.fitting->document.body.chosen()
+      in.tell(Notice::Kind::Refused, in.state.snapshot->document.body.chosen()
                                          ? say("There is no piece yet; draw one on the body.")
                                          : say("There is no body yet; choose a figure in the body panel."));
     else if (isTool(command))
@@ -80,7 +84,7 @@ void Session::command(Command command) {
       if (in.gesture->begun()) return;
       return in.turn(false);
     case Command::Cancel:
-      if (in.figureTurns) {
+      if (in.trial.active()) {
         in.dropFigure();
         return in.settleInterrupted();
       }
@@ -98,13 +102,13 @@ void Session::command(Command command) {
         return in.stopSettling();
       }
       std::set<PieceId> live;
-      for (const PieceId id : in.state.fitting->document.drape.dirty)
-        if (const Piece* piece = in.state.fitting->document.find(id); piece && !piece->frozen) live.insert(id);
+      for (const PieceId id : in.state.snapshot->document.drape.dirty)
+        if (const Piece* piece = in.state.snapshot->document.find(id); piece && !piece->frozen) live.insert(id);
       return in.settle(live, false);
     }
     case Command::Confirm: {
       const bool begun = in.gesture->begun();
-      return in.told(in.gesture->confirm(in.bench()), begun);
+      return in.takeResult(in.gesture->confirm(in.context()), begun);
     }
     case Command::Remove:
       if (!in.selection.line.empty()) return in.perform(EraseMarks{chosen().front(), {in.selection.line}, {}});
@@ -114,14 +118,14 @@ void Session::command(Command command) {
     case Command::Duplicate: {
       DuplicatePiece copy;
       copy.piece = chosen().front();
-      copy.name = usableName(in.state.fitting->document, in.state.fitting->document.find(copy.piece.id)->name);
+      copy.name = usableName(in.state.snapshot->document, in.state.snapshot->document.find(copy.piece.id)->name);
       copy.by = {0.05, 0, 0.05};
       return in.perform(std::move(copy));
     }
     case Command::Mirror:
       return in.perform(MirrorPiece{chosen().front(), ""});
     case Command::Freeze: {
-      const Piece* first = in.state.fitting->document.find(chosen().front().id);
+      const Piece* first = in.state.snapshot->document.find(chosen().front().id);
       return in.perform(FreezePieces{chosen(), !first->frozen});
     }
     case Command::FlipSeam:
@@ -130,7 +134,7 @@ void Session::command(Command command) {
       return in.perform(*in.mendable()->mend);
     case Command::BodyLines:
       in.linesShown = !in.linesShown;
-      ++in.news.garment;
+      ++in.changes.garment;
       return;
     default:
       in.viewAsked = command;

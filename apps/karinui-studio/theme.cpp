@@ -1,4 +1,4 @@
-#include "look.h"
+#include "theme.h"
 
 #include <QAction>
 #include <QApplication>
@@ -32,7 +32,7 @@ class HouseIcon : public QIconEngine {
  public:
   explicit HouseIcon(std::string_view name) : name_(name) {}
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
-    const Palette& p = Look::here().palette();
+    const Palette& p = Theme::here().palette();
     QColor ink = state == QIcon::On ? p.accent : p.ink;
     if (mode == QIcon::Disabled) ink.setAlphaF(0.3f);
     drawIcon(*painter, name_, rect, ink);
@@ -114,22 +114,22 @@ QLabel[role="faint"] { color: @faint; }
 
 }  // namespace
 
-Look& Look::here() {
-  static Look look;
+Theme& Theme::here() {
+  static Theme look;
   return look;
 }
 
-const Palette& Look::palette() const { return dark_ ? kDark : kLight; }
+const Palette& Theme::palette() const { return dark_ ? kDark : kLight; }
 
-QString Look::say(const Message& message) const {
+QString Theme::say(const Message& message) const {
   const auto words = [](double metres) { return lengthText(metres, 2).toStdString(); };
   return QString::fromStdString(text(message, language_, words, identifierSaid));
 }
 
-QIcon Look::icon(std::string_view name) const { return name.empty() ? QIcon() : QIcon(new HouseIcon(name)); }
+QIcon Theme::icon(std::string_view name) const { return name.empty() ? QIcon() : QIcon(new HouseIcon(name)); }
 
 // Qt's own words, as of its file dialogs, are translated by Qt (Debian package qt6-translations-l10n).
-void Look::setLanguage(Language language) {
+void Theme::setLanguage(Language language) {
   language_ = language;
   QCoreApplication::removeTranslator(&ofQt_);
   if (language == Language::Japanese && ofQt_.load("qtbase_ja", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
@@ -137,18 +137,18 @@ void Look::setLanguage(Language language) {
   emit changed();
 }
 
-void Look::setInches(bool inches) {
+void Theme::setInches(bool inches) {
   if (inches == inches_) return;
   inches_ = inches;
   emit changed();
 }
-void Look::setDark(bool dark) {
+void Theme::setDark(bool dark) {
   dark_ = dark;
   if (auto* app = qobject_cast<QApplication*>(QCoreApplication::instance())) apply(*app);
   emit changed();
 }
 
-void Look::apply(QApplication& app) {
+void Theme::apply(QApplication& app) {
   const Palette& p = palette();
   app.setStyle(QStyleFactory::create("Fusion"));
   QPalette q;
@@ -170,12 +170,12 @@ void Look::apply(QApplication& app) {
   app.setStyleSheet(sheetFor(p));
 }
 
-void Look::keep(QObject* owner, std::function<void()> put) {
+void Theme::keep(QObject* owner, std::function<void()> put) {
   put();
-  QObject::connect(this, &Look::changed, owner, std::move(put));
+  QObject::connect(this, &Theme::changed, owner, std::move(put));
 }
 
-void Look::keep(QAction* action, const Message& label, const Message& hint, std::string_view icon) {
+void Theme::keep(QAction* action, const Message& label, const Message& hint, std::string_view icon) {
   const std::string name(icon);
   keep(action, [this, action, label, hint, name] {
     action->setText(say(label));
@@ -233,7 +233,7 @@ void letShrink(QComboBox& box, const Message& hint) {
     box.setToolTip(more.isEmpty() ? box.currentText() : box.currentText().toHtmlEscaped() + "<br>" + more);
   };
   QObject::connect(&box, &QComboBox::currentTextChanged, &box, tell);
-  Look::here().keep(&box, tell);  // after the box has its items in the other language
+  Theme::here().keep(&box, tell);  // after the box has its items in the other language
 }
 
 std::optional<Message> japaneseTrouble() {
@@ -244,11 +244,11 @@ std::optional<Message> japaneseTrouble() {
 }
 
 QString lengthText(double metres, int decimals) {
-  return QString::fromStdString(lengthSaid(metres, Look::here().inches(), decimals));
+  return QString::fromStdString(lengthSaid(metres, Theme::here().inches(), decimals));
 }
 
 QString areaText(double squareMetres) {
-  const bool inches = Look::here().inches();
+  const bool inches = Theme::here().inches();
   return QString::fromStdString(fixed(squareMetres / (inches ? 0.0254 * 0.0254 : 1e-4), 0)) +
          (inches ? " in²" : " cm²");
 }

@@ -7,17 +7,17 @@
 #include "karinui/base/number.h"
 #include "karinui/session/menu.h"
 #include "karinui/view/strain_scale.h"
-#include "look.h"
 #include "orbit.h"
 #include "space_view.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
 namespace {
 
 // The floating bar as a flat picture, so many pixels wide.
-QImage boardPicture(const ScenePanel& panel, int pixels, QFont font) {
-  const Palette& p = Look::here().palette();
+QImage boardPicture(const SceneMenu& panel, int pixels, QFont font) {
+  const Palette& p = Theme::here().palette();
   const double wide = length(panel.across), high = length(panel.upward), scale = pixels / wide;
   QImage image(pixels, std::max(1, static_cast<int>(high * scale)), QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
@@ -29,7 +29,7 @@ QImage boardPicture(const ScenePanel& panel, int pixels, QFont font) {
   painter.setPen(QPen(p.line, 1.2));
   painter.setBrush(board);
   painter.drawRoundedRect(QRectF(image.rect()).adjusted(1, 1, -1, -1), unit * 0.24, unit * 0.24);
-  for (const ScenePanel::Button& b : panel.buttons) {
+  for (const SceneMenu::Button& b : panel.buttons) {
     const QRectF box(b.left * scale, (high - b.bottom - b.height) * scale, b.width * scale, b.height * scale);
     QColor ink = b.chosen ? p.accent : p.ink;
     if (!b.enabled) ink.setAlphaF(0.3f);
@@ -54,7 +54,7 @@ QImage boardPicture(const ScenePanel& panel, int pixels, QFont font) {
 }
 
 // The floating bar, drawn flat and hung in space by the projection of its corners.
-void paintBoard(QPainter& painter, const ScenePanel& panel, const std::function<QPointF(Vec3)>& at) {
+void paintBoard(QPainter& painter, const SceneMenu& panel, const std::function<QPointF(Vec3)>& at) {
   const QPolygonF seen({at(panel.corner + panel.upward), at(panel.corner + panel.across + panel.upward),
                         at(panel.corner + panel.across), at(panel.corner)});
   const double ratio = painter.device()->devicePixelRatioF();
@@ -82,7 +82,7 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     return QPointF(on.x, on.y);
   };
   const QRectF room(0, 0, w * (1 - menuShare(sight())), h);
-  const FittingPtr fitting = session_.shownPtr();
+  const SnapshotPtr fitting = session_.shownPtr();
   for (const auto& [id, pins] : fitting->document.pins)
     for (const Flat pin : pins)
       if (const auto place = spaceOf(*fitting, id, pin)) paintPin(painter, at(*place));
@@ -128,7 +128,7 @@ void SpaceView::paintThen(QPainter& painter, int w, int h) const {
 
 // What the colours of a map mean: standing in a corner, or lying below the feet where two figures leave it no room.
 void SpaceView::paintScale(QPainter& painter, int w, int h) const {
-  const Palette& p = Look::here().palette();
+  const Palette& p = Theme::here().palette();
   const bool lying = beside();
   const double room = lying ? std::min(270.0, w - 80.0) : std::min(190.0, h * 0.3);
   const QRectF board = lying ? QRectF(12, h - 76, room + 56, 66) : QRectF(12, 12, 142, room + 54);

@@ -36,7 +36,7 @@ int inked(const QImage& image) {
   return count;
 }
 
-TEST(StudioWaysOut, EveryKindIsShownBeforeItIsWritten) {
+TEST(StudioSaveActions, EveryKindIsShownBeforeItIsWritten) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
@@ -74,11 +74,11 @@ TEST(StudioWaysOut, EveryKindIsShownBeforeItIsWritten) {
     w.rest();
     const auto bytes = readFile(file);
     ASSERT_TRUE(bytes) << w.main().said().toStdString();
-    EXPECT_EQ(*bytes, *exported(w.session().fitting(), w.session().steps(), dialog.wish()));
+    EXPECT_EQ(*bytes, *exported(w.session().snapshot(), w.session().steps(), dialog.wish()));
   }
 }
 
-TEST(StudioWaysOut, WithNothingToWriteThereIsASentenceInstead) {
+TEST(StudioSaveActions, WithNothingToWriteThereIsASentenceInstead) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   ExportDialog dialog(w.session(), w.space(), &w.main());
@@ -95,7 +95,7 @@ QImage pictureOf(const fs::path& pdf, double fine) {
   return QImage(QString::fromStdString(to + ".pgm"));
 }
 
-TEST(StudioWaysOut, PrintsAtTrueSize) {
+TEST(StudioSaveActions, PrintsAtTrueSize) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
@@ -122,7 +122,7 @@ TEST(StudioWaysOut, PrintsAtTrueSize) {
   EXPECT_NEAR(dark.back() - dark.front(), 1000, 4);
 }
 
-TEST(StudioWaysOut, ARollTakesTheWholeSheetAtItsOwnSize) {
+TEST(StudioSaveActions, ARollTakesTheWholeSheetAtItsOwnSize) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
@@ -130,7 +130,7 @@ TEST(StudioWaysOut, ARollTakesTheWholeSheetAtItsOwnSize) {
   const fs::path path = folder.path / "roll.pdf";
   ExportWish wish;
   wish.kind = ExportKind::PdfSheet;
-  const Flat size = paperOf(w.session().fitting(), wish)->size(0);
+  const Flat size = paperOf(w.session().snapshot(), wish)->size(0);
   {
     QPrinter printer(QPrinter::HighResolution);
     printer.setOutputFormat(QPrinter::PdfFormat);
@@ -143,7 +143,7 @@ TEST(StudioWaysOut, ARollTakesTheWholeSheetAtItsOwnSize) {
   EXPECT_NEAR(std::max(page.width(), page.height()), 2e3 * std::max(size.u, size.v), 3);
 }
 
-TEST(StudioWaysOut, TakesAPictureFromEverySide) {
+TEST(StudioSaveActions, TakesAPictureFromEverySide) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();

@@ -7,7 +7,7 @@
 
 #include "karinui/scene/overlay.h"
 #include "karinui/scene/pointer.h"
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 
 namespace karinui {
 
@@ -15,25 +15,25 @@ namespace karinui {
 enum class KeyStroke { Left, Right, Up, Down, Next, Previous, Press, Shorter, Longer };
 
 // Which places a gesture wants to be led to.
-enum class Stops { Skin, Pieces, Edges, Corners };
+enum class KeyStops { Skin, Pieces, Edges, Corners };
 
 // A place worth going to, seen from where one looks.
-struct Stop {
+struct KeyStop {
   Vec3 space;
   Flat table;
 };
 // In reading order of the thing they lie on: pieces with their edges one after the other, the skin from the crown down
 // and from left to right. In space only what is in view and not hidden.
-std::vector<Stop> stopsOf(const Fitting& fitting, const Table& table, Stops wanted, const PointerSample& with,
-                          const Sight& sight);
+std::vector<KeyStop> keyStopsOf(const GarmentSnapshot& snapshot, const TableLayout& table, KeyStops wanted,
+                                const PointerSample& with, const Viewpoint& viewpoint);
 
-class KeyHand {
+class KeyboardPointer {
  public:
   struct Around {  // what it moves in
-    const Fitting& fitting;
-    const Table& table;
-    Sight sight;
-    Stops stops = Stops::Pieces;
+    const GarmentSnapshot& snapshot;
+    const TableLayout& table;
+    Viewpoint viewpoint;
+    KeyStops keyStops = KeyStops::Pieces;
     bool clicks = false;
   };
   // The samples a key comes to. `with` tells where, when, how near touching is, and the modifiers. The first key only
@@ -44,13 +44,13 @@ class KeyHand {
   bool awake() const { return awake_; }
   bool down() const { return down_; }
   PointerSample::Where where() const { return last_.where; }
-  PointerSample now(const Sight& sight) const;  // where it is
-  double step() const;                          // metres an arrow goes
+  PointerSample now(const Viewpoint& viewpoint) const;  // where it is
+  double step() const;                                  // metres an arrow goes
 
  private:
   PointerSample said(PointerSample::Phase phase, const Around& around) const;
   void goToStop(int by, const Around& around);
-  void arrow(double right, double up, const Sight& sight);
+  void arrow(double right, double up, const Viewpoint& viewpoint);
 
   bool awake_ = false, down_ = false;
   PointerSample last_;    // where, when, how near, with what

@@ -12,19 +12,19 @@
 
 namespace karinui {
 
-class TaskLine {
+class TaskQueue {
  public:
-  enum class Kind { Step, Settle, Preview, Figure, Glimpse };
+  enum class Kind { Step, Settle, Preview, Figure, SnapshotAfter };
   using Finish = std::function<void()>;              // runs on the owner's thread
-  using Work = std::function<Finish(const Token&)>;  // runs on the line's own
+  using Work = std::function<Finish(const Token&)>;  // runs on the worker thread
   struct Progress {
     double fraction = 0;
     Message doing;
   };
 
-  // `wake` is called from the line's thread whenever there is something to take in; it must be quick.
-  explicit TaskLine(std::function<void()> wake);
-  ~TaskLine();  // asks what runs to stop, and waits for that
+  // `wake` is called from the worker thread whenever there is something to take in; it must be quick.
+  explicit TaskQueue(std::function<void()> wake);
+  ~TaskQueue();  // asks what runs to stop, and waits for that
 
   void add(Kind kind, Work work);
   void cancel(Kind kind);  // drops what waits, asks what runs to stop

@@ -8,9 +8,9 @@
 
 namespace karinui::studio {
 
-class Portraits {
+class ThumbnailRenderer {
  public:
-  Portraits();
+  ThumbnailRenderer();
   QImage of(const SceneFrame& frame, QSize pixels);
 
  private:

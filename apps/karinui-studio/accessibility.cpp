@@ -1,10 +1,10 @@
-#include "spoken.h"
+#include "accessibility.h"
 
 #include <QAccessibleWidget>
 #include <QPointer>
 
+#include "pattern_view.h"
 #include "space_view.h"
-#include "table_view.h"
 
 namespace karinui::studio {
 
@@ -85,7 +85,8 @@ class SpeakingView : public QAccessibleWidget {
 };
 
 QAccessibleInterface* speaking(const QString& kind, QObject* object) {
-  const bool view = kind == SpaceView::staticMetaObject.className() || kind == TableView::staticMetaObject.className();
+  const bool view =
+      kind == SpaceView::staticMetaObject.className() || kind == PatternView::staticMetaObject.className();
   return view ? new SpeakingView(static_cast<QWidget*>(object)) : nullptr;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The document and what working on it needs, as the session's second thread has it: nothing here is touched by the
+// The document and what working on it needs, as the worker thread has it: nothing here is touched by the
 // hand's thread while a task runs.
 #include <filesystem>
 #include <memory>
@@ -10,19 +10,19 @@
 
 namespace karinui {
 
-// Everything the hand's thread is told after a step.
-struct RoomState {
-  FittingPtr fitting;
-  std::vector<Step> steps, undone, otherEnds;
+// Everything the caller's thread is told after a step.
+struct DocumentState {
+  SnapshotPtr snapshot;
+  std::vector<Step> steps, undone, otherBranches;
   std::filesystem::path path;
   bool readOnly = false;
   std::vector<Advice> advice = {};  // on what was done since the last time
 };
 
-class Room {
+class DocumentWorker {
  public:
-  Room(DocumentFile file, const SessionOptions& options, std::shared_ptr<Bodies> bodies,
-       std::shared_ptr<Workers> workers, bool readOnly = false)
+  DocumentWorker(DocumentFile file, const SessionOptions& options, std::shared_ptr<Bodies> bodies,
+                 std::shared_ptr<Workers> workers, bool readOnly = false)
       : file_(std::move(file)),
         options_(options),
         bodies_(std::move(bodies)),
@@ -30,7 +30,7 @@ class Room {
         readOnly_(readOnly) {}
 
   // Published while a drape is worked out: the garment as it stands then, some times a second.
-  std::function<void(FittingPtr)> predicted;
+  std::function<void(SnapshotPtr)> predicted;
 
   DocumentFile& file() { return file_; }
   bool readOnly() const { return readOnly_; }
@@ -40,11 +40,11 @@ class Room {
   Result<Step> redo(const Token& token);
   Done goTo(std::uint64_t seq, const Token& token);
   Done amend(std::size_t which, Operation operation, const Token& token);
-  RoomState state(const Token& token);
-  FittingPtr glimpse(std::uint64_t seq, const Token& token);                 // null: not to be had
-  Result<FittingPtr> after(const Operation& operation, const Token& token);  // without doing it
-  Result<FittingPtr> tried(const SetBody& body, const Token& token);         // on a figure that is kept nowhere
-  Result<Vec3> pullTo(const AskPull& ask, const Token& token, FittingPtr& shown);
+  DocumentState state(const Token& token);
+  SnapshotPtr snapshotAfter(std::uint64_t seq, const Token& token);           // null: not to be had
+  Result<SnapshotPtr> after(const Operation& operation, const Token& token);  // without doing it
+  Result<SnapshotPtr> onFigure(const SetBody& body, const Token& token);      // on a figure that is kept nowhere
+  Result<Vec3> pullTo(const PullPreview& pull, const Token& token, SnapshotPtr& shown);
   void letGo() { pull_.reset(); }
   Done moveTo(const std::filesystem::path& path);  // see Session::saveAs
   Done beginDraft(const std::string& about);       // a file, where there is none and drafts are kept
@@ -53,7 +53,7 @@ class Room {
   Workers& workers() { return *workers_; }
 
  private:
-  FittingPtr fitted(Document document, const Token& token);
+  SnapshotPtr fitted(Document document, const Token& token);
   DocumentFile file_;
   SessionOptions options_;
   std::shared_ptr<Bodies> bodies_;
@@ -73,7 +73,8 @@ class Room {
 bool isDraft(const SessionOptions& options, const std::filesystem::path& path);
 
 // Files in and out (session's second thread).
-Done importPatternInto(Room& room, const std::filesystem::path& file, const Token& token);
-Done importBodyInto(Room& room, const std::filesystem::path& file, const Token& token, std::vector<Message>& notes);
+Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token);
+Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
+                    std::vector<Message>& notes);
 
 }  // namespace karinui

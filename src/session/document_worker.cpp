@@ -1,4 +1,4 @@
-#include "session/room.h"
+#include "session/document_worker.h"
 
 #include <chrono>
 #include <utility>
@@ -34,7 +34,7 @@ void dropJournal(const std::filesystem::path& path) {
 
 }  // namespace
 
-Context Room::context(const Token& token) {
+Context DocumentWorker::context(const Token& token) {
   Context context{*workers_, token, file_.blobs(), *bodies_, options_.drape, options_.pull};
   context.advise = [this](const Advice& advice) { advice_.push_back(advice); };
   if (!context.drape && predicted)
@@ -50,16 +50,16 @@ Context Room::context(const Token& token) {
   return context;
 }
 
-FittingPtr Room::fitted(Document document, const Token& token) {
+SnapshotPtr DocumentWorker::fitted(Document document, const Token& token) {
   BodyPtr body;
   if (document.body.chosen()) {
     Context own = context(token);
     if (auto found = bodyOf(document, own)) body = *found;
   }
-  return fittingOf(std::move(document), std::move(body));
+  return snapshotOf(std::move(document), std::move(body));
 }
 
-Result<Step> Room::perform(Operation operation, const Token& token, StopRequest* stop) {
+Result<Step> DocumentWorker::perform(Operation operation, const Token& token, StopRequest* stop) {
   const auto* body = std::get_if<SetBody>(&operation);
   if (const Done file = beginDraft(body ? body->size : std::string()); !file) return file.error();
   Context own = context(token);
@@ -68,38 +68,39 @@ Result<Step> Room::perform(Operation operation, const Token& token, StopRequest*
   if (!step) dropEmptyDraft();
   return step;
 }
-Result<Step> Room::undo(const Token& token) {
+Result<Step> DocumentWorker::undo(const Token& token) {
   Context own = context(token);
   return file_.undo(own);
 }
-Result<Step> Room::redo(const Token& token) {
+Result<Step> DocumentWorker::redo(const Token& token) {
   Context own = context(token);
   return file_.redo(own);
 }
 
-Done Room::goTo(std::uint64_t seq, const Token& token) {
+Done DocumentWorker::goTo(std::uint64_t seq, const Token& token) {
   Context own = context(token);
   return file_.goTo(seq, own);
 }
-Done Room::amend(std::size_t which, Operation operation, const Token& token) {
+Done DocumentWorker::amend(std::size_t which, Operation operation, const Token& token) {
   Context own = context(token);
   own.advise = {};  // every step after it is done anew
   return file_.amend(which, std::move(operation), own);
 }
 
-RoomState Room::state(const Token& token) {
+DocumentState DocumentWorker::state(const Token& token) {
   pull_.reset();
-  return {fitted(file_.document(), token), file_.steps(), file_.undone(), file_.otherEnds(), file_.path(), readOnly_,
+  return {fitted(file_.document(), token), file_.steps(), file_.undone(),
+          file_.otherBranches(),           file_.path(),  readOnly_,
           std::exchange(advice_, {})};
 }
 
-FittingPtr Room::glimpse(std::uint64_t seq, const Token& token) {
+SnapshotPtr DocumentWorker::snapshotAfter(std::uint64_t seq, const Token& token) {
   Context own = context(token);
   Result<Document> document = file_.documentAfter(seq, own);
   return document ? fitted(*std::move(document), token) : nullptr;
 }
 
-Result<FittingPtr> Room::after(const Operation& operation, const Token& token) {
+Result<SnapshotPtr> DocumentWorker::after(const Operation& operation, const Token& token) {
   Context own = context(token);
   own.advise = {};
   Result<Document> document = apply(file_.document(), operation, own);
@@ -107,32 +108,32 @@ Result<FittingPtr> Room::after(const Operation& operation, const Token& token) {
   return fitted(*std::move(document), token);
 }
 
-Result<FittingPtr> Room::tried(const SetBody& body, const Token& token) {
+Result<SnapshotPtr> DocumentWorker::onFigure(const SetBody& body, const Token& token) {
   Bodies passing;
   Context own{*workers_, token, file_.blobs(), passing, {}, {}};
   Result<Document> document = apply(file_.document(), body, own);
   if (!document) return document.error();
   Result<BodyPtr> figure = bodyOf(*document, own);
   if (!figure) return figure.error();
-  return fittingOf(*std::move(document), *std::move(figure));
+  return snapshotOf(*std::move(document), *std::move(figure));
 }
 
-Result<Vec3> Room::pullTo(const AskPull& ask, const Token& token, FittingPtr& shown) {
+Result<Vec3> DocumentWorker::pullTo(const PullPreview& pull, const Token& token, SnapshotPtr& shown) {
   Context own = context(token);
-  if (!pull_ || pull_->piece != ask.piece || !(pull_->at == ask.at)) {
-    PullCloth pull;
-    pull.piece = ask.piece;
-    pull.at = ask.at;
-    auto live = LivePull::take(file_.document(), pull, own);
+  if (!pull_ || pull_->piece != pull.piece || !(pull_->at == pull.at)) {
+    PullCloth cloth;
+    cloth.piece = pull.piece;
+    cloth.at = pull.at;
+    auto live = LivePull::take(file_.document(), cloth, own);
     if (!live) return live.error();
-    pull_ = std::make_unique<Pulling>(Pulling{ask.piece, ask.at, *std::move(live)});
+    pull_ = std::make_unique<Pulling>(Pulling{pull.piece, pull.at, *std::move(live)});
   }
-  Result<Vec3> force = pull_->live.to(ask.by, own);
+  Result<Vec3> force = pull_->live.to(pull.by, own);
   if (force) shown = fitted(adopted(file_.document(), pull_->live.forms()), token);
   return force;
 }
 
-Done Room::moveTo(const std::filesystem::path& path) {
+Done DocumentWorker::moveTo(const std::filesystem::path& path) {
   std::error_code trouble;
   if (file_.path().empty()) {
     if (!file_.steps().empty() || !file_.undone().empty())
@@ -163,7 +164,7 @@ Done Room::moveTo(const std::filesystem::path& path) {
   return why ? Done(*why) : Done();
 }
 
-Done Room::beginDraft(const std::string& about) {
+Done DocumentWorker::beginDraft(const std::string& about) {
   if (!file_.path().empty() || options_.drafts.empty() || !file_.steps().empty()) return {};
   std::error_code trouble;
   std::filesystem::create_directories(options_.drafts, trouble);
@@ -184,8 +185,8 @@ Done Room::beginDraft(const std::string& about) {
   }
 }
 
-void Room::dropEmptyDraft() {
-  if (!begunDraft_ || !file_.steps().empty() || !file_.undone().empty() || !file_.otherEnds().empty()) return;
+void DocumentWorker::dropEmptyDraft() {
+  if (!begunDraft_ || !file_.steps().empty() || !file_.undone().empty() || !file_.otherBranches().empty()) return;
   const std::filesystem::path path = file_.path();
   file_ = DocumentFile::inMemory();
   begunDraft_ = false;

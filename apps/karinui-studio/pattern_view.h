@@ -8,10 +8,10 @@
 
 namespace karinui::studio {
 
-class TableView : public QWidget {
+class PatternView : public QWidget {
   Q_OBJECT
  public:
-  TableView(Session& session, Clockwork& clockwork, QWidget* parent = nullptr);
+  PatternView(Session& session, LatencyLog& clockwork, QWidget* parent = nullptr);
   void showAll();
   void refresh();
   QPointF onScreen(Flat table) const;
@@ -41,7 +41,7 @@ class TableView : public QWidget {
   void paintPiece(QPainter& painter, const Piece& piece, const Outline& outline, const Preview& preview);
 
   Session& session_;
-  Clockwork& clockwork_;
+  LatencyLog& clockwork_;
   double scale_ = 500;  // pixels a metre
   Flat middle_{0.4, -0.3};
   std::size_t piecesShown_ = 0;

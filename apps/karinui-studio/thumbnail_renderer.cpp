@@ -1,7 +1,7 @@
 // epoxy before anything that might pull in the system's GL
 #include <epoxy/gl.h>
 
-#include "portraits.h"
+#include "thumbnail_renderer.h"
 
 #include <QOpenGLFramebufferObject>
 
@@ -11,13 +11,13 @@ namespace {
 constexpr int kFiner = 3;  // drawn larger and made smaller, for smooth edges
 }
 
-Portraits::Portraits() {
+ThumbnailRenderer::ThumbnailRenderer() {
   Studio plain;
   plain.skyDirections = 6, plain.skyMap = 128, plain.keyMap = 256;
   if (auto made = Renderer::make(plain)) renderer_ = std::move(*made);
 }
 
-QImage Portraits::of(const SceneFrame& frame, QSize pixels) {
+QImage ThumbnailRenderer::of(const SceneFrame& frame, QSize pixels) {
   if (!renderer_ || pixels.isEmpty()) return {};
   const QSize large = pixels * kFiner;
   QOpenGLFramebufferObjectFormat format;

@@ -1,12 +1,12 @@
-#include "session/task_line.h"
+#include "session/task_queue.h"
 
 #include <algorithm>
 
 namespace karinui {
 
-TaskLine::TaskLine(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { run(); }) {}
+TaskQueue::TaskQueue(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { run(); }) {}
 
-TaskLine::~TaskLine() {
+TaskQueue::~TaskQueue() {
   {
     const std::lock_guard lock(mutex_);
     closing_ = true;
@@ -17,7 +17,7 @@ TaskLine::~TaskLine() {
   thread_.join();
 }
 
-void TaskLine::add(Kind kind, Work work) {
+void TaskQueue::add(Kind kind, Work work) {
   {
     const std::lock_guard lock(mutex_);
     waiting_.push_back({kind, std::move(work)});
@@ -25,29 +25,29 @@ void TaskLine::add(Kind kind, Work work) {
   changed_.notify_all();
 }
 
-void TaskLine::cancel(Kind kind) {
+void TaskQueue::cancel(Kind kind) {
   const std::lock_guard lock(mutex_);
   std::erase_if(waiting_, [&](const Task& t) { return t.kind == kind; });
   if (running_ && runningKind_ == kind) running_->cancel();
 }
 
-bool TaskLine::busy() const {
+bool TaskQueue::busy() const {
   const std::lock_guard lock(mutex_);
   return running_ || !waiting_.empty() || !finished_.empty();
 }
 
-bool TaskLine::busy(Kind kind) const {
+bool TaskQueue::busy(Kind kind) const {
   const std::lock_guard lock(mutex_);
   return (running_ && runningKind_ == kind) ||
          std::any_of(waiting_.begin(), waiting_.end(), [&](const Task& t) { return t.kind == kind; });
 }
 
-TaskLine::Progress TaskLine::progress() const {
+TaskQueue::Progress TaskQueue::progress() const {
   const std::lock_guard lock(mutex_);
   return progress_;
 }
 
-bool TaskLine::takeIn() {
+bool TaskQueue::takeIn() {
   std::deque<Finish> taken;
   {
     const std::lock_guard lock(mutex_);
@@ -58,12 +58,12 @@ bool TaskLine::takeIn() {
   return !taken.empty();
 }
 
-void TaskLine::wait() {
+void TaskQueue::wait() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return !finished_.empty() || (!running_ && waiting_.empty()); });
 }
 
-void TaskLine::run() {
+void TaskQueue::run() {
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [&] { return closing_ || !waiting_.empty(); });

@@ -9,9 +9,9 @@
 
 namespace karinui::studio {
 
-class Clockwork {
+class LatencyLog {
  public:
-  Clockwork() { clock_.start(); }
+  LatencyLog() { clock_.start(); }
   double now() const { return static_cast<double>(clock_.nsecsElapsed()) * 1e-6; }
   void begin(const std::string& what) { begun_.try_emplace(what, now()); }  // the oldest counts until it is shown
   void end(const std::string& what) {

@@ -1,4 +1,4 @@
-#include "table_view.h"
+#include "pattern_view.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -10,8 +10,8 @@
 
 #include "karinui/base/number.h"
 #include "keys.h"
-#include "look.h"
 #include "mouse.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -48,14 +48,14 @@ void paintName(QPainter& painter, const QString& name, const QRectF& paper, bool
   const QPointF start = turned ? QPointF(-(wide + dot) / 2, kBesideGrain + 0.5 * up)
                                : QPointF(across ? -(wide + dot) / 2 : kBesideGrain, 0.35 * up);
   if (across) {
-    QColor ground = Look::here().palette().paper;
+    QColor ground = Theme::here().palette().paper;
     ground.setAlphaF(0.8f);
     painter.fillRect(QRectF(start.x() - 3, start.y() - up, wide + dot + 6, 1.3 * up), ground);
   }
   painter.drawText(start, label);
   if (dirty) {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(Look::here().palette().accent);
+    painter.setBrush(Theme::here().palette().accent);
     painter.drawEllipse(start + QPointF(wide + 9, -4), 3.5, 3.5);
   }
   painter.restore();
@@ -63,22 +63,22 @@ void paintName(QPainter& painter, const QString& name, const QRectF& paper, bool
 
 }  // namespace
 
-TableView::TableView(Session& session, Clockwork& clockwork, QWidget* parent)
+PatternView::PatternView(Session& session, LatencyLog& clockwork, QWidget* parent)
     : QWidget(parent), session_(session), clockwork_(clockwork) {
   preparePointing(*this, {220, 200});
-  connect(&Look::here(), &Look::changed, this, [this] { update(); });
+  connect(&Theme::here(), &Theme::changed, this, [this] { update(); });
 }
 
-QPointF TableView::onScreen(Flat p) const {
+QPointF PatternView::onScreen(Flat p) const {
   return {width() / 2.0 + (p.u - middle_.u) * scale_, height() / 2.0 - (p.v - middle_.v) * scale_};
 }
-Flat TableView::onTable(const QPointF& s) const {
+Flat PatternView::onTable(const QPointF& s) const {
   return {middle_.u + (s.x() - width() / 2.0) / scale_, middle_.v - (s.y() - height() / 2.0) / scale_};
 }
 
-void TableView::showAll() {
+void PatternView::showAll() {
   Flat low{1e9, 1e9}, high{-1e9, -1e9};
-  for (const auto& worn : session_.fitting().worn)
+  for (const auto& worn : session_.snapshot().worn)
     for (const Flat p : worn.ring) {
       const Flat q = p + session_.table().at(worn.id);
       low = {std::fmin(low.u, q.u), std::fmin(low.v, q.v)};
@@ -93,23 +93,23 @@ void TableView::showAll() {
   update();
 }
 
-void TableView::refresh() {
-  const std::size_t pieces = session_.fitting().worn.size();
+void PatternView::refresh() {
+  const std::size_t pieces = session_.snapshot().worn.size();
   if (pieces != piecesShown_ && !mine_) showAll();
   piecesShown_ = pieces;
   update();
 }
 
-void TableView::resizeEvent(QResizeEvent*) {
+void PatternView::resizeEvent(QResizeEvent*) {
   if (!mine_) showAll();
 }
 
-void TableView::paintPiece(QPainter& painter, const Piece& piece, const Outline& outline, const Preview& preview) {
-  const Palette& p = Look::here().palette();
+void PatternView::paintPiece(QPainter& painter, const Piece& piece, const Outline& outline, const Preview& preview) {
+  const Palette& p = Theme::here().palette();
   const Flat lies = session_.table().at(piece.id);
   const bool chosen = session_.selection().pieces.contains(piece.id);
   const bool previewed = preview.outlines.contains(piece.id);
-  const Fitting& fitting = session_.fitting();
+  const GarmentSnapshot& fitting = session_.snapshot();
   Colour dye{0.5f, 0.5f, 0.5f};
   for (std::size_t k = 0; k < fitting.worn.size(); ++k)
     if (fitting.worn[k].id == piece.id) dye = fitting.frame.cloths[k].colour;
@@ -124,7 +124,7 @@ void TableView::paintPiece(QPainter& painter, const Piece& piece, const Outline&
   QPainterPath shape = path(outline);
   for (const Outline& hole : piece.holes) shape = shape.subtracted(path(hole));
   QColor fill = shown(dye);
-  fill.setAlphaF(Look::here().dark() ? 0.42f : 0.24f);
+  fill.setAlphaF(Theme::here().dark() ? 0.42f : 0.24f);
   painter.setBrush(fill);
   painter.setPen(Qt::NoPen);
   painter.drawPath(shape);
@@ -185,10 +185,10 @@ void TableView::paintPiece(QPainter& painter, const Piece& piece, const Outline&
   }
 }
 
-void TableView::paintEvent(QPaintEvent*) {
+void PatternView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const Palette& p = Look::here().palette();
+  const Palette& p = Theme::here().palette();
   painter.fillRect(rect(), p.paper);
   const double step = niceStep(scale_);
   const Flat low = onTable({0, static_cast<double>(height())}), high = onTable({static_cast<double>(width()), 0});
@@ -207,7 +207,7 @@ void TableView::paintEvent(QPaintEvent*) {
     }
   }
   const Preview preview = session_.preview();
-  const Document& document = session_.fitting().document;
+  const Document& document = session_.snapshot().document;
   for (const auto& [id, piece] : document.pattern.pieces) {
     const auto other = preview.outlines.find(id);
     paintPiece(painter, *piece, other == preview.outlines.end() ? piece->outline : other->second, preview);
@@ -300,19 +300,19 @@ void TableView::paintEvent(QPaintEvent*) {
   }
 }
 
-PointerSample TableView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const {
+PointerSample PatternView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const {
   PointerSample sample = mouseSample(phase, PointerSample::Where::Table, keys, clockwork_);
   sample.place = onTable(at);
   sample.reach = 9 / scale_;
   return sample;
 }
 
-bool TableView::event(QEvent* event) {
+bool PatternView::event(QEvent* event) {
   if (isForFingertip(event, session_)) event->accept();
   return QWidget::event(event);
 }
 
-void TableView::keyPressEvent(QKeyEvent* event) {
+void PatternView::keyPressEvent(QKeyEvent* event) {
   const auto stroke = strokeOf(*event);
   if (!stroke) return QWidget::keyPressEvent(event);
   session_.strike(*stroke, sampleAt({}, event->modifiers(), PointerSample::Phase::Hover));
@@ -324,14 +324,14 @@ void TableView::keyPressEvent(QKeyEvent* event) {
   update();
 }
 
-void TableView::feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) {
+void PatternView::feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) {
   const PointerSample sample = sampleAt(at, keys, phase);
   session_.feed(sample);
   emit pointed(sample.place);
   update();
 }
 
-void TableView::mousePressEvent(QMouseEvent* event) {
+void PatternView::mousePressEvent(QMouseEvent* event) {
   last_ = event->position();
   clicked_ = event->button() == Qt::RightButton ? std::optional(last_) : std::nullopt;
   setFocus();
@@ -343,7 +343,7 @@ void TableView::mousePressEvent(QMouseEvent* event) {
   }
 }
 
-void TableView::mouseMoveEvent(QMouseEvent* event) {
+void PatternView::mouseMoveEvent(QMouseEvent* event) {
   if (clicked_) {
     if ((event->position() - *clicked_).manhattanLength() < QApplication::startDragDistance()) return;
     clicked_.reset();
@@ -358,7 +358,7 @@ void TableView::mouseMoveEvent(QMouseEvent* event) {
   feed(last_, event->modifiers(), held_ == Held::Tool ? PointerSample::Phase::Drag : PointerSample::Phase::Hover);
 }
 
-void TableView::mouseReleaseEvent(QMouseEvent* event) {
+void PatternView::mouseReleaseEvent(QMouseEvent* event) {
   if (held_ == Held::Tool && event->button() == Qt::LeftButton)
     feed(event->position(), event->modifiers(), PointerSample::Phase::Release);
   held_ = Held::Nothing;
@@ -368,20 +368,20 @@ void TableView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 // The mouse asks when its button comes up; here only the keyboard does.
-void TableView::contextMenuEvent(QContextMenuEvent* event) {
+void PatternView::contextMenuEvent(QContextMenuEvent* event) {
   if (event->reason() != QContextMenuEvent::Keyboard) return;
   PointerSample sample = sampleAt(rect().center(), {}, PointerSample::Phase::Hover);
   if (const auto tip = session_.fingertip()) sample = *tip;
   emit menuAsked(sample, mapToGlobal(onScreen(sample.place).toPoint()));
 }
 
-void TableView::leaveEvent(QEvent*) {
+void PatternView::leaveEvent(QEvent*) {
   session_.leave();
   emit left();
   update();
 }
 
-void TableView::wheelEvent(QWheelEvent* event) {
+void PatternView::wheelEvent(QWheelEvent* event) {
   const Flat fixed = onTable(event->position());
   scale_ = std::clamp(scale_ * std::pow(1.14, event->angleDelta().y() / 120.0), 20.0, 20000.0);
   const Flat now = onTable(event->position());

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "karinui/session/key_hand.h"
+#include "karinui/session/keyboard_pointer.h"
 
 namespace karinui {
 
@@ -12,10 +12,10 @@ using Where = PointerSample::Where;
 
 class Finder {
  public:
-  Finder(const Fitting& fitting, const Table& table, PointerSample with, const Sight& sight)
-      : fitting_(fitting), table_(table), with_(with), sight_(sight) {}
+  Finder(const GarmentSnapshot& snapshot, const TableLayout& table, PointerSample with, const Viewpoint& viewpoint)
+      : fitting_(snapshot), table_(table), with_(with), sight_(viewpoint) {}
 
-  std::vector<Stop> pieces() {
+  std::vector<KeyStop> pieces() {
     for (const auto& worn : fitting_.worn) {
       const Piece& piece = *fitting_.document.find(worn.id);
       inside(piece, worn.ring);
@@ -23,7 +23,7 @@ class Finder {
     }
     return std::move(found_);
   }
-  std::vector<Stop> edges(bool corners) {
+  std::vector<KeyStop> edges(bool corners) {
     for (const auto& worn : fitting_.worn) {
       const Piece& piece = *fitting_.document.find(worn.id);
       for (const Edge& edge : piece.outline.edges) {
@@ -35,7 +35,7 @@ class Finder {
     return std::move(found_);
   }
   // The named places of the figure.
-  std::vector<Stop> skin() {
+  std::vector<KeyStop> skin() {
     if (!fitting_.body || with_.where != Where::Space) return {};
     const Body& body = *fitting_.body;
     std::vector<Vec3> places;
@@ -54,11 +54,11 @@ class Finder {
     for (const Vec3 place : places) {
       const auto seen = pickBody(fitting_, towards(place));
       const bool known =
-          std::any_of(found_.begin(), found_.end(), [&](const Stop& s) { return distance(s.space, place) < kSame; });
+          std::any_of(found_.begin(), found_.end(), [&](const KeyStop& s) { return distance(s.space, place) < kSame; });
       if (!known && inView(place) && seen.on == Hit::On::Body && distance(seen.point, place) < 0.005)
         found_.push_back({place, {}});
     }
-    std::sort(found_.begin(), found_.end(), [&](const Stop& a, const Stop& b) {
+    std::sort(found_.begin(), found_.end(), [&](const KeyStop& a, const KeyStop& b) {
       const double p = std::round(a.space.y / kRow), q = std::round(b.space.y / kRow);
       return p != q ? p > q : dot(a.space, sight_.right) < dot(b.space, sight_.right);
     });
@@ -119,25 +119,25 @@ class Finder {
         return;
   }
 
-  const Fitting& fitting_;
-  const Table& table_;
+  const GarmentSnapshot& fitting_;
+  const TableLayout& table_;
   PointerSample with_;
-  const Sight& sight_;
-  std::vector<Stop> found_;
+  const Viewpoint& sight_;
+  std::vector<KeyStop> found_;
 };
 
 }  // namespace
 
-std::vector<Stop> stopsOf(const Fitting& fitting, const Table& table, Stops wanted, const PointerSample& with,
-                          const Sight& sight) {
-  Finder finder(fitting, table, with, sight);
+std::vector<KeyStop> keyStopsOf(const GarmentSnapshot& snapshot, const TableLayout& table, KeyStops wanted,
+                                const PointerSample& with, const Viewpoint& viewpoint) {
+  Finder finder(snapshot, table, with, viewpoint);
   switch (wanted) {
-    case Stops::Skin:
+    case KeyStops::Skin:
       return finder.skin();
-    case Stops::Pieces:
+    case KeyStops::Pieces:
       return finder.pieces();
     default:
-      return finder.edges(wanted == Stops::Corners);
+      return finder.edges(wanted == KeyStops::Corners);
   }
 }
 

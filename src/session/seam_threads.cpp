@@ -2,36 +2,36 @@
 #include <algorithm>
 
 #include "karinui/geometry/section.h"
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 
 namespace karinui {
 
 namespace {
 
-std::vector<Vec3> sideInSpace(const Fitting& fitting, const std::vector<EdgeSpan>& side) {
+std::vector<Vec3> sideInSpace(const GarmentSnapshot& snapshot, const std::vector<EdgeSpan>& side) {
   std::vector<Vec3> points;
   for (const EdgeSpan& s : side) {
-    const auto part = edgeInSpace(fitting, {PieceRef(s.piece), s.edge, s.from, s.to});
+    const auto part = edgeInSpace(snapshot, {PieceRef(s.piece), s.edge, s.from, s.to});
     points.insert(points.end(), part.begin(), part.end());
   }
   return points;
 }
 
 // Both sides of a seam, from where it begins to where it ends.
-std::pair<std::vector<Vec3>, std::vector<Vec3>> sidesOf(const Fitting& fitting, const Seam& seam) {
-  auto a = sideInSpace(fitting, seam.a), b = sideInSpace(fitting, seam.b);
+std::pair<std::vector<Vec3>, std::vector<Vec3>> sidesOf(const GarmentSnapshot& snapshot, const Seam& seam) {
+  auto a = sideInSpace(snapshot, seam.a), b = sideInSpace(snapshot, seam.b);
   if (seam.reversed) std::reverse(b.begin(), b.end());
   return {std::move(a), std::move(b)};
 }
 
 }  // namespace
 
-std::vector<SceneLine> threadsOf(const Fitting& fitting) {
+std::vector<SceneLine> threadsOf(const GarmentSnapshot& snapshot) {
   constexpr Colour kThread{0.75f, 0.40f, 0.12f};
   constexpr double kApart = 0.012, kStitch = 0.025;  // metres
   std::vector<SceneLine> lines;
-  for (const auto& [id, seam] : fitting.document.pattern.seams) {
-    const auto [a, b] = sidesOf(fitting, seam);
+  for (const auto& [id, seam] : snapshot.document.pattern.seams) {
+    const auto [a, b] = sidesOf(snapshot, seam);
     if (a.size() < 2 || b.size() < 2) continue;
     const int count = std::clamp(static_cast<int>(lineLength(a, false) / kStitch), 4, 40);
     for (int i = 0; i <= count; ++i) {
@@ -44,11 +44,11 @@ std::vector<SceneLine> threadsOf(const Fitting& fitting) {
   return lines;
 }
 
-std::vector<CrossedSeam> crossedSeams(const Fitting& fitting) {
+std::vector<CrossedSeam> crossedSeams(const GarmentSnapshot& snapshot) {
   constexpr double kApart = 0.02;  // metres: a closed seam crosses nothing
   std::vector<CrossedSeam> crossed;
-  for (const auto& [id, seam] : fitting.document.pattern.seams) {
-    const auto [a, b] = sidesOf(fitting, seam);
+  for (const auto& [id, seam] : snapshot.document.pattern.seams) {
+    const auto [a, b] = sidesOf(snapshot, seam);
     if (a.size() < 2 || b.size() < 2) continue;
     const double straight = distance(a.front(), b.front()) + distance(a.back(), b.back());
     const double turned = distance(a.front(), b.back()) + distance(a.back(), b.front());
@@ -56,7 +56,7 @@ std::vector<CrossedSeam> crossedSeams(const Fitting& fitting) {
     CrossedSeam one{id, (a[a.size() / 2] + b[b.size() / 2]) * 0.5, {}};
     for (const auto* side : {&seam.a, &seam.b}) {
       const EdgeSpan& span = (*side)[side->size() / 2];
-      const Piece* piece = fitting.document.find(span.piece);
+      const Piece* piece = snapshot.document.find(span.piece);
       if (const Edge* edge = piece ? findEdge(*piece, span.edge) : nullptr)
         one.paper.emplace_back(piece->id, edge->curve.atFraction((span.from + span.to) / 2));
     }
@@ -65,7 +65,7 @@ std::vector<CrossedSeam> crossedSeams(const Fitting& fitting) {
   return crossed;
 }
 
-std::optional<SeamId> crossedAt(const std::vector<CrossedSeam>& crossed, const Table& table,
+std::optional<SeamId> crossedAt(const std::vector<CrossedSeam>& crossed, const TableLayout& table,
                                 const PointerSample& sample) {
   for (const CrossedSeam& one : crossed) {
     if (sample.where == PointerSample::Where::Table) {

@@ -6,10 +6,10 @@
 #include <QPushButton>
 
 #include "export_dialog.h"
-#include "look.h"
 #include "main_window.h"
 #include "paper.h"
 #include "picture_dialog.h"
+#include "theme.h"
 
 namespace karinui::studio {
 
@@ -84,9 +84,9 @@ void MainWindow::printOn(QPrinter& printer) {
   const QSizeF paper = printer.pageLayout().fullRect(QPageLayout::Millimeter).size();
   ExportWish wish;
   wish.kind = paper.width() > 1.5 * 297 ? ExportKind::PdfSheet : ExportKind::PdfA4;
-  wish.sheet.language = Look::here().language();
+  wish.sheet.language = Theme::here().language();
   if (const auto stem = session_->path().stem().string(); !stem.empty()) wish.sheet.title = stem;
-  const auto pages = paperOf(session_->fitting(), wish);
+  const auto pages = paperOf(session_->snapshot(), wish);
   const Done done = pages ? printPages(*pages, printer) : Done(pages.error());
   if (!done) tell({Notice::Kind::Refused, done.error().what});
 }

@@ -26,10 +26,10 @@ struct Palette {
   QColor onAccent;  // letters on the accent
 };
 
-class Look : public QObject {
+class Theme : public QObject {
   Q_OBJECT
  public:
-  static Look& here();
+  static Theme& here();
 
   Language language() const { return language_; }
   bool dark() const { return dark_; }
@@ -51,13 +51,13 @@ class Look : public QObject {
   void changed();
 
  private:
-  Look() = default;
+  Theme() = default;
   Language language_ = Language::English;
   QTranslator ofQt_;
   bool dark_ = false, inches_ = false;
 };
 
-inline QString inWords(const Message& message) { return Look::here().say(message); }
+inline QString inWords(const Message& message) { return Theme::here().say(message); }
 QString asLabel(const Message& message);  // with a capital letter
 QString nameText(std::string_view name);  // of a piece, an edge, a line, a mark, a fabric
 // A box that may be narrower than its longest item says what is chosen in its tooltip.

@@ -69,7 +69,7 @@ void SpaceView::mouseMoveEvent(QMouseEvent* event) {
   last_ = event->position();
   if (tape_ && held_ == Held::Nothing) {
     const PointerSample sample = sampleAt(last_, event->modifiers(), PointerSample::Phase::Hover);
-    const FittingPtr fitting = session_.shownPtr();
+    const SnapshotPtr fitting = session_.shownPtr();
     tapeShown_ = tapeAt(*fitting, pick(*fitting, session_.table(), sample));
   }
   switch (held_) {

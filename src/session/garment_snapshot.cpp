@@ -1,4 +1,4 @@
-#include "karinui/session/fitting.h"
+#include "karinui/session/garment_snapshot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,10 +70,11 @@ std::optional<EdgeNear> edgeOnPaper(const Piece& piece, Flat place, const Wanted
   return best;
 }
 
-Hit pickTable(const Fitting& fitting, const Table& table, const PointerSample& sample, const WantedEdge& wanted) {
+Hit pickTable(const GarmentSnapshot& snapshot, const TableLayout& table, const PointerSample& sample,
+              const WantedEdge& wanted) {
   Hit hit;
-  for (auto w = fitting.worn.rbegin(); w != fitting.worn.rend(); ++w) {
-    const Piece* piece = fitting.document.find(w->id);
+  for (auto w = snapshot.worn.rbegin(); w != snapshot.worn.rend(); ++w) {
+    const Piece* piece = snapshot.document.find(w->id);
     if (!piece) continue;
     const Flat paper = sample.place - table.at(w->id);
     auto edge = edgeOnPaper(*piece, paper, wanted);
@@ -92,7 +93,7 @@ Hit pickTable(const Fitting& fitting, const Table& table, const PointerSample& s
     }
   }
   if (hit.on == Hit::On::Cloth)
-    if (const auto at = spaceOf(fitting, hit.piece, hit.paper)) hit.point = *at;
+    if (const auto at = spaceOf(snapshot, hit.piece, hit.paper)) hit.point = *at;
   return hit;
 }
 
@@ -104,12 +105,12 @@ Closest closest(Vec3 tip, Vec3 a, Vec3 b) {
   return {distance(tip, a + side * t), 0, t};
 }
 
-void pickEdge(const Fitting& fitting, const PointerSample& sample, const WantedEdge& wanted, Hit& hit) {
+void pickEdge(const GarmentSnapshot& snapshot, const PointerSample& sample, const WantedEdge& wanted, Hit& hit) {
   constexpr double kBehind = 0.03;  // metres: an edge just behind the first thing met still counts
   double nearest = sample.reach;
-  for (std::size_t k = 0; k < fitting.worn.size(); ++k) {
-    const SceneCloth& cloth = fitting.frame.cloths[k];
-    const Piece* piece = fitting.document.find(fitting.worn[k].id);
+  for (std::size_t k = 0; k < snapshot.worn.size(); ++k) {
+    const SceneCloth& cloth = snapshot.frame.cloths[k];
+    const Piece* piece = snapshot.document.find(snapshot.worn[k].id);
     if (!piece || cloth.outlines.empty()) continue;
     const auto& border = cloth.outlines.front();
     for (std::size_t i = 0; i + 1 < border.size(); ++i) {
@@ -138,29 +139,29 @@ const Bvh& PickingTree::operator*() const {
   return *tree_;
 }
 
-FittingPtr fittingOf(Document document, BodyPtr body) {
-  auto fitting = std::make_shared<Fitting>();
-  fitting->body = std::move(body);
-  Result<SceneFrame> frame = sceneOf(document, fitting->body.get());
+SnapshotPtr snapshotOf(Document document, BodyPtr body) {
+  auto snapshot = std::make_shared<GarmentSnapshot>();
+  snapshot->body = std::move(body);
+  Result<SceneFrame> frame = sceneOf(document, snapshot->body.get());
   if (frame) {
-    fitting->frame = *std::move(frame);
+    snapshot->frame = *std::move(frame);
   } else {
-    fitting->trouble = frame.error().what;
-    fitting->frame = scenePieceByPiece(document, fitting->body.get());
+    snapshot->trouble = frame.error().what;
+    snapshot->frame = scenePieceByPiece(document, snapshot->body.get());
   }
-  auto cloth = fitting->frame.cloths.begin();
+  auto cloth = snapshot->frame.cloths.begin();
   for (const auto& [id, piece] : document.pattern.pieces) {
-    KARINUI_ASSERT(cloth != fitting->frame.cloths.end() && cloth->name == piece->name);
-    fitting->worn.push_back({id, std::make_shared<const PickingTree>(cloth->mesh), piece->outline.flattened(2e-4)});
+    KARINUI_ASSERT(cloth != snapshot->frame.cloths.end() && cloth->name == piece->name);
+    snapshot->worn.push_back({id, std::make_shared<const PickingTree>(cloth->mesh), piece->outline.flattened(2e-4)});
     ++cloth;
   }
-  fitting->document = std::move(document);
-  return fitting;
+  snapshot->document = std::move(document);
+  return snapshot;
 }
 
-void Table::arrange(const Fitting& fitting) {
+void TableLayout::arrange(const GarmentSnapshot& snapshot) {
   constexpr double kGap = 0.04, kWide = 1.1;  // metres
-  std::erase_if(place_, [&](const auto& known) { return !fitting.document.find(known.first); });
+  std::erase_if(place_, [&](const auto& known) { return !snapshot.document.find(known.first); });
   const auto box = [](const Ring& ring) {
     Box b;
     for (const Flat p : ring) b.include({p.u, p.v, 0});
@@ -169,7 +170,7 @@ void Table::arrange(const Fitting& fitting) {
   // Rows from the top downwards; a new piece goes to the end of the last row.
   double right = 0, top = 0, low = 0;
   bool any = false;
-  for (const auto& worn : fitting.worn) {
+  for (const auto& worn : snapshot.worn) {
     const auto at = place_.find(worn.id);
     if (at == place_.end()) continue;
     const Box b = box(worn.ring);
@@ -178,7 +179,7 @@ void Table::arrange(const Fitting& fitting) {
     any = true;
   }
   double rowTop = 0;
-  for (const auto& worn : fitting.worn) {
+  for (const auto& worn : snapshot.worn) {
     const auto at = place_.find(worn.id);
     if (at == place_.end()) continue;
     const Box b = box(worn.ring);
@@ -187,7 +188,7 @@ void Table::arrange(const Fitting& fitting) {
   }
   if (!any) rowTop = 0;
   top = rowTop;
-  for (const auto& worn : fitting.worn) {
+  for (const auto& worn : snapshot.worn) {
     if (place_.contains(worn.id)) continue;
     const Box b = box(worn.ring);
     if (any && right + b.size().x > kWide) {
@@ -201,12 +202,12 @@ void Table::arrange(const Fitting& fitting) {
   }
 }
 
-Flat Table::at(PieceId id) const {
+Flat TableLayout::at(PieceId id) const {
   const auto at = place_.find(id);
   return at == place_.end() ? Flat{} : at->second;
 }
 
-void Table::carry(PieceId id, Flat by) {
+void TableLayout::carry(PieceId id, Flat by) {
   if (const auto at = place_.find(id); at != place_.end()) at->second += by;
 }
 
@@ -229,10 +230,10 @@ std::optional<Met> meet(const Bvh& tree, const PointerSample& sample) {
 
 }  // namespace
 
-Hit pickBody(const Fitting& fitting, const PointerSample& sample) {
+Hit pickBody(const GarmentSnapshot& snapshot, const PointerSample& sample) {
   Hit hit;
-  if (!fitting.body || sample.where != PointerSample::Where::Space) return hit;
-  if (const auto met = meet(fitting.body->bvh(), sample)) {
+  if (!snapshot.body || sample.where != PointerSample::Where::Space) return hit;
+  if (const auto met = meet(snapshot.body->bvh(), sample)) {
     hit.on = Hit::On::Body;
     hit.along = met->along;
     hit.point = met->point;
@@ -243,13 +244,14 @@ Hit pickBody(const Fitting& fitting, const PointerSample& sample) {
 
 namespace {
 
-Hit pickWanted(const Fitting& fitting, const Table& table, const PointerSample& sample, const WantedEdge& wanted) {
-  if (sample.where == PointerSample::Where::Table) return pickTable(fitting, table, sample, wanted);
-  Hit hit = pickBody(fitting, sample);
-  for (std::size_t k = 0; k < fitting.worn.size(); ++k) {
-    const SceneCloth& cloth = fitting.frame.cloths[k];
+Hit pickWanted(const GarmentSnapshot& snapshot, const TableLayout& table, const PointerSample& sample,
+               const WantedEdge& wanted) {
+  if (sample.where == PointerSample::Where::Table) return pickTable(snapshot, table, sample, wanted);
+  Hit hit = pickBody(snapshot, sample);
+  for (std::size_t k = 0; k < snapshot.worn.size(); ++k) {
+    const SceneCloth& cloth = snapshot.frame.cloths[k];
     if (cloth.mesh.faces.empty()) continue;
-    const auto met = meet(**fitting.worn[k].tree, sample);
+    const auto met = meet(**snapshot.worn[k].tree, sample);
     // Cloth that lies on the skin, or a hair within it, is what is seen.
     constexpr double kSkin = 0.004;
     if (!met || (hit.on != Hit::On::Nothing && met->along > hit.along + (hit.on == Hit::On::Body ? kSkin : 0.0)))
@@ -257,27 +259,27 @@ Hit pickWanted(const Fitting& fitting, const Table& table, const PointerSample& 
     hit.on = Hit::On::Cloth;
     hit.along = met->along;
     hit.point = met->point;
-    hit.piece = fitting.worn[k].id;
+    hit.piece = snapshot.worn[k].id;
     hit.paper = {};
     const Triangle& face = cloth.mesh.faces[met->place.face];
     for (std::size_t i = 0; i < 3; ++i) hit.paper += cloth.flat[face[i]] * met->place.weight[i];
   }
-  pickEdge(fitting, sample, wanted, hit);
+  pickEdge(snapshot, sample, wanted, hit);
   return hit;
 }
 
 }  // namespace
 
-Hit pick(const Fitting& fitting, const Table& table, const PointerSample& sample) {
-  return pickWanted(fitting, table, sample, anyEdge);
+Hit pick(const GarmentSnapshot& snapshot, const TableLayout& table, const PointerSample& sample) {
+  return pickWanted(snapshot, table, sample, anyEdge);
 }
-std::optional<EdgeNear> pickEdge(const Fitting& fitting, const Table& table, const PointerSample& sample,
+std::optional<EdgeNear> pickEdge(const GarmentSnapshot& snapshot, const TableLayout& table, const PointerSample& sample,
                                  const WantedEdge& wanted) {
-  return pickWanted(fitting, table, sample, wanted).edge;
+  return pickWanted(snapshot, table, sample, wanted).edge;
 }
 
-std::optional<Vec3> spaceOf(const Fitting& fitting, PieceId id, Flat paper) {
-  const Piece* piece = fitting.document.find(id);
+std::optional<Vec3> spaceOf(const GarmentSnapshot& snapshot, PieceId id, Flat paper) {
+  const Piece* piece = snapshot.document.find(id);
   if (!piece) return std::nullopt;
   return Stand(*piece)(paper);
 }
@@ -293,9 +295,9 @@ SeamId seamAt(const Document& document, const EdgeNear& near) {
   return found;
 }
 
-std::vector<Vec3> edgeInSpace(const Fitting& fitting, const EdgeRef& part) {
+std::vector<Vec3> edgeInSpace(const GarmentSnapshot& snapshot, const EdgeRef& part) {
   std::vector<Vec3> line;
-  const Piece* piece = fitting.document.find(part.piece.id);
+  const Piece* piece = snapshot.document.find(part.piece.id);
   const Edge* edge = piece ? findEdge(*piece, part.edge) : nullptr;
   if (!edge) return line;
   const Stand stand(*piece);

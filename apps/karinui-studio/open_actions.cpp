@@ -16,9 +16,9 @@
 #include <QTabWidget>
 
 #include "drafts.h"
-#include "look.h"
 #include "main_window.h"
 #include "start_page.h"
+#include "theme.h"
 
 namespace karinui::studio {
 

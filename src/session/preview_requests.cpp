@@ -1,0 +1,86 @@
+// The gesture in hand: the preview it requests is made by the worker thread, its result becomes a step.
+#include "session/session_impl.h"
+
+namespace karinui {
+
+void Session::Impl::request(PreviewRequest request) {
+  if (std::holds_alternative<std::monostate>(request)) return;
+  previews.put(std::move(request));
+  requestNext();
+}
+
+void Session::Impl::requestNext() {
+  auto request = previews.next();
+  if (!request) return;
+  interruptSettling();
+  const Gesture* asker = gesture.get();
+  tasks.add(TaskQueue::Kind::Preview, [this, asker, request = *std::move(request)](const Token& token) {
+    PreviewReply reply;
+    SnapshotPtr fresh;
+    if (const auto* pull = std::get_if<PullPreview>(&request)) {
+      if (const auto force = documentWorker->pullTo(*pull, token, fresh))
+        reply.force = *force;
+      else if (force.error().kind != Error::Kind::Cancelled)
+        reply.why = force.error().what;
+    } else {
+      const auto after = documentWorker->after(std::get<OperationPreview>(request).operation, token);
+      if (after)
+        fresh = reply.after = *after;
+      else if (after.error().kind != Error::Kind::Cancelled)
+        reply.why = after.error().what;
+    }
+    return [this, asker, reply, fresh] {
+      previews.answered();
+      if (gesture.get() == asker && gesture->begun()) {
+        gesture->previewed(reply);
+        if (fresh) preview = fresh, ++changes.garment, ++changes.predicted;
+        ++changes.overlay;
+      }
+      requestNext();
+    };
+  });
+}
+
+void Session::Impl::takeResult(GestureResult result, bool begunBefore) {
+  if (result.options) toolOptions = *result.options, ++changes.overlay;
+  if (result.why) tell(result.operation ? Notice::Kind::Advice : Notice::Kind::Refused, *result.why);
+  if (!result.over) return request(std::move(result.request));
+  keyboard.letGo();
+  tasks.cancel(TaskQueue::Kind::Preview);
+  previews.clear();
+  const bool performs = result.operation.has_value();
+  if (performs) {
+    dropMenuSaid.clear();
+    if (const auto menu = gesture->dropMenu(context()))
+      for (const Message& said : menu->title) dropMenuSaid.push_back(text(said));
+    perform(std::move(*result.operation));
+  } else {
+    if (preview && !settlingNow()) preview.reset(), ++changes.garment;
+    if (begunBefore) settleInterrupted();
+  }
+  gesture = gestureFor(tool);
+  ++changes.overlay;
+}
+
+void Session::choose(std::size_t item) {
+  auto& in = *impl_;
+  ++in.changes.overlay;
+  const bool begun = in.gesture->begun();
+  in.takeResult(in.gesture->choose(item, in.context()), begun);
+  if (in.options.wake) in.options.wake();
+}
+
+void Session::Impl::dropGesture() {
+  keyboard.letGo();
+  tasks.cancel(TaskQueue::Kind::Preview);
+  previews.clear();  // what was dropped unanswered must not keep the next gesture from asking
+  tasks.add(TaskQueue::Kind::Preview, [this](const Token&) {
+    documentWorker->letGo();
+    return TaskQueue::Finish();
+  });
+  gesture = gestureFor(tool);
+  if (preview && !settlingNow()) preview.reset(), ++changes.garment;
+  ++changes.overlay;
+}
+
+}  // namespace karinui
