@@ -68,8 +68,8 @@ MainWindow::MainWindow(SessionOptions options) {
   session_ = std::make_unique<Session>(std::move(options));
   session_->setLanguage(Theme::here().language());
 
-  space_ = new SpaceView(*session_, clockwork_);
-  table_ = new PatternView(*session_, clockwork_);
+  space_ = new SpaceView(*session_, latencyLog_);
+  table_ = new PatternView(*session_, latencyLog_);
   auto* split = new QSplitter(Qt::Horizontal);
   split->setHandleWidth(1);
   split->addWidget(space_);
@@ -245,12 +245,12 @@ void MainWindow::refresh() {
     if (*view == Command::ViewAll) table_->showAll();
   }
   if (now.predicted != seen_.predicted) {
-    clockwork_.end("drag to preview");
-    clockwork_.end("release to first drape");
+    latencyLog_.end("drag to preview");
+    latencyLog_.end("release to first drape");
   }
   if (now.settled != seen_.settled) {
-    clockwork_.end("release to first drape");
-    clockwork_.end("release to settled");
+    latencyLog_.end("release to first drape");
+    latencyLog_.end("release to settled");
   }
   if (now.garment != seen_.garment || now.overlay != seen_.overlay) {
     space_->refresh();

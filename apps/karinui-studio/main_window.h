@@ -38,7 +38,7 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }
   SpaceView& space() { return *space_; }
   PatternView& table() { return *table_; }
-  LatencyLog& clockwork() { return clockwork_; }
+  LatencyLog& latencyLog() { return latencyLog_; }
   QAction* action(Command command) const { return actions_.at(command); }
   QTabWidget& boards() { return *boards_; }
   QString said() const;                                           // the last sentence shown
@@ -96,7 +96,7 @@ class MainWindow : public QMainWindow {
   void addPieceOperations(QMenu& menu, const Selection& chosen);
   QString freshPath(const QString& name) const;
 
-  LatencyLog clockwork_;
+  LatencyLog latencyLog_;
   std::unique_ptr<Session> session_;
   QStackedWidget* parts_ = nullptr;
   StartPage* start_ = nullptr;  // null: not shown yet

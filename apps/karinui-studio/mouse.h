@@ -18,11 +18,11 @@ inline void preparePointing(QWidget& view, QSize least) {
 }
 
 inline PointerSample mouseSample(PointerSample::Phase phase, PointerSample::Where where, Qt::KeyboardModifiers keys,
-                                 const LatencyLog& clockwork) {
+                                 const LatencyLog& latencyLog) {
   PointerSample sample;
   sample.phase = phase;
   sample.where = where;
-  sample.seconds = clockwork.now() / 1000;
+  sample.seconds = latencyLog.now() / 1000;
   sample.shift = keys.testFlag(Qt::ShiftModifier);
   sample.control = keys.testFlag(Qt::ControlModifier);
   sample.alt = keys.testFlag(Qt::AltModifier);

@@ -63,8 +63,8 @@ void paintName(QPainter& painter, const QString& name, const QRectF& paper, bool
 
 }  // namespace
 
-PatternView::PatternView(Session& session, LatencyLog& clockwork, QWidget* parent)
-    : QWidget(parent), session_(session), clockwork_(clockwork) {
+PatternView::PatternView(Session& session, LatencyLog& latencyLog, QWidget* parent)
+    : QWidget(parent), session_(session), latencyLog_(latencyLog) {
   preparePointing(*this, {220, 200});
   connect(&Theme::here(), &Theme::changed, this, [this] { update(); });
 }
@@ -301,7 +301,7 @@ void PatternView::paintEvent(QPaintEvent*) {
 }
 
 PointerSample PatternView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const {
-  PointerSample sample = mouseSample(phase, PointerSample::Where::Table, keys, clockwork_);
+  PointerSample sample = mouseSample(phase, PointerSample::Where::Table, keys, latencyLog_);
   sample.place = onTable(at);
   sample.reach = 9 / scale_;
   return sample;

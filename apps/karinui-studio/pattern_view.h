@@ -11,7 +11,7 @@ namespace karinui::studio {
 class PatternView : public QWidget {
   Q_OBJECT
  public:
-  PatternView(Session& session, LatencyLog& clockwork, QWidget* parent = nullptr);
+  PatternView(Session& session, LatencyLog& latencyLog, QWidget* parent = nullptr);
   void showAll();
   void refresh();
   QPointF onScreen(Flat table) const;
@@ -41,7 +41,7 @@ class PatternView : public QWidget {
   void paintPiece(QPainter& painter, const Piece& piece, const Outline& outline, const Preview& preview);
 
   Session& session_;
-  LatencyLog& clockwork_;
+  LatencyLog& latencyLog_;
   double scale_ = 500;  // pixels a metre
   Flat middle_{0.4, -0.3};
   std::size_t piecesShown_ = 0;

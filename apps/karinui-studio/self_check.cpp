@@ -46,12 +46,12 @@ void drag(MainWindow& window, QPointF from, QPointF to, Qt::MouseButton button, 
   mouse(view, QEvent::MouseMove, from, button, Qt::NoButton);
   mouse(view, QEvent::MouseButtonPress, from, button, button);
   for (int i = 1; i <= steps; ++i) {
-    window.clockwork().begin("event to picture");
+    window.latencyLog().begin("event to picture");
     mouse(view, QEvent::MouseMove, from + (to - from) * i / steps, button, button);
     drawn();
   }
-  window.clockwork().begin("release to first drape");
-  window.clockwork().begin("release to settled");
+  window.latencyLog().begin("release to first drape");
+  window.latencyLog().begin("release to settled");
   mouse(view, QEvent::MouseButtonRelease, to, button, Qt::NoButton);
 }
 
@@ -88,7 +88,7 @@ int selfCheck(QApplication&, MainWindow& window) {
   const auto lines = parseScript(kGarment);
   for (const ScriptLine& line : *lines) window.session().perform(line.operation), comeToRest(window);
   if (window.space().trouble()) return 1;
-  LatencyLog& clock = window.clockwork();
+  LatencyLog& clock = window.latencyLog();
   const QSize size = window.space().size();
   const QPointF middle(size.width() / 2.0, size.height() / 2.0);
   drag(window, middle, middle + QPointF(120, 20), Qt::RightButton, 12);

@@ -14,7 +14,7 @@
 namespace karinui::studio {
 
 PointerSample SpaceView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const {
-  PointerSample sample = mouseSample(phase, PointerSample::Where::Space, keys, clockwork_);
+  PointerSample sample = mouseSample(phase, PointerSample::Where::Space, keys, latencyLog_);
   const QSize parts = halves();
   const double w = 1.0 * width() / parts.width(), h = 1.0 * height() / parts.height();
   const double x = std::fmod(at.x(), w), y = std::fmod(at.y(), h);
@@ -32,7 +32,7 @@ bool SpaceView::event(QEvent* event) {
 void SpaceView::keyPressEvent(QKeyEvent* event) {
   const auto stroke = strokeOf(*event);
   if (!stroke) return QOpenGLWidget::keyPressEvent(event);
-  clockwork_.begin("event to picture");
+  latencyLog_.begin("event to picture");
   session_.strike(*stroke, sampleAt({}, event->modifiers(), PointerSample::Phase::Hover));
   refresh();
 }
@@ -53,7 +53,7 @@ void SpaceView::mousePressEvent(QMouseEvent* event) {
   } else if (event->button() == Qt::LeftButton) {
     held_ = Held::Tool;
     toolDown_ = true;
-    clockwork_.begin("event to picture");
+    latencyLog_.begin("event to picture");
     session_.feed(sampleAt(last_, event->modifiers(), PointerSample::Phase::Press));
     refresh();
   }
@@ -86,8 +86,8 @@ void SpaceView::mouseMoveEvent(QMouseEvent* event) {
     default:
       break;
   }
-  clockwork_.begin("event to picture");
-  if (held_ == Held::Tool) clockwork_.begin("drag to preview");
+  latencyLog_.begin("event to picture");
+  if (held_ == Held::Tool) latencyLog_.begin("drag to preview");
   session_.feed(sampleAt(last_, event->modifiers(),
                          held_ == Held::Tool ? PointerSample::Phase::Drag : PointerSample::Phase::Hover));
   refresh();
@@ -96,7 +96,7 @@ void SpaceView::mouseMoveEvent(QMouseEvent* event) {
 void SpaceView::mouseReleaseEvent(QMouseEvent* event) {
   if (toolDown_ && event->button() == Qt::LeftButton) {
     toolDown_ = false;
-    clockwork_.forget("drag to preview");
+    latencyLog_.forget("drag to preview");
     session_.feed(sampleAt(event->position(), event->modifiers(), PointerSample::Phase::Release));
     refresh();
   }

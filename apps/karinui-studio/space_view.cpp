@@ -62,8 +62,8 @@ const std::vector<Message>& stereoNames() {
   return all;
 }
 
-SpaceView::SpaceView(Session& session, LatencyLog& clockwork, QWidget* parent)
-    : QOpenGLWidget(parent), session_(session), clockwork_(clockwork) {
+SpaceView::SpaceView(Session& session, LatencyLog& latencyLog, QWidget* parent)
+    : QOpenGLWidget(parent), session_(session), latencyLog_(latencyLog) {
   preparePointing(*this, {320, 280});
   camera_ = frameAll({}, View::Oblique, 1);
   rest_.setSingleShot(true);
@@ -76,6 +76,10 @@ SpaceView::SpaceView(Session& session, LatencyLog& clockwork, QWidget* parent)
   walk_.setDuration(260);
   walk_.setEasingCurve(QEasingCurve::InOutCubic);
   connect(&Theme::here(), &Theme::changed, this, [this] { update(); });
+  connect(&pressure_, &PressureMap::ready, this, [this] {
+    if (map_ == FitMap::Pressure) garmentShown_ = ~0ull;
+    refresh();
+  });
 }
 
 SpaceView::~SpaceView() {
@@ -265,7 +269,8 @@ void SpaceView::refresh() {
 }
 
 // What the map tells of a fitting: per point of the cloth, or, of pressure, per point of the bared body.
-SpaceView::Mapped SpaceView::mapped(const GarmentSnapshot& fitting) const {
+SpaceView::Mapped SpaceView::mapped(const SnapshotPtr& garment) {
+  const GarmentSnapshot& fitting = *garment;
   Mapped own{fitting.frame, {}};
   if (map_ == FitMap::Ease && fitting.body) {
     for (SceneCloth& cloth : own.frame.cloths) {
@@ -273,12 +278,14 @@ SpaceView::Mapped SpaceView::mapped(const GarmentSnapshot& fitting) const {
       for (float& s : cloth.strain) s = std::max(0.0f, s);
     }
   } else if (map_ == FitMap::Pressure && fitting.body) {
-    Workers alone(1);
-    own.values = pressureOnBody(fitting, alone);
+    // Until the newest is known the one shown last stays, where it is of the same body.
+    const std::size_t points = fitting.body->mesh().points.size();
+    if (const auto known = pressure_.of(garment)) pressureShown_ = known;
+    if (pressureShown_ && pressureShown_->size() == points) own.values = *pressureShown_;
     SceneCloth skin;
     skin.name = "body";
     skin.mesh = fitting.body->mesh();
-    skin.strain = own.values;
+    skin.strain = own.values.empty() ? std::vector<float>(points, -1) : own.values;
     for (float& s : skin.strain)
       if (s < 0) s = std::numeric_limits<float>::quiet_NaN();  // nothing is known where no cloth lies
     skin.colour = SceneBody().colour;
@@ -300,10 +307,11 @@ void SpaceView::showGarment() {
   const bool carried = !preview.carried.empty();
   const std::uint64_t now = session_.changes().garment;
   if (garmentShown_ == now && !carried && (!fine_ || soft_)) return;
-  Mapped own = mapped(*fitting);
+  Mapped own = mapped(fitting);
   SceneFrame& frame = own.frame;
   Mapped then;
-  if (beside()) then = mapped(*beside_.fitting);
+  if (beside()) then = mapped(beside_.fitting);
+  pressure_.keepOnly({fitting, beside_.fitting});
   own.values.insert(own.values.end(), then.values.begin(), then.values.end());
   const double top = map_ == FitMap::None       ? 0
                      : map_ == FitMap::Ease     ? (fitting->body ? kEaseTop : 0)
@@ -415,7 +423,7 @@ void SpaceView::paintGL() {
   stale_ = false;
   compositor_->show(two ? Stereo::SideBySide : stereo ? stereo_ : Stereo::Off, defaultFramebufferObject(), w, h);
   if (quad_) quad_->show(compositor_->textures());
-  clockwork_.end("event to picture");
+  latencyLog_.end("event to picture");
   emit painted();
 }
 

@@ -11,6 +11,7 @@
 #include "karinui/view/camera.h"
 #include "karinui/view/renderer.h"
 #include "mouse.h"
+#include "pressure_map.h"
 
 namespace karinui::studio {
 
@@ -26,7 +27,7 @@ enum class FitMap { None, Strain, Ease, Pressure };
 class SpaceView : public QOpenGLWidget {
   Q_OBJECT
  public:
-  SpaceView(Session& session, LatencyLog& clockwork, QWidget* parent = nullptr);
+  SpaceView(Session& session, LatencyLog& latencyLog, QWidget* parent = nullptr);
   ~SpaceView() override;
 
   void look(View view);           // from a side, all of it in view
@@ -36,6 +37,7 @@ class SpaceView : public QOpenGLWidget {
   Stereo stereo() const { return stereo_; }
   void setMap(FitMap map);
   FitMap map() const { return map_; }
+  bool mapping() const { return pressure_.busy(); }  // the map shown is not yet that of the garment
   double mapTop() const { return mapTop_; }
   // Another state of the garment beside the one that is worked on, on the same scale; null: none.
   void setBeside(SnapshotPtr other, const QString& caption);
@@ -51,7 +53,7 @@ class SpaceView : public QOpenGLWidget {
   QString driver() const { return driver_; }
   const std::optional<Error>& trouble() const { return trouble_; }
   std::optional<QPointF> onScreen(Vec3 place) const;  // for tests and guides
-  bool still() const { return fine_; }
+  bool still() const { return fine_ && !pressure_.busy(); }
   Viewpoint sight() const;
   double freeWidth() const;  // pixels of the view, from its left edge, that the floating bar leaves
   // A small picture of a fitting, for lists and dialogs; empty where nothing can be drawn.
@@ -89,7 +91,7 @@ class SpaceView : public QOpenGLWidget {
     SceneFrame frame;
     std::vector<float> values;
   };
-  Mapped mapped(const GarmentSnapshot& fitting) const;
+  Mapped mapped(const SnapshotPtr& garment);
   void showOverlay();
   Camera lens() const;
   void paintOver(QPainter& painter, double sideways, int width, int height);
@@ -99,7 +101,7 @@ class SpaceView : public QOpenGLWidget {
   QSize halves() const;  // how many pictures across and down
 
   Session& session_;
-  LatencyLog& clockwork_;
+  LatencyLog& latencyLog_;
   Camera camera_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<EyeCompositor> compositor_;
@@ -121,6 +123,8 @@ class SpaceView : public QOpenGLWidget {
   Stereo stereo_ = Stereo::Off;
   double separation_ = 0.063, convergence_ = 1;
   FitMap map_ = FitMap::None;
+  PressureMap pressure_;
+  PressureMap::Values pressureShown_;
   double mapTop_ = 0;
   bool tape_ = false, blender_ = false;
   Tape tapeShown_;

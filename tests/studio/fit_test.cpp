@@ -18,7 +18,10 @@ TEST(StudioFit, ThePressureIsSeenOnTheBody) {
   w.main().boards().setCurrentIndex(3);
   w.rest();
   w.space().setMap(FitMap::Pressure);
+  w.space().grabFramebuffer();
+  EXPECT_TRUE(w.space().mapping()) << "worked out on a thread of its own, the window does not wait";
   w.rest();
+  EXPECT_FALSE(w.space().mapping());
   w.keep("studio_pressure");
   EXPECT_GE(w.space().mapTop(), 100) << "pascals";
   Workers alone(1);
