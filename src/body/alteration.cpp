@@ -227,7 +227,7 @@ class Altering {
 
 }  // namespace
 
-std::string knobOf(std::string_view measurement) {
+std::string parameterOf(std::string_view measurement) {
   if (measurement == "height") return {};  // the finished mesh is scaled to it
   if (measurement == "arm_joint_length") return "arm_length";
   if (measurement == "shoulder_joint_width") return "shoulder_width";

@@ -13,7 +13,7 @@ namespace karinui {
 inline constexpr const char* kThighDepth = "thigh_depth";  // the tops of the legs deeper, as the girth is
 
 using Alteration = std::map<std::string, double>;
-std::string knobOf(std::string_view measurement);  // what alters it; empty: nothing of its own
+std::string parameterOf(std::string_view measurement);  // what alters it; empty: nothing of its own
 
 // What has no amount of its own follows its neighbours: the thigh follows the hip.
 Figure altered(const Figure& drawn, const Alteration& by);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/anthropometry/anthropometry.h"
 #include "body/chart.h"
-#include "body/reading.h"
 #include "karinui/base/hash.h"
 #include "karinui/base/result.h"
 #include "karinui/body/lines.h"
@@ -47,10 +47,10 @@ Result<std::shared_ptr<const Body>> Body::make(Parts parts) {
   if (const Done closed = DistanceField::buildable(parts.mesh, {}); !closed) return closed.error();
   Bvh bvh(parts.mesh);
   if (!parts.chart || parts.measured.value.empty() || parts.landmarks.empty()) {
-    const Reading reading = readBody(parts.mesh);
-    if (!parts.chart) parts.chart = chartOf(reading);
+    const Anthropometry measured = anthropometryOf(parts.mesh);
+    if (!parts.chart) parts.chart = chartOf(measured);
     if (parts.measured.value.empty()) parts.measured = measure(parts.mesh, bvh);
-    if (parts.landmarks.empty()) parts.landmarks = reading.landmark;
+    if (parts.landmarks.empty()) parts.landmarks = measured.landmark;
   }
   for (auto& [name, place] : parts.landmarks)  // landmarks lie on the skin
     if (const auto near = bvh.nearest(place); near && near->distance > kOnSkin) place = near->point;

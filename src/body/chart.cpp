@@ -21,11 +21,11 @@ struct Marks {  // what a chart is made from
          chin = 0, crown = 0;
   double hipZ = 0, waistZ = 0, bustZ = 0, shoulderZ = 0, neckZ = 0, headZ = 0;
   double middle = 0;
-  std::array<LimbLine, 2> arm, leg;
+  std::array<LimbAxis, 2> arm, leg;
   std::array<Vec3, 2> armpitPlace;
 };
 
-std::vector<Level> armLevels(const LimbLine& arm, Vec3 armpit, double side, double height) {
+std::vector<Level> armLevels(const LimbAxis& arm, Vec3 armpit, double side, double height) {
   const Vec3 upper = normalized(arm.middle - arm.top), fore = normalized(arm.end - arm.middle),
              hand = normalized(arm.tip - arm.end);
   const Vec3 rise = normalized(Vec3{arm.top.x * 0.985, arm.top.y + 0.05, 0} - Vec3{armpit.x, armpit.y, 0});
@@ -62,7 +62,7 @@ std::shared_ptr<const Template> chartOf(const Marks& m) {
   }
   for (const int side : {0, 1}) {
     chart->level[1 + side] = armLevels(m.arm[side], m.armpitPlace[side], side ? -1 : 1, m.height);
-    const LimbLine& leg = m.leg[side];
+    const LimbAxis& leg = m.leg[side];
     const auto axis = [&](double y) {
       return y >= leg.middle.y ? lerp(leg.middle, leg.top, (y - leg.middle.y) / (leg.top.y - leg.middle.y))
                                : lerp(leg.end, leg.middle, (y - leg.end.y) / (leg.middle.y - leg.end.y));
@@ -75,7 +75,7 @@ std::shared_ptr<const Template> chartOf(const Marks& m) {
   return chart;
 }
 
-LimbLine mirrored(LimbLine line) {
+LimbAxis mirrored(LimbAxis line) {
   for (Vec3* p : {&line.top, &line.middle, &line.end, &line.tip}) p->x = -p->x;
   return line;
 }
@@ -170,7 +170,7 @@ std::shared_ptr<const Template> templateFrom(std::span<const double> numbers) {
   return chart;
 }
 
-std::shared_ptr<const Template> chartOf(const Figure& figure, const Reading& reading) {
+std::shared_ptr<const Template> chartOf(const Figure& figure, const Anthropometry& measured) {
   const Joints& at = figure.at;
   const auto torso = torsoSections(figure);
   const auto depth = [&](double y) {
@@ -185,8 +185,8 @@ std::shared_ptr<const Template> chartOf(const Figure& figure, const Reading& rea
   m.height = m.crown = at.crown;
   // The levels are those the tape finds on the finished mesh; where it found none, those of the drawing.
   const auto level = [&](const char* key, double drawn) {
-    const auto it = reading.value.find(key);
-    return it == reading.value.end() ? drawn : it->second;
+    const auto it = measured.value.find(key);
+    return it == measured.value.end() ? drawn : it->second;
   };
   m.crotch = level("crotch_height", at.crotch), m.waist = level("waist_height", at.waist);
   m.bust = level("bust_height", at.bust);
@@ -215,16 +215,16 @@ std::shared_ptr<const Template> chartOf(const Figure& figure, const Reading& rea
   return chartOf(m);
 }
 
-std::shared_ptr<const Template> chartOf(const Reading& reading) {
+std::shared_ptr<const Template> chartOf(const Anthropometry& measured) {
   const auto value = [&](const char* key) {
-    const auto it = reading.value.find(key);
-    return it == reading.value.end() ? -1.0 : it->second;
+    const auto it = measured.value.find(key);
+    return it == measured.value.end() ? -1.0 : it->second;
   };
-  const auto& l = reading.landmark;
+  const auto& l = measured.landmark;
   for (const char* key : {"height", "crotch_height", "waist_height", "bust_height", "armpit_height"})
     if (value(key) <= 0) return nullptr;
   for (const int side : {0, 1})
-    if (!reading.arm[side] || !reading.leg[side]) return nullptr;
+    if (!measured.arm[side] || !measured.leg[side]) return nullptr;
   for (const char* key : {"waist_front", "waist_back", "hip_front", "hip_back", "armpit_left", "armpit_right",
                           "neck_front", "neck_back", "under_bust_front", "under_bust_back"})
     if (!l.contains(key)) return nullptr;
@@ -237,7 +237,7 @@ std::shared_ptr<const Template> chartOf(const Reading& reading) {
   m.armpit = floor + value("armpit_height");
   m.bust = std::min(floor + value("bust_height"), m.armpit - 0.012 * m.height);
   m.underBust = std::max(m.bust - 0.045 * m.height, std::lerp(m.waist, m.bust, 0.3));
-  m.shoulder = (reading.arm[0]->top.y + reading.arm[1]->top.y) / 2;
+  m.shoulder = (measured.arm[0]->top.y + measured.arm[1]->top.y) / 2;
   m.neckBase = (l.at("neck_front").y + l.at("neck_back").y) / 2;
   m.neck = m.neckBase + 0.022 * m.height, m.chin = m.neckBase + 0.063 * m.height;
   m.middle = l.at("waist_front").x;
@@ -246,8 +246,8 @@ std::shared_ptr<const Template> chartOf(const Reading& reading) {
   m.shoulderZ = m.bustZ;
   m.neckZ = m.headZ = middleOf("neck_front", "neck_back");
   for (const int side : {0, 1}) {
-    m.arm[side] = *reading.arm[side];
-    m.leg[side] = *reading.leg[side];
+    m.arm[side] = *measured.arm[side];
+    m.leg[side] = *measured.leg[side];
     m.armpitPlace[side] = l.at(side ? "armpit_right" : "armpit_left");
   }
   return chartOf(m);

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "body/anthropometry/anthropometry.h"
 #include "body/figure.h"
-#include "body/reading.h"
 #include "karinui/body/body.h"
 
 namespace karinui {
@@ -30,8 +30,8 @@ struct Body::Parts::Template {
   std::vector<double> alongOf(BodyPoint::Part part, Vec3 place) const;
 };
 
-std::shared_ptr<const Body::Parts::Template> chartOf(const Figure& figure, const Reading& reading);
-std::shared_ptr<const Body::Parts::Template> chartOf(const Reading& reading);  // null: not enough was found
+std::shared_ptr<const Body::Parts::Template> chartOf(const Figure& figure, const Anthropometry& measured);
+std::shared_ptr<const Body::Parts::Template> chartOf(const Anthropometry& measured);  // null: not enough was found
 
 // Height, then each part's levels as centre and normal; and back, null where the numbers cannot be those of a chart.
 std::vector<double> numbersOf(const Body::Parts::Template& chart);

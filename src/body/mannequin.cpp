@@ -1,10 +1,10 @@
-// From measurements to a finished mannequin: draw the figure, polygonise, lay the tape, take in or let out, repeat.
+// From measurements to a finished mannequin: draw the figure, polygonise, measure, alter, repeat.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "body/chart.h"
-#include "body/fitting.h"
+#include "body/figure_solver.h"
 #include "body/polygonise.h"
 #include "body/section_model.h"
 #include "karinui/base/number.h"
@@ -17,7 +17,7 @@ namespace {
 constexpr double kCoarse = 0.014, kFine = 0.011;  // grid cells, metres
 constexpr double kTriangles = 36000;              // at about this many a body is fine enough
 constexpr int kCoarseRounds = 30, kFineRounds = 10;
-constexpr double kNear = 0.6, kGood = 0.4;  // shares of the allowed miss at which a search has done enough
+constexpr double kNear = 0.6, kGood = 0.4;  // worst residuals, in tolerances, at which the solver may stop
 constexpr double kHopeless = 6;             // and at which a finer grid, which moves the tape by 1 or 2, cannot help
 constexpr double kShifts[] = {0, 0.31, 0.57, 0.13, 0.77, 0.43};
 
@@ -40,9 +40,9 @@ Message inWords(std::string_view key, double value) {
   return isAngle(key) ? say("{0}°", fixed(value * 180 / std::numbers::pi, 0)) : say("{0} cm", fixed(value * 100, 1));
 }
 
-// What is aimed at: everything stated, and what follows from it for the rest of the torso.
-std::vector<Aim> aimsFor(const Measurements& stated, const Measurements& complete, const SectionModel& model,
-                         const Joints& drawn) {
+// The targets: everything stated, and what follows from it for the rest of the torso.
+std::vector<Target> targetsFor(const Measurements& stated, const Measurements& complete, const SectionModel& model,
+                               const Joints& drawn) {
   std::map<std::string, double> follows = {{"waist_height", drawn.waist}, {"crotch_height", drawn.crotch}};
   for (const char* key : {"bust_girth", "waist_girth", "hip_girth"}) follows[key] = complete.value.at(key);
   const auto usual = model.usual(complete);
@@ -51,29 +51,29 @@ std::vector<Aim> aimsFor(const Measurements& stated, const Measurements& complet
     follows["bust_height"] = drawn.bust;
     follows["under_bust_girth"] = complete.value.at("under_bust_girth");
   }
-  std::vector<Aim> aims;
+  std::vector<Target> targets;
   for (const auto& [key, value] : stated.value)
-    if (key != "height") aims.push_back({key, value, true});
+    if (key != "height") targets.push_back({key, value, true});
   for (const auto& [key, value] : follows)
-    if (!stated.value.contains(key)) aims.push_back({key, value, false});
-  return aims;
+    if (!stated.value.contains(key)) targets.push_back({key, value, false});
+  return targets;
 }
 
 Error unsound() { return refused(say("No sound body could be made from these measurements; leave some out.")); }
 
-Error unmet(const FigureFitting& fitting, const Reading& reading) {
-  Miss worst;
-  const auto all = misses(fitting.aims(), reading);
+Error unmet(const FigureSolver& solver, const Anthropometry& measured) {
+  Residual worst;
+  const auto all = residuals(solver.targets(), measured);
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (fitting.aims()[i].stated && all[i].share > worst.share) worst = all[i];
+    if (solver.targets()[i].stated && all[i].relative > worst.relative) worst = all[i];
   if (worst.key.empty()) return unsound();
-  const std::string other = fitting.quarrelsWith(worst.key);
+  const std::string other = solver.conflictsWith(worst.key);
   if (other.empty())
     return refused(
         say("No body could be made with {0} {1} beside the other measurements; the nearest has {2}. Change it or leave "
             "it out.",
             worst.key, inWords(worst.key, worst.wanted), inWords(worst.key, worst.got)));
-  const auto its = std::find_if(all.begin(), all.end(), [&](const Miss& miss) { return miss.key == other; });
+  const auto its = std::find_if(all.begin(), all.end(), [&](const Residual& r) { return r.key == other; });
   const Message wanted = inWords(worst.key, worst.wanted), had = inWords(other, its->wanted),
                 limit = inWords(worst.key, worst.got);
   return worst.got < worst.wanted
@@ -103,49 +103,49 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
         inWords("height", complete.value.at("height"))));
   const double height = complete.value.at("height");
   const Figure drawn = model.draw(complete);
-  FigureFitting fitting(aimsFor(wanted, complete, model, drawn.at));
+  FigureSolver solver(targetsFor(wanted, complete, model, drawn.at));
 
   struct {
     TriangleMesh mesh;
     Figure figure;
-    Reading reading;
+    Anthropometry measured;
   } now;
   double cell = kCoarse, shift = 0;
   int polish = 2, tries = 0;
-  const FigureFitting::Wear wear = [&](const Alteration& by) -> std::optional<Reading> {
+  const FigureSolver::Evaluate evaluate = [&](const Alteration& by) -> std::optional<Anthropometry> {
     if (token.cancelled()) return std::nullopt;
-    token.progress(0.95 * (1 - std::exp(-0.06 * ++tries)), say("Fitting the mannequin"));
+    token.progress(0.95 * (1 - std::exp(-0.06 * ++tries)), say("Making the mannequin"));
     now.figure = altered(drawn, by);
     now.mesh = polygonise(fieldOf(now.figure, cell * (1 + 0.07 * shift), shift, workers), polish, workers);
     if (now.mesh.faces.empty()) return std::nullopt;
     stand(now.mesh, height);
-    now.reading = readBody(now.mesh);
-    return now.reading;
+    now.measured = anthropometryOf(now.mesh);
+    return now.measured;
   };
-  const double far = fitting.search(wear, kCoarseRounds, kNear, 3);
+  const double far = solver.solve(evaluate, kCoarseRounds, kNear, 3);
   if (token.cancelled()) return cancelled();
   const auto none = [&] { return token.cancelled() ? cancelled() : unsound(); };
-  if (far > kHopeless) return wear(fitting.alteration()) ? unmet(fitting, now.reading) : none();
+  if (far > kHopeless) return evaluate(solver.alteration()) ? unmet(solver, now.measured) : none();
   cell = std::max(kFine, kCoarse * std::sqrt(static_cast<double>(now.mesh.faces.size()) / kTriangles));
   polish = 4;
   bool met = false;
   for (const double other : kShifts) {  // an awkward meeting of grid and surface: another grid
     shift = other;
-    fitting.search(wear, kFineRounds, kGood, far > 1 && far < 3 ? 1 : 0);
+    solver.solve(evaluate, kFineRounds, kGood, far > 1 && far < 3 ? 1 : 0);
     if (token.cancelled()) return cancelled();
-    if (!wear(fitting.alteration())) return none();
-    met = worstShare(fitting.aims(), now.reading, true) <= 1;
+    if (!evaluate(solver.alteration())) return none();
+    met = worstResidual(solver.targets(), now.measured, true) <= 1;
     if (met && sound(now.mesh)) break;
-    if (!met) return unmet(fitting, now.reading);
+    if (!met) return unmet(solver, now.measured);
     met = false;
   }
   if (!met) return unsound();
 
   Body::Parts parts;
   parts.name = "mannequin";
-  parts.measured = {wanted.sex, now.reading.value};
-  parts.landmarks = now.reading.landmark;
-  parts.chart = chartOf(now.figure, now.reading);
+  parts.measured = {wanted.sex, now.measured.value};
+  parts.landmarks = now.measured.landmark;
+  parts.chart = chartOf(now.figure, now.measured);
   parts.mesh = std::move(now.mesh);
   return Body::make(std::move(parts));
 }

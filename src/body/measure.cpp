@@ -1,12 +1,12 @@
-#include "body/reading.h"
+#include "body/anthropometry/anthropometry.h"
 #include "karinui/body/body.h"
 
 namespace karinui {
 
 Measurements measure(const TriangleMesh& mesh, const Bvh&) {
   Measurements out;
-  const Reading reading = readBody(mesh);
-  out.value = reading.value;
+  const Anthropometry measured = anthropometryOf(mesh);
+  out.value = measured.value;
   const auto bust = out.value.find("bust_girth"), under = out.value.find("under_bust_girth");
   if (bust != out.value.end() && under != out.value.end())
     out.sex = (bust->second - under->second) / out.value["height"] > 0.055 ? Sex::Female : Sex::Male;

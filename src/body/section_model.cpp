@@ -101,7 +101,7 @@ Measurements SectionModel::completed(const Measurements& stated) const {
   auto& value = out.value;
   const std::size_t girths = keys_.size() - 1;
   if (!value.contains("height")) {
-    // A height that fits the stated heights and lengths: each is taken as its usual share of the body.
+    // A height that goes with the stated heights and lengths: each is taken as its usual share of the body.
     static constexpr std::pair<const char*, double> kShares[] = {
         {"crotch_height", 0.475}, {"waist_height", 0.635}, {"armpit_height", 0.756}, {"bust_height", 0.732}};
     double sum = 0, count = 0;

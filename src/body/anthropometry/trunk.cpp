@@ -1,0 +1,229 @@
+// Crotch, armpit, and the girths of the trunk from hip to bust.
+#include <numbers>
+
+#include "body/anthropometry/extremum.h"
+#include "body/anthropometry/survey.h"
+
+namespace karinui {
+
+namespace {
+
+// --- Crotch: the lowest level at which one contour reaches across the plane of symmetry
+constexpr double kSurelyTrunk = 0.58, kLowestCrotch = 0.25, kCrotchStep = 0.01;
+constexpr double kWidth = 0.05;  // narrower contours in the middle are no trunk
+constexpr int kCrotchHalvings = 12;
+
+// --- Armpit: the highest level at which trunk and arms are three contours
+constexpr double kArmpitFrom = 0.70, kArmpitLowest = 0.60, kArmpitHighest = 0.86;
+constexpr double kArmpitDown = 0.01, kArmpitUp = 0.005;
+constexpr double kPartLine = 0.07;  // shorter contours are fingers, or slivers
+constexpr int kArmpitHalvings = 10;
+constexpr double kGapBelow = 0.006;    // the gap between arm and trunk is taken this far below the armpit
+constexpr double kTrunkCentre = 0.03;  // the trunk's centre lies no farther from the plane of symmetry
+
+// --- Hip: the tape takes both thighs together, without the hands beside them
+constexpr double kHipReach = 0.12;                // of a contour's centre from the plane of symmetry
+constexpr double kHipLine = 0.08;                 // shorter contours are hands
+constexpr double kHipFrom = 0.01, kHipTo = 0.20;  // metres above the crotch
+constexpr int kHipSamples = 20;
+
+// --- Bust
+constexpr double kUnderArmpit = 0.003;      // metres: no tape nearer to the armpit
+constexpr double kBustPointsBelow = 0.055;  // below the armpit
+constexpr double kBustPointOut = 0.028;     // a bust point lies farther out than the breastbone
+constexpr double kBustReach = 0.012;        // of the tape's level from that of the bust points
+constexpr int kBustPointSamples = 14, kBustSamples = 13;
+constexpr double kChestFrom = 0.72;  // of the way from the crotch to the armpit
+constexpr int kChestSamples = 22;
+constexpr double kUnderBust = 0.075;                      // metres below the bust
+constexpr double kFlat = 0.040, kFullBeyondFlat = 0.030;  // bust less under-bust girth: a flat chest; a full bust
+constexpr double kBustPointSide = 0.02;                   // metres from the plane of symmetry
+
+// --- Waist
+constexpr double kWaistAboveCrotch = 0.10, kWaistAboveHip = 0.05, kWaistRoom = 0.16;  // metres
+constexpr double kRibs = 0.065;  // below the bust: no waist is sought above, ribs may be slimmer
+constexpr int kWaistSamples = 28;
+
+bool legsMeet(const Survey& body, double y) {
+  for (const SectionLoop& contour : body.slices.section(y)) {
+    const Interval e = widthOf(contour);
+    if (e.low < body.middle && e.high > body.middle && e.high - e.low > kWidth * body.stature) return true;
+  }
+  return false;
+}
+
+int countParts(const Survey& body, double y) {
+  int count = 0;
+  for (const SectionLoop& contour : body.slices.section(y))
+    count += lineLength(contour.points, true) > kPartLine * body.stature;
+  return count;
+}
+
+std::optional<SectionLoop> trunkContour(const Survey& body, double y) {
+  std::optional<SectionLoop> best;
+  double most = 0;
+  for (SectionLoop& contour : body.slices.section(y)) {
+    const Interval e = widthOf(contour);
+    const double line = lineLength(contour.points, true);
+    if (e.low < body.middle && e.high > body.middle && line > most) most = line, best = std::move(contour);
+  }
+  return best;
+}
+
+double trunkGirth(const Survey& body, double y) {
+  const auto contour = trunkContour(body, y);
+  return contour ? tightTapeLength(contour->points, {0, 1, 0}) : 0;
+}
+
+double hipGirth(const Survey& body, double y) {
+  std::vector<Vec3> points;
+  for (const SectionLoop& contour : body.slices.section(y))
+    if (std::abs(contourCentre(contour).x - body.middle) < kHipReach * body.stature &&
+        lineLength(contour.points, true) > kHipLine * body.stature)
+      points.insert(points.end(), contour.points.begin(), contour.points.end());
+  return points.size() < 3 ? 0 : tightTapeLength(points, {0, 1, 0});
+}
+
+double foremostBust(const Survey& body, double y) {
+  double most = -1;
+  if (const auto contour = trunkContour(body, y))
+    for (const Vec3& p : contour->points)
+      if (std::abs(p.x - body.middle) > kBustPointOut * body.stature) most = std::max(most, p.z);
+  return most;
+}
+
+// Where a ray from the middle of the trunk leaves it; t runs from the front to the left.
+Vec3 onTrunk(const Survey& body, double y, double t) {
+  const auto contour = trunkContour(body, y);
+  if (!contour) return {body.middle, y, 0};
+  const Vec3 c = contourCentre(*contour), d{std::sin(t), 0, std::cos(t)}, n{d.z, 0, -d.x};
+  const Vec3 origin{body.middle, c.y, c.z};
+  Vec3 best = c;
+  double far = 0;
+  for (std::size_t i = 0; i < contour->points.size(); ++i) {
+    const Vec3 a = contour->points[i] - origin, b = contour->points[(i + 1) % contour->points.size()] - origin;
+    const double sa = dot(a, n), sb = dot(b, n);
+    if ((sa > 0) == (sb > 0)) continue;
+    const Vec3 p = lerp(a, b, sa / (sa - sb));
+    if (dot(p, d) > far) far = dot(p, d), best = p + origin;
+  }
+  return best;
+}
+
+// A woman's bust is taken around the bust points, so that a full arm does not draw the tape up into the armpit; a man's
+// chest where it is widest, which may be right under the armpit. How much a bust stands out says which it is.
+GirthLevel measureBust(Survey& body) {
+  const auto girth = [&](double y) { return trunkGirth(body, y); };
+  const double highest = body.armpit - kUnderArmpit, reach = kBustReach * body.stature;
+  const GirthLevel points = extremum(Extremum::Largest, body.armpit - kBustPointsBelow * body.stature, highest,
+                                     kBustPointSamples, [&](double y) { return 1 + foremostBust(body, y); });
+  const GirthLevel bust =
+      plateauExtremum(Extremum::Largest, points.y - reach, std::min(highest, points.y + reach), kBustSamples, girth);
+  body.bosom =
+      std::clamp(((bust.girth - girth(bust.y - kUnderBust)) / body.stature - kFlat) / kFullBeyondFlat, 0.0, 1.0);
+  if (body.bosom >= 0.5) return bust;
+  return extremum(Extremum::Largest, body.crotch + kChestFrom * (body.armpit - body.crotch), highest, kChestSamples,
+                  girth);
+}
+
+void markBustPoints(Survey& body, double y) {
+  const auto contour = trunkContour(body, y);
+  if (!contour) return;
+  for (const int side : {0, 1}) {
+    Vec3 best{0, 0, -1e9};  // the foremost on each side
+    for (const Vec3& p : contour->points)
+      if ((side ? body.middle - p.x : p.x - body.middle) > kBustPointSide && p.z > best.z) best = p;
+    body.found.landmark[sided("bust", side)] = best;
+  }
+  body.set("bust_span", distance(body.found.landmark["bust_left"], body.found.landmark["bust_right"]));
+}
+
+}  // namespace
+
+bool findCrotch(Survey& body) {
+  double high = body.floor + kSurelyTrunk * body.stature, low = high;
+  if (!legsMeet(body, high)) return false;
+  while (legsMeet(body, low)) {
+    high = low;
+    low -= kCrotchStep * body.stature;
+    if (low < body.floor + kLowestCrotch * body.stature) return false;
+  }
+  for (int i = 0; i < kCrotchHalvings; ++i) {
+    const double y = (low + high) / 2;
+    (legsMeet(body, y) ? high : low) = y;
+  }
+  body.crotch = high;
+  body.set("crotch_height", body.aboveFloor(high));
+  return true;
+}
+
+bool findArmpit(Survey& body) {
+  double low = body.floor + kArmpitFrom * body.stature;
+  while (countParts(body, low) < 3 && low > body.floor + kArmpitLowest * body.stature)
+    low -= kArmpitDown * body.stature;
+  if (countParts(body, low) < 3) return false;
+  double high = low;
+  while (countParts(body, high) >= 3) {
+    low = high;
+    high += kArmpitUp * body.stature;
+    if (high > body.floor + kArmpitHighest * body.stature) return false;
+  }
+  for (int i = 0; i < kArmpitHalvings; ++i) {
+    const double y = (low + high) / 2;
+    (countParts(body, y) >= 3 ? low : high) = y;
+  }
+  body.armpit = low;
+  body.set("armpit_height", body.aboveFloor(low));
+  return true;
+}
+
+void measureTrunk(Survey& body) {
+  const auto girth = [&](double y) { return trunkGirth(body, y); };
+  const GirthLevel hip = extremum(Extremum::Largest, body.crotch + kHipFrom, body.crotch + kHipTo, kHipSamples,
+                                  [&](double y) { return hipGirth(body, y); });
+  const GirthLevel bust = measureBust(body);
+  const GirthLevel waist =
+      plateauExtremum(Extremum::Smallest, std::max(body.crotch + kWaistAboveCrotch, hip.y + kWaistAboveHip),
+                      std::max(bust.y - kRibs * body.stature, body.crotch + kWaistRoom), kWaistSamples, girth);
+  const double underBust = bust.y - kUnderBust, highHip = (body.crotch + waist.y) / 2;
+  body.waist = waist.y;
+  const struct {
+    const char *girthKey, *heightKey;
+    GirthLevel at;
+  } levels[] = {{"hip_girth", "hip_height", hip},
+                {"high_hip_girth", "high_hip_height", {hipGirth(body, highHip), highHip}},
+                {"waist_girth", "waist_height", waist},
+                {"under_bust_girth", "under_bust_height", {girth(underBust), underBust}},
+                {"bust_girth", "bust_height", bust}};
+  for (const auto& level : levels) {
+    body.set(level.girthKey, level.at.girth);
+    body.set(level.heightKey, body.aboveFloor(level.at.y));
+  }
+  body.set("waist_to_hip_length", waist.y - hip.y);
+
+  body.found.landmark["crotch"] = onTrunk(body, body.crotch + 0.002, 0);
+  static constexpr const char* kQuarters[] = {"_front", "_left", "_back", "_right"};
+  for (const auto& [name, y] : {std::pair{"waist", waist.y}, {"hip", hip.y}, {"under_bust", underBust}})
+    for (int i = 0; i < 4; ++i)
+      body.found.landmark[std::string(name) + kQuarters[i]] = onTrunk(body, y, i * std::numbers::pi / 2);
+  markBustPoints(body, bust.y);
+}
+
+double armpitGap(const Survey& body, int side) {
+  const double sign = outward(side);
+  Interval gap{0, 1e9};
+  for (const SectionLoop& contour : body.slices.section(body.armpit - kGapBelow * body.stature)) {
+    if (lineLength(contour.points, true) < kPartLine * body.stature) continue;
+    const double centre = contourCentre(contour).x - body.middle;
+    for (const Vec3& p : contour.points) {
+      const double x = sign * (p.x - body.middle);
+      if (std::abs(centre) < kTrunkCentre * body.stature)
+        gap.low = std::max(gap.low, x);
+      else if (sign * centre > 0)
+        gap.high = std::min(gap.high, x);
+    }
+  }
+  return (gap.low + gap.high) / 2;
+}
+
+}  // namespace karinui
