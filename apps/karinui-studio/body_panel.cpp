@@ -30,7 +30,8 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
     const int was = size_->currentIndex();
     size_->clear();
     size_->addItem(inWords(say("by measurements only")));
-    for (const std::string_view s : builtInSizes()) size_->addItem(inWords(*termSaid(Term::Size, s)));
+    for (const std::string_view s : builtInSizes())
+      size_->addItem(inWords(termSaid(Term::Size, s).value_or(say("{0}", s))));
     size_->setCurrentIndex(std::max(0, was));
   });
   size_->setCurrentIndex(1);
@@ -53,7 +54,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   const auto keys = mannequinKeys();
   for (const char* key : kAsked) {
     if (std::find(keys.begin(), keys.end(), std::string_view(key)) == keys.end()) continue;
-    const Message name = *termSaid(Term::Measure, key);
+    const Message name = termSaid(Term::Measure, key).value_or(say("{0}", key));
     auto* row = new MeasureRow(name);
     form->addRow(word(name), row);
     connect(row, &MeasureRow::turned, this, [this] {

@@ -1,0 +1,31 @@
+#pragma once
+// The tables of the glossary, one for each kind of term, each in the order of its identifiers. Built on first need; any
+// thread.
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "karinui/base/message.h"
+
+namespace karinui {
+
+struct NamedTerm {
+  std::string_view identifier;
+  Message name;
+};
+using TermTable = std::span<const NamedTerm>;
+
+TermTable measureTerms();
+TermTable landmarkTerms();
+TermTable partTerms();
+TermTable levelTerms();
+TermTable sizeTerms();
+
+TermTable operationTerms();
+TermTable fieldTerms();
+TermTable valueTerms();
+
+TermTable fabricTerms();
+TermTable wordTerms();
+
+}  // namespace karinui
