@@ -3,32 +3,12 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "geometry/shapes.h"
 #include "karinui/body/body.h"
 
 namespace karinui {
 namespace {
-
-TriangleMesh readObj(const std::string& file) {
-  TriangleMesh mesh;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string kind;
-    words >> kind;
-    if (kind == "v") {
-      Vec3 p;
-      words >> p.x >> p.y >> p.z;
-      mesh.points.push_back(p);
-    } else if (kind == "f") {
-      std::vector<std::uint32_t> corner;
-      for (std::string word; words >> word;) corner.push_back(static_cast<std::uint32_t>(std::stoul(word)) - 1);
-      for (std::size_t i = 1; i + 1 < corner.size(); ++i) mesh.faces.push_back({corner[0], corner[i], corner[i + 1]});
-    }
-  }
-  return mesh;
-}
 
 class KnownBodies : public testing::TestWithParam<const char*> {};
 
@@ -37,7 +17,7 @@ TEST_P(KnownBodies, EveryMeasuredValueIsMetWithinHalfACentimetre) {
   if (!std::filesystem::exists(base + ".json")) GTEST_SKIP() << "the shared bodies are not here";
   std::ifstream in(base + ".json");
   const auto known = nlohmann::json::parse(in).at("measured_cm");
-  const TriangleMesh mesh = readObj(base + ".obj");
+  const TriangleMesh mesh = test::readPlainObj(base + ".obj");
   const Bvh bvh(mesh);
   const Measurements measured = measure(mesh, bvh);
   for (const auto& [name, centimetres] : known.items()) {
@@ -62,7 +42,7 @@ TEST(Measure, AnImportedBodyHasAChartOfItsOwn) {
   Workers workers(1);
   const Token token;
   Body::Parts parts;
-  parts.mesh = readObj(file);
+  parts.mesh = test::readPlainObj(file);
   const auto body = Body::make(std::move(parts));
   ASSERT_TRUE(body);
   const auto waist = (*body)->find(parseBodyPoint("torso:waist@0.25").value());

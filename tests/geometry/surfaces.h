@@ -1,13 +1,12 @@
 #pragma once
 // Surfaces with known answers, and bodies from the shared folder where it is there.
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 
+#include "geometry/shapes.h"
 #include "karinui/geometry/bvh.h"
 #include "karinui/geometry/geodesic.h"
 #include "karinui/geometry/mesh.h"
@@ -68,24 +67,8 @@ inline TriangleMesh ball(int round, int up, double radius) {  // closed
 inline SurfacePoint nearest(const Bvh& bvh, Vec3 p) { return bvh.nearest(p)->place; }
 
 inline std::optional<TriangleMesh> sharedBody(const std::string& name) {
-  std::ifstream in(std::string(KARINUI_SHARED_DIR) + "/bodies/" + name + ".obj");
-  if (!in) return std::nullopt;
-  TriangleMesh mesh;
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string word;
-    words >> word;
-    if (word == "v") {
-      Vec3 p;
-      words >> p.x >> p.y >> p.z;
-      mesh.points.push_back(p);
-    } else if (word == "f") {
-      std::vector<std::uint32_t> corners;
-      while (words >> word) corners.push_back(static_cast<std::uint32_t>(std::stoul(word)) - 1);
-      for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-        mesh.faces.push_back({corners[0], corners[k], corners[k + 1]});
-    }
-  }
+  TriangleMesh mesh = test::readPlainObj(std::string(KARINUI_SHARED_DIR) + "/bodies/" + name + ".obj");
+  if (mesh.faces.empty()) return std::nullopt;
   return mesh;
 }
 

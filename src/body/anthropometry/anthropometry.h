@@ -1,7 +1,7 @@
 #pragma once
 // Measurements, landmarks and limb axes of any standing A-pose mesh, from plane sections alone. measure(), the
-// landmarks of bodies without a template and the charts all stand on this one extraction. Metres; a pure function, any
-// thread.
+// landmarks of bodies without a template and the charts all stand on this one extraction. The body stands near the
+// origin, where readers carry it: within a metre of z = 0. Metres; a pure function, any thread.
 #include <map>
 #include <optional>
 #include <string>
