@@ -137,5 +137,38 @@ TEST(DistanceField, StopsWhenAsked) {
   EXPECT_EQ(stopped.error().kind, Error::Kind::Cancelled);
 }
 
+// Boxes turned by lot: near the skin the sign is that of the tree of boxes, the distance changes by no more than the
+// way gone, and downhill along the gradient lies the skin.
+TEST(DistanceField, OfAnyTurnedBoxLeadsToItsSkin) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Numbers numbers(seed);
+    TriangleMesh m = box({-0.12, -0.08, -0.1}, {0.12, 0.08, 0.1});
+    const Rigid turned = turnAbout(numbers.point(1), numbers.between(0, 3));
+    for (Vec3& p : m.points) p = turned(p) + Vec3{0.3, 0.2, -0.1};
+    const double cell = 0.005, band = 0.03;
+    const DistanceField field = built(m, {cell, band});
+    const Bvh bvh(m);
+    int near = 0, leading = 0;
+    for (int n = 0; n < 3000; ++n) {
+      const Vec3 p = Vec3{0.3, 0.2, -0.1} + numbers.point(0.2), q = p + numbers.point(0.01);
+      const double exact = bvh.signedDistance(p);
+      const auto s = field.sample(p);
+      EXPECT_LE(std::abs(s.distance - field.distance(q)), 1.8 * distance(p, q) + 1e-6);  // each axis by itself: sqrt(3)
+      if (std::abs(exact) > cell) {
+        EXPECT_EQ(s.distance > 0, exact > 0);
+      }
+      if (std::abs(exact) > band - 2 * cell) continue;
+      ++near;
+      EXPECT_NEAR(s.distance, exact, cell / 2);
+      if (length(s.gradient) < 0.5) continue;  // on the ridge between two sides
+      const Vec3 skin = p - normalized(s.gradient) * s.distance;
+      leading += bvh.nearest(skin)->distance < 0.2 * std::abs(exact) + 1e-4;
+    }
+    EXPECT_GT(near, 300);
+    EXPECT_GT(leading, near * 19 / 20);
+  }
+}
+
 }  // namespace
 }  // namespace karinui

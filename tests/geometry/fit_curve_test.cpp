@@ -5,6 +5,9 @@
 #include <numbers>
 #include <random>
 
+#include "geometry/shapes.h"
+#include "karinui/geometry/polygon.h"
+
 namespace karinui {
 namespace {
 
@@ -93,6 +96,49 @@ TEST(FitCurve, TwoPointsAndRepeatedPointsAreHarmless) {
   const Fitted fit = fitEdge(std::vector<Flat>{{0, 0}, {0, 0}, {0.1, 0.1}, {0.1, 0.1}, {0.2, 0}, {0.2, 0}});
   ASSERT_FALSE(fit.curves.empty());
   for (const Curve& c : fit.curves) EXPECT_TRUE(finite(c.control1) && finite(c.control2));
+}
+
+// To a micrometre, unlike missOf, which looks at places of the curve.
+double fineMissOf(const Fitted& fit, const std::vector<Flat>& points) {
+  double worst = 0;
+  const std::vector<Flat> chords = fit.curves.front().flattened(2e-7);
+  for (Flat p : points) {
+    double best = 1e300;
+    for (std::size_t i = 1; i < chords.size(); ++i)
+      best = std::fmin(best, distanceToSegment(chords[i - 1], chords[i], p));
+    worst = std::fmax(worst, best);
+  }
+  return worst;
+}
+
+// Curves drawn by lot, their points off by what a measured edge is off: the fit says truly how far it passes, and that
+// is no more than it may.
+TEST(FitCurve, PassesAnyMeasuredCurveAsNearAsItSays) {
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Numbers numbers(seed);
+    std::vector<Flat> points{{numbers.between(-1, 1), numbers.between(-1, 1)}};
+    const double bend = numbers.between(-2, 2), wave = numbers.between(1, 6), off = seed % 2 ? 0 : 0.0001;
+    const int count = 30 + static_cast<int>(numbers.below(60));
+    for (int i = 0; i < count; ++i) {
+      const double way = bend * std::sin(wave * i / count);
+      points.push_back(points.back() + Flat{std::cos(way), std::sin(way)} * 0.006);
+    }
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+      points[i] += Flat{numbers.between(-off, off), numbers.between(-off, off)};
+    const FitSettings settings;
+    const Fitted fit = fitEdge(points, settings);
+    ASSERT_EQ(fit.curves.size(), 1u);
+    expectJoined(fit, points);
+    const double real = fineMissOf(fit, points);
+    EXPECT_LE(fit.miss, std::max(settings.straight, settings.farthest) + 1e-6);
+    EXPECT_LE(real, fit.miss + 1e-6);
+    expectJoined({fit.curves[0].parts(), 0}, points);
+    EXPECT_NEAR(fit.curves[0].length(), 0.006 * count, 0.006 * count * (off > 0 ? 0.01 : 0.002) + 1e-4);
+    // The same points read backwards give a curve as near.
+    std::vector<Flat> back(points.rbegin(), points.rend());
+    EXPECT_LE(fineMissOf(fitEdge(back, settings), back), std::max(settings.straight, settings.farthest) + 1e-6);
+  }
 }
 
 }  // namespace

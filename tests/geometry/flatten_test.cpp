@@ -7,6 +7,7 @@
 #include <random>
 
 #include "geometry/membrane.h"
+#include "geometry/shapes.h"
 #include "geometry/surfaces.h"
 #include "karinui/geometry/patch.h"
 
@@ -175,6 +176,41 @@ TEST(Reflatten, APulledHemGrowsByWhatWasPulled) {
     const double y = mesh.points[i].y, down = y < 0.2 ? (0.2 - y) * 0.25 : 0;
     EXPECT_NEAR((*again)[i].u, made->flat[i].u, 5e-4);
     EXPECT_NEAR((*again)[i].v, made->flat[i].v - down, 5e-4);
+  }
+}
+
+// Cylinders over any smooth profile are developable; so is what a rigid motion makes of them.
+TEST(Flatten, AnyDevelopableSheetUnrollsWithoutStrain) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Numbers numbers(seed);
+    const double bend = numbers.between(0.5, 2.2), wave = numbers.between(2, 5), lean = numbers.between(-1, 1),
+                 height = numbers.between(0.2, 0.6);
+    std::vector<Vec3> profile{{}};  // turning to and fro, in steps of equal length
+    constexpr int kSteps = 60;
+    for (int i = 0; i < kSteps; ++i) {
+      const double way = lean + bend * std::sin(wave * i / kSteps);
+      profile.push_back(profile.back() + Vec3{std::cos(way), 0, std::sin(way)} * 0.006);
+    }
+    TriangleMesh mesh = surfaces::grid(kSteps, 30, false, [&](double s, double t) {
+      return profile[static_cast<std::size_t>(std::lround(s * kSteps))] + Vec3{0, height * t, 0};
+    });
+    const Rigid turned = turnAbout({numbers.between(-1, 1), 0, numbers.between(-1, 1)}, numbers.between(-0.5, 0.5));
+    for (Vec3& p : mesh.points) p = turned(p);
+    FlattenSettings settings;
+    settings.grain = turned(Vec3{0, 1, 0});
+    const auto made = flatten(mesh, borderOf(mesh), settings, Token());
+    ASSERT_TRUE(made);
+    expectIsometric(mesh, made->flat, 1e-3);
+    double flat = 0;
+    for (const Triangle& t : mesh.faces)
+      flat += cross(made->flat[t[1]] - made->flat[t[0]], made->flat[t[2]] - made->flat[t[0]]) / 2;
+    EXPECT_NEAR(flat / area(mesh), 1, 1e-3);
+    EXPECT_EQ(made->distortion.gate, Distortion::Gate::Green);
+    EXPECT_LT(made->distortion.shear.max, 2e-3);
+    const auto up = static_cast<std::size_t>(kSteps + 1) * 30;
+    EXPECT_NEAR(made->flat[up].u, made->flat[0].u, 1e-3) << "the grain is upright";
+    EXPECT_NEAR(made->flat[up].v - made->flat[0].v, height, 1e-3);
   }
 }
 

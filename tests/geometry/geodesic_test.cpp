@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "geometry/shapes.h"
 #include "geometry/surfaces.h"
 
 namespace karinui {
@@ -132,6 +133,58 @@ TEST(Geodesic, AlongFindsThePlaceAtAFraction) {
   ASSERT_TRUE(path);
   for (double f : {0.0, 0.13, 0.5, 0.87, 1.0})
     EXPECT_LT(distance(at(mesh, along(mesh, *path, f)), lerp(path->points.front(), path->points.back(), f)), 1e-9);
+}
+
+// A cone is developable: unrolled into the plane, the straight line between two places is the way round it.
+TEST(Geodesic, OnAConeIsStraightInThePlane) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Numbers numbers(seed);
+    const double low = numbers.between(0.12, 0.2), high = low * numbers.between(0.5, 0.8),
+                 rise = numbers.between(0.3, 0.5);
+    const TriangleMesh mesh = surfaces::cone(240, 60, low, high, rise);
+    const Bvh bvh(mesh);
+    const SurfaceGuide guide(mesh);
+    const double slant = std::hypot(low - high, rise), sine = (low - high) / slant;  // half the angle at the apex
+    for (int n = 0; n < 8; ++n) {
+      // Both ends in the middle of the slant, and less than a third round: the way stays on the frustum.
+      const double from = numbers.between(0, 6), by = numbers.between(-2, 2);
+      const auto on = [&](double a, double t) {
+        const double r = low + (high - low) * t;
+        return surfaces::nearest(bvh, {r * std::sin(a), rise * t, r * std::cos(a)});
+      };
+      const double t0 = numbers.between(0.1, 0.35), t1 = numbers.between(0.1, 0.35);
+      const auto path = guide.straight(on(from, t0), on(from + by, t1));
+      ASSERT_TRUE(path);
+      expectSound(mesh, *path);
+      const double r0 = (low + (high - low) * t0) / sine, r1 = (low + (high - low) * t1) / sine, turn = by * sine;
+      const double expected = std::sqrt(r0 * r0 + r1 * r1 - 2 * r0 * r1 * std::cos(turn));
+      EXPECT_NEAR(path->length, expected, 0.002 * expected + 1e-5) << by;
+    }
+  }
+}
+
+// Lengths on a ball are a metric: no shorter than the chord, the same both ways, no longer than by a third place.
+TEST(Geodesic, KeepsTheTriangleInequality) {
+  const TriangleMesh mesh = test::ball({}, 0.2, 4);
+  const SurfaceGuide guide(mesh);
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Numbers numbers(seed);
+    const auto any = [&] {
+      const double a = numbers.between(0, 1), b = numbers.between(0, 1 - a);
+      return SurfacePoint{numbers.below(static_cast<std::uint32_t>(mesh.faces.size())), {a, b, 1 - a - b}};
+    };
+    const SurfacePoint a = any(), b = any(), c = any();
+    const auto ab = guide.straight(a, b), ba = guide.straight(b, a), ac = guide.straight(a, c),
+               cb = guide.straight(c, b);
+    ASSERT_TRUE(ab && ba && ac && cb);
+    EXPECT_EQ(ab->length, ba->length);
+    EXPECT_GE(ab->length, distance(at(mesh, a), at(mesh, b)) - 1e-12);
+    EXPECT_LE(ab->length, (ac->length + cb->length) * 1.001);
+    const SurfacePoint half = along(mesh, *ab, 0.5);
+    EXPECT_NEAR(guide.straight(a, half)->length, ab->length / 2, 0.001 * ab->length);
+  }
 }
 
 }  // namespace

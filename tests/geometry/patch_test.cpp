@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "geometry/shapes.h"
 #include "geometry/surfaces.h"
 #include "karinui/geometry/flatten.h"
 
@@ -185,6 +186,42 @@ TEST(Patch, RemeshedKeepsBorderAndAreaWithGoodTriangles) {
   for (Vec3 p : lifted.mesh.points) {
     EXPECT_GT(length(p), 0.2 + 0.008 - 0.0005);
     EXPECT_LT(length(p), 0.2 + 0.008 + 0.002);
+  }
+}
+
+// A star drawn on a plane or a ball, and the same cut in two by a line over it: areas add up, and the cut is the border
+// of both.
+TEST(Patch, AreasAddUpWhereItIsCutInTwo) {
+  for (const bool round : {false, true}) {
+    const TriangleMesh mesh = round ? surfaces::ball(80, 40, 0.2) : surfaces::plane(31, 1.0);
+    const Bvh bvh(mesh);
+    const SurfaceGuide guide(mesh);
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+      SCOPED_TRACE((round ? "ball, seed " : "plane, seed ") + std::to_string(seed));
+      test::Numbers numbers(seed);
+      std::vector<Vec3> corners;
+      const int count = 5 + static_cast<int>(numbers.below(4));
+      for (int n = 0; n < count; ++n) {
+        const double a = 2 * std::numbers::pi * n / count + 0.1, r = numbers.between(0.6, 1);
+        corners.push_back(round ? normalized(Vec3{0.5 * r * std::cos(a), 0.5 * r * std::sin(a), 1}) * 0.2
+                                : Vec3{0.5 + 0.4 * r * std::cos(a), 0.5 + 0.4 * r * std::sin(a), 0});
+      }
+      // The middle sees every corner: a line from corner to corner over it stays inside.
+      const Vec3 middle = round ? Vec3{0, 0, 0.2} : Vec3{0.5, 0.5, 0};
+      const auto j = corners.begin() + count / 2;
+      std::vector<Vec3> one(corners.begin(), j + 1), other(j, corners.end());
+      one.push_back(middle), other.push_back(corners.front()), other.push_back(middle);
+      const auto whole = cutPatch(guide, closedLine(guide, bvh, corners)),
+                 first = cutPatch(guide, closedLine(guide, bvh, one)),
+                 second = cutPatch(guide, closedLine(guide, bvh, other));
+      ASSERT_TRUE(whole && first && second);
+      for (const auto* patch : {&*whole, &*first, &*second}) expectDisk(*patch);
+      EXPECT_NEAR(first->area() + second->area(), whole->area(), 1e-9);
+      const auto cut = guide.straight(surfaces::nearest(bvh, corners.front()), surfaces::nearest(bvh, middle)),
+                 rest = guide.straight(surfaces::nearest(bvh, middle), surfaces::nearest(bvh, *j));
+      EXPECT_NEAR(first->borderLength() + second->borderLength(),
+                  whole->borderLength() + 2 * (cut->length + rest->length), 1e-9);
+    }
   }
 }
 

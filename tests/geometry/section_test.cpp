@@ -95,5 +95,30 @@ TEST(Tape, BridgesHollows) {
   EXPECT_GT(enclosedArea(tightTape(u, {0, 1, 0}), {0, 1, 0}), 0);
 }
 
+// Cavalieri's principle: the areas of the sections of any solid add up to its volume, whichever way it is cut.
+TEST(Section, AreasAddUpToTheVolume) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Numbers numbers(seed);
+    TriangleMesh m = ball({}, 1, 3);
+    const Vec3 wave = numbers.point(4), stretch{numbers.between(0.5, 2), 1, numbers.between(0.5, 2)};
+    for (Vec3& p : m.points) {  // still seen from its middle, with hollows
+      p *= 1 + 0.35 * std::sin(dot(wave, p));
+      p = {p.x * stretch.x, p.y * stretch.y, p.z * stretch.z};
+    }
+    const Vec3 normal = normalized(numbers.point(1));
+    constexpr int kCuts = 4000;
+    const double reach = 3, step = 2 * reach / kCuts;
+    double sum = 0;
+    for (int n = 0; n < kCuts; ++n)
+      for (const SectionLoop& loop : section(m, {normal * (-reach + (n + 0.5) * step), normal})) {
+        ASSERT_TRUE(loop.closed);
+        sum += enclosedArea(loop.points, normal) * step;
+        EXPECT_LE(tightTapeLength(loop.points, normal), lineLength(loop.points, true) + 1e-12);
+      }
+    EXPECT_NEAR(sum / volume(m), 1, 1e-4);
+  }
+}
+
 }  // namespace
 }  // namespace karinui
