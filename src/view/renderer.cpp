@@ -423,8 +423,17 @@ struct Sitting {
   Vec3 seenFrom;
   Vec3 backdrop;
   const DrawArea& area;
-  Sitting(const Eye& eye, const DrawArea& a, Vec3 origin, const Colour& behind)
-      : seenFrom(eye.place - origin), backdrop{behind[0], behind[1], behind[2]}, area(a) {
+  bool allRound;
+  Vec3 lookRight, lookUp, lookAhead;  // the way a place of the picture is seen along, of its clip coordinates
+  Sitting(const Eye& eye, const DrawArea& a, Vec3 origin, const Studio& studio)
+      : seenFrom(eye.place - origin),
+        backdrop{studio.backdrop[0], studio.backdrop[1], studio.backdrop[2]},
+        area(a),
+        allRound(studio.allRound) {
+    const auto &v = eye.view.m, &p = eye.projection.m;
+    lookRight = Vec3{v[0], v[4], v[8]} * (1 / p[0]);
+    lookUp = Vec3{v[1], v[5], v[9]} * (1 / p[5]);
+    lookAhead = lookRight * p[8] + lookUp * p[9] - Vec3{v[2], v[6], v[10]};
     const double wide = area.right - area.left, high = area.top - area.bottom;
     // The part of the picture this area shows: clip space moved and stretched.
     Matrix4 crop, fromOrigin;
@@ -443,12 +452,14 @@ struct Sitting {
                 static_cast<float>(area.width), static_cast<float>(area.height));
     set(program, "toClip", toClip);
     set(program, "eye", seenFrom);
+    set(program, "allRound", allRound ? 1 : 0);
+    set(program, "lookRight", lookRight), set(program, "lookUp", lookUp), set(program, "lookAhead", lookAhead);
   }
 };
 
 }  // namespace
 
-void Renderer::draw(const Eye& eye, const DrawArea& area) const {
+void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto) const {
   const Parts& p = *parts_;
   glViewport(area.x, area.y, area.width, area.height);
   glEnable(GL_SCISSOR_TEST);
@@ -456,13 +467,15 @@ void Renderer::draw(const Eye& eye, const DrawArea& area) const {
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  const Sitting sitting(eye, area, p.origin, p.studio.backdrop);
+  const Sitting sitting(eye, area, p.origin, p.studio);
   const auto common = [&](GLuint program) { sitting.tell(program); };
-  glDisable(GL_DEPTH_TEST);
-  common(p.backdrop);
-  glBindVertexArray(p.noArrays);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  if (onto == Onto::Cleared) {
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_DEPTH_TEST);
+    common(p.backdrop);
+    glBindVertexArray(p.noArrays);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -483,7 +496,7 @@ void Renderer::draw(const Eye& eye, const DrawArea& area) const {
   // Cloth before skin: the nearer surface first saves shading the one behind it.
   for (const int kind : {1, 0, 2})
     for (const Parts::Run& run : p.runs) {
-      if (run.kind != kind || run.count == 0) continue;
+      if (run.kind != kind || run.count == 0 || (kind == 2 && onto == Onto::Picture)) continue;
       const GlProgram& program = kind == 2 ? p.floor : p.solid;
       glUseProgram(program);
       set(program, "cloth", kind == 1 ? 1 : 0);
@@ -510,7 +523,7 @@ void Renderer::drawOver(const Eye& eye, const DrawArea& area) const {
   glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  Sitting(eye, area, p.origin, p.studio.backdrop).tell(p.ribbon);
+  Sitting(eye, area, p.origin, p.studio).tell(p.ribbon);
   p.over.draw(p.ribbon, eye, area);
   glBindVertexArray(0);
   glUseProgram(0);

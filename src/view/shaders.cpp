@@ -9,7 +9,15 @@ uniform vec3 backdrop;
 uniform vec4 areaInPicture;  // left, bottom, width, height as fractions
 uniform vec4 areaInPixels;
 vec2 inPicture() { return areaInPicture.xy + (gl_FragCoord.xy - areaInPixels.xy) / areaInPixels.zw * areaInPicture.zw; }
+uniform int allRound;
+uniform vec3 lookRight, lookUp, lookAhead;
 vec3 backdropHere() {
+  if (allRound != 0) {  // darker from the horizon up to the ceiling, a little less down to the floor
+    vec2 clip = inPicture() * 2.0 - 1.0;
+    float rise = normalize(lookRight * clip.x + lookUp * clip.y + lookAhead).y;
+    return backdrop * mix(vec3(1.0), vec3(0.66, 0.655, 0.645), rise > 0.0 ? smoothstep(0.0, 0.9, rise)
+                                                                     : 0.10 + 0.5 * smoothstep(0.0, 0.9, -rise));
+  }
   vec2 p = (inPicture() - vec2(0.5, 0.56)) * vec2(1.0, 1.05);
   float fall = smoothstep(0.08, 0.85, length(p));
   return backdrop * mix(vec3(1.0), vec3(0.66, 0.655, 0.645), fall);

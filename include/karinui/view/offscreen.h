@@ -32,6 +32,9 @@ class OffscreenContext {
   };
 
   const std::string& renderer() const { return renderer_; }  // what draws, as the driver names itself
+  // EGLDisplay and EGLContext, for an interface that shares them (a headset's).
+  void* display() const { return display_; }
+  void* context() const { return context_; }
 
  private:
   OffscreenContext() = default;

@@ -15,8 +15,10 @@ namespace karinui {
 struct Studio {
   Colour backdrop{0.83f, 0.79f, 0.735f};  // linear RGB in the middle of the picture; falls off to the corners
   bool ground = true;                     // floor with shadows
-  int skyDirections = 32;                 // directions soft light comes from; 0: none of it is shadowed
-  int skyMap = 512, keyMap = 2048;        // side of the shadow maps, pixels
+  // The backdrop lies all round, by where one looks, as for someone who turns the head; else it belongs to the picture.
+  bool allRound = false;
+  int skyDirections = 32;           // directions soft light comes from; 0: none of it is shadowed
+  int skyMap = 512, keyMap = 2048;  // side of the shadow maps, pixels
 };
 
 // Part of the current framebuffer, in GL's way (from the bottom left), and which part of the whole picture it shows:
@@ -28,6 +30,7 @@ struct DrawArea {
 };
 
 enum class SoftLight { Anew, Kept };
+enum class Onto { Cleared, Picture };
 
 class Renderer {
  public:
@@ -50,8 +53,9 @@ class Renderer {
   // Sets up the key light and its shadow for someone looking from this camera. Once per view, not per eye.
   void light(const Camera& camera);
 
-  // Clears the area and draws into it, without the overlay.
-  void draw(const Eye& eye, const DrawArea& area) const;
+  // Draws into the area, without the overlay. `Onto::Cleared`: clears it first; `Onto::Picture`: adds to a picture (and
+  // its depths) that another renderer left there for the same eye, without backdrop and floor.
+  void draw(const Eye& eye, const DrawArea& area, Onto onto = Onto::Cleared) const;
   // The overlay alone, over a picture (and its depths) that draw() left there.
   void drawOver(const Eye& eye, const DrawArea& area) const;
 
