@@ -1,0 +1,141 @@
+// The boards, buttons and sticks of the room, without headset and pictures.
+#include "fitting_room.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "karinui/design/script.h"
+#include "program.h"
+#include "recorder.h"
+
+namespace karinui::room {
+namespace {
+
+using test::Recorder;
+
+void perform(Session& session, const char* line) {
+  session.perform(*parseOperation(line));
+  session.finish();
+}
+
+// Presses the button of the strip that says this.
+void press(Recorder& hand, const FittingRoom& room, const std::string& label) {
+  const SceneMenu strip = room.strip();
+  for (std::size_t k = 0; k < strip.buttons.size(); ++k)
+    if (text(strip.buttons[k].label) == label) return hand.clickAt(test::middleOf(strip, k));
+  ADD_FAILURE() << "no " << label;
+}
+
+std::string said(const FittingRoom& room) {
+  std::string all;
+  for (const Caption& caption : room.captions()) all += text(caption.notice.what) + "\n";
+  return all;
+}
+
+TEST(RoomBoards, KeepGivesADraftAPlaceAndSaysWhereAnythingElseIs) {
+  const test::Folder folder;
+  SessionOptions options;
+  options.drafts = folder / "Drafts";
+  Session session(options);
+  perform(session, "body size=jis9ar");
+  ASSERT_TRUE(session.draft());
+  const auto draft = session.path();
+  RoomOptions wished;
+  wished.documents = folder.path();
+  FittingRoom room(session, wished);
+  Recorder hand(room);
+  hand.hold(4);
+  hand.tool().tracked = true;
+  press(hand, room, "Keep");
+  EXPECT_FALSE(session.draft());
+  EXPECT_EQ(session.path().parent_path(), folder.path());
+  EXPECT_TRUE(test::fs::exists(session.path()));
+  EXPECT_FALSE(test::fs::exists(draft));
+  const auto kept = session.path();
+  press(hand, room, "Keep");
+  EXPECT_EQ(session.path(), kept);
+  EXPECT_THAT(said(room), testing::HasSubstr("Every step is saved in “" + kept.string()));
+}
+
+TEST(RoomBoards, AChoiceIsMadeByPointingAtIt) {
+  Session session;
+  perform(session, "body size=jis9ar");
+  perform(session,
+          "draw name=high line=\"torso:waist+0.5@0.06; torso:bust@0.06; torso:bust@0.94; torso:waist+0.5@0.94\"");
+  perform(session, "draw name=low line=\"torso:hip@0.14; torso:waist@0.14; torso:waist@0.86; torso:hip@0.86\"");
+  RoomOptions options;
+  options.posture.floor = 0;
+  FittingRoom room(session, options);
+  Recorder hand(room);
+  hand.hold(4);
+  hand.tool().tracked = true;
+  hand.choose(Command::Sew);
+  const auto edge = [&](const char* piece, bool highest) {
+    const Piece* found = session.snapshot().document.pieceNamed(piece);
+    Vec3 best{0, highest ? -1e9 : 1e9, 0};
+    for (const Edge& one : found->outline.edges) {
+      const auto line = edgeInSpace(session.snapshot(), {PieceRef(found->id), one.name});
+      const Vec3 middle = line[line.size() / 2];
+      if (highest ? middle.y > best.y : middle.y < best.y) best = middle;
+    }
+    return best;
+  };
+  hand.drag(edge("high", false), edge("low", true), false);
+  ASSERT_TRUE(room.choice());  // sides that long apart are asked about
+  EXPECT_FALSE(room.choice()->title.empty());
+  const SceneMenu panel = room.choice()->panel;
+  ASSERT_GE(panel.buttons.size(), 2u);
+  // The board stands still while it is pointed at, and the item under the ray is marked.
+  hand.pointAt(room.placement().standToFitting(test::middleOf(panel, 0)));
+  hand.hold(3);
+  EXPECT_EQ(room.choice()->panel.corner, panel.corner);
+  EXPECT_TRUE(room.choice()->panel.buttons[0].hot);
+  EXPECT_FALSE(room.choice()->panel.buttons[1].hot);
+  hand.click();
+  EXPECT_FALSE(room.choice());
+  EXPECT_THAT(text(session.steps().back().operation), testing::StartsWith("sew "));
+}
+
+TEST(RoomBoards, SticksAndButtonsMoveTheFitting) {
+  Session session;
+  perform(session, "body size=jis9ar");
+  RoomOptions options;
+  options.posture.floor = 0;
+  FittingRoom room(session, options);
+  Recorder hand(room);
+  hand.hold(4);
+  hand.tool().tracked = hand.other().tracked = true;
+  hand.hold(2);
+  hand.other().stick = {1, 0}, hand.hold(10), hand.other().stick = {}, hand.hold(2);
+  EXPECT_NEAR(room.placement().turn, 3.14159265358979 / 6, 1e-9);  // once a push
+  const double high = room.placement().foot.y;
+  hand.other().stick = {0, 1}, hand.hold(36), hand.other().stick = {}, hand.hold(2);
+  EXPECT_NEAR(room.placement().foot.y, high + 0.175, 0.01);  // half a second
+  hand.press(&ControllerState::scaleSwitch);
+  EXPECT_EQ(room.scale(), Scale::TableTop);
+  EXPECT_EQ(room.placement().scale, kTableTopScale);
+  EXPECT_NEAR(room.placement().turn, 3.14159265358979 / 6, 1e-9);
+  press(hand, room, "Life size");
+  EXPECT_EQ(room.scale(), Scale::One);
+  // The other hand's buttons undo and redo.
+  hand.other().confirm = true, hand.hold(2), hand.other().confirm = false, hand.hold(2);
+  EXPECT_EQ(session.steps().size(), 0u);
+  hand.other().cancel = true, hand.hold(2), hand.other().cancel = false, hand.hold(2);
+  EXPECT_EQ(session.steps().size(), 1u);
+}
+
+TEST(RoomBoards, RefusalsAreReadForAWhileInTheAir) {
+  Session session;
+  perform(session, "body size=jis9ar");
+  FittingRoom room(session, {});
+  Recorder hand(room);
+  hand.hold(4);
+  hand.tool().tracked = true;
+  hand.choose(Command::Move);  // there is no piece to move
+  EXPECT_THAT(said(room), testing::HasSubstr("There is no piece yet"));
+  hand.hold(10 * 72);
+  EXPECT_EQ(said(room), "");
+}
+
+}  // namespace
+}  // namespace karinui::room
