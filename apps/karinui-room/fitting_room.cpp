@@ -236,6 +236,8 @@ void FittingRoom::point(const Rigid& head, const ControllerState& tool, const Co
   }
   PointerSample sample = *came.sample;
   sample.shift = other.tracked && other.trigger > kPressed;
+  sample.control = tool.stick.v > kPressed;
+  sample.alt = tool.stick.v < -kPressed;
   const bool mine = onBoards(sample);
   if (mine && !overBoard_) session_.leave();
   overBoard_ = mine;

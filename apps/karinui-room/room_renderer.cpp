@@ -202,6 +202,12 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
   const CommandInfo& tool = info(session.tool());
   const Message hint = session.hint();
   lines.push_back({text(tool.label, language) + " – " + text(hint, language), Tone::Plain});
+  const std::string english = text(hint, Language::English);
+  const auto names = [&](const char* key) { return english.find(key) != std::string::npos; };
+  if (names("Shift") || names("Ctrl") || names("Alt"))
+    lines.push_back(
+        {text(say("Shift is the other hand's trigger, Ctrl this hand's stick forwards, Alt backwards."), language),
+         Tone::Plain});
   for (const Caption& caption : room.captions())
     lines.push_back({text(caption.notice.what, language), caption.notice.kind == Notice::Kind::Refused  ? Tone::Refused
                                                           : caption.notice.kind == Notice::Kind::Advice ? Tone::Advice

@@ -96,6 +96,53 @@ TEST(RoomBoards, AChoiceIsMadeByPointingAtIt) {
   EXPECT_THAT(text(session.steps().back().operation), testing::StartsWith("sew "));
 }
 
+// Two squares side by side before the body, and a hand that holds a tool.
+struct TwoSquares {
+  TwoSquares() {
+    perform(session, "body size=jis9ar");
+    perform(session,
+            "piece name=one outline=\"M 0 0; a L 150 0; b L 150 150; c L 0 150; d L 0 0\" pose=\"-0.2,1.1,0.3\"");
+    perform(session,
+            "piece name=two outline=\"M 0 0; a L 150 0; b L 150 150; c L 0 150; d L 0 0\" pose=\"0.05,1.1,0.3\"");
+    hand.hold(4);
+    hand.tool().tracked = true;
+    hand.other() = hand.tool();
+    hand.other().aim.carry = {-0.25, 1.1, -0.2};
+  }
+  Vec3 onTable(const char* piece, Flat paper) {
+    const PieceId id = session.snapshot().document.pieceNamed(piece)->id;
+    return room.placement().standToFitting(room.table().at(paper + session.table().at(id)));
+  }
+  Session session;
+  FittingRoom room{session, [] {
+                     RoomOptions options;
+                     options.posture.floor = 0;
+                     return options;
+                   }()};
+  Recorder hand{room};
+};
+
+TEST(RoomBoards, TheFlatPatternOnItsTableIsSewnAlike) {
+  TwoSquares at;
+  at.hand.choose(Command::Sew);
+  at.hand.drag(at.onTable("one", {0.15, 0.075}), at.onTable("two", {0, 0.075}), false);
+  EXPECT_THAT(text(at.session.steps().back().operation), testing::StartsWith("sew a=p2.b b=p3.d"));
+}
+
+TEST(RoomBoards, TheStickAndTheOtherTriggerAreCtrlAndShift) {
+  TwoSquares at;
+  const auto moved = [&] {
+    const Vec3 from{-0.12, 1.17, 0.3};
+    at.hand.drag(from, from + Vec3{0, 0.1, 0}, false);
+    return std::get<MovePiece>(at.session.steps().back().operation);
+  };
+  at.hand.choose(Command::Move);
+  EXPECT_FALSE(moved().turn) << "carried as it hangs";
+  at.hand.tool().stick = {0, 1};
+  EXPECT_TRUE(moved().turn) << "Ctrl turns it";
+  at.hand.tool().stick = {};
+}
+
 TEST(RoomBoards, SticksAndButtonsMoveTheFitting) {
   Session session;
   perform(session, "body size=jis9ar");
