@@ -30,7 +30,7 @@ ExportDialog::ExportDialog(Session& session, SpaceView& view, QWidget* parent)
   auto* form = new QFormLayout;
   form->setSpacing(12);
   kind_ = new QComboBox;
-  for (const ExportInfo& one : exportKinds()) kind_->addItem(inWords(one.label));
+  for (const FileFormat* format : exportFormats()) kind_->addItem(inWords(format->label));
   kind_->setAccessibleName(inWords(say("What")));
   about_ = new QLabel;
   about_->setWordWrap(true);
@@ -83,7 +83,7 @@ ExportDialog::ExportDialog(Session& session, SpaceView& view, QWidget* parent)
 
 ExportWish ExportDialog::wish() const {
   ExportWish wish;
-  wish.kind = exportKinds()[static_cast<std::size_t>(kind_->currentIndex())].kind;
+  wish.format = exportFormats()[static_cast<std::size_t>(kind_->currentIndex())];
   wish.sheet.allowance = allowance_->value();
   wish.sheet.language = Theme::here().language();
   if (const auto stem = session_.path().stem().string(); !stem.empty()) wish.sheet.title = stem;
@@ -92,9 +92,9 @@ ExportWish ExportDialog::wish() const {
 
 void ExportDialog::refresh() {
   const ExportWish wanted = wish();
-  const ExportInfo& about = info(wanted.kind);
-  about_->setText(inWords(about.about));
-  const bool paper = about.shows == ExportInfo::Shows::Paper;
+  const FileContent content = wanted.format->out;
+  about_->setText(inWords(wanted.format->about));
+  const bool paper = content == FileContent::Sheet;
   allowance_->setEnabled(paper);
   paper_.reset();
   trouble_.reset();
@@ -118,7 +118,7 @@ void ExportDialog::refresh() {
   const int pages = paper_ ? static_cast<int>(paper_->count()) : 1;
   page_->setRange(1, pages);
   page_->setEnabled(pages > 1);
-  if (about.shows == ExportInfo::Shows::Text) {
+  if (content == FileContent::Pattern || content == FileContent::Script) {
     constexpr std::size_t kMost = 20000;
     text_->setPlainText(QString::fromStdString(bytes->substr(0, kMost)) + (bytes->size() > kMost ? "\n…" : ""));
     return shown_->setCurrentWidget(text_);

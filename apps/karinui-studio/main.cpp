@@ -18,6 +18,7 @@
 #include "drafts.h"
 #include "karinui/base/memory.h"
 #include "karinui/base/number.h"
+#include "karinui/exchange/formats.h"
 #include "main_window.h"
 #include "self_check.h"
 #include "theme.h"
@@ -86,7 +87,8 @@ int main(int argc, char** argv) {
   if (wish.help) {
     std::puts(text(say("karinui-studio [FILE] [--new SIZE] [--language en|ja] [--dark] [--threads N] [--self-check] "
                        "[--picture FILE]: "
-                       "the window in which garments are designed. FILE is a .karinui document, a body or a pattern."),
+                       "the window in which garments are designed. FILE is one of: {0}.",
+                       listRead()),
                    wish.language.value_or(spoken))
                   .c_str());
     return 0;

@@ -94,7 +94,8 @@ class MainWindow : public QMainWindow {
   void offer(QMenu& menu, const Message& words, Operation operation);
   void addEdgeOperations(QMenu& menu, const EdgeNear& near);
   void addPieceOperations(QMenu& menu, const Selection& chosen);
-  QString freshPath(const QString& name) const;
+  // In the folder of documents; of a file that is not there yet.
+  QString freshPath(const QString& name, const FileFormat& format = fileFormat("document")) const;
 
   LatencyLog latencyLog_;
   std::unique_ptr<Session> session_;

@@ -16,17 +16,19 @@
 #include <QTabWidget>
 
 #include "drafts.h"
+#include "file_filter.h"
 #include "main_window.h"
 #include "start_page.h"
 #include "theme.h"
 
 namespace karinui::studio {
 
-QString MainWindow::freshPath(const QString& name) const {
+QString MainWindow::freshPath(const QString& name, const FileFormat& format) const {
   const QDir folder(QString::fromStdString(documentsFolder().string()));
   folder.mkpath(".");
+  const QString ending = QString::fromStdString("." + std::string(format.endings.front()));
   for (int n = 1;; ++n) {
-    const QString path = folder.filePath(n == 1 ? name + ".karinui" : QString("%1 %2.karinui").arg(name).arg(n));
+    const QString path = folder.filePath((n == 1 ? name : QString("%1 %2").arg(name).arg(n)) + ending);
     if (!QFileInfo::exists(path)) return path;
   }
 }
@@ -49,12 +51,13 @@ void MainWindow::fillRecent() {
 }
 
 void MainWindow::openPath(const QString& path) {
-  const QString ending = QFileInfo(path).suffix().toLower();
   const std::filesystem::path file = path.toStdString();
+  const FileContent content = contentOf(file);
+  if (content == FileContent::None) return tell({Notice::Kind::Refused, unreadable(file).what});
   if (atStart()) start_->leave();  // it may be reading this very file
-  if (ending == "karinui") {
+  if (content == FileContent::Document) {
     session_->open(file);
-  } else if (ending == "obj" || ending == "ply" || ending == "glb" || ending == "gltf" || ending == "stl") {
+  } else if (content == FileContent::Body) {
     session_->importBody(file);
   } else {
     session_->importPattern(file);
@@ -111,14 +114,16 @@ void MainWindow::askNew() {
 }
 
 void MainWindow::askOpen() {
-  const QString path = QFileDialog::getOpenFileName(this, inWords(say("Open")), {}, "Karinui (*.karinui)");
+  const QString path =
+      QFileDialog::getOpenFileName(this, inWords(say("Open")), {}, filterReading("Karinui", {FileContent::Document}));
   if (!path.isEmpty()) openPath(path);
 }
 
 void MainWindow::askImport() {
-  const QString path = QFileDialog::getOpenFileName(
-      this, inWords(say("Import")), {},
-      inWords(say("Bodies and patterns")) + " (*.obj *.ply *.glb *.gltf *.json *.svg *.ops)");
+  const QString path =
+      QFileDialog::getOpenFileName(this, inWords(say("Import")), {},
+                                   filterReading(inWords(say("Bodies and patterns")),
+                                                 {FileContent::Body, FileContent::Pattern, FileContent::Script}));
   if (!path.isEmpty()) openPath(path);
 }
 

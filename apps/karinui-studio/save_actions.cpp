@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "export_dialog.h"
+#include "file_filter.h"
 #include "main_window.h"
 #include "paper.h"
 #include "picture_dialog.h"
@@ -40,10 +41,10 @@ void MainWindow::askSaveAs() {
   const QString name = session_->draft() || session_->path().empty()
                            ? inWords(say("my garment"))
                            : QString::fromStdString(session_->path().stem().string());
-  QString path = QFileDialog::getSaveFileName(this, inWords(say("Save as")), freshPath(name), "Karinui (*.karinui)");
+  const QString path = QFileDialog::getSaveFileName(this, inWords(say("Save as")), freshPath(name),
+                                                    filterReading("Karinui", {FileContent::Document}));
   if (path.isEmpty()) return;
-  if (!path.endsWith(".karinui")) path += ".karinui";
-  session_->saveAs(path.toStdString());
+  session_->saveAs(withEnding(path, fileFormat("document")).toStdString());
   refresh();
 }
 
@@ -51,22 +52,21 @@ void MainWindow::askExport() {
   ExportDialog dialog(*session_, *space_, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const ExportWish wish = dialog.wish();
-  const QString ending = QString::fromStdString(std::string(info(wish.kind).ending));
-  QString path = QFileDialog::getSaveFileName(this, inWords(say("Export")),
-                                              freshPath("pattern").replace(".karinui", "." + ending), "*." + ending);
+  const QString path = QFileDialog::getSaveFileName(this, inWords(say("Export")), freshPath("pattern", *wish.format),
+                                                    filterWriting(*wish.format));
   if (path.isEmpty()) return;
-  if (!path.endsWith("." + ending)) path += "." + ending;
-  session_->exportTo(path.toStdString(), wish);
+  session_->exportTo(withEnding(path, *wish.format).toStdString(), wish);
   refresh();
 }
 
 void MainWindow::picture() {
   PictureDialog dialog(*session_, *space_, this);
   if (dialog.exec() != QDialog::Accepted) return;
+  const FileFormat& format = fileFormat("png");
   QString path = QFileDialog::getSaveFileName(this, inWords(say("Picture of the fitting…")),
-                                              freshPath("fitting").replace(".karinui", ".png"), "*.png");
+                                              freshPath("fitting", format), filterWriting(format));
   if (path.isEmpty()) return;
-  if (!path.endsWith(".png")) path += ".png";
+  path = withEnding(path, format);
   if (const Done done = dialog.write(path.toStdString()); !done)
     tell({Notice::Kind::Refused, done.error().what});
   else
@@ -83,7 +83,7 @@ void MainWindow::printOn(QPrinter& printer) {
   // Paper larger than A4 by half is a roll or a plotter's: then one sheet.
   const QSizeF paper = printer.pageLayout().fullRect(QPageLayout::Millimeter).size();
   ExportWish wish;
-  wish.kind = paper.width() > 1.5 * 297 ? ExportKind::PdfSheet : ExportKind::PdfA4;
+  wish.format = &fileFormat(paper.width() > 1.5 * 297 ? "pdf" : "pdf-a4");
   wish.sheet.language = Theme::here().language();
   if (const auto stem = session_->path().stem().string(); !stem.empty()) wish.sheet.title = stem;
   const auto pages = paperOf(session_->snapshot(), wish);

@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include "drafts.h"
+#include "file_filter.h"
 #include "theme.h"
 #include "thumbnails.h"
 
@@ -93,7 +94,8 @@ QFileInfoList documentsThere() {
   };
   for (const QString& path : QSettings().value("recent").toStringList()) add(QFileInfo(path));
   const QDir drafts(QString::fromStdString(draftsFolder().string()));
-  for (const QFileInfo& file : drafts.entryInfoList({"*.karinui"}, QDir::Files, QDir::Time)) add(file);
+  for (const QFileInfo& file : drafts.entryInfoList({filterWriting(fileFormat("document"))}, QDir::Files, QDir::Time))
+    add(file);
   std::stable_sort(all.begin(), all.end(),
                    [](const QFileInfo& a, const QFileInfo& b) { return a.lastModified() > b.lastModified(); });
   return all.mid(0, kMostDocuments);

@@ -5,7 +5,7 @@
 #include "json_answers.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
-#include "karinui/exchange/spatial.h"
+#include "karinui/exchange/formats.h"
 
 namespace karinui::app {
 
@@ -89,7 +89,8 @@ void addBodyVerbs(Program& program) {
 
   auto measured = std::make_shared<MeasureOptions>();
   verb = program.verb(*body, "measure", help("Measures a body as a tape does"), measured, runMeasure);
-  verb->add_option("body", measured->path, help("A body: .obj, .ply, .gltf, .glb"))->required();
+  verb->add_option("body", measured->path, help(say("A body: {0}", listed(endingsRead({FileContent::Body})))))
+      ->required();
   verb->add_flag("--wrap", measured->wrap, help("Close a scan's holes first"));
 }
 

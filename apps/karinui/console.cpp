@@ -20,7 +20,8 @@ void onInterrupt(int) {
 }
 }  // namespace
 
-std::string help(std::string_view english) { return text(say(english), spokenHere()); }
+std::string help(std::string_view english) { return help(say(english)); }
+std::string help(const Message& sentence) { return text(sentence, spokenHere()); }
 
 void Console::answer(const Json& object, const std::string& words) const {
   // A file's name may hold bytes that are no text.

@@ -16,6 +16,7 @@ enum Exit { kDone = 0, kWrongCall = 2, kRefused = 3, kNotSettled = 4 };
 
 // A sentence of the help, in the person's language.
 std::string help(std::string_view english);
+std::string help(const Message& sentence);  // with values
 
 class Console {
  public:

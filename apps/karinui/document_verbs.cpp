@@ -16,6 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What makes a document; a document is one already.
+constexpr FileContents kImported{FileContent::Pattern, FileContent::Body, FileContent::Script};
+
 struct PlayOptions {
   std::string script, body, out, pictures;
   bool overwrite = false;
@@ -158,11 +161,14 @@ int runLog(Program& program, const DocumentOnly& options) {
 }
 
 int runImport(Program& program, const ImportOptions& options) {
-  const std::string ending = fs::path(options.file).extension().string();
-  if (ending == ".ops") return runPlay(program, {options.file, options.body, options.out, "", options.overwrite});
+  const FileContent content = contentOf(options.file);
+  if (content == FileContent::Script)
+    return runPlay(program, {options.file, options.body, options.out, "", options.overwrite});
+  if (content != FileContent::Pattern && content != FileContent::Body)
+    return program.console.refuse(unreadable(options.file, kImported));
   return makeDocument(program, options.out, options.overwrite, [&](Bench& bench) -> Result<void> {
     std::optional<Pattern> pattern;
-    if (ending == ".json" || ending == ".svg") {
+    if (content == FileContent::Pattern) {
       Result<Pattern> read = readPattern(options.file);
       if (!read) return read.error();
       pattern = std::move(*read);
@@ -236,8 +242,7 @@ void addDocumentVerbs(Program& program) {
   auto import = std::make_shared<ImportOptions>();
   verb = program.verb(program.cli, "import", help("Makes a document from a pattern, a body or a script"), import,
                       runImport);
-  verb->add_option("file", import->file,
-                   help("GarmentCode or Karinui .json, .svg Karinui drew; .obj .ply .gltf .glb; .ops"))
+  verb->add_option("file", import->file, help(say("The file: {0}; an SVG as Karinui draws it", listRead(kImported))))
       ->required();
   verb->add_option("-o,--output", import->out, help("The .karinui document to make"))->required();
   verb->add_option("--body", import->body, help("A body file or built-in size to put the pattern on"));

@@ -4,10 +4,7 @@
 
 #include "bench.h"
 #include "karinui/base/file.h"
-#include "karinui/exchange/garment_code.h"
-#include "karinui/exchange/pattern_json.h"
-#include "karinui/exchange/sheet.h"
-#include "karinui/exchange/spatial.h"
+#include "karinui/exchange/formats.h"
 #include "karinui/view/picture.h"
 
 namespace karinui::app {
@@ -35,25 +32,32 @@ Result<SpatialGarment> spatialOf(Bench& bench) {
   return garment;
 }
 
+// Of the formats of the ending the one that --format or --paper names, or else the first.
+const FileFormat* chosenFormat(const ExportOptions& options) {
+  const std::vector<const FileFormat*> formats = formatsWriting(options.out);
+  const std::string paper = options.paper == "a4" ? "pdf-a4" : "pdf";
+  for (const FileFormat* format : formats)
+    if (format->id == options.format || format->id == paper) return format;
+  return formats.empty() ? nullptr : formats.front();
+}
+
 Result<std::string> bytesFor(Bench& bench, const ExportOptions& options) {
-  const std::string ending = std::filesystem::path(options.out).extension().string();
-  const Pattern& pattern = bench.document().pattern;
+  const FileFormat* format = chosenFormat(options);
+  if (!format) return unwritable(options.out);
   SheetSettings sheet;
   sheet.allowance = options.allowanceMm / 1000;
   sheet.title = std::filesystem::path(options.path).stem().string();
   sheet.language = spokenHere();
-  if (ending == ".svg") return writeSvg(pattern, sheet);
-  if (ending == ".pdf") return writePdf(pattern, options.paper == "a4" ? PaperKind::A4 : PaperKind::OneSheet, sheet);
-  if (ending == ".json") {
-    return options.format == "garmentcode" ? writeGarmentCode(pattern) : Result<std::string>(writePatternJson(pattern));
-  }
-  if (ending == ".ops") return bench.file().log();
-  if (ending == ".obj" || ending == ".glb") {
-    const Result<SpatialGarment> garment = spatialOf(bench);
-    if (!garment) return garment.error();
-    return ending == ".obj" ? writeObj(*garment) : writeGlb(*garment);
-  }
-  return badInput(say("“{0}” is not an ending Karinui writes; choose .svg, .pdf, .obj, .glb, .json or .ops.", ending));
+  return format->write(
+      {bench.document().pattern, [&] { return bench.file().log(); }, [&] { return spatialOf(bench); }, sheet});
+}
+
+// What --format may name: the texts of a pattern, which share an ending.
+std::vector<std::string> patternFormats() {
+  std::vector<std::string> names;
+  for (const FileFormat* format : exportFormats())
+    if (format->out == FileContent::Pattern) names.emplace_back(format->id);
+  return names;
 }
 
 int runExport(Program& program, const ExportOptions& options) {
@@ -109,10 +113,10 @@ int runPicture(Program& program, const PictureWish& wish) {
 
 void addOutputVerbs(Program& program) {
   auto out = std::make_shared<ExportOptions>();
-  CLI::App* verb = program.verb(program.cli, "export",
-                                help("Writes the pattern (svg, pdf, json), the garment in 3D (obj, "
-                                     "glb) or the operations (ops)"),
-                                out, runExport);
+  CLI::App* verb =
+      program.verb(program.cli, "export",
+                   help(say("Writes the pattern, the garment in 3D or the operations ({0})", listed(endingsWritten()))),
+                   out, runExport);
   verb->add_option("document", out->path, help("The .karinui document"))->required();
   verb->add_option("-o,--output", out->out, help("The file; its ending says what it will be"))->required();
   verb->add_option("--paper,--page", out->paper, help("PDF: one true-size sheet (sheet), or A4 sheets to glue (a4)"))
@@ -120,7 +124,7 @@ void addOutputVerbs(Program& program) {
   verb->add_option("--allowance", out->allowanceMm, help("SVG and PDF: seam allowance in mm, up to 100, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--format", out->format, help("JSON: karinui (exact) or garmentcode"))
-      ->check(CLI::IsMember({"karinui", "garmentcode"}));
+      ->check(CLI::IsMember(patternFormats()));
 
   auto wish = std::make_shared<PictureWish>();
   verb = program.verb(program.cli, "picture", help("Draws the garment on its body"), wish, runPicture);

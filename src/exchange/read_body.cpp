@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <numeric>
 
 #include "exchange/reading_process.h"
 #include "karinui/base/number.h"
+#include "karinui/exchange/formats.h"
 #include "karinui/geometry/bvh.h"
 #include "karinui/geometry/wrap.h"
 
@@ -53,13 +53,11 @@ Message nameOf(LengthUnit unit) {
   return {};
 }
 
+// By the name that karinui-import knows it by.
 Result<std::string> formatOf(const fs::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* known : {".obj", ".ply", ".gltf", ".glb"})
-    if (ending == known) return ending.substr(1);
-  return badInput(
-      say("{0} does not end in .obj, .ply, .gltf or .glb; bodies are read from those.", path.filename().string()));
+  for (const FileFormat* format : formatsReading(path))
+    if (format->in == FileContent::Body) return std::string(format->id);
+  return unreadable(path, {FileContent::Body});
 }
 
 Result<fs::path> findHelper(const fs::path& asked) {

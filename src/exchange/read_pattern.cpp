@@ -1,18 +1,20 @@
 #include "karinui/exchange/read_pattern.h"
 
+#include <algorithm>
+
 #include "karinui/base/file.h"
-#include "karinui/exchange/garment_code.h"
-#include "karinui/exchange/pattern_json.h"
-#include "karinui/exchange/sheet.h"
 
 namespace karinui {
 
-Result<Pattern> readPattern(const std::filesystem::path& file) {
+Result<Pattern> readPattern(const std::filesystem::path& file, FormatTable table) {
+  std::vector<const FileFormat*> formats = formatsReading(file, table);
+  std::erase_if(formats, [](const FileFormat* format) { return format->in != FileContent::Pattern; });
+  if (formats.empty()) return unreadable(file, {FileContent::Pattern}, table);
   const Result<std::string> bytes = readFile(file);
   if (!bytes) return bytes.error();
-  const bool drawn = file.extension() == ".svg";
-  const bool ours = bytes->find("\"karinui-pattern-1\"") != std::string::npos;
-  auto pattern = drawn ? readSvg(*bytes) : ours ? readPatternJson(*bytes) : readGarmentCode(*bytes);
+  const auto format = std::find_if(formats.begin(), formats.end() - 1,
+                                   [&](const FileFormat* one) { return !one->recognises || one->recognises(*bytes); });
+  auto pattern = (*format)->readPattern(*bytes);
   if (!pattern) return inFile(file, pattern.error());
   return pattern;
 }

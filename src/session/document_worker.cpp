@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "karinui/base/file.h"
+#include "karinui/exchange/formats.h"
 
 namespace karinui {
 
@@ -170,7 +171,8 @@ Done DocumentWorker::beginDraft(const std::string& about) {
   std::filesystem::create_directories(options_.drafts, trouble);
   const std::string name = options_.nameDraft ? options_.nameDraft(about) : about.empty() ? "draft" : about;
   for (int n = 1;; ++n) {
-    const auto path = options_.drafts / (name + (n > 1 ? " " + std::to_string(n) : "") + ".karinui");
+    const std::string numbered = name + (n > 1 ? " " + std::to_string(n) : "") + ".";
+    const auto path = options_.drafts / (numbered + std::string(fileFormat("document").endings.front()));
     if (std::filesystem::exists(path, trouble)) continue;
     auto made = DocumentFile::create(path);
     if (!made && std::filesystem::exists(path, trouble)) continue;  // another Karinui was quicker

@@ -11,7 +11,7 @@ namespace karinui {
 namespace {
 
 Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token) {
-  if (file.extension() == ".ops") {
+  if (contentOf(file) == FileContent::Script) {
     const Result<std::string> bytes = readFile(file);
     if (!bytes) return bytes.error();
     const auto lines = parseScript(*bytes);
@@ -23,6 +23,7 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
     }
     return {};
   }
+  if (contentOf(file) != FileContent::Pattern) return unreadable(file, {FileContent::Pattern, FileContent::Script});
   const Result<Pattern> pattern = readPattern(file);
   if (!pattern) return pattern.error();
   for (Operation& operation : stepsOf(*pattern, documentWorker.file().document()))

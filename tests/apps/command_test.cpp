@@ -174,6 +174,16 @@ TEST_F(Command, PlaysSettlesChecksAndExports) {
       EXPECT_NEAR(read["pieces"][i]["perimeter_m"].get<double>(), info["pieces"][i]["perimeter_m"].get<double>(), 5e-5);
     }
   }
+  // An ending in capital letters is the same ending; one that is not known is told what there is.
+  EXPECT_EQ(karinui("export " + document() + " -o " + (folder / "OUT.SVG")).exit, 0);
+  EXPECT_EQ(contents(folder / "OUT.SVG"), contents(folder / "out.svg"));
+  EXPECT_EQ(karinui("export " + document() + " -o " + (folder / "X.OPS")).exit, 0);
+  EXPECT_EQ(karinui("import " + (folder / "X.OPS") + " -o " + (folder / "x.karinui")).exit, 0);
+  const auto unknown = karinui("import " + (folder / "body.stl") + " -o " + (folder / "y.karinui"));
+  EXPECT_EQ(unknown.exit, 3);
+  EXPECT_NE(unknown.err.find("patterns (.svg, .json), bodies (.glb, .obj, .gltf, .ply), scripts of operations (.ops)"),
+            std::string::npos)
+      << unknown.err;
   const std::string obj = contents(folder / "out.obj");
   for (const char* object : {"\no body\n", "\no front\n", "\no back\n"}) EXPECT_NE(obj.find(object), std::string::npos);
   EXPECT_EQ(karinui("export " + document() + " -o " + (folder / "out.xyz")).exit, 3);

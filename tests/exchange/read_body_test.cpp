@@ -203,9 +203,11 @@ TEST_F(ReadBody, RefusesHostileFiles) {
     for (int i = 0; i < 5000; ++i) bytes += static_cast<char>(numbers.below(256));
     EXPECT_NE(takes(name, bytes), "it was taken");
   }
-  EXPECT_THAT(takes("body.stl", "solid"), HasSubstr("does not end in"));
+  EXPECT_THAT(takes("body.stl", "solid"),
+              HasSubstr("none of the endings that are read here: bodies (.glb, .obj, .gltf, .ply)."));
   EXPECT_THAT(refusal(folder_ / "nowhere.obj"), HasSubstr("There is no file"));
-  EXPECT_THAT(refusal(folder_ / "inner/../inner"), HasSubstr("does not end in"));
+  EXPECT_THAT(refusal(folder_ / "inner/../inner"),
+              HasSubstr("none of the endings that are read here: bodies (.glb, .obj, .gltf, .ply)."));
   fs::create_directory(folder_ / "dir.obj");
   EXPECT_THAT(refusal(folder_ / "dir.obj"), HasSubstr("is not a file"));
 }

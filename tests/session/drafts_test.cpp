@@ -13,6 +13,7 @@ namespace karinui {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::HasSubstr;
 
 class Drafts : public testing::Test {
  protected:
@@ -110,6 +111,20 @@ TEST_F(Drafts, WhatIsImportedIntoAnEmptyWindowIsADraftOfItsName) {
   again.finish();
   ASSERT_TRUE(again.snapshot().body) << refused(again) << "the mesh is in the file";
   EXPECT_EQ(again.snapshot().body->name(), "egg");
+}
+
+// An ending in capital letters is the same ending; the operations are not taken for JSON.
+TEST_F(Drafts, AnEndingIsReadInAnyLetterCaseAndAnUnknownOneRefused) {
+  ASSERT_TRUE(writeFile(folder_ / "X.OPS", kTwoPieces));
+  ASSERT_TRUE(writeFile(folder_ / "shirt.txt", kTwoPieces));
+  Session session(options());
+  session.importPattern(folder_ / "X.OPS");
+  session.finish();
+  EXPECT_EQ(session.snapshot().document.pattern.pieces.size(), 2u) << refused(session);
+  session.importPattern(folder_ / "shirt.txt");
+  session.finish();
+  EXPECT_THAT(refused(session), HasSubstr("patterns (.svg, .json), scripts of operations (.ops)"));
+  EXPECT_EQ(session.snapshot().document.pattern.pieces.size(), 2u);
 }
 
 TEST_F(Drafts, SaveAsMovesADraftAndCopiesADocument) {

@@ -53,15 +53,15 @@ TEST(StudioSaveActions, EveryKindIsShownBeforeItIsWritten) {
     kind.setCurrentIndex(k);
     QApplication::processEvents();
     ASSERT_FALSE(dialog.trouble());
-    const ExportInfo& about = info(dialog.wish().kind);
-    if (about.shows == ExportInfo::Shows::Text) {
+    const FileFormat& format = *dialog.wish().format;
+    if (format.out == FileContent::Pattern || format.out == FileContent::Script) {
       EXPECT_TRUE(text.isVisible());
       EXPECT_GT(text.toPlainText().size(), 100);
     } else {
       EXPECT_TRUE(picture.isVisible());
       EXPECT_GT(inked(picture.pixmap().toImage()), 150);
     }
-    if (dialog.wish().kind == ExportKind::PdfA4) {
+    if (format.id == "pdf-a4") {
       w.keepDialog(dialog, "studio_export");
       const QImage overview = picture.pixmap().toImage();
       EXPECT_GT(page.maximum(), 4);
@@ -69,7 +69,7 @@ TEST(StudioSaveActions, EveryKindIsShownBeforeItIsWritten) {
       EXPECT_NE(picture.pixmap().toImage(), overview) << "the pages are turned over";
       page.setValue(1);
     }
-    const fs::path file = folder.path / ("out" + std::to_string(k) + "." + std::string(about.ending));
+    const fs::path file = folder.path / ("out" + std::to_string(k) + "." + std::string(format.endings.front()));
     w.session().exportTo(file, dialog.wish());
     w.rest();
     const auto bytes = readFile(file);
@@ -129,7 +129,7 @@ TEST(StudioSaveActions, ARollTakesTheWholeSheetAtItsOwnSize) {
   Folder folder;
   const fs::path path = folder.path / "roll.pdf";
   ExportWish wish;
-  wish.kind = ExportKind::PdfSheet;
+  wish.format = &fileFormat("pdf");
   const Flat size = paperOf(w.session().snapshot(), wish)->size(0);
   {
     QPrinter printer(QPrinter::HighResolution);

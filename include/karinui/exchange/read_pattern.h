@@ -1,13 +1,10 @@
 #pragma once
-// A paper pattern from a file of any kind Karinui reads. Opens the file; any thread.
-#include <filesystem>
-
-#include "karinui/base/result.h"
-#include "karinui/pattern/piece.h"
+// A paper pattern from a file of any format of the table that carries one. Opens the file; any thread.
+#include "karinui/exchange/formats.h"
 
 namespace karinui {
 
-// .svg: one Karinui drew. Anything else is JSON: karinui-pattern-1 if it says so, else GarmentCode's.
-Result<Pattern> readPattern(const std::filesystem::path& file);
+// BadInput, with a sentence that lists what can be read, where the ending is no pattern's.
+Result<Pattern> readPattern(const std::filesystem::path& file, FormatTable table = fileFormats());
 
 }  // namespace karinui

@@ -1,0 +1,94 @@
+// The window takes what the table of formats says, and nothing else.
+#include <gmock/gmock.h>
+
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMimeData>
+#include <QTimer>
+#include <fstream>
+
+#include "karinui/exchange/formats.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::HasSubstr;
+using testing::UnorderedElementsAreArray;
+
+QAction* actionCalled(MainWindow& window, const QString& words) {
+  for (QAction* action : window.findChildren<QAction*>())
+    if (action->text() == words) return action;
+  return nullptr;
+}
+
+// The endings that the file dialog of a menu entry offers, "*.obj"; the dialog is left again.
+QStringList offeredBy(MainWindow& window, const QString& entry) {
+  QStringList offered;
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    watch.stop();
+    for (const QString& filter : dialog->nameFilters())
+      offered << filter.section('(', 1).chopped(1).split(' ', Qt::SkipEmptyParts);
+    dialog->reject();
+  });
+  watch.start(0);
+  QAction* action = actionCalled(window, entry);
+  if (action) action->trigger();
+  return offered;
+}
+
+std::vector<std::string> written(const QStringList& offered) {
+  std::vector<std::string> all;
+  for (const QString& one : offered) all.push_back(one.toStdString());
+  return all;
+}
+
+TEST(StudioFormats, DialogsOfferExactlyWhatCanBeRead) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  const std::vector<std::string> imported = written(offeredBy(w.main(), QString::fromUtf8("Import…")));
+  const std::vector<std::string> opened = written(offeredBy(w.main(), QString::fromUtf8("Open…")));
+  std::vector<std::string> readable;
+  for (const FileFormat& format : fileFormats())
+    for (const std::string_view ending : format.endings) {
+      const std::string pattern = "*." + std::string(ending);
+      const bool once = std::find(readable.begin(), readable.end(), pattern) == readable.end();
+      if (format.in != FileContent::None && once) readable.push_back(pattern);
+    }
+  EXPECT_THAT(opened, testing::ElementsAre("*.karinui"));
+  std::vector<std::string> both = imported;
+  both.insert(both.end(), opened.begin(), opened.end());
+  EXPECT_THAT(both, UnorderedElementsAreArray(readable));
+  EXPECT_THAT(imported, testing::Contains("*.obj"));
+}
+
+void drop(MainWindow& window, const fs::path& file) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+  QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &event);
+}
+
+TEST(StudioFormats, ADroppedFileIsTakenByItsEndingInCapitalsAndAnUnknownOneTold) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  Folder folder;
+  std::ofstream(folder.path / "X.OPS")
+      << "piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; back L 0 0\"\n";
+  std::ofstream(folder.path / "body.stl") << "solid\n";
+  const std::size_t before = w.count();
+  drop(w.main(), folder.path / "body.stl");
+  w.rest();
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("“body.stl” has none of the endings that are read here: "
+                                                       "documents (.karinui), bodies (.glb, .obj, .gltf, .ply)"));
+  EXPECT_EQ(w.count(), before);
+  drop(w.main(), folder.path / "X.OPS");
+  w.rest();
+  EXPECT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+}
+
+}  // namespace
+}  // namespace karinui::studio
