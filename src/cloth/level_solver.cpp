@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "cloth/bending.h"
-#include "cloth/collider_face_contact.h"
 #include "cloth/lattice_areas.h"
 
 namespace karinui {
@@ -63,7 +62,7 @@ double skinOffset(const SettleSettings& settings, double spacing, double finest)
 double clothRadius(double spacing, double finest) { return spacing > 1.25 * finest ? 0.2 * spacing : 0.002; }
 
 LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const ColliderList& colliders,
-                         const SettleSettings& settings, double clothRadius, Workers& workers)
+                         const SettleSettings& settings, double clothRadius, Workers& workers, AddedTerms added)
     : cloth_(cloth),
       workers_(workers),
       x_(std::move(x)),
@@ -71,7 +70,8 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
       gradient_(cloth.nodeCount),
       tied_(cloth.ties.size(), 0),
       layout_(cloth),
-      membraneOnGrid_(cloth, layout_) {
+      membraneOnGrid_(cloth, layout_),
+      energies_(cloth, layout_) {
   Moving moving = movingOf(cloth);
   mass_ = std::move(moving.mass);
   held_ = std::move(moving.held);
@@ -82,66 +82,40 @@ LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const Collider
   const double g = length(settings.gravity);
   nodeWeight_ = std::max(1e-12, total / std::max<std::size_t>(1, moving_.size()) * (g > 0 ? g : 9.81));
 
+  std::move(added.energies.begin(), added.energies.end(), std::back_inserter(energies_.list));
   std::vector<NodePair> pairs;
-  const auto add = [&](auto energy) {
-    auto* raw = energy.get();
-    energy->appendPairs(pairs);
-    blockEnergies_.push_back(raw);
-    energies_.push_back(std::move(energy));
-    return raw;
-  };
-  membrane_ = add(std::make_unique<Membrane>(cloth, &layout_));
-  Springs* simcloth = add(std::make_unique<Springs>(simclothSprings(cloth), cloth.nodeCount));
-  if (simcloth->count() > 0) simcloth_ = simcloth;
-  springs_ = {simcloth, add(std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount))};
+  for (const auto& energy : energies_.list) energy->appendPairs(pairs);
   auto bending = std::make_unique<Bending>(cloth, held_, layout_, workers);
   system_ = std::make_unique<BlockSystem>(cloth, layout_, bending->grid(), pairs, bending->remainder());
-  energies_.push_back(std::move(bending));
+  bending_ = std::move(bending);
   blocks_.resize(pairs.size());
   // Ties between nodes that do not move cannot be closed here.
   for (std::size_t t = 0; t < cloth.ties.size(); ++t) {
     const Tie& tie = cloth.ties[t];
     if (held_[tie.a] && held_[tie.b] && (tie.c == kNoNode || held_[tie.c])) tied_[t] = 1;
   }
-  const auto addContact = [&](auto contact) {
-    auto* raw = contact.get();
-    contacts_.push_back(std::move(contact));
-    return raw;
-  };
-  // The last one to limit a move is obeyed: that is the first of the list.
-  for (std::size_t k = colliders.entries().size(); k-- > 0;) {
-    const ColliderList::Entry& entry = colliders.entries()[k];
-    std::vector<ColliderContact::Node> nodes = moving.contact;
-    if (entry.friction)
-      for (ColliderContact::Node& node : nodes) node.friction = *entry.friction;
-    colliders_.push_back(addContact(
-        std::make_unique<ColliderContact>(*entry.collider, std::move(nodes), cloth.nodeCount, settings.skin)));
-    addContact(std::make_unique<ColliderFaceContact>(cloth, *entry.collider, settings.skin));
-  }
-  self_ = addContact(std::make_unique<SelfContact>(cloth, clothRadius));
-  seams_ = addContact(std::make_unique<SeamClosing>(cloth, tied_, colliders_));
-  intersections_ = addContact(std::make_unique<IntersectionRemoval>(cloth, moving_, *self_));
-  hand_ = addContact(std::make_unique<HandContact>());
-  contactSeconds_.assign(contacts_.size(), 0);
+  contacts_ = std::make_unique<LevelContacts>(cloth, colliders, moving.contact, moving_, tied_, settings, clothRadius);
+  std::move(added.contacts.begin(), added.contacts.end(), std::back_inserter(contacts_->list));
+  contactSeconds_.assign(contacts_->list.size(), 0);
   rebuild();
 }
 
 template <class Use>
 void LevelSolver::eachContact(const Use& use) {
-  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+  for (std::size_t k = 0; k < contacts_->list.size(); ++k) {
     const auto start = std::chrono::steady_clock::now();
-    use(*contacts_[k]);
+    use(*contacts_->list[k]);
     contactSeconds_[k] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 }
 
 std::vector<ContactTime> LevelSolver::contactTimes() const {
   std::vector<ContactTime> times;
-  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+  for (std::size_t k = 0; k < contacts_->list.size(); ++k) {
     const auto at = std::find_if(times.begin(), times.end(),
-                                 [&](const ContactTime& time) { return time.name == contacts_[k]->name(); });
+                                 [&](const ContactTime& time) { return time.name == contacts_->list[k]->name(); });
     if (at == times.end())
-      times.push_back({contacts_[k]->name(), contactSeconds_[k]});
+      times.push_back({contacts_->list[k]->name(), contactSeconds_[k]});
     else
       at->seconds += contactSeconds_[k];
   }
@@ -150,7 +124,7 @@ std::vector<ContactTime> LevelSolver::contactTimes() const {
 
 std::size_t LevelSolver::touching() const {
   std::size_t nodes = 0;
-  for (const ColliderContact* contact : colliders_) nodes += contact->touching();
+  for (const ColliderContact* contact : contacts_->colliders) nodes += contact->touching();
   return nodes;
 }
 
@@ -158,7 +132,7 @@ void LevelSolver::rebuild() {
   ties_ = std::make_unique<TieMap>(cloth_, held_, tied_);
   ties_->enforce(x_);
   system_->setTies(*ties_);
-  for (const auto& contact : contacts_) contact->setTies(*ties_);
+  for (const auto& contact : contacts_->list) contact->setTies(*ties_);
   open_ = static_cast<std::size_t>(std::count(tied_.begin(), tied_.end(), 0));
 }
 
@@ -170,7 +144,7 @@ void LevelSolver::setPositions(std::vector<Vec3> x) {
 
 void LevelSolver::moveFiltered(std::vector<Vec3> moves) {
   ties_->makeAdmissible(moves);
-  self_->limitMove(x_, moves, workers_);
+  contacts_->self->limitMove(x_, moves, workers_);
   for (NodeIndex k = 0; k < cloth_.nodeCount; ++k) x_[k] += moves[k];
   ties_->enforce(x_);
   resetMotion();
@@ -192,7 +166,7 @@ void LevelSolver::updateDamping(const StepOptions& options) {
 void LevelSolver::resetMotion() {
   std::fill(velocity_.begin(), velocity_.end(), Vec3{});
   std::fill(damping_.begin(), damping_.end(), 0.0);
-  for (const auto& contact : contacts_) contact->reset();
+  for (const auto& contact : contacts_->list) contact->reset();
 }
 
 void LevelSolver::tieWithin(double gap) {
@@ -216,21 +190,22 @@ void LevelSolver::tieWithin(double gap) {
   ties_->expand(p, velocity_);
 }
 
-bool LevelSolver::separateIntersections() { return intersections_->start(x_, workers_); }
+bool LevelSolver::separateIntersections() { return contacts_->intersections->start(x_, workers_); }
 
-std::size_t LevelSolver::intersections() { return intersections_->count(x_, workers_); }
+std::size_t LevelSolver::intersections() { return contacts_->intersections->count(x_, workers_); }
 
 void LevelSolver::assemble(const StepOptions& options, bool sliding) {
   std::fill(gradient_.begin(), gradient_.end(), Vec3{});
   membraneOnGrid_.evaluate(x_, gradient_, system_->gridStiffness(), workers_);
-  for (const auto& energy : energies_) energy->addGradient(x_, gradient_, workers_);
+  for (const auto& energy : energies_.list) energy->addGradient(x_, gradient_, workers_);
+  bending_->addGradient(x_, gradient_, workers_);
   for (NodeIndex k : moving_) gradient_[k] -= options.gravity * mass_[k];
-  seams_->setStrength(options.seamPull);
+  contacts_->seams->setStrength(options.seamPull);
   eachContact([&](Contact& contact) { contact.detect({x_, options.friction, sliding}, workers_); });
   eachContact([&](Contact& contact) { contact.addGradient(gradient_); });
 
   std::size_t at = 0;
-  for (const BlockEnergy* energy : blockEnergies_) {
+  for (const auto& energy : energies_.list) {
     energy->blocks(x_, std::span(blocks_).subspan(at, energy->pairCount()), workers_);
     at += energy->pairCount();
   }
@@ -309,8 +284,9 @@ LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Toke
   result.move = std::sqrt(whole.most);
   result.finite = std::isfinite(whole.now);
   if (!result.finite) return result;
-  if (simcloth_)
-    simcloth_->setSlackTolerance(std::clamp(kSlackShare * result.move, kLeastSlack, kMostSlack * cloth_.spacing));
+  if (energies_.simcloth)
+    energies_.simcloth->setSlackTolerance(
+        std::clamp(kSlackShare * result.move, kLeastSlack, kMostSlack * cloth_.spacing));
   result.along = whole.now > 0 && whole.before > 0 ? whole.both / std::sqrt(whole.now * whole.before) : 0;
   if (!cloth_.ties.empty()) ties_->enforce(x_);
   eachContact([&](Contact& contact) { contact.afterStep(x_, options.friction, workers_); });
@@ -340,7 +316,8 @@ LevelSolver::StepResult LevelSolver::predict(const StepOptions& options, const T
 std::vector<Vec3> LevelSolver::internalForces() {
   std::vector<Vec3> pull(cloth_.nodeCount);
   membraneOnGrid_.evaluate(x_, pull, system_->gridStiffness(), workers_);
-  for (const auto& energy : energies_) energy->addGradient(x_, pull, workers_);
+  for (const auto& energy : energies_.list) energy->addGradient(x_, pull, workers_);
+  bending_->addGradient(x_, pull, workers_);
   for (Vec3& p : pull) p = -p;
   return pull;
 }
@@ -357,12 +334,12 @@ std::vector<Vec3> LevelSolver::responseTo(const std::vector<Vec3>& force, const 
 }
 
 Vec3 LevelSolver::handForce() const {
-  const std::optional<Hand>& hand = hand_->hand();
+  const std::optional<Hand>& hand = contacts_->hand->hand();
   if (!hand) return {};
   std::vector<std::uint8_t> patch(cloth_.nodeCount, 0);
   for (NodeIndex node : hand->nodes) patch[node] = 1;
-  Vec3 force = membrane_->tensionAt(x_, patch);
-  for (const Springs* springs : springs_) force += springs->tensionAt(x_, patch);
+  Vec3 force = energies_.membrane->tensionAt(x_, patch);
+  for (const Springs* springs : energies_.springs) force += springs->tensionAt(x_, patch);
   return force;
 }
 

@@ -6,24 +6,17 @@
 #include <vector>
 
 #include "cloth/block_system.h"
-#include "cloth/collider_contact.h"
 #include "cloth/grid_membrane.h"
-#include "cloth/hand_contact.h"
-#include "cloth/intersection_removal.h"
-#include "cloth/membrane.h"
-#include "cloth/seam_closing.h"
-#include "cloth/self_contact.h"
-#include "cloth/springs.h"
-#include "karinui/cloth/settle.h"
+#include "cloth/level_terms.h"
 
 namespace karinui {
 
 class LevelSolver {
  public:
   // The cloth and the colliders must outlive this. `x`: where the cloth stands.
-  // `clothRadius`: how near cloth comes to cloth, metres.
+  // `clothRadius`: how near cloth comes to cloth, metres. `added`: energies and contacts beside those of every level.
   LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const ColliderList& colliders, const SettleSettings& settings,
-              double clothRadius, Workers& workers);
+              double clothRadius, Workers& workers, AddedTerms added = {});
   LevelSolver(const LevelSolver&) = delete;  // its contacts refer to it
   LevelSolver& operator=(const LevelSolver&) = delete;
 
@@ -60,7 +53,7 @@ class LevelSolver {
   bool allTied() const { return open_ == 0; }
   void tieWithin(double gap);  // ties every open pair nearer than this
   // Whether cloth meets cloth; it does at first.
-  void enableSelfContact(bool on) { self_->enable(on); }
+  void enableSelfContact(bool on) { contacts_->self->enable(on); }
   // Looks whether the cloth intersects itself and if so separates it in the steps that follow; whether there is
   // something to separate.
   bool separateIntersections();
@@ -69,7 +62,7 @@ class LevelSolver {
   std::size_t touching() const;  // nodes in contact with a collider
   const std::vector<NodeIndex>& moving() const { return moving_; }
 
-  void setHand(std::optional<Hand> hand) { hand_->set(std::move(hand)); }
+  void setHand(std::optional<Hand> hand) { contacts_->hand->set(std::move(hand)); }
   Vec3 handForce() const;                         // newtons: of threads stretched beyond their length
   std::vector<ContactTime> contactTimes() const;  // so far; contacts of one name together
 
@@ -91,23 +84,15 @@ class LevelSolver {
   std::vector<NodeIndex> moving_;
   GridLayout layout_;
   GridMembrane membraneOnGrid_;
-  std::vector<std::unique_ptr<Energy>> energies_;  // beside the grid blocks' membrane
-  std::vector<const BlockEnergy*> blockEnergies_;  // of energies_
-  const Membrane* membrane_ = nullptr;             // of energies_
-  std::vector<const Springs*> springs_;            // of energies_
-  Springs* simcloth_ = nullptr;                    // of springs_; null: none of the pieces is
+  LevelEnergies energies_;           // beside the grid blocks' membrane
+  std::unique_ptr<Energy> bending_;  // after those
   std::vector<Block3> blocks_;
   std::unique_ptr<TieMap> ties_;
   std::unique_ptr<BlockSystem> system_;
-  std::vector<std::unique_ptr<Contact>> contacts_;  // in the order they are asked; those below are of them
-  std::vector<double> contactSeconds_;              // of each
-  std::vector<const ColliderContact*> colliders_;
-  SelfContact* self_ = nullptr;
-  SeamClosing* seams_ = nullptr;
-  IntersectionRemoval* intersections_ = nullptr;
-  HandContact* hand_ = nullptr;
-  double nodeWeight_ = 0;        // newtons, mean
-  std::vector<double> damping_;  // N/m per node, on the move of a step in any direction
+  std::unique_ptr<LevelContacts> contacts_;
+  std::vector<double> contactSeconds_;  // of each
+  double nodeWeight_ = 0;               // newtons, mean
+  std::vector<double> damping_;         // N/m per node, on the move of a step in any direction
   std::vector<Vec3> force_, move_, nodeMove_;
 };
 
