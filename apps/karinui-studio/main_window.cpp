@@ -86,11 +86,7 @@ MainWindow::MainWindow(SessionOptions options) {
                                                {fabric, say("Fabric")},
                                                {fit, say("Fit")},
                                                {history, say("Steps")}};
-  for (const auto& [panel, words] : boards) {
-    panels_.push_back(panel);
-    const int at = boards_->addTab(scrolling(panel), QString());
-    Theme::here().keep(panel, [this, at, words = words] { boards_->setTabText(at, inWords(words)); });
-  }
+  for (const auto& [panel, words] : boards) addPanel(panel, words);
   Theme::here().keep(boards_, [this] {  // all tabs are seen, whatever the language
     boards_->ensurePolished();
     const int wide = std::max(310, boards_->tabBar()->sizeHint().width() + 2);
@@ -186,6 +182,13 @@ MainWindow::MainWindow(SessionOptions options) {
     refresh();
   });
   refresh();
+}
+
+void MainWindow::addPanel(Panel* panel, const Message& words) {
+  panels_.push_back(panel);
+  const int at = boards_->addTab(scrolling(panel), QString());
+  Theme::here().keep(panel, [this, at, words] { boards_->setTabText(at, inWords(words)); });
+  panel->refresh();
 }
 
 // What is written before a box is its name for those who hear the screen; what nothing is written before names itself.

@@ -41,6 +41,7 @@ class MainWindow : public QMainWindow {
   LatencyLog& latencyLog() { return latencyLog_; }
   QAction* action(Command command) const { return actions_.at(command); }
   QTabWidget& boards() { return *boards_; }
+  void addPanel(Panel* panel, const Message& words);              // behind the other boards; the window owns it
   QString said() const;                                           // the last sentence shown
   void openPath(const QString& path);                             // a document, a pattern or a body, by its ending
   void newGarment(const std::string& size, const QString& path);  // without a path a draft
