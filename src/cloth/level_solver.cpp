@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include "cloth/bending.h"
 #include "cloth/lattice_areas.h"

@@ -68,8 +68,10 @@ TEST(StudioFormats, DialogsOfferExactlyWhatCanBeRead) {
 void drop(MainWindow& window, const fs::path& file) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
-  QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&window, &event);
+  QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
+  QDropEvent left(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &left);
 }
 
 TEST(StudioFormats, ADroppedFileIsTakenByItsEndingInCapitalsAndAnUnknownOneTold) {
