@@ -6,7 +6,7 @@
 
 #include "karinui/exchange/garment_code.h"
 #include "names.h"
-#include "seam_walk.h"
+#include "karinui/pattern/seam_walk.h"
 #include "strict_json.h"
 
 namespace karinui {

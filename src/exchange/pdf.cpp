@@ -54,8 +54,8 @@ void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
     canvas.stroke(0.7, false);
   }
   for (const Mm place : piece.drills) {
-    canvas.circle(place, 2.5);
-    for (const Mm arm : {Mm{4, 0}, Mm{0, 4}}) canvas.moveTo(place - arm), canvas.lineTo(place + arm);
+    canvas.circle(place, kDrillRadius * 1000);
+    for (const Mm arm : {Mm{kDrillArm * 1000, 0}, Mm{0, kDrillArm * 1000}}) canvas.moveTo(place - arm), canvas.lineTo(place + arm);
     canvas.stroke(0.35, false);
   }
   if (piece.grain) {

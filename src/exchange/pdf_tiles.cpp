@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "karinui/pattern/label_room.h"
+
 namespace karinui {
 namespace {
 

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "karinui/design/piece_label.h"
+#include "karinui/pattern/label_room.h"
 #include "names.h"
 
 namespace karinui {
 namespace {
 
 constexpr double kMargin = 20, kGap = 15, kHeader = kSquare + 60;  // mm
-constexpr double kNotch = 5;                                       // mm, without seam allowance
-constexpr double kTagDepth = 6, kTagSize = 4.5;                    // mm
 
 // Paper in mm with y down, before the piece has its place on the sheet.
 Mm turned(Flat p) { return {p.u * 1000, -p.v * 1000}; }
@@ -34,8 +34,7 @@ Result<SheetPiece> draw(const Piece& piece, double allowance) {
       grow(out, turned(p));
     }
   }
-  for (const Mark& mark : piece.marks)
-    if (mark.edge.empty()) out.drills.push_back(turned(mark.place));
+  for (const Flat hole : drillHoles(piece)) out.drills.push_back(turned(hole));
   return out;
 }
 
@@ -71,27 +70,28 @@ void shelve(Sheet& sheet, double rollWidth) {
   sheet.height = std::ceil(at.y + shelf + kMargin);
 }
 
+void addLabels(SheetPiece& out, Language language) {
+  std::vector<std::string> lines;
+  for (const Message& line : labelOf(*out.piece)) lines.push_back(cleanText(text(line, language)));
+  const LetteredPiece room = roomFor(*out.piece, lines);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const LetteredPiece::Line& line = room.lines[i];
+    out.texts.push_back({out.at(line.place), line.size * 1000, line.upright, lines[i]});
+  }
+  if (room.grain) out.grain = {out.at(room.grain->from), out.at(room.grain->to)};
+}
+
 void addNotches(Sheet& sheet, const Pattern& pattern, double allowance) {
   std::map<PieceId, SheetPiece*> of;
   for (SheetPiece& piece : sheet.pieces) of[piece.piece->id] = &piece;
-  // Outwards to the cut line; on a pattern of seam lines only, a short stroke inwards.
-  const double reach = allowance > 0 ? allowance : -kNotch / 1000;
   for (const NotchPlace& notch : notchPlaces(pattern)) {
     SheetPiece& piece = *of.at(notch.piece);
-    piece.notches.push_back({{piece.at(notch.place), piece.at(notch.place + notch.outward * reach)}, notch.seam});
+    const PaperStroke stroke = strokeOf(notch, allowance);
+    piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, notch.seam});
   }
-  for (SheetPiece& piece : sheet.pieces)
-    for (const Mark& mark : piece.piece->marks)
-      if (const Edge* edge = mark.edge.empty() ? nullptr : findEdge(*piece.piece, mark.edge)) {
-        const double t = edge->curve.parameterAt(std::clamp(mark.fraction, 0.0, 1.0) * edge->curve.length());
-        const bool hole = !piece.piece->outline.find(mark.edge);
-        const Flat place = edge->curve.at(t), outward = leftOf(normalized(edge->curve.tangent(t))) * (hole ? 1 : -1);
-        piece.notches.push_back({{piece.at(place), piece.at(place + outward * reach)}, ""});
-      }
   for (const SeamTag& tag : seamTags(pattern)) {
     SheetPiece& piece = *of.at(tag.piece);
-    const Mm place = piece.at(tag.place - tag.outward * (kTagDepth / 1000));
-    piece.texts.push_back({place, kTagSize, true, std::to_string(tag.number)});
+    piece.texts.push_back({piece.at(tag.place), kSeamTagSize * 1000, true, std::to_string(tag.number)});
   }
 }
 
@@ -111,7 +111,7 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
     sheet.pieces.push_back(*std::move(drawn));
   }
   shelve(sheet, settings.rollWidth * 1000);
-  for (SheetPiece& piece : sheet.pieces) placeLabels(piece, settings);
+  for (SheetPiece& piece : sheet.pieces) addLabels(piece, settings.language);
   addNotches(sheet, pattern, settings.allowance);
 
   sheet.square = {kMargin, kMargin};

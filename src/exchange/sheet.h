@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "karinui/exchange/sheet.h"
+#include "karinui/pattern/markings.h"
 
 namespace karinui {
 
@@ -53,28 +54,7 @@ inline constexpr double kSquare = 100;  // mm
 // Refused: an empty pattern, an absurd allowance.
 Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings);
 
-// The words' width, mm, estimated: half-width letters 0.6 of the size, all others 1.
-double wordsWidth(std::string_view words, double size);
-
 // sheet_offset.cpp: the ring moved outwards by `distance` with mitred corners; several rings never arise from one.
 Result<Ring> movedOutwards(const Ring& ring, double distance);
-
-// sheet_notches.cpp: places where sewn pieces must meet; the two sides of a seam get the same number of them.
-struct NotchPlace {
-  PieceId piece;
-  Flat place, outward;  // paper; unit
-  std::string seam;
-};
-std::vector<NotchPlace> notchPlaces(const Pattern& pattern);
-// The middle of each side of each seam, with the seam's number counted from 1.
-struct SeamTag {
-  PieceId piece;
-  Flat place, outward;
-  std::size_t number = 0;
-};
-std::vector<SeamTag> seamTags(const Pattern& pattern);
-
-// sheet_labels.cpp: the name, what to cut and the grain arrow, placed within the piece where there is room.
-void placeLabels(SheetPiece& piece, const SheetSettings& settings);
 
 }  // namespace karinui

@@ -81,9 +81,10 @@ void piece(std::string& out, const SheetPiece& drawn, std::size_t index) {
   for (const SheetNotch& notch : drawn.notches)
     stroke(out, "notch", notch.stroke.from, notch.stroke.to, " data-seam=\"" + xmlEscaped(notch.seam) + "\"");
   for (const Mm place : drawn.drills) {
-    out += "    <circle class=\"drill\" cx=\"" + number(place.x) + "\" cy=\"" + number(place.y) + "\" r=\"2.5\"/>\n";
-    stroke(out, "drill", place + Mm{-4, 0}, place + Mm{4, 0});
-    stroke(out, "drill", place + Mm{0, -4}, place + Mm{0, 4});
+    out += "    <circle class=\"drill\" cx=\"" + number(place.x) + "\" cy=\"" + number(place.y) + "\" r=\"" +
+           number(kDrillRadius * 1000) + "\"/>\n";
+    for (const Mm arm : {Mm{kDrillArm * 1000, 0}, Mm{0, kDrillArm * 1000}})
+      stroke(out, "drill", place - arm, place + arm);
   }
   for (const Mark& mark : p.marks) {
     out += "    <metadata class=\"mark\" data-mark=\"" + xmlEscaped(mark.name) + "\"";

@@ -9,6 +9,7 @@
 #include "exchange/xml.h"
 #include "karinui/base/file.h"
 #include "karinui/exchange/garment_code.h"
+#include "karinui/pattern/label_room.h"
 #include "patterns.h"
 
 namespace karinui {

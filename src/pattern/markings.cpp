@@ -1,7 +1,7 @@
-#include <algorithm>
+#include "karinui/pattern/markings.h"
 
-#include "seam_walk.h"
-#include "sheet.h"
+#include <algorithm>
+#include <cmath>
 
 namespace karinui {
 namespace {
@@ -11,10 +11,7 @@ constexpr double kVeryLongSeam = 0.400;  // an even one too
 constexpr double kEased = 1.003;
 constexpr double kCornerCosine = 0.85;  // outlines that turn by more than about 32 degrees have a corner of their own
 
-struct OnEdge {
-  Flat place, outward;
-  bool corner = false;  // at a corner of the outline that anyone sees
-};
+constexpr double kTagDepth = 0.006;      // metres from the edge to the middle of a seam's number
 
 Flat unitTangent(const Curve& curve, double t) {
   const Flat there = curve.tangent(t);
@@ -23,17 +20,19 @@ Flat unitTangent(const Curve& curve, double t) {
                             : curve.at(t) - curve.at(t - 1e-3));  // a handle of no length
 }
 
-std::optional<OnEdge> placeOf(const Pattern& pattern, const SeamPlace& at) {
+}  // namespace
+
+std::optional<BorderPlace> borderPlace(const Pattern& pattern, const SeamPlace& at) {
   const auto found = pattern.pieces.find(at.piece);
   if (found == pattern.pieces.end()) return std::nullopt;
   const Piece& piece = *found->second;
-  const auto on = [&](const Outline& outline, double side) -> std::optional<OnEdge> {
+  const auto on = [&](const Outline& outline, double side) -> std::optional<BorderPlace> {
     const auto index = outline.find(at.edge);
     if (!index) return std::nullopt;
     const Curve& curve = outline.edges[*index].curve;
     const double t = curve.parameterAt(std::clamp(at.fraction, 0.0, 1.0) * curve.length());
     const Flat along = unitTangent(curve, t);
-    OnEdge out{curve.at(t), leftOf(along) * -side, false};
+    BorderPlace out{curve.at(t), leftOf(along) * -side, false};
     const std::size_t count = outline.edges.size();
     const double tiny = 1e-4 / curve.length();
     if (at.fraction < tiny)
@@ -47,8 +46,6 @@ std::optional<OnEdge> placeOf(const Pattern& pattern, const SeamPlace& at) {
     if (const auto within = on(hole, -1)) return within;
   return std::nullopt;
 }
-
-}  // namespace
 
 std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
   std::vector<NotchPlace> out;
@@ -64,13 +61,29 @@ std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
     if (balance && free) fractions.insert(std::upper_bound(fractions.begin(), fractions.end(), 0.5), 0.5);
     for (const double fraction : fractions) {
       const SeamPlace atA = sides.a.at(fraction), atB = sides.b.at(fraction);
-      const auto a = placeOf(pattern, atA), b = placeOf(pattern, atB);
+      const auto a = borderPlace(pattern, atA), b = borderPlace(pattern, atB);
       if (!a || !b) continue;
       if (a->corner && b->corner) continue;  // two corners find each other
       out.push_back({atA.piece, a->place, a->outward, seam.name});
       out.push_back({atB.piece, b->place, b->outward, seam.name});
     }
   }
+  for (const auto& [id, piece] : pattern.pieces)
+    for (const Mark& mark : piece->marks)
+      if (!mark.edge.empty())
+        if (const auto on = borderPlace(pattern, {id, mark.edge, mark.fraction}))
+          out.push_back({id, on->place, on->outward, ""});
+  return out;
+}
+
+PaperStroke strokeOf(const NotchPlace& notch, double allowance) {
+  return {notch.place, notch.place + notch.outward * (allowance > 0 ? allowance : -kNotchLength)};
+}
+
+std::vector<Flat> drillHoles(const Piece& piece) {
+  std::vector<Flat> out;
+  for (const Mark& mark : piece.marks)
+    if (mark.edge.empty()) out.push_back(mark.place);
   return out;
 }
 
@@ -82,7 +95,8 @@ std::vector<SeamTag> seamTags(const Pattern& pattern) {
     const SeamSides sides(pattern, seam);
     for (const SeamSide* side : {&sides.a, &sides.b}) {
       const SeamPlace at = side->at(0.5);
-      if (const auto place = placeOf(pattern, at)) out.push_back({at.piece, place->place, place->outward, number});
+      if (const auto on = borderPlace(pattern, at))
+        out.push_back({at.piece, on->place - on->outward * kTagDepth, number});
     }
   }
   return out;

@@ -1,4 +1,4 @@
-#include "seam_walk.h"
+#include "karinui/pattern/seam_walk.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
-// Finding room: among places of a grid over the piece, the largest lettering that stays clear of every line, then the
-// longest grain arrow that stays clear of the lettering too.
-#include <algorithm>
+// Finding room: places of a grid over the piece are tried with ever smaller lettering.
+#include "karinui/pattern/label_room.h"
 
-#include "karinui/design/glossary.h"
-#include "names.h"
-#include "sheet.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 
 namespace karinui {
 namespace {
@@ -93,11 +93,12 @@ class Room {
 
 struct Lettering {
   Box box;
-  double size = 2;
+  double size = 0.002;
   bool upright = true;
 };
 
-constexpr double kSmaller = 0.62;  // the second line's size to the first's
+constexpr double kSmaller = 0.62;     // a later line's size to the first's
+constexpr double kLineHeight = 1.35;  // of the font's size
 
 Lettering letteringFor(const Room& room, const std::vector<std::string>& lines) {
   const auto boxOf = [&](Flat centre, double size, bool upright) {
@@ -105,13 +106,13 @@ Lettering letteringFor(const Room& room, const std::vector<std::string>& lines) 
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const double own = i == 0 ? size : size * kSmaller;
       width = std::max(width, wordsWidth(lines[i], own));
-      height += own * 1.35;
+      height += own * kLineHeight;
     }
-    const Flat half = Flat{width, height} * 0.0005;
+    const Flat half = Flat{width, height} * 0.5;
     return Box{centre, upright ? half : Flat{half.v, half.u}};
   };
   for (const double margin : {0.009, 0.003, 0.001})
-    for (const double size : {11.0, 9.0, 7.5, 6.0, 5.0, 4.0, 3.2, 2.6})
+    for (const double size : {0.011, 0.009, 0.0075, 0.006, 0.005, 0.004, 0.0032, 0.0026})
       for (const bool upright : {true, false}) {
         std::optional<Box> best;
         for (const Flat place : room.places()) {
@@ -120,14 +121,14 @@ Lettering letteringFor(const Room& room, const std::vector<std::string>& lines) 
               room.clear(box, margin))
             best = box;
         }
-        if (best && (size >= 3.2 || margin < 0.003)) return {*best, size, upright};
+        if (best && (size >= 0.0032 || margin < 0.003)) return {*best, size, upright};
       }
   // No room at all: small, at the place farthest from the lines.
   Flat widest = room.middle();
   double most = -1;
   for (const Flat place : room.places())
     if (const double here = room.clearance(place, place); here > most) most = here, widest = place;
-  return {boxOf(widest, 2, true), 2, true};
+  return {boxOf(widest, 0.002, true), 0.002, true};
 }
 
 std::optional<std::pair<Flat, Flat>> grainFor(const Room& room, Flat grain, const Box& lettering) {
@@ -158,23 +159,21 @@ double wordsWidth(std::string_view words, double size) {
   return width * size;
 }
 
-void placeLabels(SheetPiece& out, const SheetSettings& settings) {
-  const Piece& piece = *out.piece;
+LetteredPiece roomFor(const Piece& piece, const std::vector<std::string>& lines) {
   const Room room(piece);
-  const std::vector<std::string> lines{cleanText(text(nameSaid(piece.name), settings.language)),
-                                       cleanText(text(say("Cut 1 · {0}", nameSaid(piece.fabric)), settings.language))};
   const Lettering lettering = letteringFor(room, lines);
+  const Box& box = lettering.box;
+  LetteredPiece out;
   // The lines are stacked within the box, downwards or, turned, to the right.
-  double below = -(lettering.upright ? lettering.box.half.v : lettering.box.half.u) * 1000;
+  double below = -(lettering.upright ? box.half.v : box.half.u);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double size = i == 0 ? lettering.size : lettering.size * kSmaller, middle = below + size * 1.35 / 2;
-    const Mm centre = out.at(lettering.box.centre);
-    out.texts.push_back(
-        {centre + (lettering.upright ? Mm{0, middle} : Mm{middle, 0}), size, lettering.upright, lines[i]});
-    below += size * 1.35;
+    const double size = i == 0 ? lettering.size : lettering.size * kSmaller, middle = below + size * kLineHeight / 2;
+    out.lines.push_back(
+        {box.centre + (lettering.upright ? Flat{0, -middle} : Flat{middle, 0}), size, lettering.upright});
+    below += size * kLineHeight;
   }
-  if (const auto arrow = grainFor(room, piece.grain, lettering.box))
-    out.grain = {out.at(arrow->first), out.at(arrow->second)};
+  if (const auto grain = grainFor(room, piece.grain, box)) out.grain = {grain->first, grain->second};
+  return out;
 }
 
 }  // namespace karinui

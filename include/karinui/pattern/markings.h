@@ -1,0 +1,50 @@
+#pragma once
+// What is marked on the edges and on the inside of a pattern's pieces: notches, drill holes, the seams' numbers. Every
+// drawing of the flat pattern, printed sheet and cutting table alike, takes its marks from here. Metres on paper. Pure;
+// any thread.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "karinui/pattern/piece.h"
+#include "karinui/pattern/seam_walk.h"
+
+namespace karinui {
+
+struct PaperStroke {
+  Flat from, to;
+  bool operator==(const PaperStroke&) const = default;
+};
+
+// A place on an outline or on the edge of a hole; `outward` is a unit step at right angles to it, out of the cloth.
+struct BorderPlace {
+  Flat place, outward;
+  bool corner = false;  // at a corner of the outline that anyone sees
+};
+std::optional<BorderPlace> borderPlace(const Pattern& pattern, const SeamPlace& at);  // nothing: no such piece or edge
+
+// Places where sewn pieces must meet, for each seam as many on either side; then the person's own notches.
+struct NotchPlace {
+  PieceId piece;
+  Flat place, outward;
+  std::string seam;  // name; empty for a notch of the person's own
+};
+std::vector<NotchPlace> notchPlaces(const Pattern& pattern);
+// From the seam line out to the cut line; on a pattern of seam lines only (allowance 0), a short stroke inwards.
+inline constexpr double kNotchLength = 0.005;
+PaperStroke strokeOf(const NotchPlace& notch, double allowance = 0);
+
+std::vector<Flat> drillHoles(const Piece& piece);
+inline constexpr double kDrillRadius = 0.0025;  // of the circle round a drill hole,
+inline constexpr double kDrillArm = 0.004;      // and of each arm of the cross through it
+
+// The number of a seam, counted from 1, beside the middle of each of its sides.
+struct SeamTag {
+  PieceId piece;
+  Flat place;  // the middle of the lettering
+  std::size_t number = 0;
+};
+inline constexpr double kSeamTagSize = 0.0045;  // of the font
+std::vector<SeamTag> seamTags(const Pattern& pattern);
+
+}  // namespace karinui

@@ -1,0 +1,40 @@
+#pragma once
+// The flat pattern of a garment as it lies on the cutting table, ready to be drawn. Pure; any thread.
+#include <map>
+
+#include "karinui/pattern/label_room.h"
+#include "karinui/scene/table_frame.h"
+#include "karinui/session/gesture.h"
+
+namespace karinui {
+
+struct TableFrameOptions {
+  Language language = Language::English;      // the lettering is placed for its words in this language
+  bool corners = false;                       // a tool moves them
+  std::map<PieceId, Outline> outlines = {};   // shown instead of the document's, as Preview::outlines
+};
+
+// Where pieces have room for their lettering takes milliseconds a piece: kept from one frame to the next for the pieces
+// whose paper is the same. One thread at a time.
+class LetteringRooms {
+ public:
+  const LetteredPiece& of(const Piece& piece, Language language);
+
+ private:
+  struct Kept {
+    Outline outline;
+    std::vector<Outline> holes;
+    std::vector<InternalLine> lines;
+    Flat grain;
+    std::vector<std::string> words;
+    LetteredPiece room;
+  };
+  std::map<PieceId, Kept> kept_;
+};
+
+// `rooms` (null: nothing is kept) belongs to the caller. While a drag shows another outline, lettering and grain line
+// stay where they were.
+TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layout, const Selection& chosen = {},
+                        const TableFrameOptions& options = {}, LetteringRooms* rooms = nullptr);
+
+}  // namespace karinui

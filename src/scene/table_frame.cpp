@@ -1,0 +1,24 @@
+#include "karinui/scene/table_frame.h"
+
+#include <algorithm>
+
+namespace karinui {
+
+Ring ringOf(const std::vector<TableEdge>& edges) {
+  Ring ring;
+  for (const TableEdge& edge : edges)
+    if (!edge.points.empty()) ring.insert(ring.end(), edge.points.begin(), edge.points.end() - 1);
+  return ring;
+}
+
+std::optional<TableBox> extent(const TableFrame& frame) {
+  std::optional<TableBox> box;
+  for (const TablePiece& piece : frame.pieces) {
+    if (!box) box = {piece.low, piece.high};
+    box->low = {std::min(box->low.u, piece.low.u), std::min(box->low.v, piece.low.v)};
+    box->high = {std::max(box->high.u, piece.high.u), std::max(box->high.v, piece.high.v)};
+  }
+  return box;
+}
+
+}  // namespace karinui

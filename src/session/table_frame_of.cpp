@@ -1,0 +1,217 @@
+#include "karinui/session/table_frame_of.h"
+
+#include <algorithm>
+#include <array>
+
+#include "karinui/design/piece_label.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kMiss = 2e-4;  // metres a drawn chord may miss its curve by
+constexpr int kSteps = 30;      // of a seam's line along an edge
+// Both sides of a seam in one hue; the hues are told apart by most eyes (P. Tol's bright scheme).
+constexpr std::array<Colour, 7> kHues{{{0.0578f, 0.1845f, 0.4020f},    // #4477AA
+                                       {0.8550f, 0.1329f, 0.1845f},    // #EE6677
+                                       {0.0160f, 0.2462f, 0.0331f},    // #228833
+                                       {0.4342f, 0.2582f, 0.0060f},    // #B08B12
+                                       {0.0232f, 0.3372f, 0.4621f},    // #2A9DB5
+                                       {0.4020f, 0.0331f, 0.1845f},    // #AA3377
+                                       {0.1845f, 0.1845f, 0.1845f}}};  // #777777
+
+// The pattern as it is shown: with the outlines of a drag.
+Pattern shownPattern(const Document& document, const std::map<PieceId, Outline>& outlines) {
+  Pattern shown = document.pattern;
+  for (const auto& [id, outline] : outlines)
+    if (const auto at = shown.pieces.find(id); at != shown.pieces.end()) {
+      Piece piece = *at->second;
+      piece.outline = outline;
+      at->second = std::make_shared<const Piece>(std::move(piece));
+    }
+  return shown;
+}
+
+std::vector<Flat> laid(std::vector<Flat> points, Flat lies) {
+  for (Flat& p : points) p += lies;
+  return points;
+}
+TableStroke laid(const PaperStroke& stroke, Flat lies) { return {stroke.from + lies, stroke.to + lies}; }
+
+std::vector<TableEdge> edgesOf(const Outline& outline, Flat lies) {
+  std::vector<TableEdge> edges;
+  for (const Edge& edge : outline.edges) {
+    TableEdge drawn;
+    drawn.name = edge.name;
+    drawn.points = laid(edge.curve.flattened(kMiss), lies);
+    drawn.length = edge.curve.length();
+    edges.push_back(std::move(drawn));
+  }
+  return edges;
+}
+
+TableEdge* edgeNamed(TablePiece& piece, const std::string& name) {
+  const auto in = [&](std::vector<TableEdge>& edges) -> TableEdge* {
+    const auto at = std::find_if(edges.begin(), edges.end(), [&](const TableEdge& e) { return e.name == name; });
+    return at == edges.end() ? nullptr : &*at;
+  };
+  if (TableEdge* edge = in(piece.edges)) return edge;
+  for (auto& hole : piece.holes)
+    if (TableEdge* edge = in(hole)) return edge;
+  return nullptr;
+}
+
+TablePiece pieceOf(const Piece& piece, Flat lies) {
+  TablePiece drawn;
+  drawn.name = piece.name;
+  drawn.frozen = piece.frozen;
+  drawn.edges = edgesOf(piece.outline, lies);
+  for (const Outline& hole : piece.holes) drawn.holes.push_back(edgesOf(hole, lies));
+  bool any = false;
+  for (const TableEdge& edge : drawn.edges)
+    for (const Flat p : edge.points) {
+      drawn.low = any ? Flat{std::min(drawn.low.u, p.u), std::min(drawn.low.v, p.v)} : p;
+      drawn.high = any ? Flat{std::max(drawn.high.u, p.u), std::max(drawn.high.v, p.v)} : p;
+      any = true;
+    }
+  for (const InternalLine& line : piece.lines)
+    for (const Curve& curve : line.curves) drawn.lines.push_back(laid(curve.flattened(kMiss), lies));
+  drawn.drills = laid(drillHoles(piece), lies);
+  drawn.drillRadius = kDrillRadius;
+  return drawn;
+}
+
+void addLabels(TablePiece& drawn, const Piece& piece, Flat lies, const LetteredPiece& room) {
+  const std::vector<Message> words = labelOf(piece);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const LetteredPiece::Line& line = room.lines[i];
+    drawn.labels.push_back({i == 0 ? TableLabel::Says::Name : TableLabel::Says::Cut, words[i], line.place + lies,
+                            line.size, line.upright});
+  }
+  if (room.grain) drawn.grain = laid(*room.grain, lies);
+}
+
+std::vector<std::string> wordsOn(const Piece& piece, Language language) {
+  std::vector<std::string> words;
+  for (const Message& line : labelOf(piece)) words.push_back(text(line, language));
+  return words;
+}
+
+// Along one span: points and, from their neighbours, the way into the cloth. A hole is counter-clockwise too: the cloth
+// is to its right.
+TableSeam::Run runOf(const Piece& piece, const EdgeSpan& span, Flat lies) {
+  TableSeam::Run run;
+  const Edge* edge = findEdge(piece, span.edge);
+  if (!edge) return run;
+  run.points = laid(edge->curve.evenly(span.from, span.to, kSteps), lies);
+  const double side = piece.outline.find(span.edge) ? 1 : -1;
+  const std::size_t last = run.points.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const Flat along = run.points[std::min(i + 1, last)] - run.points[i > 0 ? i - 1 : 0];
+    run.inward.push_back(leftOf(normalized(along)) * side);
+  }
+  return run;
+}
+
+// An edge sewn to the next one over all their length closes a wedge.
+bool closesDart(const Pattern& pattern, const Seam& seam) {
+  if (seam.a.size() != 1 || seam.b.size() != 1 || !seam.reversed) return false;
+  const EdgeSpan &a = seam.a.front(), &b = seam.b.front();
+  const auto at = pattern.pieces.find(a.piece);
+  if (a.piece != b.piece || at == pattern.pieces.end()) return false;
+  const Outline& outline = at->second->outline;
+  const auto i = outline.find(a.edge), k = outline.find(b.edge);
+  const auto whole = [](const EdgeSpan& span) { return span.from <= 0 && span.to >= 1; };
+  const std::size_t count = outline.edges.size();
+  return i && k && i != k && whole(a) && whole(b) && ((*i + 1) % count == *k || (*k + 1) % count == *i);
+}
+
+TableSeam seamOf(const Pattern& pattern, const Seam& seam, const TableLayout& layout) {
+  TableSeam drawn;
+  drawn.name = seam.name;
+  const SeamSides walk(pattern, seam);
+  const SeamSide* const walks[] = {&walk.a, &walk.b};
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (const EdgeSpan& span : walks[k]->spans())
+      drawn.sides[k].runs.push_back(runOf(*pattern.pieces.at(span.piece), span, layout.at(span.piece)));
+    if (walks[k]->spans().empty()) continue;
+    for (const double fraction : {0.25, 0.3}) {
+      const SeamPlace at = walks[k]->at(fraction);
+      if (const auto on = borderPlace(pattern, at))
+        drawn.sides[k].ticks.push_back({on->place + layout.at(at.piece), -on->outward});
+    }
+  }
+  return drawn;
+}
+
+}  // namespace
+
+const LetteredPiece& LetteringRooms::of(const Piece& piece, Language language) {
+  std::vector<std::string> words = wordsOn(piece, language);
+  Kept& kept = kept_[piece.id];
+  if (kept.words != words || kept.grain != piece.grain || kept.outline != piece.outline || kept.holes != piece.holes ||
+      kept.lines != piece.lines)
+    kept = {piece.outline, piece.holes, piece.lines, piece.grain, words, roomFor(piece, words)};
+  return kept.room;
+}
+
+TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layout, const Selection& chosen,
+                        const TableFrameOptions& options, LetteringRooms* rooms) {
+  const Document& document = snapshot.document;
+  const Pattern pattern = shownPattern(document, options.outlines);
+  TableFrame frame;
+  std::map<PieceId, std::size_t> number;  // in the frame
+  for (const auto& [id, piece] : pattern.pieces) {
+    const Flat lies = layout.at(id);
+    TablePiece drawn = pieceOf(*piece, lies);
+    drawn.chosen = chosen.pieces.contains(id);
+    drawn.unsettled = document.drape.dirty.contains(id);
+    const Piece& stored = *document.pattern.pieces.at(id);
+    if (options.outlines.contains(id)) drawn.before = laid(stored.outline.flattened(kMiss), lies);
+    if (rooms)
+      addLabels(drawn, stored, lies, rooms->of(stored, options.language));
+    else
+      addLabels(drawn, stored, lies, roomFor(stored, wordsOn(stored, options.language)));
+    if (const auto pins = document.pins.find(id); pins != document.pins.end())
+      for (const Flat pin : pins->second) drawn.pins.push_back(pin + lies);
+    if (options.corners)
+      for (const Edge& edge : piece->outline.edges) drawn.corners.push_back(edge.curve.start + lies);
+    number[id] = frame.pieces.size();
+    frame.pieces.push_back(std::move(drawn));
+  }
+  for (std::size_t k = 0; k < snapshot.worn.size() && k < snapshot.frame.cloths.size(); ++k)
+    if (const auto at = number.find(snapshot.worn[k].id); at != number.end())
+      frame.pieces[at->second].colour = snapshot.frame.cloths[k].colour;
+
+  std::map<std::pair<PieceId, std::string>, double> sewn;  // share of an edge
+  for (const auto& [id, seam] : pattern.seams) {
+    TableSeam drawn = seamOf(pattern, seam, layout);
+    drawn.colour = kHues[frame.seams.size() % kHues.size()];
+    drawn.chosen = chosen.seam == id;
+    const bool dart = closesDart(pattern, seam);
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side) {
+        const auto at = number.find(span.piece);
+        TableEdge* edge = at == number.end() ? nullptr : edgeNamed(frame.pieces[at->second], span.edge);
+        if (!edge) continue;
+        const double share = sewn[{span.piece, span.edge}] += span.to - span.from;
+        edge->state = share > 1 - 1e-6 ? TableEdge::State::Sewn : TableEdge::State::PartlySewn;
+        if (!edge->seam) edge->seam = frame.seams.size();
+        edge->dart = edge->dart || dart;
+      }
+    frame.seams.push_back(std::move(drawn));
+  }
+  for (const NotchPlace& notch : notchPlaces(pattern))
+    frame.pieces[number.at(notch.piece)].notches.push_back(
+        {laid(strokeOf(notch), layout.at(notch.piece)), notch.seam.empty()});
+  for (const SeamTag& tag : seamTags(pattern))
+    frame.pieces[number.at(tag.piece)].labels.push_back({TableLabel::Says::SeamNumber,
+                                                         Message{std::to_string(tag.number), {}},
+                                                         tag.place + layout.at(tag.piece), kSeamTagSize, true});
+  if (chosen.edge)
+    if (const auto at = number.find(chosen.edge->piece); at != number.end())
+      if (TableEdge* edge = edgeNamed(frame.pieces[at->second], chosen.edge->edge)) edge->chosen = true;
+  return frame;
+}
+
+}  // namespace karinui
