@@ -3,9 +3,7 @@
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QWheelEvent>
-#include <array>
 #include <cmath>
 
 #include "karinui/base/number.h"
@@ -17,48 +15,10 @@ namespace karinui::studio {
 
 namespace {
 
-// One hue a seam, told apart by most eyes (P. Tol's bright scheme).
-constexpr std::array<QRgb, 7> kThreads{0x4477AA, 0xEE6677, 0x228833, 0xB08B12, 0x2A9DB5, 0xAA3377, 0x777777};
-
 double niceStep(double pixelsPerMetre) {
   for (const double step : {0.001, 0.005, 0.01, 0.05, 0.1, 0.5, 1.0})
     if (step * pixelsPerMetre >= 14) return step;
   return 5;
-}
-
-constexpr double kBesideGrain = 10, kClear = 14;  // pixels from the grain line, and in all from grain line and outline
-
-// A piece's name, where the whole of it has room: level beside the grain line in the middle of the paper, along that
-// line as tailors write it, or level across it; else its beginning and end. A dot: the piece has yet to be settled.
-void paintName(QPainter& painter, const QString& name, const QRectF& paper, bool dirty) {
-  painter.save();
-  QFont font = painter.font();
-  font.setPointSizeF(10.5);
-  font.setWeight(QFont::DemiBold);
-  painter.setFont(font);
-  const QFontMetricsF metrics(font);
-  const double dot = dirty ? 16 : 0, needed = metrics.horizontalAdvance(name) + dot, up = metrics.ascent();
-  const double beside = paper.width() / 2 - kClear, along = paper.height() - kClear, whole = paper.width() - kClear;
-  const bool turned = needed > beside && needed <= along, across = needed > beside && !turned;
-  const double room = turned ? along : across ? std::fmax(whole, 4 * kClear) : beside;
-  const QString label = needed <= room ? name : metrics.elidedText(name, Qt::ElideMiddle, room - dot);
-  const double wide = metrics.horizontalAdvance(label);
-  painter.translate(paper.center());
-  if (turned) painter.rotate(-90);
-  const QPointF start = turned ? QPointF(-(wide + dot) / 2, kBesideGrain + 0.5 * up)
-                               : QPointF(across ? -(wide + dot) / 2 : kBesideGrain, 0.35 * up);
-  if (across) {
-    QColor ground = Theme::here().palette().paper;
-    ground.setAlphaF(0.8f);
-    painter.fillRect(QRectF(start.x() - 3, start.y() - up, wide + dot + 6, 1.3 * up), ground);
-  }
-  painter.drawText(start, label);
-  if (dirty) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(Theme::here().palette().accent);
-    painter.drawEllipse(start + QPointF(wide + 9, -4), 3.5, 3.5);
-  }
-  painter.restore();
 }
 
 }  // namespace
@@ -69,12 +29,9 @@ PatternView::PatternView(Session& session, LatencyLog& latencyLog, QWidget* pare
   connect(&Theme::here(), &Theme::changed, this, [this] { update(); });
 }
 
-QPointF PatternView::onScreen(Flat p) const {
-  return {width() / 2.0 + (p.u - middle_.u) * scale_, height() / 2.0 - (p.v - middle_.v) * scale_};
-}
-Flat PatternView::onTable(const QPointF& s) const {
-  return {middle_.u + (s.x() - width() / 2.0) / scale_, middle_.v - (s.y() - height() / 2.0) / scale_};
-}
+TableOnScreen PatternView::screen() const { return {middle_, scale_, size()}; }
+QPointF PatternView::onScreen(Flat table) const { return screen().at(table); }
+Flat PatternView::onTable(const QPointF& at) const { return screen().table(at); }
 
 void PatternView::showAll() {
   Flat low{1e9, 1e9}, high{-1e9, -1e9};
@@ -104,87 +61,6 @@ void PatternView::resizeEvent(QResizeEvent*) {
   if (!mine_) showAll();
 }
 
-void PatternView::paintPiece(QPainter& painter, const Piece& piece, const Outline& outline, const Preview& preview) {
-  const Palette& p = Theme::here().palette();
-  const Flat lies = session_.table().at(piece.id);
-  const bool chosen = session_.selection().pieces.contains(piece.id);
-  const bool previewed = preview.outlines.contains(piece.id);
-  const GarmentSnapshot& fitting = session_.snapshot();
-  Colour dye{0.5f, 0.5f, 0.5f};
-  for (std::size_t k = 0; k < fitting.worn.size(); ++k)
-    if (fitting.worn[k].id == piece.id) dye = fitting.frame.cloths[k].colour;
-  const auto path = [&](const Outline& o) {
-    QPainterPath line;
-    const Ring ring = o.flattened(2e-4);
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      i == 0 ? line.moveTo(onScreen(ring[i] + lies)) : line.lineTo(onScreen(ring[i] + lies));
-    line.closeSubpath();
-    return line;
-  };
-  QPainterPath shape = path(outline);
-  for (const Outline& hole : piece.holes) shape = shape.subtracted(path(hole));
-  QColor fill = shown(dye);
-  fill.setAlphaF(Theme::here().dark() ? 0.42f : 0.24f);
-  painter.setBrush(fill);
-  painter.setPen(Qt::NoPen);
-  painter.drawPath(shape);
-  if (previewed) {
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(p.faint, 1, Qt::DashLine));
-    painter.drawPath(path(piece.outline));
-  }
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(chosen ? p.accent : p.ink, chosen ? 2.2 : 1.4, piece.frozen ? Qt::DotLine : Qt::SolidLine));
-  painter.drawPath(shape);
-  for (const InternalLine& line : piece.lines)
-    for (const Curve& curve : line.curves) {
-      QPolygonF points;
-      for (const Flat q : curve.flattened(2e-4)) points << onScreen(q + lies);
-      painter.setPen(QPen(p.ink, 1, Qt::DashLine));
-      painter.drawPolyline(points);
-    }
-  // Grain, through the middle of the paper.
-  Flat low{1e9, 1e9}, high{-1e9, -1e9};
-  for (const Flat q : outline.flattened(1e-3)) {
-    low = {std::fmin(low.u, q.u), std::fmin(low.v, q.v)};
-    high = {std::fmax(high.u, q.u), std::fmax(high.v, q.v)};
-  }
-  const Flat centre = lerp(low, high, 0.5) + lies;
-  const double half = std::min({0.07, length(high - low) * 0.22});
-  const QPointF a = onScreen(centre - piece.grain * half), b = onScreen(centre + piece.grain * half);
-  painter.setPen(QPen(p.faint, 1.2));
-  painter.drawLine(a, b);
-  const QPointF way = (b - a) / std::max(1.0, std::hypot(b.x() - a.x(), b.y() - a.y()));
-  const QPointF side(-way.y(), way.x());
-  painter.drawPolyline(QPolygonF({b - way * 8 + side * 4, b, b - way * 8 - side * 4}));
-  painter.drawPolyline(QPolygonF({a + way * 8 + side * 4, a, a + way * 8 - side * 4}));
-  for (const Mark& mark : piece.marks) {
-    if (mark.edge.empty()) {
-      painter.drawEllipse(onScreen(mark.place + lies), 3, 3);
-      continue;
-    }
-    const auto n = outline.find(mark.edge);
-    if (!n) continue;
-    const Curve& curve = outline.edges[*n].curve;
-    const double t = curve.parameterAt(mark.fraction * curve.length());
-    const Flat in = leftOf(normalized(curve.tangent(t)));
-    painter.setPen(QPen(p.ink, 1.6));
-    painter.drawLine(onScreen(curve.at(t) + lies), onScreen(curve.at(t) + in * 0.006 + lies));
-  }
-  painter.setPen(chosen ? p.accent : p.ink);
-  paintName(painter, nameText(piece.name), QRectF(onScreen(low + lies), onScreen(high + lies)).normalized(),
-            fitting.document.drape.dirty.contains(piece.id));
-  if (session_.tool() == Command::Points) {
-    painter.setPen(QPen(p.ink, 1.2));
-    painter.setBrush(p.raised);
-    for (const Edge& edge : outline.edges) {
-      const QPointF c = onScreen(edge.curve.start + lies);
-      painter.drawRect(QRectF(c - QPointF(3, 3), QSizeF(6, 6)));
-    }
-    painter.setBrush(Qt::NoBrush);
-  }
-}
-
 void PatternView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -207,49 +83,10 @@ void PatternView::paintEvent(QPaintEvent*) {
     }
   }
   const Preview preview = session_.preview();
-  const Document& document = session_.snapshot().document;
-  for (const auto& [id, piece] : document.pattern.pieces) {
-    const auto other = preview.outlines.find(id);
-    paintPiece(painter, *piece, other == preview.outlines.end() ? piece->outline : other->second, preview);
-  }
-  // Seams: both sides in one colour, with ticks that say which end meets which.
-  std::size_t n = 0;
-  for (const auto& [id, seam] : document.pattern.seams) {
-    QColor thread(kThreads[n++ % kThreads.size()]);
-    const bool chosen = session_.selection().seam == id;
-    for (const auto* side : {&seam.a, &seam.b}) {
-      const bool turned = side == &seam.b && seam.reversed;
-      double whole = 0, done = 0;
-      for (const EdgeSpan& s : *side)
-        if (const Piece* piece = document.find(s.piece))
-          if (const Edge* edge = findEdge(*piece, s.edge)) whole += edge->curve.length() * (s.to - s.from);
-      for (const EdgeSpan& s : *side) {
-        const Piece* piece = document.find(s.piece);
-        const Edge* edge = piece ? findEdge(*piece, s.edge) : nullptr;
-        if (!edge) continue;
-        const Flat lies = session_.table().at(piece->id);
-        QPolygonF line;
-        const double part = edge->curve.length() * (s.to - s.from);
-        for (int i = 0; i <= 30; ++i) {
-          const double f = s.from + (s.to - s.from) * i / 30;
-          const double t = edge->curve.parameterAt(f * edge->curve.length());
-          line << onScreen(edge->curve.at(t) + leftOf(normalized(edge->curve.tangent(t))) * (3 / scale_) + lies);
-        }
-        painter.setPen(QPen(thread, chosen ? 4 : 2.2));
-        painter.drawPolyline(line);
-        for (const double tick : {0.25, 0.3}) {  // two ticks near the beginning
-          const double along = (turned ? 1 - tick : tick) * whole - done;
-          if (along < 0 || along > part) continue;
-          const double t = edge->curve.parameterAt(s.from * edge->curve.length() + along);
-          const Flat in = leftOf(normalized(edge->curve.tangent(t)));
-          painter.drawLine(onScreen(edge->curve.at(t) + lies), onScreen(edge->curve.at(t) + in * (9 / scale_) + lies));
-        }
-        done += part;
-      }
-    }
-  }
-  for (const auto& [id, pins] : document.pins)
-    for (const Flat pin : pins) paintPin(painter, onScreen(pin + session_.table().at(id)));
+  const TableFrame frame =
+      tableFrameOf(session_.snapshot(), session_.table(), session_.selection(),
+                   {Theme::here().language(), session_.tool() == Command::Points, preview.outlines}, &rooms_);
+  paintTable(painter, frame, screen());
   for (const TableLine& line : preview.table.lines) {
     QPolygonF points;
     for (const Flat q : line.points) points << onScreen(q);
@@ -274,17 +111,7 @@ void PatternView::paintEvent(QPaintEvent*) {
     place.setY(top);
     paintWord(painter, place, QString::fromStdString(word.text), rect());
   }
-  if (session_.selection().edge) {
-    const EdgeNear& e = *session_.selection().edge;
-    const Piece* piece = document.find(e.piece);
-    if (const Edge* edge = piece ? findEdge(*piece, e.edge) : nullptr) {
-      QPolygonF line;
-      const Flat lies = session_.table().at(piece->id);
-      for (const Flat q : edge->curve.flattened(2e-4)) line << onScreen(q + lies);
-      painter.setPen(QPen(p.accent, 3));
-      painter.drawPolyline(line);
-    }
-  }
+  paintChosenEdges(painter, frame, screen());
   // A ruler in the corner: how large things are.
   const double ruler = step * 5;
   const QPointF left(18, height() - 18.0), right(18 + ruler * scale_, height() - 18.0);
@@ -293,7 +120,7 @@ void PatternView::paintEvent(QPaintEvent*) {
   painter.drawLine(left - QPointF(0, 4), left + QPointF(0, 4));
   painter.drawLine(right - QPointF(0, 4), right + QPointF(0, 4));
   painter.drawText(left + QPointF(2, -6), lengthText(ruler));
-  if (document.pattern.pieces.empty()) {
+  if (frame.pieces.empty()) {
     painter.setPen(p.faint);
     painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap,
                      inWords(say("Pieces you draw on the body appear here as flat paper pattern.")));

@@ -4,7 +4,9 @@
 #include <QWidget>
 
 #include "karinui/session/session.h"
+#include "karinui/session/table_frame_of.h"
 #include "mouse.h"
+#include "table_painter.h"
 
 namespace karinui::studio {
 
@@ -38,10 +40,11 @@ class PatternView : public QWidget {
  private:
   PointerSample sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const;
   void feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase);
-  void paintPiece(QPainter& painter, const Piece& piece, const Outline& outline, const Preview& preview);
+  TableOnScreen screen() const;
 
   Session& session_;
   LatencyLog& latencyLog_;
+  LetteringRooms rooms_;
   double scale_ = 500;  // pixels a metre
   Flat middle_{0.4, -0.3};
   std::size_t piecesShown_ = 0;

@@ -5,7 +5,9 @@
 #include "bench.h"
 #include "karinui/base/file.h"
 #include "karinui/exchange/formats.h"
+#include "karinui/session/table_frame_of.h"
 #include "karinui/view/picture.h"
+#include "karinui/view/table_picture.h"
 
 namespace karinui::app {
 
@@ -18,6 +20,7 @@ struct ExportOptions {
 
 struct PictureWish {
   std::string path, out, view = "front", map = "none", eyes = "mono", size = "1200x1600";
+  bool table = false;  // the flat pattern instead
 };
 
 Result<SpatialGarment> spatialOf(Bench& bench) {
@@ -89,6 +92,29 @@ Result<PictureOptions> picked(const PictureWish& wish) {
   return options;
 }
 
+Result<Image> fittingPicture(Program& program, Bench& bench, const PictureOptions& options) {
+  const Result<SceneFrame> frame = bench.scene();
+  if (!frame) return frame.error();
+  const auto picture = Picture::open();
+  if (!picture) return picture.error();
+  Result<Image> image = (*picture)->draw(*frame, options);
+  for (const Message& note : (*picture)->notes()) program.console.note(note);
+  return image;
+}
+
+Result<Image> tablePicture(Program& program, Bench& bench, const PictureOptions& options) {
+  const SnapshotPtr garment = snapshotOf(bench.document(), nullptr);
+  TableLayout layout;
+  layout.arrange(*garment);
+  TableFrameOptions shown;
+  shown.language = options.language;
+  std::vector<Message> notes;
+  Result<Image> image =
+      drawTable(tableFrameOf(*garment, layout, {}, shown), {options.width, options.height, options.language}, &notes);
+  for (const Message& note : notes) program.console.note(note);
+  return image;
+}
+
 int runPicture(Program& program, const PictureWish& wish) {
   const Result<PictureOptions> options = picked(wish);
   if (!options) {
@@ -96,13 +122,9 @@ int runPicture(Program& program, const PictureWish& wish) {
     return kWrongCall;
   }
   return atBench(program, wish.path, true, [&](Bench& bench) -> int {
-    const Result<SceneFrame> frame = bench.scene();
-    if (!frame) return program.console.refuse(frame.error());
-    const auto picture = Picture::open();
-    if (!picture) return program.console.refuse(picture.error());
-    const Result<Image> image = (*picture)->draw(*frame, *options);
+    const Result<Image> image =
+        wish.table ? tablePicture(program, bench, *options) : fittingPicture(program, bench, *options);
     if (!image) return program.console.refuse(image.error());
-    for (const Message& note : (*picture)->notes()) program.console.note(note);
     if (const Done done = writePng(wish.out, *image); !done) return program.console.refuse(done.error());
     program.console.answer({{"file", wish.out}, {"width", image->width}, {"height", image->height}}, wish.out);
     return kDone;
@@ -127,12 +149,17 @@ void addOutputVerbs(Program& program) {
       ->check(CLI::IsMember(patternFormats()));
 
   auto wish = std::make_shared<PictureWish>();
-  verb = program.verb(program.cli, "picture", help("Draws the garment on its body"), wish, runPicture);
+  verb = program.verb(program.cli, "picture", help("Draws the garment on its body, or its flat pattern"), wish,
+                      runPicture);
   verb->add_option("document", wish->path, help("The .karinui document"))->required();
   verb->add_option("-o,--output", wish->out, help("The PNG file"))->required();
-  verb->add_option("--view", wish->view, help("front, back, left, right, oblique"));
-  verb->add_option("--map", wish->map, help("none, strain"));
-  verb->add_option("--eyes", wish->eyes, help("mono, side-by-side, top-bottom, anaglyph"));
+  CLI::Option* view = verb->add_option("--view", wish->view, help("front, back, left, right, oblique"));
+  CLI::Option* map = verb->add_option("--map", wish->map, help("none, strain"));
+  CLI::Option* eyes = verb->add_option("--eyes", wish->eyes, help("mono, side-by-side, top-bottom, anaglyph"));
+  verb->add_flag("--table", wish->table, help("The flat pattern on the cutting table instead"))
+      ->excludes(view)
+      ->excludes(map)
+      ->excludes(eyes);
   verb->add_option("--size", wish->size, help("WIDTHxHEIGHT in pixels"));
 }
 

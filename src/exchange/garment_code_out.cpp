@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "karinui/exchange/garment_code.h"
-#include "names.h"
 #include "karinui/pattern/seam_walk.h"
+#include "names.h"
 #include "strict_json.h"
 
 namespace karinui {

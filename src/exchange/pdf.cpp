@@ -55,7 +55,8 @@ void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
   }
   for (const Mm place : piece.drills) {
     canvas.circle(place, kDrillRadius * 1000);
-    for (const Mm arm : {Mm{kDrillArm * 1000, 0}, Mm{0, kDrillArm * 1000}}) canvas.moveTo(place - arm), canvas.lineTo(place + arm);
+    for (const Mm arm : {Mm{kDrillArm * 1000, 0}, Mm{0, kDrillArm * 1000}})
+      canvas.moveTo(place - arm), canvas.lineTo(place + arm);
     canvas.stroke(0.35, false);
   }
   if (piece.grain) {

@@ -11,7 +11,7 @@ constexpr double kVeryLongSeam = 0.400;  // an even one too
 constexpr double kEased = 1.003;
 constexpr double kCornerCosine = 0.85;  // outlines that turn by more than about 32 degrees have a corner of their own
 
-constexpr double kTagDepth = 0.006;      // metres from the edge to the middle of a seam's number
+constexpr double kTagDepth = 0.006;  // metres from the edge to the middle of a seam's number
 
 Flat unitTangent(const Curve& curve, double t) {
   const Flat there = curve.tangent(t);

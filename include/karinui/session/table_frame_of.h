@@ -9,9 +9,9 @@
 namespace karinui {
 
 struct TableFrameOptions {
-  Language language = Language::English;      // the lettering is placed for its words in this language
-  bool corners = false;                       // a tool moves them
-  std::map<PieceId, Outline> outlines = {};   // shown instead of the document's, as Preview::outlines
+  Language language = Language::English;     // the lettering is placed for its words in this language
+  bool corners = false;                      // a tool moves them
+  std::map<PieceId, Outline> outlines = {};  // shown instead of the document's, as Preview::outlines
 };
 
 // Where pieces have room for their lettering takes milliseconds a piece: kept from one frame to the next for the pieces

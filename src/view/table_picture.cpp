@@ -1,0 +1,275 @@
+#include "karinui/view/table_picture.h"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <numbers>
+
+#include "karinui/base/number.h"
+#include "karinui/view/lettering.h"
+#include "karinui/view/picture.h"
+
+namespace karinui {
+namespace {
+
+constexpr Pixel kPaper{255, 253, 249, 255}, kInkOnPaper{59, 54, 48, 255}, kFaint{109, 102, 92, 255},
+    kChosen{173, 72, 34, 255}, kPin{179, 38, 30, 255};
+constexpr double kFilled = 0.24;      // opacity of a fabric's colour on the paper
+constexpr double kReadable = 6;       // pixels: lettering that is smaller is left out,
+constexpr double kNameLeast = 10;     // but a piece's name is written at least as large as this
+constexpr double kDash[] = {4.5, 3};  // in widths of a line of one
+constexpr double kRulers[] = {0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005};  // metres
+
+class Paper {
+ public:
+  Paper(const TablePictureOptions& options, const TableBox& all)
+      : image_(options.width, options.height, kPaper), language_(options.language) {
+    const double least = std::min(options.width, options.height);
+    pixel_ = std::max(0.5, least / 800.0);
+    ruler_ = std::max(20.0, least / 20);
+    const Flat size = all.high - all.low;
+    const double wide = options.width * 0.92, high = options.height * 0.96 - 2 * ruler_;
+    scale_ = std::min(wide / std::max(size.u, 0.01), std::max(high, 4.0) / std::max(size.v, 0.01));
+    middle_ = lerp(all.low, all.high, 0.5);
+    surface_.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, options.width, options.height));
+    cairo_.reset(cairo_create(surface_.get()));
+    ink(kPaper);
+    cairo_paint(cairo_.get());
+    cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
+    cairo_set_fill_rule(cairo_.get(), CAIRO_FILL_RULE_EVEN_ODD);
+  }
+
+  double scale() const { return scale_; }
+  double pixels(double thin) const { return thin * pixel_; }  // of a thin line in a picture of this size
+  Flat at(Flat p) const {
+    return {image_.width / 2.0 + (p.u - middle_.u) * scale_,
+            (image_.height - ruler_) / 2.0 - (p.v - middle_.v) * scale_};
+  }
+
+  void ink(const Pixel& colour, double opacity = 1) {
+    cairo_set_source_rgba(cairo_.get(), colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0, opacity);
+  }
+  void path(const std::vector<Flat>& points, bool closed) {
+    if (points.empty()) return;
+    const Flat first = at(points.front());
+    cairo_move_to(cairo_.get(), first.u, first.v);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Flat p = at(points[i]);
+      cairo_line_to(cairo_.get(), p.u, p.v);
+    }
+    if (closed) cairo_close_path(cairo_.get());
+  }
+  void circle(Flat middle, double pixelRadius) {
+    const Flat m = at(middle);
+    cairo_new_sub_path(cairo_.get());
+    cairo_arc(cairo_.get(), m.u, m.v, pixelRadius, 0, 2 * std::numbers::pi);
+  }
+  void fill() { cairo_fill(cairo_.get()); }
+  void stroke(double thin, bool dashed = false) {
+    const double dash[] = {kDash[0] * pixel_, kDash[1] * pixel_};
+    cairo_set_dash(cairo_.get(), dash, dashed ? 2 : 0, 0);
+    cairo_set_line_width(cairo_.get(), pixels(thin));
+    cairo_stroke(cairo_.get());
+  }
+  void line(Flat from, Flat to, double thin) {
+    path({from, to}, false);
+    stroke(thin);
+  }
+  // The head of an arrow, as large on every picture as the lines are thick.
+  void head(Flat tip, Flat from) {
+    const Flat b = at(tip), way = normalized(b - at(from)), side{-way.v, way.u};
+    const double size = pixels(8);
+    for (const double s : {-0.5, 0.5}) {
+      const Flat end = b - way * size + side * (s * size);
+      cairo_move_to(cairo_.get(), b.u, b.v);
+      cairo_line_to(cairo_.get(), end.u, end.v);
+    }
+  }
+
+  // What is drawn so far goes into the image; then only words may follow.
+  void develop() {
+    cairo_.reset();
+    cairo_surface_flush(surface_.get());
+    const unsigned char* rows = cairo_image_surface_get_data(surface_.get());
+    const int stride = cairo_image_surface_get_stride(surface_.get());
+    for (int y = 0; y < image_.height; ++y)
+      for (int x = 0; x < image_.width; ++x) {
+        std::uint32_t value = 0;
+        std::memcpy(&value, rows + static_cast<std::ptrdiff_t>(y) * stride + 4 * x, 4);
+        image_.set(x, y,
+                   {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+                    static_cast<std::uint8_t>(value), 255});
+      }
+  }
+  double width(const Message& message, double size) { return lettering_.width(text(message, language_), size); }
+  void words(const Message& message, Flat middle, double size, bool upright, const Pixel& colour) {
+    const std::string said = text(message, language_);
+    const Flat m = at(middle);
+    const double wide = lettering_.width(said, size);
+    if (upright) return lettering_.write(image_, said, m.u - wide / 2, m.v + 0.35 * size, size, colour);
+    // Written level over what lies there, turned to the right, and turned back.
+    const int w = static_cast<int>(std::ceil(wide)) + 4, h = static_cast<int>(std::ceil(1.5 * size));
+    const int left = static_cast<int>(std::lround(m.u)) - h / 2, top = static_cast<int>(std::lround(m.v)) - w / 2;
+    const auto each = [&](auto&& visit) {
+      for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) {
+          const int px = left + y, py = top + w - 1 - x;
+          if (px >= 0 && py >= 0 && px < image_.width && py < image_.height) visit(x, y, px, py);
+        }
+    };
+    Image strip(w, h, kPaper);
+    each([&](int x, int y, int px, int py) { strip.set(x, y, image_.at(px, py)); });
+    lettering_.write(strip, said, (w - wide) / 2, h / 2.0 + 0.35 * size, size, colour);
+    each([&](int x, int y, int px, int py) { image_.set(px, py, strip.at(x, y)); });
+  }
+
+  void ruler() {
+    const auto fits = [&](double metres) { return metres * scale_ < image_.width / 3.0; };
+    const auto* longest = std::find_if(std::begin(kRulers), std::end(kRulers), fits);
+    if (longest == std::end(kRulers)) return;
+    rulerMetres_ = *longest;
+    const double left = ruler_, y = image_.height - 0.6 * ruler_, right = left + rulerMetres_ * scale_;
+    const double tick = pixels(4);
+    ink(kFaint);
+    cairo_move_to(cairo_.get(), left, y);
+    cairo_line_to(cairo_.get(), right, y);
+    for (const double x : {left, right}) {
+      cairo_move_to(cairo_.get(), x, y - tick);
+      cairo_line_to(cairo_.get(), x, y + tick);
+    }
+    stroke(1.4);
+  }
+  void rulerWords() {
+    if (rulerMetres_ > 0)
+      lettering_.write(image_, lengthSaid(rulerMetres_, false), ruler_ + pixels(3),
+                       image_.height - 0.6 * ruler_ - pixels(5), pixels(10), kFaint);
+  }
+
+  Image take(std::vector<Message>* notes) {
+    if (notes)
+      for (Message& note : lettering_.takeNotes()) notes->push_back(std::move(note));
+    return std::move(image_);
+  }
+
+ private:
+  struct Drop {
+    void operator()(cairo_t* c) const { cairo_destroy(c); }
+    void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+  };
+  Image image_;
+  Language language_;
+  double pixel_ = 1, ruler_ = 20, scale_ = 1, rulerMetres_ = 0;
+  Flat middle_;
+  std::unique_ptr<cairo_surface_t, Drop> surface_;
+  std::unique_ptr<cairo_t, Drop> cairo_;
+  Lettering lettering_;
+};
+
+void drawPiece(Paper& paper, const TablePiece& piece) {
+  const auto outlines = [&] {
+    paper.path(ringOf(piece.edges), true);
+    for (const auto& hole : piece.holes) paper.path(ringOf(hole), true);
+  };
+  paper.ink(pixelOf(piece.colour), kFilled);
+  outlines();
+  paper.fill();
+  if (piece.before) {
+    paper.ink(kFaint);
+    paper.path(*piece.before, true);
+    paper.stroke(1, true);
+  }
+  paper.ink(piece.chosen ? kChosen : kInkOnPaper);
+  outlines();
+  paper.stroke(piece.chosen ? 2.2 : 1.4);
+  paper.ink(kInkOnPaper);
+  for (const auto& line : piece.lines) {
+    paper.path(line, false);
+    paper.stroke(1, true);
+  }
+  for (const TableNotch& notch : piece.notches) paper.line(notch.stroke.from, notch.stroke.to, notch.own ? 1.6 : 1);
+  for (const Flat hole : piece.drills) {
+    paper.circle(hole, std::max(paper.pixels(3), piece.drillRadius * paper.scale()));
+    paper.stroke(1.2);
+  }
+  for (const Flat corner : piece.corners) {
+    paper.circle(corner, paper.pixels(3));
+    paper.stroke(1.2);
+  }
+  if (piece.grain) {
+    paper.ink(kFaint);
+    paper.path({piece.grain->from, piece.grain->to}, false);
+    paper.head(piece.grain->from, piece.grain->to);
+    paper.head(piece.grain->to, piece.grain->from);
+    paper.stroke(1.2);
+  }
+  paper.ink(kPin);
+  for (const Flat pin : piece.pins) {
+    paper.circle(pin, paper.pixels(3.4));
+    paper.fill();
+  }
+}
+
+void drawSeam(Paper& paper, const TableSeam& seam) {
+  const double thin = seam.chosen ? 4 : 2.2;
+  const double inset = paper.pixels(3) / paper.scale(), tick = paper.pixels(9) / paper.scale();
+  paper.ink(pixelOf(seam.colour));
+  for (const TableSeam::Side& side : seam.sides) {
+    for (const TableSeam::Run& run : side.runs) {
+      std::vector<Flat> points;
+      for (std::size_t i = 0; i < run.points.size(); ++i) points.push_back(run.points[i] + run.inward[i] * inset);
+      paper.path(points, false);
+      paper.stroke(thin);
+    }
+    for (const TableSeam::Tick& one : side.ticks) paper.line(one.place, one.place + one.inward * tick, thin);
+  }
+}
+
+void markChosen(Paper& paper, const std::vector<TableEdge>& edges) {
+  paper.ink(kChosen);
+  for (const TableEdge& edge : edges)
+    if (edge.chosen) {
+      paper.path(edge.points, false);
+      paper.stroke(3);
+    }
+}
+
+void write(Paper& paper, const TablePiece& piece) {
+  for (const TableLabel& label : piece.labels) {
+    const bool name = label.says == TableLabel::Says::Name;
+    const double size = std::max(label.size * paper.scale(), name ? kNameLeast : 0.0);
+    if (size < kReadable) continue;
+    Flat place = label.place;
+    // Written larger than it is printed it might run into a grain line that is upright, as most are: then beside it.
+    if (const auto& grain = piece.grain; grain && label.upright && std::fabs(grain->to.u - grain->from.u) < 1e-6) {
+      const double apart = (paper.width(label.words, size) / 2 + paper.pixels(6)) / paper.scale();
+      const double away = place.u - grain->from.u;
+      if (std::fabs(away) < apart) place.u = grain->from.u + std::copysign(apart, away);
+    }
+    paper.words(label.words, place, size, label.upright, name && piece.chosen ? kChosen : kInkOnPaper);
+  }
+}
+
+}  // namespace
+
+Result<Image> drawTable(const TableFrame& frame, const TablePictureOptions& options, std::vector<Message>* notes) {
+  if (const auto size = sizeNamed(written(options.width) + "x" + written(options.height)); !size) return size.error();
+  if (frame.pieces.empty()) return refused(say("There is no piece to draw."));
+  Paper paper(options, *extent(frame));
+  for (const TablePiece& piece : frame.pieces) drawPiece(paper, piece);
+  for (const TableSeam& seam : frame.seams) drawSeam(paper, seam);
+  for (const TablePiece& piece : frame.pieces) {
+    markChosen(paper, piece.edges);
+    for (const auto& hole : piece.holes) markChosen(paper, hole);
+  }
+  paper.ruler();
+  paper.develop();
+  for (const TablePiece& piece : frame.pieces) write(paper, piece);
+  paper.rulerWords();
+  return paper.take(notes);
+}
+
+}  // namespace karinui
