@@ -192,6 +192,15 @@ TEST_F(Command, PlaysSettlesChecksAndExports) {
           .exit,
       0);
   EXPECT_EQ(contents(folder / "p.png").substr(1, 3), "PNG");
+  const std::string table = "picture " + document() + " --size 300x400 -o " + (folder / "t.png");
+  ASSERT_EQ(karinui(table + " --table").exit, 0);
+  const std::string flat = contents(folder / "t.png");
+  EXPECT_EQ(flat.substr(1, 3), "PNG");
+  ASSERT_EQ(karinui(table).exit, 0);
+  EXPECT_NE(flat, contents(folder / "t.png")) << "the flat pattern is another picture than the garment on its body";
+  const auto both = karinui(table + " --table --view back");
+  EXPECT_EQ(both.exit, 2);
+  EXPECT_NE(both.err.find("--view cannot be given together"), std::string::npos) << both.err;
 }
 
 TEST_F(Command, CtrlCLeavesTheClothWhereItIs) {

@@ -46,6 +46,50 @@ TEST(StudioPaper, MakesDartsWithTwoClicksAndTheClothFollows) {
   EXPECT_LT(w.session().snapshot().document.drape.last->seamGap, 0.002) << "the darts are closed";
 }
 
+// What the window paints is the table's frame: each notch and each seam is seen where the frame has it.
+TEST(StudioPaper, PaintsTheFrameOfTheTable) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  AddNotch notch;
+  const Piece& front = *w.session().snapshot().document.pieceNamed("front");
+  notch.edge = {PieceRef(front.id), front.outline.edges[0].name};
+  notch.at = 0.5;
+  w.session().perform(notch);
+  w.rest();
+  w.session().select({});
+  w.rest();
+  const TableFrame frame = tableFrameOf(w.session().snapshot(), w.session().table());
+  const QImage painted = w.table().grab().toImage();
+  const double scale = w.table().onScreen({1, 0}).x() - w.table().onScreen({0, 0}).x();
+  // The pixel nearest in colour within one pixel of a place: lines are as thin as that.
+  const auto awayFrom = [&](Flat place, const QColor& colour) {
+    int least = 1000;
+    const QPoint at = w.table().onScreen(place).toPoint();
+    for (const QPoint by : {QPoint(0, 0), QPoint(-1, 0), QPoint(1, 0), QPoint(0, -1), QPoint(0, 1)}) {
+      const QColor is = painted.pixelColor(at + by);
+      least = std::min(least, std::abs(is.red() - colour.red()) + std::abs(is.green() - colour.green()) +
+                                  std::abs(is.blue() - colour.blue()));
+    }
+    return least;
+  };
+  int own = 0;
+  for (const TablePiece& piece : frame.pieces)
+    for (const TableNotch& one : piece.notches) {
+      if (!one.own) continue;
+      ++own;
+      EXPECT_LT(awayFrom(lerp(one.stroke.from, one.stroke.to, 0.8), Theme::here().palette().ink), 250);
+    }
+  EXPECT_EQ(own, 1);
+  ASSERT_EQ(frame.seams.size(), 4u);
+  for (const TableSeam& seam : frame.seams)
+    for (const TableSeam::Side& side : seam.sides) {
+      const TableSeam::Run& run = side.runs.front();
+      const Flat middle = run.points[12] + run.inward[12] * (3 / scale);
+      EXPECT_LT(awayFrom(middle, shown(seam.colour)), 90) << seam.name;
+    }
+}
+
 TEST(StudioPaper, ANumberTypedIsTheNumberCut) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
