@@ -26,7 +26,7 @@ struct SheetText {  // centred on its place
 };
 struct SheetNotch {
   SheetStroke stroke;
-  std::string seam;  // name; empty for a mark of the person's own
+  std::string seam;  // its name; none for a notch of the person's own
 };
 
 struct SheetPiece {

@@ -48,7 +48,7 @@ Pattern skirt() {
   const Piece front = darted->edited.piece, back = rectangle(1, "back");
   const auto sew = [&](std::uint32_t n, EdgeSpan a, EdgeSpan b) {
     const SeamId id = madeBy<SeamId>(2, n);
-    pattern.seams[id] = {id, "seam " + std::to_string(n), {std::move(a)}, {std::move(b)}, true, Seam::Tie::OneToOne};
+    pattern.seams[id] = {id, "", {std::move(a)}, {std::move(b)}, true, Seam::Tie::OneToOne};
   };
   sew(0, {front.id, darted->to, 0, 1}, {front.id, darted->back, 0, 1});
   sew(1, {front.id, "right", 0, 1}, {back.id, "left", 0, 1});
@@ -110,6 +110,10 @@ TEST(TableFrame, TellsWhatIsSewnToWhat) {
   for (const TableEdge& one : frame.pieces[0].edges) legs += one.dart;
   EXPECT_EQ(legs, 2u);
   for (const TableEdge& one : frame.pieces[1].edges) EXPECT_FALSE(one.dart) << one.name;
+  for (const TablePiece& piece : frame.pieces) {
+    EXPECT_FALSE(piece.notches.empty()) << "side seams of half a metre get balance notches";
+    for (const TableNotch& notch : piece.notches) EXPECT_FALSE(notch.own) << "no seam has a name here";
+  }
   // The ticks of a seam are as far from where it begins on both sides: on the front going up, on the back going down.
   const auto& [a, b] = frame.seams[1].sides;
   const Flat front = table.layout.at(madeBy<PieceId>(1, 0)), back = table.layout.at(madeBy<PieceId>(1, 1));

@@ -27,7 +27,8 @@ std::optional<BorderPlace> borderPlace(const Pattern& pattern, const SeamPlace& 
 struct NotchPlace {
   PieceId piece;
   Flat place, outward;
-  std::string seam;  // name; empty for a notch of the person's own
+  std::string seam;  // its name; a seam need not have one
+  bool own = false;  // the person's own
 };
 std::vector<NotchPlace> notchPlaces(const Pattern& pattern);
 // From the seam line out to the cut line; on a pattern of seam lines only (allowance 0), a short stroke inwards.
