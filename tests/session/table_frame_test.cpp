@@ -269,6 +269,7 @@ TEST(LetteringRooms, GiveWhatWouldBeFoundAnew) {
   EXPECT_TRUE(same(rooms.of(piece, Language::English), anew()));
   EXPECT_FALSE(same(rooms.of(piece, Language::English), first));
   piece.name = "front";
+  EXPECT_TRUE(same(rooms.of(piece, Language::English), first));
   piece.grain = {1, 0};
   EXPECT_TRUE(same(rooms.of(piece, Language::English), anew()));
   EXPECT_FALSE(same(rooms.of(piece, Language::English), first));
