@@ -12,8 +12,9 @@ constexpr Colour kInk{0.045f, 0.038f, 0.030f}, kFaint{0.15f, 0.13f, 0.11f}, kCho
 constexpr double kDash = 0.006, kGap = 0.004;  // metres of paper, of an internal line
 constexpr double kSeamInset = 0.003;           // metres of paper from the edge to its seam's line
 constexpr double kTickLength = 0.009;
-constexpr double kCornerSide = 0.004;  // half of a corner's square
-constexpr double kDot = 0.003;         // radius of a pin's head
+constexpr double kThin = 3, kThick = 5;  // mm of paper, of a seam's line: to be seen from where one stands
+constexpr double kCornerSide = 0.004;    // half of a corner's square
+constexpr double kDot = 0.003;           // radius of a pin's head
 
 class Drawing {
  public:
@@ -103,13 +104,13 @@ void draw(Drawing& drawing, const TablePiece& piece) {
   const Colour ink = piece.chosen ? kChosen : kInk;
   if (piece.before) drawing.dashed(*piece.before, kFaint, 1);
   if (piece.chosen) drawing.closed(ringOf(piece.edges), kChosen, 2.5);
-  for (const auto& line : piece.lines) drawing.dashed(line, kInk, 1);
+  for (const auto& line : piece.lines) drawing.dashed(line, kInk, 1.6);
   for (const TableNotch& notch : piece.notches)
-    drawing.line({notch.stroke.from, notch.stroke.to}, kInk, notch.own ? 1.6 : 1);
-  for (const Flat hole : piece.drills) drawing.circle(hole, piece.drillRadius, kInk, 0.8);
+    drawing.line({notch.stroke.from, notch.stroke.to}, kInk, notch.own ? 2.5 : 1.6);
+  for (const Flat hole : piece.drills) drawing.circle(hole, piece.drillRadius, kInk, 1.2);
   if (piece.grain) {
     const Flat middle = lerp(piece.grain->from, piece.grain->to, 0.5);
-    for (const Flat end : {piece.grain->from, piece.grain->to}) drawing.line({middle, end}, kFaint, 1.2, true);
+    for (const Flat end : {piece.grain->from, piece.grain->to}) drawing.line({middle, end}, kFaint, 2.5, true);
   }
   for (const Flat corner : piece.corners) {
     const double s = kCornerSide;
@@ -124,10 +125,10 @@ void draw(Drawing& drawing, const TableSeam& seam) {
     for (const TableSeam::Run& run : side.runs) {
       std::vector<Flat> points;
       for (std::size_t i = 0; i < run.points.size(); ++i) points.push_back(run.points[i] + run.inward[i] * kSeamInset);
-      if (points.size() > 1) drawing.line(points, seam.colour, seam.chosen ? 4 : 2.2);
+      if (points.size() > 1) drawing.line(points, seam.colour, seam.chosen ? kThick : kThin);
     }
     for (const TableSeam::Tick& tick : side.ticks)
-      drawing.line({tick.place, tick.place + tick.inward * kTickLength}, seam.colour, seam.chosen ? 4 : 2.2);
+      drawing.line({tick.place, tick.place + tick.inward * kTickLength}, seam.colour, seam.chosen ? kThick : kThin);
   }
 }
 
