@@ -202,8 +202,7 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
     frame.seams.push_back(std::move(drawn));
   }
   for (const NotchPlace& notch : notchPlaces(pattern))
-    frame.pieces[number.at(notch.piece)].notches.push_back(
-        {laid(strokeOf(notch), layout.at(notch.piece)), notch.own});
+    frame.pieces[number.at(notch.piece)].notches.push_back({laid(strokeOf(notch), layout.at(notch.piece)), notch.own});
   for (const SeamTag& tag : seamTags(pattern))
     frame.pieces[number.at(tag.piece)].labels.push_back({TableLabel::Says::SeamNumber,
                                                          Message{std::to_string(tag.number), {}},
