@@ -60,10 +60,8 @@ TEST(StudioPaper, PaintsTheFrameOfTheTable) {
   w.session().select({});
   w.rest();
   const TableFrame frame = tableFrameOf(w.session().snapshot(), w.session().table());
-  const QImage painted = w.table().grab().toImage();
-  const double scale = w.table().onScreen({1, 0}).x() - w.table().onScreen({0, 0}).x();
-  // The pixel nearest in colour within one pixel of a place: lines are as thin as that.
-  const auto awayFrom = [&](Flat place, const QColor& colour) {
+  // How far the colour of the pixels at a place is from this one: lines are thin, so the nearest of five counts.
+  const auto awayFrom = [&](const QImage& painted, Flat place, const QColor& colour) {
     int least = 1000;
     const QPoint at = w.table().onScreen(place).toPoint();
     for (const QPoint by : {QPoint(0, 0), QPoint(-1, 0), QPoint(1, 0), QPoint(0, -1), QPoint(0, 1)}) {
@@ -73,21 +71,27 @@ TEST(StudioPaper, PaintsTheFrameOfTheTable) {
     }
     return least;
   };
-  int own = 0;
-  for (const TablePiece& piece : frame.pieces)
-    for (const TableNotch& one : piece.notches) {
-      if (!one.own) continue;
-      ++own;
-      EXPECT_LT(awayFrom(lerp(one.stroke.from, one.stroke.to, 0.8), Theme::here().palette().ink), 250);
-    }
-  EXPECT_EQ(own, 1);
+  const QImage whole = w.table().grab().toImage();
+  const double pixel = 1 / (w.table().onScreen({1, 0}).x() - w.table().onScreen({0, 0}).x());
   ASSERT_EQ(frame.seams.size(), 4u);
   for (const TableSeam& seam : frame.seams)
     for (const TableSeam::Side& side : seam.sides) {
       const TableSeam::Run& run = side.runs.front();
-      const Flat middle = run.points[12] + run.inward[12] * (3 / scale);
-      EXPECT_LT(awayFrom(middle, shown(seam.colour)), 90) << seam.name;
+      EXPECT_LT(awayFrom(whole, run.points[12] + run.inward[12] * (3 * pixel), shown(seam.colour)), 90);
     }
+  std::vector<TableNotch> own;
+  for (const TablePiece& piece : frame.pieces)
+    for (const TableNotch& one : piece.notches)
+      if (one.own) own.push_back(one);
+  ASSERT_EQ(own.size(), 1u);
+  const QPointF at = w.table().onScreen(own[0].stroke.from);
+  for (int turn = 0; turn < 16; ++turn) {  // nearer, until five millimetres are more than the lines' thickness
+    QWheelEvent wheel(at, w.table().mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(&w.table(), &wheel);
+  }
+  const QImage near = w.table().grab().toImage();
+  EXPECT_LT(awayFrom(near, lerp(own[0].stroke.from, own[0].stroke.to, 0.7), Theme::here().palette().ink), 200);
 }
 
 TEST(StudioPaper, ANumberTypedIsTheNumberCut) {
