@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace karinui::room {
 
@@ -101,26 +102,16 @@ PatternTable patternTableFor(const Session& session, bool mirrored) {
   return any ? PatternTable(low, high, mirrored) : PatternTable(Flat{0, -0.8}, Flat{1.1, 0}, mirrored);
 }
 
-SceneFrame tableFrame(const Session& session, const PatternTable& top) {
-  SceneFrame frame;
-  frame.bodies = top.boards();
-  const auto shown = session.shownPtr();
-  for (std::size_t k = 0; k < shown->worn.size(); ++k) {
-    SceneCloth cloth = shown->frame.cloths[k];  // its lattice, laid flat
-    const Flat lies = session.table().at(shown->worn[k].id);
-    for (std::size_t i = 0; i < cloth.mesh.points.size() && i < cloth.flat.size(); ++i)
-      cloth.mesh.points[i] = top.at(cloth.flat[i] + lies, kPaper);
-    // The front of the cloth is up.
-    if (!cloth.mesh.faces.empty()) {
-      const Triangle& f = cloth.mesh.faces.front();
-      const auto& p = cloth.mesh.points;
-      if (cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]]).y < 0)
-        for (Triangle& face : cloth.mesh.faces) std::swap(face[1], face[2]);
-    }
-    cloth.strain.clear();
-    frame.cloths.push_back(std::move(cloth));
-  }
-  return frame;
+TablePlacement PatternTable::placement() const { return {at({0, 0}), right_ * scale_, away_ * scale_}; }
+
+TableScene tableSceneFor(const Session& session, const PatternTable& top, Language language, LetteringRooms& rooms) {
+  TableFrameOptions options;
+  options.language = language;
+  TableScene scene =
+      sceneOf(tableFrameOf(session.snapshot(), session.table(), {}, options, &rooms), top.placement(), kPaper);
+  std::vector<SceneBody> boards = top.boards();
+  std::move(boards.begin(), boards.end(), std::back_inserter(scene.frame.bodies));
+  return scene;
 }
 
 std::vector<SceneLine> linesOnTable(const TableOverlay& over, const PatternTable& top) {

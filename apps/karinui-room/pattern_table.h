@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "karinui/scene/overlay.h"
+#include "karinui/scene/table_scene.h"
 #include "karinui/session/session.h"
+#include "karinui/session/table_frame_of.h"
 
 namespace karinui::room {
 
@@ -25,6 +27,7 @@ class PatternTable {
   };
   std::optional<Met> meet(const Ray& ray) const;  // from above only
   Met below(Vec3 tip) const;                      // along: metres above the board, negative beneath
+  TablePlacement placement() const;
   // The board with its legs, its edges beside the paper's.
   std::vector<SceneBody> boards() const;
 
@@ -37,8 +40,9 @@ class PatternTable {
 // What a table has to hold: every piece of the session's table.
 PatternTable patternTableFor(const Session& session, bool mirrored);
 
-// The table and the pieces that lie on it. `over` is what the gesture shows on the paper.
-SceneFrame tableFrame(const Session& session, const PatternTable& top);
+// The table, the flat pattern that lies on it, and its lettering. `rooms`: kept from one call to the next.
+TableScene tableSceneFor(const Session& session, const PatternTable& top, Language language, LetteringRooms& rooms);
+// What the gesture shows on the paper.
 std::vector<SceneLine> linesOnTable(const TableOverlay& over, const PatternTable& top);
 
 }  // namespace karinui::room

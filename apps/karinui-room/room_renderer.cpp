@@ -13,6 +13,7 @@ namespace {
 constexpr double kNear = 0.05, kFar = 60;  // metres in the room
 constexpr double kStill = 0.2;             // seconds until the soft light is worked out anew
 constexpr int kPanelPixels = 160;          // of the menu's width
+constexpr double kLabelHigh = 1.6;         // of a label's plate on the table, in its font's heights
 constexpr double kWordHigh = 0.026;        // of a word, radians
 constexpr double kSaidAside = 0.50, kSaidFar = 0.80, kSaidBelow = -0.06, kSaidWide = 0.34;  // radians, metres
 constexpr Colour kHand{0.10f, 0.10f, 0.12f}, kOtherHand{0.35f, 0.34f, 0.33f}, kRay{0.70f, 0.16f, 0.04f},
@@ -98,7 +99,9 @@ void RoomRenderer::takeTable(const FittingRoom& room) {
   if (tableShown_ == room.session().changes().garment && tableAt_ == room.table()) return;
   tableAt_ = room.table();
   tableShown_ = room.session().changes().garment;
-  table_->show(tableFrame(room.session(), room.table()), 0, SoftLight::Anew);
+  TableScene scene = tableSceneFor(room.session(), room.table(), room.options().language, letteringRooms_);
+  table_->show(scene.frame, 0, SoftLight::Anew);
+  tableLabels_ = std::move(scene.labels);
   Camera lamp;
   lamp.target = {0, 1, 0};
   lamp.eye = {0.9, 1.5, 4};
@@ -184,6 +187,14 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
     boards.push_back(std::move(board));
   };
   for (const SceneWord& one : preview.space.words) word(placement_.fittingToStand(one.place), one.text);
+  for (const SceneLabel& label : tableLabels_) {
+    Board board;
+    board.image = images_.word(text(label.words, language));
+    board.upward = label.upward * kLabelHigh;
+    board.across = label.along * (length(board.upward) * board.image->width / board.image->height);
+    board.corner = label.middle - board.across * 0.5 - board.upward * 0.5;
+    boards.push_back(std::move(board));
+  }
   for (const TableWord& one : preview.table.words) word(room.table().at(one.place, 0.02), one.text);
 
   const auto panelBoard = [&](const SceneMenu& panel, bool inFitting, int pixels) {

@@ -40,6 +40,8 @@ class RoomRenderer {
   Placement placement_;
   double vignette_ = 0;
   std::vector<SceneLine> marks_, threads_;
+  std::vector<SceneLabel> tableLabels_;
+  LetteringRooms letteringRooms_;
   std::uint64_t garmentShown_ = ~0ull, tableShown_ = ~0ull;
   PatternTable tableAt_;
   bool carried_ = false, soft_ = false;
