@@ -32,31 +32,35 @@ PlacedDevice::PlacedDevice(HapticDevice& inner, const Placement& placement, std:
           {k & 1 ? box.low.x : box.high.x, k & 2 ? box.low.y : box.high.y, k & 4 ? box.low.z : box.high.z}));
 }
 
-void PlacedDevice::place(const Placement& placement) {
-  wanted_.write(placement);
-  wishes_.fetch_add(1, std::memory_order_release);
-}
+void PlacedDevice::place(const Placement& placement) { place_.wish(placement); }
 
 HandSample PlacedDevice::sample() {
-  if (const std::uint32_t wishes = wishes_.load(std::memory_order_acquire); wishes != taken_)
-    if (Placement wanted; wanted_.tryRead(wanted)) {
-      wanted.scale = placement_.scale;
-      placement_ = wanted;
-      taken_ = wishes;
-    }
   HandSample hand = inner_.sample();
   const Vec3 device = hand.tip.carry;
+  if (Placement wanted; place_.take(wanted)) {
+    wanted.scale = placement_.scale;
+    placement_ = wanted;
+  }
+  if (Rigid turn; turn_.take(turn)) {
+    const Vec3 tip = placement_.toScene(device);
+    placement_.turn = turn;
+    placement_ = placement_.broughtTo(device, tip);
+  }
+  if (Vec3 to; bring_.take(to)) placement_ = placement_.broughtTo(device, to), held_.carry = to;
   Rigid scene = after(placement_.turn, hand.tip);
   scene.carry = placement_.toScene(device);
   hand.velocity = placement_.turn.turned(hand.velocity) * placement_.scale;
   const bool clutch = (hand.buttons & clutchButtons_) != 0;
   if (clutch && !clutched_) held_ = scene;
   if (clutched_) {  // also in the tick it is let go
+    led_ += placement_.turn.turned(device - before_) * placement_.scale;
     placement_ = placement_.broughtTo(device, held_.carry);
     scene.carry = held_.carry;
   }
   if (clutch) hand.velocity = {};
   clutched_ = clutch;
+  before_ = device;
+  hand.led = led_;
   hand.tip = scene;
   return hand;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "karinui/pattern/edit.h"
+#include "karinui/session/touch_scene_of.h"
 #include "session/gestures.h"
 
 namespace karinui {
@@ -64,6 +65,9 @@ class CutGesture : public Gesture {
     return why_ ? *why_ : info(Command::Cut).hint;
   }
   bool begun() const override { return down_; }
+  void addTo(Handling& handling) const override {
+    if (down_ && !left_) handling.cut = piece_;
+  }
   KeyStops keyStops() const override { return KeyStops::Corners; }
 
  private:

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "karinui/geometry/geodesic.h"
+#include "karinui/session/touch_scene_of.h"
 #include "session/draw_snaps.h"
 #include "session/gestures.h"
 
@@ -235,6 +236,9 @@ class DrawGesture : public Gesture {
         "End the line where it began, or on the body's centre; Enter closes it, undo takes back the last stroke.");
   }
   bool begun() const override { return !parts_.empty() || !stroke_.empty(); }
+  void addTo(Handling& handling) const override {
+    if (snap_) handling.snap = snap_->corner ? 2 : 1;
+  }
   KeyStops keyStops() const override { return KeyStops::Skin; }
   bool clicks() const override { return true; }
 

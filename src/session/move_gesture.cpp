@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "karinui/session/touch_scene_of.h"
 #include "session/gestures.h"
 
 namespace karinui {
@@ -103,6 +104,11 @@ class MoveGesture : public Gesture {
     return info(Command::Move).hint;
   }
   bool begun() const override { return static_cast<bool>(held_); }
+  void addTo(Handling& handling) const override {
+    if (!held_ || onTable_) return;
+    handling.carried = {held_};
+    if (snapped_) handling.snap = onCorner_ ? 2 : 1;
+  }
   KeyStops keyStops() const override { return held_ ? KeyStops::Corners : KeyStops::Pieces; }
   std::optional<std::pair<PieceId, Flat>> laidAside() override { return std::exchange(aside_, std::nullopt); }
 

@@ -85,6 +85,7 @@ void Session::Impl::point(const PointerSample& sample) {
   const bool begun = gesture->begun();
   const Hit hit = pick(*state.snapshot, table, sample);
   GestureResult answer = gesture->feed(sample, hit, context());
+  countClicks();
   if (const auto chosen = gesture->chosen()) choose(*chosen);
   if (const auto aside = gesture->laidAside()) table.carry(aside->first, aside->second);
   if (sample.phase == Phase::Press && gesture->begun() && hit.piece && tool != Command::Draw) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "karinui/base/number.h"
+#include "karinui/session/touch_scene_of.h"
 #include "session/gestures.h"
 
 namespace karinui {
@@ -94,6 +95,9 @@ class PullGesture : public HandOnCloth {
     if (reply.force) force_ = reply.force;
     why_ = reply.why;
   }
+  void addTo(Handling& handling) const override {
+    if (held_) handling.pull = Handling::Pull{held_, at_, grip_, grip_ + by(), force_};
+  }
 
  protected:
   void showHeld(Preview& shown, Vec3 hand, const GestureContext&) const override {
@@ -139,6 +143,7 @@ class ReshapeGesture : public HandOnCloth {
     after_ = reply.after ? reply.after : after_;
     why_ = reply.why;
   }
+  void addTo(Handling& handling) const override { handling.still = static_cast<bool>(held_); }
 
  protected:
   void showHeld(Preview& shown, Vec3 hand, const GestureContext& context) const override {

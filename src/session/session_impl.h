@@ -31,8 +31,10 @@ struct Session::Impl {
   ToolOptions toolOptions;
   std::optional<Viewpoint> viewpoint;
   std::optional<Command> hot;
-  bool onCross = false;  // the pointer is on the mark of a crossed seam
-  bool onMenu = false;   // the button was pressed on the menu
+  bool onCross = false;      // the pointer is on the mark of a crossed seam
+  bool onMenu = false;       // the button was pressed on the menu
+  std::size_t snapped = 0;   // what the hand has snapped to (Handling::snap)
+  std::uint32_t clicks = 0;  // how often it has
   KeyboardPointer keyboard;
   std::optional<Command> viewAsked;
   std::vector<Notice> notices;
@@ -110,6 +112,9 @@ struct Session::Impl {
   // pointing.cpp
   void point(const PointerSample& sample);
   bool overMenu(const PointerSample& sample);  // then it is not for the gesture
+
+  // touching.cpp
+  void countClicks();
 
   // preview_requests.cpp: the gesture in hand, and what it asks
   void request(PreviewRequest request);  // the newest only, one at a time

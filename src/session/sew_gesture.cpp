@@ -6,6 +6,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
+#include "karinui/session/touch_scene_of.h"
 #include "session/gestures.h"
 #include "session/sew_plan.h"
 #include "session/sew_stroke.h"
@@ -168,6 +169,11 @@ class SewGesture : public Gesture {
     return info(Command::Sew).hint;
   }
   bool begun() const override { return stroke_ || !first_.empty(); }
+  // An edge that will be sewn is felt when the hand comes to it.
+  void addTo(Handling& handling) const override {
+    if (const auto other = stroke_ ? stroke_->target() : std::nullopt)
+      handling.snap = std::hash<std::string>()(text(other->piece) + "." + other->edge) | 1;
+  }
   KeyStops keyStops() const override { return KeyStops::Edges; }
 
  private:

@@ -21,7 +21,7 @@ double apart(const PointerSample& a, const PointerSample& b) {
 }
 
 double reachInMetres(const GestureContext& context, const PointerSample& sample, const EdgeNear& near) {
-  if (sample.where == Where::Table) return sample.reach;
+  if (sample.where == Where::Table || sample.tip) return sample.reach;
   const auto line = edgeInSpace(*context.snapshot, {PieceRef(near.piece), near.edge, 0, 1});
   return line.empty() ? sample.reach : sample.reach * distance(line[line.size() / 2], sample.ray.origin);
 }
@@ -48,6 +48,7 @@ void SewStroke::to(const GestureContext& context, const PointerSample& sample, c
     now.place = lerp(before.place, sample.place, share);
     now.ray.origin = lerp(before.ray.origin, sample.ray.origin, share);
     now.ray.direction = normalized(lerp(before.ray.direction, sample.ray.direction, share));
+    if (now.tip && before.tip) now.tip->carry = lerp(before.tip->carry, sample.tip->carry, share);
     step(context, now, other);
   }
   last_ = sample;

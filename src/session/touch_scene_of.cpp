@@ -1,5 +1,9 @@
 #include "karinui/session/touch_scene_of.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "karinui/cloth/fabric.h"
 
 namespace karinui {
@@ -11,6 +15,8 @@ constexpr double kGripLength = 0.10;  // and from there to what holds it
 constexpr double kSpacing = 0.01;     // metres between the nodes of Eq. (1)
 constexpr double kStrainMost = 0.4;
 constexpr double kCutResistance = 800;  // N for a metre of thickness: 0.4 N for cotton
+constexpr double kWeaveReach = 0.02;    // metres from the tip: further cloth has no texture yet
+constexpr double kWeaveDepth = 0.1;     // of the contact force
 
 void addNear(TouchScene& scene, const Bvh& tree, const TriangleMesh& mesh, bool twoSided) {
   const Vec3 reach{scene.radius, scene.radius, scene.radius};
@@ -22,6 +28,36 @@ void addNear(TouchScene& scene, const Bvh& tree, const TriangleMesh& mesh, bool 
     if (const auto facet = facetOf(mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]], twoSided))
       if (distance(facet->middle, scene.centre) <= scene.radius + facet->radius) scene.facets.push_back(*facet);
   });
+}
+
+bool reaches(const TriangleMesh& mesh, Vec3 centre, double radius) {
+  const Box box = boxOf(mesh.points);
+  if (box.empty()) return false;
+  const Vec3 inside{std::clamp(centre.x, box.low.x, box.high.x), std::clamp(centre.y, box.low.y, box.high.y),
+                    std::clamp(centre.z, box.low.z, box.high.z)};
+  return distance(inside, centre) <= radius;
+}
+
+// The threads of the cloth nearest to the tip, by the triangle there: how the paper's directions lie in space.
+void addWeave(TouchScene& scene, const Bvh& tree, const SceneCloth& cloth, const Piece& piece, const Fabric& fabric,
+              double& nearest) {
+  const auto there = tree.nearest(scene.centre, nearest);
+  if (!there || there->distance >= nearest || cloth.flat.size() != cloth.mesh.points.size()) return;
+  const Triangle& f = cloth.mesh.faces[there->place.face];
+  const Flat at = cloth.flat[f[0]], e = cloth.flat[f[1]] - at, g = cloth.flat[f[2]] - at;
+  const double det = cross(e, g);
+  if (det == 0) return;
+  const Vec3 p = cloth.mesh.points[f[0]], s = cloth.mesh.points[f[1]] - p, t = cloth.mesh.points[f[2]] - p;
+  const Vec3 alongU = (s * g.v - t * e.v) * (1 / det), alongV = (t * e.u - s * g.u) * (1 / det);
+  const Flat warp = piece.grain, weft{warp.v, -warp.u};
+  Weave& weave = scene.weave.emplace();
+  weave.warp = normalized(alongU * warp.u + alongV * warp.v);
+  weave.weft = normalized(alongU * weft.u + alongV * weft.v);
+  weave.period = threadSpacing(fabric);
+  weave.depth = kWeaveDepth;
+  weave.origin = p;
+  weave.u = dot(at, warp), weave.v = dot(at, weft);
+  nearest = there->distance;
 }
 
 Grab grabOf(const Piece& piece, const Fabric& fabric, const Handling::Pull& pull) {
@@ -58,6 +94,13 @@ Grab grabOf(const Piece& piece, const Fabric& fabric, const Handling::Pull& pull
 
 }  // namespace
 
+double threadSpacing(const Fabric& fabric) {
+  constexpr double kThreadDensity = 909;  // kg/m3: 1.1 cm3/g
+  constexpr double kFinest = 2e-4, kCoarsest = 3e-3;
+  const double thick = fabric.thickness / 2, titre = kThreadDensity * std::numbers::pi / 4 * thick * thick;  // kg/m
+  return fabric.weight > 0 ? std::clamp(2 * titre / fabric.weight, kFinest, kCoarsest) : kFinest;
+}
+
 TensionCurve tensionCurveOf(const Fabric& fabric, double width, double length) {
   constexpr int kPlaces = 64;
   TensionCurve curve;
@@ -76,8 +119,9 @@ TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handlin
   scene.radius = radius;
   scene.changing = handling.changing;
   scene.clicks = handling.clicks;
+  if (handling.still) return scene;
   if (snapshot.body) addNear(scene, snapshot.body->bvh(), snapshot.body->mesh(), false);
-  double friction = 0;
+  double friction = 0, nearest = kWeaveReach;
   for (std::size_t k = 0; k < snapshot.worn.size(); ++k) {
     const PieceId id = snapshot.worn[k].id;
     const Piece* piece = snapshot.document.find(id);
@@ -93,8 +137,10 @@ TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handlin
     }
     if (handling.cut == id) scene.cutting = kCutResistance * fabric->thickness;
     const std::size_t before = scene.facets.size();
-    const TriangleMesh& mesh = snapshot.frame.cloths[k].mesh;
-    if (!mesh.faces.empty()) addNear(scene, **snapshot.worn[k].tree, mesh, true);
+    const SceneCloth& cloth = snapshot.frame.cloths[k];
+    if (cloth.mesh.faces.empty() || !reaches(cloth.mesh, tip, radius)) continue;  // its tree is not built for that
+    addNear(scene, **snapshot.worn[k].tree, cloth.mesh, true);
+    addWeave(scene, **snapshot.worn[k].tree, cloth, *piece, *fabric, nearest);
     if (scene.facets.size() > before) friction = std::max(friction, fabric->frictionBody);
   }
   if (friction > 0) scene.friction = friction;

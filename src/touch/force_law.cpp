@@ -68,8 +68,9 @@ Vec3 cuttingForce(double resistance, Vec3 velocity) {
 double weaveShare(const Weave& weave, Vec3 place) {
   if (!(weave.period > 0)) return 0;
   const double turn = 2 * std::numbers::pi / weave.period;
-  return std::clamp(weave.depth, 0.0, Weave::kMostDepth) * std::sin(turn * dot(weave.warp, place)) *
-         std::sin(turn * dot(weave.weft, place));
+  const Vec3 from = place - weave.origin;
+  return std::clamp(weave.depth, 0.0, Weave::kMostDepth) * std::sin(turn * (weave.u + dot(weave.warp, from))) *
+         std::sin(turn * (weave.v + dot(weave.weft, from)));
 }
 
 double clickForce(double since) {

@@ -64,7 +64,7 @@ void Servo::publish(std::unique_ptr<TouchScene> scene) {
   exchange_.publish(std::move(scene));
 }
 
-Servo::Report Servo::report() const { return {ticks_, late_, pageFaults_, realTime_}; }
+Servo::Report Servo::report() const { return {count_, late_, ticks_.dropped(), pageFaults_, realTime_}; }
 
 void Servo::run(bool askRealTime) {
   sched_param wish{};
@@ -73,6 +73,7 @@ void Servo::run(bool askRealTime) {
   prctl(PR_SET_TIMERSLACK, 1UL);  // nanoseconds; for threads that are not real-time
   touchStack();
   std::uint64_t faultsBefore = 0;
+  double published = 0;  // when what is felt was
   double next = clock();
   while (!stop_.load(std::memory_order_relaxed)) {
     next += kPeriod;
@@ -89,17 +90,25 @@ void Servo::run(bool askRealTime) {
     if (TouchLaws laws; laws_.tryRead(laws)) step_.setLaws(laws);
     off_.load(std::memory_order_relaxed) ? step_.emergencyOff() : step_.takeOffBack();
     if (step_.mayAdopt(now) && exchange_.mayHandBack())
-      if (const TouchScene* scene = exchange_.take()) exchange_.handBack(step_.adopt(scene, now));
+      if (const TouchScene* scene = exchange_.take()) {
+        published = scene->published;
+        exchange_.handBack(step_.adopt(scene, now));
+      }
 
+    const double asked = clock();
     const HandSample hand = device_.sample();
     const double began = clock();
     const ServoTick tick = step_.tick(hand, now);
-    evaluation_.add(clock() - began);
+    const double ended = clock();
     device_.apply(tick.out);
+    evaluation_.add(ended - began);
+    deviceTime_.add(began - asked + (clock() - ended));
+    if (published > 0) sceneAge_.add(now - published);
     if (tick.state == ServoState::Off) off_.store(true, std::memory_order_relaxed);  // by the device's button
     told_.write(tick);
+    ticks_.offer(tick);
 
-    const std::uint64_t ticks = ticks_.fetch_add(1, std::memory_order_relaxed) + 1;
+    const std::uint64_t ticks = count_.fetch_add(1, std::memory_order_relaxed) + 1;
     if (ticks == kWarm) faultsBefore = pageFaultsOfThread();
     if (ticks > kWarm && ticks % kLooks == 0)
       pageFaults_.store(pageFaultsOfThread() - faultsBefore, std::memory_order_relaxed);

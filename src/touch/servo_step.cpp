@@ -80,7 +80,7 @@ Vec3 ServoStep::slewed(Vec3 wanted, double since, double way, double stiffness, 
 }
 
 double ServoStep::click(const TouchScene& scene, double now) {
-  if (clicksKnown_ && scene.clicks != clicks_) clicked_ = now;
+  if (clicksKnown_ && static_cast<std::int32_t>(scene.clicks - clicks_) > 0) clicked_ = now;
   clicks_ = scene.clicks;
   clicksKnown_ = true;
   return settings_.laws.click && clicked_ >= 0 ? clickForce(now - clicked_) : 0;
@@ -88,6 +88,7 @@ double ServoStep::click(const TouchScene& scene, double now) {
 
 ServoTick ServoStep::tick(const HandSample& hand, double now) {
   ServoTick told;
+  told.seconds = now;
   told.hand = hand;
   if (hand.buttons & settings_.offButtons) off_ = true;
   const double since = begun_ ? now - last_ : kTick;

@@ -1,16 +1,15 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <numbers>
 
 #include "devices/json_scan.h"
-#include "devices/simulated_inverse3.h"
 #include "karinui/devices/hd_stylus.h"
 #include "karinui/devices/inverse3.h"
 #include "karinui/devices/placement.h"
 #include "karinui/devices/pose_source.h"
 #include "karinui/devices/simulated_device.h"
+#include "karinui/devices/simulated_inverse3.h"
 #include "karinui/touch/servo.h"
 #include "touch/hand.h"
 
@@ -139,6 +138,7 @@ TEST(ScriptedDevice, PlaysARecordedHand) {
 
 TEST(Inverse3, SpeaksAsTheServiceIsDocumented) {
   SimulatedInverse3 service([](double) { return Vec3{0.01, 0.02, 0.03}; });
+  service.setGrip({0.6, 0, 0, 0.8, 5, 0.25});
   auto device = Inverse3::connect(service.port());
   ASSERT_TRUE(device) << text(device.error().what);
   EXPECT_EQ((*device)->record().name, "Haply Inverse3 04AB");
@@ -157,13 +157,12 @@ TEST(Inverse3, SpeaksAsTheServiceIsDocumented) {
   EXPECT_GT((*device)->sample().tip.carry.y, 0.0301) << "pushed up";
   (*device)->apply({});
   (*device)->sample();
-  EXPECT_LE(service.messages, 102) << "one for each tick; none while a reply is missing";
-  EXPECT_GT(service.messages, 20);
-  EXPECT_FALSE(service.wrong);
+  EXPECT_LE(service.seen().messages, 102u) << "one for each tick; none while a reply is missing";
+  EXPECT_GT(service.seen().messages, 20u);
+  EXPECT_FALSE(service.seen().wrong);
   (*device)->apply({{0, 2, 0}, {}, 0});
   (*device)->stop();
-  for (int k = 0; k < 5000 && service.lastForce != 0; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_EQ(service.lastForce, 0) << "the last thing it is told";
+  EXPECT_TRUE(service.wait([](const auto& seen) { return seen.lastForce == 0; })) << "the last thing it is told";
   EXPECT_FALSE((*device)->sample().ready);
 }
 
@@ -181,9 +180,9 @@ TEST(Inverse3, SilenceHangingUpAndNoCalibrationAreNotReady) {
     auto device = Inverse3::connect(service.port());
     ASSERT_TRUE(device);
     EXPECT_TRUE((*device)->sample().ready);
-    if (trouble == 0) service.silent = true;
-    if (trouble == 1) service.hangUp = true;
-    if (trouble == 2) service.calibrated = false;
+    if (trouble == 0) service.fallSilent();
+    if (trouble == 1) service.hangUp();
+    if (trouble == 2) service.setCalibrated(false);
     bool ready = true;
     for (int k = 0; k < 20; ++k) {
       (*device)->apply({});
@@ -213,20 +212,21 @@ TEST(Inverse3, AHandFeelsAFloorThroughTheService) {
     // The hand's spring of 300 N/m draws it to 1 cm below the floor, whose spring is half of that of the device.
     const double wanted = 0.01 * 300 * 200 / 500;
     ServoTick tick;
-    while (service.messages < 60000 && !(tick.touching && std::fabs(tick.out.force.y - wanted) < 0.15 * wanted)) {
+    const auto felt = [&] { return tick.touching && std::fabs(tick.out.force.y - wanted) < 0.15 * wanted; };
+    while (service.seen().messages < 60000 && !felt()) {
       servo.publish(std::make_unique<TouchScene>(scene));
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      const auto then = service.seen().messages + 5;  // as many ticks of the force loop
+      service.wait([then](const auto& seen) { return seen.messages >= then; });
       tick = servo.last();
     }
     EXPECT_TRUE(tick.touching);
     EXPECT_NEAR(tick.proxy.y, 0.04, 1e-3);
     EXPECT_NEAR(tick.out.force.y, wanted, 0.15 * wanted);
   }
-  EXPECT_LE(service.mostForce, 3);
-  EXPECT_LE(service.work, 1e-3);
-  for (int k = 0; k < 5000 && service.lastForce != 0; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_EQ(service.lastForce, 0) << "the last thing it is told";
-  EXPECT_FALSE(service.wrong);
+  EXPECT_TRUE(service.wait([](const auto& seen) { return seen.lastForce == 0; })) << "the last thing it is told";
+  EXPECT_LE(service.seen().mostForce, 3);
+  EXPECT_LE(service.seen().work, 1e-3);
+  EXPECT_FALSE(service.seen().wrong);
 }
 
 // --- 3D Systems Touch, before a library of ours.

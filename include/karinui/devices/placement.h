@@ -26,22 +26,45 @@ class PlacedDevice : public HapticDevice {
   // The inner device must outlive it.
   PlacedDevice(HapticDevice& inner, const Placement& placement, std::uint32_t clutchButtons = 0,
                DeviceRecord::Hand hand = DeviceRecord::Hand::Either);
-  void place(const Placement& placement);  // any one thread; the scale stays as it was
+  // Any one thread; the newest wish of each kind counts.
+  void place(const Placement& placement);               // the scale stays as it was
+  void bringTo(Vec3 scene) { bring_.wish(scene); }      // the tip, wherever it is: calibration by pointing
+  void turnTo(const Rigid& turn) { turn_.wish(turn); }  // the workspace about the tip, which stays: no jump
   const DeviceRecord& record() const override { return record_; }
   HandSample sample() override;
   void apply(const HandForce& force) override;
   void stop() override { inner_.stop(); }
 
  private:
+  template <class T>
+  class Wish {  // of one thread to the servo's
+   public:
+    void wish(const T& value) {
+      value_.write(value);
+      count_.fetch_add(1, std::memory_order_release);
+    }
+    bool take(T& value) {
+      const std::uint32_t count = count_.load(std::memory_order_acquire);
+      if (count == taken_ || !value_.tryRead(value)) return false;
+      taken_ = count;
+      return true;
+    }
+
+   private:
+    SeqLock<T> value_;
+    std::atomic<std::uint32_t> count_{0};
+    std::uint32_t taken_ = 0;  // the servo's only
+  };
   HapticDevice& inner_;
   DeviceRecord record_;
   std::uint32_t clutchButtons_;
-  SeqLock<Placement> wanted_;
-  std::atomic<std::uint32_t> wishes_{0};
-  std::uint32_t taken_ = 0;
+  Wish<Placement> place_;
+  Wish<Vec3> bring_;
+  Wish<Rigid> turn_;
   Placement placement_;
   bool clutched_ = false;
   Rigid held_;  // the tip in the scene meanwhile
+  Vec3 led_, before_;
 };
 
 }  // namespace karinui

@@ -90,6 +90,8 @@ struct Selection {
   bool operator==(const Selection&) const = default;
 };
 
+struct Handling;  // karinui/session/touch_scene_of.h
+
 class Gesture {
  public:
   virtual ~Gesture() = default;
@@ -107,6 +109,8 @@ class Gesture {
   // To a hand without a pointer: what it is led to, and whether it clicks or drags.
   virtual KeyStops keyStops() const { return KeyStops::Pieces; }
   virtual bool clicks() const { return false; }
+  // What the hand would feel of it: adds what it carries, pulls, cuts or has snapped to.
+  virtual void addTo(Handling&) const {}
   // Select and Move on the table, which change the view only.
   virtual std::optional<Selection> chosen() { return std::nullopt; }
   virtual std::optional<std::pair<PieceId, Flat>> laidAside() { return std::nullopt; }

@@ -21,7 +21,10 @@ struct Handling {
     std::optional<Vec3> force;  // and what the cloth then did to the hand
   };
   std::optional<Pull> pull;
-  PieceId cut;               // being cut: resists
+  PieceId cut;         // being cut: resists
+  bool still = false;  // nothing at all is felt: the pattern is being reshaped
+  // What is held has snapped to this: any number but 0 that tells it from others. A click, once; 0: nothing.
+  std::size_t snap = 0;
   bool changing = false;     // pieces are being cut, sewn or replaced
   std::uint32_t clicks = 0;  // pairs of edges that have snapped together
 };
@@ -30,6 +33,11 @@ inline constexpr double kPatchRadius = 0.06;  // metres: more than a hand goes b
 
 TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handling& handling = {},
                         double radius = kPatchRadius);
+
+// The distance between threads of a plain weave, metres, as far as weight and thickness tell it: threads as thick as
+// half the cloth, of 0.909 g/cm3 (Peirce 1937, "The geometry of cloth structure"), as many each way. Between 0.2 and
+// 3 mm.
+double threadSpacing(const Fabric& fabric);
 
 // A strip of a fabric, half along its warp and half along its weft: metres.
 TensionCurve tensionCurveOf(const Fabric& fabric, double width, double length);

@@ -28,6 +28,7 @@ struct HandSample {
   std::uint32_t buttons = 0;  // bit 0 the main button, bit 1 the second, …
   double trigger = 0;         // or pinch, 0..1
   bool ready = false;         // calibrated, powered, and answering
+  Vec3 led = {};              // metres it was led in all while its clutch was down and its tip stayed
 };
 
 struct HandForce {

@@ -10,6 +10,7 @@
 #include "karinui/touch/scene_exchange.h"
 #include "karinui/touch/seq_lock.h"
 #include "karinui/touch/servo_step.h"
+#include "karinui/touch/tick_queue.h"
 
 namespace karinui {
 
@@ -24,6 +25,8 @@ class Servo {
   static double clock();                            // seconds; what `published` is measured by
   void publish(std::unique_ptr<TouchScene> scene);  // sets its version and time
   ServoTick last() const { return told_.read(); }   // the newest tick
+  // What the hand did since the last time, oldest first; from one thread. False: nothing more.
+  bool takeTick(ServoTick& tick) { return ticks_.take(tick); }
   void setGain(double gain) { gain_.store(gain); }
   void setLimit(double newtons) { limit_.store(newtons); }
   void setLaws(const TouchLaws& laws) { laws_.write(laws); }
@@ -34,12 +37,15 @@ class Servo {
 
   struct Report {
     std::uint64_t ticks = 0, late = 0;  // late: by more than a millisecond
+    std::uint64_t dropped = 0;          // ticks that nobody took in time
     std::uint64_t pageFaults = 0;       // since it was warm
     bool realTime = false;              // SCHED_FIFO was permitted
   };
   Report report() const;
   const LatencyHistogram& lateness() const { return lateness_; }      // of waking up
   const LatencyHistogram& evaluation() const { return evaluation_; }  // of one ServoStep::tick
+  const LatencyHistogram& exchange() const { return deviceTime_; }    // with the device: of sample() and apply()
+  const LatencyHistogram& sceneAge() const { return sceneAge_; }      // since what is felt was published
 
  private:
   void run(bool askRealTime);
@@ -48,10 +54,11 @@ class Servo {
   SceneExchange exchange_;
   SeqLock<ServoTick> told_;
   SeqLock<TouchLaws> laws_;
-  LatencyHistogram lateness_, evaluation_;
+  TickQueue ticks_;
+  LatencyHistogram lateness_, evaluation_, deviceTime_, sceneAge_;
   std::atomic<double> gain_, limit_;
   std::atomic<bool> focus_{true}, off_{false}, stop_{false}, realTime_{false};
-  std::atomic<std::uint64_t> ticks_{0}, late_{0}, pageFaults_{0};
+  std::atomic<std::uint64_t> count_{0}, late_{0}, pageFaults_{0};
   std::uint64_t versions_ = 0;  // the publisher's only
   std::thread thread_;          // last: it begins when all else is there
 };

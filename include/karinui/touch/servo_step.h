@@ -47,6 +47,7 @@ enum class ServoFault { None, NotFinite, Jump, Speed, Late, Stale, NotReady, Clu
 enum class ServoState { Waiting, Ramping, Armed, Fading, Off };
 
 struct ServoTick {
+  double seconds = 0;  // of the servo's clock
   HandForce out;
   HandSample hand;
   ServoState state = ServoState::Waiting;

@@ -56,10 +56,12 @@ struct Grab {
   Stiffness stiffness;                // and how that changes: f = f0 - K (x - x0)
 };
 
-struct Weave {        // of the cloth that is touched, as a texture
-  Vec3 warp, weft;    // unit, along the threads
-  double period = 0;  // metres from thread to thread
-  double depth = 0;   // share of the contact force, at most kMostDepth
+struct Weave {          // of the cloth that is touched, as a texture
+  Vec3 warp, weft;      // unit, along the threads
+  double period = 0;    // metres from thread to thread
+  double depth = 0;     // share of the contact force, at most kMostDepth
+  Vec3 origin = {};     // a place of the cloth,
+  double u = 0, v = 0;  // and where it is along warp and weft: threads stay where they are from scene to scene
   static constexpr double kMostDepth = 0.15;
 };
 
