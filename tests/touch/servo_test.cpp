@@ -116,7 +116,7 @@ TEST(Servo, NeitherLocksNorAllocatesNorFaultsInTheLoop) {
         for (int k = 0; k < 10 && !device.done; ++k) std::this_thread::yield();
       }
       pageFaults = servo.report().pageFaults;
-      EXPECT_GE(servo.report().ticks, 1500u);
+      EXPECT_GE(servo.report().ticks, 1499u);  // the last one may still be on its way into the count
     }
     EXPECT_GT(device.felt, 0.3) << "the loop has worked";
     EXPECT_EQ(device.stops, 1);
