@@ -22,7 +22,7 @@ struct ForcePlot {
 };
 
 inline std::string plotsAsSvg(const std::vector<ForcePlot>& plots, bool japanese) {
-  constexpr double kWide = 300, kHigh = 150, kLeft = 46, kTop = 34, kGapX = 56, kGapY = 62, kMost = 1.25;
+  constexpr double kWide = 300, kHigh = 150, kLeft = 46, kTop = 34, kGapX = 56, kGapY = 62, kMost = 1.5;
   const auto words = [&](const char* english, const char* other) { return std::string(japanese ? other : english); };
   const auto title = [&](const std::string& name) {
     if (!japanese) return name;

@@ -20,6 +20,8 @@ struct StylusWork {
   // `go` and `press` as the rig has them.
   std::function<void(const Session&, const std::function<void(Vec3)>& go, const std::function<void(bool)>& press)> work;
   std::string expected;  // the step's text, or how it begins
+  // The hand goes to each place exactly, against the force, and so does what is expected to a tenth of a millimetre.
+  bool exact() const { return tool != Command::Draw; }
 };
 
 inline SessionOptions cheapSession(std::shared_ptr<Bodies> bodies) {

@@ -52,7 +52,7 @@ TEST(VirtualStylus, EveryOperationIsDoneAndFelt) {
     give(session, work.given);
     ASSERT_EQ(session.steps().size(), work.given.size());
     VirtualStylus stylus(session, work.start(session));
-    const Came came = played(work, stylus, session, true);
+    const Came came = played(work, stylus, session, work.exact());
     EXPECT_THAT(came.refused, testing::IsEmpty());
     EXPECT_THAT(came.step, testing::StartsWith(work.expected));
     EXPECT_EQ(came.hash, came.byScript);
@@ -113,9 +113,9 @@ TEST(VirtualStylus, AFreeRideInTheRoomFeelsNothing) {
                         onFront(session, 0, -0.04),
                         onFront(session, 2, -0.03),
                         onFront(session, 2, -0.2),
-                        {0.2, 0.4, 0.2},
-                        {0.2, 0.25, 0.03},
-                        {0.3, 0.25, 0.03}})
+                        {0.36, 0.4, 0.2},
+                        {0.36, 0.25, 0.03},
+                        {0.36, 0.1, 0.03}})
     stylus.go(to, 0.4);
   EXPECT_EQ(stylus.most, 0);
   EXPECT_GT(stylus.facets, 0u) << "something was near";
