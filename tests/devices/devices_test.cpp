@@ -84,6 +84,33 @@ TEST(Placement, AClutchLeadsTheDeviceElsewhere) {
   EXPECT_NEAR(at(0.05, 0).tip.carry.x, 0.15, 2e-3) << "and goes on from there";
 }
 
+TEST(Placement, IsCalibratedTurnedAndTellsHowFarItIsLed) {
+  PoseSource inner(shownRecord("pose"));
+  PlacedDevice placed(inner, {{}, {}, {}, 2}, 2);
+  const auto at = [&](Vec3 to, std::uint32_t buttons) {
+    HandSample hand;
+    inner.place({1, 0, 0, 0, to}, buttons);
+    for (int k = 0; k < 500; ++k) hand = placed.sample();
+    return hand;
+  };
+  EXPECT_LT(distance(at({0.05, 0, 0}, 0).tip.carry, {0.1, 0, 0}), 1e-6);
+  placed.bringTo({1, 2, 3});
+  EXPECT_LT(distance(placed.sample().tip.carry, {1, 2, 3}), 1e-6) << "wherever the device is";
+  EXPECT_LT(distance(at({0.05, 0, 0.01}, 0).tip.carry, {1, 2, 3.02}), 1e-6);
+  // Turned to the side: the tip stays, what follows goes another way.
+  placed.turnTo(turnAbout({0, 1, 0}, std::numbers::pi / 2));
+  EXPECT_LT(distance(placed.sample().tip.carry, {1, 2, 3.02}), 1e-6);
+  EXPECT_LT(distance(at({0.06, 0, 0.01}, 0).tip.carry, {1, 2, 3}), 1e-6);
+  // Led while the clutch is down.
+  const HandSample before = at({0.06, 0, 0.01}, 2);
+  const HandSample led = at({0.06, 0.03, 0.01}, 2);
+  EXPECT_EQ(led.tip.carry, before.tip.carry);
+  EXPECT_LT(distance(led.led - before.led, {0, 0.06, 0}), 1e-6);
+  at({0.06, 0.03, 0.01}, 0);
+  placed.place({{}, {}, {9, 9, 9}, 5});
+  EXPECT_LT(distance(at({0.01, 0, 0}, 0).tip.carry, {9.02, 9, 9}), 1e-6) << "the scale stays";
+}
+
 TEST(PoseSource, AMouseIsFeltAsAnArrow) {
   PoseSource mouse(shownRecord("mouse"));
   EXPECT_EQ(mouse.record().freedomOut, 0);
