@@ -17,8 +17,10 @@
 #include <QToolBar>
 
 #include "accessibility.h"
+#include "device_panel.h"
 #include "drafts.h"
 #include "drop_menu.h"
+#include "force_feedback.h"
 #include "guide.h"
 #include "keys.h"
 #include "orbit.h"
@@ -81,11 +83,13 @@ MainWindow::MainWindow(SessionOptions options) {
   auto* fabric = new FabricPanel(*session_);
   auto* fit = new FitPanel(*session_, *space_);
   auto* history = new HistoryPanel(*session_, *space_);
-  const std::pair<Panel*, Message> boards[] = {{garment, say("Garment")},
-                                               {body, say("Body")},
-                                               {fabric, say("Fabric")},
-                                               {fit, say("Fit")},
-                                               {history, say("Steps")}};
+  force_ = std::make_unique<ForceFeedback>(*session_, *space_);
+  space_->setForceFeedback(force_.get());
+  connect(force_.get(), &ForceFeedback::fed, this, [this] { wake_.start(); });
+  auto* device = new DevicePanel(*session_, *force_);
+  const std::pair<Panel*, Message> boards[] = {{garment, say("Garment")}, {body, say("Body")},
+                                               {fabric, say("Fabric")},   {fit, say("Fit")},
+                                               {history, say("Steps")},   {device, say("Device")}};
   for (const auto& [panel, words] : boards) addPanel(panel, words);
   Theme::here().keep(boards_, [this] {  // all tabs are seen, whatever the language
     boards_->ensurePolished();
@@ -210,6 +214,8 @@ void MainWindow::nameForScreenReaders() {
 
 MainWindow::~MainWindow() {
   session_->command(Command::Cancel);
+  space_->setForceFeedback(nullptr);
+  force_.reset();  // no force outlives the window
   // The views look at the session until they are gone.
   delete centralWidget();
 }
@@ -369,6 +375,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::ActivationChange && force_) force_->setFocus(isActiveWindow());
   if (event->type() == QEvent::WindowStateChange && fullScreen_) fullScreen_->setChecked(isFullScreen());
 }
 

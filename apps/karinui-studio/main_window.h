@@ -21,6 +21,7 @@ class QToolBar;
 namespace karinui::studio {
 
 class DropMenuFrame;
+class ForceFeedback;
 class Guide;
 
 // The window's size the first time, from what the screen has room for.
@@ -38,6 +39,7 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }
   SpaceView& space() { return *space_; }
   PatternView& table() { return *table_; }
+  ForceFeedback& force() { return *force_; }
   LatencyLog& latencyLog() { return latencyLog_; }
   QAction* action(Command command) const { return actions_.at(command); }
   QTabWidget& boards() { return *boards_; }
@@ -122,6 +124,7 @@ class MainWindow : public QMainWindow {
   QTimer toastTime_, wake_;
   Guide* guide_ = nullptr;
   SpaceMouse* cap_ = nullptr;
+  std::unique_ptr<ForceFeedback> force_;
   SessionChanges seen_;
 };
 

@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QToolBar>
 
+#include "force_feedback.h"
 #include "guide.h"
 #include "main_window.h"
 #include "theme.h"
@@ -131,6 +132,13 @@ void MainWindow::makeMenus() {
   work->addAction(actions_[Command::Settle]);
   work->addAction(actions_[Command::Confirm]);
   work->addAction(actions_[Command::Cancel]);
+  work->addSeparator();
+  QAction* off = add(work, say("Emergency off"), "", "", [this] { force_->emergencyOff(!force_->isOff()); });
+  off->setObjectName("force_off");
+  off->setShortcuts({QKeySequence(Qt::Key_F9), QKeySequence(Qt::Key_Pause)});
+  off->setShortcutContext(Qt::ApplicationShortcut);  // also while a dialog is open
+  off->setCheckable(true);
+  connect(force_.get(), &ForceFeedback::changed, off, [this, off] { off->setChecked(force_->isOff()); });
 
   viewMenu_ = menu(say("View"));
   for (const Command c : {Command::ViewFront, Command::ViewBack, Command::ViewLeft, Command::ViewRight,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "force_feedback.h"
 #include "karinui/base/number.h"
 #include "karinui/session/menu.h"
 #include "karinui/view/strain_scale.h"
@@ -97,6 +98,7 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     paintFingertip(painter, at(tip->ray.origin + tip->ray.direction * camera_.distance()));
   for (const SceneWord& word : preview.space.words)
     paintWord(painter, at(word.place), QString::fromStdString(word.text), room);
+  if (force_) force_->paint(painter, at, room);
   // What the tapes say stands beside them: right of the trunk or of the leg that is seen at the right, else left.
   const auto side = [&](const std::vector<Vec3>& line, bool right) {
     QPointF most = at(line.front());

@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "force_feedback.h"
 #include "karinui/session/menu.h"
 #include "keys.h"
 #include "mouse.h"
@@ -22,6 +23,10 @@ PointerSample SpaceView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys,
   sample.facing = normalized(camera_.eye - camera_.target);
   sample.reach = 11 * camera_.fieldOfView / h;  // eleven pixels
   return sample;
+}
+
+void SpaceView::feed(PointerSample sample) {
+  if (!force_ || !force_->pointed(sample)) session_.feed(sample);
 }
 
 bool SpaceView::event(QEvent* event) {
@@ -54,7 +59,7 @@ void SpaceView::mousePressEvent(QMouseEvent* event) {
     held_ = Held::Tool;
     toolDown_ = true;
     latencyLog_.begin("event to picture");
-    session_.feed(sampleAt(last_, event->modifiers(), PointerSample::Phase::Press));
+    feed(sampleAt(last_, event->modifiers(), PointerSample::Phase::Press));
     refresh();
   }
   setFocus();
@@ -88,8 +93,8 @@ void SpaceView::mouseMoveEvent(QMouseEvent* event) {
   }
   latencyLog_.begin("event to picture");
   if (held_ == Held::Tool) latencyLog_.begin("drag to preview");
-  session_.feed(sampleAt(last_, event->modifiers(),
-                         held_ == Held::Tool ? PointerSample::Phase::Drag : PointerSample::Phase::Hover));
+  feed(sampleAt(last_, event->modifiers(),
+                held_ == Held::Tool ? PointerSample::Phase::Drag : PointerSample::Phase::Hover));
   refresh();
 }
 
@@ -97,7 +102,7 @@ void SpaceView::mouseReleaseEvent(QMouseEvent* event) {
   if (toolDown_ && event->button() == Qt::LeftButton) {
     toolDown_ = false;
     latencyLog_.forget("drag to preview");
-    session_.feed(sampleAt(event->position(), event->modifiers(), PointerSample::Phase::Release));
+    feed(sampleAt(event->position(), event->modifiers(), PointerSample::Phase::Release));
     refresh();
   }
   held_ = toolDown_ ? Held::Tool : Held::Nothing;  // the stroke goes on after the view was turned
@@ -117,6 +122,7 @@ void SpaceView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void SpaceView::wheelEvent(QWheelEvent* event) {
+  if (force_ && force_->wheeled(event->angleDelta().y() / 120.0)) return refresh();
   framedAs_.reset();
   if (!event->pixelDelta().isNull() && event->modifiers().testFlag(Qt::ShiftModifier)) {  // two fingers on a trackpad
     camera_ = panned(camera_, event->pixelDelta().x(), event->pixelDelta().y(), height());
@@ -130,6 +136,7 @@ void SpaceView::wheelEvent(QWheelEvent* event) {
 
 void SpaceView::leaveEvent(QEvent*) {
   tapeShown_ = {};
+  if (force_) force_->left();
   session_.leave();
   refresh();
 }

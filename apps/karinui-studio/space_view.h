@@ -16,6 +16,7 @@
 namespace karinui::studio {
 
 class EyeCompositor;
+class ForceFeedback;
 class ThumbnailRenderer;
 class QuadWindow;
 
@@ -48,6 +49,7 @@ class SpaceView : public QOpenGLWidget {
   void setBlenderKeys(bool on) { blender_ = on; }
   void setFine(bool on);  // whether still pictures are drawn finer than moving ones; not where drawing is slow
   void refresh();         // the session has something new
+  void setForceFeedback(ForceFeedback* force) { force_ = force; }  // outlives this view; null: none
   const Camera& camera() const { return camera_; }
   void setCamera(const Camera& camera);
   QString driver() const { return driver_; }
@@ -81,6 +83,7 @@ class SpaceView : public QOpenGLWidget {
 
  private:
   PointerSample sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const;
+  void feed(PointerSample sample);  // the session, unless the pointer leads a stylus
   void giveBack();
   void walkTo(const Camera& to);
   void cameraMoved();
@@ -102,6 +105,7 @@ class SpaceView : public QOpenGLWidget {
 
   Session& session_;
   LatencyLog& latencyLog_;
+  ForceFeedback* force_ = nullptr;
   Camera camera_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<EyeCompositor> compositor_;

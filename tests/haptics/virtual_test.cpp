@@ -215,7 +215,7 @@ TEST(VirtualStylus, APulledSleeveRisesAsTheCurveOfItsFabric) {
     session.perform(line.operation);
     session.finish();
   }
-  const Fitting& fitting = session.fitting();
+  const GarmentSnapshot& fitting = session.fitting();
   const Piece* sleeve = fitting.document.pieceNamed("sleeve");
   ASSERT_TRUE(sleeve);
   const Fabric fabric = *fabricOf(fitting.document, *sleeve);

@@ -1,0 +1,380 @@
+#include "force_feedback.h"
+
+#include <QPainter>
+#include <QSettings>
+#include <algorithm>
+#include <cmath>
+
+#include "karinui/base/number.h"
+#include "karinui/devices/hd_stylus.h"
+#include "karinui/devices/inverse3.h"
+#include "karinui/devices/led_device.h"
+#include "karinui/session/menu.h"
+#include "theme.h"
+#include "orbit.h"
+#include "space_view.h"
+
+namespace karinui::studio {
+
+namespace {
+
+constexpr int kPeriod = 12;       // milliseconds between two looks at the hand
+constexpr double kHover = 0.006;  // metres above what it points at the mouse leads the stylus
+constexpr double kInto = 0.003;   // metres into it, while it draws, cuts or sews
+constexpr double kNotch = 0.004;  // metres of depth for a notch of the wheel
+constexpr double kDeepest = 0.3;  // metres
+constexpr double kTurn = 8;       // radians for a metre of the hand
+constexpr double kTestSeconds = 4;
+constexpr double kArrow = 0.1;  // metres for a newton, as a pull's arrow has it
+constexpr double kLongestArrow = 0.4;
+
+// Carried at right angles to who looks; all other tools work on the surface.
+bool carries(Command tool) { return tool == Command::Move || tool == Command::Pull || tool == Command::Reshape; }
+
+Vec3 onPlane(const Ray& ray, Vec3 through, Vec3 facing) {
+  const double slope = dot(ray.direction, facing);
+  return std::fabs(slope) < 0.05 ? through : ray.origin + ray.direction * (dot(through - ray.origin, facing) / slope);
+}
+
+bool mouseLed(DeviceKind kind) { return kind == DeviceKind::Mouse || kind == DeviceKind::Simulated; }
+
+}  // namespace
+
+const std::vector<Message>& deviceNames() {
+  static const std::vector<Message> all{say("none"), say("mouse: the force is shown"),
+                                        say("simulated stylus, led by the mouse"), say("Haply Inverse3"),
+                                        say("3D Systems Touch or Phantom")};
+  return all;
+}
+
+Message ForceFeedback::said(ServoState state) {
+  switch (state) {
+    case ServoState::Waiting:
+      return say("waits until nothing is touched");
+    case ServoState::Ramping:
+      return say("rises");
+    case ServoState::Armed:
+      return say("on");
+    case ServoState::Fading:
+      return say("fades out");
+    case ServoState::Off:
+      break;
+  }
+  return say("emergency off");
+}
+
+Message ForceFeedback::said(ServoFault fault) {
+  switch (fault) {
+    case ServoFault::None:
+    case ServoFault::Off:
+      return {};
+    case ServoFault::NotFinite:
+      return say("the device sent something that is no number");
+    case ServoFault::Jump:
+      return say("the device jumped");
+    case ServoFault::Speed:
+      return say("the hand was too quick");
+    case ServoFault::Late:
+    case ServoFault::Stale:
+      return say("the computer was late");
+    case ServoFault::NotReady:
+      return say("the device is not ready");
+    case ServoFault::Clutch:
+      return say("the second button is held");
+    case ServoFault::NoFocus:
+      break;
+  }
+  return say("another window is in front");
+}
+
+ForceFeedback::ForceFeedback(Session& session, SpaceView& view) : session_(session), view_(view) {
+  const QSettings kept;
+  const auto number = [&](const char* key, double usual, double low, double high) {
+    const double value = kept.value(key, usual).toDouble();
+    return std::isfinite(value) ? std::clamp(value, low, high) : usual;
+  };
+  const auto choice = [&](const char* key, int usual, int count) {
+    return std::clamp(kept.value(key, usual).toInt(), 0, count - 1);
+  };
+  settings_.kind = static_cast<DeviceKind>(choice("device/kind", 0, 5));
+  settings_.gain = number("device/gain", 0.5, 0, 1);
+  settings_.limit = number("device/limit", 3, 0, 10);
+  settings_.scale = number("device/scale", 2, 0.5, 6);
+  settings_.hand = static_cast<PointerSample::Hand>(choice("device/hand", 0, 3));
+  settings_.secondTurns = kept.value("device/second_turns", false).toBool();
+  settings_.laws.pull = static_cast<PullLaw>(choice("device/pull", static_cast<int>(PullLaw::Curve), 4));
+  settings_.laws.contact = kept.value("device/contact", true).toBool();
+  settings_.laws.friction = kept.value("device/friction", true).toBool();
+  settings_.laws.weight = kept.value("device/weight", true).toBool();
+  settings_.laws.cutting = kept.value("device/cutting", true).toBool();
+  settings_.laws.click = kept.value("device/click", true).toBool();
+  settings_.laws.weave = kept.value("device/weave", false).toBool();
+  connect(&clock_, &QTimer::timeout, this, &ForceFeedback::turn);
+  clock_.setInterval(kPeriod);
+  begin();
+}
+
+ForceFeedback::~ForceFeedback() = default;
+
+void ForceFeedback::keep() const {
+  QSettings kept;
+  kept.setValue("device/kind", static_cast<int>(settings_.kind));
+  kept.setValue("device/gain", settings_.gain);
+  kept.setValue("device/limit", settings_.limit);
+  kept.setValue("device/scale", settings_.scale);
+  kept.setValue("device/hand", static_cast<int>(settings_.hand));
+  kept.setValue("device/second_turns", settings_.secondTurns);
+  kept.setValue("device/pull", static_cast<int>(settings_.laws.pull));
+  kept.setValue("device/contact", settings_.laws.contact);
+  kept.setValue("device/friction", settings_.laws.friction);
+  kept.setValue("device/weight", settings_.laws.weight);
+  kept.setValue("device/cutting", settings_.laws.cutting);
+  kept.setValue("device/click", settings_.laws.click);
+  kept.setValue("device/weave", settings_.laws.weave);
+}
+
+void ForceFeedback::set(const DeviceSettings& settings) {
+  const DeviceSettings before = settings_;
+  settings_ = settings;
+  const bool anew = before.kind != settings.kind || before.scale != settings.scale || before.hand != settings.hand ||
+                    before.secondTurns != settings.secondTurns;
+  if (anew) {
+    begin();
+  } else if (driver_) {
+    driver_->servo().setGain(settings.gain);
+    driver_->servo().setLimit(settings.limit);
+    driver_->servo().setLaws(settings.laws);
+  }
+  keep();
+  emit changed();
+}
+
+// The device that is wished for, anew.
+void ForceFeedback::begin() {
+  if (busy()) session_.command(Command::Cancel);  // what the old one had begun
+  clock_.stop();
+  driver_.reset();
+  mouse_ = nullptr, led_ = nullptr;
+  depth_ = 0, mouseDown_ = false;
+  pointed_.reset();
+  shown_ = {};
+  std::unique_ptr<HapticDevice> device;
+  std::optional<Error> why;
+  switch (settings_.kind) {
+    case DeviceKind::None:
+      return;
+    case DeviceKind::Mouse: {
+      auto made = std::make_unique<PoseSource>(shownRecord("mouse"));
+      mouse_ = made.get();
+      device = std::move(made);
+      break;
+    }
+    case DeviceKind::Simulated: {
+      auto made = std::make_unique<LedDevice>();
+      led_ = made.get();
+      device = std::move(made);
+      break;
+    }
+    case DeviceKind::Inverse3:
+      if (auto made = Inverse3::connect())
+        device = *std::move(made);
+      else
+        why = made.error();
+      break;
+    case DeviceKind::Touch:
+      if (auto made = HdStylus::open())
+        device = *std::move(made);
+      else
+        why = made.error();
+      break;
+  }
+  if (why) {
+    session_.refuse(*why);
+    settings_.kind = DeviceKind::None;
+    return;
+  }
+  HapticSettings settings;
+  settings.servo.gain = settings_.gain;
+  settings.servo.limit = settings_.limit;
+  settings.servo.laws = settings_.laws;
+  settings.stylus.hand = settings_.hand;
+  settings.feeds = !mouse_;
+  if (!mouseLed(settings_.kind)) {  // the middle of its workspace is where one looks
+    const Box& box = device->record().workspace;
+    settings.placement.scale = settings_.scale;
+    settings.placement.deviceCentre = box.empty() ? Vec3{} : box.centre();
+    settings.placement.sceneCentre = view_.camera().target;
+  }
+  driver_ = std::make_unique<HapticDriver>(std::move(device), settings);
+  if (off_) driver_->servo().emergencyOff();
+  through_ = view_.camera().target;
+  clock_.start();
+}
+
+std::vector<std::pair<Message, Message>> ForceFeedback::look() const {
+  std::vector<std::pair<Message, Message>> found;
+  const auto haply = Inverse3::connect();
+  found.emplace_back(say("Haply Inverse3"), haply ? say("found; not yet tried on hardware by us") : haply.error().what);
+  found.emplace_back(say("3D Systems Touch or Phantom"),
+                     HdStylus::libraryThere() ? say("its library is there; not yet tried on hardware by us")
+                                              : say("the maker's library libHD.so is not installed"));
+  return found;
+}
+
+QString ForceFeedback::name() const { return driver_ ? QString::fromStdString(driver_->record().name) : QString(); }
+
+double ForceFeedback::limit() const {
+  return driver_ ? std::min(settings_.limit, ServoSettings().nominalShare * driver_->record().force) : settings_.limit;
+}
+
+void ForceFeedback::emergencyOff(bool off) {
+  off_ = off;
+  if (driver_) off ? driver_->servo().emergencyOff() : driver_->servo().takeOffBack();
+  emit changed();
+}
+
+void ForceFeedback::setFocus(bool focus) {
+  if (driver_) driver_->servo().setFocus(focus);
+}
+
+void ForceFeedback::testFeel() {
+  if (driver_) driver_->testFeel(kTestSeconds);
+}
+
+void ForceFeedback::calibrate() {
+  if (driver_ && !mouseLed(settings_.kind)) driver_->bringTo(view_.camera().target);
+}
+
+bool ForceFeedback::busy() const { return driver_ && driver_->down(); }
+
+Vec3 ForceFeedback::facing() const { return normalized(view_.camera().eye - view_.camera().target); }
+
+// Some eighty times a second.
+void ForceFeedback::turn() {
+  const Camera& camera = view_.camera();
+  if (!mouseLed(settings_.kind)) {  // right of the device is right of the picture
+    const Vec3 right = camera.right();
+    driver_->turnTo(turnAbout({0, 1, 0}, std::atan2(-right.z, right.x)));
+  }
+  if (pointed_ && (mouse_ || led_)) {  // the garment may have moved under the mouse
+    const Rigid tip{1, 0, 0, 0, under(*pointed_)};
+    if (mouse_) mouse_->place(tip, mouseDown_ ? 1 : 0);
+    if (led_) led_->lead(tip, mouseDown_ ? 1 : 0);
+  }
+  if (driver_->update(session_, facing(), led_ || !mouseDown_)) emit fed();
+  const Vec3 led = driver_->takeLed();
+  if (settings_.secondTurns && length(led) > 0)
+    view_.setCamera(turned(camera, dot(led, camera.right()) * kTurn, -dot(led, camera.up) * kTurn));
+  if (driver_->servo().isOff() != off_) off_ = driver_->servo().isOff(), emit changed();  // by the device's button
+  const ServoTick now = driver_->last();
+  const bool moved = distance(now.hand.tip.carry, shown_.hand.tip.carry) > 2e-4 ||
+                     distance(now.out.force, shown_.out.force) > 0.01 || now.hand.ready != shown_.hand.ready;
+  const bool other = now.state != shown_.state || now.fault != shown_.fault || now.limited != shown_.limited;
+  if (moved || other) {
+    shown_ = now;
+    view_.update();
+    emit felt();
+  }
+}
+
+// On what it points at; while something is carried, on a plane that faces who looks.
+Vec3 ForceFeedback::under(const PointerSample& sample) const {
+  const bool carried = mouseDown_ && carries(session_.tool());
+  const Vec3 nearer = sample.facing * depth_;
+  if (carried) return onPlane(sample.ray, through_, sample.facing) + nearer;
+  const SnapshotPtr garment = session_.shownPtr();
+  const Hit hit =
+      session_.tool() == Command::Draw ? pickBody(*garment, sample) : pick(*garment, session_.table(), sample);
+  if (hit.on == Hit::On::Nothing) return onPlane(sample.ray, through_, sample.facing) + nearer;
+  if (mouse_) return hit.point + nearer;
+  const bool into = mouseDown_ && !carries(session_.tool());
+  return hit.point - sample.ray.direction * (into ? -kInto : kHover) + nearer;
+}
+
+bool ForceFeedback::pointed(PointerSample& sample) {
+  using Phase = PointerSample::Phase;
+  if (sample.where != PointerSample::Where::Space) return false;
+  if (!mouse_ && !led_) {  // the stylus is at work: the mouse turns the body, and does nothing else
+    if (busy()) return true;
+    mouseDown_ = sample.phase == Phase::Press || (mouseDown_ && sample.phase == Phase::Drag);
+    return false;
+  }
+  const SnapshotPtr garment = session_.shownPtr();
+  if (sample.phase == Phase::Hover || sample.phase == Phase::Press) {
+    if (const Hit hit = pick(*garment, session_.table(), sample); hit.on != Hit::On::Nothing) through_ = hit.point;
+  }
+  if (const auto bar = session_.menu(); led_ && !mouseDown_ && bar && meets(*bar, sample.ray)) {
+    led_->leave();
+    pointed_.reset();
+    return false;  // the floating bar is for the mouse itself
+  }
+  if (sample.phase == Phase::Press) mouseDown_ = true, depth_ = mouse_ ? 0 : depth_;
+  if (sample.phase == Phase::Release) mouseDown_ = false;
+  if (sample.phase == Phase::Hover) mouseDown_ = false;
+  pointed_ = sample;
+  if (mouse_) {
+    // Depth is what a ray has not: carried by a tip instead.
+    if (depth_ != 0 && sample.phase != Phase::Press && carries(session_.tool()))
+      sample.tip.emplace().carry = onPlane(sample.ray, through_, sample.facing) + sample.facing * depth_;
+    if (sample.phase == Phase::Release) depth_ = 0;
+    return false;
+  }
+  return true;
+}
+
+bool ForceFeedback::wheeled(double turns) {
+  if (!pointed_ || !mouseDown_ || !(mouse_ || led_)) return false;
+  depth_ = std::clamp(depth_ + turns * kNotch, -kDeepest, kDeepest);
+  if (mouse_) {
+    PointerSample sample = *pointed_;
+    sample.phase = PointerSample::Phase::Drag;
+    if (!pointed(sample)) session_.feed(sample), emit fed();
+  }
+  return true;
+}
+
+void ForceFeedback::left() {
+  if (mouseDown_) return;
+  pointed_.reset();
+  if (mouse_) mouse_->leave();
+  if (led_) led_->leave();
+}
+
+std::vector<SceneLine> ForceFeedback::lines() const {
+  if (!driver_ || !shown_.hand.ready) return {};
+  const double newtons = length(shown_.out.force);
+  const Vec3 from = shown_.touching ? shown_.proxy : shown_.hand.tip.carry;
+  std::vector<SceneLine> lines;
+  if (newtons > 0.01)
+    lines.push_back({{from, from + normalized(shown_.out.force) * std::min(kLongestArrow, kArrow * newtons)},
+                     {0.05f, 0.42f, 0.25f},
+                     5,
+                     true});
+  return lines;
+}
+
+void ForceFeedback::paint(QPainter& painter, const std::function<QPointF(Vec3)>& at, const QRectF& room) const {
+  if (!driver_ || !shown_.hand.ready) return;
+  const Vec3 proxy = shown_.touching ? shown_.proxy : shown_.hand.tip.carry;
+  const QPointF ball = at(proxy), tip = at(shown_.hand.tip.carry);
+  const QColor state = shown_.state == ServoState::Off     ? QColor("#b3261e")
+                       : shown_.state == ServoState::Armed ? QColor("#1e7f4f")
+                                                           : QColor("#8a8f98");
+  if (shown_.touching) {  // from the ball to where the hand is, within the surface
+    painter.setPen(QPen(state, 1.5, Qt::DotLine));
+    painter.drawLine(ball, tip);
+  }
+  QRadialGradient shade(ball - QPointF(2.5, 2.5), 9);
+  shade.setColorAt(0, state.lighter(190));
+  shade.setColorAt(1, state);
+  painter.setPen(QPen(shown_.limited ? QColor("#d4552a") : Qt::white, shown_.limited ? 3 : 1.5));
+  painter.setBrush(shade);
+  painter.drawEllipse(ball, 7, 7);
+  const double newtons = length(shown_.out.force);
+  if (newtons <= 0.01) return;
+  const QString words = QString::fromStdString(fixed(newtons, 2)) + " N" +
+                        (shown_.limited ? " (" + inWords(say("at the limit")) + ")" : QString());
+  paintWord(painter, at(lines().front().points.back()) + QPointF(0, -6), words, room);
+}
+
+}  // namespace karinui::studio

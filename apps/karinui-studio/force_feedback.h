@@ -1,0 +1,98 @@
+#pragma once
+// The force-feedback device of the studio: which one is used and how, what it makes the fitting show. Settings are kept
+// (QSettings). GUI thread; the force loop has its own (HapticDriver).
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "karinui/haptics/haptic_driver.h"
+
+class QPainter;
+class QPointF;
+
+namespace karinui {
+class LedDevice;
+class PoseSource;
+}  // namespace karinui
+
+namespace karinui::studio {
+
+class SpaceView;
+
+enum class DeviceKind { None, Mouse, Simulated, Inverse3, Touch };
+const std::vector<Message>& deviceNames();  // in this order
+
+struct DeviceSettings {
+  DeviceKind kind = DeviceKind::None;
+  double gain = 0.5;  // of the true force
+  double limit = 3;   // N
+  TouchLaws laws;
+  double scale = 2;  // metres of the scene for a metre of the device
+  PointerSample::Hand hand = PointerSample::Hand::Either;
+  bool secondTurns = false;  // the second button turns the body; else it is the clutch
+  bool operator==(const DeviceSettings&) const = default;
+};
+
+class ForceFeedback : public QObject {
+  Q_OBJECT
+ public:
+  ForceFeedback(Session& session, SpaceView& view);  // with the settings that were kept
+  ~ForceFeedback() override;
+
+  const DeviceSettings& settings() const { return settings_; }
+  // Gain, limit and laws at once; another device, scale, hand or button begins the force anew. What is not there is
+  // told, and none is used.
+  void set(const DeviceSettings& settings);
+  std::vector<std::pair<Message, Message>> look() const;  // device, what was found; up to two seconds
+
+  bool there() const { return driver_ != nullptr; }
+  QString name() const;
+  ServoTick last() const { return driver_ ? driver_->last() : ServoTick(); }
+  double limit() const;  // N that can come: the user's limit, and the device's
+  static Message said(ServoState state);
+  static Message said(ServoFault fault);  // why there is no force; empty: none
+  void emergencyOff(bool off);
+  bool isOff() const { return off_; }
+  void setFocus(bool focus);
+  void testFeel();
+  void calibrate();  // the tip is in the middle of the view now
+
+  // The mouse over the fitting; true: it leads the stylus, and is not for the session.
+  bool pointed(PointerSample& sample);
+  bool wheeled(double turns);  // true: it was depth
+  void left();                 // the mouse left the view
+  bool busy() const;           // the stylus has a gesture under way: other pointers had better wait
+  // The proxy as a ball, and the force.
+  std::vector<SceneLine> lines() const;
+  void paint(QPainter& painter, const std::function<QPointF(Vec3)>& at, const QRectF& room) const;
+
+ signals:
+  void fed();      // the session has something new
+  void changed();  // settings, or emergency off
+  void felt();     // the loop's state, or the force
+
+ private:
+  void begin();
+  void turn();
+  Vec3 facing() const;
+  Vec3 under(const PointerSample& sample) const;  // the place a mouse means
+  void keep() const;
+
+  Session& session_;
+  SpaceView& view_;
+  DeviceSettings settings_;
+  std::unique_ptr<HapticDriver> driver_;
+  PoseSource* mouse_ = nullptr;  // of the driver, where the mouse is the device
+  LedDevice* led_ = nullptr;     // where it leads the simulated stylus
+  QTimer clock_;
+  bool off_ = false, mouseDown_ = false;
+  // The mouse's depth: a plane that faces who looks goes through here, so much nearer to them.
+  Vec3 through_;
+  double depth_ = 0;
+  std::optional<PointerSample> pointed_;
+  ServoTick shown_;
+};
+
+}  // namespace karinui::studio
