@@ -10,9 +10,9 @@
 #include "karinui/devices/inverse3.h"
 #include "karinui/devices/led_device.h"
 #include "karinui/session/menu.h"
-#include "theme.h"
 #include "orbit.h"
 #include "space_view.h"
+#include "theme.h"
 
 namespace karinui::studio {
 

@@ -1,8 +1,12 @@
 #include "karinui/haptics/haptic_driver.h"
 
+#include <chrono>
+
 namespace karinui {
 
 namespace {
+
+constexpr std::chrono::milliseconds kPeriod(8);  // from scene to scene
 
 ServoSettings withClutch(ServoSettings servo, std::uint32_t buttons) {
   servo.clutchButtons |= buttons;
@@ -33,7 +37,38 @@ HapticDriver::HapticDriver(std::unique_ptr<HapticDevice> device, const HapticSet
                                                                    : device_->record().hand),
       pointer_(settings.stylus),
       feeds_(settings.feeds),
-      servo_(placed_, withClutch(settings.servo, settings.clutchButtons), settings.realTime) {}
+      longestPause_(settings.longestPause),
+      servo_(placed_, withClutch(settings.servo, settings.clutchButtons), settings.realTime),
+      publisher_([this] { publishScenes(); }) {}
+
+HapticDriver::~HapticDriver() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  ends_.notify_all();
+  publisher_.join();
+}
+
+void HapticDriver::publishScenes() {
+  std::unique_lock lock(mutex_);
+  while (!ends_.wait_for(lock, kPeriod, [this] { return ended_; })) {
+    const double now = Servo::clock();
+    if (!source_.garment || now - taken_ > longestPause_) continue;
+    const TouchSource source = source_;
+    const Test test = test_;
+    lock.unlock();
+    const ServoTick tick = servo_.last();
+    if (tick.hand.ready) {
+      auto scene =
+          std::make_unique<TouchScene>(test.ends > now ? testScene(test.at) : source.sceneAt(tick.hand.tip.carry));
+      scene->clicks = source.handling.clicks;
+      if (test.ends > now && test.ends - now < kTestClick) ++scene->clicks;
+      servo_.publish(std::move(scene));
+    }
+    lock.lock();
+  }
+}
 
 bool HapticDriver::update(Session& session, Vec3 facing, bool mayFeed) {
   bool fed = false;
@@ -48,19 +83,10 @@ bool HapticDriver::update(Session& session, Vec3 facing, bool mayFeed) {
     if (pointer_.takeLost() && feeds_ && mayFeed) session.command(Command::Cancel), fed = true;
   }
   feed(pointer_.rest());
-  const ServoTick now = servo_.last();
-  if (!now.hand.ready) return fed;
-  const Vec3 tip = now.hand.tip.carry;
-  if (testEnds_ > 0) {
-    auto scene = std::make_unique<TouchScene>(testScene(testAt_));
-    scene->clicks = session.touchScene(testAt_).clicks;
-    const double left = testEnds_ - Servo::clock();
-    if (left <= 0) testEnds_ = 0;
-    if (left < kTestClick) ++scene->clicks;
-    servo_.publish(std::move(scene));
-  } else {
-    servo_.publish(std::make_unique<TouchScene>(session.touchScene(tip)));
-  }
+  TouchSource source = session.touchSource();
+  const std::lock_guard lock(mutex_);
+  std::swap(source_, source);
+  taken_ = Servo::clock();
   return fed;
 }
 
@@ -71,8 +97,9 @@ Vec3 HapticDriver::takeLed() {
 }
 
 void HapticDriver::testFeel(double seconds) {
-  testAt_ = servo_.last().hand.tip.carry;
-  testEnds_ = Servo::clock() + seconds;
+  const Vec3 at = servo_.last().hand.tip.carry;
+  const std::lock_guard lock(mutex_);
+  test_ = {Servo::clock() + seconds, at};
 }
 
 }  // namespace karinui

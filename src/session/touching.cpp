@@ -1,5 +1,4 @@
 // What the hand feels of the session: made of the garment that is shown and of the gesture in hand.
-#include "karinui/session/touch_scene_of.h"
 #include "session/session_impl.h"
 
 namespace karinui {
@@ -11,13 +10,13 @@ void Session::Impl::countClicks() {
   snapped = handling.snap;
 }
 
-TouchScene Session::touchScene(Vec3 tip) const {
+TouchSource Session::touchSource() const {
   const auto& in = *impl_;
-  Handling handling;
-  in.gesture->addTo(handling);
-  handling.changing = in.tasks.busy(TaskQueue::Kind::Step);
-  handling.clicks = in.clicks;
-  return touchSceneOf(shown(), tip, handling);
+  TouchSource source{shownPtr(), {}};
+  in.gesture->addTo(source.handling);
+  source.handling.changing = in.tasks.busy(TaskQueue::Kind::Step);
+  source.handling.clicks = in.clicks;
+  return source;
 }
 
 }  // namespace karinui

@@ -44,7 +44,7 @@ inline std::vector<std::string> twoPieces() {
 
 // A ring on the front of the mannequin, `deep` metres below its skin.
 inline Vec3 onFront(const Session& session, double turn, double deep) {
-  const Body& body = *session.fitting().body;
+  const Body& body = *session.snapshot().body;
   const Vec3 middle = at(body.mesh(), *body.find(*parseBodyPoint("torso:waist@0"))), seen{0, 0, 1};
   const Vec3 place = middle + Vec3{0.06 * std::cos(turn), 0.06 * std::sin(turn), 0.03};
   const auto near = body.bvh().nearest(place);

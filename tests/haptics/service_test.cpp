@@ -17,7 +17,8 @@ Vec3 theirs(Vec3 v) { return {v.x, -v.z, v.y}; }
 // A person with an Inverse3. The hand's clock is that of the service: a millisecond a message.
 class Person {
  public:
-  Person(Session& session, Vec3 start) : session_(session), service_([this](double) { return aimed(); }, true, kHand) {
+  Person(Session& session, Vec3 start, double longestPause = 1e9)
+      : session_(session), service_([this](double) { return aimed(); }, true, kHand) {
     aim(start);
     auto device = Inverse3::connect(service_.port());
     if (!device) throw std::runtime_error(text(device.error().what));
@@ -26,6 +27,7 @@ class Person {
     // A busy machine is not what is tested here: the loop's rules have tests of their own.
     settings.servo.latest = settings.servo.stalest = 1e9;
     settings.servo.fastest = settings.servo.farthestJump = 1e9;
+    settings.longestPause = longestPause;
     driver.emplace(*std::move(device), settings);
   }
 
@@ -67,6 +69,15 @@ class Person {
     down_ = down;
     wait(20);
   }
+  // The hand goes on, the session stands still: its window is being drawn.
+  void goAlone(Vec3 to) {
+    const Vec3 from = toScene(aimed());
+    for (int k = 1; k <= 400; ++k) {
+      aim(lerp(from, to, k / 400.0));
+      const auto then = service_.seen().messages + 5;
+      ASSERT_TRUE(service_.wait([then](const auto& seen) { return seen.messages >= then; }));
+    }
+  }
   SimulatedInverse3& service() { return service_; }
   double most = 0, held = 0;  // N, in all and while the button was down
   std::optional<HapticDriver> driver;
@@ -99,7 +110,7 @@ TEST(Service, EveryOperationEndsInTheDocumentThatItsScriptMakes) {
       EXPECT_NE(notice.kind, Notice::Kind::Refused) << text(notice.what);
     ASSERT_EQ(session.steps().size(), work.given.size() + 1);
     EXPECT_THAT(text(session.steps().back().operation), testing::StartsWith(work.expected));
-    EXPECT_EQ(hash(session.fitting().document), hashByScript(session));
+    EXPECT_EQ(hash(session.snapshot().document), hashByScript(session));
     if (work.tool == Command::Reshape) {
       EXPECT_EQ(person.held, 0);
     } else if (work.tool != Command::Sew) {  // its click is felt for 40 ms, and may lie between two looks
@@ -131,6 +142,29 @@ TEST(Service, ALostDeviceDropsTheGesture) {
   session.finish();
   EXPECT_EQ(session.steps().size(), 2u);
   while (length(person.driver->last().out.force) > 0) std::this_thread::yield();
+}
+
+// While the session is busy, with drawing say, the hand feels on what was last shown, also far from where it was then;
+// where it does not come back the force fades.
+TEST(Service, ASlowWindowIsNotFelt) {
+  for (const double longestPause : {1e9, 0.05}) {
+    SCOPED_TRACE(longestPause);
+    Session session(cheapSession(std::make_shared<Bodies>()));
+    give(session, twoPieces());
+    Person person(session, {0.05, 0.25, 0.01}, longestPause);
+    person.armed();
+    person.goAlone({0.3, 0.25, 0.01});
+    person.goAlone({0.3, 0.25, -0.01});
+    person.goAlone({0.31, 0.25, -0.01});
+    const ServoTick tick = person.driver->last();
+    if (longestPause > 1) {
+      EXPECT_TRUE(tick.touching && tick.known);
+      EXPECT_GT(tick.out.force.z, 0.3);
+    } else {
+      EXPECT_FALSE(tick.known) << "no scene was published since";
+      EXPECT_EQ(length(tick.out.force), 0);
+    }
+  }
 }
 
 // Another pointer has a gesture under way: the stylus waits.

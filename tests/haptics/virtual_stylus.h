@@ -102,7 +102,7 @@ class VirtualStylus {
     ticks_.clear();
     if (const auto one = pointer_.rest()) session_.feed(*one);
     session_.finish();
-    kept_.push_back(std::make_unique<TouchScene>(session_.touchScene(hand_.place())));
+    kept_.push_back(std::make_unique<TouchScene>(session_.touchSource().sceneAt(hand_.place())));
     kept_.back()->published = now_;
     facets = std::max(facets, kept_.back()->facets.size());
     waiting_ = kept_.back().get();

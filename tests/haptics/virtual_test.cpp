@@ -37,7 +37,7 @@ Came played(const StylusWork& work, VirtualStylus& stylus, Session& session, boo
   session.finish();
   Came came;
   if (session.steps().size() > work.given.size()) came.step = text(session.steps().back().operation);
-  came.hash = hash(session.fitting().document);
+  came.hash = hash(session.snapshot().document);
   came.byScript = hashByScript(session);
   for (const Notice& notice : session.takeNotices())
     if (notice.kind == Notice::Kind::Refused) came.refused.push_back(text(notice.what));
@@ -132,7 +132,7 @@ double outside(const Body& body, Vec3 place) {
 TEST(VirtualStylus, SlidesRoundTheArmOfTheMannequinAndIntoItsArmpit) {
   Session session(cheapSession(bodies()));
   give(session, {"body size=jis9ar"});
-  const Body& body = *session.fitting().body;
+  const Body& body = *session.snapshot().body;
   const auto place = [&](const char* name) { return at(body.mesh(), *body.find(*parseBodyPoint(name))); };
   // The arm between armpit and elbow, from its four sides.
   const Vec3 a = place("left_arm:armpit+0.8@0"), b = place("left_arm:armpit+0.8@0.5"), middle = lerp(a, b, 0.5),
@@ -215,7 +215,7 @@ TEST(VirtualStylus, APulledSleeveRisesAsTheCurveOfItsFabric) {
     session.perform(line.operation);
     session.finish();
   }
-  const GarmentSnapshot& fitting = session.fitting();
+  const GarmentSnapshot& fitting = session.snapshot();
   const Piece* sleeve = fitting.document.pieceNamed("sleeve");
   ASSERT_TRUE(sleeve);
   const Fabric fabric = *fabricOf(fitting.document, *sleeve);

@@ -104,43 +104,43 @@ TEST(TouchScene, ASessionTellsWhatTheGestureInHandDoes) {
   Given given;
   Session& session = given.session;
   const PieceId front = given.front().id;
-  const Fabric fabric = *fabricOf(given.fitting().document, given.front());
+  const Fabric fabric = *fabricOf(given.snapshot().document, given.front());
   const Vec3 on{0.2, 0.2, 0.004};
-  EXPECT_FALSE(session.touchScene(on).facets.empty());
-  EXPECT_EQ(session.touchScene(on).carriedMass, 0);
+  EXPECT_FALSE(session.touchSource().sceneAt(on).facets.empty());
+  EXPECT_EQ(session.touchSource().sceneAt(on).carriedMass, 0);
 
   session.command(Command::Move);
   session.feed(stylus(Phase::Press, on));
   session.feed(stylus(Phase::Drag, on + Vec3{0, 0, 0.1}));
-  TouchScene scene = session.touchScene(on);
+  TouchScene scene = session.touchSource().sceneAt(on);
   EXPECT_NEAR(scene.carriedMass, given.front().outline.area() * fabric.weight, 1e-12);
   EXPECT_TRUE(scene.facets.empty()) << "what is carried is not touched";
   session.command(Command::Cancel);
-  EXPECT_EQ(session.touchScene(on).carriedMass, 0);
+  EXPECT_EQ(session.touchSource().sceneAt(on).carriedMass, 0);
 
   session.command(Command::Cut);
   session.feed(stylus(Phase::Press, on));
-  EXPECT_GT(session.touchScene(on).cutting, 0.1);
-  EXPECT_FALSE(session.touchScene(on).facets.empty()) << "cloth that is cut is touched";
+  EXPECT_GT(session.touchSource().sceneAt(on).cutting, 0.1);
+  EXPECT_FALSE(session.touchSource().sceneAt(on).facets.empty()) << "cloth that is cut is touched";
   session.command(Command::Cancel);
 
   session.command(Command::Reshape);
   session.feed(stylus(Phase::Press, on));
-  EXPECT_TRUE(session.touchScene(on).facets.empty()) << "reshaping is not felt";
+  EXPECT_TRUE(session.touchSource().sceneAt(on).facets.empty()) << "reshaping is not felt";
   session.command(Command::Cancel);
 
   session.command(Command::Pull);
   session.feed(stylus(Phase::Press, on));
   session.feed(stylus(Phase::Drag, on + Vec3{0, 0, 0.01}));
   session.finish();
-  scene = session.touchScene(on);
+  scene = session.touchSource().sceneAt(on);
   ASSERT_TRUE(scene.grab);
   EXPECT_EQ(scene.grab->anchor, on);
   EXPECT_EQ(scene.grab->place, on + Vec3(0, 0, 0.01));
   EXPECT_TRUE(scene.facets.empty());
   session.command(Command::Cancel);
   session.finish();
-  EXPECT_FALSE(session.touchScene(on).grab);
+  EXPECT_FALSE(session.touchSource().sceneAt(on).grab);
   EXPECT_EQ(session.fitting().document.find(front)->name, "front");
 }
 
@@ -156,7 +156,7 @@ TEST(TouchScene, APullUnderWayHasTheForceOfTheSolver) {
   const Vec3 on{0.2, 1.0, 0.404};
   session.feed(stylus(Phase::Press, on));
   for (int k = 1; k <= 5; ++k) session.feed(stylus(Phase::Drag, on + Vec3{0, 0, 0.01 * k})), session.finish();
-  const TouchScene scene = session.touchScene(on);
+  const TouchScene scene = session.touchSource().sceneAt(on);
   ASSERT_TRUE(scene.grab);
   EXPECT_GT(length(scene.grab->force), 0.01);
   EXPECT_GT(scene.grab->stiffness.size(), 1);
@@ -166,9 +166,9 @@ TEST(TouchScene, APullUnderWayHasTheForceOfTheSolver) {
 TEST(TouchScene, WhatIsBeingChangedIsNotFelt) {
   Given given;
   given.session.perform(*parseOperation("cut piece=front line=\"-30mm,200mm; 430mm,200mm\""));
-  EXPECT_TRUE(given.session.touchScene({0.2, 0.2, 0}).changing);
+  EXPECT_TRUE(given.session.touchSource().sceneAt({0.2, 0.2, 0}).changing);
   given.session.finish();
-  EXPECT_FALSE(given.session.touchScene({0.2, 0.2, 0}).changing);
+  EXPECT_FALSE(given.session.touchSource().sceneAt({0.2, 0.2, 0}).changing);
 }
 
 TEST(TouchScene, ASnapClicksOnceEachTime) {
@@ -176,11 +176,11 @@ TEST(TouchScene, ASnapClicksOnceEachTime) {
   Session& session = given.session;
   session.command(Command::Move);
   const Vec3 on{0.2, 0.2, 0.004};
-  const std::uint32_t before = session.touchScene(on).clicks;
+  const std::uint32_t before = session.touchSource().sceneAt(on).clicks;
   session.feed(stylus(Phase::Press, on));
   const auto drag = [&](Vec3 by) {
     session.feed(stylus(Phase::Drag, on + by));
-    return session.touchScene(on).clicks - before;
+    return session.touchSource().sceneAt(on).clicks - before;
   };
   // The lower left corner of the front comes to that of the back, which hangs 30 cm behind, the other way round.
   EXPECT_EQ(drag({0, 0, -0.1}), 0u);
@@ -202,17 +202,17 @@ TEST(TouchScene, ThreadsLieAsTheFabricAndItsGrainHaveThem) {
 
   Given given;
   const Vec3 at{0.2, 0.2, 0.003};
-  const TouchScene scene = given.session.touchScene(at);
+  const TouchScene scene = given.session.touchSource().sceneAt(at);
   ASSERT_TRUE(scene.weave);
   EXPECT_LT(distance(scene.weave->warp, {0, 1, 0}), 1e-9) << "the grain is upright";
   EXPECT_LT(distance(scene.weave->weft, {1, 0, 0}), 1e-9);
-  const Fabric cloth = *fabricOf(given.fitting().document, given.front());
+  const Fabric cloth = *fabricOf(given.snapshot().document, given.front());
   EXPECT_EQ(scene.weave->period, threadSpacing(cloth));
   // Threads stay where they are, wherever the scene was made from.
-  const TouchScene other = given.session.touchScene(at + Vec3{0.05, 0.03, 0});
+  const TouchScene other = given.session.touchSource().sceneAt(at + Vec3{0.05, 0.03, 0});
   for (const double x : {0.2, 0.2001, 0.2003, 0.21})
     EXPECT_NEAR(weaveShare(*scene.weave, {x, 0.2002, 0}), weaveShare(*other.weave, {x, 0.2002, 0}), 1e-6) << x;
-  EXPECT_FALSE(given.session.touchScene(at + Vec3{0, 0, 0.05}).weave) << "not so far away";
+  EXPECT_FALSE(given.session.touchSource().sceneAt(at + Vec3{0, 0, 0.05}).weave) << "not so far away";
 }
 
 }  // namespace

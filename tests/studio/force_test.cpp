@@ -69,8 +69,8 @@ TEST_F(StudioForce, TheSimulatedStylusFeelsTheGarmentAndMovesAPiece) {
   QTest::mousePress(&w().space(), Qt::LeftButton, {}, at.toPoint());
   until([&] { return w().session().begun(); });
   QTest::mouseMove(&w().space(), (at + QPointF(60, -20)).toPoint());
-  const Piece& front = *w().session().fitting().document.pieceNamed("front");
-  const double weight = 0.5 * 9.81 * front.outline.area() * fabricOf(w().session().fitting().document, front)->weight;
+  const Piece& front = *w().session().snapshot().document.pieceNamed("front");
+  const double weight = 0.5 * 9.81 * front.outline.area() * fabricOf(w().session().snapshot().document, front)->weight;
   until([&] { return std::fabs(newtons() - weight) < 0.05 * weight; });
   EXPECT_LT(force().last().out.force.y, 0);
   w().keep("studio_device_carried");

@@ -18,7 +18,7 @@
 #include "karinui/session/garment_snapshot.h"
 #include "karinui/session/gesture.h"
 #include "karinui/session/menu.h"
-#include "karinui/touch/touch_scene.h"
+#include "karinui/session/touch_scene_of.h"
 
 namespace karinui {
 
@@ -104,10 +104,9 @@ class Session {
   void advise(Message what);                  // told once, like advice on a step
   std::optional<Command> takeView();          // a view that was asked for
   const SessionChanges& changes() const;
-  // What a tip there would feel now: the skin and cloth that are shown, and what the gesture in hand does. For a force
-  // device, or for whatever else answers to touch (a controller's vibration); the session knows none of them. Under a
-  // millisecond but where cloth that has just moved is touched for the first time.
-  TouchScene touchScene(Vec3 tip) const;
+  // What a tip would feel now: the skin and cloth that are shown, and what the gesture in hand does. For a force
+  // device, or for whatever else answers to touch (a controller's vibration); the session knows none of them. Cheap.
+  TouchSource touchSource() const;
 
   // --- what the person does
   void feed(const PointerSample& sample);

@@ -34,6 +34,13 @@ inline constexpr double kPatchRadius = 0.06;  // metres: more than a hand goes b
 TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handling& handling = {},
                         double radius = kPatchRadius);
 
+// What could be felt at one moment of a session, wherever the tip is then. Immutable: any thread makes scenes of it.
+struct TouchSource {
+  SnapshotPtr garment;
+  Handling handling;
+  TouchScene sceneAt(Vec3 tip) const { return touchSceneOf(*garment, tip, handling); }
+};
+
 // The distance between threads of a plain weave, metres, as far as weight and thickness tell it: threads as thick as
 // half the cloth, of 0.909 g/cm3 (Peirce 1937, "The geometry of cloth structure"), as many each way. Between 0.2 and
 // 3 mm.
