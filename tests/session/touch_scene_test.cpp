@@ -141,7 +141,7 @@ TEST(TouchScene, ASessionTellsWhatTheGestureInHandDoes) {
   session.command(Command::Cancel);
   session.finish();
   EXPECT_FALSE(session.touchSource().sceneAt(on).grab);
-  EXPECT_EQ(session.fitting().document.find(front)->name, "front");
+  EXPECT_EQ(session.snapshot().document.find(front)->name, "front");
 }
 
 // By the live drape: the force the solver found, and how stiff the fabric is there.
