@@ -9,6 +9,7 @@
 #include "karinui/devices/inverse3.h"
 #include "karinui/devices/pose_source.h"
 #include "karinui/devices/simulated_device.h"
+#include "karinui/devices/simulated_inverse3.h"
 #include "karinui/session/touch_scene_of.h"
 #include "karinui/touch/servo.h"
 
@@ -50,12 +51,40 @@ Vec3 aimAbout(Vec3 middle, double t) {
   return middle + Vec3{0.03 * std::cos(2 * t), 0.04 * std::sin(1.3 * t), 0.03 * std::sin(2 * t)};
 }
 
+// Seconds that something took: half of the time, and at most in 99 %.
+struct Took {
+  double p50 = 0, p99 = 0;
+  Took() = default;
+  Took(double half, double most) : p50(half), p99(most) {}
+  explicit Took(const LatencyHistogram& seen) : p50(seen.quantile(0.5)), p99(seen.quantile(0.99)) {}
+};
+
 struct Measured {
   Servo::Report report;
-  double p50 = 0, p99 = 0, p999 = 0, longest = 0, evaluation50 = 0, evaluation99 = 0;
+  double p50 = 0, p99 = 0, p999 = 0, longest = 0;
+  Took evaluation, sceneMade, sceneAge, roundTrip;
   std::size_t facets = 0;
   double newtons = 0;
 };
+
+// There and back through the service of an Inverse3, simulated on this computer: the loopback interface, WebSocket and
+// JSON as the maker's service has them, but neither USB nor the device's own electronics.
+Result<Took> measuredRoundTrip(const Token& token) {
+  constexpr int kTrips = 2000;
+  SimulatedInverse3 service([](double) { return Vec3{}; });
+  const auto device = Inverse3::connect(service.port());
+  if (!device) return device.error();
+  LatencyHistogram seen;
+  for (int k = 0; k < kTrips; ++k) {
+    if (token.cancelled()) return cancelled();
+    const double sent = Servo::clock();
+    (*device)->apply({});
+    const HandSample hand = (*device)->sample();
+    if (hand.ready) seen.add(Servo::clock() - sent);
+  }
+  (*device)->stop();
+  return Took(seen);
+}
 
 Result<Measured> measured(Program& program, const CheckOptions& options) {
   const auto size = builtInSize("jis9ar");
@@ -69,6 +98,10 @@ Result<Measured> measured(Program& program, const CheckOptions& options) {
   const Vec3 middle = landmark != (*body)->landmarks().end() ? landmark->second : Vec3{0.18, 1.25, 0};
 
   Measured result;
+  const Result<Took> roundTrip = measuredRoundTrip(token);
+  if (!roundTrip) return roundTrip.error();
+  result.roundTrip = *roundTrip;
+  LatencyHistogram made;
   SimulatedDevice device([middle](double t) { return aimAbout(middle, t); });
   Servo servo(device, {}, !options.ordinary);
   using Clock = std::chrono::steady_clock;
@@ -78,7 +111,9 @@ Result<Measured> measured(Program& program, const CheckOptions& options) {
     if (token.cancelled()) return cancelled();
     const ServoTick tick = servo.last();
     const Vec3 tip = tick.hand.ready ? tick.hand.tip.carry : aimAbout(middle, 0);
+    const double asked = Servo::clock();
     auto scene = std::make_unique<TouchScene>(touchSceneOf(*fitting, tip));
+    made.add(Servo::clock() - asked);
     result.facets = std::max(result.facets, scene->facets.size());
     result.newtons = std::max(result.newtons, length(tick.out.force));
     servo.publish(std::move(scene));
@@ -91,10 +126,26 @@ Result<Measured> measured(Program& program, const CheckOptions& options) {
   result.p99 = servo.lateness().quantile(0.99);
   result.p999 = servo.lateness().quantile(0.999);
   result.longest = servo.lateness().longest();
-  result.evaluation50 = servo.evaluation().quantile(0.5);
-  result.evaluation99 = servo.evaluation().quantile(0.99);
+  result.evaluation = Took(servo.evaluation());
+  result.sceneAge = Took(servo.sceneAge());
+  result.sceneMade = Took(made);
   return result;
 }
+
+// From the hand to its force. A device is told the force of the tick before and answers meanwhile, so that a place is as
+// old as the tick is long when it is felt, or as the round trip where that is longer.
+Took handToForce(const Measured& m) {
+  constexpr double kTick = 0.001;
+  return {m.p50 + std::max(kTick, m.roundTrip.p50) + m.evaluation.p50,
+          m.p99 + std::max(kTick, m.roundTrip.p99) + m.evaluation.p99};
+}
+
+// From what the session shows to its force.
+Took sceneToForce(const Measured& m) {
+  return {m.sceneMade.p50 + m.sceneAge.p50 + m.evaluation.p50, m.sceneMade.p99 + m.sceneAge.p99 + m.evaluation.p99};
+}
+
+Json inMicroseconds(const Took& took) { return {{"p50", took.p50 * 1e6}, {"p99", took.p99 * 1e6}}; }
 
 Message promise(const Measured& m) {
   const bool seldomLate = m.report.late * 5000 < m.report.ticks;
@@ -124,7 +175,14 @@ int runCheck(Program& program, const CheckOptions& options) {
   object["page_faults"] = m->report.pageFaults;
   object["lateness_us"] = {
       {"p50", m->p50 * 1e6}, {"p99", m->p99 * 1e6}, {"p99.9", m->p999 * 1e6}, {"max", m->longest * 1e6}};
-  object["evaluation_us"] = {{"p50", m->evaluation50 * 1e6}, {"p99", m->evaluation99 * 1e6}};
+  object["evaluation_us"] = inMicroseconds(m->evaluation);
+  object["latency_us"] = {{"servo_wake_up", inMicroseconds({m->p50, m->p99})},
+                          {"device_round_trip", inMicroseconds(m->roundTrip)},
+                          {"scene_made", inMicroseconds(m->sceneMade)},
+                          {"scene_age", inMicroseconds(m->sceneAge)},
+                          {"evaluation", inMicroseconds(m->evaluation)},
+                          {"hand_to_force", inMicroseconds(handToForce(*m))},
+                          {"scene_to_force", inMicroseconds(sceneToForce(*m))}};
   object["facets"] = m->facets;
   object["most_force_n"] = m->newtons;
   object["promise"] = console.said(promise(*m));
@@ -137,7 +195,14 @@ int runCheck(Program& program, const CheckOptions& options) {
            micro(m->p99), micro(m->p999), micro(m->longest)));
   line(say("Ticks late by more than 1 ms: {0} of {1}", std::size_t(m->report.late), std::size_t(m->report.ticks)));
   line(say("Evaluating a scene of up to {0} triangles: {1} half of the time, {2} at most in 99 %", m->facets,
-           micro(m->evaluation50), micro(m->evaluation99)));
+           micro(m->evaluation.p50), micro(m->evaluation.p99)));
+  const auto budget = [&](const Message& what, const Took& took) {
+    line(say("{0}: {1} half of the time, {2} at most in 99 %", what, micro(took.p50), micro(took.p99)));
+  };
+  budget(say("There and back through an Inverse3 service on this computer, simulated"), m->roundTrip);
+  budget(say("Making a scene of the garment"), m->sceneMade);
+  budget(say("Age of the scene that is felt"), m->sceneAge);
+  budget(say("From the hand to its force, one tick and the above"), handToForce(*m));
   words += console.said(promise(*m)) + "\n";
   words += console.said(say("Whatever the machine does, the force stays within its limits and never steps.")) + "\n";
   console.answer(object, words);

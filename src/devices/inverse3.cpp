@@ -22,7 +22,6 @@ namespace {
 
 constexpr int kGreeting = 1000;   // milliseconds to wait for the service's answer, and for its inventory
 constexpr int kReply = 3;         // milliseconds to wait for a reply in the loop
-constexpr int kMostMissed = 7;    // replies in a row: 20 ms, then the device is not ready
 constexpr double kNominal = 7.5;  // N; the service's documents name 10 N as peak
 
 // The service's axes (right, away, up) as ours (right, up, towards the user), and back.
@@ -54,7 +53,7 @@ struct Inverse3::Inside {
   DeviceRecord record;
   HandSample hand;
   bool pending = false, lost = false;
-  int missed = 0;
+  double missed = 0, patience = 0;  // seconds
 
   bool readable(int milliseconds) {
     if (stream.next_layer().available() > 0) return true;
@@ -143,9 +142,10 @@ Inverse3::~Inverse3() {
 }
 const DeviceRecord& Inverse3::record() const { return inside_->record; }
 
-Result<std::unique_ptr<Inverse3>> Inverse3::connect(unsigned short port) {
+Result<std::unique_ptr<Inverse3>> Inverse3::connect(unsigned short port, double patience) {
   std::unique_ptr<Inverse3> device(new Inverse3);
   Inside& in = *device->inside_;
+  in.patience = patience;
   const Error none = notFound(
       say("No Haply service answers on port {0} of this machine. Start the Inverse service and try again.", int(port)));
   beast::error_code error;
@@ -188,7 +188,7 @@ HandSample Inverse3::sample() {
   if (!in.pending && !in.lost) in.send({});  // there is no state without a command
   if (in.pending && !in.lost) {
     if (!in.readable(kReply)) {
-      ++in.missed;
+      in.missed += kReply * 1e-3;
     } else if (in.read()) {
       in.pending = false;
       in.missed = 0;
@@ -197,7 +197,7 @@ HandSample Inverse3::sample() {
       in.lost = true;
     }
   }
-  if (in.lost || in.missed >= kMostMissed) in.hand.ready = false;
+  if (in.lost || in.missed >= in.patience) in.hand.ready = false;
   return in.hand;
 }
 

@@ -20,6 +20,7 @@ std::optional<PointerSample> StylusPointer::of(const ServoTick& tick, Vec3 facin
   using Phase = PointerSample::Phase;
   if (!tick.hand.ready) {
     lost_ = lost_ || down_;
+    stuck_ = true;
     down_ = false;
     fed_.reset(), waiting_.reset();
     return std::nullopt;
@@ -35,7 +36,9 @@ std::optional<PointerSample> StylusPointer::of(const ServoTick& tick, Vec3 facin
   sample.tip = tick.hand.tip;
   if (tick.touching) sample.tip->carry = tick.proxy;
   sample.ray = {sample.tip->carry, sample.tip->turned({0, 0, -1})};
-  const bool down = (tick.hand.buttons & settings_.mainButtons) != 0, was = std::exchange(down_, down);
+  const bool pressed = (tick.hand.buttons & settings_.mainButtons) != 0;
+  stuck_ = stuck_ && pressed;
+  const bool down = pressed && !stuck_, was = std::exchange(down_, down);
   sample.phase = down ? was ? Phase::Drag : Phase::Press : was ? Phase::Release : Phase::Hover;
   const bool turning = down != was;
   if (!turning && fed_ && !moved(*fed_, sample, kStill)) {

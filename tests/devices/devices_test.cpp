@@ -218,6 +218,16 @@ TEST(Inverse3, SilenceHangingUpAndNoCalibrationAreNotReady) {
     EXPECT_FALSE(ready) << trouble;
     (*device)->stop();
   }
+  // As long as it is told to wait for a reply it does.
+  SimulatedInverse3 service([](double) { return Vec3{}; });
+  auto patient = Inverse3::connect(service.port(), 60);
+  ASSERT_TRUE(patient);
+  service.fallSilent();
+  for (int k = 0; k < 20; ++k) {
+    (*patient)->apply({});
+    EXPECT_TRUE((*patient)->sample().ready);
+  }
+  (*patient)->stop();
 }
 
 // The whole way: hand, device, WebSocket, servo's thread, proxy, and back into the hand.

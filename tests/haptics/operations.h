@@ -26,7 +26,7 @@ struct StylusWork {
 
 inline SessionOptions cheapSession(std::shared_ptr<Bodies> bodies) {
   SessionOptions options;
-  options.settleByItself = false;
+  options.autoSettle = false;
   options.bodies = std::move(bodies);
   options.drape = [](const Document& d, const DrapePieces& op, Context&) { return fallABit(d, op.live); };
   options.pull = [](const Document& d, const PullCloth& op, Context&) {

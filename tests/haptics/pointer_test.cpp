@@ -66,7 +66,10 @@ TEST(StylusPointer, ADeviceThatIsLostInADragIsToldOnce) {
   EXPECT_FALSE(pointer.down());
   EXPECT_TRUE(pointer.takeLost());
   EXPECT_FALSE(pointer.takeLost());
-  EXPECT_EQ(pointer.of(tickAt({}, 0), {0, 0, 1})->phase, Phase::Hover) << "it is back";
+  EXPECT_EQ(pointer.of(tickAt({}, 1), {0, 0, 1})->phase, Phase::Hover) << "it is back, its button still down";
+  EXPECT_FALSE(pointer.down());
+  pointer.of(tickAt({}, 0), {0, 0, 1});
+  EXPECT_EQ(pointer.of(tickAt({}, 1), {0, 0, 1})->phase, Phase::Press) << "let go, and pressed anew";
 }
 
 // However late the reader comes, no press is lost, and the order is that of the hand.

@@ -27,13 +27,15 @@ class StylusPointer {
   // The newest place that was not fed yet: called when no more ticks are there.
   std::optional<PointerSample> rest();
   bool down() const { return down_; }
-  // The device stopped answering while its button was down: what was begun is to be dropped. Once.
+  // The device stopped answering while its button was down: what was begun is to be dropped. Once. When it is back,
+  // a button that is still down presses nothing until it was let go.
   bool takeLost() { return std::exchange(lost_, false); }
 
  private:
   StylusSettings settings_;
   std::optional<PointerSample> fed_, waiting_;
   bool down_ = false, lost_ = false;
+  bool stuck_ = false;  // since the device was lost the button has not been seen up
 };
 
 }  // namespace karinui
