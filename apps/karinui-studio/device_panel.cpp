@@ -76,7 +76,12 @@ DevicePanel::DevicePanel(Session& session, ForceFeedback& force) : Panel(session
   column->addWidget(state_);
   newtons_ = new QProgressBar;
   newtons_->setObjectName("newtons");
+  newtons_->setTextVisible(false);  // the bar is thinner than words
+  Theme::here().keep(newtons_, [this] { newtons_->setAccessibleName(inWords(say("force"))); });
   column->addWidget(newtons_);
+  newtonsSaid_ = new QLabel;
+  newtonsSaid_->setObjectName("newtons_said");
+  column->addWidget(newtonsSaid_);
   off_ = button(say("Emergency off (F9 or Pause)"),
                 say("Ends the force at once; again, and it comes back softly where nothing is touched."));
   off_->setObjectName("emergency_off");
@@ -199,8 +204,8 @@ void DevicePanel::showState() {
   const double newtons = length(tick.out.force), most = std::max(0.1, force_.limit());
   newtons_->setRange(0, static_cast<int>(kFineness * most));
   newtons_->setValue(std::min(newtons_->maximum(), static_cast<int>(kFineness * newtons)));
-  newtons_->setFormat(QString::fromStdString(fixed(newtons, 2) + " N / " + fixed(force_.limit(), 1) + " N") +
-                      (tick.limited ? "  " + inWords(say("at the limit")) : QString()));
+  newtonsSaid_->setText(QString::fromStdString(fixed(newtons, 2) + " N / " + fixed(force_.limit(), 1) + " N") +
+                        (tick.limited ? "  " + inWords(say("at the limit")) : QString()));
   if (!force_.there()) {
     state_->setText(inWords(say("No device is used.")));
     return;

@@ -20,7 +20,7 @@ class DevicePanel : public Panel {
   void showState();  // of the loop
   ForceFeedback& force_;
   QComboBox *kind_, *pull_, *hand_, *second_;
-  QLabel *found_, *state_, *gainSaid_;
+  QLabel *found_, *state_, *newtonsSaid_, *gainSaid_;
   QProgressBar* newtons_;
   QPushButton *look_, *off_, *test_, *calibrate_;
   QSlider* gain_;

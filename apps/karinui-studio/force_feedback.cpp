@@ -25,8 +25,9 @@ constexpr double kNotch = 0.004;  // metres of depth for a notch of the wheel
 constexpr double kDeepest = 0.3;  // metres
 constexpr double kTurn = 8;       // radians for a metre of the hand
 constexpr double kTestSeconds = 4;
-constexpr double kArrow = 0.1;  // metres for a newton, as a pull's arrow has it
+constexpr double kArrow = 0.3;  // metres for a newton: the weight of a piece is some tenths
 constexpr double kLongestArrow = 0.4;
+constexpr double kWordBelow = 36;  // pixels from the ball to where its number stands
 
 // Carried at right angles to who looks; all other tools work on the surface.
 bool carries(Command tool) { return tool == Command::Move || tool == Command::Pull || tool == Command::Reshape; }
@@ -42,7 +43,7 @@ bool mouseLed(DeviceKind kind) { return kind == DeviceKind::Mouse || kind == Dev
 
 const std::vector<Message>& deviceNames() {
   static const std::vector<Message> all{say("none"), say("mouse: the force is shown"),
-                                        say("simulated stylus, led by the mouse"), say("Haply Inverse3"),
+                                        say("simulated stylus, by mouse"), say("Haply Inverse3"),
                                         say("3D Systems Touch or Phantom")};
   return all;
 }
@@ -281,7 +282,9 @@ void ForceFeedback::turn() {
 Vec3 ForceFeedback::under(const PointerSample& sample) const {
   const bool carried = mouseDown_ && carries(session_.tool());
   const Vec3 nearer = sample.facing * depth_;
-  if (carried) return onPlane(sample.ray, through_, sample.facing) + nearer;
+  // The stylus stays as far above what it holds as it hovered: let go, it must not be behind the cloth.
+  if (carried)
+    return onPlane(sample.ray, through_, sample.facing) + nearer - sample.ray.direction * (led_ ? kHover : 0);
   const SnapshotPtr garment = session_.shownPtr();
   const Hit hit =
       session_.tool() == Command::Draw ? pickBody(*garment, sample) : pick(*garment, session_.table(), sample);
@@ -374,7 +377,7 @@ void ForceFeedback::paint(QPainter& painter, const std::function<QPointF(Vec3)>&
   if (newtons <= 0.01) return;
   const QString words = QString::fromStdString(fixed(newtons, 2)) + " N" +
                         (shown_.limited ? " (" + inWords(say("at the limit")) + ")" : QString());
-  paintWord(painter, at(lines().front().points.back()) + QPointF(0, -6), words, room);
+  paintWord(painter, ball + QPointF(0, kWordBelow), words, room);  // above stands what the tool says
 }
 
 }  // namespace karinui::studio

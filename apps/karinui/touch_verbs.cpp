@@ -132,8 +132,8 @@ Result<Measured> measured(Program& program, const CheckOptions& options) {
   return result;
 }
 
-// From the hand to its force. A device is told the force of the tick before and answers meanwhile, so that a place is as
-// old as the tick is long when it is felt, or as the round trip where that is longer.
+// From the hand to its force. A device is told the force of the tick before and answers meanwhile, so that a place is
+// as old as the tick is long when it is felt, or as the round trip where that is longer.
 Took handToForce(const Measured& m) {
   constexpr double kTick = 0.001;
   return {m.p50 + std::max(kTick, m.roundTrip.p50) + m.evaluation.p50,
@@ -176,13 +176,11 @@ int runCheck(Program& program, const CheckOptions& options) {
   object["lateness_us"] = {
       {"p50", m->p50 * 1e6}, {"p99", m->p99 * 1e6}, {"p99.9", m->p999 * 1e6}, {"max", m->longest * 1e6}};
   object["evaluation_us"] = inMicroseconds(m->evaluation);
-  object["latency_us"] = {{"servo_wake_up", inMicroseconds({m->p50, m->p99})},
-                          {"device_round_trip", inMicroseconds(m->roundTrip)},
-                          {"scene_made", inMicroseconds(m->sceneMade)},
-                          {"scene_age", inMicroseconds(m->sceneAge)},
-                          {"evaluation", inMicroseconds(m->evaluation)},
-                          {"hand_to_force", inMicroseconds(handToForce(*m))},
-                          {"scene_to_force", inMicroseconds(sceneToForce(*m))}};
+  object["latency_us"] = {
+      {"servo_wake_up", inMicroseconds({m->p50, m->p99})}, {"device_round_trip", inMicroseconds(m->roundTrip)},
+      {"scene_made", inMicroseconds(m->sceneMade)},        {"scene_age", inMicroseconds(m->sceneAge)},
+      {"evaluation", inMicroseconds(m->evaluation)},       {"hand_to_force", inMicroseconds(handToForce(*m))},
+      {"scene_to_force", inMicroseconds(sceneToForce(*m))}};
   object["facets"] = m->facets;
   object["most_force_n"] = m->newtons;
   object["promise"] = console.said(promise(*m));

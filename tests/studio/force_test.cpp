@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QProgressBar>
 #include <QSlider>
 #include <QTest>
 
@@ -102,7 +101,7 @@ TEST_F(StudioForce, TheStylusIsFeltOnTheSurfaceAndAtItsLimit) {
   EXPECT_EQ(distance(w().space().camera().eye, before.eye), 0) << "depth, not zoom";
   until([&] { return force().last().limited; });
   EXPECT_LE(newtons(), 0.5 + 1e-9);
-  until([&] { return panel().findChild<QProgressBar*>("newtons")->text().contains("limit"); });
+  until([&] { return panel().findChild<QLabel*>("newtons_said")->text().contains("limit"); });
   w().keep("studio_device_touch");
   QTest::mouseRelease(&w().space(), Qt::LeftButton, {}, at.toPoint());
   w().key(Command::Cancel);
