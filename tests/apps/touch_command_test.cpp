@@ -70,6 +70,17 @@ TEST_F(Touch, ACheckMeasuresTheLoop) {
   EXPECT_GT(answer["evaluation_us"]["p99"].get<double>(), 0);
   EXPECT_GE(answer["lateness_us"]["max"].get<double>(), answer["lateness_us"]["p50"].get<double>());
   EXPECT_FALSE(answer["promise"].get<std::string>().empty());
+  // The latency budget: every part was measured, and the sums hold them.
+  const auto& latency = answer["latency_us"];
+  for (const char* share : {"p50", "p99"}) {
+    const auto part = [&](const char* name) { return latency[name][share].get<double>(); };
+    for (const char* name : {"servo_wake_up", "device_round_trip", "scene_made", "scene_age", "evaluation"})
+      EXPECT_GT(part(name), 0) << name;
+    EXPECT_NEAR(part("hand_to_force"),
+                part("servo_wake_up") + std::max(1000.0, part("device_round_trip")) + part("evaluation"), 1e-6);
+    EXPECT_NEAR(part("scene_to_force"), part("scene_made") + part("scene_age") + part("evaluation"), 1e-6);
+    EXPECT_GT(part("scene_age"), part("evaluation")) << "a scene is made every 16 ms";
+  }
   ASSERT_EQ(answer["devices"].size(), 3u);
   EXPECT_TRUE(answer["devices"][2]["found"].get<bool>());
   EXPECT_NE(karinui("touch check --seconds 0.2", "ja_JP.UTF-8").out.find("力の制御ループ"), std::string::npos);
