@@ -27,7 +27,7 @@ constexpr double kTurn = 8;       // radians for a metre of the hand
 constexpr double kTestSeconds = 4;
 constexpr double kArrow = 0.3;  // metres for a newton: the weight of a piece is some tenths
 constexpr double kLongestArrow = 0.4;
-constexpr double kWordBelow = 36;  // pixels from the ball to where its number stands
+constexpr QPointF kWordBeside(48, 14);  // pixels from the ball to below its number
 
 // Carried at right angles to who looks; all other tools work on the surface.
 bool carries(Command tool) { return tool == Command::Move || tool == Command::Pull || tool == Command::Reshape; }
@@ -377,7 +377,7 @@ void ForceFeedback::paint(QPainter& painter, const std::function<QPointF(Vec3)>&
   if (newtons <= 0.01) return;
   const QString words = QString::fromStdString(fixed(newtons, 2)) + " N" +
                         (shown_.limited ? " (" + inWords(say("at the limit")) + ")" : QString());
-  paintWord(painter, ball + QPointF(0, kWordBelow), words, room);  // above stands what the tool says
+  paintWord(painter, ball + kWordBeside, words, room);  // above stands what the tool says
 }
 
 }  // namespace karinui::studio
