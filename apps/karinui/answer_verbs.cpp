@@ -1,9 +1,9 @@
 // settle, check, info: what a document is and how its cloth stands.
 #include "answers_in_words.h"
-#include "bench.h"
 #include "json_answers.h"
 #include "karinui/cloth/check.h"
 #include "karinui/design/drape.h"
+#include "open_document.h"
 
 namespace karinui::app {
 
@@ -19,18 +19,18 @@ struct SettleOptions {
   bool again = false;
 };
 
-Result<ClothCheck> examined(Bench& bench) {
-  const Result<Standing> standing = standingCloth(bench.document(), livePieces(bench.document(), {}));
+Result<ClothCheck> examined(OpenDocument& opened) {
+  const Result<Standing> standing = standingCloth(opened.document(), livePieces(opened.document(), {}));
   if (!standing) return standing.error();
-  if (!bench.document().body.chosen()) return check(standing->cloth, standing->state, nullptr);
-  const Result<BodyPtr> body = bodyOf(bench.document(), bench.context());
+  if (!opened.document().body.chosen()) return check(standing->cloth, standing->state, nullptr);
+  const Result<BodyPtr> body = bodyOf(opened.document(), opened.context());
   if (!body) return body.error();
   return check(standing->cloth, standing->state, body->get());
 }
 
 int answerCheck(Program& program, const DocumentOnly& options) {
-  return atBench(program, options.path, true, [&](Bench& bench) -> int {
-    const Result<ClothCheck> found = examined(bench);
+  return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
+    const Result<ClothCheck> found = examined(opened);
     if (!found) return program.console.refuse(found.error());
     program.console.answer(checkJson(*found), checkWords(*found, program.console));
     return kDone;
@@ -44,20 +44,20 @@ bool atRest(const Document& document) {
 
 int answerSettle(Program& program, const SettleOptions& options) {
   if (options.threads > 0) program.threads = options.threads;
-  return atBench(program, options.path, false, [&](Bench& bench) -> int {
-    const bool kept = atRest(bench.document()) && !options.again;
+  return withDocument(program, options.path, false, [&](OpenDocument& opened) -> int {
+    const bool kept = atRest(opened.document()) && !options.again;
     if (!kept) {
       StopRequest stop;
-      bench.context().stop = &stop;
+      opened.context().stop = &stop;
       program.console.stopFirst(&stop);
-      const Result<Step> step = bench.perform(DrapePieces{});
+      const Result<Step> step = opened.perform(DrapePieces{});
       program.console.stopFirst(nullptr);
-      bench.context().stop = nullptr;
+      opened.context().stop = nullptr;
       if (!step) return program.console.refuse(step.error());
     }
-    const Result<ClothCheck> found = examined(bench);
+    const Result<ClothCheck> found = examined(opened);
     if (!found) return program.console.refuse(found.error());
-    const SettleReport& report = *bench.document().drape.last;
+    const SettleReport& report = *opened.document().drape.last;
     Json object = settleJson(report, *found, program.console);
     object["kept"] = kept;
     program.console.answer(object, settleWords(report, *found, kept, program.console));
@@ -66,8 +66,8 @@ int answerSettle(Program& program, const SettleOptions& options) {
 }
 
 int answerInfo(Program& program, const DocumentOnly& options) {
-  return atBench(program, options.path, true, [&](Bench& bench) -> int {
-    program.console.answer(infoJson(bench.document()), infoWords(bench.document(), program.console));
+  return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
+    program.console.answer(infoJson(opened.document()), infoWords(opened.document(), program.console));
     return kDone;
   });
 }

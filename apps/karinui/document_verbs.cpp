@@ -2,12 +2,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "bench.h"
 #include "figure.h"
 #include "karinui/base/file.h"
 #include "karinui/design/script.h"
 #include "karinui/design/steps_of.h"
 #include "karinui/exchange/read_pattern.h"
+#include "open_document.h"
 #include "stage_pictures.h"
 
 namespace karinui::app {
@@ -42,7 +42,7 @@ Json stepJson(const Step& step, const Document& document) {
 // Makes a new document in a file beside the wanted one and gives it its name only when all went well: a refused or
 // stopped command leaves nothing behind, and a document that was there stays until the new one is whole.
 int makeDocument(Program& program, const std::string& wanted, bool overwrite,
-                 const std::function<Result<void>(Bench&)>& fill) {
+                 const std::function<Result<void>(OpenDocument&)>& fill) {
   std::error_code trouble;
   if (!overwrite && fs::exists(wanted, trouble)) {
     return program.console.refuse(
@@ -54,17 +54,17 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
   {
     Result<DocumentFile> file = DocumentFile::create(part);
     if (!file) return program.console.refuse(file.error());
-    Bench bench(program, std::move(*file));
-    if (const Result<void> filled = fill(bench); !filled) {
+    OpenDocument opened(program, std::move(*file));
+    if (const Result<void> filled = fill(opened); !filled) {
       exit = program.console.refuse(filled.error());
     } else {
-      if (!bench.settled()) exit = kNotSettled;
-      const Document& document = bench.document();
+      if (!opened.settled()) exit = kNotSettled;
+      const Document& document = opened.document();
       program.console.answer({{"document", wanted},
                               {"operations", document.operations},
                               {"pieces", document.pattern.pieces.size()},
                               {"seams", document.pattern.seams.size()},
-                              {"settled", bench.settled()},
+                              {"settled", opened.settled()},
                               {"hash", hash(document)},
                               {"drape_hash", drapeHash(document)}},
                              program.console.said(say("{0}: {1} operations, {2} pieces, {3} seams", wanted,
@@ -83,31 +83,32 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
   return exit;
 }
 
-Result<void> playScript(Bench& bench, const std::string& script, const std::string& body, StagePictures& pictures) {
+Result<void> playScript(OpenDocument& opened, const std::string& script, const std::string& body,
+                        StagePictures& pictures) {
   const Result<std::vector<ScriptLine>> lines = parseScript(script);
   if (!lines) return lines.error();
   if (!body.empty()) {
-    Result<SetBody> chosen = bodyOperation(bench, body);
+    Result<SetBody> chosen = bodyOperation(opened, body);
     if (!chosen) return chosen.error();
-    if (const auto step = bench.perform(std::move(*chosen)); !step) return step.error();
+    if (const auto step = opened.perform(std::move(*chosen)); !step) return step.error();
   }
   for (const ScriptLine& line : *lines) {
-    if (const Done drawn = pictures.before(line.number, bench); !drawn) return drawn;
+    if (const Done drawn = pictures.before(line.number, opened); !drawn) return drawn;
     if (!body.empty() && std::holds_alternative<SetBody>(line.operation)) continue;
-    if (const auto step = bench.perform(line.operation); !step) {
+    if (const auto step = opened.perform(line.operation); !step) {
       const Error& why = step.error();
       return Error{why.kind, say("Line {0}: {1}", line.number, why.what)};
     }
   }
-  return pictures.rest(bench);
+  return pictures.rest(opened);
 }
 
 int runPlay(Program& program, const PlayOptions& options) {
   const Result<std::string> script = readFile(options.script);
   if (!script) return program.console.refuse(script.error());
-  return makeDocument(program, options.out, options.overwrite, [&](Bench& bench) -> Result<void> {
+  return makeDocument(program, options.out, options.overwrite, [&](OpenDocument& opened) -> Result<void> {
     StagePictures pictures(options.pictures, *script);
-    const Result<void> played = playScript(bench, *script, options.body, pictures);
+    const Result<void> played = playScript(opened, *script, options.body, pictures);
     return played ? played : inFile(options.script, played.error());
   });
 }
@@ -119,12 +120,12 @@ int runDo(Program& program, const DoOptions& options) {
     if (!operation) return program.console.refuse(operation.error());
     operations.push_back(std::move(*operation));
   }
-  return atBench(program, options.path, false, [&](Bench& bench) -> int {
+  return withDocument(program, options.path, false, [&](OpenDocument& opened) -> int {
     for (Operation& operation : operations) {
-      const Result<Step> step = bench.perform(std::move(operation));
+      const Result<Step> step = opened.perform(std::move(operation));
       if (!step) return program.console.refuse(step.error());
-      Json object = stepJson(*step, bench.document());
-      const DrapeInfo& drape = bench.document().drape;
+      Json object = stepJson(*step, opened.document());
+      const DrapeInfo& drape = opened.document().drape;
       if (std::holds_alternative<PullCloth>(step->operation)) {
         double most = 0;
         for (const Vec3& force : drape.force) most = std::max(most, length(force));
@@ -132,30 +133,30 @@ int runDo(Program& program, const DoOptions& options) {
       }
       program.console.answer(object, text(step->operation));
     }
-    return bench.settled() ? kDone : kNotSettled;
+    return opened.settled() ? kDone : kNotSettled;
   });
 }
 
 template <Result<Step> (DocumentFile::*turn)(Context&)>
 int runTurn(Program& program, const DocumentOnly& options) {
-  return atBench(program, options.path, false, [&](Bench& bench) -> int {
-    const Result<Step> step = (bench.file().*turn)(bench.context());
+  return withDocument(program, options.path, false, [&](OpenDocument& opened) -> int {
+    const Result<Step> step = (opened.file().*turn)(opened.context());
     if (!step) return program.console.refuse(step.error());
     Json object = {{"operation", text(step->operation)},
-                   {"operations", bench.document().operations},
-                   {"hash", hash(bench.document())}};
+                   {"operations", opened.document().operations},
+                   {"hash", hash(opened.document())}};
     program.console.answer(object, text(step->operation));
     return kDone;
   });
 }
 
 int runLog(Program& program, const DocumentOnly& options) {
-  return atBench(program, options.path, true, [&](Bench& bench) -> int {
+  return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
     Json steps = Json::array();
-    for (const Step& step : bench.file().steps()) {
+    for (const Step& step : opened.file().steps()) {
       steps.push_back({{"serial", step.serial}, {"operation", text(step.operation)}, {"hash", step.after}});
     }
-    program.console.answer({{"operations", steps}}, bench.file().log());
+    program.console.answer({{"operations", steps}}, opened.file().log());
     return kDone;
   });
 }
@@ -166,7 +167,7 @@ int runImport(Program& program, const ImportOptions& options) {
     return runPlay(program, {options.file, options.body, options.out, "", options.overwrite});
   if (content != FileContent::Pattern && content != FileContent::Body)
     return program.console.refuse(unreadable(options.file, kImported));
-  return makeDocument(program, options.out, options.overwrite, [&](Bench& bench) -> Result<void> {
+  return makeDocument(program, options.out, options.overwrite, [&](OpenDocument& opened) -> Result<void> {
     std::optional<Pattern> pattern;
     if (content == FileContent::Pattern) {
       Result<Pattern> read = readPattern(options.file);
@@ -175,13 +176,13 @@ int runImport(Program& program, const ImportOptions& options) {
     }
     const std::string body = pattern ? options.body : options.file;
     if (!body.empty()) {
-      Result<SetBody> chosen = bodyOperation(bench, body);
+      Result<SetBody> chosen = bodyOperation(opened, body);
       if (!chosen) return chosen.error();
-      if (const auto step = bench.perform(std::move(*chosen)); !step) return step.error();
+      if (const auto step = opened.perform(std::move(*chosen)); !step) return step.error();
     }
     if (!pattern) return {};
-    for (Operation& operation : stepsOf(*pattern, bench.document()))
-      if (const auto step = bench.perform(std::move(operation)); !step) return step.error();
+    for (Operation& operation : stepsOf(*pattern, opened.document()))
+      if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
     return {};
   });
 }

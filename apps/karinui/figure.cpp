@@ -19,16 +19,16 @@ Result<Body::Parts> readFigure(Program& program, Workers& workers, const std::st
   return parts;
 }
 
-Result<SetBody> bodyOperation(Bench& bench, const std::string& sizeOrFile) {
+Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFile) {
   SetBody chosen;
   const auto sizes = builtInSizes();
   if (std::find(sizes.begin(), sizes.end(), sizeOrFile) != sizes.end()) {
     chosen.size = sizeOrFile;
     return chosen;
   }
-  Result<Body::Parts> parts = readFigure(bench.program(), bench.context().workers, sizeOrFile, false);
+  Result<Body::Parts> parts = readFigure(opened.program(), opened.context().workers, sizeOrFile, false);
   if (!parts) return parts.error();
-  Result<std::string> blob = bench.file().blobs().put(packBody(*parts));
+  Result<std::string> blob = opened.file().blobs().put(packBody(*parts));
   if (!blob) return blob.error();
   chosen.mesh = std::move(*blob);
   return chosen;

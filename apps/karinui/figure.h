@@ -1,12 +1,12 @@
 #pragma once
 // Where a body comes from on the command line: a built-in size's name, or a file.
-#include "bench.h"
 #include "karinui/design/operation.h"
+#include "open_document.h"
 
 namespace karinui::app {
 
 // The operation that chooses this body; a file's mesh becomes a blob of the document.
-Result<SetBody> bodyOperation(Bench& bench, const std::string& sizeOrFile);
+Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFile);
 
 // A body file, read. What was guessed about it (its unit) and what is wrong with it is said on stderr.
 Result<Body::Parts> readFigure(Program& program, Workers& workers, const std::string& path, bool wrap);

@@ -2,12 +2,12 @@
 #include <filesystem>
 #include <map>
 
-#include "bench.h"
 #include "karinui/base/file.h"
 #include "karinui/exchange/formats.h"
 #include "karinui/session/table_frame_of.h"
 #include "karinui/view/picture.h"
 #include "karinui/view/table_picture.h"
+#include "open_document.h"
 
 namespace karinui::app {
 
@@ -23,13 +23,13 @@ struct PictureWish {
   bool table = false;  // the flat pattern instead
 };
 
-Result<SpatialGarment> spatialOf(Bench& bench) {
-  Result<SceneFrame> frame = bench.scene();
+Result<SpatialGarment> spatialOf(OpenDocument& opened) {
+  Result<SceneFrame> frame = opened.scene();
   if (!frame) return frame.error();
   SpatialGarment garment;
   if (!frame->bodies.empty()) garment.body = std::move(frame->bodies.front().mesh);
   for (SceneCloth& cloth : frame->cloths) {
-    const std::string fabric = bench.document().pieceNamed(cloth.name)->fabric;
+    const std::string fabric = opened.document().pieceNamed(cloth.name)->fabric;
     garment.pieces.push_back({cloth.name, fabric, std::move(cloth.mesh), std::move(cloth.flat), cloth.colour});
   }
   return garment;
@@ -44,7 +44,7 @@ const FileFormat* chosenFormat(const ExportOptions& options) {
   return formats.empty() ? nullptr : formats.front();
 }
 
-Result<std::string> bytesFor(Bench& bench, const ExportOptions& options) {
+Result<std::string> bytesFor(OpenDocument& opened, const ExportOptions& options) {
   const FileFormat* format = chosenFormat(options);
   if (!format) return unwritable(options.out);
   SheetSettings sheet;
@@ -52,7 +52,7 @@ Result<std::string> bytesFor(Bench& bench, const ExportOptions& options) {
   sheet.title = std::filesystem::path(options.path).stem().string();
   sheet.language = spokenHere();
   return format->write(
-      {bench.document().pattern, [&] { return bench.file().log(); }, [&] { return spatialOf(bench); }, sheet});
+      {opened.document().pattern, [&] { return opened.file().log(); }, [&] { return spatialOf(opened); }, sheet});
 }
 
 // What --format may name: the texts of a pattern, which share an ending.
@@ -64,8 +64,8 @@ std::vector<std::string> patternFormats() {
 }
 
 int runExport(Program& program, const ExportOptions& options) {
-  return atBench(program, options.path, true, [&](Bench& bench) -> int {
-    const Result<std::string> bytes = bytesFor(bench, options);
+  return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
+    const Result<std::string> bytes = bytesFor(opened, options);
     if (!bytes) return program.console.refuse(bytes.error());
     if (const Done done = writeFile(options.out, *bytes); !done) return program.console.refuse(done.error());
     program.console.answer({{"file", options.out}, {"bytes", bytes->size()}}, options.out);
@@ -92,8 +92,8 @@ Result<PictureOptions> picked(const PictureWish& wish) {
   return options;
 }
 
-Result<Image> fittingPicture(Program& program, Bench& bench, const PictureOptions& options) {
-  const Result<SceneFrame> frame = bench.scene();
+Result<Image> fittingPicture(Program& program, OpenDocument& opened, const PictureOptions& options) {
+  const Result<SceneFrame> frame = opened.scene();
   if (!frame) return frame.error();
   const auto picture = Picture::open();
   if (!picture) return picture.error();
@@ -102,8 +102,8 @@ Result<Image> fittingPicture(Program& program, Bench& bench, const PictureOption
   return image;
 }
 
-Result<Image> tablePicture(Program& program, Bench& bench, const PictureOptions& options) {
-  const SnapshotPtr garment = snapshotOf(bench.document(), nullptr);
+Result<Image> tablePicture(Program& program, OpenDocument& opened, const PictureOptions& options) {
+  const SnapshotPtr garment = snapshotOf(opened.document(), nullptr);
   TableLayout layout;
   layout.arrange(*garment);
   TableFrameOptions shown;
@@ -121,9 +121,9 @@ int runPicture(Program& program, const PictureWish& wish) {
     program.console.refuse(options.error());
     return kWrongCall;
   }
-  return atBench(program, wish.path, true, [&](Bench& bench) -> int {
+  return withDocument(program, wish.path, true, [&](OpenDocument& opened) -> int {
     const Result<Image> image =
-        wish.table ? tablePicture(program, bench, *options) : fittingPicture(program, bench, *options);
+        wish.table ? tablePicture(program, opened, *options) : fittingPicture(program, opened, *options);
     if (!image) return program.console.refuse(image.error());
     if (const Done done = writePng(wish.out, *image); !done) return program.console.refuse(done.error());
     program.console.answer({{"file", wish.out}, {"width", image->width}, {"height", image->height}}, wish.out);

@@ -21,16 +21,16 @@ StagePictures::StagePictures(std::string folder, const std::string& script) : fo
   }
 }
 
-Done StagePictures::before(int line, Bench& bench) {
+Done StagePictures::before(int line, OpenDocument& opened) {
   for (; next_ < wishes_.size() && wishes_[next_].line < line; ++next_) {
-    if (const Done drawn = draw(wishes_[next_], bench); !drawn) return drawn;
+    if (const Done drawn = draw(wishes_[next_], opened); !drawn) return drawn;
   }
   return {};
 }
 
-Done StagePictures::rest(Bench& bench) { return before(std::numeric_limits<int>::max(), bench); }
+Done StagePictures::rest(OpenDocument& opened) { return before(std::numeric_limits<int>::max(), opened); }
 
-Done StagePictures::draw(const Wish& wish, Bench& bench) {
+Done StagePictures::draw(const Wish& wish, OpenDocument& opened) {
   if (!picture_) {
     auto opened = Picture::open();
     if (!opened) return opened.error();
@@ -53,7 +53,7 @@ Done StagePictures::draw(const Wish& wish, Bench& bench) {
       return badInput(say("A picture knows “view” and “map”, not “{0}”.", key));
     }
   }
-  const Result<SceneFrame> frame = bench.scene();
+  const Result<SceneFrame> frame = opened.scene();
   if (!frame) return frame.error();
   const Result<Image> image = picture_->draw(*frame, options);
   if (!image) return image.error();

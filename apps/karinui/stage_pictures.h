@@ -4,23 +4,23 @@
 #include <string>
 #include <vector>
 
-#include "bench.h"
 #include "karinui/view/picture.h"
+#include "open_document.h"
 
 namespace karinui::app {
 
 class StagePictures {
  public:
   StagePictures(std::string folder, const std::string& script);  // an empty folder: no pictures
-  Done before(int line, Bench& bench);                           // draws those asked for before this line of the script
-  Done rest(Bench& bench);
+  Done before(int line, OpenDocument& opened);                   // draws those asked for before this line of the script
+  Done rest(OpenDocument& opened);
 
  private:
   struct Wish {
     int line = 0;
     std::string name, words;
   };
-  Done draw(const Wish& wish, Bench& bench);
+  Done draw(const Wish& wish, OpenDocument& opened);
   std::string folder_;
   std::vector<Wish> wishes_;  // in the script's order
   std::size_t next_ = 0;

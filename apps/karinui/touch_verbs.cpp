@@ -2,7 +2,6 @@
 #include <chrono>
 #include <thread>
 
-#include "bench.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
 #include "karinui/devices/hd_stylus.h"
@@ -12,6 +11,7 @@
 #include "karinui/devices/simulated_inverse3.h"
 #include "karinui/session/touch_scene_of.h"
 #include "karinui/touch/servo.h"
+#include "open_document.h"
 
 namespace karinui::app {
 
@@ -216,14 +216,14 @@ int runReplay(Program& program, const ReplayOptions& options) {
   if (!recorded) return program.console.refuse(recorded.error());
   Result<ScriptedDevice> hand = ScriptedDevice::read(*recorded, simulatedRecord());
   if (!hand) return program.console.refuse(hand.error());
-  return atBench(program, options.document, true, [&](Bench& bench) -> int {
+  return withDocument(program, options.document, true, [&](OpenDocument& opened) -> int {
     BodyPtr body;
-    if (bench.document().body.chosen()) {
-      const Result<BodyPtr> found = bodyOf(bench.document(), bench.context());
+    if (opened.document().body.chosen()) {
+      const Result<BodyPtr> found = bodyOf(opened.document(), opened.context());
       if (!found) return program.console.refuse(found.error());
       body = *found;
     }
-    const SnapshotPtr fitting = snapshotOf(bench.document(), body);
+    const SnapshotPtr fitting = snapshotOf(opened.document(), body);
     ServoSettings settings;
     settings.gain = options.gain;
     settings.limit = options.limit;

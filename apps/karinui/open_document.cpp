@@ -1,10 +1,10 @@
-#include "bench.h"
+#include "open_document.h"
 
 #include "karinui/session/scene_of.h"
 
 namespace karinui::app {
 
-Result<Step> Bench::perform(Operation operation) {
+Result<Step> OpenDocument::perform(Operation operation) {
   const bool rests = std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation);
   Result<Step> step = file_.perform(std::move(operation), context_);
   if (!step || !rests || !document().drape.last) return step;
@@ -20,18 +20,19 @@ Result<Step> Bench::perform(Operation operation) {
   return step;
 }
 
-Result<SceneFrame> Bench::scene() {
+Result<SceneFrame> OpenDocument::scene() {
   if (!document().body.chosen()) return sceneOf(document(), nullptr);
   const Result<BodyPtr> body = bodyOf(document(), context_);
   if (!body) return body.error();
   return sceneOf(document(), body->get());
 }
 
-int atBench(Program& program, const std::string& path, bool forReading, const std::function<int(Bench&)>& work) {
+int withDocument(Program& program, const std::string& path, bool forReading,
+                 const std::function<int(OpenDocument&)>& work) {
   Result<DocumentFile> file = forReading ? DocumentFile::openForReading(path) : DocumentFile::open(path);
   if (!file) return program.console.refuse(file.error());
-  Bench bench(program, std::move(*file));
-  return work(bench);
+  OpenDocument opened(program, std::move(*file));
+  return work(opened);
 }
 
 }  // namespace karinui::app

@@ -1,5 +1,5 @@
 #pragma once
-// The cutter's bench: an open document and what operations on it need. One per command.
+// An open document and what operations on it need. One per command.
 #include <string>
 
 #include "commands.h"
@@ -8,9 +8,9 @@
 
 namespace karinui::app {
 
-class Bench {
+class OpenDocument {
  public:
-  Bench(Program& program, DocumentFile file)
+  OpenDocument(Program& program, DocumentFile file)
       : program_(program), workers_(program.threads), file_(std::move(file)), context_{workers_,
                                                                                        program.console.token(),
                                                                                        file_.blobs(),
@@ -40,7 +40,8 @@ class Bench {
   bool settled_ = true;
 };
 
-// Opens a document and runs `work` at the bench; the exit status is what `work` gives, or that of a refusal.
-int atBench(Program& program, const std::string& path, bool forReading, const std::function<int(Bench&)>& work);
+// Opens a document and runs `work` on it; the exit status is what `work` gives, or that of a refusal.
+int withDocument(Program& program, const std::string& path, bool forReading,
+                 const std::function<int(OpenDocument&)>& work);
 
 }  // namespace karinui::app
