@@ -27,6 +27,7 @@ constexpr double kTurn = 8;       // radians for a metre of the hand
 constexpr double kTestSeconds = 4;
 constexpr double kArrow = 0.3;  // metres for a newton: the weight of a piece is some tenths
 constexpr double kLongestArrow = 0.4;
+constexpr double kFelt = 0.01;          // N: less is not shown
 constexpr QPointF kWordBeside(48, 14);  // pixels from the ball to below its number
 
 // Carried at right angles to who looks; all other tools work on the surface.
@@ -35,6 +36,21 @@ bool carries(Command tool) { return tool == Command::Move || tool == Command::Pu
 Vec3 onPlane(const Ray& ray, Vec3 through, Vec3 facing) {
   const double slope = dot(ray.direction, facing);
   return std::fabs(slope) < 0.05 ? through : ray.origin + ray.direction * (dot(through - ray.origin, facing) / slope);
+}
+
+// Along the way one looks there is no more of it than its head's width.
+void paintArrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour) {
+  constexpr double kHead = 11, kHalf = 5.5;  // pixels
+  const QLineF line(from, to);
+  if (line.length() < kHead) return;
+  const QPointF along = (to - from) / line.length(), across(-along.y(), along.x()), neck = to - along * kHead;
+  for (const auto& [pen, wide] : {std::pair(QColor(Qt::white), 2.0), {colour, 0.0}}) {  // its rim first
+    painter.setPen(QPen(pen, 3.5 + wide, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(from, neck);
+    painter.setPen(QPen(pen, wide, wide > 0 ? Qt::SolidLine : Qt::NoPen, Qt::SquareCap, Qt::MiterJoin));
+    painter.setBrush(pen);
+    painter.drawPolygon(QPolygonF{to, neck + across * kHalf, neck - across * kHalf});
+  }
 }
 
 bool mouseLed(DeviceKind kind) { return kind == DeviceKind::Mouse || kind == DeviceKind::Simulated; }
@@ -343,17 +359,11 @@ void ForceFeedback::left() {
   if (led_) led_->leave();
 }
 
-std::vector<SceneLine> ForceFeedback::lines() const {
-  if (!driver_ || !shown_.hand.ready) return {};
+std::optional<std::array<Vec3, 2>> ForceFeedback::arrow() const {
   const double newtons = length(shown_.out.force);
+  if (!driver_ || !shown_.hand.ready || newtons <= kFelt) return std::nullopt;
   const Vec3 from = shown_.touching ? shown_.proxy : shown_.hand.tip.carry;
-  std::vector<SceneLine> lines;
-  if (newtons > 0.01)
-    lines.push_back({{from, from + normalized(shown_.out.force) * std::min(kLongestArrow, kArrow * newtons)},
-                     {0.05f, 0.42f, 0.25f},
-                     5,
-                     true});
-  return lines;
+  return std::array{from, from + normalized(shown_.out.force) * std::min(kLongestArrow, kArrow * newtons)};
 }
 
 void ForceFeedback::paint(QPainter& painter, const std::function<QPointF(Vec3)>& at, const QRectF& room) const {
@@ -367,14 +377,16 @@ void ForceFeedback::paint(QPainter& painter, const std::function<QPointF(Vec3)>&
     painter.setPen(QPen(state, 1.5, Qt::DotLine));
     painter.drawLine(ball, tip);
   }
+  const auto force = arrow();
+  if (force) paintArrow(painter, at((*force)[0]), at((*force)[1]), state);
   QRadialGradient shade(ball - QPointF(2.5, 2.5), 9);
   shade.setColorAt(0, state.lighter(190));
   shade.setColorAt(1, state);
   painter.setPen(QPen(shown_.limited ? QColor("#d4552a") : Qt::white, shown_.limited ? 3 : 1.5));
   painter.setBrush(shade);
   painter.drawEllipse(ball, 7, 7);
+  if (!force) return;
   const double newtons = length(shown_.out.force);
-  if (newtons <= 0.01) return;
   const QString words = QString::fromStdString(fixed(newtons, 2)) + " N" +
                         (shown_.limited ? " (" + inWords(say("at the limit")) + ")" : QString());
   paintWord(painter, ball + kWordBeside, words, room);  // above stands what the tool says

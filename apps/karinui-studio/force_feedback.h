@@ -3,6 +3,7 @@
 // (QSettings). GUI thread; the force loop has its own (HapticDriver).
 #include <QObject>
 #include <QTimer>
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -64,8 +65,9 @@ class ForceFeedback : public QObject {
   bool wheeled(double turns);  // true: it was depth
   void left();                 // the mouse left the view
   bool busy() const;           // the stylus has a gesture under way: other pointers had better wait
-  // The proxy as a ball, and the force.
-  std::vector<SceneLine> lines() const;
+  std::optional<std::array<Vec3, 2>> arrow()
+      const;  // the force on the hand, from the proxy; too small to be felt: none
+  // The proxy as a ball, the arrow and its number: over everything, for cloth and body must not hide them.
   void paint(QPainter& painter, const std::function<QPointF(Vec3)>& at, const QRectF& room) const;
 
  signals:

@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "eye_compositor.h"
-#include "force_feedback.h"
 #include "karinui/body/lines.h"
 #include "karinui/session/menu.h"
 #include "karinui/session/scene_of.h"
@@ -371,8 +370,6 @@ void SpaceView::showOverlay() {
     lines.push_back({girths.under, {0.05f, 0.25f, 0.62f}, 3, false});
   }
   if (!tapeShown_.line.empty()) lines.push_back({tapeShown_.line, {0.85f, 0.60f, 0.02f}, 5, false});
-  if (force_)
-    for (SceneLine& line : force_->lines()) lines.push_back(std::move(line));
   overlaid_ = !lines.empty();
   renderer_->overlay(lines);
 }

@@ -72,6 +72,8 @@ TEST_F(StudioForce, TheSimulatedStylusFeelsTheGarmentAndMovesAPiece) {
   const double weight = 0.5 * 9.81 * front.outline.area() * fabricOf(w().session().snapshot().document, front)->weight;
   until([&] { return std::fabs(newtons() - weight) < 0.05 * weight; });
   EXPECT_LT(force().last().out.force.y, 0);
+  ASSERT_TRUE(force().arrow());
+  EXPECT_NEAR(((*force().arrow())[1] - (*force().arrow())[0]).y, -0.3 * weight, 0.1 * weight) << "30 cm for a newton";
   w().keep("studio_device_carried");
   QTest::mouseRelease(&w().space(), Qt::LeftButton, {}, (at + QPointF(60, -20)).toPoint());
   until([&] { return w().count() > steps; });
@@ -156,7 +158,8 @@ TEST_F(StudioForce, TheMouseShowsItsForceAndItsWheelIsDepth) {
     }
     EXPECT_EQ(distance(w().space().camera().eye, before.eye), 0) << "depth, not zoom";
     until([&] { return newtons() > 0.3; });
-    EXPECT_FALSE(force().lines().empty()) << "an arrow";
+    ASSERT_TRUE(force().arrow());
+    EXPECT_LT(((*force().arrow())[1] - (*force().arrow())[0]).z, -0.05) << "the cloth pulls back, away from who looks";
     w().keep("studio_device_mouse");
   });
   w().rest();
