@@ -216,7 +216,10 @@ void ForceFeedback::begin() {
   settings.servo.laws = settings_.laws;
   settings.stylus.hand = settings_.hand;
   settings.feeds = !mouse_;
-  if (!mouseLed(settings_.kind)) {  // the middle of its workspace is where one looks
+  if (mouseLed(settings_.kind)) {  // no motor moves a hand: where the computer is late the force is still shown
+    constexpr double kNever = 1e9;
+    settings.servo.latest = settings.servo.stalest = settings.servo.farthestJump = settings.servo.fastest = kNever;
+  } else {  // the middle of its workspace is where one looks
     const Box& box = device->record().workspace;
     settings.placement.scale = settings_.scale;
     settings.placement.deviceCentre = box.empty() ? Vec3{} : box.centre();

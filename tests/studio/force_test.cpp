@@ -72,12 +72,16 @@ TEST_F(StudioForce, TheSimulatedStylusFeelsTheGarmentAndMovesAPiece) {
   const double weight = 0.5 * 9.81 * front.outline.area() * fabricOf(w().session().snapshot().document, front)->weight;
   until([&] { return std::fabs(newtons() - weight) < 0.05 * weight; });
   EXPECT_LT(force().last().out.force.y, 0);
-  ASSERT_TRUE(force().arrow());
-  EXPECT_NEAR(((*force().arrow())[1] - (*force().arrow())[0]).y, -0.3 * weight, 0.1 * weight) << "30 cm for a newton";
+  until([&] {
+    return force().arrow() &&
+           std::fabs((*force().arrow())[1].y - (*force().arrow())[0].y + 0.3 * weight) < 0.02 * weight;
+  });
   w().keep("studio_device_carried");
   QTest::mouseRelease(&w().space(), Qt::LeftButton, {}, (at + QPointF(60, -20)).toPoint());
   until([&] { return w().count() > steps; });
   EXPECT_THAT(text(w().session().steps()[steps].operation), testing::StartsWith("move piece="));
+  // Led away from everything; where it was the cloth goes on to fall.
+  w().hover(w().space(), QPointF(30, 30));
   until([&] { return newtons() == 0; });
 }
 
@@ -157,9 +161,9 @@ TEST_F(StudioForce, TheMouseShowsItsForceAndItsWheelIsDepth) {
       QApplication::sendEvent(&w().space(), &wheel);
     }
     EXPECT_EQ(distance(w().space().camera().eye, before.eye), 0) << "depth, not zoom";
-    until([&] { return newtons() > 0.3; });
-    ASSERT_TRUE(force().arrow());
-    EXPECT_LT(((*force().arrow())[1] - (*force().arrow())[0]).z, -0.05) << "the cloth pulls back, away from who looks";
+    // The cloth pulls back, away from who looks.
+    until([&] { return force().arrow() && ((*force().arrow())[1] - (*force().arrow())[0]).z < -0.09; });
+    EXPECT_GT(newtons(), 0.3);
     w().keep("studio_device_mouse");
   });
   w().rest();
