@@ -32,9 +32,9 @@ Done StagePictures::rest(OpenDocument& opened) { return before(std::numeric_limi
 
 Done StagePictures::draw(const Wish& wish, OpenDocument& opened) {
   if (!picture_) {
-    auto opened = Picture::open();
-    if (!opened) return opened.error();
-    picture_ = std::move(*opened);
+    auto fresh = Picture::open();
+    if (!fresh) return fresh.error();
+    picture_ = std::move(*fresh);
   }
   PictureOptions options;
   std::istringstream words(wish.words);
