@@ -76,7 +76,7 @@ QStatusBar::item { border: none; }
 QDockWidget { titlebar-close-icon: none; }
 QTabWidget::pane { border: none; background: @panel; }
 QTabBar { qproperty-drawBase: 0; }
-QTabBar::tab { padding: 8px 9px; color: @faint; background: transparent; border-bottom: 2px solid transparent; }
+QTabBar::tab { padding: 8px 6px; color: @faint; background: transparent; border-bottom: 2px solid transparent; }
 QTabBar::tab:selected { color: @ink; border-bottom: 2px solid @accent; }
 QTabBar::tab:hover { color: @ink; }
 QSplitter::handle { background: @line; }
