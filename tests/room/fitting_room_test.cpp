@@ -134,6 +134,7 @@ TEST(RoomBoards, TheStickAndTheOtherTriggerAreCtrlAndShift) {
   const auto moved = [&] {
     const Vec3 from{-0.12, 1.17, 0.3};
     at.hand.drag(from, from + Vec3{0, 0.1, 0}, false);
+    EXPECT_EQ(nameOf(at.session.steps().back().operation), "move") << said(at.room);
     return std::get<MovePiece>(at.session.steps().back().operation);
   };
   at.hand.choose(Command::Move);
