@@ -132,10 +132,13 @@ TEST(RoomBoards, TheFlatPatternOnItsTableIsSewnAlike) {
 TEST(RoomBoards, TheStickAndTheOtherTriggerAreCtrlAndShift) {
   TwoSquares at;
   const auto moved = [&] {
-    const Vec3 from{-0.12, 1.17, 0.3};
-    at.hand.drag(from, from + Vec3{0, 0.1, 0}, false);
-    EXPECT_EQ(nameOf(at.session.steps().back().operation), "move") << said(at.room);
-    return std::get<MovePiece>(at.session.steps().back().operation);
+    const PieceId one = at.session.snapshot().document.pieceNamed("one")->id;
+    const Vec3 from = *spaceOf(at.session.snapshot(), one, {0.08, 0.07});
+    at.hand.pointAt(from), at.hand.hold(3), at.hand.trigger(1);
+    at.hand.pointAt(from + Vec3{0, 0.05, 0}), at.hand.hold(3), at.hand.trigger(0);
+    const auto* move = std::get_if<MovePiece>(&at.session.steps().back().operation);
+    EXPECT_TRUE(move) << said(at.room);
+    return move ? *move : MovePiece();
   };
   at.hand.choose(Command::Move);
   EXPECT_FALSE(moved().turn) << "carried as it hangs";
