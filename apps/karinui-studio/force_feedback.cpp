@@ -227,6 +227,7 @@ void ForceFeedback::begin() {
   }
   driver_ = std::make_unique<HapticDriver>(std::move(device), settings);
   if (off_) driver_->servo().emergencyOff();
+  setFocus(view_.window()->isActiveWindow());
   through_ = view_.camera().target;
   clock_.start();
 }

@@ -88,7 +88,8 @@ void Servo::run(bool askRealTime) {
     step_.setLimit(limit_.load(std::memory_order_relaxed));
     step_.setFocus(focus_.load(std::memory_order_relaxed));
     if (TouchLaws laws; laws_.tryRead(laws)) step_.setLaws(laws);
-    off_.load(std::memory_order_relaxed) ? step_.emergencyOff() : step_.takeOffBack();
+    const bool off = off_.load(std::memory_order_relaxed);
+    off ? step_.emergencyOff() : step_.takeOffBack();
     if (step_.mayAdopt(now) && exchange_.mayHandBack())
       if (const TouchScene* scene = exchange_.take()) {
         published = scene->published;
@@ -104,7 +105,8 @@ void Servo::run(bool askRealTime) {
     evaluation_.add(ended - began);
     deviceTime_.add(began - asked + (clock() - ended));
     if (published > 0) sceneAge_.add(now - published);
-    if (tick.state == ServoState::Off) off_.store(true, std::memory_order_relaxed);  // by the device's button
+    // By the device's button. Where it was off before, it may have been taken back during the tick.
+    if (!off && tick.state == ServoState::Off) off_.store(true, std::memory_order_relaxed);
     told_.write(tick);
     ticks_.offer(tick);
 

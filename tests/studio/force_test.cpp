@@ -145,6 +145,26 @@ TEST_F(StudioForce, EmergencyOffByKeyAndByButton) {
   until([&] { return force().last().state == ServoState::Armed; });
 }
 
+// Also of a device that is chosen, or found again at the start, while another window is in front.
+TEST_F(StudioForce, ThereIsNoForceWhileAnotherWindowIsInFront) {
+  w().openTunic();
+  choose(DeviceKind::Simulated);
+  w().key(Command::Move);
+  w().hover(w().space(), w().inSpace("front", {0, 0.1}));
+  until([&] { return force().last().state == ServoState::Armed; });
+  force().setFocus(false);
+  until([&] { return force().last().fault == ServoFault::NoFocus; });
+  force().setFocus(true);
+  until([&] { return force().last().state == ServoState::Armed; });
+  ASSERT_FALSE(w().main().isActiveWindow()) << "without a window manager no window is ever in front";
+  DeviceSettings settings = force().settings();
+  settings.hand = PointerSample::Hand::Left;  // begins anew
+  force().set(settings);
+  w().hover(w().space(), w().inSpace("front", {0, 0.1}) + QPointF(1, 0));
+  until([&] { return force().last().hand.ready && force().last().fault == ServoFault::NoFocus; });
+  EXPECT_EQ(force().last().state, ServoState::Waiting);
+}
+
 TEST_F(StudioForce, TheMouseShowsItsForceAndItsWheelIsDepth) {
   w().openTunic();
   show();

@@ -143,6 +143,43 @@ TEST(Servo, CountsItsTicksAndTellsTheNewest) {
   while (servo.last().state == ServoState::Off) std::this_thread::yield();
 }
 
+// Takes the emergency off back while a tick that is still off is under way.
+class TakesBack : public HapticDevice {
+ public:
+  const DeviceRecord& record() const override { return record_; }
+  HandSample sample() override {
+    HandSample hand = handAt({0, 0.005, 0});
+    hand.buttons = pressed.exchange(false) ? 8 : 0;
+    return hand;
+  }
+  void apply(const HandForce&) override {
+    Servo* const taking = servo.load();
+    if (taking && taking->isOff() && ++ticksOff == 3) taking->takeOffBack();
+  }
+  void stop() override {}
+  std::atomic<Servo*> servo{nullptr};
+  std::atomic<bool> pressed{false};
+  std::atomic<int> ticksOff{0};
+
+ private:
+  DeviceRecord record_ = touchRecord();
+};
+
+TEST(Servo, AnEmergencyOffThatIsTakenBackDuringATickStaysTakenBack) {
+  TakesBack device;
+  ServoSettings settings;
+  settings.offButtons = 8;
+  Servo servo(device, settings);
+  device.servo = &servo;
+  device.pressed = true;  // by its button
+  while (device.ticksOff < 3) std::this_thread::yield();
+  const std::uint64_t then = servo.report().ticks;
+  while (servo.report().ticks < then + 20) std::this_thread::yield();
+  EXPECT_FALSE(servo.isOff());
+  EXPECT_NE(servo.last().state, ServoState::Off);
+  device.servo = nullptr;
+}
+
 TEST(SceneExchange, EveryVersionIsFreedOutsideTheLoop) {
   SceneExchange exchange;
   ServoStep step(touchRecord());
