@@ -49,6 +49,18 @@ class StudioForce : public testing::Test {
   }
   DevicePanel& panel() { return *w().main().findChild<DevicePanel*>(); }
   double newtons() { return length(force().last().out.force); }
+  // The simulated stylus, armed, its button down on the front of the tunic.
+  QPointF pressOnCloth() {
+    w().openTunic();
+    show();
+    choose(DeviceKind::Simulated);
+    w().key(Command::Cut);
+    const QPointF at = w().inSpace("front", {0, 0.1});
+    w().hover(w().space(), at);
+    until([&] { return force().last().state == ServoState::Armed; });
+    QTest::mousePress(&w().space(), Qt::LeftButton, {}, at.toPoint());
+    return at;
+  }
   std::optional<Window> window_;
 };
 
@@ -86,14 +98,7 @@ TEST_F(StudioForce, TheSimulatedStylusFeelsTheGarmentAndMovesAPiece) {
 }
 
 TEST_F(StudioForce, TheStylusIsFeltOnTheSurfaceAndAtItsLimit) {
-  w().openTunic();
-  show();
-  choose(DeviceKind::Simulated);
-  w().key(Command::Cut);
-  const QPointF at = w().inSpace("front", {0, 0.1});
-  w().hover(w().space(), at);
-  until([&] { return force().last().state == ServoState::Armed; });
-  QTest::mousePress(&w().space(), Qt::LeftButton, {}, at.toPoint());
+  const QPointF at = pressOnCloth();
   until([&] { return force().last().touching && newtons() > 0.2; });
   // The wheel leads it deeper; the limit holds.
   auto* limit = panel().findChild<QDoubleSpinBox*>("limit");
@@ -114,14 +119,7 @@ TEST_F(StudioForce, TheStylusIsFeltOnTheSurfaceAndAtItsLimit) {
 }
 
 TEST_F(StudioForce, EmergencyOffByKeyAndByButton) {
-  w().openTunic();
-  show();
-  choose(DeviceKind::Simulated);
-  w().key(Command::Cut);
-  const QPointF at = w().inSpace("front", {0, 0.1});
-  w().hover(w().space(), at);
-  until([&] { return force().last().state == ServoState::Armed; });
-  QTest::mousePress(&w().space(), Qt::LeftButton, {}, at.toPoint());
+  const QPointF at = pressOnCloth();
   until([&] { return newtons() > 0.2; });
   auto* off = w().main().findChild<QAction*>("force_off");
   ASSERT_TRUE(off);
