@@ -31,6 +31,7 @@ int withDocument(Program& program, const std::string& path, bool forReading,
                  const std::function<int(OpenDocument&)>& work) {
   Result<DocumentFile> file = forReading ? DocumentFile::openForReading(path) : DocumentFile::open(path);
   if (!file) return program.console.refuse(file.error());
+  for (const Message& remark : file->remarks()) program.console.note(remark);
   OpenDocument opened(program, std::move(*file));
   return work(opened);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "design/chain.h"
+#include "design/content.h"
 #include "design/file/store.h"
 #include "design/pack.h"
 #include "karinui/base/hash.h"
@@ -11,10 +13,6 @@
 namespace karinui {
 
 namespace {
-
-std::string chained(const std::string& before, const Operation& operation) {
-  return Hasher().add(std::string_view(before)).add(std::string_view(text(operation))).hex();
-}
 
 Error atStep(std::size_t serial, const Error& error) { return {error.kind, say("Step {0}: {1}", serial, error.what)}; }
 
@@ -37,6 +35,7 @@ struct DocumentFile::Inside {
   Head head;
   std::map<std::uint64_t, Document> documents;  // after a step, by seq; 0 is the empty one
   std::filesystem::path path;
+  std::vector<Message> remarks;
   // Names of parts that are in the file already. Holding the part keeps its address from being used again.
   std::map<std::shared_ptr<const void>, std::string> packed;
   std::map<std::string, std::string> figures;  // Body::hash() of figures that are in the file, and their blobs
@@ -138,25 +137,35 @@ struct DocumentFile::Inside {
     }
   }
 
-  // The document kept beside a step, if it is whole and matches the step's hashes.
+  // The document kept beside a step, if it is whole, sound and matches the step's hashes.
   std::optional<Document> kept(const Step& s) {
     if (!store) return std::nullopt;
     const auto parts = store->parts(s.seq);
-    if (!parts || !parts->contains("rest")) return std::nullopt;
+    if (!parts || parts->empty()) return std::nullopt;
+    auto document = unpacked(s, *parts);
+    if (document)
+      remember(*document, *parts);
+    else
+      remarks.push_back(
+          say("What the file keeps of step {0} is damaged; it was made again from the steps.", std::size_t{s.serial}));
+    return document;
+  }
+
+  std::optional<Document> unpacked(const Step& s, const Parts& parts) {
     const auto bytesOf = [&](const std::string& part) {
-      const auto at = parts->find(part);
-      auto bytes = at == parts->end() ? Result<std::string>(notFound({})) : store->blob(at->second);
+      const auto at = parts.find(part);
+      auto bytes = at == parts.end() ? Result<std::string>(notFound({})) : store->blob(at->second);
       return bytes ? std::optional(*std::move(bytes)) : std::nullopt;
     };
     const auto rest = bytesOf("rest");
     auto document = rest ? unpackRest(*rest) : Result<Document>(notFound({}));
     if (!document) return std::nullopt;
-    for (const auto& [part, blob] : *parts) {
+    for (const auto& [part, blob] : parts) {
       if (!part.starts_with("piece ")) continue;
       const auto bytes = bytesOf(part);
       auto piece = bytes ? unpackPiece(*bytes) : Result<Piece>(notFound({}));
       if (!piece || part != "piece " + std::to_string(piece->id.value)) return std::nullopt;
-      if (const auto form = "form " + std::to_string(piece->id.value); parts->contains(form)) {
+      if (const auto form = "form " + std::to_string(piece->id.value); parts.contains(form)) {
         const auto formBytes = bytesOf(form);
         auto shape = formBytes ? unpackForm(*formBytes) : Result<std::shared_ptr<const Form>>(notFound({}));
         if (!shape) return std::nullopt;
@@ -164,9 +173,9 @@ struct DocumentFile::Inside {
       }
       document->pattern.pieces[piece->id] = std::make_shared<const Piece>(*piece);
     }
-    if (document->operations != s.serial || hash(*document) != s.after || drapeHash(*document) != s.stand)
+    if (document->operations != s.serial || hash(*document) != s.after || drapeHash(*document) != s.stand ||
+        !soundContent(*document))
       return std::nullopt;
-    remember(*document, *parts);
     return *document;
   }
 
@@ -185,6 +194,9 @@ struct DocumentFile::Inside {
     for (auto s = missing.rbegin(); s != missing.rend(); ++s) {
       auto document = apply(documents.at((*s)->parent), (*s)->operation, own);
       if (!document) return atStep((*s)->serial, document.error());
+      if (hash(*document) != (*s)->after)
+        remarks.push_back(say("Step {0} leads to another pattern than the file says; the steps were followed.",
+                              std::size_t{(*s)->serial}));
       documents[(*s)->seq] = *std::move(document);
     }
     return &documents.at(seq);
@@ -230,6 +242,10 @@ Done DocumentFile::Inside::begin(Store opened, Context* how) {
       return badInput(
           say("“{0}” is damaged at step {1}; nothing was changed.", path.filename().string(), std::size_t{row.serial}));
     }
+    if (row.before != (parent ? parent->after : hash(Document())))
+      remarks.push_back(
+          say("Step {0} does not begin where the step before it ends: the file was changed by another program.",
+              std::size_t{row.serial}));
     steps.push_back(
         {row.seq, row.parent, row.serial, *std::move(operation), row.chain, row.before, row.after, row.stand});
   }
@@ -261,6 +277,7 @@ Result<DocumentFile> DocumentFile::openForReading(const std::filesystem::path& p
 
 const Document& DocumentFile::document() const { return inside_->documents.at(inside_->head.seq); }
 const std::filesystem::path& DocumentFile::path() const { return inside_->path; }
+const std::vector<Message>& DocumentFile::remarks() const { return inside_->remarks; }
 Blobs& DocumentFile::blobs() { return inside_->blobs; }
 
 std::vector<Step> DocumentFile::steps() const {

@@ -25,7 +25,9 @@ void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker
     const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
     std::optional<Error> why;
     if (!made) why = made.error();
-    return [this, other, why, fresh, done] {
+    std::vector<Message> remarks;
+    if (other) remarks = documentWorker->file().remarks();
+    return [this, other, why, fresh, done, remarks] {
       --longWorks;
       if (other) {
         ++documents;
@@ -38,6 +40,7 @@ void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker
         tellError(*why);
       else
         tell(Notice::Kind::Said, done);
+      for (const Message& remark : remarks) tell(Notice::Kind::Said, remark);
     };
   });
 }

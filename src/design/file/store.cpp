@@ -55,7 +55,7 @@ Done lookAt(const std::filesystem::path& path) {
   return {};
 }
 
-Done checkForm(Database& db) {
+Done checkForm(Database& db, bool damagedToo) {
   const std::string name = db.path().filename().string();
   const auto application = db.number("PRAGMA application_id");
   if (!application) return application.error();
@@ -67,9 +67,11 @@ Done checkForm(Database& db) {
                         static_cast<long long>(*version), static_cast<long long>(kVersion)));
   }
   if (*version < 1) return damaged(db.path());
-  const auto sound = db.text("PRAGMA quick_check(1)");
-  if (!sound) return sound.error();
-  if (*sound != "ok") return damaged(db.path());
+  if (!damagedToo) {
+    const auto sound = db.text("PRAGMA quick_check(1)");
+    if (!sound) return sound.error();
+    if (*sound != "ok") return damaged(db.path());
+  }
   // Exactly our tables: nothing that could run, nothing that could redirect.
   auto schema = db.ask("SELECT name, sql FROM sqlite_master WHERE name NOT LIKE 'sqlite_autoindex_%' ORDER BY name");
   if (!schema) return schema.error();
@@ -130,20 +132,34 @@ Result<Store> Store::open(const std::filesystem::path& path, bool toWrite) {
     // Takes the lock now, and finds out now whether the file can be written.
     if (Done done = db->run("BEGIN EXCLUSIVE; COMMIT;"); !done) return done.error();
   }
-  if (Done done = checkForm(*db); !done) return done.error();
+  if (Done done = checkForm(*db, false); !done) return done.error();
   Store store(*std::move(db));
   store.writable_ = toWrite;
-  if (Done done = store.load(); !done) return done.error();
+  if (Done done = store.load(false); !done) return done.error();
   return store;
 }
 
-Done Store::load() {
+Result<Store> Store::openDamaged(const std::filesystem::path& path) {
+  if (Done done = lookAt(path); !done) return done.error();
+  auto db = Database::open(path, Database::Mode::Read);
+  if (!db) return db.error();
+  if (Done done = checkForm(*db, true); !done) return done.error();
+  Store store(*std::move(db));
+  if (Done done = store.load(true); !done) return done.error();
+  return store;
+}
+
+Done Store::load(bool damagedToo) {
   auto rows = db_.ask(
       "SELECT seq, parent, serial, kind, args, chain, pre_hash, post_hash, stand_hash, seal FROM op ORDER BY seq");
   if (!rows) return rows.error();
   std::map<std::uint64_t, std::uint32_t> serials{{0, 0}};
   for (;;) {
     const auto more = rows->step();
+    if (!more && damagedToo && !rows_.empty()) {  // a page of the table is lost, and all rows behind it
+      ++unsound_;
+      break;
+    }
     if (!more) return more.error();
     if (!*more) break;
     StepRow row;
@@ -155,6 +171,10 @@ Done Store::load() {
     const auto parent = serials.find(row.parent);
     const bool sound = row.seq > 0 && row.parent < row.seq && parent != serials.end() &&
                        row.serial == parent->second + 1 && row.seal() == rows->text(9) && rows_.size() < kMostSteps;
+    if (!sound && damagedToo) {
+      ++unsound_;
+      continue;
+    }
     if (!sound) return damaged(db_.path());
     serials[row.seq] = row.serial;
     rows_.push_back(std::move(row));
@@ -162,11 +182,13 @@ Done Store::load() {
   auto head = db_.ask("SELECT seq, tip, seal FROM head WHERE branch = 1");
   if (!head) return head.error();
   const auto there = head->step();
-  if (!there) return there.error();
-  if (!*there) return damaged(db_.path());
-  head_ = {static_cast<std::uint64_t>(head->number(0)), static_cast<std::uint64_t>(head->number(1))};
-  if (!serials.contains(head_.seq) || !serials.contains(head_.tip) || head->text(2) != sealOf(head_))
-    return damaged(db_.path());
+  if (!damagedToo && !there) return there.error();
+  if (!damagedToo && !*there) return damaged(db_.path());
+  if (there && *there)
+    head_ = {static_cast<std::uint64_t>(head->number(0)), static_cast<std::uint64_t>(head->number(1))};
+  if (serials.contains(head_.seq) && serials.contains(head_.tip) && head->text(2) == sealOf(head_)) return {};
+  if (!damagedToo) return damaged(db_.path());
+  head_.seq = head_.tip = rows_.empty() ? 0 : rows_.back().seq;
   return {};
 }
 
@@ -247,6 +269,14 @@ Result<std::string> Store::blob(const std::string& name) const {
   std::string bytes = rows->text(0);
   if (blobName(bytes) != name) return damaged(db_.path());
   return bytes;
+}
+
+std::vector<std::string> Store::blobNames() const {
+  std::vector<std::string> all;
+  auto rows = db_.ask("SELECT hash FROM blob");
+  for (auto more = rows ? rows->step() : Result<bool>(false); more && *more; more = rows->step())
+    all.push_back(rows->text(0));
+  return all;
 }
 
 }  // namespace karinui

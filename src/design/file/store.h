@@ -30,9 +30,12 @@ class Store {
  public:
   static Result<Store> create(const std::filesystem::path& path);
   static Result<Store> open(const std::filesystem::path& path, bool toWrite);
+  // For reading what is whole of a damaged one: rows that are not sound are counted and left out.
+  static Result<Store> openDamaged(const std::filesystem::path& path);
 
   const std::vector<StepRow>& rows() const { return rows_; }  // by seq
   Head head() const { return head_; }
+  std::size_t unsound() const { return unsound_; }  // rows left out
   bool writable() const { return writable_; }
 
   // One transaction each: on the disk when it returns, or nothing changed.
@@ -42,15 +45,17 @@ class Store {
 
   Result<Parts> parts(std::uint64_t seq) const;
   Result<std::string> blob(const std::string& name) const;  // checked against its name
+  std::vector<std::string> blobNames() const;               // as far as they can be read
   const std::filesystem::path& path() const { return db_.path(); }
 
  private:
   explicit Store(Database db) : db_(std::move(db)) {}
-  Done load();
+  Done load(bool damagedToo);
   Done write(const StepRow* row, const Parts& parts, const std::map<std::string, std::string>& blobs, const Head* head);
   Database db_;
   std::vector<StepRow> rows_;
   Head head_;
+  std::size_t unsound_ = 0;
   bool writable_ = false;
 };
 

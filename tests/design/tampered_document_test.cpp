@@ -1,0 +1,246 @@
+// A seal is no proof: whoever can write a file can seal it. What was changed is told, and what is whole can be saved.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <random>
+
+#include "design/chain.h"
+#include "design/file/store.h"
+#include "design/pack.h"
+#include "design/workroom.h"
+
+namespace karinui {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class TamperedDocument : public ::testing::Test {
+ protected:
+  TamperedDocument() {
+    std::string name = (fs::temp_directory_path() / "karinui-test-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    path_ = folder_ / "coat.karinui";
+    auto file = DocumentFile::create(path_);
+    EXPECT_TRUE(file && room_.play(*file, std::string(kTwoPieces) +
+                                              "sew a=front.side_left b=back.side_left\ndrape\nset spacing=5mm\n"));
+    whole_ = file->document();
+    steps_ = file->steps();
+  }
+  ~TamperedDocument() override { fs::remove_all(folder_); }
+
+  std::string bytes() const {
+    std::ifstream in(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void write(const std::string& all) const { std::ofstream(path_, std::ios::binary) << all; }
+  void sql(const std::string& text) const {
+    sqlite3* db = nullptr;
+    ASSERT_EQ(sqlite3_open(path_.c_str(), &db), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(db, text.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
+    sqlite3_close(db);
+  }
+  std::vector<StepRow> rows() const { return Store::open(path_, false)->rows(); }
+  void put(const StepRow& row) const {
+    sql("UPDATE op SET parent = " + std::to_string(row.parent) + ", serial = " + std::to_string(row.serial) +
+        ", chain = '" + row.chain + "', pre_hash = '" + row.before + "', post_hash = '" + row.after +
+        "', stand_hash = '" + row.stand + "', seal = '" + row.seal() + "' WHERE seq = " + std::to_string(row.seq));
+  }
+  void keep(const std::string& part, const std::string& bytes) const {
+    std::string hex;
+    for (const unsigned char c : bytes) hex += "0123456789abcdef"[c >> 4], hex += "0123456789abcdef"[c & 15];
+    sql("INSERT OR IGNORE INTO blob VALUES('" + blobName(bytes) + "', x'" + hex + "'); UPDATE snap SET blob = '" +
+        blobName(bytes) + "' WHERE seq = 5 AND part = '" + part + "'");
+  }
+  // The document kept beside the last step is another one, with every hash and seal as it should be.
+  void forge(const Document& forged) const {
+    keep("rest", packRest(forged));
+    for (const auto& [id, piece] : forged.pattern.pieces) {
+      keep("piece " + std::to_string(id.value), packPiece(*piece));
+      if (piece->form) keep("form " + std::to_string(id.value), packForm(*piece->form));
+    }
+    StepRow last = rows().back();
+    last.after = hash(forged), last.stand = drapeHash(forged);
+    put(last);
+  }
+  std::vector<std::string> remarks(const DocumentFile& file) const {
+    std::vector<std::string> all;
+    for (const Message& remark : file.remarks()) all.push_back(text(remark));
+    return all;
+  }
+
+  fs::path folder_, path_;
+  Workroom room_;
+  Document whole_;
+  std::vector<Step> steps_;
+};
+
+TEST_F(TamperedDocument, AFileAsItWasWrittenIsReadWithoutAWord) {
+  const auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file);
+  EXPECT_THAT(remarks(*file), IsEmpty());
+}
+
+TEST_F(TamperedDocument, ContentThatNoOperationLeadsToIsMadeAgainFromTheSteps) {
+  const PieceId id = whole_.pattern.pieces.begin()->first;
+  const auto change = [&](const std::function<void(Piece&)>& edit) {
+    return [id, edit](Document& d) {
+      Piece piece = *d.find(id);
+      edit(piece);
+      d.pattern.pieces[id] = std::make_shared<const Piece>(std::move(piece));
+    };
+  };
+  const auto form = [](const std::function<void(Form&)>& edit) {
+    return [edit](Piece& p) {
+      Form now = *p.form;
+      edit(now);
+      p.form = std::make_shared<const Form>(std::move(now));
+    };
+  };
+  const std::vector<std::pair<const char*, std::function<void(Document&)>>> forgeries = {
+      {"no edges", change([](Piece& p) { p.outline.edges.clear(); })},
+      {"an open outline", change([](Piece& p) { p.outline.edges[0].curve.end.u += 0.01; })},
+      {"turned round", change([](Piece& p) {
+         std::reverse(p.outline.edges.begin(), p.outline.edges.end());
+         for (Edge& e : p.outline.edges) e.curve = e.curve.reversed();
+       })},
+      {"one name twice", change([](Piece& p) { p.outline.edges[1].name = p.outline.edges[0].name; })},
+      {"a hole without edges", change([](Piece& p) { p.holes.emplace_back(); })},
+      {"a notch on no edge", change([](Piece& p) {
+         p.marks.push_back({"n", "nowhere", 0.5, {}});
+       })},
+      {"a notch beyond its edge", change([](Piece& p) {
+         p.marks.push_back({"n", p.outline.edges[0].name, 7, {}});
+       })},
+      {"no grain", change([](Piece& p) { p.grain = {}; })},
+      {"no such fabric", change([](Piece& p) { p.fabric = "moonlight"; })},
+      {"a layer far out", change([](Piece& p) { p.layer = 1 << 30; })},
+      {"a pose of zeros", change([](Piece& p) {
+         p.pose = {0, 0, 0, 0, {}};
+       })},
+      {"far away", change([](Piece& p) {
+         p.pose.carry = {1e9, 0, 0};
+       })},
+      {"a form without faces", change(form([](Form& f) { f.faces.clear(); }))},
+      {"a form far away", change(form([](Form& f) {
+         f.space[0] = {1e200, 0, 0};
+       }))},
+      {"a seam without an edge", [](Document& d) { d.pattern.seams.begin()->second.a[0].edge = "nowhere"; }},
+      {"a seam of nothing", [](Document& d) { d.pattern.seams.begin()->second.a.clear(); }},
+      {"a seam backwards", [](Document& d) { d.pattern.seams.begin()->second.a[0].from = 2; }},
+      {"a pin on no piece",
+       [](Document& d) {
+         d.pins[PieceId{999}] = {{0, 0}};
+       }},
+      {"threads one upon another", [](Document& d) { d.settings.spacing = 0; }},
+  };
+  const std::string good = bytes();
+  for (const auto& [name, edit] : forgeries) {
+    SCOPED_TRACE(name);
+    write(good);
+    Document forged = whole_;
+    edit(forged);
+    forge(forged);
+    const auto file = DocumentFile::open(path_, &room_.context);
+    ASSERT_TRUE(file) << text(file.error().what);
+    EXPECT_EQ(hash(file->document()), hash(whole_));
+    EXPECT_THAT(remarks(*file), Contains(HasSubstr("step 5 is damaged; it was made again")));
+    if (hash(forged) != hash(whole_)) {
+      EXPECT_THAT(remarks(*file), Contains(HasSubstr("another pattern than the file says")));
+    }
+  }
+}
+
+TEST_F(TamperedDocument, AStepThatDoesNotFollowIsTold) {
+  StepRow row = rows()[2];
+  row.before = std::string(32, '0');
+  put(row);
+  const auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file);
+  EXPECT_THAT(remarks(*file), Contains(HasSubstr("Step 3 does not begin where the step before it ends")));
+}
+
+TEST_F(TamperedDocument, AStepTakenOutIsTold) {
+  const std::vector<StepRow> before = rows();
+  StepRow last = before[4];
+  sql("DELETE FROM op WHERE seq = 4");
+  last.parent = 3, last.serial = 4;
+  last.chain = chained(before[2].chain, steps_[4].operation);
+  put(last);
+  const auto file = DocumentFile::open(path_, &room_.context);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_THAT(remarks(*file), Not(IsEmpty()));
+}
+
+TEST_F(TamperedDocument, KeptBytesThatWereChangedAreTold) {
+  sql("UPDATE blob SET bytes = x'00' WHERE hash = (SELECT blob FROM snap WHERE seq = 5 AND part = 'rest')");
+  const auto file = DocumentFile::open(path_, &room_.context);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_EQ(hash(file->document()), hash(whole_));
+  EXPECT_THAT(remarks(*file), Contains(HasSubstr("step 5 is damaged; it was made again")));
+}
+
+TEST_F(TamperedDocument, WhatIsWholeIsSavedToANewFile) {
+  const fs::path saved = folder_ / "saved.karinui";
+  sql("UPDATE op SET args = 'ease=2mm' WHERE seq = 3");
+  ASSERT_FALSE(DocumentFile::open(path_));
+  const std::string damaged = bytes();
+  const auto rescued = rescue(path_, saved);
+  ASSERT_TRUE(rescued) << text(rescued.error().what);
+  EXPECT_EQ(rescued->steps, 2u);
+  EXPECT_EQ(rescued->lost, 3u);
+  EXPECT_EQ(bytes(), damaged);
+  const auto file = DocumentFile::open(saved);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_EQ(hash(file->document()), steps_[1].after);
+  EXPECT_THAT(remarks(*file), IsEmpty());
+  EXPECT_THAT(text(rescue(path_, saved).error().what), HasSubstr("There is already a file"));
+}
+
+TEST_F(TamperedDocument, AWholeFileIsSavedWholeWithoutDrapingAgain) {
+  const fs::path saved = folder_ / "saved.karinui";
+  const auto rescued = rescue(path_, saved);
+  ASSERT_TRUE(rescued);
+  EXPECT_EQ(rescued->lost, 0u);
+  const auto file = DocumentFile::open(saved);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(drapeHash(file->document()), drapeHash(whole_));
+  EXPECT_THAT(remarks(*file), IsEmpty());
+}
+
+// What comes out is always a beginning of what was.
+TEST_F(TamperedDocument, DamagedBytesAreSavedAsFarAsTheyAreWhole) {
+  const std::string good = bytes();
+  std::map<std::string, std::string> known{{"", hash(Document())}};
+  for (const Step& s : steps_) known[s.chain] = s.after;
+  std::mt19937_64 dice(2611);
+  std::size_t saved = 0;
+  for (int seed = 0; seed < soak(60); ++seed) {
+    std::string bad = good;
+    for (std::size_t i = 0, n = 1 + dice() % 60; i < n; ++i)
+      bad[512 + dice() % (bad.size() - 512)] ^= static_cast<char>(1 + dice() % 255);
+    write(bad);
+    const fs::path to = folder_ / ("saved" + std::to_string(seed) + ".karinui");
+    if (const auto rescued = rescue(path_, to); !rescued) {
+      EXPECT_FALSE(text(rescued.error().what).empty());
+      EXPECT_FALSE(fs::exists(to)) << seed;
+      continue;
+    }
+    const auto file = DocumentFile::open(to, &room_.context);
+    ASSERT_TRUE(file) << seed << ": " << text(file.error().what);
+    EXPECT_EQ(hash(file->document()), known.at(file->steps().empty() ? "" : file->steps().back().chain)) << seed;
+    ++saved;
+  }
+  EXPECT_GT(saved, 0u);
+}
+
+}  // namespace
+}  // namespace karinui
