@@ -30,8 +30,11 @@ struct DoOptions {
 struct DocumentOnly {
   std::string path;
 };
+struct RescueOptions {
+  std::string path, out;
+};
 struct ImportOptions {
-  std::string file, body, out;
+  std::string file, body, size, out;
   bool overwrite = false;
 };
 
@@ -170,9 +173,10 @@ int runImport(Program& program, const ImportOptions& options) {
   return makeDocument(program, options.out, options.overwrite, [&](OpenDocument& opened) -> Result<void> {
     std::optional<Pattern> pattern;
     if (content == FileContent::Pattern) {
-      Result<Pattern> read = readPattern(options.file);
+      Result<CadPattern> read = readPatternSize(options.file, options.size);
       if (!read) return read.error();
-      pattern = std::move(*read);
+      for (const Message& note : read->notes) program.console.note(note);
+      pattern = std::move(read->pattern);
     }
     const std::string body = pattern ? options.body : options.file;
     if (!body.empty()) {
@@ -185,6 +189,16 @@ int runImport(Program& program, const ImportOptions& options) {
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
     return {};
   });
+}
+
+int runRescue(Program& program, const RescueOptions& options) {
+  const Result<Rescued> rescued = rescue(options.path, options.out);
+  if (!rescued) return program.console.refuse(rescued.error());
+  const Message said = rescued->lost == 0
+                           ? say("All {0} steps are whole.", rescued->steps)
+                           : say("{0} steps are whole and were kept; {1} were not.", rescued->steps, rescued->lost);
+  program.console.answer({{"steps", rescued->steps}, {"lost", rescued->lost}}, help(said));
+  return kDone;
 }
 
 std::string padded(const std::string& name, std::size_t width) {
@@ -240,12 +254,19 @@ void addDocumentVerbs(Program& program) {
       ->add_option("document", log->path, help("The .karinui document"))
       ->required();
 
+  auto save = std::make_shared<RescueOptions>();
+  verb = program.verb(program.cli, "rescue", help("Saves what is whole of a damaged document in a new one"), save,
+                      runRescue);
+  verb->add_option("document", save->path, help("The .karinui document"))->required();
+  verb->add_option("-o,--output", save->out, help("The .karinui document to make"))->required();
+
   auto import = std::make_shared<ImportOptions>();
   verb = program.verb(program.cli, "import", help("Makes a document from a pattern, a body or a script"), import,
                       runImport);
   verb->add_option("file", import->file, help(say("The file: {0}; an SVG as Karinui draws it", listRead(kImported))))
       ->required();
   verb->add_option("-o,--output", import->out, help("The .karinui document to make"))->required();
+  verb->add_option("--size", import->size, help("Of a style in several sizes the one to take; else its sample size"));
   verb->add_option("--body", import->body, help("A body file or built-in size to put the pattern on"));
   verb->add_flag("--overwrite", import->overwrite, help("Replace a document that is there already"));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "karinui/exchange/dxf.h"
 #include "karinui/exchange/garment_code.h"
 #include "karinui/exchange/pattern_json.h"
 
@@ -78,6 +79,21 @@ std::vector<FileFormat> allFormats() {
        .about = say("Panels and stitches as GarmentCode writes them; inner lines and marks are left out."),
        .readPattern = readGarmentCode,
        .write = [](Source from) { return writeGarmentCode(from.pattern); }},
+      {.id = "dxf-aama",
+       .endings = {"dxf"},
+       .in = Content::Pattern,
+       .out = Content::Pattern,
+       .label = say("Pattern for the cutting room (DXF AAMA)"),
+       .about = say("Cut lines, seam lines, notches and grain on numbered layers, as industrial CAD, CLO and plotters "
+                    "read them."),
+       .readSize = readCadPattern,
+       .write = [](Source from) { return writeDxf(from.pattern, DxfDialect::Aama, from.sheet); }},
+      {.id = "dxf-astm",
+       .endings = {"dxf"},
+       .out = Content::Pattern,
+       .label = say("Pattern for the cutting room (DXF ASTM)"),
+       .about = say("The same in the younger dialect, with a second drawing of every curve."),
+       .write = [](Source from) { return writeDxf(from.pattern, DxfDialect::Astm, from.sheet); }},
       {.id = "ops",
        .endings = {"ops"},
        .in = Content::Script,

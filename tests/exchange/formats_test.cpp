@@ -54,7 +54,7 @@ TEST(Formats, EachRowIsWhole) {
     EXPECT_EQ(&fileFormat(format.id), &format);
     EXPECT_FALSE(format.endings.empty());
     EXPECT_TRUE(format.in != FileContent::None || format.out != FileContent::None);
-    EXPECT_EQ(format.in == FileContent::Pattern, format.readPattern != nullptr);
+    EXPECT_EQ(format.in == FileContent::Pattern, format.readPattern || format.readSize);
     const bool here =
         format.out != FileContent::None && format.out != FileContent::Document && format.out != FileContent::Picture;
     EXPECT_EQ(here, format.write != nullptr);
@@ -84,13 +84,13 @@ TEST(Formats, AnUnknownEndingIsToldWhatCanBeRead) {
   EXPECT_EQ(all.kind, Error::Kind::BadInput);
   EXPECT_EQ(text(all.what),
             "“body.stl” has none of the endings that are read here: documents (.karinui), bodies (.glb, .obj, .gltf, "
-            ".ply), patterns (.svg, .json), scripts of operations (.ops).");
+            ".ply), patterns (.svg, .json, .dxf), scripts of operations (.ops).");
   EXPECT_THAT(text(all.what, Language::Japanese), HasSubstr("体（.glb, .obj, .gltf, .ply）、"));
-  const auto pattern = readPattern("nowhere/front.dxf");
+  const auto pattern = readPattern("nowhere/front.hpgl");
   ASSERT_FALSE(pattern);
   EXPECT_THAT(text(pattern.error().what),
-              HasSubstr("“front.dxf” has none of the endings that are read here: patterns"));
-  EXPECT_THAT(text(unwritable("x.xyz").what), HasSubstr(".pdf, .svg, .glb, .obj, .json, .ops."));
+              HasSubstr("“front.hpgl” has none of the endings that are read here: patterns"));
+  EXPECT_THAT(text(unwritable("x.xyz").what), HasSubstr(".pdf, .svg, .glb, .obj, .json, .dxf, .ops."));
 }
 
 TEST(Formats, AFileThatIsWrittenGetsTheEndingOnce) {
@@ -127,7 +127,7 @@ TEST(Formats, APatternIsReadBackByTheRowThatWroteIt) {
       ++tried;
     }
   }
-  EXPECT_EQ(tried, 9);  // svg, karinui, garmentcode
+  EXPECT_EQ(tried, 12);  // svg, karinui, garmentcode, dxf-aama
   std::filesystem::remove_all(folder);
 }
 

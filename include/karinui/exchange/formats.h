@@ -36,6 +36,8 @@ struct ExportSource {
   SheetSettings sheet;
 };
 
+struct CadPattern;  // exchange/dxf.h
+
 struct FileFormat {
   std::string_view id;                    // of one row only: "garmentcode"
   std::vector<std::string_view> endings;  // lower case, without the dot; the first is given to files that are written
@@ -47,6 +49,8 @@ struct FileFormat {
   // (or that has none) reads the file, or else the last row, which then tells what is wrong.
   Result<Pattern> (*readPattern)(std::string_view bytes) = nullptr;
   bool (*recognises)(std::string_view bytes) = nullptr;
+  // In place of readPattern, of files that hold a style in several sizes: one of them, or the sample size (empty).
+  Result<CadPattern> (*readSize)(std::string_view bytes, std::string_view size) = nullptr;
   // The bytes of the file. Null where another module writes it: documents and pictures.
   Result<std::string> (*write)(const ExportSource& source) = nullptr;
 };

@@ -1,0 +1,175 @@
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "exchange/names.h"
+#include "exchange/sheet.h"
+#include "karinui/base/number.h"
+#include "karinui/exchange/dxf.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kMiss = 4e-5;            // metres between a curve and its chords
+constexpr double kNotchDepth = 4;         // mm, as Gerber writes them
+constexpr std::size_t kLongestName = 16;  // of a block, so that with its size it has 20 characters: readers stop there
+constexpr double kTurn = std::numbers::pi / 15;  // 12 degrees between two chords of a cut line are a corner
+constexpr std::string_view kSize = "M";
+
+// Names in these files are ASCII.
+std::string asciiName(std::string_view name, std::set<std::string>& taken) {
+  std::string ascii = edgeWord(name);
+  if (ascii.empty()) ascii = "PIECE";
+  ascii.resize(std::min(ascii.size(), kLongestName - 3));
+  return distinct(ascii, taken);
+}
+
+// Closed, with its corners told from the points on its curves.
+struct Drawn {
+  std::vector<Flat> points;
+  std::vector<char> turn;
+};
+
+Drawn drawn(const Outline& outline) {
+  Drawn all;
+  for (const Edge& edge : outline.edges) {
+    const std::vector<Flat> points = edge.curve.flattened(kMiss);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) all.points.push_back(points[i]), all.turn.push_back(i == 0);
+  }
+  return all;
+}
+
+Drawn drawn(const Ring& ring) {
+  Drawn all{ring, std::vector<char>(ring.size())};
+  for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
+    const Flat in = ring[i] - ring[(i + n - 1) % n], out = ring[(i + 1) % n] - ring[i];
+    all.turn[i] = std::abs(std::atan2(cross(in, out), dot(in, out))) > kTurn;
+  }
+  return all;
+}
+
+class Writing {
+ public:
+  explicit Writing(DxfDialect dialect) : astm_(dialect == DxfDialect::Astm) {
+    group(0, "SECTION"), group(2, "HEADER"), group(0, "ENDSEC"), group(0, "SECTION"), group(2, "BLOCKS");
+  }
+
+  Done piece(const Pattern& pattern, const Piece& piece, double allowance) {
+    const std::string name = asciiName(piece.name, names_), block = name + "_" + std::string(kSize);
+    const Drawn seam = drawn(piece.outline);
+    Drawn boundary = seam;
+    if (allowance > 0) {
+      const auto cut = movedOutwards(seam.points, allowance);
+      if (!cut) return cut.error();
+      boundary = drawn(*cut);
+    }
+    blocks_.push_back(block);
+    group(0, "BLOCK"), group(8, "0"), group(2, block), group(70, "64"), place({0, 0});
+    const Flat at = boundary.points.front();
+    for (const std::string& words :
+         {"Piece Name: " + name, "Size: " + std::string(kSize), std::string(astm_ ? "Quantity: 1,0" : "Quantity: 1"),
+          "Annotation: " + asciiText(piece.name), std::string("Category: "), "Fabric: " + asciiText(piece.fabric)})
+      text(1, at, words);
+    line(1, boundary);
+    points(boundary);
+    if (astm_) line(84, boundary);
+    if (allowance > 0) line(14, seam), points(seam);
+    if (allowance > 0 && astm_) line(87, seam);
+    for (const Outline& hole : piece.holes) {
+      line(11, drawn(hole));
+      if (astm_) line(86, drawn(hole));
+    }
+    for (const NotchPlace& notch : notchPlaces(pattern))
+      if (notch.piece == piece.id) notchAt(notch, allowance);
+    for (const Flat drill : drillHoles(piece)) point(13, drill);
+    grain(piece);
+    for (const InternalLine& inner : piece.lines) {
+      open(8, inner);
+      if (astm_) open(85, inner);
+    }
+    group(0, "ENDBLK"), group(8, "0");
+    return {};
+  }
+
+  std::string finished(std::string_view style) {
+    group(0, "ENDSEC"), group(0, "SECTION"), group(2, "ENTITIES");
+    for (const std::string& words :
+         {"Style Name: " + asciiText(style), std::string(astm_ ? "Author: KARINUI ; KARINUI ; 0.1" : "Author: KARINUI"),
+          "Sample Size: " + std::string(kSize), std::string("Grade Rule Table: "), std::string("Units: METRIC")})
+      text(1, {}, words);
+    if (astm_)
+      text(1, {}, "ASTM/D13Proposal 1 Version: D 6673-04"), text(1, {}, "Curve Tolerance: 0.05");
+    else
+      text(1, {}, "Product: KARINUI"), text(1, {}, "Version: 0.1"), text(1, {}, "Tolerance: 0.05");
+    for (const std::string& block : blocks_) group(0, "INSERT"), group(8, "1"), group(2, block), place({0, 0});
+    group(0, "ENDSEC"), group(0, "EOF");
+    return std::move(out_);
+  }
+
+ private:
+  static std::string asciiText(std::string_view words) {
+    std::string ascii;
+    for (const char c : words.substr(0, 60)) ascii += c >= ' ' && c <= '~' ? c : '_';
+    return ascii;
+  }
+  void group(int code, std::string_view value) {
+    out_.append(std::to_string(code)).append("\r\n").append(value).append("\r\n");
+  }
+  void group(int code, double value) { group(code, fixed(value, 4)); }
+  void place(Flat p, int code = 10) { group(code, p.u * 1e3), group(code + 10, p.v * 1e3); }
+  void text(int layer, Flat at, const std::string& words) {
+    group(0, "TEXT"), group(8, std::to_string(layer)), place(at), group(40, "5"), group(1, words);
+  }
+  void point(int layer, Flat at) { group(0, "POINT"), group(8, std::to_string(layer)), place(at); }
+  void polyline(int layer, const std::vector<Flat>& points, bool closed) {
+    const std::string on = std::to_string(layer);
+    group(0, "POLYLINE"), group(8, on), group(66, "1"), group(70, closed ? "1" : "0");
+    for (const Flat p : points) group(0, "VERTEX"), group(8, on), place(p);
+    group(0, "SEQEND"), group(8, on);
+  }
+  void points(const Drawn& ring) {
+    for (std::size_t i = 0; i < ring.points.size(); ++i) point(ring.turn[i] ? 2 : 3, ring.points[i]);
+  }
+  void line(int layer, const Drawn& ring) { polyline(layer, ring.points, true); }
+  void open(int layer, const InternalLine& inner) {
+    std::vector<Flat> points;
+    for (const Curve& curve : inner.curves)
+      for (const Flat p : curve.flattened(kMiss))
+        if (points.empty() || distance(points.back(), p) > 1e-6) points.push_back(p);
+    if (points.size() >= 2) polyline(layer, points, false);
+  }
+  void notchAt(const NotchPlace& notch, double allowance) {
+    point(4, notch.place + allowance * notch.outward);
+    group(30, kNotchDepth);
+    const Flat inward = -1 * notch.outward;
+    group(50, std::atan2(inward.v, inward.u) * 180 / std::numbers::pi);
+  }
+  // As long as half the piece, through the middle of its outline's box.
+  void grain(const Piece& piece) {
+    Flat low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const Flat p : piece.outline.flattened())
+      low = {std::min(low.u, p.u), std::min(low.v, p.v)}, high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+    const Flat middle = 0.5 * (low + high), half = (0.25 * distance(low, high)) * piece.grain;
+    group(0, "LINE"), group(8, "7"), place(middle - half), place(middle + half, 11);
+  }
+
+  bool astm_;
+  std::string out_;
+  std::set<std::string> names_;
+  std::vector<std::string> blocks_;
+};
+
+}  // namespace
+
+Result<std::string> writeDxf(const Pattern& pattern, DxfDialect dialect, const SheetSettings& settings) {
+  if (pattern.pieces.empty()) return refused(say("There is no piece to print."));
+  if (!(settings.allowance >= 0 && settings.allowance <= 0.1))
+    return refused(say("A seam allowance lies between 0 and 100 mm; usual are 7 to 15 mm."));
+  Writing writing(dialect);
+  for (const auto& [id, piece] : pattern.pieces)
+    if (Done done = writing.piece(pattern, *piece, settings.allowance); !done) return done.error();
+  return writing.finished(settings.title);
+}
+
+}  // namespace karinui
