@@ -31,9 +31,11 @@ Examined examine(const Workload& load) {
   return so;
 }
 
-Result<Finding> run(Workload& load, const Token& token, Workers& workers) {
+Result<Finding> run(Workload& load, const Token& token, Workers& workers, bool continued) {
   Finding finding;
-  const auto report = settle(load.levels, *load.collider, {}, token, workers);
+  SettleSettings settings;
+  settings.continueAfterRest = continued;
+  const auto report = settle(load.levels, *load.collider, settings, token, workers);
   if (!report) return report.error();
   finding.report = *report;
   finding.found = examine(load);

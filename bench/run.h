@@ -17,7 +17,7 @@ struct Finding {
   Examined found;
   DynamicsReport after;  // 300 frames of dynamics after rest
 };
-// The workload's finest state becomes the settled one.
-Result<Finding> run(Workload& load, const Token& token, Workers& workers);
+// The workload's finest state becomes the settled one. `continued`: whether rest itself is measured, too.
+Result<Finding> run(Workload& load, const Token& token, Workers& workers, bool continued = false);
 
 }  // namespace karinui::bench

@@ -5,6 +5,7 @@
 
 #include "bench/cusick.h"
 #include "bench/edits.h"
+#include "bench/energy_plot.h"
 #include "bench/foreign.h"
 #include "bench/run.h"
 #include "commands.h"
@@ -19,11 +20,12 @@ namespace karinui::app {
 namespace {
 
 struct BenchOptions {
-  std::string scene, out, data = "../shared", fabric, pictures, start;
+  std::string scene, out, data = "../shared", fabric, pictures, start, plot;
   std::vector<std::string> judged;
   std::size_t vertices = 0;
   int threads = 1, runs = 0;
   double stretch = 0;  // N/m; 0: as the scene has it
+  bool continued = false;
 };
 
 Result<bench::Workload> withStretch(bench::Workload load, double stretch) {
@@ -48,10 +50,25 @@ void addClearance(Json& object, const bench::Examined& found) {
     object["clearance_mm"] = found.clearance * 1000;
 }
 
+Json continuationJson(const SettleReport& report) {
+  const Continuation& more = *report.continuation;
+  return {{"settled", more.settled},
+          {"steps", more.steps},
+          {"solves", more.solves},
+          {"max_mm", more.max * 1000},
+          {"p99_mm", more.p99 * 1000},
+          {"p95_mm", more.p95 * 1000},
+          {"rms_mm", more.rms * 1000},
+          {"lower_uj", (report.energy[report.fineSteps - 1].joules - report.energy.back().joules) * 1e6}};
+}
+
 Json findingJson(const bench::Workload& load, const bench::Finding& found, int threads, const Console& console) {
   Json object = {{"scene", load.name}, {"threads", threads}};
   object.update(settleJson(found.report, found.found.check, console));
   addClearance(object, found.found);
+  object["fine_steps"] = found.report.fineSteps;
+  object["fine_solves"] = found.report.fineSolves;
+  if (found.report.continuation) object["continuation"] = continuationJson(found.report);
   object["hash"] = Hasher().add(std::span<const Vec3>(load.levels.back().state.position)).hex();  // of where it rests
   for (const ContactTime& time : found.report.contactTimes) object["contact_seconds"][time.name] = time.seconds;
   object["drift_mm"] = found.after.drift * 1000;
@@ -201,8 +218,12 @@ int runBench(Program& program, const BenchOptions& options) {
   if (!load) return program.console.refuse(load.error());
   if (!options.start.empty()) return writeStart(program, options, *load);
   if (!options.judged.empty()) return runJudge(program, options, *load);
-  const auto found = bench::run(*load, program.console.token(), workers);
+  const bool continued = options.continued || !options.plot.empty();
+  const auto found = bench::run(*load, program.console.token(), workers, continued);
   if (!found) return program.console.refuse(found.error());
+  if (!options.plot.empty())
+    if (const Done written = writeFile(options.plot, bench::energyPlot(load->name, found->report)); !written)
+      return program.console.refuse(written.error());
   if (!options.out.empty())
     if (const Done written = writeScene(*load, options.out); !written) return program.console.refuse(written.error());
   const Json object = findingJson(*load, *found, options.threads, program.console);
@@ -241,6 +262,11 @@ void addBenchVerb(Program& program) {
   verb->add_option("--judge", options->judged,
                    help("w1, w2, w3: examine what another program made of the scene, an OBJ file or several, 1/60 s "
                         "apart, and settle nothing"));
+  verb->add_flag("--continue", options->continued,
+                 help("w1, w2, w3, shirt, dress: go on from rest for five times as many steps, at least 500, and tell "
+                      "how far that leads"));
+  verb->add_option("--plot", options->plot,
+                   help("The same, and draw the energy against processor time as an SVG file"));
   verb->add_option("-o,--out", options->out, help("Write the cloth at rest as an OBJ file"));
 }
 

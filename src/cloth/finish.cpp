@@ -24,10 +24,15 @@ Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
 }  // namespace
 
 void ResourceUse::tell(SettleReport& report) const {
-  report.cpuSeconds = static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC;
+  report.cpuSeconds = cpuSeconds();
   report.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
   rusage usage{};
   if (getrusage(RUSAGE_SELF, &usage) == 0) report.peakMegabytes = static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void ResourceUse::leaveOut(const ResourceUse& later) {
+  cpu_ += std::clock() - later.cpu_;
+  wall_ += std::chrono::steady_clock::now() - later.wall_;
 }
 
 Error tornApart() {

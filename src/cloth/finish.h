@@ -10,6 +10,8 @@ namespace karinui {
 class ResourceUse {  // time since it was made and memory, for the report alone
  public:
   void tell(SettleReport& report) const;
+  double cpuSeconds() const { return static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC; }
+  void leaveOut(const ResourceUse& later);  // the time since `later` was made
 
  private:
   std::clock_t cpu_ = std::clock();

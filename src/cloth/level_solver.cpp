@@ -323,6 +323,15 @@ std::vector<Vec3> LevelSolver::internalForces() {
   return pull;
 }
 
+double LevelSolver::potentialEnergy(Vec3 gravity) {
+  if (!wholeMembrane_) wholeMembrane_ = std::make_unique<Membrane>(cloth_);
+  double joules = wholeMembrane_->value(x_, workers_) + bending_->value(x_, workers_);
+  for (const auto& energy : energies_.list)
+    if (energy.get() != energies_.membrane) joules += energy->value(x_, workers_);
+  for (NodeIndex k : moving_) joules -= mass_[k] * dot(gravity, x_[k]);
+  return joules;
+}
+
 std::vector<Vec3> LevelSolver::responseTo(const std::vector<Vec3>& force, const StepOptions& options,
                                           const Token& token) {
   std::vector<Vec3> moves(cloth_.nodeCount);

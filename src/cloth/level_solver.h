@@ -42,6 +42,8 @@ class LevelSolver {
   StepResult predict(const StepOptions& options, const Token& token, std::vector<Vec3>* moves = nullptr);
   // The force of stretch, shear and bending on each node, newtons, also on those that do not move.
   std::vector<Vec3> internalForces();
+  // Joules of stretch, shear, bending and height at x; what contacts store is not in it.
+  double potentialEnergy(Vec3 gravity);
   // The move of each node in a step by `force` (newtons, per node) in place of the unbalanced force; not taken.
   std::vector<Vec3> responseTo(const std::vector<Vec3>& force, const StepOptions& options, const Token& token);
 
@@ -86,6 +88,7 @@ class LevelSolver {
   GridMembrane membraneOnGrid_;
   LevelEnergies energies_;           // beside the grid blocks' membrane
   std::unique_ptr<Energy> bending_;  // after those
+  std::unique_ptr<Membrane> wholeMembrane_;  // with what lies in grid blocks, for the energy's value; made when asked
   std::vector<Block3> blocks_;
   std::unique_ptr<TieMap> ties_;
   std::unique_ptr<BlockSystem> system_;

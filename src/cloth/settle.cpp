@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cloth/boundary_activation.h"
-#include "cloth/finish.h"
+#include "cloth/continuation.h"
 #include "cloth/input_check.h"
 #include "cloth/prolong.h"
 #include "cloth/stages.h"
@@ -83,7 +83,7 @@ double shareBefore(const std::vector<ClothLevel>& levels, std::size_t first, std
 Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList& colliders,
                             const SettleSettings& settings, const Token& token, Workers& workers,
                             const SettleWatcher& watcher) {
-  const ResourceUse spent;
+  ResourceUse spent;
   if (levels.empty()) return badInput(say("There is no cloth to drape."));
   for (const ClothLevel& level : levels)
     if (const auto fine = checkLevel(level); !fine) return fine.error();
@@ -153,9 +153,23 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       RestCriteria criteria = last ? finestCriteria(settings)
                                    : RestCriteria{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 3, 150};
       criteria.sews = formed;
-      end = relax(solver, settings.gravity, criteria, 1.0 / 60, token, watch(say("Draping"), sewn ? 0 : 0.4, 1));
+      const bool traced = last && settings.continueAfterRest;
+      EnergyTrace trace(solver, settings.gravity, spent);
+      StepWatcher draping = watch(say("Draping"), sewn ? 0 : 0.4, 1);
+      if (traced) draping = trace.watching(std::move(draping));
+      end = relax(solver, settings.gravity, criteria, 1.0 / 60, token, draping);
       add();
       stopped = end.stopped;
+      if (last) {
+        report.fineSteps = end.steps;
+        report.fineSolves = end.solves;
+      }
+      if (traced && end.settled) {
+        const ResourceUse more;
+        report.continuation = continueFromRest(solver, settings.gravity, criteria, end, token, trace.watching({}));
+        spent.leaveOut(more);
+      }
+      if (traced) report.energy = trace.take();
     }
     if (end.cancelled || token.cancelled()) return cancelled();
     if (!end.finite) return tornApart();

@@ -82,7 +82,7 @@ StageResult closeSeams(LevelSolver& solver, const Token& token, const StepWatche
 }
 
 StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteria, double firstSeconds,
-                  const Token& token, const StepWatcher& watch) {
+                  const Token& token, const StepWatcher& watch, int stepsBefore) {
   StageResult result;
   LevelSolver::StepOptions options;
   options.seconds = firstSeconds;
@@ -95,8 +95,9 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
   bool touched = false;
   SeamPullSchedule schedule(solver);
   for (int k = 0; k < criteria.mostSteps; ++k) {
-    options.velocityKept = std::clamp(1 - kDamping * (k - kDampAfter), kLeastKept, 1.0);
-    options.damped = k > kDampAfter;
+    const int taken = stepsBefore + k;
+    options.velocityKept = std::clamp(1 - kDamping * (taken - kDampAfter), kLeastKept, 1.0);
+    options.damped = taken > kDampAfter;
     const auto step = solver.step(options, token);
     record(result, step, token);
     if (!result.finite || result.cancelled) return result;
@@ -126,6 +127,7 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
     else
       options.seconds = options.seconds > kLongest ? std::fmax(kLongest, 0.5 * options.seconds)
                                                    : std::fmin(kLongest, 1.1 * options.seconds);
+    result.seconds = options.seconds;
     calm = step.move < allowed && step.residual < criteria.residual && solver.allTied() ? calm + 1 : 0;
     if (calm < criteria.calmSteps) continue;
     if (criteria.left > 0) {

@@ -20,6 +20,7 @@ struct StageResult {
   bool settled = false, finite = true, cancelled = false, stopped = false;
   bool falls = false;  // nothing holds the cloth
   double residual = 0, left = 0;
+  double seconds = 0;  // of the step that would have come next
   std::size_t steps = 0, solves = 0;
 };
 // Called after each step; false: stop here.
@@ -27,8 +28,9 @@ using StepWatcher = std::function<bool(int step, const LevelSolver::StepResult& 
 
 // Closes the seams without weight and friction, until all are tied or nothing comes nearer.
 StageResult closeSeams(LevelSolver& solver, const Token& token, const StepWatcher& watch);
-// Steps with weight and friction, until some calm steps in a row and a long step would move little.
+// Steps with weight and friction, until some calm steps in a row and a long step would move little. `stepsBefore`: how
+// many the solver has taken towards rest already.
 StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteria, double firstSeconds,
-                  const Token& token, const StepWatcher& watch);
+                  const Token& token, const StepWatcher& watch, int stepsBefore = 0);
 
 }  // namespace karinui

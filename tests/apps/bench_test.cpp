@@ -32,6 +32,27 @@ TEST(BenchCommand, TellsHowASceneCameToRest) {
   EXPECT_EQ(contents(again), bytes);
 }
 
+// How near called rest is to where more steps lead, and a drawing of the way there; the outcome stays the same.
+TEST(BenchCommand, MeasuresRest) {
+  Folder folder;
+  const std::string plot = folder / "energy.svg";
+  const auto plain = karinui("bench w3 --vertices 400 --json").json();
+  const Said said = karinui("bench w3 --vertices 400 --json --plot " + plot);
+  ASSERT_EQ(said.exit, 0) << said.err << said.out;
+  const auto json = said.json(), more = json["continuation"];
+  EXPECT_FALSE(plain.contains("continuation"));
+  EXPECT_EQ(json["hash"], plain["hash"]);
+  EXPECT_EQ(json["fine_steps"], plain["fine_steps"]);
+  EXPECT_LT(json["fine_solves"].get<int>(), json["solves"].get<int>());
+  EXPECT_GT(more["steps"].get<int>(), 0);
+  EXPECT_LE(more["p99_mm"].get<double>(), more["max_mm"].get<double>());
+  EXPECT_GE(more["lower_uj"].get<double>(), 0);
+  const std::string drawn = contents(plot);
+  EXPECT_NE(drawn.find("called rest"), std::string::npos);
+  EXPECT_NE(drawn.find("w3: energy"), std::string::npos);
+  EXPECT_EQ(karinui("bench w3 --vertices 400 --plot " + (folder / "no" / "where.svg")).exit, 3);
+}
+
 TEST(BenchCommand, RestsWithTheSameBitsForAnyTeam) {
   for (const char* scene : {"w1", "w2", "w3"}) {
     std::string first;

@@ -71,6 +71,30 @@ TEST(Settle, AnOnlookerSeesEveryStepAndChangesNothing) {
     EXPECT_LT(distance(last[k], watched.back().state.position[k]), 0.01);
 }
 
+// Going on from rest tells how far it leads, and leaves the outcome where rest was called.
+TEST(Settle, MeasuresRestAndChangesNothing) {
+  const Fabric f = *preset("cotton");
+  std::vector<ClothLevel> plain{tunic(5, f), tunic(9, f)}, continued = plain;
+  mustSettle(plain, tunicBody(), 1);
+  Workers workers(1);
+  SettleSettings settings;
+  settings.continueAfterRest = true;
+  const auto report = settle(continued, tunicBody(), settings, {}, workers);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(hashOf(continued.back().state), hashOf(plain.back().state));
+  ASSERT_TRUE(report->continuation);
+  const Continuation& more = *report->continuation;
+  EXPECT_TRUE(more.settled || more.steps >= 500);
+  EXPECT_GT(more.steps, 0u);
+  EXPECT_GT(more.max, 0);
+  EXPECT_LE(more.p99, more.max);
+  EXPECT_LE(more.p95, more.p99);
+  EXPECT_LT(report->fineSteps, report->steps);
+  ASSERT_EQ(report->energy.size(), report->fineSteps + more.steps);
+  EXPECT_LE(report->energy.back().joules, report->energy[report->fineSteps - 1].joules);
+  EXPECT_LT(report->energy.back().joules, report->energy.front().joules);
+}
+
 // A cloth so large that every loop and every sum is cut into several blocks (the largest have 2048 nodes), on a body,
 // touching itself: smaller ones are summed in one piece and would come out the same anyhow.
 TEST(Settle, SameBitsForAnyTeamWhereThereIsWorkForAll) {

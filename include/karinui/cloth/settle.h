@@ -31,6 +31,9 @@ struct SettleSettings {
   // number in stopAfter it stops at the same place, bit for bit.
   std::size_t stopAfter = 0;    // steps, counted over all levels; 0: not before it rests
   StopRequest* stop = nullptr;  // asked after each step; null: nobody stops it
+  // Measures rest itself: goes on from it for five times as many steps, at least 500, and reports how far that leads.
+  // The outcome is where rest was called, the same bits as without.
+  bool continueAfterRest = false;
 };
 
 // `levels`: the same garment at 4h, 2h, h (coarse first; one level is allowed). The finest level's state is replaced on

@@ -24,6 +24,19 @@ struct ContactTime {
   double seconds = 0;
 };
 
+// How far the place called rest is from where the same solver stands after many more steps, with limits of rest fifty
+// times smaller. Metres; the distances are over the nodes that move.
+struct Continuation {
+  bool settled = false;               // whether those limits were met
+  std::size_t steps = 0, solves = 0;  // after rest was called
+  double max = 0, p99 = 0, p95 = 0, rms = 0;
+};
+struct EnergySample {                 // after a step on the finest level, also of the continuation
+  std::size_t steps = 0, solves = 0;  // on that level
+  double cpuSeconds = 0;              // since the drape began
+  double joules = 0;                  // of stretch, shear, bending and height
+};
+
 struct SettleReport {
   bool settled = false;
   Message why;             // why not, or what made it stop
@@ -36,7 +49,11 @@ struct SettleReport {
   // Pieces that were not live and should be: the force of what they are sewn to has changed by so much that they would
   // move. Told once, not kept with a document.
   std::vector<PieceId> toActivate;
-  std::size_t steps = 0, solves = 0;      // `solves`: iterations of the linear solver
+  std::size_t steps = 0, solves = 0;          // `solves`: iterations of the linear solver
+  std::size_t fineSteps = 0, fineSolves = 0;  // of these, those on the finest level
+  // Where SettleSettings::continueAfterRest asked for them; not kept with a document. Nothing else here counts them.
+  std::optional<Continuation> continuation;
+  std::vector<EnergySample> energy;
   std::optional<MergeReport> merged;      // where the merged planes were the collider; filled by who made it
   std::vector<ContactTime> contactTimes;  // wall time by kind of contact; told once, not kept with a document
   double cpuSeconds = 0, wallSeconds = 0, peakMegabytes = 0;
