@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cloth/membrane_stress.h"
 #include "karinui/base/wide.h"
 
 namespace karinui {
@@ -31,11 +32,11 @@ struct Floats {
   float *x, *y, *z;
 };
 
-// Each thread's vector, its force per length of that vector, and its stiffness.
+// Each thread's vector, its force per length of that vector, and its stiffness along itself.
 KARINUI_WIDE void evaluateThreads(const ThreadLoop loop, const double* __restrict x, const double* __restrict y,
                                   const double* __restrict z, const double* __restrict area, double* __restrict dx,
                                   double* __restrict dy, double* __restrict dz, double* __restrict t,
-                                  float* __restrict across, const Floats along, const Floats way) {
+                                  double* __restrict stiffness, const Floats way) {
   const double perStep = 1 / loop.step;
   KARINUI_APART
   for (std::size_t s = loop.begin; s < loop.end; ++s) {
@@ -51,18 +52,11 @@ KARINUI_WIDE void evaluateThreads(const ThreadLoop loop, const double* __restric
     const double risen = over * loop.perToe;
     const double tangent = loop.squeeze + loop.rise * (risen < 1 ? risen : 1) + loop.firmer * firmed;
     const double perThread = area[s] * perStep;
-    const double pull = perThread * force * perLength;
-    const double held = pull > 0 ? pull : 0;
-    const double more = perThread * perStep * tangent - held;
-    const double root = std::sqrt(more > 0 ? more : 0) * perLength;
     dx[s] = a;
     dy[s] = b;
     dz[s] = c;
-    t[s] = pull;
-    across[s] = static_cast<float>(held);
-    along.x[s] = static_cast<float>(root * a);
-    along.y[s] = static_cast<float>(root * b);
-    along.z[s] = static_cast<float>(root * c);
+    t[s] = perThread * force * perLength;
+    stiffness[s] = perThread * perStep * tangent;
     way.x[s] = static_cast<float>(a);
     way.y[s] = static_cast<float>(b);
     way.z[s] = static_cast<float>(c);
@@ -72,10 +66,15 @@ KARINUI_WIDE void evaluateThreads(const ThreadLoop loop, const double* __restric
 struct Ways {  // of threads, three axes
   const double *x, *y, *z;
 };
+struct FourCorners {  // at each node: between weft forth, back and warp forth, back
+  double *ff, *fb, *bf, *bb;
+};
+struct FourFloats {
+  float *ff, *fb, *bf, *bb;
+};
 // The shear at each node of four right angles: its slopes, and its stiffness.
 KARINUI_WIDE void evaluateShear(std::size_t begin, std::size_t end, std::size_t stride, double scale, ShearCurve curve,
-                                const double* __restrict area, const Ways u, const Ways v, double* __restrict pp,
-                                double* __restrict pm, double* __restrict mp, double* __restrict mm,
+                                const double* __restrict area, const Ways u, const Ways v, const FourCorners slope,
                                 float* __restrict corner) {
   const double modulus = curve.modulus, cubic = curve.cubic(), square = 0.75 * curve.cubic();
   KARINUI_APART
@@ -86,11 +85,62 @@ KARINUI_WIDE void evaluateShear(std::size_t begin, std::size_t end, std::size_t 
     const double c = (u.x[l] * v.x[s] + u.y[l] * v.y[s] + u.z[l] * v.z[s]) * scale;
     const double e = (u.x[l] * v.x[d] + u.y[l] * v.y[d] + u.z[l] * v.z[d]) * scale;
     const double k = area[s] * modulus * scale;
-    pp[s] = k * (a + cubic * a * a * a);
-    pm[s] = k * (b + cubic * b * b * b);
-    mp[s] = k * (c + cubic * c * c * c);
-    mm[s] = k * (e + cubic * e * e * e);
+    slope.ff[s] = k * (a + cubic * a * a * a);
+    slope.fb[s] = k * (b + cubic * b * b * b);
+    slope.bf[s] = k * (c + cubic * c * c * c);
+    slope.bb[s] = k * (e + cubic * e * e * e);
     corner[s] = static_cast<float>(k * scale * (1 + square * (a * a + b * b + c * c + e * e)));
+  }
+}
+
+struct Held {  // positive stress at the right angles of a node, summed for each of its four threads
+  double *weftForth, *weftBack, *warpForth, *warpBack;
+};
+// The positive part of the stress at each right angle. A thread's pull is shared by the right angles beside it, each by
+// its area.
+KARINUI_WIDE void projectStress(std::size_t begin, std::size_t end, std::size_t stride, const double* __restrict area,
+                                const double* __restrict weftArea, const double* __restrict warpArea,
+                                const double* __restrict tu, const double* __restrict tv, const FourCorners slope,
+                                const Held held, const FourFloats coupling) {
+  KARINUI_APART
+  for (std::size_t s = begin; s < end; ++s) {
+    const std::size_t l = s - 1, d = s - stride;
+    const double own = area[s];
+    const double uf = weftArea[s] > 0 ? tu[s] * own / weftArea[s] : 0;
+    const double ub = weftArea[l] > 0 ? tu[l] * own / weftArea[l] : 0;
+    const double vf = warpArea[s] > 0 ? tv[s] * own / warpArea[s] : 0;
+    const double vb = warpArea[d] > 0 ? tv[d] * own / warpArea[d] : 0;
+    const MembraneStress ff = positivePart({uf, slope.ff[s], vf}), fb = positivePart({uf, slope.fb[s], vb});
+    const MembraneStress bf = positivePart({ub, slope.bf[s], vf}), bb = positivePart({ub, slope.bb[s], vb});
+    held.weftForth[s] = ff.weft + fb.weft;
+    held.weftBack[s] = bf.weft + bb.weft;
+    held.warpForth[s] = ff.warp + bf.warp;
+    held.warpBack[s] = fb.warp + bb.warp;
+    coupling.ff[s] = static_cast<float>(ff.shear);
+    coupling.fb[s] = static_cast<float>(fb.shear);
+    coupling.bf[s] = static_cast<float>(bf.shear);
+    coupling.bb[s] = static_cast<float>(bb.shear);
+  }
+}
+
+// The stiffness of each thread across and along itself.
+KARINUI_WIDE void finishThreads(std::size_t begin, std::size_t end, std::size_t next, const double* __restrict area,
+                                const double* __restrict cornerArea, const Ways way, const double* __restrict t,
+                                const double* __restrict stiffness, const double* __restrict forth,
+                                const double* __restrict back, float* __restrict across, const Floats along) {
+  KARINUI_APART
+  for (std::size_t s = begin; s < end; ++s) {
+    // Where no right angle is beside it, only its own pull is known.
+    const double rest = area[s] - 2 * (cornerArea[s] + cornerArea[s + next]);
+    const double alone = area[s] > 0 && rest > 1e-6 * area[s] && t[s] > 0 ? t[s] * rest / area[s] : 0;
+    const double held = alone + forth[s] + back[s + next];
+    const double squared = way.x[s] * way.x[s] + way.y[s] * way.y[s] + way.z[s] * way.z[s];
+    const double more = stiffness[s] - held;
+    const double root = std::sqrt((more > 0 ? more : 0) / (squared > kTiny ? squared : kTiny));
+    across[s] = static_cast<float>(held);
+    along.x[s] = static_cast<float>(root * way.x[s]);
+    along.y[s] = static_cast<float>(root * way.y[s]);
+    along.z[s] = static_cast<float>(root * way.z[s]);
   }
 }
 
@@ -129,13 +179,16 @@ GridMembrane::GridMembrane(const Cloth& cloth, const GridLayout& layout) : layou
   }
   for (auto* axes : {&x_, &du_, &dv_})
     for (auto& axis : *axes) axis.assign(layout.slots, 0);
-  for (auto* array : {&tu_, &tv_, &slope_[0], &slope_[1], &slope_[2], &slope_[3]}) array->assign(layout.slots, 0);
+  for (auto* array : {&tu_, &tv_, &ku_, &kv_}) array->assign(layout.slots, 0);
+  for (auto* arrays : {&slope_, &held_})
+    for (auto& array : *arrays) array.assign(layout.slots, 0);
 }
 
 void GridMembrane::evaluate(std::span<const Vec3> x, std::span<Vec3> gradient, GridStiffness& k, Workers& workers) {
   for (auto* axes : {&k.weftAlong, &k.warpAlong, &k.weftWay, &k.warpWay})
     for (auto& axis : *axes) axis.resize(layout_.slots, 0);
   for (auto* array : {&k.weftAcross, &k.warpAcross, &k.corner}) array->resize(layout_.slots, 0);
+  for (auto& array : k.coupling) array.resize(layout_.slots, 0);
   for (std::size_t p = 0; p < layout_.blocks.size(); ++p) {
     const GridBlock& block = layout_.blocks[p];
     const Threads& t = threads_[p];
@@ -149,19 +202,29 @@ void GridMembrane::evaluate(std::span<const Vec3> x, std::span<Vec3> gradient, G
       }
     });
     const auto slots = [&](std::size_t row) { return block.first + row * block.stride; };
+    const Ways u{du_[0].data(), du_[1].data(), du_[2].data()}, v{dv_[0].data(), dv_[1].data(), dv_[2].data()};
+    const FourCorners slope{slope_[0].data(), slope_[1].data(), slope_[2].data(), slope_[3].data()};
+    const Held held{held_[0].data(), held_[1].data(), held_[2].data(), held_[3].data()};
+    const FourFloats coupling{k.coupling[0].data(), k.coupling[1].data(), k.coupling[2].data(), k.coupling[3].data()};
     workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
       evaluateThreads(threadLoop(slots(begin), slots(end), 1, block.weftStep, t.weft), x_[0].data(), x_[1].data(),
                       x_[2].data(), layout_.weftArea.data(), du_[0].data(), du_[1].data(), du_[2].data(), tu_.data(),
-                      k.weftAcross.data(), floats(k.weftAlong), floats(k.weftWay));
+                      ku_.data(), floats(k.weftWay));
       evaluateThreads(threadLoop(slots(begin), slots(end), block.stride, block.warpStep, t.warp), x_[0].data(),
                       x_[1].data(), x_[2].data(), layout_.warpArea.data(), dv_[0].data(), dv_[1].data(), dv_[2].data(),
-                      tv_.data(), k.warpAcross.data(), floats(k.warpAlong), floats(k.warpWay));
+                      tv_.data(), kv_.data(), floats(k.warpWay));
     });
     workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
       evaluateShear(slots(begin), slots(end), block.stride, 1 / (block.weftStep * block.warpStep), t.shear,
-                    layout_.cornerArea.data(), {du_[0].data(), du_[1].data(), du_[2].data()},
-                    {dv_[0].data(), dv_[1].data(), dv_[2].data()}, slope_[0].data(), slope_[1].data(), slope_[2].data(),
-                    slope_[3].data(), k.corner.data());
+                    layout_.cornerArea.data(), u, v, slope, k.corner.data());
+      projectStress(slots(begin), slots(end), block.stride, layout_.cornerArea.data(), layout_.weftArea.data(),
+                    layout_.warpArea.data(), tu_.data(), tv_.data(), slope, held, coupling);
+    });
+    workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
+      finishThreads(slots(begin), slots(end), 1, layout_.weftArea.data(), layout_.cornerArea.data(), u, tu_.data(),
+                    ku_.data(), held.weftForth, held.weftBack, k.weftAcross.data(), floats(k.weftAlong));
+      finishThreads(slots(begin), slots(end), block.stride, layout_.warpArea.data(), layout_.cornerArea.data(), v,
+                    tv_.data(), kv_.data(), held.warpForth, held.warpBack, k.warpAcross.data(), floats(k.warpAlong));
     });
     workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
       for (std::size_t axis = 0; axis < 3; ++axis)

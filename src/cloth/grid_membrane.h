@@ -11,10 +11,12 @@ namespace karinui {
 
 // The positive part of the second derivative: on a relative move m of a thread's ends
 // the force is across m + (along . m) along; at a right angle between a weft and a warp thread that move by a and b, it
-// is that of corner/2 (a . warpWay + weftWay . b)^2. Arrays over slots, x y z.
+// is that of corner/2 (a . warpWay + weftWay . b)^2 + coupling a . b. Arrays over slots, x y z.
 struct GridStiffness {
   std::array<std::vector<float>, 3> weftAlong, warpAlong, weftWay, warpWay;
   std::vector<float> weftAcross, warpAcross, corner;
+  // Of the right angles at a node: of weft forth with warp forth and back, of weft back with warp forth and back.
+  std::array<std::vector<float>, 4> coupling;
 };
 
 class GridMembrane {
@@ -29,11 +31,11 @@ class GridMembrane {
     ShearCurve shear;
   };
   const GridLayout& layout_;
-  std::vector<Threads> threads_;                    // per block
-  std::vector<std::vector<NodeIndex>> node_;        // per block
-  std::array<std::vector<double>, 3> x_, du_, dv_;  // places, threads; then the threads' forces
-  std::vector<double> tu_, tv_;
-  std::array<std::vector<double>, 4> slope_;  // of the four right angles' shear
+  std::vector<Threads> threads_;                     // per block
+  std::vector<std::vector<NodeIndex>> node_;         // per block
+  std::array<std::vector<double>, 3> x_, du_, dv_;   // places, threads; then the threads' forces
+  std::vector<double> tu_, tv_, ku_, kv_;            // of the threads: force per length, stiffness along them
+  std::array<std::vector<double>, 4> slope_, held_;  // of the four right angles' shear; of the four threads there
 };
 
 }  // namespace karinui

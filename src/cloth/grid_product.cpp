@@ -15,16 +15,33 @@ struct Out {
 };
 Axes axes(const SlotVectors& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
 
-struct Corners {  // of the shear between weft forth, back and warp forth, back
-  float *ff, *fb, *bf, *bb;
+struct Ends {  // three axes of the force on each of the four threads at a node, by what happens at its right angles
+  float *weftForth[3], *weftBack[3], *warpForth[3], *warpBack[3];
 };
 
-// The shear of the four right angles at each node, as a force per length of the other thread.
-KARINUI_WIDE void shear(std::size_t begin, std::size_t end, std::size_t stride, const Axes p, const Axes u,
-                        const Axes v, const float* __restrict corner, std::size_t base, const Corners out) {
+// The shear and the stress at the four right angles at each node, as forces on its four threads.
+KARINUI_WIDE void rightAngles(std::size_t begin, std::size_t end, std::size_t stride, const Axes p, const Axes u,
+                              const Axes v, const float* __restrict corner, const float* const* coupling,
+                              std::size_t base, const Ends out) {
+  const float* __restrict kff = coupling[0];
+  const float* __restrict kfb = coupling[1];
+  const float* __restrict kbf = coupling[2];
+  const float* __restrict kbb = coupling[3];
+  float* __restrict rfx = out.weftForth[0];
+  float* __restrict rfy = out.weftForth[1];
+  float* __restrict rfz = out.weftForth[2];
+  float* __restrict rbx = out.weftBack[0];
+  float* __restrict rby = out.weftBack[1];
+  float* __restrict rbz = out.weftBack[2];
+  float* __restrict pfx = out.warpForth[0];
+  float* __restrict pfy = out.warpForth[1];
+  float* __restrict pfz = out.warpForth[2];
+  float* __restrict pbx = out.warpBack[0];
+  float* __restrict pby = out.warpBack[1];
+  float* __restrict pbz = out.warpBack[2];
   KARINUI_APART
   for (std::size_t s = begin; s < end; ++s) {
-    const std::size_t l = s - 1, d = s - stride;
+    const std::size_t l = s - 1, d = s - stride, o = s - base;
     const float x = p.x[s], y = p.y[s], z = p.z[s];
     const float rx = p.x[s + 1] - x, ry = p.y[s + 1] - y, rz = p.z[s + 1] - z;
     const float lx = x - p.x[l], ly = y - p.y[l], lz = z - p.z[l];
@@ -33,35 +50,48 @@ KARINUI_WIDE void shear(std::size_t begin, std::size_t end, std::size_t stride, 
     const float ux = u.x[s], uy = u.y[s], uz = u.z[s], wx = u.x[l], wy = u.y[l], wz = u.z[l];
     const float vx = v.x[s], vy = v.y[s], vz = v.z[s], tx = v.x[d], ty = v.y[d], tz = v.z[d];
     const float c = corner[s];
-    out.ff[s - base] = c * ((rx * vx + ry * vy + rz * vz) + (ux * ax + uy * ay + uz * az));
-    out.fb[s - base] = c * ((rx * tx + ry * ty + rz * tz) + (ux * bx + uy * by + uz * bz));
-    out.bf[s - base] = c * ((lx * vx + ly * vy + lz * vz) + (wx * ax + wy * ay + wz * az));
-    out.bb[s - base] = c * ((lx * tx + ly * ty + lz * tz) + (wx * bx + wy * by + wz * bz));
+    const float ff = c * ((rx * vx + ry * vy + rz * vz) + (ux * ax + uy * ay + uz * az));
+    const float fb = c * ((rx * tx + ry * ty + rz * tz) + (ux * bx + uy * by + uz * bz));
+    const float bf = c * ((lx * vx + ly * vy + lz * vz) + (wx * ax + wy * ay + wz * az));
+    const float bb = c * ((lx * tx + ly * ty + lz * tz) + (wx * bx + wy * by + wz * bz));
+    const float tff = kff[s], tfb = kfb[s], tbf = kbf[s], tbb = kbb[s];
+    rfx[o] = (ff * vx + fb * tx) + (tff * ax + tfb * bx);
+    rfy[o] = (ff * vy + fb * ty) + (tff * ay + tfb * by);
+    rfz[o] = (ff * vz + fb * tz) + (tff * az + tfb * bz);
+    rbx[o] = (bf * vx + bb * tx) + (tbf * ax + tbb * bx);
+    rby[o] = (bf * vy + bb * ty) + (tbf * ay + tbb * by);
+    rbz[o] = (bf * vz + bb * tz) + (tbf * az + tbb * bz);
+    pfx[o] = (ff * ux + bf * wx) + (tff * rx + tbf * lx);
+    pfy[o] = (ff * uy + bf * wy) + (tff * ry + tbf * ly);
+    pfz[o] = (ff * uz + bf * wz) + (tff * rz + tbf * lz);
+    pbx[o] = (fb * ux + bb * wx) + (tfb * rx + tbb * lx);
+    pby[o] = (fb * uy + bb * wy) + (tfb * ry + tbb * ly);
+    pbz[o] = (fb * uz + bb * wz) + (tfb * rz + tbb * lz);
   }
 }
 
 struct Thread {
   const float *across, *ex, *ey, *ez;
 };
-struct AtEnds {  // shear with the other threads at this end and at the next: with those forth and back there
-  const float *forth, *back, *nextForth, *nextBack;
-};
 
-// The force of each thread from slot s to s + next: its tension and the shear at both its ends. `other`: the offset
-// from thread to thread across.
-KARINUI_WIDE void threads(std::size_t begin, std::size_t end, std::size_t next, std::size_t other, const Axes p,
-                          const Thread k, const Axes way, std::size_t base, const AtEnds shear, float* __restrict fx,
+// The force of each thread from slot s to s + next: its tension and what happens at both its ends.
+KARINUI_WIDE void threads(std::size_t begin, std::size_t end, std::size_t next, const Axes p, const Thread k,
+                          std::size_t base, float* const* forth, float* const* back, float* __restrict fx,
                           float* __restrict fy, float* __restrict fz) {
+  const float* __restrict gx = forth[0];
+  const float* __restrict gy = forth[1];
+  const float* __restrict gz = forth[2];
+  const float* __restrict hx = back[0];
+  const float* __restrict hy = back[1];
+  const float* __restrict hz = back[2];
   KARINUI_APART
   for (std::size_t s = begin; s < end; ++s) {
     const float x = p.x[s + next] - p.x[s], y = p.y[s + next] - p.y[s], z = p.z[s + next] - p.z[s];
     const float along = k.ex[s] * x + k.ey[s] * y + k.ez[s] * z;
-    const std::size_t n = s + next, b = s - other, nb = n - other;
-    const float f = shear.forth[s - base], g = shear.back[s - base], h = shear.nextForth[n - base],
-                i = shear.nextBack[n - base];
-    fx[s - base] = k.across[s] * x + along * k.ex[s] + ((f * way.x[s] + g * way.x[b]) + (h * way.x[n] + i * way.x[nb]));
-    fy[s - base] = k.across[s] * y + along * k.ey[s] + ((f * way.y[s] + g * way.y[b]) + (h * way.y[n] + i * way.y[nb]));
-    fz[s - base] = k.across[s] * z + along * k.ez[s] + ((f * way.z[s] + g * way.z[b]) + (h * way.z[n] + i * way.z[nb]));
+    const std::size_t o = s - base, n = o + next;
+    fx[o] = k.across[s] * x + along * k.ex[s] + (gx[o] + hx[n]);
+    fy[o] = k.across[s] * y + along * k.ey[s] + (gy[o] + hy[n]);
+    fz[o] = k.across[s] * z + along * k.ez[s] + (gz[o] + hz[n]);
   }
 }
 
@@ -126,6 +156,7 @@ struct Threads {  // what a grid block's matrix is made of
   const float *weftAcross, *warpAcross;
   Axes weftAlong, warpAlong, weftWay, warpWay;
   const float *corner, *bendWeft, *bendWarp, *twist;
+  const float *forthForth, *forthBack, *backForth, *backBack;  // coupling of the right angles
 };
 
 // The diagonal: the force on each node by its own move.
@@ -151,6 +182,7 @@ KARINUI_WIDE void diagonals(std::size_t begin, std::size_t end, std::size_t stri
     sum.along(c, v.x[s] - u.x[l], v.y[s] - u.y[l], v.z[s] - u.z[l]);
     sum.along(c, v.x[d] - u.x[s], v.y[d] - u.y[s], v.z[d] - u.z[s]);
     sum.along(c, v.x[s] + u.x[s], v.y[s] + u.y[s], v.z[s] + u.z[s]);
+    sum.across(2 * (k.forthForth[s] - k.forthBack[s] - k.backForth[s] + k.backBack[s]));
     // and two of each neighbour's.
     sum.along(k.corner[l], v, l - stride);
     sum.along(k.corner[l], v, l);
@@ -180,7 +212,7 @@ struct Band {
   float* at(std::size_t array) { return data.data() + array * size; }
   void fit(std::size_t slots) {
     size = slots;
-    if (data.size() < 19 * size) data.assign(19 * size, 0);
+    if (data.size() < 27 * size) data.assign(27 * size, 0);
   }
 };
 
@@ -200,17 +232,23 @@ void multiplyRange(const GridLayout& layout, const SlotRange& range, const GridS
   const std::size_t stride = layout.blocks[range.block].stride;
   const std::size_t base = first - stride - kLanes;  // one row above, and room for the slot before it
   band.fit(last + stride + kLanes - base);
-  const Corners corners{band.at(0), band.at(1), band.at(2), band.at(3)};
-  shear(first - stride, last + stride, stride, from, axes(k.weftWay), axes(k.warpWay), k.corner.data(), base, corners);
-  float *fu[] = {band.at(4), band.at(5), band.at(6)}, *fv[] = {band.at(7), band.at(8), band.at(9)};
-  threads(first, last, 1, stride, from,
-          {k.weftAcross.data(), k.weftAlong[0].data(), k.weftAlong[1].data(), k.weftAlong[2].data()}, axes(k.warpWay),
-          base, {corners.ff, corners.fb, corners.bf, corners.bb}, fu[0], fu[1], fu[2]);
-  threads(first - stride, last, stride, 1, from,
-          {k.warpAcross.data(), k.warpAlong[0].data(), k.warpAlong[1].data(), k.warpAlong[2].data()}, axes(k.weftWay),
-          base, {corners.ff, corners.bf, corners.fb, corners.bb}, fv[0], fv[1], fv[2]);
+  const Ends ends{{band.at(0), band.at(1), band.at(2)},
+                  {band.at(3), band.at(4), band.at(5)},
+                  {band.at(6), band.at(7), band.at(8)},
+                  {band.at(9), band.at(10), band.at(11)}};
+  const float* const coupling[4] = {k.coupling[0].data(), k.coupling[1].data(), k.coupling[2].data(),
+                                    k.coupling[3].data()};
+  rightAngles(first - stride, last + stride, stride, from, axes(k.weftWay), axes(k.warpWay), k.corner.data(), coupling,
+              base, ends);
+  float *fu[] = {band.at(12), band.at(13), band.at(14)}, *fv[] = {band.at(15), band.at(16), band.at(17)};
+  threads(first, last, 1, from,
+          {k.weftAcross.data(), k.weftAlong[0].data(), k.weftAlong[1].data(), k.weftAlong[2].data()}, base,
+          ends.weftForth, ends.weftBack, fu[0], fu[1], fu[2]);
+  threads(first - stride, last, stride, from,
+          {k.warpAcross.data(), k.warpAlong[0].data(), k.warpAlong[1].data(), k.warpAlong[2].data()}, base,
+          ends.warpForth, ends.warpBack, fv[0], fv[1], fv[2]);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    float *u = band.at(10 + 3 * axis), *v = band.at(11 + 3 * axis), *w = band.at(12 + 3 * axis);
+    float *u = band.at(18 + 3 * axis), *v = band.at(19 + 3 * axis), *w = band.at(20 + 3 * axis);
     bends(first - stride, last + stride, stride, p[axis].data(), bending.weft.data(), bending.warp.data(),
           bending.twist.data(), base, u, v, w);
     fu[axis][first - 1 - base] = 0;  // before the first column: no thread, no cell
@@ -229,9 +267,10 @@ double dotOf(const SlotRange& range, const SlotVectors& p, const SlotVectors& q)
 void addDiagonals(const GridLayout& layout, const SlotRange& range, const GridStiffness& k, const GridBending& bending,
                   DiagonalBlocks& own) {
   if (range.unstructured()) return;
-  const Threads all{k.weftAcross.data(), k.warpAcross.data(), axes(k.weftAlong), axes(k.warpAlong),
-                    axes(k.weftWay),     axes(k.warpWay),     k.corner.data(),   bending.weft.data(),
-                    bending.warp.data(), bending.twist.data()};
+  const Threads all{k.weftAcross.data(),  k.warpAcross.data(),  axes(k.weftAlong),    axes(k.warpAlong),
+                    axes(k.weftWay),      axes(k.warpWay),      k.corner.data(),      bending.weft.data(),
+                    bending.warp.data(),  bending.twist.data(), k.coupling[0].data(), k.coupling[1].data(),
+                    k.coupling[2].data(), k.coupling[3].data()};
   float* const out[6] = {own[0].data(), own[1].data(), own[2].data(), own[3].data(), own[4].data(), own[5].data()};
   diagonals(range.begin, range.end, layout.blocks[range.block].stride, all, out);
 }

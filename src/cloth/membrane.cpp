@@ -1,5 +1,9 @@
 #include "cloth/membrane.h"
 
+#include <cmath>
+
+#include "cloth/membrane_stress.h"
+
 namespace karinui {
 namespace {
 
@@ -70,10 +74,13 @@ void Membrane::elementBlocks(std::size_t e, const Corners& x, std::span<Block3> 
   const Vec3 weft = mapped(gradient.weft, x), warp = mapped(gradient.warp, x);
   const double lu = length(weft), lv = length(warp);
   const Vec3 nu = lu > kShortest ? weft * (1 / lu) : Vec3{}, nv = lv > kShortest ? warp * (1 / lv) : Vec3{};
-  // Across a thread its tension is the stiffness; compression would make it negative and is left out.
-  const double au = lu > kShortest ? std::fmax(0.0, t.weft.force(lu - 1) / lu) : 0;
-  const double av = lv > kShortest ? std::fmax(0.0, t.warp.force(lv - 1) / lv) : 0;
-  const double bu = t.weft.tangent(lu - 1) - au, bv = t.warp.tangent(lv - 1) - av;
+  // Where the threads are a grid block's, so is what is known of their stress.
+  MembraneStress held;
+  if (t.weft.stiffness > 0 || t.warp.stiffness > 0)
+    held = positivePart({lu > kShortest ? t.weft.force(lu - 1) / lu : 0, t.shear.slope(dot(weft, warp)),
+                         lv > kShortest ? t.warp.force(lv - 1) / lv : 0});
+  const double bu = std::fmax(0.0, t.weft.tangent(lu - 1) - held.weft);
+  const double bv = std::fmax(0.0, t.warp.tangent(lv - 1) - held.warp);
   const double shear = t.shear.curvature(dot(weft, warp));
   std::array<Vec3, 3> byShear;
   for (int a = 0; a < 3; ++a) byShear[a] = warp * gradient.weft[a] + weft * gradient.warp[a];
@@ -83,9 +90,11 @@ void Membrane::elementBlocks(std::size_t e, const Corners& x, std::span<Block3> 
       block = {};
       const double u = gradient.area * gradient.weft[a] * gradient.weft[b],
                    v = gradient.area * gradient.warp[a] * gradient.warp[b];
-      addIdentityAndOuter(block, u * au, u * bu, nu);
-      addIdentityAndOuter(block, v * av, v * bv, nv);
+      addIdentityAndOuter(block, u * held.weft, u * bu, nu);
+      addIdentityAndOuter(block, v * held.warp, v * bv, nv);
       addOuter(block, gradient.area * shear, byShear[a], byShear[b]);
+      const double mixed = gradient.weft[a] * gradient.warp[b] + gradient.warp[a] * gradient.weft[b];
+      addIdentityAndOuter(block, gradient.area * held.shear * mixed, 0, nu);
     }
 }
 
