@@ -266,7 +266,7 @@ int BlockSystem::solve(std::span<const Vec3> force, const StoppingRule& rule, co
     const double pq = multiply(couplings_, workers);
     if (!(pq > 0)) break;
     recent[iteration % last] = rz / pq * rz;
-    energy += recent[iteration % last];
+    if (iteration >= rule.uncounted) energy += recent[iteration % last];
     const auto alpha = static_cast<float>(rz / pq);
     updateResidual(alpha, coarse, workers);
     const double next = applyPreconditioner(alpha, coarse, workers);

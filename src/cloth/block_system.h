@@ -39,7 +39,8 @@ class BlockSystem {
 
   struct StoppingRule {
     int least = 40, most = 400;  // iterations; with a coarse space a quarter of the least is enough
-    double tolerance = 0.1;      // error of the move in the norm of the matrix
+    double tolerance = 0.1;      // error of the move in the norm of the matrix, relative to all that was found
+    int uncounted = 0;           // after so many iterations
   };
   // The move for a force on each unknown (newtons); how many iterations it took. Cut short when cancelled.
   int solve(std::span<const Vec3> force, const StoppingRule& rule, const Token& token, Workers& workers,

@@ -19,6 +19,8 @@ class IntersectionRemoval : public Contact {
   bool start(std::span<const Vec3> x, Workers& workers);
   std::size_t count(std::span<const Vec3> x, Workers& workers);  // intersections of an edge with a face
 
+  bool active() const { return active_; }  // whether something is being separated
+
   const char* name() const override { return "intersections"; }
   void detect(const ContactQuery&, Workers&) override {}  // found after each step
   void addGradient(std::span<Vec3> gradient) const override;

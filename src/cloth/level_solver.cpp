@@ -19,6 +19,11 @@ constexpr double kReversal = 5e-6;                       // metres: a longer mov
 constexpr double kDampingGrowth = 3;                     // factor on the damping each time,
 constexpr double kDampingDecay = 0.7;                    // and each time there is none;
 constexpr double kMostDamping = 1e5;                     // times inertia, at most
+constexpr double kCreepSeconds = 1.0001 / 30;            // of a step: only cloth that creeps takes longer ones
+// Of the solve of a step that went ahead. Its first iterations take out what that strained, and say nothing about the
+// waves that are left.
+constexpr int kLeastAhead = 64, kUncountedAhead = 12;
+constexpr double kToleranceAhead = 2;  // times that of other steps
 
 struct Moving {
   std::vector<NodeIndex> nodes;
@@ -167,6 +172,7 @@ void LevelSolver::updateDamping(const StepOptions& options) {
 void LevelSolver::resetMotion() {
   std::fill(velocity_.begin(), velocity_.end(), Vec3{});
   std::fill(damping_.begin(), damping_.end(), 0.0);
+  momentum_.reset();
   for (const auto& contact : contacts_->list) contact->reset();
 }
 
@@ -178,6 +184,7 @@ void LevelSolver::tieWithin(double gap) {
       changed = true;
     }
   if (!changed) return;
+  momentum_.reset();
   rebuild();
   // What is tied moves as one from now on, with its common momentum.
   std::vector<Vec3> impulse(cloth_.nodeCount), mass(cloth_.nodeCount), p, m;
@@ -228,21 +235,52 @@ double LevelSolver::residual() const {
   return std::sqrt(squares / static_cast<double>(force_.size())) / nodeWeight_;
 }
 
+double LevelSolver::moveAhead(const StepOptions& options, std::vector<Vec3>& ahead) {
+  const bool creeps = options.seconds > kCreepSeconds && options.friction && open_ == 0 && !contacts_->hand->hand() &&
+                      !contacts_->intersections->active();
+  const double share = momentum_.share(creeps, cloth_.spacing);
+  if (!(share > 0)) return 0;
+  ahead.assign(cloth_.nodeCount, {});
+  for (NodeIndex k : moving_) ahead[k] = momentum_.lastMove()[k] * share;
+  eachContact([&](Contact& contact) { contact.limitMove(x_, ahead, workers_); });
+  const std::vector<Vec3> from = x_;
+  for (NodeIndex k : moving_) x_[k] += ahead[k];
+  if (!cloth_.ties.empty()) ties_->enforce(x_);
+  for (NodeIndex k : moving_) ahead[k] = x_[k] - from[k];
+  return share;
+}
+
 LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Token& token) {
   StepResult result;
   if (ties_->unknowns() == 0) return result;
   result.finite = allFinite();
   if (!result.finite) return result;
-  assemble(options);
-  std::vector<Vec3> nodeForce(cloth_.nodeCount);
+  const std::vector<Vec3> from = x_;
+  std::vector<Vec3> ahead;
+  const double share = moveAhead(options, ahead);
+  StepOptions use = options;
+  if (share > 0) {
+    use.damped = true;
+    use.stopping.least = std::max(kLeastAhead, options.stopping.least);
+    use.stopping.uncounted = kUncountedAhead;
+    use.stopping.tolerance = kToleranceAhead * options.stopping.tolerance;
+  }
+  assemble(use);
+  std::vector<Vec3> nodeForce(cloth_.nodeCount), slip(cloth_.nodeCount);
   for (NodeIndex k : moving_) nodeForce[k] = -gradient_[k];
   ties_->reduce(nodeForce, force_);
   result.residual = residual();
-  for (NodeIndex k : moving_) nodeForce[k] += velocity_[k] * (mass_[k] * options.velocityKept / options.seconds);
-  eachContact([&](Contact& contact) { contact.addSlipForce(nodeForce); });
+  // A step that went ahead has coasted and slipped by its share already.
+  eachContact([&](Contact& contact) { contact.addSlipForce(slip); });
+  const double coast = share > 0 ? 0 : options.velocityKept / options.seconds;
+  for (NodeIndex k : moving_) nodeForce[k] += velocity_[k] * (mass_[k] * coast) + slip[k] * (1 - share);
   ties_->reduce(nodeForce, force_);
-  result.iterations = system_->solve(force_, options.stopping, token, workers_, move_);
+  result.iterations = system_->solve(force_, use.stopping, token, workers_, move_);
   ties_->expand(move_, nodeMove_);
+  if (share > 0) {
+    x_ = from;
+    for (NodeIndex k : moving_) nodeMove_[k] += ahead[k];
+  }
   double most = 0;
   for (NodeIndex k : moving_) {
     const double own = squaredLength(nodeMove_[k]);
@@ -257,7 +295,7 @@ LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Toke
   if (result.shortened)
     for (NodeIndex k : moving_) nodeMove_[k] = nodeMove_[k] * scale;
   eachContact([&](Contact& contact) { contact.limitMove(x_, nodeMove_, workers_); });
-  updateDamping(options);
+  updateDamping(use);
   struct Moved {
     double now = 0, before = 0, both = 0, most = 0;
   };
@@ -289,6 +327,7 @@ LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Toke
     energies_.simcloth->setSlackTolerance(
         std::clamp(kSlackShare * result.move, kLeastSlack, kMostSlack * cloth_.spacing));
   result.along = whole.now > 0 && whole.before > 0 ? whole.both / std::sqrt(whole.now * whole.before) : 0;
+  momentum_.afterStep(nodeMove_, result.move, result.shortened, result.along);
   if (!cloth_.ties.empty()) ties_->enforce(x_);
   eachContact([&](Contact& contact) { contact.afterStep(x_, options.friction, workers_); });
   return result;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cloth/block_system.h"
+#include "cloth/creep_momentum.h"
 #include "cloth/grid_membrane.h"
 #include "cloth/level_terms.h"
 
@@ -75,7 +76,10 @@ class LevelSolver {
   void eachContact(const Use& use);                // in order, with its time taken
   double residual() const;                         // rms of force_, in node weights
   void updateDamping(const StepOptions& options);  // after a step, before velocities change
-  void rebuild();                                  // after ties changed
+  // While the cloth creeps, moves it ahead by a share of the last move, which it returns; 0: not moved. `ahead`: by how
+  // far each node was moved.
+  double moveAhead(const StepOptions& options, std::vector<Vec3>& ahead);
+  void rebuild();  // after ties changed
 
   const Cloth& cloth_;
   Workers& workers_;
@@ -86,8 +90,8 @@ class LevelSolver {
   std::vector<NodeIndex> moving_;
   GridLayout layout_;
   GridMembrane membraneOnGrid_;
-  LevelEnergies energies_;           // beside the grid blocks' membrane
-  std::unique_ptr<Energy> bending_;  // after those
+  LevelEnergies energies_;                   // beside the grid blocks' membrane
+  std::unique_ptr<Energy> bending_;          // after those
   std::unique_ptr<Membrane> wholeMembrane_;  // with what lies in grid blocks, for the energy's value; made when asked
   std::vector<Block3> blocks_;
   std::unique_ptr<TieMap> ties_;
@@ -96,6 +100,7 @@ class LevelSolver {
   std::vector<double> contactSeconds_;  // of each
   double nodeWeight_ = 0;               // newtons, mean
   std::vector<double> damping_;         // N/m per node, on the move of a step in any direction
+  CreepMomentum momentum_;
   std::vector<Vec3> force_, move_, nodeMove_;
 };
 
