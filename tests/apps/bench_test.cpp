@@ -50,7 +50,7 @@ TEST(BenchCommand, MeasuresRest) {
   const std::string drawn = contents(plot);
   EXPECT_NE(drawn.find("called rest"), std::string::npos);
   EXPECT_NE(drawn.find("w3: energy"), std::string::npos);
-  EXPECT_EQ(karinui("bench w3 --vertices 400 --plot " + (folder / "no" / "where.svg")).exit, 3);
+  EXPECT_EQ(karinui("bench w3 --vertices 400 --plot " + (folder / "no/where.svg")).exit, 3);
 }
 
 TEST(BenchCommand, RestsWithTheSameBitsForAnyTeam) {
