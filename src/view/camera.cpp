@@ -135,35 +135,30 @@ Camera frameAll(const SceneFrame& frame, View view, double aspect) {
   return camera;
 }
 
+Matrix4 viewOf(Vec3 p, Vec3 right, Vec3 up, Vec3 back) {
+  return {{right.x, up.x, back.x, 0, right.y,        up.y,        back.y,        0,
+           right.z, up.z, back.z, 0, -dot(right, p), -dot(up, p), -dot(back, p), 1}};
+}
+
+// glFrustum (OpenGL 2.1, section 2.11.2), by slopes instead of the edges of its near plane.
+Matrix4 frustumOf(const Slopes& s, double near, double far) {
+  const double wide = s.right - s.left, high = s.top - s.bottom, deep = far - near;
+  return {{2 / wide, 0, 0, 0,  //
+           0, 2 / high, 0, 0,  //
+           (s.right + s.left) / wide, (s.top + s.bottom) / high, -(far + near) / deep, -1,  //
+           0, 0, -2 * far * near / deep, 0}};
+}
+
 Eye eyeOf(const Camera& camera, double aspect, double sideways) {
   const Axes a = axesOf(camera);
   Eye eye;
   eye.place = camera.eye + a.right * sideways;
-  const Vec3 p = eye.place;
-  eye.view.m = {a.right.x, a.up.x, a.back.x, 0, a.right.y,        a.up.y,        a.back.y,        0,
-                a.right.z, a.up.z, a.back.z, 0, -dot(a.right, p), -dot(a.up, p), -dot(a.back, p), 1};
+  eye.view = viewOf(eye.place, a.right, a.up, a.back);
   const double focus = std::max(camera.distance(), 1e-6);
+  const double top = std::tan(camera.fieldOfView / 2), wide = top * aspect;
+  const double shear = -sideways / focus;  // the window at the target's distance stays where it is
   // 24 bits of depth resolve 5 micrometres at the target with these planes.
-  const double near = focus * 0.05, far = focus * 40;
-  const double top = near * std::tan(camera.fieldOfView / 2), wide = top * aspect;
-  const double shear = -sideways * near / focus;  // the window at the target's distance stays where it is
-  const double left = -wide + shear, right = wide + shear;
-  eye.projection.m = {2 * near / (right - left),
-                      0,
-                      0,
-                      0,
-                      0,
-                      near / top,
-                      0,
-                      0,
-                      (right + left) / (right - left),
-                      0,
-                      -(far + near) / (far - near),
-                      -1,
-                      0,
-                      0,
-                      -2 * far * near / (far - near),
-                      0};
+  eye.projection = frustumOf({-wide + shear, wide + shear, -top, top}, focus * 0.05, focus * 40);
   return eye;
 }
 

@@ -48,6 +48,15 @@ struct Eye {
 // projection, P. Bourke, "Calculating stereo pairs", 1999).
 Eye eyeOf(const Camera& camera, double aspect, double sideways = 0);
 
+// The two halves of an Eye, for whoever has its own: world to eye by its place and its unit axes (back points away from
+// what is looked at), and the frustum whose edges have these slopes (sideways metres for a metre ahead; left and bottom
+// negative of an eye that looks ahead) with the depths of OpenGL, 0 < near < far metres.
+Matrix4 viewOf(Vec3 place, Vec3 right, Vec3 up, Vec3 back);
+struct Slopes {
+  double left = -1, right = 1, bottom = -1, top = 1;
+};
+Matrix4 frustumOf(const Slopes& slopes, double near, double far);
+
 // How far apart the two eyes see a point at depth z (along the camera's axis), in pixels of a picture `height` pixels
 // high: x_left - x_right = f b (1/z - 1/D), f = height / (2 tan(fieldOfView / 2)), b the eyes' separation, D the
 // target.
