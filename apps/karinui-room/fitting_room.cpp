@@ -242,11 +242,10 @@ void FittingRoom::point(const Rigid& head, const ControllerState& tool, const Co
   if (mine && !overBoard_) session_.leave();
   overBoard_ = mine;
   if (!mine) session_.feed(sample);
-  const std::optional<Vec3> tip = sample.tip ? std::optional(sample.tip->carry) : std::nullopt;
-  if (mine || sample.where == PointerSample::Where::Table)
-    haptics_.reset();
-  else if (const auto pulse = haptics_.follow(session_, sample, tip, seconds))
-    pulses_[toolSide()].push_back(*pulse);
+  if (mine) return haptics_.reset();
+  const bool inSpace = sample.tip && sample.where == PointerSample::Where::Space;
+  const std::optional<Vec3> tip = inSpace ? std::optional(sample.tip->carry) : std::nullopt;
+  if (const auto pulse = haptics_.follow(session_, tip, seconds)) pulses_[toolSide()].push_back(*pulse);
 }
 
 void FittingRoom::hangChoice(const Rigid& head) {

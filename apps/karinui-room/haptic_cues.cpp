@@ -1,6 +1,7 @@
 #include "haptic_cues.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace karinui::room {
 
@@ -28,46 +29,28 @@ double amplitudeOf(double newtons, double full) {
 
 void HapticCues::reset() {
   evaluator_.reset();
-  pull_.reset();
-  touching_ = snapped_ = false;
+  clicks_.reset();
+  touching_ = false;
 }
 
-bool HapticCues::snapped(const Session& session) const {
-  const Preview preview = session.preview();
-  return session.tool() == Command::Move && !preview.carried.empty() && !preview.space.dots.empty();
-}
+std::optional<HapticPulse> HapticCues::follow(const Session& session, std::optional<Vec3> tip, double seconds) {
+  const TouchSource source = session.touchSource();
+  const std::optional<std::uint32_t> before = std::exchange(clicks_, source.handling.clicks);
+  if (before && *before != source.handling.clicks) return kSnap;
 
-std::optional<HapticPulse> HapticCues::follow(const Session& session, const PointerSample& sample,
-                                              std::optional<Vec3> tip, double seconds) {
-  const bool before = std::exchange(snapped_, snapped(session));
-  if (snapped_ && !before) return kSnap;
-
-  // Where the cloth is held, by its ray's place or by the tip.
-  if (sample.phase == PointerSample::Phase::Press && session.tool() == Command::Pull) {
-    const auto hit = pick(session.snapshot(), session.table(), sample);
-    if (hit.on == Hit::On::Cloth) pull_ = Handling::Pull{hit.piece, hit.paper, hit.point, hit.point, {}};
-  }
-  if (!session.begun() || session.tool() != Command::Pull) pull_.reset();
-
-  Handling handling;
-  Vec3 at = tip.value_or(Vec3{});
-  if (pull_) {
-    handling.pull = pull_;
-    const Preview preview = session.preview();
-    if (!tip && !preview.space.dots.empty()) at = preview.space.dots.front();  // the end of the ray
-  } else if (!tip) {
+  const auto& pull = source.handling.pull;
+  if (!tip && pull) tip = pull->place;  // the end of the ray
+  if (!tip) {
     evaluator_.reset();
     touching_ = false;
     return std::nullopt;
   }
-  for (const auto& [piece, moved] : session.preview().carried) handling.carried.insert(piece);
-  const TouchScene scene = touchSceneOf(session.snapshot(), at, handling);
-  const TouchForces forces = evaluator_.evaluate(scene, motor(), TouchLaws(), at, {});
+  const TouchForces forces = evaluator_.evaluate(source.sceneAt(*tip), motor(), TouchLaws(), *tip, {});
   const bool began = forces.touching && !touching_;
   touching_ = forces.touching;
   if (seconds < next_ && !began) return std::nullopt;
   const double amplitude =
-      pull_ ? amplitudeOf(length(forces.pull), kTensionFull) : amplitudeOf(length(forces.contact), kContactFull);
+      pull ? amplitudeOf(length(forces.pull), kTensionFull) : amplitudeOf(length(forces.contact), kContactFull);
   if (amplitude <= 0 && !began) return std::nullopt;
   next_ = seconds + kEvery;
   return HapticPulse{std::max(amplitude, began ? 0.35 : kLeast), began ? 0.03 : kEvery};

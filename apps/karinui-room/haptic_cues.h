@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "karinui/session/session.h"
-#include "karinui/session/touch_scene_of.h"
 #include "karinui/touch/evaluate.h"
 
 namespace karinui::room {
@@ -18,17 +17,15 @@ struct HapticPulse {
 
 class HapticCues {
  public:
-  // The tip in the fitting, or none where the hand only points or is out of sight. `sample`: what the session was fed.
-  // At most one pulse for each call.
-  std::optional<HapticPulse> follow(const Session& session, const PointerSample& sample, std::optional<Vec3> tip,
-                                    double seconds);
+  // What the session makes the hand feel (Session::touchSource()). `tip`: in the fitting, or none where the hand only
+  // points or is out of sight. At most one pulse for each call.
+  std::optional<HapticPulse> follow(const Session& session, std::optional<Vec3> tip, double seconds);
   void reset();
 
  private:
-  bool snapped(const Session& session) const;
   TouchEvaluator evaluator_;
-  std::optional<Handling::Pull> pull_;
-  bool touching_ = false, snapped_ = false;
+  std::optional<std::uint32_t> clicks_;  // so many the session had counted
+  bool touching_ = false;
   double next_ = 0;  // when the motor may be told again
 };
 

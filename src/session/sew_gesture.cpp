@@ -171,7 +171,9 @@ class SewGesture : public Gesture {
   bool begun() const override { return stroke_ || !first_.empty(); }
   // An edge that will be sewn is felt when the hand comes to it.
   void addTo(Handling& handling) const override {
-    if (const auto other = stroke_ ? stroke_->target() : std::nullopt)
+    const bool second = !stroke_ && !first_.empty() && !asks_ && hover_ &&
+                        !overlap(first_, {{PieceRef(hover_->piece), hover_->edge, 0, 1}});
+    if (const auto other = stroke_ ? stroke_->target() : second ? hover_ : std::nullopt)
       handling.snap = std::hash<std::string>()(text(other->piece) + "." + other->edge) | 1;
   }
   KeyStops keyStops() const override { return KeyStops::Edges; }

@@ -28,9 +28,8 @@ TEST_F(RoomHaptics, ContactIsFeltWhenItBeginsAndTheMoreTheDeeper) {
   const auto met = session.snapshot().body->bvh().first({0.02, 1.45, 2}, {0, 0, -1});
   ASSERT_TRUE(met);
   HapticCues cues;
-  PointerSample hover;
   const auto feel = [&](double depth, double seconds) {
-    return cues.follow(session, hover, met->point + Vec3{0, 0, -depth}, seconds);
+    return cues.follow(session, met->point + Vec3{0, 0, -depth}, seconds);
   };
   EXPECT_FALSE(feel(-0.02, 0));
   const auto touched = feel(0.001, 0.01);
@@ -41,7 +40,7 @@ TEST_F(RoomHaptics, ContactIsFeltWhenItBeginsAndTheMoreTheDeeper) {
   ASSERT_TRUE(shallow && deep);
   EXPECT_GT(deep->amplitude, shallow->amplitude);
   EXPECT_FALSE(feel(-0.02, 0.6));
-  EXPECT_FALSE(cues.follow(session, hover, std::nullopt, 0.8));
+  EXPECT_FALSE(cues.follow(session, std::nullopt, 0.8));
 }
 
 TEST_F(RoomHaptics, TensionGrowsWithThePull) {
@@ -54,19 +53,20 @@ TEST_F(RoomHaptics, TensionGrowsWithThePull) {
   sample.reach = 0.01;
   sample.phase = PointerSample::Phase::Press;
   session.feed(sample);
-  cues.follow(session, sample, held, 0);
+  cues.follow(session, held, 0);
   double before = 0;
   for (const double pulled : {0.01, 0.02, 0.04}) {
     sample.phase = PointerSample::Phase::Drag;
     sample.tip->carry = held + Vec3{0, 0, pulled};
     session.feed(sample);
-    const auto pulse = cues.follow(session, sample, sample.tip->carry, 10 * pulled);
+    const auto pulse = cues.follow(session, sample.tip->carry, 10 * pulled);
     ASSERT_TRUE(pulse) << pulled;
     EXPECT_GT(pulse->amplitude, before) << pulled;
     before = pulse->amplitude;
   }
 }
 
+// Outline to outline, then corner to corner: each once.
 TEST_F(RoomHaptics, ASnapIsFeltOnce) {
   session.command(Command::Move);
   const auto& low = *session.snapshot().document.pieceNamed("low");
@@ -77,19 +77,60 @@ TEST_F(RoomHaptics, ASnapIsFeltOnce) {
   sample.reach = 0.03;
   sample.phase = PointerSample::Phase::Press;
   session.feed(sample);
-  int snaps = 0;
-  bool met = false;
+  int snaps = 0, met = 0;
+  std::size_t before = 0;
   for (int k = 0; k <= 60; ++k) {  // upwards, until its corners meet the other piece's
     sample.phase = PointerSample::Phase::Drag;
     sample.tip->carry = held + Vec3{0, 0.002 * k, 0};
     session.feed(sample);
-    met |= !session.preview().space.dots.empty();
-    const auto pulse = cues.follow(session, sample, std::nullopt, 0.02 * k);
+    const std::size_t snap = session.touchSource().handling.snap;
+    met += snap != 0 && snap != before;
+    before = snap;
+    const auto pulse = cues.follow(session, std::nullopt, 0.02 * k);
     snaps += pulse && pulse->amplitude == 0.7;
     if (snaps > 0 && session.preview().space.dots.empty()) break;
   }
-  EXPECT_TRUE(met);
-  EXPECT_EQ(snaps, 1);
+  EXPECT_EQ(met, 2);
+  EXPECT_EQ(snaps, met);
+}
+
+// The edge that will be sewn is felt when the ray comes to it, dragged to or clicked.
+TEST_F(RoomHaptics, AnEdgeThatWillBeSewnIsFelt) {
+  const auto middle = [&](const char* piece) {
+    const auto& found = *session.snapshot().document.pieceNamed(piece);
+    Vec3 best{0, piece == std::string("front") ? 9.0 : -9.0, 0};  // the two edges that face each other
+    for (const Edge& edge : found.outline.edges) {
+      const auto line = edgeInSpace(session.snapshot(), {PieceRef(found.id), edge.name});
+      const Vec3 at = line[line.size() / 2];
+      if (piece == std::string("front") ? at.y < best.y : at.y > best.y) best = at;
+    }
+    return best;
+  };
+  const Vec3 from = middle("low"), to = middle("front");
+  for (const bool dragged : {true, false}) {
+    SCOPED_TRACE(dragged);
+    session.command(Command::Sew);
+    HapticCues cues;
+    int snaps = 0;
+    double seconds = 0;
+    const auto feed = [&](Vec3 at, PointerSample::Phase phase) {
+      PointerSample sample;
+      sample.ray = {at + Vec3{0, 0, 1}, {0, 0, -1}};
+      sample.reach = 0.01;
+      sample.phase = phase;
+      session.feed(sample);
+      const auto pulse = cues.follow(session, std::nullopt, seconds += 0.02);
+      snaps += pulse && pulse->amplitude == 0.7;
+    };
+    using Phase = PointerSample::Phase;
+    feed(from, Phase::Hover);
+    feed(from, Phase::Press);
+    if (!dragged) feed(from, Phase::Release);
+    EXPECT_EQ(snaps, 0);
+    for (int k = 1; k <= 20; ++k) feed(lerp(from, to, k / 20.0), dragged ? Phase::Drag : Phase::Hover);
+    EXPECT_EQ(snaps, 1);
+    session.command(Command::Cancel);
+  }
 }
 
 TEST_F(RoomHaptics, NoForceIsNoVibrationAndAllOfItTheMost) {
