@@ -23,10 +23,8 @@ constexpr double kStickDead = 0.25, kStickTurns = 0.7;
 constexpr double kRise = 0.35;                       // metres a second, the stick all the way
 constexpr double kStickTurn = 0.5235987755982988;    // 30 degrees a push
 constexpr double kVignetteIn = 8, kVignetteOut = 3;  // shares a second
-constexpr double kBeside = 0.10;                     // of a choice's distance: beside what it is about
-
-constexpr std::array kStrip{RoomCommand::Select, RoomCommand::Finish,      RoomCommand::Cancel,
-                            RoomCommand::Redo,   RoomCommand::ChangeScale, RoomCommand::Keep};
+constexpr Vec3 kListAt{0, -0.12, -1};                // metres from the eyes: what a list hangs before
+constexpr std::size_t kLongList = 8;                 // more than so many items are hung in two columns
 
 std::string dayNow() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -67,8 +65,8 @@ SceneMenu FittingRoom::strip() const {
   // Beside the menu, towards the middle of the view, its buttons as large.
   const SceneMenu::Button& like = menu->buttons.front();
   const double rim = like.left, gap = rim * 0.5, wide = length(menu->across), button = like.height;
-  std::size_t count = kStrip.size();
-  if (options_.documents.empty()) --count;
+  const std::vector<Offer> offers = stripOffers(session_, options_.scale, list_, !options_.documents.empty());
+  const std::size_t count = offers.size();
   const double high = static_cast<double>(count) * (button * 0.62 + gap) - gap + 2 * rim;
   const Vec3 aside = normalized(menu->across) * (wide * 1.12) * (options_.left ? 1.0 : -1.0);
   strip.across = menu->across;
@@ -81,51 +79,40 @@ SceneMenu FittingRoom::strip() const {
     one.height = button * 0.62;
     one.bottom = high - rim - one.height - static_cast<double>(i) * (one.height + gap);
     one.hot = hotStrip_ == i;
-    switch (kStrip[i]) {
-      case RoomCommand::Select:
-        one.label = info(Command::Select).label;
-        one.chosen = session_.tool() == Command::Select;
-        break;
-      case RoomCommand::Finish:
-        one.label = info(Command::Confirm).label;
-        one.enabled = session_.can(Command::Confirm);
-        break;
-      case RoomCommand::Cancel:
-        one.label = info(Command::Cancel).label;
-        break;
-      case RoomCommand::Redo:
-        one.label = info(Command::Redo).label;
-        one.enabled = session_.can(Command::Redo);
-        break;
-      case RoomCommand::ChangeScale:
-        one.label = options_.scale == Scale::One ? say("On a desk") : say("Life size");
-        break;
-      case RoomCommand::Keep:
-        one.label = say("Keep");
-        one.enabled = !session_.path().empty();
-        break;
-    }
+    one.label = offers[i].label, one.enabled = offers[i].enabled, one.chosen = offers[i].chosen;
     strip.buttons.push_back(std::move(one));
   }
   return strip;
 }
 
-void FittingRoom::perform(RoomCommand command) {
-  switch (command) {
-    case RoomCommand::Select:
-      return session_.command(Command::Select);
-    case RoomCommand::Finish:
-      return session_.command(Command::Confirm);
-    case RoomCommand::Cancel:
-      return session_.command(Command::Cancel);
-    case RoomCommand::Redo:
-      return session_.command(Command::Redo);
+void FittingRoom::perform(const Offer& offer) {
+  if (!offer.enabled) return;
+  const std::optional<RoomCommand> opened = std::exchange(list_, std::nullopt);
+  if (const auto* command = std::get_if<Command>(&offer.what)) {
+    if (opened && *command == Command::Cancel) return;  // the list is closed, nothing else
+    return session_.command(*command);
+  }
+  if (const auto* operation = std::get_if<Operation>(&offer.what)) return session_.perform(*operation);
+  switch (const auto own = std::get<RoomCommand>(offer.what)) {
+    case RoomCommand::More:
+      if (!opened) list_ = own;
+      return;
+    case RoomCommand::Figure:
+    case RoomCommand::Fabric:
+      list_ = own;
+      return;
     case RoomCommand::ChangeScale:
       changeScale_ = true;
       return;
     case RoomCommand::Keep:
       return keep();
   }
+}
+
+void FittingRoom::pressOnChoice(std::size_t item) {
+  if (!choiceOf_) return session_.choose(item);
+  const std::vector<Offer> offers = listOffers(session_, *choiceOf_);
+  if (item < offers.size()) perform(offers[item]);
 }
 
 void FittingRoom::keep() {
@@ -197,8 +184,8 @@ bool FittingRoom::onBoards(const PointerSample& sample) {
   if (!onChoice && !onStrip) return false;
   if (sample.phase == Phase::Press) {
     boardDown_ = true;
-    if (hotChoice_) session_.choose(*hotChoice_);
-    if (hotStrip_) perform(kStrip[*hotStrip_]);
+    if (hotChoice_) pressOnChoice(*hotChoice_);
+    if (hotStrip_) perform(stripOffers(session_, options_.scale, list_, !options_.documents.empty())[*hotStrip_]);
   }
   return true;
 }
@@ -250,34 +237,30 @@ void FittingRoom::point(const Rigid& head, const ControllerState& tool, const Co
 
 void FittingRoom::hangChoice(const Rigid& head) {
   const auto menu = session_.dropMenu();
-  if (!menu) return choice_.reset();
+  const bool isList = !menu && list_;
+  if (std::exchange(choiceOf_, isList ? list_ : std::nullopt) != choiceOf_ || (!menu && !isList)) choice_.reset();
+  if (!menu && !isList) return;
+  const std::vector<Offer> offers = isList ? listOffers(session_, *list_) : std::vector<Offer>();
+  const std::vector<Message> title = isList ? std::vector{titleOf(*list_)} : menu->title;
+  const std::size_t items = isList ? offers.size() : menu->items.size(), columns = items > kLongList ? 2 : 1;
   if (!choice_) {
-    const Vec3 about =
-        menu->where == PointerSample::Where::Table ? table_.at(menu->table) : placement_.fittingToStand(menu->space);
-    const Vec3 eyes = placement_.roomToStand(head.carry), way = about - eyes;
-    const double far = std::clamp(length(way), 0.3 / placement_.scale, 2.5 / placement_.scale);
-    const Vec3 ahead = normalized(way), right = normalized(cross(ahead, Vec3{0, 1, 0}));
-    const Vec3 up = cross(right, ahead);
-    const double near = far * 0.8, unit = near * 0.055, wide = near * 0.62;
-    choice_.emplace();
-    choice_->panel.across = right * wide;
-    choice_->panel.upward = up * (unit * static_cast<double>(menu->items.size()));
-    const Vec3 corner = eyes + ahead * near + right * (kBeside * near);
-    choice_->panel.corner = corner - choice_->panel.upward * 0.5;
+    const Vec3 about = isList ? placement_.roomToStand(head.carry + turnedAboutUp(kListAt, headingOf(head)))
+                       : menu->where == PointerSample::Where::Table ? table_.at(menu->table)
+                                                                    : placement_.fittingToStand(menu->space);
+    choice_ = choiceBefore(placement_.roomToStand(head.carry), about, placement_.scale, items, columns);
   }
-  choice_->title = menu->title;
-  const double wide = length(choice_->panel.across);
-  const double unit = length(choice_->panel.upward) / static_cast<double>(std::max<std::size_t>(1, menu->items.size()));
+  choice_->title = title;
   choice_->panel.buttons.clear();
-  for (std::size_t i = 0; i < menu->items.size(); ++i) {
-    SceneMenu::Button button;
-    button.left = wide * 0.02, button.width = wide * 0.96;
-    button.height = unit * 0.92;
-    button.bottom = unit * (static_cast<double>(menu->items.size() - 1 - i) + 0.04);
-    const DropMenu::Item& item = menu->items[i];
-    button.label = !item.checked ? item.label : *item.checked ? say("☑ {0}", item.label) : say("☐ {0}", item.label);
+  for (std::size_t i = 0; i < items; ++i) {
+    SceneMenu::Button button = buttonOn(choice_->panel, i, items, columns);
     button.hot = hotChoice_ == i;
-    button.chosen = menu->current == i;
+    if (isList) {
+      button.label = offers[i].label, button.enabled = offers[i].enabled, button.chosen = offers[i].chosen;
+    } else {
+      const DropMenu::Item& item = menu->items[i];
+      button.label = !item.checked ? item.label : *item.checked ? say("☑ {0}", item.label) : say("☐ {0}", item.label);
+      button.chosen = menu->current == i;
+    }
     choice_->panel.buttons.push_back(std::move(button));
   }
 }
@@ -321,7 +304,8 @@ void FittingRoom::step(const Rigid& head, const Hands& hands, double seconds) {
   const bool flown = moved || sticked.foot.y != placement_.foot.y;
   vignette_ = std::clamp(vignette_ + (flown ? kVignetteIn : -kVignetteOut) * passed, 0.0, 1.0);
 
-  if (tableOf_ != session_.changes().garment)
+  // Not while something is held: a table that makes room for paper as it grows would carry it away under the ray.
+  if (!session_.begun() && tableOf_ != session_.changes().garment)
     table_ = patternTableFor(session_, options_.left), tableOf_ = session_.changes().garment;
   session_.setViewpoint(menuViewpoint());
   for (const std::size_t side : {kLeft, kRight}) {

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <vector>
 
+#include "choice_board.h"
 #include "controller_mapper.h"
 #include "haptic_cues.h"
 #include "karinui/session/session.h"
 #include "menu_anchor.h"
 #include "pattern_table.h"
 #include "placement.h"
+#include "tool_boards.h"
 
 namespace karinui::room {
 
@@ -21,8 +23,6 @@ struct RoomOptions {
   Language language = Language::English;
   std::filesystem::path documents;  // where Keep moves a draft; empty: there is no Keep
 };
-
-enum class RoomCommand { Select, Finish, Cancel, Redo, ChangeScale, Keep };
 
 // A sentence that is read in the air for a while.
 struct Caption {
@@ -65,10 +65,7 @@ class FittingRoom {
   const std::array<HandShown, 2>& hands() const { return shown_; }
   std::optional<SceneMenu> menu() const { return session_.menu(); }  // in the fitting
   SceneMenu strip() const;                                           // in the fitting
-  struct Choice {
-    std::vector<Message> title;
-    SceneMenu panel;  // in the stand
-  };
+  // Where something is to be chosen: how a seam is meant, or from the list that the strip's "More" opens.
   const std::optional<Choice>& choice() const { return choice_; }
   const std::vector<Caption>& captions() const { return captions_; }
   Viewpoint menuViewpoint() const;  // in the fitting
@@ -82,7 +79,8 @@ class FittingRoom {
   void sticks(const ControllerState& other, double passed);
   void point(const Rigid& head, const ControllerState& tool, const ControllerState& other, double seconds);
   bool onBoards(const PointerSample& sample);  // then it is not for the session
-  void perform(RoomCommand command);
+  void perform(const Offer& offer);
+  void pressOnChoice(std::size_t item);
   void changeScale(const Rigid& head);
   void keep();
   void hangChoice(const Rigid& head);
@@ -108,6 +106,8 @@ class FittingRoom {
   bool overBoard_ = false;  // the last sample was on one
   std::optional<std::size_t> hotStrip_, hotChoice_;
   std::optional<Choice> choice_;
+  std::optional<RoomCommand> list_;      // that was opened; what is to be chosen of a seam goes before it
+  std::optional<RoomCommand> choiceOf_;  // the list that hangs as the choice; none: what a seam needs
   std::vector<Caption> captions_;
   double vignette_ = 0, before_ = 0;
   bool begun_ = false;

@@ -107,7 +107,9 @@ Result<std::unique_ptr<Runtime>> Runtime::open() {
   create.enabledExtensionNames = names.data();
   if (const XrResult r = xrCreateInstance(&create, &made->instance_); XR_FAILED(r)) {
     made->instance_ = XR_NULL_HANDLE;
-    return noRuntime(r);
+    return notFound(say(
+        "The headset runtime of this machine is installed but does not begin ({0}). Start its service and try again.",
+        nameOf(r)));
   }
   XrInstanceProperties about{};
   about.type = XR_TYPE_INSTANCE_PROPERTIES;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "karinui/body/measurements.h"
 #include "karinui/design/script.h"
 #include "program.h"
 #include "recorder.h"
@@ -127,6 +128,115 @@ TEST(RoomBoards, TheFlatPatternOnItsTableIsSewnAlike) {
   at.hand.choose(Command::Sew);
   at.hand.drag(at.onTable("one", {0.15, 0.075}), at.onTable("two", {0, 0.075}), false);
   EXPECT_THAT(text(at.session.steps().back().operation), testing::StartsWith("sew a=p2.b b=p3.d"));
+}
+
+// Presses the item of the list that hangs open.
+void choose(Recorder& hand, const FittingRoom& room, const std::string& label) {
+  ASSERT_TRUE(room.choice());
+  const SceneMenu panel = room.choice()->panel;
+  for (std::size_t k = 0; k < panel.buttons.size(); ++k)
+    if (text(panel.buttons[k].label) == label)
+      return hand.clickAt(room.placement().standToFitting(test::middleOf(panel, k)));
+  ADD_FAILURE() << "no " << label;
+}
+
+// What the one table of commands has is on the bar, on the strip or on the list, and nowhere twice.
+TEST(RoomBoards, EveryCommandOfTheTableIsReached) {
+  TwoSquares at;
+  std::multiset<Command> found(menuBar().begin(), menuBar().end());
+  const auto take = [&](const std::vector<Offer>& offers) {
+    for (const Offer& offer : offers)
+      if (const auto* command = std::get_if<Command>(&offer.what)) found.insert(*command);
+  };
+  take(stripOffers(at.session, Scale::One, {}, true));
+  take(listOffers(at.session, RoomCommand::More));
+  for (const CommandInfo& one : commands())
+    EXPECT_EQ(found.count(one.command), one.command == Command::ViewAll ? 0u : 1u) << one.name;
+}
+
+TEST(RoomBoards, ToolsOfTheListAreUsedOnClothAndTable) {
+  TwoSquares at;
+  Session& session = at.session;
+  const auto tool = [&](const char* label, Command command) {
+    press(at.hand, at.room, "More");
+    choose(at.hand, at.room, label);
+    EXPECT_FALSE(at.room.choice()) << "the list closes";
+    EXPECT_EQ(session.tool(), command);
+  };
+  const auto on = [&](const char* piece, Flat paper) {
+    return *spaceOf(session.snapshot(), session.snapshot().document.pieceNamed(piece)->id, paper);
+  };
+  const auto last = [&] { return session.steps().empty() ? "" : text(session.steps().back().operation); };
+  const auto clickOn = [&](const char* piece, Flat paper) { at.hand.clickAt(on(piece, paper)); };
+  tool("Notch", Command::Notch);
+  clickOn("one", {0.149, 0.075});
+  EXPECT_THAT(last(), testing::StartsWith("notch edge=p2.b"));
+  tool("Dart", Command::Dart);
+  clickOn("one", {0.075, 0.001});
+  clickOn("one", {0.075, 0.06});
+  EXPECT_THAT(last(), testing::StartsWith("dart edge=p2.a"));
+  tool("Inner line", Command::Line);
+  clickOn("two", {0.03, 0.03});
+  clickOn("two", {0.12, 0.03});
+  clickOn("two", {0.12, 0.1});
+  press(at.hand, at.room, "Finish");
+  EXPECT_THAT(last(), testing::StartsWith("line piece=p3"));
+  tool("Pin", Command::Pin);
+  clickOn("two", {0.05, 0.12});
+  EXPECT_THAT(last(), testing::StartsWith("pin piece=p3"));
+  tool("Edit points", Command::Points);  // on the flat pattern
+  at.hand.drag(at.onTable("two", {0.15, 0.15}), at.onTable("two", {0.17, 0.16}), false);
+  const auto* moved = std::get_if<ReshapePiece>(&session.steps().back().operation);
+  ASSERT_TRUE(moved && moved->outline.edges.size() == 4) << last();
+  EXPECT_LT(distance(moved->outline.edges[2].curve.start, Flat{0.17, 0.16}), 1e-3)
+      << "the table stays where it is while its paper is drawn";
+  // Commands that are done at once.
+  at.hand.choose(Command::Move);
+  tool("Edit points", Command::Points);
+  press(at.hand, at.room, "Select");
+  clickOn("two", {0.05, 0.1});
+  ASSERT_EQ(session.selection().pieces.size(), 1u);
+  press(at.hand, at.room, "More");
+  choose(at.hand, at.room, "Duplicate");
+  EXPECT_THAT(last(), testing::StartsWith("duplicate piece=p3"));
+  EXPECT_EQ(said(at.room), "");
+}
+
+TEST(RoomBoards, FigureAndFabricAreChosenInTheAir) {
+  TwoSquares at;
+  Session& session = at.session;
+  press(at.hand, at.room, "More");
+  choose(at.hand, at.room, "Fabric");
+  ASSERT_TRUE(at.room.choice());
+  EXPECT_EQ(text(at.room.choice()->title.front()), "The fabric of the chosen pieces, or of all");
+  const Offer offer = listOffers(session, RoomCommand::Fabric)[2];
+  const std::string name = std::get<SetFabric>(std::get<Operation>(offer.what)).name;
+  choose(at.hand, at.room, text(offer.label));
+  const auto* fabric = std::get_if<SetFabric>(&session.steps().back().operation);
+  ASSERT_TRUE(fabric) << text(session.steps().back().operation);
+  EXPECT_EQ(fabric->name, name);
+  EXPECT_EQ(fabric->pieces.size(), 2u) << "nothing is chosen: all";
+  EXPECT_FALSE(at.room.choice());
+  const std::size_t steps = session.steps().size();
+  // Cancel closes an open list, and drops nothing else.
+  press(at.hand, at.room, "More");
+  choose(at.hand, at.room, "Figure");
+  ASSERT_TRUE(at.room.choice());
+  press(at.hand, at.room, "Cancel");
+  EXPECT_FALSE(at.room.choice());
+  press(at.hand, at.room, "More");
+  press(at.hand, at.room, "More");
+  EXPECT_FALSE(at.room.choice()) << "again closes it";
+  EXPECT_EQ(session.steps().size(), steps);
+  press(at.hand, at.room, "More");
+  choose(at.hand, at.room, "Figure");
+  const SceneMenu panel = at.room.choice()->panel;
+  ASSERT_EQ(panel.buttons.size(), builtInSizes().size());
+  EXPECT_TRUE(panel.buttons[0].chosen) << "jis9ar, which is worn";
+  at.hand.clickAt(at.room.placement().standToFitting(test::middleOf(panel, 1)));
+  const auto* body = std::get_if<SetBody>(&session.steps().back().operation);
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->size, "eu38");
 }
 
 TEST(RoomBoards, TheStickAndTheOtherTriggerAreCtrlAndShift) {

@@ -130,6 +130,15 @@ TEST_F(RoomRuntime, WithoutAHeadsetItWaitsAndThenSaysSo) {
   EXPECT_EQ(ran.faults, "");
 }
 
+// The loader finds the runtime, whose service does not run: as Monado's library without monado-service.
+TEST_F(RoomRuntime, ARuntimeThatDoesNotBeginIsToldFromNone) {
+  const Folder folder;
+  const Ran ran = test::run(folder, {.hands = look(5), .with = "no_service", .validated = false});
+  EXPECT_EQ(ran.code, 3);
+  EXPECT_THAT(ran.said, HasSubstr("is installed but does not begin (XR_ERROR_RUNTIME_FAILURE)"));
+  EXPECT_EQ(ran.faults, "");
+}
+
 // A hand in the middle of a move, and then this happens.
 struct MidDrag {
   std::string hands, marks;

@@ -1,0 +1,93 @@
+#include "tool_boards.h"
+
+#include <algorithm>
+#include <array>
+
+#include "karinui/body/measurements.h"
+#include "karinui/design/glossary.h"
+
+namespace karinui::room {
+
+namespace {
+
+constexpr std::array kOnStrip{Command::Select, Command::Confirm, Command::Cancel, Command::Redo};
+
+bool onStrip(Command command) { return std::find(kOnStrip.begin(), kOnStrip.end(), command) != kOnStrip.end(); }
+
+Offer offered(const Session& session, Command command) {
+  return {command, info(command).label, session.can(command), isTool(command) && session.tool() == command};
+}
+
+// The chosen pieces, or all.
+std::vector<PieceRef> cutFrom(const Session& session) {
+  std::vector<PieceRef> pieces;
+  for (const PieceId id : session.selection().pieces) pieces.push_back(PieceRef(id));
+  if (pieces.empty())
+    for (const auto& [id, piece] : session.snapshot().document.pattern.pieces) pieces.push_back(PieceRef(id));
+  return pieces;
+}
+
+std::vector<Offer> fabrics(const Session& session) {
+  const Document& document = session.snapshot().document;
+  std::vector<std::string> names;
+  for (const auto& [name, fabric] : document.fabrics) names.push_back(name);
+  for (const Fabric& fabric : presets())
+    if (!document.fabrics.contains(fabric.name)) names.push_back(fabric.name);
+  const std::vector<PieceRef> pieces = cutFrom(session);
+  std::vector<Offer> all;
+  for (const std::string& name : names) {
+    SetFabric set;
+    set.name = name;
+    set.pieces = pieces;
+    const bool chosen = !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const PieceRef& ref) {
+      const auto fabric = fabricOf(document, *document.find(ref.id));
+      return fabric && fabric->name == name;
+    });
+    all.push_back({Operation(std::move(set)), nameSaid(name), !pieces.empty(), chosen});
+  }
+  return all;
+}
+
+std::vector<Offer> figures(const Session& session) {
+  const SetBody* now = session.figure();
+  std::vector<Offer> all;
+  for (const std::string_view size : builtInSizes()) {
+    SetBody body;
+    body.size = size;
+    all.push_back({Operation(std::move(body)), termSaid(Term::Size, size).value_or(nameSaid(size)), true,
+                   now && now->size == size});
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Offer> stripOffers(const Session& session, Scale scale, std::optional<RoomCommand> opened, bool keeps) {
+  std::vector<Offer> all;
+  for (const Command command : kOnStrip) all.push_back(offered(session, command));
+  all.push_back({RoomCommand::More, say("More"), true, opened.has_value()});
+  all.push_back({RoomCommand::ChangeScale, scale == Scale::One ? say("On a desk") : say("Life size")});
+  if (keeps) all.push_back({RoomCommand::Keep, say("Keep"), !session.path().empty()});
+  return all;
+}
+
+std::vector<Offer> listOffers(const Session& session, RoomCommand list) {
+  if (list == RoomCommand::Figure) return figures(session);
+  if (list == RoomCommand::Fabric) return fabrics(session);
+  std::vector<Offer> all;
+  if (list != RoomCommand::More) return all;
+  for (const CommandInfo& one : commands())  // All shows what View does: body and table before the person
+    if (!one.onBar && !onStrip(one.command) && one.command != Command::ViewAll)
+      all.push_back(offered(session, one.command));
+  all.push_back({RoomCommand::Figure, say("Figure")});
+  all.push_back({RoomCommand::Fabric, say("Fabric"), !session.snapshot().document.pattern.pieces.empty()});
+  return all;
+}
+
+Message titleOf(RoomCommand list) {
+  if (list == RoomCommand::Figure) return say("The figure that is fitted");
+  if (list == RoomCommand::Fabric) return say("The fabric of the chosen pieces, or of all");
+  return say("More tools and commands");
+}
+
+}  // namespace karinui::room
