@@ -8,6 +8,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <algorithm>
 #include <cmath>
 
 #include "karinui/base/number.h"
@@ -18,6 +19,9 @@ namespace karinui::studio {
 namespace {
 
 constexpr int kFineness = 100;  // of the bar: steps a newton
+
+// What the other hand may hold.
+constexpr std::array kOthers{DeviceKind::None, DeviceKind::Inverse3, DeviceKind::Touch};
 
 // A box whose items are said in the language of the moment.
 QComboBox* choices(const std::vector<Message>& items) {
@@ -62,6 +66,14 @@ DevicePanel::DevicePanel(Session& session, ForceFeedback& force) : Panel(session
   kind_ = choices(deviceNames());
   kind_->setObjectName("device");
   form->addRow(word(say("device")), kind_);
+  std::vector<Message> others;
+  for (const DeviceKind kind : kOthers) others.push_back(deviceNames()[static_cast<std::size_t>(kind)]);
+  other_ = choices(others);
+  other_->setObjectName("other_device");
+  Theme::here().keep(other_, [this] {
+    other_->setToolTip(inWords(say("Turns the body while its button is down; it has no force.")));
+  });
+  form->addRow(word(say("other hand")), other_);
   column->addLayout(form);
   look_ =
       button(say("Look for devices"), say("Asks the makers' services on this computer; nothing is sent elsewhere."));
@@ -134,14 +146,18 @@ DevicePanel::DevicePanel(Session& session, ForceFeedback& force) : Panel(session
   hand_ = choices({say("either hand"), say("left hand"), say("right hand")});
   form->addRow(word(say("held in")), hand_);
   second_ = choices({say("leads the tip elsewhere"), say("turns the body")});
+  second_->setObjectName("second_button");
   form->addRow(word(say("second button")), second_);
   calibrate_ = button(say("The tip is here"), say("Brings the tip to the middle of the view, wherever the device is."));
+  calibrate_->setObjectName("calibrate");
   form->addRow(calibrate_);
   column->addLayout(form);
   column->addStretch(1);
 
   connect(kind_, &QComboBox::activated, this,
           [this](int k) { set([&](DeviceSettings& now) { now.kind = static_cast<DeviceKind>(k); }); });
+  connect(other_, &QComboBox::activated, this,
+          [this](int k) { set([&](DeviceSettings& now) { now.other = kOthers[static_cast<std::size_t>(k)]; }); });
   connect(gain_, &QSlider::valueChanged, this,
           [this](int k) { set([&](DeviceSettings& now) { now.gain = k / 100.0; }); });
   connect(limit_, &QDoubleSpinBox::valueChanged, this,
@@ -181,6 +197,7 @@ void DevicePanel::show() {
   filling_ = true;
   const DeviceSettings& now = force_.settings();
   kind_->setCurrentIndex(static_cast<int>(now.kind));
+  other_->setCurrentIndex(static_cast<int>(std::find(kOthers.begin(), kOthers.end(), now.other) - kOthers.begin()));
   gain_->setValue(static_cast<int>(std::lround(100 * now.gain)));
   gainSaid_->setText(inWords(say("{0} % of the true force", gain_->value())));
   if (!limit_->hasFocus()) limit_->setValue(now.limit);

@@ -19,7 +19,7 @@ class DevicePanel : public Panel {
   void show();       // settings
   void showState();  // of the loop
   ForceFeedback& force_;
-  QComboBox *kind_, *pull_, *hand_, *second_;
+  QComboBox *kind_, *other_, *pull_, *hand_, *second_;
   QLabel *found_, *state_, *newtonsSaid_, *gainSaid_;
   QProgressBar* newtons_;
   QPushButton *look_, *off_, *test_, *calibrate_;

@@ -9,6 +9,7 @@
 #include "karinui/devices/hd_stylus.h"
 #include "karinui/devices/inverse3.h"
 #include "karinui/devices/led_device.h"
+#include "karinui/devices/space_mouse.h"
 #include "karinui/session/menu.h"
 #include "orbit.h"
 #include "space_view.h"
@@ -51,6 +52,19 @@ void paintArrow(QPainter& painter, const QPointF& from, const QPointF& to, const
     painter.setBrush(pen);
     painter.drawPolygon(QPolygonF{to, neck + across * kHalf, neck - across * kHalf});
   }
+}
+
+Result<std::unique_ptr<HapticDevice>> opened(DeviceKind kind, DeviceKind main, bool other) {
+  if (kind == DeviceKind::Inverse3) {
+    auto found = Inverse3::connect(Inverse3::kPort, Inverse3::kPatience, other && main == kind ? 1 : 0);
+    if (!found) return found.error();
+    return std::unique_ptr<HapticDevice>(*std::move(found));
+  }
+  if (other && main == kind)
+    return refused(say("One Touch serves one hand; choose another device for the other hand."));
+  auto found = HdStylus::open();
+  if (!found) return found.error();
+  return std::unique_ptr<HapticDevice>(*std::move(found));
 }
 
 bool mouseLed(DeviceKind kind) { return kind == DeviceKind::Mouse || kind == DeviceKind::Simulated; }
@@ -104,7 +118,10 @@ Message ForceFeedback::said(ServoFault fault) {
   return say("another window is in front");
 }
 
-ForceFeedback::ForceFeedback(Session& session, SpaceView& view) : session_(session), view_(view) {
+ForceFeedback::ForceFeedback(Session& session, SpaceView& view)
+    : session_(session),
+      view_(view),
+      opener_([this](DeviceKind kind, bool other) { return opened(kind, settings_.kind, other); }) {
   const QSettings kept;
   const auto number = [&](const char* key, double usual, double low, double high) {
     const double value = kept.value(key, usual).toDouble();
@@ -114,6 +131,8 @@ ForceFeedback::ForceFeedback(Session& session, SpaceView& view) : session_(sessi
     return std::clamp(kept.value(key, usual).toInt(), 0, count - 1);
   };
   settings_.kind = static_cast<DeviceKind>(choice("device/kind", 0, 5));
+  const int other = choice("device/other", 0, 5);
+  if (other >= static_cast<int>(DeviceKind::Inverse3)) settings_.other = static_cast<DeviceKind>(other);
   settings_.gain = number("device/gain", 0.5, 0, 1);
   settings_.limit = number("device/limit", 3, 0, 10);
   settings_.scale = number("device/scale", 2, 0.5, 6);
@@ -136,6 +155,7 @@ ForceFeedback::~ForceFeedback() = default;
 void ForceFeedback::keep() const {
   QSettings kept;
   kept.setValue("device/kind", static_cast<int>(settings_.kind));
+  kept.setValue("device/other", static_cast<int>(settings_.other));
   kept.setValue("device/gain", settings_.gain);
   kept.setValue("device/limit", settings_.limit);
   kept.setValue("device/scale", settings_.scale);
@@ -157,7 +177,10 @@ void ForceFeedback::set(const DeviceSettings& settings) {
                     before.secondTurns != settings.secondTurns;
   if (anew) {
     begin();
-  } else if (driver_) {
+  } else if (before.other != settings.other) {
+    beginOther();
+  }
+  if (!anew && driver_) {
     driver_->servo().setGain(settings.gain);
     driver_->servo().setLimit(settings.limit);
     driver_->servo().setLaws(settings.laws);
@@ -166,8 +189,27 @@ void ForceFeedback::set(const DeviceSettings& settings) {
   emit changed();
 }
 
-// The device that is wished for, anew.
+// The devices that are wished for, anew.
 void ForceFeedback::begin() {
+  other_.reset();  // it may be the one that is now wished for the main hand
+  beginMain();
+  beginOther();
+}
+
+void ForceFeedback::beginOther() {
+  other_.reset();
+  if (settings_.other != DeviceKind::None) {
+    if (auto made = opener_(settings_.other, true)) {
+      other_ = std::make_unique<OtherHand>(*std::move(made));
+    } else {
+      session_.refuse(made.error());
+      settings_.other = DeviceKind::None;
+    }
+  }
+  driver_ || other_ ? clock_.start() : clock_.stop();
+}
+
+void ForceFeedback::beginMain() {
   if (busy()) session_.command(Command::Cancel);  // what the old one had begun
   clock_.stop();
   driver_.reset();
@@ -193,13 +235,8 @@ void ForceFeedback::begin() {
       break;
     }
     case DeviceKind::Inverse3:
-      if (auto made = Inverse3::connect())
-        device = *std::move(made);
-      else
-        why = made.error();
-      break;
     case DeviceKind::Touch:
-      if (auto made = HdStylus::open())
+      if (auto made = opener_(settings_.kind, false))
         device = *std::move(made);
       else
         why = made.error();
@@ -229,7 +266,6 @@ void ForceFeedback::begin() {
   if (off_) driver_->servo().emergencyOff();
   setFocus(view_.window()->isActiveWindow());
   through_ = view_.camera().target;
-  clock_.start();
 }
 
 std::vector<std::pair<Message, Message>> ForceFeedback::look() const {
@@ -239,6 +275,8 @@ std::vector<std::pair<Message, Message>> ForceFeedback::look() const {
   found.emplace_back(say("3D Systems Touch or Phantom"),
                      HdStylus::libraryThere() ? say("its library is there; not yet tried on hardware by us")
                                               : say("the maker's library libHD.so is not installed"));
+  const auto cap = SpaceMouse::taken() ? Result<std::unique_ptr<SpaceMouse>>(nullptr) : SpaceMouse::open();
+  found.emplace_back(say("SpaceMouse"), cap ? say("found; it moves what you look at") : cap.error().what);
   return found;
 }
 
@@ -270,8 +308,14 @@ bool ForceFeedback::busy() const { return driver_ && driver_->down(); }
 
 Vec3 ForceFeedback::facing() const { return normalized(view_.camera().eye - view_.camera().target); }
 
+void ForceFeedback::turnBody(Vec3 led) {
+  if (led.x != 0 || led.y != 0) view_.setCamera(turned(view_.camera(), led.x * kTurn, -led.y * kTurn));
+}
+
 // Some eighty times a second.
 void ForceFeedback::turn() {
+  if (other_) turnBody(other_->takeLed() * settings_.scale);
+  if (!driver_) return;
   const Camera& camera = view_.camera();
   if (!mouseLed(settings_.kind)) {  // right of the device is right of the picture
     const Vec3 right = camera.right();
@@ -284,8 +328,7 @@ void ForceFeedback::turn() {
   }
   if (driver_->update(session_, facing(), led_ || !mouseDown_)) emit fed();
   const Vec3 led = driver_->takeLed();
-  if (settings_.secondTurns && length(led) > 0)
-    view_.setCamera(turned(camera, dot(led, camera.right()) * kTurn, -dot(led, camera.up) * kTurn));
+  if (settings_.secondTurns) turnBody({dot(led, camera.right()), dot(led, camera.up), 0});
   if (driver_->servo().isOff() != off_) off_ = driver_->servo().isOff(), emit changed();  // by the device's button
   const ServoTick now = driver_->last();
   const bool moved = distance(now.hand.tip.carry, shown_.hand.tip.carry) > 2e-4 ||

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "karinui/haptics/haptic_driver.h"
+#include "karinui/haptics/other_hand.h"
 
 class QPainter;
 class QPointF;
@@ -27,8 +28,9 @@ const std::vector<Message>& deviceNames();  // in this order
 
 struct DeviceSettings {
   DeviceKind kind = DeviceKind::None;
-  double gain = 0.5;  // of the true force
-  double limit = 3;   // N
+  DeviceKind other = DeviceKind::None;  // of the other hand: turns the body while its button is down
+  double gain = 0.5;                    // of the true force
+  double limit = 3;                     // N
   TouchLaws laws;
   double scale = 2;  // metres of the scene for a metre of the device
   PointerSample::Hand hand = PointerSample::Hand::Either;
@@ -39,6 +41,9 @@ struct DeviceSettings {
 class ForceFeedback : public QObject {
   Q_OBJECT
  public:
+  // Opens a device of a maker's, for the main hand or the other one.
+  using Opener = std::function<Result<std::unique_ptr<HapticDevice>>(DeviceKind kind, bool other)>;
+
   ForceFeedback(Session& session, SpaceView& view);  // with the settings that were kept
   ~ForceFeedback() override;
 
@@ -46,10 +51,12 @@ class ForceFeedback : public QObject {
   // Gain, limit and laws at once; another device, scale, hand or button begins the force anew. What is not there is
   // told, and none is used.
   void set(const DeviceSettings& settings);
-  std::vector<std::pair<Message, Message>> look() const;  // device, what was found; up to two seconds
+  void setOpener(Opener opener) { opener_ = std::move(opener); }  // instead of the makers' own, for tests
+  std::vector<std::pair<Message, Message>> look() const;          // device, what was found; up to two seconds
 
   bool there() const { return driver_ != nullptr; }
   QString name() const;
+  const OtherHand* other() const { return other_.get(); }  // null: none
   ServoTick last() const { return driver_ ? driver_->last() : ServoTick(); }
   double limit() const;  // N that can come: the user's limit, and the device's
   static Message said(ServoState state);
@@ -77,7 +84,10 @@ class ForceFeedback : public QObject {
 
  private:
   void begin();
+  void beginMain();
+  void beginOther();
   void turn();
+  void turnBody(Vec3 led);  // metres of the scene: right, up
   Vec3 facing() const;
   Vec3 under(const PointerSample& sample) const;  // the place a mouse means
   void keep() const;
@@ -85,7 +95,9 @@ class ForceFeedback : public QObject {
   Session& session_;
   SpaceView& view_;
   DeviceSettings settings_;
+  Opener opener_;
   std::unique_ptr<HapticDriver> driver_;
+  std::unique_ptr<OtherHand> other_;
   PoseSource* mouse_ = nullptr;  // of the driver, where the mouse is the device
   LedDevice* led_ = nullptr;     // where it leads the simulated stylus
   QTimer clock_;

@@ -17,6 +17,7 @@
 #include <QToolBar>
 
 #include "accessibility.h"
+#include "cap.h"
 #include "device_panel.h"
 #include "drafts.h"
 #include "drop_menu.h"
@@ -169,11 +170,10 @@ MainWindow::MainWindow(SessionOptions options) {
           [this](const QPoint& global) { menuOf(session_->selection(), std::nullopt, global); });
   space_->installEventFilter(this);
   table_->installEventFilter(this);
-  cap_ = new SpaceMouse(this);
-  connect(cap_, &SpaceMouse::moved, this,
+  cap_ = new Cap(this);
+  connect(cap_, &Cap::moved, this,
           [this](const CapMotion& motion) { space_->setCamera(carried(space_->camera(), motion)); });
-  connect(cap_, &SpaceMouse::pressed, this,
-          [this](int button) { run(button == 0 ? Command::ViewAll : Command::ViewFront); });
+  connect(cap_, &Cap::pressed, this, [this](int button) { run(button == 0 ? Command::ViewAll : Command::ViewFront); });
   setAcceptDrops(true);
   resize(firstSize(screen()->availableSize()));
   const QSettings settings;

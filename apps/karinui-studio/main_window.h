@@ -27,7 +27,7 @@ class Guide;
 // The window's size the first time, from what the screen has room for.
 QSize firstSize(QSize available);
 
-class SpaceMouse;
+class Cap;
 class StartPage;
 
 class MainWindow : public QMainWindow {
@@ -123,7 +123,7 @@ class MainWindow : public QMainWindow {
   QPushButton* mend_ = nullptr;  // under the toast: does what it advises
   QTimer toastTime_, wake_;
   Guide* guide_ = nullptr;
-  SpaceMouse* cap_ = nullptr;
+  Cap* cap_ = nullptr;
   std::unique_ptr<ForceFeedback> force_;
   SessionChanges seen_;
 };

@@ -1,9 +1,9 @@
 #pragma once
 // Walking round the fitting: turn, pan and zoom as plain arithmetic on a camera. Metres, radians, pixels.
+#include "karinui/devices/space_mouse.h"
 #include "karinui/scene/overlay.h"
 #include "karinui/scene/pointer.h"
 #include "karinui/view/camera.h"
-#include "space_mouse.h"
 
 namespace karinui::studio {
 

@@ -27,6 +27,31 @@ QSurfaceFormat twofold() {
 
 }  // namespace
 
+EyesApart::EyesApart() : program_(std::make_unique<QOpenGLShaderProgram>()) {
+  program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kWholeTarget);
+  program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kFragment);
+  program_->link();
+  glGenVertexArrays(1, &arrays_);
+}
+
+EyesApart::~EyesApart() { glDeleteVertexArrays(1, &arrays_); }
+
+void EyesApart::draw(std::array<unsigned, 2> eyes, std::array<unsigned, 2> buffers) {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  program_->bind();
+  program_->setUniformValue("eye", 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindVertexArray(arrays_);
+  for (std::size_t k = 0; k < 2; ++k) {
+    glDrawBuffer(buffers[k]);
+    glBindTexture(GL_TEXTURE_2D, eyes[k]);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  glBindVertexArray(0);
+  program_->release();
+}
+
 bool QuadWindow::mayBeHad() {
   QOpenGLContext context;
   context.setFormat(twofold());
@@ -40,8 +65,7 @@ QuadWindow::QuadWindow(QOpenGLContext* shared) : QOpenGLWindow(shared) {
 
 QuadWindow::~QuadWindow() {
   makeCurrent();
-  if (arrays_) glDeleteVertexArrays(1, &arrays_);
-  program_.reset();
+  apart_.reset();
   doneCurrent();
 }
 
@@ -50,30 +74,12 @@ void QuadWindow::show(std::array<unsigned, 2> eyes) {
   update();
 }
 
-void QuadWindow::initializeGL() {
-  program_ = std::make_unique<QOpenGLShaderProgram>();
-  program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kWholeTarget);
-  program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kFragment);
-  program_->link();
-  glGenVertexArrays(1, &arrays_);
-}
+void QuadWindow::initializeGL() { apart_ = std::make_unique<EyesApart>(); }
 
 void QuadWindow::paintGL() {
   const double ratio = devicePixelRatioF();
   glViewport(0, 0, static_cast<int>(width() * ratio), static_cast<int>(height() * ratio));
-  glDisable(GL_DEPTH_TEST);
-  program_->bind();
-  program_->setUniformValue("eye", 0);
-  glActiveTexture(GL_TEXTURE0);
-  glBindVertexArray(arrays_);
-  const GLenum sides[] = {GL_BACK_LEFT, GL_BACK_RIGHT};
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (format().stereo()) glDrawBuffer(sides[k]);
-    glBindTexture(GL_TEXTURE_2D, eyes_[k]);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-  }
-  glBindVertexArray(0);
-  program_->release();
+  if (format().stereo()) apart_->draw(eyes_, {GL_BACK_LEFT, GL_BACK_RIGHT});
 }
 
 }  // namespace karinui::studio

@@ -9,6 +9,18 @@ class QOpenGLShaderProgram;
 
 namespace karinui::studio {
 
+// Draws each eye's texture over the whole of a buffer of its own. Its context must be current.
+class EyesApart {
+ public:
+  EyesApart();
+  ~EyesApart();
+  void draw(std::array<unsigned, 2> eyes, std::array<unsigned, 2> buffers);  // left, right; as glDrawBuffer has them
+
+ private:
+  std::unique_ptr<QOpenGLShaderProgram> program_;
+  unsigned arrays_ = 0;
+};
+
 class QuadWindow : public QOpenGLWindow {
  public:
   static bool mayBeHad();                       // this system shows two pictures at once
@@ -22,8 +34,7 @@ class QuadWindow : public QOpenGLWindow {
 
  private:
   std::array<unsigned, 2> eyes_{};
-  std::unique_ptr<QOpenGLShaderProgram> program_;
-  unsigned arrays_ = 0;
+  std::unique_ptr<EyesApart> apart_;
 };
 
 }  // namespace karinui::studio

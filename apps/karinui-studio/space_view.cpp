@@ -422,9 +422,13 @@ void SpaceView::paintGL() {
   }
   stale_ = false;
   compositor_->show(two ? Stereo::SideBySide : stereo ? stereo_ : Stereo::Off, defaultFramebufferObject(), w, h);
-  if (quad_) quad_->show(compositor_->textures());
+  if (quad_) quad_->show(eyes());
   latencyLog_.end("event to picture");
   emit painted();
+}
+
+std::array<unsigned, 2> SpaceView::eyes() const {
+  return compositor_ ? compositor_->textures() : std::array<unsigned, 2>{};
 }
 
 QImage SpaceView::portrait(const SceneFrame& frame, QSize pixels) {

@@ -52,6 +52,7 @@ class SpaceView : public QOpenGLWidget {
   void setForceFeedback(ForceFeedback* force) { force_ = force; }  // outlives this view; null: none
   const Camera& camera() const { return camera_; }
   void setCamera(const Camera& camera);
+  std::array<unsigned, 2> eyes() const;  // textures of its context: what each eye was shown last
   QString driver() const { return driver_; }
   const std::optional<Error>& trouble() const { return trouble_; }
   std::optional<QPointF> onScreen(Vec3 place) const;  // for tests and guides

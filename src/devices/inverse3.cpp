@@ -50,6 +50,7 @@ struct Inverse3::Inside {
   beast::websocket::stream<Socket> stream{context};
   beast::flat_static_buffer<1 << 16> buffer;
   std::string id;
+  std::size_t which = 0;  // of the service's devices, and of its grips
   DeviceRecord record;
   HandSample hand;
   bool pending = false, lost = false;
@@ -102,11 +103,13 @@ struct Inverse3::Inside {
         return false;
       });
     if (!found) hand.ready = false;
+    std::size_t count = 0;
     for (const char* grips : {"verse_grip", "wireless_verse_grip"})
       if (const auto list = all.member(grips))
         list->each([&](const JsonScan& grip) {
+          if (count++ != which) return true;
           const auto state = grip.member("state");
-          if (!state) return true;
+          if (!state) return false;
           if (const auto turn = state->member("orientation")) {
             const auto w = turn->number("w"), x = turn->number("x"), y = turn->number("y"), z = turn->number("z");
             if (w && x && y && z) {
@@ -142,10 +145,11 @@ Inverse3::~Inverse3() {
 }
 const DeviceRecord& Inverse3::record() const { return inside_->record; }
 
-Result<std::unique_ptr<Inverse3>> Inverse3::connect(unsigned short port, double patience) {
+Result<std::unique_ptr<Inverse3>> Inverse3::connect(unsigned short port, double patience, std::size_t which) {
   std::unique_ptr<Inverse3> device(new Inverse3);
   Inside& in = *device->inside_;
   in.patience = patience;
+  in.which = which;
   const Error none = notFound(
       say("No Haply service answers on port {0} of this machine. Start the Inverse service and try again.", int(port)));
   beast::error_code error;
@@ -159,10 +163,13 @@ Result<std::unique_ptr<Inverse3>> Inverse3::connect(unsigned short port, double 
   if (!in.finished() || error) return none;
   const auto inventory = nlohmann::json::parse(in.message(), nullptr, false);
   const auto list = inventory.is_object() ? inventory.find("inverse3") : inventory.end();
-  if (!inventory.is_object() || list == inventory.end() || !list->is_array() || list->empty() ||
-      !list->front().is_object() || !list->front().value("device_id", nlohmann::json()).is_string())
+  const bool any = inventory.is_object() && list != inventory.end() && list->is_array() && !list->empty();
+  if (any && which > 0 && list->size() <= which)
+    return notFound(say("The Haply service knows of no second Inverse3. Is it plugged in and powered?"));
+  if (!any || !(*list)[which].is_object() || !(*list)[which].value("device_id", nlohmann::json()).is_string())
     return notFound(say("The Haply service knows of no Inverse3. Is it plugged in and powered?"));
-  in.id = list->front()["device_id"].get<std::string>();
+  const auto& mine = (*list)[which];
+  in.id = mine["device_id"].get<std::string>();
   constexpr std::size_t kLongestId = 64;
   if (in.id.size() > kLongestId || in.id.find_first_of("\"\\") != std::string::npos)
     return badInput(say("The Haply service names a device in a way that cannot be used."));
@@ -174,7 +181,7 @@ Result<std::unique_ptr<Inverse3>> Inverse3::connect(unsigned short port, double 
   in.record.damping = 8;
   in.record.workspace.include({-0.15, 0, -0.2});
   in.record.workspace.include({0.15, 0.3, 0.1});
-  if (const auto config = list->front().find("config"); config != list->front().end() && config->is_object())
+  if (const auto config = mine.find("config"); config != mine.end() && config->is_object())
     if (const auto hand = config->find("handedness"); hand != config->end() && hand->is_string())
       in.record.hand = *hand == "left"    ? DeviceRecord::Hand::Left
                        : *hand == "right" ? DeviceRecord::Hand::Right

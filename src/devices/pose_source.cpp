@@ -59,7 +59,8 @@ HandSample PoseSource::sample() {
   return now_;
 }
 
-Result<ScriptedDevice> ScriptedDevice::read(std::string_view text, const DeviceRecord& record, double tick) {
+Result<ScriptedDevice> ScriptedDevice::read(std::string_view text, const DeviceRecord& record, double tick,
+                                            double rest) {
   ScriptedDevice device;
   device.record_ = record;
   device.tick_ = tick;
@@ -77,13 +78,18 @@ Result<ScriptedDevice> ScriptedDevice::read(std::string_view text, const DeviceR
   }
   if (device.samples_.empty())
     return badInput(say("This recording has no tip in space; record it with a stylus or a controller."));
-  device.now_ = device.begins() - tick;
+  device.now_ = device.begins() - rest - tick;
   return device;
 }
 
 HandSample ScriptedDevice::sample() {
   now_ += tick_;
   HandSample hand;
+  if (now_ < begins() - tick_ / 2) {
+    hand.tip = *samples_.front().tip;
+    hand.ready = true;
+    return hand;
+  }
   while (at_ + 1 < samples_.size() && samples_[at_ + 1].seconds <= now_) ++at_;
   const PointerSample& from = samples_[at_];
   const PointerSample& to = samples_[std::min(at_ + 1, samples_.size() - 1)];

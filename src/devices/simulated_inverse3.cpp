@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 namespace {
 
 constexpr double kTick = 0.001;  // seconds a message
-const char* const kId = "04AB";
+const char *const kId = "04AB", *const kSecond = "FFFF";
 
 Json vector(Vec3 v) { return {{"x", v.x}, {"y", v.y}, {"z", v.z}}; }
 
@@ -57,8 +57,8 @@ struct SimulatedInverse3::Inside {
                   {"control_mode", "force"}}},
                 {"status", {{"calibrated", calibrated}, {"ready", true}, {"power_supply", true}}}};
     if (full) device["config"] = {{"type", "inverse3"}, {"handedness", "left"}, {"device_info", {{"id", "x \" y"}}}};
-    Json other = device;  // a second one, which is not ours
-    other["device_id"] = "FFFF";
+    Json other = device;  // a second one, which rests
+    other["device_id"] = kSecond;
     other["state"]["cursor_position"] = vector({9, 9, 9});
     Json all{{"inverse3", Json::array()},
              {"verse_grip",
@@ -80,6 +80,7 @@ struct SimulatedInverse3::Inside {
       const Json& f = command.at("commands").at("set_cursor_force").at("vector");
       if (command.at("device_id") == kId)
         return {f.at("x").get<double>(), f.at("y").get<double>(), f.at("z").get<double>()};
+      if (command.at("device_id") == kSecond && f.at("x") == 0 && f.at("y") == 0 && f.at("z") == 0) return {};
     } catch (const Json::exception&) {
     }
     const std::lock_guard lock(mutex);

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "devices/cap_daemon.h"
 #include "devices/json_scan.h"
 #include "karinui/devices/hd_stylus.h"
 #include "karinui/devices/inverse3.h"
@@ -10,6 +11,7 @@
 #include "karinui/devices/pose_source.h"
 #include "karinui/devices/simulated_device.h"
 #include "karinui/devices/simulated_inverse3.h"
+#include "karinui/devices/space_mouse.h"
 #include "karinui/touch/servo.h"
 #include "touch/hand.h"
 
@@ -264,6 +266,76 @@ TEST(Inverse3, AHandFeelsAFloorThroughTheService) {
   EXPECT_LE(service.seen().mostForce, 3);
   EXPECT_LE(service.seen().work, 1e-3);
   EXPECT_FALSE(service.seen().wrong);
+}
+
+// Both hands at one service: each its own device and grip.
+TEST(Inverse3, TheSecondOneIsForTheOtherHand) {
+  SimulatedInverse3 service([](double) { return Vec3{0.01, 0.02, 0.03}; });
+  service.setGrip({0.6, 0, 0, 0.8, 5, 0.25});
+  const auto second = Inverse3::connect(service.port(), Inverse3::kPatience, 1);
+  ASSERT_TRUE(second) << text(second.error().what);
+  EXPECT_EQ((*second)->record().name, "Haply Inverse3 FFFF");
+  const HandSample hand = (*second)->sample();
+  EXPECT_TRUE(hand.ready);
+  EXPECT_LT(distance(hand.tip.carry, {9, 9, -9}), 1e-9);
+  EXPECT_EQ(hand.buttons, 0u) << "the grip is the first one's";
+  (*second)->stop();
+  EXPECT_FALSE(service.seen().wrong);
+  const auto third = Inverse3::connect(service.port(), Inverse3::kPatience, 2);
+  ASSERT_FALSE(third);
+  EXPECT_NE(text(third.error().what).find("no second Inverse3"), std::string::npos);
+}
+
+// --- SpaceMouse, before a daemon of ours.
+
+TEST(SpaceMouse, IsADeviceWithoutAMotorWhoseTipGoesOnWhileItIsPushed) {
+#ifndef KARINUI_SPNAV
+  EXPECT_FALSE(SpaceMouse::open());
+  GTEST_SKIP() << "built without libspnav";
+#endif
+  const auto path = std::filesystem::temp_directory_path() / ("karinui_cap_" + std::to_string(getpid()));
+  std::filesystem::remove(path);
+  setenv("SPNAV_SOCKET", (path.string() + "_nobody").c_str(), 1);
+  const auto none = SpaceMouse::open();
+  ASSERT_FALSE(none);
+  EXPECT_NE(text(none.error().what).find("spacenavd"), std::string::npos);
+  CapDaemon daemon(path);
+  setenv("SPNAV_SOCKET", path.c_str(), 1);
+  auto cap = SpaceMouse::open();
+  unsetenv("SPNAV_SOCKET");
+  ASSERT_TRUE(cap) << text(cap.error().what);
+  EXPECT_TRUE(SpaceMouse::taken());
+  EXPECT_FALSE(SpaceMouse::open()) << "one in a program";
+  daemon.accept();
+  EXPECT_EQ((*cap)->record().freedomIn, 6);
+  EXPECT_EQ((*cap)->record().freedomOut, 0);
+  EXPECT_EQ((*cap)->record().force, 0);
+  EXPECT_TRUE((*cap)->sample().ready);
+  // Half as far as it goes to the right for 40 ms, then all the way up.
+  daemon.push(175, 0, 0, 0, 0, 40);
+  HandSample hand = (*cap)->sample();
+  EXPECT_LT(distance(hand.tip.carry, {0.002, 0, 0}), 1e-12);
+  EXPECT_LT(distance(hand.velocity, {0.05, 0, 0}), 1e-12);
+  daemon.push(0, 350, 0, 0, 0, 50);
+  EXPECT_LT(distance((*cap)->sample().tip.carry, {0.002, 0.005, 0}), 1e-12);
+  daemon.push(0, 0, 350, 0, 0, 50);
+  EXPECT_LT(distance((*cap)->sample().tip.carry, {0.002, 0.005, -0.005}), 1e-12) << "away is -z";
+  daemon.push(0, 0, 0, 0, 350, 50);
+  hand = (*cap)->sample();
+  EXPECT_LT(distance(hand.tip.turned({0, 0, 1}), {-std::sin(0.05), 0, std::cos(0.05)}), 1e-9);
+  EXPECT_EQ(hand.velocity, Vec3{}) << "turned where it is";
+  daemon.button(1, true);
+  EXPECT_EQ((*cap)->sample().buttons, 2u);
+  daemon.button(1, false);
+  EXPECT_EQ((*cap)->sample().buttons, 0u);
+  // Whatever force it is told, nothing comes of it; the daemon goes, and it is not ready any more.
+  (*cap)->apply({{1, 0, 0}, {}, 0});
+  EXPECT_LT(distance((*cap)->sample().tip.carry, {0.002, 0.005, -0.005}), 1e-12);
+  daemon.hangUp();
+  EXPECT_FALSE((*cap)->sample().ready);
+  cap = notFound({});
+  EXPECT_FALSE(SpaceMouse::taken());
+  std::filesystem::remove(path);
 }
 
 // --- 3D Systems Touch, before a library of ours.

@@ -1,37 +1,12 @@
 // A SpaceMouse in the real window: a daemon of the test's own speaks spacenavd's plain protocol.
 #include <gmock/gmock.h>
-#include <sys/socket.h>
-#include <sys/un.h>
 
-#include <array>
-
-#include "space_mouse.h"
+#include "cap.h"
+#include "devices/cap_daemon.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
 namespace {
-
-class Daemon {
- public:
-  explicit Daemon(const fs::path& path) {
-    listening_ = socket(AF_UNIX, SOCK_STREAM, 0);
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    path.string().copy(address.sun_path, sizeof address.sun_path - 1);
-    EXPECT_EQ(bind(listening_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-    EXPECT_EQ(::listen(listening_, 1), 0);
-  }
-  ~Daemon() { hangUp(); }
-  void accept() { talking_ = ::accept(listening_, nullptr, nullptr); }
-  void say(std::array<int, 8> words) { EXPECT_EQ(write(talking_, words.data(), sizeof words), 32); }
-  void hangUp() {
-    for (int* end : {&talking_, &listening_})
-      if (*end >= 0) close(std::exchange(*end, -1));
-  }
-
- private:
-  int listening_ = -1, talking_ = -1;
-};
 
 TEST(StudioCap, TurnsPansAndZoomsAndGoesQuietlyWithItsDaemon) {
   KARINUI_NEEDS_DISPLAY();
@@ -39,13 +14,13 @@ TEST(StudioCap, TurnsPansAndZoomsAndGoesQuietlyWithItsDaemon) {
   GTEST_SKIP() << "built without libspnav";
 #endif
   Folder folder;
-  Daemon daemon(folder.path / "cap");
+  CapDaemon daemon(folder.path / "cap");
   setenv("SPNAV_SOCKET", (folder.path / "cap").c_str(), 1);
   Window w;
   unsetenv("SPNAV_SOCKET");
   daemon.accept();
   w.rest();
-  const auto* cap = w.main().findChild<SpaceMouse*>();
+  const auto* cap = w.main().findChild<Cap*>();
   ASSERT_TRUE(cap && cap->there());
   const auto pushed = [&](std::array<int, 8> words) {
     const Camera before = w.space().camera();
@@ -84,8 +59,8 @@ TEST(StudioCap, WithoutADaemonThereSilentlyIsNone) {
   Window w;
   unsetenv("SPNAV_SOCKET");
   w.rest();
-  ASSERT_TRUE(w.main().findChild<SpaceMouse*>());
-  EXPECT_FALSE(w.main().findChild<SpaceMouse*>()->there());
+  ASSERT_TRUE(w.main().findChild<Cap*>());
+  EXPECT_FALSE(w.main().findChild<Cap*>()->there());
   EXPECT_TRUE(w.main().said().isEmpty());
 }
 

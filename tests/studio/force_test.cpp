@@ -6,12 +6,16 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QPainter>
 #include <QSlider>
 #include <QTest>
+#include <numbers>
+#include <source_location>
 
 #include "device_panel.h"
 #include "force_feedback.h"
 #include "karinui/design/script.h"
+#include "karinui/devices/pose_source.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
@@ -30,10 +34,10 @@ class StudioForce : public testing::Test {
   ForceFeedback& force() { return w().main().force(); }
 
   // Handles events, the force loop going on meanwhile, until it is so.
-  void until(const std::function<bool()>& so) {
+  void until(const std::function<bool()>& so, std::source_location at = std::source_location::current()) {
     constexpr int kMost = 4000;  // turns of the clock that looks at the hand
     for (int k = 0; k < kMost && !so(); ++k) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    ASSERT_TRUE(so());
+    ASSERT_TRUE(so()) << "line " << at.line();
   }
   void choose(DeviceKind kind) {
     auto* box = w().main().findChild<QComboBox*>("device");
@@ -48,6 +52,28 @@ class StudioForce : public testing::Test {
     boards.setCurrentIndex(boards.count() - 1);
   }
   DevicePanel& panel() { return *w().main().findChild<DevicePanel*>(); }
+  // A device of a maker's that the test holds in its hand instead; where it was left, it hovers.
+  PoseSource*& held(bool other) { return held_[other ? 1 : 0]; }
+  void holdInHand() {
+    force().setOpener([this](DeviceKind, bool other) -> Result<std::unique_ptr<HapticDevice>> {
+      auto made = std::make_unique<PoseSource>(shownRecord("test"));
+      held(other) = made.get();
+      made->place({}, 0);
+      return std::unique_ptr<HapticDevice>(std::move(made));
+    });
+  }
+  void chooseIn(const char* name, int which) {
+    auto* box = w().main().findChild<QComboBox*>(name);
+    ASSERT_TRUE(box);
+    box->setCurrentIndex(which);
+    emit box->activated(which);
+  }
+  void lead(bool other, Vec3 to, std::uint32_t buttons) { held(other)->place({1, 0, 0, 0, to}, buttons); }
+  Vec3 tip() { return force().last().hand.tip.carry; }
+  double turnOfView() {
+    const Camera& c = w().space().camera();
+    return std::atan2(c.eye.x - c.target.x, c.eye.z - c.target.z);
+  }
   double newtons() { return length(force().last().out.force); }
   // The simulated stylus, armed, its button down on the front of the tunic.
   QPointF pressOnCloth() {
@@ -61,7 +87,36 @@ class StudioForce : public testing::Test {
     QTest::mousePress(&w().space(), Qt::LeftButton, {}, at.toPoint());
     return at;
   }
+  // The pictures beside each other, for the manual, their names in both languages.
+  void keepStrip(const std::vector<QImage>& pictures) {
+    const char* folder = std::getenv("KARINUI_PICTURES");
+    if (!folder) return;
+    constexpr int kWide = 330, kHigh = 300, kAcross = 3, kName = 26;
+    const std::array tools{Command::Draw, Command::Move, Command::Sew, Command::Cut, Command::Pull, Command::Reshape};
+    for (const Language language : {Language::English, Language::Japanese}) {
+      QImage all(kAcross * kWide, 2 * (kHigh + kName), QImage::Format_RGB32);
+      all.fill(Qt::white);
+      QPainter painter(&all);
+      painter.setRenderHint(QPainter::SmoothPixmapTransform);
+      for (std::size_t k = 0; k < pictures.size(); ++k) {
+        const QImage& picture = pictures[k];
+        const int x = static_cast<int>(k) % kAcross * kWide, y = static_cast<int>(k) / kAcross * (kHigh + kName);
+        const double scale = std::max(1.0 * kWide / picture.width(), 1.0 * kHigh / picture.height()) * 1.25;
+        const QSizeF part(kWide / scale, kHigh / scale);
+        painter.drawImage(
+            QRectF(x + 3, y + kName, kWide - 6, kHigh - 3), picture,
+            QRectF(QPointF(picture.width() / 2.0 - part.width() / 2, picture.height() / 2.0 - part.height() / 2),
+                   part));
+        painter.drawText(QRect(x, y, kWide, kName), Qt::AlignCenter,
+                         QString::fromStdString(karinui::text(info(tools[k]).label, language)));
+      }
+      painter.end();
+      const char* ending = language == Language::English ? "touch_operations.png" : "touch_operations.ja.png";
+      EXPECT_TRUE(all.save(QString::fromStdString((fs::path(folder) / ending).string())));
+    }
+  }
   std::optional<Window> window_;
+  std::array<PoseSource*, 2> held_{};
 };
 
 TEST_F(StudioForce, TheSimulatedStylusFeelsTheGarmentAndMovesAPiece) {
@@ -189,6 +244,172 @@ TEST_F(StudioForce, TheMouseShowsItsForceAndItsWheelIsDepth) {
   const auto* pull = std::get_if<PullCloth>(&w().session().steps()[steps].operation);
   ASSERT_TRUE(pull);
   EXPECT_NEAR(pull->by.back().z, 0.02, 0.002) << "five notches towards who looks from the front";
+}
+
+TEST_F(StudioForce, TheTipIsCalibratedAndTheSecondButtonLeadsItOrTurnsTheBody) {
+  w().openTunic();
+  show();
+  holdInHand();
+  choose(DeviceKind::Inverse3);
+  const auto isAt = [&](Vec3 place) { return [this, place] { return distance(tip(), place) < 1e-4; }; };
+  // "The tip is here": wherever the device is, its tip is in the middle of the view.
+  lead(false, {0.05, 0.02, 0}, 0);
+  const Vec3 middle = w().space().camera().target, right = w().space().camera().right();
+  until(isAt(middle + right * 0.1 + Vec3{0, 0.04, 0}));
+  auto* calibrate = panel().findChild<QPushButton*>("calibrate");
+  ASSERT_TRUE(calibrate && calibrate->isEnabled());
+  calibrate->click();
+  until(isAt(middle));
+  // The second button: the tip stays while the device is led elsewhere, and goes on from there.
+  const double before = turnOfView();
+  const auto press = [&](Vec3 where) {
+    lead(false, where, 2);
+    until([&] { return force().last().hand.buttons == 2; });
+  };
+  press({0.05, 0.02, 0});
+  lead(false, {-0.05, 0.02, 0}, 2);
+  until([&] { return force().last().hand.led.x < -0.19; });
+  EXPECT_LT(distance(tip(), middle), 1e-4);
+  EXPECT_EQ(turnOfView(), before);
+  lead(false, {-0.05, 0.02, 0}, 0);
+  until([&] { return force().last().hand.buttons == 0; });
+  lead(false, {-0.04, 0.02, 0}, 0);
+  until(isAt(middle + right * 0.02));
+  // Or it turns the body.
+  chooseIn("second_button", 1);
+  EXPECT_TRUE(force().settings().secondTurns);
+  until([&] { return force().last().hand.ready; });
+  press({});
+  lead(false, {0.02, 0, 0}, 2);
+  until([&] { return std::fabs(turnOfView() - before) > 0.31; });  // 2 cm, twice, at 8 radians a metre
+  EXPECT_NEAR(std::fabs(turnOfView() - before), 0.32, 0.01);
+  EXPECT_FALSE(w().session().begun());
+}
+
+// Two devices at once: one carries a piece, the other turns the body meanwhile.
+TEST_F(StudioForce, TheOtherHandsDeviceTurnsTheBodyWhileThisOneWorks) {
+  w().openTunic();
+  show();
+  holdInHand();
+  choose(DeviceKind::Simulated);
+  chooseIn("other_device", 1);
+  ASSERT_EQ(force().settings().other, DeviceKind::Inverse3);
+  ASSERT_TRUE(held(true) && force().other());
+  w().key(Command::Move);
+  const QPointF at = w().inSpace("front", {0, 0.1});
+  w().hover(w().space(), at);
+  until([&] { return force().last().state == ServoState::Armed; });
+  const std::size_t steps = w().count();
+  QTest::mousePress(&w().space(), Qt::LeftButton, {}, at.toPoint());
+  until([&] { return w().session().begun(); });
+  const double before = turnOfView();
+  lead(true, {0.03, 0, 0}, 0);
+  until([&] { return force().other()->last().hand.tip.carry.x > 0.0299; });
+  EXPECT_EQ(turnOfView(), before) << "its button is up";
+  lead(true, {0.06, 0, 0}, 1);
+  until([&] { return std::fabs(turnOfView() - before) > 0.45; });
+  EXPECT_NEAR(std::fabs(turnOfView() - before), 0.48, 0.02);
+  EXPECT_TRUE(w().session().begun()) << "what the main hand holds is held on";
+  EXPECT_EQ(held(true)->force(), HandForce()) << "and the other hand feels nothing";
+  const Vec3 from = tip();
+  QTest::mouseMove(&w().space(), (at + QPointF(40, 0)).toPoint());
+  until([&] { return distance(tip(), from) > 0.02; });
+  QTest::mouseRelease(&w().space(), Qt::LeftButton, {}, (at + QPointF(40, 0)).toPoint());
+  until([&] { return w().count() > steps; });
+  EXPECT_THAT(text(w().session().steps()[steps].operation), testing::StartsWith("move piece="));
+  // Nobody to hold it: told, and not used.
+  force().setOpener([](DeviceKind, bool) -> Result<std::unique_ptr<HapticDevice>> { return notFound(say("none")); });
+  chooseIn("other_device", 0);
+  EXPECT_FALSE(force().other());
+  chooseIn("other_device", 1);
+  w().rest();
+  EXPECT_FALSE(force().other());
+  EXPECT_EQ(w().main().findChild<QComboBox*>("other_device")->currentIndex(), 0);
+  EXPECT_THAT(w().main().said().toStdString(), testing::HasSubstr("none"));
+}
+
+TEST_F(StudioForce, TestFeelLaysAFloorBelowTheTip) {
+  w().openTunic();
+  show();
+  choose(DeviceKind::Simulated);
+  const QPointF free(40, w().space().height() / 2.0);  // beside the body
+  w().hover(w().space(), free);
+  until([&] { return force().last().state == ServoState::Armed; });
+  const double high = tip().y;
+  auto* test = panel().findChild<QPushButton*>("test_feel");
+  ASSERT_TRUE(test && test->isEnabled());
+  test->click();
+  const auto below = w().space().onScreen(tip() - Vec3{0, 0.03, 0});
+  const auto here = w().space().onScreen(tip());
+  ASSERT_TRUE(below && here);
+  w().hover(w().space(), free + *below - *here);
+  until([&] { return force().last().touching && force().last().out.force.y > 0.3; });
+  EXPECT_NEAR(force().last().proxy.y, high - 0.01, 0.002) << "a level floor, 1 cm below where the tip was";
+  until([&] { return newtons() == 0 && !force().last().touching; });  // it is over
+}
+
+// A figure, two squares of cotton before it, and the simulated stylus at work, each operation by itself.
+TEST_F(StudioForce, AllSixOperationsAreDoneByTheStylus) {
+  for (const char* line : {"body size=jis9ar",
+                           "piece name=one outline=\"M 0 0; a L 150 0; b L 150 150; c L 0 150; d L 0 0\" "
+                           "pose=\"-0.2,1.1,0.3\"",
+                           "piece name=two outline=\"M 0 0; a L 150 0; b L 150 150; c L 0 150; d L 0 0\" "
+                           "pose=\"0.05,1.1,0.3\""}) {
+    w().session().perform(*parseOperation(line));
+    w().session().finish();
+  }
+  w().rest();
+  w().view(View::Front);
+  show();
+  choose(DeviceKind::Simulated);
+  const Camera& c = w().space().camera();
+  w().space().setCamera({c.target + (c.eye - c.target) * 0.45 + Vec3{0, 0.15, 0}, c.target + Vec3{0, 0.15, 0}});
+  w().rest();
+  const Vec3 one{-0.2, 1.1, 0.3}, two{0.05, 1.1, 0.3};
+  const auto seen = [&](Vec3 place) { return w().space().onScreen(place).value_or(QPointF()); };
+  std::vector<QPointF> ring;
+  for (int k = 0; k <= 12; ++k)
+    ring.push_back(w().onSkin("torso:hip+0.3@0") +
+                   25.0 * QPointF(std::sin(k * std::numbers::pi / 6), std::cos(k * std::numbers::pi / 6)));
+  const struct {
+    Command tool;
+    std::vector<QPointF> path;
+    const char* expected;
+  } works[] = {
+      {Command::Draw, ring, "draw "},
+      {Command::Move, {seen(one + Vec3{0.07, 0.07, 0}), seen(one + Vec3{0.02, 0.16, 0})}, "move piece="},
+      {Command::Sew, {seen(one + Vec3{0.147, 0.075, 0}), seen(two + Vec3{0.003, 0.075, 0})}, "sew a="},
+      {Command::Cut,
+       {seen(one + Vec3{0.01, 0.05, 0}), seen(one + Vec3{0.14, 0.1, 0}), seen(one + Vec3{0.18, 0.11, 0})},
+       "cut piece="},
+      {Command::Pull, {seen(two + Vec3{0.07, 0.07, 0}), seen(two + Vec3{0.085, 0.06, 0})}, "pull piece="},
+      {Command::Reshape, {seen(two + Vec3{0.13, 0.075, 0}), seen(two + Vec3{0.19, 0.075, 0})}, "reshape piece="}};
+  // The hand that is led there has come to rest, and the session has seen it.
+  const auto rested = [&] {
+    int still = 0;
+    until([&] { return still = length(force().last().hand.velocity) < 0.003 ? still + 1 : 0, still > 6; });
+  };
+  std::vector<QImage> strip;
+  for (const auto& work : works) {
+    SCOPED_TRACE(std::string(info(work.tool).name));
+    w().key(work.tool);
+    w().hover(w().space(), work.path.front());
+    until([&] { return force().last().state == ServoState::Armed; });
+    rested();
+    const std::size_t steps = w().count();
+    QTest::mousePress(&w().space(), Qt::LeftButton, {}, work.path.front().toPoint());
+    until([&] { return w().session().begun(); });
+    for (const QPointF& at : work.path) QTest::mouseMove(&w().space(), at.toPoint()), rested();
+    strip.push_back(w().space().grabFramebuffer());
+    QTest::mouseRelease(&w().space(), Qt::LeftButton, {}, work.path.back().toPoint());
+    until([&] { return w().count() > steps; });
+    EXPECT_THAT(text(w().session().steps()[steps].operation), testing::StartsWith(work.expected));
+    w().key(Command::Cancel);
+    w().session().goTo(steps);
+    w().rest();
+    ASSERT_EQ(w().count(), steps);
+  }
+  keepStrip(strip);
 }
 
 TEST_F(StudioForce, SettingsAreKeptAndWhatIsNotThereIsTold) {

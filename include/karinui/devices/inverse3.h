@@ -13,8 +13,10 @@ class Inverse3 : public HapticDevice {
  public:
   static constexpr unsigned short kPort = 10001;
   static constexpr double kPatience = 0.020;  // seconds without a reply, then the device is not ready
-  // The first Inverse3 of the service on the loopback interface. NotFound, with a sentence, where there is none.
-  static Result<std::unique_ptr<Inverse3>> connect(unsigned short port = kPort, double patience = kPatience);
+  // An Inverse3 of the service on the loopback interface with the grip that goes with it, counted from 0 as the service
+  // lists them. NotFound, with a sentence, where there is none.
+  static Result<std::unique_ptr<Inverse3>> connect(unsigned short port = kPort, double patience = kPatience,
+                                                   std::size_t which = 0);
   ~Inverse3() override;
   const DeviceRecord& record() const override;
   HandSample sample() override;

@@ -39,7 +39,9 @@ class PoseSource : public HapticDevice {
 // from sample to sample. At its end it is not ready any more.
 class ScriptedDevice : public HapticDevice {
  public:
-  static Result<ScriptedDevice> read(std::string_view text, const DeviceRecord& record, double tick = 0.001);
+  // `rest`: seconds that it is at its first place before it begins, its buttons up.
+  static Result<ScriptedDevice> read(std::string_view text, const DeviceRecord& record, double tick = 0.001,
+                                     double rest = 0);
   const DeviceRecord& record() const override { return record_; }
   HandSample sample() override;
   void apply(const HandForce& force) override { force_ = force; }
