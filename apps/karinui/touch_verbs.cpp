@@ -2,6 +2,7 @@
 #include <chrono>
 #include <thread>
 
+#include "commands.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
 #include "karinui/devices/hd_stylus.h"
@@ -9,9 +10,10 @@
 #include "karinui/devices/pose_source.h"
 #include "karinui/devices/simulated_device.h"
 #include "karinui/devices/simulated_inverse3.h"
+#include "karinui/devices/space_mouse.h"
+#include "karinui/haptics/stepped_driver.h"
 #include "karinui/session/touch_scene_of.h"
 #include "karinui/touch/servo.h"
-#include "open_document.h"
 
 namespace karinui::app {
 
@@ -42,6 +44,9 @@ std::vector<Found> devicesHere() {
   const auto stylus = HdStylus::open();
   found.push_back({"touch", stylus ? (*stylus)->record().name : "",
                    stylus ? say("found; not yet tried on hardware by us") : stylus.error().what});
+  const auto cap = SpaceMouse::open();
+  found.push_back({"space_mouse", cap ? (*cap)->record().name : "",
+                   cap ? say("found; without a motor; in the studio it moves what you look at") : cap.error().what});
   found.push_back({"simulated", simulatedRecord().name, say("always there; the loop is measured with it")});
   return found;
 }
@@ -211,83 +216,72 @@ constexpr std::array kStates{"waiting", "ramping", "armed", "fading", "off"};
 constexpr std::array kFaults{"",      "not finite", "jump",   "speed",    "late",
                              "stale", "not ready",  "clutch", "no focus", "off"};
 
+// What the hand does while its button is down.
+constexpr std::array kHandTools{std::pair("touch", Command::Select),   std::pair("draw", Command::Draw),
+                                std::pair("move", Command::Move),      std::pair("sew", Command::Sew),
+                                std::pair("cut", Command::Cut),        std::pair("pull", Command::Pull),
+                                std::pair("reshape", Command::Reshape)};
+
 int runReplay(Program& program, const ReplayOptions& options) {
+  constexpr double kRest = 2, kScene = 0.016;  // seconds in which the force is armed; from scene to scene
   const Result<std::string> recorded = readFile(options.recording);
   if (!recorded) return program.console.refuse(recorded.error());
-  Result<ScriptedDevice> hand = ScriptedDevice::read(*recorded, simulatedRecord());
+  Result<ScriptedDevice> hand =
+      ScriptedDevice::read(*recorded, simulatedRecord(), SteppedDriver::kTick, kRest + SteppedDriver::kTick);
   if (!hand) return program.console.refuse(hand.error());
-  return withDocument(program, options.document, true, [&](OpenDocument& opened) -> int {
-    BodyPtr body;
-    if (opened.document().body.chosen()) {
-      const Result<BodyPtr> found = bodyOf(opened.document(), opened.context());
-      if (!found) return program.console.refuse(found.error());
-      body = *found;
-    }
-    const SnapshotPtr fitting = snapshotOf(opened.document(), body);
-    ServoSettings settings;
-    settings.gain = options.gain;
-    settings.limit = options.limit;
-    settings.laws.pull = options.pull == "springs" ? PullLaw::Springs : PullLaw::Curve;
-    ServoStep step(hand->record(), settings);
-    std::vector<std::unique_ptr<TouchScene>> kept;
-    Handling handling;
-    Json ticks = Json::array();
-    std::string words;
-    double most = 0;
-    bool held = false;
-    // Two seconds at the first place, in which the force is armed.
-    constexpr double kTick = 0.001, kWait = 2, kScene = 0.016;
-    const double begins = hand->begins();
-    HandSample now = hand->sample();
-    const HandSample first = now;
-    double published = -1;
-    const auto ends = static_cast<long>((hand->ends() - begins + kWait) / kTick) + 1;
-    for (long k = 0; k < ends; ++k) {
-      const double t = static_cast<double>(k) * kTick;
-      if (t > kWait) now = hand->sample();
-      const bool down = (now.buttons & 1) != 0 && t > kWait;
-      if (down && !held) {  // takes hold of what is there
-        PointerSample sample;
-        sample.tip = now.tip;
-        const Hit hit = pick(*fitting, TableLayout(), sample);
-        if (hit.on == Hit::On::Cloth && options.tool == "move") handling.carried = {hit.piece};
-        if (hit.on == Hit::On::Cloth && options.tool == "pull")
-          handling.pull = Handling::Pull{hit.piece, hit.paper, now.tip.carry, now.tip.carry, {}};
-        if (hit.on == Hit::On::Cloth && options.tool == "cut") handling.cut = hit.piece;
-        published = -1;
-      }
-      if (!down && held) handling = {}, published = -1;
-      held = down;
-      if (published < 0 || t - published >= kScene) {
-        kept.push_back(std::make_unique<TouchScene>(touchSceneOf(*fitting, now.tip.carry, handling)));
-        kept.back()->published = published = t;
-        step.adopt(kept.back().get(), t);
-        if (kept.size() > 3) kept.erase(kept.begin());
-      }
-      HandSample felt = t > kWait ? now : first;
-      if (t <= kWait) felt.velocity = {}, felt.buttons = 0;
-      const ServoTick tick = step.tick(felt, t);
-      hand->apply(tick.out);
-      if (t < kWait) continue;
-      const double newtons = length(tick.out.force);
-      most = std::max(most, newtons);
-      const auto every = static_cast<long>(std::max(1.0, options.every));
-      if (k % every != 0) continue;
-      const Vec3 f = tick.out.force, p = felt.tip.carry;
-      ticks.push_back({{"seconds", begins + t - kWait},
-                       {"tip", {p.x, p.y, p.z}},
-                       {"force", {f.x, f.y, f.z}},
-                       {"newtons", newtons},
-                       {"touching", tick.touching},
-                       {"state", kStates[static_cast<std::size_t>(tick.state)]},
-                       {"fault", kFaults[static_cast<std::size_t>(tick.fault)]}});
-      words += fixed(begins + t - kWait, 3) + " s  " + fixed(newtons, 3) + " N  " +
-               kStates[static_cast<std::size_t>(tick.state)] + "\n";
-    }
-    words += program.console.said(say("At most {0} N", fixed(most, 2))) + "\n";
-    program.console.answer({{"most_newtons", most}, {"ticks", std::move(ticks)}}, words);
-    return kDone;
-  });
+  MemoryBlobs none;
+  Workers workers(program.threads);
+  Bodies bodies;
+  Context how{workers, program.console.token(), none, bodies, {}, {}};
+  Result<DocumentFile> file = DocumentFile::openForReading(options.document, &how);
+  if (!file) return program.console.refuse(file.error());
+  // The hand works at a session of its own. No step of it is written, and none is draped: what the hand does is asked
+  // about, not what comes of it.
+  SessionOptions quiet;
+  quiet.threads = program.threads;
+  quiet.autoSettle = false;
+  quiet.drape = [](const Document&, const DrapePieces&, Context&) { return Result<DrapeOutcome>(cancelled()); };
+  quiet.pull = [](const Document&, const PullCloth&, Context&) { return Result<DrapeOutcome>(cancelled()); };
+  Session session(quiet);
+  session.begin(*std::move(file));
+  session.finish();
+  for (const auto& [name, tool] : kHandTools)
+    if (options.tool == name) session.command(tool);
+  ServoSettings settings;
+  settings.gain = options.gain;
+  settings.limit = options.limit;
+  settings.laws.pull = options.pull == "springs" ? PullLaw::Springs : PullLaw::Curve;
+  SteppedDriver driver(session, *hand, settings);
+  Json ticks = Json::array();
+  std::string words;
+  double most = 0;
+  const double begins = hand->begins();
+  const auto ends = std::lround((hand->ends() - begins + kRest) / SteppedDriver::kTick) + 1;
+  const auto every = static_cast<long>(std::max(1.0, options.every)),
+             before = std::lround(kRest / SteppedDriver::kTick), scene = std::lround(kScene / SteppedDriver::kTick);
+  for (long k = 0; k < ends; ++k) {
+    if (program.console.token().cancelled()) return program.console.refuse(cancelled());
+    const ServoTick tick = driver.tick();
+    if (k % scene == 0) driver.publish();
+    if (k < before) continue;
+    const Vec3 f = tick.out.force, p = tick.hand.tip.carry;
+    const double newtons = length(f), seconds = begins + static_cast<double>(k - before) * SteppedDriver::kTick;
+    most = std::max(most, newtons);
+    if (k % every != 0) continue;
+    const char *state = kStates[static_cast<std::size_t>(tick.state)],
+               *fault = kFaults[static_cast<std::size_t>(tick.fault)];
+    ticks.push_back({{"seconds", seconds},
+                     {"tip", {p.x, p.y, p.z}},
+                     {"force", {f.x, f.y, f.z}},
+                     {"newtons", newtons},
+                     {"touching", tick.touching},
+                     {"state", state},
+                     {"fault", fault}});
+    words += fixed(seconds, 3) + " s  " + fixed(newtons, 3) + " N  " + state + "\n";
+  }
+  words += program.console.said(say("At most {0} N", fixed(most, 2))) + "\n";
+  program.console.answer({{"most_newtons", most}, {"ticks", std::move(ticks)}}, words);
+  return kDone;
 }
 
 }  // namespace
@@ -309,8 +303,12 @@ void addTouchVerbs(Program& program) {
       ->required();
   verb->add_option("document", replay->document, help("The .karinui document"))->required();
   verb->add_option("--tool", replay->tool,
-                   help("What the hand does while its button is down: touch, move, pull or cut"))
-      ->check(CLI::IsMember({"touch", "move", "pull", "cut"}));
+                   help("What the hand does while its button is down: touch, draw, move, sew, cut, pull or reshape"))
+      ->check(CLI::IsMember([] {
+        std::vector<std::string> names;
+        for (const auto& [name, tool] : kHandTools) names.emplace_back(name);
+        return names;
+      }()));
   verb->add_option("--pull", replay->pull,
                    help("How cloth pulls: curve (the fabric's) or springs (the historical law)"))
       ->check(CLI::IsMember({"curve", "springs"}));

@@ -136,15 +136,15 @@ Camera frameAll(const SceneFrame& frame, View view, double aspect) {
 }
 
 Matrix4 viewOf(Vec3 p, Vec3 right, Vec3 up, Vec3 back) {
-  return {{right.x, up.x, back.x, 0, right.y,        up.y,        back.y,        0,
-           right.z, up.z, back.z, 0, -dot(right, p), -dot(up, p), -dot(back, p), 1}};
+  return {{right.x, up.x, back.x, 0, right.y, up.y, back.y, 0, right.z, up.z, back.z, 0, -dot(right, p), -dot(up, p),
+           -dot(back, p), 1}};
 }
 
 // glFrustum (OpenGL 2.1, section 2.11.2), by slopes instead of the edges of its near plane.
 Matrix4 frustumOf(const Slopes& s, double near, double far) {
   const double wide = s.right - s.left, high = s.top - s.bottom, deep = far - near;
-  return {{2 / wide, 0, 0, 0,  //
-           0, 2 / high, 0, 0,  //
+  return {{2 / wide, 0, 0, 0,                                                               //
+           0, 2 / high, 0, 0,                                                               //
            (s.right + s.left) / wide, (s.top + s.bottom) / high, -(far + near) / deep, -1,  //
            0, 0, -2 * far * near / deep, 0}};
 }

@@ -1,14 +1,11 @@
 #pragma once
 // A simulated hand at a session by a virtual clock: hand, force loop and session in one thread, the session as slow and
 // as uneven as is asked for. The same run gives the same numbers.
-#include <functional>
-#include <memory>
 #include <random>
 #include <vector>
 
 #include "karinui/devices/simulated_device.h"
-#include "karinui/haptics/stylus_pointer.h"
-#include "karinui/session/session.h"
+#include "karinui/haptics/stepped_driver.h"
 
 namespace karinui {
 
@@ -20,17 +17,16 @@ struct SessionRate {
 
 class VirtualStylus {
  public:
-  static constexpr double kTick = 0.001;  // seconds
+  static constexpr double kTick = SteppedDriver::kTick;
 
   VirtualStylus(Session& session, Vec3 start, const ServoSettings& settings = {}, const SessionRate& rate = {},
                 const HandModel& model = {0.2, 300, 8}, const DeviceRecord& device = simulatedRecord())
       : record(device),
-        session_(session),
         settings_(settings),
         rate_(rate),
-        step_(record, settings),
-        hand_(start, model),
-        aim_(start) {}
+        aim_(start),
+        device_([this](double) { return aim_; }, record, model),
+        driver_(session, device_, settings) {}
 
   // What is seen meanwhile.
   struct Moment {
@@ -45,7 +41,7 @@ class VirtualStylus {
   std::size_t facets = 0;
 
   void wait(double seconds) {
-    for (const double end = now_ + seconds; now_ < end - kTick / 2;) tick();
+    for (const double end = now() + seconds; now() < end - kTick / 2;) tick();
   }
   // The hand means to go there, evenly.
   void go(Vec3 to, double speed = 0.15) {
@@ -60,68 +56,45 @@ class VirtualStylus {
   void arrive(Vec3 at) {
     constexpr double kAgainst = 4 * kTick, kThere = 1e-5, kLongest = 4;  // share a tick, metres, seconds
     int there = 0;
-    for (const double end = now_ + kLongest; now_ < end && there < 50;) {
-      aim_ += (at - hand_.place()) * kAgainst;
+    for (const double end = now() + kLongest; now() < end && there < 50;) {
+      aim_ += (at - device_.hand().place()) * kAgainst;
       tick();
-      there = distance(hand_.place(), at) < kThere ? there + 1 : 0;
+      there = distance(device_.hand().place(), at) < kThere ? there + 1 : 0;
     }
   }
   void press(bool down) {
-    buttons_ = down ? 1 : 0;
+    device_.buttons = down ? 1 : 0;
     wait(0.05);
   }
-  double now() const { return now_; }
+  double now() const { return driver_.now(); }
   const DeviceRecord record;
 
  private:
   void tick() {
-    if (now_ >= nextScene_) publish();
-    if (waiting_ && step_.mayAdopt(now_)) step_.adopt(std::exchange(waiting_, nullptr), now_);
-    const Vec3 before = hand_.place();
-    hand_.step(aim_, force_, kTick);
-    HandSample sample;
-    sample.tip.carry = hand_.place();
-    sample.velocity = hand_.velocity();
-    sample.buttons = buttons_;
-    sample.ready = true;
-    const ServoTick tick = step_.tick(sample, now_);
-    const Vec3 force = tick.out.force, change = force - force_;
+    if (now() >= nextScene_) publish();
+    const Vec3 before = device_.hand().place();
+    const ServoTick tick = driver_.tick();
+    const Vec3 force = tick.out.force, change = force - force_, at = tick.hand.tip.carry;
     const double slew = dot(change, force_) < 0 ? settings_.falling : settings_.rising;
-    excess = std::max(
-        excess, length(change) - slew * kTick - settings_.gain * record.stiffness * distance(before, hand_.place()));
+    excess = std::max(excess, length(change) - slew * kTick - settings_.gain * record.stiffness * distance(before, at));
     force_ = force;
     most = std::max(most, length(force));
-    work = std::max(work, hand_.work());
-    ticks_.push_back(tick);
-    moments.push_back({now_, sample.tip.carry, tick.proxy, force, tick.touching, buttons_ != 0, tick.fault});
-    now_ += kTick;
+    work = std::max(work, device_.hand().work());
+    moments.push_back({tick.seconds, at, tick.proxy, force, tick.touching, device_.buttons != 0, tick.fault});
   }
   void publish() {
-    for (const ServoTick& tick : ticks_)
-      if (const auto one = pointer_.of(tick, {0, 0, 1})) session_.feed(*one);
-    ticks_.clear();
-    if (const auto one = pointer_.rest()) session_.feed(*one);
-    session_.finish();
-    kept_.push_back(std::make_unique<TouchScene>(session_.touchSource().sceneAt(hand_.place())));
-    kept_.back()->published = now_;
-    facets = std::max(facets, kept_.back()->facets.size());
-    waiting_ = kept_.back().get();
-    nextScene_ = now_ + (1 + rate_.jitter * (2 * unit_(random_) - 1)) / rate_.hertz;
+    driver_.publish();
+    facets = std::max(facets, driver_.scene()->facets.size());
+    nextScene_ = now() + (1 + rate_.jitter * (2 * unit_(random_) - 1)) / rate_.hertz;
     if (rate_.stall > 0 && unit_(random_) < 0.05) nextScene_ += rate_.stall;
   }
 
-  Session& session_;
   ServoSettings settings_;
   SessionRate rate_;
-  ServoStep step_;
-  StylusPointer pointer_;
-  SimulatedHand hand_;
   Vec3 aim_, force_;
-  std::uint32_t buttons_ = 0;
-  double now_ = 0, nextScene_ = 0;
-  std::vector<std::unique_ptr<TouchScene>> kept_;
-  const TouchScene* waiting_ = nullptr;
-  std::vector<ServoTick> ticks_;
+  SimulatedDevice device_;
+  SteppedDriver driver_;
+  double nextScene_ = 0;
   std::mt19937 random_{11};
   std::uniform_real_distribution<double> unit_{0, 1};
 };
