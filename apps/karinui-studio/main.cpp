@@ -1,6 +1,7 @@
 // karinui-studio [FILE]            opens a document, a body or a pattern; without one, the start page
 //   --new SIZE        begins a garment on a built-in size, in FILE or as a draft
-//   --self-check      works by itself for a moment, prints how long things take, and ends
+//   --self-check      works FILE (a document or a script; without one a sample) by itself, prints how long things take,
+//                     and ends
 //   --picture FILE    opens, waits until all is at rest, keeps a picture of the window, and ends
 //   --language en|ja  --dark  --threads N
 #include <QApplication>
@@ -127,10 +128,10 @@ int main(int argc, char** argv) {
   SessionOptions options;
   if (!wish.selfCheck) options.drafts = draftsFolder();
   options.threads = wish.threads > 0 ? wish.threads : std::max(1, QThread::idealThreadCount());
+  if (wish.selfCheck) return selfCheck(app, options, wish.file);
   MainWindow window(options);
   window.show();
   if (unreadable) window.session().refuse(notFound(*unreadable));
-  if (wish.selfCheck) return selfCheck(app, window);
   if (!wish.fresh.isEmpty())
     window.newGarment(wish.fresh.toLower().toStdString(), wish.file);
   else if (!wish.file.isEmpty())

@@ -1,15 +1,20 @@
 #include "self_check.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QMouseEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QTemporaryDir>
 #include <cstdio>
+#include <ctime>
 
-#include "karinui/base/number.h"
+#include "karinui/base/file.h"
 #include "karinui/design/script.h"
+#include "karinui/exchange/formats.h"
 #include "main_window.h"
+#include "orbit.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -28,31 +33,146 @@ sew a=front.side_right b=back.side_right
 drape
 )";
 
-void mouse(QWidget& widget, QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
-  QMouseEvent event(type, at, widget.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button, held,
-                    Qt::NoModifier);
+double processorSeconds() {  // of all threads
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+// How often something was waited for, and how long.
+class Waits {
+ public:
+  explicit Waits(const char* what) : what_(what) { again(); }
+  void again() { clock_.start(), processor_ = processorSeconds(); }
+  void take() {
+    taken_.push_back({static_cast<double>(clock_.nsecsElapsed()) * 1e-6, (processorSeconds() - processor_) * 1e3});
+    again();
+  }
+  void print() const {
+    if (taken_.empty()) return void(std::printf("%-34s never\n", what_));
+    const auto sorted = [&](double Wait::* of) {
+      std::vector<double> all;
+      for (const Wait& wait : taken_) all.push_back(wait.*of);
+      std::sort(all.begin(), all.end());
+      return all;
+    };
+    const std::vector<double> clock = sorted(&Wait::clock), processor = sorted(&Wait::processor);
+    std::printf("%-34s median %8.0f ms   worst %8.0f ms   processor %8.0f ms   (%zu)\n", what_,
+                clock[clock.size() / 2], clock.back(), processor[clock.size() / 2], taken_.size());
+    std::fflush(stdout);
+  }
+
+ private:
+  struct Wait {
+    double clock, processor;  // milliseconds
+  };
+  const char* what_;
+  QElapsedTimer clock_;
+  double processor_ = 0;
+  std::vector<Wait> taken_;
+};
+
+// Handles events until it holds, looking after each picture and each thing that is new.
+void until(MainWindow& window, const std::function<bool()>& holds) {
+  QEventLoop loop;
+  const auto check = [&] {
+    if (holds()) loop.quit();
+  };
+  const auto a = QObject::connect(&window, &MainWindow::refreshed, &loop, check);
+  const auto b = QObject::connect(&window.space(), &SpaceView::painted, &loop, check);
+  window.space().update();
+  loop.exec();
+  QObject::disconnect(a);
+  QObject::disconnect(b);
+}
+
+void untilPainted(MainWindow& window) {
+  QEventLoop loop;
+  const auto a = QObject::connect(&window.space(), &SpaceView::painted, &loop, &QEventLoop::quit);
+  window.space().update();
+  loop.exec();
+  QObject::disconnect(a);
+}
+
+void mouse(QWidget& widget, QEvent::Type type, QPointF at, Qt::MouseButton button) {
+  const bool move = type == QEvent::MouseMove;
+  QMouseEvent event(type, at, widget.mapToGlobal(at), move ? Qt::NoButton : button, button, Qt::NoModifier);
   QApplication::sendEvent(&widget, &event);
 }
 
-void drag(MainWindow& window, QPointF from, QPointF to, Qt::MouseButton button, int steps) {
-  QWidget& view = window.space();
-  const auto drawn = [&] {
-    QEventLoop loop;
-    const auto until = QObject::connect(&window.space(), &SpaceView::painted, &loop, &QEventLoop::quit);
-    view.update();
-    loop.exec();
-    QObject::disconnect(until);
-  };
-  mouse(view, QEvent::MouseMove, from, button, Qt::NoButton);
-  mouse(view, QEvent::MouseButtonPress, from, button, button);
+// A drag that waits for the picture of every move; `seen`, if given, until the shown garment has changed since the
+// first move.
+void drag(MainWindow& window, QWidget& view, QPointF from, QPointF to, Qt::MouseButton button, int steps,
+          Waits& pictures, Waits* seen = nullptr) {
+  mouse(view, QEvent::MouseButtonPress, from, button);
+  const std::uint64_t before = window.session().changes().predicted;
+  if (seen) seen->again();
   for (int i = 1; i <= steps; ++i) {
-    window.latencyLog().begin("event to picture");
-    mouse(view, QEvent::MouseMove, from + (to - from) * i / steps, button, button);
-    drawn();
+    pictures.again();
+    mouse(view, QEvent::MouseMove, from + (to - from) * i / steps, button);
+    untilPainted(window);
+    pictures.take();
   }
-  window.latencyLog().begin("release to first drape");
-  window.latencyLog().begin("release to settled");
-  mouse(view, QEvent::MouseButtonRelease, to, button, Qt::NoButton);
+  if (seen) until(window, [&] { return window.session().changes().predicted != before; }), seen->take();
+}
+
+std::unique_ptr<MainWindow> windowOf(const SessionOptions& options) {
+  auto window = std::make_unique<MainWindow>(options);
+  window->resize(1600, 1000);
+  window->show();
+  QApplication::processEvents();
+  return window;
+}
+
+// Where cloth is seen low in the middle of the view.
+struct OnCloth {
+  QPointF at;
+  PieceId piece;
+};
+std::optional<OnCloth> clothSeen(MainWindow& window) {
+  const SpaceView& view = window.space();
+  const double w = view.width(), h = view.height();
+  for (double x = 0.4; x < 0.6; x += 0.03)
+    for (double y = 0.95; y > 0; y -= 0.01) {
+      PointerSample sample;
+      sample.ray = rayAt(view.camera(), x * w, y * h, w, h);
+      const Hit hit = pick(window.session().snapshot(), window.session().table(), sample);
+      if (hit.on == Hit::On::Cloth) return OnCloth{{x * w, (y - 0.04) * h}, hit.piece};
+    }
+  return std::nullopt;
+}
+
+Done play(MainWindow& window, const std::filesystem::path& garment, const std::filesystem::path& path) {
+  if (contentOf(garment) == FileContent::Document) {
+    const auto bytes = readFile(garment);
+    if (!bytes) return bytes.error();
+    if (const Done done = writeFile(path, *bytes); !done) return done;
+    window.session().open(path);
+    comeToRest(window);
+    return {};
+  }
+  Result<std::string> script = garment.empty() ? Result<std::string>(std::string(kGarment)) : readFile(garment);
+  if (!script) return script.error();
+  const auto lines = parseScript(*script);
+  if (!lines) return lines.error();
+  window.session().create(path);
+  for (const ScriptLine& line : *lines) window.session().perform(line.operation), comeToRest(window);
+  return {};
+}
+
+// From what is done until it is first seen, and until all is at rest.
+void measure(MainWindow& window, const char* seenAs, const char* restAs, const std::function<void()>& act) {
+  Waits seen(seenAs), rest(restAs);
+  const SessionChanges before = window.session().changes();
+  act();
+  until(window, [&] {
+    const SessionChanges& now = window.session().changes();
+    return now.predicted != before.predicted || now.settled != before.settled || now.history != before.history;
+  });
+  seen.take();
+  comeToRest(window);
+  rest.take();
+  seen.print(), rest.print();
 }
 
 }  // namespace
@@ -71,51 +191,87 @@ std::optional<Message> drawingTrouble() {
 }
 
 void comeToRest(MainWindow& window) {
-  QEventLoop loop;
-  const auto check = [&] {
-    if (window.still()) loop.quit();
-  };
-  const auto a = QObject::connect(&window, &MainWindow::refreshed, &loop, check);
-  const auto b = QObject::connect(&window.space(), &SpaceView::painted, &loop, check);
-  window.space().update();
-  if (!(window.atStart() && window.still())) loop.exec();
-  QObject::disconnect(a);
-  QObject::disconnect(b);
+  if (!(window.atStart() && window.still())) until(window, [&] { return window.still(); });
   QApplication::processEvents();
 }
 
-int selfCheck(QApplication&, MainWindow& window) {
-  const auto lines = parseScript(kGarment);
-  for (const ScriptLine& line : *lines) window.session().perform(line.operation), comeToRest(window);
-  if (window.space().trouble()) return 1;
-  LatencyLog& clock = window.latencyLog();
-  const QSize size = window.space().size();
-  const QPointF middle(size.width() / 2.0, size.height() / 2.0);
-  drag(window, middle, middle + QPointF(120, 20), Qt::RightButton, 12);
-  comeToRest(window);
-  clock.forget("release to first drape"), clock.forget("release to settled");
-  window.space().look(View::Front);
-  comeToRest(window);
-
-  const auto seen = [&](const char* piece, Flat paper) {
-    const Piece* p = window.session().snapshot().document.pieceNamed(piece);
-    return window.space().onScreen(*spaceOf(window.session().snapshot(), p->id, paper)).value_or(middle);
+int selfCheck(QApplication&, const SessionOptions& options, const QString& garment) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("check.karinui");
+  {
+    const auto window = windowOf(options);
+    if (const Done done = play(*window, garment.toStdString(), path.toStdString()); !done) {
+      std::fprintf(stderr, "%s\n", inWords(done.error().what).toUtf8().constData());
+      return 1;
+    }
+    if (window->space().trouble()) return 1;
+  }
+  const auto opened = [&](const char* seenAs) {
+    Waits seen(seenAs);
+    auto window = windowOf(options);
+    window->openPath(path);
+    until(*window, [&] { return !window->session().shown().worn.empty(); });
+    untilPainted(*window);
+    seen.take();
+    seen.print();
+    comeToRest(*window);
+    return window;
   };
-  window.session().command(Command::Pull);
-  const QPointF hem = seen("front", {0.02, 0.05});
-  drag(window, hem, hem + QPointF(60, 10), Qt::LeftButton, 8);
-  comeToRest(window);
-  window.session().command(Command::Cut);
-  drag(window, seen("front", {-0.03, 0.0}) + QPointF(0, 40), seen("front", {-0.03, 0.12}), Qt::LeftButton, 10);
-  comeToRest(window);
+  auto window = opened("opening, to the first picture");
+  window->space().look(View::Front);
+  comeToRest(*window);
+  std::size_t points = 0;
+  for (const SceneCloth& cloth : window->session().snapshot().frame.cloths) points += cloth.mesh.points.size();
+  std::printf("%s, view %d x %d\n%zu points of cloth, %zu steps\n", window->space().driver().toUtf8().constData(),
+              window->space().width(), window->space().height(), points, window->session().steps().size());
 
-  std::printf("%s\n", window.space().driver().toUtf8().constData());
-  std::size_t vertices = 0;
-  for (const SceneCloth& cloth : window.session().snapshot().frame.cloths) vertices += cloth.mesh.points.size();
-  std::printf("%zu points of cloth, %zu steps\n", vertices, window.session().steps().size());
-  for (const char* what : {"event to picture", "drag to preview", "release to first drape", "release to settled"})
-    std::printf("%-24s median %8.1f ms   worst %8.1f ms   (%zu)\n", what, clock.quantile(what, 0.5),
-                clock.quantile(what, 1), clock.count(what));
+  const QPointF middle(window->space().width() / 2.0, window->space().height() / 2.0);
+  Waits turning("turning: a picture");
+  drag(*window, window->space(), middle, middle + QPointF(120, 20), Qt::RightButton, 24, turning);
+  mouse(window->space(), QEvent::MouseButtonRelease, middle, Qt::RightButton);
+  turning.print();
+  window->space().look(View::Front);
+  comeToRest(*window);
+
+  const auto cloth = clothSeen(*window);
+  if (!cloth) return 1;
+  Waits pulling("a pull: a picture"), pulled("a pull: the cloth follows");
+  window->session().command(Command::Pull);
+  drag(*window, window->space(), cloth->at, cloth->at + QPointF(60, 10), Qt::LeftButton, 12, pulling, &pulled);
+  pulling.print(), pulled.print();
+  measure(*window, "a pull let go: first drape", "a pull let go: at rest",
+          [&] { mouse(window->space(), QEvent::MouseButtonRelease, cloth->at + QPointF(60, 10), Qt::LeftButton); });
+
+  Waits moving("a point moved: a picture"), moved("a point moved: seen in 3D");
+  window->session().command(Command::Points);
+  const Outline& outline = window->session().snapshot().document.find(cloth->piece)->outline;
+  Flat corner = outline.edges.front().curve.start;
+  for (const Edge& edge : outline.edges)
+    if (edge.curve.start.v < corner.v) corner = edge.curve.start;
+  const Flat lies = corner + window->session().table().at(cloth->piece);
+  const QPointF from = window->table().onScreen(lies), to = window->table().onScreen(lies + Flat{0.01, -0.02});
+  drag(*window, window->table(), from, to, Qt::LeftButton, 12, moving, &moved);
+  moving.print(), moved.print();
+  measure(*window, "a point let go: first drape", "a point let go: at rest",
+          [&] { mouse(window->table(), QEvent::MouseButtonRelease, to, Qt::LeftButton); });
+
+  SetFabric denim;
+  denim.name = "denim";
+  denim.pieces = {PieceRef(cloth->piece)};
+  measure(*window, "a fabric changed: first drape", "a fabric changed: at rest",
+          [&] { window->session().perform(denim); });
+
+  const SetBody was = *window->session().figure();
+  SetBody wider = was;
+  std::erase_if(wider.set, [](const Stated& stated) { return stated.key == "bust_girth"; });
+  const double bust = window->session().snapshot().body->measured().value.at("bust_girth");
+  wider.set.push_back({"bust_girth", {bust + 0.02}});
+  measure(*window, "a body typed: seen", "a body typed: at rest", [&] { window->session().applyFigure(wider); });
+  measure(*window, "the former body typed: seen", "the former body typed: at rest",
+          [&] { window->session().applyFigure(was); });
+  if (!window->said().isEmpty()) std::printf("%s\n", window->said().toUtf8().constData());
+  window.reset();
+  (void)opened("opening again, to the first picture");
   return 0;
 }
 
