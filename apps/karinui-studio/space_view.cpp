@@ -28,6 +28,7 @@ constexpr double kEaseTop = 0.05;       // metres
 constexpr double kPressureLeast = 100;  // pascals, at the least, at the top of the scale
 constexpr double kLyingScale = 84;      // pixels
 constexpr int kStillAfter = 140;        // milliseconds without a move until the fine picture is drawn
+constexpr double kQuickShare = 0.5;     // of the pixels, each way, while it moves and the processor draws
 
 // The painter takes the state of a fresh context for granted.
 void readyForPainter() {
@@ -67,10 +68,10 @@ SpaceView::SpaceView(Session& session, LatencyLog& latencyLog, QWidget* parent)
   preparePointing(*this, {320, 280});
   camera_ = frameAll({}, View::Oblique, 1);
   rest_.setSingleShot(true);
-  rest_.setInterval(kStillAfter);
   connect(&rest_, &QTimer::timeout, this, [this] {
     fine_ = true;
-    stale_ = stale_ || finest_;
+    stale_ = stale_ || finest_ || moving_;
+    moving_ = false;
     update();
   });
   walk_.setDuration(260);
@@ -135,12 +136,17 @@ void SpaceView::initializeGL() {
 
 void SpaceView::resizeGL(int, int) { frameAnew(); }
 
-void SpaceView::cameraMoved() {
-  session_.setViewpoint(sight());
+void SpaceView::restSoon() {
   fine_ = false;
   stale_ = true;
-  rest_.start();
+  rest_.start(finest_ || moving_ ? kStillAfter : 0);  // 0: there is no finer picture to wait for
   update();
+}
+
+void SpaceView::cameraMoved(bool moving) {
+  session_.setViewpoint(sight());
+  moving_ = moving_ || moving;
+  restSoon();
 }
 
 void SpaceView::setCamera(const Camera& camera) {
@@ -173,7 +179,7 @@ void SpaceView::frameAnew() {
     walk_.stop();
     camera_ = framed(*framedAs_);
   }
-  cameraMoved();
+  cameraMoved(false);
 }
 
 void SpaceView::look(View view) {
@@ -205,7 +211,7 @@ void SpaceView::walkTo(const Camera& to) {
   });
   if (!isVisible() || software_) {
     camera_ = to;
-    cameraMoved();
+    cameraMoved(false);
   } else {
     walk_.start();
   }
@@ -226,7 +232,7 @@ void SpaceView::setStereo(Stereo stereo) {
 void SpaceView::setEyes(double separation, double convergence) {
   separation_ = separation;
   convergence_ = convergence;
-  cameraMoved();
+  cameraMoved(false);
 }
 void SpaceView::setMap(FitMap map) {
   map_ = map;
@@ -247,7 +253,6 @@ void SpaceView::setLevel(std::optional<double> height) {
 }
 void SpaceView::setFine(bool on) {
   finest_ = on;
-  rest_.setInterval(on ? kStillAfter : 0);  // no finer picture to wait for
   soft_ = false;
   stale_ = true;
   update();
@@ -260,10 +265,10 @@ void SpaceView::setTape(bool on) {
 
 void SpaceView::refresh() {
   if (!framed_ && session_.snapshot().body) look(View::Oblique);
-  if (garmentShown_ != session_.changes().garment || !session_.preview().carried.empty()) {
-    stale_ = true;
-    fine_ = false;
-    rest_.start();
+  const bool carried = !session_.preview().carried.empty();
+  if (garmentShown_ != session_.changes().garment || carried) {
+    moving_ = moving_ || carried || session_.begun() || session_.busy().settling;
+    restSoon();
   }
   update();
 }
@@ -395,7 +400,10 @@ void SpaceView::paintGL() {
   const double ratio = devicePixelRatioF();
   const int w = static_cast<int>(width() * ratio), h = static_cast<int>(height() * ratio);
   const bool two = beside() && beside_.renderer, stereo = !two && stereo_ != Stereo::Off;
-  const int ew = w / halves().width(), eh = h / halves().height(), finer = fine_ && finest_ ? 2 : 1;
+  const int ew = w / halves().width(), eh = h / halves().height();
+  const bool quick = moving_ && software_;
+  const double share = fine_ && finest_ ? 2 : quick ? kQuickShare : 1;
+  const int sw = std::max(1, static_cast<int>(ew * share)), sh = std::max(1, static_cast<int>(eh * share));
   if (stale_) renderer_->light(camera_);
   if (stale_ && two) beside_.renderer->light(camera_);
   for (int k = 0; k < (stereo || two ? 2 : 1); ++k) {
@@ -404,9 +412,9 @@ void SpaceView::paintGL() {
     const Renderer& scene = then ? *beside_.renderer : *renderer_;
     // The scene is drawn anew only when something in it moved; words, lines and the bar over it every time.
     if (stale_) {
-      compositor_->scene(k, ew * finer, eh * finer).bind();
-      scene.draw(eyeOf(lens(), static_cast<double>(ew) / eh, sideways),
-                 {.x = 0, .y = 0, .width = ew * finer, .height = eh * finer});
+      compositor_->scene(k, sw, sh).bind();
+      scene.draw(eyeOf(lens(), static_cast<double>(ew) / eh, sideways), {.x = 0, .y = 0, .width = sw, .height = sh},
+                 Onto::Cleared, quick ? Finish::Quick : Finish::Fine);
     }
     compositor_->onScreen(k, ew, eh, overlaid_);
     scene.drawOver(eyeOf(lens(), static_cast<double>(ew) / eh, sideways), {.x = 0, .y = 0, .width = ew, .height = eh});

@@ -87,8 +87,9 @@ class SpaceView : public QOpenGLWidget {
   void feed(PointerSample sample);  // the session, unless the pointer leads a stylus
   void giveBack();
   void walkTo(const Camera& to);
-  void cameraMoved();
+  void cameraMoved(bool moving = true);  // false: a single step to another view
   Camera framed(View view) const;  // all of the fitting, in the part of the view that is free
+  void restSoon();                 // the still picture, when nothing has moved for a moment
   void frameAnew();                // after the view's shape changed, unless it was turned, panned or zoomed
   void showGarment();
   struct Mapped {  // a fitting in the colours of the map
@@ -124,7 +125,8 @@ class SpaceView : public QOpenGLWidget {
   std::vector<Girths> levelShown_;
   std::uint64_t garmentShown_ = ~0ull;
   bool stale_ = true, overlaid_ = false, fine_ = false, finest_ = true, framed_ = false;
-  bool soft_ = false;  // the soft light is that of a still picture
+  bool soft_ = false;    // the soft light is that of a still picture
+  bool moving_ = false;  // view or cloth, until still: then less is drawn where the processor draws
   Stereo stereo_ = Stereo::Off;
   double separation_ = 0.063, convergence_ = 1;
   FitMap map_ = FitMap::None;

@@ -121,7 +121,10 @@ struct KeepTarget {
 
 struct Renderer::Parts {
   Studio studio;
-  GlProgram depth, sky, backdrop, solid, floor, ribbon;
+  GlProgram depth, sky, backdrop, ribbon;
+  struct Lit {  // the programs of one finish
+    GlProgram solid, floor;
+  } fine, quick;
   GlArrays solidArrays, noArrays;
   GlBuffer solidVertices, solidCorners;
   struct Lines {
@@ -203,12 +206,15 @@ Result<std::unique_ptr<Renderer>> Renderer::make(const Studio& studio) {
   p.studio = studio;
   const struct {
     GlProgram& program;
-    const std::string &vertex, &fragment;
+    const std::string& vertex;
+    std::string fragment;
   } wanted[] = {{p.depth, glsl::kDepthVertex, {}},
                 {p.sky, glsl::kWholeVertex, glsl::kSkyFragment},
                 {p.backdrop, glsl::kWholeVertex, glsl::kBackdropFragment},
-                {p.solid, glsl::kSolidVertex, glsl::kSolidFragment},
-                {p.floor, glsl::kSolidVertex, glsl::kFloorFragment},
+                {p.fine.solid, glsl::kSolidVertex, glsl::kFine + glsl::kSolidFragment},
+                {p.fine.floor, glsl::kSolidVertex, glsl::kFine + glsl::kFloorFragment},
+                {p.quick.solid, glsl::kSolidVertex, glsl::kQuick + glsl::kSolidFragment},
+                {p.quick.floor, glsl::kSolidVertex, glsl::kQuick + glsl::kFloorFragment},
                 {p.ribbon, glsl::kRibbonVertex, glsl::kRibbonFragment}};
   for (const auto& w : wanted) {
     auto program = makeProgram(w.vertex, w.fragment);
@@ -459,8 +465,9 @@ struct Sitting {
 
 }  // namespace
 
-void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto) const {
+void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto, Finish finish) const {
   const Parts& p = *parts_;
+  const Parts::Lit& programs = finish == Finish::Fine ? p.fine : p.quick;
   glViewport(area.x, area.y, area.width, area.height);
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.x, area.y, area.width, area.height);
@@ -481,7 +488,7 @@ void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto) const {
   glDepthFunc(GL_LEQUAL);
   const GLuint textures[] = {p.softLight, p.keyMap->depth, p.strainTable, p.yarns};
   for (unsigned i = 0; i < 4; ++i) glActiveTexture(GL_TEXTURE0 + i), glBindTexture(GL_TEXTURE_2D, textures[i]);
-  for (const GlProgram* program : {&p.solid, &p.floor}) {
+  for (const GlProgram* program : {&programs.solid, &programs.floor}) {
     common(*program);
     set(*program, "keyTowards", p.key.towards);
     set(*program, "keyRight", p.key.right);
@@ -497,7 +504,7 @@ void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto) const {
   for (const int kind : {1, 0, 2})
     for (const Parts::Run& run : p.runs) {
       if (run.kind != kind || run.count == 0 || (kind == 2 && onto == Onto::Picture)) continue;
-      const GlProgram& program = kind == 2 ? p.floor : p.solid;
+      const GlProgram& program = kind == 2 ? programs.floor : programs.solid;
       glUseProgram(program);
       set(program, "cloth", kind == 1 ? 1 : 0);
       set(program, "weave", run.weave ? 1 : 0);

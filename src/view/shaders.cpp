@@ -49,16 +49,18 @@ float keySeen(vec3 normal, float spread) {
   vec3 from = p + normal * (2.0 * keyTexel + 0.002) + keyTowards * (spread * 0.25);
   vec3 up = cross(keyTowards, keyRight);
   float sum = 0.0;
-  for (int i = 0; i < 12; ++i) {
-    float r = sqrt((float(i) + 0.5) / 12.0), a = float(i) * 2.399963;
+  for (int i = 0; i < KEY_LOOKS; ++i) {
+    float r = sqrt((float(i) + 0.5) / float(KEY_LOOKS)), a = float(i) * 2.399963;
     vec2 o = spin * vec2(cos(a), sin(a)) * r * spread;
     sum += texture(keyMap, (toKey * vec4(from + keyRight * o.x + up * o.y, 1.0)).xyz * 0.5 + 0.5);
   }
-  return sum / 12.0;
+  return sum / float(KEY_LOOKS);
 }
 )";
 
 }  // namespace
+
+const std::string kFine = "#define KEY_LOOKS 12\n#define WEAVE 1\n", kQuick = "#define KEY_LOOKS 3\n#define WEAVE 0\n";
 
 const std::string kDepthVertex = R"(
 layout(location = 0) in vec3 place;
@@ -177,7 +179,7 @@ void main() {
   if (mapped) {
     base = strain < 0.0 ? vec3(0.5) : texture(strainTable, vec2(clamp(strain / scaleTop, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
     if (inner) base *= 0.75;
-  } else if (cloth && weave) {
+  } else if (WEAVE == 1 && cloth && weave) {
     base *= 1.0 + 0.16 * yarns();
   }
   float dents = clamp(1.0 - 0.75 * max(hollow, 0.0) + 0.2 * max(-hollow, 0.0), 0.4, 1.2);
