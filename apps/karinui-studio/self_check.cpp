@@ -72,7 +72,8 @@ class Waits {
   std::vector<Wait> taken_;
 };
 
-// Handles events until it holds, looking after each picture and each thing that is new.
+}  // namespace
+
 void until(MainWindow& window, const std::function<bool()>& holds) {
   QEventLoop loop;
   const auto check = [&] {
@@ -85,6 +86,8 @@ void until(MainWindow& window, const std::function<bool()>& holds) {
   QObject::disconnect(a);
   QObject::disconnect(b);
 }
+
+namespace {
 
 void untilPainted(MainWindow& window) {
   QEventLoop loop;
@@ -100,20 +103,21 @@ void mouse(QWidget& widget, QEvent::Type type, QPointF at, Qt::MouseButton butto
   QApplication::sendEvent(&widget, &event);
 }
 
-// A drag that waits for the picture of every move; `seen`, if given, until the shown garment has changed since the
-// first move.
+// A drag that waits for the picture of every move, in which the cloth has followed if it is to.
 void drag(MainWindow& window, QWidget& view, QPointF from, QPointF to, Qt::MouseButton button, int steps,
-          Waits& pictures, Waits* seen = nullptr) {
+          const char* saidAs, bool follows) {
+  Waits pictures(saidAs);
   mouse(view, QEvent::MouseButtonPress, from, button);
-  const std::uint64_t before = window.session().changes().predicted;
-  if (seen) seen->again();
+  const Session& session = window.session();
   for (int i = 1; i <= steps; ++i) {
+    const std::uint64_t before = session.changes().predicted;
     pictures.again();
     mouse(view, QEvent::MouseMove, from + (to - from) * i / steps, button);
+    if (follows) until(window, [&] { return session.changes().predicted != before || session.idle(); });
     untilPainted(window);
     pictures.take();
   }
-  if (seen) until(window, [&] { return window.session().changes().predicted != before; }), seen->take();
+  pictures.print();
 }
 
 std::unique_ptr<MainWindow> windowOf(const SessionOptions& options) {
@@ -226,23 +230,19 @@ int selfCheck(QApplication&, const SessionOptions& options, const QString& garme
               window->space().width(), window->space().height(), points, window->session().steps().size());
 
   const QPointF middle(window->space().width() / 2.0, window->space().height() / 2.0);
-  Waits turning("turning: a picture");
-  drag(*window, window->space(), middle, middle + QPointF(120, 20), Qt::RightButton, 24, turning);
+  drag(*window, window->space(), middle, middle + QPointF(120, 20), Qt::RightButton, 24, "turning: a picture", false);
   mouse(window->space(), QEvent::MouseButtonRelease, middle, Qt::RightButton);
-  turning.print();
   window->space().look(View::Front);
   comeToRest(*window);
 
   const auto cloth = clothSeen(*window);
   if (!cloth) return 1;
-  Waits pulling("a pull: a picture"), pulled("a pull: the cloth follows");
   window->session().command(Command::Pull);
-  drag(*window, window->space(), cloth->at, cloth->at + QPointF(60, 10), Qt::LeftButton, 12, pulling, &pulled);
-  pulling.print(), pulled.print();
+  drag(*window, window->space(), cloth->at, cloth->at + QPointF(60, 10), Qt::LeftButton, 24,
+       "a pull: the cloth follows", true);
   measure(*window, "a pull let go: first drape", "a pull let go: at rest",
           [&] { mouse(window->space(), QEvent::MouseButtonRelease, cloth->at + QPointF(60, 10), Qt::LeftButton); });
 
-  Waits moving("a point moved: a picture"), moved("a point moved: seen in 3D");
   window->session().command(Command::Points);
   const Outline& outline = window->session().snapshot().document.find(cloth->piece)->outline;
   Flat corner = outline.edges.front().curve.start;
@@ -250,8 +250,7 @@ int selfCheck(QApplication&, const SessionOptions& options, const QString& garme
     if (edge.curve.start.v < corner.v) corner = edge.curve.start;
   const Flat lies = corner + window->session().table().at(cloth->piece);
   const QPointF from = window->table().onScreen(lies), to = window->table().onScreen(lies + Flat{0.01, -0.02});
-  drag(*window, window->table(), from, to, Qt::LeftButton, 12, moving, &moved);
-  moving.print(), moved.print();
+  drag(*window, window->table(), from, to, Qt::LeftButton, 24, "a point moved: the cloth follows", true);
   measure(*window, "a point let go: first drape", "a point let go: at rest",
           [&] { mouse(window->table(), QEvent::MouseButtonRelease, to, Qt::LeftButton); });
 

@@ -1,6 +1,7 @@
 #pragma once
 // The studio working by itself: what it costs a person to wait, printed; and a picture of the window. GUI thread.
 #include <QString>
+#include <functional>
 #include <optional>
 
 #include "karinui/base/message.h"
@@ -20,6 +21,8 @@ int selfCheck(QApplication& app, const SessionOptions& options, const QString& g
 int keepPicture(QApplication& app, MainWindow& window, const QString& path);
 // Why this display cannot draw the fitting; nothing: it can.
 std::optional<Message> drawingTrouble();
+// Handles events until it holds, looking after each picture and each thing that is new.
+void until(MainWindow& window, const std::function<bool()>& holds);
 // Handles events until the session is idle and the window drawn.
 void comeToRest(MainWindow& window);
 

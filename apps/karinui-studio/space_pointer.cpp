@@ -62,6 +62,7 @@ void SpaceView::mousePressEvent(QMouseEvent* event) {
     feed(sampleAt(last_, event->modifiers(), PointerSample::Phase::Press));
     refresh();
   }
+  if (held_ != Held::Tool) session_.leave();  // what was under the pointer is there no more
   setFocus();
 }
 
@@ -80,12 +81,10 @@ void SpaceView::mouseMoveEvent(QMouseEvent* event) {
   switch (held_) {
     case Held::Turn:
       framedAs_.reset();
-      session_.leave();
       camera_ = turned(camera_, step.x() * 0.0075, step.y() * 0.0075);
       return cameraMoved();
     case Held::Pan:
       framedAs_.reset();
-      session_.leave();
       camera_ = panned(camera_, step.x(), step.y(), height());
       return cameraMoved();
     default:

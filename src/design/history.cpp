@@ -14,6 +14,12 @@ namespace karinui {
 
 namespace {
 
+// Drapes, pulls and figures: what a person waits for.
+bool takesLong(const Operation& operation) {
+  return std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation) ||
+         std::holds_alternative<SetBody>(operation);
+}
+
 Error atStep(std::size_t serial, const Error& error) { return {error.kind, say("Step {0}: {1}", serial, error.what)}; }
 
 }  // namespace
@@ -204,6 +210,29 @@ struct DocumentFile::Inside {
 
   Done begin(Store opened, Context* how);
 
+  // What this very operation made of this very garment before, on whatever branch: nothing that a drape depends on lies
+  // outside the two (apply() is pure), so that nobody waits for it twice. Null: it was not done yet, or is not kept.
+  const Document* madeBefore(const Step* parent, const Document& before, const Operation& operation) {
+    const std::string after = parent ? parent->after : hash(before), stand = parent ? parent->stand : drapeHash(before);
+    std::optional<std::string> said;
+    for (auto s = steps.rbegin(); s != steps.rend(); ++s) {
+      if (s->serial != before.operations + 1 || s->before != after || s->operation.index() != operation.index()) continue;
+      if (const Step* other = step(s->parent); (other ? other->stand : drapeHash(Document())) != stand) continue;
+      if (!said) said = text(operation);
+      if (text(s->operation) != *said) continue;
+      const Document* start = keptAt(s->parent);
+      if (!start || start->drape.dirty != before.drape.dirty) continue;
+      if (const Document* made = keptAt(s->seq)) return made;
+    }
+    return nullptr;
+  }
+  const Document* keptAt(std::uint64_t seq) {  // null: it would have to be made again
+    if (const auto at = documents.find(seq); at != documents.end()) return &at->second;
+    const Step* s = step(seq);
+    auto document = s ? kept(*s) : std::nullopt;
+    return document ? &(documents[seq] = *std::move(document)) : nullptr;
+  }
+
   struct Worked;
   std::uint64_t nextSeq() const { return steps.empty() ? 1 : steps.back().seq + 1; }
   Result<Worked> work(const Step* parent, const Document& before, std::uint64_t seq, Operation operation,
@@ -311,8 +340,11 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
               context.drape,   context.pull,  context.advise, context.stop};
   auto settled = resolved(before, std::move(operation), own);
   if (!settled) return settled.error();
-  auto after = apply(before, *settled, own);
+  const Document* known = takesLong(*settled) ? madeBefore(parent, before, *settled) : nullptr;
+  auto after = known ? Result<Document>(*known) : apply(before, *settled, own);
   if (!after) return after.error();
+  if (known && std::holds_alternative<SetBody>(*settled))  // what is known of the last drape comes from before it
+    after->drape = {before.drape.last, before.drape.force, known->drape.dirty};
   Worked worked{{}, *std::move(after), std::move(borrowing.borrowed)};
   Step& step = worked.step;
   step.seq = seq;

@@ -4,7 +4,10 @@
 #include <utility>
 
 #include "karinui/base/file.h"
+#include "karinui/design/script.h"
 #include "karinui/exchange/formats.h"
+#include "session/carried_shape.h"
+#include "session/settle_schedule.h"
 
 namespace karinui {
 
@@ -12,20 +15,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto kBetween = std::chrono::milliseconds(40);  // two looks at cloth on its way, at least,
+constexpr std::size_t kDrapes = 6;                       // kept in memory
 constexpr int kShare = 5;                                 // and looking takes no more than so small a share of the time
-
-// The garment after a drape, for looking at.
-Document adopted(Document document, const std::map<PieceId, std::shared_ptr<const Form>>& forms) {
-  for (const auto& [id, form] : forms) {
-    const Piece* old = document.find(id);
-    if (!old) continue;
-    Piece piece = *old;
-    piece.form = form;
-    piece.pose = Rigid();
-    document.pattern.pieces[id] = std::make_shared<const Piece>(std::move(piece));
-  }
-  return document;
-}
 
 // A journal beside a file that was replaced would be taken for the new one's.
 void dropJournal(const std::filesystem::path& path) {
@@ -36,19 +27,32 @@ void dropJournal(const std::filesystem::path& path) {
 }  // namespace
 
 Context DocumentWorker::context(const Token& token) {
-  Context context{*workers_, token, file_.blobs(), *bodies_, options_.drape, options_.pull};
+  Context context{*workers_, token, file_.blobs(), *bodies_, {}, options_.pull};
   context.advise = [this](const Advice& advice) { advice_.push_back(advice); };
-  if (!context.drape && predicted)
-    context.drape = [this](const Document& document, const DrapePieces& drape, Context& own) {
-      Clock::time_point next = Clock::now();
-      return drapeOnBody(document, drape, own, [&](const FormsNow& forms) {
-        const auto now = Clock::now();
-        if (now < next || own.token.cancelled()) return;
-        predicted(fitted(adopted(document, forms()), own.token));
-        next = Clock::now() + std::max<Clock::duration>(kBetween, kShare * (Clock::now() - now));
-      });
-    };
+  context.drape = [this](const Document& document, const DrapePieces& drape, Context& own) {
+    const std::string key = hash(document) + drapeHash(document) + text(Operation(drape));
+    for (const auto& [of, outcome] : drapes_)
+      if (of == key) return Result<DrapeOutcome>(outcome);
+    Result<DrapeOutcome> outcome = draped(document, drape, own);
+    if (outcome && outcome->report.stoppedAfter == 0) drapes_.emplace_front(key, *outcome);
+    if (drapes_.size() > kDrapes) drapes_.pop_back();
+    return outcome;
+  };
   return context;
+}
+
+Result<DrapeOutcome> DocumentWorker::draped(const Document& document, const DrapePieces& drape, Context& own) {
+  if (options_.drape) return options_.drape(document, drape, own);
+  if (!predicted) return drapeOnBody(document, drape, own);
+  Clock::time_point next = Clock::now();
+  SnapshotPtr start;
+  return drapeOnBody(document, drape, own, [&](const FormsNow& forms) {
+    const auto now = Clock::now();
+    if (now < next || own.token.cancelled()) return;
+    if (!start) start = fitted(document, own.token);
+    if (const Forms here = forms(); !onlyFine_ || asFine(*start, here)) predicted(snapshotStanding(*start, here));
+    next = Clock::now() + std::max<Clock::duration>(kBetween, kShare * (Clock::now() - now));
+  });
 }
 
 SnapshotPtr DocumentWorker::fitted(Document document, const Token& token) {
@@ -101,12 +105,26 @@ SnapshotPtr DocumentWorker::snapshotAfter(std::uint64_t seq, const Token& token)
   return document ? fitted(*std::move(document), token) : nullptr;
 }
 
-Result<SnapshotPtr> DocumentWorker::after(const Operation& operation, const Token& token) {
+Result<SnapshotPtr> DocumentWorker::after(const OperationPreview& preview, const Token& token) {
   Context own = context(token);
   own.advise = {};
-  Result<Document> document = apply(file_.document(), operation, own);
+  after_.reset();
+  Result<Document> document = apply(file_.document(), preview.operation, own);
   if (!document) return document.error();
-  return fitted(*std::move(document), token);
+  if (!preview.settle) return fitted(*std::move(document), token);
+  after_ = *document;
+  return fitted(carriedAlong(file_.document(), *std::move(document)), token);
+}
+
+Result<SnapshotPtr> DocumentWorker::settleAfter(const std::set<PieceId>& live, const Token& token) {
+  if (!after_) return cancelled();
+  Context own = context(token);
+  own.advise = {};
+  onlyFine_ = true;
+  const Result<Document> document = apply(*after_, drapeOf(live), own);
+  onlyFine_ = false;
+  if (!document) return document.error();
+  return fitted(*document, token);
 }
 
 Result<SnapshotPtr> DocumentWorker::onFigure(const SetBody& body, const Token& token) {
@@ -127,10 +145,11 @@ Result<Vec3> DocumentWorker::pullTo(const PullPreview& pull, const Token& token,
     cloth.at = pull.at;
     auto live = LivePull::take(file_.document(), cloth, own);
     if (!live) return live.error();
-    pull_ = std::make_unique<Pulling>(Pulling{pull.piece, pull.at, *std::move(live)});
+    pull_ = std::make_unique<Pulling>(
+        Pulling{pull.piece, pull.at, *std::move(live), fitted(file_.document(), token)});
   }
   Result<Vec3> force = pull_->live.to(pull.by, own);
-  if (force) shown = fitted(adopted(file_.document(), pull_->live.forms()), token);
+  if (force) shown = snapshotStanding(*pull_->start, pull_->live.forms());
   return force;
 }
 

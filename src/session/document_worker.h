@@ -1,6 +1,7 @@
 #pragma once
 // The document and what working on it needs, as the worker thread has it: nothing here is touched by the
 // hand's thread while a task runs.
+#include <deque>
 #include <filesystem>
 #include <memory>
 
@@ -42,7 +43,11 @@ class DocumentWorker {
   Done amend(std::size_t which, Operation operation, const Token& token);
   DocumentState state(const Token& token);
   SnapshotPtr snapshotAfter(std::uint64_t seq, const Token& token);           // null: not to be had
-  Result<SnapshotPtr> after(const Operation& operation, const Token& token);  // without doing it
+  // The garment after an operation, without doing it. Where the cloth is to settle, what was cut otherwise is first
+  // carried along (carried_shape.h); settleAfter() then drapes it as will be done by itself after the step, telling
+  // `predicted` of it once the cloth is as fine as it is shown.
+  Result<SnapshotPtr> after(const OperationPreview& preview, const Token& token);
+  Result<SnapshotPtr> settleAfter(const std::set<PieceId>& live, const Token& token);
   Result<SnapshotPtr> onFigure(const SetBody& body, const Token& token);      // on a figure that is kept nowhere
   Result<Vec3> pullTo(const PullPreview& pull, const Token& token, SnapshotPtr& shown);
   void letGo() { pull_.reset(); }
@@ -65,8 +70,14 @@ class DocumentWorker {
     PieceId piece;
     Flat at;
     LivePull live;
+    SnapshotPtr start;
   };
   std::unique_ptr<Pulling> pull_;
+  std::optional<Document> after_;  // of the preview whose cloth is to settle
+  bool onlyFine_ = false;          // what is published of a drape
+  // The last drapes by what they depend on: what a preview came to need not be worked out again for its step.
+  Result<DrapeOutcome> draped(const Document& document, const DrapePieces& drape, Context& own);
+  std::deque<std::pair<std::string, DrapeOutcome>> drapes_;  // newest first
 };
 
 // Whether a document lies in the drafts folder.

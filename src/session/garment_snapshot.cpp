@@ -142,21 +142,51 @@ const Bvh& PickingTree::operator*() const {
 SnapshotPtr snapshotOf(Document document, BodyPtr body) {
   auto snapshot = std::make_shared<GarmentSnapshot>();
   snapshot->body = std::move(body);
-  Result<SceneFrame> frame = sceneOf(document, snapshot->body.get());
-  if (frame) {
-    snapshot->frame = *std::move(frame);
+  Result<LaidScene> scene = laidSceneOf(document, snapshot->body.get());
+  if (scene) {
+    snapshot->frame = std::move(scene->frame);
   } else {
-    snapshot->trouble = frame.error().what;
+    snapshot->trouble = scene.error().what;
     snapshot->frame = scenePieceByPiece(document, snapshot->body.get());
   }
   auto cloth = snapshot->frame.cloths.begin();
   for (const auto& [id, piece] : document.pattern.pieces) {
     KARINUI_ASSERT(cloth != snapshot->frame.cloths.end() && cloth->name == piece->name);
     snapshot->worn.push_back({id, std::make_shared<const PickingTree>(cloth->mesh), piece->outline.flattened(2e-4)});
+    if (scene) snapshot->worn.back().lattice = scene->lattices[snapshot->worn.size() - 1];
     ++cloth;
   }
   snapshot->document = std::move(document);
   return snapshot;
+}
+
+SnapshotPtr snapshotStanding(const GarmentSnapshot& before, const Forms& forms) {
+  auto snapshot = std::make_shared<GarmentSnapshot>(before);
+  bool laid = true;  // what the forms are of; coarser ones are laid over the garment's own lattice
+  for (std::size_t k = 0; k < snapshot->worn.size(); ++k) {
+    GarmentSnapshot::Worn& worn = snapshot->worn[k];
+    const auto at = forms.find(worn.id);
+    if (at == forms.end()) continue;
+    Piece piece = *before.document.find(worn.id);
+    piece.form = at->second;
+    piece.pose = Rigid();
+    snapshot->document.pattern.pieces[worn.id] = std::make_shared<const Piece>(std::move(piece));
+    laid = laid && worn.lattice && at->second->flat == worn.lattice->nodes;
+    if (!laid) continue;
+    SceneCloth& cloth = snapshot->frame.cloths[k];
+    cloth.mesh.points = at->second->space;
+    cloth.strain = strainOf(*worn.lattice, cloth.mesh.points);
+    worn.tree = std::make_shared<const PickingTree>(cloth.mesh);
+  }
+  if (!laid) return snapshotOf(std::move(snapshot->document), before.body);
+  return snapshot;
+}
+
+bool asFine(const GarmentSnapshot& snapshot, const Forms& forms) {
+  return std::all_of(snapshot.worn.begin(), snapshot.worn.end(), [&](const GarmentSnapshot::Worn& worn) {
+    const auto at = forms.find(worn.id);
+    return at == forms.end() || (worn.lattice && at->second->flat == worn.lattice->nodes);
+  });
 }
 
 void TableLayout::arrange(const GarmentSnapshot& snapshot) {

@@ -17,6 +17,7 @@ class LatestRequest {
     return std::exchange(waiting_, std::nullopt);
   }
   void answered() { underWay_ = false; }
+  bool idle() const { return !underWay_ && !waiting_; }
   void clear() { waiting_.reset(), underWay_ = false; }  // what is on its way is wanted no more, nor waited for
 
  private:

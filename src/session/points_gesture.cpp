@@ -55,7 +55,7 @@ class PointsGesture : public Gesture {
     op.piece = held_->piece;
     op.outline = now_;
     if (sample.phase == PointerSample::Phase::Drag)
-      return {.request = moved && !why_ ? PreviewRequest(OperationPreview{op}) : PreviewRequest{}};
+      return {.request = moved && !why_ ? PreviewRequest(OperationPreview{op, true}) : PreviewRequest{}};
     if (why_) return over({}, why_);
     if (!moved) return over({});
     return over(op, alone_ ? std::optional(onlyThisHalf()) : std::nullopt);

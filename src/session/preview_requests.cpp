@@ -23,20 +23,40 @@ void Session::Impl::requestNext() {
       else if (force.error().kind != Error::Kind::Cancelled)
         reply.why = force.error().what;
     } else {
-      const auto after = documentWorker->after(std::get<OperationPreview>(request).operation, token);
+      const auto after = documentWorker->after(std::get<OperationPreview>(request), token);
       if (after)
         fresh = reply.after = *after;
       else if (after.error().kind != Error::Kind::Cancelled)
         reply.why = after.error().what;
     }
-    return [this, asker, reply, fresh] {
+    const auto* operation = std::get_if<OperationPreview>(&request);
+    const bool settles = operation && operation->settle && reply.after;
+    return [this, asker, reply, fresh, settles] {
       previews.answered();
-      if (gesture.get() == asker && gesture->begun()) {
+      const bool wanted = gesture.get() == asker && gesture->begun();
+      if (wanted) {
         gesture->previewed(reply);
         if (fresh) preview = fresh, ++changes.garment, ++changes.predicted;
         ++changes.overlay;
       }
+      if (wanted && settles && previews.idle()) settlePreview();
       requestNext();
+    };
+  });
+}
+
+// The hand rests: the cloth comes to rest as it will after the step, whose drape then finds its outcome done.
+void Session::Impl::settlePreview() {
+  std::set<PieceId> disturbed = schedule.interrupted();
+  disturbed.merge(disturbedBy(state.snapshot->document, preview->document));
+  const std::set<PieceId> live = unsettled(disturbed, preview->document);
+  if (live.empty() || !options.autoSettle) return;
+  tasks.add(TaskQueue::Kind::SettlePreview, [this, asker = gesture.get(), live](const Token& token) {
+    const Result<SnapshotPtr> settled = documentWorker->settleAfter(live, token);
+    return [this, asker, settled] {
+      if (!settled || gesture.get() != asker || !gesture->begun() || !previews.idle()) return;
+      preview = *settled;
+      ++changes.garment, ++changes.predicted, ++changes.overlay;
     };
   });
 }
@@ -47,6 +67,7 @@ void Session::Impl::takeResult(GestureResult result, bool begunBefore) {
   if (!result.over) return request(std::move(result.request));
   keyboard.letGo();
   tasks.cancel(TaskQueue::Kind::Preview);
+  tasks.cancel(TaskQueue::Kind::SettlePreview);
   previews.clear();
   const bool performs = result.operation.has_value();
   if (performs) {
@@ -73,6 +94,7 @@ void Session::choose(std::size_t item) {
 void Session::Impl::dropGesture() {
   keyboard.letGo();
   tasks.cancel(TaskQueue::Kind::Preview);
+  tasks.cancel(TaskQueue::Kind::SettlePreview);
   previews.clear();  // what was dropped unanswered must not keep the next gesture from asking
   tasks.add(TaskQueue::Kind::Preview, [this](const Token&) {
     documentWorker->letGo();

@@ -18,7 +18,8 @@ constexpr std::array<Colour, 6> kDyes{{{0.25f, 0.38f, 0.60f},
                                        {0.42f, 0.30f, 0.50f},
                                        {0.50f, 0.52f, 0.54f}}};
 
-// Per node, the mean of |l/L - 1| over the warp and weft edges of the lattice that meet there.
+}  // namespace
+
 std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& position) {
   std::vector<float> sum(lattice.nodes.size(), 0), count(lattice.nodes.size(), 0);
   const auto add = [&](std::uint32_t a, std::uint32_t b) {
@@ -43,6 +44,8 @@ std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& pos
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = count[i] > 0 ? sum[i] / count[i] : 0;
   return sum;
 }
+
+namespace {
 
 // The runs of a piece's own nodes that are tied to something: where stitches are drawn.
 std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothPiece& piece) {
@@ -75,9 +78,16 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
 }  // namespace
 
 Result<SceneFrame> sceneOf(const Document& document, const Body* body) {
-  SceneFrame frame;
+  Result<LaidScene> scene = laidSceneOf(document, body);
+  if (!scene) return scene.error();
+  return std::move(scene->frame);
+}
+
+Result<LaidScene> laidSceneOf(const Document& document, const Body* body) {
+  LaidScene scene;
+  SceneFrame& frame = scene.frame;
   if (body) frame.bodies.push_back({body->mesh(), SceneBody{}.colour});
-  if (document.pattern.pieces.empty()) return frame;
+  if (document.pattern.pieces.empty()) return scene;
   const Result<Standing> standing = standingCloth(document, livePieces(document, {}));
   if (!standing) return standing.error();
   const auto fabrics = fabricsInUse(document);
@@ -99,8 +109,9 @@ Result<SceneFrame> sceneOf(const Document& document, const Body* body) {
     cloth.colour = kDyes[static_cast<std::size_t>(dye) % kDyes.size()];
     cloth.live = document.drape.dirty.contains(piece.id);
     frame.cloths.push_back(std::move(cloth));
+    scene.lattices.push_back(piece.lattice);
   }
-  return frame;
+  return scene;
 }
 
 std::vector<float> easeOf(const SceneCloth& cloth, const Body& body) {

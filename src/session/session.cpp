@@ -1,5 +1,7 @@
 #include "karinui/session/session.h"
 
+#include <algorithm>
+
 #include "session/gestures.h"
 #include "session/session_impl.h"
 
@@ -128,10 +130,20 @@ void Session::setKeptEnd(SetLength::Keep keep) { impl_->keepWished = keep, ++imp
 SetLength::Keep Session::keptEnd() const { return impl_->edgeEnds().keep; }
 bool Session::bothHalves() const { return impl_->edgeEnds().bothHalves; }
 
+// Steps that are played again are shown once the garment is whole, so that none of it goes out of sight meanwhile.
+bool Session::Impl::shows(const GarmentSnapshot& prediction) const {
+  if (!schedule.live().empty()) return true;
+  if (gesture->begun()) return tasks.busy(TaskQueue::Kind::SettlePreview);
+  const auto& pieces = state.snapshot->document.pattern.pieces;
+  return settlingNow() && std::all_of(pieces.begin(), pieces.end(), [&](const auto& piece) {
+           return prediction.document.find(piece.first) != nullptr;
+         });
+}
+
 bool Session::update() {
   auto& in = *impl_;
   bool any = in.tasks.takeIn();
-  if (auto fresh = in.predicted.take(); fresh && !in.schedule.live().empty()) {
+  if (auto fresh = in.predicted.take(); fresh && in.shows(**fresh)) {
     in.preview = *fresh;
     ++in.changes.garment, ++in.changes.predicted;
     any = true;
@@ -154,7 +166,8 @@ void Session::close() {
   const bool byItself = std::exchange(in.options.autoSettle, false);
   in.stopSettling();
   while (in.longWorks == 0 && (in.tasks.busy(TaskQueue::Kind::Step) || in.tasks.busy(TaskQueue::Kind::Settle))) {
-    for (const auto kind : {TaskQueue::Kind::Preview, TaskQueue::Kind::Figure, TaskQueue::Kind::SnapshotAfter})
+    for (const auto kind : {TaskQueue::Kind::Preview, TaskQueue::Kind::SettlePreview, TaskQueue::Kind::Figure,
+                            TaskQueue::Kind::SnapshotAfter})
       in.tasks.cancel(kind);
     in.tasks.wait();
     update();

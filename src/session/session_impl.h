@@ -106,6 +106,8 @@ struct Session::Impl {
   void settleDisturbed(const std::set<PieceId>& live, const SettleReport& report);
   void interruptSettling();
   void settleInterrupted();
+  static std::set<PieceId> unsettled(const std::set<PieceId>& of, const Document& document);  // and not frozen
+  bool shows(const GarmentSnapshot& prediction) const;  // of a drape that goes on
   void dropSettling();  // as if it had not begun
   void stopSettling();  // where the cloth is; before the first step it is dropped
 
@@ -119,6 +121,7 @@ struct Session::Impl {
   // preview_requests.cpp: the gesture in hand, and what it asks
   void request(PreviewRequest request);  // the newest only, one at a time
   void requestNext();
+  void settlePreview();  // of the paper as it is under the hand
   void takeResult(GestureResult result, bool begunBefore);
   void dropGesture();
 

@@ -6,10 +6,25 @@
 #include <memory>
 #include <set>
 
-#include "karinui/base/id.h"
 #include "karinui/cloth/stop_request.h"
+#include "karinui/design/operation.h"
 
 namespace karinui {
+
+// The drape that brings these pieces to rest.
+inline DrapePieces drapeOf(const std::set<PieceId>& live, DrapePieces drape = {}) {
+  drape.live.clear();
+  for (const PieceId id : live) drape.live.push_back(PieceRef(id));
+  return drape;
+}
+
+// What an operation left to be brought to rest again by itself: pieces that rested before it.
+inline std::set<PieceId> disturbedBy(const Document& before, const Document& after) {
+  std::set<PieceId> disturbed;
+  for (const PieceId id : after.drape.dirty)
+    if (before.drape.last && !before.drape.dirty.contains(id)) disturbed.insert(id);
+  return disturbed;
+}
 
 class SettleSchedule {
  public:

@@ -7,8 +7,7 @@ void Session::Impl::settle(std::set<PieceId> live, bool automatic, DrapePieces d
   tasks.cancel(TaskQueue::Kind::Settle);
   if (live.empty()) live = livePieces(state.snapshot->document, {});
   if (live.empty()) return tell(Notice::Kind::Refused, say("There is no cloth to drape."));
-  drape.live.clear();
-  for (const PieceId id : live) drape.live.push_back(PieceRef(id));
+  drape = drapeOf(live, std::move(drape));
   ++changes.overlay;
   tasks.add(TaskQueue::Kind::Settle, [this, live, drape, automatic,
                                       stop = schedule.begin(live, automatic)](const Token& token) {
@@ -46,12 +45,14 @@ void Session::Impl::settleDisturbed(const std::set<PieceId>& live, const SettleR
 }
 
 void Session::Impl::interruptSettling() {
+  tasks.cancel(TaskQueue::Kind::SettlePreview);
   if (schedule.interrupt()) tasks.cancel(TaskQueue::Kind::Settle);
 }
 
 void Session::Impl::dropSettling() {
   tasks.cancel(TaskQueue::Kind::Settle);
   schedule.drop();
+  if (preview && !gesture->begun() && !trial.active()) preview.reset(), ++changes.garment;
 }
 
 void Session::Impl::stopSettling() {
@@ -60,12 +61,17 @@ void Session::Impl::stopSettling() {
   dropSettling();
 }
 
-void Session::Impl::settleInterrupted() {
+std::set<PieceId> Session::Impl::unsettled(const std::set<PieceId>& of, const Document& document) {
   std::set<PieceId> live;
-  for (const PieceId id : schedule.interrupted()) {
-    const Piece* piece = state.snapshot->document.find(id);
-    if (piece && !piece->frozen && state.snapshot->document.drape.dirty.contains(id)) live.insert(id);
+  for (const PieceId id : of) {
+    const Piece* piece = document.find(id);
+    if (piece && !piece->frozen && document.drape.dirty.contains(id)) live.insert(id);
   }
+  return live;
+}
+
+void Session::Impl::settleInterrupted() {
+  const std::set<PieceId> live = unsettled(schedule.interrupted(), state.snapshot->document);
   schedule.setInterrupted(live);
   if (!live.empty() && !tasks.busy(TaskQueue::Kind::Step)) settle(live, true);
 }

@@ -79,6 +79,7 @@ void Session::Impl::perform(Operation operation) {
         ++changes.garment, ++changes.overlay;
         return settleInterrupted();
       }
+      const SnapshotPtr seen = preview;
       take(*fresh);
       if (drapes(step->operation)) ++changes.settled;
       if (const auto* sew = std::get_if<SewEdges>(&step->operation); sew && sew->mirror)
@@ -87,11 +88,12 @@ void Session::Impl::perform(Operation operation) {
         if (const auto& last = state.snapshot->document.drape.last; last && !last->why.empty())
           tell(Notice::Kind::Said, last->why);
       if (disturbing && options.autoSettle) {
-        const DrapeInfo& old = before->document.drape;
-        for (const PieceId id : state.snapshot->document.drape.dirty)
-          if (old.last && !old.dirty.contains(id)) schedule.disturb(id);
+        for (const PieceId id : disturbedBy(before->document, state.snapshot->document)) schedule.disturb(id);
       }
       settleInterrupted();
+      // What the drag showed of this very garment stays until the drape has something better to show.
+      if (seen && settlingNow() && hash(seen->document) == hash(state.snapshot->document))
+        preview = seen, ++changes.garment;
     };
   });
 }

@@ -60,6 +60,32 @@ TEST_F(AmendedStep, PlaysWhatCameAfterItAgain) {
   EXPECT_EQ(linesOf(file_), wanted) << "and it is kept";
 }
 
+// What a drape depends on is the garment before it and the drape itself; come back to, it is not worked out again, and
+// not after opening the file again either.
+TEST_F(AmendedStep, WhatWasDrapedBeforeIsNotDrapedAgain) {
+  int drapes = 0;
+  Context counting = room_.context;
+  counting.drape = [&](const Document& d, const DrapePieces& op, Context&) { return ++drapes, fallABit(d, op.live); };
+  const std::string was = hash(file_.document()), stood = drapeHash(file_.document());
+  const Operation there = file_.steps()[2].operation;
+  ASSERT_TRUE(file_.amend(3, *parseOperation("move piece=p1 by=0,20cm,0"), counting));
+  EXPECT_EQ(drapes, 1);
+  EXPECT_NE(drapeHash(file_.document()), stood);
+  const std::string elsewhere = drapeHash(file_.document());
+  ASSERT_TRUE(file_.amend(3, there, counting));
+  EXPECT_EQ(drapes, 1) << "it is known how it hung there";
+  EXPECT_EQ(hash(file_.document()), was);
+  EXPECT_EQ(drapeHash(file_.document()), stood);
+  EXPECT_TRUE(file_.document().drape.dirty.empty());
+  reopen();
+  ASSERT_TRUE(file_.amend(3, *parseOperation("move piece=p1 by=0,20cm,0"), counting));
+  EXPECT_EQ(drapes, 1);
+  EXPECT_EQ(drapeHash(file_.document()), elsewhere);
+  ASSERT_TRUE(file_.perform(*parseOperation("fabric name=denim piece=p1"), counting));
+  ASSERT_TRUE(file_.perform(*parseOperation("drape"), counting));
+  EXPECT_EQ(drapes, 2) << "another fabric hangs otherwise";
+}
+
 TEST_F(AmendedStep, WhatALaterStepCannotFollowChangesNothing) {
   const auto before = linesOf(file_);
   const std::string was = hash(file_.document());

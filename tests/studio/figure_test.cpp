@@ -7,11 +7,14 @@
 #include <QSlider>
 #include <QStyleOptionSlider>
 #include <fstream>
+#include <set>
 
 #include "studio/window.h"
 
 namespace karinui::studio {
 namespace {
+
+using Look = std::pair<std::string, std::string>;  // a figure and how the cloth stands
 
 QPointF knobOf(const QSlider& slider) {
   QStyleOptionSlider option;
@@ -58,6 +61,42 @@ TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
   EXPECT_EQ(bust(w.session().snapshot()), girth);
   EXPECT_EQ(chest(), area);
   EXPECT_EQ(w.box("Bust girth").text().toStdString(), "–") << "the board says what is worn";
+}
+
+// While every step is played again for another figure the garment stays in sight, whole; the figure it came from is
+// come back to without a drape.
+TEST(StudioFigure, TheGarmentIsInSightWhileItIsMadeAgain) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(1);
+  w.rest();
+  const std::string stood = drapeHash(w.session().snapshot().document);
+  const SetBody former = *w.session().figure();
+  std::set<Look> looks;
+  const auto look = [&] {
+    const GarmentSnapshot& shown = w.session().shown();
+    std::size_t points = 0;
+    for (const SceneCloth& cloth : shown.frame.cloths) points += cloth.mesh.points.size();
+    EXPECT_EQ(shown.worn.size(), 2u);
+    EXPECT_GT(points, 100u);
+    EXPECT_TRUE(shown.body);
+    looks.insert({shown.body->hash(), drapeHash(shown.document)});
+  };
+  const auto a = QObject::connect(&w.space(), &SpaceView::painted, look);
+  w.type(w.box("Bust girth"), "92");
+  EXPECT_TRUE(w.session().busy().any);
+  w.rest();
+  EXPECT_NE(drapeHash(w.session().snapshot().document), stood);
+  EXPECT_GE(looks.size(), 3u) << "before, on its way and after";
+
+  looks.clear();
+  const std::uint64_t predicted = w.session().changes().predicted;
+  w.session().applyFigure(former);
+  w.rest();
+  QObject::disconnect(a);
+  EXPECT_EQ(drapeHash(w.session().snapshot().document), stood);
+  EXPECT_EQ(w.session().changes().predicted, predicted) << "nothing had to be draped";
 }
 
 // An imported body is as it is: sliders do not put another in its place, and its own measures are told.

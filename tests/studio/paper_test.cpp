@@ -217,6 +217,46 @@ TEST(StudioPaper, EditsBothHalvesAtOnce) {
   EXPECT_GT(distance(before, after), 0.005) << "the other half's corner went along";
 }
 
+// The cloth follows a point under the hand before it is let go: first carried along, then as it comes to rest, and the
+// step that is made then finds that rest as it is.
+TEST(StudioPaper, TheClothFollowsAPointThatIsDragged) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Points);
+  const Flat corner = onEdge(w, "front", "side_left", 1);
+  const PieceId front = w.session().snapshot().document.pieceNamed("front")->id;
+  const auto lowest = [&](const GarmentSnapshot& shown) {
+    double low = 10;
+    for (std::size_t k = 0; k < shown.worn.size(); ++k)
+      if (shown.worn[k].id == front)
+        for (const Vec3 p : shown.frame.cloths[k].mesh.points) low = std::min(low, p.y);
+    return low;
+  };
+  const std::size_t before = w.count();
+  const double hem = lowest(w.session().snapshot());
+  const std::uint64_t predicted = w.session().changes().predicted;
+  SnapshotPtr rested;
+  const QPointF from = w.onTable("front", corner), to = w.onTable("front", corner + Flat{0, -0.04});
+  w.drag(w.table(), {from, to}, {}, [&] {
+    until(w.main(), [&] { return w.session().changes().predicted > predicted; });
+    EXPECT_LT(lowest(w.session().shown()), hem - 0.01) << "carried along with the first answer";
+    EXPECT_EQ(w.count(), before) << "nothing is done yet";
+    EXPECT_GT(lowest(w.session().shown()), hem - 0.10);
+    w.session().finish();
+    rested = w.session().shownPtr();
+    EXPECT_TRUE(rested->document.drape.dirty.empty()) << "the hand rests: so does the cloth";
+    EXPECT_LT(lowest(*rested), hem - 0.01);
+    w.keep("studio_points_follow");
+  });
+  w.rest();
+  ASSERT_EQ(w.count(), before + 2) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), StartsWith("drape live="));
+  EXPECT_EQ(drapeHash(w.session().snapshot().document), drapeHash(rested->document)) << "as it was shown";
+  EXPECT_EQ(w.session().snapshot().document.find(front)->form, rested->document.find(front)->form)
+      << "and not worked out a second time";
+}
+
 double lengthOf(Window& w, const char* piece, const char* edge) {
   return findEdge(*w.session().snapshot().document.pieceNamed(piece), edge)->curve.length();
 }

@@ -37,13 +37,20 @@ struct GarmentSnapshot {
   struct Worn {      // cloth k of the frame
     PieceId id;
     std::shared_ptr<const PickingTree> tree;
-    Ring ring;  // the outline on paper, for the table
+    Ring ring;                                     // the outline on paper, for the table
+    std::shared_ptr<const struct Lattice> lattice = {};  // it was laid as; null where there is trouble
   };
   std::vector<Worn> worn;
   std::optional<Message> trouble;  // why pieces could not be laid together (then each stands alone, without seams)
 };
 using SnapshotPtr = std::shared_ptr<const GarmentSnapshot>;
 SnapshotPtr snapshotOf(Document document, BodyPtr body);
+// The same garment where these pieces have come to stand, as drapes and pulls leave them (in space: the poses become
+// the identity). Forms asFine() as the garment need not be laid anew: quick.
+using Forms = std::map<PieceId, std::shared_ptr<const Form>>;
+SnapshotPtr snapshotStanding(const GarmentSnapshot& before, const Forms& forms);
+// Whether forms are as fine as the garment is shown; on their way drapes stand on coarser lattices first.
+bool asFine(const GarmentSnapshot& snapshot, const Forms& forms);
 
 // Where each piece lies on the cutting table: the pattern's own paper, moved so that no two lie on each other. A piece
 // keeps its place while it is edited. Part of the view, not of the document.

@@ -49,6 +49,7 @@ struct PullPreview {  // live drape: the hand at `by` from where it took hold
 };
 struct OperationPreview {  // the garment as it would be
   Operation operation;
+  bool settle = false;  // and then, while the hand rests, how its cloth comes to rest
 };
 using PreviewRequest = std::variant<std::monostate, PullPreview, OperationPreview>;
 struct PreviewReply {

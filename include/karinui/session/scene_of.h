@@ -3,12 +3,22 @@
 #include <memory>
 
 #include "karinui/design/document.h"
+#include "karinui/pattern/lattice.h"
 #include "karinui/scene/scene_frame.h"
 
 namespace karinui {
 
 // The body (null: none) and every piece where it stands, at the document's own spacing.
 Result<SceneFrame> sceneOf(const Document& document, const Body* body);
+// The same, and what each cloth of it was laid as.
+struct LaidScene {
+  SceneFrame frame;
+  std::vector<std::shared_ptr<const Lattice>> lattices;
+};
+Result<LaidScene> laidSceneOf(const Document& document, const Body* body);
+
+// Per node, the mean of |l/L - 1| over the warp and weft edges of the lattice that meet there.
+std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& position);
 
 // How far each point of a cloth is from the skin, metres; negative inside.
 std::vector<float> easeOf(const SceneCloth& cloth, const Body& body);
