@@ -50,15 +50,15 @@ class Waits {
   }
   void print() const {
     if (taken_.empty()) return void(std::printf("%-34s never\n", what_));
-    const auto sorted = [&](double Wait::* of) {
+    const auto sorted = [&](double Wait::*of) {
       std::vector<double> all;
       for (const Wait& wait : taken_) all.push_back(wait.*of);
       std::sort(all.begin(), all.end());
       return all;
     };
     const std::vector<double> clock = sorted(&Wait::clock), processor = sorted(&Wait::processor);
-    std::printf("%-34s median %8.0f ms   worst %8.0f ms   processor %8.0f ms   (%zu)\n", what_,
-                clock[clock.size() / 2], clock.back(), processor[clock.size() / 2], taken_.size());
+    std::printf("%-34s median %8.0f ms   worst %8.0f ms   processor %8.0f ms   (%zu)\n", what_, clock[clock.size() / 2],
+                clock.back(), processor[clock.size() / 2], taken_.size());
     std::fflush(stdout);
   }
 

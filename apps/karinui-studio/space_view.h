@@ -88,9 +88,9 @@ class SpaceView : public QOpenGLWidget {
   void giveBack();
   void walkTo(const Camera& to);
   void cameraMoved(bool moving = true);  // false: a single step to another view
-  Camera framed(View view) const;  // all of the fitting, in the part of the view that is free
-  void restSoon();                 // the still picture, when nothing has moved for a moment
-  void frameAnew();                // after the view's shape changed, unless it was turned, panned or zoomed
+  Camera framed(View view) const;        // all of the fitting, in the part of the view that is free
+  void restSoon();                       // the still picture, when nothing has moved for a moment
+  void frameAnew();                      // after the view's shape changed, unless it was turned, panned or zoomed
   void showGarment();
   struct Mapped {  // a fitting in the colours of the map
     SceneFrame frame;

@@ -216,7 +216,8 @@ struct DocumentFile::Inside {
     const std::string after = parent ? parent->after : hash(before), stand = parent ? parent->stand : drapeHash(before);
     std::optional<std::string> said;
     for (auto s = steps.rbegin(); s != steps.rend(); ++s) {
-      if (s->serial != before.operations + 1 || s->before != after || s->operation.index() != operation.index()) continue;
+      if (s->serial != before.operations + 1 || s->before != after || s->operation.index() != operation.index())
+        continue;
       if (const Step* other = step(s->parent); (other ? other->stand : drapeHash(Document())) != stand) continue;
       if (!said) said = text(operation);
       if (text(s->operation) != *said) continue;

@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto kBetween = std::chrono::milliseconds(40);  // two looks at cloth on its way, at least,
-constexpr std::size_t kDrapes = 6;                       // kept in memory
+constexpr std::size_t kDrapes = 6;                        // kept in memory
 constexpr int kShare = 5;                                 // and looking takes no more than so small a share of the time
 
 // A journal beside a file that was replaced would be taken for the new one's.
@@ -145,8 +145,7 @@ Result<Vec3> DocumentWorker::pullTo(const PullPreview& pull, const Token& token,
     cloth.at = pull.at;
     auto live = LivePull::take(file_.document(), cloth, own);
     if (!live) return live.error();
-    pull_ = std::make_unique<Pulling>(
-        Pulling{pull.piece, pull.at, *std::move(live), fitted(file_.document(), token)});
+    pull_ = std::make_unique<Pulling>(Pulling{pull.piece, pull.at, *std::move(live), fitted(file_.document(), token)});
   }
   Result<Vec3> force = pull_->live.to(pull.by, own);
   if (force) shown = snapshotStanding(*pull_->start, pull_->live.forms());

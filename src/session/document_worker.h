@@ -42,13 +42,13 @@ class DocumentWorker {
   Done goTo(std::uint64_t seq, const Token& token);
   Done amend(std::size_t which, Operation operation, const Token& token);
   DocumentState state(const Token& token);
-  SnapshotPtr snapshotAfter(std::uint64_t seq, const Token& token);           // null: not to be had
+  SnapshotPtr snapshotAfter(std::uint64_t seq, const Token& token);  // null: not to be had
   // The garment after an operation, without doing it. Where the cloth is to settle, what was cut otherwise is first
   // carried along (carried_shape.h); settleAfter() then drapes it as will be done by itself after the step, telling
   // `predicted` of it once the cloth is as fine as it is shown.
   Result<SnapshotPtr> after(const OperationPreview& preview, const Token& token);
   Result<SnapshotPtr> settleAfter(const std::set<PieceId>& live, const Token& token);
-  Result<SnapshotPtr> onFigure(const SetBody& body, const Token& token);      // on a figure that is kept nowhere
+  Result<SnapshotPtr> onFigure(const SetBody& body, const Token& token);  // on a figure that is kept nowhere
   Result<Vec3> pullTo(const PullPreview& pull, const Token& token, SnapshotPtr& shown);
   void letGo() { pull_.reset(); }
   Done moveTo(const std::filesystem::path& path);  // see Session::saveAs

@@ -107,8 +107,8 @@ struct Session::Impl {
   void interruptSettling();
   void settleInterrupted();
   static std::set<PieceId> unsettled(const std::set<PieceId>& of, const Document& document);  // and not frozen
-  bool shows(const GarmentSnapshot& prediction) const;  // of a drape that goes on
-  void dropSettling();  // as if it had not begun
+  bool shows(const GarmentSnapshot& prediction) const;                                        // of a drape that goes on
+  void dropSettling();                                                                        // as if it had not begun
   void stopSettling();  // where the cloth is; before the first step it is dropped
 
   // pointing.cpp

@@ -37,7 +37,7 @@ struct GarmentSnapshot {
   struct Worn {      // cloth k of the frame
     PieceId id;
     std::shared_ptr<const PickingTree> tree;
-    Ring ring;                                     // the outline on paper, for the table
+    Ring ring;                                           // the outline on paper, for the table
     std::shared_ptr<const struct Lattice> lattice = {};  // it was laid as; null where there is trouble
   };
   std::vector<Worn> worn;
