@@ -65,8 +65,9 @@ Result<Judged> judge(Workload& load, const std::vector<std::filesystem::path>& f
     points = pointsOf(*obj);
     const std::size_t wanted = load.levels.back().cloth.nodeCount;
     if (points.size() != wanted)
-      return badInput(say("\"{0}\" has {1} points, the scene {2}. Give the scene's own points in their order.",
-                          file.string(), points.size(), wanted));
+      return badInput(
+          say("\"{0}\" has {1} {1|point|points}, the scene {2}. Give the scene's own points in their order.",
+              file.string(), points.size(), wanted));
     for (std::size_t k = 0; k < before.size(); ++k)
       judged.topSpeed = std::fmax(judged.topSpeed, distance(points[k], before[k]) * 60);
     before = points;

@@ -1,5 +1,7 @@
-// karinui-import FORMAT MEMORY SECONDS POINTS TRIANGLES: reads body files handed over on descriptor 0, answers on
-// descriptor 1 as in exchange/import_wire.h. Not meant to be called by hand; started by readBody for each file.
+// karinui-import FORMAT MEMORY SECONDS POINTS TRIANGLES: reads body files and
+// photographs handed over on descriptor 0, answers on
+// descriptor 1 as in exchange/import_wire.h. Not meant to be called by hand; started by readBody and readPrint for each
+// file.
 #include <unistd.h>
 
 #include <cerrno>
@@ -60,6 +62,7 @@ Reading readHandedOver(const std::string& format, const Limits& limits) {
       if (!take(rest, name) || !take(rest, sideFiles[name])) _exit(1);
   }
   if (format == "obj" || format == "ply") return readPolygons(body, format, limits);
+  if (format == "picture") return readPicture(body, limits);
   return readGltf(body, format == "glb", sideFiles, limits);
 }
 
@@ -74,9 +77,9 @@ int main(int count, char** words) {
   try {
     reading = readHandedOver(words[1], limits);
   } catch (const std::bad_alloc&) {
-    reading = {wire::Reason::Memory, {}, {}};
+    reading = {}, reading.refused = wire::Reason::Memory;
   } catch (...) {
-    reading = {wire::Reason::Unreadable, {}, {}};
+    reading = {}, reading.refused = wire::Reason::Unreadable;
   }
   wire::Reply reply;
   if (reading.refused == wire::Reason::None && !reading.needs.empty()) {
@@ -88,6 +91,11 @@ int main(int count, char** words) {
       answer(&size, sizeof size);
       answer(name.data(), size);
     }
+  } else if (reading.refused == wire::Reason::None && reading.width > 0) {
+    reply.kind = wire::Kind::Picture;
+    reply.points = reading.width, reply.faces = reading.height;
+    answer(&reply, sizeof reply);
+    answer(reading.rgb.data(), reading.rgb.size());
   } else if (reading.refused == wire::Reason::None) {
     reply.kind = wire::Kind::Mesh;
     reply.points = reading.mesh.points.size();

@@ -1,5 +1,8 @@
 #include "drop_menu.h"
 
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
@@ -18,6 +21,22 @@ DropMenuFrame::DropMenuFrame(Session& session, QWidget* view) : QFrame(view), se
   title_ = new QLabel;
   title_->setWordWrap(true);
   column_->addWidget(title_);
+  number_ = new QDoubleSpinBox;
+  number_->setObjectName("drop_number");
+  number_->setKeyboardTracking(false);
+  number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  number_->setFocusPolicy(Qt::ClickFocus);
+  number_->installEventFilter(this);
+  take_ = new QPushButton;
+  take_->setFocusPolicy(Qt::NoFocus);
+  connect(take_, &QPushButton::clicked, this, [this] { takeNumber(); });
+  auto* row = new QHBoxLayout;
+  row->addWidget(number_);
+  row->addWidget(take_, 1);
+  numberRow_ = new QWidget;
+  numberRow_->setLayout(row);
+  row->setContentsMargins(0, 0, 0, 0);
+  column_->addWidget(numberRow_);
   hide();
 }
 
@@ -34,7 +53,7 @@ void DropMenuFrame::show(const std::optional<DropMenu>& menu, QPointF at) {
       session_.choose(which);
       emit chosen();
     });
-    column_->addWidget(made);
+    column_->insertWidget(column_->count() - 1, made);
     buttons_.push_back(made);
   }
   current_ = menu->current;
@@ -47,6 +66,7 @@ void DropMenuFrame::show(const std::optional<DropMenu>& menu, QPointF at) {
     button.setText(mark + inWords(item.label));
     button.setAccessibleName(inWords(item.label));
   }
+  showNumber(menu->number);
   const Palette& p = Theme::here().palette();
   setStyleSheet(QString("QFrame#drop_menu { background: %1; border: 1px solid %2; border-radius: 10px; }"
                         "QFrame#drop_menu QPushButton { text-align: left; padding: 5px 10px; border: 1px solid %1; }"
@@ -60,6 +80,39 @@ void DropMenuFrame::show(const std::optional<DropMenu>& menu, QPointF at) {
   place(at);
   QFrame::show();
   raise();
+}
+
+void DropMenuFrame::showNumber(const std::optional<DropMenu::Number>& number) {
+  numberRow_->setVisible(number.has_value());
+  if (!number) return;
+  number_->setDecimals(number->decimals);
+  number_->setAccessibleName(inWords(number->label));
+  take_->setText(inWords(number->label));
+  if (number_->hasFocus()) return;
+  if (const auto range = std::pair(number->least, number->most); range != range_) {
+    range_ = range;
+    number_->setRange(number->least, number->most);
+    number_->setValue(number->value);
+  }
+  if (number->asked) number_->setFocus(), number_->selectAll();
+}
+
+void DropMenuFrame::takeNumber() {
+  number_->interpretText();
+  const double typed = number_->value();
+  parentWidget()->setFocus();
+  range_ = {};
+  session_.chooseNumber(typed);
+  emit chosen();
+}
+
+bool DropMenuFrame::eventFilter(QObject*, QEvent* event) {
+  if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (event->type() == QEvent::ShortcutOverride) return event->accept(), true;  // digits are typed, not views
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) return takeNumber(), true;
+  if (key == Qt::Key_Escape) return parentWidget()->setFocus(), true;
+  return false;
 }
 
 void DropMenuFrame::place(QPointF at) {

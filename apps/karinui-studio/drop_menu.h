@@ -2,10 +2,12 @@
 // The session's drop menu as buttons beside the place of the drop. The view keeps the keyboard: arrows and Enter reach
 // the menu through the session. GUI thread.
 #include <QFrame>
+#include <utility>
 #include <vector>
 
 #include "karinui/session/session.h"
 
+class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -25,11 +27,18 @@ class DropMenuFrame : public QFrame {
 
  private:
   void place(QPointF at);
+  void showNumber(const std::optional<DropMenu::Number>& number);
+  void takeNumber();
+  bool eventFilter(QObject* watched, QEvent* event) override;  // of the number
 
   Session& session_;
   QVBoxLayout* column_;
   QLabel* title_;
   std::vector<QPushButton*> buttons_;
+  QWidget* numberRow_;
+  QDoubleSpinBox* number_;
+  QPushButton* take_;
+  std::pair<double, double> range_;  // of the number that is shown
   std::size_t current_ = 0;
 };
 

@@ -11,6 +11,7 @@
 
 #include "fabric_plot.h"
 #include "karinui/base/number.h"
+#include "look_board.h"
 #include "panels.h"
 #include "theme.h"
 
@@ -123,6 +124,12 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
   auto* inner = new QWidget;
   auto* form = new QFormLayout(inner);
   form->setContentsMargins(0, 0, 6, 0);
+  look_ = new LookBoard(session, [this] {
+    SetLook look;
+    look.fabric = fabric_.name;
+    return std::optional(look);
+  });
+  form->addRow(look_);
   for (const Field& f : fields()) {
     auto* box = new QDoubleSpinBox;
     box->setRange(0, f.high);
@@ -217,6 +224,7 @@ void FabricPanel::fillValues() {
 void FabricPanel::show(const Fabric& fabric) {
   fabric_ = kept_ = fabric;
   fillValues();
+  look_->show(lookOf(session_.snapshot().document, fabric.name));
   plot_->show(fabric, fabric.law == Fabric::Law::Woven);
   showWhatMayBeDone();
 }
@@ -250,7 +258,7 @@ void FabricPanel::refresh() {
   const auto add = [&](const Fabric& f) {
     QString words = nameText(f.name);
     if (const auto figure = drapeFigure(f))
-      words += "\n" + inWords(say("drape {0} %, {1} folds", fixed(figure->coefficient, 0), figure->folds));
+      words += "\n" + inWords(say("drape {0} %, {1} {1|fold|folds}", fixed(figure->coefficient, 0), figure->folds));
     auto* item = new QListWidgetItem(pictureOf(f, n++), words, list_);
     item->setData(Qt::UserRole, QString::fromStdString(f.name));
     QFont font = item->font();

@@ -146,7 +146,7 @@ void FitPanel::fillBeside() {
     if (std::holds_alternative<DrapePieces>(step->operation) || std::holds_alternative<PullCloth>(step->operation))
       beside_->addItem(inWords(say("after step {0}", number)), static_cast<qulonglong>(step->seq));
   for (const Step& end : session_.otherBranches())
-    beside_->addItem(inWords(say("another way, {0} steps", static_cast<std::size_t>(end.serial))),
+    beside_->addItem(inWords(say("another way, {0} {0|step|steps}", static_cast<std::size_t>(end.serial))),
                      static_cast<qulonglong>(end.seq));
   beside_->setCurrentIndex(std::max(0, beside_->findData(static_cast<qulonglong>(chosen))));
   if (beside_->currentIndex() == 0 && view_.beside()) compare();

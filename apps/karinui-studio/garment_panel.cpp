@@ -17,6 +17,7 @@
 #include "karinui/pattern/symmetry.h"
 #include "length_box.h"
 #include "length_choice.h"
+#include "look_board.h"
 #include "panels.h"
 #include "theme.h"
 
@@ -49,13 +50,13 @@ enum Kind { kPiece = 1, kEdge, kSeam, kMark, kLine };
 QString seamName(const Document& document, const Seam& seam) { return inWords(seamSaid(document, seam)); }
 
 // A name is shown as people say it, and kept as scripts write it.
-void showName(QLineEdit& box, const std::string& name) {
-  box.setText(nameText(name));
+void showName(QLineEdit& box, const std::string& name, const QString& said) {
+  box.setText(said);
   box.setToolTip(scriptHint(name));
 }
-std::optional<std::string> newName(const QLineEdit& box, const std::string& now) {
+std::optional<std::string> newName(const QLineEdit& box, const std::string& now, const QString& said) {
   const std::string typed = box.text().trimmed().toStdString();
-  if (typed == nameText(now).toStdString() || typed == now) return std::nullopt;
+  if (typed == said.toStdString() || typed == now) return std::nullopt;
   return identifierOf(typed).value_or(typed);
 }
 
@@ -113,6 +114,12 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->addRow(word(say("Layer")), layer_);
   form->addRow(word(say("Frozen")), frozen_);
   form->addRow(word(say("Area")), area_);
+  look_ = new LookBoard(session, [this]() -> std::optional<SetLook> {
+    SetLook look;
+    for (const PieceId id : session_.selection().pieces) look.pieces.push_back(PieceRef(id));
+    return look.pieces.empty() ? std::nullopt : std::optional(look);
+  });
+  form->addRow(look_);
   below->addWidget(pieceBoard_);
 
   edgeBoard_ = new QWidget;
@@ -176,7 +183,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   };
   connect(name_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
     const Piece* piece = pieceChosen();
-    const auto wanted = piece ? newName(*name_, piece->name) : std::nullopt;
+    const auto wanted = piece ? newName(*name_, piece->name, nameText(piece->name)) : std::nullopt;
     if (!wanted) return;
     Rename rename;
     rename.piece = piece->id;
@@ -208,7 +215,9 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   connect(edgeName_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
     const Piece* piece = pieceChosen();
     if (!piece || !session_.selection().edge) return;
-    const auto wanted = newName(*edgeName_, session_.selection().edge->edge);
+    const auto wanted =
+        newName(*edgeName_, session_.selection().edge->edge,
+                inWords(edgeNameSaid(session_.snapshot().document, *piece, session_.selection().edge->edge)));
     if (!wanted) return;
     Rename rename;
     rename.edge = EdgeRef{PieceRef(piece->id), session_.selection().edge->edge, 0, 1};
@@ -282,7 +291,8 @@ void GarmentPanel::fillTree() {
     const bool chosen = selection.pieces.contains(id);
     for (const Edge& edge : piece->outline.edges) {
       auto* child = new QTreeWidgetItem(item);
-      child->setText(0, nameText(edge.name) + "   " + lengthText(edge.curve.length()));
+      child->setText(
+          0, inWords(edgeWithPartnerSaid(document, *piece, edge.name)) + "   " + lengthText(edge.curve.length()));
       child->setData(0, Qt::UserRole, kEdge);
       child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
       child->setData(0, Qt::UserRole + 2, QString::fromStdString(edge.name));
@@ -311,7 +321,8 @@ void GarmentPanel::fillTree() {
       const QString name = m.name.empty() ? inWords(edge ? say("Notch") : say("Drill hole")) : nameText(m.name);
       QTreeWidgetItem* child = add(kMark,
                                    name + "   " +
-                                       (edge ? nameText(m.edge) + "  " + lengthText(m.fraction * edge->curve.length())
+                                       (edge ? inWords(edgeNameSaid(document, *piece, m.edge)) + "  " +
+                                                   lengthText(m.fraction * edge->curve.length())
                                              : lengthText(place.u) + "  " + lengthText(place.v)),
                                    "notch", selection.mark == place);
       child->setData(0, Qt::UserRole + 3, place.u);
@@ -348,7 +359,7 @@ void GarmentPanel::fillProperties() {
   pieceBoard_->setVisible(piece);
   edgeBoard_->setVisible(piece && selection.edge.has_value());
   if (piece) {
-    showName(*name_, piece->name);
+    showName(*name_, piece->name, nameText(piece->name));
     fabric_->clear();
     const auto add = [this](const std::string& name) {
       const QString word = QString::fromStdString(name);
@@ -361,11 +372,12 @@ void GarmentPanel::fillProperties() {
     layer_->setValue(piece->layer);
     frozen_->setChecked(piece->frozen);
     grain_->setValue(std::atan2(piece->grain.u, piece->grain.v) * 180 / std::numbers::pi);
+    look_->show(lookOf(document, *piece));
     area_->setText(areaText(piece->outline.area()));
   }
   if (piece && selection.edge) {
     if (const Edge* edge = findEdge(*piece, selection.edge->edge)) {
-      showName(*edgeName_, edge->name);
+      showName(*edgeName_, edge->name, inWords(edgeNameSaid(document, *piece, edge->name)));
       length_->setMetres(edge->curve.length());
       stays_->refresh();
       u_->setMetres(edge->curve.start.u);

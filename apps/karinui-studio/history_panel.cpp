@@ -158,7 +158,7 @@ void HistoryPanel::fillSteps() {
   for (const Step& step : session_.undone()) addStep(++n, &step, true);
   for (const Step& end : session_.otherBranches()) {
     QListWidgetItem* item = addStep(end.serial, &end, true);
-    item->setText(inWords(say("another way, {0} steps", static_cast<std::size_t>(end.serial))) + "\n… " +
+    item->setText(inWords(say("another way, {0} {0|step|steps}", static_cast<std::size_t>(end.serial))) + "\n… " +
                   nameOfStep(end) + "  " + inWords(stepSaid(session_.snapshot().document, end.operation)).left(120));
     item->setData(kEnd, static_cast<qulonglong>(end.seq));
   }

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "karinui/design/step_words.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -51,8 +52,10 @@ void LengthChoice::refresh() {
   const auto add = [&](const Message& words, SetLength::Keep keep) {
     keep_->addItem(inWords(words), static_cast<int>(keep));
   };
-  add(say("the end at {0} stays", edges[(k + n - 1) % n].name), SetLength::Keep::Start);
-  add(say("the end at {0} stays", edges[(k + 1) % n].name), SetLength::Keep::End);
+  add(say("the end at {0} stays", edgeNameSaid(session_.snapshot().document, *own, edges[(k + n - 1) % n].name)),
+      SetLength::Keep::Start);
+  add(say("the end at {0} stays", edgeNameSaid(session_.snapshot().document, *own, edges[(k + 1) % n].name)),
+      SetLength::Keep::End);
   add(say("both ends move by half"), SetLength::Keep::Middle);
   keep_->setCurrentIndex(keep_->findData(static_cast<int>(session_.keptEnd())));
   both_->setText(inWords(session_.bothHalves() ? say("Both halves change.") : say("Only this edge changes.")));

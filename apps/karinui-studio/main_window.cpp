@@ -23,6 +23,7 @@
 #include "drop_menu.h"
 #include "force_feedback.h"
 #include "guide.h"
+#include "karinui/design/step_words.h"
 #include "keys.h"
 #include "orbit.h"
 #include "start_page.h"
@@ -204,6 +205,7 @@ void MainWindow::nameForScreenReaders() {
       QWidget* box = field ? field->widget() : nullptr;
       if (auto* words = label ? qobject_cast<QLabel*>(label->widget()) : nullptr; words && box) words->setBuddy(box);
     }
+  nameEdges();
   Theme::here().keep(this, [this] {
     space_->setAccessibleName(inWords(say("Fitting in 3D")));
     table_->setAccessibleName(inWords(say("Flat pattern")));
@@ -213,6 +215,7 @@ void MainWindow::nameForScreenReaders() {
 }
 
 MainWindow::~MainWindow() {
+  Theme::here().setNames([](std::string_view identifier) { return identifierSaid(identifier); });
   session_->command(Command::Cancel);
   space_->setForceFeedback(nullptr);
   force_.reset();  // no force outlives the window
@@ -231,6 +234,36 @@ bool MainWindow::eventFilter(QObject*, QEvent* event) {
       event->type() == QEvent::MouseButtonPress)
     wake_.start();
   return false;
+}
+
+// Edges that have only a number are called by where they lie, in every sentence.
+void MainWindow::nameEdges() {
+  Theme::here().setNames([this](std::string_view identifier) -> std::optional<Message> {
+    const Document& document = session_->snapshot().document;
+    const auto& chosen =
+        session_->selection().edge;  // one that is named without its piece is most likely the chosen one
+    if (const Piece* piece = chosen ? document.find(chosen->piece) : nullptr; piece && piece->outline.find(identifier))
+      return edgeNameSaid(document, *piece, identifier);
+    return identifierSaid(document, identifier);
+  });
+}
+
+bool MainWindow::isOn(Command command) const {
+  const ViewCut& cut = session_->viewCut();
+  switch (command) {
+    case Command::BodyLines:
+      return session_->linesShown();
+    case Command::HideArms:
+      return cut.arms;
+    case Command::HideHands:
+      return cut.hands;
+    case Command::HideHead:
+      return cut.head;
+    case Command::Section:
+      return cut.section.has_value();
+    default:
+      return session_->tool() == command;
+  }
 }
 
 void MainWindow::refresh() {
@@ -282,8 +315,7 @@ void MainWindow::refresh() {
       action->setEnabled(session_->can(command));
     else
       action->setEnabled(true);
-    if (action->isCheckable())
-      action->setChecked(command == Command::BodyLines ? session_->linesShown() : session_->tool() == command);
+    if (action->isCheckable()) action->setChecked(isOn(command));
   }
   const Busy busy = session_->busy();
   progress_->setVisible(busy.any);

@@ -69,6 +69,8 @@ class MainWindow : public QMainWindow {
   void makeActions();
   void makeMenus();
   void refresh();
+  void nameEdges();
+  bool isOn(Command command) const;  // of an action with a check mark
   void tell(const Notice& notice);
   void tellFingertip(const QString& keys);  // to those who hear the screen; no keys: there is none
   void goToNextPart();                      // of the window, with the keys

@@ -147,6 +147,11 @@ void MainWindow::makeMenus() {
   viewMenu_->addSeparator();
   actions_[Command::BodyLines]->setCheckable(true);
   viewMenu_->addAction(actions_[Command::BodyLines]);
+  for (const Command c : {Command::HideArms, Command::HideHands, Command::HideHead, Command::Section})
+    actions_[c]->setCheckable(true);
+  for (const Command c : {Command::HideArms, Command::HideHands, Command::HideHead, Command::Section,
+                          Command::SectionBack, Command::SectionOn})
+    viewMenu_->addAction(actions_[c]);
   viewMenu_->addSeparator();
   const auto map = [&](const Message& words, const char* key, FitMap which) {
     QAction* action = add(viewMenu_, words, "fit", key, [this, which] {

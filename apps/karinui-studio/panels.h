@@ -28,6 +28,7 @@ namespace karinui::studio {
 class FabricPlot;
 class LengthBox;
 class LengthChoice;
+class LookBoard;
 class MeasureRow;
 
 class Panel : public QWidget {
@@ -66,6 +67,7 @@ class GarmentPanel : public Panel {
   QCheckBox* frozen_;
   QDoubleSpinBox* grain_;
   QLabel* area_;
+  LookBoard* look_;
   QLineEdit* edgeName_;
   LengthBox *length_, *u_, *v_;
   LengthChoice* stays_;
@@ -117,6 +119,7 @@ class FabricPanel : public Panel {
   QListWidget* list_;
   QTabBar* law_;
   FabricPlot* plot_;
+  LookBoard* look_;
   QPushButton *cut_, *change_, *own_;
   std::vector<QDoubleSpinBox*> values_;
   Fabric fabric_, kept_;  // as it is being changed, and as it is

@@ -306,6 +306,17 @@ SpaceView::Mapped SpaceView::mapped(const SnapshotPtr& garment) {
   return own;
 }
 
+// Kept while body and cut are the same.
+std::shared_ptr<const VisibleParts> SpaceView::visibleOf(const BodyPtr& body) {
+  auto& kept = visible_[body];
+  if (!kept || !(visibleCut_ == session_.viewCut())) {
+    visibleCut_ = session_.viewCut();
+    visible_.clear();
+    return visible_[body] = std::make_shared<const VisibleParts>(visibleCut_, body);
+  }
+  return kept;
+}
+
 void SpaceView::showGarment() {
   const SnapshotPtr fitting = session_.shownPtr();
   const Preview preview = session_.preview();
@@ -335,6 +346,8 @@ void SpaceView::showGarment() {
       if (line.closed) shown.points.push_back(shown.points.front());
       frame.lines.push_back(std::move(shown));
     }
+  for (const auto& [garment, part] : {std::pair(fitting, &frame), std::pair(beside_.fitting, &then.frame)})
+    if (session_.viewCut().any() && garment) visibleOf(garment->body)->cut(*part);
   const bool quick = !finest_ || (!fine_ && (carried || garmentShown_ != ~0ull));
   soft_ = !quick || !finest_;
   stale_ = true;

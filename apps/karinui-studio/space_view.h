@@ -92,6 +92,9 @@ class SpaceView : public QOpenGLWidget {
   void restSoon();                       // the still picture, when nothing has moved for a moment
   void frameAnew();                      // after the view's shape changed, unless it was turned, panned or zoomed
   void showGarment();
+  std::shared_ptr<const VisibleParts> visibleOf(const BodyPtr& body);
+  ViewCut visibleCut_;
+  std::map<BodyPtr, std::shared_ptr<const VisibleParts>> visible_;
   struct Mapped {  // a fitting in the colours of the map
     SceneFrame frame;
     std::vector<float> values;

@@ -123,7 +123,7 @@ const Palette& Theme::palette() const { return dark_ ? kDark : kLight; }
 
 QString Theme::say(const Message& message) const {
   const auto words = [](double metres) { return lengthText(metres, 2).toStdString(); };
-  return QString::fromStdString(text(message, language_, words, identifierSaid));
+  return QString::fromStdString(text(message, language_, words, names_));
 }
 
 QIcon Theme::icon(std::string_view name) const { return name.empty() ? QIcon() : QIcon(new HouseIcon(name)); }

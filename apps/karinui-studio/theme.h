@@ -11,7 +11,7 @@
 #include <optional>
 #include <string_view>
 
-#include "karinui/base/message.h"
+#include "karinui/base/said_lengths.h"
 #include "karinui/design/glossary.h"
 #include "karinui/scene/scene_frame.h"
 
@@ -39,6 +39,8 @@ class Theme : public QObject {
   void setInches(bool inches);
   const Palette& palette() const;
   QString say(const Message& message) const;
+  // What identifiers in sentences are called; without it as the glossary has them.
+  void setNames(NameWords names) { names_ = std::move(names); }
   QIcon icon(std::string_view name) const;  // in today's colours
   void apply(QApplication& app);
 
@@ -55,6 +57,7 @@ class Theme : public QObject {
   Language language_ = Language::English;
   QTranslator ofQt_;
   bool dark_ = false, inches_ = false;
+  NameWords names_ = [](std::string_view identifier) { return identifierSaid(identifier); };
 };
 
 inline QString inWords(const Message& message) { return Theme::here().say(message); }

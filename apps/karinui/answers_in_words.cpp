@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "karinui/base/number.h"
-#include "karinui/design/glossary.h"
+#include "karinui/design/step_words.h"
 
 namespace karinui::app {
 
@@ -74,7 +74,7 @@ std::string bodyWords(const Measurements& measured, const MeshReport& mesh, cons
   Table surface;
   surface.row({console.said(say("Triangles")), std::to_string(mesh.triangles)});
   surface.row({console.said(say("Closed")), yesOrNo(mesh.closed(), console)});
-  surface.row({console.said(say("Crosses itself")), console.said(say("at {0} places", mesh.selfCrossings))});
+  surface.row({console.said(say("Crosses itself")), console.said(say("at {0} {0|place|places}", mesh.selfCrossings))});
   surface.row({console.said(say("Separate parts")), std::to_string(mesh.shells)});
   if (mesh.openEdges > 0) surface.row({console.said(say("Open edges")), std::to_string(mesh.openEdges)});
   if (mesh.nonManifoldEdges > 0)
@@ -88,8 +88,8 @@ std::string checkWords(const ClothCheck& check, const Console& console) {
   const auto row = [&](const Message& what, const std::string& value) { table.row({console.said(what), value}); };
   if (!check.finite) row(say("Broken: some places of the cloth are no numbers"), "");
   row(say("Deepest inside the body"), mm(check.penetration));
-  row(say("Cloth through the body"), console.said(say("at {0} places", check.clothBodyCrossings)));
-  row(say("Cloth through cloth"), console.said(say("at {0} places", check.clothClothCrossings)));
+  row(say("Cloth through the body"), console.said(say("at {0} {0|place|places}", check.clothBodyCrossings)));
+  row(say("Cloth through cloth"), console.said(say("at {0} {0|place|places}", check.clothClothCrossings)));
   row(say("Widest gap in a seam"), mm(check.seamGap));
   row(say("Stretch, on average"), percent(check.strain.mean));
   row(say("99 % of the cloth is stretched less than"), percent(check.strain.p99));
@@ -105,20 +105,20 @@ std::string settleWords(const SettleReport& report, const ClothCheck& check, boo
                       "\n";
   Table table;
   table.row({console.said(say("Draping took")),
-             console.said(say("{0} ({1} of processor time, {2} steps)", seconds(report.wallSeconds),
+             console.said(say("{0} ({1} of processor time, {2} {2|step|steps})", seconds(report.wallSeconds),
                               seconds(report.cpuSeconds), report.steps))});
   table.row({console.said(say("Memory")), fixed(report.peakMegabytes, 0) + " MB"});
   if (report.merged)
     table.row({console.said(say("The body as planes")),
-               console.said(say("{0} planes of {1} triangles, {2} of {3} tests saved", report.merged->planesAfter,
-                                report.merged->facesBefore, report.merged->testsSaved,
+               console.said(say("{0} {0|plane|planes} of {1} {1|triangle|triangles}, {2} of {3} {3|test|tests} saved",
+                                report.merged->planesAfter, report.merged->facesBefore, report.merged->testsSaved,
                                 report.merged->testsDone + report.merged->testsSaved))});
   return words + table.words(2) + checkWords(check, console);
 }
 
 std::string infoWords(const Document& document, const Console& console) {
   const auto said = [&](const Message& message) { return console.said(message); };
-  std::string words = said(say("{0} operations; the cloth's threads lie {1} apart.",
+  std::string words = said(say("{0} {0|operation|operations}; the cloth's threads lie {1} apart.",
                                static_cast<long long>(document.operations), mm(document.settings.spacing))) +
                       "\n";
   for (const auto& [id, piece] : document.pattern.pieces) {
@@ -135,7 +135,8 @@ std::string infoWords(const Document& document, const Console& console) {
              "\n";
     Table edges;
     for (const Edge& edge : piece->outline.edges)
-      edges.row({withScript(said(nameSaid(edge.name)), edge.name), mm(edge.curve.length())});
+      edges.row(
+          {withScript(said(edgeWithPartnerSaid(document, *piece, edge.name)), edge.name), mm(edge.curve.length())});
     words += edges.words(2);
   }
   if (!document.pattern.seams.empty()) words += "\n" + said(say("Seams:")) + "\n";

@@ -1,4 +1,5 @@
 // play, do, undo, redo, log, import: what makes and changes documents.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -7,6 +8,7 @@
 #include "karinui/design/script.h"
 #include "karinui/design/steps_of.h"
 #include "karinui/exchange/read_pattern.h"
+#include "karinui/exchange/read_print.h"
 #include "open_document.h"
 #include "stage_pictures.h"
 
@@ -24,7 +26,7 @@ struct PlayOptions {
   bool overwrite = false;
 };
 struct DoOptions {
-  std::string path;
+  std::string path, photo;
   std::vector<std::string> operations;
 };
 struct DocumentOnly {
@@ -63,16 +65,17 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
     } else {
       if (!opened.settled()) exit = kNotSettled;
       const Document& document = opened.document();
-      program.console.answer({{"document", wanted},
-                              {"operations", document.operations},
-                              {"pieces", document.pattern.pieces.size()},
-                              {"seams", document.pattern.seams.size()},
-                              {"settled", opened.settled()},
-                              {"hash", hash(document)},
-                              {"drape_hash", drapeHash(document)}},
-                             program.console.said(say("{0}: {1} operations, {2} pieces, {3} seams", wanted,
-                                                      written(static_cast<long long>(document.operations)),
-                                                      document.pattern.pieces.size(), document.pattern.seams.size())));
+      program.console.answer(
+          {{"document", wanted},
+           {"operations", document.operations},
+           {"pieces", document.pattern.pieces.size()},
+           {"seams", document.pattern.seams.size()},
+           {"settled", opened.settled()},
+           {"hash", hash(document)},
+           {"drape_hash", drapeHash(document)}},
+          program.console.said(say("{0}: {1} {1|operation|operations}, {2} {2|piece|pieces}, {3} {3|seam|seams}",
+                                   wanted, written(static_cast<long long>(document.operations)),
+                                   document.pattern.pieces.size(), document.pattern.seams.size())));
     }
   }
   if (exit == kRefused) {
@@ -116,6 +119,21 @@ int runPlay(Program& program, const PlayOptions& options) {
   });
 }
 
+// The photograph becomes a part of the document, and the operations `look` are about it.
+Done giveThePhoto(OpenDocument& opened, const std::string& photo, std::vector<Operation>& operations) {
+  if (photo.empty()) return {};
+  const bool asked = std::any_of(operations.begin(), operations.end(),
+                                 [](const Operation& one) { return std::holds_alternative<SetLook>(one); });
+  if (!asked) return refused(say("A photograph is printed by the operation look: 'look fabric=cotton repeat=20cm'."));
+  const auto image = readPrint(photo, opened.context().token);
+  if (!image) return image.error();
+  const auto blob = opened.file().blobs().put(packPrint(*image));
+  if (!blob) return blob.error();
+  for (Operation& operation : operations)
+    if (auto* look = std::get_if<SetLook>(&operation); look && look->photo.empty()) look->photo = *blob;
+  return {};
+}
+
 int runDo(Program& program, const DoOptions& options) {
   std::vector<Operation> operations;
   for (const std::string& line : options.operations) {
@@ -124,6 +142,8 @@ int runDo(Program& program, const DoOptions& options) {
     operations.push_back(std::move(*operation));
   }
   return withDocument(program, options.path, false, [&](OpenDocument& opened) -> int {
+    if (const Done printed = giveThePhoto(opened, options.photo, operations); !printed)
+      return program.console.refuse(printed.error());
     for (Operation& operation : operations) {
       const Result<Step> step = opened.perform(std::move(operation));
       if (!step) return program.console.refuse(step.error());
@@ -240,6 +260,7 @@ void addDocumentVerbs(Program& program) {
   verb = program.verb(program.cli, "do", help("Does operations on a document"), perform, runDo);
   verb->add_option("document", perform->path, help("The .karinui document"))->required();
   verb->add_option("operation", perform->operations, help("'OP key=value …', one or more"))->required();
+  verb->add_option("--photo", perform->photo, help("A photograph (PNG or JPEG) for the operation look"));
   verb->footer([perform] { return vocabulary(perform->path); });
 
   auto undo = std::make_shared<DocumentOnly>(), redo = std::make_shared<DocumentOnly>(),

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "karinui/design/history.h"
 #include "karinui/scene/scene_frame.h"
+#include "karinui/session/look_of.h"
 
 namespace karinui::app {
 
@@ -37,6 +38,8 @@ class OpenDocument {
   Bodies bodies_;
   DocumentFile file_;
   Context context_;
+  Prints prints();
+  PrintShelf shelf_;
   bool settled_ = true;
 };
 

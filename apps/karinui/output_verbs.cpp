@@ -4,7 +4,9 @@
 
 #include "karinui/base/file.h"
 #include "karinui/exchange/formats.h"
+#include "karinui/session/export.h"
 #include "karinui/session/table_frame_of.h"
+#include "karinui/session/view_cut.h"
 #include "karinui/view/picture.h"
 #include "karinui/view/table_picture.h"
 #include "open_document.h"
@@ -19,20 +21,14 @@ struct ExportOptions {
 };
 
 struct PictureWish {
-  std::string path, out, view = "front", map = "none", eyes = "mono", size = "1200x1600";
+  std::string path, out, view = "front", map = "none", eyes = "mono", size = "1200x1600", hide, section;
   bool table = false;  // the flat pattern instead
 };
 
 Result<SpatialGarment> spatialOf(OpenDocument& opened) {
-  Result<SceneFrame> frame = opened.scene();
+  const Result<SceneFrame> frame = opened.scene();
   if (!frame) return frame.error();
-  SpatialGarment garment;
-  if (!frame->bodies.empty()) garment.body = std::move(frame->bodies.front().mesh);
-  for (SceneCloth& cloth : frame->cloths) {
-    const std::string fabric = opened.document().pieceNamed(cloth.name)->fabric;
-    garment.pieces.push_back({cloth.name, fabric, std::move(cloth.mesh), std::move(cloth.flat), cloth.colour});
-  }
-  return garment;
+  return karinui::spatialOf(opened.document(), *frame);
 }
 
 // Of the formats of the ending the one that --format or --paper names, or else the first.
@@ -92,9 +88,28 @@ Result<PictureOptions> picked(const PictureWish& wish) {
   return options;
 }
 
-Result<Image> fittingPicture(Program& program, OpenDocument& opened, const PictureOptions& options) {
-  const Result<SceneFrame> frame = opened.scene();
+Result<ViewCut> cutOf(const PictureWish& wish) {
+  Result<ViewCut> cut = hiddenNamed(wish.hide);
+  if (!cut || wish.section.empty()) return cut;
+  const auto section = sectionNamed(wish.section);
+  if (!section) return section.error();
+  cut->section = *section;
+  return cut;
+}
+
+Result<Image> fittingPicture(Program& program, OpenDocument& opened, const PictureOptions& options,
+                             const ViewCut& cut) {
+  Result<SceneFrame> frame = opened.scene();
   if (!frame) return frame.error();
+  if (cut.any()) {
+    BodyPtr body;
+    if (opened.document().body.chosen()) {
+      auto found = bodyOf(opened.document(), opened.context());
+      if (!found) return found.error();
+      body = *std::move(found);
+    }
+    VisibleParts(cut, body).cut(*frame);
+  }
   const auto picture = Picture::open();
   if (!picture) return picture.error();
   Result<Image> image = (*picture)->draw(*frame, options);
@@ -117,13 +132,14 @@ Result<Image> tablePicture(Program& program, OpenDocument& opened, const Picture
 
 int runPicture(Program& program, const PictureWish& wish) {
   const Result<PictureOptions> options = picked(wish);
-  if (!options) {
-    program.console.refuse(options.error());
+  const Result<ViewCut> cut = cutOf(wish);
+  if (!options || !cut) {
+    program.console.refuse(options ? cut.error() : options.error());
     return kWrongCall;
   }
   return withDocument(program, wish.path, true, [&](OpenDocument& opened) -> int {
     const Result<Image> image =
-        wish.table ? tablePicture(program, opened, *options) : fittingPicture(program, opened, *options);
+        wish.table ? tablePicture(program, opened, *options) : fittingPicture(program, opened, *options, *cut);
     if (!image) return program.console.refuse(image.error());
     if (const Done done = writePng(wish.out, *image); !done) return program.console.refuse(done.error());
     program.console.answer({{"file", wish.out}, {"width", image->width}, {"height", image->height}}, wish.out);
@@ -156,8 +172,13 @@ void addOutputVerbs(Program& program) {
   CLI::Option* view = verb->add_option("--view", wish->view, help("front, back, left, right, oblique"));
   CLI::Option* map = verb->add_option("--map", wish->map, help("none, strain"));
   CLI::Option* eyes = verb->add_option("--eyes", wish->eyes, help("mono, side-by-side, top-bottom, anaglyph"));
+  CLI::Option* hide = verb->add_option("--hide", wish->hide, help("Parts of the figure not to draw: arms,hands,head"));
+  CLI::Option* section = verb->add_option("--section", wish->section,
+                                          help("Cut open by a plane: side, front or level, and where: front@5cm"));
   verb->add_flag("--table", wish->table, help("The flat pattern on the cutting table instead"))
       ->excludes(view)
+      ->excludes(hide)
+      ->excludes(section)
       ->excludes(map)
       ->excludes(eyes);
   verb->add_option("--size", wish->size, help("WIDTHxHEIGHT in pixels"));

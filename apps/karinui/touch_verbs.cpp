@@ -197,8 +197,8 @@ int runCheck(Program& program, const CheckOptions& options) {
   line(say("Late by: {0} half of the time, {1} at most in 99 %, {2} in 99.9 %, {3} at worst", micro(m->p50),
            micro(m->p99), micro(m->p999), micro(m->longest)));
   line(say("Ticks late by more than 1 ms: {0} of {1}", std::size_t(m->report.late), std::size_t(m->report.ticks)));
-  line(say("Evaluating a scene of up to {0} triangles: {1} half of the time, {2} at most in 99 %", m->facets,
-           micro(m->evaluation.p50), micro(m->evaluation.p99)));
+  line(say("Evaluating a scene of up to {0} {0|triangle|triangles}: {1} half of the time, {2} at most in 99 %",
+           m->facets, micro(m->evaluation.p50), micro(m->evaluation.p99)));
   const auto budget = [&](const Message& what, const Took& took) {
     line(say("{0}: {1} half of the time, {2} at most in 99 %", what, micro(took.p50), micro(took.p99)));
   };

@@ -14,15 +14,40 @@ extern const std::size_t kJapaneseCatalogueSize;
 
 namespace {
 
+// "{0|edge|edges}": one of two words, by whether value 0 is one.
+struct Counted {
+  std::size_t which = 0, size = 0;  // of the values; letters of the pattern
+  std::string_view one, many;
+};
+std::optional<Counted> countedAt(std::string_view pattern) {
+  if (pattern.size() < 5 || pattern[0] != '{' || pattern[1] < '0' || pattern[1] > '9' || pattern[2] != '|')
+    return std::nullopt;
+  const std::size_t middle = pattern.find('|', 3), end = pattern.find('}');
+  if (end == std::string_view::npos || middle > end) return std::nullopt;
+  return Counted{static_cast<std::size_t>(pattern[1] - '0'), end + 1, pattern.substr(3, middle - 3),
+                 pattern.substr(middle + 1, end - middle - 1)};
+}
+
+// A pattern as it read before it knew of a singular: sentences are kept so in documents.
+std::string manyOf(std::string_view pattern) {
+  std::string plain;
+  for (std::size_t i = 0; i < pattern.size();) {
+    const auto counted = countedAt(pattern.substr(i));
+    plain += counted ? std::string(counted->many) : std::string(1, pattern[i]);
+    i += counted ? counted->size : 1;
+  }
+  return plain;
+}
+
 // Lines of "pattern<TAB>translation".
-std::map<std::string_view, std::string_view> readCatalogue(std::string_view tsv) {
-  std::map<std::string_view, std::string_view> catalogue;
+std::map<std::string, std::string_view> readCatalogue(std::string_view tsv) {
+  std::map<std::string, std::string_view> catalogue;
   while (!tsv.empty()) {
     const std::size_t end = std::min(tsv.find('\n'), tsv.size());
     const std::string_view line = tsv.substr(0, end);
     tsv.remove_prefix(std::min(end + 1, tsv.size()));
     if (const std::size_t tab = line.find('\t'); tab != std::string_view::npos) {
-      catalogue.emplace(line.substr(0, tab), line.substr(tab + 1));
+      catalogue.emplace(manyOf(line.substr(0, tab)), line.substr(tab + 1));
     }
   }
   return catalogue;
@@ -30,7 +55,7 @@ std::map<std::string_view, std::string_view> readCatalogue(std::string_view tsv)
 
 std::string_view translated(std::string_view pattern) {
   static const auto catalogue = readCatalogue({kJapaneseCatalogue, kJapaneseCatalogueSize});
-  const auto found = catalogue.find(pattern);
+  const auto found = catalogue.find(manyOf(pattern));
   return found == catalogue.end() ? pattern : found->second;
 }
 
@@ -73,11 +98,16 @@ std::optional<std::string> reworded(std::string_view millimetres, const Unit& un
 
 }  // namespace
 
-std::string text(const Message& message, Language language, LengthWords lengths, NameWords names) {
+std::string text(const Message& message, Language language, LengthWords lengths, const NameWords& names) {
   const std::string_view pattern =
       language == Language::Japanese ? translated(message.pattern) : std::string_view(message.pattern);
   std::string said;
   for (std::size_t i = 0; i < pattern.size();) {
+    if (const auto counted = countedAt(pattern.substr(i)); counted && counted->which < message.values.size()) {
+      said += text(message.values[counted->which]) == "1" ? counted->one : counted->many;
+      i += counted->size;
+      continue;
+    }
     // A value, or a number that stands in the pattern itself.
     const std::size_t which = i + 2 < pattern.size() && pattern[i] == '{' && pattern[i + 2] == '}'
                                   ? static_cast<std::size_t>(pattern[i + 1] - '0')

@@ -18,7 +18,7 @@ Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
   if (!solver.allTied())
     return say("A seam stays open by {0} mm; bring its pieces nearer or look whether something is between them.",
                fixed(gap * 1000, 1));
-  return say("Not at rest after {0} steps: it would still move {1} mm.", end.steps, fixed(end.left * 1000, 2));
+  return say("Not at rest after {0} {0|step|steps}: it would still move {1} mm.", end.steps, fixed(end.left * 1000, 2));
 }
 
 }  // namespace
@@ -65,7 +65,8 @@ std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, con
   report.seamGap = widestGap(solver.cloth(), x);
   report.why = whyOf(end, solver, report.seamGap);
   if (intersections > 0)
-    report.why = say("Cloth stands through cloth at {0} places; give it more room, or fewer folds.", intersections);
+    report.why =
+        say("Cloth stands through cloth at {0} {0|place|places}; give it more room, or fewer folds.", intersections);
   report.penetration = deepestPenetration(solver.cloth(), colliders, x, workers);
   report.strain = strainOf(solver.cloth(), x);
   return x;

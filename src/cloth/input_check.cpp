@@ -12,7 +12,7 @@ constexpr double kFarthest = 1000;  // metres from the origin: beyond it a place
 Done checkLevel(const ClothLevel& level) {
   const Cloth& cloth = level.cloth;
   if (level.state.position.size() != cloth.nodeCount)
-    return badInput(say("The cloth has {0} points but its state has {1}.", std::size_t{cloth.nodeCount},
+    return badInput(say("The cloth has {0} {0|point|points} but its state has {1}.", std::size_t{cloth.nodeCount},
                         level.state.position.size()));
   if (!(cloth.spacing > 0) || !std::isfinite(cloth.spacing)) return badInput(say("The cloth has no spacing."));
   std::uint32_t nodes = 0;

@@ -186,7 +186,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
   }
   if (stopped) {
     report.stoppedAfter = taken;
-    report.why = say("Stopped after {0} steps, before it came to rest.", taken);
+    report.why = say("Stopped after {0} {0|step|steps}, before it came to rest.", taken);
   }
   if (!activation.empty() && !stopped)
     report.toActivate =

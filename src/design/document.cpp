@@ -40,6 +40,11 @@ struct Truth {
     add(s.id.value), add(s.name), each(s.a), each(s.b), add(std::uint64_t{s.reversed}),
         add(static_cast<std::uint64_t>(s.tie));
   }
+  void add(const Dye& d) { add(std::uint64_t{d.red} << 16 | std::uint64_t{d.green} << 8 | d.blue); }
+  void add(const Look& l) {
+    add(static_cast<std::uint64_t>(l.finish)), add(l.colour), add(static_cast<std::uint64_t>(l.print)), add(l.ink);
+    add(l.repeat), add(l.turn), add(l.photo);
+  }
   void add(const Fabric& f) {
     add(f.name), add(static_cast<std::uint64_t>(f.law));
     for (const double v : {f.weight, f.stretchWarp, f.stretchWeft, f.shear, f.bendWarp, f.bendWeft, f.compression,
@@ -87,6 +92,13 @@ std::string hash(const Document& document) {
   for (const auto& [id, places] : document.pins) truth.add(id.value), truth.each(places);
   truth.add(document.settings.spacing), truth.add(static_cast<std::uint64_t>(document.settings.collider));
   truth.add(document.settings.ease);
+  if (!document.looks.empty()) {  // documents of before they could have one keep their hash
+    truth.add(std::string_view("looks"));
+    truth.add(std::uint64_t{document.looks.fabrics.size()});
+    for (const auto& [name, look] : document.looks.fabrics) truth.add(name), truth.add(look);
+    truth.add(std::uint64_t{document.looks.pieces.size()});
+    for (const auto& [id, look] : document.looks.pieces) truth.add(id.value), truth.add(look);
+  }
   return truth.hasher.hex();
 }
 

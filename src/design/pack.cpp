@@ -59,6 +59,25 @@ Fabric readFabric(Reader& r) {
   return f;
 }
 
+void add(Writer& w, const Look& l) {
+  w.add(static_cast<std::uint8_t>(l.finish)).add(static_cast<std::uint8_t>(l.print));
+  for (const Dye& dye : {l.colour, l.ink}) w.add(dye.red).add(dye.green).add(dye.blue);
+  w.add(l.repeat).add(l.turn).add(l.photo);
+}
+Look readLook(Reader& r) {
+  Look l;
+  const auto finish = r.number<std::uint8_t>(), print = r.number<std::uint8_t>();
+  if (finish > static_cast<std::uint8_t>(Finish::Leather) || print > static_cast<std::uint8_t>(PrintKind::Photo))
+    r.fail();
+  l.finish = static_cast<Finish>(finish), l.print = static_cast<PrintKind>(print);
+  for (Dye* dye : {&l.colour, &l.ink})
+    for (std::uint8_t* part : {&dye->red, &dye->green, &dye->blue}) *part = r.number<std::uint8_t>();
+  l.repeat = r.number<double>(), l.turn = r.number<double>();
+  l.photo = r.text();
+  if (!checkLook(l)) r.fail();
+  return l;
+}
+
 void add(Writer& w, const Measurements& m) {
   w.add(static_cast<std::uint8_t>(m.sex)).add(std::uint64_t{m.value.size()});
   for (const auto& [key, value] : m.value) w.add(key).add(value);
@@ -173,6 +192,12 @@ std::string packRest(const Document& d) {
   if (d.drape.last) add(w, *d.drape.last);
   w.all(d.drape.force).add(std::uint64_t{d.drape.dirty.size()});
   for (const PieceId id : d.drape.dirty) w.add(id.value);
+  if (!d.looks.empty()) {  // files of before they were kept end here
+    w.add(std::uint64_t{d.looks.fabrics.size()});
+    for (const auto& [name, look] : d.looks.fabrics) w.add(name), add(w, look);
+    w.add(std::uint64_t{d.looks.pieces.size()});
+    for (const auto& [id, look] : d.looks.pieces) w.add(id.value), add(w, look);
+  }
   return w.taken();
 }
 
@@ -207,6 +232,16 @@ Result<Document> unpackRest(std::string_view bytes) {
   d.drape.force.resize(r.count(24));
   for (Vec3& f : d.drape.force) f = r.vec3();
   for (std::size_t n = r.count(8); n > 0 && r.good(); --n) d.drape.dirty.insert({r.number<std::uint64_t>()});
+  if (!r.finished() && r.good()) {
+    for (std::size_t n = r.count(40); n > 0 && r.good(); --n) {
+      const std::string name = r.text();
+      d.looks.fabrics[name] = readLook(r);
+    }
+    for (std::size_t n = r.count(40); n > 0 && r.good(); --n) {
+      const PieceId id{r.number<std::uint64_t>()};
+      d.looks.pieces[id] = readLook(r);
+    }
+  }
   if (!r.finished()) return damaged();
   return d;
 }

@@ -86,6 +86,7 @@ std::optional<Message> said(const Document& document, std::string_view operation
   if (kind.find('|') != std::string::npos) return termSaid(Term::Value, value);
   if (kind == "name") {
     if (field.name == "mesh") return say("an imported body");
+    if (field.name == "photo") return say("a photograph");
     if (field.name == "size") return termSaid(Term::Size, value);
     if (!list) return nameSaid(value);
     std::vector<std::string> names = splitList(value);
@@ -94,6 +95,7 @@ std::optional<Message> said(const Document& document, std::string_view operation
     for (const std::string& name : names) all.push_back(nameSaid(name));
     return listSaid(all);
   }
+  if (kind == "colour") return say("#{0}", value);
   if (kind == "number") {
     const auto number = read<double>(value);
     return number ? std::optional(numberSaid(field.name, *number)) : std::nullopt;
@@ -116,7 +118,7 @@ std::optional<Message> said(const Document& document, std::string_view operation
   if (kind == "u,v") {
     const auto places = read<std::vector<Flat>>(value);
     if (!places || places->empty()) return std::nullopt;
-    return places->size() == 1 ? onPaper(places->front()) : say("{0} places on the paper", places->size());
+    return places->size() == 1 ? onPaper(places->front()) : say("{0} {0|place|places} on the paper", places->size());
   }
   if (kind == "x,y,z" && field.name == "gravity") {
     const auto g = read<Vec3>(value);
@@ -125,7 +127,8 @@ std::optional<Message> said(const Document& document, std::string_view operation
   if (kind == "x,y,z") {
     const auto ways = read<std::vector<Vec3>>(value);
     if (!ways || ways->empty()) return std::nullopt;
-    return ways->size() == 1 ? wayOf(ways->front()) : say("{0} steps, the last {1}", ways->size(), wayOf(ways->back()));
+    return ways->size() == 1 ? wayOf(ways->front())
+                             : say("{0} {0|step|steps}, the last {1}", ways->size(), wayOf(ways->back()));
   }
   if (kind == "axis angle") {
     const auto turn = read<Turn>(value);
@@ -143,23 +146,24 @@ std::optional<Message> said(const Document& document, std::string_view operation
     const auto places = read<std::vector<BodyPoint>>(value);
     if (!places || places->empty()) return std::nullopt;
     if (places->size() == 1) return placeSaid(places->front());
-    return say("{0} places from “{1}” to “{2}”", places->size(), placeSaid(places->front()), placeSaid(places->back()));
+    return say("{0} {0|place|places} from “{1}” to “{2}”", places->size(), placeSaid(places->front()),
+               placeSaid(places->back()));
   }
   if (kind == "outline") {
     const auto outline = parseOutline(value);
-    return outline ? std::optional(say("{0} edges", outline->edges.size())) : std::nullopt;
+    return outline ? std::optional(say("{0} {0|edge|edges}", outline->edges.size())) : std::nullopt;
   }
   if (kind == "outlines") {
     const auto all = read<std::vector<Outline>>(value);
-    return all ? std::optional(say("{0} holes", all->size())) : std::nullopt;
+    return all ? std::optional(say("{0} {0|hole|holes}", all->size())) : std::nullopt;
   }
   if (kind == "lines") {
     const auto all = read<std::vector<InternalLine>>(value);
-    return all ? std::optional(say("{0} lines", all->size())) : std::nullopt;
+    return all ? std::optional(say("{0} {0|line|lines}", all->size())) : std::nullopt;
   }
   if (kind == "marks") {
     const auto all = read<std::vector<Mark>>(value);
-    return all ? std::optional(say("{0} marks", all->size())) : std::nullopt;
+    return all ? std::optional(say("{0} {0|mark|marks}", all->size())) : std::nullopt;
   }
   return std::nullopt;
 }
@@ -169,7 +173,7 @@ Message sidesSaid(const Document& document, const std::vector<EdgeRef>& a, const
   const auto whole = [](const std::vector<EdgeRef>& side) {
     return side.size() == 1 && side[0].from == 0 && side[0].to == 1;
   };
-  if (whole(a) && whole(b) && a[0].edge == b[0].edge)
+  if (whole(a) && whole(b) && a[0].edge == b[0].edge && !isNumbered(a[0].edge))
     return say("{0}: {1}", nameSaid(a[0].edge),
                say("{0} – {1}", pieceSaid(document, a[0].piece), pieceSaid(document, b[0].piece)));
   const auto side = [&](const std::vector<EdgeRef>& edges) {
@@ -205,7 +209,9 @@ Message pieceSaid(const Document& document, const PieceRef& piece) {
 }
 
 Message edgeSaid(const Document& document, const EdgeRef& edge) {
-  const Message whole = say("{0} of {1}", nameSaid(edge.edge), pieceSaid(document, edge.piece));
+  const Piece* known = edge.piece.id ? document.find(edge.piece.id) : document.pieceNamed(edge.piece.name);
+  const Message whole = say("{0} of {1}", known ? edgeNameSaid(document, *known, edge.edge) : nameSaid(edge.edge),
+                            pieceSaid(document, edge.piece));
   if (edge.from == 0 && edge.to == 1) return whole;
   return say("{0}, {1} % to {2} %", whole, fixed(100 * edge.from, 0), fixed(100 * edge.to, 0));
 }

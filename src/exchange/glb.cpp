@@ -1,10 +1,11 @@
 // glTF 2.0, binary container (Khronos specification 2.0, sections 3 and 4.4): one JSON chunk, one chunk of numbers,
 // every view of it aligned to four bytes.
+#include <cairo.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
 #include <limits>
-#include <map>
 
 #include "spatial.h"
 #include "strict_json.h"
@@ -49,6 +50,14 @@ class Buffer {
     accessors.push_back(std::move(accessor));
     return accessors.size() - 1;
   }
+  // Adds a file as it is; returns the view's index.
+  std::size_t addFile(const std::string& file) {
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    views.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", file.size()}});
+    bytes_ += file;
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    return views.size() - 1;
+  }
   const std::string& bytes() const { return bytes_; }
   Json views = Json::array(), accessors = Json::array();
 
@@ -70,6 +79,32 @@ std::vector<float> textureCoordinates(const std::vector<Flat>& flat) {
   return out;
 }
 
+Result<std::string> pngOf(const SpatialLook::Tile& tile) {
+  const int stride = 4 * tile.width;
+  std::vector<unsigned char> rows(static_cast<std::size_t>(stride) * static_cast<std::size_t>(tile.height), 0);
+  for (std::size_t i = 0; i < rows.size() / 4; ++i)  // cairo's pixels: blue, green, red, nothing
+    for (std::size_t c = 0; c < 3; ++c) rows[4 * i + c] = tile.rgb[3 * i + 2 - c];
+  cairo_surface_t* surface =
+      cairo_image_surface_create_for_data(rows.data(), CAIRO_FORMAT_RGB24, tile.width, tile.height, stride);
+  std::string png;
+  const auto append = [](void* to, const unsigned char* data, unsigned int size) {
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), size);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t done = cairo_surface_write_to_png_stream(surface, append, &png);
+  cairo_surface_destroy(surface);
+  if (done != CAIRO_STATUS_SUCCESS) return storageError(say("The picture of a print could not be written."));
+  return png;
+}
+
+// Paper as the print lies on it: texture coordinates stay metres, and KHR_texture_transform says how large a repeat is.
+std::vector<Flat> onTile(const SpatialLook::Tile& tile, const std::vector<Flat>& flat) {
+  std::vector<Flat> all;
+  all.reserve(flat.size());
+  for (const Flat p : flat) all.push_back({dot(p, tile.across), dot(p, tile.along)});
+  return all;
+}
+
 void append32(std::string& out, std::size_t value) {
   const auto word = static_cast<std::uint32_t>(value);
   out.append(reinterpret_cast<const char*>(&word), sizeof word);
@@ -82,25 +117,64 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
   if (!named) return named.error();
   Buffer buffer;
   Json nodes = Json::array(), meshes = Json::array(), materials = Json::array(), roots = Json::array();
-  std::map<std::string, std::size_t> materialOf;
+  Json textures = Json::array(), images = Json::array();
+  bool sheen = false, transform = false;
+  std::vector<std::pair<const NamedMesh*, std::size_t>> materialOf;  // of pieces that look alike one
   for (const NamedMesh& object : *named) {
     if (object.mesh->points.empty() || object.mesh->faces.empty()) continue;  // glTF has no empty accessor
     const bool cloth = object.flat != nullptr;
-    const std::string material = cloth ? "fabric " + object.fabric : "skin";
-    if (materialOf.emplace(material, materials.size()).second)
-      materials.push_back({{"name", material},
-                           {"doubleSided", cloth},
-                           {"pbrMetallicRoughness",
-                            {{"baseColorFactor", {object.colour[0], object.colour[1], object.colour[2], 1.0}},
-                             {"metallicFactor", 0.0},
-                             {"roughnessFactor", cloth ? 0.9 : 0.6}}}});
+    const auto alike = std::find_if(materialOf.begin(), materialOf.end(), [&](const auto& known) {
+      const NamedMesh& other = *known.first;
+      return other.fabric == object.fabric && other.colour == object.colour && !other.look == !object.look &&
+             (!object.look || *other.look == *object.look);
+    });
+    const std::size_t material = alike != materialOf.end() ? alike->second : materials.size();
+    if (alike == materialOf.end()) {
+      materialOf.emplace_back(&object, material);
+      const double cover = cloth ? object.look->cover : 1;
+      Json surface{{"baseColorFactor", {object.colour[0], object.colour[1], object.colour[2], cover}},
+                   {"metallicFactor", 0.0},
+                   {"roughnessFactor", cloth ? object.look->roughness : 0.6}};
+      if (cloth && object.look->tile) {
+        const SpatialLook::Tile& tile = *object.look->tile;
+        auto png = pngOf(tile);
+        if (!png) return png.error();
+        images.push_back({{"bufferView", buffer.addFile(*png)}, {"mimeType", "image/png"}});
+        textures.push_back({{"source", images.size() - 1}, {"sampler", 0}});
+        // Coordinates are (u, 1 - v) in metres. A tile's v runs downwards from its top: (1 - v) / high + 1 - 1 / high
+        // is a whole number where v is a whole number of repeats.
+        surface["baseColorFactor"] = {1.0, 1.0, 1.0, cover};
+        surface["baseColorTexture"] = {
+            {"index", textures.size() - 1},
+            {"extensions",
+             {{"KHR_texture_transform",
+               {{"scale", {1 / tile.wide, 1 / tile.high}}, {"offset", {0.0, 1 - 1 / tile.high}}}}}}};
+        transform = true;
+      }
+      Json made{{"name", cloth ? "fabric " + object.fabric : "skin"},
+                {"doubleSided", cloth},
+                {"pbrMetallicRoughness", std::move(surface)}};
+      if (cover < 1) made["alphaMode"] = "BLEND";
+      if (cloth && object.look->sheen > 0) {
+        const double s = object.look->sheen;
+        made["extensions"]["KHR_materials_sheen"] = {
+            {"sheenColorFactor", {s * object.colour[0], s * object.colour[1], s * object.colour[2]}},
+            {"sheenRoughnessFactor", 0.5}};
+        sheen = true;
+      }
+      materials.push_back(std::move(made));
+    }
     Json attributes;
     attributes["POSITION"] = buffer.add(floats(object.mesh->points), 3, true);
     std::vector<Vec3> normals = pointNormals(*object.mesh);
     for (Vec3& n : normals)
       if (squaredLength(n) < 0.5) n = {0, 0, 1};  // a point of no face; a glTF normal must have unit length
     attributes["NORMAL"] = buffer.add(floats(normals), 3, false);
-    if (cloth) attributes["TEXCOORD_0"] = buffer.add(textureCoordinates(*object.flat), 2, false);
+    if (cloth) {
+      const auto& tile = object.look->tile;
+      attributes["TEXCOORD_0"] =
+          buffer.add(textureCoordinates(tile ? onTile(*tile, *object.flat) : *object.flat), 2, false);
+    }
     std::vector<std::uint32_t> indices;
     for (const Triangle& face : object.mesh->faces) indices.insert(indices.end(), face.begin(), face.end());
     const std::size_t corners = buffer.add(indices, 1, true);
@@ -109,8 +183,7 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
     meshes.push_back(
         {{"name", object.name},
          {"primitives",
-          Json::array(
-              {{{"attributes", attributes}, {"indices", corners}, {"material", materialOf[material]}, {"mode", 4}}})}});
+          Json::array({{{"attributes", attributes}, {"indices", corners}, {"material", material}, {"mode", 4}}})}});
   }
   if (nodes.empty()) return refused(say("There is nothing to write: no body and no piece."));
   Json root{{"asset", {{"version", "2.0"}, {"generator", "Karinui"}}}, {"scene", 0}};
@@ -118,6 +191,12 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
   root["nodes"] = nodes;
   root["meshes"] = meshes;
   root["materials"] = materials;
+  if (transform) {
+    root["images"] = images, root["textures"] = textures;
+    root["samplers"] = Json::array({{{"wrapS", 10497}, {"wrapT", 10497}, {"magFilter", 9729}, {"minFilter", 9987}}});
+  }
+  if (sheen) root["extensionsUsed"].push_back("KHR_materials_sheen");
+  if (transform) root["extensionsUsed"].push_back("KHR_texture_transform");
   root["accessors"] = buffer.accessors;
   root["bufferViews"] = buffer.views;
   root["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});

@@ -4,6 +4,7 @@
 //   from the child (descriptor 1): Reply, then by kind
 //     Mesh:   points x 3 doubles, faces x 3 u32
 //     Needs:  points x (u64 length, bytes): names of side files; the child is started again with them
+//     Picture: points x faces (width x height) pixels of three bytes, rows from the top
 //     Refused: nothing; `reason` says why
 #include <cstdint>
 
@@ -11,7 +12,7 @@ namespace karinui::wire {
 
 inline constexpr std::uint64_t kMagic = 0x31304853454d4b4bull;
 
-enum class Kind : std::uint32_t { Mesh = 1, Needs = 2, Refused = 3 };
+enum class Kind : std::uint32_t { Mesh = 1, Needs = 2, Refused = 3, Picture = 4 };
 enum class Reason : std::uint32_t { None, Unreadable, NoSurface, TooLarge, Memory, TooDeep, Unsupported };
 
 struct Reply {

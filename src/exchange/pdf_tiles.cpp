@@ -113,12 +113,12 @@ void drawOverview(PdfCanvas& canvas, const Sheet& sheet, const std::vector<Tile>
   canvas.colour(0);
   canvas.words({{kEdge, kEdge + 6}, 7, true, sheet.title}, false);
   canvas.words({{kEdge, kEdge + 15}, 4, true, said(say("Print at 100 %. The square must measure 100 mm."))}, false);
-  canvas.words(
-      {{kEdge, kEdge + 22},
-       4,
-       true,
-       said(say("Overview, not to size: {0} pages, A1 at the top left. Glue them before cutting.", tiles.size()))},
-      false);
+  canvas.words({{kEdge, kEdge + 22},
+                4,
+                true,
+                said(say("Overview, not to size: {0} {0|page|pages}, A1 at the top left. Glue them before cutting.",
+                         tiles.size()))},
+               false);
   canvas.colour(0.6);
   for (const Tile& tile : tiles) {
     const Mm a = at(tile.low()), b = at(tile.low() + Mm{kStepX, kStepY});

@@ -60,15 +60,6 @@ Result<std::string> formatOf(const fs::path& path) {
   return unreadable(path, {FileContent::Body});
 }
 
-Result<fs::path> findHelper(const fs::path& asked) {
-  if (!asked.empty()) return asked;
-  std::error_code trouble;
-  const fs::path here = fs::read_symlink("/proc/self/exe", trouble).parent_path();
-  for (const fs::path& candidate : {here / "karinui-import", here / "../libexec/karinui/karinui-import"})
-    if (::access(candidate.c_str(), X_OK) == 0) return candidate;
-  return notFound(say("The reader of body files, karinui-import, is not installed beside this program."));
-}
-
 // One point for all that are equal; triangles that thereby lose a corner go away.
 TriangleMesh joined(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> order(mesh.points.size()), name(mesh.points.size());
@@ -152,9 +143,10 @@ Result<void> stand(ImportedBody& body, const BodyReadOptions& options, const std
 
 void sayWhatIsWrong(ImportedBody& body) {
   const MeshReport& r = body.report;
-  if (r.shells > 1) body.notes.push_back(say("The surface is of {0} separate parts.", r.shells));
+  if (r.shells > 1) body.notes.push_back(say("The surface is of {0} separate {0|part|parts}.", r.shells));
   if (r.selfCrossings > 0)
-    body.notes.push_back(say("{0} pairs of triangles cross each other; that is tolerated.", r.selfCrossings));
+    body.notes.push_back(say(
+        "{0} {0|pair of triangles crosses|pairs of triangles cross} each other; that is tolerated.", r.selfCrossings));
 }
 
 }  // namespace
@@ -163,7 +155,7 @@ Result<ImportedBody> readBody(const fs::path& path, const BodyReadOptions& optio
                               const Token& token) {
   const auto format = formatOf(path);
   if (!format) return format.error();
-  const auto helper = findHelper(options.helper);
+  const auto helper = importHelper(options.helper);
   if (!helper) return helper.error();
   token.progress(0, say("Reading the body"));
   auto read = readInOtherProcess(path, *format, *helper, options.limits, token);
@@ -177,8 +169,9 @@ Result<ImportedBody> readBody(const fs::path& path, const BodyReadOptions& optio
   if (!body.report.closed()) {
     if (!options.wrap)
       return badInput(
-          say("The body is not closed: {0} edges are open, {1} are shared by more than two triangles and {2} "
-              "join triangles that face opposite ways. It can be wrapped in a watertight skin on request.",
+          say("The body is not closed: {0} {0|edge is|edges are} open, {1} {1|is|are} shared by more than two "
+              "triangles and {2} "
+              "{2|joins|join} triangles that face opposite ways. It can be wrapped in a watertight skin on request.",
               body.report.openEdges, body.report.nonManifoldEdges, body.report.flippedEdges));
     // The skin asks which side is out, so most of the surface must agree on it.
     if (!body.report.outward) turnAround(body.mesh), body.turnedOutward = true;
@@ -186,7 +179,7 @@ Result<ImportedBody> readBody(const fs::path& path, const BodyReadOptions& optio
     if (!skin) return skin.error();
     body.mesh = std::move(*skin);
     body.wrapped = true;
-    body.notes.push_back(say("Wrapped in a watertight skin with cells of {0} mm; it had {1} open edges.",
+    body.notes.push_back(say("Wrapped in a watertight skin with cells of {0} mm; it had {1} open {1|edge|edges}.",
                              fixed(options.wrapCell * 1e3, 1), body.found.openEdges));
   } else if (!body.report.outward) {
     turnAround(body.mesh);

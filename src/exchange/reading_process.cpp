@@ -126,7 +126,8 @@ class Child {
     for (;;) {
       if (token.cancelled()) return cancelled();
       if (std::chrono::steady_clock::now() >= deadline)
-        return badInput(say("Reading the file took longer than {0} seconds and was stopped.", limits.seconds));
+        return badInput(
+            say("Reading the file took longer than {0} {0|second|seconds} and was stopped.", limits.seconds));
       pollfd waiting{from_.get(), POLLIN, 0};
       const int ready = ::poll(&waiting, 1, 50);
       if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
@@ -138,7 +139,7 @@ class Child {
     }
     const int status = wait();
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-      return badInput(say("Reading the file took longer than {0} seconds and was stopped.", limits.seconds));
+      return badInput(say("Reading the file took longer than {0} {0|second|seconds} and was stopped.", limits.seconds));
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
       return badInput(say("The file is damaged: reading it made the reader fail. Nothing was taken from it."));
     return said;
@@ -162,7 +163,8 @@ Error refusal(wire::Reason reason, const BodyReadLimits& limits) {
     case wire::Reason::NoSurface:
       return badInput(say("The file holds no surface, not a single triangle; save the body as a mesh of triangles."));
     case wire::Reason::TooLarge:
-      return badInput(say("The file holds more than {0} points or {1} triangles.", limits.points, limits.triangles));
+      return badInput(say("The file holds more than {0} {0|point|points} or {1} {1|triangle|triangles}.", limits.points,
+                          limits.triangles));
     case wire::Reason::Memory:
       return badInput(say("Reading the file needs more than {0} MB of memory.", limits.memoryBytes >> 20));
     case wire::Reason::TooDeep:
@@ -278,6 +280,48 @@ Result<std::string> readPlainFile(const fs::path& path, std::size_t atMost, bool
   }
   bytes.resize(have);
   return bytes;
+}
+
+Result<fs::path> importHelper(const fs::path& asked) {
+  if (!asked.empty()) return asked;
+  std::error_code trouble;
+  const fs::path here = fs::read_symlink("/proc/self/exe", trouble).parent_path();
+  for (const fs::path& candidate : {here / "karinui-import", here / "../libexec/karinui/karinui-import"})
+    if (::access(candidate.c_str(), X_OK) == 0) return candidate;
+  return notFound(say("The reader of body files, karinui-import, is not installed beside this program."));
+}
+
+Result<PrintPixels> readPictureInOtherProcess(const fs::path& path, const fs::path& helper, const Token& token) {
+  BodyReadLimits limits;
+  limits.fileBytes = 64u << 20;
+  limits.points = 40'000'000;  // pixels
+  limits.triangles = 0;
+  auto bytes = readPlainFile(path, limits.fileBytes, true);
+  if (!bytes) return bytes.error();
+  std::vector<HandedOver> files;
+  files.push_back({"picture", std::move(*bytes)});
+  const auto input = inMemory(files);
+  if (!input) return input.error();
+  auto child = Child::start(helper, "picture", limits, *input);
+  if (!child) return child.error();
+  const auto said = child->listen(limits, token);
+  if (!said) return inFile(path, said.error());
+  const auto wrong = [&](wire::Reason why) {
+    return inFile(path,
+                  why == wire::Reason::TooLarge
+                      ? badInput(say("The photograph has more than {0} million pixels; make it smaller.",
+                                     limits.points / 1'000'000))
+                      : badInput(say("This is no photograph that can be read, or a damaged one; PNG and JPEG can.")));
+  };
+  wire::Reply reply;
+  if (said->size() < sizeof reply) return wrong(wire::Reason::Unreadable);
+  std::memcpy(&reply, said->data(), sizeof reply);
+  if (reply.magic != wire::kMagic || reply.kind != wire::Kind::Picture) return wrong(reply.reason);
+  const std::string_view pixels = std::string_view(*said).substr(sizeof reply);
+  if (reply.points == 0 || reply.faces == 0 || reply.points > 65535 || reply.faces > 65535 ||
+      pixels.size() != 3 * reply.points * reply.faces)
+    return wrong(wire::Reason::Unreadable);
+  return PrintPixels{static_cast<int>(reply.points), static_cast<int>(reply.faces), {pixels.begin(), pixels.end()}};
 }
 
 Result<TriangleMesh> readInOtherProcess(const fs::path& path, const std::string& format, const fs::path& helper,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "karinui/design/print_image.h"
 #include "karinui/exchange/read_body.h"
 
 namespace karinui {
@@ -12,6 +13,13 @@ namespace karinui {
 Result<TriangleMesh> readInOtherProcess(const std::filesystem::path& path, const std::string& format,
                                         const std::filesystem::path& helper, const BodyReadLimits& limits,
                                         const Token& token);
+
+// The pixels of a photograph, at most 40 million.
+Result<PrintPixels> readPictureInOtherProcess(const std::filesystem::path& path, const std::filesystem::path& helper,
+                                              const Token& token);
+
+// karinui-import: as asked for, else beside the running program.
+Result<std::filesystem::path> importHelper(const std::filesystem::path& asked);
 
 // The first limit.fileBytes of a plain file, or why not.
 Result<std::string> readPlainFile(const std::filesystem::path& path, std::size_t atMost, bool followLinks);

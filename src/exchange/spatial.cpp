@@ -21,17 +21,23 @@ Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment) {
   std::set<std::string> taken{"body"};
   if (garment.body) {
     if (auto good = checkMesh(*garment.body, "body"); !good) return good.error();
-    out.push_back({"body", "", &*garment.body, nullptr, kSkin});
+    out.push_back({"body", "", &*garment.body, nullptr, kSkin, nullptr});
   }
   for (const SpatialPiece& piece : garment.pieces) {
     if (auto good = checkMesh(piece.mesh, piece.name); !good) return good.error();
     if (piece.flat.size() != piece.mesh.points.size())
       return badInput(say("\"{0}\" does not know where all its points are on paper.", shown(piece.name)));
+    if (const auto& tile = piece.look.tile;
+        tile && (tile->width < 1 || tile->height < 1 || tile->width > 4096 || tile->height > 4096 ||
+                 !(tile->wide > 0) || !(tile->high > 0) ||
+                 tile->rgb.size() !=
+                     std::size_t{3} * static_cast<std::size_t>(tile->width) * static_cast<std::size_t>(tile->height)))
+      return badInput(say("The picture of the print on \"{0}\" is not whole.", shown(piece.name)));
     for (const Flat p : piece.flat)
       if (!finite(p))
         return badInput(say("\"{0}\" has a point that is nowhere (not a finite number).", shown(piece.name)));
     out.push_back({distinct(oneWord(piece.name, "piece"), taken), oneWord(piece.fabric, "fabric"), &piece.mesh,
-                   &piece.flat, piece.colour});
+                   &piece.flat, piece.colour, &piece.look});
   }
   return out;
 }

@@ -10,6 +10,7 @@ struct NamedMesh {
   const TriangleMesh* mesh = nullptr;
   const std::vector<Flat>* flat = nullptr;  // null: no texture coordinates
   std::array<float, 3> colour{};
+  const SpatialLook* look = nullptr;  // null: the body
 };
 
 // The body first, then the pieces in their order, each under a name of its own.

@@ -93,7 +93,8 @@ Done DistanceField::buildable(const TriangleMesh& mesh, const Settings& settings
   const MeshReport report = inspectTopology(mesh);
   if (report.triangles == 0) return badInput(say("There is no surface to measure distances from."));
   if (report.openEdges > 0)
-    return badInput(say("The surface is not closed: {0} edges are open, so it has no inside.", report.openEdges));
+    return badInput(
+        say("The surface is not closed: {0} {0|edge is|edges are} open, so it has no inside.", report.openEdges));
   const Box box = boxOf(mesh);
   if (!finite(box.low) || !finite(box.high)) return badInput(say("The surface has coordinates that are not numbers."));
   const Vec3 extent = box.size() + Vec3{1, 1, 1} * (2 * marginOf(settings));

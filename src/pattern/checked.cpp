@@ -55,7 +55,8 @@ Result<Outline> checked(Outline outline) {
   auto& edges = outline.edges;
   if (edges.size() < 2) return badInput(say("An outline needs at least two edges; this one has {0}.", edges.size()));
   if (edges.size() > kMost)
-    return badInput(say("An outline of {0} edges is more than Karinui takes ({1}); simplify it.", edges.size(), kMost));
+    return badInput(
+        say("An outline of {0} {0|edge|edges} is more than Karinui takes ({1}); simplify it.", edges.size(), kMost));
   std::set<std::string> names;
   for (const Edge& edge : edges) {
     if (!goodName(edge.name))

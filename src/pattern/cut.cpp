@@ -220,7 +220,8 @@ Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId s
   for (Flat p : line)
     if (!finite(p) || std::abs(p.u) > 100 || std::abs(p.v) > 100)
       return badInput(say("A place of the line is not a usable number (lengths are metres, within 100 m)."));
-  if (line.size() > 5000) return badInput(say("The line has {0} places; at most 5000 are taken.", line.size()));
+  if (line.size() > 5000)
+    return badInput(say("The line has {0} {0|place|places}; at most 5000 are taken.", line.size()));
   line.erase(std::unique(line.begin(), line.end(), [](Flat a, Flat b) { return distance(a, b) < kSame; }), line.end());
   if (line.size() < 2) return badInput(say("A cut needs a line of at least two places."));
   std::vector<Flat> straight{line.front()};

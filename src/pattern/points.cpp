@@ -63,7 +63,7 @@ Result<EditedPiece> joinEdges(const Piece& piece, std::string_view edge, bool re
   if (!outline) return noEdge(piece, edge);
   auto& edges = outline->edges;
   if (edges.size() < 3)
-    return refused(say("The outline of {0} has only {1} edges; it needs two.", piece.name, edges.size()));
+    return refused(say("The outline of {0} has only {1} {1|edge|edges}; it needs two.", piece.name, edges.size()));
   const std::size_t next = (k + 1) % edges.size();
   const double first = edges[k].curve.length(), share = first / (first + edges[next].curve.length());
   edited.edges[{piece.id, edges[k].name}] = {{0, 1, {piece.id, edges[k].name, 0, share}}};

@@ -70,6 +70,18 @@ std::span<const CommandInfo> commands() {
       {Command::Mend, "mend", "", "M", say("Mend it"), say("Does what was advised; undo takes it back.")},
       {Command::BodyLines, "lines", "", "B", say("Lines on the body"),
        say("Shows the side, centre, waist and all other lines of the body; a drawn line snaps to them."), Needs::Body},
+      {Command::HideArms, "arms", "", "A", say("Hide the arms"),
+       say("Cuts the figure's arms off at the armhole; again shows them."), Needs::Body},
+      {Command::HideHands, "hands", "", "J", say("Hide the hands"),
+       say("Cuts the figure's hands off at the wrist; again shows them."), Needs::Body},
+      {Command::HideHead, "head", "", "H", say("Hide the head"),
+       say("Cuts the figure's head off at the neck base; again shows it."), Needs::Body},
+      {Command::Section, "section", "", "X", say("Cut open"),
+       say("Cuts figure and cloth open: along the middle, from side to side, across; then not at all.")},
+      {Command::SectionBack, "section_back", "", "[", say("Section 1 cm back"),
+       say("Moves the plane that cuts all open: more is taken away.")},
+      {Command::SectionOn, "section_on", "", "]", say("Section 1 cm on"),
+       say("Moves the plane that cuts all open: less is taken away.")},
   };
   return all;
 }

@@ -39,6 +39,9 @@ bool Session::can(Command command) const {
       break;
     case Command::Confirm:
       return in.gesture->begun();
+    case Command::SectionBack:
+    case Command::SectionOn:
+      return in.viewCut.section.has_value();
     case Command::Mend:
       return !in.state.readOnly && !in.gesture->begun() && in.mendable();
     default:
@@ -136,6 +139,35 @@ void Session::command(Command command) {
       in.linesShown = !in.linesShown;
       ++in.changes.garment;
       return;
+    case Command::HideArms:
+    case Command::HideHands:
+    case Command::HideHead: {
+      ViewCut cut = in.viewCut;
+      bool& hidden = command == Command::HideArms ? cut.arms : command == Command::HideHands ? cut.hands : cut.head;
+      hidden = !hidden;
+      return setViewCut(cut);
+    }
+    case Command::Section: {  // from the side, from the front, from above, none
+      using Across = SectionPlane::Across;
+      ViewCut cut = in.viewCut;
+      const double chest = in.state.snapshot->body ? 0.7 * extent(in.state.snapshot->frame).high.y : 1.2;
+      if (!cut.section)
+        cut.section = SectionPlane{Across::Side, 0};
+      else if (cut.section->across == Across::Side)
+        cut.section = SectionPlane{Across::Front, 0};
+      else if (cut.section->across == Across::Front)
+        cut.section = SectionPlane{Across::Level, std::round(chest * 100) / 100};
+      else
+        cut.section.reset();
+      return setViewCut(cut);
+    }
+    case Command::SectionBack:
+    case Command::SectionOn: {
+      constexpr double kStep = 0.01;  // metres
+      ViewCut cut = in.viewCut;
+      if (cut.section) cut.section->at += command == Command::SectionOn ? kStep : -kStep;
+      return setViewCut(cut);
+    }
     default:
       in.viewAsked = command;
   }

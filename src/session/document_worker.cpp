@@ -55,13 +55,17 @@ Result<DrapeOutcome> DocumentWorker::draped(const Document& document, const Drap
   });
 }
 
+Prints DocumentWorker::prints() {
+  return [this](const std::string& photo) { return shelf_.find(photo, file_.blobs()); };
+}
+
 SnapshotPtr DocumentWorker::fitted(Document document, const Token& token) {
   BodyPtr body;
   if (document.body.chosen()) {
     Context own = context(token);
     if (auto found = bodyOf(document, own)) body = *found;
   }
-  return snapshotOf(std::move(document), std::move(body));
+  return snapshotOf(std::move(document), std::move(body), prints());
 }
 
 Result<Step> DocumentWorker::perform(Operation operation, const Token& token, StopRequest* stop) {
@@ -134,7 +138,7 @@ Result<SnapshotPtr> DocumentWorker::onFigure(const SetBody& body, const Token& t
   if (!document) return document.error();
   Result<BodyPtr> figure = bodyOf(*document, own);
   if (!figure) return figure.error();
-  return snapshotOf(*std::move(document), *std::move(figure));
+  return snapshotOf(*std::move(document), *std::move(figure), prints());
 }
 
 Result<Vec3> DocumentWorker::pullTo(const PullPreview& pull, const Token& token, SnapshotPtr& shown) {

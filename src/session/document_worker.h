@@ -58,8 +58,10 @@ class DocumentWorker {
   Workers& workers() { return *workers_; }
 
  private:
+  Prints prints();
   SnapshotPtr fitted(Document document, const Token& token);
   DocumentFile file_;
+  PrintShelf shelf_;
   SessionOptions options_;
   std::shared_ptr<Bodies> bodies_;
   std::shared_ptr<Workers> workers_;
@@ -85,6 +87,8 @@ bool isDraft(const SessionOptions& options, const std::filesystem::path& path);
 
 // Files in and out (session's second thread).
 Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token);
+Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path& file, SetLook look,
+                     const Token& token);
 Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
                     std::vector<Message>& notes);
 

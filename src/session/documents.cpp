@@ -140,6 +140,16 @@ void Session::importBody(const std::filesystem::path& file) {
   in.viewAsked = Command::ViewAll;
 }
 
+void Session::importPrint(const std::filesystem::path& file, SetLook look) {
+  auto& in = *impl_;
+  in.longWork(
+      [&in, file, look](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
+        if (const Done done = importPrintInto(*in.documentWorker, file, look, token); !done) return done.error();
+        return in.documentWorker;
+      },
+      say("“{0}” was read.", file.filename().string()));
+}
+
 void Session::importPattern(const std::filesystem::path& file) {
   auto& in = *impl_;
   in.longWork(

@@ -39,8 +39,12 @@ void DrawSnaps::of(SnapshotPtr snapshot) {
   curves_.clear();
   if (!fitting_->body) return;
   const Body& body = *fitting_->body;
+  const auto shown = [&](const SurfacePoint& skin, Vec3 there) {
+    return !fitting_->visible || fitting_->visible->showsSkin(skin, there);
+  };
   const auto place = [&](Vec3 seen, Message what, bool cloth) {
-    if (const auto skin = body.bvh().nearest(seen, kOffSkin))
+    const auto skin = body.bvh().nearest(seen, kOffSkin);
+    if (skin && shown(skin->place, skin->point))
       places_.push_back({{skin->place, skin->point, seen, std::move(what), std::nullopt, true}, cloth});
   };
   for (const auto& [id, piece] : fitting_->document.pattern.pieces) {
@@ -53,15 +57,21 @@ void DrawSnaps::of(SnapshotPtr snapshot) {
       for (const Flat p : edge.curve.evenly(0, 1, steps)) {
         const Vec3 seen = stand(p);
         const auto skin = body.bvh().nearest(seen, kOffSkin);
-        if (!skin) continue;
+        if (!skin || !shown(skin->place, skin->point)) continue;
         if (!curve.line.points.empty()) curve.line.length += distance(curve.line.points.back(), seen);
         curve.line.points.push_back(seen), curve.skin.push_back(skin->point);
       }
       if (curve.line.points.size() > 1) curves_.push_back(std::move(curve));
     }
   }
-  for (const BodyLine& line : body.lines())
-    curves_.push_back({line, {}, say("Along the {0}; with Alt freely.", bodyLineSaid(line.name))});
+  for (const BodyLine& line : body.lines()) {
+    Curve curve{line, {}, say("Along the {0}; with Alt freely.", bodyLineSaid(line.name)), {}};
+    for (const Vec3 p : line.points) {
+      const auto skin = fitting_->visible ? body.bvh().nearest(p) : std::nullopt;
+      curve.hidden.push_back(skin && !shown(skin->place, skin->point));
+    }
+    curves_.push_back(std::move(curve));
+  }
   for (const auto& [name, there] : body.landmarks())
     place(there, say("At the landmark {0}; with Alt freely.", name), false);
 }
@@ -78,6 +88,7 @@ std::optional<DrawSnaps::Followed> DrawSnaps::onCurve(std::size_t which, const S
   std::optional<Followed> best;
   double done = 0;
   for (std::size_t i = 0; i + (curve.line.closed ? 0 : 1) < n; ++i) {
+    if (i < curve.hidden.size() && (curve.hidden[i] || curve.hidden[(i + 1) % n])) continue;
     const Vec3 a = points[i], side = points[(i + 1) % n] - a, d = sample.ray.direction;
     const Vec3 across = side - d * dot(side, d), from = (a - sample.ray.origin);
     const Vec3 off = from - d * dot(from, d);

@@ -44,6 +44,7 @@ class DrawSnaps {
     BodyLine line;           // as it is seen; `name` is empty for an outline
     std::vector<Vec3> skin;  // beside each point of it; empty: the points themselves
     Message what;
+    std::vector<bool> hidden;  // points in what is not drawn; may be empty
   };
   struct Place {
     Snap snap;

@@ -4,6 +4,7 @@
 #include "karinui/design/steps_of.h"
 #include "karinui/exchange/read_body.h"
 #include "karinui/exchange/read_pattern.h"
+#include "karinui/exchange/read_print.h"
 #include "session/document_worker.h"
 
 namespace karinui {
@@ -56,6 +57,18 @@ Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::pa
   const Done done = patternInto(documentWorker, file, token);
   documentWorker.dropEmptyDraft();
   return done;
+}
+
+Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path& file, SetLook look,
+                     const Token& token) {
+  const auto image = readPrint(file, token);
+  if (!image) return image.error();
+  const Result<std::string> blob = documentWorker.file().blobs().put(packPrint(*image));
+  if (!blob) return blob.error();
+  look.photo = *blob;
+  look.print = PrintKind::Photo;
+  const auto step = documentWorker.perform(std::move(look), token);
+  return step ? Done() : Done(step.error());
 }
 
 Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,

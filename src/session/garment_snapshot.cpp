@@ -11,14 +11,14 @@ namespace karinui {
 namespace {
 
 // Every piece for itself, for patterns whose seams cannot be laid together: what is there is shown all the same.
-SceneFrame scenePieceByPiece(const Document& document, const Body* body) {
+SceneFrame scenePieceByPiece(const Document& document, const Body* body, const Prints& prints) {
   SceneFrame frame;
   if (body) frame.bodies.push_back({body->mesh(), SceneBody{}.colour});
   for (const auto& [id, piece] : document.pattern.pieces) {
     Document alone = document;
     alone.pattern.seams.clear();
     std::erase_if(alone.pattern.pieces, [own = id](const auto& other) { return other.first != own; });
-    Result<SceneFrame> one = sceneOf(alone, nullptr);
+    Result<SceneFrame> one = sceneOf(alone, nullptr, prints);
     if (one && !one->cloths.empty())
       frame.cloths.push_back(std::move(one->cloths.front()));
     else
@@ -118,6 +118,7 @@ void pickEdge(const GarmentSnapshot& snapshot, const PointerSample& sample, cons
       const Closest near = sample.tip ? closest(sample.tip->carry, from, to) : closest(sample.ray, from, to);
       // An edge that lies on another piece's is no nearer than it: a whisker decides for the first.
       if (near.away >= nearest * 0.999 || (hit.on != Hit::On::Nothing && near.along > hit.along + kBehind)) continue;
+      if (snapshot.visible && !snapshot.visible->shows(lerp(from, to, near.share))) continue;
       const Flat paper = lerp(cloth.flat[border[i]], cloth.flat[border[i + 1]], near.share);
       auto edge = edgeOnPaper(*piece, paper, anyEdge);
       if (!edge || !wanted(*edge)) continue;
@@ -139,15 +140,15 @@ const Bvh& PickingTree::operator*() const {
   return *tree_;
 }
 
-SnapshotPtr snapshotOf(Document document, BodyPtr body) {
+SnapshotPtr snapshotOf(Document document, BodyPtr body, const Prints& prints) {
   auto snapshot = std::make_shared<GarmentSnapshot>();
   snapshot->body = std::move(body);
-  Result<LaidScene> scene = laidSceneOf(document, snapshot->body.get());
+  Result<LaidScene> scene = laidSceneOf(document, snapshot->body.get(), prints);
   if (scene) {
     snapshot->frame = std::move(scene->frame);
   } else {
     snapshot->trouble = scene.error().what;
-    snapshot->frame = scenePieceByPiece(document, snapshot->body.get());
+    snapshot->frame = scenePieceByPiece(document, snapshot->body.get(), prints);
   }
   auto cloth = snapshot->frame.cloths.begin();
   for (const auto& [id, piece] : document.pattern.pieces) {
@@ -249,10 +250,19 @@ struct Met {
   Vec3 point;
   double along = 0;  // the ray, or away from the tip
 };
-std::optional<Met> meet(const Bvh& tree, const PointerSample& sample) {
+// What is not drawn does not count; where a cut end comes first there is nothing but it.
+using Seen = std::function<bool(const SurfacePoint&, Vec3)>;
+std::optional<Met> meet(const Bvh& tree, const PointerSample& sample, const Seen& seen, bool closed) {
   if (sample.tip) {
     const auto near = tree.nearest(sample.tip->carry, sample.reach);
-    return near ? std::optional<Met>({near->place, near->point, near->distance}) : std::nullopt;
+    if (!near || (seen && !seen(near->place, near->point))) return std::nullopt;
+    return Met{near->place, near->point, near->distance};
+  }
+  if (seen) {
+    for (const Bvh::Hit& hit : tree.all(sample.ray.origin, sample.ray.direction))
+      if (seen(hit.place, hit.point))
+        return closed && !hit.outside ? std::nullopt : std::optional<Met>({hit.place, hit.point, hit.along});
+    return std::nullopt;
   }
   const auto first = tree.first(sample.ray.origin, sample.ray.direction);
   return first ? std::optional<Met>({first->place, first->point, first->along}) : std::nullopt;
@@ -263,7 +273,10 @@ std::optional<Met> meet(const Bvh& tree, const PointerSample& sample) {
 Hit pickBody(const GarmentSnapshot& snapshot, const PointerSample& sample) {
   Hit hit;
   if (!snapshot.body || sample.where != PointerSample::Where::Space) return hit;
-  if (const auto met = meet(snapshot.body->bvh(), sample)) {
+  const Seen seen = !snapshot.visible ? Seen() : [&](const SurfacePoint& place, Vec3 point) {
+    return snapshot.visible->showsSkin(place, point);
+  };
+  if (const auto met = meet(snapshot.body->bvh(), sample, seen, true)) {
     hit.on = Hit::On::Body;
     hit.along = met->along;
     hit.point = met->point;
@@ -278,10 +291,12 @@ Hit pickWanted(const GarmentSnapshot& snapshot, const TableLayout& table, const 
                const WantedEdge& wanted) {
   if (sample.where == PointerSample::Where::Table) return pickTable(snapshot, table, sample, wanted);
   Hit hit = pickBody(snapshot, sample);
+  const Seen seen =
+      !snapshot.visible ? Seen() : [&](const SurfacePoint&, Vec3 point) { return snapshot.visible->shows(point); };
   for (std::size_t k = 0; k < snapshot.worn.size(); ++k) {
     const SceneCloth& cloth = snapshot.frame.cloths[k];
     if (cloth.mesh.faces.empty()) continue;
-    const auto met = meet(**snapshot.worn[k].tree, sample);
+    const auto met = meet(**snapshot.worn[k].tree, sample, seen, false);
     // Cloth that lies on the skin, or a hair within it, is what is seen.
     constexpr double kSkin = 0.004;
     if (!met || (hit.on != Hit::On::Nothing && met->along > hit.along + (hit.on == Hit::On::Body ? kSkin : 0.0)))

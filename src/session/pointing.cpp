@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "karinui/base/number.h"
+#include "karinui/design/step_words.h"
 #include "session/session_impl.h"
 
 namespace karinui {
@@ -83,7 +84,7 @@ void Session::Impl::point(const PointerSample& sample) {
     }
   if (std::exchange(onCross, false)) return;
   const bool begun = gesture->begun();
-  const Hit hit = pick(*state.snapshot, table, sample);
+  const Hit hit = pick(*seen(), table, sample);
   GestureResult answer = gesture->feed(sample, hit, context());
   countClicks();
   if (const auto chosen = gesture->chosen()) choose(*chosen);
@@ -130,8 +131,8 @@ void Session::strike(KeyStroke key, const PointerSample& with) {
       return;
     }
   }
-  const KeyboardPointer::Around around{*in.state.snapshot, in.table, in.viewpoint.value_or(Viewpoint()),
-                                       in.gesture->keyStops(), in.gesture->clicks()};
+  const KeyboardPointer::Around around{*in.seen(), in.table, in.viewpoint.value_or(Viewpoint()), in.gesture->keyStops(),
+                                       in.gesture->clicks()};
   for (const PointerSample& sample : in.keyboard.strike(key, with, around)) in.point(sample);
   if (in.options.wake) in.options.wake();
 }
@@ -156,7 +157,8 @@ Message Session::underFingertip() const {
   const auto& in = *impl_;
   const auto tip = fingertip();
   if (!tip) return {};
-  const GarmentSnapshot& snapshot = *in.state.snapshot;
+  const SnapshotPtr shown = in.seen();
+  const GarmentSnapshot& snapshot = *shown;
   const bool drawing = in.gesture->keyStops() == KeyStops::Skin;
   const Hit hit = drawing ? pickBody(snapshot, *tip) : pick(snapshot, in.table, *tip);
   if (hit.on == Hit::On::Body && !hit.edge) return placeOn(*snapshot.body, hit.skin, in.inches);
@@ -166,8 +168,9 @@ Message Session::underFingertip() const {
   const Edge* edge = owner ? findEdge(*owner, hit.edge->edge) : nullptr;
   if (!edge) return say("On “{0}”", piece.name);
   const double whole = edge->curve.length();
-  return say("On “{0}”, edge “{1}”, {2} of {3} along it", owner->name, edge->name,
-             lengthSaid(hit.edge->fraction * whole, in.inches), lengthSaid(whole, in.inches));
+  return say("On “{0}”, edge “{1}”, {2} of {3} along it", owner->name,
+             edgeNameSaid(snapshot.document, *owner, edge->name), lengthSaid(hit.edge->fraction * whole, in.inches),
+             lengthSaid(whole, in.inches));
 }
 
 void Session::select(Selection selection) { impl_->choose(std::move(selection)); }

@@ -91,6 +91,14 @@ void Session::choose(std::size_t item) {
   if (in.options.wake) in.options.wake();
 }
 
+void Session::chooseNumber(double typed) {
+  auto& in = *impl_;
+  ++in.changes.overlay;
+  const bool begun = in.gesture->begun();
+  in.takeResult(in.gesture->chooseNumber(typed, in.context()), begun);
+  if (in.options.wake) in.options.wake();
+}
+
 void Session::Impl::dropGesture() {
   keyboard.letGo();
   tasks.cancel(TaskQueue::Kind::Preview);

@@ -1,24 +1,10 @@
 #include "karinui/session/scene_of.h"
 
-#include <array>
 #include <cmath>
 
 #include "karinui/design/drape.h"
 
 namespace karinui {
-
-namespace {
-
-// Cloth colours that stay apart on a skin-coloured body, in linear light; a fabric keeps its place in the order of
-// names.
-constexpr std::array<Colour, 6> kDyes{{{0.25f, 0.38f, 0.60f},
-                                       {0.62f, 0.30f, 0.26f},
-                                       {0.30f, 0.46f, 0.32f},
-                                       {0.66f, 0.55f, 0.30f},
-                                       {0.42f, 0.30f, 0.50f},
-                                       {0.50f, 0.52f, 0.54f}}};
-
-}  // namespace
 
 std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& position) {
   std::vector<float> sum(lattice.nodes.size(), 0), count(lattice.nodes.size(), 0);
@@ -77,21 +63,19 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
 
 }  // namespace
 
-Result<SceneFrame> sceneOf(const Document& document, const Body* body) {
-  Result<LaidScene> scene = laidSceneOf(document, body);
+Result<SceneFrame> sceneOf(const Document& document, const Body* body, const Prints& prints) {
+  Result<LaidScene> scene = laidSceneOf(document, body, prints);
   if (!scene) return scene.error();
   return std::move(scene->frame);
 }
 
-Result<LaidScene> laidSceneOf(const Document& document, const Body* body) {
+Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const Prints& prints) {
   LaidScene scene;
   SceneFrame& frame = scene.frame;
   if (body) frame.bodies.push_back({body->mesh(), SceneBody{}.colour});
   if (document.pattern.pieces.empty()) return scene;
   const Result<Standing> standing = standingCloth(document, livePieces(document, {}));
   if (!standing) return standing.error();
-  const auto fabrics = fabricsInUse(document);
-  if (!fabrics) return fabrics.error();
   for (const ClothPiece& piece : standing->cloth.pieces) {
     const Lattice& lattice = *piece.lattice;
     const auto first = standing->state.position.begin() + piece.firstNode;
@@ -105,8 +89,10 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body) {
     cloth.outlines.back().push_back(lattice.border.front());
     for (const auto& hole : lattice.holes) cloth.outlines.push_back(hole);
     cloth.seams = seamsOf(standing->cloth, piece);
-    const auto dye = std::distance(fabrics->begin(), fabrics->find(piece.fabric.name));
-    cloth.colour = kDyes[static_cast<std::size_t>(dye) % kDyes.size()];
+    const Piece& cut = *document.find(piece.id);
+    const Look look = lookOf(document, cut);
+    cloth.colour = linear(look.colour);
+    cloth.look = clothLookOf(look, piece.fabric, cut.grain, prints);
     cloth.live = document.drape.dirty.contains(piece.id);
     frame.cloths.push_back(std::move(cloth));
     scene.lattices.push_back(piece.lattice);

@@ -17,6 +17,28 @@ Session::Impl::Impl(SessionOptions o)
   state.snapshot = snapshotOf({}, nullptr);
 }
 
+SnapshotPtr Session::Impl::seen() const {
+  if (!viewCut.any()) return state.snapshot;
+  if (seenOf_ != state.snapshot) {
+    auto cut = std::make_shared<GarmentSnapshot>(*state.snapshot);
+    cut->visible = seen_ && seen_->visible && seen_->body == cut->body
+                       ? seen_->visible
+                       : std::make_shared<const VisibleParts>(viewCut, cut->body);
+    seen_ = std::move(cut), seenOf_ = state.snapshot;
+  }
+  return seen_;
+}
+
+const ViewCut& Session::viewCut() const { return impl_->viewCut; }
+void Session::setViewCut(const ViewCut& cut) {
+  auto& in = *impl_;
+  if (cut == in.viewCut) return;
+  in.viewCut = cut;
+  in.seen_.reset(), in.seenOf_.reset();
+  ++in.changes.garment, ++in.changes.overlay;
+  if (in.options.wake) in.options.wake();
+}
+
 void Session::Impl::tell(Notice::Kind kind, Message what) {
   if (!what.empty()) notices.push_back({kind, std::move(what)});
 }

@@ -36,6 +36,7 @@ struct Session::Impl {
   std::size_t snapped = 0;   // what the hand has snapped to (Handling::snap)
   std::uint32_t clicks = 0;  // how often it has
   KeyboardPointer keyboard;
+  ViewCut viewCut;
   std::optional<Command> viewAsked;
   std::vector<Notice> notices;
   std::vector<std::string> dropMenuSaid;  // what a drop menu said before the step: it is not told again as advice
@@ -58,7 +59,10 @@ struct Session::Impl {
   TaskQueue tasks;  // last: it stops before anything it uses goes
 
   explicit Impl(SessionOptions options);
-  GestureContext context() const { return {state.snapshot, &table, language, inches, toolOptions, linesShown}; }
+  GestureContext context() const { return {seen(), &table, language, inches, toolOptions, linesShown}; }
+
+  // The garment with what of it is drawn.
+  SnapshotPtr seen() const;
 
   // Whether marks of crossed seams are shown, to be clicked.
   bool turnsCrossed() const { return (tool == Command::Select || tool == Command::Sew) && !gesture->begun(); }
@@ -135,6 +139,7 @@ struct Session::Impl {
   void longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done);
   std::shared_ptr<DocumentWorker> workerOf(DocumentFile file, bool readOnly);  // any thread
 
+  mutable SnapshotPtr seen_, seenOf_;
   mutable std::optional<EdgeEnds> edgeEnds_;
   mutable std::vector<CrossedSeam> crossed_;
   mutable SnapshotPtr crossedOf_;  // the garment they are of

@@ -6,6 +6,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
+#include "karinui/design/step_words.h"
 #include "karinui/session/touch_scene_of.h"
 #include "session/gestures.h"
 #include "session/sew_plan.h"
@@ -81,6 +82,8 @@ class SewGesture : public Gesture {
     if (plan.doubts.empty()) menu.title.push_back(say("How is it sewn?  {0}", easeSaid(context, plan.la, plan.lb)));
     for (const SewPlan::Item& item : plan.items) menu.items.push_back({item.label, item.checked});
     menu.current = std::min(current_, menu.items.size() - 1);
+    menu.number = plan.ratio;
+    if (menu.number) menu.number->asked = typing_;
     menu.where = where_;
     menu.space = middleOf(edgeInSpace(*context.snapshot, second_.back()));
     menu.table = middleOf(edgeOnTable(context, second_.back()));
@@ -95,6 +98,9 @@ class SewGesture : public Gesture {
     switch (item.does) {
       case SewPlan::Does::Sew:
         return sewn(context, item.sew);
+      case SewPlan::Does::Type:  // a face without keys takes the ratio as it stands by choosing it again
+        if (std::exchange(typing_, true)) return chooseNumber(plan.ratio->value, context);
+        return {};
       case SewPlan::Does::Swap:
         swapped_ = !swapped_;
         return {};
@@ -108,9 +114,19 @@ class SewGesture : public Gesture {
     }
     return {.over = true};
   }
+  GestureResult chooseNumber(double ratio, const GestureContext& context) override {
+    if (!asks_) return {};
+    const SewPlan plan = planned(context);
+    if (!plan.ratio) return {};
+    if (!(ratio >= plan.ratio->least && ratio <= plan.ratio->most))
+      return {.why = say("The longer side is {0} times as long as the other; type a ratio between 1 and that.",
+                         fixed(plan.ratio->most, 2))};
+    return sewn(context, gatheredTo(context, plan, ratio, backwards_));
+  }
   void moveInMenu(int by, const GestureContext& context) override {
     if (!asks_) return;
     const std::size_t count = planned(context).items.size();
+    typing_ = false;
     current_ = (std::min(current_, count - 1) + count + static_cast<std::size_t>(by + static_cast<int>(count))) % count;
   }
 
@@ -143,7 +159,11 @@ class SewGesture : public Gesture {
       const Run& last = b.empty() ? a : b;
       if (last.empty()) return shown;
       std::string words;
-      for (const EdgeRef& ref : last) words += (words.empty() ? "" : " + ") + ref.edge;
+      for (const EdgeRef& ref : last)
+        words +=
+            (words.empty() ? "" : " + ") +
+            text(edgeNameSaid(context.snapshot->document, *context.snapshot->document.find(ref.piece.id), ref.edge),
+                 context.language);
       words += "  " + context.said(lengthOf(context.snapshot->document, last));
       shown.space.words.push_back({middleOf(edgeInSpace(*context.snapshot, last.back())), words});
       shown.table.words.push_back({middleOf(edgeOnTable(context, last.back())), words});
@@ -241,7 +261,7 @@ class SewGesture : public Gesture {
               .why = say("{0} cannot be sewn to itself; choose another edge for the other side.",
                          spoken(context, b.front()))};
     first_ = std::move(a), second_ = std::move(b);
-    current_ = 0;
+    current_ = 0, typing_ = false;
     const SewPlan plan = planned(context);
     if (!always_ && plan.plain()) return sewn(context, plan.whole);
     asks_ = true;
@@ -279,7 +299,7 @@ class SewGesture : public Gesture {
   std::optional<SewStroke> stroke_;
   Run first_, second_;
   bool backwards_ = false;  // the first side was dragged against its outlines' direction
-  bool asks_ = false, swapped_ = false;
+  bool asks_ = false, swapped_ = false, typing_ = false;
   bool always_ = false;  // Ctrl at the drop: the menu opens even where all is plain
   std::size_t current_ = 0;
   Where where_ = Where::Space;

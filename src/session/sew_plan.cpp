@@ -11,27 +11,24 @@ namespace {
 
 constexpr double kPlainRatio = 1.05;  // sides that differ by no more are eased in without asking,
 constexpr double kPlainSpare = 0.01;  // or by so many metres
+constexpr double kMore = 1.02;        // longer by no more, a side is not sewn in part
 constexpr double kGathers = 1.25;     // from this ratio on it is called gathering, not ease
 
-// The longer side only as far as it goes with so much fullness.
+// The longer side only in part, and to what ratio that may be typed.
 void offerParts(SewPlan& plan, const GestureContext& context, bool backwards) {
-  const Document& document = context.snapshot->document;
-  const SewEdges& whole = plan.whole;
-  const bool longerIsA = plan.la > plan.lb;
   const double shorter = std::fmin(plan.la, plan.lb), longer = std::fmax(plan.la, plan.lb);
-  const bool against = whole.reversed == Choice::Auto ? facesReversed(document, whole) : whole.reversed == Choice::Yes;
   for (const double ratio : {1.0, 1.5, 2.0}) {
-    if (longer < ratio * 1.02 * shorter) continue;
-    SewEdges part = whole;
-    auto& side = longerIsA ? part.a : part.b;
-    side = trimmed(document, side, ratio * shorter, longerIsA ? backwards : backwards != against);
-    part.tie = ratio == 2 ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
+    if (longer < ratio * kMore * shorter) continue;
     const std::string open = context.said(longer - ratio * shorter);
     Message label = ratio == 1     ? say("1:1, {0} stays open", open)
                     : ratio == 1.5 ? say("Gathered 1.5:1, {0} stays open", open)
                                    : say("Gathered 2:1, {0} stays open", open);
-    plan.items.push_back({SewPlan::Does::Sew, std::move(label), std::move(part)});
+    plan.items.push_back({SewPlan::Does::Sew, std::move(label), gatheredTo(context, plan, ratio, backwards)});
   }
+  if (longer < kMore * shorter) return;
+  const double most = std::floor(100 * longer / shorter) / 100;
+  plan.ratio = DropMenu::Number{say("Gathered so many times"), std::fmin(1.25, most), 1, most};
+  plan.items.push_back({SewPlan::Does::Type, say("Another ratio…")});
 }
 
 }  // namespace
@@ -51,12 +48,25 @@ SewEdges seamOf(const GestureContext& context, const std::vector<EdgeRef>& a, co
   return sew;
 }
 
+SewEdges gatheredTo(const GestureContext& context, const SewPlan& plan, double ratio, bool backwards) {
+  const Document& document = context.snapshot->document;
+  const bool longerIsA = plan.la > plan.lb;
+  SewEdges part = plan.whole;
+  const bool against = part.reversed == Choice::Auto ? facesReversed(document, part) : part.reversed == Choice::Yes;
+  auto& side = longerIsA ? part.a : part.b;
+  const double shorter = std::fmin(plan.la, plan.lb), longer = std::fmax(plan.la, plan.lb);
+  if (ratio * shorter < longer)
+    side = trimmed(document, side, ratio * shorter, longerIsA ? backwards : backwards != against);
+  part.tie = ratio == 2 ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
+  return part;
+}
+
 SewPlan sewPlan(const GestureContext& context, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b,
                 bool swapped, bool backwards) {
   using Does = SewPlan::Does;
   using Kind = SeamDoubt::Kind;
   const Document& document = context.snapshot->document;
-  SewPlan plan{lengthOf(document, a), lengthOf(document, b), seamOf(context, a, b, swapped), {}, {}};
+  SewPlan plan{lengthOf(document, a), lengthOf(document, b), seamOf(context, a, b, swapped), {}, {}, {}};
   plan.doubts = seamDoubts(document, plan.whole, context.snapshot->body.get());
   for (const SeamDoubt& doubt : plan.doubts) {
     if (!doubt.instead || (swapped && doubt.kind == Kind::Twisted)) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -142,7 +143,8 @@ struct Renderer::Parts {
 
   struct Run {
     int kind = 0;
-    bool weave = false;
+    int weave = -1;
+    ClothLook look;
     std::size_t first = 0, count = 0;  // corners
   };
   std::vector<Run> runs;
@@ -159,6 +161,9 @@ struct Renderer::Parts {
   Vec3 fill{0, 0, 1};
   std::vector<Message> notes;
 
+  std::map<std::shared_ptr<const PrintImage>, GlTexture> photos;  // those of the frame that is shown
+  void keepPhotos(const SceneFrame& frame);
+  void tellLook(const Run& run, const GlProgram& solid) const;  // to a solid program, which is in use
   void castShadow(const ShadowMap& map, const Beam& beam) const;
   void gatherSky(const std::vector<SurfaceVertex>& all, int skyDirections);
 };
@@ -347,6 +352,60 @@ void Renderer::Parts::gatherSky(const std::vector<SurfaceVertex>& all, int skyDi
   glActiveTexture(GL_TEXTURE0);
 }
 
+void Renderer::Parts::keepPhotos(const SceneFrame& frame) {
+  std::map<std::shared_ptr<const PrintImage>, GlTexture> kept1;
+  for (const SceneCloth& cloth : frame.cloths) {
+    const auto& photo = cloth.look.photo;
+    if (!photo || kept1.contains(photo) || photo->width < 1 || photo->height < 1 ||
+        photo->rgb.size() !=
+            std::size_t{3} * static_cast<std::size_t>(photo->width) * static_cast<std::size_t>(photo->height))
+      continue;
+    if (const auto had = photos.find(photo); had != photos.end()) {
+      kept1.emplace(photo, std::move(had->second));
+      continue;
+    }
+    GlTexture texture = newTexture();
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, photo->width, photo->height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 photo->rgb.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    kept1.emplace(photo, std::move(texture));
+  }
+  photos = std::move(kept1);
+}
+
+void Renderer::Parts::tellLook(const Run& run, const GlProgram& solid) const {
+  const ClothLook& look = run.look;
+  const auto axes = [&](const char* name, const std::array<Flat, 2>& two) {
+    glUniform4f(glGetUniformLocation(solid, name), static_cast<float>(two[0].u), static_cast<float>(two[0].v),
+                static_cast<float>(two[1].u), static_cast<float>(two[1].v));
+  };
+  ClothLook straight = look;
+  straight.turn = 0;
+  axes("weaveAxes", printAxes(straight)), axes("printAxes", printAxes(look));
+  set(solid, "weave", run.weave);
+  const std::pair<const char*, float> numbers[] = {{"threads", look.threads}, {"relief", look.relief},
+                                                   {"gloss", look.gloss},     {"sharpness", look.sharpness},
+                                                   {"fuzz", look.fuzz},       {"cover", look.cover}};
+  for (const auto& [name, value] : numbers) set(solid, name, static_cast<double>(value));
+  const auto photo = photos.find(look.photo);
+  const bool printed = run.weave >= 0 && (look.print != ClothLook::Print::Photo || photo != photos.end());
+  set(solid, "print", printed ? static_cast<int>(look.print) : 0);
+  glUniform3f(glGetUniformLocation(solid, "ink"), look.ink[0], look.ink[1], look.ink[2]);
+  double high = look.repeat;
+  if (printed && look.print == ClothLook::Print::Photo) {
+    high = look.repeat * look.photo->height / look.photo->width;
+    glActiveTexture(GL_TEXTURE4);
+    glBindTexture(GL_TEXTURE_2D, photo->second);
+    glActiveTexture(GL_TEXTURE0);
+  }
+  glUniform2f(glGetUniformLocation(solid, "repeat"), static_cast<float>(look.repeat), static_cast<float>(high));
+}
+
 void Renderer::show(const SceneFrame& frame, double strainTop, SoftLight softLight) {
   Parts& p = *parts_;
   const KeepTarget keep;
@@ -359,18 +418,25 @@ void Renderer::show(const SceneFrame& frame, double strainTop, SoftLight softLig
   p.origin = box.centre();
 
   Surface surface;
-  const auto run = [&](int kind, bool weave, auto&& add) {
+  const auto run = [&](int kind, const SceneCloth* cloth, auto&& add) {
     const std::size_t first = surface.corners.size();
     add();
-    p.runs.push_back({kind, weave, first, surface.corners.size() - first});
+    Parts::Run made;
+    made.kind = kind, made.first = first, made.count = surface.corners.size() - first;
+    if (cloth) made.look = cloth->look;
+    if (cloth && cloth->flat.size() == cloth->mesh.points.size()) made.weave = static_cast<int>(cloth->look.weave);
+    p.runs.push_back(std::move(made));
   };
   p.kept.resize(frame.bodies.size());
   for (std::size_t b = 0; b < frame.bodies.size(); ++b)
-    run(0, false, [&] { p.kept[b].add(surface, frame.bodies[b].mesh, p.origin, frame.bodies[b].colour); });
+    run(0, nullptr, [&] { p.kept[b].add(surface, frame.bodies[b].mesh, p.origin, frame.bodies[b].colour); });
   p.bodies = surface.corners.size();
   for (const SceneCloth& cloth : frame.cloths)
-    run(1, cloth.flat.size() == cloth.mesh.points.size(),
-        [&] { addMesh(surface, cloth.mesh, p.origin, cloth.colour, cloth.flat, cloth.strain); });
+    run(1, &cloth, [&] {
+      addMesh(surface, cloth.mesh, p.origin, cloth.colour, cloth.flat, cloth.strain);
+      addEdges(surface, cloth, p.origin);
+    });
+  p.keepPhotos(frame);
   p.casting = surface.corners.size();
   p.castingVertices = surface.vertices.size();
   // Feet stand on the floor; cloth without a body hangs a little above it.
@@ -380,7 +446,7 @@ void Renderer::show(const SceneFrame& frame, double strainTop, SoftLight softLig
   // The beams take in the scene and the floor its shadows fall on.
   p.radius = std::max(length(box.size()) / 2 * 1.02, 1e-3);
   if (p.studio.ground) {
-    run(2, false, [&] { addFloor(surface, Vec3{0, ground - p.origin.y, 0}, floor); });
+    run(2, nullptr, [&] { addFloor(surface, Vec3{0, ground - p.origin.y, 0}, floor); });
     p.radius = std::max(p.radius, std::hypot(floor * 0.8, p.origin.y - ground));
   }
   const Ribbons ribbons = ribbonsOf(frame, p.origin);
@@ -396,7 +462,8 @@ void Renderer::show(const SceneFrame& frame, double strainTop, SoftLight softLig
 
   if (surface.leftOut + ribbons.leftOut > 0)
     p.notes.push_back(
-        say("{0} triangles and {1} bits of line are left out of the picture: their points are no numbers, too far away "
+        say("{0} {0|triangle|triangles} and {1} {1|bit|bits} of line are left out of the picture: their points are no "
+            "numbers, too far away "
             "or not there.",
             surface.leftOut, ribbons.leftOut));
   if (nothing) p.notes.push_back(say("There is nothing to see: no body, no cloth and no line."));
@@ -497,23 +564,30 @@ void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto, Finish fini
     set(*program, "keyTexel", 2 * p.radius / p.keyMap->side);
     set(*program, "scaleTop", p.strainTop);
     set(*program, "skyWide", glsl::kSkyWide);
-    set(*program, "sky", 0), set(*program, "keyMap", 1), set(*program, "strainTable", 2), set(*program, "yarnTable", 3);
+    set(*program, "sky", 0), set(*program, "keyMap", 1), set(*program, "strainTable", 2), set(*program, "yarnTable", 3),
+        set(*program, "photo", 4);
   }
   glBindVertexArray(p.solidArrays);
   // Cloth before skin: the nearer surface first saves shading the one behind it.
-  for (const int kind : {1, 0, 2})
+  // What is seen through comes last, over everything that is behind it.
+  const auto sheer = [&](const Parts::Run& run) { return run.look.cover < 1 && p.strainTop == 0; };
+  for (const int kind : {1, 0, 2, 3})
     for (const Parts::Run& run : p.runs) {
-      if (run.kind != kind || run.count == 0 || (kind == 2 && onto == Onto::Picture)) continue;
+      if ((run.kind == 1 && sheer(run) ? 3 : run.kind) != kind || run.count == 0 ||
+          (kind == 2 && onto == Onto::Picture))
+        continue;
       const GlProgram& program = kind == 2 ? programs.floor : programs.solid;
       glUseProgram(program);
-      set(program, "cloth", kind == 1 ? 1 : 0);
-      set(program, "weave", run.weave ? 1 : 0);
+      set(program, "cloth", run.kind == 1 ? 1 : 0);
+      if (run.kind != 2) p.tellLook(run, program);
+      if (kind == 3) glEnable(GL_BLEND), glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
       set(program, "pushBack", kind == 0 ? 0.0025 : 0.0);
-      (kind == 1 ? glDisable : glEnable)(GL_CULL_FACE);  // only cloth has an inner side
+      (run.kind == 1 ? glDisable : glEnable)(GL_CULL_FACE);  // only cloth has an inner side
       glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.count), GL_UNSIGNED_INT,
                      reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
     }
   glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
   common(p.ribbon);
   p.ribbons.draw(p.ribbon, eye, area);
   glBindVertexArray(0);

@@ -145,8 +145,13 @@ void main() {
 const std::string kSolidFragment = kLit + R"(
 uniform float scaleTop;  // > 0: strain map
 uniform bool cloth;      // or else skin
-uniform bool weave;
-uniform sampler2D strainTable, yarnTable;
+uniform int weave;       // ClothLook::Weave
+uniform float threads, relief, gloss, sharpness, fuzz, cover;
+uniform vec4 weaveAxes, printAxes;  // on paper: across, along
+uniform int print;       // ClothLook::Print
+uniform vec3 ink;
+uniform vec2 repeat;     // metres across and along
+uniform sampler2D strainTable, yarnTable, photo;
 
 // Uneven yarns along warp and weft, each scale fading out before it would flicker.
 float noise(vec2 q) {
@@ -154,8 +159,8 @@ float noise(vec2 q) {
   return texture(yarnTable, (i + f * f * (3.0 - 2.0 * f) + 0.5) / float(textureSize(yarnTable, 0).x)).r;
 }
 
-float yarns() {
-  float w = max(length(fwidth(paper)), 1e-6), sum = 0.0;
+float yarns(float w) {
+  float sum = 0.0;
   for (int k = 0; k < 3; ++k) {
     float size = k == 0 ? 0.0012 : (k == 1 ? 0.0032 : 0.008);
     float keep = 1.0 - smoothstep(0.3, 0.9, w / size);
@@ -163,6 +168,76 @@ float yarns() {
     sum += keep * (noise(q * vec2(1.0, 0.09)) + noise(q * vec2(0.09, 1.0)) - 1.0) * (k == 0 ? 0.5 : 0.42);
   }
   return sum;
+}
+
+float kept(float w, float size) { return 1.0 - smoothstep(0.25, 0.8, w / size); }
+
+// How threads darken (-1) and lighten (1) the cloth; q lies along warp (y) and weft (x).
+float threadShade(vec2 q, float w) {
+  if (weave <= 1) return yarns(w);
+  if (weave == 2) {  // linen: thick places in both yarns, centimetres long
+    float s = kept(w, 0.0016) * 0.5 * (noise(q / vec2(0.0016, 0.03)) + noise(q / vec2(0.03, 0.0016)) - 1.0);
+    s += kept(w, 0.003) * (smoothstep(0.62, 0.9, noise(q / vec2(0.0035, 0.06))) + smoothstep(0.62, 0.9, noise(q / vec2(0.07, 0.0035)))) * 0.55;
+    return s + kept(w, 0.02) * 0.35 * (noise(q / 0.03) - 0.5) - 0.1;
+  }
+  if (weave == 3) {  // twill: lines from lower left to upper right, and streaks of uneven dye along the warp
+    float line = sin(6.2831853 * (q.x + q.y * 0.72) / threads) * kept(w, threads * 0.5);
+    float streak = noise(q / vec2(0.0022, 0.22)) + 0.7 * noise(q / vec2(0.006, 0.5)) - 0.85;
+    return 0.42 * line + 0.95 * streak * kept(w, 0.004) + 0.3 * (noise(q / 0.05) - 0.5);
+  }
+  if (weave == 4) {  // herringbone: twill that turns every band, with flecks of other yarns
+    float band = q.x / threads, side = abs(fract(band * 0.5) - 0.5) * 4.0 - 1.0;
+    float line = sin(6.2831853 * (side * 0.5 * 1.6 + q.y / (threads * 0.42)));
+    float fleck = smoothstep(0.78, 0.95, noise(q / vec2(0.0028, 0.0045))) - smoothstep(0.80, 0.96, noise(q / vec2(0.0045, 0.0028) + 17.0));
+    return 0.55 * line * kept(w, threads * 0.2) + 0.9 * fleck * kept(w, 0.003) + 0.45 * (noise(q / 0.004) - 0.5) * kept(w, 0.004);
+  }
+  if (weave == 5) {  // knit: wales of little Vs, and yarn that took the dye unevenly
+    float wale = abs(fract(q.x / threads) - 0.5) * 2.0;
+    float vee = sin(6.2831853 * (q.y / threads * 1.25 + 0.6 * wale));
+    float s = (0.55 * vee + 0.8 * (wale - 0.5)) * kept(w, threads * 0.6);
+    return s + 0.7 * (noise(q / vec2(0.004, 0.0013)) - 0.5) * kept(w, 0.0022) + 0.25 * (noise(q / 0.012) - 0.5);
+  }
+  if (weave == 7) return (sin(6.2831853 * q.x / threads) + sin(6.2831853 * q.y / threads)) * 0.5 * kept(w, threads);
+  if (weave == 8) return (noise(q / 0.004) - 0.5 + 0.9 * (noise(q / vec2(0.03, 0.05)) - 0.5)) * kept(w, 0.004);
+  return (noise(q / vec2(0.0012, 0.03)) - 0.5) * kept(w, 0.0016);  // satin: floating threads
+}
+
+// Leather's grain: rounded cells, the nearest two of the points strewn over a lattice.
+float cells(vec2 q) {
+  vec2 i = floor(q), f = fract(q);
+  float one = 9.0, two = 9.0;
+  for (int k = 0; k < 9; ++k) {
+    vec2 o = vec2(float(k % 3) - 1.0, float(k / 3) - 1.0), c = i + o;
+    vec2 d = o + vec2(noise(c * 1.73 + 0.5), noise(c * 2.31 + 31.5)) - f;
+    float m = dot(d, d);
+    two = min(two, max(one, m)), one = min(one, m);
+  }
+  return smoothstep(0.02, 0.32, sqrt(two) - sqrt(one));
+}
+
+// A stripe of half its repeat, seen through a pixel w wide: never a moire.
+float stripe(float s, float share, float w) {
+  float t = abs(fract(s) - 0.5) * 2.0, soft = clamp(w * 2.0, 1e-4, 1.0);
+  return mix(1.0 - smoothstep(share - soft, share + soft, t), share, smoothstep(0.4, 1.0, w));
+}
+
+vec3 printed(vec3 base) {
+  if (print == 0) return base;
+  vec2 q = vec2(dot(paper, printAxes.xy), dot(paper, printAxes.zw)) / repeat;
+  vec2 w = fwidth(q);
+  if (print == 1) return mix(base, ink, stripe(q.x, 0.42, w.x));
+  if (print == 2) {  // warp and weft stripes: where both meet the ink is full, else half of it is seen
+    float a = stripe(q.x, 0.5, w.x), b = stripe(q.y, 0.5, w.y);
+    return mix(base, ink, 0.5 * (a + b));
+  }
+  if (print == 3) {  // each second row is shifted by half
+    vec2 even = q, odd = q + 0.5;
+    vec2 a = fract(even) - 0.5, b = fract(odd) - 0.5;
+    float soft = max(w.x, w.y), r = min(length(a), length(b));
+    float dot1 = 1.0 - smoothstep(0.19 - soft, 0.19 + soft, r);
+    return mix(base, ink, mix(dot1, 0.2268, smoothstep(0.4, 1.0, soft)));
+  }
+  return texture(photo, vec2(q.x, -q.y)).rgb;
 }
 
 void main() {
@@ -173,14 +248,23 @@ void main() {
   float open = inner ? soft.y : soft.x;
   float hollow = inner ? -cavity : cavity;
 
-  vec3 base = albedo;
-  if (inner) base = mix(base, vec3(dot(base, vec3(0.3, 0.55, 0.15))), 0.35) * 0.62;
+  float w = max(length(fwidth(paper)), 1e-6);
   bool mapped = cloth && scaleTop > 0.0;
+  bool look = cloth && !mapped;
+  vec2 q = vec2(dot(paper, weaveAxes.xy), dot(paper, weaveAxes.zw));
+  vec3 base = look ? printed(albedo) : albedo;
+  if (inner && look && weave == 3 && relief > 0.3) base = mix(base, vec3(0.62, 0.64, 0.66), 0.45);  // denim's white weft
+  if (inner) base = mix(base, vec3(dot(base, vec3(0.3, 0.55, 0.15))), 0.35) * 0.62;
   if (mapped) {
     base = strain < 0.0 ? vec3(0.5) : texture(strainTable, vec2(clamp(strain / scaleTop, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
     if (inner) base *= 0.75;
-  } else if (WEAVE == 1 && cloth && weave) {
-    base *= 1.0 + 0.16 * yarns();
+  } else if (WEAVE == 1 && look && weave == 9) {
+    float grain1 = cells(q / threads), keep = kept(w, threads * 0.5);
+    base *= 1.0 - relief * (1.0 - grain1) * keep + 0.25 * (noise(q / 0.05) - 0.5);
+    // The grain tilts the shine.
+    normal = normalize(normal + 0.5 * keep * (vec3(noise(q / 0.0022), noise(q / 0.0022 + 9.0), noise(q / 0.0022 + 23.0)) - 0.5));
+  } else if (WEAVE == 1 && look && weave >= 0) {
+    base *= 1.0 + relief * threadShade(q, w);
   }
   float dents = clamp(1.0 - 0.75 * max(hollow, 0.0) + 0.2 * max(-hollow, 0.0), 0.4, 1.2);
 
@@ -201,12 +285,28 @@ void main() {
 
   // The rim light from behind draws the silhouette; cloth's fine hairs catch more of it than skin.
   float graze = pow(1.0 - clamp(dot(normal, v), 0.0, 1.0), 3.5);
-  c += (cloth ? 0.16 : 0.07) * graze * mix(base, vec3(0.9, 0.88, 0.84), 0.45) * (0.25 + 0.75 * open) * (inner || mapped ? 0.25 : 1.0);
+  c += (look ? min(fuzz, 0.3) : cloth ? 0.16 : 0.07) * graze * mix(base, vec3(0.9, 0.88, 0.84), 0.45) * (0.25 + 0.75 * open) * (inner || mapped ? 0.25 : 1.0);
   if (!cloth) {
     vec3 h = normalize(v + keyTowards);
     c += vec3(0.045) * pow(max(dot(normal, h), 0.0), 18.0) * seen;
   }
-  colour = vec4(shown(c), 1.0);
+  float seenThrough = 1.0;
+  if (look) {
+    float nv = clamp(dot(normal, v), 0.0, 1.0);
+    if (gloss > 0.0) {  // the key lamp, and a large soft window opposite to it
+      vec3 h = normalize(v + keyTowards), f = normalize(v + fillTowards);
+      float key1 = pow(max(dot(normal, h), 0.0), sharpness) * seen, fill1 = pow(max(dot(normal, f), 0.0), sharpness * 0.6);
+      vec3 tint = weave == 6 ? mix(base * 1.5, vec3(1.0), 0.35) : vec3(1.0);  // silk shines in its own colour
+      c = c * (1.0 - 0.28 * gloss) + gloss * (0.62 * key1 + 0.26 * fill1 * open) * tint;
+      c += 0.35 * gloss * pow(1.0 - nv, 4.0) * base * open;
+    }
+    if (fuzz > 0.5) {  // a pile: dark where one looks into it, light where it is seen from the side
+      c *= mix(1.25, 0.40, nv * nv);
+      c += fuzz * pow(1.0 - nv, 2.2) * (0.55 * base + 0.02) * (0.3 + 0.7 * open);
+    }
+    seenThrough = clamp(cover + (1.0 - cover) * pow(1.0 - nv, 1.6), 0.0, 1.0);
+  }
+  colour = vec4(shown(c), seenThrough);
 }
 )";
 

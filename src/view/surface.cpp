@@ -81,6 +81,33 @@ void addMesh(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colo
     for (const std::uint32_t i : f) surface.corners.push_back(base + i);
 }
 
+void addEdges(Surface& surface, const SceneCloth& cloth, Vec3 origin) {
+  constexpr float kShade = 0.8f;  // cut threads swallow light
+  const auto& points = cloth.mesh.points;
+  if (!(cloth.look.thickness > 0) || cloth.outlines.empty()) return;
+  const std::vector<Vec3> normals = pointNormals(cloth.mesh);
+  for (const auto& run : cloth.outlines)
+    for (std::size_t i = 0; i + 1 < run.size(); ++i) {
+      if (run[i] >= points.size() || run[i + 1] >= points.size()) continue;
+      const Vec3 from = points[run[i]], to = points[run[i + 1]];
+      if (!drawable(from) || !drawable(to)) continue;
+      const Vec3 out = normalized(cross(to - from, normals[run[i]]));  // outlines run counter-clockwise
+      const auto base = static_cast<std::uint32_t>(surface.vertices.size());
+      for (const std::uint32_t end : {run[i], run[i + 1]})
+        for (const double deep : {0.0, cloth.look.thickness}) {
+          SurfaceVertex v{};
+          put(v.place, points[end] - normals[end] * deep - origin);
+          put(v.normal, out);
+          for (std::size_t c = 0; c < 3; ++c) v.colour[c] = kShade * std::clamp(cloth.colour[c], 0.0f, 1.0f);
+          if (end < cloth.flat.size() && finite(cloth.flat[end]))
+            v.flat[0] = static_cast<float>(cloth.flat[end].u), v.flat[1] = static_cast<float>(cloth.flat[end].v);
+          v.strain = -1;
+          surface.vertices.push_back(v);
+        }
+      for (const std::uint32_t k : {0u, 1u, 2u, 2u, 1u, 3u}) surface.corners.push_back(base + k);
+    }
+}
+
 void KeptMesh::add(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colour& colour) {
   if (mesh.points != mesh_.points || mesh.faces != mesh_.faces || colour != colour_) {
     mesh_ = mesh;

@@ -38,6 +38,9 @@ class KeptMesh {
   Surface own_;  // about the mesh's own origin
 };
 
+// The edge of cloth as thick as it is: bands along its outlines, on its inner side.
+void addEdges(Surface& surface, const SceneCloth& cloth, Vec3 origin);
+
 // Adds a round floor, finest in the middle where the shadows are.
 void addFloor(Surface& surface, Vec3 centre, double radius);
 

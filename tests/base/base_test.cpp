@@ -22,6 +22,18 @@ TEST(Message, PutsValuesWhereThePatternSays) {
   EXPECT_EQ(text(say("{9} {x} {0}", 7)), "{9} {x} 7");
 }
 
+TEST(Message, CountsOneAsOne) {
+  const auto said = [](auto n) { return text(say("There {0|is|are} {0} {0|seam|seams}", n)); };
+  EXPECT_EQ(said(1), "There is 1 seam");
+  EXPECT_EQ(said(0), "There are 0 seams");
+  EXPECT_EQ(said(21), "There are 21 seams");
+  EXPECT_EQ(said(std::size_t{1}), "There is 1 seam");
+  EXPECT_EQ(text(say("{0|no end", 1)), "{0|no end");
+  EXPECT_EQ(text(say("{1|a|b}", 1)), "{1|a|b}") << "there is no such value";
+  EXPECT_EQ(text(say("{0} {0|edge|edges}", 1), Language::Japanese), "1 本の辺");
+  EXPECT_EQ(text(say("{0} edges", 3), Language::Japanese), "3 本の辺") << "as a document of before keeps it";
+}
+
 TEST(Message, SpeaksJapaneseWhereThereIsATranslation) {
   EXPECT_EQ(text(say("Stopped; nothing was changed."), Language::Japanese), "中止しました。何も変更していません。");
   EXPECT_EQ(text(say("No such sentence {0}.", 1), Language::Japanese), "No such sentence 1.");

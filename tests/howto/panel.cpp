@@ -20,7 +20,8 @@ class CountPanel : public Panel {
   }
   void refresh() override {
     const Pattern& pattern = session_.snapshot().document.pattern;
-    count_->setText(inWords(say("{0} pieces, {1} seams", pattern.pieces.size(), pattern.seams.size())));
+    count_->setText(
+        inWords(say("{0} {0|piece|pieces}, {1} {1|seam|seams}", pattern.pieces.size(), pattern.seams.size())));
   }
   QString shown() const { return count_->text(); }
 
@@ -40,7 +41,7 @@ TEST(StudioHowTo, APanelIsDockedInTheWindowAndFollowsTheSession) {
   EXPECT_EQ(panel->shown(), "0 pieces, 0 seams");
   w.session().perform(*parseOperation("piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; back L 0 0\""));
   w.rest();
-  EXPECT_EQ(panel->shown(), "1 pieces, 0 seams");
+  EXPECT_EQ(panel->shown(), "1 piece, 0 seams");
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ enum class Language { English, Japanese };
 
 struct Message {
   struct Value;
-  std::string pattern;        // English, with {0} {1} … where the values go
+  // English, with {0} {1} … where the values go; "{0} {0|edge|edges}" is "1 edge", "2 edges".
+  std::string pattern;
   std::vector<Value> values;  // at most ten
   bool empty() const { return pattern.empty(); }
 };

@@ -15,6 +15,7 @@
 #include "karinui/body/body.h"
 #include "karinui/cloth/fabric.h"
 #include "karinui/cloth/settle_report.h"
+#include "karinui/design/look.h"
 #include "karinui/pattern/piece.h"
 
 namespace karinui {
@@ -50,6 +51,7 @@ struct Document {
   Pattern pattern;
   std::map<std::string, Fabric> fabrics;      // by name; a piece's fabric not named here is a preset
   std::map<PieceId, std::vector<Flat>> pins;  // paper places held where they are while draping
+  Looks looks;
   Settings settings;
   DrapeInfo drape;
   std::uint32_t operations = 0;  // how many led here; the next one mints its ids from operations + 1
@@ -59,8 +61,8 @@ struct Document {
   const Seam* find(SeamId id) const;
 };
 
-// Of the pattern truth: body, outlines, marks, seams, fabrics, pins, settings, names and ids; not of forms, poses,
-// reports.
+// Of the pattern truth: body, outlines, marks, seams, fabrics, looks, pins, settings, names and ids; not of forms,
+// poses, reports.
 std::string hash(const Document& document);
 // Of where the cloth stands: forms and poses.
 std::string drapeHash(const Document& document);

@@ -608,10 +608,44 @@ struct SetLength {
   bool operator==(const SetLength&) const = default;
 };
 
+// look fabric=denim colour=1f3b6e        look piece=front print=stripe ink=ffffff repeat=2cm
+// What is not said stays as it was; plain=yes begins anew from what the fabric looks like by itself.
+struct SetLook {
+  static constexpr std::string_view kName = "look";
+  static constexpr std::string_view kHelp = "Colours and prints a fabric, or single pieces.";
+  std::string fabric;
+  std::vector<PieceRef> pieces;
+  bool plain = false;
+  std::optional<Finish> finish;
+  std::optional<Dye> colour;
+  std::optional<PrintKind> print;
+  std::optional<Dye> ink;
+  std::optional<Length> repeat;
+  std::optional<Angle> turn;
+  std::string photo;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("fabric", self.fabric, "the fabric, for every piece that is cut from it", kOptional);
+    visit("piece", self.pieces, "or single pieces, whatever their fabric looks like", kOptional);
+    visit("plain", self.plain, "yes: first as the fabric looks by itself", kOptional);
+    visit("finish", self.finish,
+          "how its surface looks (in its usual colour): poplin, linen, denim, suiting, tweed, jersey, satin, chiffon, "
+          "velvet, leather",
+          kOptional);
+    visit("colour", self.colour, "of the cloth: red, green and blue in hexadecimal, as 1f3b6e", kOptional);
+    visit("print", self.print, "none, stripe, check, dot, photo", kOptional);
+    visit("ink", self.ink, "colour of stripes, checks and dots", kOptional);
+    visit("repeat", self.repeat, "from one stripe, check or dot to the next; of a photograph its width", kOptional);
+    visit("turn", self.turn, "the print's angle to the grain", kOptional);
+    visit("photo", self.photo, "the photograph, by its name among the document's blobs", kOptional);
+  }
+  bool operator==(const SetLook&) const = default;
+};
+
 using Operation = std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, CutPiece, PullCloth, ReshapePiece,
                                DrapePieces, SetFabric, PinCloth, UnpinCloth, RemovePieces, DuplicatePiece, MirrorPiece,
                                Rename, PlacePiece, FreezePieces, SetLayer, ChangeSettings, AddPiece, SetGrain, AddNotch,
-                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam, SetLength>;
+                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam, SetLength, SetLook>;
 
 std::string_view nameOf(const Operation& operation);
 

@@ -9,6 +9,14 @@ namespace karinui {
 // By name; one that is not in the document by its number.
 Message pieceSaid(const Document& document, const PieceRef& piece);
 Message edgeSaid(const Document& document, const EdgeRef& edge);
+// An edge of a piece by its name. One that has only a number ("e3") by how it is cut and where it lies, the grain
+// upwards and left and right the wearer's: "left side", "hem"; alike ones of a piece are counted along its outline. It
+// stays the same while the cloth drapes.
+Message edgeNameSaid(const Document& document, const Piece& piece, std::string_view edge);
+// For lists: "left side, sewn to back" where it has only a number.
+Message edgeWithPartnerSaid(const Document& document, const Piece& piece, std::string_view edge);
+// identifierSaid() where edges of this garment are known: "front.e3" is "left side of front".
+std::optional<Message> identifierSaid(const Document& document, std::string_view identifier);
 Message seamSaid(const Document& document, const SeamRef& seam);  // its own name, else its two sides
 Message seamSaid(const Document& document, const Seam& seam);
 

@@ -2,6 +2,7 @@
 // The kinds of values an operation is made of. Each has one text form: parse(text(x)) == x bit for bit.
 // Lengths read "12mm", "5cm", "0.3m", "2in" or bare metres; angles "30deg" or bare radians.
 // Plain values; any thread.
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,12 @@ inline bool operator==(const BodyPoint& a, const BodyPoint& b) {
   return a.part == b.part && a.along == b.along && a.around == b.around && a.landmark == b.landmark &&
          a.onFace.face == b.onFace.face && a.onFace.weight == b.onFace.weight;
 }
+
+// A colour as a dyer would match it, in sRGB. Text: "1f3b6e".
+struct Dye {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  bool operator==(const Dye&) const = default;
+};
 
 enum class Choice { Auto, Yes, No };  // Auto is decided when the operation is performed, and recorded as decided
 

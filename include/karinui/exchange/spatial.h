@@ -6,6 +6,7 @@
 // The body is an object named `body`, every piece an object of its own name; a name that cannot be one (empty, `body`,
 // one that another piece has) gets a number.
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +16,28 @@
 
 namespace karinui {
 
+// How a piece's cloth looks. Its picture, if it has one, is a tile of the print that is repeated over the paper.
+struct SpatialLook {
+  double roughness = 0.9;
+  double sheen = 0;  // light that fine hairs catch, 0 to 1
+  double cover = 1;  // less: it is seen through
+  struct Tile {
+    int width = 0, height = 0;       // pixels
+    std::vector<std::uint8_t> rgb;   // sRGB, rows from the top; instead of the colour
+    double wide = 0, high = 0;       // metres on paper
+    Flat across{1, 0}, along{0, 1};  // unit, on paper: its right and its top
+    bool operator==(const Tile&) const = default;
+  };
+  std::optional<Tile> tile;
+  bool operator==(const SpatialLook&) const = default;
+};
+
 struct SpatialPiece {
   std::string name, fabric;
   TriangleMesh mesh;                                 // in space, posed
   std::vector<Flat> flat;                            // where each point is on paper
-  std::array<float, 3> colour{0.35f, 0.45f, 0.65f};  // linear RGB; pieces of one fabric share the first one's
+  std::array<float, 3> colour{0.35f, 0.45f, 0.65f};  // linear RGB
+  SpatialLook look;
 };
 
 struct SpatialGarment {

@@ -1,16 +1,14 @@
 #pragma once
 // A picture's worth of plain data: what session and command line hand to the renderer. Owns everything; no ids of the
 // document, no pointers; any thread may read. Metres, y up; colours linear RGB in [0, 1].
-#include <array>
 #include <string>
 #include <vector>
 
 #include "karinui/geometry/bvh.h"
 #include "karinui/geometry/mesh.h"
+#include "karinui/scene/cloth_look.h"
 
 namespace karinui {
-
-using Colour = std::array<float, 3>;
 
 struct SceneCloth {
   std::string name;
@@ -20,6 +18,7 @@ struct SceneCloth {
   std::vector<std::vector<std::uint32_t>> outlines;  // closed or open runs of points drawn as the cloth's edge
   std::vector<std::vector<std::uint32_t>> seams;     // runs of points drawn as stitches
   Colour colour{0.35f, 0.45f, 0.65f};
+  ClothLook look;
   bool live = false;  // marked
 };
 

@@ -43,6 +43,12 @@ enum class Command {
   FlipSeam,
   Mend,
   BodyLines,
+  HideArms,
+  HideHands,
+  HideHead,
+  Section,
+  SectionBack,
+  SectionOn,
 };
 
 // What there must be before a command can be given. What a session alone knows (steps to undo, a gesture begun) it asks

@@ -12,6 +12,8 @@ struct ExportWish {
   const FileFormat* format = &fileFormat("pdf-a4");  // of exportFormats(); never null
   SheetSettings sheet;                               // of paper: title, allowance, language
 };
+// The garment as shapes for other programs, as it is drawn: colours, prints and all.
+SpatialGarment spatialOf(const Document& document, const SceneFrame& frame);
 Result<std::string> exported(const GarmentSnapshot& snapshot, const std::vector<Step>& steps, const ExportWish& wish);
 // The paper of a wish for a sheet.
 Result<PaperPages> paperOf(const GarmentSnapshot& snapshot, const ExportWish& wish);

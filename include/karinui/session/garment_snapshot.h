@@ -13,6 +13,8 @@
 #include "karinui/geometry/bvh.h"
 #include "karinui/scene/pointer.h"
 #include "karinui/scene/scene_frame.h"
+#include "karinui/session/look_of.h"
+#include "karinui/session/view_cut.h"
 
 namespace karinui {
 
@@ -41,10 +43,11 @@ struct GarmentSnapshot {
     std::shared_ptr<const struct Lattice> lattice = {};  // it was laid as; null where there is trouble
   };
   std::vector<Worn> worn;
+  std::shared_ptr<const VisibleParts> visible;  // null: all of it
   std::optional<Message> trouble;  // why pieces could not be laid together (then each stands alone, without seams)
 };
 using SnapshotPtr = std::shared_ptr<const GarmentSnapshot>;
-SnapshotPtr snapshotOf(Document document, BodyPtr body);
+SnapshotPtr snapshotOf(Document document, BodyPtr body, const Prints& prints = {});
 // The same garment where these pieces have come to stand, as drapes and pulls leave them (in space: the poses become
 // the identity). Forms asFine() as the garment need not be laid anew: quick.
 using Forms = std::map<PieceId, std::shared_ptr<const Form>>;

@@ -68,6 +68,13 @@ struct DropMenu {
   std::vector<Message> title;  // sentences
   std::vector<Item> items;
   std::size_t current = 0;  // the item Enter takes
+  struct Number {           // typed instead of an item
+    Message label;
+    double value = 1, least = 1, most = 1;
+    int decimals = 2;
+    bool asked = false;  // its item was chosen: the hand types now
+  };
+  std::optional<Number> number = {};
   PointerSample::Where where = PointerSample::Where::Space;
   Vec3 space;  // beside which place it opens,
   Flat table;  // in either view
@@ -104,9 +111,10 @@ class Gesture {
   // The menu at the drop, if something is to be chosen there; choose() takes one of its items.
   virtual std::optional<DropMenu> dropMenu(const GestureContext&) const { return std::nullopt; }
   virtual GestureResult choose(std::size_t, const GestureContext&) { return {}; }
-  virtual void moveInMenu(int, const GestureContext&) {}  // by so many items
-  virtual Message hint() const = 0;                       // what to do now
-  virtual bool begun() const = 0;                         // something would be lost
+  virtual GestureResult chooseNumber(double, const GestureContext&) { return {}; }  // the menu's number was typed
+  virtual void moveInMenu(int, const GestureContext&) {}                            // by so many items
+  virtual Message hint() const = 0;                                                 // what to do now
+  virtual bool begun() const = 0;                                                   // something would be lost
   // To a hand without a pointer: what it is led to, and whether it clicks or drags.
   virtual KeyStops keyStops() const { return KeyStops::Pieces; }
   virtual bool clicks() const { return false; }

@@ -5,17 +5,19 @@
 #include "karinui/design/document.h"
 #include "karinui/pattern/lattice.h"
 #include "karinui/scene/scene_frame.h"
+#include "karinui/session/look_of.h"
 
 namespace karinui {
 
 // The body (null: none) and every piece where it stands, at the document's own spacing.
-Result<SceneFrame> sceneOf(const Document& document, const Body* body);
+// `prints` gives the photographs it is printed with; without it they are left out.
+Result<SceneFrame> sceneOf(const Document& document, const Body* body, const Prints& prints = {});
 // The same, and what each cloth of it was laid as.
 struct LaidScene {
   SceneFrame frame;
   std::vector<std::shared_ptr<const Lattice>> lattices;
 };
-Result<LaidScene> laidSceneOf(const Document& document, const Body* body);
+Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const Prints& prints = {});
 
 // Per node, the mean of |l/L - 1| over the warp and weft edges of the lattice that meet there.
 std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& position);

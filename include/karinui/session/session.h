@@ -76,6 +76,8 @@ class Session {
   // Plays the steps of this document anew on another figure, into a new document at `path`.
   void replayOn(SetBody body, const std::filesystem::path& path);
   void importBody(const std::filesystem::path& file);
+  // A photograph (PNG or JPEG) as the print of a fabric or of pieces, as `look` says.
+  void importPrint(const std::filesystem::path& file, SetLook look);
   void importPattern(const std::filesystem::path& file);  // into this document; .json of ours or GarmentCode, .ops
   void exportTo(const std::filesystem::path& file, const ExportWish& wish);
   const std::filesystem::path& path() const;  // empty: no step yet (or no drafts folder)
@@ -122,7 +124,12 @@ class Session {
   void setInches(bool inches);  // instead of centimetres, in what gestures tell
   const ToolOptions& toolOptions() const;
   void setToolOptions(const ToolOptions& options);
-  void choose(std::size_t item);  // of the drop menu
+  void choose(std::size_t item);    // of the drop menu
+  void chooseNumber(double typed);  // of the drop menu
+  // Which parts of the figure are not drawn, and where all is cut open. Part of the view, not of the document; what is
+  // not drawn is neither picked nor snapped to.
+  const ViewCut& viewCut() const;
+  void setViewCut(const ViewCut& cut);
   // Which end of the chosen edge stays when its length is typed: by itself as keptEnd() has it, until another edge is
   // chosen. Start where no edge is chosen. preview() marks what stays with dots, what moves with rings.
   void setKeptEnd(SetLength::Keep keep);

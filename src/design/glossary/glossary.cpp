@@ -86,6 +86,17 @@ std::optional<Stem> stemOf(const std::vector<std::string_view>& parts) {
   return std::nullopt;
 }
 
+}  // namespace
+
+bool isNumbered(std::string_view edge) {
+  auto parts = splitAt(edge, "_-");
+  if (parts.size() > 1 && (parts[0] == "left" || parts[0] == "right")) parts.erase(parts.begin());
+  const auto stem = stemOf(parts);
+  return stem && stem->numbered;
+}
+
+namespace {
+
 // A name the program made up, or that is made of words it knows; nothing: a person's own.
 std::optional<Message> ownNameSaid(std::string_view name) {
   std::vector<std::string_view> parts = splitAt(name, "_-");

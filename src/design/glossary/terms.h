@@ -25,6 +25,9 @@ TermTable operationTerms();
 TermTable fieldTerms();
 TermTable valueTerms();
 
+// Whether an edge was named by its number only: "e3", "e3_right", "edge_0".
+bool isNumbered(std::string_view edge);
+
 TermTable fabricTerms();
 TermTable wordTerms();
 

@@ -55,7 +55,10 @@ Result<Document> perform(const Document& before, const CutPiece& op, Context& co
   Document after = before;
   updateSeams(after.pattern, cut->edges);
   if (cut->pieces.size() > 1) sharePins(after, cut->pieces[0], cut->pieces[1]);
+  const Piece& whole = *before.find(op.piece.id);
+  const bool own = before.looks.pieces.contains(whole.id) || before.looks.pieces.contains(whole.mirrorOf);
   for (Piece& piece : cut->pieces) {
+    if (own) after.looks.pieces[piece.id] = lookOf(before, whole);
     piece.mirrorOf = PieceId();  // no longer the other's likeness
     after = withPiece(std::move(after), std::move(piece));
   }

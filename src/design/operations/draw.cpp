@@ -60,7 +60,8 @@ Done nameEdges(DrawPiece& draw, const DrawingGround& ground, const std::vector<S
         static_cast<std::size_t>(std::count(corner.begin(), corner.begin() + static_cast<std::ptrdiff_t>(last), true));
     if (!names.empty() && names.size() != corners)
       return refused(
-          say("There are {0} names for {1} edges: the line turns sharply at {1} of its places. Name each place's "
+          say("There {0|is|are} {0} {0|name|names} for {1} {1|edge|edges}: the line turns sharply at {1} of its "
+              "places. Name each place's "
               "edge, with ~ where the line curves on.",
               names.size(), corners));
     std::vector<std::string> spread(last, std::string(kCurvesOn));
@@ -121,11 +122,13 @@ Message strainSaid(const DrawnSheet& sheet) {
                     high = fixed(sheet.worst.y * 100, 0);
   if (sheet.cutLength < kShortestDart)
     return say(
-        "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} degrees, most {2} cm above the "
+        "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} {1|degree|degrees}, most {2} cm "
+        "above the "
         "floor, at “{3}”. Another course of that edge, or a seam through there, would help.",
         stretch, shear, high, sheet.nearestEdge);
   return say(
-      "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} degrees, most {2} cm above the "
+      "Cloth cannot lie as drawn: it would stretch by up to {0} % and shear by {1} {1|degree|degrees}, most {2} cm "
+      "above the "
       "floor. A dart or cut from “{3}”, {4} cm long, would help.",
       stretch, shear, high, sheet.nearestEdge, fixed(sheet.cutLength * 100, 0));
 }

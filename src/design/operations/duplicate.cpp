@@ -15,7 +15,10 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
   copy.name = op.name;
   copy.pose.carry += op.by;
   copy.mirrorOf = PieceId();
-  return withPiece(before, std::move(copy));
+  Document after = before;
+  if (const auto look = before.looks.pieces.find(op.piece.id); look != before.looks.pieces.end())
+    after.looks.pieces[copy.id] = look->second;
+  return withPiece(std::move(after), std::move(copy));
 }
 
 }  // namespace karinui

@@ -44,6 +44,7 @@ KARINUI_DECLARE_OPERATION(AddLine)
 KARINUI_DECLARE_OPERATION(EraseMarks)
 KARINUI_DECLARE_OPERATION(FlipSeam)
 KARINUI_DECLARE_OPERATION(SetLength)
+KARINUI_DECLARE_OPERATION(SetLook)
 #undef KARINUI_DECLARE_OPERATION
 
 // The id of the nth thing (from 0) that the operation now being performed makes.

@@ -13,6 +13,7 @@ Result<Document> perform(const Document& before, const RemovePieces& op, Context
     gone.insert(ref.id);
     after.pattern.pieces.erase(ref.id);
     after.pins.erase(ref.id);
+    after.looks.pieces.erase(ref.id);
   }
   for (const auto& [id, seam] : before.pattern.seams) {
     bool touched = false;

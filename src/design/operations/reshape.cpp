@@ -190,7 +190,8 @@ void followSeams(Pattern& pattern, const Piece& old, const Outline& now) {
 
 Done checkPulls(const std::vector<Flat>& at, const std::vector<Vec3>& by, double within) {
   if (at.size() != by.size())
-    return refused(say("There are {0} places but {1} ways to pull them; each place needs one.", at.size(), by.size()));
+    return refused(say("There {0|is|are} {0} {0|place|places} but {1} {1|way|ways} to pull them; each place needs one.",
+                       at.size(), by.size()));
   if (!(within > 0 && within <= 2)) return refused(say("The cloth that comes along must reach between 0 and 2 m."));
   for (std::size_t i = 0; i < at.size(); ++i)
     if (!finite(at[i]) || !finite(by[i]) || length(by[i]) > 2)

@@ -55,6 +55,21 @@ constexpr Words<SetLength::Keep, 4> kKept{{{{"auto", SetLength::Keep::Auto},
 constexpr Words<SetLength::Neighbours, 2> kNeighbours{
     {{{"keep", SetLength::Neighbours::Keep}, {"follow", SetLength::Neighbours::Follow}}}};
 constexpr Words<Fabric::Law, 2> kLaws{{{{"woven", Fabric::Law::Woven}, {"simcloth", Fabric::Law::Simcloth}}}};
+constexpr Words<Finish, 10> kFinishes{{{{"poplin", Finish::Poplin},
+                                        {"linen", Finish::Linen},
+                                        {"denim", Finish::Denim},
+                                        {"suiting", Finish::Suiting},
+                                        {"tweed", Finish::Tweed},
+                                        {"jersey", Finish::Jersey},
+                                        {"satin", Finish::Satin},
+                                        {"chiffon", Finish::Chiffon},
+                                        {"velvet", Finish::Velvet},
+                                        {"leather", Finish::Leather}}}};
+constexpr Words<PrintKind, 5> kPrints{{{{"none", PrintKind::None},
+                                        {"stripe", PrintKind::Stripe},
+                                        {"check", PrintKind::Check},
+                                        {"dot", PrintKind::Dot},
+                                        {"photo", PrintKind::Photo}}}};
 constexpr Words<Settings::Collider, 2> kColliders{
     {{{"field", Settings::Collider::Field}, {"planes", Settings::Collider::Planes}}}};
 
@@ -308,5 +323,27 @@ std::string writeValue(const Fabric::Law& value) { return kLaws.write(value); }
 Done readValue(std::string_view text, Fabric::Law& value) { return kLaws.read(text, value); }
 std::string writeValue(const Settings::Collider& value) { return kColliders.write(value); }
 Done readValue(std::string_view text, Settings::Collider& value) { return kColliders.read(text, value); }
+std::string writeValue(const Finish& value) { return kFinishes.write(value); }
+Done readValue(std::string_view text, Finish& value) { return kFinishes.read(text, value); }
+std::string writeValue(const PrintKind& value) { return kPrints.write(value); }
+Done readValue(std::string_view text, PrintKind& value) { return kPrints.read(text, value); }
+
+// Without a "#", which begins a comment in scripts; read with or without.
+std::string writeValue(const Dye& value) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string all;
+  for (const std::uint8_t part : {value.red, value.green, value.blue}) all += {kDigits[part >> 4], kDigits[part & 15]};
+  return all;
+}
+Done readValue(std::string_view text, Dye& value) {
+  std::string_view digits = text.starts_with('#') ? text.substr(1) : text;
+  unsigned number = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number, 16);
+  if (digits.size() != 6 || read.ec != std::errc() || read.ptr != digits.data() + digits.size())
+    return badInput(say("“{0}” is not a colour; write red, green and blue in hexadecimal, like 1f3b6e.", text));
+  value = {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8 & 255),
+           static_cast<std::uint8_t>(number & 255)};
+  return {};
+}
 
 }  // namespace karinui

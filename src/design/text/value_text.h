@@ -50,6 +50,9 @@ KARINUI_VALUE(SetLength::Keep, "auto|start|end|middle")
 KARINUI_VALUE(SetLength::Neighbours, "keep|follow")
 KARINUI_VALUE(Fabric::Law, "woven|simcloth")
 KARINUI_VALUE(Settings::Collider, "field|planes")
+KARINUI_VALUE(Dye, "colour")
+KARINUI_VALUE(Finish, "poplin|linen|denim|suiting|tweed|jersey|satin|chiffon|velvet|leather")
+KARINUI_VALUE(PrintKind, "none|stripe|check|dot|photo")
 #undef KARINUI_VALUE
 
 template <class T>

@@ -1,0 +1,183 @@
+#include "look_board.h"
+
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <array>
+#include <numbers>
+
+#include "length_box.h"
+#include "theme.h"
+
+namespace karinui::studio {
+
+namespace {
+
+QColor onScreen(const Dye& dye) { return QColor(dye.red, dye.green, dye.blue); }
+Dye dyeOf(const QColor& colour) {
+  return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
+          static_cast<std::uint8_t>(colour.blue())};
+}
+
+// Words of an operation's field, in the order of its enumeration.
+constexpr std::array<std::string_view, 10> kFinishes{"poplin", "linen", "denim",   "suiting", "tweed",
+                                                     "jersey", "satin", "chiffon", "velvet",  "leather"};
+constexpr std::array<std::string_view, 5> kPrints{"none", "stripe", "check", "dot", "photo"};
+
+template <std::size_t n>
+void fill(QComboBox& box, const std::array<std::string_view, n>& words) {
+  Theme::here().keep(&box, [&box, &words] {
+    while (box.count() < static_cast<int>(n)) box.addItem(QString());
+    for (std::size_t k = 0; k < n; ++k)
+      box.setItemText(static_cast<int>(k), inWords(termSaid(Term::Value, words[k]).value_or(Message())));
+  });
+}
+
+QLabel* word(const Message& words) {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  Theme::here().keep(label, [label, words] { label->setText(asLabel(words)); });
+  return label;
+}
+
+}  // namespace
+
+LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> about)
+    : session_(session), about_(std::move(about)) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  finish_ = new QComboBox;
+  finish_->setObjectName("look_finish");
+  fill(*finish_, kFinishes);
+  letShrink(*finish_);
+  form->addRow(word(fieldSaid("look", "finish")), finish_);
+  form->addRow(word(fieldSaid("look", "colour")),
+               dyeRow(fieldSaid("look", "colour"), colour_, colourTyped_, &SetLook::colour));
+  print_ = new QComboBox;
+  print_->setObjectName("look_print");
+  fill(*print_, kPrints);
+  letShrink(*print_);
+  form->addRow(word(fieldSaid("look", "print")), print_);
+
+  printRows_ = new QWidget;
+  auto* rows = new QFormLayout(printRows_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addRow(word(fieldSaid("look", "ink")), dyeRow(fieldSaid("look", "ink"), ink_, inkTyped_, &SetLook::ink));
+  repeat_ = new LengthBox(fieldSaid("look", "repeat"), 0.001, 2);
+  rows->addRow(word(fieldSaid("look", "repeat")), repeat_);
+  turn_ = new QDoubleSpinBox;
+  turn_->setRange(-180, 180);
+  turn_->setDecimals(1);
+  turn_->setSuffix(" °");
+  turn_->setKeyboardTracking(false);
+  turn_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  rows->addRow(word(fieldSaid("look", "turn")), turn_);
+  form->addRow(printRows_);
+  photo_ = new QPushButton;
+  plain_ = new QPushButton;
+  Theme::here().keep(photo_, [this] {
+    photo_->setText(inWords(say("Photograph…")));
+    photo_->setToolTip(inWords(say("A PNG or JPEG file, printed along the grain at its true size.")));
+    plain_->setText(inWords(say("As the fabric looks by itself")));
+    turn_->setAccessibleName(inWords(fieldSaid("look", "turn")));
+    finish_->setAccessibleName(inWords(fieldSaid("look", "finish")));
+    print_->setAccessibleName(inWords(fieldSaid("look", "print")));
+  });
+  form->addRow(photo_);
+  form->addRow(plain_);
+
+  connect(finish_, &QComboBox::activated, this,
+          [this](int k) { perform([k](SetLook& look) { look.finish = static_cast<Finish>(k); }); });
+  connect(print_, &QComboBox::activated, this, [this](int k) {
+    const auto kind = static_cast<PrintKind>(k);
+    if (kind == PrintKind::Photo && shown_.photo.empty()) return askPhoto();
+    perform([kind](SetLook& look) { look.print = kind; });
+  });
+  connect(repeat_, &LengthBox::typed, this,
+          [this](double metres) { perform([metres](SetLook& look) { look.repeat = Length{metres}; }); });
+  connect(turn_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
+    perform([degrees](SetLook& look) { look.turn = Angle{degrees * std::numbers::pi / 180}; });
+  });
+  connect(photo_, &QPushButton::clicked, this, [this] { askPhoto(); });
+  connect(plain_, &QPushButton::clicked, this, [this] { perform([](SetLook& look) { look.plain = true; }); });
+}
+
+// A swatch that opens the choice of colours, and the colour as it can be typed.
+QWidget* LookBoard::dyeRow(const Message& name, QPushButton*& button, QLineEdit*& box,
+                           std::optional<Dye> SetLook::*field) {
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  button = new QPushButton;
+  button->setMinimumWidth(40);
+  box = new QLineEdit;
+  box->setMaxLength(7);
+  line->addWidget(button);
+  line->addWidget(box, 1);
+  QPushButton* swatch = button;
+  QLineEdit* typed = box;
+  Theme::here().keep(row, [name, swatch, typed] {
+    swatch->setAccessibleName(inWords(name));
+    typed->setAccessibleName(inWords(name));
+    typed->setToolTip(inWords(say("Red, green and blue in hexadecimal, like #1f3b6e.")));
+  });
+  connect(swatch, &QPushButton::clicked, this, [this, name, typed, field] {
+    const QColor chosen = QColorDialog::getColor(QColor(typed->text()), this, inWords(name));
+    if (chosen.isValid()) perform([&](SetLook& look) { look.*field = dyeOf(chosen); });
+  });
+  connect(typed, &QLineEdit::editingFinished, this, [this, typed, field] {
+    const bool colour = field == &SetLook::colour;
+    const Dye now = colour ? shown_.colour : shown_.ink;
+    QString words = typed->text().trimmed();
+    if (!words.startsWith('#')) words.prepend('#');
+    const QColor wanted(words);
+    if (!wanted.isValid()) return typed->setText(onScreen(now).name());
+    if (dyeOf(wanted) == now) return;
+    perform([&](SetLook& look) { look.*field = dyeOf(wanted); });
+  });
+  return row;
+}
+
+void LookBoard::paint(QPushButton& button, QLineEdit& box, const Dye& dye) {
+  const QString name = onScreen(dye).name();
+  button.setStyleSheet("background: " + name + ";");
+  box.setText(name);
+}
+
+void LookBoard::show(const Look& look) {
+  filling_ = true;
+  shown_ = look;
+  finish_->setCurrentIndex(static_cast<int>(look.finish));
+  print_->setCurrentIndex(static_cast<int>(look.print));
+  paint(*colour_, *colourTyped_, look.colour);
+  paint(*ink_, *inkTyped_, look.ink);
+  repeat_->setMetres(look.repeat);
+  turn_->setValue(look.turn * 180 / std::numbers::pi);
+  printRows_->setVisible(look.print != PrintKind::None);
+  filling_ = false;
+}
+
+void LookBoard::perform(const std::function<void(SetLook&)>& change) {
+  if (filling_) return;
+  auto look = about_();
+  if (!look) return;
+  change(*look);
+  session_.perform(*std::move(look));
+}
+
+void LookBoard::askPhoto() {
+  auto look = about_();
+  const QString path = !look ? QString()
+                             : QFileDialog::getOpenFileName(this, inWords(say("Photograph")), {},
+                                                            inWords(say("Photographs")) + " (*.png *.jpg *.jpeg)");
+  if (path.isEmpty()) return show(shown_);
+  session_.importPrint(path.toStdString(), *std::move(look));
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,43 @@
+#pragma once
+// How cloth looks: its surface, colour and print, as a form. What is chosen becomes an operation at once; the caller
+// says which fabric or pieces it is about. GUI thread.
+#include <QWidget>
+#include <functional>
+
+#include "karinui/session/session.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLineEdit;
+class QPushButton;
+
+namespace karinui::studio {
+
+class LengthBox;
+
+class LookBoard : public QWidget {
+  Q_OBJECT
+ public:
+  // `about`: an operation that names the fabric or the pieces and nothing else; nothing: there is none.
+  LookBoard(Session& session, std::function<std::optional<SetLook>()> about);
+  void show(const Look& look);
+
+ private:
+  void perform(const std::function<void(SetLook&)>& change);
+  void paint(QPushButton& button, QLineEdit& box, const Dye& dye);
+  QWidget* dyeRow(const Message& name, QPushButton*& button, QLineEdit*& box, std::optional<Dye> SetLook::*field);
+  void askPhoto();
+
+  Session& session_;
+  std::function<std::optional<SetLook>()> about_;
+  Look shown_;
+  bool filling_ = false;
+  QComboBox *finish_, *print_;
+  QPushButton *colour_, *ink_, *photo_, *plain_;
+  QLineEdit *colourTyped_, *inkTyped_;
+  LengthBox* repeat_;
+  QDoubleSpinBox* turn_;
+  QWidget* printRows_;
+};
+
+}  // namespace karinui::studio
