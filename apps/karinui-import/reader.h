@@ -16,10 +16,10 @@ struct Limits {
 
 struct Reading {
   wire::Reason refused = wire::Reason::None;
-  std::set<std::string> needs;  // side files to be handed over
-  TriangleMesh mesh;
+  std::set<std::string> needs = {};  // side files to be handed over
+  TriangleMesh mesh = {};
   std::uint64_t width = 0, height = 0;  // of a picture
-  std::vector<std::uint8_t> rgb;
+  std::vector<std::uint8_t> rgb = {};
 };
 
 // Lets this process do nothing from here on but compute, read what it holds and answer. False if the system will not.

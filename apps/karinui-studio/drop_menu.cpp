@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -27,9 +28,9 @@ DropMenuFrame::DropMenuFrame(Session& session, QWidget* view) : QFrame(view), se
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   number_->setFocusPolicy(Qt::ClickFocus);
   number_->installEventFilter(this);
-  take_ = new QPushButton;
+  take_ = new QToolButton;
   take_->setFocusPolicy(Qt::NoFocus);
-  connect(take_, &QPushButton::clicked, this, [this] { takeNumber(); });
+  connect(take_, &QToolButton::clicked, this, [this] { takeNumber(); });
   auto* row = new QHBoxLayout;
   row->addWidget(number_);
   row->addWidget(take_, 1);

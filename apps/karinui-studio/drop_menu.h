@@ -10,6 +10,7 @@
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 namespace karinui::studio {
@@ -37,7 +38,7 @@ class DropMenuFrame : public QFrame {
   std::vector<QPushButton*> buttons_;
   QWidget* numberRow_;
   QDoubleSpinBox* number_;
-  QPushButton* take_;
+  QToolButton* take_;
   std::pair<double, double> range_;  // of the number that is shown
   std::size_t current_ = 0;
 };

@@ -95,9 +95,9 @@ MainWindow::MainWindow(SessionOptions options) {
   for (const auto& [panel, words] : boards) addPanel(panel, words);
   Theme::here().keep(boards_, [this] {  // all tabs are seen, whatever the language
     boards_->ensurePolished();
-    const int wide = std::max(310, boards_->tabBar()->sizeHint().width() + 2);
+    const int wide = std::max(20 * boards_->fontMetrics().height(), boards_->tabBar()->sizeHint().width() + 2);
     boards_->setMinimumWidth(wide);
-    boards_->setMaximumWidth(std::max(420, wide));
+    boards_->setMaximumWidth(std::max(28 * boards_->fontMetrics().height(), wide));
   });
   split->addWidget(boards_);
   split->setStretchFactor(0, 5);
@@ -118,7 +118,10 @@ MainWindow::MainWindow(SessionOptions options) {
   hint_ = new QLabel;
   hint_->setObjectName("hint");
   hint_->setWordWrap(true);  // a long sentence takes a second line; the window need not be wider for it
-  hint_->setFixedHeight(2 * hint_->fontMetrics().lineSpacing() + 6);
+  Theme::here().keep(hint_, [this] {
+    hint_->ensurePolished();
+    hint_->setFixedHeight(2 * hint_->fontMetrics().lineSpacing() + 6);
+  });
   hint_->setMinimumWidth(1);
   place_ = new QLabel;
   progress_ = new QProgressBar;

@@ -110,7 +110,8 @@ StartPage::StartPage() : thumbnails_(new Thumbnails(kPicture * 2)) {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   auto* side = new QWidget;
-  side->setFixedWidth(330);
+  side->ensurePolished();
+  side->setFixedWidth(std::max(330, 22 * side->fontMetrics().height()));
   ways_ = new QVBoxLayout(side);
   ways_->setContentsMargins(36, 40, 36, 24);
   ways_->setSpacing(8);

@@ -50,9 +50,15 @@ class HouseIcon : public QIconEngine {
   std::string name_;
 };
 
-QString sheetFor(const Palette& p) {
+// The house's letters, or the system's where those are larger.
+double lettersOf(const QApplication& app) {
+  static const double size = std::max(10.0, app.font().pointSizeF());  // before a sheet of ours says otherwise
+  return size;
+}
+
+QString sheetFor(const Palette& p, double letters) {
   QString sheet = QStringLiteral(R"(
-* { font-size: 10pt; }
+* { font-size: @letters; }
 QMainWindow, QDialog { background: @window; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QToolTip { background: @raised; color: @ink; border: 1px solid @line; padding: 6px; }
@@ -101,13 +107,15 @@ QScrollBar::handle:horizontal { background: @line; border-radius: 4px; min-width
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QProgressBar { background: @line; border: none; border-radius: 3px; max-height: 6px; }
 QProgressBar::chunk { background: @accent; border-radius: 3px; }
-QLabel[role="title"] { font-size: 11pt; font-weight: 600; color: @ink; }
+QLabel[role="title"] { font-size: @titles; font-weight: 600; color: @ink; }
 QLabel[role="faint"] { color: @faint; }
 )");
   const std::pair<const char*, QColor> names[] = {
       {"@window", p.window},    {"@panel", p.panel}, {"@raised", p.raised},         {"@line", p.line},
       {"@ink", p.ink},          {"@faint", p.faint}, {"@accentSoft", p.accentSoft}, {"@accent", p.accent},
       {"@onAccent", p.onAccent}};
+  sheet.replace("@letters", QString::number(letters) + "pt");
+  sheet.replace("@titles", QString::number(1.1 * letters) + "pt");
   for (const auto& [name, colour] : names) sheet.replace(QLatin1String(name), colour.name());
   return sheet;
 }
@@ -150,6 +158,7 @@ void Theme::setDark(bool dark) {
 
 void Theme::apply(QApplication& app) {
   const Palette& p = palette();
+  const double letters = lettersOf(app);
   app.setStyle(QStyleFactory::create("Fusion"));
   QPalette q;
   q.setColor(QPalette::Window, p.window);
@@ -167,7 +176,7 @@ void Theme::apply(QApplication& app) {
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     q.setColor(QPalette::Disabled, role, p.faint);
   app.setPalette(q);
-  app.setStyleSheet(sheetFor(p));
+  app.setStyleSheet(sheetFor(p, letters));
 }
 
 void Theme::keep(QObject* owner, std::function<void()> put) {

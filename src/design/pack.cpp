@@ -64,14 +64,18 @@ void add(Writer& w, const Look& l) {
   for (const Dye& dye : {l.colour, l.ink}) w.add(dye.red).add(dye.green).add(dye.blue);
   w.add(l.repeat).add(l.turn).add(l.photo);
 }
+Dye readDye(Reader& r) {
+  Dye dye;
+  dye.red = r.number<std::uint8_t>(), dye.green = r.number<std::uint8_t>(), dye.blue = r.number<std::uint8_t>();
+  return dye;
+}
 Look readLook(Reader& r) {
   Look l;
   const auto finish = r.number<std::uint8_t>(), print = r.number<std::uint8_t>();
   if (finish > static_cast<std::uint8_t>(Finish::Leather) || print > static_cast<std::uint8_t>(PrintKind::Photo))
     r.fail();
   l.finish = static_cast<Finish>(finish), l.print = static_cast<PrintKind>(print);
-  for (Dye* dye : {&l.colour, &l.ink})
-    for (std::uint8_t* part : {&dye->red, &dye->green, &dye->blue}) *part = r.number<std::uint8_t>();
+  l.colour = readDye(r), l.ink = readDye(r);
   l.repeat = r.number<double>(), l.turn = r.number<double>();
   l.photo = r.text();
   if (!checkLook(l)) r.fail();

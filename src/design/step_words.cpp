@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "design/glossary/terms.h"
 #include "design/text/value_text.h"
 #include "karinui/base/number.h"
 

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "design/workroom.h"
+#include "karinui/design/print_image.h"
 
 namespace karinui {
 namespace {
@@ -56,6 +57,41 @@ class KeptDocument : public ::testing::Test {
   fs::path folder_, path_;
   Workroom room_;
 };
+
+TEST_F(KeptDocument, KeepsColoursPrintsAndTheirPhotograph) {
+  const PrintPixels image{2, 1, {255, 0, 0, 0, 0, 255}};
+  std::string photo, kept, plain;
+  {
+    auto file = DocumentFile::create(path_);
+    ASSERT_TRUE(file);
+    ASSERT_TRUE(room_.play(*file, std::string(kTwoPieces)));
+    plain = hash(file->document());
+    photo = *file->blobs().put(packPrint(image));
+    Context own{room_.context.workers, room_.context.token, file->blobs(), room_.context.bodies, {}, {}};
+    SetLook look;
+    look.fabric = "cotton", look.colour = Dye{10, 20, 30};
+    ASSERT_TRUE(file->perform(look, own));
+    look = {};
+    look.pieces = {PieceRef("front")}, look.photo = photo, look.repeat = Length{0.2};
+    const auto step = file->perform(look, own);
+    ASSERT_TRUE(step) << text(step.error().what);
+    kept = hash(file->document());
+    EXPECT_NE(kept, plain);
+  }
+  auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(hash(file->document()), kept);
+  const Document& document = file->document();
+  EXPECT_EQ(lookOf(document, "cotton").colour, (Dye{10, 20, 30}));
+  const Look front = lookOf(document, *document.pieceNamed("front"));
+  EXPECT_EQ(front.print, PrintKind::Photo);
+  EXPECT_EQ(front.repeat, 0.2);
+  const auto bytes = file->blobs().get(front.photo);
+  ASSERT_TRUE(bytes);
+  EXPECT_EQ(unpackPrint(*bytes)->rgb, image.rgb);
+  for (std::string damaged : {bytes->substr(0, bytes->size() - 1), *bytes + "x", std::string("karinui")})
+    EXPECT_FALSE(unpackPrint(damaged));
+}
 
 TEST_F(KeptDocument, IsTheSameAfterClosingAndLeavesOneFile) {
   const std::string before = makeOne();

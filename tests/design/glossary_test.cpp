@@ -107,6 +107,60 @@ TEST(Glossary, NamesTheProgramMadeUpAreSaidAsATailorSaysThem) {
   }
 }
 
+TEST(Glossary, EdgesWithANumberAreCalledByHowTheyAreCutAndWhereTheyLie) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const Done played = room.play(
+      file,
+      "piece name=front pose=\"0,1,0.1\" outline=\"M -200 0; e1 L 200 0; e2 L 220 300; e3 C 160 330 150 430 170 480; "
+      "e4 L 70 520; e5 C 60 420 -60 420 -70 520; e6 L -170 480; e7 C -150 430 -160 330 -220 300; e8 L -200 0\"\n"
+      "piece name=back pose=\"0,1,-0.1 y 180deg\" outline=\"M -200 0; edge_0 L 200 0; edge_1 L 220 500; edge_2 L -220 "
+      "500; edge_3 L -200 0\"\n"
+      "piece name=skirt pose=\"0,0.9,0\" outline=\"M 0 0; e1 L 300 0; e2 L 300 200; e3 L 300 400; e4 L 0 400; side_left L 0 "
+      "0\"\n");
+  ASSERT_TRUE(played) << text(played.error().what);
+  const auto called = [&](const char* piece, const char* edge, Language language = Language::English) {
+    return text(edgeNameSaid(file.document(), *file.document().pieceNamed(piece), edge), language);
+  };
+  const std::vector<std::array<const char*, 4>> names{{"front", "e1", "hem", "裾"},
+                                                      {"front", "e2", "left side", "左脇"},
+                                                      {"front", "e3", "left armhole", "左袖ぐり"},
+                                                      {"front", "e4", "left shoulder", "左肩"},
+                                                      {"front", "e5", "neckline", "衿ぐり"},
+                                                      {"front", "e6", "right shoulder", "右肩"},
+                                                      {"front", "e7", "right armhole", "右袖ぐり"},
+                                                      {"front", "e8", "right side", "右脇"},
+                                                      {"back", "edge_1", "right side", "右脇"},
+                                                      {"back", "edge_3", "left side", "左脇"},
+                                                      {"skirt", "e2", "left side 1", "左脇 1"},
+                                                      {"skirt", "e3", "left side 2", "左脇 2"}};
+  const auto all = [&] {
+    std::vector<std::string> said;
+    for (const auto& [piece, edge, english, japanese] : names) said.push_back(called(piece, edge));
+    return said;
+  };
+  for (const auto& [piece, edge, english, japanese] : names) {
+    EXPECT_EQ(called(piece, edge), english) << piece << "." << edge;
+    EXPECT_EQ(called(piece, edge, Language::Japanese), japanese) << piece << "." << edge;
+  }
+  // The names stay while the cloth drapes, and say what an edge is sewn to.
+  const auto before = all();
+  ASSERT_TRUE(room.play(file, "drape\n"));
+  EXPECT_EQ(all(), before);
+  ASSERT_TRUE(room.play(file, "sew a=front.e2 b=back.edge_3\n"));
+  const Document& document = file.document();
+  const auto partner = [&](Language language) {
+    return text(edgeWithPartnerSaid(document, *document.pieceNamed("front"), "e2"), language);
+  };
+  EXPECT_EQ(partner(Language::English), "left side, sewn to back");
+  EXPECT_EQ(partner(Language::Japanese), "左脇（後ろ身頃と縫い合わせ）");
+  EXPECT_EQ(text(edgeSaid(document, {PieceRef("front"), "e2"})), "left side of front");
+  EXPECT_EQ(text(seamSaid(document, document.pattern.seams.begin()->second)), "left side of front – left side of back");
+  EXPECT_EQ(said(identifierSaid(document, "front.e2")), "left side of front");
+  EXPECT_EQ(said(identifierSaid(document, "front.e12")), "edge 12 of front") << "there is no such edge";
+  EXPECT_EQ(said(identifierSaid(document, "bust_girth")), "Bust girth");
+}
+
 TEST(Glossary, WhatAPersonNamedIsSaidAsGiven) {
   for (const char* own : {"my_edge", "袖口", "cuff-links", "3", "yes", "coat.karinui", "12cm,3cm", ""})
     EXPECT_EQ(said(identifierSaid(own)), "nothing") << own;

@@ -69,6 +69,18 @@ std::string facts(const Document& d) {
   }
   for (const auto& [fabricName, f] : d.fabrics)
     out << "fabric " << fabricName << " weight " << fixed(f.weight, 3) << "\n";
+  const auto look = [&](const std::string& whose, const Look& l) {
+    const auto dye = [](const Dye& c) {
+      return std::to_string(c.red) + "," + std::to_string(c.green) + "," + std::to_string(c.blue);
+    };
+    out << "look " << whose << " finish " << static_cast<int>(l.finish) << " colour " << dye(l.colour);
+    if (l.print != PrintKind::None)
+      out << " print " << static_cast<int>(l.print) << " ink " << dye(l.ink) << " repeat_mm "
+          << fixed(l.repeat * 1000, 1) << " turn " << fixed(l.turn, 3);
+    out << "\n";
+  };
+  for (const auto& [fabricName, l] : d.looks.fabrics) look(fabricName, l);
+  for (const auto& [id, l] : d.looks.pieces) look(name(id), l);
   for (const auto& [id, places] : d.pins) out << "pins " << name(id) << " " << places.size() << "\n";
   const Settings usual;
   if (d.settings.spacing != usual.spacing) out << "spacing_mm " << fixed(d.settings.spacing * 1000, 1) << "\n";

@@ -6,9 +6,11 @@
 
 #include <cstring>
 #include <fstream>
+#include <random>
 
 #include "geometry/shapes.h"
 #include "karinui/base/number.h"
+#include "karinui/exchange/read_print.h"
 #include "karinui/geometry/bvh.h"
 
 namespace karinui {
@@ -274,7 +276,60 @@ TEST_F(ReadBody, AHelperThatHangsDiesOrLiesIsOnlyASentence) {
   options.limits.seconds = 10;
   EXPECT_THAT(script("/bin/cat /dev/zero"), HasSubstr("more than"));
   options.limits.seconds = 1;
-  EXPECT_THAT(script("exec /bin/sleep 60"), HasSubstr("longer than 1 seconds"));
+  EXPECT_THAT(script("exec /bin/sleep 60"), HasSubstr("longer than 1 second and"));
+}
+
+std::string bytesOf(std::string_view hexadecimal) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hexadecimal.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(std::string(hexadecimal.substr(i, 2)), nullptr, 16));
+  return bytes;
+}
+// Red, green; blue, (16, 32, 48).
+const std::string kPng = bytesOf("89504e470d0a1a0a0000000d4948445200000002000000020802000000fdd49a730000001349444154789c63f8cfc0c0"
+                               "00c20cff05140c001a94035edc92dbe90000000049454e44ae426082");
+// 60,000 x 60,000 pixels, it says, in 74 bytes.
+const std::string kHugePng = bytesOf("89504e470d0a1a0a0000000d494844520000ea600000ea6008020000000fb0e2150000001149444154789c63601805a3"
+                                   "60140c77000003e80001b3a6d3460000000049454e44ae426082");
+// 8 x 8 of (200, 40, 60), and a little black.
+const std::string kJpeg = bytesOf(
+    "ffd8ffe000104a46494600010100000100010000ffdb0043000302020302020303030304030304050805050404050a07"
+    "0706080c0a0c0c0b0a0b0b0d0e12100d0e110e0b0b1016101113141515150c0f171816141812141514ffdb0043010304"
+    "0405040509050509140d0b0d141414141414141414141414141414141414141414141414141414141414141414141414"
+    "1414141414141414141414141414ffc00011080008000803012200021101031101ffc400150001010000000000000000"
+    "0000000000000007ffc40014100100000000000000000000000000000000ffc400150101010000000000000000000000"
+    "0000000608ffc40014110100000000000000000000000000000000ffda000c03010002110311003f008d0024b41fffd9");
+
+TEST_F(ReadBody, PhotographsForPrintsAreReadInTheCell) {
+  const auto png = readPrint(file("p.png", kPng), Token());
+  ASSERT_TRUE(png) << text(png.error().what);
+  EXPECT_EQ(png->width, 2);
+  EXPECT_EQ(png->rgb, (std::vector<std::uint8_t>{255, 0, 0, 0, 255, 0, 0, 0, 255, 16, 32, 48}));
+  const auto jpeg = readPrint(file("p.jpg", kJpeg), Token());
+  ASSERT_TRUE(jpeg) << text(jpeg.error().what);
+  EXPECT_EQ(jpeg->width * jpeg->height, 64);
+  const auto why = [&](const std::string& name, const std::string& bytes) {
+    const auto image = readPrint(file(name, bytes), Token());
+    return image ? std::string("taken") : text(image.error().what);
+  };
+  EXPECT_THAT(why("huge.png", kHugePng), HasSubstr("more than 40 million pixels"));
+  for (const auto& [name, whole] : {std::pair("a.png", kPng), std::pair("a.jpg", kJpeg)}) {
+    EXPECT_THAT(why(name, whole.substr(0, 30)), HasSubstr("no photograph"));
+    std::mt19937 lot(5);
+    for (int k = 0; k < 24; ++k) {  // never more than a sentence, whatever was changed
+      std::string bad = whole;
+      bad[lot() % bad.size()] = static_cast<char>(lot());
+      (void)why(name, bad);
+    }
+  }
+  EXPECT_THAT(why("p.gif", "GIF89a"), HasSubstr("no photograph"));
+  EXPECT_THAT(why("empty.png", ""), HasSubstr("no photograph"));
+  EXPECT_FALSE(readPrint(folder_ / "not_there.png", Token()));
+  // One that is larger than a print needs is made smaller by whole pixels.
+  PrintPixels large{3000, 10, {}};
+  large.rgb.resize(std::size_t{3} * 3000 * 10, 100);
+  EXPECT_EQ(fitted(large).width, 1000);
+  EXPECT_EQ(fitted(large).rgb.front(), 100);
 }
 
 TEST_F(ReadBody, TakesEveryBodyHandedToTheTests) {

@@ -182,6 +182,42 @@ struct Glb {
   }
 };
 
+TEST(Glb, CarriesPrintsAtTrueScaleAlongTheGrain) {
+  SpatialGarment g = garment();
+  SpatialLook& look = g.pieces[0].look;
+  look.roughness = 0.3, look.sheen = 0.5;
+  look.tile = SpatialLook::Tile{2, 1, {255, 0, 0, 0, 0, 255}, 0.2, 0.1, {0, -1}, {1, 0}};
+  g.pieces[1].look.cover = 0.5;
+  const auto bytes = writeGlb(g);
+  ASSERT_TRUE(bytes);
+  const Glb glb(*bytes);
+  const auto& primitive = glb.json["meshes"][1]["primitives"][0];
+  const auto& material = glb.json["materials"][primitive["material"].get<std::size_t>()];
+  const auto& texture = material["pbrMetallicRoughness"]["baseColorTexture"];
+  EXPECT_NEAR(material["pbrMetallicRoughness"]["roughnessFactor"].get<double>(), 0.3, 1e-9);
+  EXPECT_TRUE(material["extensions"].contains("KHR_materials_sheen"));
+  // A place of the paper, by way of its coordinate and the transform, is where its repeat of the tile has it.
+  const auto& transform = texture["extensions"]["KHR_texture_transform"];
+  const auto coordinates = glb.values<float>(primitive["attributes"]["TEXCOORD_0"]);
+  for (std::size_t i = 0; i < g.pieces[0].flat.size(); ++i) {
+    const Flat paper = g.pieces[0].flat[i];
+    const double u = coordinates[2 * i] * transform["scale"][0].get<double>() + transform["offset"][0].get<double>();
+    const double v = coordinates[2 * i + 1] * transform["scale"][1].get<double>() + transform["offset"][1].get<double>();
+    EXPECT_NEAR(u, dot(paper, {0, -1}) / 0.2, 1e-5);
+    EXPECT_NEAR(1 - v, dot(paper, {1, 0}) / 0.1, 1e-5) << "the tile's lowest row where the paper's repeat begins";
+  }
+  const auto& view = glb.json["bufferViews"][glb.json["images"][0]["bufferView"].get<std::size_t>()];
+  EXPECT_EQ(glb.json["images"][0]["mimeType"], "image/png");
+  EXPECT_GT(view["byteLength"].get<std::size_t>(), 40u);
+  const auto& sheer = glb.json["materials"][glb.json["meshes"][2]["primitives"][0]["material"].get<std::size_t>()];
+  EXPECT_EQ(sheer["alphaMode"], "BLEND");
+  for (const char* used : {"KHR_materials_sheen", "KHR_texture_transform"})
+    EXPECT_NE(std::find(glb.json["extensionsUsed"].begin(), glb.json["extensionsUsed"].end(), used),
+              glb.json["extensionsUsed"].end());
+  g.pieces[0].look.tile->rgb.pop_back();
+  EXPECT_FALSE(writeGlb(g)) << "a tile that is not whole";
+}
+
 TEST(Glb, IsValidAndHoldsTheGarment) {
   const SpatialGarment g = garment();
   const auto bytes = writeGlb(g);

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "geometry/shapes.h"
+#include "karinui/geometry/cut_mesh.h"
 
 namespace karinui {
 namespace {
@@ -53,6 +55,40 @@ TEST(Section, ThroughCornersAndFacesStaysClosed) {
   EXPECT_EQ(section(b, {{0, 1, 0}, {0, 1, 0}}).size(), 1u);
   EXPECT_TRUE(section(b, {{0, 0, 0}, {0, 1, 0}}).empty());
   EXPECT_TRUE(section(b, {{0, 2, 0}, {0, 1, 0}}).empty());
+}
+
+TEST(CutMesh, AHalfBallIsClosedAndHalfAsLarge) {
+  const TriangleMesh solid = ball({0, 0, 0}, 1, 4);
+  const double whole = volume(solid);
+  for (const Vec3 normal : {Vec3{0, 1, 0}, Vec3{1, 0, 0}, normalized(Vec3{1, 2, -0.5})}) {
+    const Plane plane{{0.001, 0.002, 0.0005}, normal};
+    const CutMesh cut = cutOff(solid, plane, true);
+    EXPECT_NEAR(volume(cut.mesh), whole / 2, 0.02 * whole) << "a lid that faced inward would not add up";
+    EXPECT_GT(cut.closing, 3u);
+    for (const Triangle& face : cut.mesh.faces)
+      for (const std::uint32_t p : face) EXPECT_LE(dot(cut.mesh.points[p] - plane.through, normal), 1e-9);
+    ASSERT_EQ(cut.points.size(), cut.mesh.points.size());
+    for (std::size_t i = 0; i < cut.points.size(); ++i)
+      EXPECT_NEAR(distance(cut.mesh.points[i], lerp(solid.points[cut.points[i].from], solid.points[cut.points[i].to],
+                                                    cut.points[i].share)),
+                  0, 1e-12);
+  }
+  EXPECT_EQ(cutOff(solid, {{0, 9, 0}, {0, 1, 0}}, true).mesh.faces.size(), solid.faces.size());
+  EXPECT_TRUE(cutOff(solid, {{0, -9, 0}, {0, 1, 0}}, true).mesh.faces.empty());
+}
+
+TEST(CutMesh, OnlyThePartNearThePlaneGoes) {
+  TriangleMesh two = ball({0, 0, 0}, 1, 4);
+  const auto more = static_cast<std::uint32_t>(two.points.size());
+  const std::size_t faces = two.faces.size();
+  for (std::uint32_t i = 0; i < more; ++i) two.points.push_back(two.points[i] + Vec3{10, 0, 0});
+  for (std::size_t f = 0; f < faces; ++f)
+    two.faces.push_back({two.faces[f][0] + more, two.faces[f][1] + more, two.faces[f][2] + more});
+  const Plane plane{{0, 0.01, 0}, {0, 1, 0}};
+  const std::vector<bool> part = partAbove(two, plane, 3);
+  EXPECT_EQ(std::count(part.begin() + static_cast<std::ptrdiff_t>(faces), part.end(), true), 0) << "the other ball";
+  const double whole = volume(two);
+  EXPECT_NEAR(volume(cutOff(two, plane, true, &part).mesh), 0.75 * whole, 0.02 * whole);
 }
 
 TEST(Section, OfAnOpenMeshIsOpen) {

@@ -1,6 +1,8 @@
 // The board of fabrics in the real window: pictures, curves whose points are dragged, a fabric for one piece.
 #include <gmock/gmock.h>
 
+#include <QComboBox>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QTabBar>
 
@@ -91,6 +93,93 @@ TEST(StudioFabric, ACurveIsDraggedAndKeptForOnePiece) {
   Fabric kept = document.fabrics.at("cotton_2");
   kept.name = wished.name;
   EXPECT_EQ(kept, wished) << "every number of the curves is in the step";
+}
+
+TEST(StudioLook, ColourAndPrintAreChosenUndoneAndSeen) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.view(View::Front);
+  const auto seen = [&] {
+    w.rest();
+    const QPointF at = w.inSpace("front", {0, 0.3});
+    return w.space().grabFramebuffer().pixelColor((at * w.space().devicePixelRatioF()).toPoint());
+  };
+  const std::size_t before = w.count();
+  const QColor plain = seen();
+  w.main().boards().setCurrentIndex(0);
+  Selection chosen;
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("front")->id};
+  w.session().select(chosen);
+  w.rest();
+  QWidget& board = *w.main().boards().currentWidget();
+  auto* finish = board.findChild<QComboBox*>("look_finish");
+  ASSERT_TRUE(finish);
+  finish->setCurrentIndex(2);
+  emit finish->activated(2);
+  w.rest();
+  EXPECT_EQ(w.last(), "look piece=p3 finish=denim");
+  const QColor denim = seen();
+  EXPECT_LT(denim.lightness(), plain.lightness() - 20) << "indigo";
+  for (QLineEdit* box : board.findChildren<QLineEdit*>())
+    if (box->accessibleName() == "Colour") {
+      box->setFocus();
+      box->setText("a02020");
+      emit box->editingFinished();
+    }
+  w.rest();
+  EXPECT_EQ(w.last(), "look piece=p3 colour=a02020");
+  EXPECT_GT(seen().red(), seen().blue() + 40);
+  auto* print = board.findChild<QComboBox*>("look_print");
+  print->setCurrentIndex(1);
+  emit print->activated(1);
+  w.rest();
+  EXPECT_EQ(w.last(), "look piece=p3 print=stripe");
+  w.keep("studio_look");
+  EXPECT_FALSE(w.session().busy().settling) << "colour disturbs no drape";
+  for (int k = 0; k < 3; ++k) w.key(Command::Undo), w.rest();
+  EXPECT_EQ(w.count(), before);
+  EXPECT_NEAR(seen().blue(), plain.blue(), 3);
+  // On the board of fabrics, for every piece that is cut from it.
+  w.main().boards().setCurrentIndex(2);
+  w.rest();
+  finish = w.main().boards().currentWidget()->findChild<QComboBox*>("look_finish");
+  finish->setCurrentIndex(8);
+  emit finish->activated(8);
+  w.rest();
+  EXPECT_EQ(w.last(), "look fabric=cotton finish=velvet");
+}
+
+TEST(StudioLook, PartsAreHiddenAndAllIsCutOpenByKey) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.view(View::Front);
+  const QPointF hand = w.onSkin("left_arm:wrist@0");
+  const auto skinAt = [&](QPointF at) {
+    w.rest();
+    const QColor c = w.space().grabFramebuffer().pixelColor((at * w.space().devicePixelRatioF()).toPoint());
+    return c.red() - c.blue();
+  };
+  const int skin = skinAt(hand);
+  w.key(Command::HideArms);
+  w.rest();
+  EXPECT_TRUE(w.main().action(Command::HideArms)->isChecked());
+  EXPECT_NE(skinAt(hand), skin);
+  w.keep("studio_hidden_arms");
+  w.key(Command::HideHead);
+  w.key(Command::Section);
+  w.rest();
+  w.keep("studio_section");
+  EXPECT_TRUE(w.session().viewCut().section);
+  w.key(Command::SectionBack);
+  EXPECT_NEAR(w.session().viewCut().section->at, -0.01, 1e-9);
+  for (int k = 0; k < 3; ++k) w.key(Command::Section);
+  EXPECT_FALSE(w.session().viewCut().section);
+  w.key(Command::HideArms), w.key(Command::HideHead);
+  w.rest();
+  EXPECT_FALSE(w.session().viewCut().any());
+  EXPECT_NEAR(skinAt(hand), skin, 3);
 }
 
 }  // namespace

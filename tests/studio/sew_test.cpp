@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <QAction>
+#include <QDoubleSpinBox>
 #include <QFrame>
 #include <QTest>
 
@@ -74,7 +75,7 @@ TEST_F(StudioSew, ASideOfTwoEdgesIsDraggedAlong) {
   path.insert(path.end(), more.begin(), more.end());
   w->drag(w->table(), path, {}, [&] {
     ASSERT_FALSE(w->session().preview().table.words.empty());
-    EXPECT_THAT(w->session().preview().table.words.back().text, HasSubstr("side_left + side_left_2"));
+    EXPECT_THAT(w->session().preview().table.words.back().text, HasSubstr("left side + left side 2"));
   });
   EXPECT_EQ(w->count(), before) << "nothing is sewn to itself";
   w->drag(w->table(), along("back", "side_left", 0.98, 0.02), {}, [&] { w->keep("studio_sew_run"); });
@@ -105,6 +106,57 @@ TEST_F(StudioSew, TheWrongShoulderIsAskedAboutBefore) {
   EXPECT_THAT(w->last(), StartsWith("sew a=p3.shoulder_right b=p4.shoulder_right"));
   EXPECT_EQ(pattern().seams.size(), 2u);
   EXPECT_FALSE(menuIn(w->table()));
+}
+
+TEST_F(StudioSew, TheRatioIsTypedAtTheDrop) {
+  w->session().perform(*parseOperation(
+      "piece name=frill outline=\"M 0 0; hem L 700 0; e2 L 700 80; top L 0 80; e4 L 0 0\" pose=\"0,0.5,0.4\""));
+  w->session().perform(*parseOperation(
+      "piece name=band outline=\"M 0 0; lower L 300 0; e2 L 300 40; upper L 0 40; e4 L 0 0\" pose=\"0,0.7,0.4\""));
+  w->rest();
+  before = w->count();
+  w->key(Command::Sew);
+  const auto drop = [&] {
+    w->drag(w->table(), {onTable("band", "lower", 0.5), onTable("frill", "top", 0.5)});
+    w->rest();
+  };
+  drop();
+  QFrame* menu = menuIn(w->table());
+  ASSERT_TRUE(menu) << w->main().said().toStdString();
+  auto* number = menu->findChild<QDoubleSpinBox*>("drop_number");
+  ASSERT_TRUE(number && number->isVisible());
+  EXPECT_DOUBLE_EQ(number->maximum(), 2.33);
+  w->keep("studio_sew_ratio");
+  // With the mouse: into the box, typed, Enter.
+  number->setFocus();
+  number->selectAll();
+  QTest::keyClicks(number, "1.8");
+  QTest::keyClick(number, Qt::Key_Return);
+  w->rest();
+  ASSERT_EQ(w->count(), before + 1) << w->main().said().toStdString();
+  const Seam* seam = nullptr;
+  for (const auto& [id, one] : pattern().seams)
+    if (one.a.front().edge == "lower" || one.b.front().edge == "lower") seam = &one;
+  ASSERT_TRUE(seam);
+  EXPECT_NEAR(easeRatio(pattern(), *seam), 1.8, 1e-6);
+  EXPECT_EQ(seam->tie, Seam::Tie::OneToOne);
+  EXPECT_FALSE(menuIn(w->table()));
+  w->key(Command::Undo);
+  w->rest();
+  // With the keys of the view: down to its item, Enter, typed, Enter. Digits are not taken for views meanwhile.
+  drop();
+  std::size_t item = 0;
+  while (text(w->session().dropMenu()->items[item].label) != "Another ratio…") ++item;
+  for (std::size_t k = w->session().dropMenu()->current; k < item; ++k) w->type(w->table(), Qt::Key_Down);
+  w->type(w->table(), Qt::Key_Return);
+  w->rest();
+  EXPECT_TRUE(number->hasFocus());
+  QTest::keyClicks(number, "2");
+  QTest::keyClick(number, Qt::Key_Return);
+  w->rest();
+  ASSERT_EQ(w->count(), before + 1);
+  for (const auto& [id, one] : pattern().seams)
+    if (one.a.front().edge == "lower" || one.b.front().edge == "lower") EXPECT_EQ(one.tie, Seam::Tie::TwoToOne);
 }
 
 TEST_F(StudioSew, EscapeLeavesWhatIsAsked) {

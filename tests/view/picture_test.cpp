@@ -1,6 +1,8 @@
 #include "karinui/view/picture.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "view/easel.h"
@@ -47,6 +49,93 @@ TEST_F(ViewPicture, TheBackdropIsWarmLightAndFallsOffToTheCorners) {
     EXPECT_GE(p[1], p[2]);
   }
   EXPECT_LT(luminance(corner), luminance(side));
+}
+
+// A sheet of 40 cm, looked at so that two pixels are a centimetre and more, and how often a row or column of it changes
+// between cloth and ink.
+struct Changes {
+  int across = 0, up = 0;
+};
+Changes changesOf(const Image& image, int from, int to, int at) {
+  Changes changes;
+  const auto light = [&](int x, int y) { return image.at(x, y)[1] > 110; };
+  for (int k = from; k < to; ++k) {
+    changes.across += light(k, at) != light(k + 1, at);
+    changes.up += light(at, k) != light(at, k + 1);
+  }
+  return changes;
+}
+
+TEST_F(ViewPicture, PrintsKeepTheirScaleAndFollowTheGrain) {
+  SceneFrame frame;
+  frame.cloths.push_back(sheet(-0.2, 0.5, 0.2, 0.9, 0));
+  SceneCloth& cloth = frame.cloths[0];
+  cloth.colour = {0.02f, 0.02f, 0.03f};
+  cloth.look.print = ClothLook::Print::Stripe;
+  cloth.look.ink = {0.9f, 0.9f, 0.9f};
+  cloth.look.repeat = 0.05;
+  cloth.look.relief = 0;
+  PictureOptions options = small();
+  options.width = options.height = 400;
+  options.camera = Camera();
+  options.camera->eye = {0, 0.7, 3}, options.camera->target = {0, 0.7, 0};
+  options.camera->fieldOfView = 2 * std::atan(0.2 / 3);  // the sheet fills the picture
+  // 300 of 400 pixels are 30 cm: six stripes of 5 cm, each with two sides.
+  const auto drawn = [&] { return changesOf(draw(frame, options), 50, 350, 200); };
+  EXPECT_EQ(drawn().across, 12);
+  EXPECT_EQ(drawn().up, 0) << "stripes run along the grain";
+  cloth.look.grain = {1, 0};
+  EXPECT_EQ(drawn().across, 0);
+  EXPECT_EQ(drawn().up, 12) << "and turn with it";
+  cloth.look.turn = std::numbers::pi / 2;
+  EXPECT_EQ(drawn().across, 12) << "a print may lie across the grain";
+  cloth.look.turn = 0, cloth.look.grain = {0, 1};
+  cloth.look.repeat = 0.1;
+  EXPECT_EQ(drawn().across, 6);
+  cloth.look.repeat = 0.0005;  // far finer than a pixel: one even tone, no moire
+  EXPECT_EQ(drawn().across, 0);
+  cloth.look.print = ClothLook::Print::Dot, cloth.look.repeat = 0.1;
+  EXPECT_GT(drawn().across, 2);
+  cloth.look.print = ClothLook::Print::Photo;
+  cloth.look.photo = std::make_shared<const PrintImage>(PrintImage{2, 1, {255, 255, 255, 0, 0, 0}});
+  EXPECT_EQ(drawn().across, 6) << "a photograph of 10 cm";
+  cloth.look.photo = std::make_shared<const PrintImage>(PrintImage{2, 1, {255, 255, 255}});
+  EXPECT_EQ(drawn().across, 0) << "one that is not whole is left out";
+}
+
+TEST_F(ViewPicture, WhatIsBehindSheerClothIsSeenThroughIt) {
+  SceneFrame frame;
+  frame.bodies.push_back(ball({0, 0.5, 0}, 0.5));
+  frame.cloths.push_back(sheet(-0.45, 0.1, 0.45, 0.95, 0.6));
+  frame.cloths[0].colour = {0.02f, 0.05f, 0.6f};
+  frame.cloths[0].look.weave = ClothLook::Weave::Sheer;
+  const Image whole = draw(frame, small());
+  frame.cloths[0].look.cover = 0.4f;
+  const Image sheer = draw(frame, small());
+  const auto red = [](const Image& image) { return image.at(100, 110)[0]; };
+  EXPECT_GT(red(sheer), red(whole) + 25) << "skin behind";
+  frame.cloths[0].mesh.points.clear(), frame.cloths[0].mesh.faces.clear();
+  EXPECT_LT(red(sheer), red(draw(frame, small())) - 5) << "yet the cloth is there";
+}
+
+TEST_F(ViewPicture, SatinShinesAndVelvetIsDarkInFrontAndLightAtItsSides) {
+  SceneFrame frame;
+  frame.cloths.push_back(test::tube({0, 0, 0}, 0.2, 0.8));
+  SceneCloth& cloth = frame.cloths[0];
+  cloth.colour = {0.25f, 0.03f, 0.05f};
+  const auto spread = [&] {
+    const Image image = draw(frame, small());
+    std::vector<double> row;
+    for (int x = 75; x <= 125; ++x) row.push_back(luminance(image.at(x, 110)));
+    return std::array<double, 2>{*std::max_element(row.begin(), row.end()),
+                                 *std::min_element(row.begin(), row.end())};
+  };
+  const auto plain = spread();
+  cloth.look.weave = ClothLook::Weave::Satin, cloth.look.gloss = 0.85f, cloth.look.sharpness = 14;
+  EXPECT_GT(spread()[0], plain[0] + 0.05);
+  cloth.look = {};
+  cloth.look.weave = ClothLook::Weave::Pile, cloth.look.fuzz = 1.3f;
+  EXPECT_LT(spread()[1], plain[1]);
 }
 
 TEST_F(ViewPicture, BackIsTheMirrorImageOfFront) {
