@@ -1,4 +1,6 @@
 // What keys, menus and the floating bar ask for.
+#include <cmath>
+
 #include "session/session_impl.h"
 
 namespace karinui {

@@ -106,7 +106,7 @@ Result<SectionPlane> sectionNamed(std::string_view text) {
   const std::size_t cut = text.find('@');
   for (const auto& [name, across] : kAcross)
     if (text.substr(0, cut) == name) {
-      const auto at = cut == std::string_view::npos ? std::optional(0.0) : parseLength(text.substr(cut + 1));
+      const Result<double> at = cut == std::string_view::npos ? Result<double>(0.0) : parseLength(text.substr(cut + 1));
       if (at && std::fabs(*at) <= 10) return SectionPlane{across, *at};
     }
   return badInput(say("There is no section plane “{0}”; write side, front or level, and where: front@5cm.", text));

@@ -116,7 +116,8 @@ TEST(Glossary, EdgesWithANumberAreCalledByHowTheyAreCutAndWhereTheyLie) {
       "e4 L 70 520; e5 C 60 420 -60 420 -70 520; e6 L -170 480; e7 C -150 430 -160 330 -220 300; e8 L -200 0\"\n"
       "piece name=back pose=\"0,1,-0.1 y 180deg\" outline=\"M -200 0; edge_0 L 200 0; edge_1 L 220 500; edge_2 L -220 "
       "500; edge_3 L -200 0\"\n"
-      "piece name=skirt pose=\"0,0.9,0\" outline=\"M 0 0; e1 L 300 0; e2 L 300 200; e3 L 300 400; e4 L 0 400; side_left L 0 "
+      "piece name=skirt pose=\"0,0.9,0\" outline=\"M 0 0; e1 L 300 0; e2 L 300 200; e3 L 300 400; e4 L 0 400; "
+      "side_left L 0 "
       "0\"\n");
   ASSERT_TRUE(played) << text(played.error().what);
   const auto called = [&](const char* piece, const char* edge, Language language = Language::English) {

@@ -202,7 +202,8 @@ TEST(Glb, CarriesPrintsAtTrueScaleAlongTheGrain) {
   for (std::size_t i = 0; i < g.pieces[0].flat.size(); ++i) {
     const Flat paper = g.pieces[0].flat[i];
     const double u = coordinates[2 * i] * transform["scale"][0].get<double>() + transform["offset"][0].get<double>();
-    const double v = coordinates[2 * i + 1] * transform["scale"][1].get<double>() + transform["offset"][1].get<double>();
+    const double v =
+        coordinates[2 * i + 1] * transform["scale"][1].get<double>() + transform["offset"][1].get<double>();
     EXPECT_NEAR(u, dot(paper, {0, -1}) / 0.2, 1e-5);
     EXPECT_NEAR(1 - v, dot(paper, {1, 0}) / 0.1, 1e-5) << "the tile's lowest row where the paper's repeat begins";
   }

@@ -69,8 +69,8 @@ TEST(CutMesh, AHalfBallIsClosedAndHalfAsLarge) {
       for (const std::uint32_t p : face) EXPECT_LE(dot(cut.mesh.points[p] - plane.through, normal), 1e-9);
     ASSERT_EQ(cut.points.size(), cut.mesh.points.size());
     for (std::size_t i = 0; i < cut.points.size(); ++i)
-      EXPECT_NEAR(distance(cut.mesh.points[i], lerp(solid.points[cut.points[i].from], solid.points[cut.points[i].to],
-                                                    cut.points[i].share)),
+      EXPECT_NEAR(distance(cut.mesh.points[i],
+                           lerp(solid.points[cut.points[i].from], solid.points[cut.points[i].to], cut.points[i].share)),
                   0, 1e-12);
   }
   EXPECT_EQ(cutOff(solid, {{0, 9, 0}, {0, 1, 0}}, true).mesh.faces.size(), solid.faces.size());

@@ -329,7 +329,9 @@ void lookAtAll(Window& w, Language language) {
       ADD_FAILURE() << (japanese ? "ja " : "en ") << name.toStdString() << ": " << words.toStdString();
     if (const char* folder = std::getenv("KARINUI_PICTURES"))
       widget.grab().save(QString("%1/words_%2_%3_%4.png")
-                             .arg(folder, japanese ? "ja" : "en", qEnvironmentVariable("QT_SCALE_FACTOR"), name));
+                             .arg(folder, japanese ? "ja" : "en",
+                                  qEnvironmentVariable("QT_SCALE_FACTOR") + "_" + qEnvironmentVariable("QT_FONT_DPI"),
+                                  name));
   };
   const char* names[] = {"garment", "body", "fabric", "fit", "steps"};
   for (int board = 0; board < w.main().boards().count(); ++board) {
@@ -356,17 +358,21 @@ TEST(StudioWords, NothingIsCutOffAtAnyScaleInEitherLanguage) {
   KARINUI_NEEDS_DISPLAY();
   application();
   const std::string self = fs::read_symlink("/proc/self/exe").string();
-  for (const char* scale : {"1", "1.5", "2"}) {
+  // Everything larger, and the letters alone (96 points to the inch are 100 %).
+  const std::pair<const char*, const char*> screens[] = {
+      {"1", "96"}, {"1.5", "96"}, {"2", "96"}, {"1", "144"}, {"1", "192"}};
+  for (const auto& [scale, letters] : screens) {
     const pid_t child = fork();
     if (child == 0) {
       setenv("QT_SCALE_FACTOR", scale, 1);
+      setenv("QT_FONT_DPI", letters, 1);
       execl(self.c_str(), self.c_str(), "--gtest_also_run_disabled_tests", "--gtest_filter=StudioWordsWhole.*",
             nullptr);
       _exit(127);
     }
     int status = 0;
     waitpid(child, &status, 0);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "at " << scale;
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "at " << scale << ", letters " << letters;
   }
 }
 

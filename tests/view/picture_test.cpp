@@ -127,8 +127,7 @@ TEST_F(ViewPicture, SatinShinesAndVelvetIsDarkInFrontAndLightAtItsSides) {
     const Image image = draw(frame, small());
     std::vector<double> row;
     for (int x = 75; x <= 125; ++x) row.push_back(luminance(image.at(x, 110)));
-    return std::array<double, 2>{*std::max_element(row.begin(), row.end()),
-                                 *std::min_element(row.begin(), row.end())};
+    return std::array<double, 2>{*std::max_element(row.begin(), row.end()), *std::min_element(row.begin(), row.end())};
   };
   const auto plain = spread();
   cloth.look.weave = ClothLook::Weave::Satin, cloth.look.gloss = 0.85f, cloth.look.sharpness = 14;

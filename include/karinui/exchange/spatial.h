@@ -37,7 +37,7 @@ struct SpatialPiece {
   TriangleMesh mesh;                                 // in space, posed
   std::vector<Flat> flat;                            // where each point is on paper
   std::array<float, 3> colour{0.35f, 0.45f, 0.65f};  // linear RGB
-  SpatialLook look;
+  SpatialLook look = {};
 };
 
 struct SpatialGarment {

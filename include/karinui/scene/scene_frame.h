@@ -18,7 +18,7 @@ struct SceneCloth {
   std::vector<std::vector<std::uint32_t>> outlines;  // closed or open runs of points drawn as the cloth's edge
   std::vector<std::vector<std::uint32_t>> seams;     // runs of points drawn as stitches
   Colour colour{0.35f, 0.45f, 0.65f};
-  ClothLook look;
+  ClothLook look = {};
   bool live = false;  // marked
 };
 
