@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "design/workroom.h"
 
@@ -65,6 +66,117 @@ TEST_F(Placed, ABandGoesRoundTheWaist) {
   ASSERT_FALSE(off.empty());
   EXPECT_GT(off.front(), 0.004);
   EXPECT_LT(off[off.size() / 2], 0.025);
+}
+
+// A sector of a ring stands as a cone: the cloth is bent, not stretched, off the body, and its two sides do not meet.
+TEST_F(Placed, ASectorOfARingGoesRoundTheWaistAsACone) {
+  auto file = DocumentFile::inMemory();
+  const Done done =
+      room().play(file,
+                  "body size=jis9ar\nring name=skirt inner=70cm depth=40cm angle=100deg\nplace piece=skirt "
+                  "at=\"torso:waist@0\" point=0,-41cm ease=1cm\n");
+  ASSERT_TRUE(done) << text(done.error().what);
+  const auto body = bodyOf(file.document(), room().context);
+  const Piece& piece = *file.document().pieceNamed("skirt");
+  const Form& form = *piece.form;
+  double least = 1, worst = 0;
+  for (const Vec3 p : form.space) least = std::min(least, (*body)->bvh().signedDistance(p));
+  EXPECT_GT(least, 0.002);
+  for (const Triangle& face : form.faces)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto a = face[i], b = face[(i + 1) % 3];
+      const double paper = distance(form.flat[a], form.flat[b]), space = distance(form.space[a], form.space[b]);
+      worst = std::max(worst, std::abs(space / paper - 1));
+    }
+  EXPECT_LT(worst, 0.02);
+  // It goes nearly all round: its sides are near each other behind.
+  const auto end = [&](const char* edge) { return Stand(piece)(findEdge(piece, edge)->curve.atFraction(0.5)); };
+  EXPECT_LT(end("side_left").z, 0);
+  EXPECT_LT(end("side_right").z, 0);
+  EXPECT_GT(distance(end("side_left"), end("side_right")), 0.001);
+}
+
+// Where the cone would meet the arms, as a half circle does, it stands upright before the place.
+TEST_F(Placed, AHalfCircleStandsClearOfTheArms) {
+  auto file = DocumentFile::inMemory();
+  const Done done =
+      room().play(file,
+                  "body size=jis9ar\nring name=skirt inner=35cm depth=60cm angle=180deg\nplace piece=skirt "
+                  "at=\"torso:waist@0\" point=0,-12cm ease=1cm\n");
+  ASSERT_TRUE(done) << text(done.error().what);
+  const auto body = bodyOf(file.document(), room().context);
+  for (const Vec3 p : file.document().pieceNamed("skirt")->form->space)
+    ASSERT_GT((*body)->bvh().signedDistance(p), 0.002);
+}
+
+// A second skirt placed over a first is wider than it.
+TEST_F(Placed, OverTheClothThatIsThere) {
+  const auto furthest = [](const char* over) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(
+        file, std::string("body size=jis9ar\nrectangle name=in width=80cm height=20cm\nrectangle name=out width=40cm "
+                          "height=15cm\nplace piece=in at=\"torso:waist@0\" ease=4cm\nplace piece=out "
+                          "at=\"torso:waist@0\" ease=1cm ") +
+                  over + "\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    double most = 0;
+    for (const Vec3 p : file.document().pieceNamed("out")->form->space) most = std::max(most, p.z);
+    return most;
+  };
+  EXPECT_GT(furthest("over=yes"), furthest("over=no") + 0.02);
+}
+
+// A collar's low edge lies along its neckline, whichever way round the run was listed.
+TEST_F(Placed, ABandIsLedToItsRun) {
+  for (const char* run : {"front.hem back.hem", "back.hem front.hem"}) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(
+        file, std::string("body size=jis9ar\nrectangle name=front width=41cm height=8cm edges=\"hem l top r\"\n"
+                          "rectangle name=back width=41cm height=8cm edges=\"hem r top l\"\n"
+                          "place piece=front at=\"torso:waist@0\" ease=2cm\nplace piece=back "
+                          "at=\"torso:waist@0.5\" ease=2cm\nsew a=front.l b=back.l\nsew a=front.r b=back.r\n"
+                          "band name=cuff of=\"") +
+                  run + "\" depth=5cm sew=yes\n");
+    ASSERT_TRUE(done) << text(done.error().what);
+    const Document& document = file.document();
+    const Seam& seam = document.pattern.seams.rbegin()->second;
+    EXPECT_EQ(document.pattern.seams.size(), 4u);  // the band's ends too: the run goes all round
+    EXPECT_EQ(seam.a.front().edge, "end_left");
+    const Piece& cuff = *document.pieceNamed("cuff");
+    double away = 1;
+    const Vec3 low = Stand(cuff)(findEdge(cuff, "low")->curve.atFraction(0.25));
+    for (const char* name : {"front", "back"})
+      for (const Flat p : findEdge(*document.pieceNamed(name), "hem")->curve.evenly(0, 1, 50))
+        away = std::min(away, distance(low, Stand(*document.pieceNamed(name))(p)));
+    EXPECT_LT(away, 0.015);
+    // It goes on from the cloth: downwards from a hem.
+    EXPECT_LT(Stand(cuff)(findEdge(cuff, "top")->curve.atFraction(0.25)).y, low.y - 0.03);
+  }
+}
+
+// A ready block is sewn and comes to rest on its figure: a shirt that fits.
+TEST_F(Placed, AShirtBlockComesToRest) {
+  Workroom own;
+  own.context.drape = {};  // the real solver
+  auto file = DocumentFile::inMemory();
+  const Done done = own.play(file, "body size=jis9ar\nblock kind=shirt\ndrape\n");
+  ASSERT_TRUE(done) << text(done.error().what);
+  const auto& report = file.document().drape.last;
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->settled);
+  EXPECT_EQ(report->penetration, 0);
+  EXPECT_LT(report->seamGap, 1e-4);
+  EXPECT_LT(report->strain.mean, 0.01);
+  // Its collar is at the neck, its hems at the wrists.
+  const auto body = bodyOf(file.document(), own.context);
+  const auto middle = [&](const char* name) {
+    const Form& form = *file.document().pieceNamed(name)->form;
+    Vec3 all;
+    for (const Vec3 p : form.space) all += p * (1.0 / static_cast<double>(form.space.size()));
+    return all;
+  };
+  EXPECT_NEAR(middle("collar").y, (*body)->measured().value.at("neck_back_height"), 0.05);
+  EXPECT_NEAR(middle("sleeve_left").x, -middle("sleeve_right").x, 0.02);
 }
 
 }  // namespace

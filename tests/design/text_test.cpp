@@ -114,6 +114,7 @@ struct Dice {
   void fill(Choice& v) { v = static_cast<Choice>(below(3)); }
   void fill(SewEdges::Tie& v) { v = static_cast<SewEdges::Tie>(below(3)); }
   void fill(SetLength::Keep& v) { v = static_cast<SetLength::Keep>(below(4)); }
+  void fill(DraftBlock::Kind& value) { value = static_cast<DraftBlock::Kind>(below(6)); }
   void fill(SetLength::Neighbours& v) { v = static_cast<SetLength::Neighbours>(below(2)); }
   void fill(Fabric::Law& v) { v = static_cast<Fabric::Law>(below(2)); }
   void fill(Settings::Collider& v) { v = static_cast<Settings::Collider>(below(2)); }

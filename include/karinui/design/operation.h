@@ -295,15 +295,19 @@ struct RemovePieces {
 
 struct DuplicatePiece {
   static constexpr std::string_view kName = "duplicate";
-  static constexpr std::string_view kHelp = "Makes a second piece like the first, beside it.";
+  static constexpr std::string_view kHelp = "Makes a second piece like the first, or like a part of it.";
   PieceRef piece;
   std::string name;
   Vec3 by;
+  std::vector<Flat> line;
+  std::optional<Flat> part;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to copy", kNeeded);
     visit("name", self.name, "the copy's name", kOptional);
     visit("by", self.by, "how far from the first it stands (x,y,z)", kOptional);
+    visit("line", self.line, "a line on the paper, from edge to edge, that divides off the part to copy", kOptional);
+    visit("part", self.part, "a place on the paper in the part to copy (otherwise the smaller part)", kOptional);
   }
   bool operator==(const DuplicatePiece&) const = default;
 };
@@ -340,7 +344,8 @@ struct Rename {
 };
 
 // place piece=skirt at="torso:waist@0" ease=1cm: wraps the piece round the torso or a limb, its paper place `point`
-// there.
+// there. A sector of a ring stands as a cone instead. A record made before `cone` existed names the piece by its id and
+// has ease and point decided: it keeps its old meaning.
 struct PlacePiece {
   static constexpr std::string_view kName = "place";
   static constexpr std::string_view kHelp = "Wraps a piece round the torso or a limb at a level of the body.";
@@ -349,6 +354,8 @@ struct PlacePiece {
   std::optional<Flat> point;
   std::optional<Length> ease;
   Angle turn;
+  Choice cone = Choice::Auto;
+  bool over = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to place", kNeeded);
@@ -356,6 +363,11 @@ struct PlacePiece {
     visit("point", self.point, "the paper place that comes there (otherwise the outline's middle)", kOptional);
     visit("ease", self.ease, "distance from the body (otherwise as set for the document)", kOptional);
     visit("turn", self.turn, "how far the paper is turned first", kOptional);
+    visit("cone", self.cone,
+          "a ring sector as a cone that is open downwards: auto, yes, no (auto: yes, but no in a record that does not "
+          "have it)",
+          kOptional);
+    visit("over", self.over, "yes: round the cloth that is there too, not only round the body", kOptional);
   }
   bool operator==(const PlacePiece&) const = default;
 };
@@ -642,10 +654,168 @@ struct SetLook {
   bool operator==(const SetLook&) const = default;
 };
 
+// rectangle name=band width=70cm height=4cm
+struct DrawRectangle {
+  static constexpr std::string_view kName = "rectangle";
+  static constexpr std::string_view kHelp = "Draws a rectangle on paper.";
+  std::string name;
+  Length width, height;
+  std::vector<std::string> edges;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("width", self.width, "across the grain", kNeeded);
+    visit("height", self.height, "along the grain", kNeeded);
+    visit("edges", self.edges, "names of its edges, from the lower one round (bottom side_left top side_right)",
+          kOptional);
+    visit("fabric", self.fabric, "what it is cut from", kOptional);
+    visit("layer", self.layer, "0 next to the skin", kOptional);
+  }
+  bool operator==(const DrawRectangle&) const = default;
+};
+
+// polygon name=yoke points="0,0; 20cm,0; 18cm,9cm; 0,7cm" edges="hem side ~ fold"
+// `edges` as in draw. With symmetric=yes the points are one half; the fold is the line from the last to the first.
+struct DrawPolygon {
+  static constexpr std::string_view kName = "polygon";
+  static constexpr std::string_view kHelp = "Draws a piece on paper through places, straight or curved.";
+  std::string name;
+  std::vector<Flat> points;
+  std::vector<std::string> edges;
+  bool symmetric = false;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("points", self.points, "places on the paper, in order; the line closes by itself", kNeeded);
+    visit("edges", self.edges,
+          "for each place the name of the edge that begins there, ~ where the line curves on without a corner",
+          kOptional);
+    visit("symmetric", self.symmetric, "yes: the places are one half, from fold to fold; the piece is both halves",
+          kOptional);
+    visit("fabric", self.fabric, "what it is cut from", kOptional);
+    visit("layer", self.layer, "0 next to the skin", kOptional);
+  }
+  bool operator==(const DrawPolygon&) const = default;
+};
+
+// ring name=skirt inner=72cm depth=60cm angle=180deg        ring name=pouch depth=10cm
+struct DrawRing {
+  static constexpr std::string_view kName = "ring";
+  static constexpr std::string_view kHelp = "Draws a circle, a ring or a sector of one on paper, as for circle skirts.";
+  std::string name;
+  std::optional<Length> inner, radius;
+  std::vector<EdgeRef> of;
+  Length depth;
+  Angle angle{6.283185307179586};
+  std::vector<std::string> edges;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("depth", self.depth, "from the inner edge to the outer one", kNeeded);
+    visit("angle", self.angle, "of the sector; 360deg is a whole ring", kOptional);
+    visit("inner", self.inner, "length of the inner edge, as of a waist", kOptional);
+    visit("of", self.of, "or a run of edges that the inner edge is as long as", kOptional);
+    visit("radius", self.radius, "or the inner edge's radius (0: a circle, or a sector of one)", kOptional);
+    visit("edges", self.edges, "names of its edges: hem side_left waist side_right", kOptional);
+    visit("fabric", self.fabric, "what it is cut from", kOptional);
+    visit("layer", self.layer, "0 next to the skin", kOptional);
+  }
+  bool operator==(const DrawRing&) const = default;
+};
+
+// band name=collar of="front.neck_left front.neck_right back.neck" depth=4cm sew=yes
+struct DrawBand {
+  static constexpr std::string_view kName = "band";
+  static constexpr std::string_view kHelp =
+      "Draws a band as long as a run of edges: a collar, waistband, cuff or facing.";
+  std::string name;
+  std::vector<EdgeRef> of;
+  Length depth;
+  double ratio = 1;
+  Length extra;
+  bool sew = false;
+  Angle turn;
+  std::vector<std::string> edges;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("of", self.of, "the run of edges, joined end to end", kNeeded);
+    visit("depth", self.depth, "how deep the band is", kNeeded);
+    visit("ratio", self.ratio, "its length as a share of the run's; below 1 the run is gathered to it", kOptional);
+    visit("extra", self.extra, "added to its length, as for a lap; it stays unsewn", kOptional);
+    visit("sew", self.sew, "yes: stood along the edges and sewn to them; where they close a ring, its ends too",
+          kOptional);
+    visit("turn", self.turn, "how far it is folded outwards from where the cloth would go on", kOptional);
+    visit("edges", self.edges, "names of its edges: low end_left top end_right; the first is sewn", kOptional);
+    visit("fabric", self.fabric, "what it is cut from", kOptional);
+    visit("layer", self.layer, "0 next to the skin", kOptional);
+  }
+  bool operator==(const DrawBand&) const = default;
+};
+
+// attach edge=collar.low to="front.neck_left front.neck_right back.neck"
+struct AttachPiece {
+  static constexpr std::string_view kName = "attach";
+  static constexpr std::string_view kHelp = "Stands a piece with one edge along a run of edges of others.";
+  EdgeRef edge;
+  std::vector<EdgeRef> to;
+  Angle turn;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge of the piece that is led there", kNeeded);
+    visit("to", self.to, "the run of edges it comes along, joined end to end", kNeeded);
+    visit("turn", self.turn, "how far it is folded outwards from where the cloth would go on", kOptional);
+  }
+  bool operator==(const AttachPiece&) const = default;
+};
+
+// unfold edge=half_front.fold
+struct UnfoldPiece {
+  static constexpr std::string_view kName = "unfold";
+  static constexpr std::string_view kHelp = "Makes a whole piece of a half, mirrored on a straight edge.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef edge;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the straight edge that is the fold", kNeeded);
+  }
+  bool operator==(const UnfoldPiece&) const = default;
+};
+
+// block kind=shirt ease=12cm
+struct DraftBlock {
+  static constexpr std::string_view kName = "block";
+  static constexpr std::string_view kHelp = "Drafts ready pieces from the figure's measures, sewn and on the body.";
+  enum class Kind { Bodice, Sleeve, Skirt, Trousers, Shirt, Collar } kind = Kind::Shirt;
+  std::optional<Length> ease, length;
+  std::string prefix;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("kind", self.kind, "bodice, sleeve, skirt, trousers, shirt or collar", kNeeded);
+    visit("ease", self.ease, "added to the widest girth (of a sleeve: the upper arm's; of a collar: none)", kOptional);
+    visit("length", self.length, "of the piece (otherwise by the block's own rule)", kOptional);
+    visit("prefix", self.prefix, "put before the pieces' names", kOptional);
+    visit("fabric", self.fabric, "what it is cut from", kOptional);
+    visit("layer", self.layer, "0 next to the skin", kOptional);
+  }
+  bool operator==(const DraftBlock&) const = default;
+};
+
 using Operation = std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, CutPiece, PullCloth, ReshapePiece,
                                DrapePieces, SetFabric, PinCloth, UnpinCloth, RemovePieces, DuplicatePiece, MirrorPiece,
                                Rename, PlacePiece, FreezePieces, SetLayer, ChangeSettings, AddPiece, SetGrain, AddNotch,
-                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam, SetLength, SetLook>;
+                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam, SetLength, SetLook, DrawRectangle,
+                               DrawPolygon, DrawRing, DrawBand, AttachPiece, UnfoldPiece, DraftBlock>;
 
 std::string_view nameOf(const Operation& operation);
 

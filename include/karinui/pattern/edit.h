@@ -63,6 +63,12 @@ struct DartedPiece {
 Result<DartedPiece> addDart(const Piece& piece, std::string_view edge, double fraction, double width, Flat tip,
                             const std::string& name);
 
+// The whole piece of a half: the half and its mirror image on the straight edge `fold`, which goes. An edge that names
+// a side keeps its name and its image gets the other side's; any other gets "_left" or "_right", the half that lies in
+// positive u of the fold being the left one. Holes, marks, internal lines and the form are mirrored likewise. Refuses a
+// curved fold, and a half that reaches over it.
+Result<EditedPiece> unfolded(const Piece& piece, std::string_view fold);
+
 // The same edit on a symmetric copy of the piece; nothing if the copy went its own way since.
 std::optional<EditedPiece> editedLikewise(const Piece& copy, const Piece& before, const EditedPiece& edit);
 

@@ -2,15 +2,38 @@
 
 namespace karinui {
 
+namespace {
+
+// The part of the piece on one side of the line, standing where it stands in the whole.
+Result<Piece> partOf(const Piece& whole, const DuplicatePiece& op) {
+  const auto cut = cutPiece(whole, op.line, madeBy<PieceId>(1, 0), "part");
+  if (!cut) return cut.error();
+  if (cut->pieces.size() < 2)
+    return refused(say("That line divides nothing off “{0}”; it must run from edge to edge.", whole.name));
+  if (!op.part) return cut->pieces[1];
+  for (const Piece& piece : cut->pieces)
+    if (contains(piece.outline.flattened(1e-4), *op.part)) return piece;
+  return refused(say("The place of the part to copy is not on “{0}”.", whole.name));
+}
+
+}  // namespace
+
 Done resolve(const Document& before, DuplicatePiece& op, Context&) {
   if (Done done = resolve(before, op.piece); !done) return done;
   if (op.name.empty()) op.name = usableName(before, before.find(op.piece.id)->name);
   if (!(length(op.by) <= 100)) return refused(say("A piece is moved by at most {0} m.", 100));
+  if (op.part && op.line.empty())
+    return refused(say("Say the line that divides off the part: line=\"u,v; u,v\", from edge to edge."));
   return checkNewName(before, op.name);
 }
 
 Result<Document> perform(const Document& before, const DuplicatePiece& op, Context&) {
   Piece copy = *before.find(op.piece.id);
+  if (!op.line.empty()) {
+    auto part = partOf(copy, op);
+    if (!part) return part.error();
+    copy = *std::move(part);
+  }
   copy.id = mint<PieceId>(before, 0);
   copy.name = op.name;
   copy.pose.carry += op.by;

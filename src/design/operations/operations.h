@@ -45,6 +45,13 @@ KARINUI_DECLARE_OPERATION(EraseMarks)
 KARINUI_DECLARE_OPERATION(FlipSeam)
 KARINUI_DECLARE_OPERATION(SetLength)
 KARINUI_DECLARE_OPERATION(SetLook)
+KARINUI_DECLARE_OPERATION(DrawRectangle)  // paper.cpp
+KARINUI_DECLARE_OPERATION(DrawPolygon)
+KARINUI_DECLARE_OPERATION(DrawRing)
+KARINUI_DECLARE_OPERATION(DrawBand)     // band.cpp
+KARINUI_DECLARE_OPERATION(AttachPiece)  // attach.cpp
+KARINUI_DECLARE_OPERATION(UnfoldPiece)
+KARINUI_DECLARE_OPERATION(DraftBlock)  // block.cpp; the drafts are in design/blocks
 #undef KARINUI_DECLARE_OPERATION
 
 // The id of the nth thing (from 0) that the operation now being performed makes.

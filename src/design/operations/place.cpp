@@ -1,214 +1,71 @@
 // Wraps a piece round the torso or a limb: a general cylinder whose section is the hull of the limb's own sections over
 // the length the piece covers, grown by the ease. Along the section lengths are kept, along the axis too: no
-// distortion.
+// distortion. A sector of a ring stands as a cone (place_cone.cpp).
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "design/operations/operations.h"
-#include "karinui/pattern/lattice.h"
+#include "design/operations/limb.h"
+#include "design/operations/new_piece.h"
+#include "design/operations/place_cone.h"
 
 namespace karinui {
 
 namespace {
 
 constexpr double kMostEase = 0.5;
-constexpr double kOff = 1e-7;  // a plane just beside a mesh's own points cuts its faces cleanly
-constexpr int kLevels = 9;     // sections taken over the piece's height
-constexpr int kAround = 48;    // places looked for round a limb, and kRings such rings from one named level to the next
-constexpr int kRings = 12;
-
-// A right-handed frame with y along the limb, towards the head; z out of the body at the anchor.
-struct Limb {
-  Vec3 origin, right, up, out;
-  Flat onPlane(Vec3 p) const {
-    return {dot(p - origin, right), -dot(p - origin, out)};
-  }  // counter-clockwise seen from above
-  Vec3 inSpace(Flat p, double height) const { return origin + right * p.u - out * p.v + up * height; }
-};
-
-// The limb's own skin: places all round it, ring by ring along the chart. A direction that runs into the trunk has
-// none, so a ring near the shoulder or the crotch is open on its inner side.
-struct LimbRing {
-  double along = 0;
-  Vec3 middle;
-  std::vector<Vec3> skin;
-};
-
-std::vector<LimbRing> ringsOf(const Body& body, BodyPoint::Part part) {
-  std::vector<LimbRing> rings;
-  const int levels = static_cast<int>(chartLevels(part).size());
-  for (int i = 0; i <= (levels - 1) * kRings; ++i) {
-    LimbRing ring{static_cast<double>(i) / kRings, {}, {}};
-    for (int k = 0; k < kAround; ++k) {
-      BodyPoint at;
-      at.part = part, at.along = ring.along, at.around = static_cast<double>(k) / kAround;
-      if (const auto place = body.find(at)) ring.skin.push_back(karinui::at(body.mesh(), *place));
-    }
-    for (const Vec3 p : ring.skin) ring.middle += p * (1.0 / static_cast<double>(ring.skin.size()));
-    if (ring.skin.size() >= kAround / 4) rings.push_back(std::move(ring));
-  }
-  return rings;
-}
-
-bool isLimb(BodyPoint::Part part) {
-  return part == BodyPoint::Part::LeftArm || part == BodyPoint::Part::RightArm || part == BodyPoint::Part::LeftLeg ||
-         part == BodyPoint::Part::RightLeg;
-}
-
-// Towards the head along the stretch of the limb from `low` to `high` (metres towards the head from the anchor).
-Vec3 axisOver(const std::vector<LimbRing>& rings, Vec3 anchor, double low, double high) {
-  Vec3 up{0, 1, 0};
-  for (int round = 0; round < 3; ++round) {
-    const LimbRing *bottom = nullptr, *top = nullptr;
-    const auto height = [&](const LimbRing& ring) { return dot(ring.middle - anchor, up); };
-    for (const LimbRing& ring : rings) {
-      // Open rings have no middle; they lie beyond the first closed one.
-      if (ring.skin.size() < kAround) continue;
-      if (!bottom || std::abs(height(ring) - low) < std::abs(height(*bottom) - low)) bottom = &ring;
-      if (!top || std::abs(height(ring) - high) < std::abs(height(*top) - high)) top = &ring;
-    }
-    if (!bottom || !top || distance(bottom->middle, top->middle) < 0.02) return up;
-    up = normalized(top->middle - bottom->middle);
-    if (up.y < 0) up = -up;
-  }
-  return up;
-}
-
-// Where the mesh meets the plane `height` above the limb's origin: loose segments on the plane, grouped by being
-// joined.
-std::vector<std::vector<Flat>> sections(const Body& body, const Limb& limb, double height) {
-  const TriangleMesh& mesh = body.mesh();
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> node;  // a crossed edge of the mesh is a node
-  std::vector<Flat> place;
-  std::vector<std::uint32_t> parent;
-  const auto root = [&](std::uint32_t n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
-  };
-  const auto above = [&](std::uint32_t p) { return dot(mesh.points[p] - limb.origin, limb.up) - height; };
-  for (const Triangle& face : mesh.faces) {
-    std::array<std::uint32_t, 3> ends{};
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t a = face[i], b = face[(i + 1) % 3];
-      if (a > b) std::swap(a, b);
-      const double ha = above(a), hb = above(b);
-      if ((ha < 0) == (hb < 0)) continue;
-      const auto [at, fresh] = node.try_emplace({a, b}, static_cast<std::uint32_t>(place.size()));
-      if (fresh) {
-        place.push_back(limb.onPlane(lerp(mesh.points[a], mesh.points[b], ha / (ha - hb))));
-        parent.push_back(at->second);
-      }
-      ends[count++] = at->second;
-    }
-    if (count == 2) parent[std::max(root(ends[0]), root(ends[1]))] = std::min(root(ends[0]), root(ends[1]));
-  }
-  std::map<std::uint32_t, std::vector<Flat>> loops;
-  for (std::uint32_t n = 0; n < place.size(); ++n) loops[root(n)].push_back(place[n]);
-  std::vector<std::vector<Flat>> all;
-  for (auto& [first, loop] : loops) all.push_back(std::move(loop));
-  return all;
-}
-
-// Andrew's monotone chain, counter-clockwise.
-Ring hull(std::vector<Flat> points) {
-  std::sort(points.begin(), points.end(), [](Flat a, Flat b) { return a.u < b.u || (a.u == b.u && a.v < b.v); });
-  Ring ring;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t base = ring.size();
-    for (const Flat p : points) {
-      while (ring.size() >= base + 2 && cross(ring.back() - ring[ring.size() - 2], p - ring.back()) <= 1e-12)
-        ring.pop_back();
-      ring.push_back(p);
-    }
-    ring.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return ring;
-}
-
-const std::vector<Flat>* nearest(const std::vector<std::vector<Flat>>& loops, Flat place) {
-  const std::vector<Flat>* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& loop : loops) {
-    for (const Flat p : loop) {
-      if (const double d = distance(p, place); d < least) least = d, best = &loop;
-    }
-  }
-  return best;
-}
-
-// A convex ring grown outwards by `ease`, corners rounded.
-Ring grown(const Ring& ring, double ease) {
-  Ring out;
-  const std::size_t n = ring.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Flat in = normalized(ring[i] - ring[(i + n - 1) % n]), on = normalized(ring[(i + 1) % n] - ring[i]);
-    const double turn = std::atan2(cross(in, on), dot(in, on));
-    const int steps = std::max(1, static_cast<int>(std::ceil(turn / 0.1)));
-    const Flat side = -leftOf(in);
-    for (int k = 0; k <= steps; ++k) {
-      const double a = turn * k / steps;
-      out.push_back(ring[i] +
-                    Flat{side.u * std::cos(a) - side.v * std::sin(a), side.u * std::sin(a) + side.v * std::cos(a)} *
-                        ease);
-    }
-  }
-  return out;
-}
-
-struct PaperBox {
-  Flat low, high;
-};
-PaperBox boxOf(const Ring& ring) {
-  PaperBox box{ring.front(), ring.front()};
-  for (const Flat p : ring) {
-    box.low = {std::fmin(box.low.u, p.u), std::fmin(box.low.v, p.v)};
-    box.high = {std::fmax(box.high.u, p.u), std::fmax(box.high.v, p.v)};
-  }
-  return box;
-}
+constexpr double kBesideTrunk = 0.06;  // metres a pleated sheet may be wider than the trunk on either side
+constexpr double kPleat = 0.24;        // metres of cloth in one pleat
+constexpr double kTouches = 0.001;     // metres from the body: nearer is no place to begin
 
 Error unwrappable(const BodyPoint& at) {
   return refused(say("A piece cannot be wrapped round the body at {0}; choose a place on its side.", text(at)));
 }
 
-// The limb's skin that the piece passes, seen along the axis.
-std::vector<Flat> ringsAround(const std::vector<LimbRing>& rings, const Limb& limb, const PaperBox& box) {
-  constexpr double kBeside = 0.005;  // a piece narrower than the way from ring to ring
-  std::vector<Flat> all;
-  for (const LimbRing& ring : rings)
-    for (const Vec3 p : ring.skin) {
-      const double height = dot(p - limb.origin, limb.up);
-      if (height >= box.low.v - kBeside && height <= box.high.v + kBeside) all.push_back(limb.onPlane(p));
+// A sheet in upright pleats: a sine-generated curve (Langbein and Leopold, River Meanders, 1966), whose direction
+// swings so far that the whole is `share` of its length wide. Lengths along it are kept.
+class Pleats {
+ public:
+  Pleats(double half, double share) {
+    double low = 0, high = 2.1;  // beyond that neighbouring pleats touch
+    for (int i = 0; i < 40 && share < 1; ++i) {
+      const double swing = 0.5 * (low + high);
+      (std::cyl_bessel_j(0, swing) > share ? low : high) = swing;
     }
-  return all;
-}
-
-// The same round the trunk: loops of level sections that lie over the anchor's own one (not arms, not the whole
-// figure).
-std::vector<Flat> levelsAround(const Body& body, const Limb& limb, const PaperBox& box) {
-  const auto around = sections(body, limb, kOff);
-  const auto* found = nearest(around, {0, 0});
-  if (!found || found->size() < 3) return {};
-  std::vector<Flat> all = *found;
-  const PaperBox core = boxOf(all);
-  const Flat middle = lerp(core.low, core.high, 0.5);
-  const Ring coreHull = hull(all);
-  const double reach = 1.5 * length(core.high - core.low);
-  for (int k = 0; k < kLevels; ++k) {
-    const auto loops = sections(body, limb, box.low.v + (box.high.v - box.low.v) * k / (kLevels - 1) + kOff);
-    for (const auto& loop : loops) {
-      const PaperBox its = boxOf(loop);
-      const Flat centre = lerp(its.low, its.high, 0.5);
-      if (length(its.high - its.low) <= reach && contains(coreHull, centre) &&
-          distance(centre, middle) < 0.5 * length(core.high - core.low))
-        all.insert(all.end(), loop.begin(), loop.end());
+    Flat place;
+    double deepest = 0;
+    const int steps = static_cast<int>(std::ceil(half / kStep)) + 1;
+    for (int i = 0; i <= steps; ++i) {
+      places_.push_back(place);
+      deepest = std::fmin(deepest, place.v);
+      const double way = low * std::sin(2 * std::numbers::pi * (i + 0.5) * kStep / kPleat);
+      place += Flat{std::cos(way), std::sin(way)} * kStep;
     }
+    for (Flat& p : places_) p.v -= deepest;
   }
-  return all;
+  Flat at(double u) const {
+    const double s = std::fabs(u) / kStep;
+    const auto i = std::min(static_cast<std::size_t>(s), places_.size() - 2);
+    const Flat p = lerp(places_[i], places_[i + 1], s - static_cast<double>(i));
+    return {std::copysign(p.u, u), p.v};
+  }
+
+ private:
+  static constexpr double kStep = 0.002;
+  std::vector<Flat> places_;
+};
+
+// How far the body stands out, before the limb's origin, where a flat sheet of that size would stand.
+double furthest(const Body& body, const LimbFrame& limb, const PaperBox& box) {
+  double most = 0;
+  for (const Vec3 p : body.mesh().points) {
+    const Vec3 d = p - limb.origin;
+    const double u = dot(d, limb.right), v = dot(d, limb.up);
+    if (u >= box.low.u && u <= box.high.u && v >= box.low.v && v <= box.high.v)
+      most = std::fmax(most, dot(d, limb.out));
+  }
+  return most;
 }
 
 // A closed line by arc length.
@@ -250,7 +107,19 @@ class Girth {
 
 }  // namespace
 
+Result<std::shared_ptr<const Lattice>> layAlone(const Piece& piece, double spacing) {
+  Pattern alone;
+  Piece bare = piece;
+  bare.form = nullptr;
+  alone.pieces[piece.id] = std::make_shared<const Piece>(std::move(bare));
+  const auto laid = lay(alone, spacing);
+  if (!laid) return laid.error();
+  return laid->lattices.at(piece.id);
+}
+
 Done resolve(const Document& before, PlacePiece& op, Context&) {
+  const bool recordOfBefore = op.piece.id && op.ease && op.point;
+  if (op.cone == Choice::Auto && recordOfBefore) op.cone = Choice::No;
   if (Done done = resolve(before, op.piece); !done) return done;
   if (!op.ease) op.ease = Length{before.settings.ease};
   if (!(*op.ease >= 0 && *op.ease <= kMostEase))
@@ -261,15 +130,17 @@ Done resolve(const Document& before, PlacePiece& op, Context&) {
     op.point = lerp(box.low, box.high, 0.5);
   }
   if (!(length(*op.point) <= 100)) return refused(say("That place is not on the paper."));
+  const Piece& piece = *before.find(op.piece.id);
+  const bool ring = sectorOf(piece).has_value();
+  if (op.cone == Choice::Yes && !ring)
+    return refused(say("“{0}” is no sector of a ring; only such a piece stands as a cone.", piece.name));
+  if (op.cone == Choice::Auto) op.cone = ring ? Choice::Yes : Choice::No;
   return {};
 }
 
-Result<Document> perform(const Document& before, const PlacePiece& op, Context& context) {
-  const auto body = bodyOf(before, context);
-  if (!body) return body.error();
-  const auto place = (*body)->find(op.at);
+Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op, const Body& body) {
+  const auto place = body.find(op.at);
   if (!place) return place.error();
-  Piece piece = *before.find(op.piece.id);
 
   // The paper about its anchor, turned.
   const double c = std::cos(op.turn), s = std::sin(op.turn);
@@ -281,42 +152,81 @@ Result<Document> perform(const Document& before, const PlacePiece& op, Context& 
   for (Flat& p : paper) p = turned(p);
   const PaperBox box = boxOf(paper);
 
-  Limb limb;
-  limb.origin = at((*body)->mesh(), *place);
-  const BodyPoint::Part part = isLimb(op.at.part) ? op.at.part : (*body)->describe(*place).part;
-  const std::vector<LimbRing> rings = isLimb(part) ? ringsOf(**body, part) : std::vector<LimbRing>();
+  LimbFrame limb;
+  limb.origin = at(body.mesh(), *place);
+  const BodyPoint::Part part = isLimb(op.at.part) ? op.at.part : body.describe(*place).part;
+  const std::vector<LimbRing> rings = isLimb(part) ? ringsOf(body, part) : std::vector<LimbRing>();
   limb.up = rings.empty() ? Vec3{0, 1, 0} : axisOver(rings, limb.origin, box.low.v, box.high.v);
-  const Vec3 normal = faceNormal((*body)->mesh(), place->face);
+  const Vec3 normal = faceNormal(body.mesh(), place->face);
   limb.out = normalized(normal - limb.up * dot(normal, limb.up));
   if (!(length(limb.out) > 0.5)) return unwrappable(op.at);
   limb.right = cross(limb.up, limb.out);
 
-  std::vector<Flat> all = rings.empty() ? levelsAround(**body, limb, box) : ringsAround(rings, limb, box);
-  if (all.size() < 3) return unwrappable(op.at);
+  std::vector<SkinPlace> skin = rings.empty() ? levelsAround(body, limb, box) : ringsAround(rings, limb, box);
+  if (skin.size() < 3) return unwrappable(op.at);
+  if (op.over) {
+    const auto cloth = clothAround(document, piece.id, limb, box, skin);
+    skin.insert(skin.end(), cloth.begin(), cloth.end());
+  }
+  const auto lattice = layAlone(piece, document.settings.spacing);
+  if (!lattice) return lattice.error();
+  auto form = std::make_shared<Form>();
+  form->flat = (*lattice)->nodes;
+  form->faces = (*lattice)->faces;
+  piece.pose = Rigid();
+  if (op.cone == Choice::Yes) {
+    const auto cone = coneRound(*sectorOf(piece), limb, skin, *op.ease);
+    if (!cone) return cone.error();
+    for (const Flat p : form->flat) form->space.push_back(cone->place(p));
+    const auto isClear = [&] {
+      return std::all_of(form->space.begin(), form->space.end(),
+                         [&](Vec3 p) { return body.bvh().signedDistance(p) > kTouches; });
+    };
+    if (!isClear()) {  // a wide cone meets the arms: upright before the place, in pleats no wider than the trunk
+      PaperBox core{{0, 0}, {0, 0}};
+      double off = 0;
+      for (const SkinPlace& p : skin) {
+        core.low.u = std::fmin(core.low.u, p.place.u), core.high.u = std::fmax(core.high.u, p.place.u);
+        off = std::fmax(off, -p.place.v);
+      }
+      const double half = std::fmax(box.high.u, -box.low.u), room = (core.high.u - core.low.u) / 2 + kBesideTrunk;
+      const Pleats pleats(half, room / half);
+      const auto stand = [&](double away) {
+        form->space.clear();
+        for (const Flat p : form->flat) {
+          const Flat d = turned(p), plan = pleats.at(d.u);
+          form->space.push_back(limb.inSpace({plan.u, -(*op.ease + away + plan.v)}, d.v));
+        }
+      };
+      stand(off);
+      if (!isClear()) stand(furthest(body, limb, box));
+    }
+    piece.form = std::move(form);
+    return piece;
+  }
+
+  std::vector<Flat> all;
+  for (const SkinPlace& p : skin) all.push_back(p.place);
   const Ring tape = hull(std::move(all));
   const double width = box.high.u - box.low.u;
   // A tube must close: a piece wider than the girth stands further off, its two sides a hair apart.
   const double ease = std::fmax(*op.ease, (width + 0.002 - perimeter(tape)) / (2 * std::numbers::pi));
   const Girth girth(grown(tape, std::fmax(ease, 1e-4)));
   const double anchor = girth.nearest({0, -ease});
-
-  Pattern alone;
-  Piece bare = piece;
-  bare.form = nullptr;
-  alone.pieces[piece.id] = std::make_shared<const Piece>(std::move(bare));
-  const auto laid = lay(alone, before.settings.spacing);
-  if (!laid) return laid.error();
-  const Lattice& lattice = *laid->lattices.at(piece.id);
-  auto form = std::make_shared<Form>();
-  form->flat = lattice.nodes;
-  form->faces = lattice.faces;
-  for (const Flat p : lattice.nodes) {
+  for (const Flat p : form->flat) {
     const Flat d = turned(p);
     form->space.push_back(limb.inSpace(girth.at(anchor + d.u), d.v));
   }
   piece.form = std::move(form);
-  piece.pose = Rigid();
-  return withPiece(before, std::move(piece));
+  return piece;
+}
+
+Result<Document> perform(const Document& before, const PlacePiece& op, Context& context) {
+  const auto body = bodyOf(before, context);
+  if (!body) return body.error();
+  auto piece = placed(before, *before.find(op.piece.id), op, **body);
+  if (!piece) return piece.error();
+  return withPiece(before, *std::move(piece));
 }
 
 }  // namespace karinui

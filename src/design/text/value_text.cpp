@@ -54,6 +54,12 @@ constexpr Words<SetLength::Keep, 4> kKept{{{{"auto", SetLength::Keep::Auto},
                                             {"middle", SetLength::Keep::Middle}}}};
 constexpr Words<SetLength::Neighbours, 2> kNeighbours{
     {{{"keep", SetLength::Neighbours::Keep}, {"follow", SetLength::Neighbours::Follow}}}};
+constexpr Words<DraftBlock::Kind, 6> kBlocks{{{{"bodice", DraftBlock::Kind::Bodice},
+                                               {"sleeve", DraftBlock::Kind::Sleeve},
+                                               {"skirt", DraftBlock::Kind::Skirt},
+                                               {"trousers", DraftBlock::Kind::Trousers},
+                                               {"shirt", DraftBlock::Kind::Shirt},
+                                               {"collar", DraftBlock::Kind::Collar}}}};
 constexpr Words<Fabric::Law, 2> kLaws{{{{"woven", Fabric::Law::Woven}, {"simcloth", Fabric::Law::Simcloth}}}};
 constexpr Words<Finish, 10> kFinishes{{{{"poplin", Finish::Poplin},
                                         {"linen", Finish::Linen},
@@ -319,6 +325,8 @@ std::string writeValue(const SetLength::Keep& value) { return kKept.write(value)
 Done readValue(std::string_view text, SetLength::Keep& value) { return kKept.read(text, value); }
 std::string writeValue(const SetLength::Neighbours& value) { return kNeighbours.write(value); }
 Done readValue(std::string_view text, SetLength::Neighbours& value) { return kNeighbours.read(text, value); }
+std::string writeValue(const DraftBlock::Kind& value) { return kBlocks.write(value); }
+Done readValue(std::string_view text, DraftBlock::Kind& value) { return kBlocks.read(text, value); }
 std::string writeValue(const Fabric::Law& value) { return kLaws.write(value); }
 Done readValue(std::string_view text, Fabric::Law& value) { return kLaws.read(text, value); }
 std::string writeValue(const Settings::Collider& value) { return kColliders.write(value); }

@@ -1,0 +1,99 @@
+#pragma once
+// Blocks: pieces drafted from a figure's measures, by the rules of docs/user/blocks.md. Metres on paper, u to the right
+// of who looks at the cloth from outside, v up; v = 0 is the waist of upper pieces, skirts and trousers, the underarm
+// of sleeves. Pure; any thread.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "karinui/body/body.h"
+#include "karinui/design/operation.h"
+
+namespace karinui {
+
+// Refused with what is missing, where a figure lacks a measure that a block needs.
+class Measured {
+ public:
+  explicit Measured(const Body& body) : body_(body) {}
+  double operator()(std::string_view key) const;  // metres or radians; 0 and missing() where there is none
+  bool female() const { return body_.measured().sex == Sex::Female; }
+  Done enough() const;
+
+ private:
+  const Body& body_;
+  mutable std::string missing_;
+};
+
+// How a piece first stands: wrapped at a place of the body, or flat before or behind it.
+struct FirstStand {
+  std::optional<BodyPoint> at;  // wrapped: the paper place `point` comes there
+  Flat point;
+  double ease = 0.01;
+  double x = 0, z = 0;  // flat: carried so far to the left and forward; behind it is turned round
+};
+
+struct DraftPiece {
+  std::string name;
+  Outline outline;
+  std::vector<InternalLine> lines;
+  std::vector<Mark> marks;
+  FirstStand stands;
+  std::string mirrorOf;  // made as that piece's symmetric copy; the rest is empty
+};
+struct DraftDart {
+  std::string piece, edge;
+  double at = 0.5, width = 0;
+  Flat tip;
+  std::string name;
+};
+struct DraftSeam {
+  std::string name;
+  std::vector<EdgeRef> a, b;  // by names
+};
+struct DraftBand {  // stood and sewn along a run when all else is there
+  std::string name;
+  std::vector<EdgeRef> of;
+  double depth = 0, ratio = 1, turn = 0;
+  std::optional<BodyPoint> at;  // where its middle is wrapped while the run's edges still stand apart
+};
+struct Draft {
+  std::vector<DraftPiece> pieces;
+  std::vector<DraftDart> darts;
+  std::vector<DraftSeam> seams;
+  std::vector<DraftBand> bands;
+};
+
+struct BlockWish {
+  std::optional<double> ease, length;
+};
+Result<Draft> bodiceDraft(const Measured& of, const BlockWish& wish);
+Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish);
+// A stand for a neckline: from the front's middle over the wearer's right round to its left.
+DraftBand collarBand(std::vector<EdgeRef> neckline, double depth);
+Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish);
+Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish);
+// Both sleeves for an armhole of that length.
+struct Armhole {
+  double front = 0, back = 0;
+};
+Armhole bodiceArmhole(const Measured& of);
+Result<Draft> sleeveDraft(const Measured& of, const BlockWish& wish, Armhole armhole);
+
+// The half of an upper piece, from the centre of the hem round to the centre of the neck.
+struct UpperHalf {
+  double hem = 0;  // v of the hem, below the waist
+  double hemWidth = 0, waistWidth = 0, chestWidth = 0;
+  double underarm = 0;  // v
+  Flat tip, neck;       // shoulder point; where the neckline meets the shoulder
+  double across = 0;    // narrowest half width along the armhole
+  double centre = 0;    // v of the neckline's middle
+};
+// Its edges: hem, side, armhole, shoulder, neck.
+std::vector<Edge> upperHalf(const UpperHalf& half);
+// Both halves; edges of the half at positive u end in `plus`, those of the other in `minus`.
+Outline wholeOf(const std::vector<Edge>& half, const std::string& plus, const std::string& minus);
+// The half alone, closed along the centre by an edge "centre".
+Outline halfOf(const std::vector<Edge>& half);
+double lengthOf(const std::vector<Edge>& half, std::string_view edge);
+
+}  // namespace karinui

@@ -1,0 +1,142 @@
+// Skirt and trousers.
+#include <algorithm>
+#include <cmath>
+
+#include "design/blocks/draft.h"
+
+namespace karinui {
+
+namespace {
+
+EdgeRef ref(const std::string& piece, const std::string& edge) { return {PieceRef(piece), edge}; }
+
+// The waist and the hip of one quarter, and what the dart takes of the difference.
+struct Quarter {
+  double waist = 0, hip = 0, dart = 0;  // waist: as drawn, the dart's width included
+};
+Quarter quarterOf(double waist, double hip, double atSide) {
+  const double less = std::fmax(0, hip - waist), side = std::fmin(atSide, 0.5 * less);
+  return {hip - side, hip, less - side};
+}
+
+}  // namespace
+
+Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
+  const double ease = wish.ease.value_or(0.05);
+  const double waist = (of("waist_girth") + 0.02) / 4, hip = (of("hip_girth") + ease) / 4;
+  // The hip line of a skirt lies where the seat is fullest, no deeper than 22 cm.
+  const double deep = std::fmin(of("waist_to_hip_length"), 0.22);
+  const double whole = wish.length.value_or(of("waist_height") - of("knee_height"));
+  if (Done done = of.enough(); !done) return done.error();
+  if (!(whole > deep + 0.03))
+    return refused(
+        say("A skirt that long ends above the hip; it has to be longer than {0} cm.", std::round((deep + 0.03) * 100)));
+  const Quarter q = quarterOf(waist, hip, 0.03);
+  const double flare = 0.10 * (whole - deep);
+  const double rise = 0.010;  // the side is cut higher than the centre, for it runs over the hip
+  const Flat foot{hip + flare, -whole}, seat{hip, -deep}, top{q.waist, rise};
+  const Flat up = top - seat;
+  const std::vector<Curve> side{
+      Curve::line(foot, seat),
+      Curve::cubic(seat, seat + normalized(seat - foot) * (0.35 * length(up)), top - Flat{-0.006, 0.3 * up.v}, top)};
+  const std::vector<Edge> half{
+      {"hem", Curve::line({0, -whole}, foot)},
+      {"side", Curve::joined(side)},
+      {"waist", Curve::cubic(top, top - Flat{0.3 * q.waist, 0.003}, {0.4 * q.waist, 0}, {0, 0})}};
+  Draft draft;
+  for (const bool front : {true, false}) {
+    const std::string name = front ? "skirt_front" : "skirt_back";
+    const std::string plus = front ? "_left" : "_right", minus = front ? "_right" : "_left";
+    DraftPiece piece{name, wholeOf(half, plus, minus), {}, {}, {}, {}};
+    BodyPoint at;
+    at.along = 3, at.around = front ? 0 : 0.5;
+    piece.stands.at = at, piece.stands.ease = 0.012;
+    draft.pieces.push_back(std::move(piece));
+    if (q.dart < 0.006) continue;
+    // The waist runs from the side to the centre on the half at positive u.
+    for (const bool left : {true, false}) {
+      const double u = 0.5 * q.waist;
+      draft.darts.push_back({name,
+                             "waist" + (left ? plus : minus),
+                             0.5,
+                             q.dart,
+                             {(left ? 1 : -1) * u, -deep * (front ? 0.5 : 0.65)},
+                             "dart"});
+    }
+  }
+  for (const std::string s : {"left", "right"})
+    draft.seams.push_back({"skirt_side_" + s, {ref("skirt_front", "side_" + s)}, {ref("skirt_back", "side_" + s)}});
+  return draft;
+}
+
+Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
+  const double ease = wish.ease.value_or(0.06);
+  const double hip = (of("hip_girth") + ease) / 4, waist = (of("waist_girth") + 0.02) / 4;
+  const double seat = of("waist_height") - of("crotch_height") + 0.015;  // the rise, with room to sit
+  const double inside = wish.length.value_or(of("waist_height") - of("ankle_height"));
+  const double knee = of("waist_height") - of("knee_height");
+  if (!(inside > seat + 0.05))
+    return refused(say("Trousers that long end above the crotch; they have to be longer than {0} cm.",
+                       std::round((seat + 0.05) * 100)));
+  const double kneeHalf = std::fmax(of("knee_girth") + 0.08, 0.36) / 4, hemHalf = (of("ankle_girth") + 0.14) / 4;
+  if (Done done = of.enough(); !done) return done.error();
+  Draft draft;
+  for (const bool front : {true, false}) {
+    const double fork = of("hip_girth") * (front ? 0.045 : 0.10), more = front ? -0.008 : 0.008;
+    const double width = hip + more, crease = (width - fork) / 2;  // u = 0: the centre seam; the leg hangs at u > 0
+    const Quarter q = quarterOf(waist + more, width, 0.02);
+    const double high = 0.62 * seat;                                      // of the hip line, below the waist
+    const double rise = front ? 0 : 0.025, lean = front ? 0.006 : 0.028;  // the back's centre is longer and leans
+    const double wide = front ? -0.008 : 0.008;                           // the back of the leg is wider
+    const Flat centre{lean, rise}, side{lean + q.waist, 0.008}, hipSide{width, -high};
+    const double hem = -inside;
+    const double kneeW = kneeHalf + wide / 2, hemW = hemHalf + wide / 2;
+    const Flat kneeOut{crease + kneeW, -knee}, kneeIn{crease - kneeW, -knee};
+    const Flat hemOut{crease + hemW, hem}, hemIn{crease - hemW, hem};
+    const Flat tip{-fork, -seat}, seatCentre{0, -high};
+    const bool toKnee = inside > knee + 0.05;
+    const Flat outEnd = toKnee ? hemOut : lerp(hipSide, kneeOut, (inside - high) / (knee - high));
+    const Flat inEnd = toKnee ? hemIn : lerp(tip, kneeIn, (inside - seat) / (knee - seat));
+    const Flat footOut{outEnd.u, hem}, footIn{inEnd.u, hem};
+    const Flat lowOut = toKnee ? kneeOut : footOut, lowIn = toKnee ? kneeIn : footIn;
+    std::vector<Curve> outseam, inseam;
+    if (toKnee) outseam.push_back(Curve::line(footOut, kneeOut));
+    outseam.push_back(Curve::cubic(lowOut, lerp(lowOut, {lowOut.u, hipSide.v}, 0.35),
+                                   hipSide - Flat{0, 0.45 * (hipSide.v - lowOut.v)}, hipSide));
+    outseam.push_back(Curve::cubic(hipSide, hipSide + Flat{0, 0.35 * high}, lerp(side, hipSide, 0.25), side));
+    inseam.push_back(Curve::cubic(tip, lerp(tip, lowIn, 0.3) + Flat{front ? 0.008 : 0.018, 0},
+                                  lerp({lowIn.u, tip.v}, lowIn, 0.6), lowIn));
+    if (toKnee) inseam.push_back(Curve::line(kneeIn, footIn));
+    const Flat down = normalized(seatCentre - centre);
+    const std::vector<Curve> crotch{
+        Curve::line(centre, seatCentre),
+        Curve::cubic(seatCentre, seatCentre + down * (0.75 * (seat - high)), tip + Flat{0.62 * fork, 0}, tip)};
+    Outline outline{{{"hem", Curve::line(footIn, footOut)},
+                     {"outseam", Curve::joined(outseam)},
+                     {"waist", Curve::line(side, centre)},
+                     {"crotch", Curve::joined(crotch)},
+                     {"inseam", Curve::joined(inseam)}}};
+    // Drawn with the leg at positive u: the figure's left leg in front, its right one behind.
+    DraftPiece piece;
+    piece.name = front ? "leg_front_left" : "leg_back_right";
+    piece.outline = std::move(outline);
+    piece.stands.x = (front ? 1 : -1) * (fork + 0.015);
+    piece.stands.z = front ? 0.20 : -0.22;
+    piece.stands.point = {0, 0};
+    const std::string copy = front ? "leg_front_right" : "leg_back_left";
+    draft.darts.push_back(
+        {piece.name, "waist", 0.5, q.dart, {lean + 0.5 * q.waist, -(front ? 0.4 : 0.5) * high}, "dart"});
+    if (q.dart < 0.006) draft.darts.pop_back();
+    draft.pieces.push_back(piece);
+    draft.pieces.push_back({copy, {}, {}, {}, {}, piece.name});
+  }
+  draft.seams.push_back({"crotch_front", {ref("leg_front_left", "crotch")}, {ref("leg_front_right", "crotch")}});
+  draft.seams.push_back({"crotch_back", {ref("leg_back_left", "crotch")}, {ref("leg_back_right", "crotch")}});
+  for (const std::string s : {"left", "right"}) {
+    draft.seams.push_back({"outseam_" + s, {ref("leg_front_" + s, "outseam")}, {ref("leg_back_" + s, "outseam")}});
+    draft.seams.push_back({"inseam_" + s, {ref("leg_front_" + s, "inseam")}, {ref("leg_back_" + s, "inseam")}});
+  }
+  return draft;
+}
+
+}  // namespace karinui

@@ -1,0 +1,284 @@
+// A piece stood along a run of edges: a collar along its neckline, a waistband along a skirt.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "design/operations/new_piece.h"
+#include "karinui/design/edge_run.h"
+#include "karinui/design/sewing.h"
+#include "karinui/pattern/lattice.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr int kPlaces = 120;        // of a run
+constexpr double kInside = 0.008;   // metres from the edge at which the cloth's direction is taken
+constexpr double kMeet = 0.02;      // metres: ends in space this near follow each other
+constexpr double kClear = 0.004;    // metres a stood piece keeps from the body
+constexpr double kTogether = 0.03;  // metres: edges of a run this near are one line in space
+constexpr double kRoom = 0.015;     // metres from the body
+constexpr int kTurns = 13;          // directions tried, up to a right angle outwards
+
+const Edge& edgeAt(const Document& document, const EdgeRef& ref, int beside = 0) {
+  const auto& edges = document.find(ref.piece.id)->outline.edges;
+  const std::size_t n = edges.size(), k = *document.find(ref.piece.id)->outline.find(ref.edge);
+  return edges[(k + n + static_cast<std::size_t>(beside + static_cast<int>(n))) % n];
+}
+
+Vec3 endOf(const Document& document, const EdgeRef& ref, bool last) {
+  const Curve& curve = edgeAt(document, ref).curve;
+  return Stand(*document.find(ref.piece.id))(curve.atFraction(last ? ref.to : ref.from));
+}
+
+// Whether `next` goes on where `ref` ends: on the same outline, across a seam that begins there, or by lying there.
+bool follows(const Document& document, const EdgeRef& ref, const EdgeRef& next) {
+  const bool whole = ref.to == 1 && next.from == 0;
+  if (ref.piece == next.piece && ref.edge == next.edge && ref.to == next.from) return true;
+  if (ref.piece == next.piece && whole && edgeAt(document, ref, 1).name == next.edge) return true;
+  if (distance(endOf(document, ref, true), endOf(document, next, false)) < kMeet) return true;
+  if (!whole) return false;
+  const std::string &after = edgeAt(document, ref, 1).name, &before = edgeAt(document, next, -1).name;
+  const auto holds = [](const std::vector<EdgeSpan>& side, PieceId piece, const std::string& edge) {
+    return std::any_of(side.begin(), side.end(),
+                       [&](const EdgeSpan& span) { return span.piece == piece && span.edge == edge; });
+  };
+  return std::any_of(document.pattern.seams.begin(), document.pattern.seams.end(), [&](const auto& one) {
+    const Seam& seam = one.second;
+    return (holds(seam.a, ref.piece.id, after) && holds(seam.b, next.piece.id, before)) ||
+           (holds(seam.b, ref.piece.id, after) && holds(seam.a, next.piece.id, before));
+  });
+}
+
+std::size_t links(const Document& document, const std::vector<EdgeRef>& run) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < run.size(); ++i) count += follows(document, run[i], run[i + 1]) ? 1 : 0;
+  return count;
+}
+
+// "neck_left", "neck_right", "neck_2" and "neck" are called alike.
+std::string_view stem(std::string_view name) {
+  const std::size_t bar = name.rfind('_');
+  if (bar == std::string_view::npos || bar == 0) return name;
+  const std::string_view end = name.substr(bar + 1);
+  const bool number = !end.empty() && std::all_of(end.begin(), end.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return number || end == "left" || end == "right" ? stem(name.substr(0, bar)) : name;
+}
+
+struct Along {
+  double share = 0, off = 0;  // along the edge; to its left, metres
+};
+
+// By how much the piece is turned outwards at each place, so that it keeps clear of the body; smooth along the run.
+std::vector<double> turnsAlong(const SpaceRun& run, const std::vector<Vec3>& on, const std::vector<Vec3>& out,
+                               double depth, double turn, const Body* body) {
+  std::vector<double> turns(run.place.size(), turn);
+  if (!body) return turns;
+  const auto clearance = [&](std::size_t k, double angle) {
+    double least = 1;
+    for (const double d : {0.25, 0.5, 0.75, 1.0}) {
+      const Vec3 way = on[k] * std::cos(angle) + out[k] * std::sin(angle);
+      least = std::fmin(least, body->bvh().signedDistance(run.place[k] + way * (depth * d)));
+    }
+    return least;
+  };
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    double best = -1;
+    for (int t = 0; t < kTurns && best < kClear; ++t) {
+      const double angle = turn + t * std::numbers::pi / 2 / (kTurns - 1), clear = clearance(k, angle);
+      if (clear > best) best = clear, turns[k] = angle;
+    }
+  }
+  const auto n = static_cast<int>(turns.size());
+  const auto at = [&](const std::vector<double>& all, int k) {
+    return all[static_cast<std::size_t>(run.closed ? (k + n) % n : std::clamp(k, 0, n - 1))];
+  };
+  // The widest of the neighbourhood, then its mean: never narrower than what a place needs.
+  std::vector<double> widest = turns, mean = turns;
+  for (int k = 0; k < n; ++k)
+    for (int d = -4; d <= 4; ++d) {
+      double& most = widest[static_cast<std::size_t>(k)];
+      most = std::fmax(most, at(turns, k + d));
+    }
+  for (int k = 0; k < n; ++k) {
+    double sum = 0;
+    for (int d = -4; d <= 4; ++d) sum += at(widest, k + d);
+    mean[static_cast<std::size_t>(k)] = sum / 9;
+  }
+  return mean;
+}
+
+}  // namespace
+
+Done orderRun(const Document& before, std::vector<EdgeRef>& run) {
+  for (EdgeRef& edge : run)
+    if (Done done = resolve(before, edge); !done) return done;
+  if (run.empty()) return refused(say("Say the run of edges: of=front.neck, or several, joined end to end."));
+  for (std::size_t i = 0; i < run.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (overlap(run[i], run[j])) return refused(say("The edge {0} is in the run twice.", run[i].edge));
+  std::vector<EdgeRef> turned(run.rbegin(), run.rend());
+  if (links(before, turned) > links(before, run)) run = std::move(turned);
+  for (std::size_t i = 0; i + 1 < run.size(); ++i)
+    if (!follows(before, run[i], run[i + 1]))
+      return refused(say("{0}.{1} does not go on as {2}.{3}: they neither meet nor are they joined by a seam there.",
+                         before.find(run[i].piece.id)->name, run[i].edge, before.find(run[i + 1].piece.id)->name,
+                         run[i + 1].edge));
+  return {};
+}
+
+std::vector<EdgeRef> runThrough(const Document& document, const EdgeRef& edge) {
+  std::vector<EdgeRef> run{{edge.piece, edge.edge}}, open;
+  if (!seamsOn(document, run).empty()) return run;
+  for (const auto& [id, piece] : document.pattern.pieces)
+    for (const Edge& one : piece->outline.edges) {
+      const EdgeRef ref{PieceRef(id), one.name};
+      if (ref != run.front() && stem(one.name) == stem(edge.edge) && seamsOn(document, {ref}).empty())
+        open.push_back(ref);
+    }
+  for (bool more = true; more;) {
+    more = false;
+    for (auto next = open.begin(); next != open.end() && !more; ++next) {
+      const bool behind = follows(document, run.back(), *next);
+      if (!behind && !follows(document, *next, run.front())) continue;
+      run.insert(behind ? run.end() : run.begin(), *next);
+      open.erase(next);
+      more = true;
+    }
+  }
+  return run;
+}
+
+SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run) {
+  SpaceRun out;
+  out.length = lengthOf(document, run);
+  out.closed = follows(document, run.back(), run.front());
+  // Where the ends of two edges stand apart, both are led to the middle between them.
+  const std::size_t n = run.size();
+  std::vector<Vec3> gap(n);
+  for (std::size_t i = 0; i < n; ++i)
+    if (i + 1 < n || out.closed) {
+      gap[i] = (endOf(document, run[(i + 1) % n], false) - endOf(document, run[i], true)) * 0.5;
+      out.apart = std::fmax(out.apart, 2 * length(gap[i]));
+    }
+  double done = 0;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Stand stand(*document.find(run[i].piece.id));
+    const Curve& curve = edgeAt(document, run[i]).curve;
+    const double part = lengthOf(document, {run[i]});
+    for (; next <= kPlaces; ++next) {
+      const double s = out.length * static_cast<double>(next) / kPlaces - done;
+      if (s > part + 1e-12 && i + 1 < n) break;
+      const double share = std::fmin(1, s / part);
+      const double t = curve.parameterAt((run[i].from + (run[i].to - run[i].from) * share) * curve.length());
+      const Flat p = curve.at(t), inwards = leftOf(normalized(curve.tangent(t))) * kInside;
+      const Vec3 place = stand(p);
+      const Vec3 before = i > 0 || out.closed ? gap[(i + n - 1) % n] : Vec3{};
+      out.onward.push_back(normalized(place - stand(p + inwards)));
+      out.place.push_back(place + gap[i] * share - before * (1 - share));
+    }
+    done += part;
+  }
+  return out;
+}
+
+Result<Piece> attached(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run, double turn,
+                       const Body* body) {
+  const Curve& curve = piece.outline.edges[*piece.outline.find(edge)].curve;
+  std::vector<Flat> line = curve.evenly(0, 1, kPlaces);
+  const auto along = [&](Flat p) {
+    Along best;
+    double least = 1e9;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const Flat way = line[i + 1] - line[i];
+      const double t = std::clamp(dot(p - line[i], way) / dot(way, way), 0.0, 1.0);
+      const double d = distance(p, line[i] + way * t);
+      if (d < least - 1e-12) {
+        least = d;
+        best = {(static_cast<double>(i) + t) / kPlaces, std::copysign(d, cross(way, p - line[i]))};
+      }
+    }
+    return best;
+  };
+  const auto laid = layAlone(piece, document.settings.spacing);
+  if (!laid) return laid.error();
+  auto form = std::make_shared<Form>();
+  form->flat = (*laid)->nodes;
+  form->faces = (*laid)->faces;
+  std::vector<Along> on;
+  double depth = 0;
+  for (const Flat p : form->flat) on.push_back(along(p)), depth = std::fmax(depth, on.back().off);
+
+  // Frames along the run: onwards at right angles to it, and outwards from the cloth.
+  const auto n = static_cast<int>(run.place.size());
+  std::vector<Vec3> way(run.place.size()), onward(run.place.size()), out(run.place.size());
+  for (int k = 0; k < n; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const int last = n - 1;
+    const auto place = [&](int j) {
+      return run.place[static_cast<std::size_t>(run.closed ? (j + last) % last : std::clamp(j, 0, last))];
+    };
+    way[at] = normalized(place(k + 1) - place(k - 1));
+    Vec3 mean;
+    for (int d = -3; d <= 3; ++d)
+      mean += run.onward[static_cast<std::size_t>(run.closed ? (k + d + last) % last : std::clamp(k + d, 0, last))];
+    onward[at] = normalized(mean - way[at] * dot(mean, way[at]));
+    out[at] = cross(onward[at], way[at]);
+  }
+  const std::vector<double> turns = turnsAlong(run, onward, out, depth, turn, body);
+  for (const Along& a : on) {
+    const double s = (1 - a.share) * (n - 1);  // two outlines that face each other run against each other
+    const int k = std::clamp(static_cast<int>(s), 0, n - 2);
+    const auto i = static_cast<std::size_t>(k);
+    const double t = s - k, angle = std::lerp(turns[i], turns[i + 1], t);
+    const Vec3 o = normalized(lerp(onward[i], onward[i + 1], t)), f = normalized(lerp(out[i], out[i + 1], t));
+    form->space.push_back(lerp(run.place[i], run.place[i + 1], t) +
+                          (o * std::cos(angle) + f * std::sin(angle)) * a.off);
+  }
+  piece.form = std::move(form);
+  piece.pose = Rigid();
+  return piece;
+}
+
+Result<Piece> ledTo(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run, double turn,
+                    const Body* body) {
+  if (!body || run.apart < kTogether) return attached(document, std::move(piece), edge, run, turn, body);
+  const Vec3 middle = run.place[run.place.size() / 2];
+  const auto skin = body->bvh().nearest(middle);
+  if (!skin) return attached(document, std::move(piece), edge, run, turn, body);
+  PlacePiece place;
+  place.at = body->describe(skin->place);
+  place.point = piece.outline.edges[*piece.outline.find(edge)].curve.atFraction(0.5);
+  place.ease = Length{kRoom};
+  place.cone = Choice::No;
+  double up = 0;
+  for (const Vec3 way : run.onward) up += way.y;
+  if (up < 0) place.turn = Angle{std::numbers::pi};  // below a hem
+  auto round = placed(document, piece, place, *body);
+  return round ? round : attached(document, std::move(piece), edge, run, turn, body);
+}
+
+Done resolve(const Document& before, AttachPiece& op, Context&) {
+  op.edge.from = 0, op.edge.to = 1;
+  if (Done done = resolve(before, op.edge); !done) return done;
+  if (Done done = orderRun(before, op.to); !done) return done;
+  for (const EdgeRef& edge : op.to)
+    if (edge.piece == op.edge.piece) return refused(say("A piece cannot be led along its own edge."));
+  if (!(std::abs(op.turn) <= 4)) return refused(say("That turn is too large."));
+  return {};
+}
+
+Result<Document> perform(const Document& before, const AttachPiece& op, Context& context) {
+  BodyPtr body;
+  if (before.body.chosen()) {
+    auto found = bodyOf(before, context);
+    if (!found) return found.error();
+    body = *found;
+  }
+  auto piece = ledTo(before, *before.find(op.edge.piece.id), op.edge.edge, runOf(before, op.to), op.turn, body.get());
+  if (!piece) return piece.error();
+  return withPiece(before, *std::move(piece));
+}
+
+}  // namespace karinui

@@ -1,0 +1,79 @@
+// A band as long as a run of edges, on its own or stood and sewn along them.
+#include <cmath>
+
+#include "design/operations/new_piece.h"
+#include "karinui/design/sewing.h"
+
+namespace karinui {
+
+Outline rectangleOf(double width, double height, const std::vector<std::string>& edges) {
+  const Flat a{-width / 2, 0}, b{width / 2, 0}, c{width / 2, height}, d{-width / 2, height};
+  return {{{edges[0], Curve::line(a, b)},
+           {edges[1], Curve::line(b, c)},
+           {edges[2], Curve::line(c, d)},
+           {edges[3], Curve::line(d, a)}}};
+}
+
+Done resolve(const Document& before, DrawBand& op, Context&) {
+  if (Done done = checkPaper(before, {op.name, op.fabric, op.layer}); !done) return done;
+  if (Done done = orderRun(before, op.of); !done) return done;
+  if (!(op.depth > 0 && op.depth <= 3)) return refused(say("A band is between 1 mm and 3 m deep."));
+  if (!(op.ratio >= 0.1 && op.ratio <= 10))
+    return refused(say("A band's ratio lies between 0.1 and 10; 1 is as long as its edges."));
+  if (!(op.extra >= 0 && op.extra <= 1)) return refused(say("What is added to a band lies between 0 and 1 m."));
+  if (!(std::abs(op.turn) <= 4)) return refused(say("That turn is too large."));
+  if (op.edges.empty()) op.edges = {"low", "end_left", "top", "end_right"};
+  if (op.edges.size() != 4) return refused(say("This shape has {0} edges; it got {1} names.", 4, op.edges.size()));
+  if (!op.sew) return {};
+  for (const EdgeRef& edge : op.of)
+    for (const SeamId id : seamsOn(before, {edge}))
+      return refused(say("{0} is already sewn by seam {1}; take that out first.", edge.edge,
+                         before.find(id)->name.empty() ? text(id) : before.find(id)->name));
+  return {};
+}
+
+Result<Document> perform(const Document& before, const DrawBand& op, Context& context) {
+  const double sewn = lengthOf(before, op.of) * op.ratio;
+  Outline outline = rectangleOf(sewn + op.extra, op.depth, op.edges);
+  // What is added beyond the seam is an edge of its own.
+  const std::string lap = op.edges[0] + "_lap";
+  if (op.extra > 1e-3) {
+    const Curve low = outline.edges[0].curve;
+    const Flat end{low.start.u + sewn, 0};
+    outline.edges[0].curve = Curve::line(low.start, end);
+    outline.edges.insert(outline.edges.begin() + 1, {lap, Curve::line(end, low.end)});
+  }
+  auto piece = newPiece(before, {op.name, op.fabric, op.layer}, std::move(outline));
+  if (!piece) return piece.error();
+  if (!op.sew) return withPiece(before, *std::move(piece));
+
+  BodyPtr body;
+  if (before.body.chosen()) {
+    auto found = bodyOf(before, context);
+    if (!found) return found.error();
+    body = *found;
+  }
+  const SpaceRun run = runOf(before, op.of);
+  const PieceId id = piece->id;
+  auto stood = ledTo(before, *std::move(piece), op.edges[0], run, op.turn, body.get());
+  if (!stood) return stood.error();
+  Document after = withPiece(before, *std::move(stood));
+  Seam seam;
+  seam.id = mint<SeamId>(before, 0);
+  seam.a = {{id, op.edges[0], 0, 1}};
+  for (const EdgeRef& edge : op.of) {
+    seam.b.push_back({edge.piece.id, edge.edge, edge.from, edge.to});
+    after.drape.dirty.insert(edge.piece.id);
+  }
+  if (op.ratio < 0.7 || op.ratio > 1.4) seam.tie = Seam::Tie::TwoToOne;
+  after.pattern.seams[seam.id] = seam;
+  if (!run.closed || op.extra > 1e-3) return after;
+  Seam ends;
+  ends.id = mint<SeamId>(before, 1);
+  ends.a = {{id, op.edges[1], 0, 1}};
+  ends.b = {{id, op.edges[3], 0, 1}};
+  after.pattern.seams[ends.id] = std::move(ends);
+  return after;
+}
+
+}  // namespace karinui

@@ -1,0 +1,269 @@
+// Ready pieces drafted from the figure's measures. The drafts are in design/blocks; here they become pieces, darts,
+// seams and bands, and stand on the body.
+#include <algorithm>
+#include <cmath>
+
+#include "design/blocks/draft.h"
+#include "design/operations/new_piece.h"
+#include "karinui/design/sewing.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kMostEase = 1.0;   // metres
+constexpr double kTogether = 0.03;  // metres: edges of a run this near are one line in space
+using Kind = DraftBlock::Kind;
+
+// What a draft becomes, with ids counted within the step.
+class Made {
+ public:
+  Made(const Document& before, const DraftBlock& op, const Body& body) : document_(before), op_(op), body_(body) {}
+
+  Done take(const Draft& draft) {
+    for (const DraftPiece& piece : draft.pieces)
+      if (Done done = add(piece); !done) return done;
+    for (const DraftDart& dart : draft.darts)
+      if (Done done = add(dart); !done) return done;
+    for (const DraftPiece& piece : draft.pieces)
+      if (Done done = stand(piece); !done) return done;
+    for (const DraftSeam& seam : draft.seams) sew(named(seam.name), spansOf(seam.a), spansOf(seam.b));
+    for (const DraftBand& band : draft.bands)
+      if (Done done = add(band); !done) return done;
+    return {};
+  }
+  Document document() const { return document_; }
+
+ private:
+  std::string named(const std::string& name) const { return op_.prefix.empty() ? name : op_.prefix + "_" + name; }
+  PieceId newId() { return mint<PieceId>(document_, pieces_++); }
+
+  Done add(const DraftPiece& draft) {
+    if (Done done = checkNewName(document_, named(draft.name)); !done) return done;
+    if (!draft.mirrorOf.empty()) return {};  // when the other has its darts and stands
+    Piece piece;
+    piece.id = newId();
+    piece.name = named(draft.name);
+    auto outline = checked(draft.outline);
+    if (!outline) return outline.error();
+    piece.outline = *std::move(outline);
+    piece.lines = draft.lines;
+    piece.marks = draft.marks;
+    if (!op_.fabric.empty()) piece.fabric = op_.fabric;
+    piece.layer = op_.layer;
+    document_ = withPiece(std::move(document_), std::move(piece));
+    return {};
+  }
+
+  Done add(const DraftDart& dart) {
+    const Piece& piece = *document_.pieceNamed(named(dart.piece));
+    const auto made = addDart(piece, dart.edge, dart.at, dart.width, dart.tip, dart.name);
+    if (!made) return made.error();
+    const PieceId id = piece.id;
+    document_ = withEdit(std::move(document_), made->edited);
+    sew("", {{id, made->to, 0, 1}}, {{id, made->back, 0, 1}});
+    return {};
+  }
+
+  Done stand(const DraftPiece& draft) {
+    if (!draft.mirrorOf.empty()) {
+      const Piece& other = *document_.pieceNamed(named(draft.mirrorOf));
+      Piece copy = mirrored(other);
+      copy.id = newId();
+      copy.name = named(draft.name);
+      copy.mirrorOf = other.id;
+      const PieceId from = other.id, to = copy.id;
+      const std::size_t n = copy.outline.edges.size();
+      std::vector<std::pair<EdgeSpan, EdgeSpan>> darts;
+      for (const auto& [id, seam] : document_.pattern.seams)
+        if (seam.a.size() == 1 && seam.a[0].piece == from && seam.b[0].piece == from) {
+          const auto image = [&](const EdgeSpan& span) {
+            return EdgeSpan{to, copy.outline.edges[n - 1 - *other.outline.find(span.edge)].name, 0, 1};
+          };
+          darts.emplace_back(image(seam.b[0]), image(seam.a[0]));
+        }
+      document_ = withPiece(std::move(document_), std::move(copy));
+      for (auto& [a, b] : darts) sew("", {a}, {b});
+      return {};
+    }
+    Piece piece = *document_.pieceNamed(named(draft.name));
+    if (draft.stands.at) {
+      PlacePiece place;
+      place.piece = PieceRef(piece.id);
+      place.at = *draft.stands.at;
+      place.point = draft.stands.point;
+      place.ease = Length{draft.stands.ease};
+      place.cone = Choice::No;
+      auto stood = placed(document_, std::move(piece), place, body_);
+      if (!stood) return stood.error();
+      piece = *std::move(stood);
+    } else {
+      piece.pose = draft.stands.z < 0 ? Rigid{0, 0, 1, 0, {}} : Rigid();  // behind: half a turn about the upright
+      const double waist = body_.measured().value.at("waist_height");
+      piece.pose.carry = {draft.stands.x, waist, draft.stands.z};
+    }
+    document_ = withPiece(std::move(document_), std::move(piece));
+    return {};
+  }
+
+  std::vector<EdgeSpan> spansOf(const std::vector<EdgeRef>& refs) const {
+    std::vector<EdgeSpan> spans;
+    for (const EdgeRef& ref : refs)
+      spans.push_back(
+          {ref.piece.id ? ref.piece.id : document_.pieceNamed(named(ref.piece.name))->id, ref.edge, ref.from, ref.to});
+    return spans;
+  }
+
+  void sew(const std::string& name, std::vector<EdgeSpan> a, std::vector<EdgeSpan> b) {
+    Seam seam;
+    seam.id = mint<SeamId>(document_, seams_++);
+    const auto taken = [&](const auto& one) { return one.second.name == name; };
+    if (std::none_of(document_.pattern.seams.begin(), document_.pattern.seams.end(), taken)) seam.name = name;
+    seam.a = std::move(a);
+    seam.b = std::move(b);
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side) document_.drape.dirty.insert(span.piece);
+    document_.pattern.seams[seam.id] = std::move(seam);
+  }
+
+  Done add(const DraftBand& band) {
+    if (Done done = checkNewName(document_, named(band.name)); !done) return done;
+    std::vector<EdgeRef> run = band.of;
+    for (EdgeRef& edge : run)
+      if (!edge.piece.id) edge.piece = PieceRef(document_.pieceNamed(named(edge.piece.name))->id);
+    if (Done done = orderRun(document_, run); !done) return done;
+    const SpaceRun along = runOf(document_, run);
+    Piece piece;
+    piece.id = newId();
+    piece.name = named(band.name);
+    piece.outline = rectangleOf(along.length * band.ratio, band.depth, {"low", "end_left", "top", "end_right"});
+    if (!op_.fabric.empty()) piece.fabric = op_.fabric;
+    piece.layer = op_.layer;
+    const PieceId id = piece.id;
+    if (band.at && along.apart > kTogether) {
+      PlacePiece place;
+      place.at = *band.at;
+      place.point = Flat{0, 0};
+      place.ease = Length{0.012};
+      place.cone = Choice::No;
+      auto round = placed(document_, std::move(piece), place, body_);
+      if (!round) return round.error();
+      document_ = withPiece(std::move(document_), *std::move(round));
+    } else {
+      auto stood = attached(document_, std::move(piece), "low", along, band.turn, &body_);
+      if (!stood) return stood.error();
+      document_ = withPiece(std::move(document_), *std::move(stood));
+    }
+    std::vector<EdgeSpan> spans;
+    for (const EdgeRef& edge : run) spans.push_back({edge.piece.id, edge.edge, edge.from, edge.to});
+    sew(named(band.name), {{id, "low", 0, 1}}, std::move(spans));
+    if (along.closed) sew("", {{id, "end_left", 0, 1}}, {{id, "end_right", 0, 1}});
+    return {};
+  }
+
+  Document document_;
+  const DraftBlock& op_;
+  const Body& body_;
+  std::uint32_t pieces_ = 0, seams_ = 0;
+};
+
+// An unsewn edge of the garment that is there, by its name, on the piece that stands on that side.
+std::optional<EdgeRef> edgeThere(const Document& document, const std::string& part, const std::string& edge,
+                                 const std::string& side) {
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    const bool mine = piece->name.ends_with(part) || piece->name.ends_with(part + "_" + side);
+    if (!mine) continue;
+    for (const std::string& name : {edge + "_" + side, edge}) {
+      const EdgeRef ref{PieceRef(id), name};
+      if (piece->outline.find(name) && seamsOn(document, {ref}).empty()) return ref;
+    }
+  }
+  return std::nullopt;
+}
+
+// Sleeves for the open armholes of the garment; without any, for those of a bodice.
+Result<Draft> sleevesFor(const Document& before, const Measured& of, const BlockWish& wish) {
+  const auto front = edgeThere(before, "front", "armhole", "left"), back = edgeThere(before, "back", "armhole", "left");
+  if (!front || !back) {
+    const auto armhole = bodiceArmhole(of);
+    return sleeveDraft(of, wish, armhole);
+  }
+  auto draft = sleeveDraft(of, wish, {lengthOf(before, {*front}), lengthOf(before, {*back})});
+  if (!draft) return draft;
+  for (const std::string side : {"left", "right"}) {
+    const auto f = edgeThere(before, "front", "armhole", side), b = edgeThere(before, "back", "armhole", side);
+    if (!f || !b) continue;
+    const PieceRef sleeve("sleeve_" + side);
+    std::vector<EdgeRef> cap{{sleeve, "cap_back"}, {sleeve, "cap_front"}}, armhole{*f, *b};
+    if (side == "right") std::reverse(cap.begin(), cap.end()), std::reverse(armhole.begin(), armhole.end());
+    draft->seams.push_back({"armhole_" + side, cap, armhole});
+  }
+  return draft;
+}
+
+// A stand round the neckline that is there.
+Result<Draft> collarFor(const Document& before, const BlockWish& wish) {
+  std::vector<EdgeRef> run;
+  for (const auto& [part, side] :
+       {std::pair{"front", "right"}, {"back", "right"}, {"back", "left"}, {"front", "left"}}) {
+    const auto edge = edgeThere(before, part, "neck", side);
+    if (edge && std::find(run.begin(), run.end(), *edge) == run.end()) run.push_back(*edge);
+  }
+  if (run.size() < 2)
+    return refused(say("There is no open neckline; a collar is drafted for edges called neck of a front and a back."));
+  Draft draft;
+  draft.bands = {collarBand(std::move(run), wish.length.value_or(0.035))};
+  return draft;
+}
+
+}  // namespace
+
+Done resolve(const Document& before, DraftBlock& op, Context& context) {
+  const auto body = bodyOf(before, context);
+  if (!body) return body.error();
+  if (op.ease && !(*op.ease >= -0.3 && *op.ease <= kMostEase))
+    return refused(say("The ease of a block lies between -30 cm, for cloth that stretches, and 1 m."));
+  if (op.length && !(*op.length >= 0 && *op.length <= 3))
+    return refused(say("The length of a block lies between 0 and 3 m."));
+  if (!op.prefix.empty())
+    if (Done done = checkName(op.prefix); !done) return done;
+  if (op.layer < 0 || op.layer > 20) return refused(say("A layer is a number from 0, next to the skin, to 20."));
+  if (!op.fabric.empty()) return checkFabricName(before, op.fabric);
+  return {};
+}
+
+Result<Document> perform(const Document& before, const DraftBlock& op, Context& context) {
+  const auto body = bodyOf(before, context);
+  if (!body) return body.error();
+  const Measured of(**body);
+  BlockWish wish;
+  if (op.ease) wish.ease = op.ease->metres;
+  if (op.length) wish.length = op.length->metres;
+  Result<Draft> draft = refused(say("There is no such block."));
+  switch (op.kind) {
+    case Kind::Bodice:
+      draft = bodiceDraft(of, wish);
+      break;
+    case Kind::Shirt:
+      draft = shirtDraft(of, wish);
+      break;
+    case Kind::Skirt:
+      draft = skirtDraft(of, wish);
+      break;
+    case Kind::Trousers:
+      draft = trousersDraft(of, wish);
+      break;
+    case Kind::Sleeve:
+      draft = sleevesFor(before, of, wish);
+      break;
+    case Kind::Collar:
+      draft = collarFor(before, wish);
+      break;
+  }
+  if (!draft) return draft.error();
+  Made made(before, op, **body);
+  if (Done done = made.take(*draft); !done) return done.error();
+  return made.document();
+}
+
+}  // namespace karinui

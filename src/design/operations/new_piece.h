@@ -1,0 +1,50 @@
+#pragma once
+// What operations that draw a piece on paper share. Metres.
+#include <string>
+#include <vector>
+
+#include "design/operations/operations.h"
+#include "karinui/base/number.h"
+#include "karinui/pattern/lattice.h"
+
+namespace karinui {
+
+// A piece on paper that is not on the body yet stands flat before the figure, beside the others that stand there.
+inline constexpr double kPaperHeight = 1.0, kPaperDistance = 0.6, kPaperGap = 0.06;
+Rigid beside(const Document& document, const Outline& outline);
+
+struct NewPaper {
+  std::string name, fabric;
+  int layer = 0;
+};
+Done checkPaper(const Document& before, const NewPaper& paper);
+// The piece, checked, flat before the figure.
+Result<Piece> newPiece(const Document& before, const NewPaper& paper, Outline outline, std::vector<Outline> holes = {});
+// About u = 0, standing on v = 0; names from the lower edge round.
+Outline rectangleOf(double width, double height, const std::vector<std::string>& edges);
+
+// A run of edges in space, in the outlines' own direction.
+struct SpaceRun {
+  std::vector<Vec3> place;   // evenly by length, ends included
+  std::vector<Vec3> onward;  // unit: how the cloth would go on beyond the edge
+  double length = 0;         // on paper
+  bool closed = false;
+  double apart = 0;  // the widest gap in space between edges that follow each other, metres
+};
+// Puts a run in the outlines' own order; refuses edges that do not follow each other.
+Done orderRun(const Document& before, std::vector<EdgeRef>& run);
+SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run);
+// The piece with `edge` along the run, the rest going on from its cloth, folded outwards by `turn` and clear of `body`
+// (null: none).
+Result<Piece> attached(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run, double turn,
+                       const Body* body);
+// The same where the run's edges still stand apart, as before a first drape: wrapped round the body beside the run's
+// middle.
+Result<Piece> ledTo(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run, double turn,
+                    const Body* body);
+// The lattice of one piece alone.
+Result<std::shared_ptr<const Lattice>> layAlone(const Piece& piece, double spacing);
+// The piece wrapped round the torso or a limb.
+Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op, const Body& body);
+
+}  // namespace karinui
