@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "karinui/design/edge_run.h"
+#include "karinui/design/sewing.h"
 #include "karinui/pattern/symmetry.h"
 #include "main_window.h"
 #include "theme.h"
@@ -11,7 +13,8 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr double kDartDeep = 0.1;  // metres, as the board "Garment" offers it
+constexpr double kBandDeep = 0.04;  // metres, of a new band
+constexpr double kDartDeep = 0.1;   // metres, as the board "Garment" offers it
 
 // By length, to the millimetre, as it is then written into the step.
 double toMillimetre(double share, double whole) {
@@ -26,6 +29,14 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
   if (hit.piece) chosen.pieces = {hit.piece};
   chosen.edge = hit.edge;
   if (hit.edge) chosen.seam = seamAt(session_->snapshot().document, *hit.edge);
+  // Pointing at the body with a piece chosen: that piece is to come there.
+  const PieceId wrapped = session_->selection().pieces.size() == 1 ? *session_->selection().pieces.begin() : PieceId();
+  if (hit.on == Hit::On::Body && wrapped && session_->snapshot().body) {
+    PlacePiece place;
+    place.piece = wrapped;
+    place.at = session_->snapshot().body->describe(hit.skin);
+    return menuOfPlace(place, global);
+  }
   // Several chosen pieces stay chosen, for what is to be done with all of them.
   if (hit.edge || !hit.piece || !session_->selection().pieces.contains(hit.piece))
     session_->select(chosen);
@@ -76,6 +87,16 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
   menu->popup(global);
 }
 
+void MainWindow::menuOfPlace(PlacePiece place, const QPoint& global) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName("context");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  offer(*menu, say("Wrap the chosen piece round here"), place);
+  place.over = true;
+  offer(*menu, say("Wrap it over the cloth that is there"), place);
+  menu->popup(global);
+}
+
 void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near) {
   const Piece* piece = session_->snapshot().document.find(near.piece);
   const Edge* edge = piece ? findEdge(*piece, near.edge) : nullptr;
@@ -97,6 +118,13 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near) {
   offer(menu, say("Take its end away"), JoinEdges{ref});
   offer(menu, say("Notch there"), notch);
   offer(menu, say("Dart there"), dart);
+  const Document& document = session_->snapshot().document;
+  DrawBand band;
+  band.of = runThrough(document, ref);
+  band.name = usableName(document, "band");
+  band.depth = {kBandDeep};
+  band.sew = seamsOn(document, band.of).empty();
+  offer(menu, say("Band along it"), band);
   menu.addSeparator();
 }
 

@@ -4,12 +4,15 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSpinBox>
 #include <QTreeWidget>
 #include <cmath>
 #include <numbers>
 
+#include "blocks_menu.h"
 #include "edge_numbers.h"
 #include "karinui/base/number.h"
 #include "karinui/design/step_words.h"
@@ -83,6 +86,16 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   tree_->setMinimumHeight(190);
   Theme::here().keep(tree_, [this] { tree_->setAccessibleName(inWords(say("Pieces and seams"))); });
   column->addWidget(tree_, 1);
+  auto* blocks = new QPushButton;
+  blocks->setObjectName("blocks_button");
+  Theme::here().keep(blocks, [blocks] {
+    blocks->setText(inWords(say("Ready blocks")));
+    blocks->setToolTip(inWords(say("Pieces drafted from the figure's measures: shirt, bodice, skirt, trousers.")));
+  });
+  auto* kinds = new QMenu(blocks);
+  fillBlocks(*kinds, session_);
+  blocks->setMenu(kinds);
+  column->addWidget(blocks);
   // The properties take what is left, and scroll: the list keeps its rows.
   auto* boards = new QWidget;
   auto* below = new QVBoxLayout(boards);

@@ -96,6 +96,7 @@ class MainWindow : public QMainWindow {
   void setFullScreen(bool on);
   void menuAt(const PointerSample& sample, const QPoint& global);  // chooses what lies there first
   void menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global);
+  void menuOfPlace(PlacePiece place, const QPoint& global);
   void offer(QMenu& menu, const Message& words, Operation operation);
   void addEdgeOperations(QMenu& menu, const EdgeNear& near);
   void addPieceOperations(QMenu& menu, const Selection& chosen);

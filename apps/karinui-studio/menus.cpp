@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QToolBar>
 
+#include "blocks_menu.h"
 #include "force_feedback.h"
 #include "guide.h"
 #include "main_window.h"
@@ -128,6 +129,10 @@ void MainWindow::makeMenus() {
   QMenu* work = menu(say("Work"));
   for (const CommandInfo& about : commands())
     if (isTool(about.command)) work->addAction(actions_[about.command]);
+  work->addSeparator();
+  QMenu* blocks = work->addMenu(QString());
+  Theme::here().keep(blocks, [blocks] { blocks->setTitle(inWords(say("Ready blocks"))); });
+  fillBlocks(*blocks, *session_);
   work->addSeparator();
   work->addAction(actions_[Command::Settle]);
   work->addAction(actions_[Command::Confirm]);

@@ -101,6 +101,8 @@ std::vector<Icon> drawnIcons() {
   add("fit",
       "M 4 20 L 4 15 L 8 15 L 8 20 M 10 20 L 10 10 L 14 10 L 14 20 M 16 20 L 16 4 L 20 4 L 20 20 M 3 20 L 21 20");
   add("history", "O 12 12 8.5 M 12 7 L 12 12 L 15.5 14");
+  add("rectangle", "M 3 6 L 21 6 L 21 18 L 3 18 L 3 6");
+  add("circle", "O 12 12 9");
   add("pin", "O 14.5 8 3.5 M 12 10.5 L 4 20");
   add("frame", "M 4 9 L 4 4 L 9 4 M 15 4 L 20 4 L 20 9 M 20 15 L 20 20 L 15 20 M 9 20 L 4 20 L 4 15 O 12 12 3");
   add("glasses", "O 6.5 14 3.5 O 17.5 14 3.5 M 10 13.5 C 11 12.6 13 12.6 14 13.5 M 3 13 L 5 6 M 21 13 L 19 6");

@@ -21,6 +21,8 @@ std::unique_ptr<Gesture> pointsGesture();
 std::unique_ptr<Gesture> notchGesture();
 std::unique_ptr<Gesture> dartGesture();
 std::unique_ptr<Gesture> lineGesture();
+std::unique_ptr<Gesture> rectangleGesture();
+std::unique_ptr<Gesture> circleGesture();
 std::unique_ptr<Gesture> pinGesture();
 
 inline constexpr Colour kChalk{0.93f, 0.33f, 0.10f};    // what is being done

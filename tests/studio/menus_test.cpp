@@ -12,7 +12,9 @@
 namespace karinui::studio {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
+using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
@@ -152,6 +154,35 @@ TEST(StudioMenus, StereoIsUnderView) {
   board->setCurrentIndex(0);
   emit stereo->aboutToShow();
   EXPECT_TRUE(stereo->actions()[0]->isChecked());
+}
+
+TEST(StudioMenus, ABandAlongANecklineAndAPieceWrappedWhereOnePoints) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  const Piece front = *w.session().snapshot().document.pieceNamed("front");
+  const std::size_t before = w.count();
+  rightClick(w, w.table(), w.onTable("front", findEdge(front, "neck_left")->curve.atFraction(0.5)));
+  choose(w, "Band along it");
+  ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
+  const std::string band = text(w.session().steps()[before].operation);
+  EXPECT_THAT(band, StartsWith("band name=band of="));
+  EXPECT_THAT(band, AllOf(HasSubstr("neck_left"), HasSubstr("neck_right"), HasSubstr("sew=yes")));
+  EXPECT_EQ(w.session().steps()[before].operation.index(), Operation(DrawBand{}).index());
+  EXPECT_EQ(std::get<DrawBand>(w.session().steps()[before].operation).of.size(), 4u) << "the whole neckline";
+
+  DrawRectangle belt;
+  belt.name = "belt", belt.width = {0.7}, belt.height = {0.04};
+  w.session().perform(belt);
+  w.rest();
+  Selection chosen;
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("belt")->id};
+  w.session().select(chosen);
+  w.view(View::Front);
+  rightClick(w, w.space(), w.onSkin("left_leg:knee@0"));
+  choose(w, "Wrap the chosen piece round here");
+  EXPECT_THAT(w.last(), AllOf(StartsWith("place piece="), HasSubstr("left_leg:")));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <QDoubleSpinBox>
+#include <QMenu>
+#include <QPushButton>
 #include <QTest>
 
 #include "karinui/design/script.h"
@@ -254,6 +256,57 @@ TEST(StudioTools, SpaceSettlesAndStops) {
   w.rest();
   EXPECT_EQ(w.count(), before + 1);
   EXPECT_GT(w.session().changes().predicted, predicted) << "the cloth was seen on its way";
+}
+
+// A newcomer's shirt: three clicks from a figure to a shirt at rest.
+TEST(StudioTools, AShirtFromTheFigureInThreeClicks) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().begin(DocumentFile::inMemory());
+  w.session().perform(SetBody{.size = "eu50", .sex = {}, .set = {}, .mesh = {}});
+  w.rest();
+  auto* blocks = w.main().findChild<QPushButton*>("blocks_button");
+  ASSERT_TRUE(blocks && blocks->menu());
+  QMenu* menu = blocks->menu();
+  menu->popup(w.main().mapToGlobal(QPoint(200, 200)));
+  QAction* shirt = menu->findChild<QAction*>("block_shirt");
+  ASSERT_TRUE(shirt && shirt->isEnabled());
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(shirt).center());
+  w.rest();
+  ASSERT_EQ(w.count(), 2u) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), StartsWith("block kind=shirt"));
+  w.key(Command::Settle);
+  w.rest();
+  ASSERT_EQ(w.count(), 3u) << w.main().said().toStdString();
+  const auto& report = w.session().snapshot().document.drape.last;
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->settled);
+  w.keep("studio_shirt_block");
+}
+
+TEST(StudioTools, DragsARectangleAndACircleOnThePattern) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Rectangle);
+  const QPointF corner(30, 30), far(150, 90);
+  w.drag(w.table(), {corner, far}, {}, [&] {
+    EXPECT_FALSE(w.session().preview().table.lines.empty());
+    EXPECT_EQ(w.count(), before) << "nothing happens before the release";
+  });
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), StartsWith("rectangle name=rectangle width="));
+  w.key(Command::Circle);
+  w.drag(w.table(), {corner, corner + QPointF(40, 0)});
+  w.rest();
+  ASSERT_EQ(w.count(), before + 2) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), StartsWith("ring name=circle depth="));
+  // A click draws nothing.
+  w.click(w.table(), corner);
+  w.rest();
+  EXPECT_EQ(w.count(), before + 2);
 }
 
 }  // namespace

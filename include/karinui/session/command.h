@@ -22,6 +22,8 @@ enum class Command {
   Notch,
   Dart,
   Line,
+  Rectangle,
+  Circle,
   Pin,
   // Where one looks from.
   ViewFront,

@@ -1,0 +1,32 @@
+#include "blocks_menu.h"
+
+#include <QMenu>
+
+#include "karinui/design/glossary.h"
+#include "theme.h"
+
+namespace karinui::studio {
+
+void fillBlocks(QMenu& menu, Session& session) {
+  using Kind = DraftBlock::Kind;
+  static constexpr std::pair<Kind, const char*> kinds[] = {{Kind::Shirt, "shirt"},   {Kind::Bodice, "bodice"},
+                                                           {Kind::Sleeve, "sleeve"}, {Kind::Collar, "collar"},
+                                                           {Kind::Skirt, "skirt"},   {Kind::Trousers, "trousers"}};
+  menu.setObjectName("blocks");
+  for (const auto& [kind, name] : kinds) {
+    QAction* action = menu.addAction(QString());
+    action->setObjectName(QString("block_") + name);
+    Theme::here().keep(action, [action, name = name] { action->setText(inWords(*termSaid(Term::Value, name))); });
+    QObject::connect(action, &QAction::triggered, &menu, [&session, kind = kind] {
+      DraftBlock block;
+      block.kind = kind;
+      session.perform(std::move(block));
+    });
+  }
+  QObject::connect(&menu, &QMenu::aboutToShow, &menu, [&menu, &session] {
+    const bool can = session.snapshot().document.body.chosen() && !session.readOnly();
+    for (QAction* action : menu.actions()) action->setEnabled(can);
+  });
+}
+
+}  // namespace karinui::studio
