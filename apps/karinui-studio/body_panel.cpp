@@ -1,12 +1,21 @@
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 
+#include "file_filter.h"
 #include "karinui/base/number.h"
+#include "karinui/body/tape_path.h"
+#include "karinui/design/variables.h"
+#include "length_box.h"
+#include "measure_drawing.h"
 #include "measure_row.h"
+#include "measures_file.h"
 #include "panels.h"
 #include "theme.h"
 
@@ -14,8 +23,12 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr const char* kAsked[]{"height",    "bust_girth",     "under_bust_girth", "waist_girth",
-                               "hip_girth", "shoulder_width", "arm_length",       "crotch_height"};
+// The measures one is asked for first, and all others that a mannequin can be made to.
+constexpr std::string_view kFirst[]{"height",    "bust_girth",     "under_bust_girth", "waist_girth",
+                                    "hip_girth", "shoulder_width", "arm_length",       "crotch_height"};
+constexpr std::string_view kLevels[]{"bust_height", "armpit_height", "waist_height", "back_waist_length"};
+constexpr std::string_view kArms[]{"upper_arm_girth", "elbow_girth", "wrist_girth", "arm_joint_length", "neck_girth"};
+constexpr std::string_view kLegs[]{"thigh_girth", "knee_girth", "calf_girth", "ankle_girth"};
 
 }  // namespace
 
@@ -51,19 +64,39 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   letShrink(*size_);
   form->addRow(word(say("Size")), size_);
   form->addRow(word(say("Shape")), sex_);
-  const auto keys = mannequinKeys();
-  for (const char* key : kAsked) {
-    if (std::find(keys.begin(), keys.end(), std::string_view(key)) == keys.end()) continue;
-    const Message name = termSaid(Term::Measure, key).value_or(say("{0}", key));
-    auto* row = new MeasureRow(name);
-    form->addRow(word(name), row);
-    connect(row, &MeasureRow::turned, this, [this] {
-      if (!imported()) session_.previewFigure(wished());
-    });
-    connect(row, &MeasureRow::set, this, &BodyPanel::wear);
-    rows_[key] = row;
-  }
   column->addLayout(form);
+  find_ = new QLineEdit;
+  find_->setClearButtonEnabled(true);
+  Theme::here().keep(find_, [this] {
+    find_->setPlaceholderText(inWords(say("Find a measure")));
+    find_->setAccessibleName(inWords(say("Find a measure")));
+  });
+  connect(find_, &QLineEdit::textChanged, this, &BodyPanel::findRows);
+  column->addWidget(find_);
+  drawing_ = new MeasureDrawing;
+  drawing_->setMaximumHeight(170);
+  column->addWidget(drawing_, 1);
+  auto* inner = new QWidget;
+  auto* rows = new QVBoxLayout(inner);
+  rows->setContentsMargins(0, 0, 4, 0);
+  measures_ = new QFormLayout;
+  rows->addLayout(measures_);
+  addRows(say("Asked for first"), kFirst);
+  addRows(say("Levels"), kLevels);
+  addRows(say("Arms and neck"), kArms);
+  addRows(say("Legs"), kLegs);
+  rows->addWidget(title(say("As measured")));
+  measured_ = new QLabel;
+  measured_->setProperty("role", "faint");
+  measured_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  rows->addWidget(measured_);
+  rows->addStretch(1);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(inner);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumHeight(90);
+  column->addWidget(scroll, 4);
   mannequin_ = new QPushButton;
   consequence_ = new QLabel;
   consequence_->setWordWrap(true);
@@ -102,18 +135,95 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   column->addWidget(use_);
   column->addWidget(replay_);
   column->addWidget(load);
-  column->addWidget(title(say("As measured")));
-  measured_ = new QLabel;
-  measured_->setProperty("role", "faint");
-  measured_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(measured_);
-  scroll->setWidgetResizable(true);
-  column->addWidget(scroll, 1);
+  auto* files = new QHBoxLayout;
+  const auto button = [&](const Message& words, const Message& hint, void (BodyPanel::*what)()) {
+    auto* made = new QPushButton;
+    Theme::here().keep(made, [made, words, hint] {
+      made->setText(inWords(words));
+      made->setToolTip(inWords(hint));
+    });
+    connect(made, &QPushButton::clicked, this, what);
+    files->addWidget(made);
+  };
+  button(say("Open measures…"), say("A person's measures from a file: Karinui, Valentina, Seamly2D, FreeSewing, GarmentCode."),
+         &BodyPanel::askMeasures);
+  button(say("Save measures…"), say("All that this figure measures, into a file of one of these."),
+         &BodyPanel::askSaveMeasures);
+  column->addLayout(files);
   for (QComboBox* box : {size_, sex_}) connect(box, &QComboBox::activated, this, &BodyPanel::wear);
   connect(use_, &QPushButton::clicked, this, [this] { session_.perform(wished()); });
   connect(replay_, &QPushButton::clicked, this, [this] { emit replayAsked(wished()); });
   connect(load, &QPushButton::clicked, this, &BodyPanel::importAsked);
+}
+
+void BodyPanel::addRows(const Message& group, std::span<const std::string_view> keys) {
+  const auto made = mannequinKeys();
+  MeasureGroup& own = groups_.emplace_back(MeasureGroup{title(group), {}});
+  measures_->addRow(own.title);
+  for (const std::string_view named : keys) {
+    if (std::find(made.begin(), made.end(), named) == made.end()) continue;
+    const std::string key(named);
+    const Message name = termSaid(Term::Measure, key).value_or(say("{0}", key));
+    auto* row = new MeasureRow(name);
+    QLabel* label = names_[key] = word(name);
+    Theme::here().keep(label, [label, key] {
+      const Message how = tapeSaid(key);
+      label->setToolTip(inWords(how) + "\n" + scriptHint(key));
+    });
+    measures_->addRow(label, row);
+    connect(row, &MeasureRow::turned, this, [this] {
+      if (!imported()) session_.previewFigure(wished());
+    });
+    connect(row, &MeasureRow::set, this, &BodyPanel::wear);
+    connect(row, &MeasureRow::entered, this, [this, key] { drawTape(key); });
+    row->box().takeFormulas([this, key](const std::string& formula) -> Result<double> {
+      SetBody body = wished();
+      std::erase_if(body.set, [&](const Stated& s) { return s.key == key; });
+      const auto read = Formula::parse(formula);
+      if (!read) return read.error();
+      body.set.push_back({key, {}, read->text()});
+      if (Done done = workOutStated(body); !done) return done.error();
+      return body.set.back().value.metres;
+    });
+    connect(&row->box(), &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
+    rows_[key] = row;
+    own.keys.push_back(key);
+  }
+}
+
+void BodyPanel::findRows(const QString& wanted) {
+  for (const MeasureGroup& group : groups_) {
+    bool any = false;
+    for (const std::string& key : group.keys) {
+      const bool found = names_.at(key)->text().contains(wanted.trimmed(), Qt::CaseInsensitive) ||
+                         QString::fromStdString(key).contains(wanted.trimmed().replace(' ', '_'), Qt::CaseInsensitive);
+      measures_->setRowVisible(rows_.at(key), found);
+      any = any || found;
+    }
+    measures_->setRowVisible(group.title, any);
+  }
+}
+
+void BodyPanel::drawTape(const std::string& key) {
+  drawnKey_ = key;
+  drawing_->show(session_.shown().body, drawnKey_);
+}
+
+void BodyPanel::askMeasures() {
+  const QString path = QFileDialog::getOpenFileName(
+      this, inWords(say("Open measures…")), {},
+      inWords(say("Measures")) + " (" + filterReading("", {FileContent::Measures}).section('(', 1).section(')', 0, 0) + " *.json)");
+  if (!path.isEmpty()) wearMeasures(session_, path.toStdString());
+}
+
+void BodyPanel::askSaveMeasures() {
+  QStringList endings;
+  for (const std::string& ending : measureEndingsWritten()) endings << "*." + QString::fromStdString(ending);
+  QString path = QFileDialog::getSaveFileName(this, inWords(say("Save measures…")), {},
+                                              inWords(say("Measures")) + " (" + endings.join(' ') + ")");
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += "." + QString::fromStdString(measureEndingsWritten().front());
+  saveMeasures(session_, path.toStdString());
 }
 
 SetBody BodyPanel::wished() const {
@@ -122,7 +232,7 @@ SetBody BodyPanel::wished() const {
     body.size = std::string(builtInSizes()[static_cast<std::size_t>(size_->currentIndex() - 1)]);
   if (sex_->currentIndex() > 0) body.sex = sex_->currentIndex() == 1 ? Sex::Female : Sex::Male;
   for (const auto& [key, row] : rows_)
-    if (const auto metres = row->stated()) body.set.push_back({key, {*metres}});
+    if (const auto metres = row->stated()) body.set.push_back({key, {*metres}, row->formula()});
   return body;
 }
 
@@ -168,17 +278,22 @@ void BodyPanel::fill() {
     sex_->setCurrentIndex(!now->sex ? 0 : *now->sex == Sex::Female ? 1 : 2);
   }
   const BodyPtr& body = session_.snapshot().body;
+  SetBody worn = now ? *now : SetBody();
+  (void)workOutStated(worn);  // what was worn was not refused
   for (const auto& [key, row] : rows_) {
     std::optional<double> stated;
-    if (now)
-      for (const Stated& s : now->set)
-        if (s.key == key) stated = s.value.metres;
+    std::string formula;
+    for (const Stated& s : worn.set)
+      if (s.key == key) stated = s.value.metres, formula = s.formula;
+    QFont font = names_.at(key)->font();  // what was typed stands out from what follows
+    font.setBold(stated.has_value());
+    names_.at(key)->setFont(font);
     const auto& measured = body ? body->measured().value : std::map<std::string, double>();
     const auto at = measured.find(key);
     if (mesh)
       row->showMeasured(at == measured.end() ? 0 : at->second);
     else
-      row->show(stated, at == measured.end() ? 0 : at->second);
+      row->show(stated, formula, at == measured.end() ? 0 : at->second);
   }
 }
 
@@ -200,6 +315,7 @@ void BodyPanel::refresh() {
 void BodyPanel::fillMeasured() {
   const BodyPtr& body = session_.shown().body;
   const std::string now = body ? body->hash() : "-";
+  drawing_->show(body, drawnKey_);
   if (now == listed_) return;
   listed_ = now;
   QString lines;

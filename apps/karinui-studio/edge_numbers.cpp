@@ -9,6 +9,7 @@
 #include "karinui/pattern/symmetry.h"
 #include "length_box.h"
 #include "theme.h"
+#include "variables_dialog.h"
 
 namespace karinui::studio {
 
@@ -31,6 +32,18 @@ EdgeNumbers::EdgeNumbers(Session& session) : session_(session) {
     options.dartWidth = metres;
     session_.setToolOptions(options);
   });
+  const std::pair<LengthBox*, std::string*> kept[] = {{along_, &alongFormula_}, {width_, &widthFormula_}};
+  for (const auto& [box, formula] : kept) {
+    box->takeFormulas([this](const std::string& text) -> Result<double> {
+      DocumentNames names = formulaNames(session_);
+      const auto value = workedOut(text, names, kLength);
+      if (!value) return value.error();
+      return value->value;
+    });
+    connect(box, &LengthBox::typed, this, [own = formula] { own->clear(); });
+    connect(box, &LengthBox::formulaTyped, this, [own = formula](const QString& text) { *own = text.toStdString(); });
+    connect(box, &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
+  }
   auto* grid = new QGridLayout;
   const auto button = [&](int at, const Message& words, const Message& hint, Operation (EdgeNumbers::*what)() const) {
     auto* made = new QPushButton;
@@ -60,7 +73,14 @@ EdgeRef EdgeNumbers::ref() const {
 }
 double EdgeNumbers::share() const { return std::clamp(along_->value() / edge()->curve.length(), 0.0, 1.0); }
 
-Operation EdgeNumbers::split() const { return SplitEdge{ref(), share()}; }
+Operation EdgeNumbers::withFormulas(Operation operation, bool width) const {
+  if (!alongFormula_.empty())
+    operation.formulas.push_back({"at", "(" + alongFormula_ + ")/[" + text(ref().piece.id) + "." + ref().edge + "]"});
+  if (width && !widthFormula_.empty()) operation.formulas.push_back({"width", widthFormula_});
+  return operation;
+}
+
+Operation EdgeNumbers::split() const { return withFormulas(SplitEdge{ref(), share()}, false); }
 Operation EdgeNumbers::join() const { return JoinEdges{ref(), Choice::Auto, Choice::Yes}; }
 Operation EdgeNumbers::notch() const {
   AddNotch notch;
@@ -70,7 +90,7 @@ Operation EdgeNumbers::notch() const {
   const auto symmetry = symmetryOf(outline);
   const auto k = outline.find(notch.edge.edge);
   notch.symmetric = symmetry && k && imageOf(outline, *symmetry, {*k, notch.at});
-  return notch;
+  return withFormulas(notch, false);
 }
 Operation EdgeNumbers::dart() const {
   const Curve& curve = edge()->curve;
@@ -80,7 +100,7 @@ Operation EdgeNumbers::dart() const {
   dart.width = {width_->value()};
   dart.tip = curve.atFraction(dart.at) +
              leftOf(normalized(curve.tangent(curve.parameterAt(dart.at * curve.length())))) * depth_->value();
-  return dart;
+  return withFormulas(dart, true);
 }
 
 }  // namespace karinui::studio

@@ -23,7 +23,10 @@ class EdgeNumbers : public QWidget {
   Operation dart() const;
 
   Session& session_;
+  // With the formulas that the boxes hold: the place as a share of the edge's length.
+  Operation withFormulas(Operation operation, bool width) const;
   LengthBox *along_, *width_, *depth_;
+  std::string alongFormula_, widthFormula_;  // empty: a number
 };
 
 }  // namespace karinui::studio

@@ -23,6 +23,7 @@
 #include "look_board.h"
 #include "panels.h"
 #include "theme.h"
+#include "variables_dialog.h"
 
 namespace karinui::studio {
 
@@ -240,6 +241,16 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   connect(length_, &LengthBox::typed, this, [this](double wanted) {
     if (!filling_ && session_.selection().edge) session_.perform(stays_->length(wanted));
   });
+  length_->takeFormulas([this](const std::string& formula) -> Result<double> {
+    DocumentNames names = formulaNames(session_);
+    const auto value = workedOut(formula, names, kLength);
+    if (!value) return value.error();
+    return value->value;
+  });
+  connect(length_, &LengthBox::formulaTyped, this, [this](const QString& formula, double metres) {
+    if (!filling_ && session_.selection().edge) session_.perform(stays_->length(formula.toStdString(), metres));
+  });
+  connect(length_, &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
   for (LengthBox* box : {u_, v_})
     connect(box, &LengthBox::typed, this, [this] {
       edgeTyped([this](const Piece& piece) -> Result<Outline> {

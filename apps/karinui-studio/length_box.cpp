@@ -1,7 +1,9 @@
 #include "length_box.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QSignalBlocker>
+#include <QToolTip>
 #include <optional>
 
 #include "karinui/base/number.h"
@@ -33,6 +35,43 @@ void LengthBox::setMetres(double metres) {
   const QSignalBlocker quiet(this);
   setValue(metres);
   lineEdit()->setText(textFromValue(value()));  // the same number in another unit, too
+}
+
+void LengthBox::takeFormulas(std::function<Result<double>(const std::string& formula)> value) {
+  formulaValue_ = std::move(value);
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+    if (!holdsFormula()) return QToolTip::hideText();
+    const auto now = formulaValue_(lineEdit()->text().trimmed().toStdString());
+    QToolTip::showText(mapToGlobal(QPoint(0, height())), now ? "= " + lengthText(*now, 2) : inWords(now.error().what), this);
+  });
+}
+
+bool LengthBox::holdsFormula() const {
+  const QString text = lineEdit()->text().trimmed();
+  return formulaValue_ && !text.isEmpty() && text != specialValueText() && !metresIn(text);
+}
+
+bool LengthBox::enterFormula() {
+  const QString formula = lineEdit()->text().trimmed();
+  const auto metres = formulaValue_(formula.toStdString());
+  if (!metres) return emit refused(metres.error()), false;
+  QToolTip::hideText();
+  setMetres(*metres);
+  emit formulaTyped(formula, *metres);
+  return true;
+}
+
+void LengthBox::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (!enter || !holdsFormula()) return QDoubleSpinBox::keyPressEvent(event);
+  enterFormula();
+  event->accept();
+}
+
+// A formula that is no good goes when one leaves the box, as a number does that is none.
+void LengthBox::focusOutEvent(QFocusEvent* event) {
+  if (holdsFormula()) enterFormula();
+  QDoubleSpinBox::focusOutEvent(event);
 }
 
 QString LengthBox::textFromValue(double metres) const {

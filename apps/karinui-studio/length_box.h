@@ -1,10 +1,11 @@
 #pragma once
 // A box in which a length is read and typed: in metres inside, shown in centimetres or inches as the person chose, and
-// understanding either ("12", "3.5in", "40 mm"). It bears its name for those who hear the screen. GUI thread.
+// understanding either ("12", "3.5in", "40 mm"), or a formula where it takes formulas. It bears its name for those who hear the screen. GUI thread.
 #include <QDoubleSpinBox>
+#include <functional>
 #include <optional>
 
-#include "karinui/base/message.h"
+#include "karinui/base/result.h"
 
 namespace karinui::studio {
 
@@ -16,14 +17,25 @@ class LengthBox : public QDoubleSpinBox {
  public:
   LengthBox(const Message& name, double low, double high);  // metres
   void setMetres(double metres);                            // tells nobody
+  // From now on formulas are understood too; `value` works one out. What it comes to is shown below while one types.
+  void takeFormulas(std::function<Result<double>(const std::string& formula)> value);
 
  signals:
   void typed(double metres);
+  void formulaTyped(const QString& formula, double metres);
+  void refused(const karinui::Error& why);  // of a formula that was entered; its text stays
 
  protected:
   QString textFromValue(double metres) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& at) const override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  bool holdsFormula() const;
+  bool enterFormula();  // false: refused
+  std::function<Result<double>(const std::string&)> formulaValue_;
 };
 
 }  // namespace karinui::studio

@@ -22,6 +22,10 @@ LengthChoice::LengthChoice(Session& session) : session_(session) {
   both_ = new QLabel;
   both_->setWordWrap(true);
   both_->setProperty("role", "faint");
+  given_ = new QLabel;
+  given_->setWordWrap(true);
+  given_->setProperty("role", "faint");
+  given_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   Theme::here().keep(this, [this] {
     keep_->setAccessibleName(inWords(say("What stays when a length is typed")));
     keep_->setToolTip(inWords(say("The full dot stays, the ring moves.")));
@@ -29,6 +33,7 @@ LengthChoice::LengthChoice(Session& session) : session_(session) {
     neighbours_->setToolTip(inWords(say("Where they can: they turn a little, and so does the edge.")));
     refresh();
   });
+  column->addWidget(given_);
   column->addWidget(keep_);
   column->addWidget(neighbours_);
   column->addWidget(both_);
@@ -58,7 +63,27 @@ void LengthChoice::refresh() {
       SetLength::Keep::End);
   add(say("both ends move by half"), SetLength::Keep::Middle);
   keep_->setCurrentIndex(keep_->findData(static_cast<int>(session_.keptEnd())));
+  const std::string from = formula();
+  given_->setText("= " + QString::fromStdString(from));
+  given_->setVisible(!from.empty());
   both_->setText(inWords(session_.bothHalves() ? say("Both halves change.") : say("Only this edge changes.")));
+}
+
+// The formula by which the edge got the length it has now, if it was one.
+std::string LengthChoice::formula() const {
+  const auto& steps = session_.steps();
+  const auto& chosen = *session_.selection().edge;
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+    if (const auto* set = std::get_if<SetLength>(&step->operation))
+      if (set->edge.piece.id == chosen.piece && set->edge.edge == chosen.edge)
+        return step->operation.formulas.empty() ? std::string() : step->operation.formulas.front().value;
+  return {};
+}
+
+Operation LengthChoice::length(const std::string& formula, double metres) const {
+  Operation given = length(metres);
+  given.formulas = {{"to", formula}};
+  return given;
 }
 
 SetLength LengthChoice::length(double metres) const {

@@ -17,13 +17,15 @@ class LengthChoice : public QWidget {
   explicit LengthChoice(Session& session);
   void refresh();                         // the chosen edge, or the garment, is another
   SetLength length(double metres) const;  // of the chosen edge
+  Operation length(const std::string& formula, double metres) const;
 
  private:
+  std::string formula() const;
   const Piece* piece() const;  // null: no edge of an outline is chosen
   Session& session_;
   QComboBox* keep_;
   QCheckBox* neighbours_;
-  QLabel* both_;
+  QLabel *both_, *given_;
 };
 
 }  // namespace karinui::studio

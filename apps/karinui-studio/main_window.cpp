@@ -28,6 +28,7 @@
 #include "orbit.h"
 #include "start_page.h"
 #include "theme.h"
+#include "variables_dialog.h"
 #include "wheel_guard.h"
 
 namespace karinui::studio {
@@ -310,6 +311,7 @@ void MainWindow::refresh() {
   }
   if (mend_->isVisible() && !session_->can(Command::Mend)) mend_->hide(), toast_->hide();
   for (Panel* panel : panels_) panel->refresh();
+  if (variables_ && variables_->isVisible()) variables_->refresh();
   for (const auto& [command, action] : actions_) {
     // A tool that cannot be used yet stays clickable: it then says why.
     if (atStart())

@@ -23,6 +23,7 @@ namespace karinui::studio {
 class DropMenuFrame;
 class ForceFeedback;
 class Guide;
+class VariablesDialog;
 
 // The window's size the first time, from what the screen has room for.
 QSize firstSize(QSize available);
@@ -126,6 +127,7 @@ class MainWindow : public QMainWindow {
   QPushButton* mend_ = nullptr;  // under the toast: does what it advises
   QTimer toastTime_, wake_;
   Guide* guide_ = nullptr;
+  VariablesDialog* variables_ = nullptr;  // null: not asked for yet
   Cap* cap_ = nullptr;
   std::unique_ptr<ForceFeedback> force_;
   SessionChanges seen_;

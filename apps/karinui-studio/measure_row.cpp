@@ -1,5 +1,6 @@
 #include "measure_row.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -26,9 +27,18 @@ MeasureRow::MeasureRow(const Message& name) : box_(new LengthBox(name, 0, 2.6)),
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(box_);
   row->addWidget(slider_, 1);
-  connect(box_, &LengthBox::typed, this, &MeasureRow::set);
+  connect(box_, &LengthBox::typed, this, [this] {
+    formula_.clear();
+    emit set();
+  });
+  connect(box_, &LengthBox::formulaTyped, this, [this](const QString& formula) {
+    formula_ = formula.toStdString();
+    emit set();
+  });
+  for (QWidget* part : {static_cast<QWidget*>(box_), static_cast<QWidget*>(slider_)}) part->installEventFilter(this);
   connect(slider_, &QSlider::valueChanged, this, [this](int now) {
     box_->setMetres(now / 1000.0);
+    formula_.clear();
     if (slider_->isSliderDown())
       emit turned();
     else
@@ -41,8 +51,15 @@ std::optional<double> MeasureRow::stated() const {
   return box_->value() > 0 ? std::optional(box_->value()) : std::nullopt;
 }
 
-void MeasureRow::show(std::optional<double> stated, double measured) {
+bool MeasureRow::eventFilter(QObject* who, QEvent* event) {
+  if (event->type() == QEvent::FocusIn || event->type() == QEvent::Enter) emit entered();
+  return QWidget::eventFilter(who, event);
+}
+
+void MeasureRow::show(std::optional<double> stated, const std::string& formula, double measured) {
   if (slider_->isSliderDown() || box_->hasFocus()) return;
+  formula_ = formula;
+  box_->setToolTip(formula.empty() ? QString() : "= " + QString::fromStdString(formula));
   const QSignalBlocker quiet(slider_);
   box_->setMetres(stated.value_or(0));
   const double now = stated.value_or(measured);

@@ -10,6 +10,7 @@
 #include "guide.h"
 #include "main_window.h"
 #include "theme.h"
+#include "variables_dialog.h"
 
 namespace karinui::studio {
 
@@ -124,6 +125,11 @@ void MainWindow::makeMenus() {
   mirrorSeams_->setCheckable(true);
   mirrorSeams_->setObjectName("mirror_seams");
   edit->addSeparator();
+  add(edit, say("Variables…"), "", "", [this] {
+    if (!variables_) variables_ = new VariablesDialog(*session_, this);
+    variables_->show();
+    variables_->raise();
+  });
   add(edit, say("Keys…"), "", "", [this] { keysDialog(); });
 
   QMenu* work = menu(say("Work"));

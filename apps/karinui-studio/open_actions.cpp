@@ -18,6 +18,7 @@
 #include "drafts.h"
 #include "file_filter.h"
 #include "main_window.h"
+#include "measures_file.h"
 #include "start_page.h"
 #include "theme.h"
 
@@ -59,6 +60,8 @@ void MainWindow::openPath(const QString& path) {
     session_->open(file);
   } else if (content == FileContent::Body) {
     session_->importBody(file);
+  } else if (content == FileContent::Measures) {
+    wearMeasures(*session_, file);
   } else {
     session_->importPattern(file);
   }

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 #include <functional>
+#include <span>
 
 #include "karinui/session/session.h"
 #include "space_view.h"
@@ -29,6 +30,7 @@ class FabricPlot;
 class LengthBox;
 class LengthChoice;
 class LookBoard;
+class MeasureDrawing;
 class MeasureRow;
 
 class Panel : public QWidget {
@@ -86,6 +88,11 @@ class BodyPanel : public Panel {
 
  private:
   SetBody wished() const;
+  void addRows(const Message& group, std::span<const std::string_view> keys);
+  void findRows(const QString& wanted);  // only those with a word like this
+  void drawTape(const std::string& key);
+  void askMeasures();
+  void askSaveMeasures();
   SetBody asMeasured() const;  // the mannequin with the measures taken from the imported body
   bool imported() const;
   void fillMeasured();
@@ -96,7 +103,17 @@ class BodyPanel : public Panel {
   QComboBox* sex_;
   void wear();
   void fill();  // with the figure as it was chosen
+  struct MeasureGroup {
+    QLabel* title;
+    std::vector<std::string> keys;
+  };
   std::map<std::string, MeasureRow*> rows_;
+  std::map<std::string, QLabel*> names_;
+  std::vector<MeasureGroup> groups_;
+  QFormLayout* measures_;
+  QLineEdit* find_;
+  MeasureDrawing* drawing_;
+  std::string drawnKey_ = "bust_girth";
   QCheckBox* follow_;
   QPushButton *use_, *replay_;
   QLabel* measured_;

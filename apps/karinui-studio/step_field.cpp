@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "karinui/base/number.h"
+#include "karinui/design/formula.h"
 #include "length_box.h"
 #include "theme.h"
 
@@ -142,6 +143,8 @@ Wording numberWording(const Document& document, std::string_view operation, cons
           },
           [factor](const QString& typed) {
             static const QRegularExpression number("^\\s*([-+]?[\\d.]+(?:e[-+]?\\d+)?)\\s*(.*)$");
+            if (const auto formula = Formula::parse(utf8(typed)); formula && formula->terms().size() > 1)
+              return utf8(typed);
             const auto match = number.match(typed);
             const auto value = parseNumber(match.captured(1).toStdString());
             if (!value) return utf8(typed);

@@ -12,21 +12,27 @@ namespace karinui::app {
 namespace {
 
 struct MakeOptions {
-  std::string size, sex, out;
+  std::string size, measures, sex, out;
   std::vector<std::string> set;
 };
 
 struct MeasureOptions {
-  std::string path;
+  std::string path, out;
   bool wrap = false;
 };
 
-Result<Measurements> wanted(const MakeOptions& options) {
+Result<Measurements> wanted(Program& program, const MakeOptions& options) {
   Measurements measurements;
   if (!options.size.empty()) {
     Result<Measurements> size = builtInSize(options.size);
     if (!size) return size.error();
     measurements = std::move(*size);
+  }
+  if (!options.measures.empty()) {
+    Result<Measurements> read = readFigureMeasures(program, options.measures);
+    if (!read) return read.error();
+    measurements.sex = read->sex;
+    for (const auto& [key, value] : read->value) measurements.value[key] = value;
   }
   if (!options.sex.empty()) measurements.sex = options.sex == "male" ? Sex::Male : Sex::Female;
   for (const std::string& stated : options.set) {
@@ -47,7 +53,7 @@ Result<Measurements> wanted(const MakeOptions& options) {
 }
 
 int runMake(Program& program, const MakeOptions& options) {
-  const Result<Measurements> measurements = wanted(options);
+  const Result<Measurements> measurements = wanted(program, options);
   if (!measurements) return program.console.refuse(measurements.error());
   Workers workers(program.threads);
   const Result<BodyPtr> body = makeMannequin(*measurements, workers, program.console.token());
@@ -69,6 +75,11 @@ int runMeasure(Program& program, const MeasureOptions& options) {
   if (!figure) return program.console.refuse(figure.error());
   const Measurements measured = measure(figure->mesh, Bvh(figure->mesh));
   const MeshReport report = inspect(figure->mesh);
+  if (!options.out.empty()) {
+    const Result<std::string> written = writtenMeasures(options.out, measured);
+    if (!written) return program.console.refuse(written.error());
+    if (const Done done = writeFile(options.out, *written); !done) return program.console.refuse(done.error());
+  }
   program.console.answer(bodyJson(measured, report), bodyWords(measured, report, program.console));
   return kDone;
 }
@@ -82,6 +93,8 @@ void addBodyVerbs(Program& program) {
   auto make = std::make_shared<MakeOptions>();
   CLI::App* verb = program.verb(*body, "make", help("Makes a mannequin from measurements"), make, runMake);
   verb->add_option("--size", make->size, help("A built-in size: jis9ar, eu38, eu50"));
+  verb->add_option("--measures", make->measures,
+                   help(say("A file of measures: {0}, .json", listed(endingsRead({FileContent::Measures})))));
   verb->add_option("--set", make->set, help("Measurements: bust_girth=88cm …"));
   verb->add_option("--sex", make->sex, help("female or male: which family of shapes"))
       ->check(CLI::IsMember({"female", "male"}));
@@ -91,6 +104,8 @@ void addBodyVerbs(Program& program) {
   verb = program.verb(*body, "measure", help("Measures a body as a tape does"), measured, runMeasure);
   verb->add_option("body", measured->path, help(say("A body: {0}", listed(endingsRead({FileContent::Body})))))
       ->required();
+  verb->add_option("-o,--output", measured->out,
+                   help(say("A file that the measures are written to: {0}", listed(measureEndingsWritten()))));
   verb->add_flag("--wrap", measured->wrap, help("Close a scan's holes first"));
 }
 

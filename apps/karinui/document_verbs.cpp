@@ -7,6 +7,7 @@
 #include "karinui/base/file.h"
 #include "karinui/design/script.h"
 #include "karinui/design/steps_of.h"
+#include "karinui/design/variables.h"
 #include "karinui/exchange/read_pattern.h"
 #include "karinui/exchange/read_print.h"
 #include "open_document.h"
@@ -242,6 +243,35 @@ std::string vocabulary(const std::string& named) {
   return lines + help("Their fields: karinui do --help OPERATION, or docs/format/operations.md");
 }
 
+struct VariablesOptions {
+  std::string path, formula;
+};
+
+// The table of variables, or what one formula is in this garment.
+int runVariables(Program& program, const VariablesOptions& options) {
+  return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
+    DocumentNames names(opened.document(), opened.context());
+    if (!options.formula.empty()) {
+      const Result<Quantity> value = workedOut(options.formula, names);
+      if (!value) return program.console.refuse(value.error());
+      program.console.answer({{"formula", options.formula}, {"value", value->value}}, quantitySaid(*value, false) + "\n");
+      return kDone;
+    }
+    Json rows = Json::array();
+    std::string lines;
+    for (const VariableRow& row : variablesOf(opened.document(), names)) {
+      Json object = {{"name", row.name}, {"formula", row.formula}};
+      if (row.value) object["value"] = row.value->value;
+      rows.push_back(object);
+      lines += row.name + " = " + row.formula + "  # " +
+               (row.value ? quantitySaid(*row.value, false) : program.console.said(row.value.error().what)) + "\n";
+    }
+    if (lines.empty()) lines = program.console.said(say("There are no variables.")) + "\n";
+    program.console.answer({{"variables", rows}}, lines);
+    return kDone;
+  });
+}
+
 }  // namespace
 
 void addDocumentVerbs(Program& program) {
@@ -280,6 +310,12 @@ void addDocumentVerbs(Program& program) {
                       runRescue);
   verb->add_option("document", save->path, help("The .karinui document"))->required();
   verb->add_option("-o,--output", save->out, help("The .karinui document to make"))->required();
+
+  auto variables = std::make_shared<VariablesOptions>();
+  verb = program.verb(program.cli, "variables", help("Lists the variables of a document and what they are now"), variables,
+                      runVariables);
+  verb->add_option("document", variables->path, help("The .karinui document"))->required();
+  verb->add_option("formula", variables->formula, help("A formula to work out instead: 'bust_girth/4 + 1cm'"));
 
   auto import = std::make_shared<ImportOptions>();
   verb = program.verb(program.cli, "import", help("Makes a document from a pattern, a body or a script"), import,

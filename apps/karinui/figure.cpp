@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "karinui/exchange/formats.h"
 #include "karinui/exchange/read_body.h"
 
 namespace karinui::app {
@@ -19,11 +20,28 @@ Result<Body::Parts> readFigure(Program& program, Workers& workers, const std::st
   return parts;
 }
 
+Result<Measurements> readFigureMeasures(Program& program, const std::string& path) {
+  const Result<MeasuresRead> read = readMeasures(path);
+  if (!read) return read.error();
+  Measurements made = forMannequin(read->measures);
+  for (const auto& [key, value] : read->measures.value)
+    if (!made.value.contains(key)) program.console.note(say("{0} is not used: no mannequin can be made to it.", key));
+  for (const std::string& name : read->unknown) program.console.note(say("“{0}” has no counterpart here and is left out.", name));
+  return made;
+}
+
 Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFile) {
   SetBody chosen;
   const auto sizes = builtInSizes();
   if (std::find(sizes.begin(), sizes.end(), sizeOrFile) != sizes.end()) {
     chosen.size = sizeOrFile;
+    return chosen;
+  }
+  if (contentOf(sizeOrFile) == FileContent::Measures) {
+    const Result<Measurements> measures = readFigureMeasures(opened.program(), sizeOrFile);
+    if (!measures) return measures.error();
+    chosen.sex = measures->sex;
+    for (const auto& [key, value] : measures->value) chosen.set.push_back({key, {value}});
     return chosen;
   }
   Result<Body::Parts> parts = readFigure(opened.program(), opened.context().workers, sizeOrFile, false);

@@ -1,12 +1,50 @@
 #include "karinui/design/apply.h"
 
 #include "design/operations/operations.h"
+#include "design/text/formula_fields.h"
+#include "design/text/value_text.h"
+#include "karinui/design/variables.h"
 
 namespace karinui {
 
 namespace {
 constexpr std::uint32_t kMostOperations = 1'000'000;  // a garment of a lifetime; keeps ids small
 }
+
+namespace {
+
+// What is given by formulas, for this document; their edges by ids.
+Done workOutFields(const Document& before, Operation& operation, Context& context) {
+  if (operation.formulas.empty()) return {};
+  DocumentNames names(before, context);
+  const auto valueOf = [&](Formula& formula) -> Result<Quantity> {
+    auto known = recordedFormula(formula, before);
+    if (!known) return known.error();
+    formula = *std::move(known);
+    return evaluate(formula, names);
+  };
+  const auto workOut = [&](std::string_view name, auto& value) -> Done {
+    for (FieldText& formula : operation.formulas) {
+      if (formula.name != name) continue;
+      const auto field = workedOutField(kindOf(&value), formula.value, valueOf);
+      if (!field) return field.error();
+      formula.value = field->formulas;
+      return readValue(field->plain, value);
+    }
+    return {};
+  };
+  return std::visit(
+      [&](auto& op) {
+        Done done;
+        op.fields(op, [&](std::string_view name, auto& value, std::string_view, Need) {
+          if (done) done = workOut(name, value);
+        });
+        return done;
+      },
+      static_cast<PlainOperation&>(operation));
+}
+
+}  // namespace
 
 Result<BodyPtr> bodyOf(const Document& document, Context& context) {
   if (!document.body.chosen())
@@ -15,7 +53,11 @@ Result<BodyPtr> bodyOf(const Document& document, Context& context) {
 }
 
 Result<Operation> resolved(const Document& before, Operation operation, Context& context) {
-  const Done done = std::visit([&](auto& op) { return resolve(before, op, context); }, operation);
+  if (Done done = workOutFields(before, operation, context); !done) return done.error();
+  Context own = context;
+  own.byFormula = !operation.formulas.empty();
+  const Done done =
+      std::visit([&](auto& op) { return resolve(before, op, own); }, static_cast<PlainOperation&>(operation));
   if (!done) return done.error();
   return operation;
 }

@@ -99,6 +99,8 @@ std::string hash(const Document& document) {
     truth.add(std::uint64_t{document.looks.pieces.size()});
     for (const auto& [id, look] : document.looks.pieces) truth.add(id.value), truth.add(look);
   }
+  if (!document.variables.empty()) truth.add(std::string_view("variables"));  // documents without keep their hash
+  for (const auto& [name, formula] : document.variables) truth.add(name), truth.add(formula);
   return truth.hasher.hex();
 }
 

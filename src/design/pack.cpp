@@ -196,12 +196,14 @@ std::string packRest(const Document& d) {
   if (d.drape.last) add(w, *d.drape.last);
   w.all(d.drape.force).add(std::uint64_t{d.drape.dirty.size()});
   for (const PieceId id : d.drape.dirty) w.add(id.value);
-  if (!d.looks.empty()) {  // files of before they were kept end here
+  if (!d.looks.empty() || !d.variables.empty()) {  // files of before they were kept end here
     w.add(std::uint64_t{d.looks.fabrics.size()});
     for (const auto& [name, look] : d.looks.fabrics) w.add(name), add(w, look);
     w.add(std::uint64_t{d.looks.pieces.size()});
     for (const auto& [id, look] : d.looks.pieces) w.add(id.value), add(w, look);
   }
+  if (!d.variables.empty()) w.add(std::uint64_t{d.variables.size()});  // documents without are packed as before them
+  for (const auto& [name, formula] : d.variables) w.add(name).add(formula);
   return w.taken();
 }
 
@@ -246,6 +248,11 @@ Result<Document> unpackRest(std::string_view bytes) {
       d.looks.pieces[id] = readLook(r);
     }
   }
+  if (r.good() && !r.finished())
+    for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
+      const std::string name = r.text();
+      d.variables[name] = r.text();
+    }
   if (!r.finished()) return damaged();
   return d;
 }

@@ -101,6 +101,31 @@ std::vector<FileFormat> allFormats() {
        .label = say("The steps as text"),
        .about = say("One operation a line: to be read, changed and played again."),
        .write = [](Source from) -> Result<std::string> { return from.script(); }},
+      {.id = "measures",
+       .endings = {"measures"},
+       .in = Content::Measures,
+       .out = Content::Measures,
+       .readMeasures = readMeasuresText,
+       .writeMeasures = writeMeasuresText},
+      {.id = "valentina",
+       .endings = {"vit"},
+       .in = Content::Measures,
+       .out = Content::Measures,
+       .readMeasures = readValentina,
+       .writeMeasures = writeVit},
+      {.id = "seamly",
+       .endings = {"smis"},
+       .in = Content::Measures,
+       .out = Content::Measures,
+       .readMeasures = readValentina,
+       .writeMeasures = writeSmis},
+      {.id = "valentina-sizes", .endings = {"vst", "smms"}, .in = Content::Measures, .readMeasures = readValentina},
+      {.id = "freesewing",
+       .endings = {"yaml", "yml"},
+       .in = Content::Measures,
+       .out = Content::Measures,
+       .readMeasures = readMeasuresYaml,
+       .writeMeasures = writeFreeSewing},
       {.id = "png", .endings = {"png"}, .out = Content::Picture},
   };
 }
@@ -138,6 +163,8 @@ Message named(FileContent content, const std::string& endings) {
       return say("patterns ({0})", endings);
     case FileContent::Script:
       return say("scripts of operations ({0})", endings);
+    case FileContent::Measures:
+      return say("measures ({0})", endings);
     default:
       KARINUI_ASSERT(false);  // the others are only written
   }
@@ -191,6 +218,10 @@ std::vector<std::string> endingsRead(FileContents contents, FormatTable table) {
 }
 
 std::vector<std::string> endingsWritten(FormatTable table) { return endingsOf(exportFormats(table)); }
+
+std::vector<std::string> measureEndingsWritten(FormatTable table) {
+  return endingsOf(rowsWhere(table, [](const FileFormat& row) { return row.writeMeasures != nullptr; }));
+}
 
 std::string listed(const std::vector<std::string>& endings) {
   std::string all;

@@ -78,11 +78,11 @@ class Parser {
       const std::size_t open = text_.find('<', at_);
       if (open == std::string_view::npos) break;
       at_ = open;
-      if (!markup()) return badInput(wrong_.empty() ? say("The drawing is damaged at byte {0}.", at_) : wrong_);
-      if (out_.size() > kMostElements) return badInput(say("The drawing has more than {0} elements.", kMostElements));
+      if (!markup()) return badInput(wrong_.empty() ? say("The file is damaged at byte {0}.", at_) : wrong_);
+      if (out_.size() > kMostElements) return badInput(say("The file has more than {0} elements.", kMostElements));
     }
-    if (out_.empty()) return badInput(say("This is not an SVG drawing."));
-    if (!open_.empty()) return badInput(say("The drawing ends too early: \"{0}\" is not closed.", shown(open_.back())));
+    if (out_.empty()) return badInput(say("This file is not XML."));
+    if (!open_.empty()) return badInput(say("The file ends too early: \"{0}\" is not closed.", shown(open_.back())));
     return std::move(out_);
   }
 
@@ -99,7 +99,7 @@ class Parser {
     if (starts("<![CDATA[")) return skipPast("]]>");
     if (starts("<?")) return skipPast("?>");
     if (starts("<!")) {
-      wrong_ = say("The drawing has a DOCTYPE, which is not read for safety. Save it as plain SVG.");
+      wrong_ = say("The file has a DOCTYPE, which is not read for safety. Save it without one (a drawing as plain SVG).");
       return false;
     }
     if (starts("</")) {
@@ -120,10 +120,10 @@ class Parser {
     return std::string(text_.substr(from, at_ - from));
   }
   bool element() {
-    XmlElement element{word(), {}, open_.size()};
+    XmlElement element{word(), {}, open_.size(), {}};
     if (element.name.empty() || (open_.empty() && !out_.empty())) return false;
     if (open_.size() >= kDeepest) {
-      wrong_ = say("The drawing is nested more than {0} levels deep.", kDeepest);
+      wrong_ = say("The file is nested more than {0} levels deep.", kDeepest);
       return false;
     }
     for (;;) {
@@ -136,6 +136,7 @@ class Parser {
       if (starts(">")) {
         ++at_;
         open_.push_back(element.name);
+        element.text = resolved(text_.substr(at_, text_.find('<', at_) - at_)).value_or("");
         out_.push_back(std::move(element));
         return true;
       }
@@ -166,8 +167,8 @@ class Parser {
 
 Result<std::vector<XmlElement>> parseXml(std::string_view text) {
   if (text.size() > kLargestJson)
-    return badInput(say("The drawing is too large: at most {0} MB are read.", kLargestJson >> 20));
-  if (text.find('\0') != std::string_view::npos) return badInput(say("This is not an SVG drawing."));
+    return badInput(say("The file is too large: at most {0} MB are read.", kLargestJson >> 20));
+  if (text.find('\0') != std::string_view::npos) return badInput(say("This file is not XML."));
   return Parser(text).run();
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The part of XML that drawings of ours use: elements with attributes, comments, character data that is passed over. No
+// The part of XML that drawings and measurement files use: elements with attributes, comments, plain character data. No
 // DOCTYPE (so no entities of a file's own), at most 64 levels, each name closed by its own.
 #include <map>
 #include <string>
@@ -14,6 +14,7 @@ struct XmlElement {
   std::string name;
   std::map<std::string, std::string> attributes;  // entities resolved
   std::size_t depth = 0;                          // 0: the root
+  std::string text = {};                          // before its first child; empty where that is damaged
   const std::string* find(const std::string& key) const {
     const auto found = attributes.find(key);
     return found == attributes.end() ? nullptr : &found->second;

@@ -86,6 +86,7 @@ std::string facts(const Document& d) {
   if (d.settings.spacing != usual.spacing) out << "spacing_mm " << fixed(d.settings.spacing * 1000, 1) << "\n";
   if (d.settings.ease != usual.ease) out << "ease_mm " << fixed(d.settings.ease * 1000, 1) << "\n";
   if (d.settings.collider != usual.collider) out << "collider planes\n";
+  for (const auto& [own, formula] : d.variables) out << "variable " << own << " " << formula << "\n";
   if (d.drape.last) out << "draped " << (d.drape.last->settled ? "settled" : "not settled") << "\n";
   return out.str();
 }

@@ -55,8 +55,10 @@ TEST(Formats, EachRowIsWhole) {
     EXPECT_FALSE(format.endings.empty());
     EXPECT_TRUE(format.in != FileContent::None || format.out != FileContent::None);
     EXPECT_EQ(format.in == FileContent::Pattern, format.readPattern || format.readSize);
-    const bool here =
-        format.out != FileContent::None && format.out != FileContent::Document && format.out != FileContent::Picture;
+    const bool here = format.out != FileContent::None && format.out != FileContent::Document &&
+                      format.out != FileContent::Picture && format.out != FileContent::Measures;
+    EXPECT_EQ(format.in == FileContent::Measures, format.readMeasures != nullptr);
+    EXPECT_EQ(format.out == FileContent::Measures, format.writeMeasures != nullptr);
     EXPECT_EQ(here, format.write != nullptr);
     EXPECT_EQ(here, !format.label.empty());
     EXPECT_EQ(here, !format.about.empty());

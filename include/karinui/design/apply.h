@@ -82,6 +82,8 @@ struct Context {
   std::function<void(const Advice&)> advise = {};  // told what was just done; empty: nobody asks
   // Stops a drape where the cloth is; the recorded operation then says after how many steps. Null: nobody stops it.
   StopRequest* stop = nullptr;
+  // Set by resolved(): the operation's numbers come from formulas. What is so already is then no mistake.
+  bool byFormula = false;
 };
 
 Result<BodyPtr> bodyOf(const Document& document, Context& context);  // refused: no body chosen yet

@@ -53,6 +53,7 @@ struct Document {
   std::map<PieceId, std::vector<Flat>> pins;  // paper places held where they are while draping
   Looks looks;
   Settings settings;
+  std::map<std::string, std::string> variables;  // formulas by name (formula.h); worked out where they are used
   DrapeInfo drape;
   std::uint32_t operations = 0;  // how many led here; the next one mints its ids from operations + 1
 
@@ -61,7 +62,7 @@ struct Document {
   const Seam* find(SeamId id) const;
 };
 
-// Of the pattern truth: body, outlines, marks, seams, fabrics, looks, pins, settings, names and ids; not of forms,
+// Of the pattern truth: body, outlines, marks, seams, fabrics, looks, pins, settings, variables, names and ids; not of forms,
 // poses, reports.
 std::string hash(const Document& document);
 // Of where the cloth stands: forms and poses.

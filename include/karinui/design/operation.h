@@ -4,6 +4,7 @@
 // made-to-measure are one thing. Its fields are listed once, in fields(self, visit): text form, file, help and JSON all
 // grow from that list.
 //   visit(name, value, help, kNeeded | kOptional)
+// A field whose numbers are given by formulas (formula.h) keeps the formulas: see Operation below.
 // kDisturbsDrape: cloth that was at rest is brought to rest again after it (see disturbsDrape).
 // A field that has its default value is not written. Values and their text forms: values.h.
 #include <optional>
@@ -33,7 +34,7 @@ struct SetBody {
   static void fields(Self& self, Visit&& visit) {
     visit("size", self.size, "a built-in size to start from: jis9ar, eu38, eu50", kOptional);
     visit("sex", self.sex, "female or male: which family of shapes (a size brings its own)", kOptional);
-    visit("set", self.set, "measurements: bust_girth=88cm; waist_girth=70cm", kOptional);
+    visit("set", self.set, "measurements: bust_girth=88cm; waist_girth=70cm, or formulas of each other", kOptional);
     visit("mesh", self.mesh, "an imported mesh, by its name among the document's blobs", kOptional);
   }
   bool operator==(const SetBody&) const = default;
@@ -811,11 +812,41 @@ struct DraftBlock {
   bool operator==(const DraftBlock&) const = default;
 };
 
-using Operation = std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, CutPiece, PullCloth, ReshapePiece,
-                               DrapePieces, SetFabric, PinCloth, UnpinCloth, RemovePieces, DuplicatePiece, MirrorPiece,
-                               Rename, PlacePiece, FreezePieces, SetLayer, ChangeSettings, AddPiece, SetGrain, AddNotch,
-                               SplitEdge, JoinEdges, AddDart, AddLine, EraseMarks, FlipSeam, SetLength, SetLook, DrawRectangle,
-                               DrawPolygon, DrawRing, DrawBand, AttachPiece, UnfoldPiece, DraftBlock>;
+// variable name=cuff value="wrist_girth + 4cm"        variable name=cuff remove=yes
+struct SetVariable {
+  static constexpr std::string_view kName = "variable";
+  static constexpr std::string_view kHelp = "Gives a formula a name, for other formulas; worked out where it is used.";
+  std::string name, value;
+  bool remove = false;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "letters, digits and _; no measure's name", kNeeded);
+    visit("value", self.value, "a length, an angle or a number: 4cm, wrist_girth + 4cm, front.side_left/3", kOptional);
+    visit("remove", self.remove, "yes: there is no such variable any more", kOptional);
+  }
+  bool operator==(const SetVariable&) const = default;
+};
+
+struct FieldText {
+  std::string name, value;
+  bool operator==(const FieldText&) const = default;
+};
+
+using PlainOperation =
+    std::variant<SetBody, DrawPiece, MovePiece, SewEdges, Unsew, CutPiece, PullCloth, ReshapePiece, DrapePieces,
+                 SetFabric, PinCloth, UnpinCloth, RemovePieces, DuplicatePiece, MirrorPiece, Rename, PlacePiece,
+                 FreezePieces, SetLayer, ChangeSettings, AddPiece, SetGrain, AddNotch, SplitEdge, JoinEdges, AddDart,
+                 AddLine, EraseMarks, FlipSeam, SetLength, SetLook, DrawRectangle, DrawPolygon, DrawRing, DrawBand,
+                 AttachPiece, UnfoldPiece, DraftBlock, SetVariable>;
+
+// One of the above. The fields named in `formulas` are given by formulas: what the struct holds there is their value as
+// it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand. So
+// the same operation gives a longer edge on a larger figure. Two operations with formulas are alike when their texts are.
+struct Operation : PlainOperation {
+  using PlainOperation::variant;
+  std::vector<FieldText> formulas;  // in the fields' order, in canonical form
+};
+bool operator==(const Operation& a, const Operation& b);
 
 std::string_view nameOf(const Operation& operation);
 

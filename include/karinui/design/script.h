@@ -21,9 +21,6 @@ struct ScriptLine {
 Result<std::vector<ScriptLine>> parseScript(std::string_view script);  // errors name the line
 
 // An operation's fields as names and text, for JSON and lists. Fields that have their default are left out.
-struct FieldText {
-  std::string name, value;
-};
 std::vector<FieldText> fieldTexts(const Operation& operation);
 // The line of an operation of this name with these fields, for parseOperation().
 std::string lineOf(std::string_view name, const std::vector<FieldText>& fields);

@@ -58,11 +58,15 @@ struct Turn {
   bool operator==(const Turn&) const = default;
 };
 
-// One stated measurement. Text: "bust_girth=88cm".
+// One stated measurement. Text: "bust_girth=88cm", or "waist_girth=bust_girth - 16cm": then `value` is what that was last
+// worked out to, and does not tell two apart.
 struct Stated {
   std::string key;
-  Length value;
-  bool operator==(const Stated&) const = default;
+  Length value;                // metres, or radians
+  std::string formula = {};    // of measurements stated beside it; empty: a number
+  bool operator==(const Stated& other) const {
+    return key == other.key && formula == other.formula && (!formula.empty() || value == other.value);
+  }
 };
 
 // The same place said the same way.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "karinui/base/result.h"
+#include "karinui/exchange/measurement_files.h"
 #include "karinui/exchange/sheet.h"
 #include "karinui/exchange/spatial.h"
 
@@ -22,6 +23,7 @@ enum class FileContent {
   Document,  // the operations with everything kept: DocumentFile (design/history.h)
   Body,      // a surface to make clothes on: readBody() reads all of them, in a process of its own
   Pattern,   // outlines, seams, marks
+  Measures,  // of a person: readMeasures() (measurement_files.h)
   Script,    // operations as text: parseScript() (design/script.h)
   Sheet,     // the pattern laid out on paper at true size
   Garment,   // body and cloth as shapes in space
@@ -53,6 +55,9 @@ struct FileFormat {
   Result<CadPattern> (*readSize)(std::string_view bytes, std::string_view size) = nullptr;
   // The bytes of the file. Null where another module writes it: documents and pictures.
   Result<std::string> (*write)(const ExportSource& source) = nullptr;
+  // Of measures. JSON of measures is no row of its own: readMeasures() takes it where measures are asked for.
+  Result<MeasuresRead> (*readMeasures)(std::string_view bytes) = nullptr;
+  std::string (*writeMeasures)(const Measurements& measures) = nullptr;
 };
 using FormatTable = std::span<const FileFormat>;
 
@@ -77,6 +82,7 @@ inline constexpr FileContents kAllRead{FileContent::Document, FileContent::Body,
                                        FileContent::Script};
 std::vector<std::string> endingsRead(FileContents contents = kAllRead, FormatTable table = fileFormats());
 std::vector<std::string> endingsWritten(FormatTable table = fileFormats());
+std::vector<std::string> measureEndingsWritten(FormatTable table = fileFormats());
 // ".obj, .ply, .gltf, .glb"
 std::string listed(const std::vector<std::string>& endings);
 // "bodies (.obj, .ply), scripts (.ops)"

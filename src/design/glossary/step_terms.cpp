@@ -43,6 +43,7 @@ TermTable operationTerms() {
       {"unfold", say("Unfold a half")},
       {"unpin", say("Take pins out")},
       {"unsew", say("Unpick")},
+      {"variable", say("Variable")},
   };
   return all;
 }
@@ -115,6 +116,7 @@ TermTable fieldTerms() {
       {"ratio", say("Length, times the edges")},
       {"refit", say("Curve fitted anew")},
       {"repeat", say("Repeats every")},
+      {"remove", say("There is no such variable any more")},
       {"replace", say("Unpick seams in the way")},
       {"reversed", say("Sewn the other way round")},
       {"seam", say("Seam")},
@@ -146,6 +148,7 @@ TermTable fieldTerms() {
       {"toe_weft", say("Give, weft")},
       {"turn", say("Turn")},
       {"turn.look", say("Angle to the grain")},
+      {"value", say("Value or formula")},
       {"weight", say("Weight")},
       {"width", say("Width of the dart")},
       {"width.rectangle", say("Width")},

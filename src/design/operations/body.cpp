@@ -1,4 +1,5 @@
 #include "design/operations/operations.h"
+#include "karinui/design/variables.h"
 
 namespace karinui {
 
@@ -25,14 +26,15 @@ Done resolve(const Document&, SetBody& op, Context&) {
   if (!op.mesh.empty() && (!op.size.empty() || !op.set.empty() || op.sex)) {
     return refused(say("A body is either an imported mesh or made from measurements, not both."));
   }
-  std::map<std::string, Length> once;
+  if (Done done = workOutStated(op); !done) return done;
+  std::map<std::string, Stated> once;
   for (const Stated& s : op.set) {
     auto key = measurementKey(s.key);
     if (!key) return key.error();
-    if (!once.emplace(*key, s.value).second) return refused(say("The measurement {0} is given twice.", *key));
+    if (!once.emplace(*key, Stated{*key, s.value, s.formula}).second) return refused(say("The measurement {0} is given twice.", *key));
   }
   op.set.clear();
-  for (const auto& [key, value] : once) op.set.push_back({key, value});
+  for (auto& [key, stated] : once) op.set.push_back(std::move(stated));
   return {};
 }
 

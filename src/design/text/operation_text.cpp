@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "design/text/formula_fields.h"
 #include "design/text/value_text.h"
 #include "karinui/design/script.h"
 
@@ -10,8 +11,8 @@ namespace {
 
 template <class Do>
 void forEachOperation(Do&& each) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) { (each(std::variant_alternative_t<i, Operation>{}), ...); }
-  (std::make_index_sequence<std::variant_size_v<Operation>>());
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (each(std::variant_alternative_t<i, PlainOperation>{}), ...); }
+  (std::make_index_sequence<std::variant_size_v<PlainOperation>>());
 }
 
 std::string quoted(std::string_view value) {
@@ -90,9 +91,25 @@ Result<Line> takenApart(std::string_view text) {
   }
 }
 
+// A value as text, or formulas that give it once there is a garment.
+template <class Value>
+Done readField(std::string_view name, std::string_view text, Value& value, std::vector<FieldText>& formulas) {
+  Value read = value;
+  const Done done = readValue(text, read);
+  if (done) return value = std::move(read), Done();
+  const std::string kind = kindOf(&value);
+  const auto field = workedOutField(kind, text, [&](Formula&) -> Result<Quantity> {
+    return Quantity{0, kind == "number" ? kPlainNumber : kind.ends_with("angle") ? kAngle : kLength};
+  });
+  if (!field) return seemsFormula(kind, text) ? field.error() : done;
+  formulas.push_back({std::string(name), field->formulas});
+  return {};
+}
+
 template <class Op>
 Result<Operation> filled(const Line& line) {
   Op operation;
+  std::vector<FieldText> formulas;
   Done trouble;
   std::size_t used = 0;
   std::string names;
@@ -104,9 +121,7 @@ Result<Operation> filled(const Line& line) {
       return;
     }
     ++used;
-    if (Done done = readValue(given->value, value); !done && trouble) {
-      trouble = done.error();
-    }
+    if (Done done = readField(name, given->value, value, formulas); !done && trouble) trouble = done.error();
   });
   for (std::size_t i = 0; i < line.values.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -117,10 +132,18 @@ Result<Operation> filled(const Line& line) {
     }
   }
   if (!trouble) return trouble.error();
-  return Operation(std::move(operation));
+  Operation all(std::move(operation));
+  all.formulas = std::move(formulas);
+  return all;
 }
 
 }  // namespace
+
+bool operator==(const Operation& a, const Operation& b) {
+  if (a.formulas != b.formulas) return false;
+  if (a.formulas.empty()) return static_cast<const PlainOperation&>(a) == static_cast<const PlainOperation&>(b);
+  return text(a) == text(b);
+}
 
 std::string_view nameOf(const Operation& operation) {
   return std::visit([](const auto& op) { return std::decay_t<decltype(op)>::kName; }, operation);
@@ -136,7 +159,9 @@ std::vector<FieldText> fieldTexts(const Operation& operation) {
         Op::fields(usual, [&](auto, const auto& value, auto, Need) { defaults.push_back(writeValue(value)); });
         std::size_t i = 0;
         Op::fields(op, [&](std::string_view name, const auto& value, auto, Need need) {
-          std::string written = writeValue(value);
+          const auto formula =
+              std::find_if(operation.formulas.begin(), operation.formulas.end(), [&](auto& f) { return f.name == name; });
+          std::string written = formula == operation.formulas.end() ? writeValue(value) : formula->value;
           if (need == kNeeded || written != defaults[i]) all.push_back({std::string(name), std::move(written)});
           ++i;
         });

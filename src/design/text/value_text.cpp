@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 
+#include "design/text/formula_fields.h"
 #include "karinui/base/number.h"
 
 namespace karinui {
@@ -257,8 +258,11 @@ Done readValue(std::string_view text, Rigid& value) {
   return {};
 }
 
-std::string writeValue(const Stated& value) { return value.key + "=" + writeValue(value.value); }
+std::string writeValue(const Stated& value) {
+  return value.key + "=" + (value.formula.empty() ? writeValue(value.value) : value.formula);
+}
 Done readValue(std::string_view text, Stated& value) {
+  value.formula.clear();
   const auto parts = splitAt(text, '=');
   if (parts.size() != 2 || parts[0].empty()) {
     return badInput(say("“{0}” is not a measurement; write it like bust_girth=88cm.", text));
@@ -266,9 +270,22 @@ Done readValue(std::string_view text, Stated& value) {
   value.key = parts[0];
   // Two measurements are angles: how the shoulders slope and how the arms are held.
   if (const auto length = parseLength(parts[1])) return value.value.metres = *length, Done();
-  const auto angle = parseAngle(parts[1]);
-  if (!angle) return badInput(say("“{0}” is not a measurement; write it like bust_girth=88cm.", text));
-  return value.value.metres = *angle, Done();
+  if (const auto angle = parseAngle(parts[1])) return value.value.metres = *angle, Done();
+  const auto formula = Formula::parse(parts[1]);
+  if (!formula && seemsFormula("length", parts[1])) return formula.error();
+  if (!formula) return badInput(say("“{0}” is not a measurement; write it like bust_girth=88cm.", text));
+  return value.formula = formula->text(), Done();
+}
+Done readValue(std::string_view text, std::vector<Stated>& values) {
+  // Formulas have blanks within: then items are parted by ";" alone.
+  for (const bool atSpaces : {true, false}) {
+    values.clear();
+    Done done;
+    for (const std::string& item : splitList(text, atSpaces))
+      if (done = readValue(item, values.emplace_back()); !done) break;
+    if (done || !atSpaces) return done;
+  }
+  return {};
 }
 
 std::string writeValue(const PieceRef& value) { return value.id ? text(value.id) : value.name; }

@@ -56,6 +56,8 @@ KARINUI_VALUE(Finish, "poplin|linen|denim|suiting|tweed|jersey|satin|chiffon|vel
 KARINUI_VALUE(PrintKind, "none|stripe|check|dot|photo")
 #undef KARINUI_VALUE
 
+Done readValue(std::string_view text, std::vector<Stated>& values);
+
 template <class T>
 std::string kindOf(const std::optional<T>*) {
   return kindOf(static_cast<const T*>(nullptr));

@@ -1,0 +1,93 @@
+// Measurement files written, and the formats by their endings.
+#include <numbers>
+
+#include "exchange/measure_names.h"
+#include "karinui/base/file.h"
+#include "karinui/base/number.h"
+#include "karinui/exchange/formats.h"
+#include "karinui/exchange/measurement_files.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+// To a micron, without the digits that changing units adds.
+std::string number(double value) { return shortest(*parseNumber(fixed(value, 4))); }
+
+std::string inCentimetres(std::string_view key, double value) { return number(isAngle(key) ? value * kDegrees : value * 100); }
+
+std::string lines(const Measurements& measures) {
+  std::string all;
+  for (const auto& [key, value] : measures.value)
+    if (const std::string_view name = measureNameIn(&MeasureNames::valentina, key); !name.empty())
+      all += "    <m name=\"" + std::string(name) + "\" value=\"" + inCentimetres(key, value) + "\"/>\n";
+  return all;
+}
+
+std::string gender(const Measurements& measures) { return measures.sex == Sex::Male ? "male" : "female"; }
+
+bool json(const std::filesystem::path& file) { return hasEnding(file, fileFormat("garmentcode")); }
+
+}  // namespace
+
+std::string writeMeasuresText(const Measurements& measures) {
+  std::string all = "# Measures of a figure. Lengths: mm, cm, m, in; angles: deg.\nsex = " + gender(measures) + "\n";
+  for (const auto& [key, value] : measures.value)
+    all += key + " = " + inCentimetres(key, value) + (isAngle(key) ? "deg\n" : "cm\n");
+  return all;
+}
+
+std::string writeVit(const Measurements& measures) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<vit>\n  <version>0.5.1</version>\n  <read-only>false</read-only>\n"
+         "  <notes/>\n  <unit>cm</unit>\n  <pm_system>998</pm_system>\n  <personal>\n    <customer/>\n    <birth-date>1800-01-01"
+         "</birth-date>\n    <gender>" +
+         gender(measures) + "</gender>\n    <email/>\n  </personal>\n  <body-measurements>\n" + lines(measures) +
+         "  </body-measurements>\n</vit>\n";
+}
+
+std::string writeSmis(const Measurements& measures) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<smis>\n  <version>0.3.4</version>\n  <read-only>false</read-only>\n"
+         "  <notes/>\n  <unit>cm</unit>\n  <pm_system>998</pm_system>\n  <personal>\n    <family-name/>\n    <given-name/>\n"
+         "    <birth-date>1800-01-01</birth-date>\n    <gender>" +
+         gender(measures) + "</gender>\n    <email/>\n  </personal>\n  <body-measurements>\n" + lines(measures) +
+         "  </body-measurements>\n</smis>\n";
+}
+
+std::string writeFreeSewing(const Measurements& measures) {
+  std::string all = "# Millimetres; shoulderSlope in degrees.\nmeasurements:\n";
+  for (const auto& [key, value] : measures.value)
+    if (const std::string_view name = measureNameIn(&MeasureNames::freeSewing, key); !name.empty())
+      all += "  " + std::string(name) + ": " + number(isAngle(key) ? value * kDegrees : value * 1000) + "\n";
+  return all;
+}
+
+Measurements forMannequin(const Measurements& measures) {
+  Measurements made;
+  made.sex = measures.sex;
+  for (const std::string_view key : mannequinKeys())
+    if (const auto at = measures.value.find(std::string(key)); at != measures.value.end()) made.value.insert(*at);
+  return made;
+}
+
+Result<MeasuresRead> readMeasures(const std::filesystem::path& file) {
+  for (const FileFormat* format : formatsReading(file)) {
+    if (!format->readMeasures && !json(file)) continue;
+    const auto bytes = readFile(file, std::size_t{8} << 20);
+    if (!bytes) return bytes.error();
+    auto read = json(file) ? readMeasuresJson(*bytes) : format->readMeasures(*bytes);
+    if (!read) return inFile(file, read.error());
+    return read;
+  }
+  return unreadable(file, {FileContent::Measures});
+}
+
+Result<std::string> writtenMeasures(const std::filesystem::path& file, const Measurements& measures) {
+  for (const FileFormat& format : fileFormats())
+    if (format.writeMeasures && hasEnding(file, format)) return format.writeMeasures(measures);
+  return badInput(say("“{0}” has none of the endings that measures are written to: {1}.", file.filename().string(),
+                      listed(measureEndingsWritten())));
+}
+
+}  // namespace karinui
