@@ -427,7 +427,7 @@ void SpaceView::paintGL() {
     if (stale_) {
       compositor_->scene(k, sw, sh).bind();
       scene.draw(eyeOf(lens(), static_cast<double>(ew) / eh, sideways), {.x = 0, .y = 0, .width = sw, .height = sh},
-                 Onto::Cleared, quick ? Finish::Quick : Finish::Fine);
+                 Onto::Cleared, quick ? DrawQuality::Quick : DrawQuality::Fine);
     }
     compositor_->onScreen(k, ew, eh, overlaid_);
     scene.drawOver(eyeOf(lens(), static_cast<double>(ew) / eh, sideways), {.x = 0, .y = 0, .width = ew, .height = eh});

@@ -123,7 +123,7 @@ struct KeepTarget {
 struct Renderer::Parts {
   Studio studio;
   GlProgram depth, sky, backdrop, ribbon;
-  struct Lit {  // the programs of one finish
+  struct Lit {  // the programs of one quality
     GlProgram solid, floor;
   } fine, quick;
   GlArrays solidArrays, noArrays;
@@ -532,9 +532,9 @@ struct Sitting {
 
 }  // namespace
 
-void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto, Finish finish) const {
+void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto, DrawQuality quality) const {
   const Parts& p = *parts_;
-  const Parts::Lit& programs = finish == Finish::Fine ? p.fine : p.quick;
+  const Parts::Lit& programs = quality == DrawQuality::Fine ? p.fine : p.quick;
   glViewport(area.x, area.y, area.width, area.height);
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.x, area.y, area.width, area.height);

@@ -31,7 +31,7 @@ struct DrawArea {
 
 enum class SoftLight { Anew, Kept };
 enum class Onto { Cleared, Picture };
-enum class Finish { Fine, Quick };
+enum class DrawQuality { Fine, Quick };
 
 class Renderer {
  public:
@@ -55,9 +55,9 @@ class Renderer {
   void light(const Camera& camera);
 
   // Draws into the area, without the overlay. `Onto::Cleared`: clears it first; `Onto::Picture`: adds to a picture (and
-  // its depths) that another renderer left there for the same eye, without backdrop and floor. `Finish::Quick`, while
+  // its depths) that another renderer left there for the same eye, without backdrop and floor. `DrawQuality::Quick`, while
   // things move and the processor draws: shadows with a rough rim, and no weave.
-  void draw(const Eye& eye, const DrawArea& area, Onto onto = Onto::Cleared, Finish finish = Finish::Fine) const;
+  void draw(const Eye& eye, const DrawArea& area, Onto onto = Onto::Cleared, DrawQuality quality = DrawQuality::Fine) const;
   // The overlay alone, over a picture (and its depths) that draw() left there.
   void drawOver(const Eye& eye, const DrawArea& area) const;
 
