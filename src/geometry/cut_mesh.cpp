@@ -35,6 +35,14 @@ void closeLoops(CutMesh& cut, const std::map<std::uint32_t, std::uint32_t>& next
       }
       at = on->second;
     }
+    // A corner that lies on the plane is met by several edges at one place.
+    constexpr double kSame = 1e-9;  // metres
+    std::vector<std::uint32_t> apart;
+    for (const std::uint32_t p : loop)
+      if (apart.empty() || distance(cut.mesh.points[p], cut.mesh.points[apart.back()]) > kSame) apart.push_back(p);
+    while (apart.size() > 1 && distance(cut.mesh.points[apart.front()], cut.mesh.points[apart.back()]) <= kSame)
+      apart.pop_back();
+    loop = std::move(apart);
     if (loop.size() < 3) continue;
     Ring ring;
     for (const std::uint32_t p : loop) ring.push_back({dot(cut.mesh.points[p], right), dot(cut.mesh.points[p], up)});

@@ -41,6 +41,28 @@ std::optional<RingPlane> planeOf(const Body& body, std::string_view line, Vec3 o
   return RingPlane{{middle, dot(normal, out) < 0 ? -normal : normal}, 1.15 * reach};
 }
 
+// The arm is cut off by an upright plane beside the trunk, as on a dress form. At the lowest place of the armhole it
+// begins, and goes outwards until what it takes is no more than the arm: straight trunks run down to the legs.
+std::optional<RingPlane> armPlane(const Body& body, bool left) {
+  const BodyLine* ring = bodyLine(body, left ? "armhole_left" : "armhole_right");
+  if (!ring || ring->points.size() < 3) return std::nullopt;
+  constexpr double kFirst = 0.004, kStep = 0.004, kFurthest = 0.06;  // metres beyond the armpit
+  const Vec3 low =
+      *std::min_element(ring->points.begin(), ring->points.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
+  const Vec3 middle = middleOf(ring->points), out{left ? 1.0 : -1.0, 0, 0};
+  double reach = 0;
+  for (const Vec3 p : ring->points) reach = std::fmax(reach, distance(p, middle));
+  for (double more = kFirst; more <= kFurthest; more += kStep) {
+    RingPlane plane{{{low.x + more * out.x, middle.y, middle.z}, out}, 1.15 * reach};
+    const std::vector<bool> part = partAbove(body.mesh(), plane.plane, plane.reach);
+    bool legs = false;
+    for (std::size_t f = 0; f < part.size(); ++f)
+      legs = legs || (part[f] && body.mesh().points[body.mesh().faces[f][0]].y < 0.35 * low.y);
+    if (!legs) return plane;
+  }
+  return std::nullopt;
+}
+
 std::vector<RingPlane> planesOf(const ViewCut& cut, const Body& body) {
   std::vector<RingPlane> all;
   const auto add = [&](std::optional<RingPlane> plane) {
@@ -49,7 +71,7 @@ std::vector<RingPlane> planesOf(const ViewCut& cut, const Body& body) {
   if (cut.head) add(planeOf(body, "neck_base", {0, 1, 0}));
   for (const bool left : {true, false}) {
     const std::string side = left ? "_left" : "_right";
-    if (cut.arms) add(planeOf(body, "armhole" + side, {left ? 1.0 : -1.0, 0, 0}));
+    if (cut.arms) add(armPlane(body, left));
     const BodyLine* elbow = bodyLine(body, "elbow" + side);
     const BodyLine* wrist = bodyLine(body, "wrist" + side);
     if (cut.hands && !cut.arms && elbow && wrist)

@@ -177,7 +177,7 @@ float threadShade(vec2 q, float w) {
   if (weave <= 1) return yarns(w);
   if (weave == 2) {  // linen: thick places in both yarns, centimetres long
     float s = kept(w, 0.0016) * 0.5 * (noise(q / vec2(0.0016, 0.03)) + noise(q / vec2(0.03, 0.0016)) - 1.0);
-    s += kept(w, 0.003) * (smoothstep(0.62, 0.9, noise(q / vec2(0.0035, 0.06))) + smoothstep(0.62, 0.9, noise(q / vec2(0.07, 0.0035)))) * 0.55;
+    s += kept(w, 0.003) * (smoothstep(0.62, 0.9, noise(q / vec2(0.0024, 0.06))) + smoothstep(0.62, 0.9, noise(q / vec2(0.07, 0.0024)))) * 0.34;
     return s + kept(w, 0.02) * 0.35 * (noise(q / 0.03) - 0.5) - 0.1;
   }
   if (weave == 3) {  // twill: lines from lower left to upper right, and streaks of uneven dye along the warp
