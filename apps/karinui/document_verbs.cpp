@@ -216,8 +216,8 @@ int runRescue(Program& program, const RescueOptions& options) {
   const Result<Rescued> rescued = rescue(options.path, options.out);
   if (!rescued) return program.console.refuse(rescued.error());
   const Message said = rescued->lost == 0
-                           ? say("All {0} steps are whole.", rescued->steps)
-                           : say("{0} steps are whole and were kept; {1} were not.", rescued->steps, rescued->lost);
+                           ? say("All {0} {0|step is|steps are} whole.", rescued->steps)
+                           : say("{0} {0|step is|steps are} whole and {0|was|were} kept; {1} were not.", rescued->steps, rescued->lost);
   program.console.answer({{"steps", rescued->steps}, {"lost", rescued->lost}}, help(said));
   return kDone;
 }

@@ -100,7 +100,7 @@ RingPaper paperOf(const DrawRing& op) {
 Done checkNames(std::vector<std::string>& names, std::vector<std::string> usual) {
   if (names.empty()) names = std::move(usual);
   if (names.size() == usual.size() || usual.empty()) return {};
-  return refused(say("This shape has {0} edges; it got {1} names.", usual.size(), names.size()));
+  return refused(say("This shape has {0} {0|edge|edges}; it got {1} {1|name|names}.", usual.size(), names.size()));
 }
 
 Done checkSize(double metres) {
@@ -182,7 +182,7 @@ Done resolve(const Document& before, DrawPolygon& op, Context&) {
   if (op.symmetric && op.edges.size() == n - 1) op.edges.push_back("fold");
   if (op.edges.size() != n)
     return refused(
-        say("There are {0} places and {1} names; say one for each, ~ where the line curves on.", n, op.edges.size()));
+        say("There {0|is|are} {0} {0|place|places} and {1} {1|name|names}; say one for each, ~ where the line curves on.", n, op.edges.size()));
   if (op.edges.front() == kCurvesOn)
     return refused(say("The first place of a line begins an edge: give it a name, not ~."));
   if (op.symmetric && op.edges.back() == kCurvesOn)
