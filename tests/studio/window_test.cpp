@@ -31,6 +31,36 @@ int differing(const QImage& a, const QImage& b) {
   return count;
 }
 
+// While it turns less is drawn (the tests' display has no graphics card); a moment later the whole picture is there.
+TEST(StudioWindow, DrawsLessWhileItTurnsAndAllOfItThen) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const QPointF middle = QRectF(w.space().rect()).center();
+  QImage turning;
+  w.drag(
+      w.space(), {middle, middle + QPointF(60, 10)}, {},
+      [&] {
+        EXPECT_FALSE(w.space().still());
+        turning = w.space().grabFramebuffer();
+      },
+      Qt::RightButton);
+  w.rest();
+  ASSERT_TRUE(w.space().still());
+  const QImage still = w.space().grabFramebuffer();
+  ASSERT_EQ(turning.size(), still.size());
+  double away = 0;
+  int other = 0;
+  for (int y = 0; y < still.height(); ++y)
+    for (int x = 0; x < still.width(); ++x) {
+      const int d = std::abs(qGray(turning.pixel(x, y)) - qGray(still.pixel(x, y)));
+      away += d, other += d > 8;
+    }
+  away /= still.width() * still.height();
+  EXPECT_GT(other, 100) << "edges are not as sharp";
+  EXPECT_LT(away, 4) << "but it is the same picture";
+}
+
 TEST(StudioWindow, ShowsAGarmentAndItsPattern) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
