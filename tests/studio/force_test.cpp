@@ -88,7 +88,7 @@ class StudioForce : public testing::Test {
     return at;
   }
   // The pictures beside each other, for the manual, their names in both languages.
-  void keepStrip(const std::vector<QImage>& pictures) {
+  void keepStrip(const std::vector<std::pair<QImage, QPointF>>& pictures) {  // each with the middle of what is done
     const char* folder = std::getenv("KARINUI_PICTURES");
     if (!folder) return;
     constexpr int kWide = 330, kHigh = 300, kAcross = 3, kName = 26;
@@ -99,14 +99,13 @@ class StudioForce : public testing::Test {
       QPainter painter(&all);
       painter.setRenderHint(QPainter::SmoothPixmapTransform);
       for (std::size_t k = 0; k < pictures.size(); ++k) {
-        const QImage& picture = pictures[k];
+        const auto& [picture, middle] = pictures[k];
         const int x = static_cast<int>(k) % kAcross * kWide, y = static_cast<int>(k) / kAcross * (kHigh + kName);
-        const double scale = std::max(1.0 * kWide / picture.width(), 1.0 * kHigh / picture.height()) * 1.25;
+        const double scale = std::max(1.0 * kWide / picture.width(), 1.0 * kHigh / picture.height()) * 1.4;
         const QSizeF part(kWide / scale, kHigh / scale);
-        painter.drawImage(
-            QRectF(x + 3, y + kName, kWide - 6, kHigh - 3), picture,
-            QRectF(QPointF(picture.width() / 2.0 - part.width() / 2, picture.height() / 2.0 - part.height() / 2),
-                   part));
+        const QPointF corner(std::clamp(middle.x() - part.width() / 2, 0.0, picture.width() - part.width()),
+                             std::clamp(middle.y() - part.height() / 2, 0.0, picture.height() - part.height()));
+        painter.drawImage(QRectF(x + 3, y + kName, kWide - 6, kHigh - 3), picture, QRectF(corner, part));
         painter.drawText(QRect(x, y, kWide, kName), Qt::AlignCenter,
                          QString::fromStdString(karinui::text(info(tools[k]).label, language)));
       }
@@ -389,7 +388,7 @@ TEST_F(StudioForce, AllSixOperationsAreDoneByTheStylus) {
     int still = 0;
     until([&] { return still = length(force().last().hand.velocity) < 0.003 ? still + 1 : 0, still > 6; });
   };
-  std::vector<QImage> strip;
+  std::vector<std::pair<QImage, QPointF>> strip;
   for (const auto& work : works) {
     SCOPED_TRACE(std::string(info(work.tool).name));
     w().key(work.tool);
@@ -400,7 +399,9 @@ TEST_F(StudioForce, AllSixOperationsAreDoneByTheStylus) {
     QTest::mousePress(&w().space(), Qt::LeftButton, {}, work.path.front().toPoint());
     until([&] { return w().session().begun(); });
     for (const QPointF& at : work.path) QTest::mouseMove(&w().space(), at.toPoint()), rested();
-    strip.push_back(w().space().grabFramebuffer());
+    QPointF sum;
+    for (const QPointF& at : work.path) sum += at;
+    strip.emplace_back(w().space().grabFramebuffer(), sum / static_cast<double>(work.path.size()));
     QTest::mouseRelease(&w().space(), Qt::LeftButton, {}, work.path.back().toPoint());
     until([&] { return w().count() > steps; });
     EXPECT_THAT(text(w().session().steps()[steps].operation), testing::StartsWith(work.expected));
