@@ -145,7 +145,8 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
     connect(made, &QPushButton::clicked, this, what);
     files->addWidget(made);
   };
-  button(say("Open measures…"), say("A person's measures from a file: Karinui, Valentina, Seamly2D, FreeSewing, GarmentCode."),
+  button(say("Open measures…"),
+         say("A person's measures from a file: Karinui, Valentina, Seamly2D, FreeSewing, GarmentCode."),
          &BodyPanel::askMeasures);
   button(say("Save measures…"), say("All that this figure measures, into a file of one of these."),
          &BodyPanel::askSaveMeasures);
@@ -212,7 +213,8 @@ void BodyPanel::drawTape(const std::string& key) {
 void BodyPanel::askMeasures() {
   const QString path = QFileDialog::getOpenFileName(
       this, inWords(say("Open measures…")), {},
-      inWords(say("Measures")) + " (" + filterReading("", {FileContent::Measures}).section('(', 1).section(')', 0, 0) + " *.json)");
+      inWords(say("Measures")) + " (" + filterReading("", {FileContent::Measures}).section('(', 1).section(')', 0, 0) +
+          " *.json)");
   if (!path.isEmpty()) wearMeasures(session_, path.toStdString());
 }
 

@@ -42,7 +42,8 @@ void LengthBox::takeFormulas(std::function<Result<double>(const std::string& for
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
     if (!holdsFormula()) return QToolTip::hideText();
     const auto now = formulaValue_(lineEdit()->text().trimmed().toStdString());
-    QToolTip::showText(mapToGlobal(QPoint(0, height())), now ? "= " + lengthText(*now, 2) : inWords(now.error().what), this);
+    QToolTip::showText(mapToGlobal(QPoint(0, height())), now ? "= " + lengthText(*now, 2) : inWords(now.error().what),
+                       this);
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A box in which a length is read and typed: in metres inside, shown in centimetres or inches as the person chose, and
-// understanding either ("12", "3.5in", "40 mm"), or a formula where it takes formulas. It bears its name for those who hear the screen. GUI thread.
+// understanding either ("12", "3.5in", "40 mm"), or a formula where it takes formulas. It bears its name for those who
+// hear the screen. GUI thread.
 #include <QDoubleSpinBox>
 #include <functional>
 #include <optional>

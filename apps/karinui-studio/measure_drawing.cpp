@@ -55,8 +55,8 @@ void MeasureDrawing::show(const BodyPtr& body, const std::string& key) {
 void MeasureDrawing::draw() {
   const double ratio = devicePixelRatioF();
   const QSize field(static_cast<int>(width() * ratio / 3), static_cast<int>(height() * ratio));
-  const std::string now =
-      body_->hash() + " " + std::to_string(field.width()) + " " + std::to_string(field.height()) + (Theme::here().dark() ? "d" : "l");
+  const std::string now = body_->hash() + " " + std::to_string(field.width()) + " " + std::to_string(field.height()) +
+                          (Theme::here().dark() ? "d" : "l");
   if (now == drawn_) return;
   drawn_ = now;
   const Frame frame = frameOf(*body_, field);
@@ -79,13 +79,16 @@ void MeasureDrawing::draw() {
       if (std::fabs(area) < 1e-12) continue;
       const auto low = [](double u, double v, double w) { return static_cast<int>(std::floor(std::min({u, v, w}))); };
       const auto high = [](double u, double v, double w) { return static_cast<int>(std::ceil(std::max({u, v, w}))); };
-      for (int y = std::max(0, low(p.y(), q.y(), r.y())); y < std::min(field.height(), high(p.y(), q.y(), r.y()) + 1); ++y)
-        for (int x = std::max(0, low(p.x(), q.x(), r.x())); x < std::min(field.width(), high(p.x(), q.x(), r.x()) + 1); ++x) {
+      for (int y = std::max(0, low(p.y(), q.y(), r.y())); y < std::min(field.height(), high(p.y(), q.y(), r.y()) + 1);
+           ++y)
+        for (int x = std::max(0, low(p.x(), q.x(), r.x())); x < std::min(field.width(), high(p.x(), q.x(), r.x()) + 1);
+             ++x) {
           const double u = ((q.x() - x) * (r.y() - y) - (r.x() - x) * (q.y() - y)) / area,
                        v = ((r.x() - x) * (p.y() - y) - (p.x() - x) * (r.y() - y)) / area, w = 1 - u - v;
           if (u < -1e-9 || v < -1e-9 || w < -1e-9) continue;
           const auto near = static_cast<float>(u * towards(look, a) + v * towards(look, b) + w * towards(look, c));
-          float& held = made.depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width()) + static_cast<std::size_t>(x)];
+          float& held = made.depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width()) +
+                                   static_cast<std::size_t>(x)];
           if (near <= held) continue;
           held = near;
           made.picture.setPixel(x, y, colour);
@@ -114,7 +117,8 @@ void MeasureDrawing::paintEvent(QPaintEvent*) {
       const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
       if (x < 0 || y < 0 || x >= made.picture.width() || y >= made.picture.height()) return true;
       return towards(look, p) + kHidden >
-             made.depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(made.picture.width()) + static_cast<std::size_t>(x)];
+             made.depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(made.picture.width()) +
+                        static_cast<std::size_t>(x)];
     };
     for (const TapePath& path : paths) {
       const std::size_t count = path.points.size();

@@ -15,7 +15,7 @@ class MeasureRow : public QWidget {
   Q_OBJECT
  public:
   explicit MeasureRow(const Message& name);
-  std::optional<double> stated() const;  // metres; nothing: it follows from the others
+  std::optional<double> stated() const;                    // metres; nothing: it follows from the others
   const std::string& formula() const { return formula_; }  // empty: a number
   LengthBox& box() { return *box_; }
   // What was stated, and what the figure measures there; tells nobody, and leaves a slider in hand alone.
@@ -23,8 +23,8 @@ class MeasureRow : public QWidget {
   void showMeasured(double measured);  // only to be read: the body is as it is
 
  signals:
-  void turned();  // still in hand
-  void set();     // let go, or typed
+  void turned();   // still in hand
+  void set();      // let go, or typed
   void entered();  // the pointer or the keys came here
 
  private:

@@ -27,7 +27,8 @@ void wearMeasures(Session& session, const std::filesystem::path& file) {
 
 void saveMeasures(Session& session, const std::filesystem::path& file) {
   const BodyPtr body = session.snapshot().body;
-  if (!body) return session.refuse(refused(say("There is no body yet; choose one first, for example: body size=jis9ar.")));
+  if (!body)
+    return session.refuse(refused(say("There is no body yet; choose one first, for example: body size=jis9ar.")));
   Measurements all = body->measured();
   const Measurements& typed = session.snapshot().document.body.measurements;
   all.sex = typed.sex;

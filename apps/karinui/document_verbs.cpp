@@ -215,9 +215,9 @@ int runImport(Program& program, const ImportOptions& options) {
 int runRescue(Program& program, const RescueOptions& options) {
   const Result<Rescued> rescued = rescue(options.path, options.out);
   if (!rescued) return program.console.refuse(rescued.error());
-  const Message said = rescued->lost == 0
-                           ? say("All {0} {0|step is|steps are} whole.", rescued->steps)
-                           : say("{0} {0|step is|steps are} whole and {0|was|were} kept; {1} were not.", rescued->steps, rescued->lost);
+  const Message said = rescued->lost == 0 ? say("All {0} {0|step is|steps are} whole.", rescued->steps)
+                                          : say("{0} {0|step is|steps are} whole and {0|was|were} kept; {1} were not.",
+                                                rescued->steps, rescued->lost);
   program.console.answer({{"steps", rescued->steps}, {"lost", rescued->lost}}, help(said));
   return kDone;
 }
@@ -254,7 +254,8 @@ int runVariables(Program& program, const VariablesOptions& options) {
     if (!options.formula.empty()) {
       const Result<Quantity> value = workedOut(options.formula, names);
       if (!value) return program.console.refuse(value.error());
-      program.console.answer({{"formula", options.formula}, {"value", value->value}}, quantitySaid(*value, false) + "\n");
+      program.console.answer({{"formula", options.formula}, {"value", value->value}},
+                             quantitySaid(*value, false) + "\n");
       return kDone;
     }
     Json rows = Json::array();
@@ -312,8 +313,8 @@ void addDocumentVerbs(Program& program) {
   verb->add_option("-o,--output", save->out, help("The .karinui document to make"))->required();
 
   auto variables = std::make_shared<VariablesOptions>();
-  verb = program.verb(program.cli, "variables", help("Lists the variables of a document and what they are now"), variables,
-                      runVariables);
+  verb = program.verb(program.cli, "variables", help("Lists the variables of a document and what they are now"),
+                      variables, runVariables);
   verb->add_option("document", variables->path, help("The .karinui document"))->required();
   verb->add_option("formula", variables->formula, help("A formula to work out instead: 'bust_girth/4 + 1cm'"));
 

@@ -26,7 +26,8 @@ Result<Measurements> readFigureMeasures(Program& program, const std::string& pat
   Measurements made = forMannequin(read->measures);
   for (const auto& [key, value] : read->measures.value)
     if (!made.value.contains(key)) program.console.note(say("{0} is not used: no mannequin can be made to it.", key));
-  for (const std::string& name : read->unknown) program.console.note(say("“{0}” has no counterpart here and is left out.", name));
+  for (const std::string& name : read->unknown)
+    program.console.note(say("“{0}” has no counterpart here and is left out.", name));
   return made;
 }
 

@@ -13,10 +13,10 @@ namespace karinui {
 
 namespace {
 
-constexpr double kBeside = 0.05;                          // metres that a height stands off the figure
-constexpr double kThighBelow = 0.03;                      // metres below the crotch, as measured
+constexpr double kBeside = 0.05;                           // metres that a height stands off the figure
+constexpr double kThighBelow = 0.03;                       // metres below the crotch, as measured
 constexpr double kNeckLean = 20 * std::numbers::pi / 180;  // of the neck's tape, as measured
-constexpr double kUpperArmTape = 0.5;                     // of the way from shoulder to elbow
+constexpr double kUpperArmTape = 0.5;                      // of the way from shoulder to elbow
 
 class Paths {
  public:
@@ -35,7 +35,8 @@ class Paths {
     if (key == "thigh_girth") return thigh();
     if (key == "neck_girth") return neck();
     if (key == "upper_arm_girth") return upperArm();
-    if (key == "arm_length" || key == "arm_joint_length") return straight({"shoulder_left", "elbow_left", "wrist_left"});
+    if (key == "arm_length" || key == "arm_joint_length")
+      return straight({"shoulder_left", "elbow_left", "wrist_left"});
     if (key == "upper_arm_length") return straight({"shoulder_left", "elbow_left"});
     if (key == "forearm_length") return straight({"elbow_left", "wrist_left"});
     if (key == "shoulder_width" || key == "shoulder_joint_width") return straight({"shoulder_right", "shoulder_left"});
@@ -70,7 +71,8 @@ class Paths {
   // From the floor upwards beside the figure, and across to it.
   std::vector<TapePath> upright(double high) const {
     double wide = 0, deep = 0;
-    for (const Vec3 p : body_.mesh().points) wide = std::max(wide, std::fabs(p.x)), deep = std::max(deep, std::fabs(p.z));
+    for (const Vec3 p : body_.mesh().points)
+      wide = std::max(wide, std::fabs(p.x)), deep = std::max(deep, std::fabs(p.z));
     const Vec3 foot{wide + kBeside, 0, -(deep + kBeside)}, top{foot.x, high, foot.z};
     return {{{foot, top}, false, true}, {{top, {0, high, 0}}, false, true}};
   }

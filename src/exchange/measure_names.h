@@ -9,8 +9,8 @@ struct MeasureNames {
   std::string_view key, valentina, freeSewing, garmentCode;  // empty: it has none
 };
 
-// Names that mean something else than their look: Valentina's neck_circ lies at the neck's base, FreeSewing's hips at the
-// hip bones. Their own documentation, 2026.
+// Names that mean something else than their look: Valentina's neck_circ lies at the neck's base, FreeSewing's hips at
+// the hip bones. Their own documentation, 2026.
 inline constexpr std::array kMeasureNames{
     MeasureNames{"height", "height", "", "height"},
     MeasureNames{"bust_girth", "bust_circ", "chest", "bust"},

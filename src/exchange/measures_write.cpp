@@ -16,7 +16,9 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 // To a micron, without the digits that changing units adds.
 std::string number(double value) { return shortest(*parseNumber(fixed(value, 4))); }
 
-std::string inCentimetres(std::string_view key, double value) { return number(isAngle(key) ? value * kDegrees : value * 100); }
+std::string inCentimetres(std::string_view key, double value) {
+  return number(isAngle(key) ? value * kDegrees : value * 100);
+}
 
 std::string lines(const Measurements& measures) {
   std::string all;
@@ -40,16 +42,20 @@ std::string writeMeasuresText(const Measurements& measures) {
 }
 
 std::string writeVit(const Measurements& measures) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<vit>\n  <version>0.5.1</version>\n  <read-only>false</read-only>\n"
-         "  <notes/>\n  <unit>cm</unit>\n  <pm_system>998</pm_system>\n  <personal>\n    <customer/>\n    <birth-date>1800-01-01"
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<vit>\n  <version>0.5.1</version>\n  "
+         "<read-only>false</read-only>\n"
+         "  <notes/>\n  <unit>cm</unit>\n  <pm_system>998</pm_system>\n  <personal>\n    <customer/>\n    "
+         "<birth-date>1800-01-01"
          "</birth-date>\n    <gender>" +
          gender(measures) + "</gender>\n    <email/>\n  </personal>\n  <body-measurements>\n" + lines(measures) +
          "  </body-measurements>\n</vit>\n";
 }
 
 std::string writeSmis(const Measurements& measures) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<smis>\n  <version>0.3.4</version>\n  <read-only>false</read-only>\n"
-         "  <notes/>\n  <unit>cm</unit>\n  <pm_system>998</pm_system>\n  <personal>\n    <family-name/>\n    <given-name/>\n"
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<smis>\n  <version>0.3.4</version>\n  "
+         "<read-only>false</read-only>\n"
+         "  <notes/>\n  <unit>cm</unit>\n  <pm_system>998</pm_system>\n  <personal>\n    <family-name/>\n    "
+         "<given-name/>\n"
          "    <birth-date>1800-01-01</birth-date>\n    <gender>" +
          gender(measures) + "</gender>\n    <email/>\n  </personal>\n  <body-measurements>\n" + lines(measures) +
          "  </body-measurements>\n</smis>\n";

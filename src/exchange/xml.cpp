@@ -99,7 +99,8 @@ class Parser {
     if (starts("<![CDATA[")) return skipPast("]]>");
     if (starts("<?")) return skipPast("?>");
     if (starts("<!")) {
-      wrong_ = say("The file has a DOCTYPE, which is not read for safety. Save it without one (a drawing as plain SVG).");
+      wrong_ =
+          say("The file has a DOCTYPE, which is not read for safety. Save it without one (a drawing as plain SVG).");
       return false;
     }
     if (starts("</")) {

@@ -168,9 +168,9 @@ TEST(Formula, WrittenAndReadBackIsTheSameAndWorthTheSame) {
 }
 
 TEST(Formula, AnyTextIsReadOrRefusedAndReadTextIsAFixedPoint) {
-  static const std::vector<std::string> kScraps{"1",  "2.5",  "cm", "deg",   "bust", "+",  "-",      "*",  "/",  "^",
-                                                "(",  ")",    ",",  "sin",   "max(", "[",  "]",      ".",  "@",  "p3.e1",
-                                                " ",  "1e5",  "°",  "×",     "\x80", "%",  "mirror(", ":", "袖", "\0"};
+  static const std::vector<std::string> kScraps{"1", "2.5", "cm", "deg", "bust", "+", "-",       "*", "/",  "^",
+                                                "(", ")",   ",",  "sin", "max(", "[", "]",       ".", "@",  "p3.e1",
+                                                " ", "1e5", "°",  "×",   "\x80", "%", "mirror(", ":", "袖", "\0"};
   std::mt19937_64 dice(11);
   Fixed names = someNames();
   int read = 0;
@@ -285,13 +285,14 @@ TEST(FormulaInAGarment, StaysInItsFile) {
 TEST(FormulaInAGarment, EdgesAreLinked) {
   Workroom room;
   DocumentFile file = DocumentFile::inMemory();
-  const Done played = room.play(file, std::string(kTwoPieces) +
-                                  "mirror piece=back name=other\n"
-                                  "length edge=front.side_left to=\"back.neck + back.hem/4\" symmetric=no\n"
-                                  "length edge=front.hem to=\"mirror(back.side_right) - 2cm\" symmetric=no\n"
-                                  "length edge=front.side_right to=\"[p2.side_right@0:0.5]\" symmetric=no\n"
-                                  "notch edge=front.side_left at=\"7cm/front.side_left\"\n"
-                                  "dart edge=front.hem tip=\"front.hem/2,p2.side_right/5\" width=\"1cm + 5mm\"\n");
+  const Done played =
+      room.play(file, std::string(kTwoPieces) +
+                          "mirror piece=back name=other\n"
+                          "length edge=front.side_left to=\"back.neck + back.hem/4\" symmetric=no\n"
+                          "length edge=front.hem to=\"mirror(back.side_right) - 2cm\" symmetric=no\n"
+                          "length edge=front.side_right to=\"[p2.side_right@0:0.5]\" symmetric=no\n"
+                          "notch edge=front.side_left at=\"7cm/front.side_left\"\n"
+                          "dart edge=front.hem tip=\"front.hem/2,p2.side_right/5\" width=\"1cm + 5mm\"\n");
   ASSERT_TRUE(played) << text(played.error().what);
   const Document& d = file.document();
   EXPECT_NEAR(edgeOf(d, "front", "side_left"), 0.5, 1e-9);
@@ -306,7 +307,8 @@ TEST(FormulaInAGarment, RefusalsSayWhy) {
   const auto said = [&](const std::string& line) { return refusalOf(room, file, line); };
   EXPECT_THAT(said("variable name=ease value=\"quarter + 1cm\""), HasSubstr("ease → quarter → ease"));
   EXPECT_THAT(said("variable name=ease value=\"ease + 1cm\""), HasSubstr("ease → ease"));
-  EXPECT_THAT(said("variable name=b value=\"a + 1cm\""), HasSubstr("There is no variable “a”; there are: ease, quarter"));
+  EXPECT_THAT(said("variable name=b value=\"a + 1cm\""),
+              HasSubstr("There is no variable “a”; there are: ease, quarter"));
   EXPECT_THAT(said("variable name=bust value=1cm"), HasSubstr("is the measure bust_girth"));
   EXPECT_THAT(said("variable name=sin value=1cm"), HasSubstr("means something else"));
   EXPECT_THAT(said("variable name=cm value=1cm"), HasSubstr("means something else"));
@@ -333,9 +335,9 @@ TEST(FormulaInAGarment, ManyVariablesAreWorkedOutOnceEach) {
   int made = 0;
   for (int i = 1; i < 200 && trouble.empty(); ++i) {  // 2^n sums, were they worked out one by one
     const std::string before = "v" + std::to_string(i - 1);
-    auto step = file.perform(*parseOperation("variable name=v" + std::to_string(i) + " value=\"(" + before + " + " +
-                                             before + ")/2\""),
-                             room.context);
+    auto step = file.perform(
+        *parseOperation("variable name=v" + std::to_string(i) + " value=\"(" + before + " + " + before + ")/2\""),
+        room.context);
     if (step)
       ++made;
     else

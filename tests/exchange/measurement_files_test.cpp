@@ -66,7 +66,8 @@ TEST(MeasurementFiles, ValentinaWithFormulasAndUnits) {
   EXPECT_THAT(read->unknown, Contains("height"));
   EXPECT_THAT(read->unknown, Contains("rise"));
   const auto sizes = readValentina(
-      "<vst><unit>mm</unit><size base=\"500\"/><body-measurements><m name=\"bust_circ\" base=\"1000\" size_increase=\"40\"/>"
+      "<vst><unit>mm</unit><size base=\"500\"/><body-measurements><m name=\"bust_circ\" base=\"1000\" "
+      "size_increase=\"40\"/>"
       "</body-measurements></vst>");
   EXPECT_NEAR(of(sizes, "bust_girth"), 1.0, 1e-12);
   const auto circle = readValentina(
@@ -77,8 +78,9 @@ TEST(MeasurementFiles, ValentinaWithFormulasAndUnits) {
 }
 
 TEST(MeasurementFiles, FreeSewingAndGarmentCode) {
-  const std::string yaml = "name: her\nunits: metric  # of the form\nmeasurements:\n  chest: 880\n  hips: 900\n  \"seat\": 970\n"
-                           "  shoulderSlope: 13\nnotes:\n  - chest: 5\n";
+  const std::string yaml =
+      "name: her\nunits: metric  # of the form\nmeasurements:\n  chest: 880\n  hips: 900\n  \"seat\": 970\n"
+      "  shoulderSlope: 13\nnotes:\n  - chest: 5\n";
   const auto read = readMeasuresYaml(yaml);
   EXPECT_NEAR(of(read, "bust_girth"), 0.88, 1e-12);
   EXPECT_NEAR(of(read, "hip_girth"), 0.97, 1e-12);

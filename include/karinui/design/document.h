@@ -62,8 +62,8 @@ struct Document {
   const Seam* find(SeamId id) const;
 };
 
-// Of the pattern truth: body, outlines, marks, seams, fabrics, looks, pins, settings, variables, names and ids; not of forms,
-// poses, reports.
+// Of the pattern truth: body, outlines, marks, seams, fabrics, looks, pins, settings, variables, names and ids; not of
+// forms, poses, reports.
 std::string hash(const Document& document);
 // Of where the cloth stands: forms and poses.
 std::string drapeHash(const Document& document);

@@ -1,16 +1,16 @@
 #pragma once
 // Numbers given by formulas: "bust_girth/4 + 1.5cm", "front.side_left + back.side_left", "atan(3cm/10cm)". A formula
 // knows units and dimensions: a length and a plain number are never added, sin() wants an angle, and nothing is ever
-// read as degrees that was not written so. What its names stand for is asked from FormulaNames (variables.h for those of
-// a garment).
+// read as degrees that was not written so. What its names stand for is asked from FormulaNames (variables.h for those
+// of a garment).
 //
 //   sum      product + product - product
 //   product  factor * factor / factor
 //   factor   -factor, operand ^ factor
 //   operand  1.5cm (mm, cm, m, in, deg, rad, %), name, piece.edge, [piece.edge@0:0.5], function(sum, ...), (sum)
 //
-// Strangers' text is welcome: length, depth and count are bounded. Two exact inverses: parse(text()) is the same formula
-// term by term. Plain values; any thread.
+// Strangers' text is welcome: length, depth and count are bounded. Two exact inverses: parse(text()) is the same
+// formula term by term. Plain values; any thread.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -70,7 +70,8 @@ class FormulaNames {
   virtual Result<double> edgeLength(const EdgeRef& edge, bool mirrored) = 0;  // metres
 };
 
-// Refuses what has no finite value, and dimensions that do not go together; the sentence quotes the part of the formula.
+// Refuses what has no finite value, and dimensions that do not go together; the sentence quotes the part of the
+// formula.
 Result<Quantity> evaluate(const Formula& formula, FormulaNames& names);
 
 // A name that a formula can use and that means nothing else: no unit, no function, no measure.

@@ -840,8 +840,9 @@ using PlainOperation =
                  AttachPiece, UnfoldPiece, DraftBlock, SetVariable>;
 
 // One of the above. The fields named in `formulas` are given by formulas: what the struct holds there is their value as
-// it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand. So
-// the same operation gives a longer edge on a larger figure. Two operations with formulas are alike when their texts are.
+// it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand.
+// So the same operation gives a longer edge on a larger figure. Two operations with formulas are alike when their texts
+// are.
 struct Operation : PlainOperation {
   using PlainOperation::variant;
   std::vector<FieldText> formulas;  // in the fields' order, in canonical form

@@ -58,12 +58,12 @@ struct Turn {
   bool operator==(const Turn&) const = default;
 };
 
-// One stated measurement. Text: "bust_girth=88cm", or "waist_girth=bust_girth - 16cm": then `value` is what that was last
-// worked out to, and does not tell two apart.
+// One stated measurement. Text: "bust_girth=88cm", or "waist_girth=bust_girth - 16cm": then `value` is what that was
+// last worked out to, and does not tell two apart.
 struct Stated {
   std::string key;
-  Length value;                // metres, or radians
-  std::string formula = {};    // of measurements stated beside it; empty: a number
+  Length value;              // metres, or radians
+  std::string formula = {};  // of measurements stated beside it; empty: a number
   bool operator==(const Stated& other) const {
     return key == other.key && formula == other.formula && (!formula.empty() || value == other.value);
   }

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "karinui/body/measurements.h"
 #include "karinui/base/result.h"
+#include "karinui/body/measurements.h"
 
 namespace karinui {
 

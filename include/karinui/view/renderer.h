@@ -55,9 +55,10 @@ class Renderer {
   void light(const Camera& camera);
 
   // Draws into the area, without the overlay. `Onto::Cleared`: clears it first; `Onto::Picture`: adds to a picture (and
-  // its depths) that another renderer left there for the same eye, without backdrop and floor. `DrawQuality::Quick`, while
-  // things move and the processor draws: shadows with a rough rim, and no weave.
-  void draw(const Eye& eye, const DrawArea& area, Onto onto = Onto::Cleared, DrawQuality quality = DrawQuality::Fine) const;
+  // its depths) that another renderer left there for the same eye, without backdrop and floor. `DrawQuality::Quick`,
+  // while things move and the processor draws: shadows with a rough rim, and no weave.
+  void draw(const Eye& eye, const DrawArea& area, Onto onto = Onto::Cleared,
+            DrawQuality quality = DrawQuality::Fine) const;
   // The overlay alone, over a picture (and its depths) that draw() left there.
   void drawOver(const Eye& eye, const DrawArea& area) const;
 

@@ -96,10 +96,10 @@ class Working {
   Result<Quantity> all() {
     for (std::size_t i = 0; i < terms_.size(); ++i) {
       const FormulaTerm& term = terms_[i];
-      const std::size_t count = term.kind == Kind::Call                                      ? term.arguments
-                                : term.kind == Kind::Negate                                  ? 1
-                                : term.kind <= Kind::Edge                                    ? 0
-                                                                                             : 2;
+      const std::size_t count = term.kind == Kind::Call     ? term.arguments
+                                : term.kind == Kind::Negate ? 1
+                                : term.kind <= Kind::Edge   ? 0
+                                                            : 2;
       const std::vector<Value> operands(stack_.end() - static_cast<std::ptrdiff_t>(count), stack_.end());
       stack_.resize(stack_.size() - count);
       auto made = value(term, operands);
@@ -140,7 +140,8 @@ class Working {
                         {of[0].is.dimension.length + of[1].is.dimension.length,
                          of[0].is.dimension.angle + of[1].is.dimension.angle}});
       case Kind::Divide:
-        if (of[1].is.value == 0) return refused(say("“{0}” is zero; nothing can be divided by it.", quoted(of[1].from)));
+        if (of[1].is.value == 0)
+          return refused(say("“{0}” is zero; nothing can be divided by it.", quoted(of[1].from)));
         return bounded({of[0].is.value / of[1].is.value,
                         {of[0].is.dimension.length - of[1].is.dimension.length,
                          of[0].is.dimension.angle - of[1].is.dimension.angle}});
@@ -187,8 +188,7 @@ class Working {
         break;
       case FormulaRule::Root:
         if (dimension.length % 2 != 0 || dimension.angle % 2 != 0)
-          return refused(
-              say("“{0}” is {1}; it has no square root.", quoted(of[0].from), dimensionSaid(dimension)));
+          return refused(say("“{0}” is {1}; it has no square root.", quoted(of[0].from), dimensionSaid(dimension)));
         dimension = {dimension.length / 2, dimension.angle / 2};
         break;
       case FormulaRule::OfAngle:

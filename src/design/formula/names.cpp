@@ -95,8 +95,8 @@ Result<Quantity> workedOut(std::string_view text, DocumentNames& names, std::opt
   if (!formula) return formula.error();
   const auto value = evaluate(*formula, names);
   if (value && wanted && value->dimension != *wanted)
-    return refused(say("“{0}” is {1}; here goes {2}.", formula->text(), dimensionSaid(value->dimension),
-                       dimensionSaid(*wanted)));
+    return refused(
+        say("“{0}” is {1}; here goes {2}.", formula->text(), dimensionSaid(value->dimension), dimensionSaid(*wanted)));
   return value;
 }
 

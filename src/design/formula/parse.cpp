@@ -153,7 +153,8 @@ class Reading {
   }
   Done bracketedEdge() {
     const std::size_t end = text_.find(']', at_);
-    if (end == std::string_view::npos) return badInput(say("The bracket before “{0}” is never closed.", text_.substr(at_ + 1, 40)));
+    if (end == std::string_view::npos)
+      return badInput(say("The bracket before “{0}” is never closed.", text_.substr(at_ + 1, 40)));
     const std::string_view inside = text_.substr(at_ + 1, end - at_ - 1);
     at_ = end + 1;
     return putEdge(inside);
@@ -171,8 +172,7 @@ class Reading {
   Done call(std::string_view name) {
     const FormulaFunction* function = formulaFunction(name);
     if (!function && name != kMirror)
-      return badInput(
-          say("There is no function “{0}”; there are: {1}.", name.substr(0, 40), formulaFunctions()));
+      return badInput(say("There is no function “{0}”; there are: {1}.", name.substr(0, 40), formulaFunctions()));
     const std::size_t first = terms_.size();
     FormulaTerm term{Kind::Call, 0, std::string(name)};
     do {

@@ -31,7 +31,8 @@ class StatedNames : public FormulaNames {
     if (own == body_.set.end()) {
       if (const auto sized = size_.value.find(key); sized != size_.value.end())
         return Quantity{sized->second, dimension};
-      return refused(say("{0} is not typed for this figure, and what it will measure is not known yet; type it too.", key));
+      return refused(
+          say("{0} is not typed for this figure, and what it will measure is not known yet; type it too.", key));
     }
     if (own->formula.empty()) return Quantity{own->value.metres, dimension};
     if (std::find(asking_.begin(), asking_.end(), key) != asking_.end()) return formulaCircle(asking_, key);
@@ -41,8 +42,8 @@ class StatedNames : public FormulaNames {
     auto value = evaluate(*formula, *this);
     asking_.pop_back();
     if (value && value->dimension != dimension)
-      return refused(say("“{0}” is {1}; here goes {2}.", own->formula, dimensionSaid(value->dimension),
-                         dimensionSaid(dimension)));
+      return refused(
+          say("“{0}” is {1}; here goes {2}.", own->formula, dimensionSaid(value->dimension), dimensionSaid(dimension)));
     if (value) known_[key] = *value;
     return value;
   }
@@ -65,8 +66,8 @@ Error formulaCircle(const std::vector<std::string>& asking, const std::string& n
   Message all = say("{0}", name);
   if (asking.end() - at > kMostSaid) all = say("{0} → {1}", all, "…"), at = asking.end() - kMostSaid;
   while (at != asking.end() && ++at != asking.end()) all = say("{0} → {1}", all, *at);
-  return refused(say("This goes round in a circle: {0}. Give one of them a value of its own.",
-                     say("{0} → {1}", all, name)));
+  return refused(
+      say("This goes round in a circle: {0}. Give one of them a value of its own.", say("{0} → {1}", all, name)));
 }
 
 std::optional<std::string> measureCalled(std::string_view name) {

@@ -11,10 +11,9 @@ namespace {
 
 using Arguments = std::span<const double>;
 
-constexpr FormulaUnit kUnits[]{{"", 1, kPlainNumber},     {"%", 100, kPlainNumber},
-                               {"m", 1, kLength},         {"cm", 100, kLength},
-                               {"mm", 1000, kLength},     {"in", 1 / 0.0254, kLength},
-                               {"rad", 1, kAngle},        {"deg", 180 / std::numbers::pi, kAngle}};
+constexpr FormulaUnit kUnits[]{
+    {"", 1, kPlainNumber}, {"%", 100, kPlainNumber},    {"m", 1, kLength},  {"cm", 100, kLength},
+    {"mm", 1000, kLength}, {"in", 1 / 0.0254, kLength}, {"rad", 1, kAngle}, {"deg", 180 / std::numbers::pi, kAngle}};
 
 // sin, cos and the like are those of the C library: their last bit may differ between machines, as all of a drape may.
 constexpr FormulaFunction kFunctions[]{
@@ -43,7 +42,9 @@ const Row* rowNamed(const Row (&rows)[n], std::string_view name) {
 
 const FormulaUnit* formulaUnit(std::string_view name) { return rowNamed(kUnits, name); }
 const FormulaFunction* formulaFunction(std::string_view name) { return rowNamed(kFunctions, name); }
-std::string_view formulaFunctions() { return "abs, acos, asin, atan, cos, hypot, max, min, mirror, round, sin, sqrt, tan"; }
+std::string_view formulaFunctions() {
+  return "abs, acos, asin, atan, cos, hypot, max, min, mirror, round, sin, sqrt, tan";
+}
 
 Message dimensionSaid(Dimension d) {
   if (d == kPlainNumber) return say("a plain number");
@@ -57,9 +58,8 @@ Done checkVariableName(std::string_view name) {
   const auto formula = Formula::parse(name);
   if (name.size() > 60 || !formula || formula->terms().size() != 1 ||
       formula->terms()[0].kind != FormulaTerm::Kind::Name || formula->terms()[0].word != name)
-    return refused(
-        say("“{0}” cannot name a variable: a name has letters, digits and _, and begins with a letter.",
-            name.substr(0, 60)));
+    return refused(say("“{0}” cannot name a variable: a name has letters, digits and _, and begins with a letter.",
+                       name.substr(0, 60)));
   if ((!name.empty() && formulaUnit(name)) || formulaFunction(name) || name == kMirror)
     return refused(say("“{0}” means something else in formulas; choose another name.", name));
   if (const auto key = measurementKey(name))

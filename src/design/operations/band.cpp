@@ -23,7 +23,8 @@ Done resolve(const Document& before, DrawBand& op, Context&) {
   if (!(op.extra >= 0 && op.extra <= 1)) return refused(say("What is added to a band lies between 0 and 1 m."));
   if (!(std::abs(op.turn) <= 4)) return refused(say("That turn is too large."));
   if (op.edges.empty()) op.edges = {"low", "end_left", "top", "end_right"};
-  if (op.edges.size() != 4) return refused(say("This shape has {0} {0|edge|edges}; it got {1} {1|name|names}.", 4, op.edges.size()));
+  if (op.edges.size() != 4)
+    return refused(say("This shape has {0} {0|edge|edges}; it got {1} {1|name|names}.", 4, op.edges.size()));
   if (!op.sew) return {};
   for (const EdgeRef& edge : op.of)
     for (const SeamId id : seamsOn(before, {edge}))

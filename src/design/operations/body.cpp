@@ -31,7 +31,8 @@ Done resolve(const Document&, SetBody& op, Context&) {
   for (const Stated& s : op.set) {
     auto key = measurementKey(s.key);
     if (!key) return key.error();
-    if (!once.emplace(*key, Stated{*key, s.value, s.formula}).second) return refused(say("The measurement {0} is given twice.", *key));
+    if (!once.emplace(*key, Stated{*key, s.value, s.formula}).second)
+      return refused(say("The measurement {0} is given twice.", *key));
   }
   op.set.clear();
   for (auto& [key, stated] : once) op.set.push_back(std::move(stated));

@@ -181,8 +181,9 @@ Done resolve(const Document& before, DrawPolygon& op, Context&) {
     for (std::size_t i = 0; i < n; ++i) op.edges.push_back(op.symmetric && i + 1 == n ? "fold" : "e" + written(i + 1));
   if (op.symmetric && op.edges.size() == n - 1) op.edges.push_back("fold");
   if (op.edges.size() != n)
-    return refused(
-        say("There {0|is|are} {0} {0|place|places} and {1} {1|name|names}; say one for each, ~ where the line curves on.", n, op.edges.size()));
+    return refused(say(
+        "There {0|is|are} {0} {0|place|places} and {1} {1|name|names}; say one for each, ~ where the line curves on.",
+        n, op.edges.size()));
   if (op.edges.front() == kCurvesOn)
     return refused(say("The first place of a line begins an edge: give it a name, not ~."));
   if (op.symmetric && op.edges.back() == kCurvesOn)

@@ -151,7 +151,8 @@ bool seemsFormula(std::string_view kind, std::string_view text) {
   if (kind.starts_with("list of ")) kind.remove_prefix(8);
   static constexpr std::string_view kNumbers = " length angle number u,v x,y,z axis outline outlines lines ";
   if (kNumbers.find(" " + std::string(kind.substr(0, kind.find(' '))) + " ") == std::string_view::npos) return false;
-  if (kind.find("outline") != std::string_view::npos || kind == "lines") return text.find('(') != std::string_view::npos;
+  if (kind.find("outline") != std::string_view::npos || kind == "lines")
+    return text.find('(') != std::string_view::npos;
   text = trimmed(text);
   const bool word = !text.empty() && !(text[0] >= '0' && text[0] <= '9') && text[0] != '-' && text[0] != '.';
   return word || text.find_first_of("+*/^(") != std::string_view::npos;

@@ -159,8 +159,8 @@ std::vector<FieldText> fieldTexts(const Operation& operation) {
         Op::fields(usual, [&](auto, const auto& value, auto, Need) { defaults.push_back(writeValue(value)); });
         std::size_t i = 0;
         Op::fields(op, [&](std::string_view name, const auto& value, auto, Need need) {
-          const auto formula =
-              std::find_if(operation.formulas.begin(), operation.formulas.end(), [&](auto& f) { return f.name == name; });
+          const auto formula = std::find_if(operation.formulas.begin(), operation.formulas.end(),
+                                            [&](auto& f) { return f.name == name; });
           std::string written = formula == operation.formulas.end() ? writeValue(value) : formula->value;
           if (need == kNeeded || written != defaults[i]) all.push_back({std::string(name), std::move(written)});
           ++i;
