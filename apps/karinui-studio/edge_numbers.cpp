@@ -33,16 +33,16 @@ EdgeNumbers::EdgeNumbers(Session& session) : session_(session) {
     session_.setToolOptions(options);
   });
   const std::pair<LengthBox*, std::string*> kept[] = {{along_, &alongFormula_}, {width_, &widthFormula_}};
-  for (const auto& [box, formula] : kept) {
-    box->takeFormulas([this](const std::string& text) -> Result<double> {
+  for (const auto& [typed, formula] : kept) {
+    typed->takeFormulas([this](const std::string& text) -> Result<double> {
       DocumentNames names = formulaNames(session_);
       const auto value = workedOut(text, names, kLength);
       if (!value) return value.error();
       return value->value;
     });
-    connect(box, &LengthBox::typed, this, [own = formula] { own->clear(); });
-    connect(box, &LengthBox::formulaTyped, this, [own = formula](const QString& text) { *own = text.toStdString(); });
-    connect(box, &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
+    connect(typed, &LengthBox::typed, this, [own = formula] { own->clear(); });
+    connect(typed, &LengthBox::formulaTyped, this, [own = formula](const QString& text) { *own = text.toStdString(); });
+    connect(typed, &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
   }
   auto* grid = new QGridLayout;
   const auto button = [&](int at, const Message& words, const Message& hint, Operation (EdgeNumbers::*what)() const) {

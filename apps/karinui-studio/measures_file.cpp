@@ -1,6 +1,7 @@
 #include "measures_file.h"
 
 #include "karinui/base/file.h"
+#include "karinui/design/glossary.h"
 #include "karinui/exchange/measurement_files.h"
 
 namespace karinui::studio {

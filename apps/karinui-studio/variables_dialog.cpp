@@ -109,7 +109,7 @@ void VariablesDialog::remove() {
 }
 
 void VariablesDialog::refresh() {
-  if (table_->state() == QAbstractItemView::EditingState) return;
+  if (table_->findChild<QLineEdit*>()) return;  // one types in it
   filling_ = true;
   DocumentNames names = formulaNames(session_);
   const auto rows = variablesOf(session_.snapshot().document, names);

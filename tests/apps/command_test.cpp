@@ -2,6 +2,8 @@
 // leaves nothing behind.
 #include "apps/command.h"
 
+#include <gmock/gmock.h>
+
 namespace karinui::test {
 namespace {
 
@@ -129,6 +131,33 @@ TEST_F(Command, MakesAndMeasuresABody) {
   EXPECT_EQ(json["self_crossings"].get<int>(), 0);
   EXPECT_GE(json["triangles"].get<int>(), 10'000);
   EXPECT_LE(json["triangles"].get<int>(), 40'000);
+}
+
+TEST_F(Command, ReadsAndWritesFilesOfMeasures) {
+  const std::string her = folder / "her.vit", body = folder / "her.obj", back = folder / "back.yaml";
+  test::write(her,
+              "<vit><unit>cm</unit><m name=\"bust_circ\" value=\"90\"/><m name=\"hip_circ\" value=\"bust_circ + 8\"/>"
+              "<m name=\"rise\" value=\"3\"/></vit>");
+  const Said made = karinui("body make --measures " + her + " --set waist_girth=70cm -o " + body);
+  ASSERT_EQ(made.exit, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("“rise” has no counterpart"));
+  const Said measured = karinui("body measure " + body + " -o " + back + " --json");
+  ASSERT_EQ(measured.exit, 0) << measured.err;
+  EXPECT_NEAR(measured.json()["measurements"]["hip_girth"].get<double>(), 0.98, 0.003);
+  EXPECT_THAT(test::contents(back), HasSubstr("  seat: 98"));
+  EXPECT_EQ(karinui("body measure " + body + " -o " + (folder / "back.xyz")).exit, 3);
+  // A document on that figure, with formulas.
+  const std::string script = folder / "a.ops", garment = folder / "a.karinui";
+  test::write(script,
+              "variable name=wide value=\"hip_girth/4 + 1cm\"\n"
+              "piece name=a outline=\"M 0 0; hem L (wide) 0; side L (wide) 300; top L 0 300; fold L 0 0\"\n");
+  const Said played = karinui("play " + script + " --body " + her + " -o " + garment);
+  ASSERT_EQ(played.exit, 0) << played.err;
+  EXPECT_THAT(karinui("variables " + garment).out, HasSubstr("wide = hip_girth/4 + 1cm  # 25.50 cm"));
+  EXPECT_THAT(karinui("variables " + garment + " a.hem*2").out, HasSubstr("51.00 cm"));
+  const Said wrong = karinui("variables " + garment + " 'wide + 2'");
+  EXPECT_EQ(wrong.exit, 3);
+  EXPECT_THAT(wrong.err, HasSubstr("do not go together"));
 }
 
 TEST_F(Command, RefusesABodyNobodyHas) {

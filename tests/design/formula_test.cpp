@@ -282,6 +282,35 @@ TEST(FormulaInAGarment, StaysInItsFile) {
   std::filesystem::remove(path);
 }
 
+// What a window hands over was never text; the record must read back as itself all the same.
+TEST(FormulaInAGarment, FormulasTypedAnyhowAreRecordedInCanonicalForm) {
+  const auto path = std::filesystem::temp_directory_path() / "karinui_formula_typed.karinui";
+  std::filesystem::remove(path);
+  Workroom room;
+  {
+    auto file = DocumentFile::create(path);
+    ASSERT_TRUE(file);
+    SetBody body;
+    body.size = "eu38";
+    body.set = {{"hip_girth", {}, "bust+( 9cm )"}};
+    ASSERT_TRUE(file->perform(body, room.context));
+    EXPECT_EQ(text(file->steps().back().operation), "body size=eu38 set=\"hip_girth=bust_girth + 9cm\"");
+    ASSERT_TRUE(room.play(*file, kTwoPieces));
+    Operation length = *parseOperation("length edge=front.hem to=1cm symmetric=no");
+    length.formulas = {{"to", "( bust )/4+1cm"}};
+    ASSERT_TRUE(file->perform(length, room.context));
+    EXPECT_THAT(text(file->steps().back().operation), HasSubstr("to=\"bust_girth/4 + 1cm\""));
+    SetVariable half;
+    half.name = "half";
+    half.value = "バスト囲 ÷ 2";
+    ASSERT_TRUE(file->perform(half, room.context));
+    EXPECT_EQ(file->document().variables.at("half"), "bust_girth/2");
+  }
+  const auto file = DocumentFile::open(path, &room.context);
+  EXPECT_TRUE(file) << text(file.error().what);
+  std::filesystem::remove(path);
+}
+
 TEST(FormulaInAGarment, EdgesAreLinked) {
   Workroom room;
   DocumentFile file = DocumentFile::inMemory();
@@ -292,7 +321,7 @@ TEST(FormulaInAGarment, EdgesAreLinked) {
                           "length edge=front.hem to=\"mirror(back.side_right) - 2cm\" symmetric=no\n"
                           "length edge=front.side_right to=\"[p2.side_right@0:0.5]\" symmetric=no\n"
                           "notch edge=front.side_left at=\"7cm/front.side_left\"\n"
-                          "dart edge=front.hem tip=\"front.hem/2,p2.side_right/5\" width=\"1cm + 5mm\"\n");
+                          "dart edge=front.hem tip=\"front.hem/2,p2.side_right/2\" width=\"1cm + 5mm\"\n");
   ASSERT_TRUE(played) << text(played.error().what);
   const Document& d = file.document();
   EXPECT_NEAR(edgeOf(d, "front", "side_left"), 0.5, 1e-9);

@@ -167,6 +167,7 @@ class Reading {
       ++at_, letters(), dotted = true;
     if (dotted) return putEdge(text_.substr(begin, at_ - begin));
     if (take('(')) return call(name);
+    if (name == "nan" || name == "inf" || name == "infinity") return badInput(say("“{0}” is no number.", name));
     return put(FormulaTerm{Kind::Name, 0, std::string(name)});
   }
   Done call(std::string_view name) {

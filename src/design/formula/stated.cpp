@@ -78,6 +78,16 @@ std::optional<std::string> measureCalled(std::string_view name) {
 }
 
 Done workOutStated(SetBody& body) {
+  for (Stated& s : body.set) {  // in canonical form, measures by their keys: the record reads back as itself
+    if (s.formula.empty()) continue;
+    const auto read = Formula::parse(s.formula);
+    if (!read) return read.error();
+    const auto known = read->changed([](FormulaTerm& term) -> Done {
+      if (term.kind == FormulaTerm::Kind::Name) term.word = measureCalled(term.word).value_or(term.word);
+      return {};
+    });
+    s.formula = known->text();
+  }
   StatedNames names(body);
   std::vector<double> values;
   for (const Stated& s : body.set) {

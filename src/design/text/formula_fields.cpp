@@ -44,7 +44,7 @@ class FieldReading {
     if (kind == "outline" || kind == "outlines" || kind == "lines") return path(text);
     return badInput(say("No formula can stand here."));
   }
-  FieldWorkedOut taken() { return {std::move(formulas_), std::move(plain_)}; }
+  FieldWorkedOut taken() { return {std::move(formulas_), std::move(plain_), any_}; }
 
  private:
   void both(std::string_view text) { formulas_ += text, plain_ += text; }
@@ -52,6 +52,7 @@ class FieldReading {
   Result<Quantity> formula(std::string_view text, Dimension wanted, std::string& written) {
     auto read = Formula::parse(text);
     if (!read) return read.error();
+    any_ = true;
     const auto value = value_(*read);
     if (!value) return value;
     written = read->text();
@@ -137,6 +138,7 @@ class FieldReading {
 
   const FormulaValue& value_;
   std::string formulas_, plain_;
+  bool any_ = false;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace karinui {
 struct FieldWorkedOut {
   std::string formulas;  // the field's text in canonical form
   std::string plain;     // the same with numbers, as readValue() takes it
+  bool any = false;      // there is a formula in it
 };
 
 // `kind` as kindOf() says it. `value` is asked for each formula in turn, and may exchange it by another (with ids for

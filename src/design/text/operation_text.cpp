@@ -102,6 +102,8 @@ Done readField(std::string_view name, std::string_view text, Value& value, std::
     return Quantity{0, kind == "number" ? kPlainNumber : kind.ends_with("angle") ? kAngle : kLength};
   });
   if (!field) return seemsFormula(kind, text) ? field.error() : done;
+  if (!field->any) return done;
+  if (Done whole = readValue(field->plain, read); !whole) return whole;
   formulas.push_back({std::string(name), field->formulas});
   return {};
 }
