@@ -1,9 +1,11 @@
+// Before Xlib, whose macros (None, Always, …) are words of ours.
+#include "graphics.h"
+
 #include <epoxy/gl.h>
 #include <epoxy/glx.h>
 
 #include <cstring>
 
-#include "graphics.h"
 #define XR_USE_GRAPHICS_API_OPENGL
 #define XR_USE_PLATFORM_XLIB
 #include <X11/Xatom.h>

@@ -61,7 +61,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   imported_->setWordWrap(true);
   imported_->hide();
   form->addRow(imported_);
-  letShrink(*size_);
+  letShrink(*size_), letShrink(*sex_);
   form->addRow(word(say("Size")), size_);
   form->addRow(word(say("Shape")), sex_);
   column->addLayout(form);
@@ -135,7 +135,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   column->addWidget(use_);
   column->addWidget(replay_);
   column->addWidget(load);
-  auto* files = new QHBoxLayout;
+  auto* files = new QVBoxLayout;  // side by side they are wider than a narrow board
   const auto button = [&](const Message& words, const Message& hint, void (BodyPanel::*what)()) {
     auto* made = new QPushButton;
     Theme::here().keep(made, [made, words, hint] {

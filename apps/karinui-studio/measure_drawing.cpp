@@ -38,7 +38,15 @@ Frame frameOf(const Body& body, QSizeF field) {
 
 }  // namespace
 
-MeasureDrawing::MeasureDrawing() { setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred); }
+MeasureDrawing::MeasureDrawing() {
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  Theme::here().keep(this, [this] {
+    const Message how = tapeSaid(key_);
+    setToolTip(how.empty() ? QString() : inWords(how));
+    setAccessibleName(inWords(say("Where the measure is taken")));
+    setAccessibleDescription(toolTip());
+  });
+}
 
 void MeasureDrawing::show(const BodyPtr& body, const std::string& key) {
   if (body == body_ && key == key_) return;
@@ -46,7 +54,6 @@ void MeasureDrawing::show(const BodyPtr& body, const std::string& key) {
   key_ = key;
   const Message how = tapeSaid(key);
   setToolTip(how.empty() ? QString() : inWords(how));
-  setAccessibleName(inWords(say("Where the measure is taken")));
   setAccessibleDescription(toolTip());
   update();
 }

@@ -123,10 +123,10 @@ void MainWindow::askOpen() {
 }
 
 void MainWindow::askImport() {
-  const QString path =
-      QFileDialog::getOpenFileName(this, inWords(say("Import")), {},
-                                   filterReading(inWords(say("Bodies and patterns")),
-                                                 {FileContent::Body, FileContent::Pattern, FileContent::Script}));
+  const QString path = QFileDialog::getOpenFileName(
+      this, inWords(say("Import")), {},
+      filterReading(inWords(say("Bodies and patterns")),
+                    {FileContent::Body, FileContent::Pattern, FileContent::Script, FileContent::Measures}));
   if (!path.isEmpty()) openPath(path);
 }
 

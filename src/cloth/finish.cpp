@@ -51,7 +51,7 @@ void addContactTimes(SettleReport& report, const LevelSolver& solver) {
 }
 
 RestCriteria finestCriteria(const SettleSettings& settings) {
-  return {settings.stopMove, settings.stopResidual, settings.stopMove * 2 / 3, 8, settings.maxSteps};
+  return {settings.stopMove, settings.stopResidual, settings.stopMove * 10 / 3, 8, settings.maxSteps};
 }
 
 std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, const SettleSettings& settings,

@@ -66,7 +66,8 @@ std::optional<StrokeSample> strokeSample(const GarmentSnapshot& snapshot, const 
   beside.skin = body.bvh().nearest(near)->place;
   beside.along = dot(near - sample.ray.origin, sample.ray.direction);
   beside.met = beside.certain = false;
-  if (beside.along > 0 && awayFromRay(sample.ray, near) < kBeside * beside.touching()) return beside;
+  const bool hidden = snapshot.visible && !snapshot.visible->showsSkin(beside.skin, near);
+  if (!hidden && beside.along > 0 && awayFromRay(sample.ray, near) < kBeside * beside.touching()) return beside;
   return found.met ? std::optional(found) : std::nullopt;
 }
 

@@ -7,6 +7,8 @@
 namespace karinui::test {
 namespace {
 
+using ::testing::HasSubstr;
+
 namespace fs = std::filesystem;
 
 // A sleeveless tunic drawn on a small size, coarsely laid: quick to settle.
@@ -210,8 +212,9 @@ TEST_F(Command, PlaysSettlesChecksAndExports) {
   EXPECT_EQ(karinui("import " + (folder / "X.OPS") + " -o " + (folder / "x.karinui")).exit, 0);
   const auto unknown = karinui("import " + (folder / "body.stl") + " -o " + (folder / "y.karinui"));
   EXPECT_EQ(unknown.exit, 3);
-  EXPECT_NE(unknown.err.find("patterns (.svg, .json), bodies (.glb, .obj, .gltf, .ply), scripts of operations (.ops)"),
-            std::string::npos)
+  EXPECT_NE(
+      unknown.err.find("patterns (.svg, .json, .dxf), bodies (.glb, .obj, .gltf, .ply), scripts of operations (.ops)"),
+      std::string::npos)
       << unknown.err;
   const std::string obj = contents(folder / "out.obj");
   for (const char* object : {"\no body\n", "\no front\n", "\no back\n"}) EXPECT_NE(obj.find(object), std::string::npos);

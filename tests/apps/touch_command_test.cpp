@@ -81,8 +81,8 @@ TEST_F(Touch, ACheckMeasuresTheLoop) {
     EXPECT_NEAR(part("scene_to_force"), part("scene_made") + part("scene_age") + part("evaluation"), 1e-6);
     EXPECT_GT(part("scene_age"), part("evaluation")) << "a scene is made every 16 ms";
   }
-  ASSERT_EQ(answer["devices"].size(), 3u);
-  EXPECT_TRUE(answer["devices"][2]["found"].get<bool>());
+  ASSERT_EQ(answer["devices"].size(), 4u);
+  EXPECT_TRUE(answer["devices"][3]["found"].get<bool>());
   EXPECT_NE(karinui("touch check --seconds 0.2", "ja_JP.UTF-8").out.find("力の制御ループ"), std::string::npos);
 }
 

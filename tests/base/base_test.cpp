@@ -30,8 +30,8 @@ TEST(Message, CountsOneAsOne) {
   EXPECT_EQ(said(std::size_t{1}), "There is 1 seam");
   EXPECT_EQ(text(say("{0|no end", 1)), "{0|no end");
   EXPECT_EQ(text(say("{1|a|b}", 1)), "{1|a|b}") << "there is no such value";
-  EXPECT_EQ(text(say("{0} {0|edge|edges}", 1), Language::Japanese), "1 本の辺");
-  EXPECT_EQ(text(say("{0} edges", 3), Language::Japanese), "3 本の辺") << "as a document of before keeps it";
+  EXPECT_EQ(text(say("{0} {0|edge|edges}", 1), Language::Japanese), "辺 1 本");
+  EXPECT_EQ(text(say("{0} edges", 3), Language::Japanese), "辺 3 本") << "as a document of before keeps it";
 }
 
 TEST(Message, SpeaksJapaneseWhereThereIsATranslation) {

@@ -115,6 +115,11 @@ struct Dice {
   void fill(SewEdges::Tie& v) { v = static_cast<SewEdges::Tie>(below(3)); }
   void fill(SetLength::Keep& v) { v = static_cast<SetLength::Keep>(below(4)); }
   void fill(DraftBlock::Kind& value) { value = static_cast<DraftBlock::Kind>(below(6)); }
+  void fill(Finish& v) { v = static_cast<Finish>(below(10)); }
+  void fill(PrintKind& v) { v = static_cast<PrintKind>(below(5)); }
+  void fill(Dye& v) {
+    for (std::uint8_t* part : {&v.red, &v.green, &v.blue}) *part = static_cast<std::uint8_t>(below(256));
+  }
   void fill(SetLength::Neighbours& v) { v = static_cast<SetLength::Neighbours>(below(2)); }
   void fill(Fabric::Law& v) { v = static_cast<Fabric::Law>(below(2)); }
   void fill(Settings::Collider& v) { v = static_cast<Settings::Collider>(below(2)); }

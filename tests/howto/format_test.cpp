@@ -62,7 +62,7 @@ TEST(HowToAddAFormat, ARowIsReadWrittenListedAndRefusedLikeAnyOther) {
   EXPECT_EQ(exportFormats(table).back(), formats.front()) << "the dialog offers it";
   EXPECT_EQ(*formats.front()->write({*pattern, {}, {}, {}}), "0 0\n0.3 0\n0 0.4\n");
 
-  EXPECT_NE(text(unreadable("front.dxf", kAllRead, table).what).find("patterns (.svg, .json, .corners)"),
+  EXPECT_NE(text(unreadable("front.hpgl", kAllRead, table).what).find("patterns (.svg, .json, .dxf, .corners)"),
             std::string::npos);
   std::ofstream(file) << "0 0\n0.3 zero\n";
   const auto wrong = readPattern(file, table);

@@ -123,7 +123,7 @@ TEST_F(Drafts, AnEndingIsReadInAnyLetterCaseAndAnUnknownOneRefused) {
   EXPECT_EQ(session.snapshot().document.pattern.pieces.size(), 2u) << refused(session);
   session.importPattern(folder_ / "shirt.txt");
   session.finish();
-  EXPECT_THAT(refused(session), HasSubstr("patterns (.svg, .json), scripts of operations (.ops)"));
+  EXPECT_THAT(refused(session), HasSubstr("patterns (.svg, .json, .dxf), scripts of operations (.ops)"));
   EXPECT_EQ(session.snapshot().document.pattern.pieces.size(), 2u);
 }
 

@@ -8,6 +8,7 @@
 #include "karinui/body/tape_path.h"
 #include "karinui/design/script.h"
 #include "karinui/exchange/measurement_files.h"
+#include "karinui/geometry/section.h"
 #include "measure_drawing.h"
 #include "studio/window.h"
 #include "variables_dialog.h"
@@ -169,7 +170,6 @@ TEST(StudioFormulas, AFileOfMeasuresIsWorn) {
   const auto measured = [&](const char* key) { return w.session().snapshot().body->measured().value.at(key); };
   EXPECT_NEAR(measured("waist_girth"), 0.76, 0.003) << w.main().said().toStdString();
   EXPECT_NEAR(measured("hip_girth"), 1.02, 0.003);
-  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("rise"));
   std::ofstream(file) << "<!DOCTYPE vit><vit/>";
   const double waist = measured("waist_girth");
   w.open(file);

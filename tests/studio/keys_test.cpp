@@ -98,15 +98,15 @@ TEST_F(StudioKeys, SewOnTheTableAfterUnpicking) {
   key(Qt::Key_F6);
   ASSERT_TRUE(w->table().hasFocus());
   key(Qt::Key_Q);
-  tabTo("On “front”, edge “shoulder_left”");
+  tabTo("On “front”, edge “left shoulder”");
   key(Qt::Key_Return);
   key(Qt::Key_Delete);
   w->rest();
   ASSERT_THAT(step(began), StartsWith("unsew"));
   key(Qt::Key_N);
-  tabTo("On “front”, edge “shoulder_left”");
+  tabTo("On “front”, edge “left shoulder”");
   key(Qt::Key_Return);
-  tabTo("On “back”, edge “shoulder_left”");
+  tabTo("On “back”, edge “left shoulder”");
   w->keep("studio_keys");
   key(Qt::Key_Return);
   w->rest();
@@ -116,7 +116,7 @@ TEST_F(StudioKeys, SewOnTheTableAfterUnpicking) {
 
 TEST_F(StudioKeys, Cut) {
   key(Qt::Key_C);
-  tabTo("On “front”, edge “hem", "12.6 cm of 25.1");  // the middle of either half
+  tabTo("On “front”, edge “right hem", "12.6 cm of 25.1");  // the middle of either half
   key(Qt::Key_Return);
   key(Qt::Key_Up, 8);
   EXPECT_THAT(text(w->session().hint()), HasSubstr("slit"));

@@ -150,13 +150,18 @@ TEST_F(StudioSew, TheRatioIsTypedAtTheDrop) {
   for (std::size_t k = w->session().dropMenu()->current; k < item; ++k) w->type(w->table(), Qt::Key_Down);
   w->type(w->table(), Qt::Key_Return);
   w->rest();
-  EXPECT_TRUE(number->hasFocus());
+  menu = menuIn(w->table());
+  ASSERT_TRUE(menu);
+  number = menu->findChild<QDoubleSpinBox*>("drop_number");
+  ASSERT_TRUE(number && w->main().focusWidget() == number);
   QTest::keyClicks(number, "2");
   QTest::keyClick(number, Qt::Key_Return);
   w->rest();
   ASSERT_EQ(w->count(), before + 1);
   for (const auto& [id, one] : pattern().seams)
-    if (one.a.front().edge == "lower" || one.b.front().edge == "lower") EXPECT_EQ(one.tie, Seam::Tie::TwoToOne);
+    if (one.a.front().edge == "lower" || one.b.front().edge == "lower") {
+      EXPECT_EQ(one.tie, Seam::Tie::TwoToOne);
+    }
 }
 
 TEST_F(StudioSew, EscapeLeavesWhatIsAsked) {

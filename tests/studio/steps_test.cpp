@@ -126,7 +126,7 @@ TEST(StudioSteps, WhatCannotBeFollowedIsASentenceAndChangesNothing) {
   field(w, "ease").setText("a lot");
   w.button("Play again with this").click();
   w.rest();
-  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("a lot"));
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("“lot” after “a ”"));
   EXPECT_EQ(hash(w.session().snapshot().document), before);
 }
 
