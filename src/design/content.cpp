@@ -12,10 +12,7 @@ constexpr double kFar = 1000;  // metres from the origin: no garment is there
 bool near(Flat p) { return finite(p) && std::abs(p.u) <= kFar && std::abs(p.v) <= kFar; }
 bool near(Vec3 p) { return finite(p) && std::abs(p.x) <= kFar && std::abs(p.y) <= kFar && std::abs(p.z) <= kFar; }
 
-bool sound(const Outline& outline) {
-  const auto good = checked(outline);
-  return good && *good == outline;  // not turned round either
-}
+bool sound(const Outline& outline) { return checked(outline) && outline.area() > 0; }
 
 bool sound(const InternalLine& line) {
   return std::all_of(line.curves.begin(), line.curves.end(), [](const Curve& c) {

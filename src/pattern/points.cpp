@@ -105,13 +105,14 @@ Result<DartedPiece> addDart(const Piece& piece, std::string_view edge, double fr
   Curve mouth = edges[*k + 1].curve;
   // Trued: the shorter side grows to the longer one's length, and the edge follows it, so that the two meet when sewn.
   const double side = distance(mouth.start, tip), other = distance(mouth.end, tip), longer = std::fmax(side, other);
-  const auto grow = [&](Flat& corner, Flat& end, Flat& control, double is) {
+  const auto grow = [&](Flat& corner, Curve& beside, Flat& end, Flat& control, double is) {
     const Flat grown = tip + (corner - tip) * (longer / is);
-    control += grown - end;
+    if (beside.kind == Curve::Kind::Cubic) control += grown - end;  // a line has none to carry along
     corner = end = grown;
   };
-  grow(mouth.start, edges[*k].curve.end, edges[*k].curve.control2, side);
-  grow(mouth.end, edges[*k + 2].curve.start, edges[*k + 2].curve.control1, other);
+  Curve &before = edges[*k].curve, &after = edges[*k + 2].curve;
+  grow(mouth.start, before, before.end, before.control2, side);
+  grow(mouth.end, after, after.start, after.control1, other);
   edges[*k + 1] = {dart.to, Curve::line(mouth.start, tip)};
   edges.insert(edges.begin() + static_cast<std::ptrdiff_t>(*k + 2), Edge{dart.back, Curve::line(tip, mouth.end)});
   const Ring wedge{mouth.start, mouth.end, tip};
