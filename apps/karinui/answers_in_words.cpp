@@ -5,6 +5,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/design/step_words.h"
+#include "word_table.h"
 
 namespace karinui::app {
 
@@ -13,40 +14,6 @@ namespace {
 std::string mm(double metres) { return fixed(metres * 1000, 1) + " mm"; }
 std::string percent(double share) { return fixed(share * 100, 1) + " %"; }
 std::string seconds(double s) { return fixed(s, 1) + " s"; }
-
-// Columns on a screen: letters of Chinese and Japanese take two.
-std::size_t columns(const std::string& words) {
-  std::size_t wide = 0;
-  for (const char c : words) {
-    const auto byte = static_cast<unsigned char>(c);
-    wide += byte < 0x80 ? 1 : byte >= 0xE3 ? 2 : byte >= 0xC0 ? 1 : 0;
-  }
-  return wide;
-}
-
-// Rows of words, their columns aligned; the last column is not padded.
-class Table {
- public:
-  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  std::string words(std::size_t indent) const {
-    std::vector<std::size_t> wide;
-    for (const auto& cells : rows_)
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (i == wide.size()) wide.push_back(0);
-        wide[i] = std::max(wide[i], columns(cells[i]));
-      }
-    std::string all;
-    for (const auto& cells : rows_) {
-      all += std::string(indent, ' ');
-      for (std::size_t i = 0; i < cells.size(); ++i)
-        all += cells[i] + (i + 1 == cells.size() ? "\n" : std::string(wide[i] - columns(cells[i]) + 2, ' '));
-    }
-    return all;
-  }
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
 
 std::string sideWords(const Document& document, const std::vector<EdgeSpan>& side) {
   std::string all;
@@ -67,11 +34,11 @@ std::string yesOrNo(bool yes, const Console& console) { return console.said(yes 
 }  // namespace
 
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console) {
-  Table table;
+  WordTable table;
   for (const auto& [key, value] : measured.value)
     table.row({withScript(console.said(identifierSaid(key).value_or(say("{0}", key))), key),
                isAngle(key) ? fixed(value * 180 / std::numbers::pi, 1) + " deg" : mm(value)});
-  Table surface;
+  WordTable surface;
   surface.row({console.said(say("Triangles")), std::to_string(mesh.triangles)});
   surface.row({console.said(say("Closed")), yesOrNo(mesh.closed(), console)});
   surface.row({console.said(say("Crosses itself")), console.said(say("at {0} {0|place|places}", mesh.selfCrossings))});
@@ -84,7 +51,7 @@ std::string bodyWords(const Measurements& measured, const MeshReport& mesh, cons
 }
 
 std::string checkWords(const ClothCheck& check, const Console& console) {
-  Table table;
+  WordTable table;
   const auto row = [&](const Message& what, const std::string& value) { table.row({console.said(what), value}); };
   if (!check.finite) row(say("Broken: some places of the cloth are no numbers"), "");
   row(say("Deepest inside the body"), mm(check.penetration));
@@ -103,7 +70,7 @@ std::string settleWords(const SettleReport& report, const ClothCheck& check, boo
                                    : kept          ? say("The garment was at rest already; --again drapes it anew.")
                                                    : say("The garment is at rest.")) +
                       "\n";
-  Table table;
+  WordTable table;
   table.row({console.said(say("Draping took")),
              console.said(say("{0} ({1} of processor time, {2} {2|step|steps})", seconds(report.wallSeconds),
                               seconds(report.cpuSeconds), report.steps))});
@@ -133,14 +100,14 @@ std::string infoWords(const Document& document, const Console& console) {
                       : draped      ? say("draped")
                                     : say("not draped yet"))) +
              "\n";
-    Table edges;
+    WordTable edges;
     for (const Edge& edge : piece->outline.edges)
       edges.row(
           {withScript(said(edgeWithPartnerSaid(document, *piece, edge.name)), edge.name), mm(edge.curve.length())});
     words += edges.words(2);
   }
   if (!document.pattern.seams.empty()) words += "\n" + said(say("Seams:")) + "\n";
-  Table seams;
+  WordTable seams;
   for (const auto& [id, seam] : document.pattern.seams) {
     const double ease = easeRatio(document.pattern, seam) - 1;
     seams.row({text(id), seam.name, sideWords(document, seam.a), sideWords(document, seam.b),

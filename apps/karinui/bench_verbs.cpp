@@ -8,6 +8,7 @@
 #include "bench/energy_plot.h"
 #include "bench/foreign.h"
 #include "bench/run.h"
+#include "bench_wardrobe.h"
 #include "commands.h"
 #include "drape_picture.h"
 #include "json_answers.h"
@@ -25,6 +26,9 @@ struct BenchOptions {
   std::size_t vertices = 0;
   int threads = 1, runs = 0;
   double stretch = 0;  // N/m; 0: as the scene has it
+  std::string scripts;
+  std::vector<std::string> only;
+  double seconds = 60;
   bool continued = false;
 };
 
@@ -48,18 +52,6 @@ Result<bench::Workload> workloadOf(const BenchOptions& options, Workers& workers
 void addClearance(Json& object, const bench::Examined& found) {
   if (found.check.finite && found.clearance < 1)  // none where there is no body
     object["clearance_mm"] = found.clearance * 1000;
-}
-
-Json continuationJson(const SettleReport& report) {
-  const Continuation& more = *report.continuation;
-  return {{"settled", more.settled},
-          {"steps", more.steps},
-          {"solves", more.solves},
-          {"max_mm", more.max * 1000},
-          {"p99_mm", more.p99 * 1000},
-          {"p95_mm", more.p95 * 1000},
-          {"rms_mm", more.rms * 1000},
-          {"lower_uj", (report.energy[report.fineSteps - 1].joules - report.energy.back().joules) * 1e6}};
 }
 
 Json findingJson(const bench::Workload& load, const bench::Finding& found, int threads, const Console& console) {
@@ -210,7 +202,15 @@ int writeStart(Program& program, const BenchOptions& options, const bench::Workl
   return kDone;
 }
 
+// The garments of a folder, or those of them that are asked for.
+int runWardrobe(Program& program, const BenchOptions& options) {
+  const auto folder = options.scripts.empty() ? std::filesystem::path(options.data) / "wardrobe"
+                                              : std::filesystem::path(options.scripts);
+  return benchWardrobe(program, {folder, options.only, options.seconds, options.threads, options.continued});
+}
+
 int runBench(Program& program, const BenchOptions& options) {
+  if (options.scene == "wardrobe") return runWardrobe(program, options);
   if (options.scene == "cusick") return runCusick(program, options);
   if (options.scene == "edits") return runEdits(program, options);
   Workers workers(options.threads);
@@ -240,16 +240,22 @@ void addBenchVerb(Program& program) {
   verb->add_option(
           "scene", options->scene,
           help("w1 a curtain, w2 a cloth on a ball, w3 a tunic on capsules, shirt or dress on a body, edits of the "
-               "tunic by the clock, cusick the shop's fabrics on the drape tester"))
+               "tunic by the clock, cusick the shop's fabrics on the drape tester, wardrobe every garment of a folder"))
       ->required()
-      ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress", "edits", "cusick"}));
+      ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress", "edits", "cusick", "wardrobe"}));
   verb->add_option("--vertices", options->vertices, help("About how many points the cloth has; otherwise as defined"))
       ->check(CLI::Range(100, 1'000'000));
   verb->add_option("--stretch", options->stretch, help("w1, w2, w3: how firm the threads are, N/m; otherwise 1000"))
       ->check(CLI::Range(10, 100'000));
   verb->add_option("--threads", options->threads, help("How many threads work, 1 to 256; the result is the same"))
       ->check(CLI::Range(1, 256));
-  verb->add_option("--data", options->data, help("The folder with bodies/ and patterns/ for shirt and dress"));
+  verb->add_option("--data", options->data,
+                   help("The folder with bodies/ and patterns/ for shirt and dress, and wardrobe/"));
+  verb->add_option("--scripts", options->scripts, help("wardrobe: the folder of its scripts, one garment each"));
+  verb->add_option("--only", options->only, help("wardrobe: the garments to drape, by name; otherwise all"));
+  verb->add_option("--seconds", options->seconds,
+                   help("wardrobe: how much processor time a garment is given; otherwise 60"))
+      ->check(CLI::Range(0.1, 3600.0));
   verb->add_option("--fabric", options->fabric, help("cusick: one fabric of the shop; otherwise all"));
   verb->add_option("--runs", options->runs,
                    help("How many times each fabric is laid on (cusick, otherwise 6) or each edit made (otherwise 5)"))
@@ -262,9 +268,10 @@ void addBenchVerb(Program& program) {
   verb->add_option("--judge", options->judged,
                    help("w1, w2, w3: examine what another program made of the scene, an OBJ file or several, 1/60 s "
                         "apart, and settle nothing"));
-  verb->add_flag("--continue", options->continued,
-                 help("w1, w2, w3, shirt, dress: go on from rest for five times as many steps, at least 500, and tell "
-                      "how far that leads"));
+  verb->add_flag(
+      "--continue", options->continued,
+      help("w1, w2, w3, shirt, dress, wardrobe: go on from rest for five times as many steps, at least 500, and tell "
+           "how far that leads"));
   verb->add_option("--plot", options->plot,
                    help("The same, and draw the energy against processor time as an SVG file"));
   verb->add_option("-o,--out", options->out, help("Write the cloth at rest as an OBJ file"));

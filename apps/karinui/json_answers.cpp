@@ -19,6 +19,7 @@ Json checkJson(const ClothCheck& check) {
           {"penetration_mm", check.penetration * 1000},
           {"cloth_body_crossings", check.clothBodyCrossings},
           {"cloth_cloth_crossings", check.clothClothCrossings},
+          {"fold_crossings", check.foldCrossings},
           {"seam_gap_mm", check.seamGap * 1000},
           {"strain_mean", check.strain.mean},
           {"strain_p99", check.strain.p99},
@@ -38,6 +39,18 @@ Json settleJson(const SettleReport& report, const ClothCheck& check, const Conso
   }
   object.update(checkJson(check));
   return object;
+}
+
+Json continuationJson(const SettleReport& report) {
+  const Continuation& more = *report.continuation;
+  return {{"settled", more.settled},
+          {"steps", more.steps},
+          {"solves", more.solves},
+          {"max_mm", more.max * 1000},
+          {"p99_mm", more.p99 * 1000},
+          {"p95_mm", more.p95 * 1000},
+          {"rms_mm", more.rms * 1000},
+          {"lower_uj", (report.energy[report.fineSteps - 1].joules - report.energy.back().joules) * 1e6}};
 }
 
 Json infoJson(const Document& document) {

@@ -10,6 +10,7 @@ namespace karinui::app {
 Json bodyJson(const Measurements& measured, const MeshReport& mesh);
 Json checkJson(const ClothCheck& check);
 Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console);
+Json continuationJson(const SettleReport& report);  // of a report that has one
 Json infoJson(const Document& document);
 
 // "key: value" lines, nested objects indented: for answers that programs read more than people.

@@ -96,7 +96,7 @@ void BlockSystem::setTies(const TieMap& ties) {
 }
 
 void BlockSystem::assemble(std::span<const Block3> blocks, Workers& workers) {
-  couplings_.clear();
+  setCouplings({});
   for (auto& array : diagonal_) std::fill(array.begin(), array.end(), 0.0f);
   sparse_.assemble(blocks, diagonal_, workers);
 }
@@ -143,7 +143,40 @@ void BlockSystem::invertDiagonal(Workers& workers) {
   });
 }
 
-double BlockSystem::multiply(std::span<const Coupling> couplings, Workers& workers) {
+void BlockSystem::setCouplings(std::vector<Coupling> couplings) {
+  couplings_ = std::move(couplings);
+  flatCouplings_.clear();
+  flatTerms_.clear();
+  for (const Coupling& c : couplings_) {
+    flatCouplings_.push_back(
+        {{static_cast<float>(c.normal.x), static_cast<float>(c.normal.y), static_cast<float>(c.normal.z)},
+         static_cast<float>(c.across),
+         static_cast<float>(c.along - c.across),
+         static_cast<std::uint32_t>(c.terms.size())});
+    for (const TieMap::Term& term : c.terms)
+      flatTerms_.push_back({slotOf_[term.unknown], static_cast<float>(term.weight)});
+  }
+}
+
+double BlockSystem::addCouplings(double product) {
+  const FlatTerm* terms = flatTerms_.data();
+  for (const FlatCoupling& c : flatCouplings_) {  // in order
+    const std::span<const FlatTerm> own(terms, c.terms);
+    terms += c.terms;
+    float move[3] = {};
+    for (const FlatTerm& term : own)
+      for (std::size_t axis = 0; axis < 3; ++axis) move[axis] += p_[axis][term.slot] * term.weight;
+    const float normal = c.along * (move[0] * c.normal[0] + move[1] * c.normal[1] + move[2] * c.normal[2]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float force = move[axis] * c.across + c.normal[axis] * normal;
+      product += force * move[axis];
+      for (const FlatTerm& term : own) q_[axis][term.slot] += force * term.weight;
+    }
+  }
+  return product;
+}
+
+double BlockSystem::multiply(bool coupled, Workers& workers) {
   for (const DependentSlot& dependent : dependents_)
     for (auto& axis : p_) axis[dependent.slot] = 0;
   for (const DependentSlot& dependent : dependents_)
@@ -156,21 +189,7 @@ double BlockSystem::multiply(std::span<const Coupling> couplings, Workers& worke
     sums_[k + 1] = dotOf(range, p_, q_);
   });
   double product = std::accumulate(sums_.begin() + 1, sums_.end(), 0.0);
-  for (const Coupling& c : couplings) {  // few; in order
-    float move[3] = {};
-    for (const TieMap::Term& term : c.terms)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        move[axis] += p_[axis][slotOf_[term.unknown]] * static_cast<float>(term.weight);
-    const float n[3] = {static_cast<float>(c.normal.x), static_cast<float>(c.normal.y), static_cast<float>(c.normal.z)};
-    const float across = static_cast<float>(c.across);
-    const float normal = static_cast<float>(c.along - c.across) * (move[0] * n[0] + move[1] * n[1] + move[2] * n[2]);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float force = move[axis] * across + n[axis] * normal;
-      product += force * move[axis];
-      for (const TieMap::Term& term : c.terms)
-        q_[axis][slotOf_[term.unknown]] += force * static_cast<float>(term.weight);
-    }
-  }
+  if (coupled) product = addCouplings(product);
   for (const DependentSlot& dependent : dependents_)
     for (auto& axis : q_) axis[dependent.independent] += dependent.weight * axis[dependent.slot];
   return product;
@@ -185,7 +204,7 @@ bool BlockSystem::coarseMatrixReady(Workers& workers) {
   for (auto& axis : z_) std::fill(axis.begin(), axis.end(), 0.0f);
   return coarse_.assemble([&] {
     updateDirection(0, true, workers);
-    multiply({}, workers);
+    multiply(false, workers);
     workers.forParts(rangeLoads(), [&](std::size_t k) { coarse_.restrictResidual(layout_.ranges[k], q_); });
   });
 }
@@ -263,7 +282,7 @@ int BlockSystem::solve(std::span<const Vec3> force, const StoppingRule& rule, co
   };
   while (iteration < rule.most && rz > 1e-12 * first && (iteration < least || !converged())) {
     if (token.cancelled()) break;
-    const double pq = multiply(couplings_, workers);
+    const double pq = multiply(true, workers);
     if (!(pq > 0)) break;
     recent[iteration % last] = rz / pq * rz;
     if (iteration >= rule.uncounted) energy += recent[iteration % last];
@@ -289,7 +308,7 @@ std::vector<Vec3> BlockSystem::times(std::span<const Vec3> unknown, Workers& wor
     p_[2][slotOf_[k]] = static_cast<float>(unknown[k].z);
   }
   sparse_.load(p_, 0, layout_.slots);
-  multiply(couplings_, workers);
+  multiply(true, workers);
   std::vector<Vec3> product(unknown.size());
   for (std::size_t k = 0; k < unknown.size(); ++k)
     product[k] = {q_[0][slotOf_[k]], q_[1][slotOf_[k]], q_[2][slotOf_[k]]};

@@ -35,7 +35,7 @@ class BlockSystem {
   GridStiffness& gridStiffness() { return stiffness_; }             // to be filled before `gather`
   void assemble(std::span<const Block3> blocks, Workers& workers);  // starts a new system; a block per pair
   void addDiagonal(std::uint32_t unknown, const Block3& block);     // symmetric
-  void setCouplings(std::vector<Coupling> couplings) { couplings_ = std::move(couplings); }
+  void setCouplings(std::vector<Coupling> couplings);
 
   struct StoppingRule {
     int least = 40, most = 400;  // iterations; with a coarse space a quarter of the least is enough
@@ -54,7 +54,8 @@ class BlockSystem {
   bool coarseMatrixReady(Workers& workers);  // assembled anew when it is due
   std::span<const double> rangeLoads() const { return std::span(load_).subspan(1); }
   // The passes of an iteration, each over the ranges of the layout.
-  double multiply(std::span<const Coupling> couplings, Workers& workers);  // q = A p, returns p . q
+  double multiply(bool coupled, Workers& workers);                         // q = A p, returns p . q
+  double addCouplings(double product);                                     // to q; adds theirs to p . q
   void updateResidual(float alpha, bool coarse, Workers& workers);         // r -= alpha q, and its restriction
   double applyPreconditioner(float alpha, bool coarse, Workers& workers);  // d += alpha p, z = M r; returns r . z
   void updateDirection(float beta, bool coarse, Workers& workers);         // p = z + beta p
@@ -69,6 +70,17 @@ class BlockSystem {
   std::vector<std::uint8_t> free_;                        // per slot: whether it is one
   std::vector<DependentSlot> dependents_;                 // sorted by slot, then by independent
   std::vector<Coupling> couplings_;
+  // The same in float and by slot, as every iteration reads them: one after the other, with so many terms each.
+  struct FlatCoupling {
+    float normal[3], across, along;  // along: beyond `across`
+    std::uint32_t terms;
+  };
+  struct FlatTerm {
+    std::uint32_t slot;
+    float weight;
+  };
+  std::vector<FlatCoupling> flatCouplings_;
+  std::vector<FlatTerm> flatTerms_;
   std::vector<double> load_;  // work before each range, and before all of them the coarse solve
   std::vector<double> sums_;  // of the coarse solve and the ranges
   DiagonalBlocks diagonal_, inverse_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "cloth/triangle_intersection.h"
 
@@ -75,18 +76,48 @@ std::size_t crossingsWith(const Sheet& sheet, const Body& body) {
   return crossings;
 }
 
-std::size_t crossingsWithin(const Sheet& sheet) {
+struct WithinCloth {
+  std::size_t apart = 0, folds = 0;  // pairs that share nothing, pairs that share a node or a tie
+};
+
+constexpr double kShared = 1e-5;  // metres: nearer than this to what two faces share they only touch
+
+// Whether an edge of one face passes through the other away from the places they share. `shared`: those places.
+bool crossAway(const Sheet& sheet, std::uint32_t f, std::uint32_t g, std::span<const Vec3> shared) {
+  const Triangle &from = sheet.mesh.faces[f], &to = sheet.mesh.faces[g];
+  const auto& x = sheet.mesh.points;
+  const Vec3 normal = cross(x[to[1]] - x[to[0]], x[to[2]] - x[to[0]]);
+  for (int c = 0; c < 3; ++c) {
+    const std::uint32_t p = from[c], q = from[(c + 1) % 3];
+    if (!segmentCrossesTriangle(sheet.nano[p], sheet.nano[q], sheet.corners(g))) continue;
+    const double before = dot(x[p] - x[to[0]], normal), after = dot(x[q] - x[to[0]], normal);
+    const Vec3 at = lerp(x[p], x[q], before == after ? 0.5 : before / (before - after));
+    if (std::all_of(shared.begin(), shared.end(), [&](Vec3 place) { return distance(place, at) > kShared; }))
+      return true;
+  }
+  return false;
+}
+
+WithinCloth crossingsWithin(const Sheet& sheet) {
   const Bvh tree(sheet.mesh);
-  std::size_t crossings = 0;
+  WithinCloth found;
+  std::vector<Vec3> shared;
   for (std::uint32_t f = 0; f < sheet.mesh.faces.size(); ++f)
     tree.touching(boxOfFace(sheet.mesh, sheet.mesh.faces[f]), [&](std::uint32_t g) {
       if (g <= f) return;
+      shared.clear();
       for (std::uint32_t a : sheet.mesh.faces[f])
         for (std::uint32_t b : sheet.mesh.faces[g])
-          if (sheet.group[a] == sheet.group[b]) return;
-      if (trianglesIntersect(sheet.corners(f), sheet.corners(g))) ++crossings;
+          if (sheet.group[a] == sheet.group[b]) {
+            shared.push_back(sheet.mesh.points[a]);
+            shared.push_back(sheet.mesh.points[b]);
+          }
+      if (shared.empty())
+        found.apart += trianglesIntersect(sheet.corners(f), sheet.corners(g));
+      else
+        found.folds += crossAway(sheet, f, g, shared) || crossAway(sheet, g, f, shared);
     });
-  return crossings;
+  return found;
 }
 
 // Over warp and weft edges of whole cells, found without the solver's code: two grid neighbours of a covered cell.
@@ -137,7 +168,9 @@ ClothCheck check(const Cloth& cloth, const ClothState& state, const Body* body) 
     found.penetration = penetrationOf(sheet, body->bvh());
     found.clothBodyCrossings = crossingsWith(sheet, *body);
   }
-  found.clothClothCrossings = crossingsWithin(sheet);
+  const WithinCloth within = crossingsWithin(sheet);
+  found.clothClothCrossings = within.apart;
+  found.foldCrossings = within.folds;
   for (const Tie& tie : cloth.ties) {
     const Vec3 b = state.position[tie.b];
     const Vec3 other = tie.c == kNoNode ? b : (b + state.position[tie.c]) * 0.5;

@@ -20,8 +20,7 @@ std::vector<std::uint32_t> seamNumbers(const Cloth& cloth) {
     return k;
   };
   for (const Tie& tie : cloth.ties) {
-    parent[root(tie.b)] = root(tie.a);
-    if (tie.c != kNoNode) parent[root(tie.c)] = root(tie.a);
+    if (tie.c == kNoNode || tie.c == tie.b) parent[root(tie.b)] = root(tie.a);
   }
   for (std::uint32_t k = 0; k < cloth.nodeCount; ++k) parent[k] = root(k);
   return parent;
@@ -89,6 +88,12 @@ ClothTopology::ClothTopology(const Cloth& cloth, double radius) : live(cloth.nod
     for (NodeIndex k : edge) byNode.emplace_back(k, static_cast<std::uint32_t>(edges.size()));
     edges.push_back(edge);
   }
+  for (const Tie& tie : cloth.ties)
+    if (tie.c != kNoNode && tie.c != tie.b)
+      for (const auto& [i, j] : {KeyValue{tie.a, tie.b}, KeyValue{tie.a, tie.c}}) {
+        nears.emplace_back(i, j);
+        nears.emplace_back(j, i);
+      }
   edgesOf = incidenceOf(cloth.nodeCount, byNode);
   sortOnce(nears);
   sortOnce(over);

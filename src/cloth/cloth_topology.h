@@ -37,9 +37,9 @@ class ClothTopology {
   std::vector<Flat> paper;           // and where it is on paper,
   std::vector<std::uint8_t> live;    // and whether its piece is
 
-  // Partners at a seam, tied already or not.
+  // Partners at a seam that are one point, tied already or not.
   bool sewn(NodeIndex a, NodeIndex b) const { return seam_[a] == seam_[b]; }
-  // Never in contact: partners, ends of an edge, corners across an edge of a narrow band.
+  // Never in contact: partners, also of a pair sewn 2:1, ends of an edge, corners across an edge of a narrow band.
   bool neighbours(NodeIndex a, NodeIndex b) const { return sewn(a, b) || near_.has(a, b); }
   // Beside each other over a seam: in contact only where the seam is folded.
   bool overSeam(NodeIndex a, NodeIndex b) const { return over_.any(a) && over_.has(a, b); }

@@ -20,14 +20,17 @@ bool CollisionFilter::apply(std::span<const Vec3> x, std::vector<Vec3>& move, Wo
   pairs_.measureEdges(x);
   bool changed = false;
   for (int k = 0; k < kPasses; ++k) {
-    if (!pass(x, move, workers)) break;
+    const ContactPairs::Search search{x, move, kReach * radius_};
+    const std::vector<ContactPair> pairs =
+        k == 0 ? pairs_.find(search, workers) : pairs_.findAgain(search, changed_, workers);
+    changed_.assign(x.size(), 0);
+    if (!pass(pairs, x, move)) break;
     changed = true;
   }
   return changed;
 }
 
-bool CollisionFilter::pass(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {
-  const std::vector<ContactPair> pairs = pairs_.find({x, move, kReach * radius_}, workers);
+bool CollisionFilter::pass(const std::vector<ContactPair>& pairs, std::span<const Vec3> x, std::vector<Vec3>& move) {
   bool any = false;
   for (int round = 0; round < kRounds; ++round) {
     bool changed = false;
@@ -39,16 +42,19 @@ bool CollisionFilter::pass(std::span<const Vec3> x, std::vector<Vec3>& move, Wor
 }
 
 // Nodes that are sewn together move as one.
-void CollisionFilter::set(NodeIndex node, Vec3 own, std::vector<Vec3>& move) const {
+void CollisionFilter::set(NodeIndex node, Vec3 own, std::vector<Vec3>& move) {
   if (sewn_.held[node]) return;
+  const auto to = [&](NodeIndex k) {
+    move[k] = own;
+    changed_[k] = 1;
+  };
   if (sewn_.groupOf[node] == kNoNode)
-    move[node] = own;
+    to(node);
   else
-    for (NodeIndex other : sewn_.groups[sewn_.groupOf[node]]) move[other] = own;
+    for (NodeIndex other : sewn_.groups[sewn_.groupOf[node]]) to(other);
 }
 
-bool CollisionFilter::separate(const ContactPair& pair, int round, std::span<const Vec3> x,
-                               std::vector<Vec3>& move) const {
+bool CollisionFilter::separate(const ContactPair& pair, int round, std::span<const Vec3> x, std::vector<Vec3>& move) {
   // Along the normal: the lowest node of the first side and the highest of the second, before and after the move.
   double low = 1e300, high = -1e300, lowNow = 1e300, highNow = -1e300;
   for (int k = 0; k < 4; ++k) {

@@ -20,13 +20,15 @@ class CollisionFilter {
   bool apply(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers);  // true: some move was changed
 
  private:
-  bool pass(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers);
-  void set(NodeIndex node, Vec3 own, std::vector<Vec3>& move) const;
-  bool separate(const ContactPair& pair, int round, std::span<const Vec3> x, std::vector<Vec3>& move) const;
+  // Over the pairs found; whether some move was changed.
+  bool pass(const std::vector<ContactPair>& pairs, std::span<const Vec3> x, std::vector<Vec3>& move);
+  void set(NodeIndex node, Vec3 own, std::vector<Vec3>& move);
+  bool separate(const ContactPair& pair, int round, std::span<const Vec3> x, std::vector<Vec3>& move);
 
   ContactPairs& pairs_;
   const SewnGroups& sewn_;
   double radius_;
+  std::vector<std::uint8_t> changed_;  // per node: whether the last pass changed its move
 };
 
 }  // namespace karinui

@@ -1,6 +1,7 @@
 #include "cloth/contact_pairs.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "cloth/closest_points.h"
 
@@ -15,6 +16,11 @@ constexpr double kNodeMoveReach = 1.5;  // the same for the two nodes of the lis
 constexpr double kNodeReach = 0.25;     // and so many spacings more
 constexpr double kLeastGap = 1e-9;      // metres: below it the normal is unknown
 constexpr std::size_t kBlock = 128;
+constexpr double kRounding = 1e-9;  // metres, of the bound below
+
+// A plane across the way between the nearest nodes of two sides bounds their distance from below, for far less than
+// their closest points cost. `low`, `high`: the least of the one side and the most of the other along that way.
+bool fartherThan(double reach, double low, double high, double way) { return low - high > (reach + kRounding) * way; }
 
 }  // namespace
 
@@ -53,45 +59,58 @@ bool ContactPairs::keeps(const ContactPair& pair, const Search& search, bool squ
 }
 
 void ContactPairs::nodeFaces(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const {
-  const Vec3 p = search.x[a];
-  const double toB = squaredLength(p - search.x[b]);
+  const Vec3 p = search.x[a], between = p - search.x[b];
+  const double toB = squaredLength(between), way = std::sqrt(toB), low = dot(p, between);
   for (const std::uint32_t f : topology_.facesOf.of(b)) {
     const Triangle& face = topology_.faces[f];
+    double apart = 0, high = -1e300;
+    for (NodeIndex c : face) {
+      high = std::fmax(high, dot(search.x[c], between));
+      if (!search.move.empty()) apart = std::fmax(apart, squaredLength(search.move[a] - search.move[c]));
+    }
+    const double reach = search.within + kMoveReach * std::sqrt(apart);
+    if (fartherThan(reach, low, high, way)) continue;
     bool mine = true, squeezed = false;  // whether b is the face's nearest corner
-    double apart = 0;
     for (NodeIndex c : face) {
       const double toC = squaredLength(p - search.x[c]);
       if (topology_.sewn(c, a) || (c != b && (toC < toB || (toC == toB && c < b)) && takes(a, c, squeezed)))
         mine = false;
-      if (!search.move.empty()) apart = std::fmax(apart, squaredLength(search.move[a] - search.move[c]));
     }
     if (!mine) continue;
     const auto w = closestOnTriangle(p, search.x[face[0]], search.x[face[1]], search.x[face[2]]);
     const Vec3 d = p - (search.x[face[0]] * w[0] + search.x[face[1]] * w[1] + search.x[face[2]] * w[2]);
     const double gap = length(d);
-    if (!(gap < search.within + kMoveReach * std::sqrt(apart) && gap > kLeastGap)) continue;
+    if (!(gap < reach && gap > kLeastGap)) continue;
     const ContactPair pair{{a, face[0], face[1], face[2]}, {1, -w[0], -w[1], -w[2]}, 1, d * (1 / gap), gap};
     if (keeps(pair, search, squeezed)) out.push_back(pair);
   }
 }
 
 void ContactPairs::edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const {
-  const Vec3 pa = search.x[a], pb = search.x[b];
-  const double both = squaredLength(pa - pb);
+  const Vec3 pa = search.x[a], pb = search.x[b], between = pa - pb;
+  const double both = squaredLength(between), way = std::sqrt(both), aAlong = dot(pa, between),
+               bAlong = dot(pb, between);
   const auto other = [&](std::uint32_t e, NodeIndex k) {
     return topology_.edges[e][0] == k ? topology_.edges[e][1] : topology_.edges[e][0];
   };
   for (const std::uint32_t edgeA : topology_.edgesOf.of(a)) {
     const NodeIndex a2 = other(edgeA, a);
     const Vec3 pa2 = search.x[a2];
+    const double low = std::fmin(aAlong, dot(pa2, between));
     const double cross1 = squaredLength(pa2 - pb);
     if (topology_.sewn(a2, b)) continue;
     bool squeezed1 = false;
     if ((cross1 < both || (cross1 == both && a2 < a)) && takes(a2, b, squeezed1)) continue;
     for (const std::uint32_t edgeB : topology_.edgesOf.of(b)) {
       const NodeIndex b2 = other(edgeB, b);
-      if (topology_.sewn(a2, b2) || topology_.sewn(b2, a)) continue;
       const Vec3 pb2 = search.x[b2];
+      double apart = 0;
+      if (!search.move.empty())
+        for (NodeIndex m : {a, a2})
+          for (NodeIndex n : {b, b2}) apart = std::fmax(apart, squaredLength(search.move[m] - search.move[n]));
+      const double reach = search.within + kMoveReach * std::sqrt(apart);
+      if (fartherThan(reach, low, std::fmax(bAlong, dot(pb2, between)), way)) continue;
+      if (topology_.sewn(a2, b2) || topology_.sewn(b2, a)) continue;
       const double cross2 = squaredLength(pb2 - pa);
       bool squeezed = squeezed1;
       if ((cross2 < both || (cross2 == both && b2 < b)) && takes(a, b2, squeezed)) continue;
@@ -100,12 +119,8 @@ void ContactPairs::edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std
       // At an edge's end the node-face pair answers.
       if (search.move.empty() && (at[0] <= 0 || at[0] >= 1 || at[1] <= 0 || at[1] >= 1)) continue;
       const Vec3 d = lerp(pa, pa2, at[0]) - lerp(pb, pb2, at[1]);
-      double apart = 0;
-      if (!search.move.empty())
-        for (NodeIndex m : {a, a2})
-          for (NodeIndex n : {b, b2}) apart = std::fmax(apart, squaredLength(search.move[m] - search.move[n]));
       const double gap = length(d);
-      if (!(gap < search.within + kMoveReach * std::sqrt(apart) && gap > kLeastGap)) continue;
+      if (!(gap < reach && gap > kLeastGap)) continue;
       const ContactPair pair{{a, a2, b, b2}, {1 - at[0], at[0], at[1] - 1, -at[1]}, 2, d * (1 / gap), gap};
       if (keeps(pair, search, squeezed)) out.push_back(pair);
     }
@@ -113,12 +128,30 @@ void ContactPairs::edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std
 }
 
 std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& workers) {
+  return this->search(search, {}, workers);
+}
+
+std::vector<ContactPair> ContactPairs::findAgain(const Search& search, const std::vector<std::uint8_t>& moved,
+                                                 Workers& workers) {
+  std::vector<std::uint8_t> stale = moved;  // what is found at two nodes depends on the moves of their faces' corners
+  for (const Triangle& face : topology_.faces)
+    if (moved[face[0]] || moved[face[1]] || moved[face[2]])
+      for (NodeIndex k : face) stale[k] = 1;
+  return this->search(search, stale, workers);
+}
+
+// `stale`: the nodes at which what was found last no longer holds; empty: all.
+std::vector<ContactPair> ContactPairs::search(const Search& search, const std::vector<std::uint8_t>& stale,
+                                              Workers& workers) {
   double most = 0;
   for (Vec3 m : search.move) most = std::fmax(most, squaredLength(m));
   const double still = search.within + kEdgeReach * longest_;
   const double reach = still + 2 * kMoveReach * std::sqrt(most);
-  list_.update(search.x, reach, workers);
+  const bool listIsNew = list_.update(search.x, reach, workers);
   const auto& list = list_.pairs();
+  const bool again = !stale.empty() && !listIsNew && asked_.size() == list.size();
+  std::vector<std::uint32_t> start(list.size() + 1, 0);
+  std::vector<std::uint8_t> asked(list.size(), 0);
   std::vector<std::vector<ContactPair>> found((list.size() + kBlock - 1) / kBlock);
   workers.forBlocks(list.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     auto& out = found[begin / kBlock];
@@ -126,18 +159,32 @@ std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& worke
       const auto [a, b] = list[n];
       const double d2 = squaredLength(search.x[b] - search.x[a]);
       if (d2 > reach * reach) continue;
+      asked[n] = 1;
+      if (again && asked_[n] && !stale[a] && !stale[b]) {
+        out.insert(out.end(), last_.begin() + start_[n], last_.begin() + start_[n + 1]);
+        start[n + 1] = start_[n + 1] - start_[n];
+        continue;
+      }
       double far = search.within + kEdgeReach * std::fmax(longestEdge_[a], longestEdge_[b]);
       // The nodes of a pair move nearly alike, so the moves of these two bound it, with some margin.
       if (!search.move.empty()) far += kNodeReach * spacing_ + kNodeMoveReach * length(search.move[a] - search.move[b]);
       if (d2 > far * far) continue;
       if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;
+      const std::size_t before = out.size();
       nodeFaces(a, b, search, out);
       nodeFaces(b, a, search, out);
       edgeEdges(a, b, search, out);
+      start[n + 1] = static_cast<std::uint32_t>(out.size() - before);
     }
   });
   std::vector<ContactPair> all;
   for (const auto& block : found) all.insert(all.end(), block.begin(), block.end());
+  if (!search.move.empty()) {
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    start_ = std::move(start);
+    asked_ = std::move(asked);
+    last_ = all;
+  }
   return all;
 }
 

@@ -33,9 +33,12 @@ class ContactPairs {
     double within = 0;              // metres
   };
   std::vector<ContactPair> find(const Search& search, Workers& workers);
+  // The same for a search that differs from the last one only in the moves of the nodes that are marked.
+  std::vector<ContactPair> findAgain(const Search& search, const std::vector<std::uint8_t>& moved, Workers& workers);
   void measureEdges(std::span<const Vec3> x);
 
  private:
+  std::vector<ContactPair> search(const Search& search, const std::vector<std::uint8_t>& stale, Workers& workers);
   void nodeFaces(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const;
   void edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const;
   bool takes(NodeIndex a, NodeIndex b, bool& squeezed) const;
@@ -48,6 +51,10 @@ class ContactPairs {
   std::vector<std::uint8_t> leftOut_;
   std::vector<double> longestEdge_;  // at each node, metres
   double longest_ = 0;               // of all
+  // What the last search with moves found at each pair of nodes of the list: from `start_[n]` to before the next.
+  std::vector<ContactPair> last_;
+  std::vector<std::uint32_t> start_;
+  std::vector<std::uint8_t> asked_;  // whether it was searched
 };
 
 }  // namespace karinui

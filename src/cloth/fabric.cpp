@@ -10,9 +10,9 @@ namespace {
 // Our own typical cloths. Weights and bending lie inside the classes of the published measurements of 618 fabrics
 // (median bending by weight class), stretch and shear inside the ranges of KES measurements of apparel cloth; none is a
 // copy of one measured sample.
-const std::array<Fabric, 11>& own() {
+const std::array<Fabric, 13>& own() {
   using enum Fabric::Law;
-  static const std::array<Fabric, 11> kOwn{{
+  static const std::array<Fabric, 13> kOwn{{
       // name, law, weight, stretch warp weft, toe warp weft, stiffening warp weft, compression, shear, its stiffening,
       // bending warp weft, thickness, friction on body, on cloth
       {"chiffon", Woven, 0.045, 1100, 800, 0.003, 0.004, 590, 250, 0.05, 12, 2, 1.2e-6, 1e-6, 0.00018, 0.25, 0.25},
@@ -25,14 +25,16 @@ const std::array<Fabric, 11>& own() {
       {"denim", Woven, 0.36, 1800, 1200, 0.002, 0.003, 220, 240, 0.05, 100, 2, 7e-5, 5e-5, 0.0009, 0.4, 0.45},
       {"jersey", Woven, 0.19, 120, 90, 0.01, 0.01, 130, 52, 0.1, 30, 0, 6e-6, 5e-6, 0.0007, 0.4, 0.45},
       {"interlock", Woven, 0.22, 250, 150, 0.01, 0.01, 120, 71, 0.1, 36, 0, 1.2e-5, 9e-6, 0.0009, 0.4, 0.45},
+      {"velvet", Woven, 0.28, 900, 700, 0.004, 0.005, 300, 170, 0.08, 40, 2, 2e-5, 1.5e-5, 0.0016, 0.4, 0.6},
+      {"leather", Woven, 0.5, 3200, 2600, 0.002, 0.002, 25, 20, 0.1, 700, 1, 3.6e-5, 3.2e-5, 0.0008, 0.45, 0.5},
       {"simcloth", Simcloth, 0.15, 1000, 1000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0005, 0.3, 0.3},
   }};
   return kOwn;
 }
 
 // `karinui bench cusick`: 2,800 vertices, the mean of six times each; in the order above.
-constexpr DrapeFigure kDraped[]{{38, 7}, {38, 7}, {42, 8}, {64, 6}, {68, 6},
-                                {56, 6}, {66, 6}, {74, 5}, {34, 8}, {46, 8}};
+constexpr DrapeFigure kDraped[]{{38, 7}, {38, 7}, {42, 8}, {64, 6}, {68, 6}, {56, 6},
+                                {66, 6}, {74, 5}, {34, 8}, {46, 8}, {55, 8}, {64, 7}};
 
 struct Range {
   Message what;

@@ -17,8 +17,8 @@ class ProximityList {
   ProximityList(const ClothTopology& topology, const SewnGroups& sewn, double spacing)
       : topology_(topology), sewn_(sewn), spacing_(spacing) {}
 
-  // Makes sure that every pair nearer than `reach` (metres) is listed.
-  void update(std::span<const Vec3> x, double reach, Workers& workers);
+  // Makes sure that every pair nearer than `reach` (metres) is listed; whether the list was made anew.
+  bool update(std::span<const Vec3> x, double reach, Workers& workers);
   // The first node of a pair is the lower.
   const std::vector<std::array<NodeIndex, 2>>& pairs() const { return pairs_; }
 

@@ -189,6 +189,80 @@ TEST(DrapeTester, GrowsWithStiffnessFromLimpToBoard) {
   EXPECT_GT(drape(1e-5, 400), drape(1e-5, 40) - scatter);
 }
 
+// A skirt of two trapezia on a figure, at a coarse spacing.
+std::string skirt(const std::string& spacing) {
+  std::string script = "body size=eu38\nset spacing=" + spacing + "\n";
+  for (const char* piece : {"front", "back"})
+    script += std::string("piece name=") + piece +
+              " fabric=cotton outline=\"M -280 0; hem L 280 0; left L 185 600; waist L -185 600; right L -280 0\"\n";
+  return script +
+         "place piece=front at=\"torso:waist@0\" point=0,599mm ease=8mm\n"
+         "place piece=back at=\"torso:waist@0.5\" point=0,599mm ease=8mm\n"
+         "sew a=front.left b=back.right\nsew a=front.right b=back.left\n";
+}
+
+// Every script of the folder is drafted and draped; one that is refused, or that takes too long, does not end the run.
+TEST(BenchCommand, DrapesAWardrobe) {
+  Folder folder;
+  write(folder / "b_skirt.ops", skirt("40mm"));
+  write(folder / "a_draped.ops", skirt("40mm") + "drape\n");
+  write(folder / "c_wrong.ops", "body size=eu38\nsew a=front.left b=back.right\n");
+  write(folder / "notes.txt", "not a garment");
+  const Said said = karinui("bench wardrobe --json --scripts " + (folder / ""));
+  EXPECT_EQ(said.exit, 4) << said.err;
+  const auto json = said.json();
+  ASSERT_EQ(json["garments"].size(), 3u);
+  EXPECT_EQ(json["at_rest"], 2);
+  const auto draped = json["garments"][0], garment = json["garments"][1], wrong = json["garments"][2];
+  EXPECT_EQ(garment["name"], "b_skirt");
+  EXPECT_EQ(garment["settled"], true) << garment["why"];
+  EXPECT_EQ(garment["drapes"], 1);
+  EXPECT_GT(garment["cpu_s"].get<double>(), 0);
+  EXPECT_GT(garment["draft_s"].get<double>(), 0);
+  EXPECT_GT(garment["vertices"].get<int>(), 300);
+  EXPECT_EQ(garment["cloth_cloth_crossings"], 0);
+  EXPECT_LE(garment["seam_gap_mm"].get<double>(), 0.5);
+  EXPECT_FALSE(garment.contains("continuation"));
+  EXPECT_EQ(draped["drapes"], 1);  // what is at rest is not draped again
+  for (const char* key : {"steps", "vertices", "strain_mean"}) EXPECT_EQ(draped[key], garment[key]) << key;
+  EXPECT_NE(wrong["refused"].get<std::string>().find("Line 2"), std::string::npos) << wrong;
+
+  const Said table = karinui("bench wardrobe --only b_skirt --scripts " + (folder / ""));
+  EXPECT_EQ(table.exit, 0) << table.err;
+  EXPECT_NE(table.out.find("b_skirt  " + std::to_string(garment["vertices"].get<int>())), std::string::npos)
+      << table.out;
+  EXPECT_EQ(table.out.find("a_draped"), std::string::npos);
+  EXPECT_NE(table.out.find("1 of 1 at rest."), std::string::npos) << table.out;
+}
+
+TEST(BenchCommand, StopsAGarmentInTimeAndGoesOn) {
+  Folder folder;
+  write(folder / "a_long.ops", skirt("12mm"));
+  write(folder / "b_short.ops", "piece name=p outline=\"M 0 0; a L 100 0; b L 0 100; c L 0 0\"\n");
+  const auto json = karinui("bench wardrobe --seconds 1 --json --scripts " + (folder / "")).json();
+  ASSERT_EQ(json["garments"].size(), 2u);
+  const auto stopped = json["garments"][0];
+  EXPECT_EQ(stopped["out_of_time"], true);
+  EXPECT_EQ(stopped["settled"], false);
+  EXPECT_LT(stopped["cpu_s"].get<double>() + stopped["draft_s"].get<double>(), 5);
+  EXPECT_GT(stopped["vertices"].get<int>(), 1000);  // examined as it stands
+  EXPECT_EQ(json["garments"][1]["out_of_time"], false);
+  EXPECT_TRUE(json["garments"][1]["refused"].is_string());  // no body to drape on
+}
+
+TEST(BenchCommand, RefusesAWardrobeThatIsNotThere) {
+  Folder folder;
+  const Said none = karinui("bench wardrobe --data " + (folder / "nowhere"));
+  EXPECT_EQ(none.exit, 3);
+  EXPECT_NE(none.err.find("nowhere/wardrobe"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find("--scripts"), std::string::npos) << none.err;
+  const Said empty = karinui("bench wardrobe --scripts " + (folder / ""));
+  EXPECT_EQ(empty.exit, 3);
+  EXPECT_NE(empty.err.find("--scripts"), std::string::npos) << empty.err;
+  write(folder / "skirt.ops", skirt("40mm"));
+  EXPECT_EQ(karinui("bench wardrobe --only coat --scripts " + (folder / "")).exit, 3);
+}
+
 TEST(BenchCommand, RefusesWhatItCannotMeasure) {
   EXPECT_EQ(karinui("bench w4").exit, 2);
   EXPECT_EQ(karinui("bench cusick --fabric cardboard").exit, 3);

@@ -72,6 +72,38 @@ TEST(Check, CountsPairsOfFacesThatCrossEachOther) {
   EXPECT_EQ(check(sewn, cells(sewn, {flat, upright(0.15, 0.40)}), nullptr).clothClothCrossings, 0u);
 }
 
+// Two cells sewn along an edge. Folded back onto each other they meet at the seam; where the second's far edge is led
+// through the first they pass through each other beside it.
+TEST(Check, CountsFacesThatCrossBesideWhatTheyShare) {
+  Cloth sewn = pieces(2);
+  sewn.ties = {{0, 4, kNoNode, 0}, {2, 6, kNoNode, 0}};    // u = 0 of both
+  const auto count = [&](double nearEnd, double farEnd) {  // heights of the second's free edge over the first
+    const ClothCheck found = check(sewn,
+                                   cells(sewn, {[](double u, double v) {
+                                                  return Vec3{u, v, 0} * 0.01;
+                                                },
+                                                [=](double u, double v) {
+                                                  return Vec3{0.9 * u, v, u * std::lerp(nearEnd, farEnd, v)} * 0.01;
+                                                }}),
+                                   nullptr);
+    EXPECT_EQ(found.clothClothCrossings, 0u);
+    return found.foldCrossings;
+  };
+  EXPECT_EQ(count(0.5, 0.5), 0u);
+  EXPECT_EQ(count(0.01, 0.02), 0u);
+  EXPECT_GT(count(0.2, -0.2), 0u);
+  // A point sewn to the middle of two only touches the edge between them.
+  Cloth gathered = pieces(2);
+  gathered.ties = {{0, 4, 5, 0}};
+  const ClothState state = cells(gathered, {[](double u, double v) {
+                                              return Vec3{0.5 + u, 0, v} * 0.01;
+                                            },
+                                            [](double u, double v) {
+                                              return Vec3{u, v, 0} * 0.01;
+                                            }});
+  EXPECT_EQ(check(gathered, state, nullptr).foldCrossings, 0u);
+}
+
 TEST(Check, GivesTheWidestSeamGap) {
   Cloth cloth = pieces(2);
   cloth.ties = {{0, 4, kNoNode, 0}, {1, 5, 7, 0}};

@@ -12,7 +12,10 @@ struct ClothCheck {
   double penetration = 0;               // metres: deepest of all nodes and face samples below the body's mesh
   std::size_t clothBodyCrossings = 0;   // pairs of faces
   std::size_t clothClothCrossings = 0;  // pairs of faces that share no node and no tie
-  double seamGap = 0;                   // metres, widest
+  // Pairs that share a node or a tie and pass through each other away from it: a fold that closed beside its crease or
+  // at its seam.
+  std::size_t foldCrossings = 0;
+  double seamGap = 0;  // metres, widest
   StrainReport strain;
   std::size_t vertices = 0;
 };
