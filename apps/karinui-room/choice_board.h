@@ -7,6 +7,8 @@
 
 namespace karinui::room {
 
+inline constexpr double kBeside = 0.10;  // what it is about stays in sight
+
 struct Choice {
   std::vector<Message> title;
   SceneMenu panel;  // without its buttons until they are put on
@@ -14,7 +16,9 @@ struct Choice {
 
 // With room for so many items, facing eyes that are there, a little nearer than what it is about and beside it.
 // `scale`: room metres for a metre of the stand.
-Choice choiceBefore(Vec3 eyes, Vec3 about, double scale, std::size_t items, std::size_t columns);
+// `beside`: from there to its left edge, as a share of the distance to it.
+Choice choiceBefore(Vec3 eyes, Vec3 about, double scale, std::size_t items, std::size_t columns,
+                    double beside = kBeside);
 // The button of one of so many items, column by column from the top.
 SceneMenu::Button buttonOn(const SceneMenu& panel, std::size_t item, std::size_t items, std::size_t columns);
 

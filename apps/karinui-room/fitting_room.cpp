@@ -1,7 +1,6 @@
 #include "fitting_room.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "panel_hit.h"
@@ -23,16 +22,6 @@ constexpr double kStickDead = 0.25, kStickTurns = 0.7;
 constexpr double kRise = 0.35;                       // metres a second, the stick all the way
 constexpr double kStickTurn = 0.5235987755982988;    // 30 degrees a push
 constexpr double kVignetteIn = 8, kVignetteOut = 3;  // shares a second
-constexpr Vec3 kListAt{0, -0.12, -1};                // metres from the eyes: what a list hangs before
-constexpr std::size_t kLongList = 8;                 // more than so many items are hung in two columns
-
-std::string dayNow() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  char said[32] = "";
-  std::tm local{};
-  if (localtime_r(&now, &local)) std::strftime(said, sizeof said, "%Y-%m-%d %H%M%S", &local);
-  return said;
-}
 
 }  // namespace
 
@@ -56,72 +45,6 @@ Viewpoint FittingRoom::menuViewpoint() const {
   viewpoint.aspect = kMenuAspect;
   viewpoint.distance = far / placement_.scale;
   return viewpoint;
-}
-
-SceneMenu FittingRoom::strip() const {
-  SceneMenu strip;
-  const auto menu = session_.menu();
-  if (!menu || menu->buttons.empty()) return strip;
-  // Beside the menu, towards the middle of the view, its buttons as large.
-  const SceneMenu::Button& like = menu->buttons.front();
-  const double rim = like.left, gap = rim * 0.5, wide = length(menu->across), button = like.height;
-  const std::vector<Offer> offers = stripOffers(session_, options_.scale, list_, !options_.documents.empty());
-  const std::size_t count = offers.size();
-  const double high = static_cast<double>(count) * (button * 0.62 + gap) - gap + 2 * rim;
-  const Vec3 aside = normalized(menu->across) * (wide * 1.12) * (options_.left ? 1.0 : -1.0);
-  strip.across = menu->across;
-  strip.upward = normalized(menu->upward) * high;
-  strip.corner = menu->corner + aside + menu->upward * 0.5 - strip.upward * 0.5;
-  for (std::size_t i = 0; i < count; ++i) {
-    SceneMenu::Button one;
-    one.left = rim;
-    one.width = wide - 2 * rim;
-    one.height = button * 0.62;
-    one.bottom = high - rim - one.height - static_cast<double>(i) * (one.height + gap);
-    one.hot = hotStrip_ == i;
-    one.label = offers[i].label, one.enabled = offers[i].enabled, one.chosen = offers[i].chosen;
-    strip.buttons.push_back(std::move(one));
-  }
-  return strip;
-}
-
-void FittingRoom::perform(const Offer& offer) {
-  if (!offer.enabled) return;
-  const std::optional<RoomCommand> opened = std::exchange(list_, std::nullopt);
-  if (const auto* command = std::get_if<Command>(&offer.what)) {
-    if (opened && *command == Command::Cancel) return;  // the list is closed, nothing else
-    return session_.command(*command);
-  }
-  if (const auto* operation = std::get_if<Operation>(&offer.what)) return session_.perform(*operation);
-  switch (const auto own = std::get<RoomCommand>(offer.what)) {
-    case RoomCommand::More:
-      if (!opened) list_ = own;
-      return;
-    case RoomCommand::Figure:
-    case RoomCommand::Fabric:
-      list_ = own;
-      return;
-    case RoomCommand::ChangeScale:
-      changeScale_ = true;
-      return;
-    case RoomCommand::Keep:
-      return keep();
-  }
-}
-
-void FittingRoom::pressOnChoice(std::size_t item) {
-  if (!choiceOf_) return session_.choose(item);
-  const std::vector<Offer> offers = listOffers(session_, *choiceOf_);
-  if (item < offers.size()) perform(offers[item]);
-}
-
-void FittingRoom::keep() {
-  if (session_.path().empty()) return;
-  if (!session_.draft())
-    return session_.advise(say("Every step is saved in “{0}” as it is done.", session_.path().string()));
-  std::error_code trouble;
-  std::filesystem::create_directories(options_.documents, trouble);
-  session_.saveAs(options_.documents / (session_.path().stem().string() + " " + dayNow() + ".karinui"));
 }
 
 void FittingRoom::changeScale(const Rigid& head) {
@@ -161,33 +84,6 @@ void FittingRoom::sticks(const ControllerState& other, double passed) {
   if (std::fabs(now.v) > kStickDead) placement_.foot.y += now.v * kRise * passed;
   if (std::fabs(now.u) > kStickTurns && std::fabs(before.u) <= kStickTurns)
     placement_.turn += now.u > 0 ? kStickTurn : -kStickTurn;
-}
-
-PointerSample FittingRoom::inStand(PointerSample sample) const {
-  sample.ray.origin = placement_.fittingToStand(sample.ray.origin);
-  sample.ray.direction = placement_.fittingToStand(sample.ray.direction);
-  if (sample.tip) sample.tip->carry = placement_.fittingToStand(sample.tip->carry);
-  return sample;
-}
-
-bool FittingRoom::onBoards(const PointerSample& sample) {
-  if (!boardDown_ && (sample.phase == Phase::Drag || sample.phase == Phase::Release))
-    return hotStrip_.reset(), hotChoice_.reset(), false;
-  if (boardDown_) {  // what was pressed on a board is over with its release
-    boardDown_ = sample.phase != Phase::Release;
-    return true;
-  }
-  const auto onChoice = choice_ ? hitOf(choice_->panel, inStand(sample)) : std::nullopt;
-  const auto onStrip = onChoice ? std::nullopt : hitOf(strip(), sample);
-  hotChoice_ = onChoice ? onChoice->button : std::nullopt;
-  hotStrip_ = onStrip ? onStrip->button : std::nullopt;
-  if (!onChoice && !onStrip) return false;
-  if (sample.phase == Phase::Press) {
-    boardDown_ = true;
-    if (hotChoice_) pressOnChoice(*hotChoice_);
-    if (hotStrip_) perform(stripOffers(session_, options_.scale, list_, !options_.documents.empty())[*hotStrip_]);
-  }
-  return true;
 }
 
 void FittingRoom::point(const Rigid& head, const ControllerState& tool, const ControllerState& other, double seconds) {
@@ -235,38 +131,9 @@ void FittingRoom::point(const Rigid& head, const ControllerState& tool, const Co
   if (const auto pulse = haptics_.follow(session_, tip, seconds)) pulses_[toolSide()].push_back(*pulse);
 }
 
-void FittingRoom::hangChoice(const Rigid& head) {
-  const auto menu = session_.dropMenu();
-  const bool isList = !menu && list_;
-  if (std::exchange(choiceOf_, isList ? list_ : std::nullopt) != choiceOf_ || (!menu && !isList)) choice_.reset();
-  if (!menu && !isList) return;
-  const std::vector<Offer> offers = isList ? listOffers(session_, *list_) : std::vector<Offer>();
-  const std::vector<Message> title = isList ? std::vector{titleOf(*list_)} : menu->title;
-  const std::size_t items = isList ? offers.size() : menu->items.size(), columns = items > kLongList ? 2 : 1;
-  if (!choice_) {
-    const Vec3 about = isList ? placement_.roomToStand(head.carry + turnedAboutUp(kListAt, headingOf(head)))
-                       : menu->where == PointerSample::Where::Table ? table_.at(menu->table)
-                                                                    : placement_.fittingToStand(menu->space);
-    choice_ = choiceBefore(placement_.roomToStand(head.carry), about, placement_.scale, items, columns);
-  }
-  choice_->title = title;
-  choice_->panel.buttons.clear();
-  for (std::size_t i = 0; i < items; ++i) {
-    SceneMenu::Button button = buttonOn(choice_->panel, i, items, columns);
-    button.hot = hotChoice_ == i;
-    if (isList) {
-      button.label = offers[i].label, button.enabled = offers[i].enabled, button.chosen = offers[i].chosen;
-    } else {
-      const DropMenu::Item& item = menu->items[i];
-      button.label = !item.checked ? item.label : *item.checked ? say("☑ {0}", item.label) : say("☐ {0}", item.label);
-      button.chosen = menu->current == i;
-    }
-    choice_->panel.buttons.push_back(std::move(button));
-  }
-}
-
 void FittingRoom::takeNotices(double seconds) {
   std::erase_if(captions_, [&](const Caption& caption) { return caption.until < seconds; });
+  if (session_.takeAsked()) session_.refuse(badInput(info(session_.tool()).hint));  // nothing is typed here
   for (Notice& notice : session_.takeNotices()) captions_.push_back({std::move(notice), seconds + kRead});
   if (captions_.size() > kMostRead)
     captions_.erase(captions_.begin(), captions_.end() - static_cast<std::ptrdiff_t>(kMostRead));

@@ -1,5 +1,5 @@
 #pragma once
-// A headset by OpenXR 1.0: its runtime, its session from idle to lost, the frame loop, its spaces and textures. The
+// A headset by OpenXR 1.0: its session from idle to lost, the frame loop, its spaces and textures. The
 // specification is https://registry.khronos.org/OpenXR/specs/1.0/html/xrspec.html. One thread, that of the graphics'
 // context.
 #include <openxr/openxr.h>
@@ -13,34 +13,9 @@
 
 #include "eye_view.h"
 #include "graphics.h"
+#include "runtime.h"
 
 namespace karinui::room {
-
-Rigid rigidOf(const XrPosef& pose);
-// "XR_ERROR_SESSION_LOST", for sentences.
-std::string nameOf(XrResult result);
-
-// An instance of the runtime that is active on this machine.
-class Runtime {
- public:
-  // NotFound, with a sentence for the person: no runtime, or one that cannot share OpenGL.
-  static Result<std::unique_ptr<Runtime>> open();
-  ~Runtime();
-  Runtime(const Runtime&) = delete;
-  Runtime& operator=(const Runtime&) = delete;
-
-  XrInstance instance() const { return instance_; }
-  const std::string& name() const { return name_; }
-  bool offers(const char* extension) const;  // of those that share a context
-  std::string pathText(XrPath path) const;
-  XrPath path(const char* text) const;
-
- private:
-  Runtime() = default;
-  XrInstance instance_ = XR_NULL_HANDLE;
-  std::string name_;
-  std::vector<std::string> extensions_;
-};
 
 // Where a runtime tells something went wrong. Lost: the session (or the instance) is gone; a new one may be had.
 enum class HeadsetStatus { Good, SessionLost, InstanceLost, Ended };

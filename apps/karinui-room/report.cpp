@@ -1,12 +1,17 @@
 #include "report.h"
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "karinui/design/script.h"
 
 namespace karinui::room {
+
+double monotonicSeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 double LatencyStats::mean() const {
   return all_.empty() ? 0 : std::accumulate(all_.begin(), all_.end(), 0.0) / static_cast<double>(all_.size());

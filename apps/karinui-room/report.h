@@ -8,6 +8,9 @@
 
 namespace karinui::room {
 
+// Since any fixed moment, never backwards.
+double monotonicSeconds();
+
 // Milliseconds of one part of every picture.
 class LatencyStats {
  public:

@@ -21,8 +21,6 @@ constexpr int kSamples = 4;       // a pixel, where a graphics card draws
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 bool bySoftware(const std::string& driver) {
   for (const char* name : {"llvmpipe", "softpipe", "swrast"})
     if (driver.find(name) != std::string::npos) return true;
@@ -57,11 +55,7 @@ std::string stateName(XrSessionState state) {
 RoomProgram::RoomProgram(Session& session, ProgramOptions options)
     : session_(session), options_(std::move(options)), room_(session, options_.room), title_("Karinui") {}
 
-RoomProgram::~RoomProgram() {
-  closeHeadset();
-  if (graphics_) graphics_->makeCurrent();
-  picture_.reset();
-}
+RoomProgram::~RoomProgram() { closeGraphics(); }
 
 void RoomProgram::tell(const Message& what) {
   const std::string said = text(what, options_.room.language);
@@ -72,18 +66,19 @@ void RoomProgram::tell(const Message& what) {
   if (graphics_) graphics_->mirror(nullptr, title_);
 }
 
-Done RoomProgram::openGraphics() {
-  const bool shared = runtime_->offers("XR_MNDX_egl_enable");
+// A window is tried first where a person may look at it, a context without one where nobody does.
+std::vector<ProgramOptions::Share> RoomProgram::waysToShare() const {
   using Share = ProgramOptions::Share;
-  const bool windowFirst = options_.share == Share::Window || (options_.share == Share::Auto && !options_.headless);
-  Result<std::unique_ptr<Graphics>> made = notFound(say("This runtime shares pictures with a window only."));
-  if (windowFirst || !shared) {
-    made = mirrorWindow("Karinui");
-    if (!made && shared && options_.share == Share::Auto) made = windowless();
-  } else {
-    made = windowless();
-    if (!made && options_.share == Share::Auto) made = mirrorWindow("Karinui");
-  }
+  if (options_.share != Share::Auto) return {options_.share};
+  if (!runtime_->offers(kSharesEgl)) return {Share::Window};
+  if (options_.headless) return {Share::Windowless, Share::Window};
+  return {Share::Window, Share::Windowless};
+}
+
+Done RoomProgram::openGraphics(ProgramOptions::Share way) {
+  if (way == ProgramOptions::Share::Windowless && !runtime_->offers(kSharesEgl))
+    return notFound(say("This runtime shares pictures with a window only."));
+  auto made = way == ProgramOptions::Share::Window ? mirrorWindow("Karinui") : windowless();
   if (!made) return made.error();
   graphics_ = std::move(*made);
   report_.driver = graphics_->renderer();
@@ -92,6 +87,32 @@ Done RoomProgram::openGraphics() {
   if (!picture) return picture.error();
   picture_ = std::move(*picture);
   return {};
+}
+
+void RoomProgram::closeGraphics() {
+  closeHeadset();
+  if (graphics_) graphics_->makeCurrent();
+  picture_.reset();
+  graphics_.reset();
+}
+
+// Some runtimes offer to share a context and refuse the session on it: the other way is tried then. One that served
+// once is asked again in the same way.
+Done RoomProgram::openGraphicsAndHeadset() {
+  if (graphics_) return openHeadset();
+  Done last;
+  for (const auto way : waysToShare()) {
+    last = openGraphics(way);
+    if (!last) {
+      closeGraphics();
+      continue;
+    }
+    last = openHeadset();
+    if (last || last.error().kind == Error::Kind::NotFound) return last;  // no headset by any way
+    tell(last.error().what);
+    closeGraphics();
+  }
+  return last;
 }
 
 Done RoomProgram::openHeadset() {
@@ -140,111 +161,6 @@ void RoomProgram::idle(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-// What recorded poses ask of the program up to this picture.
-void RoomProgram::playEvents() {
-  if (!options_.script) return;
-  const auto& events = options_.script->events;
-  for (; played_ < events.size() && events[played_].picture <= pictures_; ++played_) {
-    const std::string& what = events[played_].what;
-    if (what == "wait on" || what == "wait off") waits_ = what == "wait on";
-    if (what.starts_with("picture ")) wanted_.push_back(what.substr(8));
-  }
-  if (pictures_ >= options_.script->end() && !ending_) {
-    ending_ = true;
-    wanted_.emplace_back("end");
-  }
-}
-
-bool RoomProgram::leavePictures(const std::string& name) {
-  if (!options_.headless) return true;
-  for (std::size_t eye = 0; eye < 2; ++eye) {
-    const auto path = *options_.headless / (name + (eye == 0 ? "_left.png" : "_right.png"));
-    if (const Done done = writePng(path.string(), eyes_[eye]->image()); !done) {
-      tell(done.error().what);
-      return false;
-    }
-  }
-  return true;
-}
-
-bool RoomProgram::makePicture() {
-  const double asked = now();
-  const auto frame = headset_->begin();
-  if (!frame) return false;
-  report_.waited.add(1000 * (now() - asked));
-  if (!began_) began_ = frame->time;
-  playEvents();
-  // Recorded poses have a clock of their own, so that a slow machine plays the same.
-  const double before = seconds_;
-  seconds_ = options_.script ? static_cast<double>(pictures_) / kScriptRate
-                             : static_cast<double>(frame->time - *began_) * 1e-9;
-  seconds_ = std::max(seconds_, before);
-
-  const double sampled = now();
-  auto hands = controllers_->read(frame->time);
-  auto views = headset_->views(frame->time);
-  const auto tracked = headset_->head(frame->time);
-  if (tracked) head_ = *tracked, seen_ = true;
-  if (options_.script) {
-    if (const auto head = options_.script->headAt(pictures_)) {
-      head_ = *head, seen_ = true;
-      if (views && tracked)  // the eyes go with the recorded head
-        for (Headset::View& view : *views) view.eye = after(*head, after(inverseOf(*tracked), view.eye));
-    }
-    if (options_.script->hasHands())
-      for (std::size_t side = 0; side < 2; ++side) hands[side] = options_.script->handAt(side, pictures_);
-  }
-  ++pictures_;
-  const bool played = options_.script && options_.script->hasHands();
-  if (waits_) session_.finish();
-  if (!seen_) {
-    session_.update();  // nobody is there yet
-  } else if (headset_->focused() || played) {
-    focused_ = true;
-    room_.step(head_, hands, seconds_);
-  } else {
-    if (std::exchange(focused_, false)) room_.dropHands();
-    session_.update();
-  }
-  if (waits_) session_.finish(), session_.update();
-  const auto pulses = room_.takeHapticPulses();
-  for (std::size_t side = 0; side < 2; ++side)
-    for (const HapticPulse& pulse : pulses[side]) controllers_->vibrate(side, pulse), ++report_.pulses;
-  report_.input.add(1000 * (now() - sampled));
-
-  bool drawn = false;
-  if (frame->draw && views && seen_) {
-    graphics_->makeCurrent();
-    picture_->take(room_, head_, seconds_);
-    report_.taken.add(1000 * (now() - sampled));
-    drawn = true;
-    for (std::size_t eye = 0; eye < 2; ++eye) {
-      const auto texture = headset_->acquire(eye);
-      if (!texture) {
-        drawn = false;
-        continue;
-      }
-      eyes_[eye]->bind();
-      picture_->draw((*views)[eye].eye, (*views)[eye].fov,
-                     {.x = 0, .y = 0, .width = eyes_[eye]->width(), .height = eyes_[eye]->height()});
-      eyes_[eye]->copyTo(*texture, headset_->format());
-      glFlush();
-      headset_->release(eye);
-    }
-    report_.drawn.add(1000 * (now() - sampled));
-  }
-  headset_->end(*frame, drawn);
-  report_.submitted.add(1000 * (now() - sampled));
-  ++report_.pictures;
-  if (!drawn) ++report_.undrawn;
-  if (session_.busy().settling) ++report_.whileDraping;
-  graphics_->makeCurrent();
-  if (drawn)
-    for (const std::string& name : std::exchange(wanted_, {})) leavePictures(name);
-  graphics_->mirror(drawn ? eyes_[0].get() : nullptr, title_);
-  return true;
-}
-
 int RoomProgram::run() {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
@@ -252,8 +168,8 @@ int RoomProgram::run() {
   bool everRan = false, asked = false;
   std::optional<double> waitingSince;
   const auto outOfPatience = [&] {
-    if (!waitingSince) waitingSince = now();
-    return options_.headless && now() - *waitingSince > kPatience;
+    if (!waitingSince) waitingSince = monotonicSeconds();
+    return options_.headless && monotonicSeconds() - *waitingSince > kPatience;
   };
   for (;;) {
     const bool leaving = asked || interrupted || (graphics_ && graphics_->closed());
@@ -273,22 +189,14 @@ int RoomProgram::run() {
       runtime_ = std::move(*runtime);
       report_.runtime = runtime_->name();
     }
-    if (!graphics_) {
-      if (const Done done = openGraphics(); !done) {
-        tell(done.error().what);
-        code = kNoGraphics;
-        break;
-      }
-    }
     if (!headset_) {
-      if (const Done done = openHeadset(); !done) {
+      if (const Done done = openGraphicsAndHeadset(); !done) {
         tell(done.error().what);
-        if (done.error().kind != Error::Kind::NotFound || outOfPatience()) {
-          // A runtime that refuses at first will go on refusing; one that served before may be starting anew.
-          if (!everRan || outOfPatience()) {
-            code = done.error().kind == Error::Kind::NotFound ? kNoHeadset : kFailed;
-            break;
-          }
+        // A runtime that refuses at first will go on refusing; one that served before may be starting anew.
+        const bool found = done.error().kind != Error::Kind::NotFound;
+        if (!graphics_ || (found && !everRan) || outOfPatience()) {
+          code = !graphics_ && !found ? kNoGraphics : found ? kFailed : kNoHeadset;
+          break;
         }
         runtime_.reset();
         idle(kRetry);
@@ -320,7 +228,7 @@ int RoomProgram::run() {
       tell(say("The headset was lost. Nothing is lost of the garment; every step is saved. Waiting for the headset."));
       closeHeadset();
       if (instance) runtime_.reset();
-      waitingSince = now();
+      waitingSince = monotonicSeconds();
       continue;
     }
     if (!headset_->running()) {

@@ -32,9 +32,12 @@ class RoomProgram {
 
  private:
   void tell(const Message& what);  // once: in the terminal, in the window's title, in the report
-  Done openGraphics();
+  std::vector<ProgramOptions::Share> waysToShare() const;
+  Done openGraphicsAndHeadset();
+  Done openGraphics(ProgramOptions::Share way);
   Done openHeadset();
   void closeHeadset();
+  void closeGraphics();
   bool makePicture();
   void playEvents();
   bool leavePictures(const std::string& name);

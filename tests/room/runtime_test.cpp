@@ -67,6 +67,32 @@ TEST_F(RoomRuntime, CallsAreInOrderHoweverItIsShared) {
   }
 }
 
+// A runtime may offer EGL and refuse a session on it.
+TEST_F(RoomRuntime, TriesTheOtherWayToShareWhereOneIsRefused) {
+  const Folder folder;
+  const Ran ran =
+      test::run(folder, {.hands = look(12), .marks = "12 end\n", .with = "refuses_egl", .validated = false});
+  EXPECT_EQ(ran.code, 0) << ran.said;
+  EXPECT_EQ(ran.faults, "");
+  EXPECT_THAT(ran.calls, HasSubstr("refused EGL"));
+  EXPECT_THAT(ran.calls, HasSubstr("graphics GLX"));
+  EXPECT_THAT(ran.said, HasSubstr("XR_ERROR_GRAPHICS_DEVICE_INVALID"));
+  ASSERT_FALSE(ran.report.is_discarded()) << ran.said;
+  EXPECT_GE(ran.report["pictures"].get<int>(), 12);
+}
+
+// Asked for one way only, the program says why it cannot be had.
+TEST_F(RoomRuntime, SaysWhyTheOnlyWayAskedForIsRefused) {
+  const Folder folder;
+  const Ran ran = test::run(folder, {.hands = look(12),
+                                     .marks = "12 end\n",
+                                     .with = "refuses_egl",
+                                     .words = {"--share", "windowless"},
+                                     .validated = false});
+  EXPECT_EQ(ran.code, 6) << ran.said;
+  EXPECT_THAT(ran.said, HasSubstr("XR_ERROR_GRAPHICS_DEVICE_INVALID"));
+}
+
 // A picture means the same light in a linear texture as in an sRGB one.
 TEST_F(RoomRuntime, LinearAndSrgbTexturesHoldTheSameLight) {
   const std::string hands = look(10) + "6 picture look\n";

@@ -100,72 +100,64 @@ XrResult XRAPI_CALL syncActions(XrSession session, const XrActionsSyncInfo* info
   return s.state == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
 
-// The action of a hand, and whether the controller in it has what it is bound to.
-const Action* actionOf(const XrActionStateGetInfo* info, XrActionType type, std::size_t& side, bool& active,
-                       XrResult& result) {
+// What an application asks of one action of one hand. `name` is empty where the call is refused.
+struct Asked {
+  XrResult result = XR_SUCCESS;
+  std::string name = {};
+  ControllerState hand = {};
+  bool active = false;  // the controller in that hand has what the action is bound to
+};
+
+Asked asked(const XrActionStateGetInfo* info, XrActionType type) {
   Stub& s = stub();
   const auto found = s.actions.find(number(info->action));
-  result = XR_SUCCESS;
-  if (found == s.actions.end()) return result = s.fault(XR_ERROR_HANDLE_INVALID, "a state of no action"), nullptr;
-  if (found->second.type != type)
-    return result = s.fault(XR_ERROR_ACTION_TYPE_MISMATCH, "a state of another type: " + found->second.name), nullptr;
+  if (found == s.actions.end()) return {.result = s.fault(XR_ERROR_HANDLE_INVALID, "a state of no action")};
+  const auto& action = found->second;
+  if (action.type != type)
+    return {.result = s.fault(XR_ERROR_ACTION_TYPE_MISMATCH, "a state of another type: " + action.name)};
   if (info->subactionPath == 0 || info->subactionPath > s.paths.size())
-    return result = s.fault(XR_ERROR_PATH_INVALID, "a state of no hand"), nullptr;
+    return {.result = s.fault(XR_ERROR_PATH_INVALID, "a state of no hand")};
   const std::string hand = s.paths[info->subactionPath - 1];
-  side = hand == "/user/hand/left" ? 0 : 1;
-  active = false;
-  const auto bound = found->second.bound.find(s.profile());
-  if (bound != found->second.bound.end())
-    for (const std::string& path : bound->second) active |= path.starts_with(hand);
-  active = active && s.state == XR_SESSION_STATE_FOCUSED && s.script.handAt(side, s.waited).tracked;
-  return &found->second;
+  Asked made{.name = action.name, .hand = s.script.handAt(hand == "/user/hand/left" ? 0 : 1, s.waited)};
+  if (const auto bound = action.bound.find(s.profile()); bound != action.bound.end())
+    for (const std::string& path : bound->second) made.active |= path.starts_with(hand);
+  made.active = made.active && s.state == XR_SESSION_STATE_FOCUSED && made.hand.tracked;
+  return made;
+}
+
+// Fills in a state of any type: isActive, and by `set` what an active controller says.
+template <class State, class Set>
+XrResult answer(const XrActionStateGetInfo* info, XrActionType type, State* state, Set&& set) {
+  const Asked found = asked(info, type);
+  if (found.name.empty()) return found.result;
+  state->isActive = found.active;
+  if (found.active) set(found);
+  return XR_SUCCESS;
 }
 
 XrResult XRAPI_CALL getFloat(XrSession session, const XrActionStateGetInfo* info, XrActionStateFloat* state) {
   KNOWN_SESSION();
-  std::size_t side = 0;
-  bool active = false;
-  XrResult result = XR_SUCCESS;
-  const Action* action = actionOf(info, XR_ACTION_TYPE_FLOAT_INPUT, side, active, result);
-  if (!action) return result;
-  const ControllerState hand = s.script.handAt(side, s.waited);
-  state->isActive = active;
-  state->currentState = static_cast<float>(!active ? 0 : action->name == "act" ? hand.trigger : hand.hold);
-  return XR_SUCCESS;
+  state->currentState = 0;
+  return answer(info, XR_ACTION_TYPE_FLOAT_INPUT, state, [&](const Asked& a) {
+    state->currentState = static_cast<float>(a.name == "act" ? a.hand.trigger : a.hand.hold);
+  });
 }
 XrResult XRAPI_CALL getBoolean(XrSession session, const XrActionStateGetInfo* info, XrActionStateBoolean* state) {
   KNOWN_SESSION();
-  std::size_t side = 0;
-  bool active = false;
-  XrResult result = XR_SUCCESS;
-  const Action* action = actionOf(info, XR_ACTION_TYPE_BOOLEAN_INPUT, side, active, result);
-  if (!action) return result;
-  const ControllerState hand = s.script.handAt(side, s.waited);
-  state->isActive = active;
-  state->currentState = active && (action->name == "finish"   ? hand.confirm
-                                   : action->name == "cancel" ? hand.cancel
-                                                              : hand.scaleSwitch);
-  return XR_SUCCESS;
+  state->currentState = XR_FALSE;
+  return answer(info, XR_ACTION_TYPE_BOOLEAN_INPUT, state, [&](const Asked& a) {
+    state->currentState = a.name == "finish" ? a.hand.confirm : a.name == "cancel" ? a.hand.cancel : a.hand.scaleSwitch;
+  });
 }
 XrResult XRAPI_CALL getVector(XrSession session, const XrActionStateGetInfo* info, XrActionStateVector2f* state) {
   KNOWN_SESSION();
-  std::size_t side = 0;
-  bool active = false;
-  XrResult result = XR_SUCCESS;
-  if (!actionOf(info, XR_ACTION_TYPE_VECTOR2F_INPUT, side, active, result)) return result;
-  const ControllerState hand = s.script.handAt(side, s.waited);
-  state->isActive = active;
-  if (active) state->currentState = {static_cast<float>(hand.stick.u), static_cast<float>(hand.stick.v)};
-  return XR_SUCCESS;
+  return answer(info, XR_ACTION_TYPE_VECTOR2F_INPUT, state, [&](const Asked& a) {
+    state->currentState = {static_cast<float>(a.hand.stick.u), static_cast<float>(a.hand.stick.v)};
+  });
 }
 XrResult XRAPI_CALL getPose(XrSession session, const XrActionStateGetInfo* info, XrActionStatePose* state) {
   KNOWN_SESSION();
-  std::size_t side = 0;
-  bool active = false;
-  XrResult result = XR_SUCCESS;
-  if (!actionOf(info, XR_ACTION_TYPE_POSE_INPUT, side, active, result)) return result;
-  state->isActive = active;
-  return XR_SUCCESS;
+  return answer(info, XR_ACTION_TYPE_POSE_INPUT, state, [](const Asked&) {});
 }
 
 XrResult XRAPI_CALL vibrate(XrSession session, const XrHapticActionInfo* info, const XrHapticBaseHeader* how) {

@@ -19,6 +19,7 @@ XrResult XRAPI_CALL createSession(XrInstance, const XrSessionCreateInfo* info, X
     s.note("graphics GLX");
   } else if (next->type == XR_TYPE_GRAPHICS_BINDING_EGL_MNDX) {
     const auto& egl = *reinterpret_cast<const XrGraphicsBindingEGLMNDX*>(next);
+    if (s.has("refuses_egl")) return s.note("refused EGL"), XR_ERROR_GRAPHICS_DEVICE_INVALID;
     if (!s.egl) return s.fault(XR_ERROR_GRAPHICS_DEVICE_INVALID, "EGL without its extension");
     if (!egl.display || !egl.context || !egl.getProcAddress)
       return s.fault(XR_ERROR_GRAPHICS_DEVICE_INVALID, "an incomplete EGL binding");

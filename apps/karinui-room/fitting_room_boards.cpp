@@ -1,0 +1,158 @@
+// The boards of the room: the strip beside the menu, the lists it opens, and what is to be chosen of a seam.
+#include <algorithm>
+#include <chrono>
+
+#include "fitting_room.h"
+#include "panel_hit.h"
+
+namespace karinui::room {
+
+using Phase = PointerSample::Phase;
+
+namespace {
+
+constexpr Vec3 kListAt{0, -0.12, -1};  // metres from the eyes: what a list hangs before
+constexpr double kListLeft = -0.37,
+                 kListRight = -0.25;                  // its left edge (kBeside): beside the words, clear of the strip
+constexpr std::size_t kColumn = 8, kMostColumns = 3;  // items of a column: a higher board covers the strip
+
+std::string dayNow() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  char said[32] = "";
+  std::tm local{};
+  if (localtime_r(&now, &local)) std::strftime(said, sizeof said, "%Y-%m-%d %H%M%S", &local);
+  return said;
+}
+
+}  // namespace
+
+SceneMenu FittingRoom::strip() const {
+  SceneMenu strip;
+  const auto menu = session_.menu();
+  if (!menu || menu->buttons.empty()) return strip;
+  // Beside the menu, towards the middle of the view, its buttons as large.
+  const SceneMenu::Button& like = menu->buttons.front();
+  const double rim = like.left, gap = rim * 0.5, wide = length(menu->across), button = like.height;
+  const std::vector<Offer> offers = stripOffers(session_, options_.scale, list_, !options_.documents.empty());
+  const std::size_t count = offers.size();
+  const double high = static_cast<double>(count) * (button * 0.62 + gap) - gap + 2 * rim;
+  const Vec3 aside = normalized(menu->across) * (wide * 1.12) * (options_.left ? 1.0 : -1.0);
+  strip.across = menu->across;
+  strip.upward = normalized(menu->upward) * high;
+  strip.corner = menu->corner + aside + menu->upward * 0.5 - strip.upward * 0.5;
+  for (std::size_t i = 0; i < count; ++i) {
+    SceneMenu::Button one;
+    one.left = rim;
+    one.width = wide - 2 * rim;
+    one.height = button * 0.62;
+    one.bottom = high - rim - one.height - static_cast<double>(i) * (one.height + gap);
+    one.hot = hotStrip_ == i;
+    one.label = offers[i].label, one.enabled = offers[i].enabled, one.chosen = offers[i].chosen;
+    strip.buttons.push_back(std::move(one));
+  }
+  return strip;
+}
+
+void FittingRoom::perform(const Offer& offer) {
+  if (!offer.enabled) return;
+  const std::optional<RoomCommand> opened = std::exchange(list_, std::nullopt);
+  if (const auto* command = std::get_if<Command>(&offer.what)) {
+    if (opened && *command == Command::Cancel) return;  // the list is closed, nothing else
+    return session_.command(*command);
+  }
+  if (const auto* operation = std::get_if<Operation>(&offer.what)) return session_.perform(*operation);
+  switch (const auto own = std::get<RoomCommand>(offer.what)) {
+    case RoomCommand::More:
+      if (!opened) list_ = own;
+      return;
+    case RoomCommand::Figure:
+    case RoomCommand::Fabric:
+      list_ = own;
+      return;
+    case RoomCommand::ChangeScale:
+      changeScale_ = true;
+      return;
+    case RoomCommand::Keep:
+      return keep();
+  }
+}
+
+void FittingRoom::pressOnChoice(std::size_t item) {
+  if (!choiceOf_) return session_.choose(item);
+  const std::vector<Offer> offers = listOffers(session_, *choiceOf_);
+  if (item < offers.size()) perform(offers[item]);
+}
+
+void FittingRoom::keep() {
+  if (session_.path().empty()) return;
+  if (!session_.draft())
+    return session_.advise(say("Every step is saved in “{0}” as it is done.", session_.path().string()));
+  std::error_code trouble;
+  std::filesystem::create_directories(options_.documents, trouble);
+  session_.saveAs(options_.documents / (session_.path().stem().string() + " " + dayNow() + ".karinui"));
+}
+
+PointerSample FittingRoom::inStand(PointerSample sample) const {
+  sample.ray.origin = placement_.fittingToStand(sample.ray.origin);
+  sample.ray.direction = placement_.fittingToStand(sample.ray.direction);
+  if (sample.tip) sample.tip->carry = placement_.fittingToStand(sample.tip->carry);
+  return sample;
+}
+
+bool FittingRoom::onBoards(const PointerSample& sample) {
+  if (!boardDown_ && (sample.phase == Phase::Drag || sample.phase == Phase::Release))
+    return hotStrip_.reset(), hotChoice_.reset(), false;
+  if (boardDown_) {  // what was pressed on a board is over with its release
+    boardDown_ = sample.phase != Phase::Release;
+    return true;
+  }
+  auto onChoice = choice_ ? hitOf(choice_->panel, inStand(sample)) : std::nullopt;
+  auto onStrip = hitOf(strip(), sample);
+  if (onChoice && onStrip)  // the one in front
+    (onStrip->along < onChoice->along ? onChoice : onStrip).reset();
+  hotChoice_ = onChoice ? onChoice->button : std::nullopt;
+  hotStrip_ = onStrip ? onStrip->button : std::nullopt;
+  if (!onChoice && !onStrip) return false;
+  if (sample.phase == Phase::Press) {
+    boardDown_ = true;
+    if (hotChoice_) pressOnChoice(*hotChoice_);
+    if (hotStrip_) perform(stripOffers(session_, options_.scale, list_, !options_.documents.empty())[*hotStrip_]);
+  }
+  return true;
+}
+
+void FittingRoom::hangChoice(const Rigid& head) {
+  const auto menu = session_.dropMenu();
+  const bool isList = !menu && list_;
+  if (std::exchange(choiceOf_, isList ? list_ : std::nullopt) != choiceOf_ || (!menu && !isList)) choice_.reset();
+  if (!menu && !isList) return;
+  const std::vector<Offer> offers = isList ? listOffers(session_, *list_) : std::vector<Offer>();
+  const std::vector<Message> title = isList ? std::vector{titleOf(*list_)} : menu->title;
+  const std::size_t items = isList ? offers.size() : menu->items.size();
+  const std::size_t columns = std::clamp<std::size_t>((items + kColumn - 1) / kColumn, 1, kMostColumns);
+  if (!choice_) {
+    const Vec3 about = isList ? placement_.roomToStand(head.carry + turnedAboutUp(kListAt, headingOf(head)))
+                       : menu->where == PointerSample::Where::Table ? table_.at(menu->table)
+                                                                    : placement_.fittingToStand(menu->space);
+    choice_ = choiceBefore(placement_.roomToStand(head.carry), about, placement_.scale, items, columns,
+                           !isList         ? kBeside
+                           : options_.left ? kListRight
+                                           : kListLeft);
+  }
+  choice_->title = title;
+  choice_->panel.buttons.clear();
+  for (std::size_t i = 0; i < items; ++i) {
+    SceneMenu::Button button = buttonOn(choice_->panel, i, items, columns);
+    button.hot = hotChoice_ == i;
+    if (isList) {
+      button.label = offers[i].label, button.enabled = offers[i].enabled, button.chosen = offers[i].chosen;
+    } else {
+      const DropMenu::Item& item = menu->items[i];
+      button.label = !item.checked ? item.label : *item.checked ? say("☑ {0}", item.label) : say("☐ {0}", item.label);
+      button.chosen = menu->current == i;
+    }
+    choice_->panel.buttons.push_back(std::move(button));
+  }
+}
+
+}  // namespace karinui::room
