@@ -291,6 +291,50 @@ const BodyLine* bodyLine(const Body& body, std::string_view name) {
 
 std::vector<BodyLine> findBodyLines(const Body& body) { return Finder(body).all(); }
 
+std::vector<LineCrossing> lineCrossings(const Body& body) {
+  constexpr double kMeet = 0.004;  // metres: the lines are chords a few millimetres long on a round body
+  constexpr double kEnds = 0.015;  // and where one ends at the other, which was smoothed there: the side at the armhole
+  constexpr double kApart = 0.06;  // metres: a line may cross another shortly before it ends at it
+  const auto& lines = body.lines();
+  std::vector<Box> boxes(lines.size());
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    for (const Vec3 p : lines[k].points) boxes[k].include(p);
+  std::vector<LineCrossing> found;
+  for (std::size_t a = 0; a < lines.size(); ++a)
+    for (std::size_t b = a + 1; b < lines.size(); ++b) {
+      const auto apart = [&](double aLow, double aHigh, double bLow, double bHigh) {
+        return aLow > bHigh + kEnds || bLow > aHigh + kEnds;
+      };
+      const Box &p = boxes[a], &q = boxes[b];
+      if (apart(p.low.x, p.high.x, q.low.x, q.high.x) || apart(p.low.y, p.high.y, q.low.y, q.high.y) ||
+          apart(p.low.z, p.high.z, q.low.z, q.high.z))
+        continue;
+      // Down the distance from every place of a that is near b: to b, and from there to a, until both are met.
+      std::vector<std::pair<double, LineCrossing>> met;
+      for (const Vec3 from : lines[a].points) {
+        double away = 0, back = 0;
+        LineCrossing here{a, b, 0, lines[b].nearest(from, away), from};
+        if (away > kEnds) continue;
+        for (int k = 0; k < 20; ++k) {
+          here.onA = lines[a].nearest(lines[b].at(here.onB), back);
+          here.place = lines[a].at(here.onA);
+          here.onB = lines[b].nearest(here.place, away);
+        }
+        const auto ends = [](const BodyLine& line, double share) { return !line.closed && (share == 0 || share == 1); };
+        const bool end = ends(lines[a], here.onA) || ends(lines[b], here.onB);
+        if (away < (end ? kEnds : kMeet)) met.push_back({away, here});
+      }
+      std::stable_sort(met.begin(), met.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+      std::vector<LineCrossing> own;
+      for (const auto& [away, one] : met)
+        if (std::none_of(own.begin(), own.end(),
+                         [&](const LineCrossing& o) { return distance(o.place, one.place) < kApart; }))
+          own.push_back(one);
+      found.insert(found.end(), own.begin(), own.end());
+    }
+  return found;
+}
+
 std::string mirroredName(std::string_view name) {
   for (const auto& [from, to] : {std::pair<std::string_view, std::string_view>{"_left", "_right"}, {"_right", "_left"}})
     if (name.ends_with(from)) return std::string(name.substr(0, name.size() - from.size())) + std::string(to);

@@ -1,5 +1,6 @@
 #include "karinui/design/apply.h"
 
+#include "design/formula/links.h"
 #include "design/operations/operations.h"
 #include "design/text/formula_fields.h"
 #include "design/text/value_text.h"
@@ -44,6 +45,13 @@ Done workOutFields(const Document& before, Operation& operation, Context& contex
       static_cast<PlainOperation&>(operation));
 }
 
+// The formula of a `length`; empty: a plain number.
+std::string lengthFormula(const Operation& operation) {
+  for (const FieldText& formula : operation.formulas)
+    if (formula.name == "to") return formula.value;
+  return {};
+}
+
 }  // namespace
 
 Result<BodyPtr> bodyOf(const Document& document, Context& context) {
@@ -59,6 +67,8 @@ Result<Operation> resolved(const Document& before, Operation operation, Context&
   const Done done =
       std::visit([&](auto& op) { return resolve(before, op, own); }, static_cast<PlainOperation&>(operation));
   if (!done) return done.error();
+  if (const auto* length = std::get_if<SetLength>(&operation))
+    if (Done fine = checkLink(before, length->edge, lengthFormula(operation)); !fine) return fine.error();
   return operation;
 }
 
@@ -69,6 +79,9 @@ Result<Document> apply(const Document& before, const Operation& operation, Conte
   auto after = std::visit([&](const auto& o) { return perform(before, o, context); }, *op);
   if (!after) return after.error();
   if (context.token.cancelled()) return cancelled();
+  if (const auto* length = std::get_if<SetLength>(&*op))
+    after = withLink(*std::move(after), length->edge, lengthFormula(*op));
+  if (!after->variables.empty()) after = linksFollowed(before, *std::move(after), context);
   after->operations = before.operations + 1;
   return after;
 }

@@ -123,7 +123,7 @@ Result<Standing> standingCloth(const Document& document, const std::set<PieceId>
 }
 
 Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
-                                 const DrapeOnlooker& onlooker) {
+                                 const DrapeOnlooker& onlooker, bool continueAfterRest) {
   const auto collider = colliderOf(document, context);
   if (!collider) return collider.error();
   Result<Levels> levels = levelsOf(document, livePieces(document, drape.live));
@@ -132,6 +132,7 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   settings.gravity = drape.gravity;
   settings.stopAfter = static_cast<std::size_t>(drape.stop);
   settings.stop = context.stop;
+  settings.continueAfterRest = continueAfterRest;
   SettleWatcher watcher;
   if (onlooker)
     watcher = [&](const Cloth& cloth, const std::vector<Vec3>& places) {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <map>
 
 #include "spatial.h"
 #include "strict_json.h"
@@ -105,6 +106,31 @@ std::vector<Flat> onTile(const SpatialLook::Tile& tile, const std::vector<Flat>&
   return all;
 }
 
+// The thickness of cloth where it was cut: a strip along every border of the mesh, as deep as the cloth is thick, away
+// from the side that is seen. Points, normals and paper places are added behind those of the mesh.
+void addRim(TriangleMesh& mesh, std::vector<Vec3>& normals, std::vector<Flat>& flat, double thickness) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const Triangle& face : mesh.faces)
+    for (std::size_t k = 0; k < 3; ++k) ++sides[std::minmax(face[k], face[(k + 1) % 3])];
+  const std::vector<Triangle> faces = mesh.faces;
+  for (const Triangle& face : faces)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = face[k], to = face[(k + 1) % 3];
+      const Vec3 way = mesh.points[to] - mesh.points[from];
+      if (sides[std::minmax(from, to)] != 1 || !(squaredLength(way) > 0)) continue;
+      const Vec3 out = normalized(cross(way, normals[from]));  // the cloth lies at the left of its border
+      const auto base = static_cast<std::uint32_t>(mesh.points.size());
+      for (const std::uint32_t end : {from, to})
+        for (const double deep : {0.0, thickness}) {
+          mesh.points.push_back(mesh.points[end] - normals[end] * deep);
+          normals.push_back(out);
+          flat.push_back(flat[end]);
+        }
+      mesh.faces.push_back({base, base + 1, base + 2});
+      mesh.faces.push_back({base + 2, base + 1, base + 3});
+    }
+}
+
 void append32(std::string& out, std::size_t value) {
   const auto word = static_cast<std::uint32_t>(value);
   out.append(reinterpret_cast<const char*>(&word), sizeof word);
@@ -165,18 +191,20 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
       materials.push_back(std::move(made));
     }
     Json attributes;
-    attributes["POSITION"] = buffer.add(floats(object.mesh->points), 3, true);
-    std::vector<Vec3> normals = pointNormals(*object.mesh);
+    TriangleMesh mesh = *object.mesh;
+    std::vector<Flat> flat = cloth ? *object.flat : std::vector<Flat>();
+    std::vector<Vec3> normals = pointNormals(mesh);
     for (Vec3& n : normals)
       if (squaredLength(n) < 0.5) n = {0, 0, 1};  // a point of no face; a glTF normal must have unit length
+    if (cloth && object.look->thickness > 0) addRim(mesh, normals, flat, object.look->thickness);
+    attributes["POSITION"] = buffer.add(floats(mesh.points), 3, true);
     attributes["NORMAL"] = buffer.add(floats(normals), 3, false);
     if (cloth) {
       const auto& tile = object.look->tile;
-      attributes["TEXCOORD_0"] =
-          buffer.add(textureCoordinates(tile ? onTile(*tile, *object.flat) : *object.flat), 2, false);
+      attributes["TEXCOORD_0"] = buffer.add(textureCoordinates(tile ? onTile(*tile, flat) : flat), 2, false);
     }
     std::vector<std::uint32_t> indices;
-    for (const Triangle& face : object.mesh->faces) indices.insert(indices.end(), face.begin(), face.end());
+    for (const Triangle& face : mesh.faces) indices.insert(indices.end(), face.begin(), face.end());
     const std::size_t corners = buffer.add(indices, 1, true);
     roots.push_back(nodes.size());
     nodes.push_back({{"name", object.name}, {"mesh", meshes.size()}});

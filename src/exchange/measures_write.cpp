@@ -30,6 +30,17 @@ std::string lines(const Measurements& measures) {
 
 std::string gender(const Measurements& measures) { return measures.sex == Sex::Male ? "male" : "female"; }
 
+// The files of Valentina and of Seamly2D differ in their root, its version and how they name the person.
+std::string valentinaFile(const std::string& root, const std::string& version, const std::string& person,
+                          const Measurements& measures) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<" + root + ">\n  <version>" + version +
+         "</version>\n  <read-only>false</read-only>\n  <notes/>\n  <unit>cm</unit>\n  <pm_system>998</pm_system>\n"
+         "  <personal>\n    " +
+         person + "\n    <birth-date>1800-01-01</birth-date>\n    <gender>" + gender(measures) +
+         "</gender>\n    <email/>\n  </personal>\n  <body-measurements>\n" + lines(measures) +
+         "  </body-measurements>\n</" + root + ">\n";
+}
+
 bool json(const std::filesystem::path& file) { return hasEnding(file, fileFormat("garmentcode")); }
 
 }  // namespace
@@ -41,24 +52,10 @@ std::string writeMeasuresText(const Measurements& measures) {
   return all;
 }
 
-std::string writeVit(const Measurements& measures) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<vit>\n  <version>0.5.1</version>\n  "
-         "<read-only>false</read-only>\n"
-         "  <notes/>\n  <unit>cm</unit>\n  <pm_system>998</pm_system>\n  <personal>\n    <customer/>\n    "
-         "<birth-date>1800-01-01"
-         "</birth-date>\n    <gender>" +
-         gender(measures) + "</gender>\n    <email/>\n  </personal>\n  <body-measurements>\n" + lines(measures) +
-         "  </body-measurements>\n</vit>\n";
-}
+std::string writeVit(const Measurements& measures) { return valentinaFile("vit", "0.5.1", "<customer/>", measures); }
 
 std::string writeSmis(const Measurements& measures) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<smis>\n  <version>0.3.4</version>\n  "
-         "<read-only>false</read-only>\n"
-         "  <notes/>\n  <unit>cm</unit>\n  <pm_system>998</pm_system>\n  <personal>\n    <family-name/>\n    "
-         "<given-name/>\n"
-         "    <birth-date>1800-01-01</birth-date>\n    <gender>" +
-         gender(measures) + "</gender>\n    <email/>\n  </personal>\n  <body-measurements>\n" + lines(measures) +
-         "  </body-measurements>\n</smis>\n";
+  return valentinaFile("smis", "0.3.4", "<family-name/>\n    <given-name/>", measures);
 }
 
 std::string writeFreeSewing(const Measurements& measures) {

@@ -40,11 +40,21 @@ std::span<const CommandInfo> commands() {
       {Command::Line, "line", "line", "L", say("Inner line"),
        say("Click from place to place inside a piece, and Enter; or drag a curve."), Needs::Pieces, lineGesture},
       {Command::Rectangle, "rectangle", "rectangle", "E", say("Rectangle"),
-       say("Drag a rectangle on the flat pattern; with Shift a square. It becomes a piece."), Needs::Nothing,
-       rectangleGesture},
+       say("Drag a rectangle on the flat pattern, with Shift a square; or click and type its size. It becomes a "
+           "piece."),
+       Needs::Nothing, rectangleGesture},
       {Command::Circle, "circle", "circle", "O", say("Circle"),
-       say("Drag a circle on the flat pattern, from its middle outwards. It becomes a piece."), Needs::Nothing,
-       circleGesture},
+       say("Drag a circle on the flat pattern, from its middle outwards; or click and type its size. It becomes a "
+           "piece."),
+       Needs::Nothing, circleGesture},
+      {Command::RingSector, "ring", "ring", "U", say("Ring"),
+       say("Drag on the flat pattern from the middle to the outer edge, then click where the inner edge ends: the "
+           "angle there is that of the sector. It becomes a piece."),
+       Needs::Nothing, ringGesture},
+      {Command::Polygon, "polygon", "polygon", "Y", say("Polygon"),
+       say("Click from corner to corner on the flat pattern; with Ctrl the line curves on. Enter, or a click on the "
+           "first place, closes it. It becomes a piece."),
+       Needs::Nothing, polygonGesture},
       {Command::Pin, "pin", "pin", "W", say("Pin"),
        say("Click the cloth to pin it where it is; click a pin to take it out. With Shift a whole edge is pinned."),
        Needs::Pieces, pinGesture},

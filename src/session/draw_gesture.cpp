@@ -97,6 +97,16 @@ BodyPoint spoken(const Body& body, const SurfacePoint& place) {
   return rounded;
 }
 
+// What a tailor calls an edge along a line of the body: the neck base is the neckline, the lowest level line the hem.
+std::string edgeCalled(const std::string& run, std::span<const Noted> line, double height) {
+  constexpr double kLevel = 0.02;  // metres
+  if (run == "neck_base") return "neck";
+  const bool level = run == "bust" || run == "under_bust" || run == "waist" || run == "hip" ||
+                     run.starts_with("knee") || run.starts_with("ankle");
+  const auto lower = [&](const Noted& n) { return n.point.y < height - kLevel; };
+  return level && std::none_of(line.begin(), line.end(), lower) ? "hem" : run;
+}
+
 // An edge along a line of the body is called after it: "side"; any other by its number. ~ where the line curves on.
 std::vector<std::string> edgeNames(std::span<const Noted> line, bool half) {
   std::vector<std::string> names;
@@ -109,6 +119,7 @@ std::vector<std::string> edgeNames(std::span<const Noted> line, bool half) {
     std::string name = line[i].run;
     for (std::size_t k = i + 1; k < line.size() && !line[k].corner; ++k)
       if (!line[k].named || line[k].named->landmark != line[i].run) name.clear();
+    name = edgeCalled(name, line, line[i].point.y);
     if (half)  // its halves are told apart by _left and _right
       for (const std::string_view side : {"_left", "_right"})
         if (name.ends_with(side)) name.resize(name.size() - side.size());
@@ -199,7 +210,10 @@ class DrawGesture : public Gesture {
         began_ ? noted(*began_, !smooth_) : Noted{stroke_.front().skin, stroke_.front().point, !smooth_};
     stroke_.clear();
     if (!parts_.empty() && distance(parts_.back().back().point, click.point) < kAgain) return ended(context, true);
-    parts_.push_back({click});
+    std::vector<Noted> leg;
+    if (!parts_.empty() && !free_ && context.linesShown && !smooth_) leg = legOf(parts_.back().back(), click, *here);
+    leg.push_back(click);
+    parts_.push_back(std::move(leg));
     return ended(context, false);
   }
 
@@ -263,7 +277,7 @@ class DrawGesture : public Gesture {
       return;
     }
     if (!free_) snaps_.of(context.snapshot);
-    const std::vector<std::size_t> corners = atLines(cornersOf(stroke), stroke);
+    std::vector<std::size_t> corners = atLines(cornersOf(stroke), stroke);
     std::vector<Noted> line;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const StrokeSample& s = stroke[corners[k]];
@@ -271,6 +285,22 @@ class DrawGesture : public Gesture {
       if (!free_ && !snap && k > 0 && k + 1 < corners.size())
         if (const auto near = snaps_.near(s, context.linesShown); near && near->corner) snap = near;
       line.push_back(snap ? noted(*snap, true) : Noted{s.skin, s.point});
+    }
+    // No corner where a line of the body that is followed from place to place turns away from the eye.
+    for (std::size_t k = 0, next = 0; k + 1 < line.size(); k = next) {
+      next = k + 1;
+      while (next + 1 < line.size() && !line[next].held) ++next;
+      const auto curve = next > k + 1 && line[k].held && line[next].held
+                             ? snaps_.lineThrough(line[k].point, line[next].point)
+                             : std::nullopt;
+      const auto lies = [&](const Noted& n) {
+        return distance(snaps_.at(*curve, snaps_.nearest(*curve, n.point)), n.point) < kGap;
+      };
+      const auto from = static_cast<std::ptrdiff_t>(k + 1), to = static_cast<std::ptrdiff_t>(next);
+      if (!curve || !std::all_of(line.begin() + from, line.begin() + to, lies)) continue;
+      line.erase(line.begin() + from, line.begin() + to);
+      corners.erase(corners.begin() + from, corners.begin() + to);
+      next = k + 1;
     }
     std::vector<Noted> better;
     for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
@@ -314,7 +344,14 @@ class DrawGesture : public Gesture {
       const auto near = [&](std::size_t a, std::size_t b) {
         return distance(picture[a], picture[b]) < std::max(kGap, 1.2 * stroke[a].touching());
       };
+      // Nor where the line is lost to sight before the corner that lies on it: the armhole under the arm.
+      const auto meetsLine = [&](std::size_t corner) {
+        const auto snap = snaps_.near(stroke[corner], true);
+        return snap && snap->corner && snaps_.shareOf(followed[first - from]->curve, snap->point);
+      };
       if (longest > kFollowed) {
+        if (!near(first, from) && meetsLine(from)) first = from;
+        if (!near(last, to) && meetsLine(to)) last = to;
         if (!near(first, from))
           with.push_back(first);
         else if (with.size() > 1 && with.back() == from)
@@ -337,10 +374,15 @@ class DrawGesture : public Gesture {
     if (run.size() < 3) return {};
     std::vector<std::optional<DrawSnaps::Followed>> followed(run.size());
     if (!free_) followed = snaps_.followed(run);
-    if (const auto course = wholly(run, followed); !course.empty()) {
+    auto course = wholly(run, followed);
+    if (course.empty() && from.held && to.held) course = mostly(run, followed, from, to);
+    if (!course.empty()) {
       const std::size_t curve = course.front().curve;
-      const auto onto = [&](Noted& corner, const DrawSnaps::Followed& place) {
-        if (!corner.held && !corner.named) corner = noted(snaps_.on(curve, place.share), corner.corner);
+      const auto onto = [&](Noted& corner, DrawSnaps::Followed& place) {
+        if (!corner.held && !corner.named)
+          corner = noted(snaps_.on(curve, place.share), corner.corner);
+        else if (const auto share = snaps_.shareOf(curve, corner.point))
+          place.share = *share;  // from the corner itself, wherever the hand went past it
       };
       onto(from, course.front()), onto(to, course.back());
       from.run = snaps_.bodyLineOf(curve);
@@ -389,6 +431,20 @@ class DrawGesture : public Gesture {
     return gap > std::max(kGap, run.back().touching()) ? std::vector<DrawSnaps::Followed>() : course;
   }
 
+  // Between two places of one line of the body that were met: along it, if a third of the way was.
+  std::vector<DrawSnaps::Followed> mostly(std::span<const StrokeSample> run,
+                                          std::span<const std::optional<DrawSnaps::Followed>> followed,
+                                          const Noted& from, const Noted& to) const {
+    const auto curve = snaps_.lineThrough(from.point, to.point);
+    std::vector<DrawSnaps::Followed> course;
+    for (std::size_t i = 0; curve && i < run.size(); ++i)
+      if (followed[i] && followed[i]->curve == *curve) course.push_back(*followed[i]);
+    if (3 * course.size() < run.size()) return {};
+    course.insert(course.begin(), {*curve, *snaps_.shareOf(*curve, from.point), from.point});
+    course.push_back({*curve, *snaps_.shareOf(*curve, to.point), to.point});
+    return course;
+  }
+
   // Places along a curve from the first followed place to the last, as the hand went.
   std::vector<Noted> along(const std::vector<DrawSnaps::Followed>& course) const {
     const std::size_t curve = course.front().curve;
@@ -397,13 +453,22 @@ class DrawGesture : public Gesture {
       const double step = course[i].share - course[i - 1].share;
       went += snaps_.closed(curve) ? step - std::round(step) : step;
     }
+    return along(curve, course.front().share, went);
+  }
+  // A ring goes on past its beginning.
+  double within(std::size_t curve, double share) const {
+    return snaps_.closed(curve) ? share - std::floor(share) : std::clamp(share, 0.0, 1.0);
+  }
+  // `went`: share of the whole from there on, back where it is negative.
+  std::vector<Noted> along(std::size_t curve, double from, double went) const {
+    went = std::round(went * 1e9) / 1e9;  // the same line for every hand that means it
     const double length = std::fabs(went) * snaps_.length(curve);
     const int looks = std::max(2, static_cast<int>(length / kLook));
     double turned = 0;
     std::array<Vec3, 3> last;
     for (int k = 0; k <= looks; ++k) {
-      const double share = course.front().share + went * k / looks;
-      last = {last[1], last[2], snaps_.at(curve, share - std::floor(share))};
+      const double share = from + went * k / looks;
+      last = {last[1], last[2], snaps_.at(curve, within(curve, share))};
       if (k < 2) continue;
       const Vec3 in = last[1] - last[0], out = last[2] - last[1];
       turned += std::atan2(karinui::length(cross(in, out)), dot(in, out));
@@ -411,10 +476,29 @@ class DrawGesture : public Gesture {
     const int parts = std::max(1, static_cast<int>(std::ceil(std::max(length / kAlong, turned / kBent))));
     std::vector<Noted> places;
     for (int k = 1; k < parts; ++k) {
-      const double share = course.front().share + went * k / parts;
-      places.push_back(noted(snaps_.on(curve, share - std::floor(share)), false));
+      const double share = from + went * k / parts;
+      places.push_back(noted(snaps_.on(curve, within(curve, share)), false));
     }
     return places;
+  }
+
+  // Between two clicked places of one line of the body: along it, of a ring by the way that is turned to the eye.
+  std::vector<Noted> legOf(Noted& from, const Noted& to, const StrokeSample& seen) const {
+    from.run.clear();
+    const auto curve = snaps_.lineThrough(from.point, to.point);
+    if (!curve) return {};
+    const double first = *snaps_.shareOf(*curve, from.point), last = *snaps_.shareOf(*curve, to.point);
+    double went = last - first;
+    if (snaps_.closed(*curve)) {
+      const double other = went > 0 ? went - 1 : went + 1;
+      const auto facing = [&](double way) {
+        const double middle = first + way / 2;
+        return dot(snaps_.at(*curve, middle - std::floor(middle)), seen.facing);
+      };
+      if (facing(other) > facing(went)) went = other;
+    }
+    from.run = snaps_.bodyLineOf(*curve);
+    return along(*curve, first, went);
   }
 
   // Whether the stroke, as it was seen, leaves the straight way.

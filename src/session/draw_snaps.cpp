@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kPlace = 0.012, kLine = 0.009;     // metres from which a place, a line snaps, seen from near
 constexpr double kPointed = 0.4, kAlongside = 0.8;  // of touching: a line that is pointed at, or followed
+constexpr double kSame = 0.01;                      // metres: a crossing this near to a landmark is that landmark
+constexpr double kOnLine = 0.016;                   // metres from a line at which a place lies on it
 constexpr double kStride = 0.006;                   // metres between places of an outline
 constexpr double kOffSkin = 0.15;                   // metres from the skin at which an edge can still be drawn to
 constexpr double kDeep = 0.07;     // metres of depth at the silhouette between a ray and what it snaps to
@@ -74,6 +76,26 @@ void DrawSnaps::of(SnapshotPtr snapshot) {
   }
   for (const auto& [name, there] : body.landmarks())
     place(there, say("At the landmark {0}; with Alt freely.", name), false);
+  if (crossedOf_ != fitting_->body) crossedOf_ = fitting_->body, crossings_ = lineCrossings(body);
+  for (const LineCrossing& crossing : crossings_) {
+    const BodyLine &a = body.lines()[crossing.a], &b = body.lines()[crossing.b];
+    const bool known = std::any_of(places_.begin(), places_.end(), [&](const Place& p) {
+      return !p.cloth && distance(p.snap.seen, crossing.place) < kSame;
+    });
+    if (known) continue;
+    BodyPoint named;
+    named.part = BodyPoint::Part::Line;
+    named.landmark = a.name;
+    named.along = std::round(crossing.onA * 1e4) / 1e4;
+    const auto skin = body.find(named);
+    if (!skin || !shown(*skin, crossing.place)) continue;
+    const Vec3 point = karinui::at(body.mesh(), *skin);
+    places_.push_back(
+        {{*skin, point, point,
+          say("Where {0} and {1} cross; with Alt freely.", bodyLineSaid(a.name), bodyLineSaid(b.name)), named, true},
+         false,
+         true});
+  }
 }
 
 // The place of a curve nearest to the sample's ray, of those it may mean.
@@ -125,6 +147,18 @@ DrawSnaps::Snap DrawSnaps::on(std::size_t which, double share) const {
   return snap;
 }
 
+std::optional<double> DrawSnaps::shareOf(std::size_t curve, Vec3 point) const {
+  double away = 0;
+  const double share = curves_[curve].line.nearest(point, away);
+  return away < kOnLine ? std::optional(share) : std::nullopt;
+}
+
+std::optional<std::size_t> DrawSnaps::lineThrough(Vec3 from, Vec3 to) const {
+  for (std::size_t k = 0; k < curves_.size(); ++k)
+    if (curves_[k].skin.empty() && shareOf(k, from) && shareOf(k, to)) return k;
+  return std::nullopt;
+}
+
 std::optional<DrawSnaps::Snap> DrawSnaps::near(const StrokeSample& sample, bool linesShown) const {
   if (!fitting_ || !fitting_->body) return std::nullopt;
   const Place* best = nullptr;
@@ -133,6 +167,7 @@ std::optional<DrawSnaps::Snap> DrawSnaps::near(const StrokeSample& sample, bool 
     for (const Place& place : places_) {
       const double most = cloth ? within(kPlace, 0.8, sample) : within(kPlace, 0.4, sample);
       const double away = awayFromRay(sample.ray, place.snap.seen);
+      if (place.crossing && !linesShown) continue;
       if (place.cloth == cloth && away < std::min(most, least) && sees(sample, place.snap.seen, cloth, most))
         best = &place, least = away;
     }
@@ -184,8 +219,12 @@ std::vector<std::optional<DrawSnaps::Followed>> DrawSnaps::followed(std::span<co
           along < kEven * distance(picture[from], picture[to - 1]))
         continue;
       const double weight = way * (curves_[k].skin.empty() ? 1 : 1.5);
-      for (std::size_t i = from; i < to; ++i)
-        if (weight > longest[i]) longest[i] = weight, best[i] = here[i];
+      for (std::size_t i = from; i < to; ++i) {
+        // An outline that was drawn along this very line is not held against it: then both pieces lie on the line.
+        const bool same = best[i] && here[i] && curves_[k].skin.empty() && !curves_[best[i]->curve].skin.empty() &&
+                          distance(best[i]->point, here[i]->point) < kLine;
+        if (weight * (same ? 2 : 1) > longest[i]) longest[i] = weight, best[i] = here[i];
+      }
     }
   }
   return best;

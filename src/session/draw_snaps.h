@@ -1,7 +1,8 @@
 #pragma once
 // Snapping for lines drawn on the skin: corners and outlines of the pieces that are there already, the figure's
-// landmarks, its lines and its middle. All of it is judged as it is seen, along the ray, so that cloth off the skin and
-// lines at the silhouette are met from every view. Made once for each state of the garment; the session's thread.
+// landmarks, its lines, where they cross, and its middle. All of it is judged as it is seen, along the ray, so that
+// cloth off the skin and lines at the silhouette are met from every view. Made once for each state of the garment; the
+// session's thread.
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,13 @@ class DrawSnaps {
   Vec3 at(std::size_t curve, double share) const { return curves_[curve].line.at(share); }
   bool closed(std::size_t curve) const { return curves_[curve].line.closed; }
   double length(std::size_t curve) const { return curves_[curve].line.length; }
+  double nearest(std::size_t curve, Vec3 place) const {
+    double away = 0;
+    return curves_[curve].line.nearest(place, away);
+  }
+  // Where the curve passes a place of the skin; nothing: beside it.
+  std::optional<double> shareOf(std::size_t curve, Vec3 point) const;
+  std::optional<std::size_t> lineThrough(Vec3 from, Vec3 to) const;  // a line of the body on which both lie
   const std::string& bodyLineOf(std::size_t curve) const { return curves_[curve].line.name; }  // empty: an outline
 
  private:
@@ -49,9 +57,12 @@ class DrawSnaps {
   struct Place {
     Snap snap;
     bool cloth = false;
+    bool crossing = false;  // of the body's lines: counts as they do
   };
   std::optional<Followed> onCurve(std::size_t curve, const StrokeSample& sample, double share, double& away) const;
   SnapshotPtr fitting_;
+  BodyPtr crossedOf_;
+  std::vector<LineCrossing> crossings_;
   std::vector<Place> places_;
   std::vector<Curve> curves_;
 };

@@ -16,6 +16,7 @@ SpatialLook lookOf(const SceneCloth& cloth) {
   SpatialLook look;
   look.roughness = 0.92 - 0.62 * static_cast<double>(cloth.look.gloss);
   look.sheen = cloth.look.fuzz > 0.2f ? std::fmin(1.0, static_cast<double>(cloth.look.fuzz)) : 0;
+  look.thickness = cloth.look.thickness;
   look.cover = static_cast<double>(cloth.look.cover);
   look.tile = printTile(cloth.look, cloth.colour);
   return look;

@@ -23,6 +23,8 @@ std::unique_ptr<Gesture> dartGesture();
 std::unique_ptr<Gesture> lineGesture();
 std::unique_ptr<Gesture> rectangleGesture();
 std::unique_ptr<Gesture> circleGesture();
+std::unique_ptr<Gesture> ringGesture();
+std::unique_ptr<Gesture> polygonGesture();
 std::unique_ptr<Gesture> pinGesture();
 
 inline constexpr Colour kChalk{0.93f, 0.33f, 0.10f};    // what is being done

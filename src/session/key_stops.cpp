@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "karinui/body/lines.h"
 #include "karinui/session/keyboard_pointer.h"
 
 namespace karinui {
@@ -51,6 +52,16 @@ class Finder {
         }
     }
     constexpr double kRow = 0.02, kSame = 0.012;  // metres
+    // Corners of what is drawn by the body's lines: also those that lie at the silhouette.
+    std::vector<Vec3> crossed;
+    for (const LineCrossing& crossing : lineCrossings(body)) crossed.push_back(crossing.place);
+    for (const Vec3 place : crossed) {
+      const auto seen = pickBody(fitting_, towards(place));
+      const bool known = std::any_of(found_.begin(), found_.end(),
+                                     [&](const KeyStop& s) { return distance(s.space, place) < kSame / 2; });
+      if (!known && inView(place) && (seen.on != Hit::On::Body || seen.along > distance(place, sight_.eye) - kSame))
+        found_.push_back({place, {}});
+    }
     for (const Vec3 place : places) {
       const auto seen = pickBody(fitting_, towards(place));
       const bool known =

@@ -1,4 +1,5 @@
-// Pieces drawn on the flat pattern by one drag: a rectangle from corner to corner, a circle from its middle outwards.
+// Pieces drawn on the flat pattern by one drag: a rectangle from corner to corner, a circle from its middle outwards. A
+// click asks for the numbers.
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +10,7 @@ namespace karinui {
 namespace {
 
 constexpr double kLeast = 0.01;   // metres: a shorter drag was a click
+constexpr double kUsual = 0.2;    // metres: what is first written in the boxes
 constexpr double kWhole = 0.005;  // metres: a drag is no finer; what is finer is typed
 
 class PaperGesture : public Gesture {
@@ -28,20 +30,26 @@ class PaperGesture : public Gesture {
     if (sample.phase == PointerSample::Phase::Drag) return {};
     const Flat size = sizeNow();
     const double least = round_ ? size.u : std::fmin(size.u, size.v);
+    const Flat from = *from_;
     from_.reset();
-    if (least < kLeast) return {.over = true, .why = info(command()).hint};
     const Document& document = context.snapshot->document;
+    const bool clicked = least < kLeast;
     if (round_) {
       DrawRing circle;
       circle.name = usableName(document, "circle");
-      circle.depth = Length{size.u};
-      return {.over = true, .operation = std::move(circle)};
+      circle.depth = Length{clicked ? kUsual : size.u};
+      if (clicked) return {.over = true, .asked = std::move(circle)};
+      return {.over = true, .operation = std::move(circle), .drawnAt = from};
     }
     DrawRectangle rectangle;
     rectangle.name = usableName(document, "rectangle");
-    rectangle.width = Length{size.u};
-    rectangle.height = Length{size.v};
-    return {.over = true, .operation = std::move(rectangle)};
+    rectangle.width = Length{clicked ? kUsual : size.u};
+    rectangle.height = Length{clicked ? kUsual : size.v};
+    if (clicked) return {.over = true, .asked = std::move(rectangle)};
+    const Flat middle{
+        from.u + std::copysign(size.u, to_.u - from.u) / 2,
+        std::fmin(from.v, from.v + std::copysign(size.v, to_.v - from.v))};  // its lower edge lies on v = 0
+    return {.over = true, .operation = std::move(rectangle), .drawnAt = middle};
   }
   Preview preview(const GestureContext& context) const override {
     Preview shown;

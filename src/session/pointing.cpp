@@ -46,8 +46,8 @@ Message placeOn(const Body& body, SurfacePoint skin, bool inches) {
 
 // The menu comes first, unless a drag is on its way across it.
 bool Session::Impl::overMenu(const PointerSample& sample) {
-  const bool asked = sample.phase == Phase::Hover || sample.phase == Phase::Press || onMenu;
-  if (!viewpoint || sample.where != Where::Space || !asked) return hot.reset(), false;
+  const bool wantsMenu = sample.phase == Phase::Hover || sample.phase == Phase::Press || onMenu;
+  if (!viewpoint || sample.where != Where::Space || !wantsMenu) return hot.reset(), false;
   const SceneMenu panel = menuPanel(*viewpoint, {});
   Ray ray = sample.ray;
   if (sample.tip) {  // a tip touches the board

@@ -64,6 +64,8 @@ void Session::Impl::settlePreview() {
 void Session::Impl::takeResult(GestureResult result, bool begunBefore) {
   if (result.options) toolOptions = *result.options, ++changes.overlay;
   if (result.why) tell(result.operation ? Notice::Kind::Advice : Notice::Kind::Refused, *result.why);
+  drawnAt = result.drawnAt;
+  if (result.asked) asked = std::move(result.asked), ++changes.overlay;
   if (!result.over) return request(std::move(result.request));
   keyboard.letGo();
   tasks.cancel(TaskQueue::Kind::Preview);

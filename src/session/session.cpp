@@ -113,6 +113,7 @@ void Session::advise(Message what) {
 }
 const SessionChanges& Session::changes() const { return impl_->changes; }
 std::vector<Notice> Session::takeNotices() { return std::exchange(impl_->notices, {}); }
+std::optional<Operation> Session::takeAsked() { return std::exchange(impl_->asked, std::nullopt); }
 std::optional<Command> Session::takeView() { return std::exchange(impl_->viewAsked, std::nullopt); }
 
 Message Session::hint() const {
@@ -139,6 +140,7 @@ Busy Session::busy() const {
   const auto progress = impl_->tasks.progress();
   busy.fraction = progress.fraction;
   busy.doing = progress.doing;
+  busy.past = impl_->past && busy.settling && impl_->schedule.live().empty();
   return busy;
 }
 
@@ -167,6 +169,7 @@ bool Session::update() {
   bool any = in.tasks.takeIn();
   if (auto fresh = in.predicted.take(); fresh && in.shows(**fresh)) {
     in.preview = *fresh;
+    in.past = false;
     ++in.changes.garment, ++in.changes.predicted;
     any = true;
   }

@@ -38,6 +38,9 @@ struct Session::Impl {
   KeyboardPointer keyboard;
   ViewCut viewCut;
   std::optional<Command> viewAsked;
+  std::optional<Operation> asked;
+  bool past = false;            // steps are being played again, and what is shown is from before
+  std::optional<Flat> drawnAt;  // where the next new piece comes to lie on the table
   std::vector<Notice> notices;
   std::vector<std::string> dropMenuSaid;  // what a drop menu said before the step: it is not told again as advice
   SessionChanges changes;

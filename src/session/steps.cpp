@@ -12,6 +12,12 @@ bool drapes(const Operation& op) {
   return std::holds_alternative<DrapePieces>(op) || std::holds_alternative<PullCloth>(op);
 }
 
+// A band that was sewn to a garment at rest hangs with it.
+bool sewnToWhatHangs(const Document& before, const Operation& operation) {
+  const auto* band = std::get_if<DrawBand>(&operation);
+  return band && band->sew && before.drape.last && before.drape.dirty.empty();
+}
+
 }  // namespace
 
 void Session::Impl::take(DocumentState fresh) {
@@ -23,6 +29,9 @@ void Session::Impl::take(DocumentState fresh) {
   takeAdvice(*before);
   dropMenuSaid.clear();
   table.arrange(*state.snapshot);
+  if (drawnAt)
+    for (const auto& [id, piece] : state.snapshot->document.pattern.pieces)
+      if (drawnAt && !before->document.find(id)) table.carry(id, *drawnAt - table.at(id)), drawnAt.reset();
   std::erase_if(selection.pieces, [&](PieceId id) { return !state.snapshot->document.find(id); });
   if (selection.edge)
     if (const Piece* piece = state.snapshot->document.find(selection.edge->piece);
@@ -75,6 +84,7 @@ void Session::Impl::perform(Operation operation) {
     return [this, before, disturbing, step = std::move(step), fresh] {
       if (!step) {
         tellError(step.error());
+        drawnAt.reset();
         preview.reset();
         ++changes.garment, ++changes.overlay;
         return settleInterrupted();
@@ -89,6 +99,10 @@ void Session::Impl::perform(Operation operation) {
           tell(Notice::Kind::Said, last->why);
       if (disturbing && options.autoSettle) {
         for (const PieceId id : disturbedBy(before->document, state.snapshot->document)) schedule.disturb(id);
+      }
+      if (options.autoSettle &&
+          (std::holds_alternative<DraftBlock>(step->operation) || sewnToWhatHangs(before->document, step->operation))) {
+        for (const PieceId id : state.snapshot->document.drape.dirty) schedule.disturb(id);
       }
       settleInterrupted();
       // What the drag showed of this very garment stays until the drape has something better to show.
@@ -169,6 +183,8 @@ void Session::amend(std::size_t which, Operation operation) {
   in.dropGesture();
   in.dropSettling();
   const std::uint64_t old = in.head();
+  in.past = true;
+  ++in.changes.garment;
   in.tasks.add(TaskQueue::Kind::Settle,
                [this, which, old, operation = std::move(operation)](const Token& token) mutable {
                  auto& inside = *impl_;
@@ -176,6 +192,7 @@ void Session::amend(std::size_t which, Operation operation) {
                  const auto fresh = std::make_shared<DocumentState>(inside.documentWorker->state(token));
                  return [this, done, old, which, fresh] {
                    auto& own = *impl_;
+                   own.past = false;
                    if (!done) {
                      own.tellError(done.error());
                      own.preview.reset();

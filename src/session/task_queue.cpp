@@ -39,7 +39,8 @@ bool TaskQueue::busy() const {
 bool TaskQueue::busy(Kind kind) const {
   const std::lock_guard lock(mutex_);
   return (running_ && runningKind_ == kind) ||
-         std::any_of(waiting_.begin(), waiting_.end(), [&](const Task& t) { return t.kind == kind; });
+         std::any_of(waiting_.begin(), waiting_.end(), [&](const Task& t) { return t.kind == kind; }) ||
+         std::any_of(finished_.begin(), finished_.end(), [&](const auto& done) { return done.first == kind; });
 }
 
 TaskQueue::Progress TaskQueue::progress() const {
@@ -48,12 +49,12 @@ TaskQueue::Progress TaskQueue::progress() const {
 }
 
 bool TaskQueue::takeIn() {
-  std::deque<Finish> taken;
+  std::deque<std::pair<Kind, Finish>> taken;
   {
     const std::lock_guard lock(mutex_);
     taken.swap(finished_);
   }
-  for (const Finish& finish : taken)
+  for (const auto& [kind, finish] : taken)
     if (finish) finish();
   return !taken.empty();
 }
@@ -84,7 +85,7 @@ void TaskQueue::run() {
     Finish finish = task.work(*token);
     task.work = nullptr;  // what it held ends here, not under the lock
     lock.lock();
-    finished_.push_back(std::move(finish));
+    finished_.emplace_back(task.kind, std::move(finish));
     running_.reset();
     changed_.notify_all();
     lock.unlock();

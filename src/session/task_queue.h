@@ -27,9 +27,9 @@ class TaskQueue {
   ~TaskQueue();  // asks what runs to stop, and waits for that
 
   void add(Kind kind, Work work);
-  void cancel(Kind kind);  // drops what waits, asks what runs to stop
-  bool busy() const;       // something runs, waits, or has not been taken in
-  bool busy(Kind kind) const;
+  void cancel(Kind kind);      // drops what waits, asks what runs to stop
+  bool busy() const;           // something runs, waits, or has not been taken in
+  bool busy(Kind kind) const;  // the same of one kind
   Progress progress() const;
   bool takeIn();  // runs what finished; false: nothing had
   void wait();    // until something can be taken in or nothing is left to do
@@ -45,7 +45,7 @@ class TaskQueue {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Task> waiting_;
-  std::deque<Finish> finished_;
+  std::deque<std::pair<Kind, Finish>> finished_;
   std::shared_ptr<Token> running_;
   Kind runningKind_ = Kind::Step;
   Progress progress_;

@@ -108,5 +108,39 @@ TEST(BodyLines, WhatIsNoPlaceOnALineIsRefusedWithTheNamesThereAre) {
   EXPECT_THAT(text(unknown.error().what), HasSubstr("princess_front_left"));
 }
 
+// What a piece is drawn by: each corner once, on both lines, at the same place of either side.
+TEST(BodyLines, CrossWhereATailorMarksThem) {
+  for (const char* size : {"jis9ar", "eu50"}) {
+    const BodyPtr body = mannequin(size);
+    const auto crossings = lineCrossings(*body);
+    const auto met = [&](std::string_view a, std::string_view b) {
+      std::vector<Vec3> places;
+      for (const LineCrossing& c : crossings) {
+        const BodyLine &one = body->lines()[c.a], &other = body->lines()[c.b];
+        EXPECT_LT(distance(one.at(c.onA), other.at(c.onB)), 0.015) << one.name << " " << other.name;
+        if ((one.name == a && other.name == b) || (one.name == b && other.name == a)) places.push_back(c.place);
+      }
+      return places;
+    };
+    for (const auto& [a, b] : std::vector<std::pair<std::string, std::string>>{{"side_left", "armhole_left"},
+                                                                               {"side_left", "waist"},
+                                                                               {"side_left", "hip"},
+                                                                               {"shoulder_left", "armhole_left"},
+                                                                               {"shoulder_left", "neck_base"},
+                                                                               {"centre_front", "neck_base"},
+                                                                               {"centre_front", "hip"},
+                                                                               {"centre_back", "hip"}}) {
+      SCOPED_TRACE(std::string(size) + ": " + a + " and " + b);
+      const auto places = met(a, b), mirrored = met(mirroredName(a), mirroredName(b));
+      ASSERT_EQ(places.size(), 1u);
+      ASSERT_EQ(mirrored.size(), 1u);
+      EXPECT_NEAR(places[0].x, -mirrored[0].x, 0.004);
+      EXPECT_NEAR(places[0].y, mirrored[0].y, 0.004);
+    }
+    EXPECT_TRUE(met("waist", "hip").empty());
+    EXPECT_TRUE(met("side_left", "side_right").empty());
+  }
+}
+
 }  // namespace
 }  // namespace karinui

@@ -317,16 +317,71 @@ TEST(FormulaInAGarment, EdgesAreLinked) {
   const Done played =
       room.play(file, std::string(kTwoPieces) +
                           "mirror piece=back name=other\n"
-                          "length edge=front.side_left to=\"back.neck + back.hem/4\" symmetric=no\n"
+                          "length edge=front.side_left to=\"back.neck + back.hem/8\" symmetric=no\n"
                           "length edge=front.hem to=\"mirror(back.side_right) - 2cm\" symmetric=no\n"
                           "length edge=front.side_right to=\"[p2.side_right@0:0.5]\" symmetric=no\n"
                           "notch edge=front.side_left at=\"7cm/front.side_left\"\n"
                           "dart edge=front.hem tip=\"front.hem/2,p2.side_right/2\" width=\"1cm + 5mm\"\n");
   ASSERT_TRUE(played) << text(played.error().what);
   const Document& d = file.document();
-  EXPECT_NEAR(edgeOf(d, "front", "side_left"), 0.5, 1e-9);
+  EXPECT_NEAR(edgeOf(d, "front", "side_left"), 0.45, 1e-9);
+  EXPECT_NEAR(edgeOf(d, "front", "hem") + edgeOf(d, "front", "hem_2"), 0.48 - 0.015, 5e-4)
+      << "parted, no link holds it";
+  EXPECT_FALSE(d.variables.contains("p1.hem"));
+  EXPECT_TRUE(d.variables.contains("p1.side_left"));
   EXPECT_NEAR(edgeOf(d, "front", "side_right"), 0.25, 1e-9);
-  EXPECT_NEAR(d.pieceNamed("front")->marks.at(0).fraction, 0.14, 1e-9);
+  EXPECT_NEAR(d.pieceNamed("front")->marks.at(0).fraction, 0.07 / 0.45, 1e-9);
+}
+
+// An edge that was made as long as another follows it in later steps, through any number of links, until its length is
+// given by a plain number.
+TEST(FormulaInAGarment, ALinkedEdgeIsPulledByLaterSteps) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  std::vector<std::string> told;
+  room.context.advise = [&](const Advice& advice) { told.push_back(text(advice.what)); };
+  ASSERT_TRUE(room.play(file, std::string(kTwoPieces) +
+                                  "variable name=side value=\"front.side_left - 2cm\"\n"
+                                  "length edge=back.side_right to=side symmetric=no\n"
+                                  "length edge=back.hem to=\"back.side_right/2\" symmetric=no\n"));
+  const auto is = [&](const char* piece, const char* edge) { return edgeOf(file.document(), piece, edge); };
+  EXPECT_NEAR(is("back", "side_right"), 0.48, 1e-7);
+  ASSERT_TRUE(room.play(file, "length edge=front.side_left to=56cm symmetric=no\n"));
+  EXPECT_NEAR(is("back", "side_right"), 0.54, 1e-7) << "the edge it is linked to was given a length";
+  EXPECT_NEAR(is("back", "hem"), 0.27, 1e-7) << "and what is linked to that";
+  EXPECT_TRUE(file.document().drape.dirty.contains(file.document().pieceNamed("back")->id));
+  // Its edge is gone: the link too, and that is told where there is an edge to tell of.
+  told.clear();
+  ASSERT_TRUE(room.play(file, "remove piece=front\n"));
+  EXPECT_NEAR(is("back", "side_right"), 0.54, 1e-7);
+  EXPECT_THAT(told, ::testing::Contains(HasSubstr("not linked any more")));
+  const std::string kept = hash(file.document());
+  std::vector<Operation> again;
+  for (const Step& step : file.steps()) again.push_back(step.operation);
+  const auto replay = replayed(again, room.context);
+  ASSERT_TRUE(replay);
+  EXPECT_EQ(hash(*replay), kept);
+}
+
+TEST(FormulaInAGarment, ALinkIsUndoneByANumberAndKeptThroughANewName) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const auto is = [&](const char* piece, const char* edge) { return edgeOf(file.document(), piece, edge); };
+  ASSERT_TRUE(room.play(file, std::string(kTwoPieces) +
+                                  "length edge=back.side_left to=front.side_left symmetric=no\n"
+                                  "rename edge=front.side_left to=seite\nrename edge=back.side_left to=flanke\n"
+                                  "length edge=front.seite to=45cm symmetric=no\n"));
+  EXPECT_NEAR(is("back", "flanke"), 0.45, 1e-7);
+  EXPECT_THAT(refusalOf(room, file, "length edge=front.seite to=back.flanke symmetric=no"), HasSubstr("in a circle"));
+  // Once, of itself: no link.
+  ASSERT_TRUE(room.play(file, "length edge=front.seite to=\"front.seite*1.2\" symmetric=no\n"));
+  EXPECT_NEAR(is("front", "seite"), 0.54, 1e-7);
+  EXPECT_NEAR(is("back", "flanke"), 0.54, 1e-7);
+  ASSERT_TRUE(room.play(file,
+                        "length edge=back.flanke to=40cm symmetric=no\n"
+                        "length edge=front.seite to=50cm symmetric=no\n"));
+  EXPECT_NEAR(is("back", "flanke"), 0.40, 1e-7) << "a plain number ends the link";
+  EXPECT_TRUE(file.document().variables.empty());
 }
 
 TEST(FormulaInAGarment, RefusalsSayWhy) {
@@ -353,6 +408,9 @@ TEST(FormulaInAGarment, RefusalsSayWhy) {
               HasSubstr("waist_girth → hip_girth → waist_girth"));
   EXPECT_THAT(said("body size=eu38 set=\"waist=neck_girth*2\""), HasSubstr("neck_girth is not typed for this figure"));
   EXPECT_THAT(said("layer piece=front layer=\"1 + 1\""), HasSubstr("not a whole number"));
+  ASSERT_TRUE(
+      room.play(file, "piece name=lone outline=\"M 0 0; low L 300 0; long L 300 500; top L 0 400; short L 0 0\"\n"));
+  EXPECT_THAT(said("length edge=front.hem to=\"mirror(lone.long)\""), HasSubstr("has no mirror image"));
   EXPECT_THAT(said("length edge=front.hem to=12xm"), HasSubstr("not a length"));
 }
 

@@ -219,6 +219,35 @@ TEST(Glb, CarriesPrintsAtTrueScaleAlongTheGrain) {
   EXPECT_FALSE(writeGlb(g)) << "a tile that is not whole";
 }
 
+// Cut edges are as thick as the cloth: a strip along each border, squarely away from the side that is seen.
+TEST(Glb, ShowsTheThicknessAtTheEdges) {
+  SpatialGarment g;
+  SpatialPiece square;
+  square.name = "square", square.fabric = "felt";
+  square.mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  square.mesh.faces = {{0, 1, 2}, {0, 2, 3}};
+  square.flat = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  square.look.thickness = 0.003;
+  g.pieces = {square};
+  const auto bytes = writeGlb(g);
+  ASSERT_TRUE(bytes);
+  const Glb glb(*bytes);
+  const auto& primitive = glb.json["meshes"][0]["primitives"][0];
+  const auto points = glb.values<float>(primitive["attributes"]["POSITION"]);
+  const auto normals = glb.values<float>(primitive["attributes"]["NORMAL"]);
+  ASSERT_EQ(points.size(), 3u * (4 + 4 * 4)) << "four of the cloth, four for each of four borders, none inside";
+  ASSERT_EQ(glb.values<std::uint32_t>(primitive["indices"]).size(), 3u * (2 + 2 * 4));
+  int deep = 0;
+  for (std::size_t i = 4; i < points.size() / 3; ++i) {
+    const float z = points[3 * i + 2];
+    EXPECT_TRUE(std::abs(z) < 1e-7f || std::abs(z + 0.003f) < 1e-7f) << z;
+    deep += z < -0.002f;
+    // Outwards: from the middle of the square.
+    EXPECT_GT(normals[3 * i] * (points[3 * i] - 0.5f) + normals[3 * i + 1] * (points[3 * i + 1] - 0.5f), 0.4f);
+  }
+  EXPECT_EQ(deep, 8);
+}
+
 TEST(Glb, IsValidAndHoldsTheGarment) {
   const SpatialGarment g = garment();
   const auto bytes = writeGlb(g);

@@ -53,9 +53,9 @@ TEST(HowToAddAnOperation, FiveFilesMakeItAPartOfScriptsDocumentsHelpAndSteps) {
     return file.starts_with("src/session/") || file.starts_with("include/karinui/session/");
   });
   EXPECT_THAT(files,
-              testing::UnorderedElementsAre("include/karinui/design/operation.h", "src/design/operations/operations.h",
-                                            "src/design/operations/flip.cpp", "src/design/glossary/step_terms.cpp",
-                                            "data/messages.ja.tsv"));
+              testing::UnorderedElementsAre("include/karinui/design/operations/sewing.h",
+                                            "src/design/operations/operations.h", "src/design/operations/flip.cpp",
+                                            "src/design/glossary/step_terms.cpp", "data/messages.ja.tsv"));
 }
 
 TEST(HowToAddAnOperation, NothingElseNamesOneThatHasNoTool) {

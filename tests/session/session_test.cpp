@@ -634,6 +634,17 @@ TEST(TaskQueue, CancelsWhatRunsAndDropsWhatWaits) {
   EXPECT_EQ(ended, 1);
 }
 
+// What is done and not yet taken in still changes what is under the hand.
+TEST(TaskQueue, IsBusyUntilWhatFinishedIsTakenIn) {
+  TaskQueue line({});
+  line.add(TaskQueue::Kind::Step, [](const Token&) { return TaskQueue::Finish(); });
+  line.wait();
+  EXPECT_TRUE(line.busy(TaskQueue::Kind::Step));
+  EXPECT_FALSE(line.busy(TaskQueue::Kind::Settle));
+  line.takeIn();
+  EXPECT_FALSE(line.busy(TaskQueue::Kind::Step));
+}
+
 TEST(Menu, HangsInViewAndKnowsItsButtons) {
   Viewpoint sight;
   sight.eye = {1, 2, 3};

@@ -32,4 +32,12 @@ const BodyLine* bodyLine(const Body& body, std::string_view name);  // null: not
 std::vector<BodyLine> findBodyLines(const Body& body);              // Body::lines() keeps what this finds
 std::string mirroredName(std::string_view name);                    // _left for _right, and back; else the same
 
+// Where two lines meet: the side at the waist, the armhole at the shoulder.
+struct LineCrossing {
+  std::size_t a = 0, b = 0;  // of Body::lines(), a < b
+  double onA = 0, onB = 0;   // shares of their lengths
+  Vec3 place;                // on a
+};
+std::vector<LineCrossing> lineCrossings(const Body& body);
+
 }  // namespace karinui

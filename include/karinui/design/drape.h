@@ -13,8 +13,9 @@ std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRe
 // While it lasts `onlooker` may ask, after every step, for the forms as they are then; on the caller's thread.
 using FormsNow = std::function<std::map<PieceId, std::shared_ptr<const Form>>()>;
 using DrapeOnlooker = std::function<void(const FormsNow&)>;
+// `continueAfterRest`: as in SettleSettings.
 Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
-                                 const DrapeOnlooker& onlooker = {});
+                                 const DrapeOnlooker& onlooker = {}, bool continueAfterRest = false);
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context);
 
 // A hand on the cloth while it still moves: a preview of the pull that will be performed once it lets go. Each step

@@ -19,8 +19,9 @@ namespace karinui {
 // How a piece's cloth looks. Its picture, if it has one, is a tile of the print that is repeated over the paper.
 struct SpatialLook {
   double roughness = 0.9;
-  double sheen = 0;  // light that fine hairs catch, 0 to 1
-  double cover = 1;  // less: it is seen through
+  double sheen = 0;      // light that fine hairs catch, 0 to 1
+  double cover = 1;      // less: it is seen through
+  double thickness = 0;  // metres; a GLB shows it at the edges
   struct Tile {
     int width = 0, height = 0;       // pixels
     std::vector<std::uint8_t> rgb;   // sRGB, rows from the top; instead of the colour

@@ -24,6 +24,8 @@ enum class Command {
   Line,
   Rectangle,
   Circle,
+  RingSector,
+  Polygon,
   Pin,
   // Where one looks from.
   ViewFront,

@@ -86,6 +86,8 @@ struct GestureResult {
   std::optional<Message> why = {};  // a sentence for the person: refused, what to do next, or advice on the operation
   PreviewRequest request = {};
   std::optional<ToolOptions> options = {};  // as they were just set in a drop menu
+  std::optional<Flat> drawnAt = {};         // of a piece drawn on paper: where its origin lies on the table
+  std::optional<Operation> asked = {};      // instead of one: its numbers are to be typed first
 };
 
 // What is chosen, in space and on the table alike.

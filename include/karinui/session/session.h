@@ -47,6 +47,7 @@ struct Busy {
   bool settling = false;  // and it is a drape
   double fraction = 0;
   Message doing;
+  bool past = false;  // what is shown meanwhile is the garment as it was before
 };
 
 // Where the hand's time goes; read with the face's own clock. Counts only.
@@ -105,6 +106,7 @@ class Session {
   void refuse(const Error& why);              // what a face could not make of something typed, told like any refusal
   void advise(Message what);                  // told once, like advice on a step
   std::optional<Command> takeView();          // a view that was asked for
+  std::optional<Operation> takeAsked();  // a tool was clicked where it is dragged: a face lets its numbers be typed
   const SessionChanges& changes() const;
   // What a tip would feel now: the skin and cloth that are shown, and what the gesture in hand does. For a force
   // device, or for whatever else answers to touch (a controller's vibration); the session knows none of them. Cheap.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "design/formula/links.h"
 #include "design/formula/stated.h"
 #include "design/operations/operations.h"
 #include "karinui/base/number.h"
@@ -16,7 +17,8 @@ constexpr std::size_t kLongestChain = 100;
 Error noSuchName(const Document& document, const std::string& name, const std::vector<std::string>& asking) {
   std::string all;
   for (const auto& [own, formula] : document.variables)
-    if (std::find(asking.begin(), asking.end(), own) == asking.end()) all += (all.empty() ? "" : ", ") + own;
+    if (!linkedEdge(own) && std::find(asking.begin(), asking.end(), own) == asking.end())
+      all += (all.empty() ? "" : ", ") + own;
   const auto key = measurementKey(name);
   if (all.empty()) return refused(say("There is no variable “{0}”. {1}", name, key.error().what));
   return refused(say("There is no variable “{0}”; there are: {2}. {1}", name, key.error().what, all));

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "design/formula/links.h"
 #include "design/operations/operations.h"
 
 namespace karinui {
@@ -54,6 +55,7 @@ Result<Document> perform(const Document& before, const Rename& op, Context&) {
     piece.outline.edges[*piece.outline.find(from)].name = op.to;
     for (Mark& mark : piece.marks)
       if (mark.edge == from) mark.edge = op.to;
+    renameInFormulas(after, id, from, op.to);
     for (auto& [seamId, seam] : after.pattern.seams) {
       for (auto* side : {&seam.a, &seam.b})
         for (EdgeSpan& span : *side)

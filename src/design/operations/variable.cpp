@@ -1,3 +1,4 @@
+#include "design/formula/links.h"
 #include "design/operations/operations.h"
 #include "karinui/design/variables.h"
 
@@ -40,6 +41,12 @@ Done resolve(const Document& before, SetVariable& op, Context& context) {
   const auto formula = recordedFormula(*read, before);
   if (!formula) return formula.error();
   op.value = formula->text();
+  if (const auto edge = linkedEdge(op.name)) {
+    if (Done done = checkLink(before, *edge, op.value); !done) return done;
+    DocumentNames names(before, context);
+    const auto length = workedOut(op.value, names, kLength);
+    return length ? Done() : Done(length.error());
+  }
   Document after = before;
   after.variables[op.name] = op.value;
   const auto value = DocumentNames(after, context).named(op.name);

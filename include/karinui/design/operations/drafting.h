@@ -1,0 +1,150 @@
+#pragma once
+// New pieces: drawn on the body, given by an outline, drafted from measures, copied from pieces there are.
+// Conventions of the structs: field.h.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "karinui/design/operations/field.h"
+#include "karinui/design/values.h"
+#include "karinui/pattern/piece.h"
+
+namespace karinui {
+
+// draw name=front line="landmark:neck_left; torso:bust@0.98; …" mirror=yes
+// `edges` speaks of the places one by one: a name for the edge that begins there, or "~" where there is no corner and
+// the edge before runs smoothly through. With symmetric=yes the line is one half, from the body's centre to its centre.
+struct DrawPiece {
+  static constexpr std::string_view kName = "draw";
+  static constexpr std::string_view kHelp =
+      "Draws a closed line on the body; the cloth inside it becomes a flat piece.";
+  std::string name;
+  std::vector<BodyPoint> line;
+  std::vector<std::string> edges;
+  bool mirror = false;
+  bool symmetric = false;
+  bool closed = true;
+  std::optional<BodyPoint> inside;
+  std::optional<Length> ease;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("line", self.line, "places on the body, in order; the line closes by itself", kNeeded);
+    visit("edges", self.edges,
+          "for each place the name of the edge that begins there, ~ where the line curves on without a corner; or just "
+          "the names, from corner to corner",
+          kOptional);
+    visit("mirror", self.mirror, "yes: also the symmetric copy on the body's other side", kOptional);
+    visit("symmetric", self.symmetric, "yes: the line is one half, from centre to centre; the piece is both halves",
+          kOptional);
+    visit("closed", self.closed, "no: drawn by hand, the line's ends must meet by themselves, within 15 mm", kOptional);
+    visit("inside", self.inside, "a place inside the piece, where the line leaves it open which side is meant",
+          kOptional);
+    visit("ease", self.ease, "distance from the body (otherwise as set for the document)", kOptional);
+    visitCloth(self, visit);
+  }
+  bool operator==(const DrawPiece&) const = default;
+};
+
+// piece name=front outline="M 0 0; hem L 500 0; side C 510 100 520 200 500 600; …" at="0,1.2m,0.2m"
+// The outline is in millimetres; see docs/format/operations.md.
+struct AddPiece {
+  static constexpr std::string_view kName = "piece";
+  static constexpr std::string_view kHelp = "Adds a piece with a known outline.";
+  std::string name;
+  Outline outline;
+  std::vector<Outline> holes;
+  std::vector<InternalLine> lines;
+  std::vector<Mark> marks;
+  Flat grain{0, 1};
+  std::string fabric;
+  Rigid pose;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("outline", self.outline, "\"M u v; edge L u v; edge C u v u v u v; edge A bulge u v\" in millimetres",
+          kNeeded);
+    visit("holes", self.holes, "outlines of holes, with | between", kOptional);
+    visit("lines", self.lines, "internal lines: \"dart M u v L u v | …\" in millimetres", kOptional);
+    visit("marks", self.marks, "notches \"name edge 0.5\" and drill holes \"name u,v\"", kOptional);
+    visit("grain", self.grain, "the warp's direction on paper", kOptional);
+    visit("fabric", self.fabric, "what it is cut from", kOptional);
+    visit("pose", self.pose, "where it stands: \"x,y,z\", then a turn \"y 90deg\" or a quaternion \"w,x,y,z\"",
+          kOptional);
+    visit("layer", self.layer, "0 next to the skin", kOptional);
+  }
+  bool operator==(const AddPiece&) const = default;
+};
+
+// block kind=shirt ease=12cm
+struct DraftBlock {
+  static constexpr std::string_view kName = "block";
+  static constexpr std::string_view kHelp = "Drafts ready pieces from the figure's measures, sewn and on the body.";
+  enum class Kind { Bodice, Sleeve, Skirt, Trousers, Shirt, Collar } kind = Kind::Shirt;
+  std::optional<Length> ease, length;
+  std::string prefix;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("kind", self.kind, "bodice, sleeve, skirt, trousers, shirt or collar", kNeeded);
+    visit("ease", self.ease, "added to the widest girth (of a sleeve: the upper arm's; of a collar: none)", kOptional);
+    visit("length", self.length, "of the piece (otherwise by the block's own rule)", kOptional);
+    visit("prefix", self.prefix, "put before the pieces' names", kOptional);
+    visitCloth(self, visit);
+  }
+  bool operator==(const DraftBlock&) const = default;
+};
+
+struct DuplicatePiece {
+  static constexpr std::string_view kName = "duplicate";
+  static constexpr std::string_view kHelp = "Makes a second piece like the first, or like a part of it.";
+  PieceRef piece;
+  std::string name;
+  Vec3 by;
+  std::vector<Flat> line;
+  std::optional<Flat> part;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to copy", kNeeded);
+    visit("name", self.name, "the copy's name", kOptional);
+    visit("by", self.by, "how far from the first it stands (x,y,z)", kOptional);
+    visit("line", self.line, "a line on the paper, from edge to edge, that divides off the part to copy", kOptional);
+    visit("part", self.part, "a place on the paper in the part to copy (otherwise the smaller part)", kOptional);
+  }
+  bool operator==(const DuplicatePiece&) const = default;
+};
+
+struct MirrorPiece {
+  static constexpr std::string_view kName = "mirror";
+  static constexpr std::string_view kHelp = "Makes the symmetric copy of a piece on the body's other side.";
+  PieceRef piece;
+  std::string name;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to mirror", kNeeded);
+    visit("name", self.name, "the copy's name (otherwise left and right change places in it)", kOptional);
+  }
+  bool operator==(const MirrorPiece&) const = default;
+};
+
+// unfold edge=half_front.fold
+struct UnfoldPiece {
+  static constexpr std::string_view kName = "unfold";
+  static constexpr std::string_view kHelp = "Makes a whole piece of a half, mirrored on a straight edge.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef edge;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the straight edge that is the fold", kNeeded);
+  }
+  bool operator==(const UnfoldPiece&) const = default;
+};
+
+using DraftingOperations = OperationList<DrawPiece, AddPiece, DraftBlock, DuplicatePiece, MirrorPiece, UnfoldPiece>;
+
+}  // namespace karinui

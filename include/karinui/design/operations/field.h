@@ -1,0 +1,37 @@
+#pragma once
+// What every operation is made of. An operation is a plain struct of ids and MATERIAL values only (edge and fraction,
+// paper u-v, places on the body), never a ray, a pixel or a pose of the cloth; so undo, replay, scripts and
+// made-to-measure are one thing.
+//
+//   kName, kHelp     its word, and what it does in a sentence
+//   kDisturbsDrape   cloth that was at rest is brought to rest again after it (see disturbsDrape in operation.h)
+//   fields()         its fields, each listed once by visit(name, value, help, kNeeded | kOptional): text form, file,
+//                    help and JSON all grow from that list
+//
+// A field that has its default value is not written. Values and their text forms: values.h. A field whose numbers are
+// given by formulas (formula.h) keeps the formulas: see Operation.
+#include <string_view>
+
+namespace karinui {
+
+enum Need { kOptional, kNeeded };
+
+// The operations of one header, for the variant of all.
+template <class... Ops>
+struct OperationList {};
+template <class... A, class... B>
+constexpr OperationList<A..., B...> operator+(OperationList<A...>, OperationList<B...>) {
+  return {};
+}
+
+// Fields that many operations have.
+inline constexpr std::string_view kBothHalvesHelp =
+    "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)";
+
+template <class Self, class Visit>
+void visitCloth(Self& self, Visit&& visit) {
+  visit("fabric", self.fabric, "what it is cut from", kOptional);
+  visit("layer", self.layer, "0 next to the skin", kOptional);
+}
+
+}  // namespace karinui

@@ -1,0 +1,148 @@
+#pragma once
+// The outline of a piece: cut, reshaped, its edges split, joined, darted and made as long as said.
+// Conventions of the structs: field.h.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "karinui/design/operations/field.h"
+#include "karinui/design/values.h"
+#include "karinui/pattern/piece.h"
+
+namespace karinui {
+
+// cut piece=sleeve line="10mm,0 10mm,80mm"
+struct CutPiece {
+  static constexpr std::string_view kName = "cut";
+  static constexpr std::string_view kHelp =
+      "Cuts along a line on the paper: from the outline inwards a slit, from edge to edge two pieces.";
+  static constexpr bool kDisturbsDrape = true;
+  PieceRef piece;
+  std::vector<Flat> line;
+  std::string name;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to cut", kNeeded);
+    visit("line", self.line, "places on the paper, beginning or ending on or beyond the outline", kNeeded);
+    visit("name", self.name, "the second piece's name, if it falls in two", kOptional);
+  }
+  bool operator==(const CutPiece&) const = default;
+};
+
+// reshape piece=front at="…; …" by="…; …": points pulled without force; recorded with the outline it led to.
+struct ReshapePiece {
+  static constexpr std::string_view kName = "reshape";
+  static constexpr std::string_view kHelp = "Pulls places of a piece to new ones and cuts the paper anew to fit.";
+  static constexpr bool kDisturbsDrape = true;
+  PieceRef piece;
+  std::vector<Flat> at;
+  std::vector<Vec3> by;
+  Length within{0.12};
+  Choice symmetric = Choice::Auto;
+  Outline outline;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece to reshape", kNeeded);
+    visit("at", self.at, "the places that are pulled, on its paper", kOptional);
+    visit("by", self.by, "how far each is pulled in space (x,y,z)", kOptional);
+    visit("within", self.within, "how far round a pulled place the cloth comes along", kOptional);
+    visit("symmetric", self.symmetric,
+          "a symmetric piece is pulled on both halves: auto, yes, no (auto: if it is symmetric)", kOptional);
+    visit("outline", self.outline, "the new outline; found from at and by if it is not given", kOptional);
+  }
+  bool operator==(const ReshapePiece&) const = default;
+};
+
+// split edge=front.side_left at=0.4
+struct SplitEdge {
+  static constexpr std::string_view kName = "split";
+  static constexpr std::string_view kHelp = "Puts a point on an edge, which becomes two.";
+  EdgeRef edge;
+  double at = 0.5;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge", kNeeded);
+    visit("at", self.at, "how far along it, as a share of its length", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const SplitEdge&) const = default;
+};
+
+// join edge=front.side_left
+// A record made before `refit` existed names the piece by its id and has `symmetric` decided: it keeps its old meaning.
+struct JoinEdges {
+  static constexpr std::string_view kName = "join";
+  static constexpr std::string_view kHelp = "Takes away the point between an edge and the next; the two become one.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef edge;
+  Choice symmetric = Choice::Auto;
+  Choice refit = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge that ends at the point", kNeeded);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+    visit(
+        "refit", self.refit,
+        "yes: one curve fitted to both edges; no: one that only leaves and arrives as they did (auto: yes, but no in a "
+        "record that does not have it)",
+        kOptional);
+  }
+  bool operator==(const JoinEdges&) const = default;
+};
+
+// dart edge=front.waist at=0.3 tip=8cm,12cm width=25mm
+struct AddDart {
+  static constexpr std::string_view kName = "dart";
+  static constexpr std::string_view kHelp = "Takes a wedge out of an edge and sews its two sides together.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef edge;
+  double at = 0.5;
+  Flat tip;
+  Length width{0.02};
+  std::string name;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge the dart opens at", kNeeded);
+    visit("at", self.at, "the middle of its mouth, as a share of the edge's length", kOptional);
+    visit("tip", self.tip, "where it ends, on the paper", kNeeded);
+    visit("width", self.width, "how wide it opens, along the edge", kOptional);
+    visit("name", self.name, "the name of its sides", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const AddDart&) const = default;
+};
+
+// length edge=front.side_left to=36cm        length edge=front.shoulder_left to=12cm keep=end neighbours=follow
+// The edge keeps its shape, scaled; its other end moves. Every edge but it and its neighbours at the moved ends (and
+// their mirror images) stays bit for bit.
+struct SetLength {
+  static constexpr std::string_view kName = "length";
+  static constexpr std::string_view kHelp = "Makes an edge as long as said; says which end stays and what follows.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef edge;
+  Length to;
+  enum class Keep { Auto, Start, End, Middle } keep = Keep::Auto;
+  enum class Neighbours { Keep, Follow } neighbours = Neighbours::Keep;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge", kNeeded);
+    visit("to", self.to, "its new length", kNeeded);
+    visit("keep", self.keep,
+          "what stays: auto, start, end, middle (both ends move by half); auto: the end on the centre of a symmetric "
+          "piece, else the one whose neighbour is sewn, else the higher one",
+          kOptional);
+    visit("neighbours", self.neighbours,
+          "the edges at a moved end: keep their lengths where they can, or follow (they stretch, and the edge does not "
+          "turn)",
+          kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const SetLength&) const = default;
+};
+
+using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, SetLength>;
+
+}  // namespace karinui

@@ -1,0 +1,119 @@
+#pragma once
+// New pieces drawn on paper: rectangle, polygon, ring, and band along a run of edges.
+// Conventions of the structs: field.h.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "karinui/design/operations/field.h"
+#include "karinui/design/values.h"
+
+namespace karinui {
+
+// rectangle name=band width=70cm height=4cm
+struct DrawRectangle {
+  static constexpr std::string_view kName = "rectangle";
+  static constexpr std::string_view kHelp = "Draws a rectangle on paper.";
+  std::string name;
+  Length width, height;
+  std::vector<std::string> edges;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("width", self.width, "across the grain", kNeeded);
+    visit("height", self.height, "along the grain", kNeeded);
+    visit("edges", self.edges, "names of its edges, from the lower one round (bottom side_left top side_right)",
+          kOptional);
+    visitCloth(self, visit);
+  }
+  bool operator==(const DrawRectangle&) const = default;
+};
+
+// polygon name=yoke points="0,0; 20cm,0; 18cm,9cm; 0,7cm" edges="hem side ~ fold"
+// `edges` as in draw. With symmetric=yes the points are one half; the fold is the line from the last to the first.
+struct DrawPolygon {
+  static constexpr std::string_view kName = "polygon";
+  static constexpr std::string_view kHelp = "Draws a piece on paper through places, straight or curved.";
+  std::string name;
+  std::vector<Flat> points;
+  std::vector<std::string> edges;
+  bool symmetric = false;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("points", self.points, "places on the paper, in order; the line closes by itself", kNeeded);
+    visit("edges", self.edges,
+          "for each place the name of the edge that begins there, ~ where the line curves on without a corner",
+          kOptional);
+    visit("symmetric", self.symmetric, "yes: the places are one half, from fold to fold; the piece is both halves",
+          kOptional);
+    visitCloth(self, visit);
+  }
+  bool operator==(const DrawPolygon&) const = default;
+};
+
+// ring name=skirt inner=72cm depth=60cm angle=180deg        ring name=pouch depth=10cm
+struct DrawRing {
+  static constexpr std::string_view kName = "ring";
+  static constexpr std::string_view kHelp = "Draws a circle, a ring or a sector of one on paper, as for circle skirts.";
+  std::string name;
+  std::optional<Length> inner, radius;
+  std::vector<EdgeRef> of;
+  Length depth;
+  Angle angle{6.283185307179586};
+  std::vector<std::string> edges;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("depth", self.depth, "from the inner edge to the outer one", kNeeded);
+    visit("angle", self.angle, "of the sector; 360deg is a whole ring", kOptional);
+    visit("inner", self.inner, "length of the inner edge, as of a waist", kOptional);
+    visit("of", self.of, "or a run of edges that the inner edge is as long as", kOptional);
+    visit("radius", self.radius, "or the inner edge's radius (0: a circle, or a sector of one)", kOptional);
+    visit("edges", self.edges, "names of its edges: hem side_left waist side_right", kOptional);
+    visitCloth(self, visit);
+  }
+  bool operator==(const DrawRing&) const = default;
+};
+
+// band name=collar of="front.neck_left front.neck_right back.neck" depth=4cm sew=yes
+struct DrawBand {
+  static constexpr std::string_view kName = "band";
+  static constexpr std::string_view kHelp =
+      "Draws a band as long as a run of edges: a collar, waistband, cuff or facing.";
+  std::string name;
+  std::vector<EdgeRef> of;
+  Length depth;
+  double ratio = 1;
+  Length extra;
+  bool sew = false;
+  Angle turn;
+  std::vector<std::string> edges;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("of", self.of, "the run of edges, joined end to end", kNeeded);
+    visit("depth", self.depth, "how deep the band is", kNeeded);
+    visit("ratio", self.ratio, "its length as a share of the run's; below 1 the run is gathered to it", kOptional);
+    visit("extra", self.extra, "added to its length, as for a lap; it stays unsewn", kOptional);
+    visit("sew", self.sew, "yes: stood along the edges and sewn to them; where they close a ring, its ends too",
+          kOptional);
+    visit("turn", self.turn, "how far it is folded outwards from where the cloth would go on", kOptional);
+    visit("edges", self.edges, "names of its edges: low end_left top end_right; the first is sewn", kOptional);
+    visitCloth(self, visit);
+  }
+  bool operator==(const DrawBand&) const = default;
+};
+
+using PaperOperations = OperationList<DrawRectangle, DrawPolygon, DrawRing, DrawBand>;
+
+}  // namespace karinui

@@ -1,0 +1,193 @@
+#include "design/document_inside.h"
+
+#include <algorithm>
+
+#include "design/chain.h"
+#include "karinui/design/script.h"
+
+namespace karinui {
+
+namespace {
+
+// Drapes, pulls and figures: what a person waits for.
+bool takesLong(const Operation& operation) {
+  return std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation) ||
+         std::holds_alternative<SetBody>(operation);
+}
+
+}  // namespace
+
+Error atStep(std::size_t serial, const Error& error) { return {error.kind, say("Step {0}: {1}", serial, error.what)}; }
+
+std::vector<const Step*> DocumentFile::Inside::line(std::uint64_t seq) const {
+  std::vector<const Step*> all;
+  for (const Step* s = step(seq); s != nullptr; s = step(s->parent)) all.push_back(s);
+  std::reverse(all.begin(), all.end());
+  return all;
+}
+
+std::optional<Document> DocumentFile::Inside::kept(const Step& s) {
+  if (!store) return std::nullopt;
+  const auto parts = store->parts(s.seq);
+  if (!parts || parts->empty()) return std::nullopt;
+  auto document = unpackedDocument(*store, s, *parts);
+  if (document)
+    keptParts.remember(*document, *parts);
+  else
+    remarks.push_back(
+        say("What the file keeps of step {0} is damaged; it was made again from the steps.", std::size_t{s.serial}));
+  return document;
+}
+
+Result<const Document*> DocumentFile::Inside::documentAt(std::uint64_t seq, Context& context) {
+  std::vector<const Step*> missing;
+  for (const Step* s = step(seq); s != nullptr && !documents.contains(s->seq); s = step(s->parent)) {
+    if (auto document = kept(*s)) {
+      documents[s->seq] = *std::move(document);
+      break;
+    }
+    missing.push_back(s);
+  }
+  Borrowing borrowing(&blobs, &context.blobs);
+  Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull};
+  for (auto s = missing.rbegin(); s != missing.rend(); ++s) {
+    auto document = apply(documents.at((*s)->parent), (*s)->operation, own);
+    if (!document) return atStep((*s)->serial, document.error());
+    if (hash(*document) != (*s)->after)
+      remarks.push_back(say("Step {0} leads to another pattern than the file says; the steps were followed.",
+                            std::size_t{(*s)->serial}));
+    documents[(*s)->seq] = *std::move(document);
+  }
+  return &documents.at(seq);
+}
+
+const Document* DocumentFile::Inside::madeBefore(const Step* parent, const Document& before,
+                                                 const Operation& operation) {
+  const std::string after = parent ? parent->after : hash(before), stand = parent ? parent->stand : drapeHash(before);
+  std::optional<std::string> said;
+  for (auto s = steps.rbegin(); s != steps.rend(); ++s) {
+    if (s->serial != before.operations + 1 || s->before != after || s->operation.index() != operation.index()) continue;
+    if (const Step* other = step(s->parent); (other ? other->stand : drapeHash(Document())) != stand) continue;
+    if (!said) said = text(operation);
+    if (text(s->operation) != *said) continue;
+    const Document* start = keptAt(s->parent);
+    if (!start || start->drape.dirty != before.drape.dirty) continue;
+    if (const Document* made = keptAt(s->seq)) return made;
+  }
+  return nullptr;
+}
+
+const Document* DocumentFile::Inside::keptAt(std::uint64_t seq) {
+  if (const auto at = documents.find(seq); at != documents.end()) return &at->second;
+  const Step* s = step(seq);
+  auto document = s ? kept(*s) : std::nullopt;
+  return document ? &(documents[seq] = *std::move(document)) : nullptr;
+}
+
+const Step* DocumentFile::Inside::step(std::uint64_t seq) const {
+  const auto at =
+      std::lower_bound(steps.begin(), steps.end(), seq, [](const Step& s, std::uint64_t n) { return s.seq < n; });
+  return at != steps.end() && at->seq == seq ? &*at : nullptr;
+}
+
+Done DocumentFile::Inside::writable() const {
+  if (!store || store->writable()) return {};
+  return storageError(say("“{0}” was opened for reading only.", path.filename().string()));
+}
+
+Done DocumentFile::Inside::begin(Store opened, Context* how) {
+  path = opened.path();
+  for (const StepRow& row : opened.rows()) {
+    auto operation = parseOperation(row.args.empty() ? row.kind : row.kind + " " + row.args);
+    if (!operation) return atStep(row.serial, operation.error());
+    const Step* parent = step(row.parent);
+    const std::string chain = chained(parent ? parent->chain : std::string(), *operation);
+    if (chain != row.chain) {
+      return badInput(
+          say("“{0}” is damaged at step {1}; nothing was changed.", path.filename().string(), std::size_t{row.serial}));
+    }
+    if (row.before != (parent ? parent->after : hash(Document())))
+      remarks.push_back(
+          say("Step {0} does not begin where the step before it ends: the file was changed by another program.",
+              std::size_t{row.serial}));
+    steps.push_back(
+        {row.seq, row.parent, row.serial, *std::move(operation), row.chain, row.before, row.after, row.stand});
+  }
+  head = opened.head();
+  store = std::move(opened);
+  Workers one(1);
+  Token quiet;
+  Bodies bodies;
+  Context alone{one, quiet, blobs, bodies, {}, {}};
+  const auto document = documentAt(head.seq, how ? *how : alone);
+  return document ? Done() : Done(document.error());
+}
+
+Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* parent, const Document& before,
+                                                                std::uint64_t seq, Operation operation,
+                                                                Context& context) {
+  Borrowing borrowing(&blobs, &context.blobs);
+  Context own{context.workers, context.token, borrowing,      context.bodies,
+              context.drape,   context.pull,  context.advise, context.stop};
+  auto settled = resolved(before, std::move(operation), own);
+  if (!settled) return settled.error();
+  const Document* known = takesLong(*settled) ? madeBefore(parent, before, *settled) : nullptr;
+  auto after = known ? Result<Document>(*known) : apply(before, *settled, own);
+  if (!after) return after.error();
+  if (known && std::holds_alternative<SetBody>(*settled))  // what is known of the last drape comes from before it
+    after->drape = {before.drape.last, before.drape.force, known->drape.dirty};
+  Worked worked{{}, *std::move(after), std::move(borrowing.borrowed)};
+  Step& step = worked.step;
+  step.seq = seq;
+  step.parent = parent ? parent->seq : 0;
+  step.serial = worked.after.operations;
+  step.operation = *std::move(settled);
+  if (auto* drape = std::get_if<DrapePieces>(&step.operation); drape && worked.after.drape.last->stoppedAfter > 0)
+    drape->stop = static_cast<int>(worked.after.drape.last->stoppedAfter);
+  step.chain = chained(parent ? parent->chain : std::string(), step.operation);
+  step.before = parent ? parent->after : hash(before);
+  step.after = hash(worked.after);
+  step.stand = drapeHash(worked.after);
+  return worked;
+}
+
+Done DocumentFile::Inside::keep(Worked worked, Head then, const Bodies& bodies) {
+  const Step& step = worked.step;
+  if (store) {
+    const Parts parts = keptParts.pack(worked.after, bodies, worked.borrowed);
+    const std::string line = text(step.operation);
+    const std::string kind(nameOf(step.operation));
+    const StepRow row{
+        step.seq,   step.parent, step.serial, kind,      line.size() > kind.size() ? line.substr(kind.size() + 1) : "",
+        step.chain, step.before, step.after,  step.stand};
+    if (Done done = store->append(row, parts, worked.borrowed, then); !done) return done.error();
+    keptParts.remember(worked.after, parts);
+  } else {
+    for (auto& [name, bytes] : worked.borrowed) (void)memory.put(bytes);
+  }
+  head = then;
+  documents[step.seq] = std::move(worked.after);
+  steps.push_back(std::move(worked.step));
+  forget();
+  return {};
+}
+
+Done DocumentFile::Inside::stand(Head there) {
+  if (store) {
+    if (Done done = store->move(there); !done) return done;
+  }
+  head = there;
+  forget();
+  return {};
+}
+
+// What lies in the file need not lie in memory too, but for the steps one is about to see again.
+void DocumentFile::Inside::forget() {
+  if (!store) return;
+  constexpr std::size_t kNear = 24;
+  for (auto at = documents.begin(); documents.size() > kNear && at != documents.end();)
+    at = at->first == 0 || at->first == head.seq ? std::next(at) : documents.erase(at);
+  keptParts.forget();
+}
+
+}  // namespace karinui
