@@ -7,7 +7,7 @@
 
 namespace karinui::studio {
 
-void fillBlocks(QMenu& menu, Session& session) {
+void fillBlocks(QMenu& menu, Session& session, std::function<void()> numbers) {
   using Kind = DraftBlock::Kind;
   static constexpr std::pair<Kind, const char*> kinds[] = {{Kind::Shirt, "shirt"},   {Kind::Bodice, "bodice"},
                                                            {Kind::Sleeve, "sleeve"}, {Kind::Collar, "collar"},
@@ -23,6 +23,10 @@ void fillBlocks(QMenu& menu, Session& session) {
       session.perform(std::move(block));
     });
   }
+  QAction* typed = menu.addAction(QString());
+  typed->setObjectName("block_numbers");
+  Theme::here().keep(typed, [typed] { typed->setText(inWords(say("With ease and length…"))); });
+  QObject::connect(typed, &QAction::triggered, &menu, std::move(numbers));
   QObject::connect(&menu, &QMenu::aboutToShow, &menu, [&menu, &session] {
     const bool can = session.snapshot().document.body.chosen() && !session.readOnly();
     for (QAction* action : menu.actions()) action->setEnabled(can);

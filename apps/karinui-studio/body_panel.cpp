@@ -176,6 +176,11 @@ void BodyPanel::addRows(const Message& group, std::span<const std::string_view> 
       if (!imported()) session_.previewFigure(wished());
     });
     connect(row, &MeasureRow::set, this, &BodyPanel::wear);
+    connect(row->box().findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, [this, row] {
+      if (session_.figure() || session_.busy().any) return;
+      session_.perform(wished());  // the first figure
+      emit row->box().left();
+    });
     connect(row, &MeasureRow::entered, this, [this, key] { drawTape(key); });
     row->box().takeFormulas([this, key](const std::string& formula) -> Result<double> {
       SetBody body = wished();
@@ -317,6 +322,7 @@ void BodyPanel::refresh() {
 void BodyPanel::fillMeasured() {
   const BodyPtr& body = session_.shown().body;
   const std::string now = body ? body->hash() : "-";
+  drawing_->setVisible(body != nullptr);  // the rows have its room before
   drawing_->show(body, drawnKey_);
   if (now == listed_) return;
   listed_ = now;

@@ -2,18 +2,22 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
+#include "karinui/design/step_words.h"
+#include "karinui/pattern/edit.h"
 #include "karinui/pattern/symmetry.h"
 #include "main_window.h"
+#include "new_pieces.h"
 #include "theme.h"
 
 namespace karinui::studio {
 
 namespace {
 
-constexpr double kBandDeep = 0.04;  // metres, of a new band
+constexpr double kSkirtDeep = 0.5;  // metres, first written in the box
 constexpr double kDartDeep = 0.1;   // metres, as the board "Garment" offers it
 
 // By length, to the millimetre, as it is then written into the step.
@@ -37,25 +41,31 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
     place.at = session_->snapshot().body->describe(hit.skin);
     return menuOfPlace(place, global);
   }
+  const auto led = session_->selection().edge;
   // Several chosen pieces stay chosen, for what is to be done with all of them.
   if (hit.edge || !hit.piece || !session_->selection().pieces.contains(hit.piece))
     session_->select(chosen);
   else
     chosen.pieces = session_->selection().pieces;
   refresh();
-  menuOf(chosen, hit, global);
+  menuOf(chosen, hit, global, led);
 }
 
-void MainWindow::offer(QMenu& menu, const Message& words, Operation operation) {
+void MainWindow::offer(QMenu& menu, const Message& words, std::function<void()> what) {
   QAction* action = menu.addAction(inWords(words));
   action->setEnabled(!session_->readOnly());
-  connect(action, &QAction::triggered, this, [this, operation = std::move(operation)] {
-    session_->perform(operation);
+  connect(action, &QAction::triggered, this, [this, what = std::move(what)] {
+    what();
     refresh();
   });
 }
 
-void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global) {
+void MainWindow::offer(QMenu& menu, const Message& words, Operation operation) {
+  offer(menu, words, [this, operation = std::move(operation)] { session_->perform(operation); });
+}
+
+void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global,
+                        const std::optional<EdgeNear>& led) {
   auto* menu = new QMenu(this);
   menu->setObjectName("context");
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -72,7 +82,7 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     menu->addAction(actions_[Command::Remove]);
     return menu->popup(global);
   }
-  if (chosen.edge) addEdgeOperations(*menu, *chosen.edge);
+  if (chosen.edge) addEdgeOperations(*menu, *chosen.edge, led);
   if (at && at->piece && !at->edge) {
     PinCloth pin;
     pin.piece = at->piece;
@@ -97,7 +107,7 @@ void MainWindow::menuOfPlace(PlacePiece place, const QPoint& global) {
   menu->popup(global);
 }
 
-void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near) {
+void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std::optional<EdgeNear>& led) {
   const Piece* piece = session_->snapshot().document.find(near.piece);
   const Edge* edge = piece ? findEdge(*piece, near.edge) : nullptr;
   if (!edge) return;
@@ -118,13 +128,34 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near) {
   offer(menu, say("Take its end away"), JoinEdges{ref});
   offer(menu, say("Notch there"), notch);
   offer(menu, say("Dart there"), dart);
+  menu.addSeparator();
   const Document& document = session_->snapshot().document;
-  DrawBand band;
-  band.of = runThrough(document, ref);
-  band.name = usableName(document, "band");
-  band.depth = {kBandDeep};
-  band.sew = seamsOn(document, band.of).empty();
-  offer(menu, say("Band along it"), band);
+  const std::vector<EdgeRef> run = runThrough(document, ref);
+  offer(menu, say("Band along it…"), [this, ref] { askNumbers(bandAlong(session_->snapshot().document, ref)); });
+  DrawRing skirt;
+  skirt.name = usableName(document, "ring");
+  skirt.of = run;
+  skirt.depth = {kSkirtDeep};
+  skirt.angle = {std::numbers::pi};
+  offer(menu, say("Ring from it…"), [this, skirt] { askNumbers(skirt); });
+  if (led && led->piece != near.piece && document.find(led->piece)) {
+    const EdgeRef own{PieceRef(led->piece), led->edge};
+    AttachPiece attach;
+    attach.edge = own;
+    attach.to = run;
+    SewEdges sew;
+    sew.a = {own};
+    sew.b = run;
+    const Message chosen = edgeSaid(document, own);
+    offer(menu, say("Lead {0} along it", chosen), attach);
+    if (seamsOn(document, {own}).empty() && seamsOn(document, run).empty())
+      offer(menu, say("Lead {0} along it and sew", chosen), [this, attach, sew] {
+        session_->perform(attach);
+        session_->perform(sew);
+      });
+  }
+  if (unfolded(*piece, near.edge) && seamsOn(document, {ref}).empty())
+    offer(menu, say("Unfold on it: both halves"), UnfoldPiece{ref});
   menu.addSeparator();
 }
 

@@ -64,6 +64,21 @@ std::optional<std::string> newName(const QLineEdit& box, const std::string& now,
   return identifierOf(typed).value_or(typed);
 }
 
+// The edge carried into the piece, square to the line between its ends; its neighbours follow there.
+Result<Outline> movedEdge(const Piece& piece, const std::string& name, double by) {
+  const Outline& outline = piece.outline;
+  const auto k = outline.find(name);
+  if (!k) return outline;
+  const Edge &edge = outline.edges[*k], &next = outline.edges[(*k + 1) % outline.edges.size()];
+  const Flat step = leftOf(normalized(edge.curve.end - edge.curve.start)) * by;
+  const auto tenth = [](Flat p) { return Flat{std::round(p.u * 1e4) / 1e4, std::round(p.v * 1e4) / 1e4}; };
+  const auto first = moveCorner(piece, edge.name, tenth(edge.curve.start + step));
+  if (!first) return first.error();
+  const auto both = moveCorner(*first, next.name, tenth(next.curve.start + step));
+  if (!both) return both.error();
+  return checked(both->outline);
+}
+
 QDoubleSpinBox* number(double low, double high, int decimals, const char* unit) {
   auto* box = new QDoubleSpinBox;
   box->setRange(low, high);
@@ -94,7 +109,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
     blocks->setToolTip(inWords(say("Pieces drafted from the figure's measures: shirt, bodice, skirt, trousers.")));
   });
   auto* kinds = new QMenu(blocks);
-  fillBlocks(*kinds, session_);
+  fillBlocks(*kinds, session_, [this] { emit blockAsked(); });
   blocks->setMenu(kinds);
   column->addWidget(blocks);
   // The properties take what is left, and scroll: the list keeps its rows.
@@ -134,7 +149,6 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
     return look.pieces.empty() ? std::nullopt : std::optional(look);
   });
   form->addRow(look_);
-  below->addWidget(pieceBoard_);
 
   edgeBoard_ = new QWidget;
   form = new QFormLayout(edgeBoard_);
@@ -142,6 +156,12 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->addRow(title(say("Edge")));
   edgeName_ = new QLineEdit;
   length_ = new LengthBox(say("Length"), 0.001, 10);
+  takeIn_ = new LengthBox(say("Take in"), -0.5, 0.5);
+  Theme::here().keep(takeIn_, [this] {
+    takeIn_->setToolTip(
+        inWords(say("Carries the edge in by so much, square to it, on both halves, and the edges sewn to it; less than "
+                    "nothing lets it out.")));
+  });
   u_ = new LengthBox(say("From, across"), -5, 5);
   v_ = new LengthBox(say("From, up"), -5, 5);
   sewn_ = new QLabel;
@@ -151,11 +171,13 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   stays_ = new LengthChoice(session);
   form->addRow(word(say("Length")), length_);
   form->addRow(stays_);
+  form->addRow(word(say("Take in")), takeIn_);
   form->addRow(word(say("From, across")), u_);
   form->addRow(word(say("From, up")), v_);
   form->addRow(word(say("Sewn to")), sewn_);
   form->addRow(new EdgeNumbers(session));
-  below->addWidget(edgeBoard_);
+  below->addWidget(edgeBoard_);  // who chose an edge asks for its numbers first
+  below->addWidget(pieceBoard_);
   below->addStretch(1);
 
   tree_->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -251,6 +273,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
     if (!filling_ && session_.selection().edge) session_.perform(stays_->length(formula.toStdString(), metres));
   });
   connect(length_, &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
+  connect(takeIn_, &LengthBox::typed, this, &GarmentPanel::takeIn);
   for (LengthBox* box : {u_, v_})
     connect(box, &LengthBox::typed, this, [this] {
       edgeTyped([this](const Piece& piece) -> Result<Outline> {
@@ -259,6 +282,35 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
         return moved->outline;
       });
     });
+}
+
+// Seam and partner alike, so that they still fit: a centimetre at the side is one off the front and one off the back.
+void GarmentPanel::takeIn(double metres) {
+  if (filling_ || !session_.selection().edge || metres == 0) return;
+  const Document& document = session_.snapshot().document;
+  const EdgeNear& chosen = *session_.selection().edge;
+  std::vector<EdgeSpan> edges{{chosen.piece, chosen.edge, 0, 1}};
+  const auto lies = [&](const EdgeSpan& span) { return span.piece == chosen.piece && span.edge == chosen.edge; };
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto& [own, other] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)})
+      if (std::any_of(own->begin(), own->end(), lies))
+        for (const EdgeSpan& span : *other)
+          if (span.piece != chosen.piece) edges.push_back(span);
+  std::vector<ReshapePiece> steps;
+  for (const EdgeSpan& edge : edges) {
+    const Piece* piece = document.find(edge.piece);
+    if (std::any_of(steps.begin(), steps.end(), [&](const ReshapePiece& s) { return s.piece.id == piece->id; }))
+      continue;
+    auto moved = movedEdge(*piece, edge.edge, metres);
+    if (moved)
+      if (const auto symmetry = symmetryOf(piece->outline))
+        moved = checked(onBothHalves(piece->outline, *std::move(moved), *symmetry));
+    if (!moved) return session_.refuse(moved.error());
+    ReshapePiece& step = steps.emplace_back();
+    step.piece = piece->id;
+    step.outline = *std::move(moved);
+  }
+  for (ReshapePiece& step : steps) session_.perform(std::move(step));
 }
 
 void GarmentPanel::edgeTyped(const std::function<Result<Outline>(const Piece&)>& change) {
@@ -403,6 +455,7 @@ void GarmentPanel::fillProperties() {
     if (const Edge* edge = findEdge(*piece, selection.edge->edge)) {
       showName(*edgeName_, edge->name, inWords(edgeNameSaid(document, *piece, edge->name)));
       length_->setMetres(edge->curve.length());
+      takeIn_->setMetres(0);
       stays_->refresh();
       u_->setMetres(edge->curve.start.u);
       v_->setMetres(edge->curve.start.v);

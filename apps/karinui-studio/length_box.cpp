@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <QToolTip>
 #include <optional>
+#include <utility>
 
 #include "karinui/base/number.h"
 #include "theme.h"
@@ -24,6 +25,7 @@ LengthBox::LengthBox(const Message& name, double low, double high) {
   setSingleStep(0.005);
   setKeyboardTracking(false);
   setButtonSymbols(QAbstractSpinBox::NoButtons);
+  lineEdit()->installEventFilter(this);
   Theme::here().keep(this, [this, name] {
     setAccessibleName(inWords(name));
     setMetres(value());
@@ -64,9 +66,24 @@ bool LengthBox::enterFormula() {
 
 void LengthBox::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (!enter || !holdsFormula()) return QDoubleSpinBox::keyPressEvent(event);
-  enterFormula();
-  event->accept();
+  if (!enter || !holdsFormula())
+    QDoubleSpinBox::keyPressEvent(event);
+  else if (event->accept(); !enterFormula())
+    return;
+  if (enter && byMouse_) emit left();
+}
+
+// What is typed after a click into the box takes the place of what stood there, as it does after Tab.
+void LengthBox::focusInEvent(QFocusEvent* event) {
+  QDoubleSpinBox::focusInEvent(event);
+  if (event->reason() == Qt::PopupFocusReason || event->reason() == Qt::ActiveWindowFocusReason) return;
+  clickedInto_ = byMouse_ = event->reason() == Qt::MouseFocusReason;
+}
+bool LengthBox::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::MouseButtonRelease && std::exchange(clickedInto_, false) &&
+      !lineEdit()->hasSelectedText())
+    QMetaObject::invokeMethod(this, &LengthBox::selectAll, Qt::QueuedConnection);
+  return QDoubleSpinBox::eventFilter(watched, event);
 }
 
 // A formula that is no good goes when one leaves the box, as a number does that is none.
@@ -76,7 +93,7 @@ void LengthBox::focusOutEvent(QFocusEvent* event) {
 }
 
 QString LengthBox::textFromValue(double metres) const {
-  return value() == minimum() && !specialValueText().isEmpty() ? specialValueText() : lengthText(metres, 2);
+  return metres == minimum() && !specialValueText().isEmpty() ? specialValueText() : lengthText(metres, 2);
 }
 double LengthBox::valueFromText(const QString& text) const { return metresIn(text).value_or(value()); }
 QValidator::State LengthBox::validate(QString& text, int&) const {

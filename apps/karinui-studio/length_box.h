@@ -25,18 +25,23 @@ class LengthBox : public QDoubleSpinBox {
   void typed(double metres);
   void formulaTyped(const QString& formula, double metres);
   void refused(const karinui::Error& why);  // of a formula that was entered; its text stays
+  void left();                              // Return was struck in a box that was clicked into
 
  protected:
   QString textFromValue(double metres) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& at) const override;
   void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   bool holdsFormula() const;
   bool enterFormula();  // false: refused
   std::function<Result<double>(const std::string&)> formulaValue_;
+  bool clickedInto_ = false;  // by the click that is under way
+  bool byMouse_ = false;      // it has the focus by a click
 };
 
 }  // namespace karinui::studio

@@ -25,6 +25,8 @@
 #include "guide.h"
 #include "karinui/design/step_words.h"
 #include "keys.h"
+#include "length_box.h"
+#include "notices.h"
 #include "orbit.h"
 #include "start_page.h"
 #include "theme.h"
@@ -139,12 +141,7 @@ MainWindow::MainWindow(SessionOptions options) {
 
   connect(table_, &PatternView::left, place_, &QLabel::clear);
 
-  toast_ = new QLabel(space_);
-  toast_->setObjectName("toast");
-  toast_->setWordWrap(true);
-  toast_->setAlignment(Qt::AlignCenter);
-  toast_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  toast_->hide();
+  notices_ = new Notices(space_);
   mend_ = new QPushButton(space_);
   mend_->setObjectName("mend");
   mend_->setCursor(Qt::ArrowCursor);
@@ -155,14 +152,17 @@ MainWindow::MainWindow(SessionOptions options) {
     mend_->setToolTip(inWords(info(Command::Mend).hint));
   });
   connect(mend_, &QPushButton::clicked, this, [this] { run(Command::Mend); });
-  toastTime_.setSingleShot(true);
-  connect(&toastTime_, &QTimer::timeout, this, [this] { toast_->hide(), mend_->hide(); });
+  connect(notices_, &Notices::newestGone, mend_, &QWidget::hide);
 
   spaceMenu_ = new DropMenuFrame(*session_, space_);
   tableMenu_ = new DropMenuFrame(*session_, table_);
   for (DropMenuFrame* menu : {spaceMenu_, tableMenu_})
     connect(menu, &DropMenuFrame::chosen, this, [this] { refresh(); });
 
+  // Keys are the views' again after a click on a button and after a typed number: Space settles, and presses nothing.
+  for (QPushButton* button : boards_->findChildren<QPushButton*>()) button->setFocusPolicy(Qt::TabFocus);
+  for (LengthBox* box : boards_->findChildren<LengthBox*>())
+    connect(box, &LengthBox::left, space_, [this] { space_->setFocus(); });
   nameForScreenReaders();
   makeActions();
   makeMenus();
@@ -171,6 +171,7 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(space_, &SpaceView::failed, this, [this](const QString& why) { statusBar()->showMessage(why); });
   connect(space_, &SpaceView::menuAsked, this, &MainWindow::menuAt);
   connect(table_, &PatternView::menuAsked, this, &MainWindow::menuAt);
+  connect(garment, &GarmentPanel::blockAsked, this, [this] { askNumbers(DraftBlock{}); });
   connect(garment, &GarmentPanel::menuAsked, this,
           [this](const QPoint& global) { menuOf(session_->selection(), std::nullopt, global); });
   space_->installEventFilter(this);
@@ -186,7 +187,7 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(&Theme::here(), &Theme::changed, this, [this] {
     session_->setLanguage(Theme::here().language());
     session_->setInches(Theme::here().inches());
-    toast_->hide();  // what it says is in the other language
+    notices_->clear();  // what they say is in the other language
     seen_.history = ~0ull;
     refresh();
   });
@@ -275,6 +276,7 @@ void MainWindow::refresh() {
   for (const Notice& notice : session_->takeNotices()) tell(notice);
   const SessionChanges now = session_->changes();
   if (atStart() && (!session_->path().empty() || !session_->steps().empty())) leaveStart();
+  if (auto asked = session_->takeAsked()) askNumbers(*std::move(asked));
   if (const auto view = session_->takeView()) {
     const std::map<Command, View> views{{Command::ViewFront, View::Front},
                                         {Command::ViewBack, View::Back},
@@ -309,7 +311,7 @@ void MainWindow::refresh() {
                                    "  –  Karinui");
     if (!path.isEmpty()) remember(path);
   }
-  if (mend_->isVisible() && !session_->can(Command::Mend)) mend_->hide(), toast_->hide();
+  if (mend_->isVisible() && !session_->can(Command::Mend)) mend_->hide(), notices_->clearNewest();
   for (Panel* panel : panels_) panel->refresh();
   if (variables_ && variables_->isVisible()) variables_->refresh();
   for (const auto& [command, action] : actions_) {
@@ -323,11 +325,15 @@ void MainWindow::refresh() {
     if (action->isCheckable()) action->setChecked(isOn(command));
   }
   const Busy busy = session_->busy();
+  notices_->hold(!session_->idle());
   progress_->setVisible(busy.any);
   progress_->setValue(static_cast<int>(1000 * busy.fraction));
   actions_[Command::Settle]->setIcon(Theme::here().icon(busy.settling ? "pause" : "settle"));
   const QString keys = inWords(session_->keyHint());
-  hint_->setText(atStart() && !busy.any            ? QString()
+  hint_->setText(atStart() && !busy.any ? QString()
+                 : busy.past            ? inWords(say("The garment as it was; the new one is on its way")) +
+                                   (busy.doing.empty() ? QString() : ": " + inWords(busy.doing)) + "   –   " +
+                                   inWords(say("Space stops"))
                  : busy.settling                   ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
                  : keys.isEmpty()                  ? inWords(session_->hint())
@@ -353,7 +359,7 @@ void MainWindow::tellFingertip(const QString& keys) {
   Heard now;
   if (!keys.isEmpty()) {
     const QString asked = spaceMenu_->heard() + tableMenu_->heard();
-    const QString answer = !asked.isEmpty() ? asked : toast_->isVisible() ? toast_->text() : QString();
+    const QString answer = !asked.isEmpty() ? asked : notices_->visible() ? notices_->newest() : QString();
     now = {inWords(session_->underFingertip()) + ".", answer, inWords(session_->hint()), keys + "."};
   }
   const Heard before = std::exchange(heard_, now);
@@ -364,21 +370,11 @@ void MainWindow::tellFingertip(const QString& keys) {
 }
 
 void MainWindow::tell(const Notice& notice) {
-  toast_->setText(inWords(notice.what));
-  const QColor back = notice.kind == Notice::Kind::Refused  ? QColor("#8f2f1d")
-                      : notice.kind == Notice::Kind::Advice ? QColor("#7a5a12")
-                                                            : QColor("#2f4a3c");
-  toast_->setStyleSheet(
-      QString(
-          "QLabel#toast { background: %1; color: white; border-radius: 10px; padding: 10px 18px; font-size: 10.5pt; }")
-          .arg(back.name()));
   const bool mends = notice.kind == Notice::Kind::Advice && session_->can(Command::Mend);
+  notices_->tell(notice.kind, inWords(notice.what), mends);
   mend_->setVisible(mends);
-  placeToast();
-  toast_->show();
-  toast_->raise();
+  placeNotices();
   mend_->raise();
-  toastTime_.start(notice.kind == Notice::Kind::Said ? 3500 : mends ? 30000 : 8000);
 }
 
 void MainWindow::goToNextPart() {
@@ -393,21 +389,18 @@ void MainWindow::goToNextPart() {
   to->setFocus(Qt::TabFocusReason);
 }
 
-void MainWindow::placeToast() {
+void MainWindow::placeNotices() {
   const int room = atStart() ? start_->width() : static_cast<int>(space_->freeWidth());
-  const int wide = std::min(room - 24, 620);
-  toast_->setFixedWidth(wide);
-  toast_->adjustSize();
-  toast_->move((room - wide) / 2, 12);
   mend_->adjustSize();
-  mend_->move((room - mend_->width()) / 2, toast_->geometry().bottom() + 6);
+  const int below = notices_->place(room, mend_->isVisibleTo(mend_->parentWidget()) ? mend_->height() + 6 : 0);
+  mend_->move((room - mend_->width()) / 2, below + 6);
 }
 
-QString MainWindow::said() const { return toast_->text(); }
+QString MainWindow::said() const { return notices_->newest(); }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  placeToast();
+  placeNotices();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -428,6 +421,7 @@ void MainWindow::showStart() {
     start_ = new StartPage;
     parts_->addWidget(start_);
     connect(start_, &StartPage::freshAsked, this, &MainWindow::askNew);
+    connect(start_, &StartPage::blockAsked, this, &MainWindow::askBlock);
     connect(start_, &StartPage::openAsked, this, &MainWindow::askOpen);
     connect(start_, &StartPage::importAsked, this, &MainWindow::askImport);
     connect(start_, &StartPage::guideAsked, this, &MainWindow::startGuide);
@@ -442,21 +436,19 @@ void MainWindow::showStart() {
   start_->fill();
   parts_->setCurrentWidget(start_);
   for (QToolBar* bar : {top_, tools_}) bar->hide();
-  toast_->setParent(start_);
-  toast_->hide();
+  notices_->moveTo(start_);
+  notices_->clear();
   start_->setFocus();
   seen_.history = ~0ull;
   refresh();
 }
 
 void MainWindow::leaveStart() {
-  const bool told = toast_->isVisible();
   start_->leave();
   parts_->setCurrentIndex(0);
   for (QToolBar* bar : {top_, tools_}) bar->show();
-  toast_->setParent(space_);
-  placeToast();
-  toast_->setVisible(told);
+  notices_->moveTo(space_);
+  placeNotices();
   space_->setFocus();
   seen_.history = ~0ull;
 }

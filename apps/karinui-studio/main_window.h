@@ -23,6 +23,7 @@ namespace karinui::studio {
 class DropMenuFrame;
 class ForceFeedback;
 class Guide;
+class Notices;
 class VariablesDialog;
 
 // The window's size the first time, from what the screen has room for.
@@ -75,7 +76,7 @@ class MainWindow : public QMainWindow {
   void tell(const Notice& notice);
   void tellFingertip(const QString& keys);  // to those who hear the screen; no keys: there is none
   void goToNextPart();                      // of the window, with the keys
-  void placeToast();
+  void placeNotices();
   void showDropMenu();
   void run(Command command);
   void askNew();
@@ -96,10 +97,16 @@ class MainWindow : public QMainWindow {
   void makeStereoMenu();
   void setFullScreen(bool on);
   void menuAt(const PointerSample& sample, const QPoint& global);  // chooses what lies there first
-  void menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global);
+  void menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global,
+              const std::optional<EdgeNear>& led = std::nullopt);
+  void askNumbers(Operation operation);  // before it is done
+  void askBlock();                       // a new garment from a ready block
   void menuOfPlace(PlacePiece place, const QPoint& global);
   void offer(QMenu& menu, const Message& words, Operation operation);
-  void addEdgeOperations(QMenu& menu, const EdgeNear& near);
+  void offer(QMenu& menu, const Message& words, std::function<void()> what);
+  // `led`: the edge that was chosen before, which may be led along this one.
+  void addEdgeOperations(QMenu& menu, const EdgeNear& near, const std::optional<EdgeNear>& led);
+  void addNewPieces(QMenu& menu);
   void addPieceOperations(QMenu& menu, const Selection& chosen);
   // In the folder of documents; of a file that is not there yet.
   QString freshPath(const QString& name, const FileFormat& format = fileFormat("document")) const;
@@ -118,14 +125,15 @@ class MainWindow : public QMainWindow {
   QAction* fullScreen_ = nullptr;
   QToolBar* tools_ = nullptr;
   QToolBar* top_ = nullptr;
-  QLabel *hint_, *place_, *toast_;
+  QLabel *hint_, *place_;
+  Notices* notices_;
   DropMenuFrame *spaceMenu_, *tableMenu_;  // where a drag was dropped
   QAction* mirrorSeams_ = nullptr;
   using Heard = std::array<QString, 4>;
   Heard heard_;  // last of the fingertip
   QProgressBar* progress_;
   QPushButton* mend_ = nullptr;  // under the toast: does what it advises
-  QTimer toastTime_, wake_;
+  QTimer wake_;
   Guide* guide_ = nullptr;
   VariablesDialog* variables_ = nullptr;  // null: not asked for yet
   Cap* cap_ = nullptr;

@@ -23,6 +23,7 @@ MeasureRow::MeasureRow(const Message& name) : box_(new LengthBox(name, 0, 2.6)),
   box_->setMetres(0);
   box_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   Theme::here().keep(slider_, [this, name] { slider_->setAccessibleName(inWords(name)); });
+  slider_->setFocusPolicy(Qt::ClickFocus);  // Tab goes from box to box, and Up and Down turn the box
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(box_);

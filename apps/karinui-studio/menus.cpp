@@ -9,6 +9,7 @@
 #include "force_feedback.h"
 #include "guide.h"
 #include "main_window.h"
+#include "notices.h"
 #include "theme.h"
 #include "variables_dialog.h"
 
@@ -136,9 +137,12 @@ void MainWindow::makeMenus() {
   for (const CommandInfo& about : commands())
     if (isTool(about.command)) work->addAction(actions_[about.command]);
   work->addSeparator();
+  QMenu* pieces = work->addMenu(QString());
+  Theme::here().keep(pieces, [pieces] { pieces->setTitle(inWords(say("New piece"))); });
+  addNewPieces(*pieces);
   QMenu* blocks = work->addMenu(QString());
   Theme::here().keep(blocks, [blocks] { blocks->setTitle(inWords(say("Ready blocks"))); });
-  fillBlocks(*blocks, *session_);
+  fillBlocks(*blocks, *session_, [this] { askNumbers(DraftBlock{}); });
   work->addSeparator();
   work->addAction(actions_[Command::Settle]);
   work->addAction(actions_[Command::Confirm]);
@@ -216,6 +220,7 @@ void MainWindow::makeMenus() {
 
   QMenu* help = menu(say("Help"));
   add(help, say("A first garment, step by step"), "", "F1", [this] { startGuide(); });
+  add(help, say("What was said…"), "", "", [this] { notices_->showAll(this); })->setObjectName("what_was_said");
   add(help, say("About Karinui"), "", "", [this] {
     QMessageBox::about(
         this, "Karinui",

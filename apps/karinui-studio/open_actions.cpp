@@ -1,5 +1,6 @@
 // Garments, patterns and bodies that come into the window.
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -23,6 +24,17 @@
 #include "theme.h"
 
 namespace karinui::studio {
+
+namespace {
+
+// Installed beside the program, else those of the sources it was built from.
+QString examplesFolder() {
+  const QDir here(QCoreApplication::applicationDirPath());
+  const QString installed = here.filePath("../share/karinui/examples");
+  return QDir(installed).exists() ? installed : here.filePath("../../../examples");
+}
+
+}  // namespace
 
 QString MainWindow::freshPath(const QString& name, const FileFormat& format) const {
   const QDir folder(QString::fromStdString(documentsFolder().string()));
@@ -81,7 +93,7 @@ void MainWindow::newGarment(const std::string& size, const QString& path) {
 
 void MainWindow::openExample(const QString& name) {
   session_->begin(DocumentFile::inMemory());
-  session_->importPattern(QString(KARINUI_EXAMPLES "/%1.ops").arg(name).toStdString());
+  session_->importPattern(QDir(examplesFolder()).filePath(name + ".ops").toStdString());
   refresh();
 }
 

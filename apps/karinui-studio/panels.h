@@ -54,12 +54,14 @@ class GarmentPanel : public Panel {
   void refresh() override;
 
  signals:
+  void blockAsked();                     // with its numbers typed
   void menuAsked(const QPoint& global);  // of what is chosen in the tree
 
  private:
   void fillTree();
   void fillProperties();
   void edgeTyped(const std::function<Result<Outline>(const Piece&)>& change);
+  void takeIn(double metres);  // the chosen edge, and what is sewn to it
   QTreeWidget* tree_;
   QWidget* pieceBoard_;
   QWidget* edgeBoard_;
@@ -71,7 +73,7 @@ class GarmentPanel : public Panel {
   QLabel* area_;
   LookBoard* look_;
   QLineEdit* edgeName_;
-  LengthBox *length_, *u_, *v_;
+  LengthBox *length_, *takeIn_, *u_, *v_;
   LengthChoice* stays_;
   QLabel* sewn_;
   Selection selectionShown_;

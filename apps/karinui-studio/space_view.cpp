@@ -317,6 +317,15 @@ std::shared_ptr<const VisibleParts> SpaceView::visibleOf(const BodyPtr& body) {
   return kept;
 }
 
+// The garment as it was, while the new one is being worked out: it can be told from one that is at rest.
+void SpaceView::dim(SceneFrame& frame) {
+  constexpr float kCover = 0.42f, kGrey = 0.55f, kTo = 0.6f;
+  for (SceneCloth& cloth : frame.cloths) {
+    cloth.look.cover = std::min(cloth.look.cover, kCover);
+    for (float& part : cloth.colour) part += kTo * (kGrey - part);
+  }
+}
+
 void SpaceView::showGarment() {
   const SnapshotPtr fitting = session_.shownPtr();
   const Preview preview = session_.preview();
@@ -325,6 +334,7 @@ void SpaceView::showGarment() {
   if (garmentShown_ == now && !carried && (!fine_ || soft_)) return;
   Mapped own = mapped(fitting);
   SceneFrame& frame = own.frame;
+  if (session_.busy().past && map_ == FitMap::None) dim(frame);
   Mapped then;
   if (beside()) then = mapped(beside_.fitting);
   pressure_.keepOnly({fitting, beside_.fitting});

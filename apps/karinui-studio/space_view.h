@@ -90,7 +90,8 @@ class SpaceView : public QOpenGLWidget {
   void cameraMoved(bool moving = true);  // false: a single step to another view
   Camera framed(View view) const;        // all of the fitting, in the part of the view that is free
   void restSoon();                       // the still picture, when nothing has moved for a moment
-  void frameAnew();                      // after the view's shape changed, unless it was turned, panned or zoomed
+  static void dim(SceneFrame& frame);
+  void frameAnew();  // after the view's shape changed, unless it was turned, panned or zoomed
   void showGarment();
   std::shared_ptr<const VisibleParts> visibleOf(const BodyPtr& body);
   ViewCut visibleCut_;

@@ -26,6 +26,7 @@ class StartPage : public QWidget {
 
  signals:
   void freshAsked();
+  void blockAsked();
   void openAsked();
   void importAsked();
   void guideAsked();

@@ -8,6 +8,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "karinui/design/step_words.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -22,6 +23,18 @@ std::size_t stepGiving(const Session& session, const std::string& name) {
     if (const auto* given = std::get_if<SetVariable>(&session.steps()[i - 1].operation))
       if (given->name == name) return given->remove ? 0 : i;
   return 0;
+}
+
+// Edges by the names of their pieces, as one types them.
+QString asTyped(const Document& document, const std::string& text) {
+  const auto formula = Formula::parse(text);
+  const auto named = formula ? formula->changed([&](FormulaTerm& term) -> Done {
+    const Piece* piece = term.kind == FormulaTerm::Kind::Edge ? document.find(term.edge.piece.id) : nullptr;
+    if (piece) term.edge.piece = PieceRef(piece->name);
+    return {};
+  })
+                             : formula;
+  return QString::fromStdString(named ? named->text() : text);
 }
 
 }  // namespace
@@ -64,9 +77,10 @@ VariablesDialog::VariablesDialog(Session& session, QWidget* parent) : QDialog(pa
     formula_->setAccessibleName(inWords(say("Formula")));
     add_->setText(inWords(say("Add")));
     remove_->setText(inWords(say("Remove")));
-    about->setText(
-        inWords(say("Formulas have numbers with units, measures (bust_girth), variables and the lengths of edges "
-                    "(front.side_left). A formula changed here plays all later steps again.")));
+    about->setText(inWords(say(
+        "Formulas have numbers with units, measures (bust_girth), variables and the lengths of edges "
+        "(front.side_left). A formula changed here plays all later steps again. An edge whose length is given by other "
+        "edges is linked to them and stands here too; removed here, it keeps its length.")));
     refresh();
   });
   resize(560, 360);
@@ -79,7 +93,7 @@ VariablesDialog::VariablesDialog(Session& session, QWidget* parent) : QDialog(pa
   connect(formula_, &QLineEdit::returnPressed, add_, &QPushButton::click);
   connect(remove_, &QPushButton::clicked, this, &VariablesDialog::remove);
   connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
-    if (!filling_ && item->column() == 1) give(utf8(table_->item(item->row(), 0)->text()), utf8(item->text()));
+    if (!filling_ && item->column() == 1) give(nameIn(item->row()), utf8(item->text()));
   });
 }
 
@@ -99,11 +113,16 @@ void VariablesDialog::give(const std::string& name, const std::string& formula) 
     session_.amend(step, set);
 }
 
+// As scripts have it; a linked edge is shown by what it is called.
+std::string VariablesDialog::nameIn(int row) const {
+  return table_->item(row, 0)->data(Qt::UserRole).toString().toStdString();
+}
+
 void VariablesDialog::remove() {
   const int row = table_->currentRow();
   if (row < 0) return;
   SetVariable set;
-  set.name = utf8(table_->item(row, 0)->text());
+  set.name = nameIn(row);
   set.remove = true;
   session_.perform(set);
 }
@@ -123,8 +142,12 @@ void VariablesDialog::refresh() {
       item->setToolTip(text);
       table_->setItem(i, at, item);
     };
-    put(0, QString::fromStdString(row.name), false);
-    put(1, QString::fromStdString(row.formula), true);
+    const bool edge = row.name.find('.') != std::string::npos;
+    const auto formula = edge ? Formula::parse(row.name) : Result<Formula>(Error{});
+    const auto* of = formula && formula->terms().size() == 1 ? &formula->terms().front().edge : nullptr;
+    put(0, of ? inWords(edgeSaid(session_.snapshot().document, *of)) : QString::fromStdString(row.name), false);
+    table_->item(i, 0)->setData(Qt::UserRole, QString::fromStdString(row.name));
+    put(1, asTyped(session_.snapshot().document, row.formula), true);
     put(2,
         row.value ? QString::fromStdString(quantitySaid(*row.value, Theme::here().inches()))
                   : inWords(row.value.error().what),

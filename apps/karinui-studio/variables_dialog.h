@@ -26,6 +26,7 @@ class VariablesDialog : public QDialog {
 
  private:
   void give(const std::string& name, const std::string& formula);
+  std::string nameIn(int row) const;
   void remove();
   Session& session_;
   QTableWidget* table_;

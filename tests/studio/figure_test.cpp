@@ -74,7 +74,22 @@ TEST(StudioFigure, TheGarmentIsInSightWhileItIsMadeAgain) {
   const std::string stood = drapeHash(w.session().snapshot().document);
   const SetBody former = *w.session().figure();
   std::set<Look> looks;
+  int dimmed = 0, bright = 0;
+  QString doing;
+  const auto grey = [&] {  // of the picture's middle: the cloth of the chest
+    const QImage all = w.space().grabFramebuffer();
+    if (const char* folder = std::getenv("KARINUI_PICTURES"))
+      all.save(QString(folder) + (w.session().busy().past ? "/studio_dimmed.png" : "/studio_bright.png"));
+    const QImage chest = all.copy(all.width() / 2 - 20, all.height() / 3 - 20, 40, 40);
+    double colour = 0;
+    for (int y = 0; y < chest.height(); ++y)
+      for (int x = 0; x < chest.width(); ++x) colour += chest.pixelColor(x, y).hslSaturationF();
+    return colour / (chest.width() * chest.height());
+  };
+  const double before = grey();
   const auto look = [&] {
+    (w.session().busy().past ? dimmed : bright) += 1;
+    if (w.session().busy().past) doing += w.main().findChild<QLabel*>("hint")->text() + "\n";
     const GarmentSnapshot& shown = w.session().shown();
     std::size_t points = 0;
     for (const SceneCloth& cloth : shown.frame.cloths) points += cloth.mesh.points.size();
@@ -86,7 +101,15 @@ TEST(StudioFigure, TheGarmentIsInSightWhileItIsMadeAgain) {
   const auto a = QObject::connect(&w.space(), &SpaceView::painted, look);
   w.type(w.box("Bust girth"), "92");
   EXPECT_TRUE(w.session().busy().any);
+  ASSERT_TRUE(w.session().busy().past);
+  const double dim = grey();
+  ASSERT_TRUE(w.session().busy().past) << "still";
+  EXPECT_LT(dim, 0.7 * before) << "its colours are dimmed";
   w.rest();
+  EXPECT_GT(dimmed, 0) << "the garment as it was";
+  EXPECT_GT(bright, 0) << "and then the new one";
+  EXPECT_FALSE(w.session().busy().past);
+  EXPECT_THAT(doing.toStdString(), testing::HasSubstr("The garment as it was; the new one is on its way"));
   EXPECT_NE(drapeHash(w.session().snapshot().document), stood);
   EXPECT_GE(looks.size(), 3u) << "before, on its way and after";
 

@@ -1,8 +1,12 @@
 // Numbers by formula, the table of variables and the board of measures, in the real window.
 #include <gmock/gmock.h>
 
+#include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QTableWidget>
+#include <QTest>
 #include <fstream>
 
 #include "karinui/body/tape_path.h"
@@ -16,7 +20,9 @@
 namespace karinui::studio {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Two pieces on a figure, nothing draped.
 void begin(Window& w) {
@@ -170,6 +176,31 @@ TEST(StudioFormulas, AFileOfMeasuresIsWorn) {
   const auto measured = [&](const char* key) { return w.session().snapshot().body->measured().value.at(key); };
   EXPECT_NEAR(measured("waist_girth"), 0.76, 0.003) << w.main().said().toStdString();
   EXPECT_NEAR(measured("hip_girth"), 1.02, 0.003);
+  // What it left out stays in sight when the next sentence comes, until it is clicked away; and can be read again.
+  const auto shown = [&] {
+    QStringList words;
+    for (const QLabel* toast : w.main().findChildren<QLabel*>("toast")) words << toast->text();
+    return words.join("\n").toStdString();
+  };
+  EXPECT_THAT(shown(), HasSubstr("Left out"));
+  w.session().refuse(refused(say("There is no such step in this document.")));
+  w.rest();
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("no such step"));
+  EXPECT_THAT(shown(), AllOf(HasSubstr("no such step"), HasSubstr("Left out")));
+  const auto both = w.main().findChildren<QLabel*>("toast");
+  ASSERT_EQ(both.size(), 2);
+  EXPECT_FALSE(both[0]->geometry().intersects(both[1]->geometry()));
+  w.keep("studio_notices");
+  for (QLabel* toast : both)
+    if (toast->text().startsWith("Left out")) QTest::mousePress(toast, Qt::LeftButton);
+  EXPECT_THAT(shown(), Not(HasSubstr("Left out")));
+  auto* again = w.main().findChild<QAction*>("what_was_said");
+  ASSERT_TRUE(again);
+  again->trigger();
+  auto* said = w.main().findChild<QDialog*>("said");
+  ASSERT_TRUE(said);
+  EXPECT_FALSE(said->findChild<QListWidget*>()->findItems("Left out", Qt::MatchStartsWith).isEmpty());
+  delete said;
   std::ofstream(file) << "<!DOCTYPE vit><vit/>";
   const double waist = measured("waist_girth");
   w.open(file);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <QComboBox>
+#include <QDialog>
 #include <QMenu>
 #include <QTabWidget>
 #include <QTest>
@@ -164,10 +165,14 @@ TEST(StudioMenus, ABandAlongANecklineAndAPieceWrappedWhereOnePoints) {
   const Piece front = *w.session().snapshot().document.pieceNamed("front");
   const std::size_t before = w.count();
   rightClick(w, w.table(), w.onTable("front", findEdge(front, "neck_left")->curve.atFraction(0.5)));
-  choose(w, "Band along it");
+  choose(w, "Band along it…");
+  auto* numbers = w.main().findChild<QDialog*>("step_dialog");
+  ASSERT_TRUE(numbers);
+  QTest::mouseClick(numbers->findChild<QPushButton*>("make"), Qt::LeftButton);
+  w.rest();
   ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
   const std::string band = text(w.session().steps()[before].operation);
-  EXPECT_THAT(band, StartsWith("band name=band of="));
+  EXPECT_THAT(band, StartsWith("band name=collar of="));
   EXPECT_THAT(band, AllOf(HasSubstr("neck_left"), HasSubstr("neck_right"), HasSubstr("sew=yes")));
   EXPECT_EQ(w.session().steps()[before].operation.index(), Operation(DrawBand{}).index());
   EXPECT_EQ(std::get<DrawBand>(w.session().steps()[before].operation).of.size(), 4u) << "the whole neckline";

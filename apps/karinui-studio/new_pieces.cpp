@@ -1,0 +1,163 @@
+#include "new_pieces.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <memory>
+#include <numbers>
+
+#include "karinui/design/edge_run.h"
+#include "karinui/design/sewing.h"
+#include "main_window.h"
+#include "step_dialog.h"
+#include "theme.h"
+
+namespace karinui::studio {
+
+DrawBand bandAlong(const Document& document, const EdgeRef& edge) {
+  struct Usual {
+    const char *edge, *piece, *band;
+    double deep;  // metres
+  };
+  static constexpr Usual usual[] = {{"neck", "", "collar", 0.035},
+                                    {"waist", "", "waistband", 0.04},
+                                    {"hem", "sleeve", "cuff", 0.06},
+                                    {"wrist", "", "cuff", 0.06}};
+  const Piece* piece = document.find(edge.piece.id);
+  Usual made{"", "", "band", 0.04};
+  for (const Usual& one : usual)
+    if (edge.edge.find(one.edge) != std::string::npos && piece && piece->name.find(one.piece) != std::string::npos) {
+      made = one;
+      break;
+    }
+  DrawBand band;
+  band.of = runThrough(document, edge);
+  band.name = usableName(document, made.band);
+  band.depth = {made.deep};
+  band.sew = seamsOn(document, band.of).empty();
+  return band;
+}
+
+void MainWindow::askNumbers(Operation operation) {
+  if (session_->readOnly())
+    return session_->refuse(refused(say("This garment was opened for reading only; keep a copy to work on it.")));
+  auto* dialog = new StepDialog(*session_, std::move(operation), this);
+  connect(dialog, &StepDialog::performed, this, [this] { refresh(); });
+}
+
+void MainWindow::askBlock() {
+  auto* dialog = new QDialog(this);
+  dialog->setObjectName("block_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowModality(Qt::WindowModal);
+  dialog->setWindowTitle(inWords(say("Start from a block")));
+  auto* form = new QFormLayout(dialog);
+  form->setContentsMargins(24, 24, 24, 20);
+  form->setSpacing(12);
+  auto* size = new QComboBox;
+  size->setObjectName("size");
+  for (const std::string_view s : builtInSizes())
+    size->addItem(QString::fromUtf8(s.data(), static_cast<int>(s.size())).toUpper(),
+                  QByteArray(s.data(), static_cast<int>(s.size())));
+  form->addRow(asLabel(say("Figure")), size);
+  const OperationHelp& help = helpOf(Operation(DraftBlock{}));
+  auto fields = std::make_shared<std::vector<StepField>>();
+  const auto document = std::make_shared<Document>();  // the fields look at it
+  const auto make = [this, dialog, size, fields, document] {
+    std::vector<FieldText> texts;
+    for (const StepField& field : *fields)
+      if (std::string value = field.value(); !value.empty()) texts.push_back({field.name, std::move(value)});
+    const auto block = parseOperation(lineOf(DraftBlock::kName, texts));
+    if (!block) return session_->refuse(block.error());
+    newGarment(size->currentData().toByteArray().toStdString(), {});
+    session_->perform(*block);
+    dialog->accept();
+  };
+  for (const FieldHelp& field : help.fields)
+    for (const std::string_view asked : {"kind", "ease", "length", "fabric"})
+      if (field.name == asked) {
+        fields->push_back(stepField(*document, help.name, field, asked == "kind" ? "shirt" : "", make));
+        auto* label = new QLabel(asLabel(fieldSaid(help.name, field.name)));
+        label->setBuddy(fields->back().box);
+        form->addRow(label, fields->back().box);
+        if (auto* line = qobject_cast<QLineEdit*>(fields->back().box))
+          line->setPlaceholderText(inWords(say("by the block's own rule")));
+      }
+  auto* note = new QLabel(inWords(
+      say("The garment is drafted, sewn, put on the figure and draped. Type the person's measures on the board Body "
+          "afterwards: it is drafted anew from them.")));
+  note->setWordWrap(true);
+  note->setProperty("role", "faint");
+  form->addRow(note);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  buttons->button(QDialogButtonBox::Ok)->setText(inWords(say("Make it")));
+  buttons->button(QDialogButtonBox::Ok)->setObjectName("make");
+  buttons->button(QDialogButtonBox::Cancel)->setText(inWords(say("Cancel")));
+  form->addRow(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, dialog, make);
+  connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  dialog->open();
+}
+
+// The menu “New piece”: by numbers, without the pointer.
+void MainWindow::addNewPieces(QMenu& menu) {
+  menu.setObjectName("new_piece");
+  const auto named = [this](const char* name) { return usableName(session_->snapshot().document, name); };
+  const auto chosen = [this]() -> std::optional<EdgeRef> {
+    const auto& edge = session_->selection().edge;
+    return edge ? std::optional(EdgeRef{PieceRef(edge->piece), edge->edge}) : std::nullopt;
+  };
+  const auto add = [&](const char* name, const Message& words, bool ofEdge, std::function<Operation()> made) {
+    QAction* action = menu.addAction(QString());
+    action->setObjectName(QString("new_") + name);
+    action->setProperty("of_edge", ofEdge);
+    Theme::here().keep(action, [action, words] { action->setText(inWords(words)); });
+    connect(action, &QAction::triggered, this, [this, made = std::move(made)] { askNumbers(made()); });
+  };
+  add("rectangle", say("Rectangle…"), false, [named] {
+    DrawRectangle made;
+    made.name = named("rectangle");
+    made.width = {0.2}, made.height = {0.2};
+    return Operation(made);
+  });
+  add("circle", say("Circle…"), false, [named] {
+    DrawRing made;
+    made.name = named("circle");
+    made.depth = {0.1};
+    return Operation(made);
+  });
+  add("ring", say("Ring or sector, as for a circle skirt…"), false, [named, chosen, this] {
+    DrawRing made;
+    made.name = named("ring");
+    made.depth = {0.5};
+    made.angle = {std::numbers::pi};
+    if (const auto edge = chosen())
+      made.of = runThrough(session_->snapshot().document, *edge);
+    else
+      made.inner = Length{0.6};
+    return Operation(made);
+  });
+  add("polygon", say("Polygon…"), false, [named] {
+    DrawPolygon made;
+    made.name = named("polygon");
+    made.points = {{0, 0}, {0.2, 0}, {0.2, 0.15}, {0, 0.2}};
+    return Operation(made);
+  });
+  add("band", say("Band along the chosen edge…"), true,
+      [chosen, this] { return Operation(bandAlong(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
+  add("attach", say("Lead the chosen edge along others…"), true, [chosen] {
+    AttachPiece made;
+    if (const auto edge = chosen()) made.edge = *edge;
+    return Operation(made);
+  });
+  connect(&menu, &QMenu::aboutToShow, &menu, [this, &menu, chosen] {
+    for (QAction* action : menu.actions())
+      action->setEnabled(!session_->readOnly() && (!action->property("of_edge").toBool() || chosen()));
+  });
+}
+
+}  // namespace karinui::studio

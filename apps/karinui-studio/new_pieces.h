@@ -1,0 +1,12 @@
+#pragma once
+// What a new piece is before its numbers are typed. GUI thread.
+#include "karinui/design/operation.h"
+#include "karinui/session/garment_snapshot.h"
+
+namespace karinui::studio {
+
+// A band along the whole run of edges that one belongs to: a collar of a neckline, a waistband of a waist, a cuff of a
+// sleeve's hem, by what the edge and its piece are called; sewn, where none of the run is sewn yet.
+DrawBand bandAlong(const Document& document, const EdgeRef& edge);
+
+}  // namespace karinui::studio

@@ -1,0 +1,23 @@
+#pragma once
+// A piece as it will be cut, with the length of each edge beside it. GUI thread.
+#include <QWidget>
+
+#include "karinui/design/document.h"
+
+namespace karinui::studio {
+
+class OutlineDrawing : public QWidget {
+  Q_OBJECT
+ public:
+  explicit OutlineDrawing(QWidget* parent = nullptr);
+  void show(std::shared_ptr<const Piece> piece);  // null: nothing
+  QSize sizeHint() const override { return {360, 190}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::shared_ptr<const Piece> piece_;
+};
+
+}  // namespace karinui::studio

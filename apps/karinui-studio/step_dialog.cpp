@@ -1,0 +1,164 @@
+#include "step_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "karinui/design/variables.h"
+#include "outline_drawing.h"
+#include "theme.h"
+#include "variables_dialog.h"
+
+namespace karinui::studio {
+
+namespace {
+
+// What is asked at once; everything else an operation can be told is under “More”.
+constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
+    {"rectangle", "name width height fabric"},
+    {"polygon", "name points symmetric fabric"},
+    {"ring", "name inner radius depth angle fabric"},
+    {"band", "name depth ratio extra sew turn"},
+    {"attach", "edge to turn"},
+    {"block", "kind ease length fabric"},
+};
+
+bool isFirst(std::string_view operation, std::string_view field) {
+  for (const auto& [name, fields] : kFirst)
+    if (name == operation)
+      return (" " + std::string(fields) + " ").find(" " + std::string(field) + " ") != std::string::npos;
+  return true;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation operation) {
+  if (auto* band = std::get_if<DrawBand>(&operation)) band->sew = false;
+  const bool paper = std::holds_alternative<DrawRectangle>(operation) ||
+                     std::holds_alternative<DrawPolygon>(operation) || std::holds_alternative<DrawRing>(operation) ||
+                     std::holds_alternative<DrawBand>(operation);
+  if (!paper) return std::shared_ptr<const Piece>();
+  // Formulas are worked out for the figure that is there, which need not be built once more.
+  std::vector<FieldText> fields = fieldTexts(operation);
+  DocumentNames names = formulaNames(session);
+  for (const FieldText& formula : operation.formulas) {
+    const auto field =
+        std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == formula.name; });
+    const auto value = workedOut(formula.value, names);
+    if (!value) return value.error();
+    const std::string unit = value->dimension == kLength ? "m" : value->dimension == kAngle ? "rad" : "";
+    if (field != fields.end()) field->value = shortest(value->value) + unit;
+  }
+  auto plain = parseOperation(lineOf(nameOf(operation), fields));
+  if (!plain) return plain.error();
+  Workers workers;
+  MemoryBlobs blobs;
+  Bodies bodies;
+  const Token token;
+  Context context{workers, token, blobs, bodies, {}, {}};
+  const Document& before = session.snapshot().document;
+  const auto after = apply(before, *plain, context);
+  if (!after) return after.error();
+  for (const auto& [id, piece] : after->pattern.pieces)
+    if (!before.find(id)) return piece;
+  return std::shared_ptr<const Piece>();
+}
+
+StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
+    : QDialog(parent), session_(session), document_(session.snapshot().document), name_(nameOf(operation)) {
+  setObjectName("step_dialog");
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowModality(Qt::WindowModal);
+  setWindowTitle(inWords(*termSaid(Term::OperationName, name_)));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(20, 18, 20, 16);
+  auto* about = new QLabel(inWords(Message{helpOf(operation).help, {}}));
+  about->setWordWrap(true);
+  about->setProperty("role", "faint");
+  column->addWidget(about);
+  drawing_ = new OutlineDrawing;
+  column->addWidget(drawing_, 1);
+  main_ = new QFormLayout;
+  column->addLayout(main_);
+  auto* more = new QCheckBox(inWords(say("More")));
+  more->setObjectName("more");
+  column->addWidget(more);
+  rest_ = new QWidget;
+  more_ = new QFormLayout(rest_);
+  more_->setContentsMargins(0, 0, 0, 0);
+  rest_->hide();
+  column->addWidget(rest_);
+  connect(more, &QCheckBox::toggled, rest_, &QWidget::setVisible);
+  said_ = new QLabel;
+  said_->setObjectName("said");
+  said_->setWordWrap(true);
+  said_->setMinimumHeight(2 * said_->fontMetrics().lineSpacing());
+  column->addWidget(said_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  make_ = buttons->button(QDialogButtonBox::Ok);
+  make_->setText(inWords(say("Make it")));
+  make_->setObjectName("make");
+  buttons->button(QDialogButtonBox::Cancel)->setText(inWords(say("Cancel")));
+  column->addWidget(buttons);
+  connect(make_, &QPushButton::clicked, this, &StepDialog::perform);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  fill(operation);
+  more->setVisible(more_->rowCount() > 0);
+  show(wished());
+  open();
+}
+
+void StepDialog::fill(const Operation& operation) {
+  const OperationHelp& help = helpOf(operation);
+  const std::vector<FieldText> known = fieldTexts(operation);
+  QWidget* number = nullptr;
+  for (const FieldHelp& field : help.fields) {
+    const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
+    typed_.push_back(stepField(document_, help.name, field, value == known.end() ? std::string() : value->value,
+                               [this] { perform(); }));
+    QWidget* box = typed_.back().box;
+    auto* label = new QLabel(asLabel(fieldSaid(help.name, field.name)));
+    label->setBuddy(box);
+    (isFirst(help.name, field.name) ? main_ : more_)->addRow(label, box);
+    if (auto* line = qobject_cast<QLineEdit*>(box)) {
+      connect(line, &QLineEdit::textChanged, this, [this] { show(wished()); });
+      if (!number && (field.kind == "length" || field.kind == "u,v")) number = line;
+    }
+    if (auto* list = qobject_cast<QComboBox*>(box))
+      connect(list, &QComboBox::currentIndexChanged, this, [this] { show(wished()); });
+  }
+  if (auto* line = qobject_cast<QLineEdit*>(number)) line->setFocus(), line->selectAll();
+}
+
+Result<Operation> StepDialog::wished() const {
+  std::vector<FieldText> fields;
+  for (const StepField& field : typed_)
+    if (std::string value = field.value(); !value.empty()) fields.push_back({field.name, std::move(value)});
+  return parseOperation(lineOf(name_, fields));
+}
+
+void StepDialog::show(const Result<Operation>& wish) {
+  const Result<std::shared_ptr<const Piece>> piece =
+      wish ? tried(session_, *wish) : Result<std::shared_ptr<const Piece>>(wish.error());
+  make_->setEnabled(static_cast<bool>(piece));
+  said_->setText(piece ? QString() : inWords(piece.error().what));
+  drawing_->show(piece ? *piece : nullptr);
+  if (piece && !*piece) drawing_->hide();
+}
+
+void StepDialog::perform() {
+  const auto wish = wished();
+  show(wish);
+  if (!make_->isEnabled()) return;
+  session_.perform(*wish);
+  emit performed();
+  accept();
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,46 @@
+#pragma once
+// The numbers of one operation, typed before it is done: a rectangle, a ring, a band, a block. What a piece on paper
+// would be is drawn while one types, with the lengths of its edges, or the reason why it cannot be. GUI thread.
+#include <QDialog>
+
+#include "karinui/session/session.h"
+#include "step_field.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+
+namespace karinui::studio {
+
+class OutlineDrawing;
+
+class StepDialog : public QDialog {
+  Q_OBJECT
+ public:
+  // Opens on `operation` as it is, and deletes itself when it is closed.
+  StepDialog(Session& session, Operation operation, QWidget* parent);
+
+ signals:
+  void performed();
+
+ private:
+  void fill(const Operation& operation);
+  Result<Operation> wished() const;
+  void show(const Result<Operation>& wish);
+  void perform();
+  Session& session_;
+  Document document_;  // as it was when the dialog opened: the fields know its pieces
+  std::string name_;   // of the operation
+  QFormLayout *main_, *more_;
+  QWidget* rest_;  // holds more_
+  OutlineDrawing* drawing_;
+  QLabel* said_;
+  QPushButton* make_;
+  std::vector<StepField> typed_;
+};
+
+// The outline that a piece on paper would have; nothing to show for operations that make none, or need the body.
+Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation operation);
+
+}  // namespace karinui::studio

@@ -1,0 +1,313 @@
+// Pieces drawn on paper in the real window: tools, numbers, bands and leading along edges; ready blocks.
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTest>
+#include <QTimer>
+
+#include "drafts.h"
+#include "karinui/design/script.h"
+#include "step_dialog.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Numbers {  // the dialog that is open
+  Window& w;
+  QDialog* dialog;
+  explicit Numbers(Window& window, const char* name = "step_dialog")
+      : w(window), dialog(window.main().findChild<QDialog*>(name)) {}
+  explicit operator bool() const { return dialog != nullptr; }
+  QLineEdit& line(const char* field) { return *dialog->findChild<QLineEdit*>(field); }
+  void type(const char* field, const char* text) {
+    line(field).selectAll();
+    QTest::keyClicks(&line(field), text);
+  }
+  QString said() const { return dialog->findChild<QLabel*>("said")->text(); }
+  QPushButton& make() { return *dialog->findChild<QPushButton*>("make"); }
+  void accept() {
+    QTest::mouseClick(&make(), Qt::LeftButton);
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    w.rest();
+  }
+};
+
+const Piece& piece(Window& w, const char* name) {
+  const Piece* found = w.session().snapshot().document.pieceNamed(name);
+  EXPECT_TRUE(found) << name << ": " << w.main().said().toStdString();
+  static const Piece none;
+  return found ? *found : none;
+}
+double lengthOf(Window& w, const char* of, const char* edge) {
+  const Edge* found = findEdge(piece(w, of), edge);
+  EXPECT_TRUE(found) << of << "." << edge;
+  return found ? found->curve.length() : 0;
+}
+void menuOn(Window& w, const char* of, const char* edge) {
+  const Edge* at = findEdge(piece(w, of), edge);
+  w.drag(w.table(), {w.onTable(of, at->curve.atFraction(0.5))}, {}, {}, Qt::RightButton);
+}
+// An item of the context menu, by its words; closes it.
+bool choose(Window& w, const QString& words) {
+  for (QMenu* menu : w.main().findChildren<QMenu*>("context"))
+    for (QAction* action : menu->actions())
+      if (action->text() == words || (words.startsWith("*") && action->text().endsWith(words.mid(1)))) {
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        w.rest();
+        return true;
+      }
+  return false;
+}
+
+TEST(StudioNewPieces, AClickWithRectangleAsksForItsSizeAndAFormulaIsKept) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.key(Command::Rectangle);
+  w.click(w.table(), {40, 40});
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_EQ(w.count(), before) << "nothing is done yet";
+  numbers.type("width", "waist_girth/2 + 2cm");
+  numbers.type("height", "0");
+  EXPECT_THAT(numbers.said().toStdString(), HasSubstr("between 0 and 20 m"));
+  EXPECT_FALSE(numbers.make().isEnabled());
+  numbers.type("height", "12,5");
+  EXPECT_FALSE(numbers.make().isEnabled()) << "two numbers are no height";
+  numbers.type("height", "12.5");
+  EXPECT_EQ(numbers.said(), "");
+  w.keepDialog(*numbers.dialog, "studio_numbers");
+  numbers.accept();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), AllOf(StartsWith("rectangle name=rectangle"), HasSubstr("waist_girth/2 + 2cm")));
+  const double waist = w.session().snapshot().body->measured().value.at("waist_girth");
+  EXPECT_NEAR(lengthOf(w, "rectangle", "bottom"), waist / 2 + 0.02, 2e-3);
+  EXPECT_NEAR(lengthOf(w, "rectangle", "side_left"), 0.125, 1e-9);
+}
+
+TEST(StudioNewPieces, TheRingToolDrawsASectorAndAClickAsksForNumbers) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  std::size_t before = w.count();
+  w.key(Command::RingSector);
+  const QPointF middle(120, 60);
+  const QPointF zero = w.table().onScreen({0, 0});
+  const double metre = w.table().onScreen({1, 0}).x() - w.table().onScreen({0, 0}).x();
+  w.drag(w.table(), {middle, middle + QPointF(0.2 * metre, 0)});
+  EXPECT_EQ(w.count(), before) << "the inner edge is still to come";
+  w.hover(w.table(), middle + QPointF(0.1 * metre, 0));
+  EXPECT_FALSE(w.session().preview().table.lines.empty());
+  w.click(w.table(), middle + QPointF(0.1 * metre, 0));
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  const auto ring = std::get<DrawRing>(w.session().steps().back().operation);
+  EXPECT_NEAR(*ring.radius, 0.1, 1e-9);
+  EXPECT_NEAR(ring.depth, 0.1, 1e-9);
+  EXPECT_NEAR(ring.angle, M_PI, 1e-9) << "level with the middle: half a ring";
+  EXPECT_NEAR(lengthOf(w, "ring", "waist"), M_PI * 0.1, 1e-5);
+  // It lies where it was drawn.
+  const Flat origin = w.session().table().at(piece(w, "ring").id);
+  EXPECT_NEAR(origin.u, (middle.x() - zero.x()) / metre, 0.002);
+  EXPECT_NEAR(origin.v, (zero.y() - middle.y()) / metre, 0.002);
+  // By numbers: a quarter of a circle skirt round 70 cm.
+  before = w.count();
+  w.click(w.table(), {30, 200});
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  numbers.type("inner", "70");
+  numbers.type("angle", "90");
+  numbers.type("depth", "60 cm");
+  w.keepDialog(*numbers.dialog, "studio_ring");
+  numbers.accept();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_NEAR(lengthOf(w, "ring_2", "waist"), 0.7, 1e-5);
+  EXPECT_NEAR(lengthOf(w, "ring_2", "hem"), 0.7 + 0.6 * M_PI / 2, 1e-4);
+}
+
+TEST(StudioNewPieces, APolygonIsClickedByPointerAndByKeys) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  std::size_t before = w.count();
+  w.key(Command::Polygon);
+  w.click(w.table(), {30, 30});
+  w.click(w.table(), {110, 30});
+  w.drag(w.table(), {QPointF(120, 70)}, Qt::ControlModifier);
+  w.click(w.table(), {110, 110});
+  w.click(w.table(), {60, 130});
+  w.key(Command::Undo);
+  w.click(w.table(), {30, 110});
+  EXPECT_EQ(w.count(), before);
+  w.keep("studio_polygon");
+  w.click(w.table(), {30, 30});
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  const auto polygon = std::get<DrawPolygon>(w.session().steps().back().operation);
+  EXPECT_EQ(polygon.points.size(), 5u);
+  EXPECT_EQ(polygon.edges[2], "~");
+  EXPECT_EQ(piece(w, "polygon").outline.edges.size(), 4u);
+  // By keys: three places with the arrows, Enter twice at the last.
+  before = w.count();
+  w.main().activateWindow();
+  w.table().setFocus();
+  const auto strike = [&](int key, int times = 1) {
+    for (int i = 0; i < times; ++i) w.type(w.table(), key);
+  };
+  strike(Qt::Key_Tab);  // the fingertip is there
+  strike(Qt::Key_PageUp, 2);
+  strike(Qt::Key_Return);
+  strike(Qt::Key_Right, 3);
+  strike(Qt::Key_Return);
+  strike(Qt::Key_Down, 2);
+  strike(Qt::Key_Return, 2);
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString() << " " << w.last();
+  EXPECT_THAT(w.last(), StartsWith("polygon name=polygon_2 points="));
+  EXPECT_EQ(piece(w, "polygon_2").outline.edges.size(), 3u);
+}
+
+TEST(StudioNewPieces, ACollarOfTheNecklineByItsNumbers) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  const std::size_t before = w.count();
+  menuOn(w, "front", "neck_left");
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Band along it…")));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_EQ(numbers.line("name").text(), "collar");
+  numbers.type("depth", "5");
+  numbers.accept();
+  ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
+  const auto& band = std::get<DrawBand>(w.session().steps()[before].operation);
+  EXPECT_EQ(band.of.size(), 4u) << "the whole neckline";
+  EXPECT_TRUE(band.sew);
+  EXPECT_NEAR(lengthOf(w, "collar", "end_left"), 0.05, 1e-9);
+  double neck = 0;
+  for (const char* half : {"neck_left", "neck_right"}) neck += lengthOf(w, "front", half) + lengthOf(w, "back", half);
+  EXPECT_NEAR(lengthOf(w, "collar", "low"), neck, 1e-6);
+}
+
+TEST(StudioNewPieces, AChosenEdgeIsLedAlongOthersAndSewn) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  DrawRectangle frill;
+  frill.name = "frill";
+  frill.width = {lengthOf(w, "front", "hem_left") + lengthOf(w, "front", "hem_right") +
+                 lengthOf(w, "back", "hem_left") + lengthOf(w, "back", "hem_right")};
+  frill.height = {0.1};
+  w.session().perform(frill);
+  w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  const std::size_t before = w.count();
+  w.click(w.table(), w.onTable("frill", findEdge(piece(w, "frill"), "top")->curve.atFraction(0.5)));
+  ASSERT_TRUE(w.session().selection().edge);
+  ASSERT_EQ(w.session().selection().edge->edge, "top");
+  menuOn(w, "front", "hem_left");
+  ASSERT_TRUE(choose(w, "* along it and sew"));
+  ASSERT_GE(w.count(), before + 2) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("attach edge="));
+  EXPECT_THAT(text(w.session().steps()[before + 1].operation), StartsWith("sew a="));
+  EXPECT_TRUE(piece(w, "frill").form) << "it stands along the hem";
+}
+
+TEST(StudioNewPieces, HalvesAreUnfoldedFromTheMenuOfTheirEdge) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().perform(
+      *parseOperation("polygon name=yoke points=\"0,0; 20cm,0; 15cm,10cm; 0,8cm\" "
+                      "edges=\"hem side top fold\""));
+  w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Select);
+  menuOn(w, "yoke", "fold");
+  ASSERT_TRUE(choose(w, "Unfold on it: both halves"));
+  EXPECT_THAT(w.last(), StartsWith("unfold edge="));
+  EXPECT_FALSE(findEdge(piece(w, "yoke"), "fold"));
+}
+
+TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  auto* menu = w.main().findChild<QMenu*>("new_piece");
+  ASSERT_TRUE(menu);
+  const auto offered = [&](const char* name) {
+    emit menu->aboutToShow();
+    return menu->findChild<QAction*>(QString("new_") + name);
+  };
+  w.session().select({});
+  EXPECT_FALSE(offered("band")->isEnabled()) << "no edge is chosen";
+  for (const char* name : {"rectangle", "circle", "ring", "polygon"}) {
+    const std::size_t before = w.count();
+    ASSERT_TRUE(offered(name) && offered(name)->isEnabled()) << name;
+    offered(name)->trigger();
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers) << name;
+    EXPECT_EQ(numbers.said(), "") << name;
+    QTest::keyClick(&numbers.line("name"), Qt::Key_Return);  // as it is
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    w.rest();
+    EXPECT_EQ(w.count(), before + 1) << name << ": " << w.main().said().toStdString();
+  }
+  Selection hem;
+  hem.edge = EdgeNear{piece(w, "front").id, "hem_left", 0.5, 0};
+  hem.pieces = {hem.edge->piece};
+  w.session().select(hem);
+  ASSERT_TRUE(offered("band")->isEnabled());
+  offered("band")->trigger();
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_EQ(numbers.line("name").text(), "band");
+  QTest::keyClick(numbers.dialog, Qt::Key_Escape);
+}
+
+// From nothing to a shirt at rest: the start page, the button, Enter.
+TEST(StudioNewPieces, AShirtFromTheStartPage) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.main().showStart();
+  w.rest();
+  QPushButton& way = w.button("Start from a block…");
+  w.click(way, way.rect().center());
+  Numbers numbers(w, "block_dialog");
+  ASSERT_TRUE(numbers);
+  auto* size = numbers.dialog->findChild<QComboBox*>("size");
+  size->setCurrentIndex(size->findText("EU38"));
+  numbers.type("ease", "12");
+  w.keepDialog(*numbers.dialog, "studio_block");
+  numbers.accept();
+  EXPECT_FALSE(w.main().atStart());
+  ASSERT_EQ(w.count(), 3u) << w.main().said().toStdString();
+  EXPECT_EQ(text(w.session().steps()[0].operation), "body size=eu38");
+  EXPECT_EQ(text(w.session().steps()[1].operation), "block kind=shirt ease=120mm");
+  const auto& report = w.session().snapshot().document.drape.last;
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->settled);
+  EXPECT_EQ(w.session().path().parent_path(), draftsFolder()) << "a file from its first step";
+  w.keep("studio_shirt_block");
+  w.key(Command::Undo);
+  w.rest();
+  EXPECT_EQ(w.count(), 1u) << "the drape goes with the block";
+}
+
+}  // namespace
+}  // namespace karinui::studio
