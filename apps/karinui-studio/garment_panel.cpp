@@ -64,21 +64,6 @@ std::optional<std::string> newName(const QLineEdit& box, const std::string& now,
   return identifierOf(typed).value_or(typed);
 }
 
-// The edge carried into the piece, square to the line between its ends; its neighbours follow there.
-Result<Outline> movedEdge(const Piece& piece, const std::string& name, double by) {
-  const Outline& outline = piece.outline;
-  const auto k = outline.find(name);
-  if (!k) return outline;
-  const Edge &edge = outline.edges[*k], &next = outline.edges[(*k + 1) % outline.edges.size()];
-  const Flat step = leftOf(normalized(edge.curve.end - edge.curve.start)) * by;
-  const auto tenth = [](Flat p) { return Flat{std::round(p.u * 1e4) / 1e4, std::round(p.v * 1e4) / 1e4}; };
-  const auto first = moveCorner(piece, edge.name, tenth(edge.curve.start + step));
-  if (!first) return first.error();
-  const auto both = moveCorner(*first, next.name, tenth(next.curve.start + step));
-  if (!both) return both.error();
-  return checked(both->outline);
-}
-
 QDoubleSpinBox* number(double low, double high, int decimals, const char* unit) {
   auto* box = new QDoubleSpinBox;
   box->setRange(low, high);
@@ -284,33 +269,14 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
     });
 }
 
-// Seam and partner alike, so that they still fit: a centimetre at the side is one off the front and one off the back.
+// Seam and partner alike: a centimetre at the side is one off the front and one off the back.
 void GarmentPanel::takeIn(double metres) {
   if (filling_ || !session_.selection().edge || metres == 0) return;
-  const Document& document = session_.snapshot().document;
   const EdgeNear& chosen = *session_.selection().edge;
-  std::vector<EdgeSpan> edges{{chosen.piece, chosen.edge, 0, 1}};
-  const auto lies = [&](const EdgeSpan& span) { return span.piece == chosen.piece && span.edge == chosen.edge; };
-  for (const auto& [id, seam] : document.pattern.seams)
-    for (const auto& [own, other] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)})
-      if (std::any_of(own->begin(), own->end(), lies))
-        for (const EdgeSpan& span : *other)
-          if (span.piece != chosen.piece) edges.push_back(span);
-  std::vector<ReshapePiece> steps;
-  for (const EdgeSpan& edge : edges) {
-    const Piece* piece = document.find(edge.piece);
-    if (std::any_of(steps.begin(), steps.end(), [&](const ReshapePiece& s) { return s.piece.id == piece->id; }))
-      continue;
-    auto moved = movedEdge(*piece, edge.edge, metres);
-    if (moved)
-      if (const auto symmetry = symmetryOf(piece->outline))
-        moved = checked(onBothHalves(piece->outline, *std::move(moved), *symmetry));
-    if (!moved) return session_.refuse(moved.error());
-    ReshapePiece& step = steps.emplace_back();
-    step.piece = piece->id;
-    step.outline = *std::move(moved);
-  }
-  for (ReshapePiece& step : steps) session_.perform(std::move(step));
+  TakeIn op;
+  op.edges = {{chosen.piece, chosen.edge, 0, 1}};
+  op.by = Length{metres};
+  session_.perform(std::move(op));
 }
 
 void GarmentPanel::edgeTyped(const std::function<Result<Outline>(const Piece&)>& change) {

@@ -76,6 +76,10 @@ std::optional<EditedPiece> editedLikewise(const Piece& copy, const Piece& before
 // ends (cubics carry their near control along, arcs keep their bulge).
 Result<Piece> moveCorner(const Piece& piece, std::string_view edge, Flat to);
 
+// Carries an edge into the piece by a length (out of it where that is negative), square to the line between its ends,
+// which come to stand on tenths of a millimetre; its neighbours follow as with moveCorner.
+Result<Piece> moveEdge(const Piece& piece, std::string_view edge, double by);
+
 // Another outline for a piece; it must name the same edges in the same order (round the curve), so that all seams hold.
 Result<Piece> reshaped(const Piece& piece, Outline outline);
 

@@ -143,6 +143,29 @@ struct SetLength {
   bool operator==(const SetLength&) const = default;
 };
 
-using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, SetLength>;
+// takein edges=front.side_left by=1cm        takein edges="front.side_left, back.side_left" by=-5mm partners=no
+struct TakeIn {
+  static constexpr std::string_view kName = "takein";
+  static constexpr std::string_view kHelp =
+      "Takes the garment in: carries edges, and those sewn to them, into their pieces; lets it out where the measure "
+      "is "
+      "negative.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<EdgeRef> edges;
+  Length by{0.01};
+  Choice partners = Choice::Yes;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edges", self.edges, "the edges", kNeeded);
+    visit("by", self.by, "how far each goes into its piece, square to the line between its ends", kOptional);
+    visit("partners", self.partners, "the edges they are sewn to go as far, so that the seams still fit: yes, no",
+          kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const TakeIn&) const = default;
+};
+
+using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, SetLength, TakeIn>;
 
 }  // namespace karinui
