@@ -26,7 +26,8 @@ constexpr double kNotch = 0.004;  // metres of depth for a notch of the wheel
 constexpr double kDeepest = 0.3;  // metres
 constexpr double kTurn = 8;       // radians for a metre of the hand
 constexpr double kTestSeconds = 4;
-constexpr double kArrow = 0.3;  // metres for a newton: the weight of a piece is some tenths
+constexpr std::chrono::milliseconds kLatest(1500);  // after the mouse's button the stylus' comes up at the latest
+constexpr double kArrow = 0.3;                      // metres for a newton: the weight of a piece is some tenths
 constexpr double kLongestArrow = 0.4;
 constexpr double kFelt = 0.01;          // N: less is not shown
 constexpr QPointF kWordBeside(48, 14);  // pixels from the ball to below its number
@@ -213,7 +214,7 @@ void ForceFeedback::beginMain() {
   if (busy()) session_.command(Command::Cancel);  // what the old one had begun
   clock_.stop();
   driver_.reset();
-  mouse_ = nullptr, led_ = nullptr;
+  mouse_ = nullptr, led_ = nullptr, putDown_.reset(), leaving_ = false;
   depth_ = 0, mouseDown_ = false;
   pointed_.reset();
   shown_ = {};
@@ -321,12 +322,16 @@ void ForceFeedback::turn() {
     const Vec3 right = camera.right();
     driver_->turnTo(turnAbout({0, 1, 0}, std::atan2(-right.z, right.x)));
   }
-  if (pointed_ && (mouse_ || led_)) {  // the garment may have moved under the mouse
+  if (putDown_)
+    leadToPutDown();
+  else if (pointed_ && (mouse_ || led_)) {  // the garment may have moved under the mouse
     const Rigid tip{1, 0, 0, 0, under(*pointed_)};
     if (mouse_) mouse_->place(tip, mouseDown_ ? 1 : 0);
     if (led_) led_->lead(tip, mouseDown_ ? 1 : 0);
   }
   if (driver_->update(session_, facing(), led_ || !mouseDown_)) emit fed();
+  if (putDown_ && putDown_->up && !driver_->down()) putDown_.reset();
+  if (leaving_ && led_ && !putDown_) led_->leave(), leaving_ = false;
   const Vec3 led = driver_->takeLed();
   if (settings_.secondTurns) turnBody({dot(led, camera.right()), dot(led, camera.up), 0});
   if (driver_->servo().isOff() != off_) off_ = driver_->servo().isOff(), emit changed();  // by the device's button
@@ -339,6 +344,18 @@ void ForceFeedback::turn() {
     view_.update();
     emit felt();
   }
+}
+
+// The hand follows the mouse with a lag: the button stays down until it has come to where the mouse let go, or has
+// stopped on the way, and its press was seen.
+void ForceFeedback::leadToPutDown() {
+  constexpr int kTurns = 4;                        // until it has set out
+  constexpr double kThere = 5e-4, kStands = 0.01;  // metres, m/s
+  const HandSample hand = driver_->last().hand;
+  const bool there = distance(hand.tip.carry, putDown_->at) < kThere || length(hand.velocity) < kStands;
+  const bool late = std::chrono::steady_clock::now() > putDown_->latest;
+  putDown_->up = putDown_->up || late || (++putDown_->turns > kTurns && there && driver_->down());
+  led_->lead({1, 0, 0, 0, putDown_->at}, putDown_->up ? 0 : 1);
 }
 
 // On what it points at; while something is carried, on a plane that faces who looks.
@@ -370,14 +387,17 @@ bool ForceFeedback::pointed(PointerSample& sample) {
     if (const Hit hit = pick(*garment, session_.table(), sample); hit.on != Hit::On::Nothing) through_ = hit.point;
   }
   if (const auto bar = session_.menu(); led_ && !mouseDown_ && bar && meets(*bar, sample.ray)) {
-    led_->leave();
-    pointed_.reset();
+    leave();
     return false;  // the floating bar is for the mouse itself
   }
   if (sample.phase == Phase::Press) mouseDown_ = true, depth_ = mouse_ ? 0 : depth_;
-  if (sample.phase == Phase::Release) mouseDown_ = false;
+  if (sample.phase == Phase::Release) {
+    if (led_ && mouseDown_) putDown_ = {under(sample), std::chrono::steady_clock::now() + kLatest};
+    mouseDown_ = false;
+  }
   if (sample.phase == Phase::Hover) mouseDown_ = false;
   pointed_ = sample;
+  leaving_ = false;
   if (mouse_) {
     // Depth is what a ray has not: carried by a tip instead.
     if (depth_ != 0 && sample.phase != Phase::Press && carries(session_.tool()))
@@ -400,10 +420,14 @@ bool ForceFeedback::wheeled(double turns) {
 }
 
 void ForceFeedback::left() {
-  if (mouseDown_) return;
+  if (!mouseDown_) leave();
+}
+
+// The simulated stylus puts down what it holds first: a device that is gone with its button down drops it.
+void ForceFeedback::leave() {
+  leaving_ = led_ != nullptr;
   pointed_.reset();
   if (mouse_) mouse_->leave();
-  if (led_) led_->leave();
 }
 
 std::optional<std::array<Vec3, 2>> ForceFeedback::arrow() const {

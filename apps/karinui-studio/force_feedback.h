@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QTimer>
 #include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -90,6 +91,8 @@ class ForceFeedback : public QObject {
   void turnBody(Vec3 led);  // metres of the scene: right, up
   Vec3 facing() const;
   Vec3 under(const PointerSample& sample) const;  // the place a mouse means
+  void leave();
+  void leadToPutDown();
   void keep() const;
 
   Session& session_;
@@ -102,6 +105,15 @@ class ForceFeedback : public QObject {
   LedDevice* led_ = nullptr;     // where it leads the simulated stylus
   QTimer clock_;
   bool off_ = false, mouseDown_ = false;
+  // Where the mouse let go of what the simulated stylus holds, until it is put down there.
+  struct PutDown {
+    Vec3 at;
+    std::chrono::steady_clock::time_point latest;
+    int turns = 0;
+    bool up = false;
+  };
+  std::optional<PutDown> putDown_;
+  bool leaving_ = false;  // the stylus goes when nothing is left to put down
   // The mouse's depth: a plane that faces who looks goes through here, so much nearer to them.
   Vec3 through_;
   double depth_ = 0;
