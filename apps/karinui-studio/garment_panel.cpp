@@ -248,17 +248,21 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   connect(length_, &LengthBox::typed, this, [this](double wanted) {
     if (!filling_ && session_.selection().edge) session_.perform(stays_->length(wanted));
   });
-  length_->takeFormulas([this](const std::string& formula) -> Result<double> {
-    DocumentNames names = formulaNames(session_);
-    const auto value = workedOut(formula, names, kLength);
-    if (!value) return value.error();
-    return value->value;
-  });
+  for (LengthBox* box : {length_, takeIn_})
+    box->takeFormulas([this](const std::string& formula) -> Result<double> {
+      DocumentNames names = formulaNames(session_);
+      const auto value = workedOut(formula, names, kLength);
+      if (!value) return value.error();
+      return value->value;
+    });
   connect(length_, &LengthBox::formulaTyped, this, [this](const QString& formula, double metres) {
     if (!filling_ && session_.selection().edge) session_.perform(stays_->length(formula.toStdString(), metres));
   });
-  connect(length_, &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
-  connect(takeIn_, &LengthBox::typed, this, &GarmentPanel::takeIn);
+  for (LengthBox* box : {length_, takeIn_})
+    connect(box, &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
+  connect(takeIn_, &LengthBox::typed, this, [this](double metres) { takeIn({}, metres); });
+  connect(takeIn_, &LengthBox::formulaTyped, this,
+          [this](const QString& formula, double metres) { takeIn(formula.toStdString(), metres); });
   for (LengthBox* box : {u_, v_})
     connect(box, &LengthBox::typed, this, [this] {
       edgeTyped([this](const Piece& piece) -> Result<Outline> {
@@ -270,13 +274,15 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
 }
 
 // Seam and partner alike: a centimetre at the side is one off the front and one off the back.
-void GarmentPanel::takeIn(double metres) {
+void GarmentPanel::takeIn(const std::string& formula, double metres) {
   if (filling_ || !session_.selection().edge || metres == 0) return;
   const EdgeNear& chosen = *session_.selection().edge;
   TakeIn op;
   op.edges = {{chosen.piece, chosen.edge, 0, 1}};
   op.by = Length{metres};
-  session_.perform(std::move(op));
+  Operation step = std::move(op);
+  if (!formula.empty()) step.formulas = {{"by", formula}};
+  session_.perform(std::move(step));
 }
 
 void GarmentPanel::edgeTyped(const std::function<Result<Outline>(const Piece&)>& change) {

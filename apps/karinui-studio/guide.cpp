@@ -57,8 +57,21 @@ const std::vector<Lesson>& lessons() {
        [](const Session& s) { return firstSeams(s.snapshot()).count() == 4; }},
       {say("Settling"), say("Press Space: the cloth comes to rest on the body."),
        [](const Session& s) { return did<DrapePieces>(s); }},
-      {say("A slit"), say("Take Cut and drag from below the hem some way up the front."),
-       [](const Session& s) { return did<CutPiece>(s); }},
+      {say("Taking in"),
+       say("The board “Fit” tells the ease round the body. On the board “Garment”, with Select (Q) and a click on a "
+           "side "
+           "of the front, type 1 into “Take in” and press Return: a centimetre off front and back, on both sides."),
+       [](const Session& s) { return did<TakeIn>(s); }},
+      {say("A collar"),
+       say("Press the right mouse button on the neckline, choose “Band along it…” and press Return: a band as long as "
+           "the "
+           "neckline, sewn on."),
+       [](const Session& s) { return did<DrawBand>(s); }},
+      {say("A dart"),
+       say("Click the side of the front again. Type a place into “Along the edge” and press “Dart there”."),
+       [](const Session& s) { return did<AddDart>(s); }},
+      {say("Colour and print"), say("On the board “Fabric” choose a colour, or stripes at “Print”."),
+       [](const Session& s) { return did<SetLook>(s); }},
       {say("The pattern"),
        say("The paper at the right is true to size: File, Export, or File, Print. That is a first garment!"),
        [](const Session&) { return false; }},

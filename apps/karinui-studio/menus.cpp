@@ -10,6 +10,7 @@
 #include "guide.h"
 #include "main_window.h"
 #include "notices.h"
+#include "step_dialog.h"
 #include "theme.h"
 #include "variables_dialog.h"
 
@@ -131,6 +132,7 @@ void MainWindow::makeMenus() {
     variables_->show();
     variables_->raise();
   });
+  add(edit, say("Settings of the garment…"), "", "", [this] { askNumbers(settingsNow(*session_)); });
   add(edit, say("Keys…"), "", "", [this] { keysDialog(); });
 
   QMenu* work = menu(say("Work"));

@@ -61,7 +61,8 @@ class GarmentPanel : public Panel {
   void fillTree();
   void fillProperties();
   void edgeTyped(const std::function<Result<Outline>(const Piece&)>& change);
-  void takeIn(double metres);  // the chosen edge, and what is sewn to it
+  // The chosen edge, and what is sewn to it, by a length or, if it is not empty, a formula that comes to it.
+  void takeIn(const std::string& formula, double metres);
   QTreeWidget* tree_;
   QWidget* pieceBoard_;
   QWidget* edgeBoard_;

@@ -43,7 +43,7 @@ Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation ope
   const bool paper = std::holds_alternative<DrawRectangle>(operation) ||
                      std::holds_alternative<DrawPolygon>(operation) || std::holds_alternative<DrawRing>(operation) ||
                      std::holds_alternative<DrawBand>(operation);
-  if (!paper) return std::shared_ptr<const Piece>();
+  if (!paper && !std::holds_alternative<ChangeSettings>(operation)) return std::shared_ptr<const Piece>();
   // Formulas are worked out for the figure that is there, which need not be built once more.
   std::vector<FieldText> fields = fieldTexts(operation);
   DocumentNames names = formulaNames(session);
@@ -70,8 +70,21 @@ Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation ope
   return std::shared_ptr<const Piece>();
 }
 
+ChangeSettings settingsNow(const Session& session) {
+  const Settings& now = session.snapshot().document.settings;
+  ChangeSettings set;
+  set.spacing = Length{now.spacing};
+  set.ease = Length{now.ease};
+  set.collider = now.collider;
+  return set;
+}
+
 StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
-    : QDialog(parent), session_(session), document_(session.snapshot().document), name_(nameOf(operation)) {
+    : QDialog(parent),
+      session_(session),
+      document_(session.snapshot().document),
+      name_(nameOf(operation)),
+      opened_(operation) {
   setObjectName("step_dialog");
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowModality(Qt::WindowModal);
@@ -102,7 +115,7 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   column->addWidget(said_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   make_ = buttons->button(QDialogButtonBox::Ok);
-  make_->setText(inWords(say("Make it")));
+  make_->setText(inWords(std::holds_alternative<ChangeSettings>(operation) ? say("Keep") : say("Make it")));
   make_->setObjectName("make");
   buttons->button(QDialogButtonBox::Cancel)->setText(inWords(say("Cancel")));
   column->addWidget(buttons);
@@ -156,7 +169,7 @@ void StepDialog::perform() {
   const auto wish = wished();
   show(wish);
   if (!make_->isEnabled()) return;
-  session_.perform(*wish);
+  if (*wish != opened_ || !std::holds_alternative<ChangeSettings>(opened_)) session_.perform(*wish);
   emit performed();
   accept();
 }

@@ -1,6 +1,7 @@
 #pragma once
-// The numbers of one operation, typed before it is done: a rectangle, a ring, a band, a block. What a piece on paper
-// would be is drawn while one types, with the lengths of its edges, or the reason why it cannot be. GUI thread.
+// The numbers of one operation, typed before it is done: a rectangle, a ring, a band, a block, the settings. What a
+// piece on paper would be is drawn while one types, with the lengths of its edges, or the reason why it cannot be. GUI
+// thread.
 #include <QDialog>
 
 #include "karinui/session/session.h"
@@ -32,6 +33,7 @@ class StepDialog : public QDialog {
   Session& session_;
   Document document_;  // as it was when the dialog opened: the fields know its pieces
   std::string name_;   // of the operation
+  Operation opened_;   // as the dialog opened
   QFormLayout *main_, *more_;
   QWidget* rest_;  // holds more_
   OutlineDrawing* drawing_;
@@ -39,6 +41,9 @@ class StepDialog : public QDialog {
   QPushButton* make_;
   std::vector<StepField> typed_;
 };
+
+// The settings as they are: entered unchanged, nothing is done.
+ChangeSettings settingsNow(const Session& session);
 
 // The outline that a piece on paper would have; nothing to show for operations that make none, or need the body.
 Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation operation);

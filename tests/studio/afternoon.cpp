@@ -41,6 +41,7 @@ void Afternoon::play(const std::function<void(std::size_t)>& after, std::size_t 
     (this->*chapters()[k].play)();
     w.rest();
     if (testing::Test::HasFailure()) return;
+    if (chapters()[k].name == std::string_view("dart")) w.view(View::Front);  // for its picture
     w.keep(picture(chapters()[k].name));
     after(k);
     if (testing::Test::HasFailure()) return;

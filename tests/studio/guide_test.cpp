@@ -78,6 +78,27 @@ TEST(StudioGuide, CountsTheRightSeamsAndGoesBackOnUndo) {
   EXPECT_EQ(titleOf(w), "The front");
 }
 
+TEST(StudioGuide, LeadsOnFromTheDrapeToThePaper) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().startGuide();
+  w.rest();
+  const std::pair<const char*, const char*> then[] = {
+      {"Taking in", "takein edges=front.side_left by=5mm"},
+      {"A collar", "band name=collar of=\"front.neck_left front.neck_right\" depth=3cm"},
+      {"A dart", "dart edge=front.hem_left at=0.5 tip=8cm,12cm"},
+      {"Colour and print", "look piece=front print=stripe repeat=2cm"},
+  };
+  for (const auto& [title, line] : then) {
+    for (int k = 0; k < 100 && titleOf(w) != title; ++k) w.rest();
+    EXPECT_EQ(titleOf(w), title) << w.main().said().toStdString();
+    perform(w, line);
+  }
+  for (int k = 0; k < 100 && titleOf(w) != "The pattern"; ++k) w.rest();
+  EXPECT_EQ(titleOf(w), "The pattern") << w.main().said().toStdString();
+}
+
 TEST(StudioGuide, CoversNothingAndIsNotCovered) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

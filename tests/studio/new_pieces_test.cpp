@@ -69,6 +69,38 @@ bool choose(Window& w, const QString& words) {
   return false;
 }
 
+void fromTheMenu(Window& w, const Message& words) {
+  for (QAction* action : w.main().findChildren<QAction*>())
+    if (action->text() == inWords(words)) return action->trigger();
+  FAIL() << "no such item";
+}
+
+TEST(StudioNewPieces, TheSettingsOfTheGarmentAreTyped) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  fromTheMenu(w, say("Settings of the garment…"));
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    numbers.accept();  // nothing was changed
+  }
+  EXPECT_EQ(w.count(), before);
+  fromTheMenu(w, say("Settings of the garment…"));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  numbers.type("spacing", "20cm");
+  EXPECT_FALSE(numbers.make().isEnabled());
+  EXPECT_THAT(numbers.said().toStdString(), HasSubstr("between 0.20 cm and 5.00 cm"));
+  numbers.type("spacing", "3");
+  numbers.type("ease", "1.5");
+  numbers.accept();
+  EXPECT_EQ(w.count(), before + 1);
+  EXPECT_NEAR(w.session().snapshot().document.settings.spacing, 0.03, 1e-12);
+  EXPECT_NEAR(w.session().snapshot().document.settings.ease, 0.015, 1e-12);
+}
+
 TEST(StudioNewPieces, AClickWithRectangleAsksForItsSizeAndAFormulaIsKept) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
