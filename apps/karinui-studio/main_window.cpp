@@ -241,6 +241,14 @@ bool MainWindow::eventFilter(QObject*, QEvent* event) {
   return false;
 }
 
+// Space presses the button that has the focus; it settles everywhere else. A button does not claim the key by itself.
+bool MainWindow::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space &&
+      qobject_cast<QAbstractButton*>(focusWidget()))
+    event->accept();
+  return QMainWindow::event(event);
+}
+
 // Edges that have only a number are called by where they lie, in every sentence.
 void MainWindow::nameEdges() {
   Theme::here().setNames([this](std::string_view identifier) -> std::optional<Message> {

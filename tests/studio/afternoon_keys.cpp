@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTest>
 
 #include "karinui/body/lines.h"
 #include "studio/afternoon.h"
@@ -138,8 +139,13 @@ void AfternoonByKeys::collar() {
   ASSERT_TRUE(menu);
   const QString wanted = inWords(say("Band along it…"));
   for (int k = 0; k < 30 && !(menu->activeAction() && menu->activeAction()->text() == wanted); ++k)
-    person.key(Qt::Key_Down);
-  person.key(Qt::Key_Return);
+    QTest::keyClick(menu, Qt::Key_Down);
+  ASSERT_TRUE(menu->activeAction() && menu->activeAction()->text() == wanted);
+  Person::inDialog([this](QWidget&) { person.key(Qt::Key_Return); });  // as it is offered: 3.5 cm, sewn
+  QTest::keyClick(menu, Qt::Key_Return);
+  w.rest();
+  w.main().activateWindow();  // as a window manager does when a dialog closes
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.main()));
 }
 
 void AfternoonByKeys::dart() {
@@ -152,8 +158,6 @@ void AfternoonByKeys::dart() {
   tabTo(person.button(say("Dart there")));
   person.key(Qt::Key_Space);
   w.rest();
-  go(w.space());
-  person.key(Qt::Key_Space);
 }
 
 void AfternoonByKeys::stripes() {

@@ -1,4 +1,4 @@
-// A person's first garment in the real window, from no file to the printed paper: with the mouse, by script,
+// A person's first garment in the real window, from no file to the printed paper: with the mouse, with keys, by script,
 // in Japanese, and killed three times on the way.
 #include "studio/afternoon.h"
 
@@ -173,7 +173,7 @@ TEST(StudioAfternoon, ByScriptItIsTheSame) {
   EXPECT_EQ(made(session), model->made);
 }
 
-TEST(StudioAfternoon, DISABLED_WithKeysItIsTheSame) {
+TEST(StudioAfternoon, WithKeysItIsTheSame) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   nothingMadeYet(w, {1400, 860});
