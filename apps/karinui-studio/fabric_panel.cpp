@@ -102,8 +102,8 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
   column->addWidget(title(say("Fabrics")));
   list_ = new QListWidget;
   list_->setIconSize(QSize(60, 60));
-  list_->setMinimumHeight(140);
-  column->addWidget(list_, 3);
+  list_->setMinimumHeight(84);
+  column->addWidget(list_, 2);
   law_ = new QTabBar;
   law_->setObjectName("law");
   law_->setExpanding(false);
@@ -115,12 +115,10 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
     law_->setTabText(0, inWords(say("Stretch")));
     law_->setTabText(1, inWords(say("Shear")));
   });
-  column->addWidget(law_);
   plot_ = new FabricPlot;
   Theme::here().keep(plot_, [this] {
     plot_->setToolTip(inWords(say("Tension over stretch: along the grain full, across it dashed. Drag the points.")));
   });
-  column->addWidget(plot_);
   auto* inner = new QWidget;
   auto* form = new QFormLayout(inner);
   form->setContentsMargins(0, 0, 6, 0);
@@ -130,6 +128,8 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
     return std::optional(look);
   });
   form->addRow(look_);
+  form->addRow(law_);
+  form->addRow(plot_);
   for (const Field& f : fields()) {
     auto* box = new QDoubleSpinBox;
     box->setRange(0, f.high);
@@ -149,7 +149,7 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
   auto* scroll = new QScrollArea;
   scroll->setWidget(inner);
   scroll->setWidgetResizable(true);
-  column->addWidget(scroll, 2);
+  column->addWidget(scroll, 3);
   const auto button = [&](const Message& words, const Message& tip) {
     auto* made = new QPushButton;
     Theme::here().keep(made, [made, words, tip] {

@@ -84,9 +84,9 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   tree_->setHeaderHidden(true);
   tree_->setIndentation(14);
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  tree_->setMinimumHeight(190);
+  tree_->setMinimumHeight(4 * tree_->fontMetrics().height());
   Theme::here().keep(tree_, [this] { tree_->setAccessibleName(inWords(say("Pieces and seams"))); });
-  column->addWidget(tree_, 1);
+  column->addWidget(tree_, 2);
   auto* blocks = new QPushButton;
   blocks->setObjectName("blocks_button");
   Theme::here().keep(blocks, [blocks] {
@@ -105,7 +105,7 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   scroll->setWidget(boards);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  column->addWidget(scroll, 1);
+  column->addWidget(scroll, 3);
 
   pieceBoard_ = new QWidget;
   auto* form = new QFormLayout(pieceBoard_);
@@ -154,9 +154,9 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   sewn_->setProperty("role", "faint");
   form->addRow(word(say("Name")), edgeName_);
   stays_ = new LengthChoice(session);
+  form->addRow(word(say("Take in")), takeIn_);
   form->addRow(word(say("Length")), length_);
   form->addRow(stays_);
-  form->addRow(word(say("Take in")), takeIn_);
   form->addRow(word(say("From, across")), u_);
   form->addRow(word(say("From, up")), v_);
   form->addRow(word(say("Sewn to")), sewn_);

@@ -37,6 +37,8 @@ namespace karinui::studio {
 
 namespace {
 
+constexpr int kBodyBoard = 1;  // what a garment begins with
+
 // A board scrolls where it does not fit.
 QScrollArea* scrolling(QWidget* board) {
   auto* scroll = new QScrollArea;
@@ -96,6 +98,7 @@ MainWindow::MainWindow(SessionOptions options) {
                                                {fabric, say("Fabric")},   {fit, say("Fit")},
                                                {history, say("Steps")},   {device, say("Device")}};
   for (const auto& [panel, words] : boards) addPanel(panel, words);
+  boards_->setCurrentIndex(kBodyBoard);
   Theme::here().keep(boards_, [this] {  // all tabs are seen, whatever the language
     boards_->ensurePolished();
     const int wide = std::max(20 * boards_->fontMetrics().height(), boards_->tabBar()->sizeHint().width() + 2);
@@ -141,7 +144,7 @@ MainWindow::MainWindow(SessionOptions options) {
 
   connect(table_, &PatternView::left, place_, &QLabel::clear);
 
-  notices_ = new Notices(space_);
+  notices_ = new Notices(space_, Notices::Drags::GoThrough);
   mend_ = new QPushButton(space_);
   mend_->setObjectName("mend");
   mend_->setCursor(Qt::ArrowCursor);
@@ -444,7 +447,7 @@ void MainWindow::showStart() {
   start_->fill();
   parts_->setCurrentWidget(start_);
   for (QToolBar* bar : {top_, tools_}) bar->hide();
-  notices_->moveTo(start_);
+  notices_->moveTo(start_, Notices::Drags::Stop);
   notices_->clear();
   start_->setFocus();
   seen_.history = ~0ull;
@@ -455,7 +458,8 @@ void MainWindow::leaveStart() {
   start_->leave();
   parts_->setCurrentIndex(0);
   for (QToolBar* bar : {top_, tools_}) bar->show();
-  notices_->moveTo(space_);
+  if (!session_->snapshot().body) boards_->setCurrentIndex(kBodyBoard);
+  notices_->moveTo(space_, Notices::Drags::GoThrough);
   placeNotices();
   space_->setFocus();
   seen_.history = ~0ull;

@@ -1,5 +1,6 @@
 #include "notices.h"
 
+#include <QApplication>
 #include <QDialog>
 #include <QEvent>
 #include <QListWidget>
@@ -26,7 +27,9 @@ int timeToRead(Notice::Kind kind, const QString& words, bool toBeDone) {
 
 }  // namespace
 
-Notices::Notices(QWidget* over) : QObject(over), over_(over) {}
+Notices::Notices(QWidget* over, Drags drags) : QObject(over), over_(over), drags_(drags) {
+  over_->installEventFilter(this);
+}
 
 void Notices::tell(Notice::Kind kind, const QString& words, bool long_) {
   said_ << words;
@@ -50,6 +53,7 @@ void Notices::tell(Notice::Kind kind, const QString& words, bool long_) {
           "QLabel#toast { background: %1; color: white; border-radius: 10px; padding: 10px 18px; font-size: 10.5pt; }")
           .arg(back.name()));
   label->installEventFilter(this);
+  label->setAttribute(Qt::WA_TransparentForMouseEvents, drags_ == Drags::GoThrough);
   shown_.push_front(label);
   label->show();
   auto* time = new QTimer(label);
@@ -89,10 +93,13 @@ int Notices::place(int room, int between) {
   return ends;
 }
 
-void Notices::moveTo(QWidget* over) {
-  over_ = over;
+void Notices::moveTo(QWidget* over, Drags drags) {
+  over_->removeEventFilter(this);
+  over_ = over, drags_ = drags;
+  over_->installEventFilter(this);
   for (QLabel* label : shown_) {
     label->setParent(over);
+    label->setAttribute(Qt::WA_TransparentForMouseEvents, drags_ == Drags::GoThrough);
     label->show();
   }
 }
@@ -107,7 +114,36 @@ void Notices::clearNewest() {
 
 bool Notices::visible() const { return !shown_.empty(); }
 
+// Who begins a line at the neck that a sentence hides means the neck.
+bool Notices::overView(QEvent* event) {
+  if (event->type() == QEvent::MouseButtonPress) {
+    const auto* press = static_cast<QMouseEvent*>(event);
+    const auto hit = std::find_if(shown_.begin(), shown_.end(), [&](const QLabel* label) {
+      return label->geometry().contains(press->position().toPoint());
+    });
+    if (hit == shown_.end() || press->button() != Qt::LeftButton || firstPress_) return false;
+    pressed_ = *hit;
+    firstPress_.reset(press->clone());
+    return true;
+  }
+  if (!firstPress_) return false;
+  if (event->type() == QEvent::MouseMove) {
+    const QPointF went =
+        static_cast<QMouseEvent*>(event)->position() - static_cast<QMouseEvent*>(firstPress_.get())->position();
+    if (went.manhattanLength() < QApplication::startDragDistance()) return true;
+    if (pressed_) take(pressed_);
+    QApplication::sendEvent(over_, firstPress_.get());
+    firstPress_.reset();
+    return false;
+  }
+  if (event->type() != QEvent::MouseButtonRelease) return false;
+  firstPress_.reset();
+  if (pressed_) take(pressed_);
+  return true;
+}
+
 bool Notices::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == over_) return drags_ == Drags::GoThrough && overView(event);
   if (event->type() != QEvent::MouseButtonPress) return false;
   take(qobject_cast<QLabel*>(watched));
   return true;

@@ -1,10 +1,13 @@
 #pragma once
 // Sentences for the person, over the fitting: the newest on top, an older one below it until there was time to read it.
-// A click on one takes it away. All of the session's sentences are kept to be read again. GUI thread.
+// A click on one takes it away, and so does a drag that begins on it, which goes to the view below. All of the session's sentences are kept to be read again. GUI thread.
 #include <QLabel>
+#include <QMouseEvent>
+#include <QPointer>
 #include <QStringList>
 #include <QTimer>
 #include <deque>
+#include <memory>
 
 #include "karinui/session/session.h"
 
@@ -13,9 +16,10 @@ namespace karinui::studio {
 class Notices : public QObject {
   Q_OBJECT
  public:
-  explicit Notices(QWidget* over);
+  enum class Drags { Stop, GoThrough };
+  Notices(QWidget* over, Drags drags);
   void tell(Notice::Kind kind, const QString& words, bool long_);  // long_: something can be done about it
-  void moveTo(QWidget* over);                                      // with all that is shown
+  void moveTo(QWidget* over, Drags drags);                         // with all that is shown
   // Into so many pixels of width; `between` are left free under the newest, for its button. Gives where that ends.
   int place(int room, int between);
   void hold(bool on) { held_ = on; }  // while something is being worked out nothing goes by itself
@@ -33,7 +37,11 @@ class Notices : public QObject {
 
  private:
   void take(QLabel* label);
+  bool overView(QEvent* event);
   QWidget* over_;
+  Drags drags_;
+  QPointer<QLabel> pressed_;            // a click or a drag began on it
+  std::unique_ptr<QEvent> firstPress_;  // not yet known to the view
   std::deque<QLabel*> shown_;  // the newest first
   QStringList said_;           // the last ones, the newest at the end
   int room_ = 400, between_ = 0;

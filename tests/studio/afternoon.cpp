@@ -92,7 +92,7 @@ std::vector<QPointF> AfternoonByMouse::run(const char* name, const char* edge, d
 }
 
 void AfternoonByMouse::figure() {
-  person.board(kBody);
+  ASSERT_EQ(w.main().boards().currentIndex(), kBody) << "what a garment begins with";
   person.click(person.box(say("Body height")));
   for (std::size_t k = 0; k < kMeasures.size(); ++k)
     person.type(kMeasures[k], k + 1 < kMeasures.size() ? Qt::Key_Tab : Qt::Key_Return);

@@ -192,7 +192,7 @@ TEST(StudioFormulas, AFileOfMeasuresIsWorn) {
   EXPECT_FALSE(both[0]->geometry().intersects(both[1]->geometry()));
   w.keep("studio_notices");
   for (QLabel* toast : both)
-    if (toast->text().startsWith("Left out")) QTest::mousePress(toast, Qt::LeftButton);
+    if (toast->text().startsWith("Left out")) w.click(w.space(), toast->geometry().center());
   EXPECT_THAT(shown(), Not(HasSubstr("Left out")));
   auto* again = w.main().findChild<QAction*>("what_was_said");
   ASSERT_TRUE(again);
