@@ -37,7 +37,7 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr int kBodyBoard = 1;  // what a garment begins with
+constexpr int kGarmentBoard = 0, kBodyBoard = 1;
 
 // A board scrolls where it does not fit.
 QScrollArea* scrolling(QWidget* board) {
@@ -321,6 +321,10 @@ void MainWindow::refresh() {
                              : (path.isEmpty() ? inWords(say("New garment")) : QFileInfo(path).completeBaseName()) +
                                    "  –  Karinui");
     if (!path.isEmpty()) remember(path);
+    // A garment begins with its figure; one that was opened is gone on with.
+    if (std::exchange(shownPath_, path) != path && session_->steps().size() > 1 &&
+        boards_->currentIndex() == kBodyBoard && session_->snapshot().body)
+      boards_->setCurrentIndex(kGarmentBoard);
   }
   if (mend_->isVisible() && !session_->can(Command::Mend)) mend_->hide(), notices_->clearNewest();
   for (Panel* panel : panels_) panel->refresh();

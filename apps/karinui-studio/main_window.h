@@ -140,6 +140,7 @@ class MainWindow : public QMainWindow {
   Cap* cap_ = nullptr;
   std::unique_ptr<ForceFeedback> force_;
   SessionChanges seen_;
+  QString shownPath_;
 };
 
 }  // namespace karinui::studio

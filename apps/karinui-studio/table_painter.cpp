@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "table_print.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -180,6 +181,7 @@ void paintPiece(QPainter& painter, const TablePiece& piece, const TableOnScreen&
   painter.setBrush(fill);
   painter.setPen(Qt::NoPen);
   painter.drawPath(shape);
+  paintPrint(painter, piece, shape, screen);
   painter.setBrush(Qt::NoBrush);
   if (piece.before) {
     painter.setPen(QPen(p.faint, 1, Qt::DashLine));

@@ -164,6 +164,7 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
   for (const auto& [id, piece] : pattern.pieces) {
     const Flat lies = layout.at(id);
     TablePiece drawn = pieceOf(*piece, lies);
+    drawn.lies = lies;
     drawn.chosen = chosen.pieces.contains(id);
     drawn.unsettled = document.drape.dirty.contains(id);
     const Piece& stored = *document.pattern.pieces.at(id);
@@ -181,7 +182,8 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
   }
   for (std::size_t k = 0; k < snapshot.worn.size() && k < snapshot.frame.cloths.size(); ++k)
     if (const auto at = number.find(snapshot.worn[k].id); at != number.end())
-      frame.pieces[at->second].colour = snapshot.frame.cloths[k].colour;
+      frame.pieces[at->second].colour = snapshot.frame.cloths[k].colour,
+      frame.pieces[at->second].look = snapshot.frame.cloths[k].look;
 
   std::map<std::pair<PieceId, std::string>, double> sewn;  // share of an edge
   for (const auto& [id, seam] : pattern.seams) {

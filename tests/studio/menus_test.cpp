@@ -95,6 +95,7 @@ TEST(StudioMenus, TheTreeHasItToo) {
   w.rest();
   auto* tree = w.main().findChild<QTreeWidget*>();
   const QTreeWidgetItem* seam = tree->topLevelItem(tree->topLevelItemCount() - 1);
+  tree->scrollToItem(seam);
   const QPoint at = tree->visualItemRect(seam).center();
   QTest::mouseClick(tree->viewport(), Qt::RightButton, {}, at);
   QContextMenuEvent asked(QContextMenuEvent::Mouse, at, tree->viewport()->mapToGlobal(at));

@@ -128,7 +128,7 @@ void Person::choose(QComboBox& box, int item) {
   ASSERT_TRUE(list->viewport()->rect().contains(row.center()));
   count("click");
   QTest::mouseMove(list->viewport(), row.center());
-  QTest::qWait(QApplication::doubleClickInterval());  // the list takes no release right after it opened
+  QTest::qWait(2 * QApplication::doubleClickInterval());  // the list takes no release right after it opened
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, row.center());
   QApplication::processEvents();
 }

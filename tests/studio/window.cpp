@@ -33,7 +33,9 @@ std::string startDisplay() {
     const int quiet = ::open("/dev/null", O_WRONLY);
     dup2(quiet, 1), dup2(quiet, 2);
     const std::string number = std::to_string(ends[1]);
-    execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1600x1000x24", "-nolisten", "tcp", nullptr);
+    const char* size = std::getenv("KARINUI_SCREEN");
+    const std::string screen = std::string(size ? size : "1600x1000") + "x24";
+    execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp", nullptr);
     _exit(127);
   }
   close(ends[1]);

@@ -46,6 +46,8 @@ struct TableLabel {
 struct TablePiece {
   std::string name;
   Colour colour{0.5f, 0.5f, 0.5f};  // of its fabric
+  ClothLook look = {};              // its print
+  Flat lies;                        // where the paper's origin lies: prints begin there
   bool chosen = false, frozen = false;
   bool unsettled = false;                     // a drape has yet to bring it to rest
   std::vector<TableEdge> edges;               // the outline, counter-clockwise

@@ -1,0 +1,13 @@
+#pragma once
+// The print of a piece's cloth on the cutting table, at true scale and along the grain, pale: lines and words stay to
+// be read. As the shader of the views draws it (src/view/shaders.cpp). GUI thread.
+#include <QPainterPath>
+
+#include "table_painter.h"
+
+namespace karinui::studio {
+
+// Within `shape`, which is the piece on the screen. Nothing where the print is too small to be seen.
+void paintPrint(QPainter& painter, const TablePiece& piece, const QPainterPath& shape, const TableOnScreen& screen);
+
+}  // namespace karinui::studio
