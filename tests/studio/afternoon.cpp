@@ -42,7 +42,7 @@ void Afternoon::play(const std::function<void(std::size_t)>& after, std::size_t 
     w.rest();
     if (testing::Test::HasFailure()) return;
     if (chapters()[k].name == std::string_view("dart")) w.view(View::Front);  // for its picture
-    w.keep(picture(chapters()[k].name));
+    if (pictures) w.keep(picture(chapters()[k].name));
     after(k);
     if (testing::Test::HasFailure()) return;
   }

@@ -38,6 +38,7 @@ class Afternoon {
 
   Window& w;
   Person person;
+  bool pictures = false;  // for the guide
 
  protected:
   // As asked for on the board, in centimetres.

@@ -155,6 +155,7 @@ TEST(StudioAfternoon, WithTheMouse) {
   Window w;
   nothingMadeYet(w, {1400, 860});
   AfternoonByMouse hand(w);
+  hand.pictures = true;
   playAll(hand);
   if (HasFailure()) return;
   EXPECT_LE(hand.person.inputs(), kMostInputs) << testing::PrintToString(hand.person.done());
@@ -251,6 +252,7 @@ TEST(StudioJapaneseAfternoon, IsTheSame) {
   // A notebook's screen, whose letters are shown half as large again.
   nothingMadeYet(w, QSize(1366, 768) / w.main().devicePixelRatioF());
   AfternoonByMouse hand(w);
+  hand.pictures = true;
   playAll(hand);
   EXPECT_LE(hand.person.inputs(), kMostInputs) << testing::PrintToString(hand.person.done());
   Theme::here().setLanguage(Language::English);
