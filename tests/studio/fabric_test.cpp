@@ -150,6 +150,23 @@ TEST(StudioLook, ColourAndPrintAreChosenUndoneAndSeen) {
   EXPECT_EQ(w.last(), "look fabric=cotton finish=velvet");
 }
 
+TEST(StudioLook, StripesLieOnTheTableAlongTheGrain) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().perform(*parseOperation("look piece=front print=stripe repeat=4cm colour=#2040a0 ink=#ffffff"));
+  w.rest();
+  const QImage table = w.table().grab().toImage();
+  const auto at = [&](double u, double v) {
+    return table.pixelColor((w.onTable("front", {u, v}) * table.devicePixelRatioF()).toPoint()).lightness();
+  };
+  for (const double v : {0.15, 0.25}) {
+    EXPECT_GT(at(0.06, v), at(0.08, v) + 15) << "a stripe, and half a repeat beside it";
+    EXPECT_NEAR(at(0.06, v), at(0.10, v), 3) << "and one repeat";
+    EXPECT_NEAR(at(0.06, v), at(0.06, v + 0.02), 3) << "along the grain";
+  }
+}
+
 TEST(StudioLook, PartsAreHiddenAndAllIsCutOpenByKey) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
