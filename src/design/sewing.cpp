@@ -6,6 +6,7 @@
 #include "karinui/base/number.h"
 #include "karinui/base/said_lengths.h"
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/seam_walk.h"
 #include "karinui/pattern/symmetry.h"
 
 namespace karinui {
@@ -41,6 +42,45 @@ std::vector<Vec3> stood(const Document& document, const std::vector<EdgeRef>& si
     done += part;
   }
   return places;
+}
+
+struct Corner {
+  PieceId piece;
+  Flat place;
+};
+Corner endOf(const Document& document, const EdgeRef& ref, bool last) {
+  return {ref.piece.id, edgeOf(document, ref).curve.atFraction(last ? ref.to : ref.from)};
+}
+
+// Whether a seam holds these two corners together.
+bool sewnTogether(const Document& document, const Corner& a, const Corner& b) {
+  constexpr double kSame = 1e-4;  // metres
+  const auto is = [&](const SeamPlace& place, const Corner& corner) {
+    if (place.piece != corner.piece) return false;
+    const Edge* edge = edgeOf(document.pattern, place.piece, place.edge);
+    return edge && distance(edge->curve.atFraction(place.fraction), corner.place) < kSame;
+  };
+  for (const auto& [id, seam] : document.pattern.seams) {
+    const SeamSides sides(document.pattern, seam);
+    for (const double at : sides.breaks()) {
+      const SeamPlace here = sides.a.at(at), there = sides.b.at(at);
+      if ((is(here, a) && is(there, b)) || (is(here, b) && is(there, a))) return true;
+    }
+  }
+  return false;
+}
+
+// How far the edges of a run, one after the other, are from following each other.
+double apart(const Document& document, const std::vector<EdgeRef>& side) {
+  double sum = 0;
+  for (std::size_t k = 1; k < side.size(); ++k) {
+    const Corner from = endOf(document, side[k - 1], true), to = endOf(document, side[k], false);
+    if (from.piece == to.piece)
+      sum += distance(from.place, to.place);
+    else if (!sewnTogether(document, from, to))
+      sum += distance(Stand(*document.find(from.piece))(from.place), Stand(*document.find(to.piece))(to.place));
+  }
+  return sum;
 }
 
 Vec3 middleOf(const std::vector<Vec3>& places) {
@@ -177,6 +217,12 @@ double lengthOf(const Document& document, const std::vector<EdgeRef>& side) {
       sum += edge->curve.length() * (ref.to - ref.from);
   }
   return sum;
+}
+
+std::vector<EdgeRef> inOutlineOrder(const Document& document, std::vector<EdgeRef> side) {
+  constexpr double kPlainly = 0.5;  // of what the run as it is listed is apart
+  std::vector<EdgeRef> turned(side.rbegin(), side.rend());
+  return apart(document, turned) < kPlainly * apart(document, side) ? turned : side;
 }
 
 bool overlap(const EdgeRef& a, const EdgeRef& b) {

@@ -91,6 +91,26 @@ TEST_F(Sewing, RunsAreMirroredInTheOutlinesOrder) {
   EXPECT_THAT(seams()[1], HasSubstr(" sleeve_right.cap"));
 }
 
+// A collar goes round the neck; its edges may be listed either way round, and meet the same places of the neckline.
+TEST_F(Sewing, ARunListedAgainstTheOutlinesIsTurnedRound) {
+  play(kAcross);
+  play(
+      "piece name=sleeve pose=\"0.5,0.3,0\" outline=\"M 0 0; low L 300 20; cuff L 300 380; high L 0 400; cap L 0 "
+      "0\"\n");
+  const auto listed = [&](const std::string& a) { return text(sew("sew a=\"" + a + "\" b=sleeve.cap")); };
+  const std::string before = listed("front.side_left@0.5:1 front.shoulder_left front.neck");
+  EXPECT_THAT(before, HasSubstr("a=\"p1.side_left@0.5:1; p1.shoulder_left; p1.neck\""));
+  EXPECT_EQ(listed("front.neck front.shoulder_left front.side_left@0.5:1"), before);
+  // Over a seam: the corners that it holds together follow each other, however far apart the pieces stand.
+  play("sew a=front.shoulder_left b=back.shoulder_left\n");
+  const std::string round = listed("back.neck front.neck");
+  EXPECT_EQ(listed("front.neck back.neck"), round);
+  EXPECT_THAT(round, HasSubstr("a=\"p2.neck; p1.neck\""));
+  // Edges that follow each other neither way are sewn as they are listed.
+  EXPECT_THAT(listed("front.hem front.neck"), HasSubstr("a=\"p1.hem; p1.neck\""));
+  EXPECT_THAT(listed("front.neck front.hem"), HasSubstr("a=\"p1.neck; p1.hem\""));
+}
+
 TEST_F(Sewing, PiecesOfMirroredOutlineAreFoundByWhereTheyStand) {
   play(
       "piece name=a pose=\"0.3,0,0\" outline=\"M 0 0; x L 100 0; y L 60 200; z L 0 0\"\n"

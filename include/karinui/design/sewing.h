@@ -13,6 +13,10 @@ bool overlap(const EdgeRef& a, const EdgeRef& b);
 bool overlap(const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b);
 // The seams that hold a part of one of these edges.
 std::vector<SeamId> seamsOn(const Document& document, const std::vector<EdgeRef>& side);
+// A run whose edges follow each other only when read backwards, as one lists them who walks along the seam against the
+// outlines, is turned round; any other is left as it is. Edges follow each other on their outline, at a corner that is
+// sewn, or where they stand.
+std::vector<EdgeRef> inOutlineOrder(const Document& document, std::vector<EdgeRef> side);
 // A run of edges without what lies beyond so many metres from its first end (or its last). Runs are in the outlines'
 // order.
 std::vector<EdgeRef> trimmed(const Document& document, const std::vector<EdgeRef>& side, double metres, bool fromLast);

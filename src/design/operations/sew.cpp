@@ -66,6 +66,7 @@ Done resolve(const Document& before, SewEdges& op, Context&) {
       return refused(
           say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge), spoken(*before.find(id))));
   }
+  for (auto* side : {&op.a, &op.b}) *side = inOutlineOrder(before, std::move(*side));
   if (!op.name.empty()) {
     if (Done done = checkName(op.name); !done) return done;
     for (const auto& [id, seam] : before.pattern.seams)
