@@ -63,20 +63,21 @@ void ContactPairs::nodeFaces(NodeIndex a, NodeIndex b, const Search& search, std
   const double toB = squaredLength(between), way = std::sqrt(toB), low = dot(p, between);
   for (const std::uint32_t f : topology_.facesOf.of(b)) {
     const Triangle& face = topology_.faces[f];
+    bool mine = true, squeezed = false;  // whether b is the face's nearest corner
+    for (NodeIndex c : face) {
+      if (c == b) continue;
+      const double toC = squaredLength(p - search.x[c]);
+      if ((toC < toB || (toC == toB && c < b)) && takes(a, c, squeezed)) mine = false;
+    }
+    if (!mine) continue;
     double apart = 0, high = -1e300;
     for (NodeIndex c : face) {
-      high = std::fmax(high, dot(search.x[c], between));
-      if (!search.move.empty()) apart = std::fmax(apart, squaredLength(search.move[a] - search.move[c]));
+      high = std::max(high, dot(search.x[c], between));
+      if (!search.move.empty()) apart = std::max(apart, squaredLength(search.move[a] - search.move[c]));
     }
     const double reach = search.within + kMoveReach * std::sqrt(apart);
     if (fartherThan(reach, low, high, way)) continue;
-    bool mine = true, squeezed = false;  // whether b is the face's nearest corner
-    for (NodeIndex c : face) {
-      const double toC = squaredLength(p - search.x[c]);
-      if (topology_.sewn(c, a) || (c != b && (toC < toB || (toC == toB && c < b)) && takes(a, c, squeezed)))
-        mine = false;
-    }
-    if (!mine) continue;
+    if (topology_.sewn(face[0], a) || topology_.sewn(face[1], a) || topology_.sewn(face[2], a)) continue;
     const auto w = closestOnTriangle(p, search.x[face[0]], search.x[face[1]], search.x[face[2]]);
     const Vec3 d = p - (search.x[face[0]] * w[0] + search.x[face[1]] * w[1] + search.x[face[2]] * w[2]);
     const double gap = length(d);
@@ -86,35 +87,46 @@ void ContactPairs::nodeFaces(NodeIndex a, NodeIndex b, const Search& search, std
   }
 }
 
+// The edges at `own` whose far end is no nearer to `other` than `own` is: none else is of a pair that `own` finds.
+void ContactPairs::facingEdges(NodeIndex own, NodeIndex other, const Search& search,
+                               std::vector<FacingEdge>& out) const {
+  out.clear();
+  const Vec3 far = search.x[other];
+  const double both = squaredLength(search.x[own] - far);
+  for (const std::uint32_t e : topology_.edgesOf.of(own)) {
+    const NodeIndex end = topology_.edges[e][0] == own ? topology_.edges[e][1] : topology_.edges[e][0];
+    FacingEdge facing{end, search.x[end]};
+    const double crosswise = squaredLength(facing.place - far);
+    if ((crosswise < both || (crosswise == both && end < own)) && takes(end, other, facing.squeezed)) continue;
+    if (topology_.sewn(end, other)) continue;
+    out.push_back(facing);
+  }
+}
+
 void ContactPairs::edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const {
   const Vec3 pa = search.x[a], pb = search.x[b], between = pa - pb;
   const double both = squaredLength(between), way = std::sqrt(both), aAlong = dot(pa, between),
                bAlong = dot(pb, between);
-  const auto other = [&](std::uint32_t e, NodeIndex k) {
-    return topology_.edges[e][0] == k ? topology_.edges[e][1] : topology_.edges[e][0];
-  };
-  for (const std::uint32_t edgeA : topology_.edgesOf.of(a)) {
-    const NodeIndex a2 = other(edgeA, a);
-    const Vec3 pa2 = search.x[a2];
-    const double low = std::fmin(aAlong, dot(pa2, between));
-    const double cross1 = squaredLength(pa2 - pb);
-    if (topology_.sewn(a2, b)) continue;
-    bool squeezed1 = false;
-    if ((cross1 < both || (cross1 == both && a2 < a)) && takes(a2, b, squeezed1)) continue;
-    for (const std::uint32_t edgeB : topology_.edgesOf.of(b)) {
-      const NodeIndex b2 = other(edgeB, b);
-      const Vec3 pb2 = search.x[b2];
+  thread_local std::vector<FacingEdge> edgesA, edgesB;
+  facingEdges(a, b, search, edgesA);
+  if (edgesA.empty()) return;
+  facingEdges(b, a, search, edgesB);
+  for (const FacingEdge& edgeA : edgesA) {
+    const NodeIndex a2 = edgeA.end;
+    const Vec3 pa2 = edgeA.place;
+    const double low = std::min(aAlong, dot(pa2, between));
+    for (const FacingEdge& edgeB : edgesB) {
+      const NodeIndex b2 = edgeB.end;
+      const Vec3 pb2 = edgeB.place;
+      bool squeezed = edgeA.squeezed || edgeB.squeezed;
+      if (squaredLength(pa2 - pb2) < both && takes(a2, b2, squeezed)) continue;
       double apart = 0;
       if (!search.move.empty())
         for (NodeIndex m : {a, a2})
-          for (NodeIndex n : {b, b2}) apart = std::fmax(apart, squaredLength(search.move[m] - search.move[n]));
+          for (NodeIndex n : {b, b2}) apart = std::max(apart, squaredLength(search.move[m] - search.move[n]));
       const double reach = search.within + kMoveReach * std::sqrt(apart);
-      if (fartherThan(reach, low, std::fmax(bAlong, dot(pb2, between)), way)) continue;
-      if (topology_.sewn(a2, b2) || topology_.sewn(b2, a)) continue;
-      const double cross2 = squaredLength(pb2 - pa);
-      bool squeezed = squeezed1;
-      if ((cross2 < both || (cross2 == both && b2 < b)) && takes(a, b2, squeezed)) continue;
-      if (squaredLength(pa2 - pb2) < both && takes(a2, b2, squeezed)) continue;
+      if (fartherThan(reach, low, std::max(bAlong, dot(pb2, between)), way)) continue;
+      if (topology_.sewn(a2, b2)) continue;
       const auto at = closestOnSegments(pa, pa2, pb, pb2);
       // At an edge's end the node-face pair answers.
       if (search.move.empty() && (at[0] <= 0 || at[0] >= 1 || at[1] <= 0 || at[1] >= 1)) continue;

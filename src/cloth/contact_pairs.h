@@ -40,6 +40,12 @@ class ContactPairs {
  private:
   std::vector<ContactPair> search(const Search& search, const std::vector<std::uint8_t>& stale, Workers& workers);
   void nodeFaces(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const;
+  struct FacingEdge {  // at a node
+    NodeIndex end = 0;
+    Vec3 place;  // of its far end
+    bool squeezed = false;
+  };
+  void facingEdges(NodeIndex own, NodeIndex other, const Search& search, std::vector<FacingEdge>& out) const;
   void edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const;
   bool takes(NodeIndex a, NodeIndex b, bool& squeezed) const;
   bool nearOnPaper(const ContactPair& pair) const;
