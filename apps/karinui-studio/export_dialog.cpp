@@ -38,7 +38,8 @@ ExportDialog::ExportDialog(Session& session, SpaceView& view, QWidget* parent)
   about_->setAlignment(Qt::AlignTop);
   about_->setProperty("role", "faint");
   allowance_ = new LengthBox(say("Seam allowance"), 0, 0.1);
-  allowance_->setMetres(0.010);
+  const Document& document = session_.snapshot().document;
+  allowance_->setMetres(AllowancePlan(document.pattern, document.allowances).width(EdgeKind::Seam));
   page_ = new QSlider(Qt::Horizontal);
   page_->setAccessibleName(inWords(say("Page")));
   page_->setPageStep(1);

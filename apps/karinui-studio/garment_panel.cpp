@@ -12,10 +12,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "allowance_board.h"
 #include "blocks_menu.h"
 #include "edge_numbers.h"
 #include "karinui/base/number.h"
 #include "karinui/design/step_words.h"
+#include "karinui/design/truing_said.h"
 #include "karinui/pattern/edit.h"
 #include "karinui/pattern/symmetry.h"
 #include "length_box.h"
@@ -160,6 +162,8 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->addRow(word(say("From, across")), u_);
   form->addRow(word(say("From, up")), v_);
   form->addRow(word(say("Sewn to")), sewn_);
+  allowance_ = new AllowanceBoard(session);
+  form->addRow(allowance_);
   form->addRow(new EdgeNumbers(session));
   below->addWidget(edgeBoard_);  // who chose an edge asks for its numbers first
   below->addWidget(pieceBoard_);
@@ -386,11 +390,18 @@ void GarmentPanel::fillTree() {
     if (chosen && !selection.mark && selection.line.empty() && !(selection.edge && selection.edge->piece == id))
       item->setSelected(true), current = item;
   }
+  const TruingReport trued = truing(document.pattern, document.eases);
   for (const auto& [id, seam] : document.pattern.seams) {
     auto* item = new QTreeWidgetItem(tree_);
     item->setText(0, seamName(document, seam) + (seam.tie == Seam::Tie::TwoToOne ? "   2:1" : ""));
     item->setToolTip(0, item->text(0));
     item->setIcon(0, Theme::here().icon("sew"));
+    if (const auto faults = faultsSaid(document, trued, id); !faults.empty()) {
+      item->setText(0, item->text(0) + "   ⚠");
+      QString said = item->toolTip(0);
+      for (const Message& fault : faults) said += "\n" + inWords(fault);
+      item->setToolTip(0, said);
+    }
     item->setData(0, Qt::UserRole, kSeam);
     item->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
     if (selection.seam == id && !selection.edge) item->setSelected(true), current = item;
@@ -429,13 +440,18 @@ void GarmentPanel::fillProperties() {
       length_->setMetres(edge->curve.length());
       takeIn_->setMetres(0);
       stays_->refresh();
+      allowance_->refresh();
       u_->setMetres(edge->curve.start.u);
       v_->setMetres(edge->curve.start.v);
       QString sewn = "–";
       for (const auto& [id, seam] : document.pattern.seams)
         for (const auto* side : {&seam.a, &seam.b})
           for (const EdgeSpan& s : *side)
-            if (s.piece == piece->id && s.edge == edge->name) sewn = seamName(document, seam);
+            if (s.piece == piece->id && s.edge == edge->name) {
+              sewn = seamName(document, seam);
+              for (const Message& fault : faultsSaid(document, truing(document.pattern, document.eases), id))
+                sewn += "\n" + inWords(fault);
+            }
       sewn_->setText(sewn);
     }
   }

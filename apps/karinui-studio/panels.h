@@ -30,6 +30,7 @@ class FabricPlot;
 class LengthBox;
 class LengthChoice;
 class LookBoard;
+class AllowanceBoard;
 class MeasureDrawing;
 class MeasureRow;
 
@@ -76,6 +77,7 @@ class GarmentPanel : public Panel {
   QLineEdit* edgeName_;
   LengthBox *length_, *takeIn_, *u_, *v_;
   LengthChoice* stays_;
+  AllowanceBoard* allowance_;
   QLabel* sewn_;
   Selection selectionShown_;
 };

@@ -183,6 +183,8 @@ void paintPiece(QPainter& painter, const TablePiece& piece, const TableOnScreen&
   painter.drawPath(shape);
   paintPrint(painter, piece, shape, screen);
   painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(p.faint, 1));
+  for (const Ring& cut : piece.cut) painter.drawPath(closedPath(cut, screen));
   if (piece.before) {
     painter.setPen(QPen(p.faint, 1, Qt::DashLine));
     painter.drawPath(closedPath(*piece.before, screen));

@@ -3,6 +3,7 @@
 #include "json_answers.h"
 #include "karinui/cloth/check.h"
 #include "karinui/design/drape.h"
+#include "karinui/pattern/truing.h"
 #include "open_document.h"
 
 namespace karinui::app {
@@ -72,6 +73,15 @@ int answerInfo(Program& program, const DocumentOnly& options) {
   });
 }
 
+int answerTruing(Program& program, const DocumentOnly& options) {
+  return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
+    const Document& document = opened.document();
+    const TruingReport report = truing(document.pattern, document.eases);
+    program.console.answer(truingJson(document, report), truingWords(document, report, program.console));
+    return kDone;
+  });
+}
+
 }  // namespace
 
 void addAnswerVerbs(Program& program) {
@@ -91,6 +101,13 @@ void addAnswerVerbs(Program& program) {
   auto info = std::make_shared<DocumentOnly>();
   program.verb(program.cli, "info", help("Lists pieces, seams and lengths"), info, answerInfo)
       ->add_option("document", info->path, help("The .karinui document"))
+      ->required();
+
+  auto walked = std::make_shared<DocumentOnly>();
+  program
+      .verb(program.cli, "truing", help("Walks sewn edges against each other: lengths, and corners across seams"),
+            walked, answerTruing)
+      ->add_option("document", walked->path, help("The .karinui document"))
       ->required();
 }
 

@@ -5,6 +5,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/design/step_words.h"
+#include "karinui/design/truing_said.h"
 #include "word_table.h"
 
 namespace karinui::app {
@@ -122,6 +123,22 @@ std::string infoWords(const Document& document, const Console& console) {
     words += "\n" + said(say("The last pull took up to {0} N.", fixed(most, 1))) + "\n";
   }
   return words;
+}
+
+std::string truingWords(const Document& document, const TruingReport& report, const Console& console) {
+  const std::size_t faults = report.faults();
+  std::string words = console.said(report.seams.empty() ? say("Nothing is sewn yet.")
+                                   : faults == 0        ? say("All sewn edges fit each other.")
+                                                        : say("{0} {0|place does|places do} not fit:", faults)) +
+                      "\n";
+  for (const Message& fault : faultsSaid(document, report)) words += "  " + console.said(fault) + "\n";
+  if (report.seams.empty()) return words;
+  words += "\n" + console.said(say("Seams:")) + "\n";
+  WordTable seams;
+  for (const SeamTruing& seam : report.seams)
+    seams.row({text(seam.seam), console.said(seamSaid(document, *document.find(seam.seam))),
+               console.said(lengthsSaid(document, seam))});
+  return words + seams.words(2);
 }
 
 }  // namespace karinui::app

@@ -5,6 +5,7 @@
 #include "karinui/body/body.h"
 #include "karinui/cloth/check.h"
 #include "karinui/design/document.h"
+#include "karinui/pattern/truing.h"
 
 namespace karinui::app {
 
@@ -13,5 +14,6 @@ std::string checkWords(const ClothCheck& check, const Console& console);
 // `kept`: it was at rest before.
 std::string settleWords(const SettleReport& report, const ClothCheck& check, bool kept, const Console& console);
 std::string infoWords(const Document& document, const Console& console);
+std::string truingWords(const Document& document, const TruingReport& report, const Console& console);
 
 }  // namespace karinui::app

@@ -105,6 +105,32 @@ Json infoJson(const Document& document) {
   return object;
 }
 
+Json truingJson(const Document& document, const TruingReport& report) {
+  Json seams = Json::array(), corners = Json::array();
+  for (const SeamTruing& seam : report.seams)
+    seams.push_back({{"id", text(seam.seam)},
+                     {"name", document.find(seam.seam)->name},
+                     {"length_a_m", seam.a},
+                     {"length_b_m", seam.b},
+                     {"ease_m", seam.ease},
+                     {"gathered", seam.gathered},
+                     {"off_m", seam.off()},
+                     {"fits", seam.fits()}});
+  const auto side = [&](const CornerTruing::Side& at) {
+    return Json{{"piece", document.find(at.piece)->name},
+                {"edge", at.edge},
+                {"place_m", {at.place.u, at.place.v}},
+                {"angle_deg", at.angle}};
+  };
+  for (const CornerTruing& corner : report.corners)
+    corners.push_back({{"seam", text(corner.seam)},
+                       {"a", side(corner.a)},
+                       {"b", side(corner.b)},
+                       {"off_deg", corner.off()},
+                       {"smooth", corner.smooth()}});
+  return {{"faults", report.faults()}, {"seams", seams}, {"corners", corners}};
+}
+
 std::string words(const Json& object, int indent) {
   std::string lines;
   for (const auto& [key, value] : object.items()) {

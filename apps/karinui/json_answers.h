@@ -4,6 +4,7 @@
 #include "karinui/body/body.h"
 #include "karinui/cloth/check.h"
 #include "karinui/design/document.h"
+#include "karinui/pattern/truing.h"
 
 namespace karinui::app {
 
@@ -12,6 +13,7 @@ Json checkJson(const ClothCheck& check);
 Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console);
 Json continuationJson(const SettleReport& report);  // of a report that has one
 Json infoJson(const Document& document);
+Json truingJson(const Document& document, const TruingReport& report);
 
 // "key: value" lines, nested objects indented: for answers that programs read more than people.
 std::string words(const Json& object, int indent = 0);

@@ -1,6 +1,7 @@
 // export, picture: what leaves a document.
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "karinui/base/file.h"
 #include "karinui/exchange/formats.h"
@@ -17,7 +18,7 @@ namespace {
 
 struct ExportOptions {
   std::string path, out, paper = "sheet", format;
-  double allowanceMm = 10;
+  std::optional<double> allowanceMm;
 };
 
 struct PictureWish {
@@ -44,7 +45,8 @@ Result<std::string> bytesFor(OpenDocument& opened, const ExportOptions& options)
   const FileFormat* format = chosenFormat(options);
   if (!format) return unwritable(options.out);
   SheetSettings sheet;
-  sheet.allowance = options.allowanceMm / 1000;
+  sheet.allowances = opened.document().allowances;
+  if (options.allowanceMm) sheet.allowance = *options.allowanceMm / 1000;
   sheet.title = std::filesystem::path(options.path).stem().string();
   sheet.language = spokenHere();
   return format->write(
@@ -159,7 +161,8 @@ void addOutputVerbs(Program& program) {
   verb->add_option("-o,--output", out->out, help("The file; its ending says what it will be"))->required();
   verb->add_option("--paper,--page", out->paper, help("PDF: one true-size sheet (sheet), or A4 sheets to glue (a4)"))
       ->check(CLI::IsMember({"sheet", "a4"}));
-  verb->add_option("--allowance", out->allowanceMm, help("SVG and PDF: seam allowance in mm, up to 100, 0 for none"))
+  verb->add_option("--allowance", out->allowanceMm,
+                   help("paper: seam allowance in mm in place of the document's own, up to 100, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--format", out->format, help("JSON: karinui (exact) or garmentcode"))
       ->check(CLI::IsMember(patternFormats()));

@@ -82,6 +82,9 @@ Result<Document> apply(const Document& before, const Operation& operation, Conte
   if (const auto* length = std::get_if<SetLength>(&*op))
     after = withLink(*std::move(after), length->edge, lengthFormula(*op));
   if (!after->variables.empty()) after = linksFollowed(before, *std::move(after), context);
+  // What was said of a seam or a piece goes with it.
+  std::erase_if(after->eases, [&](const auto& own) { return !after->find(own.first); });
+  std::erase_if(after->cutting, [&](const auto& own) { return !after->find(own.first); });
   after->operations = before.operations + 1;
   return after;
 }

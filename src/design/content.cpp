@@ -61,6 +61,14 @@ bool sound(const Document& document, const std::vector<EdgeSpan>& side) {
   });
 }
 
+template <class Value>
+bool edgesThere(const Document& document, const std::map<Allowances::At, Value>& all) {
+  return std::all_of(all.begin(), all.end(), [&](const auto& own) {
+    const Piece* piece = document.find(own.first.first);
+    return piece && findEdge(*piece, own.first.second);
+  });
+}
+
 }  // namespace
 
 bool soundContent(const Document& document) {
@@ -73,6 +81,11 @@ bool soundContent(const Document& document) {
                        return document.find(pinned.first) &&
                               std::all_of(pinned.second.begin(), pinned.second.end(), [](Flat p) { return near(p); });
                      }) &&
+         edgesThere(document, document.allowances.edges) && edgesThere(document, document.allowances.corners) &&
+         std::all_of(document.cutting.begin(), document.cutting.end(),
+                     [&](const auto& own) { return document.find(own.first); }) &&
+         std::all_of(document.eases.begin(), document.eases.end(),
+                     [&](const auto& own) { return document.find(own.first); }) &&
          document.settings.spacing >= 0.002 && document.settings.spacing <= 0.05 && document.settings.ease >= 0 &&
          document.settings.ease <= 0.5;
 }

@@ -101,6 +101,21 @@ std::string hash(const Document& document) {
   }
   if (!document.variables.empty()) truth.add(std::string_view("variables"));  // documents without keep their hash
   for (const auto& [name, formula] : document.variables) truth.add(name), truth.add(formula);
+  if (const Allowances& own = document.allowances; !own.empty()) {  // likewise
+    truth.add(std::string_view("allowances"));
+    truth.add(std::uint64_t{own.kinds.size()});
+    for (const auto& [kind, width] : own.kinds) truth.add(static_cast<std::uint64_t>(kind)), truth.add(width);
+    truth.add(std::uint64_t{own.edges.size()});
+    for (const auto& [at, width] : own.edges) truth.add(at.first.value), truth.add(at.second), truth.add(width);
+    truth.add(std::uint64_t{own.corners.size()});
+    for (const auto& [at, kind] : own.corners)
+      truth.add(at.first.value), truth.add(at.second), truth.add(static_cast<std::uint64_t>(kind));
+  }
+  if (!document.cutting.empty()) truth.add(std::string_view("cutting"));
+  for (const auto& [id, cutting] : document.cutting)
+    truth.add(id.value), truth.add(static_cast<std::uint64_t>(cutting.count)), truth.add(std::uint64_t{cutting.pairs});
+  if (!document.eases.empty()) truth.add(std::string_view("eases"));
+  for (const auto& [id, ease] : document.eases) truth.add(id.value), truth.add(ease);
   return truth.hasher.hex();
 }
 

@@ -82,6 +82,45 @@ Look readLook(Reader& r) {
   return l;
 }
 
+void add(Writer& w, const Allowances& a) {
+  w.add(std::uint64_t{a.kinds.size()});
+  for (const auto& [kind, width] : a.kinds) w.add(static_cast<std::uint8_t>(kind)).add(width);
+  w.add(std::uint64_t{a.edges.size()});
+  for (const auto& [at, width] : a.edges) w.add(at.first.value).add(at.second).add(width);
+  w.add(std::uint64_t{a.corners.size()});
+  for (const auto& [at, kind] : a.corners) w.add(at.first.value).add(at.second).add(static_cast<std::uint8_t>(kind));
+}
+Allowances readAllowances(Reader& r) {
+  Allowances a;
+  const auto kind = [&]<class Kind>(Kind last) {
+    const auto byte = r.number<std::uint8_t>();
+    if (byte > static_cast<std::uint8_t>(last)) r.fail();
+    return static_cast<Kind>(byte);
+  };
+  const auto width = [&] {
+    const auto metres = r.number<double>();
+    if (!(metres >= 0 && metres <= kWidestAllowance)) r.fail();
+    return metres;
+  };
+  const auto at = [&] {
+    const PieceId piece{r.number<std::uint64_t>()};
+    return Allowances::At(piece, r.text());
+  };
+  for (std::size_t n = r.count(9); n > 0 && r.good(); --n) {
+    const EdgeKind of = kind(EdgeKind::Fold);
+    a.kinds[of] = width();
+  }
+  for (std::size_t n = r.count(24); n > 0 && r.good(); --n) {
+    const Allowances::At edge = at();
+    a.edges[edge] = width();
+  }
+  for (std::size_t n = r.count(17); n > 0 && r.good(); --n) {
+    const Allowances::At corner = at();
+    a.corners[corner] = kind(CornerKind::SquareAfter);
+  }
+  return a;
+}
+
 void add(Writer& w, const Measurements& m) {
   w.add(static_cast<std::uint8_t>(m.sex)).add(std::uint64_t{m.value.size()});
   for (const auto& [key, value] : m.value) w.add(key).add(value);
@@ -196,14 +235,24 @@ std::string packRest(const Document& d) {
   if (d.drape.last) add(w, *d.drape.last);
   w.all(d.drape.force).add(std::uint64_t{d.drape.dirty.size()});
   for (const PieceId id : d.drape.dirty) w.add(id.value);
-  if (!d.looks.empty() || !d.variables.empty()) {  // files of before they were kept end here
+  const bool finishing = !d.allowances.empty() || !d.cutting.empty() || !d.eases.empty();
+  if (!d.looks.empty() || !d.variables.empty() || finishing) {  // files of before they were kept end here
     w.add(std::uint64_t{d.looks.fabrics.size()});
     for (const auto& [name, look] : d.looks.fabrics) w.add(name), add(w, look);
     w.add(std::uint64_t{d.looks.pieces.size()});
     for (const auto& [id, look] : d.looks.pieces) w.add(id.value), add(w, look);
   }
-  if (!d.variables.empty()) w.add(std::uint64_t{d.variables.size()});  // documents without are packed as before them
+  if (!d.variables.empty() || finishing)
+    w.add(std::uint64_t{d.variables.size()});  // documents without are packed as before them
   for (const auto& [name, formula] : d.variables) w.add(name).add(formula);
+  if (finishing) {
+    add(w, d.allowances);
+    w.add(std::uint64_t{d.cutting.size()});
+    for (const auto& [id, cutting] : d.cutting)
+      w.add(id.value).add(cutting.count).add(static_cast<std::uint8_t>(cutting.pairs));
+    w.add(std::uint64_t{d.eases.size()});
+    for (const auto& [id, ease] : d.eases) w.add(id.value).add(ease);
+  }
   return w.taken();
 }
 
@@ -253,6 +302,18 @@ Result<Document> unpackRest(std::string_view bytes) {
       const std::string name = r.text();
       d.variables[name] = r.text();
     }
+  if (r.good() && !r.finished()) {
+    d.allowances = readAllowances(r);
+    for (std::size_t n = r.count(13); n > 0 && r.good(); --n) {
+      Cutting& cutting = d.cutting[{r.number<std::uint64_t>()}];
+      cutting.count = r.number<int>(), cutting.pairs = r.number<std::uint8_t>() != 0;
+      if (cutting.count < 1 || cutting.count > kMostCut) r.fail();
+    }
+    for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
+      const SeamId id{r.number<std::uint64_t>()};
+      if (!((d.eases[id] = r.number<double>()) > 0)) r.fail();
+    }
+  }
   if (!r.finished()) return damaged();
   return d;
 }

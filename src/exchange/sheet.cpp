@@ -1,8 +1,10 @@
 #include "sheet.h"
 
 #include <algorithm>
+#include <set>
 
 #include "karinui/design/piece_label.h"
+#include "karinui/pattern/cut_line.h"
 #include "karinui/pattern/label_room.h"
 #include "names.h"
 
@@ -19,20 +21,27 @@ void grow(SheetPiece& piece, Mm p) {
   piece.high = {std::max(piece.high.x, p.x), std::max(piece.high.y, p.y)};
 }
 
-Result<SheetPiece> draw(const Piece& piece, double allowance) {
+SheetPiece draw(const Piece& piece, const AllowancePlan* plan) {
   SheetPiece out;
   out.piece = &piece;
   const Ring ring = piece.outline.flattened(1e-5);
   out.low = out.high = turned(ring[0]);
   for (const Flat p : ring) grow(out, turned(p));
-  if (allowance > 0) {
-    Result<Ring> cut = movedOutwards(ring, allowance);
-    if (!cut) return cut.error();
+  const auto add = [&](const Ring& cut) {
     out.cutLines.emplace_back();
-    for (const Flat p : *cut) {
+    for (const Flat p : cut) {
       out.cutLines.back().push_back(turned(p));
       grow(out, turned(p));
     }
+  };
+  if (const auto cut = plan ? cutLines(piece, *plan) : std::nullopt) {
+    add(cut->outer);
+    for (const Ring& hole : cut->holes) add(hole);
+    const auto widths = [&](const Outline& outline) {
+      for (const Edge& edge : outline.edges) out.allowances[edge.name] = plan->width(piece.id, edge.name) * 1000;
+    };
+    widths(piece.outline);
+    for (const Outline& hole : piece.holes) widths(hole);
   }
   for (const Flat hole : drillHoles(piece)) out.drills.push_back(turned(hole));
   return out;
@@ -81,12 +90,12 @@ void addLabels(SheetPiece& out, Language language) {
   if (room.grain) out.grain = {out.at(room.grain->from), out.at(room.grain->to)};
 }
 
-void addNotches(Sheet& sheet, const Pattern& pattern, double allowance) {
+void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan) {
   std::map<PieceId, SheetPiece*> of;
   for (SheetPiece& piece : sheet.pieces) of[piece.piece->id] = &piece;
   for (const NotchPlace& notch : notchPlaces(pattern)) {
     SheetPiece& piece = *of.at(notch.piece);
-    const PaperStroke stroke = strokeOf(notch, allowance);
+    const PaperStroke stroke = strokeOf(notch, plan ? plan->width(notch.piece, notch.edge) : 0);
     piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, notch.seam});
   }
   for (const SeamTag& tag : seamTags(pattern)) {
@@ -97,22 +106,49 @@ void addNotches(Sheet& sheet, const Pattern& pattern, double allowance) {
 
 }  // namespace
 
+Result<std::optional<AllowancePlan>> allowancesOn(const Pattern& pattern, const SheetSettings& settings) {
+  Allowances all = settings.allowances;
+  if (settings.allowance) {
+    if (!(*settings.allowance >= 0 && *settings.allowance <= kWidestAllowance))
+      return refused(say("A seam allowance lies between 0 and 100 mm; usual are 7 to 15 mm."));
+    if (*settings.allowance == 0) return std::optional<AllowancePlan>();
+    all.kinds[EdgeKind::Seam] = *settings.allowance;
+  }
+  return std::optional(AllowancePlan(pattern, std::move(all)));
+}
+
+namespace {
+
+// "10 mm, hems 30 mm": of the kinds that there are, then whether single edges have their own.
+Message widthsSaid(const Pattern& pattern, const AllowancePlan& plan) {
+  std::set<EdgeKind> there;
+  for (const auto& [id, piece] : pattern.pieces)
+    for (const Edge& edge : piece->outline.edges) there.insert(plan.kind(id, edge.name));
+  const auto mm = [&](EdgeKind kind) { return std::round(plan.width(kind) * 1e4) / 10; };
+  Message all = say("Seam allowance {0} mm", mm(EdgeKind::Seam));
+  if (there.contains(EdgeKind::Hem)) all = say("{0}, hems {1} mm", all, mm(EdgeKind::Hem));
+  if (there.contains(EdgeKind::Neckline)) all = say("{0}, necklines {1} mm", all, mm(EdgeKind::Neckline));
+  if (!plan.allowances().edges.empty()) all = say("{0}; some edges as drawn", all);
+  return all;
+}
+
+}  // namespace
+
 Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   if (pattern.pieces.empty()) return refused(say("There is no piece to print."));
-  if (!std::isfinite(settings.allowance) || settings.allowance < 0 || settings.allowance > 0.1)
-    return refused(say("A seam allowance lies between 0 and 100 mm; usual are 7 to 15 mm."));
+  const auto allowances = allowancesOn(pattern, settings);
+  if (!allowances) return allowances.error();
+  const AllowancePlan* plan = *allowances ? &**allowances : nullptr;
   if (!std::isfinite(settings.rollWidth) || settings.rollWidth < 0.1 || settings.rollWidth > 10)
     return refused(say("A roll of paper is between 0.1 and 10 m wide."));
   Sheet sheet;
   sheet.title = cleanText(settings.title);
   for (const auto& [id, piece] : pattern.pieces) {
-    Result<SheetPiece> drawn = draw(*piece, settings.allowance);
-    if (!drawn) return drawn.error();
-    sheet.pieces.push_back(*std::move(drawn));
+    sheet.pieces.push_back(draw(*piece, plan));
   }
   shelve(sheet, settings.rollWidth * 1000);
   for (SheetPiece& piece : sheet.pieces) addLabels(piece, settings.language);
-  addNotches(sheet, pattern, settings.allowance);
+  addNotches(sheet, pattern, plan);
 
   sheet.square = {kMargin, kMargin};
   const auto said = [&](const Message& message) { return text(message, settings.language); };
@@ -124,11 +160,10 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   };
   heading(sheet.title, 7);
   heading(said(say("Print at 100 %. The square must measure 100 mm.")), 4);
-  if (settings.allowance > 0)
-    heading(said(say("Solid line: cut. Dashed line: sew. Seam allowance {0} mm.",
-                     std::round(settings.allowance * 1e4) / 10)),
-            4.5);
-  else
+  if (plan) {
+    heading(said(say("Solid line: cut. Dashed line: sew.")), 4.5);
+    heading(said(say("{0}.", widthsSaid(pattern, *plan))), 4);
+  } else
     heading(said(say("The lines are seam lines: add the seam allowance yourself.")), 4);
   heading(said(say("Arrow: grain. Short strokes: notches. Equal numbers are sewn together.")), 4);
   for (const SheetText& words : sheet.headings)

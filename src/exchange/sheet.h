@@ -1,6 +1,8 @@
 #pragma once
 // A sheet of pieces, ready to be drawn: everything in millimetres, x to the right, y down, from the sheet's top left.
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "karinui/exchange/sheet.h"
@@ -31,8 +33,9 @@ struct SheetNotch {
 
 struct SheetPiece {
   const Piece* piece = nullptr;
-  Mm origin;  // where the paper's (0, 0) lies
-  std::vector<std::vector<Mm>> cutLines;
+  Mm origin;                                 // where the paper's (0, 0) lies
+  std::vector<std::vector<Mm>> cutLines;     // round the outline, then in the holes
+  std::map<std::string, double> allowances;  // mm, of each edge; empty: seam lines only
   std::vector<SheetNotch> notches;
   std::vector<SheetText> texts;  // name first, then what to cut, then the seams' numbers
   std::optional<SheetStroke> grain;
@@ -54,7 +57,7 @@ inline constexpr double kSquare = 100;  // mm
 // Refused: an empty pattern, an absurd allowance.
 Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings);
 
-// sheet_offset.cpp: the ring moved outwards by `distance` with mitred corners; several rings never arise from one.
-Result<Ring> movedOutwards(const Ring& ring, double distance);
+// Of what is printed; nothing: seam lines only. Refused: an absurd width.
+Result<std::optional<AllowancePlan>> allowancesOn(const Pattern& pattern, const SheetSettings& settings);
 
 }  // namespace karinui

@@ -39,6 +39,8 @@ void outline(std::string& out, const SheetPiece& piece, const Outline& ring, con
   for (const Edge& edge : ring.edges) {
     out += std::string("    <path class=\"") + kind + "\" data-edge=\"" + xmlEscaped(edge.name) + "\"";
     if (std::string_view(kind) == "hole") out += " data-hole=\"" + std::to_string(index) + "\"";
+    if (const auto own = piece.allowances.find(edge.name); own != piece.allowances.end())
+      out += " data-allowance=\"" + number(own->second) + "\"";
     out += " d=\"M " + pair(piece.at(edge.curve.start)) + " " + pathTo(piece, edge.curve) + "\"/>\n";
   }
 }

@@ -64,15 +64,15 @@ std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
       const auto a = borderPlace(pattern, atA), b = borderPlace(pattern, atB);
       if (!a || !b) continue;
       if (a->corner && b->corner) continue;  // two corners find each other
-      out.push_back({atA.piece, a->place, a->outward, seam.name, false});
-      out.push_back({atB.piece, b->place, b->outward, seam.name, false});
+      out.push_back({atA.piece, a->place, a->outward, seam.name, false, atA.edge});
+      out.push_back({atB.piece, b->place, b->outward, seam.name, false, atB.edge});
     }
   }
   for (const auto& [id, piece] : pattern.pieces)
     for (const Mark& mark : piece->marks)
       if (!mark.edge.empty())
         if (const auto on = borderPlace(pattern, {id, mark.edge, mark.fraction}))
-          out.push_back({id, on->place, on->outward, "", true});
+          out.push_back({id, on->place, on->outward, "", true, mark.edge});
   return out;
 }
 

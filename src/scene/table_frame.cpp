@@ -17,6 +17,11 @@ std::optional<TableBox> extent(const TableFrame& frame) {
     if (!box) box = {piece.low, piece.high};
     box->low = {std::min(box->low.u, piece.low.u), std::min(box->low.v, piece.low.v)};
     box->high = {std::max(box->high.u, piece.high.u), std::max(box->high.v, piece.high.v)};
+    for (const Ring& ring : piece.cut)
+      for (const Flat p : ring) {
+        box->low = {std::min(box->low.u, p.u), std::min(box->low.v, p.v)};
+        box->high = {std::max(box->high.u, p.u), std::max(box->high.v, p.v)};
+      }
   }
   return box;
 }

@@ -22,6 +22,12 @@ SpatialLook lookOf(const SceneCloth& cloth) {
   return look;
 }
 
+SheetSettings sheetOf(const GarmentSnapshot& snapshot, const ExportWish& wish) {
+  SheetSettings sheet = wish.sheet;
+  sheet.allowances = snapshot.document.allowances;
+  return sheet;
+}
+
 }  // namespace
 
 SpatialGarment spatialOf(const Document& document, const SceneFrame& frame) {
@@ -42,12 +48,12 @@ Result<std::string> exported(const GarmentSnapshot& snapshot, const std::vector<
     return all;
   };
   const auto garment = [&]() -> Result<SpatialGarment> { return spatialOf(snapshot.document, snapshot.frame); };
-  return wish.format->write({pattern, script, garment, wish.sheet});
+  return wish.format->write({pattern, script, garment, sheetOf(snapshot, wish)});
 }
 
 Result<PaperPages> paperOf(const GarmentSnapshot& snapshot, const ExportWish& wish) {
   if (snapshot.document.pattern.pieces.empty()) return nothingToWrite();
-  return PaperPages::of(snapshot.document.pattern, wish.format->paper, wish.sheet);
+  return PaperPages::of(snapshot.document.pattern, wish.format->paper, sheetOf(snapshot, wish));
 }
 
 }  // namespace karinui

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "karinui/design/piece_label.h"
+#include "karinui/pattern/cut_line.h"
 
 namespace karinui {
 
@@ -160,10 +161,15 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
   const Document& document = snapshot.document;
   const Pattern pattern = shownPattern(document, options.outlines);
   TableFrame frame;
+  const AllowancePlan plan(pattern, document.allowances);
   std::map<PieceId, std::size_t> number;  // in the frame
   for (const auto& [id, piece] : pattern.pieces) {
     const Flat lies = layout.at(id);
     TablePiece drawn = pieceOf(*piece, lies);
+    if (auto cut = cutLines(*piece, plan, kMiss)) {
+      drawn.cut.push_back(laid(std::move(cut->outer), lies));
+      for (Ring& hole : cut->holes) drawn.cut.push_back(laid(std::move(hole), lies));
+    }
     drawn.lies = lies;
     drawn.chosen = chosen.pieces.contains(id);
     drawn.unsettled = document.drape.dirty.contains(id);

@@ -177,6 +177,11 @@ void drawPiece(Paper& paper, const TablePiece& piece) {
   paper.ink(pixelOf(piece.colour), kFilled);
   outlines();
   paper.fill();
+  if (!piece.cut.empty()) {
+    paper.ink(kFaint);
+    for (const Ring& cut : piece.cut) paper.path(cut, true);
+    paper.stroke(1);
+  }
   if (piece.before) {
     paper.ink(kFaint);
     paper.path(*piece.before, true);

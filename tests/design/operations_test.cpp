@@ -69,6 +69,15 @@ std::string facts(const Document& d) {
   }
   for (const auto& [fabricName, f] : d.fabrics)
     out << "fabric " << fabricName << " weight " << fixed(f.weight, 3) << "\n";
+  for (const auto& [kind, width] : d.allowances.kinds)
+    out << "allowance kind " << static_cast<int>(kind) << " mm " << fixed(width * 1000, 1) << "\n";
+  for (const auto& [at, width] : d.allowances.edges)
+    out << "allowance " << name(at.first) << "." << at.second << " mm " << fixed(width * 1000, 1) << "\n";
+  for (const auto& [at, kind] : d.allowances.corners)
+    out << "corner " << name(at.first) << "." << at.second << " kind " << static_cast<int>(kind) << "\n";
+  for (const auto& [id, cutting] : d.cutting)
+    out << "cut " << name(id) << " times " << cutting.count << (cutting.pairs ? " in pairs\n" : "\n");
+  for (const auto& [id, ease] : d.eases) out << "ease " << text(id) << " mm " << fixed(ease * 1000, 1) << "\n";
   const auto look = [&](const std::string& whose, const Look& l) {
     const auto dye = [](const Dye& c) {
       return std::to_string(c.red) + "," + std::to_string(c.green) + "," + std::to_string(c.blue);

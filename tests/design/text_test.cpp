@@ -117,6 +117,8 @@ struct Dice {
   void fill(DraftBlock::Kind& value) { value = static_cast<DraftBlock::Kind>(below(6)); }
   void fill(Finish& v) { v = static_cast<Finish>(below(10)); }
   void fill(PrintKind& v) { v = static_cast<PrintKind>(below(5)); }
+  void fill(EdgeKind& v) { v = static_cast<EdgeKind>(below(4)); }
+  void fill(CornerKind& v) { v = static_cast<CornerKind>(below(6)); }
   void fill(Dye& v) {
     for (std::uint8_t* part : {&v.red, &v.green, &v.blue}) *part = static_cast<std::uint8_t>(below(256));
   }

@@ -8,6 +8,7 @@
 #include "exchange/sheet.h"
 #include "exchange/xml.h"
 #include "karinui/base/file.h"
+#include "karinui/exchange/dxf.h"
 #include "karinui/exchange/garment_code.h"
 #include "karinui/pattern/label_room.h"
 #include "patterns.h"
@@ -214,6 +215,64 @@ TEST(Sheet, TheCutLineKeepsItsDistance) {
     for (const Flat p : cut)
       EXPECT_LE(distanceToRing(ring, p), 35.05) << "no mitre is longer than three and a half times";
   }
+}
+
+// A rectangle of 30 by 20 cm, its hem 4 cm and its fold without an allowance, the rest as usual or as asked for.
+Pattern skirtPanel() {
+  Piece piece;
+  piece.id = {1};
+  piece.name = "panel";
+  const Flat corner[] = {{0, 0}, {0.3, 0}, {0.3, 0.2}, {0, 0.2}};
+  const char* names[] = {"hem", "side", "waist", "fold"};
+  for (std::size_t k = 0; k < 4; ++k)
+    piece.outline.edges.push_back({names[k], Curve::line(corner[k], corner[(k + 1) % 4])});
+  Pattern pattern;
+  pattern.pieces[piece.id] = std::make_shared<const Piece>(piece);
+  return pattern;
+}
+
+TEST(Sheet, EachEdgeHasItsOwnAllowance) {
+  const Pattern pattern = skirtPanel();
+  SheetSettings settings;
+  settings.allowances.edges[{{1}, "hem"}] = 0.04;
+  for (const auto& [asked, seam] : {std::pair<std::optional<double>, double>{{}, 10}, {0.015, 15}}) {
+    settings.allowance = asked;
+    const auto sheet = layOut(pattern, settings);
+    ASSERT_TRUE(sheet);
+    const SheetPiece& piece = sheet->pieces[0];
+    ASSERT_EQ(piece.cutLines.size(), 1u);
+    Ring cut;
+    for (const Mm p : piece.cutLines[0]) cut.push_back({p.x, p.y});
+    EXPECT_NEAR(std::abs(signedArea(cut)), (300 + seam) * (200 + 40 + seam), 1e-6);
+    EXPECT_NE(
+        sheet->headings[3].words.find("Seam allowance " + std::to_string(static_cast<int>(seam)) + " mm, hems 30"),
+        std::string::npos)
+        << sheet->headings[3].words;
+    EXPECT_NE(sheet->headings[3].words.find("as drawn"), std::string::npos);
+    const auto svg = writeSvg(pattern, settings);
+    ASSERT_TRUE(svg);
+    for (const std::string edge : {"hem\" data-allowance=\"40", "fold\" data-allowance=\"0"})
+      EXPECT_NE(svg->find("data-edge=\"" + edge + "\""), std::string::npos) << edge;
+    EXPECT_TRUE(readSvg(*svg));
+    // In the cutting room's file the boundary is the cut line and layer 14 the seam line.
+    const auto dxf = writeDxf(pattern, DxfDialect::Aama, settings);
+    ASSERT_TRUE(dxf);
+    const auto ringOn = [&](const std::string& layer) {
+      Ring ring;
+      std::smatch line;
+      const std::regex whole("POLYLINE\r\n8\r\n" + layer + "\r\n([\\s\\S]*?)SEQEND");
+      if (!std::regex_search(*dxf, line, whole)) return ring;
+      const std::string points = line[1];
+      const std::regex place("10\r\n(-?[0-9.]+)\r\n20\r\n(-?[0-9.]+)");
+      for (std::sregex_iterator at(points.begin(), points.end(), place), end; at != end; ++at)
+        ring.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
+      return ring;
+    };
+    EXPECT_NEAR(signedArea(ringOn("1")), (300 + seam) * (240 + seam), 0.1);
+    EXPECT_NEAR(signedArea(ringOn("14")), 300 * 200, 0.1);
+  }
+  settings.allowance = 0;
+  EXPECT_TRUE(layOut(pattern, settings)->pieces[0].cutLines.empty()) << "seam lines only";
 }
 
 TEST(Sheet, RefusesNonsense) {

@@ -192,6 +192,28 @@ TEST(TableFrame, EveryStrokeLiesOnItsPiece) {
 }
 
 // Places of the sheet (millimetres, y down) and of the table, back on the paper of the piece.
+TEST(TableFrame, ShowsTheCutLinesOfThePrintedSheet) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const Table table(test::random(seed));
+    const TableFrame frame = table.frame();
+    const auto sheet = layOut(table.pattern(), {});
+    ASSERT_TRUE(sheet);
+    for (std::size_t k = 0; k < frame.pieces.size(); ++k) {
+      const SheetPiece& printed = sheet->pieces[k];
+      const Flat lies = table.layout.at(printed.piece->id);
+      ASSERT_EQ(frame.pieces[k].cut.size(), printed.cutLines.size());
+      for (std::size_t i = 0; i < printed.cutLines.size(); ++i) {
+        Ring onSheet;
+        for (const Mm p : printed.cutLines[i]) onSheet.push_back({p.x, p.y});
+        for (const Flat p : frame.pieces[k].cut[i]) {
+          const Mm there = printed.at(p - lies);
+          EXPECT_LT(distanceToRing(onSheet, {there.x, there.y}), 0.5) << seed;  // mm; chords of the table are longer
+        }
+      }
+    }
+  }
+}
+
 TEST(TableFrame, HasTheSameMarksAsThePrintedSheet) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     const Table table(test::random(seed));

@@ -16,7 +16,7 @@
 #include "karinui/cloth/fabric.h"
 #include "karinui/cloth/settle_report.h"
 #include "karinui/design/look.h"
-#include "karinui/pattern/piece.h"
+#include "karinui/pattern/allowance.h"
 
 namespace karinui {
 
@@ -39,6 +39,14 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
+// How often a piece is cut from the cloth.
+inline constexpr int kMostCut = 999;
+struct Cutting {
+  int count = 1;
+  bool pairs = false;  // half of them turned over
+  bool operator==(const Cutting&) const = default;
+};
+
 // What is known of the last drape.
 struct DrapeInfo {
   std::optional<SettleReport> last;  // nothing: never draped
@@ -52,6 +60,9 @@ struct Document {
   std::map<std::string, Fabric> fabrics;      // by name; a piece's fabric not named here is a preset
   std::map<PieceId, std::vector<Flat>> pins;  // paper places held where they are while draping
   Looks looks;
+  Allowances allowances;               // of seams and corners that are not as usual (pattern/allowance.h)
+  std::map<PieceId, Cutting> cutting;  // of pieces that are cut more than once
+  std::map<SeamId, double> eases;      // metres by which one side of a seam is longer on purpose
   Settings settings;
   std::map<std::string, std::string> variables;  // formulas by name (formula.h); worked out where they are used
   DrapeInfo drape;
@@ -62,8 +73,8 @@ struct Document {
   const Seam* find(SeamId id) const;
 };
 
-// Of the pattern truth: body, outlines, marks, seams, fabrics, looks, pins, settings, variables, names and ids; not of
-// forms, poses, reports.
+// Of the pattern truth: body, outlines, marks, seams, allowances, eases, counts, fabrics, looks, pins, settings,
+// variables, names and ids; not of forms, poses, reports.
 std::string hash(const Document& document);
 // Of where the cloth stands: forms and poses.
 std::string drapeHash(const Document& document);

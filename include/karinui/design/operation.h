@@ -10,6 +10,7 @@
 #include "karinui/design/operations/draping.h"
 #include "karinui/design/operations/fabric.h"
 #include "karinui/design/operations/figure.h"
+#include "karinui/design/operations/finishing.h"
 #include "karinui/design/operations/marks.h"
 #include "karinui/design/operations/outline.h"
 #include "karinui/design/operations/paper.h"
@@ -27,9 +28,9 @@ template <class... Ops>
 std::variant<Ops...> variantOf(OperationList<Ops...>);
 
 // The order of --help and of docs/format/operations.md; the first is what an empty Operation holds.
-using PlainOperation = decltype(variantOf(FigureOperations() + DraftingOperations() + PaperOperations() +
-                                          OutlineOperations() + MarksOperations() + SewingOperations() +
-                                          PlacingOperations() + DrapingOperations() + FabricOperations()));
+using PlainOperation = decltype(variantOf(
+    FigureOperations() + DraftingOperations() + PaperOperations() + OutlineOperations() + MarksOperations() +
+    SewingOperations() + PlacingOperations() + DrapingOperations() + FabricOperations() + FinishingOperations()));
 
 // Any operation. The fields named in `formulas` are given by formulas: what the struct holds there is their value as
 // it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand.

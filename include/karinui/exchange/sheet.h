@@ -3,19 +3,21 @@
 // notches, grain arrows and names. SVG and PDF are two ways of drawing one sheet. Pure; any thread.
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "karinui/base/message.h"
 #include "karinui/base/result.h"
-#include "karinui/pattern/piece.h"
+#include "karinui/pattern/allowance.h"
 
 namespace karinui {
 
 struct SheetSettings {
   std::string title = "Karinui";
-  double allowance = 0.010;               // metres between seam line and cut line; 0: seam lines only
+  Allowances allowances;                  // of the garment
+  std::optional<double> allowance;        // metres, of seams, in place of the garment's own; 0: seam lines only
   double rollWidth = 0.900;               // metres; the sheet is wider only if a piece is
   Language language = Language::English;  // of the words around the names
 };

@@ -29,6 +29,7 @@ struct NotchPlace {
   Flat place, outward;
   std::string seam;  // its name; a seam need not have one
   bool own = false;  // the person's own
+  std::string edge;  // on which it is
 };
 std::vector<NotchPlace> notchPlaces(const Pattern& pattern);
 // From the seam line out to the cut line; on a pattern of seam lines only (allowance 0), a short stroke inwards.

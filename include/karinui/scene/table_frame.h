@@ -53,6 +53,7 @@ struct TablePiece {
   std::vector<TableEdge> edges;               // the outline, counter-clockwise
   std::vector<std::vector<TableEdge>> holes;  // counter-clockwise too
   Flat low, high;                             // the outline's box
+  std::vector<Ring> cut;                      // the lines it is cut along, where there is a seam allowance
   std::optional<Ring> before;                 // the outline of the document, where a drag shows another one
   std::vector<std::vector<Flat>> lines;       // internal lines
   std::vector<TableNotch> notches;

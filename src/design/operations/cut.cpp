@@ -62,6 +62,7 @@ Result<Document> perform(const Document& before, const CutPiece& op, Context& co
     piece.mirrorOf = PieceId();  // no longer the other's likeness
     after = withPiece(std::move(after), std::move(piece));
   }
+  updateAllowances(after.allowances, cut->edges, after.pattern);
   return after;
 }
 

@@ -41,7 +41,15 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
   Document after = before;
   if (const auto look = before.looks.pieces.find(op.piece.id); look != before.looks.pieces.end())
     after.looks.pieces[copy.id] = look->second;
-  return withPiece(std::move(after), std::move(copy));
+  const PieceId id = copy.id;
+  if (const auto own = before.cutting.find(op.piece.id); own != before.cutting.end()) after.cutting[id] = own->second;
+  for (const auto& [at, width] : before.allowances.edges)
+    if (at.first == op.piece.id) after.allowances.edges[{id, at.second}] = width;
+  for (const auto& [at, kind] : before.allowances.corners)
+    if (at.first == op.piece.id) after.allowances.corners[{id, at.second}] = kind;
+  after = withPiece(std::move(after), std::move(copy));
+  updateAllowances(after.allowances, {}, after.pattern);  // a part has not all the edges
+  return after;
 }
 
 }  // namespace karinui

@@ -17,7 +17,9 @@ Result<Document> perform(const Document& before, const MirrorPiece& op, Context&
   copy.id = mint<PieceId>(before, 0);
   copy.name = op.name;
   copy.mirrorOf = op.piece.id;
-  return withPiece(before, std::move(copy));
+  Document after = before;
+  copyAllowances(after.allowances, *before.find(op.piece.id), copy, true);
+  return withPiece(std::move(after), std::move(copy));
 }
 
 }  // namespace karinui

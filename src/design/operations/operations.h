@@ -54,6 +54,9 @@ KARINUI_DECLARE_OPERATION(AttachPiece)  // attach.cpp
 KARINUI_DECLARE_OPERATION(UnfoldPiece)
 KARINUI_DECLARE_OPERATION(DraftBlock)  // block.cpp; the drafts are in design/blocks
 KARINUI_DECLARE_OPERATION(SetVariable)
+KARINUI_DECLARE_OPERATION(SetAllowance)
+KARINUI_DECLARE_OPERATION(DeclareEase)  // finishing.cpp
+KARINUI_DECLARE_OPERATION(SetQuantity)
 #undef KARINUI_DECLARE_OPERATION
 
 // The id of the nth thing (from 0) that the operation now being performed makes.

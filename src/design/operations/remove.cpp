@@ -24,6 +24,7 @@ Result<Document> perform(const Document& before, const RemovePieces& op, Context
       for (const EdgeSpan& span : *side) after.drape.dirty.insert(span.piece);
     after.pattern.seams.erase(id);
   }
+  updateAllowances(after.allowances, {}, after.pattern);
   for (const PieceId id : gone) after.drape.dirty.erase(id);
   for (auto& [id, shared] : after.pattern.pieces) {
     if (!gone.contains(shared->mirrorOf)) continue;

@@ -56,6 +56,10 @@ Result<Document> perform(const Document& before, const Rename& op, Context&) {
     for (Mark& mark : piece.marks)
       if (mark.edge == from) mark.edge = op.to;
     renameInFormulas(after, id, from, op.to);
+    const auto renameKey = [&](auto& all) {
+      if (auto own = all.extract({id, from}); own) own.key().second = op.to, all.insert(std::move(own));
+    };
+    renameKey(after.allowances.edges), renameKey(after.allowances.corners);
     for (auto& [seamId, seam] : after.pattern.seams) {
       for (auto* side : {&seam.a, &seam.b})
         for (EdgeSpan& span : *side)

@@ -88,6 +88,7 @@ Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceI
   const auto take = [&](const EditedPiece& now) {
     updateSeams(document.pattern, now.edges);
     document = withPiece(std::move(document), now.piece);
+    updateAllowances(document.allowances, now.edges, document.pattern);
   };
   take(edit);
   const auto all = document.pattern.pieces;

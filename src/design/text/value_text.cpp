@@ -77,6 +77,14 @@ constexpr Words<PrintKind, 5> kPrints{{{{"none", PrintKind::None},
                                         {"check", PrintKind::Check},
                                         {"dot", PrintKind::Dot},
                                         {"photo", PrintKind::Photo}}}};
+constexpr Words<EdgeKind, 4> kEdgeKindWords{
+    {{{"seam", EdgeKind::Seam}, {"hem", EdgeKind::Hem}, {"neckline", EdgeKind::Neckline}, {"fold", EdgeKind::Fold}}}};
+constexpr Words<CornerKind, 6> kCorners{{{{"mitre", CornerKind::Mitre},
+                                          {"points", CornerKind::Points},
+                                          {"mirror_before", CornerKind::MirrorBefore},
+                                          {"mirror_after", CornerKind::MirrorAfter},
+                                          {"square_before", CornerKind::SquareBefore},
+                                          {"square_after", CornerKind::SquareAfter}}}};
 constexpr Words<Settings::Collider, 2> kColliders{
     {{{"field", Settings::Collider::Field}, {"planes", Settings::Collider::Planes}}}};
 
@@ -352,6 +360,11 @@ std::string writeValue(const Finish& value) { return kFinishes.write(value); }
 Done readValue(std::string_view text, Finish& value) { return kFinishes.read(text, value); }
 std::string writeValue(const PrintKind& value) { return kPrints.write(value); }
 Done readValue(std::string_view text, PrintKind& value) { return kPrints.read(text, value); }
+
+std::string writeValue(const EdgeKind& value) { return kEdgeKindWords.write(value); }
+Done readValue(std::string_view text, EdgeKind& value) { return kEdgeKindWords.read(text, value); }
+std::string writeValue(const CornerKind& value) { return kCorners.write(value); }
+Done readValue(std::string_view text, CornerKind& value) { return kCorners.read(text, value); }
 
 // Without a "#", which begins a comment in scripts; read with or without.
 std::string writeValue(const Dye& value) {

@@ -54,6 +54,8 @@ KARINUI_VALUE(Settings::Collider, "field|planes")
 KARINUI_VALUE(Dye, "colour")
 KARINUI_VALUE(Finish, "poplin|linen|denim|suiting|tweed|jersey|satin|chiffon|velvet|leather")
 KARINUI_VALUE(PrintKind, "none|stripe|check|dot|photo")
+KARINUI_VALUE(EdgeKind, "seam|hem|neckline|fold")
+KARINUI_VALUE(CornerKind, "mitre|points|mirror_before|mirror_after|square_before|square_after")
 #undef KARINUI_VALUE
 
 Done readValue(std::string_view text, std::vector<Stated>& values);

@@ -6,6 +6,7 @@
 #include "exchange/sheet.h"
 #include "karinui/base/number.h"
 #include "karinui/exchange/dxf.h"
+#include "karinui/pattern/cut_line.h"
 
 namespace karinui {
 
@@ -55,15 +56,11 @@ class Writing {
     group(0, "SECTION"), group(2, "HEADER"), group(0, "ENDSEC"), group(0, "SECTION"), group(2, "BLOCKS");
   }
 
-  Done piece(const Pattern& pattern, const Piece& piece, double allowance) {
+  void piece(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan) {
     const std::string name = asciiName(piece.name, names_), block = name + "_" + std::string(kSize);
     const Drawn seam = drawn(piece.outline);
-    Drawn boundary = seam;
-    if (allowance > 0) {
-      const auto cut = movedOutwards(seam.points, allowance);
-      if (!cut) return cut.error();
-      boundary = drawn(*cut);
-    }
+    const auto cut = plan ? cutLines(piece, *plan, kMiss) : std::nullopt;
+    const Drawn boundary = cut ? drawn(cut->outer) : seam;
     blocks_.push_back(block);
     group(0, "BLOCK"), group(8, "0"), group(2, block), group(70, "64"), place({0, 0});
     const Flat at = boundary.points.front();
@@ -74,14 +71,14 @@ class Writing {
     line(1, boundary);
     points(boundary);
     if (astm_) line(84, boundary);
-    if (allowance > 0) line(14, seam), points(seam);
-    if (allowance > 0 && astm_) line(87, seam);
+    if (cut) line(14, seam), points(seam);
+    if (cut && astm_) line(87, seam);
     for (const Outline& hole : piece.holes) {
       line(11, drawn(hole));
       if (astm_) line(86, drawn(hole));
     }
     for (const NotchPlace& notch : notchPlaces(pattern))
-      if (notch.piece == piece.id) notchAt(notch, allowance);
+      if (notch.piece == piece.id) notchAt(notch, plan ? plan->width(piece.id, notch.edge) : 0);
     for (const Flat drill : drillHoles(piece)) point(13, drill);
     grain(piece);
     for (const InternalLine& inner : piece.lines) {
@@ -89,7 +86,6 @@ class Writing {
       if (astm_) open(85, inner);
     }
     group(0, "ENDBLK"), group(8, "0");
-    return {};
   }
 
   std::string finished(std::string_view style) {
@@ -164,11 +160,10 @@ class Writing {
 
 Result<std::string> writeDxf(const Pattern& pattern, DxfDialect dialect, const SheetSettings& settings) {
   if (pattern.pieces.empty()) return refused(say("There is no piece to print."));
-  if (!(settings.allowance >= 0 && settings.allowance <= 0.1))
-    return refused(say("A seam allowance lies between 0 and 100 mm; usual are 7 to 15 mm."));
+  const auto allowances = allowancesOn(pattern, settings);
+  if (!allowances) return allowances.error();
   Writing writing(dialect);
-  for (const auto& [id, piece] : pattern.pieces)
-    if (Done done = writing.piece(pattern, *piece, settings.allowance); !done) return done.error();
+  for (const auto& [id, piece] : pattern.pieces) writing.piece(pattern, *piece, *allowances ? &**allowances : nullptr);
   return writing.finished(settings.title);
 }
 

@@ -1,0 +1,129 @@
+#include "allowance_board.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "length_box.h"
+#include "theme.h"
+
+namespace karinui::studio {
+
+namespace {
+
+std::array<std::pair<CornerKind, Message>, 6> cornerWords() {
+  return {{{CornerKind::Mitre, say("Mitre")},
+           {CornerKind::Points, say("Cut off between the seam lines")},
+           {CornerKind::MirrorBefore, say("Mirrored on the edge before")},
+           {CornerKind::MirrorAfter, say("Mirrored on the edge after")},
+           {CornerKind::SquareBefore, say("Square to the edge before")},
+           {CornerKind::SquareAfter, say("Square to the edge after")}}};
+}
+
+// Why the edge has its width, where none was said for it alone.
+Message kindSaid(EdgeKind kind) {
+  switch (kind) {
+    case EdgeKind::Hem:
+      return say("as usual for a hem");
+    case EdgeKind::Neckline:
+      return say("as usual for a neckline");
+    case EdgeKind::Fold:
+      return say("none on a fold");
+    default:
+      return say("as usual for a seam");
+  }
+}
+
+}  // namespace
+
+AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  const auto row = [form](const Message& words, QWidget* box) {
+    auto* label = new QLabel;
+    label->setWordWrap(true);
+    Theme::here().keep(label, [label, words] { label->setText(inWords(words)); });
+    form->addRow(label, box);
+  };
+  width_ = new LengthBox(say("Seam allowance"), 0, kWidestAllowance);
+  width_->setObjectName("edge_allowance");
+  row(say("Seam allowance"), width_);
+  why_ = new QLabel;
+  why_->setProperty("role", "faint");
+  why_->setWordWrap(true);
+  form->addRow(QString(), why_);
+  const Message ends[] = {say("Corner at the start"), say("Corner at the end")};
+  for (std::size_t k = 0; k < 2; ++k) {
+    auto* box = corners_[k] = new QComboBox;
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+    box->setObjectName(k == 0 ? "corner_start" : "corner_end");
+    Theme::here().keep(box, [this, box, words = ends[k]] {
+      filling_ = true;
+      const int now = box->currentIndex();
+      box->clear();
+      for (const auto& [kind, said] : cornerWords()) box->addItem(inWords(said));
+      box->setCurrentIndex(now);
+      box->setAccessibleName(inWords(words));
+      filling_ = false;
+    });
+    row(ends[k], box);
+    connect(box, &QComboBox::activated, this, [this, k](int at) {
+      if (filling_ || !session_.selection().edge) return;
+      SetAllowance op = operation();
+      (k == 0 ? op.start : op.end) = cornerWords()[static_cast<std::size_t>(at)].first;
+      perform(std::move(op));
+    });
+  }
+  auto* plain = new QPushButton;
+  Theme::here().keep(plain, [plain] {
+    plain->setText(inWords(say("As usual")));
+    plain->setToolTip(inWords(say("The allowance and the corners that edges of its kind have.")));
+  });
+  form->addRow(QString(), plain);
+  connect(plain, &QPushButton::clicked, this, [this] {
+    if (!session_.selection().edge) return;
+    SetAllowance op = operation();
+    op.plain = true;
+    perform(std::move(op));
+  });
+  connect(width_, &LengthBox::typed, this, [this](double metres) {
+    if (filling_ || !session_.selection().edge) return;
+    SetAllowance op = operation();
+    op.width = Length{metres};
+    perform(std::move(op));
+  });
+}
+
+SetAllowance AllowanceBoard::operation() const {
+  SetAllowance op;
+  op.edges = {{PieceRef(session_.selection().edge->piece), session_.selection().edge->edge, 0, 1}};
+  return op;
+}
+
+void AllowanceBoard::perform(SetAllowance operation) { session_.perform(std::move(operation)); }
+
+void AllowanceBoard::refresh() {
+  const Document& document = session_.snapshot().document;
+  const auto& chosen = session_.selection().edge;
+  const Piece* piece = chosen ? document.find(chosen->piece) : nullptr;
+  const auto edge = piece ? piece->outline.find(chosen->edge) : std::nullopt;
+  setVisible(edge.has_value());
+  if (!edge) return;
+  filling_ = true;
+  const AllowancePlan plan(document.pattern, document.allowances);
+  width_->setMetres(plan.width(piece->id, chosen->edge));
+  const bool own = document.allowances.edges.contains({piece->id, chosen->edge});
+  why_->setText(own ? QString() : inWords(kindSaid(plan.kind(piece->id, chosen->edge))));
+  const auto& edges = piece->outline.edges;
+  const std::size_t n = edges.size();
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::size_t after = (*edge + k) % n;
+    const CornerKind kind = plan.corner(piece->id, edges[(after + n - 1) % n].name, edges[after].name);
+    corners_[k]->setCurrentIndex(static_cast<int>(kind));
+  }
+  filling_ = false;
+}
+
+}  // namespace karinui::studio

@@ -1,0 +1,32 @@
+#pragma once
+// How far beyond its seam line the chosen edge is cut, and how the cut line turns at its ends. GUI thread.
+#include <QWidget>
+#include <array>
+
+#include "karinui/session/session.h"
+
+class QComboBox;
+class QLabel;
+
+namespace karinui::studio {
+
+class LengthBox;
+
+class AllowanceBoard : public QWidget {
+  Q_OBJECT
+ public:
+  explicit AllowanceBoard(Session& session);
+  void refresh();
+
+ private:
+  SetAllowance operation() const;  // of the chosen edge; there is one
+  void perform(SetAllowance operation);
+
+  Session& session_;
+  LengthBox* width_;
+  std::array<QComboBox*, 2> corners_;  // where the edge starts, where it ends
+  QLabel* why_;
+  bool filling_ = false;
+};
+
+}  // namespace karinui::studio

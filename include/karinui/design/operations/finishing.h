@@ -1,0 +1,77 @@
+#pragma once
+// How pieces are cut and finished: what is left beyond the seam line.
+// Conventions of the structs: field.h.
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "karinui/design/operations/field.h"
+#include "karinui/design/values.h"
+#include "karinui/pattern/allowance.h"
+
+namespace karinui {
+
+// allowance edges="front.hem back.hem" width=4cm        allowance kind=seam width=12mm
+// allowance edges=sleeve.hem start=square_before        allowance edges=front.hem plain=yes
+struct SetAllowance {
+  static constexpr std::string_view kName = "allowance";
+  static constexpr std::string_view kHelp =
+      "Says how far beyond the seam line edges are cut, and how the cut line turns at their ends.";
+  std::vector<EdgeRef> edges;
+  std::optional<EdgeKind> kind;
+  bool plain = false;
+  std::optional<Length> width;
+  std::optional<CornerKind> start, end;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edges", self.edges, "the edges", kOptional);
+    visit("kind", self.kind, "or all edges of a kind that have none of their own: seam, hem, neckline, fold",
+          kOptional);
+    visit("plain", self.plain, "yes: first as usual", kOptional);
+    visit("width", self.width, "from the seam line to the cut line, up to 10 cm", kOptional);
+    visit(
+        "start", self.start,
+        "the corner where the edges start: mitre; points (each cut line ends on the other seam's line); mirror_before, "
+        "mirror_after (the allowance of the edge before or after the corner, folded on its seam, matches what it "
+        "covers); square_before, square_after (that allowance ends square)",
+        kOptional);
+    visit("end", self.end, "the corner where they end", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const SetAllowance&) const = default;
+};
+
+// ease seam=armhole by=2cm        ease seam=armhole by=0
+struct DeclareEase {
+  static constexpr std::string_view kName = "ease";
+  static constexpr std::string_view kHelp = "Says by how much one side of a seam is longer on purpose.";
+  SeamRef seam;
+  Length by;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("seam", self.seam, "the seam: s5, or its name", kNeeded);
+    visit("by", self.by, "the difference of its two sides; 0: none", kNeeded);
+  }
+  bool operator==(const DeclareEase&) const = default;
+};
+
+// quantity piece=pocket count=2 pairs=yes
+struct SetQuantity {
+  static constexpr std::string_view kName = "quantity";
+  static constexpr std::string_view kHelp = "Says how often pieces are cut from the cloth.";
+  std::vector<PieceRef> pieces;
+  int count = 1;
+  bool pairs = false;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.pieces, "the pieces", kNeeded);
+    visit("count", self.count, "how often each is cut", kNeeded);
+    visit("pairs", self.pairs, "yes: half of them turned over, as for a left and a right one", kOptional);
+  }
+  bool operator==(const SetQuantity&) const = default;
+};
+
+using FinishingOperations = OperationList<SetAllowance, DeclareEase, SetQuantity>;
+
+}  // namespace karinui

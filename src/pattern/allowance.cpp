@@ -1,0 +1,137 @@
+#include "karinui/pattern/allowance.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace karinui {
+
+namespace {
+
+// Whether one of the words of a name, "side_hem_2", begins so.
+bool saysSo(std::string_view name, std::string_view word) {
+  for (std::size_t at = name.find(word); at != std::string_view::npos; at = name.find(word, at + 1))
+    if (at == 0 || std::isalpha(static_cast<unsigned char>(name[at - 1])) == 0) return true;
+  return false;
+}
+
+template <class Value>
+void eraseGone(std::map<Allowances::At, Value>& all, const Pattern& now) {
+  std::erase_if(all, [&](const auto& own) {
+    const auto piece = now.pieces.find(own.first.first);
+    return piece == now.pieces.end() || !findEdge(*piece->second, own.first.second);
+  });
+}
+
+}  // namespace
+
+double usualAllowance(EdgeKind kind) {
+  switch (kind) {
+    case EdgeKind::Hem:
+      return 0.030;
+    case EdgeKind::Neckline:
+      return 0.007;
+    case EdgeKind::Fold:
+      return 0;
+    default:
+      return 0.010;
+  }
+}
+
+CornerKind mirrored(CornerKind kind) {
+  switch (kind) {
+    case CornerKind::MirrorBefore:
+      return CornerKind::MirrorAfter;
+    case CornerKind::MirrorAfter:
+      return CornerKind::MirrorBefore;
+    case CornerKind::SquareBefore:
+      return CornerKind::SquareAfter;
+    case CornerKind::SquareAfter:
+      return CornerKind::SquareBefore;
+    default:
+      return kind;
+  }
+}
+
+void updateAllowances(Allowances& allowances, const EdgeMap& map, const Pattern& now) {
+  constexpr double kStart = 1e-9;
+  if (allowances.edges.empty() && allowances.corners.empty()) return;
+  decltype(allowances.edges) edges;
+  const auto keep = [&](const Allowances::At& at, double width) {
+    const auto [there, fresh] = edges.emplace(at, width);
+    if (!fresh) there->second = std::max(there->second, width);
+  };
+  for (const auto& [at, width] : allowances.edges) {
+    const auto parts = map.find(at);
+    if (parts == map.end()) {
+      keep(at, width);
+      continue;
+    }
+    for (const EdgePart& part : parts->second) keep({part.now.piece, part.now.edge}, width);
+  }
+  decltype(allowances.corners) corners;
+  for (const auto& [at, kind] : allowances.corners) {
+    const auto parts = map.find(at);
+    if (parts == map.end()) {
+      corners[at] = kind;
+      continue;
+    }
+    for (const EdgePart& part : parts->second)
+      if (part.from < kStart && part.now.from < kStart) corners[{part.now.piece, part.now.edge}] = kind;
+  }
+  allowances.edges = std::move(edges), allowances.corners = std::move(corners);
+  eraseGone(allowances.edges, now), eraseGone(allowances.corners, now);
+}
+
+void copyAllowances(Allowances& allowances, const Piece& original, const Piece& copy, bool mirror) {
+  const auto lead = [&](const Outline& from, const Outline& to) {
+    const std::size_t n = from.edges.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Allowances::At at{original.id, from.edges[k].name};
+      // The image of an edge starts where the edge ends.
+      const auto width = mirror ? n - 1 - k : k, corner = mirror ? (n - k) % n : k;
+      if (width >= to.edges.size() || corner >= to.edges.size()) continue;
+      if (const auto own = allowances.edges.find(at); own != allowances.edges.end())
+        allowances.edges[{copy.id, to.edges[width].name}] = double{own->second};
+      if (const auto own = allowances.corners.find(at); own != allowances.corners.end())
+        allowances.corners[{copy.id, to.edges[corner].name}] = mirror ? mirrored(own->second) : CornerKind{own->second};
+    }
+  };
+  lead(original.outline, copy.outline);
+  for (std::size_t i = 0; i < original.holes.size() && i < copy.holes.size(); ++i)
+    lead(original.holes[i], copy.holes[i]);
+}
+
+AllowancePlan::AllowancePlan(const Pattern& pattern, Allowances allowances) : allowances_(std::move(allowances)) {
+  for (const auto& [id, seam] : pattern.seams)
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side) sewn_.insert({span.piece, span.edge});
+}
+
+EdgeKind AllowancePlan::kind(PieceId piece, const std::string& edge) const {
+  if (sewn_.contains({piece, edge})) return EdgeKind::Seam;
+  if (saysSo(edge, "fold")) return EdgeKind::Fold;
+  if (saysSo(edge, "hem")) return EdgeKind::Hem;
+  if (saysSo(edge, "neck")) return EdgeKind::Neckline;
+  return EdgeKind::Seam;
+}
+
+double AllowancePlan::width(EdgeKind kind) const {
+  const auto own = allowances_.kinds.find(kind);
+  return own != allowances_.kinds.end() ? own->second : usualAllowance(kind);
+}
+
+double AllowancePlan::width(PieceId piece, const std::string& edge) const {
+  const auto own = allowances_.edges.find({piece, edge});
+  return own != allowances_.edges.end() ? own->second : width(kind(piece, edge));
+}
+
+CornerKind AllowancePlan::corner(PieceId piece, const std::string& before, const std::string& after) const {
+  const auto own = allowances_.corners.find({piece, after});
+  if (own != allowances_.corners.end()) return own->second;
+  const bool first = kind(piece, before) == EdgeKind::Hem, second = kind(piece, after) == EdgeKind::Hem;
+  if (first == second) return CornerKind::Mitre;
+  return first ? CornerKind::MirrorBefore : CornerKind::MirrorAfter;
+}
+
+}  // namespace karinui
