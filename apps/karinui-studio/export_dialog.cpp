@@ -1,6 +1,7 @@
 #include "export_dialog.h"
 
 #include <QComboBox>
+#include <QDate>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -87,6 +88,7 @@ ExportWish ExportDialog::wish() const {
   wish.format = exportFormats()[static_cast<std::size_t>(kind_->currentIndex())];
   wish.sheet.allowance = allowance_->value();
   wish.sheet.language = Theme::here().language();
+  wish.sheet.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
   if (const auto stem = session_.path().stem().string(); !stem.empty()) wish.sheet.title = stem;
   return wish;
 }

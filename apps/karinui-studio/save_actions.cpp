@@ -1,9 +1,11 @@
 // What leaves the window: copies, exports, pictures, paper.
+#include <QDate>
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
+#include <cmath>
 
 #include "export_dialog.h"
 #include "file_filter.h"
@@ -83,7 +85,14 @@ void MainWindow::printOn(QPrinter& printer) {
   // Paper larger than A4 by half is a roll or a plotter's: then one sheet.
   const QSizeF paper = printer.pageLayout().fullRect(QPageLayout::Millimeter).size();
   ExportWish wish;
-  wish.format = &fileFormat(paper.width() > 1.5 * 297 ? "pdf" : "pdf-a4");
+  const auto is = [&](double width, double height) {
+    return std::fabs(paper.width() - width) < 2 && std::fabs(paper.height() - height) < 2;
+  };
+  wish.format = &fileFormat(paper.width() > 1.5 * 297 ? "pdf"
+                            : is(215.9, 279.4)        ? "pdf-letter"
+                            : is(297, 420)            ? "pdf-a3"
+                                                      : "pdf-a4");
+  wish.sheet.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
   wish.sheet.language = Theme::here().language();
   if (const auto stem = session_->path().stem().string(); !stem.empty()) wish.sheet.title = stem;
   const auto pages = paperOf(session_->snapshot(), wish);

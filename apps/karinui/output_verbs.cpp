@@ -19,6 +19,8 @@ namespace {
 struct ExportOptions {
   std::string path, out, paper = "sheet", format;
   std::optional<double> allowanceMm;
+  double overlapMm = 10;
+  std::string date;
 };
 
 struct PictureWish {
@@ -35,7 +37,7 @@ Result<SpatialGarment> spatialOf(OpenDocument& opened) {
 // Of the formats of the ending the one that --format or --paper names, or else the first.
 const FileFormat* chosenFormat(const ExportOptions& options) {
   const std::vector<const FileFormat*> formats = formatsWriting(options.out);
-  const std::string paper = options.paper == "a4" ? "pdf-a4" : "pdf";
+  const std::string paper = options.paper == "sheet" ? "pdf" : "pdf-" + options.paper;
   for (const FileFormat* format : formats)
     if (format->id == options.format || format->id == paper) return format;
   return formats.empty() ? nullptr : formats.front();
@@ -45,7 +47,9 @@ Result<std::string> bytesFor(OpenDocument& opened, const ExportOptions& options)
   const FileFormat* format = chosenFormat(options);
   if (!format) return unwritable(options.out);
   SheetSettings sheet;
-  sheet.allowances = opened.document().allowances;
+  tellGarment(opened.document(), sheet);
+  sheet.overlap = options.overlapMm / 1000;
+  sheet.date = options.date;
   if (options.allowanceMm) sheet.allowance = *options.allowanceMm / 1000;
   sheet.title = std::filesystem::path(options.path).stem().string();
   sheet.language = spokenHere();
@@ -159,8 +163,12 @@ void addOutputVerbs(Program& program) {
                    out, runExport);
   verb->add_option("document", out->path, help("The .karinui document"))->required();
   verb->add_option("-o,--output", out->out, help("The file; its ending says what it will be"))->required();
-  verb->add_option("--paper,--page", out->paper, help("PDF: one true-size sheet (sheet), or A4 sheets to glue (a4)"))
-      ->check(CLI::IsMember({"sheet", "a4"}));
+  verb->add_option("--paper,--page", out->paper,
+                   help("PDF: one true-size sheet (sheet), or pages to glue: a4, letter, a3, a0, 36in"))
+      ->check(CLI::IsMember({"sheet", "a4", "letter", "a3", "a0", "36in"}));
+  verb->add_option("--overlap", out->overlapMm, help("paper: how far glued pages overlap in mm, 5 to 30"))
+      ->check(CLI::Range(5.0, 30.0));
+  verb->add_option("--date", out->date, help("paper: a date to be printed on each piece, as it is to be read"));
   verb->add_option("--allowance", out->allowanceMm,
                    help("paper: seam allowance in mm in place of the document's own, up to 100, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));

@@ -1,6 +1,7 @@
-// The sheet on paper: one page of its own size, or A4 sheets to be glued.
+// The sheet on paper: one page of its own size, or pages to be glued.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "pdf_tiles.h"
 #include "sheet.h"
@@ -30,24 +31,28 @@ void drawArrowHead(PdfCanvas& canvas, Mm tip, Mm from) {
 
 void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
   canvas.colour(0);
+  canvas.layer(PdfLayer::Cut);
   for (const auto& line : piece.cutLines) {
     canvas.moveTo(line[0]);
     for (std::size_t i = 1; i < line.size(); ++i) canvas.lineTo(line[i]);
     canvas.close();
     canvas.stroke(0.6, false);
   }
+  canvas.layer(piece.cutLines.empty() ? PdfLayer::Cut : PdfLayer::Seam);
   drawOutline(canvas, piece, piece.piece->outline);
   canvas.stroke(piece.cutLines.empty() ? 0.6 : 0.35, !piece.cutLines.empty());
   for (const Outline& hole : piece.piece->holes) {
     drawOutline(canvas, piece, hole);
     canvas.stroke(0.35, true);
   }
+  canvas.layer(PdfLayer::Inner);
   for (const InternalLine& line : piece.piece->lines)
     for (const Curve& curve : line.curves) {
       canvas.moveTo(piece.at(curve.start));
       canvas.curve(piece, curve);
       canvas.stroke(0.25, true);
     }
+  canvas.layer(PdfLayer::Notch);
   for (const SheetNotch& notch : piece.notches) {
     canvas.moveTo(notch.stroke.from);
     canvas.lineTo(notch.stroke.to);
@@ -59,6 +64,7 @@ void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
       canvas.moveTo(place - arm), canvas.lineTo(place + arm);
     canvas.stroke(0.35, false);
   }
+  canvas.layer(PdfLayer::Grain);
   if (piece.grain) {
     canvas.moveTo(piece.grain->from);
     canvas.lineTo(piece.grain->to);
@@ -66,55 +72,70 @@ void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
     drawArrowHead(canvas, piece.grain->to, piece.grain->from);
     drawArrowHead(canvas, piece.grain->from, piece.grain->to);
   }
+  for (const std::vector<Mm>& fold : piece.folds) {
+    canvas.moveTo(fold.front());
+    for (std::size_t i = 1; i < fold.size(); ++i) canvas.lineTo(fold[i]);
+    canvas.stroke(0.5, false);
+    drawArrowHead(canvas, fold.front(), fold[1]);
+    drawArrowHead(canvas, fold.back(), fold[fold.size() - 2]);
+  }
+  canvas.layer(PdfLayer::Words);
   for (std::size_t i = 0; i < piece.texts.size(); ++i) {
-    canvas.colour(i < 2 ? 0 : 0.2);
+    canvas.colour(i < piece.labels ? 0 : 0.2);
     canvas.words(piece.texts[i], true);
   }
 }
 
 void drawSheet(PdfCanvas& canvas, const Sheet& sheet) {
   canvas.colour(0);
-  drawSquare(canvas, sheet.square);
+  drawSquares(canvas, sheet.square);
   for (const SheetText& heading : sheet.headings) canvas.words(heading, false);
   for (const SheetPiece& piece : sheet.pieces) drawPiece(canvas, piece);
 }
 
 // The sheet, laid out so that it fits the paper.
 Result<Sheet> sheetFor(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {
-  Result<Sheet> sheet = layOut(pattern, settings);
+  if (!(settings.overlap >= 0.005 && settings.overlap <= 0.03)) return refused(say("Pages overlap by 5 to 30 mm."));
+  SheetSettings own = settings;
+  if (const auto grid = gridFor(paper, settings); grid && !grid->cover)
+    own.rollWidth = (grid->width - 2 * kEdge) / 1000;
+  Result<Sheet> sheet = layOut(pattern, own);
   // A page that would be too long becomes wider instead.
-  for (SheetSettings wider = settings;
-       sheet && sheet->height > kLargestPage && paper == PaperKind::OneSheet && wider.rollWidth < 4;) {
-    wider.rollWidth *= 1.5;
-    sheet = layOut(pattern, wider);
+  for (; sheet && sheet->height > kLargestPage && paper == PaperKind::OneSheet && own.rollWidth < 4;) {
+    own.rollWidth *= 1.5;
+    sheet = layOut(pattern, own);
   }
   if (sheet && paper == PaperKind::OneSheet && (sheet->height > kLargestPage || sheet->width > kLargestPage))
     return refused(say("The pieces need a page larger than 5 m, which PDF does not have. Print them on A4 sheets."));
   return sheet;
 }
 
-Mm firstPage(const Sheet& sheet, PaperKind paper) {
-  return paper == PaperKind::OneSheet ? Mm{sheet.width, sheet.height} : Mm{kA4Width, kA4Height};
-}
+struct PageDrawing {
+  Mm size;
+  std::function<void(PdfCanvas&)> draw;
+};
 
-void drawPages(PdfCanvas& canvas, const Sheet& sheet, PaperKind paper, const SheetSettings& settings) {
-  if (paper == PaperKind::OneSheet) {
-    canvas.begin(sheet.width, sheet.height);
-    drawSheet(canvas, sheet);
-    return canvas.end();
-  }
-  const std::vector<Tile> tiles = tilesOf(sheet);
-  canvas.begin(kA4Width, kA4Height);
-  drawOverview(canvas, sheet, tiles, settings);
-  canvas.end();
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    canvas.begin(kA4Width, kA4Height);
-    canvas.push({kEdge, kEdge}, {kA4Width - kEdge, kA4Height - kEdge}, Mm{kEdge, kEdge} - tiles[i].low());
-    drawSheet(canvas, sheet);
-    canvas.pop();
-    drawJoins(canvas, tiles[i], i + 2, tiles.size() + 1, settings);
-    canvas.end();
-  }
+// They refer to the sheet and the settings.
+std::vector<PageDrawing> pagesOf(const Sheet& sheet, PaperKind paper, const SheetSettings& settings) {
+  const auto grid = gridFor(paper, settings);
+  if (!grid) return {{{sheet.width, sheet.height}, [&](PdfCanvas& canvas) { drawSheet(canvas, sheet); }}};
+  const std::vector<Tile> tiles = tilesOf(sheet, *grid);
+  const Mm size{grid->width, grid->height};
+  std::vector<PageDrawing> pages;
+  if (grid->cover)
+    pages.push_back({size, [&sheet, &settings, grid = *grid, tiles](PdfCanvas& canvas) {
+                       drawCover(canvas, grid, sheet, tiles, settings);
+                     }});
+  const std::size_t before = pages.size(), count = before + tiles.size();
+  for (std::size_t i = 0; i < tiles.size(); ++i)
+    pages.push_back(
+        {size, [&sheet, &settings, grid = *grid, tile = tiles[i], page = before + i + 1, count](PdfCanvas& canvas) {
+           canvas.push({kEdge, kEdge}, {grid.width - kEdge, grid.height - kEdge}, Mm{kEdge, kEdge} - tile.low);
+           drawSheet(canvas, sheet);
+           canvas.pop();
+           drawJoins(canvas, grid, tile, page, count, settings);
+         }});
+  return pages;
 }
 
 }  // namespace
@@ -122,10 +143,16 @@ void drawPages(PdfCanvas& canvas, const Sheet& sheet, PaperKind paper, const She
 Result<std::string> writePdf(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {
   const Result<Sheet> sheet = sheetFor(pattern, paper, settings);
   if (!sheet) return sheet.error();
-  const Mm page = firstPage(*sheet, paper);
-  PdfCanvas canvas(page.x, page.y, sheet->title);
-  drawPages(canvas, *sheet, paper, settings);
-  return canvas.finish();
+  const std::vector<PageDrawing> pages = pagesOf(*sheet, paper, settings);
+  PdfCanvas canvas(pages.front().size.x, pages.front().size.y, sheet->title);
+  for (const PageDrawing& page : pages)
+    for (const PdfLayer layer : kPdfLayers) {
+      canvas.only(layer);
+      canvas.begin(page.size.x, page.size.y);
+      page.draw(canvas);
+      canvas.end();
+    }
+  return canvas.finish(settings.language);
 }
 
 struct PaperPages::Inside {
@@ -136,7 +163,11 @@ Result<PaperPages> PaperPages::of(const Pattern& pattern, PaperKind paper, const
   const Result<Sheet> sheet = sheetFor(pattern, paper, settings);
   if (!sheet) return sheet.error();
   PdfCanvas canvas;
-  drawPages(canvas, *sheet, paper, settings);
+  for (const PageDrawing& page : pagesOf(*sheet, paper, settings)) {
+    canvas.begin(page.size.x, page.size.y);
+    page.draw(canvas);
+    canvas.end();
+  }
   PaperPages pages;
   pages.inside_ = std::make_shared<const Inside>(Inside{canvas.takePages()});
   return pages;

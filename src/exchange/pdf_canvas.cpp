@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pdf_layers.h"
+
 namespace karinui {
 namespace {
 
@@ -44,11 +46,30 @@ cairo_font_face_t* fontFor(const std::string& words) {
   return face;
 }
 
+Message nameOf(PdfLayer layer) {
+  switch (layer) {
+    case PdfLayer::Cut:
+      return say("Cut lines");
+    case PdfLayer::Seam:
+      return say("Seam lines");
+    case PdfLayer::Inner:
+      return say("Inner lines");
+    case PdfLayer::Notch:
+      return say("Notches and drill holes");
+    case PdfLayer::Grain:
+      return say("Grain lines");
+    case PdfLayer::Words:
+      return say("Lettering");
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
 PdfCanvas::PdfCanvas(double widthMm, double heightMm, const std::string& title)
     : surface_(cairo_pdf_surface_create_for_stream(append, &bytes_, widthMm * kPoint, heightMm * kPoint)) {
-  // 1.4 keeps objects readable by the oldest plotters, and the file open to withoutPrintScaling.
+  // 1.4 keeps objects readable by the oldest plotters, and the file open to layered().
   cairo_pdf_surface_restrict_to_version(surface_.get(), CAIRO_PDF_VERSION_1_4);
   cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
   cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATOR, "Karinui");
@@ -97,9 +118,9 @@ void PdfCanvas::stroke(double width, bool dashed) {
   const double dash[] = {5, 2};
   cairo_set_dash(cairo_.get(), dash, dashed ? 2 : 0, 0);
   cairo_set_line_width(cairo_.get(), width);
-  cairo_stroke(cairo_.get());
+  shown() ? cairo_stroke(cairo_.get()) : cairo_new_path(cairo_.get());
 }
-void PdfCanvas::fill() { cairo_fill(cairo_.get()); }
+void PdfCanvas::fill() { shown() ? cairo_fill(cairo_.get()) : cairo_new_path(cairo_.get()); }
 void PdfCanvas::moveTo(Mm p) { cairo_move_to(cairo_.get(), p.x, p.y); }
 void PdfCanvas::lineTo(Mm p) { cairo_line_to(cairo_.get(), p.x, p.y); }
 void PdfCanvas::close() { cairo_close_path(cairo_.get()); }
@@ -118,6 +139,7 @@ void PdfCanvas::circle(Mm centre, double radius) {
 }
 
 void PdfCanvas::words(const SheetText& text, bool centred) {
+  if (!shown()) return;
   cairo_save(cairo_.get());
   if (cairo_font_face_t* face = fontFor(text.words)) {
     cairo_set_font_face(cairo_.get(), face);
@@ -133,7 +155,7 @@ void PdfCanvas::words(const SheetText& text, bool centred) {
   cairo_restore(cairo_.get());
 }
 
-Result<std::string> PdfCanvas::finish() {
+Result<std::string> PdfCanvas::finish(Language language) {
   const cairo_status_t drawn = cairo_status(cairo_.get());
   cairo_.reset();
   cairo_surface_finish(surface_.get());
@@ -141,32 +163,9 @@ Result<std::string> PdfCanvas::finish() {
   if (drawn != CAIRO_STATUS_SUCCESS || written != CAIRO_STATUS_SUCCESS)
     return refused(
         say("The PDF cannot be drawn: {0}.", cairo_status_to_string(drawn != CAIRO_STATUS_SUCCESS ? drawn : written)));
-  return withoutPrintScaling(std::move(bytes_));
-}
-
-std::string withoutPrintScaling(std::string pdf) {
-  const auto numberAfter = [&](std::size_t at) { return std::strtoul(pdf.c_str() + at, nullptr, 10); };
-  const std::size_t trailer = pdf.rfind("trailer"), start = pdf.rfind("startxref");
-  const std::size_t root = trailer == std::string::npos ? trailer : pdf.find("/Root", trailer);
-  if (root == std::string::npos || start == std::string::npos) return pdf;
-  const unsigned long catalogue = numberAfter(root + 5), previous = numberAfter(start + 9);
-  const std::string opening = "\n" + std::to_string(catalogue) + " 0 obj";
-  const std::size_t begin = pdf.rfind(opening), end = begin == std::string::npos ? begin : pdf.find("endobj", begin);
-  const std::size_t close = end == std::string::npos ? end : pdf.rfind(">>", end);
-  const std::size_t dictionary = pdf.find("<<", trailer), dictionaryEnd = pdf.rfind(">>", start);
-  if (close == std::string::npos || close < begin || dictionaryEnd == std::string::npos) return pdf;
-
-  const std::string entries = pdf.substr(dictionary, dictionaryEnd - dictionary);
-  std::string object =
-      pdf.substr(begin + 1, close - begin - 1) + "   /ViewerPreferences << /PrintScaling /None >>\n>>\nendobj\n";
-  if (pdf.back() != '\n') pdf += '\n';
-  char offset[24];
-  std::snprintf(offset, sizeof offset, "%010zu 00000 n \n", pdf.size());
-  pdf += object;
-  const std::size_t table = pdf.size();
-  pdf += "xref\n" + std::to_string(catalogue) + " 1\n" + offset + "trailer\n" + entries + "   /Prev " +
-         std::to_string(previous) + "\n>>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
-  return pdf;
+  std::vector<std::string> names;
+  for (const PdfLayer layer : kPdfLayers) names.push_back(text(nameOf(layer), language));
+  return layered(std::move(bytes_), names);
 }
 
 }  // namespace karinui

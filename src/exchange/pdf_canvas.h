@@ -4,6 +4,7 @@
 #include <cairo.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,11 @@
 #include "sheet.h"
 
 namespace karinui {
+
+// What a viewer shows or hides; Page is always shown.
+enum class PdfLayer { Page, Cut, Seam, Inner, Notch, Grain, Words };
+inline constexpr PdfLayer kPdfLayers[] = {PdfLayer::Page,  PdfLayer::Cut,   PdfLayer::Seam, PdfLayer::Inner,
+                                          PdfLayer::Notch, PdfLayer::Grain, PdfLayer::Words};
 
 class PdfCanvas {
  public:
@@ -34,6 +40,8 @@ class PdfCanvas {
             Mm shift);  // until pop: only what lies within is drawn, and everything is moved by `shift`
   void pop();
 
+  void layer(PdfLayer layer) { layer_ = layer; }  // of what is drawn next
+  void only(PdfLayer layer) { only_ = layer; }    // what is of another layer is left out
   void colour(double grey);
   void stroke(double width, bool dashed);  // what was drawn since the last stroke
   void fill();
@@ -44,17 +52,18 @@ class PdfCanvas {
   void circle(Mm centre, double radius);
   void words(const SheetText& text, bool centred);
 
-  Result<std::string> finish();  // the bytes; the canvas is used up
+  // The bytes, the canvas is used up. Each page was drawn once for each of kPdfLayers.
+  Result<std::string> finish(Language language);
   std::vector<Page> takePages() { return std::move(pages_); }
 
  private:
+  bool shown() const { return !only_ || *only_ == layer_; }
+  PdfLayer layer_ = PdfLayer::Page;
+  std::optional<PdfLayer> only_;
   std::string bytes_;
   std::vector<Page> pages_;
   Surface surface_;  // null: pages are kept instead
   std::unique_ptr<cairo_t, Drop> cairo_;
 };
-
-// Asks viewers to print at true size: a new catalogue at the end of the file (PDF 1.7, 7.5.6 and 12.2).
-std::string withoutPrintScaling(std::string pdf);
 
 }  // namespace karinui

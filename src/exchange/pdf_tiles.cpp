@@ -8,21 +8,20 @@
 namespace karinui {
 namespace {
 
-constexpr double kStepX = kA4Width - 2 * kEdge - kOverlap, kStepY = kA4Height - 2 * kEdge - kOverlap;
-
+constexpr double kInch = 25.4;
 bool boxesMeet(Mm lowA, Mm highA, Mm lowB, Mm highB) {
   return lowA.x < highB.x && lowB.x < highA.x && lowA.y < highB.y && lowB.y < highA.y;
 }
 
 // Whether any paper of a piece lies on the tile: a line of it crosses the tile, or the tile lies all within it.
 bool pieceOn(const Tile& tile, const SheetPiece& piece) {
-  if (!boxesMeet(tile.low(), tile.high(), piece.low, piece.high)) return false;
+  if (!boxesMeet(tile.low, tile.high, piece.low, piece.high)) return false;
   Ring ring;
   if (piece.cutLines.empty())
     for (const Flat p : piece.piece->outline.flattened(1e-4)) ring.push_back({piece.at(p).x, piece.at(p).y});
   else
     for (const Mm p : piece.cutLines[0]) ring.push_back({p.x, p.y});
-  const Mm low = tile.low(), high = tile.high();
+  const Mm low = tile.low, high = tile.high;
   if (contains(ring, {(low.x + high.x) / 2, (low.y + high.y) / 2})) return true;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     // The part of the segment within the tile (Liang and Barsky): empty if its bounds pass each other.
@@ -42,8 +41,24 @@ bool pieceOn(const Tile& tile, const SheetPiece& piece) {
 
 }  // namespace
 
-Mm Tile::low() const { return {static_cast<double>(column) * kStepX, static_cast<double>(row) * kStepY}; }
-Mm Tile::high() const { return low() + Mm{kStepX + kOverlap, kStepY + kOverlap}; }
+std::optional<TileGrid> gridFor(PaperKind paper, const SheetSettings& settings) {
+  const double overlap = settings.overlap * 1000;
+  switch (paper) {
+    case PaperKind::A4:
+      return TileGrid{210, 297, overlap, true};
+    case PaperKind::Letter:
+      return TileGrid{8.5 * kInch, 11 * kInch, overlap, true};
+    case PaperKind::A3:
+      return TileGrid{297, 420, overlap, true};
+    case PaperKind::A0:
+      return TileGrid{841, 1189, overlap, false};
+    case PaperKind::Inches36:
+      return TileGrid{36 * kInch, 48 * kInch, overlap, false};
+    default:
+      return std::nullopt;
+  }
+}
+
 std::string Tile::name() const {
   std::string letters;
   for (std::size_t n = row + 1; n > 0; n = (n - 1) / 26)
@@ -51,17 +66,19 @@ std::string Tile::name() const {
   return letters + std::to_string(column + 1);
 }
 
-std::vector<Tile> tilesOf(const Sheet& sheet) {
-  const auto count = [](double size, double step) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil((size - kOverlap) / step)));
+std::vector<Tile> tilesOf(const Sheet& sheet, const TileGrid& grid) {
+  const Mm step = grid.step();
+  const auto count = [&](double size, double by) {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil((size - grid.overlap) / by - 1e-9)));
   };
   std::vector<Tile> out;
-  for (std::size_t row = 0; row < count(sheet.height, kStepY); ++row)
-    for (std::size_t column = 0; column < count(sheet.width, kStepX); ++column) {
-      const Tile tile{row, column};
-      bool used = row == 0 && column == 0;  // the test square
+  for (std::size_t row = 0; row < count(sheet.height, step.y); ++row)
+    for (std::size_t column = 0; column < count(sheet.width, step.x); ++column) {
+      const Mm low{static_cast<double>(column) * step.x, static_cast<double>(row) * step.y};
+      const Tile tile{row, column, low, low + step + Mm{grid.overlap, grid.overlap}};
+      bool used = row == 0 && column == 0;  // the test squares
       for (const SheetText& words : sheet.headings)
-        used |= boxesMeet(tile.low(), tile.high(), words.place - Mm{0, words.size},
+        used |= boxesMeet(tile.low, tile.high, words.place - Mm{0, words.size},
                           words.place + Mm{wordsWidth(words.words, words.size), words.size});
       for (const SheetPiece& piece : sheet.pieces) used |= pieceOn(tile, piece);
       if (used) out.push_back(tile);
@@ -69,9 +86,11 @@ std::vector<Tile> tilesOf(const Sheet& sheet) {
   return out;
 }
 
-void drawJoins(PdfCanvas& canvas, const Tile& tile, std::size_t page, std::size_t pages,
+void drawJoins(PdfCanvas& canvas, const TileGrid& grid, const Tile& tile, std::size_t page, std::size_t pages,
                const SheetSettings& settings) {
-  const Mm low{kEdge, kEdge}, high{kA4Width - kEdge, kA4Height - kEdge}, cut{high.x - kOverlap, high.y - kOverlap};
+  const Mm low{kEdge, kEdge}, high{grid.width - kEdge, grid.height - kEdge},
+      cut{high.x - grid.overlap, high.y - grid.overlap};
+  canvas.layer(PdfLayer::Page);
   canvas.colour(0.45);
   canvas.moveTo(low), canvas.lineTo({high.x, low.y}), canvas.lineTo(high), canvas.lineTo({low.x, high.y}),
       canvas.close();
@@ -94,38 +113,54 @@ void drawJoins(PdfCanvas& canvas, const Tile& tile, std::size_t page, std::size_
   canvas.words({{low.x + 2, high.y - 3}, 3, true, text(where, settings.language)}, false);
 }
 
-void drawSquare(PdfCanvas& canvas, Mm low) {
-  const Mm high = low + Mm{kSquare, kSquare};
-  canvas.moveTo(low), canvas.lineTo({high.x, low.y}), canvas.lineTo(high), canvas.lineTo({low.x, high.y});
-  canvas.close();
-  canvas.stroke(0.35, false);
+void drawSquares(PdfCanvas& canvas, Mm low) {
+  const auto square = [&](double side, bool dashed) {
+    const Mm high = low + Mm{side, side};
+    canvas.moveTo(low), canvas.lineTo({high.x, low.y}), canvas.lineTo(high), canvas.lineTo({low.x, high.y});
+    canvas.close();
+    canvas.stroke(dashed ? 0.2 : 0.35, dashed);
+  };
+  canvas.layer(PdfLayer::Page);
+  square(kSquare, false);
+  square(4 * kInch, true);
   canvas.words({low + Mm{kSquare / 2, kSquare / 2}, 6, true, "100 × 100 mm"}, true);
+  canvas.words({low + Mm{kSquare / 2, kSquare - 5}, 4, true, "- - -  4 × 4 in"}, true);
 }
 
-void drawOverview(PdfCanvas& canvas, const Sheet& sheet, const std::vector<Tile>& tiles,
-                  const SheetSettings& settings) {
-  const Mm low{kEdge, kEdge + 32}, room{kA4Width - 2 * kEdge, kA4Height - 2 * kEdge - 32 - kSquare - 12};
-  Mm all = tiles.back().high();
-  for (const Tile& tile : tiles) all = {std::max(all.x, tile.high().x), std::max(all.y, tile.high().y)};
-  const double scale = std::min({room.x / all.x, room.y / all.y, 1.0});
-  const auto at = [&](Mm p) { return low + p * scale; };
+void drawCover(PdfCanvas& canvas, const TileGrid& grid, const Sheet& sheet, const std::vector<Tile>& tiles,
+               const SheetSettings& settings) {
   const auto said = [&](const Message& message) { return text(message, settings.language); };
+  const double size = 3.4, wide = grid.width - 2 * kEdge;
+  canvas.layer(PdfLayer::Page);
   canvas.colour(0);
   canvas.words({{kEdge, kEdge + 6}, 7, true, sheet.title}, false);
-  canvas.words({{kEdge, kEdge + 15}, 4, true, said(say("Print at 100 %. The square must measure 100 mm."))}, false);
-  canvas.words({{kEdge, kEdge + 22},
-                4,
-                true,
-                said(say("Overview, not to size: {0} {0|page|pages}, A1 at the top left. Glue them before cutting.",
-                         tiles.size()))},
-               false);
+  double down = kEdge + 15;
+  const std::string lines[] = {
+      said(say("1. Print this page at 100 % (“actual size”). The square must measure 100 mm, the dashed one 4 in.")),
+      said(say("2. Print the other {0} {0|page|pages}. Letters are rows, numbers columns; A1 is at the top left.",
+               tiles.size())),
+      said(say("3. Lay each sheet on the strip of the one to its left and above, border on the dashed line,")),
+      said(say("so that the half diamonds become whole ones, and glue.")),
+      said(say("4. Cut the paper along the solid lines. The kinds of lines are layers of this file.")),
+  };
+  for (const std::string& line : lines) {
+    const double fits = std::min(size, size * wide / std::max(1.0, wordsWidth(line, size)));
+    canvas.words({{kEdge, down}, fits, true, line}, false);
+    down += 1.6 * size;
+  }
+  const double foot = 4 * kInch;
+  const Mm low{kEdge, down + 4}, room{wide, grid.height - kEdge - foot - 6 - low.y};
+  Mm all = tiles.back().high;
+  for (const Tile& tile : tiles) all = {std::max(all.x, tile.high.x), std::max(all.y, tile.high.y)};
+  const double scale = std::min({room.x / all.x, room.y / all.y, 1.0});
+  const auto at = [&](Mm p) { return low + p * scale; };
   canvas.colour(0.6);
   for (const Tile& tile : tiles) {
-    const Mm a = at(tile.low()), b = at(tile.low() + Mm{kStepX, kStepY});
+    const Mm a = at(tile.low), b = at(tile.low + grid.step());
     canvas.moveTo(a), canvas.lineTo({b.x, a.y}), canvas.lineTo(b), canvas.lineTo({a.x, b.y}), canvas.close();
     canvas.stroke(0.2, false);
-    const double size = std::min(4.0, 60 * scale);
-    canvas.words({a + Mm{1, size * 0.8}, size, true, tile.name()}, false);
+    const double letters = std::min(4.0, 60 * scale);
+    canvas.words({a + Mm{1, letters * 0.8}, letters, true, tile.name()}, false);
   }
   canvas.colour(0);
   for (const SheetPiece& piece : sheet.pieces) {
@@ -139,7 +174,7 @@ void drawOverview(PdfCanvas& canvas, const Sheet& sheet, const std::vector<Tile>
     name.size = std::clamp(name.size * scale, 1.8, 4.0);
     canvas.words(name, true);
   }
-  drawSquare(canvas, {kEdge, kA4Height - kEdge - kSquare});
+  drawSquares(canvas, {kEdge, grid.height - kEdge - foot});
 }
 
 }  // namespace karinui

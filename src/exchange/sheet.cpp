@@ -21,7 +21,7 @@ void grow(SheetPiece& piece, Mm p) {
   piece.high = {std::max(piece.high.x, p.x), std::max(piece.high.y, p.y)};
 }
 
-SheetPiece draw(const Piece& piece, const AllowancePlan* plan) {
+SheetPiece draw(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan) {
   SheetPiece out;
   out.piece = &piece;
   const Ring ring = piece.outline.flattened(1e-5);
@@ -43,7 +43,7 @@ SheetPiece draw(const Piece& piece, const AllowancePlan* plan) {
     widths(piece.outline);
     for (const Outline& hole : piece.holes) widths(hole);
   }
-  for (const Flat hole : drillHoles(piece)) out.drills.push_back(turned(hole));
+  for (const Flat hole : drillHoles(pattern, piece)) out.drills.push_back(turned(hole));
   return out;
 }
 
@@ -79,15 +79,35 @@ void shelve(Sheet& sheet, double rollWidth) {
   sheet.height = std::ceil(at.y + shelf + kMargin);
 }
 
-void addLabels(SheetPiece& out, Language language) {
+void addLabels(SheetPiece& out, const SheetSettings& settings, bool onFold) {
   std::vector<std::string> lines;
-  for (const Message& line : labelOf(*out.piece)) lines.push_back(cleanText(text(line, language)));
+  const auto own = settings.cutting.find(out.piece->id);
+  const CutFacts facts{own == settings.cutting.end() ? Cutting() : own->second, onFold, settings.size, settings.date};
+  for (const Message& line : labelOf(*out.piece, facts)) lines.push_back(cleanText(text(line, settings.language)));
+  out.labels = lines.size();
   const LetteredPiece room = roomFor(*out.piece, lines);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LetteredPiece::Line& line = room.lines[i];
     out.texts.push_back({out.at(line.place), line.size * 1000, line.upright, lines[i]});
   }
   if (room.grain) out.grain = {out.at(room.grain->from), out.at(room.grain->to)};
+}
+
+// A bracket whose arrows point at the fold, and the word beside it.
+void addFolds(SheetPiece& out, const AllowancePlan& plan, Language language) {
+  constexpr double kDepth = 0.010, kShare = 0.15, kLeast = 0.04;  // metres, of the edge's length, metres
+  for (const Edge& edge : out.piece->outline.edges) {
+    const Flat along = edge.curve.end - edge.curve.start;
+    if (plan.kind(out.piece->id, edge.name) != EdgeKind::Fold || edge.curve.kind != Curve::Kind::Line ||
+        length(along) < kLeast)
+      continue;
+    const Flat in = leftOf(normalized(along)) * kDepth, from = edge.curve.start + along * kShare,
+               to = edge.curve.end - along * kShare;
+    out.folds.push_back({out.at(from), out.at(from + in), out.at(to + in), out.at(to)});
+    SheetText words{out.at(lerp(from, to, 0.5) + in * 1.5), 4, std::abs(along.v) < std::abs(along.u),
+                    text(say("place on the fold"), language)};
+    if (wordsWidth(words.words, words.size) < 700 * length(along)) out.texts.push_back(std::move(words));
+  }
 }
 
 void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan) {
@@ -105,6 +125,12 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan)
 }
 
 }  // namespace
+
+void tellGarment(const Document& document, SheetSettings& settings) {
+  settings.allowances = document.allowances;
+  settings.cutting = document.cutting;
+  settings.size = document.body.size;
+}
 
 Result<std::optional<AllowancePlan>> allowancesOn(const Pattern& pattern, const SheetSettings& settings) {
   Allowances all = settings.allowances;
@@ -144,10 +170,14 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   Sheet sheet;
   sheet.title = cleanText(settings.title);
   for (const auto& [id, piece] : pattern.pieces) {
-    sheet.pieces.push_back(draw(*piece, plan));
+    sheet.pieces.push_back(draw(pattern, *piece, plan));
   }
   shelve(sheet, settings.rollWidth * 1000);
-  for (SheetPiece& piece : sheet.pieces) addLabels(piece, settings.language);
+  const AllowancePlan kinds(pattern, settings.allowances);
+  for (SheetPiece& piece : sheet.pieces) {
+    addLabels(piece, settings, kinds.onFold(*piece.piece));
+    addFolds(piece, kinds, settings.language);
+  }
   addNotches(sheet, pattern, plan);
 
   sheet.square = {kMargin, kMargin};

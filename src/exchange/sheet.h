@@ -37,10 +37,12 @@ struct SheetPiece {
   std::vector<std::vector<Mm>> cutLines;     // round the outline, then in the holes
   std::map<std::string, double> allowances;  // mm, of each edge; empty: seam lines only
   std::vector<SheetNotch> notches;
-  std::vector<SheetText> texts;  // name first, then what to cut, then the seams' numbers
+  std::vector<SheetText> texts;  // `labels` of them: name, what to cut, size and date; then the seams' numbers
+  std::size_t labels = 0;
   std::optional<SheetStroke> grain;
   std::vector<Mm> drills;
-  Mm low, high;  // of all that is drawn of it
+  std::vector<std::vector<Mm>> folds;  // brackets along edges laid on the fold; both ends bear an arrow head
+  Mm low, high;                        // of all that is drawn of it
 
   Mm at(Flat paper) const { return {origin.x + paper.u * 1000, origin.y - paper.v * 1000}; }
 };

@@ -96,8 +96,13 @@ void piece(std::string& out, const SheetPiece& drawn, std::size_t index) {
       out += " data-edge=\"" + xmlEscaped(mark.edge) + "\" data-fraction=\"" + shortest(mark.fraction) + "\"/>\n";
   }
   if (drawn.grain) stroke(out, "grain", drawn.grain->from, drawn.grain->to);
+  for (const std::vector<Mm>& fold : drawn.folds) {
+    out += "    <path class=\"grain fold\" d=\"M " + pair(fold[0]);
+    for (std::size_t i = 1; i < fold.size(); ++i) out += " L " + pair(fold[i]);
+    out += "\"/>\n";
+  }
   for (std::size_t i = 0; i < drawn.texts.size(); ++i)
-    words(out, drawn.texts[i], i == 0 ? "name" : i == 1 ? "cut-count" : "seam-number");
+    words(out, drawn.texts[i], i == 0 ? "name" : i == 1 ? "cut-count" : i < drawn.labels ? "made-for" : "beside");
   out += "  </g>\n";
 }
 
@@ -119,7 +124,7 @@ constexpr const char* kStyle =
     "    .grain { stroke-width: 0.5; marker-start: url(#tail); marker-end: url(#head) }\n"
     "    text { font-family: 'IPAPGothic', 'Noto Sans CJK JP', 'DejaVu Sans', sans-serif; text-anchor: middle; fill: "
     "#000 }\n"
-    "    .heading { text-anchor: start } .seam-number { fill: #333 }\n"
+    "    .heading { text-anchor: start } .beside { fill: #333 }\n"
     "  </style>\n"
     "  <defs>\n"
     "    <marker id=\"head\" markerUnits=\"userSpaceOnUse\" markerWidth=\"9\" markerHeight=\"6\" refX=\"8\" refY=\"3\" "

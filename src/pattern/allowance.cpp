@@ -106,6 +106,18 @@ AllowancePlan::AllowancePlan(const Pattern& pattern, Allowances allowances) : al
   for (const auto& [id, seam] : pattern.seams)
     for (const auto* side : {&seam.a, &seam.b})
       for (const EdgeSpan& span : *side) sewn_.insert({span.piece, span.edge});
+  for (const PaperDart& dart : dartsOf(pattern))
+    if (dart.folded()) darts_[{dart.piece, dart.to}] = dart;
+}
+
+const PaperDart* AllowancePlan::foldedDart(PieceId piece, std::size_t to) const {
+  const auto found = darts_.find({piece, to});
+  return found == darts_.end() ? nullptr : &found->second;
+}
+
+bool AllowancePlan::onFold(const Piece& piece) const {
+  return std::any_of(piece.outline.edges.begin(), piece.outline.edges.end(),
+                     [&](const Edge& edge) { return kind(piece.id, edge.name) == EdgeKind::Fold; });
 }
 
 EdgeKind AllowancePlan::kind(PieceId piece, const std::string& edge) const {

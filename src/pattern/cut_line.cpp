@@ -147,9 +147,20 @@ Ring cleaned(const Ring& ring) {
 // Round an outline, or round a hole the other way. Empty: nothing is left of the hole.
 Ring ringOf(PieceId piece, const Outline& outline, const AllowancePlan& plan, double miss, bool hole) {
   std::vector<Side> sides;
-  std::vector<const std::string*> names;
-  for (const Edge& edge : outline.edges) {
-    sides.push_back(sideOf(hole ? edge.curve.reversed() : edge.curve, plan.width(piece, edge.name), miss));
+  std::vector<const std::string*> names;  // null: across the mouth of a dart
+  const std::size_t count = outline.edges.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Edge& edge = outline.edges[k];
+    const auto widthOf = [&](std::size_t at) { return plan.width(piece, outline.edges[at % count].name); };
+    if (!hole && plan.foldedDart(piece, (k + count - 1) % count)) continue;  // its second leg
+    if (const PaperDart* dart = hole ? nullptr : plan.foldedDart(piece, k)) {
+      const Flat peak = capOf(outline, *dart);
+      sides.push_back(sideOf(Curve::line(dart->from, peak), widthOf(k + count - 1), miss));
+      sides.push_back(sideOf(Curve::line(peak, dart->until), widthOf(k + 2), miss));
+      names.insert(names.end(), 2, nullptr);
+      continue;
+    }
+    sides.push_back(sideOf(hole ? edge.curve.reversed() : edge.curve, widthOf(k), miss));
     names.push_back(&edge.name);
   }
   if (hole) std::reverse(sides.begin(), sides.end()), std::reverse(names.begin(), names.end());
@@ -157,8 +168,10 @@ Ring ringOf(PieceId piece, const Outline& outline, const AllowancePlan& plan, do
   std::vector<std::vector<Flat>> corners(n);  // after each side
   for (std::size_t k = 0; k < n; ++k) {
     Side &before = sides[k], &after = sides[(k + 1) % n];
-    CornerKind kind = hole ? mirrored(plan.corner(piece, *names[(k + 1) % n], *names[k]))
-                           : plan.corner(piece, *names[k], *names[(k + 1) % n]);
+    const std::string *own = names[k], *next = names[(k + 1) % n];
+    const CornerKind kind = !own || !next ? CornerKind::Mitre
+                            : hole        ? mirrored(plan.corner(piece, *next, *own))
+                                          : plan.corner(piece, *own, *next);
     const double sine = cross(before.wayOut, after.wayIn);
     const bool back = dot(before.wayOut, after.wayIn) < 0 && std::abs(sine) < kSmooth;  // the point of a slit
     if (sine < 0 || back) {

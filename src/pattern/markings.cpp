@@ -1,5 +1,7 @@
 #include "karinui/pattern/markings.h"
 
+#include "karinui/pattern/darts.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +20,54 @@ Flat unitTangent(const Curve& curve, double t) {
   if (length(there) > 1e-9) return normalized(there);
   return normalized(t < 0.5 ? curve.at(t + 1e-3) - curve.at(t)
                             : curve.at(t) - curve.at(t - 1e-3));  // a handle of no length
+}
+
+// Whether a name says so: "back", "back_left", "left back"; 後身頃.
+bool says(std::string_view name, std::string_view word) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  for (std::size_t at = name.find(word); at != std::string_view::npos; at = name.find(word, at + 1))
+    if (static_cast<unsigned char>(word[0]) >= 0x80 ||
+        ((at == 0 || !letter(name[at - 1])) && (at + word.size() == name.size() || !letter(name[at + word.size()]))))
+      return true;
+  return false;
+}
+bool isBack(const Piece& piece) { return says(piece.name, "back") || says(piece.name, "後"); }
+bool isFront(const Piece& piece) { return says(piece.name, "front") || says(piece.name, "前"); }
+
+constexpr double kTagRoom = 0.0045;  // metres that all lines keep from the middle of a seam's number
+
+std::vector<std::vector<Flat>> linesOf(const Piece& piece) {
+  std::vector<std::vector<Flat>> lines;
+  const auto add = [&](const Curve& curve) { lines.push_back(curve.flattened(2e-4)); };
+  for (const Edge& edge : piece.outline.edges) add(edge.curve);
+  for (const Outline& hole : piece.holes)
+    for (const Edge& edge : hole.edges) add(edge.curve);
+  for (const InternalLine& line : piece.lines)
+    for (const Curve& curve : line.curves) add(curve);
+  return lines;
+}
+double roomAt(const std::vector<std::vector<Flat>>& lines, Flat place) {
+  double room = 1e9;
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+      room = std::min(room, distanceToSegment(line[i], line[i + 1], place));
+  return room;
+}
+
+constexpr double kTwin = 0.003;  // metres to either side of the place: two notches for one
+
+// The fractions along a seam at which notches stand for a place: one, or two where there is room beside it.
+std::vector<double> notchesFor(const Pattern& pattern, const SeamSides& sides, double fraction) {
+  const auto pieceAt = [&](const SeamSide& side) { return pattern.pieces.find(side.at(fraction).piece); };
+  const auto a = pieceAt(sides.a), b = pieceAt(sides.b);
+  if (a == pattern.pieces.end() || b == pattern.pieces.end()) return {fraction};
+  const Piece &one = *a->second, &other = *b->second;
+  const bool back = (isBack(one) && !isFront(other)) || (isBack(other) && !isFront(one));
+  const double apart = kTwin / std::max(1e-9, std::min(sides.a.length(), sides.b.length()));
+  if (!back || fraction < 2 * apart || fraction > 1 - 2 * apart) return {fraction};
+  for (const SeamSide* side : {&sides.a, &sides.b})  // where another piece begins one notch says it all
+    if (side->at(fraction - apart).piece != side->at(fraction + apart).piece) return {fraction};
+  return {fraction - apart, fraction + apart};
 }
 
 }  // namespace
@@ -64,9 +114,24 @@ std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
       const auto a = borderPlace(pattern, atA), b = borderPlace(pattern, atB);
       if (!a || !b) continue;
       if (a->corner && b->corner) continue;  // two corners find each other
-      out.push_back({atA.piece, a->place, a->outward, seam.name, false, atA.edge});
-      out.push_back({atB.piece, b->place, b->outward, seam.name, false, atB.edge});
+      for (const double at : notchesFor(pattern, sides, fraction)) {
+        const SeamPlace onA = sides.a.at(at), onB = sides.b.at(at);
+        const auto one = borderPlace(pattern, onA), other = borderPlace(pattern, onB);
+        if (!one || !other) continue;
+        out.push_back({onA.piece, one->place, one->outward, seam.name, false, onA.edge});
+        out.push_back({onB.piece, other->place, other->outward, seam.name, false, onB.edge});
+      }
     }
+  }
+  for (const PaperDart& dart : dartsOf(pattern)) {
+    if (!dart.folded()) continue;
+    const auto& edges = pattern.pieces.at(dart.piece)->outline.edges;
+    const std::size_t n = edges.size();
+    const SeamPlace ends[] = {{dart.piece, edges[(dart.to + n - 1) % n].name, 1},
+                              {dart.piece, edges[(dart.back + 1) % n].name, 0}};
+    for (const SeamPlace& end : ends)
+      if (const auto on = borderPlace(pattern, end))
+        out.push_back({dart.piece, on->place, on->outward, pattern.seams.at(dart.seam).name, false, end.edge});
   }
   for (const auto& [id, piece] : pattern.pieces)
     for (const Mark& mark : piece->marks)
@@ -87,16 +152,40 @@ std::vector<Flat> drillHoles(const Piece& piece) {
   return out;
 }
 
+std::vector<Flat> drillHoles(const Pattern& pattern, const Piece& piece) {
+  std::vector<Flat> out = drillHoles(piece);
+  for (const PaperDart& dart : dartsOf(pattern)) {
+    const Flat middle = lerp(dart.from, dart.until, 0.5);
+    if (dart.piece == piece.id && dart.folded() && distance(middle, dart.point) > 2 * kDrillShort)
+      out.push_back(dart.point + normalized(middle - dart.point) * kDrillShort);
+  }
+  return out;
+}
+
 std::vector<SeamTag> seamTags(const Pattern& pattern) {
   std::vector<SeamTag> out;
+  std::map<PieceId, std::vector<std::vector<Flat>>> drawn;
   std::size_t number = 0;
   for (const auto& [id, seam] : pattern.seams) {
     ++number;
     const SeamSides sides(pattern, seam);
     for (const SeamSide* side : {&sides.a, &sides.b}) {
-      const SeamPlace at = side->at(0.5);
-      if (const auto on = borderPlace(pattern, at))
-        out.push_back({at.piece, on->place - on->outward * kTagDepth, number});
+      std::optional<SeamTag> best;
+      double most = -1;
+      for (const double fraction : {0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.15, 0.85}) {
+        const SeamPlace at = side->at(fraction);
+        const auto on = borderPlace(pattern, at);
+        if (!on) continue;
+        auto& lines = drawn[at.piece];
+        if (lines.empty()) lines = linesOf(*pattern.pieces.at(at.piece));
+        for (const double depth : {kTagDepth, 0.8 * kTagDepth}) {
+          const Flat place = on->place - on->outward * depth;
+          const double room = std::min(roomAt(lines, place), kTagRoom);
+          if (room > most) most = room, best = SeamTag{at.piece, place, number};
+        }
+        if (most >= kTagRoom) break;
+      }
+      if (best) out.push_back(*best);
     }
   }
   return out;

@@ -24,7 +24,7 @@ SpatialLook lookOf(const SceneCloth& cloth) {
 
 SheetSettings sheetOf(const GarmentSnapshot& snapshot, const ExportWish& wish) {
   SheetSettings sheet = wish.sheet;
-  sheet.allowances = snapshot.document.allowances;
+  tellGarment(snapshot.document, sheet);
   return sheet;
 }
 

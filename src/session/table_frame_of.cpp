@@ -62,7 +62,7 @@ TableEdge* edgeNamed(TablePiece& piece, const std::string& name) {
   return nullptr;
 }
 
-TablePiece pieceOf(const Piece& piece, Flat lies) {
+TablePiece pieceOf(const Pattern& pattern, const Piece& piece, Flat lies) {
   TablePiece drawn;
   drawn.name = piece.name;
   drawn.frozen = piece.frozen;
@@ -77,13 +77,12 @@ TablePiece pieceOf(const Piece& piece, Flat lies) {
     }
   for (const InternalLine& line : piece.lines)
     for (const Curve& curve : line.curves) drawn.lines.push_back(laid(curve.flattened(kMiss), lies));
-  drawn.drills = laid(drillHoles(piece), lies);
+  drawn.drills = laid(drillHoles(pattern, piece), lies);
   drawn.drillRadius = kDrillRadius;
   return drawn;
 }
 
-void addLabels(TablePiece& drawn, const Piece& piece, Flat lies, const LetteredPiece& room) {
-  const std::vector<Message> words = labelOf(piece);
+void addLabels(TablePiece& drawn, const std::vector<Message>& words, Flat lies, const LetteredPiece& room) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const LetteredPiece::Line& line = room.lines[i];
     drawn.labels.push_back({i == 0 ? TableLabel::Says::Name : TableLabel::Says::Cut, words[i], line.place + lies,
@@ -92,9 +91,14 @@ void addLabels(TablePiece& drawn, const Piece& piece, Flat lies, const LetteredP
   if (room.grain) drawn.grain = laid(*room.grain, lies);
 }
 
-std::vector<std::string> wordsOn(const Piece& piece, Language language) {
+CutFacts factsOf(const Document& document, const AllowancePlan& plan, const Piece& piece) {
+  const auto own = document.cutting.find(piece.id);
+  return {own == document.cutting.end() ? Cutting() : own->second, plan.onFold(piece), document.body.size, {}};
+}
+
+std::vector<std::string> inWords(const std::vector<Message>& lines, Language language) {
   std::vector<std::string> words;
-  for (const Message& line : labelOf(piece)) words.push_back(text(line, language));
+  for (const Message& line : lines) words.push_back(text(line, language));
   return words;
 }
 
@@ -147,8 +151,7 @@ TableSeam seamOf(const Pattern& pattern, const Seam& seam, const TableLayout& la
 
 }  // namespace
 
-const LetteredPiece& LetteringRooms::of(const Piece& piece, Language language) {
-  std::vector<std::string> words = wordsOn(piece, language);
+const LetteredPiece& LetteringRooms::of(const Piece& piece, const std::vector<std::string>& words) {
   Kept& kept = kept_[piece.id];
   if (kept.words != words || kept.grain != piece.grain || kept.outline != piece.outline || kept.holes != piece.holes ||
       kept.lines != piece.lines)
@@ -165,7 +168,7 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
   std::map<PieceId, std::size_t> number;  // in the frame
   for (const auto& [id, piece] : pattern.pieces) {
     const Flat lies = layout.at(id);
-    TablePiece drawn = pieceOf(*piece, lies);
+    TablePiece drawn = pieceOf(pattern, *piece, lies);
     if (auto cut = cutLines(*piece, plan, kMiss)) {
       drawn.cut.push_back(laid(std::move(cut->outer), lies));
       for (Ring& hole : cut->holes) drawn.cut.push_back(laid(std::move(hole), lies));
@@ -175,10 +178,12 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
     drawn.unsettled = document.drape.dirty.contains(id);
     const Piece& stored = *document.pattern.pieces.at(id);
     if (options.outlines.contains(id)) drawn.before = laid(stored.outline.flattened(kMiss), lies);
+    const std::vector<Message> lines = labelOf(stored, factsOf(document, plan, stored));
+    const std::vector<std::string> words = inWords(lines, options.language);
     if (rooms)
-      addLabels(drawn, stored, lies, rooms->of(stored, options.language));
+      addLabels(drawn, lines, lies, rooms->of(stored, words));
     else
-      addLabels(drawn, stored, lies, roomFor(stored, wordsOn(stored, options.language)));
+      addLabels(drawn, lines, lies, roomFor(stored, words));
     if (const auto pins = document.pins.find(id); pins != document.pins.end())
       for (const Flat pin : pins->second) drawn.pins.push_back(pin + lies);
     if (options.corners)

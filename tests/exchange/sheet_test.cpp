@@ -1,7 +1,6 @@
 #include "karinui/exchange/sheet.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <cstdio>
 #include <regex>
 
@@ -12,6 +11,7 @@
 #include "karinui/exchange/garment_code.h"
 #include "karinui/pattern/label_room.h"
 #include "patterns.h"
+#include "pdf_page.h"
 
 namespace karinui {
 namespace {
@@ -174,6 +174,44 @@ TEST(Sheet, LetteringAndGrainLieWithinTheirPiece) {
   }
 }
 
+// Every line of lettering, as a box about its place, stays clear of the lines of its piece.
+TEST(Sheet, LetteringCrossesNoLine) {
+  if (!exists(test::shared("patterns"))) GTEST_SKIP() << "the shared patterns are not here";
+  std::vector<Pattern> patterns{shirt()};
+  for (const std::string name :
+       {"shirt_m_eu50", "bodice_block_f_eu38", "trouser_block_m_eu50", "tshirt_f_eu38", "face_mask"})
+    patterns.push_back(test::drafted(test::shared("patterns/" + name + ".json")));
+  SheetSettings settings;
+  settings.size = "jis9ar", settings.date = "2026-01-31";
+  for (const Pattern& pattern : patterns) {
+    const auto sheet = layOut(pattern, settings);
+    ASSERT_TRUE(sheet);
+    for (const SheetPiece& piece : sheet->pieces) {
+      EXPECT_EQ(piece.labels, 3u);
+      std::vector<std::vector<Flat>> lines;
+      const auto add = [&](const Curve& curve) {
+        lines.emplace_back();
+        for (const Flat p : curve.flattened(1e-4)) lines.back().push_back({piece.at(p).x, piece.at(p).y});
+      };
+      for (const Edge& edge : piece.piece->outline.edges) add(edge.curve);
+      for (const InternalLine& line : piece.piece->lines)
+        for (const Curve& curve : line.curves) add(curve);
+      for (const SheetText& words : piece.texts) {
+        const double half = 0.42 * wordsWidth(words.words, words.size), up = 0.36 * words.size;  // what is inked
+        const Flat low{words.place.x - (words.upright ? half : up), words.place.y - (words.upright ? up : half)},
+            high{words.place.x + (words.upright ? half : up), words.place.y + (words.upright ? up : half)};
+        for (const auto& line : lines)
+          for (std::size_t i = 0; i + 1 < line.size(); ++i)
+            for (int k = 0; k <= 20; ++k) {
+              const Flat p = lerp(line[i], line[i + 1], k / 20.0);
+              EXPECT_FALSE(p.u > low.u && p.u < high.u && p.v > low.v && p.v < high.v)
+                  << piece.piece->name << " " << words.words;
+            }
+      }
+    }
+  }
+}
+
 TEST(Sheet, PartnersGetTheSameNotches) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Pattern pattern = test::random(seed);
@@ -275,6 +313,29 @@ TEST(Sheet, EachEdgeHasItsOwnAllowance) {
   EXPECT_TRUE(layOut(pattern, settings)->pieces[0].cutLines.empty()) << "seam lines only";
 }
 
+TEST(Sheet, TellsHowOftenAPieceIsCutAndWhatLiesOnTheFold) {
+  SheetSettings settings;
+  settings.cutting[{1}] = {2, true};
+  settings.size = "jis9ar", settings.date = "2026-01-31";
+  const auto sheet = layOut(skirtPanel(), settings);
+  ASSERT_TRUE(sheet);
+  const SheetPiece& piece = sheet->pieces[0];
+  ASSERT_EQ(piece.labels, 3u);
+  EXPECT_EQ(piece.texts[1].words, "Cut 2 (1 pair) on fold · Cotton");
+  EXPECT_EQ(piece.texts[2].words, "JIS 9AR (women) · 2026-01-31");
+  // The bracket's ends are on the fold, its back 10 mm within the cloth.
+  ASSERT_EQ(piece.folds.size(), 1u);
+  ASSERT_EQ(piece.folds[0].size(), 4u);
+  const double at = piece.at({0, 0}).x;
+  EXPECT_NEAR(piece.folds[0][0].x, at, 1e-9);
+  EXPECT_NEAR(piece.folds[0][1].x, at + 10, 1e-9);
+  EXPECT_NEAR(piece.folds[0][2].x, at + 10, 1e-9);
+  EXPECT_NEAR(piece.folds[0][3].x, at, 1e-9);
+  EXPECT_EQ(piece.texts.back().words, "place on the fold");
+  EXPECT_FALSE(piece.texts.back().upright);
+  EXPECT_EQ(layOut(skirtPanel(), {})->pieces[0].texts[1].words, "Cut 1 on fold · Cotton");
+}
+
 TEST(Sheet, RefusesNonsense) {
   EXPECT_FALSE(writeSvg({}));
   EXPECT_FALSE(writePdf({}));
@@ -285,32 +346,11 @@ TEST(Sheet, RefusesNonsense) {
   }
 }
 
-// What a page's content says, as poppler draws it: a page rendered to grey values.
-struct Picture {
-  int width = 0, height = 0;
-  std::string grey;
-};
-Picture rendered(const std::string& pdf, int page, int dpi, const std::string& crop) {
-  std::string folder = (std::filesystem::temp_directory_path() / "karinui-pdf-XXXXXX").string();
-  if (!::mkdtemp(folder.data()) || !writeFile(folder + "/a.pdf", pdf)) return {};
-  const std::string number = std::to_string(page);
-  const std::string command = "pdftoppm -gray -singlefile -aa no -aaVector no -f " + number + " -l " + number + " -r " +
-                              std::to_string(dpi) + " " + crop + " " + folder + "/a.pdf " + folder + "/a 2>/dev/null";
-  Picture out;
-  if (std::system(command.c_str()) == 0) {
-    std::istringstream file(test::content(folder + "/a.pgm"));
-    std::string magic;
-    int most = 0;
-    file >> magic >> out.width >> out.height >> most;
-    file.get();
-    out.grey.assign(std::istreambuf_iterator<char>(file), {});
-  }
-  std::filesystem::remove_all(folder);
-  return out;
-}
+using test::Picture;
+using test::rendered;
 
 TEST(Pdf, TheSquareMeasuresAHundredMillimetres) {
-  if (std::system("pdftoppm -v >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdftoppm is not installed";
+  if (!test::drawsPdf()) GTEST_SKIP() << "pdftoppm is not installed";
   struct Place {
     PaperKind paper;
     int page, top;  // mm from the page's top: a strip that shows both upright sides

@@ -1,4 +1,5 @@
 // The cutting table as data: everything of the garment is on it, inside its pieces, and where the printed sheet has it.
+#include "karinui/design/piece_label.h"
 #include "karinui/session/table_frame_of.h"
 
 #include <gtest/gtest.h>
@@ -277,26 +278,31 @@ TEST(LetteringRooms, GiveWhatWouldBeFoundAnew) {
   LetteringRooms rooms;
   Pattern pattern = skirt();
   Piece piece = *pattern.pieces.begin()->second;
+  const auto words = [&] {
+    std::vector<std::string> all;
+    for (const Message& line : labelOf(piece)) all.push_back(text(line, Language::English));
+    return all;
+  };
   const auto same = [](const LetteredPiece& a, const LetteredPiece& b) {
     return a.grain == b.grain && a.lines.size() == b.lines.size() && a.lines[0].place == b.lines[0].place &&
            a.lines[0].size == b.lines[0].size;
   };
   const auto anew = [&] {
     LetteringRooms fresh;
-    return fresh.of(piece, Language::English);
+    return fresh.of(piece, words());
   };
-  EXPECT_TRUE(same(rooms.of(piece, Language::English), anew()));
-  const LetteredPiece first = rooms.of(piece, Language::English);
+  EXPECT_TRUE(same(rooms.of(piece, words()), anew()));
+  const LetteredPiece first = rooms.of(piece, words());
   piece.name = "a name that is very much longer than the one before, and needs smaller letters";
-  EXPECT_TRUE(same(rooms.of(piece, Language::English), anew()));
-  EXPECT_FALSE(same(rooms.of(piece, Language::English), first));
+  EXPECT_TRUE(same(rooms.of(piece, words()), anew()));
+  EXPECT_FALSE(same(rooms.of(piece, words()), first));
   piece.name = "front";
-  EXPECT_TRUE(same(rooms.of(piece, Language::English), first));
+  EXPECT_TRUE(same(rooms.of(piece, words()), first));
   piece.grain = {1, 0};
-  EXPECT_TRUE(same(rooms.of(piece, Language::English), anew()));
-  EXPECT_FALSE(same(rooms.of(piece, Language::English), first));
+  EXPECT_TRUE(same(rooms.of(piece, words()), anew()));
+  EXPECT_FALSE(same(rooms.of(piece, words()), first));
   piece.lines.push_back({"fold", {Curve::line({0.01, 0.2}, {0.39, 0.2})}});
-  EXPECT_TRUE(same(rooms.of(piece, Language::English), anew()));
+  EXPECT_TRUE(same(rooms.of(piece, words()), anew()));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The flat pieces as a person cuts them: laid side by side at true size on one sheet, with seam lines, seam allowance,
 // notches, grain arrows and names. SVG and PDF are two ways of drawing one sheet. Pure; any thread.
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,17 +11,24 @@
 
 #include "karinui/base/message.h"
 #include "karinui/base/result.h"
-#include "karinui/pattern/allowance.h"
+#include "karinui/design/document.h"
 
 namespace karinui {
 
 struct SheetSettings {
   std::string title = "Karinui";
-  Allowances allowances;                  // of the garment
+  Allowances allowances;                  // of the garment, like the next two: tellGarment()
+  std::map<PieceId, Cutting> cutting;     // of pieces that are cut more than once
+  std::string size;                       // of the figure; empty: not told
+  std::string date;                       // of the print, as it is to be read; empty: not told
   std::optional<double> allowance;        // metres, of seams, in place of the garment's own; 0: seam lines only
   double rollWidth = 0.900;               // metres; the sheet is wider only if a piece is
+  double overlap = 0.010;                 // metres of the strip by which pages are glued
   Language language = Language::English;  // of the words around the names
 };
+
+// What the document says of its sheet.
+void tellGarment(const Document& document, SheetSettings& settings);
 
 // One SVG drawing, its width and height in mm and its viewBox the same numbers. Every piece is a group with its name,
 // every edge a path of its own with its name, so that the drawing can be read back.
@@ -32,10 +40,15 @@ Result<Pattern> readSvg(std::string_view svg);
 
 enum class PaperKind {
   OneSheet,  // one page as large as the sheet, for a plotter or a print shop
-  A4,        // an overview, then pages to be glued, named by row letter and column number; empty ones are left out
+  // A cover, then pages to be glued, named by row letter and column number; empty ones are left out.
+  A4,
+  Letter,
+  A3,
+  A0,        // of a copy shop: no cover,
+  Inches36,  // nor of 36 by 48 inches; the pieces are laid out in their width
 };
 // A PDF at true size that asks viewers not to scale it; no author and no date. Text is embedded in a font that has its
-// characters, if the machine has one.
+// characters, if the machine has one. The kinds of lines are layers.
 Result<std::string> writePdf(const Pattern& pattern, PaperKind paper = PaperKind::OneSheet,
                              const SheetSettings& settings = {});
 

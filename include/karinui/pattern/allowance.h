@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "karinui/pattern/darts.h"
 #include "karinui/pattern/edit.h"
 
 namespace karinui {
@@ -55,11 +56,14 @@ class AllowancePlan {
   // Where `after` starts at the end of `before`. A hem is mirrored, so that it lies flat when it is turned up.
   CornerKind corner(PieceId piece, const std::string& before, const std::string& after) const;
   double width(EdgeKind kind) const;
+  const PaperDart* foldedDart(PieceId piece, std::size_t to) const;  // that begins with this edge; null: none
+  bool onFold(const Piece& piece) const;                             // it is half of what is cut
   const Allowances& allowances() const { return allowances_; }
 
  private:
   Allowances allowances_;
   std::set<Allowances::At> sewn_;
+  std::map<std::pair<PieceId, std::size_t>, PaperDart> darts_;  // folded ones
 };
 
 }  // namespace karinui

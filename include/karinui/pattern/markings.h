@@ -23,7 +23,8 @@ struct BorderPlace {
 };
 std::optional<BorderPlace> borderPlace(const Pattern& pattern, const SeamPlace& at);  // nothing: no such piece or edge
 
-// Places where sewn pieces must meet, for each seam as many on either side; then the person's own notches.
+// Places where sewn pieces must meet, for each seam as many on either side, two beside each other where a back meets
+// anything but a front; the mouths of folded darts; then the person's own notches.
 struct NotchPlace {
   PieceId piece;
   Flat place, outward;
@@ -36,7 +37,9 @@ std::vector<NotchPlace> notchPlaces(const Pattern& pattern);
 inline constexpr double kNotchLength = 0.005;
 PaperStroke strokeOf(const NotchPlace& notch, double allowance = 0);
 
-std::vector<Flat> drillHoles(const Piece& piece);
+std::vector<Flat> drillHoles(const Piece& piece);                          // the person's own,
+std::vector<Flat> drillHoles(const Pattern& pattern, const Piece& piece);  // and short of the points of folded darts
+inline constexpr double kDrillShort = 0.010;
 inline constexpr double kDrillRadius = 0.0025;  // of the circle round a drill hole,
 inline constexpr double kDrillArm = 0.004;      // and of each arm of the cross through it
 

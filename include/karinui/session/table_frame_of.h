@@ -18,7 +18,7 @@ struct TableFrameOptions {
 // whose paper is the same. One thread at a time.
 class LetteringRooms {
  public:
-  const LetteredPiece& of(const Piece& piece, Language language);
+  const LetteredPiece& of(const Piece& piece, const std::vector<std::string>& words);  // its label, line by line
 
  private:
   struct Kept {

@@ -79,7 +79,7 @@ class Writing {
     }
     for (const NotchPlace& notch : notchPlaces(pattern))
       if (notch.piece == piece.id) notchAt(notch, plan ? plan->width(piece.id, notch.edge) : 0);
-    for (const Flat drill : drillHoles(piece)) point(13, drill);
+    for (const Flat drill : drillHoles(pattern, piece)) point(13, drill);
     grain(piece);
     for (const InternalLine& inner : piece.lines) {
       open(8, inner);

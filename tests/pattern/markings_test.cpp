@@ -1,0 +1,106 @@
+#include "karinui/pattern/markings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "karinui/pattern/cut_line.h"
+#include "karinui/pattern/edit.h"
+#include "support.h"
+
+namespace karinui {
+namespace {
+
+// A rectangle with a dart in its top, sewn.
+Pattern darted(double width = 0.03) {
+  const auto dart = addDart(test::pieceOf(1, test::rectangle(0.3, 0.2)), "top", 0.5, width, {0.15, 0.1}, "dart");
+  Pattern pattern = test::patternOf({dart->edited.piece});
+  pattern.seams[{9}] = {{9}, "", {{{1}, dart->to, 0, 1}}, {{{1}, dart->back, 0, 1}}, true, Seam::Tie::OneToOne};
+  return pattern;
+}
+
+TEST(Darts, AreFoundAndNarrowOnesFolded) {
+  const auto darts = dartsOf(darted());
+  ASSERT_EQ(darts.size(), 1u);
+  EXPECT_LT(distance(darts[0].from, {0.165, 0.2}), 1e-9);
+  EXPECT_LT(distance(darts[0].point, {0.15, 0.1}), 1e-9);
+  EXPECT_LT(distance(darts[0].until, {0.135, 0.2}), 1e-9);
+  EXPECT_TRUE(darts[0].folded());
+  EXPECT_FALSE(dartsOf(darted(0.06))[0].folded());
+  Pattern unsewn = darted();
+  unsewn.seams.clear();
+  EXPECT_TRUE(dartsOf(unsewn).empty());
+}
+
+// Half the wedge lies, folded, on the cloth behind the dart: turned over the leg, the cap runs along the top.
+TEST(Darts, TheCapEndsWithTheEdgeWhenTheDartIsFolded) {
+  const Pattern pattern = darted();
+  const Piece& piece = *pattern.pieces.at({1});
+  const PaperDart dart = dartsOf(pattern)[0];
+  const Flat peak = capOf(piece.outline, dart);
+  EXPECT_NEAR(peak.u, 0.15, 1e-9);
+  EXPECT_NEAR(peak.v, 0.2 + 0.015 * std::tan(2 * std::atan(0.15)), 1e-9);
+  const Flat leg = normalized(dart.point - dart.until), way = peak - dart.until;
+  const Flat folded = dart.until + leg * (2 * dot(way, leg)) - way;
+  EXPECT_NEAR(folded.v, 0.2, 1e-9);
+  EXPECT_LT(folded.u, dart.until.u);
+  // The cut line goes round the cap, not into the dart.
+  Allowances none;
+  for (const Edge& edge : piece.outline.edges) none.edges[{piece.id, edge.name}] = 0.001;
+  const auto lines = cutLines(piece, AllowancePlan(pattern, none));
+  ASSERT_TRUE(lines);
+  const double cap = 0.5 * 0.03 * (peak.v - 0.2);
+  EXPECT_NEAR(signedArea(lines->outer), 0.302 * 0.202 + cap, 2e-6);
+  EXPECT_TRUE(contains(lines->outer, {0.15, 0.19}));
+  EXPECT_FALSE(contains(cutLines(*darted(0.06).pieces.at({1}), AllowancePlan(darted(0.06), none))->outer, {0.15, 0.19}))
+      << "a wide one is cut out";
+}
+
+TEST(Darts, HaveNotchesAtTheMouthAndAHoleShortOfThePoint) {
+  const Pattern pattern = darted();
+  std::vector<Flat> at;
+  for (const NotchPlace& notch : notchPlaces(pattern)) {
+    at.push_back(notch.place);
+    EXPECT_LT(distance(notch.outward, {0, 1}), 1e-6) << "across the top, not across the leg";
+  }
+  ASSERT_EQ(at.size(), 2u);
+  EXPECT_NEAR(distance(at[0], at[1]), 0.03, 1e-9);
+  const auto holes = drillHoles(pattern, *pattern.pieces.at({1}));
+  ASSERT_EQ(holes.size(), 1u);
+  EXPECT_LT(distance(holes[0], {0.15, 0.1 + kDrillShort}), 1e-9);
+}
+
+// Two long edges sewn together get a notch in their middle.
+std::size_t notchesBetween(const std::string& one, const std::string& other) {
+  Pattern pattern = test::patternOf(
+      {test::pieceOf(1, test::rectangle(0.3, 0.6), one), test::pieceOf(2, test::rectangle(0.3, 0.6), other)});
+  pattern.seams[{9}] = {{9}, "", {{{1}, "right", 0, 1}}, {{{2}, "left", 0, 1}}, true, Seam::Tie::OneToOne};
+  const auto notches = notchPlaces(pattern);
+  for (std::size_t i = 0; i + 1 < notches.size(); i += 2) {  // on both partners alike
+    EXPECT_EQ(notches[i].piece, PieceId{1});
+    EXPECT_EQ(notches[i + 1].piece, PieceId{2});
+    EXPECT_NEAR(notches[i].place.v, notches[i + 1].place.v, 1e-9);
+  }
+  return notches.size() / 2;
+}
+
+TEST(Notches, AreDoubleForABack) {
+  EXPECT_EQ(notchesBetween("front", "sleeve"), 1u);
+  EXPECT_EQ(notchesBetween("back", "sleeve"), 2u);
+  EXPECT_EQ(notchesBetween("sleeve_left", "left_back"), 2u);
+  EXPECT_EQ(notchesBetween("袖", "後身頃"), 2u);
+  EXPECT_EQ(notchesBetween("front", "back"), 1u) << "the side seam is the same for both";
+  EXPECT_EQ(notchesBetween("backing", "pocket"), 1u);
+  // Where front and back meet on a sleeve there is one.
+  Pattern pattern = test::patternOf({test::pieceOf(1, test::rectangle(0.1, 0.1), "front"),
+                                     test::pieceOf(2, test::rectangle(0.1, 0.1), "back"),
+                                     test::pieceOf(3, test::rectangle(0.2, 0.1), "sleeve")});
+  pattern.seams[{9}] = {
+      {9}, "", {{{1}, "top", 0, 1}, {{2}, "top", 0, 1}}, {{{3}, "bottom", 0, 1}}, true, Seam::Tie::OneToOne};
+  std::size_t onSleeve = 0;
+  for (const NotchPlace& notch : notchPlaces(pattern)) onSleeve += notch.piece == PieceId{3};
+  EXPECT_EQ(onSleeve, 1u);
+}
+
+}  // namespace
+}  // namespace karinui
