@@ -1,6 +1,7 @@
 #pragma once
 // Sentences for the person, over the fitting: the newest on top, an older one below it until there was time to read it.
-// A click on one takes it away, and so does a drag that begins on it, which goes to the view below. All of the session's sentences are kept to be read again. GUI thread.
+// A click on one takes it away, and so does a drag that begins on it, which goes to the view below. All of the
+// session's sentences are kept to be read again. GUI thread.
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPointer>
@@ -42,8 +43,8 @@ class Notices : public QObject {
   Drags drags_;
   QPointer<QLabel> pressed_;            // a click or a drag began on it
   std::unique_ptr<QEvent> firstPress_;  // not yet known to the view
-  std::deque<QLabel*> shown_;  // the newest first
-  QStringList said_;           // the last ones, the newest at the end
+  std::deque<QLabel*> shown_;           // the newest first
+  QStringList said_;                    // the last ones, the newest at the end
   int room_ = 400, between_ = 0;
   bool held_ = false;
 };
