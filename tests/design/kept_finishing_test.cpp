@@ -1,0 +1,65 @@
+// What a document keeps of allowances, eases and counts.
+#include <gtest/gtest.h>
+
+#include "design/pack.h"
+
+namespace karinui {
+namespace {
+
+Document finished() {
+  Document document;
+  document.variables["ease"] = "4cm";
+  document.allowances.kinds[EdgeKind::Hem] = 0.04;
+  document.allowances.edges[{{1}, "side"}] = 0.025;
+  document.allowances.corners[{{1}, "hem"}] = CornerKind::SquareAfter;
+  document.cutting[{1}] = {4, true};
+  document.eases[{2}] = 0.012;
+  return document;
+}
+
+TEST(KeptFinishing, ComesBack) {
+  const Document document = finished();
+  const auto back = unpackRest(packRest(document));
+  ASSERT_TRUE(back) << text(back.error().what);
+  EXPECT_EQ(back->allowances, document.allowances);
+  EXPECT_EQ(back->cutting, document.cutting);
+  EXPECT_EQ(back->eases, document.eases);
+  EXPECT_EQ(back->variables, document.variables);
+  EXPECT_EQ(hash(*back), hash(document));
+}
+
+TEST(KeptFinishing, EachPartCounts) {
+  const std::string all = hash(finished());
+  Document kinds = finished(), edges = finished(), corners = finished(), cutting = finished(), eases = finished();
+  kinds.allowances.kinds.clear(), edges.allowances.edges[{{1}, "side"}] = 0.026;
+  corners.allowances.corners.clear(), cutting.cutting[{1}].pairs = false, eases.eases.clear();
+  for (const Document* other : {&kinds, &edges, &corners, &cutting, &eases}) EXPECT_NE(hash(*other), all);
+}
+
+// Documents without are packed as before there were any.
+TEST(KeptFinishing, OfBeforeReadsAsItDid) {
+  Document plain;
+  const std::size_t size = packRest(plain).size();
+  plain.allowances.kinds[EdgeKind::Hem] = 0.04;
+  EXPECT_GT(packRest(plain).size(), size);
+  plain.allowances = {};
+  EXPECT_EQ(packRest(plain).size(), size);
+}
+
+TEST(KeptFinishing, NonsenseIsRefused) {
+  for (const auto& spoil : {+[](Document& d) { d.allowances.kinds[EdgeKind::Hem] = 0.2; },
+                            +[](Document& d) {
+                              d.allowances.edges[{{1}, "side"}] = -0.01;
+                            },
+                            +[](Document& d) {
+                              d.allowances.corners[{{1}, "hem"}] = static_cast<CornerKind>(6);
+                            },
+                            +[](Document& d) { d.cutting[{1}].count = 0; }, +[](Document& d) { d.eases[{2}] = -1; }}) {
+    Document document = finished();
+    spoil(document);
+    EXPECT_FALSE(unpackRest(packRest(document)));
+  }
+}
+
+}  // namespace
+}  // namespace karinui
