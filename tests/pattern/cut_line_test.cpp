@@ -63,7 +63,7 @@ TEST(CutCorner, EachKindAtSlantedCorners) {
 }
 
 TEST(CutCorner, TheMitreEndsAtThreeAndAHalfWidths) {
-  const double limit = 2 * std::acos(1 / kLongestMitre) * 180 / std::numbers::pi;  // a mitre of just 3.5 widths
+  const double limit = 2 * std::acos(1 / 3.5) * 180 / std::numbers::pi;  // a mitre of just 3.5 widths
   EXPECT_EQ(cornerPoints(corner(CornerKind::Mitre, limit - 0.01, kA, kA)).size(), 1u);
   const std::vector<Flat> square = cornerPoints(corner(CornerKind::Mitre, limit + 0.01, kA, kA));
   ASSERT_EQ(square.size(), 2u);
