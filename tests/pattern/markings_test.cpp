@@ -102,5 +102,19 @@ TEST(Notches, AreDoubleForABack) {
   EXPECT_EQ(onSleeve, 1u);
 }
 
+// The number of a seam is beside the middle of its side, or as near to it as the lines of the piece let it.
+TEST(SeamTags, KeepClearOfLines) {
+  Piece piece = test::pieceOf(1, test::rectangle(0.3, 0.2), "one");
+  piece.lines.push_back({"pleat", {Curve::line({0.15, 0}, {0.15, 0.1})}});
+  const Piece other = test::pieceOf(2, test::rectangle(0.3, 0.2), "two");
+  Pattern pattern = test::patternOf({piece, other});
+  pattern.seams[{9}] = {{9}, "", {{{1}, "bottom", 0, 1}}, {{{2}, "top", 0, 1}}, true, Seam::Tie::OneToOne};
+  const auto tags = seamTags(pattern);
+  ASSERT_EQ(tags.size(), 2u);
+  EXPECT_GT(std::fabs(tags[0].place.u - 0.15), 0.004);
+  EXPECT_LT(std::fabs(tags[0].place.u - 0.15), 0.05);
+  EXPECT_NEAR(tags[1].place.u, 0.15, 1e-9);
+}
+
 }  // namespace
 }  // namespace karinui
