@@ -88,6 +88,16 @@ AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
     op.plain = true;
     perform(std::move(op));
   });
+  ease_ = new LengthBox(say("Ease in the seam"), 0, 10);
+  ease_->setObjectName("seam_ease");
+  Theme::here().keep(ease_, [this] {
+    ease_->setToolTip(
+        inWords(say("By how much one side of the seam is longer on purpose; another difference is told.")));
+  });
+  row(say("Ease in the seam"), ease_);
+  connect(ease_, &LengthBox::typed, this, [this](double metres) {
+    if (!filling_ && seam()) session_.perform(DeclareEase{SeamRef(seam()), Length{metres}});
+  });
   connect(width_, &LengthBox::typed, this, [this](double metres) {
     if (filling_ || !session_.selection().edge) return;
     SetAllowance op = operation();
@@ -100,6 +110,16 @@ SetAllowance AllowanceBoard::operation() const {
   SetAllowance op;
   op.edges = {{PieceRef(session_.selection().edge->piece), session_.selection().edge->edge, 0, 1}};
   return op;
+}
+
+SeamId AllowanceBoard::seam() const {
+  const auto& chosen = session_.selection().edge;
+  if (!chosen) return {};
+  for (const auto& [id, seam] : session_.snapshot().document.pattern.seams)
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side)
+        if (span.piece == chosen->piece && span.edge == chosen->edge) return id;
+  return {};
 }
 
 void AllowanceBoard::perform(SetAllowance operation) { session_.perform(std::move(operation)); }
@@ -123,6 +143,10 @@ void AllowanceBoard::refresh() {
     const CornerKind kind = plan.corner(piece->id, edges[(after + n - 1) % n].name, edges[after].name);
     corners_[k]->setCurrentIndex(static_cast<int>(kind));
   }
+  const SeamId sewn = seam();
+  const auto eased = document.eases.find(sewn);
+  ease_->setEnabled(static_cast<bool>(sewn));
+  ease_->setMetres(eased == document.eases.end() ? 0 : eased->second);
   filling_ = false;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// How far beyond its seam line the chosen edge is cut, and how the cut line turns at its ends. GUI thread.
+// How far beyond its seam line the chosen edge is cut, how the cut line turns at its ends, and the ease that is meant
+// in its seam. GUI thread.
 #include <QWidget>
 #include <array>
 
@@ -21,9 +22,10 @@ class AllowanceBoard : public QWidget {
  private:
   SetAllowance operation() const;  // of the chosen edge; there is one
   void perform(SetAllowance operation);
+  SeamId seam() const;  // that holds the chosen edge; none: it is not sewn
 
   Session& session_;
-  LengthBox* width_;
+  LengthBox *width_, *ease_;
   std::array<QComboBox*, 2> corners_;  // where the edge starts, where it ends
   QLabel* why_;
   bool filling_ = false;

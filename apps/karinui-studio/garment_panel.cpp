@@ -14,6 +14,7 @@
 
 #include "allowance_board.h"
 #include "blocks_menu.h"
+#include "cut_board.h"
 #include "edge_numbers.h"
 #include "karinui/base/number.h"
 #include "karinui/design/step_words.h"
@@ -129,6 +130,8 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->addRow(word(say("Grain")), grain_);
   form->addRow(word(say("Layer")), layer_);
   form->addRow(word(say("Frozen")), frozen_);
+  cut_ = new CutBoard(session);
+  form->addRow(word(say("Times cut")), cut_);
   form->addRow(word(say("Area")), area_);
   look_ = new LookBoard(session, [this]() -> std::optional<SetLook> {
     SetLook look;
@@ -431,6 +434,7 @@ void GarmentPanel::fillProperties() {
     layer_->setValue(piece->layer);
     frozen_->setChecked(piece->frozen);
     grain_->setValue(std::atan2(piece->grain.u, piece->grain.v) * 180 / std::numbers::pi);
+    cut_->refresh();
     look_->show(lookOf(document, *piece));
     area_->setText(areaText(piece->outline.area()));
   }

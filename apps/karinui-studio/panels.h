@@ -31,6 +31,7 @@ class LengthBox;
 class LengthChoice;
 class LookBoard;
 class AllowanceBoard;
+class CutBoard;
 class MeasureDrawing;
 class MeasureRow;
 
@@ -78,6 +79,7 @@ class GarmentPanel : public Panel {
   LengthBox *length_, *takeIn_, *u_, *v_;
   LengthChoice* stays_;
   AllowanceBoard* allowance_;
+  CutBoard* cut_;
   QLabel* sewn_;
   Selection selectionShown_;
 };

@@ -1,8 +1,10 @@
 // Seam allowances in the real window: the board of the chosen edge, and the cut line round the pattern's pieces.
 #include <gmock/gmock.h>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QSpinBox>
 #include <QTest>
 
 #include "karinui/design/script.h"
@@ -81,9 +83,32 @@ TEST(Truing, IsToldForTheChosenEdge) {
     return all;
   };
   EXPECT_THAT(told(), HasSubstr("longer than"));
-  w.session().perform(*parseOperation("ease seam=s3 by=15mm"));
+  w.type(w.box("Ease in the seam"), "1.5");
   w.rest();
+  EXPECT_THAT(w.last(), HasSubstr("ease seam=s3 by=15mm"));
   EXPECT_THAT(told(), testing::Not(HasSubstr("longer than")));
+}
+
+TEST(Quantity, IsTypedForTheChosenPiece) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().begin(DocumentFile::inMemory());
+  sewnPanels(w);
+  Selection chosen;
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("back")->id};
+  w.session().select(chosen);
+  w.rest();
+  auto* count = w.main().findChild<QSpinBox*>("cut_count");
+  ASSERT_TRUE(count);
+  EXPECT_EQ(count->value(), 1);
+  count->setValue(3);
+  w.rest();
+  EXPECT_THAT(w.last(), HasSubstr("quantity piece=p2 count=3"));
+  for (QCheckBox* box : w.main().findChildren<QCheckBox*>())
+    if (box->text() == "in pairs") box->click();
+  w.rest();
+  EXPECT_THAT(w.last(), HasSubstr("count=4 pairs=yes"));
+  EXPECT_EQ(count->value(), 4);
 }
 
 }  // namespace
