@@ -52,15 +52,21 @@ function(karinui_module name)
   endif()
 endfunction()
 
+# karinui_precompiled(test_cloth <gtest/gtest.h> …): headers that most sources of a target include.
+function(karinui_precompiled target)
+  # With precompiled headers g++ 12 forgets that std::string is a system's header and warns of copies that cannot be.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds$<SEMICOLON>-Wno-stringop-overflow$<SEMICOLON>-Wno-stringop-overread>)
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+endfunction()
+
 # karinui_test_code(test_cloth): what the sources of every test program share. They are compiled with -O1, a quarter sooner than
 # with -O3: what is tested lies in the libraries.
 function(karinui_test_code target)
   cmake_parse_arguments(A "" "" "PRECOMPILED" ${ARGN})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  # With precompiled headers g++ 12 forgets that std::string is a system's header and warns of copies that cannot be.
-  target_compile_options(${target} PRIVATE -O1
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds$<SEMICOLON>-Wno-stringop-overflow$<SEMICOLON>-Wno-stringop-overread>)
-  target_precompile_headers(${target} PRIVATE <gmock/gmock.h> <gtest/gtest.h> ${A_PRECOMPILED})
+  target_compile_options(${target} PRIVATE -O1)
+  karinui_precompiled(${target} <gmock/gmock.h> <gtest/gtest.h> ${A_PRECOMPILED})
   target_link_libraries(${target} PRIVATE GTest::gtest GTest::gmock GTest::gtest_main)
 endfunction()
 

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "karinui/design/truing_said.h"
 #include "length_box.h"
 #include "theme.h"
 
@@ -95,6 +96,10 @@ AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
         inWords(say("By how much one side of the seam is longer on purpose; another difference is told.")));
   });
   row(say("Ease in the seam"), ease_);
+  faults_ = new QLabel;
+  faults_->setProperty("role", "faint");
+  faults_->setWordWrap(true);
+  form->addRow(faults_);
   connect(ease_, &LengthBox::typed, this, [this](double metres) {
     if (!filling_ && seam()) session_.perform(DeclareEase{SeamRef(seam()), Length{metres}});
   });
@@ -146,6 +151,11 @@ void AllowanceBoard::refresh() {
   const SeamId sewn = seam();
   const auto eased = document.eases.find(sewn);
   ease_->setEnabled(static_cast<bool>(sewn));
+  QString faults;
+  if (sewn)
+    for (const Message& fault : faultsSaid(document, truing(document.pattern, document.eases), sewn))
+      faults += (faults.isEmpty() ? "" : "\n") + inWords(fault);
+  faults_->setText(faults);
   ease_->setMetres(eased == document.eases.end() ? 0 : eased->second);
   filling_ = false;
 }

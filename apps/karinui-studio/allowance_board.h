@@ -27,7 +27,7 @@ class AllowanceBoard : public QWidget {
   Session& session_;
   LengthBox *width_, *ease_;
   std::array<QComboBox*, 2> corners_;  // where the edge starts, where it ends
-  QLabel* why_;
+  QLabel *why_, *faults_;
   bool filling_ = false;
 };
 

@@ -166,8 +166,8 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   form->addRow(word(say("From, up")), v_);
   form->addRow(word(say("Sewn to")), sewn_);
   allowance_ = new AllowanceBoard(session);
-  form->addRow(allowance_);
   form->addRow(new EdgeNumbers(session));
+  form->addRow(allowance_);
   below->addWidget(edgeBoard_);  // who chose an edge asks for its numbers first
   below->addWidget(pieceBoard_);
   below->addStretch(1);
@@ -451,11 +451,7 @@ void GarmentPanel::fillProperties() {
       for (const auto& [id, seam] : document.pattern.seams)
         for (const auto* side : {&seam.a, &seam.b})
           for (const EdgeSpan& s : *side)
-            if (s.piece == piece->id && s.edge == edge->name) {
-              sewn = seamName(document, seam);
-              for (const Message& fault : faultsSaid(document, truing(document.pattern, document.eases), id))
-                sewn += "\n" + inWords(fault);
-            }
+            if (s.piece == piece->id && s.edge == edge->name) sewn = seamName(document, seam);
       sewn_->setText(sewn);
     }
   }
