@@ -87,7 +87,6 @@ GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
   tree_->setHeaderHidden(true);
   tree_->setIndentation(14);
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  tree_->setMinimumHeight(4 * tree_->fontMetrics().height());
   Theme::here().keep(tree_, [this] { tree_->setAccessibleName(inWords(say("Pieces and seams"))); });
   column->addWidget(tree_, 2);
   auto* blocks = new QPushButton;
@@ -290,6 +289,13 @@ void GarmentPanel::takeIn(const std::string& formula, double metres) {
   Operation step = std::move(op);
   if (!formula.empty()) step.formulas = {{"by", formula}};
   session_.perform(std::move(step));
+}
+
+// The list keeps its rows; on a low screen the numbers of what is chosen need the room more.
+void GarmentPanel::resizeEvent(QResizeEvent* event) {
+  Panel::resizeEvent(event);
+  const int letters = fontMetrics().height(), row = letters * 3 / 2;
+  tree_->setMinimumHeight((height() < 26 * letters ? 3 : 7) * row);
 }
 
 void GarmentPanel::edgeTyped(const std::function<Result<Outline>(const Piece&)>& change) {

@@ -59,6 +59,9 @@ class GarmentPanel : public Panel {
   void blockAsked();                     // with its numbers typed
   void menuAsked(const QPoint& global);  // of what is chosen in the tree
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void fillTree();
   void fillProperties();
