@@ -28,7 +28,7 @@ void sewnPanels(Window& w) {
   }
 }
 
-TEST(Allowance, IsTypedForTheChosenEdge) {
+TEST(StudioAllowance, IsTypedForTheChosenEdge) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.session().begin(DocumentFile::inMemory());
@@ -65,7 +65,7 @@ TEST(Allowance, IsTypedForTheChosenEdge) {
   EXPECT_NEAR(w.box("Seam allowance").value(), 0.030, 1e-9);
 }
 
-TEST(Truing, IsToldForTheChosenEdge) {
+TEST(StudioTruing, IsToldForTheChosenEdge) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.session().begin(DocumentFile::inMemory());
@@ -89,7 +89,7 @@ TEST(Truing, IsToldForTheChosenEdge) {
   EXPECT_THAT(told(), testing::Not(HasSubstr("longer than")));
 }
 
-TEST(Quantity, IsTypedForTheChosenPiece) {
+TEST(StudioQuantity, IsTypedForTheChosenPiece) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.session().begin(DocumentFile::inMemory());
