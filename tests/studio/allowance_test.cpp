@@ -70,6 +70,7 @@ TEST(StudioTruing, IsToldForTheChosenEdge) {
   Window w;
   w.session().begin(DocumentFile::inMemory());
   sewnPanels(w);
+  w.main().boards().setCurrentIndex(0);
   const PieceId front = w.session().snapshot().document.pieceNamed("front")->id;
   Selection chosen;
   chosen.pieces = {front};
