@@ -128,7 +128,7 @@ TEST_F(StudioForce, TheSimulatedStylusFeelsTheGarmentAndMovesAPiece) {
   w().hover(w().space(), at);
   until([&] { return force().last().state == ServoState::Armed; });
   EXPECT_EQ(newtons(), 0) << "it hovers";
-  EXPECT_THAT(panel().findChild<QLabel*>("device_state")->text().toStdString(), testing::HasSubstr("Force: on"));
+  until([&] { return panel().findChild<QLabel*>("device_state")->text().contains("Force: on"); });
   w().keep("studio_device");
   // Takes hold and carries the piece aside: its weight is felt.
   const std::size_t steps = w().count();
@@ -275,12 +275,12 @@ TEST_F(StudioForce, TheTipIsCalibratedAndTheSecondButtonLeadsItOrTurnsTheBody) {
   };
   press({0.05, 0.02, 0});
   lead(false, {-0.05, 0.02, 0}, 2);
-  until([&] { return force().last().hand.led.x < -0.19; });
-  // The device comes to where it is led within some reports.
-  for (double last = 0; force().last().hand.led.x != last;) {
-    last = force().last().hand.led.x;
-    for (int k = 0; k < 40; ++k) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-  }
+  // All the way, 10 cm twice, and still for a fifth of a second of the loop's own time.
+  until([&, last = 0.0, since = 0.0]() mutable {
+    const ServoTick now = force().last();
+    if (std::fabs(now.hand.led.x - std::exchange(last, now.hand.led.x)) > 1e-9) since = now.seconds;
+    return now.hand.led.x < -0.19 && now.seconds - since > 0.2;
+  });
   EXPECT_LT(distance(tip(), middle), 1e-4);
   EXPECT_EQ(turnOfView(), before);
   lead(false, {-0.05, 0.02, 0}, 0);
