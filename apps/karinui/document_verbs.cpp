@@ -145,9 +145,13 @@ int runDo(Program& program, const DoOptions& options) {
   return withDocument(program, options.path, false, [&](OpenDocument& opened) -> int {
     if (const Done printed = giveThePhoto(opened, options.photo, operations); !printed)
       return program.console.refuse(printed.error());
-    for (Operation& operation : operations) {
-      const Result<Step> step = opened.perform(std::move(operation));
-      if (!step) return program.console.refuse(step.error());
+    for (std::size_t done = 0; done < operations.size(); ++done) {
+      const Result<Step> step = opened.perform(std::move(operations[done]));
+      if (!step) {  // each operation is on disk by itself: those before stay
+        if (done > 0)
+          program.console.note(say("Done and kept: {0} of {1} {1|operation|operations}.", done, operations.size()));
+        return program.console.refuse(step.error());
+      }
       Json object = stepJson(*step, opened.document());
       const DrapeInfo& drape = opened.document().drape;
       if (std::holds_alternative<PullCloth>(step->operation)) {

@@ -296,6 +296,15 @@ TEST_F(Command, RefusedInputChangesNothing) {
   }
 }
 
+TEST_F(Command, OfSeveralOperationsThoseBeforeTheRefusedOneAreToldAsKept) {
+  haveTunic();
+  const Said said = karinui("do " + document() + " 'rename piece=front to=bodice' 'rename piece=nobody to=x'");
+  EXPECT_EQ(said.exit, 3);
+  EXPECT_THAT(said.err, HasSubstr("Done and kept: 1 of 2 operations."));
+  EXPECT_THAT(karinui("log " + document()).out, HasSubstr("to=bodice"));
+  EXPECT_THAT(karinui("do " + document() + " 'rename piece=nobody to=x'").err, Not(HasSubstr("kept")));
+}
+
 TEST_F(Command, EveryReaderRefusesNonsenseInASentence) {
   const std::string nonsense[] = {"",
                                   std::string(4, '\0'),
