@@ -6,6 +6,7 @@
 #include "cloth/boundary_activation.h"
 #include "cloth/continuation.h"
 #include "cloth/input_check.h"
+#include "cloth/penetration.h"
 #include "cloth/prolong.h"
 #include "cloth/stages.h"
 #include "cloth/strain.h"
@@ -45,6 +46,8 @@ bool standsFormed(const ClothLevel& finest) {
                       [&](const ClothPiece& piece) { return piece.live && liesFlat(piece, x); });
 }
 
+constexpr double kGrownThrough =
+    0.018;  // metres: tight cloth of coarse cells stands up to 10 mm deep, a limb through it 30
 constexpr double kOutOfSkin = 0.95;  // of the skin
 
 // A level that was interpolated may stand in the skin.
@@ -100,7 +103,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     spent.tell(report);
     return report;
   }
-  bool formed = standsFormed(finest), sewn = formed, stopped = false;
+  bool formed = standsFormed(finest), sewn = formed, stopped = false, grownThrough = false;
   std::size_t taken = 0;  // steps, over all levels
   std::vector<Vec3> x;
   const BoundaryActivation activation(finest.cloth);
@@ -112,9 +115,16 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     here.skin = skinOffset(settings, level.cloth.spacing, finest.cloth.spacing);
     // Pieces that have yet to be sewn come from anywhere, through each other: cloth meets cloth once they are.
     const bool loose = l == 0 && !sewn && !last;
+    std::vector<ThinnerCollider> thinner;
+    ColliderList met = colliders;
+    if (l == 0 && !sewn && !grownThrough && settings.sewnThinnerBy > 0) {
+      for (const ColliderList::Entry& entry : colliders) thinner.emplace_back(*entry.collider, settings.sewnThinnerBy);
+      met = {};
+      for (std::size_t k = 0; k < thinner.size(); ++k) met.add(thinner[k], colliders.entries()[k].friction);
+    }
     Prolonged finer;
     if (l > first) finer = prolong(levels[l - 1].cloth, x, level.cloth, level.state.position);
-    LevelSolver solver(level.cloth, l > first ? finer.linear : level.state.position, colliders, here,
+    LevelSolver solver(level.cloth, l > first ? finer.linear : level.state.position, met, here,
                        settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
     solver.enableSelfContact(!loose);
     const double before = shareBefore(levels, first, l), after = shareBefore(levels, first, l + 1);
@@ -145,6 +155,17 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       end = closeSeams(solver, token, watch(say("Drawing the seams together"), 0, 0.4));
       add();
       solver.resetMotion();
+      if (!thinner.empty() && end.finite && !end.cancelled && !end.stopped) {
+        end = growColliders(solver, thinner, token, watch(say("Stretching the cloth over the body"), 0.2, 0.4));
+        add();
+        solver.resetMotion();
+        // What was sewn up round a limb that it should lie beside is begun anew on whole colliders.
+        if (end.finite && !end.cancelled && !end.stopped &&
+            deepestPenetration(level.cloth, colliders, solver.positions(), workers) > kGrownThrough) {
+          grownThrough = true;
+          continue;
+        }
+      }
     }
     stopped = stopped || end.stopped;
     if (!stopped && end.finite && !end.cancelled) {

@@ -16,6 +16,8 @@ constexpr double kLeastKept = 0.5;      // but never below this share
 constexpr double kTieGap = 0.002;       // metres: nearer than this a pair is sewn,
 constexpr double kTieShare = 0.1;       // or than this share of the spacing
 constexpr int kSewSteps = 300, kSewIdle = 100;
+constexpr double kGrownAStep = 0.1;   // spacings by which thinner colliders come out
+constexpr int kGrownSteps = 10;       // more, by which cloth follows
 constexpr int kGrowAfter = 10;        // steps without coming nearer, after which the closing force grows,
 constexpr double kGrowth = 1.08;      // by this factor each step,
 constexpr double kMostGrowth = 1000;  // to so many times at most
@@ -78,6 +80,32 @@ StageResult closeSeams(LevelSolver& solver, const Token& token, const StepWatche
     options.seamPull = schedule.factor();
   }
   result.settled = solver.allTied();
+  return result;
+}
+
+StageResult growColliders(LevelSolver& solver, std::span<ThinnerCollider> colliders, const Token& token,
+                          const StepWatcher& watch) {
+  StageResult result;
+  LevelSolver::StepOptions options;
+  options.seconds = kFrame;
+  options.velocityKept = 0;
+  options.mostMove = 0.5 * solver.cloth().spacing;
+  options.stopping = {40, 60, 0.1};
+  double most = 0;
+  for (const ThinnerCollider& collider : colliders) most = std::fmax(most, collider.by());
+  const int parts = static_cast<int>(std::ceil(most / (kGrownAStep * solver.cloth().spacing)));
+  for (int k = 0; k < parts + kGrownSteps; ++k) {
+    for (ThinnerCollider& collider : colliders) collider.setBy(most * std::max(0, parts - 1 - k) / parts);
+    const auto step = solver.step(options, token);
+    record(result, step, token);
+    if (!result.finite || result.cancelled) return result;
+    if (watch && !watch(k, step)) {
+      for (ThinnerCollider& collider : colliders) collider.setBy(0);
+      result.stopped = true;
+      return result;
+    }
+  }
+  result.settled = true;
   return result;
 }
 

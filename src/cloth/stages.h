@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "cloth/level_solver.h"
+#include "cloth/thinner_collider.h"
 
 namespace karinui {
 
@@ -28,6 +29,9 @@ using StepWatcher = std::function<bool(int step, const LevelSolver::StepResult& 
 
 // Closes the seams without weight and friction, until all are tied or nothing comes nearer.
 StageResult closeSeams(LevelSolver& solver, const Token& token, const StepWatcher& watch);
+// Lets the colliders come out to their whole size under cloth that is sewn up, with friction and without weight.
+StageResult growColliders(LevelSolver& solver, std::span<ThinnerCollider> colliders, const Token& token,
+                          const StepWatcher& watch);
 // Steps with weight and friction, until some calm steps in a row and a long step would move little. `stepsBefore`: how
 // many the solver has taken towards rest already.
 StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteria, double firstSeconds,

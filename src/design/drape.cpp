@@ -1,7 +1,13 @@
 #include "karinui/design/drape.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
+#include "karinui/base/number.h"
+#include "karinui/cloth/check.h"
+#include "karinui/cloth/girth_check.h"
 #include "karinui/cloth/live_hand.h"
 #include "karinui/cloth/merged_planes.h"
 
@@ -70,6 +76,46 @@ std::map<PieceId, std::shared_ptr<const Form>> formsLeft(const Cloth& cloth, con
   return forms;
 }
 
+Message centimetres(double metres) { return say("{0} cm", fixed(100 * metres, 0)); }
+
+// The name of a level of the trunk, where one is near.
+Message levelSaid(double height, const Body& body) {
+  constexpr double kNear = 0.04;  // metres
+  const std::array<std::pair<const char*, Message>, 4> levels{{{"hip_height", say("at the hip")},
+                                                               {"waist_height", say("at the waist")},
+                                                               {"under_bust_height", say("under the bust")},
+                                                               {"bust_height", say("at the bust")}}};
+  for (const auto& [key, name] : levels)
+    if (const auto at = body.measured().value.find(key);
+        at != body.measured().value.end() && std::fabs(at->second - height) < kNear)
+      return name;
+  return say("{0} above the floor", centimetres(height));
+}
+Message tooSmallSaid(const GirthLoop& loop, const Body& body) {
+  return say(
+      "Too small by {0} {1}: it is {2} round and can be stretched to {3}, the body is {4}. Add width there, choose a "
+      "cloth that stretches more, or leave a seam open.",
+      centimetres(loop.shortage()), levelSaid(loop.height, body), centimetres(loop.garment),
+      centimetres(loop.stretched), centimetres(loop.body));
+}
+
+// How much thinner a body must be for tight cloth to be sewn up round it slack, and a centimetre more. Deep inside, the
+// body's distance is not known exactly.
+double sewnThinnerBy(const GirthLoop& loop) {
+  constexpr double kSlack = 0.01, kMost = 0.05;  // metres
+  return std::fmin(kMost, (loop.body - loop.garment) / (2 * std::numbers::pi) + kSlack);
+}
+
+// The cloth is left where it stands.
+DrapeOutcome notDraped(const ClothLevel& level, Message why) {
+  const ClothCheck stands = check(level.cloth, level.state, nullptr);
+  SettleReport report;
+  report.why = std::move(why);
+  report.seamGap = stands.seamGap;
+  report.strain = stands.strain;
+  return {formsLeft(level.cloth, level.state), std::move(report), {}};
+}
+
 // The nodes of a piece within `radius` of a paper place; at least the nearest one.
 std::vector<std::uint32_t> patchAround(const Cloth& cloth, PieceId id, Flat place, double radius) {
   std::vector<std::uint32_t> patch;
@@ -128,10 +174,16 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   if (!collider) return collider.error();
   Result<Levels> levels = levelsOf(document, livePieces(document, drape.live));
   if (!levels) return levels.error();
+  const Result<BodyPtr> body = bodyOf(document, context);
+  if (!body) return body.error();
+  const ClothLevel& coarsest = levels->coarseFirst.front();
+  const std::optional<GirthLoop> loop = tightestLoop(coarsest.cloth, coarsest.state, **body);
+  if (loop && loop->shortage() > 0) return notDraped(levels->finest(), tooSmallSaid(*loop, **body));
   SettleSettings settings;
   settings.gravity = drape.gravity;
   settings.stopAfter = static_cast<std::size_t>(drape.stop);
   settings.stop = context.stop;
+  if (loop && loop->tight()) settings.sewnThinnerBy = sewnThinnerBy(*loop);
   settings.continueAfterRest = continueAfterRest;
   SettleWatcher watcher;
   if (onlooker)

@@ -27,6 +27,9 @@ struct SettleSettings {
   int maxSteps = 1600;        // on the finest level; most need some hundred, limp cloth and simcloth many times that
   double skin = 0.0015;       // metres the cloth keeps from colliders
   bool clothOnCloth = true;   // whether cloth keeps from passing through cloth
+  // Tight cloth: the seams of what has yet to be sewn are closed on colliders thinner by so many metres, which then
+  // come out under it; without friction, as other seams are closed, tight cloth would slip off. 0: on the whole ones.
+  double sewnThinnerBy = 0;
   // A settle that is stopped carries the cloth to the finest level as it is, and reports stoppedAfter. With the same
   // number in stopAfter it stops at the same place, bit for bit.
   std::size_t stopAfter = 0;    // steps, counted over all levels; 0: not before it rests
