@@ -297,7 +297,7 @@ LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Toke
   eachContact([&](Contact& contact) { contact.limitMove(x_, nodeMove_, workers_); });
   updateDamping(use);
   struct Moved {
-    double now = 0, before = 0, both = 0, most = 0;
+    double work = 0, now = 0, before = 0, both = 0, most = 0;
   };
   const std::vector<Moved> blocks = workers_.each(moving_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     Moved moved;
@@ -305,6 +305,7 @@ LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Toke
       const NodeIndex k = moving_[n];
       const double own = squaredLength(nodeMove_[k]);
       x_[k] += nodeMove_[k];
+      moved.work -= dot(gradient_[k], nodeMove_[k]);
       moved.now += own;
       moved.before += squaredLength(velocity_[k]);
       moved.both += dot(nodeMove_[k], velocity_[k]);
@@ -315,12 +316,14 @@ LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Toke
   });
   Moved whole;
   for (const Moved& moved : blocks) {
+    whole.work += moved.work;
     whole.now += moved.now;
     whole.before += moved.before;
     whole.both += moved.both;
     whole.most = std::max(whole.most, moved.most);
   }
   result.move = std::sqrt(whole.most);
+  result.work = whole.work;
   result.finite = std::isfinite(whole.now);
   if (!result.finite) return result;
   if (energies_.simcloth)

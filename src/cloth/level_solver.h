@@ -35,6 +35,7 @@ class LevelSolver {
     double move = 0;      // largest, metres
     double residual = 0;  // rms unbalanced force in node weights, before the step
     double along = 0;     // cosine between this step's moves and the last one's: 1 is creep, below 0 oscillation
+    double work = 0;      // of the unbalanced force along the move, joules: what the energy fell by, to first order
     bool shortened = false, finite = true;
     int iterations = 0;
   };
@@ -48,6 +49,8 @@ class LevelSolver {
   // The move of each node in a step by `force` (newtons, per node) in place of the unbalanced force; not taken.
   std::vector<Vec3> responseTo(const std::vector<Vec3>& force, const StepOptions& options, const Token& token);
 
+  // The weight of all that moves, newtons.
+  double weight() const { return nodeWeight_ * static_cast<double>(moving_.size()); }
   const Cloth& cloth() const { return cloth_; }
   const std::vector<Vec3>& positions() const { return x_; }
   void setPositions(std::vector<Vec3> x);  // at rest there

@@ -8,6 +8,7 @@
 #include "cloth/input_check.h"
 #include "cloth/penetration.h"
 #include "cloth/prolong.h"
+#include "cloth/rest_forecast.h"
 #include "cloth/stages.h"
 #include "cloth/strain.h"
 #include "cloth/tie_map.h"
@@ -71,6 +72,8 @@ std::vector<Vec3> outOfSkin(const LevelSolver& solver, const ColliderList& colli
 
 constexpr double kUsualSteps = 100;
 
+int tens(double steps) { return 10 * std::max(1, static_cast<int>(std::lround(steps / 10))); }
+
 // How much of the work is done before this level: a step of it costs as its nodes do.
 double shareBefore(const std::vector<ClothLevel>& levels, std::size_t first, std::size_t level) {
   double done = 0, all = 0;
@@ -128,11 +131,19 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
                        settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
     solver.enableSelfContact(!loose);
     const double before = shareBefore(levels, first, l), after = shareBefore(levels, first, l + 1);
-    // The number of steps is not known: progress approaches the end of the stage hyperbolically.
+    // As long as nothing shrinks, the number of steps left is not known and taken to be the usual one.
     const auto watch = [&](Message doing, double from, double to) {
       const double start = before + (after - before) * from, span = (after - before) * (to - from);
-      return [&, start, span, doing = std::move(doing)](int step, const LevelSolver::StepResult&) {
-        token.progress(start + span * step / (step + kUsualSteps), doing);
+      return [&, start, span, doing = std::move(doing), forecast = RestForecast(), reached = 0.0,
+              left = std::optional<double>()](int step, const LevelSolver::StepResult& result) mutable {
+        forecast.add(result.work / solver.weight());
+        if (const std::optional<double> now = forecast.stepsLeft())
+          left = now;
+        else if (left)
+          left = std::fmax(0.0, *left - 1);
+        reached = std::fmax(reached, step / (step + left.value_or(kUsualSteps) + 1));
+        token.progress(start + span * reached,
+                       last && left ? say("{0}, some {1} {1|step|steps} to go", doing, tens(*left)) : doing);
         if (watcher) watcher(level.cloth, solver.positions());
         const bool asked = settings.stop && settings.stop->askedAfterStep();
         return ++taken != settings.stopAfter && !asked;
