@@ -38,6 +38,7 @@ void addBodyVerbs(Program& program);      // body make, body measure
 void addDocumentVerbs(Program& program);  // play, do, undo, redo, log, import
 void addAnswerVerbs(Program& program);    // settle, check, info
 void addOutputVerbs(Program& program);    // export, picture
+void addLayoutVerb(Program& program);     // layout
 void addBenchVerb(Program& program);      // bench
 void addTouchVerbs(Program& program);     // touch check, touch replay
 

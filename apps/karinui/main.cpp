@@ -33,6 +33,7 @@ int main(int count, char** words) {
   addDocumentVerbs(program);
   addAnswerVerbs(program);
   addOutputVerbs(program);
+  addLayoutVerb(program);
   addBenchVerb(program);
   addTouchVerbs(program);
   try {

@@ -5,6 +5,7 @@
 
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/garment_code.h"
+#include "karinui/exchange/hpgl.h"
 #include "karinui/exchange/pattern_json.h"
 
 namespace karinui {
@@ -74,6 +75,12 @@ std::vector<FileFormat> allFormats() {
                     "back."),
        .readPattern = readSvg,
        .write = [](Source from) { return writeSvg(from.pattern, from.sheet); }},
+      {.id = "hpgl",
+       .endings = {"plt"},
+       .out = Content::Sheet,
+       .label = say("Paper pattern for a plotter (HPGL)"),
+       .about = say("True size, for pen plotters and cutters: plain lines, lettering in ASCII."),
+       .write = [](Source from) { return writeHpgl(from.pattern, from.sheet); }},
       {.id = "glb",
        .endings = {"glb"},
        .in = Content::Body,

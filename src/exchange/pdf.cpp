@@ -90,6 +90,10 @@ void drawSheet(PdfCanvas& canvas, const Sheet& sheet) {
   canvas.colour(0);
   drawSquares(canvas, sheet.square);
   for (const SheetText& heading : sheet.headings) canvas.words(heading, false);
+  for (const std::vector<Mm>& border : sheet.borders) {
+    for (std::size_t i = 0; i < border.size(); ++i) i == 0 ? canvas.moveTo(border[i]) : canvas.lineTo(border[i]);
+    canvas.stroke(0.35, false);
+  }
   for (const SheetPiece& piece : sheet.pieces) drawPiece(canvas, piece);
 }
 
@@ -118,7 +122,20 @@ struct PageDrawing {
 // They refer to the sheet and the settings.
 std::vector<PageDrawing> pagesOf(const Sheet& sheet, PaperKind paper, const SheetSettings& settings) {
   const auto grid = gridFor(paper, settings);
-  if (!grid) return {{{sheet.width, sheet.height}, [&](PdfCanvas& canvas) { drawSheet(canvas, sheet); }}};
+  if (!grid) {
+    if (sheet.height <= kLargestPage)
+      return {{{sheet.width, sheet.height}, [&](PdfCanvas& canvas) { drawSheet(canvas, sheet); }}};
+    std::vector<PageDrawing> pages;
+    for (double from = 0; from < sheet.height; from += kLargestPage) {
+      const Mm size{sheet.width, std::min(kLargestPage, sheet.height - from)};
+      pages.push_back({size, [&, from, size](PdfCanvas& canvas) {
+                         canvas.push({0, 0}, size, {0, -from});
+                         drawSheet(canvas, sheet);
+                         canvas.pop();
+                       }});
+    }
+    return pages;
+  }
   const std::vector<Tile> tiles = tilesOf(sheet, *grid);
   const Mm size{grid->width, grid->height};
   std::vector<PageDrawing> pages;
@@ -140,11 +157,11 @@ std::vector<PageDrawing> pagesOf(const Sheet& sheet, PaperKind paper, const Shee
 
 }  // namespace
 
-Result<std::string> writePdf(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {
-  const Result<Sheet> sheet = sheetFor(pattern, paper, settings);
-  if (!sheet) return sheet.error();
-  const std::vector<PageDrawing> pages = pagesOf(*sheet, paper, settings);
-  PdfCanvas canvas(pages.front().size.x, pages.front().size.y, sheet->title);
+Result<std::string> pdfOf(const std::vector<const Sheet*>& sheets, PaperKind paper, const SheetSettings& settings) {
+  std::vector<PageDrawing> pages;
+  for (const Sheet* sheet : sheets)
+    for (PageDrawing& page : pagesOf(*sheet, paper, settings)) pages.push_back(std::move(page));
+  PdfCanvas canvas(pages.front().size.x, pages.front().size.y, sheets.front()->title);
   for (const PageDrawing& page : pages)
     for (const PdfLayer layer : kPdfLayers) {
       canvas.only(layer);
@@ -153,6 +170,12 @@ Result<std::string> writePdf(const Pattern& pattern, PaperKind paper, const Shee
       canvas.end();
     }
   return canvas.finish(settings.language);
+}
+
+Result<std::string> writePdf(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {
+  const Result<Sheet> sheet = sheetFor(pattern, paper, settings);
+  if (!sheet) return sheet.error();
+  return pdfOf({&*sheet}, paper, settings);
 }
 
 struct PaperPages::Inside {

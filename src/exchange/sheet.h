@@ -51,8 +51,9 @@ struct Sheet {
   double width = 0, height = 0;
   std::string title;
   std::vector<SheetPiece> pieces;
-  Mm square;                        // top left of the 100 mm square
-  std::vector<SheetText> headings;  // beside it; these begin at their place
+  Mm square;                             // top left of the 100 mm square
+  std::vector<SheetText> headings;       // beside it; these begin at their place
+  std::vector<std::vector<Mm>> borders;  // of the cloth that the pieces lie on
 };
 inline constexpr double kSquare = 100;  // mm
 
@@ -61,5 +62,11 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings);
 
 // Of what is printed; nothing: seam lines only. Refused: an absurd width.
 Result<std::optional<AllowancePlan>> allowancesOn(const Pattern& pattern, const SheetSettings& settings);
+
+// A sheet drawn as a file. Sheets begin a page each; one that is longer than a page of PDF may be goes on on the next.
+Result<std::string> pdfOf(const std::vector<const Sheet*>& sheets, PaperKind paper, const SheetSettings& settings);
+std::string svgOf(const Sheet& sheet, const Pattern* sewing);  // null: not to be read back
+std::string dxfOf(const Sheet& sheet);   // plain lines on the numbered layers of the trade, in place
+std::string hpglOf(const Sheet& sheet);  // for plotters and cutters; x along the roll
 
 }  // namespace karinui

@@ -137,29 +137,40 @@ constexpr const char* kStyle =
 
 }  // namespace
 
-Result<std::string> writeSvg(const Pattern& pattern, const SheetSettings& settings) {
-  const Result<Sheet> sheet = layOut(pattern, settings);
-  if (!sheet) return sheet.error();
-  const std::string width = number(sheet->width), height = number(sheet->height);
+std::string svgOf(const Sheet& sheet, const Pattern* sewing) {
+  const std::string width = number(sheet.width), height = number(sheet.height);
   std::string out =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
-      width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
-      "\" data-format=\"karinui-sheet-1\">\n  <title>" + xmlEscaped(sheet->title) + "</title>\n" + kStyle;
+      width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\" data-format=\"" +
+      (sewing ? "karinui-sheet-1" : "karinui-lay-1") + "\">\n  <title>" + xmlEscaped(sheet.title) + "</title>\n" +
+      kStyle;
   // White paper, also where a viewer is dark.
   out += "  <rect id=\"paper\" x=\"0\" y=\"0\" width=\"" + width + "\" height=\"" + height +
          "\" style=\"fill:#fff;stroke:none\"/>\n";
-  out += "  <g id=\"test-square\">\n    <rect x=\"" + number(sheet->square.x) + "\" y=\"" + number(sheet->square.y) +
+  out += "  <g id=\"test-square\">\n    <rect x=\"" + number(sheet.square.x) + "\" y=\"" + number(sheet.square.y) +
          "\" width=\"100\" height=\"100\"/>\n";
-  words(out, {sheet->square + Mm{kSquare / 2, kSquare / 2}, 6, true, "100 × 100 mm"}, "square");
-  for (const SheetText& heading : sheet->headings) words(out, heading, "heading");
+  words(out, {sheet.square + Mm{kSquare / 2, kSquare / 2}, 6, true, "100 × 100 mm"}, "square");
+  for (const SheetText& heading : sheet.headings) words(out, heading, "heading");
   out += "  </g>\n";
-  for (std::size_t i = 0; i < sheet->pieces.size(); ++i) piece(out, sheet->pieces[i], i + 1);
-  for (const auto& [id, seam] : pattern.seams)
-    out += "  <metadata class=\"sewing\" data-seam=\"" + xmlEscaped(seam.name) + "\" data-id=\"" +
-           std::to_string(id.value) + "\" data-a=\"" + spans(seam.a) + "\" data-b=\"" + spans(seam.b) +
-           "\" data-reversed=\"" + (seam.reversed ? "1" : "0") + "\" data-tie=\"" +
-           (seam.tie == Seam::Tie::TwoToOne ? "2:1" : "1:1") + "\"/>\n";
+  for (const std::vector<Mm>& border : sheet.borders) {
+    out += "  <path class=\"cloth\" d=\"M " + pair(border[0]);
+    for (std::size_t i = 1; i < border.size(); ++i) out += " L " + pair(border[i]);
+    out += "\"/>\n";
+  }
+  for (std::size_t i = 0; i < sheet.pieces.size(); ++i) piece(out, sheet.pieces[i], i + 1);
+  if (sewing)
+    for (const auto& [id, seam] : sewing->seams)
+      out += "  <metadata class=\"sewing\" data-seam=\"" + xmlEscaped(seam.name) + "\" data-id=\"" +
+             std::to_string(id.value) + "\" data-a=\"" + spans(seam.a) + "\" data-b=\"" + spans(seam.b) +
+             "\" data-reversed=\"" + (seam.reversed ? "1" : "0") + "\" data-tie=\"" +
+             (seam.tie == Seam::Tie::TwoToOne ? "2:1" : "1:1") + "\"/>\n";
   return out + "</svg>\n";
+}
+
+Result<std::string> writeSvg(const Pattern& pattern, const SheetSettings& settings) {
+  const Result<Sheet> sheet = layOut(pattern, settings);
+  if (!sheet) return sheet.error();
+  return svgOf(*sheet, &pattern);
 }
 
 }  // namespace karinui

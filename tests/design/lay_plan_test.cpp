@@ -1,0 +1,276 @@
+#include "karinui/design/lay_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "design/workroom.h"
+#include "karinui/base/number.h"
+
+namespace karinui {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct LayRoom {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  explicit LayRoom(const std::string& script) {
+    const Done done = room.play(file, script);
+    EXPECT_TRUE(done) << text(done.error().what);
+  }
+  Result<LayPlan> lay(LaySettings settings) {
+    settings.tries = std::min(settings.tries, 160);
+    return layPlan(file.document(), settings, room.context);
+  }
+};
+
+// A skirt: the front half on the fold, two backs, four pockets.
+const char* const kSkirt =
+    "piece name=front outline=\"M 0 0; hem L 300 0; side L 280 600; waist L 0 600; fold L 0 0\"\n"
+    "piece name=back outline=\"M 0 0; hem L 300 0; side L 280 600; waist L 0 600; cb L 0 0\" pose=\"0,0,-0.3\"\n"
+    "piece name=pocket outline=\"M 0 0; low L 150 0; side L 140 180; top L 0 180; in L 0 0\" pose=\"1,0,-0.3\"\n"
+    "quantity piece=back count=2 pairs=yes\nquantity piece=pocket count=4 pairs=yes\n"
+    "sew a=front.side b=back.side\n";
+
+std::string anyPieces(unsigned seed) {
+  std::mt19937 engine(seed);
+  std::string script;
+  for (int n = 0; n < 4; ++n) {
+    const int corners = 4 + static_cast<int>(engine() % 5);
+    script += "piece name=p" + std::string(1, static_cast<char>('a' + n)) + "x outline=\"";
+    std::vector<std::string> points;
+    for (int k = 0; k < corners; ++k) {
+      const double a = 2 * M_PI * k / corners, r = 100 + static_cast<double>(engine() % 150);
+      points.push_back(fixed(r * std::cos(a), 3) + " " + fixed(r * std::sin(a), 3));
+    }
+    script += "M " + points[0];
+    for (int k = 1; k <= corners; ++k)
+      script += "; e" + std::to_string(k) + " L " + points[static_cast<std::size_t>(k % corners)];
+    const double turn = static_cast<double>(engine() % 628) / 100;
+    script += "\" grain=\"" + fixed(std::cos(turn), 6) + "," + fixed(std::sin(turn), 6) + "\" pose=\"" +
+              std::to_string(n) + ",0,0\"\n";
+    script += "quantity piece=p" + std::string(1, static_cast<char>('a' + n)) +
+              "x count=" + std::to_string(1 + engine() % 4) + (engine() % 2 ? " pairs=yes" : "") + "\n";
+  }
+  return script;
+}
+
+double sideGap(Flat a, Flat b, Flat c, Flat d) {
+  const double ab = cross(b - a, c - a), ad = cross(b - a, d - a), cd = cross(d - c, a - c), cb = cross(d - c, b - c);
+  if ((ab > 0) != (ad > 0) && (cd > 0) != (cb > 0)) return 0;
+  return std::min(
+      {distanceToSegment(a, b, c), distanceToSegment(a, b, d), distanceToSegment(c, d, a), distanceToSegment(c, d, b)});
+}
+double apart(const Ring& a, const Ring& b) {
+  if (contains(a, b[0]) || contains(b, a[0])) return 0;
+  double least = 1e9;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j)
+      least = std::min(least, sideGap(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()]));
+  return least;
+}
+
+// How many of each piece are cut, and how many of them turned over.
+struct Cut {
+  int count = 0, over = 0;
+};
+std::map<std::string, Cut> cutOf(const LayPlan& plan) {
+  std::map<std::string, Cut> all;
+  for (const FabricLay& lay : plan.fabrics)
+    for (const LaidPiece& laid : lay.pieces) {
+      Cut& cut = all[plan.document.find(laid.piece)->name];
+      cut.count += laid.under ? 1 : laid.layers;
+      if (laid.under) ++all[plan.document.find(laid.under)->name].count;
+      cut.over += laid.layers == 2 && !laid.under ? 1 : laid.over;
+    }
+  return all;
+}
+
+void examine(const LayPlan& plan, unsigned seed) {
+  for (const FabricLay& lay : plan.fabrics) {
+    ASSERT_EQ(lay.cut.size(), lay.pieces.size());
+    EXPECT_FALSE(clash(lay)) << seed;
+    for (std::size_t i = 0; i < lay.cut.size(); ++i) {
+      const LaidPiece& laid = lay.pieces[i];
+      for (const Flat p : lay.cut[i]) {
+        EXPECT_TRUE(p.u > -1e-9 && p.u < lay.length + 1e-9 && p.v > -1e-9 && p.v < lay.width + 1e-9) << seed;
+      }
+      // The grain runs along the cloth, and all the same way where the cloth has a nap.
+      const Flat grain = laid.step(plan.document.find(laid.piece)->grain);
+      EXPECT_NEAR(std::abs(grain.u), 1, 1e-9);
+      EXPECT_NEAR(grain.v, 0, 1e-9);
+      EXPECT_TRUE(!plan.settings.nap || grain.u < 0) << seed;
+      // The piece lies where its cut line lies.
+      for (const Edge& edge : plan.document.find(laid.piece)->outline.edges)
+        EXPECT_TRUE(laid.half || contains(lay.cut[i], laid(edge.curve.at(0.5))) ||
+                    distanceToRing(lay.cut[i], laid(edge.curve.at(0.5))) < 2e-4)
+            << seed;
+      for (std::size_t j = 0; j < i; ++j) EXPECT_GE(apart(lay.cut[i], lay.cut[j]), plan.settings.gap) << seed;
+    }
+  }
+}
+
+TEST(LayPlan, AnyPiecesLieRight) {
+  for (unsigned seed = 1; seed <= 24; ++seed) {
+    LayRoom cloth(anyPieces(seed));
+    LaySettings settings;
+    settings.width = 1.1 + 0.1 * (seed % 5);
+    settings.folded = seed % 2 == 1;
+    settings.nap = seed % 3 == 1;
+    settings.gap = 0.004 * (seed % 3);
+    settings.rows = seed % 4 == 2 ? 0.03 : 0;
+    settings.stripes = seed % 5 == 2 ? 0.02 : 0;
+    const auto plan = cloth.lay(settings);
+    ASSERT_TRUE(plan) << seed << text(plan.error().what);
+    examine(*plan, seed);
+    for (const auto& [name, cut] : cutOf(*plan)) {
+      const Document& document = cloth.file.document();
+      const auto told = document.cutting.find(document.pieceNamed(name)->id);
+      const Cutting wanted = told == document.cutting.end() ? Cutting() : told->second;
+      EXPECT_EQ(cut.count, wanted.count) << seed << name;
+      if (wanted.pairs) EXPECT_NEAR(cut.over, wanted.count / 2.0, 0.5) << seed << name;
+      if (!wanted.pairs) EXPECT_EQ(cut.over, 0) << seed << name;
+    }
+  }
+}
+
+TEST(LayPlan, AHalfLiesOnTheFoldOrWhole) {
+  LayRoom cloth(kSkirt);
+  LaySettings settings;
+  const auto open = cloth.lay(settings);
+  ASSERT_TRUE(open);
+  examine(*open, 0);
+  // The front was unfolded: as wide as both halves with both allowances.
+  const auto wide = [&](const LayPlan& plan, const std::string& name) {
+    for (std::size_t i = 0; i < plan.fabrics[0].pieces.size(); ++i)
+      if (plan.document.find(plan.fabrics[0].pieces[i].piece)->name == name) {
+        double low = 1e9, high = -1e9;
+        for (const Flat p : plan.fabrics[0].cut[i]) low = std::min(low, p.v), high = std::max(high, p.v);
+        return high - low;
+      }
+    return 0.0;
+  };
+  settings.folded = true;
+  const auto folded = cloth.lay(settings);
+  ASSERT_TRUE(folded);
+  examine(*folded, 1);
+  EXPECT_NEAR(wide(*open, "front"), 2 * wide(*folded, "front"), 1e-6);
+  EXPECT_EQ(folded->fabrics[0].pieces.size(), 1u + 1 + 2);  // half a front, a back and two pockets on two layers
+  EXPECT_EQ(open->fabrics[0].pieces.size(), 1u + 2 + 4);
+  EXPECT_NEAR(open->fabrics[0].area, folded->fabrics[0].area, 1e-6);
+  EXPECT_NEAR(open->fabrics[0].use, open->fabrics[0].area / (1.5 * open->fabrics[0].length), 1e-9);
+  EXPECT_NEAR(folded->fabrics[0].use, folded->fabrics[0].area / (1.5 * folded->fabrics[0].length), 1e-9);
+  for (std::size_t i = 0; i < folded->fabrics[0].pieces.size(); ++i)
+    if (folded->fabrics[0].pieces[i].onFold) {
+      double low = 1e9;
+      for (const Flat p : folded->fabrics[0].cut[i]) low = std::min(low, p.v);
+      EXPECT_NEAR(low, 0, 1e-9);
+    }
+}
+
+TEST(LayPlan, SymmetricPiecesAndMirrorImagesAreCutOnTheFoldedCloth) {
+  LayRoom cloth(
+      "piece name=whole outline=\"M -200 0; hem L 200 0; right L 180 400; top L -180 400; left L -200 0\"\n"
+      "piece name=sleeve_left outline=\"M 0 0; low L 200 0; out L 150 300; in L 0 0\" pose=\"1,0,0\"\n"
+      "mirror piece=sleeve_left\n");
+  LaySettings settings;
+  settings.folded = true;
+  const auto plan = cloth.lay(settings);
+  ASSERT_TRUE(plan);
+  examine(*plan, 0);
+  ASSERT_EQ(plan->fabrics[0].pieces.size(), 2u);
+  EXPECT_TRUE(plan->fabrics[0].pieces[0].half && plan->fabrics[0].pieces[0].onFold);
+  EXPECT_TRUE(plan->fabrics[0].pieces[1].under);
+  EXPECT_TRUE(plan->notes.empty());
+  const auto cut = cutOf(*plan);
+  for (const char* name : {"whole", "sleeve_left", "sleeve_right"}) EXPECT_EQ(cut.at(name).count, 1) << name;
+}
+
+TEST(LayPlan, RowsMeetInSeams) {
+  LayRoom cloth(std::string(kSkirt) + "");
+  LaySettings settings;
+  settings.rows = 0.05;
+  const auto plan = cloth.lay(settings);
+  ASSERT_TRUE(plan);
+  examine(*plan, 0);
+  // The hem's end of the side seam lies at one place of the repeat on the front and on both backs.
+  std::vector<double> phases;
+  const Document& document = plan->document;
+  for (const LaidPiece& laid : plan->fabrics[0].pieces) {
+    const Piece& piece = *document.find(laid.piece);
+    if (piece.name == "pocket") continue;
+    for (const Edge& edge : piece.outline.edges)
+      if (edge.name.starts_with("side")) {
+        const Flat low = edge.curve.start.v < edge.curve.end.v ? edge.curve.start : edge.curve.end;
+        const double steps = laid(low).u / settings.rows;
+        phases.push_back(steps - std::floor(steps + 1e-6));
+      }
+  }
+  ASSERT_GE(phases.size(), 4u);
+  for (const double phase : phases) EXPECT_NEAR(phase, phases[0], 1e-6);
+}
+
+TEST(LayPlan, SameBitsOnAnyThreads) {
+  LayRoom cloth(kSkirt);
+  const auto first = cloth.lay({});
+  Workers three(3);
+  Context context{three, cloth.room.token, cloth.room.blobs, cloth.room.bodies, {}, {}};
+  LaySettings settings;
+  settings.tries = 160;
+  const auto second = layPlan(cloth.file.document(), settings, context);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->fabrics[0].cut, second->fabrics[0].cut);
+}
+
+TEST(LayPlan, WhatIsMovedByHandIsSeenToOverlap) {
+  LayRoom cloth(kSkirt);
+  auto plan = cloth.lay({});
+  ASSERT_TRUE(plan);
+  FabricLay& lay = plan->fabrics[0];
+  for (Flat& p : lay.cut[1]) p += lay.cut[0][0] - lay.cut[1][0];
+  const auto found = clash(lay);
+  ASSERT_TRUE(found);
+  for (Flat& p : lay.cut[1]) p += Flat{0, 5};
+  const auto outside = clash(lay);
+  ASSERT_TRUE(outside);
+  EXPECT_EQ(outside->first, 1u);
+  EXPECT_FALSE(outside->second);
+}
+
+TEST(LayPlan, RefusesWithAReason) {
+  LayRoom cloth(kSkirt);
+  const auto why = [&](LaySettings settings) {
+    const auto plan = cloth.lay(settings);
+    return plan ? std::string() : text(plan.error().what);
+  };
+  LaySettings settings;
+  settings.width = 0.5;
+  EXPECT_THAT(why(settings), HasSubstr("“front” is 62.0 cm wide across its grain, the cloth 50.0 cm"));
+  settings.folded = true;
+  EXPECT_THAT(why(settings), HasSubstr("the folded cloth 25.0 cm"));
+  settings.width = 11;
+  EXPECT_THAT(why(settings), HasSubstr("between 10 cm and 10 m"));
+  settings.width = std::nan("");
+  EXPECT_FALSE(why(settings).empty());
+  settings = {};
+  settings.fabric = "tweed";
+  EXPECT_THAT(why(settings), HasSubstr("tweed"));
+  settings = {};
+  settings.gap = -1;
+  EXPECT_FALSE(why(settings).empty());
+  settings = {};
+  settings.stripes = 3;
+  EXPECT_FALSE(why(settings).empty());
+  LayRoom none("");
+  EXPECT_FALSE(none.lay({}));
+  LayRoom many(
+      "piece name=front outline=\"M 0 0; hem L 300 0; side L 280 600; waist L 0 600; cb L 0 0\"\n"
+      "quantity piece=front count=500\n");
+  EXPECT_FALSE(many.lay({}));
+}
+
+}  // namespace
+}  // namespace karinui
