@@ -39,6 +39,7 @@ void addDocumentVerbs(Program& program);  // play, do, undo, redo, log, import
 void addAnswerVerbs(Program& program);    // settle, check, info
 void addOutputVerbs(Program& program);    // export, picture
 void addLayoutVerb(Program& program);     // layout
+void addRefitVerb(Program& program);      // refit
 void addBenchVerb(Program& program);      // bench
 void addTouchVerbs(Program& program);     // touch check, touch replay
 

@@ -10,14 +10,13 @@
 #include "karinui/design/variables.h"
 #include "karinui/exchange/read_pattern.h"
 #include "karinui/exchange/read_print.h"
+#include "make_document.h"
 #include "open_document.h"
 #include "stage_pictures.h"
 
 namespace karinui::app {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // What makes a document; a document is one already.
 constexpr FileContents kImported{FileContent::Pattern, FileContent::Body, FileContent::Script};
@@ -43,51 +42,6 @@ struct ImportOptions {
 
 Json stepJson(const Step& step, const Document& document) {
   return {{"operation", text(step.operation)}, {"operations", document.operations}, {"hash", step.after}};
-}
-
-// Makes a new document in a file beside the wanted one and gives it its name only when all went well: a refused or
-// stopped command leaves nothing behind, and a document that was there stays until the new one is whole.
-int makeDocument(Program& program, const std::string& wanted, bool overwrite,
-                 const std::function<Result<void>(OpenDocument&)>& fill) {
-  std::error_code trouble;
-  if (!overwrite && fs::exists(wanted, trouble)) {
-    return program.console.refuse(
-        refused(say("“{0}” is there already. Choose another name, or say --overwrite.", wanted)));
-  }
-  const std::string part = wanted + ".part";
-  fs::remove(part, trouble);
-  int exit = kDone;
-  {
-    Result<DocumentFile> file = DocumentFile::create(part);
-    if (!file) return program.console.refuse(file.error());
-    OpenDocument opened(program, std::move(*file));
-    if (const Result<void> filled = fill(opened); !filled) {
-      exit = program.console.refuse(filled.error());
-    } else {
-      if (!opened.settled()) exit = kNotSettled;
-      const Document& document = opened.document();
-      program.console.answer(
-          {{"document", wanted},
-           {"operations", document.operations},
-           {"pieces", document.pattern.pieces.size()},
-           {"seams", document.pattern.seams.size()},
-           {"settled", opened.settled()},
-           {"hash", hash(document)},
-           {"drape_hash", drapeHash(document)}},
-          program.console.said(say("{0}: {1} {1|operation|operations}, {2} {2|piece|pieces}, {3} {3|seam|seams}",
-                                   wanted, written(static_cast<long long>(document.operations)),
-                                   document.pattern.pieces.size(), document.pattern.seams.size())));
-    }
-  }
-  if (exit == kRefused) {
-    fs::remove(part, trouble);
-    return exit;
-  }
-  fs::rename(part, wanted, trouble);
-  if (trouble) {
-    return program.console.refuse(storageError(say("“{0}” could not be written: {1}", wanted, trouble.message())));
-  }
-  return exit;
 }
 
 Result<void> playScript(OpenDocument& opened, const std::string& script, const std::string& body,

@@ -34,6 +34,7 @@ int main(int count, char** words) {
   addAnswerVerbs(program);
   addOutputVerbs(program);
   addLayoutVerb(program);
+  addRefitVerb(program);
   addBenchVerb(program);
   addTouchVerbs(program);
   try {

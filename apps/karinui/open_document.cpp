@@ -4,9 +4,9 @@
 
 namespace karinui::app {
 
-Result<Step> OpenDocument::perform(Operation operation) {
+Result<Step> OpenDocument::performWith(Operation operation, Context& context) {
   const bool rests = std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation);
-  Result<Step> step = file_.perform(std::move(operation), context_);
+  Result<Step> step = file_.perform(std::move(operation), context);
   if (!step || !rests || !document().drape.last) return step;
   const SettleReport& report = *document().drape.last;
   settled_ = settled_ && (report.settled || std::holds_alternative<PullCloth>(step->operation));

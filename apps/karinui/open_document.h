@@ -28,7 +28,8 @@ class OpenDocument {
 
   // Records one operation; says on stderr what a drape or a pull came to. `settled` becomes false for one that did not
   // rest.
-  Result<Step> perform(Operation operation);
+  Result<Step> perform(Operation operation) { return performWith(std::move(operation), context_); }
+  Result<Step> performWith(Operation operation, Context& context);  // with another's blobs
   bool settled() const { return settled_; }
   Result<SceneFrame> scene();  // the garment on its body, for pictures
 

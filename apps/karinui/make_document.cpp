@@ -1,0 +1,55 @@
+#include "make_document.h"
+
+#include <filesystem>
+
+namespace karinui::app {
+
+namespace fs = std::filesystem;
+
+int makeDocument(Program& program, const std::string& wanted, bool overwrite,
+                 const std::function<Result<void>(OpenDocument&)>& fill,
+                 const std::function<void(Json& answer, std::string& words)>& tell) {
+  std::error_code trouble;
+  if (!overwrite && fs::exists(wanted, trouble)) {
+    return program.console.refuse(
+        refused(say("“{0}” is there already. Choose another name, or say --overwrite.", wanted)));
+  }
+  const std::string part = wanted + ".part";
+  fs::remove(part, trouble);
+  int exit = kDone;
+  {
+    Result<DocumentFile> file = DocumentFile::create(part);
+    if (!file) return program.console.refuse(file.error());
+    OpenDocument opened(program, std::move(*file));
+    if (const Result<void> filled = fill(opened); !filled) {
+      exit = program.console.refuse(filled.error());
+    } else {
+      if (!opened.settled()) exit = kNotSettled;
+      const Document& document = opened.document();
+      Json answer = {{"document", wanted},
+                     {"operations", document.operations},
+                     {"pieces", document.pattern.pieces.size()},
+                     {"seams", document.pattern.seams.size()},
+                     {"settled", opened.settled()},
+                     {"hash", hash(document)},
+                     {"drape_hash", drapeHash(document)}};
+      std::string words =
+          program.console.said(say("{0}: {1} {1|operation|operations}, {2} {2|piece|pieces}, {3} {3|seam|seams}",
+                                   wanted, written(static_cast<long long>(document.operations)),
+                                   document.pattern.pieces.size(), document.pattern.seams.size()));
+      if (tell) tell(answer, words);
+      program.console.answer(answer, words);
+    }
+  }
+  if (exit == kRefused) {
+    fs::remove(part, trouble);
+    return exit;
+  }
+  fs::rename(part, wanted, trouble);
+  if (trouble) {
+    return program.console.refuse(storageError(say("“{0}” could not be written: {1}", wanted, trouble.message())));
+  }
+  return exit;
+}
+
+}  // namespace karinui::app
