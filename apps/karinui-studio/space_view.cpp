@@ -24,11 +24,10 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr double kEaseTop = 0.05;       // metres
-constexpr double kPressureLeast = 100;  // pascals, at the least, at the top of the scale
-constexpr double kLyingScale = 84;      // pixels
-constexpr int kStillAfter = 140;        // milliseconds without a move until the fine picture is drawn
-constexpr double kQuickShare = 0.5;     // of the pixels, each way, while it moves and the processor draws
+constexpr double kEaseTop = 0.05;    // metres
+constexpr double kLyingScale = 84;   // pixels
+constexpr int kStillAfter = 140;     // milliseconds without a move until the fine picture is drawn
+constexpr double kQuickShare = 0.5;  // of the pixels, each way, while it moves and the processor draws
 
 // The painter takes the state of a fresh context for granted.
 void readyForPainter() {
@@ -287,21 +286,7 @@ SpaceView::Mapped SpaceView::mapped(const SnapshotPtr& garment) {
     const std::size_t points = fitting.body->mesh().points.size();
     if (const auto known = pressure_.of(garment)) pressureShown_ = known;
     if (pressureShown_ && pressureShown_->size() == points) own.values = *pressureShown_;
-    SceneCloth skin;
-    skin.name = "body";
-    skin.mesh = fitting.body->mesh();
-    skin.strain = own.values.empty() ? std::vector<float>(points, -1) : own.values;
-    for (float& s : skin.strain)
-      if (s < 0) s = std::numeric_limits<float>::quiet_NaN();  // nothing is known where no cloth lies
-    skin.colour = SceneBody().colour;
-    own.frame.bodies.clear();
-    own.frame.cloths = {std::move(skin)};
-    for (const SceneCloth& cloth : fitting.frame.cloths)  // the garment is thread on the skin
-      for (const auto& run : cloth.outlines) {
-        SceneLine line{{}, {0.10f, 0.12f, 0.16f}, 1.2f, false};
-        for (const std::uint32_t n : run) line.points.push_back(cloth.mesh.points[n]);
-        own.frame.lines.push_back(std::move(line));
-      }
+    own.frame = pressureFrame(fitting, own.values);
   }
   return own;
 }

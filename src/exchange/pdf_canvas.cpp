@@ -155,7 +155,37 @@ void PdfCanvas::words(const SheetText& text, bool centred) {
   cairo_restore(cairo_.get());
 }
 
-Result<std::string> PdfCanvas::finish(Language language) {
+double PdfCanvas::wide(const std::string& words, double size) const {
+  cairo_save(cairo_.get());
+  if (cairo_font_face_t* face = fontFor(words)) {
+    cairo_set_font_face(cairo_.get(), face);
+    cairo_font_face_destroy(face);
+  }
+  cairo_set_font_size(cairo_.get(), size);
+  cairo_text_extents_t extents{};
+  cairo_text_extents(cairo_.get(), words.c_str(), &extents);
+  cairo_restore(cairo_.get());
+  return extents.x_advance;
+}
+
+void PdfCanvas::picture(Mm low, double wide, int width, int height, std::span<const std::uint8_t> rgba) {
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (width < 1 || height < 1 || rgba.size() < 4 * pixels || !shown()) return;
+  std::vector<std::uint32_t> rows(pixels);
+  for (std::size_t i = 0; i < pixels; ++i)
+    rows[i] = 0xff000000u | std::uint32_t{rgba[4 * i]} << 16 | std::uint32_t{rgba[4 * i + 1]} << 8 | rgba[4 * i + 2];
+  const Surface image(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(rows.data()),
+                                                          CAIRO_FORMAT_RGB24, width, height, 4 * width));
+  cairo_save(cairo_.get());
+  cairo_translate(cairo_.get(), low.x, low.y);
+  cairo_scale(cairo_.get(), wide / width, wide / width);
+  cairo_set_source_surface(cairo_.get(), image.get(), 0, 0);
+  cairo_paint(cairo_.get());
+  cairo_restore(cairo_.get());
+  cairo_surface_finish(image.get());
+}
+
+Result<std::string> PdfCanvas::finishPlain() {
   const cairo_status_t drawn = cairo_status(cairo_.get());
   cairo_.reset();
   cairo_surface_finish(surface_.get());
@@ -163,9 +193,15 @@ Result<std::string> PdfCanvas::finish(Language language) {
   if (drawn != CAIRO_STATUS_SUCCESS || written != CAIRO_STATUS_SUCCESS)
     return refused(
         say("The PDF cannot be drawn: {0}.", cairo_status_to_string(drawn != CAIRO_STATUS_SUCCESS ? drawn : written)));
+  return std::move(bytes_);
+}
+
+Result<std::string> PdfCanvas::finish(Language language) {
+  Result<std::string> plain = finishPlain();
+  if (!plain) return plain;
   std::vector<std::string> names;
   for (const PdfLayer layer : kPdfLayers) names.push_back(text(nameOf(layer), language));
-  return layered(std::move(bytes_), names);
+  return layered(*std::move(plain), names);
 }
 
 }  // namespace karinui

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,9 +52,13 @@ class PdfCanvas {
   void close();
   void circle(Mm centre, double radius);
   void words(const SheetText& text, bool centred);
+  double wide(const std::string& words, double size) const;  // of the lettering, mm
+  // Of rows of four bytes a pixel (red, green, blue, opacity), `wide` mm across.
+  void picture(Mm low, double wide, int width, int height, std::span<const std::uint8_t> rgba);
 
   // The bytes, the canvas is used up. Each page was drawn once for each of kPdfLayers.
   Result<std::string> finish(Language language);
+  Result<std::string> finishPlain();  // of pages that were drawn once, without layers
   std::vector<Page> takePages() { return std::move(pages_); }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -162,6 +163,26 @@ std::vector<Girths> girthsAt(const GarmentSnapshot& snapshot, double height) {
   }
   if (!allRound(round, under, kOpen)) round.clear();
   return {tape(Girths::Round::Trunk, std::move(under), std::move(round))};
+}
+
+SceneFrame pressureFrame(const GarmentSnapshot& snapshot, const std::vector<float>& values) {
+  SceneFrame frame = snapshot.frame;
+  SceneCloth skin;
+  skin.name = "body";
+  skin.mesh = snapshot.body->mesh();
+  skin.strain = values.empty() ? std::vector<float>(skin.mesh.points.size(), -1) : values;
+  for (float& s : skin.strain)
+    if (s < 0) s = std::numeric_limits<float>::quiet_NaN();  // nothing is known where no cloth lies
+  skin.colour = SceneBody().colour;
+  frame.bodies.clear();
+  frame.cloths = {std::move(skin)};
+  for (const SceneCloth& cloth : snapshot.frame.cloths)  // the garment is thread on the skin
+    for (const auto& run : cloth.outlines) {
+      SceneLine line{{}, {0.10f, 0.12f, 0.16f}, 1.2f, false};
+      for (const std::uint32_t n : run) line.points.push_back(cloth.mesh.points[n]);
+      frame.lines.push_back(std::move(line));
+    }
+  return frame;
 }
 
 std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {

@@ -12,6 +12,11 @@ namespace karinui {
 // Nothing without a body or a garment that can be laid.
 std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& workers);
 
+// The bared body coloured by it, and the garment as lines: to be drawn as a strain map is, up to a round number of
+// pascals. `values`: of pressureOnBody(); empty: not known yet. Needs the snapshot's body.
+SceneFrame pressureFrame(const GarmentSnapshot& snapshot, const std::vector<float>& values);
+inline constexpr double kPressureLeast = 100;  // pascals, at the least, at the top of the scale
+
 // The level tape: round the trunk, or both legs together, arms and sleeves left out; or round one leg.
 struct Girths {
   enum class Round { Trunk, LeftLeg, RightLeg };

@@ -1,0 +1,222 @@
+// report: how the garment fits, on paper: pictures, ease, strain, pressure, measures, cloth.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <numeric>
+
+#include "karinui/base/file.h"
+#include "karinui/base/number.h"
+#include "karinui/design/piece_label.h"
+#include "karinui/design/step_words.h"
+#include "karinui/design/truing_said.h"
+#include "karinui/exchange/lay_sheet.h"
+#include "karinui/exchange/report.h"
+#include "karinui/pattern/truing.h"
+#include "karinui/session/fit.h"
+#include "karinui/view/picture.h"
+#include "karinui/view/strain_scale.h"
+#include "open_document.h"
+
+namespace karinui::app {
+
+namespace {
+
+struct ReportOptions {
+  std::string path, out, width = "150cm", language;
+  bool pictures = true;
+};
+
+constexpr int kPictureWide = 700, kPictureHigh = 950;
+
+Message words(const std::string& text) { return say("{0}", text); }
+Message mm(double metres) { return words(fixed(metres * 1000, 0) + " mm"); }
+Message cm(double metres) { return words(fixed(metres * 100, 1) + " cm"); }
+Message percent(double share) { return words(fixed(share * 100, 1) + " %"); }
+
+struct Fitting {
+  SnapshotPtr garment;
+  std::vector<float> pressure;
+  double pressureTop = 0;
+};
+
+// The garment from three sides, then where it is stretched and where it presses.
+Result<std::vector<ReportPicture>> picturesOf(Program& program, const Fitting& fitting, Language language) {
+  const auto picture = Picture::open();
+  if (!picture) return picture.error();
+  std::vector<ReportPicture> all;
+  const auto add = [&](const SceneFrame& frame, View view, double top, const Message& caption) -> Done {
+    PictureOptions options;
+    options.view = view;
+    options.width = kPictureWide, options.height = kPictureHigh;
+    options.map = top > 0 ? Map::Strain : Map::None;
+    options.strainTop = top;
+    options.lettering = false;
+    options.language = language;
+    const Result<Image> image = (*picture)->draw(frame, options);
+    if (!image) return image.error();
+    for (const Message& note : (*picture)->notes()) program.console.note(note);
+    all.push_back({caption, image->width, image->height, image->rgba});
+    return {};
+  };
+  const SceneFrame& plain = fitting.garment->frame;
+  for (const auto& [view, caption] :
+       {std::pair(View::Front, say("front")), {View::Back, say("back")}, {View::Left, say("left side")}})
+    if (const Done done = add(plain, view, 0, caption); !done) return done.error();
+  // The top of the scale is the frame's own where none is named.
+  const double top = strainTop(plain);
+  if (top > 0)
+    for (const auto& [view, caption] :
+         {std::pair(View::Front, say("strain, front: bright is {0} %", fixed(top * 100, 1))),
+          {View::Back, say("strain, back")}})
+      if (const Done done = add(plain, view, top, caption); !done) return done.error();
+  if (fitting.pressureTop > 0) {
+    const SceneFrame pressed = pressureFrame(*fitting.garment, fitting.pressure);
+    if (const Done done = add(pressed, View::Front, fitting.pressureTop,
+                              say("pressure on the body: bright is {0} kPa", fixed(fitting.pressureTop / 1000, 2)));
+        !done)
+      return done.error();
+  }
+  return all;
+}
+
+ReportTable girthTable(const GarmentSnapshot& garment) {
+  ReportTable table{say("Ease"), {Message(), say("body"), say("garment"), say("ease")}, {}};
+  for (const Girths& g : girthsOf(garment))
+    table.rows.push_back({g.name, cm(g.body), cm(g.garment), cm(g.garment - g.body)});
+  return table;
+}
+
+ReportTable clothTable(const Fitting& fitting) {
+  ReportTable table{say("Cloth"), {}, {}};
+  const auto& last = fitting.garment->document.drape.last;
+  if (!last) {
+    table.rows.push_back({say("at rest"), say("not draped yet")});
+    return table;
+  }
+  table.rows = {{say("at rest"), last->settled ? say("yes") : say("no")},
+                {say("stretch, on average"), percent(last->strain.mean)},
+                {say("99 % of the cloth is stretched less than"), percent(last->strain.p99)},
+                {say("stretch, at most"), percent(last->strain.max)},
+                {say("widest seam gap"), words(fixed(last->seamGap * 1000, 1) + " mm")},
+                {say("deepest in the body"), words(fixed(last->penetration * 1000, 1) + " mm")}};
+  std::vector<float> pressed;
+  for (const float p : fitting.pressure)
+    if (p >= 0) pressed.push_back(p);
+  if (!pressed.empty()) {
+    const double mean = std::accumulate(pressed.begin(), pressed.end(), 0.0) / static_cast<double>(pressed.size());
+    std::sort(pressed.begin(), pressed.end());
+    const double most = pressed[std::min(pressed.size() - 1, pressed.size() * 99 / 100)];
+    const auto kilo = [](double pascals) { return words(fixed(pascals / 1000, 2) + " kPa"); };
+    table.rows.push_back({say("pressure where the cloth lies, on average"), kilo(mean)});
+    table.rows.push_back({say("99 % of it is pressed less than"), kilo(most)});
+  }
+  return table;
+}
+
+ReportTable measureTable(const Body& body) {
+  ReportTable table{say("Figure"), {}, {}};
+  for (const auto& [key, value] : measure(body.mesh(), body.bvh()).value)
+    table.rows.push_back({identifierSaid(key).value_or(words(key)),
+                          isAngle(key) ? words(fixed(value * 180 / std::numbers::pi, 1) + "°") : cm(value)});
+  return table;
+}
+
+ReportTable pieceTable(const Document& document) {
+  ReportTable table{say("Pieces"), {Message(), say("across"), say("along"), say("fabric"), say("cut")}, {}};
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    Flat low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const Flat p : piece->outline.flattened(1e-4)) {
+      const Flat turned{cross(p, piece->grain), dot(p, piece->grain)};
+      low = {std::min(low.u, turned.u), std::min(low.v, turned.v)};
+      high = {std::max(high.u, turned.u), std::max(high.v, turned.v)};
+    }
+    const auto cut = document.cutting.find(id);
+    const int count = cut == document.cutting.end() ? 1 : cut->second.count;
+    table.rows.push_back({nameSaid(piece->name), mm(high.u - low.u), mm(high.v - low.v), nameSaid(piece->fabric),
+                          words(std::to_string(count))});
+  }
+  return table;
+}
+
+ReportTable seamTable(const Document& document) {
+  ReportTable table{say("Seams"), {}, {}};
+  const TruingReport report = truing(document.pattern, document.eases);
+  if (report.seams.empty()) return table;
+  if (report.faults() == 0) table.rows.push_back({say("All sewn edges fit each other.")});
+  for (const Message& fault : faultsSaid(document, report)) table.rows.push_back({fault});
+  return table;
+}
+
+int runReport(Program& program, const ReportOptions& options) {
+  const auto width = parseLength(options.width);
+  if (!width) {
+    program.console.refuse(width.error());
+    return kWrongCall;
+  }
+  const Language language = options.language == "ja"   ? Language::Japanese
+                            : options.language == "en" ? Language::English
+                                                       : spokenHere();
+  return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
+    const Document& document = opened.document();
+    if (document.pattern.pieces.empty()) return program.console.refuse(refused(say("There is no piece to report on.")));
+    BodyPtr body;
+    if (document.body.chosen()) {
+      auto found = bodyOf(document, opened.context());
+      if (!found) return program.console.refuse(found.error());
+      body = *std::move(found);
+    }
+    Fitting fitting{snapshotOf(document, body), {}, 0};
+    if (body) fitting.pressure = pressureOnBody(*fitting.garment, opened.context().workers);
+    if (!fitting.pressure.empty()) fitting.pressureTop = roundTop(fitting.pressure, kPressureLeast);
+    LaySettings settings;
+    settings.width = *width;
+    settings.tries = 1000;
+    Report report;
+    report.title = std::filesystem::path(options.path).stem().string();
+    report.under = document.body.size.empty() ? say("Fit report") : say("Fit report, size {0}", document.body.size);
+    if (options.pictures) {
+      auto pictures = picturesOf(program, fitting, language);
+      if (pictures)
+        report.pictures = *std::move(pictures);
+      else
+        program.console.note(pictures.error().what);  // the figures are worth having without them
+    }
+    if (body) report.tables.push_back(girthTable(*fitting.garment));
+    report.tables.push_back(clothTable(fitting));
+    ReportTable yards{say("Cloth to buy"), {}, {}};
+    if (const auto plan = layPlan(document, settings, opened.context())) {
+      for (const Message& lay : laySaid(*plan)) yards.rows.push_back({lay});
+    } else {
+      if (plan.error().kind == Error::Kind::Cancelled) return program.console.refuse(plan.error());
+      yards.rows.push_back({plan.error().what});
+    }
+    report.tables.push_back(std::move(yards));
+    report.tables.push_back(pieceTable(document));
+    if (ReportTable seams = seamTable(document); !seams.rows.empty()) report.tables.push_back(std::move(seams));
+    if (body) report.tables.push_back(measureTable(*body));
+    const Result<std::string> bytes = writeReport(report, language);
+    if (!bytes) return program.console.refuse(bytes.error());
+    if (const Done done = writeFile(options.out, *bytes); !done) return program.console.refuse(done.error());
+    program.console.answer({{"file", options.out}, {"bytes", bytes->size()}, {"pictures", report.pictures.size()}},
+                           options.out);
+    return kDone;
+  });
+}
+
+}  // namespace
+
+void addReportVerb(Program& program) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* verb = program.verb(program.cli, "report",
+                                help("Writes how the garment fits: pictures, ease, strain, pressure, cloth (PDF)"),
+                                options, runReport);
+  verb->add_option("document", options->path, help("The .karinui document"))->required();
+  verb->add_option("-o,--output", options->out, help("The PDF file"))->required();
+  verb->add_option("--width", options->width, help("Of the cloth, laid open: 150cm"));
+  verb->add_option("--language", options->language, help("en or ja; else the language spoken here"))
+      ->check(CLI::IsMember({"en", "ja"}));
+  verb->add_flag("!--no-pictures", options->pictures, help("Only the figures"));
+}
+
+}  // namespace karinui::app
