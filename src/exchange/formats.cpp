@@ -7,6 +7,7 @@
 #include "karinui/exchange/garment_code.h"
 #include "karinui/exchange/hpgl.h"
 #include "karinui/exchange/pattern_json.h"
+#include "sheet.h"
 
 namespace karinui {
 
@@ -18,6 +19,12 @@ Result<std::string> writeGarment(const ExportSource& source, Result<std::string>
   const Result<SpatialGarment> garment = source.garment();
   if (!garment) return garment.error();
   return write(*garment);
+}
+
+Result<std::string> writeExact(const ExportSource& source) {
+  const auto allowances = allowancesOn(source.pattern, source.sheet);
+  if (!allowances) return allowances.error();
+  return writePatternJson(source.pattern, *allowances ? &**allowances : nullptr);
 }
 
 std::vector<FileFormat> allFormats() {
@@ -105,7 +112,7 @@ std::vector<FileFormat> allFormats() {
        .about = say("Every curve, seam and mark to the last digit, in Karinui's own open form."),
        .readPattern = readPatternJson,
        .recognises = isPatternJson,
-       .write = [](Source from) -> Result<std::string> { return writePatternJson(from.pattern); }},
+       .write = writeExact},
       {.id = "garmentcode",
        .endings = {"json"},
        .in = Content::Pattern,

@@ -95,9 +95,20 @@ Json of(const Seam& seam) {
 
 }  // namespace
 
-std::string writePatternJson(const Pattern& pattern) {
+std::string writePatternJson(const Pattern& pattern, const AllowancePlan* allowances) {
   Json root{{"format", "karinui-pattern-1"}, {"units", "m"}, {"pieces", Json::array()}, {"seams", Json::array()}};
-  for (const auto& [id, piece] : pattern.pieces) root["pieces"].push_back(of(*piece));
+  for (const auto& [id, piece] : pattern.pieces) {
+    Json written = of(*piece);
+    if (allowances) {
+      Json& widths = written["allowances"] = Json::object();
+      const auto add = [&, owner = id](const Outline& outline) {
+        for (const Edge& edge : outline.edges) widths[edge.name] = allowances->width(owner, edge.name);
+      };
+      add(piece->outline);
+      for (const Outline& hole : piece->holes) add(hole);
+    }
+    root["pieces"].push_back(std::move(written));
+  }
   for (const auto& [id, seam] : pattern.seams) root["seams"].push_back(of(seam));
   return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -35,9 +35,13 @@ std::string pathTo(const SheetPiece& piece, const Curve& curve) {
   return "L " + end;
 }
 
-void outline(std::string& out, const SheetPiece& piece, const Outline& ring, const char* kind, std::size_t index) {
+void outline(std::string& out, const SheetPiece& piece, const Outline& ring, const char* kind, std::size_t index,
+             const std::string& id) {
+  std::map<std::string, std::size_t> parts;  // of half a piece an edge may have several
   for (const Edge& edge : ring.edges) {
-    out += std::string("    <path class=\"") + kind + "\" data-edge=\"" + xmlEscaped(edge.name) + "\"";
+    const std::size_t part = ++parts[edge.name];
+    out += "    <path id=\"" + id + xmlEscaped(edge.name) + (part > 1 ? "." + std::to_string(part) : "") +
+           "\" class=\"" + kind + "\" data-edge=\"" + xmlEscaped(edge.name) + "\"";
     if (std::string_view(kind) == "hole") out += " data-hole=\"" + std::to_string(index) + "\"";
     if (const auto own = piece.allowances.find(edge.name); own != piece.allowances.end())
       out += " data-allowance=\"" + number(own->second) + "\"";
@@ -63,13 +67,14 @@ void piece(std::string& out, const SheetPiece& drawn, std::size_t index) {
          std::to_string(p.id.value) + "\" data-fabric=\"" + xmlEscaped(p.fabric) + "\" data-grain=\"" + pair(p.grain) +
          "\" data-layer=\"" + std::to_string(p.layer) + "\" data-origin=\"" + pair(drawn.origin) + "\">\n    <title>" +
          name + "</title>\n";
+  const std::string edges = "piece-" + std::to_string(index) + "-";
   for (const auto& line : drawn.cutLines) {
     out += "    <path class=\"cut\" d=\"M " + pair(line[0]);
     for (std::size_t i = 1; i < line.size(); ++i) out += " L " + pair(line[i]);
     out += " Z\"/>\n";
   }
-  outline(out, drawn, p.outline, drawn.cutLines.empty() ? "seam only" : "seam", 0);
-  for (std::size_t i = 0; i < p.holes.size(); ++i) outline(out, drawn, p.holes[i], "hole", i);
+  outline(out, drawn, p.outline, drawn.cutLines.empty() ? "seam only" : "seam", 0, edges);
+  for (std::size_t i = 0; i < p.holes.size(); ++i) outline(out, drawn, p.holes[i], "hole", i, edges);
   for (const InternalLine& line : p.lines) {
     if (line.curves.empty()) continue;
     out += "    <path class=\"internal\" data-line=\"" + xmlEscaped(line.name) + "\" d=\"";
@@ -160,9 +165,9 @@ std::string svgOf(const Sheet& sheet, const Pattern* sewing) {
   for (std::size_t i = 0; i < sheet.pieces.size(); ++i) piece(out, sheet.pieces[i], i + 1);
   if (sewing)
     for (const auto& [id, seam] : sewing->seams)
-      out += "  <metadata class=\"sewing\" data-seam=\"" + xmlEscaped(seam.name) + "\" data-id=\"" +
-             std::to_string(id.value) + "\" data-a=\"" + spans(seam.a) + "\" data-b=\"" + spans(seam.b) +
-             "\" data-reversed=\"" + (seam.reversed ? "1" : "0") + "\" data-tie=\"" +
+      out += "  <metadata id=\"seam-" + std::to_string(id.value) + "\" class=\"sewing\" data-seam=\"" +
+             xmlEscaped(seam.name) + "\" data-id=\"" + std::to_string(id.value) + "\" data-a=\"" + spans(seam.a) +
+             "\" data-b=\"" + spans(seam.b) + "\" data-reversed=\"" + (seam.reversed ? "1" : "0") + "\" data-tie=\"" +
              (seam.tie == Seam::Tie::TwoToOne ? "2:1" : "1:1") + "\"/>\n";
   return out + "</svg>\n";
 }

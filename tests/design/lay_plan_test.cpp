@@ -52,8 +52,10 @@ std::string anyPieces(unsigned seed) {
     const double turn = static_cast<double>(engine() % 628) / 100;
     script += "\" grain=\"" + fixed(std::cos(turn), 6) + "," + fixed(std::sin(turn), 6) + "\" pose=\"" +
               std::to_string(n) + ",0,0\"\n";
-    script += "quantity piece=p" + std::string(1, static_cast<char>('a' + n)) +
-              "x count=" + std::to_string(1 + engine() % 4) + (engine() % 2 ? " pairs=yes" : "") + "\n";
+    const bool pairs = engine() % 2 == 1;
+    const std::size_t count = (1 + engine() % 3) * (pairs ? 2 : 1);
+    script += "quantity piece=p" + std::string(1, static_cast<char>('a' + n)) + "x count=" + std::to_string(count) +
+              (pairs ? " pairs=yes" : "") + "\n";
   }
   return script;
 }
@@ -131,8 +133,8 @@ TEST(LayPlan, AnyPiecesLieRight) {
       const auto told = document.cutting.find(document.pieceNamed(name)->id);
       const Cutting wanted = told == document.cutting.end() ? Cutting() : told->second;
       EXPECT_EQ(cut.count, wanted.count) << seed << name;
-      if (wanted.pairs) EXPECT_NEAR(cut.over, wanted.count / 2.0, 0.5) << seed << name;
-      if (!wanted.pairs) EXPECT_EQ(cut.over, 0) << seed << name;
+      // Half of a pair is turned over; of what is alike on both sides of its grain nobody can tell.
+      EXPECT_NEAR(cut.over, wanted.pairs ? wanted.count / 2.0 : 0.0, wanted.pairs ? 0.5 : 0.0) << seed << name;
     }
   }
 }

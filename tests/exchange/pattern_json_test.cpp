@@ -47,6 +47,22 @@ TEST(PatternJson, ReadsBackExactly) {
   }
 }
 
+TEST(PatternJson, AllowancesAreToldBesideThePattern) {
+  const Pattern once = test::random(3);
+  Allowances own;
+  const PieceId first = once.pieces.begin()->first;
+  own.edges[{first, "side_0"}] = 0.025;
+  const AllowancePlan plan(once, own);
+  const std::string written = writePatternJson(once, &plan);
+  const auto json = nlohmann::json::parse(written);
+  EXPECT_EQ(json["pieces"][0]["allowances"]["side_0"], 0.025);
+  EXPECT_EQ(json["pieces"][0]["allowances"]["hole_a"], plan.width(first, "hole_a"));
+  // The pattern beside them is as it was.
+  const auto again = readPatternJson(written);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(writePatternJson(*again), writePatternJson(once));
+}
+
 TEST(PatternJson, DraftedPatternsToo) {
   if (!exists(test::shared("patterns/shirt_m_eu50.json"))) GTEST_SKIP() << "the shared patterns are not here";
   for (const std::string name :

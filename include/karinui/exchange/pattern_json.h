@@ -5,11 +5,13 @@
 #include <string_view>
 
 #include "karinui/base/result.h"
+#include "karinui/pattern/allowance.h"
 #include "karinui/pattern/piece.h"
 
 namespace karinui {
 
-std::string writePatternJson(const Pattern& pattern);
+// `allowances`: of each edge, told beside the outlines; null: nothing is told of them.
+std::string writePatternJson(const Pattern& pattern, const AllowancePlan* allowances = nullptr);
 
 // Refuses what cannot be a pattern, naming the piece or seam: open or crossing outlines, names twice, seams to nothing.
 Result<Pattern> readPatternJson(std::string_view json);
