@@ -10,6 +10,26 @@ namespace karinui {
 namespace {
 
 constexpr double kSame = 1e-7;  // metres: stations nearer than this are one
+// Metres: corners nearer than this are one in the lattice, whose cells would else be slivers beside an edge of a
+// fraction of a millimetre. A hair less than 1 mm, so that edges of that length keep both their corners.
+constexpr double kOneCorner = 1e-3 - 1e-8;
+
+// Puts stations at the corners of a track, one where several are as near as that.
+void placeCorners(Track& track) {
+  const std::size_t n = track.edgeStart.size() - 1;
+  track.corner = track.edgeStart;
+  track.station = {0};
+  for (std::size_t k = 1; k < n; ++k) {
+    if (track.edgeStart[k] - track.station.back() < kOneCorner)
+      track.corner[k] = track.station.back();
+    else
+      track.station.push_back(track.edgeStart[k]);
+  }
+  const double last = track.station.back();
+  if (track.station.size() == 1 || track.whole() - last >= kOneCorner) return;
+  track.station.pop_back();
+  std::replace(track.corner.begin(), track.corner.end(), last, track.whole());
+}
 
 // Pairs of stops of two walks, in order, the ends among them; nearest pairs are made first.
 std::vector<std::array<std::size_t, 2>> matched(const Walk& a, const Walk& b, double snap) {
@@ -112,15 +132,15 @@ Result<BorderPlan> BorderPlan::plan(const Pattern& pattern, double spacing) {
 Done BorderPlan::gatherTracks(const Pattern& pattern) {
   for (const auto& [id, piece] : pattern.pieces) {
     for (std::size_t hole = 0; hole <= piece->holes.size(); ++hole) {
-      Track track{id, hole, hole == 0 ? &piece->outline : &piece->holes[hole - 1], {0}, {}};
+      Track track{id, hole, hole == 0 ? &piece->outline : &piece->holes[hole - 1], {0}, {}, {}};
       if (track.outline->edges.empty()) return badInput(say("Piece {0} has no outline.", piece->name));
       for (const Edge& edge : track.outline->edges) {
         const double own = edge.curve.length();
         if (!(own > kSame) || !std::isfinite(own))
           return badInput(say("Edge {0} of piece {1} has no length.", edge.name, piece->name));
-        track.station.push_back(track.edgeStart.back());
         track.edgeStart.push_back(track.edgeStart.back() + own);
       }
+      placeCorners(track);
       trackOf_[{id, hole}] = tracks_.size();
       tracks_.push_back(std::move(track));
     }
@@ -162,8 +182,10 @@ Result<std::vector<Leg>> BorderPlan::legs(const Pattern& pattern, const Seam& se
         return badInput(say("Seam {0} takes edge {1} from {2} to {3}; it must run forward within 0 to 1.", seam.name,
                             span.edge, span.from, span.to));
       const double start = tracks_[t].edgeStart[*k], end = tracks_[t].edgeStart[*k + 1];
-      const Leg leg{t, span.from == 0 ? start : start + span.from * (end - start),
-                    span.to == 1 ? end : start + span.to * (end - start)};
+      const double first = tracks_[t].corner[*k], last = tracks_[t].corner[*k + 1];
+      if (first == last) continue;  // too short for the lattice: what is sewn beside it meets there
+      const Leg leg{t, span.from == 0 ? first : start + span.from * (end - start),
+                    span.to == 1 ? last : start + span.to * (end - start)};
       if (leg.to - leg.from < 1e-4)
         return badInput(say("Seam {0} takes less than 0.1 mm of edge {1}; sew a longer part.", seam.name, span.edge));
       run.push_back(leg);
@@ -171,15 +193,16 @@ Result<std::vector<Leg>> BorderPlan::legs(const Pattern& pattern, const Seam& se
     if (!found)
       return notFound(say("Piece {0} has no edge {1} for seam {2}.", piece->second->name, span.edge, seam.name));
   }
-  if (run.empty()) return badInput(say("Seam {0} has an empty side.", seam.name));
   return run;
 }
 
 Done BorderPlan::gatherSeams(const Pattern& pattern) {
   for (const auto& [id, seam] : pattern.seams) {
+    if (seam.a.empty() || seam.b.empty()) return badInput(say("Seam {0} has an empty side.", seam.name));
     auto a = legs(pattern, seam, seam.a), b = legs(pattern, seam, seam.b);
     if (!a) return a.error();
     if (!b) return b.error();
+    if (a->empty() || b->empty()) continue;
     for (const auto* side : {&*a, &*b})
       for (const Leg& leg : *side) {
         addStation(leg.track, leg.from, kSame);
@@ -318,10 +341,14 @@ Done BorderPlan::count() {
     for (std::size_t k = 0; k < track.station.size(); ++k) {
       const double from = track.station[k], to = k + 1 < track.station.size() ? track.station[k + 1] : track.whole();
       while (edge + 1 < track.outline->edges.size() && track.edgeStart[edge + 1] <= from + kSame / 2) ++edge;
-      const Curve& curve = track.outline->edges[edge].curve;
-      const double t0 = curve.parameterAt(from - track.edgeStart[edge]),
-                   t1 = curve.parameterAt(to - track.edgeStart[edge]);
-      const double bend = t0 < t1 ? turning(curve.part(t0, t1)) : 0;
+      double bend = 0;  // of all edges in the stretch: short ones, then the one they lead to
+      for (std::size_t e = edge; e == edge || (e < track.outline->edges.size() && track.edgeStart[e] < to - kSame);
+           ++e) {
+        const Curve& curve = track.outline->edges[e].curve;
+        const double t0 = curve.parameterAt(std::max(from - track.edgeStart[e], 0.0)),
+                     t1 = curve.parameterAt(to - track.edgeStart[e]);
+        bend += t0 < t1 ? turning(curve.part(t0, t1)) : 0;
+      }
       const std::size_t n = offset_[t] + k, root = root_[n];
       const double scale = std::exp2(least[root] - times[n]);
       wish[root] += scale * (to - from) / spacing_;

@@ -15,7 +15,10 @@ struct Track {  // one closed curve of a piece: its outline (hole = 0) or its ho
   std::size_t hole = 0;
   const Outline* outline = nullptr;
   std::vector<double> edgeStart;  // length from the first edge's start; edges + 1 of them
-  std::vector<double> station;    // ascending, in [0, whole); stretch k runs from station k to the next
+  // The station at which each edge starts, and the last one ends; edges + 1 of them. Not edgeStart where edges are too
+  // short for a stretch of their own: a run of such edges has one station.
+  std::vector<double> corner;
+  std::vector<double> station;  // ascending, in [0, whole); stretch k runs from station k to the next
   double whole() const { return edgeStart.back(); }
 };
 

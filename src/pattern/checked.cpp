@@ -10,7 +10,8 @@ namespace karinui {
 namespace {
 
 constexpr double kJoin = 1e-6;        // ends nearer than this are one place
-constexpr double kShortest = 1e-3;    // of an edge
+constexpr double kShortest = 1e-5;    // of an edge
+constexpr double kNarrowest = 7e-4;   // of a piece, on average
 constexpr double kSmallest = 1e-4;    // of a piece: 1 cm2
 constexpr double kLargest = 100;      // metres from the origin: beyond that something is wrong with the units
 constexpr std::size_t kMost = 20000;  // edges
@@ -79,8 +80,8 @@ Result<Outline> checked(Outline outline) {
   for (const Edge& edge : edges)
     if (const double own = edge.curve.length(); own < kShortest)
       return badInput(
-          say("Edge {0} at {1} mm is only {2} mm long; make it at least 1 mm or join it with its neighbour.", edge.name,
-              inMm(edge.curve.start), fixed(own * 1e3, 3)));
+          say("Edge {0} at {1} mm is only {2} mm long; make it at least 0.01 mm or join it with its neighbour.",
+              edge.name, inMm(edge.curve.start), fixed(own * 1e3, 3)));
   const OpenedOut open = withoutSlits(outline, 1e-5);
   const auto trouble = crossing(open.ring);
   const auto slit = trouble ? trouble : slitTrouble(open);
@@ -91,6 +92,10 @@ Result<Outline> checked(Outline outline) {
   if (std::abs(area) < kSmallest)
     return badInput(say("The outline at {0} mm holds only {1} cm2 of cloth; a piece needs at least 1 cm2.",
                         inMm(edges[0].curve.start), fixed(std::abs(area) * 1e4, 2)));
+  const double width = 2 * std::abs(area) / outline.length();
+  if (width < kNarrowest)
+    return badInput(say("The outline at {0} mm is only {1} mm wide on average; make it at least 1 mm wide.",
+                        inMm(edges[0].curve.start), fixed(width * 1e3, 2)));
   if (area < 0) {
     std::reverse(edges.begin(), edges.end());
     for (Edge& edge : edges) edge.curve = edge.curve.reversed();

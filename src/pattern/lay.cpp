@@ -26,11 +26,11 @@ TrackNodes divide(const BorderPlan& plan, std::size_t t) {
   std::size_t edge = 0;
   for (std::size_t k = 0; k < track.station.size(); ++k) {
     const double from = track.station[k], to = k + 1 < track.station.size() ? track.station[k + 1] : track.whole();
-    while (edge + 1 < track.outline->edges.size() && track.edgeStart[edge + 1] <= from + 5e-8) ++edge;
     nodes.station.push_back(nodes.place.size());
     const std::size_t count = plan.count(t, k);
     for (std::size_t n = 0; n < count; ++n) {
       const double at = from + (to - from) * static_cast<double>(n) / static_cast<double>(count);
+      while (edge + 1 < track.outline->edges.size() && track.edgeStart[edge + 1] <= at + 5e-8) ++edge;
       const double own = at - track.edgeStart[edge];
       const Curve& curve = track.outline->edges[edge].curve;
       nodes.place.push_back(own < 1e-7 ? curve.start : curve.at(curve.parameterAt(own)));
@@ -139,9 +139,18 @@ class TieMaker {
 void fillEdges(Lattice& lattice, const Track& track, const TrackNodes& nodes, std::uint32_t first) {
   const std::size_t count = nodes.place.size();
   for (std::size_t k = 0; k < track.outline->edges.size(); ++k) {
-    const double from = track.edgeStart[k], to = track.edgeStart[k + 1];
+    const double from = track.corner[k], to = track.corner[k + 1];
     Lattice::EdgeNodes edge;
     edge.hole = track.hole;
+    if (from == to) {  // too short for the lattice: both its ends are one node
+      const auto at = std::lower_bound(nodes.at.begin(), nodes.at.end(), from - 5e-8) - nodes.at.begin();
+      edge.first = static_cast<std::size_t>(at) % count;
+      edge.nodes.assign(2, first + static_cast<std::uint32_t>(edge.first));
+      edge.fraction = {0, 1};
+      edge.count = 1;
+      lattice.edges[track.outline->edges[k].name] = std::move(edge);
+      continue;
+    }
     edge.first =
         static_cast<std::size_t>(std::lower_bound(nodes.at.begin(), nodes.at.end(), from - 5e-8) - nodes.at.begin());
     for (std::size_t n = edge.first;; ++n) {

@@ -109,6 +109,28 @@ TEST(GarmentCode, CurvesAreTheirsExactly) {
   EXPECT_LT(more.pieces.begin()->second->outline.edges[0].curve.at(0.5).v, -0.2);
 }
 
+// Programs leave edges of a fraction of a millimetre where two curves nearly meet: they are kept, with what is stitched
+// to them, and written again.
+TEST(GarmentCode, KeepsEdgesMuchShorterThanACell) {
+  const std::string text = R"({"pattern":{"panels":{
+    "a":{"translation":[0,0,10],"rotation":[0,0,0],"vertices":[[0,0],[20,0],[20,29.91],[19.99,30],[0,30]],
+         "edges":[{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,4]},{"endpoints":[4,0]}]},
+    "b":{"translation":[0,0,-10],"rotation":[0,180,0],"vertices":[[0,0],[20,0],[20,29.91],[19.99,30],[0,30]],
+         "edges":[{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,4]},{"endpoints":[4,0]}]}},
+    "stitches":[[{"panel":"a","edge":1},{"panel":"b","edge":4}],[{"panel":"a","edge":2},{"panel":"b","edge":2}]]}})";
+  const Pattern first = read(text);
+  ASSERT_EQ(first.pieces.size(), 2u);
+  EXPECT_NEAR(findEdge(named(first, "a"), "edge_2")->curve.length(), 0.00090554, 1e-7);
+  EXPECT_EQ(first.seams.size(), 2u);
+  const auto written = writeGarmentCode(first);
+  ASSERT_TRUE(written);
+  const Pattern again = read(*written);
+  EXPECT_EQ(test::difference(first, again, 1e-12), "");
+  EXPECT_EQ(again.seams.size(), 2u);
+  for (const auto& [id, piece] : first.pieces)
+    EXPECT_LT(distance(centre(*piece), centre(named(again, piece->name))), 1e-12) << piece->name;
+}
+
 TEST(GarmentCode, TurnsAboutXThenYThenZ) {
   std::string text = square("");
   text.replace(text.find("\"rotation\":[0,0,0]"), 18, "\"rotation\":[90,0,90]");

@@ -20,6 +20,9 @@ TEST(Checked, refusesWithThePlace) {
   EXPECT_NE(why(checked(open)).find("open"), std::string::npos);
   EXPECT_NE(why(checked(rectangle(0.005, 0.005))).find("1 cm2"), std::string::npos);
   EXPECT_NE(why(checked(rectangle(0.0005, 1))).find("at least 1 mm"), std::string::npos);
+  EXPECT_TRUE(checked(polygon({{0, 0}, {0.2, 0}, {0.2, 0.1999}, {0.1999, 0.2}, {0, 0.2}})));
+  EXPECT_NE(why(checked(polygon({{0, 0}, {0.2, 0}, {0.2, 0.2}, {0.2, 0.200005}, {0, 0.2}}))).find("at least 0.01 mm"),
+            std::string::npos);
   EXPECT_FALSE(checked(rectangle(std::nan(""), 1)));
   EXPECT_FALSE(checked(rectangle(HUGE_VAL, 1)));
   EXPECT_FALSE(checked(Outline{}));

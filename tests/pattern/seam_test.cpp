@@ -104,6 +104,50 @@ TEST(Seam, tubesAndDartsAreSewnToThemselves) {
   EXPECT_EQ(dart->ties.size(), dart->lattices.at({1})->edges.at("e1").count) << "the tip is not sewn to itself";
 }
 
+// An edge of a fraction of a millimetre stays on the paper; in the lattice its two corners are one node, and what is
+// sewn to both its neighbours meets there. Wherever along the outline it comes, also at its beginning.
+TEST(Seam, edgesMuchShorterThanACellAreOnePlaceOfTheLattice) {
+  for (const int turn : {0, 1, 2, 3, 4}) {
+    Outline cut = polygon({{0, 0}, {0.3, 0}, {0.3, 0.4991}, {0.2999, 0.5}, {0, 0.5}});
+    std::rotate(cut.edges.begin(), cut.edges.begin() + turn, cut.edges.end());
+    Pattern pattern = patternOf({pieceOf(1, *checked(cut)), pieceOf(2, rectangle(0.3, 0.5, {1, 0}))});
+    pattern.seams[{1}] = seamOf(1, {{{1}, "e1", 0, 1}}, {{{2}, "left", 0, 1}});
+    pattern.seams[{2}] = seamOf(2, {{{1}, "e2", 0, 1}}, {{{2}, "top", 0, 0.004}});
+    for (const double spacing : {0.04, 0.02, 0.01}) {
+      const auto laid = lay(pattern, spacing);
+      ASSERT_TRUE(laid) << text(laid.error().what);
+      const Lattice& lattice = *laid->lattices.at({1});
+      expectSound(lattice, "short edge " + std::to_string(turn));
+      const auto &side = lattice.edges.at("e1"), &tiny = lattice.edges.at("e2"), &top = lattice.edges.at("e3");
+      EXPECT_EQ(side.nodes.back(), top.nodes.front());
+      EXPECT_EQ(tiny.nodes.front(), tiny.nodes.back());
+      EXPECT_EQ(tiny.nodes.front(), top.nodes.front());
+      EXPECT_EQ(lattice.border[top.first], top.nodes.front());
+      EXPECT_EQ(side.count, laid->lattices.at({2})->edges.at("left").count);
+      EXPECT_EQ(laid->ties.size(), side.count + 1);
+      double least = 1;
+      for (std::size_t k = 0; k < lattice.border.size(); ++k)
+        least = std::min(least, distance(lattice.nodes[lattice.border[k]],
+                                         lattice.nodes[lattice.border[(k + 1) % lattice.border.size()]]));
+      EXPECT_GT(least, 0.3 * spacing);
+    }
+  }
+}
+
+// A curve drawn as a hundred chords of half a millimetre is a line with nodes as far apart as elsewhere, not one place.
+TEST(Seam, aRunOfShortEdgesKeepsItsLength) {
+  std::vector<Flat> corners{{0, 0}, {0.3, 0}};
+  for (int k = 0; k < 100; ++k) corners.push_back({0.3, 0.1 + 0.0005 * k});
+  corners.push_back({0.3, 0.4}), corners.push_back({0, 0.4});
+  Pattern pattern = patternOf({pieceOf(1, *checked(polygon(corners)))});
+  const auto laid = lay(pattern, 0.01);
+  ASSERT_TRUE(laid);
+  const Lattice& lattice = *laid->lattices.at({1});
+  expectSound(lattice, "chords");
+  EXPECT_LT(distance(lattice.nodes[lattice.edges.at("e101").nodes.front()], corners[101]), 1e-3);
+  EXPECT_LT(distance(lattice.nodes[lattice.edges.at("e52").nodes.front()], corners[52]), 1e-3);
+}
+
 TEST(Seam, overlappingSeamsThatChaseEachOtherAreRefusedNotEndless) {
   Pattern pattern = patternOf({pieceOf(1, rectangle(0.3, 0.5))});
   pattern.seams[{1}] = seamOf(1, {{{1}, "right", 0, 0.7}}, {{{1}, "right", 0.3, 1}});

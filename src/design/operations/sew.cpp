@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kTwoToOneFrom = 1.41421356;  // nearer to 2:1 than to 1:1 in ratio
 constexpr double kMostEase = 10;
+constexpr double kTiny = 0.01;  // metres: sides as short as that meet in a place, however unequal they are
 
 std::string spoken(const Seam& seam) { return seam.name.empty() ? text(seam.id) : seam.name; }
 
@@ -74,7 +75,7 @@ Done resolve(const Document& before, SewEdges& op, Context&) {
   }
   const double la = lengthOf(before, op.a), lb = lengthOf(before, op.b);
   const double ratio = std::fmax(la, lb) / std::fmin(la, lb);
-  if (!(ratio <= kMostEase)) {
+  if (!(ratio <= kMostEase) && std::fmax(la, lb) > kTiny) {
     return refused(say("One side of this seam is {0} times as long as the other; that much cannot be gathered.",
                        written(std::round(ratio * 10) / 10)));
   }
