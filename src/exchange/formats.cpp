@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "karinui/exchange/drawing.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/garment_code.h"
 #include "karinui/exchange/hpgl.h"
@@ -80,7 +81,7 @@ std::vector<FileFormat> allFormats() {
        .label = say("Paper pattern as a drawing (SVG)"),
        .about = say("True size, every piece and edge by its name, for drawing programs and cutters; Karinui reads it "
                     "back."),
-       .readPattern = readSvg,
+       .readSize = readDrawing,
        .write = [](Source from) { return writeSvg(from.pattern, from.sheet); }},
       {.id = "hpgl",
        .endings = {"plt"},
