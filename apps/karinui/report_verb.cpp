@@ -60,8 +60,9 @@ Result<std::vector<ReportPicture>> picturesOf(Program& program, const Fitting& f
     return {};
   };
   const SceneFrame& plain = fitting.garment->frame;
-  for (const auto& [view, caption] :
-       {std::pair(View::Front, say("front")), {View::Back, say("back")}, {View::Left, say("left side")}})
+  for (const auto& [view, caption] : {std::pair(View::Front, say("from the front")),
+                                      {View::Back, say("from the back")},
+                                      {View::Left, say("from the left")}})
     if (const Done done = add(plain, view, 0, caption); !done) return done.error();
   // The top of the scale is the frame's own where none is named.
   const double top = strainTop(plain);

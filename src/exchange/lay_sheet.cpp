@@ -16,6 +16,9 @@ constexpr double kMargin = 20;            // mm round the cloth
 constexpr double kHeader = kSquare + 60;  // above it
 constexpr double kNearFold = 1e-6;
 
+// Metres to buy: never less than what it takes.
+std::string lengthOf(const FabricLay& lay) { return fixed(std::ceil(lay.length * 1000 - 1e-6) / 1000, 3); }
+
 // A place of the cloth as one of the page's paper: the cloth's length runs down the page.
 Flat onPage(Flat cloth) { return {cloth.v, -cloth.u}; }
 
@@ -86,8 +89,8 @@ class LayDrawing {
     sheet.headings.push_back({{kMargin, down}, size, true, std::move(words)});
   }
   Message laid(const FabricLay& lay) const {
-    const std::string length = fixed(std::ceil(lay.length * 1000 - 1e-6) / 1000, 3),
-                      wide = fixed(plan_.settings.width * 100, 0), use = fixed(lay.use * 100, 1);
+    const std::string length = lengthOf(lay), wide = fixed(plan_.settings.width * 100, 0),
+                      use = fixed(lay.use * 100, 1);
     return plan_.settings.folded ? say("{0}: {1} m of {2} cm, folded lengthwise (fold at the left), {3} % used",
                                        lay.fabric, length, wide, use)
                                  : say("{0}: {1} m of {2} cm, {3} % used", lay.fabric, length, wide, use);
@@ -249,8 +252,7 @@ Result<std::string> writeLay(const LayPlan& plan, std::string_view ending, const
 std::vector<Message> laySaid(const LayPlan& plan) {
   std::vector<Message> all;
   for (const FabricLay& lay : plan.fabrics) {
-    const std::string length = fixed(lay.length, 3), wide = fixed(plan.settings.width * 100, 0),
-                      use = fixed(lay.use * 100, 1);
+    const std::string length = lengthOf(lay), wide = fixed(plan.settings.width * 100, 0), use = fixed(lay.use * 100, 1);
     all.push_back(plan.settings.folded
                       ? say("{0}: {1} m of {2} cm, folded lengthwise, {3} % used", lay.fabric, length, wide, use)
                       : say("{0}: {1} m of {2} cm, {3} % used", lay.fabric, length, wide, use));
