@@ -1,11 +1,15 @@
 // play, do, undo, redo, log, import: what makes and changes documents.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "figure.h"
 #include "karinui/base/file.h"
+#include "karinui/base/number.h"
+#include "karinui/design/make_up.h"
 #include "karinui/design/script.h"
+#include "karinui/design/step_words.h"
 #include "karinui/design/steps_of.h"
 #include "karinui/design/variables.h"
 #include "karinui/exchange/read_pattern.h"
@@ -36,8 +40,8 @@ struct RescueOptions {
   std::string path, out;
 };
 struct ImportOptions {
-  std::string file, body, size, out;
-  bool overwrite = false;
+  std::string file, body, size, out, sew = "none";
+  bool overwrite = false, list = false;
 };
 
 Json stepJson(const Step& step, const Document& document) {
@@ -143,8 +147,131 @@ int runLog(Program& program, const DocumentOnly& options) {
   });
 }
 
+std::string sideSaid(Program& program, const std::vector<EdgeRef>& side, const Document& document) {
+  Message all;
+  for (const EdgeRef& edge : side) {
+    const Message one = edgeSaid(document, edge);
+    all = all.empty() ? one : say("{0} + {1}", all, one);
+  }
+  return program.console.said(all);
+}
+
+Json proposalJson(Program& program, const SeamProposal& one, const Document& document) {
+  return {{"name", one.sew.name},
+          {"operation", text(Operation(one.sew))},
+          {"sure", one.sure},
+          {"sewn", one.sure >= kSureSeam},
+          {"a", sideSaid(program, one.sew.a, document)},
+          {"b", sideSaid(program, one.sew.b, document)},
+          {"reason", program.console.said(one.reason)}};
+}
+
+Message proposalSaid(Program& program, const SeamProposal& one, const Document& document) {
+  return say("{0}% {1}: {2} — {3} ({4})", static_cast<int>(std::lround(one.sure * 100)), one.sew.name,
+             sideSaid(program, one.sew.a, document), sideSaid(program, one.sew.b, document), one.reason);
+}
+
+// Makes up a pattern that came without its sewing, and tells what it left to the person.
+Done madeUp(OpenDocument& opened) {
+  Console& console = opened.program().console;
+  auto making = makeUp(opened.document(), opened.context());
+  if (!making) return making.error();
+  for (Operation& operation : making->steps)
+    if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
+  for (const PieceId id : making->unknown)
+    console.note(say("“{0}” was not recognised; it stands beside the figure.", opened.document().find(id)->name));
+  for (const SeamProposal& one : making->unsure)
+    console.note(say("Not sewn: {0}", proposalSaid(opened.program(), one, opened.document())));
+  for (const Message& note : making->notes) console.note(say("Not sewn: {0}", note));
+  return {};
+}
+
+// What the pattern would become, in memory.
+Result<Document> drawnUp(const Pattern& pattern, Context& context) {
+  Document document;
+  for (const Operation& operation : stepsOf(pattern, document)) {
+    auto next = apply(document, operation, context);
+    if (!next) return next.error();
+    document = *std::move(next);
+  }
+  return document;
+}
+
+// The pieces of a pattern file, its sizes, what was guessed, and (`sewing`) the seams that would be proposed.
+int runList(Program& program, const ImportOptions& options, bool sewing) {
+  auto read = readPatternSize(options.file, options.size);
+  if (!read) return program.console.refuse(read.error());
+  Workers workers(program.threads);
+  MemoryBlobs blobs;
+  Bodies bodies;
+  Context context{workers, program.console.token(), blobs, bodies, {}, {}};
+  auto made = drawnUp(read->pattern, context);
+  if (!made) return program.console.refuse(made.error());
+  Document document = *std::move(made);
+  Json notes = Json::array(), pieces = Json::array(), seams = Json::array();
+  std::string lines;
+  const auto line = [&](const Message& what) { lines += program.console.said(what) + "\n"; };
+  if (!read->style.empty()) line(say("Style: {0}", read->style));
+  if (!read->sizes.empty()) {
+    std::string sizes;
+    for (const std::string& size : read->sizes) sizes += (sizes.empty() ? "" : ", ") + size;
+    line(say("Sizes: {0}; read: {1}", sizes, read->size));
+  }
+  PieceReadings readings = readPieces(document.pattern);
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    Flat low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const Flat p : piece->outline.flattened(1e-4)) {
+      low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+      high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+    }
+    const auto row = std::find_if(read->rows.begin(), read->rows.end(),
+                                  [&](const auto& one) { return usableName({}, one.name) == piece->name; });
+    const int quantity = row == read->rows.end() ? 1 : row->quantity;
+    const PieceReading& reading = readings.at(id);
+    pieces.push_back({{"name", piece->name},
+                      {"width_mm", (high.u - low.u) * 1000},
+                      {"height_mm", (high.v - low.v) * 1000},
+                      {"edges", piece->outline.edges.size()},
+                      {"marks", piece->marks.size()},
+                      {"quantity", quantity},
+                      {"role", program.console.said(roleSaid(reading.role))},
+                      {"sure", reading.sure}});
+    line(say("{0}: {1} × {2} mm, {3} {3|edge|edges}, {4} {4|mark|marks}, cut {5}; {6}", piece->name,
+             fixed((high.u - low.u) * 1000, 0), fixed((high.v - low.v) * 1000, 0), piece->outline.edges.size(),
+             piece->marks.size(), quantity, roleSaid(reading.role)));
+  }
+  if (sewing && read->pattern.seams.empty()) {
+    for (const Operation& copy : copiesFor(document, readings))
+      if (auto next = apply(document, copy, context)) document = *std::move(next);
+    readings = readPieces(document.pattern);
+    for (const SeamProposal& one : proposeSeams(document, readings)) {
+      seams.push_back(proposalJson(program, one, document));
+      line(proposalSaid(program, one, document));
+    }
+  }
+  if (!read->pattern.seams.empty()) line(say("{0} {0|seam|seams} in the file.", read->pattern.seams.size()));
+  for (const Message& note : read->notes) notes.push_back(program.console.said(note)), line(note);
+  if (!lines.empty()) lines.pop_back();
+  program.console.answer({{"style", read->style},
+                          {"sizes", read->sizes},
+                          {"size", read->size},
+                          {"pieces", pieces},
+                          {"seams_in_file", read->pattern.seams.size()},
+                          {"seams", seams},
+                          {"notes", notes}},
+                         lines);
+  return kDone;
+}
+
 int runImport(Program& program, const ImportOptions& options) {
   const FileContent content = contentOf(options.file);
+  if (options.sew != "none" && options.sew != "auto" && options.sew != "list")
+    return program.console.refuse(badInput(say("--sew is auto, list or none.")));
+  const bool onlyListed = options.list || options.sew == "list";
+  if (onlyListed && content != FileContent::Pattern)
+    return program.console.refuse(unreadable(options.file, {FileContent::Pattern}));
+  if (onlyListed) return runList(program, options, options.sew != "none");
+  if (options.out.empty()) return program.console.refuse(badInput(say("Say where the document goes: -o FILE.karinui")));
   if (content == FileContent::Script)
     return runPlay(program, {options.file, options.body, options.out, "", options.overwrite});
   if (content != FileContent::Pattern && content != FileContent::Body)
@@ -166,7 +293,7 @@ int runImport(Program& program, const ImportOptions& options) {
     if (!pattern) return {};
     for (Operation& operation : stepsOf(*pattern, opened.document()))
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
-    return {};
+    return options.sew == "auto" && pattern->seams.empty() ? madeUp(opened) : Done{};
   });
 }
 
@@ -279,9 +406,12 @@ void addDocumentVerbs(Program& program) {
   auto import = std::make_shared<ImportOptions>();
   verb = program.verb(program.cli, "import", help("Makes a document from a pattern, a body or a script"), import,
                       runImport);
-  verb->add_option("file", import->file, help(say("The file: {0}; an SVG as Karinui draws it", listRead(kImported))))
-      ->required();
-  verb->add_option("-o,--output", import->out, help("The .karinui document to make"))->required();
+  verb->add_option("file", import->file, help(say("The file: {0}", listRead(kImported))))->required();
+  verb->add_option("-o,--output", import->out, help("The .karinui document to make"));
+  verb->add_flag("--list", import->list, help("Only lists the pieces, sizes and notes of a pattern file"));
+  verb->add_option("--sew", import->sew,
+                   help("Of a pattern without seams: auto sews those that are sure and stands the pieces on the body; "
+                        "list only shows what would be sewn"));
   verb->add_option("--size", import->size, help("Of a style in several sizes the one to take; else its sample size"));
   verb->add_option("--body", import->body, help("A body file or built-in size to put the pattern on"));
   verb->add_flag("--overwrite", import->overwrite, help("Replace a document that is there already"));

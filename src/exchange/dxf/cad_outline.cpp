@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kStraight = 2e-5;                    // points nearer than this to their chord make a line
 constexpr double kCorner = std::numbers::pi / 36;     // 5 degrees between two curves part two edges
-constexpr double kShortest = 1.2e-3;                  // of an edge: shorter ones belong to the edge before
+constexpr double kShortest = 2e-4;                    // of an edge: shorter ones belong to the edge before
 constexpr double kOffBoundary = 5e-3;                 // a notch farther from the outline is none …
 constexpr double kWidestAllowance = 0.06;             // … where it is the boundary; else they stand on the cut line
 constexpr std::size_t kDenseFrom = 12;                // points of a run that are many enough to be fitted …
