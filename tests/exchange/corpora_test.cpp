@@ -1,0 +1,54 @@
+// The files of the fuzz targets' corpora, whole, cut short and with bytes changed, through every reader. What a reader
+// takes is examined by tests/fuzz/readers.cpp.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "fuzz/readers.h"
+#include "patterns.h"
+
+namespace karinui {
+namespace {
+
+std::vector<std::filesystem::path> corpus(std::string_view folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& file :
+       std::filesystem::directory_iterator(std::filesystem::path(KARINUI_SOURCE_DIR) / "tests/fuzz/corpus" / folder))
+    files.push_back(file.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TEST(Corpora, GoThroughEveryReader) {
+  std::size_t files = 0;
+  for (const auto& reader : test::fuzzedReaders())
+    for (const char* folder : {"dxf", "svg", "json", "measures", "ops"})
+      for (const auto& file : corpus(folder)) reader.read(test::content(file)), ++files;
+  EXPECT_GT(files, 60u);
+}
+
+TEST(Corpora, CutShortAndChangedTheyAreTakenOrRefused) {
+  std::mt19937 random(7);
+  for (const auto& reader : test::fuzzedReaders())
+    for (const auto& file : corpus(reader.corpus)) {
+      const std::string whole = test::content(file);
+      for (std::size_t cut = 0; cut < whole.size(); cut += std::max<std::size_t>(1, whole.size() / 20))
+        reader.read(std::string_view(whole).substr(0, cut));
+      for (int round = 0; round < 60; ++round) {
+        std::string changed = whole;
+        for (int n = 0; n < 1 + round % 4 && !changed.empty(); ++n) {
+          const std::size_t at = random() % changed.size();
+          if (random() % 3 == 0)
+            changed.erase(at, 1 + random() % 8);
+          else if (random() % 2 == 0)
+            changed[at] = static_cast<char>(random() % 256);
+          else
+            changed[at] = "0123456789-.eE"[random() % 14];
+        }
+        reader.read(changed);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace karinui
