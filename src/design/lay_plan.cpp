@@ -67,7 +67,8 @@ class Laying {
     LayPlan out;
     out.settings = settings_;
     for (const auto& [fabric, pieces] : byFabric) {
-      auto lay = layFabric(fabric, pieces);
+      const auto count = static_cast<double>(byFabric.size()), nth = static_cast<double>(out.fabrics.size());
+      auto lay = layFabric(fabric, pieces, nth / count, (nth + 1) / count);
       if (!lay) return lay.error();
       out.fabrics.push_back(*std::move(lay));
     }
@@ -264,7 +265,8 @@ class Laying {
     Flat shift;  // added to the paper's place after turning: on the fold, the fold lies at v = 0
   };
 
-  Result<FabricLay> layFabric(const std::string& fabric, const std::vector<const Piece*>& pieces) {
+  Result<FabricLay> layFabric(const std::string& fabric, const std::vector<const Piece*>& pieces, double from,
+                              double to) {
     FabricLay lay;
     lay.fabric = fabric;
     lay.width = settings_.folded ? settings_.width / 2 : settings_.width;
@@ -287,7 +289,9 @@ class Laying {
         for (const bool turned : {false, true}) {
           if (turned && settings_.nap) continue;
           for (const bool over : {false, true}) {
-            LaidPiece lies{piece->id, under, 0, over, turned, share.onEdge, share.half, share.layers, piece->grain, {}};
+            LaidPiece lies{
+                piece->id,        under, 0, over, turned, share.onEdge, share.half, share.layers, piece->grain, {},
+                reference(*piece)};
             if (share.onEdge) {
               // The cloth lies on the side of v > 0 of its fold: one of the two images of a half does.
               Ring ring = shifted(lies, cut, share.middle, *piece);
@@ -310,8 +314,17 @@ class Laying {
           if (items.size() == kMostLaid)
             return refused(say("More than {0} pieces of one fabric cannot be laid.", kMostLaid));
           items.push_back(item);
-          laid.push_back(
-              {piece->id, under, copy++, false, false, share.onEdge, share.half, share.layers, piece->grain, {}});
+          laid.push_back({piece->id,
+                          under,
+                          copy++,
+                          false,
+                          false,
+                          share.onEdge,
+                          share.half,
+                          share.layers,
+                          piece->grain,
+                          {},
+                          reference(*piece)});
         }
       }
     }
@@ -322,6 +335,7 @@ class Laying {
     nesting.along = settings_.rows;
     nesting.tries = settings_.tries;
     nesting.seed = settings_.seed;
+    nesting.from = from, nesting.to = to;
     const auto nested = nest(shapes, items, nesting, context_.workers, context_.token);
     if (!nested) return nested.error();
     if (nested->homeless)
@@ -350,12 +364,13 @@ class Laying {
     const Flat fold = lies.step(leftOf(piece.grain) * middle);
     return {0, -fold.v};
   }
+  Flat reference(const Piece& piece) const {
+    return piece.grain * along_.at(piece.id) + leftOf(piece.grain) * aside_.at(piece.id);
+  }
   std::size_t add(std::vector<NestShape>& shapes, std::vector<Way>& ways, const LaidPiece& lies, Ring ring,
                   double middle, const Piece& piece) const {
     const Flat shift = shiftOf(lies, middle, piece);
-    const Flat reference =
-        lies.step(piece.grain * along_.at(piece.id) + leftOf(piece.grain) * aside_.at(piece.id)) + shift;
-    shapes.push_back({std::move(ring), reference});
+    shapes.push_back({std::move(ring), lies.step(lies.reference) + shift});
     ways.push_back({lies.over, lies.turned, shift});
     return shapes.size() - 1;
   }
@@ -386,6 +401,39 @@ class Laying {
   std::vector<Message> notes_;
 };
 
+// Where a line along the cloth runs within the ring: from, to, from, to.
+std::vector<double> within(const Ring& ring, double v) {
+  std::vector<double> met;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Flat p = ring[i], q = ring[(i + 1) % ring.size()];
+    if ((p.v > v) != (q.v > v)) met.push_back(p.u + (q.u - p.u) * (v - p.v) / (q.v - p.v));
+  }
+  std::sort(met.begin(), met.end());
+  return met;
+}
+
+// Of rings whose sides do not cross: whether they share any place. Between two neighbouring corners' heights their
+// sides keep their order along every line, so one line in the middle tells of all.
+bool holds(const Ring& a, const Ring& b) {
+  std::vector<double> heights;
+  for (const Ring* ring : {&a, &b})
+    for (const Flat p : *ring) heights.push_back(p.v);
+  std::sort(heights.begin(), heights.end());
+  for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
+    if (heights[k + 1] - heights[k] < kOverlap) continue;
+    const double v = (heights[k] + heights[k + 1]) / 2;
+    const std::vector<double> inA = within(a, v), inB = within(b, v);
+    for (std::size_t i = 0; i + 1 < inA.size(); i += 2)
+      for (std::size_t j = 0; j + 1 < inB.size(); j += 2) {
+        const double from = std::max(inA[i], inB[j]), to = std::min(inA[i + 1], inB[j + 1]);
+        if (to - from <= kOverlap) continue;
+        const Flat middle{(from + to) / 2, v};
+        if (distanceToRing(a, middle) > kOverlap / 2 && distanceToRing(b, middle) > kOverlap / 2) return true;
+      }
+  }
+  return false;
+}
+
 bool crossesOrHolds(const Ring& a, const Ring& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Flat p = a[i], q = a[(i + 1) % a.size()];
@@ -401,9 +449,25 @@ bool crossesOrHolds(const Ring& a, const Ring& b) {
       }
     }
   }
-  return (contains(a, b[0]) && distanceToRing(a, b[0]) > kOverlap) ||
-         (contains(b, a[0]) && distanceToRing(b, a[0]) > kOverlap);
+  return holds(a, b);
 }
+
+struct Bounds {
+  Flat low, high;
+  explicit Bounds(const Ring& ring) : low(ring[0]), high(ring[0]) {
+    for (const Flat p : ring)
+      low = {std::min(low.u, p.u), std::min(low.v, p.v)}, high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+  }
+  bool apartFrom(const Bounds& other) const {
+    return low.u > other.high.u || other.low.u > high.u || low.v > other.high.v || other.low.v > high.v;
+  }
+};
+bool leaves(const Bounds& bounds, double width) {
+  return bounds.low.u < -kOverlap || bounds.low.v < -kOverlap || bounds.high.v > width + kOverlap;
+}
+
+// By whole repeats, the nearest; 0: any length.
+double whole(double by, double repeat) { return repeat > 0 ? std::round(by / repeat) * repeat : by; }
 
 }  // namespace
 
@@ -418,23 +482,50 @@ Flat LaidPiece::step(Flat paper) const {
 Flat LaidPiece::operator()(Flat paper) const { return step(paper) + at; }
 
 std::optional<LayClash> clash(const FabricLay& lay) {
-  std::vector<std::pair<Flat, Flat>> boxes;
-  for (const Ring& ring : lay.cut) {
-    Flat low = ring[0], high = ring[0];
-    for (const Flat p : ring)
-      low = {std::min(low.u, p.u), std::min(low.v, p.v)}, high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-    boxes.push_back({low, high});
-  }
+  const std::vector<Bounds> bounds(lay.cut.begin(), lay.cut.end());
   for (std::size_t i = 0; i < lay.cut.size(); ++i) {
-    const auto& [low, high] = boxes[i];
-    if (low.u < -kOverlap || low.v < -kOverlap || high.v > lay.width + kOverlap) return LayClash{i, std::nullopt};
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto& [lowJ, highJ] = boxes[j];
-      if (low.u > highJ.u || lowJ.u > high.u || low.v > highJ.v || lowJ.v > high.v) continue;
-      if (crossesOrHolds(lay.cut[i], lay.cut[j])) return LayClash{j, i};
-    }
+    if (leaves(bounds[i], lay.width)) return LayClash{i, std::nullopt};
+    for (std::size_t j = 0; j < i; ++j)
+      if (!bounds[i].apartFrom(bounds[j]) && crossesOrHolds(lay.cut[i], lay.cut[j])) return LayClash{j, i};
   }
   return std::nullopt;
+}
+
+std::optional<LayClash> clash(const FabricLay& lay, std::size_t nth) {
+  const Bounds own(lay.cut[nth]);
+  if (leaves(own, lay.width)) return LayClash{nth, std::nullopt};
+  for (std::size_t j = 0; j < lay.cut.size(); ++j)
+    if (j != nth && !own.apartFrom(Bounds(lay.cut[j])) && crossesOrHolds(lay.cut[nth], lay.cut[j]))
+      return LayClash{nth, j};
+  return std::nullopt;
+}
+
+void moveLaid(FabricLay& lay, std::size_t nth, Flat by, const LaySettings& settings) {
+  LaidPiece& piece = lay.pieces[nth];
+  by = {whole(by.u, settings.rows), piece.onFold ? 0 : whole(by.v, settings.stripes)};
+  piece.at += by;
+  for (Flat& p : lay.cut[nth]) p += by;
+}
+
+Done turnLaid(FabricLay& lay, std::size_t nth, const LaySettings& settings) {
+  if (settings.nap)
+    return refused(say("The cloth has nap, or a print with a direction: all pieces lie the same way up."));
+  LaidPiece& piece = lay.pieces[nth];
+  const Bounds bounds(lay.cut[nth]);
+  const Flat was = piece(piece.reference), sum = bounds.low + bounds.high;
+  const bool fold = piece.onFold;
+  piece.turned = !piece.turned;
+  // What is cut whole on the fold lies on its other side when turned. Of a half both sides are alike.
+  if (fold && !piece.half) piece.over = !piece.over;
+  piece.at = {sum.u - piece.at.u, !fold ? sum.v - piece.at.v : piece.half ? -piece.at.v : piece.at.v};
+  for (Flat& p : lay.cut[nth]) p = {sum.u - p.u, fold ? p.v : sum.v - p.v};
+  if (fold) std::reverse(lay.cut[nth].begin(), lay.cut[nth].end());
+  const Flat off = was - piece(piece.reference);
+  const Flat back{settings.rows > 0 ? off.u - whole(off.u, settings.rows) : 0,
+                  settings.stripes > 0 && !fold ? off.v - whole(off.v, settings.stripes) : 0};
+  piece.at += back;
+  for (Flat& p : lay.cut[nth]) p += back;
+  return {};
 }
 
 void measureLay(FabricLay& lay, bool folded) {

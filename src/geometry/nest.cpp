@@ -1,10 +1,13 @@
 #include "karinui/geometry/nest.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <thread>
 
 namespace karinui {
 namespace {
@@ -13,6 +16,7 @@ constexpr double kTouch = 1e-9;   // metres; shapes may touch
 constexpr double kBeside = 1e-8;  // metres; more than shapes overlap by where they touch
 constexpr double kRough = 1e-4;   // shapes are grown by it, so that their chords may miss by as much
 constexpr std::size_t kChains = 8;
+constexpr int kAsk = 32;  // tries after which the token is asked and told
 constexpr double kFar = 1e18;
 
 // The same numbers everywhere, unlike the distributions of the standard library (SplitMix64: Steele, Lea, Flood 2014).
@@ -221,7 +225,7 @@ class Search {
   }
 
   // One way of annealing, from an order of its own.
-  Found chain(std::size_t nth, int tries, const Token& token) const {
+  Found chain(std::size_t nth, int tries, const Token& token, const std::function<void(int)>& tried) const {
     Dice dice(settings_.seed * 1000003 + nth);
     Plan first = beginning(nth, dice);
     Found now = *lay(first, kFar, 0, {});
@@ -231,7 +235,10 @@ class Search {
     if (n == 0) return best;
     const double hot = 0.02, cold = 0.0005;
     for (int t = 0; t < tries; ++t) {
-      if (t % 32 == 0 && token.cancelled()) break;
+      if (t % kAsk == 0) {
+        if (token.cancelled()) break;
+        tried(std::min(kAsk, tries - t));
+      }
       const double heat = now.worth * hot * std::pow(cold / hot, static_cast<double>(t) / std::max(1, tries));
       const double accept = now.worth - heat * std::log(std::max(1e-300, dice.share()));
       Plan next = now.plan;
@@ -431,8 +438,16 @@ Result<Nesting> nest(const std::vector<NestShape>& shapes, const std::vector<Nes
   if (const auto homeless = search.homeless()) return Nesting{{}, 0, homeless};
   const int tries = std::max(0, settings.tries) / static_cast<int>(kChains);
   std::vector<Search::Found> found(kChains);
+  // All threads count; the caller's tells.
+  std::atomic<int> done = 0;
+  const auto caller = std::this_thread::get_id();
+  const auto tried = [&](int more) {
+    const double share = static_cast<double>(done += more) / (static_cast<double>(kChains) * tries);
+    if (std::this_thread::get_id() == caller)
+      token.progress(settings.from + (settings.to - settings.from) * std::min(1.0, share));
+  };
   workers.forBlocks(kChains, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) found[i] = search.chain(i, tries, token);
+    for (std::size_t i = begin; i < end; ++i) found[i] = search.chain(i, tries, token, tried);
   });
   if (token.cancelled()) return cancelled();
   // The columns hide up to their width: what is best is known only after the pieces slid together.

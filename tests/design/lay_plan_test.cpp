@@ -242,6 +242,94 @@ TEST(LayPlan, WhatIsMovedByHandIsSeenToOverlap) {
   EXPECT_FALSE(outside->second);
 }
 
+// Rectangles of one height share whole sides, and copies of one piece all of them: no side crosses another.
+TEST(LayPlan, OverlapsAlongSharedSidesAreSeen) {
+  const auto box = [](double left, double low, double right, double high) {
+    return Ring{{left, low}, {right, low}, {right, high}, {left, high}};
+  };
+  FabricLay lay;
+  lay.pieces.resize(2);
+  const auto clashes = [&](const Ring& other) {
+    lay.cut = {box(1, 0, 2, 0.5), other};
+    const bool found = clash(lay).has_value();
+    EXPECT_EQ(clash(lay, 0).has_value(), found);
+    EXPECT_EQ(clash(lay, 1).has_value(), found);
+    return found;
+  };
+  EXPECT_TRUE(clashes(box(1, 0, 2, 0.5)));
+  EXPECT_TRUE(clashes(box(1.9, 0, 2.9, 0.5)));
+  EXPECT_TRUE(clashes(box(1.9999, 0, 2.9, 0.5)));
+  EXPECT_TRUE(clashes(box(1.2, 0, 1.4, 0.5)));
+  EXPECT_TRUE(clashes(box(1.2, 0.1, 1.4, 0.3)));
+  EXPECT_TRUE(clashes(box(1, 0.49, 2, 1)));
+  EXPECT_FALSE(clashes(box(2, 0, 3, 0.5)));
+  EXPECT_FALSE(clashes(box(1, 0.5, 2, 1)));
+  EXPECT_FALSE(clashes(box(1.999995, 0, 3, 0.5)));
+  // In a bay that it fills.
+  lay.cut = {{{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 0.5}, {1, 0.5}, {1, 1}, {0, 1}}, box(1, 0.5, 2, 1)};
+  EXPECT_FALSE(clash(lay));
+}
+
+TEST(LayPlan, APieceMovedOrTurnedByHandLiesWhereItsCutLineLies) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    LayRoom cloth(seed % 3 == 0 ? std::string(kSkirt) : anyPieces(seed));
+    LaySettings settings;
+    settings.width = 2;
+    settings.folded = seed % 2 == 0;
+    settings.allowance = 0;
+    settings.rows = seed % 4 >= 2 ? 0.03 : 0;
+    settings.stripes = seed % 5 >= 3 ? 0.02 : 0;
+    settings.tries = 0;
+    auto plan = cloth.lay(settings);
+    ASSERT_TRUE(plan) << seed << text(plan.error().what);
+    FabricLay& lay = plan->fabrics[0];
+    const FabricLay before = lay;
+    for (std::size_t i = 0; i < lay.pieces.size(); ++i) {
+      const auto phases = [&](const char* doing) {
+        const Flat was = before.pieces[i](before.pieces[i].reference), now = lay.pieces[i](lay.pieces[i].reference);
+        const auto whole = [](double by, double repeat) {
+          return repeat == 0 ? 0 : std::abs(by / repeat - std::round(by / repeat));
+        };
+        EXPECT_NEAR(whole(now.u - was.u, settings.rows), 0, 1e-6) << seed << doing;
+        EXPECT_NEAR(whole(now.v - was.v, settings.stripes), 0, 1e-6) << seed << doing;
+        for (const Edge& edge : plan->document.find(lay.pieces[i].piece)->outline.edges)
+          if (const Flat p = lay.pieces[i](edge.curve.at(0.4)); !lay.pieces[i].half || p.v > 1e-3) {
+            EXPECT_LT(distanceToRing(lay.cut[i], p), 2e-4) << seed << doing;
+          }
+        EXPECT_GT(signedArea(lay.cut[i]), 0);
+      };
+      moveLaid(lay, i, {0.117, 0.043}, settings);
+      EXPECT_EQ(lay.pieces[i].at.v == before.pieces[i].at.v, lay.pieces[i].onFold) << seed;
+      phases("moved");
+      ASSERT_TRUE(turnLaid(lay, i, settings));
+      EXPECT_NE(lay.pieces[i].turned, before.pieces[i].turned);
+      phases("turned");
+      ASSERT_TRUE(turnLaid(lay, i, settings));
+      EXPECT_EQ(lay.pieces[i].over, before.pieces[i].over);
+      phases("turned twice");
+    }
+    settings.nap = true;
+    const Ring kept = lay.cut[0];
+    EXPECT_FALSE(turnLaid(lay, 0, settings));
+    EXPECT_EQ(lay.cut[0], kept);
+  }
+}
+
+TEST(LayPlan, TellsHowFarItIs) {
+  LayRoom cloth(kSkirt);
+  std::vector<double> told;
+  const Token token([&](double share, const Message&) { told.push_back(share); });
+  Context context{cloth.room.workers, token, cloth.room.blobs, cloth.room.bodies, {}, {}};
+  LaySettings settings;
+  settings.tries = 2000;
+  ASSERT_TRUE(layPlan(cloth.file.document(), settings, context));
+  ASSERT_GT(told.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_LT(told.front(), 0.1);
+  EXPECT_GT(told.back(), 0.2);
+  EXPECT_LE(told.back(), 1);
+}
+
 TEST(LayPlan, RefusesWithAReason) {
   LayRoom cloth(kSkirt);
   const auto why = [&](LaySettings settings) {

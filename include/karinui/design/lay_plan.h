@@ -36,6 +36,7 @@ struct LaidPiece {
   int layers = 1;        // of cloth that give a piece each
   Flat grain{0, 1};      // of its paper
   Flat at;               // where the paper's (0, 0) lies
+  Flat reference;        // of its paper: lies on a multiple of the stripes' repeats
 
   Flat operator()(Flat paper) const;
   // The same, of a step instead of a place.
@@ -59,7 +60,8 @@ struct LayPlan {
   std::vector<Message> notes;
 };
 
-// Takes seconds; asks the context's token. Refused: a piece that the cloth is too narrow for, settings out of bounds.
+// Takes seconds; asks the context's token and tells it how far the search is. Refused: a piece that the cloth is too
+// narrow for, settings out of bounds.
 Result<LayPlan> layPlan(const Document& document, const LaySettings& settings, Context& context);
 
 // Two pieces that overlap (by more than a hundredth of a millimetre), or one that leaves the cloth; nothing: none.
@@ -68,6 +70,13 @@ struct LayClash {
   std::optional<std::size_t> second;  // nothing: the first leaves the cloth
 };
 std::optional<LayClash> clash(const FabricLay& lay);
+std::optional<LayClash> clash(const FabricLay& lay, std::size_t nth);  // of this piece, which is `first`
+
+// By hand: the piece is carried, on the fold only along it, and over stripes by whole repeats. It may clash then.
+void moveLaid(FabricLay& lay, std::size_t nth, Flat by, const LaySettings& settings);
+// Half round about its middle; over stripes to the nearest place where they lie as before; on the fold it is turned
+// over too. Refused: cloth with nap.
+Done turnLaid(FabricLay& lay, std::size_t nth, const LaySettings& settings);
 
 // Length, area and use made anew after pieces were moved by hand.
 void measureLay(FabricLay& lay, bool folded);

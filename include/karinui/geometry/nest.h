@@ -30,12 +30,13 @@ struct NestItem {
 
 struct NestSettings {
   double width = 1.5;
-  double gap = 0.005;      // between shapes; none to the strip's edges
-  double across = 0;       // repeat of stripes along the strip, counted across it; 0: none
-  double along = 0;        // repeat of stripes across the strip, counted along it; 0: none
-  int tries = 4000;        // orders that are tried, over all threads
-  std::uint64_t seed = 1;  // another one tries other orders
-  double column = 0.002;   // of the search
+  double gap = 0.005;       // between shapes; none to the strip's edges
+  double across = 0;        // repeat of stripes along the strip, counted across it; 0: none
+  double along = 0;         // repeat of stripes across the strip, counted along it; 0: none
+  int tries = 4000;         // orders that are tried, over all threads
+  std::uint64_t seed = 1;   // another one tries other orders
+  double column = 0.002;    // of the search
+  double from = 0, to = 1;  // what the token is told at the beginning and at the end
 };
 
 struct NestPlace {
