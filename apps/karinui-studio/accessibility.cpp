@@ -3,6 +3,7 @@
 #include <QAccessibleWidget>
 #include <QPointer>
 
+#include "lay_view.h"
 #include "pattern_view.h"
 #include "space_view.h"
 
@@ -85,8 +86,8 @@ class SpeakingView : public QAccessibleWidget {
 };
 
 QAccessibleInterface* speaking(const QString& kind, QObject* object) {
-  const bool view =
-      kind == SpaceView::staticMetaObject.className() || kind == PatternView::staticMetaObject.className();
+  const bool view = kind == SpaceView::staticMetaObject.className() ||
+                    kind == PatternView::staticMetaObject.className() || kind == LayView::staticMetaObject.className();
   return view ? new SpeakingView(static_cast<QWidget*>(object)) : nullptr;
 }
 

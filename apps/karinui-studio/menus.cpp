@@ -8,6 +8,7 @@
 #include "blocks_menu.h"
 #include "force_feedback.h"
 #include "guide.h"
+#include "lay_dialog.h"
 #include "main_window.h"
 #include "notices.h"
 #include "step_dialog.h"
@@ -107,6 +108,7 @@ void MainWindow::makeMenus() {
   add(file, say("Save as…"), "", "Ctrl+Shift+S", [this] { askSaveAs(); });
   add(file, say("Import…"), "", "Ctrl+I", [this] { askImport(); });
   QAction* out = add(file, say("Export…"), "export", "Ctrl+E", [this] { askExport(); });
+  add(file, say("Lay plan…"), "", "Ctrl+L", [this] { (new LayDialog(*session_, this))->open(); });
   add(file, say("Picture of the fitting…"), "", "", [this] { picture(); });
   add(file, say("Print the pattern…"), "print", "Ctrl+P", [this] { print(); });
   file->addSeparator();
