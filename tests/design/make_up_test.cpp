@@ -122,6 +122,7 @@ TEST(MakeUp, ATShirtIsSewnByShapeAlone) {
       EXPECT_EQ(readings.at({1}).role, PieceRole::Front);
       EXPECT_EQ(readings.at({2}).role, PieceRole::Back);
       EXPECT_EQ(readings.at({3}).role, PieceRole::Sleeve);
+      EXPECT_EQ(proposeSeams(document, readings).size(), all.size()) << "hems are not sewn to each other";
     }
 }
 

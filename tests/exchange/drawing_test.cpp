@@ -30,6 +30,16 @@ std::string own(const std::string& name) {
   return test::content(std::filesystem::path(KARINUI_SOURCE_DIR) / "tests/fuzz/corpus/svg" / name);
 }
 
+TEST(Drawing, ATestSquareIsNoPiece) {
+  const std::string box = "<path d='M 0,0 L 100,0 L 100,100 L 0,100 Z'/>";
+  for (const char* name : {"scale-square", "test square", "Calibration box"}) {
+    const CadPattern drawing = read(svg("width='400mm' height='400mm' viewBox='0 0 400 400'",
+                                        "<g id='front'><path d='M 0,200 L 300,200 L 300,400 L 0,400 Z'/></g><g id='" +
+                                            std::string(name) + "'>" + box + "</g>"));
+    EXPECT_EQ(only(drawing).name, "front") << name;
+  }
+}
+
 // The same rectangle of 100 × 60 mm in every unit a drawing may be in.
 TEST(Drawing, UnitsAreTold) {
   const std::string box = "<rect width='100' height='60'/>";

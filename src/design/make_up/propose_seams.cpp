@@ -310,6 +310,14 @@ class Proposing {
     propose("collar", run(collar, sewnEdge(collar, lengthOf(top))), top, 0.3, say("collar and its stand"));
   }
 
+  // Hems, necklines and waists, which are not sewn to each other.
+  bool hangsFree(const Run& edges) const {
+    const PieceId piece = edges.front().piece.id;
+    for (const PiecePart part : {PiecePart::Hem, PiecePart::Neck, PiecePart::Top})
+      for (const EdgeRef& edge : run(piece, part))
+        if (edge.edge == edges.front().edge) return true;
+    return false;
+  }
   // What is left: edges of one length that no third has. Never sure.
   void alike() {
     struct Left {
@@ -333,6 +341,7 @@ class Proposing {
       for (std::size_t j = 0; j < left.size(); ++j)
         if (j != i && std::abs(left[j].length - left[i].length) < 0.004 * left[i].length) like.push_back(j);
       if (like.size() != 1 || like[0] < i || left[like[0]].piece == left[i].piece) continue;
+      if (hangsFree(left[i].run) && hangsFree(left[like[0]].run)) continue;
       propose("seam", left[i].run, left[like[0]].run, 0.06, say("edges of one length that no other has"), 0.5);
     }
   }

@@ -70,6 +70,13 @@ Kind kindNamed(const std::string& text) {
   return Kind::Unknown;
 }
 
+// The square by which a print is checked is no piece.
+bool isTestSquare(const std::string& name) {
+  const auto words = wordsIn(name);
+  const auto has = [&](std::string_view one) { return std::find(words.begin(), words.end(), one) != words.end(); };
+  return (has("scale") || has("test") || has("calibration")) && (has("square") || has("box"));
+}
+
 bool usable(const std::string& name) {  // not made by the program
   const std::string low = lowered(name);
   for (const std::string_view made : {"path", "g", "layer", "svg", "group", "use", "rect", "polygon", "fs"}) {
@@ -208,6 +215,7 @@ class Drawing {
       if (!dashes.empty()) here.dashed = dashes != "none" && dashes != "0";
       const std::string* label = element.find("inkscape:label");
       const std::string *id = element.find("id"), *css = element.find("class");
+      if ((id && isTestSquare(*id)) || (label && isTestSquare(*label))) here.hidden = true;
       const auto learn = [&](const std::string* text) {
         if (!text) return;
         if (const Kind kind = kindNamed(*text); kind != Kind::Unknown) here.kind = kind;
