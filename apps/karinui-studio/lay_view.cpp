@@ -64,6 +64,7 @@ FabricLay* LayView::lay() const {
 void LayView::setLay(LayPlan* plan, std::size_t fabric) {
   plan_ = plan, fabric_ = fabric;
   held_.reset(), clash_.reset(), chosen_.reset();
+  moves_.clear();
   zoom_ = 1, pan_ = {};
   update();
 }
@@ -144,6 +145,7 @@ void LayView::carry() {
 void LayView::letGo() {
   if (!held_) return;
   if (!clash_) {
+    if (lay()->cut != held_->before.cut) moves_.push_back(std::move(held_->before));
     held_.reset();
     emit said(about(*chosen_));
     return update();
@@ -161,6 +163,16 @@ void LayView::putBack() {
   *lay() = held_->before;
   held_.reset(), clash_.reset();
   emit changed();
+  update();
+}
+
+void LayView::undo() {
+  if (held_) return putBack();
+  if (moves_.empty()) return emit said(say("There is no move to take back."));
+  *lay() = std::move(moves_.back());
+  moves_.pop_back();
+  emit changed();
+  emit said(say("The last move is taken back."));
   update();
 }
 
@@ -229,6 +241,7 @@ void LayView::keyPressEvent(QKeyEvent* event) {
     else
       emit said(about(*chosen_));
   };
+  if (event->matches(QKeySequence::Undo)) return undo();
   switch (event->key()) {
     case Qt::Key_Left:
       return go(-1, 0);
@@ -348,30 +361,48 @@ void LayView::paintPiece(QPainter& painter, std::size_t nth) const {
     painter.drawPolygon(line);
   }
   double wide = 0;
-  const Flat room = roomiest(cloth.cut[nth], wide);
-  const QPointF middle = onScreen(room);
+  const Flat place = roomiest(cloth.cut[nth], wide);
+  const QPointF middle = onScreen(place);
   const double pixels = onScreen({wide, 0}).x() - onScreen({0, 0}).x();
   painter.setPen(wrong ? kWrong.darker(150) : colours.ink);
+  QString more;
+  if (laid.onFold)
+    more = inWords(say("on the fold"));
+  else if (laid.layers == 2)
+    more = inWords(laid.under ? say("two layers") : say("two layers: cut 2"));
+  else if (laid.over)
+    more = inWords(say("turned over"));
+  // A strip across the cloth is lettered across it, in one line.
+  constexpr double kNarrow = 70;
+  const double tall = cut.boundingRect().height();
+  const bool strip = pixels < kNarrow && tall > pixels;
+  const QString name = QString::fromStdString(nameOf(laid));
+  const auto line = [&](double down, double room, const QString& words) {
+    const QString shown = painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(room) - 8);
+    painter.drawText(QRectF(-room / 2, down, room, 20), Qt::AlignCenter, shown);
+  };
+  painter.save();
+  painter.translate(middle);
+  if (strip) {
+    painter.rotate(-90);
+    const QString both = name + " · " + more;
+    const bool fits = !more.isEmpty() && painter.fontMetrics().horizontalAdvance(both) <= tall * 0.75 - 8;
+    line(-10, tall * 0.75, fits ? both : name);
+  } else {
+    line(-16, pixels, name);
+    line(16, pixels, more);
+  }
+  painter.restore();
   // The grain, its head where the paper's points.
   const Flat way = laid.step(laid.grain);
   const QPointF along = QPointF(way.u, -way.v) * std::min(pixels * 0.32, 60.0);
-  const QPointF from = middle + QPointF(0, 10) - along, to = middle + QPointF(0, 10) + along;
+  const QPointF centre = middle + QPointF(0, strip ? tall * 0.42 : 10);
+  const QPointF from = centre - along, to = centre + along;
   const QPointF back = along * (6 / std::max(1.0, std::hypot(along.x(), along.y())));
   const QPointF side(-back.y() * 0.6, back.x() * 0.6);
   painter.drawLine(from, to);
   painter.drawLine(to, to - back + side);
   painter.drawLine(to, to - back - side);
-  const auto line = [&](double down, const QString& words) {
-    const QString fits = painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(pixels) - 8);
-    painter.drawText(QRectF(middle.x() - pixels / 2, middle.y() + down, pixels, 20), Qt::AlignCenter, fits);
-  };
-  line(-16, QString::fromStdString(nameOf(laid)));
-  if (laid.onFold)
-    line(16, inWords(say("on the fold")));
-  else if (laid.layers == 2)
-    line(16, inWords(laid.under ? say("two layers") : say("two layers: cut 2")));
-  else if (laid.over)
-    line(16, inWords(say("turned over")));
   painter.restore();
 }
 

@@ -49,6 +49,7 @@ class LayView : public QWidget {
   void carry();  // from where it was by what it is held now
   void letGo();
   void putBack();
+  void undo();
   void turn();
   void frame(double& scale, QPointF& origin) const;
   void zoom(double by, QPointF about);
@@ -62,6 +63,7 @@ class LayView : public QWidget {
   std::optional<std::size_t> chosen_;
   std::optional<Held> held_;
   std::optional<LayClash> clash_;  // of the held piece
+  std::vector<FabricLay> moves_;   // the fabric before each, to be taken back
   double zoom_ = 1;                // 1: all of the cloth is seen
   QPointF pan_;                    // pixels
   std::optional<QPointF> panning_;

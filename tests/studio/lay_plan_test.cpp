@@ -189,6 +189,13 @@ TEST(StudioLayPlan, TheKeysDoWhatTheMouseDoes) {
   EXPECT_GT(bench.lay().length, before.length + 0.1);
   EXPECT_NE(bench.lay().pieces[pocket].turned, before.pieces[pocket].turned);
   EXPECT_FALSE(clash(bench.lay()));
+  // A move that is taken back, to the bit.
+  bench.w.type(*bench.view, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(bench.lay().cut, before.cut);
+  EXPECT_EQ(bench.lay().length, before.length);
+  EXPECT_EQ(bench.lay().pieces[pocket].turned, before.pieces[pocket].turned);
+  bench.w.type(*bench.view, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_THAT(bench.said(), HasSubstr("no move"));
   // Every control is reached and has a name.
   for (QWidget* one : bench.dialog->findChildren<QWidget*>()) {
     if (!(one->focusPolicy() & Qt::TabFocus) || !one->isVisible() || one->focusProxy()) continue;
