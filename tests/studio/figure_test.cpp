@@ -89,7 +89,6 @@ TEST(StudioFigure, TheGarmentIsInSightWhileItIsMadeAgain) {
   const double before = grey();
   const auto look = [&] {
     (w.session().busy().past ? dimmed : bright) += 1;
-    if (w.session().busy().past) doing += w.main().findChild<QLabel*>("hint")->text() + "\n";
     const GarmentSnapshot& shown = w.session().shown();
     std::size_t points = 0;
     for (const SceneCloth& cloth : shown.frame.cloths) points += cloth.mesh.points.size();
@@ -99,6 +98,10 @@ TEST(StudioFigure, TheGarmentIsInSightWhileItIsMadeAgain) {
     looks.insert({shown.body->hash(), drapeHash(shown.document)});
   };
   const auto a = QObject::connect(&w.space(), &SpaceView::painted, look);
+  // The line at the foot is written where the window takes in what has changed, not with the picture.
+  const auto told = QObject::connect(&w.main(), &MainWindow::refreshed, [&] {
+    if (w.session().busy().past) doing += w.main().findChild<QLabel*>("hint")->text() + "\n";
+  });
   w.type(w.box("Bust girth"), "92");
   EXPECT_TRUE(w.session().busy().any);
   ASSERT_TRUE(w.session().busy().past);
@@ -112,6 +115,7 @@ TEST(StudioFigure, TheGarmentIsInSightWhileItIsMadeAgain) {
   EXPECT_THAT(doing.toStdString(), testing::HasSubstr("The garment as it was; the new one is on its way"));
   EXPECT_NE(drapeHash(w.session().snapshot().document), stood);
   EXPECT_GE(looks.size(), 3u) << "before, on its way and after";
+  QObject::disconnect(told);
 
   looks.clear();
   const std::uint64_t predicted = w.session().changes().predicted;
