@@ -45,6 +45,8 @@ Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFil
     for (const auto& [key, value] : measures->value) chosen.set.push_back({key, {value}});
     return chosen;
   }
+  if (contentOf(sizeOrFile) != FileContent::Body)
+    return unreadable(sizeOrFile, {FileContent::Measures, FileContent::Body});
   Result<Body::Parts> parts = readFigure(opened.program(), opened.context().workers, sizeOrFile, false);
   if (!parts) return parts.error();
   Result<std::string> blob = opened.file().blobs().put(packBody(*parts));

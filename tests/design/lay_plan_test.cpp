@@ -7,6 +7,7 @@
 #include <random>
 
 #include "design/workroom.h"
+#include "geometry/ring_distance.h"
 #include "karinui/base/number.h"
 
 namespace karinui {
@@ -58,21 +59,6 @@ std::string anyPieces(unsigned seed) {
               (pairs ? " pairs=yes" : "") + "\n";
   }
   return script;
-}
-
-double sideGap(Flat a, Flat b, Flat c, Flat d) {
-  const double ab = cross(b - a, c - a), ad = cross(b - a, d - a), cd = cross(d - c, a - c), cb = cross(d - c, b - c);
-  if ((ab > 0) != (ad > 0) && (cd > 0) != (cb > 0)) return 0;
-  return std::min(
-      {distanceToSegment(a, b, c), distanceToSegment(a, b, d), distanceToSegment(c, d, a), distanceToSegment(c, d, b)});
-}
-double apart(const Ring& a, const Ring& b) {
-  if (contains(a, b[0]) || contains(b, a[0])) return 0;
-  double least = 1e9;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j)
-      least = std::min(least, sideGap(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()]));
-  return least;
 }
 
 // How many of each piece are cut, and how many of them turned over.
