@@ -328,7 +328,7 @@ std::vector<LineCrossing> lineCrossings(const Body& body) {
       std::vector<LineCrossing> own;
       for (const auto& [away, one] : met)
         if (std::none_of(own.begin(), own.end(),
-                         [&](const LineCrossing& o) { return distance(o.place, one.place) < kApart; }))
+                         [&, place = one.place](const LineCrossing& o) { return distance(o.place, place) < kApart; }))
           own.push_back(one);
       found.insert(found.end(), own.begin(), own.end());
     }

@@ -109,6 +109,33 @@ TEST_F(Placed, AHalfCircleStandsClearOfTheArms) {
     ASSERT_GT((*body)->bvh().signedDistance(p), 0.002);
 }
 
+// A long sleeve that narrows goes round the arm with its two sides beside each other under it, all the way to the
+// wrist and its length kept; wrapped as a
+// cylinder, its sides are further apart there.
+TEST_F(Placed, ATaperedSleeveClosesUnderTheArm) {
+  const auto placed = [&](const std::string& taper) {
+    auto file = DocumentFile::inMemory();
+    const Done done =
+        room().play(file,
+                    "body size=jis9ar\npiece name=sleeve outline=\"M 60 0; hem L 370 0; front L 430 420; top "
+                    "L 0 420; back L 60 0\"\nplace piece=sleeve at=\"left_arm:armpit+0.2@0.25\" "
+                    "point=21cm,41cm ease=1cm taper=" +
+                        taper + "\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    return *file.document().pieceNamed("sleeve");
+  };
+  const auto apart = [](const Piece& piece, double share) {
+    const Stand stand(piece);
+    const auto at = [&](const char* edge, double t) { return stand(findEdge(piece, edge)->curve.atFraction(t)); };
+    return distance(at("front", share), at("back", 1 - share));
+  };
+  const Piece piece = placed("yes");
+  EXPECT_GT(apart(placed("no"), 0), 0.06);
+  for (const double share : {0.0, 0.3, 0.6, 1.0}) EXPECT_LT(apart(piece, share), 0.035) << share;
+  const Flat low{0.21, 0.01}, high{0.21, 0.41};
+  EXPECT_NEAR(distance(Stand(piece)(low), Stand(piece)(high)), 0.4, 0.03);
+}
+
 // A second skirt placed over a first is wider than it.
 TEST_F(Placed, OverTheClothThatIsThere) {
   const auto furthest = [](const char* over) {

@@ -113,6 +113,7 @@ TermTable fieldTerms() {
       {"of", say("As long as these edges")},
       {"outline", say("Outline")},
       {"over", say("Over the cloth that is there")},
+      {"taper", say("As narrow as the piece at every height")},
       {"pairs", say("In pairs, left and right")},
       {"part", say("Place in the part")},
       {"partners", say("What they are sewn to")},

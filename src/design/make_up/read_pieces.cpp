@@ -294,7 +294,9 @@ PieceReadings readPieces(const Pattern& pattern) {
   });
   partInTwo(PieceRole::SkirtFront, PieceRole::SkirtBack, [&](PieceId id) { return lengthOf(out[id], PiecePart::Hem); });
 
-  for (auto& [id, reading] : out) {
+  for (auto& entry : out) {
+    const PieceId id = entry.first;
+    PieceReading& reading = entry.second;
     const auto found = chosen.find(id);
     if (found == chosen.end()) continue;
     const ShapeFit& fit = found->second.fit;
@@ -387,7 +389,9 @@ PieceReadings readPieces(const Pattern& pattern) {
 
 std::vector<Operation> copiesFor(const Document& document, const PieceReadings& readings) {
   std::vector<Operation> out;
-  for (const auto& [id, reading] : readings) {
+  for (const auto& entry : readings) {
+    const PieceId id = entry.first;
+    const PieceReading& reading = entry.second;
     const Piece* piece = document.find(id);
     if (!piece || !reading.paired) continue;
     const bool there = std::any_of(readings.begin(), readings.end(), [&](const auto& other) {

@@ -116,7 +116,7 @@ class Standing {
     BodyPoint at;
     Flat upright;
     double ease = 0, turn = 0;
-    double tilt = 0;  // then turned about the body's forward axis at its cap
+    bool taper = false;
   };
   PlacePiece wrapped(PieceId id, const Try& one) const {
     PlacePiece place;
@@ -126,22 +126,11 @@ class Standing {
     place.ease = Length{one.ease};
     place.turn = Angle{reading(id).turn + one.turn};
     place.cone = Choice::No;
+    place.taper = one.taper;
     return place;
   }
   void wrap(PieceId id, BodyPoint at, Flat upright, double ease, double turn = 0) {
     perform(wrapped(id, {std::move(at), upright, ease, turn}), id);
-  }
-  // What stands a piece there.
-  std::vector<Operation> steps(PieceId id, const Try& one) const {
-    std::vector<Operation> all{wrapped(id, one)};
-    if (one.tilt == 0) return all;
-    const Box box = boxOf(id);
-    MovePiece move;
-    move.pieces = {PieceRef(id)};
-    move.turn = Turn{{0, 0, 1}, Angle{one.tilt}};
-    move.about = onPaper(id, {0.5 * (box.low.u + box.high.u), box.high.v});
-    all.push_back(std::move(move));
-    return all;
   }
   // The first of several places where the piece stands clear of the body and of what stands already; else the one where
   // it meets least. Gives how much it meets there.
@@ -149,20 +138,13 @@ class Standing {
     const Try* best = nullptr;
     std::size_t least = 0;
     for (const Try& one : tries) {
-      Document tried = document_;
-      bool done = true;
-      for (const Operation& step : steps(id, one)) {
-        auto next = apply(tried, step, context_);
-        if ((done = bool(next))) tried = *std::move(next);
-        if (!done) break;
-      }
-      if (!done) continue;
-      const std::size_t met = meetings(tried, id);
+      const auto tried = apply(document_, wrapped(id, one), context_);
+      if (!tried) continue;
+      const std::size_t met = meetings(*tried, id);
       if (!best || met < least) best = &one, least = met;
       if (least == 0) break;
     }
-    if (best)
-      for (Operation& step : steps(id, *best)) perform(std::move(step), id);
+    if (best) perform(wrapped(id, *best), id);
     return least;
   }
   // Places of a piece within the body, and crossings of its cloth with what stands.
@@ -317,20 +299,17 @@ class Standing {
     }
   }
 
-  // Wrapped round an arm at its widest, a sleeve stands off from the narrower forearm, where its two sides might as
-  // well meet above the arm as below; so it is tilted until the arm lies on its outer side.
+  // Round an arm, at every height as narrow as the sleeve is there, so that its two sides meet under the arm all along.
   std::vector<Try> roundArm(PieceId id, double v, double from, double to) const {
-    constexpr double kDegree = std::numbers::pi / 180;
     const Box box = boxOf(id);
     const bool left = reading(id).side == Side::Left;
     std::vector<Try> tries;
-    for (const double tilt : {5.0, 3.0, 2.0, 1.0, 0.0})
-      for (double along = from; along <= to + 1e-9; along += 0.1) {
-        BodyPoint at;
-        at.part = left ? BodyPoint::Part::LeftArm : BodyPoint::Part::RightArm;
-        at.along = along, at.around = left ? 0.25 : 0.75;
-        tries.push_back({at, {0.5 * (box.low.u + box.high.u), v}, 0.012, 0, (left ? -tilt : tilt) * kDegree});
-      }
+    for (double along = from; along <= to + 1e-9; along += 0.1) {
+      BodyPoint at;
+      at.part = left ? BodyPoint::Part::LeftArm : BodyPoint::Part::RightArm;
+      at.along = along, at.around = left ? 0.25 : 0.75;
+      tries.push_back({at, {0.5 * (box.low.u + box.high.u), v}, 0.012, 0, true});
+    }
     return tries;
   }
 

@@ -1,14 +1,15 @@
 // Wraps a piece round the torso or a limb: a general cylinder whose section is the hull of the limb's own sections over
 // the length the piece covers, grown by the ease. Along the section lengths are kept, along the axis too: no
-// distortion. A sector of a ring stands as a cone (place_cone.cpp).
+// distortion. A sector of a ring stands as a cone (place_cone.cpp), a long sleeve as a tube that narrows with the arm
+// (tapered_tube.cpp).
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "design/operations/limb.h"
 #include "design/operations/new_piece.h"
 #include "design/operations/place_cone.h"
+#include "design/operations/tapered_tube.h"
 
 namespace karinui {
 
@@ -68,43 +69,6 @@ double furthest(const Body& body, const LimbFrame& limb, const PaperBox& box) {
   return most;
 }
 
-// A closed line by arc length.
-class Girth {
- public:
-  explicit Girth(Ring ring) : ring_(std::move(ring)) {
-    double done = 0;
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      start_.push_back(done);
-      done += distance(ring_[i], ring_[(i + 1) % ring_.size()]);
-    }
-    length_ = done;
-  }
-  double length() const { return length_; }
-  Flat at(double s) const {
-    s -= std::floor(s / length_) * length_;
-    const auto next = std::upper_bound(start_.begin(), start_.end(), s);
-    const auto i = static_cast<std::size_t>(next - start_.begin()) - 1;
-    const Flat a = ring_[i], b = ring_[(i + 1) % ring_.size()];
-    const double part = distance(a, b);
-    return part > 0 ? lerp(a, b, std::fmin(1, (s - start_[i]) / part)) : a;
-  }
-  double nearest(Flat place) const {
-    double best = 0, least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      const Flat a = ring_[i], way = ring_[(i + 1) % ring_.size()] - a;
-      const double whole = dot(way, way);
-      const double t = whole > 0 ? std::clamp(dot(place - a, way) / whole, 0.0, 1.0) : 0;
-      if (const double d = distance(place, a + way * t); d < least) least = d, best = start_[i] + t * std::sqrt(whole);
-    }
-    return best;
-  }
-
- private:
-  Ring ring_;
-  std::vector<double> start_;
-  double length_ = 0;
-};
-
 }  // namespace
 
 Result<std::shared_ptr<const Lattice>> layAlone(const Piece& piece, double spacing) {
@@ -134,7 +98,9 @@ Done resolve(const Document& before, PlacePiece& op, Context&) {
   const bool ring = sectorOf(piece).has_value();
   if (op.cone == Choice::Yes && !ring)
     return refused(say("“{0}” is no sector of a ring; only such a piece stands as a cone.", piece.name));
-  if (op.cone == Choice::Auto) op.cone = ring ? Choice::Yes : Choice::No;
+  if (op.cone == Choice::Auto) op.cone = ring && !op.taper ? Choice::Yes : Choice::No;
+  if (op.cone == Choice::Yes && op.taper)
+    return refused(say("A piece stands as a cone or as a tube that narrows with the limb; say only one of them."));
   return {};
 }
 
@@ -205,6 +171,12 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
     return piece;
   }
 
+  if (op.taper) {
+    const TaperedTube tube(paper, skin, *op.ease);
+    for (const Flat p : form->flat) form->space.push_back(tube.place(turned(p), limb));
+    piece.form = std::move(form);
+    return piece;
+  }
   std::vector<Flat> all;
   for (const SkinPlace& p : skin) all.push_back(p.place);
   const Ring tape = hull(std::move(all));

@@ -41,6 +41,7 @@ struct PlacePiece {
   Angle turn;
   Choice cone = Choice::Auto;
   bool over = false;
+  bool taper = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to place", kNeeded);
@@ -53,6 +54,8 @@ struct PlacePiece {
           "have it)",
           kOptional);
     visit("over", self.over, "yes: round the cloth that is there too, not only round the body", kOptional);
+    visit("taper", self.taper, "yes: at every height as narrow as the piece is there, as a sleeve narrows with the arm",
+          kOptional);
   }
   bool operator==(const PlacePiece&) const = default;
 };
