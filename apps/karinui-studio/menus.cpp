@@ -9,6 +9,7 @@
 #include "force_feedback.h"
 #include "guide.h"
 #include "lay_dialog.h"
+#include "make_up_dialog.h"
 #include "main_window.h"
 #include "notices.h"
 #include "step_dialog.h"
@@ -147,6 +148,7 @@ void MainWindow::makeMenus() {
   QMenu* blocks = work->addMenu(QString());
   Theme::here().keep(blocks, [blocks] { blocks->setTitle(inWords(say("Ready blocks"))); });
   fillBlocks(*blocks, *session_, [this] { askNumbers(DraftBlock{}); });
+  add(work, say("Make up the pattern…"), "", "", [this] { (new MakeUpDialog(*session_, this))->open(); });
   work->addSeparator();
   work->addAction(actions_[Command::Settle]);
   work->addAction(actions_[Command::Confirm]);

@@ -67,9 +67,10 @@ struct PieceReading {
   double low = 0, high = 0;  // upright: v of its lowest and highest place, about the paper's origin
   Flat upright(Flat paper) const;
 };
-// What is known of a piece beside its paper: how often it is cut, by its id.
 using PieceReadings = std::map<PieceId, PieceReading>;
-PieceReadings readPieces(const Pattern& pattern);
+// `told`: what the person says of pieces, in place of their names; Unknown: left alone.
+using ToldRoles = std::map<PieceId, PieceRole>;
+PieceReadings readPieces(const Pattern& pattern, const ToldRoles& told = {});
 // What a piece's name says it is, in the languages of the trade; Unknown: nothing.
 PieceRole roleNamed(std::string_view name);
 
@@ -91,14 +92,24 @@ std::vector<SeamProposal> proposeSeams(const Document& document, const PieceRead
 // to. Pieces that nothing holds stand beside the body, frozen. The document has its seams; without a body: none.
 Result<std::vector<Operation>> standPieces(const Document& document, const PieceReadings& readings, Context& context);
 
+// What a person who looked at the proposals wants otherwise.
+struct MakeUpChoices {
+  ToldRoles roles;
+  std::map<std::string, bool> sewn;  // by seamKey(): whether it is sewn; others are where they are sure
+};
+std::string seamKey(const SeamProposal& seam, const Document& document);  // the same when all is proposed anew
+
 // All of it: the steps that make up a document's pattern, in the order in which they are to be performed on that very
 // document, and what they leave to the person.
 struct MakingUp {
-  std::vector<Operation> steps;      // copies, where pieces stand, seams that are sure
-  std::vector<SeamProposal> unsure;  // ids as they are after the steps
+  std::vector<Operation> steps;      // copies, where pieces stand, seams that are sewn
+  std::vector<SeamProposal> sewn;    // ids as they are after the steps
+  std::vector<SeamProposal> unsure;  // so are these
   std::vector<PieceId> unknown;      // pieces that were not recognised
   std::vector<Message> notes;        // what could not be done
+  PieceReadings readings;
+  Document document;  // after the steps
 };
-Result<MakingUp> makeUp(const Document& document, Context& context);
+Result<MakingUp> makeUp(const Document& document, Context& context, const MakeUpChoices& choices = {});
 
 }  // namespace karinui

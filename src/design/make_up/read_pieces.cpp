@@ -253,15 +253,16 @@ Message roleSaid(PieceRole role) {
   return say("not recognised");
 }
 
-PieceReadings readPieces(const Pattern& pattern) {
+PieceReadings readPieces(const Pattern& pattern, const ToldRoles& told) {
   PieceReadings out;
   std::map<PieceId, Candidate> chosen;
   const std::map<PieceId, std::string> names = ownNames(pattern);
   for (const auto& [id, piece] : pattern.pieces) {
-    const PieceRole named = roleNamed(names.at(id));
+    const auto said = told.find(id);
+    const PieceRole named = said != told.end() ? said->second : roleNamed(names.at(id));
     PieceReading& reading = out[id];
     reading.role = named == PieceRole::Aside ? named : PieceRole::Unknown;
-    if (named == PieceRole::Aside) continue;
+    if (named == PieceRole::Aside || (said != told.end() && named == PieceRole::Unknown)) continue;
     const auto all = candidatesOf(*piece, named);
     if (all.empty() || all.front().score < (named == PieceRole::Unknown ? kPlain : kLikely)) continue;
     reading = readingOf(*piece, all.front(), named);
@@ -276,8 +277,8 @@ PieceReadings readPieces(const Pattern& pattern) {
   };
   const auto partInTwo = [&](PieceRole front, PieceRole back, const auto& depth) {
     const auto ids = of(front, back);
-    const bool told = std::any_of(ids.begin(), ids.end(), [&](PieceId id) { return out[id].byName; });
-    if (told || ids.size() < 2) return;
+    const bool known = std::any_of(ids.begin(), ids.end(), [&](PieceId id) { return out[id].byName; });
+    if (known || ids.size() < 2) return;
     std::vector<std::pair<double, PieceId>> order;
     for (const PieceId id : ids) order.push_back({depth(id), id});
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
