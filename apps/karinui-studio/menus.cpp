@@ -150,6 +150,20 @@ void MainWindow::makeMenus() {
   fillBlocks(*blocks, *session_, [this] { askNumbers(DraftBlock{}); });
   add(work, say("Make up the pattern…"), "", "", [this] { (new MakeUpDialog(*session_, this))->open(); });
   work->addSeparator();
+  QMenu* sizes = work->addMenu(QString());
+  sizes->setObjectName("sizes");
+  Theme::here().keep(sizes, [sizes] { sizes->setTitle(inWords(say("Size that stands"))); });
+  connect(sizes, &QMenu::aboutToShow, this, [this, sizes] {
+    sizes->clear();
+    const Grading grading = session_->snapshot().document.grading;
+    for (std::size_t i = 0; i < grading.sizes.size(); ++i) {
+      QAction* one = sizes->addAction(QString::fromStdString(grading.sizes[i]));
+      one->setCheckable(true);
+      one->setChecked(i == grading.standing);
+      connect(one, &QAction::triggered, this, [this, name = grading.sizes[i]] { session_->perform(ChooseSize{name}); });
+    }
+    if (grading.empty()) sizes->addAction(inWords(say("The garment is made in one size")))->setEnabled(false);
+  });
   work->addAction(actions_[Command::Settle]);
   work->addAction(actions_[Command::Confirm]);
   work->addAction(actions_[Command::Cancel]);
@@ -166,6 +180,10 @@ void MainWindow::makeMenus() {
                           Command::ViewOblique, Command::ViewAll})
     viewMenu_->addAction(actions_[c]);
   viewMenu_->addSeparator();
+  QAction* nest = add(viewMenu_, say("All sizes over one another"), "", "", [] {});
+  nest->setObjectName("nest");
+  nest->setCheckable(true);
+  connect(nest, &QAction::toggled, this, [this](bool on) { table_->setNest(on); });
   actions_[Command::BodyLines]->setCheckable(true);
   viewMenu_->addAction(actions_[Command::BodyLines]);
   for (const Command c : {Command::HideArms, Command::HideHands, Command::HideHead, Command::Section})

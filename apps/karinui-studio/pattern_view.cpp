@@ -85,7 +85,7 @@ void PatternView::paintEvent(QPaintEvent*) {
   const Preview preview = session_.preview();
   const TableFrame frame =
       tableFrameOf(session_.snapshot(), session_.table(), session_.selection(),
-                   {Theme::here().language(), session_.tool() == Command::Points, preview.outlines}, &rooms_);
+                   {Theme::here().language(), session_.tool() == Command::Points, nest_, preview.outlines}, &rooms_);
   paintTable(painter, frame, screen());
   for (const TableLine& line : preview.table.lines) {
     QPolygonF points;

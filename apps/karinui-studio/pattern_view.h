@@ -16,6 +16,7 @@ class PatternView : public QWidget {
   PatternView(Session& session, LatencyLog& latencyLog, QWidget* parent = nullptr);
   void showAll();
   void refresh();
+  void setNest(bool on) { nest_ = on, update(); }  // graded pieces in all their sizes
   QPointF onScreen(Flat table) const;
   Flat onTable(const QPointF& screen) const;
 
@@ -49,6 +50,7 @@ class PatternView : public QWidget {
   Flat middle_{0.4, -0.3};
   std::size_t piecesShown_ = 0;
   Held held_ = Held::Nothing;
+  bool nest_ = false;
   bool mine_ = false;
   QPointF last_;
   std::optional<QPointF> clicked_;  // where the right button went down; none once the mouse was dragged

@@ -189,6 +189,10 @@ void paintPiece(QPainter& painter, const TablePiece& piece, const TableOnScreen&
     painter.setPen(QPen(p.faint, 1, Qt::DashLine));
     painter.drawPath(closedPath(*piece.before, screen));
   }
+  for (const TableSize& size : piece.nest) {
+    painter.setPen(QPen(shown(size.colour), 1.2));
+    painter.drawPath(closedPath(size.outline, screen));
+  }
   painter.setPen(
       QPen(piece.chosen ? p.accent : p.ink, piece.chosen ? 2.2 : 1.4, piece.frozen ? Qt::DotLine : Qt::SolidLine));
   painter.drawPath(shape);

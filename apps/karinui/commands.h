@@ -40,6 +40,7 @@ void addAnswerVerbs(Program& program);    // settle, check, info
 void addOutputVerbs(Program& program);    // export, picture
 void addLayoutVerb(Program& program);     // layout
 void addRefitVerb(Program& program);      // refit
+void addSizesVerb(Program& program);      // sizes
 void addReportVerb(Program& program);     // report
 void addBenchVerb(Program& program);      // bench
 void addTouchVerbs(Program& program);     // touch check, touch replay

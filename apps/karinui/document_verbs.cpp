@@ -40,8 +40,8 @@ struct RescueOptions {
   std::string path, out;
 };
 struct ImportOptions {
-  std::string file, body, size, out, sew = "none";
-  bool overwrite = false, list = false;
+  std::string file, body, size, rules, out, sew = "none";
+  bool overwrite = false, list = false, ruleSteps = false;
 };
 
 Json stepJson(const Step& step, const Document& document) {
@@ -187,9 +187,9 @@ Done madeUp(OpenDocument& opened) {
 }
 
 // What the pattern would become, in memory.
-Result<Document> drawnUp(const Pattern& pattern, Context& context) {
+Result<Document> drawnUp(const Pattern& pattern, const Grading& grading, Context& context) {
   Document document;
-  for (const Operation& operation : stepsOf(pattern, document)) {
+  for (const Operation& operation : stepsOf(pattern, document, grading)) {
     auto next = apply(document, operation, context);
     if (!next) return next.error();
     document = *std::move(next);
@@ -199,13 +199,13 @@ Result<Document> drawnUp(const Pattern& pattern, Context& context) {
 
 // The pieces of a pattern file, its sizes, what was guessed, and (`sewing`) the seams that would be proposed.
 int runList(Program& program, const ImportOptions& options, bool sewing) {
-  auto read = readPatternSize(options.file, options.size);
+  auto read = readPatternSize(options.file, options.size, fileFormats(), {options.rules, options.ruleSteps});
   if (!read) return program.console.refuse(read.error());
   Workers workers(program.threads);
   MemoryBlobs blobs;
   Bodies bodies;
   Context context{workers, program.console.token(), blobs, bodies, {}, {}};
-  auto made = drawnUp(read->pattern, context);
+  auto made = drawnUp(read->pattern, read->grading, context);
   if (!made) return program.console.refuse(made.error());
   Document document = *std::move(made);
   Json notes = Json::array(), pieces = Json::array(), seams = Json::array();
@@ -278,11 +278,13 @@ int runImport(Program& program, const ImportOptions& options) {
     return program.console.refuse(unreadable(options.file, kImported));
   return makeDocument(program, options.out, options.overwrite, [&](OpenDocument& opened) -> Result<void> {
     std::optional<Pattern> pattern;
+    Grading grading;
     if (content == FileContent::Pattern) {
-      Result<CadPattern> read = readPatternSize(options.file, options.size);
+      Result<CadPattern> read =
+          readPatternSize(options.file, options.size, fileFormats(), {options.rules, options.ruleSteps});
       if (!read) return read.error();
       for (const Message& note : read->notes) program.console.note(note);
-      pattern = std::move(read->pattern);
+      pattern = std::move(read->pattern), grading = std::move(read->grading);
     }
     const std::string body = pattern ? options.body : options.file;
     if (!body.empty()) {
@@ -291,7 +293,7 @@ int runImport(Program& program, const ImportOptions& options) {
       if (const auto step = opened.perform(std::move(*chosen)); !step) return step.error();
     }
     if (!pattern) return {};
-    for (Operation& operation : stepsOf(*pattern, opened.document()))
+    for (Operation& operation : stepsOf(*pattern, opened.document(), grading))
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
     return options.sew == "auto" && pattern->seams.empty() ? madeUp(opened) : Done{};
   });
@@ -412,7 +414,12 @@ void addDocumentVerbs(Program& program) {
   verb->add_option("--sew", import->sew,
                    help("Of a pattern without seams: auto sews those that are sure and stands the pieces on the body; "
                         "list only shows what would be sewn"));
-  verb->add_option("--size", import->size, help("Of a style in several sizes the one to take; else its sample size"));
+  verb->add_option("--size", import->size,
+                   help("Of a style in several sizes the one that stands; else its sample size"));
+  verb->add_option("--rules", import->rules,
+                   help("Grade rules (RUL) for the numbered points of a DXF; else those beside it"));
+  verb->add_flag("--rule-steps", import->ruleSteps,
+                 help("The rules say how far a point goes from each size to the next, not from the sample size"));
   verb->add_option("--body", import->body, help("A body file or built-in size to put the pattern on"));
   verb->add_flag("--overwrite", import->overwrite, help("Replace a document that is there already"));
 }

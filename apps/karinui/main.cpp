@@ -35,6 +35,7 @@ int main(int count, char** words) {
   addOutputVerbs(program);
   addLayoutVerb(program);
   addRefitVerb(program);
+  addSizesVerb(program);
   addReportVerb(program);
   addBenchVerb(program);
   addTouchVerbs(program);

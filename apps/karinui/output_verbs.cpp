@@ -21,11 +21,12 @@ struct ExportOptions {
   std::optional<double> allowanceMm;
   double overlapMm = 10;
   std::string date;
+  bool nest = false;
 };
 
 struct PictureWish {
   std::string path, out, view = "front", map = "none", eyes = "mono", size = "1200x1600", hide, section;
-  bool table = false;  // the flat pattern instead
+  bool table = false, nest = false;  // the flat pattern instead; in all its sizes
 };
 
 Result<SpatialGarment> spatialOf(OpenDocument& opened) {
@@ -50,6 +51,7 @@ Result<std::string> bytesFor(OpenDocument& opened, const ExportOptions& options)
   tellGarment(opened.document(), sheet);
   sheet.overlap = options.overlapMm / 1000;
   sheet.date = options.date;
+  sheet.nest = options.nest;
   if (options.allowanceMm) sheet.allowance = *options.allowanceMm / 1000;
   sheet.title = std::filesystem::path(options.path).stem().string();
   sheet.language = spokenHere();
@@ -123,12 +125,13 @@ Result<Image> fittingPicture(Program& program, OpenDocument& opened, const Pictu
   return image;
 }
 
-Result<Image> tablePicture(Program& program, OpenDocument& opened, const PictureOptions& options) {
+Result<Image> tablePicture(Program& program, OpenDocument& opened, const PictureOptions& options, bool nest) {
   const SnapshotPtr garment = snapshotOf(opened.document(), nullptr);
   TableLayout layout;
   layout.arrange(*garment);
   TableFrameOptions shown;
   shown.language = options.language;
+  shown.nest = nest;
   std::vector<Message> notes;
   Result<Image> image =
       drawTable(tableFrameOf(*garment, layout, {}, shown), {options.width, options.height, options.language}, &notes);
@@ -144,8 +147,8 @@ int runPicture(Program& program, const PictureWish& wish) {
     return kWrongCall;
   }
   return withDocument(program, wish.path, true, [&](OpenDocument& opened) -> int {
-    const Result<Image> image =
-        wish.table ? tablePicture(program, opened, *options) : fittingPicture(program, opened, *options, *cut);
+    const Result<Image> image = wish.table ? tablePicture(program, opened, *options, wish.nest)
+                                           : fittingPicture(program, opened, *options, *cut);
     if (!image) return program.console.refuse(image.error());
     if (const Done done = writePng(wish.out, *image); !done) return program.console.refuse(done.error());
     program.console.answer({{"file", wish.out}, {"width", image->width}, {"height", image->height}}, wish.out);
@@ -169,6 +172,7 @@ void addOutputVerbs(Program& program) {
   verb->add_option("--overlap", out->overlapMm, help("paper: how far glued pages overlap in mm, 5 to 30"))
       ->check(CLI::Range(5.0, 30.0));
   verb->add_option("--date", out->date, help("paper: a date to be printed on each piece, as it is to be read"));
+  verb->add_flag("--nest", out->nest, help("paper: graded pieces in all their sizes, over one another"));
   verb->add_option("--allowance", out->allowanceMm,
                    help("paper: seam allowance in mm in place of the document's own, up to 100, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));
@@ -192,6 +196,7 @@ void addOutputVerbs(Program& program) {
       ->excludes(section)
       ->excludes(map)
       ->excludes(eyes);
+  verb->add_flag("--nest", wish->nest, help("with --table: graded pieces in all their sizes, over one another"));
   verb->add_option("--size", wish->size, help("WIDTHxHEIGHT in pixels"));
 }
 

@@ -85,6 +85,7 @@ Result<Document> apply(const Document& before, const Operation& operation, Conte
   // What was said of a seam or a piece goes with it.
   std::erase_if(after->eases, [&](const auto& own) { return !after->find(own.first); });
   std::erase_if(after->cutting, [&](const auto& own) { return !after->find(own.first); });
+  std::erase_if(after->grading.pieces, [&](const auto& own) { return !after->find(own.first); });
   after->operations = before.operations + 1;
   return after;
 }

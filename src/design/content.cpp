@@ -69,6 +69,20 @@ bool edgesThere(const Document& document, const std::map<Allowances::At, Value>&
   });
 }
 
+bool sound(const Document& document, const Grading& grading) {
+  const auto point = [&](const Piece& piece, const GradePoint& p) {
+    return piece.outline.find(p.edge) && p.at >= 0 && p.at < 1 && p.by.size() == grading.sizes.size() &&
+           length(p.by[grading.base]) == 0 && std::all_of(p.by.begin(), p.by.end(), [](Flat by) { return near(by); });
+  };
+  return grading.empty() || (grading.sizes.size() <= kMostSizes && grading.base < grading.sizes.size() &&
+                             grading.standing < grading.sizes.size() &&
+                             std::all_of(grading.pieces.begin(), grading.pieces.end(), [&](const auto& own) {
+                               const Piece* piece = document.find(own.first);
+                               return piece && std::all_of(own.second.begin(), own.second.end(),
+                                                           [&](const GradePoint& p) { return point(*piece, p); });
+                             }));
+}
+
 }  // namespace
 
 bool soundContent(const Document& document) {
@@ -86,8 +100,8 @@ bool soundContent(const Document& document) {
                      [&](const auto& own) { return document.find(own.first); }) &&
          std::all_of(document.eases.begin(), document.eases.end(),
                      [&](const auto& own) { return document.find(own.first); }) &&
-         document.settings.spacing >= 0.002 && document.settings.spacing <= 0.05 && document.settings.ease >= 0 &&
-         document.settings.ease <= 0.5;
+         sound(document, document.grading) && document.settings.spacing >= 0.002 && document.settings.spacing <= 0.05 &&
+         document.settings.ease >= 0 && document.settings.ease <= 0.5;
 }
 
 }  // namespace karinui

@@ -116,6 +116,16 @@ std::string hash(const Document& document) {
     truth.add(id.value), truth.add(static_cast<std::uint64_t>(cutting.count)), truth.add(std::uint64_t{cutting.pairs});
   if (!document.eases.empty()) truth.add(std::string_view("eases"));
   for (const auto& [id, ease] : document.eases) truth.add(id.value), truth.add(ease);
+  if (const Grading& own = document.grading; !own.empty()) {
+    truth.add(std::string_view("sizes"));
+    truth.each(own.sizes);
+    truth.add(std::uint64_t{own.base}), truth.add(std::uint64_t{own.standing});
+    truth.add(std::uint64_t{own.pieces.size()});
+    for (const auto& [id, points] : own.pieces) {
+      truth.add(id.value), truth.add(std::uint64_t{points.size()});
+      for (const GradePoint& point : points) truth.add(point.edge), truth.add(point.at), truth.each(point.by);
+    }
+  }
   return truth.hasher.hex();
 }
 

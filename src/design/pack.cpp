@@ -121,6 +121,24 @@ Allowances readAllowances(Reader& r) {
   return a;
 }
 
+void add(Writer& w, const Grading& g) {
+  w.add(std::uint64_t{g.sizes.size()});
+  for (const std::string& size : g.sizes) w.add(size);
+  w.add(std::uint64_t{g.base}).add(std::uint64_t{g.standing}).add(std::uint64_t{g.pieces.size()});
+  for (const auto& [id, points] : g.pieces) w.add(id.value), addText(w, points);
+}
+Grading readGrading(Reader& r) {
+  Grading g;
+  g.sizes.resize(r.count(8));
+  for (std::string& size : g.sizes) size = r.text();
+  g.base = r.number<std::uint64_t>(), g.standing = r.number<std::uint64_t>();
+  for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
+    const PieceId id{r.number<std::uint64_t>()};
+    readText(r, g.pieces[id]);
+  }
+  return g;
+}
+
 void add(Writer& w, const Measurements& m) {
   w.add(static_cast<std::uint8_t>(m.sex)).add(std::uint64_t{m.value.size()});
   for (const auto& [key, value] : m.value) w.add(key).add(value);
@@ -235,7 +253,8 @@ std::string packRest(const Document& d) {
   if (d.drape.last) add(w, *d.drape.last);
   w.all(d.drape.force).add(std::uint64_t{d.drape.dirty.size()});
   for (const PieceId id : d.drape.dirty) w.add(id.value);
-  const bool finishing = !d.allowances.empty() || !d.cutting.empty() || !d.eases.empty();
+  const bool graded = !d.grading.empty();
+  const bool finishing = !d.allowances.empty() || !d.cutting.empty() || !d.eases.empty() || graded;
   if (!d.looks.empty() || !d.variables.empty() || finishing) {  // files of before they were kept end here
     w.add(std::uint64_t{d.looks.fabrics.size()});
     for (const auto& [name, look] : d.looks.fabrics) w.add(name), add(w, look);
@@ -253,6 +272,7 @@ std::string packRest(const Document& d) {
     w.add(std::uint64_t{d.eases.size()});
     for (const auto& [id, ease] : d.eases) w.add(id.value).add(ease);
   }
+  if (graded) add(w, d.grading);
   return w.taken();
 }
 
@@ -314,6 +334,7 @@ Result<Document> unpackRest(std::string_view bytes) {
       if (!((d.eases[id] = r.number<double>()) > 0)) r.fail();
     }
   }
+  if (r.good() && !r.finished()) d.grading = readGrading(r);
   if (!r.finished()) return damaged();
   return d;
 }

@@ -162,6 +162,10 @@ std::optional<Message> said(const Document& document, std::string_view operation
     const auto all = read<std::vector<InternalLine>>(value);
     return all ? std::optional(say("{0} {0|line|lines}", all->size())) : std::nullopt;
   }
+  if (kind == "graded places") {
+    const auto all = read<GradePoints>(value);
+    return all ? std::optional(say("{0} {0|place|places} on the paper", all->size())) : std::nullopt;
+  }
   if (kind == "marks") {
     const auto all = read<std::vector<Mark>>(value);
     return all ? std::optional(say("{0} {0|mark|marks}", all->size())) : std::nullopt;

@@ -4,7 +4,7 @@
 
 namespace karinui {
 
-std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into) {
+std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading) {
   std::vector<Operation> steps;
   std::map<PieceId, std::string> names;
   Document named = into;  // knows the names given so far; its pieces are never looked at
@@ -24,6 +24,16 @@ std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into) {
     const auto& taken = named.pattern.pieces;
     named.pattern.pieces[PieceId{taken.empty() ? 1 : taken.rbegin()->first.value + 1}] = std::move(held);
     steps.push_back(std::move(add));
+  }
+  if (!grading.empty() && into.grading.empty()) {
+    GradePieces sizes;
+    sizes.sizes = grading.sizes, sizes.base = grading.sizes[grading.base];
+    steps.push_back(std::move(sizes));
+    for (const auto& [id, points] : grading.pieces) {
+      GradePieces grade;
+      grade.piece = PieceRef(names.at(id)), grade.points = points;
+      steps.push_back(std::move(grade));
+    }
   }
   const auto refs = [&](const std::vector<EdgeSpan>& side) {
     std::vector<EdgeRef> all;

@@ -31,6 +31,14 @@ void drawArrowHead(PdfCanvas& canvas, Mm tip, Mm from) {
 
 void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
   canvas.colour(0);
+  for (const SheetSize& size : piece.nest) {
+    canvas.layer(layerOfSize(size.size));
+    canvas.moveTo(size.line[0]);
+    for (std::size_t i = 1; i < size.line.size(); ++i) canvas.lineTo(size.line[i]);
+    canvas.close();
+    canvas.stroke(0.35, dashesOf(size.size));
+    canvas.words(size.name, true);
+  }
   canvas.layer(PdfLayer::Cut);
   for (const auto& line : piece.cutLines) {
     canvas.moveTo(line[0]);
@@ -162,14 +170,16 @@ Result<std::string> pdfOf(const std::vector<const Sheet*>& sheets, PaperKind pap
   for (const Sheet* sheet : sheets)
     for (PageDrawing& page : pagesOf(*sheet, paper, settings)) pages.push_back(std::move(page));
   PdfCanvas canvas(pages.front().size.x, pages.front().size.y, sheets.front()->title);
+  std::vector<PdfLayer> layers(std::begin(kPdfLayers), std::end(kPdfLayers));
+  for (std::size_t size = 0; size < sheets.front()->sizes.size(); ++size) layers.push_back(layerOfSize(size));
   for (const PageDrawing& page : pages)
-    for (const PdfLayer layer : kPdfLayers) {
+    for (const PdfLayer layer : layers) {
       canvas.only(layer);
       canvas.begin(page.size.x, page.size.y);
       page.draw(canvas);
       canvas.end();
     }
-  return canvas.finish(settings.language);
+  return canvas.finish(settings.language, sheets.front()->sizes);
 }
 
 Result<std::string> writePdf(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {

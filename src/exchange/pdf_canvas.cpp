@@ -115,8 +115,10 @@ void PdfCanvas::pop() { cairo_restore(cairo_.get()); }
 void PdfCanvas::colour(double grey) { cairo_set_source_rgb(cairo_.get(), grey, grey, grey); }
 
 void PdfCanvas::stroke(double width, bool dashed) {
-  const double dash[] = {5, 2};
-  cairo_set_dash(cairo_.get(), dash, dashed ? 2 : 0, 0);
+  stroke(width, dashed ? std::vector<double>{5, 2} : std::vector<double>{});
+}
+void PdfCanvas::stroke(double width, const std::vector<double>& dashes) {
+  cairo_set_dash(cairo_.get(), dashes.data(), static_cast<int>(dashes.size()), 0);
   cairo_set_line_width(cairo_.get(), width);
   shown() ? cairo_stroke(cairo_.get()) : cairo_new_path(cairo_.get());
 }
@@ -196,11 +198,12 @@ Result<std::string> PdfCanvas::finishPlain() {
   return std::move(bytes_);
 }
 
-Result<std::string> PdfCanvas::finish(Language language) {
+Result<std::string> PdfCanvas::finish(Language language, const std::vector<std::string>& sizes) {
   Result<std::string> plain = finishPlain();
   if (!plain) return plain;
   std::vector<std::string> names;
   for (const PdfLayer layer : kPdfLayers) names.push_back(text(nameOf(layer), language));
+  for (const std::string& size : sizes) names.push_back(text(say("Size {0}", size), language));
   return layered(*std::move(plain), names);
 }
 

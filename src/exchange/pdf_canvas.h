@@ -16,9 +16,12 @@
 namespace karinui {
 
 // What a viewer shows or hides; Page is always shown.
-enum class PdfLayer { Page, Cut, Seam, Inner, Notch, Grain, Words };
+enum class PdfLayer { Page, Cut, Seam, Inner, Notch, Grain, Words, FirstSize };
 inline constexpr PdfLayer kPdfLayers[] = {PdfLayer::Page,  PdfLayer::Cut,   PdfLayer::Seam, PdfLayer::Inner,
                                           PdfLayer::Notch, PdfLayer::Grain, PdfLayer::Words};
+inline PdfLayer layerOfSize(std::size_t size) {
+  return static_cast<PdfLayer>(static_cast<std::size_t>(PdfLayer::FirstSize) + size);
+}
 
 class PdfCanvas {
  public:
@@ -45,6 +48,7 @@ class PdfCanvas {
   void only(PdfLayer layer) { only_ = layer; }    // what is of another layer is left out
   void colour(double grey);
   void stroke(double width, bool dashed);  // what was drawn since the last stroke
+  void stroke(double width, const std::vector<double>& dashes);
   void fill();
   void moveTo(Mm p);
   void lineTo(Mm p);
@@ -56,8 +60,8 @@ class PdfCanvas {
   // Of rows of four bytes a pixel (red, green, blue, opacity), `wide` mm across.
   void picture(Mm low, double wide, int width, int height, std::span<const std::uint8_t> rgba);
 
-  // The bytes, the canvas is used up. Each page was drawn once for each of kPdfLayers.
-  Result<std::string> finish(Language language);
+  // The bytes, the canvas is used up. Each page was drawn once for each of kPdfLayers, then of the sizes.
+  Result<std::string> finish(Language language, const std::vector<std::string>& sizes = {});
   Result<std::string> finishPlain();  // of pages that were drawn once, without layers
   std::vector<Page> takePages() { return std::move(pages_); }
 

@@ -6,7 +6,33 @@
 
 namespace karinui {
 
-Result<CadPattern> readPatternSize(const std::filesystem::path& file, std::string_view size, FormatTable table) {
+namespace {
+
+// The table of rules told, or that stands beside a file of one size.
+Done takeRules(const std::filesystem::path& file, const RulesFile& rules, CadPattern& read) {
+  std::filesystem::path table = rules.file;
+  for (const char* ending : {".rul", ".RUL", ".Rul"}) {
+    if (!table.empty() || read.rules.empty() || !read.grading.empty()) break;
+    std::filesystem::path beside = file;
+    std::error_code none;
+    if (beside.replace_extension(ending); std::filesystem::is_regular_file(beside, none)) table = beside;
+  }
+  if (table.empty()) return {};
+  const Result<std::string> bytes = readFile(table);
+  if (!bytes) return bytes.error();
+  const auto known = readGradeRules(*bytes, rules.steps);
+  if (!known) return inFile(table, known.error());
+  if (const Done done = takeGradeRules(read, *known); !done) {
+    if (!rules.file.empty()) return inFile(table, done.error());
+    read.notes.push_back(inFile(table, done.error()).what);  // nobody asked for it
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<CadPattern> readPatternSize(const std::filesystem::path& file, std::string_view size, FormatTable table,
+                                   const RulesFile& rules) {
   std::vector<const FileFormat*> formats = formatsReading(file, table);
   std::erase_if(formats, [](const FileFormat* format) { return format->in != FileContent::Pattern; });
   if (formats.empty()) return unreadable(file, {FileContent::Pattern}, table);
@@ -17,8 +43,11 @@ Result<CadPattern> readPatternSize(const std::filesystem::path& file, std::strin
   });
   if (format.readSize) {
     auto read = format.readSize(*bytes, size);
-    return read ? std::move(read) : inFile(file, read.error());
+    if (!read) return inFile(file, read.error());
+    if (const Done done = takeRules(file, rules, *read); !done) return done.error();
+    return read;
   }
+  if (!rules.file.empty()) return inFile(file, badInput(say("No point of the file names a grade rule.")));
   if (!size.empty()) return inFile(file, badInput(say("Such a file holds one size only.")));
   auto pattern = format.readPattern(*bytes);
   if (!pattern) return inFile(file, pattern.error());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "dxf/grade_rules.h"
 #include "karinui/design/piece_label.h"
 #include "karinui/pattern/cut_line.h"
 #include "karinui/pattern/label_room.h"
@@ -47,6 +48,39 @@ SheetPiece draw(const Pattern& pattern, const Piece& piece, const AllowancePlan*
   return out;
 }
 
+// Graded pieces in their other sizes too.
+Done addNest(Sheet& sheet, const Pattern& pattern, const SheetSettings& settings) {
+  const Grading& grading = settings.grading;
+  if (!settings.nest || grading.pieces.empty()) return {};
+  sheet.sizes = grading.sizes;
+  for (std::size_t size = 0; size < grading.sizes.size(); ++size) {
+    if (size == grading.standing) continue;
+    const auto in = patternInSize(pattern, grading, size);
+    if (!in) return in.error();
+    const auto plan = allowancesOn(*in, settings);
+    if (!plan) return plan.error();
+    for (SheetPiece& piece : sheet.pieces) {
+      if (!grading.pieces.contains(piece.piece->id)) continue;
+      const Piece& other = *in->pieces.at(piece.piece->id);
+      const auto cut = *plan ? cutLines(other, **plan) : std::nullopt;
+      SheetSize drawn{size, {}, {}};
+      for (const Flat p : cut ? cut->outer : other.outline.flattened(1e-5)) {
+        drawn.line.push_back(turned(p));
+        grow(piece, turned(p));
+      }
+      const std::string& name = grading.sizes[size];
+      double farthest = -1;
+      for (std::size_t k = 0; k < other.outline.edges.size(); ++k) {
+        const Flat corner = other.outline.edges[k].curve.start;
+        const double away = distance(corner, piece.piece->outline.edges[k].curve.start);
+        if (away > farthest + 1e-6) farthest = away, drawn.name = {turned(corner), 3, true, name};
+      }
+      piece.nest.push_back(std::move(drawn));
+    }
+  }
+  return {};
+}
+
 void move(SheetPiece& piece, Mm by) {
   piece.origin = piece.origin + by;
   piece.low = piece.low + by;
@@ -54,6 +88,10 @@ void move(SheetPiece& piece, Mm by) {
   for (auto& line : piece.cutLines)
     for (Mm& p : line) p = p + by;
   for (Mm& p : piece.drills) p = p + by;
+  for (SheetSize& size : piece.nest) {
+    size.name.place = size.name.place + by;
+    for (Mm& p : size.line) p = p + by;
+  }
 }
 
 // Shelves: the tallest first, from left to right, a new shelf below when the roll's width is used up.
@@ -126,10 +164,17 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan)
 
 }  // namespace
 
+std::vector<double> dashesOf(std::size_t size) {
+  static const std::vector<double> kDashes[] = {{6, 2}, {3, 2}, {1, 2}, {8, 2, 1, 2}, {8, 2, 3, 2}, {8, 2, 1, 2, 1, 2},
+                                                {4, 1}, {12, 3}};
+  return kDashes[size % std::size(kDashes)];
+}
+
 void tellGarment(const Document& document, SheetSettings& settings) {
   settings.allowances = document.allowances;
   settings.cutting = document.cutting;
-  settings.size = document.body.size;
+  settings.grading = document.grading;
+  settings.size = document.grading.empty() ? document.body.size : document.grading.sizes[document.grading.standing];
 }
 
 Result<std::optional<AllowancePlan>> allowancesOn(const Pattern& pattern, const SheetSettings& settings) {
@@ -172,6 +217,7 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   for (const auto& [id, piece] : pattern.pieces) {
     sheet.pieces.push_back(draw(pattern, *piece, plan));
   }
+  if (const Done done = addNest(sheet, pattern, settings); !done) return done.error();
   shelve(sheet, settings.rollWidth * 1000);
   const AllowancePlan kinds(pattern, settings.allowances);
   for (SheetPiece& piece : sheet.pieces) {

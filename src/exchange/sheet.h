@@ -31,11 +31,20 @@ struct SheetNotch {
   std::string seam;  // its name; none for a notch of the person's own
 };
 
+struct SheetSize {  // the piece in another size, over the one that stands
+  std::size_t size = 0;
+  std::vector<Mm> line;  // it is cut along
+  SheetText name;        // where it lies farthest from the others
+};
+// Strokes and gaps in mm, as long as there are eight sizes of their own each.
+std::vector<double> dashesOf(std::size_t size);
+
 struct SheetPiece {
   const Piece* piece = nullptr;
   Mm origin;                                 // where the paper's (0, 0) lies
   std::vector<std::vector<Mm>> cutLines;     // round the outline, then in the holes
   std::map<std::string, double> allowances;  // mm, of each edge; empty: seam lines only
+  std::vector<SheetSize> nest;
   std::vector<SheetNotch> notches;
   std::vector<SheetText> texts;  // `labels` of them: name, what to cut, size and date; then the seams' numbers
   std::size_t labels = 0;
@@ -54,6 +63,7 @@ struct Sheet {
   Mm square;                             // top left of the 100 mm square
   std::vector<SheetText> headings;       // beside it; these begin at their place
   std::vector<std::vector<Mm>> borders;  // of the cloth that the pieces lie on
+  std::vector<std::string> sizes;        // of the nests; empty: there are none
 };
 inline constexpr double kSquare = 100;  // mm
 

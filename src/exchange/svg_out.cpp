@@ -73,6 +73,15 @@ void piece(std::string& out, const SheetPiece& drawn, std::size_t index) {
     for (std::size_t i = 1; i < line.size(); ++i) out += " L " + pair(line[i]);
     out += " Z\"/>\n";
   }
+  for (const SheetSize& size : drawn.nest) {
+    std::string dashes;
+    for (const double dash : dashesOf(size.size)) dashes += (dashes.empty() ? "" : " ") + number(dash);
+    out += "    <path class=\"size\" data-size=\"" + xmlEscaped(size.name.words) +
+           "\" style=\"stroke-dasharray: " + dashes + "\" d=\"M " + pair(size.line[0]);
+    for (std::size_t i = 1; i < size.line.size(); ++i) out += " L " + pair(size.line[i]);
+    out += " Z\"/>\n";
+    words(out, size.name, "size-name");
+  }
   outline(out, drawn, p.outline, drawn.cutLines.empty() ? "seam only" : "seam", 0, edges);
   for (std::size_t i = 0; i < p.holes.size(); ++i) outline(out, drawn, p.holes[i], "hole", i, edges);
   for (const InternalLine& line : p.lines) {

@@ -17,11 +17,14 @@ std::optional<TableBox> extent(const TableFrame& frame) {
     if (!box) box = {piece.low, piece.high};
     box->low = {std::min(box->low.u, piece.low.u), std::min(box->low.v, piece.low.v)};
     box->high = {std::max(box->high.u, piece.high.u), std::max(box->high.v, piece.high.v)};
-    for (const Ring& ring : piece.cut)
+    const auto hold = [&](const Ring& ring) {
       for (const Flat p : ring) {
         box->low = {std::min(box->low.u, p.u), std::min(box->low.v, p.v)};
         box->high = {std::max(box->high.u, p.u), std::max(box->high.v, p.v)};
       }
+    };
+    for (const Ring& ring : piece.cut) hold(ring);
+    for (const TableSize& size : piece.nest) hold(size.outline);
   }
   return box;
 }

@@ -103,6 +103,7 @@ void draw(Drawing& drawing, const TablePiece& piece) {
   drawing.cloth(piece);
   const Colour ink = piece.chosen ? kChosen : kInk;
   for (const Ring& cut : piece.cut) drawing.closed(cut, kFaint, 1.2);
+  for (const TableSize& size : piece.nest) drawing.closed(size.outline, size.colour, 1);
   if (piece.before) drawing.dashed(*piece.before, kFaint, 1);
   if (piece.chosen) drawing.closed(ringOf(piece.edges), kChosen, 2.5);
   for (const auto& line : piece.lines) drawing.dashed(line, kInk, 1.6);

@@ -25,9 +25,9 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
     return {};
   }
   if (contentOf(file) != FileContent::Pattern) return unreadable(file, {FileContent::Pattern, FileContent::Script});
-  const Result<Pattern> pattern = readPattern(file);
-  if (!pattern) return pattern.error();
-  for (Operation& operation : stepsOf(*pattern, documentWorker.file().document()))
+  const Result<CadPattern> read = readPatternSize(file, {});
+  if (!read) return read.error();
+  for (Operation& operation : stepsOf(read->pattern, documentWorker.file().document(), read->grading))
     if (const auto step = documentWorker.perform(std::move(operation), token); !step) return step.error();
   return {};
 }

@@ -93,7 +93,10 @@ void addLabels(TablePiece& drawn, const std::vector<Message>& words, Flat lies, 
 
 CutFacts factsOf(const Document& document, const AllowancePlan& plan, const Piece& piece) {
   const auto own = document.cutting.find(piece.id);
-  return {own == document.cutting.end() ? Cutting() : own->second, plan.onFold(piece), document.body.size, {}};
+  return {own == document.cutting.end() ? Cutting() : own->second,
+          plan.onFold(piece),
+          document.grading.empty() ? document.body.size : document.grading.sizes[document.grading.standing],
+          {}};
 }
 
 std::vector<std::string> inWords(const std::vector<Message>& lines, Language language) {
@@ -159,6 +162,20 @@ const LetteredPiece& LetteringRooms::of(const Piece& piece, const std::vector<st
   return kept.room;
 }
 
+const std::vector<TableSize>& LetteringRooms::nestOf(const Piece& piece, const Grading& grading) {
+  Nested& kept = nested_[piece.id];
+  const GradePoints& points = grading.pieces.at(piece.id);
+  if (kept.outline != piece.outline || kept.points != points || kept.sizes != grading.sizes ||
+      kept.standing != grading.standing) {
+    kept = {piece.outline, points, grading.sizes, grading.standing, {}};
+    for (std::size_t i = 0; i < grading.sizes.size(); ++i)
+      if (i != grading.standing)
+        if (const auto outline = graded(piece.outline, grading, points, grading.standing, i))
+          kept.nest.push_back({grading.sizes[i], outline->flattened(kMiss), kHues[i % kHues.size()]});
+  }
+  return kept.nest;
+}
+
 TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layout, const Selection& chosen,
                         const TableFrameOptions& options, LetteringRooms* rooms) {
   const Document& document = snapshot.document;
@@ -184,6 +201,13 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
       addLabels(drawn, lines, lies, rooms->of(stored, words));
     else
       addLabels(drawn, lines, lies, roomFor(stored, words));
+    if (options.nest && document.grading.pieces.contains(id)) {
+      LetteringRooms own;
+      for (TableSize size : (rooms ? *rooms : own).nestOf(stored, document.grading)) {
+        size.outline = laid(std::move(size.outline), lies);
+        drawn.nest.push_back(std::move(size));
+      }
+    }
     if (const auto pins = document.pins.find(id); pins != document.pins.end())
       for (const Flat pin : pins->second) drawn.pins.push_back(pin + lies);
     if (options.corners)

@@ -187,6 +187,11 @@ void drawPiece(Paper& paper, const TablePiece& piece) {
     paper.path(*piece.before, true);
     paper.stroke(1, true);
   }
+  for (const TableSize& size : piece.nest) {
+    paper.ink(pixelOf(size.colour));
+    paper.path(size.outline, true);
+    paper.stroke(1);
+  }
   paper.ink(piece.chosen ? kChosen : kInkOnPaper);
   outlines();
   paper.stroke(piece.chosen ? 2.2 : 1.4);

@@ -78,6 +78,15 @@ std::string facts(const Document& d) {
   for (const auto& [id, cutting] : d.cutting)
     out << "cut " << name(id) << " times " << cutting.count << (cutting.pairs ? " in pairs\n" : "\n");
   for (const auto& [id, ease] : d.eases) out << "ease " << text(id) << " mm " << fixed(ease * 1000, 1) << "\n";
+  for (std::size_t i = 0; i < d.grading.sizes.size(); ++i)
+    out << "size " << d.grading.sizes[i] << (i == d.grading.base ? " base" : "")
+        << (i == d.grading.standing ? " stands\n" : "\n");
+  for (const auto& [id, points] : d.grading.pieces)
+    for (const GradePoint& point : points) {
+      out << "graded " << name(id) << "." << point.edge << "@" << fixed(point.at, 3);
+      for (const Flat by : point.by) out << " " << fixed(by.u * 1000, 2) << "," << fixed(by.v * 1000, 2);
+      out << "\n";
+    }
   const auto look = [&](const std::string& whose, const Look& l) {
     const auto dye = [](const Dye& c) {
       return std::to_string(c.red) + "," + std::to_string(c.green) + "," + std::to_string(c.blue);

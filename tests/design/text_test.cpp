@@ -110,6 +110,10 @@ struct Dice {
       fill(v.place);
     }
   }
+  void fill(GradePoint& v) {
+    v.edge = "hem", v.at = real(), v.by.resize(1 + static_cast<std::size_t>(below(4)));
+    for (Flat& by : v.by) fill(by);
+  }
   void fill(Sex& v) { v = below(2) == 0 ? Sex::Female : Sex::Male; }
   void fill(Choice& v) { v = static_cast<Choice>(below(3)); }
   void fill(SewEdges::Tie& v) { v = static_cast<SewEdges::Tie>(below(3)); }

@@ -17,6 +17,7 @@
 #include "karinui/cloth/settle_report.h"
 #include "karinui/design/look.h"
 #include "karinui/pattern/allowance.h"
+#include "karinui/pattern/grading.h"
 
 namespace karinui {
 
@@ -63,6 +64,7 @@ struct Document {
   Allowances allowances;               // of seams and corners that are not as usual (pattern/allowance.h)
   std::map<PieceId, Cutting> cutting;  // of pieces that are cut more than once
   std::map<SeamId, double> eases;      // metres by which one side of a seam is longer on purpose
+  Grading grading;                     // the sizes the pieces are made in
   Settings settings;
   std::map<std::string, std::string> variables;  // formulas by name (formula.h); worked out where they are used
   DrapeInfo drape;
@@ -73,7 +75,7 @@ struct Document {
   const Seam* find(SeamId id) const;
 };
 
-// Of the pattern truth: body, outlines, marks, seams, allowances, eases, counts, fabrics, looks, pins, settings,
+// Of the pattern truth: body, outlines, marks, seams, allowances, eases, counts, sizes, fabrics, looks, pins, settings,
 // variables, names and ids; not of forms, poses, reports.
 std::string hash(const Document& document);
 // Of where the cloth stands: forms and poses.

@@ -16,6 +16,7 @@
 #include "karinui/design/operations/paper.h"
 #include "karinui/design/operations/placing.h"
 #include "karinui/design/operations/sewing.h"
+#include "karinui/design/operations/sizes.h"
 
 namespace karinui {
 
@@ -28,9 +29,10 @@ template <class... Ops>
 std::variant<Ops...> variantOf(OperationList<Ops...>);
 
 // The order of --help and of docs/format/operations.md; the first is what an empty Operation holds.
-using PlainOperation = decltype(variantOf(
-    FigureOperations() + DraftingOperations() + PaperOperations() + OutlineOperations() + MarksOperations() +
-    SewingOperations() + PlacingOperations() + DrapingOperations() + FabricOperations() + FinishingOperations()));
+using PlainOperation =
+    decltype(variantOf(FigureOperations() + DraftingOperations() + PaperOperations() + OutlineOperations() +
+                       MarksOperations() + SewingOperations() + PlacingOperations() + DrapingOperations() +
+                       FabricOperations() + FinishingOperations() + SizesOperations()));
 
 // Any operation. The fields named in `formulas` are given by formulas: what the struct holds there is their value as
 // it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand.

@@ -5,11 +5,16 @@
 
 namespace karinui {
 
+// Grade rules for the points of a DXF file.
+struct RulesFile {
+  std::filesystem::path file;  // empty: the one beside the DXF file that has its name and ends in .rul, if there is one
+  bool steps = false;          // as in readGradeRules()
+};
 // BadInput, with a sentence that lists what can be read, where the ending is no pattern's. Of a style in several sizes
 // the named one, or the sample size (empty); of a file that holds no sizes only `pattern` is told, and a size is
 // refused.
 Result<CadPattern> readPatternSize(const std::filesystem::path& file, std::string_view size,
-                                   FormatTable table = fileFormats());
+                                   FormatTable table = fileFormats(), const RulesFile& rules = {});
 Result<Pattern> readPattern(const std::filesystem::path& file, FormatTable table = fileFormats());
 
 }  // namespace karinui

@@ -17,9 +17,11 @@ namespace karinui {
 
 struct SheetSettings {
   std::string title = "Karinui";
-  Allowances allowances;                  // of the garment, like the next two: tellGarment()
+  Allowances allowances;                  // of the garment, like the next: tellGarment()
   std::map<PieceId, Cutting> cutting;     // of pieces that are cut more than once
-  std::string size;                       // of the figure; empty: not told
+  Grading grading;                        // its sizes
+  bool nest = false;                      // all sizes over one another, not only the one that stands
+  std::string size;                       // that stands, or of the figure; empty: not told
   std::string date;                       // of the print, as it is to be read; empty: not told
   std::optional<double> allowance;        // metres, of seams, in place of the garment's own; 0: seam lines only
   double rollWidth = 0.900;               // metres; the sheet is wider only if a piece is

@@ -43,6 +43,12 @@ struct TableLabel {
   bool upright = true;  // else turned to read from below upwards
 };
 
+struct TableSize {  // the outline in another size, drawn over the one that stands
+  std::string name;
+  Ring outline;
+  Colour colour;
+};
+
 struct TablePiece {
   std::string name;
   Colour colour{0.5f, 0.5f, 0.5f};  // of its fabric
@@ -55,6 +61,7 @@ struct TablePiece {
   Flat low, high;                             // the outline's box
   std::vector<Ring> cut;                      // the lines it is cut along, where there is a seam allowance
   std::optional<Ring> before;                 // the outline of the document, where a drag shows another one
+  std::vector<TableSize> nest;                // all other sizes, where they are shown
   std::vector<std::vector<Flat>> lines;       // internal lines
   std::vector<TableNotch> notches;
   std::vector<Flat> drills;

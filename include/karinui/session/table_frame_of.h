@@ -11,16 +11,27 @@ namespace karinui {
 struct TableFrameOptions {
   Language language = Language::English;     // the lettering is placed for its words in this language
   bool corners = false;                      // a tool moves them
+  bool nest = false;                         // graded pieces in all their sizes, over one another
   std::map<PieceId, Outline> outlines = {};  // shown instead of the document's, as Preview::outlines
 };
 
-// Where pieces have room for their lettering takes milliseconds a piece: kept from one frame to the next for the pieces
-// whose paper is the same. One thread at a time.
+// Where pieces have room for their lettering, and what their other sizes are, takes milliseconds a piece: kept from one
+// frame to the next for the pieces whose paper is the same. One thread at a time.
 class LetteringRooms {
  public:
   const LetteredPiece& of(const Piece& piece, const std::vector<std::string>& words);  // its label, line by line
+  // The outline in every size, of those that are outlines; where the paper lies at its origin.
+  const std::vector<TableSize>& nestOf(const Piece& piece, const Grading& grading);
 
  private:
+  struct Nested {
+    Outline outline;
+    GradePoints points;
+    std::vector<std::string> sizes;
+    std::size_t standing = 0;
+    std::vector<TableSize> nest;
+  };
+  std::map<PieceId, Nested> nested_;
   struct Kept {
     Outline outline;
     std::vector<Outline> holes;

@@ -56,6 +56,9 @@ Result<Document> perform(const Document& before, const CutPiece& op, Context& co
   updateSeams(after.pattern, cut->edges);
   if (cut->pieces.size() > 1) sharePins(after, cut->pieces[0], cut->pieces[1]);
   const Piece& whole = *before.find(op.piece.id);
+  std::vector<const Piece*> parts;
+  for (const Piece& piece : cut->pieces) parts.push_back(&piece);
+  updateGrading(after.grading, whole, cut->edges, parts);
   const bool own = before.looks.pieces.contains(whole.id) || before.looks.pieces.contains(whole.mirrorOf);
   for (Piece& piece : cut->pieces) {
     if (own) after.looks.pieces[piece.id] = lookOf(before, whole);

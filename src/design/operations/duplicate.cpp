@@ -5,11 +5,12 @@ namespace karinui {
 namespace {
 
 // The part of the piece on one side of the line, standing where it stands in the whole.
-Result<Piece> partOf(const Piece& whole, const DuplicatePiece& op) {
+Result<Piece> partOf(const Piece& whole, const DuplicatePiece& op, Grading& grading) {
   const auto cut = cutPiece(whole, op.line, madeBy<PieceId>(1, 0), "part");
   if (!cut) return cut.error();
   if (cut->pieces.size() < 2)
     return refused(say("That line divides nothing off “{0}”; it must run from edge to edge.", whole.name));
+  updateGrading(grading, whole, cut->edges, {&cut->pieces[0], &cut->pieces[1]});
   if (!op.part) return cut->pieces[1];
   for (const Piece& piece : cut->pieces)
     if (contains(piece.outline.flattened(1e-4), *op.part)) return piece;
@@ -29,11 +30,13 @@ Done resolve(const Document& before, DuplicatePiece& op, Context&) {
 
 Result<Document> perform(const Document& before, const DuplicatePiece& op, Context&) {
   Piece copy = *before.find(op.piece.id);
+  Grading grading = before.grading;
   if (!op.line.empty()) {
-    auto part = partOf(copy, op);
+    auto part = partOf(copy, op, grading);
     if (!part) return part.error();
     copy = *std::move(part);
   }
+  const auto graded = grading.pieces.extract(copy.id);
   copy.id = mint<PieceId>(before, 0);
   copy.name = op.name;
   copy.pose.carry += op.by;
@@ -42,6 +45,7 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
   if (const auto look = before.looks.pieces.find(op.piece.id); look != before.looks.pieces.end())
     after.looks.pieces[copy.id] = look->second;
   const PieceId id = copy.id;
+  if (graded) after.grading.pieces[id] = graded.mapped();
   if (const auto own = before.cutting.find(op.piece.id); own != before.cutting.end()) after.cutting[id] = own->second;
   for (const auto& [at, width] : before.allowances.edges)
     if (at.first == op.piece.id) after.allowances.edges[{id, at.second}] = width;

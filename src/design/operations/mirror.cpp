@@ -18,6 +18,8 @@ Result<Document> perform(const Document& before, const MirrorPiece& op, Context&
   copy.name = op.name;
   copy.mirrorOf = op.piece.id;
   Document after = before;
+  if (const auto own = before.grading.pieces.find(op.piece.id); own != before.grading.pieces.end())
+    after.grading.pieces[copy.id] = mirroredGrading(own->second, before.find(op.piece.id)->outline, copy.outline);
   copyAllowances(after.allowances, *before.find(op.piece.id), copy, true);
   return withPiece(std::move(after), std::move(copy));
 }

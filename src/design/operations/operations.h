@@ -57,6 +57,8 @@ KARINUI_DECLARE_OPERATION(SetVariable)
 KARINUI_DECLARE_OPERATION(SetAllowance)
 KARINUI_DECLARE_OPERATION(DeclareEase)  // finishing.cpp
 KARINUI_DECLARE_OPERATION(SetQuantity)
+KARINUI_DECLARE_OPERATION(GradePieces)  // sizes.cpp
+KARINUI_DECLARE_OPERATION(ChooseSize)
 #undef KARINUI_DECLARE_OPERATION
 
 // The id of the nth thing (from 0) that the operation now being performed makes.
@@ -76,6 +78,8 @@ Document withPiece(Document document, Piece piece);
 // The document with an edited piece: its seams follow, and its symmetric copies (or the piece it is the copy of) are
 // edited likewise as long as they are its likeness. `others`, if given, hears of those.
 Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceId>* others = nullptr);
+// The form a piece holds when it is cut along another outline: what is at the old one comes to the new one, in place.
+std::shared_ptr<const Form> followedForm(const Piece& piece, const Outline& outline);
 // Auto is decided: whether a piece is symmetric by itself and, by `both`, whether the other half has what is changed;
 // where it has not, because of a slit or dart, that is told. Refuses Yes where only one half can be changed.
 Done resolveSymmetric(const Piece& piece, Choice& symmetric, Context& context,

@@ -56,6 +56,9 @@ Result<Document> perform(const Document& before, const Rename& op, Context&) {
     for (Mark& mark : piece.marks)
       if (mark.edge == from) mark.edge = op.to;
     renameInFormulas(after, id, from, op.to);
+    if (const auto own = after.grading.pieces.find(id); own != after.grading.pieces.end())
+      for (GradePoint& point : own->second)
+        if (point.edge == from) point.edge = op.to;
     const auto renameKey = [&](auto& all) {
       if (auto own = all.extract({id, from}); own) own.key().second = op.to, all.insert(std::move(own));
     };

@@ -140,30 +140,34 @@ std::vector<Moved> movedAlong(const Outline& before, const Outline& after) {
   return moved;
 }
 
-// A piece cut anew: the shape's paper places follow the outline (those further than `within` from all places pulled
-// stay), its places in space stay. Notches keep to their cloth.
-Piece recut(Piece piece, const Outline& outline, std::span<const Flat> pulled, double within) {
-  if (piece.form) {
-    const std::vector<std::uint8_t> rim = rimOf(piece.form->faces, piece.form->flat.size());
-    const std::vector<Moved> samples = movedAlong(piece.outline, outline);
-    std::vector<Carried> held;
-    for (std::uint32_t p = 0; p < rim.size(); ++p) {
-      if (!rim[p]) {
-        const auto reached = [&](Flat at) { return distance(at, piece.form->flat[p]) < within; };
-        if (!pulled.empty() && std::none_of(pulled.begin(), pulled.end(), reached)) held.push_back({p, {}});
-        continue;
-      }
-      Moved nearest;
-      double least = std::numeric_limits<double>::infinity();
-      for (const Moved& sample : samples)
-        if (const Flat to = sample.old - piece.form->flat[p]; dot(to, to) < least)
-          least = dot(to, to), nearest = sample;
-      held.push_back({p, nearest.by});
+// The shape of a piece cut anew: its paper places follow the outline (those further than `within` from all places
+// pulled stay), its places in space stay.
+std::shared_ptr<const Form> followed(const Piece& piece, const Outline& outline, std::span<const Flat> pulled,
+                                     double within) {
+  if (!piece.form) return nullptr;
+  const std::vector<std::uint8_t> rim = rimOf(piece.form->faces, piece.form->flat.size());
+  const std::vector<Moved> samples = movedAlong(piece.outline, outline);
+  std::vector<Carried> held;
+  for (std::uint32_t p = 0; p < rim.size(); ++p) {
+    if (!rim[p]) {
+      const auto reached = [&](Flat at) { return distance(at, piece.form->flat[p]) < within; };
+      if (!pulled.empty() && std::none_of(pulled.begin(), pulled.end(), reached)) held.push_back({p, {}});
+      continue;
     }
-    auto form = std::make_shared<Form>(*piece.form);
-    form->flat = carryAlong(form->flat, form->faces, held);
-    piece.form = std::move(form);
+    Moved nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Moved& sample : samples)
+      if (const Flat to = sample.old - piece.form->flat[p]; dot(to, to) < least) least = dot(to, to), nearest = sample;
+    held.push_back({p, nearest.by});
   }
+  auto form = std::make_shared<Form>(*piece.form);
+  form->flat = carryAlong(form->flat, form->faces, held);
+  return form;
+}
+
+// A piece cut anew. Notches keep to their cloth.
+Piece recut(Piece piece, const Outline& outline, std::span<const Flat> pulled, double within) {
+  piece.form = followed(piece, outline, pulled, within);
   for (Mark& mark : piece.marks)
     if (const auto k = piece.outline.find(mark.edge)) {
       const Curve &was = piece.outline.edges[*k].curve, &is = outline.edges[*outline.find(mark.edge)].curve;
@@ -207,6 +211,10 @@ std::vector<ReshapePull> pullsOf(const ReshapePiece& reshape) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Form> followedForm(const Piece& piece, const Outline& outline) {
+  return followed(piece, outline, {}, 0);
+}
 
 Result<ReshapePiece> reshaped(const Document& document, PieceId id, std::span<const ReshapePull> given, Length within,
                               Choice symmetric, const Token& token) {

@@ -86,6 +86,7 @@ Document withPiece(Document document, Piece piece) {
 Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceId>* others) {
   const auto before = document.pattern.pieces.at(edit.piece.id);
   const auto take = [&](const EditedPiece& now) {
+    updateGrading(document.grading, *document.find(now.piece.id), now.edges, {&now.piece});
     updateSeams(document.pattern, now.edges);
     document = withPiece(std::move(document), now.piece);
     updateAllowances(document.allowances, now.edges, document.pattern);

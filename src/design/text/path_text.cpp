@@ -216,6 +216,29 @@ Done readValue(std::string_view text, std::vector<Mark>& marks) {
   return {};
 }
 
+std::string writeValue(const GradePoints& points) {
+  std::string all;
+  for (const GradePoint& point : points) {
+    all += joined({all.empty() ? "" : "; ", point.edge, " ", shortest(point.at)});
+    for (const Flat by : point.by) all += joined({" ", placeText(by)});
+  }
+  return all;
+}
+Done readValue(std::string_view text, GradePoints& points) {
+  points.clear();
+  for (const std::string& item : splitList(text, false)) {
+    Words words(wordsOf(item));
+    GradePoint& point = points.emplace_back();
+    point.edge = words.next();
+    point.at = words.number();
+    while (words.good() && !words.done()) point.by.push_back(words.place());
+    if (!words.good() || point.by.empty())
+      return badInput(say(
+          "“{0}” is not a graded place; write “edge 0 u v u v …”: two numbers in millimetres for each size.", item));
+  }
+  return {};
+}
+
 std::string text(const Outline& outline) { return writeValue(outline); }
 Result<Outline> parseOutline(std::string_view text) {
   Outline outline;

@@ -75,8 +75,9 @@ double cornerBetween(const Curve& in, const Curve& out) {
   return std::abs(std::atan2(cross(a, b), dot(a, b)));
 }
 
-// The runs of curve between turns, gathered to edges between corners.
-Outline edgesOf(CadRing ring) {
+// The runs of curve between turns, gathered to edges between corners. `plan`: as it was done before, or, empty, how it
+// was done now. Nothing: the points have other turns than those of the plan.
+std::optional<Outline> edgesOf(CadRing ring, EdgePlan& plan) {
   const std::size_t n = ring.points.size();
   if (std::count(ring.turn.begin(), ring.turn.end(), 1) < 2) ring.turn[0] = ring.turn[n / 2] = 1;  // a round piece
   const auto first = static_cast<std::size_t>(std::find(ring.turn.begin(), ring.turn.end(), 1) - ring.turn.begin());
@@ -100,14 +101,20 @@ Outline edgesOf(CadRing ring) {
   }
   corner[begin] = 1;
   if (std::count(corner.begin(), corner.end(), 1) < 2) corner[(begin + runs.size() / 2) % runs.size()] = 1;
+  const bool planned = !plan.corner.empty();
+  if (planned && plan.corner.size() != runs.size()) return std::nullopt;
+  if (!planned) plan.begin = begin, plan.corner = corner;
+  begin = plan.begin, corner = plan.corner;
 
   Outline outline;
   std::vector<Curve> parts;
   std::vector<Flat> points;
+  std::size_t closed = 0;
   const auto close = [&] {
     if (points.empty()) return;
     Curve whole = bow(points) < kStraight ? Curve::line(points.front(), points.back()) : Curve::joined(parts);
-    if (!outline.edges.empty() && whole.length() < kShortest) {
+    if (!planned) plan.joined.push_back(!outline.edges.empty() && whole.length() < kShortest);
+    if (plan.joined[closed++]) {
       const Curve both[] = {outline.edges.back().curve, whole};
       outline.edges.back().curve = Curve::joined(both);
     } else {
@@ -157,13 +164,10 @@ Result<std::vector<Flat>> pointsOf(const CadPiece& drawn) {
   return *std::move(points);
 }
 
-struct OnEdge {
-  std::string edge;
-  double fraction = 0, distance = 1e9;
-};
+}  // namespace
 
-OnEdge nearestOn(const Outline& outline, Flat place) {
-  OnEdge best;
+PlaceOnOutline nearestOn(const Outline& outline, Flat place) {
+  PlaceOnOutline best;
   for (const Edge& edge : outline.edges) {
     const std::vector<Flat> line = edge.curve.flattened();
     double before = 0, at = 0, nearest = 1e9;
@@ -178,6 +182,8 @@ OnEdge nearestOn(const Outline& outline, Flat place) {
   }
   return best;
 }
+
+namespace {
 
 // Where the cut line's notch meets the seam line, straight inwards; nothing: it does not.
 std::optional<Flat> metInward(const Outline& outline, const CadNotch& notch) {
@@ -199,11 +205,21 @@ std::optional<Flat> metInward(const Outline& outline, const CadNotch& notch) {
 
 class Making {
  public:
-  Making(const CadPiece& drawn, const CadPiece* sample, std::vector<Message>& notes)
-      : drawn_(drawn), sample_(sample), notes_(notes) {}
+  Making(const CadPiece& drawn, const CadPiece* sample, std::vector<Message>& notes, EdgePlan& plan)
+      : drawn_(drawn), sample_(sample), notes_(notes), plan_(plan) {}
 
   Result<Piece> make() {
     piece_.name = drawn_.name;
+    auto made = outline();
+    if (!made) return made.error();
+    piece_.outline = *std::move(made);
+    holes(), lines(), marks(), rules();
+    if (drawn_.grain && distance(drawn_.grain->first, drawn_.grain->second) > kShortest)
+      piece_.grain = unit(drawn_.grain->second - drawn_.grain->first);
+    return std::move(piece_);
+  }
+
+  Result<Outline> outline() {
     auto points = pointsOf(drawn_);
     if (!points) return wrong(points.error().what);
     if (points->size() > kMostVertices) return wrong(say("the outline has more than {0} points.", kMostVertices));
@@ -220,13 +236,11 @@ class Making {
         note(say("its fold line lies apart from its outline, so it was not unfolded."));
       }
     }
-    auto outline = checked(edgesOf(std::move(ring)));
-    if (!outline) return wrong(outline.error().what);
-    piece_.outline = *std::move(outline);
-    holes(), lines(), marks();
-    if (drawn_.grain && distance(drawn_.grain->first, drawn_.grain->second) > kShortest)
-      piece_.grain = unit(drawn_.grain->second - drawn_.grain->first);
-    return std::move(piece_);
+    auto edges = edgesOf(std::move(ring), plan_);
+    if (!edges) return wrong(say("it is drawn with other points than the size that is read."));
+    auto good = checked(*std::move(edges));
+    if (!good) return wrong(good.error().what);
+    return good;
   }
 
  private:
@@ -251,7 +265,8 @@ class Making {
         std::reverse(rings[1].turn.begin(), rings[1].turn.end());
       }
       for (CadRing& ring : rings) {
-        Outline hole = edgesOf(std::move(ring));
+        EdgePlan own;
+        Outline hole = *edgesOf(std::move(ring), own);
         for (Edge& edge : hole.edges) edge.name = "h" + std::to_string(piece_.holes.size() + 1) + "_" + edge.name;
         if (auto good = checked(std::move(hole)))
           piece_.holes.push_back(*std::move(good));
@@ -284,7 +299,7 @@ class Making {
     std::size_t off = 0;
     const auto add = [&](const CadNotch& notch) {
       const auto met = onCutLine ? metInward(piece_.outline, notch) : std::nullopt;
-      const OnEdge at = nearestOn(piece_.outline, met.value_or(notch.place));
+      const PlaceOnOutline at = nearestOn(piece_.outline, met.value_or(notch.place));
       if (at.distance > (onCutLine ? kWidestAllowance : kOffBoundary)) return void(++off);
       piece_.marks.push_back({"notch" + std::to_string(++notches_), at.edge, at.fraction, {}});
     };
@@ -305,9 +320,19 @@ class Making {
     }
   }
 
+  void rules() {
+    if (drawn_.rules.size() > kMostMarks) return;
+    for (const auto& rule : drawn_.rules) {
+      plan_.rules.push_back(rule), plan_.folds.emplace_back();
+      if (!axis_ || std::abs(cross(*axis_, rule.first - through_)) <= kShortest) continue;
+      plan_.rules.emplace_back(reflected(rule.first, through_, *axis_), rule.second), plan_.folds.push_back(*axis_);
+    }
+  }
+
   const CadPiece& drawn_;
   const CadPiece* sample_;
   std::vector<Message>& notes_;
+  EdgePlan& plan_;
   Piece piece_;
   Flat through_;
   std::optional<Flat> axis_;
@@ -316,8 +341,14 @@ class Making {
 
 }  // namespace
 
-Result<Piece> pieceOf(const CadPiece& drawn, const CadPiece* sample, std::vector<Message>& notes) {
-  return Making(drawn, sample, notes).make();
+Result<Piece> pieceOf(const CadPiece& drawn, const CadPiece* sample, std::vector<Message>& notes, EdgePlan& plan) {
+  return Making(drawn, sample, notes, plan).make();
+}
+
+Result<Outline> outlineOf(const CadPiece& drawn, const CadPiece* sample, const EdgePlan& plan) {
+  std::vector<Message> notes;
+  EdgePlan same = plan;
+  return Making(drawn, sample, notes, same).outline();
 }
 
 }  // namespace karinui

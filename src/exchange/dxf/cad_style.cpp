@@ -72,7 +72,11 @@ CadPiece pieceOf(const std::vector<DxfEntity>& entities, std::string_view block)
   std::string quantity;
   for (const DxfEntity& entity : entities) {
     const int layer = entity.layer();
-    if (entity.type == "TEXT" && layer == 1) {
+    if (entity.type == "TEXT" && entity.text(1).starts_with('#')) {
+      const auto number = parseNumber(trimmed(entity.text(1).substr(1)));
+      if (const auto place = entity.place(); place && number && *number >= 0 && *number <= 1e6)
+        piece.rules.emplace_back(*place, static_cast<std::size_t>(*number));
+    } else if (entity.type == "TEXT" && layer == 1) {
       const std::string_view text = entity.text(1);
       take(piece.name, text, "Piece Name"), take(piece.size, text, "Size"), take(piece.category, text, "Category");
       take(piece.annotation, text, "Annotation"), take(quantity, text, "Quantity");
@@ -141,6 +145,7 @@ void scale(CadPiece& piece, double unit) {
   for (auto* points : {&piece.turns, &piece.curved, &piece.drills})
     for (Flat& p : *points) p = p * unit;
   for (CadNotch& notch : piece.notches) notch.place = notch.place * unit;
+  for (auto& [place, rule] : piece.rules) place = place * unit;
   for (auto* line : {&piece.grain, &piece.fold})
     if (*line) (*line)->first = (*line)->first * unit, (*line)->second = (*line)->second * unit;
 }

@@ -29,6 +29,7 @@ struct CadPiece {
   std::vector<Flat> turns, curved;                   // layers 2 and 3: which points are corners, which lie on a curve
   std::vector<CadNotch> notches;                     // layers 4 and 80 to 83
   std::vector<Flat> drills;                          // layer 13
+  std::vector<std::pair<Flat, std::size_t>> rules;   // "# 5": the point there goes by grade rule 5
   std::optional<std::pair<Flat, Flat>> grain, fold;  // layers 7 and 6
 };
 

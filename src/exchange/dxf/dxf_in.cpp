@@ -4,6 +4,7 @@
 
 #include "cad_outline.h"
 #include "exchange/names.h"
+#include "grade_rules.h"
 #include "karinui/exchange/dxf.h"
 
 namespace karinui {
@@ -24,6 +25,71 @@ void addRow(std::vector<CadPattern::Row>& rows, const CadPiece& piece) {
   if (!piece.fabric.empty()) row->fabric = piece.fabric;
   row->quantity = std::max(row->quantity, piece.quantity);
   row->sizes.push_back(piece.size);
+}
+
+constexpr double kAtPoint = 1e-4;   // metres from the outline within which a rule is of a point on it,
+constexpr double kAtCorner = 5e-5;  // and from a corner within which it is the corner's
+
+// The places of the outline whose points name grade rules.
+void addRules(std::vector<CadPattern::RulePlace>& places, const Piece& piece, const EdgePlan& plan) {
+  for (std::size_t i = 0; i < plan.rules.size(); ++i) {
+    const auto& [place, number] = plan.rules[i];
+    const PlaceOnOutline at = nearestOn(piece.outline, place);
+    if (at.distance > kAtPoint) continue;
+    CadPattern::RulePlace rule{piece.id, at.edge, at.fraction, number, {}};
+    if (length(plan.folds[i]) > 0) rule.fold = plan.folds[i];
+    const auto& edges = piece.outline.edges;
+    const std::size_t k = *piece.outline.find(at.edge);
+    if (distance(place, edges[k].curve.start) < kAtCorner) rule.at = 0;
+    if (distance(place, edges[k].curve.end) < kAtCorner) rule.edge = edges[(k + 1) % edges.size()].name, rule.at = 0;
+    places.push_back(std::move(rule));
+  }
+}
+
+struct Drawn {  // a piece, as it is named in the file
+  std::string name;
+  const CadPiece* sample = nullptr;
+  EdgePlan plan;
+};
+
+// What the other sizes differ by from the one that was read. A size that a piece lacks is as its neighbour.
+void measureSizes(const CadStyle& style, const std::map<PieceId, Drawn>& drawn, CadPattern& made) {
+  if (made.sizes.size() < 2 || made.sizes.size() > kMostSizes) return;
+  Grading grading;
+  grading.sizes = sizeWords(made.sizes);
+  grading.base = grading.standing =
+      static_cast<std::size_t>(std::find(made.sizes.begin(), made.sizes.end(), made.size) - made.sizes.begin());
+  std::map<std::pair<std::string, std::string>, std::vector<const CadPiece*>> blocks;
+  for (const CadPiece& piece : style.pieces) blocks[{piece.name, piece.size}].push_back(&piece);
+  for (const auto& [id, own] : drawn) {
+    const std::string& name = own.name;
+    std::vector<std::optional<Outline>> found(made.sizes.size());
+    found[grading.base] = made.pattern.pieces.at(id)->outline;
+    bool any = false;
+    for (std::size_t size = 0; size < found.size(); ++size) {
+      const auto block = blocks.find({name, made.sizes[size]});
+      if (size == grading.base || block == blocks.end() || block->second.size() != 1) continue;
+      auto outline = outlineOf(*block->second.front(), own.sample, own.plan);
+      if (outline)
+        found[size] = *std::move(outline), any = any || *found[size] != *found[grading.base];
+      else
+        made.notes.push_back(outline.error().what);
+    }
+    if (!any) continue;
+    for (std::size_t i = grading.base; i-- > 0;)
+      if (!found[i]) found[i] = found[i + 1];
+    for (std::size_t i = grading.base + 1; i < found.size(); ++i)
+      if (!found[i]) found[i] = found[i - 1];
+    std::vector<Outline> sizes;
+    for (auto& outline : found) sizes.push_back(*std::move(outline));
+    auto measured = measuredGrading(sizes, grading.base);
+    if (!measured) {
+      made.notes.push_back(say("Piece “{0}” is kept in one size: {1}", name, measured.error().what));
+      continue;
+    }
+    grading.pieces[id] = *std::move(measured);
+  }
+  if (!grading.pieces.empty()) made.grading = std::move(grading);
 }
 
 }  // namespace
@@ -49,12 +115,14 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
   for (const CadPiece& piece : style->pieces)
     if (!piece.turns.empty()) samples.emplace(piece.name, &piece);
   std::set<std::string> names;
+  std::map<PieceId, Drawn> all;
   std::optional<Error> trouble;
   for (const CadPiece& drawn : style->pieces) {
     addRow(made.rows, drawn);
     if (drawn.size != made.size) continue;
     const auto sample = samples.find(drawn.name);
-    auto piece = pieceOf(drawn, sample == samples.end() ? nullptr : sample->second, made.notes);
+    Drawn one{drawn.name, sample == samples.end() ? nullptr : sample->second, {}};
+    auto piece = pieceOf(drawn, one.sample, made.notes, one.plan);
     if (!piece) {
       if (!trouble) trouble = piece.error();
       made.notes.push_back(piece.error().what);
@@ -62,10 +130,13 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
     }
     piece->id = {made.pattern.pieces.size() + 1};
     piece->name = distinct(oneWord(piece->name, "piece"), names);
+    addRules(made.rules, *piece, one.plan);
+    all.emplace(piece->id, std::move(one));
     made.pattern.pieces[piece->id] = std::make_shared<const Piece>(*std::move(piece));
   }
   if (made.pattern.pieces.empty())
     return trouble ? *trouble : badInput(say("The DXF file has no piece of size {0}.", made.size));
+  measureSizes(*style, all, made);
   return made;
 }
 

@@ -4,6 +4,7 @@
 
 #include "exchange/names.h"
 #include "exchange/sheet.h"
+#include "grade_rules.h"
 #include "karinui/base/number.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/pattern/cut_line.h"
@@ -52,12 +53,16 @@ Drawn drawn(const Ring& ring) {
 
 class Writing {
  public:
-  explicit Writing(DxfDialect dialect) : astm_(dialect == DxfDialect::Astm) {
+  Writing(DxfDialect dialect, const Pattern& pattern) : astm_(dialect == DxfDialect::Astm) {
+    std::set<std::string> taken;
+    for (const auto& [id, piece] : pattern.pieces) names_[id] = asciiName(piece->name, taken);
     group(0, "SECTION"), group(2, "HEADER"), group(0, "ENDSEC"), group(0, "SECTION"), group(2, "BLOCKS");
   }
 
-  void piece(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan) {
-    const std::string name = asciiName(piece.name, names_), block = name + "_" + std::string(kSize);
+  // `rules`: those of its points, in the base size.
+  void piece(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan, const std::string& size,
+             const std::vector<NumberedRule>& rules) {
+    const std::string &name = names_.at(piece.id), block = name + "_" + size;
     const Drawn seam = drawn(piece.outline);
     const auto cut = plan ? cutLines(piece, *plan, kMiss) : std::nullopt;
     const Drawn boundary = cut ? drawn(cut->outer) : seam;
@@ -65,7 +70,7 @@ class Writing {
     group(0, "BLOCK"), group(8, "0"), group(2, block), group(70, "64"), place({0, 0});
     const Flat at = boundary.points.front();
     for (const std::string& words :
-         {"Piece Name: " + name, "Size: " + std::string(kSize), std::string(astm_ ? "Quantity: 1,0" : "Quantity: 1"),
+         {"Piece Name: " + name, "Size: " + size, std::string(astm_ ? "Quantity: 1,0" : "Quantity: 1"),
           "Annotation: " + asciiText(piece.name), std::string("Category: "), "Fabric: " + asciiText(piece.fabric)})
       text(1, at, words);
     line(1, boundary);
@@ -73,6 +78,8 @@ class Writing {
     if (astm_) line(84, boundary);
     if (cut) line(14, seam), points(seam);
     if (cut && astm_) line(87, seam);
+    for (const NumberedRule& rule : rules)
+      text(astm_ ? (cut ? 14 : 1) : rule.corner ? 2 : 3, rule.place, "# " + std::to_string(rule.number));
     for (const Outline& hole : piece.holes) {
       line(11, drawn(hole));
       if (astm_) line(86, drawn(hole));
@@ -88,11 +95,12 @@ class Writing {
     group(0, "ENDBLK"), group(8, "0");
   }
 
-  std::string finished(std::string_view style) {
+  std::string finished(std::string_view style, const std::string& sample, bool ruled) {
     group(0, "ENDSEC"), group(0, "SECTION"), group(2, "ENTITIES");
     for (const std::string& words :
          {"Style Name: " + asciiText(style), std::string(astm_ ? "Author: KARINUI ; KARINUI ; 0.1" : "Author: KARINUI"),
-          "Sample Size: " + std::string(kSize), std::string("Grade Rule Table: "), std::string("Units: METRIC")})
+          "Sample Size: " + sample, "Grade Rule Table: " + (ruled ? edgeWord(style) : std::string()),
+          std::string("Units: METRIC")})
       text(1, {}, words);
     if (astm_)
       text(1, {}, "ASTM/D13Proposal 1 Version: D 6673-04"), text(1, {}, "Curve Tolerance: 0.05");
@@ -152,7 +160,7 @@ class Writing {
 
   bool astm_;
   std::string out_;
-  std::set<std::string> names_;
+  std::map<PieceId, std::string> names_;
   std::vector<std::string> blocks_;
 };
 
@@ -160,11 +168,31 @@ class Writing {
 
 Result<std::string> writeDxf(const Pattern& pattern, DxfDialect dialect, const SheetSettings& settings) {
   if (pattern.pieces.empty()) return refused(say("There is no piece to print."));
-  const auto allowances = allowancesOn(pattern, settings);
-  if (!allowances) return allowances.error();
-  Writing writing(dialect);
-  for (const auto& [id, piece] : pattern.pieces) writing.piece(pattern, *piece, *allowances ? &**allowances : nullptr);
-  return writing.finished(settings.title);
+  const Grading& grading = settings.grading;
+  const bool graded = !grading.pieces.empty();
+  RuleBook book;
+  if (graded) {
+    auto rules = ruleBook(pattern, grading);
+    if (!rules) return rules.error();
+    book = *std::move(rules);
+  }
+  Writing writing(dialect, pattern);
+  const std::vector<std::string> sizes = graded ? asciiSizes(grading.sizes) : std::vector{std::string(kSize)};
+  // Block by block as readers list them: each piece in all its sizes.
+  std::vector<Pattern> patterns;
+  std::vector<std::optional<AllowancePlan>> plans;
+  for (std::size_t size = 0; size < sizes.size(); ++size) {
+    auto one = graded ? patternInSize(pattern, grading, size) : Result<Pattern>(pattern);
+    if (!one) return one.error();
+    const auto allowances = allowancesOn(*one, settings);
+    if (!allowances) return allowances.error();
+    patterns.push_back(*std::move(one)), plans.push_back(*allowances);
+  }
+  for (const auto& [id, piece] : pattern.pieces)
+    for (std::size_t size = 0; size < sizes.size(); ++size)
+      writing.piece(patterns[size], *patterns[size].pieces.at(id), plans[size] ? &*plans[size] : nullptr, sizes[size],
+                    graded && size == grading.base ? book.places[id] : std::vector<NumberedRule>());
+  return writing.finished(settings.title, sizes[graded ? grading.base : 0], graded);
 }
 
 }  // namespace karinui
