@@ -9,9 +9,9 @@ namespace karinui {
 
 namespace {
 
-constexpr double kSameShare = 1e-9;      // of an edge's length
-constexpr double kNearJoint = 0.01;      // of an edge's length: a joint this near serves for a graded place
-constexpr std::size_t kMostPlaces = 40;  // of one edge
+constexpr double kSameShare = 1e-9;       // of an edge's length
+constexpr double kNearJoint = 0.002;      // of an edge's length: a joint this near serves for a graded place
+constexpr std::size_t kMostPlaces = 100;  // of one edge
 constexpr int kRounds = 30;
 constexpr double kFollows = 3e-6;       // metres a cubic may miss what it is graded to
 constexpr double kShortestPart = 2e-3;  // metres: shorter cubics are not parted for that

@@ -92,7 +92,7 @@ TEST(Formats, AnUnknownEndingIsToldWhatCanBeRead) {
   ASSERT_FALSE(pattern);
   EXPECT_THAT(text(pattern.error().what),
               HasSubstr("“front.hpgl” has none of the endings that are read here: patterns"));
-  EXPECT_THAT(text(unwritable("x.xyz").what), HasSubstr(".pdf, .svg, .plt, .glb, .obj, .json, .dxf, .ops."));
+  EXPECT_THAT(text(unwritable("x.xyz").what), HasSubstr(".pdf, .svg, .plt, .glb, .obj, .json, .dxf, .rul, .ops."));
 }
 
 TEST(Formats, AFileThatIsWrittenGetsTheEndingOnce) {

@@ -54,6 +54,10 @@ constexpr FuzzedReader kReaders[] = {
      [](std::string_view bytes) {
        if (const auto read = readCadPattern(bytes)) use(read->pattern);
      }},
+    {"grade_rules", "rul",
+     [](std::string_view bytes) {
+       for (const bool steps : {false, true}) (void)readGradeRules(bytes, steps);
+     }},
     {"svg", "svg",
      [](std::string_view bytes) {
        if (const auto read = readDrawing(bytes)) use(read->pattern);

@@ -51,8 +51,8 @@ std::vector<Flat> carriedWithin(const Outline& before, const Outline& after, std
 Result<Piece> inSize(const Piece& piece, const Grading& grading, std::size_t to);
 
 // The differences measured between outlines of all sizes, which have as many edges, in the same order; those of the
-// base name them. Graded by them, the base misses no outline by more than kGradedMiss, where that takes no more than 40
-// places on an edge.
+// base name them. Graded by them, the base misses no outline by more than kGradedMiss, where that takes no more than
+// 100 places on an edge.
 inline constexpr double kGradedMiss = 1e-5;
 Result<GradePoints> measuredGrading(const std::vector<Outline>& sizes, std::size_t base);
 

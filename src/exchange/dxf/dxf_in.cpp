@@ -27,8 +27,9 @@ void addRow(std::vector<CadPattern::Row>& rows, const CadPiece& piece) {
   row->sizes.push_back(piece.size);
 }
 
-constexpr double kAtPoint = 1e-4;   // metres from the outline within which a rule is of a point on it,
-constexpr double kAtCorner = 5e-5;  // and from a corner within which it is the corner's
+constexpr std::size_t kMostMeasured = 200'000;  // points of all sizes together
+constexpr double kAtPoint = 1e-4;               // metres from the outline within which a rule is of a point on it,
+constexpr double kAtCorner = 5e-5;              // and from a corner within which it is the corner's
 
 // The places of the outline whose points name grade rules.
 void addRules(std::vector<CadPattern::RulePlace>& places, const Piece& piece, const EdgePlan& plan) {
@@ -54,7 +55,14 @@ struct Drawn {  // a piece, as it is named in the file
 
 // What the other sizes differ by from the one that was read. A size that a piece lacks is as its neighbour.
 void measureSizes(const CadStyle& style, const std::map<PieceId, Drawn>& drawn, CadPattern& made) {
-  if (made.sizes.size() < 2 || made.sizes.size() > kMostSizes) return;
+  if (made.sizes.size() < 2) return;
+  std::size_t points = 0;
+  for (const CadPiece& piece : style.pieces)
+    for (const CadLine& line : piece.boundary) points += line.points.size();
+  if (made.sizes.size() > kMostSizes || points > kMostMeasured)
+    return made.notes.push_back(
+        say("The other sizes were left out: they are more than {0}, or drawn with more than {1} points.", kMostSizes,
+            kMostMeasured));
   Grading grading;
   grading.sizes = sizeWords(made.sizes);
   grading.base = grading.standing =
