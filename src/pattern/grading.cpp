@@ -12,9 +12,8 @@ namespace {
 constexpr double kSameShare = 1e-9;       // of an edge's length
 constexpr double kNearJoint = 0.002;      // of an edge's length: a joint this near serves for a graded place
 constexpr std::size_t kMostPlaces = 100;  // of one edge
-constexpr int kRounds = 30;
-constexpr double kFollows = 3e-6;       // metres a cubic may miss what it is graded to
-constexpr double kShortestPart = 2e-3;  // metres: shorter cubics are not parted for that
+constexpr double kFollows = 3e-6;         // metres a cubic may miss what it is graded to
+constexpr double kShortestPart = 2e-3;    // metres: shorter cubics are not parted for that
 
 // How far the places of one edge go in one size.
 struct EdgeDifference {
@@ -195,35 +194,6 @@ Outline differed(const Outline& outline, const GradePoints& points, std::size_t 
   return out;
 }
 
-// Every number of an outline moved by what `target` is off `reached`; returns the farthest of the steps.
-double corrected(Outline& outline, const Outline& target, const Outline& reached) {
-  double most = 0;
-  const auto step = [&](Flat& p, Flat wanted, Flat is) {
-    p += wanted - is;
-    most = std::max(most, distance(wanted, is));
-  };
-  for (std::size_t k = 0; k < outline.edges.size(); ++k) {
-    Curve& c = outline.edges[k].curve;
-    const Curve &to = target.edges[k].curve, &is = reached.edges[k].curve;
-    step(c.start, to.start, is.start), step(c.end, to.end, is.end);
-    step(c.control1, to.control1, is.control1), step(c.control2, to.control2, is.control2);
-    for (std::size_t i = 0; i < c.between.size(); ++i) step(c.between[i], to.between[i], is.between[i]);
-  }
-  for (std::size_t k = 0, n = outline.edges.size(); k < n; ++k)
-    outline.edges[(k + 1) % n].curve.start = outline.edges[k].curve.end;
-  return most;
-}
-
-// The outline in the base size of one in another: what, graded, gives it. The differences depend on it only by the
-// lengths of its edges, so that each round is nearer by far.
-Outline ungraded(const Outline& given, const GradePoints& points, std::size_t size) {
-  const Outline outline = refined(given, points, size);
-  Outline base = outline;
-  for (int round = 0; round < kRounds; ++round)
-    if (corrected(base, outline, differed(base, points, size)) < 1e-14) break;
-  return base;
-}
-
 double round7(double metres) { return std::round(metres * 1e7) / 1e7; }
 Flat round7(Flat p) { return {round7(p.u), round7(p.v)}; }
 
@@ -290,12 +260,14 @@ class EdgeMeasuring {
     const double a = at(joints_, k), b = at(joints_, k + 1), c = at(size.joints, k), d = at(size.joints, k + 1);
     return b > a ? c + (share - a) / (b - a) * (d - c) : c;
   }
-  void add(double share) {
-    std::vector<Flat>& by = places_[share];
+  std::vector<Flat> differences(double share) const {
+    std::vector<Flat> by;
     const Flat here = base_.atFraction(share);
     for (const Size& size : sizes_)
       by.push_back(round7(size.curve->atFraction(share >= 1 ? 1 : shareIn(size, share)) - here));
+    return by;
   }
+  void add(double share) { places_[share] = differences(share); }
   // By how much the graded curves miss the sizes most, between each two places.
   std::vector<double> misses() const {
     constexpr int kSamples = 6;  // of a cubic
@@ -362,9 +334,9 @@ std::vector<Flat> differenceAt(const Outline& outline, const GradePoints& points
 Result<Outline> graded(const Outline& outline, const Grading& grading, const GradePoints& points, std::size_t from,
                        std::size_t to) {
   if (from == to) return outline;
-  Outline base = from == grading.base ? outline : ungraded(outline, points, from);
-  auto done =
-      checked(to == grading.base ? std::move(base) : differed(refined(std::move(base), points, to), points, to));
+  GradePoints way;
+  for (const GradePoint& point : points) way.push_back({point.edge, point.at, {point.by[to] - point.by[from]}});
+  auto done = checked(differed(refined(outline, way, 0), way, 0));
   if (!done) return refused(say("In size {0}: {1}", grading.sizes[to], done.error().what));
   return done;
 }

@@ -68,20 +68,6 @@ TEST(Grading, CornersGoAsToldAndCurvesKeepTheirKind) {
   EXPECT_FALSE(graded(m, of(points), corners(m, {{0, 0}, {-.3, 0}, {-.3, 0}, {0, 0}, {0, 0}, {0, 0}}), 1, 2));
 }
 
-TEST(Grading, ThereAndBackAgainIsTheSameOutline) {
-  const Outline m = front();
-  const auto made = measuredGrading({front(-.012, -.006, -.002), m, front(.015, .008, .003)}, 1);
-  ASSERT_TRUE(made);
-  const Grading grading = of(*made);
-  Outline now = m;
-  for (const auto& [from, to] : {std::pair{1, 2}, {2, 0}, {0, 1}}) {
-    const auto next = graded(now, grading, *made, static_cast<std::size_t>(from), static_cast<std::size_t>(to));
-    ASSERT_TRUE(next);
-    now = *next;
-  }
-  EXPECT_LT(apart(now, m), 1e-6);
-}
-
 TEST(Grading, MeasuredDifferencesGiveTheOutlinesBack) {
   // The large size's armhole has another character, and is drawn with joints of its own.
   Outline large = front(.015, .008, .003);

@@ -11,7 +11,7 @@
 
 namespace karinui {
 
-// A place on the outline and, for each size in order, how far it goes from where it is in the base size.
+// A place on the outline of the size that stands and, for each size in order, how far it is from where the base has it.
 struct GradePoint {
   std::string edge;
   double at = 0;  // of the edge's length, below 1; 0: the corner where it starts

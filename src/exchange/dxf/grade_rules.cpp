@@ -74,8 +74,6 @@ Result<Pattern> patternInSize(const Pattern& pattern, const Grading& grading, st
 }
 
 Result<RuleBook> ruleBook(const Pattern& pattern, const Grading& grading) {
-  const auto base = patternInSize(pattern, grading, grading.base);
-  if (!base) return base.error();
   RuleBook book;
   const auto number = [&](std::vector<Flat> by) {
     for (Flat& p : by) p = {hundredths(p.u), hundredths(p.v)};
@@ -84,17 +82,18 @@ Result<RuleBook> ruleBook(const Pattern& pattern, const Grading& grading) {
     return static_cast<std::size_t>(at - book.rules.begin()) + 1;
   };
   for (const auto& [id, points] : grading.pieces) {
-    const auto piece = base->pieces.find(id);
-    if (piece == base->pieces.end()) continue;
+    const auto piece = pattern.pieces.find(id);
+    if (piece == pattern.pieces.end()) continue;
     const Outline& outline = piece->second->outline;
     for (const Edge& edge : outline.edges) {
       std::vector<double> places{0};
       for (const GradePoint& point : points)
         if (point.edge == edge.name && point.at > 0) places.push_back(point.at);
       std::sort(places.begin(), places.end());
-      for (const double at : places)
-        book.places[id].push_back({edge.curve.atFraction(at), at == 0,
-                                   number(differenceAt(outline, points, edge.name, at, grading.sizes.size()))});
+      for (const double at : places) {
+        const auto by = differenceAt(outline, points, edge.name, at, grading.sizes.size());
+        book.places[id].push_back({edge.curve.atFraction(at) - by[grading.standing], at == 0, number(by)});
+      }
     }
   }
   return book;
