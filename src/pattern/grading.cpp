@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "karinui/base/number.h"
+#include "karinui/pattern/graded_places.h"
 
 namespace karinui {
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSameShare = 1e-9;       // of an edge's length
 constexpr double kNearJoint = 0.002;      // of an edge's length: a joint this near serves for a graded place
-constexpr std::size_t kMostPlaces = 100;  // of one edge
+constexpr std::size_t kMostPlaces = 200;  // of one edge
 constexpr double kFollows = 3e-6;         // metres a cubic may miss what it is graded to
 constexpr double kShortestPart = 2e-3;    // metres: shorter cubics are not parted for that
 
@@ -194,6 +194,12 @@ Outline differed(const Outline& outline, const GradePoints& points, std::size_t 
   return out;
 }
 
+GradePoints wayOf(const GradePoints& points, std::size_t from, std::size_t to) {
+  GradePoints way;
+  for (const GradePoint& point : points) way.push_back({point.edge, point.at, {point.by[to] - point.by[from]}});
+  return way;
+}
+
 double round7(double metres) { return std::round(metres * 1e7) / 1e7; }
 Flat round7(Flat p) { return {round7(p.u), round7(p.v)}; }
 
@@ -203,10 +209,9 @@ class EdgeMeasuring {
   EdgeMeasuring(const std::vector<const Curve*>& sizes, std::size_t base)
       : base_(*sizes[base]), joints_(jointsOf(base_)) {
     for (const Curve* curve : sizes) {
-      Size& size = sizes_.emplace_back(Size{curve, curve->flattened(4e-6), {0}, jointsOf(*curve)});
+      Size& size = sizes_.emplace_back(Size{curve, curve->flattened(4e-6), {0}});
       for (std::size_t i = 1; i < size.line.size(); ++i)
         size.along.push_back(size.along.back() + distance(size.line[i - 1], size.line[i]));
-      if (size.joints.size() != joints_.size()) size.joints = joints_;  // drawn otherwise: share for share
     }
     add(0), add(1);
   }
@@ -236,7 +241,7 @@ class EdgeMeasuring {
   struct Size {
     const Curve* curve;
     std::vector<Flat> line;
-    std::vector<double> along, joints;
+    std::vector<double> along;
     double distanceTo(Flat p, double share) const {  // near a share of its length
       const double at = share * along.back(), reach = 0.08 * along.back() + 0.01;
       double least = 1e9;
@@ -251,20 +256,10 @@ class EdgeMeasuring {
       return least;
     }
   };
-  // Between joints that are each other's, share for share.
-  double shareIn(const Size& size, double share) const {
-    const auto k = static_cast<std::size_t>(std::upper_bound(joints_.begin(), joints_.end(), share) - joints_.begin());
-    const auto at = [](const std::vector<double>& all, std::size_t i) {
-      return i == 0 ? 0 : i > all.size() ? 1 : all[i - 1];
-    };
-    const double a = at(joints_, k), b = at(joints_, k + 1), c = at(size.joints, k), d = at(size.joints, k + 1);
-    return b > a ? c + (share - a) / (b - a) * (d - c) : c;
-  }
   std::vector<Flat> differences(double share) const {
     std::vector<Flat> by;
     const Flat here = base_.atFraction(share);
-    for (const Size& size : sizes_)
-      by.push_back(round7(size.curve->atFraction(share >= 1 ? 1 : shareIn(size, share)) - here));
+    for (const Size& size : sizes_) by.push_back(round7(size.curve->atFraction(share) - here));
     return by;
   }
   void add(double share) { places_[share] = differences(share); }
@@ -285,7 +280,7 @@ class EdgeMeasuring {
           const double t = static_cast<double>(i) / kSamples, share = (s + t * long_) / whole;
           const auto in = std::distance(places_.begin(), places_.upper_bound(share));
           double& miss = most[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(in - 1, 0, std::ssize(most) - 1))];
-          miss = std::max(miss, sizes_[size].distanceTo(after[k].at(t), shareIn(sizes_[size], share)));
+          miss = std::max(miss, sizes_[size].distanceTo(after[k].at(t), share));
         }
         s += long_;
       }
@@ -334,11 +329,23 @@ std::vector<Flat> differenceAt(const Outline& outline, const GradePoints& points
 Result<Outline> graded(const Outline& outline, const Grading& grading, const GradePoints& points, std::size_t from,
                        std::size_t to) {
   if (from == to) return outline;
-  GradePoints way;
-  for (const GradePoint& point : points) way.push_back({point.edge, point.at, {point.by[to] - point.by[from]}});
+  const GradePoints way = wayOf(points, from, to);
   auto done = checked(differed(refined(outline, way, 0), way, 0));
   if (!done) return refused(say("In size {0}: {1}", grading.sizes[to], done.error().what));
   return done;
+}
+
+GradePoints placesInSize(const Outline& outline, const GradePoints& points, std::size_t from, std::size_t to) {
+  GradePoints now = points;
+  const OutlineDifference difference(outline, wayOf(points, from, to), 0);
+  for (std::size_t k = 0; k < outline.edges.size(); ++k) {
+    const Curve was = refined(outline.edges[k].curve, difference.edge(k)), is = differed(was, difference.edge(k));
+    const double before = was.length(), after = is.length();
+    for (GradePoint& point : now)  // joint for joint, both run by the same parameter
+      if (point.edge == outline.edges[k].name && point.at > 0)
+        point.at = is.lengthTo(was.parameterAt(point.at * before)) / after;
+  }
+  return now;
 }
 
 std::vector<Flat> carriedWithin(const Outline& before, const Outline& after, std::vector<Flat> places) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "design/operations/operations.h"
+#include "karinui/pattern/graded_places.h"
 
 namespace karinui {
 
@@ -77,32 +78,6 @@ void gradeCopies(Document& document, PieceId id) {
   for (const auto& [other, copy] : document.pattern.pieces)
     if (other != id && (copy->mirrorOf == id || piece.mirrorOf == other) && copy->outline == image)
       document.grading.pieces[other] = mirroredGrading(document.grading.pieces.at(id), piece.outline, image);
-}
-
-// The graded places where they are on the outline of another size: at the joints that came there.
-GradePoints placesIn(const Outline& before, const Outline& now, GradePoints points, std::size_t from, std::size_t to) {
-  std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-  for (std::size_t k = 0; k < now.edges.size(); ++k) {
-    const Edge &was = before.edges[k], &is = now.edges[k];
-    const std::vector<Curve> parts = is.curve.parts();
-    const double whole = is.curve.length();
-    std::size_t next = 0;
-    double s = 0;  // along the edge, to the end of the part before `next`
-    for (GradePoint& point : points) {
-      if (point.edge != was.name || point.at <= 0) continue;
-      const Flat there = was.curve.atFraction(point.at) + point.by[to] - point.by[from];
-      std::size_t nearest = next;
-      double least = 1e9, along = s, at = s;
-      for (std::size_t i = next; i + 1 < parts.size(); ++i) {
-        along += parts[i].length();
-        if (const double away = distance(parts[i].end, there); away < least - 1e-9)
-          least = away, nearest = i, at = along;
-      }
-      if (least > 1e-3) continue;  // it has no joint of its own
-      point.at = at / whole, next = nearest + 1, s = at;
-    }
-  }
-  return points;
 }
 
 }  // namespace
@@ -255,7 +230,7 @@ Result<Document> perform(const Document& before, const ChooseSize& op, Context&)
         first && old.outline == mirrored(*first).outline && before.grading.pieces.contains(first->id))
       piece->outline = mirrored(*after.find(first->id)).outline;  // to the last bit, so that it stays its likeness
     if (piece->outline == old.outline) continue;
-    after.grading.pieces[id] = placesIn(old.outline, piece->outline, points, before.grading.standing, to);
+    after.grading.pieces[id] = placesInSize(old.outline, points, before.grading.standing, to);
     piece->form = followedForm(old, piece->outline);
     if (const auto pins = after.pins.find(id); pins != after.pins.end())
       pins->second = carriedWithin(old.outline, piece->outline, pins->second);
