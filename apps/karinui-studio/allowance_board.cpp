@@ -6,6 +6,8 @@
 #include <QPushButton>
 
 #include "karinui/design/truing_said.h"
+#include "karinui/base/number.h"
+#include "karinui/session/fit.h"
 #include "length_box.h"
 #include "theme.h"
 
@@ -89,6 +91,44 @@ AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
     op.plain = true;
     perform(std::move(op));
   });
+  hem_ = new LengthBox(say("Hem, turned up"), 0, kWidestAllowance);
+  hem_->setObjectName("edge_hem");
+  Theme::here().keep(hem_, [this] {
+    hem_->setToolTip(inWords(say("How deep the edge is turned up and sewn down; 0: it is not. A third of it, 1 cm at "
+                                 "most, is turned in once more.")));
+  });
+  row(say("Hem, turned up"), hem_);
+  connect(hem_, &LengthBox::typed, this, [this](double metres) {
+    if (filling_ || !session_.selection().edge) return;
+    TurnHem op;
+    op.edges = operation().edges;
+    op.none = metres < kNarrowestHem;
+    if (!op.none) op.width = Length{metres}, op.under = Length{std::min({0.01, metres / 3, kWidestAllowance - metres})};
+    session_.perform(std::move(op));
+  });
+  elastic_ = new LengthBox(say("Elastic, cut length"), 0, 10);
+  elastic_->setObjectName("edge_elastic");
+  Theme::here().keep(elastic_, [this] {
+    elastic_->setToolTip(inWords(say("How long the elastic along this edge is cut; 0: there is none.")));
+  });
+  row(say("Elastic, cut length"), elastic_);
+  pull_ = new QLabel;
+  pull_->setProperty("role", "faint");
+  pull_->setWordWrap(true);
+  form->addRow(QString(), pull_);
+  connect(elastic_, &LengthBox::typed, this, [this](double metres) {
+    if (filling_ || !session_.selection().edge) return;
+    SewElastic op;
+    op.edges = operation().edges;
+    const EdgeSpan& edge = *session_.selection().edge;
+    const double whole = findEdge(*session_.snapshot().document.find(edge.piece), edge.edge)->curve.length();
+    // The edge's own share: its image and copies are gathered as much.
+    if (metres > 0)
+      op.ratio = metres / whole;
+    else
+      op.none = true;
+    session_.perform(std::move(op));
+  });
   ease_ = new LengthBox(say("Ease in the seam"), 0, 10);
   ease_->setObjectName("seam_ease");
   Theme::here().keep(ease_, [this] {
@@ -148,6 +188,14 @@ void AllowanceBoard::refresh() {
     const CornerKind kind = plan.corner(piece->id, edges[(after + n - 1) % n].name, edges[after].name);
     corners_[k]->setCurrentIndex(static_cast<int>(kind));
   }
+  const Allowances& finish = document.allowances;
+  const Allowances::At at{piece->id, chosen->edge};
+  hem_->setMetres(finish.hems.contains(at) ? finish.hems.at(at).width : 0);
+  elastic_->setMetres(finish.elastics.contains(at) ? finish.elastics.at(at).ratio * edges[*edge].curve.length() : 0);
+  pull_->clear();
+  for (const ElasticPull& pull : elasticsOf(session_.snapshot()))
+    if (pull.piece == at.first && pull.edge == at.second && !document.drape.dirty.contains(at.first))
+      pull_->setText(inWords(say("pulls with {0} N, drawn out to {1} cm", fixed(pull.pull, 1), fixed(100 * pull.now, 1))));
   const SeamId sewn = seam();
   const auto eased = document.eases.find(sewn);
   ease_->setEnabled(static_cast<bool>(sewn));

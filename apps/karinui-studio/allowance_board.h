@@ -1,6 +1,6 @@
 #pragma once
-// How far beyond its seam line the chosen edge is cut, how the cut line turns at its ends, and the ease that is meant
-// in its seam. GUI thread.
+// How the chosen edge is finished: how far beyond its seam line it is cut, how the cut line turns at its ends, its hem
+// and its elastic, and the ease that is meant in its seam. GUI thread.
 #include <QWidget>
 #include <array>
 
@@ -25,9 +25,9 @@ class AllowanceBoard : public QWidget {
   SeamId seam() const;  // that holds the chosen edge; none: it is not sewn
 
   Session& session_;
-  LengthBox *width_, *ease_;
+  LengthBox *width_, *hem_, *elastic_, *ease_;
   std::array<QComboBox*, 2> corners_;  // where the edge starts, where it ends
-  QLabel *why_, *faults_;
+  QLabel *why_, *pull_, *faults_;
   bool filling_ = false;
 };
 

@@ -210,7 +210,7 @@ void paintPiece(QPainter& painter, const TablePiece& piece, const TableOnScreen&
     painter.setPen(piece.chosen && label.says == TableLabel::Says::Name ? p.accent : p.ink);
     if (label.says == TableLabel::Says::Name)
       paintName(painter, piece, label, screen);
-    else if (label.says == TableLabel::Says::SeamNumber)
+    else if (label.says != TableLabel::Says::Cut)
       paintAsPrinted(painter, label, screen);
   }
   painter.setPen(QPen(p.ink, 1.2));

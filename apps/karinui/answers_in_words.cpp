@@ -63,6 +63,9 @@ std::string checkWords(const ClothCheck& check, const Console& console) {
   row(say("99 % of the cloth is stretched less than"), percent(check.strain.p99));
   row(say("Stretch, at most"), percent(check.strain.max));
   row(say("Points of cloth"), std::to_string(check.vertices));
+  for (const ElasticPull& e : check.elastics)
+    row(say("Elastic along {0}", text(e.piece) + "." + e.edge),
+        console.said(say("pulls with {0} N, cut {1}, drawn out to {2}", fixed(e.pull, 1), mm(e.cut), mm(e.now))));
   return console.said(say("The cloth as it stands:")) + "\n" + table.words(2);
 }
 

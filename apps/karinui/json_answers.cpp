@@ -15,7 +15,11 @@ Json bodyJson(const Measurements& measured, const MeshReport& mesh) {
 }
 
 Json checkJson(const ClothCheck& check) {
-  return {{"finite", check.finite},
+  Json elastics = Json::array();
+  for (const ElasticPull& e : check.elastics)
+    elastics.push_back(
+        {{"piece", text(e.piece)}, {"edge", e.edge}, {"cut_m", e.cut}, {"now_m", e.now}, {"pull_n", e.pull}});
+  Json object = {{"finite", check.finite},
           {"penetration_mm", check.penetration * 1000},
           {"cloth_body_crossings", check.clothBodyCrossings},
           {"cloth_cloth_crossings", check.clothClothCrossings},
@@ -25,6 +29,8 @@ Json checkJson(const ClothCheck& check) {
           {"strain_p99", check.strain.p99},
           {"strain_max", check.strain.max},
           {"vertices", check.vertices}};
+  if (!elastics.empty()) object["elastics"] = elastics;
+  return object;
 }
 
 Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console) {

@@ -41,6 +41,39 @@ std::vector<Vec3> placesIn(const Form& form, const Lattice& lattice) {
   return places;
 }
 
+ClothEdge edgeOf(const Cloth& cloth, std::size_t piece, const Piece& paper, const std::string& name) {
+  ClothEdge edge{piece, name, {}, 0};
+  const Lattice& lattice = *cloth.pieces[piece].lattice;
+  const auto found = lattice.edges.find(name);
+  const Edge* drawn = findEdge(paper, name);
+  if (found == lattice.edges.end() || !drawn) return edge;
+  for (const std::uint32_t node : found->second.nodes) edge.nodes.push_back(cloth.pieces[piece].firstNode + node);
+  edge.length = drawn->curve.length();
+  return edge;
+}
+
+// What is sewn to the pieces' edges, turned up at them and pressed into them.
+void finish(const Pattern& pattern, const Allowances* finish, Cloth& cloth) {
+  for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
+    const Piece& piece = *pattern.pieces.at(cloth.pieces[p].id);
+    for (const InternalLine& line : piece.lines) {
+      if (!line.crease) continue;
+      std::vector<Flat> places;
+      for (const Curve& curve : line.curves)
+        for (const Flat place : curve.flattened(1e-4))
+          if (places.empty() || distance(places.back(), place) > 1e-6) places.push_back(place);
+      cloth.creases.push_back({p, std::move(places), *line.crease});
+    }
+    if (!finish) continue;
+    const auto add = [&](const auto& all, auto& to) {
+      for (auto own = all.lower_bound({piece.id, ""}); own != all.end() && own->first.first == piece.id; ++own)
+        if (ClothEdge edge = edgeOf(cloth, p, piece, own->first.second); edge.nodes.size() > 1)
+          to.push_back({std::move(edge), own->second});
+    };
+    add(finish->elastics, cloth.elastics), add(finish->hems, cloth.hems);
+  }
+}
+
 }  // namespace
 
 Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const std::map<std::string, Fabric>& fabrics,
@@ -79,6 +112,7 @@ Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const st
                      seam->second};
     if (joined.a != joined.b || joined.c != kNoNode) cloth.ties.push_back(joined);
   }
+  finish(pattern, choice.finish, cloth);
   return cloth;
 }
 

@@ -177,6 +177,7 @@ ClothCheck check(const Cloth& cloth, const ClothState& state, const Body* body) 
     found.seamGap = std::fmax(found.seamGap, distance(state.position[tie.a], other));
   }
   found.strain = strainOf(cloth, state);
+  found.elastics = elasticPulls(cloth, state);
   return found;
 }
 

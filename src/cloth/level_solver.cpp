@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "cloth/bending.h"
+#include "cloth/hem.h"
 #include "cloth/lattice_areas.h"
 
 namespace karinui {
@@ -50,6 +51,7 @@ Moving movingOf(const Cloth& cloth) {
       friction[node] = piece.fabric.frictionBody;
     }
   }
+  for (const auto& [node, more] : hemMasses(cloth)) moving.mass[node] += more;
   for (std::uint32_t node : cloth.pinned) moving.held[node] = 1;
   for (NodeIndex node = 0; node < cloth.nodeCount; ++node)
     if (!moving.held[node]) {

@@ -1,6 +1,9 @@
 #include "cloth/level_terms.h"
 
 #include "cloth/collider_face_contact.h"
+#include "cloth/crease.h"
+#include "cloth/elastic.h"
+#include "cloth/hem.h"
 
 namespace karinui {
 
@@ -20,6 +23,10 @@ LevelEnergies::LevelEnergies(const Cloth& cloth, const GridLayout& layout) {
   Springs* stretched = add(list, std::make_unique<Springs>(simclothSprings(cloth), cloth.nodeCount));
   if (stretched->count() > 0) simcloth = stretched;
   springs = {stretched, add(list, std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount))};
+  if (!cloth.elastics.empty())
+    springs.push_back(add(list, std::make_unique<Springs>(elasticSprings(cloth), cloth.nodeCount)));
+  if (!cloth.hems.empty()) add(list, std::make_unique<HemBending>(cloth));
+  if (!cloth.creases.empty()) add(list, std::make_unique<CreaseHinges>(cloth));
 }
 
 LevelContacts::LevelContacts(const Cloth& cloth, const ColliderList& bodies,

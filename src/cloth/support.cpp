@@ -1,6 +1,8 @@
 #include "karinui/cloth/support.h"
 
 #include "cloth/bending.h"
+#include "cloth/elastic.h"
+#include "cloth/hem.h"
 #include "cloth/lattice_areas.h"
 #include "cloth/membrane.h"
 #include "cloth/springs.h"
@@ -33,11 +35,13 @@ std::vector<Vec3> supportOf(const Cloth& cloth, const ClothState& state, Vec3 gr
   Membrane(cloth).addGradient(state.position, force, workers);
   Springs(simclothSprings(cloth), cloth.nodeCount).addGradient(state.position, force, workers);
   Springs(edgeSprings(cloth), cloth.nodeCount).addGradient(state.position, force, workers);
+  Springs(elasticSprings(cloth), cloth.nodeCount).addGradient(state.position, force, workers);
   Bending(cloth, held, layout, workers).addGradient(state.position, force, workers);
   for (std::size_t k = 0; k < force.size(); ++k) {
     force[k] -= gravity * (weight[k] * area[k]);
     areas[k] = {area[k], 0, 0};
   }
+  for (const auto& [node, more] : hemMasses(cloth)) force[node] -= gravity * more;
   const TieMap ties(cloth, held, std::vector<std::uint8_t>(cloth.ties.size(), 1));
   std::vector<Vec3> together, apart(cloth.nodeCount), shared;
   ties.reduce(force, together);

@@ -15,7 +15,8 @@ bool near(Vec3 p) { return finite(p) && std::abs(p.x) <= kFar && std::abs(p.y) <
 bool sound(const Outline& outline) { return checked(outline) && outline.area() > 0; }
 
 bool sound(const InternalLine& line) {
-  return std::all_of(line.curves.begin(), line.curves.end(), [](const Curve& c) {
+  return (!line.crease || line.crease->sound()) &&
+         std::all_of(line.curves.begin(), line.curves.end(), [](const Curve& c) {
     return near(c.start) && near(c.end) && near(c.control1) && near(c.control2) && std::abs(c.bulge) < kFar &&
            std::all_of(c.between.begin(), c.between.end(), [](Flat p) { return near(p); });
   });
@@ -96,6 +97,7 @@ bool soundContent(const Document& document) {
                               std::all_of(pinned.second.begin(), pinned.second.end(), [](Flat p) { return near(p); });
                      }) &&
          edgesThere(document, document.allowances.edges) && edgesThere(document, document.allowances.corners) &&
+         edgesThere(document, document.allowances.elastics) && edgesThere(document, document.allowances.hems) &&
          std::all_of(document.cutting.begin(), document.cutting.end(),
                      [&](const auto& own) { return document.find(own.first); }) &&
          std::all_of(document.eases.begin(), document.eases.end(),

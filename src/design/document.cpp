@@ -28,7 +28,10 @@ struct Truth {
   }
   void add(const Edge& e) { add(e.name), add(e.curve); }
   void add(const Outline& o) { each(o.edges); }
-  void add(const InternalLine& l) { add(l.name), each(l.curves); }
+  void add(const InternalLine& l) {
+    add(l.name), each(l.curves);
+    if (l.crease) add(std::string_view("crease")), add(l.crease->angle), add(l.crease->hold);
+  }
   void add(const Mark& m) { add(m.name), add(m.edge), add(m.fraction), add(m.place); }
   void add(const EdgeSpan& s) { add(s.piece.value), add(s.edge), add(s.from), add(s.to); }
   void add(const Piece& p) {
@@ -101,7 +104,7 @@ std::string hash(const Document& document) {
   }
   if (!document.variables.empty()) truth.add(std::string_view("variables"));  // documents without keep their hash
   for (const auto& [name, formula] : document.variables) truth.add(name), truth.add(formula);
-  if (const Allowances& own = document.allowances; !own.empty()) {  // likewise
+  if (const Allowances& own = document.allowances; !own.plain()) {  // likewise
     truth.add(std::string_view("allowances"));
     truth.add(std::uint64_t{own.kinds.size()});
     for (const auto& [kind, width] : own.kinds) truth.add(static_cast<std::uint64_t>(kind)), truth.add(width);
@@ -111,6 +114,12 @@ std::string hash(const Document& document) {
     for (const auto& [at, kind] : own.corners)
       truth.add(at.first.value), truth.add(at.second), truth.add(static_cast<std::uint64_t>(kind));
   }
+  if (!document.allowances.elastics.empty()) truth.add(std::string_view("elastics"));
+  for (const auto& [at, own] : document.allowances.elastics)
+    truth.add(at.first.value), truth.add(at.second), truth.add(own.ratio), truth.add(own.strength);
+  if (!document.allowances.hems.empty()) truth.add(std::string_view("hems"));
+  for (const auto& [at, own] : document.allowances.hems)
+    truth.add(at.first.value), truth.add(at.second), truth.add(own.width), truth.add(own.under);
   if (!document.cutting.empty()) truth.add(std::string_view("cutting"));
   for (const auto& [id, cutting] : document.cutting)
     truth.add(id.value), truth.add(static_cast<std::uint64_t>(cutting.count)), truth.add(std::uint64_t{cutting.pairs});

@@ -28,6 +28,7 @@ Result<ClothLevel> levelAt(const Document& document, const std::set<PieceId>& li
   ClothChoice choice;
   for (const auto& [id, piece] : document.pattern.pieces) choice.live[id] = live.contains(id);
   choice.pins = document.pins;
+  choice.finish = &document.allowances;
   Result<Cloth> cloth = assemble(document.pattern, *laid, *fabrics, choice);
   if (!cloth) return cloth.error();
   ClothState state = standing(document.pattern, *cloth);

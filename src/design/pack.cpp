@@ -1,5 +1,7 @@
 #include "design/pack.h"
 
+#include <tuple>
+
 #include "design/text/value_text.h"
 #include "karinui/design/apply.h"
 
@@ -271,6 +273,13 @@ std::string packRest(const Document& d) {
       w.add(id.value).add(cutting.count).add(static_cast<std::uint8_t>(cutting.pairs));
     w.add(std::uint64_t{d.eases.size()});
     for (const auto& [id, ease] : d.eases) w.add(id.value).add(ease);
+    if (const auto& [elastics, hems] = std::tie(d.allowances.elastics, d.allowances.hems);
+        !elastics.empty() || !hems.empty() || graded) {
+      w.add(std::uint64_t{elastics.size()});
+      for (const auto& [at, own] : elastics) w.add(at.first.value).add(at.second).add(own.ratio).add(own.strength);
+      w.add(std::uint64_t{hems.size()});
+      for (const auto& [at, own] : hems) w.add(at.first.value).add(at.second).add(own.width).add(own.under);
+    }
   }
   if (graded) add(w, d.grading);
   return w.taken();
@@ -333,6 +342,18 @@ Result<Document> unpackRest(std::string_view bytes) {
       const SeamId id{r.number<std::uint64_t>()};
       if (!((d.eases[id] = r.number<double>()) > 0)) r.fail();
     }
+  }
+  if (r.good() && !r.finished()) {
+    const auto each = [&](auto& all, auto read) {
+      for (std::size_t n = r.count(32); n > 0 && r.good(); --n) {
+        const PieceId piece{r.number<std::uint64_t>()};
+        auto& own = all[{piece, r.text()}];
+        read(own);
+        if (!sound(own)) r.fail();
+      }
+    };
+    each(d.allowances.elastics, [&](Elastic& e) { e.ratio = r.number<double>(), e.strength = r.number<double>(); });
+    each(d.allowances.hems, [&](Hem& h) { h.width = r.number<double>(), h.under = r.number<double>(); });
   }
   if (r.good() && !r.finished()) d.grading = readGrading(r);
   if (!r.finished()) return damaged();

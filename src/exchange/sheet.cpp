@@ -148,10 +148,12 @@ void addFolds(SheetPiece& out, const AllowancePlan& plan, Language language) {
   }
 }
 
-void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan) {
+void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan, const SheetSettings& settings) {
   std::map<PieceId, SheetPiece*> of;
   for (SheetPiece& piece : sheet.pieces) of[piece.piece->id] = &piece;
-  for (const NotchPlace& notch : notchPlaces(pattern)) {
+  std::vector<NotchPlace> notches = notchPlaces(pattern);
+  for (const NotchPlace& quarter : elasticNotches(pattern, settings.allowances)) notches.push_back(quarter);
+  for (const NotchPlace& notch : notches) {
     SheetPiece& piece = *of.at(notch.piece);
     const PaperStroke stroke = strokeOf(notch, plan ? plan->width(notch.piece, notch.edge) : 0);
     piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, notch.seam});
@@ -159,6 +161,11 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan)
   for (const SeamTag& tag : seamTags(pattern)) {
     SheetPiece& piece = *of.at(tag.piece);
     piece.texts.push_back({piece.at(tag.place), kSeamTagSize * 1000, true, std::to_string(tag.number)});
+  }
+  for (const PaperNote& note : notesOf(pattern, settings.allowances)) {
+    SheetPiece& piece = *of.at(note.piece);
+    piece.texts.push_back(
+        {piece.at(note.place), kNoteSize * 1000, note.upright, text(note.words, settings.language)});
   }
 }
 
@@ -224,7 +231,7 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
     addLabels(piece, settings, kinds.onFold(*piece.piece));
     addFolds(piece, kinds, settings.language);
   }
-  addNotches(sheet, pattern, plan);
+  addNotches(sheet, pattern, plan, settings);
 
   sheet.square = {kMargin, kMargin};
   const auto said = [&](const Message& message) { return text(message, settings.language); };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
+#include <type_traits>
 #include <utility>
 
 namespace karinui {
@@ -38,6 +40,15 @@ double usualAllowance(EdgeKind kind) {
   }
 }
 
+bool sound(const Elastic& elastic) {
+  return elastic.ratio >= kTightestElastic && elastic.ratio <= kLoosestElastic &&
+         elastic.strength >= kWeakestElastic && elastic.strength <= kStrongestElastic;
+}
+
+bool sound(const Hem& hem) {
+  return hem.width >= kNarrowestHem && hem.under >= 0 && hem.under <= hem.width && hem.allowance() <= kWidestAllowance;
+}
+
 CornerKind mirrored(CornerKind kind) {
   switch (kind) {
     case CornerKind::MirrorBefore:
@@ -55,20 +66,26 @@ CornerKind mirrored(CornerKind kind) {
 
 void updateAllowances(Allowances& allowances, const EdgeMap& map, const Pattern& now) {
   constexpr double kStart = 1e-9;
-  if (allowances.edges.empty() && allowances.corners.empty()) return;
-  decltype(allowances.edges) edges;
-  const auto keep = [&](const Allowances::At& at, double width) {
-    const auto [there, fresh] = edges.emplace(at, width);
-    if (!fresh) there->second = std::max(there->second, width);
-  };
-  for (const auto& [at, width] : allowances.edges) {
-    const auto parts = map.find(at);
-    if (parts == map.end()) {
-      keep(at, width);
-      continue;
+  // Where several edges became one, `better` says which of their finishes stays.
+  const auto follow = [&](auto& all, auto better) {
+    std::remove_reference_t<decltype(all)> kept;
+    const auto keep = [&](const Allowances::At& at, const auto& own) {
+      const auto [there, fresh] = kept.emplace(at, own);
+      if (!fresh && better(own, there->second)) there->second = own;
+    };
+    for (const auto& [at, own] : all) {
+      const auto parts = map.find(at);
+      if (parts == map.end())
+        keep(at, own);
+      else
+        for (const EdgePart& part : parts->second) keep({part.now.piece, part.now.edge}, own);
     }
-    for (const EdgePart& part : parts->second) keep({part.now.piece, part.now.edge}, width);
-  }
+    all = std::move(kept);
+    eraseGone(all, now);
+  };
+  follow(allowances.edges, std::greater<>());
+  follow(allowances.elastics, [](const Elastic& a, const Elastic& b) { return a.ratio < b.ratio; });
+  follow(allowances.hems, [](const Hem& a, const Hem& b) { return a.allowance() > b.allowance(); });
   decltype(allowances.corners) corners;
   for (const auto& [at, kind] : allowances.corners) {
     const auto parts = map.find(at);
@@ -79,8 +96,8 @@ void updateAllowances(Allowances& allowances, const EdgeMap& map, const Pattern&
     for (const EdgePart& part : parts->second)
       if (part.from < kStart && part.now.from < kStart) corners[{part.now.piece, part.now.edge}] = kind;
   }
-  allowances.edges = std::move(edges), allowances.corners = std::move(corners);
-  eraseGone(allowances.edges, now), eraseGone(allowances.corners, now);
+  allowances.corners = std::move(corners);
+  eraseGone(allowances.corners, now);
 }
 
 void copyAllowances(Allowances& allowances, const Piece& original, const Piece& copy, bool mirror) {
@@ -91,8 +108,13 @@ void copyAllowances(Allowances& allowances, const Piece& original, const Piece& 
       // The image of an edge starts where the edge ends.
       const auto width = mirror ? n - 1 - k : k, corner = mirror ? (n - k) % n : k;
       if (width >= to.edges.size() || corner >= to.edges.size()) continue;
-      if (const auto own = allowances.edges.find(at); own != allowances.edges.end())
-        allowances.edges[{copy.id, to.edges[width].name}] = double{own->second};
+      const auto give = [&](auto& all) {
+        if (const auto own = all.find(at); own != all.end()) {
+          const auto value = own->second;
+          all[{copy.id, to.edges[width].name}] = value;
+        }
+      };
+      give(allowances.edges), give(allowances.elastics), give(allowances.hems);
       if (const auto own = allowances.corners.find(at); own != allowances.corners.end())
         allowances.corners[{copy.id, to.edges[corner].name}] = mirror ? mirrored(own->second) : CornerKind{own->second};
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace karinui {
 namespace {
@@ -160,6 +161,44 @@ std::vector<Flat> drillHoles(const Pattern& pattern, const Piece& piece) {
       out.push_back(dart.point + normalized(middle - dart.point) * kDrillShort);
   }
   return out;
+}
+
+std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish) {
+  constexpr double kDepth = 0.014;  // metres from the edge, within the seams' numbers
+  std::vector<PaperNote> notes;
+  const auto flat = [](Flat along) { return std::abs(along.u) >= std::abs(along.v); };
+  for (const auto& [at, elastic] : finish.elastics)
+    if (const auto on = borderPlace(pattern, {at.first, at.second, 0.5})) {
+      const double cut = elastic.ratio * edgeOf(pattern, at.first, at.second)->curve.length();
+      notes.push_back({at.first, say("elastic {0} cm", std::round(cut * 1000) / 10), on->place - on->outward * kDepth,
+                       flat(leftOf(on->outward))});
+    }
+  for (const auto& [at, hem] : finish.hems)
+    if (const auto on = borderPlace(pattern, {at.first, at.second, 0.5})) {
+      const double width = std::round(hem.width * 1e4) / 10, under = std::round(hem.under * 1e4) / 10;
+      notes.push_back({at.first,
+                       under > 0 ? say("hem {0} mm, {1} mm turned in", width, under) : say("hem {0} mm", width),
+                       on->place - on->outward * kDepth, flat(leftOf(on->outward))});
+    }
+  for (const auto& [id, piece] : pattern.pieces)
+    for (const InternalLine& line : piece->lines) {
+      if (!line.crease || line.curves.empty()) continue;
+      const Curve& curve = line.curves[line.curves.size() / 2];
+      const double turn = std::round(line.crease->angle * 1800 / std::numbers::pi) / 10;
+      const Flat along = curve.tangent(0.5);
+      notes.push_back({id, turn > 0 ? say("fold {0}°, right sides together", turn) : say("fold {0}°", -turn),
+                       curve.at(0.5) + leftOf(normalized(along)) * kNoteSize, flat(along)});
+    }
+  return notes;
+}
+
+std::vector<NotchPlace> elasticNotches(const Pattern& pattern, const Allowances& finish) {
+  std::vector<NotchPlace> notches;
+  for (const auto& [at, elastic] : finish.elastics)
+    for (const double fraction : {0.25, 0.5, 0.75})
+      if (const auto on = borderPlace(pattern, {at.first, at.second, fraction}))
+        notches.push_back({at.first, on->place, on->outward, "", false, at.second});
+  return notches;
 }
 
 std::vector<SeamTag> seamTags(const Pattern& pattern) {

@@ -105,6 +105,7 @@ Result<EditedPiece> unfolded(const Piece& piece, std::string_view fold) {
     InternalLine copy;
     copy.name = otherSide(line.name);
     if (copy.name == line.name) copy.name += "_2";
+    copy.crease = line.crease;
     for (const Curve& curve : line.curves) copy.curves.push_back(curve.mirrored(a, axis));
     edit.piece.lines.push_back(std::move(copy));
   }

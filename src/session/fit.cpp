@@ -84,6 +84,24 @@ std::vector<Vec3> taped(std::vector<Vec3> points, double& length) {
 
 }  // namespace
 
+std::vector<ElasticPull> elasticsOf(const GarmentSnapshot& snapshot) {
+  const Document& document = snapshot.document;
+  if (document.allowances.elastics.empty()) return {};
+  LaidPattern laid;
+  laid.spacing = document.settings.spacing;
+  for (const GarmentSnapshot::Worn& worn : snapshot.worn) {
+    if (!worn.lattice) return {};
+    laid.lattices[worn.id] = worn.lattice;
+  }
+  const auto fabrics = fabricsInUse(document);
+  if (!fabrics) return {};
+  ClothChoice choice;
+  choice.finish = &document.allowances;
+  const Result<Cloth> cloth = assemble(document.pattern, laid, *fabrics, choice);
+  if (!cloth) return {};
+  return elasticPulls(*cloth, standing(document.pattern, *cloth));
+}
+
 std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& workers) {
   if (!snapshot.body || snapshot.document.pattern.pieces.empty()) return {};
   const Result<Standing> standing = standingCloth(snapshot.document, livePieces(snapshot.document, {}));

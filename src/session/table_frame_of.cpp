@@ -238,12 +238,17 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
       }
     frame.seams.push_back(std::move(drawn));
   }
-  for (const NotchPlace& notch : notchPlaces(pattern))
+  std::vector<NotchPlace> notches = notchPlaces(pattern);
+  for (const NotchPlace& quarter : elasticNotches(pattern, document.allowances)) notches.push_back(quarter);
+  for (const NotchPlace& notch : notches)
     frame.pieces[number.at(notch.piece)].notches.push_back({laid(strokeOf(notch), layout.at(notch.piece)), notch.own});
   for (const SeamTag& tag : seamTags(pattern))
     frame.pieces[number.at(tag.piece)].labels.push_back({TableLabel::Says::SeamNumber,
                                                          Message{std::to_string(tag.number), {}},
                                                          tag.place + layout.at(tag.piece), kSeamTagSize, true});
+  for (const PaperNote& note : notesOf(pattern, document.allowances))
+    frame.pieces[number.at(note.piece)].labels.push_back(
+        {TableLabel::Says::Note, note.words, note.place + layout.at(note.piece), kNoteSize, note.upright});
   if (chosen.edge)
     if (const auto at = number.find(chosen.edge->piece); at != number.end())
       if (TableEdge* edge = edgeNamed(frame.pieces[at->second], chosen.edge->edge)) edge->chosen = true;

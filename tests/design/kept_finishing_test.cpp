@@ -1,4 +1,4 @@
-// What a document keeps of allowances, eases and counts.
+// What a document keeps of allowances, elastics, hems, eases and counts.
 #include <gtest/gtest.h>
 
 #include "design/pack.h"
@@ -12,6 +12,8 @@ Document finished() {
   document.allowances.kinds[EdgeKind::Hem] = 0.04;
   document.allowances.edges[{{1}, "side"}] = 0.025;
   document.allowances.corners[{{1}, "hem"}] = CornerKind::SquareAfter;
+  document.allowances.elastics[{{1}, "waist"}] = {0.6, 14};
+  document.allowances.hems[{{1}, "hem"}] = {0.04, 0.01};
   document.cutting[{1}] = {4, true};
   document.eases[{2}] = 0.012;
   return document;
@@ -30,10 +32,11 @@ TEST(KeptFinishing, ComesBack) {
 
 TEST(KeptFinishing, EachPartCounts) {
   const std::string all = hash(finished());
-  Document kinds = finished(), edges = finished(), corners = finished(), cutting = finished(), eases = finished();
+  Document kinds = finished(), edges = finished(), corners = finished(), cutting = finished(), eases = finished(), elastics = finished(), hems = finished();
   kinds.allowances.kinds.clear(), edges.allowances.edges[{{1}, "side"}] = 0.026;
   corners.allowances.corners.clear(), cutting.cutting[{1}].pairs = false, eases.eases.clear();
-  for (const Document* other : {&kinds, &edges, &corners, &cutting, &eases}) EXPECT_NE(hash(*other), all);
+  elastics.allowances.elastics[{{1}, "waist"}].strength = 15, hems.allowances.hems[{{1}, "hem"}].under = 0;
+  for (const Document* other : {&kinds, &edges, &corners, &cutting, &eases, &elastics, &hems}) EXPECT_NE(hash(*other), all);
 }
 
 // Documents without are packed as before there were any.
@@ -53,6 +56,10 @@ TEST(KeptFinishing, NonsenseIsRefused) {
                             },
                             +[](Document& d) {
                               d.allowances.corners[{{1}, "hem"}] = static_cast<CornerKind>(6);
+                            },
+                            +[](Document& d) { d.allowances.elastics[{{1}, "waist"}].ratio = 0; },
+                            +[](Document& d) {
+                              d.allowances.hems[{{1}, "hem"}].under = 0.05;
                             },
                             +[](Document& d) { d.cutting[{1}].count = 0; }, +[](Document& d) { d.eases[{2}] = -1; }}) {
     Document document = finished();

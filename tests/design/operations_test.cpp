@@ -75,6 +75,17 @@ std::string facts(const Document& d) {
     out << "allowance " << name(at.first) << "." << at.second << " mm " << fixed(width * 1000, 1) << "\n";
   for (const auto& [at, kind] : d.allowances.corners)
     out << "corner " << name(at.first) << "." << at.second << " kind " << static_cast<int>(kind) << "\n";
+  for (const auto& [at, own] : d.allowances.elastics)
+    out << "elastic " << name(at.first) << "." << at.second << " ratio " << fixed(own.ratio, 4) << " strength "
+        << fixed(own.strength, 1) << "\n";
+  for (const auto& [at, own] : d.allowances.hems)
+    out << "hem " << name(at.first) << "." << at.second << " mm " << fixed(own.width * 1000, 1) << " "
+        << fixed(own.under * 1000, 1) << "\n";
+  for (const auto& [id, p] : d.pattern.pieces)
+    for (const InternalLine& line : p->lines)
+      if (line.crease)
+        out << "fold " << p->name << "." << line.name << " " << fixed(line.crease->angle, 4) << " "
+            << fixed(line.crease->hold, 2) << "\n";
   for (const auto& [id, cutting] : d.cutting)
     out << "cut " << name(id) << " times " << cutting.count << (cutting.pairs ? " in pairs\n" : "\n");
   for (const auto& [id, ease] : d.eases) out << "ease " << text(id) << " mm " << fixed(ease * 1000, 1) << "\n";

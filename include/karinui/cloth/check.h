@@ -7,6 +7,14 @@
 
 namespace karinui {
 
+// An elastic as it lies in the cloth.
+struct ElasticPull {
+  PieceId piece;
+  std::string edge;
+  double cut = 0, now = 0;  // metres: its own length, and drawn out
+  double pull = 0;          // N, on average along it
+};
+
 struct ClothCheck {
   bool finite = true;                   // false: nothing else was examined
   double penetration = 0;               // metres: deepest of all nodes and face samples below the body's mesh
@@ -18,8 +26,10 @@ struct ClothCheck {
   double seamGap = 0;  // metres, widest
   StrainReport strain;
   std::size_t vertices = 0;
+  std::vector<ElasticPull> elastics;
 };
 // `state` has one place per node of `cloth`. No body (null): nothing is entered or crossed but the cloth itself.
+std::vector<ElasticPull> elasticPulls(const Cloth& cloth, const ClothState& state);
 ClothCheck check(const Cloth& cloth, const ClothState& state, const Body* body);
 
 }  // namespace karinui

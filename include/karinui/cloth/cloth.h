@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "karinui/cloth/fabric.h"
+#include "karinui/pattern/allowance.h"
 #include "karinui/pattern/lattice.h"
 
 namespace karinui {
@@ -26,6 +27,26 @@ struct Tie {  // of cloth nodes; see SeamTie
   std::uint32_t seam = 0;  // index into Cloth::seams
 };
 
+struct ClothEdge {  // an edge with something sewn to it or turned up
+  std::size_t piece = 0;  // of Cloth::pieces
+  std::string name;
+  std::vector<std::uint32_t> nodes;  // cloth nodes along it, its ends included; the first is the last round a whole ring
+  double length = 0;                 // on paper
+};
+struct ElasticEdge {
+  ClothEdge edge;
+  Elastic elastic;
+};
+struct HemmedEdge {
+  ClothEdge edge;
+  Hem hem;
+};
+struct CreasedLine {
+  std::size_t piece = 0;
+  std::vector<Flat> places;  // on paper, of a polyline
+  Crease crease;
+};
+
 struct Cloth {
   double spacing = 0;
   std::vector<ClothPiece> pieces;
@@ -33,6 +54,9 @@ struct Cloth {
   std::vector<Tie> ties;
   std::vector<std::uint32_t> pinned;  // nodes held where they are in the starting state
   std::uint32_t nodeCount = 0;
+  std::vector<ElasticEdge> elastics;
+  std::vector<HemmedEdge> hems;
+  std::vector<CreasedLine> creases;
 };
 
 struct ClothState {
@@ -43,6 +67,7 @@ struct ClothChoice {
   std::map<PieceId, bool> live;               // missing: live unless the piece is frozen
   std::map<PieceId, std::vector<Flat>> pins;  // paper places; the nodes within `pinRadius` of each are held
   double pinRadius = 0.01;
+  const Allowances* finish = nullptr;  // whose elastics and hems the edges have; null: none
 };
 
 // Puts a laid pattern's pieces, fabrics and ties together as one cloth. Refuses a piece that was not laid or whose

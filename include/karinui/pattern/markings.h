@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "karinui/base/message.h"
+#include "karinui/pattern/allowance.h"
 #include "karinui/pattern/piece.h"
 #include "karinui/pattern/seam_walk.h"
 
@@ -43,6 +45,17 @@ inline constexpr double kDrillShort = 0.010;
 inline constexpr double kDrillRadius = 0.0025;  // of the circle round a drill hole,
 inline constexpr double kDrillArm = 0.004;      // and of each arm of the cross through it
 
+// What is said along an edge or a line: "elastic 56 cm", "fold 90°".
+struct PaperNote {
+  PieceId piece;
+  Message words;
+  Flat place;  // the middle of the lettering
+  bool upright = true;
+};
+inline constexpr double kNoteSize = 0.004;  // of the font
+std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish);
+// Where an elastic's quarters come, to be pinned before it is sewn.
+std::vector<NotchPlace> elasticNotches(const Pattern& pattern, const Allowances& finish);
 // The number of a seam, counted from 1, beside the middle of each of its sides.
 struct SeamTag {
   PieceId piece;

@@ -1,6 +1,7 @@
 #pragma once
 // The paper pattern: the truth from which meshes, drapes and prints are made. Plain values, shared and never edited in
 // place; any thread may read. Metres on paper.
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,9 +40,20 @@ struct Outline {
 // outline round.
 Result<Outline> checked(Outline outline);
 
+// A line along which the cloth is folded and pressed. A free strip rests at about `hold` times the angle, whatever its
+// fabric (1 would be a hinge that nothing turns back).
+struct Crease {
+  static constexpr double kSharpest = 2.96705972839036;  // radians: 170 degrees; cloth turned over is a hem
+  double angle = 0;                                       // radians out of flat; positive: towards the right side
+  double hold = 0.9;                                      // 0.1 … 0.99
+  bool sound() const { return std::abs(angle) <= kSharpest && hold >= 0.1 && hold <= 0.99; }
+  bool operator==(const Crease&) const = default;
+};
+
 struct InternalLine {
   std::string name;
   std::vector<Curve> curves;
+  std::optional<Crease> crease;  // nothing: only drawn
   bool operator==(const InternalLine&) const = default;
 };
 

@@ -35,7 +35,7 @@ struct TableNotch {
 };
 
 struct TableLabel {
-  enum class Says { Name, Cut, SeamNumber };
+  enum class Says { Name, Cut, SeamNumber, Note };
   Says says = Says::Name;
   Message words;
   Flat place;           // the middle of the lettering

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "karinui/base/workers.h"
+#include "karinui/cloth/check.h"
 #include "karinui/session/garment_snapshot.h"
 
 namespace karinui {
@@ -16,6 +17,9 @@ std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& work
 // pascals. `values`: of pressureOnBody(); empty: not known yet. Needs the snapshot's body.
 SceneFrame pressureFrame(const GarmentSnapshot& snapshot, const std::vector<float>& values);
 inline constexpr double kPressureLeast = 100;  // pascals, at the least, at the top of the scale
+
+// How the garment's elastics lie and pull as it is shown; quick. Nothing where it cannot be laid.
+std::vector<ElasticPull> elasticsOf(const GarmentSnapshot& snapshot);
 
 // The level tape: round the trunk, or both legs together, arms and sleeves left out; or round one leg.
 struct Girths {

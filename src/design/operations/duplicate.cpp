@@ -47,10 +47,12 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
   const PieceId id = copy.id;
   if (graded) after.grading.pieces[id] = graded.mapped();
   if (const auto own = before.cutting.find(op.piece.id); own != before.cutting.end()) after.cutting[id] = own->second;
-  for (const auto& [at, width] : before.allowances.edges)
-    if (at.first == op.piece.id) after.allowances.edges[{id, at.second}] = width;
-  for (const auto& [at, kind] : before.allowances.corners)
-    if (at.first == op.piece.id) after.allowances.corners[{id, at.second}] = kind;
+  const auto give = [&](const auto& all, auto& to) {
+    for (const auto& [at, own] : all)
+      if (at.first == op.piece.id) to[{id, at.second}] = own;
+  };
+  give(before.allowances.edges, after.allowances.edges), give(before.allowances.corners, after.allowances.corners);
+  give(before.allowances.elastics, after.allowances.elastics), give(before.allowances.hems, after.allowances.hems);
   after = withPiece(std::move(after), std::move(copy));
   updateAllowances(after.allowances, {}, after.pattern);  // a part has not all the edges
   return after;

@@ -59,6 +59,9 @@ KARINUI_DECLARE_OPERATION(DeclareEase)  // finishing.cpp
 KARINUI_DECLARE_OPERATION(SetQuantity)
 KARINUI_DECLARE_OPERATION(GradePieces)  // sizes.cpp
 KARINUI_DECLARE_OPERATION(ChooseSize)
+KARINUI_DECLARE_OPERATION(SewElastic)  // edge_finish.cpp
+KARINUI_DECLARE_OPERATION(TurnHem)
+KARINUI_DECLARE_OPERATION(FoldLine)  // marks.cpp
 #undef KARINUI_DECLARE_OPERATION
 
 // The id of the nth thing (from 0) that the operation now being performed makes.

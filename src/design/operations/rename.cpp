@@ -63,6 +63,7 @@ Result<Document> perform(const Document& before, const Rename& op, Context&) {
       if (auto own = all.extract({id, from}); own) own.key().second = op.to, all.insert(std::move(own));
     };
     renameKey(after.allowances.edges), renameKey(after.allowances.corners);
+    renameKey(after.allowances.elastics), renameKey(after.allowances.hems);
     for (auto& [seamId, seam] : after.pattern.seams) {
       for (auto* side : {&seam.a, &seam.b})
         for (EdgeSpan& span : *side)

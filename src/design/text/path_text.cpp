@@ -155,6 +155,7 @@ std::string writeValue(const std::vector<InternalLine>& lines) {
   std::string all;
   for (const InternalLine& line : lines) {
     all += joined({all.empty() ? "" : " | ", line.name});
+    if (line.crease) all += joined({" fold ", shortest(line.crease->angle), " ", shortest(line.crease->hold)});
     std::optional<Flat> pen;
     for (const Curve& curve : line.curves) {
       if (pen != curve.start) all += joined({" M ", placeText(curve.start)});
@@ -175,6 +176,12 @@ Done readValue(std::string_view text, std::vector<InternalLine>& lines) {
       const std::string command = words.next();
       if (command == "M") {
         pen = words.place();
+      } else if (command == "fold") {  // radians, and how well it is pressed
+        line.crease = Crease{words.number(), words.number()};
+        if (!line.crease->sound())
+          return badInput(say("The internal line “{0}” cannot be folded so: “fold angle hold” has radians up to 2.96 and "
+                              "a share of 0.1 to 0.99.",
+                              line.name));
       } else if (!pen) {
         return badInput(say("The internal line “{0}” begins with “M u v” after its name.", line.name));
       } else if (const auto curve = words.curve(*pen, command)) {

@@ -72,6 +72,76 @@ struct SetQuantity {
   bool operator==(const SetQuantity&) const = default;
 };
 
-using FinishingOperations = OperationList<SetAllowance, DeclareEase, SetQuantity>;
+// elastic edges="front.waist back.waist" ratio=0.7 strength=12        elastic edges=skirt.waist length=62cm
+// elastic edges=skirt.waist none=yes
+struct SewElastic {
+  static constexpr std::string_view kName = "elastic";
+  static constexpr std::string_view kHelp = "Sews an elastic along edges, which gathers them.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<EdgeRef> edges;
+  std::optional<double> ratio;
+  std::optional<Length> length;
+  std::optional<double> strength;
+  bool none = false;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edges", self.edges, "the edges", kNeeded);
+    visit("ratio", self.ratio, "its cut length as a share of the edges' (otherwise 0.75)", kOptional);
+    visit("length", self.length, "or its cut length, along all of the edges together", kOptional);
+    visit("strength", self.strength,
+          "newtons with which it pulls when it is drawn out to one and a half times its length (otherwise 10)",
+          kOptional);
+    visit("none", self.none, "yes: takes the elastic out", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const SewElastic&) const = default;
+};
+
+// hem edges=skirt.hem width=4cm under=1cm        hem edges=skirt.hem none=yes
+struct TurnHem {
+  static constexpr std::string_view kName = "hem";
+  static constexpr std::string_view kHelp =
+      "Turns edges up and sews them down: the cloth is doubled there, and cut so much longer.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<EdgeRef> edges;
+  Length width{0.03};
+  Length under{0.01};
+  bool none = false;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edges", self.edges, "the edges", kNeeded);
+    visit("width", self.width, "how deep the hem is", kOptional);
+    visit("under", self.under, "how much of it is turned in once more, 0 where the edge is neatened", kOptional);
+    visit("none", self.none, "yes: lets the hem down; its seam allowance is as usual again", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const TurnHem&) const = default;
+};
+
+// fold piece=cuff line=turn angle=150deg hold=0.9        fold piece=cuff line=turn angle=0
+struct FoldLine {
+  static constexpr std::string_view kName = "fold";
+  static constexpr std::string_view kHelp = "Folds the cloth along a line inside a piece and presses it.";
+  static constexpr bool kDisturbsDrape = true;
+  PieceRef piece;
+  std::vector<std::string> lines;
+  Angle angle;
+  double hold = 0.9;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece", kNeeded);
+    visit("line", self.lines, "the names of the lines", kNeeded);
+    visit("angle", self.angle, "out of flat, up to 170deg; positive: towards the right side; 0: pressed flat again",
+          kNeeded);
+    visit("hold", self.hold, "how well it is pressed, 0.1 to 0.99: a free strip rests at about this share of the angle",
+          kOptional);
+  }
+  bool operator==(const FoldLine&) const = default;
+};
+
+using FinishingOperations =
+    OperationList<SetAllowance, DeclareEase, SetQuantity, SewElastic, TurnHem, FoldLine>;
 
 }  // namespace karinui

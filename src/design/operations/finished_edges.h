@@ -1,0 +1,17 @@
+#pragma once
+// The edges that an operation finishes: those named, their images on a symmetric piece's other half, and those of the
+// symmetric copies.
+#include "design/operations/operations.h"
+
+namespace karinui {
+
+struct FinishedEdge {
+  PieceId piece;
+  std::size_t edge = 0;  // of the piece's outline
+  bool back = false;     // it runs the other way than the one named
+};
+std::vector<FinishedEdge> finishedEdges(const Document& document, const std::vector<EdgeRef>& named, bool bothHalves);
+// Whole edges; Auto is decided. Refuses unknown edges, and Yes where no piece is symmetric.
+Done resolveFinished(const Document& before, std::vector<EdgeRef>& edges, Choice& symmetric, Context& context);
+
+}  // namespace karinui
