@@ -142,7 +142,7 @@ class Reader {
     out.outline = outline(list(json, "outline"));
     for (const Json& hole : list(json, "holes", false)) out.holes.push_back(outline(hole));
     for (const Json& line : list(json, "lines", false)) {
-      out.lines.push_back({text(line, "name"), {}});
+      out.lines.push_back({text(line, "name"), {}, {}});
       for (const Json& part : list(line, "curves")) out.lines.back().curves.push_back(curve(part));
     }
     for (const Json& mark : list(json, "marks", false)) {

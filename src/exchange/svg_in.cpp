@@ -170,7 +170,7 @@ class SheetReader {
     } else if (kind == "internal") {
       auto curves = curvesOf(element.find("d"), origin_);
       if (!line || !curves) return wrong(say("an internal line"));
-      piece_.lines.push_back({*line, *std::move(curves)});
+      piece_.lines.push_back({*line, *std::move(curves), {}});
     } else if (kind == "mark") {
       const std::string* fraction = element.find("data-fraction");
       const auto share = fraction ? parseNumber(*fraction) : std::nullopt;

@@ -37,7 +37,7 @@ Pattern style() {
   front.marks = {{"waist", "side", 0.4, {}}, {"bust", "", 0, {0.12, 0.33}}};
   front.holes = {
       {{{"eyelet_a", Curve::arc({0.04, 0.1}, {0.06, 0.1}, 1)}, {"eyelet_b", Curve::arc({0.06, 0.1}, {0.04, 0.1}, 1)}}}};
-  front.lines = {{"pocket", {Curve::line({0.08, 0.2}, {0.16, 0.2})}}};
+  front.lines = {{"pocket", {Curve::line({0.08, 0.2}, {0.16, 0.2})}, {}}};
   Piece sleeve;
   sleeve.id = {2}, sleeve.name = "袖 left sleeve with a long name";
   sleeve.outline.edges = {{"cuff", Curve::line({0.02, 0}, {0.2, 0})},

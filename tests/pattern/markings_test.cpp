@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+
 #include <cmath>
+#include <numbers>
 
 #include "karinui/pattern/cut_line.h"
 #include "karinui/pattern/edit.h"
@@ -105,7 +107,7 @@ TEST(Notches, AreDoubleForABack) {
 // The number of a seam is beside the middle of its side, or as near to it as the lines of the piece let it.
 TEST(SeamTags, KeepClearOfLines) {
   Piece piece = test::pieceOf(1, test::rectangle(0.3, 0.2), "one");
-  piece.lines.push_back({"pleat", {Curve::line({0.15, 0}, {0.15, 0.1})}});
+  piece.lines.push_back({"pleat", {Curve::line({0.15, 0}, {0.15, 0.1})}, {}});
   const Piece other = test::pieceOf(2, test::rectangle(0.3, 0.2), "two");
   Pattern pattern = test::patternOf({piece, other});
   pattern.seams[{9}] = {{9}, "", {{{1}, "bottom", 0, 1}}, {{{2}, "top", 0, 1}}, true, Seam::Tie::OneToOne};
@@ -114,6 +116,33 @@ TEST(SeamTags, KeepClearOfLines) {
   EXPECT_GT(std::fabs(tags[0].place.u - 0.15), 0.004);
   EXPECT_LT(std::fabs(tags[0].place.u - 0.15), 0.05);
   EXPECT_NEAR(tags[1].place.u, 0.15, 1e-9);
+}
+
+// What is sewn to an edge or turned up is told beside its middle, inside the piece; an elastic's quarters have notches.
+TEST(PaperNotes, TellElasticsHemsAndFolds) {
+  Piece piece = test::pieceOf(1, test::rectangle(0.3, 0.2), "one");
+  piece.lines.push_back({"turn", {Curve::line({0.05, 0.15}, {0.25, 0.15})}, Crease{-std::numbers::pi / 2, 0.9}});
+  const Pattern pattern = test::patternOf({piece});
+  Allowances finish;
+  finish.elastics[{{1}, "top"}] = {0.7, 10};
+  finish.hems[{{1}, "bottom"}] = {0.03, 0.01};
+  const auto notes = notesOf(pattern, finish);
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_EQ(text(notes[0].words), "elastic 21 cm");
+  EXPECT_EQ(text(notes[1].words), "hem 30 mm, 10 mm turned in");
+  EXPECT_EQ(text(notes[2].words), "fold 90°");
+  for (const PaperNote& note : notes) {
+    EXPECT_NEAR(note.place.u, 0.15, 1e-9);
+    EXPECT_GT(note.place.v, 0.005);
+    EXPECT_LT(note.place.v, 0.195);
+    EXPECT_TRUE(note.upright);
+  }
+  const auto quarters = elasticNotches(pattern, finish);
+  ASSERT_EQ(quarters.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(quarters[k].place.u, 0.3 * (0.75 - 0.25 * static_cast<double>(k)), 1e-9);
+    EXPECT_NEAR(quarters[k].place.v, 0.2, 1e-12);
+  }
 }
 
 }  // namespace

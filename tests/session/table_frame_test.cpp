@@ -301,7 +301,7 @@ TEST(LetteringRooms, GiveWhatWouldBeFoundAnew) {
   piece.grain = {1, 0};
   EXPECT_TRUE(same(rooms.of(piece, words()), anew()));
   EXPECT_FALSE(same(rooms.of(piece, words()), first));
-  piece.lines.push_back({"fold", {Curve::line({0.01, 0.2}, {0.39, 0.2})}});
+  piece.lines.push_back({"fold", {Curve::line({0.01, 0.2}, {0.39, 0.2})}, {}});
   EXPECT_TRUE(same(rooms.of(piece, words()), anew()));
 }
 

@@ -291,7 +291,7 @@ class Making {
     }
   }
   void add(std::vector<Curve> curves) {
-    piece_.lines.push_back({"line" + std::to_string(piece_.lines.size() + 1), std::move(curves)});
+    piece_.lines.push_back({"line" + std::to_string(piece_.lines.size() + 1), std::move(curves), {}});
   }
   void marks() {
     Flat gap;

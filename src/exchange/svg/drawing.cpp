@@ -544,7 +544,7 @@ class Drawing {
         if (other.line.closed && other.area > 0 && other.area < 5e-5) {
           drill(centreOf(other.ring));
         } else {
-          piece.lines.push_back({"line" + std::to_string(piece.lines.size() + 1), other.line.curves});
+          piece.lines.push_back({"line" + std::to_string(piece.lines.size() + 1), other.line.curves, {}});
         }
       }
     }
