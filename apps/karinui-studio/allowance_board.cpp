@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "karinui/design/truing_said.h"
 #include "karinui/base/number.h"
+#include "karinui/design/truing_said.h"
 #include "karinui/session/fit.h"
 #include "length_box.h"
 #include "theme.h"
@@ -94,8 +94,9 @@ AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
   hem_ = new LengthBox(say("Hem, turned up"), 0, kWidestAllowance);
   hem_->setObjectName("edge_hem");
   Theme::here().keep(hem_, [this] {
-    hem_->setToolTip(inWords(say("How deep the edge is turned up and sewn down; 0: it is not. A third of it, 1 cm at "
-                                 "most, is turned in once more.")));
+    hem_->setToolTip(
+        inWords(say("How deep the edge is turned up and sewn down; 0: it is not. A third of it, 1 cm at "
+                    "most, is turned in once more.")));
   });
   row(say("Hem, turned up"), hem_);
   connect(hem_, &LengthBox::typed, this, [this](double metres) {
@@ -195,7 +196,8 @@ void AllowanceBoard::refresh() {
   pull_->clear();
   for (const ElasticPull& pull : elasticsOf(session_.snapshot()))
     if (pull.piece == at.first && pull.edge == at.second && !document.drape.dirty.contains(at.first))
-      pull_->setText(inWords(say("pulls with {0} N, drawn out to {1} cm", fixed(pull.pull, 1), fixed(100 * pull.now, 1))));
+      pull_->setText(
+          inWords(say("pulls with {0} N, drawn out to {1} cm", fixed(pull.pull, 1), fixed(100 * pull.now, 1))));
   const SeamId sewn = seam();
   const auto eased = document.eases.find(sewn);
   ease_->setEnabled(static_cast<bool>(sewn));

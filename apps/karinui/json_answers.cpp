@@ -20,15 +20,15 @@ Json checkJson(const ClothCheck& check) {
     elastics.push_back(
         {{"piece", text(e.piece)}, {"edge", e.edge}, {"cut_m", e.cut}, {"now_m", e.now}, {"pull_n", e.pull}});
   Json object = {{"finite", check.finite},
-          {"penetration_mm", check.penetration * 1000},
-          {"cloth_body_crossings", check.clothBodyCrossings},
-          {"cloth_cloth_crossings", check.clothClothCrossings},
-          {"fold_crossings", check.foldCrossings},
-          {"seam_gap_mm", check.seamGap * 1000},
-          {"strain_mean", check.strain.mean},
-          {"strain_p99", check.strain.p99},
-          {"strain_max", check.strain.max},
-          {"vertices", check.vertices}};
+                 {"penetration_mm", check.penetration * 1000},
+                 {"cloth_body_crossings", check.clothBodyCrossings},
+                 {"cloth_cloth_crossings", check.clothClothCrossings},
+                 {"fold_crossings", check.foldCrossings},
+                 {"seam_gap_mm", check.seamGap * 1000},
+                 {"strain_mean", check.strain.mean},
+                 {"strain_p99", check.strain.p99},
+                 {"strain_max", check.strain.max},
+                 {"vertices", check.vertices}};
   if (!elastics.empty()) object["elastics"] = elastics;
   return object;
 }

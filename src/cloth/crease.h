@@ -1,9 +1,9 @@
 #pragma once
 // Pressed folds: along the line hinges whose rest angle is the fold's, of the energy 1/2 c (t - t0)^2 per length with
-// t the angle between the cloth on both sides (hinges of Grinspun et al. 2003, here between places on the cloth, so that
-// the line may lie across its threads). A hinge reaches one spacing h to either side. There the cloth's own bending
-// stores 2 B/h sin^2(t/2); with c = B/h p/(1 - p) a free strip rests where c (t0 - t) = B/h sin t, at p t0 or a little
-// more.
+// t the angle between the cloth on both sides (hinges of Grinspun et al. 2003, here between places on the cloth, so
+// that the line may lie across its threads). A hinge reaches one spacing h to either side. There the cloth's own
+// bending stores 2 B/h sin^2(t/2); with c = B/h p/(1 - p) a free strip rests where c (t0 - t) = B/h sin t, at p t0 or a
+// little more.
 #include "cloth/energy.h"
 #include "karinui/cloth/cloth.h"
 

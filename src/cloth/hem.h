@@ -1,7 +1,7 @@
 #pragma once
-// Hems that are turned up and sewn down. Their layers are not simulated: they weigh, and they bend as layers do that may
-// slide on each other, each as if it were alone (sewn down along one line, not fused). What a hem adds to the single
-// cloth, of its width and of what is turned in, acts along the edge.
+// Hems that are turned up and sewn down. Their layers are not simulated: they weigh, and they bend as layers do that
+// may slide on each other, each as if it were alone (sewn down along one line, not fused). What a hem adds to the
+// single cloth, of its width and of what is turned in, acts along the edge.
 //   Bending: 1/2 B w k^2 per length. The curvature k along the edge is the second difference over three nodes of the
 //   edge and one beside it, weighted so that it vanishes wherever the cloth is flat, straight edge or curved
 //   (isometric bending as in bending.h: its second derivative is constant).

@@ -17,9 +17,9 @@ bool sound(const Outline& outline) { return checked(outline) && outline.area() >
 bool sound(const InternalLine& line) {
   return (!line.crease || line.crease->sound()) &&
          std::all_of(line.curves.begin(), line.curves.end(), [](const Curve& c) {
-    return near(c.start) && near(c.end) && near(c.control1) && near(c.control2) && std::abs(c.bulge) < kFar &&
-           std::all_of(c.between.begin(), c.between.end(), [](Flat p) { return near(p); });
-  });
+           return near(c.start) && near(c.end) && near(c.control1) && near(c.control2) && std::abs(c.bulge) < kFar &&
+                  std::all_of(c.between.begin(), c.between.end(), [](Flat p) { return near(p); });
+         });
 }
 
 bool sound(const Form& form) {

@@ -164,8 +164,7 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
   }
   for (const PaperNote& note : notesOf(pattern, settings.allowances)) {
     SheetPiece& piece = *of.at(note.piece);
-    piece.texts.push_back(
-        {piece.at(note.place), kNoteSize * 1000, note.upright, text(note.words, settings.language)});
+    piece.texts.push_back({piece.at(note.place), kNoteSize * 1000, note.upright, text(note.words, settings.language)});
   }
 }
 

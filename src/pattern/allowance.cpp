@@ -41,8 +41,8 @@ double usualAllowance(EdgeKind kind) {
 }
 
 bool sound(const Elastic& elastic) {
-  return elastic.ratio >= kTightestElastic && elastic.ratio <= kLoosestElastic &&
-         elastic.strength >= kWeakestElastic && elastic.strength <= kStrongestElastic;
+  return elastic.ratio >= kTightestElastic && elastic.ratio <= kLoosestElastic && elastic.strength >= kWeakestElastic &&
+         elastic.strength <= kStrongestElastic;
 }
 
 bool sound(const Hem& hem) {

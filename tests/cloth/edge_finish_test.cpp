@@ -6,8 +6,8 @@
 #include "cloth/bend_along.h"
 #include "cloth/crease.h"
 #include "cloth/elastic.h"
-#include "cloth/hem.h"
 #include "cloth/helpers.h"
+#include "cloth/hem.h"
 #include "karinui/cloth/check.h"
 
 namespace karinui::test {

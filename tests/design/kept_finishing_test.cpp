@@ -32,11 +32,13 @@ TEST(KeptFinishing, ComesBack) {
 
 TEST(KeptFinishing, EachPartCounts) {
   const std::string all = hash(finished());
-  Document kinds = finished(), edges = finished(), corners = finished(), cutting = finished(), eases = finished(), elastics = finished(), hems = finished();
+  Document kinds = finished(), edges = finished(), corners = finished(), cutting = finished(), eases = finished(),
+           elastics = finished(), hems = finished();
   kinds.allowances.kinds.clear(), edges.allowances.edges[{{1}, "side"}] = 0.026;
   corners.allowances.corners.clear(), cutting.cutting[{1}].pairs = false, eases.eases.clear();
   elastics.allowances.elastics[{{1}, "waist"}].strength = 15, hems.allowances.hems[{{1}, "hem"}].under = 0;
-  for (const Document* other : {&kinds, &edges, &corners, &cutting, &eases, &elastics, &hems}) EXPECT_NE(hash(*other), all);
+  for (const Document* other : {&kinds, &edges, &corners, &cutting, &eases, &elastics, &hems})
+    EXPECT_NE(hash(*other), all);
 }
 
 // Documents without are packed as before there were any.
@@ -57,7 +59,9 @@ TEST(KeptFinishing, NonsenseIsRefused) {
                             +[](Document& d) {
                               d.allowances.corners[{{1}, "hem"}] = static_cast<CornerKind>(6);
                             },
-                            +[](Document& d) { d.allowances.elastics[{{1}, "waist"}].ratio = 0; },
+                            +[](Document& d) {
+                              d.allowances.elastics[{{1}, "waist"}].ratio = 0;
+                            },
                             +[](Document& d) {
                               d.allowances.hems[{{1}, "hem"}].under = 0.05;
                             },

@@ -27,11 +27,12 @@ struct Tie {  // of cloth nodes; see SeamTie
   std::uint32_t seam = 0;  // index into Cloth::seams
 };
 
-struct ClothEdge {  // an edge with something sewn to it or turned up
+struct ClothEdge {        // an edge with something sewn to it or turned up
   std::size_t piece = 0;  // of Cloth::pieces
   std::string name;
-  std::vector<std::uint32_t> nodes;  // cloth nodes along it, its ends included; the first is the last round a whole ring
-  double length = 0;                 // on paper
+  std::vector<std::uint32_t>
+      nodes;          // cloth nodes along it, its ends included; the first is the last round a whole ring
+  double length = 0;  // on paper
 };
 struct ElasticEdge {
   ClothEdge edge;

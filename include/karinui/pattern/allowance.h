@@ -1,6 +1,6 @@
 #pragma once
-// How edges are finished. Seam allowances: how far beyond its seam line each edge is cut, and how the cut line turns at a
-// corner; by the kind of the edge, where an edge or corner has none of its own. Elastics and hems: of single edges.
+// How edges are finished. Seam allowances: how far beyond its seam line each edge is cut, and how the cut line turns at
+// a corner; by the kind of the edge, where an edge or corner has none of its own. Elastics and hems: of single edges.
 // Metres on paper. Pure; any thread.
 #include <map>
 #include <set>
@@ -43,7 +43,7 @@ inline constexpr double kWeakestElastic = 0.1, kStrongestElastic = 500;  // N
 
 // An edge turned up: folded at the edge, `width` deep, and `under` of it turned in once more.
 struct Hem {
-  double width = 0.03, under = 0.01;                // metres
+  double width = 0.03, under = 0.01;                  // metres
   double allowance() const { return width + under; }  // what is cut beyond the edge
   bool operator==(const Hem&) const = default;
 };
@@ -57,14 +57,14 @@ struct Allowances {
   std::map<At, double> edges;                  // that have a width of their own
   std::map<At, CornerKind> corners;
   std::map<At, Elastic> elastics;
-  std::map<At, Hem> hems;  // their allowance is `edges`'
+  std::map<At, Hem> hems;                                                           // their allowance is `edges`'
   bool plain() const { return kinds.empty() && edges.empty() && corners.empty(); }  // widths and corners
   bool empty() const { return plain() && elastics.empty() && hems.empty(); }
   bool operator==(const Allowances&) const = default;
 };
 
-// Leads them over to the edges of an edited pattern. Of edges that became one the widest counts, of elastics the tightest; a corner stays
-// where the edge still starts there. What is no longer there is dropped.
+// Leads them over to the edges of an edited pattern. Of edges that became one the widest counts, of elastics the
+// tightest; a corner stays where the edge still starts there. What is no longer there is dropped.
 void updateAllowances(Allowances& allowances, const EdgeMap& map, const Pattern& now);
 // Gives a copy what its original has. `mirror`: the copy is its mirror image, whose edges run the other way, the last
 // one first.

@@ -44,8 +44,8 @@ Result<Outline> checked(Outline outline);
 // fabric (1 would be a hinge that nothing turns back).
 struct Crease {
   static constexpr double kSharpest = 2.96705972839036;  // radians: 170 degrees; cloth turned over is a hem
-  double angle = 0;                                       // radians out of flat; positive: towards the right side
-  double hold = 0.9;                                      // 0.1 … 0.99
+  double angle = 0;                                      // radians out of flat; positive: towards the right side
+  double hold = 0.9;                                     // 0.1 … 0.99
   bool sound() const { return std::abs(angle) <= kSharpest && hold >= 0.1 && hold <= 0.99; }
   bool operator==(const Crease&) const = default;
 };

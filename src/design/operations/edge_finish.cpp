@@ -54,7 +54,8 @@ Done resolve(const Document& before, SewElastic& op, Context& context) {
   const double whole = lengthOf(before, edges);
   if (!(*op.length >= kTightestElastic * whole && *op.length <= kLoosestElastic * whole))
     return refused(say("The edges are {0} cm long together; the elastic for them is cut {1} to {2} cm long.",
-                       centimetres(whole), centimetres(kTightestElastic * whole), centimetres(kLoosestElastic * whole)));
+                       centimetres(whole), centimetres(kTightestElastic * whole),
+                       centimetres(kLoosestElastic * whole)));
   return {};
 }
 

@@ -169,8 +169,9 @@ Done resolve(const Document& before, FoldLine& op, Context&) {
     if (std::none_of(piece.lines.begin(), piece.lines.end(), [&](const auto& line) { return line.name == name; }))
       return refused(say("“{0}” has no line “{1}”; draw it first: line piece={0} along=… name={1}.", piece.name, name));
   if (!(std::fabs(op.angle) <= Crease::kSharpest))
-    return refused(say("Cloth is folded by up to 170 degrees; what is turned over altogether is a hem or a piece of "
-                       "its own."));
+    return refused(
+        say("Cloth is folded by up to 170 degrees; what is turned over altogether is a hem or a piece of "
+            "its own."));
   if (!(op.hold >= 0.1 && op.hold <= 0.99)) return refused(say("A fold holds 0.1 to 0.99 of its angle."));
   return {};
 }

@@ -179,9 +179,10 @@ Done readValue(std::string_view text, std::vector<InternalLine>& lines) {
       } else if (command == "fold") {  // radians, and how well it is pressed
         line.crease = Crease{words.number(), words.number()};
         if (!line.crease->sound())
-          return badInput(say("The internal line “{0}” cannot be folded so: “fold angle hold” has radians up to 2.96 and "
-                              "a share of 0.1 to 0.99.",
-                              line.name));
+          return badInput(
+              say("The internal line “{0}” cannot be folded so: “fold angle hold” has radians up to 2.96 and "
+                  "a share of 0.1 to 0.99.",
+                  line.name));
       } else if (!pen) {
         return badInput(say("The internal line “{0}” begins with “M u v” after its name.", line.name));
       } else if (const auto curve = words.curve(*pen, command)) {

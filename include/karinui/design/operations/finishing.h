@@ -141,7 +141,6 @@ struct FoldLine {
   bool operator==(const FoldLine&) const = default;
 };
 
-using FinishingOperations =
-    OperationList<SetAllowance, DeclareEase, SetQuantity, SewElastic, TurnHem, FoldLine>;
+using FinishingOperations = OperationList<SetAllowance, DeclareEase, SetQuantity, SewElastic, TurnHem, FoldLine>;
 
 }  // namespace karinui
