@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 #include "karinui/base/number.h"
 #include "karinui/design/truing_said.h"
@@ -121,7 +122,7 @@ AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
     if (filling_ || !session_.selection().edge) return;
     SewElastic op;
     op.edges = operation().edges;
-    const EdgeSpan& edge = *session_.selection().edge;
+    const EdgeNear& edge = *session_.selection().edge;
     const double whole = findEdge(*session_.snapshot().document.find(edge.piece), edge.edge)->curve.length();
     // The edge's own share: its image and copies are gathered as much.
     if (metres > 0)
