@@ -19,10 +19,10 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr PieceRole kRoles[] = {PieceRole::Front,     PieceRole::Back,        PieceRole::Yoke,      PieceRole::Sleeve,
-                                PieceRole::Cuff,      PieceRole::Collar,      PieceRole::CollarStand,
-                                PieceRole::Waistband, PieceRole::SkirtFront,  PieceRole::SkirtBack, PieceRole::Leg,
-                                PieceRole::LegFront,  PieceRole::LegBack,     PieceRole::Aside,     PieceRole::Unknown};
+constexpr PieceRole kRoles[] = {
+    PieceRole::Front,  PieceRole::Back,        PieceRole::Yoke,      PieceRole::Sleeve,     PieceRole::Cuff,
+    PieceRole::Collar, PieceRole::CollarStand, PieceRole::Waistband, PieceRole::SkirtFront, PieceRole::SkirtBack,
+    PieceRole::Leg,    PieceRole::LegFront,    PieceRole::LegBack,   PieceRole::Aside,      PieceRole::Unknown};
 
 // The figure the garment is on, as it stands in the session; nothing is built anew.
 class FigureBlobs : public MemoryBlobs {
@@ -236,8 +236,8 @@ void MakeUpDialog::showSeams() {
     const SeamProposal& one = *all[k];
     const bool sewn = std::any_of(making_->sewn.begin(), making_->sewn.end(),
                                   [&](const SeamProposal& other) { return &other == &one; });
-    auto* item = new QTableWidgetItem(sideText(one.sew.a, making_->document) + " — " +
-                                      sideText(one.sew.b, making_->document));
+    auto* item =
+        new QTableWidgetItem(sideText(one.sew.a, making_->document) + " — " + sideText(one.sew.b, making_->document));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(sewn ? Qt::Checked : Qt::Unchecked);
     item->setToolTip(inWords(one.reason));

@@ -52,7 +52,7 @@ inline Pattern drafted(const std::filesystem::path& path) {
     joined.back().curve.end = joined.front().curve.start;
     piece.outline.edges = std::move(joined);
     for (const auto& line : source.at("internal_lines")) {
-      InternalLine internal{line.at("name"), {}};
+      InternalLine internal{line.at("name"), {}, {}};
       const auto& p = line.at("points");
       for (std::size_t i = 0; i + 1 < p.size(); ++i)
         internal.curves.push_back(Curve::line({p[i][0].get<double>() / 1000, -p[i][1].get<double>() / 1000},
@@ -106,7 +106,7 @@ inline Pattern random(unsigned seed) {
     piece.holes.push_back({{{"hole_a", Curve::arc(hole - Flat{0.01, 0}, hole + Flat{0.01, 0}, 1)},
                             {"hole_b", Curve::arc(hole + Flat{0.01, 0}, hole - Flat{0.01, 0}, 1)}}});
     piece.lines.push_back(
-        {"pocket", {Curve::line({-0.05, 0}, {-0.02, 0.03}), Curve::line({-0.02, 0.03}, {-0.02, -0.03})}});
+        {"pocket", {Curve::line({-0.05, 0}, {-0.02, 0.03}), Curve::line({-0.02, 0.03}, {-0.02, -0.03})}, {}});
     piece.marks.push_back({"a notch", "side_1", uniform(0.1, 0.9), {}});
     piece.marks.push_back({"a button", "", 0, {uniform(-0.05, 0.05), uniform(-0.05, 0.05)}});
     const double turn = uniform(0, 2 * M_PI);

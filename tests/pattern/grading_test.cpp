@@ -97,7 +97,7 @@ TEST(Grading, WhatLiesWithinGoesAlongWithTheOutline) {
   Piece piece;
   piece.id = {1}, piece.outline = m;
   piece.marks = {{"drill", "", 0, {.1, .3}}, {"notch", "side", .4, {}}};
-  piece.lines = {{"line", {Curve::line({.05, .1}, {.1, .2})}}};
+  piece.lines = {{"line", {Curve::line({.05, .1}, {.1, .2})}, {}}};
   auto l = inSize(piece, grading, 2);
   ASSERT_TRUE(l);
   EXPECT_LT(distance(l->marks[0].place, {.11, .32}), 1e-12);  // carried as a whole

@@ -64,17 +64,24 @@ class FieldReading {
 
   // A plain number is read as everywhere: metres or radians without a unit.
   Done number(std::string_view text, Dimension wanted) {
-    text = trimmed(text);
-    const auto plain = wanted == kLength  ? parseLength(text)
-                       : wanted == kAngle ? parseAngle(text)
-                                          : parseNumber(text).value_or(NAN);
-    if (plain && std::isfinite(*plain)) {
+    const auto isPlain = [&](std::string_view number) {
+      const auto plain = wanted == kLength  ? parseLength(number)
+                         : wanted == kAngle ? parseAngle(number)
+                                            : parseNumber(number).value_or(NAN);
+      if (!plain || !std::isfinite(*plain)) return false;
       both(wanted == kLength ? lengthText(*plain) : shortest(*plain));
-      return {};
-    }
+      return true;
+    };
+    text = trimmed(text);
+    if (isPlain(text)) return {};
+    const bool before = any_;
     std::string written;
     const auto value = formula(text, wanted, written);
     if (!value) return value.error();
+    if (isPlain(written)) {  // but for its signs, which were those of another script
+      any_ = before;
+      return {};
+    }
     formulas_ += written;
     plain_ += shortest(value->value);
     return {};

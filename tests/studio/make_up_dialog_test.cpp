@@ -1,0 +1,91 @@
+// Making up a pattern in the real window: what is proposed, corrected, and becomes steps.
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QTabBar>
+#include <QTableWidget>
+
+#include "karinui/design/script.h"
+#include "make_up_dialog.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using ::testing::HasSubstr;
+
+const char* const kTShirt =
+    "body size=eu38\n"
+    "piece name=front outline=\"M -250 0; L 250 0; L 240 350; C 190 370 175 440 180 570; L 80 600; "
+    "C 60 483 -60 483 -80 600; L -180 570; C -175 440 -190 370 -240 350; L -250 0\" pose=\"1,1,0\"\n"
+    "piece name=back outline=\"M -250 0; L 250 0; L 240 350; C 190 370 175 440 180 570; L 80 600; "
+    "C 60 567 -60 567 -80 600; L -180 570; C -175 440 -190 370 -240 350; L -250 0\" pose=\"1,1,0\"\n"
+    "piece name=sleeve outline=\"M -140 -80; L 140 -80; L 165 0; C 110 10 100 150 0 150; C -100 150 -110 5 -165 0; "
+    "L -140 -80\" pose=\"1,1,0\"\n";
+
+class MakingUpInTheWindow : public ::testing::Test {
+ protected:
+  MakingUpInTheWindow() {
+    application();
+    if (const auto lines = parseScript(kTShirt))
+      for (const ScriptLine& line : *lines) w.session().perform(line.operation);
+    w.rest();
+    before = w.count();
+    for (QAction* action : w.main().findChildren<QAction*>())
+      if (action->text() == QString::fromUtf8("Make up the pattern…")) action->trigger();
+    dialog = w.main().findChild<MakeUpDialog*>();
+    if (!dialog) return;
+    const auto lists = dialog->findChildren<QTableWidget*>();
+    pieces = lists.at(0), seams = lists.at(1);
+    wait();
+  }
+  ~MakingUpInTheWindow() override { delete w.main().findChild<MakeUpDialog*>(); }
+  void wait() {
+    while (dialog->busy()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    QApplication::processEvents();
+  }
+  std::string said() { return dialog->findChild<QLabel*>("make_up_said")->text().toStdString(); }
+  const Document& document() { return w.session().snapshot().document; }
+
+  Window w;
+  std::size_t before = 0;
+  MakeUpDialog* dialog = nullptr;
+  QTableWidget *pieces = nullptr, *seams = nullptr;
+};
+
+TEST_F(MakingUpInTheWindow, WhatIsTickedIsSewn) {
+  ASSERT_TRUE(dialog && dialog->making());
+  EXPECT_EQ(pieces->rowCount(), 3);
+  EXPECT_EQ(qobject_cast<QComboBox*>(pieces->cellWidget(2, 1))->currentText(), "sleeve");
+  ASSERT_EQ(dialog->making()->sewn.size(), 8u);  // two shoulders, sides, armholes, underarms
+  w.keepDialog(*dialog, "studio_make_up");
+  seams->selectRow(0);
+  EXPECT_THAT(said(), HasSubstr("%"));
+  seams->item(0, 0)->setCheckState(Qt::Unchecked);
+  wait();
+  EXPECT_EQ(dialog->making()->sewn.size(), 7u);
+  EXPECT_EQ(seams->item(0, 0)->checkState(), Qt::Unchecked);
+  w.button("Make up").click();
+  w.rest();
+  EXPECT_EQ(document().pattern.seams.size(), 7u);
+  EXPECT_EQ(document().pattern.pieces.size(), 4u);
+  EXPECT_GT(w.count(), before);
+}
+
+TEST_F(MakingUpInTheWindow, APieceIsWhatThePersonSays) {
+  ASSERT_TRUE(dialog && dialog->making());
+  auto* box = qobject_cast<QComboBox*>(pieces->cellWidget(2, 1));
+  box->setCurrentIndex(box->findText("not needed to drape"));
+  wait();
+  EXPECT_EQ(dialog->making()->sewn.size(), 4u);
+  box->setCurrentIndex(box->findText("sleeve"));
+  wait();
+  EXPECT_EQ(dialog->making()->sewn.size(), 8u);
+  dialog->close();
+  QApplication::processEvents();
+  EXPECT_EQ(w.count(), before);  // nothing was done
+}
+
+}  // namespace
+}  // namespace karinui::studio
