@@ -85,6 +85,7 @@ MakeUpDialog::MakeUpDialog(Session& session, QWidget* parent)
   };
   heading(say("What the pieces are"));
   pieces_ = list(say("What the pieces are"), {say("Piece"), say("Is")});
+  pieces_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   left->addWidget(pieces_, 2);
   heading(say("Seams"));
   seams_ = list(say("Seams"), {say("Sewn together"), say("Sure")});
@@ -223,8 +224,10 @@ std::vector<const SeamProposal*> MakeUpDialog::seams() const {
   if (!making_) return all;
   for (const auto* from : {&making_->sewn, &making_->unsure})
     for (const SeamProposal& one : *from) all.push_back(&one);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const SeamProposal* a, const SeamProposal* b) { return a->sure > b->sure; });
+  // A seam keeps its row when it is ticked.
+  std::sort(all.begin(), all.end(), [&](const SeamProposal* a, const SeamProposal* b) {
+    return a->sure != b->sure ? a->sure > b->sure : seamKey(*a, making_->document) < seamKey(*b, making_->document);
+  });
   return all;
 }
 

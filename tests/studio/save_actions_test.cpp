@@ -52,8 +52,9 @@ TEST(StudioSaveActions, EveryKindIsShownBeforeItIsWritten) {
     SCOPED_TRACE(kind.itemText(k).toStdString());
     kind.setCurrentIndex(k);
     QApplication::processEvents();
-    ASSERT_FALSE(dialog.trouble());
     const FileFormat& format = *dialog.wish().format;
+    ASSERT_EQ(dialog.trouble().has_value(), format.id == "rul");  // the tunic has one size, and no rules
+    if (dialog.trouble()) continue;
     if (format.out == FileContent::Pattern || format.out == FileContent::Script) {
       EXPECT_TRUE(text.isVisible());
       EXPECT_GT(text.toPlainText().size(), 100);

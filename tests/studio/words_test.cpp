@@ -187,12 +187,12 @@ TEST(StudioWords, NothingStaysEnglishInJapanese) {
   w.rest();
   static const QRegularExpression latin("[A-Za-z]{2,}");
   static const std::set<QString> allowed{
-      "Karinui",   "GLB",     "OBJ",        "PDF",   "SVG",     "JSON",    "GarmentCode", "JIS",     "AR",
-      "EU",        "cm",      "mm",         "kPa",   "kB",      "MB",      "Ctrl",        "Alt",     "Shift",
-      "Esc",       "Tab",     "Enter",      "Space", "Page",    "Up",      "Down",        "Del",     "Return",
-      "Pause",     "Blender", "English",    "Haply", "Inverse", "Systems", "Touch",       "Phantom", "PDF",
-      "Karinui",   "tunic",   "karinui",    "DXF",   "AAMA",    "ASTM",    "HPGL",        "PNG",     "JPEG",
-      "Valentina", "Seamly",  "FreeSewing", "cd"};  // cd: of a colour, 89a5cd
+      "Karinui", "GLB",       "OBJ",     "PDF",        "SVG",     "JSON",    "GarmentCode", "JIS",     "AR",
+      "EU",      "cm",        "mm",      "kPa",        "kB",      "MB",      "Ctrl",        "Alt",     "Shift",
+      "Esc",     "Tab",       "Enter",   "Space",      "Page",    "Up",      "Down",        "Del",     "Return",
+      "Pause",   "Blender",   "English", "Haply",      "Inverse", "Systems", "Touch",       "Phantom", "PDF",
+      "Karinui", "tunic",     "karinui", "DXF",        "AAMA",    "ASTM",    "HPGL",        "RUL",     "PNG",
+      "JPEG",    "Valentina", "Seamly",  "FreeSewing", "cd"};  // cd: of a colour, 89a5cd
   for (const QString& text : readInTheWindow(w))
     for (auto it = latin.globalMatch(withoutScripts(text)); it.hasNext();) {
       const QString word = it.next().captured();
