@@ -71,7 +71,7 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
   // Not blocking, so that a pipe without a writer is refused below rather than waited for.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file) {
-    if (errno == ENOENT || errno == ENOTDIR) return notFound(say("There is no file \"{0}\".", name));
+    if (errno == ENOENT || errno == ENOTDIR) return notFound(say("There is no file “{0}”.", name));
     return storageError(say("\"{0}\" cannot be read: {1}.", name, std::strerror(errno)));
   }
   struct stat there {};

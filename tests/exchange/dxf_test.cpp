@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "exchange/bodice_half.h"
 #include "karinui/base/file.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/read_pattern.h"
@@ -28,12 +29,7 @@ using ::testing::SizeIs;
 Pattern style() {
   Piece front;
   front.id = {1}, front.name = "front", front.grain = normalized(Flat{0.1, 1});
-  front.outline.edges = {{"hem", Curve::line({0, 0}, {0.25, 0})},
-                         {"side", Curve::cubic({0.25, 0}, {0.22, 0.1}, {0.22, 0.2}, {0.26, 0.3})},
-                         {"armhole", Curve::cubic({0.26, 0.3}, {0.16, 0.31}, {0.19, 0.4}, {0.2, 0.5})},
-                         {"shoulder", Curve::line({0.2, 0.5}, {0.1, 0.54})},
-                         {"neck", Curve::arc({0.1, 0.54}, {0, 0.45}, -0.35)},
-                         {"centre", Curve::line({0, 0.45}, {0, 0})}};
+  front.outline = bodiceHalf();
   front.marks = {{"waist", "side", 0.4, {}}, {"bust", "", 0, {0.12, 0.33}}};
   front.holes = {
       {{{"eyelet_a", Curve::arc({0.04, 0.1}, {0.06, 0.1}, 1)}, {"eyelet_b", Curve::arc({0.06, 0.1}, {0.04, 0.1}, 1)}}}};

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "exchange/bodice_half.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/read_pattern.h"
 
@@ -27,12 +28,7 @@ Style style() {
   Style made;
   Piece front;
   front.id = {1}, front.name = "front";
-  front.outline.edges = {{"hem", Curve::line({0, 0}, {0.25, 0})},
-                         {"side", Curve::cubic({0.25, 0}, {0.22, 0.1}, {0.22, 0.2}, {0.26, 0.3})},
-                         {"armhole", Curve::cubic({0.26, 0.3}, {0.16, 0.31}, {0.19, 0.4}, {0.2, 0.5})},
-                         {"shoulder", Curve::line({0.2, 0.5}, {0.1, 0.54})},
-                         {"neck", Curve::arc({0.1, 0.54}, {0, 0.45}, -0.35)},
-                         {"centre", Curve::line({0, 0.45}, {0, 0})}};
+  front.outline = bodiceHalf();
   front.marks = {{"waist", "side", 0.4, {}}};
   Piece sleeve;
   sleeve.id = {2}, sleeve.name = "sleeve";
