@@ -12,6 +12,8 @@ constexpr double kLinearFrom = 2;     // and linear beyond this r
 constexpr double kSlipLength = 2e-5;  // metres: a slipping node's friction is no stiffer than over this
 constexpr double kLimitSteps = 0.5;   // offsets: how finely a move is followed along the surface
 constexpr int kMostLimitSteps = 64;   // of them in one move
+constexpr double kCut = 0.2;          // offsets: a node whose move into the surface is shortened by more is pressed,
+constexpr int kPressed = 20;          // as is one below the surface; after so many steps the multiplier takes that up
 constexpr std::size_t kBlock = 256;
 
 }  // namespace
@@ -52,7 +54,8 @@ void ColliderContact::detect(const ContactQuery& query, Workers& workers) {
         at = {};
         continue;
       }
-      const Penalty penalty = colliderPenalty(node.area, offset_ - sample.distance, offset_);
+      Penalty penalty = colliderPenalty(node.area, offset_ - sample.distance, offset_);
+      penalty.force += at.multiplier;
       at.normal = sample.normal;
       at.along = penalty.stiffness;
       at.across = 0;
@@ -106,7 +109,10 @@ void ColliderContact::afterStep(std::span<const Vec3> x, bool friction, Workers&
         at = {};
         continue;
       }
-      const double push = colliderPenalty(nodes_[k].area, offset_ - sample.distance, offset_).force;
+      at.pressed = at.cut > kCut * offset_ || sample.distance < 0 ? at.pressed + 1 : 0;
+      if (at.multiplier > 0 || at.pressed >= kPressed)
+        at.multiplier = std::fmax(0.0, at.multiplier + at.along * (at.cut - sample.distance));
+      const double push = colliderPenalty(nodes_[k].area, offset_ - sample.distance, offset_).force + at.multiplier;
       Vec3 pull = place - at.anchor;
       pull = pull - sample.normal * dot(pull, sample.normal);
       const double length = karinui::length(pull);
@@ -125,7 +131,9 @@ void ColliderContact::limitMove(std::span<const Vec3> x, std::vector<Vec3>& move
   workers.forBlocks(nodes_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Vec3& own = move[nodes_[k].node];
+      const Vec3 wanted = own;
       own = limited(x[nodes_[k].node], own);
+      if (at_[k].touches) at_[k].cut = dot(own - wanted, at_[k].normal);
     }
   });
 }

@@ -1,7 +1,9 @@
 #pragma once
 // Nodes of cloth against a collider: a penalty force in the offset around the surface, and Coulomb friction by a spring
 // from each node to its anchor, the place where it stuck (return mapping: where the spring's force would exceed
-// friction's limit the anchor is drawn after the node).
+// friction's limit the anchor is drawn after the node). Tight cloth presses harder than the penalty bears at the
+// surface itself, and stands there because limitMove holds it: a multiplier takes up the rest (augmented Lagrangian;
+// Wriggers, Computational Contact Mechanics), so that the forces are in balance.
 #include <cstdint>
 #include <vector>
 
@@ -48,6 +50,9 @@ class ColliderContact : public Contact {
     Vec3 normal, anchor, force, slipForce;
     double along = 0, across = 0;  // N/m, of the normal and of the tangent
     double slip = 0;               // metres, in the last step
+    double cut = 0;                // metres that limitMove took off the last move into the surface
+    int pressed = 0;               // steps in a row in which it did
+    double multiplier = 0;         // N, along the normal: what presses harder than the penalty bears
   };
   Vec3 limited(Vec3 from, Vec3 move) const;
 

@@ -70,6 +70,17 @@ std::vector<Vec3> outOfSkin(const LevelSolver& solver, const ColliderList& colli
   return moves;
 }
 
+constexpr double kSunk = 0.01;  // metres into the body, around a seam that does not close on it
+constexpr double kOpen = 0.1;   // spacings: a pair farther apart is open
+
+// Between the sides of seams that stay open.
+std::vector<Vec3> openPlaces(const Cloth& cloth, std::span<const Vec3> x) {
+  std::vector<Vec3> places;
+  for (const Tie& tie : cloth.ties)
+    if (const Vec3 gap = gapOf(tie, x); length(gap) > kOpen * cloth.spacing) places.push_back(x[tie.a] + gap * 0.5);
+  return places;
+}
+
 constexpr double kUsualSteps = 100;
 
 int tens(double steps) { return 10 * std::max(1, static_cast<int>(std::lround(steps / 10))); }
@@ -120,7 +131,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     const bool loose = l == 0 && !sewn && !last;
     std::vector<ThinnerCollider> thinner;
     ColliderList met = colliders;
-    if (l == 0 && !sewn && !grownThrough && settings.sewnThinnerBy > 0) {
+    if (l == 0 && !sewn && !grownThrough) {
       for (const ColliderList::Entry& entry : colliders) thinner.emplace_back(*entry.collider, settings.sewnThinnerBy);
       met = {};
       for (std::size_t k = 0; k < thinner.size(); ++k) met.add(thinner[k], colliders.entries()[k].friction);
@@ -166,13 +177,22 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       end = closeSeams(solver, token, watch(say("Drawing the seams together"), 0, 0.4));
       add();
       solver.resetMotion();
-      if (!thinner.empty() && end.finite && !end.cancelled && !end.stopped) {
+      const auto goesOn = [&] { return end.finite && !end.cancelled && !end.stopped; };
+      if (goesOn() && !solver.allTied() && !thinner.empty() && settings.sewnThinnerBy == 0) {
+        for (ThinnerCollider& collider : thinner) {
+          collider.setPlaces(openPlaces(level.cloth, solver.positions()));
+          collider.setBy(kSunk);
+        }
+        end = closeSeams(solver, token, watch(say("Drawing the seams together"), 0.1, 0.4));
+        add();
+        solver.resetMotion();
+      }
+      if (!thinner.empty() && thinner.front().by() > 0 && goesOn()) {
         end = growColliders(solver, thinner, token, watch(say("Stretching the cloth over the body"), 0.2, 0.4));
         add();
         solver.resetMotion();
         // What was sewn up round a limb that it should lie beside is begun anew on whole colliders.
-        if (end.finite && !end.cancelled && !end.stopped &&
-            deepestPenetration(level.cloth, colliders, solver.positions(), workers) > kGrownThrough) {
+        if (goesOn() && deepestPenetration(level.cloth, colliders, solver.positions(), workers) > kGrownThrough) {
           grownThrough = true;
           continue;
         }

@@ -54,5 +54,40 @@ TEST(Support, ATautBeltPressesWithItsTensionOverItsRadius) {
   EXPECT_LT(askew, 3);
 }
 
+// Six times what the penalty of contact bears at the surface: a multiplier bears the rest, and the cloth is at rest
+// there.
+TEST(Support, ABeltThatIsFarTooSmallIsInBalanceOnTheSurface) {
+  constexpr double kRadius = 0.1, kStrain = 0.06, kStiffness = 20000;
+  constexpr std::uint32_t kColumns = 60, kRows = 12;
+  Workers workers(1);
+  const Token token;
+  std::vector<ClothLevel> levels(1);
+  Cloth& cloth = levels[0].cloth;
+  const double rest = 2 * std::numbers::pi * kRadius / (1 + kStrain);
+  addPiece(cloth, gridLattice(kColumns, kRows, rest / kColumns), textbook(kStiffness, 1e-5, 0.1));
+  for (std::uint32_t j = 0; j <= kRows; ++j)
+    cloth.ties.push_back({j * (kColumns + 1), j * (kColumns + 1) + kColumns, kNoNode, 0});
+  levels[0].state = standingBy(cloth, [&](std::size_t, Flat p) {
+    const double a = p.u / rest * 2 * std::numbers::pi;
+    return Vec3{(kRadius + 0.002) * std::sin(a), p.v, (kRadius + 0.002) * std::cos(a)};
+  });
+  const CapsuleBody limb({{{0, -1, 0}, {0, 1, 0}, kRadius}});
+  const auto report = settle(levels, limb, {}, token, workers);
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->settled) << text(report->why) << " " << report->residual;
+  for (const Vec3 p : levels[0].state.position) EXPECT_NEAR(std::hypot(p.x, p.z), kRadius, 0.0006);
+  const auto support = supportOf(cloth, levels[0].state, {}, workers);
+  double sum = 0;
+  int count = 0;
+  for (std::size_t k = 0; k < support.size(); ++k) {
+    const std::size_t column = k % (kColumns + 1), row = k / (kColumns + 1);
+    if (column < 5 || column > kColumns - 5 || row < 3 || row > kRows - 3) continue;
+    sum += dot(support[k], normalized(Vec3{levels[0].state.position[k].x, 0, levels[0].state.position[k].z}));
+    ++count;
+  }
+  const double pressure = kStiffness * kStrain / kRadius * (1 + kStrain);
+  EXPECT_NEAR(sum / count, pressure, 0.08 * pressure);
+}
+
 }  // namespace
 }  // namespace karinui

@@ -1,0 +1,47 @@
+// Drafted patterns of other programs, from file to draped garment by two commands, on the body they were drafted for.
+#include "command.h"
+
+namespace karinui::test {
+namespace {
+
+struct Draft {
+  std::string pattern, body;
+  bool sewn = false;      // by the file itself
+  bool onlyLong = false;  // in ./test --long
+};
+
+class DrapedPatterns : public testing::TestWithParam<Draft> {};
+
+TEST_P(DrapedPatterns, RestOnTheirBodies) {
+  const std::filesystem::path shared = KARINUI_SHARED_DIR;
+  const std::filesystem::path pattern = shared / "patterns" / GetParam().pattern,
+                              body = shared / "bodies" / (GetParam().body + ".obj");
+  if (!std::filesystem::exists(pattern) || !std::filesystem::exists(body)) GTEST_SKIP() << "no shared patterns here";
+  const char* asked = std::getenv("KARINUI_LONG");
+  if (GetParam().onlyLong && !(asked && *asked)) GTEST_SKIP() << "./test --long";
+  const Folder folder;
+  const std::string document = folder / "garment.karinui";
+  const Said read = karinui("import " + pattern.string() + " --body " + body.string() +
+                            (GetParam().sewn ? "" : " --sew auto") + " -o " + document);
+  ASSERT_EQ(read.exit, 0) << read.err;
+  const auto rest = karinui("settle " + document + " --threads 1 --json").json();
+  EXPECT_EQ(rest["settled"], true) << rest["why"];
+  EXPECT_LE(rest["seam_gap_mm"].get<double>(), 0.001);
+  const auto found = karinui("check " + document + " --json").json();
+  EXPECT_EQ(found["penetration_mm"], 0);
+  for (const char* crossings : {"cloth_body_crossings", "cloth_cloth_crossings", "fold_crossings"})
+    EXPECT_EQ(found[crossings], 0) << crossings;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DrapedPatterns,
+    testing::Values(Draft{"bodice_block_f_eu38.svg", "f_eu38"}, Draft{"tshirt_f_eu38.svg", "f_eu38"},
+                    Draft{"pencil_skirt_f_eu38.svg", "f_eu38"}, Draft{"trouser_block_m_eu50.svg", "m_eu50"},
+                    Draft{"shirt_m_eu50.svg", "m_eu50"}, Draft{"tshirt_m_eu50.svg", "m_eu50", false, true},
+                    Draft{"body_block_m_eu50.svg", "m_eu50", false, true},
+                    Draft{"garmentcode/dress_pencil_specification.json", "f_eu38", true, true},
+                    Draft{"garmentcode/shirt_mean_specification.json", "f_eu38", true, true}),
+    [](const auto& draft) { return std::filesystem::path(draft.param.pattern).stem().string(); });
+
+}  // namespace
+}  // namespace karinui::test
