@@ -293,6 +293,15 @@ int runImport(Program& program, const ImportOptions& options) {
       if (const auto step = opened.perform(std::move(*chosen)); !step) return step.error();
     }
     if (!pattern) return {};
+    if (!body.empty()) {
+      const Result<BodyPtr> figure = bodyOf(opened.document(), opened.context());
+      if (!figure) return figure.error();
+      RaisedPattern raised = raisedTo(**figure, *std::move(pattern));
+      if (raised.by != 0)
+        program.console.note(say("The pieces were carried {0} by {1} cm, to the height of this body.",
+                                 raised.by > 0 ? say("up") : say("down"), fixed(100 * std::fabs(raised.by), 0)));
+      pattern = std::move(raised.pattern);
+    }
     for (Operation& operation : stepsOf(*pattern, opened.document(), grading))
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
     return options.sew == "auto" && pattern->seams.empty() ? madeUp(opened) : Done{};

@@ -1,5 +1,6 @@
 // Files in and out of a session.
 #include "karinui/base/file.h"
+#include "karinui/design/make_up.h"
 #include "karinui/design/script.h"
 #include "karinui/design/steps_of.h"
 #include "karinui/exchange/read_body.h"
@@ -27,7 +28,15 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
   if (contentOf(file) != FileContent::Pattern) return unreadable(file, {FileContent::Pattern, FileContent::Script});
   const Result<CadPattern> read = readPatternSize(file, {});
   if (!read) return read.error();
-  for (Operation& operation : stepsOf(read->pattern, documentWorker.file().document(), read->grading))
+  const Document& document = documentWorker.file().document();
+  Pattern pattern = read->pattern;
+  if (document.body.chosen()) {
+    Context context = documentWorker.context(token);
+    const Result<BodyPtr> figure = bodyOf(document, context);
+    if (!figure) return figure.error();
+    pattern = raisedTo(**figure, std::move(pattern)).pattern;
+  }
+  for (Operation& operation : stepsOf(pattern, document, read->grading))
     if (const auto step = documentWorker.perform(std::move(operation), token); !step) return step.error();
   return {};
 }

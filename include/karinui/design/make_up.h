@@ -92,6 +92,15 @@ std::vector<SeamProposal> proposeSeams(const Document& document, const PieceRead
 // to. Pieces that nothing holds stand beside the body, frozen. The document has its seams; without a body: none.
 Result<std::vector<Operation>> standPieces(const Document& document, const PieceReadings& readings, Context& context);
 
+// A pattern whose file says where its pieces stand round a body of another height: carried up or down as a whole, so
+// that its shoulders, or the waist of skirts and trousers, are as high as the body's. As it is where it nearly is,
+// where pieces do not stand round anything, and where none is known.
+struct RaisedPattern {
+  Pattern pattern;
+  double by = 0;  // metres upwards
+};
+RaisedPattern raisedTo(const Body& body, Pattern pattern);
+
 // What a person who looked at the proposals wants otherwise.
 struct MakeUpChoices {
   ToldRoles roles;
