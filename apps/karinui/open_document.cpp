@@ -26,7 +26,7 @@ Prints OpenDocument::prints() {
 
 Result<SceneFrame> OpenDocument::scene() {
   if (!document().body.chosen()) return sceneOf(document(), nullptr, prints());
-  const Result<BodyPtr> body = bodyOf(document(), context_);
+  const Result<BodyPtr> body = bodyOf(document(), *context_);
   if (!body) return body.error();
   return sceneOf(document(), body->get(), prints());
 }
