@@ -16,6 +16,7 @@ class OpenDocument {
       : program_(program), workers_(program.threads), file_(std::move(file)) {
     listenTo(program.console.token());
   }
+  void tellRemarks();  // what was found in the file since they were told last
   // What follows is told to this token and stopped by it.
   void listenTo(const Token& token) {
     context_.emplace(Context{workers_, token, file_.blobs(), bodies_, {}, {}});
@@ -43,6 +44,7 @@ class OpenDocument {
   Prints prints();
   PrintShelf shelf_;
   bool settled_ = true;
+  std::size_t remarksTold_ = 0;
 };
 
 // Opens a document and runs `work` on it; the exit status is what `work` gives, or that of a refusal.

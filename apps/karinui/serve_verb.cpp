@@ -171,6 +171,7 @@ class Server {
     underWay(&token, &stop);
     Result<Json> done = perform(request, token, stop);
     underWay(nullptr, nullptr);
+    if (opened_) opened_->tellRemarks();
     Json line = {{"id", id}};
     if (done)
       line.update(*done);
@@ -220,7 +221,6 @@ class Server {
 
   Result<Json> begin(Result<DocumentFile> file, const Token& token) {
     if (!file) return file.error();
-    for (const Message& remark : file->remarks()) program_.console.note(remark);
     opened_.emplace(program_, *std::move(file));
     opened_->listenTo(token);
     return state();

@@ -93,9 +93,131 @@ class Forger {
           at->second = other->second;
         return "parts at " + part;
       }
+      case 5:
+      case 6:
+      case 7:
+        return changeField();
       default:
         return changePart();
     }
+  }
+
+  // A value that can be read, and that no operation leads to.
+  std::string changeField() {
+    auto& [row, parts] = step(last());
+    auto at = parts.begin();
+    std::advance(at, static_cast<long>(below(parts.size())));
+    const std::string& bytes = content_.blobs[at->second];
+    if (auto piece = at->first.starts_with("piece ") ? unpackPiece(bytes) : Result<Piece>(notFound({}))) {
+      const std::size_t which = below(12);
+      change(*piece, which);
+      return put(at->second, packPiece(*piece)), "field " + std::to_string(which) + " of " + at->first;
+    }
+    if (auto rest = at->first == "rest" ? unpackRest(bytes) : Result<Document>(notFound({}))) {
+      const std::size_t which = below(16);
+      change(*rest, which);
+      return put(at->second, packRest(*rest)), "field " + std::to_string(which) + " of the rest";
+    }
+    return changePart();
+  }
+  static void change(Piece& piece, std::size_t which) {
+    auto& edges = piece.outline.edges;
+    switch (which) {
+      case 0:
+        edges.clear();
+        break;
+      case 1:
+        edges.pop_back();
+        break;
+      case 2:
+        edges.front().curve.end.u += 0.01;
+        break;
+      case 3:
+        edges.back().name = edges.front().name;
+        break;
+      case 4:
+        piece.holes.emplace_back();
+        break;
+      case 5:
+        piece.marks.push_back({"n", "nowhere", 0.5, {}});
+        break;
+      case 6:
+        piece.marks.push_back({"n", edges.front().name, 7, {}});
+        break;
+      case 7:
+        piece.grain = {};
+        break;
+      case 8:
+        piece.fabric = "moonlight";
+        break;
+      case 9:
+        piece.layer = 1 << 30;
+        break;
+      case 10:
+        piece.pose = {0, 0, 0, 0, {}};
+        break;
+      default:
+        piece.lines.push_back({"fold", {Curve()}, Crease{9, 9}});
+    }
+  }
+  static void change(Document& rest, std::size_t which) {
+    const PieceId nobody{999};
+    auto& seams = rest.pattern.seams;
+    switch (which) {
+      case 0:
+        seams.begin()->second.a.clear();
+        break;
+      case 1:
+        seams.begin()->second.b.front().edge = "nowhere";
+        break;
+      case 2:
+        seams.begin()->second.a.front().from = 2;
+        break;
+      case 3:
+        seams.begin()->second.b.front().piece = nobody;
+        break;
+      case 4:
+        rest.pins[nobody] = {{0, 0}};
+        break;
+      case 5:
+        rest.cutting[nobody] = {2, true};
+        break;
+      case 6:
+        rest.eases[SeamId{999}] = 0.01;
+        break;
+      case 7:
+        rest.allowances.edges[{nobody, "hem"}] = 0.01;
+        break;
+      case 8:
+        rest.allowances.hems[{nobody, "hem"}] = {};
+        break;
+      case 9:
+        rest.grading.base = 99;
+        break;
+      case 10:
+        rest.grading.sizes.pop_back();
+        break;
+      case 11:
+        rest.settings.spacing = 0;
+        break;
+      case 12:
+        rest.looks.pieces[nobody] = {};
+        break;
+      case 13:
+        rest.variables["wide"] = "wide + 1cm";
+        break;
+      case 14:
+        rest.drape.dirty.insert(nobody);
+        break;
+      default:
+        rest.body.hash = "nobody's";
+    }
+  }
+  void put(std::string& blob, std::string bytes) {
+    const std::string name = blobName(bytes);
+    content_.blobs[name] = std::move(bytes);
+    blob = name;
+    seal();
   }
 
   // Numbers become others, letters others, or a bit falls.
@@ -138,12 +260,8 @@ class Forger {
           changeText(bytes);
       }
     }
-    const std::string name = blobName(bytes);
-    content_.blobs[name] = std::move(bytes);
-    at->second = name;
-    const std::string told = at->first;
-    seal();
-    return "part " + told;
+    put(at->second, std::move(bytes));
+    return "part " + at->first;
   }
 
   // Where the last step's parts can be read, its hashes become those of what they hold.
@@ -238,7 +356,8 @@ TEST_F(TamperedBeforeVerbs, AreRefusedInASentenceOrAnswered) {
   const auto store = Store::open(whole(), false);
   ASSERT_TRUE(store);
   int answered = 0, refused = 0;
-  for (int seed = 1; seed <= times; ++seed) {
+  constexpr int kFirst = 25;  // the first three are of different kinds
+  for (int seed = kFirst; seed < kFirst + times; ++seed) {
     Forger forger(*store, static_cast<std::uint64_t>(seed));
     const std::string told = forger.forge();
     const std::string path = folder / ("forged" + std::to_string(seed) + ".karinui");
@@ -259,6 +378,30 @@ TEST_F(TamperedBeforeVerbs, AreRefusedInASentenceOrAnswered) {
   }
   EXPECT_GT(answered, 0);
   EXPECT_GT(refused, 0);
+}
+
+TEST_F(TamperedBeforeVerbs, WhatIsFoundOnTheWayIsTold) {
+  Store::Content content;
+  {
+    const auto store = Store::open(whole(), false);
+    ASSERT_TRUE(store);
+    for (const StepRow& row : store->rows()) content.steps.emplace_back(row, *store->parts(row.seq));
+    for (const std::string& name : store->blobNames()) content.blobs[name] = *store->blob(name);
+    content.head = store->head();
+  }
+  // A lie about the last step but one, which the last one bears out.
+  const std::size_t last = content.steps.size() - 1;
+  content.steps[last - 1].first.after = content.steps[last].first.before = std::string(32, '0');
+  const std::string path = folder / "lies.karinui";
+  {
+    auto forged = Store::create(path);
+    ASSERT_TRUE(forged && forged->fill(content));
+  }
+  EXPECT_TRUE(karinui("info " + path).err.empty()) << "the head is as it was";
+  const Said said = karinui("undo " + path);
+  EXPECT_EQ(said.exit, 0);
+  EXPECT_THAT(said.err, testing::HasSubstr("it was made again from the steps"));
+  EXPECT_THAT(said.err, testing::HasSubstr("leads to another pattern than the file says"));
 }
 
 }  // namespace
