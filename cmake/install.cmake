@@ -28,6 +28,10 @@ if(TARGET karinui-room)
   install(TARGETS karinui-room COMPONENT room)
   install_manual(karinui-room room)
 endif()
+if(TARGET karinui_python)
+  install(TARGETS karinui_python DESTINATION lib/python3/dist-packages COMPONENT dev)
+  install(FILES python/karinui.pyi DESTINATION lib/python3/dist-packages COMPONENT dev)
+endif()
 
 # The library: find_package(karinui), then karinui::session and all below it, or any one module, karinui::cloth.
 set(modules base geometry body pattern cloth design exchange scene touch session)

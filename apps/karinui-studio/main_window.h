@@ -84,6 +84,7 @@ class MainWindow : public QMainWindow {
   void askOpen();
   void askImport();
   void askExport();
+  void askShare();
   void leaveStart();
   void openExample(const QString& name);
   void save();  // says where the document is; a draft may be given a place

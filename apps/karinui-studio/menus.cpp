@@ -109,6 +109,8 @@ void MainWindow::makeMenus() {
   add(file, say("Save as…"), "", "Ctrl+Shift+S", [this] { askSaveAs(); });
   add(file, say("Import…"), "", "Ctrl+I", [this] { askImport(); });
   QAction* out = add(file, say("Export…"), "export", "Ctrl+E", [this] { askExport(); });
+  QAction* share = add(file, say("Share the pattern…"), "", "", [this] { askShare(); });
+  share->setObjectName("share");
   add(file, say("Lay plan…"), "", "Ctrl+L", [this] { (new LayDialog(*session_, this))->open(); });
   add(file, say("Picture of the fitting…"), "", "", [this] { picture(); });
   add(file, say("Print the pattern…"), "print", "Ctrl+P", [this] { print(); });

@@ -61,6 +61,15 @@ void MainWindow::askExport() {
   refresh();
 }
 
+void MainWindow::askShare() {
+  const QString path =
+      QFileDialog::getSaveFileName(this, inWords(say("Share the pattern")), freshPath(inWords(say("pattern to share"))),
+                                   filterReading("Karinui", {FileContent::Document}));
+  if (path.isEmpty()) return;
+  session_->shareTo(withEnding(path, fileFormat("document")).toStdString());
+  refresh();
+}
+
 void MainWindow::picture() {
   PictureDialog dialog(*session_, *space_, this);
   if (dialog.exec() != QDialog::Accepted) return;

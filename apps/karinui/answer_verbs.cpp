@@ -1,10 +1,9 @@
 // settle, check, info: what a document is and how its cloth stands.
 #include "answers_in_words.h"
+#include "examination.h"
 #include "json_answers.h"
-#include "karinui/cloth/check.h"
 #include "karinui/design/drape.h"
 #include "karinui/pattern/truing.h"
-#include "open_document.h"
 
 namespace karinui::app {
 
@@ -20,48 +19,27 @@ struct SettleOptions {
   bool again = false;
 };
 
-Result<ClothCheck> examined(OpenDocument& opened) {
-  const Result<Standing> standing = standingCloth(opened.document(), livePieces(opened.document(), {}));
-  if (!standing) return standing.error();
-  if (!opened.document().body.chosen()) return check(standing->cloth, standing->state, nullptr);
-  const Result<BodyPtr> body = bodyOf(opened.document(), opened.context());
-  if (!body) return body.error();
-  return check(standing->cloth, standing->state, body->get());
-}
-
 int answerCheck(Program& program, const DocumentOnly& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
-    const Result<ClothCheck> found = examined(opened);
+    const Result<ClothCheck> found = examined(opened.document(), opened.context());
     if (!found) return program.console.refuse(found.error());
     program.console.answer(checkJson(*found), checkWords(*found, program.console));
     return kDone;
   });
 }
 
-// A garment at rest is not draped again unless asked: the answer then is the report of the drape that is kept.
-bool atRest(const Document& document) {
-  return document.drape.last && document.drape.last->settled && document.drape.dirty.empty();
-}
-
 int answerSettle(Program& program, const SettleOptions& options) {
   if (options.threads > 0) program.threads = options.threads;
   return withDocument(program, options.path, false, [&](OpenDocument& opened) -> int {
-    const bool kept = atRest(opened.document()) && !options.again;
-    if (!kept) {
-      StopRequest stop;
-      opened.context().stop = &stop;
-      program.console.stopFirst(&stop);
-      const Result<Step> step = opened.perform(DrapePieces{});
-      program.console.stopFirst(nullptr);
-      opened.context().stop = nullptr;
-      if (!step) return program.console.refuse(step.error());
-    }
-    const Result<ClothCheck> found = examined(opened);
-    if (!found) return program.console.refuse(found.error());
+    StopRequest stop;
+    program.console.stopFirst(&stop);
+    const Result<Settled> settled = settle(opened, stop, options.again);
+    program.console.stopFirst(nullptr);
+    if (!settled) return program.console.refuse(settled.error());
     const SettleReport& report = *opened.document().drape.last;
-    Json object = settleJson(report, *found, program.console);
-    object["kept"] = kept;
-    program.console.answer(object, settleWords(report, *found, kept, program.console));
+    Json object = settleJson(report, settled->check, program.console);
+    object["kept"] = settled->kept;
+    program.console.answer(object, settleWords(report, settled->check, settled->kept, program.console));
     return report.settled ? kDone : kNotSettled;
   });
 }

@@ -34,15 +34,18 @@ struct Program {
   }
 };
 
-void addBodyVerbs(Program& program);      // body make, body measure
-void addDocumentVerbs(Program& program);  // play, do, undo, redo, log, import
-void addAnswerVerbs(Program& program);    // settle, check, info
-void addOutputVerbs(Program& program);    // export, picture
-void addLayoutVerb(Program& program);     // layout
-void addRefitVerb(Program& program);      // refit
-void addSizesVerb(Program& program);      // sizes
-void addReportVerb(Program& program);     // report
-void addBenchVerb(Program& program);      // bench
-void addTouchVerbs(Program& program);     // touch check, touch replay
+void addBodyVerbs(Program& program);           // body make, body measure
+void addDocumentVerbs(Program& program);       // play, do, undo, redo, log, import
+void addWholeDocumentVerbs(Program& program);  // rescue, dump, load, share
+void addAnswerVerbs(Program& program);         // settle, check, info
+void addOutputVerbs(Program& program);         // export, picture
+void addLayoutVerb(Program& program);          // layout
+void addRefitVerb(Program& program);           // refit
+void addSizesVerb(Program& program);           // sizes
+void addReportVerb(Program& program);          // report
+void addServeVerb(Program& program);           // serve
+void addBatchVerbs(Program& program);          // batch plan, run, merge, submit
+void addBenchVerb(Program& program);           // bench
+void addTouchVerbs(Program& program);          // touch check, touch replay
 
 }  // namespace karinui::app

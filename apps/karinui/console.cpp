@@ -30,7 +30,10 @@ void Console::answer(const Json& object, const std::string& words) const {
   if (!out.ends_with('\n')) std::fputc('\n', stdout);
 }
 
-void Console::note(const Message& message) const { std::fprintf(stderr, "%s\n", said(message).c_str()); }
+void Console::note(const Message& message) const {
+  if (keep_) return keep_(message);
+  std::fprintf(stderr, "%s\n", said(message).c_str());
+}
 
 int Console::refuse(const Error& error) const {
   if (showing_) std::fputc('\n', stderr);

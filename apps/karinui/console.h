@@ -1,6 +1,7 @@
 #pragma once
 // What the command says and how it ends: answers on stdout (words, or one JSON object), progress and trouble on stderr.
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -26,8 +27,9 @@ class Console {
   std::string said(const Message& message) const { return text(message, language_); }
   // The one answer of a command: the object if --json, else the words.
   void answer(const Json& object, const std::string& words) const;
-  void note(const Message& message) const;  // stderr
-  int refuse(const Error& error) const;     // says why; gives the exit status
+  void note(const Message& message) const;  // stderr, or where keepNotes() said
+  void keepNotes(std::function<void(const Message&)> keep) { keep_ = std::move(keep); }
+  int refuse(const Error& error) const;  // says why; gives the exit status
   // Ctrl-C cancels it; after half a second its progress is shown.
   const Token& token();
   // Ctrl-C asks this first, and cancels only what cannot be stopped so; null: not any more.
@@ -39,6 +41,7 @@ class Console {
   std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
   Token token_{[this](double fraction, const Message& doing) { show(fraction, doing); }};
   bool showing_ = false;
+  std::function<void(const Message&)> keep_;
 };
 
 }  // namespace karinui::app

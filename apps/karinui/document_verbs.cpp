@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "figure.h"
+#include "json_answers.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
 #include "karinui/design/make_up.h"
@@ -36,17 +37,10 @@ struct DoOptions {
 struct DocumentOnly {
   std::string path;
 };
-struct RescueOptions {
-  std::string path, out;
-};
 struct ImportOptions {
   std::string file, body, size, rules, out, sew = "none";
   bool overwrite = false, list = false, ruleSteps = false;
 };
-
-Json stepJson(const Step& step, const Document& document) {
-  return {{"operation", text(step.operation)}, {"operations", document.operations}, {"hash", step.after}};
-}
 
 Result<void> playScript(OpenDocument& opened, const std::string& script, const std::string& body,
                         StagePictures& pictures) {
@@ -110,14 +104,7 @@ int runDo(Program& program, const DoOptions& options) {
           program.console.note(say("Done and kept: {0} of {1} {1|operation|operations}.", done, operations.size()));
         return program.console.refuse(step.error());
       }
-      Json object = stepJson(*step, opened.document());
-      const DrapeInfo& drape = opened.document().drape;
-      if (std::holds_alternative<PullCloth>(step->operation)) {
-        double most = 0;
-        for (const Vec3& force : drape.force) most = std::max(most, length(force));
-        object["max_force_n"] = most;
-      }
-      program.console.answer(object, text(step->operation));
+      program.console.answer(stepJson(*step, opened.document()), text(step->operation));
     }
     return opened.settled() ? kDone : kNotSettled;
   });
@@ -308,16 +295,6 @@ int runImport(Program& program, const ImportOptions& options) {
   });
 }
 
-int runRescue(Program& program, const RescueOptions& options) {
-  const Result<Rescued> rescued = rescue(options.path, options.out);
-  if (!rescued) return program.console.refuse(rescued.error());
-  const Message said = rescued->lost == 0 ? say("All {0} {0|step is|steps are} whole.", rescued->steps)
-                                          : say("{0} {0|step is|steps are} whole and {0|was|were} kept; {1} were not.",
-                                                rescued->steps, rescued->lost);
-  program.console.answer({{"steps", rescued->steps}, {"lost", rescued->lost}}, help(said));
-  return kDone;
-}
-
 std::string padded(const std::string& name, std::size_t width) {
   return "  " + name + std::string(std::max(width, name.size() + 1) - name.size(), ' ');
 }
@@ -401,12 +378,6 @@ void addDocumentVerbs(Program& program) {
   program.verb(program.cli, "log", help("Writes the operations as a script that play reads"), log, runLog)
       ->add_option("document", log->path, help("The .karinui document"))
       ->required();
-
-  auto save = std::make_shared<RescueOptions>();
-  verb = program.verb(program.cli, "rescue", help("Saves what is whole of a damaged document in a new one"), save,
-                      runRescue);
-  verb->add_option("document", save->path, help("The .karinui document"))->required();
-  verb->add_option("-o,--output", save->out, help("The .karinui document to make"))->required();
 
   auto variables = std::make_shared<VariablesOptions>();
   verb = program.verb(program.cli, "variables", help("Lists the variables of a document and what they are now"),

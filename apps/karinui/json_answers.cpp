@@ -1,5 +1,9 @@
 #include "json_answers.h"
 
+#include <algorithm>
+
+#include "karinui/design/script.h"
+
 namespace karinui::app {
 
 Json bodyJson(const Measurements& measured, const MeshReport& mesh) {
@@ -57,6 +61,29 @@ Json continuationJson(const SettleReport& report) {
           {"p95_mm", more.p95 * 1000},
           {"rms_mm", more.rms * 1000},
           {"lower_uj", (report.energy[report.fineSteps - 1].joules - report.energy.back().joules) * 1e6}};
+}
+
+Json stepJson(const Step& step, const Document& after) {
+  Json object = {{"operation", text(step.operation)}, {"operations", after.operations}, {"hash", step.after}};
+  if (std::holds_alternative<PullCloth>(step.operation)) {
+    double most = 0;
+    for (const Vec3& force : after.drape.force) most = std::max(most, length(force));
+    object["max_force_n"] = most;
+  }
+  return object;
+}
+
+Json fitJson(const std::vector<Girths>& girths, const std::optional<PressureReport>& pressure) {
+  Json levels = Json::object();
+  for (const Girths& g : girths) {
+    std::string key = text(g.name);  // "under bust"
+    std::replace(key.begin(), key.end(), ' ', '_');
+    levels[key] = {
+        {"height_m", g.height}, {"body_m", g.body}, {"garment_m", g.garment}, {"ease_m", g.garment - g.body}};
+  }
+  Json object = {{"girths", levels}};
+  if (pressure) object["pressure_mean_pa"] = pressure->mean, object["pressure_p99_pa"] = pressure->p99;
+  return object;
 }
 
 Json infoJson(const Document& document) {

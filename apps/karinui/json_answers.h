@@ -3,8 +3,9 @@
 #include "console.h"
 #include "karinui/body/body.h"
 #include "karinui/cloth/check.h"
-#include "karinui/design/document.h"
+#include "karinui/design/history.h"
 #include "karinui/pattern/truing.h"
+#include "karinui/session/fit.h"
 
 namespace karinui::app {
 
@@ -12,6 +13,8 @@ Json bodyJson(const Measurements& measured, const MeshReport& mesh);
 Json checkJson(const ClothCheck& check);
 Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console);
 Json continuationJson(const SettleReport& report);  // of a report that has one
+Json stepJson(const Step& step, const Document& after);
+Json fitJson(const std::vector<Girths>& girths, const std::optional<PressureReport>& pressure);
 Json infoJson(const Document& document);
 Json truingJson(const Document& document, const TruingReport& report);
 

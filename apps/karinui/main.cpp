@@ -31,12 +31,15 @@ int main(int count, char** words) {
                      help("Exit status: 0 done, 2 wrong call, 3 refused input, 4 the cloth did not settle."));
   addBodyVerbs(program);
   addDocumentVerbs(program);
+  addWholeDocumentVerbs(program);
   addAnswerVerbs(program);
   addOutputVerbs(program);
   addLayoutVerb(program);
   addRefitVerb(program);
   addSizesVerb(program);
   addReportVerb(program);
+  addServeVerb(program);
+  addBatchVerbs(program);
   addBenchVerb(program);
   addTouchVerbs(program);
   try {

@@ -20,13 +20,17 @@ Result<Step> OpenDocument::performWith(Operation operation, Context& context) {
   return step;
 }
 
+void OpenDocument::tellRemarks() {
+  for (; remarksTold_ < file_.remarks().size(); ++remarksTold_) program_.console.note(file_.remarks()[remarksTold_]);
+}
+
 Prints OpenDocument::prints() {
   return [this](const std::string& photo) { return shelf_.find(photo, file_.blobs()); };
 }
 
 Result<SceneFrame> OpenDocument::scene() {
   if (!document().body.chosen()) return sceneOf(document(), nullptr, prints());
-  const Result<BodyPtr> body = bodyOf(document(), context_);
+  const Result<BodyPtr> body = bodyOf(document(), *context_);
   if (!body) return body.error();
   return sceneOf(document(), body->get(), prints());
 }
@@ -35,9 +39,11 @@ int withDocument(Program& program, const std::string& path, bool forReading,
                  const std::function<int(OpenDocument&)>& work) {
   Result<DocumentFile> file = forReading ? DocumentFile::openForReading(path) : DocumentFile::open(path);
   if (!file) return program.console.refuse(file.error());
-  for (const Message& remark : file->remarks()) program.console.note(remark);
   OpenDocument opened(program, std::move(*file));
-  return work(opened);
+  opened.tellRemarks();
+  const int exit = work(opened);
+  opened.tellRemarks();  // of what was read meanwhile
+  return exit;
 }
 
 }  // namespace karinui::app

@@ -1,5 +1,6 @@
 #pragma once
 // An open document and what operations on it need. One per command.
+#include <optional>
 #include <string>
 
 #include "commands.h"
@@ -12,23 +13,24 @@ namespace karinui::app {
 class OpenDocument {
  public:
   OpenDocument(Program& program, DocumentFile file)
-      : program_(program), workers_(program.threads), file_(std::move(file)), context_{workers_,
-                                                                                       program.console.token(),
-                                                                                       file_.blobs(),
-                                                                                       bodies_,
-                                                                                       {},
-                                                                                       {}} {
-    context_.advise = [&program](const Advice& advice) { program.console.note(advice.what); };
+      : program_(program), workers_(program.threads), file_(std::move(file)) {
+    listenTo(program.console.token());
+  }
+  void tellRemarks();  // what was found in the file since they were told last
+  // What follows is told to this token and stopped by it.
+  void listenTo(const Token& token) {
+    context_.emplace(Context{workers_, token, file_.blobs(), bodies_, {}, {}});
+    context_->advise = [this](const Advice& advice) { program_.console.note(advice.what); };
   }
 
   Program& program() { return program_; }
   DocumentFile& file() { return file_; }
   const Document& document() const { return file_.document(); }
-  Context& context() { return context_; }
+  Context& context() { return *context_; }
 
   // Records one operation; says on stderr what a drape or a pull came to. `settled` becomes false for one that did not
   // rest.
-  Result<Step> perform(Operation operation) { return performWith(std::move(operation), context_); }
+  Result<Step> perform(Operation operation) { return performWith(std::move(operation), *context_); }
   Result<Step> performWith(Operation operation, Context& context);  // with another's blobs
   bool settled() const { return settled_; }
   Result<SceneFrame> scene();  // the garment on its body, for pictures
@@ -38,10 +40,11 @@ class OpenDocument {
   Workers workers_;
   Bodies bodies_;
   DocumentFile file_;
-  Context context_;
+  std::optional<Context> context_;
   Prints prints();
   PrintShelf shelf_;
   bool settled_ = true;
+  std::size_t remarksTold_ = 0;
 };
 
 // Opens a document and runs `work` on it; the exit status is what `work` gives, or that of a refusal.

@@ -3,9 +3,8 @@
 
 #include "figure.h"
 #include "karinui/base/number.h"
-#include "karinui/design/step_words.h"
-#include "karinui/pattern/alteration.h"
 #include "make_document.h"
+#include "refit.h"
 
 namespace karinui::app {
 
@@ -64,57 +63,13 @@ std::vector<Fate> fatesOf(const Document& before, const Document& after) {
   return all;
 }
 
-// A step as it is done on the other body. An outline that was pulled from the cloth is found anew; one that was drawn
-// on the paper is drawn as far from the piece as it is there now.
-Operation refitted(const Step& step, OpenDocument& source, const Document& now, Context& context) {
-  Operation operation = step.operation;
-  auto* reshape = std::get_if<ReshapePiece>(&operation);
-  if (!reshape || reshape->outline.edges.empty()) return operation;
-  if (!reshape->at.empty()) {
-    reshape->outline = {};
-    return operation;
-  }
-  const auto then = source.file().documentAfter(step.parent, context);
-  const Piece* before = then ? then->find(reshape->piece.id) : nullptr;
-  const Piece* there = now.find(reshape->piece.id);
-  if (!before || !there) return operation;
-  if (auto outline = alteredAlike(before->outline, reshape->outline, there->outline))
-    reshape->outline = *std::move(outline);
-  return operation;
-}
-
 int runRefit(Program& program, const RefitOptions& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& source) -> int {
-    const std::vector<Step> steps = source.file().steps();
-    if (steps.empty()) return program.console.refuse(refused(say("The document is empty; there is nothing to fit.")));
     std::vector<Fate> fates;
     const auto fill = [&](OpenDocument& opened) -> Result<void> {
       const Result<SetBody> body = bodyOperation(opened, options.body);
       if (!body) return body.error();
-      // Prints and figures that the document brought along.
-      Context context{
-          opened.context().workers, opened.context().token, source.file().blobs(), opened.context().bodies, {}, {}};
-      const auto perform = [&](Operation operation, const Step* step) -> Result<void> {
-        const Message told = step ? stepSaid(opened.document(), operation) : Message();
-        const std::string name(nameOf(operation));
-        const Result<Step> done = opened.performWith(std::move(operation), context);
-        if (done) return {};
-        if (!step || done.error().kind == Error::Kind::Cancelled) return done.error();
-        return Error{done.error().kind, say("Step {0}, {1} ({2}), cannot be done on this body: {3}",
-                                            static_cast<std::size_t>(step->serial), name, told, done.error().what)};
-      };
-      bool chosen = false;
-      for (const Step& step : steps) {
-        // Every choice of a figure becomes this one, so that the steps keep their numbers.
-        const bool figure = std::holds_alternative<SetBody>(step.operation);
-        chosen |= figure;
-        if (const auto done =
-                perform(figure ? Operation(*body) : refitted(step, source, opened.document(), context), &step);
-            !done)
-          return done.error();
-      }
-      if (!chosen)
-        if (const auto done = perform(Operation(*body), nullptr); !done) return done.error();
+      if (const Done done = refit(source, opened, *body); !done) return done;
       fates = fatesOf(source.document(), opened.document());
       return {};
     };

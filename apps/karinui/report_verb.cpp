@@ -3,7 +3,6 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <numeric>
 
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
@@ -101,16 +100,10 @@ ReportTable clothTable(const Fitting& fitting) {
                 {say("stretch, at most"), percent(last->strain.max)},
                 {say("widest seam gap"), words(fixed(last->seamGap * 1000, 1) + " mm")},
                 {say("deepest in the body"), words(fixed(last->penetration * 1000, 1) + " mm")}};
-  std::vector<float> pressed;
-  for (const float p : fitting.pressure)
-    if (p >= 0) pressed.push_back(p);
-  if (!pressed.empty()) {
-    const double mean = std::accumulate(pressed.begin(), pressed.end(), 0.0) / static_cast<double>(pressed.size());
-    std::sort(pressed.begin(), pressed.end());
-    const double most = pressed[std::min(pressed.size() - 1, pressed.size() * 99 / 100)];
+  if (const auto pressed = pressureReport(fitting.pressure)) {
     const auto kilo = [](double pascals) { return words(fixed(pascals / 1000, 2) + " kPa"); };
-    table.rows.push_back({say("pressure where the cloth lies, on average"), kilo(mean)});
-    table.rows.push_back({say("99 % of it is pressed less than"), kilo(most)});
+    table.rows.push_back({say("pressure where the cloth lies, on average"), kilo(pressed->mean)});
+    table.rows.push_back({say("99 % of it is pressed less than"), kilo(pressed->p99)});
   }
   return table;
 }

@@ -100,6 +100,10 @@ bool soundContent(const Document& document) {
          edgesThere(document, document.allowances.elastics) && edgesThere(document, document.allowances.hems) &&
          std::all_of(document.cutting.begin(), document.cutting.end(),
                      [&](const auto& own) { return document.find(own.first); }) &&
+         std::all_of(document.looks.pieces.begin(), document.looks.pieces.end(),
+                     [&](const auto& own) { return document.find(own.first); }) &&
+         std::all_of(document.drape.dirty.begin(), document.drape.dirty.end(),
+                     [&](PieceId id) { return document.find(id); }) &&
          std::all_of(document.eases.begin(), document.eases.end(),
                      [&](const auto& own) { return document.find(own.first); }) &&
          sound(document, document.grading) && document.settings.spacing >= 0.002 && document.settings.spacing <= 0.05 &&

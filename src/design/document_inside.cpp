@@ -160,7 +160,7 @@ Done DocumentFile::Inside::keep(Worked worked, Head then, const Bodies& bodies) 
     const StepRow row{
         step.seq,   step.parent, step.serial, kind,      line.size() > kind.size() ? line.substr(kind.size() + 1) : "",
         step.chain, step.before, step.after,  step.stand};
-    if (Done done = store->append(row, parts, worked.borrowed, then); !done) return done.error();
+    if (Done done = store->fill({{{row, parts}}, std::move(worked.borrowed), then}); !done) return done.error();
     keptParts.remember(worked.after, parts);
   } else {
     for (auto& [name, bytes] : worked.borrowed) (void)memory.put(bytes);

@@ -237,4 +237,13 @@ std::map<PieceId, std::shared_ptr<const Form>> LivePull::forms() const {
   return formsLeft(inside_->hand.cloth(), {inside_->hand.places()});
 }
 
+Result<ClothCheck> examined(const Document& document, Context& context) {
+  const auto standing = standingCloth(document, livePieces(document, {}));
+  if (!standing) return standing.error();
+  if (!document.body.chosen()) return check(standing->cloth, standing->state, nullptr);
+  const auto body = bodyOf(document, context);
+  if (!body) return body.error();
+  return check(standing->cloth, standing->state, body->get());
+}
+
 }  // namespace karinui

@@ -40,7 +40,7 @@ Done copy(const Store& damaged, const std::vector<StepRow>& rows, Store& fresh) 
         break;
       }
     there.insert(row.seq);
-    if (Done done = fresh.append(row, parts, {}, {row.seq, row.seq}); !done) return done;
+    if (Done done = fresh.fill({{{row, parts}}, {}, {row.seq, row.seq}}); !done) return done;
   }
   const Head head = damaged.head();
   return there.contains(head.seq) && there.contains(head.tip) ? fresh.move(head) : Done();

@@ -1,5 +1,6 @@
 // Documents that come and go, files in and out.
 #include "karinui/base/file.h"
+#include "karinui/design/share.h"
 #include "session/session_impl.h"
 
 namespace karinui {
@@ -174,6 +175,21 @@ void Session::exportTo(const std::filesystem::path& file, const ExportWish& wish
             impl_->tellError(done.error());
         };
       });
+}
+
+void Session::shareTo(const std::filesystem::path& file) {
+  auto& in = *impl_;
+  in.tasks.add(TaskQueue::Kind::Step, [this, file](const Token& token) -> TaskQueue::Finish {
+    MemoryBlobs none;
+    Context how{*impl_->workers, token, none, *impl_->bodies, {}, {}};
+    const auto shared = share(impl_->documentWorker->file(), file, how);
+    return [this, shared, file] {
+      if (!shared) return impl_->tellError(shared.error());
+      impl_->tell(Notice::Kind::Said, say("“{0}” was written.", file.string()));
+      impl_->tell(Notice::Kind::Said, sharedSaid(*shared));
+      for (const Message& note : shared->notes) impl_->tell(Notice::Kind::Advice, note);
+    };
+  });
 }
 
 }  // namespace karinui

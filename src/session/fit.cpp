@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -131,6 +132,17 @@ std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& work
     }
   });
   return pressure;
+}
+
+std::optional<PressureReport> pressureReport(const std::vector<float>& values) {
+  std::vector<float> pressed;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(pressed), [](float p) { return p >= 0; });
+  if (pressed.empty()) return std::nullopt;
+  const double sum = std::accumulate(pressed.begin(), pressed.end(), 0.0);
+  const auto most =
+      pressed.begin() + static_cast<std::ptrdiff_t>(std::min(pressed.size() - 1, pressed.size() * 99 / 100));
+  std::nth_element(pressed.begin(), most, pressed.end());
+  return PressureReport{sum / static_cast<double>(pressed.size()), *most};
 }
 
 std::vector<Girths> girthsAt(const GarmentSnapshot& snapshot, double height) {

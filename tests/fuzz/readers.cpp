@@ -10,6 +10,7 @@
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/garment_code.h"
 #include "karinui/exchange/measurement_files.h"
+#include "karinui/exchange/measurement_table.h"
 #include "karinui/exchange/pattern_json.h"
 
 namespace karinui::test {
@@ -74,6 +75,7 @@ constexpr FuzzedReader kReaders[] = {
      [](std::string_view bytes) {
        (void)readMeasuresText(bytes), (void)readValentina(bytes), (void)readMeasuresYaml(bytes);
      }},
+    {"measurement_table", "csv", [](std::string_view bytes) { (void)readMeasurementTable(bytes); }},
     {"script", "ops",
      [](std::string_view bytes) {
        const auto lines = parseScript(bytes);

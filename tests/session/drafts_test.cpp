@@ -170,5 +170,28 @@ TEST_F(Drafts, AStepThatWaitsIsWrittenBeforeLeaving) {
   EXPECT_EQ(kept->steps().size(), 2u);
 }
 
+TEST_F(Drafts, ThePatternIsSharedWhileTheDocumentIsOpen) {
+  Session session(options());
+  perform(session, "variable name=cuff value=9cm");
+  perform(session, kPiece);
+  const fs::path given = folder_ / "given.karinui";
+  session.shareTo(given);
+  session.finish();
+  std::string said;
+  for (const Notice& notice : session.takeNotices()) said += text(notice.what) + "\n";
+  EXPECT_THAT(said, HasSubstr("given.karinui” was written."));
+  EXPECT_THAT(said, HasSubstr("The names of pieces, seams and fabrics stay: front"));
+  const auto shared = DocumentFile::openForReading(given);
+  ASSERT_TRUE(shared) << text(shared.error().what);
+  EXPECT_EQ(shared->document().pattern.pieces.size(), 1u);
+  EXPECT_TRUE(shared->document().variables.empty());
+  session.shareTo(session.path());
+  session.finish();
+  EXPECT_THAT(refused(session), HasSubstr("the document itself"));
+  EXPECT_EQ(session.snapshot().document.variables.size(), 1u);
+  perform(session, "set ease=1cm");
+  EXPECT_EQ(refused(session), "") << "and work goes on";
+}
+
 }  // namespace
 }  // namespace karinui

@@ -87,6 +87,30 @@ TEST(StudioSaveActions, WithNothingToWriteThereIsASentenceInstead) {
   EXPECT_THAT(named<QLabel>(dialog, "Preview").text().toStdString(), HasSubstr("no piece yet"));
 }
 
+TEST(StudioSaveActions, ThePatternIsSharedWithoutThePerson) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const auto* item = w.main().findChild<QAction*>("share");
+  ASSERT_TRUE(item && item->isEnabled());
+  Folder folder;
+  const fs::path file = folder.path / "for_others.karinui";
+  w.session().shareTo(file);
+  w.rest();
+  const Document& own = w.session().snapshot().document;
+  const auto shared = DocumentFile::openForReading(file);
+  ASSERT_TRUE(shared) << w.main().said().toStdString();
+  EXPECT_EQ(shared->document().pattern.pieces.size(), own.pattern.pieces.size());
+  EXPECT_TRUE(own.body.chosen());
+  EXPECT_FALSE(shared->document().body.chosen());
+  // Not over the document itself.
+  const auto before = readFile(w.session().path());
+  w.session().shareTo(w.session().path());
+  w.rest();
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("the document itself"));
+  EXPECT_EQ(*readFile(w.session().path()), *before);
+}
+
 // The first page of a PDF in grey, so many pixels a millimetre.
 QImage pictureOf(const fs::path& pdf, double fine) {
   const std::string to = pdf.string() + ".page";

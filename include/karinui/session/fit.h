@@ -1,6 +1,7 @@
 #pragma once
 // How a garment fits, in numbers: what it presses with, how far round it is and how far round the body is under it.
 // Pure; long for large garments; any thread.
+#include <optional>
 #include <vector>
 
 #include "karinui/base/workers.h"
@@ -12,6 +13,12 @@ namespace karinui {
 // Per point of the body's mesh, pascals, the mean over a patch as large as a fingertip; negative: no cloth there.
 // Nothing without a body or a garment that can be laid.
 std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& workers);
+
+// Where cloth lies, in pascals; nothing where none does. `values`: of pressureOnBody().
+struct PressureReport {
+  double mean = 0, p99 = 0;
+};
+std::optional<PressureReport> pressureReport(const std::vector<float>& values);
 
 // The bared body coloured by it, and the garment as lines: to be drawn as a strain map is, up to a round number of
 // pascals. `values`: of pressureOnBody(); empty: not known yet. Needs the snapshot's body.

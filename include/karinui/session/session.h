@@ -81,6 +81,8 @@ class Session {
   void importPrint(const std::filesystem::path& file, SetLook look);
   void importPattern(const std::filesystem::path& file);  // into this document; .json of ours or GarmentCode, .ops
   void exportTo(const std::filesystem::path& file, const ExportWish& wish);
+  // The pattern for others, with nothing of the person it was made for (share.h). What others will read in it is told.
+  void shareTo(const std::filesystem::path& file);
   const std::filesystem::path& path() const;  // empty: no step yet (or no drafts folder)
   bool draft() const;                         // lies in the drafts folder
   bool readOnly() const;

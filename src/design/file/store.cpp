@@ -192,59 +192,67 @@ Done Store::load(bool damagedToo) {
   return {};
 }
 
-Done Store::write(const StepRow* row, const Parts& parts, const std::map<std::string, std::string>& blobs,
-                  const Head* head) {
-  for (const auto& [name, bytes] : blobs) {
-    auto insert =
-        db_.ask("INSERT INTO blob VALUES(?1, ?2) ON CONFLICT(hash) DO UPDATE SET bytes = ?2 WHERE bytes <> ?2");
-    if (!insert) return insert.error();
-    if (Done done = insert->bind(1, name).bindBytes(2, bytes).finish(); !done) return done;
-  }
-  if (row) {
-    auto insert = db_.ask("INSERT INTO op VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    if (!insert) return insert.error();
-    insert->bind(1, static_cast<std::int64_t>(row->seq)).bind(2, static_cast<std::int64_t>(row->parent));
-    insert->bind(3, std::int64_t{row->serial}).bind(4, row->kind).bind(5, row->args).bind(6, row->chain);
-    insert->bind(7, row->before).bind(8, row->after).bind(9, row->stand).bind(10, row->seal());
-    if (Done done = insert->finish(); !done) return done;
-  }
-  for (const auto& [part, blob] : parts) {
-    auto insert = db_.ask("INSERT INTO snap VALUES(?, ?, ?)");
-    if (!insert) return insert.error();
-    if (Done done = insert->bind(1, static_cast<std::int64_t>(row->seq)).bind(2, part).bind(3, blob).finish(); !done)
-      return done;
-  }
-  if (head) {
-    auto update = db_.ask("UPDATE head SET seq = ?, tip = ?, seal = ? WHERE branch = 1");
-    if (!update) return update.error();
-    update->bind(1, static_cast<std::int64_t>(head->seq))
-        .bind(2, static_cast<std::int64_t>(head->tip))
-        .bind(3, sealOf(*head));
-    if (Done done = update->finish(); !done) return done;
-  }
-  return db_.run("COMMIT");
+Done Store::insertBlob(const std::string& name, std::string_view bytes) {
+  auto insert = db_.ask("INSERT INTO blob VALUES(?1, ?2) ON CONFLICT(hash) DO UPDATE SET bytes = ?2 WHERE bytes <> ?2");
+  if (!insert) return insert.error();
+  return insert->bind(1, name).bindBytes(2, bytes).finish();
 }
 
-Done Store::append(const StepRow& row, const Parts& parts, const std::map<std::string, std::string>& blobs, Head head) {
+Done Store::insertRow(const StepRow& row, const Parts& parts) {
+  auto insert = db_.ask("INSERT INTO op VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  if (!insert) return insert.error();
+  insert->bind(1, static_cast<std::int64_t>(row.seq)).bind(2, static_cast<std::int64_t>(row.parent));
+  insert->bind(3, std::int64_t{row.serial}).bind(4, row.kind).bind(5, row.args).bind(6, row.chain);
+  insert->bind(7, row.before).bind(8, row.after).bind(9, row.stand).bind(10, row.seal());
+  if (Done done = insert->finish(); !done) return done;
+  for (const auto& [part, blob] : parts) {
+    auto kept = db_.ask("INSERT INTO snap VALUES(?, ?, ?)");
+    if (!kept) return kept.error();
+    if (Done done = kept->bind(1, static_cast<std::int64_t>(row.seq)).bind(2, part).bind(3, blob).finish(); !done)
+      return done;
+  }
+  return {};
+}
+
+Done Store::updateHead(Head head) {
+  auto update = db_.ask("UPDATE head SET seq = ?, tip = ?, seal = ? WHERE branch = 1");
+  if (!update) return update.error();
+  update->bind(1, static_cast<std::int64_t>(head.seq))
+      .bind(2, static_cast<std::int64_t>(head.tip))
+      .bind(3, sealOf(head));
+  return update->finish();
+}
+
+Done Store::inOneTransaction(const std::function<Done()>& work) {
   if (Done done = db_.run("BEGIN IMMEDIATE"); !done) return done;
-  if (Done done = write(&row, parts, blobs, &head); !done) return (void)db_.run("ROLLBACK"), done;
-  rows_.push_back(row);
-  head_ = head;
+  Done done = work();
+  if (done) done = db_.run("COMMIT");
+  if (!done) (void)db_.run("ROLLBACK");
+  return done;
+}
+
+Done Store::fill(const Content& content) {
+  const Done done = inOneTransaction([&]() -> Done {
+    for (const auto& [name, bytes] : content.blobs)
+      if (Done kept = insertBlob(name, bytes); !kept) return kept;
+    for (const auto& [row, parts] : content.steps)
+      if (Done kept = insertRow(row, parts); !kept) return kept;
+    return updateHead(content.head);
+  });
+  if (!done) return done;
+  for (const auto& [row, parts] : content.steps) rows_.push_back(row);
+  head_ = content.head;
   return {};
 }
 
 Done Store::move(Head head) {
-  if (Done done = db_.run("BEGIN IMMEDIATE"); !done) return done;
-  if (Done done = write(nullptr, {}, {}, &head); !done) return (void)db_.run("ROLLBACK"), done;
-  head_ = head;
-  return {};
+  const Done done = inOneTransaction([&] { return updateHead(head); });
+  if (done) head_ = head;
+  return done;
 }
 
 Done Store::keep(const std::string& name, std::string_view bytes) {
-  if (Done done = db_.run("BEGIN IMMEDIATE"); !done) return done;
-  if (Done done = write(nullptr, {}, {{name, std::string(bytes)}}, nullptr); !done)
-    return (void)db_.run("ROLLBACK"), done;
-  return {};
+  return inOneTransaction([&] { return insertBlob(name, bytes); });
 }
 
 Result<Parts> Store::parts(std::uint64_t seq) const {

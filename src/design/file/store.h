@@ -1,6 +1,7 @@
 #pragma once
 // The .karinui file's tables (docs/format/karinui-file.md): reads everything once, then appends. Knows rows and blobs,
 // not what they mean.
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -28,6 +29,12 @@ using Parts = std::map<std::string, std::string>;
 
 class Store {
  public:
+  // What is written at once: steps by seq, each with the parts of the document after it.
+  struct Content {
+    std::vector<std::pair<StepRow, Parts>> steps;
+    std::map<std::string, std::string> blobs;
+    Head head;
+  };
   static Result<Store> create(const std::filesystem::path& path);
   static Result<Store> open(const std::filesystem::path& path, bool toWrite);
   // For reading what is whole of a damaged one: rows that are not sound are counted and left out.
@@ -39,7 +46,7 @@ class Store {
   bool writable() const { return writable_; }
 
   // One transaction each: on the disk when it returns, or nothing changed.
-  Done append(const StepRow& row, const Parts& parts, const std::map<std::string, std::string>& blobs, Head head);
+  Done fill(const Content& content);
   Done move(Head head);
   Done keep(const std::string& name, std::string_view bytes);
 
@@ -51,7 +58,11 @@ class Store {
  private:
   explicit Store(Database db) : db_(std::move(db)) {}
   Done load(bool damagedToo);
-  Done write(const StepRow* row, const Parts& parts, const std::map<std::string, std::string>& blobs, const Head* head);
+  // Parts of one transaction.
+  Done insertBlob(const std::string& name, std::string_view bytes);
+  Done insertRow(const StepRow& row, const Parts& parts);
+  Done updateHead(Head head);
+  Done inOneTransaction(const std::function<Done()>& work);
   Database db_;
   std::vector<StepRow> rows_;
   Head head_;

@@ -1,0 +1,100 @@
+#include "item.h"
+
+#include <algorithm>
+
+#include "../examination.h"
+#include "../json_answers.h"
+#include "../refit.h"
+#include "karinui/base/file.h"
+#include "karinui/design/script.h"
+#include "karinui/exchange/formats.h"
+
+namespace karinui::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+SetBody bodyFor(const Measurements& measures) {
+  SetBody body;
+  body.sex = measures.sex;
+  for (const auto& [key, value] : measures.value) body.set.push_back({key, {value}});
+  return body;
+}
+
+Done playScript(OpenDocument& opened, const fs::path& path, const SetBody& body) {
+  const auto script = readFile(path);
+  if (!script) return script.error();
+  const auto lines = parseScript(*script);
+  if (!lines) return lines.error();
+  if (const auto step = opened.perform(body); !step) return step.error();
+  for (const ScriptLine& line : *lines) {
+    if (std::holds_alternative<SetBody>(line.operation)) continue;
+    if (const auto step = opened.perform(line.operation); !step)
+      return Error{step.error().kind, say("Line {0}: {1}", line.number, step.error().what)};
+  }
+  return {};
+}
+
+Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& plan, const BatchItem& item) {
+  const SetBody body = bodyFor(plan.bodies[item.body].measures);
+  const fs::path path = folder / plan.designs[item.design].file;
+  if (contentOf(path) == FileContent::Script) {
+    if (const Done done = playScript(opened, path, body); !done) return done;
+  } else {
+    Result<DocumentFile> file = DocumentFile::openForReading(path);
+    if (!file) return file.error();
+    OpenDocument source(opened.program(), *std::move(file));
+    if (const Done done = refit(source, opened, body); !done) return done;
+  }
+  if (plan.spacing > 0) {
+    ChangeSettings settings;
+    settings.spacing = Length{plan.spacing};
+    if (const auto step = opened.perform(settings); !step) return step.error();
+  }
+  if (!item.fabric.empty()) {
+    SetFabric fabric;
+    fabric.name = item.fabric;
+    for (const auto& [id, piece] : opened.document().pattern.pieces) fabric.pieces.emplace_back(id);
+    if (const auto step = opened.perform(fabric); !step) return step.error();
+  }
+  return {};
+}
+
+}  // namespace
+
+int runItem(Program& program, const fs::path& folder, const std::string& key) {
+  const auto plan = readPlan(folder);
+  if (!plan) return program.console.refuse(plan.error());
+  const auto item =
+      std::find_if(plan->items.begin(), plan->items.end(), [&](const BatchItem& i) { return i.key == key; });
+  if (item == plan->items.end())
+    return program.console.refuse(notFound(say("There is no item “{0}” in this batch.", key)));
+  program.console.keepNotes([](const Message&) {});
+  OpenDocument opened(program, DocumentFile::inMemory());
+  const auto keep = [&](Outcome outcome, const Message& said, Json numbers) -> int {
+    const Done done = keepOutcome(folder, *item, outcome, text(said), std::move(numbers));
+    return done ? int{kDone} : program.console.refuse(done.error());
+  };
+  if (const Done done = makeGarment(opened, folder, *plan, *item); !done)
+    return keep(Outcome::Refused, done.error().what, Json::object());
+  StopRequest nobody;
+  const Result<Settled> settled = settle(opened, nobody, false);
+  if (!settled) return keep(Outcome::Refused, settled.error().what, Json::object());
+  const Document& document = opened.document();
+  Json numbers = {{"operations", document.operations}, {"hash", hash(document)}, {"drape_hash", drapeHash(document)}};
+  Json check = checkJson(settled->check);
+  check.erase("finite"), check.erase("elastics");
+  numbers.update(check);
+  if (const Result<Fit> fit = fitOf(opened)) {
+    const Json object = fitJson(fit->girths, fit->pressure);
+    for (const auto& [level, girths] : object.at("girths").items())
+      numbers["ease_" + level + "_m"] = girths.at("ease_m");
+    for (const char* name : {"pressure_mean_pa", "pressure_p99_pa"})
+      if (object.contains(name)) numbers[name] = object.at(name);
+  }
+  const SettleReport& report = *document.drape.last;
+  return keep(report.settled ? Outcome::Ok : Outcome::NotSettled, report.why, std::move(numbers));
+}
+
+}  // namespace karinui::app

@@ -1,0 +1,62 @@
+#pragma once
+// What a batch is: every design on every body, in every fabric that is asked for. It lies in a folder, with copies of
+// the designs, so that the folder is all that a machine needs:
+//   manifest.json   what is to be done; an item's key is the hash of all its outcome depends on
+//   designs/        the documents and scripts, by their hash
+//   items/KEY.json  what became of an item: written whole or not at all, and the only truth
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "../console.h"
+#include "karinui/body/measurements.h"
+
+namespace karinui::app {
+
+struct BatchDesign {
+  std::string name;  // of the file it was
+  std::string file;  // within the folder
+};
+struct BatchBody {
+  std::string name;
+  Measurements measures;
+};
+struct BatchItem {
+  std::string key;
+  std::size_t design = 0, body = 0;
+  std::string fabric;  // for all pieces; empty: as designed
+};
+struct BatchPlan {
+  std::string build;   // hash of the program
+  double spacing = 0;  // metres between the threads; 0: as designed
+  std::vector<BatchDesign> designs;
+  std::vector<BatchBody> bodies;
+  std::vector<std::string> fabrics;
+  std::vector<BatchItem> items;
+};
+
+struct BatchWish {
+  std::filesystem::path designs;  // a document, a script, or a folder of them
+  std::filesystem::path bodies;   // a table of measures
+  std::filesystem::path folder;
+  std::vector<std::string> fabrics;
+  double spacing = 0;
+};
+
+// Makes the folder. One that holds the same plan already is left as it is, with what was done; another is refused.
+Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console);
+// Refuses what is no plan of this form.
+Result<BatchPlan> readPlan(const std::filesystem::path& folder);
+// A batch that another build of the program planned would give other results under the same keys.
+Done madeByThisProgram(const BatchPlan& plan);
+
+std::filesystem::path itemFile(const std::filesystem::path& folder, const BatchItem& item);
+
+enum class Outcome { Ok, Refused, NotSettled, Timeout, Crashed };
+const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "timeout", "crashed"
+// What became of an item; null: not known yet, or the file is not whole.
+Json itemOutcome(const std::filesystem::path& folder, const BatchItem& item);
+Done keepOutcome(const std::filesystem::path& folder, const BatchItem& item, Outcome outcome, const std::string& said,
+                 Json numbers = Json::object());
+
+}  // namespace karinui::app

@@ -1,0 +1,169 @@
+#include "shard.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+
+namespace karinui::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// A child at work on an item. It goes when this process does.
+class Worker {
+ public:
+  static Result<Worker> start(const fs::path& folder, const BatchItem& item, int threads, int seconds) {
+    const std::string folderText = folder.string(), threadsText = std::to_string(threads);
+    const char* const words[] = {
+        "karinui", "batch", "item", folderText.c_str(), item.key.c_str(), "--threads", threadsText.c_str(), nullptr};
+    const pid_t parent = ::getpid();
+    const pid_t pid = ::fork();
+    if (pid < 0) return storageError(say("No process could be started: {0}.", std::strerror(errno)));
+    if (pid == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (::getppid() != parent) ::_exit(127);
+      const rlimit none{0, 0};
+      ::setrlimit(RLIMIT_CORE, &none);
+      if (const int nowhere = ::open("/dev/null", O_RDWR); nowhere >= 0)
+        for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
+      ::execv("/proc/self/exe", const_cast<char* const*>(words));
+      ::_exit(127);
+    }
+    return Worker(item, pid, Clock::now() + std::chrono::seconds(seconds));
+  }
+  Worker(Worker&& other) noexcept
+      : item_(other.item_),
+        pid_(std::exchange(other.pid_, -1)),
+        watch_(std::exchange(other.watch_, -1)),
+        until_(other.until_) {}
+  Worker& operator=(Worker&& other) noexcept {
+    std::swap(item_, other.item_), std::swap(pid_, other.pid_), std::swap(watch_, other.watch_),
+        std::swap(until_, other.until_);
+    return *this;
+  }
+  ~Worker() {
+    if (pid_ > 0) ::kill(pid_, SIGKILL), ::waitpid(pid_, nullptr, 0);
+    if (watch_ >= 0) ::close(watch_);
+  }
+
+  const BatchItem& item() const { return *item_; }
+  int watch() const { return watch_; }
+  Clock::time_point until() const { return until_; }
+  bool outOfTime() const { return Clock::now() >= until_; }
+  void kill() { ::kill(pid_, SIGKILL); }
+  // Its status, once it has ended.
+  std::optional<int> ended() {
+    int status = 0;
+    if (::waitpid(pid_, &status, WNOHANG) != pid_) return std::nullopt;
+    pid_ = -1;
+    return status;
+  }
+
+ private:
+  Worker(const BatchItem& item, pid_t pid, Clock::time_point until)
+      : item_(&item), pid_(pid), watch_(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0))), until_(until) {}
+  const BatchItem* item_;
+  pid_t pid_;
+  int watch_;
+  Clock::time_point until_;
+};
+
+void waitForAny(const std::vector<Worker>& workers) {
+  std::vector<pollfd> watched;
+  Clock::time_point until = Clock::now() + std::chrono::seconds(60);
+  for (const Worker& worker : workers) {
+    watched.push_back({worker.watch(), POLLIN, 0});
+    until = std::min(until, worker.until());
+  }
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count() + 1;
+  ::poll(watched.data(), watched.size(), static_cast<int>(std::clamp<long>(left, 1, 60'000)));
+}
+
+}  // namespace
+
+Result<std::pair<std::size_t, std::size_t>> parseShard(const std::string& text) {
+  std::size_t shard = 0, shards = 0;
+  const char *begin = text.data(), *end = begin + text.size();
+  const auto first = std::from_chars(begin, end, shard);
+  const auto second = first.ptr != end && *first.ptr == '/'
+                          ? std::from_chars(first.ptr + 1, end, shards)
+                          : std::from_chars_result{begin, std::errc::invalid_argument};
+  if (second.ec != std::errc() || second.ptr != end || shard < 1 || shard > shards || shards > 100'000)
+    return badInput(say("“{0}” is no part of a batch; write 2/5 for the second of five.", text));
+  return std::pair(shard, shards);
+}
+
+Result<ShardDone> runShard(Program& program, const fs::path& folder, const ShardWish& wish) {
+  const auto plan = readPlan(folder);
+  if (!plan) return plan.error();
+  if (const Done same = madeByThisProgram(*plan); !same) return same.error();
+  ShardDone done;
+  std::vector<const BatchItem*> waiting;
+  for (std::size_t i = wish.shard - 1; i < plan->items.size(); i += wish.shards) {
+    const Json known = itemOutcome(folder, plan->items[i]);
+    const bool again =
+        known.is_object() && wish.retry &&
+        (known.at("outcome") == nameOf(Outcome::Timeout) || known.at("outcome") == nameOf(Outcome::Crashed));
+    ++done.items;
+    if (known.is_object() && !again)
+      ++done.before;
+    else
+      waiting.push_back(&plan->items[i]);
+  }
+  const auto told = [&](const BatchItem& item, const std::string& outcome) {
+    program.console.note(say("{0} of {1}: {2} on {3}: {4}", done.before + done.done, done.items,
+                             plan->designs[item.design].name, plan->bodies[item.body].name, outcome));
+  };
+  const int threads = std::max(1, program.threads / wish.jobs);
+  std::vector<Worker> working;
+  const Token& token = program.console.token();
+  for (std::size_t next = 0; next < waiting.size() || !working.empty();) {
+    if (token.cancelled()) return cancelled();  // what is at work is dropped, and done when the batch goes on
+    if (next < waiting.size() && working.size() < static_cast<std::size_t>(wish.jobs)) {
+      auto worker = Worker::start(folder, *waiting[next++], threads, wish.seconds);
+      if (!worker) return worker.error();
+      working.push_back(*std::move(worker));
+      continue;
+    }
+    waitForAny(working);
+    for (std::size_t i = 0; i < working.size();) {
+      Worker& worker = working[i];
+      const std::optional<int> status = worker.ended();
+      if (!status && !worker.outOfTime()) {
+        ++i;
+        continue;
+      }
+      const BatchItem item = worker.item();
+      Done kept;
+      if (!status) {
+        kept = keepOutcome(folder, item, Outcome::Timeout, text(say("Not done after {0} s.", wish.seconds)));
+      } else if (WIFSIGNALED(*status)) {
+        kept = keepOutcome(folder, item, Outcome::Crashed,
+                           text(say("The program fell down: {0}.", ::strsignal(WTERMSIG(*status)))));
+      } else if (WEXITSTATUS(*status) != kDone) {
+        return storageError(say("An outcome could not be kept in “{0}”; is the disk full?", folder.string()));
+      }
+      if (!kept) return kept.error();
+      working.erase(working.begin() + static_cast<std::ptrdiff_t>(i));
+      ++done.done;
+      const Json outcome = itemOutcome(folder, item);
+      if (!outcome.is_object())
+        return storageError(say("An outcome could not be kept in “{0}”; is the disk full?", folder.string()));
+      told(item, outcome.at("outcome").get<std::string>());
+    }
+  }
+  return done;
+}
+
+}  // namespace karinui::app

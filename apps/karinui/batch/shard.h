@@ -1,0 +1,23 @@
+#pragma once
+// The part of a batch that one process works through, each item in a child process of its own.
+#include "../commands.h"
+#include "plan.h"
+
+namespace karinui::app {
+
+struct ShardWish {
+  std::size_t shard = 1, shards = 1;  // every `shards`-th item, from the `shard`-th; from 1
+  int jobs = 1;                       // items at a time
+  int seconds = 600;                  // an item may take
+  bool retry = false;                 // also those that ran out of time or crashed before
+};
+struct ShardDone {
+  std::size_t items = 0, done = 0, before = 0;  // of this shard; now; before, and left as they were
+};
+// Items that have an outcome are left alone: a batch that was interrupted goes on where it stood.
+Result<ShardDone> runShard(Program& program, const std::filesystem::path& folder, const ShardWish& wish);
+
+// "2/5"
+Result<std::pair<std::size_t, std::size_t>> parseShard(const std::string& text);
+
+}  // namespace karinui::app

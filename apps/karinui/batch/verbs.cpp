@@ -1,0 +1,167 @@
+// batch plan, run, merge, submit: every design on every body.
+#include "../commands.h"
+#include "item.h"
+#include "karinui/base/file.h"
+#include "karinui/base/number.h"
+#include "plan.h"
+#include "shard.h"
+#include "slurm.h"
+#include "table.h"
+
+namespace karinui::app {
+
+namespace {
+
+struct PlanOptions {
+  BatchWish wish;
+  std::string spacing;
+};
+struct RunOptions {
+  std::string folder, shard = "1/1";
+  int threads = 0;
+  ShardWish wish;
+};
+struct ItemOptions {
+  std::string folder, key;
+  int threads = 1;
+};
+struct MergeOptions {
+  std::string folder;
+};
+struct SubmitOptions {
+  std::string folder;
+  bool slurm = false;
+  SlurmWish wish;
+};
+
+int runPlan(Program& program, const PlanOptions& options) {
+  BatchWish wish = options.wish;
+  if (!options.spacing.empty()) {
+    const auto spacing = parseLength(options.spacing);
+    if (!spacing) return program.console.refuse(spacing.error()), kWrongCall;
+    wish.spacing = *spacing;
+  }
+  const auto plan = planBatch(wish, program.console);
+  if (!plan) return program.console.refuse(plan.error());
+  program.console.answer(
+      {{"folder", wish.folder.string()},
+       {"designs", plan->designs.size()},
+       {"bodies", plan->bodies.size()},
+       {"items", plan->items.size()}},
+      program.console.said(say("{0}: {1} {1|design|designs}, {2} {2|body|bodies}, {3} {3|item|items}",
+                               wish.folder.string(), plan->designs.size(), plan->bodies.size(), plan->items.size())));
+  return kDone;
+}
+
+int runRun(Program& program, const RunOptions& options) {
+  if (options.threads > 0) program.threads = options.threads;
+  ShardWish wish = options.wish;
+  const auto shard = parseShard(options.shard);
+  if (!shard) return program.console.refuse(shard.error()), kWrongCall;
+  std::tie(wish.shard, wish.shards) = *shard;
+  const auto done = runShard(program, options.folder, wish);
+  if (!done) return program.console.refuse(done.error());
+  program.console.answer({{"items", done->items}, {"done", done->done}, {"before", done->before}},
+                         program.console.said(say("{0} {0|item|items}: {1} done now, {2} before.", done->items,
+                                                  done->done, done->before)));
+  return kDone;
+}
+
+int runOneItem(Program& program, const ItemOptions& options) {
+  program.threads = options.threads;
+  return runItem(program, options.folder, options.key);
+}
+
+int runMerge(Program& program, const MergeOptions& options) {
+  namespace fs = std::filesystem;
+  const fs::path folder = options.folder;
+  const auto plan = readPlan(folder);
+  if (!plan) return program.console.refuse(plan.error());
+  const BatchTable table = tableOf(*plan, folder);
+  if (const Done done = writeFile(folder / "table.csv", asCsv(table)); !done)
+    return program.console.refuse(done.error());
+  if (const Done done = writeDatabase(table, folder / "table.sqlite"); !done)
+    return program.console.refuse(done.error());
+  if (const Done done = writeFile(folder / "fit.svg", fitSummary(*plan, table, spokenHere())); !done)
+    return program.console.refuse(done.error());
+  if (table.missing > 0)
+    program.console.note(say("{0} of {1} {1|item|items} not done yet; karinui batch run goes on with them.",
+                             table.missing, table.rows.size()));
+  Json outcomes = Json::object();
+  for (const auto& row : table.rows)
+    if (const auto* outcome = std::get_if<std::string>(&row[5])) outcomes[*outcome] = outcomes.value(*outcome, 0) + 1;
+  program.console.answer({{"csv", (folder / "table.csv").string()},
+                          {"sqlite", (folder / "table.sqlite").string()},
+                          {"summary", (folder / "fit.svg").string()},
+                          {"items", table.rows.size()},
+                          {"missing", table.missing},
+                          {"outcomes", outcomes}},
+                         (folder / "table.csv").string() + "\n" + (folder / "table.sqlite").string() + "\n" +
+                             (folder / "fit.svg").string());
+  return kDone;
+}
+
+int runSubmit(Program& program, const SubmitOptions& options) {
+  const auto plan = readPlan(options.folder);
+  if (!plan) return program.console.refuse(plan.error());
+  if (const Done same = madeByThisProgram(*plan); !same) return program.console.refuse(same.error());
+  const auto job = submitToSlurm(options.folder, *plan, options.wish);
+  if (!job) return program.console.refuse(job.error());
+  program.console.answer({{"job", *job}}, program.console.said(say("Submitted as job {0}.", *job)));
+  return kDone;
+}
+
+}  // namespace
+
+void addBatchVerbs(Program& program) {
+  CLI::App* batch = Program::word(program.cli, "batch", help("Makes garments for many people at once"));
+  batch->require_subcommand(1);
+
+  auto plan = std::make_shared<PlanOptions>();
+  CLI::App* verb = program.verb(*batch, "plan", help("Plans every design on every body, into a folder"), plan, runPlan);
+  verb->add_option("designs", plan->wish.designs, help("A document, a script, or a folder of them"))->required();
+  verb->add_option("bodies", plan->wish.bodies, help("A table of measures (CSV): name,height_cm,bust_girth_cm,…"))
+      ->required();
+  verb->add_option("-o,--output", plan->wish.folder, help("The folder of the batch"))->required();
+  verb->add_option("--fabric", plan->wish.fabrics, help("A fabric for all pieces; several: the batch has each"));
+  verb->add_option("--spacing", plan->spacing,
+                   help("Between the lattice's threads, in place of the designs' own: 20mm"));
+
+  auto run = std::make_shared<RunOptions>();
+  verb = program.verb(*batch, "run", help("Does what a batch has not done yet"), run, runRun);
+  verb->add_option("folder", run->folder, help("The folder of the batch"))->required();
+  verb->add_option("--shard", run->shard, help("Only a part of it: 2/5 is the second of five"));
+  verb->add_option("--jobs", run->wish.jobs, help("How many items at a time, each in a process of its own"))
+      ->check(CLI::Range(1, 256));
+  verb->add_option("--threads", run->threads, help("How many threads work, 1 to 256; the result is the same"))
+      ->check(CLI::Range(1, 256));
+  verb->add_option("--seconds", run->wish.seconds, help("How long an item may take"))->check(CLI::Range(1, 86400));
+  verb->add_flag("--retry", run->wish.retry, help("Also those that ran out of time or crashed"));
+
+  auto merge = std::make_shared<MergeOptions>();
+  verb = program.verb(*batch, "merge",
+                      help("Writes what came of it: one table (CSV, SQLite) and the fit over all people (SVG)"), merge,
+                      runMerge);
+  verb->add_option("folder", merge->folder, help("The folder of the batch"))->required();
+
+  auto submit = std::make_shared<SubmitOptions>();
+  verb = program.verb(*batch, "submit", help("Hands a batch to a cluster"), submit, runSubmit);
+  verb->add_option("folder", submit->folder, help("The folder of the batch"))->required();
+  verb->add_flag("--slurm", submit->slurm, help("To Slurm, as an array of jobs"))->required();
+  verb->add_option("--shards", submit->wish.shards, help("In how many jobs; otherwise one for 50 items"))
+      ->check(CLI::Range(1, 100'000));
+  verb->add_option("--threads", submit->wish.threads, help("Processors of one job"))->check(CLI::Range(1, 256));
+  verb->add_option("--seconds", submit->wish.seconds, help("How long an item may take"))->check(CLI::Range(1, 86400));
+  verb->add_option("--partition", submit->wish.partition, help("Slurm's partition"));
+  verb->add_option("--time", submit->wish.time, help("A job's limit of time, as Slurm takes it: 2:00:00"));
+
+  // What the children of run are; nobody calls it by hand.
+  auto item = std::make_shared<ItemOptions>();
+  verb = program.verb(*batch, "item", "", item, runOneItem);
+  verb->group("");
+  verb->add_option("folder", item->folder)->required();
+  verb->add_option("key", item->key)->required();
+  verb->add_option("--threads", item->threads)->check(CLI::Range(1, 256));
+}
+
+}  // namespace karinui::app

@@ -1,0 +1,37 @@
+#include "examination.h"
+
+#include "karinui/design/drape.h"
+
+namespace karinui::app {
+
+namespace {
+
+bool atRest(const Document& document) {
+  return document.drape.last && document.drape.last->settled && document.drape.dirty.empty();
+}
+
+}  // namespace
+
+Result<Settled> settle(OpenDocument& opened, StopRequest& stop, bool again) {
+  Settled settled;
+  settled.kept = atRest(opened.document()) && !again;
+  if (!settled.kept) {
+    opened.context().stop = &stop;
+    const Result<Step> step = opened.perform(DrapePieces{});
+    opened.context().stop = nullptr;
+    if (!step) return step.error();
+  }
+  const Result<ClothCheck> check = examined(opened.document(), opened.context());
+  if (!check) return check.error();
+  settled.check = *check;
+  return settled;
+}
+
+Result<Fit> fitOf(OpenDocument& opened) {
+  const Result<BodyPtr> body = bodyOf(opened.document(), opened.context());
+  if (!body) return body.error();
+  const SnapshotPtr garment = snapshotOf(opened.document(), *body);
+  return Fit{girthsOf(*garment), pressureReport(pressureOnBody(*garment, opened.context().workers))};
+}
+
+}  // namespace karinui::app

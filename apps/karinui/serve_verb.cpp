@@ -1,0 +1,391 @@
+// serve: one document after another, worked on by another program over lines of JSON (docs/format/serve.md). Requests
+// come on stdin, answers and progress go out on stdout; nothing else is listened to.
+#include <unistd.h>
+
+#include <cerrno>
+#include <condition_variable>
+#include <deque>
+#include <thread>
+
+#include "examination.h"
+#include "json_answers.h"
+#include "karinui/base/file.h"
+#include "karinui/design/drape.h"
+#include "karinui/design/script.h"
+#include "karinui/pattern/truing.h"
+#include "outputs.h"
+
+namespace karinui::app {
+
+namespace {
+
+struct ServeOptions {};
+
+constexpr std::size_t kLongestLine = 16 << 20;             // bytes of one request
+constexpr auto kBetween = std::chrono::milliseconds(100);  // two lines of progress
+
+// The lines of stdin. A line that is too long is left out, and told as nothing.
+class InputLines {
+ public:
+  // False at the end of the input. `line` is empty where it was too long.
+  bool next(std::optional<std::string>& line) {
+    line.emplace();
+    for (;;) {
+      const std::size_t end = have_.find('\n');
+      if (line) line->append(have_, 0, end);
+      if (line && line->size() > kLongestLine) line.reset();
+      if (end != std::string::npos) return have_.erase(0, end + 1), true;
+      const bool begun = !line || !line->empty();
+      have_.resize(1 << 16);
+      ssize_t got = 0;
+      do got = ::read(STDIN_FILENO, have_.data(), have_.size());
+      while (got < 0 && errno == EINTR);
+      have_.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+      if (got <= 0) return begun;
+    }
+  }
+
+ private:
+  std::string have_;
+};
+
+// The fields of a request: each is asked for by its kind, and what nobody asked for is a mistake.
+class Fields {
+ public:
+  explicit Fields(const Json& request) : request_(request) {}
+
+  std::string text(const char* name, const std::string& usual = {}) {
+    const Json* value = find(name);
+    if (!value) return usual;
+    if (!value->is_string()) return wrong(say("“{0}” must be text.", name)), usual;
+    return value->get<std::string>();
+  }
+  std::string needed(const char* name) {
+    const std::string value = text(name);
+    if (value.empty()) wrong(say("The request needs “{0}”.", name));
+    return value;
+  }
+  bool flag(const char* name) {
+    const Json* value = find(name);
+    if (value && !value->is_boolean()) wrong(say("“{0}” must be true or false.", name));
+    return value && value->is_boolean() && value->get<bool>();
+  }
+  std::optional<double> number(const char* name, double least, double most) {
+    const Json* value = find(name);
+    if (!value) return std::nullopt;
+    const double given = value->is_number() ? value->get<double>() : most + 1;
+    if (!(given >= least && given <= most))
+      return wrong(say("“{0}” must be a number from {1} to {2}.", name, least, most)), std::nullopt;
+    return given;
+  }
+  // What is wrong with the request, once everything was asked for.
+  Done checked() const {
+    if (fault_) return *fault_;
+    for (const auto& [name, value] : request_.items())
+      if (!asked_.contains(name)) return badInput(say("This request has no field “{0}”.", name));
+    return {};
+  }
+
+ private:
+  const Json* find(const char* name) {
+    asked_.insert(name);
+    const auto at = request_.find(name);
+    return at == request_.end() || at->is_null() ? nullptr : &*at;
+  }
+  void wrong(Message what) {
+    if (!fault_) fault_ = badInput(std::move(what));
+  }
+  const Json& request_;
+  std::set<std::string> asked_{"id", "do"};
+  std::optional<Error> fault_;
+};
+
+class Server {
+ public:
+  explicit Server(Program& program) : program_(program) {
+    program_.console.keepNotes([this](const Message& note) { notes_.push_back(program_.console.said(note)); });
+  }
+
+  int run() {
+    std::thread reader([this] { read(); });
+    while (std::optional<Json> request = next()) answer(*request);
+    reader.join();
+    return kDone;
+  }
+
+ private:
+  // --- the reading thread: requests are queued, but for stop, which is about the one under way
+  void read() {
+    InputLines lines;
+    for (std::optional<std::string> line; lines.next(line);) {
+      if (line && line->find_first_not_of(" \t\r") == std::string::npos) continue;
+      Json request = line ? Json::parse(*line, nullptr, false) : Json();
+      const bool stop = request.is_object() && request.value("do", Json()) == "stop";
+      if (stop) {
+        write({{"id", request.value("id", Json())}, {"stopping", stopNow()}});
+        continue;
+      }
+      const std::lock_guard lock(mutex_);
+      queue_.push_back(std::move(request));
+      some_.notify_one();
+    }
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+    some_.notify_one();
+  }
+  bool stopNow() {
+    const std::lock_guard lock(mutex_);
+    if (!token_) return false;
+    if (!stop_ || !stop_->ask()) token_->cancel();
+    return true;
+  }
+
+  // --- the working thread
+  std::optional<Json> next() {
+    std::unique_lock lock(mutex_);
+    some_.wait(lock, [this] { return ended_ || !queue_.empty(); });
+    if (queue_.empty()) return std::nullopt;
+    Json request = std::move(queue_.front());
+    queue_.pop_front();
+    return request;
+  }
+
+  void write(const Json& object) {
+    const std::string line = object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::lock_guard lock(writing_);
+    std::fwrite(line.data(), 1, line.size(), stdout);
+    std::fflush(stdout);
+  }
+
+  void answer(const Json& request) {
+    const Json id = request.is_object() ? request.value("id", Json()) : Json();
+    auto told = std::chrono::steady_clock::time_point();
+    Token token([&](double fraction, const Message& doing) {
+      const auto now = std::chrono::steady_clock::now();
+      if (now - told < kBetween) return;
+      told = now;
+      write({{"id", id}, {"progress", fraction}, {"doing", program_.console.said(doing)}});
+    });
+    StopRequest stop;
+    notes_.clear();
+    underWay(&token, &stop);
+    Result<Json> done = perform(request, token, stop);
+    underWay(nullptr, nullptr);
+    if (opened_) opened_->tellRemarks();
+    Json line = {{"id", id}};
+    if (done)
+      line.update(*done);
+    else
+      line["error"] = program_.console.said(done.error().what), line["kind"] = kindOf(done.error().kind);
+    if (!notes_.empty()) line["notes"] = notes_;
+    write(line);
+  }
+  void underWay(Token* token, StopRequest* stop) {
+    const std::lock_guard lock(mutex_);
+    token_ = token, stop_ = stop;
+  }
+  static const char* kindOf(Error::Kind kind) {
+    switch (kind) {
+      case Error::Kind::BadInput:
+        return "bad_input";
+      case Error::Kind::Refused:
+        return "refused";
+      case Error::Kind::NotFound:
+        return "not_found";
+      case Error::Kind::Storage:
+        return "storage";
+      case Error::Kind::Cancelled:
+        return "stopped";
+    }
+    return "bad_input";
+  }
+
+  Result<Json> perform(const Json& request, const Token& token, StopRequest& stop) {
+    if (!request.is_object()) return badInput(say("A request is one line with one JSON object, like {0}", kExample));
+    Fields fields(request);
+    const std::string what = fields.needed("do");
+    if (opened_) opened_->listenTo(token);
+    if (what == "open") return open(fields, token);
+    if (what == "create") return create(fields, token);
+    const auto row =
+        std::find_if(std::begin(kRequests), std::end(kRequests), [&](const Request& r) { return r.name == what; });
+    if (row == std::end(kRequests)) {
+      if (const Done fit = fields.checked(); !fit && what.empty()) return fit.error();
+      std::string all = "open, create, stop";
+      for (const Request& r : kRequests) all += ", " + std::string(r.name);
+      return badInput(say("There is no request “{0}”; there are: {1}.", what, all));
+    }
+    if (!opened_) return refused(say("No document is open; begin with {0}", kExample));
+    return (this->*row->work)(fields, stop);
+  }
+
+  Result<Json> begin(Result<DocumentFile> file, const Token& token) {
+    if (!file) return file.error();
+    opened_.emplace(program_, *std::move(file));
+    opened_->listenTo(token);
+    return state();
+  }
+  Result<Json> open(Fields& fields, const Token& token) {
+    const std::string path = fields.needed("file");
+    const bool reading = fields.flag("reading");
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    opened_.reset();  // the one that is open may be the same file
+    return begin(reading ? DocumentFile::openForReading(path) : DocumentFile::open(path), token);
+  }
+  Result<Json> create(Fields& fields, const Token& token) {
+    const std::string path = fields.text("file");
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    opened_.reset();
+    return begin(path.empty() ? DocumentFile::inMemory() : DocumentFile::create(path), token);
+  }
+  Json state() {
+    const Document& document = opened_->document();
+    return {{"document", opened_->file().path().string()},
+            {"operations", document.operations},
+            {"undone", opened_->file().undone().size()},
+            {"hash", hash(document)},
+            {"drape_hash", drapeHash(document)}};
+  }
+
+  Result<Json> operation(Fields& fields, StopRequest& stop) {
+    const std::string line = fields.needed("operation");
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    Result<Operation> operation = parseOperation(line);
+    if (!operation) return operation.error();
+    opened_->context().stop = &stop;
+    const Result<Step> step = opened_->perform(*std::move(operation));
+    opened_->context().stop = nullptr;
+    return step ? Result<Json>(stepJson(*step, opened_->document())) : step.error();
+  }
+  template <Result<Step> (DocumentFile::*turn)(Context&)>
+  Result<Json> turned(Fields& fields, StopRequest&) {
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    const Result<Step> step = (opened_->file().*turn)(opened_->context());
+    if (!step) return step.error();
+    Json answer = state();
+    answer["operation"] = text(step->operation);
+    return answer;
+  }
+  Result<Json> settle(Fields& fields, StopRequest& stop) {
+    const bool again = fields.flag("again");
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    const Result<Settled> settled = app::settle(*opened_, stop, again);
+    if (!settled) return settled.error();
+    Json answer = settleJson(*opened_->document().drape.last, settled->check, program_.console);
+    answer["kept"] = settled->kept;
+    return answer;
+  }
+  Result<Json> check(Fields& fields, StopRequest&) {
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    const Result<ClothCheck> found = examined(opened_->document(), opened_->context());
+    return found ? Result<Json>(checkJson(*found)) : found.error();
+  }
+  Result<Json> info(Fields& fields, StopRequest&) {
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    return infoJson(opened_->document());
+  }
+  Result<Json> truing(Fields& fields, StopRequest&) {
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    const Document& document = opened_->document();
+    return truingJson(document, karinui::truing(document.pattern, document.eases));
+  }
+  Result<Json> log(Fields& fields, StopRequest&) {
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    return Json{{"log", opened_->file().log()}};
+  }
+  Result<Json> measure(Fields& fields, StopRequest&) {
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    const Result<BodyPtr> body = bodyOf(opened_->document(), opened_->context());
+    if (!body) return body.error();
+    return bodyJson(karinui::measure((*body)->mesh(), (*body)->bvh()), inspect((*body)->mesh()));
+  }
+  Result<Json> fit(Fields& fields, StopRequest&) {
+    if (const Done asked = fields.checked(); !asked) return asked.error();
+    const Result<Fit> found = fitOf(*opened_);
+    return found ? Result<Json>(fitJson(found->girths, found->pressure)) : found.error();
+  }
+  Result<Json> exported(Fields& fields, StopRequest&) {
+    ExportRequest request;
+    request.out = fields.needed("file");
+    request.paper = fields.text("paper", request.paper);
+    request.format = fields.text("format");
+    request.date = fields.text("date");
+    request.nest = fields.flag("nest");
+    request.allowanceMm = fields.number("allowance_mm", 0, 100);
+    request.overlapMm = fields.number("overlap_mm", 5, 30).value_or(request.overlapMm);
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    const Result<std::string> bytes = exportBytes(*opened_, request);
+    if (!bytes) return bytes.error();
+    if (const Done done = writeFile(request.out, *bytes); !done) return done.error();
+    return Json{{"file", request.out}, {"bytes", bytes->size()}};
+  }
+  Result<Json> picture(Fields& fields, StopRequest&) {
+    PictureRequest request;
+    const std::string out = fields.needed("file");
+    request.view = fields.text("view", request.view);
+    request.map = fields.text("map", request.map);
+    request.eyes = fields.text("eyes", request.eyes);
+    request.size = fields.text("size", request.size);
+    request.hide = fields.text("hide");
+    request.section = fields.text("section");
+    request.table = fields.flag("table");
+    request.nest = fields.flag("nest");
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    const Result<Image> image = pictureOf(*opened_, request);
+    if (!image) return image.error();
+    if (const Done done = writePng(out, *image); !done) return done.error();
+    return Json{{"file", out}, {"width", image->width}, {"height", image->height}};
+  }
+  Result<Json> close(Fields& fields, StopRequest&) {
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    opened_.reset();
+    return Json{{"closed", true}};
+  }
+
+  struct Request {
+    std::string_view name;
+    Result<Json> (Server::*work)(Fields&, StopRequest&);
+  };
+  static constexpr const char* kExample = R"({"id": 1, "do": "open", "file": "coat.karinui"})";
+  static const Request kRequests[13];
+
+  Program& program_;
+  std::optional<OpenDocument> opened_;
+  std::vector<std::string> notes_;  // of the request under way
+  std::mutex writing_;              // guards stdout
+
+  std::mutex mutex_;  // guards all below
+  std::condition_variable some_;
+  std::deque<Json> queue_;
+  bool ended_ = false;
+  Token* token_ = nullptr;  // of the request under way
+  StopRequest* stop_ = nullptr;
+};
+
+const Server::Request Server::kRequests[13] = {{"perform", &Server::operation},
+                                               {"undo", &Server::turned<&DocumentFile::undo>},
+                                               {"redo", &Server::turned<&DocumentFile::redo>},
+                                               {"settle", &Server::settle},
+                                               {"check", &Server::check},
+                                               {"info", &Server::info},
+                                               {"truing", &Server::truing},
+                                               {"log", &Server::log},
+                                               {"measure", &Server::measure},
+                                               {"fit", &Server::fit},
+                                               {"export", &Server::exported},
+                                               {"picture", &Server::picture},
+                                               {"close", &Server::close}};
+
+int runServe(Program& program, const ServeOptions&) { return Server(program).run(); }
+
+}  // namespace
+
+void addServeVerb(Program& program) {
+  auto options = std::make_shared<ServeOptions>();
+  CLI::App* verb = Program::word(
+      program.cli, "serve", help("Answers requests of another program: lines of JSON, in on stdin, out on stdout"));
+  verb->callback([&program, options] { program.exit = runServe(program, *options); });
+  verb->footer(help("Requests and answers: docs/format/serve.md"));
+}
+
+}  // namespace karinui::app

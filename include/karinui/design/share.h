@@ -1,0 +1,29 @@
+#pragma once
+// The pattern of a document for others: a new document that tells nothing of the person it was made for. In it are the
+// pieces as they are now, flat and in a row, their sizes, seams, allowances, fabrics, looks and settings. Left out are
+// the figure and its measurements, the shapes the cloth took on it, variables and formulas, pins, all steps and
+// branches that led there, and every blob but the photographs that are printed on the cloth now.
+// One thread; long where there are many pieces.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "karinui/design/history.h"
+
+namespace karinui {
+
+struct Shared {
+  std::vector<std::string> names;  // of pieces, seams and fabrics: people gave them, and others will read them
+  std::vector<Message> notes;      // what is otherwise than in the document
+};
+
+// "Others will read in it: front, back, …"
+Message sharedSaid(const Shared& shared);
+
+// Writes it to `to`, all or nothing; a file that is there is replaced, but `from` itself is refused.
+Result<Shared> share(DocumentFile& from, const std::filesystem::path& to, Context& context);
+
+// The steps that make such a document, from nothing. Pure.
+std::vector<Operation> sharedSteps(const Document& document);
+
+}  // namespace karinui

@@ -1,0 +1,415 @@
+// The module for Python. Thin: documents, operations as text, answers as dictionaries, arrays without copies. Work is
+// done without Python's lock; a document does one thing at a time, whichever threads ask.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <mutex>
+#include <thread>
+
+#include "karinui/base/file.h"
+#include "karinui/design/drape.h"
+#include "karinui/design/dump.h"
+#include "karinui/design/script.h"
+#include "karinui/design/share.h"
+#include "karinui/session/export.h"
+#include "karinui/session/fit.h"
+
+namespace py = pybind11;
+
+namespace {
+
+using namespace karinui;
+
+// What cannot be done, as a sentence; `kind` as in docs/format/serve.md.
+struct Failure {
+  Error error;
+};
+template <class T>
+T good(Result<T> result) {
+  if (!result) throw Failure{result.error()};
+  return *std::move(result);
+}
+void good(const Done& done) {
+  if (!done) throw Failure{done.error()};
+}
+
+const char* kindOf(Error::Kind kind) {
+  switch (kind) {
+    case Error::Kind::BadInput:
+      return "bad_input";
+    case Error::Kind::Refused:
+      return "refused";
+    case Error::Kind::NotFound:
+      return "not_found";
+    case Error::Kind::Storage:
+      return "storage";
+    case Error::Kind::Cancelled:
+      return "stopped";
+  }
+  return "bad_input";
+}
+
+py::dict strainDict(const StrainReport& strain) {
+  py::dict d;
+  d["mean"] = strain.mean, d["p99"] = strain.p99, d["max"] = strain.max;
+  return d;
+}
+py::dict checkDict(const ClothCheck& check) {
+  py::dict d;
+  d["finite"] = check.finite;
+  d["penetration_m"] = check.penetration, d["seam_gap_m"] = check.seamGap;
+  d["cloth_body_crossings"] = check.clothBodyCrossings, d["cloth_cloth_crossings"] = check.clothClothCrossings;
+  d["fold_crossings"] = check.foldCrossings;
+  d["strain"] = strainDict(check.strain), d["vertices"] = check.vertices;
+  return d;
+}
+
+// An array that looks into memory which `owner` keeps: nothing is copied, and nothing can be changed.
+template <class Number, class Item>
+py::array viewOf(const std::vector<Item>& items, const py::object& owner) {
+  constexpr auto kEach = static_cast<py::ssize_t>(sizeof(Item) / sizeof(Number));
+  const auto count = static_cast<py::ssize_t>(items.size());
+  py::array_t<Number> view({count, kEach},
+                           {static_cast<py::ssize_t>(sizeof(Item)), static_cast<py::ssize_t>(sizeof(Number))},
+                           reinterpret_cast<const Number*>(items.data()), owner);
+  py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return view;
+}
+static_assert(sizeof(Flat) == 2 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double));
+
+struct PythonForm {
+  std::shared_ptr<const Form> form;
+};
+struct PythonPiece {
+  std::shared_ptr<const Piece> piece;
+  bool draped = false;
+};
+struct PythonBody {
+  BodyPtr body;
+};
+
+class PythonDocument {
+ public:
+  PythonDocument(DocumentFile file, int threads)
+      : file_(std::move(file)),
+        workers_(threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
+
+  // Does `work` on the document, without Python's lock; nobody else works on it meanwhile.
+  template <class Work>
+  auto alone(Work&& work, const py::object& progress = py::none()) {
+    std::exception_ptr raised;
+    Token* mine = nullptr;
+    Token token([&](double fraction, const Message& doing) {
+      const py::gil_scoped_acquire lock;
+      if (raised) return;
+      try {
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // Ctrl-C
+        if (!progress.is_none()) progress(fraction, text(doing));
+      } catch (py::error_already_set&) {
+        raised = std::current_exception();
+        mine->cancel();
+      }
+    });
+    mine = &token;
+    const auto done = [&] {
+      const py::gil_scoped_release release;
+      const std::lock_guard lock(mutex_);
+      Context context{workers_, token, file_.blobs(), bodies_, {}, {}};
+      context.advise = [this](const Advice& advice) { notes_.push_back(text(advice.what)); };
+      return work(file_, context);
+    }();
+    if (raised) std::rethrow_exception(raised);
+    return good(done);
+  }
+
+  py::dict perform(const std::string& line, const py::object& progress) {
+    const Step step = alone(
+        [&](DocumentFile& file, Context& context) -> Result<Step> {
+          notes_.clear();
+          auto operation = parseOperation(line);
+          return operation ? file.perform(*std::move(operation), context) : operation.error();
+        },
+        progress);
+    return stepDict(step);
+  }
+  std::size_t play(const std::string& script, const py::object& progress) {
+    return alone(
+        [&](DocumentFile& file, Context& context) -> Result<std::size_t> {
+          notes_.clear();
+          const auto lines = parseScript(script);
+          if (!lines) return lines.error();
+          for (const ScriptLine& line : *lines)
+            if (const auto step = file.perform(line.operation, context); !step)
+              return Error{step.error().kind, say("Line {0}: {1}", line.number, step.error().what)};
+          return lines->size();
+        },
+        progress);
+  }
+  template <Result<Step> (DocumentFile::*turn)(Context&)>
+  py::dict turned() {
+    return stepDict(alone([](DocumentFile& file, Context& context) { return (file.*turn)(context); }));
+  }
+  py::dict settle(bool again, const py::object& progress) {
+    using Found = std::tuple<SettleReport, ClothCheck, bool>;
+    const auto [report, check, kept] = alone(
+        [&](DocumentFile& file, Context& context) -> Result<Found> {
+          const DrapeInfo& drape = file.document().drape;
+          const bool rests = drape.last && drape.last->settled && drape.dirty.empty() && !again;
+          if (!rests)
+            if (const auto step = file.perform(DrapePieces{}, context); !step) return step.error();
+          const auto found = examined(file.document(), context);
+          return found ? Result<Found>(Found(*file.document().drape.last, *found, rests)) : found.error();
+        },
+        progress);
+    py::dict d = checkDict(check);
+    d["settled"] = report.settled, d["why"] = text(report.why), d["residual"] = report.residual;
+    d["steps"] = report.steps, d["solves"] = report.solves, d["kept"] = kept;
+    return d;
+  }
+  py::dict check() {
+    return checkDict(alone([](DocumentFile& file, Context& context) { return examined(file.document(), context); }));
+  }
+  py::dict fit() {
+    using Found = std::pair<std::vector<Girths>, std::optional<PressureReport>>;
+    const auto [girths, pressure] = alone([](DocumentFile& file, Context& context) -> Result<Found> {
+      const auto body = bodyOf(file.document(), context);
+      if (!body) return body.error();
+      const SnapshotPtr garment = snapshotOf(file.document(), *body);
+      return Found(girthsOf(*garment), pressureReport(pressureOnBody(*garment, context.workers)));
+    });
+    py::dict levels, d;
+    for (const Girths& g : girths) {
+      py::dict level;
+      level["height_m"] = g.height, level["body_m"] = g.body, level["garment_m"] = g.garment;
+      level["ease_m"] = g.garment - g.body;
+      levels[py::str(text(g.name))] = level;
+    }
+    d["girths"] = levels;
+    if (pressure) d["pressure_mean_pa"] = pressure->mean, d["pressure_p99_pa"] = pressure->p99;
+    return d;
+  }
+  std::map<std::string, double> measure() {
+    return alone([](DocumentFile& file, Context& context) -> Result<std::map<std::string, double>> {
+      const auto body = bodyOf(file.document(), context);
+      if (!body) return body.error();
+      return karinui::measure((*body)->mesh(), (*body)->bvh()).value;
+    });
+  }
+  std::size_t exportTo(const std::filesystem::path& out, const std::string& format) {
+    return alone([&](DocumentFile& file, Context& context) -> Result<std::size_t> {
+      ExportWish wish;
+      const auto formats = formatsWriting(out);
+      if (formats.empty()) return unwritable(out);
+      wish.format = formats.front();
+      for (const FileFormat* one : formats)
+        if (one->id == format) wish.format = one;
+      if (!format.empty() && wish.format->id != format)
+        return badInput(say("“{0}” is no format of {1}.", format, out.filename().string()));
+      wish.sheet.title = file.path().stem().string();
+      BodyPtr body;
+      if (file.document().body.chosen()) {
+        auto found = bodyOf(file.document(), context);
+        if (!found) return found.error();
+        body = *std::move(found);
+      }
+      const auto bytes = exported(*snapshotOf(file.document(), body), file.steps(), wish);
+      if (!bytes) return bytes.error();
+      if (const Done done = writeFile(out, *bytes); !done) return done.error();
+      return bytes->size();
+    });
+  }
+  std::vector<std::string> shareTo(const std::filesystem::path& out) {
+    return alone([&](DocumentFile& file, Context& context) { return share(file, out, context); }).names;
+  }
+
+  PythonBody body() {
+    return {alone([](DocumentFile& file, Context& context) { return bodyOf(file.document(), context); })};
+  }
+  std::vector<PythonPiece> pieces() {
+    const Document document = now();
+    std::vector<PythonPiece> all;
+    for (const auto& [id, piece] : document.pattern.pieces)
+      all.push_back({piece, piece->form && !document.drape.dirty.contains(id)});
+    return all;
+  }
+  Document now() {
+    return alone([](DocumentFile& file, Context&) { return Result<Document>(file.document()); });
+  }
+  std::string log() {
+    return alone([](DocumentFile& file, Context&) { return Result<std::string>(file.log()); });
+  }
+  std::vector<std::string> remarks() {
+    return alone([](DocumentFile& file, Context&) {
+      std::vector<std::string> all;
+      for (const Message& remark : file.remarks()) all.push_back(text(remark));
+      return Result<std::vector<std::string>>(std::move(all));
+    });
+  }
+  std::vector<std::string> notes() {
+    return alone([this](DocumentFile&, Context&) { return Result<std::vector<std::string>>(notes_); });
+  }
+  void close() {
+    alone([](DocumentFile& file, Context&) { return file = DocumentFile::inMemory(), Result<bool>(true); });
+  }
+  std::string path() {
+    return alone([](DocumentFile& file, Context&) { return Result<std::string>(file.path().string()); });
+  }
+
+ private:
+  py::dict stepDict(const Step& step) {
+    const Document document = now();
+    py::dict d;
+    d["operation"] = text(step.operation), d["operations"] = document.operations, d["hash"] = hash(document);
+    return d;
+  }
+  std::mutex mutex_;  // guards all below
+  DocumentFile file_;
+  Workers workers_;
+  Bodies bodies_;
+  std::vector<std::string> notes_;  // of what was done last
+};
+
+std::unique_ptr<PythonDocument> created(const std::filesystem::path& path, int threads) {
+  return std::make_unique<PythonDocument>(path.empty() ? DocumentFile::inMemory() : good(DocumentFile::create(path)),
+                                          threads);
+}
+std::unique_ptr<PythonDocument> opened(const std::filesystem::path& path, bool reading, int threads) {
+  const py::gil_scoped_release release;
+  return std::make_unique<PythonDocument>(good(reading ? DocumentFile::openForReading(path) : DocumentFile::open(path)),
+                                          threads);
+}
+
+}  // namespace
+
+PYBIND11_MODULE(karinui, m) {
+  m.doc() = "Karinui: made-to-measure clothes, designed on a body, draped, and printed as true-size patterns.";
+  m.attr("__version__") = "0.1.0";
+  static py::exception<Failure> failure(m, "Error");
+  failure.doc() =
+      "What cannot be done, as a sentence. It has changed nothing. `kind` is one of bad_input, refused, not_found, "
+      "storage, stopped.";
+  py::register_exception_translator([](std::exception_ptr raised) {
+    try {
+      if (raised) std::rethrow_exception(raised);
+    } catch (const Failure& why) {
+      py::object object = py::reinterpret_borrow<py::object>(failure)(text(why.error.what));
+      object.attr("kind") = kindOf(why.error.kind);
+      PyErr_SetObject(failure.ptr(), object.ptr());
+    }
+  });
+
+  py::class_<PythonForm>(m, "Form",
+                         "The shape a piece holds in space. Arrays look into the document's memory and are read-only.")
+      .def_property_readonly(
+          "flat", [](const py::object& self) { return viewOf<double>(self.cast<PythonForm&>().form->flat, self); },
+          "places on paper, metres, (n, 2)")
+      .def_property_readonly(
+          "space", [](const py::object& self) { return viewOf<double>(self.cast<PythonForm&>().form->space, self); },
+          "the same places in space before the piece's pose, metres, y up, (n, 3)")
+      .def_property_readonly(
+          "faces",
+          [](const py::object& self) { return viewOf<std::uint32_t>(self.cast<PythonForm&>().form->faces, self); },
+          "triangles, (m, 3)");
+  py::class_<PythonPiece>(m, "Piece", "A piece of the paper pattern, as it was when it was asked for.")
+      .def_property_readonly("id", [](const PythonPiece& p) { return text(p.piece->id); })
+      .def_property_readonly("name", [](const PythonPiece& p) { return p.piece->name; })
+      .def_property_readonly("fabric", [](const PythonPiece& p) { return p.piece->fabric; })
+      .def_property_readonly("layer", [](const PythonPiece& p) { return p.piece->layer; })
+      .def_property_readonly(
+          "draped", [](const PythonPiece& p) { return p.draped; }, "brought to rest, and not changed since")
+      .def_property_readonly(
+          "area", [](const PythonPiece& p) { return p.piece->outline.area(); }, "square metres, holes not taken off")
+      .def_property_readonly(
+          "edges",
+          [](const PythonPiece& p) {
+            py::dict lengths;
+            for (const Edge& edge : p.piece->outline.edges) lengths[py::str(edge.name)] = edge.curve.length();
+            return lengths;
+          },
+          "lengths in metres by name, in the outline's order")
+      .def(
+          "outline",
+          [](const PythonPiece& p, double miss) {
+            if (!(miss > 0)) throw py::value_error("miss must be above 0");
+            const Ring ring = p.piece->outline.flattened(miss);
+            py::array_t<double> points({static_cast<py::ssize_t>(ring.size()), py::ssize_t{2}});
+            std::copy_n(reinterpret_cast<const double*>(ring.data()), 2 * ring.size(), points.mutable_data());
+            return points;
+          },
+          py::arg("miss") = 1e-4, "the outline as a polygon that misses it by no more than `miss` metres, (n, 2)")
+      .def_property_readonly(
+          "pose",
+          [](const PythonPiece& p) {
+            const Rigid& r = p.piece->pose;
+            return py::make_tuple(py::make_tuple(r.w, r.x, r.y, r.z), py::make_tuple(r.carry.x, r.carry.y, r.carry.z));
+          },
+          "the turn as a unit quaternion w, x, y, z, and the carry in metres")
+      .def_property_readonly(
+          "form",
+          [](const PythonPiece& p) -> std::optional<PythonForm> {
+            return p.piece->form ? std::optional(PythonForm{p.piece->form}) : std::nullopt;
+          },
+          "None: flat");
+  py::class_<PythonBody>(m, "Body", "The figure. Arrays look into its memory and are read-only.")
+      .def_property_readonly(
+          "points",
+          [](const py::object& self) { return viewOf<double>(self.cast<PythonBody&>().body->mesh().points, self); },
+          "metres, y up, (n, 3)")
+      .def_property_readonly(
+          "faces",
+          [](const py::object& self) {
+            return viewOf<std::uint32_t>(self.cast<PythonBody&>().body->mesh().faces, self);
+          },
+          "triangles, (m, 3)");
+
+  using D = PythonDocument;
+  py::class_<D>(m, "Document", "One garment, with all that led to it.")
+      .def_static("create", &created, py::arg("path") = "", py::arg("threads") = 0,
+                  "a new document; without a path it is kept in memory only")
+      .def_static("open", &opened, py::arg("path"), py::arg("reading") = false, py::arg("threads") = 0)
+      .def("perform", &D::perform, py::arg("operation"), py::arg("progress") = py::none(),
+           "does one operation, a line of docs/format/operations.md; progress(fraction, doing) is called meanwhile")
+      .def("play", &D::play, py::arg("script"), py::arg("progress") = py::none(),
+           "does a script of operations; how many")
+      .def("undo", &D::turned<&DocumentFile::undo>)
+      .def("redo", &D::turned<&DocumentFile::redo>)
+      .def("settle", &D::settle, py::arg("again") = false, py::arg("progress") = py::none(),
+           "brings the cloth to rest on the body")
+      .def("check", &D::check, "examines the cloth, independently of the solver")
+      .def("fit", &D::fit, "girths of garment and body at the levels that are covered, and pressure")
+      .def("measure", &D::measure, "the body as a tape measures it: metres, and radians")
+      .def("export", &D::exportTo, py::arg("path"), py::arg("format") = "",
+           "writes a file; its ending says what; how many bytes")
+      .def("share", &D::shareTo, py::arg("path"), "writes the pattern without the person; the names that stay")
+      .def("pieces", &D::pieces)
+      .def("body", &D::body)
+      .def("log", &D::log, "the operations, one a line")
+      .def("close", &D::close)
+      .def_property_readonly("path", &D::path)
+      .def_property_readonly(
+          "hash", [](D& d) { return hash(d.now()); }, "of the paper pattern")
+      .def_property_readonly(
+          "drape_hash", [](D& d) { return drapeHash(d.now()); }, "of where the cloth stands")
+      .def_property_readonly("operations", [](D& d) { return d.now().operations; })
+      .def_property_readonly("remarks", &D::remarks, "what was found in the file that a person should know")
+      .def_property_readonly("notes", &D::notes, "advice on what was done last")
+      .def(
+          "__enter__", [](D& d) -> D& { return d; }, py::return_value_policy::reference)
+      .def("__exit__", [](D& d, const py::args&) { d.close(); });
+  m.def(
+      "dump",
+      [](const std::filesystem::path& document) {
+        const py::gil_scoped_release release;
+        return good(dumped(document));
+      },
+      py::arg("document"), "the whole document as text");
+  m.def(
+      "load",
+      [](const std::string& dump, const std::filesystem::path& path) {
+        const py::gil_scoped_release release;
+        good(loadDump(dump, path));
+      },
+      py::arg("dump"), py::arg("path"), "makes a document of what dump() gave");
+}

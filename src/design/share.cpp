@@ -1,0 +1,229 @@
+#include "karinui/design/share.h"
+
+#include <algorithm>
+
+#include "karinui/design/steps_of.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kBetween = 0.05;  // metres between two pieces of the row
+
+// The pieces without their forms, which are the body's shape, and in a row, for where they stood was on the body.
+Pattern inARow(Pattern pattern) {
+  double at = 0;
+  for (auto& [id, piece] : pattern.pieces) {
+    Flat low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const Flat p : piece->outline.flattened(1e-4)) {
+      low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+      high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+    }
+    Piece flat = *piece;
+    flat.form = nullptr;
+    flat.pose = {};
+    flat.pose.carry = {at - low.u, -low.v, 0};
+    at += high.u - low.u + kBetween;
+    piece = std::make_shared<const Piece>(std::move(flat));
+  }
+  return pattern;
+}
+
+// The same sizes, told from the one that stands.
+Grading fromTheStanding(Grading grading) {
+  for (auto& [id, points] : grading.pieces)
+    for (GradePoint& point : points) {
+      const Flat stands = point.by[grading.standing];
+      for (Flat& by : point.by) by = by - stands;
+    }
+  grading.base = grading.standing;
+  return grading;
+}
+
+SetFabric described(const std::string& name, const Fabric& fabric) {
+  SetFabric op;
+  op.name = name;
+  op.like = preset(name) ? name : std::string(presets().front().name);
+  op.law = fabric.law;
+  op.weight = fabric.weight;
+  op.stretchWarp = fabric.stretchWarp, op.stretchWeft = fabric.stretchWeft;
+  op.stiffenWarp = fabric.stiffenWarp, op.stiffenWeft = fabric.stiffenWeft;
+  op.shear = fabric.shear, op.shearStiffen = fabric.shearStiffen;
+  op.bendWarp = fabric.bendWarp, op.bendWeft = fabric.bendWeft;
+  op.compression = fabric.compression;
+  op.toeWarp = fabric.toeWarp, op.toeWeft = fabric.toeWeft;
+  op.frictionBody = fabric.frictionBody, op.frictionCloth = fabric.frictionCloth;
+  op.thickness = Length{fabric.thickness};
+  return op;
+}
+
+SetLook described(const Look& look) {
+  SetLook op;
+  op.plain = true;
+  op.finish = look.finish, op.colour = look.colour, op.print = look.print, op.ink = look.ink;
+  op.repeat = Length{look.repeat}, op.turn = Angle{look.turn};
+  op.photo = look.photo;
+  return op;
+}
+
+bool sewn(const Pattern& pattern, const Allowances::At& edge) {
+  const auto on = [&](const std::vector<EdgeSpan>& side) {
+    return std::any_of(side.begin(), side.end(),
+                       [&](const EdgeSpan& s) { return s.piece == edge.first && s.edge == edge.second; });
+  };
+  return std::any_of(pattern.seams.begin(), pattern.seams.end(),
+                     [&](const auto& s) { return on(s.second.a) || on(s.second.b); });
+}
+
+// Widths, corners, elastics and hems of edges.
+void addFinishing(const Document& document, std::vector<Operation>& steps) {
+  const Allowances& all = document.allowances;
+  const auto edge = [&](const Allowances::At& at) {
+    return std::vector<EdgeRef>{{PieceRef(document.find(at.first)->name), at.second}};
+  };
+  const auto allowanceOf = [&](const Allowances::At& at) {
+    SetAllowance op;
+    op.edges = edge(at);
+    op.symmetric = Choice::No;
+    return op;
+  };
+  for (const auto& [kind, width] : all.kinds) {
+    SetAllowance op;
+    op.kind = kind, op.width = Length{width};
+    steps.push_back(std::move(op));
+  }
+  for (const auto& [at, own] : all.elastics) {
+    SewElastic op;
+    op.edges = edge(at), op.ratio = own.ratio, op.strength = own.strength, op.symmetric = Choice::No;
+    steps.push_back(std::move(op));
+  }
+  for (const auto& [at, own] : all.hems) {
+    if (sewn(document.pattern, at)) continue;
+    TurnHem op;
+    op.edges = edge(at), op.width = Length{own.width}, op.under = Length{own.under}, op.symmetric = Choice::No;
+    steps.push_back(std::move(op));
+    SetAllowance plain = allowanceOf(at);  // its widths and corners follow as they are
+    plain.plain = true;
+    steps.push_back(std::move(plain));
+  }
+  for (const auto& [at, width] : all.edges) {
+    SetAllowance op = allowanceOf(at);
+    op.width = Length{width};
+    steps.push_back(std::move(op));
+  }
+  for (const auto& [at, kind] : all.corners) {
+    SetAllowance op = allowanceOf(at);
+    op.start = kind;
+    steps.push_back(std::move(op));
+  }
+}
+
+bool samePaper(const Piece& a, const Piece& b) {
+  return a.outline == b.outline && a.holes == b.holes && a.lines == b.lines && a.marks == b.marks &&
+         length(a.grain - b.grain) < 1e-12 && a.fabric == b.fabric && a.layer == b.layer;
+}
+
+// What the new document has otherwise, piece by piece.
+std::vector<Message> differences(const Document& before, const Document& now) {
+  std::vector<Message> notes;
+  for (const auto& [id, piece] : before.pattern.pieces) {
+    const Piece* made = now.pieceNamed(piece->name);
+    if (!made || !samePaper(*piece, *made))
+      notes.push_back(say("“{0}” is not quite as in the document; look at it before it is given away.", piece->name));
+  }
+  if (before.pattern.seams.size() != now.pattern.seams.size() ||
+      before.allowances.hems.size() != now.allowances.hems.size())
+    notes.push_back(say("Some seams or hems are not as in the document; look at it before it is given away."));
+  return notes;
+}
+
+std::vector<std::string> namesIn(const Document& document) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const auto& [id, piece] : document.pattern.pieces) add(piece->name);
+  for (const auto& [id, seam] : document.pattern.seams) add(seam.name);
+  for (const auto& [name, fabric] : document.fabrics) add(name);
+  return names;
+}
+
+}  // namespace
+
+std::vector<Operation> sharedSteps(const Document& document) {
+  std::vector<Operation> steps;
+  const Settings usual;
+  if (document.settings != usual) {
+    ChangeSettings op;
+    op.spacing = Length{document.settings.spacing}, op.ease = Length{document.settings.ease};
+    op.collider = document.settings.collider;
+    steps.push_back(std::move(op));
+  }
+  for (const auto& [name, fabric] : document.fabrics) steps.push_back(described(name, fabric));
+  for (Operation& step : stepsOf(inARow(document.pattern), {}, fromTheStanding(document.grading)))
+    steps.push_back(std::move(step));
+  for (const auto& [name, look] : document.looks.fabrics) {
+    SetLook op = described(look);
+    op.fabric = name;
+    steps.push_back(std::move(op));
+  }
+  for (const auto& [id, look] : document.looks.pieces) {
+    SetLook op = described(look);
+    op.pieces = {PieceRef(document.find(id)->name)};
+    steps.push_back(std::move(op));
+  }
+  addFinishing(document, steps);
+  for (const auto& [id, cutting] : document.cutting) {
+    SetQuantity op;
+    op.pieces = {PieceRef(document.find(id)->name)}, op.count = cutting.count, op.pairs = cutting.pairs;
+    steps.push_back(std::move(op));
+  }
+  // Seams need not have names; the steps that sew them come in the order of their ids.
+  std::map<SeamId, SeamId> now;
+  auto next = document.pattern.seams.begin();
+  for (std::uint32_t i = 0; i < steps.size(); ++i)
+    if (std::holds_alternative<SewEdges>(steps[i])) now[(next++)->first] = madeBy<SeamId>(i + 1, 0);
+  for (const auto& [id, by] : document.eases) steps.push_back(DeclareEase{SeamRef(now.at(id)), Length{by}});
+  return steps;
+}
+
+Message sharedSaid(const Shared& shared) {
+  std::string names;
+  for (const std::string& name : shared.names) names += (names.empty() ? "" : ", ") + name;
+  return say(
+      "Figure, measurements, formulas and history were left out. The names of pieces, seams and fabrics stay: {0}",
+      names);
+}
+
+Result<Shared> share(DocumentFile& from, const std::filesystem::path& to, Context& context) {
+  const Document& document = from.document();
+  if (document.pattern.pieces.empty()) return refused(say("There is no piece yet; draw one on the body."));
+  std::error_code trouble;
+  if (!from.path().empty() && std::filesystem::equivalent(from.path(), to, trouble))
+    return refused(say("“{0}” is the document itself; choose another name for what is given away.", to.string()));
+  const std::filesystem::path part = to.string() + ".part";
+  std::filesystem::remove(part, trouble);
+  Shared shared;
+  const Done done = [&]() -> Done {
+    auto file = DocumentFile::create(part);
+    if (!file) return file.error();
+    Context own{context.workers, context.token, from.blobs(), context.bodies, {}, {}};
+    for (Operation& step : sharedSteps(document)) {
+      if (context.token.cancelled()) return cancelled();
+      if (const auto made = file->perform(std::move(step), own); !made) return made.error();
+    }
+    shared.names = namesIn(file->document());
+    shared.notes = differences(document, file->document());
+    return {};
+  }();
+  if (done) {
+    std::filesystem::rename(part, to, trouble);
+    if (!trouble) return shared;
+  }
+  const Error why =
+      done ? storageError(say("“{0}” could not be written: {1}", to.string(), trouble.message())) : done.error();
+  std::filesystem::remove(part, trouble);
+  return why;
+}
+
+}  // namespace karinui

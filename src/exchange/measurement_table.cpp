@@ -1,0 +1,201 @@
+#include "karinui/exchange/measurement_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "karinui/base/number.h"
+#include "names.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr std::size_t kMostColumns = 500, kLongestCell = 400;
+
+std::string trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
+}
+
+// The rows of RFC 4180, with any of three separators: the one the first line has most of.
+class Rows {
+ public:
+  explicit Rows(std::string_view bytes) : rest_(bytes) {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+    const std::string_view first = rest_.substr(0, rest_.find('\n'));
+    long most = -1;
+    for (const char separator : {',', ';', '\t'})
+      if (const long found = std::count(first.begin(), first.end(), separator); found > most)
+        most = found, separator_ = separator;
+  }
+  bool more() const { return !rest_.empty(); }
+  std::size_t number() const { return number_; }  // of the last one, from 1
+
+  Result<std::vector<std::string>> next() {
+    ++number_;
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    std::size_t at = 0;
+    for (; at < rest_.size(); ++at) {
+      const char c = rest_[at];
+      if (c == '\0') return badInput(say("Row {0} of the table is not text.", number_));
+      if (quoted) {
+        if (c != '"')
+          cells.back() += c;
+        else if (at + 1 < rest_.size() && rest_[at + 1] == '"')
+          cells.back() += rest_[++at];
+        else
+          quoted = false;
+      } else if (c == '"' && trimmed(cells.back()).empty()) {
+        quoted = true;
+      } else if (c == separator_) {
+        cells.emplace_back();
+      } else if (c == '\n') {
+        break;
+      } else {
+        cells.back() += c;
+      }
+      if (cells.size() > kMostColumns || cells.back().size() > kLongestCell)
+        return badInput(say("Row {0} of the table is too long.", number_));
+    }
+    if (quoted) return badInput(say("A quotation mark in row {0} of the table is never closed.", number_));
+    rest_.remove_prefix(std::min(at + 1, rest_.size()));
+    for (std::string& cell : cells) cell = trimmed(cell);
+    return cells;
+  }
+
+ private:
+  std::string_view rest_;
+  char separator_ = ',';
+  std::size_t number_ = 0;
+};
+
+struct Column {
+  enum class Kind { Unknown, Name, Sex, Measure } kind = Kind::Unknown;
+  std::string heading, key;
+  std::optional<double> unit;  // metres or radians of a bare number; nothing: the cell says
+};
+
+// "bust_girth_cm", "Bust (mm)": the name and its unit.
+std::pair<std::string, std::optional<double>> unitOf(std::string heading) {
+  const std::pair<std::string_view, double> units[] = {{"mm", 0.001},
+                                                       {"cm", 0.01},
+                                                       {"inches", 0.0254},
+                                                       {"inch", 0.0254},
+                                                       {"in", 0.0254},
+                                                       {"m", 1},
+                                                       {"deg", std::numbers::pi / 180},
+                                                       {"rad", 1}};
+  while (!heading.empty() && (heading.back() == ')' || heading.back() == ']')) heading.pop_back();
+  for (const auto& [unit, metres] : units) {
+    if (!heading.ends_with(unit) || heading.size() <= unit.size()) continue;
+    const std::size_t end = heading.size() - unit.size();
+    if (std::string_view("_ ([").find(heading[end - 1]) == std::string_view::npos) continue;
+    const std::size_t last = heading.find_last_not_of("_ ([", end - 1);
+    if (last == std::string::npos) continue;
+    return {heading.substr(0, last + 1), metres};
+  }
+  return {heading, std::nullopt};
+}
+
+Column columnOf(const std::string& heading) {
+  Column column;
+  column.heading = heading;
+  std::string lower = heading;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; });
+  if (lower == "name" || lower == "id" || lower == "person") return column.kind = Column::Kind::Name, column;
+  if (lower == "sex" || lower == "gender") return column.kind = Column::Kind::Sex, column;
+  auto [name, unit] = unitOf(heading);
+  for (const std::string& one : {name, trimmed(lower.substr(0, name.size()))}) {
+    std::string word = one;
+    std::replace(word.begin(), word.end(), ' ', '_');
+    if (const auto key = measurementKey(word)) {
+      column.kind = Column::Kind::Measure, column.key = *key, column.unit = unit;
+      break;
+    }
+  }
+  return column;
+}
+
+std::optional<Sex> sexOf(std::string_view cell) {
+  for (const std::string_view word : {"female", "f", "F", "Female", "woman", "w"})
+    if (cell == word) return Sex::Female;
+  for (const std::string_view word : {"male", "m", "M", "Male", "man"})
+    if (cell == word) return Sex::Male;
+  return std::nullopt;
+}
+
+std::optional<double> measureOf(const Column& column, const std::string& cell) {
+  if (column.unit)
+    if (const auto number = parseNumber(cell)) return *number * *column.unit;
+  const auto value = isAngle(column.key) ? parseAngle(cell) : parseLength(cell);
+  return value ? std::optional(*value) : std::nullopt;
+}
+
+}  // namespace
+
+Result<MeasurementTable> readMeasurementTable(std::string_view bytes) {
+  Rows rows(bytes);
+  MeasurementTable table;
+  std::vector<Column> columns;
+  std::set<std::string> keys, names;
+  while (rows.more()) {
+    const auto cells = rows.next();
+    if (!cells) return cells.error();
+    if (std::all_of(cells->begin(), cells->end(), [](const auto& cell) { return cell.empty(); })) continue;
+    if (columns.empty()) {
+      for (const std::string& heading : *cells) {
+        Column& column = columns.emplace_back(columnOf(heading));
+        if (column.kind == Column::Kind::Unknown) table.unknown.push_back(cleanText(heading));
+        if (column.kind == Column::Kind::Measure && !keys.insert(column.key).second)
+          return badInput(say("Two columns of the table are the measure {0}.", column.key));
+      }
+      if (keys.empty())
+        return badInput(say("The first row of the table names no measure, as in: name,height_cm,bust_girth_cm."));
+      continue;
+    }
+    if (cells->size() > columns.size())
+      return badInput(say("Row {0} of the table has more cells than there are columns.", rows.number()));
+    if (table.people.size() == kMostPeople) return badInput(say("The table has more than {0} people.", kMostPeople));
+    MeasuredPerson person;
+    for (std::size_t i = 0; i < cells->size(); ++i) {
+      const std::string& cell = (*cells)[i];
+      if (cell.empty()) continue;
+      const auto wrong = [&] {
+        return badInput(say("Row {0} of the table, column “{1}”: “{2}” cannot be read.", rows.number(),
+                            cleanText(columns[i].heading), cleanText(cell)));
+      };
+      switch (columns[i].kind) {
+        case Column::Kind::Name:
+          person.name = cleanText(cell);
+          break;
+        case Column::Kind::Sex:
+          if (const auto sex = sexOf(cell))
+            person.measures.sex = *sex;
+          else
+            return wrong();
+          break;
+        case Column::Kind::Measure:
+          if (const auto value = measureOf(columns[i], cell))
+            person.measures.value[columns[i].key] = *value;
+          else
+            return wrong();
+          break;
+        case Column::Kind::Unknown:
+          break;
+      }
+    }
+    if (person.name.empty()) person.name = "row " + std::to_string(rows.number());
+    person.name = distinct(person.name, names);
+    table.people.push_back(std::move(person));
+  }
+  if (table.people.empty()) return badInput(say("The table has no row with measures."));
+  return table;
+}
+
+}  // namespace karinui

@@ -1,0 +1,83 @@
+// Tables of measures of many people.
+#include "karinui/exchange/measurement_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace karinui {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+double of(const MeasuredPerson& person, const char* key) { return person.measures.value.at(key); }
+
+TEST(MeasurementTable, ReadsNamesUnitsAndSexes) {
+  const auto table = readMeasurementTable(
+      "\xEF\xBB\xBFname,sex,height_cm,Bust (mm),waist_girth,hip_girth_in,shoe\r\n"
+      "\"Sato, Hana\",f,158,880,\"66cm\",36,37\r\n"
+      "\r\n"
+      "\"the \"\"tall\"\" one\",male,190,,0.84,40,45\n"
+      ",,170,900,70cm,38,\n"
+      "\"Sato, Hana\",female,160,890,67cm,37,38");
+  ASSERT_TRUE(table) << text(table.error().what);
+  ASSERT_EQ(table->people.size(), 4u);
+  EXPECT_THAT(table->unknown, ElementsAre("shoe"));
+  const auto& people = table->people;
+  EXPECT_EQ(people[0].name, "Sato, Hana");
+  EXPECT_EQ(people[1].name, "the \"tall\" one");
+  EXPECT_EQ(people[2].name, "row 5");
+  EXPECT_EQ(people[3].name, "Sato, Hana_2");
+  EXPECT_NEAR(of(people[0], "height"), 1.58, 1e-12);
+  EXPECT_NEAR(of(people[0], "bust_girth"), 0.88, 1e-12);
+  EXPECT_NEAR(of(people[0], "waist_girth"), 0.66, 1e-12);
+  EXPECT_NEAR(of(people[0], "hip_girth"), 0.9144, 1e-12);
+  EXPECT_EQ(people[1].measures.sex, Sex::Male);
+  EXPECT_EQ(people[2].measures.sex, Sex::Female);
+  EXPECT_FALSE(people[1].measures.value.contains("bust_girth"));
+}
+
+TEST(MeasurementTable, TakesSemicolonsAndTabs) {
+  const auto semicolons = readMeasurementTable("height;bust_girth\n1.58;88cm\n"),
+             tabs = readMeasurementTable("height\tbust_girth\n1.58\t88cm\n");
+  ASSERT_TRUE(semicolons && tabs);
+  EXPECT_EQ(semicolons->people[0].measures, tabs->people[0].measures);
+}
+
+TEST(MeasurementTable, SaysWhatIsWrongAndWhere) {
+  const auto refusal = [](const std::string& bytes) {
+    const auto table = readMeasurementTable(bytes);
+    return table ? std::string("read") : text(table.error().what);
+  };
+  EXPECT_THAT(refusal(""), HasSubstr("no row"));
+  EXPECT_THAT(refusal("name,shoe\nA,1\n"), HasSubstr("names no measure"));
+  EXPECT_THAT(refusal("height\n"), HasSubstr("no row"));
+  EXPECT_THAT(refusal("height_cm\n158\nlong\n"), HasSubstr("Row 3 of the table, column “height_cm”: “long”"));
+  EXPECT_THAT(refusal("height_cm\nnan\n"), HasSubstr("“nan” cannot be read"));
+  EXPECT_THAT(refusal("height,sex\n1.6,x\n"), HasSubstr("column “sex”"));
+  EXPECT_THAT(refusal("height\n1.6,2\n"), HasSubstr("more cells"));
+  EXPECT_THAT(refusal("bust,bust_girth\n1,1\n"), HasSubstr("Two columns"));
+  EXPECT_THAT(refusal("height\n\"1.6\n"), HasSubstr("never closed"));
+  EXPECT_THAT(refusal("height\n" + std::string(1000, '1') + "\n"), HasSubstr("too long"));
+  EXPECT_THAT(refusal(std::string("height\n1.6\0\n", 12)), HasSubstr("not text"));
+}
+
+TEST(MeasurementTable, AnyBytesAreRefusedInASentenceOrRead) {
+  const std::string good = "name,sex,height_cm,Bust (mm)\n\"A, B\",f,158,880\nC,m,170,\n";
+  std::mt19937_64 dice(5);
+  for (int i = 0; i < 3000; ++i) {
+    std::string bad = good;
+    for (std::size_t k = 0, n = 1 + dice() % 5; k < n; ++k) bad[dice() % bad.size()] = static_cast<char>(dice());
+    const auto table = readMeasurementTable(bad);
+    if (!table) {
+      EXPECT_FALSE(text(table.error().what).empty());
+    } else {
+      for (const auto& person : table->people) EXPECT_FALSE(person.name.empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace karinui

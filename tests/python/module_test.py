@@ -1,0 +1,147 @@
+"""The module for Python. Exit status 77: numpy is missing, and so nothing of arrays was tested."""
+import ast
+import gc
+import pathlib
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import karinui
+
+PANEL = 'piece name=front outline="M 0 0; hem L 400 0; side L 400 500; top L 0 500; centre L 0 0"'
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+
+class Documents(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_performs_undoes_and_keeps(self):
+        path = self.folder / "coat.karinui"
+        with karinui.Document.create(path) as coat:
+            empty = coat.hash
+            self.assertEqual(coat.perform(PANEL)["operations"], 1)
+            made = coat.hash
+            self.assertEqual(coat.undo()["hash"], empty)
+            self.assertEqual(coat.redo()["hash"], made)
+            self.assertEqual(coat.play("notch edge=front.hem at=0.5\n# a comment\nset ease=1cm\n"), 2)
+            last, log = coat.hash, coat.log()
+        again = karinui.Document.open(path, reading=True)
+        self.assertEqual((again.hash, again.log(), again.operations, again.remarks), (last, log, 3, []))
+        piece = again.pieces()[0]
+        self.assertEqual(piece.name, "front")
+        self.assertAlmostEqual(piece.area, 0.2, 12)
+        self.assertEqual(list(piece.edges), ["hem", "side", "top", "centre"])
+        self.assertAlmostEqual(piece.edges["side"], 0.5, 12)
+        self.assertIsNone(piece.form)
+        for ending in ("svg", "pdf", "json", "ops", "dxf"):
+            self.assertEqual(again.export(self.folder / f"x.{ending}"), (self.folder / f"x.{ending}").stat().st_size)
+        again.close()
+        karinui.load(karinui.dump(path), self.folder / "copy.karinui")
+        self.assertEqual(karinui.Document.open(self.folder / "copy.karinui").hash, last)
+
+    def test_refusals_are_sentences(self):
+        coat = karinui.Document.create()
+        for call, kind, words in (
+            (lambda: coat.perform("knit piece=front"), "bad_input", "knit"),
+            (lambda: coat.perform("remove piece=front"), "refused", "front"),
+            (lambda: coat.undo(), "refused", "nothing to undo"),
+            (lambda: coat.measure(), "refused", "no body yet"),
+            (lambda: coat.play("set ease=1cm\nknit\n"), "bad_input", "Line 2"),
+            (lambda: karinui.Document.open(self.folder / "none.karinui"), "not_found", "There is no file"),
+            (lambda: karinui.load("nonsense", self.folder / "x.karinui"), "bad_input", "not a dump"),
+        ):
+            with self.assertRaises(karinui.Error) as raised:
+                call()
+            self.assertIn(words, str(raised.exception))
+            self.assertIn(raised.exception.kind, (kind, "not_found"))
+        with self.assertRaises(TypeError):
+            coat.perform(7)
+        self.assertEqual(coat.operations, 0)
+
+    def test_threads_work_while_a_document_works(self):
+        coat = karinui.Document.create(threads=1)
+        coat.play("body size=jis9ar\nset spacing=15mm\n" + PANEL.replace("M 0", "M 0") + " pose=0,0.6,0.5\npin edge=front.top\n")
+        ticks, stop = [], threading.Event()
+
+        def tick():
+            while not stop.is_set():
+                ticks.append(time.monotonic())
+                time.sleep(0.001)
+
+        clock = threading.Thread(target=tick)
+        clock.start()
+        before = len(ticks)
+        told = []
+        coat.settle(progress=lambda fraction, doing: told.append((fraction, doing)))
+        during = len(ticks) - before
+        stop.set()
+        clock.join()
+        self.assertGreater(during, 5)
+        self.assertTrue(told and all(0 <= fraction <= 1 for fraction, _ in told))
+        # What progress raises stops the work, which changes nothing.
+        mark = coat.drape_hash
+
+        def fail(fraction, doing):
+            raise KeyError("enough")
+
+        with self.assertRaises(KeyError):
+            coat.settle(again=True, progress=fail)
+        self.assertEqual(coat.drape_hash, mark)
+        # Two threads ask the same document.
+        panels = [threading.Thread(target=lambda: [coat.perform("move piece=front by=0,0,1mm") for _ in range(20)])
+                  for _ in range(2)]
+        count = coat.operations
+        for thread in panels:
+            thread.start()
+        for thread in panels:
+            thread.join()
+        self.assertEqual(coat.operations, count + 40)
+
+    @unittest.skipIf(numpy is None, "python3-numpy is not installed")
+    def test_arrays_look_into_the_document(self):
+        coat = karinui.Document.create(threads=1)
+        coat.play("body size=jis9ar\nset spacing=30mm\n" + PANEL + " pose=0,0.6,0.5\npin edge=front.top\n")
+        coat.settle()
+        form = coat.pieces()[0].form
+        flat, space, faces = form.flat, form.space, form.faces
+        self.assertEqual((flat.shape[1], space.shape[1], faces.shape[1]), (2, 3, 3))
+        self.assertEqual(len(flat), len(space))
+        self.assertLess(faces.max(), len(flat))
+        self.assertFalse(space.flags.owndata)
+        self.assertTrue(numpy.shares_memory(space, coat.pieces()[0].form.space))
+        with self.assertRaises(ValueError):
+            space[0, 0] = 1
+        kept = space.copy()
+        coat.undo()
+        coat.close()
+        del coat, form
+        gc.collect()
+        self.assertTrue((space == kept).all())  # it lives as long as somebody looks
+        outline = karinui.Document.create()
+        outline.perform(PANEL)
+        ring = outline.pieces()[0].outline()
+        x, y = ring[:, 0], ring[:, 1]
+        self.assertAlmostEqual(0.5 * float((x * numpy.roll(y, -1) - y * numpy.roll(x, -1)).sum()), 0.2, 9)
+
+    def test_the_stubs_name_what_there_is(self):
+        stubs = ast.parse((pathlib.Path(karinui.__file__).parent / "karinui.pyi").read_text())
+        own = lambda names: {n for n in names if not n.startswith("_")}
+        for node in stubs.body:
+            if isinstance(node, ast.ClassDef) and node.name != "Error":
+                said = own(f.name for f in node.body if isinstance(f, ast.FunctionDef))
+                self.assertEqual(said, own(vars(getattr(karinui, node.name))), node.name)
+        top = {n.name for n in stubs.body if isinstance(n, (ast.ClassDef, ast.FunctionDef))}
+        self.assertEqual(top, own(vars(karinui)))
+
+
+if __name__ == "__main__":
+    program = unittest.main(exit=False)
+    sys.exit(1 if not program.result.wasSuccessful() else 77 if numpy is None else 0)
