@@ -187,9 +187,9 @@ Done madeUp(OpenDocument& opened) {
 }
 
 // What the pattern would become, in memory.
-Result<Document> drawnUp(const Pattern& pattern, const Grading& grading, Context& context) {
+Result<Document> drawnUp(const CadPattern& read, Context& context) {
   Document document;
-  for (const Operation& operation : stepsOf(pattern, document, grading)) {
+  for (const Operation& operation : stepsOf(read.pattern, document, read.grading, read.cutting)) {
     auto next = apply(document, operation, context);
     if (!next) return next.error();
     document = *std::move(next);
@@ -205,7 +205,7 @@ int runList(Program& program, const ImportOptions& options, bool sewing) {
   MemoryBlobs blobs;
   Bodies bodies;
   Context context{workers, program.console.token(), blobs, bodies, {}, {}};
-  auto made = drawnUp(read->pattern, read->grading, context);
+  auto made = drawnUp(*read, context);
   if (!made) return program.console.refuse(made.error());
   Document document = *std::move(made);
   Json notes = Json::array(), pieces = Json::array(), seams = Json::array();
@@ -277,25 +277,24 @@ int runImport(Program& program, const ImportOptions& options) {
   if (content != FileContent::Pattern && content != FileContent::Body)
     return program.console.refuse(unreadable(options.file, kImported));
   return makeDocument(program, options.out, options.overwrite, [&](OpenDocument& opened) -> Result<void> {
-    std::optional<Pattern> pattern;
-    Grading grading;
+    std::optional<CadPattern> drawn;
     if (content == FileContent::Pattern) {
       Result<CadPattern> read =
           readPatternSize(options.file, options.size, fileFormats(), {options.rules, options.ruleSteps});
       if (!read) return read.error();
       for (const Message& note : read->notes) program.console.note(note);
-      pattern = std::move(read->pattern), grading = std::move(read->grading);
+      drawn = *std::move(read);
     }
-    const std::string body = pattern ? options.body : options.file;
+    const std::string body = drawn ? options.body : options.file;
     if (!body.empty()) {
       Result<SetBody> chosen = bodyOperation(opened, body);
       if (!chosen) return chosen.error();
       if (const auto step = opened.perform(std::move(*chosen)); !step) return step.error();
     }
-    if (!pattern) return {};
-    for (Operation& operation : stepsOf(*pattern, opened.document(), grading))
+    if (!drawn) return {};
+    for (Operation& operation : stepsOf(drawn->pattern, opened.document(), drawn->grading, drawn->cutting))
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
-    return options.sew == "auto" && pattern->seams.empty() ? madeUp(opened) : Done{};
+    return options.sew == "auto" && drawn->pattern.seams.empty() ? madeUp(opened) : Done{};
   });
 }
 

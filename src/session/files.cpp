@@ -27,7 +27,7 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
   if (contentOf(file) != FileContent::Pattern) return unreadable(file, {FileContent::Pattern, FileContent::Script});
   const Result<CadPattern> read = readPatternSize(file, {});
   if (!read) return read.error();
-  for (Operation& operation : stepsOf(read->pattern, documentWorker.file().document(), read->grading))
+  for (Operation& operation : stepsOf(read->pattern, documentWorker.file().document(), read->grading, read->cutting))
     if (const auto step = documentWorker.perform(std::move(operation), token); !step) return step.error();
   return {};
 }

@@ -6,6 +6,7 @@
 #include "exchange/names.h"
 #include "grade_rules.h"
 #include "karinui/exchange/dxf.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -19,11 +20,11 @@ std::string listOf(const std::vector<std::string>& words) {
 
 void addRow(std::vector<CadPattern::Row>& rows, const CadPiece& piece) {
   auto row = std::find_if(rows.begin(), rows.end(), [&](const CadPattern::Row& r) { return r.name == piece.name; });
-  if (row == rows.end()) row = rows.insert(rows.end(), {piece.name, {}, {}, {}, 1, {}});
+  if (row == rows.end()) row = rows.insert(rows.end(), {piece.name, {}, {}, {}, 1, false, {}});
   if (!piece.category.empty()) row->category = piece.category;
   if (!piece.annotation.empty()) row->annotation = piece.annotation;
   if (!piece.fabric.empty()) row->fabric = piece.fabric;
-  row->quantity = std::max(row->quantity, piece.quantity);
+  row->quantity = std::max(row->quantity, piece.quantity), row->pairs = row->pairs || piece.pairs;
   row->sizes.push_back(piece.size);
 }
 
@@ -119,6 +120,24 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
     made.notes.push_back(
         say("The file’s unit of length was guessed from how large its pieces are: look at a length you know."));
 
+  if (style->lettersGuessed)
+    made.notes.push_back(say("The file does not tell in which code page its names are written; it was guessed."));
+
+  // A piece that is not drawn in the size that is read is taken in the one nearest to it in the file's order.
+  const auto place = [&](const std::string& one) {
+    return std::find(made.sizes.begin(), made.sizes.end(), one) - made.sizes.begin();
+  };
+  std::map<std::string, std::string> taken;
+  for (const CadPiece& piece : style->pieces) {
+    const auto [size_, fresh] = taken.emplace(piece.name, piece.size);
+    const auto off = [&](const std::string& one) { return std::abs(place(one) - place(made.size)); };
+    if (!fresh && off(piece.size) < off(size_->second)) size_->second = piece.size;
+  }
+  for (const auto& [name, one] : taken)
+    if (one != made.size)
+      made.notes.push_back(
+          say("Piece “{0}” is not drawn in size {1}; it was taken in size {2}.", name, made.size, one));
+
   std::map<std::string, const CadPiece*> samples;
   for (const CadPiece& piece : style->pieces)
     if (!piece.turns.empty()) samples.emplace(piece.name, &piece);
@@ -127,7 +146,7 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
   std::optional<Error> trouble;
   for (const CadPiece& drawn : style->pieces) {
     addRow(made.rows, drawn);
-    if (drawn.size != made.size) continue;
+    if (drawn.size != taken.at(drawn.name)) continue;
     const auto sample = samples.find(drawn.name);
     Drawn one{drawn.name, sample == samples.end() ? nullptr : sample->second, {}};
     auto piece = pieceOf(drawn, one.sample, made.notes, one.plan);
@@ -144,6 +163,12 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
   }
   if (made.pattern.pieces.empty())
     return trouble ? *trouble : badInput(say("The DXF file has no piece of size {0}.", made.size));
+  // "Quantity: 2" of a piece that is not alike on both sides is a left and a right one.
+  for (const auto& [id, drawn] : all)
+    for (const CadPattern::Row& row : made.rows)
+      if (row.name == drawn.name && row.quantity > 1)
+        made.cutting.quantities[id] = {
+            row.quantity, row.quantity % 2 == 0 && (row.pairs || !symmetryOf(made.pattern.pieces.at(id)->outline))};
   measureSizes(*style, all, made);
   return made;
 }
