@@ -13,6 +13,7 @@ namespace karinui {
 namespace {
 
 constexpr double kFork = 1.0;       // radians a trouser leg turns at least at its fork
+constexpr double kSquare = 0.9;     // radians, as the ends of a stand's neck edge turn at least
 constexpr double kLeftOver = 0.35;  // a right angle that the fit does not explain costs this much
 
 double share(double x, double low, double high) { return std::clamp((x - low) / (high - low), 0.0, 1.0); }
@@ -217,6 +218,16 @@ const Kind kKinds[] = {
        return 0.9 - 0.5 * std::abs(end - other) / std::max(end, other) - 0.3 * std::abs(low - top) / std::max(low, top);
      },
      0.7},
+    // A collar stand or collar whose ends are rounded into its upper edge: only the edge to the neck has two corners.
+    {PieceRole::CollarStand,
+     false,
+     {{Hem, [](T t) { return t.w > 0.25 && t.h < 0.13 && t.u(0) <= 0.1; }},
+      {Top,
+       [](T t) { return t.u(1) >= 0.9 && t.length(0, 1) >= 0.9 * t.w && t.turn(0) >= kSquare && t.turn(1) >= kSquare; }}},
+     [](T t) {
+       return 0.85 - 0.5 * t.bent(0, 1) - 0.5 * share(std::abs(t.turn(0) - t.turn(1)), 0.2, 1);
+     },
+     0.4},
     // Half of a front or back, its centre at minus.
     {PieceRole::Front,
      true,
@@ -298,10 +309,10 @@ PiecePart opposite(PiecePart part) {
 
 std::vector<ShapeFit> fitsOf(const Shape& upright) {
   std::vector<ShapeFit> all;
-  if (upright.size() < 4) return all;
   const Shape turned = upright.mirrored();
   const std::size_t n = upright.size();
   for (const Kind& kind : kKinds) {
+    if (kind.corners.size() > n) continue;
     auto fit = Search(upright, kind).best();
     const auto back = kind.half ? Search(turned, kind).best() : std::nullopt;
     if (back && (!fit || back->score > fit->score)) {
