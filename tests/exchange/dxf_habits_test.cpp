@@ -162,6 +162,7 @@ TEST(DxfHabits, PiecesWithoutBlocks) {
   bytes.insert(bytes.rfind("0\nENDSEC"), beside.all);
   const auto two = read(bytes);
   ASSERT_THAT(two.pattern.pieces, SizeIs(2));
+  EXPECT_THAT(two.sizes, ElementsAre("38")) << "the style's sample size";
   std::size_t marks = 0;
   for (const auto& [id, piece] : two.pattern.pieces) {
     EXPECT_NEAR(piece->outline.area(), kPanelArea, 1e-9);

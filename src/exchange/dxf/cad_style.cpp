@@ -314,6 +314,12 @@ void nameSizes(CadStyle& style) {
     if (piece.name.empty()) piece.name = (piece.sizeTold ? ending == piece.size : sizes) ? base : piece.block;
     if (!piece.sizeTold && sizes) piece.size = ending;
   }
+  // What has none is of the size that is read when nothing is asked for.
+  std::string usual = style.sampleSize;
+  for (const CadPiece& piece : style.pieces)
+    if (usual.empty()) usual = piece.size;
+  for (CadPiece& piece : style.pieces)
+    if (piece.size.empty()) piece.size = usual;
 }
 
 std::string layersOf(const DxfFile& file) {
