@@ -16,6 +16,7 @@
 #include "karinui/exchange/read_print.h"
 #include "make_document.h"
 #include "open_document.h"
+#include "sizes_said.h"
 #include "stage_pictures.h"
 
 namespace karinui::app {
@@ -186,6 +187,18 @@ Done madeUp(OpenDocument& opened) {
   return {};
 }
 
+// Where nobody said which of several sizes stands: which is nearest to the body.
+Done sizesTold(OpenDocument& opened) {
+  const Document& document = opened.document();
+  if (document.grading.empty() || !document.body.chosen()) return {};
+  const auto body = bodyOf(document, opened.context());
+  if (!body) return body.error();
+  Json json;
+  if (const auto fit = sizeFit(document, nullptr, (*body)->measured()))
+    for (const Message& said : sizesSaid(*fit, document.grading, json)) opened.program().console.note(said);
+  return {};
+}
+
 // What the pattern would become, in memory.
 Result<Document> drawnUp(const CadPattern& read, Context& context) {
   Document document;
@@ -294,7 +307,9 @@ int runImport(Program& program, const ImportOptions& options) {
     if (!drawn) return {};
     for (Operation& operation : stepsOf(drawn->pattern, opened.document(), drawn->grading, drawn->cutting))
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
-    return options.sew == "auto" && drawn->pattern.seams.empty() ? madeUp(opened) : Done{};
+    if (options.sew == "auto" && drawn->pattern.seams.empty())
+      if (const Done done = madeUp(opened); !done) return done;
+    return options.size.empty() ? sizesTold(opened) : Done{};
   });
 }
 

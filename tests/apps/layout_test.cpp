@@ -7,6 +7,7 @@ namespace karinui::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 std::string skirt(const Folder& folder) {
@@ -109,6 +110,12 @@ TEST(Refit, TellsTheNearestSize) {
   const Said bare = karinui("refit " + (folder / "c.karinui") + " --body " + (folder / "b.measures") + " -o " +
                             (folder / "d.karinui"));
   EXPECT_THAT(bare.out, HasSubstr("made on no figure"));
+  // A file of the trade tells no ease either; whoever says which size stands is told nothing.
+  ASSERT_EQ(karinui("export " + (folder / "c.karinui") + " -o " + (folder / "c.dxf") + " --allowance 0").exit, 0);
+  const std::string import = "import " + (folder / "c.dxf") + " --body " + (folder / "b.measures") + " -o " +
+                             (folder / "e.karinui") + " --overwrite";
+  EXPECT_THAT(karinui(import).err, HasSubstr("is nearest to this body"));
+  EXPECT_THAT(karinui(import + " --size 40").err, Not(HasSubstr("nearest")));
 }
 
 TEST(Refit, TellsTheStepThatCannotBeDone) {
