@@ -282,6 +282,28 @@ TEST(DxfHabits, BlocksThatNameNoSize) {
   EXPECT_THAT(told(other), HasSubstr("“POCKET” is not drawn in size 40; it was taken in size 38"));
 }
 
+// A left and a right piece of one name, each with its sizes; and a symbol beside an outline, which is no piece.
+TEST(DxfHabits, SeveralBlocksOfOneName) {
+  const auto sized = [](double wide, double by) {
+    return std::vector<Flat>{{0, 0}, {wide + by, 0}, {wide + by, 400}, {0, 400}};
+  };
+  Made made;
+  for (const auto& [size, by] : {std::pair{"38", 0.0}, {"40", 10.0}})
+    for (const double wide : {300.0, 200.0}) {
+      made.block(std::string("P") + std::to_string(wide)[0] + "_" + size).says("Piece Name: SIDE");
+      made.says(std::string("Size: ") + size).line(1, sized(wide, by * wide / 100), true);
+      made.line(1, {{900, 0}, {905, 0}, {905, 5}}, true).endBlock();
+    }
+  const auto all = read(made.done());
+  ASSERT_THAT(all.pattern.pieces, SizeIs(2));
+  ASSERT_THAT(all.grading.pieces, SizeIs(2));
+  for (const auto& [nth, wide] : {std::pair{0u, 0.33}, {1u, 0.22}}) {
+    const auto large = inSize(only(all, nth), all.grading, 1);
+    ASSERT_TRUE(large);
+    EXPECT_NEAR(large->outline.area(), wide * 0.4, 1e-6);
+  }
+}
+
 TEST(DxfHabits, WhatLiesOnOtherLayersThanOne) {
   EXPECT_NEAR(only(read(replaced(replaced(panel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\n14\n"), "VERTEX\n8\n1\n",
                                  "VERTEX\n8\n14\n")))

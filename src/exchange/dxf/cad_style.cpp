@@ -25,6 +25,7 @@ constexpr std::size_t kMostParts = 200;  // pieces in one block
 constexpr double kSmallestStyle = 0.2;
 constexpr double kCloGrain = 0.180;  // metres: CLO draws all its grain lines as long as this
 constexpr double kFar = 10;          // metres from the paper's origin, where numbers begin to lose their places
+constexpr double kSymbol = 1e-3;     // of the largest outline's area: what is smaller beside it is no piece
 constexpr double kHole = 0.5;        // of the outline's area: a line within it that is smaller is a cut-out
 
 // The value of a system text: "SIZE" of "Size: 38" is "38". Nothing: it is another text. Writers differ in case, and
@@ -198,8 +199,9 @@ Parts partsOf(std::vector<DxfShape> shapes) {
     const auto around = std::find_if(outer.begin(), outer.end(), [&](const CadLoop* one) {
       return contains(one->points, loop.points.front()) && contains(one->points, loop.points[loop.points.size() / 2]);
     });
-    auto nth = static_cast<std::size_t>(around - outer.begin());
-    if (around == outer.end() && outer.size() < kMostParts) {
+    const auto nth = static_cast<std::size_t>(around - outer.begin());
+    const bool symbol = !outer.empty() && signedArea(loop.points) < kSymbol * signedArea(outer.front()->points);
+    if (around == outer.end() && outer.size() < kMostParts && !symbol) {
       outer.push_back(&loop), parts.left.push_back(0);
     } else if (around == outer.end()) {
       continue;

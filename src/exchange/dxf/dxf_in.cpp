@@ -50,6 +50,7 @@ void addRules(std::vector<CadPattern::RulePlace>& places, const Piece& piece, co
 
 struct Drawn {  // a piece, as it is named in the file
   std::string name;
+  std::size_t nth = 0;  // of those of this name and size
   const CadPiece* sample = nullptr;
   EdgePlan plan;
 };
@@ -77,8 +78,8 @@ void measureSizes(const CadStyle& style, const std::map<PieceId, Drawn>& drawn, 
     bool any = false;
     for (std::size_t size = 0; size < found.size(); ++size) {
       const auto block = blocks.find({name, made.sizes[size]});
-      if (size == grading.base || block == blocks.end() || block->second.size() != 1) continue;
-      auto outline = outlineOf(*block->second.front(), own.sample, own.plan);
+      if (size == grading.base || block == blocks.end() || block->second.size() <= own.nth) continue;
+      auto outline = outlineOf(*block->second[own.nth], own.sample, own.plan);
       if (outline)
         found[size] = *std::move(outline), any = any || *found[size] != *found[grading.base];
       else
@@ -138,17 +139,22 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
       made.notes.push_back(
           say("Piece “{0}” is not drawn in size {1}; it was taken in size {2}.", name, made.size, one));
 
-  std::map<std::string, const CadPiece*> samples;
+  // Several pieces of one name are told apart by their order.
+  std::map<std::pair<std::string, std::size_t>, const CadPiece*> samples;
+  std::map<std::pair<std::string, std::string>, std::size_t> count;
   for (const CadPiece& piece : style->pieces)
-    if (!piece.turns.empty()) samples.emplace(piece.name, &piece);
+    if (const std::size_t nth = count[{piece.name, piece.size}]++; !piece.turns.empty())
+      samples.emplace(std::pair(piece.name, nth), &piece);
+  count.clear();
   std::set<std::string> names;
   std::map<PieceId, Drawn> all;
   std::optional<Error> trouble;
   for (const CadPiece& drawn : style->pieces) {
     addRow(made.rows, drawn);
     if (drawn.size != taken.at(drawn.name)) continue;
-    const auto sample = samples.find(drawn.name);
-    Drawn one{drawn.name, sample == samples.end() ? nullptr : sample->second, {}};
+    const std::size_t nth = count[{drawn.name, drawn.size}]++;
+    const auto sample = samples.find({drawn.name, nth});
+    Drawn one{drawn.name, nth, sample == samples.end() ? nullptr : sample->second, {}};
     auto piece = pieceOf(drawn, one.sample, made.notes, one.plan);
     if (!piece) {
       if (!trouble) trouble = piece.error();
