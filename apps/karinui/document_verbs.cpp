@@ -17,6 +17,7 @@
 #include "karinui/exchange/read_print.h"
 #include "make_document.h"
 #include "open_document.h"
+#include "sizes_said.h"
 #include "stage_pictures.h"
 
 namespace karinui::app {
@@ -173,10 +174,22 @@ Done madeUp(OpenDocument& opened) {
   return {};
 }
 
+// Where nobody said which of several sizes stands: which is nearest to the body.
+Done sizesTold(OpenDocument& opened) {
+  const Document& document = opened.document();
+  if (document.grading.empty() || !document.body.chosen()) return {};
+  const auto body = bodyOf(document, opened.context());
+  if (!body) return body.error();
+  Json json;
+  if (const auto fit = sizeFit(document, nullptr, (*body)->measured()))
+    for (const Message& said : sizesSaid(*fit, document.grading, json)) opened.program().console.note(said);
+  return {};
+}
+
 // What the pattern would become, in memory.
-Result<Document> drawnUp(const Pattern& pattern, const Grading& grading, Context& context) {
+Result<Document> drawnUp(const CadPattern& read, Context& context) {
   Document document;
-  for (const Operation& operation : stepsOf(pattern, document, grading)) {
+  for (const Operation& operation : stepsOf(read.pattern, document, read.grading, read.cutting)) {
     auto next = apply(document, operation, context);
     if (!next) return next.error();
     document = *std::move(next);
@@ -192,7 +205,7 @@ int runList(Program& program, const ImportOptions& options, bool sewing) {
   MemoryBlobs blobs;
   Bodies bodies;
   Context context{workers, program.console.token(), blobs, bodies, {}, {}};
-  auto made = drawnUp(read->pattern, read->grading, context);
+  auto made = drawnUp(*read, context);
   if (!made) return program.console.refuse(made.error());
   Document document = *std::move(made);
   Json notes = Json::array(), pieces = Json::array(), seams = Json::array();
@@ -264,34 +277,35 @@ int runImport(Program& program, const ImportOptions& options) {
   if (content != FileContent::Pattern && content != FileContent::Body)
     return program.console.refuse(unreadable(options.file, kImported));
   return makeDocument(program, options.out, options.overwrite, [&](OpenDocument& opened) -> Result<void> {
-    std::optional<Pattern> pattern;
-    Grading grading;
+    std::optional<CadPattern> drawn;
     if (content == FileContent::Pattern) {
       Result<CadPattern> read =
           readPatternSize(options.file, options.size, fileFormats(), {options.rules, options.ruleSteps});
       if (!read) return read.error();
       for (const Message& note : read->notes) program.console.note(note);
-      pattern = std::move(read->pattern), grading = std::move(read->grading);
+      drawn = *std::move(read);
     }
-    const std::string body = pattern ? options.body : options.file;
+    const std::string body = drawn ? options.body : options.file;
     if (!body.empty()) {
       Result<SetBody> chosen = bodyOperation(opened, body);
       if (!chosen) return chosen.error();
       if (const auto step = opened.perform(std::move(*chosen)); !step) return step.error();
     }
-    if (!pattern) return {};
+    if (!drawn) return {};
     if (!body.empty()) {
       const Result<BodyPtr> figure = bodyOf(opened.document(), opened.context());
       if (!figure) return figure.error();
-      RaisedPattern raised = raisedTo(**figure, *std::move(pattern));
+      RaisedPattern raised = raisedTo(**figure, std::move(drawn->pattern));
       if (raised.by != 0)
         program.console.note(say("The pieces were carried {0} by {1} cm, to the height of this body.",
                                  raised.by > 0 ? say("up") : say("down"), fixed(100 * std::fabs(raised.by), 0)));
-      pattern = std::move(raised.pattern);
+      drawn->pattern = std::move(raised.pattern);
     }
-    for (Operation& operation : stepsOf(*pattern, opened.document(), grading))
+    for (Operation& operation : stepsOf(drawn->pattern, opened.document(), drawn->grading, drawn->cutting))
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
-    return options.sew == "auto" && pattern->seams.empty() ? madeUp(opened) : Done{};
+    if (options.sew == "auto" && drawn->pattern.seams.empty())
+      if (const Done done = madeUp(opened); !done) return done;
+    return options.size.empty() ? sizesTold(opened) : Done{};
   });
 }
 

@@ -5,6 +5,7 @@
 #include "karinui/base/number.h"
 #include "make_document.h"
 #include "refit.h"
+#include "sizes_said.h"
 
 namespace karinui::app {
 
@@ -66,11 +67,20 @@ std::vector<Fate> fatesOf(const Document& before, const Document& after) {
 int runRefit(Program& program, const RefitOptions& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& source) -> int {
     std::vector<Fate> fates;
+    std::vector<Message> sizes;
+    Json sizesJson;
     const auto fill = [&](OpenDocument& opened) -> Result<void> {
       const Result<SetBody> body = bodyOperation(opened, options.body);
       if (!body) return body.error();
       if (const Done done = refit(source, opened, *body); !done) return done;
       fates = fatesOf(source.document(), opened.document());
+      BodyPtr before;
+      if (source.document().body.chosen())
+        if (const auto found = bodyOf(source.document(), source.context())) before = *found;
+      const auto now = bodyOf(opened.document(), context);
+      if (!now) return now.error();
+      if (const auto fit = sizeFit(source.document(), before ? &before->measured() : nullptr, (*now)->measured()))
+        sizes = sizesSaid(*fit, source.document().grading, sizesJson);
       return {};
     };
     return makeDocument(program, options.out, options.overwrite, fill, [&](Json& answer, std::string& words) {
@@ -80,6 +90,8 @@ int runRefit(Program& program, const RefitOptions& options) {
         words += "\n  " + program.console.said(fate.said);
       }
       answer["fitted"] = pieces;
+      if (!sizes.empty()) answer["sizes"] = sizesJson;
+      for (const Message& said : sizes) words += "\n  " + program.console.said(said);
     });
   });
 }

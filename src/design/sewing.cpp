@@ -342,6 +342,23 @@ bool facesReversed(const Document& document, const SewEdges& sew) {
   return facesReversed(a, b);
 }
 
+namespace {
+
+// All pieces of a seam, more than one, lie on a table with their right sides up.
+bool lieFlat(const Document& document, const SewEdges& sew) {
+  const PieceId first = sew.a.front().piece.id;
+  bool several = false;
+  for (const auto* side : {&sew.a, &sew.b})
+    for (const EdgeRef& ref : *side) {
+      const Piece* piece = document.find(ref.piece.id);
+      if (!piece || piece->form || piece->pose.turned({0, 0, 1}).z < 1 - 1e-9) return false;
+      several = several || ref.piece.id != first;
+    }
+  return several;
+}
+
+}  // namespace
+
 std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew, const Body* body) {
   std::vector<SeamDoubt> doubts;
   const auto add = [&](std::optional<SeamDoubt> doubt) {
@@ -354,7 +371,9 @@ std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew,
                           "they fold it onto itself.",
                           sew.a.front().edge, sew.b.front().edge, document.find(sew.a.front().piece.id)->name)});
   add(otherSide(document, sew, body));
-  if (sew.reversed != Choice::Auto && (sew.reversed == Choice::Yes) != facesReversed(document, sew)) {
+  // Pieces that lie flat beside each other are turned to each other before they are sewn: their threads cross then.
+  const bool laidOut = sew.reversed == Choice::Yes && !document.body.chosen() && lieFlat(document, sew);
+  if (sew.reversed != Choice::Auto && !laidOut && (sew.reversed == Choice::Yes) != facesReversed(document, sew)) {
     SeamDoubt twisted{SeamDoubt::Kind::Twisted,
                       say("The threads of this seam cross; sewn this way round the cloth is twisted.")};
     twisted.instead = sew;

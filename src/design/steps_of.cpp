@@ -4,7 +4,8 @@
 
 namespace karinui {
 
-std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading) {
+std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading,
+                               const CuttingNotes& told) {
   std::vector<Operation> steps;
   std::map<PieceId, std::string> names;
   Document named = into;  // knows the names given so far; its pieces are never looked at
@@ -49,6 +50,22 @@ std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, con
     sew.tie = seam.tie == Seam::Tie::TwoToOne ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
     steps.push_back(std::move(sew));
   }
+  // One step for all pieces that are cut alike, and for all edges of one width.
+  std::map<std::pair<int, bool>, SetQuantity> often;
+  for (const auto& [id, cutting] : told.quantities) {
+    if (cutting == Cutting()) continue;
+    SetQuantity& quantity = often[{cutting.count, cutting.pairs}];
+    quantity.pieces.push_back(PieceRef(names.at(id)));
+    quantity.count = cutting.count, quantity.pairs = cutting.pairs;
+  }
+  for (auto& [key, quantity] : often) steps.push_back(std::move(quantity));
+  std::map<double, SetAllowance> widths;
+  for (const auto& [at, width] : told.allowances.edges) {
+    SetAllowance& allowance = widths[width];
+    allowance.edges.push_back({PieceRef(names.at(at.first)), at.second});
+    allowance.width = Length{width}, allowance.symmetric = Choice::No;
+  }
+  for (auto& [width, allowance] : widths) steps.push_back(std::move(allowance));
   return steps;
 }
 

@@ -28,6 +28,20 @@ Result<std::string> writeExact(const ExportSource& source) {
   return writePatternJson(source.pattern, *allowances ? &**allowances : nullptr);
 }
 
+Result<CadPattern> readExact(std::string_view bytes, std::string_view size) {
+  if (!size.empty()) return badInput(say("Such a file holds one size only."));
+  CadPattern read;
+  auto pattern = readPatternJson(bytes, &read.cutting.allowances);
+  if (!pattern) return pattern.error();
+  read.pattern = *std::move(pattern);
+  // No step says how wide the allowance of a hole is.
+  const auto ofHoles = std::erase_if(read.cutting.allowances.edges, [&](const auto& one) {
+    return !read.pattern.pieces.at(one.first.first)->outline.find(one.first.second);
+  });
+  if (ofHoles > 0) read.notes.push_back(say("Seam allowances of holes were left out; they are as usual."));
+  return read;
+}
+
 std::vector<FileFormat> allFormats() {
   using Content = FileContent;
   using Source = const ExportSource&;
@@ -111,8 +125,8 @@ std::vector<FileFormat> allFormats() {
        .out = Content::Pattern,
        .label = say("Pattern, exact (JSON)"),
        .about = say("Every curve, seam and mark to the last digit, in Karinui's own open form."),
-       .readPattern = readPatternJson,
        .recognises = isPatternJson,
+       .readSize = readExact,
        .write = writeExact},
       {.id = "garmentcode",
        .endings = {"json"},

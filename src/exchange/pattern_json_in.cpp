@@ -10,11 +10,13 @@ namespace karinui {
 namespace {
 
 constexpr std::size_t kMostPieces = 2000, kMostPoints = 5'000'000;
+constexpr double kSameWidth = 1e-9;  // metres
 
 // What went wrong, kept by the first reader that meets it; the readers of values then return defaults.
 class Reader {
  public:
   std::optional<Error> error;
+  Allowances told;
 
   void refuse(Message what) {
     if (!error) error = badInput(std::move(what));
@@ -153,7 +155,16 @@ class Reader {
       if (notch && (!findEdge(out, read.edge) || read.fraction < 0 || read.fraction > 1)) refuse("marks");
     }
     if (const Json* shape = member(json, "form")) out.form = form(*shape);
+    if (const Json* widths = member(json, "allowances")) allowances(*widths, out);
     return out;
+  }
+  void allowances(const Json& widths, const Piece& piece) {
+    if (!widths.is_object()) return refuse("allowances");
+    for (const auto& [edge, width] : widths.items()) {
+      if (!findEdge(piece, edge) || !isFinite(width) || width < 0 || width > kWidestAllowance)
+        return refuse("allowances");
+      told.edges[{piece.id, edge}] = width.get<double>();
+    }
   }
 
   std::vector<EdgeSpan> side(const Json& spans, const Pattern& pattern) {
@@ -189,7 +200,7 @@ class Reader {
 
 }  // namespace
 
-Result<Pattern> readPatternJson(std::string_view json) {
+Result<Pattern> readPatternJson(std::string_view json, Allowances* allowances) {
   const Result<Json> root = parseStrictJson(json);
   if (!root) return root.error();
   const Json* format = member(*root, "format");
@@ -216,6 +227,13 @@ Result<Pattern> readPatternJson(std::string_view json) {
     out.seams[seam.id] = std::move(seam);
   }
   if (reader.error) return *reader.error;
+  if (allowances) {  // what is as usual is no width of the edge's own
+    const AllowancePlan usual(out, {});
+    *allowances = std::move(reader.told);
+    std::erase_if(allowances->edges, [&](const auto& one) {
+      return std::abs(usual.width(one.first.first, one.first.second) - one.second) < kSameWidth;
+    });
+  }
   return out;
 }
 

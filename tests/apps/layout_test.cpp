@@ -7,6 +7,7 @@ namespace karinui::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 std::string skirt(const Folder& folder) {
@@ -74,6 +75,47 @@ TEST(Refit, MakesAgainWhatTheFigureMade) {
       karinui("refit " + (folder / "a.karinui") + " --body jis9ar -o " + (folder / "c.karinui") + " --json").json();
   for (const auto& piece : same["fitted"]) EXPECT_EQ(piece["kept"], true);
   EXPECT_EQ(same["hash"], karinui("info " + (folder / "a.karinui") + " --json").json()["hash"]);
+}
+
+// A straight skirt in five sizes, 4 cm round the waist and hips between each: on the body it was made on it has an
+// ease, and the size with that ease on the other body is nearest.
+TEST(Refit, TellsTheNearestSize) {
+  const Folder folder;
+  write(folder / "a.ops",
+        "body set=\"height = 168cm; bust_girth = 88cm; waist_girth = 72cm; hip_girth = 96cm\"\n"
+        "piece name=front outline=\"M 0 0; hem L 500 0; side L 500 400; hip L 380 600; waist L 120 600; other L 0 400; "
+        "low L 0 0\"\n"
+        "piece name=back outline=\"M 0 0; hem L 500 0; side L 500 400; hip L 380 600; waist L 120 600; other L 0 400; "
+        "low L 0 0\" pose=\"0,0,-0.3\"\n"
+        "grade sizes=\"36 38 40 42 44\" base=38\n"
+        "grade corners=\"front.side front.hip front.waist back.side back.hip back.waist\" by=2cm,0 symmetric=no\n");
+  const Said played = karinui("play " + (folder / "a.ops") + " -o " + (folder / "a.karinui"));
+  ASSERT_EQ(played.exit, 0) << played.err;
+  write(folder / "b.measures",
+        "sex = female\nheight = 168cm\nbust_girth = 97cm\nwaist_girth = 81cm\nhip_girth = 105cm\n");
+  const std::string words =
+      "refit " + (folder / "a.karinui") + " --body " + (folder / "b.measures") + " -o " + (folder / "b.karinui");
+  const Said said = karinui(words);
+  ASSERT_EQ(said.exit, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("Of its sizes 42 is nearest to this body; 38 stands."));
+  const auto json = karinui(words + " --overwrite --json").json()["sizes"];
+  EXPECT_EQ(json["nearest"], "42");
+  EXPECT_EQ(json["ease_known"], true);
+  // 8 cm more where the body has 9 more.
+  ASSERT_GE(json["girths"].size(), 1u);
+  for (const auto& girth : json["girths"]) EXPECT_NEAR(girth["miss_mm"].get<double>(), -10, 6) << girth;
+  // The very body: the size that stands, without a miss.
+  write(folder / "c.ops", contents(folder / "a.ops").substr(contents(folder / "a.ops").find('\n') + 1));
+  ASSERT_EQ(karinui("play " + (folder / "c.ops") + " -o " + (folder / "c.karinui")).exit, 0);
+  const Said bare = karinui("refit " + (folder / "c.karinui") + " --body " + (folder / "b.measures") + " -o " +
+                            (folder / "d.karinui"));
+  EXPECT_THAT(bare.out, HasSubstr("made on no figure"));
+  // A file of the trade tells no ease either; whoever says which size stands is told nothing.
+  ASSERT_EQ(karinui("export " + (folder / "c.karinui") + " -o " + (folder / "c.dxf") + " --allowance 0").exit, 0);
+  const std::string import = "import " + (folder / "c.dxf") + " --body " + (folder / "b.measures") + " -o " +
+                             (folder / "e.karinui") + " --overwrite";
+  EXPECT_THAT(karinui(import).err, HasSubstr("is nearest to this body"));
+  EXPECT_THAT(karinui(import + " --size 40").err, Not(HasSubstr("nearest")));
 }
 
 TEST(Refit, TellsTheStepThatCannotBeDone) {

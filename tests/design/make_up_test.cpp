@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "karinui/design/sewing.h"
 #include "workroom.h"
 
 namespace karinui {
@@ -185,6 +186,151 @@ TEST(MakeUp, TrousersCutInPairs) {
   for (const char* name :
        {"outseam_left", "outseam_right", "inseam_left", "inseam_right", "crotch_front", "crotch_back", "waistband"})
     EXPECT_TRUE(seams.contains(name)) << name;
+}
+
+// Left front of a shirt: its edge lies 30 mm beyond the centre front, which a line and a notch tell.
+Piece shirtFront(std::uint64_t id, bool right) {
+  std::vector<std::vector<Flat>> edges = {{{0, 0}},
+                                          {{250, 0}},
+                                          {{240, 350}, {190, 370}, {175, 440}},
+                                          {{180, 570}},
+                                          {{80, 600}, {75, 540}, {40, 510}},
+                                          {{0, 510}},
+                                          {{-30, 510}},
+                                          {{-30, 0}}};
+  if (right) {  // the mirror image, the other way round
+    std::vector<std::vector<Flat>> other;
+    for (std::size_t k = edges.size(); k-- > 0;) {
+      other.push_back({edges[(k + 1) % edges.size()][0]});
+      if (edges[k].size() > 1) other.back().push_back(edges[k][2]), other.back().push_back(edges[k][1]);
+    }
+    for (auto& edge : other)
+      for (Flat& p : edge) p.u *= -1;
+    edges = other;
+  }
+  Piece piece = pieceOf({right ? "frontRight" : "frontLeft", edges}, id, 0);
+  piece.lines = {{"centre", {Curve::line({0, 0}, {0, 0.51})}, {}}};
+  for (const Edge& edge : piece.outline.edges)
+    if (distance(edge.curve.start, Flat{right ? 0.03 : 0, 0.51}) < 1e-9)
+      piece.marks = {{"cf", edge.name, right ? 1.0 : 0.0, {}}};
+  return piece;
+}
+TEST(MakeUp, AShirtHasItsStandAndStaysOpen) {
+  Document document = documentOf({trunk("back", 25)});
+  for (const bool right : {false, true})
+    document.pattern.pieces[{right ? 3u : 2u}] = std::make_shared<const Piece>(shirtFront(right ? 3 : 2, right));
+  const auto neckOf = [&](PieceId id) { return readPieces(document.pattern).at(id).parts.at(PiecePart::Neck).length; };
+  ASSERT_NEAR(neckOf({2}), neckOf({3}), 1e-6);
+  // The stand reaches 12 mm beyond the centre front on the left, 16 on the right; the collar from centre to centre.
+  const double collar = 1000 * (neckOf({1}) + 2 * neckOf({2}) - 0.06), left = 12, right = 16;
+  const double end = collar + left + right;
+  Piece stand = pieceOf({"collar stand",
+                         {{{0, 0}},
+                          {{end, 0}, {end + 3, 20}, {end - right + 8, 35}},
+                          {{end - right, 35}},
+                          {{left, 35}, {left - 8, 35}, {-3, 20}}}},
+                        4, 0);
+  stand.marks = {{"left", "e1", left / end, {}}, {"right", "e1", 1 - right / end, {}}};
+  document.pattern.pieces[{4}] = std::make_shared<const Piece>(stand);
+  document.pattern.pieces[{5}] = std::make_shared<const Piece>(
+      pieceOf({"collar", {{{0, 0}}, {{collar, 0}}, {{collar + 20, 70}}, {{-20, 70}}}}, 5, 0));
+  document.operations = 5;
+  const PieceReadings readings = readPieces(document.pattern);
+  EXPECT_EQ(readings.at({4}).role, PieceRole::CollarStand);
+  std::map<std::string, SeamProposal> seams;
+  for (const SeamProposal& one : proposeSeams(document, readings)) seams.emplace(one.sew.name, one);
+  EXPECT_LT(seams.at("centre_front").sure, kSureSeam) << "buttoned over each other, not sewn";
+  const SeamProposal &neck = seams.at("neck"), &upper = seams.at("collar");
+  EXPECT_GE(neck.sure, kSureSeam);
+  ASSERT_EQ(neck.sew.a.front().piece.id, PieceId{4});
+  // What the notches say is left of the fronts: 18 mm beside the left end, 14 beside the right one.
+  EXPECT_NEAR(lengthOf(document, neck.sew.a), lengthOf(document, neck.sew.b), 1e-6);
+  EXPECT_NEAR(lengthOf(document, neck.sew.b), end / 1000, 1e-6);
+  const auto& first = neck.sew.b.front();
+  ASSERT_EQ(first.piece.id, PieceId{3});
+  const Flat from = findEdge(*document.find(PieceId{3}), first.edge)->curve.at(first.from);
+  EXPECT_NEAR(from.u, 0.030 - 0.014, 2e-4);
+  EXPECT_GE(upper.sure, kSureSeam);
+  EXPECT_NEAR(lengthOf(document, upper.sew.b), collar / 1000, 1e-3);
+}
+
+TEST(MakeUp, ADoubleNotchTellsTheBackOfASleeve) {
+  for (const bool leftSleeve : {true, false}) {
+    Document document = documentOf({trunk("front", 90), trunk("back", 25), sleeve("sleeve")});
+    const auto alone = readPieces(document.pattern).at({3});
+    Piece notched = *document.find(PieceId{3});
+    // The cap runs from plus to minus; the left sleeve's back is at plus.
+    const double back = leftSleeve ? 0.3 : 0.7;
+    const std::string cap = alone.parts.at(PiecePart::Top).edges.at(back < 0.5 ? 0 : 1);
+    notched.marks = {{"a", cap, 0.50, {}}, {"b", cap, 0.54, {}}};
+    document.pattern.pieces[{3}] = std::make_shared<const Piece>(notched);
+    EXPECT_EQ(readPieces(document.pattern).at({3}).side,
+              leftSleeve ? PieceReading::Side::Left : PieceReading::Side::Right);
+  }
+}
+
+// Four edges of one length: only where notches sit at the same distances they are partners.
+TEST(MakeUp, NotchesTellPartners) {
+  const Drawn strip{"a", {{{0, 0}}, {{300, 0}}, {{310, 90}}, {{150, 200}}, {{-20, 90}}}};
+  Document document = documentOf({strip, {"b", strip.edges}});
+  const auto partners = [&](double own, double other) {
+    for (const auto& [id, at] : {std::pair{1u, own}, {2u, other}}) {
+      Piece piece = *document.find(PieceId{id});
+      piece.marks = {{"n", "e1", at, {}}};
+      document.pattern.pieces[{id}] = std::make_shared<const Piece>(piece);
+    }
+    double sure = 0;
+    const ToldRoles none{{PieceId{1}, PieceRole::Unknown}, {PieceId{2}, PieceRole::Unknown}};
+    for (const SeamProposal& one : proposeSeams(document, readPieces(document.pattern, none)))
+      if (one.sew.a.front().edge == "e1") sure = one.sure;
+    return sure;
+  };
+  const double met = partners(0.3, 0.7), missed = partners(0.3, 0.3);
+  EXPECT_GT(met, missed);
+  EXPECT_LT(met, kSureSeam) << "never sewn by themselves";
+}
+
+TEST(MakeUp, WhatIsCutInPairsIsCopiedAndThenCutOnce) {
+  Workroom room;
+  Document document = documentOf(
+      {trunk("front", 90), trunk("back", 25), sleeve("sleeve"), {"godet", {{{0, 0}}, {{90, 0}}, {{40, 70}}}}});
+  document.cutting[{3}] = {2, true}, document.cutting[{4}] = {4, true};
+  const auto making = makeUp(document, room.context);
+  ASSERT_TRUE(making);
+  EXPECT_EQ(making->document.pattern.pieces.size(), 6u);
+  std::map<std::string, int> often;
+  for (const auto& [id, piece] : making->document.pattern.pieces) {
+    const auto told = making->document.cutting.find(id);
+    often[piece->name] = told == making->document.cutting.end() ? 1 : told->second.count;
+    EXPECT_FALSE(told != making->document.cutting.end() && told->second.pairs) << piece->name;
+  }
+  EXPECT_EQ(often.at("sleeve"), 1);
+  EXPECT_EQ(often.at("godet"), 2);
+  EXPECT_EQ(often.at("godet_mirrored"), 2);
+}
+
+// Without a figure the pieces lie flat beside each other; nobody is told that their seams cross.
+TEST(MakeUp, OnTheTableNothingIsTwisted) {
+  Workroom room;
+  Document document = documentOf({trunk("front", 90), trunk("back", 25), sleeve("sleeve")});
+  const auto making = makeUp(document, room.context);
+  ASSERT_TRUE(making);
+  std::size_t sewn = 0;
+  for (const Operation& step : making->steps) {
+    if (const auto* sew = std::get_if<SewEdges>(&step)) {
+      ++sewn;
+      for (const SeamDoubt& doubt : seamDoubts(document, *sew, nullptr))
+        EXPECT_NE(doubt.kind, SeamDoubt::Kind::Twisted) << sew->name;
+      SewEdges wrong = *sew;
+      wrong.reversed = Choice::No;
+      const auto doubts = seamDoubts(document, wrong, nullptr);
+      EXPECT_TRUE(!sew->name.starts_with("underarm") ||
+                  std::any_of(doubts.begin(), doubts.end(),
+                              [](const SeamDoubt& doubt) { return doubt.kind == SeamDoubt::Kind::Twisted; }));
+    }
+    document = *apply(document, step, room.context);
+  }
+  EXPECT_EQ(sewn, 8u);
 }
 
 TEST(MakeUp, NothingIsSewnThatDoesNotFit) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "karinui/design/steps_of.h"
+#include "karinui/exchange/dxf.h"
+#include "karinui/exchange/formats.h"
 #include "patterns.h"
 
 namespace karinui {
@@ -57,10 +60,54 @@ TEST(PatternJson, AllowancesAreToldBesideThePattern) {
   const auto json = nlohmann::json::parse(written);
   EXPECT_EQ(json["pieces"][0]["allowances"]["side_0"], 0.025);
   EXPECT_EQ(json["pieces"][0]["allowances"]["hole_a"], plan.width(first, "hole_a"));
-  // The pattern beside them is as it was.
-  const auto again = readPatternJson(written);
+  // The pattern beside them is as it was, and of the widths those come back that are not as usual.
+  Allowances told;
+  const auto again = readPatternJson(written, &told);
   ASSERT_TRUE(again);
   EXPECT_EQ(writePatternJson(*again), writePatternJson(once));
+  EXPECT_EQ(told, own);
+  const AllowancePlan after(*again, told);
+  EXPECT_EQ(writePatternJson(*again, &after), written);
+  for (const char* wrong : {"0.5", "-0.01", "\"wide\""}) {
+    std::string broken = written;
+    broken.replace(broken.find("\"side_0\": 0.025") + 10, 5, wrong);
+    const auto refused = readPatternJson(broken);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(text(refused.error().what).find("allowances"), std::string::npos);
+  }
+}
+
+// What an import makes of them: steps that lead to the same file.
+TEST(PatternJson, AllowancesGoThroughAnImport) {
+  Pattern once = test::random(3);
+  once.seams.clear();
+  for (auto& [id, piece] : once.pieces) {
+    Piece plain = *piece;
+    plain.marks.clear(), plain.fabric = "cotton";
+    piece = std::make_shared<const Piece>(plain);
+  }
+  Allowances own;
+  const PieceId first = once.pieces.begin()->first;
+  own.edges[{first, "side_0"}] = 0.025, own.edges[{first, "hole_a"}] = 0.003;
+  const AllowancePlan plan(once, own);
+  const auto read = fileFormat("karinui").readSize(writePatternJson(once, &plan), {});
+  ASSERT_TRUE(read);
+  Workers workers(1);
+  MemoryBlobs blobs;
+  Bodies bodies;
+  Token token;
+  Context context{workers, token, blobs, bodies, {}, {}};
+  Document document;
+  for (const Operation& step : stepsOf(read->pattern, document, read->grading, read->cutting)) {
+    auto next = apply(document, step, context);
+    ASSERT_TRUE(next) << text(next.error().what);
+    document = *std::move(next);
+  }
+  const PieceId piece = document.pattern.pieces.begin()->first;
+  EXPECT_EQ(document.allowances.edges.size(), 1u);
+  EXPECT_EQ(document.allowances.edges.at({piece, "side_0"}), 0.025);
+  ASSERT_EQ(read->notes.size(), 1u);
+  EXPECT_NE(text(read->notes[0]).find("of holes"), std::string::npos);
 }
 
 TEST(PatternJson, DraftedPatternsToo) {

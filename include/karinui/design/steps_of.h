@@ -1,13 +1,21 @@
 #pragma once
 // A paper pattern from elsewhere as the operations that make it here, for importers. Pure; any thread.
+#include <map>
 #include <vector>
 
 #include "karinui/design/apply.h"
 
 namespace karinui {
 
+// What a file tells of pieces beside their paper, by the pattern's ids.
+struct CuttingNotes {
+  std::map<PieceId, Cutting> quantities;
+  Allowances allowances;  // widths of edges
+};
 // Each piece under a usable name that is free in `into` and among themselves, then its sizes where `into` has none,
-// then each seam. `grading`: its size that stands is the base.
-std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading = {});
+// then each seam, how often pieces are cut and how wide their allowances are. `grading`: its size that stands is the
+// base.
+std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading = {},
+                               const CuttingNotes& cutting = {});
 
 }  // namespace karinui

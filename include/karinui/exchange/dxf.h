@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "karinui/design/steps_of.h"
 #include "karinui/exchange/sheet.h"
 
 namespace karinui {
@@ -13,6 +14,7 @@ struct CadPattern {
   struct Row {  // a piece as the file has it
     std::string name, category, annotation, fabric;
     int quantity = 1;                // how many are cut
+    bool pairs = false;              // told as right and left ones
     std::vector<std::string> sizes;  // that it is drawn in
   };
   std::string style, author, sampleSize;
@@ -21,6 +23,7 @@ struct CadPattern {
   std::string size;                // the one that was read
   Pattern pattern;                 // its pieces: flat, at the origin, without seams, which such files do not hold
   Grading grading;                 // what the other sizes differ by, where there are any; the size read is the base
+  CuttingNotes cutting;            // how often pieces are cut, where the file tells; seam allowances of pattern JSON
   struct RulePlace {               // a grade rule is named at a point of the file
     PieceId piece;
     std::string edge;

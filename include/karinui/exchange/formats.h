@@ -51,7 +51,8 @@ struct FileFormat {
   // (or that has none) reads the file, or else the last row, which then tells what is wrong.
   Result<Pattern> (*readPattern)(std::string_view bytes) = nullptr;
   bool (*recognises)(std::string_view bytes) = nullptr;
-  // In place of readPattern, of files that hold a style in several sizes: one of them, or the sample size (empty).
+  // In place of readPattern, of files that hold more than a pattern: sizes, of which one is read, or the sample size
+  // (empty); how often pieces are cut; seam allowances.
   Result<CadPattern> (*readSize)(std::string_view bytes, std::string_view size) = nullptr;
   // The bytes of the file. Null where another module writes it: documents and pictures.
   Result<std::string> (*write)(const ExportSource& source) = nullptr;

@@ -14,6 +14,7 @@ namespace karinui {
 std::string writePatternJson(const Pattern& pattern, const AllowancePlan* allowances = nullptr);
 
 // Refuses what cannot be a pattern, naming the piece or seam: open or crossing outlines, names twice, seams to nothing.
-Result<Pattern> readPatternJson(std::string_view json);
+// `allowances`: where to put the widths that are told of edges and are not as usual; null: nowhere.
+Result<Pattern> readPatternJson(std::string_view json, Allowances* allowances = nullptr);
 
 }  // namespace karinui

@@ -29,8 +29,14 @@ Result<MakingUp> makeUp(const Document& document, Context& context, const MakeUp
   for (Operation& copy : copiesFor(now, readings)) {
     const PieceId of = std::get<MirrorPiece>(copy).piece.id;
     if (Done done = step(std::move(copy)); !done) return done.error();
-    if (const auto role = choices.roles.find(of); role != choices.roles.end())
-      told[now.pattern.pieces.rbegin()->first] = role->second;
+    const PieceId other = now.pattern.pieces.rbegin()->first;
+    if (const auto role = choices.roles.find(of); role != choices.roles.end()) told[other] = role->second;
+    // What was cut twice, a left and a right one, is now two pieces that are cut once.
+    if (const auto often = now.cutting.find(of); often != now.cutting.end() && often->second.count > 1) {
+      SetQuantity quantity;
+      quantity.pieces = {PieceRef(of), PieceRef(other)}, quantity.count = often->second.count / 2;
+      if (Done done = step(std::move(quantity)); !done) return done.error();
+    }
   }
   readings = readPieces(now.pattern, told);
   for (const auto& [id, reading] : readings)

@@ -1,8 +1,10 @@
-// The shapes of clothes, fitted to an outline by its corners. Each fit is a score of 0 to 1: conditions that must hold,
-// less what is unlike the shape. Sharp corners that a fit leaves unexplained speak against it.
+// The shapes of clothes, fitted to an outline by its corners. A kind of piece is a row: its corners in the outline's
+// order, each with where it may lie, and a score of 0 to 1 of a whole fit. One search serves all kinds. Sharp corners
+// that a fit leaves unexplained speak against it.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "piece_shape.h"
 
@@ -11,389 +13,313 @@ namespace karinui {
 namespace {
 
 constexpr double kFork = 1.0;       // radians a trouser leg turns at least at its fork
+constexpr double kSquare = 0.9;     // radians, as the ends of a stand's neck edge turn at least
 constexpr double kLeftOver = 0.35;  // a right angle that the fit does not explain costs this much
 
 double share(double x, double low, double high) { return std::clamp((x - low) / (high - low), 0.0, 1.0); }
 
-class Fitting {
+// The corners that a kind has taken so far, by their numbers in its row. u and v are of 0 to 1 in the shape's box.
+class Taken {
  public:
-  explicit Fitting(const Shape& shape)
-      : s_(shape), n_(shape.size()), w_(shape.high.u - shape.low.u), h_(shape.high.v - shape.low.v) {
+  explicit Taken(const Shape& shape) : s_(shape), w(shape.high.u - shape.low.u), h(shape.high.v - shape.low.v) {
     for (const auto& corner : s_.corners) turns_ += std::abs(corner.turn);
   }
+  std::vector<std::size_t> corners;
 
-  // Half of a front or back, its centre at minus: hem from the centre to the side, side, armhole, shoulder, neck.
-  std::optional<ShapeFit> trunkHalf() const {
-    std::optional<ShapeFit> best;
-    for (std::size_t b = 0; b < n_; ++b) {
-      if (u(b) < 0.5 || v(b) > 0.4) continue;
-      for (const auto& [c, d, e, flank] : flanks(b, 0))
-        for (std::size_t f = next(e); f != b; f = next(f)) {
-          if (u(f) > 0.35 || at(f).v > at(e).v + 0.005 || v(f) < 0.3) continue;
-          for (std::size_t a = next(f); a != b; a = next(a)) {
-            if (u(a) > 0.35 || v(a) > 0.3) continue;
-            const double centre = std::abs(s_.bow(f, a));
-            double score = flank - 0.8 * centre - slant(f, a) - 0.5 * std::max(0.0, s_.bow(e, f)) - 0.5 * u(a);
-            score -= leftOver({a, b, c, d, e, f});
-            keep(best, PieceRole::Front, false, score,
-                 {{PiecePart::Hem, {a, b}},
-                  {PiecePart::SidePlus, {b, c}},
-                  {PiecePart::ArmholePlus, {c, d}},
-                  {PiecePart::ShoulderPlus, {d, e}},
-                  {PiecePart::Neck, {e, f}},
-                  {PiecePart::Centre, {f, a}}});
-          }
-        }
-    }
-    return best;
-  }
-
-  // Both halves.
-  std::optional<ShapeFit> trunkWhole() const {
-    std::optional<ShapeFit> best;
-    const Shape other = s_.mirrored();
-    const Fitting back(other);
-    struct Half {
-      std::size_t b, c, d, e;
-      double score;
-    };
-    const auto halves = [](const Fitting& of) {
-      std::vector<Half> all;
-      for (std::size_t b = 0; b < of.n_; ++b) {
-        if (of.u(b) < 0.6 || of.v(b) > 0.4) continue;
-        for (const auto& [c, d, e, flank] : of.flanks(b, 0.5))
-          if (of.u(e) > 0.5) all.push_back({b, c, d, e, flank});
-      }
-      std::stable_sort(all.begin(), all.end(), [](const Half& x, const Half& y) { return x.score > y.score; });
-      if (all.size() > 40) all.resize(40);
-      return all;
-    };
-    const auto right = halves(*this);
-    for (const Half& r : right)
-      for (Half l : halves(back)) {
-        for (std::size_t* k : {&l.b, &l.c, &l.d, &l.e}) *k = n_ - 1 - *k;
-        const double even = std::abs(at(r.b).v - at(l.b).v) + std::abs(at(r.c).v - at(l.c).v) +
-                            std::abs(at(r.d).v - at(l.d).v) + std::abs(at(r.e).v - at(l.e).v);
-        double score = 0.5 * (r.score + l.score) - 2 * even / h_;
-        // The neck is hollow between the two shoulders.
-        score -= share(s_.bow(r.e, l.e), -0.02, 0.15);
-        score -= leftOver({r.b, r.c, r.d, r.e, l.b, l.c, l.d, l.e});
-        keep(best, PieceRole::Front, true, score,
-             {{PiecePart::Hem, {l.b, r.b}},
-              {PiecePart::SidePlus, {r.b, r.c}},
-              {PiecePart::ArmholePlus, {r.c, r.d}},
-              {PiecePart::ShoulderPlus, {r.d, r.e}},
-              {PiecePart::Neck, {r.e, l.e}},
-              {PiecePart::ShoulderMinus, {l.e, l.d}},
-              {PiecePart::ArmholeMinus, {l.d, l.c}},
-              {PiecePart::SideMinus, {l.c, l.b}}});
-      }
-    return best;
-  }
-
-  // The lower part of a back that a yoke is sewn to, or of a strapless top: armholes without shoulders.
-  std::optional<ShapeFit> trunkBelowYoke() const {
-    std::optional<ShapeFit> best;
-    for (std::size_t b = 0; b < n_; ++b) {
-      if (u(b) < 0.6 || v(b) > 0.4) continue;
-      for (std::size_t c = next(b); c != b; c = next(c)) {
-        if (u(c) < 0.7 || v(c) < v(b) + 0.2) continue;
-        for (std::size_t d = next(c); d != b; d = next(d)) {
-          if (u(d) < 0.55 || at(d).v < at(c).v + 0.04 || v(d) < 0.8 || s_.bow(c, d) > -0.01) continue;
-          for (std::size_t e = next(d); e != b; e = next(e)) {
-            if (u(e) > 0.45 || v(e) < 0.8 || std::abs(at(e).v - at(d).v) > 0.05 * h_) continue;
-            for (std::size_t f = next(e); f != b; f = next(f)) {
-              if (u(f) > 0.3 || s_.bow(e, f) > -0.01 || std::abs(at(f).v - at(c).v) > 0.05 * h_) continue;
-              for (std::size_t g = next(f); g != b; g = next(g)) {
-                if (u(g) > 0.4 || std::abs(at(g).v - at(b).v) > 0.05 * h_) continue;
-                double score = 0.9 - std::abs(s_.bow(d, e)) - slant(b, c) - slant(f, g) -
-                               std::abs(s_.length(c, d) - s_.length(e, f)) / s_.length(c, d);
-                score -= leftOver({b, c, d, e, f, g});
-                keep(best, PieceRole::Back, true, score,
-                     {{PiecePart::Hem, {g, b}},
-                      {PiecePart::SidePlus, {b, c}},
-                      {PiecePart::ArmholePlus, {c, d}},
-                      {PiecePart::Top, {d, e}},
-                      {PiecePart::ArmholeMinus, {e, f}},
-                      {PiecePart::SideMinus, {f, g}}});
-              }
-            }
-          }
-        }
-      }
-    }
-    return best;
-  }
-
-  // A yoke: below it the back, on either side armhole and shoulder, the neck on top.
-  std::optional<ShapeFit> yoke() const {
-    std::optional<ShapeFit> best;
-    if (!(w_ > 0.2 && h_ < 0.25 && h_ < 0.6 * w_)) return best;
-    for (std::size_t a = 0; a < n_; ++a) {
-      if (u(a) > 0.2 || v(a) > 0.35) continue;
-      for (std::size_t b = next(a); b != a; b = next(b)) {
-        if (u(b) < 0.8 || v(b) > 0.35) continue;
-        for (std::size_t c = next(b); c != a; c = next(c)) {
-          if (u(c) < 0.75 || at(c).v < at(b).v + 0.02) continue;
-          for (std::size_t d = next(c); d != a; d = next(d)) {
-            if (u(d) > u(c) - 0.1 || u(d) < 0.5) continue;
-            for (std::size_t e = next(d); e != a; e = next(e)) {
-              if (u(e) > 0.5 || s_.bow(d, e) > -0.03 || std::abs(at(e).v - at(d).v) > 0.1 * h_) continue;
-              for (std::size_t f = next(e); f != a; f = next(f)) {
-                if (u(f) > 0.25 || std::abs(at(f).v - at(c).v) > 0.1 * h_) continue;
-                double score = 0.95 - 0.5 * std::abs(s_.bow(a, b)) - 0.5 * std::abs(s_.bow(c, d));
-                score -= std::abs(s_.length(b, c) - s_.length(f, a)) / s_.length(b, c);
-                score -= leftOver({a, b, c, d, e, f});
-                keep(best, PieceRole::Yoke, true, score,
-                     {{PiecePart::Hem, {a, b}},
-                      {PiecePart::ArmholePlus, {b, c}},
-                      {PiecePart::ShoulderPlus, {c, d}},
-                      {PiecePart::Neck, {d, e}},
-                      {PiecePart::ShoulderMinus, {e, f}},
-                      {PiecePart::ArmholeMinus, {f, a}}});
-              }
-            }
-          }
-        }
-      }
-    }
-    return best;
-  }
-
-  // A sleeve: hem, two sides of one length, a cap that bulges upwards and bends back at its foot.
-  std::optional<ShapeFit> sleeve() const {
-    std::optional<ShapeFit> best;
-    four([&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
-      const double under = s_.length(b, c), other = s_.length(d, a), cap = s_.length(c, d);
-      const double chord = distance(at(c), at(d)), bow = s_.bow(c, d);
-      if (chord < 0.75 * w_ || std::abs(under - other) > 0.06 * std::max(under, other) + 0.004) return;
-      if (bow < 0.07 || bow > 0.9 || cap > 2.5 * chord) return;
-      const double rise = s_.high.v - 0.5 * (at(c).v + at(d).v);
-      if (rise < 0.04 || at(c).v < at(b).v + 0.015 || at(d).v < at(a).v + 0.015) return;
-      double score = 1 - std::abs(s_.bow(a, b)) - 0.5 * std::abs(s_.bow(b, c)) - 0.5 * std::abs(s_.bow(d, a));
-      score -= 2 * std::abs(at(c).v - at(d).v) / w_ + 2 * std::abs(at(a).v - at(b).v) / w_;
-      score -= share(distance(at(a), at(b)), chord, 1.4 * chord) + 0.3 * (1 - share(rise / chord, 0.08, 0.2));
-      score -= leftOver({a, b, c, d});
-      keep(best, PieceRole::Sleeve, true, score,
-           {{PiecePart::Hem, {a, b}},
-            {PiecePart::SidePlus, {b, c}},
-            {PiecePart::Top, {c, d}},
-            {PiecePart::SideMinus, {d, a}}});
-    });
-    return best;
-  }
-
-  // Half of a pair of trousers' front or back, its crotch at minus.
-  std::optional<ShapeFit> legHalf() const {
-    std::optional<ShapeFit> best;
-    four([&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
-      if (v(c) < 0.7 || v(d) < 0.7 || h_ < 0.2) return;
-      for (std::size_t e = next(d); e != a; e = next(e)) {
-        if (u(e) > 0.12 || at(d).u < at(e).u + 0.025 || at(e).v > at(d).v - 0.08) continue;
-        if (at(e).v < at(a).v + 0.01) continue;
-        const double hollow = s_.bow(d, e);
-        if (hollow > -0.015 || s_.corners[e].turn < kFork) continue;
-        double score = 0.85 + 0.15 * share(-hollow, 0.015, 0.12);
-        score -= 0.5 * std::abs(s_.bow(c, d)) + 0.3 * std::abs(s_.bow(e, a)) + 0.3 * std::abs(s_.bow(b, c)) +
-                 0.5 * std::abs(s_.bow(a, b));
-        score -= 2 * std::abs(at(a).v - at(b).v) / h_ + share(std::abs(at(c).v - at(d).v), 0.1 * h_, 0.4 * h_);
-        score -= leftOver({a, b, c, d, e});
-        keep(best, PieceRole::LegFront, false, score,
-             {{PiecePart::Hem, {a, b}},
-              {PiecePart::SidePlus, {b, c}},
-              {PiecePart::Top, {c, d}},
-              {PiecePart::CrotchMinus, {d, e}},
-              {PiecePart::SideMinus, {e, a}}});
-      }
-    });
-    return best;
-  }
-
-  // Front and back of a leg in one: two crotches, two inseams of one length.
-  std::optional<ShapeFit> legWhole() const {
-    std::optional<ShapeFit> best;
-    four([&](std::size_t a, std::size_t b, std::size_t d, std::size_t e) {
-      if (v(d) < 0.6 || v(e) < 0.6 || h_ < 0.2) return;
-      for (std::size_t c = next(b); c != d; c = next(c)) {
-        if (u(c) < 0.85 || at(d).u > at(c).u - 0.015 || s_.bow(c, d) > -0.01 || s_.corners[c].turn < kFork) continue;
-        for (std::size_t f = next(e); f != a; f = next(f)) {
-          if (u(f) > 0.15 || at(e).u < at(f).u + 0.015 || s_.bow(e, f) > -0.01 || s_.corners[f].turn < kFork) continue;
-          const double in = s_.length(b, c), other = s_.length(f, a);
-          if (in < 0.02 || std::abs(in - other) > 0.05 * std::max(in, other) + 0.004) continue;
-          double score = 1 - 0.5 * std::abs(s_.bow(d, e)) - 0.5 * std::abs(s_.bow(a, b));
-          score -= 2 * std::abs(at(a).v - at(b).v) / h_ + share(std::abs(at(c).v - at(f).v), 0.03 * h_, 0.2 * h_);
-          score -= leftOver({a, b, c, d, e, f});
-          keep(best, PieceRole::Leg, false, score,
-               {{PiecePart::Hem, {a, b}},
-                {PiecePart::SidePlus, {b, c}},
-                {PiecePart::CrotchPlus, {c, d}},
-                {PiecePart::Top, {d, e}},
-                {PiecePart::CrotchMinus, {e, f}},
-                {PiecePart::SideMinus, {f, a}}});
-        }
-      }
-    });
-    return best;
-  }
-
-  // Hem, side, top, side: a part of a skirt.
-  std::optional<ShapeFit> skirt() const {
-    std::optional<ShapeFit> best;
-    if (h_ < 0.25) return best;
-    four([&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
-      const double side = s_.length(b, c), other = s_.length(d, a), deep = std::max(side, other);
-      if (v(c) < 0.75 || v(d) < 0.75 || v(a) > 0.25 || v(b) > 0.25 || std::abs(side - other) > 0.2 * deep) return;
-      double score = 0.85 - 0.4 * (std::abs(s_.bow(b, c)) + std::abs(s_.bow(d, a)));
-      score -= share(s_.length(c, d), 1.05 * s_.length(a, b), 1.6 * s_.length(a, b));
-      score -= 0.5 * std::abs(side - other) / deep + leftOver({a, b, c, d});
-      keep(best, PieceRole::SkirtFront, true, score,
-           {{PiecePart::Hem, {a, b}},
-            {PiecePart::SidePlus, {b, c}},
-            {PiecePart::Top, {c, d}},
-            {PiecePart::SideMinus, {d, a}}});
-    });
-    return best;
-  }
-
-  // Long and low, straight or curved: two long edges between two ends.
-  std::optional<ShapeFit> band() const {
-    std::optional<ShapeFit> best;
-    for (std::size_t a = 0; a < n_; ++a)
-      for (std::size_t b = next(a); b != a; b = next(b)) {
-        if (at(b).u - at(a).u < 0.5 * w_) continue;
-        for (std::size_t c = next(b); c != a; c = next(c))
-          for (std::size_t d = next(c); d != a; d = next(d)) {
-            if (at(c).u - at(d).u < 0.5 * w_) continue;
-            const double end = s_.length(b, c), other = s_.length(d, a), deep = std::max(end, other);
-            const double low = s_.length(a, b), top = s_.length(c, d);
-            if (deep > 0.16 || std::min(low, top) < 1.8 * deep) continue;
-            double score = 0.9 - 0.5 * std::abs(end - other) / deep - 0.3 * std::abs(low - top) / std::max(low, top);
-            score -= 0.7 * leftOver({a, b, c, d});
-            keep(best, PieceRole::Waistband, true, score,
-                 {{PiecePart::Hem, {a, b}},
-                  {PiecePart::SidePlus, {b, c}},
-                  {PiecePart::Top, {c, d}},
-                  {PiecePart::SideMinus, {d, a}}});
-          }
-      }
-    return best;
-  }
-
- private:
-  Flat at(std::size_t k) const { return s_.place(k); }
-  double u(std::size_t k) const { return (at(k).u - s_.low.u) / w_; }
-  double v(std::size_t k) const { return (at(k).v - s_.low.v) / h_; }
-  std::size_t next(std::size_t k) const { return (k + 1) % n_; }
-
+  Flat at(std::size_t k) const { return s_.place(corners[k]); }
+  double u(std::size_t k) const { return (at(k).u - s_.low.u) / w; }
+  double v(std::size_t k) const { return (at(k).v - s_.low.v) / h; }
+  double turn(std::size_t k) const { return s_.corners[corners[k]].turn; }
+  double length(std::size_t from, std::size_t to) const { return s_.length(corners[from], corners[to]); }
+  double bow(std::size_t from, std::size_t to) const { return s_.bow(corners[from], corners[to]); }
+  double bent(std::size_t from, std::size_t to) const { return std::abs(bow(from, to)); }
+  double rise(std::size_t from, std::size_t to) const { return at(to).v - at(from).v; }  // metres
+  double uneven(std::size_t a, std::size_t b) const { return std::abs(rise(a, b)); }
+  double top() const { return s_.high.v; }
   // How far the way from one corner to another leans from the upright.
   double slant(std::size_t from, std::size_t to) const {
     const Flat way = at(to) - at(from);
     return std::max(0.0, std::abs(way.u) / (std::abs(way.v) + 1e-9) - 0.2);
   }
-  double leftOver(std::initializer_list<std::size_t> used) const {
+  double leftOver() const {
     double left = turns_;
-    for (const std::size_t k : used) left -= std::abs(s_.corners[k].turn);
+    for (const std::size_t k : corners) left -= std::abs(s_.corners[k].turn);
     return kLeftOver * std::max(0.0, left) / (std::numbers::pi / 2);
   }
 
-  // Side, armhole and shoulder from the lower corner of the side; `axis`: of the centre, a share of the width.
-  struct Flank {
-    std::size_t c, d, e;
-    double score;
-  };
-  std::vector<Flank> flanks(std::size_t b, double axis) const {
-    std::vector<Flank> all;
-    for (std::size_t c = next(b); c != b; c = next(c)) {
-      if (u(c) < axis + 0.6 * (1 - axis) || at(c).v < at(b).v + 0.05 || v(c) > 0.92) continue;
-      const double side = slant(b, c) + 0.5 * std::abs(s_.bow(b, c));
-      for (std::size_t d = next(c); d != b; d = next(d)) {
-        if (u(d) < axis + 0.05 || at(d).v < at(c).v + 0.06) continue;
-        const double hollow = s_.bow(c, d);
-        if (hollow > -0.01) continue;
-        for (std::size_t e = next(d); e != b; e = next(e)) {
-          const Flat way = at(e) - at(d);
-          if (way.u > -0.008 || s_.length(d, e) > 0.28 || u(e) < axis - 0.02 || way.v < -0.02 || v(e) < 0.75) continue;
-          const double steep = share(std::abs(way.v) / -way.u, 0.5, 1.5);
-          const double score = 1 - side - 0.4 * steep - std::abs(s_.bow(d, e)) - 0.2 * (1 - share(-hollow, 0.01, 0.06));
-          if (score > 0.2) all.push_back({c, d, e, score});
-        }
-      }
-    }
-    return all;
-  }
-
-  template <class Visit>
-  void four(const Visit& visit) const {
-    for (std::size_t a = 0; a < n_; ++a) {
-      if (u(a) > 0.45 || v(a) > 0.5) continue;
-      for (std::size_t b = next(a); b != a; b = next(b)) {
-        if (u(b) < 0.55 || v(b) > 0.5) continue;
-        for (std::size_t c = next(b); c != a; c = next(c)) {
-          if (u(c) < 0.5) continue;
-          for (std::size_t d = next(c); d != a; d = next(d))
-            if (u(d) < 0.5) visit(a, b, c, d);
-        }
-      }
-    }
-  }
-
-  static void keep(std::optional<ShapeFit>& best, PieceRole role, bool whole, double score,
-                   std::map<PiecePart, std::array<std::size_t, 2>> parts) {
-    if (score <= 0 || (best && best->score >= score)) return;
-    best = ShapeFit{role, score, whole, false, std::move(parts)};
-  }
-
+ private:
   const Shape& s_;
+
+ public:
+  const double w, h;  // metres
+
+ private:
+  double turns_ = 0;
+};
+
+struct Corner {
+  PiecePart part;                // that begins there
+  bool (*lies)(const Taken& t);  // the last taken corner is this one
+};
+struct Kind {
+  PieceRole role;
+  bool half;  // of a piece that is alike on both sides: its mirror image is tried too
+  std::vector<Corner> corners;
+  double (*score)(const Taken& t);
+  double leftOver = 1;  // how much corners that are left over count
+};
+
+// Side, armhole and shoulder of a trunk, walked up at plus or down at minus: corners b, c, d, e from the hem to the
+// neck. `axis`: where the centre lies, a share of the width.
+struct Flank {
+  const Taken& t;
+  std::size_t b, c, d, e;
+  double axis;
+
+  bool minus() const { return e < b; }
+  double out(std::size_t k) const { return minus() ? 1 - t.u(k) : t.u(k); }
+  double bow(std::size_t from, std::size_t to) const { return minus() ? t.bow(to, from) : t.bow(from, to); }
+  double length(std::size_t from, std::size_t to) const { return minus() ? t.length(to, from) : t.length(from, to); }
+
+  bool armpit() const { return out(c) >= axis + 0.6 * (1 - axis) && t.v(c) <= 0.92; }
+  bool tip() const { return out(d) >= axis + 0.05; }
+  bool neckEnd() const { return out(e) >= axis - 0.02 && t.v(e) >= 0.75; }
+  bool side() const { return t.rise(b, c) >= 0.05; }
+  bool armhole() const { return t.rise(c, d) >= 0.06 && bow(c, d) <= -0.01; }
+  bool shoulder() const { return inwards() >= 0.008 && length(d, e) <= 0.28 && t.rise(d, e) >= -0.02; }
+  double score() const {
+    const double steep = share(t.uneven(d, e) / inwards(), 0.5, 1.5);
+    return 1 - t.slant(b, c) - 0.5 * std::abs(bow(b, c)) - 0.4 * steep - std::abs(bow(d, e)) -
+           0.2 * (1 - share(-bow(c, d), 0.01, 0.06));
+  }
+  bool good() const { return score() > 0.2; }
+
+ private:
+  double inwards() const { return (t.at(d).u - t.at(e).u) * (minus() ? -1 : 1); }
+};
+Flank half(const Taken& t) { return {t, 0, 1, 2, 3, 0}; }
+Flank plus(const Taken& t) { return {t, 0, 1, 2, 3, 0.5}; }
+Flank minus(const Taken& t) { return {t, 7, 6, 5, 4, 0.5}; }
+
+using T = const Taken&;
+using enum PiecePart;
+
+const Kind kKinds[] = {
+    // Both halves of a front or back: up one side, over the neck, down the other.
+    {PieceRole::Front,
+     false,
+     {{SidePlus, [](T t) { return t.u(0) >= 0.6 && t.v(0) <= 0.4; }},
+      {ArmholePlus, [](T t) { return plus(t).armpit() && plus(t).side(); }},
+      {ShoulderPlus, [](T t) { return plus(t).tip() && plus(t).armhole(); }},
+      {Neck, [](T t) { return t.u(3) > 0.5 && plus(t).neckEnd() && plus(t).shoulder() && plus(t).good(); }},
+      {ShoulderMinus, [](T t) { return t.u(4) < 0.5 && minus(t).neckEnd(); }},
+      {ArmholeMinus, [](T t) { return minus(t).tip() && minus(t).shoulder(); }},
+      {SideMinus, [](T t) { return minus(t).armpit() && minus(t).armhole(); }},
+      {Hem, [](T t) { return t.u(7) <= 0.4 && t.v(7) <= 0.4 && minus(t).side() && minus(t).good(); }}},
+     [](T t) {
+       const double uneven = t.uneven(0, 7) + t.uneven(1, 6) + t.uneven(2, 5) + t.uneven(3, 4);
+       // The neck is hollow between the two shoulders.
+       return 0.5 * (plus(t).score() + minus(t).score()) - 2 * uneven / t.h - share(t.bow(3, 4), -0.02, 0.15);
+     }},
+    // The lower part of a back that a yoke is sewn to, or of a strapless top: armholes without shoulders.
+    {PieceRole::Back,
+     false,
+     {{SidePlus, [](T t) { return t.u(0) >= 0.6 && t.v(0) <= 0.4; }},
+      {ArmholePlus, [](T t) { return t.u(1) >= 0.7 && t.v(1) >= t.v(0) + 0.2; }},
+      {Top, [](T t) { return t.u(2) >= 0.55 && t.rise(1, 2) >= 0.04 && t.v(2) >= 0.8 && t.bow(1, 2) <= -0.01; }},
+      {ArmholeMinus, [](T t) { return t.u(3) <= 0.45 && t.v(3) >= 0.8 && t.uneven(2, 3) <= 0.05 * t.h; }},
+      {SideMinus, [](T t) { return t.u(4) <= 0.3 && t.bow(3, 4) <= -0.01 && t.uneven(1, 4) <= 0.05 * t.h; }},
+      {Hem, [](T t) { return t.u(5) <= 0.4 && t.uneven(0, 5) <= 0.05 * t.h; }}},
+     [](T t) {
+       return 0.9 - t.bent(2, 3) - t.slant(0, 1) - t.slant(4, 5) -
+              std::abs(t.length(1, 2) - t.length(3, 4)) / t.length(1, 2);
+     }},
+    // A yoke: below it the back, on either side armhole and shoulder, the neck on top.
+    {PieceRole::Yoke,
+     false,
+     {{Hem, [](T t) { return t.w > 0.2 && t.h < 0.25 && t.h < 0.6 * t.w && t.u(0) <= 0.2 && t.v(0) <= 0.35; }},
+      {ArmholePlus, [](T t) { return t.u(1) >= 0.8 && t.v(1) <= 0.35; }},
+      {ShoulderPlus, [](T t) { return t.u(2) >= 0.75 && t.rise(1, 2) >= 0.02; }},
+      {Neck, [](T t) { return t.u(3) <= t.u(2) - 0.1 && t.u(3) >= 0.5; }},
+      {ShoulderMinus, [](T t) { return t.u(4) <= 0.5 && t.bow(3, 4) <= -0.03 && t.uneven(3, 4) <= 0.1 * t.h; }},
+      {ArmholeMinus, [](T t) { return t.u(5) <= 0.25 && t.uneven(2, 5) <= 0.1 * t.h; }}},
+     [](T t) {
+       return 0.95 - 0.5 * t.bent(0, 1) - 0.5 * t.bent(2, 3) -
+              std::abs(t.length(1, 2) - t.length(5, 0)) / t.length(1, 2);
+     }},
+    // A sleeve: hem, two sides of one length, a cap that bulges upwards and bends back at its foot.
+    {PieceRole::Sleeve,
+     false,
+     {{Hem, [](T t) { return t.u(0) <= 0.45 && t.v(0) <= 0.5; }},
+      {SidePlus, [](T t) { return t.u(1) >= 0.55 && t.v(1) <= 0.5; }},
+      {Top, [](T t) { return t.u(2) >= 0.5 && t.rise(1, 2) >= 0.015; }},
+      {SideMinus,
+       [](T t) {
+         const double under = t.length(1, 2), other = t.length(3, 0), bow = t.bow(2, 3);
+         const double chord = distance(t.at(2), t.at(3));
+         return t.u(3) < 0.5 && t.rise(0, 3) >= 0.015 && chord >= 0.75 * t.w && t.length(2, 3) <= 2.5 * chord &&
+                std::abs(under - other) <= 0.06 * std::max(under, other) + 0.004 && bow >= 0.07 && bow <= 0.9 &&
+                t.top() - 0.5 * (t.at(2).v + t.at(3).v) >= 0.04;
+       }}},
+     [](T t) {
+       const double chord = distance(t.at(2), t.at(3)), rise = t.top() - 0.5 * (t.at(2).v + t.at(3).v);
+       return 1 - t.bent(0, 1) - 0.5 * t.bent(1, 2) - 0.5 * t.bent(3, 0) -
+              2 * (t.uneven(2, 3) + t.uneven(0, 1)) / t.w -
+              share(distance(t.at(0), t.at(1)), chord, 1.4 * chord) - 0.3 * (1 - share(rise / chord, 0.08, 0.2));
+     }},
+    // Front and back of a leg in one: two crotches, two inseams of one length.
+    {PieceRole::Leg,
+     false,
+     {{Hem, [](T t) { return t.h >= 0.2 && t.u(0) <= 0.45 && t.v(0) <= 0.5; }},
+      {SidePlus, [](T t) { return t.u(1) >= 0.55 && t.v(1) <= 0.5; }},
+      {CrotchPlus, [](T t) { return t.u(2) >= 0.85 && t.turn(2) >= kFork && t.length(1, 2) >= 0.02; }},
+      {Top, [](T t) { return t.u(3) >= 0.5 && t.v(3) >= 0.6 && t.at(3).u <= t.at(2).u - 0.015 && t.bow(2, 3) <= -0.01; }},
+      {CrotchMinus, [](T t) { return t.u(4) < 0.5 && t.v(4) >= 0.6; }},
+      {SideMinus,
+       [](T t) {
+         const double in = t.length(1, 2), other = t.length(5, 0);
+         return t.u(5) <= 0.15 && t.at(4).u >= t.at(5).u + 0.015 && t.bow(4, 5) <= -0.01 && t.turn(5) >= kFork &&
+                std::abs(in - other) <= 0.05 * std::max(in, other) + 0.004;
+       }}},
+     [](T t) {
+       return 1 - 0.5 * t.bent(3, 4) - 0.5 * t.bent(0, 1) - 2 * t.uneven(0, 1) / t.h -
+              share(t.uneven(2, 5), 0.03 * t.h, 0.2 * t.h);
+     }},
+    // Hem, side, top, side: a part of a skirt.
+    {PieceRole::SkirtFront,
+     false,
+     {{Hem, [](T t) { return t.h >= 0.25 && t.u(0) <= 0.45 && t.v(0) <= 0.25; }},
+      {SidePlus, [](T t) { return t.u(1) >= 0.55 && t.v(1) <= 0.25; }},
+      {Top, [](T t) { return t.u(2) >= 0.5 && t.v(2) >= 0.75; }},
+      {SideMinus,
+       [](T t) {
+         const double side = t.length(1, 2), other = t.length(3, 0);
+         return t.u(3) < 0.5 && t.v(3) >= 0.75 && std::abs(side - other) <= 0.2 * std::max(side, other);
+       }}},
+     [](T t) {
+       const double side = t.length(1, 2), other = t.length(3, 0), hem = t.length(0, 1);
+       return 0.85 - 0.4 * (t.bent(1, 2) + t.bent(3, 0)) - share(t.length(2, 3), 1.05 * hem, 1.6 * hem) -
+              0.5 * std::abs(side - other) / std::max(side, other);
+     }},
+    // Long and low, straight or curved: two long edges between two ends.
+    {PieceRole::Waistband,
+     false,
+     {{Hem, [](T) { return true; }},
+      {SidePlus, [](T t) { return t.at(1).u - t.at(0).u >= 0.5 * t.w; }},
+      {Top, [](T t) { return t.length(1, 2) <= 0.16; }},
+      {SideMinus,
+       [](T t) {
+         const double deep = std::max(t.length(1, 2), t.length(3, 0));
+         return t.at(2).u - t.at(3).u >= 0.5 * t.w && deep <= 0.16 &&
+                std::min(t.length(0, 1), t.length(2, 3)) >= 1.8 * deep;
+       }}},
+     [](T t) {
+       const double end = t.length(1, 2), other = t.length(3, 0), low = t.length(0, 1), top = t.length(2, 3);
+       return 0.9 - 0.5 * std::abs(end - other) / std::max(end, other) - 0.3 * std::abs(low - top) / std::max(low, top);
+     },
+     0.7},
+    // A collar stand or collar whose ends are rounded into its upper edge: only the edge to the neck has two corners.
+    {PieceRole::CollarStand,
+     false,
+     {{Hem, [](T t) { return t.w > 0.25 && t.h < 0.13 && t.u(0) <= 0.1; }},
+      {Top,
+       [](T t) { return t.u(1) >= 0.9 && t.length(0, 1) >= 0.9 * t.w && t.turn(0) >= kSquare && t.turn(1) >= kSquare; }}},
+     [](T t) {
+       return 0.85 - 0.5 * t.bent(0, 1) - 0.5 * share(std::abs(t.turn(0) - t.turn(1)), 0.2, 1);
+     },
+     0.4},
+    // Half of a front or back, its centre at minus.
+    {PieceRole::Front,
+     true,
+     {{SidePlus, [](T t) { return t.u(0) >= 0.5 && t.v(0) <= 0.4; }},
+      {ArmholePlus, [](T t) { return half(t).armpit() && half(t).side(); }},
+      {ShoulderPlus, [](T t) { return half(t).tip() && half(t).armhole(); }},
+      {Neck, [](T t) { return half(t).neckEnd() && half(t).shoulder() && half(t).good(); }},
+      {Centre, [](T t) { return t.u(4) <= 0.35 && t.rise(3, 4) <= 0.005 && t.v(4) >= 0.3; }},
+      {Hem, [](T t) { return t.u(5) <= 0.35 && t.v(5) <= 0.3; }}},
+     [](T t) {
+       return half(t).score() - 0.8 * t.bent(4, 5) - t.slant(4, 5) - 0.5 * std::max(0.0, t.bow(3, 4)) - 0.5 * t.u(5);
+     }},
+    // Half of a pair of trousers' front or back, its crotch at minus.
+    {PieceRole::LegFront,
+     true,
+     {{Hem, [](T t) { return t.h >= 0.2 && t.u(0) <= 0.45 && t.v(0) <= 0.5; }},
+      {SidePlus, [](T t) { return t.u(1) >= 0.55 && t.v(1) <= 0.5; }},
+      {Top, [](T t) { return t.u(2) >= 0.5 && t.v(2) >= 0.7; }},
+      {CrotchMinus, [](T t) { return t.u(3) < 0.5 && t.v(3) >= 0.7; }},
+      {SideMinus,
+       [](T t) {
+         return t.u(4) <= 0.12 && t.at(3).u >= t.at(4).u + 0.025 && t.rise(4, 3) >= 0.08 && t.rise(0, 4) >= 0.01 &&
+                t.bow(3, 4) <= -0.015 && t.turn(4) >= kFork;
+       }}},
+     [](T t) {
+       return 0.85 + 0.15 * share(-t.bow(3, 4), 0.015, 0.12) - 0.5 * t.bent(2, 3) - 0.3 * t.bent(4, 0) -
+              0.3 * t.bent(1, 2) - 0.5 * t.bent(0, 1) - 2 * t.uneven(0, 1) / t.h -
+              share(t.uneven(2, 3), 0.1 * t.h, 0.4 * t.h);
+     }},
+};
+
+// Takes corner after corner in the outline's order, going back wherever one cannot lie there. Of fits that are as good
+// the first.
+class Search {
+ public:
+  Search(const Shape& shape, const Kind& kind) : kind_(kind), n_(shape.size()), taken_(shape) {}
+  std::optional<ShapeFit> best() {
+    for (std::size_t first = 0; first < n_; ++first) take(first);
+    return std::move(best_);
+  }
+
+ private:
+  void take(std::size_t corner) {
+    auto& corners = taken_.corners;
+    const std::size_t nth = corners.size();
+    corners.push_back(corner);
+    if (kind_.corners[nth].lies(taken_)) {
+      if (nth + 1 == kind_.corners.size())
+        keep();
+      else
+        for (std::size_t k = (corner + 1) % n_; k != corners.front(); k = (k + 1) % n_) take(k);
+    }
+    corners.pop_back();
+  }
+  void keep() {
+    const double score = kind_.score(taken_) - kind_.leftOver * taken_.leftOver();
+    if (score <= 0 || (best_ && best_->score >= score)) return;
+    best_ = ShapeFit{kind_.role, score, !kind_.half, false, {}};
+    const auto& corners = taken_.corners;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      best_->parts[kind_.corners[k].part] = {corners[k], corners[(k + 1) % corners.size()]};
+  }
+
+  const Kind& kind_;
   std::size_t n_;
-  double w_, h_, turns_ = 0;
+  Taken taken_;
+  std::optional<ShapeFit> best_;
 };
 
 PiecePart opposite(PiecePart part) {
-  switch (part) {
-    case PiecePart::SidePlus:
-      return PiecePart::SideMinus;
-    case PiecePart::SideMinus:
-      return PiecePart::SidePlus;
-    case PiecePart::ArmholePlus:
-      return PiecePart::ArmholeMinus;
-    case PiecePart::ArmholeMinus:
-      return PiecePart::ArmholePlus;
-    case PiecePart::ShoulderPlus:
-      return PiecePart::ShoulderMinus;
-    case PiecePart::ShoulderMinus:
-      return PiecePart::ShoulderPlus;
-    case PiecePart::CrotchPlus:
-      return PiecePart::CrotchMinus;
-    case PiecePart::CrotchMinus:
-      return PiecePart::CrotchPlus;
-    default:
-      return part;
-  }
+  constexpr PiecePart kPairs[][2] = {
+      {SidePlus, SideMinus}, {ArmholePlus, ArmholeMinus}, {ShoulderPlus, ShoulderMinus}, {CrotchPlus, CrotchMinus}};
+  for (const auto& [a, b] : kPairs)
+    if (part == a || part == b) return part == a ? b : a;
+  return part;
 }
 
 }  // namespace
 
 std::vector<ShapeFit> fitsOf(const Shape& upright) {
   std::vector<ShapeFit> all;
-  if (upright.size() < 4) return all;
-  const Fitting as(upright);
-  for (auto&& fit :
-       {as.trunkWhole(), as.trunkBelowYoke(), as.yoke(), as.sleeve(), as.legWhole(), as.skirt(), as.band()})
-    if (fit) all.push_back(*fit);
   const Shape turned = upright.mirrored();
-  const Fitting other(turned);
   const std::size_t n = upright.size();
-  for (const auto& [fit, back] : {std::pair{as.trunkHalf(), other.trunkHalf()}, {as.legHalf(), other.legHalf()}}) {
-    if (!fit && !back) continue;
-    if (fit && (!back || fit->score >= back->score)) {
-      all.push_back(*fit);
-      continue;
+  for (const Kind& kind : kKinds) {
+    if (kind.corners.size() > n) continue;
+    auto fit = Search(upright, kind).best();
+    const auto back = kind.half ? Search(turned, kind).best() : std::nullopt;
+    if (back && (!fit || back->score > fit->score)) {
+      fit = ShapeFit{back->role, back->score, back->whole, true, {}};
+      for (const auto& [part, ends] : back->parts) fit->parts[opposite(part)] = {n - 1 - ends[1], n - 1 - ends[0]};
     }
-    ShapeFit one = *back;
-    one.mirrored = true;
-    one.parts.clear();
-    for (const auto& [part, ends] : back->parts) one.parts[opposite(part)] = {n - 1 - ends[1], n - 1 - ends[0]};
-    all.push_back(std::move(one));
+    if (fit) all.push_back(*std::move(fit));
   }
   return all;
 }

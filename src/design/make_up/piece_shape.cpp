@@ -174,4 +174,19 @@ Shape shapeOf(const Piece& piece) {
   return shape;
 }
 
+std::vector<double> notchesAlong(const Piece& piece, const std::vector<std::string>& edges, bool ends) {
+  std::vector<double> all;
+  double before = 0;
+  for (const std::string& name : edges) {
+    const Edge* edge = findEdge(piece, name);
+    const double own = edge ? edge->curve.length() : 0;
+    for (const Mark& mark : piece.marks)
+      if (mark.edge == name) all.push_back(before + mark.fraction * own);
+    before += own;
+  }
+  if (!ends) std::erase_if(all, [&](double at) { return at < kAtEnd || at > before - kAtEnd; });
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 }  // namespace karinui

@@ -41,6 +41,11 @@ struct Shape {
 };
 Shape shapeOf(const Piece& piece);
 
+// Where the notches of a run of edges lie, metres from where it begins, in order. With `ends` those at its very ends
+// too.
+std::vector<double> notchesAlong(const Piece& piece, const std::vector<std::string>& edges, bool ends = false);
+inline constexpr double kAtEnd = 0.004;  // nearer to the end of a run a notch is its corner's
+
 // A shape that fitted: how well, and the corner at which each part begins, in order round the outline.
 struct ShapeFit {
   PieceRole role = PieceRole::Unknown;  // Front, LegFront and SkirtFront stand for back as well

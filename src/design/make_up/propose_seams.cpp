@@ -7,6 +7,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
+#include "karinui/geometry/polygon.h"
 #include "piece_shape.h"
 
 namespace karinui {
@@ -14,7 +15,12 @@ namespace karinui {
 namespace {
 
 using Side = PieceReading::Side;
-constexpr double kClose = 1e-3;  // metres: what is shorter of a part of an edge is left out
+constexpr double kClose = 1e-3;        // metres: what is shorter of a part of an edge is left out
+constexpr double kNotchMiss = 0.003;   // metres between notches that meet, beside the seam's ease
+constexpr double kNotchTells = 0.5;    // of the doubt that is left many meeting notches take away at most this share
+constexpr double kWidestStand = 0.12;  // metres from a front's edge to its centre line
+constexpr double kAlongCentre = 0.7;   // of the centre's length: a line along it that long tells a button stand
+constexpr double kStandMiss = 0.005;   // metres that what is left of the neck beside a stand may miss its length by
 
 class Proposing {
  public:
@@ -114,6 +120,35 @@ class Proposing {
     return all;
   }
 
+  // Distances of a run's notches from where it begins.
+  std::vector<double> notchesOn(const Run& side, bool ends = false) const {
+    std::vector<double> all;
+    double before = 0;
+    for (const EdgeRef& edge : side) {
+      const Piece* piece = document_.find(edge.piece.id);
+      const double own = karinui::lengthOf(document_, {edge}), whole = own / (edge.to - edge.from);
+      if (piece)
+        for (const double at : notchesAlong(*piece, {edge.edge}, true))
+          if (at >= edge.from * whole && at <= edge.to * whole) all.push_back(before + at - edge.from * whole);
+      before += own;
+    }
+    if (!ends) std::erase_if(all, [&](double at) { return at < kAtEnd || at > before - kAtEnd; });
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+  // How many of two sides' notches sit at the same distances, walked as they are sewn; none where one does not.
+  std::size_t notchesThatMeet(const Run& a, const Run& b) const {
+    std::vector<double> few = notchesOn(a), many = notchesOn(b);
+    const double lb = lengthOf(b), ease = std::abs(lengthOf(a) - lb);
+    for (double& at : many) at = lb - at;
+    if (many.size() < few.size()) std::swap(few, many);
+    const bool all = std::all_of(few.begin(), few.end(), [&](double at) {
+      return std::any_of(many.begin(), many.end(),
+                         [&](double theirs) { return std::abs(theirs - at) < kNotchMiss + ease; });
+    });
+    return all ? few.size() : 0;
+  }
+
   // `slack`: by which share of the longer side the sides may differ and still be sure.
   void propose(const std::string& name, const Run& a, const Run& b, double slack, const Message& what,
                double atMost = 0.97) {
@@ -131,6 +166,10 @@ class Proposing {
         if (const PieceReading* read = reading(edge.piece.id)) known = std::min(known, read->sure);
     one.sure = atMost * std::max(0.0, 1 - 0.27 * off / slack) * std::min(1.0, 0.7 + 0.5 * known);
     one.reason = say("{0}: {1} mm and {2} mm", what, fixed(la * 1000, 0), fixed(lb * 1000, 0));
+    if (const std::size_t met = notchesThatMeet(a, b); met > 0) {
+      one.sure += kNotchTells * (atMost - one.sure) * (1 - 1 / static_cast<double>(1 + met));
+      one.reason = say("{0}; {1} {1|notch meets|notches meet}", one.reason, met);
+    }
     if (one.sure >= kSureSeam)
       for (const Run* side : {&a, &b})
         for (const EdgeRef& edge : *side) used_.insert({edge.piece.id, edge.edge});
@@ -155,8 +194,49 @@ class Proposing {
   void centre(const std::string& name, PieceRole role) {
     const PieceId left = piece(role, Side::Left), right = piece(role, Side::Right);
     if (!left || !right || left == right) return;
+    if (role == PieceRole::Front && frontOpens())
+      return propose(name, run(left, PiecePart::Centre), run(right, PiecePart::Centre), 0.06,
+                     say("centre front, which has a button stand and stays open"), 0.3);
     propose(name, run(left, PiecePart::Centre), run(right, PiecePart::Centre), 0.06,
             role == PieceRole::Front ? say("centre front, closed edge to edge") : say("centre seam"), 0.9);
+  }
+
+  // Whether two fronts are buttoned over each other: a line inside along the centre's edge, where the front is folded
+  // or buttoned, or a row of holes.
+  bool hasButtonStand(PieceId id) const {
+    const Piece* piece = document_.find(id);
+    const PieceReading* read = reading(id);
+    const auto centre = read ? read->parts.find(PiecePart::Centre) : std::map<PiecePart, EdgeRun>::const_iterator();
+    if (!piece || !read || centre == read->parts.end()) return false;
+    Ring line;
+    for (const std::string& edge : centre->second.edges)
+      for (const Flat p : findEdge(*piece, edge)->curve.flattened(1e-4)) line.push_back(p);
+    const auto off = [&](Flat p) {
+      double nearest = 1e9;
+      for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        nearest = std::min(nearest, distanceToSegment(line[i], line[i + 1], p));
+      return nearest;
+    };
+    const auto along = [&](double first, double second) {
+      return first > 0.005 && first < kWidestStand && std::abs(first - second) < 0.005;
+    };
+    for (const InternalLine& inner : piece->lines) {
+      const Flat from = inner.curves.front().start, to = inner.curves.back().end;
+      if (distance(from, to) > kAlongCentre * centre->second.length && along(off(from), off(to))) return true;
+    }
+    std::size_t holes = 0;
+    double first = 0;
+    for (const Mark& mark : piece->marks)
+      if (mark.edge.empty()) {
+        if (holes == 0) first = off(mark.place);
+        holes += along(first, off(mark.place));
+      }
+    return holes >= 3;
+  }
+  bool frontOpens() const {
+    const PieceId left = piece(PieceRole::Front, Side::Left), right = piece(PieceRole::Front, Side::Right);
+    return left && right && left != right &&
+           (piece(PieceRole::CollarStand, Side::Both) || hasButtonStand(left) || hasButtonStand(right));
   }
 
   void sleeve(Side side) {
@@ -300,20 +380,72 @@ class Proposing {
     const PieceId stand = piece(PieceRole::CollarStand, Side::Both), collar = piece(PieceRole::Collar, Side::Both);
     const PieceId first = stand ? stand : collar;
     if (!first) return;
-    const PiecePart edge = sewnEdge(first, lengthOf(around));
+    const PiecePart edge = run(first, PiecePart::SidePlus).empty() ? PiecePart::Hem : sewnEdge(first, lengthOf(around));
+    if (!whole && frontOpens()) around = withoutFacings(around, run(left, PiecePart::Neck), run(first, edge));
     propose("neck", run(first, edge), around, 0.3, say("collar and neck"));
     if (whole && !stand && lengthOf(run(first, PiecePart::SidePlus)) < 0.045)  // a ribbed band closes to a ring
       propose("neck_ends", run(first, PiecePart::SidePlus), run(first, PiecePart::SideMinus), 0.06,
               say("ends of a band"), 0.8);
     if (!stand || !collar) return;
     const Run top = run(stand, edge == PiecePart::Hem ? PiecePart::Top : PiecePart::Hem);
-    propose("collar", run(collar, sewnEdge(collar, lengthOf(top))), top, 0.3, say("collar and its stand"));
+    const double low = lengthOf(run(collar, PiecePart::Hem)), high = lengthOf(run(collar, PiecePart::Top));
+    const Run between = underCollar(top, {low, high});
+    propose("collar", run(collar, sewnEdge(collar, lengthOf(between))), between, 0.3, say("collar and its stand"));
   }
 
-  // Hems, necklines and waists, which are not sewn to each other.
+  // Of a run the part between two distances from its beginning.
+  Run part(const Run& whole, double from, double to) const {
+    const double length = lengthOf(whole);
+    const Run first = to < length - kClose ? parted(whole, to / length).first : whole;
+    return from > kClose ? parted(first, from / std::min(to, length)).second : first;
+  }
+
+  // The neck as far as a collar reaches where fronts are folded back or lie over each other at its ends: notches of the
+  // fronts that meet those of the collar's ends, or else as much on either side. `around` begins at the right front's
+  // edge and ends at the left one's, with the run `last`.
+  Run withoutFacings(const Run& around, const Run& last, const Run& collar) const {
+    const double neck = lengthOf(around), own = lengthOf(collar), excess = neck - own;
+    if (excess < kStandMiss) return around;
+    const auto near = [](const std::vector<double>& places, double length, bool back) {
+      std::vector<double> all;
+      for (const double at : places)
+        if (const double from = back ? length - at : at; from < kWidestStand && from > kClose) all.push_back(from);
+      return all;
+    };
+    const auto right = near(notchesOn(around, true), neck, false),
+               left = near(notchesOn(last, true), lengthOf(last), true);
+    auto start = near(notchesOn(collar, true), own, false), end = near(notchesOn(collar, true), own, true);
+    start.push_back(0), end.push_back(0);
+    double miss = kStandMiss, fromRight = excess / 2;
+    for (const double r : right)
+      for (const double l : left)
+        for (const double s : start)
+          for (const double e : end)
+            if (const double off = std::abs(r - e + l - s - excess); off < miss && r >= e && l >= s)
+              miss = off, fromRight = r - e + (excess - (r - e + l - s)) / 2;
+    return part(around, fromRight, fromRight + own);
+  }
+
+  // The part of a stand's upper edge that a collar of one of these lengths is sewn to: between notches, or else in the
+  // middle; all of it where it is no longer than the collar.
+  Run underCollar(const Run& top, std::initializer_list<double> lengths) const {
+    const double whole = lengthOf(top);
+    const std::vector<double> notches = notchesOn(top, true);
+    double least = kStandMiss;
+    std::optional<std::pair<double, double>> best;
+    for (const double from : notches)
+      for (const double to : notches)
+        for (const double length : lengths)
+          if (const double off = std::abs(to - from - length); off < least) least = off, best = std::pair(from, to);
+    const double longest = std::max(lengths);
+    if (!best && longest < whole - kStandMiss) best = std::pair((whole - longest) / 2, (whole + longest) / 2);
+    return best ? part(top, best->first, best->second) : top;
+  }
+
+  // Hems, necklines and waists, which are not sewn to each other; the edges of a front that is buttoned.
   bool hangsFree(const Run& edges) const {
     const PieceId piece = edges.front().piece.id;
-    for (const PiecePart part : {PiecePart::Hem, PiecePart::Neck, PiecePart::Top})
+    for (const PiecePart part : {PiecePart::Hem, PiecePart::Neck, PiecePart::Top, PiecePart::Centre})
       for (const EdgeRef& edge : run(piece, part))
         if (edge.edge == edges.front().edge) return true;
     return false;
@@ -337,12 +469,20 @@ class Proposing {
       }
     }
     for (std::size_t i = 0; i < left.size(); ++i) {
-      std::vector<std::size_t> like;
-      for (std::size_t j = 0; j < left.size(); ++j)
-        if (j != i && std::abs(left[j].length - left[i].length) < 0.004 * left[i].length) like.push_back(j);
-      if (like.size() != 1 || like[0] < i || left[like[0]].piece == left[i].piece) continue;
-      if (hangsFree(left[i].run) && hangsFree(left[like[0]].run)) continue;
-      propose("seam", left[i].run, left[like[0]].run, 0.06, say("edges of one length that no other has"), 0.5);
+      std::vector<std::size_t> like, notched;
+      for (std::size_t j = 0; j < left.size(); ++j) {
+        if (j == i || std::abs(left[j].length - left[i].length) >= 0.004 * left[i].length) continue;
+        like.push_back(j);
+        if (notchesThatMeet(left[i].run, left[j].run) > 0) notched.push_back(j);
+      }
+      const bool told = notched.size() == 1;
+      if (!told && like.size() != 1) continue;
+      const Left& other = left[told ? notched[0] : like[0]];
+      if (&other < &left[i] || other.piece == left[i].piece) continue;
+      if (hangsFree(left[i].run) && hangsFree(other.run)) continue;
+      propose("seam", left[i].run, other.run, 0.06,
+              told ? say("edges of one length whose notches meet") : say("edges of one length that no other has"),
+              told ? 0.6 : 0.5);
     }
   }
 

@@ -12,10 +12,11 @@ namespace karinui {
 
 namespace {
 
-constexpr double kLikely = 0.35;      // of a fit, where the name says what the piece is
-constexpr double kPlain = 0.6;        // and where it does not
-constexpr double kAlongGrain = 0.12;  // pieces stand upright along their grain
-constexpr double kEven = 0.02;        // of its length two sides of an even piece may differ by
+constexpr double kLikely = 0.35;                            // of a fit, where the name says what the piece is
+constexpr double kPlain = 0.6;                              // and where it does not
+constexpr double kAlongGrain = 0.12;                        // pieces stand upright along their grain
+constexpr double kEven = 0.02;                              // of its length two sides of an even piece may differ by
+constexpr double kDoubleLeast = 0.003, kDoubleMost = 0.02;  // metres between the two of a double notch
 
 bool isBand(PieceRole role) {
   return role == PieceRole::Collar || role == PieceRole::CollarStand || role == PieceRole::Waistband ||
@@ -39,6 +40,7 @@ bool agrees(PieceRole named, PieceRole shape) {
       return shape == named;
     case PieceRole::Collar:
     case PieceRole::CollarStand:
+      return shape == PieceRole::Waistband || shape == PieceRole::CollarStand;
     case PieceRole::Waistband:
     case PieceRole::Cuff:
       return shape == PieceRole::Waistband;
@@ -71,7 +73,6 @@ struct Candidate {
 std::vector<Candidate> candidatesOf(const Piece& piece, PieceRole named) {
   std::vector<Candidate> all;
   const Shape shape = shapeOf(piece);
-  if (shape.size() < 4) return all;
   const double grain = std::atan2(piece.grain.v, piece.grain.u);
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double turn = std::numbers::pi / 2 - grain + quarter * std::numbers::pi / 2;
@@ -84,7 +85,8 @@ std::vector<Candidate> candidatesOf(const Piece& piece, PieceRole named) {
         if (upright.length(hem[0], hem[1]) < 1.03 * upright.length(top[0], top[1])) continue;
       }
       const bool along = quarter % 2 == 0;
-      const double score = fit.score + (along && fit.role != PieceRole::Waistband ? kAlongGrain : 0);
+      const bool band = fit.role == PieceRole::Waistband || fit.role == PieceRole::CollarStand;
+      const double score = fit.score + (along && !band ? kAlongGrain : 0);
       all.push_back({std::move(fit), std::remainder(turn, 2 * std::numbers::pi), score, upright});
     }
   }
@@ -187,7 +189,11 @@ void nameBands(PieceReadings& readings) {
     if (!isBand(reading.role) || reading.byName) continue;
     const double own = reading.parts.at(PiecePart::Hem).length;
     const auto like = [&](double of) { return of > 0 && own > 0.75 * of && own < 1.25 * of; };
-    reading.role = like(waist) ? PieceRole::Waistband : like(neck) ? PieceRole::Collar : PieceRole::Unknown;
+    const bool rounded = reading.role == PieceRole::CollarStand;
+    reading.role = rounded       ? like(neck) ? PieceRole::CollarStand : PieceRole::Unknown
+                   : like(waist) ? PieceRole::Waistband
+                   : like(neck)  ? PieceRole::Collar
+                                 : PieceRole::Unknown;
   }
 }
 
@@ -195,6 +201,19 @@ PieceReading::Side otherOf(PieceReading::Side side) {
   return side == PieceReading::Side::Left    ? PieceReading::Side::Right
          : side == PieceReading::Side::Right ? PieceReading::Side::Left
                                              : side;
+}
+
+// Where on a run, as a share of its length, two notches lie side by side, if they do so on one half of it only.
+std::optional<double> doubleNotch(const Piece& piece, const EdgeRun& run) {
+  const std::vector<double> notches = notchesAlong(piece, run.edges);
+  std::optional<double> found;
+  for (std::size_t i = 0; i + 1 < notches.size(); ++i) {
+    const double gap = notches[i + 1] - notches[i], at = 0.5 * (notches[i] + notches[i + 1]) / run.length;
+    if (gap < kDoubleLeast || gap > kDoubleMost) continue;
+    if (found && (*found < 0.5) != (at < 0.5)) return std::nullopt;
+    found = at;
+  }
+  return found;
 }
 
 // How deep the neck is cut below the shoulders' inner ends, over its width: fronts are cut deeper.
@@ -356,6 +375,9 @@ PieceReadings readPieces(const Pattern& pattern, const ToldRoles& told) {
           }
         }
         if (plus < minus) reading.side = PieceReading::Side::Right;
+        // A double notch of the cap is the back's, whatever the cap's shape.
+        if (const auto back = doubleNotch(*pattern.pieces.at(id), reading.parts.at(PiecePart::Top)))
+          reading.side = *back < 0.5 ? PieceReading::Side::Left : PieceReading::Side::Right;
         reading.paired = true;
         break;
       }
@@ -394,19 +416,21 @@ std::vector<Operation> copiesFor(const Document& document, const PieceReadings& 
     const PieceId id = entry.first;
     const PieceReading& reading = entry.second;
     const Piece* piece = document.find(id);
-    if (!piece || !reading.paired) continue;
-    const bool there = std::any_of(readings.begin(), readings.end(), [&](const auto& other) {
-      return other.first != id && other.second.role == reading.role && other.second.paired &&
-             other.second.side != reading.side;
-    });
+    const auto often = document.cutting.find(id);
+    const bool pairs = piece && !piece->mirrorOf && often != document.cutting.end() && often->second.pairs;
+    if (!piece || !(reading.paired || (pairs && reading.role == PieceRole::Unknown))) continue;
+    const bool there = reading.paired && std::any_of(readings.begin(), readings.end(), [&](const auto& other) {
+                         return other.first != id && other.second.role == reading.role && other.second.paired &&
+                                other.second.side != reading.side;
+                       });
     // Two of one kind that lie alike are a left and a right one whose sides could not be told.
-    const bool twin = std::count_if(readings.begin(), readings.end(), [&](const auto& other) {
-                        return other.second.role == reading.role && other.second.paired;
-                      }) > 1;
+    const bool twin = reading.paired && std::count_if(readings.begin(), readings.end(), [&](const auto& other) {
+                                          return other.second.role == reading.role && other.second.paired;
+                                        }) > 1;
     if (there || twin) continue;
     MirrorPiece copy;
     copy.piece = PieceRef(id);
-    const std::string side = reading.side == PieceReading::Side::Left ? "right" : "left";
+    const std::string side = !reading.paired ? "mirrored" : reading.side == PieceReading::Side::Left ? "right" : "left";
     if (otherSide(piece->name) == piece->name) copy.name = usableName(document, piece->name + "_" + side);
     out.push_back(copy);
   }

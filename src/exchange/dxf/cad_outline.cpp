@@ -7,6 +7,7 @@
 #include "cad_ring.h"
 #include "karinui/base/number.h"
 #include "karinui/geometry/fit_curve.h"
+#include "karinui/geometry/polygon.h"
 
 namespace karinui {
 
@@ -17,10 +18,12 @@ constexpr double kCorner = std::numbers::pi / 36;     // 5 degrees between two c
 constexpr double kShortest = 2e-4;                    // of an edge: shorter ones belong to the edge before
 constexpr double kOffBoundary = 5e-3;                 // a notch farther from the outline is none …
 constexpr double kWidestAllowance = 0.06;             // … where it is the boundary; else they stand on the cut line
+constexpr double kFarthestCut = 0.15;                 // of a cut line's corner from the seam line it belongs to
 constexpr std::size_t kDenseFrom = 12;                // points of a run that are many enough to be fitted …
 constexpr double kDenseBend = std::numbers::pi / 18;  // … if no chord turns more than this
 constexpr std::size_t kMostMarks = 2000;              // of one kind, of one piece
 constexpr std::size_t kMostVertices = 20'000;         // of one outline
+constexpr std::size_t kMostAsked = 400;               // of a line's points, about how far it is from another
 
 Flat unit(Flat way) { return normalized(way); }
 
@@ -152,11 +155,52 @@ bool holdsAll(const std::vector<Flat>& many, const std::vector<Flat>& few) {
   return many.size() > few.size() && std::all_of(few.begin(), few.end(), [&](Flat p) { return places.near(p); });
 }
 
+// How far the farthest of some points is from a ring; of many a part is asked.
+double farthest(const std::vector<Flat>& points, const std::vector<Flat>& ring) {
+  double most = 0;
+  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / kMostAsked)
+    most = std::max(most, distanceToRing(ring, points[i]));
+  return most;
+}
+
+// The closed lines on the layer of seam lines: that of the outline, which runs along the whole boundary, those of
+// cut-outs, which lie round them, and what is stitched on within the piece.
+struct SeamLines {
+  std::optional<std::vector<Flat>> outline;
+  std::vector<std::optional<std::vector<Flat>>> cutouts;  // of each
+  std::vector<std::size_t> inside;                        // lines of layer 14
+};
+SeamLines seamLinesOf(const CadPiece& drawn) {
+  SeamLines found;
+  found.cutouts.resize(drawn.cutouts.size());
+  Flat gap;
+  const auto boundary = chained(drawn.boundary, gap);
+  std::vector<std::vector<Flat>> holes;
+  for (const CadLine& line : drawn.cutouts) holes.push_back(chained({line}, gap).value_or(std::vector<Flat>()));
+  std::vector<char> taken(drawn.sewing.size(), 0);
+  std::vector<CadLoop> loops = loopsOf(drawn.sewing, gap);
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const CadLoop& a, const CadLoop& b) { return signedArea(a.points) > signedArea(b.points); });
+  for (CadLoop& loop : loops) {
+    bool use = false;
+    if (!found.outline && (!boundary || farthest(*boundary, loop.points) < kFarthestCut))
+      found.outline = loop.points, use = true;
+    for (std::size_t k = 0; k < holes.size() && !use; ++k)
+      if (!found.cutouts[k] && !holes[k].empty() && contains(loop.points, holes[k][0]) &&
+          farthest(loop.points, holes[k]) < kFarthestCut)
+        found.cutouts[k] = loop.points, use = true;
+    for (const std::size_t line : loop.lines) taken[line] = taken[line] || use;
+  }
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    if (!taken[i]) found.inside.push_back(i);
+  return found;
+}
+
 // The seam line where there is one; else the boundary, by its dense drawing where that has every point of the boundary
 // and more (in CLO's files it is the other way round).
-Result<std::vector<Flat>> pointsOf(const CadPiece& drawn) {
+Result<std::vector<Flat>> pointsOf(const CadPiece& drawn, const SeamLines& seams) {
+  if (seams.outline) return *seams.outline;
   Flat gap, other;
-  if (auto sewn = chained(drawn.sewing, other)) return *std::move(sewn);
   auto points = chained(drawn.boundary, gap);
   if (!points)
     return badInput(say("the outline is open at {0}, {1} mm.", fixed(gap.u * 1e3, 1), fixed(gap.v * 1e3, 1)));
@@ -206,10 +250,11 @@ std::optional<Flat> metInward(const Outline& outline, const CadNotch& notch) {
 class Making {
  public:
   Making(const CadPiece& drawn, const CadPiece* sample, std::vector<Message>& notes, EdgePlan& plan)
-      : drawn_(drawn), sample_(sample), notes_(notes), plan_(plan) {}
+      : drawn_(drawn), sample_(sample), notes_(notes), plan_(plan), seams_(seamLinesOf(drawn)) {}
 
   Result<Piece> make() {
     piece_.name = drawn_.name;
+    for (const Message& guessed : drawn_.notes) note(guessed);
     auto made = outline();
     if (!made) return made.error();
     piece_.outline = *std::move(made);
@@ -220,7 +265,7 @@ class Making {
   }
 
   Result<Outline> outline() {
-    auto points = pointsOf(drawn_);
+    auto points = pointsOf(drawn_, seams_);
     if (!points) return wrong(points.error().what);
     if (points->size() > kMostVertices) return wrong(say("the outline has more than {0} points.", kMostVertices));
     if (std::max({drawn_.notches.size(), drawn_.drills.size(), drawn_.inside.size(), drawn_.cutouts.size()}) >
@@ -250,9 +295,9 @@ class Making {
   void note(const Message& what) { notes_.push_back(wrong(what).what); }
 
   void holes() {
-    for (const CadLine& line : drawn_.cutouts) {
+    for (std::size_t k = 0; k < drawn_.cutouts.size(); ++k) {
       Flat gap;
-      const auto points = chained({line}, gap);
+      const auto points = seams_.cutouts[k] ? seams_.cutouts[k] : chained({drawn_.cutouts[k]}, gap);
       if (!points) {
         note(say("a cut-out is not closed and was left out."));
         continue;
@@ -276,7 +321,9 @@ class Making {
     }
   }
   void lines() {
-    for (const CadLine& line : drawn_.inside) {
+    std::vector<CadLine> all = drawn_.inside;
+    for (const std::size_t i : seams_.inside) all.push_back(drawn_.sewing[i]);
+    for (const CadLine& line : all) {
       std::vector<Flat> points = line.points;
       if (line.closed) points.push_back(points.front());
       points.erase(std::unique(points.begin(), points.end(), [](Flat a, Flat b) { return distance(a, b) < kStraight; }),
@@ -294,8 +341,7 @@ class Making {
     piece_.lines.push_back({"line" + std::to_string(piece_.lines.size() + 1), std::move(curves), {}});
   }
   void marks() {
-    Flat gap;
-    const bool onCutLine = chained(drawn_.sewing, gap).has_value();
+    const bool onCutLine = seams_.outline.has_value();
     std::size_t off = 0;
     const auto add = [&](const CadNotch& notch) {
       const auto met = onCutLine ? metInward(piece_.outline, notch) : std::nullopt;
@@ -333,6 +379,7 @@ class Making {
   const CadPiece* sample_;
   std::vector<Message>& notes_;
   EdgePlan& plan_;
+  SeamLines seams_;
   Piece piece_;
   Flat through_;
   std::optional<Flat> axis_;

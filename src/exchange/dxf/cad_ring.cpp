@@ -10,10 +10,11 @@ namespace karinui {
 
 namespace {
 
-constexpr double kGap = 5e-4;                   // between the ends of lines that are one outline
-constexpr double kOnFold = 2e-4;                // of the fold line
-constexpr double kBend = std::numbers::pi / 6;  // of chords, where the file does not say what is a corner
-constexpr std::size_t kMostLines = 5000;        // chaining compares all with all
+constexpr double kGap = 5e-4;                      // between the ends of lines that are one outline
+constexpr double kOnFold = 2e-4;                   // of the fold line
+constexpr double kBend = std::numbers::pi / 6;     // of chords, where the file does not say what is a corner
+constexpr std::size_t kMostLines = 5000;           // chaining compares all with all …
+constexpr std::size_t kMostCompared = 50'000'000;  // … and begins anew where a chain does not close
 
 void dropRepeated(std::vector<Flat>& ring) {
   ring.erase(std::unique(ring.begin(), ring.end(), [](Flat a, Flat b) { return distance(a, b) < kSamePlace; }),
@@ -29,39 +30,62 @@ double bendAt(const std::vector<Flat>& ring, std::size_t i) {
 
 }  // namespace
 
-std::optional<std::vector<Flat>> chained(const std::vector<CadLine>& lines, Flat& gap) {
-  std::vector<Flat> largest;
-  for (const CadLine& line : lines)
-    if (line.closed || (line.points.size() > 3 && distance(line.points.front(), line.points.back()) < kGap))
-      if (largest.empty() || std::abs(signedArea(line.points)) > std::abs(signedArea(largest))) largest = line.points;
-  if (largest.empty() && !lines.empty() && lines.size() <= kMostLines) {
-    std::vector<char> used(lines.size(), 0);
-    largest = lines[0].points;
-    used[0] = 1;
-    for (std::size_t left = lines.size() - 1; left > 0; --left) {
+std::vector<CadLoop> loopsOf(const std::vector<CadLine>& lines, Flat& gap) {
+  std::vector<CadLoop> all;
+  std::vector<char> used(lines.size(), 0);
+  const auto add = [&](CadLoop loop) {
+    dropRepeated(loop.points);
+    if (loop.points.size() < 3) return;
+    if (signedArea(loop.points) < 0) std::reverse(loop.points.begin(), loop.points.end());
+    all.push_back(std::move(loop));
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& points = lines[i].points;
+    if (points.empty()) used[i] = 1;
+    if (lines[i].closed || (points.size() > 3 && distance(points.front(), points.back()) < kGap))
+      used[i] = 1, add({points, {i}});
+  }
+  std::size_t compared = 0;
+  for (std::size_t first = 0; first < lines.size() && lines.size() <= kMostLines; ++first) {
+    if (used[first]) continue;
+    CadLoop loop{lines[first].points, {first}};
+    used[first] = 1;
+    const auto closed = [&] {
+      return loop.points.size() > 3 && distance(loop.points.front(), loop.points.back()) <= kGap;
+    };
+    while (loop.lines.size() == 1 || !closed()) {
       std::size_t best = lines.size();
       bool turned = false;
       double nearest = kGap;
-      for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (std::size_t i = 0; i < lines.size() && ++compared < kMostCompared; ++i) {
         if (used[i]) continue;
         for (const bool back : {false, true}) {
           const Flat start = back ? lines[i].points.back() : lines[i].points.front();
-          if (const double d = distance(largest.back(), start); d < nearest) nearest = d, best = i, turned = back;
+          if (const double d = distance(loop.points.back(), start); d < nearest) nearest = d, best = i, turned = back;
         }
       }
-      if (best == lines.size()) break;  // closed already, or open
+      if (best == lines.size()) break;
       used[best] = 1;
+      loop.lines.push_back(best);
       if (turned)
-        largest.insert(largest.end(), lines[best].points.rbegin(), lines[best].points.rend());
+        loop.points.insert(loop.points.end(), lines[best].points.rbegin(), lines[best].points.rend());
       else
-        largest.insert(largest.end(), lines[best].points.begin(), lines[best].points.end());
+        loop.points.insert(loop.points.end(), lines[best].points.begin(), lines[best].points.end());
     }
-    gap = largest.back();
-    if (distance(largest.front(), largest.back()) > kGap) return std::nullopt;
+    if (closed()) {
+      add(std::move(loop));
+      continue;
+    }
+    gap = loop.points.back();
+    for (const std::size_t i : loop.lines) used[i] = i == first;  // another one may begin there
   }
-  dropRepeated(largest);
-  if (largest.size() < 3) return std::nullopt;
-  if (signedArea(largest) < 0) std::reverse(largest.begin(), largest.end());
+  return all;
+}
+
+std::optional<std::vector<Flat>> chained(const std::vector<CadLine>& lines, Flat& gap) {
+  std::optional<std::vector<Flat>> largest;
+  for (CadLoop& loop : loopsOf(lines, gap))
+    if (!largest || signedArea(loop.points) > signedArea(*largest)) largest = std::move(loop.points);
   return largest;
 }
 

@@ -34,8 +34,14 @@ struct CadRing {
   std::vector<char> turn;    // for each: the line may have a corner there; between two turns it is one smooth curve
 };
 
-// Lines chained end to end in any order and direction, as several open polylines draw one outline. Nothing: they leave
-// a gap, which lies at `gap`.
+// Lines chained end to end in any order and direction, as several open polylines draw one outline: those that close.
+struct CadLoop {
+  std::vector<Flat> points;        // counter-clockwise, no two neighbours in one place
+  std::vector<std::size_t> lines;  // that it is made of
+};
+// `gap`: where lines that do not close leave off.
+std::vector<CadLoop> loopsOf(const std::vector<CadLine>& lines, Flat& gap);
+// The largest of them. Nothing: they leave a gap, which lies at `gap`.
 std::optional<std::vector<Flat>> chained(const std::vector<CadLine>& lines, Flat& gap);
 
 // The ring with its turns: the points that the file calls so, or where it calls none, those where the chords bend much.

@@ -1,6 +1,7 @@
 #pragma once
 // What a DXF file of the cutting trade says (AAMA, and ASTM D 6673): pieces by size, as lines and points on numbered
-// layers. Metres on paper. The file's habits are sorted out here; curves are made of the points in cad_outline.h.
+// layers. Metres on paper. The file's habits are sorted out here and in dxf_shapes.h; curves are made of the points in
+// cad_outline.h.
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,12 @@ struct CadNotch {
 };
 
 struct CadPiece {
+  std::string block;  // that it is drawn in, by its name
   std::string name, size, category, annotation, fabric;
-  int quantity = 1;
+  bool sizeTold = false;                             // by a text; else the block's name ends in it, perhaps
+  int quantity = 0;                                  // how often it is cut; 0: not told
+  bool pairs = false;                                // told as right and left ones
+  std::vector<Message> notes;                        // what was guessed
   std::vector<CadLine> boundary;                     // layer 1: points *on* the boundary, sparse where it is curved
   std::vector<CadLine> dense;                        // layer 84 (ASTM): the boundary with more points
   std::vector<CadLine> sewing;                       // layer 14: the seam line, where layer 1 is the cut line
@@ -36,6 +41,7 @@ struct CadPiece {
 struct CadStyle {
   std::string name, sampleSize, author;
   bool unitsTold = true;           // else the unit was guessed from how large the pieces are
+  bool lettersGuessed = false;     // the code page of its words was
   std::vector<std::string> sizes;  // in the file's order
   std::vector<CadPiece> pieces;    // one for each piece and size, in the file's order
 };

@@ -6,6 +6,7 @@
 #include "exchange/names.h"
 #include "grade_rules.h"
 #include "karinui/exchange/dxf.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -19,11 +20,11 @@ std::string listOf(const std::vector<std::string>& words) {
 
 void addRow(std::vector<CadPattern::Row>& rows, const CadPiece& piece) {
   auto row = std::find_if(rows.begin(), rows.end(), [&](const CadPattern::Row& r) { return r.name == piece.name; });
-  if (row == rows.end()) row = rows.insert(rows.end(), {piece.name, {}, {}, {}, 1, {}});
+  if (row == rows.end()) row = rows.insert(rows.end(), {piece.name, {}, {}, {}, 1, false, {}});
   if (!piece.category.empty()) row->category = piece.category;
   if (!piece.annotation.empty()) row->annotation = piece.annotation;
   if (!piece.fabric.empty()) row->fabric = piece.fabric;
-  row->quantity = std::max(row->quantity, piece.quantity);
+  row->quantity = std::max(row->quantity, piece.quantity), row->pairs = row->pairs || piece.pairs;
   row->sizes.push_back(piece.size);
 }
 
@@ -49,6 +50,7 @@ void addRules(std::vector<CadPattern::RulePlace>& places, const Piece& piece, co
 
 struct Drawn {  // a piece, as it is named in the file
   std::string name;
+  std::size_t nth = 0;  // of those of this name and size
   const CadPiece* sample = nullptr;
   EdgePlan plan;
 };
@@ -76,8 +78,8 @@ void measureSizes(const CadStyle& style, const std::map<PieceId, Drawn>& drawn, 
     bool any = false;
     for (std::size_t size = 0; size < found.size(); ++size) {
       const auto block = blocks.find({name, made.sizes[size]});
-      if (size == grading.base || block == blocks.end() || block->second.size() != 1) continue;
-      auto outline = outlineOf(*block->second.front(), own.sample, own.plan);
+      if (size == grading.base || block == blocks.end() || block->second.size() <= own.nth) continue;
+      auto outline = outlineOf(*block->second[own.nth], own.sample, own.plan);
       if (outline)
         found[size] = *std::move(outline), any = any || *found[size] != *found[grading.base];
       else
@@ -119,17 +121,40 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
     made.notes.push_back(
         say("The file’s unit of length was guessed from how large its pieces are: look at a length you know."));
 
-  std::map<std::string, const CadPiece*> samples;
+  if (style->lettersGuessed)
+    made.notes.push_back(say("The file does not tell in which code page its names are written; it was guessed."));
+
+  // A piece that is not drawn in the size that is read is taken in the one nearest to it in the file's order.
+  const auto place = [&](const std::string& one) {
+    return std::find(made.sizes.begin(), made.sizes.end(), one) - made.sizes.begin();
+  };
+  std::map<std::string, std::string> taken;
+  for (const CadPiece& piece : style->pieces) {
+    const auto [size_, fresh] = taken.emplace(piece.name, piece.size);
+    const auto off = [&](const std::string& one) { return std::abs(place(one) - place(made.size)); };
+    if (!fresh && off(piece.size) < off(size_->second)) size_->second = piece.size;
+  }
+  for (const auto& [name, one] : taken)
+    if (one != made.size)
+      made.notes.push_back(
+          say("Piece “{0}” is not drawn in size {1}; it was taken in size {2}.", name, made.size, one));
+
+  // Several pieces of one name are told apart by their order.
+  std::map<std::pair<std::string, std::size_t>, const CadPiece*> samples;
+  std::map<std::pair<std::string, std::string>, std::size_t> count;
   for (const CadPiece& piece : style->pieces)
-    if (!piece.turns.empty()) samples.emplace(piece.name, &piece);
+    if (const std::size_t nth = count[{piece.name, piece.size}]++; !piece.turns.empty())
+      samples.emplace(std::pair(piece.name, nth), &piece);
+  count.clear();
   std::set<std::string> names;
   std::map<PieceId, Drawn> all;
   std::optional<Error> trouble;
   for (const CadPiece& drawn : style->pieces) {
     addRow(made.rows, drawn);
-    if (drawn.size != made.size) continue;
-    const auto sample = samples.find(drawn.name);
-    Drawn one{drawn.name, sample == samples.end() ? nullptr : sample->second, {}};
+    if (drawn.size != taken.at(drawn.name)) continue;
+    const std::size_t nth = count[{drawn.name, drawn.size}]++;
+    const auto sample = samples.find({drawn.name, nth});
+    Drawn one{drawn.name, nth, sample == samples.end() ? nullptr : sample->second, {}};
     auto piece = pieceOf(drawn, one.sample, made.notes, one.plan);
     if (!piece) {
       if (!trouble) trouble = piece.error();
@@ -144,6 +169,12 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
   }
   if (made.pattern.pieces.empty())
     return trouble ? *trouble : badInput(say("The DXF file has no piece of size {0}.", made.size));
+  // "Quantity: 2" of a piece that is not alike on both sides is a left and a right one.
+  for (const auto& [id, drawn] : all)
+    for (const CadPattern::Row& row : made.rows)
+      if (row.name == drawn.name && row.quantity > 1)
+        made.cutting.quantities[id] = {
+            row.quantity, row.quantity % 2 == 0 && (row.pairs || !symmetryOf(made.pattern.pieces.at(id)->outline))};
   measureSizes(*style, all, made);
   return made;
 }

@@ -80,7 +80,13 @@ class Writing {
     if (cut && astm_) line(87, seam);
     for (const NumberedRule& rule : rules)
       text(astm_ ? (cut ? 14 : 1) : rule.corner ? 2 : 3, rule.place, "# " + std::to_string(rule.number));
+    // A cut-out is cut within its seam line by its allowance; one that this fills is only marked.
     for (const Outline& hole : piece.holes) {
+      const Drawn sewn = drawn(hole);
+      line(cut ? 14 : 11, sewn);
+      if (astm_) line(cut ? 87 : 86, sewn);
+    }
+    for (const Ring& hole : cut ? cut->holes : std::vector<Ring>()) {
       line(11, drawn(hole));
       if (astm_) line(86, drawn(hole));
     }

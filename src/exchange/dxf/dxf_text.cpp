@@ -1,0 +1,122 @@
+#include "dxf_text.h"
+
+#include <iconv.h>
+
+#include <cctype>
+#include <cerrno>
+#include <optional>
+
+#include "exchange/names.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr std::size_t kLongest = 400;  // bytes of a text that are looked at
+constexpr const char* kWestern = "CP1252";
+
+// Nothing: the bytes are no text of that code page.
+std::optional<std::string> decoded(std::string_view bytes, const std::string& codePage) {
+  const iconv_t table = iconv_open("UTF-8", codePage.c_str());
+  if (table == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
+  std::string in(bytes.substr(0, kLongest)), out(4 * in.size() + 4, '\0');
+  char *from = in.data(), *to = out.data();
+  std::size_t left = in.size(), room = out.size();
+  // A character that the end cut in two is no fault.
+  const bool good = iconv(table, &from, &left, &to, &room) != static_cast<std::size_t>(-1) || errno == EINVAL;
+  iconv_close(table);
+  if (!good) return std::nullopt;
+  out.resize(out.size() - room);
+  return out;
+}
+
+bool isAscii(std::string_view text) {
+  for (const char c : text)
+    if (static_cast<unsigned char>(c) >= 0x80) return false;
+  return true;
+}
+
+// "ANSI_932" is CP932; "UTF-8" is none.
+std::string pageOf(std::string_view told) {
+  std::string digits;
+  for (const char c : told)
+    if (std::isdigit(static_cast<unsigned char>(c))) digits += c;
+  if (told.starts_with("ANSI") || told.starts_with("ansi") || told.starts_with("dos") || told.starts_with("DOS"))
+    return digits == "936" ? "GBK" : digits == "950" ? "BIG5" : "CP" + digits;
+  return {};
+}
+
+// Chinese names read as Japanese ones come out with half-width kana, which nobody writes beside kanji.
+bool hasHalfWidthKana(std::string_view utf8) {
+  for (std::size_t i = 0; i + 2 < utf8.size(); ++i)
+    if (utf8[i] == '\xEF' && (utf8[i + 1] == '\xBD' || utf8[i + 1] == '\xBE')) return true;
+  return false;
+}
+
+// \U+524D, as programs write letters that their code page lacks.
+std::string withEscapes(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned code = 0;
+    std::size_t digits = 0;
+    if (text.substr(i, 3) == "\\U+")
+      for (; digits < 4 && i + 3 + digits < text.size(); ++digits) {
+        const auto c = static_cast<unsigned char>(text[i + 3 + digits]);
+        if (!std::isxdigit(c)) break;
+        code = code * 16 + static_cast<unsigned>(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);
+      }
+    if (digits < 4) {
+      out += text[i];
+      continue;
+    }
+    i += 6;
+    if (code < 0x80) {
+      out += static_cast<char>(code);
+    } else if (code < 0x800) {
+      out += static_cast<char>(0xC0 | (code >> 6)), out += static_cast<char>(0x80 | (code & 63));
+    } else {
+      out += static_cast<char>(0xE0 | (code >> 12)), out += static_cast<char>(0x80 | ((code >> 6) & 63));
+      out += static_cast<char>(0x80 | (code & 63));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+DxfWords::DxfWords(const DxfFile& file) {
+  std::string all;  // what is written in letters of some country
+  bool unicode = true, long_ = false;
+  const auto add = [&](std::string_view text) {
+    if (all.size() >= kLongest || isAscii(text)) return;
+    all.append(text.substr(0, kLongest)).append(" ");
+    unicode = unicode && cleanText(text).find("\xEF\xBF\xBD") == std::string::npos;
+    for (const char c : text) long_ = long_ || static_cast<unsigned char>(c) >= 0xE0;
+  };
+  const auto addAll = [&](const std::vector<DxfEntity>& entities) {
+    for (const DxfEntity& entity : entities) add(entity.text(1));
+  };
+  for (const DxfBlock& block : file.blocks) add(block.name), addAll(block.entities);
+  addAll(file.entities);
+  codePage_ = pageOf(file.codePage);
+  // Two bytes of a Chinese or Japanese character may be one letter of UTF-8, but theirs have three there.
+  const bool twoByted = codePage_ == "GBK" || codePage_ == "BIG5" || codePage_ == "CP932" || codePage_ == "CP949";
+  if (unicode && !(twoByted && !long_ && decoded(all, codePage_))) {
+    codePage_.clear();
+    return;
+  }
+  if (!codePage_.empty() && decoded("A", codePage_)) return;
+  guessed_ = true;
+  const auto japanese = decoded(all, "CP932");
+  codePage_ = japanese && !hasHalfWidthKana(*japanese) ? "CP932" : decoded(all, "GBK") ? "GBK" : kWestern;
+}
+
+std::string DxfWords::operator()(std::string_view bytes) const {
+  const auto first = bytes.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  bytes = bytes.substr(first, bytes.find_last_not_of(" \t") + 1 - first);
+  if (codePage_.empty() || isAscii(bytes)) return cleanText(withEscapes(bytes));
+  return cleanText(withEscapes(decoded(bytes, codePage_).value_or(std::string(bytes))));
+}
+
+}  // namespace karinui

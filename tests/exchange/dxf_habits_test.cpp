@@ -1,0 +1,331 @@
+// What programs of the trade do to DXF files, each in a small file of our own: it is read as meant, or refused with a
+// sentence.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "exchange/dxf_made.h"
+#include "karinui/pattern/markings.h"
+
+namespace karinui {
+namespace {
+
+using test::only;
+using test::told;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using Made = test::DxfMade;
+
+const std::vector<Flat> kPanel = {{0, 0}, {300, 0}, {280, 400}, {0, 400}};  // 0.116 m2
+constexpr double kPanelArea = 0.116;
+
+CadPattern read(const std::string& bytes, std::string_view size = {}) {
+  auto all = readCadPattern(bytes, size);
+  EXPECT_TRUE(all) << (all ? "" : text(all.error().what));
+  return all ? *std::move(all) : CadPattern();
+}
+std::string why(const std::string& bytes) {
+  const auto all = readCadPattern(bytes);
+  return all ? std::string("read") : text(all.error().what);
+}
+std::string replaced(std::string all, const std::string& what, const std::string& by) {
+  for (auto at = all.find(what); at != std::string::npos; at = all.find(what, at + by.size()))
+    all.replace(at, what.size(), by);
+  return all;
+}
+std::string panel(const std::string& more = {}) {
+  Made made;
+  made.block("FRONT_38").says("Piece Name: FRONT").says("Size: 38").line(1, kPanel, true).add(more);
+  return made.endBlock().done();
+}
+// One line of a kind of entity, on layer 1 or another.
+std::string entity(const std::string& kind, int layer, const std::string& groups) {
+  return "0\n" + kind + "\n8\n" + std::to_string(layer) + "\n" + groups;
+}
+std::string pairs(std::initializer_list<std::pair<int, double>> groups) {
+  std::string all;
+  for (const auto& [code, value] : groups) all += std::to_string(code) + "\n" + std::to_string(value) + "\n";
+  return all;
+}
+
+TEST(DxfHabits, LettersOfAnyCaseAndAnyEndOfLine) {
+  const std::string plain = panel();
+  const auto upper = read(replaced(replaced(plain, "Piece Name:", "PIECE NAME :"), "Size:", "size:"));
+  EXPECT_EQ(only(upper).name, "FRONT");
+  EXPECT_EQ(upper.size, "38");
+  for (const std::string& bytes :
+       {replaced(plain, "\n", "\r\n"), replaced(plain, "\n", "\r"), "\xEF\xBB\xBF" + plain, "999\na remark\n" + plain,
+        replaced(replaced(plain, "POLYLINE", "Polyline"), "SECTION", "section"),
+        replaced(plain, "8\n1\n", "8\nLayer 1\n"), plain.substr(0, plain.size() - 6)})  // without EOF
+    EXPECT_NEAR(only(read(bytes)).outline.area(), kPanelArea, 1e-9);
+}
+
+TEST(DxfHabits, CommasForPoints) {
+  EXPECT_NEAR(only(read(replaced(panel(), ".000000", ",000000"))).outline.area(), kPanelArea, 1e-9);
+  EXPECT_THAT(why(replaced(panel(), "280.000000", "28O.0")), HasSubstr("“28O.0” stands where a coordinate should"));
+}
+
+TEST(DxfHabits, OutlinesOfAnyEntity) {
+  const auto outline = [](const std::string& drawn) {
+    Made made;
+    made.block("FRONT_38").says("Size: 38").add(drawn);
+    return read(made.endBlock().done());
+  };
+  const std::string lines = entity("LINE", 1, pairs({{10, 0}, {20, 0}, {11, 300}, {21, 0}})) +
+                            entity("LINE", 1, pairs({{10, 280}, {20, 400}, {11, 300}, {21, 0}})) +
+                            entity("LINE", 1, pairs({{10, 280}, {20, 400}, {11, 0}, {21, 400}}));
+  EXPECT_NEAR(only(outline(lines + entity("LINE", 1, pairs({{10, 0}, {20, 0}, {11, 0}, {21, 400}})))).outline.area(),
+              kPanelArea, 1e-9);
+  std::string many = "70\n1\n";
+  for (int k = 0; k < 400; ++k)
+    many += pairs({{10, 300 * std::cos(k * std::numbers::pi / 200)}, {20, 300 * std::sin(k * std::numbers::pi / 200)}});
+  EXPECT_NEAR(only(outline(entity("LWPOLYLINE", 1, many))).outline.area(), std::numbers::pi * 0.09, 1e-4)
+      << "400 vertices";
+  // Half a disc: a bulge of 1 is half a circle to the left; an arc with a chord; half an ellipse that is one.
+  const double half = std::numbers::pi * 0.0225 / 2;
+  const std::string chord = entity("LINE", 1, pairs({{10, 150}, {20, 0}, {11, -150}, {21, 0}}));
+  for (const std::string& drawn :
+       {entity("LWPOLYLINE", 1, "70\n129\n" + pairs({{10, 150}, {20, 0}, {42, 1}, {10, -150}, {20, 0}})),
+        chord + entity("ARC", 1, pairs({{10, 0}, {20, 0}, {40, 150}, {50, 0}, {51, 180}})),
+        chord + entity("ELLIPSE", 1,
+                       pairs({{10, 0}, {20, 0}, {11, 150}, {21, 0}, {40, 1}, {41, 0}, {42, std::numbers::pi}})),
+        "0\nPOLYLINE\n8\n1\n66\n1\n70\n1\n" + entity("VERTEX", 1, pairs({{10, 150}, {20, 0}, {42, 1}})) +
+            entity("VERTEX", 1, pairs({{10, -150}, {20, 0}})) + "0\nSEQEND\n",
+        // Half a circle as a rational spline of degree 2: weights of 1 and cos 45 degrees.
+        chord + entity("SPLINE", 1, "70\n4\n71\n2\n" + pairs({{40, 0},   {40, 0},
+                                                              {40, 0},   {40, 1},
+                                                              {40, 1},   {40, 2},
+                                                              {40, 2},   {40, 2},
+                                                              {41, 1},   {41, std::sqrt(0.5)},
+                                                              {41, 1},   {41, std::sqrt(0.5)},
+                                                              {41, 1},   {10, 150},
+                                                              {20, 0},   {10, 150},
+                                                              {20, 150}, {10, 0},
+                                                              {20, 150}, {10, -150},
+                                                              {20, 150}, {10, -150},
+                                                              {20, 0}}))}) {
+    const auto made = outline(drawn);
+    EXPECT_NEAR(only(made).outline.area(), half, 2e-5) << drawn;
+    EXPECT_EQ(told(made), "") << drawn;
+  }
+}
+
+TEST(DxfHabits, InsertedBlocks) {
+  // The piece itself scaled, turned and turned over where it is inserted, twice: cut twice.
+  Made made;
+  made.block("FRONT_38").says("Size: 38").line(1, kPanel, true).line(7, {{50, 50}, {50, 350}});
+  made.points(4, {{150, 0}}).endBlock();
+  std::string bytes = made.done();
+  const std::string insert =
+      entity("INSERT", 1, "2\nFRONT_38\n" + pairs({{10, 5000}, {20, 70}, {41, -2}, {42, 2}, {50, 90}}));
+  bytes.insert(bytes.rfind("0\nENDSEC"), insert + insert);
+  const auto turned = read(bytes);
+  EXPECT_NEAR(only(turned).outline.area(), 4 * kPanelArea, 1e-9);
+  EXPECT_NEAR(only(turned).grain.u, -1, 1e-9);
+  EXPECT_THAT(notchPlaces(turned.pattern), SizeIs(1));
+  EXPECT_EQ(turned.rows[0].quantity, 2);
+
+  // Blocks within blocks: the outline on layer 0 of one that is inserted on layer 1, notches as symbols.
+  Made nested;
+  nested.block("shape").line(0, kPanel, true).endBlock();
+  nested.block("slit").line(0, {{0, 0}, {0, 5}}).endBlock();
+  nested.block("FRONT_38").says("Size: 38").add(entity("INSERT", 1, "2\nshape\n" + pairs({{10, 10}, {20, 20}})));
+  nested.add(entity("INSERT", 4, "2\nslit\n" + pairs({{10, 160}, {20, 20}}))).endBlock();
+  nested.block("sheet").add(entity("INSERT", 0, "2\nFRONT_38\n" + pairs({{10, 0}, {20, 0}}))).endBlock();
+  const auto within = read(nested.done());
+  ASSERT_THAT(within.pattern.pieces, SizeIs(1));
+  EXPECT_NEAR(only(within).outline.area(), kPanelArea, 1e-9);
+  EXPECT_EQ(only(within).name, "FRONT");
+  EXPECT_THAT(notchPlaces(within.pattern), SizeIs(1));
+
+  Made round;
+  round.block("a").line(1, kPanel, true).add(entity("INSERT", 8, "2\nb\n" + pairs({{10, 0}, {20, 0}}))).endBlock();
+  round.block("b").line(8, {{1, 1}, {9, 9}}).add(entity("INSERT", 8, "2\nb\n" + pairs({{10, 0}, {20, 0}}))).endBlock();
+  EXPECT_THAT(why(round.done()), HasSubstr("deep in each other"));
+}
+
+TEST(DxfHabits, PiecesWithoutBlocks) {
+  Made made;
+  std::string bytes = made.done();
+  Made beside;
+  beside.all.clear();
+  std::vector<Flat> moved = kPanel;
+  for (Flat& p : moved) p.u += 500;
+  beside.line(1, kPanel, true)
+      .line(1, moved, true)
+      .line(7, {{550, 50}, {650, 50}})
+      .points(4, {{150, 0}, {650, 0}, {700, 0}});
+  beside.line(1, {{50, 50}, {90, 50}, {90, 90}}, true);  // within the first: a cut-out
+  bytes.insert(bytes.rfind("0\nENDSEC"), beside.all);
+  const auto two = read(bytes);
+  ASSERT_THAT(two.pattern.pieces, SizeIs(2));
+  EXPECT_THAT(two.sizes, ElementsAre("38")) << "the style's sample size";
+  std::size_t marks = 0;
+  for (const auto& [id, piece] : two.pattern.pieces) {
+    EXPECT_NEAR(piece->outline.area(), kPanelArea, 1e-9);
+    marks = 10 * marks + piece->marks.size();
+  }
+  EXPECT_EQ(marks, 12u);
+  EXPECT_THAT(only(two, 0).holes, SizeIs(1));
+  EXPECT_NEAR(only(two, 1).grain.u, 1, 1e-9);
+}
+
+TEST(DxfHabits, NotchesAsLinesAndHolesAsCircles) {
+  const auto all = read(
+      panel(entity("LINE", 4, pairs({{10, 104}, {20, 4}, {11, 100}, {21, 0}})) +
+            entity("LWPOLYLINE", 80, "70\n0\n" + pairs({{10, 198}, {20, 0}, {10, 200}, {20, 5}, {10, 202}, {20, 0}})) +
+            entity("CIRCLE", 13, pairs({{10, 120}, {20, 200}, {40, 2}}))));
+  std::vector<double> at;
+  for (const NotchPlace& notch : notchPlaces(all.pattern)) at.push_back(std::round(notch.place.u * 1e4) / 10);
+  EXPECT_THAT(at, ElementsAre(100, 200));
+  ASSERT_THAT(drillHoles(only(all)), SizeIs(1));
+  EXPECT_LT(distance(drillHoles(only(all))[0], {0.12, 0.2}), 1e-6);
+}
+
+TEST(DxfHabits, TextsOnAnyLayerAndQuantities) {
+  const auto with = [](const std::string& name, const std::string& words) {
+    const std::string all = panel(entity("TEXT", 15, "10\n5\n20\n5\n1\n" + words + "\n"));
+    return read(replaced(all, "Piece Name: FRONT", "Piece Name: " + name)).cutting.quantities;
+  };
+  EXPECT_EQ(with("A", "Quantity: 2").at({1}), (Cutting{2, true})) << "not alike on both sides: left and right";
+  EXPECT_EQ(with("A", "QUANTITY: 3").at({1}), (Cutting{3, false}));
+  EXPECT_EQ(with("A", "Quantity: 2,2").at({1}), (Cutting{4, true}));
+  EXPECT_EQ(with("A", "Annotation: CUT 1 PAIR").at({1}), (Cutting{2, true}));
+  EXPECT_EQ(with("A", "annotation: Shell, cut 4").at({1}), (Cutting{4, true}));
+  EXPECT_TRUE(with("A", "Annotation: cut along the line").empty());
+}
+
+TEST(DxfHabits, UnitsByTheHeader) {
+  for (const auto& [code, unit] : {std::pair{1, 25.4}, {4, 1.0}, {5, 10.0}, {6, 1000.0}}) {
+    std::vector<Flat> drawn = kPanel;
+    for (Flat& p : drawn) p = p * (1 / unit);
+    Made made;
+    made.all = replaced(made.all, "HEADER\n", "HEADER\n9\n$INSUNITS\n70\n" + std::to_string(code) + "\n");
+    made.block("A_1").line(1, drawn, true);
+    const auto all = read(made.endBlock().done({}));
+    EXPECT_NEAR(only(all).outline.area(), kPanelArea, 1e-7) << code;
+    EXPECT_EQ(told(all), "") << code;
+  }
+}
+
+TEST(DxfHabits, NamesOfAnyCodePage) {
+  const auto named = [](const std::string& bytes, const std::string& codePage) {
+    std::string all = replaced(panel(), "Name: FRONT", "Name: " + bytes);
+    if (!codePage.empty()) all = replaced(all, "HEADER\n", "HEADER\n9\n$DWGCODEPAGE\n3\n" + codePage + "\n");
+    return read(all);
+  };
+  EXPECT_EQ(only(named("前身頃", "")).name, "前身頃");
+  EXPECT_EQ(only(named("\\U+524D\\U+8EAB", "ANSI_1252")).name, "前身");
+  EXPECT_EQ(only(named("\x91\x4F\x90\x67\x8D\xA0", "ANSI_932")).name, "前身頃");
+  EXPECT_EQ(only(named("\xC7\xB0\xC6\xAC", "ANSI_936")).name, "前片");
+  EXPECT_EQ(only(named("R\xFC"
+                       "cken",
+                       "ANSI_1252"))
+                .name,
+            "Rücken");
+  const auto guessed = named("\x91\x4F\x90\x67\x8D\xA0", "");
+  EXPECT_EQ(only(guessed).name, "前身頃");
+  EXPECT_THAT(told(guessed), HasSubstr("code page"));
+  EXPECT_EQ(only(named("\xD0\xE4\xD7\xD3", "")).name, "袖子");
+}
+
+TEST(DxfHabits, HalvesThatLeaveTheFoldToItsLayer) {
+  Made made;
+  made.block("BACK_38").says("Size: 38").line(1, {{0, 0}, {300, 0}, {280, 400}}).line(1, {{280, 400}, {0, 400}});
+  made.straight(6, {0, 0}, {0, 400});
+  const auto all = read(made.endBlock().done());
+  EXPECT_NEAR(only(all).outline.area(), 2 * kPanelArea, 1e-9);
+  EXPECT_EQ(told(all), "");
+  Made open;
+  open.block("BACK_38").says("Size: 38").line(1, kPanel);
+  const auto closed = read(open.endBlock().done());
+  EXPECT_NEAR(only(closed).outline.area(), kPanelArea, 1e-9);
+  EXPECT_THAT(told(closed), HasSubstr("closed by a straight line"));
+}
+
+TEST(DxfHabits, FarAwayAndDoubledPoints) {
+  std::vector<Flat> far;
+  for (const Flat p : kPanel)
+    for (int twice = 0; twice < 2; ++twice) far.push_back(p + Flat{4e6, -9e6});
+  Made made;
+  made.block("A_38").says("Size: 38").line(1, far, true).points(4, {Flat{150, 0} + Flat{4e6, -9e6}});
+  const auto all = read(made.endBlock().done());
+  EXPECT_NEAR(only(all).outline.area(), kPanelArea, 1e-6);
+  for (const Flat p : only(all).outline.flattened()) EXPECT_LT(length(p), 1);
+  EXPECT_THAT(only(all).marks, SizeIs(1));
+  EXPECT_EQ(only(all).outline.edges.size(), 4u);
+}
+
+TEST(DxfHabits, BlocksThatNameNoSize) {
+  Made made;
+  made.block("FRONT_LEFT").line(1, kPanel, true).endBlock();
+  made.block("POCKET_BIG").line(1, kPanel, true).endBlock();
+  const auto all = read(made.done({"Units: METRIC"}));
+  ASSERT_EQ(all.pattern.pieces.size(), 2u);
+  EXPECT_EQ(only(all, 0).name, "FRONT_LEFT") << "no size";
+  Made sizes;
+  for (const char* name : {"FRONT_38", "FRONT_40", "BACK_38", "BACK_40"})
+    sizes.block(name).line(1, kPanel, true).endBlock();
+  EXPECT_THAT(read(sizes.done({"Units: METRIC"})).sizes, ElementsAre("38", "40"));
+  // A pocket in one size only is there in all.
+  Made lacking;
+  for (const char* name : {"FRONT_38", "FRONT_40", "POCKET_38"})
+    lacking.block(name)
+        .says(std::string("Size: ") + (name + std::string(name).size() - 2))
+        .line(1, kPanel, true)
+        .endBlock();
+  const auto other = read(lacking.done(), "40");
+  EXPECT_EQ(other.pattern.pieces.size(), 2u);
+  EXPECT_THAT(told(other), HasSubstr("“POCKET” is not drawn in size 40; it was taken in size 38"));
+}
+
+// A left and a right piece of one name, each with its sizes; and a symbol beside an outline, which is no piece.
+TEST(DxfHabits, SeveralBlocksOfOneName) {
+  const auto sized = [](double wide, double by) {
+    return std::vector<Flat>{{0, 0}, {wide + by, 0}, {wide + by, 400}, {0, 400}};
+  };
+  Made made;
+  for (const auto& [size, by] : {std::pair{"38", 0.0}, {"40", 10.0}})
+    for (const double wide : {300.0, 200.0}) {
+      made.block(std::string("P") + std::to_string(wide)[0] + "_" + size).says("Piece Name: SIDE");
+      made.says(std::string("Size: ") + size).line(1, sized(wide, by * wide / 100), true);
+      made.line(1, {{900, 0}, {905, 0}, {905, 5}}, true).endBlock();
+    }
+  const auto all = read(made.done());
+  ASSERT_THAT(all.pattern.pieces, SizeIs(2));
+  ASSERT_THAT(all.grading.pieces, SizeIs(2));
+  for (const auto& [nth, wide] : {std::pair{0u, 0.33}, {1u, 0.22}}) {
+    const auto large = inSize(only(all, nth), all.grading, 1);
+    ASSERT_TRUE(large);
+    EXPECT_NEAR(large->outline.area(), wide * 0.4, 1e-6);
+  }
+}
+
+TEST(DxfHabits, WhatLiesOnOtherLayersThanOne) {
+  EXPECT_NEAR(only(read(replaced(replaced(panel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\n14\n"), "VERTEX\n8\n1\n",
+                                 "VERTEX\n8\n14\n")))
+                  .outline.area(),
+              kPanelArea, 1e-9);
+  EXPECT_THAT(why(replaced(panel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\nCUT\n")), HasSubstr("It has lines on: CUT."));
+  // A pocket's stitching on the layer of seam lines is no outline.
+  const auto stitched = read(panel(
+      entity("LWPOLYLINE", 14, "70\n1\n" + pairs({{10, 180}, {20, 300}, {10, 230}, {20, 300}, {10, 230}, {20, 350}}))));
+  EXPECT_NEAR(only(stitched).outline.area(), kPanelArea, 1e-9);
+  EXPECT_THAT(only(stitched).lines, SizeIs(1));
+}
+
+TEST(DxfHabits, OtherKindsOfFilesAreCalledByTheirName) {
+  EXPECT_THAT(why("AutoCAD Binary DXF\r\n\x1a"), HasSubstr("binary DXF"));
+  EXPECT_THAT(why("AC1015 and more"), HasSubstr("DWG"));
+  Made empty;
+  empty.block("*Model_Space").endBlock();
+  empty.block("FRONT_38").says("Size: 38").line(1, kPanel, true).endBlock();
+  empty.block("nothing").endBlock();
+  EXPECT_EQ(read(empty.done()).pattern.pieces.size(), 1u);
+}
+
+}  // namespace
+}  // namespace karinui
