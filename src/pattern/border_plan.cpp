@@ -14,6 +14,8 @@ constexpr double kSame = 1e-7;  // metres: stations nearer than this are one
 // fraction of a millimetre. A hair less than 1 mm, so that edges of that length keep both their corners.
 constexpr double kOneCorner = 1e-3 - 1e-8;
 
+constexpr double kOnLine = 1e-4;  // metres: a line that ends as near to another ends on it
+
 // Puts stations at the corners of a track, one where several are as near as that.
 void placeCorners(Track& track) {
   const std::size_t n = track.edgeStart.size() - 1;
@@ -130,6 +132,7 @@ Result<BorderPlan> BorderPlan::plan(const Pattern& pattern, double spacing) {
 }
 
 Done BorderPlan::gatherTracks(const Pattern& pattern) {
+  const std::vector<PaperPleat> pleats = pleatsOf(pattern);
   for (const auto& [id, piece] : pattern.pieces) {
     for (std::size_t hole = 0; hole <= piece->holes.size(); ++hole) {
       Track track{id, hole, hole == 0 ? &piece->outline : &piece->holes[hole - 1], {0}, {}, {}};
@@ -144,9 +147,13 @@ Done BorderPlan::gatherTracks(const Pattern& pattern) {
       trackOf_[{id, hole}] = tracks_.size();
       tracks_.push_back(std::move(track));
     }
+    gatherLines(pattern, pleats, *piece);
   }
-  // The banks of a slit are divided alike, place by place.
   for (std::size_t t = 0; t < tracks_.size(); ++t)
+    if (tracks_[t].open()) standOnTracks(t);
+  // The banks of a slit are divided alike, place by place.
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    if (tracks_[t].open()) continue;
     for (const Retrace& slit : retraces(*tracks_[t].outline)) {
       const double whole = tracks_[t].whole();
       const auto wrapped = [&](double from, double to) {
@@ -163,7 +170,57 @@ Done BorderPlan::gatherTracks(const Pattern& pattern) {
       }
       joined_.push_back(std::move(banks));
     }
+  }
   return {};
+}
+
+// The internal lines of a piece that a seam holds, and those along which a pleat is folded.
+void BorderPlan::gatherLines(const Pattern& pattern, const std::vector<PaperPleat>& pleats, const Piece& piece) {
+  const auto holds = [&](const Seam& seam, const std::string& name) {
+    const auto is = [&](const EdgeSpan& span) { return span.piece == piece.id && span.edge == name; };
+    return std::any_of(seam.a.begin(), seam.a.end(), is) || std::any_of(seam.b.begin(), seam.b.end(), is);
+  };
+  std::size_t next = piece.holes.size();
+  for (const InternalLine& line : piece.lines) {
+    const Curve* curve = findCurve(piece, line.name);
+    if (line.curves.empty() || curve != &line.curves.front() || !(curve->length() > kOneCorner)) continue;
+    const auto folded = [&](const PaperPleat& pleat) {
+      const auto at = [&](Flat end) { return distance(end, pleat.fold) < kSame || distance(end, pleat.inner) < kSame; };
+      return pleat.piece == piece.id && (at(curve->start) || at(curve->end));
+    };
+    if (std::none_of(pattern.seams.begin(), pattern.seams.end(),
+                     [&](const auto& seam) { return holds(seam.second, line.name); }) &&
+        std::none_of(pleats.begin(), pleats.end(), folded))
+      continue;
+    const double whole = curve->length();
+    Track track{piece.id, ++next, nullptr, {0, whole}, {0, whole}, {0, whole}};
+    track.line = std::make_shared<const Outline>(Outline{{{line.name, *curve}}});
+    track.outline = track.line.get();
+    trackOf_[{piece.id, next}] = tracks_.size();
+    tracks_.push_back(std::move(track));
+  }
+}
+
+// Where a line begins or ends on the outline, or on another line, that has a station there.
+void BorderPlan::standOnTracks(std::size_t line) {
+  const Curve curve = tracks_[line].outline->edges.front().curve;
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    if (t == line || tracks_[t].piece != tracks_[line].piece) continue;
+    for (const Flat end : {curve.start, curve.end})
+      for (std::size_t k = 0; k < tracks_[t].outline->edges.size(); ++k) {
+        const Curve& along = tracks_[t].outline->edges[k].curve;
+        const std::vector<Flat> chords = along.flattened(1e-5);
+        double walked = 0, nearest = kOnLine, at = 0;
+        for (std::size_t n = 0; n + 1 < chords.size(); ++n) {
+          const double own = distance(chords[n], chords[n + 1]);
+          const double share = std::clamp(dot(end - chords[n], chords[n + 1] - chords[n]) / (own * own), 0.0, 1.0);
+          if (const double away = distance(lerp(chords[n], chords[n + 1], share), end); away < nearest)
+            nearest = away, at = walked + share * own;
+          walked += own;
+        }
+        if (nearest < kOnLine) addStation(t, tracks_[t].edgeStart[k] + at, kOnLine);
+      }
+  }
 }
 
 Result<std::vector<Leg>> BorderPlan::legs(const Pattern& pattern, const Seam& seam,
@@ -173,7 +230,7 @@ Result<std::vector<Leg>> BorderPlan::legs(const Pattern& pattern, const Seam& se
     const auto piece = pattern.pieces.find(span.piece);
     if (piece == pattern.pieces.end()) return notFound(say("Seam {0} speaks of a piece that is not there.", seam.name));
     bool found = false;
-    for (std::size_t hole = 0; hole <= piece->second->holes.size() && !found; ++hole) {
+    for (std::size_t hole = 0; trackOf_.contains({span.piece, hole}) && !found; ++hole) {
       const std::size_t t = trackOf_.at({span.piece, hole});
       const auto k = tracks_[t].outline->find(span.edge);
       if (!k) continue;
@@ -208,7 +265,7 @@ Done BorderPlan::gatherSeams(const Pattern& pattern) {
         addStation(leg.track, leg.from, kSame);
         addStation(leg.track, leg.to, kSame);
       }
-    const int doubled = seam.tie == Seam::Tie::OneToOne                     ? 0
+    const int doubled = seam.tie != Seam::Tie::TwoToOne                     ? 0
                         : length(pattern, seam.a) > length(pattern, seam.b) ? 1
                                                                             : -1;
     seamName_[id] = seam.name;
@@ -249,7 +306,7 @@ Walk BorderPlan::walk(const std::vector<Leg>& side, bool backwards) const {
     auto k = static_cast<std::size_t>(std::lower_bound(stations.begin(), stations.end(), leg.from - kSame) -
                                       stations.begin());
     bool first = true;
-    for (;; ++k) {
+    for (; k < count || !tracks_[leg.track].open(); ++k) {
       const double at = k < count ? stations[k] : tracks_[leg.track].whole() + stations[k - count];
       if (at > leg.to + kSame) break;
       const std::array<std::size_t, 2> station{leg.track, k % count};

@@ -15,7 +15,7 @@ void forEachOperation(Do&& each) {
   (std::make_index_sequence<std::variant_size_v<PlainOperation>>());
 }
 
-std::string quoted(std::string_view value) {
+std::string quotedValue(std::string_view value) {
   const bool plain = !value.empty() && std::all_of(value.begin(), value.end(), [](char c) {
     return static_cast<unsigned char>(c) > ' ' && c != '"' && c != '\\' && c != '#' && c != 0x7f;
   });
@@ -174,7 +174,7 @@ std::vector<FieldText> fieldTexts(const Operation& operation) {
 
 std::string lineOf(std::string_view name, const std::vector<FieldText>& fields) {
   std::string line(name);
-  for (const FieldText& field : fields) line += " " + field.name + "=" + quoted(field.value);
+  for (const FieldText& field : fields) line += " " + field.name + "=" + quotedValue(field.value);
   return line;
 }
 
