@@ -226,6 +226,28 @@ TEST(Lay, followsALineThatIsSewnTo) {
   EXPECT_EQ(lay(without, 0.01)->lattices.at({1})->nodes, plain->lattices.at({1})->nodes);
 }
 
+// A closed line too small for a cell within it has cloth inside all the same.
+TEST(Lay, fillsASmallRoundOfLines) {
+  Piece skirt = panel(0.3, 0.3);
+  const Piece badge = pieceOf(2, circle(0.012));
+  for (const Edge& edge : circle(0.012, {0.13, 0.17}).edges)
+    skirt.lines.push_back({"on_" + edge.name, {edge.curve.reversed()}, {}});
+  Pattern pattern = patternOf({skirt, badge});
+  std::uint64_t id = 4;
+  for (const Edge& edge : badge.outline.edges)
+    pattern.seams[{++id}] = {
+        {id}, "", {{{2}, edge.name, 0, 1}}, {{{1}, "on_" + edge.name, 0, 1}}, true, Seam::Tie::OneToOne};
+  for (const double spacing : {0.04, 0.02, 0.01}) {
+    const auto laid = lay(pattern, spacing);
+    ASSERT_TRUE(laid) << text(laid.error().what);
+    const Lattice& base = *laid->lattices.at({1});
+    double area = 0;
+    for (const Triangle& f : base.faces)
+      area += 0.5 * cross(base.nodes[f[1]] - base.nodes[f[0]], base.nodes[f[2]] - base.nodes[f[0]]);
+    EXPECT_NEAR(area, 0.09, 1e-9) << spacing;
+  }
+}
+
 // A line from edge to edge ends in nodes of the outline.
 TEST(Lay, followsALineFromEdgeToEdge) {
   const Piece before = panel(0.4, 0.3);
