@@ -143,6 +143,10 @@ double throughBody(const Body& body, Vec3 a, Vec3 b) {
 std::optional<SeamDoubt> sewnAlready(const Document& document, const SewEdges& sew) {
   std::vector<EdgeRef> both = sew.a;
   both.insert(both.end(), sew.b.begin(), sew.b.end());
+  std::erase_if(both, [&](const EdgeRef& ref) {  // to a line several things can be sewn
+    const Piece* piece = document.find(ref.piece.id);
+    return piece && !findEdge(*piece, ref.edge);
+  });
   for (const EdgeRef& ref : both)
     for (const SeamId id : seamsOn(document, {ref})) {
       SeamDoubt doubt{SeamDoubt::Kind::Sewn,
@@ -344,6 +348,7 @@ bool facesReversed(const Document& document, const SewEdges& sew) {
 
 std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew, const Body* body) {
   std::vector<SeamDoubt> doubts;
+  if (sew.tie == SewEdges::Tie::Pleat) return doubts;  // cloth is folded onto itself there
   const auto add = [&](std::optional<SeamDoubt> doubt) {
     if (doubt) doubts.push_back(*std::move(doubt));
   };

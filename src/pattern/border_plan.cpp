@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "karinui/pattern/pleats.h"
 #include "words.h"
 
 namespace karinui {
@@ -132,7 +133,6 @@ Result<BorderPlan> BorderPlan::plan(const Pattern& pattern, double spacing) {
 }
 
 Done BorderPlan::gatherTracks(const Pattern& pattern) {
-  const std::vector<PaperPleat> pleats = pleatsOf(pattern);
   for (const auto& [id, piece] : pattern.pieces) {
     for (std::size_t hole = 0; hole <= piece->holes.size(); ++hole) {
       Track track{id, hole, hole == 0 ? &piece->outline : &piece->holes[hole - 1], {0}, {}, {}};
@@ -147,7 +147,7 @@ Done BorderPlan::gatherTracks(const Pattern& pattern) {
       trackOf_[{id, hole}] = tracks_.size();
       tracks_.push_back(std::move(track));
     }
-    gatherLines(pattern, pleats, *piece);
+    gatherLines(pattern, *piece);
   }
   for (std::size_t t = 0; t < tracks_.size(); ++t)
     if (tracks_[t].open()) standOnTracks(t);
@@ -174,24 +174,12 @@ Done BorderPlan::gatherTracks(const Pattern& pattern) {
   return {};
 }
 
-// The internal lines of a piece that a seam holds, and those along which a pleat is folded.
-void BorderPlan::gatherLines(const Pattern& pattern, const std::vector<PaperPleat>& pleats, const Piece& piece) {
-  const auto holds = [&](const Seam& seam, const std::string& name) {
-    const auto is = [&](const EdgeSpan& span) { return span.piece == piece.id && span.edge == name; };
-    return std::any_of(seam.a.begin(), seam.a.end(), is) || std::any_of(seam.b.begin(), seam.b.end(), is);
-  };
+void BorderPlan::gatherLines(const Pattern& pattern, const Piece& piece) {
+  const std::set<std::string> names = linesOfLattice(pattern, piece);
   std::size_t next = piece.holes.size();
   for (const InternalLine& line : piece.lines) {
-    const Curve* curve = findCurve(piece, line.name);
-    if (line.curves.empty() || curve != &line.curves.front() || !(curve->length() > kOneCorner)) continue;
-    const auto folded = [&](const PaperPleat& pleat) {
-      const auto at = [&](Flat end) { return distance(end, pleat.fold) < kSame || distance(end, pleat.inner) < kSame; };
-      return pleat.piece == piece.id && (at(curve->start) || at(curve->end));
-    };
-    if (std::none_of(pattern.seams.begin(), pattern.seams.end(),
-                     [&](const auto& seam) { return holds(seam.second, line.name); }) &&
-        std::none_of(pleats.begin(), pleats.end(), folded))
-      continue;
+    const Curve* curve = names.contains(line.name) ? findCurve(piece, line.name) : nullptr;
+    if (!curve || curve != &line.curves.front() || !(curve->length() > kOneCorner)) continue;
     const double whole = curve->length();
     Track track{piece.id, ++next, nullptr, {0, whole}, {0, whole}, {0, whole}};
     track.line = std::make_shared<const Outline>(Outline{{{line.name, *curve}}});

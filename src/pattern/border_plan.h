@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "karinui/pattern/lattice.h"
-#include "karinui/pattern/pleats.h"
 #include "retrace.h"
 
 namespace karinui {
@@ -69,7 +68,7 @@ class BorderPlan {
 
  private:
   Done gatherTracks(const Pattern& pattern);
-  void gatherLines(const Pattern& pattern, const std::vector<PaperPleat>& pleats, const Piece& piece);
+  void gatherLines(const Pattern& pattern, const Piece& piece);
   void standOnTracks(std::size_t line);
   Done gatherSeams(const Pattern& pattern);
   Result<std::vector<Leg>> legs(const Pattern& pattern, const Seam& seam, const std::vector<EdgeSpan>& side) const;

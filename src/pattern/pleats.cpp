@@ -397,6 +397,24 @@ std::vector<PaperPleat> pleatsOf(const Pattern& pattern) {
   return pleats;
 }
 
+std::set<std::string> linesOfLattice(const Pattern& pattern, const Piece& piece) {
+  std::set<std::string> names;
+  const auto lineNamed = [&](const std::string& name) -> const Curve* {
+    return findEdge(piece, name) ? nullptr : findCurve(piece, name);
+  };
+  for (const auto& [id, seam] : pattern.seams)
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side)
+        if (span.piece == piece.id && lineNamed(span.edge)) names.insert(span.edge);
+  for (const PaperPleat& pleat : pleatsOf(pattern))
+    for (const InternalLine& line : piece.lines) {
+      const Curve* curve = pleat.piece == piece.id ? lineNamed(line.name) : nullptr;
+      const auto at = [&](Flat end) { return distance(end, pleat.fold) < kSame || distance(end, pleat.inner) < kSame; };
+      if (curve && (at(curve->start) || at(curve->end))) names.insert(line.name);
+    }
+  return names;
+}
+
 Result<PleatedPiece> addPleats(const Piece& piece, const PleatPlan& plan) { return Spreading(piece, plan).spread(); }
 
 }  // namespace karinui

@@ -268,5 +268,29 @@ TEST(Lay, followsALineFromEdgeToEdge) {
   }
 }
 
+// Cut through, a line that is sewn to is divided, and each part goes with its cloth.
+TEST(Cut, dividesALineThatIsSewnTo) {
+  Piece skirt = panel(0.3, 0.3);
+  skirt.lines.push_back({"strap", {Curve::line({0.05, 0.05}, {0.05, 0.25})}, {}});
+  skirt.lines.push_back({"drawn", {Curve::line({0.1, 0.05}, {0.1, 0.25})}, {}});
+  const auto cut = cutPiece(skirt, {{-0.01, 0.1}, {0.31, 0.1}}, {2}, "lower", {"strap"});
+  ASSERT_TRUE(cut) << text(cut.error().what);
+  const auto& parts = cut->edges.at({PieceId{1}, "strap"});
+  ASSERT_EQ(parts.size(), 2u);
+  double whole = 0;
+  for (const EdgePart& part : parts) {
+    const Piece& piece = part.now.piece == PieceId{1} ? cut->pieces[0] : cut->pieces[1];
+    const Curve* curve = findCurve(piece, "strap");
+    ASSERT_TRUE(curve);
+    EXPECT_NEAR(curve->length(), 0.2 * (part.to - part.from), 1e-9);
+    EXPECT_TRUE(contains(piece.outline.flattened(), curve->at(0.5)));
+    whole += curve->length();
+  }
+  EXPECT_NEAR(whole, 0.2, 1e-9);
+  EXPECT_NEAR(parts[0].to, 0.25, 1e-9);
+  EXPECT_TRUE(findCurve(cut->pieces[0], "drawn"));  // others stay as they were, on the side of their middle
+  EXPECT_FALSE(findCurve(cut->pieces[1], "drawn"));
+}
+
 }  // namespace
 }  // namespace karinui

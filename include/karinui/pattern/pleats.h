@@ -2,6 +2,7 @@
 // Pleats of paper: cloth folded in along parallel lines, so that three layers lie over one another. A knife pleat of
 // depth d takes 2 d of the paper, a box or inverted pleat, which is two of them, 4 d; the edge, pleated, is as long as
 // before. Metres on paper. Pure; any thread.
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -74,5 +75,9 @@ struct PaperPleat {
   Flat along;  // unit: into the piece
 };
 std::vector<PaperPleat> pleatsOf(const Pattern& pattern);
+
+// The internal lines of a piece that are edges of its lattice: those a seam holds and those along which a pleat is
+// folded.
+std::set<std::string> linesOfLattice(const Pattern& pattern, const Piece& piece);
 
 }  // namespace karinui

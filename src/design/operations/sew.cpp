@@ -99,7 +99,8 @@ Done resolve(const Document& given, SewEdges& op, Context&) {
     EdgeRef& edge = *all[i];
     for (std::size_t j = 0; j < i; ++j)
       if (overlap(edge, *all[j])) return refused(say("{0} cannot be sewn to itself.", spoken(before, edge)));
-    if (op.replace || (op.tie == SewEdges::Tie::Pleat && i < op.a.size())) continue;
+    const bool over = op.tie == SewEdges::Tie::Pleat && i < op.a.size();
+    if (op.replace || over || lineOf(before, edge)) continue;  // to a line several things can be sewn
     for (const SeamId id : seamsOn(before, {edge}))
       return refused(
           say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge), spoken(*before.find(id))));
