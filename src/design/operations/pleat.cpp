@@ -23,24 +23,27 @@ Flat directionOf(const Piece& piece, const EdgeRef& ref) {
   return dot(grain, inward) >= kAlong ? grain : inward;
 }
 
-PleatPlan planOf(const AddPleat& op) {
+PleatPlan planOf(const Piece& piece, const AddPleat& op) {
   PleatPlan plan;
   plan.edge = op.edge.edge, plan.kind = op.kind, plan.depth = op.depth, plan.name = op.name;
   plan.along = normalized(*op.along);
   const double whole = op.edge.to - op.edge.from;
+  const double length = piece.outline.edges[*piece.outline.find(op.edge.edge)].curve.length();
   for (int n = 0; n < op.count; ++n) {
     const double share = (n + 0.5) / op.count;
-    plan.at.push_back(op.at ? *op.at : op.edge.from + whole * share);
     using Turned = AddPleat::Turned;
     const bool first = share < 0.5;
     plan.toStart.push_back(op.turned == Turned::Against || (op.turned == Turned::Inwards && !first) ||
                            (op.turned == Turned::Outwards && first));
+    // The middle of what a knife pleat covers is its place.
+    const double half = op.kind == PleatKind::Knife ? op.depth / 2 / length : 0;
+    plan.at.push_back(op.at ? *op.at : op.edge.from + whole * share + (plan.toStart.back() ? -half : half));
   }
   return plan;
 }
 
 Result<PleatedPiece> pleated(const Document& document, const Piece& piece, const AddPleat& op) {
-  PleatPlan plan = planOf(op);
+  PleatPlan plan = planOf(piece, op);
   auto made = addPleats(piece, plan);
   if (!made || seamsOn(document, {{PieceRef(piece.id), made->beyondOf}}).empty()) return made;
   plan.sewnBeyond = true;
