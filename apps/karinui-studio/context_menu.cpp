@@ -42,6 +42,12 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
     return menuOfPlace(place, global);
   }
   const auto led = session_->selection().edge;
+  // Pointing at cloth or paper with another piece chosen: that piece can be sewn on there.
+  patch_.reset();
+  if (wrapped && hit.piece && hit.piece != wrapped && !hit.edge) {
+    patch_.emplace();
+    patch_->piece = wrapped, patch_->on = hit.piece, patch_->at = hit.paper;
+  }
   // Several chosen pieces stay chosen, for what is to be done with all of them.
   if (hit.edge || !hit.piece || !session_->selection().pieces.contains(hit.piece))
     session_->select(chosen);
@@ -88,6 +94,9 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     pin.piece = at->piece;
     pin.at = {at->paper};
     offer(*menu, say("Pin here"), pin);
+    if (patch_)
+      offer(*menu, say("Sew {0} on here…", session_->snapshot().document.find(patch_->piece.id)->name),
+            [this, patch = *patch_] { askNumbers(patch); });
   }
   if (!chosen.pieces.empty()) addPieceOperations(*menu, chosen);
   if (menu->isEmpty())
@@ -132,6 +141,7 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   const Document& document = session_->snapshot().document;
   const std::vector<EdgeRef> run = runThrough(document, ref);
   offer(menu, say("Band along it…"), [this, ref] { askNumbers(bandAlong(session_->snapshot().document, ref)); });
+  offer(menu, say("Pleats…"), [this, ref] { askNumbers(pleatsIn(session_->snapshot().document, ref)); });
   DrawRing skirt;
   skirt.name = usableName(document, "ring");
   skirt.of = run;

@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow {
   void menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global,
               const std::optional<EdgeNear>& led = std::nullopt);
   void askNumbers(Operation operation);  // before it is done
+  std::optional<SewPatch> patch_;        // what the menu of the right button offers
   void askBlock();                       // a new garment from a ready block
   void menuOfPlace(PlacePiece place, const QPoint& global);
   void offer(QMenu& menu, const Message& words, Operation operation);

@@ -7,6 +7,8 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -40,6 +42,17 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge) {
   band.depth = {made.deep};
   band.sew = seamsOn(document, band.of).empty();
   return band;
+}
+
+AddPleat pleatsIn(const Document& document, const EdgeRef& edge) {
+  constexpr double kApart = 0.06, kShare = 0.3;  // metres from pleat to pleat; of that the depth
+  AddPleat pleats;
+  pleats.edge = edge;
+  pleats.depth = {0.02};
+  const double whole = lengthOf(document, {edge});
+  pleats.count = std::clamp(static_cast<int>(std::lround(whole / kApart)), 1, 40);
+  if (whole > 0) pleats.depth = {std::min(0.02, std::floor(whole / pleats.count * kShare * 1000) / 1000)};
+  return pleats;
 }
 
 void MainWindow::askNumbers(Operation operation) {
@@ -152,6 +165,14 @@ void MainWindow::addNewPieces(QMenu& menu) {
   add("attach", say("Lead the chosen edge along others…"), true, [chosen] {
     AttachPiece made;
     if (const auto edge = chosen()) made.edge = *edge;
+    return Operation(made);
+  });
+  menu.addSeparator();
+  add("pleat", say("Pleats in the chosen edge…"), true,
+      [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
+  add("patch", say("Chosen piece sewn onto another…"), false, [this] {
+    SewPatch made;
+    if (const auto& pieces = session_->selection().pieces; !pieces.empty()) made.piece = PieceRef(*pieces.begin());
     return Operation(made);
   });
   connect(&menu, &QMenu::aboutToShow, &menu, [this, &menu, chosen] {

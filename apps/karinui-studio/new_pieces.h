@@ -9,4 +9,7 @@ namespace karinui::studio {
 // sleeve's hem, by what the edge and its piece are called; sewn, where none of the run is sewn yet.
 DrawBand bandAlong(const Document& document, const EdgeRef& edge);
 
+// Pleats about 6 cm apart all along an edge, as the dialog first offers them.
+AddPleat pleatsIn(const Document& document, const EdgeRef& edge);
+
 }  // namespace karinui::studio

@@ -115,9 +115,10 @@ std::string infoWords(const Document& document, const Console& console) {
   for (const auto& [id, seam] : document.pattern.seams) {
     const double ease = easeRatio(document.pattern, seam) - 1;
     seams.row({text(id), seam.name, sideWords(document, seam.a), sideWords(document, seam.b),
-               seam.tie == Seam::Tie::TwoToOne ? said(say("gathered, {0} longer", percent(ease)))
-               : ease < 0.0005                 ? said(say("even"))
-                                               : said(say("eased, {0} longer", percent(ease)))});
+               seam.tie == Seam::Tie::Pleat      ? said(say("pleated"))
+               : seam.tie == Seam::Tie::TwoToOne ? said(say("gathered, {0} longer", percent(ease)))
+               : ease < 0.0005                   ? said(say("even"))
+                                                 : said(say("eased, {0} longer", percent(ease)))});
   }
   words += seams.words(2);
   if (!document.drape.force.empty()) {

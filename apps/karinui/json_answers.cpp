@@ -122,7 +122,7 @@ Json infoJson(const Document& document) {
                      {"length_a_m", length(document.pattern, seam.a)},
                      {"length_b_m", length(document.pattern, seam.b)},
                      {"ratio", easeRatio(document.pattern, seam)},
-                     {"tie", seam.tie == Seam::Tie::TwoToOne ? "2:1" : "1:1"}});
+                     {"tie", tieName(seam.tie)}});
   }
   Json object = {{"pieces", pieces},
                  {"seams", seams},

@@ -103,6 +103,7 @@ Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const st
   for (const auto& [id, seam] : pattern.seams) {
     seamIndex[id] = static_cast<std::uint32_t>(cloth.seams.size());
     cloth.seams.push_back(id);
+    cloth.pleated = cloth.pleated || seam.tie == Seam::Tie::Pleat;
   }
   for (const SeamTie& tie : laid.ties) {
     const auto a = first.find(tie.pieceA), b = first.find(tie.pieceB);

@@ -128,7 +128,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     SettleSettings here = settings;
     here.skin = skinOffset(settings, level.cloth.spacing, finest.cloth.spacing);
     // Pieces that have yet to be sewn come from anywhere, through each other: cloth meets cloth once they are.
-    const bool loose = l == 0 && !sewn && !last;
+    const bool loose = l == 0 && !sewn && (!last || level.cloth.pleated);
     std::vector<ThinnerCollider> thinner;
     ColliderList met = colliders;
     if (l == 0 && !sewn && !grownThrough) {
@@ -140,7 +140,9 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     if (l > first) finer = prolong(levels[l - 1].cloth, x, level.cloth, level.state.position);
     LevelSolver solver(level.cloth, l > first ? finer.linear : level.state.position, met, here,
                        settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
-    solver.enableSelfContact(!loose);
+    // The layers of a pleat lie over one another from the start.
+    solver.enableSelfContact(!loose || level.cloth.pleated);
+    if (loose && level.cloth.pleated) solver.meetOnlyWithinPieces(true);
     const double before = shareBefore(levels, first, l), after = shareBefore(levels, first, l + 1);
     // As long as nothing shrinks, the number of steps left is not known and taken to be the usual one.
     const auto watch = [&](Message doing, double from, double to) {
@@ -201,6 +203,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     stopped = stopped || end.stopped;
     if (!stopped && end.finite && !end.cancelled) {
       solver.enableSelfContact(true);
+      if (loose && level.cloth.pleated) solver.meetOnlyWithinPieces(false);
       solver.separateIntersections();
       RestCriteria criteria = last ? finestCriteria(settings)
                                    : RestCriteria{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 3, 150};

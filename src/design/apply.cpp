@@ -1,5 +1,7 @@
 #include "karinui/design/apply.h"
 
+#include <algorithm>
+
 #include "design/formula/links.h"
 #include "design/operations/operations.h"
 #include "design/text/formula_fields.h"
@@ -13,6 +15,15 @@ constexpr std::uint32_t kMostOperations = 1'000'000;  // a garment of a lifetime
 }
 
 namespace {
+
+// Whether an internal line that a seam holds is no longer there.
+bool lineGone(const Document& before, const Document& after, const Seam& seam) {
+  const auto gone = [&](const EdgeSpan& span) {
+    const Piece *was = before.find(span.piece), *is = after.find(span.piece);
+    return was && is && !findEdge(*was, span.edge) && findCurve(*was, span.edge) && !findCurve(*is, span.edge);
+  };
+  return std::any_of(seam.a.begin(), seam.a.end(), gone) || std::any_of(seam.b.begin(), seam.b.end(), gone);
+}
 
 // What is given by formulas, for this document; their edges by ids.
 Done workOutFields(const Document& before, Operation& operation, Context& context) {
@@ -82,7 +93,8 @@ Result<Document> apply(const Document& before, const Operation& operation, Conte
   if (const auto* length = std::get_if<SetLength>(&*op))
     after = withLink(*std::move(after), length->edge, lengthFormula(*op));
   if (!after->variables.empty()) after = linksFollowed(before, *std::move(after), context);
-  // What was said of a seam or a piece goes with it.
+  // A seam goes with the internal line it was sewn to, and what was said of a seam or a piece goes with it.
+  std::erase_if(after->pattern.seams, [&](const auto& seam) { return lineGone(before, *after, seam.second); });
   std::erase_if(after->eases, [&](const auto& own) { return !after->find(own.first); });
   std::erase_if(after->cutting, [&](const auto& own) { return !after->find(own.first); });
   std::erase_if(after->grading.pieces, [&](const auto& own) { return !after->find(own.first); });

@@ -58,7 +58,7 @@ bool sound(const Document& document, const Piece& piece) {
 bool sound(const Document& document, const std::vector<EdgeSpan>& side) {
   return !side.empty() && std::all_of(side.begin(), side.end(), [&](const EdgeSpan& span) {
     const Piece* piece = document.find(span.piece);
-    return piece && findEdge(*piece, span.edge) && span.from >= 0 && span.from < span.to && span.to <= 1;
+    return piece && findCurve(*piece, span.edge) && span.from >= 0 && span.from < span.to && span.to <= 1;
   });
 }
 

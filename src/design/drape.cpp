@@ -10,6 +10,7 @@
 #include "karinui/cloth/girth_check.h"
 #include "karinui/cloth/live_hand.h"
 #include "karinui/cloth/merged_planes.h"
+#include "karinui/pattern/pleats.h"
 
 namespace karinui {
 
@@ -38,11 +39,13 @@ Result<ClothLevel> levelAt(const Document& document, const std::set<PieceId>& li
 constexpr double kCoarsest = 0.09;  // metres: cloth of wider cells does not know an arm from a shoulder
 
 // 4, 2 and 1 times the document's spacing; a level that some piece is too small for, or that is too coarse for a body,
-// is left out.
+// is left out. Wide cells do not know the layers of a pleat from each other: pleated cloth, which stands folded, has
+// the finest level alone.
 Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live) {
   Levels levels;
+  const bool pleated = !pleatsOf(document.pattern).empty();
   for (const double times : {4.0, 2.0}) {
-    if (times * document.settings.spacing > kCoarsest) continue;
+    if (pleated || times * document.settings.spacing > kCoarsest) continue;
     if (Result<ClothLevel> level = levelAt(document, live, times * document.settings.spacing)) {
       levels.coarseFirst.push_back(std::move(*level));
     }

@@ -297,7 +297,8 @@ Result<Document> unpackRest(std::string_view bytes) {
     s.name = r.text();
     s.a = readSide(r), s.b = readSide(r);
     s.reversed = r.number<std::uint8_t>() != 0;
-    s.tie = r.number<std::uint8_t>() == 0 ? Seam::Tie::OneToOne : Seam::Tie::TwoToOne;
+    s.tie = static_cast<Seam::Tie>(r.number<std::uint8_t>());
+    if (s.tie > Seam::Tie::Pleat) r.fail();
     d.pattern.seams[s.id] = std::move(s);
   }
   for (std::size_t n = r.count(90); n > 0 && r.good(); --n) {

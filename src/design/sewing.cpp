@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kSamples = 24;
 
-const Edge& edgeOf(const Document& document, const EdgeRef& ref) {
-  return *findEdge(*document.find(ref.piece.id), ref.edge);
+const Curve& curveOf(const Document& document, const EdgeRef& ref) {
+  return *findCurve(*document.find(ref.piece.id), ref.edge);
 }
 
 std::string spoken(const Document& document, const EdgeRef& ref) {
@@ -32,7 +32,7 @@ std::vector<Vec3> stood(const Document& document, const std::vector<EdgeRef>& si
   std::size_t next = 0;
   for (const EdgeRef& ref : side) {
     const Stand stand(*document.find(ref.piece.id));
-    const Curve& curve = edgeOf(document, ref).curve;
+    const Curve& curve = curveOf(document, ref);
     const double part = lengthOf(document, {ref});
     for (; next <= kSamples; ++next) {
       const double s = whole * static_cast<double>(next) / kSamples - done;
@@ -49,7 +49,7 @@ struct Corner {
   Flat place;
 };
 Corner endOf(const Document& document, const EdgeRef& ref, bool last) {
-  return {ref.piece.id, edgeOf(document, ref).curve.atFraction(last ? ref.to : ref.from)};
+  return {ref.piece.id, curveOf(document, ref).atFraction(last ? ref.to : ref.from)};
 }
 
 // Whether a seam holds these two corners together.
@@ -57,8 +57,8 @@ bool sewnTogether(const Document& document, const Corner& a, const Corner& b) {
   constexpr double kSame = 1e-4;  // metres
   const auto is = [&](const SeamPlace& place, const Corner& corner) {
     if (place.piece != corner.piece) return false;
-    const Edge* edge = edgeOf(document.pattern, place.piece, place.edge);
-    return edge && distance(edge->curve.atFraction(place.fraction), corner.place) < kSame;
+    const Curve* curve = curveOf(document.pattern, place.piece, place.edge);
+    return curve && distance(curve->atFraction(place.fraction), corner.place) < kSame;
   };
   for (const auto& [id, seam] : document.pattern.seams) {
     const SeamSides sides(document.pattern, seam);
@@ -123,7 +123,7 @@ bool folds(const Document& document, const SewEdges& sew) {
     const auto& edges = document.find(before.piece.id)->outline.edges;
     const auto k = document.find(before.piece.id)->outline.find(before.edge);
     if (!k || before.to < 1 || after.from > 0 || edges[(*k + 1) % edges.size()].name != after.edge) return false;
-    const Flat in = edges[*k].curve.tangent(1), out = edgeOf(document, after).curve.tangent(0);
+    const Flat in = edges[*k].curve.tangent(1), out = curveOf(document, after).tangent(0);
     const double turn = std::atan2(cross(in, out), dot(in, out));
     return turn > -kInward && turn < 3;  // the banks of a slit turn by just half a circle, either way
   };
@@ -143,6 +143,10 @@ double throughBody(const Body& body, Vec3 a, Vec3 b) {
 std::optional<SeamDoubt> sewnAlready(const Document& document, const SewEdges& sew) {
   std::vector<EdgeRef> both = sew.a;
   both.insert(both.end(), sew.b.begin(), sew.b.end());
+  std::erase_if(both, [&](const EdgeRef& ref) {  // to a line several things can be sewn
+    const Piece* piece = document.find(ref.piece.id);
+    return piece && !findEdge(*piece, ref.edge);
+  });
   for (const EdgeRef& ref : both)
     for (const SeamId id : seamsOn(document, {ref})) {
       SeamDoubt doubt{SeamDoubt::Kind::Sewn,
@@ -213,8 +217,8 @@ double lengthOf(const Document& document, const std::vector<EdgeRef>& side) {
   double sum = 0;
   for (const EdgeRef& ref : side) {
     const Piece* piece = document.find(ref.piece.id);
-    if (const Edge* edge = piece ? findEdge(*piece, ref.edge) : nullptr)
-      sum += edge->curve.length() * (ref.to - ref.from);
+    if (const Curve* curve = piece ? findCurve(*piece, ref.edge) : nullptr)
+      sum += curve->length() * (ref.to - ref.from);
   }
   return sum;
 }
@@ -238,7 +242,7 @@ std::vector<SeamId> seamsOn(const Document& document, const std::vector<EdgeRef>
   std::vector<SeamId> found;
   for (const auto& [id, seam] : document.pattern.seams) {
     bool holds = false;
-    for (const auto* held : {&seam.a, &seam.b})
+    for (const auto* held : takenSides(seam))
       for (const EdgeSpan& span : *held)
         holds = holds || overlap(side, {{PieceRef(span.piece), span.edge, span.from, span.to}});
     if (holds) found.push_back(id);
@@ -361,6 +365,7 @@ bool lieFlat(const Document& document, const SewEdges& sew) {
 
 std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew, const Body* body) {
   std::vector<SeamDoubt> doubts;
+  if (sew.tie == SewEdges::Tie::Pleat) return doubts;  // cloth is folded onto itself there
   const auto add = [&](std::optional<SeamDoubt> doubt) {
     if (doubt) doubts.push_back(*std::move(doubt));
   };

@@ -47,7 +47,9 @@ std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, con
     sew.b = refs(seam.b);
     sew.name = seam.name;
     sew.reversed = seam.reversed ? Choice::Yes : Choice::No;
-    sew.tie = seam.tie == Seam::Tie::TwoToOne ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
+    sew.tie = seam.tie == Seam::Tie::TwoToOne ? SewEdges::Tie::TwoToOne
+              : seam.tie == Seam::Tie::Pleat  ? SewEdges::Tie::Pleat
+                                              : SewEdges::Tie::OneToOne;
     steps.push_back(std::move(sew));
   }
   // One step for all pieces that are cut alike, and for all edges of one width.

@@ -174,7 +174,7 @@ class Reader {
       out.push_back({{id(span, "piece")}, text(span, "edge"), number(span, "from"), number(span, "to")});
       const EdgeSpan& read = out.back();
       const auto on = pattern.pieces.find(read.piece);
-      if (on == pattern.pieces.end() || !findEdge(*on->second, read.edge)) refuse("edge");
+      if (on == pattern.pieces.end() || !findCurve(*on->second, read.edge)) refuse("edge");
       if (!(0 <= read.from && read.from < read.to && read.to <= 1)) refuse("from, to");
     }
     return out;
@@ -188,9 +188,10 @@ class Reader {
     out.a = side(list(json, "a"), pattern);
     out.b = side(list(json, "b"), pattern);
     out.reversed = flag(json, "reversed", true);
-    const std::string tie = text(json, "tie");
-    if (tie != "1:1" && tie != "2:1") refuse("tie");
-    out.tie = tie == "2:1" ? Seam::Tie::TwoToOne : Seam::Tie::OneToOne;
+    if (const auto tie = tieNamed(text(json, "tie")))
+      out.tie = *tie;
+    else
+      refuse("tie");
     return out;
   }
 

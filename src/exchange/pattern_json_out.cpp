@@ -90,7 +90,7 @@ Json of(const std::vector<EdgeSpan>& side) {
 
 Json of(const Seam& seam) {
   return {{"id", seam.id.value}, {"name", seam.name},         {"a", of(seam.a)},
-          {"b", of(seam.b)},     {"reversed", seam.reversed}, {"tie", seam.tie == Seam::Tie::OneToOne ? "1:1" : "2:1"}};
+          {"b", of(seam.b)},     {"reversed", seam.reversed}, {"tie", tieName(seam.tie)}};
 }
 
 }  // namespace

@@ -158,6 +158,11 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
     const PaperStroke stroke = strokeOf(notch, plan ? plan->width(notch.piece, notch.edge) : 0);
     piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, notch.seam});
   }
+  for (const PaperArrow& arrow : pleatArrows(pattern))
+    for (const PaperStroke& stroke : {arrow.shaft, arrow.head, arrow.otherHead}) {
+      SheetPiece& piece = *of.at(arrow.piece);
+      piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, {}});
+    }
   for (const SeamTag& tag : seamTags(pattern)) {
     SheetPiece& piece = *of.at(tag.piece);
     piece.texts.push_back({piece.at(tag.place), kSeamTagSize * 1000, true, std::to_string(tag.number)});

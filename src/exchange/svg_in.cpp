@@ -96,7 +96,7 @@ std::optional<std::vector<EdgeSpan>> spansOf(const std::string* text, const Patt
     if (!id || !from || !to || !(0 <= *from && *from < *to && *to <= 1)) return std::nullopt;
     out.push_back({{*id}, std::string(word.substr(dot + 1, sign - dot - 1)), *from, *to});
     const auto piece = pattern.pieces.find(out.back().piece);
-    if (piece == pattern.pieces.end() || !findEdge(*piece->second, out.back().edge)) return std::nullopt;
+    if (piece == pattern.pieces.end() || !findCurve(*piece->second, out.back().edge)) return std::nullopt;
   }
   return out.empty() ? std::nullopt : std::optional(out);
 }
@@ -202,10 +202,10 @@ class SheetReader {
     const std::string* reversed = element.find("data-reversed");
     const auto number = id ? wholeNumber(*id) : std::nullopt;
     const auto a = spansOf(element.find("data-a"), out_), b = spansOf(element.find("data-b"), out_);
-    if (!name || !number || *number == 0 || !a || !b || !tie || !reversed || out_.seams.contains({*number}))
+    const auto kind = tie ? tieNamed(*tie) : std::nullopt;
+    if (!name || !number || *number == 0 || !a || !b || !kind || !reversed || out_.seams.contains({*number}))
       return badInput(say("A seam of the drawing cannot be read: {0}.", shown(name ? *name : std::string("?"))));
-    out_.seams[{*number}] = {
-        {*number}, *name, *a, *b, *reversed == "1", *tie == "2:1" ? Seam::Tie::TwoToOne : Seam::Tie::OneToOne};
+    out_.seams[{*number}] = {{*number}, *name, *a, *b, *reversed == "1", *kind};
     return {};
   }
 

@@ -177,7 +177,7 @@ std::string svgOf(const Sheet& sheet, const Pattern* sewing) {
       out += "  <metadata id=\"seam-" + std::to_string(id.value) + "\" class=\"sewing\" data-seam=\"" +
              xmlEscaped(seam.name) + "\" data-id=\"" + std::to_string(id.value) + "\" data-a=\"" + spans(seam.a) +
              "\" data-b=\"" + spans(seam.b) + "\" data-reversed=\"" + (seam.reversed ? "1" : "0") + "\" data-tie=\"" +
-             (seam.tie == Seam::Tie::TwoToOne ? "2:1" : "1:1") + "\"/>\n";
+             std::string(tieName(seam.tie)) + "\"/>\n";
   return out + "</svg>\n";
 }
 

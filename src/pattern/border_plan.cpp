@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "karinui/pattern/pleats.h"
 #include "words.h"
 
 namespace karinui {
@@ -13,6 +14,8 @@ constexpr double kSame = 1e-7;  // metres: stations nearer than this are one
 // Metres: corners nearer than this are one in the lattice, whose cells would else be slivers beside an edge of a
 // fraction of a millimetre. A hair less than 1 mm, so that edges of that length keep both their corners.
 constexpr double kOneCorner = 1e-3 - 1e-8;
+
+constexpr double kOnLine = 1e-4;  // metres: a line that ends as near to another ends on it
 
 // Puts stations at the corners of a track, one where several are as near as that.
 void placeCorners(Track& track) {
@@ -144,9 +147,13 @@ Done BorderPlan::gatherTracks(const Pattern& pattern) {
       trackOf_[{id, hole}] = tracks_.size();
       tracks_.push_back(std::move(track));
     }
+    gatherLines(pattern, *piece);
   }
-  // The banks of a slit are divided alike, place by place.
   for (std::size_t t = 0; t < tracks_.size(); ++t)
+    if (tracks_[t].open()) standOnTracks(t);
+  // The banks of a slit are divided alike, place by place.
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    if (tracks_[t].open()) continue;
     for (const Retrace& slit : retraces(*tracks_[t].outline)) {
       const double whole = tracks_[t].whole();
       const auto wrapped = [&](double from, double to) {
@@ -163,7 +170,45 @@ Done BorderPlan::gatherTracks(const Pattern& pattern) {
       }
       joined_.push_back(std::move(banks));
     }
+  }
   return {};
+}
+
+void BorderPlan::gatherLines(const Pattern& pattern, const Piece& piece) {
+  const std::set<std::string> names = linesOfLattice(pattern, piece);
+  std::size_t next = piece.holes.size();
+  for (const InternalLine& line : piece.lines) {
+    const Curve* curve = names.contains(line.name) ? findCurve(piece, line.name) : nullptr;
+    if (!curve || curve != &line.curves.front() || !(curve->length() > kOneCorner)) continue;
+    const double whole = curve->length();
+    Track track{piece.id, ++next, nullptr, {0, whole}, {0, whole}, {0, whole}};
+    track.line = std::make_shared<const Outline>(Outline{{{line.name, *curve}}});
+    track.outline = track.line.get();
+    trackOf_[{piece.id, next}] = tracks_.size();
+    tracks_.push_back(std::move(track));
+  }
+}
+
+// Where a line begins or ends on the outline, or on another line, that has a station there.
+void BorderPlan::standOnTracks(std::size_t line) {
+  const Curve curve = tracks_[line].outline->edges.front().curve;
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    if (t == line || tracks_[t].piece != tracks_[line].piece) continue;
+    for (const Flat end : {curve.start, curve.end})
+      for (std::size_t k = 0; k < tracks_[t].outline->edges.size(); ++k) {
+        const Curve& along = tracks_[t].outline->edges[k].curve;
+        const std::vector<Flat> chords = along.flattened(1e-5);
+        double walked = 0, nearest = kOnLine, at = 0;
+        for (std::size_t n = 0; n + 1 < chords.size(); ++n) {
+          const double own = distance(chords[n], chords[n + 1]);
+          const double share = std::clamp(dot(end - chords[n], chords[n + 1] - chords[n]) / (own * own), 0.0, 1.0);
+          if (const double away = distance(lerp(chords[n], chords[n + 1], share), end); away < nearest)
+            nearest = away, at = walked + share * own;
+          walked += own;
+        }
+        if (nearest < kOnLine) addStation(t, tracks_[t].edgeStart[k] + at, kOnLine);
+      }
+  }
 }
 
 Result<std::vector<Leg>> BorderPlan::legs(const Pattern& pattern, const Seam& seam,
@@ -173,7 +218,7 @@ Result<std::vector<Leg>> BorderPlan::legs(const Pattern& pattern, const Seam& se
     const auto piece = pattern.pieces.find(span.piece);
     if (piece == pattern.pieces.end()) return notFound(say("Seam {0} speaks of a piece that is not there.", seam.name));
     bool found = false;
-    for (std::size_t hole = 0; hole <= piece->second->holes.size() && !found; ++hole) {
+    for (std::size_t hole = 0; trackOf_.contains({span.piece, hole}) && !found; ++hole) {
       const std::size_t t = trackOf_.at({span.piece, hole});
       const auto k = tracks_[t].outline->find(span.edge);
       if (!k) continue;
@@ -208,7 +253,7 @@ Done BorderPlan::gatherSeams(const Pattern& pattern) {
         addStation(leg.track, leg.from, kSame);
         addStation(leg.track, leg.to, kSame);
       }
-    const int doubled = seam.tie == Seam::Tie::OneToOne                     ? 0
+    const int doubled = seam.tie != Seam::Tie::TwoToOne                     ? 0
                         : length(pattern, seam.a) > length(pattern, seam.b) ? 1
                                                                             : -1;
     seamName_[id] = seam.name;
@@ -249,7 +294,7 @@ Walk BorderPlan::walk(const std::vector<Leg>& side, bool backwards) const {
     auto k = static_cast<std::size_t>(std::lower_bound(stations.begin(), stations.end(), leg.from - kSame) -
                                       stations.begin());
     bool first = true;
-    for (;; ++k) {
+    for (; k < count || !tracks_[leg.track].open(); ++k) {
       const double at = k < count ? stations[k] : tracks_[leg.track].whole() + stations[k - count];
       if (at > leg.to + kSame) break;
       const std::array<std::size_t, 2> station{leg.track, k % count};

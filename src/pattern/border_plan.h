@@ -3,6 +3,7 @@
 // nodes; seams carry stations from side to side until both have the same ones; then stretches between stations that are
 // sewn together share one count of segments (or have twice the other's).
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "karinui/pattern/lattice.h"
@@ -10,7 +11,9 @@
 
 namespace karinui {
 
-struct Track {  // one closed curve of a piece: its outline (hole = 0) or its hole number hole - 1
+// One closed curve of a piece: its outline (hole = 0) or its hole number hole - 1; behind these, open, the internal
+// lines that something is sewn to, each a single edge with a station at its end.
+struct Track {
   PieceId piece;
   std::size_t hole = 0;
   const Outline* outline = nullptr;
@@ -18,7 +21,9 @@ struct Track {  // one closed curve of a piece: its outline (hole = 0) or its ho
   // The station at which each edge starts, and the last one ends; edges + 1 of them. Not edgeStart where edges are too
   // short for a stretch of their own: a run of such edges has one station.
   std::vector<double> corner;
-  std::vector<double> station;  // ascending, in [0, whole); stretch k runs from station k to the next
+  std::vector<double> station;               // ascending, in [0, whole); stretch k runs from station k to the next
+  std::shared_ptr<const Outline> line = {};  // of an open track: what `outline` points to
+  bool open() const { return line != nullptr; }
   double whole() const { return edgeStart.back(); }
 };
 
@@ -63,6 +68,8 @@ class BorderPlan {
 
  private:
   Done gatherTracks(const Pattern& pattern);
+  void gatherLines(const Pattern& pattern, const Piece& piece);
+  void standOnTracks(std::size_t line);
   Done gatherSeams(const Pattern& pattern);
   Result<std::vector<Leg>> legs(const Pattern& pattern, const Seam& seam, const std::vector<EdgeSpan>& side) const;
   void addNotches(const Pattern& pattern);

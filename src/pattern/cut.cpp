@@ -202,6 +202,42 @@ std::vector<Edge> walkedBack(std::vector<Edge> edges) {
   return edges;
 }
 
+// The parts of an internal line to either side of a cut, as shares of its length; each then belongs to one piece.
+std::vector<std::pair<double, Curve>> partsOf(const Curve& curve, const std::vector<Flat>& cut) {
+  std::vector<Meeting> crossings;
+  meetings(cut, Outline{{{"line", curve}}}, crossings);
+  std::vector<double> ends{0};
+  for (const Meeting& meet : crossings)
+    if (meet.on.t > 1e-6 && meet.on.t < 1 - 1e-6) ends.push_back(meet.on.t);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end(), [](double a, double b) { return b - a < 1e-6; }), ends.end());
+  std::vector<std::pair<double, Curve>> parts;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const double to = k + 1 < ends.size() ? ends[k + 1] : 1;
+    parts.emplace_back(curve.lengthTo(ends[k]) / curve.length(),
+                       ends[k] == 0 && to == 1 ? curve : curve.part(ends[k], to));
+  }
+  return parts;
+}
+
+// Divides an internal line at the cut; what is sewn to it goes along. Each piece keeps its first part.
+void divideLine(InternalLine& line, const Piece& whole, Piece& one, Piece& two, const std::vector<Flat>& cut,
+                EdgeMap& map) {
+  const auto parts = partsOf(line.curves.front(), cut);
+  auto& spans = map[{whole.id, line.name}];
+  std::set<PieceId> has;
+  for (Piece* piece : {&one, &two})
+    std::erase_if(piece->lines, [&](const InternalLine& own) { return own.name == line.name; });
+  const Ring ring = one.outline.flattened();
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto& [from, curve] = parts[k];
+    Piece& piece = contains(ring, curve.at(0.5)) ? one : two;
+    if (!has.insert(piece.id).second) continue;
+    piece.lines.push_back({line.name, {curve}, line.crease});
+    spans.push_back({from, k + 1 < parts.size() ? parts[k + 1].first : 1, {piece.id, line.name, 0, 1}});
+  }
+}
+
 // Leaves to one of two pieces what lies on its cloth.
 void keepOwn(Piece& piece) {
   const Ring ring = piece.outline.flattened();
@@ -216,7 +252,8 @@ void keepOwn(Piece& piece) {
 
 }  // namespace
 
-Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId second, const std::string& secondName) {
+Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId second, const std::string& secondName,
+                           const std::set<std::string>& sewnLines) {
   for (Flat p : line)
     if (!finite(p) || std::abs(p.u) > 100 || std::abs(p.v) > 100)
       return badInput(say("A place of the line is not a usable number (lengths are metres, within 100 m)."));
@@ -309,6 +346,9 @@ Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId s
   for (const std::string& name : gone)
     if (findEdge(piece, name) && !cut.edges.contains({piece.id, name}))
       cut.edges[{piece.id, name}] = {{0, 1, {second, name, 0, 1}}};
+  for (InternalLine internal : piece.lines)
+    if (sewnLines.contains(internal.name) && internal.curves.size() == 1 && !findEdge(piece, internal.name))
+      divideLine(internal, piece, one, two, places, cut.edges);
   cut.pieces = {std::move(one), std::move(two)};
   return cut;
 }

@@ -21,7 +21,7 @@ bool PaperDart::folded() const { return distance(from, until) <= kWidestFolded; 
 std::vector<PaperDart> dartsOf(const Pattern& pattern) {
   std::vector<PaperDart> all;
   for (const auto& [id, seam] : pattern.seams) {
-    if (seam.a.size() != 1 || seam.b.size() != 1 || !seam.reversed) continue;
+    if (seam.a.size() != 1 || seam.b.size() != 1 || !seam.reversed || seam.tie == Seam::Tie::Pleat) continue;
     const EdgeSpan &a = seam.a.front(), &b = seam.b.front();
     const auto piece = pattern.pieces.find(a.piece);
     if (a.piece != b.piece || piece == pattern.pieces.end()) continue;

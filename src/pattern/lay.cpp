@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "border_plan.h"
@@ -27,7 +28,7 @@ TrackNodes divide(const BorderPlan& plan, std::size_t t) {
   for (std::size_t k = 0; k < track.station.size(); ++k) {
     const double from = track.station[k], to = k + 1 < track.station.size() ? track.station[k + 1] : track.whole();
     nodes.station.push_back(nodes.place.size());
-    const std::size_t count = plan.count(t, k);
+    const std::size_t count = track.open() && k + 1 == track.station.size() ? 1 : plan.count(t, k);
     for (std::size_t n = 0; n < count; ++n) {
       const double at = from + (to - from) * static_cast<double>(n) / static_cast<double>(count);
       while (edge + 1 < track.outline->edges.size() && track.edgeStart[edge + 1] <= at + 5e-8) ++edge;
@@ -66,8 +67,9 @@ void alignBanks(const BorderPlan& plan, std::vector<TrackNodes>& nodes) {
 
 class TieMaker {
  public:
-  TieMaker(const BorderPlan& plan, const std::vector<TrackNodes>& nodes, const std::vector<std::uint32_t>& firstNode)
-      : plan_(plan), nodes_(nodes), firstNode_(firstNode) {}
+  TieMaker(const BorderPlan& plan, const std::vector<TrackNodes>& nodes,
+           const std::vector<std::vector<std::uint32_t>>& numbers)
+      : plan_(plan), nodes_(nodes), numbers_(numbers) {}
 
   void sew(const BorderPlan::Joined& joined) {
     const Walk a = plan_.walk(joined.a, false), b = plan_.walk(joined.b, joined.reversed);
@@ -90,9 +92,7 @@ class TieMaker {
   std::vector<SeamTie> ties;
 
  private:
-  std::uint32_t node(std::size_t track, std::size_t k) const {
-    return firstNode_[track] + static_cast<std::uint32_t>(k);
-  }
+  std::uint32_t node(std::size_t track, std::size_t k) const { return numbers_[track][k]; }
 
   void tie(std::size_t trackA, std::size_t a, std::size_t trackB, std::size_t b, std::size_t c = kNoNode) {
     SeamTie made{seam_,
@@ -131,7 +131,7 @@ class TieMaker {
 
   const BorderPlan& plan_;
   const std::vector<TrackNodes>& nodes_;
-  const std::vector<std::uint32_t>& firstNode_;
+  const std::vector<std::vector<std::uint32_t>>& numbers_;  // in the lattice, of each track's nodes
   SeamId seam_;
   std::set<std::tuple<PieceId, std::uint32_t, PieceId, std::uint32_t>> done_;
 };
@@ -167,6 +167,32 @@ void fillEdges(Lattice& lattice, const Track& track, const TrackNodes& nodes, st
   }
 }
 
+void fillLine(Lattice& lattice, const Track& track, const TrackNodes& nodes,
+              const std::vector<std::uint32_t>& numbers) {
+  Lattice::EdgeNodes line;
+  line.hole = track.hole, line.nodes = numbers, line.count = numbers.size() - 1;
+  for (const double at : nodes.at) line.fraction.push_back(std::min(1.0, at / track.whole()));
+  lattice.edges[track.outline->edges.front().name] = std::move(line);
+}
+
+// The nodes of a line: those at its ends may be another's.
+void addLine(BorderNodes& border, const TrackNodes& nodes) {
+  constexpr double kOne = 1.5e-4;  // metres
+  std::vector<Flat> places = border.outline;
+  for (const auto& hole : border.holes) places.insert(places.end(), hole.begin(), hole.end());
+  places.insert(places.end(), border.inner.begin(), border.inner.end());
+  auto& line = border.lines.emplace_back();
+  for (std::size_t n = 0; n < nodes.place.size(); ++n) {
+    const bool end = n == 0 || n + 1 == nodes.place.size();
+    const auto same =
+        std::find_if(places.begin(), places.end(), [&](Flat p) { return end && distance(p, nodes.place[n]) < kOne; });
+    line.push_back(static_cast<std::uint32_t>(same - places.begin()));
+    if (same != places.end()) continue;
+    border.inner.push_back(nodes.place[n]);
+    places.push_back(nodes.place[n]);
+  }
+}
+
 // All that a piece's lattice is made from.
 std::string contentOf(std::span<const Track> tracks, std::span<const TrackNodes> nodes, Flat centre, Flat grain,
                       double spacing) {
@@ -176,6 +202,7 @@ std::string contentOf(std::span<const Track> tracks, std::span<const TrackNodes>
     content.add(std::span<const Flat>(nodes[k].place)).add(std::span<const double>(nodes[k].at));
     content.add(std::span<const double>(tracks[k].edgeStart)).add(std::uint64_t{tracks[k].hole});
     for (const Edge& edge : tracks[k].outline->edges) content.add(edge.name);
+    if (tracks[k].open()) content.add(std::string_view("line"));
   }
   return content.hex();
 }
@@ -184,6 +211,7 @@ std::string contentOf(std::span<const Track> tracks, std::span<const TrackNodes>
 bool endsOn(const Lattice& lattice, const BorderNodes& border) {
   std::vector<Flat> wanted = border.outline;
   for (const auto& hole : border.holes) wanted.insert(wanted.end(), hole.begin(), hole.end());
+  wanted.insert(wanted.end(), border.inner.begin(), border.inner.end());
   return wanted.size() <= lattice.nodes.size() && std::equal(wanted.rbegin(), wanted.rend(), lattice.nodes.rbegin());
 }
 
@@ -195,14 +223,20 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
   for (std::size_t t = 0; t < tracks.size(); ++t) nodes.push_back(divide(plan, t));
   alignBanks(plan, nodes);
   LaidPattern laid{spacing, {}, {}};
-  std::vector<std::uint32_t> firstNode(tracks.size());
+  std::vector<std::vector<std::uint32_t>> numbers(tracks.size());
   std::optional<Error> trouble;
   for (std::size_t t = 0; t < tracks.size();) {
     const Piece& piece = *pattern.pieces.at(tracks[t].piece);
     std::size_t end = t;
     BorderNodes border;
-    std::vector<std::array<std::size_t, 2>> stretchOf;  // of every node's segment, through outline and holes
+    std::vector<std::array<std::size_t, 2>> stretchOf;  // of every segment, as a clash counts them
     for (; end < tracks.size() && tracks[end].piece == tracks[t].piece; ++end) {
+      if (tracks[end].open()) {
+        addLine(border, nodes[end]);
+        for (std::size_t k = 0; k + 1 < nodes[end].place.size(); ++k)
+          stretchOf.insert(stretchOf.end(), 2, {end, nodes[end].stretch[k]});
+        continue;
+      }
       (end == t ? border.outline : border.holes.emplace_back()) = nodes[end].place;
       for (std::size_t k : nodes[end].stretch) stretchOf.push_back({end, k});
     }
@@ -210,10 +244,19 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
     const std::span own(tracks.data() + t, end - t);
     const std::string name = contentOf(own, std::span(nodes.data() + t, own.size()), centre, grain, spacing);
     const auto numberAsNodes = [&](std::size_t nodesInAll) {
-      auto first = static_cast<std::uint32_t>(nodesInAll - stretchOf.size());
-      for (std::size_t k = t; k < end; ++k) {
-        firstNode[k] = first;
-        first += static_cast<std::uint32_t>(nodes[k].place.size());
+      std::size_t onBorder = border.inner.size();
+      for (std::size_t k = t; k < end; ++k) onBorder += tracks[k].open() ? 0 : nodes[k].place.size();
+      const auto base = static_cast<std::uint32_t>(nodesInAll - onBorder);
+      std::uint32_t first = base;
+      for (std::size_t k = t, line = 0; k < end; ++k) {
+        numbers[k].resize(nodes[k].place.size());
+        if (tracks[k].open()) {
+          for (std::size_t n = 0; n < numbers[k].size(); ++n) numbers[k][n] = base + border.lines[line][n];
+          ++line;
+          continue;
+        }
+        std::iota(numbers[k].begin(), numbers[k].end(), first);
+        first += static_cast<std::uint32_t>(numbers[k].size());
       }
     };
     if (auto before = keptLattices().find(name); before && endsOn(*before, border)) {
@@ -238,7 +281,11 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
     } else {
       numberAsNodes(lattice->nodes.size());
       for (std::size_t k = t; k < end; ++k) {
-        const std::uint32_t first = firstNode[k];
+        if (tracks[k].open()) {
+          fillLine(*lattice, tracks[k], nodes[k], numbers[k]);
+          continue;
+        }
+        const std::uint32_t first = numbers[k].front();
         fillEdges(*lattice, tracks[k], nodes[k], first);
         if (k == t) continue;
         auto& hole = lattice->holes.emplace_back();
@@ -251,7 +298,7 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
     t = end;
   }
   if (trouble) return *trouble;
-  TieMaker maker(plan, nodes, firstNode);
+  TieMaker maker(plan, nodes, numbers);
   for (const auto& joined : plan.joined())
     if (joined.seam) maker.sew(joined);
   laid.ties = std::move(maker.ties);

@@ -1,6 +1,7 @@
 #include "karinui/pattern/markings.h"
 
 #include "karinui/pattern/darts.h"
+#include "karinui/pattern/pleats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,9 +99,19 @@ std::optional<BorderPlace> borderPlace(const Pattern& pattern, const SeamPlace& 
   return std::nullopt;
 }
 
+// The same on an internal line, of which either side is cloth.
+static std::optional<BorderPlace> sewnPlace(const Pattern& pattern, const SeamPlace& at) {
+  if (auto on = borderPlace(pattern, at)) return on;
+  const Curve* curve = curveOf(pattern, at.piece, at.edge);
+  if (!curve) return std::nullopt;
+  const double t = curve->parameterAt(std::clamp(at.fraction, 0.0, 1.0) * curve->length());
+  return BorderPlace{curve->at(t), -leftOf(unitTangent(*curve, t)), false};
+}
+
 std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
   std::vector<NotchPlace> out;
   for (const auto& [id, seam] : pattern.seams) {
+    if (seam.tie == Seam::Tie::Pleat) continue;
     const SeamSides sides(pattern, seam);
     std::vector<double> fractions = sides.breaks();
     if (fractions.empty()) continue;
@@ -134,6 +145,13 @@ std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
       if (const auto on = borderPlace(pattern, end))
         out.push_back({dart.piece, on->place, on->outward, pattern.seams.at(dart.seam).name, false, end.edge});
   }
+  for (const PaperPleat& pleat : pleatsOf(pattern))
+    for (const Flat end : {pleat.fold, pleat.place}) {
+      const bool drawn = std::any_of(out.begin(), out.end(), [&](const NotchPlace& notch) {
+        return notch.piece == pleat.piece && distance(notch.place, end) < 1e-6;
+      });
+      if (!drawn) out.push_back({pleat.piece, end, -pleat.along, "", false, pleat.edge});
+    }
   for (const auto& [id, piece] : pattern.pieces)
     for (const Mark& mark : piece->marks)
       if (!mark.edge.empty())
@@ -164,7 +182,8 @@ std::vector<Flat> drillHoles(const Pattern& pattern, const Piece& piece) {
 }
 
 std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish) {
-  constexpr double kDepth = 0.014;  // metres from the edge, within the seams' numbers
+  constexpr double kDepth = 0.014;       // metres from the edge, within the seams' numbers
+  constexpr double kBelowArrow = 0.055;  // metres from the edge to the middle of a pleat's words
   std::vector<PaperNote> notes;
   const auto flat = [](Flat along) { return std::abs(along.u) >= std::abs(along.v); };
   for (const auto& [at, elastic] : finish.elastics)
@@ -180,9 +199,21 @@ std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish)
                        under > 0 ? say("hem {0} mm, {1} mm turned in", width, under) : say("hem {0} mm", width),
                        on->place - on->outward * kDepth, flat(leftOf(on->outward))});
     }
+  const std::vector<PaperPleat> pleats = pleatsOf(pattern);
+  for (const PaperPleat& pleat : pleats) {  // between the fold and the one inside it, below the arrow
+    const double depth = distance(pleat.fold, pleat.inner);
+    notes.push_back({pleat.piece, say("pleat {0} mm", std::round(depth * 1e4) / 10),
+                     lerp(pleat.fold, pleat.inner, 0.5) + pleat.along * kBelowArrow, flat(pleat.along)});
+  }
+  const auto ofPleat = [&](PieceId id, const InternalLine& line) {
+    return std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) {
+      const auto at = [&](Flat end) { return distance(end, pleat.fold) < 1e-6 || distance(end, pleat.inner) < 1e-6; };
+      return pleat.piece == id && (at(line.curves.front().start) || at(line.curves.back().end));
+    });
+  };
   for (const auto& [id, piece] : pattern.pieces)
     for (const InternalLine& line : piece->lines) {
-      if (!line.crease || line.curves.empty()) continue;
+      if (!line.crease || line.curves.empty() || ofPleat(id, line)) continue;
       const Curve& curve = line.curves[line.curves.size() / 2];
       const double turn = std::round(line.crease->angle * 1800 / std::numbers::pi) / 10;
       const Flat along = curve.tangent(0.5);
@@ -190,6 +221,17 @@ std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish)
                        curve.at(0.5) + leftOf(normalized(along)) * kNoteSize, flat(along)});
     }
   return notes;
+}
+
+std::vector<PaperArrow> pleatArrows(const Pattern& pattern) {
+  constexpr double kDepth = 0.030, kHead = 0.004;  // metres from the edge; of the head
+  std::vector<PaperArrow> arrows;
+  for (const PaperPleat& pleat : pleatsOf(pattern)) {
+    const Flat in = pleat.along * kDepth, from = pleat.fold + in, to = pleat.place + in;
+    const Flat back = normalized(from - to) * kHead, aside = leftOf(back) * 0.4;
+    arrows.push_back({pleat.piece, {from, to}, {to, to + back + aside}, {to, to + back - aside}});
+  }
+  return arrows;
 }
 
 std::vector<NotchPlace> elasticNotches(const Pattern& pattern, const Allowances& finish) {
@@ -207,13 +249,14 @@ std::vector<SeamTag> seamTags(const Pattern& pattern) {
   std::size_t number = 0;
   for (const auto& [id, seam] : pattern.seams) {
     ++number;
+    if (seam.tie == Seam::Tie::Pleat) continue;
     const SeamSides sides(pattern, seam);
     for (const SeamSide* side : {&sides.a, &sides.b}) {
       std::optional<SeamTag> best;
       double most = -1;
       for (const double fraction : {0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.15, 0.85}) {
         const SeamPlace at = side->at(fraction);
-        const auto on = borderPlace(pattern, at);
+        const auto on = sewnPlace(pattern, at);
         if (!on) continue;
         auto& lines = drawn[at.piece];
         if (lines.empty()) lines = linesOf(*pattern.pieces.at(at.piece));

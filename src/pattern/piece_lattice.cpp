@@ -41,7 +41,9 @@ int evenBelow(double steps) {
   return whole - (whole & 1);
 }
 
-Grid gridUnder(const std::vector<Segment>& segments, Flat centre, Flat warp, double spacing) {
+// `lines`: segments inside, which the grid keeps clear of as well.
+Grid gridUnder(const std::vector<Segment>& segments, const std::vector<Segment>& lines, Flat centre, Flat warp,
+               double spacing) {
   Grid grid;
   grid.centre = centre;
   grid.weft = {warp.v, -warp.u};
@@ -76,7 +78,7 @@ Grid gridUnder(const std::vector<Segment>& segments, Flat centre, Flat warp, dou
         grid.spot[grid.at(i, j)] = Spot::Node;
   }
   // Then what is too near the outline goes. The hair's breadth keeps a tie the same in a mirrored piece.
-  for (const Segment& s : segments) {
+  const auto clear = [&](const Segment& s) {
     const Flat p = grid.steps(s.a), q = grid.steps(s.b);
     const int i0 = std::max(0, static_cast<int>(std::floor(std::min(p.u, q.u) - 1.3)));
     const int i1 = std::min(grid.columns - 1, static_cast<int>(std::ceil(std::max(p.u, q.u) + 1.3)));
@@ -88,7 +90,9 @@ Grid gridUnder(const std::vector<Segment>& segments, Flat centre, Flat warp, dou
         if (i + 1 < grid.columns && j + 1 < grid.rows && distanceToSegment(p, q, {i + 0.5, j + 0.5}) < kCellClear)
           grid.blocked[grid.cellAt(i, j)] = 1;
       }
-  }
+  };
+  std::for_each(segments.begin(), segments.end(), clear);
+  std::for_each(lines.begin(), lines.end(), clear);
   return grid;
 }
 
@@ -119,6 +123,12 @@ Band bandOf(const Grid& grid, const BorderNodes& border) {
   };
   addRing(border.outline, true);
   for (const auto& hole : border.holes) addRing(hole, false);
+  band.points.insert(band.points.end(), border.inner.begin(), border.inner.end());
+  for (const auto& line : border.lines)  // the ring lies on both sides of it
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      band.sides.push_back({line[k], line[k + 1]});
+      band.sides.push_back({line[k + 1], line[k]});
+    }
   band.borderCount = band.points.size();
   std::vector<std::uint32_t> index(grid.spot.size(), kNoNode);
   for (int j = 0; j < grid.rows; ++j)
@@ -178,7 +188,13 @@ Result<Lattice> latticeOf(const BorderNodes& border, Flat centre, Flat warp, dou
   };
   addSegments(border.outline);
   for (const auto& hole : border.holes) addSegments(hole);
-  Grid grid = gridUnder(segments, centre, warp, spacing);
+  std::vector<Flat> places = border.outline;
+  for (const auto& hole : border.holes) places.insert(places.end(), hole.begin(), hole.end());
+  places.insert(places.end(), border.inner.begin(), border.inner.end());
+  std::vector<Segment> lines;
+  for (const auto& line : border.lines)
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) lines.push_back({places[line[k]], places[line[k + 1]]});
+  Grid grid = gridUnder(segments, lines, centre, warp, spacing);
 
   Band band = bandOf(grid, border);
   std::optional<SideClash> sideClash;

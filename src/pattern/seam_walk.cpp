@@ -14,13 +14,18 @@ const Edge* edgeOf(const Pattern& pattern, PieceId piece, std::string_view edge)
   return found == pattern.pieces.end() ? nullptr : findEdge(*found->second, edge);
 }
 
+const Curve* curveOf(const Pattern& pattern, PieceId piece, std::string_view name) {
+  const auto found = pattern.pieces.find(piece);
+  return found == pattern.pieces.end() ? nullptr : findCurve(*found->second, name);
+}
+
 SeamSide::SeamSide(const Pattern& pattern, const std::vector<EdgeSpan>& spans, bool against) : against_(against) {
   double along = 0;
   for (const EdgeSpan& span : spans) {
-    const Edge* edge = edgeOf(pattern, span.piece, span.edge);
-    if (!edge || !(span.to > span.from)) continue;
+    const Curve* curve = curveOf(pattern, span.piece, span.edge);
+    if (!curve || !(span.to > span.from)) continue;
     spans_.push_back(span);
-    end_.push_back(along += edge->curve.length() * (span.to - span.from));
+    end_.push_back(along += curve->length() * (span.to - span.from));
   }
 }
 

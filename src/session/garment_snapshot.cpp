@@ -332,7 +332,7 @@ std::optional<Vec3> spaceOf(const GarmentSnapshot& snapshot, PieceId id, Flat pa
 SeamId seamAt(const Document& document, const EdgeNear& near) {
   SeamId found;
   for (const auto& [id, seam] : document.pattern.seams)
-    for (const auto* side : {&seam.a, &seam.b})
+    for (const auto* side : takenSides(seam))
       for (const EdgeSpan& span : *side)
         if (span.piece == near.piece && span.edge == near.edge && span.from <= near.fraction + 1e-9 &&
             near.fraction <= span.to + 1e-9)
@@ -343,11 +343,11 @@ SeamId seamAt(const Document& document, const EdgeNear& near) {
 std::vector<Vec3> edgeInSpace(const GarmentSnapshot& snapshot, const EdgeRef& part) {
   std::vector<Vec3> line;
   const Piece* piece = snapshot.document.find(part.piece.id);
-  const Edge* edge = piece ? findEdge(*piece, part.edge) : nullptr;
-  if (!edge) return line;
+  const Curve* curve = piece ? findCurve(*piece, part.edge) : nullptr;
+  if (!curve) return line;
   const Stand stand(*piece);
-  const int steps = std::clamp(static_cast<int>(edge->curve.length() * (part.to - part.from) / 0.008), 4, 200);
-  for (const Flat p : edge->curve.evenly(part.from, part.to, steps)) line.push_back(stand(p));
+  const int steps = std::clamp(static_cast<int>(curve->length() * (part.to - part.from) / 0.008), 4, 200);
+  for (const Flat p : curve->evenly(part.from, part.to, steps)) line.push_back(stand(p));
   return line;
 }
 

@@ -57,8 +57,8 @@ std::vector<CrossedSeam> crossedSeams(const GarmentSnapshot& snapshot) {
     for (const auto* side : {&seam.a, &seam.b}) {
       const EdgeSpan& span = (*side)[side->size() / 2];
       const Piece* piece = snapshot.document.find(span.piece);
-      if (const Edge* edge = piece ? findEdge(*piece, span.edge) : nullptr)
-        one.paper.emplace_back(piece->id, edge->curve.atFraction((span.from + span.to) / 2));
+      if (const Curve* curve = piece ? findCurve(*piece, span.edge) : nullptr)
+        one.paper.emplace_back(piece->id, curve->atFraction((span.from + span.to) / 2));
     }
     crossed.push_back(std::move(one));
   }

@@ -29,6 +29,7 @@ struct Held {  // a part of an edge that a seam holds
 std::optional<Held> heldFrom(const Pattern& pattern, const Spot& spot) {
   for (const auto& [id, seam] : pattern.seams)
     for (const bool onA : {true, false}) {
+      if (onA && seam.tie == Seam::Tie::Pleat) continue;  // what lies over a pleat is free
       const auto& side = onA ? seam.a : seam.b;
       for (std::size_t k = 0; k < side.size(); ++k)
         if (side[k].piece == spot.piece->id && side[k].edge == spot.on().name && side[k].from < spot.at + kSame &&
@@ -41,7 +42,7 @@ std::optional<Held> heldFrom(const Pattern& pattern, const Spot& spot) {
 double nextHeld(const Pattern& pattern, const Spot& spot) {
   double next = 1;
   for (const auto& [id, seam] : pattern.seams)
-    for (const auto* side : {&seam.a, &seam.b})
+    for (const auto* side : takenSides(seam))
       for (const EdgeSpan& span : *side)
         if (span.piece == spot.piece->id && span.edge == spot.on().name && span.from > spot.at + kSame)
           next = std::min(next, span.from);
@@ -90,7 +91,7 @@ bool SewnBorder::walk(const Pattern& pattern, const EdgeNear& place) {
   if (heldFrom(pattern, begin)) return false;
   double from = 0;
   for (const auto& [id, seam] : pattern.seams)
-    for (const auto* side : {&seam.a, &seam.b})
+    for (const auto* side : takenSides(seam))
       for (const EdgeSpan& span : *side)
         if (span.piece == piece.id && span.edge == place.edge && span.to <= begin.at + kSame)
           from = std::max(from, span.to);
@@ -100,6 +101,10 @@ bool SewnBorder::walk(const Pattern& pattern, const EdgeNear& place) {
   for (int step = 0; step < kMost; ++step) {
     if (spot.at > 1 - kSame) spot = {spot.piece, (spot.edge + 1) % spot.piece->outline.edges.size(), 0};
     if (const auto held = heldFrom(pattern, spot)) {
+      if (held->seam->tie == Seam::Tie::Pleat) {  // folded in: the border goes on behind it
+        spot.at = held->seam->b[held->span].to;
+        continue;
+      }
       const auto there = across(pattern, spot, *held);
       if (!there) return false;
       spot = *there;

@@ -109,9 +109,9 @@ std::vector<std::string> inWords(const std::vector<Message>& lines, Language lan
 // is to its right.
 TableSeam::Run runOf(const Piece& piece, const EdgeSpan& span, Flat lies) {
   TableSeam::Run run;
-  const Edge* edge = findEdge(piece, span.edge);
-  if (!edge) return run;
-  run.points = laid(edge->curve.evenly(span.from, span.to, kSteps), lies);
+  const Curve* curve = findCurve(piece, span.edge);
+  if (!curve) return run;
+  run.points = laid(curve->evenly(span.from, span.to, kSteps), lies);
   const double side = piece.outline.find(span.edge) ? 1 : -1;
   const std::size_t last = run.points.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
@@ -123,7 +123,7 @@ TableSeam::Run runOf(const Piece& piece, const EdgeSpan& span, Flat lies) {
 
 // An edge sewn to the next one over all their length closes a wedge.
 bool closesDart(const Pattern& pattern, const Seam& seam) {
-  if (seam.a.size() != 1 || seam.b.size() != 1 || !seam.reversed) return false;
+  if (seam.a.size() != 1 || seam.b.size() != 1 || !seam.reversed || seam.tie == Seam::Tie::Pleat) return false;
   const EdgeSpan &a = seam.a.front(), &b = seam.b.front();
   const auto at = pattern.pieces.find(a.piece);
   if (a.piece != b.piece || at == pattern.pieces.end()) return false;
@@ -137,6 +137,7 @@ bool closesDart(const Pattern& pattern, const Seam& seam) {
 TableSeam seamOf(const Pattern& pattern, const Seam& seam, const TableLayout& layout) {
   TableSeam drawn;
   drawn.name = seam.name;
+  if (seam.tie == Seam::Tie::Pleat) return drawn;  // an arrow says it
   const SeamSides walk(pattern, seam);
   const SeamSide* const walks[] = {&walk.a, &walk.b};
   for (std::size_t k = 0; k < 2; ++k) {
@@ -242,6 +243,9 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
   for (const NotchPlace& quarter : elasticNotches(pattern, document.allowances)) notches.push_back(quarter);
   for (const NotchPlace& notch : notches)
     frame.pieces[number.at(notch.piece)].notches.push_back({laid(strokeOf(notch), layout.at(notch.piece)), notch.own});
+  for (const PaperArrow& arrow : pleatArrows(pattern))
+    for (const PaperStroke& stroke : {arrow.shaft, arrow.head, arrow.otherHead})
+      frame.pieces[number.at(arrow.piece)].notches.push_back({laid(stroke, layout.at(arrow.piece)), false});
   for (const SeamTag& tag : seamTags(pattern))
     frame.pieces[number.at(tag.piece)].labels.push_back({TableLabel::Says::SeamNumber,
                                                          Message{std::to_string(tag.number), {}},

@@ -64,8 +64,8 @@ std::string facts(const Document& d) {
   }
   for (const auto& [id, s] : d.pattern.seams) {
     out << "seam " << text(id) << (s.name.empty() ? "" : " " + s.name) << " " << side(s.a)
-        << (s.reversed ? " against " : " along ") << side(s.b) << (s.tie == Seam::Tie::TwoToOne ? " 2:1" : " 1:1")
-        << " ease " << fixed(easeRatio(d.pattern, s), 3) << "\n";
+        << (s.reversed ? " against " : " along ") << side(s.b) << " " << tieName(s.tie) << " ease "
+        << fixed(easeRatio(d.pattern, s), 3) << "\n";
   }
   for (const auto& [fabricName, f] : d.fabrics)
     out << "fabric " << fabricName << " weight " << fixed(f.weight, 3) << "\n";

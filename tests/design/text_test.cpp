@@ -116,7 +116,9 @@ struct Dice {
   }
   void fill(Sex& v) { v = below(2) == 0 ? Sex::Female : Sex::Male; }
   void fill(Choice& v) { v = static_cast<Choice>(below(3)); }
-  void fill(SewEdges::Tie& v) { v = static_cast<SewEdges::Tie>(below(3)); }
+  void fill(SewEdges::Tie& v) { v = static_cast<SewEdges::Tie>(below(4)); }
+  void fill(PleatKind& v) { v = static_cast<PleatKind>(below(3)); }
+  void fill(AddPleat::Turned& v) { v = static_cast<AddPleat::Turned>(below(4)); }
   void fill(SetLength::Keep& v) { v = static_cast<SetLength::Keep>(below(4)); }
   void fill(DraftBlock::Kind& value) { value = static_cast<DraftBlock::Kind>(below(6)); }
   void fill(Finish& v) { v = static_cast<Finish>(below(10)); }

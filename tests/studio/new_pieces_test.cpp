@@ -276,6 +276,47 @@ TEST(StudioNewPieces, HalvesAreUnfoldedFromTheMenuOfTheirEdge) {
   EXPECT_FALSE(findEdge(piece(w, "yoke"), "fold"));
 }
 
+// By the right button on an edge, and by keys from the menu; the dialog offers pleats that fit.
+TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  for (const char* line :
+       {"rectangle name=apron width=40cm height=45cm", "rectangle name=pocket width=10cm height=12cm"})
+    w.session().perform(*parseOperation(line)), w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Select);
+  std::size_t before = w.count();
+  menuOn(w, "apron", "top");
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Pleats…")));
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(numbers.line("count").text(), "7");
+    EXPECT_EQ(numbers.said(), "");
+    numbers.type("count", "4");
+    numbers.accept();
+  }
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_NEAR(lengthOf(w, "apron", "bottom"),
+              0.4 + 4 * 2 * std::get<AddPleat>(w.session().steps()[before].operation).depth, 1e-9);
+  // The pocket is chosen, and sewn on where the right button is pressed.
+  before = w.count();
+  Selection chosen;
+  chosen.pieces = {piece(w, "pocket").id};
+  w.session().select(chosen);
+  w.drag(w.table(), {w.onTable("apron", {-0.05, 0.16})}, {}, {}, Qt::RightButton);
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Sew pocket on here…")));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  numbers.type("open", "top");
+  numbers.accept();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("patch piece="));
+  EXPECT_EQ(w.session().snapshot().document.pattern.seams.rbegin()->second.a.size(), 3u);
+}
+
 TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
@@ -288,6 +329,7 @@ TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
   };
   w.session().select({});
   EXPECT_FALSE(offered("band")->isEnabled()) << "no edge is chosen";
+  EXPECT_FALSE(offered("pleat")->isEnabled());
   for (const char* name : {"rectangle", "circle", "ring", "polygon"}) {
     const std::size_t before = w.count();
     ASSERT_TRUE(offered(name) && offered(name)->isEnabled()) << name;

@@ -54,6 +54,7 @@ struct Cloth {
   std::vector<SeamId> seams;
   std::vector<Tie> ties;
   std::vector<std::uint32_t> pinned;  // nodes held where they are in the starting state
+  bool pleated = false;               // layers of it lie over one another before it is sewn
   std::uint32_t nodeCount = 0;
   std::vector<ElasticEdge> elastics;
   std::vector<HemmedEdge> hems;

@@ -5,6 +5,7 @@
 // edges along a cut are "cut", "cut_2" …
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -36,9 +37,11 @@ struct CutPieces {
 // Cuts along a line of places. Ends inside the piece and within 5 mm of the outline snap onto it, what runs out of the
 // piece is left off, wiggles under 0.2 mm are straightened. A line with one end on the outline makes a slit: its two
 // banks are the same curves walked both ways. A line from edge to edge makes two pieces, whose cut edges have the same
-// names. Holes, marks, internal lines and the form go with the cloth they lie on. Refuses a line that does not reach
-// the outline, crosses itself or a hole, or leaves the piece and comes back.
-Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId second, const std::string& secondName);
+// names. Holes, marks, internal lines and the form go with the cloth they lie on; those of `sewnLines` are divided, and
+// are in `edges`. Refuses a line that does not reach the outline, crosses itself or a hole, or leaves the piece and
+// comes back.
+Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId second, const std::string& secondName,
+                           const std::set<std::string>& sewnLines = {});
 
 struct EditedPiece {
   Piece piece;

@@ -16,7 +16,7 @@ inline constexpr std::uint32_t kNoNode = 0xffffffffu;
 struct Lattice {
   double spacing = 0;           // of the warp/weft grid, metres
   Flat warp{0, 1}, weft{1, 0};  // unit, at right angles
-  std::vector<Flat> nodes;      // paper places; nodes on the grid first, then the outline's, then the holes'
+  std::vector<Flat> nodes;      // paper places; on the grid first, then the outline's, the holes', the lines'
   std::vector<Triangle> faces;  // all triangles, counter-clockwise on paper; grid squares alternate their diagonals
   // The grid: node (column i along weft, row j along warp) = grid[j * columns + i], or kNoNode. A square cell is whole
   // when its four corners are nodes and `cell[j * (columns-1) + i]` is 1 (it is covered by two faces, not by the ring).
@@ -25,7 +25,8 @@ struct Lattice {
   std::vector<std::uint8_t> cell;
   // The outline's nodes in order (counter-clockwise), and where each named edge begins: the edge `name` owns
   // border[first .. first + count], end included (shared with the next edge's first; the last edge's end is border[0]).
-  // Hole edges are here too, with hole = 1, 2 …; their `first` counts along the hole as drawn.
+  // Hole edges are here too, with hole = 1, 2 …; their `first` counts along the hole as drawn. Behind the holes follow
+  // the internal lines that something is sewn to; both sides of such a line share its nodes.
   std::vector<std::uint32_t> border;
   struct EdgeNodes {
     std::size_t first = 0, count = 0;  // count = number of segments

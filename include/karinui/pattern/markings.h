@@ -26,7 +26,8 @@ struct BorderPlace {
 std::optional<BorderPlace> borderPlace(const Pattern& pattern, const SeamPlace& at);  // nothing: no such piece or edge
 
 // Places where sewn pieces must meet, for each seam as many on either side, two beside each other where a back meets
-// anything but a front; the mouths of folded darts; then the person's own notches.
+// anything but a front; the mouths of folded darts, the folds and placement lines of pleats; then the person's own
+// notches.
 struct NotchPlace {
   PieceId piece;
   Flat place, outward;
@@ -56,6 +57,12 @@ inline constexpr double kNoteSize = 0.004;  // of the font
 std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish);
 // Where an elastic's quarters come, to be pinned before it is sewn.
 std::vector<NotchPlace> elasticNotches(const Pattern& pattern, const Allowances& finish);
+// Arrows across pleats, from the fold to the line where it comes to lie.
+struct PaperArrow {
+  PieceId piece;
+  PaperStroke shaft, head, otherHead;
+};
+std::vector<PaperArrow> pleatArrows(const Pattern& pattern);
 // The number of a seam, counted from 1, beside the middle of each of its sides.
 struct SeamTag {
   PieceId piece;

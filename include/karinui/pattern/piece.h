@@ -107,10 +107,14 @@ struct Seam {
   bool reversed = true;
   enum class Tie {
     OneToOne,
-    TwoToOne
-  } tie = Tie::OneToOne;  // TwoToOne: two points of the longer side on one of the shorter
+    TwoToOne,  // two points of the longer side on one of the shorter
+    Pleat      // one to one; b is folded in under a, which can be sewn as well (pleats.h)
+  } tie = Tie::OneToOne;
   bool operator==(const Seam&) const = default;
 };
+
+std::string_view tieName(Seam::Tie tie);  // "1:1", "2:1", "pleat"
+std::optional<Seam::Tie> tieNamed(std::string_view name);
 
 struct Pattern {
   std::map<PieceId, std::shared_ptr<const Piece>> pieces;
@@ -119,7 +123,11 @@ struct Pattern {
 
 double length(const Pattern& pattern, const std::vector<EdgeSpan>& side);  // metres
 const Edge* findEdge(const Piece& piece, std::string_view name);           // on the outline or a hole; null: none
-double lengthMismatch(const Pattern& pattern, const Seam& seam);           // length of a - length of b, metres
-double easeRatio(const Pattern& pattern, const Seam& seam);                // longer / shorter, >= 1
+// What a seam can hold: an edge, or an internal line of one curve (of the same name an edge is meant). Null: neither.
+const Curve* findCurve(const Piece& piece, std::string_view name);
+// The sides of a seam whose edges nothing else can be sewn to.
+std::vector<const std::vector<EdgeSpan>*> takenSides(const Seam& seam);
+double lengthMismatch(const Pattern& pattern, const Seam& seam);  // length of a - length of b, metres
+double easeRatio(const Pattern& pattern, const Seam& seam);       // longer / shorter, >= 1
 
 }  // namespace karinui

@@ -40,5 +40,7 @@ struct SeamSides {
 
 // The edge of an outline or a hole; null where the piece or edge is not there.
 const Edge* edgeOf(const Pattern& pattern, PieceId piece, std::string_view edge);
+// The same of what a seam can hold, internal lines too.
+const Curve* curveOf(const Pattern& pattern, PieceId piece, std::string_view name);
 
 }  // namespace karinui

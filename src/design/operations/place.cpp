@@ -10,6 +10,7 @@
 #include "design/operations/new_piece.h"
 #include "design/operations/place_cone.h"
 #include "design/operations/tapered_tube.h"
+#include "karinui/pattern/pleats.h"
 
 namespace karinui {
 
@@ -198,6 +199,11 @@ Result<Document> perform(const Document& before, const PlacePiece& op, Context& 
   if (!body) return body.error();
   auto piece = placed(before, *before.find(op.piece.id), op, **body);
   if (!piece) return piece.error();
+  const std::vector<PaperPleat> pleats = pleatsOf(before.pattern);
+  if (context.advise &&
+      std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) { return pleat.piece == op.piece.id; }))
+    context.advise(
+        {say("The pleats of “{0}” are spread flat now; place a piece first, and pleat it then.", piece->name)});
   return withPiece(before, *std::move(piece));
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "design/operations/operations.h"
@@ -23,6 +24,38 @@ std::vector<EdgeSpan> spans(const std::vector<EdgeRef>& refs) {
   return side;
 }
 
+const InternalLine* lineOf(const Document& document, const EdgeRef& ref) {
+  const Piece* piece = document.find(ref.piece.id);
+  if (!piece || findEdge(*piece, ref.edge)) return nullptr;
+  const auto line = std::find_if(piece->lines.begin(), piece->lines.end(),
+                                 [&](const InternalLine& l) { return l.name == ref.edge && !l.curves.empty(); });
+  return line == piece->lines.end() ? nullptr : &*line;
+}
+
+// An internal line can be sewn to, as an edge can.
+Done resolveSewn(const Document& before, EdgeRef& ref) {
+  if (Done done = resolve(before, ref.piece); !done) return done;
+  if (!lineOf(before, ref)) return resolve(before, ref);
+  if (!(ref.from >= 0 && ref.from < ref.to && ref.to <= 1))
+    return refused(say("The part of {0}.{1} runs from {2} to {3}; it must run forward between 0 and 1.",
+                       before.find(ref.piece.id)->name, ref.edge, ref.from, ref.to));
+  return {};
+}
+
+// With the internal lines that are sewn to as one curve each, as a seam needs them.
+Document withOneCurve(Document document, const SewEdges& op) {
+  for (const auto* side : {&op.a, &op.b})
+    for (const EdgeRef& ref : *side) {
+      const InternalLine* line = lineOf(document, ref);
+      if (!line || line->curves.size() == 1) continue;
+      Piece piece = *document.find(ref.piece.id);
+      for (InternalLine& own : piece.lines)
+        if (own.name == ref.edge) own.curves = {Curve::joined(own.curves)};
+      document.pattern.pieces[piece.id] = std::make_shared<const Piece>(std::move(piece));
+    }
+  return document;
+}
+
 // Without the seams that are in the way, if they are to go.
 Document cleared(const Document& before, const SewEdges& op) {
   Document after = before;
@@ -44,7 +77,9 @@ void sew(Document& document, const SewEdges& op, SeamId id) {
   seam.a = spans(op.a);
   seam.b = spans(op.b);
   seam.reversed = op.reversed == Choice::Yes;
-  seam.tie = op.tie == SewEdges::Tie::TwoToOne ? Seam::Tie::TwoToOne : Seam::Tie::OneToOne;
+  seam.tie = op.tie == SewEdges::Tie::TwoToOne ? Seam::Tie::TwoToOne
+             : op.tie == SewEdges::Tie::Pleat  ? Seam::Tie::Pleat
+                                               : Seam::Tie::OneToOne;
   for (const auto* side : {&seam.a, &seam.b})
     for (const EdgeSpan& span : *side) document.drape.dirty.insert(span.piece);
   document.pattern.seams[id] = std::move(seam);
@@ -52,17 +87,20 @@ void sew(Document& document, const SewEdges& op, SeamId id) {
 
 }  // namespace
 
-Done resolve(const Document& before, SewEdges& op, Context&) {
+Done resolve(const Document& given, SewEdges& op, Context&) {
   if (op.a.empty() || op.b.empty()) return refused(say("A seam joins two sides; say both: a=… b=…."));
   std::vector<EdgeRef*> all;
   for (auto* side : {&op.a, &op.b})
     for (EdgeRef& edge : *side) all.push_back(&edge);
+  for (EdgeRef* edge : all)
+    if (Done done = resolveSewn(given, *edge); !done) return done;
+  const Document before = withOneCurve(given, op);
   for (std::size_t i = 0; i < all.size(); ++i) {
     EdgeRef& edge = *all[i];
-    if (Done done = resolve(before, edge); !done) return done;
     for (std::size_t j = 0; j < i; ++j)
       if (overlap(edge, *all[j])) return refused(say("{0} cannot be sewn to itself.", spoken(before, edge)));
-    if (op.replace) continue;
+    const bool over = op.tie == SewEdges::Tie::Pleat && i < op.a.size();
+    if (op.replace || over || lineOf(before, edge)) continue;  // to a line several things can be sewn
     for (const SeamId id : seamsOn(before, {edge}))
       return refused(
           say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge), spoken(*before.find(id))));
@@ -88,7 +126,8 @@ Done resolve(const Document& before, SewEdges& op, Context&) {
   return {};
 }
 
-Result<Document> perform(const Document& before, const SewEdges& op, Context& context) {
+Result<Document> perform(const Document& given, const SewEdges& op, Context& context) {
+  const Document before = withOneCurve(given, op);
   if (context.advise)
     for (const SeamDoubt& doubt : seamDoubts(before, op, context.bodies.known(before.body.hash).get()))
       context.advise({doubt.what});

@@ -47,8 +47,16 @@ struct Words {
 };
 constexpr Words<Sex, 2> kSexes{{{{"female", Sex::Female}, {"male", Sex::Male}}}};
 constexpr Words<Choice, 3> kChoices{{{{"auto", Choice::Auto}, {"yes", Choice::Yes}, {"no", Choice::No}}}};
-constexpr Words<SewEdges::Tie, 3> kTies{
-    {{{"auto", SewEdges::Tie::Auto}, {"1:1", SewEdges::Tie::OneToOne}, {"2:1", SewEdges::Tie::TwoToOne}}}};
+constexpr Words<SewEdges::Tie, 4> kTies{{{{"auto", SewEdges::Tie::Auto},
+                                          {"1:1", SewEdges::Tie::OneToOne},
+                                          {"2:1", SewEdges::Tie::TwoToOne},
+                                          {"pleat", SewEdges::Tie::Pleat}}}};
+constexpr Words<PleatKind, 3> kPleats{
+    {{{"knife", PleatKind::Knife}, {"box", PleatKind::Box}, {"inverted", PleatKind::Inverted}}}};
+constexpr Words<AddPleat::Turned, 4> kTurned{{{{"along", AddPleat::Turned::Along},
+                                               {"against", AddPleat::Turned::Against},
+                                               {"inwards", AddPleat::Turned::Inwards},
+                                               {"outwards", AddPleat::Turned::Outwards}}}};
 constexpr Words<SetLength::Keep, 4> kKept{{{{"auto", SetLength::Keep::Auto},
                                             {"start", SetLength::Keep::Start},
                                             {"end", SetLength::Keep::End},
@@ -346,6 +354,10 @@ std::string writeValue(const Choice& value) { return kChoices.write(value); }
 Done readValue(std::string_view text, Choice& value) { return kChoices.read(text, value); }
 std::string writeValue(const SewEdges::Tie& value) { return kTies.write(value); }
 Done readValue(std::string_view text, SewEdges::Tie& value) { return kTies.read(text, value); }
+std::string writeValue(const PleatKind& value) { return kPleats.write(value); }
+Done readValue(std::string_view text, PleatKind& value) { return kPleats.read(text, value); }
+std::string writeValue(const AddPleat::Turned& value) { return kTurned.write(value); }
+Done readValue(std::string_view text, AddPleat::Turned& value) { return kTurned.read(text, value); }
 std::string writeValue(const SetLength::Keep& value) { return kKept.write(value); }
 Done readValue(std::string_view text, SetLength::Keep& value) { return kKept.read(text, value); }
 std::string writeValue(const SetLength::Neighbours& value) { return kNeighbours.write(value); }

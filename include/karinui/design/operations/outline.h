@@ -1,13 +1,14 @@
 #pragma once
 // The outline of a piece: cut, reshaped, its edges split, joined, darted and made as long as said.
 // Conventions of the structs: field.h.
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "karinui/design/operations/field.h"
 #include "karinui/design/values.h"
-#include "karinui/pattern/piece.h"
+#include "karinui/pattern/pleats.h"
 
 namespace karinui {
 
@@ -114,6 +115,41 @@ struct AddDart {
   bool operator==(const AddDart&) const = default;
 };
 
+// pleat edge=skirt.waist count=6 depth=2cm        pleat edge=skirt.waist@0.2:0.8 kind=box depth=3cm stitch=10cm
+struct AddPleat {
+  static constexpr std::string_view kName = "pleat";
+  static constexpr std::string_view kHelp =
+      "Folds pleats or tucks into an edge: spreads the paper for them and sews their layers together there.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef edge;
+  PleatKind kind = PleatKind::Knife;
+  Length depth{0.02};
+  int count = 1;
+  std::optional<double> at;
+  enum class Turned { Along, Against, Inwards, Outwards } turned = Turned::Along;
+  std::optional<Flat> along;
+  Length stitch;
+  double hold = 0.9;
+  std::string name;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edge", self.edge, "the edge, or the part of it, over which the pleats are spread evenly", kNeeded);
+    visit("kind", self.kind, "knife, box or inverted", kOptional);
+    visit("depth", self.depth, "of a fold: a knife pleat takes twice as much of the paper, the others four times",
+          kOptional);
+    visit("count", self.count, "how many", kOptional);
+    visit("at", self.at, "the place of a single one, as a share of the edge's length", kOptional);
+    visit("turned", self.turned,
+          "the folds of knife pleats: along or against the edge's direction, inwards to its middle, or outwards",
+          kOptional);
+    visit("along", self.along, "their direction on paper (otherwise the grain, or square to the edge)", kOptional);
+    visit("stitch", self.stitch, "how far they are sewn down from the edge; a tuck all its length", kOptional);
+    visit("hold", self.hold, "how well they are pressed, 0.1 to 0.99; 0: not pressed", kOptional);
+    visit("name", self.name, "the name of their edges and lines", kOptional);
+  }
+  bool operator==(const AddPleat&) const = default;
+};
+
 // length edge=front.side_left to=36cm        length edge=front.shoulder_left to=12cm keep=end neighbours=follow
 // The edge keeps its shape, scaled; its other end moves. Every edge but it and its neighbours at the moved ends (and
 // their mirror images) stays bit for bit.
@@ -166,6 +202,7 @@ struct TakeIn {
   bool operator==(const TakeIn&) const = default;
 };
 
-using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, SetLength, TakeIn>;
+using OutlineOperations =
+    OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, AddPleat, SetLength, TakeIn>;
 
 }  // namespace karinui

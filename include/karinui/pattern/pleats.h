@@ -1,0 +1,83 @@
+#pragma once
+// Pleats of paper: cloth folded in along parallel lines, so that three layers lie over one another. A knife pleat of
+// depth d takes 2 d of the paper, a box or inverted pleat, which is two of them, 4 d; the edge, pleated, is as long as
+// before. Metres on paper. Pure; any thread.
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "karinui/pattern/edit.h"
+
+namespace karinui {
+
+enum class PleatKind {
+  Knife,     // one fold
+  Box,       // two folds turned away from each other, 2 d apart; behind them the cloth meets in the middle
+  Inverted,  // two folds turned to each other, which meet in front
+};
+
+struct PleatPlan {
+  std::string edge;           // of the outline, that is pleated
+  std::vector<double> at;     // fractions of it, ascending: the fold of a knife pleat, else the middle
+  std::vector<bool> toStart;  // of each knife pleat: its fold is turned to the edge's start, not to its end
+  PleatKind kind = PleatKind::Knife;
+  double depth = 0.02;  // of a fold
+  Flat along;           // unit: the lines' direction into the piece
+  std::string name = "pleat";
+  bool sewnBeyond = false;  // the edge where the pleats end is sewn, too, and so is pleated
+};
+
+// A fold of depth d, by the places across the lines: flat, the fold lies at `at`, the cloth under it in [low, low + d];
+// on the paper, `strip` begins the 2 d that are folded in.
+struct PleatFold {
+  double at = 0, low = 0, strip = 0;
+  bool toStart = false;
+  std::string fold, inner, place;  // the internal lines: pressed outwards and inwards, and where the fold comes to lie
+};
+
+// Where a place of pleated paper lies when the paper is folded: the place of the flat paper, and how many layers it is
+// lifted above that (0 to 2).
+struct FoldedPlace {
+  Flat place;
+  double lifted = 0;
+};
+
+struct PleatedPiece {
+  EditedPiece edited;  // with the internal lines
+  // What is folded in, b, and what it lies under, a; to be sewn with Seam::Tie::Pleat.
+  struct Layer {
+    EdgeSpan a, b;
+    bool reversed = true;
+  };
+  std::vector<Layer> layers;
+  std::vector<std::string> beyond;  // new parts of the edge in which the pleats end, if that is not sewn
+  std::string beyondOf;             // its name
+  std::vector<PleatFold> folds;     // ascending
+  Flat across;                      // unit: from the edge's start to its end, at right angles to the lines
+  double depth = 0;
+  FoldedPlace folded(Flat place) const;  // of a place of the new paper
+  Flat spread(Flat place) const;         // where a place of the old paper is on the new one; of the top layer
+};
+
+// Spreads the paper along a line for each fold, draws the lines, and cuts both edges so that they lie edge to edge when
+// the paper is folded. Refuses lines that run out elsewhere or through anything, pleats that overlap or do not fit on
+// an edge.
+Result<PleatedPiece> addPleats(const Piece& piece, const PleatPlan& plan);
+
+// The pleats of a pattern, at each edge they are sewn into: the corners of the outline in which a fold, the fold inside
+// it and the line where it comes to lie end.
+struct PaperPleat {
+  PieceId piece;
+  std::string edge;  // of what is folded in, beside the fold
+  Flat fold, inner, place;
+  Flat along;  // unit: into the piece
+};
+std::vector<PaperPleat> pleatsOf(const Pattern& pattern);
+
+// The internal lines of a piece that are edges of its lattice: those a seam holds and those along which a pleat is
+// folded.
+std::set<std::string> linesOfLattice(const Pattern& pattern, const Piece& piece);
+
+}  // namespace karinui

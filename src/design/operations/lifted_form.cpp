@@ -1,0 +1,33 @@
+#include "design/operations/lifted_form.h"
+
+#include "design/operations/new_piece.h"
+#include "karinui/pattern/lattice.h"
+
+namespace karinui {
+
+Result<std::shared_ptr<const Form>> liftedForm(const Piece& piece, const Piece& beneath, double spacing,
+                                               const std::function<LiftedPlace(Flat)>& over) {
+  const auto laid = layAlone(piece, spacing);
+  if (!laid) return laid.error();
+  auto form = std::make_shared<Form>();
+  form->flat = (*laid)->nodes, form->faces = (*laid)->faces;
+  if (!beneath.form || beneath.form->faces.empty()) {
+    for (const Flat node : form->flat) {
+      const LiftedPlace at = over(node);
+      form->space.push_back({at.place.u, at.place.v, at.metres});
+    }
+    return std::shared_ptr<const Form>(std::move(form));
+  }
+  const std::vector<Vec3>& space = beneath.form->space;
+  const LatticeFinder finder(beneath.form->flat, beneath.form->faces);
+  for (const Flat node : form->flat) {
+    const LiftedPlace at = over(node);
+    const LatticePlace in = finder.find(at.place);
+    const Vec3 a = space[in.face[0]], b = space[in.face[1]], c = space[in.face[2]], out = cross(b - a, c - a);
+    const Vec3 place = a * in.weight[0] + b * in.weight[1] + c * in.weight[2];
+    form->space.push_back(length(out) > 0 ? place + normalized(out) * at.metres : place);
+  }
+  return std::shared_ptr<const Form>(std::move(form));
+}
+
+}  // namespace karinui

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+
+#include "design/operations/lifted_form.h"
+#include "design/operations/operations.h"
+#include "karinui/design/sewing.h"
+#include "karinui/pattern/pleats.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kWhole = 0.005;  // metres: stitching that ends as near to the line's end runs to it
+
+Flat across(Flat p) { return {-p.u, p.v}; }
+
+// The direction the pleats run in: along the grain where that leads into the piece, or square to the edge.
+Flat directionOf(const Piece& piece, const EdgeRef& ref) {
+  const Curve& curve = piece.outline.edges[*piece.outline.find(ref.edge)].curve;
+  const Flat inward = leftOf(normalized(curve.atFraction(ref.to) - curve.atFraction(ref.from)));
+  const Flat grain = normalized(piece.grain) * (dot(piece.grain, inward) < 0 ? -1 : 1);
+  constexpr double kAlong = 0.7071;  // within 45 degrees
+  return dot(grain, inward) >= kAlong ? grain : inward;
+}
+
+PleatPlan planOf(const Piece& piece, const AddPleat& op) {
+  PleatPlan plan;
+  plan.edge = op.edge.edge, plan.kind = op.kind, plan.depth = op.depth, plan.name = op.name;
+  plan.along = normalized(*op.along);
+  const double whole = op.edge.to - op.edge.from;
+  const double length = piece.outline.edges[*piece.outline.find(op.edge.edge)].curve.length();
+  for (int n = 0; n < op.count; ++n) {
+    const double share = (n + 0.5) / op.count;
+    using Turned = AddPleat::Turned;
+    const bool first = share < 0.5;
+    plan.toStart.push_back(op.turned == Turned::Against || (op.turned == Turned::Inwards && !first) ||
+                           (op.turned == Turned::Outwards && first));
+    // The middle of what a knife pleat covers is its place.
+    const double half = op.kind == PleatKind::Knife ? op.depth / 2 / length : 0;
+    plan.at.push_back(op.at ? *op.at : op.edge.from + whole * share + (plan.toStart.back() ? -half : half));
+  }
+  return plan;
+}
+
+Result<PleatedPiece> pleated(const Document& document, const Piece& piece, const AddPleat& op) {
+  PleatPlan plan = planOf(piece, op);
+  auto made = addPleats(piece, plan);
+  if (!made || seamsOn(document, {{PieceRef(piece.id), made->beyondOf}}).empty()) return made;
+  plan.sewnBeyond = true;
+  return addPleats(piece, plan);
+}
+
+class Pleating {
+ public:
+  Pleating(const Document& before, const AddPleat& op, const PleatedPiece& made)
+      : before_(before), op_(op), made_(made), was_(*before.find(op.edge.piece.id)) {}
+
+  Result<Document> performed() {
+    press();
+    std::vector<PieceId> others;
+    after_ = withEdit(before_, made_.edited, &others);
+    finishBeyond(was_.id, [](const std::string& name) { return name; });
+    sew(was_.id, [](const EdgeSpan& span) { return span; });
+    if (Done done = stand(was_, [&](Flat place) { return made_.folded(place); }); !done) return done.error();
+    movePins(was_.id, [&](Flat place) { return made_.spread(place); });
+    for (const PieceId other : others)
+      if (Done done = onCopy(other); !done) return done.error();
+    return std::move(after_);
+  }
+
+ private:
+  void press() {
+    if (op_.hold <= 0) return;
+    const auto crease = [&](const std::string& name, double angle) {
+      for (InternalLine& line : made_.edited.piece.lines)
+        if (line.name == name) line.crease = Crease{angle, op_.hold};
+    };
+    for (const PleatFold& fold : made_.folds)
+      crease(fold.fold, -Crease::kSharpest), crease(fold.inner, Crease::kSharpest);
+  }
+
+  // New parts of the edge the pleats end in are finished as it is.
+  void finishBeyond(PieceId id, const std::function<std::string(const std::string&)>& named) {
+    const auto give = [&](auto& all) {
+      const auto own = all.find({id, named(made_.beyondOf)});
+      if (own == all.end()) return;
+      const auto value = own->second;
+      for (const std::string& name : made_.beyond) all[{id, named(name)}] = value;
+    };
+    give(after_.allowances.edges), give(after_.allowances.elastics), give(after_.allowances.hems);
+  }
+
+  void sew(PieceId id, const std::function<EdgeSpan(const EdgeSpan&)>& led) {
+    const auto add = [&](const EdgeSpan& a, const EdgeSpan& b, bool reversed, Seam::Tie tie) {
+      Seam seam;
+      seam.id = mint<SeamId>(before_, seams_++);
+      seam.a = {led(a)}, seam.b = {led(b)};
+      seam.a.front().piece = seam.b.front().piece = id;
+      seam.reversed = reversed, seam.tie = tie;
+      after_.pattern.seams[seam.id] = std::move(seam);
+    };
+    for (const auto& layer : made_.layers) add(layer.a, layer.b, layer.reversed, Seam::Tie::Pleat);
+    if (!(op_.stitch > 0)) return;
+    // Sewn down: the fold to the line where it comes to lie. Lines keep their names on a copy.
+    for (const PleatFold& fold : made_.folds) {
+      const Piece& piece = *after_.find(id);
+      const double whole = findCurve(piece, fold.fold)->length();
+      const double to = op_.stitch < whole - kWhole ? op_.stitch / whole : 1;
+      Seam seam;
+      seam.id = mint<SeamId>(before_, seams_++);
+      seam.a = {{id, fold.place, 0, to}}, seam.b = {{id, fold.fold, 0, to}};
+      seam.reversed = false;
+      after_.pattern.seams[seam.id] = std::move(seam);
+    }
+  }
+
+  // Folded in place, each layer over the other. A piece that stands nowhere yet stays flat.
+  Done stand(const Piece& old, const std::function<FoldedPlace(Flat)>& folded) {
+    if (!old.form && old.pose == Rigid()) return {};
+    Piece now = *after_.find(old.id);
+    auto form = liftedForm(now, old, before_.settings.spacing, [&](Flat place) {
+      const FoldedPlace in = folded(place);
+      return LiftedPlace{in.place, in.lifted * kLayersApart};
+    });
+    if (!form) return form.error();
+    now.form = *std::move(form);
+    after_ = withPiece(std::move(after_), std::move(now));
+    return {};
+  }
+
+  void movePins(PieceId id, const std::function<Flat(Flat)>& spread) {
+    const auto pins = after_.pins.find(id);
+    if (pins == after_.pins.end()) return;
+    for (Flat& pin : pins->second) pin = spread(pin);
+  }
+
+  // A symmetric copy: its outline was pleated likewise; its edges run the other way round.
+  Done onCopy(PieceId id) {
+    const Piece& old = *before_.find(id);
+    const Outline& mine = made_.edited.piece.outline;
+    const auto named = [&](const std::string& name) {
+      const auto& edges = after_.find(id)->outline.edges;
+      return edges[edges.size() - 1 - *mine.find(name)].name;
+    };
+    Piece now = *after_.find(id);
+    const Piece likeness = mirrored(made_.edited.piece);
+    if (old.lines == mirrored(was_).lines)
+      now.lines = likeness.lines;
+    else
+      now.lines.insert(now.lines.end(), likeness.lines.begin() + static_cast<std::ptrdiff_t>(was_.lines.size()),
+                       likeness.lines.end());
+    for (std::size_t k = 0; k < now.marks.size(); ++k)
+      if (now.marks[k].edge.empty()) now.marks[k].place = across(made_.spread(across(now.marks[k].place)));
+    after_ = withPiece(std::move(after_), std::move(now));
+    finishBeyond(id, named);
+    sew(id, [&](const EdgeSpan& span) { return EdgeSpan{id, named(span.edge), 1 - span.to, 1 - span.from}; });
+    movePins(id, [&](Flat place) { return across(made_.spread(across(place))); });
+    return stand(old, [&](Flat place) {
+      const FoldedPlace in = made_.folded(across(place));
+      return FoldedPlace{across(in.place), in.lifted};
+    });
+  }
+
+  const Document& before_;
+  const AddPleat& op_;
+  PleatedPiece made_;
+  const Piece& was_;
+  Document after_;
+  std::uint32_t seams_ = 0;
+};
+
+}  // namespace
+
+Done resolve(const Document& before, AddPleat& op, Context&) {
+  if (Done done = resolve(before, op.edge); !done) return done;
+  if (op.name.empty()) op.name = "pleat";
+  if (Done done = checkName(op.name); !done) return done;
+  if (op.count < 1 || op.count > 200) return refused(say("An edge takes 1 to 200 pleats."));
+  if (op.at && op.count > 1)
+    return refused(say("The place is that of a single pleat; several are spread over the edge or a part of it."));
+  if (op.at && !(*op.at >= 0 && *op.at <= 1))
+    return refused(say("A pleat lies between 0, the edge's beginning, and 1, its end."));
+  if (!(op.stitch >= 0)) return refused(say("A pleat is sewn down for a length, or not at all (0)."));
+  if (op.hold != 0 && !Crease{0, op.hold}.sound()) return refused(say("A fold holds 0.1 to 0.99 of its angle."));
+  if (op.along && !(length(*op.along) > 1e-6 && finite(*op.along)))
+    return refused(say("The pleats have no direction; write along=0,1 for upwards."));
+  if (!op.along) op.along = directionOf(*before.find(op.edge.piece.id), op.edge);
+  return {};
+}
+
+Result<Document> perform(const Document& before, const AddPleat& op, Context&) {
+  const auto made = pleated(before, *before.find(op.edge.piece.id), op);
+  if (!made) return made.error();
+  return Pleating(before, op, *made).performed();
+}
+
+}  // namespace karinui

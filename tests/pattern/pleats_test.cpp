@@ -1,0 +1,296 @@
+// Pleats on paper against their closed forms, and the lattice along lines that something is sewn to.
+#include "karinui/pattern/pleats.h"
+
+#include <gtest/gtest.h>
+
+#include "karinui/pattern/darts.h"
+#include "karinui/pattern/markings.h"
+#include "lattice_promises.h"
+
+namespace karinui {
+namespace {
+
+using namespace test;
+
+// A skirt panel: waist at the top, as wide as said, its top edge curved or not.
+Piece panel(double width, double height, double bow = 0) {
+  Piece piece = pieceOf(1, rectangle(width, height), "skirt");
+  Outline& outline = piece.outline;
+  outline.edges[0].name = "hem", outline.edges[2].name = "waist";
+  Curve& waist = outline.edges[2].curve;
+  if (bow != 0)
+    waist =
+        Curve::cubic(waist.start, waist.start + Flat{-width / 3, -bow}, waist.end + Flat{width / 3, -bow}, waist.end);
+  return piece;
+}
+
+PleatPlan planOf(PleatKind kind, double depth, std::vector<double> at) {
+  PleatPlan plan;
+  plan.edge = "waist", plan.kind = kind, plan.depth = depth, plan.along = {0, -1};
+  plan.at = std::move(at);
+  return plan;
+}
+
+double visible(const PleatedPiece& made, const std::string& edge) {
+  double sum = 0;
+  for (const EdgePart& part : made.edited.edges.at({PieceId{1}, edge}))
+    sum += findEdge(made.edited.piece, part.now.edge)->curve.length() * (part.now.to - part.now.from);
+  return sum;
+}
+
+// A knife pleat takes twice its depth of the paper, a box or inverted pleat four times; the pleated edge is as long as
+// before.
+TEST(Pleats, TakeTwiceOrFourTimesTheirDepth) {
+  for (const auto& [kind, times] :
+       {std::pair{PleatKind::Knife, 2.0}, {PleatKind::Box, 4.0}, {PleatKind::Inverted, 4.0}})
+    for (const double bow : {0.0, 0.03}) {
+      const Piece before = panel(0.4, 0.5, bow);
+      PleatPlan plan = planOf(kind, 0.015, {0.2, 0.5, 0.8});
+      plan.toStart = {false, true, false};
+      const auto made = addPleats(before, plan);
+      ASSERT_TRUE(made) << text(made.error().what);
+      const Outline& now = made->edited.piece.outline;
+      EXPECT_NEAR(findEdge(made->edited.piece, "hem")->curve.length(), 0.4 + 3 * times * 0.015, 1e-9);
+      EXPECT_NEAR(visible(*made, "waist"), before.outline.edges[2].curve.length(), 1e-9);
+      EXPECT_EQ(made->folds.size(), times == 2 ? 3u : 6u);
+      EXPECT_EQ(made->layers.size(), 2 * made->folds.size());
+      if (bow == 0) {
+        EXPECT_NEAR(now.area(), before.outline.area() + 3 * times * 0.015 * 0.5, 1e-9);
+      }
+      // What is sewn to each other is equally long.
+      for (const auto& layer : made->layers) {
+        const auto length = [&](const EdgeSpan& span) {
+          return findEdge(made->edited.piece, span.edge)->curve.length() * (span.to - span.from);
+        };
+        EXPECT_NEAR(length(layer.a), length(layer.b), 1e-8);
+      }
+    }
+}
+
+// Folded, what is under the edge lies edge to edge with it, also where the edge is curved or the pleats run askew; so
+// it does at the hem.
+TEST(Pleats, LieEdgeToEdgeWhenFolded) {
+  for (const double turn : {0.0, 0.2})
+    for (const PleatKind kind : {PleatKind::Knife, PleatKind::Box, PleatKind::Inverted}) {
+      const Piece before = panel(0.4, 0.5, 0.03);
+      PleatPlan plan = planOf(kind, 0.012, {0.35, 0.65});
+      plan.toStart = {true, false};
+      plan.along = {std::sin(turn), -std::cos(turn)};
+      const auto made = addPleats(before, plan);
+      ASSERT_TRUE(made) << text(made.error().what);
+      const Ring ring = before.outline.flattened(1e-7);
+      for (const Edge& edge : made->edited.piece.outline.edges)
+        for (const Flat p : edge.curve.evenly(0, 1, 20))
+          EXPECT_LT(distanceToRing(ring, made->folded(p).place), 2e-6) << edge.name << " at " << p.u << ", " << p.v;
+      // Every place of the old paper is where spread() says, and folds back there.
+      for (double u = 0.01; u < 0.4; u += 0.013)
+        for (double v = 0.05; v < 0.45; v += 0.05) {
+          const Flat place{u, v};
+          EXPECT_LT(distance(made->folded(made->spread(place)).place, place), 1e-9);
+          EXPECT_TRUE(contains(made->edited.piece.outline.flattened(1e-5), made->spread(place)));
+        }
+      // The lines: a fold and where it comes to lie are one line of the flat paper.
+      for (const PleatFold& fold : made->folds) {
+        const Curve *first = findCurve(made->edited.piece, fold.fold),
+                    *second = findCurve(made->edited.piece, fold.place);
+        ASSERT_TRUE(first && second);
+        for (const double f : {0.1, 0.5, 0.9})
+          EXPECT_LT(distance(made->folded(first->atFraction(f) + made->across * (fold.toStart ? 1e-7 : -1e-7)).place,
+                             made->folded(second->atFraction(f) + made->across * (fold.toStart ? -1e-7 : 1e-7)).place),
+                    1e-6);
+      }
+    }
+}
+
+TEST(Pleats, OneOverTheOtherAreLiftedInOrder) {
+  const Piece before = panel(0.4, 0.5);
+  const auto made = addPleats(before, planOf(PleatKind::Knife, 0.02, {0.5}));
+  ASSERT_TRUE(made);
+  // The waist runs from right to left: the fold lies at u = 0.2, the cloth under it towards larger u.
+  const auto lifted = [&](Flat place) { return made->folded(place).lifted; };
+  const double across = made->across.u;
+  const auto at = [&](double in) { return Flat{(0.2 * across + in) * across, 0.3}; };
+  EXPECT_NEAR(made->folded(at(-0.01)).place.u, 0.21, 1e-9);
+  EXPECT_NEAR(made->folded(at(0.01)).place.u, 0.21, 1e-9);
+  EXPECT_NEAR(made->folded(at(0.03)).place.u, 0.21, 1e-9);
+  EXPECT_GT(lifted(at(-0.01)), lifted(at(0.01)) + 0.4);
+  EXPECT_GT(lifted(at(0.01)), lifted(at(0.03)) + 0.4);
+}
+
+TEST(Pleats, RefuseWhatMakesNoSense) {
+  const Piece piece = panel(0.4, 0.5);
+  const auto why = [&](const PleatPlan& plan, const Piece& on) {
+    const auto made = addPleats(on, plan);
+    return made ? std::string("it was not refused") : text(made.error().what);
+  };
+  EXPECT_NE(why(planOf(PleatKind::Knife, 0.05, {0.5, 0.6}), piece).find("lie over each other"), std::string::npos);
+  EXPECT_NE(why(planOf(PleatKind::Knife, 0.05, {0.05}), piece).find("does not fit"), std::string::npos);
+  EXPECT_NE(why(planOf(PleatKind::Knife, 1, {0.5}), piece).find("50 cm"), std::string::npos);
+  PleatPlan flat = planOf(PleatKind::Knife, 0.02, {0.5});
+  flat.along = normalized(Flat{1, -0.01});
+  EXPECT_FALSE(addPleats(piece, flat));
+  Piece drawn = piece;
+  drawn.lines.push_back({"pocket", {Curve::line({0.1, 0.2}, {0.3, 0.2})}, {}});
+  EXPECT_NE(why(planOf(PleatKind::Knife, 0.02, {0.5}), drawn).find("line “pocket”"), std::string::npos);
+  Piece holed = piece;
+  holed.holes.push_back(rectangle(0.05, 0.05, {0.18, 0.2}));
+  EXPECT_NE(why(planOf(PleatKind::Knife, 0.02, {0.5}), holed).find("hole"), std::string::npos);
+}
+
+Pattern pleatedPattern(const Piece& piece, const PleatedPiece& made) {
+  Pattern pattern = patternOf({made.edited.piece});
+  std::uint64_t id = 10;
+  for (const auto& layer : made.layers)
+    pattern.seams[{id}] = {{id}, "", {layer.a}, {layer.b}, layer.reversed, Seam::Tie::Pleat}, ++id;
+  return piece.id ? pattern : Pattern();
+}
+
+// Marked on paper: notches at the fold and at its place, an arrow from one to the other, its depth in words; no dart.
+TEST(Pleats, AreMarkedOnPaper) {
+  const Piece before = panel(0.4, 0.5);
+  const auto made = addPleats(before, planOf(PleatKind::Knife, 0.02, {0.3, 0.7}));
+  ASSERT_TRUE(made);
+  const Pattern pattern = pleatedPattern(before, *made);
+  EXPECT_TRUE(dartsOf(pattern).empty());
+  const auto pleats = pleatsOf(pattern);
+  ASSERT_EQ(pleats.size(), 2u);
+  for (const PaperPleat& pleat : pleats) {
+    EXPECT_NEAR(distance(pleat.fold, pleat.place), 0.04, 1e-9);
+    EXPECT_NEAR(distance(pleat.fold, pleat.inner), 0.02, 1e-9);
+    EXPECT_LT(distance(pleat.along, {0, -1}), 1e-9);
+  }
+  EXPECT_EQ(notchPlaces(pattern).size(), 4u);
+  for (const PaperArrow& arrow : pleatArrows(pattern))
+    EXPECT_NEAR(distance(arrow.shaft.from, arrow.shaft.to), 0.04, 1e-9);
+  EXPECT_EQ(notesOf(pattern, {}).size(), 2u);
+  EXPECT_TRUE(seamTags(pattern).empty());
+}
+
+// Three layers are one point each at the edge.
+TEST(Lay, tiesTheThreeLayersOfAPleat) {
+  const Piece before = panel(0.4, 0.3);
+  const auto made = addPleats(before, planOf(PleatKind::Knife, 0.03, {0.5}));
+  ASSERT_TRUE(made);
+  const auto laid = lay(pleatedPattern(before, *made), 0.01);
+  ASSERT_TRUE(laid) << text(laid.error().what);
+  const Lattice& lattice = *laid->lattices.at({1});
+  EXPECT_EQ(laid->ties.size(), 7u);  // of four places the one at the fold is one node already, the one inside likewise
+  for (const SeamTie& tie : laid->ties)
+    EXPECT_LT(distance(made->folded(lattice.nodes[tie.a]).place, made->folded(lattice.nodes[tie.b]).place), 1e-7);
+}
+
+// A line that something is sewn to has nodes of its own along it, which the cloth on both sides shares.
+TEST(Lay, followsALineThatIsSewnTo) {
+  Piece skirt = panel(0.3, 0.3), pocket = pieceOf(2, rectangle(0.1, 0.12), "pocket");
+  const auto at = [](Flat p) { return p + Flat{0.093, 0.081}; };
+  Seam seam{{5}, "", {}, {}, false, Seam::Tie::OneToOne};
+  for (const std::size_t k : {3u, 0u, 1u}) {
+    const Edge& edge = pocket.outline.edges[k];
+    skirt.lines.push_back({"line" + std::to_string(k), {Curve::line(at(edge.curve.start), at(edge.curve.end))}, {}});
+    seam.a.push_back({{2}, edge.name, 0, 1});
+    seam.b.push_back({{1}, skirt.lines.back().name, 0, 1});
+  }
+  Pattern pattern = patternOf({skirt, pocket});
+  const auto plain = lay(pattern, 0.01);
+  pattern.seams[seam.id] = seam;
+  for (const double spacing : {0.04, 0.02, 0.01, 0.005}) {
+    const auto laid = lay(pattern, spacing);
+    ASSERT_TRUE(laid) << text(laid.error().what);
+    const Lattice &base = *laid->lattices.at({1}), &patch = *laid->lattices.at({2});
+    expectSound(base, "skirt");
+    double area = 0;
+    for (const Triangle& f : base.faces)
+      area += 0.5 * cross(base.nodes[f[1]] - base.nodes[f[0]], base.nodes[f[2]] - base.nodes[f[0]]);
+    EXPECT_NEAR(area, 0.09, 1e-9);
+    EXPECT_EQ(laid->ties.size(),
+              patch.edges.at("left").count + patch.edges.at("bottom").count + patch.edges.at("right").count + 1);
+    for (const SeamTie& tie : laid->ties) {
+      ASSERT_EQ(tie.pieceA, PieceId{2});
+      EXPECT_LT(distance(at(patch.nodes[tie.a]), base.nodes[tie.b]), 1e-6);
+      // Cloth on all sides of it: the angles of the faces there make a full turn.
+      double turn = 0;
+      for (const Triangle& f : base.faces)
+        for (int c = 0; c < 3; ++c)
+          if (f[c] == tie.b) {
+            const Flat u = base.nodes[f[(c + 1) % 3]] - base.nodes[tie.b],
+                       v = base.nodes[f[(c + 2) % 3]] - base.nodes[tie.b];
+            turn += std::atan2(cross(u, v), dot(u, v));
+          }
+      EXPECT_NEAR(turn, 2 * std::numbers::pi, 1e-6);
+    }
+  }
+  // Nothing sewn to them, lines change nothing.
+  pattern.seams.clear();
+  EXPECT_EQ(lay(pattern, 0.01)->lattices.at({1})->nodes, plain->lattices.at({1})->nodes);
+  Pattern without = patternOf({panel(0.3, 0.3)});
+  EXPECT_EQ(lay(without, 0.01)->lattices.at({1})->nodes, plain->lattices.at({1})->nodes);
+}
+
+// A closed line too small for a cell within it has cloth inside all the same.
+TEST(Lay, fillsASmallRoundOfLines) {
+  Piece skirt = panel(0.3, 0.3);
+  const Piece badge = pieceOf(2, circle(0.012));
+  for (const Edge& edge : circle(0.012, {0.13, 0.17}).edges)
+    skirt.lines.push_back({"on_" + edge.name, {edge.curve.reversed()}, {}});
+  Pattern pattern = patternOf({skirt, badge});
+  std::uint64_t id = 4;
+  for (const Edge& edge : badge.outline.edges)
+    pattern.seams[{++id}] = {
+        {id}, "", {{{2}, edge.name, 0, 1}}, {{{1}, "on_" + edge.name, 0, 1}}, true, Seam::Tie::OneToOne};
+  for (const double spacing : {0.04, 0.02, 0.01}) {
+    const auto laid = lay(pattern, spacing);
+    ASSERT_TRUE(laid) << text(laid.error().what);
+    const Lattice& base = *laid->lattices.at({1});
+    double area = 0;
+    for (const Triangle& f : base.faces)
+      area += 0.5 * cross(base.nodes[f[1]] - base.nodes[f[0]], base.nodes[f[2]] - base.nodes[f[0]]);
+    EXPECT_NEAR(area, 0.09, 1e-9) << spacing;
+  }
+}
+
+// A line from edge to edge ends in nodes of the outline.
+TEST(Lay, followsALineFromEdgeToEdge) {
+  const Piece before = panel(0.4, 0.3);
+  const auto made = addPleats(before, planOf(PleatKind::Knife, 0.03, {0.5}));
+  ASSERT_TRUE(made);
+  Pattern pattern = pleatedPattern(before, *made);
+  const PleatFold& fold = made->folds.front();
+  pattern.seams[{3}] = {{3}, "", {{{1}, fold.fold, 0, 0.4}}, {{{1}, fold.place, 0, 0.4}}, false, Seam::Tie::OneToOne};
+  for (const double spacing : {0.04, 0.02, 0.01}) {
+    const auto laid = lay(pattern, spacing);
+    ASSERT_TRUE(laid) << text(laid.error().what);
+    const Lattice& lattice = *laid->lattices.at({1});
+    expectSound(lattice, "skirt");
+    const auto& line = lattice.edges.at(fold.fold);
+    for (const std::uint32_t end : {line.nodes.front(), line.nodes.back()})
+      EXPECT_NE(std::find(lattice.border.begin(), lattice.border.end(), end), lattice.border.end());
+    for (const SeamTie& tie : laid->ties) EXPECT_NEAR(lattice.nodes[tie.a].v, lattice.nodes[tie.b].v, 1e-6);
+  }
+}
+
+// Cut through, a line that is sewn to is divided, and each part goes with its cloth.
+TEST(Cut, dividesALineThatIsSewnTo) {
+  Piece skirt = panel(0.3, 0.3);
+  skirt.lines.push_back({"strap", {Curve::line({0.05, 0.05}, {0.05, 0.25})}, {}});
+  skirt.lines.push_back({"drawn", {Curve::line({0.1, 0.05}, {0.1, 0.25})}, {}});
+  const auto cut = cutPiece(skirt, {{-0.01, 0.1}, {0.31, 0.1}}, {2}, "lower", {"strap"});
+  ASSERT_TRUE(cut) << text(cut.error().what);
+  const auto& parts = cut->edges.at({PieceId{1}, "strap"});
+  ASSERT_EQ(parts.size(), 2u);
+  double whole = 0;
+  for (const EdgePart& part : parts) {
+    const Piece& piece = part.now.piece == PieceId{1} ? cut->pieces[0] : cut->pieces[1];
+    const Curve* curve = findCurve(piece, "strap");
+    ASSERT_TRUE(curve);
+    EXPECT_NEAR(curve->length(), 0.2 * (part.to - part.from), 1e-9);
+    EXPECT_TRUE(contains(piece.outline.flattened(), curve->at(0.5)));
+    whole += curve->length();
+  }
+  EXPECT_NEAR(whole, 0.2, 1e-9);
+  EXPECT_NEAR(parts[0].to, 0.25, 1e-9);
+  EXPECT_TRUE(findCurve(cut->pieces[0], "drawn"));  // others stay as they were, on the side of their middle
+  EXPECT_FALSE(findCurve(cut->pieces[1], "drawn"));
+}
+
+}  // namespace
+}  // namespace karinui
