@@ -77,7 +77,7 @@ int runRefit(Program& program, const RefitOptions& options) {
       BodyPtr before;
       if (source.document().body.chosen())
         if (const auto found = bodyOf(source.document(), source.context())) before = *found;
-      const auto now = bodyOf(opened.document(), context);
+      const auto now = bodyOf(opened.document(), opened.context());
       if (!now) return now.error();
       if (const auto fit = sizeFit(source.document(), before ? &before->measured() : nullptr, (*now)->measured()))
         sizes = sizesSaid(*fit, source.document().grading, sizesJson);

@@ -355,5 +355,29 @@ TEST(MakeUp, NothingIsSewnThatDoesNotFit) {
   EXPECT_TRUE(seams.contains("shoulder_left"));
 }
 
+// Panels before and behind, as files say, for a body of another height; flat ones beside each other are left alone.
+TEST(MakeUp, PiecesThatStandTooLowAreCarriedUpToTheShoulders) {
+  Workroom room;
+  const Document document = *apply({}, *parseOperation("body size=eu38"), room.context);
+  const BodyPtr body = *bodyOf(document, room.context);
+  const double neck = body->landmarks().at("neck_left").y, top = 0.6;
+  const auto standing = [&](double height, double before, double behind) {
+    Pattern pattern = documentOf({trunk("front", 90), trunk("back", 25)}).pattern;
+    for (auto& [id, piece] : pattern.pieces) {
+      Piece placed = *piece;
+      placed.pose.carry = {0, height - top, id == PieceId{1} ? before : behind};
+      piece = std::make_shared<const Piece>(std::move(placed));
+    }
+    return pattern;
+  };
+  for (const double off : {-0.3, -0.1, 0.2}) {
+    const RaisedPattern raised = raisedTo(*body, standing(neck + off, 0.2, -0.2));
+    EXPECT_NEAR(raised.by, -off, 0.001);
+    for (const auto& [id, piece] : raised.pattern.pieces) EXPECT_NEAR(piece->pose.carry.y + top, neck, 0.001);
+  }
+  EXPECT_EQ(raisedTo(*body, standing(neck - 0.03, 0.2, -0.2)).by, 0);
+  EXPECT_EQ(raisedTo(*body, standing(neck - 0.3, 0, 0)).by, 0);
+}
+
 }  // namespace
 }  // namespace karinui
