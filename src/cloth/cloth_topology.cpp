@@ -45,6 +45,7 @@ ClothTopology::ClothTopology(const Cloth& cloth, double radius) : live(cloth.nod
   for (const ClothPiece& part : cloth.pieces) {
     const Lattice& lattice = *part.lattice;
     piece.insert(piece.end(), lattice.nodes.size(), static_cast<std::uint32_t>(&part - cloth.pieces.data()));
+    layer.insert(layer.end(), lattice.nodes.size(), part.layer);
     paper.insert(paper.end(), lattice.nodes.begin(), lattice.nodes.end());
     std::fill_n(live.begin() + part.firstNode, lattice.nodes.size(), part.live ? 1 : 0);
     for (const Triangle& f : lattice.faces) {

@@ -34,6 +34,7 @@ class ClothTopology {
   std::vector<std::array<NodeIndex, 2>> edges;
   Incidence facesOf, edgesOf;        // of each node
   std::vector<std::uint32_t> piece;  // per node,
+  std::vector<int> layer;            // that of its piece,
   std::vector<Flat> paper;           // and where it is on paper,
   std::vector<std::uint8_t> live;    // and whether its piece is
 

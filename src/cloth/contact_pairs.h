@@ -26,8 +26,8 @@ class ContactPairs {
   // Two nodes that are both marked here do not make a pair. Empty: none is left out.
   void leaveOut(std::vector<std::uint8_t> marked) { leftOut_ = std::move(marked); }
 
-  // Two pieces do not meet each other; they do at first.
-  void onlyWithinPieces(bool only) { list_.onlyWithinPieces(only); }
+  // Two pieces of one layer do not meet each other; they do at first.
+  void onlyLayers(bool only) { list_.onlyLayers(only); }
 
   // The pairs with a gap below `within` at x; given moves, also those that may come so near during them. Call
   // measureEdges for x first.

@@ -60,7 +60,7 @@ class LevelSolver {
   void tieWithin(double gap);  // ties every open pair nearer than this
   // Whether cloth meets cloth; it does at first.
   void enableSelfContact(bool on) { contacts_->self->enable(on); }
-  void meetOnlyWithinPieces(bool only) { contacts_->self->onlyWithinPieces(only); }
+  void meetOnlyLayers(bool only) { contacts_->self->onlyLayers(only); }
   // Looks whether the cloth intersects itself and if so separates it in the steps that follow; whether there is
   // something to separate.
   bool separateIntersections();

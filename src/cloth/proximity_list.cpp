@@ -90,7 +90,8 @@ bool ProximityList::update(std::span<const Vec3> x, double reach, Workers& worke
           for (std::uint32_t i = grid.nodes.start[from]; i < grid.nodes.start[to + 1]; ++i) {
             const NodeIndex b = grid.nodes.item[i];
             if (b <= a || (!topology_.live[a] && !topology_.live[b])) continue;
-            if (within_ && topology_.piece[a] != topology_.piece[b]) continue;
+            if (onlyLayers_ && topology_.piece[a] != topology_.piece[b] && topology_.layer[a] == topology_.layer[b])
+              continue;
             if (squaredLength(grid.place[i] - p) > reach_ * reach_ || topology_.neighbours(a, b)) continue;
             if (!openSeam(a, b, x)) out.push_back({a, b});
           }

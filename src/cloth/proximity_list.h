@@ -19,8 +19,8 @@ class ProximityList {
 
   // Makes sure that every pair nearer than `reach` (metres) is listed; whether the list was made anew.
   bool update(std::span<const Vec3> x, double reach, Workers& workers);
-  // Pairs of two pieces are left out; they are not at first.
-  void onlyWithinPieces(bool only) { within_ = only, madeAt_.clear(); }
+  // Pairs of two pieces of one layer are left out; they are not at first.
+  void onlyLayers(bool only) { onlyLayers_ = only, madeAt_.clear(); }
   // The first node of a pair is the lower.
   const std::vector<std::array<NodeIndex, 2>>& pairs() const { return pairs_; }
 
@@ -32,7 +32,7 @@ class ProximityList {
   const SewnGroups& sewn_;
   double spacing_, reach_ = 0;  // of the list, margin included
   std::vector<std::array<NodeIndex, 2>> pairs_;
-  bool within_ = false;
+  bool onlyLayers_ = false;
   std::vector<Vec3> madeAt_;  // where the nodes stood
 };
 

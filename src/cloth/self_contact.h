@@ -29,7 +29,7 @@ class SelfContact : public Contact {
   // Nodes marked here do not meet each other: they intersect. Empty: none.
   void leaveOut(std::vector<std::uint8_t> marked) { pairs_.leaveOut(std::move(marked)); }
   void enable(bool on) { on_ = on; }  // it is at first
-  void onlyWithinPieces(bool only) { pairs_.onlyWithinPieces(only); }
+  void onlyLayers(bool only) { pairs_.onlyLayers(only); }
   bool enabled() const { return on_ && radius_ > 0; }
 
  private:

@@ -25,6 +25,11 @@ bool anyLive(const Cloth& cloth) {
   return std::any_of(cloth.pieces.begin(), cloth.pieces.end(), [](const ClothPiece& p) { return p.live; });
 }
 
+bool liesInLayers(const Cloth& cloth) {
+  return cloth.pleated || std::any_of(cloth.pieces.begin(), cloth.pieces.end(),
+                                      [&](const ClothPiece& p) { return p.layer != cloth.pieces.front().layer; });
+}
+
 // A piece that still lies in a plane has not been draped.
 bool liesFlat(const ClothPiece& piece, std::span<const Vec3> x) {
   const std::span<const Vec3> own = x.subspan(piece.firstNode, piece.lattice->nodes.size());
@@ -140,9 +145,10 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     if (l > first) finer = prolong(levels[l - 1].cloth, x, level.cloth, level.state.position);
     LevelSolver solver(level.cloth, l > first ? finer.linear : level.state.position, met, here,
                        settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
-    // The layers of a pleat lie over one another from the start.
-    solver.enableSelfContact(!loose || level.cloth.pleated);
-    if (loose && level.cloth.pleated) solver.meetOnlyWithinPieces(true);
+    // The layers of a pleat, and pieces of several layers, lie over one another from the start.
+    const bool layered = liesInLayers(level.cloth);
+    solver.enableSelfContact(!loose || layered);
+    if (loose && layered) solver.meetOnlyLayers(true);
     const double before = shareBefore(levels, first, l), after = shareBefore(levels, first, l + 1);
     // As long as nothing shrinks, the number of steps left is not known and taken to be the usual one.
     const auto watch = [&](Message doing, double from, double to) {
@@ -203,7 +209,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     stopped = stopped || end.stopped;
     if (!stopped && end.finite && !end.cancelled) {
       solver.enableSelfContact(true);
-      if (loose && level.cloth.pleated) solver.meetOnlyWithinPieces(false);
+      if (loose && layered) solver.meetOnlyLayers(false);
       solver.separateIntersections();
       RestCriteria criteria = last ? finestCriteria(settings)
                                    : RestCriteria{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 3, 150};

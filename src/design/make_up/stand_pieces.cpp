@@ -17,6 +17,8 @@ namespace {
 using Side = PieceReading::Side;
 constexpr double kOff = 0.02;      // metres from the trunk
 constexpr double kGap = 0.008;     // between pieces that stand beside each other on one cylinder
+constexpr double kLap = 0.03;      // by which two fronts that are buttoned lie over each other,
+constexpr double kLapOver = 0.02;  // and how far apart
 constexpr double kAhead = 0.05;    // flat pieces from the body
 constexpr double kCentre = 0.015;  // of a trouser leg's fork from the body's middle
 constexpr double kAside = 0.9;     // to the side, for what nothing holds
@@ -196,13 +198,35 @@ class Standing {
     at.along = along, at.around = back ? 0.5 : 0;
     return at;
   }
+  // Half of a front that is not sewn to the other half, but lies over or under it to be buttoned.
+  bool lapped(PieceId id) const {
+    if (reading(id).role != PieceRole::Front || reading(id).side == Side::Both) return false;
+    const auto ids = of({PieceRole::Front});
+    const auto other = std::find_if(ids.begin(), ids.end(), [&](PieceId one) {
+      return reading(one).side != Side::Both && reading(one).side != reading(id).side && has(one, PiecePart::Centre);
+    });
+    if (other == ids.end()) return false;
+    const auto isCentre = [&](const EdgeSpan& span) {
+      const auto& edges = reading(id).parts.at(PiecePart::Centre).edges;
+      return span.piece == id && std::find(edges.begin(), edges.end(), span.edge) != edges.end();
+    };
+    return std::none_of(document_.pattern.seams.begin(), document_.pattern.seams.end(), [&](const auto& seam) {
+      const auto sewn = [&](const auto& side) { return std::any_of(side.begin(), side.end(), isCentre); };
+      return sewn(seam.second.a) || sewn(seam.second.b);
+    });
+  }
+  // A woman's right front lies over the left one, a man's left one over the right.
+  bool lapsOver(PieceId id) const {
+    return lapped(id) && reading(id).side == (body_.measured().sex == Sex::Female ? Side::Right : Side::Left);
+  }
   // u that comes to the body's middle: of a half its centre edge, a hair beside the middle.
   double middleOf(PieceId id) const {
     const Box box = boxOf(id);
     if (has(id, PiecePart::Centre)) {
       const Box centre = boxOf(id, PiecePart::Centre);
       const bool atPlus = centre.low.u + centre.high.u > box.low.u + box.high.u;
-      return atPlus ? centre.high.u + kGap / 2 : centre.low.u - kGap / 2;
+      const double beside = lapped(id) ? -kLap / 2 : kGap / 2;
+      return atPlus ? centre.high.u + beside : centre.low.u - beside;
     }
     if (has(id, PiecePart::Neck) && reading(id).side == Side::Both) {
       const Box neck = boxOf(id, PiecePart::Neck);
@@ -233,7 +257,8 @@ class Standing {
     const double ease = easeFor(girth(lowest, neck_), 2 * std::max(fronts, backs), count + 2);
     for (const PieceId id : ids) {
       const double v = neckOf(id) - (neck_ - waist_);
-      wrap(id, onTrunk(reading(id).role != PieceRole::Front), {middleOf(id), v}, ease);
+      if (lapsOver(id)) perform(SetLayer{{PieceRef(id)}, 1}, {});
+      wrap(id, onTrunk(reading(id).role != PieceRole::Front), {middleOf(id), v}, ease + (lapsOver(id) ? kLapOver : 0));
     }
   }
 
