@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "karinui/base/error_name.h"
 #include "karinui/base/file.h"
 #include "karinui/design/drape.h"
 #include "karinui/design/dump.h"
@@ -33,22 +34,6 @@ T good(Result<T> result) {
 }
 void good(const Done& done) {
   if (!done) throw Failure{done.error()};
-}
-
-const char* kindOf(Error::Kind kind) {
-  switch (kind) {
-    case Error::Kind::BadInput:
-      return "bad_input";
-    case Error::Kind::Refused:
-      return "refused";
-    case Error::Kind::NotFound:
-      return "not_found";
-    case Error::Kind::Storage:
-      return "storage";
-    case Error::Kind::Cancelled:
-      return "stopped";
-  }
-  return "bad_input";
 }
 
 py::dict strainDict(const StrainReport& strain) {
@@ -295,7 +280,7 @@ PYBIND11_MODULE(karinui, m) {
       if (raised) std::rethrow_exception(raised);
     } catch (const Failure& why) {
       py::object object = py::reinterpret_borrow<py::object>(failure)(text(why.error.what));
-      object.attr("kind") = kindOf(why.error.kind);
+      object.attr("kind") = errorName(why.error.kind);
       PyErr_SetObject(failure.ptr(), object.ptr());
     }
   });

@@ -9,6 +9,7 @@
 
 #include "examination.h"
 #include "json_answers.h"
+#include "karinui/base/error_name.h"
 #include "karinui/base/file.h"
 #include "karinui/design/drape.h"
 #include "karinui/design/script.h"
@@ -176,7 +177,7 @@ class Server {
     if (done)
       line.update(*done);
     else
-      line["error"] = program_.console.said(done.error().what), line["kind"] = kindOf(done.error().kind);
+      line["error"] = program_.console.said(done.error().what), line["kind"] = errorName(done.error().kind);
     if (!notes_.empty()) line["notes"] = notes_;
     write(line);
   }
@@ -184,22 +185,6 @@ class Server {
     const std::lock_guard lock(mutex_);
     token_ = token, stop_ = stop;
   }
-  static const char* kindOf(Error::Kind kind) {
-    switch (kind) {
-      case Error::Kind::BadInput:
-        return "bad_input";
-      case Error::Kind::Refused:
-        return "refused";
-      case Error::Kind::NotFound:
-        return "not_found";
-      case Error::Kind::Storage:
-        return "storage";
-      case Error::Kind::Cancelled:
-        return "stopped";
-    }
-    return "bad_input";
-  }
-
   Result<Json> perform(const Json& request, const Token& token, StopRequest& stop) {
     if (!request.is_object()) return badInput(say("A request is one line with one JSON object, like {0}", kExample));
     Fields fields(request);
