@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "karinui/pattern/allowance.h"
+#include "karinui/pattern/cut_line.h"
+#include "karinui/pattern/grading.h"
 #include "karinui/pattern/lattice.h"
 #include "karinui/session/scene_of.h"
 
@@ -190,44 +193,82 @@ bool asFine(const GarmentSnapshot& snapshot, const Forms& forms) {
   });
 }
 
-void TableLayout::arrange(const GarmentSnapshot& snapshot) {
-  constexpr double kGap = 0.04, kWide = 1.1;  // metres
-  std::erase_if(place_, [&](const auto& known) { return !snapshot.document.find(known.first); });
-  const auto box = [](const Ring& ring) {
-    Box b;
-    for (const Flat p : ring) b.include({p.u, p.v, 0});
-    return b;
+namespace {
+
+constexpr double kTableGap = 0.04, kTableWide = 1.1;  // metres
+
+// The room a piece needs on the table, about its paper's origin: its seam line and, where these reach into the gap to
+// its neighbours, its cut line and its other sizes.
+Box roomOnTable(const GarmentSnapshot::Worn& worn, const Document& document, const AllowancePlan& plan) {
+  Box seam, all;
+  const auto hold = [](Box& box, const Ring& ring) {
+    for (const Flat p : ring) box.include({p.u, p.v, 0});
   };
+  hold(seam, worn.ring), hold(all, worn.ring);
+  const Piece* piece = document.find(worn.id);
+  if (!piece) return seam;
+  if (const auto cut = cutLines(*piece, plan, 1e-3)) hold(all, cut->outer);
+  const Grading& grading = document.grading;
+  if (grading.pieces.contains(worn.id))
+    for (std::size_t size = 0; size < grading.sizes.size(); ++size)
+      if (const auto other = inSize(*piece, grading, size)) hold(all, other->outline.flattened(1e-3));
+  constexpr double kHalf = 0.475 * kTableGap;  // so that 2 mm are left between the lines of two neighbours
+  seam.include({std::min(seam.low.x, all.low.x + kHalf), std::min(seam.low.y, all.low.y + kHalf), 0});
+  seam.include({std::max(seam.high.x, all.high.x - kHalf), std::max(seam.high.y, all.high.y - kHalf), 0});
+  return seam;
+}
+
+}  // namespace
+
+void TableLayout::arrange(const GarmentSnapshot& snapshot) {
+  const Document& document = snapshot.document;
+  std::erase_if(place_, [&](const auto& known) { return !document.find(known.first); });
+  std::set<PieceId> graded;
+  for (const auto& worn : snapshot.worn)
+    if (document.grading.pieces.contains(worn.id)) graded.insert(worn.id);
+  const bool sized = !std::includes(graded_.begin(), graded_.end(), graded.begin(), graded.end());
+  graded_ = std::move(graded);
+  if (!sized && std::all_of(snapshot.worn.begin(), snapshot.worn.end(),
+                            [&](const auto& worn) { return place_.contains(worn.id); }))
+    return;
+  const AllowancePlan plan(document.pattern, document.allowances);
+  std::map<PieceId, Box> room;
+  for (const auto& worn : snapshot.worn) room[worn.id] = roomOnTable(worn, document, plan);
+  const auto lies = [&](PieceId id) {
+    Box box = room.at(id);
+    const Flat by = at(id);
+    box.low += Vec3{by.u, by.v, 0}, box.high += Vec3{by.u, by.v, 0};
+    return box;
+  };
+  // Pieces that got sizes and now reach into each other are all laid anew.
+  const auto meet = [&](PieceId one, PieceId other) {
+    const Box a = lies(one), b = lies(other);
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+  };
+  if (sized && std::any_of(place_.begin(), place_.end(), [&](const auto& one) {
+        return std::any_of(place_.begin(), place_.end(),
+                           [&](const auto& other) { return one.first < other.first && meet(one.first, other.first); });
+      }))
+    place_.clear();
   // Rows from the top downwards; a new piece goes to the end of the last row.
   double right = 0, top = 0, low = 0;
   bool any = false;
-  for (const auto& worn : snapshot.worn) {
-    const auto at = place_.find(worn.id);
-    if (at == place_.end()) continue;
-    const Box b = box(worn.ring);
-    const double lower = b.low.y + at->second.v;
-    if (!any || lower < low - 1e-9) low = lower;
+  for (const auto& [id, place] : place_) {
+    const Box b = lies(id);
+    low = any ? std::min(low, b.low.y) : b.low.y;
+    top = any ? std::max(top, b.high.y) : b.high.y;
+    right = std::max(right, b.high.x + kTableGap);
     any = true;
   }
-  double rowTop = 0;
-  for (const auto& worn : snapshot.worn) {
-    const auto at = place_.find(worn.id);
-    if (at == place_.end()) continue;
-    const Box b = box(worn.ring);
-    rowTop = std::max(any ? rowTop : -1e9, b.high.y + at->second.v);
-    right = std::max(right, b.high.x + at->second.u + kGap);
-  }
-  if (!any) rowTop = 0;
-  top = rowTop;
   for (const auto& worn : snapshot.worn) {
     if (place_.contains(worn.id)) continue;
-    const Box b = box(worn.ring);
-    if (any && right + b.size().x > kWide) {
-      top = low - kGap;
+    const Box& b = room.at(worn.id);
+    if (any && right + b.size().x > kTableWide) {
+      top = low - kTableGap;
       right = 0;
     }
     place_[worn.id] = Flat{right - b.low.x, top - b.high.y};
-    right += b.size().x + kGap;
+    right += b.size().x + kTableGap;
     low = any ? std::min(low, top - b.size().y) : top - b.size().y;
     any = true;
   }

@@ -67,6 +67,57 @@ const TableEdge& edge(const TableFrame& frame, const std::string& piece, const s
   return none;
 }
 
+// Wide hems and sizes far larger than the one that stands lie in no neighbour, also where they come when the pieces lie
+// on the table already.
+TEST(TableFrame, CutLinesAndSizesKeepClearOfNeighbours) {
+  Document plain;
+  for (std::uint32_t n = 0; n < 6; ++n) {
+    Piece piece;
+    piece.id = madeBy<PieceId>(1, n);
+    piece.name = "piece" + std::to_string(n);
+    piece.outline.edges = {{"hem", Curve::line({0, 0}, {0.4, 0})},
+                           {"right", Curve::line({0.4, 0}, {0.4, 0.5})},
+                           {"waist", Curve::line({0.4, 0.5}, {0, 0.5})},
+                           {"left", Curve::line({0, 0.5}, {0, 0})}};
+    plain.pattern.pieces[piece.id] = std::make_shared<const Piece>(piece);
+  }
+  Document sized = plain;
+  sized.grading.sizes = {"S", "M", "L"};
+  for (const auto& [id, piece] : plain.pattern.pieces) {
+    plain.allowances.edges[{id, "hem"}] = sized.allowances.edges[{id, "hem"}] = 0.09;
+    const auto by = [](double u, double v) { return std::vector<Flat>{{}, {u, v}, {2 * u, 2 * v}}; };
+    sized.grading.pieces[id] = {{"hem", 0, by(-.04, -.03)},
+                                {"right", 0, by(.04, -.03)},
+                                {"waist", 0, by(.04, .05)},
+                                {"left", 0, by(-.04, .05)}};
+  }
+  TableLayout layout;
+  for (const Document& document : {plain, sized}) {
+    const SnapshotPtr garment = snapshotOf(document, nullptr);
+    layout.arrange(*garment);
+    TableFrameOptions options;
+    options.nest = true;
+    const TableFrame frame = tableFrameOf(*garment, layout, {}, options, nullptr);
+    std::vector<Box> boxes;
+    for (const TablePiece& piece : frame.pieces) {
+      Box box;
+      const auto hold = [&](const Ring& ring) {
+        for (const Flat p : ring) box.include({p.u, p.v, 0});
+      };
+      for (const Ring& cut : piece.cut) hold(cut);
+      for (const TableSize& size : piece.nest) hold(size.outline);
+      EXPECT_EQ(piece.nest.size(), document.grading.empty() ? 0u : 2u) << piece.name;
+      boxes.push_back(box);
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const Box &a = boxes[i], &b = boxes[k];
+        EXPECT_FALSE(a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y)
+            << i << " " << k << " " << document.grading.sizes.size();
+      }
+  }
+}
+
 TEST(TableFrame, HasEveryPieceEdgeAndSeam) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     const Table table(test::random(seed));

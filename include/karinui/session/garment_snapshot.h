@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "karinui/design/document.h"
@@ -55,8 +56,9 @@ SnapshotPtr snapshotStanding(const GarmentSnapshot& before, const Forms& forms);
 // Whether forms are as fine as the garment is shown; on their way drapes stand on coarser lattices first.
 bool asFine(const GarmentSnapshot& snapshot, const Forms& forms);
 
-// Where each piece lies on the cutting table: the pattern's own paper, moved so that no two lie on each other. A piece
-// keeps its place while it is edited. Part of the view, not of the document.
+// Where each piece lies on the cutting table: the pattern's own paper, moved so that no two lie on each other, nor do
+// their cut lines and their other sizes. A piece keeps its place while it is edited; pieces that are given sizes and
+// then reach into each other are laid anew. Part of the view, not of the document.
 class TableLayout {
  public:
   void arrange(const GarmentSnapshot& snapshot);  // gives new pieces a place, forgets those that are gone
@@ -65,6 +67,7 @@ class TableLayout {
 
  private:
   std::map<PieceId, Flat> place_;
+  std::set<PieceId> graded_;  // those that had sizes when they were laid
 };
 
 struct EdgeNear {
