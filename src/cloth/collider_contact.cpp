@@ -12,8 +12,10 @@ constexpr double kLinearFrom = 2;     // and linear beyond this r
 constexpr double kSlipLength = 2e-5;  // metres: a slipping node's friction is no stiffer than over this
 constexpr double kLimitSteps = 0.5;   // offsets: how finely a move is followed along the surface
 constexpr int kMostLimitSteps = 64;   // of them in one move
-constexpr double kCut = 0.2;          // offsets: a node whose move into the surface is shortened by more is pressed,
-constexpr int kPressed = 20;          // as is one below the surface; after so many steps the multiplier takes that up
+constexpr double kCut = 0.2;          // offsets: a node whose move into the surface is shortened by more is pressed;
+constexpr int kPressed = 20;          // after so many steps in a row the multiplier takes that up,
+constexpr double kLifted = 0.1;  // and falls by kLetGo a step where the node is farther off than these offsets: cloth
+constexpr double kLetGo = 0.5;   // that is let go is not thrown off the body
 constexpr std::size_t kBlock = 256;
 
 }  // namespace
@@ -109,9 +111,11 @@ void ColliderContact::afterStep(std::span<const Vec3> x, bool friction, Workers&
         at = {};
         continue;
       }
-      at.pressed = at.cut > kCut * offset_ || sample.distance < 0 ? at.pressed + 1 : 0;
-      if (at.multiplier > 0 || at.pressed >= kPressed)
+      at.pressed = at.cut > kCut * offset_ ? at.pressed + 1 : 0;
+      if (at.multiplier > 0 || at.pressed >= kPressed) {
+        if (sample.distance > kLifted * offset_) at.multiplier *= kLetGo;
         at.multiplier = std::fmax(0.0, at.multiplier + at.along * (at.cut - sample.distance));
+      }
       const double push = colliderPenalty(nodes_[k].area, offset_ - sample.distance, offset_).force + at.multiplier;
       Vec3 pull = place - at.anchor;
       pull = pull - sample.normal * dot(pull, sample.normal);

@@ -34,6 +34,18 @@ TEST_P(DrapedPatterns, RestOnTheirBodies) {
   EXPECT_LE(found["fold_crossings"], 1) << "beside a seam, as at the corner of a collar";
 }
 
+// What ./run shows first: drawn, sewn, pulled and slit, with a drape after each.
+TEST(Samples, TheKyotoFittingRests) {
+  const Folder folder;
+  const std::string document = folder / "kyoto.karinui";
+  const Said played = karinui("play " KARINUI_SOURCE_DIR "/examples/kyoto_fitting.ops -o " + document);
+  EXPECT_EQ(played.exit, 0) << played.err;
+  const auto found = karinui("check " + document + " --json").json();
+  EXPECT_EQ(found["penetration_mm"], 0);
+  EXPECT_EQ(found["cloth_body_crossings"], 0);
+  EXPECT_EQ(found["cloth_cloth_crossings"], 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, DrapedPatterns,
     testing::Values(Draft{"bodice_block_f_eu38.svg", "f_eu38"}, Draft{"tshirt_f_eu38.svg", "f_eu38"},
