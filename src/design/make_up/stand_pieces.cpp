@@ -23,7 +23,8 @@ constexpr double kAhead = 0.05;    // flat pieces from the body
 constexpr double kCentre = 0.015;  // of a trouser leg's fork from the body's middle
 constexpr double kAside = 0.9;     // to the side, for what nothing holds
 constexpr int kWaist = 3;          // levels of the trunk (chartLevels)
-constexpr double kCollar = 8.3;
+constexpr double kNeck = 9.5;
+constexpr double kNeckBase = 8.3;
 constexpr double kTouches = 0.001;  // metres from the body: nearer is no place to begin
 
 struct Box {
@@ -176,21 +177,20 @@ class Standing {
     return met;
   }
 
-  // The girth of the trunk that pieces between two heights must go round, as placing wraps them.
-  double girth(double low, double high) const {
+  // The girth of the trunk that pieces between two heights must go round, as placing wraps them about a place there.
+  double girth(double low, double high, const BodyPoint& about) const {
     LimbFrame limb;
     limb.origin = {0, waist_, front_};
     limb.up = {0, 1, 0}, limb.out = {0, 0, 1}, limb.right = cross(limb.up, limb.out);
-    if (const auto place = body_.find({BodyPoint::Part::Torso, kWaist, 0, {}, {}}))
-      limb.origin = karinui::at(body_.mesh(), *place);
+    if (const auto place = body_.find(about)) limb.origin = karinui::at(body_.mesh(), *place);
     std::vector<Flat> all;
-    for (const SkinPlace& p : levelsAround(body_, limb, {{-0.3, low - waist_}, {0.3, high - waist_}}))
+    for (const SkinPlace& p : levelsAround(body_, limb, {{-0.3, low - limb.origin.y}, {0.3, high - limb.origin.y}}))
       all.push_back(p.place);
     return all.size() < 3 ? 0.9 : perimeter(hull(std::move(all)));
   }
   // Pieces of that width in all stand with gaps between them.
-  double easeFor(double girth, double width, std::size_t pieces) const {
-    return std::max(kOff, (width + kGap * static_cast<double>(pieces) * 2 - girth) / (2 * std::numbers::pi));
+  double easeFor(double girth, double width, std::size_t pieces, double least = kOff) const {
+    return std::max(least, (width + kGap * static_cast<double>(pieces) * 2 - girth) / (2 * std::numbers::pi));
   }
 
   static BodyPoint onTrunk(bool back, double along = kWaist) {
@@ -254,7 +254,7 @@ class Standing {
       if (reading(id).role == PieceRole::Back) backs += box.width(), ++count;
       lowest = std::min(lowest, neck_ - (neckOf(id) - box.low.v));
     }
-    const double ease = easeFor(girth(lowest, neck_), 2 * std::max(fronts, backs), count + 2);
+    const double ease = easeFor(girth(lowest, neck_, onTrunk(false)), 2 * std::max(fronts, backs), count + 2);
     for (const PieceId id : ids) {
       const double v = neckOf(id) - (neck_ - waist_);
       if (lapsOver(id)) perform(SetLayer{{PieceRef(id)}, 1}, {});
@@ -273,7 +273,8 @@ class Standing {
       lowest = std::min(lowest, waist_ - (box.high.v - box.low.v));
     }
     for (const auto& [role, w] : wide) width = std::max(width, w);
-    const double ease = easeFor(girth(std::max(lowest, crotch_ - 0.05), waist_), 2 * width, ids.size() + 1);
+    const double ease =
+        easeFor(girth(std::max(lowest, crotch_ - 0.05), waist_, onTrunk(false)), 2 * width, ids.size() + 1);
     for (const PieceId id : ids)
       wrap(id, onTrunk(reading(id).role == PieceRole::SkirtBack), {middleOf(id), boxOf(id).high.v}, ease);
   }
@@ -314,7 +315,7 @@ class Standing {
       width += box.width();
       lowest = std::min(lowest, crotch_ - (boxOf(id, PiecePart::CrotchPlus).low.v - box.low.v));
     }
-    const double ease = easeFor(girth(std::max(lowest, 0.15), waist_), width, 2 * whole.size());
+    const double ease = easeFor(girth(std::max(lowest, 0.15), waist_, onTrunk(false)), width, 2 * whole.size());
     for (const PieceId id : whole) {
       const Box box = boxOf(id);
       BodyPoint at = onTrunk(false);
@@ -386,8 +387,7 @@ class Standing {
       const double v = edge == PiecePart::Top ? low.high.v : low.low.v;
       if (role == PieceRole::Waistband) {
         BodyPoint at = onTrunk(trousers);
-        const double ease =
-            std::max(0.012, (box.width() + 4 * kGap - girth(waist_, waist_ + 0.05)) / (2 * std::numbers::pi));
+        const double ease = easeFor(girth(waist_, waist_ + 0.05, onTrunk(false)), box.width(), 2, 0.012);
         const double off = edge == PiecePart::Top ? 1 : -1;
         std::vector<Try> tries;
         for (const double up : {1.0, 2.0, 4.0, 7.0})
@@ -401,12 +401,19 @@ class Standing {
           const Box its = boxOf(stand);
           lift = its.high.v - its.low.v + kGap;
         }
-      const double off = edge == PiecePart::Top ? 1 : -1;
+      // Above the slope of the shoulders, so that it goes round the neck: round these too it would stand nearly flat
+      // behind the head and close through itself. Where a figure's head is in the way, lower.
+      const double off = edge == PiecePart::Top ? 1 : -1, middle = 0.5 * (box.low.u + box.high.u);
+      const BodyPoint nape = onTrunk(true, kNeck);
+      const double neck = heightOf(nape, neck_ + 0.08);
+      const double least = easeFor(girth(neck, neck + box.high.v - box.low.v, nape), box.width(), 1, 0.008);
       std::vector<Try> tries;
+      for (const double more : {0.0, 0.01, 0.02})
+        for (const double up : {0.0, 0.01, 0.02})
+          tries.push_back({nape, {middle, v + off * (lift + up)}, least + more, turn});
       for (const double ease : {0.012, 0.02, 0.03, 0.045})
         for (const double up : {0.0, 0.01, 0.02, 0.03})
-          tries.push_back(
-              {onTrunk(true, kCollar), {0.5 * (box.low.u + box.high.u), v + off * (lift + up)}, ease, turn});
+          tries.push_back({onTrunk(true, kNeckBase), {middle, v + off * (lift + up)}, ease, turn});
       wrap(id, tries);
     }
   }
