@@ -3,6 +3,8 @@
 #include <cmath>
 #include <functional>
 
+#include "page_nest.h"
+#include "pdf_canvas.h"
 #include "pdf_tiles.h"
 #include "sheet.h"
 
@@ -112,6 +114,7 @@ Result<Sheet> sheetFor(const Pattern& pattern, PaperKind paper, const SheetSetti
   if (const auto grid = gridFor(paper, settings); grid && !grid->cover)
     own.rollWidth = (grid->width - 2 * kEdge) / 1000;
   Result<Sheet> sheet = layOut(pattern, own);
+  if (const auto grid = gridFor(paper, settings); sheet && grid) nestOnPages(*sheet, *grid);
   // A page that would be too long becomes wider instead.
   for (; sheet && sheet->height > kLargestPage && paper == PaperKind::OneSheet && own.rollWidth < 4;) {
     own.rollWidth *= 1.5;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "karinui/pattern/label_room.h"
+#include "pdf_canvas.h"
 
 namespace karinui {
 namespace {

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "pdf_canvas.h"
 #include "sheet.h"
 
 namespace karinui {
+
+class PdfCanvas;
 
 inline constexpr double kEdge = 10;  // mm that printers leave white round a page
 

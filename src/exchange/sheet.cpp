@@ -81,19 +81,6 @@ Done addNest(Sheet& sheet, const Pattern& pattern, const SheetSettings& settings
   return {};
 }
 
-void move(SheetPiece& piece, Mm by) {
-  piece.origin = piece.origin + by;
-  piece.low = piece.low + by;
-  piece.high = piece.high + by;
-  for (auto& line : piece.cutLines)
-    for (Mm& p : line) p = p + by;
-  for (Mm& p : piece.drills) p = p + by;
-  for (SheetSize& size : piece.nest) {
-    size.name.place = size.name.place + by;
-    for (Mm& p : size.line) p = p + by;
-  }
-}
-
 // Shelves: the tallest first, from left to right, a new shelf below when the roll's width is used up.
 void shelve(Sheet& sheet, double rollWidth) {
   std::vector<std::size_t> order(sheet.pieces.size());
@@ -108,7 +95,7 @@ void shelve(Sheet& sheet, double rollWidth) {
     SheetPiece& piece = sheet.pieces[i];
     const double wide = piece.high.x - piece.low.x;
     if (at.x > kMargin && at.x + wide > kMargin + widest + 1e-9) at = {kMargin, at.y + shelf + kGap}, shelf = 0;
-    move(piece, at - piece.low);
+    moveBy(piece, at - piece.low);
     at.x += wide + kGap;
     shelf = std::max(shelf, tall(i));
     used = std::max(used, piece.high.x);
@@ -174,6 +161,23 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
 }
 
 }  // namespace
+
+void moveBy(SheetPiece& piece, Mm by) {
+  const auto move = [&](Mm& p) { p = p + by; };
+  const auto moveAll = [&](std::vector<std::vector<Mm>>& lines) {
+    for (auto& line : lines) std::for_each(line.begin(), line.end(), move);
+  };
+  move(piece.origin), move(piece.low), move(piece.high);
+  moveAll(piece.cutLines), moveAll(piece.folds);
+  std::for_each(piece.drills.begin(), piece.drills.end(), move);
+  for (SheetSize& size : piece.nest) {
+    move(size.name.place);
+    std::for_each(size.line.begin(), size.line.end(), move);
+  }
+  for (SheetNotch& notch : piece.notches) move(notch.stroke.from), move(notch.stroke.to);
+  for (SheetText& words : piece.texts) move(words.place);
+  if (piece.grain) move(piece.grain->from), move(piece.grain->to);
+}
 
 std::vector<double> dashesOf(std::size_t size) {
   static const std::vector<double> kDashes[] = {{6, 2}, {3, 2}, {1, 2}, {8, 2, 1, 2}, {8, 2, 3, 2}, {8, 2, 1, 2, 1, 2},

@@ -56,6 +56,8 @@ struct SheetPiece {
   Mm at(Flat paper) const { return {origin.x + paper.u * 1000, origin.y - paper.v * 1000}; }
 };
 
+void moveBy(SheetPiece& piece, Mm by);  // with all that is drawn of it
+
 struct Sheet {
   double width = 0, height = 0;
   std::string title;

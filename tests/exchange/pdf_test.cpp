@@ -4,6 +4,7 @@
 #include <cmath>
 #include <regex>
 
+#include "exchange/page_nest.h"
 #include "exchange/sheet.h"
 #include "karinui/exchange/sheet.h"
 #include "pdf_page.h"
@@ -59,7 +60,38 @@ TEST(PdfPages, HaveThePapersSize) {
   settings.overlap = 0.05;
   EXPECT_FALSE(writePdf(panel(), PaperKind::A4, settings));
   settings.overlap = 0.03;
-  EXPECT_EQ(PaperPages::of(panel(), PaperKind::A4, settings)->count(), 13u) << "a wider strip needs more pages";
+  const Pattern wide = panel("wide", 0.52, 0.4);
+  EXPECT_EQ(PaperPages::of(wide, PaperKind::A4, settings)->count(), 13u) << "a wider strip needs more pages";
+  settings.overlap = 0.01;
+  EXPECT_EQ(PaperPages::of(wide, PaperKind::A4, settings)->count(), 10u);
+}
+
+// Beside a long piece there is room for many short ones, which shelves leave empty.
+TEST(PdfPages, PiecesLieCloseTogether) {
+  Pattern pattern = panel("long", 0.12, 1.4);
+  for (std::uint32_t k = 2; k < 10; ++k) {
+    Piece piece = *panel("short_" + std::to_string(k), 0.26, 0.26).pieces.begin()->second;
+    piece.id = {k};
+    pattern.pieces[piece.id] = std::make_shared<const Piece>(piece);
+  }
+  Sheet sheet = *layOut(pattern, {});
+  const TileGrid grid = *gridFor(PaperKind::A4, {});
+  const std::size_t shelves = tilesOf(sheet, grid).size();
+  nestOnPages(sheet, grid);
+  EXPECT_LE(tilesOf(sheet, grid).size() * 4, shelves * 3);
+  EXPECT_EQ(PaperPages::of(pattern, PaperKind::A4)->count(), 1 + tilesOf(sheet, grid).size());
+  for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
+    const SheetPiece& a = sheet.pieces[i];
+    EXPECT_GE(a.low.x, 0);
+    EXPECT_LE(a.high.x, sheet.width);
+    EXPECT_LE(a.high.y, sheet.height);
+    EXPECT_GE(a.low.y, sheet.square.y + kSquare);
+    EXPECT_LT(std::abs(a.texts.front().place.x - 0.5 * (a.low.x + a.high.x)), 130) << "its name went with it";
+    for (std::size_t j = 0; j < i; ++j) {
+      const SheetPiece& b = sheet.pieces[j];
+      EXPECT_FALSE(a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y);
+    }
+  }
 }
 
 TEST(PdfPages, EmptyOnesAreLeftOut) {
