@@ -6,40 +6,12 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <random>
 
+#include "design/allocations.h"
 #include "design/workroom.h"
-
-namespace karinui {
-namespace {
-
-struct Shortage {
-  std::atomic<bool> on{false};
-  std::atomic<long> asked{0};
-  long from = 0, to = 0;  // these are not given
-  bool strikes() {
-    if (!on) return false;
-    const long n = ++asked;
-    return n >= from && n <= to;
-  }
-} shortage;
-
-void* given(std::size_t size) { return shortage.strikes() ? nullptr : std::malloc(size == 0 ? 1 : size); }
-
-}  // namespace
-}  // namespace karinui
-
-// Not inlined, lest the compiler find malloc paired with delete.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  if (void* memory = karinui::given(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace karinui {
 namespace {
@@ -59,8 +31,8 @@ class FailingMemory : public ::testing::Test {
     sqlite3_config(SQLITE_CONFIG_GETMALLOC, &usual_);
     sqlite3_mem_methods ours = usual_;
     real_ = usual_;
-    ours.xMalloc = [](int size) { return shortage.strikes() ? nullptr : real_.xMalloc(size); };
-    ours.xRealloc = [](void* old, int size) { return shortage.strikes() ? nullptr : real_.xRealloc(old, size); };
+    ours.xMalloc = [](int size) { return shortage().strikes() ? nullptr : real_.xMalloc(size); };
+    ours.xRealloc = [](void* old, int size) { return shortage().strikes() ? nullptr : real_.xRealloc(old, size); };
     EXPECT_EQ(sqlite3_config(SQLITE_CONFIG_MALLOC, &ours), SQLITE_OK);
     sqlite3_initialize();
   }
@@ -85,18 +57,18 @@ class FailingMemory : public ::testing::Test {
   static bool during(const Work& work) {
     bool done = false;
     Message why;
-    shortage.on = true;
+    shortage().on = true;
     try {
       auto result = work();
       done = static_cast<bool>(result);
       if (!done) why = result.error().what;
     } catch (const std::bad_alloc&) {
-      shortage.on = false;
+      shortage().on = false;
       return false;
     }
-    shortage.on = false;
+    shortage().on = false;
     EXPECT_TRUE(done || !text(why).empty());
-    EXPECT_TRUE(done || shortage.from > 0) << text(why);
+    EXPECT_TRUE(done || shortage().from > 0) << text(why);
     return done;
   }
 
@@ -104,7 +76,7 @@ class FailingMemory : public ::testing::Test {
   long work(long n, long last) {
     fs::remove(path_);
     fs::copy_file(folder_ / "begun", path_);
-    shortage.asked = 0, shortage.from = n, shortage.to = last;
+    shortage().asked = 0, shortage().from = n, shortage().to = last;
     std::string acknowledged = begun_;
     std::optional<DocumentFile> file;
     during([&] {
@@ -141,7 +113,7 @@ class FailingMemory : public ::testing::Test {
       EXPECT_NE(stateOf(*file), counted);
       if (after) acknowledged = stateOf(*file);
     }
-    const long asked = shortage.asked;
+    const long asked = shortage().asked;
     file.reset();
     const auto again = DocumentFile::open(path_);  // nothing has to be made again
     EXPECT_TRUE(again) << text(again.error().what);
@@ -199,12 +171,12 @@ TEST_F(FailingMemory, ADrapeWithoutMemoryIsRefusedWhole) {
   }
   const std::string before = stateOf(file);
   const auto drape = [&](long from, long to) {
-    shortage.asked = 0, shortage.from = from, shortage.to = to;
+    shortage().asked = 0, shortage().from = from, shortage().to = to;
     return during([&] { return told(file.perform(Operation(DrapePieces()), context)); });
   };
   ASSERT_TRUE(drape(0, 0));
   const std::string draped = stateOf(file);
-  const long all = shortage.asked;
+  const long all = shortage().asked;
   ASSERT_TRUE(file.undo(context));
   std::mt19937_64 dice(20261125);
   for (int run = 0, runs = soak(30); run < runs; ++run) {
