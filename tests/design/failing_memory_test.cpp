@@ -4,13 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <new>
 #include <random>
 
 #include "design/allocations.h"
+#include "design/quick_folder.h"
 #include "design/workroom.h"
 
 namespace karinui {
@@ -23,10 +23,7 @@ using ::testing::Not;
 class FailingMemory : public ::testing::Test {
  protected:
   FailingMemory() {
-    // In memory too, where there is such a folder: no disk to wait for.
-    const fs::path quick = "/dev/shm";
-    std::string name = ((fs::is_directory(quick) ? quick : fs::temp_directory_path()) / "karinui-test-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
+    folder_ = quickFolder();
     sqlite3_shutdown();
     sqlite3_config(SQLITE_CONFIG_GETMALLOC, &usual_);
     sqlite3_mem_methods ours = usual_;

@@ -4,13 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
 #include <random>
 
 #include "design/allocations.h"
+#include "design/quick_folder.h"
 #include "design/shrunk.h"
 #include "design/workroom.h"
 
@@ -110,11 +110,7 @@ class Tailor {
 class Rehearsal {
  public:
   Rehearsal() {
-    const std::filesystem::path quick = "/dev/shm";  // no disk to wait for
-    std::string name = ((std::filesystem::is_directory(quick) ? quick : std::filesystem::temp_directory_path()) /
-                        "karinui-test-XXXXXX")
-                           .string();
-    folder_ = ::mkdtemp(name.data());
+    folder_ = quickFolder();
     file_.emplace(*DocumentFile::create(folder_ / "garment.karinui"));
   }
   ~Rehearsal() {
