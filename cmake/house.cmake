@@ -27,6 +27,8 @@ if(KARINUI_WERROR)
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   target_compile_definitions(karinui_flags INTERFACE _FORTIFY_SOURCE=2 _GLIBCXX_ASSERTIONS)
+  # All symbols are bound at the start, and what they were bound to can then not be written.
+  target_link_options(karinui_flags INTERFACE -Wl,-z,relro,-z,now)
 endif()
 if(KARINUI_SANITIZE)
   # What a sanitizer finds ends the program: a test that goes on would pass.

@@ -14,6 +14,10 @@ install(TARGETS karinui-import DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/karinui C
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/karinui COMPONENT command)
 install(DIRECTORY docs/user docs/format DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
 install(FILES README.md README.ja.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+# What it is made of: a bill of materials.
+install(CODE "execute_process(COMMAND ${PROJECT_SOURCE_DIR}/scripts/sbom ${CMAKE_BINARY_DIR}
+  -o \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/karinui/karinui.spdx.json COMMAND_ERROR_IS_FATAL ANY)"
+  COMPONENT command)
 install_manual(karinui command)
 install(FILES packaging/linux/karinui.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME karinui COMPONENT command)
 install(FILES packaging/linux/karinui.mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME karinui.xml COMPONENT command)

@@ -20,7 +20,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME karinui)
 set(CPACK_DEBIAN_COMMAND_DESCRIPTION "made-to-measure clothes, draped, as true-size patterns
@@ -40,8 +39,16 @@ Headers and static libraries, found by find_package(karinui) of CMake.")
 foreach(name STUDIO ROOM)
   set(CPACK_DEBIAN_${name}_PACKAGE_DEPENDS "karinui (= ${PROJECT_VERSION})")
 endforeach()
+# The module for Python is for one version of it.
+get_directory_property(python DIRECTORY python DEFINITION Python_VERSION_MINOR)
+if(TARGET karinui_python)
+  math(EXPR next "${python} + 1")
+  set(python "python3 (>= 3.${python}), python3 (<< 3.${next}), ")
+else()
+  set(python)
+endif()
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "karinui (= ${PROJECT_VERSION}), libcairo2-dev, libeigen3-dev, libfontconfig-dev, libgeos-dev, libsqlite3-dev, nlohmann-json3-dev")
+  "${python}karinui (= ${PROJECT_VERSION}), libcairo2-dev, libeigen3-dev, libfontconfig-dev, libgeos-dev, libsqlite3-dev, nlohmann-json3-dev")
 
 # Policy asks each package for its copyright and its changelog.
 configure_file(packaging/debian-changelog.in debian-changelog @ONLY)
@@ -51,5 +58,8 @@ foreach(component command studio room dev)
   string(TOUPPER ${component} name)
   install(FILES packaging/copyright ${CMAKE_BINARY_DIR}/changelog.gz COMPONENT ${component}
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${name}_PACKAGE_NAME})
+  # What Debian's examiner of packages, lintian, is told to pass over, with the reason.
+  install(FILES packaging/lintian-overrides COMPONENT ${component}
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME ${CPACK_DEBIAN_${name}_PACKAGE_NAME})
 endforeach()
 include(CPack)

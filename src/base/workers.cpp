@@ -4,8 +4,10 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace karinui {
 namespace {
@@ -45,6 +47,7 @@ struct Workers::Team {
   std::atomic<int> inside{0}, sleeping{0};
   std::mutex mutex;
   std::condition_variable begin;
+  std::exception_ptr thrown;  // by the first block that did
 
   explicit Team(int threads) : shares(static_cast<std::size_t>(std::max(1, threads))) {}
 
@@ -79,9 +82,20 @@ struct Workers::Team {
     takeBlocks(0);
     open = false;
     for (int i = 0; inside != 0; ++i) i < kSpins ? breathe() : std::this_thread::yield();
+    if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
   }
 
-  void takeBlocks(std::size_t me) {
+  void takeBlocks(std::size_t me) noexcept {
+    try {
+      takeBlocksFrom(me);
+    } catch (...) {
+      for (Share& share : shares) share.next = share.end;  // the blocks that are left are left out
+      const std::lock_guard lock(mutex);
+      if (!thrown) thrown = std::current_exception();
+    }
+  }
+
+  void takeBlocksFrom(std::size_t me) {
     for (std::size_t k = 0; k < shares.size(); ++k) {
       Share& share = shares[(me + k) % shares.size()];
       for (int i = 0; k == 1 && i < kPatience && share.next.load(std::memory_order_relaxed) < share.end; ++i) breathe();

@@ -153,20 +153,25 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
 
 Done DocumentFile::Inside::keep(Worked worked, Head then, const Bodies& bodies) {
   const Step& step = worked.step;
+  // All memory is taken before the file is written: what is in the file is known here, too.
+  std::map<std::uint64_t, Document> after;
+  after.emplace(step.seq, std::move(worked.after));
+  const Document& document = after.begin()->second;
+  if (steps.size() == steps.capacity()) steps.reserve(2 * steps.size() + 1);
   if (store) {
-    const Parts parts = keptParts.pack(worked.after, bodies, worked.borrowed);
+    const Parts parts = keptParts.pack(document, bodies, worked.borrowed);
     const std::string line = text(step.operation);
     const std::string kind(nameOf(step.operation));
     const StepRow row{
         step.seq,   step.parent, step.serial, kind,      line.size() > kind.size() ? line.substr(kind.size() + 1) : "",
         step.chain, step.before, step.after,  step.stand};
     if (Done done = store->fill({{{row, parts}}, std::move(worked.borrowed), then}); !done) return done.error();
-    keptParts.remember(worked.after, parts);
+    keptParts.remember(document, parts);
   } else {
     for (auto& [name, bytes] : worked.borrowed) (void)memory.put(bytes);
   }
   head = then;
-  documents[step.seq] = std::move(worked.after);
+  documents.insert(after.extract(after.begin()));
   steps.push_back(std::move(worked.step));
   forget();
   return {};

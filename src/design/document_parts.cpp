@@ -1,5 +1,7 @@
 #include "design/document_parts.h"
 
+#include <new>
+
 #include "design/content.h"
 #include "design/pack.h"
 
@@ -30,10 +32,14 @@ Parts KeptParts::pack(const Document& document, const Bodies& bodies, std::map<s
 }
 
 void KeptParts::remember(const Document& document, const Parts& parts) {
-  if (const auto figure = parts.find("figure"); figure != parts.end()) figures_[document.body.hash] = figure->second;
-  for (const auto& [id, piece] : document.pattern.pieces) {
-    packed_[piece] = parts.at("piece " + std::to_string(id.value));
-    if (piece->form) packed_[piece->form] = parts.at("form " + std::to_string(id.value));
+  try {
+    if (const auto figure = parts.find("figure"); figure != parts.end())
+      figures_.insert_or_assign(document.body.hash, figure->second);
+    for (const auto& [id, piece] : document.pattern.pieces) {
+      packed_.insert_or_assign(piece, parts.at("piece " + std::to_string(id.value)));
+      if (piece->form) packed_.insert_or_assign(piece->form, parts.at("form " + std::to_string(id.value)));
+    }
+  } catch (const std::bad_alloc&) {  // the step is kept; these parts are written once more with the next
   }
 }
 

@@ -15,7 +15,7 @@ class KeptParts {
  public:
   // Only what the file does not have yet comes into `fresh`, by its blob's name.
   Parts pack(const Document& document, const Bodies& bodies, std::map<std::string, std::string>& fresh) const;
-  void remember(const Document& document, const Parts& parts);  // they are in the file now
+  void remember(const Document& document, const Parts& parts);  // they are in the file now; as far as there is memory
   void forget();                                                // those that no document holds any more
   const std::string* figure(const std::string& hash) const;     // its blob; null: not in the file
   void lost(const std::string& figure) { figures_.erase(figure); }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "design/document_inside.h"
+#include "karinui/base/memory.h"
 #include "karinui/design/script.h"
 
 namespace karinui {
@@ -28,28 +29,34 @@ DocumentFile::~DocumentFile() = default;
 DocumentFile DocumentFile::inMemory() { return DocumentFile(std::make_unique<Inside>()); }
 
 Result<DocumentFile> DocumentFile::create(const std::filesystem::path& path) {
-  auto store = Store::create(path);
-  if (!store) return store.error();
-  DocumentFile file(std::make_unique<Inside>());
-  file.inside_->store = *std::move(store);
-  file.inside_->path = path;
-  return file;
+  return withinMemory([&]() -> Result<DocumentFile> {
+    auto store = Store::create(path);
+    if (!store) return store.error();
+    DocumentFile file(std::make_unique<Inside>());
+    file.inside_->store = *std::move(store);
+    file.inside_->path = path;
+    return file;
+  });
 }
 
 Result<DocumentFile> DocumentFile::open(const std::filesystem::path& path, Context* how) {
-  auto store = Store::open(path, true);
-  if (!store) return store.error();
-  DocumentFile file(std::make_unique<Inside>());
-  if (Done done = file.inside_->begin(*std::move(store), how); !done) return done.error();
-  return file;
+  return withinMemory([&]() -> Result<DocumentFile> {
+    auto store = Store::open(path, true);
+    if (!store) return store.error();
+    DocumentFile file(std::make_unique<Inside>());
+    if (Done done = file.inside_->begin(*std::move(store), how); !done) return done.error();
+    return file;
+  });
 }
 
 Result<DocumentFile> DocumentFile::openForReading(const std::filesystem::path& path, Context* how) {
-  auto store = Store::open(path, false);
-  if (!store) return store.error();
-  DocumentFile file(std::make_unique<Inside>());
-  if (Done done = file.inside_->begin(*std::move(store), how); !done) return done.error();
-  return file;
+  return withinMemory([&]() -> Result<DocumentFile> {
+    auto store = Store::open(path, false);
+    if (!store) return store.error();
+    DocumentFile file(std::make_unique<Inside>());
+    if (Done done = file.inside_->begin(*std::move(store), how); !done) return done.error();
+    return file;
+  });
 }
 
 const Document& DocumentFile::document() const { return inside_->documents.at(inside_->head.seq); }
@@ -74,32 +81,38 @@ std::vector<Step> DocumentFile::undone() const {
 }
 
 Result<Step> DocumentFile::perform(Operation operation, Context& context) {
-  Inside& in = *inside_;
-  if (Done done = in.writable(); !done) return done.error();
-  auto worked = in.work(in.step(in.head.seq), document(), in.nextSeq(), std::move(operation), context);
-  if (!worked) return worked.error();
-  const Step step = worked->step;
-  if (Done done = in.keep(*std::move(worked), {step.seq, step.seq}, context.bodies); !done) return done.error();
-  return step;
+  return withinMemory([&]() -> Result<Step> {
+    Inside& in = *inside_;
+    if (Done done = in.writable(); !done) return done.error();
+    auto worked = in.work(in.step(in.head.seq), document(), in.nextSeq(), std::move(operation), context);
+    if (!worked) return worked.error();
+    Result<Step> step = worked->step;
+    if (Done done = in.keep(*std::move(worked), {step->seq, step->seq}, context.bodies); !done) return done.error();
+    return step;
+  });
 }
 
 Result<Document> DocumentFile::documentAfter(std::uint64_t seq, Context& context) {
   if (seq != 0 && !inside_->step(seq)) return notFound(say("There is no such step in this document."));
-  const auto found = inside_->documentAt(seq, context);
-  if (!found) return found.error();
-  Document document = **found;
-  inside_->forget();
-  return document;
+  return withinMemory([&]() -> Result<Document> {
+    const auto found = inside_->documentAt(seq, context);
+    if (!found) return found.error();
+    Document document = **found;
+    inside_->forget();
+    return document;
+  });
 }
 
 Done DocumentFile::goTo(std::uint64_t seq, Context& context) {
-  Inside& in = *inside_;
-  if (Done done = in.writable(); !done) return done;
-  if (seq != 0 && !in.step(seq)) return notFound(say("There is no such step in this document."));
-  if (const auto document = in.documentAt(seq, context); !document) return document.error();
-  const auto way = in.line(in.head.tip);
-  const bool here = seq == 0 || std::any_of(way.begin(), way.end(), [&](const Step* s) { return s->seq == seq; });
-  return in.stand({seq, here ? in.head.tip : seq});
+  return withinMemory([&]() -> Done {
+    Inside& in = *inside_;
+    if (Done done = in.writable(); !done) return done;
+    if (seq != 0 && !in.step(seq)) return notFound(say("There is no such step in this document."));
+    if (const auto document = in.documentAt(seq, context); !document) return document.error();
+    const auto way = in.line(in.head.tip);
+    const bool here = seq == 0 || std::any_of(way.begin(), way.end(), [&](const Step* s) { return s->seq == seq; });
+    return in.stand({seq, here ? in.head.tip : seq});
+  });
 }
 
 std::vector<Step> DocumentFile::otherBranches() const {
@@ -112,57 +125,65 @@ std::vector<Step> DocumentFile::otherBranches() const {
 }
 
 Done DocumentFile::amend(std::size_t which, Operation operation, Context& context) {
-  Inside& in = *inside_;
-  if (Done done = in.writable(); !done) return done;
-  const auto way = in.line(in.head.seq);
-  KARINUI_ASSERT(which >= 1 && which <= way.size());
-  // All of it is worked out first: only what holds to the end is written.
-  std::vector<Inside::Worked> all;
-  const std::uint64_t before = way[which - 1]->parent;
-  const auto start = in.documentAt(before, context);
-  if (!start) return start.error();
-  const Document* document = *start;
-  const Step* parent = in.step(before);
-  for (std::size_t i = which - 1; i < way.size(); ++i) {
-    context.token.progress(static_cast<double>(i - (which - 1)) / static_cast<double>(way.size() - (which - 1)),
-                           say("Playing step {0} again", i + 1));
-    auto worked = in.work(parent, *document, in.nextSeq() + all.size(),
-                          i + 1 == which ? std::move(operation) : way[i]->operation, context);
-    if (!worked) return worked.error().kind == Error::Kind::Cancelled ? worked.error() : atStep(i + 1, worked.error());
-    all.reserve(way.size());  // what points into it stays
-    all.push_back(*std::move(worked));
-    document = &all.back().after;
-    parent = &all.back().step;
-  }
-  // The head stays where it is until the last is on the disk: whatever happens, it is the old garment or the new.
-  const Head old = in.head;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::uint64_t seq = all[i].step.seq;
-    const Head then = i + 1 == all.size() ? Head{seq, seq} : old;
-    if (Done done = in.keep(std::move(all[i]), then, context.bodies); !done) return done;
-  }
-  return {};
+  return withinMemory([&]() -> Done {
+    Inside& in = *inside_;
+    if (Done done = in.writable(); !done) return done;
+    const auto way = in.line(in.head.seq);
+    KARINUI_ASSERT(which >= 1 && which <= way.size());
+    // All of it is worked out first: only what holds to the end is written.
+    std::vector<Inside::Worked> all;
+    const std::uint64_t before = way[which - 1]->parent;
+    const auto start = in.documentAt(before, context);
+    if (!start) return start.error();
+    const Document* document = *start;
+    const Step* parent = in.step(before);
+    for (std::size_t i = which - 1; i < way.size(); ++i) {
+      context.token.progress(static_cast<double>(i - (which - 1)) / static_cast<double>(way.size() - (which - 1)),
+                             say("Playing step {0} again", i + 1));
+      auto worked = in.work(parent, *document, in.nextSeq() + all.size(),
+                            i + 1 == which ? std::move(operation) : way[i]->operation, context);
+      if (!worked)
+        return worked.error().kind == Error::Kind::Cancelled ? worked.error() : atStep(i + 1, worked.error());
+      all.reserve(way.size());  // what points into it stays
+      all.push_back(*std::move(worked));
+      document = &all.back().after;
+      parent = &all.back().step;
+    }
+    // The head stays where it is until the last is on the disk: whatever happens, it is the old garment or the new.
+    const Head old = in.head;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::uint64_t seq = all[i].step.seq;
+      const Head then = i + 1 == all.size() ? Head{seq, seq} : old;
+      if (Done done = in.keep(std::move(all[i]), then, context.bodies); !done) return done;
+    }
+    return {};
+  });
 }
 
 Result<Step> DocumentFile::undo(Context& context) {
-  Inside& in = *inside_;
-  if (Done done = in.writable(); !done) return done.error();
-  const Step* step = in.step(in.head.seq);
-  if (!step) return refused(say("There is nothing to undo."));
-  if (const auto document = in.documentAt(step->parent, context); !document) return document.error();
-  if (Done done = in.stand({step->parent, in.head.tip}); !done) return done.error();
-  return *step;
+  return withinMemory([&]() -> Result<Step> {
+    Inside& in = *inside_;
+    if (Done done = in.writable(); !done) return done.error();
+    const Step* undone = in.step(in.head.seq);
+    if (!undone) return refused(say("There is nothing to undo."));
+    Result<Step> step = *undone;
+    if (const auto document = in.documentAt(step->parent, context); !document) return document.error();
+    if (Done done = in.stand({step->parent, in.head.tip}); !done) return done.error();
+    return step;
+  });
 }
 
 Result<Step> DocumentFile::redo(Context& context) {
-  Inside& in = *inside_;
-  if (Done done = in.writable(); !done) return done.error();
-  const auto waiting = undone();
-  if (waiting.empty()) return refused(say("There is nothing to redo."));
-  const Step& step = waiting.front();
-  if (const auto document = in.documentAt(step.seq, context); !document) return document.error();
-  if (Done done = in.stand({step.seq, in.head.tip}); !done) return done.error();
-  return step;
+  return withinMemory([&]() -> Result<Step> {
+    Inside& in = *inside_;
+    if (Done done = in.writable(); !done) return done.error();
+    const auto waiting = undone();
+    if (waiting.empty()) return refused(say("There is nothing to redo."));
+    Result<Step> step = waiting.front();
+    if (const auto document = in.documentAt(step->seq, context); !document) return document.error();
+    if (Done done = in.stand({step->seq, in.head.tip}); !done) return done.error();
+    return step;
+  });
 }
 
 std::string DocumentFile::log() const {

@@ -1,11 +1,10 @@
 #include "karinui/geometry/polygon.h"
 
-#include <geos_c.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
+
+#include "geometry/geos.h"
 
 namespace karinui {
 
@@ -47,49 +46,25 @@ double distanceToSegment(Flat a, Flat b, Flat place) {
   return distance(lerp(a, b, t), place);
 }
 
-namespace {
-
-// GEOS keeps its state in a context; one per call is cheap and makes every call thread-safe.
-struct Geos {
-  GEOSContextHandle_t context = GEOS_init_r();
-  Geos() = default;
-  Geos(const Geos&) = delete;
-  Geos& operator=(const Geos&) = delete;
-  ~Geos() { GEOS_finish_r(context); }
-};
-
-}  // namespace
-
 std::optional<Flat> crossing(std::span<const Flat> ring) {
   if (ring.size() < 3) return ring.empty() ? Flat{} : ring[0];
   const Geos geos;
   GEOSContextHandle_t c = geos.context;
-  GEOSCoordSequence* places = GEOSCoordSeq_create_r(c, static_cast<unsigned>(ring.size() + 1), 2);
-  KARINUI_ASSERT(places);
-  for (std::size_t k = 0; k <= ring.size(); ++k) {
-    const Flat p = ring[k % ring.size()];
-    GEOSCoordSeq_setXY_r(c, places, static_cast<unsigned>(k), p.u, p.v);
-  }
-  GEOSGeometry* shell = GEOSGeom_createLinearRing_r(c, places);  // owns the places, even when it fails
+  GEOSGeometry* shell = GEOSGeom_createLinearRing_r(c, geos.places(ring));  // owns the places, even when it fails
+  geos.check();
   if (!shell) return ring[0];
-  GEOSGeometry* polygon = GEOSGeom_createPolygon_r(c, shell, nullptr, 0);
+  const Geos::Geometry polygon = geos.own(GEOSGeom_createPolygon_r(c, shell, nullptr, 0));
   if (!polygon) return ring[0];
-  char* reason = nullptr;
-  GEOSGeometry* where = nullptr;
-  const char valid = GEOSisValidDetail_r(c, polygon, 0, &reason, &where);
-  std::optional<Flat> found;
-  if (valid != 1) {
-    Flat place = ring[0];
-    if (where) {
-      GEOSGeomGetX_r(c, where, &place.u);
-      GEOSGeomGetY_r(c, where, &place.v);
-    }
-    found = place;
+  GEOSGeometry* marked = nullptr;
+  const char valid = GEOSisValidDetail_r(c, polygon.get(), 0, nullptr, &marked);
+  const Geos::Geometry where = geos.own(marked);
+  if (valid == 1) return std::nullopt;
+  Flat place = ring[0];
+  if (where) {
+    GEOSGeomGetX_r(c, where.get(), &place.u);
+    GEOSGeomGetY_r(c, where.get(), &place.v);
   }
-  if (where) GEOSGeom_destroy_r(c, where);
-  if (reason) GEOSFree_r(c, reason);
-  GEOSGeom_destroy_r(c, polygon);
-  return found;
+  return place;
 }
 
 }  // namespace karinui

@@ -1,39 +1,18 @@
 #include "karinui/geometry/winding.h"
 
-#include <geos_c.h>
-
 #include <algorithm>
-#include <memory>
+#include <vector>
+
+#include "geometry/geos.h"
 
 namespace karinui {
 
 namespace {
 
-struct Drop {
-  GEOSContextHandle_t context;
-  void operator()(GEOSGeometry* g) const { GEOSGeom_destroy_r(context, g); }
-};
-using Geometry = std::unique_ptr<GEOSGeometry, Drop>;
-
-struct Work {
-  GEOSContextHandle_t context = GEOS_init_r();
-  Work() = default;
-  Work(const Work&) = delete;
-  Work& operator=(const Work&) = delete;
-  ~Work() { GEOS_finish_r(context); }
-  Geometry own(GEOSGeometry* g) const { return Geometry(g, Drop{context}); }
-};
-
 // The closed line, divided wherever it meets itself.
-Geometry noded(const Work& work, std::span<const Flat> ring) {
-  GEOSContextHandle_t c = work.context;
-  GEOSCoordSequence* places = GEOSCoordSeq_create_r(c, static_cast<unsigned>(ring.size() + 1), 2);
-  for (std::size_t k = 0; k <= ring.size(); ++k) {
-    const Flat p = ring[k % ring.size()];
-    GEOSCoordSeq_setXY_r(c, places, static_cast<unsigned>(k), p.u, p.v);
-  }
-  const Geometry line = work.own(GEOSGeom_createLineString_r(c, places));
-  return work.own(line ? GEOSUnaryUnion_r(c, line.get()) : nullptr);
+Geos::Geometry noded(const Geos& geos, std::span<const Flat> ring) {
+  const Geos::Geometry line = geos.own(GEOSGeom_createLineString_r(geos.context, geos.places(ring)));
+  return geos.own(line ? GEOSUnaryUnion_r(geos.context, line.get()) : nullptr);
 }
 
 Ring ringOf(GEOSContextHandle_t c, const GEOSGeometry* polygon) {
@@ -67,26 +46,29 @@ int turnsRound(std::span<const Flat> ring, Flat place) {
 
 Ring outlineOfTurns(std::span<const Flat> ring, bool clockwise) {
   if (ring.size() < 3) return {};
-  const Work work;
-  GEOSContextHandle_t c = work.context;
-  const Geometry line = noded(work, ring);
+  const Geos geos;
+  GEOSContextHandle_t c = geos.context;
+  const Geos::Geometry line = noded(geos, ring);
   if (!line) return {};
   const GEOSGeometry* const lines[] = {line.get()};
-  const Geometry faces = work.own(GEOSPolygonize_r(c, lines, 1));
+  const Geos::Geometry faces = geos.own(GEOSPolygonize_r(c, lines, 1));
   if (!faces) return {};
-  std::vector<GEOSGeometry*> kept;
+  std::vector<Geos::Geometry> kept;
   for (int i = 0; i < GEOSGetNumGeometries_r(c, faces.get()); ++i) {
     const GEOSGeometry* face = GEOSGetGeometryN_r(c, faces.get(), i);
-    const Geometry inner = work.own(GEOSPointOnSurface_r(c, face));
+    const Geos::Geometry inner = geos.own(GEOSPointOnSurface_r(c, face));
     Flat place;
     if (!inner || !GEOSGeomGetX_r(c, inner.get(), &place.u) || !GEOSGeomGetY_r(c, inner.get(), &place.v)) continue;
     const int turns = turnsRound(ring, place);
-    if (clockwise ? turns < 0 : turns > 0) kept.push_back(GEOSGeom_clone_r(c, face));
+    if (clockwise ? turns < 0 : turns > 0) kept.push_back(geos.own(GEOSGeom_clone_r(c, face)));
   }
   if (kept.empty()) return {};
-  const Geometry all = work.own(
-      GEOSGeom_createCollection_r(c, GEOS_GEOMETRYCOLLECTION, kept.data(), static_cast<unsigned>(kept.size())));
-  const Geometry whole = work.own(all ? GEOSUnaryUnion_r(c, all.get()) : nullptr);
+  std::vector<GEOSGeometry*> handed;  // the collection owns them
+  handed.reserve(kept.size());
+  for (Geos::Geometry& face : kept) handed.push_back(face.release());
+  const Geos::Geometry all = geos.own(
+      GEOSGeom_createCollection_r(c, GEOS_GEOMETRYCOLLECTION, handed.data(), static_cast<unsigned>(handed.size())));
+  const Geos::Geometry whole = geos.own(all ? GEOSUnaryUnion_r(c, all.get()) : nullptr);
   Ring best;
   for (int i = 0; whole && i < GEOSGetNumGeometries_r(c, whole.get()); ++i) {
     const GEOSGeometry* part = GEOSGetGeometryN_r(c, whole.get(), i);

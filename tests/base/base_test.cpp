@@ -130,6 +130,23 @@ TEST(Workers, EveryItemOnceHoweverLateHelpersCome) {
   }
 }
 
+// Memory that runs out in a block is the caller's to hear of, whichever thread met it; the team works on.
+TEST(Workers, WhatABlockThrowsComesOutOfTheJob) {
+  for (const int threads : {1, 2, 5}) {
+    Workers workers(threads);
+    for (std::size_t bad = 0; bad < 40; ++bad) {
+      EXPECT_THROW(workers.forBlocks(400, 10,
+                                     [&](std::size_t begin, std::size_t) {
+                                       if (begin / 10 == bad) throw std::bad_alloc();
+                                     }),
+                   std::bad_alloc);
+      std::atomic<int> done = 0;
+      workers.forBlocks(400, 10, [&](std::size_t begin, std::size_t end) { done += static_cast<int>(end - begin); });
+      EXPECT_EQ(done, 400);
+    }
+  }
+}
+
 TEST(Hash, TellsApartWhatDiffersAndNothingElse) {
   EXPECT_EQ(Hasher().add("sleeve").hex(), Hasher().add("sleeve").hex());
   EXPECT_NE(Hasher().add("ab").add("c").hex(), Hasher().add("a").add("bc").hex());

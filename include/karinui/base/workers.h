@@ -19,7 +19,7 @@ class Workers {
   int threads() const;
 
   // Calls work(begin, end) for consecutive blocks of `block` items covering [0, count). Returns when all are done.
-  // Not reentrant: one caller at a time, no nesting. `work` runs on several threads at once and must not throw.
+  // Not reentrant: one caller at a time, no nesting. Runs on several threads at once; what one throws comes out, later.
   void forBlocks(std::size_t count, std::size_t block, const std::function<void(std::size_t, std::size_t)>& work);
 
   // Calls work(k) for parts of different weight, of which the members of the team get about alike. `before`: the

@@ -1,5 +1,6 @@
 #include "design/file/database.h"
 
+#include <new>
 #include <system_error>
 
 namespace karinui {
@@ -18,7 +19,7 @@ Result<Database> Database::open(const std::filesystem::path& path, Mode mode) {
                                           : SQLITE_OPEN_READONLY;
   const int result = sqlite3_open_v2(path.c_str(), &raw, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   Database db(path, raw);
-  if (raw == nullptr) return storageError(say("There is not enough memory to open “{0}”.", path.filename().string()));
+  if (raw == nullptr) throw std::bad_alloc();
   if (result != SQLITE_OK) return db.error();
   sqlite3_extended_result_codes(raw, 1);
   if (mode == Mode::Write && sqlite3_db_readonly(raw, "main") == 1) {
@@ -47,6 +48,10 @@ Done Database::run(const char* sql) {
   return {};
 }
 
+void Database::rollBack() noexcept {
+  if (sqlite3_get_autocommit(raw_.get()) == 0) sqlite3_exec(raw_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
 Result<Database::Statement> Database::ask(const char* sql) const {
   sqlite3_stmt* raw = nullptr;
   if (sqlite3_prepare_v2(raw_.get(), sql, -1, &raw, nullptr) != SQLITE_OK) return error();
@@ -70,8 +75,10 @@ Result<std::string> Database::text(const char* sql) {
 }
 
 Error Database::error() const {
+  const int code = sqlite3_extended_errcode(raw_.get());
+  if (code == SQLITE_NOMEM || code == SQLITE_IOERR_NOMEM) throw std::bad_alloc();
   const std::string name = path_.filename().string();
-  switch (sqlite3_errcode(raw_.get()) & 0xff) {
+  switch (code & 0xff) {
     case SQLITE_NOTADB:
       return badInput(say("“{0}” is not a Karinui document.", name));
     case SQLITE_CORRUPT:
@@ -91,8 +98,6 @@ Error Database::error() const {
           say("“{0}” may not be written; copy it to a folder of your own, or open it for reading.", name));
     case SQLITE_CANTOPEN:
       return storageError(say("“{0}” cannot be opened: its folder is missing or may not be written.", name));
-    case SQLITE_NOMEM:
-      return storageError(say("There is not enough memory to open “{0}”.", name));
     default:
       return storageError(
           say("The disk refused while working on “{0}” ({1}); nothing was changed.", name, sqlite3_errmsg(raw_.get())));
@@ -132,6 +137,7 @@ std::int64_t Database::Statement::number(int column) const { return sqlite3_colu
 std::string Database::Statement::text(int column) const {
   const auto* bytes = static_cast<const char*>(sqlite3_column_blob(raw_.get(), column));
   const int size = sqlite3_column_bytes(raw_.get(), column);
+  if (bytes == nullptr && sqlite3_errcode(sqlite3_db_handle(raw_.get())) == SQLITE_NOMEM) throw std::bad_alloc();
   return bytes != nullptr && size > 0 ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
 }
 

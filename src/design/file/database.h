@@ -19,9 +19,12 @@ class Database {
   static Result<Database> open(const std::filesystem::path& path, Mode mode);
 
   Done run(const char* sql);
+  void rollBack() noexcept;                      // a transaction under way; nothing where there is none
   Result<std::int64_t> number(const char* sql);  // the first column of the first row
   Result<std::string> text(const char* sql);
-  Error error() const;  // what SQLite last complained of, as a sentence about this file
+  // What SQLite last complained of, as a sentence about this file. Throws std::bad_alloc where it had no memory: that
+  // is no damage of the file.
+  Error error() const;
   const std::filesystem::path& path() const { return path_; }
 
   // One prepared question. Parameters count from 1, columns from 0.

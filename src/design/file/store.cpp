@@ -224,11 +224,17 @@ Done Store::updateHead(Head head) {
 }
 
 Done Store::inOneTransaction(const std::function<Done()>& work) {
+  db_.rollBack();  // what could not be for want of memory
   if (Done done = db_.run("BEGIN IMMEDIATE"); !done) return done;
-  Done done = work();
-  if (done) done = db_.run("COMMIT");
-  if (!done) (void)db_.run("ROLLBACK");
-  return done;
+  try {
+    Done done = work();
+    if (done) done = db_.run("COMMIT");
+    if (!done) db_.rollBack();
+    return done;
+  } catch (...) {  // no memory for what is to be written
+    db_.rollBack();
+    throw;
+  }
 }
 
 Done Store::fill(const Content& content) {
@@ -240,7 +246,6 @@ Done Store::fill(const Content& content) {
     return updateHead(content.head);
   });
   if (!done) return done;
-  for (const auto& [row, parts] : content.steps) rows_.push_back(row);
   head_ = content.head;
   return {};
 }

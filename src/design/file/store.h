@@ -40,7 +40,7 @@ class Store {
   // For reading what is whole of a damaged one: rows that are not sound are counted and left out.
   static Result<Store> openDamaged(const std::filesystem::path& path);
 
-  const std::vector<StepRow>& rows() const { return rows_; }  // by seq
+  const std::vector<StepRow>& rows() const { return rows_; }  // by seq, as they were when it was opened
   Head head() const { return head_; }
   std::size_t unsound() const { return unsound_; }  // rows left out
   bool writable() const { return writable_; }
