@@ -118,6 +118,11 @@ AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
   pull_->setProperty("role", "faint");
   pull_->setWordWrap(true);
   form->addRow(QString(), pull_);
+  fastened_ = new QLabel;
+  fastened_->setObjectName("edge_fastened");
+  fastened_->setProperty("role", "faint");
+  fastened_->setWordWrap(true);
+  form->addRow(fastened_);
   connect(elastic_, &LengthBox::typed, this, [this](double metres) {
     if (filling_ || !session_.selection().edge) return;
     SewElastic op;
@@ -199,6 +204,26 @@ void AllowanceBoard::refresh() {
     if (pull.piece == at.first && pull.edge == at.second && !document.drape.dirty.contains(at.first))
       pull_->setText(
           inWords(say("pulls with {0} N, drawn out to {1} cm", fixed(pull.pull, 1), fixed(100 * pull.now, 1))));
+  const auto holds = [&](const std::vector<EdgeSpan>& side) {
+    return std::any_of(side.begin(), side.end(),
+                       [&](const EdgeSpan& s) { return s.piece == at.first && s.edge == at.second; });
+  };
+  QString closed;
+  for (const auto& [name, fastening] : finish.fastenings) {
+    const bool over = holds(fastening.a);
+    if (over || holds(fastening.b))
+      closed += (closed.isEmpty() ? "" : "\n") + inWords(fastenedSaid(document.pattern, fastening, over));
+  }
+  if (!closed.isEmpty() && !document.drape.dirty.contains(at.first))
+    for (const FasteningPull& pull : fasteningsOf(session_.snapshot())) {
+      const Fastening& fastening = finish.fastenings.at(pull.name);
+      if (!holds(fastening.a) && !holds(fastening.b)) continue;
+      const Message drawn = say("drawn open with {0} N", fixed(pull.force, 1));
+      closed += "\n" + inWords(pull.number > 0 ? say("{0}: {1}", pull.number, drawn) : drawn);
+      if (!pull.holds()) closed += "  ⚠ " + inWords(say("does not close"));
+    }
+  fastened_->setText(closed);
+  fastened_->setVisible(!closed.isEmpty());
   const SeamId sewn = seam();
   const auto eased = document.eases.find(sewn);
   ease_->setEnabled(static_cast<bool>(sewn));

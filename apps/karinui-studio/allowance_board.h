@@ -1,6 +1,6 @@
 #pragma once
 // How the chosen edge is finished: how far beyond its seam line it is cut, how the cut line turns at its ends, its hem
-// and its elastic, and the ease that is meant in its seam. GUI thread.
+// and its elastic, what closes it, and the ease that is meant in its seam. GUI thread.
 #include <QWidget>
 #include <array>
 
@@ -27,7 +27,7 @@ class AllowanceBoard : public QWidget {
   Session& session_;
   LengthBox *width_, *hem_, *elastic_, *ease_;
   std::array<QComboBox*, 2> corners_;  // where the edge starts, where it ends
-  QLabel *why_, *pull_, *faults_;
+  QLabel *why_, *pull_, *fastened_, *faults_;
   bool filling_ = false;
 };
 

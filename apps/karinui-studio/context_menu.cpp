@@ -157,12 +157,28 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     sew.a = {own};
     sew.b = run;
     const Message chosen = edgeSaid(document, own);
+    offer(menu, say("Buttons or a zip with {0}…", chosen),
+          [this, own, ref] { askNumbers(fastenedTo(session_->snapshot().document, own, ref)); });
     offer(menu, say("Lead {0} along it", chosen), attach);
     if (seamsOn(document, {own}).empty() && seamsOn(document, run).empty())
       offer(menu, say("Lead {0} along it and sew", chosen), [this, attach, sew] {
         session_->perform(attach);
         session_->perform(sew);
       });
+  }
+  for (const auto& [name, own] : document.allowances.fastenings) {
+    const auto holds = [&](const EdgeSpan& span) { return span.piece == near.piece && span.edge == near.edge; };
+    if (std::none_of(own.a.begin(), own.a.end(), holds) && std::none_of(own.b.begin(), own.b.end(), holds)) continue;
+    const bool zip = own.kind == FasteningKind::Zip, open = zip ? own.zipped <= 0 : own.closed == 0;
+    Fasten turned, none;
+    turned.name = none.name = name;
+    none.none = true;
+    if (zip)
+      turned.closedLength = Length{open ? lengthOf(document.pattern, own) : 0};
+    else
+      turned.closed = open ? static_cast<int>(own.at.size()) : 0;
+    offer(menu, open ? say("Close {0}", nameSaid(name)) : say("Open {0}", nameSaid(name)), turned);
+    offer(menu, say("Take {0} out", nameSaid(name)), none);
   }
   if (unfolded(*piece, near.edge) && seamsOn(document, {ref}).empty())
     offer(menu, say("Unfold on it: both halves"), UnfoldPiece{ref});

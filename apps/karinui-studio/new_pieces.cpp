@@ -55,6 +55,16 @@ AddPleat pleatsIn(const Document& document, const EdgeRef& edge) {
   return pleats;
 }
 
+Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under) {
+  constexpr double kApart = 0.08;  // metres
+  Fasten fasten;
+  fasten.kind = FasteningKind::Button;
+  if (over)
+    fasten.a = {over}, fasten.count = std::max(1, static_cast<int>(std::lround(lengthOf(document, fasten.a) / kApart)));
+  if (under) fasten.b = {under};
+  return fasten;
+}
+
 void MainWindow::askNumbers(Operation operation) {
   if (session_->readOnly())
     return session_->refuse(refused(say("This garment was opened for reading only; keep a copy to work on it.")));
@@ -170,6 +180,9 @@ void MainWindow::addNewPieces(QMenu& menu) {
   menu.addSeparator();
   add("pleat", say("Pleats in the chosen edge…"), true,
       [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
+  add("fasten", say("Buttons or a zip along the chosen edge…"), true, [chosen, this] {
+    return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
+  });
   add("patch", say("Chosen piece sewn onto another…"), false, [this] {
     SewPatch made;
     if (const auto& pieces = session_->selection().pieces; !pieces.empty()) made.piece = PieceRef(*pieces.begin());

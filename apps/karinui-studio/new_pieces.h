@@ -11,5 +11,7 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge);
 
 // Pleats about 6 cm apart all along an edge, as the dialog first offers them.
 AddPleat pleatsIn(const Document& document, const EdgeRef& edge);
+// Buttons about 8 cm apart along an edge that laps over another, as the dialog first offers them.
+Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under);
 
 }  // namespace karinui::studio

@@ -26,6 +26,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"ring", "name inner radius depth angle fabric"},
     {"band", "name depth ratio extra sew turn"},
     {"attach", "edge to turn"},
+    {"fasten", "kind a b count first last size length closed closed_length"},
     {"block", "kind ease length fabric"},
 };
 

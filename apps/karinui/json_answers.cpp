@@ -34,6 +34,12 @@ Json checkJson(const ClothCheck& check) {
                  {"strain_max", check.strain.max},
                  {"vertices", check.vertices}};
   if (!elastics.empty()) object["elastics"] = elastics;
+  for (const FasteningPull& f : check.fastenings) {
+    Json one = {{"name", f.name}, {"gap_mm", f.gap * 1000}, {"pull_n", f.force}, {"holds", f.holds()}};
+    if (f.number > 0) one["number"] = f.number;
+    if (f.length > 0) one["length_m"] = f.length;
+    object["fastenings"].push_back(std::move(one));
+  }
   return object;
 }
 

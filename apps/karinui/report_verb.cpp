@@ -116,6 +116,12 @@ ReportTable measureTable(const Body& body) {
   return table;
 }
 
+ReportTable notionsTable(const Document& document) {
+  ReportTable table{say("Notions"), {}, {}};
+  for (const Message& one : notionsSaid(document.pattern, document.allowances.fastenings)) table.rows.push_back({one});
+  return table;
+}
+
 ReportTable pieceTable(const Document& document) {
   ReportTable table{say("Pieces"), {Message(), say("across"), say("along"), say("fabric"), say("cut")}, {}};
   for (const auto& [id, piece] : document.pattern.pieces) {
@@ -187,6 +193,8 @@ int runReport(Program& program, const ReportOptions& options) {
     }
     report.tables.push_back(std::move(yards));
     report.tables.push_back(pieceTable(document));
+    if (ReportTable notions = notionsTable(document); !notions.rows.empty())
+      report.tables.push_back(std::move(notions));
     if (ReportTable seams = seamTable(document); !seams.rows.empty()) report.tables.push_back(std::move(seams));
     if (body) report.tables.push_back(measureTable(*body));
     const Result<std::string> bytes = writeReport(report, language);

@@ -74,6 +74,39 @@ void finish(const Pattern& pattern, const Allowances* finish, Cloth& cloth) {
   }
 }
 
+void fasten(const Pattern& pattern, const Fastenings& fastenings, Cloth& cloth) {
+  std::map<PieceId, std::pair<std::uint32_t, LatticeFinder>> finders;
+  const auto place = [&](const FasteningPlace& at, double sign, std::size_t corner, ClothFastener& to) {
+    const auto piece =
+        std::find_if(cloth.pieces.begin(), cloth.pieces.end(), [&](const auto& p) { return p.id == at.piece; });
+    if (piece == cloth.pieces.end()) return false;
+    const auto& [first, finder] =
+        finders.try_emplace(at.piece, piece->firstNode, LatticeFinder(piece->lattice->nodes, piece->lattice->faces))
+            .first->second;
+    const LatticePlace in = finder.find(at.place, at.place - at.outward * 1e-3);
+    for (std::size_t c = 0; c < 3; ++c)
+      to.nodes[corner + c] = first + in.face[c], to.weights[corner + c] = sign * in.weight[c];
+    return true;
+  };
+  std::size_t index = 0;
+  for (const auto& [name, own] : fastenings) {
+    const SeamId zip = zipId(index++);
+    if (own.kind == FasteningKind::Zip) {
+      const auto seam = std::find(cloth.seams.begin(), cloth.seams.end(), zip);
+      if (seam != cloth.seams.end())
+        cloth.zips.push_back(
+            {name, static_cast<std::uint32_t>(seam - cloth.seams.begin()), length(pattern, pattern.seams.at(zip).a)});
+      continue;
+    }
+    std::size_t number = 0;
+    for (const FastenedPlaces& pair : placesOf(pattern, own)) {
+      ClothFastener fastener{name, ++number, own.kind, {}, {}, own.gap};
+      if (pair.closed && place(pair.a, 1, 0, fastener) && place(pair.b, -1, 3, fastener))
+        cloth.fasteners.push_back(std::move(fastener));
+    }
+  }
+}
+
 }  // namespace
 
 Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const std::map<std::string, Fabric>& fabrics,
@@ -114,6 +147,7 @@ Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const st
     if (joined.a != joined.b || joined.c != kNoNode) cloth.ties.push_back(joined);
   }
   finish(pattern, choice.finish, cloth);
+  if (choice.finish) fasten(pattern, choice.finish->fastenings, cloth);
   return cloth;
 }
 

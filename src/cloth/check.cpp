@@ -178,6 +178,7 @@ ClothCheck check(const Cloth& cloth, const ClothState& state, const Body* body) 
   }
   found.strain = strainOf(cloth, state);
   found.elastics = elasticPulls(cloth, state);
+  found.fastenings = fasteningPulls(cloth, state);
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include "cloth/collider_face_contact.h"
 #include "cloth/crease.h"
 #include "cloth/elastic.h"
+#include "cloth/fastener.h"
 #include "cloth/hem.h"
 
 namespace karinui {
@@ -47,6 +48,7 @@ LevelContacts::LevelContacts(const Cloth& cloth, const ColliderList& bodies,
   seams = add(list, std::make_unique<SeamClosing>(cloth, tied, colliders));
   intersections = add(list, std::make_unique<IntersectionRemoval>(cloth, moving, *self));
   hand = add(list, std::make_unique<HandContact>());
+  if (!cloth.fasteners.empty()) add(list, std::make_unique<FastenerContact>(cloth, clothRadius));
 }
 
 }  // namespace karinui

@@ -16,8 +16,9 @@ constexpr std::uint32_t kMostOperations = 1'000'000;  // a garment of a lifetime
 
 namespace {
 
-// Whether an internal line that a seam holds is no longer there.
-bool lineGone(const Document& before, const Document& after, const Seam& seam) {
+// Whether an internal line that a seam or a fastening holds is no longer there.
+template <class Sewn>
+bool lineGone(const Document& before, const Document& after, const Sewn& seam) {
   const auto gone = [&](const EdgeSpan& span) {
     const Piece *was = before.find(span.piece), *is = after.find(span.piece);
     return was && is && !findEdge(*was, span.edge) && findCurve(*was, span.edge) && !findCurve(*is, span.edge);
@@ -95,6 +96,7 @@ Result<Document> apply(const Document& before, const Operation& operation, Conte
   if (!after->variables.empty()) after = linksFollowed(before, *std::move(after), context);
   // A seam goes with the internal line it was sewn to, and what was said of a seam or a piece goes with it.
   std::erase_if(after->pattern.seams, [&](const auto& seam) { return lineGone(before, *after, seam.second); });
+  std::erase_if(after->allowances.fastenings, [&](const auto& own) { return lineGone(before, *after, own.second); });
   std::erase_if(after->eases, [&](const auto& own) { return !after->find(own.first); });
   std::erase_if(after->cutting, [&](const auto& own) { return !after->find(own.first); });
   std::erase_if(after->grading.pieces, [&](const auto& own) { return !after->find(own.first); });

@@ -98,6 +98,10 @@ bool soundContent(const Document& document) {
                      }) &&
          edgesThere(document, document.allowances.edges) && edgesThere(document, document.allowances.corners) &&
          edgesThere(document, document.allowances.elastics) && edgesThere(document, document.allowances.hems) &&
+         std::all_of(document.allowances.fastenings.begin(), document.allowances.fastenings.end(),
+                     [&](const auto& own) {
+                       return checkName(own.first) && sound(document, own.second.a) && sound(document, own.second.b);
+                     }) &&
          std::all_of(document.cutting.begin(), document.cutting.end(),
                      [&](const auto& own) { return document.find(own.first); }) &&
          std::all_of(document.looks.pieces.begin(), document.looks.pieces.end(),

@@ -43,6 +43,11 @@ struct Truth {
     add(s.id.value), add(s.name), each(s.a), each(s.b), add(std::uint64_t{s.reversed}),
         add(static_cast<std::uint64_t>(s.tie));
   }
+  void add(const Fastening& f) {
+    add(static_cast<std::uint64_t>(f.kind)), each(f.a), each(f.b), add(std::uint64_t{f.reversed}), each(f.at);
+    add(std::uint64_t{f.fromStart}), add(static_cast<std::uint64_t>(f.closed)), add(f.zipped), add(f.inset);
+    add(f.size), add(f.gap), add(std::uint64_t{f.holesAlong});
+  }
   void add(const Dye& d) { add(std::uint64_t{d.red} << 16 | std::uint64_t{d.green} << 8 | d.blue); }
   void add(const Look& l) {
     add(static_cast<std::uint64_t>(l.finish)), add(l.colour), add(static_cast<std::uint64_t>(l.print)), add(l.ink);
@@ -120,6 +125,8 @@ std::string hash(const Document& document) {
   if (!document.allowances.hems.empty()) truth.add(std::string_view("hems"));
   for (const auto& [at, own] : document.allowances.hems)
     truth.add(at.first.value), truth.add(at.second), truth.add(own.width), truth.add(own.under);
+  if (!document.allowances.fastenings.empty()) truth.add(std::string_view("fastenings"));
+  for (const auto& [name, own] : document.allowances.fastenings) truth.add(name), truth.add(own);
   if (!document.cutting.empty()) truth.add(std::string_view("cutting"));
   for (const auto& [id, cutting] : document.cutting)
     truth.add(id.value), truth.add(static_cast<std::uint64_t>(cutting.count)), truth.add(std::uint64_t{cutting.pairs});

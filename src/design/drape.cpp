@@ -22,7 +22,8 @@ struct Levels {
 };
 
 Result<ClothLevel> levelAt(const Document& document, const std::set<PieceId>& live, double spacing) {
-  const Result<LaidPattern> laid = lay(document.pattern, spacing);
+  const Pattern pattern = withZips(document.pattern, document.allowances.fastenings);
+  const Result<LaidPattern> laid = lay(pattern, spacing);
   if (!laid) return laid.error();
   const auto fabrics = fabricsInUse(document);
   if (!fabrics) return fabrics.error();
@@ -30,7 +31,7 @@ Result<ClothLevel> levelAt(const Document& document, const std::set<PieceId>& li
   for (const auto& [id, piece] : document.pattern.pieces) choice.live[id] = live.contains(id);
   choice.pins = document.pins;
   choice.finish = &document.allowances;
-  Result<Cloth> cloth = assemble(document.pattern, *laid, *fabrics, choice);
+  Result<Cloth> cloth = assemble(pattern, *laid, *fabrics, choice);
   if (!cloth) return cloth.error();
   ClothState state = standing(document.pattern, *cloth);
   return ClothLevel{std::move(*cloth), std::move(state)};

@@ -123,6 +123,35 @@ Allowances readAllowances(Reader& r) {
   return a;
 }
 
+void add(Writer& w, const Fastenings& all) {
+  w.add(std::uint64_t{all.size()});
+  for (const auto& [name, own] : all) {
+    w.add(name).add(static_cast<std::uint8_t>(own.kind));
+    add(w, own.a), add(w, own.b);
+    w.add(static_cast<std::uint8_t>(own.reversed)).add(static_cast<std::uint8_t>(own.fromStart));
+    w.add(static_cast<std::uint8_t>(own.holesAlong)).add(std::uint64_t{own.at.size()});
+    for (const double at : own.at) w.add(at);
+    w.add(own.closed).add(own.zipped).add(own.inset).add(own.size).add(own.gap);
+  }
+}
+Fastenings readFastenings(Reader& r) {
+  Fastenings all;
+  for (std::size_t n = r.count(80); n > 0 && r.good(); --n) {
+    const std::string name = r.text();
+    Fastening& own = all[name];
+    own.kind = static_cast<FasteningKind>(r.number<std::uint8_t>());
+    own.a = readSide(r), own.b = readSide(r);
+    own.reversed = r.number<std::uint8_t>() != 0, own.fromStart = r.number<std::uint8_t>() != 0;
+    own.holesAlong = r.number<std::uint8_t>() != 0;
+    own.at.resize(r.count(8));
+    for (double& at : own.at) at = r.number<double>();
+    own.closed = r.number<int>(), own.zipped = r.number<double>(), own.inset = r.number<double>();
+    own.size = r.number<double>(), own.gap = r.number<double>();
+    if (!sound(own)) r.fail();
+  }
+  return all;
+}
+
 void add(Writer& w, const Grading& g) {
   w.add(std::uint64_t{g.sizes.size()});
   for (const std::string& size : g.sizes) w.add(size);
@@ -255,7 +284,7 @@ std::string packRest(const Document& d) {
   if (d.drape.last) add(w, *d.drape.last);
   w.all(d.drape.force).add(std::uint64_t{d.drape.dirty.size()});
   for (const PieceId id : d.drape.dirty) w.add(id.value);
-  const bool graded = !d.grading.empty();
+  const bool fastened = !d.allowances.fastenings.empty(), graded = !d.grading.empty() || fastened;
   const bool finishing = !d.allowances.empty() || !d.cutting.empty() || !d.eases.empty() || graded;
   if (!d.looks.empty() || !d.variables.empty() || finishing) {  // files of before they were kept end here
     w.add(std::uint64_t{d.looks.fabrics.size()});
@@ -282,6 +311,7 @@ std::string packRest(const Document& d) {
     }
   }
   if (graded) add(w, d.grading);
+  if (fastened) add(w, d.allowances.fastenings);
   return w.taken();
 }
 
@@ -357,6 +387,7 @@ Result<Document> unpackRest(std::string_view bytes) {
     each(d.allowances.hems, [&](Hem& h) { h.width = r.number<double>(), h.under = r.number<double>(); });
   }
   if (r.good() && !r.finished()) d.grading = readGrading(r);
+  if (r.good() && !r.finished()) d.allowances.fastenings = readFastenings(r);
   if (!r.finished()) return damaged();
   return d;
 }

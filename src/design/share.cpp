@@ -118,6 +118,36 @@ void addFinishing(const Document& document, std::vector<Operation>& steps) {
   }
 }
 
+// Buttons, zips and what else garments are closed with.
+void addFastenings(const Document& document, std::vector<Operation>& steps) {
+  const auto named = [&](const std::vector<EdgeSpan>& side) {
+    std::vector<EdgeRef> refs;
+    for (const EdgeSpan& span : side)
+      refs.push_back({PieceRef(document.find(span.piece)->name), span.edge, span.from, span.to});
+    return refs;
+  };
+  for (const auto& [name, own] : document.allowances.fastenings) {
+    const double whole = length(document.pattern, own.a);
+    const double before = own.at.front() * whole, behind = (1 - own.at.back()) * whole;
+    Fasten op;
+    op.name = name, op.kind = own.kind, op.a = named(own.a), op.b = named(own.b);
+    op.reversed = own.reversed ? Choice::Yes : Choice::No;
+    op.from = own.fromStart ? Fasten::From::Start : Fasten::From::End;
+    op.first = Length{own.fromStart ? before : behind};
+    if (own.kind == FasteningKind::Zip) {
+      op.length = Length{lengthOf(document.pattern, own)};
+      op.closedLength = Length{own.zipped * *op.length};
+    } else {
+      op.last = Length{own.fromStart ? behind : before};
+      op.count = static_cast<int>(own.at.size()), op.closed = own.closed, op.inset = Length{own.inset};
+    }
+    if (own.kind == FasteningKind::Button || own.kind == FasteningKind::Snap) op.size = Length{own.size};
+    if (own.kind == FasteningKind::Tie) op.gap = Length{own.gap};
+    op.holes = own.holesAlong ? Fasten::Holes::Along : Fasten::Holes::Across;
+    steps.push_back(std::move(op));
+  }
+}
+
 bool samePaper(const Piece& a, const Piece& b) {
   return a.outline == b.outline && a.holes == b.holes && a.lines == b.lines && a.marks == b.marks &&
          length(a.grain - b.grain) < 1e-12 && a.fabric == b.fabric && a.layer == b.layer;
@@ -145,6 +175,7 @@ std::vector<std::string> namesIn(const Document& document) {
   for (const auto& [id, piece] : document.pattern.pieces) add(piece->name);
   for (const auto& [id, seam] : document.pattern.seams) add(seam.name);
   for (const auto& [name, fabric] : document.fabrics) add(name);
+  for (const auto& [name, own] : document.allowances.fastenings) add(name);
   return names;
 }
 
@@ -173,6 +204,7 @@ std::vector<Operation> sharedSteps(const Document& document) {
     steps.push_back(std::move(op));
   }
   addFinishing(document, steps);
+  addFastenings(document, steps);
   for (const auto& [id, cutting] : document.cutting) {
     SetQuantity op;
     op.pieces = {PieceRef(document.find(id)->name)}, op.count = cutting.count, op.pairs = cutting.pairs;

@@ -139,7 +139,7 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
   std::map<PieceId, SheetPiece*> of;
   for (SheetPiece& piece : sheet.pieces) of[piece.piece->id] = &piece;
   std::vector<NotchPlace> notches = notchPlaces(pattern);
-  for (const NotchPlace& quarter : elasticNotches(pattern, settings.allowances)) notches.push_back(quarter);
+  for (const NotchPlace& notch : finishNotches(pattern, settings.allowances)) notches.push_back(notch);
   for (const NotchPlace& notch : notches) {
     SheetPiece& piece = *of.at(notch.piece);
     const PaperStroke stroke = strokeOf(notch, plan ? plan->width(notch.piece, notch.edge) : 0);
@@ -148,6 +148,11 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
   for (const PaperArrow& arrow : pleatArrows(pattern))
     for (const PaperStroke& stroke : {arrow.shaft, arrow.head, arrow.otherHead}) {
       SheetPiece& piece = *of.at(arrow.piece);
+      piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, {}});
+    }
+  for (const PaperFastener& fastener : fastenersOf(pattern, settings.allowances.fastenings))
+    for (const PaperStroke& stroke : fastener.strokes) {
+      SheetPiece& piece = *of.at(fastener.piece);
       piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, {}});
     }
   for (const SeamTag& tag : seamTags(pattern)) {
@@ -257,6 +262,10 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   } else
     heading(said(say("The lines are seam lines: add the seam allowance yourself.")), 4);
   heading(said(say("Arrow: grain. Short strokes: notches. Equal numbers are sewn together.")), 4);
+  Message notions;
+  for (const Message& one : notionsSaid(pattern, settings.allowances.fastenings))
+    notions = notions.empty() ? one : say("{0}, {1}", notions, one);
+  if (!notions.empty()) heading(said(say("Notions: {0}", notions)), 4);
   for (const SheetText& words : sheet.headings)
     sheet.width = std::max(sheet.width, std::ceil(words.place.x + wordsWidth(words.words, words.size) + kMargin));
   return sheet;

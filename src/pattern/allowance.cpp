@@ -86,6 +86,7 @@ void updateAllowances(Allowances& allowances, const EdgeMap& map, const Pattern&
   follow(allowances.edges, std::greater<>());
   follow(allowances.elastics, [](const Elastic& a, const Elastic& b) { return a.ratio < b.ratio; });
   follow(allowances.hems, [](const Hem& a, const Hem& b) { return a.allowance() > b.allowance(); });
+  updateFastenings(allowances.fastenings, map, now);
   decltype(allowances.corners) corners;
   for (const auto& [at, kind] : allowances.corners) {
     const auto parts = map.find(at);
@@ -128,6 +129,10 @@ AllowancePlan::AllowancePlan(const Pattern& pattern, Allowances allowances) : al
   for (const auto& [id, seam] : pattern.seams)
     for (const auto* side : {&seam.a, &seam.b})
       for (const EdgeSpan& span : *side) sewn_.insert({span.piece, span.edge});
+  for (const auto& [name, own] : allowances_.fastenings)
+    for (const auto* side : {&own.a, &own.b})
+      for (const EdgeSpan& span : *side)
+        if (own.kind == FasteningKind::Zip) sewn_.insert({span.piece, span.edge});
   for (const PaperDart& dart : dartsOf(pattern))
     if (dart.folded()) darts_[{dart.piece, dart.to}] = dart;
 }

@@ -7,38 +7,39 @@
 
 namespace karinui {
 
+std::vector<EdgeSpan> ledOver(const std::vector<EdgeSpan>& side, const EdgeMap& map) {
+  std::vector<EdgeSpan> now;
+  for (const EdgeSpan& span : side) {
+    const auto parts = map.find({span.piece, span.edge});
+    if (parts == map.end()) {
+      now.push_back(span);
+      continue;
+    }
+    for (const EdgePart& part : parts->second) {
+      const double from = std::max(span.from, part.from), to = std::min(span.to, part.to);
+      if (to - from < 1e-9) continue;
+      const double scale = (part.now.to - part.now.from) / (part.to - part.from);
+      EdgeSpan piece = part.now;
+      if (from > part.from) piece.from = part.now.from + (from - part.from) * scale;
+      if (to < part.to) piece.to = part.now.from + (to - part.from) * scale;
+      now.push_back(std::move(piece));
+    }
+  }
+  std::vector<EdgeSpan> joined;
+  for (EdgeSpan& span : now) {
+    EdgeSpan* last = joined.empty() ? nullptr : &joined.back();
+    if (last && last->piece == span.piece && last->edge == span.edge && std::fabs(last->to - span.from) < 1e-9)
+      last->to = span.to;
+    else
+      joined.push_back(std::move(span));
+  }
+  return joined;
+}
+
 void updateSeams(Pattern& pattern, const EdgeMap& map) {
-  const auto led = [&](const std::vector<EdgeSpan>& side) {
-    std::vector<EdgeSpan> now;
-    for (const EdgeSpan& span : side) {
-      const auto parts = map.find({span.piece, span.edge});
-      if (parts == map.end()) {
-        now.push_back(span);
-        continue;
-      }
-      for (const EdgePart& part : parts->second) {
-        const double from = std::max(span.from, part.from), to = std::min(span.to, part.to);
-        if (to - from < 1e-9) continue;
-        const double scale = (part.now.to - part.now.from) / (part.to - part.from);
-        EdgeSpan piece = part.now;
-        if (from > part.from) piece.from = part.now.from + (from - part.from) * scale;
-        if (to < part.to) piece.to = part.now.from + (to - part.from) * scale;
-        now.push_back(std::move(piece));
-      }
-    }
-    std::vector<EdgeSpan> joined;
-    for (EdgeSpan& span : now) {
-      EdgeSpan* last = joined.empty() ? nullptr : &joined.back();
-      if (last && last->piece == span.piece && last->edge == span.edge && std::fabs(last->to - span.from) < 1e-9)
-        last->to = span.to;
-      else
-        joined.push_back(std::move(span));
-    }
-    return joined;
-  };
   for (auto& [id, seam] : pattern.seams) {
-    seam.a = led(seam.a);
-    seam.b = led(seam.b);
+    seam.a = ledOver(seam.a, map);
+    seam.b = ledOver(seam.b, map);
   }
 }
 

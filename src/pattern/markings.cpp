@@ -99,8 +99,7 @@ std::optional<BorderPlace> borderPlace(const Pattern& pattern, const SeamPlace& 
   return std::nullopt;
 }
 
-// The same on an internal line, of which either side is cloth.
-static std::optional<BorderPlace> sewnPlace(const Pattern& pattern, const SeamPlace& at) {
+std::optional<BorderPlace> sewnPlace(const Pattern& pattern, const SeamPlace& at) {
   if (auto on = borderPlace(pattern, at)) return on;
   const Curve* curve = curveOf(pattern, at.piece, at.edge);
   if (!curve) return std::nullopt;
@@ -199,6 +198,15 @@ std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish)
                        under > 0 ? say("hem {0} mm, {1} mm turned in", width, under) : say("hem {0} mm", width),
                        on->place - on->outward * kDepth, flat(leftOf(on->outward))});
     }
+  for (const auto& [name, own] : finish.fastenings)
+    for (const bool over : {true, false}) {
+      const SeamSide side(pattern, over ? own.a : own.b, !over && own.reversed);
+      if (side.length() <= 0 || own.at.size() < 2) continue;
+      const SeamPlace at = side.at(0.5 * (own.at.front() + own.at.back()));
+      if (const auto on = sewnPlace(pattern, at))
+        notes.push_back({at.piece, fastenedSaid(pattern, own, over),
+                         on->place - on->outward * (own.inset + own.size / 2 + kDepth), flat(leftOf(on->outward))});
+    }
   const std::vector<PaperPleat> pleats = pleatsOf(pattern);
   for (const PaperPleat& pleat : pleats) {  // between the fold and the one inside it, below the arrow
     const double depth = distance(pleat.fold, pleat.inner);
@@ -234,12 +242,48 @@ std::vector<PaperArrow> pleatArrows(const Pattern& pattern) {
   return arrows;
 }
 
-std::vector<NotchPlace> elasticNotches(const Pattern& pattern, const Allowances& finish) {
+std::vector<PaperFastener> fastenersOf(const Pattern& pattern, const Fastenings& fastenings) {
+  constexpr double kArm = 0.004, kBeyond = 0.003, kBar = 0.0015;  // metres: of a cross; of a hole beyond the button
+  std::vector<PaperFastener> out;
+  const auto cross = [&](const FasteningPlace& at) {
+    const Flat along = leftOf(at.outward) * kArm, across = at.outward * kArm;
+    out.push_back({at.piece, {{at.place - along, at.place + along}, {at.place - across, at.place + across}}});
+  };
+  for (const auto& [name, own] : fastenings) {
+    if (own.kind == FasteningKind::Zip) continue;
+    for (const FastenedPlaces& pair : placesOf(pattern, own)) {
+      cross(pair.b);
+      if (own.kind != FasteningKind::Button) {
+        cross(pair.a);
+        continue;
+      }
+      // The button rests at the hole's end next to the edge, or the upper one.
+      const FasteningPlace& at = pair.a;
+      Flat way = own.holesAlong ? leftOf(at.outward) : at.outward;
+      if (own.holesAlong && way.v < 0) way = way * -1;
+      const Flat from = at.place + way * kBeyond, to = from - way * (own.size + kHoleLonger), bar = leftOf(way) * kBar;
+      out.push_back({at.piece, {{from, to}, {from - bar, from + bar}, {to - bar, to + bar}}});
+    }
+  }
+  return out;
+}
+
+std::vector<NotchPlace> finishNotches(const Pattern& pattern, const Allowances& finish) {
   std::vector<NotchPlace> notches;
   for (const auto& [at, elastic] : finish.elastics)
     for (const double fraction : {0.25, 0.5, 0.75})
       if (const auto on = borderPlace(pattern, {at.first, at.second, fraction}))
         notches.push_back({at.first, on->place, on->outward, "", false, at.second});
+  for (const auto& [name, own] : finish.fastenings) {
+    if (own.kind != FasteningKind::Zip) continue;
+    const SeamSide a(pattern, own.a, false), b(pattern, own.b, own.reversed);
+    for (const double share : own.at)
+      for (const SeamSide* side : {&a, &b}) {
+        const SeamPlace at = side->at(share);
+        if (const auto on = borderPlace(pattern, at); on && !on->corner)
+          notches.push_back({at.piece, on->place, on->outward, name, false, at.edge});
+      }
+  }
   return notches;
 }
 

@@ -103,6 +103,12 @@ std::vector<ElasticPull> elasticsOf(const GarmentSnapshot& snapshot) {
   return elasticPulls(*cloth, standing(document.pattern, *cloth));
 }
 
+std::vector<FasteningPull> fasteningsOf(const GarmentSnapshot& snapshot) {
+  if (snapshot.document.allowances.fastenings.empty()) return {};
+  const Result<Standing> standing = standingCloth(snapshot.document, livePieces(snapshot.document, {}));
+  return standing ? fasteningPulls(standing->cloth, standing->state) : std::vector<FasteningPull>();
+}
+
 std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& workers) {
   if (!snapshot.body || snapshot.document.pattern.pieces.empty()) return {};
   const Result<Standing> standing = standingCloth(snapshot.document, livePieces(snapshot.document, {}));

@@ -19,7 +19,7 @@ SceneFrame scenePieceByPiece(const Document& document, const Body* body, const P
   if (body) frame.bodies.push_back({body->mesh(), SceneBody{}.colour});
   for (const auto& [id, piece] : document.pattern.pieces) {
     Document alone = document;
-    alone.pattern.seams.clear();
+    alone.pattern.seams.clear(), alone.allowances.fastenings.clear();
     std::erase_if(alone.pattern.pieces, [own = id](const auto& other) { return other.first != own; });
     Result<SceneFrame> one = sceneOf(alone, nullptr, prints);
     if (one && !one->cloths.empty())

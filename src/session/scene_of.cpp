@@ -1,8 +1,13 @@
 #include "karinui/session/scene_of.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 #include "karinui/design/drape.h"
+#include "karinui/pattern/seam_walk.h"
 
 namespace karinui {
 
@@ -61,6 +66,57 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
   return runs;
 }
 
+// Buttons and snaps as discs where they lie, hooks and ties as threads, zips along their edges: closed in one line,
+// open in two.
+void addFastenings(const Document& document, SceneFrame& frame) {
+  constexpr Colour kShell{0.86f, 0.84f, 0.78f}, kMetal{0.35f, 0.36f, 0.38f};
+  constexpr float kTeeth = 4;                          // mm
+  constexpr double kAbove = 0.0015, kZipStep = 0.005;  // metres
+  constexpr int kRound = 16;
+  const auto standing = [&](const FasteningPlace& at) {
+    const Stand stand(*document.find(at.piece));
+    const Vec3 place = stand(at.place), out = stand(at.place - at.outward * 1e-3) - place,
+               along = stand(at.place + leftOf(at.outward) * 1e-3 - at.outward * 1e-3) -
+                       stand(at.place - at.outward * 1e-3);
+    return std::array{place, normalized(-out), normalized(along)};
+  };
+  for (const auto& [name, own] : document.allowances.fastenings) {
+    if (own.kind == FasteningKind::Zip) {
+      const double whole = lengthOf(document.pattern, own), part = own.zipped;
+      for (const bool over : {true, false}) {
+        SceneLine line{{}, kMetal, kTeeth, false};
+        const SeamSide side(document.pattern, over ? own.a : own.b, !over && own.reversed);
+        const int steps = std::max(1, static_cast<int>(whole / kZipStep));
+        for (int k = 0; k <= steps; ++k) {
+          const double share = static_cast<double>(k) / steps;
+          if (!over && (own.fromStart ? share >= 1 - part : share <= part) && part > 0) continue;  // a shows it
+          const SeamPlace at = side.at(std::lerp(own.at[0], own.at[1], share));
+          const Curve* curve = curveOf(document.pattern, at.piece, at.edge);
+          if (curve) line.points.push_back(Stand(*document.find(at.piece))(curve->atFraction(at.fraction)));
+        }
+        if (line.points.size() > 1) frame.lines.push_back(std::move(line));
+      }
+      continue;
+    }
+    for (const FastenedPlaces& pair : placesOf(document.pattern, own)) {
+      const auto [a, outA, alongA] = standing(pair.a);
+      const auto [b, outB, alongB] = standing(pair.b);
+      if (own.kind == FasteningKind::Hook || own.kind == FasteningKind::Tie) {
+        if (pair.closed) frame.lines.push_back({{a, b}, kMetal, own.kind == FasteningKind::Tie ? 3.0f : 2.0f, false});
+        continue;
+      }
+      const auto& [at, out, along] = pair.closed ? std::tie(a, outA, alongA) : std::tie(b, outB, alongB);
+      const Vec3 middle = at + normalized(cross(out, along)) * kAbove;
+      SceneLine disc{{}, own.kind == FasteningKind::Snap ? kMetal : kShell, static_cast<float>(own.size * 500), false};
+      for (int k = 0; k <= kRound; ++k) {
+        const double turn = 2 * std::numbers::pi * k / kRound;
+        disc.points.push_back(middle + (out * std::cos(turn) + along * std::sin(turn)) * (own.size / 4));
+      }
+      frame.lines.push_back(std::move(disc));
+    }
+  }
+}
+
 }  // namespace
 
 Result<SceneFrame> sceneOf(const Document& document, const Body* body, const Prints& prints) {
@@ -97,6 +153,7 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const 
     frame.cloths.push_back(std::move(cloth));
     scene.lattices.push_back(piece.lattice);
   }
+  addFastenings(document, frame);
   return scene;
 }
 

@@ -240,12 +240,15 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
     frame.seams.push_back(std::move(drawn));
   }
   std::vector<NotchPlace> notches = notchPlaces(pattern);
-  for (const NotchPlace& quarter : elasticNotches(pattern, document.allowances)) notches.push_back(quarter);
+  for (const NotchPlace& notch : finishNotches(pattern, document.allowances)) notches.push_back(notch);
   for (const NotchPlace& notch : notches)
     frame.pieces[number.at(notch.piece)].notches.push_back({laid(strokeOf(notch), layout.at(notch.piece)), notch.own});
   for (const PaperArrow& arrow : pleatArrows(pattern))
     for (const PaperStroke& stroke : {arrow.shaft, arrow.head, arrow.otherHead})
       frame.pieces[number.at(arrow.piece)].notches.push_back({laid(stroke, layout.at(arrow.piece)), false});
+  for (const PaperFastener& fastener : fastenersOf(pattern, document.allowances.fastenings))
+    for (const PaperStroke& stroke : fastener.strokes)
+      frame.pieces[number.at(fastener.piece)].notches.push_back({laid(stroke, layout.at(fastener.piece)), false});
   for (const SeamTag& tag : seamTags(pattern))
     frame.pieces[number.at(tag.piece)].labels.push_back({TableLabel::Says::SeamNumber,
                                                          Message{std::to_string(tag.number), {}},

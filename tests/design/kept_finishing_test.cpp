@@ -14,6 +14,9 @@ Document finished() {
   document.allowances.corners[{{1}, "hem"}] = CornerKind::SquareAfter;
   document.allowances.elastics[{{1}, "waist"}] = {0.6, 14};
   document.allowances.hems[{{1}, "hem"}] = {0.04, 0.01};
+  Fastening& buttons = document.allowances.fastenings["front"];
+  buttons.a = {{{1}, "centre", 0, 1}}, buttons.b = {{{2}, "centre", 0.25, 1}};
+  buttons.at = {0.1, 0.5, 0.9}, buttons.closed = 2, buttons.fromStart = false, buttons.inset = 0.015;
   document.cutting[{1}] = {4, true};
   document.eases[{2}] = 0.012;
   return document;
@@ -33,11 +36,12 @@ TEST(KeptFinishing, ComesBack) {
 TEST(KeptFinishing, EachPartCounts) {
   const std::string all = hash(finished());
   Document kinds = finished(), edges = finished(), corners = finished(), cutting = finished(), eases = finished(),
-           elastics = finished(), hems = finished();
+           elastics = finished(), hems = finished(), opened = finished();
+  opened.allowances.fastenings["front"].closed = 1;
   kinds.allowances.kinds.clear(), edges.allowances.edges[{{1}, "side"}] = 0.026;
   corners.allowances.corners.clear(), cutting.cutting[{1}].pairs = false, eases.eases.clear();
   elastics.allowances.elastics[{{1}, "waist"}].strength = 15, hems.allowances.hems[{{1}, "hem"}].under = 0;
-  for (const Document* other : {&kinds, &edges, &corners, &cutting, &eases, &elastics, &hems})
+  for (const Document* other : {&kinds, &edges, &corners, &cutting, &eases, &elastics, &hems, &opened})
     EXPECT_NE(hash(*other), all);
 }
 
@@ -64,6 +68,10 @@ TEST(KeptFinishing, NonsenseIsRefused) {
                             },
                             +[](Document& d) {
                               d.allowances.hems[{{1}, "hem"}].under = 0.05;
+                            },
+                            +[](Document& d) { d.allowances.fastenings["front"].closed = 4; },
+                            +[](Document& d) {
+                              d.allowances.fastenings["front"].at = {0.5, 0.4};
                             },
                             +[](Document& d) { d.cutting[{1}].count = 0; }, +[](Document& d) { d.eases[{2}] = -1; }}) {
     Document document = finished();

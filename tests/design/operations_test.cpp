@@ -81,6 +81,14 @@ std::string facts(const Document& d) {
   for (const auto& [at, own] : d.allowances.hems)
     out << "hem " << name(at.first) << "." << at.second << " mm " << fixed(own.width * 1000, 1) << " "
         << fixed(own.under * 1000, 1) << "\n";
+  for (const auto& [fastened, own] : d.allowances.fastenings) {
+    out << "fastening " << fastened << " kind " << static_cast<int>(own.kind) << " " << side(own.a)
+        << (own.reversed ? " against " : " along ") << side(own.b) << " at";
+    for (const double at : own.at) out << " " << fixed(at, 3);
+    out << (own.fromStart ? " from start closed " : " from end closed ") << own.closed << " zipped "
+        << fixed(own.zipped, 3) << " inset_mm " << fixed(own.inset * 1000, 1) << " size_mm "
+        << fixed(own.size * 1000, 1) << " gap_mm " << fixed(own.gap * 1000, 1) << (own.holesAlong ? " along\n" : "\n");
+  }
   for (const auto& [id, p] : d.pattern.pieces)
     for (const InternalLine& line : p->lines)
       if (line.crease)

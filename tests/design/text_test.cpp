@@ -123,6 +123,9 @@ struct Dice {
   void fill(DraftBlock::Kind& value) { value = static_cast<DraftBlock::Kind>(below(6)); }
   void fill(Finish& v) { v = static_cast<Finish>(below(10)); }
   void fill(PrintKind& v) { v = static_cast<PrintKind>(below(5)); }
+  void fill(FasteningKind& v) { v = static_cast<FasteningKind>(below(5)); }
+  void fill(Fasten::From& v) { v = static_cast<Fasten::From>(below(5)); }
+  void fill(Fasten::Holes& v) { v = static_cast<Fasten::Holes>(below(2)); }
   void fill(EdgeKind& v) { v = static_cast<EdgeKind>(below(4)); }
   void fill(CornerKind& v) { v = static_cast<CornerKind>(below(6)); }
   void fill(Dye& v) {

@@ -136,12 +136,90 @@ TEST(PaperNotes, TellElasticsHemsAndFolds) {
     EXPECT_LT(note.place.v, 0.195);
     EXPECT_TRUE(note.upright);
   }
-  const auto quarters = elasticNotches(pattern, finish);
+  const auto quarters = finishNotches(pattern, finish);
   ASSERT_EQ(quarters.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(quarters[k].place.u, 0.3 * (0.75 - 0.25 * static_cast<double>(k)), 1e-9);
     EXPECT_NEAR(quarters[k].place.v, 0.2, 1e-12);
   }
+}
+
+// Buttonholes across the edge begin beyond the button's place and are longer than it; crosses lie on the other side.
+TEST(Fasteners, AreMarkedAtTrueSize) {
+  Piece over = test::pieceOf(1, test::rectangle(0.3, 0.4), "over"),
+        under = test::pieceOf(2, test::rectangle(0.3, 0.4), "under");
+  const Pattern pattern = test::patternOf({over, under});
+  Fastening own;
+  own.a = {{{1}, "left", 0, 1}}, own.b = {{{2}, "right", 0, 1}};
+  own.at = {0.25, 0.5, 0.75}, own.closed = 2, own.inset = 0.02, own.size = 0.015;
+  ASSERT_TRUE(sound(own));
+  const auto places = placesOf(pattern, own);
+  ASSERT_EQ(places.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    // The left edge runs downwards, the right one upwards.
+    EXPECT_LT(distance(places[k].a.place, {0.02, 0.3 - 0.1 * static_cast<double>(k)}), 1e-9);
+    EXPECT_LT(distance(places[k].b.place, {0.28, 0.3 - 0.1 * static_cast<double>(k)}), 1e-9);
+    EXPECT_EQ(places[k].closed, k < 2);
+  }
+  const auto marks = fastenersOf(pattern, {{"front", own}});
+  ASSERT_EQ(marks.size(), 6u);
+  for (const PaperFastener& mark : marks) {
+    const PaperStroke& bar = mark.strokes[0];
+    if (mark.piece == PieceId{1}) {
+      ASSERT_EQ(mark.strokes.size(), 3u);
+      EXPECT_NEAR(distance(bar.from, bar.to), 0.018, 1e-12);
+      EXPECT_NEAR(bar.from.u, 0.017, 1e-12);
+      EXPECT_NEAR(bar.from.v, bar.to.v, 1e-12);
+    } else {
+      EXPECT_LT(distance(lerp(bar.from, bar.to, 0.5), {0.28, bar.from.v + 0.5 * (bar.to.v - bar.from.v)}), 1e-12);
+    }
+  }
+  own.holesAlong = true;
+  const PaperStroke upright = fastenersOf(pattern, {{"front", own}})[1].strokes[0];
+  EXPECT_NEAR(std::abs(upright.from.v - upright.to.v), 0.018, 1e-12);
+  const auto notions = notionsSaid(pattern, {{"front", own}});
+  ASSERT_EQ(notions.size(), 1u);
+  EXPECT_EQ(text(notions[0]), "3 buttons 15 mm");
+}
+
+// Of a zip 20 cm long that opens at the top and is closed for 15, the lower 15 are a seam; its edges are cut as seams,
+// and its ends have notches. A divided edge keeps it.
+TEST(Fasteners, AZipIsASeamAsFarAsItIsClosed) {
+  Pattern pattern = test::patternOf(
+      {test::pieceOf(1, test::rectangle(0.3, 0.4), "one"), test::pieceOf(2, test::rectangle(0.3, 0.4), "two")});
+  Fastening own;
+  own.kind = FasteningKind::Zip;
+  own.a = {{{1}, "left", 0, 1}}, own.b = {{{2}, "right", 0, 1}};
+  own.at = {0, 0.5}, own.zipped = 0.75;
+  const Pattern worn = withZips(pattern, {{"zip", own}});
+  ASSERT_EQ(worn.seams.size(), 1u);
+  const Seam& seam = worn.seams.begin()->second;
+  ASSERT_EQ(seam.a.size(), 1u);
+  EXPECT_NEAR(seam.a[0].from, 0.125, 1e-12);
+  EXPECT_NEAR(seam.a[0].to, 0.5, 1e-12);
+  EXPECT_NEAR(seam.b[0].from, 0.5, 1e-12);
+  EXPECT_NEAR(seam.b[0].to, 0.875, 1e-12);
+  Allowances finish;
+  finish.fastenings["zip"] = own;
+  EXPECT_EQ(AllowancePlan(pattern, finish).kind({1}, "left"), EdgeKind::Seam);
+  const auto ends = finishNotches(pattern, finish);
+  ASSERT_EQ(ends.size(), 2u) << "the upper end is a corner";
+  EXPECT_NEAR(ends[0].place.v, 0.2, 1e-9);
+  own.zipped = 0;
+  EXPECT_TRUE(withZips(pattern, {{"zip", own}}).seams.empty());
+
+  const auto split = splitEdge(*pattern.pieces.at({1}), "left", 0.25);
+  ASSERT_TRUE(split);
+  pattern.pieces[{1}] = std::make_shared<const Piece>(split->piece);
+  own.zipped = 1;
+  Fastenings led{{"zip", own}};
+  updateFastenings(led, split->edges, pattern);
+  ASSERT_EQ(led.size(), 1u);
+  EXPECT_EQ(led.at("zip").a.size(), 2u);
+  EXPECT_NEAR(length(pattern, zipSeam(pattern, led.at("zip"))->a), 0.2, 1e-9);
+  pattern.pieces.erase({2});
+  updateFastenings(led, {}, pattern);
+  EXPECT_TRUE(led.empty());
 }
 
 }  // namespace

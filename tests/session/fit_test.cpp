@@ -32,6 +32,48 @@ TEST(Fit, TheLevelTapeGoesRoundGarmentAndBody) {
   for (const Vec3 p : girths.round) EXPECT_NEAR(p.y, 0.4, 1e-9);
 }
 
+// Buttons are drawn as discs where they lie: closed ones off the cloth that lies over, open ones on the other's. A zip
+// is one line where it is closed and two where it is open.
+TEST(Fit, FasteningsAreDrawnAndToldOf) {
+  Workroom room;
+  Document document;
+  const auto play = [&](const std::string& lines) {
+    const auto script = parseScript(lines);
+    ASSERT_TRUE(script);
+    for (const ScriptLine& line : *script) {
+      auto after = apply(document, line.operation, room.context);
+      ASSERT_TRUE(after) << text(after.error().what);
+      document = *std::move(after);
+    }
+  };
+  play(
+      "piece name=over outline=\"M 0 0; hem L 200 0; centre L 200 300; neck L 0 300; side L 0 0\" pose=\"0,1,0.3\"\n"
+      "piece name=under outline=\"M 0 0; hem L 200 0; side L 200 300; neck L 0 300; centre L 0 0\" "
+      "pose=\"0.17,1,0.297\"\n"
+      "fasten a=over.centre b=under.centre count=3 first=5cm last=5cm closed=2 size=20mm\n"
+      "fasten kind=zip a=over.side b=under.side length=20cm closed_length=5cm reversed=yes\n");
+  const SnapshotPtr fitting = snapshotOf(document, nullptr);
+  ASSERT_EQ(fitting->frame.lines.size(), 5u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SceneLine& disc = fitting->frame.lines[k];
+    const double height = 1.05 + 0.1 * static_cast<double>(k);  // counted from the top, drawn from the run's start
+    for (const Vec3 p : disc.points) {
+      EXPECT_NEAR(distance(p, {0.185, height, p.z}), 0.005, 1e-9);
+      EXPECT_NEAR(p.z, (k > 0 ? 0.3 : 0.297) + 0.0015, 1e-9);
+    }
+    EXPECT_EQ(disc.widthMm, 10);
+  }
+  const auto reach = [](const SceneLine& line) { return distance(line.points.front(), line.points.back()); };
+  EXPECT_NEAR(reach(fitting->frame.lines[3]), 0.2, 1e-9);
+  EXPECT_NEAR(reach(fitting->frame.lines[4]), 0.15, 0.0051);
+  const auto pulls = fasteningsOf(*fitting);
+  ASSERT_EQ(pulls.size(), 3u);
+  EXPECT_TRUE(pulls[0].holds()) << pulls[0].gap;
+  EXPECT_EQ(pulls[2].kind, FasteningKind::Zip);
+  EXPECT_NEAR(pulls[2].length, 0.05, 1e-9);
+  EXPECT_FALSE(pulls[2].holds());
+}
+
 TEST(Fit, AboveTheGarmentOnlyTheBodyIsMeasured) {
   const Girths girths = girthsAt(*panelsRoundAnEgg(), 1.2).at(0);
   EXPECT_EQ(girths.garment, 0);

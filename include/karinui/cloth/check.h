@@ -15,6 +15,17 @@ struct ElasticPull {
   double pull = 0;          // N, on average along it
 };
 
+// A closed fastening as it holds.
+struct FasteningPull {
+  std::string name;
+  FasteningKind kind = FasteningKind::Button;
+  std::size_t number = 0;  // of its places, from 1; of a zip 0
+  double gap = 0;          // metres between the two places, or the widest between a zip's sides
+  double force = 0;        // N that draw it open; of a zip along all of its closed part
+  double length = 0;       // metres of a zip's closed part
+  bool holds() const;      // false: it does not reach, or its thread would tear
+};
+
 struct ClothCheck {
   bool finite = true;                   // false: nothing else was examined
   double penetration = 0;               // metres: deepest of all nodes and face samples below the body's mesh
@@ -27,9 +38,11 @@ struct ClothCheck {
   StrainReport strain;
   std::size_t vertices = 0;
   std::vector<ElasticPull> elastics;
+  std::vector<FasteningPull> fastenings;
 };
 // `state` has one place per node of `cloth`. No body (null): nothing is entered or crossed but the cloth itself.
 std::vector<ElasticPull> elasticPulls(const Cloth& cloth, const ClothState& state);
+std::vector<FasteningPull> fasteningPulls(const Cloth& cloth, const ClothState& state);
 ClothCheck check(const Cloth& cloth, const ClothState& state, const Body* body);
 
 }  // namespace karinui

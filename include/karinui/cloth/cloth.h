@@ -1,6 +1,7 @@
 #pragma once
 // Cloth = what is fixed (lattices, fabrics, ties, masses); ClothState = what moves. A Cloth is built once per change of
 // the pattern and shared. Metres, in space. Plain values and pure functions; any thread.
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -48,6 +49,21 @@ struct CreasedLine {
   Crease crease;
 };
 
+// A closed button, snap, hook or tie: a place on one piece, as weights in a triangle, held to a place on another.
+struct ClothFastener {
+  std::string name;        // of its fastening
+  std::size_t number = 0;  // of the fastening's places, from 1
+  FasteningKind kind = FasteningKind::Button;
+  std::array<std::uint32_t, 6> nodes{};  // three of the piece that lies over, three of the other
+  std::array<double, 6> weights{};       // the other's are negative: the sum of weighted places is the way between
+  double gap = 0;                        // metres apart at which a tie holds
+};
+struct ClothZip {
+  std::string name;
+  std::uint32_t seam = 0;  // of Cloth::seams: its closed part
+  double length = 0;       // of that, on paper
+};
+
 struct Cloth {
   double spacing = 0;
   std::vector<ClothPiece> pieces;
@@ -59,6 +75,8 @@ struct Cloth {
   std::vector<ElasticEdge> elastics;
   std::vector<HemmedEdge> hems;
   std::vector<CreasedLine> creases;
+  std::vector<ClothFastener> fasteners;
+  std::vector<ClothZip> zips;
 };
 
 struct ClothState {
@@ -69,11 +87,11 @@ struct ClothChoice {
   std::map<PieceId, bool> live;               // missing: live unless the piece is frozen
   std::map<PieceId, std::vector<Flat>> pins;  // paper places; the nodes within `pinRadius` of each are held
   double pinRadius = 0.01;
-  const Allowances* finish = nullptr;  // whose elastics and hems the edges have; null: none
+  const Allowances* finish = nullptr;  // whose elastics, hems and fastenings the edges have; null: none
 };
 
 // Puts a laid pattern's pieces, fabrics and ties together as one cloth. Refuses a piece that was not laid or whose
-// fabric is neither in `fabrics` nor a preset.
+// fabric is neither in `fabrics` nor a preset. Closed zips are seams of the pattern (withZips), which was laid so.
 Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const std::map<std::string, Fabric>& fabrics,
                        const ClothChoice& choice);
 

@@ -9,6 +9,7 @@
 #include "karinui/design/operations/drafting.h"
 #include "karinui/design/operations/draping.h"
 #include "karinui/design/operations/fabric.h"
+#include "karinui/design/operations/fastening.h"
 #include "karinui/design/operations/figure.h"
 #include "karinui/design/operations/finishing.h"
 #include "karinui/design/operations/marks.h"
@@ -32,7 +33,7 @@ std::variant<Ops...> variantOf(OperationList<Ops...>);
 using PlainOperation =
     decltype(variantOf(FigureOperations() + DraftingOperations() + PaperOperations() + OutlineOperations() +
                        MarksOperations() + SewingOperations() + PlacingOperations() + DrapingOperations() +
-                       FabricOperations() + FinishingOperations() + SizesOperations()));
+                       FabricOperations() + FinishingOperations() + SizesOperations() + FasteningOperations()));
 
 // Any operation. The fields named in `formulas` are given by formulas: what the struct holds there is their value as
 // it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand.

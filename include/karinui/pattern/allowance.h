@@ -1,6 +1,7 @@
 #pragma once
 // How edges are finished. Seam allowances: how far beyond its seam line each edge is cut, and how the cut line turns at
-// a corner; by the kind of the edge, where an edge or corner has none of its own. Elastics and hems: of single edges.
+// a corner; by the kind of the edge, where an edge or corner has none of its own. Elastics and hems: of single edges;
+// fastenings (fastening.h): of runs.
 // Metres on paper. Pure; any thread.
 #include <map>
 #include <set>
@@ -10,6 +11,7 @@
 
 #include "karinui/pattern/darts.h"
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/fastening.h"
 
 namespace karinui {
 
@@ -57,9 +59,10 @@ struct Allowances {
   std::map<At, double> edges;                  // that have a width of their own
   std::map<At, CornerKind> corners;
   std::map<At, Elastic> elastics;
-  std::map<At, Hem> hems;                                                           // their allowance is `edges`'
+  std::map<At, Hem> hems;  // their allowance is `edges`'
+  Fastenings fastenings;
   bool plain() const { return kinds.empty() && edges.empty() && corners.empty(); }  // widths and corners
-  bool empty() const { return plain() && elastics.empty() && hems.empty(); }
+  bool empty() const { return plain() && elastics.empty() && hems.empty() && fastenings.empty(); }
   bool operator==(const Allowances&) const = default;
 };
 

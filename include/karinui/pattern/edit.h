@@ -26,6 +26,7 @@ using EdgeMap = std::map<std::pair<PieceId, std::string>, std::vector<EdgePart>>
 // The seams of the pattern, led over to the new edges. A span over a divided edge becomes several, in order; spans that
 // follow each other on one edge become one.
 void updateSeams(Pattern& pattern, const EdgeMap& map);
+std::vector<EdgeSpan> ledOver(const std::vector<EdgeSpan>& side, const EdgeMap& map);  // of one side
 // Where a place on an edge is now; nothing where it was cut away.
 std::optional<std::pair<std::string, double>> placeNow(const EdgeMap& map, PieceId piece, const std::string& edge,
                                                        double fraction);

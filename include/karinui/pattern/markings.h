@@ -24,6 +24,8 @@ struct BorderPlace {
   bool corner = false;  // at a corner of the outline that anyone sees
 };
 std::optional<BorderPlace> borderPlace(const Pattern& pattern, const SeamPlace& at);  // nothing: no such piece or edge
+// The same on an internal line too, of which either side is cloth: then outward is to its right.
+std::optional<BorderPlace> sewnPlace(const Pattern& pattern, const SeamPlace& at);
 
 // Places where sewn pieces must meet, for each seam as many on either side, two beside each other where a back meets
 // anything but a front; the mouths of folded darts, the folds and placement lines of pleats; then the person's own
@@ -55,8 +57,14 @@ struct PaperNote {
 };
 inline constexpr double kNoteSize = 0.004;  // of the font
 std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish);
-// Where an elastic's quarters come, to be pinned before it is sewn.
-std::vector<NotchPlace> elasticNotches(const Pattern& pattern, const Allowances& finish);
+// Where an elastic's quarters come, to be pinned before it is sewn, and the ends of zips.
+std::vector<NotchPlace> finishNotches(const Pattern& pattern, const Allowances& finish);
+// Crosses where buttons, snaps, hooks and ties are sewn on, bars where buttonholes are cut; of their true size.
+struct PaperFastener {
+  PieceId piece;
+  std::vector<PaperStroke> strokes;
+};
+std::vector<PaperFastener> fastenersOf(const Pattern& pattern, const Fastenings& fastenings);
 // Arrows across pleats, from the fold to the line where it comes to lie.
 struct PaperArrow {
   PieceId piece;

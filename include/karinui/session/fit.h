@@ -28,6 +28,9 @@ inline constexpr double kPressureLeast = 100;  // pascals, at the least, at the 
 // How the garment's elastics lie and pull as it is shown; quick. Nothing where it cannot be laid.
 std::vector<ElasticPull> elasticsOf(const GarmentSnapshot& snapshot);
 
+// How its closed buttons, snaps, hooks, ties and zips hold. As long as a garment is laid.
+std::vector<FasteningPull> fasteningsOf(const GarmentSnapshot& snapshot);
+
 // The level tape: round the trunk, or both legs together, arms and sleeves left out; or round one leg.
 struct Girths {
   enum class Round { Trunk, LeftLeg, RightLeg };

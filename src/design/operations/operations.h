@@ -64,6 +64,7 @@ KARINUI_DECLARE_OPERATION(ChooseSize)
 KARINUI_DECLARE_OPERATION(SewElastic)  // edge_finish.cpp
 KARINUI_DECLARE_OPERATION(TurnHem)
 KARINUI_DECLARE_OPERATION(FoldLine)  // marks.cpp
+KARINUI_DECLARE_OPERATION(Fasten)
 #undef KARINUI_DECLARE_OPERATION
 
 // The id of the nth thing (from 0) that the operation now being performed makes.

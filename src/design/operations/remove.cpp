@@ -15,15 +15,19 @@ Result<Document> perform(const Document& before, const RemovePieces& op, Context
     after.pins.erase(ref.id);
     after.looks.pieces.erase(ref.id);
   }
-  for (const auto& [id, seam] : before.pattern.seams) {
-    bool touched = false;
-    for (const auto* side : {&seam.a, &seam.b})
-      for (const EdgeSpan& span : *side) touched = touched || gone.contains(span.piece);
-    if (!touched) continue;
-    for (const auto* side : {&seam.a, &seam.b})
-      for (const EdgeSpan& span : *side) after.drape.dirty.insert(span.piece);
-    after.pattern.seams.erase(id);
-  }
+  const auto takeOut = [&](const auto& all, auto& from) {
+    for (const auto& [id, sewn] : all) {
+      bool touched = false;
+      for (const auto* side : {&sewn.a, &sewn.b})
+        for (const EdgeSpan& span : *side) touched = touched || gone.contains(span.piece);
+      if (!touched) continue;
+      for (const auto* side : {&sewn.a, &sewn.b})
+        for (const EdgeSpan& span : *side) after.drape.dirty.insert(span.piece);
+      from.erase(id);
+    }
+  };
+  takeOut(before.pattern.seams, after.pattern.seams);
+  takeOut(before.allowances.fastenings, after.allowances.fastenings);
   updateAllowances(after.allowances, {}, after.pattern);
   for (const PieceId id : gone) after.drape.dirty.erase(id);
   for (auto& [id, shared] : after.pattern.pieces) {

@@ -64,11 +64,13 @@ Result<Document> perform(const Document& before, const Rename& op, Context&) {
     };
     renameKey(after.allowances.edges), renameKey(after.allowances.corners);
     renameKey(after.allowances.elastics), renameKey(after.allowances.hems);
-    for (auto& [seamId, seam] : after.pattern.seams) {
-      for (auto* side : {&seam.a, &seam.b})
-        for (EdgeSpan& span : *side)
-          if (span.piece == id && span.edge == from) span.edge = op.to;
-    }
+    const auto renameSpans = [&](auto& all) {
+      for (auto& [key, sewn] : all)
+        for (auto* side : {&sewn.a, &sewn.b})
+          for (EdgeSpan& span : *side)
+            if (span.piece == id && span.edge == from) span.edge = op.to;
+    };
+    renameSpans(after.pattern.seams), renameSpans(after.allowances.fastenings);
   }
   after.pattern.pieces[id] =
       std::make_shared<const Piece>(std::move(piece));  // a name moves no cloth: nothing is dirty

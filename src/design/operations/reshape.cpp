@@ -177,10 +177,11 @@ Piece recut(Piece piece, const Outline& outline, std::span<const Flat> pulled, d
   return piece;
 }
 
-// Seams over a part of an edge stay on the cloth they were on.
-void followSeams(Pattern& pattern, const Piece& old, const Outline& now) {
-  for (auto& [id, seam] : pattern.seams)
-    for (auto* side : {&seam.a, &seam.b})
+// Seams and fastenings over a part of an edge stay on the cloth they were on.
+template <class Sewn>
+void followSewn(Sewn& all, const Piece& old, const Outline& now) {
+  for (auto& [id, sewn] : all)
+    for (auto* side : {&sewn.a, &sewn.b})
       for (EdgeSpan& span : *side) {
         const auto k = old.outline.find(span.edge);
         if (span.piece != old.id || !k || (span.from == 0 && span.to == 1)) continue;
@@ -281,7 +282,7 @@ Result<Document> perform(const Document& before, const ReshapePiece& reshape, Co
   }
   piece = recut(std::move(piece), cut->outline, reshape.at, reshape.within);
   Document after = before;
-  followSeams(after.pattern, *old, cut->outline);
+  followSewn(after.pattern.seams, *old, cut->outline), followSewn(after.allowances.fastenings, *old, cut->outline);
 
   // The symmetric copy (or the piece this is the copy of) follows.
   std::vector<Flat> mirroredAt;
@@ -291,7 +292,8 @@ Result<Document> perform(const Document& before, const ReshapePiece& reshape, Co
     if (id == piece.id || (other->mirrorOf != piece.id && piece.mirrorOf != id)) continue;
     const auto likewise = reshaped(*other, image);
     if (!likewise) continue;  // it went its own way since
-    followSeams(after.pattern, *other, likewise->outline);
+    followSewn(after.pattern.seams, *other, likewise->outline);
+    followSewn(after.allowances.fastenings, *other, likewise->outline);
     after = withPiece(std::move(after), recut(*other, likewise->outline, mirroredAt, reshape.within));
   }
   return withPiece(std::move(after), std::move(piece));

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "design/operations/operations.h"
+#include "design/operations/sewn_runs.h"
 #include "karinui/design/sewing.h"
 
 namespace karinui {
@@ -16,44 +16,6 @@ std::string spoken(const Seam& seam) { return seam.name.empty() ? text(seam.id) 
 
 std::string spoken(const Document& document, const EdgeRef& edge) {
   return document.find(edge.piece.id)->name + "." + edge.edge;
-}
-
-std::vector<EdgeSpan> spans(const std::vector<EdgeRef>& refs) {
-  std::vector<EdgeSpan> side;
-  for (const EdgeRef& ref : refs) side.push_back({ref.piece.id, ref.edge, ref.from, ref.to});
-  return side;
-}
-
-const InternalLine* lineOf(const Document& document, const EdgeRef& ref) {
-  const Piece* piece = document.find(ref.piece.id);
-  if (!piece || findEdge(*piece, ref.edge)) return nullptr;
-  const auto line = std::find_if(piece->lines.begin(), piece->lines.end(),
-                                 [&](const InternalLine& l) { return l.name == ref.edge && !l.curves.empty(); });
-  return line == piece->lines.end() ? nullptr : &*line;
-}
-
-// An internal line can be sewn to, as an edge can.
-Done resolveSewn(const Document& before, EdgeRef& ref) {
-  if (Done done = resolve(before, ref.piece); !done) return done;
-  if (!lineOf(before, ref)) return resolve(before, ref);
-  if (!(ref.from >= 0 && ref.from < ref.to && ref.to <= 1))
-    return refused(say("The part of {0}.{1} runs from {2} to {3}; it must run forward between 0 and 1.",
-                       before.find(ref.piece.id)->name, ref.edge, ref.from, ref.to));
-  return {};
-}
-
-// With the internal lines that are sewn to as one curve each, as a seam needs them.
-Document withOneCurve(Document document, const SewEdges& op) {
-  for (const auto* side : {&op.a, &op.b})
-    for (const EdgeRef& ref : *side) {
-      const InternalLine* line = lineOf(document, ref);
-      if (!line || line->curves.size() == 1) continue;
-      Piece piece = *document.find(ref.piece.id);
-      for (InternalLine& own : piece.lines)
-        if (own.name == ref.edge) own.curves = {Curve::joined(own.curves)};
-      document.pattern.pieces[piece.id] = std::make_shared<const Piece>(std::move(piece));
-    }
-  return document;
 }
 
 // Without the seams that are in the way, if they are to go.
@@ -74,8 +36,8 @@ void sew(Document& document, const SewEdges& op, SeamId id) {
   Seam seam;
   seam.id = id;
   seam.name = op.name;
-  seam.a = spans(op.a);
-  seam.b = spans(op.b);
+  seam.a = spansOf(op.a);
+  seam.b = spansOf(op.b);
   seam.reversed = op.reversed == Choice::Yes;
   seam.tie = op.tie == SewEdges::Tie::TwoToOne ? Seam::Tie::TwoToOne
              : op.tie == SewEdges::Tie::Pleat  ? Seam::Tie::Pleat
@@ -94,7 +56,7 @@ Done resolve(const Document& given, SewEdges& op, Context&) {
     for (EdgeRef& edge : *side) all.push_back(&edge);
   for (EdgeRef* edge : all)
     if (Done done = resolveSewn(given, *edge); !done) return done;
-  const Document before = withOneCurve(given, op);
+  const Document before = withOneCurve(given, op.a, op.b);
   for (std::size_t i = 0; i < all.size(); ++i) {
     EdgeRef& edge = *all[i];
     for (std::size_t j = 0; j < i; ++j)
@@ -127,7 +89,7 @@ Done resolve(const Document& given, SewEdges& op, Context&) {
 }
 
 Result<Document> perform(const Document& given, const SewEdges& op, Context& context) {
-  const Document before = withOneCurve(given, op);
+  const Document before = withOneCurve(given, op.a, op.b);
   if (context.advise)
     for (const SeamDoubt& doubt : seamDoubts(before, op, context.bodies.known(before.body.hash).get()))
       context.advise({doubt.what});

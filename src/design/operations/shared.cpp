@@ -70,14 +70,17 @@ Done resolve(const Document& before, std::vector<PieceRef>& refs) {
 
 Document withPiece(Document document, Piece piece) {
   document.drape.dirty.insert(piece.id);
-  for (const auto& [id, seam] : document.pattern.seams) {
-    bool touched = false;
-    for (const auto* side : {&seam.a, &seam.b})
-      for (const EdgeSpan& span : *side) touched = touched || span.piece == piece.id;
-    if (!touched) continue;
-    for (const auto* side : {&seam.a, &seam.b})
-      for (const EdgeSpan& span : *side) document.drape.dirty.insert(span.piece);
-  }
+  const auto dirtied = [&](const auto& all) {
+    for (const auto& [id, sewn] : all) {
+      bool touched = false;
+      for (const auto* side : {&sewn.a, &sewn.b})
+        for (const EdgeSpan& span : *side) touched = touched || span.piece == piece.id;
+      if (!touched) continue;
+      for (const auto* side : {&sewn.a, &sewn.b})
+        for (const EdgeSpan& span : *side) document.drape.dirty.insert(span.piece);
+    }
+  };
+  dirtied(document.pattern.seams), dirtied(document.allowances.fastenings);
   const PieceId id = piece.id;
   document.pattern.pieces[id] = std::make_shared<const Piece>(std::move(piece));
   return document;

@@ -53,6 +53,17 @@ constexpr Words<SewEdges::Tie, 4> kTies{{{{"auto", SewEdges::Tie::Auto},
                                           {"pleat", SewEdges::Tie::Pleat}}}};
 constexpr Words<PleatKind, 3> kPleats{
     {{{"knife", PleatKind::Knife}, {"box", PleatKind::Box}, {"inverted", PleatKind::Inverted}}}};
+constexpr Words<FasteningKind, 5> kFastenings{{{{"button", FasteningKind::Button},
+                                                {"snap", FasteningKind::Snap},
+                                                {"hook", FasteningKind::Hook},
+                                                {"tie", FasteningKind::Tie},
+                                                {"zip", FasteningKind::Zip}}}};
+constexpr Words<Fasten::From, 5> kFrom{{{{"auto", Fasten::From::Auto},
+                                         {"top", Fasten::From::Top},
+                                         {"bottom", Fasten::From::Bottom},
+                                         {"start", Fasten::From::Start},
+                                         {"end", Fasten::From::End}}}};
+constexpr Words<Fasten::Holes, 2> kButtonholes{{{{"across", Fasten::Holes::Across}, {"along", Fasten::Holes::Along}}}};
 constexpr Words<AddPleat::Turned, 4> kTurned{{{{"along", AddPleat::Turned::Along},
                                                {"against", AddPleat::Turned::Against},
                                                {"inwards", AddPleat::Turned::Inwards},
@@ -375,6 +386,12 @@ Done readValue(std::string_view text, PrintKind& value) { return kPrints.read(te
 
 std::string writeValue(const EdgeKind& value) { return kEdgeKindWords.write(value); }
 Done readValue(std::string_view text, EdgeKind& value) { return kEdgeKindWords.read(text, value); }
+std::string writeValue(const FasteningKind& value) { return kFastenings.write(value); }
+Done readValue(std::string_view text, FasteningKind& value) { return kFastenings.read(text, value); }
+std::string writeValue(const Fasten::From& value) { return kFrom.write(value); }
+Done readValue(std::string_view text, Fasten::From& value) { return kFrom.read(text, value); }
+std::string writeValue(const Fasten::Holes& value) { return kButtonholes.write(value); }
+Done readValue(std::string_view text, Fasten::Holes& value) { return kButtonholes.read(text, value); }
 std::string writeValue(const CornerKind& value) { return kCorners.write(value); }
 Done readValue(std::string_view text, CornerKind& value) { return kCorners.read(text, value); }
 

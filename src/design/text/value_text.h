@@ -58,6 +58,9 @@ KARINUI_VALUE(Dye, "colour")
 KARINUI_VALUE(Finish, "poplin|linen|denim|suiting|tweed|jersey|satin|chiffon|velvet|leather")
 KARINUI_VALUE(PrintKind, "none|stripe|check|dot|photo")
 KARINUI_VALUE(EdgeKind, "seam|hem|neckline|fold")
+KARINUI_VALUE(FasteningKind, "button|snap|hook|tie|zip")
+KARINUI_VALUE(Fasten::From, "auto|top|bottom|start|end")
+KARINUI_VALUE(Fasten::Holes, "across|along")
 KARINUI_VALUE(CornerKind, "mitre|points|mirror_before|mirror_after|square_before|square_after")
 #undef KARINUI_VALUE
 

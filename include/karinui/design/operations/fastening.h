@@ -1,0 +1,65 @@
+#pragma once
+// Buttons, snaps, hooks, ties and zips: set, opened, closed.
+// Conventions of the structs: field.h.
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "karinui/design/operations/field.h"
+#include "karinui/design/values.h"
+#include "karinui/pattern/fastening.h"
+
+namespace karinui {
+
+// fasten name=front a=right.centre b=left.centre count=6 first=1.5cm last=10cm size=11mm
+// fasten kind=zip a=back_left.centre b=back_right.centre length=20cm
+// fasten name=front closed=4        fasten name=front none=yes
+struct Fasten {
+  static constexpr std::string_view kName = "fasten";
+  static constexpr std::string_view kHelp =
+      "Sets buttons, snaps, hooks, ties or a zip along two runs of edges; closes and opens them.";
+  static constexpr bool kDisturbsDrape = true;
+  std::string name;
+  std::optional<FasteningKind> kind;
+  std::vector<EdgeRef> a, b;
+  Choice reversed = Choice::Auto;
+  enum class From { Auto, Top, Bottom, Start, End } from = From::Auto;
+  std::optional<int> count;
+  std::optional<Length> spacing, first, last, inset, size, length, gap;
+  enum class Holes { Across, Along } holes = Holes::Across;
+  std::optional<int> closed;
+  std::optional<Length> closedLength;
+  bool none = false;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "its name; of one that is there, to close, open or take it out", kOptional);
+    visit("kind", self.kind, "button, snap, hook, tie or zip (otherwise button)", kOptional);
+    visit("a", self.a, "the edges or inner lines that lie over, with the buttonholes, joined end to end", kOptional);
+    visit("b", self.b, "those that lie under", kOptional);
+    visit("reversed", self.reversed, "side b runs against its own direction: auto, yes, no (auto: as the edges lie)",
+          kOptional);
+    visit("from", self.from,
+          "the end of side a where counting begins and a zip opens: auto, top, bottom (on the paper), start, end "
+          "(auto: top)",
+          kOptional);
+    visit("count", self.count, "how many (otherwise about 8 cm apart)", kOptional);
+    visit("spacing", self.spacing, "from one to the next (otherwise evenly from first to last)", kOptional);
+    visit("first", self.first, "from the end where counting begins to the first, or to the zip's open end", kOptional);
+    visit("last", self.last, "from the last to the other end", kOptional);
+    visit("inset", self.inset,
+          "from the edges into the pieces (otherwise 1.5 cm for buttons and snaps, 0 for others and on inner lines)",
+          kOptional);
+    visit("size", self.size, "diameter of a button or snap (otherwise 11 mm)", kOptional);
+    visit("length", self.length, "of a zip (otherwise to the end of the edges)", kOptional);
+    visit("gap", self.gap, "how far apart a tie holds its places", kOptional);
+    visit("holes", self.holes, "buttonholes lie across the edge, or along it", kOptional);
+    visit("closed", self.closed, "how many are closed, from where counting begins (otherwise all)", kOptional);
+    visit("closed_length", self.closedLength, "how far a zip is closed, from its lower end (otherwise all)", kOptional);
+    visit("none", self.none, "yes: takes it out", kOptional);
+  }
+  bool operator==(const Fasten&) const = default;
+};
+
+using FasteningOperations = OperationList<Fasten>;
+
+}  // namespace karinui

@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <cmath>
+
+#include "design/operations/sewn_runs.h"
+#include "karinui/base/number.h"
+#include "karinui/design/sewing.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kUsualInset = 0.015, kUsualSize = 0.011, kUsualSpacing = 0.08, kUsualEnds = 0.015;  // metres
+constexpr double kTight = 0.0005;  // metres by which a run may be too short
+constexpr double kUneven = 1.1;    // times that one side of a zip may be longer than the other
+
+std::string centimetres(double metres) { return fixed(100 * metres, 1); }
+
+std::string_view usualName(FasteningKind kind) {
+  switch (kind) {
+    case FasteningKind::Button:
+      return "buttons";
+    case FasteningKind::Snap:
+      return "snaps";
+    case FasteningKind::Hook:
+      return "hooks";
+    case FasteningKind::Tie:
+      return "ties";
+    default:
+      return "zip";
+  }
+}
+
+std::string names(const Fastenings& fastenings) {
+  std::string all;
+  for (const auto& [name, own] : fastenings) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+bool isNew(const Fasten& op) { return !op.a.empty() || !op.b.empty(); }
+bool hasCloth(FasteningKind kind) { return kind == FasteningKind::Button || kind == FasteningKind::Snap; }
+
+Fasten::From topOf(const Document& document, const std::vector<EdgeRef>& run) {
+  const EdgeRef &first = run.front(), &last = run.back();
+  const Flat start = findCurve(*document.find(first.piece.id), first.edge)->atFraction(first.from),
+             end = findCurve(*document.find(last.piece.id), last.edge)->atFraction(last.to);
+  return end.v > start.v + 1e-6 ? Fasten::From::End : Fasten::From::Start;
+}
+
+// The fastening that a decided operation sets.
+Fastening made(const Document& document, const Fasten& op) {
+  Fastening own;
+  own.kind = *op.kind;
+  own.a = spansOf(op.a), own.b = spansOf(op.b);
+  own.reversed = op.reversed == Choice::Yes;
+  own.fromStart = op.from == Fasten::From::Start;
+  own.inset = op.inset.value_or(Length{});
+  if (op.size) own.size = *op.size;
+  if (op.gap) own.gap = *op.gap;
+  own.holesAlong = op.holes == Fasten::Holes::Along;
+  const double whole = lengthOf(document, op.a), first = *op.first;
+  const auto add = [&](double along) {
+    const double share = std::clamp(along / whole, 0.0, 1.0);
+    own.at.push_back(own.fromStart ? share : 1 - share);
+  };
+  if (own.kind == FasteningKind::Zip) {
+    add(first), add(first + *op.length);
+  } else {
+    const int count = *op.count;
+    const double apart = op.spacing ? op.spacing->metres : count > 1 ? (whole - first - *op.last) / (count - 1) : 0;
+    for (int k = 0; k < count; ++k) add(first + k * apart);
+  }
+  std::sort(own.at.begin(), own.at.end());
+  return own;
+}
+
+Done close(const Document& document, const Fasten& op, Fastening& own) {
+  const bool zip = own.kind == FasteningKind::Zip;
+  if (op.closed && zip) return refused(say("A zip has no number that is closed; say closed_length=…."));
+  if (op.closedLength && !zip) return refused(say("Only a zip is closed for a length; say closed=… for the others."));
+  const int count = static_cast<int>(own.at.size());
+  if (op.closed && !(*op.closed >= 0 && *op.closed <= count))
+    return refused(say("Of these {0}, 0 to {0} can be closed.", count));
+  if (op.closed) own.closed = *op.closed;
+  if (!op.closedLength) return {};
+  const double whole = lengthOf(document.pattern, own);
+  if (!(*op.closedLength >= 0 && *op.closedLength <= whole + kTight))
+    return refused(say("The zip is {0} cm long; it can be closed for 0 to {0} cm.", centimetres(whole)));
+  own.zipped = std::fmin(1, *op.closedLength / whole);
+  return {};
+}
+
+// What is not said of a new one is decided.
+Done decide(const Document& before, Fasten& op) {
+  const FasteningKind kind = op.kind.value_or(FasteningKind::Button);
+  const bool zip = kind == FasteningKind::Zip;
+  op.kind = kind;
+  if (zip && (op.count || op.spacing || op.last || op.inset))
+    return refused(say("A zip has a length, and where it begins (first); no number, spacing, last or inset."));
+  if (!zip && op.length) return refused(say("Only a zip has a length."));
+  if (op.size && !hasCloth(kind)) return refused(say("Only buttons and snaps have a size."));
+  if (op.gap && kind != FasteningKind::Tie) return refused(say("Only a tie holds its places a gap apart."));
+  if (op.size && !(*op.size >= 0.004 && *op.size <= 0.06)) return refused(say("A button is 4 to 60 mm wide."));
+  if (op.gap && !(*op.gap >= 0 && *op.gap <= 1)) return refused(say("A tie holds its places 0 to 1 m apart."));
+  if (op.reversed == Choice::Auto) {
+    SewEdges sew;
+    sew.a = op.a, sew.b = op.b;
+    op.reversed = facesReversed(before, sew) ? Choice::Yes : Choice::No;
+  }
+  if (op.from == Fasten::From::Auto || op.from == Fasten::From::Top) op.from = topOf(before, op.a);
+  if (op.from == Fasten::From::Bottom)
+    op.from = topOf(before, op.a) == Fasten::From::Start ? Fasten::From::End : Fasten::From::Start;
+  const bool onLines = lineOf(before, op.a.front()) || lineOf(before, op.b.front());
+  if (!op.inset && !zip) op.inset = Length{hasCloth(kind) && !onLines ? kUsualInset : 0};
+  if (op.inset && !(*op.inset >= 0 && *op.inset <= 0.5))
+    return refused(say("The places lie 0 to 50 cm within the edge."));
+  const double whole = lengthOf(before, op.a);
+  if (!op.first) op.first = Length{zip ? 0 : std::fmin(kUsualEnds, whole / 2)};
+  if (!(*op.first >= 0 && *op.first <= whole))
+    return refused(say("The first comes 0 to {0} cm from the end of the edges.", centimetres(whole)));
+  if (zip) {
+    if (!op.length) op.length = Length{whole - *op.first};
+    if (!(*op.length >= 0.01 && *op.length <= whole - *op.first + kTight))
+      return refused(say("The zip would be {0} cm long, but the edges have {1} cm for it from there.",
+                         centimetres(*op.length), centimetres(whole - *op.first)));
+    return {};
+  }
+  if (op.spacing && !(*op.spacing > 0)) return refused(say("From one to the next it is more than 0 cm."));
+  if (!op.last) op.last = Length{std::fmin(kUsualEnds, (whole - *op.first) / 2)};
+  const double room = whole - *op.first - *op.last;
+  if (!(*op.last >= 0 && room >= -kTight))
+    return refused(say("The edges are {0} cm long; from the first to the last nothing is left.", centimetres(whole)));
+  if (!op.count)
+    op.count = 1 + static_cast<int>(op.spacing ? room / *op.spacing + 1e-9 : std::lround(room / kUsualSpacing));
+  if (!(*op.count >= 1 && *op.count <= kMostFastened))
+    return refused(say("There are 1 to {0} of them.", kMostFastened));
+  if (op.spacing && (*op.count - 1) * *op.spacing > room + kTight)
+    return refused(say("{0} of them, {1} cm apart, need {2} cm; the edges have {3} cm for them.", *op.count,
+                       centimetres(*op.spacing), centimetres((*op.count - 1) * *op.spacing), centimetres(room)));
+  return {};
+}
+
+Error tooNear(double apart) {
+  return refused(
+      say("Two of them would lie {0} mm apart, over each other; take fewer, or smaller ones.", fixed(1000 * apart, 1)));
+}
+
+Done onPiece(const Piece& piece, Flat place, double room) {
+  const Ring ring = piece.outline.flattened(1e-4);
+  bool fits = (contains(ring, place) && distanceToRing(ring, place) >= room - kTight) ||
+              (room == 0 && distanceToRing(ring, place) < kTight);
+  for (const Outline& hole : piece.holes) {
+    const Ring around = hole.flattened(1e-4);
+    fits = fits && !contains(around, place) && distanceToRing(around, place) >= room - kTight;
+  }
+  if (fits) return {};
+  return refused(
+      say("At {0}, {1} cm on the paper of “{2}” there is no cloth for it; change the inset, the first or the "
+          "last, or take a smaller size.",
+          centimetres(place.u), centimetres(place.v), piece.name));
+}
+
+Done checkPlaces(const Document& before, const Fastening& own) {
+  struct Placed {
+    PieceId piece;
+    Flat place;
+    double size;
+  };
+  std::vector<Placed> there;
+  for (const auto& [name, other] : before.allowances.fastenings)
+    if (other.kind != FasteningKind::Zip)
+      for (const FastenedPlaces& pair : placesOf(before.pattern, other))
+        for (const FasteningPlace* at : {&pair.a, &pair.b}) there.push_back({at->piece, at->place, other.size});
+  const std::vector<FastenedPlaces> places = placesOf(before.pattern, own);
+  const double hole = own.size + kHoleLonger;
+  for (const FastenedPlaces& pair : places)
+    for (const FasteningPlace* at : {&pair.a, &pair.b}) {
+      const Piece& piece = *before.find(at->piece);
+      if (Done done = onPiece(piece, at->place, hasCloth(own.kind) ? own.size / 2 : 0); !done) return done;
+      const bool along = own.holesAlong && own.kind == FasteningKind::Button && at == &pair.a;
+      for (const Placed& other : there) {
+        const double apart = distance(other.place, at->place);
+        if (other.piece == at->piece && apart < (along ? hole : (own.size + other.size) / 2)) return tooNear(apart);
+      }
+      there.push_back({at->piece, at->place, own.size});
+    }
+  return {};
+}
+
+// A zip is sewn between two edges that nothing else is sewn to.
+Done checkZip(const Document& before, Fastening own, const Fasten& op) {
+  own.zipped = 1;
+  for (const auto* side : {&op.a, &op.b})
+    for (const EdgeRef& ref : *side)
+      if (lineOf(before, ref)) return refused(say("A zip is sewn between two edges, not to an inner line."));
+  const auto seam = zipSeam(before.pattern, own);
+  if (!seam) return refused(say("A zip is at least 1 cm long."));
+  const double a = length(before.pattern, seam->a), b = length(before.pattern, seam->b);
+  if (std::fmax(a, b) > kUneven * std::fmin(a, b))
+    return refused(say("The zip is {0} cm long on one side and {1} cm on the other; make the edges alike.",
+                       centimetres(a), centimetres(b)));
+  for (const auto* side : {&seam->a, &seam->b}) {
+    const std::vector<EdgeRef> refs = refsOf(*side);
+    for (const SeamId id : seamsOn(before, refs)) {
+      const Seam& sewn = *before.find(id);
+      return refused(
+          say("Seam {0} holds these edges where the zip comes; take it out first, or name the part that is "
+              "open: back.centre@0.6:1.",
+              sewn.name.empty() ? text(id) : sewn.name));
+    }
+    for (const auto& [name, other] : before.allowances.fastenings) {
+      if (other.kind != FasteningKind::Zip) continue;
+      Fastening whole = other;
+      whole.zipped = 1;
+      const auto its = zipSeam(before.pattern, whole);
+      for (const auto* sewn : {&its->a, &its->b})
+        if (its && overlap(refs, refsOf(*sewn)))
+          return refused(say("There is a zip “{0}” in these edges already.", name));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Done resolve(const Document& given, Fasten& op, Context&) {
+  const Fastenings& there = given.allowances.fastenings;
+  if (!isNew(op)) {
+    const auto own = there.find(op.name);
+    if (own == there.end() && op.name.empty())
+      return refused(say("Say the two sides, a=… b=…, or the name of a fastening that is there."));
+    if (own == there.end())
+      return there.empty() ? refused(say("There is no fastening “{0}”; say its two sides: a=… b=….", op.name))
+                           : refused(say("There is no fastening “{0}”; there are: {1}.", op.name, names(there)));
+    if (op.kind || op.count || op.spacing || op.first || op.last || op.inset || op.size || op.length || op.gap)
+      return refused(
+          say("“{0}” is there already and can be closed, opened or taken out (none=yes); to change what it "
+              "is, take it out and set it anew.",
+              op.name));
+    if (op.none && (op.closed || op.closedLength)) return refused(say("What is taken out is not closed."));
+    Fastening now = own->second;
+    return close(given, op, now);
+  }
+  if (op.none) return refused(say("Say the name of what is taken out, not its edges."));
+  if (op.a.empty() || op.b.empty()) return refused(say("It joins two sides; say both: a=… b=…."));
+  for (auto* side : {&op.a, &op.b})
+    for (EdgeRef& ref : *side)
+      if (Done done = resolveSewn(given, ref); !done) return done;
+  if (overlap(op.a, op.b)) return refused(say("An edge cannot be fastened to itself."));
+  const Document before = withOneCurve(given, op.a, op.b);
+  for (auto* side : {&op.a, &op.b}) *side = inOutlineOrder(before, std::move(*side));
+  if (Done done = decide(before, op); !done) return done;
+  if (op.name.empty()) {
+    const std::string plain(usualName(*op.kind));
+    op.name = plain;
+    for (int n = 2; there.contains(op.name); ++n) op.name = plain + "_" + std::to_string(n);
+  }
+  if (Done done = checkName(op.name); !done) return done;
+  if (there.contains(op.name)) return refused(say("There is already a fastening “{0}”; choose another name.", op.name));
+  Fastening own = made(before, op);
+  if (!sound(own)) return refused(say("The places lie too near to each other to be told apart."));
+  if (Done done = own.kind == FasteningKind::Zip ? checkZip(before, own, op) : checkPlaces(before, own); !done)
+    return done;
+  return close(before, op, own);
+}
+
+Result<Document> perform(const Document& before, const Fasten& op, Context&) {
+  Document after = withOneCurve(before, op.a, op.b);
+  Fastenings& all = after.allowances.fastenings;
+  if (isNew(op)) {
+    Fastening own = made(after, op);
+    own.closed = own.kind == FasteningKind::Zip ? 0 : static_cast<int>(own.at.size());
+    all[op.name] = std::move(own);
+  }
+  const auto own = all.find(op.name);
+  if (Done done = close(after, op, own->second); !done) return done.error();
+  const Fastening is = own->second;
+  if (op.none) all.erase(own);
+  int under = -1;
+  std::set<PieceId> over, touched;
+  for (const EdgeSpan& span : is.b) under = std::max(under, after.find(span.piece)->layer), touched.insert(span.piece);
+  for (const EdgeSpan& span : is.a)
+    if (!touched.contains(span.piece)) over.insert(span.piece);
+  for (const PieceId id : over) {  // what has the buttonholes lies over what has the buttons
+    Piece piece = *after.find(id);
+    if (isNew(op) && hasCloth(is.kind)) piece.layer = std::max(piece.layer, std::min(under + 1, 20));
+    after = withPiece(std::move(after), std::move(piece));
+  }
+  for (const PieceId id : touched) after = withPiece(std::move(after), *after.find(id));
+  return after;
+}
+
+}  // namespace karinui
