@@ -89,6 +89,8 @@ class WholeDocument : public ::testing::Test {
     play("hem edges=front.hem width=4cm under=1cm");
     play("allowance edges=back.neck width=8mm start=points");
     play("elastic edges=back.neck ratio=0.7 strength=12");
+    play("fasten name=opening kind=zip a=front.side_right b=back.side_right length=10cm closed_length=6cm");
+    play("fasten name=loops kind=hook a=front.neck@0.2:0.8 b=back.neck@0.2:0.8 count=3 first=1cm last=2cm closed=2");
     play("quantity piece=back count=2 pairs=yes");
     play("grade sizes=\"S M L\" base=M");
     play("grade corners=front.hem by=5mm,0");
@@ -219,7 +221,7 @@ TEST_F(WholeDocument, SharedItHasThePatternAndNothingOfThePerson) {
     const auto shared = share(*file, to, room_.context);
     ASSERT_TRUE(shared) << text(shared.error().what);
     EXPECT_THAT(shared->notes, IsEmpty());
-    EXPECT_THAT(shared->names, testing::ElementsAre("front", "back", "my_wool"));
+    EXPECT_THAT(shared->names, testing::ElementsAre("front", "back", "my_wool", "loops", "opening"));
   }
   // What a person wants to have of it.
   auto file = DocumentFile::open(to);
@@ -250,6 +252,14 @@ TEST_F(WholeDocument, SharedItHasThePatternAndNothingOfThePerson) {
   EXPECT_EQ(values(now.allowances.corners), values(before.allowances.corners));
   EXPECT_EQ(values(now.allowances.elastics), values(before.allowances.elastics));
   EXPECT_EQ(values(now.allowances.hems), values(before.allowances.hems));
+  ASSERT_EQ(now.allowances.fastenings.size(), 2u);
+  for (const auto& [name, own] : before.allowances.fastenings) {
+    const Fastening& made = now.allowances.fastenings.at(name);
+    EXPECT_EQ(std::tie(made.kind, made.reversed, made.fromStart, made.closed),
+              std::tie(own.kind, own.reversed, own.fromStart, own.closed));
+    EXPECT_NEAR(made.zipped, own.zipped, 1e-9);
+    for (std::size_t k = 0; k < own.at.size(); ++k) EXPECT_NEAR(made.at.at(k), own.at[k], 1e-9);
+  }
   EXPECT_EQ(now.grading.sizes, before.grading.sizes);
   EXPECT_EQ(now.grading.standing, before.grading.standing);
   const Piece &old = *before.pieceNamed("front"), &made = *now.pieceNamed("front");

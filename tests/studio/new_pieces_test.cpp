@@ -56,11 +56,12 @@ void menuOn(Window& w, const char* of, const char* edge) {
   const Edge* at = findEdge(piece(w, of), edge);
   w.drag(w.table(), {w.onTable(of, at->curve.atFraction(0.5))}, {}, {}, Qt::RightButton);
 }
-// An item of the context menu, by its words; closes it.
+// An item of the context menu, by its words, their beginning* or their *end; closes it.
 bool choose(Window& w, const QString& words) {
   for (QMenu* menu : w.main().findChildren<QMenu*>("context"))
     for (QAction* action : menu->actions())
-      if (action->text() == words || (words.startsWith("*") && action->text().endsWith(words.mid(1)))) {
+      if (action->text() == words || (words.startsWith("*") && action->text().endsWith(words.mid(1))) ||
+          (words.endsWith("*") && action->text().startsWith(words.chopped(1)))) {
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
         QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         w.rest();
@@ -315,6 +316,44 @@ TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
   EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("patch piece="));
   EXPECT_EQ(w.session().snapshot().document.pattern.seams.rbegin()->second.a.size(), 3u);
+}
+
+// One edge chosen, the right button on the other; the same menu opens them again, and the edge's board tells of them.
+TEST(StudioNewPieces, ButtonsBetweenTwoEdgesByTheRightButton) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  for (const char* line : {"rectangle name=over width=20cm height=45cm", "rectangle name=under width=20cm height=45cm"})
+    w.session().perform(*parseOperation(line)), w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Select);
+  const std::size_t before = w.count();
+  const auto chooseOver = [&] {
+    w.click(w.table(), w.onTable("over", findEdge(piece(w, "over"), "side_right")->curve.atFraction(0.4)));
+  };
+  chooseOver();
+  ASSERT_TRUE(w.session().selection().edge);
+  menuOn(w, "under", "side_left");
+  ASSERT_TRUE(choose(w, "Buttons or a zip with*")) << w.main().said().toStdString();
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(numbers.line("count").text(), "6");
+    numbers.type("count", "5");
+    numbers.accept();
+  }
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("fasten "));
+  const Fastening& made = w.session().snapshot().document.allowances.fastenings.at("buttons");
+  EXPECT_EQ(made.at.size(), 5u);
+  EXPECT_EQ(made.closed, 5);
+  menuOn(w, "under", "side_left");
+  ASSERT_TRUE(choose(w, "Open buttons"));
+  EXPECT_EQ(w.session().snapshot().document.allowances.fastenings.at("buttons").closed, 0);
+  chooseOver();
+  w.rest();
+  EXPECT_EQ(w.main().findChild<QLabel*>("edge_fastened")->text(), "5 buttonholes 14 mm");
 }
 
 TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
