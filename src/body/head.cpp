@@ -50,12 +50,12 @@ Extremity headOf(const Figure& figure) {
     double solid = ellipsoid(p, {0, 0.63, -0.10 * d}, {w, 0.37, 0.90 * d});                                     // skull
     solid = smoothUnion(solid, roundedCone(p, {0, 0.52, -0.28 * d}, neck, 0.78 * w, 0.9 * side / size), 0.16);  // nape
     solid =
-        smoothUnion(solid, roundedCone(p, {0, 0.57, 0.29 * d}, {0, 0.25, 0.40 * d}, 0.74 * w, 0.52 * w), 0.16);  // face
-    solid = smoothUnion(solid, roundedCone(p, {0.43 * w, 0.28, 0.10 * d}, {0.10 * w, 0.095, 0.68 * d}, 0.10, 0.08),
-                        0.14);                                                                   // jaw
-    solid = smoothCommon(solid, -ellipsoid(p, {0, 0.50, 1.30 * d}, {0.40, 0.10, 0.155}), 0.12);  // brow and eyes
+        smoothUnion(solid, roundedCone(p, {0, 0.57, 0.29 * d}, {0, 0.21, 0.45 * d}, 0.74 * w, 0.45 * w), 0.16);  // face
+    solid = smoothUnion(solid, roundedCone(p, {0.46 * w, 0.28, 0.10 * d}, {0.10 * w, 0.085, 0.70 * d}, 0.095, 0.07),
+                        0.12);                                                                    // jaw
+    solid = smoothCommon(solid, -ellipsoid(p, {0, 0.495, 1.27 * d}, {0.36, 0.10, 0.155}), 0.09);  // brow and eyes
     return size *
-           smoothUnion(solid, roundedCone(p, {0, 0.62, 0.74 * d}, {0, 0.385, 0.925 * d}, 0.02, 0.034), 0.12);  // nose
+           smoothUnion(solid, roundedCone(p, {0, 0.62, 0.74 * d}, {0, 0.375, 0.925 * d}, 0.02, 0.038), 0.08);  // nose
   };
   return head;
 }
