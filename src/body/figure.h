@@ -55,11 +55,6 @@ struct Figure {
   std::array<double, 2> thumbRadius{};
 };
 
-// The skin of a dressmaker's figure is even: muscles and ribs, which the described bodies show as folds, are left to
-// the great forms. Below the breast the fine harmonics of the trunk are damped and the rest is evened along it; above,
-// where places on shoulder and neck line hang on the form, nothing changes.
-void calmTrunk(Figure& figure);
-
 // Where the stations stand, in order; the arm plane in which trunk and arm are cut apart.
 std::vector<Section> torsoSections(const Figure& figure);  // bottom to top
 std::vector<Section> armSections(const Figure& figure);    // armscye to fingertip

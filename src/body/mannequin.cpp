@@ -4,14 +4,11 @@
 #include <numbers>
 
 #include "body/chart.h"
-#include "body/extremity.h"
 #include "body/figure_solver.h"
 #include "body/polygonise.h"
 #include "body/section_model.h"
 #include "karinui/base/number.h"
 #include "karinui/body/body.h"
-#include "karinui/body/earlier_mannequin.h"
-#include "karinui/body/lines.h"
 
 namespace karinui {
 
@@ -88,14 +85,7 @@ Error unmet(const FigureSolver& solver, const Anthropometry& measured) {
 
 }  // namespace
 
-namespace {
-
-struct Drawing {
-  bool even = false;      // the trunk without its folds
-  bool modelled = false;  // head, hands and feet on grids of their own
-};
-
-Result<BodyPtr> made(const Measurements& wanted, Drawing how, Workers& workers, const Token& token) {
+Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token) {
   if (const Done ok = plausible(wanted); !ok) return ok.error();
   const auto made = mannequinKeys();
   for (const auto& [key, value] : wanted.value) {
@@ -112,8 +102,7 @@ Result<BodyPtr> made(const Measurements& wanted, Drawing how, Workers& workers, 
         inWords("waist_girth", complete.value.at("waist_girth")), inWords("hip_girth", complete.value.at("hip_girth")),
         inWords("height", complete.value.at("height"))));
   const double height = complete.value.at("height");
-  Figure drawn = model.draw(complete);
-  if (how.even) calmTrunk(drawn);
+  const Figure drawn = model.draw(complete);
   FigureSolver solver(targetsFor(wanted, complete, model, drawn.at));
 
   struct {
@@ -121,18 +110,13 @@ Result<BodyPtr> made(const Measurements& wanted, Drawing how, Workers& workers, 
     Figure figure;
     Anthropometry measured;
   } now;
-  bool finished = false;  // with head, hands and feet: what they change of the tape at neck, wrist and ankle is little
   double cell = kCoarse, shift = 0;
   int polish = 2, tries = 0;
   const FigureSolver::Evaluate evaluate = [&](const Alteration& by) -> std::optional<Anthropometry> {
     if (token.cancelled()) return std::nullopt;
     token.progress(0.95 * (1 - std::exp(-0.06 * ++tries)), say("Making the mannequin"));
     now.figure = altered(drawn, by);
-    const FieldGrid field = fieldOf(now.figure, cell * (1 + 0.07 * shift), shift, workers);
-    now.mesh = polygonise(field, polish, workers);
-    if (finished)
-      now.mesh =
-          withExtremities(now.mesh, field, {headOf(now.figure), handOf(now.figure), footOf(now.figure)}, workers);
+    now.mesh = polygonise(fieldOf(now.figure, cell * (1 + 0.07 * shift), shift, workers), polish, workers);
     if (now.mesh.faces.empty()) return std::nullopt;
     stand(now.mesh, height);
     now.measured = anthropometryOf(now.mesh);
@@ -147,17 +131,10 @@ Result<BodyPtr> made(const Measurements& wanted, Drawing how, Workers& workers, 
   bool met = false;
   for (const double other : kShifts) {  // an awkward meeting of grid and surface: another grid
     shift = other;
-    finished = false;
     solver.solve(evaluate, kFineRounds, kGood, far > 1 && far < 3 ? 1 : 0);
     if (token.cancelled()) return cancelled();
-    finished = how.modelled;
     if (!evaluate(solver.alteration())) return none();
     met = worstResidual(solver.targets(), now.measured, true) <= 1;
-    if (!met && finished) {
-      solver.solve(evaluate, kFineRounds, kGood, 0);
-      if (!evaluate(solver.alteration())) return none();
-      met = worstResidual(solver.targets(), now.measured, true) <= 1;
-    }
     if (met && sound(now.mesh)) break;
     if (!met) return unmet(solver, now.measured);
     met = false;
@@ -168,28 +145,9 @@ Result<BodyPtr> made(const Measurements& wanted, Drawing how, Workers& workers, 
   parts.name = "mannequin";
   parts.measured = {wanted.sex, now.measured.value};
   parts.landmarks = now.measured.landmark;
-  if (how.modelled)  // the same left and right but for the triangles, by which a place is found a little differently
-    for (auto& [name, place] : parts.landmarks)
-      if (const auto left = parts.landmarks.find(mirroredName(name));
-          name.ends_with("_right") && left != parts.landmarks.end())
-        place = {-left->second.x, left->second.y, left->second.z};
   parts.chart = chartOf(now.figure, now.measured);
   parts.mesh = std::move(now.mesh);
   return Body::make(std::move(parts));
-}
-
-}  // namespace
-
-Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token) {
-  auto body = made(wanted, {.even = true, .modelled = true}, workers, token);
-  // Some proportions are only met with the folds of the described bodies.
-  if (!body && body.error().kind == Error::Kind::Refused && plausible(wanted))
-    if (auto folded = made(wanted, {.modelled = true}, workers, token)) return folded;
-  return body;
-}
-
-Result<BodyPtr> makeEarlierMannequin(const Measurements& wanted, Workers& workers, const Token& token) {
-  return made(wanted, {}, workers, token);
 }
 
 }  // namespace karinui

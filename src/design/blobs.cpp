@@ -1,6 +1,5 @@
 #include "design/pack.h"
 #include "karinui/base/hash.h"
-#include "karinui/body/earlier_mannequin.h"
 #include "karinui/design/apply.h"
 
 namespace karinui {
@@ -109,11 +108,6 @@ Result<BodyPtr> Bodies::find(const BodyChoice& choice, const Blobs& blobs, Worke
     return Body::make(*std::move(parts));
   }();
   if (body) built_[name] = byHash_[(*body)->hash()] = *body;
-  // A figure that was lost, of a document made when mannequins were drawn otherwise, is drawn as it was.
-  if (body && choice.mesh.empty() && choice.chosen() && (*body)->hash() != choice.hash)
-    if (const auto earlier = makeEarlierMannequin(choice.measurements, workers, token);
-        earlier && (*earlier)->hash() == choice.hash)
-      return byHash_[choice.hash] = *earlier;
   return body;
 }
 

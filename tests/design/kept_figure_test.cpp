@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "design/workroom.h"
-#include "karinui/body/earlier_mannequin.h"
 
 namespace karinui {
 namespace {
@@ -81,21 +80,6 @@ TEST_F(KeptFigure, IsTheSameFigure) {
   EXPECT_EQ((*kept)->measured(), (*made)->measured());
   EXPECT_EQ((*kept)->chartNumbers(), (*made)->chartNumbers());
   EXPECT_EQ(packFigure(**kept), packFigure(**made));
-}
-
-// A document made when mannequins were drawn otherwise, whose figure was lost: its drapes fit the former one.
-TEST(LostFigure, IsDrawnAsItWas) {
-  Workroom room;
-  const auto size = *builtInSize("jis9ar");
-  const auto earlier = makeEarlierMannequin(size, room.workers, room.token);
-  ASSERT_TRUE(earlier);
-  BodyChoice choice;
-  choice.measurements = size;
-  choice.hash = (*earlier)->hash();
-  MemoryBlobs none;
-  const auto found = Bodies().find(choice, none, room.workers, room.token);
-  ASSERT_TRUE(found);
-  EXPECT_EQ((*found)->hash(), choice.hash);
 }
 
 TEST(PackedFigure, DamagedBytesAreRefused) {
