@@ -353,7 +353,7 @@ TEST(StudioNewPieces, ButtonsBetweenTwoEdgesByTheRightButton) {
   EXPECT_EQ(w.session().snapshot().document.allowances.fastenings.at("buttons").closed, 0);
   chooseOver();
   w.rest();
-  EXPECT_EQ(w.main().findChild<QLabel*>("edge_fastened")->text(), "5 buttonholes 14 mm");
+  EXPECT_EQ(w.main().findChild<QLabel*>("edge_fastened")->text(), "5 buttonholes 1.40 cm");
 }
 
 TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
