@@ -10,6 +10,7 @@ namespace karinui {
 namespace {
 
 constexpr double kInch = 25.4;
+constexpr double kLeastRead = 0.9;  // mm, of letters on the cover
 bool boxesMeet(Mm lowA, Mm highA, Mm lowB, Mm highB) {
   return lowA.x < highB.x && lowB.x < highA.x && lowA.y < highB.y && lowB.y < highA.y;
 }
@@ -172,8 +173,10 @@ void drawCover(PdfCanvas& canvas, const TileGrid& grid, const Sheet& sheet, cons
     canvas.stroke(0.3, false);
     SheetText name = piece.texts.front();
     name.place = at(name.place);
-    name.size = std::clamp(name.size * scale, 1.8, 4.0);
-    canvas.words(name, true);
+    // No wider than its piece, or left out where that is too small to be read.
+    const double longest = scale * (name.upright ? piece.high.x - piece.low.x : piece.high.y - piece.low.y);
+    name.size = std::min(std::clamp(name.size * scale, 1.8, 4.0), 0.9 * longest / wordsWidth(name.words, 1));
+    if (name.size >= kLeastRead) canvas.words(name, true);
   }
   drawSquares(canvas, {kEdge, grid.height - kEdge - foot});
 }
