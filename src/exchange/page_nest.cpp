@@ -12,7 +12,21 @@ namespace {
 constexpr double kBorder = 5, kBetween = 8;  // mm: from the sheet's sides, between pieces
 constexpr std::size_t kMostColumns = 8;      // of pages
 constexpr std::size_t kMostPieces = 60;      // more are left as they lie
-constexpr int kTries = 200;
+constexpr int kTries = 1500;
+
+// Without points that a line between their neighbours misses by next to nothing: the finer, the slower.
+Ring thinned(const Ring& ring) {
+  constexpr double kMiss = 0.0003, kLongest = 0.03;  // metres
+  Ring out;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Flat at = ring[k], next = ring[(k + 1) % ring.size()];
+    if (!out.empty() && distance(out.back(), next) < kLongest &&
+        std::abs(cross(next - out.back(), at - out.back())) < kMiss * distance(out.back(), next))
+      continue;
+    out.push_back(at);
+  }
+  return out;
+}
 
 // The strip runs down the sheet: its length is y, its width x, both in metres from the top left of the pieces.
 Ring onStrip(const SheetPiece& piece) {
@@ -28,7 +42,7 @@ Ring onStrip(const SheetPiece& piece) {
     for (const Flat p : piece.piece->outline.flattened(1e-4)) ring.push_back({piece.at(p).y, piece.at(p).x});
   for (Flat& p : ring) p = (p - Flat{piece.low.y, piece.low.x}) * 0.001;
   if (signedArea(ring) < 0) std::reverse(ring.begin(), ring.end());
-  return ring;
+  return thinned(ring);
 }
 
 }  // namespace
