@@ -23,7 +23,7 @@ int answerCheck(Program& program, const DocumentOnly& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
     const Result<ClothCheck> found = examined(opened.document(), opened.context());
     if (!found) return program.console.refuse(found.error());
-    program.console.answer(checkJson(*found), checkWords(*found, program.console));
+    program.console.answer(checkJson(*found), checkWords(*found, opened.document(), program.console));
     return kDone;
   });
 }
@@ -39,7 +39,7 @@ int answerSettle(Program& program, const SettleOptions& options) {
     const SettleReport& report = *opened.document().drape.last;
     Json object = settleJson(report, settled->check, program.console);
     object["kept"] = settled->kept;
-    program.console.answer(object, settleWords(report, settled->check, settled->kept, program.console));
+    program.console.answer(object, settleWords(settled->check, opened.document(), settled->kept, program.console));
     return report.settled ? kDone : kNotSettled;
   });
 }

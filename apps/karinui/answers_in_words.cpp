@@ -51,20 +51,31 @@ std::string bodyWords(const Measurements& measured, const MeshReport& mesh, cons
          "\n" + surface.words(2);
 }
 
-std::string checkWords(const ClothCheck& check, const Console& console) {
+std::string checkWords(const ClothCheck& check, const Document& document, const Console& console) {
   WordTable table;
+  const auto named = [&](PieceId id) {
+    const Piece* piece = document.find(id);
+    return console.said(piece ? nameSaid(piece->name) : say("{0}", text(id)));
+  };
   const auto row = [&](const Message& what, const std::string& value) { table.row({console.said(what), value}); };
   if (!check.finite) row(say("Broken: some places of the cloth are no numbers"), "");
   row(say("Deepest inside the body"), mm(check.penetration));
   row(say("Cloth through the body"), console.said(say("at {0} {0|place|places}", check.clothBodyCrossings)));
   row(say("Cloth through cloth"), console.said(say("at {0} {0|place|places}", check.clothClothCrossings)));
+  for (const ClothCrossing& c : check.crossings) {
+    const Message what =
+        c.a == c.b ? say("{0} through itself", named(c.a)) : say("{0} through {1}", named(c.a), named(c.b));
+    const Message where =
+        say("{0} {0|pair|pairs} of triangles, about {1} cm above the floor", c.pairs, fixed(c.middle.y * 100, 0));
+    table.row({"  " + console.said(what), console.said(where)});
+  }
   row(say("Widest gap in a seam"), mm(check.seamGap));
   row(say("Stretch, on average"), percent(check.strain.mean));
   row(say("99 % of the cloth is stretched less than"), percent(check.strain.p99));
   row(say("Stretch, at most"), percent(check.strain.max));
   row(say("Points of cloth"), std::to_string(check.vertices));
   for (const ElasticPull& e : check.elastics)
-    row(say("Elastic along {0}", text(e.piece) + "." + e.edge),
+    row(say("Elastic along {0}", named(e.piece) + "." + e.edge),
         console.said(say("pulls with {0} N, cut {1}, drawn out to {2}", fixed(e.pull, 1), mm(e.cut), mm(e.now))));
   for (const FasteningPull& f : check.fastenings) {
     const Message what = f.number > 0 ? say("{0} {1}", nameSaid(f.name), f.number) : nameSaid(f.name);
@@ -75,7 +86,8 @@ std::string checkWords(const ClothCheck& check, const Console& console) {
   return console.said(say("The cloth as it stands:")) + "\n" + table.words(2);
 }
 
-std::string settleWords(const SettleReport& report, const ClothCheck& check, bool kept, const Console& console) {
+std::string settleWords(const ClothCheck& check, const Document& document, bool kept, const Console& console) {
+  const SettleReport& report = *document.drape.last;
   std::string words = console.said(!report.settled ? say("The cloth did not come to rest: {0}", report.why)
                                    : kept          ? say("The garment was at rest already; --again drapes it anew.")
                                                    : say("The garment is at rest.")) +
@@ -90,7 +102,7 @@ std::string settleWords(const SettleReport& report, const ClothCheck& check, boo
                console.said(say("{0} {0|plane|planes} of {1} {1|triangle|triangles}, {2} of {3} {3|test|tests} saved",
                                 report.merged->planesAfter, report.merged->facesBefore, report.merged->testsSaved,
                                 report.merged->testsDone + report.merged->testsSaved))});
-  return words + table.words(2) + checkWords(check, console);
+  return words + table.words(2) + checkWords(check, document, console);
 }
 
 std::string infoWords(const Document& document, const Console& console) {

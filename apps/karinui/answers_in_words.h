@@ -10,9 +10,10 @@
 namespace karinui::app {
 
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console);
-std::string checkWords(const ClothCheck& check, const Console& console);
-// `kept`: it was at rest before.
-std::string settleWords(const SettleReport& report, const ClothCheck& check, bool kept, const Console& console);
+// `document`: whose cloth was examined.
+std::string checkWords(const ClothCheck& check, const Document& document, const Console& console);
+// `document`: as it was settled, with its report. `kept`: it was at rest before.
+std::string settleWords(const ClothCheck& check, const Document& document, bool kept, const Console& console);
 std::string infoWords(const Document& document, const Console& console);
 std::string truingWords(const Document& document, const TruingReport& report, const Console& console);
 

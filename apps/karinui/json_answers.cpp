@@ -34,6 +34,9 @@ Json checkJson(const ClothCheck& check) {
                  {"strain_max", check.strain.max},
                  {"vertices", check.vertices}};
   if (!elastics.empty()) object["elastics"] = elastics;
+  for (const ClothCrossing& c : check.crossings)
+    object["crossings"].push_back(
+        {{"pieces", {text(c.a), text(c.b)}}, {"pairs", c.pairs}, {"middle_m", {c.middle.x, c.middle.y, c.middle.z}}});
   for (const FasteningPull& f : check.fastenings) {
     Json one = {{"name", f.name}, {"gap_mm", f.gap * 1000}, {"pull_n", f.force}, {"holds", f.holds()}};
     if (f.number > 0) one["number"] = f.number;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <span>
 
@@ -16,6 +17,7 @@ struct Sheet {  // the whole cloth as one mesh
   TriangleMesh mesh;
   std::vector<NanoPoint> nano;
   std::vector<std::uint32_t> group;  // nodes sewn together carry the same number
+  std::vector<PieceId> piece;        // of each face
   std::array<NanoPoint, 3> corners(std::uint32_t face) const {
     const Triangle& f = mesh.faces[face];
     return {nano[f[0]], nano[f[1]], nano[f[2]]};
@@ -27,8 +29,10 @@ Sheet sheetOf(const Cloth& cloth, const ClothState& state) {
   sheet.mesh.points = state.position;
   for (Vec3 p : state.position) sheet.nano.push_back(karinui::toNano(p));
   for (const ClothPiece& piece : cloth.pieces)
-    for (const Triangle& f : piece.lattice->faces)
+    for (const Triangle& f : piece.lattice->faces) {
       sheet.mesh.faces.push_back({piece.firstNode + f[0], piece.firstNode + f[1], piece.firstNode + f[2]});
+      sheet.piece.push_back(piece.id);
+    }
   sheet.group.resize(state.position.size());
   std::iota(sheet.group.begin(), sheet.group.end(), 0);
   const auto root = [&](std::uint32_t k) {
@@ -78,6 +82,7 @@ std::size_t crossingsWith(const Sheet& sheet, const Body& body) {
 
 struct WithinCloth {
   std::size_t apart = 0, folds = 0;  // pairs that share nothing, pairs that share a node or a tie
+  std::vector<ClothCrossing> byPieces;
 };
 
 constexpr double kShared = 1e-5;  // metres: nearer than this to what two faces share they only touch
@@ -98,9 +103,15 @@ bool crossAway(const Sheet& sheet, std::uint32_t f, std::uint32_t g, std::span<c
   return false;
 }
 
+Vec3 middleOf(const Sheet& sheet, std::uint32_t face) {
+  const Triangle& f = sheet.mesh.faces[face];
+  return (sheet.mesh.points[f[0]] + sheet.mesh.points[f[1]] + sheet.mesh.points[f[2]]) * (1.0 / 3);
+}
+
 WithinCloth crossingsWithin(const Sheet& sheet) {
   const Bvh tree(sheet.mesh);
   WithinCloth found;
+  std::map<std::pair<PieceId, PieceId>, ClothCrossing> byPieces;
   std::vector<Vec3> shared;
   for (std::uint32_t f = 0; f < sheet.mesh.faces.size(); ++f)
     tree.touching(boxOfFace(sheet.mesh, sheet.mesh.faces[f]), [&](std::uint32_t g) {
@@ -112,11 +123,18 @@ WithinCloth crossingsWithin(const Sheet& sheet) {
             shared.push_back(sheet.mesh.points[a]);
             shared.push_back(sheet.mesh.points[b]);
           }
-      if (shared.empty())
-        found.apart += trianglesIntersect(sheet.corners(f), sheet.corners(g));
-      else
-        found.folds += crossAway(sheet, f, g, shared) || crossAway(sheet, g, f, shared);
+      const bool crossed = shared.empty() ? trianglesIntersect(sheet.corners(f), sheet.corners(g))
+                                          : crossAway(sheet, f, g, shared) || crossAway(sheet, g, f, shared);
+      if (!crossed) return;
+      ++(shared.empty() ? found.apart : found.folds);
+      const auto [a, b] = std::minmax(sheet.piece[f], sheet.piece[g]);
+      ClothCrossing& crossing = byPieces[{a, b}];
+      crossing.a = a, crossing.b = b;
+      crossing.middle = lerp(crossing.middle, middleOf(sheet, f), 1.0 / static_cast<double>(++crossing.pairs));
     });
+  for (const auto& [pieces, crossing] : byPieces) found.byPieces.push_back(crossing);
+  std::stable_sort(found.byPieces.begin(), found.byPieces.end(),
+                   [](const ClothCrossing& a, const ClothCrossing& b) { return a.pairs > b.pairs; });
   return found;
 }
 
@@ -171,6 +189,7 @@ ClothCheck check(const Cloth& cloth, const ClothState& state, const Body* body) 
   const WithinCloth within = crossingsWithin(sheet);
   found.clothClothCrossings = within.apart;
   found.foldCrossings = within.folds;
+  found.crossings = within.byPieces;
   for (const Tie& tie : cloth.ties) {
     const Vec3 b = state.position[tie.b];
     const Vec3 other = tie.c == kNoNode ? b : (b + state.position[tie.c]) * 0.5;

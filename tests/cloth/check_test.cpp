@@ -66,6 +66,15 @@ TEST(Check, CountsPairsOfFacesThatCrossEachOther) {
   EXPECT_EQ(count(0.45, 0.55), 2u);  // beyond the diagonal: two faces through one
   EXPECT_EQ(count(0.15, 0.40), 3u);  // across it: one of them through both
   EXPECT_EQ(count(1.10, 1.40), 0u);
+  // They are told by the pieces, with their middle.
+  Cloth named = cloth;
+  named.pieces[0].id = PieceId{7}, named.pieces[1].id = PieceId{3};
+  const auto crossings = check(named, cells(named, {flat, upright(0.45, 0.55)}), nullptr).crossings;
+  ASSERT_EQ(crossings.size(), 1u);
+  EXPECT_EQ(crossings[0].a, PieceId{3});
+  EXPECT_EQ(crossings[0].b, PieceId{7});
+  EXPECT_EQ(crossings[0].pairs, 2u);
+  EXPECT_LT(distance(crossings[0].middle, Vec3{0.003, 0.005, 0}), 0.004);
   // Faces that meet at a seam do not count.
   Cloth sewn = cloth;
   for (std::uint32_t k = 0; k < 4; ++k) sewn.ties.push_back({0, 4 + k, kNoNode, 0});

@@ -84,7 +84,7 @@ int runItem(Program& program, const fs::path& folder, const std::string& key) {
   const Document& document = opened.document();
   Json numbers = {{"operations", document.operations}, {"hash", hash(document)}, {"drape_hash", drapeHash(document)}};
   Json check = checkJson(settled->check);
-  check.erase("finite"), check.erase("elastics"), check.erase("fastenings");
+  for (const char* list : {"finite", "elastics", "fastenings", "crossings"}) check.erase(list);
   numbers.update(check);
   if (const Result<Fit> fit = fitOf(opened)) {
     const Json object = fitJson(fit->girths, fit->pressure);

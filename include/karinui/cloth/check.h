@@ -26,6 +26,13 @@ struct FasteningPull {
   bool holds() const;      // false: it does not reach, or its thread would tear
 };
 
+// Where two pieces, or a piece and itself (a = b), pass through each other.
+struct ClothCrossing {
+  PieceId a, b;
+  std::size_t pairs = 0;  // of faces
+  Vec3 middle;            // of them, in space
+};
+
 struct ClothCheck {
   bool finite = true;                   // false: nothing else was examined
   double penetration = 0;               // metres: deepest of all nodes and face samples below the body's mesh
@@ -34,7 +41,8 @@ struct ClothCheck {
   // Pairs that share a node or a tie and pass through each other away from it: a fold that closed beside its crease or
   // at its seam.
   std::size_t foldCrossings = 0;
-  double seamGap = 0;  // metres, widest
+  std::vector<ClothCrossing> crossings;  // both kinds by pieces, the most pairs first
+  double seamGap = 0;                    // metres, widest
   StrainReport strain;
   std::size_t vertices = 0;
   std::vector<ElasticPull> elastics;
