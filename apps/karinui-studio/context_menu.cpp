@@ -208,6 +208,12 @@ void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
     });
   }
   for (const Command c : {Command::Duplicate, Command::Mirror}) menu.addAction(actions_[c]);
+  FuseInterfacing fuse;
+  LinePieces line;
+  for (const PieceId id : chosen.pieces) fuse.pieces.push_back(PieceRef(id)), line.pieces.push_back(PieceRef(id));
+  fuse.none = !first->interfacing.empty();
+  offer(menu, fuse.none ? say("Take the interfacing off") : say("Fuse interfacing"), fuse);
+  offer(menu, say("Line it"), line);
   FreezePieces freeze;
   RemovePieces remove;
   for (const PieceId id : chosen.pieces) freeze.pieces.push_back(PieceRef(id)), remove.pieces.push_back(PieceRef(id));

@@ -7,9 +7,17 @@ namespace karinui {
 namespace {
 
 Result<Fabric> fabricOf(const Piece& piece, const std::map<std::string, Fabric>& fabrics) {
-  const auto found = fabrics.find(piece.fabric);
-  Result<Fabric> fabric = found != fabrics.end() ? Result<Fabric>(found->second) : preset(piece.fabric);
+  const auto named = [&](const std::string& name) {
+    const auto found = fabrics.find(name);
+    return found != fabrics.end() ? Result<Fabric>(found->second) : preset(name);
+  };
+  Result<Fabric> fabric = named(piece.fabric);
   if (!fabric) return fabric;
+  if (!piece.interfacing.empty()) {
+    const Result<Fabric> inner = named(piece.interfacing);
+    if (!inner) return inner;
+    fabric = fused(*fabric, *inner);
+  }
   if (const auto fine = checkFabric(*fabric); !fine) return fine.error();
   return fabric;
 }

@@ -86,6 +86,8 @@ std::vector<Vec3> openPlaces(const Cloth& cloth, std::span<const Vec3> x) {
   return places;
 }
 
+constexpr double kSnagged = 0.5;  // strain of a coarse thread: no seam that closes freely stretches cloth by half
+
 constexpr double kUsualSteps = 100;
 
 int tens(double steps) { return 10 * std::max(1, static_cast<int>(std::lround(steps / 10))); }
@@ -122,7 +124,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     spent.tell(report);
     return report;
   }
-  bool formed = standsFormed(finest), sewn = formed, stopped = false, grownThrough = false;
+  bool formed = standsFormed(finest), sewn = formed, stopped = false, grownThrough = false, layersMeet = true;
   std::size_t taken = 0;  // steps, over all levels
   std::vector<Vec3> x;
   const BoundaryActivation activation(finest.cloth);
@@ -146,7 +148,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     LevelSolver solver(level.cloth, l > first ? finer.linear : level.state.position, met, here,
                        settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
     // The layers of a pleat, and pieces of several layers, lie over one another from the start.
-    const bool layered = liesInLayers(level.cloth);
+    const bool layered = layersMeet && liesInLayers(level.cloth);
     solver.enableSelfContact(!loose || layered);
     if (loose && layered) solver.meetOnlyLayers(true);
     const double before = shareBefore(levels, first, l), after = shareBefore(levels, first, l + 1);
@@ -186,6 +188,12 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       add();
       solver.resetMotion();
       const auto goesOn = [&] { return end.finite && !end.cancelled && !end.stopped; };
+      // Layers that snag on each other while they are sewn begin anew, and meet once they are.
+      if (goesOn() && loose && layered && !level.cloth.pleated &&
+          (!solver.allTied() || strainOf(level.cloth, solver.positions()).max > kSnagged)) {
+        layersMeet = false;
+        continue;
+      }
       if (goesOn() && !solver.allTied() && !thinner.empty() && settings.sewnThinnerBy == 0) {
         for (ThinnerCollider& collider : thinner) {
           collider.setPlaces(openPlaces(level.cloth, solver.positions()));

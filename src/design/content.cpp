@@ -51,8 +51,8 @@ bool sound(const Document& document, const Piece& piece) {
          edgesHaveOneNameEach(piece) &&
          std::all_of(piece.lines.begin(), piece.lines.end(), [](const InternalLine& l) { return sound(l); }) &&
          std::all_of(piece.marks.begin(), piece.marks.end(), mark) && std::abs(length(piece.grain) - 1) < 1e-6 &&
-         fabricOf(document, piece) && piece.layer >= 0 && piece.layer <= 20 && sound(piece.pose) &&
-         (!piece.form || sound(*piece.form));
+         fabricOf(document, piece) && (piece.interfacing.empty() || fabricNamed(document, piece.interfacing)) &&
+         piece.layer >= 0 && piece.layer <= 20 && sound(piece.pose) && (!piece.form || sound(*piece.form));
 }
 
 bool sound(const Document& document, const std::vector<EdgeSpan>& side) {

@@ -38,6 +38,7 @@ struct Truth {
     add(p.id.value), add(p.name), add(p.outline), each(p.holes), each(p.lines), each(p.marks), add(p.grain),
         add(p.fabric);
     add(static_cast<std::uint64_t>(p.layer)), add(std::uint64_t{p.frozen}), add(p.mirrorOf.value);
+    if (!p.interfacing.empty()) add(std::string_view("interfacing")), add(p.interfacing);
   }
   void add(const Seam& s) {
     add(s.id.value), add(s.name), each(s.a), each(s.b), add(std::uint64_t{s.reversed}),
@@ -161,19 +162,27 @@ std::string drapeHash(const Document& document) {
   return truth.hasher.hex();
 }
 
+Result<Fabric> fabricNamed(const Document& document, const std::string& name) {
+  const auto own = document.fabrics.find(name);
+  return own != document.fabrics.end() ? Result<Fabric>(own->second) : preset(name);
+}
+
 Result<Fabric> fabricOf(const Document& document, const Piece& piece) {
-  const auto own = document.fabrics.find(piece.fabric);
-  if (own != document.fabrics.end()) return own->second;
-  return preset(piece.fabric);
+  auto outer = fabricNamed(document, piece.fabric);
+  if (!outer || piece.interfacing.empty()) return outer;
+  const auto inner = fabricNamed(document, piece.interfacing);
+  return inner ? Result<Fabric>(fused(*outer, *inner)) : inner;
 }
 
 Result<std::map<std::string, Fabric>> fabricsInUse(const Document& document) {
   std::map<std::string, Fabric> all;
-  for (const auto& [id, piece] : document.pattern.pieces) {
-    auto fabric = fabricOf(document, *piece);
-    if (!fabric) return fabric.error();
-    all.insert_or_assign(piece->fabric, *std::move(fabric));
-  }
+  for (const auto& [id, piece] : document.pattern.pieces)
+    for (const std::string& name : {piece->fabric, piece->interfacing}) {
+      if (name.empty() || all.contains(name)) continue;
+      auto fabric = fabricNamed(document, name);
+      if (!fabric) return fabric.error();
+      all.emplace(name, *std::move(fabric));
+    }
   return all;
 }
 

@@ -62,7 +62,9 @@ class Laying {
     references();
     std::map<std::string, std::vector<const Piece*>> byFabric;
     for (const auto& [id, piece] : document_.pattern.pieces)
-      if (settings_.fabric.empty() || piece->fabric == settings_.fabric) byFabric[piece->fabric].push_back(piece.get());
+      for (const std::string& fabric : {piece->fabric, piece->interfacing})
+        if (!fabric.empty() && (settings_.fabric.empty() || fabric == settings_.fabric))
+          byFabric[fabric].push_back(piece.get());
     if (byFabric.empty()) return notFound(say("No piece is cut from “{0}”.", settings_.fabric));
     LayPlan out;
     out.settings = settings_;

@@ -18,10 +18,11 @@ struct Usual {
   Dye colour;
 };
 // What the shop's cloths look like; the first of a finish has its usual colour.
-constexpr std::array<Usual, 14> kUsual{{{"chiffon", Finish::Chiffon, {226, 178, 184}},
+constexpr std::array<Usual, 15> kUsual{{{"chiffon", Finish::Chiffon, {226, 178, 184}},
                                         {"cotton", Finish::Poplin, {137, 165, 205}},
                                         {"denim", Finish::Denim, {52, 73, 112}},
                                         {"jersey", Finish::Jersey, {156, 158, 164}},
+                                        {"interfacing", Finish::Poplin, {232, 230, 222}},
                                         {"interlock", Finish::Jersey, {118, 138, 120}},
                                         {"leather", Finish::Leather, {92, 56, 36}},
                                         {"linen", Finish::Linen, {208, 194, 164}},

@@ -225,6 +225,7 @@ std::string packPiece(const Piece& p) {
   addText(w, p.outline), addText(w, p.holes), addText(w, p.lines), addText(w, p.marks);
   w.add(p.grain).add(p.fabric).add(p.layer).add(static_cast<std::uint8_t>(p.frozen)).add(p.mirrorOf.value);
   w.add(p.pose.w).add(p.pose.x).add(p.pose.y).add(p.pose.z).add(p.pose.carry);
+  if (!p.interfacing.empty()) w.add(p.interfacing);  // pieces without are packed as before there was any
   return w.taken();
 }
 
@@ -242,6 +243,7 @@ Result<Piece> unpackPiece(std::string_view bytes) {
   p.pose.w = r.number<double>(), p.pose.x = r.number<double>(), p.pose.y = r.number<double>(),
   p.pose.z = r.number<double>();
   p.pose.carry = r.vec3();
+  if (r.good() && !r.finished() && (p.interfacing = r.text()).empty()) r.fail();
   if (!r.finished() || !p.id || !checkName(p.name)) return damaged();
   return p;
 }

@@ -150,7 +150,8 @@ void addFastenings(const Document& document, std::vector<Operation>& steps) {
 
 bool samePaper(const Piece& a, const Piece& b) {
   return a.outline == b.outline && a.holes == b.holes && a.lines == b.lines && a.marks == b.marks &&
-         length(a.grain - b.grain) < 1e-12 && a.fabric == b.fabric && a.layer == b.layer;
+         length(a.grain - b.grain) < 1e-12 && a.fabric == b.fabric && a.interfacing == b.interfacing &&
+         a.layer == b.layer;
 }
 
 // What the new document has otherwise, piece by piece.
@@ -193,6 +194,8 @@ std::vector<Operation> sharedSteps(const Document& document) {
   for (const auto& [name, fabric] : document.fabrics) steps.push_back(described(name, fabric));
   for (Operation& step : stepsOf(inARow(document.pattern), {}, fromTheStanding(document.grading)))
     steps.push_back(std::move(step));
+  for (const auto& [id, piece] : document.pattern.pieces)
+    if (!piece->interfacing.empty()) steps.push_back(FuseInterfacing{{PieceRef(piece->name)}, piece->interfacing});
   for (const auto& [name, look] : document.looks.fabrics) {
     SetLook op = described(look);
     op.fabric = name;

@@ -45,6 +45,32 @@ TEST(Samples, TheKyotoFittingRests) {
   EXPECT_EQ(found["cloth_cloth_crossings"], 0);
 }
 
+// Garments as one would wear them. Trousers alone in ./test, the others, up to a minute each, in ./test --long.
+class Examples : public testing::TestWithParam<std::string> {};
+
+TEST_P(Examples, ComeToRestWithNothingThroughAnything) {
+  const char* asked = std::getenv("KARINUI_LONG");
+  if (GetParam() != "trousers" && !(asked && *asked)) GTEST_SKIP() << "./test --long";
+  const Folder folder;
+  const std::string document = folder / "garment.karinui";
+  const Said played = karinui("play " KARINUI_SOURCE_DIR "/examples/" + GetParam() + ".ops -o " + document);
+  EXPECT_EQ(played.exit, 0) << played.err;  // each of its drapes came to rest
+  const auto found = karinui("check " + document + " --json").json();
+  EXPECT_EQ(found["penetration_mm"], 0);
+  EXPECT_LE(found["seam_gap_mm"].get<double>(), 0.001);
+  for (const char* crossings : {"cloth_body_crossings", "cloth_cloth_crossings", "fold_crossings"})
+    EXPECT_EQ(found[crossings], 0) << crossings;
+  for (const auto& fastening : found.value("fastenings", nlohmann::json::array()))
+    EXPECT_EQ(fastening["holds"], true) << fastening.dump();
+  const Said paper = karinui("export " + document + " -o " + (folder / "pattern.pdf"));
+  EXPECT_EQ(paper.exit, 0) << paper.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Examples,
+                         testing::Values("trousers", "tailored_shirt", "pleated_skirt", "gathered_dress", "hooded_coat",
+                                         "buttoned_waistcoat", "lined_waistcoat"),
+                         [](const auto& name) { return name.param; });
+
 INSTANTIATE_TEST_SUITE_P(
     All, DrapedPatterns,
     testing::Values(Draft{"bodice_block_f_eu38.svg", "f_eu38"}, Draft{"tshirt_f_eu38.svg", "f_eu38"},

@@ -51,6 +51,28 @@ TEST(Fabrics, AbsurdValuesAreRefusedByName) {
     }
 }
 
+// Two like plies of thickness t bend as one of 2 t: about the seam between them, K t^2 / 2 more than each by itself.
+TEST(Fabrics, FusedBendAsALaminate) {
+  for (const Fabric& fabric : presets()) {
+    if (fabric.law != Fabric::Law::Woven) continue;
+    const Fabric two = fused(fabric, fabric);
+    EXPECT_NEAR(two.weight, 2 * fabric.weight, 1e-12);
+    EXPECT_NEAR(two.thickness, 2 * fabric.thickness, 1e-12);
+    EXPECT_NEAR(two.stretchWarp, 2 * fabric.stretchWarp, 1e-9);
+    EXPECT_NEAR(two.toeWeft, fabric.toeWeft, 1e-12);
+    EXPECT_NEAR(two.compression, fabric.compression, 1e-12);
+    const double t = fabric.thickness;
+    EXPECT_NEAR(two.bendWarp, 2 * fabric.bendWarp + fabric.stretchWarp * t * t / 2, 1e-12) << fabric.name;
+    EXPECT_NEAR(two.bendWeft, 2 * fabric.bendWeft + fabric.stretchWeft * t * t / 2, 1e-12) << fabric.name;
+    EXPECT_EQ(two.frictionBody, fabric.frictionBody);
+    EXPECT_TRUE(checkFabric(fused(fabric, *preset("interfacing")))) << fabric.name;
+  }
+  // A limp one barely stiffens a stiff one, and takes its name.
+  const Fabric leather = fused(*preset("leather"), *preset("chiffon"));
+  EXPECT_EQ(leather.name, "leather");
+  EXPECT_LT(leather.bendWarp, 10 * preset("leather")->bendWarp);
+}
+
 TEST(Fabrics, LieWithinWhatWasMeasured) {
   const auto path = std::filesystem::path(KARINUI_SHARED_DIR) / "fabrics/measured.json";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "the measured fabrics are not here";

@@ -33,6 +33,24 @@ TEST(KeptFinishing, ComesBack) {
   EXPECT_EQ(hash(*back), hash(document));
 }
 
+TEST(KeptFinishing, InterfacingComesBackAndCounts) {
+  Piece piece;
+  piece.id = {1}, piece.name = "collar";
+  const auto hashed = [](const Piece& one) {
+    Document document;
+    document.pattern.pieces[one.id] = std::make_shared<const Piece>(one);
+    return hash(document);
+  };
+  const std::string plain = packPiece(piece), before = hashed(piece);
+  piece.interfacing = "linen";
+  const auto back = unpackPiece(packPiece(piece));
+  ASSERT_TRUE(back) << text(back.error().what);
+  EXPECT_EQ(back->interfacing, "linen");
+  EXPECT_NE(hashed(piece), before);
+  piece.interfacing.clear();  // pieces without are packed as before there was any
+  EXPECT_EQ(packPiece(piece), plain);
+}
+
 TEST(KeptFinishing, EachPartCounts) {
   const std::string all = hash(finished());
   Document kinds = finished(), edges = finished(), corners = finished(), cutting = finished(), eases = finished(),

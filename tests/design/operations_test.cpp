@@ -49,6 +49,7 @@ std::string facts(const Document& d) {
     for (const Edge& e : p->outline.edges) out << " " << e.name << ":" << fixed(e.curve.length() * 1000, 1);
     out << "\n";
     if (p->fabric != "cotton") out << "  fabric " << p->fabric << "\n";
+    if (!p->interfacing.empty()) out << "  fused " << p->interfacing << "\n";
     if (p->layer != 0) out << "  layer " << p->layer << "\n";
     if (p->frozen) out << "  frozen\n";
     if (p->mirrorOf) out << "  mirror of " << name(p->mirrorOf) << "\n";

@@ -227,7 +227,12 @@ TEST_F(Sewing, TheExamplesAreNotDoubted) {
     DocumentFile garment = DocumentFile::inMemory();
     Context own = room().context;
     std::vector<std::string> advice;
-    for (const ScriptLine& line : *lines) {
+    // A drape after the last seam changes no doubt.
+    const auto sews = [](const ScriptLine& line) { return std::holds_alternative<SewEdges>(line.operation); };
+    const auto rest = std::find_if(lines->rbegin(), lines->rend(), sews).base();
+    for (auto at = lines->begin(); at != lines->end(); ++at) {
+      const ScriptLine& line = *at;
+      if (at >= rest && std::holds_alternative<DrapePieces>(line.operation)) continue;
       own.advise = {};
       if (std::holds_alternative<SewEdges>(line.operation))
         own.advise = [&](const Advice& said) { advice.push_back(text(said.what)); };

@@ -49,6 +49,12 @@ struct Fabric {
   ThreadCurve weftCurve() const { return {stretchWeft, compression * stretchWeft, toeWeft, stiffenWeft}; }
 };
 
+// Two cloths fused over their whole face into one, thread on thread, as an interfacing to a piece: weights,
+// thicknesses, stretch and shear add up, and both bend about a common line between them,
+//     B = B1 + B2 + K1 K2 / (K1 + K2) d^2,  d = (t1 + t2) / 2
+// (laminated beam: S. Timoshenko, Strength of Materials). Friction and law are the outer one's.
+Fabric fused(const Fabric& outer, const Fabric& interfacing);
+
 std::span<const Fabric> presets();               // lasts as long as the program
 Result<Fabric> preset(std::string_view name);    // NotFound lists those there are
 Result<void> checkFabric(const Fabric& fabric);  // refuses absurd values, saying which and what is usual

@@ -81,9 +81,11 @@ std::string hash(const Document& document);
 // Of where the cloth stands: forms and poses.
 std::string drapeHash(const Document& document);
 
-// The fabric a piece is cut from: the document's own of that name, else the preset.
+// The document's own fabric of that name, else the preset.
+Result<Fabric> fabricNamed(const Document& document, const std::string& name);
+// The cloth a piece is made of: its fabric, with the interfacing that is fused to it.
 Result<Fabric> fabricOf(const Document& document, const Piece& piece);
-// All fabrics that are in use, by name (what assemble() wants).
+// All fabrics that are in use, interfacings too, by name (what assemble() wants).
 Result<std::map<std::string, Fabric>> fabricsInUse(const Document& document);
 
 // Where a paper place of a piece is in space, by its form and pose. Built once per form, then cheap.

@@ -82,6 +82,7 @@ struct Piece {
   std::vector<Mark> marks;
   Flat grain{0, 1};  // unit: the warp's direction on paper
   std::string fabric = "cotton";
+  std::string interfacing;           // the fabric fused to its wrong side; empty: none
   int layer = 0;                     // 0 next to the skin
   bool frozen = false;               // never live
   PieceId mirrorOf;                  // symmetric copy of

@@ -8,6 +8,7 @@ TermTable fabricTerms() {
       {"chiffon", say("Chiffon")},
       {"cotton", say("Cotton")},
       {"denim", say("Denim")},
+      {"interfacing", say("Interfacing")},
       {"interlock", say("Interlock knit")},
       {"leather", say("Leather")},
       {"jersey", say("Jersey")},

@@ -183,8 +183,8 @@ SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run) {
   return out;
 }
 
-Result<Piece> attached(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run, double turn,
-                       const Body* body) {
+Result<Piece> attached(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
+                       const FoldedOn& fold, const Body* body) {
   const Curve& curve = piece.outline.edges[*piece.outline.find(edge)].curve;
   std::vector<Flat> line = curve.evenly(0, 1, kPlaces);
   const auto along = [&](Flat p) {
@@ -226,9 +226,10 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
     onward[at] = normalized(mean - way[at] * dot(mean, way[at]));
     out[at] = cross(onward[at], way[at]);
   }
-  const std::vector<double> turns = turnsAlong(run, onward, out, depth, turn, body);
+  const std::vector<double> turns = turnsAlong(run, onward, out, depth, fold.turn, body);
   for (const Along& a : on) {
-    const double s = (1 - a.share) * (n - 1);  // two outlines that face each other run against each other
+    // Two outlines that face each other run against each other, unless one is turned over.
+    const double s = (fold.over ? a.share : 1 - a.share) * (n - 1);
     const int k = std::clamp(static_cast<int>(s), 0, n - 2);
     const auto i = static_cast<std::size_t>(k);
     const double t = s - k, angle = std::lerp(turns[i], turns[i + 1], t);
@@ -241,12 +242,15 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
   return piece;
 }
 
-Result<Piece> ledTo(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run, double turn,
-                    const Body* body) {
-  if (!body || run.apart < kTogether) return attached(document, std::move(piece), edge, run, turn, body);
+Result<Piece> ledTo(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
+                    const FoldedOn& fold, const Body* body) {
+  if (!body || run.apart < kTogether) return attached(document, std::move(piece), edge, run, fold, body);
+  if (fold.over)
+    return refused(say("The edges that “{0}” comes along stand {1} cm apart; drape first, then turn it over onto them.",
+                       piece.name, fixed(run.apart * 100, 0)));
   const Vec3 middle = run.place[run.place.size() / 2];
   const auto skin = body->bvh().nearest(middle);
-  if (!skin) return attached(document, std::move(piece), edge, run, turn, body);
+  if (!skin) return attached(document, std::move(piece), edge, run, fold, body);
   PlacePiece place;
   place.at = body->describe(skin->place);
   place.point = piece.outline.edges[*piece.outline.find(edge)].curve.atFraction(0.5);
@@ -256,7 +260,7 @@ Result<Piece> ledTo(const Document& document, Piece piece, const std::string& ed
   for (const Vec3 way : run.onward) up += way.y;
   if (up < 0) place.turn = Angle{std::numbers::pi};  // below a hem
   auto round = placed(document, piece, place, *body);
-  return round ? round : attached(document, std::move(piece), edge, run, turn, body);
+  return round ? round : attached(document, std::move(piece), edge, run, fold, body);
 }
 
 Done resolve(const Document& before, AttachPiece& op, Context&) {
@@ -276,7 +280,8 @@ Result<Document> perform(const Document& before, const AttachPiece& op, Context&
     if (!found) return found.error();
     body = *found;
   }
-  auto piece = ledTo(before, *before.find(op.edge.piece.id), op.edge.edge, runOf(before, op.to), op.turn, body.get());
+  auto piece = ledTo(before, *before.find(op.edge.piece.id), op.edge.edge, runOf(before, op.to), {op.turn, op.turned},
+                     body.get());
   if (!piece) return piece.error();
   return withPiece(before, *std::move(piece));
 }

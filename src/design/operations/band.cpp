@@ -25,6 +25,7 @@ Done resolve(const Document& before, DrawBand& op, Context&) {
   if (op.edges.empty()) op.edges = {"low", "end_left", "top", "end_right"};
   if (op.edges.size() != 4)
     return refused(say("This shape has {0} {0|edge|edges}; it got {1} {1|name|names}.", 4, op.edges.size()));
+  if (op.turned && !op.sew) return refused(say("Only a band that is sewn on is turned over: sew=yes."));
   if (!op.sew) return {};
   for (const EdgeRef& edge : op.of)
     for (const SeamId id : seamsOn(before, {edge}))
@@ -56,12 +57,13 @@ Result<Document> perform(const Document& before, const DrawBand& op, Context& co
   }
   const SpaceRun run = runOf(before, op.of);
   const PieceId id = piece->id;
-  auto stood = ledTo(before, *std::move(piece), op.edges[0], run, op.turn, body.get());
+  auto stood = ledTo(before, *std::move(piece), op.edges[0], run, {op.turn, op.turned}, body.get());
   if (!stood) return stood.error();
   Document after = withPiece(before, *std::move(stood));
   Seam seam;
   seam.id = mint<SeamId>(before, 0);
   seam.a = {{id, op.edges[0], 0, 1}};
+  seam.reversed = !op.turned;
   for (const EdgeRef& edge : op.of) {
     seam.b.push_back({edge.piece.id, edge.edge, edge.from, edge.to});
     after.drape.dirty.insert(edge.piece.id);

@@ -150,7 +150,7 @@ class Made {
       if (!round) return round.error();
       document_ = withPiece(std::move(document_), *std::move(round));
     } else {
-      auto stood = attached(document_, std::move(piece), "low", along, band.turn, &body_);
+      auto stood = attached(document_, std::move(piece), "low", along, {band.turn, false}, &body_);
       if (!stood) return stood.error();
       document_ = withPiece(std::move(document_), *std::move(stood));
     }

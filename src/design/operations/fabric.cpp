@@ -11,11 +11,6 @@ bool describes(const SetFabric& op) {
   return !(op == cuts);
 }
 
-Result<Fabric> known(const Document& document, const std::string& name) {
-  const auto own = document.fabrics.find(name);
-  return own != document.fabrics.end() ? Result<Fabric>(own->second) : preset(name);
-}
-
 }  // namespace
 
 Done resolve(const Document& before, SetFabric& op, Context&) {
@@ -24,7 +19,7 @@ Done resolve(const Document& before, SetFabric& op, Context&) {
     if (Done done = resolve(before, op.pieces); !done) return done;
   }
   if (!op.like.empty()) return checkFabricName(before, op.like);
-  if (known(before, op.name)) return {};
+  if (fabricNamed(before, op.name)) return {};
   if (describes(op)) return refused(say("“{0}” is a new fabric; say which one it starts from: like=cotton.", op.name));
   return checkFabricName(before, op.name);
 }
@@ -32,7 +27,7 @@ Done resolve(const Document& before, SetFabric& op, Context&) {
 Result<Document> perform(const Document& before, const SetFabric& op, Context&) {
   Document after = before;
   if (describes(op)) {
-    auto base = known(before, op.like.empty() ? op.name : op.like);
+    auto base = fabricNamed(before, op.like.empty() ? op.name : op.like);
     if (!base) return base.error();
     Fabric fabric = *std::move(base);
     fabric.name = op.name;
@@ -51,11 +46,45 @@ Result<Document> perform(const Document& before, const SetFabric& op, Context&) 
     if (Done done = checkFabric(fabric); !done) return done.error();
     after.fabrics[op.name] = std::move(fabric);
     for (const auto& [id, piece] : before.pattern.pieces)
-      if (piece->fabric == op.name) after.drape.dirty.insert(id);
+      if (piece->fabric == op.name || piece->interfacing == op.name) after.drape.dirty.insert(id);
   }
   for (const PieceRef& ref : op.pieces) {
     Piece piece = *after.find(ref.id);
     piece.fabric = op.name;
+    after = withPiece(std::move(after), std::move(piece));
+  }
+  return after;
+}
+
+Done resolve(const Document& before, FuseInterfacing& op, Context&) {
+  if (Done done = resolve(before, op.pieces); !done) return done;
+  if (op.none) {
+    if (!op.fabric.empty()) return refused(say("An interfacing that is taken off has no fabric."));
+    for (const PieceRef& ref : op.pieces)
+      if (const Piece& piece = *before.find(ref.id); piece.interfacing.empty())
+        return refused(say("No interfacing is fused to “{0}”.", piece.name));
+    return {};
+  }
+  if (op.fabric.empty()) op.fabric = "interfacing";
+  if (Done done = checkFabricName(before, op.fabric); !done) return done;
+  const auto inner = fabricNamed(before, op.fabric);
+  if (!inner) return inner.error();
+  for (const PieceRef& ref : op.pieces) {
+    const Piece& piece = *before.find(ref.id);
+    const auto outer = fabricNamed(before, piece.fabric);
+    if (!outer) return outer.error();
+    if (outer->law == Fabric::Law::Simcloth || inner->law == Fabric::Law::Simcloth)
+      return refused(say("Simcloth does not bend, so nothing is fused to it."));
+    if (Done done = checkFabric(fused(*outer, *inner)); !done) return done;
+  }
+  return {};
+}
+
+Result<Document> perform(const Document& before, const FuseInterfacing& op, Context&) {
+  Document after = before;
+  for (const PieceRef& ref : op.pieces) {
+    Piece piece = *after.find(ref.id);
+    piece.interfacing = op.fabric;
     after = withPiece(std::move(after), std::move(piece));
   }
   return after;

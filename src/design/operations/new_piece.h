@@ -34,14 +34,19 @@ struct SpaceRun {
 // Puts a run in the outlines' own order; refuses edges that do not follow each other.
 Done orderRun(const Document& before, std::vector<EdgeRef>& run);
 SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run);
-// The piece with `edge` along the run, the rest going on from its cloth, folded outwards by `turn` and clear of `body`
-// (null: none).
-Result<Piece> attached(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run, double turn,
-                       const Body* body);
+// How a piece goes on beyond an edge: folded outwards by an angle, and turned over, so that its wrong side lies on the
+// other's wrong side.
+struct FoldedOn {
+  double turn = 0;
+  bool over = false;
+};
+// The piece with `edge` along the run, the rest going on from its cloth, clear of `body` (null: none).
+Result<Piece> attached(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
+                       const FoldedOn& fold, const Body* body);
 // The same where the run's edges still stand apart, as before a first drape: wrapped round the body beside the run's
-// middle.
-Result<Piece> ledTo(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run, double turn,
-                    const Body* body);
+// middle. Refuses to turn a piece over there.
+Result<Piece> ledTo(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
+                    const FoldedOn& fold, const Body* body);
 // The lattice of one piece alone.
 Result<std::shared_ptr<const Lattice>> layAlone(const Piece& piece, double spacing);
 // The piece wrapped round the torso or a limb.

@@ -24,6 +24,8 @@ KARINUI_DECLARE_OPERATION(PullCloth)     // rest.cpp; the work is pullOnBody() i
 KARINUI_DECLARE_OPERATION(ReshapePiece)  // reshape.cpp
 KARINUI_DECLARE_OPERATION(DrapePieces)   // rest.cpp; the work is drapeOnBody() in drape.cpp
 KARINUI_DECLARE_OPERATION(SetFabric)
+KARINUI_DECLARE_OPERATION(FuseInterfacing)
+KARINUI_DECLARE_OPERATION(LinePieces)
 KARINUI_DECLARE_OPERATION(PinCloth)
 KARINUI_DECLARE_OPERATION(UnpinCloth)
 KARINUI_DECLARE_OPERATION(RemovePieces)

@@ -70,8 +70,13 @@ struct RingPaper {
   std::vector<Outline> holes;
 };
 // The middle is at the origin, the sector opens downwards: its inner edge is above, as a waist.
+double innerRadius(const DrawRing& op) {
+  if (op.inner) return *op.inner / op.angle;
+  return op.radius ? double{*op.radius} : 0;
+}
+
 RingPaper paperOf(const DrawRing& op) {
-  const double inner = *op.radius, outer = inner + op.depth, half = op.angle / 2;
+  const double inner = innerRadius(op), outer = inner + op.depth, half = op.angle / 2;
   const auto& name = op.edges;
   RingPaper paper;
   auto& edges = paper.outline.edges;
@@ -213,9 +218,8 @@ Done resolve(const Document& before, DrawRing& op, Context&) {
   for (EdgeRef& edge : op.of)
     if (Done done = resolve(before, edge); !done) return done;
   if (!op.of.empty()) op.inner = Length{lengthOf(before, op.of)}, op.of.clear();
-  if (op.inner) op.radius = Length{*op.inner / op.angle}, op.inner.reset();
-  if (!op.radius) op.radius = Length{0};
-  if (!(*op.radius >= 0 && *op.radius <= kLongest)) return refused(say("A length on paper lies between 0 and 20 m."));
+  if (const double radius = innerRadius(op); !(radius >= 0 && radius <= kLongest))
+    return refused(say("A length on paper lies between 0 and 20 m."));
   return checkNames(op.edges, {"hem", "side_left", "waist", "side_right"});
 }
 

@@ -132,6 +132,24 @@ struct MirrorPiece {
   bool operator==(const MirrorPiece&) const = default;
 };
 
+// lining piece="front back" fabric=viscose open=back.hem
+struct LinePieces {
+  static constexpr std::string_view kName = "lining";
+  static constexpr std::string_view kHelp =
+      "Lines pieces: cuts each a second time, inside, sewn to it where it is not sewn to another lined one.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<PieceRef> pieces;
+  std::string fabric;
+  std::vector<EdgeRef> open;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.pieces, "the pieces that are lined", kNeeded);
+    visit("fabric", self.fabric, "what the lining is cut from (otherwise viscose)", kOptional);
+    visit("open", self.open, "edges the lining is not sewn to, as a hem it hangs free at", kOptional);
+  }
+  bool operator==(const LinePieces&) const = default;
+};
+
 // unfold edge=half_front.fold
 struct UnfoldPiece {
   static constexpr std::string_view kName = "unfold";
@@ -145,6 +163,7 @@ struct UnfoldPiece {
   bool operator==(const UnfoldPiece&) const = default;
 };
 
-using DraftingOperations = OperationList<DrawPiece, AddPiece, DraftBlock, DuplicatePiece, MirrorPiece, UnfoldPiece>;
+using DraftingOperations =
+    OperationList<DrawPiece, AddPiece, DraftBlock, DuplicatePiece, MirrorPiece, LinePieces, UnfoldPiece>;
 
 }  // namespace karinui

@@ -84,6 +84,23 @@ struct SetLook {
   bool operator==(const SetLook&) const = default;
 };
 
-using FabricOperations = OperationList<SetFabric, SetLook>;
+// interface piece="collar stand" fabric=interfacing: the two are one cloth from then on (fused() in cloth/fabric.h).
+struct FuseInterfacing {
+  static constexpr std::string_view kName = "interface";
+  static constexpr std::string_view kHelp = "Fuses an interfacing to pieces: they become heavier, thicker and stiffer.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<PieceRef> pieces;
+  std::string fabric;
+  bool none = false;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.pieces, "the pieces", kNeeded);
+    visit("fabric", self.fabric, "what is fused to them, on the same grain (otherwise interfacing)", kOptional);
+    visit("none", self.none, "yes: takes it off", kOptional);
+  }
+  bool operator==(const FuseInterfacing&) const = default;
+};
+
+using FabricOperations = OperationList<SetFabric, SetLook, FuseInterfacing>;
 
 }  // namespace karinui

@@ -95,6 +95,7 @@ struct DrawBand {
   Length extra;
   bool sew = false;
   Angle turn;
+  bool turned = false;
   std::vector<std::string> edges;
   std::string fabric;
   int layer = 0;
@@ -108,6 +109,8 @@ struct DrawBand {
     visit("sew", self.sew, "yes: stood along the edges and sewn to them; where they close a ring, its ends too",
           kOptional);
     visit("turn", self.turn, "how far it is folded outwards from where the cloth would go on", kOptional);
+    visit("turned", self.turned, "yes: turned over, so that its right side shows once it is folded back, as a collar's",
+          kOptional);
     visit("edges", self.edges, "names of its edges: low end_left top end_right; the first is sewn", kOptional);
     visitCloth(self, visit);
   }

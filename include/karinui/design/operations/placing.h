@@ -67,11 +67,14 @@ struct AttachPiece {
   EdgeRef edge;
   std::vector<EdgeRef> to;
   Angle turn;
+  bool turned = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge of the piece that is led there", kNeeded);
     visit("to", self.to, "the run of edges it comes along, joined end to end", kNeeded);
     visit("turn", self.turn, "how far it is folded outwards from where the cloth would go on", kOptional);
+    visit("turned", self.turned, "yes: turned over, so that its right side shows once it is folded back, as a collar's",
+          kOptional);
   }
   bool operator==(const AttachPiece&) const = default;
 };
