@@ -23,7 +23,13 @@ int answerCheck(Program& program, const DocumentOnly& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
     const Result<ClothCheck> found = examined(opened.document(), opened.context());
     if (!found) return program.console.refuse(found.error());
-    program.console.answer(checkJson(*found), checkWords(*found, opened.document(), program.console));
+    Json object = checkJson(*found);
+    std::string words = checkWords(*found, opened.document(), program.console);
+    if (const Result<Fit> fit = fitOf(opened); fit && fit->pressure) {
+      words += pressureWords(*fit->pressure, program.console);
+      object["pressure_mean_kpa"] = fit->pressure->mean / 1000, object["pressure_p99_kpa"] = fit->pressure->p99 / 1000;
+    }
+    program.console.answer(object, words);
     return kDone;
   });
 }

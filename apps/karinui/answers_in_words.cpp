@@ -86,6 +86,14 @@ std::string checkWords(const ClothCheck& check, const Document& document, const 
   return console.said(say("The cloth as it stands:")) + "\n" + table.words(2);
 }
 
+std::string pressureWords(const PressureReport& pressure, const Console& console) {
+  WordTable table;
+  const auto kilo = [](double pascals) { return fixed(pascals / 1000, 2) + " kPa"; };
+  table.row({console.said(say("Presses where it lies, on average")), kilo(pressure.mean)});
+  table.row({console.said(say("99 % of it presses less than")), kilo(pressure.p99)});
+  return table.words(2);
+}
+
 std::string settleWords(const ClothCheck& check, const Document& document, bool kept, const Console& console) {
   const SettleReport& report = *document.drape.last;
   std::string words = console.said(!report.settled ? say("The cloth did not come to rest: {0}", report.why)

@@ -6,12 +6,14 @@
 #include "karinui/cloth/check.h"
 #include "karinui/design/document.h"
 #include "karinui/pattern/truing.h"
+#include "karinui/session/fit.h"
 
 namespace karinui::app {
 
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console);
 // `document`: whose cloth was examined.
 std::string checkWords(const ClothCheck& check, const Document& document, const Console& console);
+std::string pressureWords(const PressureReport& pressure, const Console& console);
 // `document`: as it was settled, with its report. `kept`: it was at rest before.
 std::string settleWords(const ClothCheck& check, const Document& document, bool kept, const Console& console);
 std::string infoWords(const Document& document, const Console& console);

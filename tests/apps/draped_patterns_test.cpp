@@ -60,6 +60,8 @@ TEST_P(Examples, ComeToRestWithNothingThroughAnything) {
   EXPECT_LE(found["seam_gap_mm"].get<double>(), 0.001);
   for (const char* crossings : {"cloth_body_crossings", "cloth_cloth_crossings", "fold_crossings"})
     EXPECT_EQ(found[crossings], 0) << crossings;
+  EXPECT_GT(found["pressure_p99_kpa"], found["pressure_mean_kpa"]);
+  EXPECT_LT(found["pressure_p99_kpa"], 3.0);  // no tourniquet
   for (const auto& fastening : found.value("fastenings", nlohmann::json::array()))
     EXPECT_EQ(fastening["holds"], true) << fastening.dump();
   const Said paper = karinui("export " + document + " -o " + (folder / "pattern.pdf"));
