@@ -87,6 +87,35 @@ Result<Design> designOf(const fs::path& path) {
   return design;
 }
 
+// A sentence with its values, so that it can be said in another language later.
+Json sentenceJson(const Message& said) {
+  Json values = Json::array();
+  for (const Message::Value& value : said.values)
+    if (const auto* inner = std::get_if<Message>(&value))
+      values.push_back(sentenceJson(*inner));
+    else
+      values.push_back(std::get<std::string>(value));
+  return {{"pattern", said.pattern}, {"values", std::move(values)}};
+}
+std::optional<Message> sentenceOf(const Json& object, int depth = 0) {
+  constexpr int kDeepest = 8;
+  constexpr std::size_t kMostValues = 10;
+  if (depth > kDeepest || !object.is_object() || !object.value("pattern", Json()).is_string()) return std::nullopt;
+  const Json values = object.value("values", Json());
+  if (!values.is_array() || values.size() > kMostValues) return std::nullopt;
+  Message said{object.at("pattern").get<std::string>(), {}};
+  for (const Json& value : values) {
+    if (value.is_string()) {
+      said.values.emplace_back(value.get<std::string>());
+    } else if (auto inner = sentenceOf(value, depth + 1)) {
+      said.values.emplace_back(*std::move(inner));
+    } else {
+      return std::nullopt;
+    }
+  }
+  return said;
+}
+
 Json manifestOf(const BatchPlan& plan) {
   Json designs = Json::array(), bodies = Json::array(), items = Json::array();
   for (const BatchDesign& design : plan.designs) designs.push_back({{"name", design.name}, {"file", design.file}});
@@ -216,11 +245,20 @@ Json itemOutcome(const fs::path& folder, const BatchItem& item) {
   return whole ? object : Json();
 }
 
-Done keepOutcome(const fs::path& folder, const BatchItem& item, Outcome outcome, const std::string& said,
-                 Json numbers) {
-  const Json object = {
-      {"key", item.key}, {"outcome", nameOf(outcome)}, {"said", said}, {"numbers", std::move(numbers)}};
+Done keepOutcome(const fs::path& folder, const BatchItem& item, Outcome outcome, const Message& said, Json numbers,
+                 int seconds) {
+  Json object = {{"key", item.key},
+                 {"outcome", nameOf(outcome)},
+                 {"said", text(said)},
+                 {"sentence", sentenceJson(said)},
+                 {"numbers", std::move(numbers)}};
+  if (seconds > 0) object["seconds"] = seconds;
   return writeFile(itemFile(folder, item), object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Message saidOf(const Json& outcome) {
+  if (auto sentence = sentenceOf(outcome.value("sentence", Json()))) return *std::move(sentence);
+  return say("{0}", outcome.at("said").get<std::string>());
 }
 
 }  // namespace karinui::app

@@ -56,7 +56,8 @@ enum class Outcome { Ok, Refused, NotSettled, Timeout, Crashed };
 const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "timeout", "crashed"
 // What became of an item; null: not known yet, or the file is not whole.
 Json itemOutcome(const std::filesystem::path& folder, const BatchItem& item);
-Done keepOutcome(const std::filesystem::path& folder, const BatchItem& item, Outcome outcome, const std::string& said,
-                 Json numbers = Json::object());
+Done keepOutcome(const std::filesystem::path& folder, const BatchItem& item, Outcome outcome, const Message& said,
+                 Json numbers = Json::object(), int seconds = 0);  // seconds: those that were not enough
+Message saidOf(const Json& outcome);  // what keepOutcome() was told, to be said in any language
 
 }  // namespace karinui::app

@@ -1,4 +1,4 @@
-// batch plan, run, merge, submit: every design on every body.
+// batch plan, run, merge, report, submit: every design on every body.
 #include "../commands.h"
 #include "item.h"
 #include "karinui/base/file.h"
@@ -27,6 +27,9 @@ struct ItemOptions {
 };
 struct MergeOptions {
   std::string folder;
+};
+struct FitOptions {
+  std::string folder, out, language;
 };
 struct SubmitOptions {
   std::string folder;
@@ -82,8 +85,6 @@ int runMerge(Program& program, const MergeOptions& options) {
     return program.console.refuse(done.error());
   if (const Done done = writeDatabase(table, folder / "table.sqlite"); !done)
     return program.console.refuse(done.error());
-  if (const Done done = writeFile(folder / "fit.svg", fitSummary(*plan, table, spokenHere())); !done)
-    return program.console.refuse(done.error());
   if (table.missing > 0)
     program.console.note(say("{0} of {1} {1|item|items} not done yet; karinui batch run goes on with them.",
                              table.missing, table.rows.size()));
@@ -92,12 +93,30 @@ int runMerge(Program& program, const MergeOptions& options) {
     if (const auto* outcome = std::get_if<std::string>(&row[5])) outcomes[*outcome] = outcomes.value(*outcome, 0) + 1;
   program.console.answer({{"csv", (folder / "table.csv").string()},
                           {"sqlite", (folder / "table.sqlite").string()},
-                          {"summary", (folder / "fit.svg").string()},
                           {"items", table.rows.size()},
                           {"missing", table.missing},
                           {"outcomes", outcomes}},
-                         (folder / "table.csv").string() + "\n" + (folder / "table.sqlite").string() + "\n" +
-                             (folder / "fit.svg").string());
+                         (folder / "table.csv").string() + "\n" + (folder / "table.sqlite").string());
+  return kDone;
+}
+
+int runFitReport(Program& program, const FitOptions& options) {
+  const auto plan = readPlan(options.folder);
+  if (!plan) return program.console.refuse(plan.error());
+  const BatchTable table = tableOf(*plan, options.folder);
+  if (table.missing == table.rows.size())
+    return program.console.refuse(refused(say("Nothing of this batch is done yet; begin with karinui batch run.")));
+  const Language language = options.language == "ja"   ? Language::Japanese
+                            : options.language == "en" ? Language::English
+                                                       : spokenHere();
+  const std::string title = std::filesystem::weakly_canonical(options.folder).filename().string();
+  const Result<std::string> bytes = writeReport(fitReport(*plan, table, title), language);
+  if (!bytes) return program.console.refuse(bytes.error());
+  if (const Done done = writeFile(options.out, *bytes); !done) return program.console.refuse(done.error());
+  if (table.missing > 0)
+    program.console.note(say("{0} of {1} {1|item|items} not done yet; karinui batch run goes on with them.",
+                             table.missing, table.rows.size()));
+  program.console.answer({{"file", options.out}, {"bytes", bytes->size()}, {"missing", table.missing}}, options.out);
   return kDone;
 }
 
@@ -136,13 +155,21 @@ void addBatchVerbs(Program& program) {
   verb->add_option("--threads", run->threads, help("How many threads work, 1 to 256; the result is the same"))
       ->check(CLI::Range(1, 256));
   verb->add_option("--seconds", run->wish.seconds, help("How long an item may take"))->check(CLI::Range(1, 86400));
-  verb->add_flag("--retry", run->wish.retry, help("Also those that ran out of time or crashed"));
+  verb->add_option("--attempts", run->wish.attempts, help("At an item that crashes"))->check(CLI::Range(1, 100));
+  verb->add_flag("--retry", run->wish.retry,
+                 help("Also those that crashed before, or ran out of less time than --seconds gives now"));
 
   auto merge = std::make_shared<MergeOptions>();
-  verb = program.verb(*batch, "merge",
-                      help("Writes what came of it: one table (CSV, SQLite) and the fit over all people (SVG)"), merge,
-                      runMerge);
+  verb = program.verb(*batch, "merge", help("Writes what came of it: one table (CSV, SQLite)"), merge, runMerge);
   verb->add_option("folder", merge->folder, help("The folder of the batch"))->required();
+
+  auto fit = std::make_shared<FitOptions>();
+  verb = program.verb(*batch, "report", help("Writes the fit over all people, and whom it does not fit (PDF)"), fit,
+                      runFitReport);
+  verb->add_option("folder", fit->folder, help("The folder of the batch"))->required();
+  verb->add_option("-o,--output", fit->out, help("The PDF file"))->required();
+  verb->add_option("--language", fit->language, help("en or ja; else the language spoken here"))
+      ->check(CLI::IsMember({"en", "ja"}));
 
   auto submit = std::make_shared<SubmitOptions>();
   verb = program.verb(*batch, "submit", help("Hands a batch to a cluster"), submit, runSubmit);
