@@ -1,6 +1,8 @@
 #include "item.h"
 
 #include <algorithm>
+#include <iostream>
+#include <iterator>
 
 #include "../examination.h"
 #include "../json_answers.h"
@@ -72,20 +74,19 @@ Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& 
 
 }  // namespace
 
-int runItem(Program& program, const fs::path& folder, const std::string& key) {
-  const auto plan = readPlan(folder);
+int runItem(Program& program, const fs::path& folder) {
+  const std::string given{std::istreambuf_iterator<char>(std::cin), {}};
+  const auto plan = parsePlan(given, folder);
   if (!plan) return program.console.refuse(plan.error());
-  const auto item =
-      std::find_if(plan->items.begin(), plan->items.end(), [&](const BatchItem& i) { return i.key == key; });
-  if (item == plan->items.end())
-    return program.console.refuse(notFound(say("There is no item “{0}” in this batch.", key)));
+  if (plan->items.size() != 1) return kWrongCall;
+  const BatchItem& item = plan->items.front();
   program.console.keepNotes([](const Message&) {});
   OpenDocument opened(program, DocumentFile::inMemory());
   const auto keep = [&](Outcome outcome, const Message& said, Json numbers) -> int {
-    const Done done = keepOutcome(folder, *item, outcome, said, std::move(numbers));
+    const Done done = keepOutcome(folder, item, outcome, said, std::move(numbers));
     return done ? int{kDone} : program.console.refuse(done.error());
   };
-  if (const Done done = makeGarment(opened, folder, *plan, *item); !done)
+  if (const Done done = makeGarment(opened, folder, *plan, item); !done)
     return keep(Outcome::Refused, done.error().what, Json::object());
   StopRequest nobody;
   const Result<Settled> settled = settle(opened, nobody, false);

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kForm = 1;
-constexpr std::size_t kMostItems = 1'000'000;
+constexpr std::size_t kMostItems = 1'000'000, kLongestPlan = std::size_t{1} << 30;
 
 std::string hashOf(std::string_view bytes) { return Hasher().add(bytes).hex(); }
 
@@ -194,11 +194,20 @@ Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console) {
 }
 
 Result<BatchPlan> readPlan(const fs::path& folder) {
-  const auto bytes = readFile(folder / "manifest.json");
-  if (!bytes) return noPlan(folder);
+  const auto bytes = readFile(folder / "manifest.json", kLongestPlan);
+  return bytes ? parsePlan(*bytes, folder) : noPlan(folder);
+}
+
+std::string planOf(const BatchPlan& plan, const BatchItem& item) {
+  BatchPlan one{plan.build, plan.spacing, {plan.designs[item.design]}, {plan.bodies[item.body]}, {item}};
+  one.items.front().design = one.items.front().body = 0;
+  return manifestOf(one).dump();
+}
+
+Result<BatchPlan> parsePlan(const std::string& bytes, const fs::path& folder) {
   BatchPlan plan;
   try {
-    const Json manifest = Json::parse(*bytes);
+    const Json manifest = Json::parse(bytes);
     if (manifest.at("karinui_batch") != kForm) return noPlan(folder);
     plan.build = manifest.at("build").get<std::string>();
     plan.spacing = manifest.at("spacing_m").get<double>();

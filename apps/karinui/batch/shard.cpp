@@ -23,24 +23,33 @@ using Clock = std::chrono::steady_clock;
 // A child at work on an item. It goes when this process does.
 class Worker {
  public:
-  static Result<Worker> start(const fs::path& folder, const BatchItem& item, int threads, int seconds,
-                              int attempt = 1) {
+  static Result<Worker> start(const fs::path& folder, const BatchPlan& plan, const BatchItem& item, int threads,
+                              int seconds, int attempt = 1) {
     const std::string folderText = folder.string(), threadsText = std::to_string(threads);
     const char* const words[] = {
         "karinui", "batch", "item", folderText.c_str(), item.key.c_str(), "--threads", threadsText.c_str(), nullptr};
     const pid_t parent = ::getpid();
+    const auto none = [] { return storageError(say("No process could be started: {0}.", std::strerror(errno))); };
+    int given[2];
+    if (::pipe2(given, O_CLOEXEC) != 0) return none();
     const pid_t pid = ::fork();
-    if (pid < 0) return storageError(say("No process could be started: {0}.", std::strerror(errno)));
+    if (pid < 0) return ::close(given[0]), ::close(given[1]), none();
     if (pid == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (::getppid() != parent) ::_exit(127);
-      const rlimit none{0, 0};
-      ::setrlimit(RLIMIT_CORE, &none);
+      const rlimit nothing{0, 0};
+      ::setrlimit(RLIMIT_CORE, &nothing);
+      ::dup2(given[0], STDIN_FILENO);
       if (const int nowhere = ::open("/dev/null", O_RDWR); nowhere >= 0)
-        for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
+        for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
       ::execv("/proc/self/exe", const_cast<char* const*>(words));
       ::_exit(127);
     }
+    const std::string one = planOf(plan, item);  // a few thousand bytes, which a pipe holds; no waiting for more room
+    ::fcntl(given[1], F_SETFL, O_NONBLOCK);
+    const bool written = ::write(given[1], one.data(), one.size()) == static_cast<ssize_t>(one.size());
+    ::close(given[0]), ::close(given[1]);
+    if (!written) return ::kill(pid, SIGKILL), ::waitpid(pid, nullptr, 0), none();
     return Worker(item, pid, Clock::now() + std::chrono::seconds(seconds), attempt);
   }
   Worker(Worker&& other) noexcept
@@ -144,7 +153,7 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
   for (std::size_t next = 0; next < waiting.size() || !working.empty();) {
     if (token.cancelled()) return cancelled();  // what is at work is dropped, and done when the batch goes on
     if (next < waiting.size() && working.size() < static_cast<std::size_t>(wish.jobs)) {
-      auto worker = Worker::start(folder, *waiting[next++], threads, wish.seconds);
+      auto worker = Worker::start(folder, *plan, *waiting[next++], threads, wish.seconds);
       if (!worker) return worker.error();
       working.push_back(*std::move(worker));
       continue;
@@ -159,7 +168,7 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
       }
       const BatchItem& item = worker.item();
       if (status && WIFSIGNALED(*status) && worker.attempt() < wish.attempts) {
-        auto another = Worker::start(folder, item, threads, wish.seconds, worker.attempt() + 1);
+        auto another = Worker::start(folder, *plan, item, threads, wish.seconds, worker.attempt() + 1);
         if (!another) return another.error();
         worker = *std::move(another);
         continue;
