@@ -89,7 +89,12 @@ std::vector<pid_t> processes(const std::vector<std::string>& with) {
   for (const auto& entry : fs::directory_iterator("/proc")) {
     const pid_t pid = std::atoi(entry.path().filename().c_str());
     if (pid <= 0) continue;
-    const std::string words = contents((entry.path() / "cmdline").string());
+    std::string words;
+    try {
+      words = contents((entry.path() / "cmdline").string());
+    } catch (const std::exception&) {  // it has ended meanwhile
+      continue;
+    }
     if (std::all_of(with.begin(), with.end(), [&](const auto& word) { return words.find(word) != std::string::npos; }))
       found.push_back(pid);
   }
