@@ -32,6 +32,9 @@ if(TARGET karinui-room)
   install(TARGETS karinui-room COMPONENT room)
   install_manual(karinui-room room)
 endif()
+# Blender's add-on lies where its preferences find it: Edit > Preferences > Add-ons > Install needs no internet either.
+install(DIRECTORY python/blender_karinui DESTINATION ${CMAKE_INSTALL_DATADIR}/blender/scripts/addons COMPONENT command
+  FILES_MATCHING PATTERN "*.py")
 if(TARGET karinui_python)
   install(TARGETS karinui_python DESTINATION lib/python3/dist-packages COMPONENT dev)
   install(FILES python/karinui.pyi DESTINATION lib/python3/dist-packages COMPONENT dev)

@@ -14,10 +14,12 @@ struct Settled {
 };
 Result<Settled> settle(OpenDocument& opened, StopRequest& stop, bool again);
 
-// How it fits: girths of garment and body at the levels it covers, and what it presses with. Needs a body.
+// How it fits: girths of garment and body at the levels it covers, what it presses with, and where most. Needs a body.
 struct Fit {
   std::vector<Girths> girths;
   std::optional<PressureReport> pressure;
+  std::optional<BodyPoint> pressedMost;
+  std::string stretchedMost;  // the piece whose cloth is; empty: nothing is known
 };
 Result<Fit> fitOf(OpenDocument& opened);
 

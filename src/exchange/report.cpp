@@ -4,6 +4,7 @@
 
 #include "names.h"
 #include "pdf_canvas.h"
+#include "report_plot.h"
 
 namespace karinui {
 namespace {
@@ -20,8 +21,11 @@ class Pages {
     down_ += 10;
     if (!report.under.empty()) line(text(report.under, language_), {kMargin, down_}, kLetters), down_ += kLine;
     down_ += 2;
+    for (const ReportTable& table : report.summary) list(table);
     pictures(report.pictures);
+    plots(report.plots);
     tables(report.tables);
+    for (const ReportTable& table : report.lists) list(table);
     canvas_.end();
   }
   Result<std::string> finish() { return canvas_.finishPlain(); }
@@ -57,6 +61,70 @@ class Pages {
         fit(text(all[i].caption, language_), {left, down_ + high + 3.5}, room, false);
       }
       down_ += high + 8;
+    }
+  }
+
+  void plots(const std::vector<ReportPlot>& all) {
+    for (const ReportPlot& plot : all) {
+      if (down_ + plotHigh(plot) > kHigh - kMargin) begin();
+      drawPlot(canvas_, plot, {kMargin, down_}, kWide - 2 * kMargin, language_);
+      down_ += plotHigh(plot) + 3;
+    }
+  }
+
+  // As wide as the page; each column as wide as what is in it, as far as there is room.
+  void list(const ReportTable& table) {
+    constexpr double kBetween = 4, kRoom = kWide - 2 * kMargin;
+    std::vector<double> wide(table.columns.size());
+    const auto measured = [&](const std::vector<Message>& cells) {
+      for (std::size_t i = 0; i < std::min(cells.size(), wide.size()); ++i)
+        wide[i] = std::max(wide[i], canvas_.wide(text(cells[i], language_), kLetters) + kBetween);
+    };
+    measured(table.columns);
+    for (const auto& cells : table.rows)
+      if (cells.size() >= wide.size()) measured(cells);
+    double sum = 0;
+    for (const double w : wide) sum += w;
+    for (double& w : wide) w *= std::min(1.0, kRoom / sum);
+    if (down_ + kHeading + 4 * kLine > kHigh - kMargin) begin();
+    line(text(table.heading, language_), {kMargin, down_ + 3}, kHeading);
+    down_ += kHeading + 4.5;
+    const auto drawn = [&](const std::vector<Message>& cells) {
+      double left = kMargin;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (i + 1 == cells.size() && cells.size() < wide.size()) {
+          spread(text(cells[i], language_), left);
+          return;
+        }
+        fit(text(cells[i], language_), {left, down_}, wide[i] - kBetween / 2, false);
+        left += wide[i];
+      }
+      down_ += kLine;
+    };
+    const auto head = [&] {
+      drawn(table.columns);
+      canvas_.moveTo({kMargin, down_ - 3}), canvas_.lineTo({kWide - kMargin, down_ - 3}), canvas_.stroke(0.15, false);
+    };
+    head();
+    for (const auto& cells : table.rows) {
+      if (down_ + kLine > kHigh - kMargin) begin(), head();
+      drawn(cells);
+    }
+    down_ += 5;
+  }
+  // From `left` to the margin, in as many lines as it takes; words are kept whole where there are spaces.
+  void spread(std::string words, double left) {
+    const double room = kWide - kMargin - left;
+    while (!words.empty()) {
+      std::size_t end = words.size();
+      while (end > 1 && canvas_.wide(words.substr(0, end), kLetters) > room) {
+        const std::size_t space = words.rfind(' ', end - 1);
+        end = space == std::string::npos || space == 0 ? end - 1 : space;
+        while (end > 1 && (static_cast<unsigned char>(words[end]) & 0xC0) == 0x80) --end;
+      }
+      if (down_ + kLine > kHigh - kMargin) begin();
+      line(words.substr(0, end), {left, down_}, kLetters), down_ += kLine;
+      words.erase(0, std::min(words.size(), words[std::min(end, words.size() - 1)] == ' ' ? end + 1 : end));
     }
   }
 

@@ -1,11 +1,14 @@
 #include "item.h"
 
 #include <algorithm>
+#include <iostream>
+#include <iterator>
 
 #include "../examination.h"
 #include "../json_answers.h"
 #include "../refit.h"
 #include "karinui/base/file.h"
+#include "karinui/base/number.h"
 #include "karinui/design/script.h"
 #include "karinui/exchange/formats.h"
 
@@ -20,6 +23,14 @@ SetBody bodyFor(const Measurements& measures) {
   body.sex = measures.sex;
   for (const auto& [key, value] : measures.value) body.set.push_back({key, {value}});
   return body;
+}
+
+// Cloth that is too small says so in a sentence (design/drape.cpp): by how many centimetres, and where.
+void addShortage(Json& numbers, const Message& why) {
+  if (!why.pattern.starts_with("Too small by {0} {1}") || why.values.size() < 2) return;
+  const auto* by = std::get_if<Message>(&why.values[0]);
+  const auto centimetres = by && !by->values.empty() ? parseNumber(text(by->values[0])) : std::nullopt;
+  if (centimetres) numbers["too_small_m"] = *centimetres / 100, numbers["too_small_at"] = text(why.values[1]);
 }
 
 Done playScript(OpenDocument& opened, const fs::path& path, const SetBody& body) {
@@ -63,20 +74,19 @@ Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& 
 
 }  // namespace
 
-int runItem(Program& program, const fs::path& folder, const std::string& key) {
-  const auto plan = readPlan(folder);
+int runItem(Program& program, const fs::path& folder) {
+  const std::string given{std::istreambuf_iterator<char>(std::cin), {}};
+  const auto plan = parsePlan(given, folder);
   if (!plan) return program.console.refuse(plan.error());
-  const auto item =
-      std::find_if(plan->items.begin(), plan->items.end(), [&](const BatchItem& i) { return i.key == key; });
-  if (item == plan->items.end())
-    return program.console.refuse(notFound(say("There is no item “{0}” in this batch.", key)));
+  if (plan->items.size() != 1) return kWrongCall;
+  const BatchItem& item = plan->items.front();
   program.console.keepNotes([](const Message&) {});
   OpenDocument opened(program, DocumentFile::inMemory());
   const auto keep = [&](Outcome outcome, const Message& said, Json numbers) -> int {
-    const Done done = keepOutcome(folder, *item, outcome, text(said), std::move(numbers));
+    const Done done = keepOutcome(folder, item, outcome, said, std::move(numbers));
     return done ? int{kDone} : program.console.refuse(done.error());
   };
-  if (const Done done = makeGarment(opened, folder, *plan, *item); !done)
+  if (const Done done = makeGarment(opened, folder, *plan, item); !done)
     return keep(Outcome::Refused, done.error().what, Json::object());
   StopRequest nobody;
   const Result<Settled> settled = settle(opened, nobody, false);
@@ -85,6 +95,8 @@ int runItem(Program& program, const fs::path& folder, const std::string& key) {
   Json numbers = {{"operations", document.operations}, {"hash", hash(document)}, {"drape_hash", drapeHash(document)}};
   Json check = checkJson(settled->check);
   for (const char* list : {"finite", "elastics", "fastenings", "crossings"}) check.erase(list);
+  numbers["fastenings_open"] = std::count_if(settled->check.fastenings.begin(), settled->check.fastenings.end(),
+                                             [](const FasteningPull& f) { return !f.holds(); });
   numbers.update(check);
   if (const Result<Fit> fit = fitOf(opened)) {
     const Json object = fitJson(fit->girths, fit->pressure);
@@ -92,8 +104,11 @@ int runItem(Program& program, const fs::path& folder, const std::string& key) {
       numbers["ease_" + level + "_m"] = girths.at("ease_m");
     for (const char* name : {"pressure_mean_pa", "pressure_p99_pa"})
       if (object.contains(name)) numbers[name] = object.at(name);
+    if (fit->pressedMost) numbers["pressure_at"] = text(*fit->pressedMost);
+    if (!fit->stretchedMost.empty()) numbers["strain_at"] = fit->stretchedMost;
   }
   const SettleReport& report = *document.drape.last;
+  addShortage(numbers, report.why);
   return keep(report.settled ? Outcome::Ok : Outcome::NotSettled, report.why, std::move(numbers));
 }
 

@@ -6,7 +6,8 @@
 
 namespace karinui::app {
 
-// Does it and keeps its outcome. The exit status of the process is kDone where an outcome was kept.
-int runItem(Program& program, const std::filesystem::path& folder, const std::string& key);
+// Does the item whose plan (planOf()) comes on stdin and keeps its outcome: nothing is read that grows with the batch.
+// The exit status of the process is kDone where an outcome was kept.
+int runItem(Program& program, const std::filesystem::path& folder);
 
 }  // namespace karinui::app

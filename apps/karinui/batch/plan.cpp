@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kForm = 1;
-constexpr std::size_t kMostItems = 1'000'000;
+constexpr std::size_t kMostItems = 1'000'000, kLongestPlan = std::size_t{1} << 30;
 
 std::string hashOf(std::string_view bytes) { return Hasher().add(bytes).hex(); }
 
@@ -85,6 +85,35 @@ Result<Design> designOf(const fs::path& path) {
     return inFile(path, script.error());
   }
   return design;
+}
+
+// A sentence with its values, so that it can be said in another language later.
+Json sentenceJson(const Message& said) {
+  Json values = Json::array();
+  for (const Message::Value& value : said.values)
+    if (const auto* inner = std::get_if<Message>(&value))
+      values.push_back(sentenceJson(*inner));
+    else
+      values.push_back(std::get<std::string>(value));
+  return {{"pattern", said.pattern}, {"values", std::move(values)}};
+}
+std::optional<Message> sentenceOf(const Json& object, int depth = 0) {
+  constexpr int kDeepest = 8;
+  constexpr std::size_t kMostValues = 10;
+  if (depth > kDeepest || !object.is_object() || !object.value("pattern", Json()).is_string()) return std::nullopt;
+  const Json values = object.value("values", Json());
+  if (!values.is_array() || values.size() > kMostValues) return std::nullopt;
+  Message said{object.at("pattern").get<std::string>(), {}};
+  for (const Json& value : values) {
+    if (value.is_string()) {
+      said.values.emplace_back(value.get<std::string>());
+    } else if (auto inner = sentenceOf(value, depth + 1)) {
+      said.values.emplace_back(*std::move(inner));
+    } else {
+      return std::nullopt;
+    }
+  }
+  return said;
 }
 
 Json manifestOf(const BatchPlan& plan) {
@@ -165,11 +194,20 @@ Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console) {
 }
 
 Result<BatchPlan> readPlan(const fs::path& folder) {
-  const auto bytes = readFile(folder / "manifest.json");
-  if (!bytes) return noPlan(folder);
+  const auto bytes = readFile(folder / "manifest.json", kLongestPlan);
+  return bytes ? parsePlan(*bytes, folder) : noPlan(folder);
+}
+
+std::string planOf(const BatchPlan& plan, const BatchItem& item) {
+  BatchPlan one{plan.build, plan.spacing, {plan.designs[item.design]}, {plan.bodies[item.body]}, {item}};
+  one.items.front().design = one.items.front().body = 0;
+  return manifestOf(one).dump();
+}
+
+Result<BatchPlan> parsePlan(const std::string& bytes, const fs::path& folder) {
   BatchPlan plan;
   try {
-    const Json manifest = Json::parse(*bytes);
+    const Json manifest = Json::parse(bytes);
     if (manifest.at("karinui_batch") != kForm) return noPlan(folder);
     plan.build = manifest.at("build").get<std::string>();
     plan.spacing = manifest.at("spacing_m").get<double>();
@@ -216,11 +254,20 @@ Json itemOutcome(const fs::path& folder, const BatchItem& item) {
   return whole ? object : Json();
 }
 
-Done keepOutcome(const fs::path& folder, const BatchItem& item, Outcome outcome, const std::string& said,
-                 Json numbers) {
-  const Json object = {
-      {"key", item.key}, {"outcome", nameOf(outcome)}, {"said", said}, {"numbers", std::move(numbers)}};
+Done keepOutcome(const fs::path& folder, const BatchItem& item, Outcome outcome, const Message& said, Json numbers,
+                 int seconds) {
+  Json object = {{"key", item.key},
+                 {"outcome", nameOf(outcome)},
+                 {"said", text(said)},
+                 {"sentence", sentenceJson(said)},
+                 {"numbers", std::move(numbers)}};
+  if (seconds > 0) object["seconds"] = seconds;
   return writeFile(itemFile(folder, item), object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Message saidOf(const Json& outcome) {
+  if (auto sentence = sentenceOf(outcome.value("sentence", Json()))) return *std::move(sentence);
+  return say("{0}", outcome.at("said").get<std::string>());
 }
 
 }  // namespace karinui::app

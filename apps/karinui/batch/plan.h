@@ -31,7 +31,6 @@ struct BatchPlan {
   double spacing = 0;  // metres between the threads; 0: as designed
   std::vector<BatchDesign> designs;
   std::vector<BatchBody> bodies;
-  std::vector<std::string> fabrics;
   std::vector<BatchItem> items;
 };
 
@@ -47,6 +46,9 @@ struct BatchWish {
 Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console);
 // Refuses what is no plan of this form.
 Result<BatchPlan> readPlan(const std::filesystem::path& folder);
+// A plan of this item alone as text, of a size that does not grow with the batch, and read back; `folder` is said.
+std::string planOf(const BatchPlan& plan, const BatchItem& item);
+Result<BatchPlan> parsePlan(const std::string& bytes, const std::filesystem::path& folder);
 // A batch that another build of the program planned would give other results under the same keys.
 Done madeByThisProgram(const BatchPlan& plan);
 
@@ -56,7 +58,8 @@ enum class Outcome { Ok, Refused, NotSettled, Timeout, Crashed };
 const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "timeout", "crashed"
 // What became of an item; null: not known yet, or the file is not whole.
 Json itemOutcome(const std::filesystem::path& folder, const BatchItem& item);
-Done keepOutcome(const std::filesystem::path& folder, const BatchItem& item, Outcome outcome, const std::string& said,
-                 Json numbers = Json::object());
+Done keepOutcome(const std::filesystem::path& folder, const BatchItem& item, Outcome outcome, const Message& said,
+                 Json numbers = Json::object(), int seconds = 0);  // seconds: those that were not enough
+Message saidOf(const Json& outcome);  // what keepOutcome() was told, to be said in any language
 
 }  // namespace karinui::app

@@ -23,33 +23,44 @@ using Clock = std::chrono::steady_clock;
 // A child at work on an item. It goes when this process does.
 class Worker {
  public:
-  static Result<Worker> start(const fs::path& folder, const BatchItem& item, int threads, int seconds) {
+  static Result<Worker> start(const fs::path& folder, const BatchPlan& plan, const BatchItem& item, int threads,
+                              int seconds, int attempt = 1) {
     const std::string folderText = folder.string(), threadsText = std::to_string(threads);
     const char* const words[] = {
         "karinui", "batch", "item", folderText.c_str(), item.key.c_str(), "--threads", threadsText.c_str(), nullptr};
     const pid_t parent = ::getpid();
+    const auto none = [] { return storageError(say("No process could be started: {0}.", std::strerror(errno))); };
+    int given[2];
+    if (::pipe2(given, O_CLOEXEC) != 0) return none();
     const pid_t pid = ::fork();
-    if (pid < 0) return storageError(say("No process could be started: {0}.", std::strerror(errno)));
+    if (pid < 0) return ::close(given[0]), ::close(given[1]), none();
     if (pid == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (::getppid() != parent) ::_exit(127);
-      const rlimit none{0, 0};
-      ::setrlimit(RLIMIT_CORE, &none);
+      const rlimit nothing{0, 0};
+      ::setrlimit(RLIMIT_CORE, &nothing);
+      ::dup2(given[0], STDIN_FILENO);
       if (const int nowhere = ::open("/dev/null", O_RDWR); nowhere >= 0)
-        for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
+        for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
       ::execv("/proc/self/exe", const_cast<char* const*>(words));
       ::_exit(127);
     }
-    return Worker(item, pid, Clock::now() + std::chrono::seconds(seconds));
+    const std::string one = planOf(plan, item);  // a few thousand bytes, which a pipe holds; no waiting for more room
+    ::fcntl(given[1], F_SETFL, O_NONBLOCK);
+    const bool written = ::write(given[1], one.data(), one.size()) == static_cast<ssize_t>(one.size());
+    ::close(given[0]), ::close(given[1]);
+    if (!written) return ::kill(pid, SIGKILL), ::waitpid(pid, nullptr, 0), none();
+    return Worker(item, pid, Clock::now() + std::chrono::seconds(seconds), attempt);
   }
   Worker(Worker&& other) noexcept
       : item_(other.item_),
         pid_(std::exchange(other.pid_, -1)),
         watch_(std::exchange(other.watch_, -1)),
-        until_(other.until_) {}
+        until_(other.until_),
+        attempt_(other.attempt_) {}
   Worker& operator=(Worker&& other) noexcept {
     std::swap(item_, other.item_), std::swap(pid_, other.pid_), std::swap(watch_, other.watch_),
-        std::swap(until_, other.until_);
+        std::swap(until_, other.until_), std::swap(attempt_, other.attempt_);
     return *this;
   }
   ~Worker() {
@@ -58,6 +69,7 @@ class Worker {
   }
 
   const BatchItem& item() const { return *item_; }
+  int attempt() const { return attempt_; }  // from 1
   int watch() const { return watch_; }
   Clock::time_point until() const { return until_; }
   bool outOfTime() const { return Clock::now() >= until_; }
@@ -71,12 +83,17 @@ class Worker {
   }
 
  private:
-  Worker(const BatchItem& item, pid_t pid, Clock::time_point until)
-      : item_(&item), pid_(pid), watch_(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0))), until_(until) {}
+  Worker(const BatchItem& item, pid_t pid, Clock::time_point until, int attempt)
+      : item_(&item),
+        pid_(pid),
+        watch_(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0))),
+        until_(until),
+        attempt_(attempt) {}
   const BatchItem* item_;
   pid_t pid_;
   int watch_;
   Clock::time_point until_;
+  int attempt_;
 };
 
 void waitForAny(const std::vector<Worker>& workers) {
@@ -88,6 +105,13 @@ void waitForAny(const std::vector<Worker>& workers) {
   }
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count() + 1;
   ::poll(watched.data(), watched.size(), static_cast<int>(std::clamp<long>(left, 1, 60'000)));
+}
+
+bool worthRetrying(const Json& known, const ShardWish& wish) {
+  if (known.at("outcome") == nameOf(Outcome::Crashed)) return true;
+  const Json seconds = known.value("seconds", Json(0));
+  return known.at("outcome") == nameOf(Outcome::Timeout) &&
+         !(seconds.is_number_integer() && seconds.get<int>() >= wish.seconds);
 }
 
 }  // namespace
@@ -112,9 +136,7 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
   std::vector<const BatchItem*> waiting;
   for (std::size_t i = wish.shard - 1; i < plan->items.size(); i += wish.shards) {
     const Json known = itemOutcome(folder, plan->items[i]);
-    const bool again =
-        known.is_object() && wish.retry &&
-        (known.at("outcome") == nameOf(Outcome::Timeout) || known.at("outcome") == nameOf(Outcome::Crashed));
+    const bool again = known.is_object() && wish.retry && worthRetrying(known, wish);
     ++done.items;
     if (known.is_object() && !again)
       ++done.before;
@@ -131,7 +153,7 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
   for (std::size_t next = 0; next < waiting.size() || !working.empty();) {
     if (token.cancelled()) return cancelled();  // what is at work is dropped, and done when the batch goes on
     if (next < waiting.size() && working.size() < static_cast<std::size_t>(wish.jobs)) {
-      auto worker = Worker::start(folder, *waiting[next++], threads, wish.seconds);
+      auto worker = Worker::start(folder, *plan, *waiting[next++], threads, wish.seconds);
       if (!worker) return worker.error();
       working.push_back(*std::move(worker));
       continue;
@@ -144,23 +166,30 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
         ++i;
         continue;
       }
-      const BatchItem item = worker.item();
+      const BatchItem& item = worker.item();
+      if (status && WIFSIGNALED(*status) && worker.attempt() < wish.attempts) {
+        auto another = Worker::start(folder, *plan, item, threads, wish.seconds, worker.attempt() + 1);
+        if (!another) return another.error();
+        worker = *std::move(another);
+        continue;
+      }
       Done kept;
       if (!status) {
-        kept = keepOutcome(folder, item, Outcome::Timeout, text(say("Not done after {0} s.", wish.seconds)));
+        kept = keepOutcome(folder, item, Outcome::Timeout, say("Not done after {0} s.", wish.seconds), Json::object(),
+                           wish.seconds);
       } else if (WIFSIGNALED(*status)) {
         kept = keepOutcome(folder, item, Outcome::Crashed,
-                           text(say("The program fell down: {0}.", ::strsignal(WTERMSIG(*status)))));
+                           say("The program fell down: {0}.", ::strsignal(WTERMSIG(*status))));
       } else if (WEXITSTATUS(*status) != kDone) {
         return storageError(say("An outcome could not be kept in “{0}”; is the disk full?", folder.string()));
       }
       if (!kept) return kept.error();
-      working.erase(working.begin() + static_cast<std::ptrdiff_t>(i));
       ++done.done;
       const Json outcome = itemOutcome(folder, item);
       if (!outcome.is_object())
         return storageError(say("An outcome could not be kept in “{0}”; is the disk full?", folder.string()));
       told(item, outcome.at("outcome").get<std::string>());
+      working.erase(working.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
   return done;

@@ -25,13 +25,22 @@ constexpr const char* kNumbers[] = {"operations",
                                     "cloth_body_crossings",
                                     "cloth_cloth_crossings",
                                     "fold_crossings",
+                                    "fastenings_open",
+                                    "too_small_m",
+                                    "too_small_at",
+                                    "strain_at",
                                     "pressure_mean_pa",
-                                    "pressure_p99_pa"};
+                                    "pressure_p99_pa",
+                                    "pressure_at"};
 
 BatchTable::Cell cellOf(const Json& value) {
   if (value.is_number()) return value.get<double>();
   if (value.is_string()) return value.get<std::string>();
   return {};
+}
+
+std::size_t columnOf(const BatchTable& table, const std::string& name) {
+  return static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin());
 }
 
 std::string quoted(const std::string& text) {
@@ -43,23 +52,29 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
+std::optional<double> BatchTable::number(std::size_t row, const std::string& column) const {
+  const std::size_t at = columnOf(*this, column);
+  const auto* number = at < rows[row].size() ? std::get_if<double>(&rows[row][at]) : nullptr;
+  return number ? std::optional(*number) : std::nullopt;
+}
+std::string BatchTable::text(std::size_t row, const std::string& column) const {
+  const std::size_t at = columnOf(*this, column);
+  const auto* words = at < rows[row].size() ? std::get_if<std::string>(&rows[row][at]) : nullptr;
+  return words ? *words : std::string();
+}
+
 std::string misfitOf(const Json& outcome, const FitLimits& limits) {
-  if (outcome.at("outcome") != nameOf(Outcome::Ok)) return outcome.at("outcome").get<std::string>();
   const Json& numbers = outcome.at("numbers");
   const auto above = [&](const char* name, double limit) {
     return numbers.contains(name) && numbers.at(name).is_number() && numbers.at(name).get<double>() > limit;
   };
+  if (numbers.contains("too_small_m")) return "too small";
+  if (outcome.at("outcome") != nameOf(Outcome::Ok)) return outcome.at("outcome").get<std::string>();
+  if (above("fastenings_open", 0)) return "does not close";
   if (above("cloth_body_crossings", 0)) return "crosses the body";
   if (above("strain_p99", limits.strain)) return "stretched";
   if (above("pressure_p99_pa", limits.pressure)) return "presses";
   return {};
-}
-
-Message wordSaid(const std::string& word) {
-  for (const Message& known : {say("ok"), say("refused"), say("did not settle"), say("timeout"), say("crashed"),
-                               say("not done yet"), say("crosses the body"), say("stretched"), say("presses")})
-    if (known.pattern == word) return known;
-  return say("{0}", word);
 }
 
 BatchTable tableOf(const BatchPlan& plan, const fs::path& folder) {
@@ -70,6 +85,7 @@ BatchTable tableOf(const BatchPlan& plan, const fs::path& folder) {
     for (const auto& [key, value] : body.measures.value) measures.insert(key);
   for (const BatchItem& item : plan.items) {
     outcomes.push_back(itemOutcome(folder, item));
+    table.said.push_back(outcomes.back().is_object() ? saidOf(outcomes.back()) : Message());
     if (!outcomes.back().is_object()) {
       ++table.missing;
       continue;

@@ -1,5 +1,8 @@
-// batch plan, run, merge, submit: every design on every body.
+// batch plan, run, merge, report, throughput, submit: every design on every body.
+#include <cmath>
+
 #include "../commands.h"
+#include "../json_answers.h"
 #include "item.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
@@ -7,6 +10,7 @@
 #include "shard.h"
 #include "slurm.h"
 #include "table.h"
+#include "throughput.h"
 
 namespace karinui::app {
 
@@ -22,11 +26,19 @@ struct RunOptions {
   ShardWish wish;
 };
 struct ItemOptions {
-  std::string folder, key;
+  std::string folder, key;  // the key only to be seen in a list of processes
   int threads = 1;
 };
 struct MergeOptions {
   std::string folder;
+};
+struct FitOptions {
+  std::string folder, out, language;
+};
+struct ThroughputOptions {
+  ThroughputWish wish;
+  std::string spacing;
+  double garments = 1e6, cores = 1e4;
 };
 struct SubmitOptions {
   std::string folder;
@@ -69,7 +81,7 @@ int runRun(Program& program, const RunOptions& options) {
 
 int runOneItem(Program& program, const ItemOptions& options) {
   program.threads = options.threads;
-  return runItem(program, options.folder, options.key);
+  return runItem(program, options.folder);
 }
 
 int runMerge(Program& program, const MergeOptions& options) {
@@ -82,8 +94,6 @@ int runMerge(Program& program, const MergeOptions& options) {
     return program.console.refuse(done.error());
   if (const Done done = writeDatabase(table, folder / "table.sqlite"); !done)
     return program.console.refuse(done.error());
-  if (const Done done = writeFile(folder / "fit.svg", fitSummary(*plan, table, spokenHere())); !done)
-    return program.console.refuse(done.error());
   if (table.missing > 0)
     program.console.note(say("{0} of {1} {1|item|items} not done yet; karinui batch run goes on with them.",
                              table.missing, table.rows.size()));
@@ -92,12 +102,72 @@ int runMerge(Program& program, const MergeOptions& options) {
     if (const auto* outcome = std::get_if<std::string>(&row[5])) outcomes[*outcome] = outcomes.value(*outcome, 0) + 1;
   program.console.answer({{"csv", (folder / "table.csv").string()},
                           {"sqlite", (folder / "table.sqlite").string()},
-                          {"summary", (folder / "fit.svg").string()},
                           {"items", table.rows.size()},
                           {"missing", table.missing},
                           {"outcomes", outcomes}},
-                         (folder / "table.csv").string() + "\n" + (folder / "table.sqlite").string() + "\n" +
-                             (folder / "fit.svg").string());
+                         (folder / "table.csv").string() + "\n" + (folder / "table.sqlite").string());
+  return kDone;
+}
+
+int runFitReport(Program& program, const FitOptions& options) {
+  const auto plan = readPlan(options.folder);
+  if (!plan) return program.console.refuse(plan.error());
+  const BatchTable table = tableOf(*plan, options.folder);
+  if (table.missing == table.rows.size())
+    return program.console.refuse(refused(say("Nothing of this batch is done yet; begin with karinui batch run.")));
+  const Language language = options.language == "ja"   ? Language::Japanese
+                            : options.language == "en" ? Language::English
+                                                       : spokenHere();
+  const std::string title = std::filesystem::weakly_canonical(options.folder).filename().string();
+  const Result<std::string> bytes = writeReport(fitReport(*plan, table, title), language);
+  if (!bytes) return program.console.refuse(bytes.error());
+  if (const Done done = writeFile(options.out, *bytes); !done) return program.console.refuse(done.error());
+  if (table.missing > 0)
+    program.console.note(say("{0} of {1} {1|item|items} not done yet; karinui batch run goes on with them.",
+                             table.missing, table.rows.size()));
+  program.console.answer({{"file", options.out}, {"bytes", bytes->size()}, {"missing", table.missing}}, options.out);
+  return kDone;
+}
+
+int runThroughput(Program& program, const ThroughputOptions& options) {
+  ThroughputWish wish = options.wish;
+  if (!options.spacing.empty()) {
+    const auto spacing = parseLength(options.spacing);
+    if (!spacing) return program.console.refuse(spacing.error()), kWrongCall;
+    wish.batch.spacing = *spacing;
+  }
+  const auto found = measureThroughput(program, wish);
+  if (!found) return program.console.refuse(found.error());
+  const double cores = std::fmin(options.cores, options.garments);  // more have nothing to do
+  const BatchTime time = timeOf(*found, options.garments, cores), one = timeOf(*found, options.garments, 1);
+  const double busy = cores / found->beside;  // garments a second
+  const Json serial = {{"fixed_s", found->fixed},
+                       {"plan_ms_per_garment", found->plan * 1e3},
+                       {"read_ms_per_garment", found->read * 1e3},
+                       {"merge_ms_per_garment", found->merge * 1e3}};
+  const Json model = {{"garments", options.garments},
+                      {"cores", cores},
+                      {"plan_s", time.plan},
+                      {"garments_s", time.garments},
+                      {"merge_s", time.merge},
+                      {"all_s", time.all()},
+                      {"garments_per_hour", 3600 * options.garments / time.all()},
+                      {"speedup", one.all() / time.all()},
+                      {"files_per_s", busy},
+                      {"in_mb_per_s", busy * found->in * 1e-6},
+                      {"out_mb_per_s", busy * found->out * 1e-6}};
+  const Json object = {{"sample", found->sample},
+                       {"garment_cpu_s", found->alone},
+                       {"garment_clock_s", found->clock},
+                       {"garments_per_core_hour", 3600 / found->alone},
+                       {"processors", found->processors},
+                       {"garment_cpu_s_beside_others", found->beside},
+                       {"garments_per_core_hour_beside_others", 3600 / found->beside},
+                       {"largest_process_mb", found->megabytes},
+                       {"serial", serial},
+                       {"bytes_per_garment", {{"manifest", found->manifest}, {"in", found->in}, {"out", found->out}}},
+                       {"model", model}};
+  program.console.answer(object, words(object));
   return kDone;
 }
 
@@ -136,13 +206,44 @@ void addBatchVerbs(Program& program) {
   verb->add_option("--threads", run->threads, help("How many threads work, 1 to 256; the result is the same"))
       ->check(CLI::Range(1, 256));
   verb->add_option("--seconds", run->wish.seconds, help("How long an item may take"))->check(CLI::Range(1, 86400));
-  verb->add_flag("--retry", run->wish.retry, help("Also those that ran out of time or crashed"));
+  verb->add_option("--attempts", run->wish.attempts, help("At an item that crashes"))->check(CLI::Range(1, 100));
+  verb->add_flag("--retry", run->wish.retry,
+                 help("Also those that crashed before, or ran out of less time than --seconds gives now"));
 
   auto merge = std::make_shared<MergeOptions>();
-  verb = program.verb(*batch, "merge",
-                      help("Writes what came of it: one table (CSV, SQLite) and the fit over all people (SVG)"), merge,
-                      runMerge);
+  verb = program.verb(*batch, "merge", help("Writes what came of it: one table (CSV, SQLite)"), merge, runMerge);
   verb->add_option("folder", merge->folder, help("The folder of the batch"))->required();
+
+  auto fit = std::make_shared<FitOptions>();
+  verb = program.verb(*batch, "report", help("Writes the fit over all people, and whom it does not fit (PDF)"), fit,
+                      runFitReport);
+  verb->add_option("folder", fit->folder, help("The folder of the batch"))->required();
+  verb->add_option("-o,--output", fit->out, help("The PDF file"))->required();
+  verb->add_option("--language", fit->language, help("en or ja; else the language spoken here"))
+      ->check(CLI::IsMember({"en", "ja"}));
+
+  auto throughput = std::make_shared<ThroughputOptions>();
+  verb =
+      program.verb(*batch, "throughput",
+                   help("Measures how many garments are made in an hour, and tells what many processors would bring"),
+                   throughput, runThroughput);
+  verb->add_option("designs", throughput->wish.batch.designs, help("A document, a script, or a folder of them"))
+      ->required();
+  verb->add_option("bodies", throughput->wish.batch.bodies,
+                   help("A table of measures (CSV): name,height_cm,bust_girth_cm,…"))
+      ->required();
+  verb->add_option("--fabric", throughput->wish.batch.fabrics,
+                   help("A fabric for all pieces; several: the batch has each"));
+  verb->add_option("--spacing", throughput->spacing,
+                   help("Between the lattice's threads, in place of the designs' own: 20mm"));
+  verb->add_option("--sample", throughput->wish.sample, help("How many garments are made to measure"))
+      ->check(CLI::Range(1, 10'000));
+  verb->add_option("--seconds", throughput->wish.seconds, help("How long an item may take"))
+      ->check(CLI::Range(1, 86400));
+  verb->add_option("--garments", throughput->garments, help("Of the batch that is reckoned with"))
+      ->check(CLI::Range(1, 1'000'000'000));
+  verb->add_option("--cores", throughput->cores, help("Processors that are reckoned with"))
+      ->check(CLI::Range(1, 10'000'000));
 
   auto submit = std::make_shared<SubmitOptions>();
   verb = program.verb(*batch, "submit", help("Hands a batch to a cluster"), submit, runSubmit);
