@@ -7,6 +7,7 @@
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
 #include "karinui/design/step_words.h"
+#include "karinui/pattern/darts.h"
 #include "karinui/pattern/edit.h"
 #include "karinui/pattern/symmetry.h"
 #include "main_window.h"
@@ -137,6 +138,14 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   offer(menu, say("Take its end away"), JoinEdges{ref});
   offer(menu, say("Notch there"), notch);
   offer(menu, say("Dart there"), dart);
+  for (const PaperDart& other : dartsOf(session_->snapshot().document.pattern)) {
+    const auto& edges = piece->outline.edges;
+    if (other.piece != near.piece || edges[other.to].name == near.edge || edges[other.back].name == near.edge) continue;
+    PivotDart pivot;
+    pivot.dart = {PieceRef(near.piece), edges[other.to].name};
+    pivot.to = ref, pivot.at = share;
+    offer(menu, say("Move {0} there", nameSaid(edges[other.to].name)), pivot);
+  }
   menu.addSeparator();
   const Document& document = session_->snapshot().document;
   const std::vector<EdgeRef> run = runThrough(document, ref);

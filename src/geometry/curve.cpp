@@ -228,21 +228,35 @@ Curve Curve::reversed() const {
   return {kind, end, start, control2, control1, other, {between.rbegin(), between.rend()}};
 }
 
+namespace {
+
+template <class Map>
+Curve mapped(Curve curve, const Map& map) {
+  curve.start = map(curve.start), curve.end = map(curve.end);
+  if (curve.kind == Curve::Kind::Cubic) {
+    curve.control1 = map(curve.control1), curve.control2 = map(curve.control2);
+    for (Flat& p : curve.between) p = map(p);
+  }
+  return curve;
+}
+
+}  // namespace
+
 Curve Curve::mirrored(Flat through, Flat unitAxis) const {
-  const auto image = [&](Flat p) {
+  Curve mirror = mapped(*this, [&](Flat p) {
     const Flat d = p - through;
     return through + unitAxis * (2 * dot(d, unitAxis)) - d;
-  };
-  Curve mirror = *this;
-  mirror.start = image(start);
-  mirror.end = image(end);
-  if (kind == Kind::Cubic) {
-    mirror.control1 = image(control1);
-    mirror.control2 = image(control2);
-    for (Flat& p : mirror.between) p = image(p);
-  }
+  });
   if (kind == Kind::Arc) mirror.bulge = -bulge;
   return mirror;
+}
+
+Curve Curve::rotated(Flat about, double radians) const {
+  const double c = std::cos(radians), s = std::sin(radians);
+  return mapped(*this, [&](Flat p) {
+    const Flat d = p - about;
+    return about + Flat{d.u * c - d.v * s, d.u * s + d.v * c};
+  });
 }
 
 std::vector<Flat> Curve::flattened(double miss) const {

@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kLeast = 1e-3;  // metres an edge has at least
 
-Error noEdge(const Piece& piece, std::string_view edge) {
-  return notFound(say("Piece {0} has no edge {1}.", piece.name, edge));
-}
-
 // The outline or the hole that has an edge, and which of its edges that is.
 struct Found {
   Outline* outline = nullptr;

@@ -44,6 +44,7 @@ struct Curve {
   Curve part(double t0, double t1) const;  // exact; t0 < t1
   Curve reversed() const;
   Curve mirrored(Flat through, Flat unitAxis) const;
+  Curve rotated(Flat about, double radians) const;  // counter-clockwise
   // Points along the curve with no chord further than `miss` from it, start and end included.
   std::vector<Flat> flattened(double miss = 1e-5) const;
 };

@@ -67,6 +67,12 @@ struct DartedPiece {
 Result<DartedPiece> addDart(const Piece& piece, std::string_view edge, double fraction, double width, Flat tip,
                             const std::string& name);
 
+// Moves a dart, whose first side is the edge `leg`, to a place on another edge: the paper is cut there straight to the
+// dart's point, and the shorter part between dart and cut is turned about the point until the dart is closed. The new
+// dart's sides keep the names; the mouth's two edges meet. Holes, marks, internal lines and the form go with the paper.
+// Refuses legs that differ by more than 2 mm, and a cut that leaves the piece.
+Result<EditedPiece> pivotDart(const Piece& piece, std::string_view leg, std::string_view edge, double fraction);
+
 // The whole piece of a half: the half and its mirror image on the straight edge `fold`, which goes. An edge that names
 // a side keeps its name and its image gets the other side's; any other gets "_left" or "_right", the half that lies in
 // positive u of the fold being the left one. Holes, marks, internal lines and the form are mirrored likewise. Refuses a

@@ -115,6 +115,26 @@ struct AddDart {
   bool operator==(const AddDart&) const = default;
 };
 
+// pivot dart=front.dart to=front.shoulder at=0.5
+struct PivotDart {
+  static constexpr std::string_view kName = "pivot";
+  static constexpr std::string_view kHelp =
+      "Moves a dart to another edge: cuts the paper there to its point, and turns it until the dart is closed.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef dart;
+  EdgeRef to;
+  double at = 0.5;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("dart", self.dart, "one of the dart's two sides", kNeeded);
+    visit("to", self.to, "the edge it is moved to", kNeeded);
+    visit("at", self.at, "how far along that edge, as a share of its length", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const PivotDart&) const = default;
+};
+
 // pleat edge=skirt.waist count=6 depth=2cm        pleat edge=skirt.waist@0.2:0.8 kind=box depth=3cm stitch=10cm
 struct AddPleat {
   static constexpr std::string_view kName = "pleat";
@@ -203,6 +223,6 @@ struct TakeIn {
 };
 
 using OutlineOperations =
-    OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, AddPleat, SetLength, TakeIn>;
+    OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, PivotDart, AddPleat, SetLength, TakeIn>;
 
 }  // namespace karinui
