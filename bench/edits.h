@@ -6,7 +6,7 @@
 
 #include "karinui/base/result.h"
 #include "karinui/base/token.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 
 namespace karinui::bench {
 

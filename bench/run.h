@@ -1,7 +1,7 @@
 #pragma once
 // Settles a workload and examines what came of it.
 #include "bench/workload.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 #include "karinui/cloth/dynamics.h"
 
 namespace karinui::bench {

@@ -69,16 +69,6 @@ struct Draping {
   }
 };
 
-Done examine(const Document& document, Context& context, ClothCheck& found) {
-  const auto standing = standingCloth(document, livePieces(document, {}));
-  if (!standing) return standing.error();
-  if (!document.body.chosen()) return found = check(standing->cloth, standing->state, nullptr), Done();
-  const auto body = bodyOf(document, context);
-  if (!body) return body.error();
-  found = check(standing->cloth, standing->state, body->get());
-  return {};
-}
-
 Result<Document> drafted(const std::string& script, Context& context) {
   const auto lines = parseScript(script);
   if (!lines) return lines.error();
@@ -138,7 +128,9 @@ Result<WardrobeGarment> drapeScript(const fs::path& script, const WardrobeSettin
     garment.outOfTime = garment.report.stoppedAfter > 0;
   }
   garment.settled = garment.report.settled && document->drape.dirty.empty();
-  if (const Done done = examine(*document, context, garment.check); !done) return refused(done.error());
+  const auto found = examined(*document, context);
+  if (!found) return refused(found.error());
+  garment.check = *found;
   return garment;
 }
 

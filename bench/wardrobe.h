@@ -9,7 +9,7 @@
 #include "karinui/base/result.h"
 #include "karinui/base/token.h"
 #include "karinui/base/workers.h"
-#include "karinui/cloth/check.h"
+#include "karinui/design/drape.h"
 
 namespace karinui::bench {
 
@@ -31,7 +31,7 @@ struct WardrobeGarment {
   double cpuSeconds = 0;    // of all drapes,
   double draftSeconds = 0;  // and of drafting: figure, pieces, seams
   SettleReport report;      // of the last drape
-  ClothCheck check;         // of where the cloth stands
+  Examination check;        // of where the cloth stands
 };
 
 // Cancelled where the token is.

@@ -21,12 +21,23 @@ target_compile_options(karinui_flags INTERFACE -Wall -Wextra -Wshadow -Wno-unkno
   -ffp-contract=off -fno-fast-math
   # Nobody asks for errno or for traps of floating point: the numbers stay the same, but more loops become vectors.
   -fno-math-errno -fno-trapping-math
-  -fstack-protector-strong)
+  -fstack-protector-strong
+  # No folder of this machine within a release: the same sources in two folders give the same bytes.
+  $<BUILD_INTERFACE:$<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.>>)
 if(KARINUI_WERROR)
   target_compile_options(karinui_flags INTERFACE -Werror)
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
-  target_compile_definitions(karinui_flags INTERFACE _FORTIFY_SOURCE=2 _GLIBCXX_ASSERTIONS)
+  target_compile_definitions(karinui_flags INTERFACE _GLIBCXX_ASSERTIONS)
+  target_compile_options(karinui_flags INTERFACE -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3)
+  # Where compiler and processor have them: jumps only to where one may jump, no stack that grows past its guard page
+  # (tests/install/hardened_test). -ftrivial-auto-var-init is left out: with it g++ 12.2 builds wrong trees of boxes.
+  include(CheckCXXCompilerFlag)
+  foreach(flag -fcf-protection=full -mbranch-protection=standard -fstack-clash-protection)
+    string(MAKE_C_IDENTIFIER "KARINUI_HAS${flag}" known)
+    check_cxx_compiler_flag(${flag} ${known})
+    target_compile_options(karinui_flags INTERFACE $<$<BOOL:${${known}}>:${flag}>)
+  endforeach()
   # All symbols are bound at the start, and what they were bound to can then not be written.
   target_link_options(karinui_flags INTERFACE -Wl,-z,relro,-z,now)
 endif()

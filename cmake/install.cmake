@@ -41,7 +41,7 @@ if(TARGET karinui_python)
 endif()
 
 # The library: find_package(karinui), then karinui::session and all below it, or any one module, karinui::cloth.
-set(modules base geometry body pattern cloth design exchange scene touch session)
+set(modules base geometry body pattern cloth check design exchange scene touch session)
 foreach(module ${modules})
   set_target_properties(karinui_${module} PROPERTIES EXPORT_NAME ${module})
 endforeach()

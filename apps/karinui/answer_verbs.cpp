@@ -21,7 +21,7 @@ struct SettleOptions {
 
 int answerCheck(Program& program, const DocumentOnly& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
-    const Result<ClothCheck> found = examined(opened.document(), opened.context());
+    const Result<Examination> found = examined(opened.document(), opened.context());
     if (!found) return program.console.refuse(found.error());
     Json object = checkJson(*found);
     std::string words = checkWords(*found, opened.document(), program.console);

@@ -51,7 +51,7 @@ std::string bodyWords(const Measurements& measured, const MeshReport& mesh, cons
          "\n" + surface.words(2);
 }
 
-std::string checkWords(const ClothCheck& check, const Document& document, const Console& console) {
+std::string checkWords(const Examination& check, const Document& document, const Console& console) {
   WordTable table;
   const auto named = [&](PieceId id) {
     const Piece* piece = document.find(id);
@@ -94,7 +94,7 @@ std::string pressureWords(const PressureReport& pressure, const Console& console
   return table.words(2);
 }
 
-std::string settleWords(const ClothCheck& check, const Document& document, bool kept, const Console& console) {
+std::string settleWords(const Examination& check, const Document& document, bool kept, const Console& console) {
   const SettleReport& report = *document.drape.last;
   std::string words = console.said(!report.settled ? say("The cloth did not come to rest: {0}", report.why)
                                    : kept          ? say("The garment was at rest already; --again drapes it anew.")

@@ -3,8 +3,7 @@
 // break.
 #include "console.h"
 #include "karinui/body/body.h"
-#include "karinui/cloth/check.h"
-#include "karinui/design/document.h"
+#include "karinui/design/drape.h"
 #include "karinui/pattern/truing.h"
 #include "karinui/session/fit.h"
 
@@ -12,10 +11,10 @@ namespace karinui::app {
 
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console);
 // `document`: whose cloth was examined.
-std::string checkWords(const ClothCheck& check, const Document& document, const Console& console);
+std::string checkWords(const Examination& check, const Document& document, const Console& console);
 std::string pressureWords(const PressureReport& pressure, const Console& console);
 // `document`: as it was settled, with its report. `kept`: it was at rest before.
-std::string settleWords(const ClothCheck& check, const Document& document, bool kept, const Console& console);
+std::string settleWords(const Examination& check, const Document& document, bool kept, const Console& console);
 std::string infoWords(const Document& document, const Console& console);
 std::string truingWords(const Document& document, const TruingReport& report, const Console& console);
 

@@ -56,7 +56,7 @@ void addClearance(Json& object, const bench::Examined& found) {
 
 Json findingJson(const bench::Workload& load, const bench::Finding& found, int threads, const Console& console) {
   Json object = {{"scene", load.name}, {"threads", threads}};
-  object.update(settleJson(found.report, found.found.check, console));
+  object.update(settleJson(found.report, Examination{found.found.check, {}, {}}, console));
   addClearance(object, found.found);
   object["fine_steps"] = found.report.fineSteps;
   object["fine_solves"] = found.report.fineSolves;
@@ -186,7 +186,7 @@ int runJudge(Program& program, const BenchOptions& options, bench::Workload& loa
   const auto judged = bench::judge(load, {options.judged.begin(), options.judged.end()});
   if (!judged) return program.console.refuse(judged.error());
   Json object = {{"scene", load.name}};
-  object.update(checkJson(judged->found.check));
+  object.update(checkJson(Examination{judged->found.check, {}, {}}));
   addClearance(object, judged->found);
   object["height_m"] = judged->height;
   object["drift_mm"] = judged->drift * 1000;

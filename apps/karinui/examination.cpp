@@ -45,7 +45,7 @@ Result<Settled> settle(OpenDocument& opened, StopRequest& stop, bool again) {
     opened.context().stop = nullptr;
     if (!step) return step.error();
   }
-  const Result<ClothCheck> check = examined(opened.document(), opened.context());
+  const Result<Examination> check = examined(opened.document(), opened.context());
   if (!check) return check.error();
   settled.check = *check;
   return settled;

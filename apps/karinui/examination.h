@@ -1,6 +1,6 @@
 #pragma once
 // How the cloth of an open document stands.
-#include "karinui/cloth/check.h"
+#include "karinui/design/drape.h"
 #include "karinui/session/fit.h"
 #include "open_document.h"
 
@@ -10,7 +10,7 @@ namespace karinui::app {
 // that is kept.
 struct Settled {
   bool kept = false;
-  ClothCheck check;
+  Examination check;
 };
 Result<Settled> settle(OpenDocument& opened, StopRequest& stop, bool again);
 

@@ -18,7 +18,7 @@ Json bodyJson(const Measurements& measured, const MeshReport& mesh) {
           {"non_manifold_edges", mesh.nonManifoldEdges}};
 }
 
-Json checkJson(const ClothCheck& check) {
+Json checkJson(const Examination& check) {
   Json elastics = Json::array();
   for (const ElasticPull& e : check.elastics)
     elastics.push_back(
@@ -46,7 +46,7 @@ Json checkJson(const ClothCheck& check) {
   return object;
 }
 
-Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console) {
+Json settleJson(const SettleReport& report, const Examination& check, const Console& console) {
   Json object = {{"settled", report.settled},    {"why", console.said(report.why)}, {"residual", report.residual},
                  {"steps", report.steps},        {"solves", report.solves},         {"cpu_s", report.cpuSeconds},
                  {"wall_s", report.wallSeconds}, {"peak_mb", report.peakMegabytes}};

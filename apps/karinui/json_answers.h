@@ -2,7 +2,7 @@
 // The JSON objects of the command line, one function a kind. Metres and seconds unless a key says otherwise.
 #include "console.h"
 #include "karinui/body/body.h"
-#include "karinui/cloth/check.h"
+#include "karinui/design/drape.h"
 #include "karinui/design/history.h"
 #include "karinui/pattern/truing.h"
 #include "karinui/session/fit.h"
@@ -10,8 +10,8 @@
 namespace karinui::app {
 
 Json bodyJson(const Measurements& measured, const MeshReport& mesh);
-Json checkJson(const ClothCheck& check);
-Json settleJson(const SettleReport& report, const ClothCheck& check, const Console& console);
+Json checkJson(const Examination& check);
+Json settleJson(const SettleReport& report, const Examination& check, const Console& console);
 Json continuationJson(const SettleReport& report);  // of a report that has one
 Json stepJson(const Step& step, const Document& after);
 Json fitJson(const std::vector<Girths>& girths, const std::optional<PressureReport>& pressure);

@@ -262,7 +262,7 @@ class Server {
   }
   Result<Json> check(Fields& fields, StopRequest&) {
     if (const Done fit = fields.checked(); !fit) return fit.error();
-    const Result<ClothCheck> found = examined(opened_->document(), opened_->context());
+    const Result<Examination> found = examined(opened_->document(), opened_->context());
     return found ? Result<Json>(checkJson(*found)) : found.error();
   }
   Result<Json> info(Fields& fields, StopRequest&) {

@@ -4,7 +4,7 @@
 // begin anywhere: at any place of the edge the springs that pass it pull as the elastic does. Where cells are wider
 // than a fold, the cloth is squeezed within its cells instead, as an eased seam squeezes it.
 #include "cloth/springs.h"
-#include "karinui/cloth/check.h"
+#include "karinui/cloth/pulls.h"
 
 namespace karinui {
 

@@ -4,7 +4,7 @@
 // there leads to a place off the other's right side, so that it comes over it and not against its edge.
 //   force: min(k (l - s), most), l the way to that place, s the slack
 #include "cloth/contact.h"
-#include "karinui/cloth/check.h"
+#include "karinui/cloth/pulls.h"
 
 namespace karinui {
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "cloth/triangle_intersection.h"
 #include "karinui/geometry/bvh.h"
+#include "karinui/geometry/triangle_intersection.h"
 
 namespace karinui {
 namespace {

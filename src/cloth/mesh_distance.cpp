@@ -1,6 +1,6 @@
 #include "cloth/mesh_distance.h"
 
-#include "cloth/triangle_intersection.h"
+#include "karinui/geometry/triangle_intersection.h"
 
 namespace karinui {
 

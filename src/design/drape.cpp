@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "karinui/base/number.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 #include "karinui/cloth/girth_check.h"
 #include "karinui/cloth/live_hand.h"
 #include "karinui/cloth/merged_planes.h"
@@ -241,13 +241,20 @@ std::map<PieceId, std::shared_ptr<const Form>> LivePull::forms() const {
   return formsLeft(inside_->hand.cloth(), {inside_->hand.places()});
 }
 
-Result<ClothCheck> examined(const Document& document, Context& context) {
+Result<Examination> examined(const Document& document, Context& context) {
   const auto standing = standingCloth(document, livePieces(document, {}));
   if (!standing) return standing.error();
-  if (!document.body.chosen()) return check(standing->cloth, standing->state, nullptr);
-  const auto body = bodyOf(document, context);
-  if (!body) return body.error();
-  return check(standing->cloth, standing->state, body->get());
+  BodyPtr body;
+  if (document.body.chosen()) {
+    auto built = bodyOf(document, context);
+    if (!built) return built.error();
+    body = *std::move(built);
+  }
+  Examination found{check(standing->cloth, standing->state, body.get()), {}, {}};
+  if (!found.finite) return found;
+  found.elastics = elasticPulls(standing->cloth, standing->state);
+  found.fastenings = fasteningPulls(standing->cloth, standing->state);
+  return found;
 }
 
 }  // namespace karinui

@@ -305,19 +305,44 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
   return laid;
 }
 
+// How many places the grid under a piece has, the empty ones between its arms too.
+double gridPlaces(const Piece& piece, double spacing) {
+  const Flat warp = normalized(piece.grain);
+  double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
+  for (const Flat p : piece.outline.flattened(0.01))
+    for (int axis = 0; axis < 2; ++axis) {
+      const double along = axis == 0 ? dot(p, warp) : cross(p, warp);
+      low[axis] = std::min(low[axis], along), high[axis] = std::max(high[axis], along);
+    }
+  return (high[0] - low[0]) * (high[1] - low[1]) / (spacing * spacing);
+}
+
 }  // namespace
 
 Result<LaidPattern> lay(const Pattern& pattern, double spacing) {
   if (!(spacing >= 5e-4 && spacing <= 1))
     return badInput(say("A spacing of {0} mm is not usable; choose one between 0.5 mm and 1 m.", inMm(spacing)));
+  constexpr double kMost = 4e6;         // nodes: a gigabyte or two of memory
+  constexpr double kLargestGrid = 4e7;  // places of the grids under the pieces
+  double together = 0, grids = 0;
   for (const auto& [id, piece] : pattern.pieces) {
     const double area = piece->outline.area();
     if (!(length(piece->grain) > 1e-9) || !finite(piece->grain))
       return badInput(say("The grain of piece {0} has no direction.", piece->name));
-    if (area / (spacing * spacing) > 4e6)
+    together += area / (spacing * spacing);
+    if (area / (spacing * spacing) > kMost)
       return refused(say("Piece {0} would need more than four million nodes at {1} mm; choose a wider spacing.",
                          piece->name, inMm(spacing)));
+    grids += gridPlaces(*piece, spacing);
+    if (grids > kLargestGrid)
+      return refused(
+          say("Piece {0} spreads too far for a spacing of {1} mm; choose a wider spacing, or turn the piece so that "
+              "it lies along its grain.",
+              piece->name, inMm(spacing)));
   }
+  if (together > kMost)
+    return refused(say("All pieces together would need more than four million nodes at {0} mm; choose a wider spacing.",
+                       inMm(spacing)));
   auto plan = BorderPlan::plan(pattern, spacing);
   if (!plan) return plan.error();
   for (;;) {

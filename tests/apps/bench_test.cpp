@@ -1,7 +1,7 @@
 // The scenes the drape engine is measured on, small: what the answer holds and that it is the same for every team.
 #include "apps/command.h"
 #include "bench/cusick.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 
 namespace karinui::test {
 namespace {

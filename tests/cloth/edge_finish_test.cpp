@@ -8,7 +8,7 @@
 #include "cloth/elastic.h"
 #include "cloth/helpers.h"
 #include "cloth/hem.h"
-#include "karinui/cloth/check.h"
+#include "karinui/cloth/pulls.h"
 
 namespace karinui::test {
 namespace {

@@ -6,7 +6,8 @@
 #include <numeric>
 
 #include "cloth/helpers.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
+#include "karinui/cloth/pulls.h"
 
 namespace karinui::test {
 namespace {

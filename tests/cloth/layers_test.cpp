@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 #include "karinui/pattern/pleats.h"
 
 namespace karinui::test {

@@ -1,7 +1,7 @@
 #include "karinui/cloth/merged_planes.h"
 
 #include "cloth/meshes.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 
 namespace karinui::test {
 namespace {

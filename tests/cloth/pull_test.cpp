@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 
 namespace karinui::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "cloth/helpers.h"
 #include "karinui/base/hash.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 
 namespace karinui::test {
 namespace {

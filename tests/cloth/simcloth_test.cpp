@@ -3,7 +3,7 @@
 
 #include "cloth/helpers.h"
 #include "cloth/springs.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 
 namespace karinui::test {
 namespace {

@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <set>
 
+#include "design/file_layer.h"
 #include "design/workroom.h"
 #include "karinui/design/print_image.h"
 
@@ -209,6 +211,138 @@ TEST_F(KeptDocument, HasOneOwnerAtATime) {
   EXPECT_THAT(opening(), HasSubstr("is open in another program"));
 }
 
+// Another process, as locks within one are SQLite's own.
+TEST_F(KeptDocument, IsLeftAloneWhileAnotherProgramHasItAndFreeAfterThatWasKilled) {
+  const std::string before = makeOne();
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const pid_t other = ::fork();
+  if (other == 0) {
+    const auto file = DocumentFile::open(path_);
+    const char opened = file ? 'y' : 'n';
+    if (::write(ends[1], &opened, 1) != 1) ::_exit(1);
+    for (;;) ::pause();
+  }
+  char opened = 0;
+  ASSERT_EQ(::read(ends[0], &opened, 1), 1);
+  EXPECT_EQ(opened, 'y');
+  const std::string all = bytes();
+  EXPECT_THAT(opening(), HasSubstr("is open in another program; close it there first"));
+  EXPECT_THAT(text(DocumentFile::openForReading(path_).error().what), HasSubstr("is open in another program"));
+  EXPECT_THAT(text(DocumentFile::create(path_).error().what), HasSubstr("There is already a file"));
+  EXPECT_EQ(bytes(), all);
+  ::kill(other, SIGKILL);
+  int status = 0;
+  ::waitpid(other, &status, 0);
+  ::close(ends[0]), ::close(ends[1]);
+  const auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_EQ(hash(file->document()), before);
+}
+
+TEST_F(KeptDocument, OfTwoProgramsThatMakeOneNameAtOnceOneDoes) {
+  for (int run = 0; run < soak(30); ++run) {
+    fs::remove(path_);
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    pid_t children[2];
+    for (pid_t& child : children) {
+      child = ::fork();
+      if (child != 0) continue;
+      ::close(ends[1]);
+      char none;
+      (void)!::read(ends[0], &none, 1);  // until both are there
+      auto file = DocumentFile::create(path_);
+      const bool done = file && file->perform(*parseOperation("set spacing=20mm"), room_.context);
+      ::_exit(done ? 0 : 1);
+    }
+    ::close(ends[0]), ::close(ends[1]);
+    int made = 0;
+    for (const pid_t child : children) {
+      int status = 0;
+      ::waitpid(child, &status, 0);
+      ASSERT_TRUE(WIFEXITED(status));
+      made += WEXITSTATUS(status) == 0;
+    }
+    EXPECT_EQ(made, 1) << "run " << run;
+    const auto file = DocumentFile::open(path_);
+    ASSERT_TRUE(file) << "run " << run << ": " << text(file.error().what);
+    EXPECT_EQ(file->steps().size(), 1u);
+  }
+}
+
+TEST_F(KeptDocument, IsNobodyElsesFromTheFirstMoment) {
+  struct Watch : FileLayer {
+    std::vector<fs::perms> seen;
+    int look(std::string_view path) {
+      seen.push_back(fs::status(path).permissions());
+      return SQLITE_OK;
+    }
+    int onWrite(std::string_view path, std::string_view, sqlite3_int64, int&) override { return look(path); }
+    int onTruncate(std::string_view path, sqlite3_int64) override { return look(path); }
+    int onSync(std::string_view path) override { return look(path); }
+    int onDelete(std::string_view path, bool) override { return look(path); }
+  } watch;
+  makeOne();
+  EXPECT_GT(watch.seen.size(), 20u);
+  EXPECT_THAT(watch.seen, ::testing::Each(fs::perms::owner_read | fs::perms::owner_write));
+}
+
+// A folder on a network: rollback journals, as everywhere, for a log that is written ahead needs memory that programs
+// share, which there is not between machines. Where the folder has no locks, nobody could tell whether the document is
+// open on another machine, so it is not opened.
+TEST_F(KeptDocument, IsSafeOnANetworkAndRefusedWhereNothingCanBeLocked) {
+  struct Network : FileLayer {
+    std::set<std::string> endings;
+    bool locks = true;
+    int see(std::string_view path) {
+      const std::string name = fs::path(path).filename().string();
+      if (!name.empty()) endings.insert(name);
+      return SQLITE_OK;
+    }
+    int onCreate(std::string_view path, bool) override { return see(path); }
+    int onWrite(std::string_view path, std::string_view, sqlite3_int64, int&) override { return see(path); }
+    int onTruncate(std::string_view path, sqlite3_int64) override { return see(path); }
+    int onSync(std::string_view path) override { return see(path); }
+    int onDelete(std::string_view path, bool) override { return see(path); }
+    int onLock(std::string_view, int) override { return locks ? SQLITE_OK : SQLITE_IOERR_LOCK; }
+  } network;
+  const std::string before = makeOne();
+  EXPECT_THAT(network.endings, ::testing::ElementsAre("coat.karinui", "coat.karinui-journal"));
+  const std::string all = bytes();
+  network.locks = false;
+  EXPECT_THAT(opening(), HasSubstr("The disk refused while working on “coat.karinui”"));
+  EXPECT_THAT(text(DocumentFile::openForReading(path_).error().what), HasSubstr("The disk refused"));
+  EXPECT_THAT(text(DocumentFile::create(folder_ / "new.karinui").error().what), HasSubstr("The disk refused"));
+  EXPECT_EQ(bytes(), all);
+  network.locks = true;
+  EXPECT_TRUE(DocumentFile::create(folder_ / "new.karinui"));
+  const auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_EQ(hash(file->document()), before);
+}
+
+// Another program may have switched it to a log written ahead: that is taken back when it is opened for work.
+TEST_F(KeptDocument, AFileSwitchedToAnotherJournalIsSwitchedBack) {
+  const std::string before = makeOne();
+  sql("PRAGMA journal_mode=WAL");
+  EXPECT_EQ(bytes().substr(18, 2), "\2\2");
+  {
+    const auto read = DocumentFile::openForReading(path_);
+    ASSERT_TRUE(read) << text(read.error().what);
+    EXPECT_EQ(hash(read->document()), before);
+  }
+  {
+    auto file = DocumentFile::open(path_);
+    ASSERT_TRUE(file) << text(file.error().what);
+    EXPECT_EQ(hash(file->document()), before);
+    EXPECT_TRUE(file->perform(*parseOperation("set spacing=20mm"), room_.context));
+    EXPECT_FALSE(fs::exists(path_.string() + "-wal"));
+  }
+  EXPECT_EQ(bytes().substr(18, 2), "\1\1");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
 TEST_F(KeptDocument, MayBeReadWhereItMayNotBeWritten) {
   const std::string before = makeOne();
   auto file = DocumentFile::openForReading(path_);
@@ -249,9 +383,28 @@ TEST_F(KeptDocument, StaysWholeWhenTheDiskIsFull) {
   EXPECT_EQ(hash(file->document()), before);
 }
 
-// A child works and says over a pipe what it was told is kept; it is killed at any moment.
+// A child works and says over a pipe what it was told is kept; it is killed at any moment. What is found then is what a
+// run that was not killed had at that step, and leads to the same.
 TEST_F(KeptDocument, LosesNothingWhenTheProgramIsKilled) {
   std::mt19937_64 dice(20261121);
+  const auto work = [&](DocumentFile& file, std::uint64_t i) {
+    return i % 5 == 4   ? file.undo(room_.context)
+           : i % 5 == 3 ? file.perform(*parseOperation("drape"), room_.context)
+                        : file.perform(*parseOperation("move piece=front by=0,1mm,0"), room_.context);
+  };
+  const auto stateOf = [](const DocumentFile& file) {
+    return hash(file.document()) + drapeHash(file.document()) + file.log();
+  };
+  auto whole = DocumentFile::inMemory();
+  ASSERT_TRUE(room_.play(whole, kTwoPieces));
+  std::vector<std::string> states;  // of the run that was not killed
+  const auto stateAfter = [&](std::uint64_t i) {
+    while (states.size() <= i) {
+      EXPECT_TRUE(work(whole, states.size()));
+      states.push_back(stateOf(whole));
+    }
+    return states[i];
+  };
   for (int run = 0; run < soak(200); ++run) {
     fs::remove_all(folder_);
     fs::create_directory(folder_);
@@ -263,10 +416,7 @@ TEST_F(KeptDocument, LosesNothingWhenTheProgramIsKilled) {
       auto file = DocumentFile::create(path_);
       if (!file || !room_.play(*file, kTwoPieces)) ::_exit(1);
       for (std::uint32_t i = 0;; ++i) {
-        const auto step = i % 5 == 4   ? file->undo(room_.context)
-                          : i % 5 == 3 ? file->perform(*parseOperation("drape"), room_.context)
-                                       : file->perform(*parseOperation("move piece=front by=0,1mm,0"), room_.context);
-        if (!step) ::_exit(2);
+        if (!work(*file, i)) ::_exit(2);
         const std::uint64_t said[2] = {i, file->steps().back().seq};
         if (::write(ends[1], said, sizeof said) != sizeof said) ::_exit(3);
       }
@@ -287,7 +437,7 @@ TEST_F(KeptDocument, LosesNothingWhenTheProgramIsKilled) {
     ::waitpid(child, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status) && any) << "run " << run;
 
-    const auto file = DocumentFile::open(path_);
+    auto file = DocumentFile::open(path_);
     ASSERT_TRUE(file) << "run " << run << ": " << text(file.error().what);
     ASSERT_EQ(hash(file->document()), file->steps().back().after);
     // What the child had said is there; at most the one thing it was just doing came after.
@@ -295,6 +445,11 @@ TEST_F(KeptDocument, LosesNothingWhenTheProgramIsKilled) {
     const bool asSaid = steps.back().seq == last[1];
     const bool oneMore = steps.back().seq > last[1] || (last[0] + 1) % 5 == 4;
     ASSERT_TRUE(asSaid || oneMore) << "run " << run << ": said " << last[1] << ", found " << steps.back().seq;
+    std::uint64_t done = last[0];
+    if (stateOf(*file) != stateAfter(done)) ++done;
+    ASSERT_EQ(stateOf(*file), stateAfter(done)) << "run " << run;
+    while (++done < last[0] + 7) ASSERT_TRUE(work(*file, done)) << "run " << run;
+    ASSERT_EQ(stateOf(*file), stateAfter(done - 1)) << "run " << run;
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include "design/workroom.h"
 #include "karinui/base/number.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 #include "karinui/cloth/girth_check.h"
 #include "karinui/design/drape.h"
 

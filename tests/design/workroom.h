@@ -1,19 +1,13 @@
 #pragma once
 // A workroom for tests of the design: a context whose solver is cheap, and a body that is quickly built.
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "karinui/design/history.h"
 #include "karinui/design/script.h"
+#include "soak.h"
 
 namespace karinui {
-
-// How often a soak is repeated: ten times as often when ./test --long asks for it.
-inline int soak(int usually) {
-  const char* asked = std::getenv("KARINUI_LONG");
-  return asked && *asked ? 10 * usually : usually;
-}
 
 // Everything falls by a centimetre and is at rest: enough to see that forms, poses and dirt are handled.
 inline Result<DrapeOutcome> fallABit(const Document& document, const std::vector<PieceRef>& live) {

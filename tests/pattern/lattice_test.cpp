@@ -99,6 +99,28 @@ TEST(Lay, thinPiecesHaveNodesOnTheirOutlineOnly) {
   }
 }
 
+// A stranger's pattern may ask for any size: it is refused before the memory is gone.
+TEST(Lay, refusesWhatWouldTakeAllMemory) {
+  const auto said = [](const std::vector<Piece>& pieces, double spacing) {
+    const auto laid = lay(patternOf(pieces), spacing);
+    return laid ? "laid" : text(laid.error().what);
+  };
+  EXPECT_NE(said({pieceOf(1, rectangle(5, 5))}, 0.002).find("would need more than four million nodes at 2.0 mm"),
+            std::string::npos);
+  std::vector<Piece> many;
+  for (std::uint64_t id = 1; id <= 100; ++id) many.push_back(pieceOf(id, rectangle(0.5, 0.5)));
+  EXPECT_NE(said(many, 0.002).find("All pieces together would need more than four million nodes"), std::string::npos);
+  // A thin tape across the grain: little cloth on a grid of ten thousand million places.
+  const Piece tape = pieceOf(1, polygon({{0, 0}, {0.01, 0}, {99.01, 99}, {99, 99}}), "tape");
+  const std::string far = said({tape}, 0.001);
+  EXPECT_NE(far.find("Piece tape spreads too far for a spacing of 1.0 mm"), std::string::npos) << far;
+  Piece along = tape;
+  along.grain = {1, 1};
+  EXPECT_EQ(said({along}, 0.005), "laid");
+  for (const double none : {0.0, -1.0, 1e-9, std::nan(""), HUGE_VAL})
+    EXPECT_NE(said({pieceOf(1, rectangle(0.1, 0.1))}, none).find("is not usable"), std::string::npos);
+}
+
 TEST(Lay, holesStayOpen) {
   Piece piece = pieceOf(1, rectangle(0.4, 0.3));
   piece.holes = {circle(0.05, {0.2, 0.15}, "hole"), circle(0.006, {0.06, 0.06}, "eyelet")};

@@ -2,8 +2,8 @@
 // The bridge from a garment to the solver: a document's pattern is laid, put together as cloth where it stands, brought
 // to rest on the document's body, and the forms it leaves are read off. Long work: one context, one thread at a time.
 // A drape that did not settle is an outcome whose report says so, not an error.
-#include "karinui/cloth/check.h"
-#include "karinui/cloth/cloth.h"
+#include "karinui/check/check.h"
+#include "karinui/cloth/pulls.h"
 #include "karinui/design/apply.h"
 
 namespace karinui {
@@ -45,7 +45,12 @@ struct Standing {
   ClothState state;
 };
 Result<Standing> standingCloth(const Document& document, const std::set<PieceId>& live);
-// Looked over by the examiner, on the document's body if it has one.
-Result<ClothCheck> examined(const Document& document, Context& context);
+// What the examiner found, and what elastics and fastenings pull with.
+struct Examination : ClothCheck {
+  std::vector<ElasticPull> elastics;
+  std::vector<FasteningPull> fastenings;
+};
+// On the document's body if it has one.
+Result<Examination> examined(const Document& document, Context& context);
 
 }  // namespace karinui

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "karinui/base/workers.h"
-#include "karinui/cloth/check.h"
+#include "karinui/cloth/pulls.h"
 #include "karinui/session/garment_snapshot.h"
 
 namespace karinui {

@@ -40,6 +40,10 @@ Result<Database> Database::open(const std::filesystem::path& path, Mode mode) {
   if (mode != Mode::Read) {
     if (Done done = db.run("PRAGMA locking_mode=EXCLUSIVE"); !done) return done.error();
   }
+  // Always a rollback journal, which is safe in a folder on a network too. A new file has one.
+  if (mode == Mode::Write) {
+    if (Done done = db.run("PRAGMA journal_mode=DELETE"); !done) return done.error();
+  }
   return db;
 }
 

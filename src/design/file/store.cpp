@@ -1,6 +1,11 @@
 #include "design/file/store.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <system_error>
 
@@ -100,24 +105,32 @@ std::string StepRow::seal() const {
 
 Result<Store> Store::create(const std::filesystem::path& path) {
   std::error_code trouble;
-  if (std::filesystem::exists(path, trouble) && std::filesystem::file_size(path, trouble) != 0) {
-    return storageError(say("There is already a file “{0}”; choose another name.", path.string()));
+  const Error taken = storageError(say("There is already a file “{0}”; choose another name.", path.string()));
+  // Measurements are personal: nobody else may read the file, from its first moment.
+  const int made = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (made >= 0) {
+    ::close(made);
+    // A journal beside a file that was not there belongs to nothing and would spoil the new one.
+    std::filesystem::remove(path.string() + "-journal", trouble);
+  } else if (errno == EEXIST && std::filesystem::file_size(path, trouble) != 0) {
+    return taken;
   }
-  // A journal beside a file that is not there belongs to nothing and would spoil the new one.
-  std::filesystem::remove(path.string() + "-journal", trouble);
   auto db = Database::open(path, Database::Mode::Create);
-  if (!db) return db.error();
-  std::string sql = "BEGIN IMMEDIATE; PRAGMA application_id=" + std::to_string(kApplication) +
+  Done done = db ? db->run("BEGIN IMMEDIATE") : Done(db.error());
+  // Of two programs that make a file of this name at the same time one gets the lock; the other leaves it alone.
+  if (!done) return done.error();
+  const auto tables = db->number("SELECT count(*) FROM sqlite_master");
+  if (tables && *tables != 0) return taken;
+  std::string sql = "PRAGMA application_id=" + std::to_string(kApplication) +
                     "; PRAGMA user_version=" + std::to_string(kVersion) + ";";
   for (const auto& [name, table] : kTables) sql += std::string(table) + ";";
   sql += "INSERT INTO meta VALUES('made by', 'Karinui 0.1.0'); INSERT INTO head VALUES(1, 0, 0, '" + sealOf({}) +
          "'); COMMIT;";
-  if (Done done = db->run(sql.c_str()); !done) {
+  if (done = db->run(sql.c_str()); !done) {
     db = done.error();  // closes it, so that what was begun can go
     std::filesystem::remove(path, trouble);
     return done.error();
   }
-  // Measurements are personal.
   std::filesystem::permissions(path, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write, trouble);
   Store store(*std::move(db));
   store.writable_ = true;

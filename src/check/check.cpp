@@ -1,4 +1,4 @@
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "cloth/triangle_intersection.h"
+#include "karinui/geometry/triangle_intersection.h"
 
 namespace karinui {
 namespace {
@@ -196,8 +196,6 @@ ClothCheck check(const Cloth& cloth, const ClothState& state, const Body* body) 
     found.seamGap = std::fmax(found.seamGap, distance(state.position[tie.a], other));
   }
   found.strain = strainOf(cloth, state);
-  found.elastics = elasticPulls(cloth, state);
-  found.fastenings = fasteningPulls(cloth, state);
   return found;
 }
 

@@ -1,4 +1,4 @@
-#include "cloth/triangle_intersection.h"
+#include "karinui/geometry/triangle_intersection.h"
 
 #include <cmath>
 
