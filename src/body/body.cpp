@@ -46,7 +46,7 @@ Result<std::shared_ptr<const Body>> Body::make(Parts parts) {
   if (const Done ok = usable(parts.mesh); !ok) return ok.error();
   if (const Done closed = DistanceField::buildable(parts.mesh, {}); !closed) return closed.error();
   Bvh bvh(parts.mesh);
-  if (!parts.chart || parts.measured.value.empty() || parts.landmarks.empty()) {
+  if (!parts.own && (!parts.chart || parts.measured.value.empty() || parts.landmarks.empty())) {
     const Anthropometry measured = anthropometryOf(parts.mesh);
     if (!parts.chart) parts.chart = chartOf(measured);
     if (parts.measured.value.empty()) parts.measured = measure(parts.mesh, bvh);
@@ -86,11 +86,24 @@ std::shared_ptr<const Body::Parts::Template> Body::chartFrom(std::span<const dou
 }
 
 const std::vector<BodyLine>& Body::lines() const {
-  std::call_once(drawing_, [this] { lines_ = std::make_unique<const std::vector<BodyLine>>(findBodyLines(*this)); });
+  std::call_once(drawing_, [this] {
+    std::vector<BodyLine> found = parts_.own ? parts_.own->lines() : findBodyLines(*this);
+    if (parts_.own)
+      for (BodyLine& line : found) {
+        line.length = 0;
+        for (std::size_t k = 0; k < line.points.size(); ++k) {
+          line.points[k] = at(parts_.mesh, parts_.own->bvh().nearest(line.points[k])->place);
+          if (k > 0) line.length += distance(line.points[k - 1], line.points[k]);
+        }
+        if (line.closed) line.length += distance(line.points.back(), line.points.front());
+      }
+    lines_ = std::make_unique<const std::vector<BodyLine>>(std::move(found));
+  });
   return *lines_;
 }
 
 Result<SurfacePoint> Body::find(const BodyPoint& point) const {
+  if (parts_.own) return parts_.own->find(point);
   if (point.part == Part::Line) {
     const BodyLine* line = bodyLine(*this, point.landmark);
     if (!line) return notFound(say("This body has no line called \"{0}\".", point.landmark));
@@ -124,6 +137,7 @@ Result<SurfacePoint> Body::find(const BodyPoint& point) const {
 }
 
 BodyPoint Body::describe(const SurfacePoint& place) const {
+  if (parts_.own) return parts_.own->describe(place);
   const Vec3 p = at(parts_.mesh, place);
   BodyPoint point;
   if (parts_.chart) {
@@ -147,6 +161,7 @@ BodyPoint Body::describe(const SurfacePoint& place) const {
 }
 
 Result<BodyPoint> Body::mirrored(const BodyPoint& point) const {
+  if (parts_.own) return parts_.own->mirrored(point);
   BodyPoint out = point;
   switch (point.part) {
     case Part::Line: {

@@ -20,6 +20,7 @@
 #include "karinui/base/token.h"
 #include "karinui/base/workers.h"
 #include "karinui/body/measurements.h"
+#include "karinui/body/pose.h"
 #include "karinui/geometry/bvh.h"
 #include "karinui/geometry/distance_field.h"
 #include "karinui/geometry/mesh.h"
@@ -58,6 +59,10 @@ class Body {
     std::map<std::string, Vec3> landmarks;  // estimated when empty; put onto the skin
     struct Template;                        // the mannequin's chart; private to body/
     std::shared_ptr<const Template> chart;  // estimated when null, where the body can be read
+    // Of a figure that stands in a pose: the same one in its own pose, whose faces it has. Then chart, measures and
+    // lines are that one's, and a place on the skin is named and found on it.
+    std::shared_ptr<const Body> own;
+    BodyPose pose;
   };
   static Result<std::shared_ptr<const Body>> make(Parts parts);
 
@@ -70,7 +75,10 @@ class Body {
   Done prepareField(Workers& workers, const Token& token) const;
   const Measurements& measured() const { return parts_.measured; }
   const std::map<std::string, Vec3>& landmarks() const { return parts_.landmarks; }
-  const std::string& hash() const { return hash_; }  // of mesh and landmarks
+  const std::string& hash() const { return hash_; }     // of mesh and landmarks
+  const BodyPose& pose() const { return parts_.pose; }  // empty: its own
+  const Body& own() const { return parts_.own ? *parts_.own : *this; }
+  const std::shared_ptr<const Body>& ownKept() const { return parts_.own; }  // null: it stands in its own pose
   // The lines a tailor works by, found on first need (a tenth of a second); those that cannot be found on this body are
   // left out. Any thread.
   const std::vector<BodyLine>& lines() const;
