@@ -129,6 +129,7 @@ void ColliderContact::afterStep(std::span<const Vec3> x, bool friction, Workers&
 
 void ColliderContact::reset() {
   for (At& at : at_) at = {};
+  cache_.forget();
 }
 
 void ColliderContact::limitMove(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {

@@ -18,6 +18,7 @@ class ColliderFaceContact : public Contact {
   void detect(const ContactQuery& query, Workers& workers) override;
   void addGradient(std::span<Vec3> gradient) const override;
   void addHessian(ContactHessian& hessian) const override;
+  void reset() override { cache_.forget(); }
 
  private:
   struct Touch {

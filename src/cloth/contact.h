@@ -69,7 +69,7 @@ class Contact {
   // Shortens or turns moves of nodes that would pass through something.
   virtual void limitMove(std::span<const Vec3>, std::vector<Vec3>&, Workers&) {}
   virtual void afterStep(std::span<const Vec3>, [[maybe_unused]] bool friction, Workers&) {}
-  virtual void reset() {}  // forgets friction: the cloth was placed elsewhere, at rest
+  virtual void reset() {}  // the cloth or a collider was placed elsewhere: forgets friction and what was near
 };
 
 }  // namespace karinui

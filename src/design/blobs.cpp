@@ -25,6 +25,7 @@ Result<std::string> Blobs::figure(const std::string& hash) const {
 namespace {
 
 constexpr std::string_view kFigure = "karinui figure 1";
+constexpr std::size_t kPosed = 12;  // poses of figures that are kept ready
 
 Error damagedBody() { return storageError(say("The stored body is damaged.")); }
 
@@ -85,7 +86,32 @@ Result<BodyPtr> unpackFigure(std::string_view bytes) {
   return Body::make(*std::move(parts));
 }
 
+Result<std::shared_ptr<const Skeleton>> Bodies::skeleton(const BodyChoice& choice, const Blobs& blobs, Workers& workers,
+                                                         const Token& token) {
+  BodyChoice own = choice;
+  own.hash = choice.ownHash(), own.own.clear(), own.pose.clear();
+  const Result<BodyPtr> body = find(own, blobs, workers, token);
+  if (!body) return body.error();
+  const std::lock_guard lock(mutex_);
+  if (const auto at = skeletons_.find((*body)->hash()); at != skeletons_.end()) return at->second;
+  const auto skeleton = Skeleton::of(*body);
+  if (skeleton) skeletons_[(*body)->hash()] = *skeleton;
+  return skeleton;
+}
+
 Result<BodyPtr> Bodies::find(const BodyChoice& choice, const Blobs& blobs, Workers& workers, const Token& token) {
+  if (!choice.pose.empty()) {
+    const auto bones = skeleton(choice, blobs, workers, token);
+    if (!bones) return bones.error();
+    const std::lock_guard lock(mutex_);
+    for (const BodyPtr& body : posed_)
+      if (body->own().hash() == (*bones)->body()->hash() && body->pose() == choice.pose) return body;
+    Result<BodyPtr> body = posed(**bones, choice.pose);
+    if (!body) return body;
+    posed_.push_front(*body);
+    if (posed_.size() > kPosed) posed_.pop_back();
+    return body;
+  }
   const std::lock_guard lock(mutex_);  // held while building: a second asker for the same figure waits for the first
   if (choice.chosen()) {
     if (const auto at = byHash_.find(choice.hash); at != byHash_.end()) return at->second;
@@ -113,6 +139,8 @@ Result<BodyPtr> Bodies::find(const BodyChoice& choice, const Blobs& blobs, Worke
 
 BodyPtr Bodies::known(const std::string& hash) const {
   const std::lock_guard lock(mutex_);
+  for (const BodyPtr& body : posed_)
+    if (body->hash() == hash) return body;
   const auto at = byHash_.find(hash);
   return at == byHash_.end() ? nullptr : at->second;
 }

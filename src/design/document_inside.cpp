@@ -135,7 +135,7 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
   auto after = known ? Result<Document>(*known) : apply(before, *settled, own);
   if (!after) return after.error();
   if (known && std::holds_alternative<SetBody>(*settled))  // what is known of the last drape comes from before it
-    after->drape = {before.drape.last, before.drape.force, known->drape.dirty};
+    after->drape = {before.drape.last, before.drape.force, known->drape.dirty, before.drape.rested};
   Worked worked{{}, *std::move(after), std::move(borrowing.borrowed)};
   Step& step = worked.step;
   step.seq = seq;

@@ -7,6 +7,14 @@
 
 namespace karinui {
 
+namespace {
+
+std::string restedPart(std::size_t which, PieceId piece) {
+  return "rested " + std::to_string(which) + "." + std::to_string(piece.value);
+}
+
+}  // namespace
+
 Parts KeptParts::pack(const Document& document, const Bodies& bodies, std::map<std::string, std::string>& fresh) const {
   Parts parts;
   const auto put = [&](const std::string& part, std::shared_ptr<const void> thing, auto&& bytesOf) {
@@ -19,26 +27,32 @@ Parts KeptParts::pack(const Document& document, const Bodies& bodies, std::map<s
   };
   put("rest", nullptr, [&] { return packRest(document); });
   // The figure is kept so that nobody waits for it again. Where no figure was needed nothing is built for this.
-  if (const auto known = figures_.find(document.body.hash); known != figures_.end()) {
+  if (const auto known = figures_.find(document.body.ownHash()); known != figures_.end()) {
     parts["figure"] = known->second;
-  } else if (const BodyPtr figure = bodies.known(document.body.hash)) {
+  } else if (const BodyPtr figure = bodies.known(document.body.ownHash())) {
     put("figure", nullptr, [&] { return packFigure(*figure); });
   }
   for (const auto& [id, piece] : document.pattern.pieces) {
     put("piece " + std::to_string(id.value), piece, [&p = piece] { return packPiece(*p); });
     if (piece->form) put("form " + std::to_string(id.value), piece->form, [&p = piece] { return packForm(*p->form); });
   }
+  for (std::size_t k = 0; k < document.drape.rested.size(); ++k)
+    for (const auto& [id, form] : document.drape.rested[k].forms)
+      put(restedPart(k, id), form, [&f = form] { return packForm(*f); });
   return parts;
 }
 
 void KeptParts::remember(const Document& document, const Parts& parts) {
   try {
     if (const auto figure = parts.find("figure"); figure != parts.end())
-      figures_.insert_or_assign(document.body.hash, figure->second);
+      figures_.insert_or_assign(document.body.ownHash(), figure->second);
     for (const auto& [id, piece] : document.pattern.pieces) {
       packed_.insert_or_assign(piece, parts.at("piece " + std::to_string(id.value)));
       if (piece->form) packed_.insert_or_assign(piece->form, parts.at("form " + std::to_string(id.value)));
     }
+    for (std::size_t k = 0; k < document.drape.rested.size(); ++k)
+      for (const auto& [id, form] : document.drape.rested[k].forms)
+        packed_.insert_or_assign(form, parts.at(restedPart(k, id)));
   } catch (const std::bad_alloc&) {  // the step is kept; these parts are written once more with the next
   }
 }
@@ -74,6 +88,13 @@ std::optional<Document> unpackedDocument(const Store& store, const Step& s, cons
     }
     document->pattern.pieces[piece->id] = std::make_shared<const Piece>(*piece);
   }
+  for (std::size_t k = 0; k < document->drape.rested.size(); ++k)
+    for (auto& [id, form] : document->drape.rested[k].forms) {
+      const auto bytes = bytesOf(restedPart(k, id));
+      auto shape = bytes ? unpackForm(*bytes) : Result<std::shared_ptr<const Form>>(notFound({}));
+      if (!shape) return std::nullopt;
+      form = *shape;
+    }
   if (document->operations != s.serial || hash(*document) != s.after || drapeHash(*document) != s.stand ||
       !soundContent(*document))
     return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/check/check.h"
+#include "karinui/cloth/follow.h"
 #include "karinui/cloth/girth_check.h"
 #include "karinui/cloth/live_hand.h"
 #include "karinui/cloth/merged_planes.h"
@@ -182,7 +183,9 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   const Result<BodyPtr> body = bodyOf(document, context);
   if (!body) return body.error();
   const ClothLevel& coarsest = levels->coarseFirst.front();
-  const std::optional<GirthLoop> loop = tightestLoop(coarsest.cloth, coarsest.state, **body);
+  // Its levels are those of a person who stands: in another pose what was closed on the body stays closed on it.
+  const std::optional<GirthLoop> loop =
+      (*body)->pose().empty() ? tightestLoop(coarsest.cloth, coarsest.state, **body) : std::nullopt;
   if (loop && loop->shortage() > 0) return notDraped(levels->finest(), tooSmallSaid(*loop, **body));
   SettleSettings settings;
   settings.gravity = drape.gravity;
@@ -212,6 +215,38 @@ Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull,
   Result<PullReport> report = karinui::pull(level, *collider, grip, {}, context.token, context.workers);
   if (!report) return report.error();
   return DrapeOutcome{formsLeft(level.cloth, level.state), told(report->end, *collider), std::move(report->force)};
+}
+
+Result<std::map<PieceId, std::shared_ptr<const Form>>> carriedByBody(const Document& document, const Skeleton& skeleton,
+                                                                     const BodyPose& to, Context& context,
+                                                                     const DrapeOnlooker& onlooker) {
+  std::map<PieceId, std::shared_ptr<const Form>> forms;
+  if (document.pattern.pieces.empty()) return forms;
+  Document unpinned = document;  // pins go with the cloth, and frozen cloth with the body
+  unpinned.pins.clear();
+  std::set<PieceId> all;
+  for (const auto& [id, piece] : document.pattern.pieces) all.insert(id);
+  Result<ClothLevel> level = levelAt(unpinned, all, document.settings.spacing);
+  if (!level) return level.error();
+  if (!document.drape.last) {
+    std::vector<Vec3>& x = level->state.position;
+    for (const ClothPiece& piece : level->cloth.pieces) {
+      const auto first = x.begin() + piece.firstNode, last = first + piece.lattice->nodes.size();
+      Vec3 middle;
+      for (auto p = first; p != last; ++p) middle += *p * (1 / static_cast<double>(last - first));
+      const Rigid way = carriedBySkin({middle}, skeleton, document.body.pose, to).front();
+      std::transform(first, last, first, way);
+    }
+  } else {
+    SettleWatcher watcher;
+    if (onlooker)
+      watcher = [&](const Cloth& cloth, const std::vector<Vec3>& places) {
+        onlooker([&] { return formsLeft(cloth, {places}); });
+      };
+    const auto report = follow(*level, skeleton, document.body.pose, to, context.token, context.workers, watcher);
+    if (!report) return report.error();
+  }
+  return formsLeft(level->cloth, level->state);
 }
 
 struct LivePull::Inside {

@@ -286,7 +286,8 @@ std::string packRest(const Document& d) {
   if (d.drape.last) add(w, *d.drape.last);
   w.all(d.drape.force).add(std::uint64_t{d.drape.dirty.size()});
   for (const PieceId id : d.drape.dirty) w.add(id.value);
-  const bool fastened = !d.allowances.fastenings.empty(), graded = !d.grading.empty() || fastened;
+  const bool posed = !d.body.pose.empty() || !d.drape.rested.empty();
+  const bool fastened = !d.allowances.fastenings.empty() || posed, graded = !d.grading.empty() || fastened;
   const bool finishing = !d.allowances.empty() || !d.cutting.empty() || !d.eases.empty() || graded;
   if (!d.looks.empty() || !d.variables.empty() || finishing) {  // files of before they were kept end here
     w.add(std::uint64_t{d.looks.fabrics.size()});
@@ -314,6 +315,16 @@ std::string packRest(const Document& d) {
   }
   if (graded) add(w, d.grading);
   if (fastened) add(w, d.allowances.fastenings);
+  if (posed) {
+    w.add(d.body.own).add(std::uint64_t{d.body.pose.size()});
+    for (const auto& [joint, a] : d.body.pose)
+      w.add(static_cast<std::uint8_t>(joint)).add(a.flex).add(a.abduct).add(a.turn);
+    w.add(std::uint64_t{d.drape.rested.size()});
+    for (const RestedInPose& rested : d.drape.rested) {
+      w.add(rested.garment).add(std::uint64_t{rested.forms.size()});
+      for (const auto& [id, form] : rested.forms) w.add(id.value);  // the forms are parts of their own
+    }
+  }
   return w.taken();
 }
 
@@ -390,6 +401,22 @@ Result<Document> unpackRest(std::string_view bytes) {
   }
   if (r.good() && !r.finished()) d.grading = readGrading(r);
   if (r.good() && !r.finished()) d.allowances.fastenings = readFastenings(r);
+  if (r.good() && !r.finished()) {
+    d.body.own = r.text();
+    for (std::size_t n = r.count(25); n > 0 && r.good(); --n) {
+      const auto joint = r.number<std::uint8_t>();
+      if (joint >= kJoints) r.fail();
+      JointAngles& a = d.body.pose[static_cast<Joint>(joint)];
+      a.flex = r.number<double>(), a.abduct = r.number<double>(), a.turn = r.number<double>();
+    }
+    if (!withinLimits(d.body.pose)) r.fail();
+    for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
+      RestedInPose& rested = d.drape.rested.emplace_back();
+      rested.garment = r.text();
+      for (std::size_t k = r.count(8); k > 0 && r.good(); --k) rested.forms[{r.number<std::uint64_t>()}] = nullptr;
+    }
+    if (d.drape.rested.size() > kMostRested) r.fail();
+  }
   if (!r.finished()) return damaged();
   return d;
 }

@@ -4,7 +4,7 @@
 
 #include "cloth/helpers.h"
 #include "cloth/level_solver.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 
 namespace karinui::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "design/workroom.h"
-#include "karinui/cloth/check.h"
+#include "karinui/check/check.h"
 #include "karinui/design/drape.h"
 
 namespace karinui {

@@ -44,6 +44,9 @@ std::string facts(const Document& d) {
     return all;
   };
   if (d.body.chosen()) out << "body " << (d.body.mesh.empty() ? d.body.size : "mesh") << "\n";
+  for (const auto& [joint, a] : d.body.pose)
+    out << "joint " << jointNames()[static_cast<std::size_t>(joint)] << " " << fixed(a.flex, 3) << " "
+        << fixed(a.abduct, 3) << " " << fixed(a.turn, 3) << "\n";
   for (const auto& [id, p] : d.pattern.pieces) {
     out << "piece " << text(id) << " " << p->name << " area_cm2 " << fixed(p->outline.area() * 1e4, 1) << " edges";
     for (const Edge& e : p->outline.edges) out << " " << e.name << ":" << fixed(e.curve.length() * 1000, 1);

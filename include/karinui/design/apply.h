@@ -1,6 +1,7 @@
 #pragma once
 // Operations change documents: apply() is pure, the same document and operation give the same result. A refused
 // operation changes nothing and says why in a sentence a tailor understands.
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "karinui/body/skeleton.h"
 #include "karinui/cloth/stop_request.h"
 #include "karinui/design/operation.h"
 
@@ -46,12 +48,17 @@ class Bodies {
   // One that was kept is taken as it is, even where this program would build another: a person's figure does not change
   // because the program did.
   Result<BodyPtr> find(const BodyChoice& choice, const Blobs& blobs, Workers& workers, const Token& token);
+  // The skeleton under the figure of a choice, whatever pose it stands in.
+  Result<std::shared_ptr<const Skeleton>> skeleton(const BodyChoice& choice, const Blobs& blobs, Workers& workers,
+                                                   const Token& token);
   BodyPtr known(const std::string& hash) const;  // null: not built here yet
 
  private:
   mutable std::mutex mutex_;
-  std::map<std::string, BodyPtr> built_;   // by what they are made from
-  std::map<std::string, BodyPtr> byHash_;  // by Body::hash(), kept ones included
+  std::map<std::string, BodyPtr> built_;                              // by what they are made from
+  std::map<std::string, BodyPtr> byHash_;                             // by Body::hash(), kept ones included
+  std::map<std::string, std::shared_ptr<const Skeleton>> skeletons_;  // by Body::hash() in the own pose
+  std::deque<BodyPtr> posed_;                                         // the newest first
 };
 
 // Where a drape or a pull left the cloth.

@@ -27,8 +27,11 @@ struct BodyChoice {
   std::string size;           // built-in size it starts from, or empty
   Measurements measurements;  // all stated values, those of the size included; empty for a mesh
   std::string mesh;           // name (hash) of an imported mesh among the document's blobs; then the rest is empty
-  std::string hash;           // Body::hash() of the figure; empty: no body chosen
+  std::string hash;           // Body::hash() of the figure as it stands; empty: no body chosen
+  BodyPose pose = {};         // how it stands; empty: in its own pose
+  std::string own = {};       // Body::hash() of the figure in its own pose, where it stands otherwise; else empty
   bool chosen() const { return !hash.empty(); }
+  const std::string& ownHash() const { return own.empty() ? hash : own; }
   bool operator==(const BodyChoice&) const = default;
 };
 
@@ -48,11 +51,20 @@ struct Cutting {
   bool operator==(const Cutting&) const = default;
 };
 
+// Where the garment came to rest before its figure took another pose. A garment that comes back unchanged, on a figure
+// that stands as then, takes it up again (docs/develop/poses.md).
+struct RestedInPose {
+  std::string garment;  // hash() of the document then
+  std::map<PieceId, std::shared_ptr<const Form>> forms;
+};
+inline constexpr std::size_t kMostRested = 8;
+
 // What is known of the last drape.
 struct DrapeInfo {
   std::optional<SettleReport> last;  // nothing: never draped
   std::vector<Vec3> force;           // newtons along the path, if the last drape was a pull
   std::set<PieceId> dirty;           // pieces that changed (or moved) since they were last brought to rest
+  std::vector<RestedInPose> rested;  // the newest first, kMostRested at the most
 };
 
 struct Document {

@@ -19,6 +19,12 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
                                  const DrapeOnlooker& onlooker = {}, bool continueAfterRest = false);
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context);
 
+// The garment as its figure carries it from the pose in which it stands to another (follow.h): the forms it then has,
+// in space. Cloth that was never draped is carried piece by piece as it is.
+Result<std::map<PieceId, std::shared_ptr<const Form>>> carriedByBody(const Document& document, const Skeleton& skeleton,
+                                                                     const BodyPose& to, Context& context,
+                                                                     const DrapeOnlooker& onlooker = {});
+
 // A hand on the cloth while it still moves: a preview of the pull that will be performed once it lets go. Each step
 // drapes a little further from where the last one left the cloth. One thread at a time.
 class LivePull {

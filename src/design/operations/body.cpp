@@ -53,6 +53,12 @@ Result<Document> perform(const Document& before, const SetBody& op, Context& con
   auto body = context.bodies.find(after.body, context.blobs, context.workers, context.token);
   if (!body) return body.error();
   after.body.hash = (*body)->hash();
+  if (!before.body.pose.empty()) {  // the new figure stands as the old one did
+    after.body.own = after.body.hash, after.body.pose = before.body.pose;
+    body = context.bodies.find(after.body, context.blobs, context.workers, context.token);
+    if (!body) return refused(say("{0} Put the figure into its own pose first: pose name=A.", body.error().what));
+    after.body.hash = (*body)->hash();
+  }
   for (const auto& [id, piece] : after.pattern.pieces) after.drape.dirty.insert(id);
   return after;
 }

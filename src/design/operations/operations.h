@@ -15,6 +15,7 @@ namespace karinui {
   Done resolve(const Document& before, Op& operation, Context& context); \
   Result<Document> perform(const Document& before, const Op& operation, Context& context);
 KARINUI_DECLARE_OPERATION(SetBody)
+KARINUI_DECLARE_OPERATION(PoseBody)
 KARINUI_DECLARE_OPERATION(DrawPiece)  // draw.cpp
 KARINUI_DECLARE_OPERATION(MovePiece)
 KARINUI_DECLARE_OPERATION(SewEdges)

@@ -32,6 +32,27 @@ struct SetBody {
   bool operator==(const SetBody&) const = default;
 };
 
+// pose name=seated        pose joint=left_elbow flex=90deg        pose name=T joint=elbow flex=20deg
+struct PoseBody {
+  static constexpr std::string_view kName = "pose";
+  static constexpr std::string_view kHelp =
+      "Puts the figure into a pose, by name or joint by joint; the garment is carried along.";
+  static constexpr bool kDisturbsDrape = true;
+  std::string name;
+  std::vector<std::string> joint;
+  std::optional<Angle> flex, abduct, turn;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "A (the figure's own), T, arms_down, forward, overhead, hands_on_hips, step, seated, bent",
+          kOptional);
+    visit("joint", self.joint, "joints to set: left_elbow, or elbow for both sides", kOptional);
+    visit("flex", self.flex, "forwards; of elbow and knee: bent", kOptional);
+    visit("abduct", self.abduct, "sideways, away from the middle; of the trunk: to the left", kOptional);
+    visit("turn", self.turn, "about the bone: inwards; of the trunk: to the left", kOptional);
+  }
+  bool operator==(const PoseBody&) const = default;
+};
+
 // variable name=cuff value="wrist_girth + 4cm"        variable name=cuff remove=yes
 struct SetVariable {
   static constexpr std::string_view kName = "variable";
@@ -62,6 +83,6 @@ struct ChangeSettings {
   bool operator==(const ChangeSettings&) const = default;
 };
 
-using FigureOperations = OperationList<SetBody, SetVariable, ChangeSettings>;
+using FigureOperations = OperationList<SetBody, PoseBody, SetVariable, ChangeSettings>;
 
 }  // namespace karinui

@@ -1,0 +1,205 @@
+// A garment whose figure takes a pose: carried along, never through the body, and back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "design/quick_folder.h"
+#include "design/workroom.h"
+#include "karinui/design/drape.h"
+#include "karinui/design/dump.h"
+
+namespace karinui {
+namespace {
+
+// The tunic of examples/first_tunic.ops on a coarse lattice, not draped yet.
+std::string tunic() {
+  std::ifstream file(std::string(KARINUI_SOURCE_DIR) + "/examples/first_tunic.ops");
+  std::stringstream all;
+  all << file.rdbuf();
+  std::string script = all.str();
+  return "set spacing=25mm\n" + script.substr(0, script.rfind("drape"));
+}
+
+// A workroom whose cloth is really draped.
+struct Tailor {
+  explicit Tailor(int threads = 1) : workers(threads) {}
+  Workers workers;
+  Token token;
+  MemoryBlobs blobs;
+  static Bodies& bodies() {  // figures are built once for all tests
+    static Bodies all;
+    return all;
+  }
+  Context context{workers, token, blobs, bodies(), {}, {}};
+
+  Document after(Document document, const std::string& script) {
+    const auto lines = parseScript(script);
+    EXPECT_TRUE(lines) << text(lines.error().what);
+    for (const ScriptLine& line : *lines) {
+      auto next = apply(document, line.operation, context);
+      EXPECT_TRUE(next) << text(line.operation) << ": " << text(next.error().what);
+      if (next) document = *std::move(next);
+    }
+    return document;
+  }
+  const Document& rested() {
+    static std::optional<Document> once;
+    if (!once) once = after({}, tunic() + "drape\n");
+    return *once;
+  }
+};
+
+std::vector<Vec3> places(const Document& document) {
+  std::vector<Vec3> all;
+  for (const auto& [id, piece] : document.pattern.pieces)
+    for (const Vec3& p : piece->form->space) all.push_back(piece->pose(p));
+  return all;
+}
+
+double farthest(const Document& a, const Document& b) {
+  const auto x = places(a), y = places(b);
+  EXPECT_EQ(x.size(), y.size());
+  double most = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, distance(x[i], y[i]));
+  return most;
+}
+
+class GarmentInPose : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Each, GarmentInPose, testing::Values("T", "overhead", "seated", "bent"));
+
+TEST_P(GarmentInPose, IsCarriedAlongOutsideTheBodyAndComesToRest) {
+  Tailor tailor(2);
+  const Document& start = tailor.rested();
+  const Document carried = tailor.after(start, std::string("pose name=") + GetParam());
+  EXPECT_EQ(carried.drape.dirty.size(), start.pattern.pieces.size());
+  ClothCheck stands = examined(carried, tailor.context).value();
+  EXPECT_TRUE(stands.finite);
+  EXPECT_LT(stands.penetration, 0.001);
+  EXPECT_LT(stands.seamGap, 0.001);
+  EXPECT_LT(stands.strain.mean, 0.03);  // it was not dragged
+  const Document draped = tailor.after(carried, "drape");
+  EXPECT_TRUE(draped.drape.last->settled) << text(draped.drape.last->why);
+  stands = examined(draped, tailor.context).value();
+  EXPECT_LT(stands.penetration, 0.0001);
+  EXPECT_EQ(stands.clothBodyCrossings, 0u);
+  EXPECT_EQ(stands.clothClothCrossings, 0u);
+  // It was near where it came to rest.
+  EXPECT_LT(farthest(carried, draped), 0.08);
+}
+
+TEST(PosedGarment, StaysOutsideTheBodyAllTheWay) {
+  Tailor tailor(2);
+  const Document& start = tailor.rested();
+  const auto skeleton = tailor.bodies().skeleton(start.body, tailor.blobs, tailor.workers, tailor.token).value();
+  std::size_t parts = 0;
+  double longest = 0;
+  std::vector<Vec3> before = places(start);
+  const auto forms =
+      carriedByBody(start, *skeleton, namedPose("overhead")->pose, tailor.context, [&](const FormsNow& now) {
+        std::vector<Vec3> here;
+        for (const auto& [id, form] : now()) here.insert(here.end(), form->space.begin(), form->space.end());
+        ASSERT_EQ(here.size(), before.size());
+        for (std::size_t i = 0; i < here.size(); ++i) longest = std::max(longest, distance(here[i], before[i]));
+        before = here;
+        ++parts;
+      });
+  ASSERT_TRUE(forms);
+  EXPECT_GT(parts, 40u);
+  // No part of the way moves cloth farther than the body moves in it and a step of the solver: nothing jumps.
+  EXPECT_LT(longest, 0.03);
+}
+
+TEST(PosedGarment, IsTheSameForAnyNumberOfThreads) {
+  Tailor one(1), three(3);
+  const Document& start = one.rested();
+  const Document a = one.after(start, "pose joint=shoulder abduct=75deg"),
+                 b = three.after(start, "pose joint=shoulder abduct=75deg");
+  EXPECT_EQ(drapeHash(a), drapeHash(b));
+  EXPECT_EQ(hash(a), hash(b));
+  EXPECT_NE(hash(a), hash(start));
+}
+
+TEST(PosedGarment, TakesUpTheDrapeItHadInAPose) {
+  Tailor tailor(2);
+  const Document& start = tailor.rested();
+  const Document raised = tailor.after(start, "pose name=T\ndrape");
+  const Document back = tailor.after(raised, "pose name=A");
+  EXPECT_EQ(hash(back), hash(start));
+  EXPECT_EQ(drapeHash(back), drapeHash(start));
+  EXPECT_TRUE(back.drape.dirty.empty());
+  EXPECT_TRUE(back.drape.last->settled);
+  // And so in T.
+  EXPECT_EQ(drapeHash(tailor.after(back, "pose name=T")), drapeHash(raised));
+  // A garment that was changed meanwhile is carried back.
+  const Document altered = tailor.after(raised, "notch edge=front.side_left at=0.5");
+  EXPECT_FALSE(tailor.after(altered, "pose name=A").drape.dirty.empty());
+}
+
+TEST(PosedGarment, ThatWasNeverDrapedIsCarriedAsRigidPieces) {
+  Tailor tailor;
+  const Document flat = tailor.after({},
+                                     "body size=eu38\npiece name=sleeve outline=\"M 0 0; wrist L 200 0; under L 200 "
+                                     "300; cap L 0 300; over L 0 0\"\nplace piece=sleeve "
+                                     "at=\"left_arm:elbow+0.5@0\" ease=1cm");
+  const Document carried = tailor.after(flat, "pose joint=left_shoulder abduct=90deg");
+  const auto stands = [](const Document& document, Flat place) {
+    return Stand(*document.pattern.pieces.begin()->second)(place);
+  };
+  const Flat a{0.02, 0.02}, b{0.18, 0.28}, c{0.1, 0.15};
+  EXPECT_NEAR(distance(stands(carried, a), stands(carried, b)), distance(stands(flat, a), stands(flat, b)), 1e-6);
+  EXPECT_NEAR(distance(stands(carried, a), stands(carried, c)), distance(stands(flat, a), stands(flat, c)), 1e-6);
+  EXPECT_GT(distance(stands(carried, a), stands(flat, a)), 0.05);
+  // It is as far from the arm as before.
+  const auto off = [&](const Document& document) {
+    return bodyOf(document, tailor.context).value()->bvh().nearest(stands(document, c))->distance;
+  };
+  EXPECT_NEAR(off(carried), off(flat), 0.005);
+}
+
+TEST(PosedGarment, IsKeptWithItsPoseAndItsDrapes) {
+  const auto folder = quickFolder();
+  const auto path = folder / "tunic.karinui";
+  Tailor tailor(2);
+  const auto play = [&](DocumentFile& file, const std::string& script) {
+    const auto lines = parseScript(script);
+    ASSERT_TRUE(lines) << text(lines.error().what);
+    for (const ScriptLine& line : *lines) {
+      const auto step = file.perform(line.operation, tailor.context);
+      ASSERT_TRUE(step) << text(step.error().what);
+    }
+  };
+  std::string posed, back;
+  {
+    auto file = DocumentFile::create(path).value();
+    play(file, tunic() + "drape\npose name=T\ndrape\npose joint=left_elbow flex=60deg\n");
+    posed = hash(file.document()) + drapeHash(file.document());
+    EXPECT_EQ(file.document().drape.rested.size(), 2u);
+  }
+  {
+    auto file = DocumentFile::open(path).value();
+    EXPECT_EQ(hash(file.document()) + drapeHash(file.document()), posed);
+    EXPECT_EQ(file.document().drape.rested.size(), 2u);
+    ASSERT_TRUE(file.undo(tailor.context));
+    ASSERT_TRUE(file.undo(tailor.context));
+    ASSERT_TRUE(file.undo(tailor.context));
+    const std::string first = drapeHash(file.document());
+    ASSERT_TRUE(file.redo(tailor.context));
+    ASSERT_TRUE(file.redo(tailor.context));
+    ASSERT_TRUE(file.redo(tailor.context));
+    play(file, "pose name=A\n");
+    EXPECT_EQ(drapeHash(file.document()), first);
+    back = hash(file.document()) + drapeHash(file.document());
+  }
+  const auto dump = dumped(path);
+  ASSERT_TRUE(dump) << text(dump.error().what);
+  const auto again = folder / "again.karinui";
+  ASSERT_TRUE(loadDump(*dump, again));
+  const auto file = DocumentFile::open(again).value();
+  EXPECT_EQ(hash(file.document()) + drapeHash(file.document()), back);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace karinui
