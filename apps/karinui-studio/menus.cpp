@@ -8,6 +8,7 @@
 #include "blocks_menu.h"
 #include "force_feedback.h"
 #include "guide.h"
+#include "karinui/body/pose.h"
 #include "lay_dialog.h"
 #include "main_window.h"
 #include "make_up_dialog.h"
@@ -95,10 +96,12 @@ void MainWindow::makeMenus() {
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   QMenu* examples = file->addMenu(QString());
   Theme::here().keep(examples, [examples] { examples->setTitle(inWords(say("Examples"))); });
-  const std::pair<const char*, Message> made[] = {{"first_tunic", say("A first tunic")},
-                                                  {"six_operations", say("The six operations")},
-                                                  {"kyoto_fitting", say("A fitting in Kyoto")},
-                                                  {"shirt_fitting", say("A shirt")}};
+  const std::pair<const char*, Message> made[] = {
+      {"first_tunic", say("A first tunic")},        {"six_operations", say("The six operations")},
+      {"kyoto_fitting", say("A fitting in Kyoto")}, {"shirt_fitting", say("A shirt")},
+      {"tailored_shirt", say("A tailored shirt")},  {"pleated_skirt", say("A pleated skirt")},
+      {"trousers", say("Trousers with a fly")},     {"gathered_dress", say("A gathered dress")},
+      {"hooded_coat", say("A hooded coat")},        {"lined_waistcoat", say("A lined waistcoat over a shirt")}};
   for (const auto& [name, words] : made) {
     QAction* one = examples->addAction(QString());
     Theme::here().keep(one, words, words);
@@ -147,6 +150,23 @@ void MainWindow::makeMenus() {
   QMenu* pieces = work->addMenu(QString());
   Theme::here().keep(pieces, [pieces] { pieces->setTitle(inWords(say("New piece"))); });
   addNewPieces(*pieces);
+  QMenu* poses = work->addMenu(QString());
+  poses->setObjectName("poses");
+  Theme::here().keep(poses, [poses] { poses->setTitle(inWords(say("Pose"))); });
+  for (const NamedPose& pose : namedPoses()) {
+    QAction* one = poses->addAction(QString());
+    Theme::here().keep(one, pose.said, pose.said);
+    connect(one, &QAction::triggered, this, [this, name = std::string(pose.name)] {
+      PoseBody take;
+      take.name = name;
+      session_->perform(take);
+      refresh();
+    });
+  }
+  connect(poses, &QMenu::aboutToShow, this, [this, poses] {
+    for (QAction* one : poses->actions())
+      one->setEnabled(!session_->readOnly() && session_->snapshot().document.body.chosen());
+  });
   QMenu* blocks = work->addMenu(QString());
   Theme::here().keep(blocks, [blocks] { blocks->setTitle(inWords(say("Ready blocks"))); });
   fillBlocks(*blocks, *session_, [this] { askNumbers(DraftBlock{}); });

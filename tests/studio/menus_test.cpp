@@ -39,6 +39,32 @@ void choose(Window& w, const char* words) {
   FAIL() << "the menu has no " << words << " but " << testing::PrintToString(offered());
 }
 
+TEST(StudioMenus, AFigureTakesAPose) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  QMenu* poses = w.main().findChild<QMenu*>("poses");
+  ASSERT_TRUE(poses);
+  Q_EMIT poses->aboutToShow();
+  const auto named = [&](const char* words) -> QAction* {
+    for (QAction* one : poses->actions())
+      if (one->text() == words) return one;
+    return nullptr;
+  };
+  QAction* seated = named("Seated");
+  ASSERT_TRUE(seated) << poses->actions().size();
+  ASSERT_TRUE(seated->isEnabled());
+  const double before = w.session().snapshot().body->mesh().points.front().y;
+  seated->trigger();
+  w.rest();
+  EXPECT_THAT(w.last(), AllOf(StartsWith("pose"), HasSubstr("seated")));
+  EXPECT_FALSE(w.session().snapshot().document.body.pose.empty());
+  EXPECT_NE(w.session().snapshot().body->mesh().points.front().y, before);
+  w.key(Command::Undo);
+  w.rest();
+  EXPECT_TRUE(w.session().snapshot().document.body.pose.empty());
+}
+
 TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
@@ -52,6 +78,8 @@ TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
     rightClick(w, view, at({0, 0.3}));
     EXPECT_EQ(w.session().selection().pieces, std::set<PieceId>{front.id}) << "it is chosen first";
     EXPECT_THAT(offered(), Contains("Freeze"));
+    EXPECT_THAT(offered(), Contains("Fuse interfacing"));
+    EXPECT_THAT(offered(), Contains("Line it"));
     EXPECT_THAT(offered(), Contains("Pin here"));
     EXPECT_THAT(offered(), Not(Contains("Unpick this seam")));
     const std::size_t before = w.count();
