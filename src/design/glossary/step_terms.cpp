@@ -98,6 +98,7 @@ TermTable fieldTerms() {
       {"count", say("Times cut")},
       {"count.fasten", say("How many")},
       {"count.pleat", say("How many")},
+      {"dart", say("Dart")},
       {"depth", say("Depth")},
       {"depth.pleat", say("Depth of a fold")},
       {"ease", say("Ease")},
