@@ -37,15 +37,15 @@ Result<Database> Database::open(const std::filesystem::path& path, Mode mode) {
   for (const char* pragma : {"PRAGMA cell_size_check=ON", "PRAGMA mmap_size=0", "PRAGMA synchronous=EXTRA"}) {
     if (Done done = db.run(pragma); !done) return done.error();
   }
-  if (mode != Mode::Read) {
-    if (Done done = db.run("PRAGMA locking_mode=EXCLUSIVE"); !done) return done.error();
-  }
   // Always a rollback journal, which is safe in a folder on a network too. A new file has one.
   if (mode == Mode::Write) {
+    if (Done done = db.keepLock(); !done) return done.error();
     if (Done done = db.run("PRAGMA journal_mode=DELETE"); !done) return done.error();
   }
   return db;
 }
+
+Done Database::keepLock() { return run("PRAGMA locking_mode=EXCLUSIVE"); }
 
 Done Database::run(const char* sql) {
   if (sqlite3_exec(raw_.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) return error();

@@ -18,6 +18,8 @@ class Database {
   // Opens with everything switched off that a hostile file could use. Takes the lock at once in Write mode.
   static Result<Database> open(const std::filesystem::path& path, Mode mode);
 
+  // Locks that are taken from now on are kept until it is closed.
+  Done keepLock();
   Done run(const char* sql);
   void rollBack() noexcept;                      // a transaction under way; nothing where there is none
   Result<std::int64_t> number(const char* sql);  // the first column of the first row

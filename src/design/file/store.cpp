@@ -117,7 +117,9 @@ Result<Store> Store::create(const std::filesystem::path& path) {
   }
   auto db = Database::open(path, Database::Mode::Create);
   Done done = db ? db->run("BEGIN IMMEDIATE") : Done(db.error());
-  // Of two programs that make a file of this name at the same time one gets the lock; the other leaves it alone.
+  // Of two programs that make a file of this name at the same time one gets the lock; the other leaves it alone. The
+  // lock is kept from now on and not before: one that waits for it may hold none that the first one's commit waits for.
+  if (done) done = db->keepLock();
   if (!done) return done.error();
   const auto tables = db->number("SELECT count(*) FROM sqlite_master");
   if (tables && *tables != 0) return taken;
