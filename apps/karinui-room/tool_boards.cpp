@@ -54,8 +54,14 @@ std::vector<Offer> figures(const Session& session) {
   for (const std::string_view size : builtInSizes()) {
     SetBody body;
     body.size = size;
+    body.form = now && now->form;
     all.push_back({Operation(std::move(body)), termSaid(Term::Size, size).value_or(nameSaid(size)), true,
                    now && now->size == size});
+  }
+  if (now && now->mesh.empty()) {
+    SetBody body = *now;
+    body.form = !now->form;
+    all.push_back({Operation(std::move(body)), say("Dress form"), true, now->form});
   }
   return all;
 }

@@ -65,6 +65,13 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   form->addRow(word(say("Size")), size_);
   form->addRow(word(say("Shape")), sex_);
   column->addLayout(form);
+  dressForm_ = new QCheckBox;
+  Theme::here().keep(dressForm_, [this] {
+    dressForm_->setText(inWords(say("Dress form")));
+    dressForm_->setToolTip(inWords(say("The trunk of the same measures, without head, arms and legs.")));
+  });
+  connect(dressForm_, &QCheckBox::clicked, this, &BodyPanel::wear);
+  column->addWidget(dressForm_);
   find_ = new QLineEdit;
   find_->setClearButtonEnabled(true);
   Theme::here().keep(find_, [this] {
@@ -238,6 +245,7 @@ SetBody BodyPanel::wished() const {
   if (size_->currentIndex() > 0)
     body.size = std::string(builtInSizes()[static_cast<std::size_t>(size_->currentIndex() - 1)]);
   if (sex_->currentIndex() > 0) body.sex = sex_->currentIndex() == 1 ? Sex::Female : Sex::Male;
+  body.form = dressForm_->isChecked();
   for (const auto& [key, row] : rows_)
     if (const auto metres = row->stated()) body.set.push_back({key, {*metres}, row->formula()});
   return body;
@@ -274,7 +282,8 @@ void BodyPanel::fill() {
   for (QWidget* own :
        {static_cast<QWidget*>(imported_), static_cast<QWidget*>(mannequin_), static_cast<QWidget*>(consequence_)})
     own->setVisible(mesh && session_.snapshot().body);
-  for (QWidget* own : {static_cast<QWidget*>(follow_), static_cast<QWidget*>(use_), static_cast<QWidget*>(replay_)})
+  for (QWidget* own : {static_cast<QWidget*>(dressForm_), static_cast<QWidget*>(follow_), static_cast<QWidget*>(use_),
+                       static_cast<QWidget*>(replay_)})
     own->setVisible(!mesh);
   if (mesh && session_.snapshot().body)
     imported_->setText(inWords(say("The imported body “{0}”. Its measures are taken from it and cannot be turned.",
@@ -282,6 +291,7 @@ void BodyPanel::fill() {
   if (now && !mesh) {
     const auto size = std::find(sizes.begin(), sizes.end(), now->size);
     size_->setCurrentIndex(size == sizes.end() ? 0 : static_cast<int>(size - sizes.begin()) + 1);
+    dressForm_->setChecked(now->form);
     sex_->setCurrentIndex(!now->sex ? 0 : *now->sex == Sex::Female ? 1 : 2);
   }
   const BodyPtr& body = session_.snapshot().body;

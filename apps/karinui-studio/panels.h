@@ -124,7 +124,7 @@ class BodyPanel : public Panel {
   QLineEdit* find_;
   MeasureDrawing* drawing_;
   std::string drawnKey_ = "bust_girth";
-  QCheckBox* follow_;
+  QCheckBox *dressForm_, *follow_;
   QPushButton *use_, *replay_;
   QLabel* measured_;
   std::string shown_, listed_;  // the figures that the rows and the list tell of

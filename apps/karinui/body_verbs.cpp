@@ -14,6 +14,7 @@ namespace {
 struct MakeOptions {
   std::string size, measures, sex, out;
   std::vector<std::string> set;
+  bool form = false;
 };
 
 struct MeasureOptions {
@@ -56,12 +57,14 @@ int runMake(Program& program, const MakeOptions& options) {
   const Result<Measurements> measurements = wanted(program, options);
   if (!measurements) return program.console.refuse(measurements.error());
   Workers workers(program.threads);
-  const Result<BodyPtr> body = makeMannequin(*measurements, workers, program.console.token());
+  const Result<BodyPtr> body = makeMannequin(*measurements, workers, program.console.token(),
+                                             options.form ? MannequinEnds::DressForm : MannequinEnds::Modelled);
   if (!body) return program.console.refuse(body.error());
   const Result<std::string> obj = writeObj((*body)->mesh(), "body");
   if (!obj) return program.console.refuse(obj.error());
   if (const Done done = writeFile(options.out, *obj); !done) return program.console.refuse(done.error());
-  const Measurements measured = measure((*body)->mesh(), (*body)->bvh());
+  // A form has no arms and legs to find the trunk by: it measures as the figure it was cut from.
+  const Measurements measured = options.form ? (*body)->measured() : measure((*body)->mesh(), (*body)->bvh());
   const MeshReport report = inspect((*body)->mesh());
   Json object = bodyJson(measured, report);
   object["file"] = options.out;
@@ -98,6 +101,7 @@ void addBodyVerbs(Program& program) {
   verb->add_option("--set", make->set, help("Measurements: bust_girth=88cm …"));
   verb->add_option("--sex", make->sex, help("female or male: which family of shapes"))
       ->check(CLI::IsMember({"female", "male"}));
+  verb->add_flag("--form", make->form, help("A dress form on a stand instead of a whole figure"));
   verb->add_option("-o,--output", make->out, help("The OBJ file"))->required();
 
   auto measured = std::make_shared<MeasureOptions>();

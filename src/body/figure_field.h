@@ -9,9 +9,11 @@
 namespace karinui {
 
 // Cell corners of the left half; the right half is its mirror image: corner i of the half stands at x = (i + 0.5) cell.
+// Not mirrored: all there is.
 struct FieldGrid {
   double cell = 0.011;
   double lowY = 0, lowZ = 0;
+  bool mirrored = true;
   std::size_t nx = 0, ny = 0, nz = 0;  // of the half
   std::vector<float> value;            // [(x * ny + y) * nz + z], negative inside
   std::size_t index(std::size_t x, std::size_t y, std::size_t z) const { return (x * ny + y) * nz + z; }

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/anthropometry/contour.h"
 #include "body/chart.h"
+#include "body/dress_form.h"
+#include "body/extremity.h"
 #include "body/figure_solver.h"
 #include "body/polygonise.h"
 #include "body/section_model.h"
@@ -19,21 +22,54 @@ constexpr double kTriangles = 36000;              // at about this many a body i
 constexpr int kCoarseRounds = 30, kFineRounds = 10;
 constexpr double kNear = 0.6, kGood = 0.4;  // worst residuals, in tolerances, at which the solver may stop
 constexpr double kHopeless = 6;             // and at which a finer grid, which moves the tape by 1 or 2, cannot help
+constexpr std::string_view kOffForm[] = {"crotch", "elbow", "wrist", "knee", "ankle"};  // landmarks a dress form lacks
 constexpr double kShifts[] = {0, 0.31, 0.57, 0.13, 0.77, 0.43};
 
 // Feet on the floor and exactly as tall as asked for: the polygonised height is off by about a thousandth.
-double stand(TriangleMesh& mesh, double height) {
-  double low = 1e9, high = -1e9;
-  for (const Vec3& p : mesh.points) low = std::min(low, p.y), high = std::max(high, p.y);
-  const double scale = height / (high - low);
-  for (Vec3& p : mesh.points) p.y = (p.y - low) * scale;
-  return scale;
+struct Standing {
+  double low = 0, scale = 1;
+  Vec3 of(Vec3 p) const { return {p.x, (p.y - low) * scale, p.z}; }
+  TriangleMesh of(TriangleMesh mesh) const {
+    for (Vec3& p : mesh.points) p = of(p);
+    return mesh;
+  }
+  Joints of(Joints at) const {  // those a dress form is cut by
+    for (Vec3* joint : {&at.shoulder, &at.armpit, &at.tip, &at.ankle}) *joint = of(*joint);
+    at.crown = (at.crown - low) * scale;
+    return at;
+  }
+};
+
+Interval heightsOf(const TriangleMesh& mesh) {
+  Interval y;
+  for (const Vec3& p : mesh.points) y.include(p.y);
+  return y;
+}
+
+Standing standing(const TriangleMesh& drawn, double height) {
+  const Interval y = heightsOf(drawn);
+  return {y.low, height / (y.high - y.low)};
 }
 
 bool sound(const TriangleMesh& mesh) {
   const MeshReport report = inspect(mesh);
   const auto euler = static_cast<long>(report.points) - static_cast<long>(report.triangles) / 2;
   return report.closed() && report.outward && report.shells == 1 && euler == 2 && report.selfCrossings == 0;
+}
+
+// The drawn figure with modelled head, hands and feet; they reach exactly from the floor to its height, too.
+TriangleMesh modelled(const TriangleMesh& drawn, const FieldGrid& field, const Figure& figure, Standing stands,
+                      double height, double neckHeight, Workers& workers) {
+  const std::vector<Extremity> ends{headOf(figure, neckHeight / stands.scale + stands.low), handOf(figure),
+                                    footOf(figure)};
+  TriangleMesh mesh = stands.of(withExtremities(drawn, field, ends, workers));
+  const Interval y = heightsOf(mesh);
+  const double brow = 0.94 * height, instep = 0.02 * height;  // above and below nothing of the drawn figure is left
+  for (Vec3& p : mesh.points) {
+    if (p.y > brow) p.y = brow + (p.y - brow) * ((height - brow) / (y.high - brow));
+    if (p.y < instep) p.y = (p.y - y.low) * (instep / (instep - y.low));
+  }
+  return mesh;
 }
 
 Message inWords(std::string_view key, double value) {
@@ -85,7 +121,7 @@ Error unmet(const FigureSolver& solver, const Anthropometry& measured) {
 
 }  // namespace
 
-Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token) {
+Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token, MannequinEnds ends) {
   if (const Done ok = plausible(wanted); !ok) return ok.error();
   const auto made = mannequinKeys();
   for (const auto& [key, value] : wanted.value) {
@@ -106,7 +142,9 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   FigureSolver solver(targetsFor(wanted, complete, model, drawn.at));
 
   struct {
-    TriangleMesh mesh;
+    FieldGrid field;
+    TriangleMesh drawn, mesh;
+    Standing stands;
     Figure figure;
     Anthropometry measured;
   } now;
@@ -116,9 +154,11 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
     if (token.cancelled()) return std::nullopt;
     token.progress(0.95 * (1 - std::exp(-0.06 * ++tries)), say("Making the mannequin"));
     now.figure = altered(drawn, by);
-    now.mesh = polygonise(fieldOf(now.figure, cell * (1 + 0.07 * shift), shift, workers), polish, workers);
-    if (now.mesh.faces.empty()) return std::nullopt;
-    stand(now.mesh, height);
+    now.field = fieldOf(now.figure, cell * (1 + 0.07 * shift), shift, workers);
+    now.drawn = polygonise(now.field, polish, workers);
+    if (now.drawn.faces.empty()) return std::nullopt;
+    now.stands = standing(now.drawn, height);
+    now.mesh = now.stands.of(now.drawn);
     now.measured = anthropometryOf(now.mesh);
     return now.measured;
   };
@@ -146,6 +186,33 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   parts.measured = {wanted.sex, now.measured.value};
   parts.landmarks = now.measured.landmark;
   parts.chart = chartOf(now.figure, now.measured);
+  const auto& value = now.measured.value;
+  if (ends == MannequinEnds::Modelled && value.contains("neck_height")) {
+    TriangleMesh whole =
+        modelled(now.drawn, now.field, now.figure, now.stands, height, value.at("neck_height"), workers);
+    if (!whole.faces.empty()) now.mesh = std::move(whole);
+  }
+  if (ends == MannequinEnds::DressForm) {
+    const auto armpit = now.measured.landmark.find("armpit_left");
+    if (!value.contains("neck_height") || armpit == now.measured.landmark.end()) return unsound();
+    Plane neck = headOf(now.figure, value.at("neck_height") / now.stands.scale + now.stands.low).cut;
+    neck.through = now.stands.of(neck.through);
+    now.mesh = dressForm(now.mesh, now.stands.of(now.figure.at), armpit->second, neck, value.at("crotch_height"));
+    if (!sound(now.mesh)) return unsound();
+    // Where the hip is so low that the form closes groin and cleft there, its front and back lie on what closes them.
+    for (const SectionLoop& loop : section(now.mesh, {parts.landmarks.at("hip_front"), {0, 1, 0}}))
+      for (std::size_t i = 0; i < loop.points.size(); ++i) {
+        const Vec3 a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
+        if ((a.x < 0) == (b.x < 0)) continue;
+        const Vec3 middle = lerp(a, b, a.x / (a.x - b.x));
+        Vec3& place = parts.landmarks.at(a.x < 0 ? "hip_front" : "hip_back");  // counter-clockwise from above
+        if (distance(place, middle) > 1e-6) place = middle;
+      }
+    std::erase_if(parts.landmarks, [](const auto& at) {
+      return std::any_of(std::begin(kOffForm), std::end(kOffForm),
+                         [&](std::string_view part) { return at.first.starts_with(part); });
+    });
+  }
   parts.mesh = std::move(now.mesh);
   return Body::make(std::move(parts));
 }

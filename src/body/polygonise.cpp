@@ -26,13 +26,14 @@ class Whole {
  public:
   explicit Whole(const FieldGrid& half)
       : cell_(half.cell),
-        nx_(2 * half.nx),
+        mirrored_(half.mirrored),
+        nx_(half.mirrored ? 2 * half.nx : half.nx),
         ny_(half.ny),
         nz_(half.nz),
-        low_{-(static_cast<double>(half.nx) - 0.5) * half.cell, half.lowY, half.lowZ},
+        low_{(half.mirrored ? 0.5 - static_cast<double>(half.nx) : 0.5) * half.cell, half.lowY, half.lowZ},
         value_(nx_ * ny_ * nz_) {
     for (std::size_t x = 0; x < nx_; ++x) {
-      const std::size_t from = x < half.nx ? half.nx - 1 - x : x - half.nx;
+      const std::size_t from = !mirrored_ ? x : x < half.nx ? half.nx - 1 - x : x - half.nx;
       std::copy_n(half.value.begin() + static_cast<std::ptrdiff_t>(half.index(from, 0, 0)), ny_ * nz_,
                   value_.begin() + static_cast<std::ptrdiff_t>(index(x, 0, 0)));
     }
@@ -89,7 +90,7 @@ class Whole {
       }
       for (const std::size_t i : fill) {
         const std::size_t x = i / (ny_ * nz_);
-        for (const std::size_t at : {i, i + (nx_ - 1 - 2 * x) * ny_ * nz_})  // on both sides alike
+        for (const std::size_t at : {i, mirrored_ ? i + (nx_ - 1 - 2 * x) * ny_ * nz_ : i})  // on both sides alike
           if (value_[at] >= 0) value_[at] = -1e-4f, changed = true;
       }
     }
@@ -118,6 +119,7 @@ class Whole {
 
  private:
   double cell_;
+  bool mirrored_;
   std::size_t nx_, ny_, nz_;
   Vec3 low_;
   std::vector<float> value_;

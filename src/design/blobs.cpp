@@ -88,6 +88,7 @@ Result<BodyPtr> unpackFigure(std::string_view bytes) {
 
 Result<std::shared_ptr<const Skeleton>> Bodies::skeleton(const BodyChoice& choice, const Blobs& blobs, Workers& workers,
                                                          const Token& token) {
+  if (choice.form) return refused(say("A dress form takes no pose: it has neither arms nor legs."));
   BodyChoice own = choice;
   own.hash = choice.ownHash(), own.own.clear(), own.pose.clear();
   const Result<BodyPtr> body = find(own, blobs, workers, token);
@@ -120,20 +121,28 @@ Result<BodyPtr> Bodies::find(const BodyChoice& choice, const Blobs& blobs, Worke
         return byHash_[choice.hash] = *body;
     }
   }
-  Writer key;
-  key.add(choice.mesh).add(static_cast<std::uint8_t>(choice.measurements.sex));
-  for (const auto& [name, value] : choice.measurements.value) key.add(name).add(value);
-  const std::string name = key.taken();
-  if (const auto at = built_.find(name); at != built_.end()) return at->second;
-  Result<BodyPtr> body = [&]() -> Result<BodyPtr> {
-    if (choice.mesh.empty()) return makeMannequin(choice.measurements, workers, token);
-    const auto bytes = blobs.get(choice.mesh);
-    if (!bytes) return notFound(say("The imported body {0} is not in this document; import it again.", choice.mesh));
-    auto parts = unpackBody(*bytes);
-    if (!parts) return parts.error();
-    return Body::make(*std::move(parts));
-  }();
-  if (body) built_[name] = byHash_[(*body)->hash()] = *body;
+  const auto made = [&](MannequinEnds ends) -> Result<BodyPtr> {
+    Writer key;
+    key.add(choice.mesh).add(static_cast<std::uint8_t>(choice.measurements.sex));
+    for (const auto& [name, value] : choice.measurements.value) key.add(name).add(value);
+    key.add(static_cast<std::uint8_t>(ends));
+    const std::string name = key.taken();
+    if (const auto at = built_.find(name); at != built_.end()) return at->second;
+    Result<BodyPtr> body = [&]() -> Result<BodyPtr> {
+      if (choice.mesh.empty()) return makeMannequin(choice.measurements, workers, token, ends);
+      const auto bytes = blobs.get(choice.mesh);
+      if (!bytes) return notFound(say("The imported body {0} is not in this document; import it again.", choice.mesh));
+      auto parts = unpackBody(*bytes);
+      if (!parts) return parts.error();
+      return Body::make(*std::move(parts));
+    }();
+    if (body) built_[name] = byHash_[(*body)->hash()] = *body;
+    return body;
+  };
+  const Result<BodyPtr> body = made(choice.form ? MannequinEnds::DressForm : MannequinEnds::Modelled);
+  // A figure that was lost, of a document made when mannequins had other ends, is made as it was.
+  if (body && choice.chosen() && choice.mesh.empty() && !choice.form && (*body)->hash() != choice.hash)
+    if (const auto drawn = made(MannequinEnds::Drawn); drawn && (*drawn)->hash() == choice.hash) return drawn;
   return body;
 }
 

@@ -170,18 +170,24 @@ Grading readGrading(Reader& r) {
   return g;
 }
 
-void add(Writer& w, const Measurements& m) {
-  w.add(static_cast<std::uint8_t>(m.sex)).add(std::uint64_t{m.value.size()});
+// What the byte before the measures says; files from before there were dress forms hold 0 or 1.
+constexpr std::uint8_t kMale = 1, kForm = 2;
+
+void addMeasured(Writer& w, const BodyChoice& body) {
+  const Measurements& m = body.measurements;
+  w.add(static_cast<std::uint8_t>((m.sex == Sex::Male ? kMale : 0) | (body.form ? kForm : 0)));
+  w.add(std::uint64_t{m.value.size()});
   for (const auto& [key, value] : m.value) w.add(key).add(value);
 }
-Measurements readMeasurements(Reader& r) {
-  Measurements m;
-  m.sex = r.number<std::uint8_t>() == 0 ? Sex::Female : Sex::Male;
+void readMeasured(Reader& r, BodyChoice& body) {
+  Measurements& m = body.measurements;
+  const auto flags = r.number<std::uint8_t>();
+  m.sex = flags & kMale ? Sex::Male : Sex::Female;
+  body.form = (flags & kForm) != 0;
   for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
     const std::string key = r.text();
     m.value[key] = r.number<double>();
   }
-  return m;
 }
 
 // What a report's first byte says; files from before the merged planes were reported hold 0 or 1.
@@ -270,7 +276,7 @@ Result<std::shared_ptr<const Form>> unpackForm(std::string_view bytes) {
 std::string packRest(const Document& d) {
   Writer w;
   w.add(d.operations).add(d.body.size).add(d.body.mesh).add(d.body.hash);
-  add(w, d.body.measurements);
+  addMeasured(w, d.body);
   w.add(std::uint64_t{d.pattern.seams.size()});
   for (const auto& [id, s] : d.pattern.seams) {
     w.add(id.value).add(s.name);
@@ -333,7 +339,7 @@ Result<Document> unpackRest(std::string_view bytes) {
   Document d;
   d.operations = r.number<std::uint32_t>();
   d.body.size = r.text(), d.body.mesh = r.text(), d.body.hash = r.text();
-  d.body.measurements = readMeasurements(r);
+  readMeasured(r, d.body);
   for (std::size_t n = r.count(34); n > 0 && r.good(); --n) {
     Seam s;
     s.id.value = r.number<std::uint64_t>();

@@ -169,7 +169,7 @@ TEST_F(KeptDocument, KeepsTheImportedBody) {
   const std::string name = *room_.blobs.put(packBody(egg()));
   {
     auto file = *DocumentFile::create(path_);
-    ASSERT_TRUE(file.perform(SetBody{{}, {}, {}, name}, room_.context));
+    ASSERT_TRUE(file.perform(SetBody{{}, {}, {}, false, name}, room_.context));
   }
   Workroom other;  // knows nothing of the body
   auto file = *DocumentFile::open(path_);

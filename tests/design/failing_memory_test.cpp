@@ -158,7 +158,7 @@ TEST_F(FailingMemory, ADrapeWithoutMemoryIsRefusedWhole) {
   Bodies bodies;
   auto file = DocumentFile::inMemory();
   Context context{two, token, file.blobs(), bodies, {}, {}};
-  ASSERT_TRUE(file.perform(SetBody{{}, {}, {}, *file.blobs().put(packBody(egg()))}, context));
+  ASSERT_TRUE(file.perform(SetBody{{}, {}, {}, false, *file.blobs().put(packBody(egg()))}, context));
   for (const char* line :
        {"set spacing=40mm",
         "piece name=curtain outline=\"M 0 0; hem L 200 0; r L 200 200; top L 0 200; l L 0 0\" pose=\"0,0,0.5\"",

@@ -82,6 +82,49 @@ TEST_F(KeptFigure, IsTheSameFigure) {
   EXPECT_EQ(packFigure(**kept), packFigure(**made));
 }
 
+TEST_F(KeptFigure, MayBeADressForm) {
+  Workroom room;
+  std::string form;
+  {
+    auto file = *DocumentFile::open(path_);
+    ASSERT_TRUE(room.play(file, "body size=jis9ar form=yes"));
+    form = file.document().body.hash;
+    EXPECT_NE(form, body_);
+  }
+  auto again = *DocumentFile::open(path_);
+  EXPECT_TRUE(again.document().body.form);
+  EXPECT_EQ(again.document().body.hash, form);
+  const auto kept = unpackFigure(*again.blobs().figure(form));
+  ASSERT_TRUE(kept);
+  EXPECT_EQ((*kept)->hash(), form);
+  EXPECT_FALSE((*kept)->landmarks().contains("wrist_left"));
+  ASSERT_TRUE(room.play(again, "body size=jis9ar"));
+  EXPECT_FALSE(again.document().body.form);
+  EXPECT_EQ(again.document().body.hash, body_);
+}
+
+// A document made when mannequins had other ends, whose figure was lost: its drapes fit the former one.
+TEST(LostFigure, IsMadeAsItWas) {
+  Workroom room;
+  const auto size = *builtInSize("jis9ar");
+  const auto drawn = makeMannequin(size, room.workers, room.token, MannequinEnds::Drawn);
+  ASSERT_TRUE(drawn);
+  EXPECT_EQ((*drawn)->hash(), "48c7e36c51f7816795b79d6c695ba480");
+  BodyChoice choice;
+  choice.measurements = size;
+  MemoryBlobs none;
+  Bodies bodies;
+  const auto now = bodies.find(choice, none, room.workers, room.token);
+  ASSERT_TRUE(now);
+  EXPECT_NE((*now)->hash(), (*drawn)->hash());
+  choice.hash = (*drawn)->hash();
+  for (int asked = 0; asked < 2; ++asked) {
+    const auto found = bodies.find(choice, none, room.workers, room.token);
+    ASSERT_TRUE(found);
+    EXPECT_EQ((*found)->hash(), choice.hash);
+  }
+}
+
 TEST(PackedFigure, DamagedBytesAreRefused) {
   const auto body = Body::make(egg());
   ASSERT_TRUE(body);

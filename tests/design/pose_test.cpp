@@ -158,6 +158,19 @@ TEST(PosedGarment, ThatWasNeverDrapedIsCarriedAsRigidPieces) {
   EXPECT_NEAR(off(carried), off(flat), 0.005);
 }
 
+TEST(PosedGarment, StandsOnNoDressForm) {
+  Tailor tailor;
+  const Document form = tailor.after({}, "body size=jis9ar form=yes"),
+                 raised = tailor.after({}, "body size=jis9ar\npose name=T");
+  const auto refusal = [&](const Document& document, const char* line) {
+    const auto next = apply(document, parseScript(line).value().front().operation, tailor.context);
+    return next ? std::string() : text(next.error().what);
+  };
+  EXPECT_THAT(refusal(form, "pose name=T"), testing::HasSubstr("takes no pose"));
+  EXPECT_THAT(refusal(raised, "body size=jis9ar form=yes"),
+              testing::AllOf(testing::HasSubstr("takes no pose"), testing::HasSubstr("pose name=A")));
+}
+
 TEST(PosedGarment, IsKeptWithItsPoseAndItsDrapes) {
   const auto folder = quickFolder();
   const auto path = folder / "tunic.karinui";

@@ -231,12 +231,17 @@ TEST(RoomBoards, FigureAndFabricAreChosenInTheAir) {
   press(at.hand, at.room, "More");
   choose(at.hand, at.room, "Figure");
   const SceneMenu panel = at.room.choice()->panel;
-  ASSERT_EQ(panel.buttons.size(), builtInSizes().size());
+  ASSERT_EQ(panel.buttons.size(), builtInSizes().size() + 1);  // and the dress form
   EXPECT_TRUE(panel.buttons[0].chosen) << "jis9ar, which is worn";
   at.hand.clickAt(at.room.placement().standToFitting(test::middleOf(panel, 1)));
   const auto* body = std::get_if<SetBody>(&session.steps().back().operation);
   ASSERT_TRUE(body);
   EXPECT_EQ(body->size, "eu38");
+  press(at.hand, at.room, "More");
+  choose(at.hand, at.room, "Figure");
+  const SceneMenu again = at.room.choice()->panel;
+  at.hand.clickAt(at.room.placement().standToFitting(test::middleOf(again, again.buttons.size() - 1)));
+  EXPECT_EQ(text(session.steps().back().operation), "body size=eu38 form=yes");
 }
 
 TEST(RoomBoards, TheStickAndTheOtherTriggerAreCtrlAndShift) {

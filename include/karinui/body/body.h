@@ -110,9 +110,18 @@ class Body {
 };
 using BodyPtr = std::shared_ptr<const Body>;
 
+// What a mannequin of ours ends in above the neck and beyond wrists and ankles. What lies between is the same for all,
+// point for point.
+enum class MannequinEnds {
+  Modelled,   // a head, hands and feet of their own
+  DressForm,  // caps at neck and armholes, closed at the thigh, on a stand; only what is left has landmarks
+  Drawn       // as its sections draw them: the figures of documents made before there were others
+};
+
 // Our own mannequin. Every stated girth is met within 3 mm and every height or length within 5 mm on the finished mesh;
 // what is not stated follows from what is. Refuses measurements no body can have, saying which.
-Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token);
+Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token,
+                              MannequinEnds ends = MannequinEnds::Modelled);
 
 // Measures any standing A-pose body: height, girths as a tight tape (hull of a plane section), limbs, lengths. Keys as
 // in measurements.h. What cannot be found on this body is left out.

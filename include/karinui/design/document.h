@@ -26,6 +26,7 @@ namespace karinui {
 struct BodyChoice {
   std::string size;           // built-in size it starts from, or empty
   Measurements measurements;  // all stated values, those of the size included; empty for a mesh
+  bool form = false;          // a dress form on a stand instead of a whole figure; never of a mesh
   std::string mesh;           // name (hash) of an imported mesh among the document's blobs; then the rest is empty
   std::string hash;           // Body::hash() of the figure as it stands; empty: no body chosen
   BodyPose pose = {};         // how it stands; empty: in its own pose

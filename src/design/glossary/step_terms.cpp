@@ -114,6 +114,7 @@ TermTable fieldTerms() {
       {"finish", say("Surface")},
       {"first", say("From the end to the first")},
       {"flex", say("Forwards, or bent")},
+      {"form", say("Dress form")},
       {"friction_body", say("Friction on skin")},
       {"friction_cloth", say("Friction on cloth")},
       {"frozen", say("Stays as it is")},

@@ -23,6 +23,8 @@ Done resolve(const Document&, SetBody& op, Context&) {
   if (op.size.empty() && op.set.empty() && op.mesh.empty()) {
     return refused(say("Say which body: size=jis9ar, set=\"bust_girth=88cm; …\", or an imported mesh."));
   }
+  if (!op.mesh.empty() && op.form)
+    return refused(say("An imported body is worn as it is; a dress form is made from measurements: leave out mesh."));
   if (!op.mesh.empty() && (!op.size.empty() || !op.set.empty() || op.sex)) {
     return refused(say("A body is either an imported mesh or made from measurements, not both."));
   }
@@ -49,6 +51,7 @@ Result<Document> perform(const Document& before, const SetBody& op, Context& con
     if (!all) return all.error();
     after.body.size = op.size;
     after.body.measurements = *std::move(all);
+    after.body.form = op.form;
   }
   auto body = context.bodies.find(after.body, context.blobs, context.workers, context.token);
   if (!body) return body.error();

@@ -13,7 +13,8 @@
 
 namespace karinui {
 
-// body size=jis9ar            body size=eu38 set="bust_girth=90cm; waist=72cm"            body mesh=<hash of a blob>
+// body size=jis9ar            body size=eu38 form=yes            body size=eu38 set="bust_girth=90cm; waist=72cm" body
+// mesh=<hash of a blob>
 struct SetBody {
   static constexpr std::string_view kName = "body";
   static constexpr std::string_view kHelp = "Chooses the figure: a built-in size, measurements, or an imported mesh.";
@@ -21,12 +22,14 @@ struct SetBody {
   std::string size;
   std::optional<Sex> sex;
   std::vector<Stated> set;
+  bool form = false;
   std::string mesh;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("size", self.size, "a built-in size to start from: jis9ar, eu38, eu50", kOptional);
     visit("sex", self.sex, "female or male: which family of shapes (a size brings its own)", kOptional);
     visit("set", self.set, "measurements: bust_girth=88cm; waist_girth=70cm, or formulas of each other", kOptional);
+    visit("form", self.form, "yes: a dress form on a stand, without head, arms and legs", kOptional);
     visit("mesh", self.mesh, "an imported mesh, by its name among the document's blobs", kOptional);
   }
   bool operator==(const SetBody&) const = default;
