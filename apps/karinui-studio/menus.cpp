@@ -96,12 +96,17 @@ void MainWindow::makeMenus() {
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   QMenu* examples = file->addMenu(QString());
   Theme::here().keep(examples, [examples] { examples->setTitle(inWords(say("Examples"))); });
-  const std::pair<const char*, Message> made[] = {
-      {"first_tunic", say("A first tunic")},        {"six_operations", say("The six operations")},
-      {"kyoto_fitting", say("A fitting in Kyoto")}, {"shirt_fitting", say("A shirt")},
-      {"tailored_shirt", say("A tailored shirt")},  {"pleated_skirt", say("A pleated skirt")},
-      {"trousers", say("Trousers with a fly")},     {"gathered_dress", say("A gathered dress")},
-      {"hooded_coat", say("A hooded coat")},        {"lined_waistcoat", say("A lined waistcoat over a shirt")}};
+  const std::pair<const char*, Message> made[] = {{"first_tunic", say("A first tunic")},
+                                                  {"six_operations", say("The six operations")},
+                                                  {"kyoto_fitting", say("A fitting in Kyoto")},
+                                                  {"shirt_fitting", say("A shirt")},
+                                                  {"tailored_shirt", say("A tailored shirt")},
+                                                  {"pleated_skirt", say("A pleated skirt")},
+                                                  {"trousers", say("Trousers with a fly")},
+                                                  {"gathered_dress", say("A gathered dress")},
+                                                  {"hooded_coat", say("A hooded coat")},
+                                                  {"lined_waistcoat", say("A lined waistcoat over a shirt")},
+                                                  {"skirt_with_train", say("A skirt with a train on a dress form")}};
   for (const auto& [name, words] : made) {
     QAction* one = examples->addAction(QString());
     Theme::here().keep(one, words, words);

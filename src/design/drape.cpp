@@ -7,6 +7,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/check/check.h"
+#include "karinui/cloth/floor.h"
 #include "karinui/cloth/follow.h"
 #include "karinui/cloth/girth_check.h"
 #include "karinui/cloth/live_hand.h"
@@ -58,13 +59,19 @@ Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live)
   return levels;
 }
 
-Result<std::unique_ptr<Collider>> colliderOf(const Document& document, Context& context) {
+// What stops the cloth: the figure, and the floor it stands on.
+struct Surroundings {
+  std::unique_ptr<Collider> body, floor = floorCollider();
+  ColliderList list() const { return ColliderList(*body).add(*floor); }
+};
+
+Result<Surroundings> surroundingsOf(const Document& document, Context& context) {
   Result<BodyPtr> body = bodyOf(document, context);
   if (!body) return body.error();
   if (const Done ready = (*body)->prepareField(context.workers, context.token); !ready) return ready.error();
   if (document.settings.collider == Settings::Collider::Planes)
-    return std::unique_ptr<Collider>(std::make_unique<MergedPlanes>(*body));
-  return fieldCollider(*body);
+    return Surroundings{std::make_unique<MergedPlanes>(*body)};
+  return Surroundings{fieldCollider(*body)};
 }
 
 // What merging the body's faces saved, for the historical collider.
@@ -139,18 +146,18 @@ std::vector<std::uint32_t> patchAround(const Cloth& cloth, PieceId id, Flat plac
 
 // A hand about to pull: what stops the cloth, the cloth, what the fingers hold and where its middle is.
 struct Hold {
-  std::unique_ptr<Collider> collider;
+  Surroundings around;
   ClothLevel level;
   Grip grip;
   Vec3 middle;
 };
 Result<Hold> holdOf(const Document& document, const PullCloth& pull, Context& context) {
-  auto collider = colliderOf(document, context);
-  if (!collider) return collider.error();
+  auto around = surroundingsOf(document, context);
+  if (!around) return around.error();
   const std::set<PieceId> live = livePieces(document, pull.live.empty() ? std::vector{pull.piece} : pull.live);
   Result<ClothLevel> level = levelAt(document, live, document.settings.spacing);
   if (!level) return level.error();
-  Hold hold{*std::move(collider), *std::move(level), {}, {}};
+  Hold hold{*std::move(around), *std::move(level), {}, {}};
   hold.grip.nodes = patchAround(hold.level.cloth, pull.piece.id, pull.at, pull.patch);
   for (const std::uint32_t node : hold.grip.nodes) hold.middle += hold.level.state.position[node];
   hold.middle *= 1.0 / static_cast<double>(hold.grip.nodes.size());
@@ -176,13 +183,14 @@ Result<Standing> standingCloth(const Document& document, const std::set<PieceId>
 
 Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
                                  const DrapeOnlooker& onlooker, bool continueAfterRest) {
-  const auto collider = colliderOf(document, context);
-  if (!collider) return collider.error();
+  const auto around = surroundingsOf(document, context);
+  if (!around) return around.error();
   Result<Levels> levels = levelsOf(document, livePieces(document, drape.live));
   if (!levels) return levels.error();
   const Result<BodyPtr> body = bodyOf(document, context);
   if (!body) return body.error();
-  const ClothLevel& coarsest = levels->coarseFirst.front();
+  ClothLevel& coarsest = levels->coarseFirst.front();
+  layOnFloor(coarsest.cloth, coarsest.state);
   // Its levels are those of a person who stands: in another pose what was closed on the body stays closed on it.
   const std::optional<GirthLoop> loop =
       (*body)->pose().empty() ? tightestLoop(coarsest.cloth, coarsest.state, **body) : std::nullopt;
@@ -199,22 +207,22 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
       onlooker([&] { return formsLeft(cloth, {places}); });
     };
   const Result<SettleReport> report =
-      settle(levels->coarseFirst, **collider, settings, context.token, context.workers, watcher);
+      settle(levels->coarseFirst, around->list(), settings, context.token, context.workers, watcher);
   if (!report) return report.error();
-  return DrapeOutcome{formsLeft(levels->finest().cloth, levels->finest().state), told(*report, **collider), {}};
+  return DrapeOutcome{formsLeft(levels->finest().cloth, levels->finest().state), told(*report, *around->body), {}};
 }
 
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context) {
   auto hold = holdOf(document, pull, context);
   if (!hold) return hold.error();
-  auto& [collider, level, grip, middle] = *hold;
+  auto& [around, level, grip, middle] = *hold;
   grip.path = {middle};
   for (const Vec3& step : pull.by) grip.path.push_back(middle + step);
   grip.seconds = pull.seconds;
   grip.letGo = pull.letGo;
-  Result<PullReport> report = karinui::pull(level, *collider, grip, {}, context.token, context.workers);
+  Result<PullReport> report = karinui::pull(level, around.list(), grip, {}, context.token, context.workers);
   if (!report) return report.error();
-  return DrapeOutcome{formsLeft(level.cloth, level.state), told(report->end, *collider), std::move(report->force)};
+  return DrapeOutcome{formsLeft(level.cloth, level.state), told(report->end, *around.body), std::move(report->force)};
 }
 
 Result<std::map<PieceId, std::shared_ptr<const Form>>> carriedByBody(const Document& document, const Skeleton& skeleton,
@@ -250,7 +258,7 @@ Result<std::map<PieceId, std::shared_ptr<const Form>>> carriedByBody(const Docum
 }
 
 struct LivePull::Inside {
-  std::unique_ptr<Collider> collider;
+  Surroundings around;
   Vec3 middle;  // where it took hold
   LiveHand hand;
 };
@@ -263,10 +271,10 @@ Result<LivePull> LivePull::take(const Document& document, const PullCloth& pull,
   if (!hold) return hold.error();
   Grip& grip = hold->grip;
   grip.path = {hold->middle};
-  auto hand = LiveHand::take(std::move(hold->level), *hold->collider, grip, {}, context.workers);
+  auto hand = LiveHand::take(std::move(hold->level), hold->around.list(), grip, {}, context.workers);
   if (!hand) return hand.error();
   LivePull live;
-  live.inside_ = std::make_unique<Inside>(Inside{std::move(hold->collider), hold->middle, *std::move(hand)});
+  live.inside_ = std::make_unique<Inside>(Inside{std::move(hold->around), hold->middle, *std::move(hand)});
   return live;
 }
 

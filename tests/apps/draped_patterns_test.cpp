@@ -70,7 +70,7 @@ TEST_P(Examples, ComeToRestWithNothingThroughAnything) {
 
 INSTANTIATE_TEST_SUITE_P(All, Examples,
                          testing::Values("trousers", "tailored_shirt", "pleated_skirt", "gathered_dress", "hooded_coat",
-                                         "buttoned_waistcoat", "lined_waistcoat"),
+                                         "skirt_with_train", "buttoned_waistcoat", "lined_waistcoat"),
                          [](const auto& name) { return name.param; });
 
 INSTANTIATE_TEST_SUITE_P(

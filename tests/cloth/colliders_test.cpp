@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
+#include "karinui/cloth/floor.h"
 
 namespace karinui::test {
 namespace {
@@ -50,6 +51,70 @@ TEST(Colliders, AClothFallsPastOneOntoTheOther) {
   EXPECT_GE(nearestTo(ball, levels[0].state.position), 0);
   EXPECT_GE(nearestTo(floor, levels[0].state.position), 0);
   EXPECT_LT(middleOf(levels[0].state).y, 0.02) << "it lies on the floor";
+}
+
+// Its height is the floor's, and the thickness of air that every surface keeps.
+TEST(Floor, AClothLetFallLiesFlatOnIt) {
+  const auto floor = floorCollider();
+  const double half = 0.5 * kCells * kCell;
+  std::vector<ClothLevel> levels{square([&](Flat p) { return Vec3{p.u - half, 0.03, p.v - half}; }, 0.3)};
+  Workers workers(2);
+  const auto report = settle(levels, *floor, {}, Token(), workers);
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->settled) << report->why.pattern;
+  for (const Vec3& p : levels[0].state.position) {
+    EXPECT_NEAR(p.y, SettleSettings().skin, 2e-4);
+    EXPECT_LT(std::fmax(std::fabs(p.x), std::fabs(p.z)), half + 1e-3);
+  }
+}
+
+// An upright cloth that reaches below the floor: a gown that is too long.
+TEST(Floor, ClothThatBeginsBelowItIsFoldedOutwardsAtItsFullLength) {
+  const double side = kCells * kCell, below = 0.5 * side;
+  const auto upright = [&](double z, int layer) {
+    ClothLevel level = square([&](Flat p) { return Vec3{p.u - 0.5 * side, p.v - below, z}; }, 0.3);
+    level.cloth.pieces[0].layer = layer;
+    return level;
+  };
+  ClothLevel level = upright(0, 0), outer = upright(0, 1);
+  const std::vector<Vec3> before = level.state.position;
+  layOnFloor(level.cloth, level.state);
+  layOnFloor(outer.cloth, outer.state);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Vec3 p = level.state.position[i];
+    if (before[i].y > 0.003) {
+      EXPECT_EQ(p, before[i]);
+      continue;
+    }
+    EXPECT_GT(p.y, 0);
+    EXPECT_LT(p.y, 0.003);
+    EXPECT_NEAR(std::fabs(p.z), p.y - before[i].y, 1e-9) << "as far along the floor as it was below";
+    EXPECT_EQ(p.x, before[i].x);
+    EXPECT_GT(outer.state.position[i].y, p.y + 0.003) << "an outer layer comes over an inner one";
+  }
+  for (const std::uint32_t node : {0u, 1u}) level.cloth.pinned.push_back(kCells * (kCells + 1) + node * kCells);
+  std::vector<ClothLevel> levels{level};
+  const auto floor = floorCollider();
+  Workers workers(2);
+  const auto report = settle(levels, *floor, {}, Token(), workers);
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->settled) << report->why.pattern;
+  EXPECT_LT(report->strain.mean, 0.01);
+  for (const Vec3& p : levels[0].state.position) EXPECT_GT(p.y, 0);
+}
+
+TEST(Floor, ClothThatDoesNotComeNearItRestsTheSameToTheBit) {
+  const CapsuleBody ball({{{0, 0.25, 0}, {0, 0.25, 0}, 0.08}});
+  const auto floor = floorCollider();
+  const double half = 0.5 * kCells * kCell;
+  const auto rested = [&](const ColliderList& colliders) {
+    std::vector<ClothLevel> levels{square([&](Flat p) { return Vec3{p.u - half, 0.34, p.v - half}; }, 0.5)};
+    Workers workers(2);
+    const auto report = settle(levels, colliders, {}, Token(), workers);
+    EXPECT_TRUE(report && report->settled);
+    return levels[0].state.position;
+  };
+  EXPECT_EQ(rested(ball), rested(ColliderList(ball).add(*floor)));
 }
 
 // On a slope of 20 degrees cloth slides where friction is below 0.36; at the slope's foot stands a wall.
