@@ -22,7 +22,7 @@ target_compile_options(karinui_flags INTERFACE -Wall -Wextra -Wshadow -Wno-unkno
   # Nobody asks for errno or for traps of floating point: the numbers stay the same, but more loops become vectors.
   -fno-math-errno -fno-trapping-math
   -fstack-protector-strong
-  # No folder of this machine within a release: the same sources in two folders give the same bytes (scripts/reproducible).
+  # No folder of this machine within a release: the same sources in two folders give the same bytes.
   $<BUILD_INTERFACE:$<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.>>)
 if(KARINUI_WERROR)
   target_compile_options(karinui_flags INTERFACE -Werror)
