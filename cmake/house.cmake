@@ -49,6 +49,41 @@ if(KARINUI_SANITIZE)
   target_link_options(karinui_flags INTERFACE $<${sanitized}:-fsanitize=${KARINUI_SANITIZE}>)
 endif()
 
+# -DKARINUI_MUTANT=seam_off_by_one: a build that is broken on purpose, by tests/mutants/seam_off_by_one.patch. The sources stay
+# as they are: the one that the patch is for is compiled from a patched copy in the build folder (scripts/mutants).
+set(KARINUI_MUTANT "" CACHE STRING "A patch of tests/mutants to break this build with; empty: none")
+if(KARINUI_MUTANT)
+  set(KARINUI_MUTANT_PATCH ${PROJECT_SOURCE_DIR}/tests/mutants/${KARINUI_MUTANT}.patch)
+  if(NOT EXISTS ${KARINUI_MUTANT_PATCH})
+    message(FATAL_ERROR "There is no ${KARINUI_MUTANT_PATCH}")
+  endif()
+  file(STRINGS ${KARINUI_MUTANT_PATCH} KARINUI_MUTANT_SOURCE REGEX "^\\+\\+\\+ b/")
+  string(REPLACE "+++ b/" "${PROJECT_SOURCE_DIR}/" KARINUI_MUTANT_SOURCE "${KARINUI_MUTANT_SOURCE}")
+  if(NOT EXISTS "${KARINUI_MUTANT_SOURCE}")
+    message(FATAL_ERROR "The patch ${KARINUI_MUTANT} is not for one source that is there: ${KARINUI_MUTANT_SOURCE}")
+  endif()
+endif()
+# In the list named, the source that the mutant is for becomes its patched copy.
+function(karinui_mutate list)
+  if(KARINUI_MUTANT AND KARINUI_MUTANT_SOURCE IN_LIST ${list})
+    get_filename_component(name ${KARINUI_MUTANT_SOURCE} NAME)
+    get_filename_component(folder ${KARINUI_MUTANT_SOURCE} DIRECTORY)
+    set(copy ${CMAKE_CURRENT_BINARY_DIR}/${KARINUI_MUTANT}/${name})
+    file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${KARINUI_MUTANT})
+    execute_process(COMMAND patch --fuzz=0 --silent --reject-file=- --output=${copy} ${KARINUI_MUTANT_SOURCE} ${KARINUI_MUTANT_PATCH}
+      RESULT_VARIABLE failed)
+    if(failed)
+      message(FATAL_ERROR "The patch ${KARINUI_MUTANT} does not apply any more; make it anew (git diff -U1)")
+    endif()
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KARINUI_MUTANT_PATCH} ${KARINUI_MUTANT_SOURCE})
+    set_source_files_properties(${copy} PROPERTIES INCLUDE_DIRECTORIES ${folder})  # the headers beside it
+    list(REMOVE_ITEM ${list} ${KARINUI_MUTANT_SOURCE})
+    list(APPEND ${list} ${copy})
+    set(${list} ${${list}} PARENT_SCOPE)
+    message(STATUS "Broken on purpose: ${KARINUI_MUTANT}")
+  endif()
+endfunction()
+
 # karinui_module(cloth USES geometry pattern body LINKS Eigen3::Eigen): the library karinui_cloth from src/cloth/**.cpp,
 # its public headers include/karinui/cloth. USES are public, LINKS private. UNCHECKED: its release code does not look
 # whether each index is within its array, which costs the inner loops a tenth; what comes from outside was read by others.
@@ -56,6 +91,7 @@ endif()
 function(karinui_module name)
   cmake_parse_arguments(A "UNCHECKED" "" "USES;LINKS;PRECOMPILED" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  karinui_mutate(sources)
   add_library(karinui_${name} STATIC ${sources})
   target_include_directories(karinui_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include> PRIVATE ${PROJECT_SOURCE_DIR}/src)

@@ -102,8 +102,9 @@ class EdgeReader {
 
 Result<std::vector<Flat>> readVertices(const std::string& name, const Json& panel, double metres) {
   const Json* vertices = member(panel, "vertices");
-  if (!vertices || !vertices->is_array() || vertices->size() > kMostEdges)
-    return badInput(say("Panel \"{0}\" has no list of vertices.", shown(name)));
+  if (!vertices || !vertices->is_array()) return badInput(say("Panel \"{0}\" has no list of vertices.", shown(name)));
+  if (vertices->size() > kMostEdges)
+    return badInput(say("Panel \"{0}\" has more than {1} vertices.", shown(name), kMostEdges));
   std::vector<Flat> points;
   for (const Json& vertex : *vertices) {
     if (!isPoint(vertex, 2))
@@ -126,10 +127,12 @@ Result<Panel> readPanel(const std::string& name, const Json& json, double metres
   Result<std::vector<Flat>> points = readVertices(name, json, metres);
   if (!points) return points.error();
   const Json* edges = member(json, "edges");
-  if (!edges || !edges->is_array() || edges->empty() || edges->size() > kMostEdges)
+  if (!edges || !edges->is_array() || edges->empty())
     return badInput(say("Panel \"{0}\" has no list of edges.", shown(name)));
+  if (edges->size() > kMostEdges)
+    return badInput(say("Panel \"{0}\" has more than {1} edges.", shown(name), kMostEdges));
   const EdgeReader reader(name, *points, metres, relative);
-  std::set<std::string> taken;
+  DistinctNames taken;
   for (std::size_t i = 0; i < edges->size(); ++i) {
     const Json& edge = (*edges)[i];
     Result<Curve> curve = reader.read(edge, i);
@@ -140,7 +143,7 @@ Result<Panel> readPanel(const std::string& name, const Json& json, double metres
     if (!label) label = member(edge, "label");
     std::string word = label && label->is_string() ? edgeWord(label->get_ref<const std::string&>()) : std::string{};
     if (word.empty()) word = "edge_" + std::to_string(i);
-    panel.edgeNames.push_back(distinct(std::move(word), taken));
+    panel.edgeNames.push_back(taken.give(std::move(word)));
     panel.piece.outline.edges.push_back({panel.edgeNames.back(), *std::move(curve)});
   }
   auto& outline = panel.piece.outline;
@@ -192,7 +195,8 @@ class StitchReader {
 
   // `trusted`: the file is known to keep the rule of the right sides.
   Result<std::vector<Seam>> read(const Json& stitches, bool trusted) const {
-    if (!stitches.is_array() || stitches.size() > kMostEdges) return badInput(say("The stitches must be a list."));
+    if (!stitches.is_array()) return badInput(say("The stitches must be a list."));
+    if (stitches.size() > kMostEdges) return badInput(say("There are more than {0} stitches.", kMostEdges));
     std::vector<Seam> seams;
     std::vector<bool> told;  // the stitch itself says that it does not follow the rule
     for (const Json& stitch : stitches) {
@@ -292,12 +296,12 @@ Result<Pattern> readGarmentCode(std::string_view json) {
 
   Pattern out;
   std::vector<Panel> read;
-  std::set<std::string> taken;
+  DistinctNames taken;
   for (const std::string& name : *names) {
     Result<Panel> panel = readPanel(name, panels->at(name), metres, relative);
     if (!panel) return panel.error();
     panel->piece.id = madeBy<PieceId>(1, static_cast<std::uint32_t>(read.size()));
-    panel->piece.name = distinct(panel->piece.name, taken);
+    panel->piece.name = taken.give(std::move(panel->piece.name));
     out.pieces[panel->piece.id] = std::make_shared<const Piece>(panel->piece);
     read.push_back(*std::move(panel));
   }

@@ -170,7 +170,7 @@ Json panelOf(const Piece& piece, const std::vector<WrittenEdge>& edges) {
   panel["rotation"] = eulerOf(pose);
   panel["vertices"] = Json::array();
   panel["edges"] = Json::array();
-  std::set<std::string> taken;
+  DistinctNames taken;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     panel["vertices"].push_back(pairOf(edges[i].curve.start * kPerMetre));
     Json edge{{"endpoints", {i, (i + 1) % edges.size()}}};
@@ -178,7 +178,7 @@ Json panelOf(const Piece& piece, const std::vector<WrittenEdge>& edges) {
         (edges[i].curve.kind == Curve::Kind::Arc && edges[i].curve.bulge != 0))
       edge["curvature"] = curvatureOf(edges[i].curve);
     // Not as its label: the program refuses a stitch between two labels that differ.
-    edge["name"] = distinct(edges[i].name, taken);
+    edge["name"] = taken.give(edges[i].name);
     panel["edges"].push_back(std::move(edge));
   }
   return panel;
@@ -190,11 +190,11 @@ Result<std::string> writeGarmentCode(const Pattern& pattern) {
   const Splits splits(pattern);
   std::map<PieceId, std::string> names;
   std::map<PieceId, std::vector<WrittenEdge>> edges;
-  std::set<std::string> taken;
+  DistinctNames taken;
   Json panels = Json::object(), order = Json::array(), stitches = Json::array();
   for (const auto& [id, piece] : pattern.pieces) {
     edges[id] = edgesOf(*piece, splits);
-    names[id] = distinct(cleanText(piece->name), taken);
+    names[id] = taken.give(cleanText(piece->name));
     panels[names[id]] = panelOf(*piece, edges[id]);
     order.push_back(names[id]);
   }

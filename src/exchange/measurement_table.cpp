@@ -143,7 +143,8 @@ Result<MeasurementTable> readMeasurementTable(std::string_view bytes) {
   Rows rows(bytes);
   MeasurementTable table;
   std::vector<Column> columns;
-  std::set<std::string> keys, names;
+  std::set<std::string> keys;
+  DistinctNames names;
   while (rows.more()) {
     const auto cells = rows.next();
     if (!cells) return cells.error();
@@ -191,7 +192,7 @@ Result<MeasurementTable> readMeasurementTable(std::string_view bytes) {
       }
     }
     if (person.name.empty()) person.name = "row " + std::to_string(rows.number());
-    person.name = distinct(person.name, names);
+    person.name = names.give(std::move(person.name));
     table.people.push_back(std::move(person));
   }
   if (table.people.empty()) return badInput(say("The table has no row with measures."));

@@ -15,9 +15,11 @@ namespace karinui {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{4} << 20, kMostEntries = 5000;
+constexpr std::size_t kLongestName = 200;  // of a section or a measure; what follows is not kept
 
 Error notMeasures() { return badInput(say("There are no measures in this file.")); }
 Error tooLarge() { return badInput(say("This file is too large for a file of measures.")); }
+Error tooMany() { return badInput(say("The file has more than {0} measures.", kMostEntries)); }
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -39,8 +41,7 @@ std::vector<std::string_view> linesOf(std::string_view bytes) {
 // A measure of the given size of its unit; angles are in degrees in every one of these files.
 void take(MeasuresRead& into, MeasureSystem system, const std::string& name, double number, double metresPerUnit) {
   const std::string_view key = measureKeyIn(system, name);
-  if (key.empty() || !(number > 0))
-    return void(into.unknown.size() < kMostEntries ? into.unknown.push_back(shown(name)) : void());
+  if (key.empty() || !(number > 0)) return into.unknown.push_back(shown(name));
   into.measures.value[std::string(key)] = isAngle(key) ? number * std::numbers::pi / 180 : number * metresPerUnit;
 }
 
@@ -99,10 +100,10 @@ Entries yamlEntries(std::string_view bytes) {
       return quoted ? t.substr(1, t.size() - 2) : t;
     };
     std::string path = open.empty() ? std::string() : open.back().path + ".";
-    path += unquoted(name);
+    path += unquoted(name).substr(0, kLongestName);
     if (value.empty() && open.size() < 16)
       open.push_back({indent, path});
-    else if (all.size() < kMostEntries)
+    else if (all.size() <= kMostEntries)
       all[path] = unquoted(value);
   }
   return all;
@@ -110,16 +111,20 @@ Entries yamlEntries(std::string_view bytes) {
 
 void jsonEntries(const Json& value, const std::string& path, Entries& all) {
   if (value.is_object()) {
-    for (const auto& [name, own] : value.items()) jsonEntries(own, path.empty() ? name : path + "." + name, all);
-  } else if (isFinite(value) && all.size() < kMostEntries) {
+    for (const auto& [name, own] : value.items())
+      jsonEntries(own, (path.empty() ? "" : path + ".") + name.substr(0, kLongestName), all);
+  } else if (all.size() > kMostEntries) {
+    return;
+  } else if (isFinite(value)) {
     all[path] = shortest(value.get<double>());
-  } else if (value.is_string() && all.size() < kMostEntries) {
+  } else if (value.is_string()) {
     all[path] = value.get<std::string>();
   }
 }
 
 // GarmentCode has a section "body" in centimetres; FreeSewing millimetres, in a section or bare.
 Result<MeasuresRead> ofEntries(const Entries& entries) {
+  if (entries.size() > kMostEntries) return tooMany();
   const bool garmentCode = std::any_of(entries.begin(), entries.end(), [](const auto& entry) {
     return entry.first.starts_with("body.") && parseNumber(entry.second);
   });
@@ -154,12 +159,13 @@ Result<MeasuresRead> readValentina(std::string_view bytes) {
       unit = said == "mm" ? 0.001 : said == "cm" ? 0.01 : 0.0254;
     }
     if (element.name == "gender" && trimmed(element.text) == "male") read.measures.sex = Sex::Male;
-    if (element.name != "m" || names.values.size() >= kMostEntries) continue;
+    if (element.name != "m") continue;
     const std::string* name = element.find("name");
     const std::string* value = element.find("value");
     if (!value) value = element.find("base");  // of several sizes the base size
     if (name && value) names.values[*name] = *value;
   }
+  if (names.values.size() > kMostEntries) return tooMany();
   for (const auto& [name, formula] : names.values) {
     const auto value = names.named(name);
     const bool number = value && value->dimension == kPlainNumber;

@@ -86,11 +86,11 @@ std::string edgeWord(std::string_view text) {
   return out.find_first_not_of('_') == std::string::npos ? std::string{} : out;
 }
 
-std::string distinct(std::string name, std::set<std::string>& taken) {
-  if (taken.insert(name).second) return name;
-  for (std::size_t n = 2;; ++n) {
-    std::string next = name + "_" + std::to_string(n);
-    if (taken.insert(next).second) return next;
+std::string DistinctNames::give(std::string name) {
+  if (taken_.insert(name).second) return name;
+  for (std::size_t& n = next_.try_emplace(name, 2).first->second;;) {
+    std::string next = name + "_" + std::to_string(n++);
+    if (taken_.insert(next).second) return next;
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 // Names that may stand in a file of another program.
+#include <initializer_list>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,7 +20,17 @@ std::string oneWord(std::string_view text, std::string_view otherwise);
 // [A-Za-z0-9_-]+, as edges are named; empty where nothing of the text is usable.
 std::string edgeWord(std::string_view text);
 
-// The name, or name_2, name_3 … until it is not in `taken`, where it is then entered.
-std::string distinct(std::string name, std::set<std::string>& taken);
+// Names of which no two are the same.
+class DistinctNames {
+ public:
+  DistinctNames(std::initializer_list<std::string> taken = {}) : taken_(taken) {}
+  // The name, or the first of name_2, name_3 … that was not given yet. A file of the same name over and over costs no
+  // more than one of different names.
+  std::string give(std::string name);
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, std::size_t> next_;  // the number to try first; what is taken stays taken
+};
 
 }  // namespace karinui

@@ -18,7 +18,7 @@ Done checkMesh(const TriangleMesh& mesh, std::string_view name) {
 Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment) {
   constexpr std::array<float, 3> kSkin{0.78f, 0.66f, 0.58f};
   std::vector<NamedMesh> out;
-  std::set<std::string> taken{"body"};
+  DistinctNames taken{"body"};
   if (garment.body) {
     if (auto good = checkMesh(*garment.body, "body"); !good) return good.error();
     out.push_back({"body", "", &*garment.body, nullptr, kSkin, nullptr});
@@ -36,8 +36,8 @@ Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment) {
     for (const Flat p : piece.flat)
       if (!finite(p))
         return badInput(say("\"{0}\" has a point that is nowhere (not a finite number).", shown(piece.name)));
-    out.push_back({distinct(oneWord(piece.name, "piece"), taken), oneWord(piece.fabric, "fabric"), &piece.mesh,
-                   &piece.flat, piece.colour, &piece.look});
+    out.push_back({taken.give(oneWord(piece.name, "piece")), oneWord(piece.fabric, "fabric"), &piece.mesh, &piece.flat,
+                   piece.colour, &piece.look});
   }
   return out;
 }

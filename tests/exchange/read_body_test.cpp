@@ -261,6 +261,79 @@ TEST_F(ReadBody, KeepsToItsLimits) {
   EXPECT_EQ(stopped.error().kind, Error::Kind::Cancelled);
 }
 
+// A column 1.7 m high on `ring`, whose floor and ceiling are one polygon each, as programs write that join what lies in
+// one plane. `open`: without a ceiling.
+std::string columnObj(const std::vector<Flat>& ring, bool open = false) {
+  const std::size_t n = ring.size();
+  std::string obj, floor = "f", ceiling = "f";
+  for (const double y : {0.0, 1.7})
+    for (const Flat p : ring) obj += "v " + shortest(p.u) + " " + shortest(y) + " " + shortest(p.v) + "\n";
+  for (std::size_t k = 0; k < n; ++k) {
+    floor += " " + std::to_string(k + 1);
+    ceiling += " " + std::to_string(2 * n - k);
+    const std::size_t a = k + 1, b = (k + 1) % n + 1;
+    obj += "f " + std::to_string(b) + " " + std::to_string(a) + " " + std::to_string(a + n) + " " +
+           std::to_string(b + n) + "\n";
+  }
+  return obj + floor + "\n" + (open ? "" : ceiling + "\n");
+}
+
+// Ten thousand corners 20 cm from the middle, every other one at `inner` metres.
+constexpr std::size_t kCorners = 10'000;
+std::vector<Flat> gear(double inner) {
+  std::vector<Flat> ring;
+  for (std::size_t k = 0; k < kCorners; ++k) {
+    const double angle = 2 * M_PI * static_cast<double>(k) / kCorners;
+    ring.push_back(Flat{std::cos(angle), std::sin(angle)} * (k % 2 == 0 ? 0.2 : inner));
+  }
+  return ring;
+}
+double gearVolume(double inner) { return 1.7 * 0.5 * kCorners * 0.2 * inner * std::sin(2 * M_PI / kCorners); }
+
+TEST_F(ReadBody, TakesPolygonsOfTenThousandCorners) {
+  BodyReadOptions patient;
+  patient.limits.seconds = 60;  // for a busy machine
+  for (const double inner : {0.2, 0.18}) {
+    const auto body = read(file("column.obj", columnObj(gear(inner))), patient);
+    ASSERT_TRUE(body) << text(body.error().what);
+    EXPECT_EQ(body->mesh.faces.size(), 2 * kCorners + 2 * (kCorners - 2));
+    EXPECT_TRUE(body->report.closed());
+    EXPECT_NEAR(volume(body->mesh), gearVolume(inner), 1e-5);
+  }
+  patient.limits.triangles = 30'000;
+  EXPECT_THAT(refusal(folder_ / "column.obj", patient), HasSubstr("more than 5000000 points or 30000 triangles"));
+}
+
+// A spiral has two ears at a time, which the reader looks for among all corners: it ends with the triangles, or stops
+// in time.
+TEST_F(ReadBody, EndsOnASpiralOfTenThousandCorners) {
+  std::vector<Flat> ring;
+  for (std::size_t k = 0; k < kCorners; ++k) {
+    const bool back = k >= kCorners / 2;
+    const double along = static_cast<double>(back ? kCorners - 1 - k : k) / (kCorners / 2), angle = 40 * M_PI * along;
+    ring.push_back(Flat{std::cos(angle), std::sin(angle)} * (0.05 + 0.15 * along + (back ? 0 : 0.003)));
+  }
+  BodyReadOptions hasty;
+  hasty.limits.seconds = 1;
+  const auto body = read(file("spiral.obj", columnObj(ring)), hasty);
+  if (body)
+    EXPECT_EQ(body->mesh.faces.size(), 2 * kCorners + 2 * (kCorners - 2));
+  else
+    EXPECT_THAT(text(body.error().what), HasSubstr("took longer than 1 second and was stopped"));
+}
+
+TEST_F(ReadBody, WrapsAnOpenColumnOfTenThousandCorners) {
+  BodyReadOptions wrap;
+  wrap.limits.seconds = 60;
+  wrap.wrap = true;
+  wrap.wrapCell = 0.06;
+  const auto body = read(file("open.obj", columnObj(gear(0.2), true)), wrap);
+  ASSERT_TRUE(body) << text(body.error().what);
+  EXPECT_TRUE(body->wrapped);
+  EXPECT_TRUE(body->report.closed());
+  EXPECT_NEAR(volume(body->mesh), gearVolume(0.2), 0.3 * gearVolume(0.2));
+}
+
 TEST_F(ReadBody, AHelperThatHangsDiesOrLiesIsOnlyASentence) {
   const fs::path path = file("b.obj", asObj(figure()));
   BodyReadOptions options;

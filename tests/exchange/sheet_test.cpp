@@ -155,28 +155,30 @@ TEST(Sheet, PiecesDoNotOverlap) {
 TEST(Sheet, CutLinesAndSizesKeepClearOfNeighbours) {
   Pattern pattern = test::random(3);
   SheetSettings settings;
-  settings.nest = true;
   settings.grading.sizes = {"S", "M", "L"};
   for (const auto& [id, piece] : pattern.pieces) {
     settings.allowances.edges[{id, "side_0"}] = 0.09;
     for (const Edge& edge : piece->outline.edges)
       settings.grading.pieces[id].push_back({edge.name, 0, {{}, 0.2 * edge.curve.start, 0.4 * edge.curve.start}});
   }
-  const auto sheet = layOut(pattern, settings);
-  ASSERT_TRUE(sheet) << text(sheet.error().what);
-  std::vector<std::array<Mm, 2>> boxes;
-  for (const SheetPiece& piece : sheet->pieces) {
-    Mm low{1e9, 1e9}, high{-1e9, -1e9};
-    const auto hold = [&](const std::vector<Mm>& line) {
-      for (const Mm p : line)
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    };
-    for (const auto& cut : piece.cutLines) hold(cut);
-    EXPECT_EQ(piece.nest.size(), 2u);
-    for (const SheetSize& size : piece.nest) hold(size.line);
-    for (const auto& [l, h] : boxes)
-      EXPECT_TRUE(high.x < l.x || h.x < low.x || high.y < l.y || h.y < low.y) << piece.piece->name;
-    boxes.push_back({low, high});
+  for (const bool nest : {true, false}) {
+    settings.nest = nest;
+    const auto sheet = layOut(pattern, settings);
+    ASSERT_TRUE(sheet) << text(sheet.error().what);
+    std::vector<std::array<Mm, 2>> boxes;
+    for (const SheetPiece& piece : sheet->pieces) {
+      Mm low{1e9, 1e9}, high{-1e9, -1e9};
+      const auto hold = [&](const std::vector<Mm>& line) {
+        for (const Mm p : line)
+          low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      };
+      for (const auto& cut : piece.cutLines) hold(cut);
+      EXPECT_EQ(piece.nest.size(), nest ? 2u : 0u);
+      for (const SheetSize& size : piece.nest) hold(size.line);
+      for (const auto& [l, h] : boxes)
+        EXPECT_TRUE(high.x < l.x || h.x < low.x || high.y < l.y || h.y < low.y) << piece.piece->name;
+      boxes.push_back({low, high});
+    }
   }
 }
 

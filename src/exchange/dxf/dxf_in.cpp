@@ -146,7 +146,7 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
     if (const std::size_t nth = count[{piece.name, piece.size}]++; !piece.turns.empty())
       samples.emplace(std::pair(piece.name, nth), &piece);
   count.clear();
-  std::set<std::string> names;
+  DistinctNames names;
   std::map<PieceId, Drawn> all;
   std::optional<Error> trouble;
   for (const CadPiece& drawn : style->pieces) {
@@ -162,7 +162,7 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
       continue;
     }
     piece->id = {made.pattern.pieces.size() + 1};
-    piece->name = distinct(oneWord(piece->name, "piece"), names);
+    piece->name = names.give(oneWord(piece->name, "piece"));
     addRules(made.rules, *piece, one.plan);
     all.emplace(piece->id, std::move(one));
     made.pattern.pieces[piece->id] = std::make_shared<const Piece>(*std::move(piece));

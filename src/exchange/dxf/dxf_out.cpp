@@ -20,11 +20,11 @@ constexpr double kTurn = std::numbers::pi / 15;  // 12 degrees between two chord
 constexpr std::string_view kSize = "M";
 
 // Names in these files are ASCII.
-std::string asciiName(std::string_view name, std::set<std::string>& taken) {
+std::string asciiName(std::string_view name, DistinctNames& taken) {
   std::string ascii = edgeWord(name);
   if (ascii.empty()) ascii = "PIECE";
   ascii.resize(std::min(ascii.size(), kLongestName - 3));
-  return distinct(ascii, taken);
+  return taken.give(std::move(ascii));
 }
 
 // Closed, with its corners told from the points on its curves.
@@ -54,7 +54,7 @@ Drawn drawn(const Ring& ring) {
 class Writing {
  public:
   Writing(DxfDialect dialect, const Pattern& pattern) : astm_(dialect == DxfDialect::Astm) {
-    std::set<std::string> taken;
+    DistinctNames taken;
     for (const auto& [id, piece] : pattern.pieces) names_[id] = asciiName(piece->name, taken);
     group(0, "SECTION"), group(2, "HEADER"), group(0, "ENDSEC"), group(0, "SECTION"), group(2, "BLOCKS");
   }

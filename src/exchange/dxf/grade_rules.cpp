@@ -42,23 +42,23 @@ std::string upper(std::string_view text) {
 }  // namespace
 
 std::vector<std::string> sizeWords(const std::vector<std::string>& sizes) {
-  std::set<std::string> taken;
+  DistinctNames taken;
   std::vector<std::string> words;
   for (const std::string& size : sizes) {
     std::string word = oneWord(size, "size");
     for (char& c : word)
       if (c == ';' || c == ',' || c == '=' || c == '"') c = '_';
-    words.push_back(distinct(word.size() > 20 ? edgeWord(word).substr(0, 20) : word, taken));
+    words.push_back(taken.give(word.size() > 20 ? edgeWord(word).substr(0, 20) : word));
   }
   return words;
 }
 
 std::vector<std::string> asciiSizes(const std::vector<std::string>& sizes) {
-  std::set<std::string> taken;
+  DistinctNames taken;
   std::vector<std::string> words;
   for (const std::string& size : sizes) {
     const std::string word = edgeWord(size);
-    words.push_back(distinct(word.empty() ? "SIZE" : word, taken));
+    words.push_back(taken.give(word.empty() ? "SIZE" : word));
   }
   return words;
 }

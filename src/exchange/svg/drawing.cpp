@@ -418,7 +418,7 @@ class Drawing {
         if (k != best) lines_[k].used = true, lines_[k].kind = Kind::Inside;
       chosen.push_back(best);
     }
-    std::set<std::string> names;
+    DistinctNames names;
     std::optional<Error> trouble;
     for (const std::size_t k : chosen) {
       auto piece = pieceOf(lines_[k]);
@@ -429,7 +429,7 @@ class Drawing {
         continue;
       }
       piece->id = {out_.pattern.pieces.size() + 1};
-      piece->name = distinct(oneWord(nameFor(lines_[k]), "piece"), names);
+      piece->name = names.give(oneWord(nameFor(lines_[k]), "piece"));
       out_.pattern.pieces[piece->id] = std::make_shared<const Piece>(*std::move(piece));
     }
     if (out_.pattern.pieces.empty() && trouble) return *trouble;
