@@ -146,8 +146,17 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     pivot.to = ref, pivot.at = share;
     offer(menu, say("Move {0} there", nameSaid(edges[other.to].name)), pivot);
   }
-  menu.addSeparator();
   const Document& document = session_->snapshot().document;
+  if (led && led->piece == near.piece && led->edge != near.edge)
+    if (const Edge* other = findEdge(*piece, led->edge)) {
+      SlashAndSpread spread;
+      spread.from = ref, spread.at = share;
+      spread.to = {PieceRef(near.piece), led->edge};
+      spread.toAt = toMillimetre(led->fraction, other->curve.length());
+      offer(menu, say("Slash to {0} and spread…", edgeSaid(document, spread.to)),
+            [this, spread] { askNumbers(spread); });
+    }
+  menu.addSeparator();
   const std::vector<EdgeRef> run = runThrough(document, ref);
   offer(menu, say("Band along it…"), [this, ref] { askNumbers(bandAlong(session_->snapshot().document, ref)); });
   offer(menu, say("Pleats…"), [this, ref] { askNumbers(pleatsIn(session_->snapshot().document, ref)); });

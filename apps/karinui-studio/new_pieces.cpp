@@ -180,6 +180,11 @@ void MainWindow::addNewPieces(QMenu& menu) {
   menu.addSeparator();
   add("pleat", say("Pleats in the chosen edge…"), true,
       [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
+  add("spread", say("Slash and spread from the chosen edge…"), true, [chosen] {
+    SlashAndSpread made;
+    if (const auto edge = chosen()) made.from = *edge;
+    return Operation(made);
+  });
   add("fasten", say("Buttons or a zip along the chosen edge…"), true, [chosen, this] {
     return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
   });
