@@ -159,6 +159,11 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   menu.addSeparator();
   const std::vector<EdgeRef> run = runThrough(document, ref);
   offer(menu, say("Band along it…"), [this, ref] { askNumbers(bandAlong(session_->snapshot().document, ref)); });
+  offer(menu, say("Facing…"), [this, run] {
+    FaceEdges face;
+    face.edges = run;
+    askNumbers(face);
+  });
   offer(menu, say("Pleats…"), [this, ref] { askNumbers(pleatsIn(session_->snapshot().document, ref)); });
   DrawRing skirt;
   skirt.name = usableName(document, "ring");

@@ -172,6 +172,11 @@ void MainWindow::addNewPieces(QMenu& menu) {
   });
   add("band", say("Band along the chosen edge…"), true,
       [chosen, this] { return Operation(bandAlong(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
+  add("facing", say("Facing along the chosen edge…"), true, [chosen, this] {
+    FaceEdges made;
+    if (const auto edge = chosen()) made.edges = runThrough(session_->snapshot().document, *edge);
+    return Operation(made);
+  });
   add("attach", say("Lead the chosen edge along others…"), true, [chosen] {
     AttachPiece made;
     if (const auto edge = chosen()) made.edge = *edge;

@@ -27,6 +27,7 @@ KARINUI_DECLARE_OPERATION(DrapePieces)   // rest.cpp; the work is drapeOnBody() 
 KARINUI_DECLARE_OPERATION(SetFabric)
 KARINUI_DECLARE_OPERATION(FuseInterfacing)
 KARINUI_DECLARE_OPERATION(LinePieces)
+KARINUI_DECLARE_OPERATION(FaceEdges)
 KARINUI_DECLARE_OPERATION(PinCloth)
 KARINUI_DECLARE_OPERATION(UnpinCloth)
 KARINUI_DECLARE_OPERATION(RemovePieces)
@@ -95,6 +96,8 @@ Document withOwnEdit(Document document, const EditedPiece& edit);
 std::vector<PieceId> likenesses(const Document& document, PieceId id);
 // Tells the sewn edges that became longer or shorter than what they are sewn to.
 void tellSeams(const Document& before, const Document& after, const Context& context);
+// Room for a layer beneath each layer that has one of the pieces. Refuses more layers than there are.
+Result<Document> withLayersBeneath(Document document, const std::vector<PieceId>& pieces);
 // The form a piece holds when it is cut along another outline: what is at the old one comes to the new one, in place.
 std::shared_ptr<const Form> followedForm(const Piece& piece, const Outline& outline);
 // Auto is decided: whether a piece is symmetric by itself and, by `both`, whether the other half has what is changed;

@@ -135,6 +135,23 @@ void tellSeams(const Document& before, const Document& after, const Context& con
   }
 }
 
+Result<Document> withLayersBeneath(Document document, const std::vector<PieceId>& pieces) {
+  constexpr int kMostLayer = 20;
+  std::set<int> layers;
+  for (const PieceId id : pieces) layers.insert(document.find(id)->layer);
+  const auto all = document.pattern.pieces;
+  for (const auto& [id, whole] : all) {
+    const int layer = whole->layer + static_cast<int>(std::distance(layers.begin(), layers.upper_bound(whole->layer)));
+    if (layer > kMostLayer)
+      return refused(say("“{0}” would lie in layer {1}; there are {2}.", whole->name, layer, kMostLayer));
+    if (layer == whole->layer) continue;
+    Piece piece = *whole;
+    piece.layer = layer;
+    document = withPiece(std::move(document), std::move(piece));
+  }
+  return document;
+}
+
 Done resolveSymmetric(const Piece& piece, Choice& symmetric, Context& context,
                       const std::function<bool(const PaperSymmetry&)>& both) {
   if (symmetric == Choice::No) return {};
