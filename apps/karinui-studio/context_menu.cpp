@@ -7,6 +7,7 @@
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
 #include "karinui/design/step_words.h"
+#include "karinui/geometry/polygon.h"
 #include "karinui/pattern/darts.h"
 #include "karinui/pattern/edit.h"
 #include "karinui/pattern/symmetry.h"
@@ -19,11 +20,27 @@ namespace karinui::studio {
 namespace {
 
 constexpr double kSkirtDeep = 0.5;  // metres, first written in the box
+constexpr double kShirred = 0.6;    // of a line's length the elastic, first written in the box
 constexpr double kDartDeep = 0.1;   // metres, as the board "Garment" offers it
 
 // By length, to the millimetre, as it is then written into the step.
 double toMillimetre(double share, double whole) {
   return whole > 0 ? std::clamp(std::round(share * whole * 1000) / 1000 / whole, 0.0, 1.0) : share;
+}
+
+// The inner line under a place of the paper; empty: none.
+std::string lineAt(const Piece& piece, Flat place) {
+  constexpr double kReach = 0.008;  // metres
+  std::string found;
+  double nearest = kReach;
+  for (const InternalLine& line : piece.lines)
+    for (const Curve& curve : line.curves) {
+      const auto points = curve.flattened(1e-4);
+      for (std::size_t k = 0; k + 1 < points.size(); ++k)
+        if (const double away = distanceToSegment(points[k], points[k + 1], place); away < nearest)
+          nearest = away, found = line.name;
+    }
+  return found;
 }
 
 }  // namespace
@@ -85,7 +102,14 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     offer(*menu, say("Unpick this seam"), Unsew{{SeamRef(chosen.seam)}});
     menu->addSeparator();
   }
+  const auto offerElastic = [&](PieceId piece, const std::string& line) {
+    SewElastic elastic;
+    elastic.edges = {{PieceRef(piece), line}};
+    elastic.ratio = kShirred;
+    offer(*menu, say("Elastic along {0}…", nameSaid(line)), [this, elastic] { askNumbers(elastic); });
+  };
   if (chosen.mark || !chosen.line.empty()) {
+    if (!chosen.line.empty() && !chosen.pieces.empty()) offerElastic(*chosen.pieces.begin(), chosen.line);
     menu->addAction(actions_[Command::Remove]);
     return menu->popup(global);
   }
@@ -95,6 +119,8 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     pin.piece = at->piece;
     pin.at = {at->paper};
     offer(*menu, say("Pin here"), pin);
+    if (const Piece* piece = session_->snapshot().document.find(at->piece))
+      if (const std::string line = lineAt(*piece, at->paper); !line.empty()) offerElastic(at->piece, line);
     if (patch_)
       offer(*menu, say("Sew {0} on here…", session_->snapshot().document.find(patch_->piece.id)->name),
             [this, patch = *patch_] { askNumbers(patch); });
@@ -146,10 +172,24 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     pivot.to = ref, pivot.at = share;
     offer(menu, say("Move {0} there", nameSaid(edges[other.to].name)), pivot);
   }
-  menu.addSeparator();
   const Document& document = session_->snapshot().document;
+  if (led && led->piece == near.piece && led->edge != near.edge)
+    if (const Edge* other = findEdge(*piece, led->edge)) {
+      SlashAndSpread spread;
+      spread.from = ref, spread.at = share;
+      spread.to = {PieceRef(near.piece), led->edge};
+      spread.toAt = toMillimetre(led->fraction, other->curve.length());
+      offer(menu, say("Slash to {0} and spread…", edgeSaid(document, spread.to)),
+            [this, spread] { askNumbers(spread); });
+    }
+  menu.addSeparator();
   const std::vector<EdgeRef> run = runThrough(document, ref);
   offer(menu, say("Band along it…"), [this, ref] { askNumbers(bandAlong(session_->snapshot().document, ref)); });
+  offer(menu, say("Facing…"), [this, run] {
+    FaceEdges face;
+    face.edges = run;
+    askNumbers(face);
+  });
   offer(menu, say("Pleats…"), [this, ref] { askNumbers(pleatsIn(session_->snapshot().document, ref)); });
   DrawRing skirt;
   skirt.name = usableName(document, "ring");

@@ -172,6 +172,11 @@ void MainWindow::addNewPieces(QMenu& menu) {
   });
   add("band", say("Band along the chosen edge…"), true,
       [chosen, this] { return Operation(bandAlong(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
+  add("facing", say("Facing along the chosen edge…"), true, [chosen, this] {
+    FaceEdges made;
+    if (const auto edge = chosen()) made.edges = runThrough(session_->snapshot().document, *edge);
+    return Operation(made);
+  });
   add("attach", say("Lead the chosen edge along others…"), true, [chosen] {
     AttachPiece made;
     if (const auto edge = chosen()) made.edge = *edge;
@@ -180,6 +185,11 @@ void MainWindow::addNewPieces(QMenu& menu) {
   menu.addSeparator();
   add("pleat", say("Pleats in the chosen edge…"), true,
       [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
+  add("spread", say("Slash and spread from the chosen edge…"), true, [chosen] {
+    SlashAndSpread made;
+    if (const auto edge = chosen()) made.from = *edge;
+    return Operation(made);
+  });
   add("fasten", say("Buttons or a zip along the chosen edge…"), true, [chosen, this] {
     return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
   });

@@ -53,10 +53,10 @@ ClothEdge edgeOf(const Cloth& cloth, std::size_t piece, const Piece& paper, cons
   ClothEdge edge{piece, name, {}, 0};
   const Lattice& lattice = *cloth.pieces[piece].lattice;
   const auto found = lattice.edges.find(name);
-  const Edge* drawn = findEdge(paper, name);
+  const Curve* drawn = findCurve(paper, name);
   if (found == lattice.edges.end() || !drawn) return edge;
   for (const std::uint32_t node : found->second.nodes) edge.nodes.push_back(cloth.pieces[piece].firstNode + node);
-  edge.length = drawn->curve.length();
+  edge.length = drawn->length();
   return edge;
 }
 

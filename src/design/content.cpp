@@ -62,10 +62,12 @@ bool sound(const Document& document, const std::vector<EdgeSpan>& side) {
   });
 }
 
+// Of elastics also inner lines.
 template <class Value>
 bool edgesThere(const Document& document, const std::map<Allowances::At, Value>& all) {
   return std::all_of(all.begin(), all.end(), [&](const auto& own) {
     const Piece* piece = document.find(own.first.first);
+    if constexpr (std::is_same_v<Value, Elastic>) return piece && findCurve(*piece, own.first.second);
     return piece && findEdge(*piece, own.first.second);
   });
 }

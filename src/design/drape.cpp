@@ -12,6 +12,7 @@
 #include "karinui/cloth/girth_check.h"
 #include "karinui/cloth/live_hand.h"
 #include "karinui/cloth/merged_planes.h"
+#include "karinui/pattern/elastic_lines.h"
 #include "karinui/pattern/pleats.h"
 
 namespace karinui {
@@ -24,7 +25,8 @@ struct Levels {
 };
 
 Result<ClothLevel> levelAt(const Document& document, const std::set<PieceId>& live, double spacing) {
-  const Pattern pattern = withZips(document.pattern, document.allowances.fastenings);
+  const Pattern pattern =
+      withElasticLines(withZips(document.pattern, document.allowances.fastenings), document.allowances);
   const Result<LaidPattern> laid = lay(pattern, spacing);
   if (!laid) return laid.error();
   const auto fabrics = fabricsInUse(document);

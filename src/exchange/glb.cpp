@@ -177,7 +177,9 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
                {{"scale", {1 / tile.wide, 1 / tile.high}}, {"offset", {0.0, 1 - 1 / tile.high}}}}}}};
         transform = true;
       }
-      Json made{{"name", cloth ? "fabric " + object.fabric : "skin"},
+      Json made{{"name", cloth                   ? "fabric " + object.fabric
+                         : object.fabric.empty() ? "skin"
+                                                 : object.fabric},
                 {"doubleSided", cloth},
                 {"pbrMetallicRoughness", std::move(surface)}};
       if (cover < 1) made["alphaMode"] = "BLEND";

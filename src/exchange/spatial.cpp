@@ -39,6 +39,11 @@ Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment) {
     out.push_back({taken.give(oneWord(piece.name, "piece")), oneWord(piece.fabric, "fabric"), &piece.mesh, &piece.flat,
                    piece.colour, &piece.look});
   }
+  for (const SpatialNotion& notion : garment.notions) {
+    if (auto good = checkMesh(notion.mesh, notion.name); !good) return good.error();
+    out.push_back({distinct(oneWord(notion.name, "buttons"), taken), oneWord(notion.material, "notion"), &notion.mesh,
+                   nullptr, notion.colour, nullptr});
+  }
   return out;
 }
 

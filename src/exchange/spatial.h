@@ -6,14 +6,14 @@ namespace karinui {
 
 struct NamedMesh {
   std::string name;
-  std::string fabric;  // empty: the body
+  std::string fabric;  // or what else it is made of; empty: the body
   const TriangleMesh* mesh = nullptr;
   const std::vector<Flat>* flat = nullptr;  // null: no texture coordinates
   std::array<float, 3> colour{};
-  const SpatialLook* look = nullptr;  // null: the body
+  const SpatialLook* look = nullptr;  // null: the body, a button
 };
 
-// The body first, then the pieces in their order, each under a name of its own.
+// The body first, then the pieces and the notions in their order, each under a name of its own.
 Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment);
 
 Done checkMesh(const TriangleMesh& mesh, std::string_view name);

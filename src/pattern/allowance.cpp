@@ -21,7 +21,9 @@ template <class Value>
 void eraseGone(std::map<Allowances::At, Value>& all, const Pattern& now) {
   std::erase_if(all, [&](const auto& own) {
     const auto piece = now.pieces.find(own.first.first);
-    return piece == now.pieces.end() || !findEdge(*piece->second, own.first.second);
+    if (piece == now.pieces.end()) return true;
+    if constexpr (std::is_same_v<Value, Elastic>) return !findCurve(*piece->second, own.first.second);  // or on a line
+    return !findEdge(*piece->second, own.first.second);
   });
 }
 
@@ -121,6 +123,12 @@ void copyAllowances(Allowances& allowances, const Piece& original, const Piece& 
     }
   };
   lead(original.outline, copy.outline);
+  for (const InternalLine& line : original.lines)
+    if (const auto own = allowances.elastics.find({original.id, line.name});
+        own != allowances.elastics.end() && !findEdge(original, line.name)) {
+      const Elastic elastic = own->second;
+      allowances.elastics[{copy.id, mirror ? otherSide(line.name) : line.name}] = elastic;
+    }
   for (std::size_t i = 0; i < original.holes.size() && i < copy.holes.size(); ++i)
     lead(original.holes[i], copy.holes[i]);
 }

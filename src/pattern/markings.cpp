@@ -186,8 +186,8 @@ std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish)
   std::vector<PaperNote> notes;
   const auto flat = [](Flat along) { return std::abs(along.u) >= std::abs(along.v); };
   for (const auto& [at, elastic] : finish.elastics)
-    if (const auto on = borderPlace(pattern, {at.first, at.second, 0.5})) {
-      const double cut = elastic.ratio * edgeOf(pattern, at.first, at.second)->curve.length();
+    if (const auto on = sewnPlace(pattern, {at.first, at.second, 0.5})) {
+      const double cut = elastic.ratio * curveOf(pattern, at.first, at.second)->length();
       notes.push_back({at.first, say("elastic {0} cm", std::round(cut * 1000) / 10), on->place - on->outward * kDepth,
                        flat(leftOf(on->outward))});
     }

@@ -3,6 +3,7 @@
 
 #include "divide_edges.h"
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/likeness.h"
 
 namespace karinui {
 
@@ -61,14 +62,30 @@ Piece mirrored(const Piece& piece) {
   return copy;
 }
 
-std::optional<EditedPiece> editedLikewise(const Piece& copy, const Piece& before, const EditedPiece& edit) {
+namespace {
+
+// Whether an outline has the edges of another, where that has them.
+bool alike(const Outline& outline, const Outline& other) {
   constexpr double kSame = 1e-6;  // metres
+  return outline.edges.size() == other.edges.size() &&
+         std::all_of(other.edges.begin(), other.edges.end(), [&](const Edge& edge) {
+           const auto k = outline.find(edge.name);
+           return k && distance(outline.edges[*k].curve.start, edge.curve.start) <= kSame;
+         });
+}
+
+}  // namespace
+
+std::optional<std::string> edgeOnCopy(const Piece& copy, const Piece& piece, std::string_view edge) {
+  const Outline image = across(piece.outline);
+  const auto k = piece.outline.find(edge);
+  if (!k || !alike(copy.outline, image)) return std::nullopt;
+  return image.edges[image.edges.size() - 1 - *k].name;
+}
+
+std::optional<EditedPiece> editedLikewise(const Piece& copy, const Piece& before, const EditedPiece& edit) {
   const Outline was = across(before.outline);
-  if (was.edges.size() != copy.outline.edges.size()) return std::nullopt;
-  for (const Edge& edge : was.edges) {
-    const auto k = copy.outline.find(edge.name);
-    if (!k || distance(copy.outline.edges[*k].curve.start, edge.curve.start) > kSame) return std::nullopt;
-  }
+  if (!alike(copy.outline, was)) return std::nullopt;
   EditedPiece likewise{copy, {}};
   likewise.piece.outline = across(edit.piece.outline);
   // An edge's name on the other side: by its place in the outline, as across() gave it.

@@ -1,13 +1,12 @@
 #include "karinui/session/scene_of.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 #include "karinui/design/drape.h"
 #include "karinui/pattern/seam_walk.h"
+#include "session/standing_buttons.h"
 
 namespace karinui {
 
@@ -73,13 +72,6 @@ void addFastenings(const Document& document, SceneFrame& frame) {
   constexpr float kTeeth = 4;                          // mm
   constexpr double kAbove = 0.0015, kZipStep = 0.005;  // metres
   constexpr int kRound = 16;
-  const auto standing = [&](const FasteningPlace& at) {
-    const Stand stand(*document.find(at.piece));
-    const Vec3 place = stand(at.place), out = stand(at.place - at.outward * 1e-3) - place,
-               along = stand(at.place + leftOf(at.outward) * 1e-3 - at.outward * 1e-3) -
-                       stand(at.place - at.outward * 1e-3);
-    return std::array{place, normalized(-out), normalized(along)};
-  };
   for (const auto& [name, own] : document.allowances.fastenings) {
     if (own.kind == FasteningKind::Zip) {
       const double whole = lengthOf(document.pattern, own), part = own.zipped;
@@ -98,22 +90,23 @@ void addFastenings(const Document& document, SceneFrame& frame) {
       }
       continue;
     }
-    for (const FastenedPlaces& pair : placesOf(document.pattern, own)) {
-      const auto [a, outA, alongA] = standing(pair.a);
-      const auto [b, outB, alongB] = standing(pair.b);
-      if (own.kind == FasteningKind::Hook || own.kind == FasteningKind::Tie) {
-        if (pair.closed) frame.lines.push_back({{a, b}, kMetal, own.kind == FasteningKind::Tie ? 3.0f : 2.0f, false});
-        continue;
-      }
-      const auto& [at, out, along] = pair.closed ? std::tie(a, outA, alongA) : std::tie(b, outB, alongB);
-      const Vec3 middle = at + normalized(cross(out, along)) * kAbove;
-      SceneLine disc{{}, own.kind == FasteningKind::Snap ? kMetal : kShell, static_cast<float>(own.size * 500), false};
-      for (int k = 0; k <= kRound; ++k) {
-        const double turn = 2 * std::numbers::pi * k / kRound;
-        disc.points.push_back(middle + (out * std::cos(turn) + along * std::sin(turn)) * (own.size / 4));
-      }
-      frame.lines.push_back(std::move(disc));
+    if (own.kind != FasteningKind::Hook && own.kind != FasteningKind::Tie) continue;
+    for (const FastenedPlaces& pair : placesOf(document.pattern, own))
+      if (pair.closed)
+        frame.lines.push_back({{standing(document, pair.a).place, standing(document, pair.b).place},
+                               kMetal,
+                               own.kind == FasteningKind::Tie ? 3.0f : 2.0f,
+                               false});
+  }
+  for (const StandingButton& button : standingButtons(document)) {
+    const Vec3 middle = button.place + button.up() * kAbove;
+    SceneLine disc{
+        {}, button.kind == FasteningKind::Snap ? kMetal : kShell, static_cast<float>(button.size * 500), false};
+    for (int k = 0; k <= kRound; ++k) {
+      const double turn = 2 * std::numbers::pi * k / kRound;
+      disc.points.push_back(middle + (button.out * std::cos(turn) + button.along * std::sin(turn)) * (button.size / 4));
     }
+    frame.lines.push_back(std::move(disc));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "cloth/helpers.h"
 #include "cloth/hem.h"
 #include "karinui/cloth/pulls.h"
+#include "karinui/pattern/elastic_lines.h"
 
 namespace karinui::test {
 namespace {
@@ -46,6 +47,36 @@ TEST(Elastic, PullsAsItIsDrawnOut) {
         EXPECT_NEAR(force, pull, 1e-9);
       }
     }
+  }
+}
+
+// Along a line inside the piece it pulls with the same force, and nothing is tied there.
+TEST(Elastic, PullsAlongAnInnerLine) {
+  Workers workers(1);
+  Allowances finish;
+  finish.elastics[{{1}, "shirring"}] = {0.6, 9};
+  auto piece = rectangle(1, 0.4, 0.08);
+  piece->lines.push_back({"shirring", {Curve::line({0, 0.05}, {0.4, 0.05})}, {}});
+  ClothChoice choice;
+  choice.finish = &finish;
+  for (const double spacing : {0.02, 0.01, 0.005}) {
+    const ClothLevel level = levelOf(withElasticLines(patternOf({piece}), finish), spacing, *preset("cotton"), choice);
+    EXPECT_TRUE(level.cloth.ties.empty());
+    ASSERT_EQ(level.cloth.elastics.size(), 1u);
+    for (const std::uint32_t node : level.cloth.elastics[0].edge.nodes)
+      EXPECT_NEAR(level.state.position[node].y, 0.05, 1e-9);
+    ClothState state = level.state;
+    for (Vec3& p : state.position) p.x *= 0.75;
+    const std::vector<ElasticPull> told = elasticPulls(level.cloth, state);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_NEAR(told[0].pull, 18 * (0.75 / 0.6 - 1), 1e-9);
+    EXPECT_NEAR(told[0].cut, 0.24, 1e-12);
+    std::vector<Vec3> gradient(state.position.size());
+    Springs(elasticSprings(level.cloth), level.cloth.nodeCount).addGradient(state.position, gradient, workers);
+    double force = 0;
+    for (std::size_t k = 0; k < gradient.size(); ++k)
+      if (level.state.position[k].x < 0.13) force -= gradient[k].x;
+    EXPECT_NEAR(force, told[0].pull, 1e-9);
   }
 }
 

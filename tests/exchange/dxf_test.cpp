@@ -95,6 +95,31 @@ TEST(Dxf, WhatIsWrittenComesBackTrue) {
     }
 }
 
+// Where buttons are set there are drill holes on both sides, with words; a zip's ends are notches.
+TEST(Dxf, FasteningsAreDrillHolesAndNotches) {
+  const Pattern pattern = style();
+  SheetSettings settings;
+  Fastening& buttons = settings.allowances.fastenings["cuff"];
+  buttons.a = {{{2}, "under", 0, 1}}, buttons.b = {{{2}, "under_2", 0, 1}};
+  buttons.at = {0.25, 0.75}, buttons.inset = 0.015;
+  Fastening& zip = settings.allowances.fastenings["zip"];
+  zip.kind = FasteningKind::Zip;
+  zip.a = {{{1}, "side", 0, 1}}, zip.b = {{{2}, "cap", 0, 1}}, zip.at = {0.2, 0.6};
+  const auto bytes = writeDxf(pattern, DxfDialect::Aama, settings), plain = writeDxf(pattern, DxfDialect::Aama);
+  ASSERT_TRUE(bytes && plain);
+  EXPECT_THAT(*bytes, HasSubstr("buttonhole cuff 1"));
+  EXPECT_THAT(*bytes, HasSubstr("button cuff 2"));
+  const auto read = readCadPattern(*bytes), before = readCadPattern(*plain);
+  ASSERT_TRUE(read && before) << text(read.error().what);
+  const std::vector<Flat> holes = drillHoles(only(*read, 1));
+  ASSERT_THAT(holes, SizeIs(4));
+  for (const FastenedPlaces& pair : placesOf(pattern, buttons))
+    for (const FasteningPlace& at : {pair.a, pair.b})
+      EXPECT_TRUE(std::any_of(holes.begin(), holes.end(), [&](Flat p) { return distance(p, at.place) < 1e-4; }));
+  EXPECT_EQ(notchPlaces(read->pattern).size(), notchPlaces(before->pattern).size() + 4);
+  EXPECT_EQ(read->rows.size(), before->rows.size());
+}
+
 // A round cut-out of 20 mm is cut 12 mm within its seam line; one of 10 mm is filled by that and only marked.
 TEST(Dxf, CutOutsAreCutWithinTheirSeamLine) {
   Pattern pattern = style();

@@ -253,6 +253,22 @@ TEST(Glb, ShowsTheThicknessAtTheEdges) {
   EXPECT_EQ(deep, 8);
 }
 
+// Buttons are objects of their own, of a material of their own, after the pieces.
+TEST(Glb, HasButtons) {
+  SpatialGarment g = garment();
+  g.notions = {{"front", "buttons", tetrahedron(), {0.7f, 0.6f, 0.5f}}};
+  const auto bytes = writeGlb(g);
+  ASSERT_TRUE(bytes);
+  const Glb glb(*bytes);
+  ASSERT_EQ(glb.json["nodes"].size(), 6u);
+  EXPECT_EQ(glb.json["nodes"][5]["name"], "front_2") << "a piece is called front already";
+  const auto& primitive = glb.json["meshes"][5]["primitives"][0];
+  EXPECT_EQ(glb.json["materials"][primitive["material"].get<std::size_t>()]["name"], "buttons");
+  EXPECT_FALSE(primitive["attributes"].contains("TEXCOORD_0"));
+  g.notions[0].mesh.faces.push_back({0, 1, 99});
+  EXPECT_FALSE(writeGlb(g));
+}
+
 TEST(Glb, IsValidAndHoldsTheGarment) {
   const SpatialGarment g = garment();
   const auto bytes = writeGlb(g);

@@ -3,8 +3,8 @@
 // texture coordinates are the flat pattern in metres, so that a fabric's picture keeps its scale. The same values give
 // the same bytes. Pure; any thread.
 //
-// The body is an object named `body`, every piece an object of its own name; a name that cannot be one (empty, `body`,
-// one that another piece has) gets a number.
+// The body is an object named `body`, every piece and the buttons of every fastening an object of its own name; a name
+// that cannot be one (empty, `body`, one that another piece has) gets a number.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -41,9 +41,17 @@ struct SpatialPiece {
   SpatialLook look = {};
 };
 
+// What is sewn on, as buttons: all of one fastening are one object.
+struct SpatialNotion {
+  std::string name, material;
+  TriangleMesh mesh;  // in space
+  std::array<float, 3> colour{};
+};
+
 struct SpatialGarment {
   std::optional<TriangleMesh> body;
   std::vector<SpatialPiece> pieces;
+  std::vector<SpatialNotion> notions = {};
 };
 
 // Refused with a sentence: points that are not finite, faces that name points that are not there.

@@ -2,6 +2,7 @@
 
 #include "design/operations/operations.h"
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/elastic_lines.h"
 #include "karinui/pattern/pleats.h"
 
 namespace karinui {
@@ -51,7 +52,7 @@ Done resolve(const Document& before, CutPiece& op, Context&) {
 
 Result<Document> perform(const Document& before, const CutPiece& op, Context& context) {
   auto cut = cutPiece(*before.find(op.piece.id), op.line, mint<PieceId>(before, 0), op.name,
-                      linesOfLattice(before.pattern, *before.find(op.piece.id)));
+                      linesOfLattice(withElasticLines(before.pattern, before.allowances), *before.find(op.piece.id)));
   if (!cut) return cut.error();
   tellUnlike(before, *before.find(op.piece.id), context);
   Document after = before;

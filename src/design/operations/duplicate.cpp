@@ -1,4 +1,4 @@
-#include "design/operations/operations.h"
+#include "design/operations/copied_fastenings.h"
 
 namespace karinui {
 
@@ -28,7 +28,7 @@ Done resolve(const Document& before, DuplicatePiece& op, Context&) {
   return checkNewName(before, op.name);
 }
 
-Result<Document> perform(const Document& before, const DuplicatePiece& op, Context&) {
+Result<Document> perform(const Document& before, const DuplicatePiece& op, Context& context) {
   Piece copy = *before.find(op.piece.id);
   Grading grading = before.grading;
   if (!op.line.empty()) {
@@ -55,7 +55,8 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
   give(before.allowances.elastics, after.allowances.elastics), give(before.allowances.hems, after.allowances.hems);
   after = withPiece(std::move(after), std::move(copy));
   updateAllowances(after.allowances, {}, after.pattern);  // a part has not all the edges
-  return after;
+  if (!op.line.empty()) return after;
+  return withCopiedFastenings(std::move(after), op.piece.id, {{op.piece.id, id}}, false, context);
 }
 
 }  // namespace karinui

@@ -1,24 +1,94 @@
-// Elastics and hems.
+// Elastics, of edges and inner lines, and hems.
 #include <cmath>
 
 #include "design/operations/finished_edges.h"
+#include "design/operations/sewn_runs.h"
 #include "karinui/base/number.h"
 
 namespace karinui {
 
 namespace {
 
+// The line that lies where the image of one does, on the same piece or on its mirror image.
+const InternalLine* imageOf(const InternalLine& line, const Piece& on, const std::function<Flat(Flat)>& image) {
+  constexpr double kSame = 1e-5;  // metres
+  const Flat start = image(line.curves.front().start), end = image(line.curves.back().end);
+  for (const InternalLine& other : on.lines) {
+    if (other.curves.empty()) continue;
+    const Flat from = other.curves.front().start, to = other.curves.back().end;
+    if ((distance(from, start) < kSame && distance(to, end) < kSame) ||
+        (distance(from, end) < kSame && distance(to, start) < kSame))
+      return &other;
+  }
+  return nullptr;
+}
+
+struct Named {
+  std::vector<EdgeRef> edges, lines;
+};
+Named parted(const Document& document, const std::vector<EdgeRef>& named) {
+  Named parts;
+  for (const EdgeRef& ref : named) (lineOf(document, ref) ? parts.lines : parts.edges).push_back(ref);
+  return parts;
+}
+
+// A line's image on the piece's other half.
+const InternalLine* onOtherHalf(const Document& document, const EdgeRef& ref) {
+  const Piece& piece = *document.find(ref.piece.id);
+  const auto symmetry = symmetryOf(piece.outline);
+  return symmetry ? imageOf(*lineOf(document, ref), piece, [&](Flat p) { return symmetry->image(p); }) : nullptr;
+}
+
 std::set<Allowances::At> places(const Document& document, const std::vector<EdgeRef>& named, Choice symmetric) {
   std::set<Allowances::At> all;
-  for (const FinishedEdge& edge : finishedEdges(document, named, symmetric == Choice::Yes))
+  const auto [edges, lines] = parted(document, named);
+  for (const FinishedEdge& edge : finishedEdges(document, edges, symmetric == Choice::Yes))
     all.insert({edge.piece, document.find(edge.piece)->outline.edges[edge.edge].name});
+  for (EdgeRef ref : lines) {
+    std::vector<std::string> own{ref.edge};
+    if (symmetric == Choice::Yes)
+      if (const InternalLine* other = onOtherHalf(document, ref)) own.push_back(other->name);
+    for (const std::string& name : own) {
+      all.insert({ref.piece.id, name});
+      ref.edge = name;
+      for (const PieceId id : likenesses(document, ref.piece.id))
+        if (const InternalLine* other = imageOf(*lineOf(document, ref), *document.find(id), [](Flat p) {
+              return Flat{-p.u, p.v};
+            }))
+          all.insert({id, other->name});
+    }
+  }
   return all;
 }
 
 double lengthOf(const Document& document, const std::set<Allowances::At>& edges) {
   double whole = 0;
-  for (const auto& [piece, name] : edges) whole += findEdge(*document.find(piece), name)->curve.length();
+  for (const auto& [piece, name] : edges) whole += findCurve(*document.find(piece), name)->length();
   return whole;
+}
+
+Document withOneCurve(Document document, const std::set<Allowances::At>& edges) {
+  std::vector<EdgeRef> refs;
+  for (const auto& [piece, name] : edges) refs.push_back({PieceRef(piece), name, 0, 1});
+  return withOneCurve(std::move(document), refs, {});
+}
+
+// Edges and inner lines, whole. Auto is decided.
+Done resolveElastic(const Document& before, std::vector<EdgeRef>& named, Choice& symmetric, Context& context) {
+  for (EdgeRef& ref : named) {
+    ref.from = 0, ref.to = 1;
+    if (Done done = resolveSewn(before, ref); !done) return done;
+  }
+  auto [edges, lines] = parted(before, named);
+  const bool both = symmetric != Choice::No && std::any_of(lines.begin(), lines.end(), [&](const EdgeRef& ref) {
+                      return onOtherHalf(before, ref) != nullptr;
+                    });
+  if (!edges.empty() && !both) return resolveFinished(before, edges, symmetric, context);
+  if (symmetric == Choice::Yes && !both)
+    return refused(
+        say("Piece {0} is not symmetric; leave symmetric= away.", before.find(lines.front().piece.id)->name));
+  symmetric = both ? Choice::Yes : Choice::No;
+  return {};
 }
 
 // Cloth that was at rest is no longer.
@@ -43,7 +113,7 @@ Done resolve(const Document& before, SewElastic& op, Context& context) {
   if (op.strength && !(*op.strength >= kWeakestElastic && *op.strength <= kStrongestElastic))
     return refused(say("An elastic pulls with {0} to {1} N when it is drawn out by half; usual are 3 to 30 N.",
                        kWeakestElastic, kStrongestElastic));
-  if (Done done = resolveFinished(before, op.edges, op.symmetric, context); !done) return done;
+  if (Done done = resolveElastic(before, op.edges, op.symmetric, context); !done) return done;
   const std::set<Allowances::At> edges = places(before, op.edges, op.symmetric);
   if (op.none) {
     for (const auto& at : edges)
@@ -51,7 +121,7 @@ Done resolve(const Document& before, SewElastic& op, Context& context) {
     return refused(say("There is no elastic along “{0}”.", op.edges.front().edge));
   }
   if (!op.length) return {};
-  const double whole = lengthOf(before, edges);
+  const double whole = lengthOf(withOneCurve(before, edges), edges);
   if (!(*op.length >= kTightestElastic * whole && *op.length <= kLoosestElastic * whole))
     return refused(say("The edges are {0} cm long together; the elastic for them is cut {1} to {2} cm long.",
                        centimetres(whole), centimetres(kTightestElastic * whole),
@@ -60,8 +130,8 @@ Done resolve(const Document& before, SewElastic& op, Context& context) {
 }
 
 Result<Document> perform(const Document& before, const SewElastic& op, Context&) {
-  Document after = before;
   const std::set<Allowances::At> edges = places(before, op.edges, op.symmetric);
+  Document after = withOneCurve(before, edges);
   for (const auto& at : edges) {
     if (op.none) {
       after.allowances.elastics.erase(at);
@@ -69,7 +139,7 @@ Result<Document> perform(const Document& before, const SewElastic& op, Context&)
     }
     Elastic& elastic = after.allowances.elastics[at];  // what is not said stays as it was
     if (op.ratio) elastic.ratio = *op.ratio;
-    if (op.length) elastic.ratio = *op.length / lengthOf(before, edges);
+    if (op.length) elastic.ratio = *op.length / lengthOf(after, edges);
     if (op.strength) elastic.strength = *op.strength;
   }
   return disturbed(std::move(after), edges);

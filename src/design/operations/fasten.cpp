@@ -4,6 +4,7 @@
 #include "design/operations/sewn_runs.h"
 #include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
+#include "karinui/pattern/seam_walk.h"
 
 namespace karinui {
 
@@ -159,6 +160,27 @@ Done onPiece(const Piece& piece, Flat place, double room) {
           centimetres(place.u), centimetres(place.v), piece.name));
 }
 
+// An edge opens there only if nothing holds it shut.
+Done checkOpen(const Document& before, const Fastening& own) {
+  constexpr double kEnd = 1e-6;  // of the edge's length
+  for (const bool over : {true, false}) {
+    const SeamSide side(before.pattern, over ? own.a : own.b, !over && own.reversed);
+    for (const double share : own.at) {
+      const SeamPlace at = side.at(share);
+      for (const auto& [id, seam] : before.pattern.seams)
+        for (const auto* taken : takenSides(seam))
+          for (const EdgeSpan& span : *taken)
+            if (span.piece == at.piece && span.edge == at.edge && at.fraction > span.from + kEnd &&
+                at.fraction < span.to - kEnd && findEdge(*before.find(at.piece), at.edge))
+              return refused(
+                  say("{0}.{1} is sewn to another edge there, by seam {2}; choose free edges, name the part that is "
+                      "free ({1}@0:0.5), or draw an inner line for it.",
+                      before.find(at.piece)->name, at.edge, seam.name.empty() ? text(id) : seam.name));
+    }
+  }
+  return {};
+}
+
 Done checkPlaces(const Document& before, const Fastening& own) {
   struct Placed {
     PieceId piece;
@@ -258,8 +280,12 @@ Done resolve(const Document& given, Fasten& op, Context&) {
   if (there.contains(op.name)) return refused(say("There is already a fastening “{0}”; choose another name.", op.name));
   Fastening own = made(before, op);
   if (!sound(own)) return refused(say("The places lie too near to each other to be told apart."));
-  if (Done done = own.kind == FasteningKind::Zip ? checkZip(before, own, op) : checkPlaces(before, own); !done)
-    return done;
+  if (own.kind == FasteningKind::Zip) {
+    if (Done done = checkZip(before, own, op); !done) return done;
+  } else {
+    if (Done done = checkOpen(before, own); !done) return done;
+    if (Done done = checkPlaces(before, own); !done) return done;
+  }
   return close(before, op, own);
 }
 

@@ -53,18 +53,6 @@ void tellStretched(const Outline& before, const Outline& after, const SetLength&
   }
 }
 
-void tellSeams(const Document& before, const Document& after, const Context& context) {
-  for (const auto& [id, seam] : after.pattern.seams) {
-    const double was = lengthMismatch(before.pattern, before.pattern.seams.at(id)),
-                 is = lengthMismatch(after.pattern, seam);
-    if (std::fabs(is - was) < kTold) continue;
-    const auto named = [&](const EdgeSpan& span) { return after.find(span.piece)->name + "." + span.edge; };
-    context.advise(
-        {say("{0} is {1} mm longer than {2}, to which it is sewn.", named((is > 0 ? seam.a : seam.b).front()),
-             inMm(std::fabs(is)), named((is > 0 ? seam.b : seam.a).front()))});
-  }
-}
-
 }  // namespace
 
 SetLength::Keep keptEnd(const Document& document, const Piece& piece, const std::string& edge, bool symmetric) {

@@ -11,7 +11,6 @@ namespace karinui {
 namespace {
 
 constexpr double kLeastPart = 0.01;  // of an edge that is sewn by itself
-constexpr int kMostLayer = 20;
 
 using Copies = std::map<PieceId, PieceId>;  // of each lined piece its lining
 using Run = std::vector<EdgeSpan>;
@@ -59,15 +58,10 @@ std::vector<Run> freeRuns(const Piece& piece, const std::vector<EdgeSpan>& held,
   return runs;
 }
 
-// Room for a layer beneath each layer that has a lined piece.
-int layerAbove(const std::set<int>& linedLayers, int layer) {
-  return layer + static_cast<int>(std::distance(linedLayers.begin(), linedLayers.upper_bound(layer)));
-}
-
-std::set<int> layersOf(const Document& document, const std::vector<PieceRef>& pieces) {
-  std::set<int> layers;
-  for (const PieceRef& ref : pieces) layers.insert(document.find(ref.id)->layer);
-  return layers;
+std::vector<PieceId> idsOf(const std::vector<PieceRef>& pieces) {
+  std::vector<PieceId> ids;
+  for (const PieceRef& ref : pieces) ids.push_back(ref.id);
+  return ids;
 }
 
 }  // namespace
@@ -82,11 +76,7 @@ Done resolve(const Document& before, LinePieces& op, Context& context) {
       return refused(
           say("{0} is not lined, so its edge {1} cannot be left open.", before.find(edge.piece.id)->name, edge.edge));
   }
-  const std::set<int> layers = layersOf(before, op.pieces);
-  for (const auto& [id, piece] : before.pattern.pieces)
-    if (layerAbove(layers, piece->layer) > kMostLayer)
-      return refused(say("“{0}” would lie in layer {1}; there are {2}.", piece->name, layerAbove(layers, piece->layer),
-                         kMostLayer));
+  if (const auto room = withLayersBeneath(before, idsOf(op.pieces)); !room) return room.error();
   if (context.advise && std::any_of(op.pieces.begin(), op.pieces.end(), [&](const PieceRef& ref) {
         return !before.find(ref.id)->form || before.drape.dirty.contains(ref.id);
       }))
@@ -95,14 +85,9 @@ Done resolve(const Document& before, LinePieces& op, Context& context) {
 }
 
 Result<Document> perform(const Document& before, const LinePieces& op, Context&) {
-  Document after = before;
-  const std::set<int> layers = layersOf(before, op.pieces);
-  for (const auto& [id, whole] : before.pattern.pieces)
-    if (const int layer = layerAbove(layers, whole->layer); layer != whole->layer) {
-      Piece piece = *whole;
-      piece.layer = layer;
-      after = withPiece(std::move(after), std::move(piece));
-    }
+  auto room = withLayersBeneath(before, idsOf(op.pieces));
+  if (!room) return room.error();
+  Document after = *std::move(room);
   Copies copies;
   std::uint32_t made = 0;
   for (const PieceRef& ref : op.pieces) copies[ref.id] = mint<PieceId>(before, made++);

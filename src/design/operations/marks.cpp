@@ -139,12 +139,17 @@ Done resolve(const Document& before, EraseMarks& op, Context&) {
 }
 
 Result<Document> perform(const Document& before, const EraseMarks& op, Context&) {
+  const auto erased = [&](Piece piece) {
+    Document after = marked(before, std::move(piece));
+    updateAllowances(after.allowances, {}, after.pattern);  // what was sewn to the line goes with it
+    return after;
+  };
   Piece piece = *before.find(op.piece.id);
   for (const std::string& name : op.names) {
     std::erase_if(piece.lines, [&](const InternalLine& line) { return line.name == name; });
     std::erase_if(piece.marks, [&](const Mark& mark) { return mark.name == name; });
   }
-  if (!op.at) return marked(before, std::move(piece));
+  if (!op.at) return erased(std::move(piece));
   double nearest = kReach;
   auto mark = piece.marks.end();
   for (auto m = piece.marks.begin(); m != piece.marks.end(); ++m)
@@ -158,7 +163,7 @@ Result<Document> perform(const Document& before, const EraseMarks& op, Context&)
     piece.marks.erase(mark);
   else
     return refused(say("There is nothing to erase within 1 cm of that place on {0}.", piece.name));
-  return marked(before, std::move(piece));
+  return erased(std::move(piece));
 }
 
 Done resolve(const Document& before, FoldLine& op, Context&) {

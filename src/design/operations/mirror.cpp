@@ -1,4 +1,4 @@
-#include "design/operations/operations.h"
+#include "design/operations/copied_fastenings.h"
 
 namespace karinui {
 
@@ -12,7 +12,7 @@ Done resolve(const Document& before, MirrorPiece& op, Context&) {
   return checkNewName(before, op.name);
 }
 
-Result<Document> perform(const Document& before, const MirrorPiece& op, Context&) {
+Result<Document> perform(const Document& before, const MirrorPiece& op, Context& context) {
   Piece copy = mirrored(*before.find(op.piece.id));
   copy.id = mint<PieceId>(before, 0);
   copy.name = op.name;
@@ -21,7 +21,13 @@ Result<Document> perform(const Document& before, const MirrorPiece& op, Context&
   if (const auto own = before.grading.pieces.find(op.piece.id); own != before.grading.pieces.end())
     after.grading.pieces[copy.id] = mirroredGrading(own->second, before.find(op.piece.id)->outline, copy.outline);
   copyAllowances(after.allowances, *before.find(op.piece.id), copy, true);
-  return withPiece(std::move(after), std::move(copy));
+  const PieceId id = copy.id;
+  after = withPiece(std::move(after), std::move(copy));
+  std::map<PieceId, PieceId> copies;  // what it is fastened to may have a mirror image, too
+  for (const auto& [own, piece] : before.pattern.pieces)
+    if (before.find(piece->mirrorOf)) copies[own] = piece->mirrorOf, copies[piece->mirrorOf] = own;
+  copies[op.piece.id] = id;
+  return withCopiedFastenings(std::move(after), op.piece.id, copies, true, context);
 }
 
 }  // namespace karinui

@@ -27,6 +27,7 @@ KARINUI_DECLARE_OPERATION(DrapePieces)   // rest.cpp; the work is drapeOnBody() 
 KARINUI_DECLARE_OPERATION(SetFabric)
 KARINUI_DECLARE_OPERATION(FuseInterfacing)
 KARINUI_DECLARE_OPERATION(LinePieces)
+KARINUI_DECLARE_OPERATION(FaceEdges)
 KARINUI_DECLARE_OPERATION(PinCloth)
 KARINUI_DECLARE_OPERATION(UnpinCloth)
 KARINUI_DECLARE_OPERATION(RemovePieces)
@@ -44,6 +45,7 @@ KARINUI_DECLARE_OPERATION(SplitEdge)
 KARINUI_DECLARE_OPERATION(JoinEdges)
 KARINUI_DECLARE_OPERATION(AddDart)
 KARINUI_DECLARE_OPERATION(PivotDart)
+KARINUI_DECLARE_OPERATION(SlashAndSpread)
 KARINUI_DECLARE_OPERATION(AddPleat)
 KARINUI_DECLARE_OPERATION(AddLine)
 KARINUI_DECLARE_OPERATION(EraseMarks)
@@ -88,6 +90,14 @@ Document withPiece(Document document, Piece piece);
 // The document with an edited piece: its seams follow, and its symmetric copies (or the piece it is the copy of) are
 // edited likewise as long as they are its likeness. `others`, if given, hears of those.
 Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceId>* others = nullptr);
+// The same of this piece alone, for edits that are made of the others by themselves.
+Document withOwnEdit(Document document, const EditedPiece& edit);
+// The symmetric copies of a piece (and the piece it is the copy of) that are still its likeness.
+std::vector<PieceId> likenesses(const Document& document, PieceId id);
+// Tells the sewn edges that became longer or shorter than what they are sewn to.
+void tellSeams(const Document& before, const Document& after, const Context& context);
+// Room for a layer beneath each layer that has one of the pieces. Refuses more layers than there are.
+Result<Document> withLayersBeneath(Document document, const std::vector<PieceId>& pieces);
 // The form a piece holds when it is cut along another outline: what is at the old one comes to the new one, in place.
 std::shared_ptr<const Form> followedForm(const Piece& piece, const Outline& outline);
 // Auto is decided: whether a piece is symmetric by itself and, by `both`, whether the other half has what is changed;

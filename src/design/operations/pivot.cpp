@@ -2,6 +2,7 @@
 
 #include "design/operations/operations.h"
 #include "karinui/pattern/darts.h"
+#include "karinui/pattern/likeness.h"
 
 namespace karinui {
 
@@ -14,6 +15,33 @@ std::optional<PaperDart> dartWith(const Document& document, const EdgeRef& side)
         (outline.edges[dart.to].name == side.edge || outline.edges[dart.back].name == side.edge))
       return dart;
   return std::nullopt;
+}
+
+// What lies within the copy goes along there as it does within the piece.
+Result<Document> withTurnedCopies(Document after, const Document& before, const EdgeRef& dart, const EdgeRef& to,
+                                  double at) {
+  const Piece& piece = *before.find(dart.piece.id);
+  const auto& edges = piece.outline.edges;
+  const std::string& back = edges[(*piece.outline.find(dart.edge) + 1) % edges.size()].name;
+  for (const PieceId id : likenesses(before, piece.id)) {
+    const Piece& copy = *before.find(id);
+    const auto turned = pivotDart(copy, *edgeOnCopy(copy, piece, back), *edgeOnCopy(copy, piece, to.edge), 1 - at);
+    if (!turned) return turned.error();
+    Piece now = *after.find(id);
+    now.holes = turned->piece.holes, now.lines = turned->piece.lines, now.form = turned->piece.form;
+    for (std::size_t k = 0; k < now.marks.size(); ++k)
+      if (now.marks[k].edge.empty()) now.marks[k].place = turned->piece.marks[k].place;
+    after = withPiece(std::move(after), std::move(now));
+  }
+  return after;
+}
+
+Result<Document> pivoted(const Document& before, const EdgeRef& dart, const EdgeRef& to, double at, EdgeMap& map) {
+  auto moved = pivotDart(*before.find(dart.piece.id), dart.edge, to.edge, at);
+  if (!moved) return moved.error();
+  Document after = withEdit(before, *moved);
+  map = std::move(moved->edges);
+  return withTurnedCopies(std::move(after), before, dart, to, at);
 }
 
 }  // namespace
@@ -38,19 +66,16 @@ Done resolve(const Document& before, PivotDart& op, Context& context) {
 Result<Document> perform(const Document& before, const PivotDart& op, Context&) {
   const PieceId id = op.dart.piece.id;
   const Outline outline = before.find(id)->outline;
-  const auto moved = pivotDart(*before.find(id), op.dart.edge, op.to.edge, op.at);
-  if (!moved) return moved.error();
-  Document after = withEdit(before, *moved);
-  if (op.symmetric != Choice::Yes) return after;
+  EdgeMap map;
+  auto after = pivoted(before, op.dart, op.to, op.at, map);
+  if (!after || op.symmetric != Choice::Yes) return after;
   const auto symmetry = symmetryOf(outline);
   const std::size_t back = (*outline.find(op.dart.edge) + 1) % outline.edges.size();
   const auto image = imageOf(outline, *symmetry, {*outline.find(op.to.edge), op.at});
-  const auto there = placeNow(moved->edges, id, outline.edges[image->edge].name, image->at);
+  const auto there = placeNow(map, id, outline.edges[image->edge].name, image->at);
   if (!there) return refused(say("The darts of both halves would meet; write symmetric=no for one alone."));
-  const auto likewise =
-      pivotDart(*after.find(id), outline.edges[*symmetry->partner[back]].name, there->first, there->second);
-  if (!likewise) return likewise.error();
-  return withEdit(std::move(after), *likewise);
+  const EdgeRef other{op.dart.piece, outline.edges[*symmetry->partner[back]].name};
+  return pivoted(*after, other, {op.dart.piece, there->first}, there->second, map);
 }
 
 }  // namespace karinui

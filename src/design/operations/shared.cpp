@@ -1,7 +1,10 @@
 // What several operations need.
 #include <algorithm>
+#include <cmath>
 
 #include "design/operations/operations.h"
+#include "karinui/base/number.h"
+#include "karinui/pattern/likeness.h"
 
 namespace karinui {
 
@@ -86,22 +89,65 @@ Document withPiece(Document document, Piece piece) {
   return document;
 }
 
+Document withOwnEdit(Document document, const EditedPiece& edit) {
+  updateGrading(document.grading, *document.find(edit.piece.id), edit.edges, {&edit.piece});
+  updateSeams(document.pattern, edit.edges);
+  document = withPiece(std::move(document), edit.piece);
+  updateAllowances(document.allowances, edit.edges, document.pattern);
+  return document;
+}
+
 Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceId>* others) {
   const auto before = document.pattern.pieces.at(edit.piece.id);
-  const auto take = [&](const EditedPiece& now) {
-    updateGrading(document.grading, *document.find(now.piece.id), now.edges, {&now.piece});
-    updateSeams(document.pattern, now.edges);
-    document = withPiece(std::move(document), now.piece);
-    updateAllowances(document.allowances, now.edges, document.pattern);
-  };
-  take(edit);
+  document = withOwnEdit(std::move(document), edit);
   const auto all = document.pattern.pieces;
   for (const auto& [id, other] : all) {
     if (id == before->id || (other->mirrorOf != before->id && before->mirrorOf != id)) continue;
     const auto likewise = editedLikewise(*other, *before, edit);
     if (!likewise) continue;
-    take(*likewise);
+    document = withOwnEdit(std::move(document), *likewise);
     if (others) others->push_back(id);
+  }
+  return document;
+}
+
+std::vector<PieceId> likenesses(const Document& document, PieceId id) {
+  const Piece& piece = *document.find(id);
+  std::vector<PieceId> all;
+  for (const auto& [other, copy] : document.pattern.pieces)
+    if (other != id && (copy->mirrorOf == id || piece.mirrorOf == other) &&
+        edgeOnCopy(*copy, piece, piece.outline.edges.front().name))
+      all.push_back(other);
+  return all;
+}
+
+void tellSeams(const Document& before, const Document& after, const Context& context) {
+  constexpr double kTold = 5e-5;  // metres: smaller changes are not spoken of
+  if (!context.advise) return;
+  for (const auto& [id, seam] : after.pattern.seams) {
+    const double was = lengthMismatch(before.pattern, before.pattern.seams.at(id)),
+                 is = lengthMismatch(after.pattern, seam);
+    if (std::fabs(is - was) < kTold) continue;
+    const auto named = [&](const EdgeSpan& span) { return after.find(span.piece)->name + "." + span.edge; };
+    context.advise(
+        {say("{0} is {1} mm longer than {2}, to which it is sewn.", named((is > 0 ? seam.a : seam.b).front()),
+             fixed(std::fabs(is) * 1e3, 1), named((is > 0 ? seam.b : seam.a).front()))});
+  }
+}
+
+Result<Document> withLayersBeneath(Document document, const std::vector<PieceId>& pieces) {
+  constexpr int kMostLayer = 20;
+  std::set<int> layers;
+  for (const PieceId id : pieces) layers.insert(document.find(id)->layer);
+  const auto all = document.pattern.pieces;
+  for (const auto& [id, whole] : all) {
+    const int layer = whole->layer + static_cast<int>(std::distance(layers.begin(), layers.upper_bound(whole->layer)));
+    if (layer > kMostLayer)
+      return refused(say("“{0}” would lie in layer {1}; there are {2}.", whole->name, layer, kMostLayer));
+    if (layer == whole->layer) continue;
+    Piece piece = *whole;
+    piece.layer = layer;
+    document = withPiece(std::move(document), std::move(piece));
   }
   return document;
 }

@@ -60,8 +60,8 @@ class Writing {
   }
 
   // `rules`: those of its points, in the base size.
-  void piece(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan, const std::string& size,
-             const std::vector<NumberedRule>& rules) {
+  void piece(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan, const Allowances& finish,
+             const std::string& size, const std::vector<NumberedRule>& rules) {
     const std::string &name = names_.at(piece.id), block = name + "_" + size;
     const Drawn seam = drawn(piece.outline);
     const auto cut = plan ? cutLines(piece, *plan, kMiss) : std::nullopt;
@@ -93,6 +93,7 @@ class Writing {
     for (const NotchPlace& notch : notchPlaces(pattern))
       if (notch.piece == piece.id) notchAt(notch, plan ? plan->width(piece.id, notch.edge) : 0);
     for (const Flat drill : drillHoles(pattern, piece)) point(13, drill);
+    fastenings(pattern, piece, finish, plan);
     grain(piece);
     for (const InternalLine& inner : piece.lines) {
       open(8, inner);
@@ -155,6 +156,36 @@ class Writing {
     const Flat inward = -1 * notch.outward;
     group(50, std::atan2(inward.v, inward.u) * 180 / std::numbers::pi);
   }
+  // Where buttons, snaps, hooks and ties are set: drill holes, each with what comes there; the ends of zips: notches.
+  void fastenings(const Pattern& pattern, const Piece& piece, const Allowances& finish, const AllowancePlan* plan) {
+    for (const NotchPlace& notch : finishNotches(pattern, finish))
+      if (notch.piece == piece.id) notchAt(notch, plan ? plan->width(piece.id, notch.edge) : 0);
+    for (const auto& [name, own] : finish.fastenings) {
+      if (own.kind == FasteningKind::Zip) continue;
+      std::size_t number = 0;
+      for (const FastenedPlaces& pair : placesOf(pattern, own)) {
+        ++number;
+        for (const bool over : {true, false}) {
+          const FasteningPlace& at = over ? pair.a : pair.b;
+          if (at.piece != piece.id) continue;
+          point(13, at.place);
+          text(15, at.place, asciiText(std::string(what(own.kind, over)) + " " + name + " " + std::to_string(number)));
+        }
+      }
+    }
+  }
+  static std::string_view what(FasteningKind kind, bool over) {
+    switch (kind) {
+      case FasteningKind::Snap:
+        return "snap";
+      case FasteningKind::Hook:
+        return over ? "hook" : "eye";
+      case FasteningKind::Tie:
+        return "tie";
+      default:
+        return over ? "buttonhole" : "button";
+    }
+  }
   // As long as half the piece, through the middle of its outline's box.
   void grain(const Piece& piece) {
     Flat low{1e9, 1e9}, high{-1e9, -1e9};
@@ -196,7 +227,8 @@ Result<std::string> writeDxf(const Pattern& pattern, DxfDialect dialect, const S
   }
   for (const auto& [id, piece] : pattern.pieces)
     for (std::size_t size = 0; size < sizes.size(); ++size)
-      writing.piece(patterns[size], *patterns[size].pieces.at(id), plans[size] ? &*plans[size] : nullptr, sizes[size],
+      writing.piece(patterns[size], *patterns[size].pieces.at(id), plans[size] ? &*plans[size] : nullptr,
+                    settings.allowances, sizes[size],
                     graded && size == grading.base ? book.places[id] : std::vector<NumberedRule>());
   return writing.finished(settings.title, sizes[graded ? grading.base : 0], graded);
 }

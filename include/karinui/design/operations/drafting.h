@@ -150,6 +150,24 @@ struct LinePieces {
   bool operator==(const LinePieces&) const = default;
 };
 
+// facing edges="front.neck back.neck" width=5cm
+struct FaceEdges {
+  static constexpr std::string_view kName = "facing";
+  static constexpr std::string_view kHelp =
+      "Faces edges: cuts the strip beside them once more, inside, sewn to them and to the next facing.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<EdgeRef> edges;
+  Length width{0.06};
+  std::string fabric;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edges", self.edges, "the edges, as a neckline or the front edges", kNeeded);
+    visit("width", self.width, "how deep the facing is", kOptional);
+    visit("fabric", self.fabric, "what it is cut from (otherwise what its piece is)", kOptional);
+  }
+  bool operator==(const FaceEdges&) const = default;
+};
+
 // unfold edge=half_front.fold
 struct UnfoldPiece {
   static constexpr std::string_view kName = "unfold";
@@ -164,6 +182,6 @@ struct UnfoldPiece {
 };
 
 using DraftingOperations =
-    OperationList<DrawPiece, AddPiece, DraftBlock, DuplicatePiece, MirrorPiece, LinePieces, UnfoldPiece>;
+    OperationList<DrawPiece, AddPiece, DraftBlock, DuplicatePiece, MirrorPiece, LinePieces, FaceEdges, UnfoldPiece>;
 
 }  // namespace karinui

@@ -73,10 +73,11 @@ struct SetQuantity {
 };
 
 // elastic edges="front.waist back.waist" ratio=0.7 strength=12        elastic edges=skirt.waist length=62cm
-// elastic edges=skirt.waist none=yes
+// elastic edges=skirt.waist none=yes        elastic edges=bodice.shirring ratio=0.6
 struct SewElastic {
   static constexpr std::string_view kName = "elastic";
-  static constexpr std::string_view kHelp = "Sews an elastic along edges, which gathers them.";
+  static constexpr std::string_view kHelp =
+      "Sews an elastic along edges or inner lines, which gathers the cloth there.";
   static constexpr bool kDisturbsDrape = true;
   std::vector<EdgeRef> edges;
   std::optional<double> ratio;
@@ -86,7 +87,7 @@ struct SewElastic {
   Choice symmetric = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("edges", self.edges, "the edges", kNeeded);
+    visit("edges", self.edges, "the edges, or inner lines, as for shirring", kNeeded);
     visit("ratio", self.ratio, "its cut length as a share of the edges' (otherwise 0.75)", kOptional);
     visit("length", self.length, "or its cut length, along all of the edges together", kOptional);
     visit("strength", self.strength,

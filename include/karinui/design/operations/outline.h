@@ -135,6 +135,37 @@ struct PivotDart {
   bool operator==(const PivotDart&) const = default;
 };
 
+// spread from=skirt.hem to=skirt.waist by=4cm count=5        spread from=sleeve.cap to=sleeve.hem by=3cm to_by=3cm
+struct SlashAndSpread {
+  static constexpr std::string_view kName = "spread";
+  static constexpr std::string_view kHelp =
+      "Slashes the paper from edge to edge and spreads it: at one end, hinged at the other, or at both.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef from, to;
+  Length by{0.03}, toBy;
+  std::optional<double> at, toAt;
+  int count = 1;
+  bool smooth = true;
+  std::string keep;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("from", self.from, "the edge, or the part of it, from which the paper is slashed", kNeeded);
+    visit("to", self.to, "the edge, or the part of it, to which it is slashed", kNeeded);
+    visit("by", self.by, "how wide each slash is opened at the first edge", kOptional);
+    visit("to_by", self.toBy, "how wide at the other; 0: it is hinged there", kOptional);
+    visit("at", self.at, "the place of a single slash on the first edge, as a share of its length", kOptional);
+    visit("to_at", self.toAt, "its place on the other", kOptional);
+    visit("count", self.count, "how many slashes, evenly over both edges", kOptional);
+    visit("smooth", self.smooth, "yes: the edges are trued, in a curve over the opening; no: in straight lines",
+          kOptional);
+    visit("keep", self.keep, "an edge that stays where it is (otherwise one on the fold, or the larger part)",
+          kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const SlashAndSpread&) const = default;
+};
+
 // pleat edge=skirt.waist count=6 depth=2cm        pleat edge=skirt.waist@0.2:0.8 kind=box depth=3cm stitch=10cm
 struct AddPleat {
   static constexpr std::string_view kName = "pleat";
@@ -222,7 +253,7 @@ struct TakeIn {
   bool operator==(const TakeIn&) const = default;
 };
 
-using OutlineOperations =
-    OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, PivotDart, AddPleat, SetLength, TakeIn>;
+using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, PivotDart, AddPleat,
+                                        SetLength, TakeIn, SlashAndSpread>;
 
 }  // namespace karinui

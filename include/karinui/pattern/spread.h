@@ -1,0 +1,40 @@
+#pragma once
+// Slash and spread: paper is cut straight from one edge to another and opened, so that the piece gets wider there: a
+// flared hem, a fuller sleeve. Metres on paper. Pure; any thread.
+#include <functional>
+#include <string>
+
+#include "karinui/pattern/edit.h"
+
+namespace karinui {
+
+// Places on the outline by shares of an edge's length; a place within 1 mm of a corner is the corner.
+struct Slash {
+  std::string from, to;         // two edges
+  double at = 0.5, toAt = 0.5;  // where the slash begins and ends on them
+  double by = 0.03, toBy = 0;   // how wide it opens there, straight across: both alike is parallel, 0 is a hinge
+  bool smooth = true;           // the edges run on in a curve over the opening; no: in straight lines
+  enum class Stays {
+    Larger,   // the larger part; the other is moved
+    Ahead,    // the part from the slash's beginning on along the outline
+    Behind,   // the other
+    Neither,  // both are moved by half
+  } stays = Stays::Larger;
+};
+Slash mirrored(const Slash& slash, const std::string& from, const std::string& to);  // on a copy whose edges are these
+
+struct OpenedPiece {
+  EditedPiece edited;
+  Slash::Stays stays;               // decided
+  std::function<Flat(Flat)> place;  // where a place of the paper is now
+};
+// Edges keep their names; where the slash ends on a sewn edge the seam holds the added length, too. Holes, drill holes
+// and lines go with their paper, lines across the slash are led over the opening; the form is stretched beside the
+// slash. Grain stays. Refuses a slash that leaves the piece or meets a hole, and an opening wider than the slash is
+// long.
+Result<OpenedPiece> spreadPiece(const Piece& piece, const Slash& slash);
+
+// Whether two slashes of an outline cross or touch elsewhere than at a hinge that both have.
+bool meet(const Outline& outline, const Slash& one, const Slash& other);
+
+}  // namespace karinui

@@ -1,0 +1,83 @@
+#include "design/operations/copied_fastenings.h"
+
+#include <algorithm>
+
+#include "karinui/pattern/likeness.h"
+
+namespace karinui {
+
+namespace {
+
+bool holds(const std::vector<EdgeSpan>& side, PieceId piece) {
+  return std::any_of(side.begin(), side.end(), [&](const EdgeSpan& span) { return span.piece == piece; });
+}
+
+// The same side on the copies; nothing where one is missing or went its own way since. A mirror image's edges run the
+// other way, its inner lines do not.
+std::optional<std::vector<EdgeSpan>> copied(const Document& document, std::vector<EdgeSpan> side,
+                                            const std::map<PieceId, PieceId>& copies, bool mirror, bool lines) {
+  for (EdgeSpan& span : side) {
+    const auto at = copies.find(span.piece);
+    if (at == copies.end()) return std::nullopt;
+    const Piece &piece = *document.find(span.piece), &copy = *document.find(at->second);
+    span.piece = at->second;
+    if (lines) {
+      if (mirror) span.edge = otherSide(span.edge);
+    } else if (mirror) {
+      const auto edge = edgeOnCopy(copy, piece, span.edge);
+      if (!edge) return std::nullopt;
+      span = {copy.id, *edge, 1 - span.to, 1 - span.from};
+    }
+    if (!findCurve(copy, span.edge)) return std::nullopt;
+  }
+  if (mirror && !lines) std::reverse(side.begin(), side.end());
+  return side;
+}
+
+std::optional<Fastening> copied(const Document& document, const Fastening& own,
+                                const std::map<PieceId, PieceId>& copies, bool mirror) {
+  bool edges = false, lines = false;
+  for (const auto* side : {&own.a, &own.b})
+    for (const EdgeSpan& span : *side) (document.find(span.piece)->outline.find(span.edge) ? edges : lines) = true;
+  // What lies to the left of an inner line lies to the right of its image.
+  if (lines && mirror && (edges || own.inset > 0)) return std::nullopt;
+  const auto a = copied(document, own.a, copies, mirror, lines && !edges),
+             b = copied(document, own.b, copies, mirror, lines && !edges);
+  if (!a || !b) return std::nullopt;
+  Fastening copy = own;
+  copy.a = *a, copy.b = *b;
+  if (mirror && !lines) {
+    for (double& at : copy.at) at = 1 - at;
+    std::reverse(copy.at.begin(), copy.at.end());
+    copy.fromStart = !own.fromStart;
+  }
+  return copy;
+}
+
+}  // namespace
+
+Document withCopiedFastenings(Document document, PieceId piece, const std::map<PieceId, PieceId>& copies, bool mirror,
+                              const Context& context) {
+  const Fastenings all = document.allowances.fastenings;
+  Fastenings& now = document.allowances.fastenings;
+  for (const auto& [name, own] : all) {
+    if (!holds(own.a, piece) && !holds(own.b, piece)) continue;
+    const auto copy = copied(document, own, copies, mirror);
+    const bool meets = copy && std::any_of(copies.begin(), copies.end(), [&](const auto& pair) {
+                         return (holds(copy->a, pair.first) || holds(copy->b, pair.first)) &&
+                                (holds(own.a, pair.first) || holds(own.b, pair.first));
+                       });
+    if (!copy || meets) {
+      if (context.advise)
+        context.advise({say("“{0}” stays with “{1}” alone: the copy has nothing it could be fastened to.", name,
+                            document.find(piece)->name)});
+      continue;
+    }
+    std::string free = name;
+    for (int n = 2; now.contains(free); ++n) free = name + "_" + std::to_string(n);
+    now[free] = *copy;
+  }
+  return document;
+}
+
+}  // namespace karinui

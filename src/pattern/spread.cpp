@@ -1,0 +1,366 @@
+// The paper is divided along the slash into the part ahead of it and the part behind, one or both of which are moved
+// rigidly; edges and lines that were divided are joined again over the opening.
+#include "karinui/pattern/spread.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "divide_edges.h"
+#include "meetings.h"
+#include "words.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kCorner = 1e-3;    // metres: a place this near to a corner is the corner
+constexpr double kWay = 1e-5;       // metres: beside the ends of the slash the outline is not looked for
+constexpr double kHair = 1e-7;      // of a curve's length: what becomes the opening, so that a seam holds it
+constexpr double kSmallest = 1e-9;  // metres: shorter parts of a curve are none
+constexpr double kRounded = 0.03;   // metres: a corner is rounded at most so far to either side
+constexpr double kBand = 2;         // times the opening: how far beside the slash the form is stretched
+
+struct Motion {  // about `from`, which comes to `to`
+  Flat from, to;
+  double turn = 0;
+  Flat operator()(Flat p) const { return (*this)(Curve::line(p, p)).start; }
+  Curve operator()(const Curve& curve) const {
+    Curve moved = turn == 0 ? curve : curve.rotated(from, turn);
+    const Flat by = to - from;
+    moved.start += by, moved.end += by;
+    if (curve.kind == Curve::Kind::Cubic) moved.control1 += by, moved.control2 += by;
+    for (Flat& p : moved.between) p += by;
+    return moved;
+  }
+};
+
+Flat turned(Flat a, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * a.u - s * a.v, s * a.u + c * a.v};
+}
+
+// How the two parts move when the slash from a to b opens by `by` and `toBy`: the opening is a trapezoid with the two
+// banks as its equal sides.
+struct Opening {
+  Motion ahead, behind;
+  Opening() = default;
+  Opening(Flat a, Flat b, double by, double toBy, Slash::Stays stays) {
+    const double tilt = std::asin((by - toBy) / (2 * distance(a, b)));
+    const Flat along = normalized(b - a), right = -leftOf(along);
+    const Flat wide = right * std::cos(tilt) + along * std::sin(tilt);  // from the bank behind to the one ahead
+    ahead = behind = {a, a, 0};
+    if (stays == Slash::Stays::Behind) {
+      ahead = {a, a + wide * by, 2 * tilt};
+    } else if (stays == Slash::Stays::Ahead) {  // the same, turned back
+      behind = {a, a - turned(wide, -2 * tilt) * by, -2 * tilt};
+    } else {
+      ahead = {a, a + right * (by / 2), tilt};
+      behind = {a, a - right * (by / 2), -tilt};
+    }
+  }
+};
+
+// The two parts of the paper, and where each goes.
+struct Parts {
+  Ring ahead, behind;
+  Opening opening;
+  bool isAhead(Flat p) const {
+    const auto away = [&](const Ring& ring) { return contains(ring, p) ? 0 : distanceToRing(ring, p); };
+    return away(ahead) < away(behind);
+  }
+  const Motion& motion(bool forAhead) const { return forAhead ? opening.ahead : opening.behind; }
+  Flat operator()(Flat p) const { return motion(isAhead(p))(p); }
+};
+
+// The parts of a curve led over openings, as one curve, and which share of the old one's length is which of the new.
+struct Led {
+  Curve curve;
+  std::vector<std::array<double, 2>> shares;  // ascending, from {0, 0} to {1, 1}
+};
+
+bool straight(const std::vector<Curve>& curves) {
+  const Flat along = normalized(curves.back().end - curves.front().start);
+  return std::all_of(curves.begin(), curves.end(), [&](const Curve& c) {
+    return c.kind == Curve::Kind::Line && dot(c.end - c.start, along) > 0 &&
+           std::abs(cross(c.start - curves.front().start, along)) < kSmallest &&
+           std::abs(cross(c.end - curves.front().start, along)) < kSmallest;
+  });
+}
+
+Curve cutOff(const Curve& curve, double start, double end) {
+  const double whole = curve.length();
+  if (start == 0 && end == 0) return curve;
+  return curve.part(start == 0 ? 0 : curve.parameterAt(start), end == 0 ? 1 : curve.parameterAt(whole - end));
+}
+
+// Parts with the lines between them that the openings are, joined. `round`: how far to either side of a corner the
+// curve is led round it, at most.
+Led led(const std::vector<Curve>& parts, const std::vector<double>& from, double round) {
+  std::vector<Curve> all;
+  std::vector<bool> opening;
+  for (const Curve& part : parts) {
+    if (!all.empty() && distance(all.back().end, part.start) > kSmallest)
+      all.push_back(Curve::line(all.back().end, part.start)), opening.push_back(true);
+    all.push_back(part), opening.push_back(false);
+    if (all.size() > 1) all.back().start = all[all.size() - 2].end;
+  }
+  const std::size_t n = all.size();
+  std::vector<double> before(n, 0), after(n, 0);  // what is cut off each at its start and end
+  const bool line = straight(all);
+  for (std::size_t k = 0; !line && round > 0 && k + 1 < n; ++k) {
+    const Flat in = normalized(all[k].tangent(1)), out = normalized(all[k + 1].tangent(0));
+    if (std::abs(cross(in, out)) < 1e-9) continue;
+    const auto room = [&](std::size_t i) { return all[i].length() / (opening[i] ? 2 : 3); };
+    after[k] = std::min(round, room(k)), before[k + 1] = std::min(round, room(k + 1));
+  }
+  std::vector<Curve> joined;
+  std::vector<double> starts(n), ends(n);  // of each, metres along the new curve
+  double along = 0;
+  const auto add = [&](Curve curve) {
+    if (!joined.empty()) curve.start = joined.back().end;
+    if (distance(curve.start, curve.end) < kSmallest) return;
+    along += curve.length(), joined.push_back(std::move(curve));
+  };
+  for (std::size_t k = 0; k < n; ++k) {
+    starts[k] = along;
+    if (all[k].length() - before[k] - after[k] > kSmallest) add(cutOff(all[k], before[k], after[k]));
+    ends[k] = along;
+    if (k + 1 == n || after[k] == 0) continue;
+    const Curve &in = all[k], &out = all[k + 1];
+    const double ti = in.parameterAt(in.length() - after[k]), to = out.parameterAt(before[k + 1]);
+    const double handle = (after[k] + before[k + 1]) / 3;
+    add(Curve::cubic(in.at(ti), in.at(ti) + normalized(in.tangent(ti)) * handle,
+                     out.at(to) - normalized(out.tangent(to)) * handle, out.at(to)));
+  }
+  Led made{line ? Curve::line(all.front().start, all.back().end) : Curve::joined(joined), {{0, 0}}};
+  const double whole = along, old = [&] {
+    double sum = 0;
+    for (const Curve& part : parts) sum += part.length();
+    return sum;
+  }();
+  std::size_t part = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (opening[k]) continue;
+    const double hair = kHair * old, begins = from[part] * old, ends_ = begins + all[k].length();
+    if (part > 0) made.shares.push_back({(begins + std::max(before[k], hair)) / old, starts[k] / whole});
+    if (part + 1 < parts.size()) made.shares.push_back({(ends_ - std::max(after[k], hair)) / old, ends[k] / whole});
+    ++part;
+  }
+  made.shares.push_back({1, 1});
+  return made;
+}
+
+class Spreading {
+ public:
+  Spreading(const Piece& piece, const Slash& slash) : piece_(piece), slash_(slash), edges_(piece.outline.edges) {}
+
+  Result<OpenedPiece> opened() {
+    if (Done done = place(); !done) return done.error();
+    if (Done done = clear(); !done) return done.error();
+    decide();
+    parts_.opening = Opening(a_, b_, slash_.by, slash_.toBy, stays_);
+    Piece now = piece_;
+    now.outline = {};
+    for (std::size_t k = 0; k < edges_.size(); ++k) now.outline.edges.push_back({edges_[k].name, edge(k)});
+    for (std::size_t k = 0; k < edges_.size(); ++k)  // corners are met to the last bit
+      now.outline.edges[(k + 1) % edges_.size()].curve.start = now.outline.edges[k].curve.end;
+    auto good = checked(std::move(now.outline));
+    if (!good) return good.error();
+    now.outline = *std::move(good);
+    for (Outline& hole : now.holes)
+      for (const bool ahead = parts_.isAhead(hole.edges.front().curve.start); Edge & one : hole.edges)
+        one.curve = parts_.motion(ahead)(one.curve);
+    for (InternalLine& line : now.lines) lead(line);
+    for (Mark& mark : now.marks)
+      if (mark.edge.empty()) mark.place = parts_(mark.place);
+    followMarks(now, map_);
+    if (piece_.form) now.form = stretched(*piece_.form);
+    return OpenedPiece{{std::move(now), std::move(map_)}, stays_, std::move(parts_)};
+  }
+
+ private:
+  Done place() {
+    const auto i = piece_.outline.find(slash_.from), j = piece_.outline.find(slash_.to);
+    if (!i || !j) return noEdge(piece_, i ? slash_.to : slash_.from);
+    from_ = *i, to_ = *j;
+    if (from_ == to_) return refused(say("A slash leads from one edge to another."));
+    if (!(slash_.at >= 0 && slash_.at <= 1 && slash_.toAt >= 0 && slash_.toAt <= 1))
+      return refused(say("A place on an edge lies between 0, its beginning, and 1, its end."));
+    const auto cornered = [&](std::size_t k, double at) {
+      const double whole = edges_[k].curve.length();
+      return at * whole < kCorner ? 0 : (1 - at) * whole < kCorner ? 1 : at;
+    };
+    at_ = cornered(from_, slash_.at), toAt_ = cornered(to_, slash_.toAt);
+    a_ = edges_[from_].curve.atFraction(at_), b_ = edges_[to_].curve.atFraction(toAt_);
+    const double whole = distance(a_, b_);
+    if (whole < kCorner) return refused(say("The slash begins and ends at one place, {0} mm.", inMm(a_)));
+    if (!(slash_.by >= 0 && slash_.toBy >= 0 && slash_.by + slash_.toBy > 0 && slash_.by <= 1 && slash_.toBy <= 1))
+      return refused(say("A slash is opened by more than 0 and at most 1 m."));
+    if (std::abs(slash_.by - slash_.toBy) > whole)
+      return refused(say("The slash is {0} mm long; it cannot open by {1} mm more at one end than at the other.",
+                         inMm(whole), inMm(std::abs(slash_.by - slash_.toBy))));
+    return {};
+  }
+
+  // The slash lies in the piece and meets nothing but the two edges.
+  Done clear() {
+    const Flat along = normalized(b_ - a_);
+    const std::vector<Flat> line{a_ + along * kWay, b_ - along * kWay};
+    std::vector<Meeting> met;
+    meetings(line, piece_.outline, met);
+    if (!met.empty() || !contains(piece_.outline.flattened(1e-5), lerp(a_, b_, 0.5)))
+      return refused(say("From “{0}” to “{1}” the paper cannot be cut straight.", slash_.from, slash_.to));
+    for (const Outline& hole : piece_.holes) meetings(line, hole, met);
+    if (!met.empty())
+      return refused(say("The slash would run into a hole of {0} at {1} mm.", piece_.name, inMm(met.front().place)));
+    const auto walk = [&](Flat start, std::size_t first, double begin, std::size_t last, double end) {
+      Ring ring{start};
+      const auto add = [&](const Curve& curve) {
+        for (const Flat p : curve.flattened(1e-5))
+          if (distance(p, ring.back()) > kSmallest) ring.push_back(p);
+      };
+      for (std::size_t k = first;; k = (k + 1) % edges_.size()) {
+        const Curve& curve = edges_[k].curve;
+        const double t0 = k == first ? parameter(curve, begin) : 0, t1 = k == last ? parameter(curve, end) : 1;
+        if (t1 - t0 > 1e-12) add(t0 == 0 && t1 == 1 ? curve : curve.part(t0, t1));
+        if (k == last) break;
+      }
+      return ring;
+    };
+    parts_.ahead = walk(a_, from_, at_, to_, toAt_);
+    parts_.behind = walk(b_, to_, toAt_, from_, at_);
+    if (std::min(std::abs(signedArea(parts_.ahead)), std::abs(signedArea(parts_.behind))) < 1e-6)
+      return refused(say("The slash runs along the outline of {0}; there is nothing to move beside it.", piece_.name));
+    return {};
+  }
+
+  static double parameter(const Curve& curve, double share) {
+    return share == 0 || share == 1 ? share : curve.parameterAt(share * curve.length());
+  }
+
+  void decide() {
+    stays_ = slash_.stays;
+    if (stays_ == Slash::Stays::Larger)
+      stays_ = signedArea(parts_.ahead) > signedArea(parts_.behind) ? Slash::Stays::Ahead : Slash::Stays::Behind;
+  }
+
+  double rounded() const { return slash_.smooth ? std::min(kRounded, std::max(slash_.by, slash_.toBy) / 2) : 0; }
+
+  void keepMap(const std::string& name, const Led& led) {
+    auto& parts = map_[{piece_.id, name}];
+    for (std::size_t k = 0; k + 1 < led.shares.size(); ++k)
+      parts.push_back(
+          {led.shares[k][0], led.shares[k + 1][0], {piece_.id, name, led.shares[k][1], led.shares[k + 1][1]}});
+  }
+
+  Curve edge(std::size_t k) {
+    const Curve& curve = edges_[k].curve;
+    if (k != from_ && k != to_) {
+      const bool ahead = (k + edges_.size() - from_) % edges_.size() < (to_ + edges_.size() - from_) % edges_.size();
+      return parts_.motion(ahead)(curve);
+    }
+    // The edge where the slash begins goes on from the part behind into the one ahead, the other one back.
+    const bool first = k == from_;
+    const double at = first ? at_ : toAt_, t = parameter(curve, at);
+    const Motion &before = parts_.motion(!first), &after = parts_.motion(first);
+    std::vector<Curve> parts;
+    std::vector<double> from;
+    const Flat corner = first ? a_ : b_;
+    if (at > 0) parts.push_back(before(at == 1 ? curve : curve.part(0, t))), from.push_back(0);
+    if (at < 1) parts.push_back(after(at == 0 ? curve : curve.part(t, 1))), from.push_back(at);
+    if ((first ? slash_.by : slash_.toBy) == 0 && parts.size() == 1) return parts.front();  // hinged in a corner
+    if (parts.size() == 1) return atCorner(edges_[k].name, parts.front(), at == 1, (at == 1 ? after : before)(corner));
+    parts[0].end = before(corner), parts[1].start = after(corner);
+    const Led now = led(parts, from, rounded());
+    keepMap(edges_[k].name, now);
+    return now.curve;
+  }
+
+  // An edge at whose end the slash lies takes the opening on.
+  Curve atCorner(const std::string& name, const Curve& part, bool atEnd, Flat other) {
+    std::vector<Curve> parts{part, Curve::line(part.end, other)};
+    if (!atEnd) parts = {Curve::line(other, part.start), part};
+    const double whole = parts[0].length() + parts[1].length(), own = part.length() / whole;
+    Led now{straight(parts) ? Curve::line(parts[0].start, parts[1].end) : Curve::joined(parts), {}};
+    if (atEnd)
+      now.shares = {{0, 0}, {1 - kHair, own}, {1, 1}};
+    else
+      now.shares = {{0, 0}, {kHair, 1 - own}, {1, 1}};
+    keepMap(name, now);
+    return now.curve;
+  }
+
+  void lead(InternalLine& line) {
+    for (Curve& curve : line.curves) {
+      const auto found = partsAcross(curve, {a_, b_});
+      std::vector<Curve> parts;
+      std::vector<double> from;
+      for (const auto& [share, part] : found)
+        parts.push_back(parts_.motion(parts_.isAhead(part.at(0.5)))(part)), from.push_back(share);
+      if (parts.size() == 1) {
+        curve = parts.front();
+        continue;
+      }
+      const Led now = led(parts, from, 0);
+      if (line.curves.size() == 1 && !findEdge(piece_, line.name)) keepMap(line.name, now);
+      curve = now.curve;
+    }
+  }
+
+  // Where the paper of the form is now: as it was moved, and beside the slash evenly between, so that the cloth over
+  // the opening comes from a wider strip and is not all folded into one line.
+  std::shared_ptr<const Form> stretched(const Form& form) const {
+    const double band = kBand * std::max(slash_.by, slash_.toBy);
+    const auto reach = [&](const Ring& ring) {
+      double most = 0;
+      for (const Flat p : ring) most = std::max(most, distanceToSegment(a_, b_, p));
+      return std::min(most, band);
+    };
+    const double ahead = reach(parts_.ahead), behind = reach(parts_.behind);
+    auto now = std::make_shared<Form>(form);
+    for (Flat& p : now->flat) {
+      const double away = distanceToSegment(a_, b_, p) * (parts_.isAhead(p) ? 1 : -1);
+      const double share = std::clamp((away + behind) / (ahead + behind), 0.0, 1.0);
+      p = lerp(parts_.opening.behind(p), parts_.opening.ahead(p), share);
+    }
+    return now;
+  }
+
+  const Piece& piece_;
+  const Slash& slash_;
+  const std::vector<Edge>& edges_;
+  std::size_t from_ = 0, to_ = 0;
+  double at_ = 0, toAt_ = 0;
+  Flat a_, b_;
+  Parts parts_;
+  Slash::Stays stays_ = Slash::Stays::Larger;
+  EdgeMap map_;
+};
+
+}  // namespace
+
+Slash mirrored(const Slash& slash, const std::string& from, const std::string& to) {
+  Slash image = slash;
+  image.from = from, image.to = to;
+  image.at = 1 - slash.at, image.toAt = 1 - slash.toAt;
+  if (slash.stays == Slash::Stays::Ahead) image.stays = Slash::Stays::Behind;
+  if (slash.stays == Slash::Stays::Behind) image.stays = Slash::Stays::Ahead;
+  return image;
+}
+
+Result<OpenedPiece> spreadPiece(const Piece& piece, const Slash& slash) { return Spreading(piece, slash).opened(); }
+
+bool meet(const Outline& outline, const Slash& one, const Slash& other) {
+  const auto ends = [&](const Slash& slash) {
+    return std::array{outline.edges[*outline.find(slash.from)].curve.atFraction(slash.at),
+                      outline.edges[*outline.find(slash.to)].curve.atFraction(slash.toAt)};
+  };
+  const auto [a, b] = ends(one);
+  const auto [c, d] = ends(other);
+  const bool hinged = one.toBy == 0 && other.toBy == 0 && distance(b, d) < kCorner;
+  const Flat back = hinged ? normalized(a - b) * (2 * kCorner) : Flat{};
+  double along = 0;
+  return segmentMeets(a, b + back, c, d, along).has_value();
+}
+
+}  // namespace karinui

@@ -1,0 +1,112 @@
+// Slash and spread in a document: both halves, symmetric copies, what is told.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "design/workroom.h"
+#include "karinui/geometry/polygon.h"
+#include "karinui/pattern/symmetry.h"
+
+namespace karinui {
+namespace {
+
+Workroom& room() {
+  static Workroom room;
+  return room;
+}
+const Piece& named(const DocumentFile& file, const char* name) { return *file.document().pieceNamed(name); }
+
+// Five slashes make the panel five openings wider; it stays symmetric about the same line, grain upwards.
+TEST(SlashAndSpread, KeepsASymmetricPieceSymmetric) {
+  for (const char* count : {"1", "2", "5"}) {
+    DocumentFile file = DocumentFile::inMemory();
+    const auto played = room().play(
+        file,
+        std::string(
+            R"(piece name=skirt outline="M -200 0; hem L 200 0; side_left L 200 600; waist L -200 600; side_right L -200 0"
+spread from=skirt.hem to=skirt.waist by=3cm count=)") +
+            count);
+    ASSERT_TRUE(played) << text(played.error().what);
+    const Piece& piece = named(file, "skirt");
+    const auto symmetry = symmetryOf(piece.outline);
+    ASSERT_TRUE(symmetry) << count;
+    EXPECT_LT(distance(symmetry->axis, Flat{0, 1}), 1e-6) << count;
+    EXPECT_NEAR(symmetry->through.u, 0, 1e-6) << count;
+    const double most = std::stod(count) * 0.03;
+    EXPECT_NEAR(findEdge(piece, "hem")->curve.length(), 0.4 + most, 0.004) << count;
+    EXPECT_NEAR(findEdge(piece, "waist")->curve.length(), 0.4, 0.004) << count;
+    EXPECT_NEAR(findEdge(piece, "side_left")->curve.length(), 0.6, 1e-9) << count;
+  }
+}
+
+// The copy's drill holes, lines and pins are where the piece's are, mirrored.
+TEST(SlashAndSpread, DoesTheSameToTheSymmetricCopy) {
+  DocumentFile file = DocumentFile::inMemory();
+  const auto played =
+      room().play(file, R"(piece name=half outline="M 0 0; hem L 220 0; side L 200 600; waist L 0 600; fold L 0 0"
+notch piece=half point=15cm,30cm name=hole
+line piece=half along="5cm,20cm; 18cm,20cm" name=drawn
+mirror piece=half name=other
+pin piece=other at="-18cm,10cm"
+spread from=half.hem to=half.waist at=0.5 to_at=0.5 by=4cm to_by=1cm
+)");
+  ASSERT_TRUE(played) << text(played.error().what);
+  const Piece &half = named(file, "half"), &other = named(file, "other");
+  const auto across = [](Flat p) { return Flat{-p.u, p.v}; };
+  EXPECT_EQ(findEdge(half, "fold")->curve, Curve::line({0, 0.6}, {0, 0}));  // the fold stays
+  EXPECT_GT(half.marks.at(0).place.u, 0.16);
+  EXPECT_LT(distance(across(half.marks.at(0).place), other.marks.at(0).place), 1e-9);
+  EXPECT_LT(distance(across(half.lines.at(0).curves[0].end), other.lines.at(0).curves[0].end), 1e-9);
+  EXPECT_LT(file.document().pins.at(other.id).at(0).u, -0.2);
+  const Ring image = mirrored(half).outline.flattened(1e-6);
+  for (const Flat p : other.outline.flattened(1e-4)) EXPECT_LT(distanceToRing(image, p), 2e-6);
+}
+
+// So does a dart that is moved.
+TEST(PivotedDart, TakesTheCopysDrillHolesAlong) {
+  DocumentFile file = DocumentFile::inMemory();
+  const auto played = room().play(
+      file,
+      R"(piece name=half outline="M 0 0; waist L 150 0; side L 150 300; shoulder L 60 400; centre L 0 400; fold L 0 0"
+notch piece=half point=12cm,30cm name=hole
+mirror piece=half name=other
+dart edge=half.waist at=0.5 tip=75mm,150mm width=40mm
+pivot dart=half.dart to=half.shoulder at=0.4
+)");
+  ASSERT_TRUE(played) << text(played.error().what);
+  const Flat place = named(file, "half").marks.at(0).place, image = named(file, "other").marks.at(0).place;
+  EXPECT_GT(distance(place, Flat{0.12, 0.3}), 0.01);
+  EXPECT_LT(distance(Flat{-place.u, place.v}, image), 1e-9);
+}
+
+TEST(SlashAndSpread, TellsWhatBecameLonger) {
+  DocumentFile file = DocumentFile::inMemory();
+  std::vector<std::string> said;
+  room().context.advise = [&](const Advice& advice) { said.push_back(text(advice.what)); };
+  const auto played = room().play(file, R"(rectangle name=skirt width=40cm height=60cm edges="hem left waist right"
+rectangle name=band width=40cm height=4cm
+sew a=skirt.waist b=band.bottom
+spread from=skirt.waist to=skirt.hem by=5cm to_by=5cm
+)");
+  room().context.advise = {};
+  ASSERT_TRUE(played) << text(played.error().what);
+  EXPECT_THAT(said, testing::Contains(testing::HasSubstr("waist: 400.0 mm → 450.0 mm")));
+  EXPECT_THAT(said, testing::Contains("skirt.waist is 50.0 mm longer than band.bottom, to which it is sewn."));
+}
+
+// A record of it is replayed to the same bits, and amended.
+TEST(SlashAndSpread, IsReplayed) {
+  DocumentFile file = DocumentFile::inMemory();
+  const std::string script =
+      R"(piece name=skirt outline="M -200 0; hem L 200 0; side_left L 200 600; waist L -200 600; side_right L -200 0"
+spread from=skirt.hem to=skirt.waist by=3cm count=3
+)";
+  ASSERT_TRUE(room().play(file, script));
+  DocumentFile again = DocumentFile::inMemory();
+  std::string log;
+  for (const Step& step : file.steps()) log += text(step.operation) + "\n";
+  ASSERT_TRUE(room().play(again, log));
+  EXPECT_EQ(hash(again.document()), hash(file.document()));
+}
+
+}  // namespace
+}  // namespace karinui
