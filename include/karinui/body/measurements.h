@@ -30,7 +30,7 @@ bool isAngle(std::string_view key);                   // radians instead of metr
 Result<Measurements> builtInSize(std::string_view name);
 std::span<const std::string_view> builtInSizes();
 
-// Every stated number is one a person of 1.10 m or more can have and they go together; else which is wrong, and how far.
+// Every stated number is one a person from 1.10 m up can have and they go together; else which is wrong, how much.
 Done plausible(const Measurements& stated);
 
 }  // namespace karinui
