@@ -10,7 +10,9 @@
 #include <algorithm>
 
 #include "fabric_plot.h"
+#include "fabric_wizard.h"
 #include "karinui/base/number.h"
+#include "karinui/session/fabric_numbers.h"
 #include "look_board.h"
 #include "panels.h"
 #include "theme.h"
@@ -43,54 +45,6 @@ QIcon pictureOf(const Fabric& f, int n) {
       painter.drawRect(QRectF(u, v, thread * 0.8, thread * 0.55));
     }
   return QIcon(map);
-}
-
-struct Field {
-  Message label;
-  const char* unit;
-  double factor, high;
-  int decimals;
-  double Fabric::*value;
-};
-const std::vector<Field>& fields() {
-  static const std::vector<Field> all{{say("weight"), " g/m²", 1000, 3000, 0, &Fabric::weight},
-                                      {say("stretch, warp"), " N/m", 1, 1e6, 0, &Fabric::stretchWarp},
-                                      {say("stretch, weft"), " N/m", 1, 1e6, 0, &Fabric::stretchWeft},
-                                      {say("toe, warp"), " %", 100, 50, 2, &Fabric::toeWarp},
-                                      {say("toe, weft"), " %", 100, 50, 2, &Fabric::toeWeft},
-                                      {say("stiffening, warp"), "", 1, 1e5, 0, &Fabric::stiffenWarp},
-                                      {say("stiffening, weft"), "", 1, 1e5, 0, &Fabric::stiffenWeft},
-                                      {say("shear"), " N/m", 1, 1e5, 1, &Fabric::shear},
-                                      {say("stiffening, shear"), "", 1, 1000, 2, &Fabric::shearStiffen},
-                                      {say("bending, warp"), " µN m", 1e6, 1e5, 2, &Fabric::bendWarp},
-                                      {say("bending, weft"), " µN m", 1e6, 1e5, 2, &Fabric::bendWeft},
-                                      {say("thickness"), " mm", 1000, 20, 2, &Fabric::thickness},
-                                      {say("friction on skin"), "", 1, 2, 2, &Fabric::frictionBody},
-                                      {say("friction on cloth"), "", 1, 2, 2, &Fabric::frictionCloth}};
-  return all;
-}
-
-// What differs from the fabric it was.
-SetFabric described(const Fabric& now, const Fabric& was) {
-  SetFabric set;
-  const auto tell = [&](double Fabric::*value, std::optional<double> SetFabric::*field) {
-    if (now.*value != was.*value) set.*field = now.*value;
-  };
-  tell(&Fabric::weight, &SetFabric::weight);
-  tell(&Fabric::stretchWarp, &SetFabric::stretchWarp);
-  tell(&Fabric::stretchWeft, &SetFabric::stretchWeft);
-  tell(&Fabric::toeWarp, &SetFabric::toeWarp);
-  tell(&Fabric::toeWeft, &SetFabric::toeWeft);
-  tell(&Fabric::stiffenWarp, &SetFabric::stiffenWarp);
-  tell(&Fabric::stiffenWeft, &SetFabric::stiffenWeft);
-  tell(&Fabric::shear, &SetFabric::shear);
-  tell(&Fabric::shearStiffen, &SetFabric::shearStiffen);
-  tell(&Fabric::bendWarp, &SetFabric::bendWarp);
-  tell(&Fabric::bendWeft, &SetFabric::bendWeft);
-  tell(&Fabric::frictionBody, &SetFabric::frictionBody);
-  tell(&Fabric::frictionCloth, &SetFabric::frictionCloth);
-  if (now.thickness != was.thickness) set.thickness = Length{now.thickness};
-  return set;
 }
 
 }  // namespace
@@ -130,7 +84,7 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
   form->addRow(look_);
   form->addRow(law_);
   form->addRow(plot_);
-  for (const Field& f : fields()) {
+  for (const FabricNumber& f : fabricNumbers()) {
     auto* box = new QDoubleSpinBox;
     box->setRange(0, f.high);
     box->setDecimals(f.decimals);
@@ -162,6 +116,12 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
   cut_ = button(say("Cut the chosen pieces from it"), say("With nothing chosen, all pieces."));
   change_ = button(say("Keep the changed values"), say("For every piece that is cut from this fabric."));
   own_ = button(say("Only for the chosen pieces"), say("They get a fabric of their own with these values."));
+  connect(button(say("Measure a fabric…"), say("A fabric of your own, from scales, a table's edge and a weight.")),
+          &QPushButton::clicked, this, [this] {
+            auto* wizard = new FabricWizard(session_, this);
+            connect(wizard, &FabricWizard::added, this, [this](const QString& name) { wanted_ = name.toStdString(); });
+            wizard->open();
+          });
   connect(law_, &QTabBar::currentChanged, this,
           [this](int k) { plot_->setLaw(k == 0 ? FabricPlot::Law::Stretch : FabricPlot::Law::Shear); });
   connect(plot_, &FabricPlot::changed, this, [this] {
@@ -217,7 +177,7 @@ void FabricPanel::perform(SetFabric set, bool cut) {
 void FabricPanel::fillValues() {
   filling_ = true;
   for (std::size_t k = 0; k < values_.size(); ++k)
-    values_[k]->setValue(fabric_.*fields()[k].value * fields()[k].factor);
+    values_[k]->setValue(fabric_.*fabricNumbers()[k].value * fabricNumbers()[k].factor);
   filling_ = false;
 }
 

@@ -13,6 +13,7 @@
 #include "main_window.h"
 #include "make_up_dialog.h"
 #include "notices.h"
+#include "pose_dialog.h"
 #include "step_dialog.h"
 #include "theme.h"
 #include "variables_dialog.h"
@@ -168,6 +169,12 @@ void MainWindow::makeMenus() {
       refresh();
     });
   }
+  poses->addSeparator();
+  add(poses, say("Joint by joint…"), "", "", [this] {
+    auto* dialog = new PoseDialog(*session_, this);
+    connect(this, &MainWindow::refreshed, dialog, &PoseDialog::refresh);
+    dialog->show();
+  });
   connect(poses, &QMenu::aboutToShow, this, [this, poses] {
     for (QAction* one : poses->actions())
       one->setEnabled(!session_->readOnly() && session_->snapshot().document.body.chosen());

@@ -1,9 +1,12 @@
 // settle, check, info: what a document is and how its cloth stands.
+#include <algorithm>
+
 #include "answers_in_words.h"
 #include "examination.h"
 #include "json_answers.h"
 #include "karinui/design/drape.h"
 #include "karinui/pattern/truing.h"
+#include "motion.h"
 
 namespace karinui::app {
 
@@ -13,14 +16,36 @@ struct DocumentOnly {
   std::string path;
 };
 
+struct CheckOptions {
+  std::string path, sheet;
+  std::vector<std::string> poses;
+};
+
 struct SettleOptions {
   std::string path;
   int threads = 0;
   bool again = false;
 };
 
-int answerCheck(Program& program, const DocumentOnly& options) {
+int answerPoses(OpenDocument& opened, const CheckOptions& options) {
+  Console& console = opened.program().console;
+  const auto fits = fitInMotion(opened.document(), options.poses, opened.context());
+  if (!fits) return console.refuse(fits.error());
+  if (!options.sheet.empty()) {
+    const Result<Image> sheet = motionSheet(opened, *fits);
+    if (!sheet) return console.refuse(sheet.error());
+    if (const Done done = writePng(options.sheet, *sheet); !done) return console.refuse(done.error());
+  }
+  Json object = motionJson(*fits);
+  if (!options.sheet.empty()) object["file"] = options.sheet;
+  console.answer(object, motionWords(*fits, console));
+  return std::all_of(fits->begin(), fits->end(), [](const FitInPose& fit) { return fit.settled; }) ? kDone
+                                                                                                   : kNotSettled;
+}
+
+int answerCheck(Program& program, const CheckOptions& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
+    if (!options.poses.empty()) return answerPoses(opened, options);
     const Result<Examination> found = examined(opened.document(), opened.context());
     if (!found) return program.console.refuse(found.error());
     Json object = checkJson(*found);
@@ -77,10 +102,14 @@ void addAnswerVerbs(Program& program) {
       ->check(CLI::Range(1, 256));
   verb->add_flag("--again", settle->again, help("Also when it is at rest already"));
 
-  auto checked = std::make_shared<DocumentOnly>();
-  program.verb(program.cli, "check", help("Examines the cloth, independently of the solver"), checked, answerCheck)
-      ->add_option("document", checked->path, help("The .karinui document"))
-      ->required();
+  auto checked = std::make_shared<CheckOptions>();
+  verb =
+      program.verb(program.cli, "check", help("Examines the cloth, independently of the solver"), checked, answerCheck);
+  verb->add_option("document", checked->path, help("The .karinui document"))->required();
+  CLI::Option* poses = verb->add_option("--poses", checked->poses,
+                                        help("Fit in motion: at rest in these poses too, as T,forward,seated"))
+                           ->delimiter(',');
+  verb->add_option("--sheet", checked->sheet, help("with --poses: a PNG file of the poses side by side"))->needs(poses);
 
   auto info = std::make_shared<DocumentOnly>();
   program.verb(program.cli, "info", help("Lists pieces, seams and lengths"), info, answerInfo)

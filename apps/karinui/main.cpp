@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "commands.h"
+#include "fabric_verb.h"
 #include "karinui/base/memory.h"
 #include "wrong_call.h"
 
@@ -42,6 +43,7 @@ int main(int count, char** words) {
   addBatchVerbs(program);
   addBenchVerb(program);
   addTouchVerbs(program);
+  addFabricVerb(program);
   try {
     program.cli.parse(count, words);
   } catch (const CLI::ParseError& trouble) {

@@ -13,58 +13,58 @@ namespace {
 struct Name {
   std::string_view key;
   std::string_view aliases;    // separated by blanks; written in any of the systems' ways
-  double least = 0, most = 0;  // what an adult can have, metres (or radians)
+  double least = 0, most = 0;  // what a child of five or an adult can have, metres (or radians)
   bool made = false;           // a mannequin can be made to it
 };
 
 // ISO 8559-1 names; aliases of FreeSewing, GarmentCode, Valentina and everyday speech.
 constexpr std::array kNames{
-    Name{"ankle_girth", "ankle leg_ankle_circ", 0.14, 0.40, true},
-    Name{"ankle_height", "height_ankle", 0.04, 0.20},
+    Name{"ankle_girth", "ankle leg_ankle_circ", 0.12, 0.40, true},
+    Name{"ankle_height", "height_ankle", 0.03, 0.20},
     Name{"arm_angle", "arm_pose_angle", 0, 1.6},
-    Name{"arm_joint_length", "", 0.35, 0.75, true},
+    Name{"arm_joint_length", "", 0.24, 0.75, true},
     Name{"arm_length",
          "shoulder_to_wrist arm_shoulder_tip_to_wrist sleeve_length outer_arm_length "
          "shoulder_to_wrist_length",
-         0.38, 0.85, true},
-    Name{"armpit_height", "height_armpit", 0.90, 1.75, true},
-    Name{"back_waist_length", "back_length hps_to_waist_back neck_back_to_waist_b", 0.25, 0.62, true},
-    Name{"bust_girth", "bust chest chest_girth bust_circ", 0.60, 1.60, true},
-    Name{"bust_height", "height_bustpoint chest_height bust_line_height", 0.85, 1.70, true},
+         0.27, 0.85, true},
+    Name{"armpit_height", "height_armpit", 0.68, 1.75, true},
+    Name{"back_waist_length", "back_length hps_to_waist_back neck_back_to_waist_b", 0.20, 0.62, true},
+    Name{"bust_girth", "bust chest chest_girth bust_circ", 0.48, 1.60, true},
+    Name{"bust_height", "height_bustpoint chest_height bust_line_height", 0.64, 1.70, true},
     Name{"bust_span", "bust_points bustpoint_to_bustpoint bust_point_to_bust_point", 0.08, 0.40},
-    Name{"calf_girth", "calf leg_calf_circ", 0.22, 0.65, true},
-    Name{"calf_height", "height_calf", 0.20, 0.60},
-    Name{"crotch_height", "inseam inside_leg inside_leg_length leg_crotch_to_floor", 0.55, 1.10, true},
-    Name{"elbow_girth", "elbow arm_elbow_circ", 0.16, 0.50, true},
-    Name{"forearm_length", "lower_arm_length", 0.15, 0.40},
-    Name{"front_waist_length", "neck_front_to_waist_f", 0.22, 0.62},
-    Name{"height", "stature body_height", 1.30, 2.25, true},
-    Name{"high_hip_girth", "high_hip highhip_circ upper_hip_girth", 0.55, 1.70},
-    Name{"high_hip_height", "height_highhip", 0.60, 1.40},
-    Name{"hip_girth", "hip hips seat hip_circ", 0.65, 1.75, true},
-    Name{"hip_height", "height_hip seat_height", 0.55, 1.30},
-    Name{"knee_girth", "knee leg_knee_circ", 0.25, 0.65, true},
-    Name{"knee_height", "height_knee", 0.30, 0.75},
-    Name{"neck_back_height", "height_neck_back cervical_height", 1.05, 2.0},
-    Name{"neck_base_girth", "neck_base neck_circ_base", 0.30, 0.75},
-    Name{"neck_front_height", "height_neck_front", 1.0, 2.0},
-    Name{"neck_girth", "neck neck_circ collar", 0.25, 0.60, true},
-    Name{"neck_height", "", 1.0, 2.0},
-    Name{"shoulder_height", "height_shoulder_tip", 1.0, 1.95},
-    Name{"shoulder_joint_width", "", 0.22, 0.55},
-    Name{"shoulder_length", "shoulder", 0.06, 0.40},
+    Name{"calf_girth", "calf leg_calf_circ", 0.17, 0.65, true},
+    Name{"calf_height", "height_calf", 0.15, 0.60},
+    Name{"crotch_height", "inseam inside_leg inside_leg_length leg_crotch_to_floor", 0.38, 1.10, true},
+    Name{"elbow_girth", "elbow arm_elbow_circ", 0.13, 0.50, true},
+    Name{"forearm_length", "lower_arm_length", 0.11, 0.40},
+    Name{"front_waist_length", "neck_front_to_waist_f", 0.17, 0.62},
+    Name{"height", "stature body_height", 1.10, 2.25, true},
+    Name{"high_hip_girth", "high_hip highhip_circ upper_hip_girth", 0.45, 1.70},
+    Name{"high_hip_height", "height_highhip", 0.45, 1.40},
+    Name{"hip_girth", "hip hips seat hip_circ", 0.50, 1.75, true},
+    Name{"hip_height", "height_hip seat_height", 0.40, 1.30},
+    Name{"knee_girth", "knee leg_knee_circ", 0.20, 0.65, true},
+    Name{"knee_height", "height_knee", 0.22, 0.75},
+    Name{"neck_back_height", "height_neck_back cervical_height", 0.80, 2.0},
+    Name{"neck_base_girth", "neck_base neck_circ_base", 0.24, 0.75},
+    Name{"neck_front_height", "height_neck_front", 0.78, 2.0},
+    Name{"neck_girth", "neck neck_circ collar", 0.21, 0.60, true},
+    Name{"neck_height", "", 0.78, 2.0},
+    Name{"shoulder_height", "height_shoulder_tip", 0.78, 1.95},
+    Name{"shoulder_joint_width", "", 0.17, 0.55},
+    Name{"shoulder_length", "shoulder", 0.05, 0.40},
     Name{"shoulder_slope", "shoulder_incl shoulder_inclination", 0, 0.9},
-    Name{"shoulder_width", "shoulder_w shoulder_to_shoulder width_shoulder across_shoulder biacromial_breadth", 0.26,
+    Name{"shoulder_width", "shoulder_w shoulder_to_shoulder width_shoulder across_shoulder biacromial_breadth", 0.21,
          0.60, true},
-    Name{"thigh_girth", "thigh upper_leg leg_circ leg_thigh_upper_circ", 0.35, 1.00, true},
-    Name{"under_bust_girth", "underbust under_bust underbust_girth lowbust_circ rib_cage_girth", 0.50, 1.45, true},
-    Name{"under_bust_height", "height_underbust underbust_height", 0.80, 1.65},
-    Name{"upper_arm_girth", "upper_arm upperarm biceps bicep arm_upper_circ", 0.17, 0.65, true},
-    Name{"upper_arm_length", "shoulder_to_elbow arm_shoulder_tip_to_elbow", 0.18, 0.45},
-    Name{"waist_girth", "waist waist_circ natural_waist", 0.45, 1.60, true},
-    Name{"waist_height", "waist_to_floor height_waist height_waist_side", 0.75, 1.45, true},
+    Name{"thigh_girth", "thigh upper_leg leg_circ leg_thigh_upper_circ", 0.28, 1.00, true},
+    Name{"under_bust_girth", "underbust under_bust underbust_girth lowbust_circ rib_cage_girth", 0.43, 1.45, true},
+    Name{"under_bust_height", "height_underbust underbust_height", 0.60, 1.65},
+    Name{"upper_arm_girth", "upper_arm upperarm biceps bicep arm_upper_circ", 0.14, 0.65, true},
+    Name{"upper_arm_length", "shoulder_to_elbow arm_shoulder_tip_to_elbow", 0.14, 0.45},
+    Name{"waist_girth", "waist waist_circ natural_waist", 0.42, 1.60, true},
+    Name{"waist_height", "waist_to_floor height_waist height_waist_side", 0.58, 1.45, true},
     Name{"waist_to_hip_length", "waist_to_hip waist_to_seat hips_line", 0.05, 0.40},
-    Name{"wrist_girth", "wrist arm_wrist_circ", 0.11, 0.30, true},
+    Name{"wrist_girth", "wrist arm_wrist_circ", 0.10, 0.30, true},
 };
 
 template <class Take>
@@ -185,7 +185,7 @@ Done plausible(const Measurements& stated) {
       return measurementKey(key) ? badInput(say("There is no measurement called \"{0}\".", key))
                                  : measurementKey(key).error();
     if (!(value >= name->least && value <= name->most))
-      return refused(say("{0} cannot be {1}: an adult body has between {2} and {3}.", key, inWords(key, value),
+      return refused(say("{0} cannot be {1}: a body has between {2} and {3}.", key, inWords(key, value),
                          inWords(key, name->least), inWords(key, name->most)));
   }
   // Of two that go together the first is always the smaller one, by at least the given share of the second.

@@ -101,6 +101,27 @@ TEST(Mannequin, LimbGirthsAndLengthsAskedForAreMet) {
   meets(wanted, *body);
 }
 
+// JIS L 4002: a child of five, 110 cm high.
+TEST(Mannequin, AChildIsMade) {
+  const Measurements wanted{Sex::Female,
+                            {{"height", 1.10},
+                             {"bust_girth", 0.57},
+                             {"waist_girth", 0.52},
+                             {"hip_girth", 0.61},
+                             {"crotch_height", 0.48},
+                             {"neck_girth", 0.26},
+                             {"arm_length", 0.35},
+                             {"shoulder_width", 0.27}}};
+  const BodyPtr body = made(wanted);
+  ASSERT_TRUE(body);
+  meets(wanted, *body);
+  EXPECT_TRUE(inspect(body->mesh()).closed());
+  Workers workers(1);
+  const auto infant = makeMannequin({Sex::Female, {{"height", 0.8}}}, workers, Token{});
+  ASSERT_FALSE(infant);
+  EXPECT_NE(text(infant.error().what).find("110.0 cm"), std::string::npos) << text(infant.error().what);
+}
+
 // Everything measured on a real figure, asked for at once.
 class WholePeople : public testing::TestWithParam<const char*> {};
 

@@ -20,8 +20,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 Measurements person(const std::string& name) {
   if (name == "large")
     return {Sex::Female, {{"bust_girth", 1.16}, {"waist_girth", 1.02}, {"hip_girth", 1.22}, {"height", 1.66}}};
-  if (name == "small")
-    return {Sex::Female, {{"bust_girth", 0.68}, {"waist_girth", 0.58}, {"hip_girth", 0.72}, {"height", 1.32}}};
+  if (name == "child")
+    return {Sex::Female, {{"bust_girth", 0.57}, {"waist_girth", 0.52}, {"hip_girth", 0.61}, {"height", 1.10}}};
   return builtInSize(name).value();
 }
 
@@ -56,7 +56,7 @@ class FigurePose : public testing::TestWithParam<std::tuple<const char*, std::si
   std::shared_ptr<const Skeleton> skeleton() const { return skeletonOf(std::get<0>(GetParam())); }
 };
 INSTANTIATE_TEST_SUITE_P(Each, FigurePose,
-                         testing::Combine(testing::Values("jis9ar", "eu50", "large", "small"),
+                         testing::Combine(testing::Values("jis9ar", "eu50", "large", "child"),
                                           testing::Range<std::size_t>(0, 9)),
                          [](const auto& of) {
                            return std::string(std::get<0>(of.param)) + "_" +

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
+#include "karinui/cloth/measured_fabric.h"
 
 namespace karinui::test {
 namespace {
@@ -161,6 +162,23 @@ TEST_P(Cantilever, HangsAsTheElasticaSays) {
 INSTANTIATE_TEST_SUITE_P(Rows, Cantilever,
                          testing::Combine(testing::Values(0.1, 1, 2, 5, 8.004, 9.254, 10, 20, 50, 100, 300, 1000),
                                           testing::Values(0, 45, 90, kBare)));
+
+// A strip that is hung over a table's edge, its overhang and angle read off: what was put in comes back.
+TEST(MeasuredFabric, AHungStripGivesItsBendingBack) {
+  for (const double gamma : {2.0, 8.004, 20.0})
+    for (const double degrees : {0.0, 90.0, kBare}) {
+      const Strip strip = hung(gamma, degrees);
+      const Vec3 tip = tipOf(strip);
+      TableReadings table;
+      table.ruler = table.scales = table.angle = 0;
+      table.swatchLength = table.swatchWidth = 0.1;
+      table.swatchMasses = {kWeight * 0.01};
+      table.overhang[0] = {{strip.free()}, {std::atan2(-tip.y, tip.z - strip.line)}};
+      const auto measured = measuredFabric(table);
+      ASSERT_TRUE(measured) << text(measured.error().what);
+      EXPECT_NEAR(measured->fabric.bendWarp, strip.bend, 0.03 * strip.bend) << gamma << " at " << degrees;
+    }
+}
 
 // The parabola that fits best what the nodes around a place on the strip say: value, slope, bend there.
 using Parabola = std::array<double, 3>;

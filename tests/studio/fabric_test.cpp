@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <QComboBox>
+#include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QTabBar>
@@ -93,6 +95,58 @@ TEST(StudioFabric, ACurveIsDraggedAndKeptForOnePiece) {
   Fabric kept = document.fabrics.at("cotton_2");
   kept.name = wished.name;
   EXPECT_EQ(kept, wished) << "every number of the curves is in the step";
+}
+
+TEST(StudioFabric, AFabricIsMeasuredOnATable) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(2);
+  w.rest();
+  w.button("Measure a fabric…").click();
+  auto* wizard = w.main().findChild<QDialog*>("fabric_wizard");
+  ASSERT_TRUE(wizard);
+  const auto* told = wizard->findChild<QLabel*>("measured");
+  const auto add = [&]() -> QPushButton* {
+    for (QPushButton* one : wizard->findChildren<QPushButton*>())
+      if (one->text() == "Add this fabric") return one;
+    return nullptr;
+  };
+  const auto type = [&](const char* where, const char* what) {
+    for (QLineEdit* one : wizard->findChildren<QLineEdit*>())
+      if (one->accessibleName() == where) return one->setText(what);
+    ADD_FAILURE() << "nothing is called " << where;
+  };
+  EXPECT_THAT(told->text().toStdString(), HasSubstr("Weigh a swatch first"));
+  type("Length of the swatch", "100");
+  type("Width of the swatch", "100");
+  type("Its mass", "1.9 1,9 2.0");
+  type("Scales", "0.1");
+  type("Overhang, warp", "45.5 45.0 46.0");
+  type("Overhang, weft", "42.6 a");
+  EXPECT_THAT(told->text().toStdString(), HasSubstr("is no number"));
+  type("Overhang, weft", "42.6");
+  type("Between the marks", "200");
+  type("Width of the strip", "25");
+  type("Weight that hangs on it", "500");
+  type("Then, warp", "204.6");
+  EXPECT_FALSE(add()->isEnabled()) << "it has no name yet";
+  type("Name of the fabric", "grandmother's linen");
+  EXPECT_FALSE(add()->isEnabled());
+  EXPECT_THAT(told->text().toStdString(), HasSubstr("has a space or a sign in it"));
+  type("Name of the fabric", "old_linen");
+  EXPECT_THAT(told->text().toStdString(), HasSubstr("Linen"));
+  ASSERT_TRUE(add()->isEnabled()) << told->text().toStdString();
+  w.keepDialog(*wizard, "studio_measure_fabric");
+  const std::size_t steps = w.count();
+  w.click(*add(), add()->rect().center());
+  w.rest();
+  ASSERT_EQ(w.count(), steps + 1) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), HasSubstr("like=linen weight=0.193 "));
+  const Fabric& made = w.session().snapshot().document.fabrics.at("old_linen");
+  EXPECT_NEAR(made.bendWarp, 2.2e-5, 0.1e-5);
+  EXPECT_EQ(made.shear, preset("linen")->shear) << "what was not measured";
+  EXPECT_EQ(w.main().findChild<FabricPlot*>()->fabric().name, made.name) << "and the board shows it";
 }
 
 TEST(StudioLook, ColourAndPrintAreChosenUndoneAndSeen) {

@@ -30,7 +30,7 @@ bool isAngle(std::string_view key);                   // radians instead of metr
 Result<Measurements> builtInSize(std::string_view name);
 std::span<const std::string_view> builtInSizes();
 
-// Every stated number is one a human adult can have and they go together; otherwise which is wrong and by how much.
+// Every stated number is one a person from 1.10 m up can have and they go together; else which is wrong, how much.
 Done plausible(const Measurements& stated);
 
 }  // namespace karinui

@@ -1,0 +1,194 @@
+#include "fabric_wizard.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <numbers>
+
+#include "karinui/base/number.h"
+#include "karinui/session/fabric_numbers.h"
+#include "theme.h"
+
+namespace karinui::studio {
+
+namespace {
+
+constexpr double kMilli = 0.001, kDegree = std::numbers::pi / 180;
+
+}  // namespace
+
+FabricWizard::FabricWizard(Session& session, QWidget* parent) : QDialog(parent), session_(session) {
+  setObjectName("fabric_wizard");
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(inWords(say("Measure a fabric")));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(18, 16, 18, 16);
+  row->setSpacing(18);
+  auto* inner = new QWidget;
+  auto* form = new QFormLayout(inner);
+  const auto heading = [&](const Message& words, const Message& how) {
+    auto* title = new QLabel(inWords(words));
+    title->setProperty("role", "title");
+    form->addRow(title);
+    auto* told = new QLabel(inWords(how));
+    told->setWordWrap(true);
+    told->setProperty("role", "faint");
+    form->addRow(told);
+  };
+  heading(say("Weight"),
+          say("Cut a swatch with straight edges, as large as you can spare, and lay it on the scales. Several "
+              "readings of one thing are typed with spaces between them."));
+  swatchLength_ = add(*form, say("Length of the swatch"), kMilli, "mm");
+  swatchWidth_ = add(*form, say("Width of the swatch"), kMilli, "mm");
+  mass_ = add(*form, say("Its mass"), kMilli, "g");
+  heading(
+      say("Bending"),
+      say("Push a strip of 25 mm by 200 mm over the table's edge until its tip lies 41.5 degrees below the edge, as a "
+          "set square of card tells, and read how far it hangs over. Both ends, both sides. Or type the angle too."));
+  const std::array hangs{say("Overhang, warp"), say("Overhang, weft"), say("Overhang, bias")};
+  const std::array angles{say("Angle, warp"), say("Angle, weft"), say("Angle, bias")};
+  for (std::size_t g = 0; g < kGrains; ++g) {
+    overhang_[g] = add(*form, hangs[g], kMilli, "mm");
+    angle_[g] = add(*form, angles[g], kDegree, "°", "41.5");
+  }
+  heading(say("Stretch"),
+          say("Make two marks on a strip, hang a weight on it and read how far apart they are now. The strip "
+              "on the bias tells the shear."));
+  stripLength_ = add(*form, say("Between the marks"), kMilli, "mm");
+  stripWidth_ = add(*form, say("Width of the strip"), kMilli, "mm");
+  weight_ = add(*form, say("Weight that hangs on it"), kMilli, "g");
+  const std::array under{say("Then, warp"), say("Then, weft"), say("Then, bias")};
+  for (std::size_t g = 0; g < kGrains; ++g) hung_[g] = add(*form, under[g], kMilli, "mm");
+  heading(say("Thickness, and the tools"), say("What each tool is good to, either way."));
+  thickness_ = add(*form, say("Thickness"), kMilli, "mm");
+  ruler_ = add(*form, say("Ruler"), kMilli, "mm", "0.5");
+  scales_ = add(*form, say("Scales"), kMilli, "g", "1");
+  angleError_ = add(*form, say("Angle"), kDegree, "°", "1");
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(inner);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  row->addWidget(scroll, 4);
+  auto* column = new QVBoxLayout;
+  result_ = new QLabel;
+  result_->setObjectName("measured");
+  result_->setWordWrap(true);
+  result_->setAlignment(Qt::AlignTop);
+  result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(result_, 1);
+  name_ = new QLineEdit;
+  name_->setPlaceholderText(inWords(say("Name of the fabric")));
+  name_->setAccessibleName(inWords(say("Name of the fabric")));
+  column->addWidget(name_);
+  auto* buttons = new QHBoxLayout;
+  accept_ = new QPushButton(inWords(say("Add this fabric")));
+  accept_->setDefault(true);
+  auto* cancel = new QPushButton(inWords(say("Cancel")));
+  cancel->setAutoDefault(false);
+  buttons->addWidget(accept_), buttons->addWidget(cancel);
+  column->addLayout(buttons);
+  row->addLayout(column, 5);
+  connect(name_, &QLineEdit::textChanged, this, &FabricWizard::workOut);
+  connect(accept_, &QPushButton::clicked, this, &QDialog::accept);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::close);
+  resize(940, 640);
+  workOut();
+}
+
+QLineEdit* FabricWizard::add(QFormLayout& form, const Message& label, double unit, const char* unitText,
+                             const char* usual) {
+  auto* line = new QLineEdit;
+  line->setPlaceholderText(QString::fromUtf8(usual));
+  line->setAccessibleName(inWords(label));
+  form.addRow(inWords(label) + ", " + QString::fromUtf8(unitText), line);
+  lines_.push_back({line, unit});
+  connect(line, &QLineEdit::textChanged, this, &FabricWizard::workOut);
+  return line;
+}
+
+// In SI; nothing typed: what the line says in grey, or none.
+Result<std::vector<double>> FabricWizard::read(const QLineEdit* line) const {
+  static const QRegularExpression kBetween("[\\s;]+");
+  const auto unit = std::find_if(lines_.begin(), lines_.end(), [&](const Reading& r) { return r.line == line; })->unit;
+  std::vector<double> all;
+  for (const QString& word : (line->text().trimmed().isEmpty() ? line->placeholderText() : line->text())
+                                 .split(kBetween, Qt::SkipEmptyParts)) {
+    const auto number = parseNumber(QString(word).replace(',', '.').toStdString());
+    if (!number)
+      return badInput(say("{0}: “{1}” is no number; type readings with spaces between them.",
+                          line->accessibleName().toStdString(), word.toStdString()));
+    all.push_back(*number * unit);
+  }
+  return all;
+}
+
+Result<TableReadings> FabricWizard::readings() const {
+  TableReadings t;
+  std::optional<Error> why;
+  const auto many = [&](const QLineEdit* line) {
+    auto found = read(line);
+    if (!found && !why) why = found.error();
+    return found ? *std::move(found) : std::vector<double>();
+  };
+  const auto one = [&](const QLineEdit* line) {
+    const auto all = many(line);
+    return all.empty() ? 0 : meanOf(all, 0).value;
+  };
+  t.swatchLength = one(swatchLength_), t.swatchWidth = one(swatchWidth_), t.swatchMasses = many(mass_);
+  t.stripLength = one(stripLength_), t.stripWidth = one(stripWidth_), t.thicknesses = many(thickness_);
+  for (std::size_t g = 0; g < kGrains; ++g) {
+    t.overhang[g].lengths = many(overhang_[g]);
+    if (!angle_[g]->text().trimmed().isEmpty()) t.overhang[g].angles = many(angle_[g]);
+    if (auto lengths = many(hung_[g]); !lengths.empty()) t.hung[g] = {{one(weight_), std::move(lengths)}};
+  }
+  t.ruler = uncertaintyOf(one(ruler_)), t.scales = uncertaintyOf(one(scales_));
+  t.angle = uncertaintyOf(one(angleError_));
+  if (why) return *why;
+  return t;
+}
+
+void FabricWizard::workOut() {
+  const auto typed = readings();
+  const auto found = typed ? measuredFabric(*typed) : Result<MeasuredFabric>(typed.error());
+  measured_ = found ? std::optional(*found) : std::nullopt;
+  const QString name = name_->text().trimmed();
+  const Done usable = checkName(name.toStdString());
+  accept_->setEnabled(measured_ && usable);
+  if (!measured_) return result_->setText(inWords(found.error().what).toHtmlEscaped());
+  QString rows = "<tr><th></th>";
+  for (const QString& head : {inWords(say("Measured")), inWords(say("Two standard errors")), nameText(measured_->like)})
+    rows += "<th align=right>&nbsp;&nbsp;" + head + "</th>";
+  rows += "</tr>";
+  for (const MeasuredRow& row : rowsOf(*measured_)) {
+    const QString error = row.error ? QString::fromStdString(row.errorText()) : inWords(say("in proportion"));
+    rows += "<tr><td>" + inWords(row.label) + "</td>";
+    for (const QString& cell : {QString::fromStdString(row.valueText()), error, QString::fromStdString(row.likeText())})
+      rows += "<td align=right>&nbsp;&nbsp;" + cell + "</td>";
+    rows += "</tr>";
+  }
+  QString words = "<table cellspacing=4>" + rows + "</table><p>" +
+                  inWords(say("The nearest fabric of the shop is {0}; what was not measured is as there.",
+                              nameText(measured_->like).toStdString())) +
+                  "</p>";
+  if (measured_->bendBias)
+    words += "<p>" +
+             inWords(say("On the bias cloth bends as warp and weft let it; that is the number in the last column.")) +
+             "</p>";
+  if (!name.isEmpty() && !usable) words += "<p>" + inWords(usable.error().what).toHtmlEscaped() + "</p>";
+  result_->setText(words);
+}
+
+void FabricWizard::accept() {
+  if (!measured_) return;
+  const QString name = name_->text().trimmed();
+  emit added(name);
+  session_.perform(fabricStep(*measured_, name.toStdString()));
+  QDialog::accept();
+}
+
+}  // namespace karinui::studio

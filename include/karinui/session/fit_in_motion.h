@@ -1,0 +1,37 @@
+#pragma once
+// How a garment fits while its wearer moves: the same garment brought to rest in one pose after another, each time from
+// where it stands now. The document is left as it is. Long; any thread, with its own context.
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "karinui/design/drape.h"
+#include "karinui/session/fit.h"
+
+namespace karinui {
+
+// Edges of a garment that nothing is sewn to, by where they lie on the body.
+enum class OpenEdge { Neck, Waist, Hem, Cuff };  // Neck: armholes of a sleeveless garment too
+inline constexpr std::array kOpenEdges{OpenEdge::Neck, OpenEdge::Waist, OpenEdge::Hem, OpenEdge::Cuff};
+Message openEdgeSaid(OpenEdge edge);
+
+struct FitInPose {
+  std::string name;  // of the pose; empty: as the garment stands now
+  Message said;
+  Document document;  // the garment at rest in it
+  BodyPtr body;
+  bool settled = false;
+  StrainReport strain;
+  std::optional<PressureReport> pressure;
+  // How far such edges slid over the skin since the first pose, on average, metres: towards the trunk along an arm,
+  // upwards elsewhere. None: the garment has no such edge.
+  std::array<std::optional<double>, kOpenEdges.size()> slid{};
+};
+
+// The garment as it stands now, brought to rest if it is not, and then in each pose. Refused: no body, a pose that does
+// not exist or that the figure cannot take.
+Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::vector<std::string>& poses,
+                                           Context& context);
+
+}  // namespace karinui

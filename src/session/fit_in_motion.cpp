@@ -1,0 +1,176 @@
+#include "karinui/session/fit_in_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace karinui {
+
+namespace {
+
+using Part = BodyPoint::Part;
+constexpr int kPlaces = 16;  // looked at along an edge
+// Levels of the trunk: an open edge below the first is a hem, one above the second a neckline or an armhole.
+constexpr double kHighHip = 2, kUnderBust = 4.2;
+
+bool isArm(Part part) { return part == Part::LeftArm || part == Part::RightArm; }
+
+std::optional<OpenEdge> kindAt(const BodyPoint& point) {
+  switch (point.part) {
+    case Part::LeftArm:
+    case Part::RightArm:
+      return point.along < 1 ? OpenEdge::Neck : OpenEdge::Cuff;
+    case Part::LeftLeg:
+    case Part::RightLeg:
+      return OpenEdge::Hem;
+    case Part::Torso:
+      return point.along < kHighHip ? OpenEdge::Hem : point.along < kUnderBust ? OpenEdge::Waist : OpenEdge::Neck;
+    default:
+      return std::nullopt;
+  }
+}
+
+// Towards the trunk along an arm, else upwards; in the own pose.
+Vec3 inwards(const Skeleton& skeleton, Part part, double along) {
+  if (!isArm(part)) return {0, 1, 0};
+  const int side = part == Part::RightArm ? 1 : 0;
+  const auto place = [&](Joint left) { return skeleton.place(static_cast<Joint>(static_cast<int>(left) + side)); };
+  return along < 2 ? normalized(place(Joint::LeftShoulder) - place(Joint::LeftElbow))
+                   : normalized(place(Joint::LeftElbow) - place(Joint::LeftWrist));
+}
+
+// A place of an open edge.
+struct EdgePlace {
+  PieceId piece;
+  Flat paper;
+  SurfacePoint skin;  // it lay nearest to
+  Vec3 inwards;
+};
+// By what the edge is.
+using EdgePlaces = std::array<std::vector<EdgePlace>, kOpenEdges.size()>;
+
+bool isOpen(const Document& document, const Piece& piece, const std::string& edge) {
+  const auto holds = [&](const std::vector<EdgeSpan>& side) {
+    return std::any_of(side.begin(), side.end(),
+                       [&](const EdgeSpan& span) { return span.piece == piece.id && span.edge == edge; });
+  };
+  const auto held = [&](const auto& all) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& sewn) { return holds(sewn.second.a) || holds(sewn.second.b); });
+  };
+  return !held(document.pattern.seams) && !held(document.allowances.fastenings);
+}
+
+EdgePlaces openEdges(const FitInPose& first, const Skeleton& skeleton) {
+  EdgePlaces all;
+  const Body& own = first.body->own();
+  for (const auto& [id, piece] : first.document.pattern.pieces) {
+    if (!piece->form) continue;
+    const Stand stand(*piece);
+    for (const Edge& edge : piece->outline.edges) {
+      if (!isOpen(first.document, *piece, edge.name)) continue;
+      std::array<std::vector<EdgePlace>, kOpenEdges.size()> here;
+      for (int k = 0; k < kPlaces; ++k) {
+        const Flat paper = edge.curve.atFraction((k + 0.5) / kPlaces);
+        const auto near = first.body->bvh().nearest(stand(paper));
+        const BodyPoint point = own.describe(near->place);
+        if (const auto kind = kindAt(point))
+          here[static_cast<std::size_t>(*kind)].push_back(
+              {id, paper, near->place, inwards(skeleton, point.part, point.along)});
+      }
+      // An edge is what most of it is.
+      const auto most =
+          std::max_element(here.begin(), here.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+      auto& kind = all[static_cast<std::size_t>(most - here.begin())];
+      kind.insert(kind.end(), most->begin(), most->end());
+    }
+  }
+  return all;
+}
+
+Result<FitInPose> measured(Document document, Context& context) {
+  FitInPose fit;
+  const auto body = bodyOf(document, context);
+  if (!body) return body.error();
+  fit.body = *body;
+  fit.settled = document.drape.last && document.drape.last->settled;
+  const auto check = examined(document, context);
+  if (!check) return check.error();
+  fit.strain = check->strain;
+  const SnapshotPtr garment = snapshotOf(document, *body);
+  fit.pressure = pressureReport(pressureOnBody(*garment, context.workers));
+  fit.document = std::move(document);
+  return fit;
+}
+
+bool atRest(const Document& document) {
+  return document.drape.last && document.drape.last->settled && document.drape.dirty.empty();
+}
+
+Result<Document> rested(Document document, Context& context) {
+  if (atRest(document)) return document;
+  return apply(document, DrapePieces{}, context);
+}
+
+}  // namespace
+
+Message openEdgeSaid(OpenEdge edge) {
+  switch (edge) {
+    case OpenEdge::Neck:
+      return say("Neck, armhole");
+    case OpenEdge::Waist:
+      return say("Waist");
+    case OpenEdge::Hem:
+      return say("Hem");
+    case OpenEdge::Cuff:
+      return say("Cuff");
+  }
+  return {};
+}
+
+Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::vector<std::string>& poses,
+                                           Context& context) {
+  if (!document.body.chosen()) return bodyOf(document, context).error();
+  const auto poseStep = [](const std::string& name) {
+    PoseBody pose;
+    pose.name = name;
+    return Operation(pose);
+  };
+  for (const std::string& name : poses)  // before the long work
+    if (const auto known = resolved(document, poseStep(name), context); !known) return known.error();
+  const auto skeleton = context.bodies.skeleton(document.body, context.blobs, context.workers, context.token);
+  if (!skeleton) return skeleton.error();
+  const auto start = rested(document, context);
+  if (!start) return start.error();
+  std::vector<FitInPose> fits;
+  auto first = measured(*start, context);
+  if (!first) return first.error();
+  first->said = say("As it stands");
+  const EdgePlaces edges = openEdges(*first, **skeleton);
+  fits.push_back(*std::move(first));
+  for (const std::string& name : poses) {
+    auto carried = apply(*start, poseStep(name), context);
+    if (!carried) return carried.error();
+    auto now = rested(*std::move(carried), context);
+    if (!now) return now.error();
+    auto fit = measured(*std::move(now), context);
+    if (!fit) return fit.error();
+    fit->name = name, fit->said = namedPose(name)->said;
+    fits.push_back(*std::move(fit));
+  }
+  const TriangleMesh& own = fits.front().body->own().mesh();
+  for (FitInPose& fit : fits)
+    for (std::size_t kind = 0; kind < edges.size(); ++kind) {
+      double sum = 0;
+      std::map<PieceId, Stand> stands;
+      for (const EdgePlace& place : edges[kind]) {
+        auto stand = stands.find(place.piece);
+        if (stand == stands.end()) stand = stands.emplace(place.piece, Stand(*fit.document.find(place.piece))).first;
+        const auto near = fit.body->bvh().nearest(stand->second(place.paper));
+        sum += dot(at(own, near->place) - at(own, place.skin), place.inwards);
+      }
+      if (!edges[kind].empty()) fit.slid[kind] = sum / static_cast<double>(edges[kind].size());
+    }
+  return fits;
+}
+
+}  // namespace karinui

@@ -1,0 +1,131 @@
+// The dialog of poses in the real window: joints turned by sliders, limbs dragged, one step when let go.
+#include <gmock/gmock.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QSlider>
+#include <QStyleOptionSlider>
+#include <cmath>
+
+#include "pose_dialog.h"
+#include "pose_view.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+QPointF knobOf(const QSlider& slider) {
+  QStyleOptionSlider option;
+  option.initFrom(&slider);
+  option.orientation = Qt::Horizontal;
+  option.minimum = slider.minimum(), option.maximum = slider.maximum();
+  option.sliderPosition = option.sliderValue = slider.value();
+  return slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider).center();
+}
+
+struct Posing {
+  Window w;
+  PoseDialog* dialog = nullptr;
+  PoseView* view = nullptr;
+
+  Posing() {
+    w.openTunic();
+    for (QAction* action : w.main().findChildren<QAction*>())
+      if (action->text() == "Joint by joint…") action->trigger();
+    dialog = w.main().findChild<PoseDialog*>("pose_dialog");
+    if (dialog) view = dialog->findChild<PoseView*>();
+    w.rest();
+  }
+  ~Posing() { delete dialog; }
+  QSlider* slider(const char* name) {
+    for (QSlider* one : dialog->findChildren<QSlider*>())
+      if (one->isVisible() && one->accessibleName() == name) return one;
+    return nullptr;
+  }
+  SurfacePoint skin(const char* place) {
+    return w.session().snapshot().body->own().find(parseBodyPoint(place).value()).value();
+  }
+  void pictured() {
+    until(w.main(), [this] { return view->drawn(); });
+  }
+  double abduct(Joint joint) {
+    const BodyPose& pose = w.session().snapshot().document.body.pose;
+    const auto there = pose.find(joint);
+    return there == pose.end() ? 0 : there->second.abduct * 57.29577951;
+  }
+};
+
+TEST(StudioPose, AJointIsTurnedWithASliderAndTheGarmentFollows) {
+  KARINUI_NEEDS_DISPLAY();
+  Posing p;
+  ASSERT_TRUE(p.view);
+  const SurfacePoint hand = p.skin("left_arm:wrist+0.5@0.25");
+  const QPointF hung = p.view->onScreen(hand);
+  const std::size_t steps = p.w.count();
+  QSlider* slider = p.slider("Sideways");
+  ASSERT_TRUE(slider);
+  const int before = slider->value();
+  const QPointF knob = knobOf(*slider);
+  p.w.drag(*slider, {knob, knob + QPointF(slider->width() * 0.25, 0)}, {}, [&] {
+    EXPECT_LT(p.view->onScreen(hand).y(), hung.y() - 20) << "the figure's arm rises at once";
+    EXPECT_EQ(p.w.count(), steps) << "nothing is done before it is let go";
+  });
+  p.w.rest();
+  EXPECT_THAT(p.w.last(), Not(StartsWith("pose"))) << "the drape that follows by itself";
+  ASSERT_EQ(p.w.count(), steps + 2) << p.w.main().said().toStdString();
+  EXPECT_THAT(text(p.w.session().steps()[steps].operation),
+              AllOf(StartsWith("pose joint=left_shoulder"), HasSubstr("abduct=")));
+  EXPECT_GT(p.abduct(Joint::LeftShoulder), before + 20);
+  EXPECT_NEAR(p.abduct(Joint::LeftShoulder), slider->value(), 0.5);
+  EXPECT_TRUE(p.w.session().snapshot().document.drape.last->settled);
+  p.pictured();
+  p.w.keepDialog(*p.dialog, "studio_pose");
+  p.w.key(Command::Undo);
+  p.w.rest();
+  EXPECT_TRUE(p.w.session().snapshot().document.body.pose.empty());
+  EXPECT_EQ(slider->value(), before) << "the dialog shows how the figure stands";
+}
+
+TEST(StudioPose, ADraggedHandSwingsTheArmOrBoth) {
+  KARINUI_NEEDS_DISPLAY();
+  Posing p;
+  ASSERT_TRUE(p.view);
+  const SurfacePoint hand = p.skin("left_arm:wrist+0.5@0.25");
+  const std::size_t steps = p.w.count();
+  const QPointF from = p.view->onScreen(hand), to = from + QPointF(30, -60);
+  p.w.drag(*p.view, {from, to}, {}, [&] {
+    const QPointF here = p.view->onScreen(hand);
+    EXPECT_LT(std::hypot(here.x() - to.x(), here.y() - to.y()), 6) << "the hand is under the pointer";
+    EXPECT_EQ(p.w.count(), steps);
+  });
+  p.w.rest();
+  ASSERT_GT(p.w.count(), steps) << p.w.main().said().toStdString();
+  EXPECT_THAT(text(p.w.session().steps()[steps].operation), StartsWith("pose joint=left_shoulder"));
+  const QPointF there = p.view->onScreen(hand);
+  EXPECT_LT(std::hypot(there.x() - to.x(), there.y() - to.y()), 12) << "whole degrees are kept";
+
+  p.dialog->findChild<QCheckBox*>()->setChecked(true);
+  const double right = p.abduct(Joint::RightShoulder);
+  const std::size_t now = p.w.count();
+  p.w.drag(*p.view, {there, there + QPointF(5, -30)});
+  p.w.rest();
+  ASSERT_GT(p.w.count(), now);
+  EXPECT_THAT(text(p.w.session().steps()[now].operation),
+              AllOf(HasSubstr("left_shoulder"), HasSubstr("right_shoulder")));
+  EXPECT_GT(p.abduct(Joint::RightShoulder), right + 5);
+  EXPECT_EQ(p.abduct(Joint::RightShoulder), p.abduct(Joint::LeftShoulder));
+
+  // Beside the figure the pointer turns it, and nothing is done.
+  const std::size_t then = p.w.count();
+  const QPointF before = p.view->onScreen(hand);
+  p.w.drag(*p.view, {QPointF(8, 8), QPointF(80, 8)});
+  EXPECT_NE(p.view->onScreen(hand), before);
+  EXPECT_EQ(p.w.count(), then);
+}
+
+}  // namespace
+}  // namespace karinui::studio
