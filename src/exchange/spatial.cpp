@@ -41,7 +41,7 @@ Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment) {
   }
   for (const SpatialNotion& notion : garment.notions) {
     if (auto good = checkMesh(notion.mesh, notion.name); !good) return good.error();
-    out.push_back({distinct(oneWord(notion.name, "buttons"), taken), oneWord(notion.material, "notion"), &notion.mesh,
+    out.push_back({taken.give(oneWord(notion.name, "buttons")), oneWord(notion.material, "notion"), &notion.mesh,
                    nullptr, notion.colour, nullptr});
   }
   return out;
