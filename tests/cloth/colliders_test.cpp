@@ -103,6 +103,22 @@ TEST(Floor, ClothThatBeginsBelowItIsFoldedOutwardsAtItsFullLength) {
   for (const Vec3& p : levels[0].state.position) EXPECT_GT(p.y, 0);
 }
 
+TEST(Floor, FrontAndBackAreLaidAwayFromEachOther) {
+  ClothLevel both;
+  for (int side = 0; side < 2; ++side)
+    addPiece(both.cloth, gridLattice(kCells, kCells, kCell), *preset("cotton"));  // both look forwards
+  both.state = standingBy(both.cloth, [](std::size_t piece, Flat p) {
+    return Vec3{p.u, p.v - 0.1, piece == 0 ? 0.15 : -0.15};
+  });
+  layOnFloor(both.cloth, both.state);
+  std::size_t laid = 0;
+  for (const Vec3& p : both.state.position) {
+    EXPECT_GE(std::fabs(p.z), 0.15 - 1e-12);
+    laid += std::fabs(p.z) > 0.2;
+  }
+  EXPECT_GT(laid, 2 * kCells);
+}
+
 TEST(Floor, ClothThatDoesNotComeNearItRestsTheSameToTheBit) {
   const CapsuleBody ball({{{0, 0.25, 0}, {0, 0.25, 0}, 0.08}});
   const auto floor = floorCollider();
