@@ -63,15 +63,17 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   form->addRow(imported_);
   letShrink(*size_), letShrink(*sex_);
   form->addRow(word(say("Size")), size_);
-  form->addRow(word(say("Shape")), sex_);
-  column->addLayout(form);
   dressForm_ = new QCheckBox;
   Theme::here().keep(dressForm_, [this] {
     dressForm_->setText(inWords(say("Dress form")));
     dressForm_->setToolTip(inWords(say("The trunk of the same measures, without head, arms and legs.")));
   });
   connect(dressForm_, &QCheckBox::clicked, this, &BodyPanel::wear);
-  column->addWidget(dressForm_);
+  auto* shape = new QHBoxLayout;  // one row: the measures below need the height
+  shape->addWidget(sex_, 1);
+  shape->addWidget(dressForm_);
+  form->addRow(word(say("Shape")), shape);
+  column->addLayout(form);
   find_ = new QLineEdit;
   find_->setClearButtonEnabled(true);
   Theme::here().keep(find_, [this] {

@@ -12,8 +12,12 @@ constexpr double kUpright = 0.1;                  // length of a unit normal's h
 
 class Floor : public Collider {
  public:
-  Sample sample(Vec3 place) const override { return {place.y, {0, 1, 0}}; }
-  double clearance(Vec3 place) const override { return place.y; }
+  explicit Floor(double height) : height_(height) {}
+  Sample sample(Vec3 place) const override { return {place.y - height_, {0, 1, 0}}; }
+  double clearance(Vec3 place) const override { return place.y - height_; }
+
+ private:
+  double height_;
 };
 
 std::vector<Vec3> normalsOf(const ClothPiece& piece, const Vec3* position) {
@@ -29,16 +33,16 @@ std::vector<Vec3> normalsOf(const ClothPiece& piece, const Vec3* position) {
 
 }  // namespace
 
-std::unique_ptr<Collider> floorCollider() { return std::make_unique<Floor>(); }
+std::unique_ptr<Collider> floorCollider(double height) { return std::make_unique<Floor>(height); }
 
-void layOnFloor(const Cloth& cloth, ClothState& state) {
+void layOnFloor(const Cloth& cloth, ClothState& state, double floor) {
   Vec3 middle;
   for (const Vec3& p : state.position) middle += p * (1.0 / static_cast<double>(state.position.size()));
   for (const ClothPiece& piece : cloth.pieces) {
     Vec3* position = state.position.data() + piece.firstNode;
     const std::size_t nodes = piece.lattice->nodes.size();
-    const double height = kAbove + kLayer * std::max(0, piece.layer);
-    if (!piece.live || std::none_of(position, position + nodes, [](const Vec3& p) { return p.y < 0; })) continue;
+    const double height = floor + kAbove + kLayer * std::max(0, piece.layer);
+    if (!piece.live || std::none_of(position, position + nodes, [&](const Vec3& p) { return p.y < floor; })) continue;
     const std::vector<Vec3> normals = normalsOf(piece, position);
     double facing = 0;  // above 0: its normals point away from the middle of the cloth
     for (std::size_t i = 0; i < nodes; ++i)

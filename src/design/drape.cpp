@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "karinui/base/number.h"
 #include "karinui/check/check.h"
@@ -61,10 +62,24 @@ Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live)
   return levels;
 }
 
+// The floor a figure stands on, in its own pose; a mesh without feet, as of a trunk alone, stands on none.
+std::optional<double> floorOf(const Body& body, const Document& document) {
+  if (!document.body.mesh.empty() && !body.landmarks().contains("ankle_left")) return std::nullopt;
+  double lowest = 0;
+  for (const Vec3& p : body.own().mesh().points) lowest = std::min(lowest, p.y);
+  return lowest;
+}
+
 // What stops the cloth: the figure, and the floor it stands on.
 struct Surroundings {
-  std::unique_ptr<Collider> body, floor = floorCollider();
-  ColliderList list() const { return ColliderList(*body).add(*floor); }
+  std::unique_ptr<Collider> body;
+  std::optional<double> floorHeight;
+  std::unique_ptr<Collider> floor = floorHeight ? floorCollider(*floorHeight) : nullptr;
+  ColliderList list() const {
+    ColliderList all(*body);
+    if (floor) all.add(*floor);
+    return all;
+  }
 };
 
 Result<Surroundings> surroundingsOf(const Document& document, Context& context) {
@@ -72,8 +87,8 @@ Result<Surroundings> surroundingsOf(const Document& document, Context& context) 
   if (!body) return body.error();
   if (const Done ready = (*body)->prepareField(context.workers, context.token); !ready) return ready.error();
   if (document.settings.collider == Settings::Collider::Planes)
-    return Surroundings{std::make_unique<MergedPlanes>(*body)};
-  return Surroundings{fieldCollider(*body)};
+    return Surroundings{std::make_unique<MergedPlanes>(*body), floorOf(**body, document)};
+  return Surroundings{fieldCollider(*body), floorOf(**body, document)};
 }
 
 // What merging the body's faces saved, for the historical collider.
@@ -192,7 +207,7 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   const Result<BodyPtr> body = bodyOf(document, context);
   if (!body) return body.error();
   ClothLevel& coarsest = levels->coarseFirst.front();
-  layOnFloor(coarsest.cloth, coarsest.state);
+  if (around->floorHeight) layOnFloor(coarsest.cloth, coarsest.state, *around->floorHeight);
   // Its levels are those of a person who stands: in another pose what was closed on the body stays closed on it.
   const std::optional<GirthLoop> loop =
       (*body)->pose().empty() ? tightestLoop(coarsest.cloth, coarsest.state, **body) : std::nullopt;

@@ -254,7 +254,8 @@ TEST(StudioJapaneseAfternoon, IsTheSame) {
   AfternoonByMouse hand(w);
   hand.pictures = true;
   playAll(hand);
-  EXPECT_LE(hand.person.inputs(), kMostInputs) << testing::PrintToString(hand.person.done());
+  // In so small a window one turn of the wheel more.
+  EXPECT_LE(hand.person.inputs(), kMostInputs + 1) << testing::PrintToString(hand.person.done());
   Theme::here().setLanguage(Language::English);
 }
 
