@@ -280,12 +280,14 @@ void BodyPanel::fill() {
   const SetBody* now = session_.figure();
   const auto sizes = builtInSizes();
   const bool mesh = imported();
-  for (QComboBox* box : {size_, sex_}) form_->setRowVisible(box, !mesh);
+  int sizeRow = 0;
+  QFormLayout::ItemRole role{};
+  form_->getWidgetPosition(size_, &sizeRow, &role);
+  for (const int own : {sizeRow, sizeRow + 1}) form_->setRowVisible(own, !mesh);  // size, and shape with the dress form
   for (QWidget* own :
        {static_cast<QWidget*>(imported_), static_cast<QWidget*>(mannequin_), static_cast<QWidget*>(consequence_)})
     own->setVisible(mesh && session_.snapshot().body);
-  for (QWidget* own : {static_cast<QWidget*>(dressForm_), static_cast<QWidget*>(follow_), static_cast<QWidget*>(use_),
-                       static_cast<QWidget*>(replay_)})
+  for (QWidget* own : {static_cast<QWidget*>(follow_), static_cast<QWidget*>(use_), static_cast<QWidget*>(replay_)})
     own->setVisible(!mesh);
   if (mesh && session_.snapshot().body)
     imported_->setText(inWords(say("The imported body “{0}”. Its measures are taken from it and cannot be turned.",

@@ -249,14 +249,16 @@ TEST(StudioTools, SpaceSettlesAndStops) {
   w.key(Command::Undo);
   w.rest();
   ASSERT_EQ(w.count(), before + 1);
+  predicted = w.session().changes().predicted;
+  w.key(Command::Settle);  // still fine: on coarse cloth it may be over before there is a picture
+  w.rest();
+  EXPECT_EQ(w.count(), before + 2);
+  EXPECT_GT(w.session().changes().predicted, predicted) << "the cloth was seen on its way";
+  w.key(Command::Undo);
+  w.rest();
   w.key(Command::Undo);
   w.rest();
   EXPECT_EQ(drapeHash(w.session().snapshot().document), stand);
-  predicted = w.session().changes().predicted;
-  w.key(Command::Settle);
-  w.rest();
-  EXPECT_EQ(w.count(), before + 1);
-  EXPECT_GT(w.session().changes().predicted, predicted) << "the cloth was seen on its way";
 }
 
 // A newcomer's shirt: two clicks from a figure to a shirt at rest.
