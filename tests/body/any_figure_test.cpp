@@ -62,7 +62,8 @@ TEST_P(AnyFigure, IsTheSameLeftAndRight) {
 }
 
 // Seen in the mirror, or standing elsewhere, a body has the same measurements. A mannequin is measured before it has
-// its hands, and the narrowest place of the arm is found between rings of which one may lie on the hand: micrometres.
+// its hands, and the narrowest place of the arm is found between rings of which one may lie on the hand: some 10
+// micrometres.
 TEST_P(AnyFigure, MeasuresTheSameWhereverItStands) {
   for (const bool mirrored : {false, true}) {
     TriangleMesh mesh = body_->mesh();
@@ -72,7 +73,7 @@ TEST_P(AnyFigure, MeasuresTheSameWhereverItStands) {
     const Measurements again = measure(mesh, Bvh(mesh));
     ASSERT_EQ(again.value.size(), body_->measured().value.size());
     for (const auto& [key, value] : body_->measured().value)
-      EXPECT_NEAR(again.value.at(key), value, mirrored ? (isAngle(key) ? 0.01 : 0.003) : 1e-5) << key << mirrored;
+      EXPECT_NEAR(again.value.at(key), value, mirrored ? (isAngle(key) ? 0.01 : 0.003) : 3e-5) << key << mirrored;
   }
 }
 
