@@ -97,7 +97,7 @@ TEST_F(Network, NoVerbOpensASocket) {
            {"import", in("d.dxf") + to("imported.karinui")},
            {"body make", " --size jis9ar" + to("body.obj")},
            {"body measure", in("body.obj")},
-           {"fabric measure", "--swatch 100x100 --mass 1.5"},
+           {"fabric measure", " --swatch 100x100 --mass 1.5"},
            {"serve", "", asked},
            {"batch plan", in("d.ops") + in("people.csv") + to("batch")},
            {"batch submit", in("batch") + " --slurm", cluster},
