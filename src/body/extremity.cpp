@@ -186,7 +186,6 @@ TriangleMesh withExtremities(const TriangleMesh& mesh, const FieldGrid& field, c
     for (const Triangle& f : model.mesh.faces) out.faces.push_back({f[0] + offset, f[1] + offset, f[2] + offset});
     for (std::uint32_t& i : model.line) i += offset;
     if (!joinLines(out, part.line, std::move(model.line), part.end.cut.normal)) return {};
-
     smoothStrip(out, part.end.cut, firstPoint, firstFace);
   }
   out = compact(out);
