@@ -18,10 +18,12 @@
 namespace karinui::import {
 namespace {
 
-bool limit(__rlimit_resource what, rlim_t most) {
-  const rlimit both{most, most};
+bool limit(__rlimit_resource what, rlim_t soft, rlim_t hard) {
+  const rlimit both{soft, hard};
   return setrlimit(what, &both) == 0;
 }
+
+bool limit(__rlimit_resource what, rlim_t most) { return limit(what, most, most); }
 
 }  // namespace
 
@@ -29,7 +31,9 @@ bool enterCell(const Limits& limits) {
 #ifndef KARINUI_SHADOW_MEMORY  // sanitizers reserve terabytes of addresses
   if (!limit(RLIMIT_AS, limits.memoryBytes)) return false;
 #endif
-  if (!limit(RLIMIT_CPU, limits.seconds) || !limit(RLIMIT_CORE, 0) || !limit(RLIMIT_FSIZE, 0)) return false;
+  // Where both limits are equal the kernel looks at the hard one first and sends SIGKILL: the parent could not tell a
+  // file that takes too long from one that makes the reader fail. Above the soft limit it sends SIGXCPU.
+  if (!limit(RLIMIT_CPU, limits.seconds, limits.seconds + 1) || !limit(RLIMIT_CORE, 0) || !limit(RLIMIT_FSIZE, 0)) return false;
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) return false;
   // Everything else, above all every way to open a file or a socket or to start a program, is answered "not allowed".
   scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EACCES));
