@@ -39,6 +39,47 @@ void ContactPairs::measureEdges(std::span<const Vec3> x) {
   longest_ = std::sqrt(longest_);
 }
 
+void ContactPairs::measureSheets(const Search& search) {
+  normal_.assign(search.x.size(), {});
+  for (const Triangle& face : topology_.faces) {
+    const Vec3 n = cross(search.x[face[1]] - search.x[face[0]], search.x[face[2]] - search.x[face[0]]);
+    for (NodeIndex k : face) normal_[k] += n;
+  }
+  for (Vec3& n : normal_) n = normalized(n);
+  spread_.assign(search.x.size(), 0);
+  if (search.move.empty()) return;
+  for (const auto& [a, b] : topology_.edges) {
+    const double apart = squaredLength(search.move[a] - search.move[b]);
+    spread_[a] = std::max(spread_[a], apart);
+    spread_[b] = std::max(spread_[b], apart);
+  }
+  for (double& spread : spread_) spread = std::sqrt(spread);
+}
+
+// Whether a plane along the sheets keeps all faces at a from all faces at b, so that the two find no pair. In layers
+// that lie over one another two nodes in three end here.
+bool ContactPairs::sheetsApart(NodeIndex a, NodeIndex b, const Search& search) const {
+  double reach = search.within + kRounding;
+  if (!search.move.empty())
+    reach += (1 + kRounding) * kMoveReach * (spread_[a] + spread_[b] + length(search.move[a] - search.move[b]));
+  const Vec3 origin = search.x[b], between = search.x[a] - origin;
+  const auto farthest = [&](NodeIndex own, Vec3 way) {  // of the faces at a node, from the origin
+    double most = dot(search.x[own] - origin, way);
+    for (const std::uint32_t e : topology_.edgesOf.of(own))
+      for (NodeIndex end : topology_.edges[e]) most = std::max(most, dot(search.x[end] - origin, way));
+    return most;
+  };
+  const Vec3 na = normal_[a], nb = normal_[b];
+  for (Vec3 n : {dot(na, nb) < 0 ? na - nb : na + nb, na, nb}) {
+    if (dot(between, n) < 0) n = -n;
+    const double apart = reach * length(n);
+    if (dot(between, n) <= apart) continue;
+    const double high = farthest(b, n);
+    if (dot(between, n) - high > apart && -farthest(a, -n) - high > apart) return true;
+  }
+  return false;
+}
+
 // Each pair is found once, from its two nearest nodes: `takes` is whether another two nodes, nearer to each other, find
 // it. Neighbours find nothing; where a sharp fold squeezes them so that they are the nearest, the next nearest do, and
 // then what lies near on paper, too, is not pushed apart.
@@ -155,6 +196,7 @@ std::vector<ContactPair> ContactPairs::findAgain(const Search& search, const std
 // `stale`: the nodes at which what was found last no longer holds; empty: all.
 std::vector<ContactPair> ContactPairs::search(const Search& search, const std::vector<std::uint8_t>& stale,
                                               Workers& workers) {
+  measureSheets(search);
   double most = 0;
   for (Vec3 m : search.move) most = std::fmax(most, squaredLength(m));
   const double still = search.within + kEdgeReach * longest_;
@@ -182,6 +224,7 @@ std::vector<ContactPair> ContactPairs::search(const Search& search, const std::v
       if (!search.move.empty()) far += kNodeReach * spacing_ + kNodeMoveReach * length(search.move[a] - search.move[b]);
       if (d2 > far * far) continue;
       if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;
+      if (sheetsApart(a, b, search)) continue;
       const std::size_t before = out.size();
       nodeFaces(a, b, search, out);
       nodeFaces(b, a, search, out);

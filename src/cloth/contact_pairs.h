@@ -50,6 +50,8 @@ class ContactPairs {
   };
   void facingEdges(NodeIndex own, NodeIndex other, const Search& search, std::vector<FacingEdge>& out) const;
   void edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const;
+  void measureSheets(const Search& search);
+  bool sheetsApart(NodeIndex a, NodeIndex b, const Search& search) const;
   bool takes(NodeIndex a, NodeIndex b, bool& squeezed) const;
   bool nearOnPaper(const ContactPair& pair) const;
   bool keeps(const ContactPair& pair, const Search& search, bool squeezed) const;
@@ -60,6 +62,10 @@ class ContactPairs {
   std::vector<std::uint8_t> leftOut_;
   std::vector<double> longestEdge_;  // at each node, metres
   double longest_ = 0;               // of all
+  // Of the faces at each node: the unit normal of their sum, and by how much a corner's move differs from the node's at
+  // most, metres.
+  std::vector<Vec3> normal_;
+  std::vector<double> spread_;
   // What the last search with moves found at each pair of nodes of the list: from `start_[n]` to before the next.
   std::vector<ContactPair> last_;
   std::vector<std::uint32_t> start_;
