@@ -75,7 +75,10 @@ void addContactTimes(SettleReport& report, const LevelSolver& solver) {
 }
 
 RestCriteria finestCriteria(const SettleSettings& settings) {
-  return {settings.stopMove, settings.stopResidual, settings.stopMove * 10 / 3, 8, settings.maxSteps};
+  RestCriteria criteria{settings.stopMove, settings.stopResidual, settings.stopMove * 10 / 3, 8, settings.maxSteps};
+  criteria.newton = 3;
+  criteria.creep = 0.5;
+  return criteria;
 }
 
 std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, const SettleSettings& settings,

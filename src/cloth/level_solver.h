@@ -29,6 +29,7 @@ class LevelSolver {
     bool friction = true;  // with colliders
     double seamPull = 1;   // factor on the force that closes open seams
     bool damped = false;   // nodes that reverse at every step are damped, one by one
+    int newton = 1;        // iterations of Newton's method: linear solves, each with forces and system anew
     BlockSystem::StoppingRule stopping;
   };
   struct StepResult {
@@ -83,6 +84,11 @@ class LevelSolver {
   // While the cloth creeps, moves it ahead by a share of the last move, which it returns; 0: not moved. `ahead`: by how
   // far each node was moved.
   double moveAhead(const StepOptions& options, std::vector<Vec3>& ahead);
+  // Improves nodeMove_, which a step's first iteration from `from` found, by the others; how many iterations of their
+  // linear solves. `coasting`: the force of the velocity so far, newtons per node; `ahead`: the part of the move that
+  // inertia does not resist, or empty.
+  int refineMove(const StepOptions& options, const std::vector<Vec3>& from, const std::vector<Vec3>& coasting,
+                 const std::vector<Vec3>& ahead, const Token& token);
   void rebuild();  // after ties changed
 
   const Cloth& cloth_;

@@ -242,7 +242,7 @@ Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const 
   addContactTimes(report.end, solver);
   const double left = hand.distanceLeft();
   level.state.position = finish(solver, colliders, settings, end, report.end, workers);
-  if (!grip.letGo && end.settled && left > kHeldBack)
+  if (!grip.letGo && report.end.settled && left > kHeldBack)
     report.end.why = say("The cloth held the hand back with {0} N, {1} mm before the end of its path.",
                          fixed(length(report.force.back()), 1), fixed(left * 1000, 0));
   spent.tell(report.end);

@@ -75,6 +75,24 @@ std::vector<Vec3> outOfSkin(const LevelSolver& solver, const ColliderList& colli
   return moves;
 }
 
+// Coarse cells cannot hold a crease, but keep one: the hem of a full skirt that turned up beside a seam while it was
+// sewn stays so on every finer level. So on coarse levels cloth bends over a cell at least (B = w g h^3, w the weight
+// by area). Gathered pieces must fold within cells and keep their own bending.
+Cloth bendingOverCells(Cloth cloth, double gravity) {
+  std::vector<std::uint8_t> gathered(cloth.nodeCount, 0);
+  for (const Tie& tie : cloth.ties)
+    if (tie.c != kNoNode && tie.c != tie.b) gathered[tie.a] = gathered[tie.b] = gathered[tie.c] = 1;
+  for (ClothPiece& piece : cloth.pieces) {
+    const auto first = gathered.begin() + piece.firstNode,
+               end = first + static_cast<std::ptrdiff_t>(piece.lattice->nodes.size());
+    if (std::find(first, end, 1) != end) continue;
+    const double least = piece.fabric.weight * gravity * cloth.spacing * cloth.spacing * cloth.spacing;
+    piece.fabric.bendWarp = std::fmax(piece.fabric.bendWarp, least);
+    piece.fabric.bendWeft = std::fmax(piece.fabric.bendWeft, least);
+  }
+  return cloth;
+}
+
 constexpr double kSunk = 0.01;  // metres into the body, around a seam that does not close on it
 constexpr double kOpen = 0.1;   // spacings: a pair farther apart is open
 
@@ -130,12 +148,13 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
   const BoundaryActivation activation(finest.cloth);
   std::vector<Vec3> forceBefore(activation.empty() ? 0 : finest.cloth.nodeCount), forceAfter;
   for (std::size_t first = formed ? levels.size() - 1 : 0, l = first; l < levels.size();) {
-    const ClothLevel& level = levels[l];
     const bool last = l + 1 == levels.size();
+    const Cloth coarse = last ? Cloth() : bendingOverCells(levels[l].cloth, length(settings.gravity));
+    const Cloth& cloth = last ? finest.cloth : coarse;
     SettleSettings here = settings;
-    here.skin = skinOffset(settings, level.cloth.spacing, finest.cloth.spacing);
+    here.skin = skinOffset(settings, cloth.spacing, finest.cloth.spacing);
     // Pieces that have yet to be sewn come from anywhere, through each other: cloth meets cloth once they are.
-    const bool loose = l == 0 && !sewn && (!last || level.cloth.pleated);
+    const bool loose = l == 0 && !sewn && (!last || cloth.pleated);
     std::vector<ThinnerCollider> thinner;
     ColliderList met = colliders;
     if (l == 0 && !sewn && !grownThrough) {
@@ -144,11 +163,11 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       for (std::size_t k = 0; k < thinner.size(); ++k) met.add(thinner[k], colliders.entries()[k].friction);
     }
     Prolonged finer;
-    if (l > first) finer = prolong(levels[l - 1].cloth, x, level.cloth, level.state.position);
-    LevelSolver solver(level.cloth, l > first ? finer.linear : level.state.position, met, here,
-                       settings.clothOnCloth ? clothRadius(level.cloth.spacing, finest.cloth.spacing) : 0, workers);
+    if (l > first) finer = prolong(levels[l - 1].cloth, x, cloth, levels[l].state.position);
+    LevelSolver solver(cloth, l > first ? finer.linear : levels[l].state.position, met, here,
+                       settings.clothOnCloth ? clothRadius(cloth.spacing, finest.cloth.spacing) : 0, workers);
     // The layers of a pleat, and pieces of several layers, lie over one another from the start.
-    const bool layered = layersMeet && liesInLayers(level.cloth);
+    const bool layered = layersMeet && liesInLayers(cloth);
     solver.enableSelfContact(!loose || layered);
     if (loose && layered) solver.meetOnlyLayers(true);
     const double before = shareBefore(levels, first, l), after = shareBefore(levels, first, l + 1);
@@ -165,12 +184,12 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
         reached = std::fmax(reached, step / (step + left.value_or(kUsualSteps) + 1));
         token.progress(start + span * reached,
                        last && left ? say("{0}, some {1} {1|step|steps} to go", doing, tens(*left)) : doing);
-        if (watcher) watcher(level.cloth, solver.positions());
+        if (watcher) watcher(cloth, solver.positions());
         const bool asked = settings.stop && settings.stop->askedAfterStep();
         return ++taken != settings.stopAfter && !asked;
       };
     };
-    if (sewn) solver.tieWithin(formed ? kSewn * level.cloth.spacing : kFarApart);
+    if (sewn) solver.tieWithin(formed ? kSewn * cloth.spacing : kFarApart);
     if (l > first) {  // on the coarse triangles nothing intersects; the rest of the way only as far as that stays so
       for (std::size_t k = 0; k < finer.quadratic.size(); ++k) finer.quadratic[k] -= finer.linear[k];
       solver.moveFiltered(std::move(finer.quadratic));
@@ -189,14 +208,14 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       solver.resetMotion();
       const auto goesOn = [&] { return end.finite && !end.cancelled && !end.stopped; };
       // Layers that snag on each other while they are sewn begin anew, and meet once they are.
-      if (goesOn() && loose && layered && !level.cloth.pleated &&
-          (!solver.allTied() || strainOf(level.cloth, solver.positions()).max > kSnagged)) {
+      if (goesOn() && loose && layered && !cloth.pleated &&
+          (!solver.allTied() || strainOf(cloth, solver.positions()).max > kSnagged)) {
         layersMeet = false;
         continue;
       }
       if (goesOn() && !solver.allTied() && !thinner.empty() && settings.sewnThinnerBy == 0) {
         for (ThinnerCollider& collider : thinner) {
-          collider.setPlaces(openPlaces(level.cloth, solver.positions()));
+          collider.setPlaces(openPlaces(cloth, solver.positions()));
           collider.setBy(kSunk);
         }
         end = closeSeams(solver, token, watch(say("Drawing the seams together"), 0.1, 0.4));
@@ -208,7 +227,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
         add();
         solver.resetMotion();
         // What was sewn up round a limb that it should lie beside is begun anew on whole colliders.
-        if (goesOn() && deepestPenetration(level.cloth, colliders, solver.positions(), workers) > kGrownThrough) {
+        if (goesOn() && deepestPenetration(cloth, colliders, solver.positions(), workers) > kGrownThrough) {
           grownThrough = true;
           continue;
         }

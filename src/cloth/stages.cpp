@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60;
 constexpr double kLongest = 1.0 / 30;   // seconds of a step
-constexpr double kCreep = 0.9;          // cosine between steps
 constexpr double kCreepLongest = 0.25;  // seconds of a step while cloth creeps
 constexpr double kDamping = 0.002;      // share of the velocity taken off per step, growing,
 constexpr int kDampAfter = 100;         // after so many steps: the long waves have run by then
@@ -126,6 +125,7 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
     const int taken = stepsBefore + k;
     options.velocityKept = std::clamp(1 - kDamping * (taken - kDampAfter), kLeastKept, 1.0);
     options.damped = taken > kDampAfter;
+    options.newton = options.damped || options.seconds > kLongest ? criteria.newton : 1;
     const auto step = solver.step(options, token);
     record(result, step, token);
     if (!result.finite || result.cancelled) return result;
@@ -150,7 +150,7 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
     // Cloth that creeps in one direction is given longer steps; cloth that oscillates or snaps is not.
     if (step.shortened)
       options.seconds = std::fmax(0.25 * kFrame, 0.7 * options.seconds);
-    else if (step.along > kCreep)
+    else if (step.along > criteria.creep)
       options.seconds = std::fmin(kCreepLongest, 1.1 * options.seconds);
     else
       options.seconds = options.seconds > kLongest ? std::fmax(kLongest, 0.5 * options.seconds)

@@ -16,6 +16,10 @@ struct RestCriteria {
   int calmSteps = 8;      // in a row; enough for cloth that begins to slide to show it
   int mostSteps = 400;
   bool sews = false;  // open seams are closed meanwhile; given up where they come no nearer
+  // How steps are taken: the iterations of Newton's method in those that are damped or longer than 1/30 s, and the
+  // cosine between successive moves above which steps become longer.
+  int newton = 1;
+  double creep = 0.9;
 };
 struct StageResult {
   bool settled = false, finite = true, cancelled = false, stopped = false;

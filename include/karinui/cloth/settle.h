@@ -24,7 +24,7 @@ struct SettleSettings {
   Vec3 gravity{0, -9.81, 0};
   double stopMove = 0.00015;  // metres a step; eight calm steps in a row
   double stopResidual = 0.4;  // node weights, rms
-  int maxSteps = 1600;        // on the finest level; most need some hundred, limp cloth and simcloth many times that
+  int maxSteps = 1000;        // on the finest level; most need a hundred, limp cloth and simcloth many times that
   double skin = 0.0015;       // metres the cloth keeps from colliders
   bool clothOnCloth = true;   // whether cloth keeps from passing through cloth
   // Tight cloth: the seams of what has yet to be sewn are closed on colliders thinner by so many metres, which then
