@@ -102,6 +102,16 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     offer(*menu, say("Unpick this seam"), Unsew{{SeamRef(chosen.seam)}});
     menu->addSeparator();
   }
+  const auto offerTopstitch = [&](PieceId piece, const std::string& line) {
+    offer(*menu, say("Topstitch along {0}…", nameSaid(line)),
+          [this, topstitch = topstitchAlong({{PieceRef(piece), line}}, true)] { askNumbers(topstitch); });
+  };
+  const auto offerTurning = [&](PieceId piece, const std::string& line) {
+    FoldLine fold;
+    fold.piece = PieceRef(piece), fold.lines = {line}, fold.turned = true;
+    fold.angle = Angle{Crease::kSharpest};
+    offer(*menu, say("Turn back along {0}…", nameSaid(line)), [this, fold] { askNumbers(fold); });
+  };
   const auto offerElastic = [&](PieceId piece, const std::string& line) {
     SewElastic elastic;
     elastic.edges = {{PieceRef(piece), line}};
@@ -109,7 +119,11 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     offer(*menu, say("Elastic along {0}…", nameSaid(line)), [this, elastic] { askNumbers(elastic); });
   };
   if (chosen.mark || !chosen.line.empty()) {
-    if (!chosen.line.empty() && !chosen.pieces.empty()) offerElastic(*chosen.pieces.begin(), chosen.line);
+    if (!chosen.line.empty() && !chosen.pieces.empty()) {
+      offerElastic(*chosen.pieces.begin(), chosen.line);
+      offerTopstitch(*chosen.pieces.begin(), chosen.line);
+      offerTurning(*chosen.pieces.begin(), chosen.line);
+    }
     menu->addAction(actions_[Command::Remove]);
     return menu->popup(global);
   }
@@ -120,7 +134,8 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     pin.at = {at->paper};
     offer(*menu, say("Pin here"), pin);
     if (const Piece* piece = session_->snapshot().document.find(at->piece))
-      if (const std::string line = lineAt(*piece, at->paper); !line.empty()) offerElastic(at->piece, line);
+      if (const std::string line = lineAt(*piece, at->paper); !line.empty())
+        offerElastic(at->piece, line), offerTopstitch(at->piece, line), offerTurning(at->piece, line);
     if (patch_)
       offer(*menu, say("Sew {0} on here…", session_->snapshot().document.find(patch_->piece.id)->name),
             [this, patch = *patch_] { askNumbers(patch); });
@@ -190,6 +205,10 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     face.edges = run;
     askNumbers(face);
   });
+  offer(menu, say("Shirring…"), [this, run] { askNumbers(shirringAlong(run)); });
+  offer(menu, say("Topstitch…"), [this, run] { askNumbers(topstitchAlong(run, false)); });
+  offer(menu, say("Piping…"), [this, run] { askNumbers(pipingAlong(run)); });
+  if (seamsOn(document, run).empty()) offer(menu, say("Binding…"), [this, run] { askNumbers(bindingAlong(run)); });
   offer(menu, say("Pleats…"), [this, ref] { askNumbers(pleatsIn(session_->snapshot().document, ref)); });
   DrawRing skirt;
   skirt.name = usableName(document, "ring");

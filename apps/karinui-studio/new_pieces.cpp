@@ -65,6 +65,35 @@ Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& 
   return fasten;
 }
 
+SewElastic shirringAlong(std::vector<EdgeRef> edges) {
+  SewElastic made;
+  made.edges = std::move(edges);
+  made.ratio = 0.7, made.strength = 2;
+  made.rows = 5, made.spacing = Length{0.01};
+  return made;
+}
+
+SewTopstitch topstitchAlong(std::vector<EdgeRef> edges, bool line) {
+  SewTopstitch made;
+  const Topstitch usual;
+  made.edges = std::move(edges);
+  if (!line) made.offset = Length{usual.offset};
+  made.rows = usual.rows, made.length = Length{usual.length};
+  return made;
+}
+
+SewPiping pipingAlong(std::vector<EdgeRef> edges) {
+  SewPiping made;
+  made.edges = std::move(edges), made.thickness = Length{Piping().thickness};
+  return made;
+}
+
+BindEdges bindingAlong(std::vector<EdgeRef> edges) {
+  BindEdges made;
+  made.edges = std::move(edges), made.width = Length{Binding().width};
+  return made;
+}
+
 void MainWindow::askNumbers(Operation operation) {
   if (session_->readOnly())
     return session_->refuse(refused(say("This garment was opened for reading only; keep a copy to work on it.")));
@@ -190,6 +219,15 @@ void MainWindow::addNewPieces(QMenu& menu) {
     if (const auto edge = chosen()) made.from = *edge;
     return Operation(made);
   });
+  const auto run = [chosen, this] {
+    const auto edge = chosen();
+    return edge ? runThrough(session_->snapshot().document, *edge) : std::vector<EdgeRef>();
+  };
+  add("shirring", say("Shirring along the chosen edge…"), true, [run] { return Operation(shirringAlong(run())); });
+  add("topstitch", say("Topstitching along the chosen edge…"), true,
+      [run] { return Operation(topstitchAlong(run(), false)); });
+  add("piping", say("Piping along the chosen edge…"), true, [run] { return Operation(pipingAlong(run())); });
+  add("binding", say("Binding along the chosen edge…"), true, [run] { return Operation(bindingAlong(run())); });
   add("fasten", say("Buttons or a zip along the chosen edge…"), true, [chosen, this] {
     return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
   });

@@ -13,5 +13,11 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge);
 AddPleat pleatsIn(const Document& document, const EdgeRef& edge);
 // Buttons about 8 cm apart along an edge that laps over another, as the dialog first offers them.
 Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under);
+// Five rows of a weak elastic, as the dialog first offers them.
+SewElastic shirringAlong(std::vector<EdgeRef> edges);
+// Along edges, or along an inner line, with the usual numbers.
+SewTopstitch topstitchAlong(std::vector<EdgeRef> edges, bool line);
+SewPiping pipingAlong(std::vector<EdgeRef> edges);
+BindEdges bindingAlong(std::vector<EdgeRef> edges);
 
 }  // namespace karinui::studio

@@ -198,6 +198,10 @@ void paintPiece(QPainter& painter, const TablePiece& piece, const TableOnScreen&
   painter.drawPath(shape);
   painter.setPen(QPen(p.ink, 1, Qt::DashLine));
   for (const auto& line : piece.lines) painter.drawPolyline(polygon(line, screen));
+  QPen thread(p.ink, 0.8);
+  thread.setDashPattern({5, 2});
+  painter.setPen(thread);
+  for (const auto& row : piece.stitches) painter.drawPolyline(polygon(row, screen));
   if (piece.grain) paintGrain(painter, *piece.grain, screen);
   for (const TableNotch& notch : piece.notches) {
     painter.setPen(QPen(p.ink, notch.own ? 1.6 : 1));

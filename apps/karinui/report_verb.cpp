@@ -6,6 +6,7 @@
 
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/design/notions.h"
 #include "karinui/design/piece_label.h"
 #include "karinui/design/step_words.h"
 #include "karinui/design/truing_said.h"
@@ -118,7 +119,8 @@ ReportTable measureTable(const Body& body) {
 
 ReportTable notionsTable(const Document& document) {
   ReportTable table{say("Notions"), {}, {}};
-  for (const Message& one : notionsSaid(document.pattern, document.allowances.fastenings)) table.rows.push_back({one});
+  for (const Message& one : notionsSaid(document.pattern, document.allowances, document.cutting))
+    table.rows.push_back({one});
   return table;
 }
 

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "cloth/bending.h"
-#include "cloth/hem.h"
+#include "cloth/edge_bending.h"
 #include "cloth/lattice_areas.h"
 
 namespace karinui {
@@ -51,7 +51,7 @@ Moving movingOf(const Cloth& cloth) {
       friction[node] = piece.fabric.frictionBody;
     }
   }
-  for (const auto& [node, more] : hemMasses(cloth)) moving.mass[node] += more;
+  for (const auto& [node, more] : edgeMasses(cloth)) moving.mass[node] += more;
   for (std::uint32_t node : cloth.pinned) moving.held[node] = 1;
   for (NodeIndex node = 0; node < cloth.nodeCount; ++node)
     if (!moving.held[node]) {

@@ -1,8 +1,8 @@
 #include "karinui/cloth/support.h"
 
 #include "cloth/bending.h"
+#include "cloth/edge_bending.h"
 #include "cloth/elastic.h"
-#include "cloth/hem.h"
 #include "cloth/lattice_areas.h"
 #include "cloth/membrane.h"
 #include "cloth/springs.h"
@@ -41,7 +41,7 @@ std::vector<Vec3> supportOf(const Cloth& cloth, const ClothState& state, Vec3 gr
     force[k] -= gravity * (weight[k] * area[k]);
     areas[k] = {area[k], 0, 0};
   }
-  for (const auto& [node, more] : hemMasses(cloth)) force[node] -= gravity * more;
+  for (const auto& [node, more] : edgeMasses(cloth)) force[node] -= gravity * more;
   const TieMap ties(cloth, held, std::vector<std::uint8_t>(cloth.ties.size(), 1));
   std::vector<Vec3> together, apart(cloth.nodeCount), shared;
   ties.reduce(force, together);

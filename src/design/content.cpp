@@ -62,14 +62,24 @@ bool sound(const Document& document, const std::vector<EdgeSpan>& side) {
   });
 }
 
-// Of elastics also inner lines.
 template <class Value>
 bool edgesThere(const Document& document, const std::map<Allowances::At, Value>& all) {
   return std::all_of(all.begin(), all.end(), [&](const auto& own) {
     const Piece* piece = document.find(own.first.first);
-    if constexpr (std::is_same_v<Value, Elastic>) return piece && findCurve(*piece, own.first.second);
+    if constexpr (kOnLinesToo<Value>) return piece && findCurve(*piece, own.first.second);
     return piece && findEdge(*piece, own.first.second);
   });
+}
+
+bool finishesThere(const Document& document) {
+  bool all = true;
+  const auto known = [&](const std::string& fabric) { return fabric.empty() || fabricNamed(document, fabric); };
+  Allowances::eachFinish(document.allowances, [&](const auto& finishes) {
+    all = all && edgesThere(document, finishes);
+    if constexpr (requires { finishes.begin()->second.fabric; })
+      for (const auto& [at, own] : finishes) all = all && known(own.fabric);
+  });
+  return all;
 }
 
 bool sound(const Document& document, const Grading& grading) {
@@ -99,7 +109,7 @@ bool soundContent(const Document& document) {
                               std::all_of(pinned.second.begin(), pinned.second.end(), [](Flat p) { return near(p); });
                      }) &&
          edgesThere(document, document.allowances.edges) && edgesThere(document, document.allowances.corners) &&
-         edgesThere(document, document.allowances.elastics) && edgesThere(document, document.allowances.hems) &&
+         finishesThere(document) &&
          std::all_of(document.allowances.fastenings.begin(), document.allowances.fastenings.end(),
                      [&](const auto& own) {
                        return checkName(own.first) && sound(document, own.second.a) && sound(document, own.second.b);

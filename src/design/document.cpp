@@ -126,6 +126,19 @@ std::string hash(const Document& document) {
   if (!document.allowances.hems.empty()) truth.add(std::string_view("hems"));
   for (const auto& [at, own] : document.allowances.hems)
     truth.add(at.first.value), truth.add(at.second), truth.add(own.width), truth.add(own.under);
+  if (const Allowances& own = document.allowances; own.trimmed()) {
+    truth.add(std::string_view("trims"));
+    const auto at = [&](const auto& edge) { truth.add(edge.first.value), truth.add(edge.second); };
+    truth.add(std::uint64_t{own.topstitches.size()});
+    for (const auto& [edge, sewn] : own.topstitches) {
+      at(edge), truth.add(sewn.offset), truth.add(static_cast<std::uint64_t>(sewn.rows)), truth.add(sewn.apart);
+      truth.add(sewn.length), truth.add(std::uint64_t{sewn.colour.value_or(~0u)});
+    }
+    truth.add(std::uint64_t{own.pipings.size()});
+    for (const auto& [edge, sewn] : own.pipings) at(edge), truth.add(sewn.thickness), truth.add(sewn.fabric);
+    truth.add(std::uint64_t{own.bindings.size()});
+    for (const auto& [edge, sewn] : own.bindings) at(edge), truth.add(sewn.width), truth.add(sewn.fabric);
+  }
   if (!document.allowances.fastenings.empty()) truth.add(std::string_view("fastenings"));
   for (const auto& [name, own] : document.allowances.fastenings) truth.add(name), truth.add(own);
   if (!document.cutting.empty()) truth.add(std::string_view("cutting"));
@@ -183,6 +196,17 @@ Result<std::map<std::string, Fabric>> fabricsInUse(const Document& document) {
       if (!fabric) return fabric.error();
       all.emplace(name, *std::move(fabric));
     }
+  const auto strips = [&](const auto& trims) -> Done {
+    for (const auto& [at, own] : trims) {
+      if (own.fabric.empty() || all.contains(own.fabric)) continue;
+      auto fabric = fabricNamed(document, own.fabric);
+      if (!fabric) return fabric.error();
+      all.emplace(own.fabric, *std::move(fabric));
+    }
+    return {};
+  };
+  if (const Done done = strips(document.allowances.pipings); !done) return done.error();
+  if (const Done done = strips(document.allowances.bindings); !done) return done.error();
   return all;
 }
 

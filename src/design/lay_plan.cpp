@@ -5,6 +5,7 @@
 #include <set>
 
 #include "karinui/base/number.h"
+#include "karinui/design/notions.h"
 #include "karinui/pattern/cut_line.h"
 #include "karinui/pattern/seam_walk.h"
 
@@ -56,6 +57,7 @@ class Laying {
     if (document_.pattern.pieces.empty()) return refused(say("There is no piece to lay."));
     if (!settings_.folded)
       if (Done whole = unfoldHalves(); !whole) return whole.error();
+    addStrips();
     Allowances allowances = document_.allowances;
     if (settings_.allowance) allowances.kinds[EdgeKind::Seam] = *settings_.allowance;
     allowances_.emplace(document_.pattern, std::move(allowances));
@@ -91,6 +93,18 @@ class Laying {
       return refused(say("A seam allowance lies between 0 and 100 mm; usual are 7 to 15 mm."));
     if (settings_.tries < 0) return refused(say("The number of tries is 0 or more."));
     return {};
+  }
+
+  // The strips that are cut for bindings and piping.
+  void addStrips() {
+    std::size_t number = 0;
+    const TimesCut times = timesCut(document_.pattern, document_.allowances, document_.cutting);
+    for (const BiasStrip& strip : biasStrips(document_.pattern, document_.allowances, times)) {
+      const auto piece = stripPiece(strip, number++);
+      for (const Edge& edge : piece->outline.edges) document_.allowances.edges[{piece->id, edge.name}] = 0;
+      document_.cutting[piece->id].count = strip.count;
+      document_.pattern.pieces[piece->id] = piece;
+    }
   }
 
   Done unfoldHalves() {

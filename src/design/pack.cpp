@@ -223,6 +223,20 @@ SettleReport readReport(Reader& r) {
   return s;
 }
 
+constexpr std::uint32_t kNoColour = ~0u;
+
+void addTrims(Writer& w, const Allowances& all) {
+  w.add(std::uint64_t{all.topstitches.size()});
+  for (const auto& [at, own] : all.topstitches) {
+    w.add(at.first.value).add(at.second).add(own.offset).add(static_cast<std::int32_t>(own.rows)).add(own.apart);
+    w.add(own.length).add(own.colour.value_or(kNoColour));
+  }
+  w.add(std::uint64_t{all.pipings.size()});
+  for (const auto& [at, own] : all.pipings) w.add(at.first.value).add(at.second).add(own.thickness).add(own.fabric);
+  w.add(std::uint64_t{all.bindings.size()});
+  for (const auto& [at, own] : all.bindings) w.add(at.first.value).add(at.second).add(own.width).add(own.fabric);
+}
+
 }  // namespace
 
 std::string packPiece(const Piece& p) {
@@ -292,7 +306,8 @@ std::string packRest(const Document& d) {
   if (d.drape.last) add(w, *d.drape.last);
   w.all(d.drape.force).add(std::uint64_t{d.drape.dirty.size()});
   for (const PieceId id : d.drape.dirty) w.add(id.value);
-  const bool posed = !d.body.pose.empty() || !d.drape.rested.empty();
+  const bool trimmed = d.allowances.trimmed();
+  const bool posed = !d.body.pose.empty() || !d.drape.rested.empty() || trimmed;
   const bool fastened = !d.allowances.fastenings.empty() || posed, graded = !d.grading.empty() || fastened;
   const bool finishing = !d.allowances.empty() || !d.cutting.empty() || !d.eases.empty() || graded;
   if (!d.looks.empty() || !d.variables.empty() || finishing) {  // files of before they were kept end here
@@ -331,6 +346,7 @@ std::string packRest(const Document& d) {
       for (const auto& [id, form] : rested.forms) w.add(id.value);  // the forms are parts of their own
     }
   }
+  if (trimmed) addTrims(w, d.allowances);
   return w.taken();
 }
 
@@ -393,15 +409,15 @@ Result<Document> unpackRest(std::string_view bytes) {
       if (!((d.eases[id] = r.number<double>()) > 0)) r.fail();
     }
   }
+  const auto each = [&](auto& all, auto read) {
+    for (std::size_t n = r.count(32); n > 0 && r.good(); --n) {
+      const PieceId piece{r.number<std::uint64_t>()};
+      auto& own = all[{piece, r.text()}];
+      read(own);
+      if (!sound(own)) r.fail();
+    }
+  };
   if (r.good() && !r.finished()) {
-    const auto each = [&](auto& all, auto read) {
-      for (std::size_t n = r.count(32); n > 0 && r.good(); --n) {
-        const PieceId piece{r.number<std::uint64_t>()};
-        auto& own = all[{piece, r.text()}];
-        read(own);
-        if (!sound(own)) r.fail();
-      }
-    };
     each(d.allowances.elastics, [&](Elastic& e) { e.ratio = r.number<double>(), e.strength = r.number<double>(); });
     each(d.allowances.hems, [&](Hem& h) { h.width = r.number<double>(), h.under = r.number<double>(); });
   }
@@ -422,6 +438,15 @@ Result<Document> unpackRest(std::string_view bytes) {
       for (std::size_t k = r.count(8); k > 0 && r.good(); --k) rested.forms[{r.number<std::uint64_t>()}] = nullptr;
     }
     if (d.drape.rested.size() > kMostRested) r.fail();
+  }
+  if (r.good() && !r.finished()) {
+    each(d.allowances.topstitches, [&](Topstitch& t) {
+      t.offset = r.number<double>(), t.rows = r.number<std::int32_t>(), t.apart = r.number<double>();
+      t.length = r.number<double>();
+      if (const auto colour = r.number<std::uint32_t>(); colour != kNoColour) t.colour = colour;
+    });
+    each(d.allowances.pipings, [&](Piping& p) { p.thickness = r.number<double>(), p.fabric = r.text(); });
+    each(d.allowances.bindings, [&](Binding& b) { b.width = r.number<double>(), b.fabric = r.text(); });
   }
   if (!r.finished()) return damaged();
   return d;

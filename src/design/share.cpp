@@ -75,7 +75,7 @@ bool sewn(const Pattern& pattern, const Allowances::At& edge) {
                      [&](const auto& s) { return on(s.second.a) || on(s.second.b); });
 }
 
-// Widths, corners, elastics and hems of edges.
+// Widths and corners of edges, and what is done along them.
 void addFinishing(const Document& document, std::vector<Operation>& steps) {
   const Allowances& all = document.allowances;
   const auto edge = [&](const Allowances::At& at) {
@@ -106,6 +106,21 @@ void addFinishing(const Document& document, std::vector<Operation>& steps) {
     plain.plain = true;
     steps.push_back(std::move(plain));
   }
+  for (const auto& [at, own] : all.topstitches) {
+    SewTopstitch op;
+    op.edges = edge(at), op.rows = own.rows, op.apart = Length{own.apart}, op.length = Length{own.length};
+    if (findEdge(*document.find(at.first), at.second)) op.offset = Length{own.offset};
+    if (const auto rgb = own.colour)
+      op.colour = Dye{static_cast<std::uint8_t>(*rgb >> 16), static_cast<std::uint8_t>(*rgb >> 8),
+                      static_cast<std::uint8_t>(*rgb)};
+    op.symmetric = Choice::No;
+    steps.push_back(std::move(op));
+  }
+  for (const auto& [at, own] : all.pipings)
+    steps.push_back(SewPiping{edge(at), Length{own.thickness}, own.fabric, false, Choice::No});
+  for (const auto& [at, own] : all.bindings)
+    if (!sewn(document.pattern, at))
+      steps.push_back(BindEdges{edge(at), Length{own.width}, own.fabric, false, Choice::No});
   for (const auto& [at, width] : all.edges) {
     SetAllowance op = allowanceOf(at);
     op.width = Length{width};

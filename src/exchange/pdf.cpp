@@ -62,6 +62,12 @@ void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
       canvas.curve(piece, curve);
       canvas.stroke(0.25, true);
     }
+  canvas.layer(PdfLayer::Topstitch);
+  for (const SheetStitches& row : piece.stitches) {
+    canvas.moveTo(row.line[0]);
+    for (std::size_t i = 1; i < row.line.size(); ++i) canvas.lineTo(row.line[i]);
+    canvas.stroke(0.25, row.dashes());
+  }
   canvas.layer(PdfLayer::Notch);
   for (const SheetNotch& notch : piece.notches) {
     canvas.moveTo(notch.stroke.from);

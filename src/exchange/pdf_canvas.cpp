@@ -54,6 +54,8 @@ Message nameOf(PdfLayer layer) {
       return say("Seam lines");
     case PdfLayer::Inner:
       return say("Inner lines");
+    case PdfLayer::Topstitch:
+      return say("Topstitching");
     case PdfLayer::Notch:
       return say("Notches and drill holes");
     case PdfLayer::Grain:

@@ -16,9 +16,9 @@
 namespace karinui {
 
 // What a viewer shows or hides; Page is always shown.
-enum class PdfLayer { Page, Cut, Seam, Inner, Notch, Grain, Words, FirstSize };
-inline constexpr PdfLayer kPdfLayers[] = {PdfLayer::Page,  PdfLayer::Cut,   PdfLayer::Seam, PdfLayer::Inner,
-                                          PdfLayer::Notch, PdfLayer::Grain, PdfLayer::Words};
+enum class PdfLayer { Page, Cut, Seam, Inner, Topstitch, Notch, Grain, Words, FirstSize };
+inline constexpr PdfLayer kPdfLayers[] = {PdfLayer::Page,      PdfLayer::Cut,   PdfLayer::Seam,  PdfLayer::Inner,
+                                          PdfLayer::Topstitch, PdfLayer::Notch, PdfLayer::Grain, PdfLayer::Words};
 inline PdfLayer layerOfSize(std::size_t size) {
   return static_cast<PdfLayer>(static_cast<std::size_t>(PdfLayer::FirstSize) + size);
 }

@@ -4,9 +4,12 @@
 #include <set>
 
 #include "dxf/grade_rules.h"
+#include "karinui/design/glossary.h"
+#include "karinui/design/notions.h"
 #include "karinui/design/piece_label.h"
 #include "karinui/pattern/cut_line.h"
 #include "karinui/pattern/label_room.h"
+#include "karinui/pattern/trims.h"
 #include "names.h"
 
 namespace karinui {
@@ -79,6 +82,23 @@ Done addNest(Sheet& sheet, const Pattern& pattern, const SheetSettings& settings
     }
   }
   return {};
+}
+
+// The strips that are cut for bindings and piping. They are cut as they are drawn, the allowances are in them.
+void addStrips(Sheet& sheet, const Pattern& pattern, const SheetSettings& settings) {
+  for (const BiasStrip& strip :
+       biasStrips(pattern, settings.allowances, timesCut(pattern, settings.allowances, settings.cutting))) {
+    sheet.strips.push_back(stripPiece(strip, sheet.strips.size()));
+    SheetPiece drawn = draw(pattern, *sheet.strips.back(), nullptr);
+    drawn.strip = true;
+    const double l = strip.cutLength, w = strip.width;
+    const double size = std::min(4.0, w * 1000 / 4);
+    const Message words = say("bias strip · cut {0} · {1} · {2} mm × {3} cm", strip.count, nameSaid(strip.fabric),
+                              std::round(w * 1e4) / 10, std::round(l * 1e3) / 10);
+    drawn.texts.push_back({turned({(l + w) / 2, w / 2}), size, true, cleanText(text(words, settings.language))});
+    drawn.grain = {turned({1.1 * w, 0.1 * w}), turned({1.9 * w, 0.9 * w})};
+    sheet.pieces.push_back(std::move(drawn));
+  }
 }
 
 // Shelves: the tallest first, from left to right, a new shelf below when the roll's width is used up.
@@ -155,6 +175,12 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
       SheetPiece& piece = *of.at(fastener.piece);
       piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, {}});
     }
+  for (const StitchRow& row : stitchRows(pattern, settings.allowances)) {
+    SheetPiece& piece = *of.at(row.piece);
+    SheetStitches& drawn = piece.stitches.emplace_back();
+    drawn.length = row.topstitch.length * 1000;
+    for (const Flat place : row.points) drawn.line.push_back(piece.at(place));
+  }
   for (const SeamTag& tag : seamTags(pattern)) {
     SheetPiece& piece = *of.at(tag.piece);
     piece.texts.push_back({piece.at(tag.place), kSeamTagSize * 1000, true, std::to_string(tag.number)});
@@ -175,6 +201,7 @@ void moveBy(SheetPiece& piece, Mm by) {
   move(piece.origin), move(piece.low), move(piece.high);
   moveAll(piece.cutLines), moveAll(piece.folds);
   std::for_each(piece.drills.begin(), piece.drills.end(), move);
+  for (SheetStitches& row : piece.stitches) std::for_each(row.line.begin(), row.line.end(), move);
   for (SheetSize& size : piece.nest) {
     move(size.name.place);
     std::for_each(size.line.begin(), size.line.end(), move);
@@ -237,10 +264,12 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   for (const auto& [id, piece] : pattern.pieces) {
     sheet.pieces.push_back(draw(pattern, *piece, plan));
   }
+  addStrips(sheet, pattern, settings);
   if (const Done done = addNest(sheet, pattern, settings); !done) return done.error();
   shelve(sheet, settings.rollWidth * 1000);
   const AllowancePlan kinds(pattern, settings.allowances);
   for (SheetPiece& piece : sheet.pieces) {
+    if (piece.strip) continue;
     addLabels(piece, settings, kinds.onFold(*piece.piece));
     addFolds(piece, kinds, settings.language);
   }
@@ -263,7 +292,7 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
     heading(said(say("The lines are seam lines: add the seam allowance yourself.")), 4);
   heading(said(say("Arrow: grain. Short strokes: notches. Equal numbers are sewn together.")), 4);
   Message notions;
-  for (const Message& one : notionsSaid(pattern, settings.allowances.fastenings))
+  for (const Message& one : notionsSaid(pattern, settings.allowances, settings.cutting))
     notions = notions.empty() ? one : say("{0}, {1}", notions, one);
   if (!notions.empty()) heading(said(say("Notions: {0}", notions)), 4);
   for (const SheetText& words : sheet.headings)

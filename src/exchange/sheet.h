@@ -39,13 +39,23 @@ struct SheetSize {  // the piece in another size, over the one that stands
 // Strokes and gaps in mm, as long as there are eight sizes of their own each.
 std::vector<double> dashesOf(std::size_t size);
 
+struct SheetStitches {  // a row of topstitching
+  std::vector<Mm> line;
+  double length = 3;  // mm, of a stitch and the gap behind it
+  std::vector<double> dashes() const { return {length * (1 - kStitchGap), length * kStitchGap}; }
+};
+
+inline constexpr int kTopstitchLayer = 16;  // of DXF: beyond those of AAMA and ASTM D6673
+
 struct SheetPiece {
   const Piece* piece = nullptr;
   Mm origin;                                 // where the paper's (0, 0) lies
   std::vector<std::vector<Mm>> cutLines;     // round the outline, then in the holes
   std::map<std::string, double> allowances;  // mm, of each edge; empty: seam lines only
   std::vector<SheetSize> nest;
+  bool strip = false;  // of Sheet::strips, not of the pattern
   std::vector<SheetNotch> notches;
+  std::vector<SheetStitches> stitches;
   std::vector<SheetText> texts;  // `labels` of them: name, what to cut, size and date; then the seams' numbers
   std::size_t labels = 0;
   std::optional<SheetStroke> grain;
@@ -62,10 +72,11 @@ struct Sheet {
   double width = 0, height = 0;
   std::string title;
   std::vector<SheetPiece> pieces;
-  Mm square;                             // top left of the 100 mm square
-  std::vector<SheetText> headings;       // beside it; these begin at their place
-  std::vector<std::vector<Mm>> borders;  // of the cloth that the pieces lie on
-  std::vector<std::string> sizes;        // of the nests; empty: there are none
+  std::vector<std::shared_ptr<const Piece>> strips;  // to be cut for bindings and piping, among the pieces
+  Mm square;                                         // top left of the 100 mm square
+  std::vector<SheetText> headings;                   // beside it; these begin at their place
+  std::vector<std::vector<Mm>> borders;              // of the cloth that the pieces lie on
+  std::vector<std::string> sizes;                    // of the nests; empty: there are none
 };
 inline constexpr double kSquare = 100;  // mm
 

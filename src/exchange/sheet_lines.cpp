@@ -13,8 +13,18 @@ namespace {
 constexpr double kMiss = 4e-5;  // metres between a curve and its chords
 
 // Layers as in the DXF of the trade (interop of AAMA): the boundary, notches, the grain, inner lines, cut-outs, drill
-// holes, the seam line, lettering.
-enum Layer { kBoundary = 1, kNotch = 4, kGrain = 7, kInner = 8, kCutOut = 11, kDrill = 13, kSeam = 14, kWords = 15 };
+// holes, the seam line, lettering; topstitching, which has no number there, on the next one.
+enum Layer {
+  kBoundary = 1,
+  kNotch = 4,
+  kGrain = 7,
+  kInner = 8,
+  kCutOut = 11,
+  kDrill = 13,
+  kSeam = 14,
+  kWords = 15,
+  kTopstitch = kTopstitchLayer
+};
 
 using Line = std::function<void(Layer layer, const std::vector<Mm>& points, bool closed)>;
 
@@ -45,6 +55,7 @@ void eachLine(const SheetPiece& piece, const Line& line) {
     }
     if (points.size() > 1) line(kInner, points, false);
   }
+  for (const SheetStitches& row : piece.stitches) line(kTopstitch, row.line, false);
   for (const SheetNotch& notch : piece.notches) line(kNotch, {notch.stroke.from, notch.stroke.to}, false);
   for (const Mm drill : piece.drills)
     for (const Mm arm : {Mm{kDrillArm * 1000, 0}, Mm{0, kDrillArm * 1000}})

@@ -63,10 +63,10 @@ void stroke(std::string& out, const char* kind, Mm from, Mm to, const std::strin
 void piece(std::string& out, const SheetPiece& drawn, std::size_t index) {
   const Piece& p = *drawn.piece;
   const std::string name = xmlEscaped(p.name);
-  out += "  <g id=\"piece-" + std::to_string(index) + "\" class=\"piece\" data-piece=\"" + name + "\" data-id=\"" +
-         std::to_string(p.id.value) + "\" data-fabric=\"" + xmlEscaped(p.fabric) + "\" data-grain=\"" + pair(p.grain) +
-         "\" data-layer=\"" + std::to_string(p.layer) + "\" data-origin=\"" + pair(drawn.origin) + "\">\n    <title>" +
-         name + "</title>\n";
+  out += "  <g id=\"piece-" + std::to_string(index) + "\" class=\"" + (drawn.strip ? "strip" : "piece") +
+         "\" data-piece=\"" + name + "\" data-id=\"" + std::to_string(p.id.value) + "\" data-fabric=\"" +
+         xmlEscaped(p.fabric) + "\" data-grain=\"" + pair(p.grain) + "\" data-layer=\"" + std::to_string(p.layer) +
+         "\" data-origin=\"" + pair(drawn.origin) + "\">\n    <title>" + name + "</title>\n";
   const std::string edges = "piece-" + std::to_string(index) + "-";
   for (const auto& line : drawn.cutLines) {
     out += "    <path class=\"cut\" d=\"M " + pair(line[0]);
@@ -92,6 +92,12 @@ void piece(std::string& out, const SheetPiece& drawn, std::size_t index) {
         out += (i == 0 ? "M " : " M ") + pair(drawn.at(line.curves[i].start));
       out += " " + pathTo(drawn, line.curves[i]);
     }
+    out += "\"/>\n";
+  }
+  for (const SheetStitches& row : drawn.stitches) {
+    out += "    <path class=\"topstitch\" style=\"stroke-dasharray: " + number(row.dashes()[0]) + " " +
+           number(row.dashes()[1]) + "\" d=\"M " + pair(row.line[0]);
+    for (std::size_t i = 1; i < row.line.size(); ++i) out += " L " + pair(row.line[i]);
     out += "\"/>\n";
   }
   for (const SheetNotch& notch : drawn.notches)
@@ -134,7 +140,8 @@ constexpr const char* kStyle =
     "round }\n"
     "    .cut { stroke-width: 0.6 } .seam, .hole { stroke-dasharray: 5 2 } .only { stroke-width: 0.6; "
     "stroke-dasharray: none }\n"
-    "    .internal { stroke-dasharray: 1 2; stroke: #333 } .notch { stroke-width: 0.7 }\n"
+    "    .internal { stroke-dasharray: 1 2; stroke: #333 } .notch { stroke-width: 0.7 } .topstitch { stroke-width: "
+    "0.3; stroke: #06c }\n"
     "    .grain { stroke-width: 0.5; marker-start: url(#tail); marker-end: url(#head) }\n"
     "    text { font-family: 'IPAPGothic', 'Noto Sans CJK JP', 'DejaVu Sans', sans-serif; text-anchor: middle; fill: "
     "#000 }\n"

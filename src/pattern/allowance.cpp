@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
-#include <type_traits>
 #include <utility>
 
 namespace karinui {
@@ -22,7 +21,7 @@ void eraseGone(std::map<Allowances::At, Value>& all, const Pattern& now) {
   std::erase_if(all, [&](const auto& own) {
     const auto piece = now.pieces.find(own.first.first);
     if (piece == now.pieces.end()) return true;
-    if constexpr (std::is_same_v<Value, Elastic>) return !findCurve(*piece->second, own.first.second);  // or on a line
+    if constexpr (kOnLinesToo<Value>) return !findCurve(*piece->second, own.first.second);
     return !findEdge(*piece->second, own.first.second);
   });
 }
@@ -40,15 +39,6 @@ double usualAllowance(EdgeKind kind) {
     default:
       return 0.010;
   }
-}
-
-bool sound(const Elastic& elastic) {
-  return elastic.ratio >= kTightestElastic && elastic.ratio <= kLoosestElastic && elastic.strength >= kWeakestElastic &&
-         elastic.strength <= kStrongestElastic;
-}
-
-bool sound(const Hem& hem) {
-  return hem.width >= kNarrowestHem && hem.under >= 0 && hem.under <= hem.width && hem.allowance() <= kWidestAllowance;
 }
 
 CornerKind mirrored(CornerKind kind) {
@@ -86,8 +76,8 @@ void updateAllowances(Allowances& allowances, const EdgeMap& map, const Pattern&
     eraseGone(all, now);
   };
   follow(allowances.edges, std::greater<>());
-  follow(allowances.elastics, [](const Elastic& a, const Elastic& b) { return a.ratio < b.ratio; });
-  follow(allowances.hems, [](const Hem& a, const Hem& b) { return a.allowance() > b.allowance(); });
+  Allowances::eachFinish(allowances,
+                         [&](auto& all) { follow(all, [](const auto& a, const auto& b) { return prevails(a, b); }); });
   updateFastenings(allowances.fastenings, map, now);
   decltype(allowances.corners) corners;
   for (const auto& [at, kind] : allowances.corners) {
@@ -117,18 +107,19 @@ void copyAllowances(Allowances& allowances, const Piece& original, const Piece& 
           all[{copy.id, to.edges[width].name}] = value;
         }
       };
-      give(allowances.edges), give(allowances.elastics), give(allowances.hems);
+      give(allowances.edges), Allowances::eachFinish(allowances, give);
       if (const auto own = allowances.corners.find(at); own != allowances.corners.end())
         allowances.corners[{copy.id, to.edges[corner].name}] = mirror ? mirrored(own->second) : CornerKind{own->second};
     }
   };
   lead(original.outline, copy.outline);
   for (const InternalLine& line : original.lines)
-    if (const auto own = allowances.elastics.find({original.id, line.name});
-        own != allowances.elastics.end() && !findEdge(original, line.name)) {
-      const Elastic elastic = own->second;
-      allowances.elastics[{copy.id, mirror ? otherSide(line.name) : line.name}] = elastic;
-    }
+    Allowances::eachFinish(allowances, [&]<class Finish>(std::map<Allowances::At, Finish>& all) {
+      const auto own = all.find({original.id, line.name});
+      if (!kOnLinesToo<Finish> || own == all.end() || findEdge(original, line.name)) return;
+      const Finish value = own->second;
+      all[{copy.id, mirror ? otherSide(line.name) : line.name}] = value;
+    });
   for (std::size_t i = 0; i < original.holes.size() && i < copy.holes.size(); ++i)
     lead(original.holes[i], copy.holes[i]);
 }

@@ -198,6 +198,13 @@ std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish)
                        under > 0 ? say("hem {0} mm, {1} mm turned in", width, under) : say("hem {0} mm", width),
                        on->place - on->outward * kDepth, flat(leftOf(on->outward))});
     }
+  const auto beside = [&](const Allowances::At& at, Message words) {
+    if (const auto on = sewnPlace(pattern, {at.first, at.second, 0.5}))
+      notes.push_back({at.first, std::move(words), on->place - on->outward * kDepth, flat(leftOf(on->outward))});
+  };
+  const auto mm = [](double metres) { return std::round(metres * 1e4) / 10; };
+  for (const auto& [at, own] : finish.pipings) beside(at, say("piping {0} mm", mm(own.thickness)));
+  for (const auto& [at, own] : finish.bindings) beside(at, say("bound {0} mm", mm(own.width)));
   for (const auto& [name, own] : finish.fastenings)
     for (const bool over : {true, false}) {
       const SeamSide side(pattern, over ? own.a : own.b, !over && own.reversed);

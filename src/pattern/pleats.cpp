@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kSame = 1e-6;   // metres
 constexpr double kLeast = 1e-3;  // metres an edge has at least
+constexpr int kMostOver = 3;     // how many times as deep as they are apart pleats may be that overlap
 
 // Where a curve reaches a place across the lines; `rising` says which way it runs. Nothing: it does not.
 std::optional<double> parameterAcross(const Curve& curve, Flat across, double wanted, bool rising) {
@@ -96,12 +97,17 @@ class Spreading {
     auto& folds = made_.folds;
     for (std::size_t n = 0; n < folds.size(); ++n) {
       folds[n].strip = folds[n].at + 2 * d * static_cast<double>(n);
-      if (n > 0 && folds[n].low < folds[n - 1].low + d - kSame)
+      if (n == 0 || folds[n].low >= folds[n - 1].low + d - kSame) continue;
+      const double apart = folds[n].at - folds[n - 1].at;
+      const bool oneWay = plan_.kind == PleatKind::Knife && folds[n].toStart == folds[n - 1].toStart;
+      if (!oneWay || d > kMostOver * apart + kSame)
         return refused(
             say("The pleats lie over each other: each covers {0} mm, and they are {1} mm apart; choose fewer "
-                "or a smaller depth.",
+                "or a smaller depth. Only knife pleats turned one way may cover part of the next, up to {2} times as "
+                "deep as they are apart.",
                 inMm(plan_.kind == PleatKind::Knife ? d : 2 * d),
-                inMm(plan_.at.size() > 1 ? (plan_.at[1] - plan_.at[0]) * curve.length() : 0)));
+                inMm(plan_.at.size() > 1 ? (plan_.at[1] - plan_.at[0]) * curve.length() : 0), kMostOver));
+      made_.overlapping = true;
     }
     for (const PleatFold& fold : folds) {
       const auto from = parameterAcross(curve, made_.across, fold.low, true),
@@ -245,18 +251,19 @@ class Spreading {
         made_.beyond.push_back(name);
     }
     for (const auto& [part, name] : folded)
-      for (const EdgePart& over : map) {  // the one flat part it lies under
-        const double from = std::max(part.from, over.from), to = std::min(part.to, over.to),
-                     whole = over.to - over.from;
-        if (to - from < 0.5 * (part.to - part.from)) continue;
-        const auto share = [&](double at) {
-          const double s = (at - over.from) / whole;
+      for (const EdgePart& over : map) {  // the flat parts it lies under: one, where pleats do not overlap
+        const double from = std::max(part.from, over.from), to = std::min(part.to, over.to);
+        if ((to - from) * edge.curve.length() < kLeast) continue;
+        const auto share = [](double at, double low, double high) {
+          const double s = (at - low) / (high - low);
           return s < 1e-6 ? 0.0 : s > 1 - 1e-6 ? 1.0 : s;
         };
-        const PleatFold& fold = made_.folds[static_cast<std::size_t>(part.fold)];
-        made_.layers.push_back({{piece_.id, over.now.edge, share(part.from), share(part.to)},
-                                {piece_.id, name, 0, 1},
-                                part.second == fold.toStart});
+        const bool reversed = part.second == made_.folds[static_cast<std::size_t>(part.fold)].toStart;
+        const double begins = share(from, part.from, part.to), ends = share(to, part.from, part.to);
+        made_.layers.push_back(
+            {{piece_.id, over.now.edge, share(from, over.from, over.to), share(to, over.from, over.to)},
+             {piece_.id, name, reversed ? 1 - ends : begins, reversed ? 1 - begins : ends},
+             reversed});
       }
   }
 
@@ -285,6 +292,7 @@ class Spreading {
       if (mark.edge.empty()) mark.place += by(foldsBefore(across(mark.place)));
     std::set<std::string> taken;
     for (const InternalLine& line : now.lines) taken.insert(line.name);
+    const std::size_t before = now.lines.size();
     const Curve &in = near().curve, &out = piece_.outline.edges[far_].curve;
     const auto placeOn = [&](const Curve& curve, double at, bool rising) {
       return curve.at(*parameterAcross(curve, made_.across, at, rising));
@@ -316,6 +324,7 @@ class Spreading {
         fold.place = place();
       }
     }
+    made_.linesAdded = now.lines.size() - before;
   }
 
   const Piece& piece_;
@@ -328,8 +337,45 @@ class Spreading {
 
 }  // namespace
 
+namespace {
+
+constexpr double kUnder = 0.5;  // layers a fold begins above what lies beneath it
+
+}  // namespace
+
+// Like shingles: the cloth between two folds is one strip, from under the fold before to the next fold, and rises
+// evenly from its inner end, so that two strips lie two layers apart everywhere and what joins them lies between.
+FoldedPlace PleatedPiece::shingled(Flat place) const {
+  const std::size_t n = folds.size();
+  const double sign = folds.front().toStart ? -1 : 1;  // walked towards where the folds are turned
+  const auto fold = [&](std::size_t j) { return sign * folds[sign > 0 ? j : n - 1 - j].at; };
+  double apart = HUGE_VAL;
+  for (std::size_t j = 1; j < n; ++j) apart = std::min(apart, fold(j) - fold(j - 1));
+  const double rise = 2 / apart;
+  const auto strip = [&](std::size_t m, double x) {
+    if (m == 0 && x < fold(0) - depth) return 2 * std::clamp(1 + (x - fold(0) + depth) / (3 * apart), 0.0, 1.0);
+    if (m == n && x > fold(n - 1)) return rise * depth * std::clamp(1 - (x - fold(n - 1)) / (3 * apart), 0.0, 1.0);
+    return rise * (x - (m > 0 ? fold(m - 1) : fold(0) - apart) + depth);
+  };
+  const double at = dot(place, across);
+  std::size_t k = 0;
+  while (k < n && at >= folds[k].strip + 2 * depth) ++k;
+  const double before = 2 * depth * static_cast<double>(k);
+  const std::size_t j = sign > 0 ? k : n - 1 - k;  // of the fold
+  if (k == n || at < folds[k].strip)
+    return {place - across * before, strip(sign > 0 ? k : n - k, sign * (at - before))};
+  const double in = at - folds[k].strip;
+  const bool toStart = folds[k].toStart;
+  if (toStart != (in >= depth)) {
+    const double by = toStart ? before : before + 2 * depth;
+    return {place - across * by, strip(j + 1, sign * (at - by))};
+  }
+  const double flat = toStart ? folds[k].at + 2 * depth - in : folds[k].at - in, x = sign * flat;
+  return {place + across * (flat - at), strip(j + 1, x) + kUnder + (x - fold(j) + depth) / depth};
+}
+
 FoldedPlace PleatedPiece::folded(Flat place) const {
-  constexpr double kUnder = 0.5;  // layers a fold begins above what lies beneath it
+  if (overlapping) return shingled(place);
   const double at = dot(place, across);
   double before = 0;
   for (const PleatFold& fold : folds) {
@@ -355,6 +401,7 @@ FoldedPlace PleatedPiece::folded(Flat place) const {
 }
 
 Flat PleatedPiece::spread(Flat place) const {
+  if (drawn) return place;
   double by = 0;
   for (const PleatFold& fold : folds)
     if (fold.at < dot(place, across)) by += 2 * depth;
@@ -372,6 +419,10 @@ std::vector<PaperPleat> pleatsOf(const Pattern& pattern) {
       if (!folded(alike) || alike.reversed || alike.a != mirrored.a) continue;
       const auto at = pattern.pieces.find(mirrored.b.front().piece);
       if (at == pattern.pieces.end() || alike.b.front().piece != at->first) continue;
+      const bool told = std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) {
+        return pleat.piece == at->first && pleat.edge == mirrored.b.front().edge;
+      });
+      if (told) continue;  // where pleats overlap it lies under several parts of the edge
       const Piece& piece = *at->second;
       const auto m = piece.outline.find(mirrored.b.front().edge), l = piece.outline.find(alike.b.front().edge);
       const std::size_t n = piece.outline.edges.size();
@@ -406,6 +457,9 @@ std::set<std::string> linesOfLattice(const Pattern& pattern, const Piece& piece)
     for (const auto* side : {&seam.a, &seam.b})
       for (const EdgeSpan& span : *side)
         if (span.piece == piece.id && lineNamed(span.edge)) names.insert(span.edge);
+  for (const InternalLine& line : piece.lines)
+    if (line.crease && std::abs(line.crease->angle) >= Crease::kSharpest && lineNamed(line.name))
+      names.insert(line.name);
   for (const PaperPleat& pleat : pleatsOf(pattern))
     for (const InternalLine& line : piece.lines) {
       const Curve* curve = pleat.piece == piece.id ? lineNamed(line.name) : nullptr;

@@ -107,6 +107,7 @@ void draw(Drawing& drawing, const TablePiece& piece) {
   if (piece.before) drawing.dashed(*piece.before, kFaint, 1);
   if (piece.chosen) drawing.closed(ringOf(piece.edges), kChosen, 2.5);
   for (const auto& line : piece.lines) drawing.dashed(line, kInk, 1.6);
+  for (const auto& row : piece.stitches) drawing.dashed(row, kInk, 0.8);
   for (const TableNotch& notch : piece.notches)
     drawing.line({notch.stroke.from, notch.stroke.to}, kInk, notch.own ? 2.5 : 1.6);
   for (const Flat hole : piece.drills) drawing.circle(hole, piece.drillRadius, kInk, 1.2);

@@ -1,5 +1,6 @@
 #include "karinui/session/export.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -47,6 +48,45 @@ void addPlate(TriangleMesh& mesh, const StandingButton& button) {
   }
 }
 
+// A row of topstitching: each stitch a spindle of six sides along the cloth, on both sides of which it is seen.
+void addStitches(TriangleMesh& mesh, const SceneStitches& row, const TriangleMesh& cloth) {
+  constexpr double kThick = 0.0008;  // metres: of the thread, and of the cloth it goes through
+  const double stitch = row.stitchMm / 1000, step = stitch + row.gapMm / 1000;
+  std::vector<Vec3> line;
+  std::vector<double> at;
+  for (const ClothPlace& place : row.line) {
+    line.push_back(place.on(cloth.points));
+    at.push_back(line.size() > 1 ? at.back() + distance(line[line.size() - 2], line.back()) : 0);
+  }
+  if (line.size() < 2) return;
+  const auto on = [&](double s) {
+    const auto k = std::clamp<std::size_t>(
+        static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), s) - at.begin()), 1, line.size() - 1);
+    const double part = at[k] - at[k - 1];
+    return lerp(line[k - 1], line[k], part > 0 ? (s - at[k - 1]) / part : 0);
+  };
+  std::size_t near = 0;
+  for (double s = 0; s + stitch <= at.back(); s += step) {
+    const Vec3 from = on(s), to = on(s + stitch), middle = on(s + stitch / 2);
+    while (near + 1 < at.size() && at[near + 1] < s) ++near;
+    const Triangle& face = row.line[near].corners;
+    const Vec3 up =
+        normalized(cross(cloth.points[face[1]] - cloth.points[face[0]], cloth.points[face[2]] - cloth.points[face[0]]));
+    const Vec3 aside = normalized(cross(up, to - from));
+    const auto base = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.push_back(from), mesh.points.push_back(to);
+    constexpr std::uint32_t kSides = 6;
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      const double turn = 2 * std::numbers::pi * k / kSides;
+      mesh.points.push_back(middle + (aside * std::cos(turn) + up * std::sin(turn)) * (kThick / 2));
+    }
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      const std::uint32_t here = base + 2 + k, next = base + 2 + (k + 1) % kSides;
+      mesh.faces.push_back({base, next, here}), mesh.faces.push_back({base + 1, here, next});
+    }
+  }
+}
+
 SheetSettings sheetOf(const GarmentSnapshot& snapshot, const ExportWish& wish) {
   SheetSettings sheet = wish.sheet;
   tellGarment(snapshot.document, sheet);
@@ -61,6 +101,16 @@ SpatialGarment spatialOf(const Document& document, const SceneFrame& frame) {
   for (const SceneCloth& cloth : frame.cloths)
     garment.pieces.push_back(
         {cloth.name, document.pieceNamed(cloth.name)->fabric, cloth.mesh, cloth.flat, cloth.colour, lookOf(cloth)});
+  for (const SceneCloth& cloth : frame.cloths) {
+    if (!cloth.stitches.empty()) {
+      SpatialNotion thread{cloth.name + "_topstitch", "thread", {}, cloth.stitches.front().colour};
+      for (const SceneStitches& row : cloth.stitches) addStitches(thread.mesh, row, cloth.mesh);
+      garment.notions.push_back(std::move(thread));
+    }
+    for (const SceneTrim& trim : cloth.trims)
+      garment.notions.push_back({cloth.name + (trim.kind == SceneTrim::Kind::Cord ? "_piping" : "_binding"),
+                                 trim.fabric, meshOf(trim, cloth.mesh), trim.colour});
+  }
   constexpr std::array<float, 3> kShell{0.71f, 0.67f, 0.57f}, kMetal{0.10f, 0.11f, 0.12f};  // linear
   for (const StandingButton& button : standingButtons(document)) {
     const bool snap = button.kind == FasteningKind::Snap;

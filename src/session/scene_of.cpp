@@ -6,6 +6,7 @@
 
 #include "karinui/design/drape.h"
 #include "karinui/pattern/seam_walk.h"
+#include "session/cloth_trims.h"
 #include "session/standing_buttons.h"
 
 namespace karinui {
@@ -143,6 +144,7 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const 
     cloth.colour = linear(look.colour);
     cloth.look = clothLookOf(look, piece.fabric, cut.grain, prints);
     cloth.live = document.drape.dirty.contains(piece.id);
+    addTrims(document, piece.id, cloth);
     frame.cloths.push_back(std::move(cloth));
     scene.lattices.push_back(piece.lattice);
   }

@@ -5,6 +5,7 @@
 
 #include "karinui/design/piece_label.h"
 #include "karinui/pattern/cut_line.h"
+#include "karinui/pattern/trims.h"
 
 namespace karinui {
 
@@ -249,6 +250,8 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
   for (const PaperFastener& fastener : fastenersOf(pattern, document.allowances.fastenings))
     for (const PaperStroke& stroke : fastener.strokes)
       frame.pieces[number.at(fastener.piece)].notches.push_back({laid(stroke, layout.at(fastener.piece)), false});
+  for (const StitchRow& row : stitchRows(pattern, document.allowances))
+    frame.pieces[number.at(row.piece)].stitches.push_back(laid(row.points, layout.at(row.piece)));
   for (const SeamTag& tag : seamTags(pattern))
     frame.pieces[number.at(tag.piece)].labels.push_back({TableLabel::Says::SeamNumber,
                                                          Message{std::to_string(tag.number), {}},

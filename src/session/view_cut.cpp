@@ -115,6 +115,37 @@ void cutCloth(SceneCloth& cloth, const Plane& plane, const std::vector<bool>* on
                                        static_cast<float>(cut.points[i].share)));
   cloth.outlines = leftOf(cloth.outlines, gone);
   cloth.seams = leftOf(cloth.seams, gone);
+  const auto lost = [&](const ClothPlace& place) {
+    return std::any_of(place.corners.begin(), place.corners.end(), [&](std::uint32_t p) { return gone[p]; });
+  };
+  std::vector<SceneStitches> stitches;
+  for (const SceneStitches& row : cloth.stitches) {
+    bool open = false;
+    for (const ClothPlace& place : row.line) {
+      if (lost(place)) {
+        open = false;
+        continue;
+      }
+      if (!open) stitches.push_back(row), stitches.back().line.clear();
+      open = true;
+      stitches.back().line.push_back(place);
+    }
+  }
+  cloth.stitches = std::move(stitches);
+  std::vector<SceneTrim> trims;
+  for (const SceneTrim& trim : cloth.trims) {
+    bool open = false;
+    for (std::size_t k = 0; k < trim.edge.size(); ++k) {
+      if (lost(trim.edge[k]) || lost(trim.inside[k])) {
+        open = false;
+        continue;
+      }
+      if (!open) trims.push_back(trim), trims.back().edge.clear(), trims.back().inside.clear();
+      open = true;
+      trims.back().edge.push_back(trim.edge[k]), trims.back().inside.push_back(trim.inside[k]);
+    }
+  }
+  cloth.trims = std::move(trims);
   cloth.mesh = std::move(cut.mesh);
 }
 

@@ -431,11 +431,16 @@ void Renderer::show(const SceneFrame& frame, double strainTop, SoftLight softLig
   for (std::size_t b = 0; b < frame.bodies.size(); ++b)
     run(0, nullptr, [&] { p.kept[b].add(surface, frame.bodies[b].mesh, p.origin, frame.bodies[b].colour); });
   p.bodies = surface.corners.size();
-  for (const SceneCloth& cloth : frame.cloths)
+  for (const SceneCloth& cloth : frame.cloths) {
     run(1, &cloth, [&] {
       addMesh(surface, cloth.mesh, p.origin, cloth.colour, cloth.flat, cloth.strain);
       addEdges(surface, cloth, p.origin);
     });
+    if (!cloth.trims.empty())
+      run(1, nullptr, [&] {
+        for (const SceneTrim& trim : cloth.trims) addMesh(surface, meshOf(trim, cloth.mesh), p.origin, trim.colour);
+      });
+  }
   p.keepPhotos(frame);
   p.casting = surface.corners.size();
   p.castingVertices = surface.vertices.size();

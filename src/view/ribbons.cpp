@@ -87,6 +87,12 @@ Ribbons ribbonsOf(const SceneFrame& frame, Vec3 origin) {
       addRibbon(ribbons, run(cloth.mesh, numbers), origin, thread);
     }
   }
+  for (const SceneCloth& cloth : frame.cloths)
+    for (const SceneStitches& row : cloth.stitches) {
+      std::vector<Vec3> line;
+      for (const ClothPlace& place : row.line) line.push_back(place.on(cloth.mesh.points));
+      addRibbon(ribbons, line, origin, {row.colour, row.widthMm, 2.0, row.stitchMm, row.gapMm});
+    }
   for (const SceneLine& line : frame.lines)
     addRibbon(ribbons, line.points, origin, {line.colour, line.widthMm, 5.0, 0, 0, line.arrow});
   return ribbons;

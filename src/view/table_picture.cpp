@@ -200,6 +200,10 @@ void drawPiece(Paper& paper, const TablePiece& piece) {
     paper.path(line, false);
     paper.stroke(1, true);
   }
+  for (const auto& row : piece.stitches) {
+    paper.path(row, false);
+    paper.stroke(0.8, true);
+  }
   for (const TableNotch& notch : piece.notches) paper.line(notch.stroke.from, notch.stroke.to, notch.own ? 1.6 : 1);
   for (const Flat hole : piece.drills) {
     paper.circle(hole, std::max(paper.pixels(3), piece.drillRadius * paper.scale()));

@@ -5,9 +5,9 @@
 
 #include "cloth/bend_along.h"
 #include "cloth/crease.h"
+#include "cloth/edge_bending.h"
 #include "cloth/elastic.h"
 #include "cloth/helpers.h"
-#include "cloth/hem.h"
 #include "karinui/cloth/pulls.h"
 #include "karinui/pattern/elastic_lines.h"
 
@@ -141,7 +141,7 @@ TEST(Hem, BendsAndWeighsAsItsLayers) {
   fabric.bendWarp = 1e-5;
   for (const double spacing : {0.02, 0.01}) {
     const ClothLevel level = strip(finish, 0.6, 0.2, spacing, fabric);
-    const HemBending hem(level.cloth);
+    const EdgeBending hem(level.cloth);
     EXPECT_NEAR(hem.value(level.state.position, workers), 0, 1e-18);
     const double radius = 0.1;
     std::vector<Vec3> rolled = level.state.position;
@@ -149,9 +149,43 @@ TEST(Hem, BendsAndWeighsAsItsLayers) {
     const double joules = 3e-5 * 0.05 / (2 * radius * radius) * 0.6;
     EXPECT_NEAR(hem.value(rolled, workers), joules, 0.06 * joules);  // its two ends have no neighbour
     double mass = 0;
-    for (const auto& [node, more] : hemMasses(level.cloth)) mass += more;
+    for (const auto& [node, more] : edgeMasses(level.cloth)) mass += more;
     EXPECT_NEAR(mass, 0.2 * 0.05 * 0.6, 1e-9);
   }
+}
+
+// Rolled up with radius R, an edge with a cord of thickness d in a strip of width w stores (0.4 N pi d2/4 + B45 w)/(2
+// R2) for each metre, B45 the strip's bending on the bias; one that is bound B45 4 w/(2 R2). They weigh what they add.
+TEST(Trims, BendAndWeighAsCordAndStrip) {
+  Workers workers(1);
+  const Fabric fabric = textbook(1000, 2e-5, 0.2), silk = *preset("silk");
+  const auto onBias = [](const Fabric& f) {
+    const double root = 0.5 * (std::sqrt(f.bendWarp) + std::sqrt(f.bendWeft));
+    return root * root;
+  };
+  const double section = std::numbers::pi * 0.004 * 0.004 / 4, cover = std::numbers::pi * 0.004 + 0.02;
+  struct Case {
+    Allowances finish;
+    double bending, weight;
+  };
+  Case cord{{}, 0.4 * section + onBias(fabric) * cover, 600 * section + fabric.weight * cover};
+  cord.finish.pipings[{{1}, "bottom"}] = {0.004, ""};
+  Case strips{{}, onBias(silk) * 0.04, silk.weight * 0.04};
+  strips.finish.bindings[{{1}, "bottom"}] = {0.01, "silk"};
+  for (const Case& one : {cord, strips})
+    for (const double spacing : {0.02, 0.01}) {
+      const ClothLevel level = strip(one.finish, 0.6, 0.2, spacing, fabric);
+      const EdgeBending bending(level.cloth);
+      EXPECT_NEAR(bending.value(level.state.position, workers), 0, 1e-16);
+      const double radius = 0.1;
+      std::vector<Vec3> rolled = level.state.position;
+      for (Vec3& p : rolled) p = {radius * std::sin(p.x / radius), p.y, radius * std::cos(p.x / radius)};
+      const double joules = one.bending / (2 * radius * radius) * 0.6;
+      EXPECT_NEAR(bending.value(rolled, workers), joules, 0.06 * joules);  // its two ends have no neighbour
+      double mass = 0;
+      for (const auto& [node, more] : edgeMasses(level.cloth)) mass += more;
+      EXPECT_NEAR(mass, one.weight * 0.6, 1e-9);
+    }
 }
 
 // A free strip, folded along a thread, rests where the fold's torque c (t0 - t) and the cloth's B/h sin t are in

@@ -2,22 +2,24 @@
 
 #include "cloth/bending.h"
 #include "cloth/crease.h"
+#include "cloth/edge_bending.h"
 #include "cloth/elastic.h"
 #include "cloth/helpers.h"
-#include "cloth/hem.h"
 #include "cloth/membrane.h"
 #include "cloth/springs.h"
 
 namespace karinui::test {
 namespace {
 
-// A piece whose grid stands askew in its outline, so that half of it is ring; an elastic, a hem and a fold in it.
+// A piece whose grid stands askew in its outline, so that half of it is ring; an elastic, a hem, a cord and a fold in
+// it.
 ClothLevel askew(const Fabric& fabric, double fold = 0.4) {
   auto paper = rectangle(1, 0.11, 0.09, {0.3, 1});
   paper->lines.push_back({"turn", {Curve::line({0.01, 0.03}, {0.1, 0.06})}, Crease{fold, 0.9}});
   Allowances finish;
   finish.elastics[{{1}, "bottom"}] = {0.7, 10};
   finish.hems[{{1}, "top"}] = {0.02, 0};
+  finish.pipings[{{1}, "left"}] = {0.004, ""};
   ClothChoice choice;
   choice.finish = &finish;
   return levelOf(patternOf({paper}), 0.01, fabric, choice);
@@ -32,7 +34,7 @@ std::vector<std::unique_ptr<Energy>> energiesOf(const Cloth& cloth) {
   all.push_back(std::make_unique<Springs>(simclothSprings(cloth), cloth.nodeCount));
   all.push_back(std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount));
   all.push_back(std::make_unique<Springs>(elasticSprings(cloth), cloth.nodeCount));
-  all.push_back(std::make_unique<HemBending>(cloth));
+  all.push_back(std::make_unique<EdgeBending>(cloth));
   all.push_back(std::make_unique<CreaseHinges>(cloth));
   return all;
 }

@@ -14,6 +14,10 @@ Document finished() {
   document.allowances.corners[{{1}, "hem"}] = CornerKind::SquareAfter;
   document.allowances.elastics[{{1}, "waist"}] = {0.6, 14};
   document.allowances.hems[{{1}, "hem"}] = {0.04, 0.01};
+  document.allowances.topstitches[{{1}, "hem"}] = {0.02, 2, 0.005, 0.004, 0xc08040};
+  document.allowances.topstitches[{{1}, "side"}] = {};
+  document.allowances.pipings[{{1}, "side"}] = {0.005, "silk"};
+  document.allowances.bindings[{{1}, "neck"}] = {0.01, ""};
   Fastening& buttons = document.allowances.fastenings["front"];
   buttons.a = {{{1}, "centre", 0, 1}}, buttons.b = {{{2}, "centre", 0.25, 1}};
   buttons.at = {0.1, 0.5, 0.9}, buttons.closed = 2, buttons.fromStart = false, buttons.inset = 0.015;
@@ -54,12 +58,16 @@ TEST(KeptFinishing, InterfacingComesBackAndCounts) {
 TEST(KeptFinishing, EachPartCounts) {
   const std::string all = hash(finished());
   Document kinds = finished(), edges = finished(), corners = finished(), cutting = finished(), eases = finished(),
-           elastics = finished(), hems = finished(), opened = finished();
+           elastics = finished(), hems = finished(), opened = finished(), stitches = finished(), thread = finished(),
+           cord = finished(), strip = finished();
+  stitches.allowances.topstitches[{{1}, "hem"}].rows = 3, thread.allowances.topstitches[{{1}, "side"}].colour = 0;
+  cord.allowances.pipings[{{1}, "side"}].fabric = "linen", strip.allowances.bindings[{{1}, "neck"}].width = 0.011;
   opened.allowances.fastenings["front"].closed = 1;
   kinds.allowances.kinds.clear(), edges.allowances.edges[{{1}, "side"}] = 0.026;
   corners.allowances.corners.clear(), cutting.cutting[{1}].pairs = false, eases.eases.clear();
   elastics.allowances.elastics[{{1}, "waist"}].strength = 15, hems.allowances.hems[{{1}, "hem"}].under = 0;
-  for (const Document* other : {&kinds, &edges, &corners, &cutting, &eases, &elastics, &hems, &opened})
+  for (const Document* other :
+       {&kinds, &edges, &corners, &cutting, &eases, &elastics, &hems, &opened, &stitches, &thread, &cord, &strip})
     EXPECT_NE(hash(*other), all);
 }
 
@@ -86,6 +94,15 @@ TEST(KeptFinishing, NonsenseIsRefused) {
                             },
                             +[](Document& d) {
                               d.allowances.hems[{{1}, "hem"}].under = 0.05;
+                            },
+                            +[](Document& d) {
+                              d.allowances.topstitches[{{1}, "hem"}].rows = 0;
+                            },
+                            +[](Document& d) {
+                              d.allowances.pipings[{{1}, "side"}].thickness = 0.1;
+                            },
+                            +[](Document& d) {
+                              d.allowances.bindings[{{1}, "neck"}].width = 0;
                             },
                             +[](Document& d) { d.allowances.fastenings["front"].closed = 4; },
                             +[](Document& d) {

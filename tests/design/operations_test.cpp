@@ -85,6 +85,16 @@ std::string facts(const Document& d) {
   for (const auto& [at, own] : d.allowances.hems)
     out << "hem " << name(at.first) << "." << at.second << " mm " << fixed(own.width * 1000, 1) << " "
         << fixed(own.under * 1000, 1) << "\n";
+  for (const auto& [at, own] : d.allowances.topstitches)
+    out << "topstitch " << name(at.first) << "." << at.second << " mm " << fixed(own.offset * 1000, 1) << " rows "
+        << own.rows << " apart " << fixed(own.apart * 1000, 1) << " stitch " << fixed(own.length * 1000, 1)
+        << " colour " << (own.colour ? std::to_string(*own.colour) : "own") << "\n";
+  for (const auto& [at, own] : d.allowances.pipings)
+    out << "piping " << name(at.first) << "." << at.second << " mm " << fixed(own.thickness * 1000, 1) << " of "
+        << (own.fabric.empty() ? "its own" : own.fabric) << "\n";
+  for (const auto& [at, own] : d.allowances.bindings)
+    out << "binding " << name(at.first) << "." << at.second << " mm " << fixed(own.width * 1000, 1) << " of "
+        << (own.fabric.empty() ? "its own" : own.fabric) << "\n";
   for (const auto& [fastened, own] : d.allowances.fastenings) {
     out << "fastening " << fastened << " kind " << static_cast<int>(own.kind) << " " << side(own.a)
         << (own.reversed ? " against " : " along ") << side(own.b) << " at";

@@ -117,13 +117,110 @@ TEST(Pleats, OneOverTheOtherAreLiftedInOrder) {
   EXPECT_GT(lifted(at(0.01)), lifted(at(0.03)) + 0.4);
 }
 
+// A kilt: pleats of depth d every s, d > s. Each takes 2 d of the paper and covers d - s of the next; the edge stays as
+// long as it was, and at every place lie the layers of all pleats that cover it.
+TEST(Pleats, OverlapAsAKiltsDo) {
+  const Piece before = panel(0.6, 0.5);
+  for (const bool toStart : {false, true})
+    for (const double depth : {0.03, 0.045}) {
+      constexpr double s = 0.02;
+      constexpr std::size_t n = 10;
+      PleatPlan plan = planOf(PleatKind::Knife, depth, {});
+      for (std::size_t k = 0; k < n; ++k) plan.at.push_back((0.2 + s * static_cast<double>(k)) / 0.6);
+      plan.toStart.assign(n, toStart);
+      const auto made = addPleats(before, plan);
+      ASSERT_TRUE(made) << text(made.error().what);
+      EXPECT_TRUE(made->overlapping);
+      EXPECT_NEAR(visible(*made, "waist"), 0.6, 1e-9);
+      const Piece& now = made->edited.piece;
+      EXPECT_NEAR(findEdge(now, "hem")->curve.length(), 0.6 + 2 * depth * n, 1e-9);
+      EXPECT_EQ(pleatsOf(patternOf({now})).size(), 0u) << "nothing is sewn yet";
+      // All layers of both sides are equally long, and together as long as what is folded in.
+      double under = 0;
+      for (const auto& layer : made->layers) {
+        const auto length = [&](const EdgeSpan& span) {
+          return findEdge(now, span.edge)->curve.length() * (span.to - span.from);
+        };
+        EXPECT_NEAR(length(layer.a), length(layer.b), 1e-7);
+        under += length(layer.b);
+      }
+      EXPECT_NEAR(under, 2 * depth * n, 1e-6);
+      // Over a place in the middle lie 1 + 2 k layers, k of the pleats that cover it; none nearer than half a layer.
+      const double place = -0.6 + 0.2 + s * 4 + 0.007;  // across: the waist runs from u = 0.6 to 0
+      std::vector<double> heights;
+      for (double at = 0; at < 0.6 + 2 * depth * n; at += 2e-4) {
+        const FoldedPlace in = made->folded(made->across * (at - 0.6) + Flat{0, 0.3});
+        if (std::fabs(dot(in.place, made->across) - place) < 1.01e-4) heights.push_back(in.lifted);
+      }
+      std::sort(heights.begin(), heights.end());
+      std::vector<double> layers;
+      for (const double h : heights)
+        if (layers.empty() || h - layers.back() > 0.1) layers.push_back(h);
+      const auto covering =
+          static_cast<std::size_t>(std::count_if(made->folds.begin(), made->folds.end(), [&](const PleatFold& fold) {
+            return place > fold.low && place < fold.low + depth;
+          }));
+      EXPECT_GE(covering, depth > 0.04 ? 2u : 1u);
+      EXPECT_EQ(layers.size(), 1 + 2 * covering);
+      for (std::size_t k = 1; k < layers.size(); ++k) EXPECT_GT(layers[k] - layers[k - 1], 0.3);
+    }
+}
+
+// Three lines on a paper that has the cloth for the pleat fold it there: the edges are what they were before the cloth
+// was put in, and the paper is the one that addPleats() makes.
+TEST(Pleats, AreFoldedByThreeDrawnLines) {
+  for (const double bow : {0.0, 0.03})
+    for (const bool toStart : {false, true}) {
+      PleatPlan plan = planOf(PleatKind::Knife, 0.02, {0.4});
+      plan.toStart = {toStart};
+      const auto wanted = addPleats(panel(0.4, 0.5, bow), plan);
+      ASSERT_TRUE(wanted);
+      // The paper of someone who drew it so: one edge each, the lines inside, called otherwise.
+      Piece drawn = wanted->edited.piece;
+      for (InternalLine& line : drawn.lines)
+        line.name = line.name == "pleat_fold" ? "f" : line.name == "pleat_inner" ? "i" : "p", line.crease.reset();
+      const auto made = foldDrawn(drawn, {"f", "i", "p", {0, -1}, "pleat", false});
+      ASSERT_TRUE(made) << text(made.error().what);
+      EXPECT_NEAR(made->depth, 0.02, 1e-9);
+      EXPECT_EQ(made->folds.size(), 1u);
+      EXPECT_EQ(made->folds[0].toStart, toStart);
+      EXPECT_EQ(made->layers.size(), 2u);
+      EXPECT_NEAR(made->edited.piece.outline.area(), drawn.outline.area(), 1e-7);
+      EXPECT_EQ(made->edited.piece.lines.size(), 3u);
+      for (const Flat place : {Flat{0.05, 0.3}, Flat{0.2, 0.2}, Flat{0.25, 0.4}, Flat{0.43, 0.1}}) {
+        EXPECT_LT(distance(made->folded(place).place, wanted->folded(place).place), 1e-7);
+        EXPECT_NEAR(made->folded(place).lifted, wanted->folded(place).lifted, 1e-6);
+        EXPECT_EQ(made->spread(place), place);
+      }
+    }
+}
+
+TEST(Pleats, RefuseLinesThatMakeNoPleat) {
+  Piece piece = panel(0.4, 0.5);
+  const auto line = [&](const char* name, double top, double low) {
+    piece.lines.push_back({name, {Curve::line({top, 0.5}, {low, 0})}, {}});
+  };
+  line("f", 0.1, 0.1), line("i", 0.12, 0.12), line("p", 0.14, 0.14), line("askew", 0.14, 0.16), line("far", 0.17, 0.17);
+  const auto why = [&](const char* f, const char* i, const char* p) {
+    const auto made = foldDrawn(piece, {f, i, p, {0, -1}, "pleat", false});
+    return made ? std::string() : text(made.error().what);
+  };
+  EXPECT_EQ(why("f", "i", "p"), "");
+  EXPECT_NE(why("f", "i", "askew").find("alongside each other"), std::string::npos);
+  EXPECT_NE(why("f", "i", "far").find("halfway"), std::string::npos);
+  EXPECT_NE(why("f", "i", "gone").find("has no line"), std::string::npos);
+  // A slanted edge would have a step when it is folded.
+  piece.outline.edges[2].curve.start.v = 0.55, piece.outline.edges[1].curve.end.v = 0.55;
+  EXPECT_NE(why("f", "i", "p").find("has a step"), std::string::npos);
+}
+
 TEST(Pleats, RefuseWhatMakesNoSense) {
   const Piece piece = panel(0.4, 0.5);
   const auto why = [&](const PleatPlan& plan, const Piece& on) {
     const auto made = addPleats(on, plan);
     return made ? std::string("it was not refused") : text(made.error().what);
   };
-  EXPECT_NE(why(planOf(PleatKind::Knife, 0.05, {0.5, 0.6}), piece).find("lie over each other"), std::string::npos);
+  EXPECT_NE(why(planOf(PleatKind::Box, 0.03, {0.5, 0.6}), piece).find("lie over each other"), std::string::npos);
   EXPECT_NE(why(planOf(PleatKind::Knife, 0.05, {0.05}), piece).find("does not fit"), std::string::npos);
   EXPECT_NE(why(planOf(PleatKind::Knife, 1, {0.5}), piece).find("50 cm"), std::string::npos);
   PleatPlan flat = planOf(PleatKind::Knife, 0.02, {0.5});

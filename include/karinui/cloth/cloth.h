@@ -43,6 +43,11 @@ struct HemmedEdge {
   ClothEdge edge;
   Hem hem;
 };
+struct TrimmedEdge {  // a cord or a strip along it
+  ClothEdge edge;
+  double bending = 0;  // N m2 beyond the cloth's own
+  double weight = 0;   // kg/m
+};
 struct CreasedLine {
   std::size_t piece = 0;
   std::vector<Flat> places;  // on paper, of a polyline
@@ -74,6 +79,7 @@ struct Cloth {
   std::uint32_t nodeCount = 0;
   std::vector<ElasticEdge> elastics;
   std::vector<HemmedEdge> hems;
+  std::vector<TrimmedEdge> trims;
   std::vector<CreasedLine> creases;
   std::vector<ClothFastener> fasteners;
   std::vector<ClothZip> zips;
@@ -87,7 +93,7 @@ struct ClothChoice {
   std::map<PieceId, bool> live;               // missing: live unless the piece is frozen
   std::map<PieceId, std::vector<Flat>> pins;  // paper places; the nodes within `pinRadius` of each are held
   double pinRadius = 0.01;
-  const Allowances* finish = nullptr;  // whose elastics, hems and fastenings the edges have; null: none
+  const Allowances* finish = nullptr;  // whose elastics, hems, trims and fastenings the edges have; null: none
 };
 
 // Puts a laid pattern's pieces, fabrics and ties together as one cloth. Refuses a piece that was not laid or whose

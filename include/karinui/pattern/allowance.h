@@ -1,7 +1,7 @@
 #pragma once
 // How edges are finished. Seam allowances: how far beyond its seam line each edge is cut, and how the cut line turns at
-// a corner; by the kind of the edge, where an edge or corner has none of its own. Elastics and hems: of single edges;
-// fastenings (fastening.h): of runs.
+// a corner; by the kind of the edge, where an edge or corner has none of its own. Elastics, hems and what else is done
+// along single edges (finish.h); fastenings (fastening.h) of runs.
 // Metres on paper. Pure; any thread.
 #include <map>
 #include <set>
@@ -12,6 +12,7 @@
 #include "karinui/pattern/darts.h"
 #include "karinui/pattern/edit.h"
 #include "karinui/pattern/fastening.h"
+#include "karinui/pattern/finish.h"
 
 namespace karinui {
 
@@ -19,7 +20,6 @@ namespace karinui {
 // is finished like a seam.
 enum class EdgeKind { Seam, Hem, Neckline, Fold };
 inline constexpr EdgeKind kEdgeKinds[] = {EdgeKind::Seam, EdgeKind::Hem, EdgeKind::Neckline, EdgeKind::Fold};
-inline constexpr double kWidestAllowance = 0.1;
 double usualAllowance(EdgeKind kind);
 
 // How the cut lines of two edges are led to each other where the outline turns outwards.
@@ -33,41 +33,30 @@ enum class CornerKind {
 };
 CornerKind mirrored(CornerKind kind);  // of the same corner, walked the other way
 
-// An elastic sewn along an edge, as even over all of it.
-struct Elastic {
-  double ratio = 0.75;   // its cut length over the edge's
-  double strength = 10;  // N with which it pulls when it is drawn out to one and a half times its cut length
-  double stiffness() const { return 2 * strength; }  // N per unit of strain: its force grows evenly
-  bool operator==(const Elastic&) const = default;
-};
-inline constexpr double kTightestElastic = 0.2, kLoosestElastic = 0.99;
-inline constexpr double kWeakestElastic = 0.1, kStrongestElastic = 500;  // N
-
-// An edge turned up: folded at the edge, `width` deep, and `under` of it turned in once more.
-struct Hem {
-  double width = 0.03, under = 0.01;                  // metres
-  double allowance() const { return width + under; }  // what is cut beyond the edge
-  bool operator==(const Hem&) const = default;
-};
-inline constexpr double kNarrowestHem = 0.003;
-bool sound(const Elastic& elastic);  // within what is above
-bool sound(const Hem& hem);
-
 struct Allowances {
   using At = std::pair<PieceId, std::string>;  // an edge; of a corner the edge that starts there
   std::map<EdgeKind, double> kinds;            // where they are not as usual
   std::map<At, double> edges;                  // that have a width of their own
   std::map<At, CornerKind> corners;
   std::map<At, Elastic> elastics;
-  std::map<At, Hem> hems;  // their allowance is `edges`'
+  std::map<At, Hem> hems;  // their allowance, as that of bindings, is `edges`'
+  std::map<At, Topstitch> topstitches;
+  std::map<At, Piping> pipings;
+  std::map<At, Binding> bindings;
   Fastenings fastenings;
+  // All that is done along edges, one after the other.
+  template <class Self, class Visit>
+  static void eachFinish(Self& self, Visit&& visit) {
+    visit(self.elastics), visit(self.hems), visit(self.topstitches), visit(self.pipings), visit(self.bindings);
+  }
+  bool trimmed() const { return !topstitches.empty() || !pipings.empty() || !bindings.empty(); }
   bool plain() const { return kinds.empty() && edges.empty() && corners.empty(); }  // widths and corners
-  bool empty() const { return plain() && elastics.empty() && hems.empty() && fastenings.empty(); }
+  bool empty() const { return plain() && elastics.empty() && hems.empty() && !trimmed() && fastenings.empty(); }
   bool operator==(const Allowances&) const = default;
 };
 
-// Leads them over to the edges of an edited pattern. Of edges that became one the widest counts, of elastics the
-// tightest; a corner stays where the edge still starts there. What is no longer there is dropped.
+// Leads them over to the edges of an edited pattern. Of edges that became one the widest counts, of what is done along
+// them what prevails; a corner stays where the edge still starts there. What is no longer there is dropped.
 void updateAllowances(Allowances& allowances, const EdgeMap& map, const Pattern& now);
 // Gives a copy what its original has. `mirror`: the copy is its mirror image, whose edges run the other way, the last
 // one first.

@@ -1,7 +1,8 @@
 #pragma once
 // Pleats of paper: cloth folded in along parallel lines, so that three layers lie over one another. A knife pleat of
 // depth d takes 2 d of the paper, a box or inverted pleat, which is two of them, 4 d; the edge, pleated, is as long as
-// before. Metres on paper. Pure; any thread.
+// before. Knife pleats that are deeper than they are apart overlap as a kilt's do: each covers d - s of the next.
+// Metres on paper. Pure; any thread.
 #include <set>
 #include <string>
 #include <string_view>
@@ -57,14 +58,32 @@ struct PleatedPiece {
   std::vector<PleatFold> folds;     // ascending
   Flat across;                      // unit: from the edge's start to its end, at right angles to the lines
   double depth = 0;
+  std::size_t linesAdded = 0;            // the last ones of the piece
+  bool overlapping = false;              // each covers a part of the next
+  bool drawn = false;                    // the old paper has the cloth for it already
   FoldedPlace folded(Flat place) const;  // of a place of the new paper
   Flat spread(Flat place) const;         // where a place of the old paper is on the new one; of the top layer
+
+ private:
+  FoldedPlace shingled(Flat place) const;
 };
 
 // Spreads the paper along a line for each fold, draws the lines, and cuts both edges so that they lie edge to edge when
-// the paper is folded. Refuses lines that run out elsewhere or through anything, pleats that overlap or do not fit on
-// an edge.
+// the paper is folded. Refuses lines that run out elsewhere or through anything, pleats that do not fit on an edge, and
+// those that overlap but are not knife pleats turned one way.
 Result<PleatedPiece> addPleats(const Piece& piece, const PleatPlan& plan);
+
+// A knife pleat by three lines that are drawn inside a piece, whose paper has the cloth for it: folded along the first,
+// and inwards along the second, the first comes to lie on the third. What ends across them is cut so that it lies edge
+// to edge when the paper is folded; the three lines are drawn anew from edge to edge. Refuses lines that do not run
+// alongside each other, an inner fold that does not lie halfway, and what addPleats() refuses.
+struct DrawnPleat {
+  std::string fold, inner, place;
+  Flat along;  // unit: from the pleated edge into the piece
+  std::string name = "pleat";
+  bool sewnBeyond = false;
+};
+Result<PleatedPiece> foldDrawn(const Piece& piece, const DrawnPleat& drawn);
 
 // The pleats of a pattern, at each edge they are sewn into: the corners of the outline in which a fold, the fold inside
 // it and the line where it comes to lie end.
@@ -76,8 +95,8 @@ struct PaperPleat {
 };
 std::vector<PaperPleat> pleatsOf(const Pattern& pattern);
 
-// The internal lines of a piece that are edges of its lattice: those a seam holds and those along which a pleat is
-// folded.
+// The internal lines of a piece that are edges of its lattice: those a seam holds, and those along which a pleat is
+// folded or cloth is turned over.
 std::set<std::string> linesOfLattice(const Pattern& pattern, const Piece& piece);
 
 }  // namespace karinui

@@ -63,6 +63,7 @@ struct TablePiece {
   std::optional<Ring> before;                 // the outline of the document, where a drag shows another one
   std::vector<TableSize> nest;                // all other sizes, where they are shown
   std::vector<std::vector<Flat>> lines;       // internal lines
+  std::vector<std::vector<Flat>> stitches;    // rows of topstitching
   std::vector<TableNotch> notches;
   std::vector<Flat> drills;
   double drillRadius = 0.0025;

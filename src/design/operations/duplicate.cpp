@@ -47,12 +47,11 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
   const PieceId id = copy.id;
   if (graded) after.grading.pieces[id] = graded.mapped();
   if (const auto own = before.cutting.find(op.piece.id); own != before.cutting.end()) after.cutting[id] = own->second;
-  const auto give = [&](const auto& all, auto& to) {
-    for (const auto& [at, own] : all)
-      if (at.first == op.piece.id) to[{id, at.second}] = own;
+  const auto give = [&](auto& all) {
+    for (const auto& [at, own] : std::decay_t<decltype(all)>(all))
+      if (at.first == op.piece.id) all[{id, at.second}] = own;
   };
-  give(before.allowances.edges, after.allowances.edges), give(before.allowances.corners, after.allowances.corners);
-  give(before.allowances.elastics, after.allowances.elastics), give(before.allowances.hems, after.allowances.hems);
+  give(after.allowances.edges), give(after.allowances.corners), Allowances::eachFinish(after.allowances, give);
   after = withPiece(std::move(after), std::move(copy));
   updateAllowances(after.allowances, {}, after.pattern);  // a part has not all the edges
   if (!op.line.empty()) return after;

@@ -1,6 +1,42 @@
 #include "design/operations/finished_edges.h"
 
+#include "design/operations/sewn_runs.h"
+
 namespace karinui {
+
+namespace {
+
+// The line that lies where the image of one does, on the same piece or on its mirror image.
+const InternalLine* imageOf(const InternalLine& line, const Piece& on, const std::function<Flat(Flat)>& image) {
+  constexpr double kSame = 1e-5;  // metres
+  const Flat start = image(line.curves.front().start), end = image(line.curves.back().end);
+  for (const InternalLine& other : on.lines) {
+    if (other.curves.empty()) continue;
+    const Flat from = other.curves.front().start, to = other.curves.back().end;
+    if ((distance(from, start) < kSame && distance(to, end) < kSame) ||
+        (distance(from, end) < kSame && distance(to, start) < kSame))
+      return &other;
+  }
+  return nullptr;
+}
+
+struct Named {
+  std::vector<EdgeRef> edges, lines;
+};
+Named parted(const Document& document, const std::vector<EdgeRef>& named) {
+  Named parts;
+  for (const EdgeRef& ref : named) (lineOf(document, ref) ? parts.lines : parts.edges).push_back(ref);
+  return parts;
+}
+
+// A line's image on the piece's other half.
+const InternalLine* onOtherHalf(const Document& document, const EdgeRef& ref) {
+  const Piece& piece = *document.find(ref.piece.id);
+  const auto symmetry = symmetryOf(piece.outline);
+  return symmetry ? imageOf(*lineOf(document, ref), piece, [&](Flat p) { return symmetry->image(p); }) : nullptr;
+}
+
+}  // namespace
 
 std::vector<FinishedEdge> finishedEdges(const Document& document, const std::vector<EdgeRef>& named, bool bothHalves) {
   std::vector<FinishedEdge> all;
@@ -43,6 +79,58 @@ Done resolveFinished(const Document& before, std::vector<EdgeRef>& edges, Choice
   }
   symmetric = any ? Choice::Yes : Choice::No;
   return {};
+}
+
+std::set<Allowances::At> finishedPlaces(const Document& document, const std::vector<EdgeRef>& named, Choice symmetric) {
+  std::set<Allowances::At> all;
+  const auto [edges, lines] = parted(document, named);
+  for (const FinishedEdge& edge : finishedEdges(document, edges, symmetric == Choice::Yes))
+    all.insert({edge.piece, document.find(edge.piece)->outline.edges[edge.edge].name});
+  for (EdgeRef ref : lines) {
+    std::vector<std::string> own{ref.edge};
+    if (symmetric == Choice::Yes)
+      if (const InternalLine* other = onOtherHalf(document, ref)) own.push_back(other->name);
+    for (const std::string& name : own) {
+      all.insert({ref.piece.id, name});
+      ref.edge = name;
+      for (const PieceId id : likenesses(document, ref.piece.id))
+        if (const InternalLine* other = imageOf(*lineOf(document, ref), *document.find(id), [](Flat p) {
+              return Flat{-p.u, p.v};
+            }))
+          all.insert({id, other->name});
+    }
+  }
+  return all;
+}
+
+Done resolveFinishedLines(const Document& before, std::vector<EdgeRef>& named, Choice& symmetric, Context& context) {
+  for (EdgeRef& ref : named) {
+    ref.from = 0, ref.to = 1;
+    if (Done done = resolveSewn(before, ref); !done) return done;
+  }
+  auto [edges, lines] = parted(before, named);
+  const bool both = symmetric != Choice::No && std::any_of(lines.begin(), lines.end(), [&](const EdgeRef& ref) {
+                      return onOtherHalf(before, ref) != nullptr;
+                    });
+  if (!edges.empty() && !both) return resolveFinished(before, edges, symmetric, context);
+  if (symmetric == Choice::Yes && !both)
+    return refused(
+        say("Piece {0} is not symmetric; leave symmetric= away.", before.find(lines.front().piece.id)->name));
+  symmetric = both ? Choice::Yes : Choice::No;
+  return {};
+}
+
+Document withOneCurveEach(Document document, const std::set<Allowances::At>& edges) {
+  std::vector<EdgeRef> refs;
+  for (const auto& [piece, name] : edges) refs.push_back({PieceRef(piece), name, 0, 1});
+  return withOneCurve(std::move(document), refs, {});
+}
+
+Document disturbed(Document document, const std::set<Allowances::At>& edges) {
+  std::set<PieceId> pieces;
+  for (const auto& [piece, name] : edges) pieces.insert(piece);
+  for (const PieceId piece : pieces) document = withPiece(std::move(document), *document.find(piece));
+  return document;
 }
 
 }  // namespace karinui

@@ -1,6 +1,8 @@
 #pragma once
 // The edges that an operation finishes: those named, their images on a symmetric piece's other half, and those of the
 // symmetric copies.
+#include <set>
+
 #include "design/operations/operations.h"
 
 namespace karinui {
@@ -13,5 +15,13 @@ struct FinishedEdge {
 std::vector<FinishedEdge> finishedEdges(const Document& document, const std::vector<EdgeRef>& named, bool bothHalves);
 // Whole edges; Auto is decided. Refuses unknown edges, and Yes where no piece is symmetric.
 Done resolveFinished(const Document& before, std::vector<EdgeRef>& edges, Choice& symmetric, Context& context);
+
+// The same of edges and inner lines alike.
+std::set<Allowances::At> finishedPlaces(const Document& document, const std::vector<EdgeRef>& named, Choice symmetric);
+Done resolveFinishedLines(const Document& before, std::vector<EdgeRef>& named, Choice& symmetric, Context& context);
+// With the inner lines among them as one curve each.
+Document withOneCurveEach(Document document, const std::set<Allowances::At>& edges);
+// Cloth that was at rest is no longer.
+Document disturbed(Document document, const std::set<Allowances::At>& edges);
 
 }  // namespace karinui

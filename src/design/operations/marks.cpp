@@ -1,4 +1,4 @@
-// What is marked on the paper: notches, drill holes, internal lines; and the folds along those.
+// What is marked on the paper: notches, drill holes, internal lines.
 #include <algorithm>
 #include <cmath>
 
@@ -164,31 +164,6 @@ Result<Document> perform(const Document& before, const EraseMarks& op, Context&)
   else
     return refused(say("There is nothing to erase within 1 cm of that place on {0}.", piece.name));
   return erased(std::move(piece));
-}
-
-Done resolve(const Document& before, FoldLine& op, Context&) {
-  if (Done done = resolve(before, op.piece); !done) return done;
-  const Piece& piece = *before.find(op.piece.id);
-  if (op.lines.empty()) return refused(say("Say which lines are folded: line=turn."));
-  for (const std::string& name : op.lines)
-    if (std::none_of(piece.lines.begin(), piece.lines.end(), [&](const auto& line) { return line.name == name; }))
-      return refused(say("“{0}” has no line “{1}”; draw it first: line piece={0} along=… name={1}.", piece.name, name));
-  if (!(std::fabs(op.angle) <= Crease::kSharpest))
-    return refused(
-        say("Cloth is folded by up to 170 degrees; what is turned over altogether is a hem or a piece of "
-            "its own."));
-  if (!(op.hold >= 0.1 && op.hold <= 0.99)) return refused(say("A fold holds 0.1 to 0.99 of its angle."));
-  return {};
-}
-
-Result<Document> perform(const Document& before, const FoldLine& op, Context&) {
-  const auto folded = [&](Piece piece) {
-    for (InternalLine& line : piece.lines)
-      if (std::find(op.lines.begin(), op.lines.end(), line.name) != op.lines.end())
-        line.crease = op.angle == 0 ? std::nullopt : std::optional(Crease{op.angle, op.hold});
-    return piece;
-  };
-  return withPiece(before, folded(*before.find(op.piece.id)));
 }
 
 }  // namespace karinui

@@ -69,8 +69,11 @@ KARINUI_DECLARE_OPERATION(GradePieces)  // sizes.cpp
 KARINUI_DECLARE_OPERATION(ChooseSize)
 KARINUI_DECLARE_OPERATION(SewElastic)  // edge_finish.cpp
 KARINUI_DECLARE_OPERATION(TurnHem)
-KARINUI_DECLARE_OPERATION(FoldLine)  // marks.cpp
+KARINUI_DECLARE_OPERATION(FoldLine)
 KARINUI_DECLARE_OPERATION(Fasten)
+KARINUI_DECLARE_OPERATION(SewTopstitch)  // trim.cpp
+KARINUI_DECLARE_OPERATION(SewPiping)
+KARINUI_DECLARE_OPERATION(BindEdges)
 #undef KARINUI_DECLARE_OPERATION
 
 // The id of the nth thing (from 0) that the operation now being performed makes.

@@ -3,6 +3,7 @@
 
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
+#include "design/operations/sewn_runs.h"
 #include "karinui/design/sewing.h"
 #include "karinui/pattern/pleats.h"
 
@@ -43,11 +44,58 @@ PleatPlan planOf(const Piece& piece, const AddPleat& op) {
 }
 
 Result<PleatedPiece> pleated(const Document& document, const Piece& piece, const AddPleat& op) {
-  PleatPlan plan = planOf(piece, op);
-  auto made = addPleats(piece, plan);
+  const auto fold = [&](bool sewnBeyond) {
+    if (!op.lines.empty())
+      return foldDrawn(
+          piece, {op.lines[0].edge, op.lines[1].edge, op.lines[2].edge, normalized(*op.along), op.name, sewnBeyond});
+    PleatPlan plan = planOf(piece, op);
+    plan.sewnBeyond = sewnBeyond;
+    return addPleats(piece, plan);
+  };
+  auto made = fold(false);
   if (!made || seamsOn(document, {{PieceRef(piece.id), made->beyondOf}}).empty()) return made;
-  plan.sewnBeyond = true;
-  return addPleats(piece, plan);
+  return fold(true);
+}
+
+const InternalLine& lineNamed(const Piece& piece, const std::string& name) {
+  return *std::find_if(piece.lines.begin(), piece.lines.end(), [&](const InternalLine& l) { return l.name == name; });
+}
+
+// The three lines are there, and which edge they run from.
+Done resolveLines(const Document& before, AddPleat& op) {
+  if (op.lines.size() != 3)
+    return refused(
+        say("A pleat is drawn with three lines: the fold, the fold inside it, and where the fold comes to lie."));
+  if (op.kind != PleatKind::Knife || op.count != 1 || op.at)
+    return refused(say("A drawn pleat has its place and depth from its lines; leave kind=, count= and at= away."));
+  for (EdgeRef& ref : op.lines) {
+    ref.from = 0, ref.to = 1;
+    if (Done done = resolveSewn(before, ref); !done) return done;
+    if (!lineOf(before, ref)) return refused(say("“{0}” is an edge; a pleat is drawn with inner lines.", ref.edge));
+    if (ref.piece.id != op.lines.front().piece.id) return refused(say("The three lines of a pleat lie on one piece."));
+  }
+  const Piece& piece = *before.find(op.lines.front().piece.id);
+  const InternalLine& fold = lineNamed(piece, op.lines.front().edge);
+  Flat near = fold.curves.front().start, far = fold.curves.back().end;
+  const auto away = [](const Curve& curve, Flat place) {
+    double least = HUGE_VAL;
+    for (const Flat p : curve.evenly(0, 1, 100)) least = std::min(least, distance(p, place));
+    return least;
+  };
+  if (op.edge) {
+    if (Done done = resolve(before, op.edge); !done) return done;
+    const Edge* edge = op.edge.piece.id == piece.id ? findEdge(piece, op.edge.edge) : nullptr;
+    if (!edge) return refused(say("The edge and the lines of a pleat belong to one piece."));
+    if (away(edge->curve, far) < away(edge->curve, near)) std::swap(near, far);
+  } else {
+    if (far.v > near.v) std::swap(near, far);
+    const auto& edges = piece.outline.edges;
+    op.edge = {PieceRef(piece.id), std::min_element(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+                                     return away(a.curve, near) < away(b.curve, near);
+                                   })->name};
+  }
+  op.along = normalized(far - near);
+  return {};
 }
 
 class Pleating {
@@ -87,7 +135,7 @@ class Pleating {
       const auto value = own->second;
       for (const std::string& name : made_.beyond) all[{id, named(name)}] = value;
     };
-    give(after_.allowances.edges), give(after_.allowances.elastics), give(after_.allowances.hems);
+    give(after_.allowances.edges), Allowances::eachFinish(after_.allowances, give);
   }
 
   void sew(PieceId id, const std::function<EdgeSpan(const EdgeSpan&)>& led) {
@@ -118,14 +166,27 @@ class Pleating {
   Done stand(const Piece& old, const std::function<FoldedPlace(Flat)>& folded) {
     if (!old.form && old.pose == Rigid()) return {};
     Piece now = *after_.find(old.id);
+    const auto whole = wholeOf(old);
     auto form = liftedForm(now, old, before_.settings.spacing, [&](Flat place) {
       const FoldedPlace in = folded(place);
-      return LiftedPlace{in.place, in.lifted * kLayersApart};
+      return LiftedPlace{whole(in.place), in.lifted * kLayersApart};
     });
     if (!form) return form.error();
     now.form = *std::move(form);
     after_ = withPiece(std::move(after_), std::move(now));
     return {};
+  }
+
+  // The paper of a drawn pleat stands with all its cloth: what is left of it is spread over the same room, which the
+  // drape then draws together. Flat paper is folded together at once.
+  std::function<Flat(Flat)> wholeOf(const Piece& old) const {
+    if (!made_.drawn || !old.form) return [](Flat place) { return place; };
+    const Flat across = &old == &was_ ? made_.across : Flat{-made_.across.u, made_.across.v};
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Flat p : old.outline.flattened(1e-3))
+      low = std::min(low, dot(p, across)), high = std::max(high, dot(p, across));
+    const double stretch = (high - low) / (high - low - 2 * made_.depth);
+    return [=](Flat place) { return place + across * ((dot(place, across) - low) * (stretch - 1)); };
   }
 
   void movePins(PieceId id, const std::function<Flat(Flat)>& spread) {
@@ -147,7 +208,7 @@ class Pleating {
     if (old.lines == mirrored(was_).lines)
       now.lines = likeness.lines;
     else
-      now.lines.insert(now.lines.end(), likeness.lines.begin() + static_cast<std::ptrdiff_t>(was_.lines.size()),
+      now.lines.insert(now.lines.end(), likeness.lines.end() - static_cast<std::ptrdiff_t>(made_.linesAdded),
                        likeness.lines.end());
     for (std::size_t k = 0; k < now.marks.size(); ++k)
       if (now.marks[k].edge.empty()) now.marks[k].place = across(made_.spread(across(now.marks[k].place)));
@@ -172,7 +233,15 @@ class Pleating {
 }  // namespace
 
 Done resolve(const Document& before, AddPleat& op, Context&) {
-  if (Done done = resolve(before, op.edge); !done) return done;
+  if (!op.lines.empty()) {
+    if (Done done = resolveLines(before, op); !done) return done;
+  } else {
+    if (!op.edge)
+      return refused(
+          say("Say which edge is pleated: edge=skirt.waist; or three lines that are drawn: "
+              "lines=\"skirt.fold skirt.inner skirt.place\"."));
+    if (Done done = resolve(before, op.edge); !done) return done;
+  }
   if (op.name.empty()) op.name = "pleat";
   if (Done done = checkName(op.name); !done) return done;
   if (op.count < 1 || op.count > 200) return refused(say("An edge takes 1 to 200 pleats."));

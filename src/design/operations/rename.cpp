@@ -63,7 +63,7 @@ Result<Document> perform(const Document& before, const Rename& op, Context&) {
       if (auto own = all.extract({id, from}); own) own.key().second = op.to, all.insert(std::move(own));
     };
     renameKey(after.allowances.edges), renameKey(after.allowances.corners);
-    renameKey(after.allowances.elastics), renameKey(after.allowances.hems);
+    Allowances::eachFinish(after.allowances, renameKey);
     const auto renameSpans = [&](auto& all) {
       for (auto& [key, sewn] : all)
         for (auto* side : {&sewn.a, &sewn.b})

@@ -8,6 +8,7 @@
 #include "karinui/base/number.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/pattern/cut_line.h"
+#include "karinui/pattern/trims.h"
 
 namespace karinui {
 
@@ -99,6 +100,8 @@ class Writing {
       open(8, inner);
       if (astm_) open(85, inner);
     }
+    for (const StitchRow& row : stitchRows(pattern, finish))
+      if (row.piece == piece.id) polyline(kTopstitchLayer, row.points, false);
     group(0, "ENDBLK"), group(8, "0");
   }
 

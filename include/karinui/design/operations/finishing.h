@@ -74,6 +74,7 @@ struct SetQuantity {
 
 // elastic edges="front.waist back.waist" ratio=0.7 strength=12        elastic edges=skirt.waist length=62cm
 // elastic edges=skirt.waist none=yes        elastic edges=bodice.shirring ratio=0.6
+// elastic edges="front.top back.top" ratio=0.7 rows=5 spacing=1cm
 struct SewElastic {
   static constexpr std::string_view kName = "elastic";
   static constexpr std::string_view kHelp =
@@ -83,6 +84,8 @@ struct SewElastic {
   std::optional<double> ratio;
   std::optional<Length> length;
   std::optional<double> strength;
+  std::optional<int> rows;
+  std::optional<Length> spacing;
   bool none = false;
   Choice symmetric = Choice::Auto;
   template <class Self, class Visit>
@@ -93,6 +96,9 @@ struct SewElastic {
     visit("strength", self.strength,
           "newtons with which it pulls when it is drawn out to one and a half times its length (otherwise 10)",
           kOptional);
+    visit("rows", self.rows, "how many alike, the others on lines that are drawn beside the edge (otherwise 1)",
+          kOptional);
+    visit("spacing", self.spacing, "from row to row (otherwise 1 cm)", kOptional);
     visit("none", self.none, "yes: takes the elastic out", kOptional);
     visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
   }
@@ -122,6 +128,7 @@ struct TurnHem {
 };
 
 // fold piece=cuff line=turn angle=150deg hold=0.9        fold piece=cuff line=turn angle=0
+// fold piece=sleeve line=turn angle=170deg turned=yes
 struct FoldLine {
   static constexpr std::string_view kName = "fold";
   static constexpr std::string_view kHelp = "Folds the cloth along a line inside a piece and presses it.";
@@ -130,6 +137,7 @@ struct FoldLine {
   std::vector<std::string> lines;
   Angle angle;
   double hold = 0.9;
+  bool turned = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece", kNeeded);
@@ -137,6 +145,11 @@ struct FoldLine {
     visit("angle", self.angle, "out of flat, up to 170deg; positive: towards the right side; 0: pressed flat again",
           kNeeded);
     visit("hold", self.hold, "how well it is pressed, 0.1 to 0.99: a free strip rests at about this share of the angle",
+          kOptional);
+    visit("turned", self.turned,
+          "yes: the smaller part beyond the line is laid back over the rest at once, as a cuff is; at an angle of "
+          "170deg, "
+          "or -170deg to the wrong side",
           kOptional);
   }
   bool operator==(const FoldLine&) const = default;

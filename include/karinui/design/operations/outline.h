@@ -167,12 +167,14 @@ struct SlashAndSpread {
 };
 
 // pleat edge=skirt.waist count=6 depth=2cm        pleat edge=skirt.waist@0.2:0.8 kind=box depth=3cm stitch=10cm
+// pleat lines="skirt.fold skirt.inner skirt.place"
 struct AddPleat {
   static constexpr std::string_view kName = "pleat";
   static constexpr std::string_view kHelp =
       "Folds pleats or tucks into an edge: spreads the paper for them and sews their layers together there.";
   static constexpr bool kDisturbsDrape = true;
   EdgeRef edge;
+  std::vector<EdgeRef> lines;
   PleatKind kind = PleatKind::Knife;
   Length depth{0.02};
   int count = 1;
@@ -184,9 +186,21 @@ struct AddPleat {
   std::string name;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("edge", self.edge, "the edge, or the part of it, over which the pleats are spread evenly", kNeeded);
+    visit(
+        "edge", self.edge,
+        "the edge, or the part of it, over which the pleats are spread evenly; with lines: the one from which they run "
+        "(otherwise that at their upper end)",
+        kOptional);
+    visit(
+        "lines", self.lines,
+        "three inner lines of a paper that has the cloth for a pleat: the fold, the fold inside it, and where the fold "
+        "comes to lie",
+        kOptional);
     visit("kind", self.kind, "knife, box or inverted", kOptional);
-    visit("depth", self.depth, "of a fold: a knife pleat takes twice as much of the paper, the others four times",
+    visit("depth", self.depth,
+          "of a fold: a knife pleat takes twice as much of the paper, the others four times; knife pleats deeper than "
+          "they "
+          "are apart overlap",
           kOptional);
     visit("count", self.count, "how many", kOptional);
     visit("at", self.at, "the place of a single one, as a share of the edge's length", kOptional);

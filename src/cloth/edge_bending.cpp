@@ -1,4 +1,4 @@
-#include "cloth/hem.h"
+#include "cloth/edge_bending.h"
 
 #include <cmath>
 #include <set>
@@ -28,11 +28,11 @@ std::uint32_t beside(const Lattice& lattice, const std::set<std::uint32_t>& onEd
 
 }  // namespace
 
-HemBending::HemBending(const Cloth& cloth) {
+EdgeBending::EdgeBending(const Cloth& cloth) {
   std::vector<std::array<NodeIndex, 4>> nodes;
-  for (const auto& [edge, hem] : cloth.hems) {
+  const auto add = [&](const ClothEdge& edge, auto stiffness) {  // N m2, of the way along the edge
     const ClothPiece& piece = cloth.pieces[edge.piece];
-    if (!piece.live || piece.fabric.law != Fabric::Law::Woven) continue;
+    if (!piece.live || piece.fabric.law != Fabric::Law::Woven) return;
     const Lattice& lattice = *piece.lattice;
     std::set<std::uint32_t> onEdge;
     for (const std::uint32_t node : edge.nodes) onEdge.insert(node - piece.firstNode);
@@ -49,30 +49,34 @@ HemBending::HemBending(const Cloth& cloth) {
       const auto square = [&](Flat way) { return dot(way, along) * dot(way, along); };
       const double second = 0.5 * (w[0] * square(toA) + w[1] * square(toB) + w[2] * square(toC));
       if (std::fabs(second) < 1e-18) continue;
-      const double energy =
-          bendAlong(piece, along) * hem.allowance() * 0.5 * (length(toA) + length(toB));  // N m2 m = 2 J at 1/m
+      const double energy = stiffness(along) * 0.5 * (length(toA) + length(toB));  // N m2 m = 2 J at 1/m
       const double scale = std::sqrt(energy) / second;
       for (double& weight : w) weight *= scale;
       nodes.push_back({edge.nodes[k - 1], edge.nodes[k + 1], piece.firstNode + c, edge.nodes[k]});
       weight_.push_back({w[0], w[1], w[2], -w[0] - w[1] - w[2]});
     }
-  }
+  };
+  for (const auto& [edge, hem] : cloth.hems)
+    add(edge, [&, &on = edge, &turned = hem](Flat along) {
+      return bendAlong(cloth.pieces[on.piece], along) * turned.allowance();
+    });
+  for (const TrimmedEdge& trim : cloth.trims) add(trim.edge, [&](Flat) { return trim.bending; });
   setElements(std::move(nodes), cloth.nodeCount);
 }
 
-double HemBending::elementValue(std::size_t e, const Corners& x) const {
+double EdgeBending::elementValue(std::size_t e, const Corners& x) const {
   Vec3 bent;
   for (int c = 0; c < 4; ++c) bent += x[c] * weight_[e][c];
   return 0.5 * dot(bent, bent);
 }
 
-void HemBending::elementGradient(std::size_t e, const Corners& x, std::span<Vec3, 4> out) const {
+void EdgeBending::elementGradient(std::size_t e, const Corners& x, std::span<Vec3, 4> out) const {
   Vec3 bent;
   for (int c = 0; c < 4; ++c) bent += x[c] * weight_[e][c];
   for (int c = 0; c < 4; ++c) out[c] = bent * weight_[e][c];
 }
 
-void HemBending::elementBlocks(std::size_t e, const Corners&, std::span<Block3> out) const {
+void EdgeBending::elementBlocks(std::size_t e, const Corners&, std::span<Block3> out) const {
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {
       out[4 * a + b] = {};
@@ -80,17 +84,19 @@ void HemBending::elementBlocks(std::size_t e, const Corners&, std::span<Block3> 
     }
 }
 
-std::vector<std::pair<NodeIndex, double>> hemMasses(const Cloth& cloth) {
+std::vector<std::pair<NodeIndex, double>> edgeMasses(const Cloth& cloth) {
   std::vector<std::pair<NodeIndex, double>> masses;
-  for (const auto& [edge, hem] : cloth.hems) {
+  const auto add = [&](const ClothEdge& edge, double width, double weight) {  // m, kg/m2
     const ClothPiece& piece = cloth.pieces[edge.piece];
-    if (!piece.live) continue;
+    if (!piece.live) return;
     for (std::size_t k = 0; k + 1 < edge.nodes.size(); ++k) {
       const NodeIndex a = edge.nodes[k], b = edge.nodes[k + 1];
       const double l = distance(piece.lattice->nodes[a - piece.firstNode], piece.lattice->nodes[b - piece.firstNode]);
-      for (const NodeIndex node : {a, b}) masses.emplace_back(node, 0.5 * l * hem.allowance() * piece.fabric.weight);
+      for (const NodeIndex node : {a, b}) masses.emplace_back(node, 0.5 * l * width * weight);
     }
-  }
+  };
+  for (const auto& [edge, hem] : cloth.hems) add(edge, hem.allowance(), cloth.pieces[edge.piece].fabric.weight);
+  for (const TrimmedEdge& trim : cloth.trims) add(trim.edge, 1, trim.weight);
   return masses;
 }
 

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+
+#include "design/operations/lifted_form.h"
+#include "design/operations/operations.h"
+
+namespace karinui {
+
+namespace {
+
+// A line across a piece, by which its paper is parted.
+class Parting {
+ public:
+  Parting(const Piece& piece, const InternalLine& line) {
+    for (const Curve& curve : line.curves)
+      for (const Flat place : curve.flattened(1e-4))
+        if (points_.empty() || distance(points_.back(), place) > 1e-6) points_.push_back(place);
+    smallerToTheLeft_ = 2 * leftShare(piece) < 1;
+  }
+  bool beyond(Flat place) const { return left(place) == smallerToTheLeft_; }
+  Flat foot(Flat place) const { return nearest(place).foot; }
+  bool reachesAcross(const Piece& piece) const {
+    constexpr double kReach = 0.003;  // metres
+    const Ring ring = piece.outline.flattened();
+    return points_.size() > 1 && distanceToRing(ring, points_.front()) < kReach &&
+           distanceToRing(ring, points_.back()) < kReach;
+  }
+
+ private:
+  struct Near {
+    Flat foot, along;
+  };
+  // Beyond its ends the line goes straight on.
+  Near nearest(Flat place) const {
+    Near best{points_.front(), {1, 0}};
+    double least = HUGE_VAL;
+    for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
+      const Flat a = points_[k], way = points_[k + 1] - a;
+      double t = dot(place - a, way) / dot(way, way);
+      if (k > 0) t = std::max(t, 0.0);
+      if (k + 2 < points_.size()) t = std::min(t, 1.0);
+      const Flat foot = a + way * t;
+      if (distance(foot, place) < least) least = distance(foot, place), best = {foot, normalized(way)};
+    }
+    return best;
+  }
+  bool left(Flat place) const {
+    const Near near = nearest(place);
+    return cross(near.along, place - near.foot) > 0;
+  }
+  double leftShare(const Piece& piece) const {
+    constexpr int kLooks = 60;
+    const Ring ring = piece.outline.flattened(1e-3);
+    Flat low = ring.front(), high = low;
+    for (const Flat p : ring)
+      low = {std::min(low.u, p.u), std::min(low.v, p.v)}, high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+    int all = 0, onLeft = 0;
+    for (int i = 0; i < kLooks; ++i)
+      for (int k = 0; k < kLooks; ++k) {
+        const Flat p{std::lerp(low.u, high.u, (i + 0.5) / kLooks), std::lerp(low.v, high.v, (k + 0.5) / kLooks)};
+        if (!contains(ring, p)) continue;
+        ++all, onLeft += left(p);
+      }
+    return all > 0 ? onLeft / static_cast<double>(all) : 0.5;
+  }
+
+  std::vector<Flat> points_;
+  bool smallerToTheLeft_ = true;
+};
+
+const InternalLine& lineNamed(const Piece& piece, const std::string& name) {
+  return *std::find_if(piece.lines.begin(), piece.lines.end(), [&](const auto& line) { return line.name == name; });
+}
+
+// The smaller part laid back over the rest, where that is.
+Result<std::shared_ptr<const Form>> turnedForm(const Piece& now, const Piece& old, const FoldLine& op, double spacing) {
+  constexpr double kRound = 0.004;  // metres from the fold within which the layers part
+  const Parting parting(old, lineNamed(old, op.lines.front()));
+  const double side = op.angle > 0 ? 1 : -1;
+  return liftedForm(now, old, spacing, [&](Flat place) {
+    if (!parting.beyond(place)) return LiftedPlace{place, 0};
+    const Flat foot = parting.foot(place);
+    return LiftedPlace{foot * 2 - place, side * kLayersApart * std::min(1.0, distance(place, foot) / kRound)};
+  });
+}
+
+}  // namespace
+
+Done resolve(const Document& before, FoldLine& op, Context&) {
+  if (Done done = resolve(before, op.piece); !done) return done;
+  const Piece& piece = *before.find(op.piece.id);
+  if (op.lines.empty()) return refused(say("Say which lines are folded: line=turn."));
+  for (const std::string& name : op.lines)
+    if (std::none_of(piece.lines.begin(), piece.lines.end(), [&](const auto& line) { return line.name == name; }))
+      return refused(say("“{0}” has no line “{1}”; draw it first: line piece={0} along=… name={1}.", piece.name, name));
+  constexpr double kRounded = 1e-9;  // radians: 170 degrees as they were written are no more than that
+  if (std::fabs(op.angle) > Crease::kSharpest && std::fabs(op.angle) < Crease::kSharpest + kRounded)
+    op.angle = Angle{std::copysign(Crease::kSharpest, op.angle)};
+  if (!(std::fabs(op.angle) <= Crease::kSharpest))
+    return refused(
+        say("Cloth is folded by up to 170 degrees; what is turned over altogether is a hem or a piece of "
+            "its own."));
+  if (!(op.hold >= 0.1 && op.hold <= 0.99)) return refused(say("A fold holds 0.1 to 0.99 of its angle."));
+  if (!op.turned) return {};
+  constexpr double kOver = 2.6;  // radians: less is no turning over
+  if (op.lines.size() != 1 || std::fabs(op.angle) < kOver)
+    return refused(say("What is turned back is folded along one line, by 150 to 170 degrees: line=turn angle=170deg."));
+  if (!Parting(piece, lineNamed(piece, op.lines.front())).reachesAcross(piece))
+    return refused(say("“{0}” does not reach from edge to edge; only then can what is beyond it be turned back.",
+                       op.lines.front()));
+  return {};
+}
+
+Result<Document> perform(const Document& before, const FoldLine& op, Context&) {
+  const Piece& old = *before.find(op.piece.id);
+  Piece piece = old;
+  for (InternalLine& line : piece.lines)
+    if (std::find(op.lines.begin(), op.lines.end(), line.name) != op.lines.end())
+      line.crease = op.angle == 0 ? std::nullopt : std::optional(Crease{op.angle, op.hold});
+  if (op.turned) {
+    auto form = turnedForm(piece, old, op, before.settings.spacing);
+    if (!form) return form.error();
+    piece.form = *std::move(form);
+  }
+  return withPiece(before, std::move(piece));
+}
+
+}  // namespace karinui
