@@ -18,6 +18,7 @@
 #include "karinui/design/operations/placing.h"
 #include "karinui/design/operations/sewing.h"
 #include "karinui/design/operations/sizes.h"
+#include "karinui/design/operations/tracing.h"
 
 namespace karinui {
 
@@ -30,10 +31,10 @@ template <class... Ops>
 std::variant<Ops...> variantOf(OperationList<Ops...>);
 
 // The order of --help and of docs/format/operations.md; the first is what an empty Operation holds.
-using PlainOperation =
-    decltype(variantOf(FigureOperations() + DraftingOperations() + PaperOperations() + OutlineOperations() +
-                       MarksOperations() + SewingOperations() + PlacingOperations() + DrapingOperations() +
-                       FabricOperations() + FinishingOperations() + SizesOperations() + FasteningOperations()));
+using PlainOperation = decltype(variantOf(
+    FigureOperations() + DraftingOperations() + PaperOperations() + OutlineOperations() + MarksOperations() +
+    SewingOperations() + PlacingOperations() + DrapingOperations() + FabricOperations() + FinishingOperations() +
+    SizesOperations() + FasteningOperations() + TracingOperations()));
 
 // Any operation. The fields named in `formulas` are given by formulas: what the struct holds there is their value as
 // it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand.
