@@ -10,7 +10,9 @@ namespace karinui {
 
 namespace {
 
-constexpr double kBeyond = 2;  // of the rectangle's longer side: what is farther out is left off
+// Of the rectangle's longer side: what is farther out is left off. Nearer where the horizon is in the picture, for
+// towards it everything becomes endless.
+constexpr double kBeyond = 20, kBeforeHorizon = 2;
 
 Flat flipped(Flat picture) { return {picture.u, -picture.v}; }
 
@@ -62,19 +64,17 @@ Result<Straightened> straightened(const PrintPixels& picture, const std::array<F
     from = {std::min(from.u, p.u), std::min(from.v, p.v)}, to = {std::max(to.u, p.u), std::max(to.v, p.v)};
   };
   for (const Flat p : paper) hold(p, least, most);
-  const double beyond = kBeyond * std::max(sides.u, sides.v);
-  least = least - Flat{beyond, beyond}, most = most + Flat{beyond, beyond};
   const double sign = toPaper->depth(seen[0]) > 0 ? 1 : -1;
   const double w = picture.width, h = picture.height;
+  bool horizon = false;
   for (const Flat corner : {Flat{0, 0}, Flat{w, 0}, Flat{w, -h}, Flat{0, -h}}) {
-    if (!(sign * toPaper->depth(corner) > 0)) {  // the horizon lies within the picture
-      low = least, high = most;
-      break;
-    }
-    hold((*toPaper)(corner), low, high);
+    horizon = horizon || !(sign * toPaper->depth(corner) > 0);
+    if (!horizon) hold((*toPaper)(corner), low, high);
   }
-  low = {std::max(low.u, least.u), std::max(low.v, least.v)};
-  high = {std::min(high.u, most.u), std::min(high.v, most.v)};
+  const double far = (horizon ? kBeforeHorizon : kBeyond) * std::max(sides.u, sides.v);
+  least = least - Flat{far, far}, most = most + Flat{far, far};
+  low = horizon ? least : Flat{std::max(low.u, least.u), std::max(low.v, least.v)};
+  high = horizon ? most : Flat{std::min(high.u, most.u), std::min(high.v, most.v)};
 
   // As fine as the rectangle was photographed, on the average.
   double area = 0;
