@@ -278,6 +278,13 @@ void TableLayout::arrange(const GarmentSnapshot& snapshot) {
   for (const auto& worn : snapshot.worn) {
     if (place_.contains(worn.id)) continue;
     const Box& b = room.at(worn.id);
+    // What was traced lies on its scan again, when the document is opened anew.
+    const Flat middle{(b.low.x + b.high.x) / 2, (b.low.y + b.high.y) / 2};
+    if (underlayAt(document.underlays, middle) &&
+        std::none_of(place_.begin(), place_.end(), [&](const auto& other) { return meet(worn.id, other.first); })) {
+      place_[worn.id] = {};
+      continue;
+    }
     if (any && right + b.size().x > kTableWide) {
       top = low - kTableGap;
       right = 0;

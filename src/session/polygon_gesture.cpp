@@ -38,7 +38,9 @@ class PolygonGesture : public Gesture {
     polygon.name = usableName(context.snapshot->document, "polygon");
     Flat middle;
     for (const Flat p : places_) middle += p * (1.0 / static_cast<double>(places_.size()));
-    middle = {std::round(middle.u / kWhole) * kWhole, std::round(middle.v / kWhole) * kWhole};
+    // On a scan the paper's places are those of the table, so that it lies there again.
+    const bool traced = underlayAt(context.snapshot->document.underlays, middle);
+    middle = traced ? Flat{} : Flat{std::round(middle.u / kWhole) * kWhole, std::round(middle.v / kWhole) * kWhole};
     for (std::size_t i = 0; i < places_.size(); ++i) {
       polygon.points.push_back(tenth(places_[i] - middle));
       if (std::find(curved_.begin(), curved_.end(), true) != curved_.end())

@@ -133,6 +133,9 @@ TEST(Trace, APieceTracedFromAScanHasTheLengthsOfThePaper) {
   // It lies on the scan, upright as it was traced.
   const Flat lies = t.session.table().at(piece->id);
   EXPECT_LT(distance(piece->outline.edges[0].curve.start + lies, t.there(kPiece[0])), 0.0002);
+  TableLayout anew;
+  anew.arrange(t.session.snapshot());
+  EXPECT_EQ(anew.at(piece->id), lies) << "also when the document is opened again";
   EXPECT_LT(std::fabs(piece->outline.edges[4].curve.start.u - piece->outline.edges[4].curve.end.u), 0.0005);
 }
 
