@@ -10,6 +10,7 @@
 #include "karinui/geometry/polygon.h"
 #include "karinui/pattern/darts.h"
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/seam_walk.h"
 #include "karinui/pattern/symmetry.h"
 #include "main_window.h"
 #include "new_pieces.h"
@@ -72,7 +73,60 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
   else
     chosen.pieces = session_->selection().pieces;
   refresh();
+  scan_.clear();
+  if (sample.where == PointerSample::Where::Table && !hit.piece && !hit.edge)
+    if (const auto* name = underlayAt(session_->snapshot().document.underlays, sample.place)) scan_ = *name;
   menuOf(chosen, hit, global, led);
+}
+
+// Where the print on both sides is alike: it can meet here, at a notch near by, or at the seam's start.
+void MainWindow::addMatching(QMenu& menu, const Selection& chosen) {
+  const Document& document = session_->snapshot().document;
+  const Seam& seam = *document.find(chosen.seam);
+  if (!printMeeting(document, seam, photosOf(session_->snapshot()))) return;
+  MatchPrint start;
+  start.seam = SeamRef(chosen.seam);
+  offer(menu, say("Match the print at the seam's start"), start);
+  if (!chosen.edge) return;
+  const SeamSides sides(document.pattern, seam);
+  for (const SeamSide* side : {&sides.a, &sides.b})
+    for (std::size_t k = 0; k < side->spans().size(); ++k) {
+      const EdgeSpan& span = side->spans()[k];
+      if (span.piece != chosen.edge->piece || span.edge != chosen.edge->edge) continue;
+      constexpr double kNotch = 0.02;  // metres along the edge: so near a notch is meant
+      const Piece& piece = *document.find(span.piece);
+      const double whole = findEdge(piece, span.edge) ? findEdge(piece, span.edge)->curve.length() : 0;
+      double at = chosen.edge->fraction, nearest = kNotch;
+      for (const Mark& mark : piece.marks)
+        if (const double away = std::fabs(mark.fraction - chosen.edge->fraction) * whole;
+            mark.edge == span.edge && away < nearest)
+          nearest = away, at = mark.fraction;
+      MatchPrint here = start;
+      here.at = std::clamp(std::round(side->fractionOf(k, at) * 1000) / 1000, 0.0, 1.0);
+      return offer(menu, nearest < kNotch ? say("Match the print at this notch") : say("Match the print here"), here);
+    }
+}
+
+void MainWindow::addScanOperations(QMenu& menu, const std::string& name) {
+  const Underlay& lies = session_->snapshot().document.underlays.at(name);
+  const auto wish = [&] {
+    LayUnderlay op;
+    op.name = name;
+    return op;
+  };
+  LayUnderlay hidden = wish(), weaker = wish(), stronger = wish(), numbers = wish(), none = wish();
+  hidden.hidden = !lies.hidden;
+  constexpr double kStep = 0.2;
+  weaker.strength = std::max(0.1, std::round((lies.strength - kStep) * 10) / 10);
+  stronger.strength = std::min(1.0, std::round((lies.strength + kStep) * 10) / 10);
+  numbers.width = Length{lies.width}, numbers.at = lies.at, numbers.turn = Angle{lies.turn};
+  numbers.strength = lies.strength;
+  none.none = true;
+  offer(menu, lies.hidden ? say("Show the scan") : say("Hide the scan"), hidden);
+  offer(menu, say("Fainter"), weaker);
+  offer(menu, say("Stronger"), stronger);
+  offer(menu, say("Size and place of the scan…"), [this, numbers] { askNumbers(numbers); });
+  offer(menu, say("Take the scan out"), none);
 }
 
 void MainWindow::offer(QMenu& menu, const Message& words, std::function<void()> what) {
@@ -100,6 +154,7 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
   if (chosen.seam) {
     menu->addAction(actions_[Command::FlipSeam]);
     offer(*menu, say("Unpick this seam"), Unsew{{SeamRef(chosen.seam)}});
+    addMatching(*menu, chosen);
     menu->addSeparator();
   }
   const auto offerTopstitch = [&](PieceId piece, const std::string& line) {
@@ -126,6 +181,10 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     }
     menu->addAction(actions_[Command::Remove]);
     return menu->popup(global);
+  }
+  if (at && !scan_.empty() && session_->snapshot().document.underlays.contains(scan_)) {
+    menu->addAction(actions_[Command::Trace]);
+    addScanOperations(*menu, scan_);
   }
   if (chosen.edge) addEdgeOperations(*menu, *chosen.edge, led);
   if (at && at->piece && !at->edge) {

@@ -17,6 +17,7 @@
 #include "cut_board.h"
 #include "edge_numbers.h"
 #include "karinui/base/number.h"
+#include "karinui/design/print_match.h"
 #include "karinui/design/step_words.h"
 #include "karinui/design/truing_said.h"
 #include "karinui/pattern/edit.h"
@@ -400,12 +401,15 @@ void GarmentPanel::fillTree() {
       item->setSelected(true), current = item;
   }
   const TruingReport trued = truing(document.pattern, document.eases);
+  const PhotoTall tall = photosOf(session_.snapshot());
   for (const auto& [id, seam] : document.pattern.seams) {
     auto* item = new QTreeWidgetItem(tree_);
     item->setText(0, seamName(document, seam) + (seam.tie == Seam::Tie::TwoToOne ? "   2:1" : ""));
     item->setToolTip(0, item->text(0));
     item->setIcon(0, Theme::here().icon("sew"));
-    if (const auto faults = faultsSaid(document, trued, id); !faults.empty()) {
+    std::vector<Message> faults = faultsSaid(document, trued, id);
+    for (Message& miss : unmatchedSaid(document, tall, id)) faults.push_back(std::move(miss));
+    if (!faults.empty()) {
       item->setText(0, item->text(0) + "   ⚠");
       QString said = item->toolTip(0);
       for (const Message& fault : faults) said += "\n" + inWords(fault);
@@ -441,7 +445,8 @@ void GarmentPanel::fillProperties() {
     frozen_->setChecked(piece->frozen);
     grain_->setValue(std::atan2(piece->grain.u, piece->grain.v) * 180 / std::numbers::pi);
     cut_->refresh();
-    look_->show(lookOf(document, *piece));
+    const auto shift = document.looks.shifts.find(piece->id);
+    look_->show(lookOf(document, *piece), shift == document.looks.shifts.end() ? Flat() : shift->second);
     area_->setText(areaText(piece->outline.area()));
   }
   if (piece && selection.edge) {

@@ -78,7 +78,28 @@ LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> a
   turn_->setKeyboardTracking(false);
   turn_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   rows->addRow(word(fieldSaid("look", "turn")), turn_);
+  shiftRow_ = new QWidget;
+  auto* shifts = new QHBoxLayout(shiftRow_);
+  shifts->setContentsMargins(0, 0, 0, 0);
+  across_ = new LengthBox(say("Print begins, across the grain"), -2, 2);
+  along_ = new LengthBox(say("Print begins, along the grain"), -2, 2);
+  shifts->addWidget(across_, 1);
+  shifts->addWidget(along_, 1);
+  rows->addRow(word(fieldSaid("look", "shift")), shiftRow_);
   form->addRow(printRows_);
+  form->addRow(word(fieldSaid("look", "wrong")),
+               dyeRow(fieldSaid("look", "wrong"), wrong_, wrongTyped_, &SetLook::wrong));
+  wrongPrint_ = new QComboBox;
+  wrongPrint_->setObjectName("look_wrong_print");
+  fill(*wrongPrint_, kPrints);
+  letShrink(*wrongPrint_);
+  form->addRow(word(fieldSaid("look", "wrong_print")), wrongPrint_);
+  wrongInkRow_ = new QWidget;
+  auto* inks = new QFormLayout(wrongInkRow_);
+  inks->setContentsMargins(0, 0, 0, 0);
+  inks->addRow(word(fieldSaid("look", "wrong_ink")),
+               dyeRow(fieldSaid("look", "wrong_ink"), wrongInk_, wrongInkTyped_, &SetLook::wrongInk));
+  form->addRow(wrongInkRow_);
   photo_ = new QPushButton;
   plain_ = new QPushButton;
   Theme::here().keep(photo_, [this] {
@@ -88,6 +109,7 @@ LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> a
     turn_->setAccessibleName(inWords(fieldSaid("look", "turn")));
     finish_->setAccessibleName(inWords(fieldSaid("look", "finish")));
     print_->setAccessibleName(inWords(fieldSaid("look", "print")));
+    wrongPrint_->setAccessibleName(inWords(fieldSaid("look", "wrong_print")));
   });
   form->addRow(photo_);
   form->addRow(plain_);
@@ -98,6 +120,14 @@ LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> a
     const auto kind = static_cast<PrintKind>(k);
     if (kind == PrintKind::Photo && shown_.photo.empty()) return askPhoto();
     perform([kind](SetLook& look) { look.print = kind; });
+  });
+  connect(wrongPrint_, &QComboBox::activated, this,
+          [this](int k) { perform([k](SetLook& look) { look.wrongPrint = static_cast<PrintKind>(k); }); });
+  connect(across_, &LengthBox::typed, this, [this](double metres) {
+    perform([&](SetLook& look) { look.shift = Flat{metres, shift_.value_or(Flat()).v}; });
+  });
+  connect(along_, &LengthBox::typed, this, [this](double metres) {
+    perform([&](SetLook& look) { look.shift = Flat{shift_.value_or(Flat()).u, metres}; });
   });
   connect(repeat_, &LengthBox::typed, this,
           [this](double metres) { perform([metres](SetLook& look) { look.repeat = Length{metres}; }); });
@@ -132,8 +162,7 @@ QWidget* LookBoard::dyeRow(const Message& name, QPushButton*& button, QLineEdit*
     if (chosen.isValid()) perform([&](SetLook& look) { look.*field = dyeOf(chosen); });
   });
   connect(typed, &QLineEdit::editingFinished, this, [this, typed, field] {
-    const bool colour = field == &SetLook::colour;
-    const Dye now = colour ? shown_.colour : shown_.ink;
+    const Dye now = shownDye(field);
     QString words = typed->text().trimmed();
     if (!words.startsWith('#')) words.prepend('#');
     const QColor wanted(words);
@@ -144,22 +173,37 @@ QWidget* LookBoard::dyeRow(const Message& name, QPushButton*& button, QLineEdit*
   return row;
 }
 
+Dye LookBoard::shownDye(std::optional<Dye> SetLook::*field) const {
+  if (field == &SetLook::colour) return shown_.colour;
+  if (field == &SetLook::ink) return shown_.ink;
+  const WrongSide wrong = shown_.wrong.value_or(WrongSide{shown_.colour, PrintKind::None, shown_.ink});
+  return field == &SetLook::wrong ? wrong.colour : wrong.ink;
+}
+
 void LookBoard::paint(QPushButton& button, QLineEdit& box, const Dye& dye) {
   const QString name = onScreen(dye).name();
   button.setStyleSheet("background: " + name + ";");
   box.setText(name);
 }
 
-void LookBoard::show(const Look& look) {
+void LookBoard::show(const Look& look, std::optional<Flat> shift) {
   filling_ = true;
   shown_ = look;
+  shift_ = shift;
   finish_->setCurrentIndex(static_cast<int>(look.finish));
   print_->setCurrentIndex(static_cast<int>(look.print));
   paint(*colour_, *colourTyped_, look.colour);
   paint(*ink_, *inkTyped_, look.ink);
   repeat_->setMetres(look.repeat);
   turn_->setValue(look.turn * 180 / std::numbers::pi);
-  printRows_->setVisible(look.print != PrintKind::None);
+  paint(*wrong_, *wrongTyped_, shownDye(&SetLook::wrong));
+  paint(*wrongInk_, *wrongInkTyped_, shownDye(&SetLook::wrongInk));
+  const PrintKind wrongPrint = look.wrong ? look.wrong->print : PrintKind::None;
+  wrongPrint_->setCurrentIndex(static_cast<int>(wrongPrint));
+  wrongInkRow_->setVisible(wrongPrint != PrintKind::None);
+  across_->setMetres(shift.value_or(Flat()).u), along_->setMetres(shift.value_or(Flat()).v);
+  shiftRow_->setVisible(shift.has_value());
+  printRows_->setVisible(look.print != PrintKind::None || wrongPrint != PrintKind::None);
   filling_ = false;
 }
 

@@ -20,24 +20,27 @@ class LookBoard : public QWidget {
  public:
   // `about`: an operation that names the fabric or the pieces and nothing else; nothing: there is none.
   LookBoard(Session& session, std::function<std::optional<SetLook>()> about);
-  void show(const Look& look);
+  // `shift`: where its print begins, of a piece; nothing: of a fabric.
+  void show(const Look& look, std::optional<Flat> shift = {});
 
  private:
   void perform(const std::function<void(SetLook&)>& change);
   void paint(QPushButton& button, QLineEdit& box, const Dye& dye);
   QWidget* dyeRow(const Message& name, QPushButton*& button, QLineEdit*& box, std::optional<Dye> SetLook::*field);
+  Dye shownDye(std::optional<Dye> SetLook::*field) const;
   void askPhoto();
 
   Session& session_;
   std::function<std::optional<SetLook>()> about_;
   Look shown_;
   bool filling_ = false;
-  QComboBox *finish_, *print_;
-  QPushButton *colour_, *ink_, *photo_, *plain_;
-  QLineEdit *colourTyped_, *inkTyped_;
-  LengthBox* repeat_;
+  std::optional<Flat> shift_;
+  QComboBox *finish_, *print_, *wrongPrint_;
+  QPushButton *colour_, *ink_, *photo_, *plain_, *wrong_, *wrongInk_;
+  QLineEdit *colourTyped_, *inkTyped_, *wrongTyped_, *wrongInkTyped_;
+  LengthBox *repeat_, *across_, *along_;
   QDoubleSpinBox* turn_;
-  QWidget* printRows_;
+  QWidget *printRows_, *shiftRow_, *wrongInkRow_;
 };
 
 }  // namespace karinui::studio

@@ -101,8 +101,12 @@ class MainWindow : public QMainWindow {
   void menuAt(const PointerSample& sample, const QPoint& global);  // chooses what lies there first
   void menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global,
               const std::optional<EdgeNear>& led = std::nullopt);
+  void askScan();
+  void addMatching(QMenu& menu, const Selection& chosen);
+  void addScanOperations(QMenu& menu, const std::string& name);
   void askNumbers(Operation operation);  // before it is done
   std::optional<SewPatch> patch_;        // what the menu of the right button offers
+  std::string scan_;                     // under it; empty: none
   void askBlock();                       // a new garment from a ready block
   void menuOfPlace(PlacePiece place, const QPoint& global);
   void offer(QMenu& menu, const Message& words, Operation operation);

@@ -182,6 +182,18 @@ void MainWindow::makeMenus() {
   QMenu* blocks = work->addMenu(QString());
   Theme::here().keep(blocks, [blocks] { blocks->setTitle(inWords(say("Ready blocks"))); });
   fillBlocks(*blocks, *session_, [this] { askNumbers(DraftBlock{}); });
+  QMenu* scans = work->addMenu(QString());
+  scans->setObjectName("scans");
+  Theme::here().keep(scans, [scans] { scans->setTitle(inWords(say("Scans to trace"))); });
+  connect(scans, &QMenu::aboutToShow, this, [this, scans] {
+    scans->clear();
+    QAction* lay = scans->addAction(inWords(say("Lay a scan under the pattern…")));
+    lay->setObjectName("lay_scan");
+    lay->setEnabled(!session_->readOnly());
+    connect(lay, &QAction::triggered, this, [this] { askScan(); });
+    for (const auto& [name, underlay] : session_->snapshot().document.underlays)
+      addScanOperations(*scans->addMenu(nameText(name)), name);
+  });
   add(work, say("Make up the pattern…"), "", "", [this] { (new MakeUpDialog(*session_, this))->open(); });
   work->addSeparator();
   QMenu* sizes = work->addMenu(QString());

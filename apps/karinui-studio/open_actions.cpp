@@ -65,6 +65,8 @@ void MainWindow::fillRecent() {
 
 void MainWindow::openPath(const QString& path) {
   const std::filesystem::path file = path.toStdString();
+  const QString ending = QFileInfo(path).suffix().toLower();
+  if (ending == "png" || ending == "jpg" || ending == "jpeg") return session_->importScan(file);
   const FileContent content = contentOf(file);
   if (content == FileContent::None) return tell({Notice::Kind::Refused, unreadable(file).what});
   if (atStart()) start_->leave();  // it may be reading this very file
@@ -139,6 +141,12 @@ void MainWindow::askImport() {
       this, inWords(say("Import")), {},
       filterReading(inWords(say("Bodies and patterns")),
                     {FileContent::Body, FileContent::Pattern, FileContent::Script, FileContent::Measures}));
+  if (!path.isEmpty()) openPath(path);
+}
+
+void MainWindow::askScan() {
+  const QString path = QFileDialog::getOpenFileName(this, inWords(say("Lay a scan under the pattern")), {},
+                                                    inWords(say("Photographs")) + " (*.png *.jpg *.jpeg)");
   if (!path.isEmpty()) openPath(path);
 }
 

@@ -41,6 +41,14 @@ void PatternView::showAll() {
       low = {std::fmin(low.u, q.u), std::fmin(low.v, q.v)};
       high = {std::fmax(high.u, q.u), std::fmax(high.v, q.v)};
     }
+  for (const auto& [name, underlay] : session_.snapshot().document.underlays)
+    if (!underlay.hidden)
+      for (const Flat corner : {Flat{0, 0}, Flat{1.0 * underlay.wide, 0}, Flat{0, 1.0 * underlay.high},
+                                Flat{1.0 * underlay.wide, 1.0 * underlay.high}}) {
+        const Flat q = underlay.onTable(corner);
+        low = {std::fmin(low.u, q.u), std::fmin(low.v, q.v)};
+        high = {std::fmax(high.u, q.u), std::fmax(high.v, q.v)};
+      }
   if (low.u > high.u) low = {0, -0.7}, high = {0.9, 0};
   middle_ = lerp(low, high, 0.5);
   const Flat size = high - low;
@@ -51,7 +59,7 @@ void PatternView::showAll() {
 }
 
 void PatternView::refresh() {
-  const std::size_t pieces = session_.snapshot().worn.size();
+  const std::size_t pieces = session_.snapshot().worn.size() + session_.snapshot().document.underlays.size();
   if (pieces != piecesShown_ && !mine_) showAll();
   piecesShown_ = pieces;
   update();
@@ -83,9 +91,10 @@ void PatternView::paintEvent(QPaintEvent*) {
     }
   }
   const Preview preview = session_.preview();
-  const TableFrame frame =
-      tableFrameOf(session_.snapshot(), session_.table(), session_.selection(),
-                   {Theme::here().language(), session_.tool() == Command::Points, nest_, preview.outlines}, &rooms_);
+  const TableFrame frame = tableFrameOf(
+      session_.snapshot(), session_.table(), session_.selection(),
+      {Theme::here().language(), session_.tool() == Command::Points, nest_, true, preview.outlines, preview.underlays},
+      &rooms_);
   paintTable(painter, frame, screen());
   for (const TableLine& line : preview.table.lines) {
     QPolygonF points;
@@ -120,7 +129,7 @@ void PatternView::paintEvent(QPaintEvent*) {
   painter.drawLine(left - QPointF(0, 4), left + QPointF(0, 4));
   painter.drawLine(right - QPointF(0, 4), right + QPointF(0, 4));
   painter.drawText(left + QPointF(2, -6), lengthText(ruler));
-  if (frame.pieces.empty()) {
+  if (frame.pieces.empty() && frame.scans.empty()) {
     painter.setPen(p.faint);
     painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap,
                      inWords(say("Pieces you draw on the body appear here as flat paper pattern.")));

@@ -28,6 +28,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"attach", "edge to turn"},
     {"fasten", "kind a b count first last size length closed closed_length"},
     {"block", "kind ease length fabric"},
+    {"underlay", "width at turn strength rectangle"},
 };
 
 bool isFirst(std::string_view operation, std::string_view field) {

@@ -239,9 +239,18 @@ void paintSeam(QPainter& painter, const TableSeam& seam, const TableOnScreen& sc
   }
 }
 
+void paintScan(QPainter& painter, const TableScan& scan, const TableOnScreen& screen) {
+  const auto corners = scan.corners();
+  painter.save();
+  painter.setOpacity(scan.strength);
+  paintPicture(painter, *scan.image, {screen.at(corners[3]), screen.at(corners[2]), screen.at(corners[0])});
+  painter.restore();
+}
+
 }  // namespace
 
 void paintTable(QPainter& painter, const TableFrame& frame, const TableOnScreen& screen) {
+  for (const TableScan& scan : frame.scans) paintScan(painter, scan, screen);
   for (const TablePiece& piece : frame.pieces) paintPiece(painter, piece, screen);
   for (const TableSeam& seam : frame.seams) paintSeam(painter, seam, screen);
   for (const TablePiece& piece : frame.pieces)

@@ -54,6 +54,9 @@ int answerCheck(Program& program, const CheckOptions& options) {
       words += pressureWords(*fit->pressure, program.console);
       object["pressure_mean_kpa"] = fit->pressure->mean / 1000, object["pressure_p99_kpa"] = fit->pressure->p99 / 1000;
     }
+    const PhotoTall tall = photosIn(opened.file().blobs());
+    if (const Json prints = printsJson(opened.document(), tall); !prints.empty()) object["prints"] = prints;
+    words += printWords(opened.document(), tall, program.console);
     program.console.answer(object, words);
     return kDone;
   });

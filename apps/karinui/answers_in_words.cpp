@@ -155,6 +155,17 @@ std::string infoWords(const Document& document, const Console& console) {
   return words;
 }
 
+std::string printWords(const Document& document, const PhotoTall& tall, const Console& console) {
+  std::size_t printed = 0;
+  for (const auto& [id, seam] : document.pattern.seams) printed += printMeeting(document, seam, tall).has_value();
+  if (printed == 0) return {};
+  const std::vector<Message> misses = unmatchedSaid(document, tall);
+  std::string words =
+      console.said(say("The print matches in {0} of {1} {1|seam|seams}.", printed - misses.size(), printed)) + "\n";
+  for (const Message& miss : misses) words += "  " + console.said(miss) + "\n";
+  return words;
+}
+
 std::string truingWords(const Document& document, const TruingReport& report, const Console& console) {
   const std::size_t faults = report.faults();
   std::string words = console.said(report.seams.empty() ? say("Nothing is sewn yet.")

@@ -4,6 +4,7 @@
 #include "console.h"
 #include "karinui/body/body.h"
 #include "karinui/design/drape.h"
+#include "karinui/design/print_match.h"
 #include "karinui/pattern/truing.h"
 #include "karinui/session/fit.h"
 
@@ -16,6 +17,8 @@ std::string pressureWords(const PressureReport& pressure, const Console& console
 // `document`: as it was settled, with its report. `kept`: it was at rest before.
 std::string settleWords(const Examination& check, const Document& document, bool kept, const Console& console);
 std::string infoWords(const Document& document, const Console& console);
+// Whether prints match at the seams; empty where nothing is printed on both sides of one.
+std::string printWords(const Document& document, const PhotoTall& tall, const Console& console);
 std::string truingWords(const Document& document, const TruingReport& report, const Console& console);
 
 }  // namespace karinui::app

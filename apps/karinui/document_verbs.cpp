@@ -73,18 +73,36 @@ int runPlay(Program& program, const PlayOptions& options) {
   });
 }
 
-// The photograph becomes a part of the document, and the operations `look` are about it.
+// The photograph becomes a part of the document: the operations `look` print it, the first `underlay` is traced.
 Done giveThePhoto(OpenDocument& opened, const std::string& photo, std::vector<Operation>& operations) {
   if (photo.empty()) return {};
-  const bool asked = std::any_of(operations.begin(), operations.end(),
-                                 [](const Operation& one) { return std::holds_alternative<SetLook>(one); });
-  if (!asked) return refused(say("A photograph is printed by the operation look: 'look fabric=cotton repeat=20cm'."));
-  const auto image = readPrint(photo, opened.context().token);
-  if (!image) return image.error();
-  const auto blob = opened.file().blobs().put(packPrint(*image));
-  if (!blob) return blob.error();
-  for (Operation& operation : operations)
-    if (auto* look = std::get_if<SetLook>(&operation); look && look->photo.empty()) look->photo = *blob;
+  const auto is = [&]<class Op>(const Op*) {
+    return std::find_if(operations.begin(), operations.end(),
+                        [](const Operation& one) { return std::holds_alternative<Op>(one); });
+  };
+  const auto look = is(static_cast<SetLook*>(nullptr)), underlay = is(static_cast<LayUnderlay*>(nullptr));
+  if (look == operations.end() && underlay == operations.end())
+    return refused(
+        say("A photograph is printed by the operation look ('look fabric=cotton repeat=20cm') and traced by "
+            "'underlay'."));
+  const Token& token = opened.context().token;
+  const auto keep = [&](const PrintPixels& image) { return opened.file().blobs().put(packPrint(image)); };
+  if (look != operations.end()) {
+    const auto image = readPrint(photo, token);
+    if (!image) return image.error();
+    const auto blob = keep(*image);
+    if (!blob) return blob.error();
+    for (Operation& operation : operations)
+      if (auto* one = std::get_if<SetLook>(&operation); one && one->photo.empty()) one->photo = *blob;
+  }
+  if (underlay != operations.end()) {
+    const auto scan = readScan(photo, token);
+    if (!scan) return scan.error();
+    if (const auto shrunk = scan->shrunk()) opened.program().console.note(*shrunk);
+    const auto blob = keep(scan->image);
+    if (!blob) return blob.error();
+    if (auto& lay = std::get<LayUnderlay>(*underlay); lay.photo.empty()) lay.photo = *blob;
+  }
   return {};
 }
 
@@ -378,7 +396,8 @@ void addDocumentVerbs(Program& program) {
   verb = program.verb(program.cli, "do", help("Does operations on a document"), perform, runDo);
   verb->add_option("document", perform->path, help("The .karinui document"))->required();
   verb->add_option("operation", perform->operations, help("'OP key=value …', one or more"))->required();
-  verb->add_option("--photo", perform->photo, help("A photograph (PNG or JPEG) for the operation look"));
+  verb->add_option("--photo", perform->photo,
+                   help("A photograph (PNG or JPEG) for the operation look, or a scan for underlay"));
   verb->footer([perform] { return vocabulary(perform->path); });
 
   auto undo = std::make_shared<DocumentOnly>(), redo = std::make_shared<DocumentOnly>(),

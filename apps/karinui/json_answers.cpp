@@ -147,6 +147,18 @@ Json infoJson(const Document& document) {
   return object;
 }
 
+Json printsJson(const Document& document, const PhotoTall& tall) {
+  Json seams = Json::array();
+  for (const auto& [id, seam] : document.pattern.seams)
+    if (const auto meets = printMeeting(document, seam, tall))
+      seams.push_back({{"id", text(id)},
+                       {"name", seam.name},
+                       {"misses_m", meets->most},
+                       {"at", meets->at},
+                       {"matches", meets->most < kPrintMeets}});
+  return seams;
+}
+
 Json truingJson(const Document& document, const TruingReport& report) {
   Json seams = Json::array(), corners = Json::array();
   for (const SeamTruing& seam : report.seams)

@@ -4,6 +4,7 @@
 #include "karinui/body/body.h"
 #include "karinui/design/drape.h"
 #include "karinui/design/history.h"
+#include "karinui/design/print_match.h"
 #include "karinui/pattern/truing.h"
 #include "karinui/session/fit.h"
 
@@ -16,6 +17,7 @@ Json continuationJson(const SettleReport& report);  // of a report that has one
 Json stepJson(const Step& step, const Document& after);
 Json fitJson(const std::vector<Girths>& girths, const std::optional<PressureReport>& pressure);
 Json infoJson(const Document& document);
+Json printsJson(const Document& document, const PhotoTall& tall);
 Json truingJson(const Document& document, const TruingReport& report);
 
 // "key: value" lines, nested objects indented: for answers that programs read more than people.

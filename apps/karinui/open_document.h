@@ -34,6 +34,7 @@ class OpenDocument {
   Result<Step> performWith(Operation operation, Context& context);  // with another's blobs
   bool settled() const { return settled_; }
   Result<SceneFrame> scene();  // the garment on its body, for pictures
+  Prints prints();
 
  private:
   Program& program_;
@@ -41,7 +42,6 @@ class OpenDocument {
   Bodies bodies_;
   DocumentFile file_;
   std::optional<Context> context_;
-  Prints prints();
   PrintShelf shelf_;
   bool settled_ = true;
   std::size_t remarksTold_ = 0;

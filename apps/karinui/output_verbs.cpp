@@ -79,6 +79,7 @@ void addOutputVerbs(Program& program) {
       ->excludes(map)
       ->excludes(eyes);
   verb->add_flag("--nest", wish->nest, help("with --table: graded pieces in all their sizes, over one another"));
+  verb->add_flag("--scans", wish->scans, help("with --table: over the scans that are traced"));
   verb->add_option("--size", wish->size, help("WIDTHxHEIGHT in pixels"));
 }
 

@@ -74,13 +74,14 @@ Result<Image> fittingPicture(OpenDocument& opened, const PictureOptions& options
   return image;
 }
 
-Result<Image> tablePicture(OpenDocument& opened, const PictureOptions& options, bool nest) {
-  const SnapshotPtr garment = snapshotOf(opened.document(), nullptr);
+Result<Image> tablePicture(OpenDocument& opened, const PictureOptions& options, const PictureRequest& request) {
+  const SnapshotPtr garment = snapshotOf(opened.document(), nullptr, opened.prints());
   TableLayout layout;
   layout.arrange(*garment);
   TableFrameOptions shown;
   shown.language = options.language;
-  shown.nest = nest;
+  shown.nest = request.nest;
+  shown.scans = request.scans;
   std::vector<Message> notes;
   Result<Image> image =
       drawTable(tableFrameOf(*garment, layout, {}, shown), {options.width, options.height, options.language}, &notes);
@@ -121,7 +122,7 @@ Done checkPicture(const PictureRequest& request) {
 Result<Image> pictureOf(OpenDocument& opened, const PictureRequest& request) {
   const Result<PictureOptions> options = picked(request);
   if (!options) return options.error();
-  if (request.table) return tablePicture(opened, *options, request.nest);
+  if (request.table) return tablePicture(opened, *options, request);
   const Result<ViewCut> cut = cutOf(request);
   if (!cut) return cut.error();
   return fittingPicture(opened, *options, *cut);

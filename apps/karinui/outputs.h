@@ -22,7 +22,7 @@ Result<std::string> exportBytes(OpenDocument& opened, const ExportRequest& reque
 
 struct PictureRequest {
   std::string view = "front", map = "none", eyes = "mono", size = "1200x1600", hide, section;
-  bool table = false, nest = false;  // the flat pattern instead; in all its sizes
+  bool table = false, nest = false, scans = false;  // the flat pattern instead; in all its sizes; over what is traced
 };
 Done checkPicture(const PictureRequest& request);  // whether its words can be understood
 Result<Image> pictureOf(OpenDocument& opened, const PictureRequest& request);

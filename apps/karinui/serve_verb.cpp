@@ -263,7 +263,11 @@ class Server {
   Result<Json> check(Fields& fields, StopRequest&) {
     if (const Done fit = fields.checked(); !fit) return fit.error();
     const Result<Examination> found = examined(opened_->document(), opened_->context());
-    return found ? Result<Json>(checkJson(*found)) : found.error();
+    if (!found) return found.error();
+    Json answer = checkJson(*found);
+    const Json prints = printsJson(opened_->document(), photosIn(opened_->file().blobs()));
+    if (!prints.empty()) answer["prints"] = prints;
+    return answer;
   }
   Result<Json> info(Fields& fields, StopRequest&) {
     if (const Done fit = fields.checked(); !fit) return fit.error();
@@ -315,6 +319,7 @@ class Server {
     request.section = fields.text("section");
     request.table = fields.flag("table");
     request.nest = fields.flag("nest");
+    request.scans = fields.flag("scans");
     if (const Done fit = fields.checked(); !fit) return fit.error();
     const Result<Image> image = pictureOf(*opened_, request);
     if (!image) return image.error();

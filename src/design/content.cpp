@@ -116,8 +116,12 @@ bool soundContent(const Document& document) {
                      }) &&
          std::all_of(document.cutting.begin(), document.cutting.end(),
                      [&](const auto& own) { return document.find(own.first); }) &&
+         std::all_of(document.underlays.begin(), document.underlays.end(),
+                     [](const auto& own) { return checkName(own.first) && checkUnderlay(own.second); }) &&
          std::all_of(document.looks.pieces.begin(), document.looks.pieces.end(),
                      [&](const auto& own) { return document.find(own.first); }) &&
+         std::all_of(document.looks.shifts.begin(), document.looks.shifts.end(),
+                     [&](const auto& own) { return document.find(own.first) && near(own.second); }) &&
          std::all_of(document.drape.dirty.begin(), document.drape.dirty.end(),
                      [&](PieceId id) { return document.find(id); }) &&
          std::all_of(document.eases.begin(), document.eases.end(),

@@ -53,6 +53,13 @@ struct Truth {
   void add(const Look& l) {
     add(static_cast<std::uint64_t>(l.finish)), add(l.colour), add(static_cast<std::uint64_t>(l.print)), add(l.ink);
     add(l.repeat), add(l.turn), add(l.photo);
+    if (l.wrong)
+      add(std::string_view("wrong side")), add(l.wrong->colour), add(static_cast<std::uint64_t>(l.wrong->print)),
+          add(l.wrong->ink);
+  }
+  void add(const Underlay& u) {
+    add(u.photo), add(static_cast<std::uint64_t>(u.wide)), add(static_cast<std::uint64_t>(u.high));
+    add(u.at), add(u.width), add(u.turn), add(u.strength), add(std::uint64_t{u.hidden});
   }
   void add(const Fabric& f) {
     add(f.name), add(static_cast<std::uint64_t>(f.law));
@@ -156,6 +163,10 @@ std::string hash(const Document& document) {
       for (const GradePoint& point : points) truth.add(point.edge), truth.add(point.at), truth.each(point.by);
     }
   }
+  if (!document.looks.shifts.empty()) truth.add(std::string_view("prints placed"));
+  for (const auto& [id, shift] : document.looks.shifts) truth.add(id.value), truth.add(shift);
+  if (!document.underlays.empty()) truth.add(std::string_view("underlays"));
+  for (const auto& [name, underlay] : document.underlays) truth.add(name), truth.add(underlay);
   return truth.hasher.hex();
 }
 

@@ -6,6 +6,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/design/notions.h"
+#include "karinui/design/print_match.h"
 #include "karinui/pattern/cut_line.h"
 #include "karinui/pattern/seam_walk.h"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t kMostLaid = 400;
 constexpr double kMiss = 1e-4;            // of the chords of cut lines
 constexpr double kStraightGrain = 0.004;  // sine of the angle by which a fold may miss the grain
+constexpr double kUprightPrint = 0.01;    // sine of the angle by which a print may miss the grain, or its square
 constexpr double kOverlap = 1e-5;
 constexpr double kSame = 5e-4;  // metres two cut lines may differ by that are cut at once
 
@@ -61,6 +63,7 @@ class Laying {
     Allowances allowances = document_.allowances;
     if (settings_.allowance) allowances.kinds[EdgeKind::Seam] = *settings_.allowance;
     allowances_.emplace(document_.pattern, std::move(allowances));
+    printedPlaces();
     references();
     std::map<std::string, std::vector<const Piece*>> byFabric;
     for (const auto& [id, piece] : document_.pattern.pieces)
@@ -82,13 +85,13 @@ class Laying {
   }
 
  private:
+  static bool within(double value, double low, double high) { return value >= low && value <= high; }
+  static bool repeats(double metres) { return within(metres, 0.002, 1); }
   Done checkSettings() const {
-    const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
     if (!within(settings_.width, 0.1, 10)) return refused(say("Cloth is between 10 cm and 10 m wide."));
     if (!within(settings_.gap, 0, 0.1)) return refused(say("The gap between pieces lies between 0 and 100 mm."));
     for (const double repeat : {settings_.stripes, settings_.rows})
-      if (repeat != 0 && !within(repeat, 0.002, 1))
-        return refused(say("Stripes repeat after 2 mm to 1 m; 0 is no stripes."));
+      if (repeat != 0 && !repeats(repeat)) return refused(say("Stripes repeat after 2 mm to 1 m; 0 is no stripes."));
     if (settings_.allowance && !within(*settings_.allowance, 0, kWidestAllowance))
       return refused(say("A seam allowance lies between 0 and 100 mm; usual are 7 to 15 mm."));
     if (settings_.tries < 0) return refused(say("The number of tries is 0 or more."));
@@ -128,6 +131,35 @@ class Laying {
   static double along(const Piece& piece, Flat p) { return dot(p, piece.grain); }
   static double aside(const Piece& piece, Flat p) { return cross(piece.grain, p); }
 
+  // A print that was placed on pieces keeps its placing: they lie by where it begins on them, and in its repeats where
+  // nobody said others.
+  void printedPlaces() {
+    for (const auto& [id, shift] : document_.looks.shifts) {
+      const Piece& piece = *document_.find(id);
+      const Look look = lookOf(document_, piece);
+      if (look.print == PrintKind::None) continue;
+      placed_.insert(piece.fabric);
+      if (settings_.stripes > 0 || settings_.rows > 0) continue;
+      const Flat repeat = printRepeat(look, photosIn(context_.blobs));
+      if (!repeats(repeat.u) || !repeats(repeat.v)) continue;
+      const double c = std::fabs(std::cos(look.turn)), s = std::fabs(std::sin(look.turn));
+      const bool both = look.print != PrintKind::Stripe;
+      if (s < kUprightPrint) {
+        settings_.stripes = repeat.u;
+        if (both) settings_.rows = repeat.v;
+      } else if (c < kUprightPrint) {
+        settings_.rows = repeat.u;
+        if (both) settings_.stripes = repeat.v;
+      } else {
+        notes_.push_back(say("The print of “{0}” runs at an angle; its placing is not kept in the lay.", piece.name));
+        placed_.erase(piece.fabric);
+        continue;
+      }
+      notes_.push_back(
+          say("The pieces of “{0}” lie in the repeats of its print, as it was placed on them.", piece.fabric));
+    }
+  }
+
   // Stripes across the cloth meet in the seams: of two sewn pieces the end of their seam that lies lower gets the same
   // place in the repeat. Stripes along the cloth are centred on each piece.
   void references() {
@@ -142,7 +174,13 @@ class Laying {
       lowest_[id] = low;
     }
     std::vector<PieceId> order;
-    for (const auto& [id, piece] : pattern.pieces) order.push_back(id);
+    for (const auto& [id, piece] : pattern.pieces) {
+      if (placed_.contains(piece->fabric)) {
+        const Flat origin = printOrigin(document_, *piece);
+        aside_[id] = aside(*piece, origin), along_[id] = along(*piece, origin);
+      }
+      order.push_back(id);
+    }
     std::stable_sort(order.begin(), order.end(), [&](PieceId a, PieceId b) {
       return pattern.pieces.at(a)->outline.area() > pattern.pieces.at(b)->outline.area();
     });
@@ -411,6 +449,7 @@ class Laying {
   Context& context_;
   Document document_;
   std::optional<AllowancePlan> allowances_;
+  std::set<std::string> placed_;  // fabrics with a print that was placed on pieces
   std::map<PieceId, double> along_, aside_, lowest_;
   std::map<PieceId, PieceId> partner_;  // of an upper piece the lower one
   std::set<PieceId> below_;

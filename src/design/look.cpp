@@ -72,8 +72,8 @@ Done checkLook(const Look& look) {
     return refused(say("A print repeats every {0} mm; between {1} and {2} mm is possible.", look.repeat * 1000,
                        kLeast * 1000, kMost * 1000));
   if (!(std::fabs(look.turn) <= 6.3)) return refused(say("A print is turned by a full circle at most."));
-  if (look.print == PrintKind::Photo && look.photo.empty())
-    return refused(say("There is no photograph to print yet; open one first."));
+  const bool photo = look.print == PrintKind::Photo || (look.wrong && look.wrong->print == PrintKind::Photo);
+  if (photo && look.photo.empty()) return refused(say("There is no photograph to print yet; open one first."));
   return {};
 }
 
@@ -88,22 +88,32 @@ std::string packPrint(const PrintPixels& image) {
   return w.taken();
 }
 
-Result<PrintPixels> unpackPrint(std::string_view bytes) {
+Result<std::array<int, 2>> printSize(std::string_view bytes) {
   Reader r(bytes);
-  PrintPixels image;
   const bool ours = r.text() == kPrint;
-  image.width = r.number<int>(), image.height = r.number<int>();
+  const int width = r.number<int>(), height = r.number<int>();
+  const auto side = [](int n) { return n >= 1 && n <= kMostScanSide; };
+  if (!ours || !r.good() || !side(width) || !side(height))
+    return storageError(say("The stored photograph is damaged."));
+  return std::array{width, height};
+}
+
+Result<PrintPixels> unpackPrint(std::string_view bytes) {
+  const auto size = printSize(bytes);
+  if (!size) return size.error();
+  Reader r(bytes);
+  r.text(), r.number<int>(), r.number<int>();
+  PrintPixels image{size->at(0), size->at(1), {}};
   const std::string pixels = r.text();
-  const auto side = [](int n) { return n >= 1 && n <= kMostPrintSide; };
-  if (!ours || !r.finished() || !side(image.width) || !side(image.height) ||
+  if (!r.finished() ||
       pixels.size() != std::size_t{3} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height))
     return storageError(say("The stored photograph is damaged."));
   image.rgb.assign(pixels.begin(), pixels.end());
   return image;
 }
 
-PrintPixels fitted(PrintPixels image) {
-  const int longer = std::max(image.width, image.height), by = (longer + kMostPrintSide - 1) / kMostPrintSide;
+PrintPixels fitted(PrintPixels image, int mostSide) {
+  const int longer = std::max(image.width, image.height), by = (longer + mostSide - 1) / mostSide;
   if (by <= 1) return image;
   PrintPixels small{std::max(1, image.width / by), std::max(1, image.height / by), {}};
   const auto at = [&](int x, int y, std::size_t c) {

@@ -61,10 +61,15 @@ Fabric readFabric(Reader& r) {
   return f;
 }
 
+constexpr std::uint8_t kWrongToo = 0x80;  // beside the finish: the wrong side follows
 void add(Writer& w, const Look& l) {
-  w.add(static_cast<std::uint8_t>(l.finish)).add(static_cast<std::uint8_t>(l.print));
+  w.add(static_cast<std::uint8_t>(static_cast<std::uint8_t>(l.finish) | (l.wrong ? kWrongToo : 0)));
+  w.add(static_cast<std::uint8_t>(l.print));
   for (const Dye& dye : {l.colour, l.ink}) w.add(dye.red).add(dye.green).add(dye.blue);
   w.add(l.repeat).add(l.turn).add(l.photo);
+  if (!l.wrong) return;
+  w.add(static_cast<std::uint8_t>(l.wrong->print));
+  for (const Dye& dye : {l.wrong->colour, l.wrong->ink}) w.add(dye.red).add(dye.green).add(dye.blue);
 }
 Dye readDye(Reader& r) {
   Dye dye;
@@ -73,15 +78,38 @@ Dye readDye(Reader& r) {
 }
 Look readLook(Reader& r) {
   Look l;
-  const auto finish = r.number<std::uint8_t>(), print = r.number<std::uint8_t>();
+  const auto first = r.number<std::uint8_t>(), print = r.number<std::uint8_t>();
+  const auto finish = static_cast<std::uint8_t>(first & ~kWrongToo);
   if (finish > static_cast<std::uint8_t>(Finish::Leather) || print > static_cast<std::uint8_t>(PrintKind::Photo))
     r.fail();
   l.finish = static_cast<Finish>(finish), l.print = static_cast<PrintKind>(print);
   l.colour = readDye(r), l.ink = readDye(r);
   l.repeat = r.number<double>(), l.turn = r.number<double>();
   l.photo = r.text();
+  if (first & kWrongToo) {
+    const auto wrongPrint = r.number<std::uint8_t>();
+    if (wrongPrint > static_cast<std::uint8_t>(PrintKind::Photo)) r.fail();
+    WrongSide& wrong = l.wrong.emplace();
+    wrong.print = static_cast<PrintKind>(wrongPrint);
+    wrong.colour = readDye(r), wrong.ink = readDye(r);
+  }
   if (!checkLook(l)) r.fail();
   return l;
+}
+
+void add(Writer& w, const Underlay& u) {
+  w.add(u.photo).add(u.wide).add(u.high).add(u.at).add(u.width).add(u.turn).add(u.strength);
+  w.add(static_cast<std::uint8_t>(u.hidden));
+}
+Underlay readUnderlay(Reader& r) {
+  Underlay u;
+  u.photo = r.text();
+  u.wide = r.number<int>(), u.high = r.number<int>();
+  u.at = r.flat();
+  u.width = r.number<double>(), u.turn = r.number<double>(), u.strength = r.number<double>();
+  u.hidden = r.number<std::uint8_t>() != 0;
+  if (u.wide < 1 || u.high < 1 || !checkUnderlay(u)) r.fail();
+  return u;
 }
 
 void add(Writer& w, const Allowances& a) {
@@ -306,7 +334,8 @@ std::string packRest(const Document& d) {
   if (d.drape.last) add(w, *d.drape.last);
   w.all(d.drape.force).add(std::uint64_t{d.drape.dirty.size()});
   for (const PieceId id : d.drape.dirty) w.add(id.value);
-  const bool trimmed = d.allowances.trimmed();
+  const bool shifted = !d.looks.shifts.empty(), traced = !d.underlays.empty() || shifted;
+  const bool trimmed = d.allowances.trimmed() || traced;
   const bool posed = !d.body.pose.empty() || !d.drape.rested.empty() || trimmed;
   const bool fastened = !d.allowances.fastenings.empty() || posed, graded = !d.grading.empty() || fastened;
   const bool finishing = !d.allowances.empty() || !d.cutting.empty() || !d.eases.empty() || graded;
@@ -347,6 +376,14 @@ std::string packRest(const Document& d) {
     }
   }
   if (trimmed) addTrims(w, d.allowances);
+  if (traced) {
+    w.add(std::uint64_t{d.underlays.size()});
+    for (const auto& [name, underlay] : d.underlays) w.add(name), add(w, underlay);
+  }
+  if (shifted) {
+    w.add(std::uint64_t{d.looks.shifts.size()});
+    for (const auto& [id, shift] : d.looks.shifts) w.add(id.value).add(shift);
+  }
   return w.taken();
 }
 
@@ -448,6 +485,16 @@ Result<Document> unpackRest(std::string_view bytes) {
     each(d.allowances.pipings, [&](Piping& p) { p.thickness = r.number<double>(), p.fabric = r.text(); });
     each(d.allowances.bindings, [&](Binding& b) { b.width = r.number<double>(), b.fabric = r.text(); });
   }
+  if (r.good() && !r.finished())
+    for (std::size_t n = r.count(64); n > 0 && r.good(); --n) {
+      const std::string name = r.text();
+      d.underlays[name] = readUnderlay(r);
+    }
+  if (r.good() && !r.finished())
+    for (std::size_t n = r.count(24); n > 0 && r.good(); --n) {
+      const PieceId id{r.number<std::uint64_t>()};
+      d.looks.shifts[id] = r.flat();
+    }
   if (!r.finished()) return damaged();
   return d;
 }

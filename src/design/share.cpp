@@ -63,6 +63,7 @@ SetLook described(const Look& look) {
   op.finish = look.finish, op.colour = look.colour, op.print = look.print, op.ink = look.ink;
   op.repeat = Length{look.repeat}, op.turn = Angle{look.turn};
   op.photo = look.photo;
+  if (look.wrong) op.wrong = look.wrong->colour, op.wrongPrint = look.wrong->print, op.wrongInk = look.wrong->ink;
   return op;
 }
 
@@ -219,6 +220,11 @@ std::vector<Operation> sharedSteps(const Document& document) {
   for (const auto& [id, look] : document.looks.pieces) {
     SetLook op = described(look);
     op.pieces = {PieceRef(document.find(id)->name)};
+    steps.push_back(std::move(op));
+  }
+  for (const auto& [id, shift] : document.looks.shifts) {
+    SetLook op;
+    op.pieces = {PieceRef(document.find(id)->name)}, op.shift = shift;
     steps.push_back(std::move(op));
   }
   addFinishing(document, steps);

@@ -102,7 +102,7 @@ Result<std::string> pngOf(const SpatialLook::Tile& tile) {
 std::vector<Flat> onTile(const SpatialLook::Tile& tile, const std::vector<Flat>& flat) {
   std::vector<Flat> all;
   all.reserve(flat.size());
-  for (const Flat p : flat) all.push_back({dot(p, tile.across), dot(p, tile.along)});
+  for (const Flat p : flat) all.push_back({dot(p - tile.origin, tile.across), dot(p - tile.origin, tile.along)});
   return all;
 }
 
@@ -145,6 +145,39 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
   Json nodes = Json::array(), meshes = Json::array(), materials = Json::array(), roots = Json::array();
   Json textures = Json::array(), images = Json::array();
   bool sheen = false, transform = false;
+  // One material for each side of what looks alike. `tile`: the side's print.
+  const auto addMaterial = [&](const std::string& name, const std::array<float, 3>& colour, const SpatialLook* look,
+                               const std::optional<SpatialLook::Tile>& tile, bool bothSides) -> Done {
+    const double cover = look ? look->cover : 1;
+    Json surface{{"baseColorFactor", {colour[0], colour[1], colour[2], cover}},
+                 {"metallicFactor", 0.0},
+                 {"roughnessFactor", look ? look->roughness : 0.6}};
+    if (tile) {
+      auto png = pngOf(*tile);
+      if (!png) return png.error();
+      images.push_back({{"bufferView", buffer.addFile(*png)}, {"mimeType", "image/png"}});
+      textures.push_back({{"source", images.size() - 1}, {"sampler", 0}});
+      // Coordinates are (u, 1 - v) in metres. A tile's v runs downwards from its top: (1 - v) / high + 1 - 1 / high
+      // is a whole number where v is a whole number of repeats.
+      surface["baseColorFactor"] = {1.0, 1.0, 1.0, cover};
+      surface["baseColorTexture"] = {
+          {"index", textures.size() - 1},
+          {"extensions",
+           {{"KHR_texture_transform",
+             {{"scale", {1 / tile->wide, 1 / tile->high}}, {"offset", {0.0, 1 - 1 / tile->high}}}}}}};
+      transform = true;
+    }
+    Json made{{"name", name}, {"doubleSided", bothSides}, {"pbrMetallicRoughness", std::move(surface)}};
+    if (cover < 1) made["alphaMode"] = "BLEND";
+    if (look && look->sheen > 0) {
+      const double s = look->sheen;
+      made["extensions"]["KHR_materials_sheen"] = {{"sheenColorFactor", {s * colour[0], s * colour[1], s * colour[2]}},
+                                                   {"sheenRoughnessFactor", 0.5}};
+      sheen = true;
+    }
+    materials.push_back(std::move(made));
+    return {};
+  };
   std::vector<std::pair<const NamedMesh*, std::size_t>> materialOf;  // of pieces that look alike one
   for (const NamedMesh& object : *named) {
     if (object.mesh->points.empty() || object.mesh->faces.empty()) continue;  // glTF has no empty accessor
@@ -157,63 +190,50 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
     const std::size_t material = alike != materialOf.end() ? alike->second : materials.size();
     if (alike == materialOf.end()) {
       materialOf.emplace_back(&object, material);
-      const double cover = cloth ? object.look->cover : 1;
-      Json surface{{"baseColorFactor", {object.colour[0], object.colour[1], object.colour[2], cover}},
-                   {"metallicFactor", 0.0},
-                   {"roughnessFactor", cloth ? object.look->roughness : 0.6}};
-      if (cloth && object.look->tile) {
-        const SpatialLook::Tile& tile = *object.look->tile;
-        auto png = pngOf(tile);
-        if (!png) return png.error();
-        images.push_back({{"bufferView", buffer.addFile(*png)}, {"mimeType", "image/png"}});
-        textures.push_back({{"source", images.size() - 1}, {"sampler", 0}});
-        // Coordinates are (u, 1 - v) in metres. A tile's v runs downwards from its top: (1 - v) / high + 1 - 1 / high
-        // is a whole number where v is a whole number of repeats.
-        surface["baseColorFactor"] = {1.0, 1.0, 1.0, cover};
-        surface["baseColorTexture"] = {
-            {"index", textures.size() - 1},
-            {"extensions",
-             {{"KHR_texture_transform",
-               {{"scale", {1 / tile.wide, 1 / tile.high}}, {"offset", {0.0, 1 - 1 / tile.high}}}}}}};
-        transform = true;
-      }
-      Json made{{"name", cloth                   ? "fabric " + object.fabric
-                         : object.fabric.empty() ? "skin"
-                                                 : object.fabric},
-                {"doubleSided", cloth},
-                {"pbrMetallicRoughness", std::move(surface)}};
-      if (cover < 1) made["alphaMode"] = "BLEND";
-      if (cloth && object.look->sheen > 0) {
-        const double s = object.look->sheen;
-        made["extensions"]["KHR_materials_sheen"] = {
-            {"sheenColorFactor", {s * object.colour[0], s * object.colour[1], s * object.colour[2]}},
-            {"sheenRoughnessFactor", 0.5}};
-        sheen = true;
-      }
-      materials.push_back(std::move(made));
+      const bool wrong = cloth && object.look->wrong;
+      const std::string name = cloth ? "fabric " + object.fabric : object.fabric.empty() ? "skin" : object.fabric;
+      if (const Done done =
+              addMaterial(name, object.colour, object.look, cloth ? object.look->tile : std::nullopt, cloth && !wrong);
+          !done)
+        return done.error();
+      if (wrong)  // behind that of its right side
+        if (const Done done = addMaterial(name + " wrong side", object.look->wrong->colour, object.look,
+                                          object.look->wrong->tile, false);
+            !done)
+          return done.error();
     }
-    Json attributes;
     TriangleMesh mesh = *object.mesh;
     std::vector<Flat> flat = cloth ? *object.flat : std::vector<Flat>();
     std::vector<Vec3> normals = pointNormals(mesh);
     for (Vec3& n : normals)
       if (squaredLength(n) < 0.5) n = {0, 0, 1};  // a point of no face; a glTF normal must have unit length
+    const TriangleMesh sides = mesh;
+    const std::vector<Vec3> outwards = normals;
     if (cloth && object.look->thickness > 0) addRim(mesh, normals, flat, object.look->thickness);
-    attributes["POSITION"] = buffer.add(floats(mesh.points), 3, true);
-    attributes["NORMAL"] = buffer.add(floats(normals), 3, false);
-    if (cloth) {
-      const auto& tile = object.look->tile;
-      attributes["TEXCOORD_0"] = buffer.add(textureCoordinates(tile ? onTile(*tile, flat) : flat), 2, false);
+    Json primitives = Json::array();
+    const auto addSide = [&](const TriangleMesh& shape, const std::vector<Vec3>& up, const std::vector<Flat>& paper,
+                             const std::optional<SpatialLook::Tile>& tile, std::size_t of) {
+      Json attributes;
+      attributes["POSITION"] = buffer.add(floats(shape.points), 3, true);
+      attributes["NORMAL"] = buffer.add(floats(up), 3, false);
+      if (cloth)
+        attributes["TEXCOORD_0"] = buffer.add(textureCoordinates(tile ? onTile(*tile, paper) : paper), 2, false);
+      std::vector<std::uint32_t> indices;
+      for (const Triangle& face : shape.faces) indices.insert(indices.end(), face.begin(), face.end());
+      primitives.push_back(
+          {{"attributes", attributes}, {"indices", buffer.add(indices, 1, true)}, {"material", of}, {"mode", 4}});
+    };
+    addSide(mesh, normals, flat, cloth ? object.look->tile : std::nullopt, material);
+    if (cloth && object.look->wrong) {  // the same cloth seen from its other side
+      TriangleMesh turned = sides;
+      for (Triangle& face : turned.faces) std::swap(face[1], face[2]);
+      std::vector<Vec3> inwards = outwards;
+      for (Vec3& n : inwards) n = -n;
+      addSide(turned, inwards, *object.flat, object.look->wrong->tile, material + 1);
     }
-    std::vector<std::uint32_t> indices;
-    for (const Triangle& face : mesh.faces) indices.insert(indices.end(), face.begin(), face.end());
-    const std::size_t corners = buffer.add(indices, 1, true);
     roots.push_back(nodes.size());
     nodes.push_back({{"name", object.name}, {"mesh", meshes.size()}});
-    meshes.push_back(
-        {{"name", object.name},
-         {"primitives",
-          Json::array({{{"attributes", attributes}, {"indices", corners}, {"material", material}, {"mode", 4}}})}});
+    meshes.push_back({{"name", object.name}, {"primitives", primitives}});
   }
   if (nodes.empty()) return refused(say("There is nothing to write: no body and no piece."));
   Json root{{"asset", {{"version", "2.0"}, {"generator", "Karinui"}}}, {"scene", 0}};

@@ -291,10 +291,11 @@ Result<fs::path> importHelper(const fs::path& asked) {
   return notFound(say("The reader of body files, karinui-import, is not installed beside this program."));
 }
 
-Result<PrintPixels> readPictureInOtherProcess(const fs::path& path, const fs::path& helper, const Token& token) {
+Result<PrintPixels> readPictureInOtherProcess(const fs::path& path, const fs::path& helper, std::size_t mostPixels,
+                                              const Token& token) {
   BodyReadLimits limits;
   limits.fileBytes = 64u << 20;
-  limits.points = 40'000'000;  // pixels
+  limits.points = mostPixels;
   limits.triangles = 0;
   auto bytes = readPlainFile(path, limits.fileBytes, true);
   if (!bytes) return bytes.error();

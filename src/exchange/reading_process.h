@@ -14,9 +14,9 @@ Result<TriangleMesh> readInOtherProcess(const std::filesystem::path& path, const
                                         const std::filesystem::path& helper, const BodyReadLimits& limits,
                                         const Token& token);
 
-// The pixels of a photograph, at most 40 million.
+// The pixels of a photograph, so many at the most.
 Result<PrintPixels> readPictureInOtherProcess(const std::filesystem::path& path, const std::filesystem::path& helper,
-                                              const Token& token);
+                                              std::size_t mostPixels, const Token& token);
 
 // karinui-import: as asked for, else beside the running program.
 Result<std::filesystem::path> importHelper(const std::filesystem::path& asked);

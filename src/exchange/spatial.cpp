@@ -5,6 +5,17 @@
 
 namespace karinui {
 
+namespace {
+
+bool whole(const SpatialLook::Tile& tile) {
+  return tile.width >= 1 && tile.height >= 1 && tile.width <= 4096 && tile.height <= 4096 && tile.wide > 0 &&
+         tile.high > 0 &&
+         tile.rgb.size() ==
+             std::size_t{3} * static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
+}
+
+}  // namespace
+
 Done checkMesh(const TriangleMesh& mesh, std::string_view name) {
   for (const Vec3 p : mesh.points)
     if (!finite(p)) return badInput(say("\"{0}\" has a point that is nowhere (not a finite number).", shown(name)));
@@ -27,12 +38,9 @@ Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment) {
     if (auto good = checkMesh(piece.mesh, piece.name); !good) return good.error();
     if (piece.flat.size() != piece.mesh.points.size())
       return badInput(say("\"{0}\" does not know where all its points are on paper.", shown(piece.name)));
-    if (const auto& tile = piece.look.tile;
-        tile && (tile->width < 1 || tile->height < 1 || tile->width > 4096 || tile->height > 4096 ||
-                 !(tile->wide > 0) || !(tile->high > 0) ||
-                 tile->rgb.size() !=
-                     std::size_t{3} * static_cast<std::size_t>(tile->width) * static_cast<std::size_t>(tile->height)))
-      return badInput(say("The picture of the print on \"{0}\" is not whole.", shown(piece.name)));
+    for (const auto& tile : {piece.look.tile, piece.look.wrong ? piece.look.wrong->tile : std::nullopt})
+      if (tile && !whole(*tile))
+        return badInput(say("The picture of the print on \"{0}\" is not whole.", shown(piece.name)));
     for (const Flat p : piece.flat)
       if (!finite(p))
         return badInput(say("\"{0}\" has a point that is nowhere (not a finite number).", shown(piece.name)));

@@ -107,6 +107,9 @@ std::vector<Icon> drawnIcons() {
       "M 6.5 6.5 C 2 11 3 20 12 21 C 21 20 22 11 17.5 6.5 L 14.5 9.5 C 17 12 16 16 12 16 C 8 16 7 12 9.5 9.5 L 6.5 "
       "6.5");
   add("polygon", "M 5 19 L 4 9 L 12 3.5 L 20 8 L 17 14 L 19 20 L 5 19 D 4 9 1.5 D 12 3.5 1.5 D 20 8 1.5");
+  // A sheet with a line on it, and the pencil that follows it.
+  add("trace",
+      "M 14 3 L 4 3 L 4 21 L 18 21 L 18 14 M 7 18 C 7 12 9 13 11 9 M 12 13 L 13 10 L 20 3 L 22 5 L 15 12 L 12 13");
   add("pin", "O 14.5 8 3.5 M 12 10.5 L 4 20");
   add("frame", "M 4 9 L 4 4 L 9 4 M 15 4 L 20 4 L 20 9 M 20 15 L 20 20 L 15 20 M 9 20 L 4 20 L 4 15 O 12 12 3");
   add("glasses", "O 6.5 14 3.5 O 17.5 14 3.5 M 10 13.5 C 11 12.6 13 12.6 14 13.5 M 3 13 L 5 6 M 21 13 L 19 6");

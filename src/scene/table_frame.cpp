@@ -1,6 +1,7 @@
 #include "karinui/scene/table_frame.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace karinui {
 
@@ -11,8 +12,19 @@ Ring ringOf(const std::vector<TableEdge>& edges) {
   return ring;
 }
 
+std::array<Flat, 4> TableScan::corners() const {
+  const Flat across = Flat{std::cos(turn), std::sin(turn)} * (0.5 * width), up = leftOf(across) * (height() / width);
+  return {at - across - up, at + across - up, at + across + up, at - across + up};
+}
+
 std::optional<TableBox> extent(const TableFrame& frame) {
   std::optional<TableBox> box;
+  for (const TableScan& scan : frame.scans)
+    for (const Flat p : scan.corners()) {
+      if (!box) box = {p, p};
+      box->low = {std::min(box->low.u, p.u), std::min(box->low.v, p.v)};
+      box->high = {std::max(box->high.u, p.u), std::max(box->high.v, p.v)};
+    }
   for (const TablePiece& piece : frame.pieces) {
     if (!box) box = {piece.low, piece.high};
     box->low = {std::min(box->low.u, piece.low.u), std::min(box->low.v, piece.low.v)};

@@ -47,6 +47,21 @@ class Drawing {
     out_.frame.cloths.push_back(std::move(cloth));
   }
 
+  // A sheet with a photograph on it, whose paper begins at the picture's upper left corner.
+  void scan(const TableScan& scan) {
+    SceneCloth cloth;
+    cloth.colour = {0.9f, 0.9f, 0.88f};
+    const double high = scan.height();
+    cloth.flat = {{0, -high}, {scan.width, -high}, {scan.width, 0}, {0, 0}};
+    for (const Flat corner : scan.corners()) cloth.mesh.points.push_back(placement_.at(corner, 0.5 * above_));
+    cloth.mesh.faces = {{0, 1, 2}, {0, 2, 3}};
+    cloth.look.weave = ClothLook::Weave::Uneven, cloth.look.relief = 0;
+    cloth.look.print = ClothLook::Print::Photo;
+    cloth.look.repeat = scan.width;
+    cloth.look.photo = scan.image;
+    out_.frame.cloths.push_back(std::move(cloth));
+  }
+
   void line(const std::vector<Flat>& points, const Colour& colour, double widthMm, bool arrow = false) {
     SceneLine drawn{{}, colour, static_cast<float>(widthMm * placement_.scale()), arrow};
     for (const Flat p : points) drawn.points.push_back(placement_.at(p, 2 * above_));
@@ -170,6 +185,7 @@ TableScene sceneOf(const TableFrame& frame, const TablePlacement& placement, dou
   TableScene out;
   Drawing drawing(out, placement, above);
   for (const TablePiece& piece : frame.pieces) draw(drawing, piece);
+  for (const TableScan& scan : frame.scans) drawing.scan(scan);
   for (const TableSeam& seam : frame.seams) draw(drawing, seam);
   for (const TablePiece& piece : frame.pieces) {
     const auto mark = [&](const std::vector<TableEdge>& edges) {

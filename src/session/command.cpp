@@ -58,6 +58,10 @@ std::span<const CommandInfo> commands() {
       {Command::Pin, "pin", "pin", "W", say("Pin"),
        say("Click the cloth to pin it where it is; click a pin to take it out. With Shift a whole edge is pinned."),
        Needs::Pieces, pinGesture},
+      {Command::Trace, "trace", "trace", "I", say("Trace"),
+       say("Drag a scan under the flat pattern to move it, with Ctrl to turn it; or click two places on it and say how "
+           "far apart they are."),
+       Needs::Scan, traceGesture},
       {Command::ViewFront, "front", "", "1", say("Front"), say("Looks from the front.")},
       {Command::ViewBack, "back", "", "3", say("Back"), say("Looks from the back.")},
       {Command::ViewLeft, "left", "", "4", say("Left side"), say("Looks from the body's left.")},

@@ -23,6 +23,8 @@ bool Session::Impl::has(Needs needs) const {
       return !selection.pieces.empty();
     case Needs::ChosenSeam:
       return static_cast<bool>(selection.seam);
+    case Needs::Scan:
+      return !document.underlays.empty();
     case Needs::ChosenThing:
       return !selection.pieces.empty() || selection.seam;
   }
@@ -64,6 +66,8 @@ void Session::command(Command command) {
       in.tell(Notice::Kind::Refused, in.state.snapshot->document.body.chosen()
                                          ? say("There is no piece yet; draw one on the body.")
                                          : say("There is no body yet; choose a figure in the body panel."));
+    else if (command == Command::Trace)
+      in.tell(Notice::Kind::Refused, say("There is no scan yet: Work, Lay a scan under the pattern."));
     else if (isTool(command))
       in.tell(Notice::Kind::Refused, say("There is no piece yet; draw one on the body."));
     return;

@@ -89,6 +89,8 @@ bool isDraft(const SessionOptions& options, const std::filesystem::path& path);
 Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token);
 Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path& file, SetLook look,
                      const Token& token);
+Done importScanInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
+                    std::optional<Message>& note);
 Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
                     std::vector<Message>& notes);
 

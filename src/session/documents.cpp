@@ -16,10 +16,11 @@ void Session::Impl::leave() {
   ++documents;
 }
 
-void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done) {
+void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done,
+                             std::shared_ptr<std::optional<Message>> note) {
   leave();
   ++longWorks;
-  tasks.add(TaskQueue::Kind::Step, [this, work = std::move(work), done = std::move(done)](const Token& token) {
+  tasks.add(TaskQueue::Kind::Step, [this, work = std::move(work), done = std::move(done), note](const Token& token) {
     Result<std::shared_ptr<DocumentWorker>> made = work(token);
     const bool other = made && *made != documentWorker;
     if (other) documentWorker = *made;
@@ -28,7 +29,7 @@ void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker
     if (!made) why = made.error();
     std::vector<Message> remarks;
     if (other) remarks = documentWorker->file().remarks();
-    return [this, other, why, fresh, done, remarks] {
+    return [this, other, why, fresh, done, remarks, note] {
       --longWorks;
       if (other) {
         ++documents;
@@ -41,6 +42,7 @@ void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker
         tellError(*why);
       else
         tell(Notice::Kind::Said, done);
+      if (!why && note && *note) tell(Notice::Kind::Said, **note);
       for (const Message& remark : remarks) tell(Notice::Kind::Said, remark);
     };
   });
@@ -149,6 +151,19 @@ void Session::importPrint(const std::filesystem::path& file, SetLook look) {
         return in.documentWorker;
       },
       say("“{0}” was read.", file.filename().string()));
+}
+
+void Session::importScan(const std::filesystem::path& file) {
+  auto& in = *impl_;
+  const auto note = std::make_shared<std::optional<Message>>();
+  in.longWork(
+      [&in, file, note](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
+        if (const Done done = importScanInto(*in.documentWorker, file, token, *note); !done) return done.error();
+        return in.documentWorker;
+      },
+      say("“{0}” lies under the pattern. With the tool Trace, click two places on it and say how far apart they are.",
+          file.filename().string()),
+      note);
 }
 
 void Session::importPattern(const std::filesystem::path& file) {

@@ -22,6 +22,11 @@ SpatialLook lookOf(const SceneCloth& cloth) {
   look.thickness = cloth.look.thickness;
   look.cover = static_cast<double>(cloth.look.cover);
   look.tile = printTile(cloth.look, cloth.colour);
+  if (const auto& wrong = cloth.look.wrong) {
+    ClothLook other = cloth.look;
+    other.print = wrong->print, other.ink = wrong->ink;
+    look.wrong = {wrong->colour, printTile(other, wrong->colour)};
+  }
   return look;
 }
 

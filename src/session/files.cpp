@@ -80,6 +80,20 @@ Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path
   return step ? Done() : Done(step.error());
 }
 
+Done importScanInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
+                    std::optional<Message>& note) {
+  const auto scan = readScan(file, token);
+  if (!scan) return scan.error();
+  note = scan->shrunk();
+  if (const Done draft = documentWorker.beginDraft(file.stem().string()); !draft) return draft;
+  const Result<std::string> blob = documentWorker.file().blobs().put(packPrint(scan->image));
+  if (!blob) return blob.error();
+  LayUnderlay lay;
+  lay.photo = *blob;
+  const auto step = documentWorker.perform(std::move(lay), token);
+  return step ? Done() : Done(step.error());
+}
+
 Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
                     std::vector<Message>& notes) {
   const Done done = bodyInto(documentWorker, file, token, notes);

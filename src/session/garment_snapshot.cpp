@@ -160,6 +160,9 @@ SnapshotPtr snapshotOf(Document document, BodyPtr body, const Prints& prints) {
     if (scene) snapshot->worn.back().lattice = scene->lattices[snapshot->worn.size() - 1];
     ++cloth;
   }
+  if (prints)
+    for (const auto& [name, underlay] : document.underlays)
+      if (auto image = prints(underlay.photo)) snapshot->scans.emplace(name, std::move(image));
   snapshot->document = std::move(document);
   return snapshot;
 }
@@ -184,6 +187,18 @@ SnapshotPtr snapshotStanding(const GarmentSnapshot& before, const Forms& forms) 
   }
   if (!laid) return snapshotOf(std::move(snapshot->document), before.body);
   return snapshot;
+}
+
+PhotoTall photosOf(const GarmentSnapshot& snapshot) {
+  std::map<std::string, double> tall;
+  for (std::size_t k = 0; k < snapshot.worn.size() && k < snapshot.frame.cloths.size(); ++k)
+    if (const auto& photo = snapshot.frame.cloths[k].look.photo)
+      if (const Piece* piece = snapshot.document.find(snapshot.worn[k].id))
+        tall[lookOf(snapshot.document, *piece).photo] = static_cast<double>(photo->height) / photo->width;
+  return [tall](const std::string& photo) {
+    const auto at = tall.find(photo);
+    return at == tall.end() ? 1.0 : at->second;
+  };
 }
 
 bool asFine(const GarmentSnapshot& snapshot, const Forms& forms) {
@@ -263,6 +278,13 @@ void TableLayout::arrange(const GarmentSnapshot& snapshot) {
   for (const auto& worn : snapshot.worn) {
     if (place_.contains(worn.id)) continue;
     const Box& b = room.at(worn.id);
+    // What was traced lies on its scan again, when the document is opened anew.
+    const Flat middle{(b.low.x + b.high.x) / 2, (b.low.y + b.high.y) / 2};
+    if (underlayAt(document.underlays, middle) &&
+        std::none_of(place_.begin(), place_.end(), [&](const auto& other) { return meet(worn.id, other.first); })) {
+      place_[worn.id] = {};
+      continue;
+    }
     if (any && right + b.size().x > kTableWide) {
       top = low - kTableGap;
       right = 0;

@@ -26,6 +26,7 @@ std::unique_ptr<Gesture> circleGesture();
 std::unique_ptr<Gesture> ringGesture();
 std::unique_ptr<Gesture> polygonGesture();
 std::unique_ptr<Gesture> pinGesture();
+std::unique_ptr<Gesture> traceGesture();
 
 inline constexpr Colour kChalk{0.93f, 0.33f, 0.10f};    // what is being done
 inline constexpr Colour kGood{0.05f, 0.42f, 0.25f};     // will be accepted

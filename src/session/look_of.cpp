@@ -41,7 +41,7 @@ Colour linear(Dye dye) {
   return {part(dye.red), part(dye.green), part(dye.blue)};
 }
 
-ClothLook clothLookOf(const Look& look, const Fabric& fabric, Flat grain, const Prints& prints) {
+ClothLook clothLookOf(const Look& look, const Fabric& fabric, Flat grain, Flat origin, const Prints& prints) {
   const Surface& surface = kSurfaces[static_cast<std::size_t>(look.finish)];
   ClothLook shown;
   shown.weave = surface.weave;
@@ -52,10 +52,15 @@ ClothLook clothLookOf(const Look& look, const Fabric& fabric, Flat grain, const 
   shown.print = static_cast<ClothLook::Print>(look.print);
   shown.ink = linear(look.ink);
   shown.repeat = look.repeat, shown.turn = look.turn;
-  shown.grain = grain;
-  if (look.print == PrintKind::Photo) {
-    if (prints) shown.photo = prints(look.photo);
-    if (!shown.photo) shown.print = ClothLook::Print::None;
+  shown.grain = grain, shown.origin = origin;
+  if (look.wrong)
+    shown.wrong = {linear(look.wrong->colour), static_cast<ClothLook::Print>(look.wrong->print),
+                   linear(look.wrong->ink)};
+  const auto photo = [](ClothLook::Print print) { return print == ClothLook::Print::Photo; };
+  if (prints && (photo(shown.print) || (shown.wrong && photo(shown.wrong->print)))) shown.photo = prints(look.photo);
+  if (!shown.photo) {
+    if (photo(shown.print)) shown.print = ClothLook::Print::None;
+    if (shown.wrong && photo(shown.wrong->print)) shown.wrong->print = ClothLook::Print::None;
   }
   return shown;
 }

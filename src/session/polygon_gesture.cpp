@@ -1,5 +1,6 @@
 // A piece drawn on the flat pattern click by click. A place with Ctrl lies on a curve, all others are corners; with
 // Shift the line from the last place is level, upright or half-way between. The piece keeps the size it was drawn in.
+// Over a scan a click is as fine as the hand.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,12 +19,12 @@ class PolygonGesture : public Gesture {
   GestureResult feed(const PointerSample& sample, const Hit&, const GestureContext& context) override {
     const bool table = sample.where == PointerSample::Where::Table;
     if (sample.phase == PointerSample::Phase::Hover) {
-      now_ = table ? std::optional(snapped(sample)) : std::nullopt;
+      now_ = table ? std::optional(snapped(sample, context)) : std::nullopt;
       return {};
     }
     if (sample.phase != PointerSample::Phase::Press) return {};
     if (!table) return {.why = say("Click on the flat pattern, not on the body.")};
-    const Flat place = snapped(sample);
+    const Flat place = snapped(sample, context);
     now_.reset();
     const bool closes = places_.size() > 2 && distance(places_.front(), sample.place) < std::fmax(kSame, sample.reach);
     if (closes || (!places_.empty() && distance(places_.back(), place) < kSame)) return confirm(context);
@@ -37,7 +38,9 @@ class PolygonGesture : public Gesture {
     polygon.name = usableName(context.snapshot->document, "polygon");
     Flat middle;
     for (const Flat p : places_) middle += p * (1.0 / static_cast<double>(places_.size()));
-    middle = {std::round(middle.u / kWhole) * kWhole, std::round(middle.v / kWhole) * kWhole};
+    // On a scan the paper's places are those of the table, so that it lies there again.
+    const bool traced = underlayAt(context.snapshot->document.underlays, middle);
+    middle = traced ? Flat{} : Flat{std::round(middle.u / kWhole) * kWhole, std::round(middle.v / kWhole) * kWhole};
     for (std::size_t i = 0; i < places_.size(); ++i) {
       polygon.points.push_back(tenth(places_[i] - middle));
       if (std::find(curved_.begin(), curved_.end(), true) != curved_.end())
@@ -76,7 +79,7 @@ class PolygonGesture : public Gesture {
   bool clicks() const override { return true; }
 
  private:
-  Flat snapped(const PointerSample& sample) const {
+  Flat snapped(const PointerSample& sample, const GestureContext& context) const {
     Flat place = sample.place;
     if (sample.shift && !places_.empty()) {
       constexpr double kEighth = std::numbers::pi / 4;
@@ -85,6 +88,7 @@ class PolygonGesture : public Gesture {
       const Flat along{std::cos(a), std::sin(a)};
       place = places_.back() + along * dot(way, along);
     }
+    if (underlayAt(context.snapshot->document.underlays, sample.place)) return tenth(place);
     const auto whole = [](double metres) { return std::round(metres / kWhole) * kWhole; };
     return {whole(place.u), whole(place.v)};
   }

@@ -38,7 +38,7 @@ std::optional<SpatialLook::Tile> printTile(const ClothLook& look, const Colour& 
   if (look.print == ClothLook::Print::None) return std::nullopt;
   SpatialLook::Tile tile;
   const auto [across, along] = printAxes(look);
-  tile.across = across, tile.along = along;
+  tile.across = across, tile.along = along, tile.origin = look.origin;
   tile.wide = tile.high = look.repeat;
   if (look.print == ClothLook::Print::Photo) {
     if (!look.photo) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "karinui/design/drape.h"
+#include "karinui/design/print_match.h"
 #include "karinui/pattern/seam_walk.h"
 #include "session/cloth_trims.h"
 #include "session/standing_buttons.h"
@@ -142,7 +143,7 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const 
     const Piece& cut = *document.find(piece.id);
     const Look look = lookOf(document, cut);
     cloth.colour = linear(look.colour);
-    cloth.look = clothLookOf(look, piece.fabric, cut.grain, prints);
+    cloth.look = clothLookOf(look, piece.fabric, cut.grain, printOrigin(document, cut), prints);
     cloth.live = document.drape.dirty.contains(piece.id);
     addTrims(document, piece.id, cloth);
     frame.cloths.push_back(std::move(cloth));

@@ -138,8 +138,9 @@ struct Session::Impl {
 
   // documents.cpp
   void leave();  // another document comes: whatever was under way for the old one is over
-  // Work that may replace the document or add many steps to it.
-  void longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done);
+  // Work that may replace the document or add many steps to it. `note`: what it has to say besides.
+  void longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done,
+                std::shared_ptr<std::optional<Message>> note = {});
   std::shared_ptr<DocumentWorker> workerOf(DocumentFile file, bool readOnly);  // any thread
 
   mutable SnapshotPtr seen_, seenOf_;

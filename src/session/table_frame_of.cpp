@@ -183,6 +183,12 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
   const Document& document = snapshot.document;
   const Pattern pattern = shownPattern(document, options.outlines);
   TableFrame frame;
+  for (const auto& [name, stored] : document.underlays) {
+    const auto moved = options.underlays.find(name);
+    const Underlay& lies = moved == options.underlays.end() ? stored : moved->second;
+    if (const auto image = snapshot.scans.find(name); options.scans && !lies.hidden && image != snapshot.scans.end())
+      frame.scans.push_back({image->second, lies.at, lies.width, lies.turn, lies.strength});
+  }
   const AllowancePlan plan(pattern, document.allowances);
   std::map<PieceId, std::size_t> number;  // in the frame
   for (const auto& [id, piece] : pattern.pieces) {

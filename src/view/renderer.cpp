@@ -396,8 +396,19 @@ void Renderer::Parts::tellLook(const Run& run, const GlProgram& solid) const {
   const bool printed = run.weave >= 0 && (look.print != ClothLook::Print::Photo || photo != photos.end());
   set(solid, "print", printed ? static_cast<int>(look.print) : 0);
   glUniform3f(glGetUniformLocation(solid, "ink"), look.ink[0], look.ink[1], look.ink[2]);
+  const ClothLook::Wrong wrong = look.wrong.value_or(ClothLook::Wrong());
+  set(solid, "ownWrong", look.wrong ? 1 : 0);
+  set(solid, "wrongPrint",
+      run.weave >= 0 && (wrong.print != ClothLook::Print::Photo || photo != photos.end())
+          ? static_cast<int>(wrong.print)
+          : 0);
+  glUniform3f(glGetUniformLocation(solid, "wrongColour"), wrong.colour[0], wrong.colour[1], wrong.colour[2]);
+  glUniform3f(glGetUniformLocation(solid, "wrongInk"), wrong.ink[0], wrong.ink[1], wrong.ink[2]);
+  glUniform2f(glGetUniformLocation(solid, "printOrigin"), static_cast<float>(look.origin.u),
+              static_cast<float>(look.origin.v));
   double high = look.repeat;
-  if (printed && look.print == ClothLook::Print::Photo) {
+  const bool photographed = look.print == ClothLook::Print::Photo || wrong.print == ClothLook::Print::Photo;
+  if (photographed && photo != photos.end()) {
     high = look.repeat * look.photo->height / look.photo->width;
     glActiveTexture(GL_TEXTURE4);
     glBindTexture(GL_TEXTURE_2D, photo->second);

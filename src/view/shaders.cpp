@@ -151,6 +151,10 @@ uniform vec4 weaveAxes, printAxes;  // on paper: across, along
 uniform int print;       // ClothLook::Print
 uniform vec3 ink;
 uniform vec2 repeat;     // metres across and along
+uniform vec2 printOrigin;  // on paper
+uniform bool ownWrong;     // the inner side has a colour and a print of its own
+uniform int wrongPrint;
+uniform vec3 wrongColour, wrongInk;
 uniform sampler2D strainTable, yarnTable, photo;
 
 // Uneven yarns along warp and weft, each scale fading out before it would flicker.
@@ -221,9 +225,10 @@ float stripe(float s, float share, float w) {
   return mix(1.0 - smoothstep(share - soft, share + soft, t), share, smoothstep(0.4, 1.0, w));
 }
 
-vec3 printed(vec3 base) {
+vec3 printed(vec3 base, int print, vec3 ink) {
   if (print == 0) return base;
-  vec2 q = vec2(dot(paper, printAxes.xy), dot(paper, printAxes.zw)) / repeat;
+  vec2 from = paper - printOrigin;
+  vec2 q = vec2(dot(from, printAxes.xy), dot(from, printAxes.zw)) / repeat;
   vec2 w = fwidth(q);
   if (print == 1) return mix(base, ink, stripe(q.x, 0.42, w.x));
   if (print == 2) {  // warp and weft stripes: where both meet the ink is full, else half of it is seen
@@ -252,9 +257,10 @@ void main() {
   bool mapped = cloth && scaleTop > 0.0;
   bool look = cloth && !mapped;
   vec2 q = vec2(dot(paper, weaveAxes.xy), dot(paper, weaveAxes.zw));
-  vec3 base = look ? printed(albedo) : albedo;
-  if (inner && look && weave == 3 && relief > 0.3) base = mix(base, vec3(0.62, 0.64, 0.66), 0.45);  // denim's white weft
-  if (inner) base = mix(base, vec3(dot(base, vec3(0.3, 0.55, 0.15))), 0.35) * 0.62;
+  bool wrong = inner && look && ownWrong;
+  vec3 base = wrong ? printed(wrongColour, wrongPrint, wrongInk) : look ? printed(albedo, print, ink) : albedo;
+  if (inner && !wrong && look && weave == 3 && relief > 0.3) base = mix(base, vec3(0.62, 0.64, 0.66), 0.45);  // denim's white weft
+  if (inner && !wrong) base = mix(base, vec3(dot(base, vec3(0.3, 0.55, 0.15))), 0.35) * 0.62;
   if (mapped) {
     base = strain < 0.0 ? vec3(0.5) : texture(strainTable, vec2(clamp(strain / scaleTop, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
     if (inner) base *= 0.75;

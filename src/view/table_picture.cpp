@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "karinui/base/number.h"
+#include "karinui/scene/table_print.h"
 #include "karinui/view/lettering.h"
 #include "karinui/view/picture.h"
 
@@ -69,6 +70,23 @@ class Paper {
     cairo_arc(cairo_.get(), m.u, m.v, pixelRadius, 0, 2 * std::numbers::pi);
   }
   void fill() { cairo_fill(cairo_.get()); }
+  // What is drawn within the path, and no farther.
+  template <class Draw>
+  void within(Draw&& draw) {
+    cairo_save(cairo_.get());
+    cairo_clip(cairo_.get());
+    draw();
+    cairo_restore(cairo_.get());
+  }
+  void band(Flat from, Flat to, double wide) {  // metres
+    cairo_save(cairo_.get());
+    path({from, to}, false);
+    cairo_set_dash(cairo_.get(), nullptr, 0, 0);
+    cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_BUTT);
+    cairo_set_line_width(cairo_.get(), wide * scale_);
+    cairo_stroke(cairo_.get());
+    cairo_restore(cairo_.get());
+  }
   void stroke(double thin, bool dashed = false) {
     const double dash[] = {kDash[0] * pixel_, kDash[1] * pixel_};
     cairo_set_dash(cairo_.get(), dash, dashed ? 2 : 0, 0);
@@ -88,6 +106,32 @@ class Paper {
       cairo_move_to(cairo_.get(), b.u, b.v);
       cairo_line_to(cairo_.get(), end.u, end.v);
     }
+  }
+
+  // A picture whose upper left, upper right and lower left corners lie there.
+  void picture(const PrintImage& image, const std::array<Flat, 3>& corners, double opacity) {
+    const int stride = cairo_format_stride_for_width(CAIRO_FORMAT_RGB24, image.width);
+    std::vector<unsigned char> rows(static_cast<std::size_t>(stride) * static_cast<std::size_t>(image.height));
+    const std::uint8_t* rgb = image.rgb.data();
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x, rgb += 3) {
+        const std::uint32_t value = std::uint32_t{rgb[0]} << 16 | std::uint32_t{rgb[1]} << 8 | rgb[2];
+        std::memcpy(
+            &rows[static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) + 4 * static_cast<std::size_t>(x)],
+            &value, 4);
+      }
+    const std::unique_ptr<cairo_surface_t, Drop> source(
+        cairo_image_surface_create_for_data(rows.data(), CAIRO_FORMAT_RGB24, image.width, image.height, stride));
+    const Flat corner = at(corners[0]), across = at(corners[1]) - corner, down = at(corners[2]) - corner;
+    cairo_matrix_t lies;
+    cairo_matrix_init(&lies, across.u / image.width, across.v / image.width, down.u / image.height,
+                      down.v / image.height, corner.u, corner.v);
+    cairo_save(cairo_.get());
+    cairo_transform(cairo_.get(), &lies);
+    cairo_set_source_surface(cairo_.get(), source.get(), 0, 0);
+    cairo_paint_with_alpha(cairo_.get(), opacity);
+    cairo_restore(cairo_.get());
+    cairo_surface_finish(source.get());
   }
 
   // What is drawn so far goes into the image; then only words may follow.
@@ -169,6 +213,25 @@ class Paper {
   Lettering lettering_;
 };
 
+void drawScan(Paper& paper, const TableScan& scan) {
+  const auto corners = scan.corners();
+  paper.picture(*scan.image, {corners[3], corners[2], corners[0]}, scan.strength);
+}
+
+// What is printed on the cloth, as far as the outline, which is the path, holds it.
+void drawPrint(Paper& paper, const TablePiece& piece) {
+  const TablePrint print = printOn(piece);
+  paper.within([&] {
+    paper.ink(pixelOf(piece.look.ink), print.strength);
+    for (const TableStroke& stripe : print.stripes) paper.band(stripe.from, stripe.to, print.stripe);
+    for (const Flat dot : print.dots) {
+      paper.circle(dot, print.dot * paper.scale());
+      paper.fill();
+    }
+    for (const auto& corners : print.photos) paper.picture(*piece.look.photo, corners, print.strength);
+  });
+}
+
 void drawPiece(Paper& paper, const TablePiece& piece) {
   const auto outlines = [&] {
     paper.path(ringOf(piece.edges), true);
@@ -177,6 +240,8 @@ void drawPiece(Paper& paper, const TablePiece& piece) {
   paper.ink(pixelOf(piece.colour), kFilled);
   outlines();
   paper.fill();
+  outlines();
+  drawPrint(paper, piece);
   if (!piece.cut.empty()) {
     paper.ink(kFaint);
     for (const Ring& cut : piece.cut) paper.path(cut, true);
@@ -271,8 +336,9 @@ void write(Paper& paper, const TablePiece& piece) {
 
 Result<Image> drawTable(const TableFrame& frame, const TablePictureOptions& options, std::vector<Message>* notes) {
   if (const auto size = sizeNamed(written(options.width) + "x" + written(options.height)); !size) return size.error();
-  if (frame.pieces.empty()) return refused(say("There is no piece to draw."));
+  if (frame.pieces.empty() && frame.scans.empty()) return refused(say("There is no piece to draw."));
   Paper paper(options, *extent(frame));
+  for (const TableScan& scan : frame.scans) drawScan(paper, scan);
   for (const TablePiece& piece : frame.pieces) drawPiece(paper, piece);
   for (const TableSeam& seam : frame.seams) drawSeam(paper, seam);
   for (const TablePiece& piece : frame.pieces) {

@@ -10,6 +10,7 @@
 
 #include "design/workroom.h"
 #include "karinui/base/number.h"
+#include "karinui/design/print_image.h"
 
 namespace karinui {
 namespace {
@@ -128,8 +129,14 @@ std::string facts(const Document& d) {
     if (l.print != PrintKind::None)
       out << " print " << static_cast<int>(l.print) << " ink " << dye(l.ink) << " repeat_mm "
           << fixed(l.repeat * 1000, 1) << " turn " << fixed(l.turn, 3);
+    if (l.wrong)
+      out << " wrong side " << dye(l.wrong->colour) << " print " << static_cast<int>(l.wrong->print) << " ink "
+          << dye(l.wrong->ink);
     out << "\n";
   };
+  for (const auto& [id, shift] : d.looks.shifts)
+    out << "print of " << name(id) << " begins_mm " << fixed(shift.u * 1000, 1) << "," << fixed(shift.v * 1000, 1)
+        << "\n";
   for (const auto& [fabricName, l] : d.looks.fabrics) look(fabricName, l);
   for (const auto& [id, l] : d.looks.pieces) look(name(id), l);
   for (const auto& [id, places] : d.pins) out << "pins " << name(id) << " " << places.size() << "\n";
@@ -138,6 +145,10 @@ std::string facts(const Document& d) {
   if (d.settings.ease != usual.ease) out << "ease_mm " << fixed(d.settings.ease * 1000, 1) << "\n";
   if (d.settings.collider != usual.collider) out << "collider planes\n";
   for (const auto& [own, formula] : d.variables) out << "variable " << own << " " << formula << "\n";
+  for (const auto& [own, u] : d.underlays)
+    out << "scan " << own << " pixels " << u.wide << "x" << u.high << " width_mm " << fixed(u.width * 1000, 2)
+        << " at_mm " << fixed(u.at.u * 1000, 2) << "," << fixed(u.at.v * 1000, 2) << " turn " << fixed(u.turn, 4)
+        << " strength " << fixed(u.strength, 1) << (u.hidden ? " hidden" : "") << "\n";
   if (d.drape.last) out << "draped " << (d.drape.last->settled ? "settled" : "not settled") << "\n";
   return out.str();
 }
@@ -145,11 +156,14 @@ std::string facts(const Document& d) {
 class EachOperation : public ::testing::TestWithParam<std::string> {
  protected:
   fs::path folder() const { return fs::path(KARINUI_SOURCE_DIR) / "tests/design/operations" / GetParam(); }
-  // "EGG" in a script stands for the name of the test's figure.
+  // "EGG" in a script stands for the name of the test's figure, "SCAN" for that of a grey picture of 400 x 300 pixels.
   std::string script(const char* name) {
     std::string all = read(folder() / name);
     for (std::size_t at; (at = all.find("EGG")) != std::string::npos;)
       all.replace(at, 3, *room_.blobs.put(packBody(egg())));
+    const PrintPixels grey{400, 300, std::vector<std::uint8_t>(std::size_t{3} * 400 * 300, 128)};
+    for (std::size_t at; (at = all.find("SCAN")) != std::string::npos;)
+      all.replace(at, 4, *room_.blobs.put(packPrint(grey)));
     return all;
   }
   static Workroom& room() {

@@ -403,8 +403,8 @@ TEST_F(ReadBody, PhotographsForPrintsAreReadInTheCell) {
   // One that is larger than a print needs is made smaller by whole pixels.
   PrintPixels large{3000, 10, {}};
   large.rgb.resize(std::size_t{3} * 3000 * 10, 100);
-  EXPECT_EQ(fitted(large).width, 1000);
-  EXPECT_EQ(fitted(large).rgb.front(), 100);
+  EXPECT_EQ(fitted(large, kMostPrintSide).width, 1000);
+  EXPECT_EQ(fitted(large, kMostPrintSide).rgb.front(), 100);
 }
 
 TEST_F(ReadBody, TakesEveryBodyHandedToTheTests) {

@@ -2,7 +2,12 @@
 #include <gmock/gmock.h>
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFrame>
+#include <QMenu>
+#include <QPainter>
 #include <QTreeWidget>
+#include <numbers>
 
 #include "karinui/design/script.h"
 #include "length_choice.h"
@@ -314,6 +319,117 @@ TEST(StudioPaper, EditsBothHalvesBesideASlit) {
   w.drag(w.table(), {w.onTable("front", tip), w.onTable("front", tip) + QPointF(6, 0)});
   w.rest();
   EXPECT_THAT(w.main().said().toStdString(), HasSubstr("Only this half was changed"));
+}
+
+// A scan of a printed pattern at 200 dots an inch, which lay a little askew on the glass: half a skirt's front.
+struct PrintedPattern {
+  static constexpr double kDots = 200 / 0.0254, kTurn = -2.5;  // to the metre; degrees, clockwise on the screen
+  std::vector<Flat> corners{{0.04, 0.05}, {0.24, 0.04}, {0.25, 0.20}, {0.23, 0.33}, {0.20, 0.42}, {0.04, 0.43}};
+  std::vector<Flat> square{{0.26, 0.06}, {0.36, 0.06}, {0.36, 0.16}, {0.26, 0.16}};
+  QImage image{static_cast<int>(0.40 * kDots), static_cast<int>(0.47 * kDots), QImage::Format_RGB888};
+  QTransform paper;  // metres, from its lower left corner, to pixels
+
+  PrintedPattern() {
+    const QPointF middle(image.width() / 2.0, image.height() / 2.0);
+    paper.translate(middle.x(), middle.y());
+    paper.rotate(kTurn);
+    paper.scale(kDots, -kDots);
+    paper.translate(-0.20, -0.235);
+    image.fill(QColor(214, 206, 190));
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setTransform(paper);
+    painter.fillRect(QRectF(0.01, 0.01, 0.38, 0.45), QColor(246, 243, 235));
+    const auto ring = [&](const std::vector<Flat>& places) {
+      QPolygonF line;
+      for (const Flat p : places) line << QPointF(p.u, p.v);
+      painter.drawPolygon(line);
+    };
+    painter.setPen(QPen(QColor(40, 40, 60), 0.0008));
+    ring(corners);
+    ring(square);
+    painter.drawLine(QPointF(0.12, 0.10), QPointF(0.12, 0.36));
+    painter.drawPolyline(QPolygonF({QPointF(0.115, 0.35), QPointF(0.12, 0.36), QPointF(0.125, 0.35)}));
+    painter.resetTransform();
+    QFont font = painter.font();
+    font.setPixelSize(90);
+    painter.setFont(font);
+    const auto write = [&](Flat at, const QString& words) { painter.drawText(paper.map(QPointF(at.u, at.v)), words); };
+    write({0.135, 0.24}, "FRONT 38");
+    write({0.285, 0.10}, "10 cm");
+  }
+  Flat seen(Flat place) const {
+    const QPointF p = paper.map(QPointF(place.u, place.v));
+    return {p.x(), p.y()};
+  }
+};
+
+TEST(StudioPaper, AScanIsDroppedScaledByItsSquareTurnedAndTraced) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  const PrintedPattern pattern;
+  Folder folder;
+  const fs::path file = folder.path / "scan.png";
+  ASSERT_TRUE(pattern.image.save(QString::fromStdString(file.string())));
+  w.open(file);
+  ASSERT_EQ(w.count(), 1u) << w.main().said().toStdString();
+  const auto scan = [&]() -> const Underlay& { return w.session().snapshot().document.underlays.begin()->second; };
+  const auto there = [&](Flat paper) { return w.table().onScreen(scan().onTable(pattern.seen(paper))); };
+  const auto type = [&](double cm) {
+    auto* number = w.table().findChild<QFrame*>("drop_menu")->findChild<QDoubleSpinBox*>("drop_number");
+    ASSERT_TRUE(number && number->isVisible());
+    number->setValue(cm);
+    w.type(*number, Qt::Key_Return);
+    w.rest();
+  };
+  w.key(Command::Trace);
+  w.click(w.table(), there(pattern.square[0]));
+  w.click(w.table(), there(pattern.square[1]));
+  w.rest();
+  w.keep("studio_trace_menu");
+  type(10);
+  ASSERT_EQ(w.count(), 2u) << w.main().said().toStdString();
+  EXPECT_NEAR(scan().width, 0.40, 0.001);
+  // The grain line stands upright.
+  w.click(w.table(), there({0.12, 0.10}));
+  w.click(w.table(), there({0.12, 0.36}));
+  w.session().choose(2);
+  w.rest();
+  EXPECT_NEAR(scan().turn * 180 / std::numbers::pi, PrintedPattern::kTurn, 0.1);
+  w.table().showAll();
+  w.key(Command::Polygon);
+  for (const Flat corner : pattern.corners) w.click(w.table(), there(corner));
+  w.hover(w.table(), there({0.10, 0.30}));
+  w.keep("studio_tracing");
+  w.key(Command::Confirm);
+  w.rest();
+  const Piece* piece = w.session().snapshot().document.pieceNamed("polygon");
+  ASSERT_TRUE(piece) << w.main().said().toStdString();
+  ASSERT_EQ(piece->outline.edges.size(), pattern.corners.size());
+  for (std::size_t i = 0; i < pattern.corners.size(); ++i)
+    EXPECT_NEAR(piece->outline.edges[i].curve.length(),
+                distance(pattern.corners[i], pattern.corners[(i + 1) % pattern.corners.size()]), 0.0005);
+  w.key(Command::Select);
+  w.table().showAll();
+  w.keep("studio_trace");
+  // The right button hides it and takes it out, beside the piece.
+  const auto choose = [&](const Message& words) {
+    w.drag(w.table(), {there({0.31, 0.30})}, {}, {}, Qt::RightButton);
+    for (QMenu* menu : w.main().findChildren<QMenu*>("context"))
+      for (QAction* action : menu->actions())
+        if (action->text() == inWords(words)) action->trigger(), menu->close();
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    w.rest();
+  };
+  choose(say("Fainter"));
+  EXPECT_NEAR(scan().strength, 0.3, 1e-9) << w.main().said().toStdString();
+  choose(say("Take the scan out"));
+  EXPECT_TRUE(w.session().snapshot().document.underlays.empty());
+  w.session().command(Command::Undo);
+  w.rest();
+  ASSERT_EQ(w.session().snapshot().document.underlays.size(), 1u);
+  choose(say("Hide the scan"));
+  EXPECT_TRUE(scan().hidden);
 }
 
 }  // namespace

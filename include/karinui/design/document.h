@@ -16,6 +16,7 @@
 #include "karinui/cloth/fabric.h"
 #include "karinui/cloth/settle_report.h"
 #include "karinui/design/look.h"
+#include "karinui/design/underlay.h"
 #include "karinui/pattern/allowance.h"
 #include "karinui/pattern/grading.h"
 
@@ -80,6 +81,7 @@ struct Document {
   Grading grading;                     // the sizes the pieces are made in
   Settings settings;
   std::map<std::string, std::string> variables;  // formulas by name (formula.h); worked out where they are used
+  Underlays underlays;                           // scans to trace
   DrapeInfo drape;
   std::uint32_t operations = 0;  // how many led here; the next one mints its ids from operations + 1
 
@@ -89,7 +91,7 @@ struct Document {
 };
 
 // Of the pattern truth: body, outlines, marks, seams, allowances, eases, counts, sizes, fabrics, looks, pins, settings,
-// variables, names and ids; not of forms, poses, reports.
+// variables, scans, names and ids; not of forms, poses, reports.
 std::string hash(const Document& document);
 // Of where the cloth stands: forms and poses.
 std::string drapeHash(const Document& document);

@@ -15,6 +15,14 @@ namespace karinui {
 enum class Finish { Poplin, Linen, Denim, Suiting, Tweed, Jersey, Satin, Chiffon, Velvet, Leather };
 enum class PrintKind { None, Stripe, Check, Dot, Photo };
 
+// The other side of a cloth that is not as its right side: a coating in two colours, a lining fabric's back.
+struct WrongSide {
+  Dye colour;
+  PrintKind print = PrintKind::None;  // with the repeat, angle and photograph of the right side's
+  Dye ink{245, 244, 240};
+  bool operator==(const WrongSide&) const = default;
+};
+
 struct Look {
   Finish finish = Finish::Poplin;
   Dye colour{137, 165, 205};
@@ -23,13 +31,15 @@ struct Look {
   double repeat = 0.02;  // metres; of a photograph its width
   double turn = 0;       // radians from the grain, counter-clockwise
   std::string photo;     // name of a blob: packPrint()
+  std::optional<WrongSide> wrong;
   bool operator==(const Look&) const = default;
 };
 
 struct Looks {
   std::map<std::string, Look> fabrics;  // by name, where they do not look as usual
   std::map<PieceId, Look> pieces;       // that look otherwise than their fabric
-  bool empty() const { return fabrics.empty() && pieces.empty(); }
+  std::map<PieceId, Flat> shifts;       // where on a piece its print begins: across and along the grain
+  bool empty() const { return fabrics.empty() && pieces.empty(); }  // shifts aside
   bool operator==(const Looks&) const = default;
 };
 

@@ -18,6 +18,7 @@
 #include "karinui/design/operations/placing.h"
 #include "karinui/design/operations/sewing.h"
 #include "karinui/design/operations/sizes.h"
+#include "karinui/design/operations/tracing.h"
 #include "karinui/design/operations/trimming.h"
 
 namespace karinui {
@@ -34,7 +35,7 @@ std::variant<Ops...> variantOf(OperationList<Ops...>);
 using PlainOperation = decltype(variantOf(
     FigureOperations() + DraftingOperations() + PaperOperations() + OutlineOperations() + MarksOperations() +
     SewingOperations() + PlacingOperations() + DrapingOperations() + FabricOperations() + FinishingOperations() +
-    TrimmingOperations() + SizesOperations() + FasteningOperations()));
+    TrimmingOperations() + SizesOperations() + FasteningOperations() + TracingOperations()));
 
 // Any operation. The fields named in `formulas` are given by formulas: what the struct holds there is their value as
 // it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand.

@@ -27,9 +27,20 @@ struct SpatialLook {
     std::vector<std::uint8_t> rgb;   // sRGB, rows from the top; instead of the colour
     double wide = 0, high = 0;       // metres on paper
     Flat across{1, 0}, along{0, 1};  // unit, on paper: its right and its top
-    bool operator==(const Tile&) const = default;
+    Flat origin = {};                // on paper: a lower left corner
+    // The same picture, wherever it begins.
+    bool operator==(const Tile& o) const {
+      return width == o.width && height == o.height && rgb == o.rgb && wide == o.wide && high == o.high &&
+             across == o.across && along == o.along;
+    }
   };
   std::optional<Tile> tile;
+  struct Wrong {                    // its other side, where that looks otherwise
+    std::array<float, 3> colour{};  // linear
+    std::optional<Tile> tile;
+    bool operator==(const Wrong&) const = default;
+  };
+  std::optional<Wrong> wrong;
   bool operator==(const SpatialLook&) const = default;
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "karinui/geometry/vec.h"
@@ -38,15 +39,20 @@ struct ClothLook {
   double repeat = 0.02;                     // metres from one to the next; of a photograph its width
   double turn = 0;                          // radians, counter-clockwise from the grain
   Flat grain{0, 1};                         // unit, on paper
+  Flat origin;                              // on paper: where the print begins
   std::shared_ptr<const PrintImage> photo;  // Print::Photo
+
+  // Its other side, where that looks otherwise; its print has the repeat, turn and photograph of the right side's.
+  struct Wrong {
+    Colour colour{};
+    Print print = Print::None;
+    Colour ink{};
+  };
+  std::optional<Wrong> wrong;
 };
 
-// A place of the print: paper turned by the grain and by the print's own turn, so that stripes run along y.
-// The two steps on paper by which a place is measured: across and along the print.
+// A place of the print: paper from the print's origin, turned by the grain and by the print's own turn, so that stripes
+// run along y. The two steps on paper by which a place is measured: across and along the print.
 std::array<Flat, 2> printAxes(const ClothLook& look);
-inline Flat onPrint(const ClothLook& look, Flat paper) {
-  const auto [across, along] = printAxes(look);
-  return {dot(paper, across), dot(paper, along)};
-}
 
 }  // namespace karinui

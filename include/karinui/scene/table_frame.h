@@ -3,6 +3,7 @@
 // tableFrameOf() in session. Owns everything; no ids of the document, no pointers; any thread may read. Places in
 // metres on the table, v up; curves are points no further than 0.2 mm from them; colours linear RGB.
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,7 +92,19 @@ struct TableSeam {
   std::array<Side, 2> sides;
 };
 
+// A scan that is traced; it lies under all else.
+struct TableScan {
+  std::shared_ptr<const PrintImage> image;
+  Flat at;           // where its middle lies
+  double width = 1;  // metres
+  double turn = 0;   // radians, counter-clockwise
+  double strength = 0.5;
+  double height() const { return width * image->height / image->width; }
+  std::array<Flat, 4> corners() const;  // lower left, lower right, upper right, upper left
+};
+
 struct TableFrame {
+  std::vector<TableScan> scans;    // the later ones above
   std::vector<TablePiece> pieces;  // in the order of the document's, the later ones above
   std::vector<TableSeam> seams;    // seam n is printed with the number n + 1
 };
@@ -99,6 +112,6 @@ struct TableFrame {
 struct TableBox {
   Flat low, high;
 };
-std::optional<TableBox> extent(const TableFrame& frame);  // nothing: there is no piece
+std::optional<TableBox> extent(const TableFrame& frame);  // nothing: there is neither piece nor scan
 
 }  // namespace karinui

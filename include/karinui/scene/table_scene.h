@@ -40,7 +40,8 @@ struct SceneLabel {
 };
 
 struct TableScene {
-  SceneFrame frame;  // pieces as flat cloths, all else as lines; cloth k is piece k of the table's frame
+  SceneFrame
+      frame;  // pieces as flat cloths, all else as lines; cloth k is piece k of the table's frame; scans after them
   std::vector<SceneLabel> labels;
 };
 // `above`: how far over the placement's plane the paper lies; the lines lie as far over the paper. A piece whose shown

@@ -27,6 +27,7 @@ enum class Command {
   RingSector,
   Polygon,
   Pin,
+  Trace,
   // Where one looks from.
   ViewFront,
   ViewBack,
@@ -57,7 +58,7 @@ enum class Command {
 
 // What there must be before a command can be given. What a session alone knows (steps to undo, a gesture begun) it asks
 // besides.
-enum class Needs { Nothing, Body, BodyToDraw, Pieces, BodyAndPieces, ChosenPiece, ChosenSeam, ChosenThing };
+enum class Needs { Nothing, Body, BodyToDraw, Pieces, BodyAndPieces, ChosenPiece, ChosenSeam, ChosenThing, Scan };
 
 class Gesture;
 struct CommandInfo {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "karinui/design/document.h"
+#include "karinui/design/print_match.h"
 #include "karinui/design/values.h"
 #include "karinui/geometry/bvh.h"
 #include "karinui/scene/pointer.h"
@@ -44,10 +45,12 @@ struct GarmentSnapshot {
     std::shared_ptr<const struct Lattice> lattice = {};  // it was laid as; null where there is trouble
   };
   std::vector<Worn> worn;
-  std::shared_ptr<const VisibleParts> visible;  // null: all of it
+  std::shared_ptr<const VisibleParts> visible;                     // null: all of it
+  std::map<std::string, std::shared_ptr<const PrintImage>> scans;  // of the document's underlays, by name
   std::optional<Message> trouble;  // why pieces could not be laid together (then each stands alone, without seams)
 };
 using SnapshotPtr = std::shared_ptr<const GarmentSnapshot>;
+PhotoTall photosOf(const GarmentSnapshot& snapshot);  // of the prints it shows
 SnapshotPtr snapshotOf(Document document, BodyPtr body, const Prints& prints = {});
 // The same garment where these pieces have come to stand, as drapes and pulls leave them (in space: the poses become
 // the identity). Forms asFine() as the garment need not be laid anew: quick.

@@ -39,6 +39,7 @@ struct Preview {
   TableOverlay table;
   std::map<PieceId, Rigid> carried;     // pieces shown moved in space, as rigid things
   std::map<PieceId, Outline> outlines;  // pieces whose paper is about to be so
+  Underlays underlays;                  // scans shown moved
 };
 
 // A preview a gesture requests of the worker thread; only the newest request is answered.

@@ -14,7 +14,8 @@ namespace karinui {
 Colour linear(Dye dye);
 
 using Prints = std::function<std::shared_ptr<const PrintImage>(const std::string& photo)>;  // null: it cannot be read
-ClothLook clothLookOf(const Look& look, const Fabric& fabric, Flat grain, const Prints& prints);
+// `origin`: where on the paper the print begins.
+ClothLook clothLookOf(const Look& look, const Fabric& fabric, Flat grain, Flat origin, const Prints& prints);
 
 // Photographs of a document, kept when they were read.
 class PrintShelf {

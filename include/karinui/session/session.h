@@ -79,6 +79,8 @@ class Session {
   void importBody(const std::filesystem::path& file);
   // A photograph (PNG or JPEG) as the print of a fabric or of pieces, as `look` says.
   void importPrint(const std::filesystem::path& file, SetLook look);
+  // A scan or photograph of a paper pattern, laid under the flat pattern to be traced.
+  void importScan(const std::filesystem::path& file);
   void importPattern(const std::filesystem::path& file);  // into this document; .json of ours or GarmentCode, .ops
   void exportTo(const std::filesystem::path& file, const ExportWish& wish);
   // The pattern for others, with nothing of the person it was made for (share.h). What others will read in it is told.

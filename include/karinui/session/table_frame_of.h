@@ -12,7 +12,9 @@ struct TableFrameOptions {
   Language language = Language::English;     // the lettering is placed for its words in this language
   bool corners = false;                      // a tool moves them
   bool nest = false;                         // graded pieces in all their sizes, over one another
+  bool scans = true;                         // what is traced lies under the pattern
   std::map<PieceId, Outline> outlines = {};  // shown instead of the document's, as Preview::outlines
+  Underlays underlays = {};                  // likewise
 };
 
 // Where pieces have room for their lettering, and what their other sizes are, takes milliseconds a piece: kept from one

@@ -13,7 +13,8 @@ struct TablePictureOptions {
 };
 
 // The whole table with a margin, drawn as on the printed sheet: lettering as large as it is printed, seams in their
-// colours, a ruler below. Refuses an empty table. `notes` (may be null) gets what could not be written.
+// colours, a ruler below. Scans lie under all else. Refuses an empty table. `notes` (may be null) gets what could not
+// be written.
 Result<Image> drawTable(const TableFrame& frame, const TablePictureOptions& options = {},
                         std::vector<Message>* notes = nullptr);
 

@@ -65,6 +65,8 @@ Result<Document> perform(const Document& before, const CutPiece& op, Context& co
   const bool own = before.looks.pieces.contains(whole.id) || before.looks.pieces.contains(whole.mirrorOf);
   for (Piece& piece : cut->pieces) {
     if (own) after.looks.pieces[piece.id] = lookOf(before, whole);
+    if (const auto shift = before.looks.shifts.find(whole.id); shift != before.looks.shifts.end())
+      after.looks.shifts[piece.id] = shift->second;
     piece.mirrorOf = PieceId();  // no longer the other's likeness
     after = withPiece(std::move(after), std::move(piece));
   }

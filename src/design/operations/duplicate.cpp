@@ -44,6 +44,8 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
   Document after = before;
   if (const auto look = before.looks.pieces.find(op.piece.id); look != before.looks.pieces.end())
     after.looks.pieces[copy.id] = look->second;
+  if (const auto shift = before.looks.shifts.find(op.piece.id); shift != before.looks.shifts.end())
+    after.looks.shifts[copy.id] = shift->second;
   const PieceId id = copy.id;
   if (graded) after.grading.pieces[id] = graded.mapped();
   if (const auto own = before.cutting.find(op.piece.id); own != before.cutting.end()) after.cutting[id] = own->second;

@@ -1,5 +1,9 @@
+#include <cmath>
+
 #include "design/operations/operations.h"
 #include "karinui/design/print_image.h"
+#include "karinui/design/print_match.h"
+#include "karinui/pattern/seam_walk.h"
 
 namespace karinui {
 
@@ -13,6 +17,13 @@ Look with(Look look, const SetLook& op) {
   if (op.repeat) look.repeat = *op.repeat;
   if (op.turn) look.turn = *op.turn;
   if (!op.photo.empty()) look.photo = op.photo;
+  if (op.wrong || op.wrongPrint || op.wrongInk) {
+    WrongSide wrong = look.wrong.value_or(WrongSide{look.colour, PrintKind::None, look.ink});
+    if (op.wrong) wrong.colour = *op.wrong;
+    if (op.wrongPrint) wrong.print = *op.wrongPrint;
+    if (op.wrongInk) wrong.ink = *op.wrongInk;
+    look.wrong = wrong;
+  }
   return look;
 }
 
@@ -49,6 +60,11 @@ Done resolve(const Document& before, SetLook& op, Context& context) {
     if (const auto image = unpackPrint(*bytes); !image) return image.error();
     if (!op.print) op.print = PrintKind::Photo;
   }
+  if (op.shift && (op.pieces.empty() || !op.fabric.empty()))
+    return refused(say("A print is placed on a piece: piece=front shift=0,12mm."));
+  constexpr double kFarthest = 2;  // metres, as the largest repeat
+  if (op.shift && !(std::fabs(op.shift->u) <= kFarthest && std::fabs(op.shift->v) <= kFarthest))
+    return refused(say("A print is shifted by {0} m at most.", kFarthest));
   return each(before, op, [](const auto&, Look) {});
 }
 
@@ -68,6 +84,38 @@ Result<Document> perform(const Document& before, const SetLook& op, Context&) {
     }
   };
   if (Done done = each(before, op, put); !done) return done.error();
+  if (op.plain)
+    for (const PieceRef& ref : op.pieces) after.looks.shifts.erase(ref.id);
+  if (op.shift)
+    for (const PieceRef& ref : op.pieces) after.looks.shifts[ref.id] = *op.shift;
+  return after;
+}
+
+namespace {
+
+Result<Flat> matched(const Document& before, const MatchPrint& op, const Context& context) {
+  return matchingShift(before, *before.find(op.seam.id), op.at, op.piece.id, photosIn(context.blobs));
+}
+
+}  // namespace
+
+Done resolve(const Document& before, MatchPrint& op, Context& context) {
+  if (Done done = resolve(before, op.seam); !done) return done;
+  if (!(op.at >= 0 && op.at <= 1)) return refused(say("A place along a seam lies between 0 and 1."));
+  if (op.piece) {
+    if (Done done = resolve(before, op.piece); !done) return done;
+  } else {
+    op.piece = PieceRef(SeamSides(before.pattern, *before.find(op.seam.id)).b.at(op.at).piece);
+  }
+  const auto shift = matched(before, op, context);
+  return shift ? Done() : Done(shift.error());
+}
+
+Result<Document> perform(const Document& before, const MatchPrint& op, Context& context) {
+  const auto shift = matched(before, op, context);
+  if (!shift) return shift.error();
+  Document after = before;
+  after.looks.shifts[op.piece.id] = *shift;
   return after;
 }
 

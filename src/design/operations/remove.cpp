@@ -14,6 +14,7 @@ Result<Document> perform(const Document& before, const RemovePieces& op, Context
     after.pattern.pieces.erase(ref.id);
     after.pins.erase(ref.id);
     after.looks.pieces.erase(ref.id);
+    after.looks.shifts.erase(ref.id);
   }
   const auto takeOut = [&](const auto& all, auto& from) {
     for (const auto& [id, sewn] : all) {

@@ -65,6 +65,9 @@ struct SetLook {
   std::optional<Length> repeat;
   std::optional<Angle> turn;
   std::string photo;
+  std::optional<Dye> wrong, wrongInk;
+  std::optional<PrintKind> wrongPrint;
+  std::optional<Flat> shift;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("fabric", self.fabric, "the fabric, for every piece that is cut from it", kOptional);
@@ -80,8 +83,29 @@ struct SetLook {
     visit("repeat", self.repeat, "from one stripe, check or dot to the next; of a photograph its width", kOptional);
     visit("turn", self.turn, "the print's angle to the grain", kOptional);
     visit("photo", self.photo, "the photograph, by its name among the document's blobs", kOptional);
+    visit("wrong", self.wrong, "colour of its wrong side, where that is another one", kOptional);
+    visit("wrong_print", self.wrongPrint, "print of its wrong side: none, stripe, check, dot, photo", kOptional);
+    visit("wrong_ink", self.wrongInk, "colour of the stripes, checks and dots there", kOptional);
+    visit("shift", self.shift, "of pieces: where the print begins on their paper, across and along the grain",
+          kOptional);
   }
   bool operator==(const SetLook&) const = default;
+};
+
+// match seam=side        match seam=side at=0.3 piece=back
+struct MatchPrint {
+  static constexpr std::string_view kName = "match";
+  static constexpr std::string_view kHelp = "Places a piece on its print so that stripes and checks meet in a seam.";
+  SeamRef seam;
+  double at = 0;
+  PieceRef piece;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("seam", self.seam, "the seam", kNeeded);
+    visit("at", self.at, "where they meet: a share of the seam's length, 0 at its start", kOptional);
+    visit("piece", self.piece, "the piece whose print moves (otherwise that of the second side)", kOptional);
+  }
+  bool operator==(const MatchPrint&) const = default;
 };
 
 // interface piece="collar stand" fabric=interfacing: the two are one cloth from then on (fused() in cloth/fabric.h).
@@ -101,6 +125,6 @@ struct FuseInterfacing {
   bool operator==(const FuseInterfacing&) const = default;
 };
 
-using FabricOperations = OperationList<SetFabric, SetLook, FuseInterfacing>;
+using FabricOperations = OperationList<SetFabric, SetLook, MatchPrint, FuseInterfacing>;
 
 }  // namespace karinui
