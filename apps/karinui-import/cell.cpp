@@ -33,7 +33,8 @@ bool enterCell(const Limits& limits) {
 #endif
   // Where both limits are equal the kernel looks at the hard one first and sends SIGKILL: the parent could not tell a
   // file that takes too long from one that makes the reader fail. Above the soft limit it sends SIGXCPU.
-  if (!limit(RLIMIT_CPU, limits.seconds, limits.seconds + 1) || !limit(RLIMIT_CORE, 0) || !limit(RLIMIT_FSIZE, 0)) return false;
+  if (!limit(RLIMIT_CPU, limits.seconds, limits.seconds + 1) || !limit(RLIMIT_CORE, 0) || !limit(RLIMIT_FSIZE, 0))
+    return false;
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) return false;
   // Everything else, above all every way to open a file or a socket or to start a program, is answered "not allowed".
   scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EACCES));
