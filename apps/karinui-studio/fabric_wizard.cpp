@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <numbers>
+#include <tuple>
 
 #include "karinui/base/number.h"
 #include "karinui/session/fabric_numbers.h"
@@ -40,12 +41,15 @@ FabricWizard::FabricWizard(Session& session, QWidget* parent) : QDialog(parent),
     told->setProperty("role", "faint");
     form->addRow(told);
   };
+  // A rectangle of cloth, and what it weighs or is weighed down by.
+  const auto addCloth = [&](const Message& length, const Message& width, const Message& mass) {
+    return std::tuple{add(*form, length, kMilli, "mm"), add(*form, width, kMilli, "mm"), add(*form, mass, kMilli, "g")};
+  };
   heading(say("Weight"),
           say("Cut a swatch with straight edges, as large as you can spare, and lay it on the scales. Several "
               "readings of one thing are typed with spaces between them."));
-  swatchLength_ = add(*form, say("Length of the swatch"), kMilli, "mm");
-  swatchWidth_ = add(*form, say("Width of the swatch"), kMilli, "mm");
-  mass_ = add(*form, say("Its mass"), kMilli, "g");
+  std::tie(swatchLength_, swatchWidth_, mass_) =
+      addCloth(say("Length of the swatch"), say("Width of the swatch"), say("Its mass"));
   heading(
       say("Bending"),
       say("Push a strip of 25 mm by 200 mm over the table's edge until its tip lies 41.5 degrees below the edge, as a "
@@ -59,9 +63,8 @@ FabricWizard::FabricWizard(Session& session, QWidget* parent) : QDialog(parent),
   heading(say("Stretch"),
           say("Make two marks on a strip, hang a weight on it and read how far apart they are now. The strip "
               "on the bias tells the shear."));
-  stripLength_ = add(*form, say("Between the marks"), kMilli, "mm");
-  stripWidth_ = add(*form, say("Width of the strip"), kMilli, "mm");
-  weight_ = add(*form, say("Weight that hangs on it"), kMilli, "g");
+  std::tie(stripLength_, stripWidth_, weight_) =
+      addCloth(say("Between the marks"), say("Width of the strip"), say("Weight that hangs on it"));
   const std::array under{say("Then, warp"), say("Then, weft"), say("Then, bias")};
   for (std::size_t g = 0; g < kGrains; ++g) hung_[g] = add(*form, under[g], kMilli, "mm");
   heading(say("Thickness, and the tools"), say("What each tool is good to, either way."));

@@ -59,6 +59,9 @@ BodyPoint::Part roundWhat(const Body& body, const SectionLoop& loop) {
 // An open front is still a garment round the body; a narrow skirt leaves little more open on the inner side of a leg.
 constexpr double kOpen = std::numbers::pi / 2, kOpenLeg = std::numbers::pi / 4;
 
+// Metres. In the fold of an armpit the tape would be drawn out towards the arms, and above it goes round them.
+constexpr double kUnderArmpit = 0.003;
+
 // Whether the places lie on all sides of the figure: a hem that hangs lower at the back than in front goes round
 // nothing.
 bool allRound(const std::vector<Vec3>& places, const std::vector<Vec3>& figure, double open) {
@@ -224,18 +227,21 @@ SceneFrame pressureFrame(const GarmentSnapshot& snapshot, const std::vector<floa
 std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {
   std::vector<Girths> all;
   if (!snapshot.body) return all;
-  const std::pair<const char*, Message> levels[] = {{"torso:armpit@0", say("armpit")},
-                                                    {"torso:bust@0", say("bust")},
-                                                    {"torso:under_bust@0", say("under bust")},
-                                                    {"torso:waist@0", say("waist")},
-                                                    {"torso:hip@0", say("hip")}};
   const auto heightOf = [&](const char* place) -> std::optional<double> {
     const auto point = parseBodyPoint(place);
     const auto there = point ? snapshot.body->find(*point) : Result<SurfacePoint>(point.error());
     return there ? std::optional(at(snapshot.body->mesh(), *there).y) : std::nullopt;
   };
-  for (const auto& [place, name] : levels)
-    if (const auto height = heightOf(place))
+  std::optional<double> armpit;
+  for (const char* place : {"torso:armpit@0", "landmark:armpit_left", "landmark:armpit_right"})
+    if (const auto height = heightOf(place)) armpit = std::fmin(armpit.value_or(*height), *height - kUnderArmpit);
+  const std::pair<std::optional<double>, Message> levels[] = {{armpit, say("armpit")},
+                                                              {heightOf("torso:bust@0"), say("bust")},
+                                                              {heightOf("torso:under_bust@0"), say("under bust")},
+                                                              {heightOf("torso:waist@0"), say("waist")},
+                                                              {heightOf("torso:hip@0"), say("hip")}};
+  for (const auto& [height, name] : levels)
+    if (height)
       for (Girths& girths : girthsAt(snapshot, *height)) {
         if (girths.what != Girths::Round::Trunk || girths.garment <= 0) continue;
         girths.name = name;

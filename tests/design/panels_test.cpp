@@ -3,10 +3,8 @@
 
 #include <random>
 
-#include "design/workroom.h"
+#include "design/draping_room.h"
 #include "karinui/base/number.h"
-#include "karinui/check/check.h"
-#include "karinui/design/drape.h"
 
 namespace karinui {
 namespace {
@@ -48,10 +46,7 @@ struct Hung {
   ClothCheck found;
 };
 void hang(const Panels& panels, Hung& hung) {
-  static Workroom room;  // the figure is built once
-  room.context.drape = [](const Document& d, const DrapePieces& pieces, Context& own) {
-    return drapeOnBody(d, pieces, own);
-  };
+  Workroom& room = drapingRoom();
   const auto script = parseScript(scriptOf(panels));
   ASSERT_TRUE(script) << text(script.error().what);
   Document document;

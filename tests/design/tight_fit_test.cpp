@@ -4,22 +4,12 @@
 #include <numbers>
 #include <random>
 
-#include "design/workroom.h"
+#include "design/draping_room.h"
 #include "karinui/base/number.h"
-#include "karinui/check/check.h"
 #include "karinui/cloth/girth_check.h"
-#include "karinui/design/drape.h"
 
 namespace karinui {
 namespace {
-
-Workroom& room() {
-  static Workroom room;  // the figure is built once
-  room.context.drape = [](const Document& d, const DrapePieces& pieces, Context& own) {
-    return drapeOnBody(d, pieces, own);
-  };
-  return room;
-}
 
 // Two rectangles before and behind the figure, from 64 cm above the floor up, sewn at both sides unless `open`.
 std::string tube(double halfWidth, const std::string& fabric, bool open = false, double length = 0.6) {
@@ -36,7 +26,7 @@ Document played(const std::string& script) {
   const auto lines = parseScript(script);
   EXPECT_TRUE(lines) << text(lines.error().what);
   for (const ScriptLine& line : *lines) {
-    auto next = apply(document, line.operation, room().context);
+    auto next = apply(document, line.operation, drapingRoom().context);
     EXPECT_TRUE(next) << text(next.error().what);
     if (next) document = *std::move(next);
   }
@@ -44,12 +34,13 @@ Document played(const std::string& script) {
 }
 std::optional<GirthLoop> tightest(const Document& document) {
   const auto stands = standingCloth(document, livePieces(document, {}));
-  const auto body = bodyOf(document, room().context);
+  const auto body = bodyOf(document, drapingRoom().context);
   return tightestLoop(stands->cloth, stands->state, **body);
 }
 
 TEST(TightFit, ATubeIsAsLongRoundAsItsPiecesAreWide) {
-  const double hip = bodyOf(played(tube(0.3, "cotton")), room().context).value()->measured().value.at("hip_girth");
+  const double hip =
+      bodyOf(played(tube(0.3, "cotton")), drapingRoom().context).value()->measured().value.at("hip_girth");
   std::mt19937 random(7);
   std::uniform_real_distribution<double> widths(0.15, 0.32);
   for (int k = 0; k < 12; ++k) {
@@ -92,7 +83,7 @@ TEST(TightFit, ATubeOfJerseyStaysWhereItWasPutOn) {
   ASSERT_TRUE(document.drape.last);
   EXPECT_TRUE(document.drape.last->settled) << text(document.drape.last->why);
   const auto stands = standingCloth(document, livePieces(document, {}));
-  const auto body = bodyOf(document, room().context);
+  const auto body = bodyOf(document, drapingRoom().context);
   const ClothCheck found = check(stands->cloth, stands->state, body->get());
   EXPECT_EQ(found.clothBodyCrossings + found.clothClothCrossings + found.foldCrossings, 0u);
   EXPECT_LE(found.penetration, 0.0005);

@@ -91,11 +91,11 @@ TEST(Fit, WhereOnlyOneSideHangsNothingGoesRound) {
   EXPECT_EQ(girthsAt(half, 0.4).at(0).garment, 0);
 }
 
-// A tube of cloth that stands on the floor, round each of `rings`.
+// A tube of cloth that stands on the floor, round each of `rings`, as high as `top`.
 struct Ring {
   double x, z, half;
 };
-GarmentSnapshot tubesOn(const BodyPtr& body, const std::vector<Ring>& rings) {
+GarmentSnapshot tubesOn(const BodyPtr& body, const std::vector<Ring>& rings, double top = 0.7) {
   GarmentSnapshot fitting;
   fitting.body = body;
   for (const Ring& ring : rings) {
@@ -103,7 +103,7 @@ GarmentSnapshot tubesOn(const BodyPtr& body, const std::vector<Ring>& rings) {
     constexpr std::uint32_t kAround = 48;
     for (std::uint32_t k = 0; k < kAround; ++k) {
       const double turn = 2 * std::numbers::pi * k / kAround;
-      for (const double y : {0.0, 0.7})
+      for (const double y : {0.0, top})
         cloth.mesh.points.push_back({ring.x + ring.half * std::cos(turn), y, ring.z + ring.half * std::sin(turn)});
     }
     for (std::uint32_t k = 0; k < kAround; ++k) {
@@ -144,6 +144,23 @@ TEST(Fit, ATrouserLegIsMeasuredByItself) {
   const auto bare = girthsAt(tubesOn(*body, {}), left.y);
   ASSERT_EQ(bare.size(), 1u);
   EXPECT_EQ(bare[0].garment, 0);
+}
+
+// The tape at the armpit goes under the arms, not round them: a man's chest is measured just there.
+TEST(Fit, AtTheArmpitTheArmsAreLeftOut) {
+  Workers alone(1);
+  for (const char* size : {"jis9ar", "eu38", "eu50"}) {
+    const auto body = makeMannequin(*builtInSize(size), alone, Token());
+    ASSERT_TRUE(body) << text(body.error().what);
+    const auto& measured = (*body)->measured().value;
+    const double half = measured.at("bust_girth") / (2 * std::numbers::pi) + 0.03;
+    const auto girths = girthsOf(tubesOn(*body, {{0, 0, half}}, 1.6));
+    ASSERT_FALSE(girths.empty());
+    EXPECT_EQ(text(girths[0].name), "armpit");
+    EXPECT_LT(girths[0].height, measured.at("armpit_height"));
+    EXPECT_NEAR(girths[0].body, measured.at("bust_girth"), 0.012) << size;
+    EXPECT_NEAR(girths[0].garment, 2 * std::numbers::pi * half, 0.02) << size;
+  }
 }
 
 TEST(Fit, TheTopOfAScaleIsRound) {
