@@ -31,7 +31,7 @@ Result<Image> fourSides(Picture& picture, const SceneFrame& frame, PictureOption
     if (!image) return image.error();
     items.push_back({*std::move(image), text(words, how.language)});
   }
-  return contactSheet(items, 2);
+  return contactSheet(items, {.columns = 2});
 }
 
 }  // namespace
