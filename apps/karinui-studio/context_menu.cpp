@@ -7,6 +7,7 @@
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
 #include "karinui/design/step_words.h"
+#include "karinui/design/variant.h"
 #include "karinui/geometry/polygon.h"
 #include "karinui/pattern/darts.h"
 #include "karinui/pattern/edit.h"
@@ -318,11 +319,7 @@ void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
   if (!first) return;
   QMenu* fabrics = menu.addMenu(inWords(say("Fabric")));
   fabrics->setEnabled(!session_->readOnly());
-  std::vector<std::string> names;
-  for (const auto& [name, fabric] : document.fabrics) names.push_back(name);
-  for (const Fabric& fabric : presets())
-    if (!document.fabrics.contains(fabric.name)) names.push_back(fabric.name);
-  for (const std::string& name : names) {
+  for (const std::string& name : fabricNames(document)) {
     SetFabric set;
     set.name = name;
     for (const PieceId id : chosen.pieces) set.pieces.push_back(PieceRef(id));

@@ -6,6 +6,7 @@
 #include <QSlider>
 #include <cmath>
 
+#include "beside.h"
 #include "karinui/base/number.h"
 #include "length_box.h"
 #include "panels.h"
@@ -38,7 +39,9 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
   form->addRow(word(say("Tape")), tape_);
   beside_ = new QComboBox;
   Theme::here().keep(beside_, [this] { beside_->setAccessibleName(inWords(say("Beside it"))); });
-  letShrink(*beside_, say("Shows the garment as it was after a step at the left, as it is at the right."));
+  letShrink(*beside_,
+            say("At the left another garment, another size or fabric, or the garment as it was after a step; at the "
+                "right the garment as it is."));
   form->addRow(word(say("Beside it")), beside_);
   column->addLayout(form);
   report_ = new QLabel;
@@ -105,7 +108,13 @@ FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(vi
     level_->setChecked(true);
     levelled();
   });
-  connect(beside_, &QComboBox::activated, this, [this] { compare(); });
+  auto* beside = new Beside(session, view, this);
+  connect(beside_, &QComboBox::activated, this, &FitPanel::compare);
+  connect(beside, &Beside::changed, this, [this, beside] {
+    then_ = beside->fitting();
+    fillBeside();
+    fillReport();
+  });
   connect(map_, &QComboBox::currentIndexChanged, this, [this](int i) { view_.setMap(static_cast<FitMap>(i)); });
   connect(tape_, &QCheckBox::toggled, this, [this](bool on) { view_.setTape(on); });
   connect(stereo_, &QComboBox::currentIndexChanged, this, [this](int i) {
@@ -122,6 +131,7 @@ void FitPanel::showEvent(QShowEvent* event) {
 }
 
 void FitPanel::refresh() {
+  findChild<Beside*>()->refresh();
   if (map_->currentIndex() != static_cast<int>(view_.map())) {
     const QSignalBlocker quiet(map_);
     map_->setCurrentIndex(static_cast<int>(view_.map()));
@@ -136,34 +146,26 @@ void FitPanel::refresh() {
   fillReport();
 }
 
-// The steps after which the garment hung at rest, the newest first.
 void FitPanel::fillBeside() {
-  const auto chosen = beside_->currentData().toULongLong();
+  const auto* beside = findChild<Beside*>();
+  const QSignalBlocker quiet(beside_);
   beside_->clear();
-  beside_->addItem(inWords(say("nothing")), 0ull);
-  std::size_t number = session_.steps().size();
-  for (auto step = session_.steps().rbegin(); step != session_.steps().rend(); ++step, --number)
-    if (std::holds_alternative<DrapePieces>(step->operation) || std::holds_alternative<PullCloth>(step->operation))
-      beside_->addItem(inWords(say("after step {0}", number)), static_cast<qulonglong>(step->seq));
-  for (const Step& end : session_.otherBranches())
-    beside_->addItem(inWords(say("another way, {0} {0|step|steps}", static_cast<std::size_t>(end.serial))),
-                     static_cast<qulonglong>(end.seq));
-  beside_->setCurrentIndex(std::max(0, beside_->findData(static_cast<qulonglong>(chosen))));
-  if (beside_->currentIndex() == 0 && view_.beside()) compare();
+  for (const Beside::Choice& choice : beside->choices()) {
+    beside_->addItem(inWords(choice.words));
+    if (choice.what == beside->what()) beside_->setCurrentIndex(beside_->count() - 1);
+  }
+  beside_->addItem(inWords(say("Another garment…")));
 }
 
 void FitPanel::compare() {
-  const auto seq = beside_->currentData().toULongLong();
-  if (seq == 0) {
-    then_.reset();
-    view_.setBeside(nullptr, {});
-    return fillReport();
-  }
-  session_.snapshotAfter(seq, [this, words = beside_->currentText()](SnapshotPtr then) {
-    then_ = then;
-    view_.setBeside(std::move(then), words);
-    fillReport();
-  });
+  auto* beside = findChild<Beside*>();
+  const std::vector<Beside::Choice> all = beside->choices();
+  const auto which = static_cast<std::size_t>(std::max(0, beside_->currentIndex()));
+  if (which < all.size())
+    beside->show(all[which]);
+  else
+    beside->askFile(this);
+  fillBeside();  // what is not had is not chosen
 }
 
 void FitPanel::fillReport() {
@@ -188,7 +190,7 @@ void FitPanel::fillReport() {
         {say("deepest in the body"), [](const auto& r) { return lengthText(r.penetration, 2); }}};
     const SettleReport* before = then_ && then_->document.drape.last ? &*then_->document.drape.last : nullptr;
     QString table;
-    if (before) table = row({"", inWords(say("then")), inWords(say("now"))});
+    if (before) table = row({"", inWords(say("left")), inWords(say("now"))});
     for (const auto& [words, said] : lines)
       table += before ? row({inWords(words), said(*before), said(*last)}) : row({inWords(words), said(*last)});
     report_->setText("<table>" + table + "</table>");
@@ -196,7 +198,7 @@ void FitPanel::fillReport() {
   const std::vector<Girths> now = girthsOf(session_.snapshot());
   if (now.empty()) return girths_->setText("–");
   std::vector<QString> head{"", inWords(say("body")), inWords(say("garment")), inWords(say("ease"))};
-  if (then_) head.push_back(inWords(say("then")));
+  if (then_) head.push_back(inWords(say("left")));
   QString table = row(head);
   for (const Girths& g : now) {
     std::vector<QString> cells{inWords(g.name), lengthText(g.body), lengthText(g.garment),

@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QToolBar>
 
+#include "beside.h"
 #include "blocks_menu.h"
 #include "force_feedback.h"
 #include "guide.h"
@@ -249,6 +250,10 @@ void MainWindow::makeMenus() {
   map(say("Distance to the body"), "Alt+8", FitMap::Ease);
   map(say("Pressure on the body"), "Alt+9", FitMap::Pressure);
   viewMenu_->addSeparator();
+  QMenu* beside = viewMenu_->addMenu(QString());
+  beside->setObjectName("beside");
+  Theme::here().keep(beside, [beside] { beside->setTitle(inWords(say("Beside it"))); });
+  connect(beside, &QMenu::aboutToShow, this, [this, beside] { findChild<Beside*>()->fill(*beside, this); });
   makeStereoMenu();
   fullScreen_ = add(viewMenu_, say("Full screen"), "", "F11", [this] { setFullScreen(!isFullScreen()); });
   fullScreen_->setCheckable(true);

@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <thread>
 
+#include "beside.h"
+#include "karinui/view/line_up.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -16,6 +18,14 @@ constexpr std::array kSizes{std::array{900, 1200}, std::array{1800, 2400}, std::
                             std::array{1920, 1080}};
 constexpr std::array kViews{View::Front, View::Back, View::Left, View::Right, View::Oblique};
 constexpr std::array kEyes{Eyes::Mono, Eyes::SideBySide, Eyes::TopBottom, Eyes::Anaglyph};
+
+// What stands beside the fitting at the left, as in the window; the sheet as large as one picture would be.
+Result<Image> pair(const Beside& beside, const SceneFrame& now, PictureOptions how, bool allRound) {
+  const std::vector<SceneFrame> frames{beside.fitting()->frame, now};
+  how.width /= allRound ? 4 : 2, how.height /= allRound ? 2 : 1;
+  LineUp lineUp({{text(beside.words(), how.language)}, {text(say("now"), how.language)}}, frames, how);
+  return allRound ? lineUp.turns(4) : lineUp.draw();
+}
 
 // On one sheet as large as one picture would be.
 Result<Image> fourSides(Picture& picture, const SceneFrame& frame, PictureOptions how) {
@@ -31,7 +41,7 @@ Result<Image> fourSides(Picture& picture, const SceneFrame& frame, PictureOption
     if (!image) return image.error();
     items.push_back({*std::move(image), text(words, how.language)});
   }
-  return contactSheet(items, 2);
+  return contactSheet(items, {.columns = 2});
 }
 
 }  // namespace
@@ -61,6 +71,7 @@ PictureDialog::PictureDialog(Session& session, SpaceView& view, QWidget* parent)
     box->setAccessibleName(inWords(words));
     connect(box, &QComboBox::currentIndexChanged, this, &PictureDialog::refresh);
   }
+  eyes_->setEnabled(!view_.beside());  // two garments are drawn for one eye
   left->addLayout(form);
   left->addStretch(1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
@@ -93,8 +104,12 @@ Result<Image> PictureDialog::draw(double scale) const {
   // On a thread of its own: this one's is the window's context, and some drivers allow no second.
   std::optional<Result<Image>> image;
   std::thread([&] {
-    auto picture = Picture::open();
     const SceneFrame& frame = session_.snapshot().frame;
+    if (const Beside* beside = parent()->findChild<Beside*>(); beside && beside->fitting()) {
+      image = pair(*beside, frame, how, allRound);
+      return;
+    }
+    auto picture = Picture::open();
     image = !picture ? picture.error() : allRound ? fourSides(**picture, frame, how) : (*picture)->draw(frame, how);
   }).join();
   return *std::move(image);

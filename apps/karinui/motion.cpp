@@ -85,7 +85,7 @@ Result<Image> motionSheet(OpenDocument& opened, const std::vector<FitInPose>& fi
     items.push_back({std::move(both), opened.program().console.said(fit.said)});
   }
   std::vector<Message> notes;
-  Result<Image> sheet = contactSheet(items, std::min<int>(kColumns / 2, static_cast<int>(items.size())), &notes);
+  Result<Image> sheet = contactSheet(items, {.columns = kColumns / 2}, &notes);
   for (const Message& note : notes) opened.program().console.note(note);
   return sheet;
 }

@@ -33,7 +33,8 @@ class OpenDocument {
   Result<Step> perform(Operation operation) { return performWith(std::move(operation), *context_); }
   Result<Step> performWith(Operation operation, Context& context);  // with another's blobs
   bool settled() const { return settled_; }
-  Result<SceneFrame> scene();  // the garment on its body, for pictures
+  Result<SceneFrame> scene() { return scene(document()); }  // the garment on its body, for pictures
+  Result<SceneFrame> scene(const Document& document);       // the same of what became of it
   Prints prints();
 
  private:

@@ -2,6 +2,7 @@
 #include "karinui/base/file.h"
 #include "karinui/exchange/formats.h"
 #include "outputs.h"
+#include "pictures.h"
 
 namespace karinui::app {
 
@@ -30,11 +31,22 @@ int runPicture(Program& program, const PictureOptionsAsked& options) {
     return kWrongCall;
   }
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
+    Json answer = {{"file", options.out}};
+    const auto told = [&](int width, int height) -> int {
+      answer["width"] = width, answer["height"] = height;
+      program.console.answer(answer, options.out);
+      return kDone;
+    };
+    if (options.frames > 0) {
+      const auto size = writeFrames(opened, options, options.out);
+      if (!size) return program.console.refuse(size.error());
+      answer["frames"] = options.frames;
+      return told((*size)[0], (*size)[1]);
+    }
     const Result<Image> image = pictureOf(opened, options);
     if (!image) return program.console.refuse(image.error());
     if (const Done done = writePng(options.out, *image); !done) return program.console.refuse(done.error());
-    program.console.answer({{"file", options.out}, {"width", image->width}, {"height", image->height}}, options.out);
-    return kDone;
+    return told(image->width, image->height);
   });
 }
 
@@ -65,22 +77,33 @@ void addOutputVerbs(Program& program) {
   verb = program.verb(program.cli, "picture", help("Draws the garment on its body, or its flat pattern"), wish,
                       runPicture);
   verb->add_option("document", wish->path, help("The .karinui document"))->required();
-  verb->add_option("-o,--output", wish->out, help("The PNG file"))->required();
+  verb->add_option("-o,--output", wish->out, help("The PNG file; with --frames a folder"))->required();
   CLI::Option* view = verb->add_option("--view", wish->view, help("front, back, left, right, oblique"));
   CLI::Option* map = verb->add_option("--map", wish->map, help("none, strain"));
   CLI::Option* eyes = verb->add_option("--eyes", wish->eyes, help("mono, side-by-side, top-bottom, anaglyph"));
   CLI::Option* hide = verb->add_option("--hide", wish->hide, help("Parts of the figure not to draw: arms,hands,head"));
   CLI::Option* section = verb->add_option("--section", wish->section,
                                           help("Cut open by a plane: side, front or level, and where: front@5cm"));
-  verb->add_flag("--table", wish->table, help("The flat pattern on the cutting table instead"))
-      ->excludes(view)
-      ->excludes(hide)
-      ->excludes(section)
-      ->excludes(map)
-      ->excludes(eyes);
+  ComparisonWish& compare = wish->compare;
+  CLI::Option* beside = verb->add_option(
+      "--beside", compare.beside, help("Other .karinui documents, drawn beside it at one scale and on one floor"));
+  CLI::Option* sizes = verb->add_flag("--sizes", compare.sizes, help("All its sizes side by side, each draped"));
+  CLI::Option* fabrics =
+      verb->add_option("--fabrics", compare.fabrics, help("Side by side in fabrics, draped in each: \"cotton silk\""));
+  CLI::Option* turns =
+      verb->add_option("--turns", wish->turns, help("A sheet of so many sides of a whole turn, 2 to 36"))
+          ->check(CLI::Range(2, 36));
+  CLI::Option* frames =
+      verb->add_option("--frames", wish->frames,
+                       help("So many numbered pictures of a whole turn, 2 to 3600, for a film; the output is a folder"))
+          ->check(CLI::Range(2, 3600));
+  turns->excludes(frames);
+  CLI::Option* table = verb->add_flag("--table", wish->table, help("The flat pattern on the cutting table instead"));
+  for (CLI::Option* other : {view, hide, section, map, eyes, beside, sizes, fabrics, turns, frames})
+    table->excludes(other);
   verb->add_flag("--nest", wish->nest, help("with --table: graded pieces in all their sizes, over one another"));
   verb->add_flag("--scans", wish->scans, help("with --table: over the scans that are traced"));
-  verb->add_option("--size", wish->size, help("WIDTHxHEIGHT in pixels"));
+  verb->add_option("--size", wish->size, help("WIDTHxHEIGHT in pixels, of each figure where there are several"));
 }
 
 }  // namespace karinui::app

@@ -15,6 +15,7 @@
 #include "karinui/design/script.h"
 #include "karinui/pattern/truing.h"
 #include "outputs.h"
+#include "pictures.h"
 
 namespace karinui::app {
 
@@ -320,6 +321,10 @@ class Server {
     request.table = fields.flag("table");
     request.nest = fields.flag("nest");
     request.scans = fields.flag("scans");
+    request.compare.sizes = fields.flag("sizes");
+    request.compare.fabrics = fields.text("fabrics");
+    if (const std::string beside = fields.text("beside"); !beside.empty()) request.compare.beside = {beside};
+    if (const auto turns = fields.number("turns", 2, 36)) request.turns = static_cast<int>(*turns);
     if (const Done fit = fields.checked(); !fit) return fit.error();
     const Result<Image> image = pictureOf(*opened_, request);
     if (!image) return image.error();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace karinui {
@@ -72,6 +73,30 @@ Vec3 sideOf(View view) {
   return {std::sin(turn) * std::cos(rise), std::sin(rise), std::cos(turn) * std::cos(rise)};
 }
 
+// The box of the scene, or of a person where nothing is in it.
+Box boxOrPerson(const SceneFrame& frame) {
+  const Box box = extent(frame);
+  return box.empty() ? Box{{-0.4, 0, -0.2}, {0.4, 1.7, 0.2}} : box;
+}
+
+// Every place of the scene, or the corners of a person's box where nothing is in it.
+template <class Visit>
+void eachPoint(const SceneFrame& frame, const Visit& visit) {
+  const auto visitAll = [&](const std::vector<Vec3>& points) {
+    for (const Vec3 p : points)
+      if (drawable(p)) visit(p);
+  };
+  for (const SceneBody& body : frame.bodies) visitAll(body.mesh.points);
+  for (const SceneCloth& cloth : frame.cloths) visitAll(cloth.mesh.points);
+  for (const SceneLine& line : frame.lines) visitAll(line.points);
+  if (!extent(frame).empty()) return;
+  const Box box = boxOrPerson(frame);
+  for (int i = 0; i < 8; ++i)
+    visit(Vec3{i & 1 ? box.low.x : box.high.x, i & 2 ? box.low.y : box.high.y, i & 4 ? box.low.z : box.high.z});
+}
+
+constexpr double kMargin = 0.90;
+
 }  // namespace
 
 Vec3 Camera::right() const { return axesOf(*this).right; }
@@ -92,28 +117,14 @@ std::string_view nameOf(Eyes eyes) { return kEyes[static_cast<std::size_t>(eyes)
 
 Camera frameAll(const SceneFrame& frame, View view, double aspect) {
   Camera camera;
-  Box box = extent(frame);
-  if (box.empty()) box = {{-0.4, 0, -0.2}, {0.4, 1.7, 0.2}};
-  camera.target = box.centre();
+  camera.target = boxOrPerson(frame).centre();
   camera.eye = camera.target + sideOf(view);
   const Axes axes = axesOf(camera);
 
   // The middle of the scene as this camera sees it, then the distance at which the outermost point meets the margin.
   double lowR = 0, highR = 0, lowU = 0, highU = 0;
-  const auto eachPoint = [&](auto&& visit) {
-    for (const SceneBody& body : frame.bodies)
-      for (const Vec3 p : body.mesh.points) visit(p);
-    for (const SceneCloth& cloth : frame.cloths)
-      for (const Vec3 p : cloth.mesh.points) visit(p);
-    for (const SceneLine& line : frame.lines)
-      for (const Vec3 p : line.points) visit(p);
-    if (extent(frame).empty())
-      for (int i = 0; i < 8; ++i)
-        visit({i & 1 ? box.low.x : box.high.x, i & 2 ? box.low.y : box.high.y, i & 4 ? box.low.z : box.high.z});
-  };
   bool first = true;
-  eachPoint([&](Vec3 p) {
-    if (!drawable(p)) return;
+  eachPoint(frame, [&](Vec3 p) {
     const double r = dot(p - camera.target, axes.right), u = dot(p - camera.target, axes.up);
     lowR = first ? r : std::min(lowR, r), highR = first ? r : std::max(highR, r);
     lowU = first ? u : std::min(lowU, u), highU = first ? u : std::max(highU, u);
@@ -121,11 +132,9 @@ Camera frameAll(const SceneFrame& frame, View view, double aspect) {
   });
   camera.target += axes.right * ((lowR + highR) / 2) + axes.up * ((lowU + highU) / 2);
 
-  const double margin = 0.90;
-  const double tanV = std::tan(camera.fieldOfView / 2) * margin, tanH = tanV * aspect;
+  const double tanV = std::tan(camera.fieldOfView / 2) * kMargin, tanH = tanV * aspect;
   double distance = 0.02 / tanV;  // a scene of one point is seen as a patch of a few centimetres
-  eachPoint([&](Vec3 p) {
-    if (!drawable(p)) return;
+  eachPoint(frame, [&](Vec3 p) {
     const Vec3 q = p - camera.target;
     const double towards = dot(q, axes.back);
     distance = std::max(
@@ -133,6 +142,54 @@ Camera frameAll(const SceneFrame& frame, View view, double aspect) {
   });
   camera.eye = camera.target + axes.back * distance;
   return camera;
+}
+
+Vec3 axisOf(const SceneFrame& frame) {
+  const Vec3 middle = boxOrPerson(frame).centre();
+  return {middle.x, 0, middle.z};
+}
+
+// A point at the radius r and the height y above the target comes to r cos f towards the camera at the turn f. With
+// the camera's rise p it is seen y cos p - r cos f sin p above the target's line of sight and r sin f beside it, and is
+// r cos f cos p + y sin p nearer. The distance that keeps it within a slope t is (beside or above) / t + nearer. Over
+// all f the greatest value of the one is r sqrt(1 / t^2 + cos^2 p) + y sin p, and the other is linear in cos f.
+Camera frameTurning(std::span<const SceneFrame> frames, View view, double aspect) {
+  struct Ring {
+    double radius, height;
+  };
+  std::vector<Ring> rings;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const SceneFrame& frame : frames) {
+    const Vec3 axis = axisOf(frame);
+    const Box box = boxOrPerson(frame);
+    low = std::min(low, box.low.y), high = std::max(high, box.high.y);
+    eachPoint(frame, [&](Vec3 p) { rings.push_back({std::hypot(p.x - axis.x, p.z - axis.z), p.y}); });
+  }
+  if (rings.empty()) return frameAll({}, view, aspect);
+  Camera camera;
+  camera.target = {0, (low + high) / 2, 0};
+  const Vec3 back = sideOf(view);
+  const double rise = back.y, level = std::hypot(back.x, back.z);  // sine and cosine
+  const double tanV = std::tan(camera.fieldOfView / 2) * kMargin, tanH = tanV * aspect;
+  const double beside = std::sqrt(1 / (tanH * tanH) + level * level);
+  double distance = 0.02 / tanV;
+  for (const Ring& ring : rings) {
+    const double y = ring.height - camera.target.y;
+    distance = std::max(distance, ring.radius * beside + y * rise);
+    for (const double side : {-1.0, 1.0})
+      distance =
+          std::max(distance, side * y * level / tanV + y * rise + ring.radius * std::fabs(level - side * rise / tanV));
+  }
+  camera.eye = camera.target + back * distance;
+  return camera;
+}
+
+Camera walkedRound(const Camera& camera, Vec3 axis, double turn) {
+  const double c = std::cos(turn), s = std::sin(turn);
+  const auto walked = [&](Vec3 p) { return Vec3{axis.x + c * p.x + s * p.z, p.y, axis.z + c * p.z - s * p.x}; };
+  Camera after = camera;
+  after.eye = walked(camera.eye), after.target = walked(camera.target);
+  return after;
 }
 
 Matrix4 viewOf(Vec3 p, Vec3 right, Vec3 up, Vec3 back) {

@@ -63,7 +63,15 @@ struct Tile {
   }
 };
 
-Result<Image> drawEye(const Renderer& renderer, const Eye& eye, int width, int height, int samples) {
+// The eye's window, widened to the whole row of pictures that this one is a part of.
+Eye overRow(Eye eye, const InRow& row) {
+  Matrix4 widened;
+  widened.m[0] = 1.0 / row.of, widened.m[12] = (2 * row.at + 1.0) / row.of - 1;
+  eye.projection = widened * eye.projection;
+  return eye;
+}
+
+Result<Image> drawEye(const Renderer& renderer, const Eye& eye, int width, int height, int samples, const InRow& row) {
   Image image(width, height);
   const int step = kTile / samples;
   const Tile tile(std::min(width, step) * samples, std::min(height, step) * samples);
@@ -73,9 +81,15 @@ Result<Image> drawEye(const Renderer& renderer, const Eye& eye, int width, int h
     for (int left = 0; left < width; left += step) {
       const int wide = std::min(step, width - left), high = std::min(step, height - top);
       const double w = width, h = height;
-      const DrawArea area{
-          0,           0,          wide * samples, high * samples, left / w, 1 - (top + high) / h, (left + wide) / w,
-          1 - top / h, h * samples};
+      const DrawArea area{0,
+                          0,
+                          wide * samples,
+                          high * samples,
+                          (row.at + left / w) / row.of,
+                          1 - (top + high) / h,
+                          (row.at + (left + wide) / w) / row.of,
+                          1 - top / h,
+                          h * samples};
       renderer.draw(eye, area);
       drawn.resize(std::size_t{4} * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
       glPixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -86,9 +100,33 @@ Result<Image> drawEye(const Renderer& renderer, const Eye& eye, int width, int h
   return image;
 }
 
+// What one eye sees.
+std::array<int, 2> eyeSize(const PictureOptions& o) {
+  return {o.eyes == Eyes::SideBySide ? o.width / 2 : o.width, o.eyes == Eyes::TopBottom ? o.height / 2 : o.height};
+}
+double aspectOf(const PictureOptions& o) {
+  const auto [width, height] = eyeSize(o);
+  return static_cast<double>(width) / height;
+}
+
+Error lost() { return notFound(say("The graphics driver has lost its context.")); }
+
 bool usable(const Camera& camera) {
   return drawable(camera.eye) && drawable(camera.target) && finite(camera.up) && camera.distance() > 1e-4 &&
          camera.fieldOfView > 0.001 && camera.fieldOfView < 3.0;
+}
+
+Done usable(const PictureOptions& o) {
+  if (o.width < kLeast || o.height < kLeast || o.width > kMost || o.height > kMost)
+    return badSize(written(o.width) + "x" + written(o.height));
+  if (o.samples < 1 || o.samples > 4)
+    return badInput(say("A pixel cannot be the mean of {0} x {0} samples; 1 to 4.", o.samples));
+  if (!std::isfinite(o.eyeSeparation) || std::fabs(o.eyeSeparation) > 10)
+    return badInput(say("The eyes cannot be {0} m apart.", o.eyeSeparation));
+  if (o.camera && !usable(*o.camera))
+    return badInput(say("The camera stands nowhere: its places must be finite and apart."));
+  KARINUI_ASSERT(o.row.at >= 0 && o.row.at < o.row.of);
+  return {};
 }
 
 }  // namespace
@@ -117,6 +155,8 @@ struct Picture::Parts {
   std::unique_ptr<OffscreenContext> context;
   std::unique_ptr<Renderer> renderer;
   Lettering lettering;
+  std::vector<std::string> captions;  // of what is shown
+  double strainTop = 0;
 };
 
 Picture::Picture() : parts_(std::make_unique<Parts>()) {}
@@ -143,46 +183,50 @@ Result<std::unique_ptr<Picture>> Picture::open(const Studio& studio) {
 
 Result<Image> Picture::draw(const SceneFrame& frame, const PictureOptions& o) {
   notes_.clear();
-  if (o.width < kLeast || o.height < kLeast || o.width > kMost || o.height > kMost)
-    return badSize(written(o.width) + "x" + written(o.height));
-  if (o.samples < 1 || o.samples > 4)
-    return badInput(say("A pixel cannot be the mean of {0} x {0} samples; 1 to 4.", o.samples));
-  if (!std::isfinite(o.eyeSeparation) || std::fabs(o.eyeSeparation) > 10)
-    return badInput(say("The eyes cannot be {0} m apart.", o.eyeSeparation));
-  if (o.camera && !usable(*o.camera))
-    return badInput(say("The camera stands nowhere: its places must be finite and apart."));
+  if (const Done good = usable(o); !good) return good.error();
   double top = 0;
   if (o.map == Map::Strain) {
     const double own = strainTop(frame);
     if (own == 0) return refused(say("There is no strain to show yet: settle the drape first."));
     top = o.strainTop > 0 && std::isfinite(o.strainTop) ? o.strainTop : own;
   }
-  const bool sideBySide = o.eyes == Eyes::SideBySide, topBottom = o.eyes == Eyes::TopBottom;
-  const int width = sideBySide ? o.width / 2 : o.width, height = topBottom ? o.height / 2 : o.height;
-  const double aspect = static_cast<double>(width) / height;
-  const Camera camera = o.camera ? *o.camera : frameAll(frame, o.view, aspect);
-
   const OffscreenContext::Current current(*parts_->context);
-  if (!current.ok()) return notFound(say("The graphics driver has lost its context."));
+  if (!current.ok()) return lost();
+  parts_->renderer->show(frame, top);
+  parts_->captions = frame.captions;
+  parts_->strainTop = top;
+  return seen(o.camera ? *o.camera : frameAll(frame, o.view, aspectOf(o)), o);
+}
+
+Result<Image> Picture::again(const PictureOptions& o) {
+  KARINUI_ASSERT(o.camera);
+  notes_.clear();
+  if (const Done good = usable(o); !good) return good.error();
+  const OffscreenContext::Current current(*parts_->context);
+  if (!current.ok()) return lost();
+  return seen(*o.camera, o);
+}
+
+Result<Image> Picture::seen(const Camera& camera, const PictureOptions& o) {
+  const auto [width, height] = eyeSize(o);
   Renderer& renderer = *parts_->renderer;
-  renderer.show(frame, top);
   renderer.light(camera);
   notes_ = renderer.notes();
-  const auto seen = [&](double sideways) -> Result<Image> {
-    return drawEye(renderer, eyeOf(camera, aspect, sideways), width, height, o.samples);
+  const auto drawn = [&](double sideways) -> Result<Image> {
+    return drawEye(renderer, overRow(eyeOf(camera, aspectOf(o), sideways), o.row), width, height, o.samples, o.row);
   };
   const auto lettered = [&](Image& image) {
     if (!o.lettering) return;
-    writeCaptions(image, parts_->lettering, frame.captions);
-    if (top > 0) drawStrainLegend(image, parts_->lettering, top, o.language);
+    writeCaptions(image, parts_->lettering, parts_->captions);
+    if (parts_->strainTop > 0) drawStrainLegend(image, parts_->lettering, parts_->strainTop, o.language);
     for (Message& note : parts_->lettering.takeNotes()) notes_.push_back(std::move(note));
   };
   if (o.eyes == Eyes::Mono) {
-    auto image = seen(0);
+    auto image = drawn(0);
     if (image) lettered(*image);
     return image;
   }
-  auto left = seen(-o.eyeSeparation / 2), right = seen(o.eyeSeparation / 2);
+  auto left = drawn(-o.eyeSeparation / 2), right = drawn(o.eyeSeparation / 2);
   if (!left || !right) return left ? right.error() : left.error();
   if (o.eyes == Eyes::Anaglyph) {
     Image both = anaglyph(*left, *right);
@@ -192,7 +236,8 @@ Result<Image> Picture::draw(const SceneFrame& frame, const PictureOptions& o) {
   Image both(o.width, o.height);
   lettered(*left), lettered(*right);  // at the same place for each eye: the words lie in the plane of the target
   both.paste(*left, 0, 0);
-  both.paste(*right, sideBySide ? width : 0, topBottom ? height : 0);
+  const bool sideBySide = o.eyes == Eyes::SideBySide;
+  both.paste(*right, sideBySide ? width : 0, sideBySide ? 0 : height);
   return both;
 }
 

@@ -104,6 +104,7 @@ TEST_F(Network, NoVerbOpensASocket) {
            {"batch run", in("batch") + " --jobs 1"},
            {"batch merge", in("batch")},
            {"batch report", in("batch") + to("fit.pdf")},
+           {"batch picture", in("batch") + to("people.png") + " --size 60x100"},
            {"batch throughput", in("d.ops") + in("people.csv") + " --sample 1 --garments 10 --cores 2"},
            {"bench", " w3 --vertices 200"},
            {"touch replay", in("hand.txt") + " " + d},

@@ -203,7 +203,7 @@ TEST_F(RoomPictures, ShowTheRoom) {
     person.step(room);
     keep(room, person, "left", "For a left hand");
   }
-  const auto sheet = contactSheet(strip, 2);
+  const auto sheet = contactSheet(strip, {.columns = 2});
   ASSERT_TRUE(sheet);
   EXPECT_TRUE(writePng((std::filesystem::path(folder) / "room.png").string(), *sheet));
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "view/little_scenes.h"
 
 namespace karinui {
@@ -36,6 +38,43 @@ TEST(Camera, ViewsStandOnTheirSide) {
   EXPECT_LT(frameAll(frame, View::Back, 1).eye.z, -2);
   EXPECT_GT(frameAll(frame, View::Left, 1).eye.x, 2) << "the body's left hand is at +x";
   EXPECT_LT(frameAll(frame, View::Right, 1).eye.x, -2);
+}
+
+// What a standing person is, with one arm far out and a train: nothing about it is round.
+SceneFrame lopsided(Vec3 at, double high) {
+  SceneFrame frame;
+  frame.bodies.push_back(test::ball(at + Vec3{0, high / 2, 0}, high / 2));
+  frame.lines.push_back({{at + Vec3{0.9, 0.8 * high, 0.1}, at + Vec3{-0.2, 0.02, -1.1}}});
+  return frame;
+}
+
+TEST(Camera, OneDistanceAndOneAimHoldScenesAtEveryTurn) {
+  const std::vector<SceneFrame> frames{lopsided({3, 0, -2}, 1.7), lopsided({0, 0, 0}, 1.1)};
+  for (const double aspect : {0.4, 0.6, 1.0, 2.0})
+    for (const View view : {View::Front, View::Left, View::Oblique}) {
+      const Camera camera = frameTurning(frames, view, aspect);
+      double nearest = 1;  // smallest free share of half a side
+      for (const SceneFrame& frame : frames)
+        for (int k = 0; k < 72; ++k) {
+          const Camera there = walkedRound(camera, axisOf(frame), k * std::numbers::pi / 36);
+          EXPECT_NEAR(there.distance(), camera.distance(), 1e-9);
+          EXPECT_NEAR(there.eye.y, camera.eye.y, 1e-12) << "the floor stays where it is";
+          const Eye eye = eyeOf(there, aspect);
+          for (const auto* points : {&frame.bodies[0].mesh.points, &frame.lines[0].points})
+            for (const Vec3 p : *points) {
+              const OnPicture at = project(eye, p, 2, 2);
+              nearest = std::min({nearest, at.x, 2 - at.x, at.y, 2 - at.y});
+            }
+        }
+      EXPECT_NEAR(nearest, 0.1, 0.005) << nameOf(view) << aspect << ": the widest turn meets the margin, none is cut";
+    }
+}
+
+TEST(Camera, WalksTowardsTheLeftFirst) {
+  const Camera front{{0, 1, 4}, {0, 1, 0}};
+  const Camera left = walkedRound(front, {2, 0, 1}, std::numbers::pi / 2);
+  EXPECT_NEAR(distance(left.target, {2, 1, 1}), 0, 1e-12);
+  EXPECT_NEAR(distance(left.eye, {6, 1, 1}), 0, 1e-12) << "the body's left hand is at +x";
 }
 
 TEST(Camera, TheEyesSeeAPointAsFarApartAsTheFormulaSays) {

@@ -56,7 +56,7 @@ TEST(Words, ASheetHoldsItsPicturesInOrderWithCaptions) {
   const Pixel red{200, 0, 0, 255}, green{0, 200, 0, 255};
   const std::vector<SheetItem> items{
       {Image(120, 160, red), "one"}, {Image(120, 160, green), "二"}, {Image(60, 80, red), ""}};
-  const auto sheet = contactSheet(items, 2);
+  const auto sheet = contactSheet(items, {.columns = 2});
   ASSERT_TRUE(sheet);
   EXPECT_EQ(sheet->at(60, 80), red);
   EXPECT_EQ(sheet->at(sheet->width - 60, 80), green);

@@ -4,8 +4,7 @@
 #include <map>
 
 #include "karinui/base/number.h"
-#include "karinui/design/glossary.h"
-#include "table.h"
+#include "misfit.h"
 
 namespace karinui::app {
 
@@ -16,15 +15,6 @@ constexpr double kGirthStep = 0.04;  // metres: sizes are this far apart
 
 Message words(const std::string& plain) { return say("{0}", plain); }
 Message tenths(double value) { return words(fixed(value, 1)); }
-
-Message misfitSaid(const std::string& word) {
-  for (const Message& known : {say("too small"), say("does not close"), say("crosses the body"), say("stretched"),
-                               say("presses"), say("did not settle"), say("refused"), say("timeout"), say("crashed")})
-    if (known.pattern == word) return known;
-  return words(word);
-}
-const char* const kMisfits[] = {"too small",      "does not close", "crosses the body", "stretched", "presses",
-                                "did not settle", "refused",        "timeout",          "crashed"};
 
 // The garments of one design in one fabric, in the table's order.
 struct Section {
@@ -59,10 +49,10 @@ std::vector<double> valuesOf(const BatchTable& table, const Section& section, co
 ReportTable outcomes(const BatchTable& table, const std::vector<Section>& sections) {
   ReportTable all{say("What came of it"), {say("design"), say("garments"), say("fit")}, {}};
   std::vector<std::string> met;  // a column for each way not to fit that occurs
-  for (const char* word : kMisfits)
+  for (const Message& misfit : misfits())
     for (std::size_t r = 0; r < table.rows.size(); ++r)
-      if (table.text(r, "misfit") == word) {
-        met.emplace_back(word), all.columns.push_back(misfitSaid(word));
+      if (table.text(r, "misfit") == misfit.pattern) {
+        met.push_back(misfit.pattern), all.columns.push_back(misfit);
         break;
       }
   if (table.missing > 0) all.columns.push_back(say("not done yet"));
@@ -133,51 +123,7 @@ ReportTable byGirth(const BatchTable& table, const Section& section) {
   return all;
 }
 
-// Whom it does not fit, where and by how much: the worst of each kind first.
-struct Misfit {
-  std::size_t row = 0, kind = 0;
-  double by = 0;
-};
-std::vector<Misfit> misfitsOf(const BatchTable& table) {
-  std::vector<Misfit> all;
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    const std::string word = table.text(r, "misfit");
-    if (word.empty()) continue;
-    const char* by = word == "too small"          ? "too_small_m"
-                     : word == "does not close"   ? "fastenings_open"
-                     : word == "crosses the body" ? "cloth_body_crossings"
-                     : word == "stretched"        ? "strain_p99"
-                                                  : "pressure_p99_pa";
-    const auto kind = std::find(std::begin(kMisfits), std::end(kMisfits), word) - std::begin(kMisfits);
-    all.push_back({r, static_cast<std::size_t>(kind), table.number(r, by).value_or(0)});
-  }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Misfit& a, const Misfit& b) { return a.kind != b.kind ? a.kind < b.kind : a.by > b.by; });
-  return all;
-}
-
-// By how much, and where; nothing of what has a sentence instead.
-std::vector<Message> amountOf(const BatchTable& table, const Misfit& misfit) {
-  const std::size_t r = misfit.row;
-  const std::string word = kMisfits[misfit.kind];
-  const Message& said = table.said[r];
-  if (word == "too small") {
-    const bool placed = said.values.size() > 1 && std::holds_alternative<Message>(said.values[1]);
-    return {words(misfit.by < 0.01 ? "< 1 cm" : fixed(100 * misfit.by, 0) + " cm"),
-            placed ? std::get<Message>(said.values[1]) : Message()};
-  }
-  if (word == "stretched") return {words(fixed(100 * misfit.by, 1) + " %"), nameSaid(table.text(r, "strain_at"))};
-  if (word == "presses") {
-    const auto place = parseBodyPoint(table.text(r, "pressure_at"));
-    return {words(fixed(misfit.by / 1000, 1) + " kPa"), place ? placeSaid(*place) : Message()};
-  }
-  if (word == "crosses the body") return {say("{0} {0|place|places}", static_cast<std::size_t>(misfit.by)), Message()};
-  if (word == "does not close")
-    return {say("{0} {0|fastening|fastenings}", static_cast<std::size_t>(misfit.by)), Message()};
-  return {};
-}
-
-ReportTable misfitTable(const BatchTable& table, const std::vector<Misfit>& misfits, bool many) {
+ReportTable misfitTable(const BatchTable& table, const std::vector<Misfit>& people, bool many) {
   ReportTable all{say("Whom it does not fit, the worst first"), {say("person")}, {}};
   if (many) all.columns.push_back(say("design"));
   struct Girth {
@@ -188,8 +134,8 @@ ReportTable misfitTable(const BatchTable& table, const std::vector<Misfit>& misf
       {"body_bust_girth", say("bust")}, {"body_waist_girth", say("waist")}, {"body_hip_girth", say("hip")}};
   for (const Girth& girth : kGirths) all.columns.push_back(girth.name);
   all.columns.insert(all.columns.end(), {say("does not fit"), say("by"), say("where")});
-  for (std::size_t i = 0; i < std::min(misfits.size(), kMostListed); ++i) {
-    const std::size_t r = misfits[i].row;
+  for (std::size_t i = 0; i < std::min(people.size(), kMostListed); ++i) {
+    const std::size_t r = people[i].row;
     std::vector<Message> cells{words(table.text(r, "person"))};
     if (many) {
       const std::string cloth = table.text(r, "fabric");
@@ -199,8 +145,8 @@ ReportTable misfitTable(const BatchTable& table, const std::vector<Misfit>& misf
       const auto value = table.number(r, girth.column);
       cells.push_back(value ? tenths(*value * 100) : words(""));
     }
-    const Message what = misfitSaid(kMisfits[misfits[i].kind]);
-    if (std::vector<Message> amount = amountOf(table, misfits[i]); !amount.empty()) {
+    const Message& what = misfits()[people[i].kind];
+    if (std::vector<Message> amount = amountOf(table, people[i]); !amount.empty()) {
       cells.push_back(what);
       cells.insert(cells.end(), amount.begin(), amount.end());
     } else {
@@ -208,8 +154,8 @@ ReportTable misfitTable(const BatchTable& table, const std::vector<Misfit>& misf
     }
     all.rows.push_back(std::move(cells));
   }
-  if (misfits.size() > kMostListed)
-    all.rows.push_back({say("and {0} more; see the table.", misfits.size() - kMostListed)});
+  if (people.size() > kMostListed)
+    all.rows.push_back({say("and {0} more; see the table.", people.size() - kMostListed)});
   return all;
 }
 
@@ -239,8 +185,8 @@ Report fitReport(const BatchPlan& plan, const BatchTable& table, const std::stri
     }
     if (ReportTable girths = byGirth(table, section); !girths.rows.empty()) report.tables.push_back(std::move(girths));
   }
-  if (const std::vector<Misfit> misfits = misfitsOf(table); !misfits.empty())
-    report.lists.push_back(misfitTable(table, misfits, sections.size() > 1));
+  if (const std::vector<Misfit> people = misfitsOf(table); !people.empty())
+    report.lists.push_back(misfitTable(table, people, sections.size() > 1));
   return report;
 }
 

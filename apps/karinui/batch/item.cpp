@@ -10,6 +10,7 @@
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
 #include "karinui/design/script.h"
+#include "karinui/design/variant.h"
 #include "karinui/exchange/formats.h"
 
 namespace karinui::app {
@@ -47,6 +48,8 @@ Done playScript(OpenDocument& opened, const fs::path& path, const SetBody& body)
   return {};
 }
 
+}  // namespace
+
 Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& plan, const BatchItem& item) {
   const SetBody body = bodyFor(plan.bodies[item.body].measures);
   const fs::path path = folder / plan.designs[item.design].file;
@@ -63,16 +66,10 @@ Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& 
     settings.spacing = Length{plan.spacing};
     if (const auto step = opened.perform(settings); !step) return step.error();
   }
-  if (!item.fabric.empty()) {
-    SetFabric fabric;
-    fabric.name = item.fabric;
-    for (const auto& [id, piece] : opened.document().pattern.pieces) fabric.pieces.emplace_back(id);
-    if (const auto step = opened.perform(fabric); !step) return step.error();
-  }
+  if (!item.fabric.empty())
+    if (const auto step = opened.perform(cutFrom(opened.document(), item.fabric)); !step) return step.error();
   return {};
 }
-
-}  // namespace
 
 int runItem(Program& program, const fs::path& folder) {
   const std::string given{std::istreambuf_iterator<char>(std::cin), {}};

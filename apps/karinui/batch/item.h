@@ -1,7 +1,7 @@
 #pragma once
 // One item of a batch: a design made to a person's measure, brought to rest and examined. Runs in a process of its own
 // (shard.h), for it may take for ever or fall down.
-#include "../commands.h"
+#include "../open_document.h"
 #include "plan.h"
 
 namespace karinui::app {
@@ -9,5 +9,9 @@ namespace karinui::app {
 // Does the item whose plan (planOf()) comes on stdin and keeps its outcome: nothing is read that grows with the batch.
 // The exit status of the process is kDone where an outcome was kept.
 int runItem(Program& program, const std::filesystem::path& folder);
+
+// Its garment in an empty document, not brought to rest yet.
+Done makeGarment(OpenDocument& opened, const std::filesystem::path& folder, const BatchPlan& plan,
+                 const BatchItem& item);
 
 }  // namespace karinui::app

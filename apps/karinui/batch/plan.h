@@ -4,6 +4,7 @@
 //   manifest.json   what is to be done; an item's key is the hash of all its outcome depends on
 //   designs/        the documents and scripts, by their hash
 //   items/KEY.json  what became of an item: written whole or not at all, and the only truth
+//   garments/       the garments of pictures, by key: made again at need, and lost without harm
 #include <filesystem>
 #include <string>
 #include <vector>

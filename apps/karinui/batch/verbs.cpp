@@ -1,4 +1,4 @@
-// batch plan, run, merge, report, throughput, submit: every design on every body.
+// batch plan, run, merge, report, picture, throughput, submit: every design on every body.
 #include <cmath>
 
 #include "../commands.h"
@@ -6,6 +6,7 @@
 #include "item.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "people_picture.h"
 #include "plan.h"
 #include "shard.h"
 #include "slurm.h"
@@ -34,6 +35,9 @@ struct MergeOptions {
 };
 struct FitOptions {
   std::string folder, out, language;
+};
+struct PeopleOptions : PeopleWish {
+  std::string out;
 };
 struct ThroughputOptions {
   ThroughputWish wish;
@@ -129,6 +133,25 @@ int runFitReport(Program& program, const FitOptions& options) {
   return kDone;
 }
 
+int runPeople(Program& program, const PeopleOptions& options) {
+  if (const Done understood = checkPeople(options); !understood)
+    return program.console.refuse(understood.error()), kWrongCall;
+  const auto picture = peoplePicture(program, options);
+  if (!picture) return program.console.refuse(picture.error());
+  if (const Done done = writePng(options.out, picture->image); !done) return program.console.refuse(done.error());
+  if (picture->missing > 0)
+    program.console.note(say("{0} of {1} {1|item|items} not done yet; karinui batch run goes on with them.",
+                             picture->missing, picture->missing + picture->garments));
+  program.console.answer({{"file", options.out},
+                          {"width", picture->image.width},
+                          {"height", picture->image.height},
+                          {"garments", picture->garments},
+                          {"misfits", picture->misfits},
+                          {"missing", picture->missing}},
+                         options.out);
+  return kDone;
+}
+
 int runThroughput(Program& program, const ThroughputOptions& options) {
   ThroughputWish wish = options.wish;
   if (!options.spacing.empty()) {
@@ -221,6 +244,19 @@ void addBatchVerbs(Program& program) {
   verb->add_option("-o,--output", fit->out, help("The PDF file"))->required();
   verb->add_option("--language", fit->language, help("en or ja; else the language spoken here"))
       ->check(CLI::IsMember({"en", "ja"}));
+
+  auto people = std::make_shared<PeopleOptions>();
+  verb = program.verb(*batch, "picture",
+                      help("Draws everyone in the garment side by side, and marks whom it does not fit"), people,
+                      runPeople);
+  verb->add_option("folder", people->folder, help("The folder of the batch"))->required();
+  verb->add_option("-o,--output", people->out, help("The PNG file"))->required();
+  verb->add_flag("--misfits", people->misfits, help("Only whom it does not fit, the worst first"));
+  verb->add_option("--person", people->people, help("Only these people, by name"));
+  verb->add_option("--design", people->designs, help("Only these designs, by name"));
+  verb->add_option("--view", people->view, help("front, back, left, right, oblique"));
+  verb->add_option("--map", people->map, help("none, strain"));
+  verb->add_option("--size", people->size, help("WIDTHxHEIGHT in pixels, of each figure where there are several"));
 
   auto throughput = std::make_shared<ThroughputOptions>();
   verb =

@@ -2,6 +2,7 @@
 // Where one looks from, and the eyes that look. Plain values and free functions: no GL, any thread. Metres, radians;
 // the body faces +z and stands on y = 0, its left is +x.
 #include <array>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,14 @@ std::string_view nameOf(View view);
 // A camera from this side that holds everything drawable of the frame with a margin, in a picture of this aspect (width
 // / height). An empty frame is seen as if a person stood there.
 Camera frameAll(const SceneFrame& frame, View view, double aspect);
+
+// What a scene is turned about: the upright axis through the middle of its box, where it meets y = 0.
+Vec3 axisOf(const SceneFrame& frame);
+// A camera from this side for scenes that are turned, each about its own axis: it holds every one of them at every turn
+// with one distance and one aim, so that all are seen at one scale and on one floor. For an axis at x = z = 0.
+Camera frameTurning(std::span<const SceneFrame> frames, View view, double aspect);
+// This camera for a scene with that axis, walked so many radians round it, towards the body's left first.
+Camera walkedRound(const Camera& camera, Vec3 axis, double turn);
 
 // One eye, ready for the renderer.
 struct Eye {

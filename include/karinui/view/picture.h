@@ -24,6 +24,11 @@ Result<Map> mapNamed(std::string_view name);  // "none", "strain"
 // "1200x1600" as width and height; refuses what Picture would refuse.
 Result<std::array<int, 2>> sizeNamed(std::string_view text);
 
+// The place of a picture among those that are laid side by side as one: the backdrop goes on from one to the next.
+struct InRow {
+  int at = 0, of = 1;
+};
+
 struct PictureOptions {
   View view = View::Front;
   Eyes eyes = Eyes::Mono;
@@ -34,6 +39,7 @@ struct PictureOptions {
   double eyeSeparation = 0.063;       // metres
   int samples = 2;                    // each pixel is the mean of samples x samples; 1 … 4
   bool lettering = true;              // captions and legend
+  InRow row = {};
   Language language = Language::English;
 };
 
@@ -46,6 +52,8 @@ class Picture {
   Picture& operator=(const Picture&) = delete;
 
   Result<Image> draw(const SceneFrame& frame, const PictureOptions& options = {});
+  // The frame drawn last from another camera, which is quicker: it is in graphics memory, and the soft light is known.
+  Result<Image> again(const PictureOptions& options);
 
   // What the last picture leaves out or could not show, as sentences.
   const std::vector<Message>& notes() const { return notes_; }
@@ -54,17 +62,25 @@ class Picture {
 
  private:
   Picture();
+  Result<Image> seen(const Camera& camera, const PictureOptions& options);
   struct Parts;
   std::unique_ptr<Parts> parts_;
   std::vector<Message> notes_;
 };
 
-// Pictures side by side with a caption under each, for the stages of a fitting. Pictures may differ in size; each cell
-// is as large as the largest. columns 0: all in one row. Refuses an empty sheet and one larger than 32768 pixels.
+// Pictures side by side with words under each, for the stages of a fitting. Pictures may differ in size; each cell is
+// as large as the largest. Refuses an empty sheet and one larger than 32768 pixels.
 struct SheetItem {
   Image image;
-  std::string caption;  // UTF-8
+  std::string caption;                  // UTF-8
+  std::vector<std::string> below = {};  // smaller, broken into lines where it is long
+  bool marked = false;                  // a red bar under the picture, and its words in red
 };
-Result<Image> contactSheet(const std::vector<SheetItem>& items, int columns = 0, std::vector<Message>* notes = nullptr);
+struct SheetLayout {
+  int columns = 0;      // 0: all in one row
+  bool joined = false;  // no gap between neighbours: one picture (InRow)
+};
+Result<Image> contactSheet(const std::vector<SheetItem>& items, SheetLayout layout = {},
+                           std::vector<Message>* notes = nullptr);
 
 }  // namespace karinui
