@@ -65,7 +65,9 @@ TEST(PrintMatch, PlacedPiecesMeetAlongTheWholeOfASeamWhoseSidesAreAlike) {
       s.play("match seam=side\n");
       const auto after = s.meets("side");
       ASSERT_TRUE(after);
-      if (!turned) EXPECT_LT(after->most, 1e-6) << print << " " << k << " before " << before->most;
+      if (!turned) {
+        EXPECT_LT(after->most, 1e-6) << print << " " << k << " before " << before->most;
+      }
       // At the start it always meets: no other placing is nearer there.
       const SeamSides sides(s.document().pattern, s.seam("side"));
       const auto at = [&](const SeamSide& side) {
@@ -83,7 +85,9 @@ TEST(PrintMatch, PlacedPiecesMeetAlongTheWholeOfASeamWhoseSidesAreAlike) {
         return std::min(std::fabs(same - r * std::round(same / r)), std::fabs(mirrored - r * std::round(mirrored / r)));
       };
       EXPECT_LT(off(a.u, b.u), 1e-9);
-      if (std::string(print) != "stripe") EXPECT_LT(off(a.v, b.v), 1e-9);
+      if (std::string(print) != "stripe") {
+        EXPECT_LT(off(a.v, b.v), 1e-9);
+      }
     }
 }
 

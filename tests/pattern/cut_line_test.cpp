@@ -133,7 +133,10 @@ TEST(CutLine, EdgesAreWhatTheyAreCalledOrSewn) {
   EXPECT_EQ(kinds(), (std::vector{EdgeKind::Hem, EdgeKind::Fold, EdgeKind::Neckline, EdgeKind::Seam}));
   pattern.seams[{9}] = {{9}, "", {{{1}, "hem_2", 0, 0.5}}, {{{1}, "neckline", 0, 1}}, true, Seam::Tie::OneToOne};
   EXPECT_EQ(kinds(), (std::vector{EdgeKind::Seam, EdgeKind::Fold, EdgeKind::Seam, EdgeKind::Seam}));
-  const AllowancePlan plan(pattern, {{{EdgeKind::Seam, 0.012}}, {{{{1}, "chemise"}, 0.02}}, {}, {}, {}, {}});
+  Allowances own;
+  own.kinds = {{EdgeKind::Seam, 0.012}};
+  own.edges = {{{{1}, "chemise"}, 0.02}};
+  const AllowancePlan plan(pattern, own);
   EXPECT_EQ(plan.width({1}, "hem_2"), 0.012);
   EXPECT_EQ(plan.width({1}, "side_fold"), 0);
   EXPECT_EQ(plan.width({1}, "chemise"), 0.02);
