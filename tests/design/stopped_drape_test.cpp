@@ -37,7 +37,7 @@ TEST(StoppedDrape, IsKeptNotAtRestAndPlayedAgainToTheSameBits) {
   };
   std::set<std::string> stands{drapeHash(hung)};
   // While the seams are drawn together, while the coarse cloth drapes, on a finer level.
-  for (const int at : {4, 25, 45}) {
+  for (const int at : {4, 18, 32}) {
     stopAt = at;
     StopRequest request;
     room.context.stop = stop = &request;

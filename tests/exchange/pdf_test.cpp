@@ -219,7 +219,7 @@ TEST(PdfPages, KindsOfLinesAreLayers) {
     ASSERT_TRUE(pdf);
     std::size_t layers = 0;
     for (std::size_t at = 0; (at = pdf->find("/Type /OCG /Name <FEFF", at)) != std::string::npos; ++at) ++layers;
-    EXPECT_EQ(layers, 6u);
+    EXPECT_EQ(layers, 7u);
     EXPECT_NE(pdf->find("<FEFF88C130617DDA>"), std::string::npos) << "cut lines";
     EXPECT_NE(pdf->find("/Version /1.5"), std::string::npos);
     if (!test::drawsPdf()) continue;
