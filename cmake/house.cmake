@@ -18,6 +18,8 @@ target_compile_options(karinui_flags INTERFACE -Wall -Wextra -Wshadow -Wno-unkno
   # g++ 12 sees an overlap in "text" + std::string that is not there (its bug 105651) and reads of empty optionals that never
   # happen (its bug 80635).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict$<SEMICOLON>-Wno-maybe-uninitialized>
+  # Several sources compiled as one are, for g++, headers of it, whose unnamed namespaces a class should not use.
+  $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-subobject-linkage>
   # The same operations must give the same bits: no contraction of a*b+c, no reordering of sums.
   -ffp-contract=off -fno-fast-math
   # Nobody asks for errno or for traps of floating point: the numbers stay the same, but more loops become vectors.

@@ -13,11 +13,11 @@ constexpr double kThick = 0.03, kLeg = 0.05;        // metres
 constexpr double kMargin = 0.08;                    // metres of board round the paper
 constexpr double kWideMost = 1.5, kDeepMost = 1.1;  // metres of board
 constexpr double kWideLeast = 1.0, kDeepLeast = 0.7;
-constexpr double kBeside = 0.58;   // metres from the body's middle to the nearest edge of the board
-constexpr double kTowards = 0.30;  // metres from the body's middle towards who looks, to the board's middle
-constexpr double kTurned = 0.70;   // radians the board is turned towards who stands before the body
-constexpr double kPaper = 0.004;   // metres the paper lies above the board, or the two would flicker
-constexpr double kInk = 0.007;     // and what is drawn on it
+constexpr double kFromBody = 0.58;     // metres from the body's middle to the nearest edge of the board
+constexpr double kTowards = 0.30;      // metres from the body's middle towards who looks, to the board's middle
+constexpr double kBoardTurned = 0.70;  // radians the board is turned towards who stands before the body
+constexpr double kPaper = 0.004;       // metres the paper lies above the board, or the two would flicker
+constexpr double kInk = 0.007;         // and what is drawn on it
 constexpr Colour kWood{0.36f, 0.24f, 0.15f};
 
 SceneBody boxOf(Vec3 middle, Vec3 right, Vec3 away, double wide, double high, double deep, const Colour& colour) {
@@ -53,10 +53,10 @@ PatternTable::PatternTable(Flat low, Flat high, bool mirrored) {
   deep_ = std::clamp(size.v * scale_ + 2 * kMargin, kDeepLeast, kDeepMost);
   // Someone at +z looks to the left (to the right, where it is mirrored): away from there is up on the paper.
   const double side = mirrored ? 1 : -1;
-  away_ = {side * std::sin(kTurned), 0, -std::cos(kTurned)};
+  away_ = {side * std::sin(kBoardTurned), 0, -std::cos(kBoardTurned)};
   right_ = cross(away_, Vec3{0, 1, 0});
   const double reach = (std::fabs(right_.x) * wide_ + std::fabs(away_.x) * deep_) / 2;
-  middle_ = {side * (kBeside + reach), kHigh, kTowards};
+  middle_ = {side * (kFromBody + reach), kHigh, kTowards};
 }
 
 Vec3 PatternTable::at(Flat place, double above) const {

@@ -8,7 +8,6 @@
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QVBoxLayout>
-#include <numbers>
 #include <tuple>
 
 #include "karinui/base/number.h"
@@ -19,7 +18,7 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr double kMilli = 0.001, kDegree = std::numbers::pi / 180;
+constexpr double kMilli = 0.001;
 
 }  // namespace
 

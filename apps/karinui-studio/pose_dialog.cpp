@@ -10,17 +10,15 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "karinui/base/number.h"
 #include "pose_view.h"
 #include "theme.h"
 
 namespace karinui::studio {
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 int degrees(double radians) { return static_cast<int>(std::lround(radians / kDegree)); }
 

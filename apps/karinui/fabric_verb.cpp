@@ -1,7 +1,5 @@
 #include "fabric_verb.h"
 
-#include <numbers>
-
 #include "karinui/base/number.h"
 #include "karinui/design/glossary.h"
 #include "karinui/design/script.h"
@@ -13,7 +11,6 @@ namespace karinui::app {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array<const char*, kGrains> kGrainNames{"warp", "weft", "bias"};
 
 struct MeasureOptions {

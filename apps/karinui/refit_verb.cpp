@@ -29,7 +29,7 @@ PaperSize sizeOf(const Piece& piece) {
   }
   return {right - left, high - low};
 }
-std::string mm(double metres) { return fixed(metres * 1000, 0); }
+std::string millimetres(double metres) { return fixed(metres * 1000, 0); }
 
 struct Fate {
   Message said;
@@ -45,19 +45,20 @@ std::vector<Fate> fatesOf(const Document& before, const Document& after) {
     Json json = {{"piece", piece->name}, {"across_mm", now.across * 1000}, {"along_mm", now.along * 1000}};
     if (!old) {
       json["kept"] = false;
-      all.push_back({say("“{0}” is new: {1} × {2} mm.", piece->name, mm(now.across), mm(now.along)), json});
+      all.push_back(
+          {say("“{0}” is new: {1} × {2} mm.", piece->name, millimetres(now.across), millimetres(now.along)), json});
     } else if (old->outline == piece->outline) {
       json["kept"] = true;
       all.push_back({say("“{0}” keeps its drafted size, {1} × {2} mm: nothing in it depends on the figure.",
-                         piece->name, mm(now.across), mm(now.along)),
+                         piece->name, millimetres(now.across), millimetres(now.along)),
                      json});
     } else {
       const PaperSize was = sizeOf(*old);
       json["kept"] = false;
       json["was_across_mm"] = was.across * 1000;
       json["was_along_mm"] = was.along * 1000;
-      all.push_back({say("“{0}” is made anew: {1} × {2} mm, before {3} × {4} mm.", piece->name, mm(now.across),
-                         mm(now.along), mm(was.across), mm(was.along)),
+      all.push_back({say("“{0}” is made anew: {1} × {2} mm, before {3} × {4} mm.", piece->name, millimetres(now.across),
+                         millimetres(now.along), millimetres(was.across), millimetres(was.along)),
                      json});
     }
   }

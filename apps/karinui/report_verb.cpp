@@ -30,9 +30,9 @@ struct ReportOptions {
 constexpr int kPictureWide = 700, kPictureHigh = 950;
 
 Message words(const std::string& text) { return say("{0}", text); }
-Message mm(double metres) { return words(fixed(metres * 1000, 0) + " mm"); }
-Message cm(double metres) { return words(fixed(metres * 100, 1) + " cm"); }
-Message percent(double share) { return words(fixed(share * 100, 1) + " %"); }
+Message mmSaid(double metres) { return words(fixed(metres * 1000, 0) + " mm"); }
+Message cmSaid(double metres) { return words(fixed(metres * 100, 1) + " cm"); }
+Message percentSaid(double share) { return words(fixed(share * 100, 1) + " %"); }
 
 struct Fitting {
   SnapshotPtr garment;
@@ -84,7 +84,7 @@ Result<std::vector<ReportPicture>> picturesOf(Program& program, const Fitting& f
 ReportTable girthTable(const GarmentSnapshot& garment) {
   ReportTable table{say("Ease"), {Message(), say("body"), say("garment"), say("ease")}, {}};
   for (const Girths& g : girthsOf(garment))
-    table.rows.push_back({g.name, cm(g.body), cm(g.garment), cm(g.garment - g.body)});
+    table.rows.push_back({g.name, cmSaid(g.body), cmSaid(g.garment), cmSaid(g.garment - g.body)});
   return table;
 }
 
@@ -96,9 +96,9 @@ ReportTable clothTable(const Fitting& fitting) {
     return table;
   }
   table.rows = {{say("at rest"), last->settled ? say("yes") : say("no")},
-                {say("stretch, on average"), percent(last->strain.mean)},
-                {say("99 % of the cloth is stretched less than"), percent(last->strain.p99)},
-                {say("stretch, at most"), percent(last->strain.max)},
+                {say("stretch, on average"), percentSaid(last->strain.mean)},
+                {say("99 % of the cloth is stretched less than"), percentSaid(last->strain.p99)},
+                {say("stretch, at most"), percentSaid(last->strain.max)},
                 {say("widest seam gap"), words(fixed(last->seamGap * 1000, 1) + " mm")},
                 {say("deepest in the body"), words(fixed(last->penetration * 1000, 1) + " mm")}};
   if (const auto pressed = pressureReport(fitting.pressure)) {
@@ -113,7 +113,7 @@ ReportTable measureTable(const Body& body) {
   ReportTable table{say("Figure"), {}, {}};
   for (const auto& [key, value] : measure(body.mesh(), body.bvh()).value)
     table.rows.push_back({identifierSaid(key).value_or(words(key)),
-                          isAngle(key) ? words(fixed(value * 180 / std::numbers::pi, 1) + "°") : cm(value)});
+                          isAngle(key) ? words(fixed(value * 180 / std::numbers::pi, 1) + "°") : cmSaid(value)});
   return table;
 }
 
@@ -135,8 +135,8 @@ ReportTable pieceTable(const Document& document) {
     }
     const auto cut = document.cutting.find(id);
     const int count = cut == document.cutting.end() ? 1 : cut->second.count;
-    table.rows.push_back({nameSaid(piece->name), mm(high.u - low.u), mm(high.v - low.v), nameSaid(piece->fabric),
-                          words(std::to_string(count))});
+    table.rows.push_back({nameSaid(piece->name), mmSaid(high.u - low.u), mmSaid(high.v - low.v),
+                          nameSaid(piece->fabric), words(std::to_string(count))});
   }
   return table;
 }

@@ -9,7 +9,7 @@ namespace karinui::app {
 
 namespace {
 
-std::string cm(double metres) { return fixed(metres * 100, 1); }
+std::string centimetres(double metres) { return fixed(metres * 100, 1); }
 
 }  // namespace
 
@@ -25,12 +25,13 @@ std::vector<Message> sizesSaid(const SizeFit& fit, const Grading& grading, Json&
   for (const SizeFit::Girth& girth : fit.girths) {
     const double has = girth.ofSizes[fit.nearest], miss = girth.miss(fit.nearest);
     const Message measure = termSaid(Term::Measure, girth.measure).value_or(say("{0}", girth.measure));
-    const Message off = miss < 0 ? say("{0} cm too narrow", cm(-miss)) : say("{0} cm too wide", cm(miss));
-    all.push_back(
-        fit.easeKnown
-            ? say("{0}: this body {1} cm, with the ease of before {2} cm; size {3} has {4} cm, {5}.", measure,
-                  cm(girth.body), cm(girth.wanted()), nearest, cm(has), off)
-            : say("{0}: this body {1} cm; size {2} has {3} cm, {4}.", measure, cm(girth.body), nearest, cm(has), off));
+    const Message off =
+        miss < 0 ? say("{0} cm too narrow", centimetres(-miss)) : say("{0} cm too wide", centimetres(miss));
+    all.push_back(fit.easeKnown
+                      ? say("{0}: this body {1} cm, with the ease of before {2} cm; size {3} has {4} cm, {5}.", measure,
+                            centimetres(girth.body), centimetres(girth.wanted()), nearest, centimetres(has), off)
+                      : say("{0}: this body {1} cm; size {2} has {3} cm, {4}.", measure, centimetres(girth.body),
+                            nearest, centimetres(has), off));
     json["girths"].push_back({{"measure", girth.measure},
                               {"body_mm", girth.body * 1000},
                               {"ease_mm", girth.ease * 1000},

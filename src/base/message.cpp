@@ -66,21 +66,21 @@ std::string written(long long value) { return std::to_string(value); }
 
 namespace {
 
-struct Unit {
+struct LengthUnit {
   std::string_view written;
   double metres;
 };
-constexpr Unit kUnits[]{{" mm", 0.001}, {" cm", 0.01}};
+constexpr LengthUnit kUnits[]{{" mm", 0.001}, {" cm", 0.01}};
 
 // The unit that stands here; areas ("cm2") are none.
-const Unit* unitAt(std::string_view pattern) {
-  for (const Unit& unit : kUnits)
+const LengthUnit* unitAt(std::string_view pattern) {
+  for (const LengthUnit& unit : kUnits)
     if (pattern.starts_with(unit.written) && !pattern.substr(unit.written.size()).starts_with('2')) return &unit;
   return nullptr;
 }
 
 // Lengths in other words; several, as a place has them, between what stands between them. Nothing: no number.
-std::optional<std::string> reworded(std::string_view millimetres, const Unit& unit, LengthWords lengths) {
+std::optional<std::string> reworded(std::string_view millimetres, const LengthUnit& unit, LengthWords lengths) {
   std::string said;
   bool any = false;
   for (std::size_t i = 0; i < millimetres.size();) {
@@ -121,7 +121,7 @@ std::string text(const Message& message, Language language, LengthWords lengths,
                        : value  ? std::get<std::string>(message.values[which])
                                 : std::string(pattern.substr(i, end - i));
     if (const auto name = names && value && !sentence ? names(part) : std::nullopt) part = text(*name, language);
-    if (const Unit* unit = lengths ? unitAt(pattern.substr(end)) : nullptr)
+    if (const LengthUnit* unit = lengths ? unitAt(pattern.substr(end)) : nullptr)
       if (auto words = reworded(part, *unit, lengths)) part = *std::move(words), end += unit->written.size();
     said += part;
     i = end;

@@ -28,6 +28,16 @@ std::optional<double> parseWithUnit(std::string_view text, std::span<const Unit>
 
 }  // namespace
 
+constexpr std::string_view kSpace = " \t\r\n";
+
+bool isSpace(char c) { return kSpace.find(c) != std::string_view::npos; }
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
 std::optional<double> parseNumber(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;

@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::uint32_t kNone = ~0u;
 constexpr int kRelaxRounds = 4, kStripRounds = 24;
-constexpr double kFar = 0.08, kSlope = 1.5;  // metres; the steepest a joined field is
-constexpr double kBehind = 0.012;            // metres of limb before the cut that are made with the solid, and cut away
-constexpr double kLeast = 0.25;              // of a cell, that the solid's points keep from where it begins
-constexpr double kEven = 0.022;              // metres beyond the cut whose points are evened
+constexpr double kFieldFar = 0.08, kSlope = 1.5;  // metres; the steepest a joined field is
+constexpr double kBehind = 0.012;  // metres of limb before the cut that are made with the solid, and cut away
+constexpr double kLeast = 0.25;    // of a cell, that the solid's points keep from where it begins
+constexpr double kEven = 0.022;    // metres beyond the cut whose points are evened
 
 // The field of the whole figure between its grid points.
 double sampled(const FieldGrid& g, Vec3 p) {
@@ -64,11 +64,11 @@ TriangleMesh modelled(const Extremity& end, const FieldGrid& figure, Workers& wo
           double whole = share > 0 ? end.solid(p) : 0;
           if (share < 1) whole = std::lerp(sampled(figure, p), whole, share);
           whole = std::max(whole, -far - kBehind);
-          g.value[g.index(x, y, z)] = static_cast<float>(std::clamp(whole, -kFar, kFar));
+          g.value[g.index(x, y, z)] = static_cast<float>(std::clamp(whole, -kFieldFar, kFieldFar));
           // No surface is nearer than about the value: the places passed over are not asked for.
           for (double left = std::abs(whole) - kSlope * cell.z; left > 3 * cell.z && z + 1 < g.nz;
                left -= kSlope * cell.z)
-            g.value[g.index(x, y, ++z)] = static_cast<float>(std::copysign(std::min(left, kFar), whole));
+            g.value[g.index(x, y, ++z)] = static_cast<float>(std::copysign(std::min(left, kFieldFar), whole));
         }
   });
   TriangleMesh mesh = polygonise(g, kRelaxRounds, workers);

@@ -72,10 +72,6 @@ TriangleMesh modelled(const TriangleMesh& drawn, const FieldGrid& field, const F
   return mesh;
 }
 
-Message inWords(std::string_view key, double value) {
-  return isAngle(key) ? say("{0}°", fixed(value * 180 / std::numbers::pi, 0)) : say("{0} cm", fixed(value * 100, 1));
-}
-
 // The targets: everything stated, and what follows from it for the rest of the torso.
 std::vector<Target> targetsFor(const Measurements& stated, const Measurements& complete, const SectionModel& model,
                                const Joints& drawn) {
@@ -108,10 +104,10 @@ Error unmet(const FigureSolver& solver, const Anthropometry& measured) {
     return refused(
         say("No body could be made with {0} {1} beside the other measurements; the nearest has {2}. Change it or leave "
             "it out.",
-            worst.key, inWords(worst.key, worst.wanted), inWords(worst.key, worst.got)));
+            worst.key, measureSaid(worst.key, worst.wanted), measureSaid(worst.key, worst.got)));
   const auto its = std::find_if(all.begin(), all.end(), [&](const Residual& r) { return r.key == other; });
-  const Message wanted = inWords(worst.key, worst.wanted), had = inWords(other, its->wanted),
-                limit = inWords(worst.key, worst.got);
+  const Message wanted = measureSaid(worst.key, worst.wanted), had = measureSaid(other, its->wanted),
+                limit = measureSaid(worst.key, worst.got);
   return worst.got < worst.wanted
              ? refused(say("{0} {1} and {2} {3} do not go together: with this {2}, {0} is at most {4}.", worst.key,
                            wanted, other, had, limit))
@@ -134,9 +130,9 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   if (model.distance(complete) > 9)
     return refused(say(
         "These girths do not belong to one body: bust {0}, waist {1}, hip {2} at a height of {3}. Check the numbers.",
-        inWords("bust_girth", complete.value.at("bust_girth")),
-        inWords("waist_girth", complete.value.at("waist_girth")), inWords("hip_girth", complete.value.at("hip_girth")),
-        inWords("height", complete.value.at("height"))));
+        measureSaid("bust_girth", complete.value.at("bust_girth")),
+        measureSaid("waist_girth", complete.value.at("waist_girth")),
+        measureSaid("hip_girth", complete.value.at("hip_girth")), measureSaid("height", complete.value.at("height"))));
   const double height = complete.value.at("height");
   const Figure drawn = model.draw(complete);
   FigureSolver solver(targetsFor(wanted, complete, model, drawn.at));

@@ -119,11 +119,6 @@ const Name* find(std::string_view key) {
   return it == kNames.end() ? nullptr : &*it;
 }
 
-Message inWords(std::string_view key, double value) {
-  if (isAngle(key)) return say("{0}°", fixed(value * 180 / 3.14159265358979323846, 0));
-  return say("{0} cm", fixed(value * 100, 1));
-}
-
 }  // namespace
 
 Result<std::string> measurementKey(std::string_view anyName) {
@@ -161,6 +156,10 @@ std::span<const std::string_view> mannequinKeys() {
 
 bool isAngle(std::string_view key) { return key == "shoulder_slope" || key == "arm_angle"; }
 
+Message measureSaid(std::string_view key, double value) {
+  return isAngle(key) ? say("{0}°", fixed(value / kDegree, 0)) : say("{0} cm", fixed(value * 100, 1));
+}
+
 std::span<const std::string_view> builtInSizes() {
   static constexpr std::string_view kSizes[] = {"jis9ar", "eu38", "eu50"};
   return kSizes;
@@ -185,8 +184,8 @@ Done plausible(const Measurements& stated) {
       return measurementKey(key) ? badInput(say("There is no measurement called \"{0}\".", key))
                                  : measurementKey(key).error();
     if (!(value >= name->least && value <= name->most))
-      return refused(say("{0} cannot be {1}: a body has between {2} and {3}.", key, inWords(key, value),
-                         inWords(key, name->least), inWords(key, name->most)));
+      return refused(say("{0} cannot be {1}: a body has between {2} and {3}.", key, measureSaid(key, value),
+                         measureSaid(key, name->least), measureSaid(key, name->most)));
   }
   // Of two that go together the first is always the smaller one, by at least the given share of the second.
   struct Order {
@@ -214,8 +213,8 @@ Done plausible(const Measurements& stated) {
     if (a == stated.value.end() || b == stated.value.end()) continue;
     if (a->second > order.most * b->second)
       return refused(say("{0} {1} and {2} {3} do not go together: with this {2}, {0} is at most {4}.", a->first,
-                         inWords(a->first, a->second), b->first, inWords(b->first, b->second),
-                         inWords(a->first, order.most * b->second)));
+                         measureSaid(a->first, a->second), b->first, measureSaid(b->first, b->second),
+                         measureSaid(a->first, order.most * b->second)));
   }
   return {};
 }

@@ -1,15 +1,12 @@
 #include "karinui/body/pose.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "karinui/base/number.h"
 
 namespace karinui {
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 constexpr std::array<std::string_view, kJoints> kNames{"pelvis",         "spine",      "neck",        "left_shoulder",
                                                        "right_shoulder", "left_elbow", "right_elbow", "left_wrist",

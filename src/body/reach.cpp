@@ -11,22 +11,22 @@ namespace karinui {
 
 namespace {
 
-constexpr int kRounds = 30;
+constexpr int kReachRounds = 30;
 constexpr double kStep = 1e-4;                              // radians: of the differences
 constexpr double kLongest = 0.35;                           // radians: of one round
 constexpr double kEnough = 1e-5;                            // radians: a round that moves less is the last
 constexpr double kFarthest = 176 * std::numbers::pi / 180;  // of a ball joint from hanging, as withinLimits() has it
 
-struct Limb {
+struct LimbChain {
   BodyPoint::Part part;
   Joint root, middle;  // the joint at the trunk, and the hinge
   double hinge, end;   // levels of the chart: where the hinge is, and where hand or foot begin
 };
 constexpr std::array kLimbs{
-    Limb{BodyPoint::Part::LeftArm, Joint::LeftShoulder, Joint::LeftElbow, 2, 3},
-    Limb{BodyPoint::Part::RightArm, Joint::RightShoulder, Joint::RightElbow, 2, 3},
-    Limb{BodyPoint::Part::LeftLeg, Joint::LeftHip, Joint::LeftKnee, 1, 2},
-    Limb{BodyPoint::Part::RightLeg, Joint::RightHip, Joint::RightKnee, 1, 2},
+    LimbChain{BodyPoint::Part::LeftArm, Joint::LeftShoulder, Joint::LeftElbow, 2, 3},
+    LimbChain{BodyPoint::Part::RightArm, Joint::RightShoulder, Joint::RightElbow, 2, 3},
+    LimbChain{BodyPoint::Part::LeftLeg, Joint::LeftHip, Joint::LeftKnee, 1, 2},
+    LimbChain{BodyPoint::Part::RightLeg, Joint::RightHip, Joint::RightKnee, 1, 2},
 };
 constexpr double kNeck = 9;  // level of the trunk above which the head begins
 
@@ -50,12 +50,12 @@ std::optional<Joint> jointHolding(const Body& body, const SurfacePoint& place) {
   const Body& own = body.own();
   const BodyPoint point = own.describe(place);
   if (point.part == BodyPoint::Part::Torso) return point.along >= kNeck ? std::optional(Joint::Neck) : std::nullopt;
-  for (const Limb& limb : kLimbs)
+  for (const LimbChain& limb : kLimbs)
     if (point.part == limb.part) return point.along > limb.hinge && point.along < limb.end ? limb.middle : limb.root;
   // Between fingers and toes the chart has no place: they belong to the limb whose end is nearest.
   std::optional<Joint> nearest;
   double least = 1e9;
-  for (const Limb& limb : kLimbs) {
+  for (const LimbChain& limb : kLimbs) {
     BodyPoint near;
     near.part = limb.part, near.along = limb.end + 0.2;
     if (const auto end = own.find(near))
@@ -84,7 +84,7 @@ BodyPose reaching(const Skeleton& skeleton, const BodyPose& from, Joint joint, c
   JointAngles best = angles;
   Vec3 off = miss(best);
   double damping = 1e-3;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kReachRounds; ++round) {
     std::array<Vec3, 2> slope{};
     for (std::size_t k = 0; k < unknowns; ++k) {
       JointAngles tried = best;

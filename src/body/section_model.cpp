@@ -195,8 +195,8 @@ void calmHead(Figure& figure) {
   for (const Section& s : stood) share.push_back(std::clamp((s.centre.y - chin) / (brow - chin), 0.0, 1.0));
   for (std::size_t i = 0; i < station.size(); ++i)
     for (int k = 3; k <= figure.torso.harmonics.count; ++k) station[i].shape[k] *= 1 - share[i];
-  constexpr int kRounds = 12;
-  for (int round = 0; round < kRounds; ++round) {
+  constexpr int kFieldRounds = 12;
+  for (int round = 0; round < kFieldRounds; ++round) {
     const auto before = station;
     for (std::size_t i = 1; i + 4 < station.size(); ++i) {  // the crowded last stations round the crown off
       if (share[i] == 0) continue;

@@ -1,4 +1,5 @@
 #include "cloth/collider_contact.h"
+#include "cloth/work_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ constexpr double kCut = 0.2;          // offsets: a node whose move into the sur
 constexpr int kPressed = 20;          // after so many steps in a row the multiplier takes that up,
 constexpr double kLifted = 0.1;  // and falls by kLetGo a step where the node is farther off than these offsets: cloth
 constexpr double kLetGo = 0.5;   // that is let go is not thrown off the body
-constexpr std::size_t kBlock = 256;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ ColliderContact::ColliderContact(const Collider& collider, std::vector<Node> nod
 }
 
 void ColliderContact::detect(const ContactQuery& query, Workers& workers) {
-  workers.forBlocks(nodes_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  workers.forBlocks(nodes_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Node& node = nodes_[k];
       At& at = at_[k];
@@ -101,7 +101,7 @@ void ColliderContact::addHessian(ContactHessian& hessian) const {
 
 void ColliderContact::afterStep(std::span<const Vec3> x, bool friction, Workers& workers) {
   if (!friction) return;
-  workers.forBlocks(nodes_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  workers.forBlocks(nodes_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       At& at = at_[k];
       if (!at.stuck) continue;
@@ -133,7 +133,7 @@ void ColliderContact::reset() {
 }
 
 void ColliderContact::limitMove(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {
-  workers.forBlocks(nodes_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  workers.forBlocks(nodes_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Vec3& own = move[nodes_[k].node];
       const Vec3 wanted = own;

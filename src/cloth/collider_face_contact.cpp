@@ -1,4 +1,5 @@
 #include "cloth/collider_face_contact.h"
+#include "cloth/work_blocks.h"
 
 #include <cmath>
 
@@ -7,7 +8,6 @@ namespace {
 
 constexpr double kPointSpacing = 0.02;  // metres between sample points: half of the thinnest limb cloth is hung on
 constexpr double kBegin = 0.2;          // of the nodes' offset: where the penalty of a face begins
-constexpr std::size_t kBlock = 256;
 
 // The centroids of the parts * parts triangles a triangle is cut into.
 std::vector<std::array<double, 3>> centroidsOf(int parts) {
@@ -45,8 +45,8 @@ ColliderFaceContact::ColliderFaceContact(const Cloth& cloth, const Collider& col
 
 void ColliderFaceContact::detect(const ContactQuery& query, Workers& workers) {
   const std::span<const Vec3> x = query.x;
-  std::vector<std::vector<Touch>> found((faces_.size() + kBlock - 1) / kBlock);
-  workers.forBlocks(faces_.size(), kBlock, [&](std::size_t from, std::size_t to) {
+  std::vector<std::vector<Touch>> found((faces_.size() + kNodeBlock - 1) / kNodeBlock);
+  workers.forBlocks(faces_.size(), kNodeBlock, [&](std::size_t from, std::size_t to) {
     for (std::size_t f = from; f < to; ++f) {
       const Vec3 a = x[faces_[f][0]], b = x[faces_[f][1]], c = x[faces_[f][2]];
       for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -55,8 +55,8 @@ void ColliderFaceContact::detect(const ContactQuery& query, Workers& workers) {
         if (!cache_.mayBeWithin(collider_, f * points_.size() + k, place, begin_)) continue;
         const Collider::Sample sample = collider_.sample(place);
         if (sample.distance >= begin_) continue;
-        found[from / kBlock].push_back({static_cast<std::uint32_t>(f), w, sample.normal,
-                                        colliderPenalty(area_[f], begin_ - sample.distance, offset_)});
+        found[from / kNodeBlock].push_back({static_cast<std::uint32_t>(f), w, sample.normal,
+                                            colliderPenalty(area_[f], begin_ - sample.distance, offset_)});
       }
     }
   });

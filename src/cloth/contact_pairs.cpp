@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "cloth/closest_points.h"
+#include "cloth/work_blocks.h"
 
 namespace karinui {
 namespace {
@@ -15,8 +16,7 @@ constexpr double kMoveReach = 1.2;      // times the relative move by which a pa
 constexpr double kNodeMoveReach = 1.5;  // the same for the two nodes of the list that stand for the pair,
 constexpr double kNodeReach = 0.25;     // and so many spacings more
 constexpr double kLeastGap = 1e-9;      // metres: below it the normal is unknown
-constexpr std::size_t kBlock = 128;
-constexpr double kRounding = 1e-9;  // metres, of the bound below
+constexpr double kRounding = 1e-9;      // metres, of the bound below
 
 // A plane across the way between the nearest nodes of two sides bounds their distance from below, for far less than
 // their closest points cost. `low`, `high`: the least of the one side and the most of the other along that way.
@@ -206,9 +206,9 @@ std::vector<ContactPair> ContactPairs::search(const Search& search, const std::v
   const bool again = !stale.empty() && !listIsNew && asked_.size() == list.size();
   std::vector<std::uint32_t> start(list.size() + 1, 0);
   std::vector<std::uint8_t> asked(list.size(), 0);
-  std::vector<std::vector<ContactPair>> found((list.size() + kBlock - 1) / kBlock);
-  workers.forBlocks(list.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    auto& out = found[begin / kBlock];
+  std::vector<std::vector<ContactPair>> found((list.size() + kPairBlock - 1) / kPairBlock);
+  workers.forBlocks(list.size(), kPairBlock, [&](std::size_t begin, std::size_t end) {
+    auto& out = found[begin / kPairBlock];
     for (std::size_t n = begin; n < end; ++n) {
       const auto [a, b] = list[n];
       const double d2 = squaredLength(search.x[b] - search.x[a]);

@@ -7,6 +7,7 @@
 #include "cloth/input_check.h"
 #include "cloth/penetration.h"
 #include "cloth/skin_collider.h"
+#include "cloth/work_blocks.h"
 
 namespace karinui {
 namespace {
@@ -20,7 +21,6 @@ constexpr double kClear = 0.95;        // of the skin offset: where carried clot
 constexpr int kOutRounds = 4;          // times what stands too deep is put there
 constexpr double kNearest = 0.3;       // metres: what is farther from the skin is not carried
 constexpr double kSeconds = 1.0 / 30;  // of a step
-constexpr std::size_t kBlock = 256;
 
 BodyPose between(const BodyPose& a, const BodyPose& b, double t) {
   BodyPose out = a;
@@ -113,13 +113,13 @@ class Carrying {
   const std::vector<Vec3>& moves(const std::vector<Vec3>& x, const std::vector<Rigid>& before,
                                  const std::vector<Rigid>& after, Workers& workers) {
     std::vector<Vec3> asked(x.size()), next(x.size());
-    workers.forBlocks(x.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    workers.forBlocks(x.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
         if (const Hold& hold = holds_[k]; hold.point != kNoNode)
           asked[k] = after[hold.point](inverse(before[hold.point])(x[k])) - x[k];
     });
     for (int round = 0; round < kSpread; ++round) {  // from the moves of the part before, which were much the same
-      workers.forBlocks(x.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      workers.forBlocks(x.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
           Vec3 mean;
           for (const std::uint32_t j : near_[k]) mean += move_[j];
@@ -166,7 +166,7 @@ Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const B
     std::vector<Vec3> moves = carrying.moves(solver.positions(), before, after, workers);
     skin.moveTo(skeleton.points(after));
     // Out of the skin where it has come to.
-    workers.forBlocks(moves.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    workers.forBlocks(moves.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
         for (int round = 0; round < kOutRounds; ++round) {
           const Collider::Sample sample = skin.sample(solver.positions()[k] + moves[k]);

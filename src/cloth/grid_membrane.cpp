@@ -163,7 +163,7 @@ KARINUI_WIDE void gatherForces(std::size_t begin, std::size_t end, std::size_t s
 
 Floats floats(std::array<std::vector<float>, 3>& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
 
-constexpr std::size_t kRows = 8;  // of a grid block, in one piece of work
+constexpr std::size_t kRowBlock = 8;  // of a grid block, in one piece of work
 
 }  // namespace
 
@@ -206,7 +206,7 @@ void GridMembrane::evaluate(std::span<const Vec3> x, std::span<Vec3> gradient, G
     const FourCorners slope{slope_[0].data(), slope_[1].data(), slope_[2].data(), slope_[3].data()};
     const Held held{held_[0].data(), held_[1].data(), held_[2].data(), held_[3].data()};
     const FourFloats coupling{k.coupling[0].data(), k.coupling[1].data(), k.coupling[2].data(), k.coupling[3].data()};
-    workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
+    workers.forBlocks(block.rows, kRowBlock, [&](std::size_t begin, std::size_t end) {
       evaluateThreads(threadLoop(slots(begin), slots(end), 1, block.weftStep, t.weft), x_[0].data(), x_[1].data(),
                       x_[2].data(), layout_.weftArea.data(), du_[0].data(), du_[1].data(), du_[2].data(), tu_.data(),
                       ku_.data(), floats(k.weftWay));
@@ -214,19 +214,19 @@ void GridMembrane::evaluate(std::span<const Vec3> x, std::span<Vec3> gradient, G
                       x_[1].data(), x_[2].data(), layout_.warpArea.data(), dv_[0].data(), dv_[1].data(), dv_[2].data(),
                       tv_.data(), kv_.data(), floats(k.warpWay));
     });
-    workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
+    workers.forBlocks(block.rows, kRowBlock, [&](std::size_t begin, std::size_t end) {
       evaluateShear(slots(begin), slots(end), block.stride, 1 / (block.weftStep * block.warpStep), t.shear,
                     layout_.cornerArea.data(), u, v, slope, k.corner.data());
       projectStress(slots(begin), slots(end), block.stride, layout_.cornerArea.data(), layout_.weftArea.data(),
                     layout_.warpArea.data(), tu_.data(), tv_.data(), slope, held, coupling);
     });
-    workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
+    workers.forBlocks(block.rows, kRowBlock, [&](std::size_t begin, std::size_t end) {
       finishThreads(slots(begin), slots(end), 1, layout_.weftArea.data(), layout_.cornerArea.data(), u, tu_.data(),
                     ku_.data(), held.weftForth, held.weftBack, k.weftAcross.data(), floats(k.weftAlong));
       finishThreads(slots(begin), slots(end), block.stride, layout_.warpArea.data(), layout_.cornerArea.data(), v,
                     tv_.data(), kv_.data(), held.warpForth, held.warpBack, k.warpAcross.data(), floats(k.warpAlong));
     });
-    workers.forBlocks(block.rows, kRows, [&](std::size_t begin, std::size_t end) {
+    workers.forBlocks(block.rows, kRowBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t axis = 0; axis < 3; ++axis)
         gatherForces(slots(begin), slots(end), block.stride, du_[axis].data(), dv_[axis].data(), tu_.data(), tv_.data(),
                      slope_[0].data(), slope_[1].data(), slope_[2].data(), slope_[3].data(), x_[axis].data());

@@ -8,11 +8,11 @@
 #include "cloth/bending.h"
 #include "cloth/edge_bending.h"
 #include "cloth/lattice_areas.h"
+#include "cloth/work_blocks.h"
 
 namespace karinui {
 namespace {
 
-constexpr std::size_t kBlock = 256;  // nodes in one piece of work
 constexpr double kSlackShare =
     0.3;  // of a step's largest move: the slack below which springs enter the matrix as taut,
 constexpr double kLeastSlack = 1e-7, kMostSlack = 0.05;  // and its bounds: metres, spacings
@@ -339,7 +339,7 @@ LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Toke
   struct Moved {
     double work = 0, now = 0, before = 0, both = 0, most = 0;
   };
-  const std::vector<Moved> blocks = workers_.each(moving_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  const std::vector<Moved> blocks = workers_.each(moving_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
     Moved moved;
     for (std::size_t n = begin; n < end; ++n) {
       const NodeIndex k = moving_[n];

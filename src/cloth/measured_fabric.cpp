@@ -12,7 +12,6 @@ namespace karinui {
 namespace {
 
 constexpr double kGravity = 9.81;  // m/s2
-constexpr double kDegree = std::numbers::pi / 180;
 
 double square(double x) { return x * x; }
 

@@ -1,4 +1,5 @@
 #include "cloth/penetration.h"
+#include "cloth/work_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ constexpr double kEnough = 0.9;        // of the clearance
 constexpr double kFirstNudge = 5e-5;   // metres: the first lift of a face that a surface intersects,
 constexpr double kNudgeGrowth = 1.25;  // which grows by this factor while it does,
 constexpr double kMostNudge = 1e-3;    // to this at most
-constexpr std::size_t kBlock = 256;
 
 // Sample points of a face beside its corners: a grid of quarters, since a body has finer features than cloth has faces.
 constexpr double kSamples[12][3] = {{.75, .25, 0}, {.5, .5, 0},    {.25, .75, 0},  {0, .75, .25},
@@ -62,8 +62,8 @@ Corners liftOf(const Corners& x, const ColliderList& colliders, double clearance
 double deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x,
                           Workers& workers) {
   const std::vector<Triangle> faces = liveFaces(cloth);
-  std::vector<double> worst((faces.size() + kBlock - 1) / kBlock, 0);
-  workers.forBlocks(faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  std::vector<double> worst((faces.size() + kNodeBlock - 1) / kNodeBlock, 0);
+  workers.forBlocks(faces.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
     double most = 0;
     const auto sample = [&](Vec3 place) {
       for (const ColliderList::Entry& entry : colliders)
@@ -77,7 +77,7 @@ double deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std
       sample(c);
       for (const auto& w : kSamples) sample(a * w[0] + b * w[1] + c * w[2]);
     }
-    worst[begin / kBlock] = most;
+    worst[begin / kNodeBlock] = most;
   });
   double most = 0;
   for (double w : worst) most = std::fmax(most, w);
@@ -94,7 +94,7 @@ void liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double
   for (int round = 0; round < kRounds && !asked.empty(); ++round) {
     const std::vector<Vec3> before = solver.positions();
     lift.assign(asked.size(), {});
-    workers.forBlocks(asked.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    workers.forBlocks(asked.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const Triangle& face = faces[asked[k]];
         lift[k] = liftOf({before[face[0]], before[face[1]], before[face[2]]}, colliders, clearance, nudge[asked[k]]);

@@ -1,4 +1,5 @@
 #include "cloth/proximity_list.h"
+#include "cloth/work_blocks.h"
 
 #include <cmath>
 
@@ -8,7 +9,6 @@ namespace {
 constexpr double kMargin = 0.7;           // spacings by which the list is wider than asked
 constexpr double kOpenSeamCosine = -0.5;  // a seam folded by less is not asked whether its sheets touch
 constexpr std::size_t kMostCells = 400'000;
-constexpr std::size_t kBlock = 128;
 
 // Nodes sorted into the cells of a box around the cloth.
 struct CellGrid {
@@ -75,9 +75,9 @@ bool ProximityList::update(std::span<const Vec3> x, double reach, Workers& worke
   reach_ = reach + kMargin * spacing_;
   madeAt_.assign(x.begin(), x.end());
   const CellGrid grid(x, reach_);
-  std::vector<std::vector<std::array<NodeIndex, 2>>> found((x.size() + kBlock - 1) / kBlock);
-  workers.forBlocks(x.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    auto& out = found[begin / kBlock];
+  std::vector<std::vector<std::array<NodeIndex, 2>>> found((x.size() + kPairBlock - 1) / kPairBlock);
+  workers.forBlocks(x.size(), kPairBlock, [&](std::size_t begin, std::size_t end) {
+    auto& out = found[begin / kPairBlock];
     for (std::size_t n = begin; n < end; ++n) {
       const auto a = static_cast<NodeIndex>(n);
       const Vec3 p = x[a];

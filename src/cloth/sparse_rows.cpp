@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "cloth/sort_by_row.h"
+#include "cloth/work_blocks.h"
 
 namespace karinui {
 namespace {
-
-constexpr std::size_t kBlock = 256;
 
 struct BlockEntry {
   std::uint32_t row = 0, column = 0, pair = 0;
@@ -71,7 +70,7 @@ SparseRows::SparseRows(std::span<const std::uint32_t> slotOf, std::span<const No
 }
 
 void SparseRows::assemble(std::span<const Block3> blocks, DiagonalBlocks& own, Workers& workers) {
-  workers.forBlocks(slot_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  workers.forBlocks(slot_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       for (std::uint32_t k = rows_[row].firstBlock; k < rows_[row + 1].firstBlock; ++k) {
         Columns sum;

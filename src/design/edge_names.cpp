@@ -9,11 +9,11 @@ namespace karinui {
 
 namespace {
 
-enum class Part { Top, Bottom, Side };
+enum class EdgeZone { Top, Bottom, Side };
 
 // An edge as a tailor sees it on the paper, the grain upwards.
 struct Seen {
-  Part part = Part::Side;
+  EdgeZone part = EdgeZone::Side;
   double hollow = 0;  // how far it is cut into the cloth, over its chord
   double across = 0;  // of its middle: from the piece's left (-1) to its right (1)
   double high = 0;    // likewise from the bottom (-1) to the top (1)
@@ -49,7 +49,7 @@ Seen seen(const Upright& piece, const Curve& curve) {
   edge.chord = long1 / std::fmax(piece.high.u - piece.low.u, 1e-6);
   if (long1 < 1e-6) return edge;
   const Flat out = Flat{chord.v, -chord.u} * (1 / long1);  // outlines run counter-clockwise
-  edge.part = out.v > kFacing ? Part::Top : out.v < -kFacing ? Part::Bottom : Part::Side;
+  edge.part = out.v > kFacing ? EdgeZone::Top : out.v < -kFacing ? EdgeZone::Bottom : EdgeZone::Side;
   edge.hollow = -dot(middle - lerp(start, end, 0.5), out) / long1;
   edge.slope = edge.across < 0 ? -out.u : out.u;
   return edge;
@@ -86,14 +86,14 @@ Message roleOf(const Document& document, const Piece& piece, const Edge& edge, c
   constexpr double kCutIn = 0.08, kNeck = 0.15;  // of the chord
   constexpr double kSloping = 0.15;              // shoulders fall away from the neck by 9 degrees at least
   switch (lies.part) {
-    case Part::Bottom:
+    case EdgeZone::Bottom:
       return sewn(document, piece.id, edge.name) ? say("bottom edge") : say("hem");
-    case Part::Top:
+    case EdgeZone::Top:
       if (lies.hollow > kNeck) return say("neckline");
       if (lies.chord < 0.45 && lies.slope > kSloping && std::fabs(lies.across) > 0.2 && lies.high > 0.5)
         return say("shoulder");
       return say("top edge");
-    case Part::Side:
+    case EdgeZone::Side:
       break;
   }
   return lies.hollow > kCutIn && lies.high > 0 ? say("armhole") : say("side");
@@ -105,7 +105,7 @@ Message described(const Document& document, const Piece& piece, const Upright& u
   const Message role = roleOf(document, piece, edge, lies);
   if (edge.name.ends_with("_left") || edge.name.ends_with("_l")) return say("left {0}", role);
   if (edge.name.ends_with("_right") || edge.name.ends_with("_r")) return say("right {0}", role);
-  if (std::fabs(lies.across) < kMiddle || (lies.part != Part::Side && lies.chord > 0.6)) return role;
+  if (std::fabs(lies.across) < kMiddle || (lies.part != EdgeZone::Side && lies.chord > 0.6)) return role;
   const Vec3 at = standsAt(piece, edge.curve.atFraction(0.5));
   if (std::fabs(at.z) > 1.5 * std::fabs(at.x))  // on the side of the body or on a limb
     return at.z > 0 ? say("front {0}", role) : say("back {0}", role);

@@ -4,12 +4,11 @@ namespace karinui {
 
 namespace {
 
-constexpr double kTick = 0.001;           // seconds
-constexpr HandModel kModel{0.2, 300, 8};  // overshoots by a sixth: stays below 1 m/s where it is led at 0.8
+constexpr HandModel kHand{0.2, 300, 8};  // overshoots by a sixth: stays below 1 m/s where it is led at 0.8
 
 }  // namespace
 
-LedDevice::LedDevice() : led_(simulatedRecord()), hand_({}, kModel) {}
+LedDevice::LedDevice() : led_(simulatedRecord()), hand_({}, kHand) {}
 
 HandSample LedDevice::sample() {
   HandSample sample = led_.sample();
@@ -17,9 +16,9 @@ HandSample LedDevice::sample() {
     held_ = false;
     return sample;
   }
-  if (!held_) hand_ = SimulatedHand(sample.tip.carry, kModel);
+  if (!held_) hand_ = SimulatedHand(sample.tip.carry, kHand);
   held_ = true;
-  hand_.step(sample.tip.carry, force_, kTick);
+  hand_.step(sample.tip.carry, force_, kServoTick);
   sample.tip.carry = hand_.place();
   sample.velocity = hand_.velocity();
   return sample;

@@ -6,9 +6,8 @@ namespace karinui {
 
 namespace {
 
-constexpr double kTick = 0.001;  // seconds
-constexpr double kGlide = 0.8;   // m/s
-constexpr double kShare = 0.1;   // of the way left in a tick: events a hundredth of a second apart become one motion
+constexpr double kGlide = 0.8;  // m/s
+constexpr double kShare = 0.1;  // of the way left in a tick: events a hundredth of a second apart become one motion
 
 Rigid between(const Rigid& a, const Rigid& b, double share) {
   const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0 ? -1 : 1;
@@ -50,11 +49,11 @@ HandSample PoseSource::sample() {
   if (!aim_.ready) return aim_;
   const Vec3 before = placed_ ? now_.tip.carry : aim_.tip.carry;
   const double left = distance(before, aim_.tip.carry);
-  const double share = !placed_ ? 1 : left > 0 ? std::min(kShare, kGlide * kTick / left) : kShare;
+  const double share = !placed_ ? 1 : left > 0 ? std::min(kShare, kGlide * kServoTick / left) : kShare;
   Rigid tip = between(placed_ ? now_.tip : aim_.tip, aim_.tip, share);
   now_ = aim_;
   now_.tip = tip;
-  now_.velocity = (tip.carry - before) * (1 / kTick);
+  now_.velocity = (tip.carry - before) * (1 / kServoTick);
   placed_ = true;
   return now_;
 }

@@ -11,6 +11,8 @@
 #include <string>
 #include <thread>
 
+#include "karinui/touch/haptic_device.h"
+
 namespace karinui {
 
 namespace asio = boost::asio;
@@ -20,7 +22,6 @@ using Json = nlohmann::json;
 
 namespace {
 
-constexpr double kTick = 0.001;  // seconds a message
 const char *const kId = "04AB", *const kSecond = "FFFF";
 
 Json vector(Vec3 v) { return {{"x", v.x}, {"y", v.y}, {"z", v.z}}; }
@@ -110,8 +111,8 @@ struct SimulatedInverse3::Inside {
         stream.read(buffer, error);
         if (error) break;
         const Vec3 force = forceIn(Json::parse(beast::buffers_to_string(buffer.data()), nullptr, false));
-        hand.step(aim(now), force, kTick);
-        now += kTick;
+        hand.step(aim(now), force, kServoTick);
+        now += kServoTick;
         {
           const std::lock_guard lock(mutex);
           ++seen.messages;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 
+#include "karinui/base/number.h"
 #include "karinui/exchange/garment_code.h"
 #include "names.h"
 #include "strict_json.h"
@@ -20,7 +21,6 @@ struct Panel {
 };
 
 Rigid placeOf(Vec3 degrees, Vec3 carry) {
-  constexpr double kDegree = std::numbers::pi / 180;
   Rigid pose = after(turnAbout({0, 0, 1}, degrees.z * kDegree),
                      after(turnAbout({0, 1, 0}, degrees.y * kDegree), turnAbout({1, 0, 0}, degrees.x * kDegree)));
   pose.carry = carry;

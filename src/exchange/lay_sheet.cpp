@@ -12,7 +12,7 @@
 namespace karinui {
 namespace {
 
-constexpr double kMargin = 20;            // mm round the cloth
+constexpr double kLayMargin = 20;         // mm round the cloth
 constexpr double kHeader = kSquare + 60;  // above it
 constexpr double kNearFold = 1e-6;
 
@@ -63,30 +63,30 @@ class LayDrawing {
     if (!flat) return flat.error();
     Sheet out;
     out.title = cleanText(paper_.title);
-    out.square = {kMargin, kMargin};
-    heading(out, out.title, 7, kMargin + kSquare + 10);
-    heading(out, said(say("Print at 100 %. The square must measure 100 mm.")), 4, kMargin + kSquare + 22);
-    double down = kMargin + kHeader;
+    out.square = {kLayMargin, kLayMargin};
+    heading(out, out.title, 7, kLayMargin + kSquare + 10);
+    heading(out, said(say("Print at 100 %. The square must measure 100 mm.")), 4, kLayMargin + kSquare + 22);
+    double down = kLayMargin + kHeader;
     for (const FabricLay* lay : lays) {
       heading(out, said(laid(*lay)), 5, down - 8);
-      const Mm low{kMargin, down}, high{kMargin + lay->width * 1000, down + lay->length * 1000};
+      const Mm low{kLayMargin, down}, high{kLayMargin + lay->width * 1000, down + lay->length * 1000};
       out.borders.push_back({low, {high.x, low.y}, high, {low.x, high.y}, low});
       if (plan_.settings.folded) out.borders.push_back({low - Mm{1.5, 0}, {low.x - 1.5, high.y}});
       for (std::size_t i = 0; i < lay->pieces.size(); ++i) out.pieces.push_back(piece(*flat, *lay, i, low));
-      out.width = std::max(out.width, high.x + kMargin);
-      down = high.y + kMargin + 25;
+      out.width = std::max(out.width, high.x + kLayMargin);
+      down = high.y + kLayMargin + 25;
     }
     out.height = std::ceil(down - 25);
-    out.width = std::ceil(std::max(out.width, kMargin + 1.7 * kSquare));
+    out.width = std::ceil(std::max(out.width, kLayMargin + 1.7 * kSquare));
     for (const SheetText& words : out.headings)
-      out.width = std::max(out.width, std::ceil(words.place.x + wordsWidth(words.words, words.size) + kMargin));
+      out.width = std::max(out.width, std::ceil(words.place.x + wordsWidth(words.words, words.size) + kLayMargin));
     return out;
   }
 
  private:
   std::string said(const Message& message) const { return text(message, paper_.language); }
   static void heading(Sheet& sheet, std::string words, double size, double down) {
-    sheet.headings.push_back({{kMargin, down}, size, true, std::move(words)});
+    sheet.headings.push_back({{kLayMargin, down}, size, true, std::move(words)});
   }
   Message laid(const FabricLay& lay) const {
     const std::string length = lengthOf(lay), wide = fixed(plan_.settings.width * 100, 0),

@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::size_t kMostColumns = 500, kLongestCell = 400;
 
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
-}
-
 // The rows of RFC 4180, with any of three separators: the one the first line has most of.
 class Rows {
  public:
@@ -64,7 +58,7 @@ class Rows {
     }
     if (quoted) return badInput(say("A quotation mark in row {0} of the table is never closed.", number_));
     rest_.remove_prefix(std::min(at + 1, rest_.size()));
-    for (std::string& cell : cells) cell = trimmed(cell);
+    for (std::string& cell : cells) cell = std::string(trimmed(cell));
     return cells;
   }
 
@@ -111,7 +105,7 @@ Column columnOf(const std::string& heading) {
   if (lower == "name" || lower == "id" || lower == "person") return column.kind = Column::Kind::Name, column;
   if (lower == "sex" || lower == "gender") return column.kind = Column::Kind::Sex, column;
   auto [name, unit] = unitOf(heading);
-  for (const std::string& one : {name, trimmed(lower.substr(0, name.size()))}) {
+  for (const std::string& one : {name, std::string(trimmed(std::string_view(lower).substr(0, name.size())))}) {
     std::string word = one;
     std::replace(word.begin(), word.end(), ' ', '_');
     if (const auto key = measurementKey(word)) {

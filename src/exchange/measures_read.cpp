@@ -21,12 +21,6 @@ Error notMeasures() { return badInput(say("There are no measures in this file.")
 Error tooLarge() { return badInput(say("This file is too large for a file of measures.")); }
 Error tooMany() { return badInput(say("The file has more than {0} measures.", kMostEntries)); }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 std::vector<std::string_view> linesOf(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   std::vector<std::string_view> lines;

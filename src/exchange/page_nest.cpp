@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBorder = 5, kBetween = 8;  // mm: from the sheet's sides, between pieces
 constexpr std::size_t kMostColumns = 8;      // of pages
-constexpr std::size_t kMostPieces = 60;      // more are left as they lie
+constexpr std::size_t kMostNested = 60;      // more are left as they lie
 constexpr int kTries = 1500;
 
 // Without points that a line between their neighbours misses by next to nothing: the finer, the slower.
@@ -48,7 +48,7 @@ Ring onStrip(const SheetPiece& piece) {
 }  // namespace
 
 void nestOnPages(Sheet& sheet, const TileGrid& grid) {
-  if (sheet.pieces.empty() || sheet.pieces.size() > kMostPieces) return;
+  if (sheet.pieces.empty() || sheet.pieces.size() > kMostNested) return;
   std::vector<NestShape> shapes;
   std::vector<NestItem> items;
   double widest = 0, top = sheet.height;

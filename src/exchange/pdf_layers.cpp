@@ -1,4 +1,5 @@
 #include "pdf_layers.h"
+#include "karinui/base/number.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -14,7 +15,6 @@ namespace {
 
 using Entries = std::vector<std::pair<std::string, std::string>>;  // of a dictionary: key, value as it is written
 
-bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 bool endsWord(char c) { return isSpace(c) || c == '/' || c == '<' || c == '>' || c == '[' || c == ']'; }
 
 // One value from `at` on: a dictionary, a list, a reference or a word.

@@ -8,9 +8,9 @@
 namespace karinui {
 namespace {
 
-constexpr double kHeading = 4.2, kLetters = 3.2, kSmall = 2.6, kRow = 13, kBar = 10;  // mm
-constexpr double kName = 42, kCount = 34;                                             // mm, left and right of the axis
-constexpr double kLight = 0.68, kDark = 0.15, kLine = 0.45;                           // greys
+constexpr double kTitleSize = 4.2, kLabelSize = 3.2, kSmall = 2.6, kRow = 13, kBar = 10;  // mm
+constexpr double kName = 42, kCount = 34;                        // mm, left and right of the axis
+constexpr double kLight = 0.68, kDark = 0.15, kLineGrey = 0.45;  // greys
 constexpr std::size_t kBars = 40;
 
 // 1, 2 or 5 times a power of ten, not below `value`.
@@ -52,19 +52,19 @@ void words(PdfCanvas& canvas, const std::string& what, Mm at, double size, bool 
 
 }  // namespace
 
-double plotHigh(const ReportPlot& plot) { return kHeading + 6 + kRow * static_cast<double>(plot.rows.size()) + 9; }
+double plotHigh(const ReportPlot& plot) { return kTitleSize + 6 + kRow * static_cast<double>(plot.rows.size()) + 9; }
 
 void drawPlot(PdfCanvas& canvas, const ReportPlot& plot, Mm corner, double wide, Language language) {
   const Axis axis = axisOf(plot);
   const double left = corner.x + kName, across = wide - kName - kCount;
   const auto at = [&](double value) { return left + across * axis.share(value); };
-  words(canvas, text(plot.heading, language), {corner.x, corner.y + 3}, kHeading);
-  const double top = corner.y + kHeading + 6;
+  words(canvas, text(plot.heading, language), {corner.x, corner.y + 3}, kTitleSize);
+  const double top = corner.y + kTitleSize + 6;
   double base = top;
   for (const ReportPlot::Row& row : plot.rows) {
     base += kRow;
     const std::string name = text(row.name, language);
-    const double size = kLetters * std::fmin(1, (kName - 3) / std::fmax(1, canvas.wide(name, kLetters)));
+    const double size = kLabelSize * std::fmin(1, (kName - 3) / std::fmax(1, canvas.wide(name, kLabelSize)));
     words(canvas, name, {corner.x, base - 4}, size);
     // A bar lies on one side of the limit: those of values beyond it are dark.
     std::vector<std::size_t> within(kBars), beyond(kBars);
@@ -88,12 +88,12 @@ void drawPlot(PdfCanvas& canvas, const ReportPlot& plot, Mm corner, double wide,
         from = to;
       }
     }
-    canvas.colour(kLine);
+    canvas.colour(kLineGrey);
     canvas.moveTo({left, base}), canvas.lineTo({left + across, base}), canvas.stroke(0.2, false);
     canvas.colour(0);
     const std::string counted = row.values.empty() ? text(say("Nothing is known."), language)
                                                    : text(say("{0} of {1} beyond", bad, row.values.size()), language);
-    words(canvas, counted, {left + across + 3, base - 4}, kLetters);
+    words(canvas, counted, {left + across + 3, base - 4}, kLabelSize);
     if (row.values.empty()) continue;
     std::vector<double> sorted = row.values;
     std::sort(sorted.begin(), sorted.end());

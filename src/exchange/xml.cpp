@@ -3,6 +3,7 @@
 #include <charconv>
 #include <optional>
 
+#include "karinui/base/number.h"
 #include "strict_json.h"
 
 namespace karinui {
@@ -10,7 +11,6 @@ namespace {
 
 constexpr std::size_t kDeepest = 64, kMostElements = 500000;
 
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool isName(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte >= 0x80 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||

@@ -204,7 +204,7 @@ Delaunay::Forced Delaunay::force(std::uint32_t a, std::uint32_t b, std::array<st
   const std::array<std::uint32_t, 2> key{std::min(a, b), std::max(a, b)};
   if (leftOf(a, b) != kNone) {
     forced_.insert(key);
-    return Forced::Done;
+    return Forced::Made;
   }
   // Find the face at a through which the way to b leaves, then all edges crossed on the way.
   std::deque<std::array<std::uint32_t, 2>> crossed;  // right, left of the way
@@ -261,7 +261,7 @@ Delaunay::Forced Delaunay::force(std::uint32_t a, std::uint32_t b, std::array<st
     if (sideP * sideQ < 0) crossed.push_back(sideP < 0 ? std::array{p, q} : std::array{q, p});
   }
   forced_.insert(key);
-  return Forced::Done;
+  return Forced::Made;
 }
 
 void Delaunay::improve() {

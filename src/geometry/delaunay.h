@@ -19,7 +19,7 @@ class Delaunay {
     std::array<std::uint32_t, 3> corner{};
     std::array<std::uint32_t, 3> beyond{kNone, kNone, kNone};  // the face across from each corner
   };
-  enum class Forced { Done, Crossed, Touched };
+  enum class Forced { Made, Crossed, Touched };
 
   explicit Delaunay(std::span<const Flat> places);
 

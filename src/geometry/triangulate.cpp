@@ -42,7 +42,7 @@ Result<std::vector<Triangle>> triangulateRegion(std::span<const Flat> points, st
     if (!fresh) return refuse(twin->second);
     std::array<std::uint32_t, 2> met{};
     const auto done = mesh.force(a, b, met);
-    if (done == Delaunay::Forced::Done) continue;
+    if (done == Delaunay::Forced::Made) continue;
     std::size_t other = k;
     for (std::size_t j = 0; j < sides.size(); ++j) {
       const std::uint32_t c = corner[sides[j][0]], d = corner[sides[j][1]];

@@ -10,7 +10,7 @@
 namespace karinui {
 namespace {
 
-constexpr double kSame = 1e-7;  // metres: stations nearer than this are one
+constexpr double kSameStation = 1e-7;  // metres: stations nearer than this are one
 // Metres: corners nearer than this are one in the lattice, whose cells would else be slivers beside an edge of a
 // fraction of a millimetre. A hair less than 1 mm, so that edges of that length keep both their corners.
 constexpr double kOneCorner = 1e-3 - 1e-8;
@@ -139,7 +139,7 @@ Done BorderPlan::gatherTracks(const Pattern& pattern) {
       if (track.outline->edges.empty()) return badInput(say("Piece {0} has no outline.", piece->name));
       for (const Edge& edge : track.outline->edges) {
         const double own = edge.curve.length();
-        if (!(own > kSame) || !std::isfinite(own))
+        if (!(own > kSameStation) || !std::isfinite(own))
           return badInput(say("Edge {0} of piece {1} has no length.", edge.name, piece->name));
         track.edgeStart.push_back(track.edgeStart.back() + own);
       }
@@ -157,16 +157,22 @@ Done BorderPlan::gatherTracks(const Pattern& pattern) {
     for (const Retrace& slit : retraces(*tracks_[t].outline)) {
       const double whole = tracks_[t].whole();
       const auto wrapped = [&](double from, double to) {
-        if (from < -kSame) return std::vector<Leg>{{t, from + whole, whole}, {t, 0, to}};
-        if (to > whole + kSame && from < whole - kSame) return std::vector<Leg>{{t, from, whole}, {t, 0, to - whole}};
-        if (to > whole + kSame) return std::vector<Leg>{{t, from - whole < kSame ? 0 : from - whole, to - whole}};
+        if (from < -kSameStation) return std::vector<Leg>{{t, from + whole, whole}, {t, 0, to}};
+        if (to > whole + kSameStation && from < whole - kSameStation)
+          return std::vector<Leg>{{t, from, whole}, {t, 0, to - whole}};
+        if (to > whole + kSameStation)
+          return std::vector<Leg>{{t, from - whole < kSameStation ? 0 : from - whole, to - whole}};
         return std::vector<Leg>{{t, std::max(from, 0.0), std::min(to, whole)}};
       };
-      Joined banks{
-          {}, wrapped(slit.tip - slit.reach, slit.tip), wrapped(slit.tip, slit.tip + slit.reach), true, 0, 10 * kSame};
+      Joined banks{{},
+                   wrapped(slit.tip - slit.reach, slit.tip),
+                   wrapped(slit.tip, slit.tip + slit.reach),
+                   true,
+                   0,
+                   10 * kSameStation};
       for (const Leg& leg : {banks.a.front(), banks.b.back()}) {
-        addStation(t, leg.from, kSame);
-        addStation(t, leg.to, kSame);
+        addStation(t, leg.from, kSameStation);
+        addStation(t, leg.to, kSameStation);
       }
       joined_.push_back(std::move(banks));
     }
@@ -250,8 +256,8 @@ Done BorderPlan::gatherSeams(const Pattern& pattern) {
     if (a->empty() || b->empty()) continue;
     for (const auto* side : {&*a, &*b})
       for (const Leg& leg : *side) {
-        addStation(leg.track, leg.from, kSame);
-        addStation(leg.track, leg.to, kSame);
+        addStation(leg.track, leg.from, kSameStation);
+        addStation(leg.track, leg.to, kSameStation);
       }
     const int doubled = seam.tie != Seam::Tie::TwoToOne                     ? 0
                         : length(pattern, seam.a) > length(pattern, seam.b) ? 1
@@ -291,12 +297,12 @@ Walk BorderPlan::walk(const std::vector<Leg>& side, bool backwards) const {
     const auto& stations = tracks_[leg.track].station;
     const std::size_t count = stations.size();
     // Stations of the leg, both ends included; the one at the very end may be station 0.
-    auto k = static_cast<std::size_t>(std::lower_bound(stations.begin(), stations.end(), leg.from - kSame) -
+    auto k = static_cast<std::size_t>(std::lower_bound(stations.begin(), stations.end(), leg.from - kSameStation) -
                                       stations.begin());
     bool first = true;
     for (; k < count || !tracks_[leg.track].open(); ++k) {
       const double at = k < count ? stations[k] : tracks_[leg.track].whole() + stations[k - count];
-      if (at > leg.to + kSame) break;
+      if (at > leg.to + kSameStation) break;
       const std::array<std::size_t, 2> station{leg.track, k % count};
       if (first && !forward.stops.empty()) {
         auto& shared = forward.stops.back().stations;
@@ -335,7 +341,7 @@ bool BorderPlan::carryAcross(const Joined& joined) {
     for (std::size_t j = j0 + 1; j < j1; ++j)
       wanted.push_back(placeOn(joined.a, false, a0 + (b.stops[j].at - b0) / (b1 - b0) * (a1 - a0)));
   }
-  for (const auto& [track, at] : wanted) changed |= addStation(static_cast<std::size_t>(track), at, kSame);
+  for (const auto& [track, at] : wanted) changed |= addStation(static_cast<std::size_t>(track), at, kSameStation);
   return changed;
 }
 
@@ -385,10 +391,10 @@ Done BorderPlan::count() {
     std::size_t edge = 0;
     for (std::size_t k = 0; k < track.station.size(); ++k) {
       const double from = track.station[k], to = k + 1 < track.station.size() ? track.station[k + 1] : track.whole();
-      while (edge + 1 < track.outline->edges.size() && track.edgeStart[edge + 1] <= from + kSame / 2) ++edge;
+      while (edge + 1 < track.outline->edges.size() && track.edgeStart[edge + 1] <= from + kSameStation / 2) ++edge;
       double bend = 0;  // of all edges in the stretch: short ones, then the one they lead to
-      for (std::size_t e = edge; e == edge || (e < track.outline->edges.size() && track.edgeStart[e] < to - kSame);
-           ++e) {
+      for (std::size_t e = edge;
+           e == edge || (e < track.outline->edges.size() && track.edgeStart[e] < to - kSameStation); ++e) {
         const Curve& curve = track.outline->edges[e].curve;
         const double t0 = curve.parameterAt(std::max(from - track.edgeStart[e], 0.0)),
                      t1 = curve.parameterAt(to - track.edgeStart[e]);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSnap = 5e-3;    // ends nearer to the outline than this go onto it
 constexpr double kCorner = 1e-3;  // a cut this near to a corner goes through it
 constexpr double kWiggle = 2e-4;  // of the line, straightened
-constexpr double kSame = 1e-6;
+constexpr double kSameCut = 1e-6;
 
 Meeting nearestOn(const Outline& outline, Flat place) {
   Meeting best;
@@ -77,7 +77,7 @@ Result<Inside> insidePart(const Piece& piece, std::vector<Flat> line) {
     Meeting meet = nearestOn(piece.outline, end);
     const double away = distance(meet.place, end);
     nearest = std::min(nearest, away);
-    if (away > kSame && (away > kSnap || !contains(ring, end))) continue;
+    if (away > kSameCut && (away > kSnap || !contains(ring, end))) continue;
     end = meet.place;
     meet.at = first ? 0 : static_cast<double>(line.size() - 1);
     (first ? startsOn : endsOn) = meet;
@@ -92,7 +92,7 @@ Result<Inside> insidePart(const Piece& piece, std::vector<Flat> line) {
   if (endsOn) all.push_back(*endsOn);
   std::stable_sort(all.begin(), all.end(), [](const Meeting& a, const Meeting& b) { return a.at < b.at; });
   all.erase(std::unique(all.begin(), all.end(),
-                        [](const Meeting& a, const Meeting& b) { return distance(a.place, b.place) < kSame; }),
+                        [](const Meeting& a, const Meeting& b) { return distance(a.place, b.place) < kSameCut; }),
             all.end());
 
   const double whole = static_cast<double>(line.size() - 1);
@@ -203,7 +203,8 @@ Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId s
       return badInput(say("A place of the line is not a usable number (lengths are metres, within 100 m)."));
   if (line.size() > 5000)
     return badInput(say("The line has {0} {0|place|places}; at most 5000 are taken.", line.size()));
-  line.erase(std::unique(line.begin(), line.end(), [](Flat a, Flat b) { return distance(a, b) < kSame; }), line.end());
+  line.erase(std::unique(line.begin(), line.end(), [](Flat a, Flat b) { return distance(a, b) < kSameCut; }),
+             line.end());
   if (line.size() < 2) return badInput(say("A cut needs a line of at least two places."));
   std::vector<Flat> straight{line.front()};
   straighten(line, 0, line.size() - 1, straight);

@@ -10,7 +10,7 @@ namespace karinui {
 
 namespace {
 
-constexpr double kSame = 1e-9;       // metres: points nearer than this are one
+constexpr double kSamePoint = 1e-9;  // metres: points nearer than this are one
 constexpr double kSmooth = 0.0872;   // sine of 5 degrees: edges that turn less run on
 constexpr double kKink = 0.94;       // cosine of 20 degrees: a curve that turns more has a corner
 constexpr double kLeastHole = 1e-6;  // square metres
@@ -24,7 +24,7 @@ std::optional<Flat> meeting(Flat p, Flat way, Flat q, Flat other) {
   return p + way * (cross(q - p, other) / turned);
 }
 
-std::vector<Flat> step(Flat a, Flat b) { return distance(a, b) < kSame ? std::vector{a} : std::vector{a, b}; }
+std::vector<Flat> step(Flat a, Flat b) { return distance(a, b) < kSamePoint ? std::vector{a} : std::vector{a, b}; }
 
 std::vector<Flat> mitre(const CutCorner& c, Flat a, Flat b) {
   const Flat tip = *meeting(a, c.before, b, c.after);
@@ -32,7 +32,7 @@ std::vector<Flat> mitre(const CutCorner& c, Flat a, Flat b) {
   // Beside a much wider allowance the narrower one's line would cut a long way into it.
   if (dot(tip - a, c.before) < -wider || dot(tip - b, c.after) > wider) return step(a, b);
   const double far = distance(tip, c.place);
-  if (far <= kLongestMitre * wider + kSame) return {tip};
+  if (far <= kLongestMitre * wider + kSamePoint) return {tip};
   const Flat way = (tip - c.place) * (1 / far), foot = c.place + way * wider;
   return {*meeting(foot, leftOf(way), a, c.before), *meeting(foot, leftOf(way), b, c.after)};
 }
@@ -118,11 +118,11 @@ void cutOff(Side& before, Side& after) {
 
 // What of a parallel lies beyond the point at which the corner takes over goes.
 void endAt(Side& side, Flat point) {
-  const auto beyond = [&](Flat p) { return dot(p - point, side.wayOut) > -kSame; };
+  const auto beyond = [&](Flat p) { return dot(p - point, side.wayOut) > -kSamePoint; };
   while (side.points.size() > 1 && beyond(side.points.back())) side.points.pop_back();
 }
 void startAt(Side& side, Flat point) {
-  const auto ahead = [&](Flat p) { return dot(p - point, side.wayIn) < kSame; };
+  const auto ahead = [&](Flat p) { return dot(p - point, side.wayIn) < kSamePoint; };
   std::size_t gone = 0;
   while (gone + 1 < side.points.size() && ahead(side.points[gone])) ++gone;
   side.points.erase(side.points.begin(), side.points.begin() + static_cast<std::ptrdiff_t>(gone));
@@ -132,13 +132,13 @@ void startAt(Side& side, Flat point) {
 Ring cleaned(const Ring& ring) {
   Ring apart;
   for (const Flat p : ring)
-    if (apart.empty() || distance(apart.back(), p) > kSame) apart.push_back(p);
-  while (apart.size() > 1 && distance(apart.back(), apart.front()) <= kSame) apart.pop_back();
+    if (apart.empty() || distance(apart.back(), p) > kSamePoint) apart.push_back(p);
+  while (apart.size() > 1 && distance(apart.back(), apart.front()) <= kSamePoint) apart.pop_back();
   Ring out;
   const std::size_t n = apart.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Flat a = apart[(i + n - 1) % n], p = apart[i], b = apart[(i + 1) % n];
-    const bool on = std::abs(cross(p - a, b - p)) <= kSame * distance(a, b) && dot(p - a, b - p) > 0;
+    const bool on = std::abs(cross(p - a, b - p)) <= kSamePoint * distance(a, b) && dot(p - a, b - p) > 0;
     if (!on) out.push_back(p);
   }
   return out;
@@ -211,7 +211,7 @@ std::vector<Flat> cornerPoints(const CutCorner& c) {
   if (std::abs(sine) < kSmooth) return step(a, b);
   if (sine < 0) return {*meeting(a, c.before, b, c.after)};
   std::vector<Flat> points = byKind(c, a, b);
-  const double longest = kLongestMitre * std::max(c.widthBefore, c.widthAfter) + kSame;
+  const double longest = kLongestMitre * std::max(c.widthBefore, c.widthAfter) + kSamePoint;
   const bool near = std::all_of(points.begin(), points.end(), [&](Flat p) { return distance(p, c.place) <= longest; });
   return !points.empty() && near ? points : mitre(c, a, b);
 }

@@ -11,6 +11,8 @@ struct EdgePlace {
   double t = 0;  // the curve's parameter, inside (0, 1)
 };
 
+constexpr double kLeastEdge = 1e-3;  // metres an edge has at least
+
 std::set<std::string> edgeNames(const Piece& piece);
 // `name` if it is free, else name_2, name_3 …; takes it.
 std::string freeName(const std::string& name, std::set<std::string>& taken);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kParallel = 1e-3;  // metres by which lines may be off
 constexpr double kStep = 2e-3;      // metres by which an edge may be off where it is closed
-constexpr double kSame = 1e-9;
+constexpr double kSameParameter = 1e-9;
 
 // Where an outline passes a place across the lines.
 struct Passage {
@@ -119,7 +119,8 @@ class Closing {
       for (std::size_t guard = 0; guard <= edges.size(); ++guard) {
         const bool last = k == to.edge && (guard > 0 || to.t > t);
         const double end = last ? to.t : 1;
-        if (end - t > kSame && edges[k].curve.part(t, end).length() > 1e-6) parts.push_back({k, t, end, beyond});
+        if (end - t > kSameParameter && edges[k].curve.part(t, end).length() > 1e-6)
+          parts.push_back({k, t, end, beyond});
         if (last) return;
         k = (k + 1) % edges.size(), t = 0;
       }

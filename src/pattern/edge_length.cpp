@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "karinui/base/number.h"
 #include "words.h"
 
 namespace karinui {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kEdgeTurns = 10 * kDegree;       // that the edge may turn for its neighbour's sake
 constexpr double kNeighbourTurns = 20 * kDegree;  // that the neighbour may turn itself
 constexpr double kOnAxis = 2e-5;                  // metres

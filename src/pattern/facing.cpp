@@ -16,7 +16,6 @@ namespace {
 constexpr double kStep = 0.002;  // metres between the places looked at
 constexpr double kClose = 2e-5;  // metres by which they may be nearer to the run
 constexpr double kFree = 1e-3;   // metres of the line's ends that its places keep off
-constexpr double kLeast = 1e-3;  // metres an edge has at least
 
 class Cutting {
  public:
@@ -60,14 +59,14 @@ class Cutting {
       return refused(say("{0} is nowhere {1} mm deep beside “{2}”; choose a narrower facing.", piece_.name,
                          inMm(width_), names_.front()));
     for (const auto& [k, to] : on)
-      if (to * edges_[k].curve.length() >= kLeast) add(edges_[k], 0, to);
+      if (to * edges_[k].curve.length() >= kLeastEdge) add(edges_[k], 0, to);
     const auto [k, from] = back.back();
     const Flat end = facing.outline.edges.back().curve.end, start = edges_[k].curve.atFraction(from);
     std::set<std::string> names = edgeNames(piece_);
     facing.inner = freeName("inner", names);
     facing.outline.edges.push_back({facing.inner, innerLine(end, start)});
     for (auto at = back.rbegin(); at != back.rend(); ++at)
-      if ((1 - at->second) * edges_[at->first].curve.length() >= kLeast) add(edges_[at->first], at->second, 1);
+      if ((1 - at->second) * edges_[at->first].curve.length() >= kLeastEdge) add(edges_[at->first], at->second, 1);
     auto& all = facing.outline.edges;
     for (std::size_t i = 0; i < all.size(); ++i) all[(i + 1) % all.size()].curve.start = all[i].curve.end;
     auto good = checked(std::move(facing.outline));

@@ -11,15 +11,14 @@ namespace karinui {
 
 namespace {
 
-constexpr double kSame = 1e-6;   // metres
-constexpr double kLeast = 1e-3;  // metres an edge has at least
-constexpr int kMostOver = 3;     // how many times as deep as they are apart pleats may be that overlap
+constexpr double kSameFold = 1e-6;  // metres
+constexpr int kMostOver = 3;        // how many times as deep as they are apart pleats may be that overlap
 
 // Where a curve reaches a place across the lines; `rising` says which way it runs. Nothing: it does not.
 std::optional<double> parameterAcross(const Curve& curve, Flat across, double wanted, bool rising) {
   const auto away = [&](double t) { return (dot(curve.at(t), across) - wanted) * (rising ? 1 : -1); };
-  if (std::abs(away(0)) < kSame) return 0;
-  if (std::abs(away(1)) < kSame) return 1;
+  if (std::abs(away(0)) < kSameFold) return 0;
+  if (std::abs(away(1)) < kSameFold) return 1;
   if (away(0) > 0 || away(1) < 0) return std::nullopt;
   double low = 0, high = 1;
   for (int round = 0; round < 60; ++round) (away((low + high) / 2) < 0 ? low : high) = (low + high) / 2;
@@ -82,7 +81,7 @@ class Spreading {
     if (!k) return notFound(say("Piece {0} has no edge {1}.", piece_.name, plan_.edge));
     near_ = *k;
     const double d = plan_.depth;
-    if (!(d >= kLeast && d <= 0.5)) return refused(say("A pleat is between 1 mm and 50 cm deep."));
+    if (!(d >= kLeastEdge && d <= 0.5)) return refused(say("A pleat is between 1 mm and 50 cm deep."));
     made_.across = -leftOf(plan_.along);
     const Curve& curve = near().curve;
     const auto add = [&](double at, bool toStart) {
@@ -97,10 +96,10 @@ class Spreading {
     auto& folds = made_.folds;
     for (std::size_t n = 0; n < folds.size(); ++n) {
       folds[n].strip = folds[n].at + 2 * d * static_cast<double>(n);
-      if (n == 0 || folds[n].low >= folds[n - 1].low + d - kSame) continue;
+      if (n == 0 || folds[n].low >= folds[n - 1].low + d - kSameFold) continue;
       const double apart = folds[n].at - folds[n - 1].at;
       const bool oneWay = plan_.kind == PleatKind::Knife && folds[n].toStart == folds[n - 1].toStart;
-      if (!oneWay || d > kMostOver * apart + kSame)
+      if (!oneWay || d > kMostOver * apart + kSameFold)
         return refused(
             say("The pleats lie over each other: each covers {0} mm, and they are {1} mm apart; choose fewer "
                 "or a smaller depth. Only knife pleats turned one way may cover part of the next, up to {2} times as "
@@ -157,7 +156,7 @@ class Spreading {
       double low = HUGE_VAL, high = -HUGE_VAL;
       for (const Flat p : line) low = std::min(low, across(p)), high = std::max(high, across(p));
       return std::any_of(made_.folds.begin(), made_.folds.end(),
-                         [&](const PleatFold& f) { return low < f.at - kSame && high > f.at + kSame; });
+                         [&](const PleatFold& f) { return low < f.at - kSameFold && high > f.at + kSameFold; });
     };
     for (std::size_t k = 0; k < piece_.outline.edges.size(); ++k)
       if (k != near_ && k != far_ && crossed(piece_.outline.edges[k].curve.flattened(1e-4)))
@@ -186,7 +185,7 @@ class Spreading {
     std::vector<Part> parts;
     double t = 0;
     const auto flat = [&](double to, std::size_t folds) {
-      if (curve.lengthTo(to) - curve.lengthTo(t) > kSame)
+      if (curve.lengthTo(to) - curve.lengthTo(t) > kSameFold)
         parts.push_back({moved(t == 0 && to == 1 ? curve : curve.part(t, to), by(folds)), curve.lengthTo(t) / whole,
                          curve.lengthTo(to) / whole, -1, false});
       t = to;
@@ -253,7 +252,7 @@ class Spreading {
     for (const auto& [part, name] : folded)
       for (const EdgePart& over : map) {  // the flat parts it lies under: one, where pleats do not overlap
         const double from = std::max(part.from, over.from), to = std::min(part.to, over.to);
-        if ((to - from) * edge.curve.length() < kLeast) continue;
+        if ((to - from) * edge.curve.length() < kLeastEdge) continue;
         const auto share = [](double at, double low, double high) {
           const double s = (at - low) / (high - low);
           return s < 1e-6 ? 0.0 : s > 1 - 1e-6 ? 1.0 : s;
@@ -311,7 +310,8 @@ class Spreading {
       };
       const double turn = fold.toStart ? fold.low + d : fold.low;
       const auto place = [&] {  // the two folds of an inverted pleat come to lie at one line
-        if (k > 0 && std::abs(made_.folds[k - 1].at - fold.at) < kSame && fold.toStart) return made_.folds[k - 1].place;
+        if (k > 0 && std::abs(made_.folds[k - 1].at - fold.at) < kSameFold && fold.toStart)
+          return made_.folds[k - 1].place;
         return line("place", fold.at, fold.toStart ? 0 : 2 * d);
       };
       if (fold.toStart) {
@@ -439,8 +439,8 @@ std::vector<PaperPleat> pleatsOf(const Pattern& pattern) {
       for (const InternalLine& line : piece.lines) {  // where it is drawn, the fold says which way it runs
         if (line.curves.empty()) continue;
         const Curve &out = line.curves.front(), &in = line.curves.back();
-        if (distance(out.start, pleat.fold) < kSame) pleat.along = normalized(out.tangent(0));
-        if (distance(in.end, pleat.fold) < kSame) pleat.along = -normalized(in.tangent(1));
+        if (distance(out.start, pleat.fold) < kSameFold) pleat.along = normalized(out.tangent(0));
+        if (distance(in.end, pleat.fold) < kSameFold) pleat.along = -normalized(in.tangent(1));
       }
       pleats.push_back(std::move(pleat));
     }
@@ -463,7 +463,9 @@ std::set<std::string> linesOfLattice(const Pattern& pattern, const Piece& piece)
   for (const PaperPleat& pleat : pleatsOf(pattern))
     for (const InternalLine& line : piece.lines) {
       const Curve* curve = pleat.piece == piece.id ? lineNamed(line.name) : nullptr;
-      const auto at = [&](Flat end) { return distance(end, pleat.fold) < kSame || distance(end, pleat.inner) < kSame; };
+      const auto at = [&](Flat end) {
+        return distance(end, pleat.fold) < kSameFold || distance(end, pleat.inner) < kSameFold;
+      };
       if (curve && (at(curve->start) || at(curve->end))) names.insert(line.name);
     }
   return names;

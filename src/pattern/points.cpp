@@ -10,8 +10,6 @@ namespace karinui {
 
 namespace {
 
-constexpr double kLeast = 1e-3;  // metres an edge has at least
-
 // The outline or the hole that has an edge, and which of its edges that is.
 struct Found {
   Outline* outline = nullptr;
@@ -46,7 +44,7 @@ Result<EditedPiece> splitEdge(const Piece& piece, std::string_view edge, double 
   if (!outline) return noEdge(piece, edge);
   const Curve& curve = outline->edges[k].curve;
   const double whole = curve.length();
-  if (!(fraction * whole >= kLeast && (1 - fraction) * whole >= kLeast))
+  if (!(fraction * whole >= kLeastEdge && (1 - fraction) * whole >= kLeastEdge))
     return refused(say("Edge {0} is {1} mm long; a corner on it must stay 1 mm from both ends.", edge, inMm(whole)));
   divideEdges(*outline, {{k, curve.parameterAt(fraction * whole)}}, edgeNames(piece), piece.id, edited.edges);
   followMarks(edited.piece, edited.edges);
@@ -81,11 +79,11 @@ Result<DartedPiece> addDart(const Piece& piece, std::string_view edge, double fr
   if (!k) return noEdge(piece, edge);
   const Curve curve = now.outline.edges[*k].curve;
   const double whole = curve.length(), from = fraction * whole - width / 2, to = fraction * whole + width / 2;
-  if (!(width >= kLeast && from >= kLeast && whole - to >= kLeast))
+  if (!(width >= kLeastEdge && from >= kLeastEdge && whole - to >= kLeastEdge))
     return refused(say("A dart {0} mm wide does not fit there on edge {1}, which is {2} mm long.", inMm(width), edge,
                        inMm(whole)));
   const Ring ring = now.outline.flattened(1e-4);
-  if (!contains(ring, tip) || distanceToRing(ring, tip) < kLeast)
+  if (!contains(ring, tip) || distanceToRing(ring, tip) < kLeastEdge)
     return refused(say("The dart's tip must lie inside {0}.", piece.name));
   auto taken = edgeNames(piece);
   EdgeMap& map = dart.edited.edges;

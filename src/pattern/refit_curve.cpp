@@ -11,7 +11,7 @@
 namespace karinui {
 namespace {
 
-constexpr double kSame = 1e-6;                            // metres: parts of one curve
+constexpr double kSameCurve = 1e-6;                       // metres: parts of one curve
 constexpr double kSmooth = 2 * std::numbers::pi / 180;    // radians between two that meet smoothly
 constexpr double kSmoothMiss = 1e-4, kCornerMiss = 5e-4;  // metres the fit may pass from the places
 constexpr double kSpacing = 0.002;                        // metres between the places an edge is measured at
@@ -20,7 +20,7 @@ double angleBetween(Flat a, Flat b) { return std::fabs(std::atan2(cross(a, b), d
 
 bool same(const Curve& a, const Curve& b) {
   for (const double f : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
-    if (distance(a.atFraction(f), b.atFraction(f)) > kSame) return false;
+    if (distance(a.atFraction(f), b.atFraction(f)) > kSameCurve) return false;
   return true;
 }
 
@@ -29,7 +29,7 @@ std::optional<Curve> undivided(const Curve& first, const Curve& second) {
   if (first.kind != second.kind) return std::nullopt;
   switch (first.kind) {
     case Curve::Kind::Line:
-      if (distanceToSegment(first.start, second.end, first.end) > kSame) return std::nullopt;
+      if (distanceToSegment(first.start, second.end, first.end) > kSameCurve) return std::nullopt;
       return Curve::line(first.start, second.end);
     case Curve::Kind::Arc: {
       const double turn = 4 * (std::atan(first.bulge) + std::atan(second.bulge));
@@ -42,7 +42,7 @@ std::optional<Curve> undivided(const Curve& first, const Curve& second) {
     case Curve::Kind::Cubic: {
       // De Casteljau backwards: both handles at the joint are parts of one line, in the ratio it was divided in.
       const double in = distance(first.control2, first.end), out = distance(second.start, second.control1);
-      if (!(in + out > kSame)) return std::nullopt;
+      if (!(in + out > kSameCurve)) return std::nullopt;
       const double t = in / (in + out);
       if (!(t > 1e-6 && t < 1 - 1e-6)) return std::nullopt;
       const Curve whole = Curve::cubic(first.start, first.start + (first.control1 - first.start) * (1 / t),
@@ -65,7 +65,7 @@ void measure(const Curve& curve, double from, double to, std::vector<Flat>& plac
   const double whole = curve.length();
   const auto steps = static_cast<int>(std::clamp(std::ceil((to - from) * whole / kSpacing), 12.0, 300.0));
   for (const Flat place : curve.evenly(from, to, steps))
-    if (places.empty() || distance(places.back(), place) > kSame) places.push_back(place);
+    if (places.empty() || distance(places.back(), place) > kSameCurve) places.push_back(place);
 }
 
 }  // namespace

@@ -6,12 +6,12 @@
 namespace karinui {
 namespace {
 
-constexpr double kSame = 1e-8;  // metres: banks nearer than this are one line
+constexpr double kSameLine = 1e-8;  // metres: banks nearer than this are one line
 
 // Whether two curves are one and the same, over their whole length.
 bool sameCurve(const Curve& a, const Curve& b) {
   for (const double f : {0.0, 0.2, 0.5, 0.8, 1.0})
-    if (distance(a.atFraction(f), b.atFraction(f)) > kSame) return false;
+    if (distance(a.atFraction(f), b.atFraction(f)) > kSameLine) return false;
   return true;
 }
 
@@ -31,7 +31,7 @@ std::vector<Retrace> retraces(const Outline& outline) {
     while (steps + 1 < count) {
       const double lengthIn = bankIn.length(), lengthOut = bankOut.length();
       const double step = std::min(lengthIn, lengthOut);
-      const bool wholeIn = lengthIn - step < kSame, wholeOut = lengthOut - step < kSame;
+      const bool wholeIn = lengthIn - step < kSameLine, wholeOut = lengthOut - step < kSameLine;
       const double cutIn = wholeIn ? 1 : bankIn.parameterAt(step), cutOut = wholeOut ? 1 : bankOut.parameterAt(step);
       if (!sameCurve(bankIn.part(0, cutIn), bankOut.part(0, cutOut))) break;
       reach += step;
@@ -76,10 +76,10 @@ OpenedOut withoutSlits(const Outline& outline, double miss) {
     const double own = edge.curve.length();
     std::vector<double> cuts{0, own};
     for (double s : mouths)
-      if (s - before > kSame && s - before < own - kSame) cuts.push_back(s - before);
+      if (s - before > kSameLine && s - before < own - kSameLine) cuts.push_back(s - before);
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-      if (cuts[k + 1] - cuts[k] < kSame || taken(before + cuts[k], before + cuts[k + 1])) continue;
+      if (cuts[k + 1] - cuts[k] < kSameLine || taken(before + cuts[k], before + cuts[k + 1])) continue;
       const Curve part = edge.curve.part(edge.curve.parameterAt(cuts[k]), edge.curve.parameterAt(cuts[k + 1]));
       const auto points = part.flattened(miss);
       open.ring.insert(open.ring.end(), points.begin(), points.end() - 1);
@@ -89,7 +89,7 @@ OpenedOut withoutSlits(const Outline& outline, double miss) {
   for (const Retrace& slit : slits) {
     std::vector<Flat> line{outline.edges[slit.edge].curve.end};
     double left = slit.reach;
-    for (std::size_t k = slit.edge; left > kSame; k = (k + outline.edges.size() - 1) % outline.edges.size()) {
+    for (std::size_t k = slit.edge; left > kSameLine; k = (k + outline.edges.size() - 1) % outline.edges.size()) {
       const Curve back = outline.edges[k].curve.reversed();
       const double own = back.length();
       const auto points = (own <= left ? back : back.part(0, back.parameterAt(left))).flattened(miss);

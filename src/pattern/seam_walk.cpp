@@ -5,7 +5,7 @@
 namespace karinui {
 namespace {
 
-constexpr double kSame = 1e-6;  // of a side's length: fractions nearer than this are one place
+constexpr double kSameFraction = 1e-6;  // of a side's length: fractions nearer than this are one place
 
 }  // namespace
 
@@ -45,7 +45,7 @@ SeamPlace SeamSide::at(double fraction) const {
   if (spans_.empty()) return {};
   const double along = std::clamp(against_ ? 1 - fraction : fraction, 0.0, 1.0) * length();
   std::size_t i = 0;
-  while (i + 1 < spans_.size() && along > end_[i] + (against_ ? -kSame : kSame) * length()) ++i;
+  while (i + 1 < spans_.size() && along > end_[i] + (against_ ? -kSameFraction : kSameFraction) * length()) ++i;
   const double start = i == 0 ? 0 : end_[i - 1];
   const double within = std::clamp((along - start) / (end_[i] - start), 0.0, 1.0);
   return {spans_[i].piece, spans_[i].edge, spans_[i].from + within * (spans_[i].to - spans_[i].from)};
@@ -64,7 +64,7 @@ std::vector<double> SeamSides::breaks() const {
   std::sort(all.begin(), all.end());
   std::vector<double> out;
   for (const double fraction : all)
-    if (out.empty() || fraction - out.back() > kSame) out.push_back(fraction);
+    if (out.empty() || fraction - out.back() > kSameFraction) out.push_back(fraction);
   if (!out.empty()) out.back() = 1;
   return out;
 }

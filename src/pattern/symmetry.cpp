@@ -9,7 +9,7 @@
 namespace karinui {
 namespace {
 
-constexpr double kSame = 2e-5;  // metres: drawn and drafted pieces are exact, imported ones rounded
+constexpr double kSameHalf = 2e-5;  // metres: drawn and drafted pieces are exact, imported ones rounded
 
 // The axis if edge k were the image of edge (sum - k): mirroring turns the order round.
 std::optional<PaperSymmetry> symmetryWith(const Outline& outline, std::size_t sum) {
@@ -30,7 +30,7 @@ std::optional<PaperSymmetry> symmetryWith(const Outline& outline, std::size_t su
   for (std::size_t k = 0; k < n; ++k) {
     const Curve here = edges[k].curve, there = edges[partner(k)].curve.reversed();
     for (const double f : {0.0, 0.25, 0.5, 0.75, 1.0})
-      if (distance(found.image(here.atFraction(f)), there.atFraction(f)) > kSame) return std::nullopt;
+      if (distance(found.image(here.atFraction(f)), there.atFraction(f)) > kSameHalf) return std::nullopt;
   }
   for (std::size_t k = 0; k < n; ++k) {
     found.partner.push_back(partner(k));
@@ -57,9 +57,9 @@ std::vector<bool> cutEdges(const Outline& outline, const std::vector<Sampled>& s
   std::vector<bool> cut(n, false);
   for (const Retrace& slit : retraces(outline)) {
     double in = 0, out = 0;
-    for (std::size_t k = slit.edge; in + sampled[k].length <= slit.reach + kSame; k = (k + n - 1) % n)
+    for (std::size_t k = slit.edge; in + sampled[k].length <= slit.reach + kSameHalf; k = (k + n - 1) % n)
       in += sampled[k].length, cut[k] = true;
-    for (std::size_t k = (slit.edge + 1) % n; out + sampled[k].length <= slit.reach + kSame; k = (k + 1) % n)
+    for (std::size_t k = (slit.edge + 1) % n; out + sampled[k].length <= slit.reach + kSameHalf; k = (k + 1) % n)
       out += sampled[k].length, cut[k] = true;
   }
   // A dart: as far in as out, round a sharp tip inside the cloth.
@@ -160,7 +160,7 @@ class BesideCuts {
   bool areImages(const PaperSymmetry& symmetry, std::size_t k, std::size_t m) const {
     if (std::fabs(sampled_[k].length - sampled_[m].length) > 1e-4) return false;
     for (std::size_t i = 0; i < kSamples; ++i)
-      if (distance(symmetry.image(sampled_[k].place[i]), sampled_[m].place[kSamples - 1 - i]) > kSame) return false;
+      if (distance(symmetry.image(sampled_[k].place[i]), sampled_[m].place[kSamples - 1 - i]) > kSameHalf) return false;
     return true;
   }
   // Whether another corner lies at the very same place: the mouth of a slit.
@@ -193,12 +193,13 @@ class BesideCuts {
   bool excused(const PaperSymmetry& symmetry, const Run& run, const std::vector<Run>& runs) const {
     const Flat start = edges_[run.first].curve.start, end = edges_[(run.first + run.count - 1) % n_].curve.end;
     std::vector<Flat> mine = closedUp(run);
-    if (mine.empty()) return hasCut(run) && distance(start, end) < kSame;
+    if (mine.empty()) return hasCut(run) && distance(start, end) < kSameHalf;
     for (Flat& place : mine) place = symmetry.image(place);
     return std::any_of(runs.begin(), runs.end(), [&](const Run& other) {
       const Flat otherStart = edges_[other.first].curve.start;
       const Flat otherEnd = edges_[(other.first + other.count - 1) % n_].curve.end;
-      if (distance(symmetry.image(start), otherEnd) > kSame || distance(symmetry.image(end), otherStart) > kSame)
+      if (distance(symmetry.image(start), otherEnd) > kSameHalf ||
+          distance(symmetry.image(end), otherStart) > kSameHalf)
         return false;
       const std::vector<Flat> theirs = closedUp(other);
       return (hasCut(run) || hasCut(other)) && near(mine, theirs) && near(theirs, mine);

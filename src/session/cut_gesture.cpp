@@ -10,10 +10,10 @@ namespace karinui {
 
 namespace {
 
-constexpr double kStep = 0.003;    // metres on paper before a place is noted
-constexpr double kMiss = 0.0025;   // metres the cut may pass from the hand's line
-constexpr double kBrink = 0.004;   // metres from the outline that still mean the outline
-constexpr double kBeyond = 0.025;  // metres at least that a line which ran off the cloth is led on
+constexpr double kStep = 0.003;      // metres on paper before a place is noted
+constexpr double kCutMiss = 0.0025;  // metres the cut may pass from the hand's line
+constexpr double kBrink = 0.004;     // metres from the outline that still mean the outline
+constexpr double kBeyond = 0.025;    // metres at least that a line which ran off the cloth is led on
 
 class CutGesture : public Gesture {
  public:
@@ -130,7 +130,7 @@ class CutGesture : public Gesture {
     if (left_) line.push_back(runOff(ring, last, out));
     if (straight_) line = {line.front(), line.back()};
     std::vector<Flat> kept;
-    for (const std::size_t i : mattering<Flat>(line, kMiss)) kept.push_back(tenth(line[i]));
+    for (const std::size_t i : mattering<Flat>(line, kCutMiss)) kept.push_back(tenth(line[i]));
     return kept;
   }
 

@@ -9,9 +9,7 @@ namespace karinui {
 
 namespace {
 
-constexpr double kLeast = 0.01;   // metres: a shorter drag was a click
-constexpr double kUsual = 0.2;    // metres: what is first written in the boxes
-constexpr double kWhole = 0.005;  // metres: a drag is no finer; what is finer is typed
+constexpr double kUsual = 0.2;  // metres: what is first written in the boxes
 
 class PaperGesture : public Gesture {
  public:
@@ -33,7 +31,7 @@ class PaperGesture : public Gesture {
     const Flat from = *from_;
     from_.reset();
     const Document& document = context.snapshot->document;
-    const bool clicked = least < kLeast;
+    const bool clicked = least < kShortestDrag;
     if (round_) {
       DrawRing circle;
       circle.name = usableName(document, "circle");
@@ -82,7 +80,7 @@ class PaperGesture : public Gesture {
   Command command() const { return round_ ? Command::Circle : Command::Rectangle; }
   // Width and height, or the radius twice.
   Flat sizeNow() const {
-    const auto whole = [](double metres) { return std::round(std::fabs(metres) / kWhole) * kWhole; };
+    const auto whole = [](double metres) { return std::round(std::fabs(metres) / kDragStep) * kDragStep; };
     const Flat way = to_ - *from_;
     if (round_) return {whole(length(way)), whole(length(way))};
     const double side = whole(std::fmax(std::fabs(way.u), std::fabs(way.v)));

@@ -11,8 +11,7 @@ namespace karinui {
 
 namespace {
 
-constexpr double kWhole = 0.005;  // metres: a click is no finer; what is finer is typed
-constexpr double kSame = 0.004;   // metres: twice the same place
+constexpr double kSame = 0.004;  // metres: twice the same place
 
 class PolygonGesture : public Gesture {
  public:
@@ -40,7 +39,8 @@ class PolygonGesture : public Gesture {
     for (const Flat p : places_) middle += p * (1.0 / static_cast<double>(places_.size()));
     // On a scan the paper's places are those of the table, so that it lies there again.
     const bool traced = underlayAt(context.snapshot->document.underlays, middle);
-    middle = traced ? Flat{} : Flat{std::round(middle.u / kWhole) * kWhole, std::round(middle.v / kWhole) * kWhole};
+    middle = traced ? Flat{}
+                    : Flat{std::round(middle.u / kDragStep) * kDragStep, std::round(middle.v / kDragStep) * kDragStep};
     for (std::size_t i = 0; i < places_.size(); ++i) {
       polygon.points.push_back(tenth(places_[i] - middle));
       if (std::find(curved_.begin(), curved_.end(), true) != curved_.end())
@@ -89,7 +89,7 @@ class PolygonGesture : public Gesture {
       place = places_.back() + along * dot(way, along);
     }
     if (underlayAt(context.snapshot->document.underlays, sample.place)) return tenth(place);
-    const auto whole = [](double metres) { return std::round(metres / kWhole) * kWhole; };
+    const auto whole = [](double metres) { return std::round(metres / kDragStep) * kDragStep; };
     return {whole(place.u), whole(place.v)};
   }
   std::vector<Flat> places_;

@@ -10,7 +10,7 @@ namespace karinui {
 
 namespace {
 
-constexpr double kLeast = 0.003;  // metres: less is a click
+constexpr double kLeastPull = 0.003;  // metres: less is a click
 
 class HandOnCloth : public Gesture {
  public:
@@ -49,7 +49,7 @@ class HandOnCloth : public Gesture {
     if (sample.phase == PointerSample::Phase::Drag) return {.request = moved ? request() : PreviewRequest{}};
     const double most = furthest();
     GestureResult told{.over = true};
-    if (most >= kLeast) told.operation = operation(sample.seconds - began_);
+    if (most >= kLeastPull) told.operation = operation(sample.seconds - began_);
     held_ = {};
     return told;
   }

@@ -3,15 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "karinui/base/number.h"
 #include "session/gestures.h"
 
 namespace karinui {
 
 namespace {
 
-constexpr double kLeast = 0.01;   // metres: a shorter drag was a click
-constexpr double kWhole = 0.005;  // metres: a drag is no finer; what is finer is typed
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kTurn = 5 * kDegree;  // neither is the angle
 
 double whole(double value, double step) { return std::round(value / step) * step; }
@@ -51,7 +49,7 @@ class RingGesture : public Gesture {
     }
     outer_ = outerNow();
     inner_ = pulled_;
-    if (outer_ >= kLeast) return {};
+    if (outer_ >= kShortestDrag) return {};
     ring.inner = Length{0.6};  // half round a waist, knee-long: what is first written in the boxes
     ring.depth = Length{0.5};
     ring.angle = Angle{std::numbers::pi};
@@ -99,11 +97,11 @@ class RingGesture : public Gesture {
   struct Sector {
     double inner, angle;
   };
-  double outerNow() const { return whole(distance(*middle_, pulled_), kWhole); }
+  double outerNow() const { return whole(distance(*middle_, pulled_), kDragStep); }
   // Where the pointer is, seen from the middle: its distance, and twice its angle from straight below.
   Sector sector() const {
     const Flat way = inner_ - *middle_;
-    const double inner = std::fmin(whole(length(way), kWhole), outer_ - kLeast);
+    const double inner = std::fmin(whole(length(way), kDragStep), outer_ - kShortestDrag);
     const double angle = 2 * whole(std::fabs(std::atan2(way.u, -way.v)), kTurn / 2);
     return {std::fmax(0, inner), std::clamp(angle, kTurn, 2 * std::numbers::pi)};
   }

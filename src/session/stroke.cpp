@@ -16,7 +16,7 @@ constexpr double kFar = 0.04;       // metres a stroke jumps onto another part o
 constexpr double kBeside = 1.5;     // times touching: how far beside the silhouette still means it
 constexpr double kSpacing = 0.01;   // metres between the nodes that are faired
 constexpr double kShortest = 0.06;  // metres: shorter waves are taken out
-constexpr double kMiss = 0.004;     // metres a faired line may pass from a certain ray
+constexpr double kRayMiss = 0.004;  // metres a faired line may pass from a certain ray
 constexpr double kAbove = 0.3;      // metres above the skin at which a tip's ray begins
 constexpr int kSweeps = 120, kRounds = 3;
 
@@ -114,7 +114,7 @@ std::vector<Node> nodesOf(std::span<const StrokeSample> run, std::span<const std
     node.at = lerp(fixed[i].value_or(a.point), fixed[i + 1].value_or(b.point), t);
     node.fixed = fixed[i] && fixed[i + 1];
     node.certain = a.certain && b.certain;
-    node.miss = std::max(kMiss, 0.3 * a.touching());
+    node.miss = std::max(kRayMiss, 0.3 * a.touching());
     nodes.push_back(node);
   }
   nodes.front().at = fixed.front().value_or(run.front().point);

@@ -11,8 +11,8 @@ namespace karinui {
 
 namespace {
 
-constexpr double kMiss = 2e-4;  // metres a drawn chord may miss its curve by
-constexpr int kSteps = 30;      // of a seam's line along an edge
+constexpr double kChordMiss = 2e-4;  // metres a drawn chord may miss its curve by
+constexpr int kSteps = 30;           // of a seam's line along an edge
 // Both sides of a seam in one hue; the hues are told apart by most eyes (P. Tol's bright scheme).
 constexpr std::array<Colour, 7> kHues{{{0.0578f, 0.1845f, 0.4020f},    // #4477AA
                                        {0.8550f, 0.1329f, 0.1845f},    // #EE6677
@@ -45,7 +45,7 @@ std::vector<TableEdge> edgesOf(const Outline& outline, Flat lies) {
   for (const Edge& edge : outline.edges) {
     TableEdge drawn;
     drawn.name = edge.name;
-    drawn.points = laid(edge.curve.flattened(kMiss), lies);
+    drawn.points = laid(edge.curve.flattened(kChordMiss), lies);
     drawn.length = edge.curve.length();
     edges.push_back(std::move(drawn));
   }
@@ -77,7 +77,7 @@ TablePiece pieceOf(const Pattern& pattern, const Piece& piece, Flat lies) {
       any = true;
     }
   for (const InternalLine& line : piece.lines)
-    for (const Curve& curve : line.curves) drawn.lines.push_back(laid(curve.flattened(kMiss), lies));
+    for (const Curve& curve : line.curves) drawn.lines.push_back(laid(curve.flattened(kChordMiss), lies));
   drawn.drills = laid(drillHoles(pattern, piece), lies);
   drawn.drillRadius = kDrillRadius;
   return drawn;
@@ -173,7 +173,7 @@ const std::vector<TableSize>& LetteringRooms::nestOf(const Piece& piece, const G
     for (std::size_t i = 0; i < grading.sizes.size(); ++i)
       if (i != grading.standing)
         if (const auto outline = graded(piece.outline, grading, points, grading.standing, i))
-          kept.nest.push_back({grading.sizes[i], outline->flattened(kMiss), kHues[i % kHues.size()]});
+          kept.nest.push_back({grading.sizes[i], outline->flattened(kChordMiss), kHues[i % kHues.size()]});
   }
   return kept.nest;
 }
@@ -194,7 +194,7 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
   for (const auto& [id, piece] : pattern.pieces) {
     const Flat lies = layout.at(id);
     TablePiece drawn = pieceOf(pattern, *piece, lies);
-    if (auto cut = cutLines(*piece, plan, kMiss)) {
+    if (auto cut = cutLines(*piece, plan, kChordMiss)) {
       drawn.cut.push_back(laid(std::move(cut->outer), lies));
       for (Ring& hole : cut->holes) drawn.cut.push_back(laid(std::move(hole), lies));
     }
@@ -202,7 +202,7 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
     drawn.chosen = chosen.pieces.contains(id);
     drawn.unsettled = document.drape.dirty.contains(id);
     const Piece& stored = *document.pattern.pieces.at(id);
-    if (options.outlines.contains(id)) drawn.before = laid(stored.outline.flattened(kMiss), lies);
+    if (options.outlines.contains(id)) drawn.before = laid(stored.outline.flattened(kChordMiss), lies);
     const std::vector<Message> lines = labelOf(stored, factsOf(document, plan, stored));
     const std::vector<std::string> words = inWords(lines, options.language);
     if (rooms)

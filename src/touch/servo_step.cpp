@@ -6,10 +6,9 @@ namespace karinui {
 
 namespace {
 
-constexpr double kTick = 0.001;         // seconds, nominal
-constexpr double kLongest = 2 * kTick;  // what a tick that came late may change at most is that of so long a tick
-constexpr double kWeightRise = 5;       // N/s: a piece is taken up and laid down softly
-constexpr double kOnset = 0.03;         // seconds a controller vibrates when it comes to touch
+constexpr double kLongest = 2 * kServoTick;  // what a tick that came late may change at most is that of so long a tick
+constexpr double kWeightRise = 5;            // N/s: a piece is taken up and laid down softly
+constexpr double kOnset = 0.03;              // seconds a controller vibrates when it comes to touch
 
 bool finite(double value) { return std::isfinite(value); }
 Vec3 shortened(Vec3 v, double most) {
@@ -50,7 +49,7 @@ ServoFault ServoStep::faultOf(const HandSample& hand, double now, double since) 
   if (begun_) {
     const double way = distance(tip.carry, place_) / record_.scale;
     if (way > settings_.farthestJump) return ServoFault::Jump;
-    if (way > settings_.fastest * std::max(since, kTick) * 1.5) return ServoFault::Speed;
+    if (way > settings_.fastest * std::max(since, kServoTick) * 1.5) return ServoFault::Speed;
     if (since > settings_.latest) return ServoFault::Late;
   }
   if (length(hand.velocity) > settings_.fastest * record_.scale) return ServoFault::Speed;
@@ -91,7 +90,7 @@ ServoTick ServoStep::tick(const HandSample& hand, double now) {
   told.seconds = now;
   told.hand = hand;
   if (hand.buttons & settings_.offButtons) off_ = true;
-  const double since = begun_ ? now - last_ : kTick;
+  const double since = begun_ ? now - last_ : kServoTick;
   const ServoFault fault = faultOf(hand, now, since);
   const bool lost = fault == ServoFault::NotFinite || fault == ServoFault::NotReady || fault == ServoFault::Clutch ||
                     fault == ServoFault::Jump;  // where the hand was says nothing about where it is

@@ -8,14 +8,13 @@
 #include <numbers>
 
 #include "geometry/shapes.h"
+#include "karinui/base/number.h"
 #include "karinui/body/lines.h"
 #include "karinui/body/skeleton.h"
 #include "karinui/geometry/section.h"
 
 namespace karinui {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Measurements person(const std::string& name) {
   if (name == "large")

@@ -1,5 +1,6 @@
 // Limbs taken in hand: the place follows the pointer on a sphere about its joint.
 #include "karinui/body/reach.h"
+#include "karinui/base/number.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,6 @@
 
 namespace karinui {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 const std::shared_ptr<const Skeleton>& skeleton() {
   static const auto made = [] {

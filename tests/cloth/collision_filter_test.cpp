@@ -8,12 +8,12 @@
 namespace karinui::test {
 namespace {
 
-constexpr double kCell = 0.01;
+constexpr double kFilterCell = 0.01;
 
 struct Sheets {
   // `sewn`: along the column u = 0 of both.
   Sheets(std::uint32_t columns, std::uint32_t rows, bool sewn = false) {
-    for (int k = 0; k < 2; ++k) addPiece(cloth, gridLattice(columns, rows, kCell), *preset("cotton"));
+    for (int k = 0; k < 2; ++k) addPiece(cloth, gridLattice(columns, rows, kFilterCell), *preset("cotton"));
     const std::uint32_t each = (columns + 1) * (rows + 1);
     for (std::uint32_t n = 0; sewn && n < each; n += columns + 1) cloth.ties.push_back({n, each + n});
     contact = std::make_unique<SelfContact>(cloth, 0.002);
@@ -51,7 +51,7 @@ TEST(CollisionFilter, ASearchAgainFindsWhatAWholeOneDoes) {
   const SewnGroups sewn(TieMap(sheets.cloth, std::vector<std::uint8_t>(sheets.cloth.nodeCount, 0),
                                std::vector<std::uint8_t>(sheets.cloth.ties.size(), 1)),
                         sheets.cloth.nodeCount);
-  ContactPairs again(topology, sewn, 0.002, kCell), whole(topology, sewn, 0.002, kCell);
+  ContactPairs again(topology, sewn, 0.002, kFilterCell), whole(topology, sewn, 0.002, kFilterCell);
   std::vector<Vec3> x, move;
   for (int k = 0; k < 2; ++k)
     for (const Flat p : sheets.cloth.pieces[0].lattice->nodes) x.push_back({p.u, p.v, 0.003 * k + 0.001 * by(random)});
@@ -81,15 +81,15 @@ TEST(CollisionFilter, ASearchAgainFindsWhatAWholeOneDoes) {
 // then sent through it.
 TEST(CollisionFilter, BothOfAPairSewnToOneMeetEachOthersFaces) {
   Cloth gathered;
-  addPiece(gathered, gridLattice(3, 1, kCell), *preset("cotton"));
-  addPiece(gathered, gridLattice(1, 1, kCell), *preset("cotton"));
+  addPiece(gathered, gridLattice(3, 1, kFilterCell), *preset("cotton"));
+  addPiece(gathered, gridLattice(1, 1, kFilterCell), *preset("cotton"));
   const Cloth unsewn = gathered;
   const std::uint32_t b = 1, c = 2;
   gathered.ties = {{8, b, c, 0}};
   std::vector<Vec3> x, move(12);
   const Vec3 fold[] = {{0, 0, 0}, {1, 0, 0}, {0.45, 0, 0.3}, {1.2, 0, 0.7}};
   for (int j = 0; j < 2; ++j)
-    for (const Vec3 p : fold) x.push_back((p + Vec3{0, j + 0.3 * (p.z > 0), 0}) * kCell);
+    for (const Vec3 p : fold) x.push_back((p + Vec3{0, j + 0.3 * (p.z > 0), 0}) * kFilterCell);
   for (const Flat p : gathered.pieces[1].lattice->nodes) x.push_back({p.u, p.v, 0.1});
   move[c] = Vec3{0, 0, -0.006};
   Workers workers{1};
@@ -119,13 +119,13 @@ TEST(CollisionFilter, NothingPassesThroughAnythingOnTheWay) {
       const Vec3 u = anyWay(random), v = normalized(cross(u, anyWay(random)));
       const Vec3 middle = k == 0 ? Vec3{} : anyWay(random) * (0.004 + 0.008 * (by(random) + 1));
       for (const Flat p : sheets.cloth.pieces[0].lattice->nodes)
-        x.push_back(middle + u * (p.u - 1.5 * kCell) + v * (p.v - 1.5 * kCell));
+        x.push_back(middle + u * (p.u - 1.5 * kFilterCell) + v * (p.v - 1.5 * kFilterCell));
     }
     if (sheets.crossedOnTheWay(x, std::vector<Vec3>(x.size())) > 0) continue;
     const Vec3 onto = (x[0] + x[15] - x[16] - x[31]) * 1.0;
     for (std::size_t n = 0; n < x.size(); ++n)
       move.push_back(normalized(onto * (n < 16 ? -1 : 1) + Vec3{by(random), by(random), by(random)} * 0.01) *
-                     (0.5 * kCell));
+                     (0.5 * kFilterCell));
     if (sheets.crossedOnTheWay(x, move) == 0) continue;  // nothing to keep from
     ++tried;
     sheets.contact->detect({x}, sheets.workers);
@@ -146,10 +146,10 @@ TEST(CollisionFilter, SheetsSewnTogetherDoNotPassThroughEachOther) {
     for (int k = 0; k < 2; ++k)
       for (const Flat p : sheets.cloth.pieces[0].lattice->nodes) {
         const double steep = k == 0 ? 0 : 0.3;
-        const Vec3 crumple = p.u > 0 ? Vec3{by(random), 0.2 * by(random), by(random)} * (0.5 * kCell) : Vec3{};
+        const Vec3 crumple = p.u > 0 ? Vec3{by(random), 0.2 * by(random), by(random)} * (0.5 * kFilterCell) : Vec3{};
         x.push_back(Vec3{p.u * std::cos(steep), p.u * std::sin(steep), p.v} + crumple);
         move.push_back(p.u > 0 && k == 1
-                           ? Vec3{0.3 * by(random), -1 + 0.3 * by(random), 0.3 * by(random)} * (0.5 * kCell)
+                           ? Vec3{0.3 * by(random), -1 + 0.3 * by(random), 0.3 * by(random)} * (0.5 * kFilterCell)
                            : Vec3{});
       }
     if (sheets.crossedOnTheWay(x, std::vector<Vec3>(x.size())) > 0) continue;
@@ -173,13 +173,13 @@ TEST(CollisionFilter, ACrumpledSheetDoesNotPassThroughItself) {
     std::vector<Vec3> x;
     for (int k = 0; k < 2; ++k)
       for (const Flat p : sheets.cloth.pieces[0].lattice->nodes)
-        x.push_back(k == 0 ? Vec3{p.u, p.v, 0} + any(0.3 * kCell) : Vec3{p.u, p.v, 1});
+        x.push_back(k == 0 ? Vec3{p.u, p.v, 0} + any(0.3 * kFilterCell) : Vec3{p.u, p.v, 1});
     if (sheets.crossedOnTheWay(x, std::vector<Vec3>(x.size())) > 0) continue;
     ++tried;
     for (int step = 0; step < 12; ++step) {
       const Vec3 middle = (x[0] + x[3] + x[12] + x[15]) * 0.25;
       std::vector<Vec3> way(x.size());
-      for (int n = 0; n < 16; ++n) way[n] = (middle - x[n]) * 0.2 + any(0.2 * kCell);
+      for (int n = 0; n < 16; ++n) way[n] = (middle - x[n]) * 0.2 + any(0.2 * kFilterCell);
       sheets.contact->limitMove(x, way, sheets.workers);
       ASSERT_EQ(sheets.crossedOnTheWay(x, way), 0) << "seed " << seed << ", step " << step;
       for (std::size_t n = 0; n < x.size(); ++n) x[n] += way[n];
@@ -193,7 +193,7 @@ TEST(CollisionFilter, StripsOnEdgeDoNotPassThroughEachOther) {
   std::vector<Vec3> x, move;
   for (int k = 0; k < 2; ++k)
     for (const Flat p : sheets.cloth.pieces[0].lattice->nodes) {
-      const double along = p.u - 2.6 * kCell;
+      const double along = p.u - 2.6 * kFilterCell;
       x.push_back(k == 0 ? Vec3{along, 0.012 + p.v, 0} : Vec3{0, p.v, along});
       move.push_back(k == 0 ? Vec3{0, -0.05, 0} : Vec3{});
     }
@@ -207,7 +207,7 @@ TEST(CollisionFilter, StripsOnEdgeDoNotPassThroughEachOther) {
 // A sheet on its corner, over the middle of each face of another in turn: there is one pair, that corner and that face,
 // and all hangs on its being found.
 TEST(CollisionFilter, ACornerAloneDoesNotPassThroughAFace) {
-  const auto lattice = gridLattice(3, 3, kCell);
+  const auto lattice = gridLattice(3, 3, kFilterCell);
   for (const std::size_t poking : {0u, 1u})
     for (const Triangle& face : lattice->faces) {
       Sheets sheets(3, 3);

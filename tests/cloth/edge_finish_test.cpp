@@ -8,6 +8,7 @@
 #include "cloth/edge_bending.h"
 #include "cloth/elastic.h"
 #include "cloth/helpers.h"
+#include "karinui/base/number.h"
 #include "karinui/cloth/pulls.h"
 #include "karinui/pattern/elastic_lines.h"
 
@@ -192,7 +193,6 @@ TEST(Trims, BendAndWeighAsCordAndStrip) {
 // balance, c = B/h p/(1 - p); at every spacing, to either side.
 TEST(Fold, AFreeStripRestsAtItsShareOfTheAngle) {
   Workers workers;
-  constexpr double kDegree = std::numbers::pi / 180;
   for (const auto& [degrees, hold, spacing] :
        {std::tuple{90.0, 0.9, 0.01}, {90.0, 0.5, 0.005}, {-60.0, 0.5, 0.01}, {150.0, 0.9, 0.01}, {150.0, 0.5, 0.01}}) {
     auto paper = rectangle(1, 0.2, 0.2);

@@ -29,7 +29,7 @@ struct LayRoom {
 };
 
 // A skirt: the front half on the fold, two backs, four pockets.
-const char* const kSkirt =
+const char* const kPaperSkirt =
     "piece name=front outline=\"M 0 0; hem L 300 0; side L 280 600; waist L 0 600; fold L 0 0\"\n"
     "piece name=back outline=\"M 0 0; hem L 300 0; side L 280 600; waist L 0 600; cb L 0 0\" pose=\"0,0,-0.3\"\n"
     "piece name=pocket outline=\"M 0 0; low L 150 0; side L 140 180; top L 0 180; in L 0 0\" pose=\"1,0,-0.3\"\n"
@@ -126,7 +126,7 @@ TEST(LayPlan, AnyPiecesLieRight) {
 }
 
 TEST(LayPlan, AHalfLiesOnTheFoldOrWhole) {
-  LayRoom cloth(kSkirt);
+  LayRoom cloth(kPaperSkirt);
   LaySettings settings;
   const auto open = cloth.lay(settings);
   ASSERT_TRUE(open);
@@ -178,7 +178,7 @@ TEST(LayPlan, SymmetricPiecesAndMirrorImagesAreCutOnTheFoldedCloth) {
 }
 
 TEST(LayPlan, RowsMeetInSeams) {
-  LayRoom cloth(std::string(kSkirt) + "");
+  LayRoom cloth(std::string(kPaperSkirt) + "");
   LaySettings settings;
   settings.rows = 0.05;
   const auto plan = cloth.lay(settings);
@@ -202,7 +202,7 @@ TEST(LayPlan, RowsMeetInSeams) {
 }
 
 TEST(LayPlan, SameBitsOnAnyThreads) {
-  LayRoom cloth(kSkirt);
+  LayRoom cloth(kPaperSkirt);
   const auto first = cloth.lay({});
   Workers three(3);
   Context context{three, cloth.room.token, cloth.room.blobs, cloth.room.bodies, {}, {}};
@@ -214,7 +214,7 @@ TEST(LayPlan, SameBitsOnAnyThreads) {
 }
 
 TEST(LayPlan, WhatIsMovedByHandIsSeenToOverlap) {
-  LayRoom cloth(kSkirt);
+  LayRoom cloth(kPaperSkirt);
   auto plan = cloth.lay({});
   ASSERT_TRUE(plan);
   FabricLay& lay = plan->fabrics[0];
@@ -258,7 +258,7 @@ TEST(LayPlan, OverlapsAlongSharedSidesAreSeen) {
 
 TEST(LayPlan, APieceMovedOrTurnedByHandLiesWhereItsCutLineLies) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
-    LayRoom cloth(seed % 3 == 0 ? std::string(kSkirt) : anyPieces(seed));
+    LayRoom cloth(seed % 3 == 0 ? std::string(kPaperSkirt) : anyPieces(seed));
     LaySettings settings;
     settings.width = 2;
     settings.folded = seed % 2 == 0;
@@ -302,7 +302,7 @@ TEST(LayPlan, APieceMovedOrTurnedByHandLiesWhereItsCutLineLies) {
 }
 
 TEST(LayPlan, TellsHowFarItIs) {
-  LayRoom cloth(kSkirt);
+  LayRoom cloth(kPaperSkirt);
   std::vector<double> told;
   const Token token([&](double share, const Message&) { told.push_back(share); });
   Context context{cloth.room.workers, token, cloth.room.blobs, cloth.room.bodies, {}, {}};
@@ -317,7 +317,7 @@ TEST(LayPlan, TellsHowFarItIs) {
 }
 
 TEST(LayPlan, RefusesWithAReason) {
-  LayRoom cloth(kSkirt);
+  LayRoom cloth(kPaperSkirt);
   const auto why = [&](LaySettings settings) {
     const auto plan = cloth.lay(settings);
     return plan ? std::string() : text(plan.error().what);

@@ -22,7 +22,7 @@ using Made = test::DxfMade;
 const std::vector<Flat> kPanel = {{0, 0}, {300, 0}, {280, 400}, {0, 400}};  // 0.116 m2
 constexpr double kPanelArea = 0.116;
 
-CadPattern read(const std::string& bytes, std::string_view size = {}) {
+CadPattern readHabit(const std::string& bytes, std::string_view size = {}) {
   auto all = readCadPattern(bytes, size);
   EXPECT_TRUE(all) << (all ? "" : text(all.error().what));
   return all ? *std::move(all) : CadPattern();
@@ -53,18 +53,18 @@ std::string pairs(std::initializer_list<std::pair<int, double>> groups) {
 
 TEST(DxfHabits, LettersOfAnyCaseAndAnyEndOfLine) {
   const std::string plain = panel();
-  const auto upper = read(replaced(replaced(plain, "Piece Name:", "PIECE NAME :"), "Size:", "size:"));
+  const auto upper = readHabit(replaced(replaced(plain, "Piece Name:", "PIECE NAME :"), "Size:", "size:"));
   EXPECT_EQ(only(upper).name, "FRONT");
   EXPECT_EQ(upper.size, "38");
   for (const std::string& bytes :
        {replaced(plain, "\n", "\r\n"), replaced(plain, "\n", "\r"), "\xEF\xBB\xBF" + plain, "999\na remark\n" + plain,
         replaced(replaced(plain, "POLYLINE", "Polyline"), "SECTION", "section"),
         replaced(plain, "8\n1\n", "8\nLayer 1\n"), plain.substr(0, plain.size() - 6)})  // without EOF
-    EXPECT_NEAR(only(read(bytes)).outline.area(), kPanelArea, 1e-9);
+    EXPECT_NEAR(only(readHabit(bytes)).outline.area(), kPanelArea, 1e-9);
 }
 
 TEST(DxfHabits, CommasForPoints) {
-  EXPECT_NEAR(only(read(replaced(panel(), ".000000", ",000000"))).outline.area(), kPanelArea, 1e-9);
+  EXPECT_NEAR(only(readHabit(replaced(panel(), ".000000", ",000000"))).outline.area(), kPanelArea, 1e-9);
   EXPECT_THAT(why(replaced(panel(), "280.000000", "28O.0")), HasSubstr("“28O.0” stands where a coordinate should"));
 }
 
@@ -72,7 +72,7 @@ TEST(DxfHabits, OutlinesOfAnyEntity) {
   const auto outline = [](const std::string& drawn) {
     Made made;
     made.block("FRONT_38").says("Size: 38").add(drawn);
-    return read(made.endBlock().done());
+    return readHabit(made.endBlock().done());
   };
   const std::string lines = entity("LINE", 1, pairs({{10, 0}, {20, 0}, {11, 300}, {21, 0}})) +
                             entity("LINE", 1, pairs({{10, 280}, {20, 400}, {11, 300}, {21, 0}})) +
@@ -122,7 +122,7 @@ TEST(DxfHabits, InsertedBlocks) {
   const std::string insert =
       entity("INSERT", 1, "2\nFRONT_38\n" + pairs({{10, 5000}, {20, 70}, {41, -2}, {42, 2}, {50, 90}}));
   bytes.insert(bytes.rfind("0\nENDSEC"), insert + insert);
-  const auto turned = read(bytes);
+  const auto turned = readHabit(bytes);
   EXPECT_NEAR(only(turned).outline.area(), 4 * kPanelArea, 1e-9);
   EXPECT_NEAR(only(turned).grain.u, -1, 1e-9);
   EXPECT_THAT(notchPlaces(turned.pattern), SizeIs(1));
@@ -135,7 +135,7 @@ TEST(DxfHabits, InsertedBlocks) {
   nested.block("FRONT_38").says("Size: 38").add(entity("INSERT", 1, "2\nshape\n" + pairs({{10, 10}, {20, 20}})));
   nested.add(entity("INSERT", 4, "2\nslit\n" + pairs({{10, 160}, {20, 20}}))).endBlock();
   nested.block("sheet").add(entity("INSERT", 0, "2\nFRONT_38\n" + pairs({{10, 0}, {20, 0}}))).endBlock();
-  const auto within = read(nested.done());
+  const auto within = readHabit(nested.done());
   ASSERT_THAT(within.pattern.pieces, SizeIs(1));
   EXPECT_NEAR(only(within).outline.area(), kPanelArea, 1e-9);
   EXPECT_EQ(only(within).name, "FRONT");
@@ -160,7 +160,7 @@ TEST(DxfHabits, PiecesWithoutBlocks) {
       .points(4, {{150, 0}, {650, 0}, {700, 0}});
   beside.line(1, {{50, 50}, {90, 50}, {90, 90}}, true);  // within the first: a cut-out
   bytes.insert(bytes.rfind("0\nENDSEC"), beside.all);
-  const auto two = read(bytes);
+  const auto two = readHabit(bytes);
   ASSERT_THAT(two.pattern.pieces, SizeIs(2));
   EXPECT_THAT(two.sizes, ElementsAre("38")) << "the style's sample size";
   std::size_t marks = 0;
@@ -174,7 +174,7 @@ TEST(DxfHabits, PiecesWithoutBlocks) {
 }
 
 TEST(DxfHabits, NotchesAsLinesAndHolesAsCircles) {
-  const auto all = read(
+  const auto all = readHabit(
       panel(entity("LINE", 4, pairs({{10, 104}, {20, 4}, {11, 100}, {21, 0}})) +
             entity("LWPOLYLINE", 80, "70\n0\n" + pairs({{10, 198}, {20, 0}, {10, 200}, {20, 5}, {10, 202}, {20, 0}})) +
             entity("CIRCLE", 13, pairs({{10, 120}, {20, 200}, {40, 2}}))));
@@ -188,7 +188,7 @@ TEST(DxfHabits, NotchesAsLinesAndHolesAsCircles) {
 TEST(DxfHabits, TextsOnAnyLayerAndQuantities) {
   const auto with = [](const std::string& name, const std::string& words) {
     const std::string all = panel(entity("TEXT", 15, "10\n5\n20\n5\n1\n" + words + "\n"));
-    return read(replaced(all, "Piece Name: FRONT", "Piece Name: " + name)).cutting.quantities;
+    return readHabit(replaced(all, "Piece Name: FRONT", "Piece Name: " + name)).cutting.quantities;
   };
   EXPECT_EQ(with("A", "Quantity: 2").at({1}), (Cutting{2, true})) << "not alike on both sides: left and right";
   EXPECT_EQ(with("A", "QUANTITY: 3").at({1}), (Cutting{3, false}));
@@ -205,7 +205,7 @@ TEST(DxfHabits, UnitsByTheHeader) {
     Made made;
     made.all = replaced(made.all, "HEADER\n", "HEADER\n9\n$INSUNITS\n70\n" + std::to_string(code) + "\n");
     made.block("A_1").line(1, drawn, true);
-    const auto all = read(made.endBlock().done({}));
+    const auto all = readHabit(made.endBlock().done({}));
     EXPECT_NEAR(only(all).outline.area(), kPanelArea, 1e-7) << code;
     EXPECT_EQ(told(all), "") << code;
   }
@@ -215,7 +215,7 @@ TEST(DxfHabits, NamesOfAnyCodePage) {
   const auto named = [](const std::string& bytes, const std::string& codePage) {
     std::string all = replaced(panel(), "Name: FRONT", "Name: " + bytes);
     if (!codePage.empty()) all = replaced(all, "HEADER\n", "HEADER\n9\n$DWGCODEPAGE\n3\n" + codePage + "\n");
-    return read(all);
+    return readHabit(all);
   };
   EXPECT_EQ(only(named("前身頃", "")).name, "前身頃");
   EXPECT_EQ(only(named("\\U+524D\\U+8EAB", "ANSI_1252")).name, "前身");
@@ -236,12 +236,12 @@ TEST(DxfHabits, HalvesThatLeaveTheFoldToItsLayer) {
   Made made;
   made.block("BACK_38").says("Size: 38").line(1, {{0, 0}, {300, 0}, {280, 400}}).line(1, {{280, 400}, {0, 400}});
   made.straight(6, {0, 0}, {0, 400});
-  const auto all = read(made.endBlock().done());
+  const auto all = readHabit(made.endBlock().done());
   EXPECT_NEAR(only(all).outline.area(), 2 * kPanelArea, 1e-9);
   EXPECT_EQ(told(all), "");
   Made open;
   open.block("BACK_38").says("Size: 38").line(1, kPanel);
-  const auto closed = read(open.endBlock().done());
+  const auto closed = readHabit(open.endBlock().done());
   EXPECT_NEAR(only(closed).outline.area(), kPanelArea, 1e-9);
   EXPECT_THAT(told(closed), HasSubstr("closed by a straight line"));
 }
@@ -252,7 +252,7 @@ TEST(DxfHabits, FarAwayAndDoubledPoints) {
     for (int twice = 0; twice < 2; ++twice) far.push_back(p + Flat{4e6, -9e6});
   Made made;
   made.block("A_38").says("Size: 38").line(1, far, true).points(4, {Flat{150, 0} + Flat{4e6, -9e6}});
-  const auto all = read(made.endBlock().done());
+  const auto all = readHabit(made.endBlock().done());
   EXPECT_NEAR(only(all).outline.area(), kPanelArea, 1e-6);
   for (const Flat p : only(all).outline.flattened()) EXPECT_LT(length(p), 1);
   EXPECT_THAT(only(all).marks, SizeIs(1));
@@ -263,13 +263,13 @@ TEST(DxfHabits, BlocksThatNameNoSize) {
   Made made;
   made.block("FRONT_LEFT").line(1, kPanel, true).endBlock();
   made.block("POCKET_BIG").line(1, kPanel, true).endBlock();
-  const auto all = read(made.done({"Units: METRIC"}));
+  const auto all = readHabit(made.done({"Units: METRIC"}));
   ASSERT_EQ(all.pattern.pieces.size(), 2u);
   EXPECT_EQ(only(all, 0).name, "FRONT_LEFT") << "no size";
   Made sizes;
   for (const char* name : {"FRONT_38", "FRONT_40", "BACK_38", "BACK_40"})
     sizes.block(name).line(1, kPanel, true).endBlock();
-  EXPECT_THAT(read(sizes.done({"Units: METRIC"})).sizes, ElementsAre("38", "40"));
+  EXPECT_THAT(readHabit(sizes.done({"Units: METRIC"})).sizes, ElementsAre("38", "40"));
   // A pocket in one size only is there in all.
   Made lacking;
   for (const char* name : {"FRONT_38", "FRONT_40", "POCKET_38"})
@@ -277,7 +277,7 @@ TEST(DxfHabits, BlocksThatNameNoSize) {
         .says(std::string("Size: ") + (name + std::string(name).size() - 2))
         .line(1, kPanel, true)
         .endBlock();
-  const auto other = read(lacking.done(), "40");
+  const auto other = readHabit(lacking.done(), "40");
   EXPECT_EQ(other.pattern.pieces.size(), 2u);
   EXPECT_THAT(told(other), HasSubstr("“POCKET” is not drawn in size 40; it was taken in size 38"));
 }
@@ -294,7 +294,7 @@ TEST(DxfHabits, SeveralBlocksOfOneName) {
       made.says(std::string("Size: ") + size).line(1, sized(wide, by * wide / 100), true);
       made.line(1, {{900, 0}, {905, 0}, {905, 5}}, true).endBlock();
     }
-  const auto all = read(made.done());
+  const auto all = readHabit(made.done());
   ASSERT_THAT(all.pattern.pieces, SizeIs(2));
   ASSERT_THAT(all.grading.pieces, SizeIs(2));
   for (const auto& [nth, wide] : {std::pair{0u, 0.33}, {1u, 0.22}}) {
@@ -305,13 +305,13 @@ TEST(DxfHabits, SeveralBlocksOfOneName) {
 }
 
 TEST(DxfHabits, WhatLiesOnOtherLayersThanOne) {
-  EXPECT_NEAR(only(read(replaced(replaced(panel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\n14\n"), "VERTEX\n8\n1\n",
-                                 "VERTEX\n8\n14\n")))
+  EXPECT_NEAR(only(readHabit(replaced(replaced(panel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\n14\n"), "VERTEX\n8\n1\n",
+                                      "VERTEX\n8\n14\n")))
                   .outline.area(),
               kPanelArea, 1e-9);
   EXPECT_THAT(why(replaced(panel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\nCUT\n")), HasSubstr("It has lines on: CUT."));
   // A pocket's stitching on the layer of seam lines is no outline.
-  const auto stitched = read(panel(
+  const auto stitched = readHabit(panel(
       entity("LWPOLYLINE", 14, "70\n1\n" + pairs({{10, 180}, {20, 300}, {10, 230}, {20, 300}, {10, 230}, {20, 350}}))));
   EXPECT_NEAR(only(stitched).outline.area(), kPanelArea, 1e-9);
   EXPECT_THAT(only(stitched).lines, SizeIs(1));
@@ -324,7 +324,7 @@ TEST(DxfHabits, OtherKindsOfFilesAreCalledByTheirName) {
   empty.block("*Model_Space").endBlock();
   empty.block("FRONT_38").says("Size: 38").line(1, kPanel, true).endBlock();
   empty.block("nothing").endBlock();
-  EXPECT_EQ(read(empty.done()).pattern.pieces.size(), 1u);
+  EXPECT_EQ(readHabit(empty.done()).pattern.pieces.size(), 1u);
 }
 
 }  // namespace

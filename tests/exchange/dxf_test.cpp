@@ -305,10 +305,10 @@ TEST(Dxf, DamagedFilesAreRefusedOrWhole) {
 
 // --- the real ones
 
-fs::path shared(const std::string& name) { return fs::path(KARINUI_SHARED_DIR) / "patterns/dxf" / name; }
+fs::path sharedDxf(const std::string& name) { return fs::path(KARINUI_SHARED_DIR) / "patterns/dxf" / name; }
 
 TEST(Dxf, FilesFromIndustryAreReadWhole) {
-  if (!fs::exists(shared("README.md"))) GTEST_SKIP() << "no shared patterns beside the project";
+  if (!fs::exists(sharedDxf("README.md"))) GTEST_SKIP() << "no shared patterns beside the project";
   struct Row {
     const char* file;
     std::size_t pieces, sizes, inSample;
@@ -317,7 +317,7 @@ TEST(Dxf, FilesFromIndustryAreReadWhole) {
                          Row{"trousers_waistband_aama.dxf", 2, 14, 2}, Row{"trousers_waistband_astm.dxf", 2, 14, 2},
                          Row{"clo_pattern_astm.dxf", 9, 1, 9}, Row{"polo_drill_holes.dxf", 8, 15, 8}}) {
     SCOPED_TRACE(row.file);
-    const auto read = readPatternSize(shared(row.file), {});
+    const auto read = readPatternSize(sharedDxf(row.file), {});
     ASSERT_TRUE(read) << text(read.error().what);
     EXPECT_EQ(told(*read), "");
     EXPECT_EQ(read->rows.size(), row.pieces);
@@ -327,9 +327,9 @@ TEST(Dxf, FilesFromIndustryAreReadWhole) {
 }
 
 TEST(Dxf, BothDialectsOfOneStyleGiveTheSameOutlines) {
-  if (!fs::exists(shared("README.md"))) GTEST_SKIP() << "no shared patterns beside the project";
-  const auto aama = readPatternSize(shared("trousers_waistband_aama.dxf"), {}),
-             astm = readPatternSize(shared("trousers_waistband_astm.dxf"), {});
+  if (!fs::exists(sharedDxf("README.md"))) GTEST_SKIP() << "no shared patterns beside the project";
+  const auto aama = readPatternSize(sharedDxf("trousers_waistband_aama.dxf"), {}),
+             astm = readPatternSize(sharedDxf("trousers_waistband_astm.dxf"), {});
   ASSERT_TRUE(aama && astm);
   for (const auto& [id, piece] : astm->pattern.pieces) {
     const Piece& other = *aama->pattern.pieces.at(id);

@@ -10,7 +10,7 @@ namespace {
 using test::content;
 using test::shared;
 
-Pattern read(const std::string& text) {
+Pattern readGarment(const std::string& text) {
   auto pattern = readGarmentCode(text);
   EXPECT_TRUE(pattern) << (pattern ? "" : karinui::text(pattern.error().what));
   return pattern ? *pattern : Pattern{};
@@ -39,7 +39,7 @@ std::string square(const std::string& curvature, const std::string& more = "") {
 
 TEST(GarmentCode, ReadsTheShirt) {
   if (!exists(shared("patterns/garmentcode"))) GTEST_SKIP() << "the shared patterns are not here";
-  const Pattern shirt = read(content(shared("patterns/garmentcode/shirt_mean_specification.json")));
+  const Pattern shirt = readGarment(content(shared("patterns/garmentcode/shirt_mean_specification.json")));
   EXPECT_EQ(shirt.pieces.size(), 8u);
   EXPECT_EQ(shirt.seams.size(), 18u);
   for (const auto& [id, piece] : shirt.pieces) {
@@ -60,7 +60,7 @@ TEST(GarmentCode, ReadsTheShirt) {
 TEST(GarmentCode, StitchedEdgesFitTogether) {
   if (!exists(shared("patterns/garmentcode"))) GTEST_SKIP() << "the shared patterns are not here";
   for (const std::string name : {"shirt_mean", "dress_pencil"}) {
-    const Pattern pattern = read(content(shared("patterns/garmentcode/" + name + "_specification.json")));
+    const Pattern pattern = readGarment(content(shared("patterns/garmentcode/" + name + "_specification.json")));
     for (const auto& [id, seam] : pattern.seams) {
       EXPECT_TRUE(seam.reversed) << name << " " << seam.name;
       // The dress is gathered at its waist by three tenths; the shirt is sewn even but for its sleeves.
@@ -83,7 +83,7 @@ TEST(GarmentCode, StitchedEdgesFitTogether) {
 
 TEST(GarmentCode, KeepsLabelsAndNumbers) {
   if (!exists(shared("patterns/garmentcode"))) GTEST_SKIP() << "the shared patterns are not here";
-  const Pattern dress = read(content(shared("patterns/garmentcode/dress_pencil_specification.json")));
+  const Pattern dress = readGarment(content(shared("patterns/garmentcode/dress_pencil_specification.json")));
   EXPECT_EQ(dress.pieces.size(), 6u);
   EXPECT_EQ(dress.seams.size(), 23u);
   EXPECT_TRUE(findEdge(named(dress, "skirt_front"), "lower_interface"));
@@ -94,17 +94,17 @@ TEST(GarmentCode, KeepsLabelsAndNumbers) {
 TEST(GarmentCode, CurvesAreTheirsExactly) {
   // Quadratic with its control point at (10, 4) cm: both spellings; y at the middle is half the control's.
   for (const std::string bend : {"[0.5,0.2]", R"({"type":"quadratic","params":[[0.5,0.2]]})"}) {
-    const Pattern p = read(square(bend));
+    const Pattern p = readGarment(square(bend));
     const Curve& curve = p.pieces.begin()->second->outline.edges[0].curve;
     EXPECT_NEAR(curve.at(0.5).v, 0.02, 1e-12);
     EXPECT_NEAR(curve.at(0.25).v, 2 * 0.25 * 0.75 * 0.04, 1e-12);
   }
-  const Pattern cubic = read(square(R"({"type":"cubic","params":[[0.2,0.1],[0.7,-0.1]]})"));
+  const Pattern cubic = readGarment(square(R"({"type":"cubic","params":[[0.2,0.1],[0.7,-0.1]]})"));
   EXPECT_NEAR(distance(cubic.pieces.begin()->second->outline.edges[0].curve.control2, {0.14, -0.02}), 0, 1e-12);
   // A half circle to the right of the edge, and three quarters of one.
-  const Pattern half = read(square(R"({"type":"circle","params":[10,0,1]})"));
+  const Pattern half = readGarment(square(R"({"type":"circle","params":[10,0,1]})"));
   EXPECT_NEAR(half.pieces.begin()->second->outline.area(), 0.04 + M_PI * 0.005, 1e-9);
-  const Pattern more = read(square(R"({"type":"circle","params":[14.142135623730951,1,1]})"));
+  const Pattern more = readGarment(square(R"({"type":"circle","params":[14.142135623730951,1,1]})"));
   EXPECT_NEAR(more.pieces.begin()->second->outline.edges[0].curve.length(), 1.5 * M_PI * 0.14142135623730951, 1e-9);
   EXPECT_LT(more.pieces.begin()->second->outline.edges[0].curve.at(0.5).v, -0.2);
 }
@@ -118,13 +118,13 @@ TEST(GarmentCode, KeepsEdgesMuchShorterThanACell) {
     "b":{"translation":[0,0,-10],"rotation":[0,180,0],"vertices":[[0,0],[20,0],[20,29.91],[19.99,30],[0,30]],
          "edges":[{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,4]},{"endpoints":[4,0]}]}},
     "stitches":[[{"panel":"a","edge":1},{"panel":"b","edge":4}],[{"panel":"a","edge":2},{"panel":"b","edge":2}]]}})";
-  const Pattern first = read(text);
+  const Pattern first = readGarment(text);
   ASSERT_EQ(first.pieces.size(), 2u);
   EXPECT_NEAR(findEdge(named(first, "a"), "edge_2")->curve.length(), 0.00090554, 1e-7);
   EXPECT_EQ(first.seams.size(), 2u);
   const auto written = writeGarmentCode(first);
   ASSERT_TRUE(written);
-  const Pattern again = read(*written);
+  const Pattern again = readGarment(*written);
   EXPECT_EQ(test::difference(first, again, 1e-12), "");
   EXPECT_EQ(again.seams.size(), 2u);
   for (const auto& [id, piece] : first.pieces)
@@ -135,13 +135,13 @@ TEST(GarmentCode, TurnsAboutXThenYThenZ) {
   std::string text = square("");
   text.replace(text.find("\"rotation\":[0,0,0]"), 18, "\"rotation\":[90,0,90]");
   text.replace(text.find("\"translation\":[0,0,0]"), 21, "\"translation\":[1,2,3]");
-  const Pattern pattern = read(text);
+  const Pattern pattern = readGarment(text);
   const Vec3 up = pattern.pieces.begin()->second->pose({0.1, 0.2, 0});
   EXPECT_NEAR(distance(up, {0.01, 0.02 + 0.1, 0.03 + 0.2}), 0, 1e-12);  // x turns v up to z, then z turns u to y
 }
 
 TEST(GarmentCode, HonoursUnits) {
-  const Pattern inches = read(square("", R"(},"properties":{"units_in_meter":39.37007874015748)"));
+  const Pattern inches = readGarment(square("", R"(},"properties":{"units_in_meter":39.37007874015748)"));
   EXPECT_NEAR(inches.pieces.begin()->second->outline.length(), 80 * 0.0254, 1e-9);
 }
 
@@ -150,24 +150,24 @@ TEST(GarmentCode, OlderFilesMeetAtTheNearerEnds) {
   const std::string panel =
       R"({"rotation":[0,0,0],"vertices":[[0,0],[20,0],[20,30],[0,30]],"edges":[{"endpoints":[0,1]},
     {"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,0]}],"translation":)";
-  const Pattern pattern = read(R"({"pattern":{"panels":{"front":)" + panel + "[0,0,10]},\"back\":" + panel +
-                               R"([0,0,-10]}},"stitches":[[{"panel":"front","edge":1},{"panel":"back","edge":1}],
+  const Pattern pattern = readGarment(R"({"pattern":{"panels":{"front":)" + panel + "[0,0,10]},\"back\":" + panel +
+                                      R"([0,0,-10]}},"stitches":[[{"panel":"front","edge":1},{"panel":"back","edge":1}],
                                [{"panel":"front","edge":3},{"panel":"back","edge":3}]]}})");
   for (const auto& [id, seam] : pattern.seams) EXPECT_FALSE(seam.reversed);
 }
 
 TEST(GarmentCode, RightToWrongIsKept) {
   const std::string stitch = R"(,"stitches":[[{"panel":"p","edge":0},{"panel":"p","edge":2},"right_wrong"]])";
-  EXPECT_FALSE(read(square("", stitch)).seams.begin()->second.reversed);
+  EXPECT_FALSE(readGarment(square("", stitch)).seams.begin()->second.reversed);
 }
 
 TEST(GarmentCode, WritesWhatItReads) {
   if (!exists(shared("patterns/garmentcode"))) GTEST_SKIP() << "the shared patterns are not here";
   for (const std::string name : {"shirt_mean", "dress_pencil"}) {
-    const Pattern once = read(content(shared("patterns/garmentcode/" + name + "_specification.json")));
+    const Pattern once = readGarment(content(shared("patterns/garmentcode/" + name + "_specification.json")));
     const auto written = writeGarmentCode(once);
     ASSERT_TRUE(written);
-    const Pattern again = read(*written);
+    const Pattern again = readGarment(*written);
     EXPECT_EQ(test::difference(once, again, 1e-9), "");
     ASSERT_EQ(once.seams.size(), again.seams.size());
     for (const auto& [id, seam] : once.seams) EXPECT_EQ(seam.a, again.seams.at(id).a) << seam.name;
@@ -183,7 +183,7 @@ TEST(GarmentCode, SplitsEdgesWhereSeamsEnd) {
     const Pattern once = test::random(seed);
     const auto written = writeGarmentCode(once);
     ASSERT_TRUE(written) << seed;
-    const Pattern again = read(*written);
+    const Pattern again = readGarment(*written);
     double before = 0, after = 0;
     for (const auto& [id, seam] : once.seams) before += length(once, seam.a);
     for (const auto& [id, seam] : again.seams) after += length(again, seam.a);

@@ -110,7 +110,7 @@ TEST(Delaunay, KeepsWhatIsForcedAndImprovesTheRest) {
       }
       std::array<std::uint32_t, 2> met{};
       const auto done = made.force(corner[a], corner[b], met);
-      ASSERT_EQ(done, free ? Delaunay::Forced::Done : Delaunay::Forced::Crossed);
+      ASSERT_EQ(done, free ? Delaunay::Forced::Made : Delaunay::Forced::Crossed);
       if (free) {
         kept.push_back({a, b});
       } else {

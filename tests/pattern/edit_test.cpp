@@ -9,20 +9,23 @@ namespace {
 
 using namespace test;
 
-std::string why(const auto& result) { return result ? std::string("it was not refused") : text(result.error().what); }
+std::string reason(const auto& result) {
+  return result ? std::string("it was not refused") : text(result.error().what);
+}
 
 TEST(Checked, refusesWithThePlace) {
-  EXPECT_NE(why(checked(polygon({{0, 0}, {0.2, 0.2}, {0.2, 0}, {0, 0.2}})))
+  EXPECT_NE(reason(checked(polygon({{0, 0}, {0.2, 0.2}, {0.2, 0}, {0, 0.2}})))
                 .find("crosses or touches itself at (100.0, 100.0)"),
             std::string::npos);
   Outline open = rectangle(0.2, 0.2);
   open.edges[2].curve.end = {0, 0.19};
-  EXPECT_NE(why(checked(open)).find("open"), std::string::npos);
-  EXPECT_NE(why(checked(rectangle(0.005, 0.005))).find("1 cm2"), std::string::npos);
-  EXPECT_NE(why(checked(rectangle(0.0005, 1))).find("at least 1 mm"), std::string::npos);
+  EXPECT_NE(reason(checked(open)).find("open"), std::string::npos);
+  EXPECT_NE(reason(checked(rectangle(0.005, 0.005))).find("1 cm2"), std::string::npos);
+  EXPECT_NE(reason(checked(rectangle(0.0005, 1))).find("at least 1 mm"), std::string::npos);
   EXPECT_TRUE(checked(polygon({{0, 0}, {0.2, 0}, {0.2, 0.1999}, {0.1999, 0.2}, {0, 0.2}})));
-  EXPECT_NE(why(checked(polygon({{0, 0}, {0.2, 0}, {0.2, 0.2}, {0.2, 0.200005}, {0, 0.2}}))).find("at least 0.01 mm"),
-            std::string::npos);
+  EXPECT_NE(
+      reason(checked(polygon({{0, 0}, {0.2, 0}, {0.2, 0.2}, {0.2, 0.200005}, {0, 0.2}}))).find("at least 0.01 mm"),
+      std::string::npos);
   EXPECT_FALSE(checked(rectangle(std::nan(""), 1)));
   EXPECT_FALSE(checked(rectangle(HUGE_VAL, 1)));
   EXPECT_FALSE(checked(Outline{}));
@@ -95,7 +98,7 @@ TEST(Cut, aSlitHasTwoBanksAndOneTip) {
     std::vector<Flat> line{{0.2, -0.05}, {0.2, 0.13}, {0.24, 0.25}};
     if (fromTip) std::reverse(line.begin(), line.end());
     const auto cut = cutPiece(piece, line, {2}, "");
-    ASSERT_TRUE(cut) << why(cut);
+    ASSERT_TRUE(cut) << reason(cut);
     ASSERT_EQ(cut->pieces.size(), 1u);
     EXPECT_NEAR(cut->pieces[0].outline.area(), 0.2, 1e-12);
     EXPECT_EQ(cut->pieces[0].outline.edges.size(), 9u);
@@ -125,17 +128,18 @@ TEST(Cut, aSlitHasTwoBanksAndOneTip) {
 
 TEST(Cut, refusesWithTheReason) {
   Piece piece = pieceOf(1, rectangle(0.4, 0.5));
-  EXPECT_NE(why(cutPiece(piece, {{0.1, 0.1}, {0.3, 0.3}}, {2}, "")).find("does not reach the outline"),
+  EXPECT_NE(reason(cutPiece(piece, {{0.1, 0.1}, {0.3, 0.3}}, {2}, "")).find("does not reach the outline"),
             std::string::npos);
-  EXPECT_NE(why(cutPiece(piece, {{1, 1}, {2, 2}}, {2}, "")).find("does not run over"), std::string::npos);
-  EXPECT_NE(why(cutPiece(piece, {{-0.1, 0.1}, {0.3, 0.1}, {0.3, 0.3}, {0.2, 0.3}, {0.2, -0.1}}, {2}, ""))
+  EXPECT_NE(reason(cutPiece(piece, {{1, 1}, {2, 2}}, {2}, "")).find("does not run over"), std::string::npos);
+  EXPECT_NE(reason(cutPiece(piece, {{-0.1, 0.1}, {0.3, 0.1}, {0.3, 0.3}, {0.2, 0.3}, {0.2, -0.1}}, {2}, ""))
                 .find("crosses itself at (200.0, 100.0)"),
             std::string::npos);
-  EXPECT_NE(why(cutPiece(piece, {{0.1, 0.1}, {-0.1, 0.2}, {0.1, 0.3}}, {2}, "")).find("comes back"), std::string::npos);
+  EXPECT_NE(reason(cutPiece(piece, {{0.1, 0.1}, {-0.1, 0.2}, {0.1, 0.3}}, {2}, "")).find("comes back"),
+            std::string::npos);
   EXPECT_FALSE(cutPiece(piece, {}, {2}, ""));
   EXPECT_FALSE(cutPiece(piece, {{0, 0}, {std::nan(""), 1}}, {2}, ""));
   piece.holes = {circle(0.05, {0.2, 0.25}, "hole")};
-  EXPECT_NE(why(cutPiece(piece, {{-0.1, 0.25}, {0.5, 0.25}}, {2}, "")).find("hole"), std::string::npos);
+  EXPECT_NE(reason(cutPiece(piece, {{-0.1, 0.25}, {0.5, 0.25}}, {2}, "")).find("hole"), std::string::npos);
 }
 
 TEST(Cut, endsSnapAndSeamsFollow) {
@@ -147,7 +151,7 @@ TEST(Cut, endsSnapAndSeamsFollow) {
   pattern.seams[{1}] = side;
   const double before = length(pattern, side.a);
   const auto cut = cutPiece(*pattern.pieces.at({1}), {{0.003, 0.2}, {0.398, 0.3}}, {3}, "lower");
-  ASSERT_TRUE(cut) << why(cut);
+  ASSERT_TRUE(cut) << reason(cut);
   ASSERT_EQ(cut->pieces.size(), 2u);
   for (const Piece& p : cut->pieces) pattern.pieces[p.id] = std::make_shared<const Piece>(p);
   updateSeams(pattern, cut->edges);

@@ -26,7 +26,7 @@ Slash slashed(double by, double toBy, bool smooth = false, double at = 0.5) {
   slash.at = at, slash.toAt = 1 - at, slash.by = by, slash.toBy = toBy, slash.smooth = smooth;
   return slash;
 }
-double lengthOf(const Piece& piece, const char* edge) { return findEdge(piece, edge)->curve.length(); }
+double edgeLength(const Piece& piece, const char* edge) { return findEdge(piece, edge)->curve.length(); }
 
 TEST(Spread, AddsTheTrapezoidBetweenTheBanks) {
   for (const auto& [by, toBy] : {std::pair{0.05, 0.0}, {0.05, 0.05}, {0.08, 0.03}, {0.0, 0.04}}) {
@@ -37,10 +37,10 @@ TEST(Spread, AddsTheTrapezoidBetweenTheBanks) {
     // Hinged: a triangle with two sides as long as the slash; parallel: a rectangle.
     const double half = (by - toBy) / 2, deep = std::sqrt(kHeight * kHeight - half * half);
     EXPECT_NEAR(now.outline.area(), before.outline.area() + (by + toBy) / 2 * deep, 1e-9);
-    EXPECT_NEAR(lengthOf(now, "hem"), kWidth + by, 1e-9);
-    EXPECT_NEAR(lengthOf(now, "waist"), kWidth + toBy, 1e-9);
-    EXPECT_NEAR(lengthOf(now, "left"), kHeight, 1e-9);
-    EXPECT_NEAR(lengthOf(now, "right"), kHeight, 1e-9);
+    EXPECT_NEAR(edgeLength(now, "hem"), kWidth + by, 1e-9);
+    EXPECT_NEAR(edgeLength(now, "waist"), kWidth + toBy, 1e-9);
+    EXPECT_NEAR(edgeLength(now, "left"), kHeight, 1e-9);
+    EXPECT_NEAR(edgeLength(now, "right"), kHeight, 1e-9);
     EXPECT_EQ(now.grain, before.grain);
   }
   // Opened evenly, what was straight stays one straight line.
@@ -180,13 +180,13 @@ TEST(Spread, SlashesFromACorner) {
   slash.to = "right", slash.toAt = 1;  // the corner of right side and waist
   const auto opened = spreadPiece(panel(), slash);
   ASSERT_TRUE(opened) << text(opened.error().what);
-  EXPECT_NEAR(lengthOf(opened->edited.piece, "right"), kHeight, 1e-9);
-  EXPECT_NEAR(lengthOf(opened->edited.piece, "waist"), kWidth, 1e-9);
-  EXPECT_NEAR(lengthOf(opened->edited.piece, "hem"), kWidth + 0.04, 1e-9);
+  EXPECT_NEAR(edgeLength(opened->edited.piece, "right"), kHeight, 1e-9);
+  EXPECT_NEAR(edgeLength(opened->edited.piece, "waist"), kWidth, 1e-9);
+  EXPECT_NEAR(edgeLength(opened->edited.piece, "hem"), kWidth + 0.04, 1e-9);
   slash.toBy = 0.02;  // the opening becomes a part of the edge that is named
   const auto wide = spreadPiece(panel(), slash);
   ASSERT_TRUE(wide) << text(wide.error().what);
-  EXPECT_NEAR(lengthOf(wide->edited.piece, "right"), kHeight + 0.02, 1e-9);
+  EXPECT_NEAR(edgeLength(wide->edited.piece, "right"), kHeight + 0.02, 1e-9);
 }
 
 TEST(Spread, IsMirroredOnACopy) {

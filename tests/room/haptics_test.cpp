@@ -122,7 +122,6 @@ TEST_F(RoomHaptics, AnEdgeThatWillBeSewnIsFelt) {
       const auto pulse = cues.follow(session, std::nullopt, seconds += 0.02);
       snaps += pulse && pulse->amplitude == 0.7;
     };
-    using Phase = PointerSample::Phase;
     feed(from, Phase::Hover);
     feed(from, Phase::Press);
     if (!dragged) feed(from, Phase::Release);

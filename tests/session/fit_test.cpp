@@ -92,13 +92,13 @@ TEST(Fit, WhereOnlyOneSideHangsNothingGoesRound) {
 }
 
 // A tube of cloth that stands on the floor, round each of `rings`, as high as `top`.
-struct Ring {
+struct TubeRing {
   double x, z, half;
 };
-GarmentSnapshot tubesOn(const BodyPtr& body, const std::vector<Ring>& rings, double top = 0.7) {
+GarmentSnapshot tubesOn(const BodyPtr& body, const std::vector<TubeRing>& rings, double top = 0.7) {
   GarmentSnapshot fitting;
   fitting.body = body;
-  for (const Ring& ring : rings) {
+  for (const TubeRing& ring : rings) {
     SceneCloth cloth;
     constexpr std::uint32_t kAround = 48;
     for (std::uint32_t k = 0; k < kAround; ++k) {

@@ -16,8 +16,6 @@ namespace karinui::studio {
 
 namespace {
 
-enum Board { kGarment, kBody, kFabric, kFit };
-
 // The guide has its pictures in both languages.
 std::string picture(const std::string& what) {
   return "first_" + what + (Theme::here().language() == Language::Japanese ? ".ja" : "");

@@ -9,6 +9,8 @@
 
 namespace karinui::studio {
 
+enum Board { kGarment, kBody, kFabric, kFit };  // tabs beside the views, in their order
+
 class Afternoon {
  public:
   explicit Afternoon(Window& window) : w(window), person(window) {}

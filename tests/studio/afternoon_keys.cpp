@@ -17,8 +17,6 @@ namespace {
 
 constexpr int kMostKeys = 120;  // to one place
 
-enum Board { kGarment, kBody, kFabric, kFit };
-
 }  // namespace
 
 void AfternoonByKeys::go(QWidget& part) {

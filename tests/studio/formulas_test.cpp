@@ -41,7 +41,7 @@ void choose(Window& w, const char* piece, const char* edge) {
   w.rest();
 }
 
-double lengthOf(Window& w, const char* piece, const char* edge) {
+double lengthTyped(Window& w, const char* piece, const char* edge) {
   return findEdge(*w.session().snapshot().document.pieceNamed(piece), edge)->curve.length();
 }
 
@@ -64,7 +64,7 @@ TEST(StudioFormulas, ALengthTypedByFormulaFollowsTheFigureAndTheVariables) {
   w.type(w.box("Length"), "bust_girth/4 + 1.5cm");
   w.rest();
   EXPECT_THAT(w.last(), HasSubstr("to=\"bust_girth/4 + 1.5cm\"")) << w.main().said().toStdString();
-  EXPECT_NEAR(lengthOf(w, "front", "hem"), 0.22 + 0.015, 1e-7);
+  EXPECT_NEAR(lengthTyped(w, "front", "hem"), 0.22 + 0.015, 1e-7);
   EXPECT_THAT(w.box("Length").text().toStdString(), HasSubstr("23.5")) << "the value";
 
   // The table: a variable, and another edge by it.
@@ -87,13 +87,13 @@ TEST(StudioFormulas, ALengthTypedByFormulaFollowsTheFigureAndTheVariables) {
   choose(w, "back", "hem");
   w.type(w.box("Length"), "quarter + 1cm");
   w.rest();
-  EXPECT_NEAR(lengthOf(w, "back", "hem"), 0.2375, 1e-7);
+  EXPECT_NEAR(lengthTyped(w, "back", "hem"), 0.2375, 1e-7);
   w.keep("studio_formula");
   rows->item(0, 1)->setText("quarter");
   w.rest();
   EXPECT_THAT(w.main().said().toStdString(), HasSubstr("quarter")) << "which is not there yet at that step";
   add("ease", "7cm");
-  EXPECT_NEAR(lengthOf(w, "back", "hem"), 0.2475, 1e-7) << "all later steps were played again";
+  EXPECT_NEAR(lengthTyped(w, "back", "hem"), 0.2475, 1e-7) << "all later steps were played again";
   EXPECT_EQ(rows->item(1, 2)->text(), "23.75 cm");
 
   // Another figure.
@@ -101,8 +101,8 @@ TEST(StudioFormulas, ALengthTypedByFormulaFollowsTheFigureAndTheVariables) {
   w.rest();
   w.type(w.box("Bust girth"), "96");
   w.rest();
-  EXPECT_NEAR(lengthOf(w, "front", "hem"), 0.24 + 0.015, 1e-7) << w.main().said().toStdString();
-  EXPECT_NEAR(lengthOf(w, "back", "hem"), (0.96 + 0.07) / 4 + 0.01, 1e-7);
+  EXPECT_NEAR(lengthTyped(w, "front", "hem"), 0.24 + 0.015, 1e-7) << w.main().said().toStdString();
+  EXPECT_NEAR(lengthTyped(w, "back", "hem"), (0.96 + 0.07) / 4 + 0.01, 1e-7);
   table->close();
 }
 

@@ -47,7 +47,7 @@ const Piece& piece(Window& w, const char* name) {
   static const Piece none;
   return found ? *found : none;
 }
-double lengthOf(Window& w, const char* of, const char* edge) {
+double draftedLength(Window& w, const char* of, const char* edge) {
   const Edge* found = findEdge(piece(w, of), edge);
   EXPECT_TRUE(found) << of << "." << edge;
   return found ? found->curve.length() : 0;
@@ -125,8 +125,8 @@ TEST(StudioNewPieces, AClickWithRectangleAsksForItsSizeAndAFormulaIsKept) {
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
   EXPECT_THAT(w.last(), AllOf(StartsWith("rectangle name=rectangle"), HasSubstr("waist_girth/2 + 2cm")));
   const double waist = w.session().snapshot().body->measured().value.at("waist_girth");
-  EXPECT_NEAR(lengthOf(w, "rectangle", "bottom"), waist / 2 + 0.02, 2e-3);
-  EXPECT_NEAR(lengthOf(w, "rectangle", "side_left"), 0.125, 1e-9);
+  EXPECT_NEAR(draftedLength(w, "rectangle", "bottom"), waist / 2 + 0.02, 2e-3);
+  EXPECT_NEAR(draftedLength(w, "rectangle", "side_left"), 0.125, 1e-9);
 }
 
 TEST(StudioNewPieces, TheRingToolDrawsASectorAndAClickAsksForNumbers) {
@@ -149,7 +149,7 @@ TEST(StudioNewPieces, TheRingToolDrawsASectorAndAClickAsksForNumbers) {
   EXPECT_NEAR(*ring.radius, 0.1, 1e-9);
   EXPECT_NEAR(ring.depth, 0.1, 1e-9);
   EXPECT_NEAR(ring.angle, M_PI, 1e-9) << "level with the middle: half a ring";
-  EXPECT_NEAR(lengthOf(w, "ring", "waist"), M_PI * 0.1, 1e-5);
+  EXPECT_NEAR(draftedLength(w, "ring", "waist"), M_PI * 0.1, 1e-5);
   // It lies where it was drawn.
   const Flat origin = w.session().table().at(piece(w, "ring").id);
   EXPECT_NEAR(origin.u, (middle.x() - zero.x()) / metre, 0.002);
@@ -165,8 +165,8 @@ TEST(StudioNewPieces, TheRingToolDrawsASectorAndAClickAsksForNumbers) {
   w.keepDialog(*numbers.dialog, "studio_ring");
   numbers.accept();
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
-  EXPECT_NEAR(lengthOf(w, "ring_2", "waist"), 0.7, 1e-5);
-  EXPECT_NEAR(lengthOf(w, "ring_2", "hem"), 0.7 + 0.6 * M_PI / 2, 1e-4);
+  EXPECT_NEAR(draftedLength(w, "ring_2", "waist"), 0.7, 1e-5);
+  EXPECT_NEAR(draftedLength(w, "ring_2", "hem"), 0.7 + 0.6 * M_PI / 2, 1e-4);
 }
 
 TEST(StudioNewPieces, APolygonIsClickedByPointerAndByKeys) {
@@ -228,10 +228,11 @@ TEST(StudioNewPieces, ACollarOfTheNecklineByItsNumbers) {
   const auto& band = std::get<DrawBand>(w.session().steps()[before].operation);
   EXPECT_EQ(band.of.size(), 4u) << "the whole neckline";
   EXPECT_TRUE(band.sew);
-  EXPECT_NEAR(lengthOf(w, "collar", "end_left"), 0.05, 1e-9);
+  EXPECT_NEAR(draftedLength(w, "collar", "end_left"), 0.05, 1e-9);
   double neck = 0;
-  for (const char* half : {"neck_left", "neck_right"}) neck += lengthOf(w, "front", half) + lengthOf(w, "back", half);
-  EXPECT_NEAR(lengthOf(w, "collar", "low"), neck, 1e-6);
+  for (const char* half : {"neck_left", "neck_right"})
+    neck += draftedLength(w, "front", half) + draftedLength(w, "back", half);
+  EXPECT_NEAR(draftedLength(w, "collar", "low"), neck, 1e-6);
 }
 
 TEST(StudioNewPieces, AChosenEdgeIsLedAlongOthersAndSewn) {
@@ -241,8 +242,8 @@ TEST(StudioNewPieces, AChosenEdgeIsLedAlongOthersAndSewn) {
   w.key(Command::Select);
   DrawRectangle frill;
   frill.name = "frill";
-  frill.width = {lengthOf(w, "front", "hem_left") + lengthOf(w, "front", "hem_right") +
-                 lengthOf(w, "back", "hem_left") + lengthOf(w, "back", "hem_right")};
+  frill.width = {draftedLength(w, "front", "hem_left") + draftedLength(w, "front", "hem_right") +
+                 draftedLength(w, "back", "hem_left") + draftedLength(w, "back", "hem_right")};
   frill.height = {0.1};
   w.session().perform(frill);
   w.rest();
@@ -300,7 +301,7 @@ TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
     numbers.accept();
   }
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
-  EXPECT_NEAR(lengthOf(w, "apron", "bottom"),
+  EXPECT_NEAR(draftedLength(w, "apron", "bottom"),
               0.4 + 4 * 2 * std::get<AddPleat>(w.session().steps()[before].operation).depth, 1e-9);
   // The pocket is chosen, and sewn on where the right button is pressed.
   before = w.count();

@@ -12,8 +12,6 @@
 namespace karinui {
 namespace {
 
-constexpr double kTick = 0.001;
-
 struct Rate {
   double hertz = 60;
   double jitter = 0.3;  // share of the period
@@ -44,8 +42,8 @@ struct Ride {
     const TouchScene* waiting = nullptr;
     double next = 0;
     Vec3 force, place = start;
-    for (int k = 0; k < static_cast<int>(seconds / kTick); ++k) {
-      const double now = k * kTick;
+    for (int k = 0; k < static_cast<int>(seconds / kServoTick); ++k) {
+      const double now = k * kServoTick;
       if (now >= next) {  // what it shows is as old as it took to work out
         kept.push_back(std::make_unique<TouchScene>(sceneAt(now, hand.place())));
         kept.back()->published = now;
@@ -54,12 +52,12 @@ struct Ride {
         if (rate.stall > 0 && unit(random) < 0.05) next += rate.stall;
       }
       if (waiting && step.mayAdopt(now)) step.adopt(std::exchange(waiting, nullptr), now);
-      hand.step(aim(now), force, kTick);
+      hand.step(aim(now), force, kServoTick);
       const ServoTick tick = step.tick(handAt(hand.place(), hand.velocity()), now);
       const double way = distance(hand.place(), place);
       const Vec3 change = tick.out.force - force;
       const double slew = dot(change, force) < 0 ? settings.falling : settings.rising;
-      excess = std::max(excess, length(change) - slew * kTick - settings.gain * record.stiffness * way);
+      excess = std::max(excess, length(change) - slew * kServoTick - settings.gain * record.stiffness * way);
       force = tick.out.force;
       place = hand.place();
       most = std::max(most, length(force));

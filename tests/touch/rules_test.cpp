@@ -12,15 +12,13 @@
 namespace karinui {
 namespace {
 
-constexpr double kTick = 0.001;
-
 // A step under a virtual clock, its scenes published anew at every tick so that none grows old.
 class Loop {
  public:
   explicit Loop(const ServoSettings& settings = {}, const DeviceRecord& record = touchRecord())
       : record_(record), step(record, settings) {}
   ServoTick at(Vec3 place, Vec3 velocity = {}) { return with(handAt(place, velocity)); }
-  ServoTick with(const HandSample& hand, double seconds = kTick) {
+  ServoTick with(const HandSample& hand, double seconds = kServoTick) {
     now += seconds;
     if (publish) fresh();
     const ServoTick tick = step.tick(hand, now);
@@ -31,13 +29,13 @@ class Loop {
     return tick;
   }
   void hold(Vec3 place, double seconds) {
-    for (double t = 0; t < seconds; t += kTick) at(place);
+    for (double t = 0; t < seconds; t += kServoTick) at(place);
   }
   // Above the floor until the force is armed.
   void arm(Vec3 place = {0, 0.005, 0}) { hold(place, 1.6); }
   // Down (or up) at 5 cm/s.
   void lead(Vec3 from, Vec3 to, double speed = 0.05) {
-    const int ticks = static_cast<int>(distance(from, to) / speed / kTick);
+    const int ticks = static_cast<int>(distance(from, to) / speed / kServoTick);
     for (int k = 1; k <= ticks; ++k) at(lerp(from, to, static_cast<double>(k) / ticks), normalized(to - from) * speed);
     at(to);
   }
@@ -136,7 +134,7 @@ TEST(Safety, ForceDoesNotStepWhenTheSceneDoes) {  // 4
   loop.scene.facets.clear();  // deleted under the tip
   loop.hold({0, -0.005, 0}, 0.2);
   EXPECT_NEAR(length(loop.at({0, -0.005, 0}).out.force), 0, 1e-9);
-  EXPECT_LE(loop.steepest, 300 * kTick + 1e-9);
+  EXPECT_LE(loop.steepest, 300 * kServoTick + 1e-9);
   EXPECT_GT(loop.steepest, 0.05);
   // The cloth leaps away from the hand, and comes to be cut.
   loop.scene.grab.emplace();
@@ -147,11 +145,11 @@ TEST(Safety, ForceDoesNotStepWhenTheSceneDoes) {  // 4
   loop.scene.grab->anchor = {0.05, 0, 0};
   loop.hold({0, -0.005, 0}, 0.3);
   EXPECT_GT(length(loop.at({0, -0.005, 0}).out.force), 2);
-  EXPECT_LE(loop.steepest, 30 * kTick + 1e-9);
+  EXPECT_LE(loop.steepest, 30 * kServoTick + 1e-9);
   loop.scene.changing = true;
   loop.hold({0, -0.005, 0}, 0.1);
   EXPECT_NEAR(length(loop.at({0, -0.005, 0}).out.force), 0, 1e-9);
-  EXPECT_LE(loop.steepest, 300 * kTick + 1e-9);
+  EXPECT_LE(loop.steepest, 300 * kServoTick + 1e-9);
 }
 
 TEST(Safety, ForceIsArmedOnlyWhereNoneWouldAct) {  // 5
@@ -189,7 +187,7 @@ void fades(const std::string& what, ServoFault fault,
   loop.arm();
   loop.lead({0, 0.005, 0}, {0, -0.005, 0});
   loop.hold({0, -0.005, 0}, 0.1);
-  double seconds = kTick;
+  double seconds = kServoTick;
   loop.steepest = 0;
   const HandSample hand = bring(loop, handAt({0, -0.005, 0}), seconds);
   ServoTick tick = loop.with(hand, seconds);
@@ -198,7 +196,7 @@ void fades(const std::string& what, ServoFault fault,
   EXPECT_GT(length(tick.out.force), 1);
   for (int k = 0; k < 51; ++k) tick = loop.with(handAt(hand.tip.carry));
   EXPECT_NEAR(length(tick.out.force), 0, 1e-9);
-  EXPECT_LE(loop.steepest, 2 / 0.05 * kTick + 1e-9);
+  EXPECT_LE(loop.steepest, 2 / 0.05 * kServoTick + 1e-9);
   EXPECT_NE(tick.state, ServoState::Armed);
 }
 
@@ -236,7 +234,7 @@ TEST(Safety, AFaultFadesTheForceOut) {  // 6
   loop.publish = false;
   const double from = loop.now;
   while (loop.at({0, -0.005, 0}).fault == ServoFault::None) ASSERT_LT(loop.now, from + 1);
-  EXPECT_LE(loop.now - from, 0.100 + 2 * kTick);
+  EXPECT_LE(loop.now - from, 0.100 + 2 * kServoTick);
 }
 
 TEST(Safety, WhatIsNoNumberEndsTheForceAtOnce) {  // 6
@@ -278,7 +276,7 @@ double gained(bool passivity) {
   for (int k = 0; k < 6000; ++k) {
     if (k % 50 == 0) grab.place = {}, grab.force = hand.place() * -150 + hand.velocity() * 7.5;  // late by 50 ms
     if (k % 50 == 0) grab.place = hand.place();
-    hand.step({0.02 * std::sin(0.012 * k), 0, 0}, force, kTick);
+    hand.step({0.02 * std::sin(0.012 * k), 0, 0}, force, kServoTick);
     force = loop.at(hand.place(), hand.velocity()).out.force;
     worst = std::max(worst, hand.work());
   }

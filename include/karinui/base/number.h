@@ -1,6 +1,7 @@
 #pragma once
 // Numbers as text, always in the "C" way (point as decimal sign), whatever the person's locale.
 // What cannot be read is refused with Error::Kind::BadInput and a sentence that quotes it. Any thread.
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,13 @@
 #include "karinui/base/result.h"
 
 namespace karinui {
+
+constexpr double kFullTurn = 2 * std::numbers::pi;  // radians
+constexpr double kDegree = std::numbers::pi / 180;  // in radians
+
+// The text without white space at its ends.
+std::string_view trimmed(std::string_view text);
+bool isSpace(char c);  // space, tab or the end of a line
 
 // The whole text as one finite number; nothing if any of it is something else.
 std::optional<double> parseNumber(std::string_view text);

@@ -23,9 +23,10 @@ struct Measurements {
 
 // "waist", "waistGirth", "waist_girth" -> "waist_girth"; an unknown name lists near ones.
 Result<std::string> measurementKey(std::string_view anyName);
-std::span<const std::string_view> measurementKeys();  // everything measure() may say
-std::span<const std::string_view> mannequinKeys();    // those a mannequin can be made to
-bool isAngle(std::string_view key);                   // radians instead of metres
+std::span<const std::string_view> measurementKeys();      // everything measure() may say
+std::span<const std::string_view> mannequinKeys();        // those a mannequin can be made to
+bool isAngle(std::string_view key);                       // radians instead of metres
+Message measureSaid(std::string_view key, double value);  // "88.0 cm", "12°"
 // "jis9ar", "eu38", "eu50"
 Result<Measurements> builtInSize(std::string_view name);
 std::span<const std::string_view> builtInSizes();

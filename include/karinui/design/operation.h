@@ -41,8 +41,16 @@ using PlainOperation = decltype(variantOf(
 // it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand.
 // So the same operation gives a longer edge on a larger figure. Two operations with formulas are alike when their texts
 // are.
+// Copying, moving and destroying visit every alternative: they are compiled once, in operation.cpp, and not in each
+// source.
 struct Operation : PlainOperation {
   using PlainOperation::variant;
+  Operation();
+  Operation(const Operation&);
+  Operation(Operation&&) noexcept;
+  Operation& operator=(const Operation&);
+  Operation& operator=(Operation&&) noexcept;
+  ~Operation();
   std::vector<FieldText> formulas;  // in the fields' order, in canonical form
 };
 bool operator==(const Operation& a, const Operation& b);
@@ -50,12 +58,6 @@ bool operator==(const Operation& a, const Operation& b);
 std::string_view nameOf(const Operation& operation);
 
 // Whether cloth that was at rest should be brought to rest again after it: said by the operation's struct.
-inline bool disturbsDrape(const Operation& operation) {
-  return std::visit(
-      []<class Op>(const Op&) {
-        return requires { Op::kDisturbsDrape; };
-      },
-      operation);
-}
+bool disturbsDrape(const Operation& operation);
 
 }  // namespace karinui

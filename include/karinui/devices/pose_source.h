@@ -40,7 +40,7 @@ class PoseSource : public HapticDevice {
 class ScriptedDevice : public HapticDevice {
  public:
   // `rest`: seconds that it is at its first place before it begins, its buttons up.
-  static Result<ScriptedDevice> read(std::string_view text, const DeviceRecord& record, double tick = 0.001,
+  static Result<ScriptedDevice> read(std::string_view text, const DeviceRecord& record, double tick = kServoTick,
                                      double rest = 0);
   const DeviceRecord& record() const override { return record_; }
   HandSample sample() override;
@@ -53,7 +53,7 @@ class ScriptedDevice : public HapticDevice {
  private:
   DeviceRecord record_;
   std::vector<PointerSample> samples_;
-  double tick_ = 0.001, now_ = 0;
+  double tick_ = kServoTick, now_ = 0;
   std::size_t at_ = 0;
   HandForce force_;
 };

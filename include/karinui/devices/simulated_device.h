@@ -14,7 +14,7 @@ class SimulatedDevice : public HapticDevice {
  public:
   // `aim`: where the hand means to be, by seconds; it must not allocate.
   explicit SimulatedDevice(std::function<Vec3(double)> aim, const DeviceRecord& record = simulatedRecord(),
-                           const HandModel& model = {}, double tick = 0.001)
+                           const HandModel& model = {}, double tick = kServoTick)
       : record_(record), aim_(std::move(aim)), hand_(aim_(0), model), tick_(tick) {}
   const DeviceRecord& record() const override { return record_; }
   HandSample sample() override {

@@ -8,6 +8,8 @@
 
 namespace karinui {
 
+constexpr double kServoTick = 0.001;  // seconds: the nominal period of the force loop
+
 struct DeviceRecord {
   std::string name;       // "Inverse3 04AB"
   int freedomIn = 3;      // 3: position, 6: orientation too

@@ -32,6 +32,8 @@ struct FirstStand {
   double x = 0, z = 0;  // flat: carried so far to the left and forward; behind it is turned round
 };
 
+inline EdgeRef draftedEdge(const std::string& piece, const std::string& edge) { return {PieceRef(piece), edge}; }
+
 struct DraftPiece {
   std::string name;
   Outline outline;

@@ -8,8 +8,6 @@ namespace karinui {
 
 namespace {
 
-EdgeRef ref(const std::string& piece, const std::string& edge) { return {PieceRef(piece), edge}; }
-
 // The waist and the hip of one quarter, and what the dart takes of the difference.
 struct Quarter {
   double waist = 0, hip = 0, dart = 0;  // waist: as drawn, the dart's width included
@@ -65,7 +63,8 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
     }
   }
   for (const std::string s : {"left", "right"})
-    draft.seams.push_back({"skirt_side_" + s, {ref("skirt_front", "side_" + s)}, {ref("skirt_back", "side_" + s)}});
+    draft.seams.push_back(
+        {"skirt_side_" + s, {draftedEdge("skirt_front", "side_" + s)}, {draftedEdge("skirt_back", "side_" + s)}});
   return draft;
 }
 
@@ -130,11 +129,15 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
     draft.pieces.push_back(piece);
     draft.pieces.push_back({copy, {}, {}, {}, {}, piece.name});
   }
-  draft.seams.push_back({"crotch_front", {ref("leg_front_left", "crotch")}, {ref("leg_front_right", "crotch")}});
-  draft.seams.push_back({"crotch_back", {ref("leg_back_left", "crotch")}, {ref("leg_back_right", "crotch")}});
+  draft.seams.push_back(
+      {"crotch_front", {draftedEdge("leg_front_left", "crotch")}, {draftedEdge("leg_front_right", "crotch")}});
+  draft.seams.push_back(
+      {"crotch_back", {draftedEdge("leg_back_left", "crotch")}, {draftedEdge("leg_back_right", "crotch")}});
   for (const std::string s : {"left", "right"}) {
-    draft.seams.push_back({"outseam_" + s, {ref("leg_front_" + s, "outseam")}, {ref("leg_back_" + s, "outseam")}});
-    draft.seams.push_back({"inseam_" + s, {ref("leg_front_" + s, "inseam")}, {ref("leg_back_" + s, "inseam")}});
+    draft.seams.push_back(
+        {"outseam_" + s, {draftedEdge("leg_front_" + s, "outseam")}, {draftedEdge("leg_back_" + s, "outseam")}});
+    draft.seams.push_back(
+        {"inseam_" + s, {draftedEdge("leg_front_" + s, "inseam")}, {draftedEdge("leg_back_" + s, "inseam")}});
   }
   return draft;
 }

@@ -14,8 +14,6 @@ BodyPoint torsoWaist(double around) {
   return at;
 }
 
-EdgeRef ref(const std::string& piece, const std::string& edge) { return {PieceRef(piece), edge}; }
-
 struct Upper {
   UpperHalf front, back;
 };
@@ -74,20 +72,21 @@ Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish) {
   behind.stands.at = torsoWaist(0.5), behind.stands.ease = 0.02;
   draft.pieces = {left, {"front_right", {}, {}, {}, {}, "front_left"}, behind};
   draft.pieces.insert(draft.pieces.end(), sleeves->pieces.begin(), sleeves->pieces.end());
-  draft.seams = {{"opening", {ref("front_left", "centre")}, {ref("front_right", "centre")}}};
+  draft.seams = {{"opening", {draftedEdge("front_left", "centre")}, {draftedEdge("front_right", "centre")}}};
   for (const std::string side : {"left", "right"}) {
     const std::string f = "front_" + side;
-    draft.seams.push_back({"shoulder_" + side, {ref(f, "shoulder")}, {ref("back", "shoulder_" + side)}});
-    draft.seams.push_back({"side_" + side, {ref(f, "side")}, {ref("back", "side_" + side)}});
-    std::vector<EdgeRef> armhole{ref(f, "armhole"), ref("back", "armhole_" + side)};
-    std::vector<EdgeRef> cap{ref("sleeve_" + side, "cap_back"), ref("sleeve_" + side, "cap_front")};
+    draft.seams.push_back(
+        {"shoulder_" + side, {draftedEdge(f, "shoulder")}, {draftedEdge("back", "shoulder_" + side)}});
+    draft.seams.push_back({"side_" + side, {draftedEdge(f, "side")}, {draftedEdge("back", "side_" + side)}});
+    std::vector<EdgeRef> armhole{draftedEdge(f, "armhole"), draftedEdge("back", "armhole_" + side)};
+    std::vector<EdgeRef> cap{draftedEdge("sleeve_" + side, "cap_back"), draftedEdge("sleeve_" + side, "cap_front")};
     if (side == "right") std::reverse(armhole.begin(), armhole.end()), std::reverse(cap.begin(), cap.end());
     draft.seams.push_back({"armhole_" + side, cap, armhole});
   }
   draft.seams.insert(draft.seams.end(), sleeves->seams.begin(), sleeves->seams.end());
-  draft.bands = {collarBand(
-      {ref("front_right", "neck"), ref("back", "neck_right"), ref("back", "neck_left"), ref("front_left", "neck")},
-      0.035)};
+  draft.bands = {collarBand({draftedEdge("front_right", "neck"), draftedEdge("back", "neck_right"),
+                             draftedEdge("back", "neck_left"), draftedEdge("front_left", "neck")},
+                            0.035)};
   return draft;
 }
 
@@ -137,8 +136,10 @@ Result<Draft> bodiceDraft(const Measured& of, const BlockWish& wish) {
                              "dart"});
     }
   for (const std::string side : {"left", "right"}) {
-    draft.seams.push_back({"shoulder_" + side, {ref("front", "shoulder_" + side)}, {ref("back", "shoulder_" + side)}});
-    draft.seams.push_back({"side_" + side, {ref("front", "side_" + side)}, {ref("back", "side_" + side)}});
+    draft.seams.push_back(
+        {"shoulder_" + side, {draftedEdge("front", "shoulder_" + side)}, {draftedEdge("back", "shoulder_" + side)}});
+    draft.seams.push_back(
+        {"side_" + side, {draftedEdge("front", "side_" + side)}, {draftedEdge("back", "side_" + side)}});
   }
   return draft;
 }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "karinui/base/number.h"
 
 namespace karinui {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kSmooth = 18 * kDegree;  // a line turns more than this at a corner
 constexpr double kInto = 95 * kDegree;    // and at a dart's point by more than this, inwards
 constexpr double kReach = 0.008;          // metres on either side over which a corner's turn is taken

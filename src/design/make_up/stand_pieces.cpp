@@ -32,9 +32,9 @@ struct Box {
   double width() const { return high.u - low.u; }
 };
 
-class Standing {
+class StandingPieces {
  public:
-  Standing(const Document& document, const PieceReadings& readings, const Body& body, Context& context)
+  StandingPieces(const Document& document, const PieceReadings& readings, const Body& body, Context& context)
       : document_(document), readings_(readings), body_(body), context_(context) {}
 
   Result<std::vector<Operation>> all() {
@@ -449,7 +449,7 @@ Result<std::vector<Operation>> standPieces(const Document& document, const Piece
   if (!document.body.chosen()) return std::vector<Operation>{};
   const auto body = bodyOf(document, context);
   if (!body) return body.error();
-  return Standing(document, readings, **body, context).all();
+  return StandingPieces(document, readings, **body, context).all();
 }
 
 }  // namespace karinui

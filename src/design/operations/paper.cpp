@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "design/operations/new_piece.h"
+#include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
 #include "karinui/geometry/bvh.h"
 
@@ -11,7 +12,6 @@ namespace karinui {
 namespace {
 
 constexpr double kLongest = 20;  // metres
-constexpr double kWhole = 2 * std::numbers::pi;
 constexpr double kNearlyWhole = 355 * std::numbers::pi / 180;
 constexpr std::string_view kCurvesOn = "~";
 
@@ -82,11 +82,11 @@ RingPaper paperOf(const DrawRing& op) {
   auto& edges = paper.outline.edges;
   if (op.angle > kNearlyWhole) {
     edges = {{name[0] + "_left", arcAbout(outer, 0, std::numbers::pi)},
-             {name[0] + "_right", arcAbout(outer, std::numbers::pi, kWhole)}};
+             {name[0] + "_right", arcAbout(outer, std::numbers::pi, kFullTurn)}};
     edges[1].curve.end = edges[0].curve.start;
     if (inner > 0) {
       Outline hole{{{name[2] + "_left", arcAbout(inner, 0, std::numbers::pi)},
-                    {name[2] + "_right", arcAbout(inner, std::numbers::pi, kWhole)}}};
+                    {name[2] + "_right", arcAbout(inner, std::numbers::pi, kFullTurn)}}};
       hole.edges[1].curve.end = hole.edges[0].curve.start;
       paper.holes.push_back(std::move(hole));
     }
@@ -211,7 +211,7 @@ Result<Document> perform(const Document& before, const DrawPolygon& op, Context&
 Done resolve(const Document& before, DrawRing& op, Context&) {
   if (Done done = checkPaper(before, {op.name, op.fabric, op.layer}); !done) return done;
   if (Done done = checkSize(op.depth); !done) return done;
-  if (!(op.angle > 0.01 && op.angle <= kWhole + 1e-9))
+  if (!(op.angle > 0.01 && op.angle <= kFullTurn + 1e-9))
     return refused(say("A sector has an angle between 1 and 360 degrees; what is more takes several pieces."));
   if ((op.inner ? 1 : 0) + (op.radius ? 1 : 0) + (op.of.empty() ? 0 : 1) > 1)
     return refused(say("Say the inner edge once: by its length, by a run of edges, or by its radius."));

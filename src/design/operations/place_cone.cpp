@@ -14,7 +14,6 @@ constexpr double kRound = 2e-4;    // metres an inner edge may depart from its c
 constexpr double kApart = 0.01;    // radians left between the two sides of a ring that goes all round
 constexpr double kAbove = 0.01;    // metres: skin this far above the inner edge counts as well
 constexpr double kFurthest = 1.5;  // metres a cone may stand off
-constexpr double kWhole = 2 * std::numbers::pi;
 
 std::optional<Flat> middleOf(const Curve& arc) {
   const Flat a = arc.start, b = arc.at(0.5), c = arc.end;
@@ -136,7 +135,7 @@ Result<Cone> coneRound(const RingSector& sector, const LimbFrame& limb, const st
     return refused(
         say("The inner edge of this ring would have to be {0} mm long to go round there; it is {1} mm for a "
             "whole turn. Draw it longer, or of more pieces.",
-            fixed(perimeter(grown(waist, ease)) * 1000, 0), fixed(kWhole * sector.inner * 1000, 0)));
+            fixed(perimeter(grown(waist, ease)) * 1000, 0), fixed(kFullTurn * sector.inner * 1000, 0)));
   if (found.second.total < needed) {
     double low = ease, high = kFurthest;
     for (int i = 0; i < 50; ++i) {

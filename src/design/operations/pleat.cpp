@@ -11,7 +11,7 @@ namespace karinui {
 
 namespace {
 
-constexpr double kWhole = 0.005;  // metres: stitching that ends as near to the line's end runs to it
+constexpr double kToEnd = 0.005;  // metres: stitching that ends as near to the line's end runs to it
 
 Flat across(Flat p) { return {-p.u, p.v}; }
 
@@ -153,7 +153,7 @@ class Pleating {
     for (const PleatFold& fold : made_.folds) {
       const Piece& piece = *after_.find(id);
       const double whole = findCurve(piece, fold.fold)->length();
-      const double to = op_.stitch < whole - kWhole ? op_.stitch / whole : 1;
+      const double to = op_.stitch < whole - kToEnd ? op_.stitch / whole : 1;
       Seam seam;
       seam.id = mint<SeamId>(before_, seams_++);
       seam.a = {{id, fold.place, 0, to}}, seam.b = {{id, fold.fold, 0, to}};

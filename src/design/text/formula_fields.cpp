@@ -24,12 +24,6 @@ std::vector<std::string_view> splitOutside(std::string_view text, char separator
   return parts;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 class FieldReading {
  public:
   explicit FieldReading(const FormulaValue& value) : value_(value) {}

@@ -60,9 +60,9 @@ std::vector<std::string_view> splitAtBars(std::string_view text) {
 }
 
 // Reads words one after another; remembers that something was wrong.
-class Words {
+class WordReader {
  public:
-  explicit Words(std::vector<std::string> words) : words_(std::move(words)) {}
+  explicit WordReader(std::vector<std::string> words) : words_(std::move(words)) {}
   bool done() const { return at_ == words_.size(); }
   bool good() const { return good_; }
   std::string next() { return done() ? (good_ = false, std::string()) : words_[at_++]; }
@@ -120,7 +120,7 @@ Done readValue(std::string_view text, Outline& outline) {
   Flat pen;
   bool first = true;
   for (const std::string& item : splitList(text, false)) {
-    Words words(wordsOf(item));
+    WordReader words(wordsOf(item));
     const std::string name = words.next();
     if (first) {
       if (name != "M") return badInput(say("An outline begins with “M u v” in millimetres, not with “{0}”.", item));
@@ -168,7 +168,7 @@ std::string writeValue(const std::vector<InternalLine>& lines) {
 Done readValue(std::string_view text, std::vector<InternalLine>& lines) {
   lines.clear();
   for (const std::string_view part : splitAtBars(text)) {
-    Words words(wordsOf(part));
+    WordReader words(wordsOf(part));
     InternalLine& line = lines.emplace_back();
     line.name = words.next();
     std::optional<Flat> pen;
@@ -235,7 +235,7 @@ std::string writeValue(const GradePoints& points) {
 Done readValue(std::string_view text, GradePoints& points) {
   points.clear();
   for (const std::string& item : splitList(text, false)) {
-    Words words(wordsOf(item));
+    WordReader words(wordsOf(item));
     GradePoint& point = points.emplace_back();
     point.edge = words.next();
     point.at = words.number();

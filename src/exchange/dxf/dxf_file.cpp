@@ -16,12 +16,6 @@ constexpr std::size_t kLargest = std::size_t{64} << 20;  // bytes
 constexpr std::size_t kMostEntities = 2'000'000;         // vertices among them
 constexpr std::size_t kMostGroups = 6'000'000;           // of all entities
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
-}
-
 bool same(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
     return std::toupper(static_cast<unsigned char>(x)) == std::toupper(static_cast<unsigned char>(y));

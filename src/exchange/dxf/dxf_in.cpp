@@ -48,7 +48,7 @@ void addRules(std::vector<CadPattern::RulePlace>& places, const Piece& piece, co
   }
 }
 
-struct Drawn {  // a piece, as it is named in the file
+struct NamedPiece {  // a piece, as it is named in the file
   std::string name;
   std::size_t nth = 0;  // of those of this name and size
   const CadPiece* sample = nullptr;
@@ -56,7 +56,7 @@ struct Drawn {  // a piece, as it is named in the file
 };
 
 // What the other sizes differ by from the one that was read. A size that a piece lacks is as its neighbour.
-void measureSizes(const CadStyle& style, const std::map<PieceId, Drawn>& drawn, CadPattern& made) {
+void measureSizes(const CadStyle& style, const std::map<PieceId, NamedPiece>& drawn, CadPattern& made) {
   if (made.sizes.size() < 2) return;
   std::size_t points = 0;
   for (const CadPiece& piece : style.pieces)
@@ -147,14 +147,14 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
       samples.emplace(std::pair(piece.name, nth), &piece);
   count.clear();
   DistinctNames names;
-  std::map<PieceId, Drawn> all;
+  std::map<PieceId, NamedPiece> all;
   std::optional<Error> trouble;
   for (const CadPiece& drawn : style->pieces) {
     addRow(made.rows, drawn);
     if (drawn.size != taken.at(drawn.name)) continue;
     const std::size_t nth = count[{drawn.name, drawn.size}]++;
     const auto sample = samples.find({drawn.name, nth});
-    Drawn one{drawn.name, nth, sample == samples.end() ? nullptr : sample->second, {}};
+    NamedPiece one{drawn.name, nth, sample == samples.end() ? nullptr : sample->second, {}};
     auto piece = pieceOf(drawn, one.sample, made.notes, one.plan);
     if (!piece) {
       if (!trouble) trouble = piece.error();

@@ -29,13 +29,13 @@ std::string asciiName(std::string_view name, DistinctNames& taken) {
 }
 
 // Closed, with its corners told from the points on its curves.
-struct Drawn {
+struct PlacedRing {
   std::vector<Flat> points;
   std::vector<char> turn;
 };
 
-Drawn drawn(const Outline& outline) {
-  Drawn all;
+PlacedRing drawn(const Outline& outline) {
+  PlacedRing all;
   for (const Edge& edge : outline.edges) {
     const std::vector<Flat> points = edge.curve.flattened(kMiss);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) all.points.push_back(points[i]), all.turn.push_back(i == 0);
@@ -43,8 +43,8 @@ Drawn drawn(const Outline& outline) {
   return all;
 }
 
-Drawn drawn(const Ring& ring) {
-  Drawn all{ring, std::vector<char>(ring.size())};
+PlacedRing drawn(const Ring& ring) {
+  PlacedRing all{ring, std::vector<char>(ring.size())};
   for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
     const Flat in = ring[i] - ring[(i + n - 1) % n], out = ring[(i + 1) % n] - ring[i];
     all.turn[i] = std::abs(std::atan2(cross(in, out), dot(in, out))) > kTurn;
@@ -64,9 +64,9 @@ class Writing {
   void piece(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan, const Allowances& finish,
              const std::string& size, const std::vector<NumberedRule>& rules) {
     const std::string &name = names_.at(piece.id), block = name + "_" + size;
-    const Drawn seam = drawn(piece.outline);
+    const PlacedRing seam = drawn(piece.outline);
     const auto cut = plan ? cutLines(piece, *plan, kMiss) : std::nullopt;
-    const Drawn boundary = cut ? drawn(cut->outer) : seam;
+    const PlacedRing boundary = cut ? drawn(cut->outer) : seam;
     blocks_.push_back(block);
     group(0, "BLOCK"), group(8, "0"), group(2, block), group(70, "64"), place({0, 0});
     const Flat at = boundary.points.front();
@@ -83,7 +83,7 @@ class Writing {
       text(astm_ ? (cut ? 14 : 1) : rule.corner ? 2 : 3, rule.place, "# " + std::to_string(rule.number));
     // A cut-out is cut within its seam line by its allowance; one that this fills is only marked.
     for (const Outline& hole : piece.holes) {
-      const Drawn sewn = drawn(hole);
+      const PlacedRing sewn = drawn(hole);
       line(cut ? 14 : 11, sewn);
       if (astm_) line(cut ? 87 : 86, sewn);
     }
@@ -142,10 +142,10 @@ class Writing {
     for (const Flat p : points) group(0, "VERTEX"), group(8, on), place(p);
     group(0, "SEQEND"), group(8, on);
   }
-  void points(const Drawn& ring) {
+  void points(const PlacedRing& ring) {
     for (std::size_t i = 0; i < ring.points.size(); ++i) point(ring.turn[i] ? 2 : 3, ring.points[i]);
   }
-  void line(int layer, const Drawn& ring) { polyline(layer, ring.points, true); }
+  void line(int layer, const PlacedRing& ring) { polyline(layer, ring.points, true); }
   void open(int layer, const InternalLine& inner) {
     std::vector<Flat> points;
     for (const Curve& curve : inner.curves)

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "exchange/names.h"
+#include "karinui/base/number.h"
 
 namespace karinui {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kStep = 3 * kDegree;           // of an arc between two points
 constexpr int kPerSpan = 8;                     // points of a spline between two knots
 constexpr std::size_t kDeepest = 8;             // blocks within blocks

@@ -15,12 +15,6 @@ constexpr double kInch = 0.0254;
 
 double hundredths(double metres) { return std::round(metres * 1e5) / 1e5 + 0.0; }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 std::vector<std::string> wordsIn(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : text)

@@ -129,11 +129,6 @@ std::string propertyOf(const XmlElement& element, std::string_view key) {
   for (std::size_t at = 0; at < style->size();) {
     const std::size_t end = std::min(style->find(';', at), style->size()), colon = style->find(':', at);
     if (colon < end) {
-      const auto trimmed = [](std::string_view text) {
-        while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-        while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-        return text;
-      };
       if (trimmed(std::string_view(*style).substr(at, colon - at)) == key)
         return std::string(trimmed(std::string_view(*style).substr(colon + 1, end - colon - 1)));
     }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "karinui/base/number.h"
+
 namespace karinui {
 
 namespace {
@@ -12,7 +14,7 @@ namespace {
 constexpr double kLargest = 1e7;  // user units: beyond that a number is damage
 constexpr double kTiny = 1e-7;    // metres: a line this short is none
 
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == ','; }
+bool isSeparator(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == ','; }
 
 // Reads path data and lists: numbers may follow each other without anything between.
 class Scanner {
@@ -67,7 +69,7 @@ class Scanner {
  private:
   static bool isDigit(char c) { return c >= '0' && c <= '9'; }
   void skip() {
-    while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
+    while (at_ < text_.size() && isSeparator(text_[at_])) ++at_;
   }
   std::string_view text_;
   std::size_t at_ = 0;
@@ -273,17 +275,16 @@ std::optional<std::vector<double>> svgNumbers(std::string_view text) {
 std::optional<SvgMatrix> svgTransform(std::string_view text) {
   SvgMatrix all;
   for (int count = 0; count < 100; ++count) {
-    while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
+    while (!text.empty() && isSeparator(text.front())) text.remove_prefix(1);
     if (text.empty()) return all;
     const std::size_t open = text.find('('), close = text.find(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) return std::nullopt;
     std::string_view name = text.substr(0, open);
-    while (!name.empty() && isSpace(name.back())) name.remove_suffix(1);
+    while (!name.empty() && isSeparator(name.back())) name.remove_suffix(1);
     const auto n = svgNumbers(text.substr(open + 1, close - open - 1));
     text.remove_prefix(close + 1);
     if (!n) return std::nullopt;
     SvgMatrix one;
-    constexpr double kDegree = std::numbers::pi / 180;
     if (name == "matrix" && n->size() == 6) {
       one = {(*n)[0], (*n)[1], (*n)[2], (*n)[3], (*n)[4], (*n)[5]};
     } else if (name == "translate" && (n->size() == 1 || n->size() == 2)) {
@@ -308,8 +309,8 @@ std::optional<SvgMatrix> svgTransform(std::string_view text) {
 }
 
 std::optional<double> svgMillimetres(std::string_view text) {
-  while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
+  while (!text.empty() && isSeparator(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isSeparator(text.back())) text.remove_suffix(1);
   constexpr double kPixel = 25.4 / 96;
   double unit = kPixel;
   for (const auto& [name, mm] : {std::pair<std::string_view, double>{"mm", 1},
