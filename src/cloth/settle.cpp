@@ -181,6 +181,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
           left = now;
         else if (left)
           left = std::fmax(0.0, *left - 1);
+        if (left) left = std::fmin(*left, std::fmax(0.0, settings.maxSteps - step));
         reached = std::fmax(reached, step / (step + left.value_or(kUsualSteps) + 1));
         token.progress(start + span * reached,
                        last && left ? say("{0}, some {1} {1|step|steps} to go", doing, tens(*left)) : doing);

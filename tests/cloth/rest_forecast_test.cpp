@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <charconv>
 #include <random>
+
+#include "cloth/helpers.h"
 
 namespace karinui {
 namespace {
@@ -36,6 +39,31 @@ TEST(RestForecast, NothingIsSaidOfWhatDoesNotShrink) {
   EXPECT_FALSE(forecast.stepsLeft());
   forecast.add(0);  // no move at all
   EXPECT_TRUE(!forecast.stepsLeft() || *forecast.stepsLeft() >= 0);
+}
+
+// A cloth laid on a ball, given 45 steps: what is said never promises more than are left.
+TEST(RestForecast, NoMoreStepsAreSaidThanAreTaken) {
+  using namespace test;
+  Fabric f = textbook(1000, 1e-5, 0.15);
+  f.frictionBody = f.frictionCloth = 0.3;
+  std::vector<ClothLevel> levels(1);
+  addPiece(levels[0].cloth, gridLattice(20, 20, 0.05), f);
+  levels[0].state = standingBy(levels[0].cloth, [](std::size_t, Flat p) { return Vec3{p.u - 0.5, 0.35, p.v - 0.47}; });
+  SettleSettings settings;
+  settings.maxSteps = 45;
+  std::vector<int> said;
+  const Token token([&](double, const Message& doing) {
+    const std::string words = text(doing);
+    if (const std::size_t at = words.find("some "); at != std::string::npos) {
+      int steps = -1;
+      std::from_chars(words.data() + at + 5, words.data() + words.size(), steps);
+      said.push_back(steps);
+    }
+  });
+  Workers workers(1);
+  ASSERT_TRUE(settle(levels, CapsuleBody({{{}, {}, 0.3}}), settings, token, workers));
+  ASSERT_FALSE(said.empty());
+  for (const int steps : said) EXPECT_LE(steps, 20) << "thirty were taken before the first was said";
 }
 
 }  // namespace
