@@ -16,12 +16,14 @@ inline Result<DrapeOutcome> fallABit(const Document& document, const std::vector
     const Piece& piece = *document.find(ref.id);
     const Stand stand(piece);
     auto form = std::make_shared<Form>();
-    const Ring ring = piece.outline.flattened(0.01);
+    const Ring ring = piece.outline.flattened(0.001);
     for (const Flat place : ring) {
       form->flat.push_back(place);
       form->space.push_back(stand(place) + Vec3{0, -0.01, 0});
     }
-    if (auto faces = triangulate(ring, {}, {})) form->faces = *std::move(faces);
+    auto faces = triangulate(ring, {}, {});
+    if (!faces) return faces.error();
+    form->faces = *std::move(faces);
     outcome.forms[ref.id] = std::move(form);
   }
   outcome.report.settled = true;
