@@ -169,10 +169,14 @@ void FitPanel::compare() {
 }
 
 void FitPanel::fillReport() {
-  const auto row = [](const std::vector<QString>& cells) {
+  // With a column more the columns stand closer together, and names break between their words, numbers do not.
+  girths_->setWordWrap(then_ != nullptr);
+  const QString apart = then_ ? "&nbsp;" : "&nbsp;&nbsp;&nbsp;";
+  const auto whole = [&](QString number) { return then_ ? number.replace(" ", "&nbsp;") : number; };
+  const auto row = [&](const std::vector<QString>& cells) {
     QString all = "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)
-      all += (i == 0 ? "<td>" : "<td align=right>") + cells[i] + (i + 1 < cells.size() ? "&nbsp;&nbsp;&nbsp;" : "") +
+      all += (i == 0 ? "<td>" + cells[i] : "<td align=right>" + whole(cells[i])) + (i + 1 < cells.size() ? apart : "") +
              "</td>";
     return all + "</tr>";
   };
@@ -197,15 +201,20 @@ void FitPanel::fillReport() {
   }
   const std::vector<Girths> now = girthsOf(session_.snapshot());
   if (now.empty()) return girths_->setText("–");
-  std::vector<QString> head{"", inWords(say("body")), inWords(say("garment")), inWords(say("ease"))};
+  // Beside another garment the unit is told once, for there is no room for it in every column.
+  const auto number = [&](double metres) {
+    const QString said = lengthText(metres);
+    return then_ ? said.left(said.lastIndexOf(' ')) : said;
+  };
+  std::vector<QString> head{then_ ? lengthText(0).section(' ', -1) : QString(), inWords(say("body")),
+                            inWords(say("garment")), inWords(say("ease"))};
   if (then_) head.push_back(inWords(say("left")));
   QString table = row(head);
   for (const Girths& g : now) {
-    std::vector<QString> cells{inWords(g.name), lengthText(g.body), lengthText(g.garment),
-                               lengthText(g.garment - g.body)};
+    std::vector<QString> cells{inWords(g.name), number(g.body), number(g.garment), number(g.garment - g.body)};
     if (then_)
       for (const Girths& before : girthsAt(*then_, g.height))
-        if (before.what == g.what) cells.push_back(lengthText(before.garment));
+        if (before.what == g.what) cells.push_back(number(before.garment));
     table += row(cells);
   }
   girths_->setText("<table>" + table + "</table>");

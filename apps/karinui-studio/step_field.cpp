@@ -134,10 +134,10 @@ Wording measuresWording() {
 
 // A number with what it counts; the factor leads from the script's number to the one that is read.
 Wording numberWording(const Document& document, std::string_view operation, const FieldHelp& field) {
-  const double factor = field.name == "at" || field.name.starts_with("toe") ? 100
-                        : field.name == "weight"                            ? 1000
-                        : field.name.starts_with("bend")                    ? 1e6
-                                                                            : 1;
+  const double factor = field.name == "at" || field.name == "to_at" || field.name.starts_with("toe") ? 100
+                        : field.name == "weight"                                                     ? 1000
+                        : field.name.starts_with("bend")                                             ? 1e6
+                                                                                                     : 1;
   return {[&document, operation = std::string(operation), field](const std::string& script) {
             return inWords(valueSaid(document, operation, field, script));
           },

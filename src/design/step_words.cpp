@@ -71,7 +71,7 @@ Message statedSaid(const Stated& stated) {
 
 // What a bare number counts.
 Message numberSaid(std::string_view field, double value) {
-  if (field == "at") return say("{0} %", fixed(100 * value, 1));
+  if (field == "at" || field == "to_at") return say("{0} %", fixed(100 * value, 1));
   if (field == "seconds") return say("{0} s", shortest(value));
   if (field == "weight") return say("{0} g/m²", fixed(1000 * value, 1));
   if (field.starts_with("stretch") || field == "shear") return say("{0} N/m", shortest(value));

@@ -3,6 +3,8 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollArea>
+#include <QTabWidget>
 
 #include "studio/window.h"
 
@@ -103,6 +105,36 @@ TEST(StudioFit, TwoStatesStandSideBySide) {
   emit beside->activated(0);
   w.rest();
   EXPECT_FALSE(w.space().beside());
+}
+
+TEST(StudioFit, WhatStandsBesideItIsToldWithinTheBoard) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().resize(1366, 768);
+  w.main().boards().setCurrentIndex(3);
+  w.rest();
+  const auto* board = qobject_cast<QScrollArea*>(w.main().boards().currentWidget());
+  ASSERT_TRUE(board);
+  QComboBox* beside = nullptr;
+  for (QComboBox* one : w.main().findChildren<QComboBox*>())
+    if (one->accessibleName() == "Beside it") beside = one;
+  ASSERT_TRUE(beside);
+  beside->setCurrentIndex(1);
+  emit beside->activated(1);
+  w.rest();
+  ASSERT_TRUE(w.space().beside());
+  w.keep("studio_beside_board");
+  for (const Language language : {Language::English, Language::Japanese})
+    for (const bool inches : {false, true}) {
+      Theme::here().setLanguage(language);
+      Theme::here().setInches(inches);
+      w.rest();
+      EXPECT_LE(board->widget()->width(), board->viewport()->width())
+          << (language == Language::Japanese ? "ja" : "en") << (inches ? " in" : " cm");
+    }
+  Theme::here().setInches(false);
+  Theme::here().setLanguage(Language::English);
 }
 
 }  // namespace

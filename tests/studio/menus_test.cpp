@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QLineEdit>
 #include <QMenu>
 #include <QTabWidget>
 #include <QTest>
@@ -220,6 +221,24 @@ TEST(StudioMenus, ABandAlongANecklineAndAPieceWrappedWhereOnePoints) {
   rightClick(w, w.space(), w.onSkin("left_leg:knee@0"));
   choose(w, "Wrap the chosen piece round here");
   EXPECT_THAT(w.last(), AllOf(StartsWith("place piece="), HasSubstr("left_leg:")));
+}
+
+TEST(StudioMenus, BothPlacesOfASlashAreShownAsShares) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  const Piece front = *w.session().snapshot().document.pieceNamed("front");
+  const auto on = [&](const char* edge) { return w.onTable("front", findEdge(front, edge)->curve.atFraction(0.5)); };
+  w.click(w.table(), on("armhole_left"));
+  w.rest();
+  rightClick(w, w.table(), on("hem_left"));
+  choose(w, "Slash to left armhole of front and spread…");
+  auto* numbers = w.main().findChild<QDialog*>("step_dialog");
+  ASSERT_TRUE(numbers);
+  for (const char* place : {"at", "to_at"})
+    EXPECT_THAT(numbers->findChild<QLineEdit*>(place)->text().toStdString(), testing::EndsWith(" %")) << place;
+  numbers->reject();
 }
 
 }  // namespace
