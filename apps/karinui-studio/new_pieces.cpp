@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -53,6 +54,33 @@ AddPleat pleatsIn(const Document& document, const EdgeRef& edge) {
   pleats.count = std::clamp(static_cast<int>(std::lround(whole / kApart)), 1, 40);
   if (whole > 0) pleats.depth = {std::min(0.02, std::floor(whole / pleats.count * kShare * 1000) / 1000)};
   return pleats;
+}
+
+SlashAndSpread slashFrom(const Document& document, const EdgeRef& edge) {
+  constexpr int kParts = 64;  // of an edge, looked at as straight
+  SlashAndSpread slash;
+  slash.from = edge;
+  const Piece* piece = document.find(edge.piece.id);
+  const Edge* from = piece ? findEdge(*piece, edge.edge) : nullptr;
+  if (!from) return slash;
+  slash.at = 0.5;
+  const Flat middle = from->curve.atFraction(0.5);
+  const Flat inward = leftOf(normalized(from->curve.tangent(from->curve.parameterAt(0.5 * from->curve.length()))));
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Edge& other : piece->outline.edges) {
+    if (other.name == edge.edge) continue;
+    for (int k = 0; k < kParts; ++k) {
+      const Flat a = other.curve.atFraction(double(k) / kParts), step = other.curve.atFraction((k + 1.0) / kParts) - a;
+      const double turned = cross(inward, step);
+      if (turned == 0) continue;
+      const double along = cross(a - middle, step) / turned, share = cross(a - middle, inward) / turned;
+      if (along <= 0 || along >= nearest || share < 0 || share > 1) continue;
+      nearest = along;
+      slash.to = {edge.piece, other.name};
+      slash.toAt = std::round((k + share) / kParts * 1000) / 1000;
+    }
+  }
+  return slash;
 }
 
 Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under) {
@@ -214,11 +242,8 @@ void MainWindow::addNewPieces(QMenu& menu) {
   menu.addSeparator();
   add("pleat", say("Pleats in the chosen edge…"), true,
       [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
-  add("spread", say("Slash and spread from the chosen edge…"), true, [chosen] {
-    SlashAndSpread made;
-    if (const auto edge = chosen()) made.from = *edge;
-    return Operation(made);
-  });
+  add("spread", say("Slash and spread from the chosen edge…"), true,
+      [chosen, this] { return Operation(slashFrom(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
   const auto run = [chosen, this] {
     const auto edge = chosen();
     return edge ? runThrough(session_->snapshot().document, *edge) : std::vector<EdgeRef>();

@@ -11,6 +11,8 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge);
 
 // Pleats about 6 cm apart all along an edge, as the dialog first offers them.
 AddPleat pleatsIn(const Document& document, const EdgeRef& edge);
+// From the middle of an edge straight into its piece, to the first edge met there; to none where the edge is not there.
+SlashAndSpread slashFrom(const Document& document, const EdgeRef& edge);
 // Buttons about 8 cm apart along an edge that laps over another, as the dialog first offers them.
 Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under);
 // Five rows of a weak elastic, as the dialog first offers them.

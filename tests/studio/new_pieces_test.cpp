@@ -394,6 +394,29 @@ TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
   QTest::keyClick(numbers.dialog, Qt::Key_Escape);
 }
 
+// From the menu of new pieces a slash goes straight across, and only its width is left to be typed.
+TEST(StudioNewPieces, ASlashFromTheChosenEdgeGoesStraightAcross) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().perform(*parseOperation("rectangle name=apron width=40cm height=45cm")), w.rest();
+  Selection bottom;
+  bottom.edge = EdgeNear{piece(w, "apron").id, "bottom", 0.5, 0};
+  bottom.pieces = {bottom.edge->piece};
+  w.session().select(bottom);
+  auto* menu = w.main().findChild<QMenu*>("new_piece");
+  ASSERT_TRUE(menu);
+  emit menu->aboutToShow();
+  menu->findChild<QAction*>("new_spread")->trigger();
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_EQ(numbers.said(), "");
+  ASSERT_TRUE(numbers.make().isEnabled());
+  numbers.accept();
+  EXPECT_THAT(w.last(), testing::HasSubstr(".top"));
+  EXPECT_NEAR(draftedLength(w, "apron", "bottom"), 0.43, 1e-4) << w.main().said().toStdString();
+}
+
 // From nothing to a shirt at rest: the start page, the button, Enter.
 TEST(StudioNewPieces, AShirtFromTheStartPage) {
   KARINUI_NEEDS_DISPLAY();
