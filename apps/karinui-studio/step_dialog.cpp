@@ -44,7 +44,8 @@ Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation ope
   if (auto* band = std::get_if<DrawBand>(&operation)) band->sew = false;
   const bool paper = std::holds_alternative<DrawRectangle>(operation) ||
                      std::holds_alternative<DrawPolygon>(operation) || std::holds_alternative<DrawRing>(operation) ||
-                     std::holds_alternative<DrawBand>(operation);
+                     std::holds_alternative<DrawBand>(operation) || std::holds_alternative<AddPleat>(operation) ||
+                     std::holds_alternative<SlashAndSpread>(operation);
   if (!paper && !std::holds_alternative<ChangeSettings>(operation)) return std::shared_ptr<const Piece>();
   // Formulas are worked out for the figure that is there, which need not be built once more.
   std::vector<FieldText> fields = fieldTexts(operation);

@@ -45,7 +45,8 @@ class StepDialog : public QDialog {
 // The settings as they are: entered unchanged, nothing is done.
 ChangeSettings settingsNow(const Session& session);
 
-// The outline that a piece on paper would have; nothing to show for operations that make none, or need the body.
+// The outline that a piece on paper would have, or why the paper refuses it; nothing to show for operations that make
+// none, or need the body.
 Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation operation);
 
 }  // namespace karinui::studio

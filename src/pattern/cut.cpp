@@ -10,10 +10,10 @@
 namespace karinui {
 namespace {
 
-constexpr double kSnap = 5e-3;    // ends nearer to the outline than this go onto it
-constexpr double kCorner = 1e-3;  // a cut this near to a corner goes through it
-constexpr double kWiggle = 2e-4;  // of the line, straightened
-constexpr double kSameCut = 1e-6;
+constexpr double kSnap = 5e-3;     // ends nearer to the outline than this go onto it
+constexpr double kCorner = 1e-3;   // a cut this near to a corner goes through it
+constexpr double kWiggle = 2e-4;   // of the line, straightened
+constexpr double kSameCut = 1e-6;  // metres
 
 Meeting nearestOn(const Outline& outline, Flat place) {
   Meeting best;

@@ -11,9 +11,9 @@ namespace karinui {
 
 namespace {
 
-constexpr double kParallel = 1e-3;  // metres by which lines may be off
-constexpr double kStep = 2e-3;      // metres by which an edge may be off where it is closed
-constexpr double kSameParameter = 1e-9;
+constexpr double kParallel = 1e-3;       // metres by which lines may be off
+constexpr double kStep = 2e-3;           // metres by which an edge may be off where it is closed
+constexpr double kSameParameter = 1e-9;  // of a curve
 
 // Where an outline passes a place across the lines.
 struct Passage {

@@ -394,6 +394,24 @@ TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
   QTest::keyClick(numbers.dialog, Qt::Key_Escape);
 }
 
+// What the paper refuses is said while the numbers can still be changed: the hem's pleats would not end in one edge.
+TEST(StudioNewPieces, PleatsThatThePaperRefusesAreToldInTheDialog) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  menuOn(w, "front", "hem_left");
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Pleats…")));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_NE(numbers.said(), "");
+  EXPECT_FALSE(numbers.make().isEnabled());
+  QTest::keyClick(&numbers.line("count"), Qt::Key_Return);
+  EXPECT_TRUE(numbers.dialog->isVisible()) << "what was typed is not lost";
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+}
+
 // From the menu of new pieces a slash goes straight across, and only its width is left to be typed.
 TEST(StudioNewPieces, ASlashFromTheChosenEdgeGoesStraightAcross) {
   KARINUI_NEEDS_DISPLAY();
