@@ -111,13 +111,44 @@ void finish(const Pattern& pattern, const Allowances* finish, const Trims& trims
         if (ClothEdge edge = edgeOf(cloth, p, piece, own->first.second); edge.nodes.size() > 1)
           to.push_back({std::move(edge), own->second});
     };
-    add(finish->elastics, cloth.elastics), add(finish->hems, cloth.hems);
+    add(finish->elastics, cloth.elastics);
+    for (auto own = finish->hems.lower_bound({piece.id, ""}); own != finish->hems.end() && own->first.first == piece.id;
+         ++own)
+      if (ClothEdge edge = edgeOf(cloth, p, piece, own->first.second); edge.nodes.size() > 1)
+        cloth.foldedBack.push_back({std::move(edge), own->second.allowance()});
     const auto trim = [&](const auto& all) {
       for (auto own = all.lower_bound({piece.id, ""}); own != all.end() && own->first.first == piece.id; ++own)
         if (ClothEdge edge = edgeOf(cloth, p, piece, own->first.second); edge.nodes.size() > 1)
           cloth.trims.push_back(trims.of(cloth.pieces[p], std::move(edge), own->second));
     };
     trim(finish->pipings), trim(finish->bindings);
+  }
+}
+
+// What lies beyond a seam is pressed open on either side. Where cloth is gathered into a seam its allowance is gathered
+// with it and stiffens nothing; within a pleat there is none.
+void pressOpen(const Pattern& pattern, const Allowances& allowances, Cloth& cloth) {
+  std::vector<bool> sewn(cloth.nodeCount, false);
+  for (const Tie& tie : cloth.ties) {
+    if (pattern.seams.at(cloth.seams[tie.seam]).tie == Seam::Tie::Pleat) continue;
+    sewn[tie.a] = true;
+    if (tie.c == kNoNode) sewn[tie.b] = true;
+  }
+  const AllowancePlan plan(pattern, allowances);
+  for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
+    const Piece& piece = *pattern.pieces.at(cloth.pieces[p].id);
+    for (const Edge& edge : piece.outline.edges) {
+      const ClothEdge whole = edgeOf(cloth, p, piece, edge.name);
+      ClothEdge part{p, edge.name, {}, whole.length};
+      for (std::size_t k = 0; k <= whole.nodes.size(); ++k) {
+        if (k < whole.nodes.size() && sewn[whole.nodes[k]]) {
+          part.nodes.push_back(whole.nodes[k]);
+          continue;
+        }
+        if (part.nodes.size() > 1) cloth.foldedBack.push_back({part, plan.width(piece.id, edge.name)});
+        part.nodes.clear();
+      }
+    }
   }
 }
 
@@ -194,7 +225,7 @@ Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const st
     if (joined.a != joined.b || joined.c != kNoNode) cloth.ties.push_back(joined);
   }
   finish(pattern, choice.finish, Trims{fabrics}, cloth);
-  if (choice.finish) fasten(pattern, choice.finish->fastenings, cloth);
+  if (choice.finish) pressOpen(pattern, *choice.finish, cloth), fasten(pattern, choice.finish->fastenings, cloth);
   return cloth;
 }
 

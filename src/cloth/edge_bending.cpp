@@ -56,10 +56,8 @@ EdgeBending::EdgeBending(const Cloth& cloth) {
       weight_.push_back({w[0], w[1], w[2], -w[0] - w[1] - w[2]});
     }
   };
-  for (const auto& [edge, hem] : cloth.hems)
-    add(edge, [&, &on = edge, &turned = hem](Flat along) {
-      return bendAlong(cloth.pieces[on.piece], along) * turned.allowance();
-    });
+  for (const FoldedBackEdge& strip : cloth.foldedBack)
+    add(strip.edge, [&](Flat along) { return bendAlong(cloth.pieces[strip.edge.piece], along) * strip.width; });
   for (const TrimmedEdge& trim : cloth.trims) add(trim.edge, [&](Flat) { return trim.bending; });
   setElements(std::move(nodes), cloth.nodeCount);
 }
@@ -95,7 +93,8 @@ std::vector<std::pair<NodeIndex, double>> edgeMasses(const Cloth& cloth) {
       for (const NodeIndex node : {a, b}) masses.emplace_back(node, 0.5 * l * width * weight);
     }
   };
-  for (const auto& [edge, hem] : cloth.hems) add(edge, hem.allowance(), cloth.pieces[edge.piece].fabric.weight);
+  for (const FoldedBackEdge& strip : cloth.foldedBack)
+    add(strip.edge, strip.width, cloth.pieces[strip.edge.piece].fabric.weight);
   for (const TrimmedEdge& trim : cloth.trims) add(trim.edge, 1, trim.weight);
   return masses;
 }

@@ -26,7 +26,7 @@ LevelEnergies::LevelEnergies(const Cloth& cloth, const GridLayout& layout) {
   springs = {stretched, add(list, std::make_unique<Springs>(edgeSprings(cloth), cloth.nodeCount))};
   if (!cloth.elastics.empty())
     springs.push_back(add(list, std::make_unique<Springs>(elasticSprings(cloth), cloth.nodeCount)));
-  if (!cloth.hems.empty() || !cloth.trims.empty()) add(list, std::make_unique<EdgeBending>(cloth));
+  if (!cloth.foldedBack.empty() || !cloth.trims.empty()) add(list, std::make_unique<EdgeBending>(cloth));
   if (!cloth.creases.empty()) add(list, std::make_unique<CreaseHinges>(cloth));
 }
 

@@ -155,6 +155,41 @@ TEST(Hem, BendsAndWeighsAsItsLayers) {
   }
 }
 
+// Two cloths sewn along their whole bottoms: the allowance of each, pressed open, bends along the seam with B w and
+// weighs what it adds. Where one is gathered into the other, or folded into a pleat, it stiffens nothing.
+TEST(SeamAllowance, BendsAndWeighsOnBothSides) {
+  Workers workers(1);
+  Allowances finish;
+  finish.kinds[EdgeKind::Seam] = 0.015;
+  finish.edges[{{2}, "bottom"}] = 0.02;
+  ClothChoice choice;
+  choice.finish = &finish;
+  const auto sewn = [&](Seam::Tie tie, double length) {
+    Pattern pattern = patternOf({rectangle(1, 0.6, 0.2), rectangle(2, length, 0.2)});
+    pattern.seams[{3}] = {{3}, "", {{{1}, "bottom", 0, 1}}, {{{2}, "bottom", 0, 1}}, true, tie};
+    return levelOf(pattern, 0.01, textbook(1000, 3e-5, 0.2), choice);
+  };
+  const auto mass = [](const ClothLevel& level) {
+    double sum = 0;
+    for (const auto& [node, more] : edgeMasses(level.cloth)) sum += more;
+    return sum;
+  };
+  const ClothLevel level = sewn(Seam::Tie::OneToOne, 0.6);
+  const EdgeBending allowance(level.cloth);
+  EXPECT_NEAR(allowance.value(level.state.position, workers), 0, 1e-18);
+  const double radius = 0.1;
+  std::vector<Vec3> rolled = level.state.position;
+  for (Vec3& p : rolled) p = {radius * std::sin(p.x / radius), p.y, radius * std::cos(p.x / radius)};
+  const double joules = 3e-5 * (0.015 + 0.02) / (2 * radius * radius) * 0.6;
+  EXPECT_NEAR(allowance.value(rolled, workers), joules, 0.06 * joules);  // their ends have no neighbour
+  EXPECT_NEAR(mass(level), 0.2 * (0.015 + 0.02) * 0.6, 1e-9);
+
+  const ClothLevel gathered = sewn(Seam::Tie::TwoToOne, 1.2);
+  ASSERT_EQ(gathered.cloth.foldedBack.size(), 1u);
+  EXPECT_EQ(gathered.cloth.foldedBack[0].edge.piece, 0u);
+  EXPECT_TRUE(sewn(Seam::Tie::Pleat, 0.6).cloth.foldedBack.empty());
+}
+
 // Rolled up with radius R, an edge with a cord of thickness d in a strip of width w stores (0.4 N pi d2/4 + B45 w)/(2
 // R2) for each metre, B45 the strip's bending on the bias; one that is bound B45 4 w/(2 R2). They weigh what they add.
 TEST(Trims, BendAndWeighAsCordAndStrip) {

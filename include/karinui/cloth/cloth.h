@@ -28,7 +28,7 @@ struct Tie {  // of cloth nodes; see SeamTie
   std::uint32_t seam = 0;  // index into Cloth::seams
 };
 
-struct ClothEdge {        // an edge with something sewn to it or turned up
+struct ClothEdge {        // an edge, or part of one, with something sewn to it or turned up
   std::size_t piece = 0;  // of Cloth::pieces
   std::string name;
   std::vector<std::uint32_t>
@@ -39,9 +39,9 @@ struct ElasticEdge {
   ClothEdge edge;
   Elastic elastic;
 };
-struct HemmedEdge {
+struct FoldedBackEdge {  // with a strip of its own cloth along it: a hem turned up, a seam allowance pressed open
   ClothEdge edge;
-  Hem hem;
+  double width = 0;
 };
 struct TrimmedEdge {  // a cord or a strip along it
   ClothEdge edge;
@@ -78,7 +78,7 @@ struct Cloth {
   bool pleated = false;               // layers of it lie over one another before it is sewn
   std::uint32_t nodeCount = 0;
   std::vector<ElasticEdge> elastics;
-  std::vector<HemmedEdge> hems;
+  std::vector<FoldedBackEdge> foldedBack;
   std::vector<TrimmedEdge> trims;
   std::vector<CreasedLine> creases;
   std::vector<ClothFastener> fasteners;
