@@ -39,8 +39,11 @@ std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& pos
 
 namespace {
 
-// The runs of a piece's own nodes that are tied to something: where stitches are drawn.
-std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothPiece& piece) {
+// The runs of a piece's own nodes along its seams: where stitches are drawn. A closed seam is stitched once, on the
+// side of the ties' first nodes; of one that is open still, both sides are.
+std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothPiece& piece,
+                                                const std::vector<Vec3>& position) {
+  constexpr double kClosed = 0.003;  // metres
   std::vector<bool> tied(piece.lattice->nodes.size(), false);
   const auto mark = [&](std::uint32_t node) {
     if (node != kNoNode && node >= piece.firstNode && node - piece.firstNode < tied.size()) {
@@ -49,6 +52,8 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
   };
   for (const Tie& tie : cloth.ties) {
     mark(tie.a);
+    const Vec3 other = tie.c == kNoNode ? position[tie.b] : (position[tie.b] + position[tie.c]) * 0.5;
+    if (distance(position[tie.a], other) <= kClosed) continue;
     mark(tie.b);
     mark(tie.c);
   }
@@ -139,7 +144,7 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const 
     cloth.outlines.push_back(lattice.border);
     cloth.outlines.back().push_back(lattice.border.front());
     for (const auto& hole : lattice.holes) cloth.outlines.push_back(hole);
-    cloth.seams = seamsOf(standing->cloth, piece);
+    cloth.seams = seamsOf(standing->cloth, piece, standing->state.position);
     const Piece& cut = *document.find(piece.id);
     const Look look = lookOf(document, cut);
     cloth.colour = linear(look.colour);

@@ -16,13 +16,26 @@ bool drawableFace(const TriangleMesh& mesh, const Triangle& face) {
                      [&](std::uint32_t i) { return i < mesh.points.size() && drawable(mesh.points[i]); });
 }
 
+// At each point the mean over the corners of the faces around it: the binomial filter, which takes out what turns back
+// from one point to the next and leaves waves of several cells.
+template <class Value>
+std::vector<Value> meanAround(const std::vector<Value>& values, const std::vector<Triangle>& faces) {
+  std::vector<Value> sum(values.size());
+  std::vector<double> count(values.size(), 0.0);
+  for (const Triangle& f : faces)
+    for (const std::uint32_t i : f) sum[i] = sum[i] + values[f[0]] + values[f[1]] + values[f[2]], count[i] += 3;
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    if (count[i] > 0) sum[i] = sum[i] * (1 / count[i]);
+  return sum;
+}
+
 // How far each point lies under (> 0) or over the mean of its neighbours, measured by their distance: a fold's hollow,
-// whatever the mesh's fineness. Averaged once over the neighbours, so that single triangles do not show.
+// whatever the mesh's fineness. Averaged over the neighbours, so that single triangles do not show.
 std::vector<double> hollows(const TriangleMesh& mesh, const std::vector<Triangle>& faces,
                             const std::vector<Vec3>& normals) {
   const std::size_t n = mesh.points.size();
   std::vector<Vec3> sum(n);
-  std::vector<double> reach(n, 0.0), count(n, 0.0), raw(n, 0.0), smooth(n, 0.0);
+  std::vector<double> reach(n, 0.0), count(n, 0.0), raw(n, 0.0);
   for (const Triangle& f : faces)
     for (std::size_t k = 0; k < 3; ++k)
       for (const std::uint32_t j : {f[(k + 1) % 3], f[(k + 2) % 3]}) {
@@ -34,12 +47,8 @@ std::vector<double> hollows(const TriangleMesh& mesh, const std::vector<Triangle
     // radius of 2 cm is a deep fold.
     if (reach[i] > 0) raw[i] = 0.02 * 4 * dot(sum[i], normals[i]) * count[i] / (reach[i] * reach[i]);
   for (double& r : raw) r = std::clamp(r, -1.5, 1.5);
-  std::fill(count.begin(), count.end(), 0.0);
-  for (const Triangle& f : faces)
-    for (std::size_t k = 0; k < 3; ++k) smooth[f[k]] += raw[f[0]] + raw[f[1]] + raw[f[2]], count[f[k]] += 3;
-  for (std::size_t i = 0; i < n; ++i)
-    if (count[i] > 0) smooth[i] /= count[i];
-  return smooth;
+  // Twice: in a lattice points with eight neighbours alternate with points that have four.
+  return meanAround(meanAround(raw, faces), faces);
 }
 
 }  // namespace
@@ -62,6 +71,10 @@ void addMesh(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colo
     }
   for (Vec3& normal : normals) normal = normalized(normal);
   const std::vector<double> hollow = hollows(mesh, faces, normals);
+  if (flat.size() == mesh.points.size()) {  // a fold that runs across a lattice would show its cells as teeth
+    normals = meanAround(normals, faces);
+    for (Vec3& normal : normals) normal = normalized(normal);
+  }
 
   const auto base = static_cast<std::uint32_t>(surface.vertices.size());
   const bool hasFlat = flat.size() == mesh.points.size(), hasStrain = strain.size() == mesh.points.size();

@@ -22,6 +22,39 @@ double volumeOf(const TriangleMesh& mesh) {
   return sum;
 }
 
+// A seam is stitched once where it is closed; while it stands open both of its edges are.
+TEST(ClothSeams, AreStitchedOnceWhenTheyAreClosed) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const auto played = room.play(file, R"(rectangle name=front width=20cm height=30cm
+rectangle name=back width=20cm height=30cm
+sew a=front.side_right b=back.side_left
+)");
+  ASSERT_TRUE(played) << text(played.error().what);
+  const auto stitched = [](const Document& document) {
+    std::vector<bool> seams;
+    const auto frame = sceneOf(document, nullptr);
+    for (const SceneCloth& cloth : frame->cloths) seams.push_back(!cloth.seams.empty());
+    return seams;
+  };
+  Document document = file.document();
+  const auto foot = [&](const char* name, const char* edge) {
+    const Curve* side = findCurve(*document.pieceNamed(name), edge);
+    const Flat from = side->atFraction(0), to = side->atFraction(1);
+    return from.v < to.v ? from : to;
+  };
+  const auto stands = [&](const char* name, Flat at) {  // the place of its paper that is the origin
+    auto piece = std::make_shared<Piece>(*document.pieceNamed(name));
+    piece->form = nullptr, piece->pose = {.carry = {-at.u, -at.v, 0}};
+    document.pattern.pieces[piece->id] = piece;
+  };
+  const Flat ofFront = foot("front", "side_right"), ofBack = foot("back", "side_left");
+  stands("front", ofFront), stands("back", ofBack - Flat{0.5, 0});
+  EXPECT_EQ(stitched(document), (std::vector<bool>{true, true})) << "half a metre apart";
+  stands("back", ofBack);
+  EXPECT_EQ(stitched(document), (std::vector<bool>{true, false})) << "edge to edge";
+}
+
 // They are placed on the mesh, and so go where it goes.
 TEST(ClothTrims, LieOnTheClothWhereverItStands) {
   Workroom room;

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
 
 #include "view/easel.h"
 #include "view/little_scenes.h"
+#include "view/surface.h"
 
 namespace karinui {
 namespace {
@@ -195,6 +198,53 @@ TEST_F(ViewPicture, FeetThrowAShadowOnTheGround) {
               far = shaded.at(15, static_cast<int>(under.y));
   EXPECT_LT(luminance(near), 0.8 * luminance(far));
   EXPECT_GT(luminance(near), 0.15 * luminance(far)) << "soft, not a hole";
+}
+
+// Every third row of points stands out, as cells do where a fold crosses them: the shading keeps a third of their tilt
+// at most, and most of that of a fold of eight cells.
+TEST(Surface, RipplesOfSingleCellsAreHardlyShaded) {
+  constexpr double kCell = 0.6 / 32;
+  const auto tilt = [](const std::function<double(std::uint32_t)>& out) {
+    SceneCloth cloth = sheet(-0.3, 0, 0.3, 0.6, 0, 0, 32);
+    for (std::uint32_t k = 0; k < 33 * 33; ++k) cloth.mesh.points[k].z += out(k % 33);
+    const std::vector<Vec3> own = pointNormals(cloth.mesh);
+    Surface surface;
+    addMesh(surface, cloth.mesh, {}, cloth.colour, cloth.flat);
+    double before = 0, shaded = 0;
+    for (std::uint32_t j = 4; j < 29; ++j)
+      for (std::uint32_t i = 4; i < 29; ++i) {
+        before = std::max(before, std::fabs(own[j * 33 + i].x));
+        shaded = std::max<double>(shaded, std::fabs(surface.vertices[j * 33 + i].normal[0]));
+      }
+    return shaded / before;
+  };
+  EXPECT_LT(tilt([](auto i) { return i % 3 == 0 ? 0.3 * kCell : 0.0; }), 0.34);
+  EXPECT_GT(tilt([](auto i) { return 0.2 * kCell * std::sin(std::numbers::pi / 4 * i); }), 0.75);
+}
+
+// The diagonals of a lattice alternate, so that its points have eight neighbours and four in turn; along a straight
+// fold the hollow is as deep everywhere.
+TEST(Surface, AStraightFoldIsEvenlyShaded) {
+  constexpr std::uint32_t kCells = 16, kRow = kCells + 1;
+  SceneCloth cloth = sheet(0, 0, 0.16, 0.16, 0, 0, kCells);
+  cloth.mesh.faces.clear();
+  for (std::uint32_t j = 0; j < kCells; ++j)
+    for (std::uint32_t i = 0; i < kCells; ++i) {
+      const std::uint32_t p = j * kRow + i, q = p + 1, r = p + kRow + 1, s = p + kRow;
+      for (const Triangle& f : (i + j) % 2 ? std::array<Triangle, 2>{{{p, q, s}, {q, r, s}}}
+                                           : std::array<Triangle, 2>{{{p, q, r}, {p, r, s}}})
+        cloth.mesh.faces.push_back(f);
+    }
+  for (Vec3& p : cloth.mesh.points) p.z = 0.5 * std::fabs(p.y - 0.08);
+  Surface surface;
+  addMesh(surface, cloth.mesh, {}, cloth.colour, cloth.flat);
+  float least = 1, most = 0;
+  for (std::uint32_t i = 4; i <= kCells - 4; ++i) {
+    const float hollow = surface.vertices[kCells / 2 * kRow + i].cavity;
+    least = std::min(least, hollow), most = std::max(most, hollow);
+  }
+  EXPECT_GT(least, 0.2f);
+  EXPECT_LT(most, 1.15f * least);
 }
 
 TEST_F(ViewPicture, SeamsAndEdgesAreDrawnOverTheCloth) {
