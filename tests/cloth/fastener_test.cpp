@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "cloth/edge_bending.h"
 #include "cloth/helpers.h"
 #include "karinui/check/check.h"
 #include "karinui/cloth/pulls.h"
@@ -31,7 +32,7 @@ Fastening closing(FasteningKind kind) {
 // One piece that is pinned along its top, and another that hangs from its lower edge by what closes the two.
 struct Hung {
   ClothLevel level;
-  double weight = 0;  // N, of the lower piece
+  double weight = 0;  // N, of the lower piece and of the allowances on both sides of a zip
 };
 Hung hung(const Fastening& own) {
   Allowances finish;
@@ -45,7 +46,9 @@ Hung hung(const Fastening& own) {
   made.level.state = standingBy(made.level.cloth, [&](std::size_t piece, Flat p) {
     return piece == 0 ? Vec3{p.u, p.v, 0.004} : Vec3{p.u, p.v - kHigh + lap, 0};
   });
-  made.weight = made.level.cloth.pieces[1].fabric.weight * kWide * kHigh * length(kGravity);
+  double mass = made.level.cloth.pieces[1].fabric.weight * kWide * kHigh;
+  for (const auto& [node, more] : edgeMasses(made.level.cloth)) mass += more;
+  made.weight = mass * length(kGravity);
   return made;
 }
 
