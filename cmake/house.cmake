@@ -47,7 +47,7 @@ endif()
 if(KARINUI_SANITIZE)
   # What a sanitizer finds ends the program: a test that goes on would pass.
   set(sanitized "$<NOT:$<BOOL:$<TARGET_PROPERTY:KARINUI_UNSANITIZED>>>")
-  target_compile_options(karinui_flags INTERFACE -fno-omit-frame-pointer -O1 -g
+  target_compile_options(karinui_flags INTERFACE -fno-omit-frame-pointer -O1 -g1
     $<${sanitized}:-fsanitize=${KARINUI_SANITIZE}> $<${sanitized}:-fno-sanitize-recover=all>)
   target_link_options(karinui_flags INTERFACE $<${sanitized}:-fsanitize=${KARINUI_SANITIZE}>)
 endif()
