@@ -36,18 +36,20 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
   # Where compiler and processor have them: jumps only to where one may jump, no stack that grows past its guard page
   # (tests/install/hardened_test). -ftrivial-auto-var-init is left out: with it g++ 12.2 builds wrong trees of boxes.
   include(CheckCXXCompilerFlag)
+  set(CMAKE_REQUIRED_FLAGS -Werror)  # clang takes a flag of another processor with a warning
   foreach(flag -fcf-protection=full -mbranch-protection=standard -fstack-clash-protection)
     string(MAKE_C_IDENTIFIER "KARINUI_HAS${flag}" known)
     check_cxx_compiler_flag(${flag} ${known})
     target_compile_options(karinui_flags INTERFACE $<$<BOOL:${${known}}>:${flag}>)
   endforeach()
+  unset(CMAKE_REQUIRED_FLAGS)
   # All symbols are bound at the start, and what they were bound to can then not be written.
   target_link_options(karinui_flags INTERFACE -Wl,-z,relro,-z,now)
 endif()
 if(KARINUI_SANITIZE)
   # What a sanitizer finds ends the program: a test that goes on would pass.
   set(sanitized "$<NOT:$<BOOL:$<TARGET_PROPERTY:KARINUI_UNSANITIZED>>>")
-  target_compile_options(karinui_flags INTERFACE -fno-omit-frame-pointer -O1 -g
+  target_compile_options(karinui_flags INTERFACE -fno-omit-frame-pointer -O1 -g1
     $<${sanitized}:-fsanitize=${KARINUI_SANITIZE}> $<${sanitized}:-fno-sanitize-recover=all>)
   target_link_options(karinui_flags INTERFACE $<${sanitized}:-fsanitize=${KARINUI_SANITIZE}>)
 endif()
@@ -66,7 +68,8 @@ if(KARINUI_MUTANT)
     message(FATAL_ERROR "The patch ${KARINUI_MUTANT} is not for one source that is there: ${KARINUI_MUTANT_SOURCE}")
   endif()
 endif()
-# In the list named, the source that the mutant is for becomes its patched copy.
+# In the list named, the source that the mutant is for becomes its patched copy, which is compiled alone. In its place stands
+# an empty one, so that no other source of a unity build moves to another unit.
 function(karinui_mutate list)
   if(KARINUI_MUTANT AND KARINUI_MUTANT_SOURCE IN_LIST ${list})
     get_filename_component(name ${KARINUI_MUTANT_SOURCE} NAME)
@@ -80,7 +83,8 @@ function(karinui_mutate list)
     endif()
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KARINUI_MUTANT_PATCH} ${KARINUI_MUTANT_SOURCE})
     set_source_files_properties(${copy} PROPERTIES INCLUDE_DIRECTORIES ${folder})  # the headers beside it
-    list(REMOVE_ITEM ${list} ${KARINUI_MUTANT_SOURCE})
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${KARINUI_MUTANT}/in_its_place.cpp "")
+    list(TRANSFORM ${list} REPLACE "^${KARINUI_MUTANT_SOURCE}$" ${CMAKE_CURRENT_BINARY_DIR}/${KARINUI_MUTANT}/in_its_place.cpp)
     list(APPEND ${list} ${copy})
     set(${list} ${${list}} PARENT_SCOPE)
     message(STATUS "Broken on purpose: ${KARINUI_MUTANT}")
@@ -151,8 +155,12 @@ function(karinui_tests name)
     list(APPEND suites ${lines})
   endforeach()
   list(REMOVE_DUPLICATES suites)
+  set(most 900)  # seconds
+  if(KARINUI_SANITIZE)
+    set(most 9000)
+  endif()
   foreach(suite ${suites})
     add_test(NAME ${name}.${suite} COMMAND test_${name} --gtest_brief=1 --gtest_filter=${suite}.*:*/${suite}.*)
-    set_tests_properties(${name}.${suite} PROPERTIES TIMEOUT 900)
+    set_tests_properties(${name}.${suite} PROPERTIES TIMEOUT ${most})
   endforeach()
 endfunction()

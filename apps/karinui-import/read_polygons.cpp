@@ -18,9 +18,18 @@ class NoFiles : public Assimp::IOSystem {
   void Close(Assimp::IOStream*) override {}
 };
 
+// Of a PLY's header without an end the library reads on for ever, until the cell's time is up.
+bool headerEnds(const std::string& bytes) {
+  constexpr std::string_view kEnd = "\nend_header";
+  const std::size_t at = bytes.find(kEnd);
+  return at != std::string::npos && at + kEnd.size() < bytes.size() &&
+         std::string_view(" \t\r\n").find(bytes[at + kEnd.size()]) != std::string_view::npos;
+}
+
 }  // namespace
 
 Reading readPolygons(const std::string& bytes, const std::string& format, const Limits& limits) {
+  if (format == "ply" && !headerEnds(bytes)) return {wire::Reason::Unreadable, {}, {}};
   Assimp::Importer importer;
   importer.SetIOHandler(new NoFiles);  // owned by the importer
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, format.c_str());

@@ -16,6 +16,7 @@
 #include "karinui/pattern/truing.h"
 #include "outputs.h"
 #include "pictures.h"
+#include "serve_request.h"
 
 namespace karinui::app {
 
@@ -51,57 +52,6 @@ class InputLines {
   std::string have_;
 };
 
-// The fields of a request: each is asked for by its kind, and what nobody asked for is a mistake.
-class Fields {
- public:
-  explicit Fields(const Json& request) : request_(request) {}
-
-  std::string text(const char* name, const std::string& usual = {}) {
-    const Json* value = find(name);
-    if (!value) return usual;
-    if (!value->is_string()) return wrong(say("“{0}” must be text.", name)), usual;
-    return value->get<std::string>();
-  }
-  std::string needed(const char* name) {
-    const std::string value = text(name);
-    if (value.empty()) wrong(say("The request needs “{0}”.", name));
-    return value;
-  }
-  bool flag(const char* name) {
-    const Json* value = find(name);
-    if (value && !value->is_boolean()) wrong(say("“{0}” must be true or false.", name));
-    return value && value->is_boolean() && value->get<bool>();
-  }
-  std::optional<double> number(const char* name, double least, double most) {
-    const Json* value = find(name);
-    if (!value) return std::nullopt;
-    const double given = value->is_number() ? value->get<double>() : most + 1;
-    if (!(given >= least && given <= most))
-      return wrong(say("“{0}” must be a number from {1} to {2}.", name, least, most)), std::nullopt;
-    return given;
-  }
-  // What is wrong with the request, once everything was asked for.
-  Done checked() const {
-    if (fault_) return *fault_;
-    for (const auto& [name, value] : request_.items())
-      if (!asked_.contains(name)) return badInput(say("This request has no field “{0}”.", name));
-    return {};
-  }
-
- private:
-  const Json* find(const char* name) {
-    asked_.insert(name);
-    const auto at = request_.find(name);
-    return at == request_.end() || at->is_null() ? nullptr : &*at;
-  }
-  void wrong(Message what) {
-    if (!fault_) fault_ = badInput(std::move(what));
-  }
-  const Json& request_;
-  std::set<std::string> asked_{"id", "do"};
-  std::optional<Error> fault_;
-};
-
 class Server {
  public:
   explicit Server(Program& program) : program_(program) {
@@ -110,7 +60,7 @@ class Server {
 
   int run() {
     std::thread reader([this] { read(); });
-    while (std::optional<Json> request = next()) answer(*request);
+    while (const std::optional<Result<Json>> request = next()) answer(*request);
     reader.join();
     return kDone;
   }
@@ -121,10 +71,9 @@ class Server {
     InputLines lines;
     for (std::optional<std::string> line; lines.next(line);) {
       if (line && line->find_first_not_of(" \t\r") == std::string::npos) continue;
-      Json request = line ? Json::parse(*line, nullptr, false) : Json();
-      const bool stop = request.is_object() && request.value("do", Json()) == "stop";
-      if (stop) {
-        write({{"id", request.value("id", Json())}, {"stopping", stopNow()}});
+      Result<Json> request = line ? parseRequest(*line) : notARequest();
+      if (request && request->value("do", Json()) == "stop") {
+        write({{"id", request->value("id", Json())}, {"stopping", stopNow()}});
         continue;
       }
       const std::lock_guard lock(mutex_);
@@ -143,11 +92,11 @@ class Server {
   }
 
   // --- the working thread
-  std::optional<Json> next() {
+  std::optional<Result<Json>> next() {
     std::unique_lock lock(mutex_);
     some_.wait(lock, [this] { return ended_ || !queue_.empty(); });
     if (queue_.empty()) return std::nullopt;
-    Json request = std::move(queue_.front());
+    Result<Json> request = std::move(queue_.front());
     queue_.pop_front();
     return request;
   }
@@ -159,8 +108,8 @@ class Server {
     std::fflush(stdout);
   }
 
-  void answer(const Json& request) {
-    const Json id = request.is_object() ? request.value("id", Json()) : Json();
+  void answer(const Result<Json>& request) {
+    const Json id = request ? request->value("id", Json()) : Json();
     auto told = std::chrono::steady_clock::time_point();
     Token token([&](double fraction, const Message& doing) {
       const auto now = std::chrono::steady_clock::now();
@@ -171,7 +120,7 @@ class Server {
     StopRequest stop;
     notes_.clear();
     underWay(&token, &stop);
-    Result<Json> done = perform(request, token, stop);
+    Result<Json> done = request ? perform(*request, token, stop) : request.error();
     underWay(nullptr, nullptr);
     if (opened_) opened_->tellRemarks();
     Json line = {{"id", id}};
@@ -187,7 +136,6 @@ class Server {
     token_ = token, stop_ = stop;
   }
   Result<Json> perform(const Json& request, const Token& token, StopRequest& stop) {
-    if (!request.is_object()) return badInput(say("A request is one line with one JSON object, like {0}", kExample));
     Fields fields(request);
     const std::string what = fields.needed("do");
     if (opened_) opened_->listenTo(token);
@@ -201,7 +149,7 @@ class Server {
       for (const Request& r : kRequests) all += ", " + std::string(r.name);
       return badInput(say("There is no request “{0}”; there are: {1}.", what, all));
     }
-    if (!opened_) return refused(say("No document is open; begin with {0}", kExample));
+    if (!opened_) return refused(say("No document is open; begin with {0}", kRequestExample));
     return (this->*row->work)(fields, stop);
   }
 
@@ -341,7 +289,6 @@ class Server {
     std::string_view name;
     Result<Json> (Server::*work)(Fields&, StopRequest&);
   };
-  static constexpr const char* kExample = R"({"id": 1, "do": "open", "file": "coat.karinui"})";
   static const Request kRequests[13];
 
   Program& program_;
@@ -351,7 +298,7 @@ class Server {
 
   std::mutex mutex_;  // guards all below
   std::condition_variable some_;
-  std::deque<Json> queue_;
+  std::deque<Result<Json>> queue_;
   bool ended_ = false;
   Token* token_ = nullptr;  // of the request under way
   StopRequest* stop_ = nullptr;

@@ -192,7 +192,7 @@ bool stand(TriangleMesh& out, const TriangleMesh& skin, const Line& line, double
     closing.emplace(out, first);
   }
   for (const auto& [share, down] : {std::pair{0.985, 0.006}, {0.93, 0.011}, {0.78, 0.014}, {0.5, 0.016}, {0.25, 0.017}})
-    closing->ring(ring(end - down, [&](std::size_t i) { return below[i] * share; }));
+    closing->ring(ring(end - down, [&, part = share](std::size_t i) { return below[i] * part; }));
   const auto turned = [&](Turned at) { closing->ring(ring(at.y, [&](std::size_t) { return at.radius; })); };
   const double poleTop = end - 0.018;
   const int parts = std::max(2, static_cast<int>(std::round((poleTop - kFoot[0].y) / kPoleStep)));

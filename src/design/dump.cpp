@@ -25,18 +25,6 @@ std::optional<std::uint64_t> wholeNumber(std::string_view word) {
   return value;
 }
 
-// "rest", "figure", "piece 65536", "form 65536", "rested 0.65536"
-bool isPart(std::string_view part) {
-  for (const std::string_view kind : {"piece ", "form "})
-    if (part.starts_with(kind)) return wholeNumber(part.substr(kind.size())).has_value();
-  if (constexpr std::string_view kRested = "rested "; part.starts_with(kRested)) {
-    const std::string_view which = part.substr(kRested.size());
-    const std::size_t dot = std::min(which.find('.'), which.size() - 1);
-    return wholeNumber(which.substr(0, dot)) && wholeNumber(which.substr(dot + 1));
-  }
-  return part == "rest" || part == "figure";
-}
-
 Error notOurs(const Store& store, std::string_view what) {
   return badInput(say("“{0}” holds something a Karinui document does not have (“{1}”).",
                       store.path().filename().string(), std::string(what.substr(0, 40))));

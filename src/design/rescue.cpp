@@ -32,10 +32,11 @@ Done copy(const Store& damaged, const std::vector<StepRow>& rows, Store& fresh) 
   }
   std::set<std::uint64_t> there{0};
   for (const StepRow& row : rows) {
-    // A document with a part missing is made again from the steps when it is needed.
+    // A document with a part missing, or one of a name that no document gives, is made again from the steps when it is
+    // needed.
     Parts parts = damaged.parts(row.seq) ? *damaged.parts(row.seq) : Parts();
     for (const auto& [part, blob] : parts)
-      if (!whole.contains(blob)) {
+      if (!whole.contains(blob) || !isPart(part)) {
         parts.clear();
         break;
       }

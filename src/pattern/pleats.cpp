@@ -419,9 +419,10 @@ std::vector<PaperPleat> pleatsOf(const Pattern& pattern) {
       if (!folded(alike) || alike.reversed || alike.a != mirrored.a) continue;
       const auto at = pattern.pieces.find(mirrored.b.front().piece);
       if (at == pattern.pieces.end() || alike.b.front().piece != at->first) continue;
-      const bool told = std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) {
-        return pleat.piece == at->first && pleat.edge == mirrored.b.front().edge;
-      });
+      const bool told =
+          std::any_of(pleats.begin(), pleats.end(), [&, &edge = mirrored.b.front().edge](const PaperPleat& pleat) {
+            return pleat.piece == at->first && pleat.edge == edge;
+          });
       if (told) continue;  // where pleats overlap it lies under several parts of the edge
       const Piece& piece = *at->second;
       const auto m = piece.outline.find(mirrored.b.front().edge), l = piece.outline.find(alike.b.front().edge);

@@ -162,8 +162,8 @@ std::vector<StitchRow> stitchRows(const Pattern& pattern, const Allowances& fini
     const auto found = pattern.pieces.find(at.first);
     if (found == pattern.pieces.end()) continue;
     const Piece& piece = *found->second;
-    const auto add = [&](std::vector<Flat> points) {
-      if (points.size() > 1) rows.push_back({at.first, std::move(points), own});
+    const auto add = [&, id = at.first, topstitch = own](std::vector<Flat> points) {
+      if (points.size() > 1) rows.push_back({id, std::move(points), topstitch});
     };
     if (findEdge(piece, at.second)) {
       const auto likewise = [&, id = at.first, topstitch = own](const std::string& edge) {

@@ -127,6 +127,12 @@ TEST(Serve, SaysWhatIsWrongInASentenceAndGoesOn) {
   }
   serving.send(std::string(100'000, '['));
   EXPECT_THAT(refusal(serving.answer()), HasSubstr("one JSON object"));
+  // Deep enough for a stack to run out where such a value is copied.
+  const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
+  for (const std::string& line : {"{\"id\": " + deep + ", \"do\": \"create\"}", "{\"do\": " + deep + "}", deep}) {
+    serving.send(line);
+    EXPECT_THAT(refusal(serving.answer()), HasSubstr("more than 64 levels"));
+  }
   serving.send("{\"do\": \"create\", \"file\": \"" + std::string(17 << 20, 'x') + "\"}");
   EXPECT_THAT(refusal(serving.answer()), HasSubstr("one JSON object"));
   EXPECT_THAT(refusal(serving.ask({{"id", 4}})), HasSubstr("needs “do”"));

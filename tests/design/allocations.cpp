@@ -31,6 +31,14 @@ void* operator new(std::size_t size) {
   karinui::inUse.fetch_add(static_cast<std::ptrdiff_t>(::malloc_usable_size(memory)), std::memory_order_relaxed);
   return memory;
 }
+// As the standard library has it; a sanitizer would bring its own, whose memory free() must not be given.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void operator delete(void* memory) noexcept {
   if (memory)
     karinui::inUse.fetch_sub(static_cast<std::ptrdiff_t>(::malloc_usable_size(memory)), std::memory_order_relaxed);

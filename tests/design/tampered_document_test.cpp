@@ -13,6 +13,7 @@
 #include "design/file/store.h"
 #include "design/pack.h"
 #include "design/workroom.h"
+#include "karinui/design/dump.h"
 
 namespace karinui {
 namespace {
@@ -214,6 +215,18 @@ TEST_F(TamperedDocument, AWholeFileIsSavedWholeWithoutDrapingAgain) {
   ASSERT_TRUE(file);
   EXPECT_EQ(drapeHash(file->document()), drapeHash(whole_));
   EXPECT_THAT(remarks(*file), IsEmpty());
+}
+
+// Whoever opens the document makes the part anew; a dump would refuse its name.
+TEST_F(TamperedDocument, APartOfADamagedNameIsNotSaved) {
+  const fs::path saved = folder_ / "saved.karinui";
+  sql("UPDATE snap SET part = 'r^st' WHERE seq = 2 AND part = 'rest'");
+  ASSERT_TRUE(rescue(path_, saved));
+  const auto dump = dumped(saved);
+  ASSERT_TRUE(dump) << text(dump.error().what);
+  const auto file = DocumentFile::open(saved, &room_.context);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_EQ(hash(file->document()), hash(whole_));
 }
 
 // What comes out is always a beginning of what was.

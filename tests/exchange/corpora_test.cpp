@@ -1,14 +1,20 @@
 // The files of the fuzz targets' corpora, whole, cut short and with bytes changed, through every reader. What a reader
 // takes is examined by tests/fuzz/readers.cpp.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "fuzz/readers.h"
+#include "karinui/exchange/read_body.h"
+#include "karinui/exchange/read_print.h"
 #include "patterns.h"
 
 namespace karinui {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::vector<std::filesystem::path> corpus(std::string_view folder) {
   std::vector<std::filesystem::path> files;
@@ -22,9 +28,9 @@ std::vector<std::filesystem::path> corpus(std::string_view folder) {
 TEST(Corpora, GoThroughEveryReader) {
   std::size_t files = 0;
   for (const auto& reader : test::fuzzedReaders())
-    for (const char* folder : {"dxf", "svg", "json", "measures", "ops"})
+    for (const char* folder : {"dxf", "svg", "json", "measures", "ops", "dump", "document", "parts", "request"})
       for (const auto& file : corpus(folder)) reader.read(test::content(file)), ++files;
-  EXPECT_GT(files, 60u);
+  EXPECT_GT(files, 300u);
 }
 
 TEST(Corpora, CutShortAndChangedTheyAreTakenOrRefused) {
@@ -48,6 +54,21 @@ TEST(Corpora, CutShortAndChangedTheyAreTakenOrRefused) {
         reader.read(changed);
       }
     }
+}
+
+// Those that the fuzz targets read without the cell.
+TEST(Corpora, OfBodiesAndPicturesAreTakenOrRefusedByTheCell) {
+  Workers workers(1);
+  std::size_t files = 0, taken = 0;
+  const auto look = [&](const auto& read, const std::filesystem::path& file) {
+    ++files, taken += bool(read);
+    EXPECT_THAT(read ? "" : text(read.error().what), Not(HasSubstr("made the reader fail"))) << file;
+  };
+  for (const char* folder : {"obj", "ply", "gltf", "glb"})
+    for (const auto& file : corpus(folder)) look(readBody(file, {}, workers, Token()), file);
+  for (const auto& file : corpus("picture")) look(readPrint(file, Token()), file);
+  EXPECT_GE(files, 15u);
+  EXPECT_GE(taken, 4u);
 }
 
 }  // namespace

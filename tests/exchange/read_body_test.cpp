@@ -194,6 +194,8 @@ TEST_F(ReadBody, RefusesHostileFiles) {
             "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
             "property float z\nelement face 2000000000\nproperty list uchar int vertex_indices\nend_header\n"),
       "it was taken");
+  for (const char* cut : {"ply\nformat ascii 1", "ply\nformat ascii 1.0\nend_headers\n"})
+    EXPECT_THAT(takes("cut.ply", cut), HasSubstr("damaged"));  // at once: not “took longer than”
   const std::string glb = asGlb(m);
   for (std::size_t size : {1u, 11u, 20u, 60u, 900u, 20000u})
     EXPECT_NE(takes("cut.glb", glb.substr(0, size)), "it was taken");

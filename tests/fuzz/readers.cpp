@@ -2,8 +2,15 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
+#include "../apps/karinui/serve_request.h"
+#include "design/pack.h"
+#include "design/quick_folder.h"
+#include "karinui/design/dump.h"
+#include "karinui/design/history.h"
 #include "karinui/design/make_up.h"
+#include "karinui/design/print_image.h"
 #include "karinui/design/script.h"
 #include "karinui/design/steps_of.h"
 #include "karinui/exchange/drawing.h"
@@ -50,6 +57,97 @@ void use(const Pattern& pattern) {
   (void)stepsOf(pattern, {});
 }
 
+// A folder for documents, while the program runs.
+struct Shelf {
+  ~Shelf() { std::filesystem::remove_all(folder); }
+  std::filesystem::path fresh(const char* name) const {
+    std::filesystem::remove(folder / name);
+    return folder / name;
+  }
+  std::filesystem::path folder = quickFolder();
+};
+const Shelf& shelf() {
+  static const Shelf one;
+  return one;
+}
+
+// Looks a document through as `karinui load` and `karinui log` do. No cloth is draped for it: that is long work, and it
+// was cancelled.
+void look(const std::filesystem::path& path) {
+  Workers workers(1);
+  Token cancelled;
+  cancelled.cancel();
+  MemoryBlobs blobs;
+  Bodies bodies;
+  Context context{workers, cancelled, blobs, bodies, {}, {}};
+  const auto file = DocumentFile::openForReading(path, &context);
+  if (!file) return;
+  demand(file->steps().size() == file->document().operations, "a document is where its steps lead");
+  demand(bool(parseScript(file->log())), "a log can be played");
+  (void)file->undone(), (void)file->otherBranches();
+}
+
+void readDump(std::string_view bytes) {
+  const auto path = shelf().fresh("loaded.karinui"), again = shelf().fresh("again.karinui");
+  if (!loadDump(bytes, path)) return demand(!std::filesystem::exists(path), "what is refused leaves nothing behind");
+  const auto dump = dumped(path);
+  demand(bool(dump), "what was loaded is dumped");
+  demand(bool(loadDump(*dump, again)), "a dump is loaded");
+  demand(*dumped(again) == *dump, "a dump of what was loaded is the same text");
+  look(path);
+}
+
+void readDocument(std::string_view bytes) {
+  const auto path = shelf().fresh("given.karinui"), saved = shelf().fresh("saved.karinui");
+  std::ofstream(path, std::ios::binary) << bytes;
+  look(path);
+  (void)dumped(path);
+  if (const auto rescued = rescue(path, saved)) {
+    demand(rescued->steps > 0, "something was saved");
+    demand(bool(dumped(saved)), "what was saved is whole");
+    look(saved);
+  } else {
+    demand(!std::filesystem::exists(saved), "what cannot be saved leaves nothing behind");
+  }
+}
+
+// What is read is written so that it is read again as the same.
+template <class Unpack, class Pack>
+void keeps(std::string_view bytes, const Unpack& unpack, const Pack& pack, const char* what) {
+  const auto read = unpack(bytes);
+  if (!read) return;
+  const std::string written = pack(*read);
+  const auto again = unpack(written);
+  demand(again && pack(*again) == written, what);
+}
+
+// What a document keeps beside its steps.
+void readParts(std::string_view bytes) {
+  keeps(bytes, unpackPiece, packPiece, "a piece is kept");
+  keeps(
+      bytes, unpackForm, [](const auto& form) { return packForm(*form); }, "a form is kept");
+  keeps(bytes, unpackRest, packRest, "the rest of a document is kept");
+  keeps(bytes, unpackPrint, packPrint, "a print is kept");
+  keeps(bytes, unpackBody, packBody, "a body is kept");
+  keeps(
+      bytes, unpackFigure, [](const auto& body) { return packFigure(*body); }, "a figure is kept");
+  if (const auto print = unpackPrint(bytes)) (void)fitted(*print, 16);
+  if (auto body = unpackBody(bytes)) (void)Body::make(*std::move(body));
+}
+
+void readRequest(std::string_view line) {
+  const auto request = app::parseRequest(line);
+  if (!request) return;
+  demand(request->is_object(), "a request is an object");
+  app::Fields fields(*request);
+  (void)fields.needed("do"), (void)fields.text("file"), (void)fields.flag("nest");
+  if (const auto number = fields.number("overlap_mm", 5, 30))
+    demand(*number >= 5 && *number <= 30, "a number is within its bounds");
+  (void)fields.checked();
+  const app::Json copy = *request;
+  demand(bool(app::parseRequest(copy.dump())), "what was read can be answered");
+}
+
 constexpr FuzzedReader kReaders[] = {
     {"dxf", "dxf",
      [](std::string_view bytes) {
@@ -85,6 +183,10 @@ constexpr FuzzedReader kReaders[] = {
          demand(again && *again == line.operation, "an operation's text is read back");
        }
      }},
+    {"dump", "dump", readDump},
+    {"document", "document", readDocument},
+    {"parts", "parts", readParts},
+    {"request", "request", readRequest},
 };
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST(Spread, TakesSeamsNotchesHolesAndLinesAlong) {
     pattern.seams[{id}] = {{id}, "", {std::move(span)}, {}, true};
   };
   sew(2, {{1}, "hem", 0, 1}), sew(3, {{1}, "hem", 0.1, 0.4}), sew(4, {{1}, "hem", 0.6, 0.9}),
-      sew(5, {{1}, "across", 0, 1});
+      sew(5, {{1}, "across", 0, 1}), sew(6, {{1}, "across", 0.1, 0.4});
   updateSeams(pattern, opened->edited.edges);
   pattern.pieces[{1}] = std::make_shared<const Piece>(now);
   EXPECT_EQ(pattern.seams[{2}].a.size(), 1u);
@@ -150,6 +150,7 @@ TEST(Spread, TakesSeamsNotchesHolesAndLinesAlong) {
   EXPECT_NEAR(length(pattern, pattern.seams[{3}].a), 0.12, 1e-6);
   EXPECT_NEAR(length(pattern, pattern.seams[{4}].a), 0.12, 1e-6);
   EXPECT_NEAR(length(pattern, pattern.seams[{5}].a), 0.26, 1e-9);
+  EXPECT_NEAR(length(pattern, pattern.seams[{6}].a), 0.06, 1e-6);
 }
 
 // The shape in space covers the new paper: no place of it lies far from the form's paper.

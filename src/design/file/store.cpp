@@ -275,6 +275,21 @@ Done Store::keep(const std::string& name, std::string_view bytes) {
   return inOneTransaction([&] { return insertBlob(name, bytes); });
 }
 
+bool isPart(std::string_view name) {
+  const auto counted = [](std::string_view word) {
+    return !word.empty() && word.size() <= 20 && word.find_first_not_of("0123456789") == std::string_view::npos &&
+           (word.size() == 1 || word[0] != '0');
+  };
+  for (const std::string_view kind : {"piece ", "form "})
+    if (name.starts_with(kind)) return counted(name.substr(kind.size()));
+  if (constexpr std::string_view kRested = "rested "; name.starts_with(kRested)) {
+    const std::string_view which = name.substr(kRested.size());
+    const std::size_t dot = which.find('.');
+    return dot != std::string_view::npos && counted(which.substr(0, dot)) && counted(which.substr(dot + 1));
+  }
+  return name == "rest" || name == "figure";
+}
+
 Result<Parts> Store::parts(std::uint64_t seq) const {
   auto rows = db_.ask("SELECT part, blob FROM snap WHERE seq = ?");
   if (!rows) return rows.error();

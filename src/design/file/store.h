@@ -24,8 +24,10 @@ struct Head {
   std::uint64_t tip = 0;  // the end of the branch redo walks along
 };
 
-// The parts of the document after a step, each the name of a blob: "rest", "piece 65536", "form 65536".
+// The parts of the document after a step, each the name of a blob: "rest", "figure", "piece 65536", "form 65536",
+// "rested 0.65536".
 using Parts = std::map<std::string, std::string>;
+bool isPart(std::string_view name);  // as one of these
 
 class Store {
  public:

@@ -63,7 +63,7 @@ Document withCopiedFastenings(Document document, PieceId piece, const std::map<P
   for (const auto& [name, own] : all) {
     if (!holds(own.a, piece) && !holds(own.b, piece)) continue;
     const auto copy = copied(document, own, copies, mirror);
-    const bool meets = copy && std::any_of(copies.begin(), copies.end(), [&](const auto& pair) {
+    const bool meets = copy && std::any_of(copies.begin(), copies.end(), [&, &own = own](const auto& pair) {
                          return (holds(copy->a, pair.first) || holds(copy->b, pair.first)) &&
                                 (holds(own.a, pair.first) || holds(own.b, pair.first));
                        });
