@@ -167,7 +167,10 @@ class Pleating {
     if (!old.form && old.pose == Rigid()) return {};
     Piece now = *after_.find(old.id);
     const auto whole = wholeOf(old);
-    auto form = liftedForm(now, old, before_.settings.spacing, [&](Flat place) {
+    Piece unfolded =
+        now;  // its lattice does not follow the folds: a node on one would be put to either side by rounding
+    for (InternalLine& line : unfolded.lines) line.crease.reset();
+    auto form = liftedForm(unfolded, old, before_.settings.spacing, [&](Flat place) {
       const FoldedPlace in = folded(place);
       return LiftedPlace{whole(in.place), in.lifted * kLayersApart};
     });
