@@ -244,7 +244,7 @@ TEST(Surface, AStraightFoldIsEvenlyShaded) {
     least = std::min(least, hollow), most = std::max(most, hollow);
   }
   EXPECT_GT(least, 0.2f);
-  EXPECT_LT(most, 1.15f * least);
+  EXPECT_LT(most, 1.25f * least);  // averaged once: a third more
 }
 
 TEST_F(ViewPicture, SeamsAndEdgesAreDrawnOverTheCloth) {
