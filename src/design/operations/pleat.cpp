@@ -167,8 +167,8 @@ class Pleating {
     if (!old.form && old.pose == Rigid()) return {};
     Piece now = *after_.find(old.id);
     const auto whole = wholeOf(old);
-    Piece unfolded =
-        now;  // its lattice does not follow the folds: a node on one would be put to either side by rounding
+    // Its lattice does not follow the folds: a node on one would be put to either side of it by rounding.
+    Piece unfolded = now;
     for (InternalLine& line : unfolded.lines) line.crease.reset();
     auto form = liftedForm(unfolded, old, before_.settings.spacing, [&](Flat place) {
       const FoldedPlace in = folded(place);
