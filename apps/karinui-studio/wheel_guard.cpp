@@ -19,6 +19,11 @@ bool isBox(const QObject* object) {
          qobject_cast<const QComboBox*>(object) || qobject_cast<const QTabBar*>(object);
 }
 
+// A list keeps the focus after something was chosen from it, and each line the wheel passes would be a step of its own.
+bool takesWheel(const QWidget* box) {
+  return box->hasFocus() && !qobject_cast<const QComboBox*>(box) && !qobject_cast<const QTabBar*>(box);
+}
+
 }  // namespace
 
 void WheelGuard::install() {
@@ -36,7 +41,7 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
     if (box->focusPolicy() == Qt::WheelFocus) box->setFocusPolicy(Qt::StrongFocus);
     return false;
   }
-  if (box->hasFocus()) return false;
+  if (takesWheel(box)) return false;
   event->ignore();
   return true;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// An event filter for the whole program: a number box, slider, combo box or tab bar reacts to the wheel only while it
-// has the focus. Without the focus the wheel event goes on to the parent, so that what the box lies in scrolls. GUI
+// An event filter for the whole program: a number box or slider reacts to the wheel only while it has the focus, a
+// combo box or tab bar never. Else the wheel event goes on to the parent, so that what the box lies in scrolls. GUI
 // thread.
 #include <QObject>
 

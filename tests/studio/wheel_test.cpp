@@ -117,6 +117,33 @@ TEST(StudioWheel, ChangesTheBoxThatHasTheFocus) {
   EXPECT_GT(height.value(), before);
 }
 
+// A list has the focus after something was chosen from it; the wheel, rolled on over it, would make step after step.
+TEST(StudioWheel, ChangesNoListEvenWithTheFocus) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().activateWindow();
+  int lists = 0;
+  for (int board = 0; board < w.main().boards().count(); ++board) {
+    w.main().boards().setCurrentIndex(board);
+    w.rest();
+    for (QWidget* box : boxesIn(w.main())) {
+      auto* list = qobject_cast<QComboBox*>(box);
+      if (!list || !list->isVisible() || list->count() < 2) continue;
+      list->setFocus();
+      if (!list->hasFocus()) continue;
+      const int chosen = list->currentIndex();
+      const std::size_t steps = w.count();
+      for (const int way : {-120, -120, 120, 120, 120}) roll(*list, way);
+      w.rest();
+      EXPECT_EQ(list->currentIndex(), chosen) << nameOf(*list);
+      EXPECT_EQ(w.count(), steps) << nameOf(*list);
+      ++lists;
+    }
+  }
+  EXPECT_GT(lists, 2);
+}
+
 TEST(StudioWheel, ChangesNoBoxOfADialog) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
