@@ -14,7 +14,8 @@ struct ContactPair {
   int first = 1;                   // how many nodes are of the first side
   Vec3 normal;                     // from the second side to the first
   double gap = 0;                  // metres
-  double push = 0, across = 0;     // N; N/m of friction
+  double push = 0;                 // newtons
+  double along = 0, across = 0;    // stiffness, N/m: of the push, along the normal; of friction
 };
 
 class ContactPairs {

@@ -39,7 +39,7 @@ PairFriction::Hold PairFriction::holdOf(ContactPair& pair, std::span<const Vec3>
   if (at == stuck_.end() || at->node != pair.node) {
     hold.anchor.weight = pair.weight;
     hold.anchor.push = pair.push;
-    pair.across = pair.push > 0 && coefficientOf(pair) > 0 ? stiffness_ : 0;
+    pair.across = stiffnessAt(coefficientOf(pair) * pair.push, 0);
     return hold;
   }
   hold.anchor = at->anchor;
@@ -48,7 +48,7 @@ PairFriction::Hold PairFriction::holdOf(ContactPair& pair, std::span<const Vec3>
   if (most <= 0) return hold;
   const Vec3 pull = pullOf(pair, hold.anchor, x);
   const double length = karinui::length(pull), slip = hold.anchor.slip;
-  const double spring = length > 0 ? std::fmin(stiffness_, most / length) : stiffness_;
+  const double spring = stiffnessAt(most, length);
   pair.across = slip > 0 ? std::fmin(spring, most / (length + slip)) : spring;
   hold.force = pull * spring;
   if (slip > 0 && length > 0) hold.slipForce = pull * (pair.across * slip / length);
@@ -63,8 +63,9 @@ void PairFriction::afterStep(const std::vector<ContactPair>& pairs, std::span<co
     for (int k = 0; k < 4; ++k) apart += x[pair.node[k]] * pair.weight[k];
     Anchor anchor = hold_[p].anchor;
     const double gap = dot(apart, pair.normal);
-    const double most = coefficientOf(pair) * anchor.push / stiffness_;  // metres the spring stretches
-    if (most <= kLeastStretch) continue;
+    const double limit = coefficientOf(pair) * anchor.push / stiffness_;
+    if (limit <= kLeastStretch) continue;
+    const double most = std::fmax(limit, stretch_);  // metres the spring stretches
     const Vec3 pull = pullOf(pair, anchor, x);
     const double length = karinui::length(pull);
     anchor.slip = std::fmax(0.0, length - most);

@@ -2,6 +2,7 @@
 // Coulomb friction of cloth on cloth: a spring between the two points of each pair that stuck to each other. Where the
 // spring's force would exceed friction's limit the points are drawn after the pair (return mapping).
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -11,9 +12,11 @@ namespace karinui {
 
 class PairFriction {
  public:
-  // `coefficient`: per node; that of a pair is the geometric mean of its two sides'. `stiffness`: of the spring, N/m.
-  PairFriction(std::vector<double> coefficient, double stiffness)
-      : coefficient_(std::move(coefficient)), stiffness_(stiffness) {}
+  // `coefficient`: per node; that of a pair is the geometric mean of its two sides'. `stiffness`: of the spring at
+  // most, N/m. `stretch`: metres by which it gives at least before the pair slips, so that light contacts do not stick
+  // and slip in turn.
+  PairFriction(std::vector<double> coefficient, double stiffness, double stretch)
+      : coefficient_(std::move(coefficient)), stiffness_(stiffness), stretch_(stretch) {}
 
   // Finds friction's force on each pair, whose push is known, and its stiffness (ContactPair::across). `sliding`: as
   // ContactQuery's.
@@ -43,9 +46,12 @@ class PairFriction {
   static Vec3 pullOf(const ContactPair& pair, const Anchor& anchor, std::span<const Vec3> x);
   Hold holdOf(ContactPair& pair, std::span<const Vec3> x) const;
   double coefficientOf(const ContactPair& pair) const;
+  double stiffnessAt(double limit, double length) const {
+    return std::fmin(stiffness_, limit / std::fmax(length, stretch_));
+  }
 
   std::vector<double> coefficient_;
-  double stiffness_;
+  double stiffness_, stretch_;
   std::vector<Hold> hold_;    // one for each pair
   std::vector<Stuck> stuck_;  // sorted by nodes
 };

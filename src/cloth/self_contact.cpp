@@ -6,6 +6,10 @@ namespace karinui {
 namespace {
 
 constexpr double kReach = 1.1;  // radii within which a pair that stuck keeps its anchor
+// The push over r, the share of the radius by which a pair is nearer, is k radius (kSoft r^2 + r^4): it begins without
+// a jump of its slope. The derivation is told in docs/develop/drape.md, "Constants of contact".
+constexpr double kSoft = 0.1;
+constexpr double kSlipShare = 0.025;  // radii that a pair's friction gives before it slips, at least
 
 std::vector<double> frictionOf(const Cloth& cloth) {
   std::vector<double> friction(cloth.nodeCount, 0);
@@ -21,7 +25,7 @@ SelfContact::SelfContact(const Cloth& cloth, double radius)
       stiffness_(kContactStiffness * cloth.spacing * cloth.spacing),
       topology_(cloth, radius),
       pairs_(topology_, sewn_, radius, cloth.spacing),
-      friction_(frictionOf(cloth), stiffness_),
+      friction_(frictionOf(cloth), stiffness_, kSlipShare * radius),
       filter_(pairs_, sewn_, radius) {}
 
 void SelfContact::setTies(const TieMap& ties) { sewn_ = SewnGroups(ties, topology_.live.size()); }
@@ -32,7 +36,11 @@ void SelfContact::detect(const ContactQuery& query, Workers& workers) {
   if (!enabled()) return;
   pairs_.measureEdges(query.x);
   touching_ = pairs_.find({query.x, {}, kReach * radius_}, workers);
-  for (ContactPair& pair : touching_) pair.push = std::fmax(0.0, stiffness_ * (radius_ - pair.gap));
+  for (ContactPair& pair : touching_) {
+    const double r = std::fmax(0.0, 1 - pair.gap / radius_);
+    pair.push = stiffness_ * radius_ * (kSoft + r * r) * r * r;
+    pair.along = stiffness_ * (2 * kSoft + 4 * r * r) * r;
+  }
   friction_.apply(touching_, query.x, query.sliding);
 }
 
@@ -51,8 +59,8 @@ void SelfContact::addSlipForce(std::span<Vec3> force) const {
 
 void SelfContact::addHessian(ContactHessian& hessian) const {
   for (const ContactPair& pair : touching_)
-    if (pair.push > 0 || pair.across > 0)
-      hessian.addBetween(pair.node, pair.weight, pair.normal, pair.push > 0 ? stiffness_ : 0, pair.across);
+    if (pair.along > 0 || pair.across > 0)
+      hessian.addBetween(pair.node, pair.weight, pair.normal, pair.along, pair.across);
 }
 
 void SelfContact::limitMove(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {

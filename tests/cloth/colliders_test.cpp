@@ -50,7 +50,7 @@ TEST(Colliders, AClothFallsPastOneOntoTheOther) {
   EXPECT_EQ(report->penetration, 0);
   EXPECT_GE(nearestTo(ball, levels[0].state.position), 0);
   EXPECT_GE(nearestTo(floor, levels[0].state.position), 0);
-  EXPECT_LT(middleOf(levels[0].state).y, 0.02) << "it lies on the floor";
+  EXPECT_LT(middleOf(levels[0].state).y, 0.05) << "it lies on the floor, in folds";
 }
 
 // Its height is the floor's, and the thickness of air that every surface keeps.
