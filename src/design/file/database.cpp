@@ -17,8 +17,9 @@ Result<Database> Database::open(const std::filesystem::path& path, Mode mode) {
   const int flags = mode == Mode::Create  ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
                     : mode == Mode::Write ? SQLITE_OPEN_READWRITE
                                           : SQLITE_OPEN_READONLY;
+  Database db(path);  // first: without memory for the path an opened file would never be closed
   const int result = sqlite3_open_v2(path.c_str(), &raw, flags | SQLITE_OPEN_NOMUTEX, nullptr);
-  Database db(path, raw);
+  db.raw_.reset(raw);
   if (raw == nullptr) throw std::bad_alloc();
   if (result != SQLITE_OK) return db.error();
   sqlite3_extended_result_codes(raw, 1);

@@ -56,7 +56,7 @@ class Database {
   struct Close {
     void operator()(sqlite3* db) const { sqlite3_close_v2(db); }
   };
-  Database(std::filesystem::path path, sqlite3* raw) : path_(std::move(path)), raw_(raw) {}
+  explicit Database(std::filesystem::path path) : path_(std::move(path)) {}
   std::filesystem::path path_;
   std::unique_ptr<sqlite3, Close> raw_;
 };
