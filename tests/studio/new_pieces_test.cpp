@@ -10,7 +10,9 @@
 #include <QTimer>
 
 #include "drafts.h"
+#include "karinui/design/edge_run.h"
 #include "karinui/design/script.h"
+#include "new_pieces.h"
 #include "step_dialog.h"
 #include "studio/window.h"
 
@@ -410,6 +412,58 @@ TEST(StudioNewPieces, PleatsThatThePaperRefusesAreToldInTheDialog) {
   EXPECT_TRUE(numbers.dialog->isVisible()) << "what was typed is not lost";
   w.rest();
   EXPECT_EQ(w.count(), before);
+}
+
+// What is held is read in its field, or, where that is very long, under the pointer.
+TEST(StudioNewPieces, WhatAFieldHoldsCanBeRead) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  FoldLine fold;
+  fold.turned = true;
+  for (const Operation& operation : {Operation(shirringAlong(runThrough(w.session().snapshot().document,
+                                                                        {PieceRef(piece(w, "front").id), "hem_left"}))),
+                                     Operation(fold), Operation(AddPleat{})}) {
+    StepDialog dialog(w.session(), operation, &w.main());
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    QApplication::processEvents();
+    for (const QLineEdit* line : dialog.findChildren<QLineEdit*>()) {
+      if (!line->isVisible() || line->text().isEmpty()) continue;
+      const int wide = line->fontMetrics().horizontalAdvance(line->text());
+      EXPECT_GE(line->width(), std::min(420, wide + 8)) << line->text().toStdString();
+      EXPECT_TRUE(line->toolTip().contains(line->text().toHtmlEscaped())) << line->toolTip().toStdString();
+    }
+    for (const QComboBox* list : dialog.findChildren<QComboBox*>()) {
+      if (!list->isVisible()) continue;
+      EXPECT_GE(list->width(), list->fontMetrics().horizontalAdvance(list->currentText()) + 24)
+          << list->objectName().toStdString();
+    }
+  }
+}
+
+// One begins to type where a person would, over a number that can stay.
+TEST(StudioNewPieces, DialogsBeginInTheFirstNumber) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  menuOn(w, "front", "hem_left");
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Shirring…")));
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    ASSERT_TRUE(numbers.dialog->focusWidget());
+    EXPECT_EQ(numbers.dialog->focusWidget()->objectName(), "ratio");
+    EXPECT_NE(numbers.line("ratio").text(), "");
+    QTest::keyClick(numbers.dialog, Qt::Key_Escape);
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+  menuOn(w, "front", "hem_left");
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Facing…")));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_EQ(numbers.dialog->focusWidget()->objectName(), "width");
+  EXPECT_EQ(numbers.line("width").text(), "6 cm");
+  QTest::keyClick(numbers.dialog, Qt::Key_Escape);
 }
 
 // From the menu of new pieces a slash goes straight across, and only its width is left to be typed.
