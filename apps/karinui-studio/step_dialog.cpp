@@ -20,6 +20,8 @@ namespace karinui::studio {
 
 namespace {
 
+constexpr std::string_view kDrawnPleat = "a pleat whose lines say the rest";
+
 // What is asked at once; everything else an operation can be told is under “More”.
 constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"rectangle", "name width height fabric"},
@@ -29,6 +31,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"attach", "edge to turn"},
     {"fasten", "kind a b count first last size length closed closed_length"},
     {"block", "kind ease length fabric"},
+    {kDrawnPleat, "lines stitch hold"},
     {"underlay", "width at turn strength rectangle"},
 };
 
@@ -155,21 +158,23 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
 void StepDialog::fill(const Operation& operation) {
   const OperationHelp& help = helpOf(operation);
   const std::vector<FieldText> known = fieldTexts(operation);
+  const auto* pleat = std::get_if<AddPleat>(&operation);
+  const std::string_view asks = pleat && !pleat->lines.empty() ? kDrawnPleat : std::string_view(help.name);
   QLineEdit *first = nullptr, *empty = nullptr;  // of the numbers that are asked at once
   for (const FieldHelp& field : help.fields) {
     const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
-    typed_.push_back(stepField(document_, help.name, field,
-                               value == known.end() ? usualOf(help.name, field) : value->value, [this] { perform(); }));
+    typed_.push_back(stepField(document_, help.name, field, value == known.end() ? usualOf(asks, field) : value->value,
+                               [this] { perform(); }));
     QWidget* box = typed_.back().box;
     giveRoom(*box);
     auto* label = new QLabel(asLabel(fieldSaid(help.name, field.name)));
     label->setBuddy(box);
-    (isFirst(help.name, field.name) ? main_ : more_)->addRow(label, box);
+    (isFirst(asks, field.name) ? main_ : more_)->addRow(label, box);
     if (auto* line = qobject_cast<QLineEdit*>(box)) {
       connect(line, &QLineEdit::textChanged, this, [this] { show(wished()); });
       const bool place = field.kind == "number" && field.name.ends_with("at");
       const bool number = field.kind == "length" || field.kind == "u,v" || field.kind == "number";
-      if (number && !place && isFirst(help.name, field.name))
+      if (number && !place && isFirst(asks, field.name))
         if (QLineEdit*& asked = line->text().isEmpty() ? empty : first; !asked) asked = line;
     }
     if (auto* list = qobject_cast<QComboBox*>(box))

@@ -397,6 +397,60 @@ TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
 }
 
 // What the paper refuses is said while the numbers can still be changed: the hem's pleats would not end in one edge.
+// A kilt's pleat that is drawn: three clicks of two places each, the right button on the fold, and Enter.
+TEST(StudioNewPieces, APleatIsFoldedByThreeDrawnLines) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().perform(*parseOperation("rectangle name=skirt width=60cm height=40cm")), w.rest();
+  w.table().showAll();
+  w.rest();
+  w.key(Command::Line);
+  for (const double u : {-0.1, -0.07, -0.04}) {
+    // A hand hits the edge by a few pixels, and goes on upright with Shift.
+    const QPointF low = w.onTable("skirt", {u, 0}) + QPointF(0.3, -2),
+                  high = w.onTable("skirt", {u, 0.4}) + QPointF(1, 2);
+    w.click(w.table(), low);
+    w.drag(w.table(), {high}, Qt::ShiftModifier);
+    w.key(Command::Confirm);
+    w.rest();
+  }
+  const auto& lines = piece(w, "skirt").lines;
+  ASSERT_EQ(lines.size(), 3u) << w.main().said().toStdString();
+  for (const InternalLine& line : lines) {
+    EXPECT_EQ(line.curves.front().start.v, 0) << "on the edge";
+    EXPECT_EQ(line.curves.front().end.v, 0.4);
+    EXPECT_EQ(line.curves.front().start.u, line.curves.front().end.u);
+  }
+  const std::size_t before = w.count();
+  w.key(Command::Select);
+  const auto menuOnLine = [&](double u) {
+    w.drag(w.table(), {w.onTable("skirt", {u, 0.25})}, {}, {}, Qt::RightButton);
+  };
+  menuOnLine(-0.07);
+  EXPECT_FALSE(choose(w, "Pleat: fold line 2*")) << "beside the middle one there are no two";
+  for (QMenu* menu : w.main().findChildren<QMenu*>("context")) menu->close();
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  menuOnLine(-0.1);
+  int offered = 0;
+  for (QMenu* menu : w.main().findChildren<QMenu*>("context"))
+    for (QAction* action : menu->actions()) offered += action->text().startsWith("Pleat:");
+  EXPECT_EQ(offered, 1) << "to the side where two lines are";
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Pleat: fold line onto line 3…")));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_FALSE(numbers.line("count").isVisible()) << "the lines say it";
+  EXPECT_TRUE(numbers.line("stitch").isVisible());
+  EXPECT_EQ(numbers.said(), "");
+  w.keepDialog(*numbers.dialog, "studio_drawn_pleat");
+  numbers.accept();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), HasSubstr("lines=\"p1.line; p1.line_2; p1.line_3\""));
+  EXPECT_FALSE(piece(w, "skirt").lines.front().name.empty());
+  w.keep("studio_pleated_by_lines");
+  w.key(Command::Undo), w.rest();
+  EXPECT_EQ(piece(w, "skirt").lines.size(), 3u);
+}
+
 TEST(StudioNewPieces, PleatsThatThePaperRefusesAreToldInTheDialog) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
