@@ -396,7 +396,6 @@ TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
   QTest::keyClick(numbers.dialog, Qt::Key_Escape);
 }
 
-// What the paper refuses is said while the numbers can still be changed: the hem's pleats would not end in one edge.
 // A kilt's pleat that is drawn: three clicks of two places each, the right button on the fold, and Enter.
 TEST(StudioNewPieces, APleatIsFoldedByThreeDrawnLines) {
   KARINUI_NEEDS_DISPLAY();
@@ -451,6 +450,7 @@ TEST(StudioNewPieces, APleatIsFoldedByThreeDrawnLines) {
   EXPECT_EQ(piece(w, "skirt").lines.size(), 3u);
 }
 
+// What the paper refuses is said while the numbers can still be changed: the hem's pleats would not end in one edge.
 TEST(StudioNewPieces, PleatsThatThePaperRefusesAreToldInTheDialog) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
@@ -462,6 +462,8 @@ TEST(StudioNewPieces, PleatsThatThePaperRefusesAreToldInTheDialog) {
   ASSERT_TRUE(numbers);
   EXPECT_NE(numbers.said(), "");
   EXPECT_FALSE(numbers.make().isEnabled());
+  QWidget& make = numbers.make();
+  EXPECT_NE(make.grab().toImage().pixelColor(6, make.height() / 2), Theme::here().palette().accent) << "seen so";
   QTest::keyClick(&numbers.line("count"), Qt::Key_Return);
   EXPECT_TRUE(numbers.dialog->isVisible()) << "what was typed is not lost";
   w.rest();
