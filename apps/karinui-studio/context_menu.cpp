@@ -75,8 +75,13 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
     chosen.pieces = session_->selection().pieces;
   refresh();
   scan_.clear();
-  if (sample.where == PointerSample::Where::Table && !hit.piece && !hit.edge)
-    if (const auto* name = underlayAt(session_->snapshot().document.underlays, sample.place)) scan_ = *name;
+  if (sample.where == PointerSample::Where::Table && !hit.edge) {
+    const Underlays& scans = session_->snapshot().document.underlays;
+    if (const auto* name = underlayAt(scans, sample.place)) scan_ = *name;
+    if (scan_.empty() && !hit.piece)  // one that is hidden is shown again
+      for (const auto& [name, scan] : scans)
+        if (scan.holds(sample.place)) scan_ = name;
+  }
   menuOf(chosen, hit, global, led);
 }
 
@@ -168,6 +173,12 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     fold.angle = Angle{Crease::kSharpest};
     offer(*menu, say("Turn back along {0}…", nameSaid(line)), [this, fold] { askNumbers(fold); });
   };
+  const auto offerPleats = [&](PieceId id, const std::string& line) {
+    if (const Piece* piece = session_->snapshot().document.find(id))
+      for (const AddPleat& pleat : drawnPleats(*piece, line))
+        offer(*menu, say("Pleat: fold {0} onto {1}…", nameSaid(line), nameSaid(pleat.lines.back().edge)),
+              [this, pleat] { askNumbers(pleat); });
+  };
   const auto offerElastic = [&](PieceId piece, const std::string& line) {
     SewElastic elastic;
     elastic.edges = {{PieceRef(piece), line}};
@@ -179,13 +190,18 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
       offerElastic(*chosen.pieces.begin(), chosen.line);
       offerTopstitch(*chosen.pieces.begin(), chosen.line);
       offerTurning(*chosen.pieces.begin(), chosen.line);
+      offerPleats(*chosen.pieces.begin(), chosen.line);
     }
     menu->addAction(actions_[Command::Remove]);
     return menu->popup(global);
   }
   if (at && !scan_.empty() && session_->snapshot().document.underlays.contains(scan_)) {
-    menu->addAction(actions_[Command::Trace]);
-    addScanOperations(*menu, scan_);
+    if (!at->piece) {
+      menu->addAction(actions_[Command::Trace]);
+      addScanOperations(*menu, scan_);
+    } else {  // it lies under a piece
+      addScanOperations(*menu->addMenu(inWords(say("Scan “{0}”", nameSaid(scan_)))), scan_);
+    }
   }
   if (chosen.edge) addEdgeOperations(*menu, *chosen.edge, led);
   if (at && at->piece && !at->edge) {
@@ -195,7 +211,8 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     offer(*menu, say("Pin here"), pin);
     if (const Piece* piece = session_->snapshot().document.find(at->piece))
       if (const std::string line = lineAt(*piece, at->paper); !line.empty())
-        offerElastic(at->piece, line), offerTopstitch(at->piece, line), offerTurning(at->piece, line);
+        offerElastic(at->piece, line), offerTopstitch(at->piece, line), offerTurning(at->piece, line),
+            offerPleats(at->piece, line);
     if (patch_)
       offer(*menu, say("Sew {0} on here…", session_->snapshot().document.find(patch_->piece.id)->name),
             [this, patch = *patch_] { askNumbers(patch); });

@@ -42,7 +42,7 @@ DropMenuFrame::DropMenuFrame(Session& session, QWidget* view) : QFrame(view), se
 }
 
 void DropMenuFrame::show(const std::optional<DropMenu>& menu, QPointF at) {
-  if (!menu) return hide();
+  if (!menu) return offered_ = {}, hide();
   QStringList title;
   for (const Message& words : menu->title) title << inWords(words);
   title_->setText(title.join('\n'));
@@ -90,8 +90,8 @@ void DropMenuFrame::showNumber(const std::optional<DropMenu::Number>& number) {
   number_->setAccessibleName(inWords(number->label));
   take_->setText(inWords(number->label));
   if (number_->hasFocus()) return;
-  if (const auto range = std::pair(number->least, number->most); range != range_) {
-    range_ = range;
+  if (const auto offered = std::array{number->least, number->most, number->value}; offered != offered_) {
+    offered_ = offered;
     number_->setRange(number->least, number->most);
     number_->setValue(number->value);
   }
@@ -102,7 +102,7 @@ void DropMenuFrame::takeNumber() {
   number_->interpretText();
   const double typed = number_->value();
   parentWidget()->setFocus();
-  range_ = {};
+  offered_ = {};
   session_.chooseNumber(typed);
   emit chosen();
 }

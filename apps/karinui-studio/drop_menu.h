@@ -2,7 +2,7 @@
 // The session's drop menu as buttons beside the place of the drop. The view keeps the keyboard: arrows and Enter reach
 // the menu through the session. GUI thread.
 #include <QFrame>
-#include <utility>
+#include <array>
 #include <vector>
 
 #include "karinui/session/session.h"
@@ -39,7 +39,7 @@ class DropMenuFrame : public QFrame {
   QWidget* numberRow_;
   QDoubleSpinBox* number_;
   QToolButton* take_;
-  std::pair<double, double> range_;  // of the number that is shown
+  std::array<double, 3> offered_{};  // least, most and value of the number, until the menu goes
   std::size_t current_ = 0;
 };
 

@@ -114,15 +114,20 @@ LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> a
   form->addRow(photo_);
   form->addRow(plain_);
 
-  connect(finish_, &QComboBox::activated, this,
-          [this](int k) { perform([k](SetLook& look) { look.finish = static_cast<Finish>(k); }); });
+  connect(finish_, &QComboBox::activated, this, [this](int k) {
+    const auto finish = static_cast<Finish>(k);
+    if (finish != shown_.finish) perform([finish](SetLook& look) { look.finish = finish; });
+  });
   connect(print_, &QComboBox::activated, this, [this](int k) {
     const auto kind = static_cast<PrintKind>(k);
     if (kind == PrintKind::Photo && shown_.photo.empty()) return askPhoto();
-    perform([kind](SetLook& look) { look.print = kind; });
+    if (kind != shown_.print) perform([kind](SetLook& look) { look.print = kind; });
   });
-  connect(wrongPrint_, &QComboBox::activated, this,
-          [this](int k) { perform([k](SetLook& look) { look.wrongPrint = static_cast<PrintKind>(k); }); });
+  connect(wrongPrint_, &QComboBox::activated, this, [this](int k) {
+    const auto kind = static_cast<PrintKind>(k);
+    if (kind != (shown_.wrong ? shown_.wrong->print : PrintKind::None))
+      perform([kind](SetLook& look) { look.wrongPrint = kind; });
+  });
   connect(across_, &LengthBox::typed, this, [this](double metres) {
     perform([&](SetLook& look) { look.shift = Flat{metres, shift_.value_or(Flat()).v}; });
   });
@@ -148,6 +153,8 @@ QWidget* LookBoard::dyeRow(const Message& name, QPushButton*& button, QLineEdit*
   button->setMinimumWidth(40);
   box = new QLineEdit;
   box->setMaxLength(7);
+  constexpr int kFrame = 26;  // pixels
+  box->setMinimumWidth(box->fontMetrics().horizontalAdvance("#888888") + kFrame);
   line->addWidget(button);
   line->addWidget(box, 1);
   QPushButton* swatch = button;
@@ -159,7 +166,8 @@ QWidget* LookBoard::dyeRow(const Message& name, QPushButton*& button, QLineEdit*
   });
   connect(swatch, &QPushButton::clicked, this, [this, name, typed, field] {
     const QColor chosen = QColorDialog::getColor(QColor(typed->text()), this, inWords(name));
-    if (chosen.isValid()) perform([&](SetLook& look) { look.*field = dyeOf(chosen); });
+    if (chosen.isValid() && dyeOf(chosen) != shownDye(field))
+      perform([&](SetLook& look) { look.*field = dyeOf(chosen); });
   });
   connect(typed, &QLineEdit::editingFinished, this, [this, typed, field] {
     const Dye now = shownDye(field);

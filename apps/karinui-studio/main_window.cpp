@@ -15,6 +15,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolBar>
+#include <algorithm>
 
 #include "accessibility.h"
 #include "cap.h"
@@ -284,8 +285,14 @@ bool MainWindow::isOn(Command command) const {
 
 void MainWindow::refresh() {
   session_->update();
-  for (const Notice& notice : session_->takeNotices()) tell(notice);
   const SessionChanges now = session_->changes();
+  if (now.history != seen_.history) {
+    const auto& steps = session_->steps();  // drapes come by themselves
+    notices_->done(std::count_if(steps.begin(), steps.end(), [](const Step& step) {
+      return !std::holds_alternative<DrapePieces>(step.operation);
+    }));
+  }
+  for (const Notice& notice : session_->takeNotices()) tell(notice);
   if (atStart() && (!session_->path().empty() || !session_->steps().empty())) leaveStart();
   if (auto asked = session_->takeAsked()) askNumbers(*std::move(asked));
   if (const auto view = session_->takeView()) {

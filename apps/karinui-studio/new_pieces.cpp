@@ -56,6 +56,51 @@ AddPleat pleatsIn(const Document& document, const EdgeRef& edge) {
   return pleats;
 }
 
+std::vector<AddPleat> drawnPleats(const Piece& piece, const std::string& fold) {
+  constexpr double kSkew = 0.03, kNarrow = 0.004, kUneven = 0.2;  // as shares of a line's length; metres; of the depth
+  struct Straight {
+    std::string name;
+    Flat from, to;
+  };
+  std::vector<Straight> lines;
+  std::optional<Straight> own;
+  for (const InternalLine& line : piece.lines) {
+    if (line.curves.empty() || line.crease) continue;
+    const Straight one{line.name, line.curves.front().start, line.curves.back().end};
+    double along = 0;
+    for (const Curve& curve : line.curves) along += curve.length();
+    if (distance(one.from, one.to) < 0.999 * along) continue;
+    if (line.name == fold)
+      own = one;
+    else
+      lines.push_back(one);
+  }
+  std::vector<AddPleat> found;
+  if (!own) return found;
+  const Flat along = normalized(own->to - own->from);
+  struct Beside {
+    std::string name;
+    double away;
+  };
+  std::vector<Beside> beside;
+  for (const Straight& line : lines)
+    if (std::fabs(cross(along, normalized(line.to - line.from))) < kSkew)
+      beside.push_back({line.name, cross(along, 0.5 * (line.from + line.to) - own->from)});
+  for (const double side : {1.0, -1.0}) {
+    const Beside *place = nullptr, *inner = nullptr;
+    for (const Beside& far : beside)
+      for (const Beside& between : beside) {
+        if (side * far.away < kNarrow || std::fabs(2 * between.away - far.away) > kUneven * std::fabs(far.away))
+          continue;
+        if (!place || side * far.away < side * place->away) place = &far, inner = &between;
+      }
+    if (!place) continue;
+    AddPleat& pleat = found.emplace_back();
+    for (const std::string& name : {fold, inner->name, place->name}) pleat.lines.push_back({PieceRef(piece.id), name});
+  }
+  return found;
+}
+
 SlashAndSpread slashFrom(const Document& document, const EdgeRef& edge) {
   constexpr int kParts = 64;  // of an edge, looked at as straight
   SlashAndSpread slash;

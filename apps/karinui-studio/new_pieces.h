@@ -11,6 +11,9 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge);
 
 // Pleats about 6 cm apart all along an edge, as the dialog first offers them.
 AddPleat pleatsIn(const Document& document, const EdgeRef& edge);
+// Pleats that are drawn: the line is their fold, and beside it lie the fold inside and where the fold comes to lie. One
+// to either side at most.
+std::vector<AddPleat> drawnPleats(const Piece& piece, const std::string& fold);
 // From the middle of an edge straight into its piece, to the first edge met there; to none where the edge is not there.
 SlashAndSpread slashFrom(const Document& document, const EdgeRef& edge);
 // Buttons about 8 cm apart along an edge that laps over another, as the dialog first offers them.

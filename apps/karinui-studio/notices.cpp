@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "theme.h"
 
@@ -42,6 +43,7 @@ void Notices::tell(Notice::Kind kind, const QString& words, bool long_) {
   auto* label = new QLabel(words, over_);
   label->setObjectName("toast");
   label->setProperty("passing", kind == Notice::Kind::Said);
+  label->setProperty("refusal", kind == Notice::Kind::Refused);
   label->setWordWrap(true);
   label->setAlignment(Qt::AlignCenter);
   label->setCursor(Qt::ArrowCursor);
@@ -106,6 +108,13 @@ void Notices::moveTo(QWidget* over, Drags drags) {
 
 void Notices::clear() {
   while (!shown_.empty()) take(shown_.back());
+}
+
+void Notices::done(std::ptrdiff_t steps) {
+  if (std::exchange(done_, steps) >= steps) return;
+  const std::deque<QLabel*> before = shown_;
+  for (QLabel* label : before)
+    if (label->property("refusal").toBool()) take(label);
 }
 
 void Notices::clearNewest() {

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "karinui/base/number.h"
 #include "karinui/design/variables.h"
 #include "outline_drawing.h"
 #include "theme.h"
@@ -18,6 +19,8 @@
 namespace karinui::studio {
 
 namespace {
+
+constexpr std::string_view kDrawnPleat = "a pleat whose lines say the rest";
 
 // What is asked at once; everything else an operation can be told is under “More”.
 constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
@@ -28,6 +31,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"attach", "edge to turn"},
     {"fasten", "kind a b count first last size length closed closed_length"},
     {"block", "kind ease length fabric"},
+    {kDrawnPleat, "lines stitch hold"},
     {"underlay", "width at turn strength rectangle"},
 };
 
@@ -36,6 +40,25 @@ bool isFirst(std::string_view operation, std::string_view field) {
     if (name == operation)
       return (" " + std::string(fields) + " ").find(" " + std::string(field) + " ") != std::string::npos;
   return true;
+}
+
+// What an operation does where it is not told otherwise, of the numbers that are asked at once.
+std::string usualOf(std::string_view operation, const FieldHelp& field) {
+  const bool number = field.kind == "length" || field.kind == "angle" || field.kind == "number";
+  return number && isFirst(operation, field.name) && parseNumber(field.usual).value_or(1) != 0 ? field.usual
+                                                                                               : std::string();
+}
+
+// A field that shows all it holds, or the beginning of it where that is very long.
+void giveRoom(QWidget& box) {
+  constexpr int kFrame = 30, kWidest = 420;  // pixels
+  if (auto* line = qobject_cast<QLineEdit*>(&box))
+    line->setMinimumWidth(std::min(kWidest, line->fontMetrics().horizontalAdvance(line->text()) + kFrame));
+  if (auto* list = qobject_cast<QComboBox*>(&box)) {
+    list->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    list->setMinimumContentsLength(0);
+    list->setMinimumWidth(std::min(kWidest, list->sizeHint().width()));
+  }
 }
 
 }  // namespace
@@ -101,6 +124,7 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   drawing_ = new OutlineDrawing;
   column->addWidget(drawing_, 1);
   main_ = new QFormLayout;
+  main_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   column->addLayout(main_);
   auto* more = new QCheckBox(inWords(say("More")));
   more->setObjectName("more");
@@ -108,6 +132,7 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   rest_ = new QWidget;
   more_ = new QFormLayout(rest_);
   more_->setContentsMargins(0, 0, 0, 0);
+  more_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   rest_->hide();
   column->addWidget(rest_);
   connect(more, &QCheckBox::toggled, rest_, &QWidget::setVisible);
@@ -133,23 +158,29 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
 void StepDialog::fill(const Operation& operation) {
   const OperationHelp& help = helpOf(operation);
   const std::vector<FieldText> known = fieldTexts(operation);
-  QWidget* number = nullptr;
+  const auto* pleat = std::get_if<AddPleat>(&operation);
+  const std::string_view asks = pleat && !pleat->lines.empty() ? kDrawnPleat : std::string_view(help.name);
+  QLineEdit *first = nullptr, *empty = nullptr;  // of the numbers that are asked at once
   for (const FieldHelp& field : help.fields) {
     const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
-    typed_.push_back(stepField(document_, help.name, field, value == known.end() ? std::string() : value->value,
+    typed_.push_back(stepField(document_, help.name, field, value == known.end() ? usualOf(asks, field) : value->value,
                                [this] { perform(); }));
     QWidget* box = typed_.back().box;
+    giveRoom(*box);
     auto* label = new QLabel(asLabel(fieldSaid(help.name, field.name)));
     label->setBuddy(box);
-    (isFirst(help.name, field.name) ? main_ : more_)->addRow(label, box);
+    (isFirst(asks, field.name) ? main_ : more_)->addRow(label, box);
     if (auto* line = qobject_cast<QLineEdit*>(box)) {
       connect(line, &QLineEdit::textChanged, this, [this] { show(wished()); });
-      if (!number && (field.kind == "length" || field.kind == "u,v")) number = line;
+      const bool place = field.kind == "number" && field.name.ends_with("at");
+      const bool number = field.kind == "length" || field.kind == "u,v" || field.kind == "number";
+      if (number && !place && isFirst(asks, field.name))
+        if (QLineEdit*& asked = line->text().isEmpty() ? empty : first; !asked) asked = line;
     }
     if (auto* list = qobject_cast<QComboBox*>(box))
       connect(list, &QComboBox::currentIndexChanged, this, [this] { show(wished()); });
   }
-  if (auto* line = qobject_cast<QLineEdit*>(number)) line->setFocus(), line->selectAll();
+  if (QLineEdit* line = first ? first : empty) line->setFocus(), line->selectAll();
 }
 
 Result<Operation> StepDialog::wished() const {

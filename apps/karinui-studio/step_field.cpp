@@ -2,7 +2,9 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPainter>
 #include <QRegularExpression>
+#include <QStyleOptionFrame>
 #include <numbers>
 
 #include "karinui/base/number.h"
@@ -201,6 +203,17 @@ class WordsEdit : public QLineEdit {
     if (!wording_.script && text() == words_) setText(QString::fromStdString(held_));
     QLineEdit::focusInEvent(event);
   }
+  // What is longer than the field ends in “…” until it is typed in.
+  void paintEvent(QPaintEvent* event) override {
+    QStyleOptionFrame option;
+    initStyleOption(&option);
+    const QRect room = style()->subElementRect(QStyle::SE_LineEditContents, &option, this).adjusted(2, 0, -2, 0);
+    if (hasFocus() || fontMetrics().horizontalAdvance(text()) <= room.width()) return QLineEdit::paintEvent(event);
+    QPainter painter(this);
+    style()->drawPrimitive(QStyle::PE_PanelLineEdit, &option, &painter, this);
+    style()->drawItemText(&painter, room, Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(),
+                          fontMetrics().elidedText(text(), Qt::ElideRight, room.width()), QPalette::Text);
+  }
   void focusOutEvent(QFocusEvent* event) override {
     QLineEdit::focusOutEvent(event);
     if (!wording_.script && text().toStdString() == held_) setText(words_);
@@ -261,15 +274,21 @@ StepField stepField(const Document& document, std::string_view operation, const 
   }
   made.box->setObjectName(QString::fromStdString(field.name));
   made.box->setAccessibleName(inWords(fieldSaid(operation, field.name)));
-  QString hint = inWords(fieldSaid(operation, field.name)).toHtmlEscaped();
-  if (const auto* line = qobject_cast<QLineEdit*>(made.box); line && !line->text().isEmpty())
-    hint += ": " + line->text().left(600).toHtmlEscaped();
-  hint += "<br>" + scriptHint(field.name).toHtmlEscaped() + ", " + inWords(Message{field.help, {}}).toHtmlEscaped();
+  const QString name = inWords(fieldSaid(operation, field.name)).toHtmlEscaped(),
+                help = "<br>" + scriptHint(field.name).toHtmlEscaped() + ", " +
+                       inWords(Message{field.help, {}}).toHtmlEscaped();
+  if (auto* line = qobject_cast<QLineEdit*>(made.box)) {
+    const auto tell = [line, name, help] {
+      const QString held = line->text().left(600).toHtmlEscaped();
+      line->setToolTip(name + (held.isEmpty() ? QString() : ": " + held) + help);
+    };
+    tell();
+    QObject::connect(line, &QLineEdit::textChanged, line, tell);
+  }
   if (auto* box = qobject_cast<QComboBox*>(made.box)) {
     letShrink(*box);
-    hint += "<br>" + box->currentText().toHtmlEscaped();
+    box->setToolTip(name + help + "<br>" + box->currentText().toHtmlEscaped());
   }
-  made.box->setToolTip(hint);
   return made;
 }
 

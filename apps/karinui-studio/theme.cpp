@@ -99,6 +99,7 @@ QPushButton { background: @raised; border: 1px solid @line; border-radius: 7px; 
 QPushButton:hover { border: 1px solid @accent; }
 QPushButton:default { background: @accent; color: @onAccent; border: 1px solid @accent; }
 QPushButton:disabled { color: @faint; }
+QPushButton:default:disabled { background: @panel; border: 1px solid @line; }
 QScrollArea { border: none; background: transparent; }
 QScrollBar:vertical { width: 10px; background: transparent; }
 QScrollBar::handle:vertical { background: @line; border-radius: 4px; min-height: 24px; margin: 1px; }

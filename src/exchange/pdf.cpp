@@ -68,6 +68,11 @@ void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
     for (std::size_t i = 1; i < row.line.size(); ++i) canvas.lineTo(row.line[i]);
     canvas.stroke(0.25, row.dashes());
   }
+  for (const std::vector<Mm>& trim : piece.trims) {
+    canvas.moveTo(trim[0]);
+    for (std::size_t i = 1; i < trim.size(); ++i) canvas.lineTo(trim[i]);
+    canvas.stroke(0.25, {std::begin(kTrimDashes), std::end(kTrimDashes)});
+  }
   canvas.layer(PdfLayer::Notch);
   for (const SheetNotch& notch : piece.notches) {
     canvas.moveTo(notch.stroke.from);

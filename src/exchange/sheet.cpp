@@ -181,6 +181,11 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
     drawn.length = row.topstitch.length * 1000;
     for (const Flat place : row.points) drawn.line.push_back(piece.at(place));
   }
+  for (const TrimRun& run : trimRuns(pattern, settings.allowances)) {
+    SheetPiece& piece = *of.at(run.piece);
+    std::vector<Mm>& drawn = piece.trims.emplace_back();
+    for (const Flat place : run.inside) drawn.push_back(piece.at(place));
+  }
   for (const SeamTag& tag : seamTags(pattern)) {
     SheetPiece& piece = *of.at(tag.piece);
     piece.texts.push_back({piece.at(tag.place), kSeamTagSize * 1000, true, std::to_string(tag.number)});
@@ -199,7 +204,7 @@ void moveBy(SheetPiece& piece, Mm by) {
     for (auto& line : lines) std::for_each(line.begin(), line.end(), move);
   };
   move(piece.origin), move(piece.low), move(piece.high);
-  moveAll(piece.cutLines), moveAll(piece.folds);
+  moveAll(piece.cutLines), moveAll(piece.folds), moveAll(piece.trims);
   std::for_each(piece.drills.begin(), piece.drills.end(), move);
   for (SheetStitches& row : piece.stitches) std::for_each(row.line.begin(), row.line.end(), move);
   for (SheetSize& size : piece.nest) {

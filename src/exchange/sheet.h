@@ -45,6 +45,8 @@ struct SheetStitches {  // a row of topstitching
   std::vector<double> dashes() const { return {length * (1 - kStitchGap), length * kStitchGap}; }
 };
 
+inline constexpr double kTrimDashes[] = {6, 1.5, 0.5, 1.5};  // mm, along pipings and bindings
+
 inline constexpr int kTopstitchLayer = 16;  // of DXF: beyond those of AAMA and ASTM D6673
 
 struct SheetPiece {
@@ -56,7 +58,8 @@ struct SheetPiece {
   bool strip = false;  // of Sheet::strips, not of the pattern
   std::vector<SheetNotch> notches;
   std::vector<SheetStitches> stitches;
-  std::vector<SheetText> texts;  // `labels` of them: name, what to cut, size and date; then the seams' numbers
+  std::vector<std::vector<Mm>> trims;  // the inner sides of pipings and bindings
+  std::vector<SheetText> texts;        // `labels` of them: name, what to cut, size and date; then the seams' numbers
   std::size_t labels = 0;
   std::optional<SheetStroke> grain;
   std::vector<Mm> drills;

@@ -56,6 +56,7 @@ void eachLine(const SheetPiece& piece, const Line& line) {
     if (points.size() > 1) line(kInner, points, false);
   }
   for (const SheetStitches& row : piece.stitches) line(kTopstitch, row.line, false);
+  for (const std::vector<Mm>& trim : piece.trims) line(kTopstitch, trim, false);
   for (const SheetNotch& notch : piece.notches) line(kNotch, {notch.stroke.from, notch.stroke.to}, false);
   for (const Mm drill : piece.drills)
     for (const Mm arm : {Mm{kDrillArm * 1000, 0}, Mm{0, kDrillArm * 1000}})

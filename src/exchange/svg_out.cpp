@@ -100,6 +100,11 @@ void piece(std::string& out, const SheetPiece& drawn, std::size_t index) {
     for (std::size_t i = 1; i < row.line.size(); ++i) out += " L " + pair(row.line[i]);
     out += "\"/>\n";
   }
+  for (const std::vector<Mm>& trim : drawn.trims) {
+    out += "    <path class=\"trim\" d=\"M " + pair(trim[0]);
+    for (std::size_t i = 1; i < trim.size(); ++i) out += " L " + pair(trim[i]);
+    out += "\"/>\n";
+  }
   for (const SheetNotch& notch : drawn.notches)
     stroke(out, "notch", notch.stroke.from, notch.stroke.to, " data-seam=\"" + xmlEscaped(notch.seam) + "\"");
   for (const Mm place : drawn.drills) {
@@ -142,6 +147,7 @@ constexpr const char* kStyle =
     "stroke-dasharray: none }\n"
     "    .internal { stroke-dasharray: 1 2; stroke: #333 } .notch { stroke-width: 0.7 } .topstitch { stroke-width: "
     "0.3; stroke: #06c }\n"
+    "    .trim { stroke-dasharray: 6 1.5 0.5 1.5; stroke-width: 0.3; stroke: #06c }\n"
     "    .grain { stroke-width: 0.5; marker-start: url(#tail); marker-end: url(#head) }\n"
     "    text { font-family: 'IPAPGothic', 'Noto Sans CJK JP', 'DejaVu Sans', sans-serif; text-anchor: middle; fill: "
     "#000 }\n"

@@ -247,6 +247,25 @@ TrimRun runOf(const Piece& piece, const std::string& edge, const Piping&) {
   return run;
 }
 
+std::vector<TrimRun> trimRuns(const Pattern& pattern, const Allowances& finish) {
+  std::vector<TrimRun> runs;
+  const auto add = [&](const Allowances::At& at, const auto& made) {
+    const auto piece = pattern.pieces.find(at.first);
+    if (piece == pattern.pieces.end()) return;
+    if (TrimRun run = made(*piece->second); run.edgewise.size() > 1) runs.push_back(std::move(run));
+  };
+  for (const auto& [at, own] : finish.pipings)
+    add(at, [&](const Piece& piece) {
+      TrimRun run = runOf(piece, at.second, own);
+      for (std::size_t k = 0; k < run.inside.size(); ++k)
+        run.inside[k] = run.edgewise[k] + normalized(run.inside[k] - run.edgewise[k]) * own.thickness;
+      return run;
+    });
+  for (const auto& [at, own] : finish.bindings)
+    add(at, [&](const Piece& piece) { return runOf(piece, at.second, own, finish); });
+  return runs;
+}
+
 std::vector<BiasStrip> biasStrips(const Pattern& pattern, const Allowances& finish, const TimesCut& times) {
   std::map<std::pair<std::string, long>, double> lengths;  // by fabric and width in tenths of a millimetre
   const auto add = [&](const Allowances::At& at, const auto& own) {

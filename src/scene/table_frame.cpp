@@ -12,6 +12,14 @@ Ring ringOf(const std::vector<TableEdge>& edges) {
   return ring;
 }
 
+std::vector<Flat> TableTrim::line(double least) const {
+  std::vector<Flat> points = inside;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (const double deep = distance(edgewise[k], inside[k]); deep > 0 && deep < least)
+      points[k] = lerp(edgewise[k], inside[k], least / deep);
+  return points;
+}
+
 std::array<Flat, 4> TableScan::corners() const {
   const Flat across = Flat{std::cos(turn), std::sin(turn)} * (0.5 * width), up = leftOf(across) * (height() / width);
   return {at - across - up, at + across - up, at + across + up, at - across + up};

@@ -123,6 +123,7 @@ void draw(Drawing& drawing, const TablePiece& piece) {
   if (piece.chosen) drawing.closed(ringOf(piece.edges), kChosen, 2.5);
   for (const auto& line : piece.lines) drawing.dashed(line, kInk, 1.6);
   for (const auto& row : piece.stitches) drawing.dashed(row, kInk, 0.8);
+  for (const TableTrim& trim : piece.trims) drawing.dashed(trim.line(2 * kSeamInset), kInk, 1);
   for (const TableNotch& notch : piece.notches)
     drawing.line({notch.stroke.from, notch.stroke.to}, kInk, notch.own ? 2.5 : 1.6);
   for (const Flat hole : piece.drills) drawing.circle(hole, piece.drillRadius, kInk, 1.2);

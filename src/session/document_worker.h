@@ -89,8 +89,9 @@ bool isDraft(const SessionOptions& options, const std::filesystem::path& path);
 Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token);
 Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path& file, SetLook look,
                      const Token& token);
+// `corner` is the upper right one; where it is not said the scan begins where pieces do.
 Done importScanInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-                    std::optional<Message>& note);
+                    const std::optional<Flat>& corner, std::optional<Message>& note);
 Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
                     std::vector<Message>& notes);
 

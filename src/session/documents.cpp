@@ -1,4 +1,6 @@
 // Documents that come and go, files in and out.
+#include <algorithm>
+
 #include "karinui/base/file.h"
 #include "karinui/design/share.h"
 #include "session/session_impl.h"
@@ -153,12 +155,36 @@ void Session::importPrint(const std::filesystem::path& file, SetLook look) {
       say("“{0}” was read.", file.filename().string()));
 }
 
+namespace {
+
+// Left of all that lies on the table, where no new piece comes to lie.
+std::optional<Flat> besideAll(const Document& document, const TableLayout& table) {
+  constexpr double kGap = 0.08;  // metres
+  std::optional<Flat> corner;
+  const auto add = [&](Flat place) {
+    if (!corner) corner = place;
+    corner = Flat{std::min(corner->u, place.u), std::max(corner->v, place.v)};
+  };
+  for (const auto& [id, piece] : document.pattern.pieces)
+    for (const Flat place : piece->outline.flattened(1e-3)) add(place + table.at(id));
+  for (const auto& [name, scan] : document.underlays)
+    for (const Flat pixel : {Flat{0, 0}, Flat{double(scan.wide), 0}, Flat{double(scan.wide), double(scan.high)},
+                             Flat{0, double(scan.high)}})
+      add(scan.onTable(pixel));
+  if (corner) corner->u -= kGap;
+  return corner;
+}
+
+}  // namespace
+
 void Session::importScan(const std::filesystem::path& file) {
   auto& in = *impl_;
+  const std::optional<Flat> corner = besideAll(in.state.snapshot->document, in.table);
   const auto note = std::make_shared<std::optional<Message>>();
   in.longWork(
-      [&in, file, note](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
-        if (const Done done = importScanInto(*in.documentWorker, file, token, *note); !done) return done.error();
+      [&in, file, note, corner](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
+        if (const Done done = importScanInto(*in.documentWorker, file, token, corner, *note); !done)
+          return done.error();
         return in.documentWorker;
       },
       say("“{0}” lies under the pattern. With the tool Trace, click two places on it and say how far apart they are.",

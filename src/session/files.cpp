@@ -81,7 +81,7 @@ Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path
 }
 
 Done importScanInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-                    std::optional<Message>& note) {
+                    const std::optional<Flat>& corner, std::optional<Message>& note) {
   const auto scan = readScan(file, token);
   if (!scan) return scan.error();
   note = scan->shrunk();
@@ -90,6 +90,10 @@ Done importScanInto(DocumentWorker& documentWorker, const std::filesystem::path&
   if (!blob) return blob.error();
   LayUnderlay lay;
   lay.photo = *blob;
+  if (corner) {
+    const double wide = kUsualScan * scan->image.width, high = kUsualScan * scan->image.height;
+    lay.at = *corner - Flat{0.5 * wide, 0.5 * high};
+  }
   const auto step = documentWorker.perform(std::move(lay), token);
   return step ? Done() : Done(step.error());
 }

@@ -1,5 +1,10 @@
 // Lines inside a piece: clicks make a line of straight parts, a drag a curve. Enter, or a click where it ended, is the
-// end; a drag ends with its release.
+// end; a drag ends with its release. A click near an edge is on it; with Shift the part is level, upright or half-way
+// between. Elsewhere a place is as round as the pixels tell; over a scan it is as fine as the hand.
+#include <cmath>
+#include <numbers>
+
+#include "karinui/geometry/polygon.h"
 #include "session/gestures.h"
 
 namespace karinui {
@@ -13,7 +18,9 @@ class LineGesture : public Gesture {
     std::optional<Flat> paper;
     if (table && (piece_ || hit.piece)) paper = sample.place - context.table->at(piece_ ? piece_ : hit.piece);
     if (!table && hit.on == Hit::On::Cloth && (!piece_ || hit.piece == piece_)) paper = hit.paper;
-    const auto end = paper ? std::optional(tenth(*paper)) : std::nullopt;
+    const bool drags = sample.phase == PointerSample::Phase::Drag;
+    const auto end =
+        paper ? std::optional(table && !drags ? meant(sample, hit, context, *paper) : tenth(*paper)) : std::nullopt;
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
         now_ = end;
@@ -64,7 +71,9 @@ class LineGesture : public Gesture {
     return shown;
   }
   Message hint() const override {
-    return piece_ ? say("Click on, and Enter ends the line.") : info(Command::Line).hint;
+    if (!piece_) return info(Command::Line).hint;
+    return along_.size() < 2 ? say("Click on; with Shift the line is level, upright or half-way between.")
+                             : say("Click on, and Enter ends the line.");
   }
   bool begun() const override { return static_cast<bool>(piece_); }
   bool clicks() const override { return true; }
@@ -78,6 +87,46 @@ class LineGesture : public Gesture {
     line.smooth = smooth_;
     return {.over = true, .operation = std::move(line)};
   }
+  Flat meant(const PointerSample& sample, const Hit& hit, const GestureContext& context, Flat paper) const {
+    const Document& document = context.snapshot->document;
+    const bool traced = underlayAt(document.underlays, sample.place);
+    const double step = traced ? 0 : roundness(sample.reach / kReachPixels);
+    const auto whole = [&](double metres) { return step > 0 ? std::round(metres / step) * step : metres; };
+    Flat place{whole(paper.u), whole(paper.v)};
+    std::optional<Flat> way;
+    if (sample.shift && !along_.empty()) {
+      constexpr double kEighth = std::numbers::pi / 4;
+      const Flat there = paper - along_.back();
+      const double a = std::round(std::atan2(there.v, there.u) / kEighth) * kEighth;
+      way = Flat{std::cos(a), std::sin(a)};
+      place = along_.back() + *way * whole(dot(there, *way));
+    }
+    const Piece* piece = document.find(piece_ ? piece_ : hit.piece);
+    const double near = sample.reach * kEdgePixels / kReachPixels;
+    if (!piece || traced) return tenth(place);
+    double nearest = near;
+    Flat found = place;
+    for (const Edge& edge : piece->outline.edges) {
+      const auto points = edge.curve.flattened(1e-5);
+      for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const double away = distanceToSegment(points[k], points[k + 1], paper);
+        if (away >= nearest) continue;
+        const Flat along = points[k + 1] - points[k];
+        double share = std::clamp(dot(place - points[k], along) / dot(along, along), 0.0, 1.0);
+        if (way) {
+          const double across = cross(*way, along);
+          if (std::fabs(across) < 1e-6 * length(along)) continue;
+          share = cross(*way, along_.back() - points[k]) / across;
+          if (share < 0 || share > 1) continue;
+        }
+        nearest = away, found = points[k] + along * share;
+      }
+    }
+    return tenth(found);
+  }
+  static double roundness(double pixel) { return pixel > 1e-3 ? 5e-3 : pixel > 2e-4 ? 1e-3 : 0; }  // metres
+
+  static constexpr double kReachPixels = 9, kEdgePixels = 4;
   PieceId piece_;
   std::vector<Flat> along_, stroke_;
   std::optional<Flat> now_;

@@ -131,6 +131,8 @@ void Session::strike(KeyStroke key, const PointerSample& with) {
       return;
     }
   }
+  // Enter ends what the mouse began, however soon it comes.
+  if (key == KeyStroke::Press && !in.keyboard.awake() && can(Command::Confirm)) return command(Command::Confirm);
   const KeyboardPointer::Around around{*in.seen(), in.table, in.viewpoint.value_or(Viewpoint()), in.gesture->keyStops(),
                                        in.gesture->clicks()};
   for (const PointerSample& sample : in.keyboard.strike(key, with, around)) in.point(sample);

@@ -258,6 +258,10 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
       frame.pieces[number.at(fastener.piece)].notches.push_back({laid(stroke, layout.at(fastener.piece)), false});
   for (const StitchRow& row : stitchRows(pattern, document.allowances))
     frame.pieces[number.at(row.piece)].stitches.push_back(laid(row.points, layout.at(row.piece)));
+  for (const TrimRun& run : trimRuns(pattern, document.allowances)) {
+    const Flat lies = layout.at(run.piece);
+    frame.pieces[number.at(run.piece)].trims.push_back({laid(run.edgewise, lies), laid(run.inside, lies)});
+  }
   for (const SeamTag& tag : seamTags(pattern))
     frame.pieces[number.at(tag.piece)].labels.push_back({TableLabel::Says::SeamNumber,
                                                          Message{std::to_string(tag.number), {}},

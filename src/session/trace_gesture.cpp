@@ -54,7 +54,10 @@ class TraceGesture : public Gesture {
     if (places_.size() < 4) return {};
     LayUnderlay op;
     op.name = name_, op.corners = places_;
-    op.rectangle = Flat{0.21, 0.297};  // a sheet of A4: what is first written in the box
+    // A sheet of A4, as it seems to lie: what is first written in the box.
+    const double first = distance(places_[0], places_[1]) + distance(places_[2], places_[3]),
+                 second = distance(places_[1], places_[2]) + distance(places_[3], places_[0]);
+    op.rectangle = first > second ? Flat{0.297, 0.21} : Flat{0.21, 0.297};
     return {.over = true, .asked = std::move(op)};
   }
 

@@ -27,6 +27,7 @@ TEST(Homography, ThereIsNoneWhereThreePlacesLieOnALine) {
   const std::array<Flat, 4> square{Flat{0, 0}, {1, 0}, {1, 1}, {0, 1}}, flat{Flat{0, 0}, {1, 0}, {2, 0}, {0, 1}};
   EXPECT_FALSE(Homography::through(flat, square));
   EXPECT_TRUE(convex(square));
+  EXPECT_FALSE(convex({square[0], square[1], Flat{0.2, 0.2}, square[3]})) << "dented";
   EXPECT_FALSE(convex(flat));
   EXPECT_FALSE(convex({square[0], square[2], square[1], square[3]}));
 }

@@ -53,6 +53,8 @@ TEST(Topstitching, MeetsRoundInwardCorners) {
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_LT(distance(rows[0].points.back(), {0.08, 0.08}), 1e-4);
   EXPECT_LT(distance(rows[1].points.front(), {0.08, 0.08}), 1e-4);
+  finish.topstitches[{{1}, "e3"}].offset = 0.01;  // another row's way is not its own
+  EXPECT_LT(distance(stitchRows(pattern, finish)[0].points.back(), {0.1, 0.08}), 1e-5);
   finish.topstitches.erase({{1}, "e3"});  // alone it ends at the corner
   EXPECT_LT(distance(stitchRows(pattern, finish)[0].points.back(), {0.1, 0.08}), 1e-5);
 }
@@ -159,6 +161,8 @@ TEST(BiasStrips, AreAsLongAsTheirEdges) {
   EXPECT_NEAR(binding.cutLength, 0.62, 1e-9);
   EXPECT_NEAR(cord.length, 0.2, 1e-9);
   EXPECT_NEAR(cord.width, std::numbers::pi * 0.004 + 0.02, 5e-5);
+  // Of a piece that is cut twice the strip is twice as long.
+  EXPECT_NEAR(biasStrips(pattern, finish, {{{1}, 2}})[0].length, 0.4, 1e-9);
   // Its long sides lie on the bias, its ends along the grain.
   const auto piece = stripPiece(binding, 0);
   const Flat side = piece->outline.edges[0].curve.tangent(0), end = piece->outline.edges[1].curve.tangent(0);

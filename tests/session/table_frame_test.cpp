@@ -306,6 +306,41 @@ TEST(TableFrame, HasTheSameMarksAsThePrintedSheet) {
   }
 }
 
+// Piping in a sewn edge and a binding, on the table and on the sheet: as deep as they are, and seen beside a seam.
+TEST(TableFrame, ShowsPipingsAndBindings) {
+  Document document;
+  document.pattern = skirt();
+  const PieceId front = document.pattern.pieces.begin()->first;
+  document.allowances.pipings[{front, "right"}] = {0.004, ""};
+  document.allowances.bindings[{front, "hem"}] = {0.008, ""};
+  SheetSettings settings;
+  settings.allowances = document.allowances;
+  const auto sheet = layOut(document.pattern, settings);
+  ASSERT_TRUE(sheet);
+  const SnapshotPtr garment = snapshotOf(document, nullptr);
+  TableLayout layout;
+  layout.arrange(*garment);
+  const TableFrame frame = tableFrameOf(*garment, layout, {}, {});
+  const TablePiece& drawn = frame.pieces[0];
+  const SheetPiece& printed = sheet->pieces[0];
+  ASSERT_EQ(drawn.trims.size(), 2u);
+  ASSERT_EQ(printed.trims.size(), 2u);
+  const TableTrim& piping = drawn.trims[0];
+  for (std::size_t k = 0; k < piping.inside.size(); ++k) {
+    EXPECT_NEAR(piping.edgewise[k].u - layout.at(front).u, 0.4, kTiny);
+    EXPECT_NEAR(piping.inside[k].u - layout.at(front).u, 0.396, kTiny);
+    EXPECT_NEAR(piping.line(0.02)[k].u - layout.at(front).u, 0.38, kTiny) << "seen from afar";
+    EXPECT_EQ(piping.line(0.001)[k], piping.inside[k]);
+    const Mm there = printed.at(piping.inside[k] - layout.at(front));
+    EXPECT_NEAR(printed.trims[0][k].x, there.x, 1e-6);
+    EXPECT_NEAR(printed.trims[0][k].y, there.y, 1e-6);
+  }
+  for (const Flat place : drawn.trims[1].inside) EXPECT_NEAR(place.v - layout.at(front).v, 0.008, kTiny);
+  const auto svg = writeSvg(document.pattern, settings);
+  ASSERT_TRUE(svg);
+  EXPECT_NE(svg->find("class=\"trim\""), std::string::npos);
+}
+
 TEST(TableFrame, ADragShowsItsOutlineAndKeepsTheLettering) {
   const Table table(skirt());
   const PieceId front = madeBy<PieceId>(1, 0);

@@ -185,6 +185,7 @@ TEST(Trace, FourCornersAreTypedAsARectangle) {
   ASSERT_TRUE(asked) << t.said();
   auto lay = std::get<LayUnderlay>(*asked);
   ASSERT_EQ(lay.corners.size(), 4u);
+  EXPECT_EQ(lay.rectangle, (Flat{0.21, 0.297}));
   lay.rectangle = Flat{0.1, 0.1};
   t.session.perform(lay);
   t.session.finish();
@@ -193,6 +194,20 @@ TEST(Trace, FourCornersAreTypedAsARectangle) {
   EXPECT_EQ(t.scan().turn, 0);
   EXPECT_NEAR(t.scan().width, 0.30, 0.04);
   EXPECT_NEAR(t.scan().height(), 0.40, 0.04);
+}
+
+// A sheet that lies across is offered so.
+TEST(Trace, TheSidesOfASheetAreOfferedAsItLies) {
+  Tracing t;
+  t.session.command(Command::Trace);
+  t.click(t.there({0.02, 0.02}));
+  t.click(t.there({0.28, 0.02}));
+  t.session.choose(3);
+  t.click(t.there({0.28, 0.20}));
+  t.click(t.there({0.02, 0.20}));
+  const auto asked = t.session.takeAsked();
+  ASSERT_TRUE(asked) << t.said();
+  EXPECT_EQ(std::get<LayUnderlay>(*asked).rectangle, (Flat{0.297, 0.21}));
 }
 
 TEST(Trace, ScansStayOutOfWhatIsGivenAway) {

@@ -204,6 +204,58 @@ TEST(StudioLook, ColourAndPrintAreChosenUndoneAndSeen) {
   EXPECT_EQ(w.last(), "look fabric=cotton finish=velvet");
 }
 
+// The wrong side and the place of the print, typed as a person does; what is chosen again is no step.
+TEST(StudioLook, TheWrongSideAndThePrintsPlaceAreTyped) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(0);
+  Selection chosen;
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("front")->id};
+  w.session().select(chosen);
+  w.rest();
+  const std::size_t before = w.count();
+  QWidget& board = *w.main().boards().currentWidget();
+  const auto choose = [&](const char* name, int k) {
+    auto* box = board.findChild<QComboBox*>(name);
+    box->setCurrentIndex(k);
+    emit box->activated(k);
+    w.rest();
+  };
+  choose("look_print", 2);
+  EXPECT_EQ(w.last(), "look piece=p3 print=check");
+  choose("look_print", 2);
+  choose("look_wrong_print", 0);
+  choose("look_finish", board.findChild<QComboBox*>("look_finish")->currentIndex());
+  EXPECT_EQ(w.count(), before + 1) << "nothing new was chosen";
+  const auto type = [&](const char* name, const char* text) {
+    for (QLineEdit* box : board.findChildren<QLineEdit*>())
+      if (box->accessibleName() == name && box->isVisible()) {
+        box->setFocus(), box->selectAll();
+        QTest::keyClicks(box, text);
+        QTest::keyClick(box, Qt::Key_Return);
+        w.rest();
+        return;
+      }
+    FAIL() << name;
+  };
+  type("Colour of the wrong side", "#3355aa");
+  EXPECT_EQ(w.last(), "look piece=p3 wrong=3355aa");
+  choose("look_wrong_print", 1);
+  EXPECT_EQ(w.last(), "look piece=p3 wrong_print=stripe");
+  for (LengthBox* box : board.findChildren<LengthBox*>())
+    if (box->accessibleName() == "Print begins, across the grain") w.type(*box, "3"), w.rest();
+  EXPECT_EQ(w.last(), "look piece=p3 shift=30mm,0");
+  for (QLineEdit* box : board.findChildren<QLineEdit*>()) {
+    if (!box->isVisible() || !box->text().startsWith('#')) continue;
+    EXPECT_GE(box->width(), box->fontMetrics().horizontalAdvance("#888888") + 18)
+        << box->accessibleName().toStdString();
+  }
+  for (int k = 0; k < 4; ++k) w.key(Command::Undo), w.rest();
+  EXPECT_EQ(w.count(), before);
+  EXPECT_EQ(w.session().snapshot().document.looks, Looks());
+}
+
 TEST(StudioLook, StripesLieOnTheTableAlongTheGrain) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

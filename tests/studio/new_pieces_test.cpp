@@ -10,7 +10,9 @@
 #include <QTimer>
 
 #include "drafts.h"
+#include "karinui/design/edge_run.h"
 #include "karinui/design/script.h"
+#include "new_pieces.h"
 #include "step_dialog.h"
 #include "studio/window.h"
 
@@ -394,6 +396,60 @@ TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
   QTest::keyClick(numbers.dialog, Qt::Key_Escape);
 }
 
+// A kilt's pleat that is drawn: three clicks of two places each, the right button on the fold, and Enter.
+TEST(StudioNewPieces, APleatIsFoldedByThreeDrawnLines) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().perform(*parseOperation("rectangle name=skirt width=60cm height=40cm")), w.rest();
+  w.table().showAll();
+  w.rest();
+  w.key(Command::Line);
+  for (const double u : {-0.1, -0.07, -0.04}) {
+    // A hand hits the edge by a few pixels, and goes on upright with Shift.
+    const QPointF low = w.onTable("skirt", {u, 0}) + QPointF(0.3, -2),
+                  high = w.onTable("skirt", {u, 0.4}) + QPointF(1, 2);
+    w.click(w.table(), low);
+    w.drag(w.table(), {high}, Qt::ShiftModifier);
+    w.key(Command::Confirm);
+    w.rest();
+  }
+  const auto& lines = piece(w, "skirt").lines;
+  ASSERT_EQ(lines.size(), 3u) << w.main().said().toStdString();
+  for (const InternalLine& line : lines) {
+    EXPECT_EQ(line.curves.front().start.v, 0) << "on the edge";
+    EXPECT_EQ(line.curves.front().end.v, 0.4);
+    EXPECT_EQ(line.curves.front().start.u, line.curves.front().end.u);
+  }
+  const std::size_t before = w.count();
+  w.key(Command::Select);
+  const auto menuOnLine = [&](double u) {
+    w.drag(w.table(), {w.onTable("skirt", {u, 0.25})}, {}, {}, Qt::RightButton);
+  };
+  menuOnLine(-0.07);
+  EXPECT_FALSE(choose(w, "Pleat: fold line 2*")) << "beside the middle one there are no two";
+  for (QMenu* menu : w.main().findChildren<QMenu*>("context")) menu->close();
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  menuOnLine(-0.1);
+  int offered = 0;
+  for (QMenu* menu : w.main().findChildren<QMenu*>("context"))
+    for (QAction* action : menu->actions()) offered += action->text().startsWith("Pleat:");
+  EXPECT_EQ(offered, 1) << "to the side where two lines are";
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Pleat: fold line onto line 3…")));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_FALSE(numbers.line("count").isVisible()) << "the lines say it";
+  EXPECT_TRUE(numbers.line("stitch").isVisible());
+  EXPECT_EQ(numbers.said(), "");
+  w.keepDialog(*numbers.dialog, "studio_drawn_pleat");
+  numbers.accept();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(w.last(), HasSubstr("lines=\"p1.line; p1.line_2; p1.line_3\""));
+  EXPECT_FALSE(piece(w, "skirt").lines.front().name.empty());
+  w.keep("studio_pleated_by_lines");
+  w.key(Command::Undo), w.rest();
+  EXPECT_EQ(piece(w, "skirt").lines.size(), 3u);
+}
+
 // What the paper refuses is said while the numbers can still be changed: the hem's pleats would not end in one edge.
 TEST(StudioNewPieces, PleatsThatThePaperRefusesAreToldInTheDialog) {
   KARINUI_NEEDS_DISPLAY();
@@ -406,10 +462,64 @@ TEST(StudioNewPieces, PleatsThatThePaperRefusesAreToldInTheDialog) {
   ASSERT_TRUE(numbers);
   EXPECT_NE(numbers.said(), "");
   EXPECT_FALSE(numbers.make().isEnabled());
+  QWidget& make = numbers.make();
+  EXPECT_NE(make.grab().toImage().pixelColor(6, make.height() / 2), Theme::here().palette().accent) << "seen so";
   QTest::keyClick(&numbers.line("count"), Qt::Key_Return);
   EXPECT_TRUE(numbers.dialog->isVisible()) << "what was typed is not lost";
   w.rest();
   EXPECT_EQ(w.count(), before);
+}
+
+// What is held is read in its field, or, where that is very long, under the pointer.
+TEST(StudioNewPieces, WhatAFieldHoldsCanBeRead) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  FoldLine fold;
+  fold.turned = true;
+  for (const Operation& operation : {Operation(shirringAlong(runThrough(w.session().snapshot().document,
+                                                                        {PieceRef(piece(w, "front").id), "hem_left"}))),
+                                     Operation(fold), Operation(AddPleat{})}) {
+    StepDialog dialog(w.session(), operation, &w.main());
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    QApplication::processEvents();
+    for (const QLineEdit* line : dialog.findChildren<QLineEdit*>()) {
+      if (!line->isVisible() || line->text().isEmpty()) continue;
+      const int wide = line->fontMetrics().horizontalAdvance(line->text());
+      EXPECT_GE(line->width(), std::min(420, wide + 8)) << line->text().toStdString();
+      EXPECT_TRUE(line->toolTip().contains(line->text().toHtmlEscaped())) << line->toolTip().toStdString();
+    }
+    for (const QComboBox* list : dialog.findChildren<QComboBox*>()) {
+      if (!list->isVisible()) continue;
+      EXPECT_GE(list->width(), list->fontMetrics().horizontalAdvance(list->currentText()) + 24)
+          << list->objectName().toStdString();
+    }
+  }
+}
+
+// One begins to type where a person would, over a number that can stay.
+TEST(StudioNewPieces, DialogsBeginInTheFirstNumber) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  menuOn(w, "front", "hem_left");
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Shirring…")));
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    ASSERT_TRUE(numbers.dialog->focusWidget());
+    EXPECT_EQ(numbers.dialog->focusWidget()->objectName(), "ratio");
+    EXPECT_NE(numbers.line("ratio").text(), "");
+    QTest::keyClick(numbers.dialog, Qt::Key_Escape);
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+  menuOn(w, "front", "hem_left");
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Facing…")));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_EQ(numbers.dialog->focusWidget()->objectName(), "width");
+  EXPECT_EQ(numbers.line("width").text(), "6 cm");
+  QTest::keyClick(numbers.dialog, Qt::Key_Escape);
 }
 
 // From the menu of new pieces a slash goes straight across, and only its width is left to be typed.

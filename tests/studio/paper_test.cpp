@@ -378,6 +378,8 @@ TEST(StudioPaper, AScanIsDroppedScaledByItsSquareTurnedAndTraced) {
   const auto type = [&](double cm) {
     auto* number = w.table().findChild<QFrame*>("drop_menu")->findChild<QDoubleSpinBox*>("drop_number");
     ASSERT_TRUE(number && number->isVisible());
+    const auto offered = w.session().dropMenu()->number;
+    EXPECT_EQ(number->value(), offered->value) << "how far apart these places are, not those before";
     number->setValue(cm);
     w.type(*number, Qt::Key_Return);
     w.rest();
@@ -396,6 +398,12 @@ TEST(StudioPaper, AScanIsDroppedScaledByItsSquareTurnedAndTraced) {
   w.session().choose(2);
   w.rest();
   EXPECT_NEAR(scan().turn * 180 / std::numbers::pi, PrintedPattern::kTurn, 0.1);
+  w.click(w.table(), there(pattern.square[1]));
+  w.click(w.table(), there(pattern.square[2]));
+  w.rest();
+  type(10);
+  ASSERT_EQ(w.count(), 4u) << w.main().said().toStdString();
+  EXPECT_NEAR(scan().width, 0.40, 0.001);
   w.table().showAll();
   w.key(Command::Polygon);
   for (const Flat corner : pattern.corners) w.click(w.table(), there(corner));
@@ -430,6 +438,29 @@ TEST(StudioPaper, AScanIsDroppedScaledByItsSquareTurnedAndTraced) {
   ASSERT_EQ(w.session().snapshot().document.underlays.size(), 1u);
   choose(say("Hide the scan"));
   EXPECT_TRUE(scan().hidden);
+  choose(say("Show the scan"));
+  EXPECT_FALSE(scan().hidden) << "where it lies";
+  // Where a piece lies over it, its menu is one of the piece's.
+  w.drag(w.table(), {there({0.10, 0.20})}, {}, {}, Qt::RightButton);
+  bool below = false;
+  for (QMenu* menu : w.main().findChildren<QMenu*>("context")) {
+    for (QAction* action : menu->actions())
+      below |= action->menu() && action->text() == inWords(say("Scan “{0}”", say("scan")));
+    menu->close();
+  }
+  EXPECT_TRUE(below);
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  // The next one lies beside all that is there.
+  w.open(file);
+  const Document& document = w.session().snapshot().document;
+  ASSERT_EQ(document.underlays.size(), 2u) << w.main().said().toStdString();
+  const auto reach = [](const Underlay& one) {
+    const auto corners = {one.onTable({0, 0}), one.onTable({double(one.wide), 0}),
+                          one.onTable({double(one.wide), double(one.high)}), one.onTable({0, double(one.high)})};
+    return std::pair(std::min_element(corners.begin(), corners.end(), [](Flat a, Flat b) { return a.u < b.u; })->u,
+                     std::max_element(corners.begin(), corners.end(), [](Flat a, Flat b) { return a.u < b.u; })->u);
+  };
+  EXPECT_LT(reach(document.underlays.at("scan_2")).second, reach(document.underlays.at("scan")).first);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <fstream>
 
+#include "karinui/design/script.h"
 #include "quad_window.h"
 #include "studio/window.h"
 
@@ -303,6 +304,26 @@ TEST(StudioWindow, WhatMayNotBeWrittenIsShownForReading) {
     second.rest();
   }
   EXPECT_FALSE(second.main().said().isEmpty()) << "the person is told";
+}
+
+// What could not be done is said until something else was done.
+TEST(StudioWindow, ARefusalGoesWithTheNextStep) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const auto refusals = [&] {
+    const auto shown = w.main().findChildren<QLabel*>("toast");
+    return std::count_if(shown.begin(), shown.end(),
+                         [](const QLabel* one) { return one->property("refusal").toBool(); });
+  };
+  w.session().perform(*parseOperation("rename piece=none to=other")), w.rest();
+  EXPECT_EQ(refusals(), 1);
+  w.session().perform(*parseOperation("rename piece=none to=another")), w.rest();
+  EXPECT_GE(refusals(), 1) << "nothing was done yet";
+  const std::size_t before = w.count();
+  w.session().perform(*parseOperation("rename piece=front to=other")), w.rest();
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_EQ(refusals(), 0);
 }
 
 }  // namespace

@@ -30,6 +30,8 @@ struct TrimRun {
 };
 TrimRun runOf(const Piece& piece, const std::string& edge, const Binding& binding, const Allowances& finish);
 TrimRun runOf(const Piece& piece, const std::string& edge, const Piping& piping);  // inside: which way the cloth lies
+// All pipings and bindings as they are drawn on paper: inside as deep as the cord is thick, or the binding is seen.
+std::vector<TrimRun> trimRuns(const Pattern& pattern, const Allowances& finish);
 
 // A strip cut on the bias, for bindings and round cords of one fabric and width, all edges together. It is cut in
 // `count` lengths, whose ends lie along the grain and are joined there.

@@ -44,6 +44,11 @@ struct TableLabel {
   bool upright = true;  // else turned to read from below upwards
 };
 
+struct TableTrim {  // a piping or a binding: places on the edge, and beside each how far it reaches into the cloth
+  std::vector<Flat> edgewise, inside;
+  std::vector<Flat> line(double least) const;  // its inner side, at least so far from the edge that it is seen there
+};
+
 struct TableSize {  // the outline in another size, drawn over the one that stands
   std::string name;
   Ring outline;
@@ -65,6 +70,7 @@ struct TablePiece {
   std::vector<TableSize> nest;                // all other sizes, where they are shown
   std::vector<std::vector<Flat>> lines;       // internal lines
   std::vector<std::vector<Flat>> stitches;    // rows of topstitching
+  std::vector<TableTrim> trims;
   std::vector<TableNotch> notches;
   std::vector<Flat> drills;
   double drillRadius = 0.0025;

@@ -49,6 +49,8 @@ Done resolve(const Document& before, EdgeRef& ref) {
   if (Done done = resolve(before, ref.piece); !done) return done;
   const Piece& piece = *before.find(ref.piece.id);
   if (!piece.outline.find(ref.edge)) {
+    if (std::any_of(piece.lines.begin(), piece.lines.end(), [&](const auto& line) { return line.name == ref.edge; }))
+      return refused(say("“{0}” is an inner line of {1}; this is done along its edges.", ref.edge, piece.name));
     std::string edges;
     for (const Edge& edge : piece.outline.edges) edges += (edges.empty() ? "" : ", ") + edge.name;
     return refused(say("“{0}” has no edge “{1}”; it has: {2}.", piece.name, ref.edge, edges));
