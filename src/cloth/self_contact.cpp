@@ -6,9 +6,9 @@ namespace karinui {
 namespace {
 
 constexpr double kReach = 1.1;  // radii within which a pair that stuck keeps its anchor
-// The push over r, the share of the radius by which a pair is nearer, is k radius (kSoft r^2 + r^4): it begins without
-// a jump of its slope. The derivation is told in docs/develop/drape.md, "Constants of contact".
-constexpr double kSoft = 0.1;
+// The push over r, the share of the radius by which a pair is nearer, is k radius (kSoft r^2 + kFirm r^6): it begins
+// without a jump of its slope. The derivation is told in docs/develop/drape.md, "Constants of contact".
+constexpr double kSoft = 0.1, kFirm = 8;
 constexpr double kSlipShare = 0.025;  // radii that a pair's friction gives before it slips, at least
 
 std::vector<double> frictionOf(const Cloth& cloth) {
@@ -38,8 +38,9 @@ void SelfContact::detect(const ContactQuery& query, Workers& workers) {
   touching_ = pairs_.find({query.x, {}, kReach * radius_}, workers);
   for (ContactPair& pair : touching_) {
     const double r = std::fmax(0.0, 1 - pair.gap / radius_);
-    pair.push = stiffness_ * radius_ * (kSoft + r * r) * r * r;
-    pair.along = stiffness_ * (2 * kSoft + 4 * r * r) * r;
+    const double firm = kFirm * r * r * r * r;
+    pair.push = stiffness_ * radius_ * (kSoft + firm) * r * r;
+    pair.along = stiffness_ * (2 * kSoft + 6 * firm) * r;
   }
   friction_.apply(touching_, query.x, query.sliding);
 }
