@@ -18,8 +18,7 @@ Flat TableOnScreen::table(const QPointF& s) const {
 
 namespace {
 
-constexpr double kBesideSeam = 7;  // pixels from an edge that a seam's line leaves free
-constexpr double kReadable = 8;    // pixels: lettering that is smaller is left out
+constexpr double kReadable = 8;  // pixels: lettering that is smaller is left out
 
 QPolygonF polygon(const std::vector<Flat>& points, const TableOnScreen& screen) {
   QPolygonF line;
@@ -206,7 +205,7 @@ void paintPiece(QPainter& painter, const TablePiece& piece, const TableOnScreen&
   QPen trim(p.ink, 1);
   trim.setDashPattern({6, 2, 1, 2});
   painter.setPen(trim);
-  for (const TableTrim& one : piece.trims) painter.drawPolyline(polygon(one.line(kBesideSeam / screen.scale), screen));
+  for (const TableTrim& one : piece.trims) painter.drawPolyline(polygon(one.line(kTrimPixels / screen.scale), screen));
   if (piece.grain) paintGrain(painter, *piece.grain, screen);
   for (const TableNotch& notch : piece.notches) {
     painter.setPen(QPen(p.ink, notch.own ? 1.6 : 1));

@@ -63,9 +63,9 @@ void PairFriction::afterStep(const std::vector<ContactPair>& pairs, std::span<co
     for (int k = 0; k < 4; ++k) apart += x[pair.node[k]] * pair.weight[k];
     Anchor anchor = hold_[p].anchor;
     const double gap = dot(apart, pair.normal);
-    const double limit = coefficientOf(pair) * anchor.push / stiffness_;
-    if (limit <= kLeastStretch) continue;
-    const double most = std::fmax(limit, stretch_);  // metres the spring stretches
+    const double stiffest = coefficientOf(pair) * anchor.push / stiffness_;  // metres the stiffest spring stretches
+    if (stiffest <= kLeastStretch) continue;
+    const double most = std::fmax(stiffest, stretch_);
     const Vec3 pull = pullOf(pair, anchor, x);
     const double length = karinui::length(pull);
     anchor.slip = std::fmax(0.0, length - most);

@@ -90,7 +90,7 @@ class LineGesture : public Gesture {
   Flat meant(const PointerSample& sample, const Hit& hit, const GestureContext& context, Flat paper) const {
     const Document& document = context.snapshot->document;
     const bool traced = underlayAt(document.underlays, sample.place);
-    const double step = traced ? 0 : roundness(sample.reach / kReachPixels);
+    const double step = traced ? 0 : roundness(sample.reach);
     const auto whole = [&](double metres) { return step > 0 ? std::round(metres / step) * step : metres; };
     Flat place{whole(paper.u), whole(paper.v)};
     std::optional<Flat> way;
@@ -102,11 +102,13 @@ class LineGesture : public Gesture {
       place = along_.back() + *way * whole(dot(there, *way));
     }
     const Piece* piece = document.find(piece_ ? piece_ : hit.piece);
-    const double near = sample.reach * kEdgePixels / kReachPixels;
-    if (!piece || traced) return tenth(place);
-    double nearest = near;
+    return tenth(piece && !traced ? onEdge(*piece, sample.reach, paper, place, way) : place);
+  }
+  // The place on an edge that is near the hand, beside `place` or, where a way is kept to, on it; else `place`.
+  Flat onEdge(const Piece& piece, double reach, Flat paper, Flat place, std::optional<Flat> way) const {
+    double nearest = kNear * reach;
     Flat found = place;
-    for (const Edge& edge : piece->outline.edges) {
+    for (const Edge& edge : piece.outline.edges) {
       const auto points = edge.curve.flattened(1e-5);
       for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         const double away = distanceToSegment(points[k], points[k + 1], paper);
@@ -122,11 +124,12 @@ class LineGesture : public Gesture {
         nearest = away, found = points[k] + along * share;
       }
     }
-    return tenth(found);
+    return found;
   }
-  static double roundness(double pixel) { return pixel > 1e-3 ? 5e-3 : pixel > 2e-4 ? 1e-3 : 0; }  // metres
+  // Metres that places are whole multiples of, by how far the hand reaches.
+  static double roundness(double reach) { return reach > 9e-3 ? 5e-3 : reach > 1.8e-3 ? 1e-3 : 0; }
 
-  static constexpr double kReachPixels = 9, kEdgePixels = 4;
+  static constexpr double kNear = 0.45;  // of the reach: so near an edge a click is meant to lie on it
   PieceId piece_;
   std::vector<Flat> along_, stroke_;
   std::optional<Flat> now_;

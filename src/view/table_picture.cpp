@@ -21,7 +21,6 @@ constexpr Pixel kPaper{255, 253, 249, 255}, kInkOnPaper{59, 54, 48, 255}, kFaint
 constexpr double kFilled = 0.24;      // opacity of a fabric's colour on the paper
 constexpr double kReadable = 6;       // pixels: lettering that is smaller is left out,
 constexpr double kNameLeast = 10;     // but a piece's name is written at least as large as this
-constexpr double kBesideSeam = 7;     // pixels from an edge that a seam's line leaves free
 constexpr double kDash[] = {4.5, 3};  // in widths of a line of one
 constexpr double kRulers[] = {0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005};  // metres
 
@@ -271,7 +270,7 @@ void drawPiece(Paper& paper, const TablePiece& piece) {
     paper.stroke(0.8, true);
   }
   for (const TableTrim& trim : piece.trims) {
-    paper.path(trim.line(paper.pixels(kBesideSeam) / paper.scale()), false);
+    paper.path(trim.line(paper.pixels(kTrimPixels) / paper.scale()), false);
     paper.stroke(1, true);
   }
   for (const TableNotch& notch : piece.notches) paper.line(notch.stroke.from, notch.stroke.to, notch.own ? 1.6 : 1);

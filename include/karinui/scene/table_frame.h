@@ -44,6 +44,8 @@ struct TableLabel {
   bool upright = true;  // else turned to read from below upwards
 };
 
+inline constexpr double kTrimPixels = 7;  // from an edge to its trim's line, so that a seam's line is seen between
+
 struct TableTrim {  // a piping or a binding: places on the edge, and beside each how far it reaches into the cloth
   std::vector<Flat> edgewise, inside;
   std::vector<Flat> line(double least) const;  // its inner side, at least so far from the edge that it is seen there
