@@ -147,32 +147,45 @@ void BlockSystem::setCouplings(std::vector<Coupling> couplings) {
   couplings_ = std::move(couplings);
   flatCouplings_.clear();
   flatTerms_.clear();
+  coupledSlot_.clear();
+  coupledAt_.assign(layout_.slots, kNoNode);
   for (const Coupling& c : couplings_) {
     flatCouplings_.push_back(
-        {{static_cast<float>(c.normal.x), static_cast<float>(c.normal.y), static_cast<float>(c.normal.z)},
-         static_cast<float>(c.across),
-         static_cast<float>(c.along - c.across),
+        {Float4{static_cast<float>(c.normal.x), static_cast<float>(c.normal.y), static_cast<float>(c.normal.z), 0},
+         static_cast<float>(c.across), static_cast<float>(c.along - c.across),
          static_cast<std::uint32_t>(c.terms.size())});
-    for (const TieMap::Term& term : c.terms)
-      flatTerms_.push_back({slotOf_[term.unknown], static_cast<float>(term.weight)});
+    for (const TieMap::Term& term : c.terms) {
+      const std::uint32_t slot = slotOf_[term.unknown];
+      if (coupledAt_[slot] == kNoNode) {
+        coupledAt_[slot] = static_cast<std::uint32_t>(coupledSlot_.size());
+        coupledSlot_.push_back(slot);
+      }
+      flatTerms_.push_back({coupledAt_[slot], static_cast<float>(term.weight)});
+    }
   }
+  coupledP_.resize(coupledSlot_.size());
 }
 
 double BlockSystem::addCouplings(double product) {
+  const auto dot = [](Float4 a, Float4 b) {
+    const Float4 both = a * b;
+    return both[0] + both[1] + both[2];
+  };
+  for (std::size_t k = 0; k < coupledSlot_.size(); ++k)
+    coupledP_[k] = Float4{p_[0][coupledSlot_[k]], p_[1][coupledSlot_[k]], p_[2][coupledSlot_[k]], 0};
+  coupledQ_.assign(coupledSlot_.size(), Float4{});
   const FlatTerm* terms = flatTerms_.data();
   for (const FlatCoupling& c : flatCouplings_) {  // in order
     const std::span<const FlatTerm> own(terms, c.terms);
     terms += c.terms;
-    float move[3] = {};
-    for (const FlatTerm& term : own)
-      for (std::size_t axis = 0; axis < 3; ++axis) move[axis] += p_[axis][term.slot] * term.weight;
-    const float normal = c.along * (move[0] * c.normal[0] + move[1] * c.normal[1] + move[2] * c.normal[2]);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float force = move[axis] * c.across + c.normal[axis] * normal;
-      product += force * move[axis];
-      for (const FlatTerm& term : own) q_[axis][term.slot] += force * term.weight;
-    }
+    Float4 move{};
+    for (const FlatTerm& term : own) move += coupledP_[term.coupled] * term.weight;
+    const Float4 force = move * c.across + c.normal * (c.along * dot(move, c.normal));
+    product += dot(force, move);
+    for (const FlatTerm& term : own) coupledQ_[term.coupled] += force * term.weight;
   }
+  for (std::size_t k = 0; k < coupledSlot_.size(); ++k)
+    for (std::size_t axis = 0; axis < 3; ++axis) q_[axis][coupledSlot_[k]] += coupledQ_[k][axis];
   return product;
 }
 

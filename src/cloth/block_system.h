@@ -70,17 +70,22 @@ class BlockSystem {
   std::vector<std::uint8_t> free_;                        // per slot: whether it is one
   std::vector<DependentSlot> dependents_;                 // sorted by slot, then by independent
   std::vector<Coupling> couplings_;
-  // The same in float and by slot, as every iteration reads them: one after the other, with so many terms each.
+  // The same in float, as every iteration reads them: one after the other, with so many terms each. Their slots are
+  // numbered anew, so that p and q of what is coupled lie together.
+  using Float4 = float __attribute__((vector_size(16)));
   struct FlatCoupling {
-    float normal[3], across, along;  // along: beyond `across`
+    Float4 normal;
+    float across, along;  // along: beyond `across`
     std::uint32_t terms;
   };
   struct FlatTerm {
-    std::uint32_t slot;
+    std::uint32_t coupled;
     float weight;
   };
   std::vector<FlatCoupling> flatCouplings_;
   std::vector<FlatTerm> flatTerms_;
+  std::vector<std::uint32_t> coupledSlot_, coupledAt_;  // slot of each; its number, of each slot that has one
+  std::vector<Float4> coupledP_, coupledQ_;
   std::vector<double> load_;  // work before each range, and before all of them the coarse solve
   std::vector<double> sums_;  // of the coarse solve and the ranges
   DiagonalBlocks diagonal_, inverse_;

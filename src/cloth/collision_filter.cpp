@@ -17,14 +17,9 @@ constexpr int kHalvingRounds = 30;   // then moves are halved; after so many rou
 }  // namespace
 
 bool CollisionFilter::apply(std::span<const Vec3> x, std::vector<Vec3>& move, Workers& workers) {
-  pairs_.measureEdges(x);
   bool changed = false;
   for (int k = 0; k < kPasses; ++k) {
-    const ContactPairs::Search search{x, move, kReach * radius_};
-    const std::vector<ContactPair> pairs =
-        k == 0 ? pairs_.find(search, workers) : pairs_.findAgain(search, changed_, workers);
-    changed_.assign(x.size(), 0);
-    if (!pass(pairs, x, move)) break;
+    if (!pass(pairs_.find({x, move, kReach * radius_}, workers), x, move)) break;
     changed = true;
   }
   return changed;
@@ -44,14 +39,10 @@ bool CollisionFilter::pass(const std::vector<ContactPair>& pairs, std::span<cons
 // Nodes that are sewn together move as one.
 void CollisionFilter::set(NodeIndex node, Vec3 own, std::vector<Vec3>& move) {
   if (sewn_.held[node]) return;
-  const auto to = [&](NodeIndex k) {
-    move[k] = own;
-    changed_[k] = 1;
-  };
   if (sewn_.groupOf[node] == kNoNode)
-    to(node);
+    move[node] = own;
   else
-    for (NodeIndex other : sewn_.groups[sewn_.groupOf[node]]) to(other);
+    for (NodeIndex other : sewn_.groups[sewn_.groupOf[node]]) move[other] = own;
 }
 
 bool CollisionFilter::separate(const ContactPair& pair, int round, std::span<const Vec3> x, std::vector<Vec3>& move) {

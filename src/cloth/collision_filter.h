@@ -28,7 +28,6 @@ class CollisionFilter {
   ContactPairs& pairs_;
   const SewnGroups& sewn_;
   double radius_;
-  std::vector<std::uint8_t> changed_;  // per node: whether the last pass changed its move
 };
 
 }  // namespace karinui

@@ -9,20 +9,46 @@
 namespace karinui {
 namespace {
 
-constexpr double kEdgeReach = 0.75;     // in longest edges: how far the nearest corners of a pair can lie apart
-constexpr double kLongestEdge = 3;      // spacings: a longer edge counts as this long
-constexpr double kPaperNear = 1.5;      // radii: what is nearer on paper is not pushed apart in a sharp fold
-constexpr double kMoveReach = 1.2;      // times the relative move by which a pair may come nearer
-constexpr double kNodeMoveReach = 1.5;  // the same for the two nodes of the list that stand for the pair,
-constexpr double kNodeReach = 0.25;     // and so many spacings more
-constexpr double kLeastGap = 1e-9;      // metres: below it the normal is unknown
-constexpr double kRounding = 1e-9;      // metres, of the bound below
+constexpr double kEdgeReach = 0.75;    // in longest edges: how far the nearest corners of a pair can lie apart
+constexpr double kLongestEdge = 3;     // spacings: a longer edge counts as this long
+constexpr double kPaperNear = 1.5;     // radii: what is nearer on paper is not pushed apart in a sharp fold
+constexpr double kMoveReach = 1.2;     // times the relative move by which a pair may come nearer
+constexpr double kCandidateReach = 3;  // radii: nearer pairs are kept with the list
+constexpr std::size_t kWornShare = 8;  // a list is made anew once a pair for each so many was examined without it
+constexpr double kLeastGap = 1e-9;     // metres: below it the normal is unknown
+constexpr double kRounding = 1e-9;     // metres, of the bounds
+
+// Closest points of a pair's two sides, and the way from the second to the first.
+struct Closest {
+  std::array<double, 4> weight{};
+  bool atEnd = false;  // of an edge
+  Vec3 way;
+};
+
+Closest closestOf(const std::array<NodeIndex, 4>& node, int first, std::span<const Vec3> x) {
+  const Vec3 p = x[node[0]], q = x[node[1]], r = x[node[2]], s = x[node[3]];
+  if (first == 1) {
+    const auto w = closestOnTriangle(p, q, r, s);
+    return {{1, -w[0], -w[1], -w[2]}, false, p - (q * w[0] + r * w[1] + s * w[2])};
+  }
+  const auto at = closestOnSegments(p, q, r, s);
+  return {{1 - at[0], at[0], at[1] - 1, -at[1]},
+          at[0] <= 0 || at[0] >= 1 || at[1] <= 0 || at[1] >= 1,
+          lerp(p, q, at[0]) - lerp(r, s, at[1])};
+}
 
 // A plane across the way between the nearest nodes of two sides bounds their distance from below, for far less than
 // their closest points cost. `low`, `high`: the least of the one side and the most of the other along that way.
 bool fartherThan(double reach, double low, double high, double way) { return low - high > (reach + kRounding) * way; }
 
 }  // namespace
+
+ContactPairs::ContactPairs(const ClothTopology& topology, const SewnGroups& sewn, double radius, double spacing)
+    : topology_(topology),
+      list_(topology, sewn, spacing),
+      radius_(radius),
+      spacing_(spacing),
+      candidateReach_(kCandidateReach * radius) {}
 
 void ContactPairs::measureEdges(std::span<const Vec3> x) {
   // One torn edge must not make every pair near: such a place is coarse anyway.
@@ -39,54 +65,157 @@ void ContactPairs::measureEdges(std::span<const Vec3> x) {
   longest_ = std::sqrt(longest_);
 }
 
-void ContactPairs::measureSheets(const Search& search) {
-  normal_.assign(search.x.size(), {});
+void ContactPairs::measureNormals(std::span<const Vec3> x) {
+  normal_.assign(x.size(), {});
   for (const Triangle& face : topology_.faces) {
-    const Vec3 n = cross(search.x[face[1]] - search.x[face[0]], search.x[face[2]] - search.x[face[0]]);
+    const Vec3 n = cross(x[face[1]] - x[face[0]], x[face[2]] - x[face[0]]);
     for (NodeIndex k : face) normal_[k] += n;
   }
   for (Vec3& n : normal_) n = normalized(n);
-  spread_.assign(search.x.size(), 0);
-  if (search.move.empty()) return;
-  for (const auto& [a, b] : topology_.edges) {
-    const double apart = squaredLength(search.move[a] - search.move[b]);
-    spread_[a] = std::max(spread_[a], apart);
-    spread_[b] = std::max(spread_[b], apart);
-  }
-  for (double& spread : spread_) spread = std::sqrt(spread);
 }
 
-// Whether a plane along the sheets keeps all faces at a from all faces at b, so that the two find no pair. In layers
-// that lie over one another two nodes in three end here.
-bool ContactPairs::sheetsApart(NodeIndex a, NodeIndex b, const Search& search) const {
-  double reach = search.within + kRounding;
-  if (!search.move.empty())
-    reach += (1 + kRounding) * kMoveReach * (spread_[a] + spread_[b] + length(search.move[a] - search.move[b]));
-  const Vec3 origin = search.x[b], between = search.x[a] - origin;
+void ContactPairs::measureMotion(std::span<const Vec3> to, std::span<const Vec3> from, Motion& motion,
+                                 Workers& workers) const {
+  motion.way.resize(to.size());
+  motion.spread.resize(to.size());
+  workers.forBlocks(to.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) motion.way[k] = from.empty() ? to[k] : to[k] - from[k];
+  });
+  workers.forBlocks(to.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      double most = 0;
+      for (const std::uint32_t e : topology_.edgesOf.of(static_cast<NodeIndex>(k)))
+        for (const NodeIndex other : topology_.edges[e])
+          most = std::max(most, squaredLength(motion.way[other] - motion.way[k]));
+      motion.spread[k] = std::sqrt(most);
+    }
+  });
+}
+
+// How far a plane along the sheets keeps all faces at a from all faces at b, metres; 0: not at all.
+double ContactPairs::sheetsApart(NodeIndex a, NodeIndex b) const {
+  const std::vector<Vec3>& x = list_.madeAt();
+  const Vec3 origin = x[b], between = x[a] - origin;
   const auto farthest = [&](NodeIndex own, Vec3 way) {  // of the faces at a node, from the origin
-    double most = dot(search.x[own] - origin, way);
+    double most = dot(x[own] - origin, way);
     for (const std::uint32_t e : topology_.edgesOf.of(own))
-      for (NodeIndex end : topology_.edges[e]) most = std::max(most, dot(search.x[end] - origin, way));
+      for (NodeIndex end : topology_.edges[e]) most = std::max(most, dot(x[end] - origin, way));
     return most;
   };
   const Vec3 na = normal_[a], nb = normal_[b];
+  double most = 0;
   for (Vec3 n : {dot(na, nb) < 0 ? na - nb : na + nb, na, nb}) {
     if (dot(between, n) < 0) n = -n;
-    const double apart = reach * length(n);
-    if (dot(between, n) <= apart) continue;
+    const double least = most * length(n);
+    if (dot(between, n) <= least) continue;
     const double high = farthest(b, n);
-    if (dot(between, n) - high > apart && -farthest(a, -n) - high > apart) return true;
+    if (dot(between, n) - high <= least) continue;
+    const double apart = -farthest(a, -n) - high;
+    if (apart > least) most = apart / length(n);
   }
-  return false;
+  return most;
 }
 
-// Each pair is found once, from its two nearest nodes: `takes` is whether another two nodes, nearer to each other, find
-// it. Neighbours find nothing; where a sharp fold squeezes them so that they are the nearest, the next nearest do, and
-// then what lies near on paper, too, is not pushed apart.
-bool ContactPairs::takes(NodeIndex a, NodeIndex b, bool& squeezed) const {
-  if (!topology_.neighbours(a, b)) return true;
-  squeezed = true;
-  return false;
+// Each pair is found once, from its two nearest nodes where the list was made. Neighbours find nothing; where a sharp
+// fold squeezes them so that they are the nearest, the next nearest do.
+template <class Use>
+void ContactPairs::nodeFaces(NodeIndex a, NodeIndex b, double reach, const Use& use) const {
+  const std::vector<Vec3>& x = list_.madeAt();
+  const Vec3 p = x[a], between = p - x[b];
+  const double toB = squaredLength(between), way = std::sqrt(toB), low = dot(p, between);
+  for (const std::uint32_t f : topology_.facesOf.of(b)) {
+    const Triangle& face = topology_.faces[f];
+    bool mine = true;  // whether b is the nearest corner that may find the face
+    double high = -1e300;
+    for (NodeIndex c : face) {
+      high = std::max(high, dot(x[c], between));
+      if (c == b) continue;
+      const double toC = squaredLength(p - x[c]);
+      if ((toC < toB || (toC == toB && c < b)) && !topology_.neighbours(a, c)) mine = false;
+    }
+    if (!mine || fartherThan(reach, low, high, way)) continue;
+    if (topology_.sewn(face[0], a) || topology_.sewn(face[1], a) || topology_.sewn(face[2], a)) continue;
+    Candidate candidate{{a, face[0], face[1], face[2]}};
+    for (int k = 0; k < 3; ++k)
+      if (topology_.neighbours(a, face[k])) candidate.neighbours |= 1 << k;
+    use(candidate);
+  }
+}
+
+template <class Use>
+void ContactPairs::edgeEdges(NodeIndex a, NodeIndex b, double reach, const Use& use) const {
+  const std::vector<Vec3>& x = list_.madeAt();
+  const Vec3 between = x[a] - x[b];
+  const double both = squaredLength(between), way = std::sqrt(both);
+  const auto nearer = [&](NodeIndex i, NodeIndex j, bool tie) {  // two other ends that find the pair
+    const double apart = squaredLength(x[i] - x[j]);
+    return (apart < both || (tie && apart == both)) && !topology_.neighbours(i, j);
+  };
+  for (const std::uint32_t e : topology_.edgesOf.of(a)) {
+    const NodeIndex a2 = topology_.edges[e][topology_.edges[e][0] == a];
+    if (nearer(a2, b, a2 < a) || topology_.sewn(a2, b)) continue;
+    const double low = std::min(dot(x[a], between), dot(x[a2], between));
+    for (const std::uint32_t f : topology_.edgesOf.of(b)) {
+      const NodeIndex b2 = topology_.edges[f][topology_.edges[f][0] == b];
+      if (nearer(a, b2, b2 < b) || topology_.sewn(a, b2)) continue;
+      if (fartherThan(reach, low, std::max(dot(x[b], between), dot(x[b2], between)), way)) continue;
+      if (nearer(a2, b2, false) || topology_.sewn(a2, b2)) continue;
+      Candidate candidate{{a, a2, b, b2}, 2};
+      if (topology_.neighbours(a, b2)) candidate.neighbours |= 2;
+      if (topology_.neighbours(a2, b)) candidate.neighbours |= 4;
+      if (topology_.neighbours(a2, b2)) candidate.neighbours |= 8;
+      use(candidate);
+    }
+  }
+}
+
+template <class Use>
+void ContactPairs::eachOf(NodeIndex a, NodeIndex b, double reach, const Use& use) const {
+  nodeFaces(a, b, reach, use);
+  nodeFaces(b, a, reach, use);
+  edgeEdges(a, b, reach, use);
+}
+
+void ContactPairs::makeCandidates(std::span<const Vec3> x, Workers& workers) {
+  measureNormals(x);
+  const auto& list = list_.pairs();
+  clear_.assign(list.size(), 0);
+  start_.assign(list.size() + 1, 0);
+  std::vector<std::vector<Candidate>> found((list.size() + kPairBlock - 1) / kPairBlock);
+  workers.forBlocks(list.size(), kPairBlock, [&](std::size_t begin, std::size_t end) {
+    auto& out = found[begin / kPairBlock];
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto [a, b] = list[n];
+      clear_[n] = length(x[a] - x[b]) - kEdgeReach * std::fmax(longestEdge_[a], longestEdge_[b]);
+      if (clear_[n] < candidateReach_) clear_[n] = std::fmax(clear_[n], sheetsApart(a, b));
+      if (clear_[n] >= candidateReach_) continue;
+      const std::size_t before = out.size();
+      clear_[n] = candidateReach_;
+      eachOf(a, b, candidateReach_, [&](Candidate& candidate) {
+        candidate.gap = length(closestOf(candidate.node, candidate.first, x).way);
+        if (candidate.gap >= candidateReach_) return;
+        clear_[n] = std::fmin(clear_[n], candidate.gap);
+        out.push_back(candidate);
+      });
+      start_[n + 1] = static_cast<std::uint32_t>(out.size() - before);
+    }
+  });
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  candidates_.clear();
+  for (const auto& block : found) candidates_.insert(candidates_.end(), block.begin(), block.end());
+}
+
+// Whether neighbours among the nodes of its two sides are nearer to each other than any others: in a sharp fold.
+bool ContactPairs::squeezed(const Candidate& candidate, std::span<const Vec3> x) const {
+  if (!candidate.neighbours) return false;
+  double neighbours = 1e300, others = 1e300;
+  int bit = 0;
+  for (int i = 0; i < candidate.first; ++i)
+    for (int j = candidate.first; j < 4; ++j, ++bit) {
+      double& least = candidate.neighbours >> bit & 1 ? neighbours : others;
+      least = std::fmin(least, squaredLength(x[candidate.node[i]] - x[candidate.node[j]]));
+    }
+  return neighbours < others;
 }
 
 bool ContactPairs::nearOnPaper(const ContactPair& pair) const {
@@ -95,151 +224,72 @@ bool ContactPairs::nearOnPaper(const ContactPair& pair) const {
   return topology_.piece[pair.node[0]] != topology_.piece[pair.node[3]] || length(apart) < kPaperNear * radius_;
 }
 
-bool ContactPairs::keeps(const ContactPair& pair, const Search& search, bool squeezed) const {
-  return !(squeezed && search.move.empty() && nearOnPaper(pair));
+void ContactPairs::measure(const Candidate& candidate, const Search& search, std::vector<ContactPair>& out) const {
+  const auto& node = candidate.node;
+  double apart = 0;
+  if (!search.move.empty())
+    for (int i = 0; i < candidate.first; ++i)
+      for (int j = candidate.first; j < 4; ++j)
+        apart = std::max(apart, squaredLength(search.move[node[i]] - search.move[node[j]]));
+  const Closest closest = closestOf(node, candidate.first, search.x);
+  // At an edge's end the node-face pair answers.
+  if (search.move.empty() && closest.atEnd) return;
+  const double gap = length(closest.way);
+  if (!(gap < search.within + kMoveReach * std::sqrt(apart) && gap > kLeastGap)) return;
+  const ContactPair pair{node, closest.weight, candidate.first, closest.way * (1 / gap), gap};
+  // What a sharp fold squeezes together and what lies near on paper is not pushed apart.
+  if (search.move.empty() && squeezed(candidate, search.x) && nearOnPaper(pair)) return;
+  out.push_back(pair);
 }
 
-void ContactPairs::nodeFaces(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const {
-  const Vec3 p = search.x[a], between = p - search.x[b];
-  const double toB = squaredLength(between), way = std::sqrt(toB), low = dot(p, between);
-  for (const std::uint32_t f : topology_.facesOf.of(b)) {
-    const Triangle& face = topology_.faces[f];
-    bool mine = true, squeezed = false;  // whether b is the face's nearest corner
-    for (NodeIndex c : face) {
-      if (c == b) continue;
-      const double toC = squaredLength(p - search.x[c]);
-      if ((toC < toB || (toC == toB && c < b)) && takes(a, c, squeezed)) mine = false;
-    }
-    if (!mine) continue;
-    double apart = 0, high = -1e300;
-    for (NodeIndex c : face) {
-      high = std::max(high, dot(search.x[c], between));
-      if (!search.move.empty()) apart = std::max(apart, squaredLength(search.move[a] - search.move[c]));
-    }
-    const double reach = search.within + kMoveReach * std::sqrt(apart);
-    if (fartherThan(reach, low, high, way)) continue;
-    if (topology_.sewn(face[0], a) || topology_.sewn(face[1], a) || topology_.sewn(face[2], a)) continue;
-    const auto w = closestOnTriangle(p, search.x[face[0]], search.x[face[1]], search.x[face[2]]);
-    const Vec3 d = p - (search.x[face[0]] * w[0] + search.x[face[1]] * w[1] + search.x[face[2]] * w[2]);
-    const double gap = length(d);
-    if (!(gap < reach && gap > kLeastGap)) continue;
-    const ContactPair pair{{a, face[0], face[1], face[2]}, {1, -w[0], -w[1], -w[2]}, 1, d * (1 / gap), gap};
-    if (keeps(pair, search, squeezed)) out.push_back(pair);
-  }
-}
-
-// The edges at `own` whose far end is no nearer to `other` than `own` is: none else is of a pair that `own` finds.
-void ContactPairs::facingEdges(NodeIndex own, NodeIndex other, const Search& search,
-                               std::vector<FacingEdge>& out) const {
-  out.clear();
-  const Vec3 far = search.x[other];
-  const double both = squaredLength(search.x[own] - far);
-  for (const std::uint32_t e : topology_.edgesOf.of(own)) {
-    const NodeIndex end = topology_.edges[e][0] == own ? topology_.edges[e][1] : topology_.edges[e][0];
-    FacingEdge facing{end, search.x[end]};
-    const double crosswise = squaredLength(facing.place - far);
-    if ((crosswise < both || (crosswise == both && end < own)) && takes(end, other, facing.squeezed)) continue;
-    if (topology_.sewn(end, other)) continue;
-    out.push_back(facing);
-  }
-}
-
-void ContactPairs::edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const {
-  const Vec3 pa = search.x[a], pb = search.x[b], between = pa - pb;
-  const double both = squaredLength(between), way = std::sqrt(both), aAlong = dot(pa, between),
-               bAlong = dot(pb, between);
-  thread_local std::vector<FacingEdge> edgesA, edgesB;
-  facingEdges(a, b, search, edgesA);
-  if (edgesA.empty()) return;
-  facingEdges(b, a, search, edgesB);
-  for (const FacingEdge& edgeA : edgesA) {
-    const NodeIndex a2 = edgeA.end;
-    const Vec3 pa2 = edgeA.place;
-    const double low = std::min(aAlong, dot(pa2, between));
-    for (const FacingEdge& edgeB : edgesB) {
-      const NodeIndex b2 = edgeB.end;
-      const Vec3 pb2 = edgeB.place;
-      bool squeezed = edgeA.squeezed || edgeB.squeezed;
-      if (squaredLength(pa2 - pb2) < both && takes(a2, b2, squeezed)) continue;
-      double apart = 0;
-      if (!search.move.empty())
-        for (NodeIndex m : {a, a2})
-          for (NodeIndex n : {b, b2}) apart = std::max(apart, squaredLength(search.move[m] - search.move[n]));
-      const double reach = search.within + kMoveReach * std::sqrt(apart);
-      if (fartherThan(reach, low, std::max(bAlong, dot(pb2, between)), way)) continue;
-      if (topology_.sewn(a2, b2)) continue;
-      const auto at = closestOnSegments(pa, pa2, pb, pb2);
-      // At an edge's end the node-face pair answers.
-      if (search.move.empty() && (at[0] <= 0 || at[0] >= 1 || at[1] <= 0 || at[1] >= 1)) continue;
-      const Vec3 d = lerp(pa, pa2, at[0]) - lerp(pb, pb2, at[1]);
-      const double gap = length(d);
-      if (!(gap < reach && gap > kLeastGap)) continue;
-      const ContactPair pair{{a, a2, b, b2}, {1 - at[0], at[0], at[1] - 1, -at[1]}, 2, d * (1 / gap), gap};
-      if (keeps(pair, search, squeezed)) out.push_back(pair);
-    }
-  }
+double ContactPairs::reachOf(const Search& search) const {
+  double most = 0;
+  for (Vec3 m : search.move) most = std::fmax(most, squaredLength(m));
+  return search.within + kEdgeReach * longest_ + 2 * kMoveReach * std::sqrt(most);
 }
 
 std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& workers) {
-  return this->search(search, {}, workers);
-}
-
-std::vector<ContactPair> ContactPairs::findAgain(const Search& search, const std::vector<std::uint8_t>& moved,
-                                                 Workers& workers) {
-  std::vector<std::uint8_t> stale = moved;  // what is found at two nodes depends on the moves of their faces' corners
-  for (const Triangle& face : topology_.faces)
-    if (moved[face[0]] || moved[face[1]] || moved[face[2]])
-      for (NodeIndex k : face) stale[k] = 1;
-  return this->search(search, stale, workers);
-}
-
-// `stale`: the nodes at which what was found last no longer holds; empty: all.
-std::vector<ContactPair> ContactPairs::search(const Search& search, const std::vector<std::uint8_t>& stale,
-                                              Workers& workers) {
-  measureSheets(search);
-  double most = 0;
-  for (Vec3 m : search.move) most = std::fmax(most, squaredLength(m));
-  const double still = search.within + kEdgeReach * longest_;
-  const double reach = still + 2 * kMoveReach * std::sqrt(most);
-  const bool listIsNew = list_.update(search.x, reach, workers);
+  if (kWornShare * worn_ > list_.pairs().size() || !list_.covers(search.x, reachOf(search))) {
+    measureEdges(search.x);
+    list_.make(search.x, reachOf(search), workers);
+    makeCandidates(search.x, workers);
+    worn_ = 0;
+  }
+  const bool moves = !search.move.empty();
+  measureMotion(search.x, list_.madeAt(), drift_, workers);
+  if (moves) measureMotion(search.move, {}, ahead_, workers);
   const auto& list = list_.pairs();
-  const bool again = !stale.empty() && !listIsNew && asked_.size() == list.size();
-  std::vector<std::uint32_t> start(list.size() + 1, 0);
-  std::vector<std::uint8_t> asked(list.size(), 0);
-  std::vector<std::vector<ContactPair>> found((list.size() + kPairBlock - 1) / kPairBlock);
-  workers.forBlocks(list.size(), kPairBlock, [&](std::size_t begin, std::size_t end) {
-    auto& out = found[begin / kPairBlock];
+  struct Found {
+    std::vector<ContactPair> pairs;
+    std::size_t asked = 0, worn = 0;
+  };
+  const std::vector<Found> found = workers.each(list.size(), kPairBlock, [&](std::size_t begin, std::size_t end) {
+    Found block;
     for (std::size_t n = begin; n < end; ++n) {
       const auto [a, b] = list[n];
-      const double d2 = squaredLength(search.x[b] - search.x[a]);
-      if (d2 > reach * reach) continue;
-      asked[n] = 1;
-      if (again && asked_[n] && !stale[a] && !stale[b]) {
-        out.insert(out.end(), last_.begin() + start_[n], last_.begin() + start_[n + 1]);
-        start[n + 1] = start_[n + 1] - start_[n];
+      const double reach =
+          search.within + drift_.between(a, b) + (moves ? kMoveReach * ahead_.between(a, b) : 0) + kRounding;
+      if (clear_[n] > reach) continue;
+      if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;
+      ++block.asked;
+      if (reach > candidateReach_) {
+        ++block.worn;
+        eachOf(a, b, reach, [&](const Candidate& candidate) { measure(candidate, search, block.pairs); });
         continue;
       }
-      double far = search.within + kEdgeReach * std::fmax(longestEdge_[a], longestEdge_[b]);
-      // The nodes of a pair move nearly alike, so the moves of these two bound it, with some margin.
-      if (!search.move.empty()) far += kNodeReach * spacing_ + kNodeMoveReach * length(search.move[a] - search.move[b]);
-      if (d2 > far * far) continue;
-      if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;
-      if (sheetsApart(a, b, search)) continue;
-      const std::size_t before = out.size();
-      nodeFaces(a, b, search, out);
-      nodeFaces(b, a, search, out);
-      edgeEdges(a, b, search, out);
-      start[n + 1] = static_cast<std::uint32_t>(out.size() - before);
+      for (std::uint32_t c = start_[n]; c < start_[n + 1]; ++c)
+        if (candidates_[c].gap <= reach) measure(candidates_[c], search, block.pairs);
     }
+    return block;
   });
   std::vector<ContactPair> all;
-  for (const auto& block : found) all.insert(all.end(), block.begin(), block.end());
-  if (!search.move.empty()) {
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    start_ = std::move(start);
-    asked_ = std::move(asked);
-    last_ = all;
+  std::size_t asked = 0, worn = 0;
+  for (const Found& block : found) {
+    all.insert(all.end(), block.pairs.begin(), block.pairs.end());
+    asked += block.asked;
+    worn += block.worn;
   }
+  worn_ += worn;
   return all;
 }
 

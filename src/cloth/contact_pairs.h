@@ -21,8 +21,7 @@ struct ContactPair {
 class ContactPairs {
  public:
   // Both must outlive this. `radius`: of contact; `spacing`: of the cloth; metres.
-  ContactPairs(const ClothTopology& topology, const SewnGroups& sewn, double radius, double spacing)
-      : topology_(topology), list_(topology, sewn, spacing), radius_(radius), spacing_(spacing) {}
+  ContactPairs(const ClothTopology& topology, const SewnGroups& sewn, double radius, double spacing);
 
   // Two nodes that are both marked here do not make a pair. Empty: none is left out.
   void leaveOut(std::vector<std::uint8_t> marked) { leftOut_ = std::move(marked); }
@@ -30,47 +29,62 @@ class ContactPairs {
   // Two pieces of one layer do not meet each other; they do at first.
   void onlyLayers(bool only) { list_.onlyLayers(only); }
 
-  // The pairs with a gap below `within` at x; given moves, also those that may come so near during them. Call
-  // measureEdges for x first.
+  // The pairs with a gap below `within` at x; given moves, also those that may come so near during them.
   struct Search {
     std::span<const Vec3> x, move;  // `move` may be empty
     double within = 0;              // metres
   };
   std::vector<ContactPair> find(const Search& search, Workers& workers);
-  // The same for a search that differs from the last one only in the moves of the nodes that are marked.
-  std::vector<ContactPair> findAgain(const Search& search, const std::vector<std::uint8_t>& moved, Workers& workers);
-  void measureEdges(std::span<const Vec3> x);
 
  private:
-  std::vector<ContactPair> search(const Search& search, const std::vector<std::uint8_t>& stale, Workers& workers);
-  void nodeFaces(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const;
-  struct FacingEdge {  // at a node
-    NodeIndex end = 0;
-    Vec3 place;  // of its far end
-    bool squeezed = false;
+  // A node and a face or two edges, as they stood when the list was made.
+  struct Candidate {
+    std::array<NodeIndex, 4> node{};
+    std::uint8_t first = 1;       // how many nodes are of the first side
+    std::uint8_t neighbours = 0;  // a bit for each node of the one side with each of the other: whether they are that
+    double gap = 0;               // metres
   };
-  void facingEdges(NodeIndex own, NodeIndex other, const Search& search, std::vector<FacingEdge>& out) const;
-  void edgeEdges(NodeIndex a, NodeIndex b, const Search& search, std::vector<ContactPair>& out) const;
-  void measureSheets(const Search& search);
-  bool sheetsApart(NodeIndex a, NodeIndex b, const Search& search) const;
-  bool takes(NodeIndex a, NodeIndex b, bool& squeezed) const;
+  // How far nodes went: each, and by how much the other end of an edge at it went differently at most, metres.
+  struct Motion {
+    std::vector<Vec3> way;
+    std::vector<double> spread;
+    // By how much what is incident to one node and to the other came nearer to each other at most.
+    double between(NodeIndex a, NodeIndex b) const { return length(way[a] - way[b]) + spread[a] + spread[b]; }
+  };
+  double reachOf(const Search& search) const;
+  void makeCandidates(std::span<const Vec3> x, Workers& workers);
+  void measureEdges(std::span<const Vec3> x);
+  void measureNormals(std::span<const Vec3> x);
+  void measureMotion(std::span<const Vec3> to, std::span<const Vec3> from, Motion& motion, Workers& workers) const;
+  double sheetsApart(NodeIndex a, NodeIndex b) const;
+  // Calls `use` with each candidate of two nodes of the list, without its gap. `reach`: what is surely farther apart
+  // where the list was made may be left out, metres.
+  template <class Use>
+  void eachOf(NodeIndex a, NodeIndex b, double reach, const Use& use) const;
+  template <class Use>
+  void nodeFaces(NodeIndex a, NodeIndex b, double reach, const Use& use) const;
+  template <class Use>
+  void edgeEdges(NodeIndex a, NodeIndex b, double reach, const Use& use) const;
+  void measure(const Candidate& candidate, const Search& search, std::vector<ContactPair>& out) const;
+  bool squeezed(const Candidate& candidate, std::span<const Vec3> x) const;
   bool nearOnPaper(const ContactPair& pair) const;
-  bool keeps(const ContactPair& pair, const Search& search, bool squeezed) const;
 
   const ClothTopology& topology_;
   ProximityList list_;
   double radius_, spacing_;
   std::vector<std::uint8_t> leftOut_;
-  std::vector<double> longestEdge_;  // at each node, metres
-  double longest_ = 0;               // of all
-  // Of the faces at each node: the unit normal of their sum, and by how much a corner's move differs from the node's at
-  // most, metres.
+  // Where the list was made: the longest edge at each node and of all, metres; the unit normal of the faces at a node.
+  std::vector<double> longestEdge_;
+  double longest_ = 0;
   std::vector<Vec3> normal_;
-  std::vector<double> spread_;
-  // What the last search with moves found at each pair of nodes of the list: from `start_[n]` to before the next.
-  std::vector<ContactPair> last_;
+  // Of each pair of the list: the candidates nearer than candidateReach_, those of pair n from start_[n] to before the
+  // next, and a bound below which no gap of any was, metres.
+  double candidateReach_;
+  std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> start_;
-  std::vector<std::uint8_t> asked_;  // whether it was searched
+  std::vector<double> clear_;
+  Motion drift_, ahead_;  // since the list was made; of the search
+  std::size_t worn_ = 0;  // how many pairs were looked at that had drifted farther than their candidates serve
 };
 
 }  // namespace karinui

@@ -67,11 +67,14 @@ bool ProximityList::openSeam(NodeIndex a, NodeIndex b, std::span<const Vec3> x) 
   return topology_.overSeam(a, b) && seamCosine(a, b, x) < kOpenSeamCosine;
 }
 
-bool ProximityList::update(std::span<const Vec3> x, double reach, Workers& workers) {
+bool ProximityList::covers(std::span<const Vec3> x, double reach) const {
+  if (madeAt_.size() != x.size()) return false;
   double moved = 0;
-  if (madeAt_.size() == x.size())
-    for (std::size_t k = 0; k < x.size(); ++k) moved = std::fmax(moved, squaredLength(x[k] - madeAt_[k]));
-  if (madeAt_.size() == x.size() && reach + 2 * std::sqrt(moved) <= reach_) return false;
+  for (std::size_t k = 0; k < x.size(); ++k) moved = std::fmax(moved, squaredLength(x[k] - madeAt_[k]));
+  return reach + 2 * std::sqrt(moved) <= reach_;
+}
+
+void ProximityList::make(std::span<const Vec3> x, double reach, Workers& workers) {
   reach_ = reach + kMargin * spacing_;
   madeAt_.assign(x.begin(), x.end());
   const CellGrid grid(x, reach_);
@@ -100,7 +103,6 @@ bool ProximityList::update(std::span<const Vec3> x, double reach, Workers& worke
   });
   pairs_.clear();
   for (const auto& block : found) pairs_.insert(pairs_.end(), block.begin(), block.end());
-  return true;
 }
 
 }  // namespace karinui

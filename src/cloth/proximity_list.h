@@ -17,12 +17,15 @@ class ProximityList {
   ProximityList(const ClothTopology& topology, const SewnGroups& sewn, double spacing)
       : topology_(topology), sewn_(sewn), spacing_(spacing) {}
 
-  // Makes sure that every pair nearer than `reach` (metres) is listed; whether the list was made anew.
-  bool update(std::span<const Vec3> x, double reach, Workers& workers);
+  // Whether every pair nearer than `reach` (metres) at x is listed.
+  bool covers(std::span<const Vec3> x, double reach) const;
+  // Lists them anew, with the margin.
+  void make(std::span<const Vec3> x, double reach, Workers& workers);
   // Pairs of two pieces of one layer are left out; they are not at first.
   void onlyLayers(bool only) { onlyLayers_ = only, madeAt_.clear(); }
   // The first node of a pair is the lower.
   const std::vector<std::array<NodeIndex, 2>>& pairs() const { return pairs_; }
+  const std::vector<Vec3>& madeAt() const { return madeAt_; }  // where the nodes stood; empty: not made
 
  private:
   double seamCosine(NodeIndex a, NodeIndex b, std::span<const Vec3> x) const;
@@ -33,7 +36,7 @@ class ProximityList {
   double spacing_, reach_ = 0;  // of the list, margin included
   std::vector<std::array<NodeIndex, 2>> pairs_;
   bool onlyLayers_ = false;
-  std::vector<Vec3> madeAt_;  // where the nodes stood
+  std::vector<Vec3> madeAt_;
 };
 
 }  // namespace karinui

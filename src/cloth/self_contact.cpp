@@ -34,7 +34,6 @@ void SelfContact::detect(const ContactQuery& query, Workers& workers) {
   touching_.clear();
   friction_.clear();
   if (!enabled()) return;
-  pairs_.measureEdges(query.x);
   touching_ = pairs_.find({query.x, {}, kReach * radius_}, workers);
   for (ContactPair& pair : touching_) {
     const double r = std::fmax(0.0, 1 - pair.gap / radius_);

@@ -254,15 +254,15 @@ std::vector<TrimRun> trimRuns(const Pattern& pattern, const Allowances& finish) 
     if (piece == pattern.pieces.end()) return;
     if (TrimRun run = made(*piece->second); run.edgewise.size() > 1) runs.push_back(std::move(run));
   };
-  for (const auto& [at, own] : finish.pipings)
-    add(at, [&](const Piece& piece) {
-      TrimRun run = runOf(piece, at.second, own);
+  for (const auto& piping : finish.pipings)
+    add(piping.first, [&](const Piece& piece) {
+      TrimRun run = runOf(piece, piping.first.second, piping.second);
       for (std::size_t k = 0; k < run.inside.size(); ++k)
-        run.inside[k] = run.edgewise[k] + normalized(run.inside[k] - run.edgewise[k]) * own.thickness;
+        run.inside[k] = run.edgewise[k] + normalized(run.inside[k] - run.edgewise[k]) * piping.second.thickness;
       return run;
     });
-  for (const auto& [at, own] : finish.bindings)
-    add(at, [&](const Piece& piece) { return runOf(piece, at.second, own, finish); });
+  for (const auto& binding : finish.bindings)
+    add(binding.first, [&](const Piece& piece) { return runOf(piece, binding.first.second, binding.second, finish); });
   return runs;
 }
 

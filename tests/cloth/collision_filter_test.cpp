@@ -42,41 +42,6 @@ Vec3 anyWay(std::mt19937& random) {
   return normalized(Vec3{by(random), by(random), by(random)});
 }
 
-// A search that is told whose moves have changed since the last one finds what a whole one does, in its order.
-TEST(CollisionFilter, ASearchAgainFindsWhatAWholeOneDoes) {
-  Sheets sheets(8, 8, true);
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> by(-1, 1);
-  const ClothTopology topology(sheets.cloth, 0.002);
-  const SewnGroups sewn(TieMap(sheets.cloth, std::vector<std::uint8_t>(sheets.cloth.nodeCount, 0),
-                               std::vector<std::uint8_t>(sheets.cloth.ties.size(), 1)),
-                        sheets.cloth.nodeCount);
-  ContactPairs again(topology, sewn, 0.002, kFilterCell), whole(topology, sewn, 0.002, kFilterCell);
-  std::vector<Vec3> x, move;
-  for (int k = 0; k < 2; ++k)
-    for (const Flat p : sheets.cloth.pieces[0].lattice->nodes) x.push_back({p.u, p.v, 0.003 * k + 0.001 * by(random)});
-  for (std::size_t n = 0; n < x.size(); ++n) move.push_back(anyWay(random) * 0.002);
-  again.measureEdges(x);
-  whole.measureEdges(x);
-  again.find({x, move, 0.0003}, sheets.workers);
-  for (int round = 0; round < 4; ++round) {
-    std::vector<std::uint8_t> moved(x.size(), 0);
-    for (int k = 0; k < 6; ++k) {
-      const auto n = static_cast<std::size_t>((by(random) + 1) * 0.49 * static_cast<double>(x.size()));
-      move[n] = anyWay(random) * (0.002 * (round + 1));
-      moved[n] = 1;
-    }
-    const auto found = again.findAgain({x, move, 0.0003}, moved, sheets.workers);
-    const auto wanted = whole.find({x, move, 0.0003}, sheets.workers);
-    ASSERT_GT(wanted.size(), 50u);
-    ASSERT_EQ(found.size(), wanted.size()) << "round " << round;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      EXPECT_EQ(found[k].node, wanted[k].node);
-      EXPECT_EQ(found[k].gap, wanted[k].gap);
-    }
-  }
-}
-
 // Of a gather sewn 2:1: a strip is folded back so that the second of the pair stands over a face of the first, and is
 // then sent through it.
 TEST(CollisionFilter, BothOfAPairSewnToOneMeetEachOthersFaces) {

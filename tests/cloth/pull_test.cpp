@@ -6,14 +6,14 @@
 namespace karinui::test {
 namespace {
 
-constexpr double kWidth = 0.06, kLength = 0.3, kStretch = 200, kStep = 0.01;
+constexpr double kPulledWidth = 0.06, kPulledLength = 0.3, kPulledStretch = 200, kStep = 0.01;
 
 // A strip that hangs from pins along its top; its bottom row is the hand's.
 struct Strip {
   explicit Strip(const Fabric& fabric) {
     const std::uint32_t columns = 6, rows = 30;
     addPiece(level.cloth, gridLattice(columns, rows, kStep), fabric);
-    level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u, p.v - kLength, 0}; });
+    level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u, p.v - kPulledLength, 0}; });
     for (std::uint32_t k = 0; k <= columns; ++k) {
       level.cloth.pinned.push_back(rows * (columns + 1) + k);
       grip.nodes.push_back(k);
@@ -31,7 +31,7 @@ struct Strip {
   Grip grip;
 };
 
-Fabric light() { return textbook(kStretch, 1e-6, 0.02); }
+Fabric light() { return textbook(kPulledStretch, 1e-6, 0.02); }
 
 Vec3 middleOf(const ClothState& state) {
   Vec3 sum;
@@ -54,11 +54,12 @@ TEST(Pull, FeelsStiffnessTimesWidthTimesStrain) {
     Strip strip(light());
     strip.grip.seconds = 5;  // no haste: what the hand feels is the threads, not the strip's swing
     std::vector<Vec3> path{strip.hem()};
-    for (double longer : {0.003, 0.006, 0.009, 0.012}) path.push_back(Vec3{0.03, 0, 0} + way * (kLength + longer));
+    for (double longer : {0.003, 0.006, 0.009, 0.012})
+      path.push_back(Vec3{0.03, 0, 0} + way * (kPulledLength + longer));
     const PullReport report = strip.pulled(path);
     EXPECT_TRUE(report.end.settled) << text(report.end.why);
     ASSERT_EQ(report.force.size(), path.size());
-    const double right = kStretch * kWidth * 0.012 / kLength;
+    const double right = kPulledStretch * kPulledWidth * 0.012 / kPulledLength;
     EXPECT_NEAR(length(report.force.back()), right, 0.03 * right);
     EXPECT_LT(dot(normalized(report.force.back()), way), -0.999);  // the cloth pulls back
     for (std::size_t k = 1; k < path.size(); ++k) EXPECT_GT(length(report.force[k]), length(report.force[k - 1]));
@@ -71,7 +72,7 @@ TEST(Pull, FeelsNextToNothingWhileSlack) {
   Strip strip(light());
   const PullReport report = strip.pulled({strip.hem(), strip.hem() + Vec3{0, 0.08, 0.05}});
   EXPECT_TRUE(report.end.settled) << text(report.end.why);
-  const double weight = 0.02 * kWidth * kLength * 9.81;
+  const double weight = 0.02 * kPulledWidth * kPulledLength * 9.81;
   EXPECT_LE(length(report.force.back()), weight);  // the bight hangs from the hand, nothing more
 }
 
