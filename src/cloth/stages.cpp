@@ -22,6 +22,8 @@ constexpr double kGrowth = 1.08;      // by this factor each step,
 constexpr double kMostGrowth = 1000;  // to so many times at most
 constexpr int kFallSteps = 40;        // steps without contact: the cloth falls
 constexpr int kMostSeparations = 3;   // times intersections of cloth at rest are separated
+constexpr int kStillSteps = 60;       // steps in which no node
+constexpr double kStill = 1e-4;       // has gone farther than this, metres: still cloth
 
 // The force that closes open seams grows while they come no nearer.
 class SeamPullSchedule {
@@ -41,6 +43,27 @@ class SeamPullSchedule {
   const LevelSolver& solver_;
   double narrowest_, factor_ = 1;
   int idle_ = 0;
+};
+
+// Cloth none of whose nodes goes anywhere is at rest, though a node may tremble in a sharp fold for ever, where contacts
+// come and go with the move they cause, and be out of balance at each step.
+class Stillness {
+ public:
+  explicit Stillness(const LevelSolver& solver) : solver_(solver), from_(solver.positions()) {}
+  bool update() {  // after each step: whether the last steps were still
+    if (++steps_ < kStillSteps) return false;
+    double most = 0;
+    for (NodeIndex k : solver_.moving())
+      most = std::fmax(most, squaredLength(solver_.positions()[k] - from_[k]));
+    from_ = solver_.positions();
+    steps_ = 0;
+    return most < kStill * kStill;
+  }
+
+ private:
+  const LevelSolver& solver_;
+  std::vector<Vec3> from_;
+  int steps_ = 0;
 };
 
 StageResult& record(StageResult& result, const LevelSolver::StepResult& step, const Token& token) {
@@ -121,6 +144,7 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
   int calm = 0, withoutContact = 0, separated = 0;
   bool touched = false;
   SeamPullSchedule schedule(solver);
+  Stillness stillness(solver);
   for (int k = 0; k < criteria.mostSteps; ++k) {
     const int taken = stepsBefore + k;
     options.velocityKept = std::clamp(1 - kDamping * (taken - kDampAfter), kLeastKept, 1.0);
@@ -157,8 +181,9 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
                                                    : std::fmin(kLongest, 1.1 * options.seconds);
     result.seconds = options.seconds;
     calm = step.move < allowed && step.residual < criteria.residual && solver.allTied() ? calm + 1 : 0;
-    if (calm < criteria.calmSteps) continue;
-    if (criteria.left > 0) {
+    const bool still = stillness.update() && options.damped && solver.allTied();
+    if (calm < criteria.calmSteps && !still) continue;
+    if (criteria.left > 0 && !still) {
       LevelSolver::StepOptions longer = options;
       longer.seconds = 0.25;
       longer.damped = false;
