@@ -45,16 +45,15 @@ class SeamPullSchedule {
   int idle_ = 0;
 };
 
-// Cloth none of whose nodes goes anywhere is at rest, though a node may tremble in a sharp fold for ever, where contacts
-// come and go with the move they cause, and be out of balance at each step.
+// Cloth none of whose nodes goes anywhere is at rest, though a node may tremble in a sharp fold for ever, where
+// contacts come and go with the move they cause, and be out of balance at each step.
 class Stillness {
  public:
   explicit Stillness(const LevelSolver& solver) : solver_(solver), from_(solver.positions()) {}
   bool update() {  // after each step: whether the last steps were still
     if (++steps_ < kStillSteps) return false;
     double most = 0;
-    for (NodeIndex k : solver_.moving())
-      most = std::fmax(most, squaredLength(solver_.positions()[k] - from_[k]));
+    for (NodeIndex k : solver_.moving()) most = std::fmax(most, squaredLength(solver_.positions()[k] - from_[k]));
     from_ = solver_.positions();
     steps_ = 0;
     return most < kStill * kStill;

@@ -344,6 +344,24 @@ TEST(Settle, ASeamThatStandsFarOpenBeginsAnew) {
   EXPECT_EQ(widest, levels.front().cloth.spacing);
 }
 
+// No residual is small enough here, as where a node trembles in a sharp fold: the cloth rests once it goes nowhere, and
+// not before.
+TEST(Settle, ClothThatGoesNowhereIsAtRest) {
+  auto strict = tunicLevels();
+  SettleSettings settings;
+  settings.stopResidual = 1e-12;
+  const SettleReport report = mustSettle(strict, tunicBody(), 1, settings);
+  EXPECT_TRUE(report.settled) << text(report.why);
+  EXPECT_LT(report.residual, 0.4);
+  std::vector<ClothLevel> further{strict.back()};
+  mustSettle(further, tunicBody());
+  const std::vector<Vec3>&still = strict.back().state.position, &rest = further[0].state.position;
+  double moved = 0;
+  for (std::size_t k = 0; k < still.size(); ++k)
+    moved += length(still[k] - rest[k]) / static_cast<double>(still.size());
+  EXPECT_LT(moved, 0.001);
+}
+
 TEST(Settle, RefusesWhatMakesNoSense) {
   Workers workers(1);
   std::vector<ClothLevel> none;
