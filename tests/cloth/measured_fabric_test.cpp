@@ -60,6 +60,25 @@ TEST(MeasuredFabric, EveryFabricOfTheShopIsFoundAgain) {
 }
 
 // A cloth between those of the shop: its curve goes through what was measured.
+// Linen and jersey weigh the same: what tells them apart here is one reading, along one thread.
+TEST(MeasuredFabric, OneReadingTellsFabricsOfOneWeightApart) {
+  for (const char* name : {"linen", "jersey"}) {
+    const TableReadings all = readingsOf(*preset(name));
+    for (const std::size_t grain : {0u, 1u})
+      for (const bool bent : {true, false}) {
+        TableReadings t = all;
+        for (std::size_t g = 0; g < kGrains; ++g) {
+          if (g != grain || !bent) t.overhang[g] = {};
+          if (g != grain || bent) t.hung[g].clear();
+        }
+        t.thicknesses.clear();
+        const auto found = measuredFabric(t);
+        ASSERT_TRUE(found) << text(found.error().what);
+        EXPECT_EQ(found->like, name) << (bent ? "bent along " : "stretched along ") << grain;
+      }
+  }
+}
+
 TEST(MeasuredFabric, ACurveGoesThroughWhatWasMeasured) {
   TableReadings t = readingsOf(*preset("linen"));
   for (HungWeight& one : t.hung[0]) one.lengths[0] = t.stripLength + 1.7 * (one.lengths[0] - t.stripLength);

@@ -15,6 +15,7 @@ TEST(FacedEdges, LieWithinTheSkirt) {
   const Document& document = file.document();
   expectHangsWell(document);
   const Piece &front = *document.pieceNamed("front"), &facing = *document.pieceNamed("front_facing");
+  EXPECT_EQ(facing.layer, front.layer - 1);
   for (const double f : {0.2, 0.5, 0.8})
     expectWithin(document, facing, front, findEdge(facing, "inner")->curve.atFraction(f));
 }

@@ -96,7 +96,11 @@ TEST(FitInMotion, RefusesBeforeTheLongWork) {
   ASSERT_FALSE(unknown);
   EXPECT_NE(text(unknown.error().what).find("cartwheel"), std::string::npos);
   EXPECT_EQ(fitting.drapes, 0u);
-  EXPECT_FALSE(fitInMotion(Document(), {"T"}, fitting.context)) << "no body";
+  for (const std::vector<std::string>& poses : {std::vector<std::string>{"T"}, {}}) {
+    const auto bodiless = fitInMotion(Document(), poses, fitting.context);
+    ASSERT_FALSE(bodiless);
+    EXPECT_NE(text(bodiless.error().what).find("no body yet"), std::string::npos) << text(bodiless.error().what);
+  }
 }
 
 }  // namespace
