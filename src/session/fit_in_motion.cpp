@@ -43,6 +43,7 @@ struct EdgePlace {
   PieceId piece;
   Flat paper;
   SurfacePoint skin;  // it lay nearest to
+  bool ofArm = false;
   Vec3 inwards;
 };
 // By what the edge is.
@@ -75,7 +76,7 @@ EdgePlaces openEdges(const FitInPose& first, const Skeleton& skeleton) {
         const BodyPoint point = own.describe(near->place);
         if (const auto kind = kindAt(point))
           here[static_cast<std::size_t>(*kind)].push_back(
-              {id, paper, near->place, inwards(skeleton, point.part, point.along)});
+              {id, paper, near->place, isArm(point.part), inwards(skeleton, point.part, point.along)});
       }
       // An edge is what most of it is.
       const auto most =
@@ -157,18 +158,23 @@ Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::
     fit->name = name, fit->said = namedPose(name)->said;
     fits.push_back(*std::move(fit));
   }
-  const TriangleMesh& own = fits.front().body->own().mesh();
+  const Body& body = fits.front().body->own();
+  const TriangleMesh& own = body.mesh();
   for (FitInPose& fit : fits)
     for (std::size_t kind = 0; kind < edges.size(); ++kind) {
       double sum = 0;
+      int places = 0;
       std::map<PieceId, Stand> stands;
       for (const EdgePlace& place : edges[kind]) {
         auto stand = stands.find(place.piece);
         if (stand == stands.end()) stand = stands.emplace(place.piece, Stand(*fit.document.find(place.piece))).first;
         const auto near = fit.body->bvh().nearest(stand->second(place.paper));
+        // A hand that hangs beside the hem says nothing of how far it slid.
+        if (isArm(body.describe(near->place).part) != place.ofArm) continue;
         sum += dot(at(own, near->place) - at(own, place.skin), place.inwards);
+        ++places;
       }
-      if (!edges[kind].empty()) fit.slid[kind] = sum / static_cast<double>(edges[kind].size());
+      if (places > 0) fit.slid[kind] = sum / places;
     }
   return fits;
 }

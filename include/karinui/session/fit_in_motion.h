@@ -25,7 +25,7 @@ struct FitInPose {
   StrainReport strain;
   std::optional<PressureReport> pressure;
   // How far such edges slid over the skin since the first pose, on average, metres: towards the trunk along an arm,
-  // upwards elsewhere. None: the garment has no such edge.
+  // upwards elsewhere; what lies beside a hand now is left out. None: the garment has no such edge.
   std::array<std::optional<double>, kOpenEdges.size()> slid{};
 };
 
