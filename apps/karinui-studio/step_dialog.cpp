@@ -29,7 +29,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"ring", "name inner radius depth angle fabric"},
     {"band", "name depth ratio extra sew turn"},
     {"attach", "edge to turn"},
-    {"fasten", "kind a b count first last size length closed closed_length"},
+    {"fasten", "kind a b count spacing first last size length closed closed_length"},
     {"block", "kind ease length fabric"},
     {kDrawnPleat, "lines stitch hold"},
     {"underlay", "width at turn strength rectangle"},
@@ -49,6 +49,13 @@ std::string usualOf(std::string_view operation, const FieldHelp& field) {
                                                                                                : std::string();
 }
 
+// What only a zip is told, and what all others are told but not a zip.
+constexpr std::string_view kOfZips = " length closed_length ",
+                           kNotOfZips = " count spacing last inset size gap closed ";
+bool isOf(std::string_view list, const std::string& field) {
+  return list.find(" " + field + " ") != std::string_view::npos;
+}
+
 // A field that shows all it holds, or the beginning of it where that is very long.
 void giveRoom(QWidget& box) {
   constexpr int kFrame = 30, kWidest = 420;  // pixels
@@ -65,11 +72,6 @@ void giveRoom(QWidget& box) {
 
 Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation operation) {
   if (auto* band = std::get_if<DrawBand>(&operation)) band->sew = false;
-  const bool paper = std::holds_alternative<DrawRectangle>(operation) ||
-                     std::holds_alternative<DrawPolygon>(operation) || std::holds_alternative<DrawRing>(operation) ||
-                     std::holds_alternative<DrawBand>(operation) || std::holds_alternative<AddPleat>(operation) ||
-                     std::holds_alternative<SlashAndSpread>(operation);
-  if (!paper && !std::holds_alternative<ChangeSettings>(operation)) return std::shared_ptr<const Piece>();
   // Formulas are worked out for the figure that is there, which need not be built once more.
   std::vector<FieldText> fields = fieldTexts(operation);
   DocumentNames names = formulaNames(session);
@@ -89,11 +91,22 @@ Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation ope
   const Token token;
   Context context{workers, token, blobs, bodies, {}, {}};
   const Document& before = session.snapshot().document;
+  const auto* scan = std::get_if<LayUnderlay>(&*plain);
+  if (std::holds_alternative<DraftBlock>(*plain) || (scan && !scan->corners.empty()))
+    return std::shared_ptr<const Piece>();
+  if (std::holds_alternative<AttachPiece>(*plain)) {  // the body is not built for this
+    const auto meant = resolved(before, *std::move(plain), context);
+    return meant ? Result(std::shared_ptr<const Piece>()) : meant.error();
+  }
   const auto after = apply(before, *plain, context);
   if (!after) return after.error();
-  for (const auto& [id, piece] : after->pattern.pieces)
-    if (!before.find(id)) return piece;
-  return std::shared_ptr<const Piece>();
+  std::shared_ptr<const Piece> fresh;
+  for (const auto& [id, piece] : after->pattern.pieces) {
+    if (before.find(id)) continue;
+    if (fresh) return std::shared_ptr<const Piece>();  // of several none is drawn
+    fresh = piece;
+  }
+  return fresh;
 }
 
 ChangeSettings settingsNow(const Session& session) {
@@ -178,15 +191,38 @@ void StepDialog::fill(const Operation& operation) {
         if (QLineEdit*& asked = line->text().isEmpty() ? empty : first; !asked) asked = line;
     }
     if (auto* list = qobject_cast<QComboBox*>(box))
-      connect(list, &QComboBox::currentIndexChanged, this, [this] { show(wished()); });
+      connect(list, &QComboBox::currentIndexChanged, this, [this] {
+        fitToKind();
+        show(wished());
+      });
   }
+  fitToKind();
   if (QLineEdit* line = first ? first : empty) line->setFocus(), line->selectAll();
 }
 
+std::string StepDialog::typed(std::string_view name) const {
+  for (const StepField& field : typed_)
+    if (field.name == name && field.box->isEnabled()) return field.value();
+  return {};
+}
+
+void StepDialog::fitToKind() {
+  if (name_ != Fasten::kName) return;
+  const bool zip = typed("kind") == "zip";
+  for (const StepField& field : typed_)
+    if (isOf(kOfZips, field.name) || isOf(kNotOfZips, field.name))
+      field.box->setEnabled(isOf(kOfZips, field.name) == zip);
+}
+
 Result<Operation> StepDialog::wished() const {
+  // As many as there is room for, where it is said how far they are apart and their number was not touched.
+  const auto* fasten = std::get_if<Fasten>(&opened_);
+  const bool counted =
+      !fasten || !fasten->count || typed("spacing").empty() || typed("count") != std::to_string(*fasten->count);
   std::vector<FieldText> fields;
   for (const StepField& field : typed_)
-    if (std::string value = field.value(); !value.empty()) fields.push_back({field.name, std::move(value)});
+    if (std::string value = typed(field.name); !value.empty() && (counted || field.name != "count"))
+      fields.push_back({field.name, std::move(value)});
   return parseOperation(lineOf(name_, fields));
 }
 
@@ -196,7 +232,8 @@ void StepDialog::show(const Result<Operation>& wish) {
   make_->setEnabled(static_cast<bool>(piece));
   said_->setText(piece ? QString() : inWords(piece.error().what));
   drawing_->show(piece ? *piece : nullptr);
-  if (piece && !*piece) drawing_->hide();
+  if (piece && !isVisible()) drawing_->setVisible(*piece != nullptr);
+  if (piece && *piece) drawing_->setVisible(true);
 }
 
 void StepDialog::perform() {
