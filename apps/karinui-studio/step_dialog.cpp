@@ -7,6 +7,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -66,6 +70,21 @@ void giveRoom(QWidget& box) {
     list->setMinimumContentsLength(0);
     list->setMinimumWidth(std::min(kWidest, list->sizeHint().width()));
   }
+}
+
+// As high as what it holds, and scrolled where the screen has no room for that.
+class FieldsArea : public QScrollArea {
+ public:
+  QSize sizeHint() const override { return roomed(widget()->sizeHint()); }
+  QSize minimumSizeHint() const override { return {roomed(widget()->minimumSizeHint()).width(), 80}; }
+
+ private:
+  QSize roomed(QSize size) const { return {size.width() + verticalScrollBar()->sizeHint().width(), size.height()}; }
+};
+
+bool drawnOnPaper(std::string_view operation) {
+  return operation == DrawRectangle::kName || operation == DrawPolygon::kName || operation == DrawRing::kName ||
+         operation == DrawBand::kName;
 }
 
 }  // namespace
@@ -136,19 +155,32 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   column->addWidget(about);
   drawing_ = new OutlineDrawing;
   column->addWidget(drawing_, 1);
+  auto* fields = new QWidget;
+  auto* rows = new QVBoxLayout(fields);
+  rows->setContentsMargins(0, 0, 0, 0);
   main_ = new QFormLayout;
   main_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  column->addLayout(main_);
+  rows->addLayout(main_);
   auto* more = new QCheckBox(inWords(say("More")));
   more->setObjectName("more");
-  column->addWidget(more);
+  rows->addWidget(more);
   rest_ = new QWidget;
   more_ = new QFormLayout(rest_);
   more_->setContentsMargins(0, 0, 0, 0);
   more_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   rest_->hide();
-  column->addWidget(rest_);
-  connect(more, &QCheckBox::toggled, rest_, &QWidget::setVisible);
+  rows->addWidget(rest_);
+  rows->addStretch(1);
+  auto* area = new FieldsArea;
+  area->setWidget(fields);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(area, 4);
+  connect(more, &QCheckBox::toggled, this, [this, area](bool shown) {
+    rest_->setVisible(shown);
+    area->updateGeometry();
+    QTimer::singleShot(0, this, [this] { takeRoom(); });
+  });
   said_ = new QLabel;
   said_->setObjectName("said");
   said_->setWordWrap(true);
@@ -165,7 +197,15 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   fill(operation);
   more->setVisible(more_->rowCount() > 0);
   show(wished());
+  takeRoom();
   open();
+}
+
+void StepDialog::takeRoom() {
+  constexpr int kFrame = 48;  // pixels that a window's frame takes
+  layout()->activate();
+  const QSize wish = sizeHint().expandedTo(isVisible() ? size() : QSize());
+  resize(wish.width(), std::min(wish.height(), screen()->availableGeometry().height() - kFrame));
 }
 
 void StepDialog::fill(const Operation& operation) {
@@ -232,8 +272,7 @@ void StepDialog::show(const Result<Operation>& wish) {
   make_->setEnabled(static_cast<bool>(piece));
   said_->setText(piece ? QString() : inWords(piece.error().what));
   drawing_->show(piece ? *piece : nullptr);
-  if (piece && !isVisible()) drawing_->setVisible(*piece != nullptr);
-  if (piece && *piece) drawing_->setVisible(true);
+  drawing_->setVisible(drawnOnPaper(name_) || (piece && *piece));
 }
 
 void StepDialog::perform() {

@@ -31,6 +31,7 @@ class StepDialog : public QDialog {
   void fitToKind();                                 // of a zip other things are asked than of buttons
   Result<Operation> wished() const;
   void show(const Result<Operation>& wish);
+  void takeRoom();  // all it asks for, where the screen has that
   void perform();
   Session& session_;
   Document document_;  // as it was when the dialog opened: the fields know its pieces

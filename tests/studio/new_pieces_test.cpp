@@ -14,6 +14,7 @@
 #include "karinui/design/edge_run.h"
 #include "karinui/design/script.h"
 #include "new_pieces.h"
+#include "outline_drawing.h"
 #include "step_dialog.h"
 #include "studio/window.h"
 
@@ -356,6 +357,8 @@ TEST(StudioNewPieces, ButtonsBetweenTwoEdgesByTheRightButton) {
     EXPECT_EQ(numbers.said(), "") << "as many as there is room for";
     EXPECT_TRUE(numbers.make().isEnabled());
     numbers.line("spacing").clear();
+    EXPECT_LE(numbers.dialog->height(), w.main().screen()->availableGeometry().height()) << "its buttons are reached";
+    EXPECT_FALSE(numbers.dialog->findChild<OutlineDrawing*>()->isVisible());
     auto* kind = numbers.dialog->findChild<QComboBox*>("kind");
     kind->setCurrentIndex(kind->findText("Zip"));
     EXPECT_EQ(numbers.said(), "") << "a zip is not told how many";
