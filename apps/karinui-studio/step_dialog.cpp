@@ -197,14 +197,19 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   fill(operation);
   more->setVisible(more_->rowCount() > 0);
   show(wished());
+  ensurePolished();
+  for (QWidget* child : findChildren<QWidget*>())
+    child->ensurePolished();  // only then are they as high as they will be
   takeRoom();
   open();
+  takeRoom();
 }
 
 void StepDialog::takeRoom() {
   constexpr int kFrame = 48;  // pixels that a window's frame takes
   layout()->activate();
-  const QSize wish = sizeHint().expandedTo(isVisible() ? size() : QSize());
+  QSize wish = sizeHint().expandedTo(isVisible() ? size() : QSize());
+  wish.setHeight(std::max(wish.height(), layout()->totalHeightForWidth(wish.width())));  // sentences are wrapped
   resize(wish.width(), std::min(wish.height(), screen()->availableGeometry().height() - kFrame));
 }
 

@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QTimer>
 #include <numbers>
@@ -585,6 +587,7 @@ TEST(StudioNewPieces, WhatAFieldHoldsCanBeRead) {
     StepDialog dialog(w.session(), operation, &w.main());
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);
     QApplication::processEvents();
+    EXPECT_EQ(dialog.findChild<QScrollArea*>()->verticalScrollBar()->maximum(), 0) << "the screen has room for all";
     for (const QLineEdit* line : dialog.findChildren<QLineEdit*>()) {
       if (!line->isVisible() || line->text().isEmpty()) continue;
       const int wide = line->fontMetrics().horizontalAdvance(line->text());
