@@ -22,7 +22,6 @@ namespace karinui::studio {
 namespace {
 
 constexpr double kSkirtDeep = 0.5;  // metres, first written in the box
-constexpr double kShirred = 0.6;    // of a line's length the elastic, first written in the box
 constexpr double kDartDeep = 0.1;   // metres, as the board "Garment" offers it
 
 // By length, to the millimetre, as it is then written into the step.
@@ -165,13 +164,13 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
   }
   const auto offerTopstitch = [&](PieceId piece, const std::string& line) {
     offer(*menu, say("Topstitch along {0}…", nameSaid(line)),
-          [this, topstitch = topstitchAlong({{PieceRef(piece), line}}, true)] { askNumbers(topstitch); });
+          [this, topstitch = topstitchAlong(session_->snapshot().document, {{PieceRef(piece), line}})] {
+            askNumbers(topstitch);
+          });
   };
   const auto offerTurning = [&](PieceId piece, const std::string& line) {
-    FoldLine fold;
-    fold.piece = PieceRef(piece), fold.lines = {line}, fold.turned = true;
-    fold.angle = Angle{Crease::kSharpest};
-    offer(*menu, say("Turn back along {0}…", nameSaid(line)), [this, fold] { askNumbers(fold); });
+    offer(*menu, say("Turn back along {0}…", nameSaid(line)),
+          [this, fold = turningAlong(session_->snapshot().document, piece, line)] { askNumbers(fold); });
   };
   const auto offerPleats = [&](PieceId id, const std::string& line) {
     if (const Piece* piece = session_->snapshot().document.find(id))
@@ -180,10 +179,10 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
               [this, pleat] { askNumbers(pleat); });
   };
   const auto offerElastic = [&](PieceId piece, const std::string& line) {
-    SewElastic elastic;
-    elastic.edges = {{PieceRef(piece), line}};
-    elastic.ratio = kShirred;
-    offer(*menu, say("Elastic along {0}…", nameSaid(line)), [this, elastic] { askNumbers(elastic); });
+    offer(*menu, say("Elastic along {0}…", nameSaid(line)),
+          [this, elastic = elasticAlong(session_->snapshot().document, {PieceRef(piece), line})] {
+            askNumbers(elastic);
+          });
   };
   if (chosen.mark || !chosen.line.empty()) {
     if (!chosen.line.empty() && !chosen.pieces.empty()) {
@@ -282,10 +281,13 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     face.edges = run;
     askNumbers(face);
   });
-  offer(menu, say("Shirring…"), [this, run] { askNumbers(shirringAlong(run)); });
-  offer(menu, say("Topstitch…"), [this, run] { askNumbers(topstitchAlong(run, false)); });
-  offer(menu, say("Piping…"), [this, run] { askNumbers(pipingAlong(run)); });
-  if (seamsOn(document, run).empty()) offer(menu, say("Binding…"), [this, run] { askNumbers(bindingAlong(run)); });
+  const auto offerFinish = [&](const Message& words, auto along) {
+    offer(menu, words, [this, run, along] { askNumbers(along(session_->snapshot().document, run)); });
+  };
+  offerFinish(say("Shirring…"), shirringAlong);
+  offerFinish(say("Topstitch…"), topstitchAlong);
+  offerFinish(say("Piping…"), pipingAlong);
+  if (seamsOn(document, run).empty()) offerFinish(say("Binding…"), bindingAlong);
   offer(menu, say("Pleats…"), [this, ref] { askNumbers(pleatsIn(session_->snapshot().document, ref)); });
   DrawRing skirt;
   skirt.name = usableName(document, "ring");

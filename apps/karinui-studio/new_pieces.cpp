@@ -15,6 +15,8 @@
 
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
+#include "karinui/design/variables.h"
+#include "karinui/pattern/elastic_lines.h"
 #include "main_window.h"
 #include "step_dialog.h"
 #include "theme.h"
@@ -138,32 +140,83 @@ Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& 
   return fasten;
 }
 
-SewElastic shirringAlong(std::vector<EdgeRef> edges) {
+namespace {
+
+// The finish that the first of these has.
+template <class Finish>
+const Finish* finishOn(const std::map<Allowances::At, Finish>& all, const std::vector<EdgeRef>& edges) {
+  for (const EdgeRef& edge : edges)
+    if (const auto own = all.find({edge.piece.id, edge.edge}); own != all.end()) return &own->second;
+  return nullptr;
+}
+template <class Finish>
+Finish finishOrUsual(const std::map<Allowances::At, Finish>& all, const std::vector<EdgeRef>& edges) {
+  const Finish* own = finishOn(all, edges);
+  return own ? *own : Finish();
+}
+
+double tidy(double number) { return std::round(number * 1e4) / 1e4; }  // as it is read and typed
+
+}  // namespace
+
+SewElastic elasticAlong(const Document& document, const EdgeRef& line) {
+  constexpr double kDrawnIn = 0.6;  // of a line's length the elastic
+  SewElastic made;
+  made.edges = {line};
+  made.ratio = kDrawnIn;
+  if (const Elastic* own = finishOn(document.allowances.elastics, made.edges))
+    made.ratio = tidy(own->ratio), made.strength = own->strength;
+  return made;
+}
+
+SewElastic shirringAlong(const Document& document, std::vector<EdgeRef> edges) {
   SewElastic made;
   made.edges = std::move(edges);
   made.ratio = 0.7, made.strength = 2;
   made.rows = 5, made.spacing = Length{0.01};
+  if (const Elastic* own = finishOn(document.allowances.elastics, made.edges))
+    made.ratio = tidy(own->ratio), made.strength = own->strength;
+  for (const EdgeRef& edge : made.edges)
+    if (const Piece* piece = document.find(edge.piece.id))
+      if (const ElasticRows own = elasticRows(*piece, edge.edge, document.allowances); own.count > 1) {
+        made.rows = own.count, made.spacing = Length{tidy(own.spacing)};
+        break;
+      }
   return made;
 }
 
-SewTopstitch topstitchAlong(std::vector<EdgeRef> edges, bool line) {
+SewTopstitch topstitchAlong(const Document& document, std::vector<EdgeRef> edges) {
   SewTopstitch made;
-  const Topstitch usual;
+  const Topstitch own = finishOrUsual(document.allowances.topstitches, edges);
+  const Piece* piece = edges.empty() ? nullptr : document.find(edges.front().piece.id);
+  if (!piece || findEdge(*piece, edges.front().edge)) made.offset = Length{own.offset};
   made.edges = std::move(edges);
-  if (!line) made.offset = Length{usual.offset};
-  made.rows = usual.rows, made.length = Length{usual.length};
+  made.rows = own.rows, made.length = Length{own.length};
+  if (own.rows > 1) made.apart = Length{own.apart};
   return made;
 }
 
-SewPiping pipingAlong(std::vector<EdgeRef> edges) {
+SewPiping pipingAlong(const Document& document, std::vector<EdgeRef> edges) {
   SewPiping made;
-  made.edges = std::move(edges), made.thickness = Length{Piping().thickness};
+  const Piping own = finishOrUsual(document.allowances.pipings, edges);
+  made.edges = std::move(edges), made.thickness = Length{own.thickness}, made.fabric = own.fabric;
   return made;
 }
 
-BindEdges bindingAlong(std::vector<EdgeRef> edges) {
+BindEdges bindingAlong(const Document& document, std::vector<EdgeRef> edges) {
   BindEdges made;
-  made.edges = std::move(edges), made.width = Length{Binding().width};
+  const Binding own = finishOrUsual(document.allowances.bindings, edges);
+  made.edges = std::move(edges), made.width = Length{own.width}, made.fabric = own.fabric;
+  return made;
+}
+
+FoldLine turningAlong(const Document& document, PieceId piece, const std::string& line) {
+  FoldLine made;
+  made.piece = PieceRef(piece), made.lines = {line}, made.turned = true;
+  made.angle = Angle{Crease::kSharpest};
+  if (const Piece* own = document.find(piece))
+    for (const InternalLine& drawn : own->lines)
+      if (drawn.name == line && drawn.crease) made.angle = Angle{drawn.crease->angle}, made.hold = drawn.crease->hold;
   return made;
 }
 
@@ -173,6 +226,26 @@ void MainWindow::askNumbers(Operation operation) {
   auto* dialog = new StepDialog(*session_, std::move(operation), this);
   connect(dialog, &StepDialog::performed, this, [this] { refresh(); });
 }
+
+namespace {
+
+// What is wrong with the formulas of a step on a figure that is not built yet; what only its body tells is left out.
+std::optional<Error> formulaTrouble(const Operation& operation, const QByteArray& size) {
+  const auto measures = builtInSize(std::string_view(size.data(), static_cast<std::size_t>(size.size())));
+  if (!measures) return measures.error();
+  Document document;
+  document.body.measurements = *measures;
+  bool asked = false;
+  DocumentNames names(document, [&asked]() -> Result<BodyPtr> {
+    asked = true;
+    return refused({});
+  });
+  for (const FieldText& formula : operation.formulas)
+    if (const auto value = workedOut(formula.value, names); !value && !asked) return value.error();
+  return std::nullopt;
+}
+
+}  // namespace
 
 void MainWindow::askBlock() {
   auto* dialog = new QDialog(this);
@@ -192,12 +265,18 @@ void MainWindow::askBlock() {
   const OperationHelp& help = helpOf(Operation(DraftBlock{}));
   auto fields = std::make_shared<std::vector<StepField>>();
   const auto document = std::make_shared<Document>();  // the fields look at it
-  const auto make = [this, dialog, size, fields, document] {
+  auto* said = new QLabel;
+  said->setObjectName("said");
+  said->setWordWrap(true);
+  const auto make = [this, dialog, size, fields, document, said] {
     std::vector<FieldText> texts;
     for (const StepField& field : *fields)
       if (std::string value = field.value(); !value.empty()) texts.push_back({field.name, std::move(value)});
     const auto block = parseOperation(lineOf(DraftBlock::kName, texts));
-    if (!block) return session_->refuse(block.error());
+    if (const auto why = block ? formulaTrouble(*block, size->currentData().toByteArray()) : block.error()) {
+      said->setText(inWords(why->what));
+      return;
+    }
     newGarment(size->currentData().toByteArray().toStdString(), {});
     session_->perform(*block);
     dialog->accept();
@@ -218,6 +297,8 @@ void MainWindow::askBlock() {
   note->setWordWrap(true);
   note->setProperty("role", "faint");
   form->addRow(note);
+  said->setMinimumHeight(2 * said->fontMetrics().lineSpacing());
+  form->addRow(said);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   buttons->button(QDialogButtonBox::Ok)->setText(inWords(say("Make it")));
   buttons->button(QDialogButtonBox::Ok)->setObjectName("make");
@@ -289,15 +370,17 @@ void MainWindow::addNewPieces(QMenu& menu) {
       [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
   add("spread", say("Slash and spread from the chosen edge…"), true,
       [chosen, this] { return Operation(slashFrom(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
-  const auto run = [chosen, this] {
-    const auto edge = chosen();
-    return edge ? runThrough(session_->snapshot().document, *edge) : std::vector<EdgeRef>();
+  const auto addFinish = [&](const char* name, const Message& words, auto along) {
+    add(name, words, true, [chosen, along, this] {
+      const Document& document = session_->snapshot().document;
+      const auto edge = chosen();
+      return Operation(along(document, edge ? runThrough(document, *edge) : std::vector<EdgeRef>()));
+    });
   };
-  add("shirring", say("Shirring along the chosen edge…"), true, [run] { return Operation(shirringAlong(run())); });
-  add("topstitch", say("Topstitching along the chosen edge…"), true,
-      [run] { return Operation(topstitchAlong(run(), false)); });
-  add("piping", say("Piping along the chosen edge…"), true, [run] { return Operation(pipingAlong(run())); });
-  add("binding", say("Binding along the chosen edge…"), true, [run] { return Operation(bindingAlong(run())); });
+  addFinish("shirring", say("Shirring along the chosen edge…"), shirringAlong);
+  addFinish("topstitch", say("Topstitching along the chosen edge…"), topstitchAlong);
+  addFinish("piping", say("Piping along the chosen edge…"), pipingAlong);
+  addFinish("binding", say("Binding along the chosen edge…"), bindingAlong);
   add("fasten", say("Buttons or a zip along the chosen edge…"), true, [chosen, this] {
     return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
   });

@@ -18,11 +18,12 @@ std::vector<AddPleat> drawnPleats(const Piece& piece, const std::string& fold);
 SlashAndSpread slashFrom(const Document& document, const EdgeRef& edge);
 // Buttons about 8 cm apart along an edge that laps over another, as the dialog first offers them.
 Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under);
-// Five rows of a weak elastic, as the dialog first offers them.
-SewElastic shirringAlong(std::vector<EdgeRef> edges);
-// Along edges, or along an inner line, with the usual numbers.
-SewTopstitch topstitchAlong(std::vector<EdgeRef> edges, bool line);
-SewPiping pipingAlong(std::vector<EdgeRef> edges);
-BindEdges bindingAlong(std::vector<EdgeRef> edges);
+// As the dialog first offers it: what is along the edges or the inner line already, otherwise with the usual numbers.
+SewElastic elasticAlong(const Document& document, const EdgeRef& line);
+SewElastic shirringAlong(const Document& document, std::vector<EdgeRef> edges);  // five rows of a weak elastic
+SewTopstitch topstitchAlong(const Document& document, std::vector<EdgeRef> edges);
+SewPiping pipingAlong(const Document& document, std::vector<EdgeRef> edges);
+BindEdges bindingAlong(const Document& document, std::vector<EdgeRef> edges);
+FoldLine turningAlong(const Document& document, PieceId piece, const std::string& line);
 
 }  // namespace karinui::studio

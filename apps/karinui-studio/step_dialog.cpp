@@ -7,6 +7,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -29,7 +33,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"ring", "name inner radius depth angle fabric"},
     {"band", "name depth ratio extra sew turn"},
     {"attach", "edge to turn"},
-    {"fasten", "kind a b count first last size length closed closed_length"},
+    {"fasten", "kind a b count spacing first last size length closed closed_length"},
     {"block", "kind ease length fabric"},
     {kDrawnPleat, "lines stitch hold"},
     {"underlay", "width at turn strength rectangle"},
@@ -49,6 +53,13 @@ std::string usualOf(std::string_view operation, const FieldHelp& field) {
                                                                                                : std::string();
 }
 
+// What only a zip is told, and what all others are told but not a zip.
+constexpr std::string_view kOfZips = " length closed_length ",
+                           kNotOfZips = " count spacing last inset size gap closed ";
+bool isOf(std::string_view list, const std::string& field) {
+  return list.find(" " + field + " ") != std::string_view::npos;
+}
+
 // A field that shows all it holds, or the beginning of it where that is very long.
 void giveRoom(QWidget& box) {
   constexpr int kFrame = 30, kWidest = 420;  // pixels
@@ -61,15 +72,25 @@ void giveRoom(QWidget& box) {
   }
 }
 
+// As high as what it holds, and scrolled where the screen has no room for that.
+class FieldsArea : public QScrollArea {
+ public:
+  QSize sizeHint() const override { return roomed(widget()->sizeHint()); }
+  QSize minimumSizeHint() const override { return {roomed(widget()->minimumSizeHint()).width(), 80}; }
+
+ private:
+  QSize roomed(QSize size) const { return {size.width() + verticalScrollBar()->sizeHint().width(), size.height()}; }
+};
+
+bool drawnOnPaper(std::string_view operation) {
+  return operation == DrawRectangle::kName || operation == DrawPolygon::kName || operation == DrawRing::kName ||
+         operation == DrawBand::kName;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation operation) {
   if (auto* band = std::get_if<DrawBand>(&operation)) band->sew = false;
-  const bool paper = std::holds_alternative<DrawRectangle>(operation) ||
-                     std::holds_alternative<DrawPolygon>(operation) || std::holds_alternative<DrawRing>(operation) ||
-                     std::holds_alternative<DrawBand>(operation) || std::holds_alternative<AddPleat>(operation) ||
-                     std::holds_alternative<SlashAndSpread>(operation);
-  if (!paper && !std::holds_alternative<ChangeSettings>(operation)) return std::shared_ptr<const Piece>();
   // Formulas are worked out for the figure that is there, which need not be built once more.
   std::vector<FieldText> fields = fieldTexts(operation);
   DocumentNames names = formulaNames(session);
@@ -89,11 +110,22 @@ Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation ope
   const Token token;
   Context context{workers, token, blobs, bodies, {}, {}};
   const Document& before = session.snapshot().document;
+  const auto* scan = std::get_if<LayUnderlay>(&*plain);
+  if (std::holds_alternative<DraftBlock>(*plain) || (scan && !scan->corners.empty()))
+    return std::shared_ptr<const Piece>();
+  if (std::holds_alternative<AttachPiece>(*plain)) {  // the body is not built for this
+    const auto meant = resolved(before, *std::move(plain), context);
+    return meant ? Result(std::shared_ptr<const Piece>()) : meant.error();
+  }
   const auto after = apply(before, *plain, context);
   if (!after) return after.error();
-  for (const auto& [id, piece] : after->pattern.pieces)
-    if (!before.find(id)) return piece;
-  return std::shared_ptr<const Piece>();
+  std::shared_ptr<const Piece> fresh;
+  for (const auto& [id, piece] : after->pattern.pieces) {
+    if (before.find(id)) continue;
+    if (fresh) return std::shared_ptr<const Piece>();  // of several none is drawn
+    fresh = piece;
+  }
+  return fresh;
 }
 
 ChangeSettings settingsNow(const Session& session) {
@@ -123,19 +155,32 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   column->addWidget(about);
   drawing_ = new OutlineDrawing;
   column->addWidget(drawing_, 1);
+  auto* fields = new QWidget;
+  auto* rows = new QVBoxLayout(fields);
+  rows->setContentsMargins(0, 0, 0, 0);
   main_ = new QFormLayout;
   main_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  column->addLayout(main_);
+  rows->addLayout(main_);
   auto* more = new QCheckBox(inWords(say("More")));
   more->setObjectName("more");
-  column->addWidget(more);
+  rows->addWidget(more);
   rest_ = new QWidget;
   more_ = new QFormLayout(rest_);
   more_->setContentsMargins(0, 0, 0, 0);
   more_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   rest_->hide();
-  column->addWidget(rest_);
-  connect(more, &QCheckBox::toggled, rest_, &QWidget::setVisible);
+  rows->addWidget(rest_);
+  rows->addStretch(1);
+  auto* area = new FieldsArea;
+  area->setWidget(fields);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(area, 4);
+  connect(more, &QCheckBox::toggled, this, [this, area](bool shown) {
+    rest_->setVisible(shown);
+    area->updateGeometry();
+    QTimer::singleShot(0, this, [this] { takeRoom(); });
+  });
   said_ = new QLabel;
   said_->setObjectName("said");
   said_->setWordWrap(true);
@@ -152,7 +197,20 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   fill(operation);
   more->setVisible(more_->rowCount() > 0);
   show(wished());
+  ensurePolished();
+  for (QWidget* child : findChildren<QWidget*>())
+    child->ensurePolished();  // only then are they as high as they will be
+  takeRoom();
   open();
+  takeRoom();
+}
+
+void StepDialog::takeRoom() {
+  constexpr int kFrame = 48;  // pixels that a window's frame takes
+  layout()->activate();
+  QSize wish = sizeHint().expandedTo(isVisible() ? size() : QSize());
+  wish.setHeight(std::max(wish.height(), layout()->totalHeightForWidth(wish.width())));  // sentences are wrapped
+  resize(wish.width(), std::min(wish.height(), screen()->availableGeometry().height() - kFrame));
 }
 
 void StepDialog::fill(const Operation& operation) {
@@ -178,15 +236,38 @@ void StepDialog::fill(const Operation& operation) {
         if (QLineEdit*& asked = line->text().isEmpty() ? empty : first; !asked) asked = line;
     }
     if (auto* list = qobject_cast<QComboBox*>(box))
-      connect(list, &QComboBox::currentIndexChanged, this, [this] { show(wished()); });
+      connect(list, &QComboBox::currentIndexChanged, this, [this] {
+        fitToKind();
+        show(wished());
+      });
   }
+  fitToKind();
   if (QLineEdit* line = first ? first : empty) line->setFocus(), line->selectAll();
 }
 
+std::string StepDialog::typed(std::string_view name) const {
+  for (const StepField& field : typed_)
+    if (field.name == name && field.box->isEnabled()) return field.value();
+  return {};
+}
+
+void StepDialog::fitToKind() {
+  if (name_ != Fasten::kName) return;
+  const bool zip = typed("kind") == "zip";
+  for (const StepField& field : typed_)
+    if (isOf(kOfZips, field.name) || isOf(kNotOfZips, field.name))
+      field.box->setEnabled(isOf(kOfZips, field.name) == zip);
+}
+
 Result<Operation> StepDialog::wished() const {
+  // As many as there is room for, where it is said how far they are apart and their number was not touched.
+  const auto* fasten = std::get_if<Fasten>(&opened_);
+  const bool counted =
+      !fasten || !fasten->count || typed("spacing").empty() || typed("count") != std::to_string(*fasten->count);
   std::vector<FieldText> fields;
   for (const StepField& field : typed_)
-    if (std::string value = field.value(); !value.empty()) fields.push_back({field.name, std::move(value)});
+    if (std::string value = typed(field.name); !value.empty() && (counted || field.name != "count"))
+      fields.push_back({field.name, std::move(value)});
   return parseOperation(lineOf(name_, fields));
 }
 
@@ -196,7 +277,7 @@ void StepDialog::show(const Result<Operation>& wish) {
   make_->setEnabled(static_cast<bool>(piece));
   said_->setText(piece ? QString() : inWords(piece.error().what));
   drawing_->show(piece ? *piece : nullptr);
-  if (piece && !*piece) drawing_->hide();
+  drawing_->setVisible(drawnOnPaper(name_) || (piece && *piece));
 }
 
 void StepDialog::perform() {

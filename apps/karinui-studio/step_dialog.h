@@ -27,8 +27,11 @@ class StepDialog : public QDialog {
 
  private:
   void fill(const Operation& operation);
+  std::string typed(std::string_view field) const;  // empty: nothing, or it is not of this kind
+  void fitToKind();                                 // of a zip other things are asked than of buttons
   Result<Operation> wished() const;
   void show(const Result<Operation>& wish);
+  void takeRoom();  // all it asks for, where the screen has that
   void perform();
   Session& session_;
   Document document_;  // as it was when the dialog opened: the fields know its pieces
@@ -45,8 +48,8 @@ class StepDialog : public QDialog {
 // The settings as they are: entered unchanged, nothing is done.
 ChangeSettings settingsNow(const Session& session);
 
-// The outline that a piece on paper would have, or why the paper refuses it; nothing to show for operations that make
-// none, or need the body.
+// The outline of the one piece that an operation would make, or why it is refused; nothing to show where it makes none
+// or several. What needs the body or a photograph is looked at only as far as it can be without.
 Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation operation);
 
 }  // namespace karinui::studio

@@ -79,6 +79,18 @@ const LengthUnit* unitAt(std::string_view pattern) {
   return nullptr;
 }
 
+// The unit that stands behind the other end, where what stands here begins a range: "3 to 50 mm".
+const LengthUnit* unitOfRange(std::string_view pattern) {
+  for (const std::string_view between : {" to ", " and ", "～", "〜", " から "}) {
+    if (!pattern.starts_with(between)) continue;
+    pattern.remove_prefix(between.size());
+    if (pattern.size() > 2 && pattern[0] == '{' && pattern[2] == '}') return unitAt(pattern.substr(3));
+    const std::size_t end = std::min(pattern.find_first_not_of("0123456789."), pattern.size());
+    return end > 0 ? unitAt(pattern.substr(end)) : nullptr;
+  }
+  return nullptr;
+}
+
 // Lengths in other words; several, as a place has them, between what stands between them. Nothing: no number.
 std::optional<std::string> reworded(std::string_view millimetres, const LengthUnit& unit, LengthWords lengths) {
   std::string said;
@@ -121,8 +133,15 @@ std::string text(const Message& message, Language language, LengthWords lengths,
                        : value  ? std::get<std::string>(message.values[which])
                                 : std::string(pattern.substr(i, end - i));
     if (const auto name = names && value && !sentence ? names(part) : std::nullopt) part = text(*name, language);
-    if (const LengthUnit* unit = lengths ? unitAt(pattern.substr(end)) : nullptr)
-      if (auto words = reworded(part, *unit, lengths)) part = *std::move(words), end += unit->written.size();
+    if (lengths) {
+      const std::string_view rest = pattern.substr(end);
+      const LengthUnit* own = unitAt(rest);
+      if (const LengthUnit* unit = own ? own : unitOfRange(rest))
+        if (auto words = reworded(part, *unit, lengths)) {
+          part = *std::move(words);
+          if (own) end += own->written.size();
+        }
+    }
     said += part;
     i = end;
   }

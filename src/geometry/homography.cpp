@@ -5,7 +5,20 @@
 
 namespace karinui {
 
+namespace {
+
+bool threeOnALine(const std::array<Flat, 4>& places) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Flat a = places[(i + 1) % 4] - places[i], b = places[(i + 2) % 4] - places[i];
+    if (!(std::fabs(cross(a, b)) > 1e-9 * length(a) * length(b))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::optional<Homography> Homography::through(const std::array<Flat, 4>& from, const std::array<Flat, 4>& to) {
+  if (threeOnALine(from) || threeOnALine(to)) return std::nullopt;
   // Two rows a place, of the eight numbers and the right side.
   std::array<std::array<double, 9>, 8> rows{};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -20,9 +33,6 @@ std::optional<Homography> Homography::through(const std::array<Flat, 4>& from, c
     for (std::size_t i = k + 1; i < 8; ++i)
       if (std::fabs(rows[i][k]) > std::fabs(rows[best][k])) best = i;
     std::swap(rows[k], rows[best]);
-    double scale = 0;
-    for (std::size_t c = k; c < 8; ++c) scale = std::max(scale, std::fabs(rows[k][c]));
-    if (!(std::fabs(rows[k][k]) > 1e-12 * scale)) return std::nullopt;
     for (std::size_t i = 0; i < 8; ++i) {
       if (i == k) continue;
       const double times = rows[i][k] / rows[k][k];

@@ -268,13 +268,13 @@ void TableLayout::arrange(const GarmentSnapshot& snapshot) {
   // Rows from the top downwards; a new piece goes to the end of the last row.
   double right = 0, top = 0, low = 0;
   bool any = false;
-  for (const auto& [id, place] : place_) {
-    const Box b = lies(id);
+  const auto goOnBeside = [&](const Box& b) {
     low = any ? std::min(low, b.low.y) : b.low.y;
     top = any ? std::max(top, b.high.y) : b.high.y;
     right = std::max(right, b.high.x + kTableGap);
     any = true;
-  }
+  };
+  for (const auto& [id, place] : place_) goOnBeside(lies(id));
   for (const auto& worn : snapshot.worn) {
     if (place_.contains(worn.id)) continue;
     const Box& b = room.at(worn.id);
@@ -283,6 +283,7 @@ void TableLayout::arrange(const GarmentSnapshot& snapshot) {
     if (underlayAt(document.underlays, middle) &&
         std::none_of(place_.begin(), place_.end(), [&](const auto& other) { return meet(worn.id, other.first); })) {
       place_[worn.id] = {};
+      goOnBeside(b);
       continue;
     }
     if (any && right + b.size().x > kTableWide) {

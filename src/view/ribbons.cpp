@@ -77,7 +77,7 @@ void addRibbon(Ribbons& ribbons, const std::vector<Vec3>& line, Vec3 origin, con
 Ribbons ribbonsOf(const SceneFrame& frame, Vec3 origin) {
   Ribbons ribbons;
   for (const SceneCloth& cloth : frame.cloths) {
-    const RibbonLook edge{darker(cloth.colour, 0.22f), 1.4, 3.0};
+    const RibbonLook edge{darker(cloth.colour, 0.22f), 1.4, 1.0};
     for (const auto& numbers : cloth.outlines) addRibbon(ribbons, run(cloth.mesh, numbers), origin, edge);
     // Tacking as a tailor does it: long white stitches over the dark line where the pieces meet.
     const RibbonLook ditch{darker(cloth.colour, 0.45f), 1.2, 3.2};

@@ -57,6 +57,12 @@ TEST(Message, SaysLengthsAsThePersonReadsThemAndLeavesNamesAlone) {
   EXPECT_EQ(said(say("The line crosses itself at {0} mm; draw it without a loop.", "(50.8, -25.4)")),
             "The line crosses itself at (2.00 in, -1.00 in); draw it without a loop.");
   EXPECT_EQ(said(say("A dart is between 1 mm and 1 m wide.")), "A dart is between 0.04 in and 1 m wide.");
+  EXPECT_EQ(said(say("A button is 4 to 60 mm wide.")), "A button is 0.16 in to 2.36 in wide.");
+  EXPECT_EQ(said(say("A button is 4 to 60 mm wide."), Language::Japanese), "ボタンの直径は0.16 in〜2.36 inです。");
+  const Message print = say("A print repeats every {0} mm; between {1} and {2} mm is possible.", 1, 12.7, 254);
+  EXPECT_EQ(said(print), "A print repeats every 0.04 in; between 0.50 in and 10.00 in is possible.");
+  EXPECT_EQ(said(say("Elastic is sewn in 1 to {0} rows, 3 to 100 mm apart.", 9)),
+            "Elastic is sewn in 1 to 9 rows, 0.12 in to 3.94 in apart.");
   EXPECT_EQ(text(dart).find(" in "), std::string::npos) << "millimetres where nobody asked";
 }
 

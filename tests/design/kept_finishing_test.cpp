@@ -21,7 +21,7 @@ Document finished() {
   Fastening& buttons = document.allowances.fastenings["front"];
   buttons.a = {{{1}, "centre", 0, 1}}, buttons.b = {{{2}, "centre", 0.25, 1}};
   buttons.at = {0.1, 0.5, 0.9}, buttons.closed = 2, buttons.fromStart = false, buttons.inset = 0.015;
-  document.cutting[{1}] = {4, true};
+  document.cutting[{1}] = {4, true}, document.cutting[{2}] = {3, false};
   document.eases[{2}] = 0.012;
   return document;
 }
@@ -79,6 +79,8 @@ TEST(KeptFinishing, OfBeforeReadsAsItDid) {
   EXPECT_GT(packRest(plain).size(), size);
   plain.allowances = {};
   EXPECT_EQ(packRest(plain).size(), size);
+  EXPECT_EQ(hash(Document()), "1b2adc6d04fc17b6c60a783f554615e8");
+  EXPECT_EQ(size, 95u) << "a file of before ends where it did";
 }
 
 TEST(KeptFinishing, NonsenseIsRefused) {

@@ -72,6 +72,9 @@ TEST(Straightened, ASideKeepsItsNearestDirectionAndNothingIsMirrored) {
 TEST(Straightened, WhatIsNoRectangleIsRefused) {
   const Photograph photo;
   EXPECT_FALSE(straightened(photo.image, {photo.seen[0], photo.seen[2], photo.seen[1], photo.seen[3]}, {0.21, 0.297}));
+  const Flat inside = lerp(photo.seen[0], photo.seen[2], 0.3);
+  EXPECT_FALSE(straightened(photo.image, {photo.seen[0], photo.seen[1], inside, photo.seen[3]}, {0.21, 0.297}))
+      << "dented";
   EXPECT_FALSE(straightened(photo.image, photo.seen, {0, 0.297}));
 }
 

@@ -26,6 +26,14 @@ TEST(Homography, TakesFourPlacesToFourAndStraightLinesToStraightLines) {
 TEST(Homography, ThereIsNoneWhereThreePlacesLieOnALine) {
   const std::array<Flat, 4> square{Flat{0, 0}, {1, 0}, {1, 1}, {0, 1}}, flat{Flat{0, 0}, {1, 0}, {2, 0}, {0, 1}};
   EXPECT_FALSE(Homography::through(flat, square));
+  // Nor where rounding leaves a trace of one.
+  std::mt19937 lot(5);
+  std::uniform_real_distribution<double> at(-1, 1);
+  for (int k = 0; k < 200; ++k) {
+    const Flat p{at(lot), at(lot)}, along{at(lot), at(lot)}, aside{at(lot), at(lot)};
+    if (std::fabs(cross(along, aside)) < 0.05) continue;
+    EXPECT_FALSE(Homography::through({p, p + along * (1.0 / 3), p + along, p + aside}, square)) << k;
+  }
   EXPECT_TRUE(convex(square));
   EXPECT_FALSE(convex({square[0], square[1], Flat{0.2, 0.2}, square[3]})) << "dented";
   EXPECT_FALSE(convex(flat));

@@ -210,6 +210,21 @@ TEST(Trace, TheSidesOfASheetAreOfferedAsItLies) {
   EXPECT_EQ(std::get<LayUnderlay>(*asked).rectangle, (Flat{0.297, 0.21}));
 }
 
+// Opened anew, what was traced lies on its scan, and what is drafted at the same place beside it.
+TEST(Trace, NoPieceLiesOverAnotherOnAScan) {
+  Tracing t;
+  for (const char* line :
+       {"underlay at=0,-10cm", "polygon name=one points=\"-5cm,-15cm; 5cm,-15cm; 5cm,-5cm; -5cm,-5cm\"",
+        "polygon name=two points=\"-5cm,-15cm; 5cm,-15cm; 5cm,-5cm; -5cm,-5cm\""})
+    t.session.perform(*parseOperation(line)), t.session.finish();
+  ASSERT_EQ(t.document().pattern.pieces.size(), 2u) << t.said();
+  TableLayout anew;
+  anew.arrange(t.session.snapshot());
+  const Flat one = anew.at(t.document().pieceNamed("one")->id), two = anew.at(t.document().pieceNamed("two")->id);
+  EXPECT_EQ(one, Flat{}) << "on the scan";
+  EXPECT_GT(std::max(std::fabs(two.u - one.u), std::fabs(two.v - one.v)), 0.1) << "clear of it";
+}
+
 TEST(Trace, ScansStayOutOfWhatIsGivenAway) {
   Tracing t;
   t.session.perform(*parseOperation("rectangle name=front width=30cm height=40cm"));

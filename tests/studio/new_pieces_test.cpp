@@ -6,13 +6,17 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QTimer>
+#include <numbers>
 
 #include "drafts.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/script.h"
 #include "new_pieces.h"
+#include "outline_drawing.h"
 #include "step_dialog.h"
 #include "studio/window.h"
 
@@ -235,6 +239,14 @@ TEST(StudioNewPieces, ACollarOfTheNecklineByItsNumbers) {
   for (const char* half : {"neck_left", "neck_right"})
     neck += draftedLength(w, "front", half) + draftedLength(w, "back", half);
   EXPECT_NEAR(draftedLength(w, "collar", "low"), neck, 1e-6);
+  // The board says of the edge what it is sewn to, all of it.
+  int told = 0;
+  for (const QLabel* label : w.main().findChildren<QLabel*>())
+    if (label->isVisible() && label->text().contains("collar") && label->wordWrap()) {
+      EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+      ++told;
+    }
+  EXPECT_EQ(told, 1);
 }
 
 TEST(StudioNewPieces, AChosenEdgeIsLedAlongOthersAndSewn) {
@@ -343,6 +355,19 @@ TEST(StudioNewPieces, ButtonsBetweenTwoEdgesByTheRightButton) {
     Numbers numbers(w);
     ASSERT_TRUE(numbers);
     EXPECT_EQ(numbers.line("count").text(), "6");
+    numbers.type("spacing", "3");
+    EXPECT_EQ(numbers.said(), "") << "as many as there is room for";
+    EXPECT_TRUE(numbers.make().isEnabled());
+    numbers.line("spacing").clear();
+    EXPECT_LE(numbers.dialog->height(), w.main().screen()->availableGeometry().height()) << "its buttons are reached";
+    EXPECT_FALSE(numbers.dialog->findChild<OutlineDrawing*>()->isVisible());
+    auto* kind = numbers.dialog->findChild<QComboBox*>("kind");
+    kind->setCurrentIndex(kind->findText("Zip"));
+    EXPECT_EQ(numbers.said(), "") << "a zip is not told how many";
+    EXPECT_TRUE(numbers.make().isEnabled());
+    EXPECT_FALSE(numbers.line("count").isEnabled());
+    EXPECT_TRUE(numbers.line("length").isEnabled());
+    kind->setCurrentIndex(kind->findText("Button"));
     numbers.type("count", "5");
     numbers.accept();
   }
@@ -470,6 +495,84 @@ TEST(StudioNewPieces, PleatsThatThePaperRefusesAreToldInTheDialog) {
   EXPECT_EQ(w.count(), before);
 }
 
+// The same for what is sewn along edges; and a second time the dialog begins with what is there.
+TEST(StudioNewPieces, FinishesAreRefusedInTheDialogAndAmendedFromWhatIsThere) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const auto asked = [&](const char* words) {
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    menuOn(w, "front", "hem_left");
+    EXPECT_TRUE(choose(w, QString::fromUtf8(words))) << words;
+    return Numbers(w);
+  };
+  const std::size_t before = w.count();
+  struct Asked {
+    const char *words, *field, *bad, *good, *shown, *step;
+  };
+  for (const Asked& one : {Asked{"Piping…", "thickness", "9cm", "6mm", "0.6 cm", "thickness=6mm"},
+                           Asked{"Topstitch…", "rows", "30", "2", "2", "rows=2"},
+                           Asked{"Binding…", "width", "1m", "12mm", "1.2 cm", "width=12mm"}}) {
+    {
+      Numbers numbers = asked(one.words);
+      ASSERT_TRUE(numbers);
+      numbers.type(one.field, one.bad);
+      EXPECT_FALSE(numbers.make().isEnabled()) << one.words;
+      EXPECT_NE(numbers.said(), "") << one.words;
+      numbers.type(one.field, one.good);
+      EXPECT_EQ(numbers.said(), "");
+      numbers.accept();
+    }
+    {
+      Numbers numbers = asked(one.words);
+      ASSERT_TRUE(numbers);
+      EXPECT_EQ(numbers.line(one.field).text().toStdString(), one.shown) << one.words;
+      QTest::keyClick(numbers.dialog, Qt::Key_Escape);
+    }
+    const auto& steps = w.session().steps();
+    const bool draped = w.last().starts_with("drape");
+    EXPECT_THAT(text(steps[steps.size() - (draped ? 2 : 1)].operation), HasSubstr(one.step));
+    w.key(Command::Undo), w.rest();
+    EXPECT_EQ(w.count(), before) << "the drape goes with its cause";
+  }
+  {
+    Numbers numbers = asked("Shirring…");
+    numbers.type("ratio", "0.6"), numbers.type("rows", "3"), numbers.type("spacing", "8mm");
+    numbers.accept();
+  }
+  {
+    Numbers numbers = asked("Shirring…");
+    EXPECT_EQ(numbers.line("ratio").text(), "0.6");
+    EXPECT_EQ(numbers.line("rows").text(), "3");
+    EXPECT_EQ(numbers.line("spacing").text(), "0.8 cm");
+    numbers.type("rows", "4");
+    numbers.accept();
+  }
+  int rows = 0;
+  for (const InternalLine& line : piece(w, "front").lines) rows += line.name.starts_with("hem_left_row_");
+  EXPECT_EQ(rows, 3) << "four with the edge's own";
+}
+
+// A line is turned back, and drawn in, from what it has.
+TEST(StudioNewPieces, LinesAreAmendedFromWhatTheyHave) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const PieceId id = piece(w, "front").id;
+  for (const char* step :
+       {"line piece=front along=\"-4cm,22cm; 4cm,22cm\" name=pocket", "elastic edges=front.pocket ratio=0.8 strength=4",
+        "fold piece=front line=pocket angle=30deg hold=0.7"})
+    w.session().perform(*parseOperation(step)), w.rest();
+  const Document& document = w.session().snapshot().document;
+  const SewElastic elastic = elasticAlong(document, {PieceRef(id), "pocket"});
+  EXPECT_EQ(elastic.ratio, 0.8);
+  EXPECT_EQ(elastic.strength, 4);
+  EXPECT_FALSE(elastic.rows);
+  const FoldLine fold = turningAlong(document, id, "pocket");
+  EXPECT_NEAR(fold.angle, 30 * std::numbers::pi / 180, 1e-9);
+  EXPECT_EQ(fold.hold, 0.7);
+}
+
 // What is held is read in its field, or, where that is very long, under the pointer.
 TEST(StudioNewPieces, WhatAFieldHoldsCanBeRead) {
   KARINUI_NEEDS_DISPLAY();
@@ -477,12 +580,14 @@ TEST(StudioNewPieces, WhatAFieldHoldsCanBeRead) {
   w.openTunic();
   FoldLine fold;
   fold.turned = true;
-  for (const Operation& operation : {Operation(shirringAlong(runThrough(w.session().snapshot().document,
+  for (const Operation& operation : {Operation(shirringAlong(w.session().snapshot().document,
+                                                             runThrough(w.session().snapshot().document,
                                                                         {PieceRef(piece(w, "front").id), "hem_left"}))),
                                      Operation(fold), Operation(AddPleat{})}) {
     StepDialog dialog(w.session(), operation, &w.main());
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);
     QApplication::processEvents();
+    EXPECT_EQ(dialog.findChild<QScrollArea*>()->verticalScrollBar()->maximum(), 0) << "the screen has room for all";
     for (const QLineEdit* line : dialog.findChildren<QLineEdit*>()) {
       if (!line->isVisible() || line->text().isEmpty()) continue;
       const int wide = line->fontMetrics().horizontalAdvance(line->text());
@@ -557,6 +662,11 @@ TEST(StudioNewPieces, AShirtFromTheStartPage) {
   ASSERT_TRUE(numbers);
   auto* size = numbers.dialog->findChild<QComboBox*>("size");
   size->setCurrentIndex(size->findText("EU38"));
+  numbers.type("ease", "bust_grith/4");
+  QTest::mouseClick(&numbers.make(), Qt::LeftButton);
+  EXPECT_TRUE(numbers.dialog->isVisible()) << "nothing is begun with what cannot be";
+  EXPECT_THAT(numbers.said().toStdString(), HasSubstr("bust_grith"));
+  EXPECT_TRUE(w.main().atStart());
   numbers.type("ease", "12");
   w.keepDialog(*numbers.dialog, "studio_block");
   numbers.accept();

@@ -273,6 +273,22 @@ TEST_F(ViewPicture, SeamsAndEdgesAreDrawnOverTheCloth) {
   EXPECT_LT(edge, 0.6 * cloth) << "a dark line where the cloth ends";
 }
 
+// A facing lies close under its piece: where it ends is not seen from outside.
+TEST_F(ViewPicture, TheEdgeOfAClothCloseUnderAnotherIsNotSeen) {
+  SceneFrame frame = covered();
+  PictureOptions options = small();
+  options.width = options.height = 600;
+  const Image without = draw(frame, options);
+  frame.cloths.push_back(sheet(-0.1, 0.4, 0.1, 0.6, 0.5185));
+  frame.cloths.back().colour = frame.cloths[0].colour;
+  const Image image = draw(frame, options);
+  double differs = 0;
+  for (int y = 200; y < 400; ++y)
+    for (int x = 200; x < 400; ++x)
+      differs = std::max(differs, std::fabs(luminance(image.at(x, y)) / luminance(without.at(x, y)) - 1));
+  EXPECT_LT(differs, 0.1);
+}
+
 TEST_F(ViewPicture, ABodyThatPokesThroughByAMillimetreStaysUnderItsCloth) {
   SceneFrame frame;
   frame.bodies.push_back(ball({0, 0.5, 0}, 0.5, 64));

@@ -218,7 +218,7 @@ TermTable fieldTerms() {
       {"repeat", say("Repeats every")},
       {"replace", say("Unpick seams in the way")},
       {"reversed", say("Sewn the other way round")},
-      {"rows", say("Rows")},
+      {"rows", say("Number of rows")},
       {"seam", say("Seam")},
       {"seconds", say("Takes (seconds)")},
       {"set", say("Measurements")},

@@ -3,6 +3,7 @@
 
 #include "design/operations/finished_edges.h"
 #include "karinui/base/number.h"
+#include "karinui/pattern/elastic_lines.h"
 #include "karinui/pattern/trims.h"
 
 namespace karinui {
@@ -16,11 +17,11 @@ double lengthOf(const Document& document, const std::set<Allowances::At>& edges)
 }
 
 // The lines on which the further rows of an edge's elastic lie.
-std::string rowName(const std::string& edge, int row) { return edge + "_row_" + std::to_string(row); }
 std::set<Allowances::At> rowsOf(const Document& document, const Allowances::At& edge) {
   std::set<Allowances::At> rows;
   for (int row = 2; row <= kMostRows; ++row)
-    if (const Allowances::At at{edge.first, rowName(edge.second, row)}; document.allowances.elastics.contains(at))
+    if (const Allowances::At at{edge.first, elasticRowName(edge.second, row)};
+        document.allowances.elastics.contains(at))
       rows.insert(at);
   return rows;
 }
@@ -39,7 +40,7 @@ Result<Document> withRows(Document document, const Allowances::At& edge, int row
   for (int row = 2; row <= rows; ++row) {
     const auto curve = parallelInside(piece, edge.second, spacing * (row - 1));
     if (!curve) return refused(say("“{0}” has no room for {1} rows beside “{2}”.", piece.name, rows, edge.second));
-    const std::string name = rowName(edge.second, row);
+    const std::string name = elasticRowName(edge.second, row);
     if (findEdge(piece, name) || std::any_of(piece.lines.begin(), piece.lines.end(),
                                              [&](const InternalLine& line) { return line.name == name; }))
       return refused(say("“{0}” has a line “{1}” already; erase or rename it first.", piece.name, name));
