@@ -67,7 +67,7 @@ double skinOffset(const SettleSettings& settings, double spacing, double finest)
   return spacing > 1.25 * finest ? std::max(settings.skin, 0.12 * spacing) : settings.skin;
 }
 
-double clothRadius(double spacing, double finest) { return spacing > 1.25 * finest ? 0.2 * spacing : 0.002; }
+double clothRadius(double spacing, double finest) { return spacing > 1.25 * finest ? 0.3 * spacing : 0.002; }
 
 LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const ColliderList& colliders,
                          const SettleSettings& settings, double clothRadius, Workers& workers, AddedTerms added)

@@ -45,14 +45,13 @@ TEST(Samples, TheKyotoFittingRests) {
   EXPECT_EQ(found["cloth_cloth_crossings"], 0);
 }
 
-// Garments as one would wear them. Trousers and the pleated skirt in ./test, all, up to a minute each, in ./test
-// --long.
+// Garments as one would wear them, and the six operations. Those that take longest in ./test --long only.
 class Examples : public testing::TestWithParam<std::string> {};
 
 TEST_P(Examples, ComeToRestWithNothingThroughAnything) {
   const char* asked = std::getenv("KARINUI_LONG");
-  const bool brief = GetParam() == "trousers" || GetParam() == "pleated_skirt";
-  if (!brief && !(asked && *asked)) GTEST_SKIP() << "./test --long";
+  const bool slow = GetParam() == "lined_waistcoat" || GetParam() == "skirt_with_train";
+  if (slow && !(asked && *asked)) GTEST_SKIP() << "./test --long";
   const Folder folder;
   const std::string document = folder / "garment.karinui";
   const Said played = karinui("play " KARINUI_SOURCE_DIR "/examples/" + GetParam() + ".ops -o " + document);
@@ -71,8 +70,9 @@ TEST_P(Examples, ComeToRestWithNothingThroughAnything) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Examples,
-                         testing::Values("trousers", "tailored_shirt", "pleated_skirt", "gathered_dress", "hooded_coat",
-                                         "skirt_with_train", "buttoned_waistcoat", "lined_waistcoat"),
+                         testing::Values("six_operations", "trousers", "tailored_shirt", "pleated_skirt",
+                                         "gathered_dress", "hooded_coat", "skirt_with_train", "buttoned_waistcoat",
+                                         "lined_waistcoat"),
                          [](const auto& name) { return name.param; });
 
 INSTANTIATE_TEST_SUITE_P(

@@ -51,7 +51,7 @@ struct Measured {
   bool freeEnd() const { return fate == Fate::Anew && last + 1 == by.size(); }
 };
 
-Measured measured(const Curve& was, const std::function<Flat(Flat)>& shift, Flat startBy, Flat endBy) {
+Measured measured(const Curve& was, const std::function<Flat(Flat)>& shift, Flat startBy, Flat endBy, bool angles) {
   Measured m{was, startBy, endBy, {}, {}, 0, 0, Measured::Fate::Stays, {}, {}};
   const auto steps = static_cast<int>(std::clamp(std::ceil(was.length() / kSample), 6.0, 400.0));
   const double whole = was.length();
@@ -81,9 +81,11 @@ Measured measured(const Curve& was, const std::function<Flat(Flat)>& shift, Flat
   const auto wayBy = [&](std::size_t at, std::size_t next) {
     return normalized(was.at(m.t[next]) + m.by[next] - was.at(m.t[at]) - m.by[at]);
   };
+  m.startWay = wayBy(0, 1), m.endWay = wayBy(n - 1, n);
+  if (!angles) return m;
   // An end turns as the cloth at it turned.
-  m.startWay = turned(wayOf(was, false), angleFrom(was.at(m.t[1]) - was.start, wayBy(0, 1)));
-  m.endWay = turned(wayOf(was, true), angleFrom(was.end - was.at(m.t[n - 1]), wayBy(n - 1, n)));
+  m.startWay = turned(wayOf(was, false), angleFrom(was.at(m.t[1]) - was.start, m.startWay));
+  m.endWay = turned(wayOf(was, true), angleFrom(was.end - was.at(m.t[n - 1]), m.endWay));
   return m;
 }
 
@@ -143,7 +145,7 @@ Curve cutAnew(const Measured& m) {
 
 }  // namespace
 
-Outline recutOutline(const Outline& old, const std::function<Flat(Flat)>& shift) {
+Outline recutOutline(const Outline& old, const std::function<Flat(Flat)>& shift, bool angles) {
   const std::size_t n = old.edges.size();
   std::vector<Flat> cornerBy;
   for (const Edge& edge : old.edges) {
@@ -153,8 +155,8 @@ Outline recutOutline(const Outline& old, const std::function<Flat(Flat)>& shift)
   keepLines(old, cornerBy);
   std::vector<Measured> edges;
   for (std::size_t k = 0; k < n; ++k)
-    edges.push_back(measured(old.edges[k].curve, shift, cornerBy[k], cornerBy[(k + 1) % n]));
-  keepAngles(edges);
+    edges.push_back(measured(old.edges[k].curve, shift, cornerBy[k], cornerBy[(k + 1) % n], angles));
+  if (angles) keepAngles(edges);
   Outline outline = old;
   for (std::size_t k = 0; k < n; ++k) {
     outline.edges[k].curve = cutAnew(edges[k]);

@@ -1,14 +1,16 @@
 #pragma once
 // An outline cut anew where its cloth was pulled. What the pulls did not reach stays exactly as it is; straight edges
-// stay straight unless they were pulled between their ends; where edges meet they keep their angle.
+// stay straight unless they were pulled between their ends; where edges meet they keep their angle, unless that is not
+// asked for.
 #include <functional>
 
 #include "karinui/pattern/piece.h"
 
 namespace karinui {
 
-// `shift`: how far a paper place moved; exactly nothing beyond the pulls' reach.
-Outline recutOutline(const Outline& old, const std::function<Flat(Flat)>& shift);
+// `shift`: how far a paper place moved; exactly nothing beyond the pulls' reach. `angles`: whether edges keep the
+// angles at which they meet; else each ends as the places on it lead.
+Outline recutOutline(const Outline& old, const std::function<Flat(Flat)>& shift, bool angles = true);
 
 // Which place of an edge cut anew was which of the old one: the ends that stayed keep their lengths, what is between is
 // spread evenly.

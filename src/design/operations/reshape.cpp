@@ -250,9 +250,13 @@ Result<ReshapePiece> reshaped(const Document& document, PieceId id, std::span<co
   reshape.symmetric = symmetry ? Choice::Yes : Choice::No;
   const auto flat = reflatten(form.flat, form.faces, form.space, pulledShape(form, piece->pose, pulls, within), token);
   if (!flat) return flat.error();
-  Outline recut = recutOutline(piece->outline, Shift(form, finder, *flat));
-  if (symmetry && recut != piece->outline) recut = symmetrised(std::move(recut), *symmetry);
-  auto outline = checked(std::move(recut));
+  const auto cutAnew = [&](bool angles) {
+    Outline recut = recutOutline(piece->outline, Shift(form, finder, *flat), angles);
+    if (symmetry && recut != piece->outline) recut = symmetrised(std::move(recut), *symmetry);
+    return checked(std::move(recut));
+  };
+  auto outline = cutAnew(true);
+  if (!outline) outline = cutAnew(false);  // a pointed neck drawn deeper cannot always keep its angle
   if (!outline) return outline.error();
   reshape.outline = std::move(*outline);
   return reshape;
