@@ -10,6 +10,7 @@
 #include "karinui/check/check.h"
 #include "karinui/cloth/floor.h"
 #include "karinui/cloth/follow.h"
+#include "karinui/cloth/gather_waves.h"
 #include "karinui/cloth/girth_check.h"
 #include "karinui/cloth/live_hand.h"
 #include "karinui/cloth/merged_planes.h"
@@ -45,19 +46,20 @@ Result<ClothLevel> levelAt(const Document& document, const std::set<PieceId>& li
 constexpr double kCoarsest = 0.09;  // metres: cloth of wider cells does not know an arm from a shoulder
 
 // 4, 2 and 1 times the document's spacing; a level that some piece is too small for, or that is too coarse for a body,
-// is left out. Wide cells do not know the layers of a pleat from each other: pleated cloth, which stands folded, has
-// the finest level alone.
+// is left out. Wide cells do not know the layers of a pleat, nor the waves of a gather, from each other: cloth that
+// stands folded has the finest level alone.
 Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live) {
   Levels levels;
-  const bool pleated = !pleatsOf(document.pattern).empty();
+  Result<ClothLevel> finest = levelAt(document, live, document.settings.spacing);
+  if (!finest) return finest.error();
+  if (layGathersInWaves(finest->cloth, finest->state.position)) finest->cloth.pleated = true;
+  const bool pleated = finest->cloth.pleated || !pleatsOf(document.pattern).empty();
   for (const double times : {4.0, 2.0}) {
     if (pleated || times * document.settings.spacing > kCoarsest) continue;
     if (Result<ClothLevel> level = levelAt(document, live, times * document.settings.spacing)) {
       levels.coarseFirst.push_back(std::move(*level));
     }
   }
-  Result<ClothLevel> finest = levelAt(document, live, document.settings.spacing);
-  if (!finest) return finest.error();
   levels.coarseFirst.push_back(std::move(*finest));
   return levels;
 }
