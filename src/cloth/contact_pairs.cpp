@@ -14,7 +14,7 @@ constexpr double kLongestEdge = 3;     // spacings: a longer edge counts as this
 constexpr double kPaperNear = 1.5;     // radii: what is nearer on paper is not pushed apart in a sharp fold
 constexpr double kMoveReach = 1.2;     // times the relative move by which a pair may come nearer
 constexpr double kCandidateReach = 3;  // radii: nearer pairs are kept with the list
-constexpr std::size_t kWornShare = 8;  // a list is made anew once a pair for each so many was examined without it
+constexpr std::size_t kWornShare = 8;  // the list is made anew once an eighth of it was examined without candidates
 constexpr double kLeastGap = 1e-9;     // metres: below it the normal is unknown
 constexpr double kRounding = 1e-9;     // metres, of the bounds
 
