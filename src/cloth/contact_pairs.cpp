@@ -9,14 +9,15 @@
 namespace karinui {
 namespace {
 
-constexpr double kEdgeReach = 0.75;    // in longest edges: how far the nearest corners of a pair can lie apart
-constexpr double kLongestEdge = 3;     // spacings: a longer edge counts as this long
-constexpr double kPaperNear = 1.5;     // radii: what is nearer on paper is not pushed apart in a sharp fold
-constexpr double kMoveReach = 1.2;     // times the relative move by which a pair may come nearer
-constexpr double kCandidateReach = 3;  // radii: nearer pairs are kept with the list
-constexpr std::size_t kWornShare = 8;  // the list is made anew once an eighth of it was examined without candidates
-constexpr double kLeastGap = 1e-9;     // metres: below it the normal is unknown
-constexpr double kRounding = 1e-9;     // metres, of the bounds
+constexpr double kEdgeReach = 0.75;      // in longest edges: how far the nearest corners of a pair can lie apart
+constexpr double kLongestEdge = 3;       // spacings: a longer edge counts as this long
+constexpr double kPaperNear = 1.5;       // radii: what is nearer on paper is not pushed apart in a sharp fold
+constexpr double kMoveReach = 1.2;       // times the relative move by which a pair may come nearer
+constexpr double kCandidateReach = 3;    // radii: nearer pairs are kept with the list,
+constexpr double kCandidateCell = 0.25;  // but only so many spacings beyond the radius: a flat sheet has none
+constexpr std::size_t kWornShare = 8;    // the list is made anew once an eighth of it was examined without candidates
+constexpr double kLeastGap = 1e-9;       // metres: below it the normal is unknown
+constexpr double kRounding = 1e-9;       // metres, of the bounds
 
 // Closest points of a pair's two sides, and the way from the second to the first.
 struct Closest {
@@ -48,7 +49,7 @@ ContactPairs::ContactPairs(const ClothTopology& topology, const SewnGroups& sewn
       list_(topology, sewn, spacing),
       radius_(radius),
       spacing_(spacing),
-      candidateReach_(kCandidateReach * radius) {}
+      candidateReach_(std::fmin(kCandidateReach * radius, radius + kCandidateCell * spacing)) {}
 
 void ContactPairs::measureEdges(std::span<const Vec3> x) {
   // One torn edge must not make every pair near: such a place is coarse anyway.
