@@ -262,7 +262,7 @@ std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& worke
   const auto& list = list_.pairs();
   struct Found {
     std::vector<ContactPair> pairs;
-    std::size_t asked = 0, worn = 0;
+    std::size_t worn = 0;
   };
   const std::vector<Found> found = workers.each(list.size(), kPairBlock, [&](std::size_t begin, std::size_t end) {
     Found block;
@@ -272,7 +272,6 @@ std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& worke
           search.within + drift_.between(a, b) + (moves ? kMoveReach * ahead_.between(a, b) : 0) + kRounding;
       if (clear_[n] > reach) continue;
       if (!leftOut_.empty() && leftOut_[a] && leftOut_[b]) continue;
-      ++block.asked;
       if (reach > candidateReach_) {
         ++block.worn;
         eachOf(a, b, reach, [&](const Candidate& candidate) { measure(candidate, search, block.pairs); });
@@ -284,13 +283,10 @@ std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& worke
     return block;
   });
   std::vector<ContactPair> all;
-  std::size_t asked = 0, worn = 0;
   for (const Found& block : found) {
     all.insert(all.end(), block.pairs.begin(), block.pairs.end());
-    asked += block.asked;
-    worn += block.worn;
+    worn_ += block.worn;
   }
-  worn_ += worn;
   return all;
 }
 

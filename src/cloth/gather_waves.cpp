@@ -5,11 +5,12 @@
 #include <map>
 #include <optional>
 
+#include "cloth/flat_piece.h"
+
 namespace karinui {
 namespace {
 
 constexpr double kLeastRatio = 2.4;  // less is drawn in from flat cloth
-constexpr double kFlat = 1e-4;       // metres that a flat piece may leave its plane by
 constexpr double kStraight = 0.02;   // of its length: how far a straight edge may leave the line between its ends
 
 struct PaperPlace {
@@ -77,23 +78,20 @@ std::optional<Gather> mostGathered(const Cloth& cloth, std::size_t piece) {
   return most;
 }
 
-struct Standing {  // of a flat piece in space: unit
-  Vec3 along, normal;
-};
-// `along`: on paper.
-std::optional<Standing> standingOf(const ClothPiece& piece, std::span<const Vec3> x, Flat along) {
+// The way in space along `along`, unit on paper, of a piece that stands flat.
+Vec3 inSpace(const ClothPiece& piece, std::span<const Vec3> x, Flat along) {
   const auto own = x.subspan(piece.firstNode, piece.lattice->nodes.size());
-  Standing stands;
-  for (const Triangle& f : piece.lattice->faces) stands.normal += cross(own[f[1]] - own[f[0]], own[f[2]] - own[f[0]]);
-  stands.normal = normalized(stands.normal);
   Flat middle;
   for (const Flat place : piece.lattice->nodes) middle += place * (1 / static_cast<double>(own.size()));
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    if (std::fabs(dot(own[k] - own[0], stands.normal)) > kFlat) return std::nullopt;
-    stands.along += (own[k] - own[0]) * dot(piece.lattice->nodes[k] - middle, along);
-  }
-  stands.along = normalized(stands.along);
-  return stands;
+  Vec3 way;
+  for (std::size_t k = 0; k < own.size(); ++k) way += (own[k] - own[0]) * dot(piece.lattice->nodes[k] - middle, along);
+  return normalized(way);
+}
+
+bool anyPinned(const Cloth& cloth, const ClothPiece& piece) {
+  const std::size_t end = piece.firstNode + piece.lattice->nodes.size();
+  return std::any_of(cloth.pinned.begin(), cloth.pinned.end(),
+                     [&](std::uint32_t node) { return node >= piece.firstNode && node < end; });
 }
 
 }  // namespace
@@ -102,18 +100,17 @@ bool layGathersInWaves(const Cloth& cloth, std::vector<Vec3>& x) {
   bool any = false;
   for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
     const ClothPiece& piece = cloth.pieces[p];
-    const auto gather = piece.live ? mostGathered(cloth, p) : std::nullopt;
+    const auto normal = piece.live && !anyPinned(cloth, piece) ? normalWhereFlat(piece, x) : std::nullopt;
+    const auto gather = normal ? mostGathered(cloth, p) : std::nullopt;
     if (!gather || gather->ratio < kLeastRatio) continue;
-    const auto stands = standingOf(piece, x, gather->along);
-    if (!stands) continue;
+    const Vec3 along = inSpace(piece, x, gather->along);
     // The two nodes of a pair stand on the two sides of the edge they are sewn to, so that their middle lies on it.
     const double drawn = 1 / gather->ratio, deep = 0.5 * gather->apart * std::sqrt(1 - drawn * drawn);
     for (std::size_t k = 0; k < piece.lattice->nodes.size(); ++k) {
       const double u = dot(piece.lattice->nodes[k] - gather->from, gather->along);
       const double in =
           std::fabs(std::remainder((u - gather->first) / gather->apart, 2.0));  // 0 on a crest, 1 in a trough
-      x[piece.firstNode + k] +=
-          stands->along * ((drawn - 1) * (u - 0.5 * gather->length)) + stands->normal * (deep * (1 - 2 * in));
+      x[piece.firstNode + k] += along * ((drawn - 1) * (u - 0.5 * gather->length)) + *normal * (deep * (1 - 2 * in));
     }
     any = true;
   }

@@ -5,6 +5,7 @@
 
 #include "cloth/boundary_activation.h"
 #include "cloth/continuation.h"
+#include "cloth/flat_piece.h"
 #include "cloth/input_check.h"
 #include "cloth/penetration.h"
 #include "cloth/prolong.h"
@@ -30,15 +31,6 @@ bool liesInLayers(const Cloth& cloth) {
                                       [&](const ClothPiece& p) { return p.layer != cloth.pieces.front().layer; });
 }
 
-// A piece that still lies in a plane has not been draped.
-bool liesFlat(const ClothPiece& piece, std::span<const Vec3> x) {
-  const std::span<const Vec3> own = x.subspan(piece.firstNode, piece.lattice->nodes.size());
-  Vec3 normal;
-  for (const Triangle& f : piece.lattice->faces) normal += cross(own[f[1]] - own[f[0]], own[f[2]] - own[f[0]]);
-  normal = normalized(normal);
-  return std::all_of(own.begin(), own.end(), [&](Vec3 p) { return std::fabs(dot(p - own.front(), normal)) <= 1e-4; });
-}
-
 // Whether the finest level already stands formed, and sewn but for a few pairs that are near each other: then coarser
 // levels are not needed.
 bool standsFormed(const ClothLevel& finest) {
@@ -49,7 +41,7 @@ bool standsFormed(const ClothLevel& finest) {
   };
   if (wider(kNear) > 0 || wider(kSewn * finest.cloth.spacing) > kFew * static_cast<double>(gaps.size())) return false;
   return std::none_of(finest.cloth.pieces.begin(), finest.cloth.pieces.end(),
-                      [&](const ClothPiece& piece) { return piece.live && liesFlat(piece, x); });
+                      [&](const ClothPiece& piece) { return piece.live && normalWhereFlat(piece, x); });
 }
 
 constexpr double kGrownThrough =

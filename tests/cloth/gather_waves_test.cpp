@@ -14,15 +14,10 @@ constexpr double kBand = 0.12, kDeep = 0.15;
 // A frill below a band that is pinned along its top.
 ClothLevel frill(double ratio) {
   auto yoke = rectangle(1, kBand, 0.03), gathered = rectangle(2, kBand * ratio, kDeep);
-  Pattern pattern = patternOf({yoke, gathered});
   Seam seam;
-  seam.id = SeamId{1};
-  seam.name = "gathers";
-  seam.a = {{yoke->id, "bottom"}};
-  seam.b = {{gathered->id, "top"}};
   seam.tie = Seam::Tie::TwoToOne;
   seam.reversed = true;
-  pattern.seams[seam.id] = seam;
+  const Pattern pattern = sewnBelow(yoke, gathered, seam);
   ClothChoice choice;
   for (int k = 0; k <= 12; ++k) choice.pins[yoke->id].push_back({k * kBand / 12, 0.03});
   ClothLevel level = levelOf(pattern, 0.01, *preset("cotton"), choice);
@@ -68,7 +63,7 @@ TEST(GatherWaves, AreAsWideAsWhatTheyAreSewnToAndStretchNothing) {
   }
 }
 
-TEST(GatherWaves, AreLeftOutOfGathersThatAreDrawnInFlatAndOfPiecesThatStandRound) {
+TEST(GatherWaves, AreLeftOutOfGathersThatAreDrawnInFlatOfPiecesThatStandRoundOrArePinned) {
   ClothLevel even = frill(2);
   EXPECT_FALSE(layGathersInWaves(even.cloth, even.state.position));
   ClothLevel round = frill(4);
@@ -76,6 +71,9 @@ TEST(GatherWaves, AreLeftOutOfGathersThatAreDrawnInFlatAndOfPiecesThatStandRound
   const std::vector<Vec3> before = round.state.position;
   EXPECT_FALSE(layGathersInWaves(round.cloth, round.state.position));
   EXPECT_EQ(round.state.position, before);
+  ClothLevel pinned = frill(4);  // what is pinned stays where it was put
+  pinned.cloth.pinned.push_back(pinned.cloth.pieces[1].firstNode);
+  EXPECT_FALSE(layGathersInWaves(pinned.cloth, pinned.state.position));
 }
 
 TEST(GatherWaves, ComeToRestUncrossed) {

@@ -150,6 +150,18 @@ inline Pattern patternOf(const std::vector<std::shared_ptr<Piece>>& pieces) {
   return pattern;
 }
 
+// Two rectangles, the upper one's bottom sewn to the lower one's top.
+inline Pattern sewnBelow(const std::shared_ptr<Piece>& upper, const std::shared_ptr<Piece>& lower, const Seam& how) {
+  Pattern pattern = patternOf({upper, lower});
+  Seam seam = how;
+  seam.id = SeamId{1};
+  seam.name = "gathered";
+  seam.a = {{upper->id, "bottom"}};
+  seam.b = {{lower->id, "top"}};
+  pattern.seams[seam.id] = seam;
+  return pattern;
+}
+
 inline ClothLevel levelOf(const Pattern& pattern, double spacing, const Fabric& fabric,
                           const ClothChoice& choice = {}) {
   const auto laid = lay(pattern, spacing);

@@ -255,14 +255,9 @@ TEST(Settle, TubeOfOnePieceClosesRoundALimb) {
 
 TEST(Settle, FoldedPairsMeetTheirSinglePointInTheMiddle) {
   auto shorter = rectangle(1, 0.2, 0.1), longer = rectangle(2, 0.4, 0.1);
-  Pattern pattern = patternOf({shorter, longer});
   Seam seam;
-  seam.id = SeamId{1};
-  seam.name = "gathered";
-  seam.a = {{shorter->id, "bottom"}};
-  seam.b = {{longer->id, "top"}};
   seam.tie = Seam::Tie::TwoToOne;
-  pattern.seams[seam.id] = seam;
+  const Pattern pattern = sewnBelow(shorter, longer, seam);
   ClothChoice choice;
   choice.pins[shorter->id] = {{0, 0.1}, {0.2, 0.1}};
   ClothLevel level = levelOf(pattern, 0.02, *preset("silk"), choice);

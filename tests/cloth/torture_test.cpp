@@ -119,14 +119,9 @@ TEST(Torture, GathersOfAnyLengthCloseAndHangUncrossed) {
     SCOPED_TRACE(ratio);
     const double band = 0.12;
     auto yoke = rectangle(1, band, 0.06), frill = rectangle(2, band * ratio, 0.08);
-    Pattern pattern = patternOf({yoke, frill});
     Seam seam;
-    seam.id = SeamId{1};
-    seam.name = "gathers";
-    seam.a = {{yoke->id, "bottom"}};
-    seam.b = {{frill->id, "top"}};
     seam.reversed = true;
-    pattern.seams[seam.id] = seam;
+    const Pattern pattern = sewnBelow(yoke, frill, seam);
     ClothChoice choice;
     for (int k = 0; k <= 6; ++k) choice.pins[yoke->id].push_back({k * band / 6, 0.06});
     std::vector<ClothLevel> levels;
