@@ -12,6 +12,8 @@
 namespace karinui {
 namespace {
 
+constexpr int kStepsAfterEdit = 60;  // in which cloth that rested before comes to rest again, mostly
+
 // The pieces that the widest open pair of a seam belongs to.
 struct OpenSeam {
   std::string a, b;
@@ -74,10 +76,11 @@ void addContactTimes(SettleReport& report, const LevelSolver& solver) {
   }
 }
 
-RestCriteria finestCriteria(const SettleSettings& settings) {
+RestCriteria finestCriteria(const SettleSettings& settings, bool rested) {
   RestCriteria criteria{settings.stopMove, settings.stopResidual, settings.stopMove * 10 / 3, 8, settings.maxSteps};
   criteria.newton = 3;
   criteria.creep = 0.5;
+  criteria.newtonAfter = rested ? kStepsAfterEdit : 0;
   return criteria;
 }
 

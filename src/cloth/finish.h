@@ -20,7 +20,8 @@ class ResourceUse {  // time since it was made and memory, for the report alone
 
 Error tornApart();
 void addContactTimes(SettleReport& report, const LevelSolver& solver);
-RestCriteria finestCriteria(const SettleSettings& settings);
+// `rested`: whether the cloth was at rest before it was changed here and there.
+RestCriteria finestCriteria(const SettleSettings& settings, bool rested);
 // Lifts the resting cloth off the surfaces and fills the report from where it then stands.
 std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, const SettleSettings& settings,
                          const StageResult& end, SettleReport& report, Workers& workers);

@@ -231,7 +231,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       solver.enableSelfContact(true);
       if (loose && layered) solver.meetOnlyLayers(false);
       solver.separateIntersections();
-      RestCriteria criteria = last ? finestCriteria(settings)
+      RestCriteria criteria = last ? finestCriteria(settings, formed && settings.rested)
                                    : RestCriteria{2 * settings.stopMove, 0.75 * settings.stopResidual, 0, 3, 150};
       criteria.sews = formed;
       const bool traced = last && settings.continueAfterRest;

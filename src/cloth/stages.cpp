@@ -148,7 +148,8 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
     const int taken = stepsBefore + k;
     options.velocityKept = std::clamp(1 - kDamping * (taken - kDampAfter), kLeastKept, 1.0);
     options.damped = taken > kDampAfter;
-    options.newton = options.damped || options.seconds > kLongest ? criteria.newton : 1;
+    const bool refined = taken >= criteria.newtonAfter && (options.damped || options.seconds > kLongest);
+    options.newton = refined ? criteria.newton : 1;
     const auto step = solver.step(options, token);
     record(result, step, token);
     if (!result.finite || result.cancelled) return result;

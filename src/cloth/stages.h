@@ -20,6 +20,7 @@ struct RestCriteria {
   // cosine between successive moves above which steps become longer.
   int newton = 1;
   double creep = 0.9;
+  int newtonAfter = 0;  // steps of one iteration each
 };
 struct StageResult {
   bool settled = false, finite = true, cancelled = false, stopped = false;

@@ -218,6 +218,7 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   settings.gravity = drape.gravity;
   settings.stopAfter = static_cast<std::size_t>(drape.stop);
   settings.stop = context.stop;
+  settings.rested = document.drape.last && document.drape.last->settled;
   if (loop && loop->tight()) settings.sewnThinnerBy = sewnThinnerBy(*loop);
   settings.continueAfterRest = continueAfterRest;
   SettleWatcher watcher;

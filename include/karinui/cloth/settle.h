@@ -30,6 +30,8 @@ struct SettleSettings {
   // Tight cloth: the seams of what has yet to be sewn are closed on colliders thinner by so many metres, which then
   // come out under it; without friction, as other seams are closed, tight cloth would slip off. 0: on the whole ones.
   double sewnThinnerBy = 0;
+  // Whether the cloth was at rest before it was changed here and there: it mostly rests again within a few short steps.
+  bool rested = false;
   // A settle that is stopped carries the cloth to the finest level as it is, and reports stoppedAfter. With the same
   // number in stopAfter it stops at the same place, bit for bit.
   std::size_t stopAfter = 0;    // steps, counted over all levels; 0: not before it rests
