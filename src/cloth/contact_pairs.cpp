@@ -259,6 +259,12 @@ std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& worke
   const bool moves = !search.move.empty();
   measureMotion(search.x, list_.madeAt(), drift_, workers);
   if (moves) measureMotion(search.move, {}, ahead_, workers);
+  // By how much what is incident to a node went at most: most pairs are passed over by these two alone.
+  bound_.resize(search.x.size());
+  workers.forBlocks(search.x.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      bound_[k] = drift_.most(k) + (moves ? kMoveReach * ahead_.most(k) : 0) + kRounding;
+  });
   const auto& list = list_.pairs();
   struct Found {
     std::vector<ContactPair> pairs;
@@ -268,6 +274,7 @@ std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& worke
     Found block;
     for (std::size_t n = begin; n < end; ++n) {
       const auto [a, b] = list[n];
+      if (clear_[n] > search.within + bound_[a] + bound_[b]) continue;
       const double reach =
           search.within + drift_.between(a, b) + (moves ? kMoveReach * ahead_.between(a, b) : 0) + kRounding;
       if (clear_[n] > reach) continue;

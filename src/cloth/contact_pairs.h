@@ -50,6 +50,7 @@ class ContactPairs {
     std::vector<double> spread;
     // By how much what is incident to one node and to the other came nearer to each other at most.
     double between(NodeIndex a, NodeIndex b) const { return length(way[a] - way[b]) + spread[a] + spread[b]; }
+    double most(std::size_t node) const { return length(way[node]) + spread[node]; }
   };
   double reachOf(const Search& search) const;
   void makeCandidates(std::span<const Vec3> x, Workers& workers);
@@ -83,7 +84,8 @@ class ContactPairs {
   std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> start_;
   std::vector<double> clear_;
-  Motion drift_, ahead_;  // since the list was made; of the search
+  Motion drift_, ahead_;       // since the list was made; of the search
+  std::vector<double> bound_;  // of both, at each node, metres
   std::size_t worn_ = 0;  // how many pairs were looked at that had drifted farther than their candidates serve
 };
 
