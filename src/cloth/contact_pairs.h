@@ -86,7 +86,7 @@ class ContactPairs {
   std::vector<double> clear_;
   Motion drift_, ahead_;       // since the list was made; of the search
   std::vector<double> bound_;  // of both, at each node, metres
-  std::size_t worn_ = 0;  // how many pairs were looked at that had drifted farther than their candidates serve
+  std::size_t worn_ = 0;       // how many pairs were looked at that had drifted farther than their candidates serve
 };
 
 }  // namespace karinui

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QTabBar>
+#include <QTreeWidget>
 
 #include "fabric_plot.h"
 #include "karinui/base/number.h"
@@ -17,7 +18,35 @@ namespace karinui::studio {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
+
+// A check that does not meet in a seam is told in the list, until it is matched, and again once that is undone.
+TEST(StudioFabric, TheListTellsWhereAPrintMisses) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* line :
+       {"piece name=left_half outline=\"M 0 0; hem L 300 0; middle L 300 400; top L 0 400; side L 0 0\"",
+        "piece name=right_half outline=\"M 0 20; hem L 300 20; side L 300 420; top L 0 420; middle L 0 20\"",
+        "sew name=centre a=left_half.middle b=right_half.middle",
+        "look fabric=cotton print=check ink=203060 repeat=5cm"})
+    w.session().perform(*parseOperation(line));
+  w.rest();
+  const auto seamInList = [&]() -> QTreeWidgetItem* {
+    auto* tree = w.main().findChild<QTreeWidget*>();
+    return tree->topLevelItemCount() > 0 ? tree->topLevelItem(tree->topLevelItemCount() - 1) : nullptr;
+  };
+  const auto told = [&] { return seamInList() ? seamInList()->toolTip(0).toStdString() : "no such seam"; };
+  EXPECT_THAT(told(), HasSubstr("the print misses by up to")) << w.main().said().toStdString();
+  w.keep("studio_print_misses");
+  w.session().perform(*parseOperation("match seam=centre"));
+  w.rest();
+  EXPECT_THAT(told(), Not(HasSubstr("the print misses by up to"))) << w.main().said().toStdString();
+  w.keep("studio_print_meets");
+  w.key(Command::Undo);
+  w.rest();
+  EXPECT_THAT(told(), HasSubstr("the print misses by up to"));
+}
 
 TEST(StudioFabric, EveryClothOfTheShopHangsOnTheTester) {
   KARINUI_NEEDS_DISPLAY();
