@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "karinui/base/said_lengths.h"
 #include "karinui/body/body.h"
 #include "karinui/body/lines.h"
+#include "karinui/design/step_words.h"
 
 namespace karinui::room {
 
@@ -31,6 +33,12 @@ Board facing(ImagePtr image, Vec3 middle, Vec3 eyes, double high) {
   board.corner = middle - board.across * 0.5 - board.upward * 0.5;
   board.image = std::move(image);
   return board;
+}
+
+// A sentence as it is read in the room: names and labels, no script.
+std::string inWords(const Message& message, Language language) {
+  return text(
+      message, language, nullptr, [](std::string_view name) { return identifierSaid(name); }, withoutScript);
 }
 
 }  // namespace
@@ -220,9 +228,10 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
         {text(say("Shift is the other hand's trigger, Ctrl this hand's stick forwards, Alt backwards."), language),
          Tone::Plain});
   for (const Caption& caption : room.captions())
-    lines.push_back({text(caption.notice.what, language), caption.notice.kind == Notice::Kind::Refused  ? Tone::Refused
-                                                          : caption.notice.kind == Notice::Kind::Advice ? Tone::Advice
-                                                                                                        : Tone::Plain});
+    lines.push_back(
+        {inWords(caption.notice.what, language), caption.notice.kind == Notice::Kind::Refused  ? Tone::Refused
+                                                 : caption.notice.kind == Notice::Kind::Advice ? Tone::Advice
+                                                                                               : Tone::Plain});
   if (const Busy busy = session.busy(); busy.any && busy.settling)
     lines.push_back(
         {text(say("Settling: {0} %", static_cast<int>(std::lround(100 * busy.fraction))), language), Tone::Plain});

@@ -158,8 +158,8 @@ void FabricWizard::workOut() {
   const auto typed = readings();
   const auto found = typed ? measuredFabric(*typed) : Result<MeasuredFabric>(typed.error());
   measured_ = found ? std::optional(*found) : std::nullopt;
-  const QString name = name_->text().trimmed();
-  const Done usable = checkName(name.toStdString());
+  const std::string name = nameTyped(name_->text().toStdString());
+  const Done usable = checkName(name);
   accept_->setEnabled(measured_ && usable);
   if (!measured_) return result_->setText(inWords(found.error().what).toHtmlEscaped());
   QString rows = "<tr><th></th>";
@@ -181,15 +181,15 @@ void FabricWizard::workOut() {
     words += "<p>" +
              inWords(say("On the bias cloth bends as warp and weft let it; that is the number in the last column.")) +
              "</p>";
-  if (!name.isEmpty() && !usable) words += "<p>" + inWords(usable.error().what).toHtmlEscaped() + "</p>";
+  if (!name.empty() && !usable) words += "<p>" + inWords(usable.error().what).toHtmlEscaped() + "</p>";
   result_->setText(words);
 }
 
 void FabricWizard::accept() {
   if (!measured_) return;
-  const QString name = name_->text().trimmed();
-  emit added(name);
-  session_.perform(fabricStep(*measured_, name.toStdString()));
+  const std::string name = nameTyped(name_->text().toStdString());
+  emit added(QString::fromStdString(name));
+  session_.perform(fabricStep(*measured_, name));
   QDialog::accept();
 }
 

@@ -55,7 +55,10 @@ namespace {
 
 enum Kind { kPiece = 1, kEdge, kSeam, kMark, kLine };
 
-QString seamName(const Document& document, const Seam& seam) { return inWords(seamSaid(document, seam)); }
+QString seamName(const Document& document, const Seam& seam) {
+  const Message said = seamSaid(document, seam);
+  return seam.name.empty() || identifierSaid(seam.name) ? asLabel(said) : inWords(said);
+}
 
 // A name is shown as people say it, and kept as scripts write it.
 void showName(QLineEdit& box, const std::string& name, const QString& said) {
@@ -65,7 +68,7 @@ void showName(QLineEdit& box, const std::string& name, const QString& said) {
 std::optional<std::string> newName(const QLineEdit& box, const std::string& now, const QString& said) {
   const std::string typed = box.text().trimmed().toStdString();
   if (typed == said.toStdString() || typed == now) return std::nullopt;
-  return identifierOf(typed).value_or(typed);
+  return nameTyped(typed);
 }
 
 QDoubleSpinBox* number(double low, double high, int decimals, const char* unit) {
@@ -344,7 +347,7 @@ void GarmentPanel::fillTree() {
   QTreeWidgetItem* current = nullptr;
   for (const auto& [id, piece] : document.pattern.pieces) {
     auto* item = new QTreeWidgetItem(tree_);
-    QString words = nameText(piece->name);
+    QString words = nameLabel(piece->name);
     if (piece->frozen) words += "  ❄";
     if (document.drape.dirty.contains(id)) words += "  •";
     item->setText(0, words);
@@ -353,8 +356,9 @@ void GarmentPanel::fillTree() {
     const bool chosen = selection.pieces.contains(id);
     for (const Edge& edge : piece->outline.edges) {
       auto* child = new QTreeWidgetItem(item);
-      child->setText(
-          0, inWords(edgeWithPartnerSaid(document, *piece, edge.name)) + "   " + lengthText(edge.curve.length()));
+      child->setText(0, (identifierSaid(edge.name) ? asLabel(edgeWithPartnerSaid(document, *piece, edge.name))
+                                                   : nameText(edge.name)) +
+                            "   " + lengthText(edge.curve.length()));
       child->setData(0, Qt::UserRole, kEdge);
       child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
       child->setData(0, Qt::UserRole + 2, QString::fromStdString(edge.name));
@@ -380,7 +384,7 @@ void GarmentPanel::fillTree() {
     for (const Mark& m : piece->marks) {
       const Edge* edge = m.edge.empty() ? nullptr : findEdge(*piece, m.edge);
       const Flat place = edge ? edge->curve.atFraction(m.fraction) : m.place;
-      const QString name = m.name.empty() ? inWords(edge ? say("Notch") : say("Drill hole")) : nameText(m.name);
+      const QString name = m.name.empty() ? inWords(edge ? say("Notch") : say("Drill hole")) : nameLabel(m.name);
       QTreeWidgetItem* child = add(kMark,
                                    name + "   " +
                                        (edge ? inWords(edgeNameSaid(document, *piece, m.edge)) + "  " +
@@ -393,7 +397,7 @@ void GarmentPanel::fillTree() {
     for (const InternalLine& line : piece->lines) {
       double whole = 0;
       for (const Curve& curve : line.curves) whole += curve.length();
-      add(kLine, nameText(line.name) + "   " + lengthText(whole), "line", selection.line == line.name)
+      add(kLine, nameLabel(line.name) + "   " + lengthText(whole), "line", selection.line == line.name)
           ->setData(0, Qt::UserRole + 2, QString::fromStdString(line.name));
     }
     item->setExpanded(item->isExpanded() || open.contains(id.value));

@@ -204,7 +204,7 @@ void MakeUpDialog::showPieces() {
   for (const auto& [id, piece] : document_.pattern.pieces) {
     const int row = pieces_->rowCount();
     pieces_->insertRow(row);
-    pieces_->setItem(row, 0, new QTableWidgetItem(nameText(piece->name)));
+    pieces_->setItem(row, 0, new QTableWidgetItem(nameLabel(piece->name)));
     auto* box = new QComboBox;
     for (const PieceRole role : kRoles) box->addItem(inWords(roleSaid(role)));
     const auto* now = std::find(std::begin(kRoles), std::end(kRoles), making_->readings.at(id).role);

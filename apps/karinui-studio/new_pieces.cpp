@@ -216,7 +216,11 @@ FoldLine turningAlong(const Document& document, PieceId piece, const std::string
   made.angle = Angle{Crease::kSharpest};
   if (const Piece* own = document.find(piece))
     for (const InternalLine& drawn : own->lines)
-      if (drawn.name == line && drawn.crease) made.angle = Angle{drawn.crease->angle}, made.hold = drawn.crease->hold;
+      if (drawn.name == line) {
+        // Along a straight line it is cut to lie on what it is turned over.
+        made.flared = drawn.curves.size() == 1 && drawn.curves.front().kind == Curve::Kind::Line;
+        if (drawn.crease) made.angle = Angle{drawn.crease->angle}, made.hold = drawn.crease->hold;
+      }
   return made;
 }
 

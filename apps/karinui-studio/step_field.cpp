@@ -94,9 +94,10 @@ Wording namesWording(const Document& document, std::string_view operation, const
           [=](const QString& typed) {
             QStringList items;
             for (const QString& item : typed.split(';', Qt::SkipEmptyParts)) {
-              QString script = item.trimmed();
+              const QString name = item.trimmed();
+              QString script = edges ? name : QString::fromStdString(nameTyped(utf8(name)));
               for (const auto& [words, own] : known)
-                if (words.compare(script, Qt::CaseInsensitive) == 0) script = QString::fromStdString(own);
+                if (words.compare(name, Qt::CaseInsensitive) == 0) script = QString::fromStdString(own);
               items << script;
             }
             return items.join("; ").toStdString();
@@ -181,7 +182,7 @@ Wording wordingOf(const Document& document, std::string_view operation, const Fi
     return inWords(valueSaid(document, operation, field, script));
   };
   if (kind == "name" && kind == field.kind && field.name != "mesh")
-    return {words, [](const QString& typed) { return identifierOf(utf8(typed)).value_or(utf8(typed)); }};
+    return {words, [](const QString& typed) { return nameTyped(utf8(typed)); }};
   return {words, nullptr};
 }
 

@@ -13,6 +13,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/base/said_lengths.h"
+#include "karinui/design/step_words.h"
 #include "karinui/scene/icon.h"
 #include "karinui/view/image.h"
 
@@ -132,7 +133,7 @@ const Palette& Theme::palette() const { return dark_ ? kDark : kLight; }
 
 QString Theme::say(const Message& message) const {
   const auto words = [](double metres) { return lengthText(metres, 2).toStdString(); };
-  return QString::fromStdString(text(message, language_, words, names_));
+  return QString::fromStdString(text(message, language_, words, names_, withoutScript));
 }
 
 QIcon Theme::icon(std::string_view name) const { return name.empty() ? QIcon() : QIcon(new HouseIcon(name)); }
@@ -231,6 +232,10 @@ QString asLabel(const Message& message) {
   return words;
 }
 QString nameText(std::string_view name) { return inWords(nameSaid(name)); }
+QString nameLabel(std::string_view name) {
+  const auto known = identifierSaid(name);
+  return known ? asLabel(*known) : nameText(name);
+}
 QString scriptHint(const std::string& word) {
   return inWords(karinui::say("In scripts:")) + " " + QString::fromStdString(word);
 }

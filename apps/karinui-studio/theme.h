@@ -63,6 +63,8 @@ class Theme : public QObject {
 inline QString inWords(const Message& message) { return Theme::here().say(message); }
 QString asLabel(const Message& message);  // with a capital letter
 QString nameText(std::string_view name);  // of a piece, an edge, a line, a mark, a fabric
+// The same where it stands alone: words of ours with a capital letter, a person's own as they wrote them.
+QString nameLabel(std::string_view name);
 // A box that may be narrower than its longest item says what is chosen in its tooltip.
 void letShrink(QComboBox& box, const Message& hint = {});
 QString scriptHint(const std::string& word);  // what scripts call it, for a tooltip

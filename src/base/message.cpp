@@ -110,9 +110,12 @@ std::optional<std::string> reworded(std::string_view millimetres, const LengthUn
 
 }  // namespace
 
-std::string text(const Message& message, Language language, LengthWords lengths, const NameWords& names) {
-  const std::string_view pattern =
+std::string text(const Message& message, Language language, LengthWords lengths, const NameWords& names,
+                 PatternWords patterns) {
+  const std::string_view kept =
       language == Language::Japanese ? translated(message.pattern) : std::string_view(message.pattern);
+  const std::string changed = patterns ? patterns(message.pattern, kept, language) : std::string();
+  const std::string_view pattern = patterns ? std::string_view(changed) : kept;
   std::string said;
   for (std::size_t i = 0; i < pattern.size();) {
     if (const auto counted = countedAt(pattern.substr(i)); counted && counted->which < message.values.size()) {
@@ -129,7 +132,7 @@ std::string text(const Message& message, Language language, LengthWords lengths,
     std::size_t end = value ? i + 3 : i + 1;
     if (!value && fresh) end = std::max(end, std::min(pattern.find_first_not_of("0123456789.", i), pattern.size()));
     const Message* sentence = value ? std::get_if<Message>(&message.values[which]) : nullptr;
-    std::string part = sentence ? text(*sentence, language, lengths, names)
+    std::string part = sentence ? text(*sentence, language, lengths, names, patterns)
                        : value  ? std::get<std::string>(message.values[which])
                                 : std::string(pattern.substr(i, end - i));
     if (const auto name = names && value && !sentence ? names(part) : std::nullopt) part = text(*name, language);

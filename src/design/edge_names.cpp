@@ -158,7 +158,21 @@ std::optional<Message> identifierSaid(const Document& document, std::string_view
       if ((piece->name == owner || text(id) == owner) && piece->outline.find(identifier.substr(dot + 1)))
         return say("{0} of {1}", edgeNameSaid(document, *piece, identifier.substr(dot + 1)), nameSaid(piece->name));
   }
-  return identifierSaid(identifier);
+  if (auto known = identifierSaid(identifier)) return known;
+  // Names that are a person's own.
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    if (piece->name == identifier) return nameSaid(identifier);
+    if (dot != std::string_view::npos && piece->name == identifier.substr(0, dot) &&
+        piece->outline.find(identifier.substr(dot + 1)))
+      return edgeSaid(piece->name, identifier.substr(dot + 1));
+    if (piece->outline.find(identifier)) return nameSaid(identifier);
+    for (const InternalLine& line : piece->lines)
+      if (line.name == identifier) return nameSaid(identifier);
+  }
+  for (const auto& [id, seam] : document.pattern.seams)
+    if (seam.name == identifier) return nameSaid(identifier);
+  if (document.fabrics.contains(std::string(identifier))) return nameSaid(identifier);
+  return std::nullopt;
 }
 
 }  // namespace karinui

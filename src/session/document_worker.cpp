@@ -1,5 +1,6 @@
 #include "session/document_worker.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -84,6 +85,41 @@ Result<Step> DocumentWorker::undo(const Token& token) {
 Result<Step> DocumentWorker::redo(const Token& token) {
   Context own = context(token);
   return file_.redo(own);
+}
+
+std::uint64_t DocumentWorker::newestOf(const DocumentFile& file) {
+  std::uint64_t newest = 0;
+  for (const auto& steps : {file.steps(), file.undone(), file.otherBranches()})
+    for (const Step& step : steps) newest = std::max(newest, step.seq);
+  return newest;
+}
+
+bool DocumentWorker::cameByItself(const Step& drape, const Token& token) {
+  const auto* op = std::get_if<DrapePieces>(&drape.operation);
+  const std::vector<Step> steps = file_.steps();
+  if (!op || drape.seq > opened_ || steps.empty() || !options_.autoSettle) return false;
+  std::set<PieceId> live;
+  for (const PieceRef& piece : op->live) live.insert(piece.id);
+  if (!(*op == drapeOf(live))) return false;  // of another kind
+  const Document& after = file_.document();
+  const Step& cause = steps.back();
+  if (const auto* other = std::get_if<DrapePieces>(&cause.operation)) {
+    std::set<PieceId> rested;
+    for (const PieceRef& piece : other->live) rested.insert(piece.id);
+    // It took along what the one before had pulled at, which stood at rest till then.
+    return live.size() > rested.size() && std::includes(live.begin(), live.end(), rested.begin(), rested.end()) &&
+           std::none_of(live.begin(), live.end(), [&](PieceId id) {
+             return !rested.contains(id) && (after.find(id)->frozen || after.drape.dirty.contains(id));
+           });
+  }
+  Context own = context(token);
+  const Result<Document> before = file_.documentAfter(cause.parent, own);
+  if (!before) return false;
+  std::set<PieceId> disturbed = disturbedBy(*before, after, cause.operation);
+  std::erase_if(disturbed, [&](PieceId id) { return after.find(id)->frozen; });
+  const auto& dirty = after.drape.dirty;  // what an interrupted drape had left is among them
+  return !disturbed.empty() && std::includes(live.begin(), live.end(), disturbed.begin(), disturbed.end()) &&
+         std::includes(dirty.begin(), dirty.end(), live.begin(), live.end());
 }
 
 Done DocumentWorker::goTo(std::uint64_t seq, const Token& token) {

@@ -28,7 +28,8 @@ class DocumentWorker {
         options_(options),
         bodies_(std::move(bodies)),
         workers_(std::move(workers)),
-        readOnly_(readOnly) {}
+        readOnly_(readOnly),
+        opened_(newestOf(file_)) {}
 
   // Published while a drape is worked out: the garment as it stands then, some times a second.
   std::function<void(SnapshotPtr)> predicted;
@@ -39,6 +40,9 @@ class DocumentWorker {
   Result<Step> perform(Operation operation, const Token& token, StopRequest* stop = nullptr);
   Result<Step> undo(const Token& token);
   Result<Step> redo(const Token& token);
+  // Whether a drape that follows the head, and was there when the document was opened, came by itself after the step
+  // there: nothing of that is written, but it drapes what that step disturbed and nothing that was at rest.
+  bool cameByItself(const Step& drape, const Token& token);
   Done goTo(std::uint64_t seq, const Token& token);
   Done amend(std::size_t which, Operation operation, const Token& token);
   DocumentState state(const Token& token);
@@ -58,6 +62,7 @@ class DocumentWorker {
   Workers& workers() { return *workers_; }
 
  private:
+  static std::uint64_t newestOf(const DocumentFile& file);
   Prints prints();
   SnapshotPtr fitted(Document document, const Token& token);
   DocumentFile file_;
@@ -66,6 +71,7 @@ class DocumentWorker {
   std::shared_ptr<Bodies> bodies_;
   std::shared_ptr<Workers> workers_;
   bool readOnly_ = false;
+  std::uint64_t opened_ = 0;  // the newest step that was there
   bool begunDraft_ = false;
   std::vector<Advice> advice_;
   struct Pulling {

@@ -110,7 +110,6 @@ struct Session::Impl {
   // settling.cpp
   bool settlingNow() const { return tasks.busy(TaskQueue::Kind::Settle); }
   void settle(std::set<PieceId> live, bool automatic, DrapePieces drape = {});  // its own pieces aside
-  void settleDisturbed(const std::set<PieceId>& live, const SettleReport& report);
   void interruptSettling();
   void settleInterrupted();
   static std::set<PieceId> unsettled(const std::set<PieceId>& of, const Document& document);  // and not frozen

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "karinui/cloth/stop_request.h"
+#include "karinui/design/document.h"
 #include "karinui/design/operation.h"
 
 namespace karinui {
@@ -24,6 +25,24 @@ inline std::set<PieceId> disturbedBy(const Document& before, const Document& aft
   for (const PieceId id : after.drape.dirty)
     if (before.drape.last && !before.drape.dirty.contains(id)) disturbed.insert(id);
   return disturbed;
+}
+
+// The same by what the operation is; a ready block, and a band that is sewn to what hangs, are draped at once.
+inline std::set<PieceId> disturbedBy(const Document& before, const Document& after, const Operation& operation) {
+  const auto* band = std::get_if<DrawBand>(&operation);
+  const bool sewnToWhatHangs = band && band->sew && before.drape.last && before.drape.dirty.empty();
+  if (sewnToWhatHangs || std::holds_alternative<DraftBlock>(operation))
+    return {after.drape.dirty.begin(), after.drape.dirty.end()};
+  return disturbsDrape(operation) ? disturbedBy(before, after) : std::set<PieceId>();
+}
+
+// What stood still beside cloth that came to rest, and is pulled otherwise now, joins it.
+inline std::set<PieceId> joinedBy(std::set<PieceId> live, const Document& document) {
+  for (const PieceId id : document.drape.last->toActivate) {
+    const Piece* piece = document.find(id);
+    if (piece && !piece->frozen && !document.drape.dirty.contains(id)) live.insert(id);
+  }
+  return live;
 }
 
 class SettleSchedule {

@@ -29,19 +29,11 @@ void Session::Impl::settle(std::set<PieceId> live, bool automatic, DrapePieces d
       if (stopped)
         return tell(Notice::Kind::Said, say("Stopped where it is, not at rest: Settle goes on, Undo takes it back."));
       if (!report.settled) tell(Notice::Kind::Advice, say("The cloth did not come to rest: {0}", report.why));
-      if (automatic) settleDisturbed(live, report);
+      if (!automatic) return;
+      if (std::set<PieceId> more = joinedBy(live, state.snapshot->document); more.size() > live.size())
+        settle(std::move(more), true);
     };
   });
-}
-
-// What stood still beside cloth that came to rest, and is pulled otherwise now, joins it.
-void Session::Impl::settleDisturbed(const std::set<PieceId>& live, const SettleReport& report) {
-  std::set<PieceId> more = live;
-  for (const PieceId id : report.toActivate) {
-    const Piece* piece = state.snapshot->document.find(id);
-    if (piece && !piece->frozen && !state.snapshot->document.drape.dirty.contains(id)) more.insert(id);
-  }
-  if (more.size() > live.size()) settle(std::move(more), true);
 }
 
 void Session::Impl::interruptSettling() {

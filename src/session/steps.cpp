@@ -12,12 +12,6 @@ bool drapes(const Operation& op) {
   return std::holds_alternative<DrapePieces>(op) || std::holds_alternative<PullCloth>(op);
 }
 
-// A band that was sewn to a garment at rest hangs with it.
-bool sewnToWhatHangs(const Document& before, const Operation& operation) {
-  const auto* band = std::get_if<DrawBand>(&operation);
-  return band && band->sew && before.drape.last && before.drape.dirty.empty();
-}
-
 }  // namespace
 
 void Session::Impl::take(DocumentState fresh) {
@@ -78,10 +72,9 @@ void Session::Impl::perform(Operation operation) {
   interruptSettling();
   const auto before = state.snapshot;
   tasks.add(TaskQueue::Kind::Step, [this, before, operation = std::move(operation)](const Token& token) mutable {
-    const bool disturbing = disturbsDrape(operation);
     Result<Step> step = documentWorker->perform(std::move(operation), token);
     const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
-    return [this, before, disturbing, step = std::move(step), fresh] {
+    return [this, before, step = std::move(step), fresh] {
       if (!step) {
         tellError(step.error());
         drawnAt.reset();
@@ -97,13 +90,9 @@ void Session::Impl::perform(Operation operation) {
       if (std::holds_alternative<PullCloth>(step->operation))
         if (const auto& last = state.snapshot->document.drape.last; last && !last->why.empty())
           tell(Notice::Kind::Said, last->why);
-      if (disturbing && options.autoSettle) {
-        for (const PieceId id : disturbedBy(before->document, state.snapshot->document)) schedule.disturb(id);
-      }
-      if (options.autoSettle &&
-          (std::holds_alternative<DraftBlock>(step->operation) || sewnToWhatHangs(before->document, step->operation))) {
-        for (const PieceId id : state.snapshot->document.drape.dirty) schedule.disturb(id);
-      }
+      if (options.autoSettle)
+        for (const PieceId id : disturbedBy(before->document, state.snapshot->document, step->operation))
+          schedule.disturb(id);
       settleInterrupted();
       // What the drag showed of this very garment stays until the drape has something better to show.
       if (seen && settlingNow() && hash(seen->document) == hash(state.snapshot->document))
@@ -124,11 +113,15 @@ void Session::Impl::turn(bool back) {
   if (const auto there = otherWay(back)) return goTo(*there);
   const auto own = schedule.automaticSteps();
   tasks.add(TaskQueue::Kind::Step, [this, back, own](const Token& token) {
+    // A drape that came by itself goes and comes with its cause.
+    const auto goesAlong = [&](const Step& drape) {
+      return own.contains(drape.seq) || documentWorker->cameByItself(drape, token);
+    };
     Result<Step> step = back ? documentWorker->undo(token) : documentWorker->redo(token);
-    if (step && back && own.contains(step->seq)) step = documentWorker->undo(token);
-    if (step && !back) {
+    while (step && back && goesAlong(*step)) step = documentWorker->undo(token);
+    while (step && !back) {
       const auto waiting = documentWorker->file().undone();
-      if (!waiting.empty() && own.contains(waiting.front().seq)) (void)documentWorker->redo(token);
+      if (waiting.empty() || !goesAlong(waiting.front()) || !documentWorker->redo(token)) break;
     }
     const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
     return [this, step = std::move(step), fresh] {

@@ -1,9 +1,11 @@
 // Garments next to each other, whole turns, and everyone of a batch, as pictures of the command.
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <set>
 
 #include "apps/command.h"
+#include "view/kept_picture.h"
 
 namespace karinui::test {
 namespace {
@@ -55,6 +57,33 @@ TEST_F(SideBySide, DocumentsSizesAndFabricsStandInOneRow) {
   ASSERT_EQ(turned.exit, 0) << turned.err;
   EXPECT_EQ(turned.json()["width"], 5 * one + margins);
   EXPECT_GT(turned.json()["height"].get<int>(), 2 * 100);
+}
+
+// Each figure of a row wears what it is said to wear: two alike are drawn alike, in another fabric it is another
+// picture.
+TEST_F(SideBySide, EachFigureOfARowOfFabricsIsMadeInItsOwn) {
+  const std::string tube = made("tube", std::string(kTube) + "drape\n");
+  const auto row = [&](const std::string& fabrics) {
+    const Said said = picture(tube + " --fabrics \"" + fabrics + "\"");
+    EXPECT_EQ(said.exit, 0) << said.err;
+    return readPng(folder / "p.png");
+  };
+  // Places at which the figure of a column differs between two rows; what is written below it is left out.
+  constexpr int kWide = 60, kHigh = 100, kMargin = 4, kOther = 40;
+  const Image alike = row("cotton cotton"), mixed = row("cotton denim");
+  const auto unlike = [&](int column) {
+    int count = 0;
+    for (int y = kMargin; y < kMargin + kHigh; ++y)
+      for (int x = kMargin + column * kWide; x < kMargin + (column + 1) * kWide; ++x) {
+        const Pixel one = alike.at(x, y), other = mixed.at(x, y);
+        int away = 0;
+        for (std::size_t c = 0; c < 3; ++c) away += std::abs(one[c] - other[c]);
+        count += away > kOther;
+      }
+    return count;
+  };
+  EXPECT_LT(unlike(0), 20);
+  EXPECT_GT(unlike(1), 150);
 }
 
 TEST_F(SideBySide, SaysWhatCannotBe) {

@@ -3,7 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
 #include <regex>
+#include <set>
+#include <sstream>
 
 #include "design/workroom.h"
 #include "karinui/cloth/fabric.h"
@@ -100,6 +104,14 @@ TEST(Glossary, NamesTheProgramMadeUpAreSaidAsATailorSaysThem) {
       {"landmark:shoulder_left", "left shoulder point", "左ショルダーポイント"},
       {"p3.2", "piece 3-2", "パーツ3-2"},
       {"hem, side_left, e3", "hem, left side, edge 3", "裾、左脇、辺3"},
+      {"skirt_side_left", "left side of skirt", "スカートの左脇"},
+      {"vest_front_left_lining", "lining of left front of vest", "ベストの左前身頃の裏地"},
+      {"pocket_left_low_right", "right lower edge of left pocket", "左ポケットの右下の辺"},
+      {"pleat_fold_3", "pleat fold 3", "プリーツの折り山 3"},
+      {"waist_row_2", "row 2 of waist", "ウエストの段 2"},
+      {"notch3", "notch 3", "合印 3"},
+      {"h2_e1", "edge 1 of hole 2", "穴2の辺1"},
+      {"front.pleat_2", "pleat 2 of front", "前身頃のプリーツ 2"},
   };
   for (const auto& [identifier, english, japanese] : names) {
     EXPECT_EQ(said(identifierSaid(identifier)), english);
@@ -162,11 +174,122 @@ TEST(Glossary, EdgesWithANumberAreCalledByHowTheyAreCutAndWhereTheyLie) {
   EXPECT_EQ(said(identifierSaid(document, "bust_girth")), "Bust girth");
 }
 
+// Every piece, edge, line, seam, mark and fabric of the garments in `examples` and of the blocks.
+std::set<std::string> namesOfDraftsAndSamples() {
+  namespace fs = std::filesystem;
+  std::set<std::string> names;
+  Workroom room;
+  const auto play = [&](const std::string& script) {
+    const auto lines = parseScript(script);
+    ASSERT_TRUE(lines);
+    DocumentFile file = DocumentFile::inMemory();
+    for (const ScriptLine& line : *lines) {
+      ASSERT_TRUE(file.perform(line.operation, room.context)) << text(line.operation);
+      const Document& document = file.document();
+      for (const auto& [id, kept] : document.pattern.pieces) {
+        const Piece& piece = *kept;
+        names.insert({piece.name, piece.fabric});
+        for (const Edge& edge : piece.outline.edges) names.insert(edge.name);
+        for (const InternalLine& own : piece.lines) names.insert(own.name);
+        for (const Mark& mark : piece.marks) names.insert(mark.name);
+      }
+      for (const auto& [id, seam] : document.pattern.seams) names.insert(seam.name);
+    }
+  };
+  for (const auto& entry : fs::directory_iterator(fs::path(KARINUI_SOURCE_DIR) / "examples")) {
+    if (entry.path().extension() != ".ops") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    std::ifstream in(entry.path());
+    play({std::istreambuf_iterator<char>(in), {}});
+  }
+  for (const OperationHelp& operation : operationHelp())
+    for (const FieldHelp& field : operation.fields)
+      if (operation.name == "block" && field.name == "kind") {
+        std::stringstream kinds(field.kind);
+        for (std::string kind; std::getline(kinds, kind, '|');)
+          play(std::string("body size=jis9ar\n") + (kind == "collar" ? "block kind=bodice\n" : "") +
+               "block kind=" + kind + "\n");
+      }
+  names.erase("");
+  return names;
+}
+
+TEST(Glossary, NamesOfDraftsAndSamplesAreWords) {
+  const auto names = namesOfDraftsAndSamples();
+  EXPECT_GT(names.size(), 50u);
+  static const std::regex latin("[a-z_]");
+  for (const std::string& name : names) {
+    const std::string english = text(nameSaid(name)), japanese = text(nameSaid(name), Language::Japanese);
+    EXPECT_EQ(english.find('_'), std::string::npos) << name;
+    EXPECT_FALSE(std::regex_search(japanese, latin)) << name << " is " << japanese;
+  }
+}
+
 TEST(Glossary, WhatAPersonNamedIsSaidAsGiven) {
   for (const char* own : {"my_edge", "袖口", "cuff-links", "3", "yes", "coat.karinui", "12cm,3cm", ""})
     EXPECT_EQ(said(identifierSaid(own)), "nothing") << own;
   EXPECT_EQ(text(nameSaid("袖口"), Language::English), "袖口");
-  EXPECT_EQ(text(nameSaid("my_edge")), "my_edge");
+  // A name has no spaces; an underscore between words stands for one.
+  EXPECT_EQ(text(nameSaid("my_edge")), "my edge");
+  for (const char* own : {"_edge", "edge_", "my__edge"}) EXPECT_EQ(text(nameSaid(own)), own);
+  // What is said is found again when it is typed.
+  for (const char* name : {"my_edge", "私の袖口", "side_left", "front", "Müllers_Mantel", "cotton"})
+    for (const Language language : {Language::English, Language::Japanese})
+      EXPECT_EQ(nameTyped(text(nameSaid(name), language)), name);
+  EXPECT_EQ(nameTyped("  my   edge "), "my_edge");
+  EXPECT_EQ(nameTyped("私の　袖口"), "私の_袖口");
+  EXPECT_EQ(nameTyped("Left Sleeve"), "sleeve_left");
+  EXPECT_EQ(nameTyped(""), "");
+}
+
+TEST(Glossary, ThePersonsOwnNamesAreKnownInSentences) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(
+      room.play(file, "piece name=my_pocket outline=\"M 0 0; lower_rim L 100 0; right_rim L 100 100; e3 L 0 0\"\n"));
+  EXPECT_EQ(said(identifierSaid(file.document(), "my_pocket")), "my pocket");
+  EXPECT_EQ(said(identifierSaid(file.document(), "lower_rim")), "lower rim");
+  EXPECT_EQ(said(identifierSaid(file.document(), "my_pocket.lower_rim")), "lower rim of my pocket");
+  EXPECT_EQ(said(identifierSaid(file.document(), "my_file.json")), "nothing");
+}
+
+TEST(Glossary, SentencesReadWithoutScripts) {
+  const auto read = [](const char* sentence, Language language = Language::English) {
+    const Message message{sentence, {}};
+    return withoutScript(sentence, text(message, language), language);
+  };
+  EXPECT_EQ(read("This seam is its own mirror image; leave mirror= away."),
+            "This seam is its own mirror image; leave “Also the other side” away.");
+  EXPECT_EQ(read("This seam is its own mirror image; leave mirror= away.", Language::Japanese),
+            "この縫い目は左右対称にしても同じものです。「反対側にも作る」を省いてください。");
+  EXPECT_EQ(read("The darts of both halves would meet; write symmetric=no for one alone."),
+            "The darts of both halves would meet; write “On both halves: No” for one alone.");
+  EXPECT_EQ(read("“{0}” is frozen; thaw it first: freeze piece={0} frozen=no."),
+            "“{0}” is frozen; thaw it first: “Freeze (Piece: {0}, Stays as it is: No)”.");
+  EXPECT_EQ(read("Say which edges are turned up: edges=skirt.hem."), "Say which edges are turned up: “Edges”.");
+  EXPECT_EQ(read("“{0}” is not a measurement; write it like bust_girth=88cm."),
+            "“{0}” is not a measurement; write it like “Bust girth: 88cm”.");
+  for (const char* same : {"No script here.", "{0} = {1}", "a≠b", ""}) EXPECT_EQ(read(same), same);
+}
+
+// Every sentence that shows a script is read without it in a window, in both languages.
+TEST(Glossary, NoSentenceKeepsAScript) {
+  std::ifstream catalogue(std::string(KARINUI_SOURCE_DIR) + "/data/messages.ja.tsv");
+  static const std::regex script("(^|[^a-z_#-])[a-z_]{2,}=");
+  std::string line;
+  int seen = 0;
+  while (std::getline(catalogue, line)) {
+    const std::string english = line.substr(0, line.find('\t')), japanese = line.substr(line.find('\t') + 1);
+    if (!std::regex_search(english, script)) continue;
+    // Of scripts themselves, which no window speaks of.
+    if (english.starts_with("'OP") || english.find("NAME") != english.npos) continue;
+    if (english.find("name=value") != english.npos) continue;
+    ++seen;
+    for (const std::string& said :
+         {withoutScript(english, english, Language::English), withoutScript(english, japanese, Language::Japanese)})
+      EXPECT_FALSE(std::regex_search(said, script)) << said;
+  }
+  EXPECT_GT(seen, 50);
 }
 
 TEST(Glossary, StepsAreSaidWithoutAnyIdentifier) {

@@ -511,6 +511,63 @@ TEST(Session, WhatIsPulledAtComesToRestToo) {
   EXPECT_EQ(drapes, std::vector<std::set<PieceId>>{{front}});
 }
 
+// Nothing in the file says which drapes came by themselves; opened again one undo takes them back with their cause
+// still.
+TEST(Session, ADrapeThatCameByItselfIsUndoneWithItsCauseAfterReopeningToo) {
+  const auto folder = std::filesystem::temp_directory_path() / "karinui_undo_test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  SessionOptions options;
+  options.drape = [](const Document& d, const DrapePieces& drape, Context&) -> Result<DrapeOutcome> {
+    auto outcome = fallABit(d, drape.live);
+    for (const auto& [id, piece] : d.pattern.pieces)
+      if (drape.live.size() == 1 && drape.live.front().id != id) outcome->report.toActivate.push_back(id);
+    return outcome;
+  };
+  std::vector<std::string> all, first;
+  const auto turned = [](Session& session, Command way) {
+    session.command(way);
+    session.finish();
+    return stepsOf(session);
+  };
+  const auto beginning = [&](std::size_t count) {
+    return std::vector<std::string>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+  };
+  {
+    Session session(options);
+    session.create(folder / "a.karinui");
+    giveTwo(session);
+    for (const char* text :
+         {"drape", "cut piece=front line=\"10cm,-5cm 10cm,5cm\"", "move piece=front by=0,1cm,0", "drape live=front"}) {
+      session.perform(op(text));
+      session.finish();
+    }
+    all = stepsOf(session);
+    ASSERT_EQ(all.size(), 8u) << "two drapes came after the cut, the second with what the first had pulled at";
+    EXPECT_EQ(turned(session, Command::Undo), beginning(7));
+    EXPECT_EQ(turned(session, Command::Undo), beginning(6));
+    EXPECT_EQ(turned(session, Command::Undo), beginning(3)) << "the cut with both";
+    for (int k = 0; k < 3; ++k) first = turned(session, Command::Redo);
+    EXPECT_EQ(first, all);
+  }
+  Session session(options);
+  session.open(folder / "a.karinui");
+  session.finish();
+  ASSERT_EQ(stepsOf(session), all);
+  EXPECT_EQ(turned(session, Command::Undo), beginning(7)) << "this one was asked for";
+  EXPECT_EQ(turned(session, Command::Undo), beginning(6));
+  EXPECT_EQ(turned(session, Command::Undo), beginning(3)) << "the cut with both";
+  EXPECT_EQ(turned(session, Command::Undo), beginning(2)) << "this one was asked for, too";
+  EXPECT_EQ(turned(session, Command::Redo), beginning(3));
+  EXPECT_EQ(turned(session, Command::Redo), beginning(6));
+  // What is done now is known as before.
+  session.perform(op("cut piece=back line=\"10cm,-5cm 10cm,5cm\""));
+  session.finish();
+  EXPECT_GT(stepsOf(session).size(), 7u);
+  EXPECT_EQ(turned(session, Command::Undo), beginning(6));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(Session, StoppedWhileItPlaysAgainNothingIsChanged) {
   std::promise<void> again;
   int drapes = 0;

@@ -101,10 +101,10 @@ TEST(StudioWindow, ChoosingIsMirroredEverywhere) {
   EXPECT_EQ(w.session().selection().pieces, std::set<PieceId>{front});
   auto* tree = w.main().findChild<QTreeWidget*>();
   ASSERT_EQ(tree->selectedItems().size(), 1);
-  EXPECT_THAT(tree->selectedItems().front()->text(0).toStdString(), StartsWith("front"));
+  EXPECT_THAT(tree->selectedItems().front()->text(0).toStdString(), StartsWith("Front"));
   w.click(w.table(), w.onTable("back", {0, 0.3}));
   w.rest();
-  EXPECT_THAT(tree->selectedItems().front()->text(0).toStdString(), StartsWith("back"));
+  EXPECT_THAT(tree->selectedItems().front()->text(0).toStdString(), StartsWith("Back"));
   tree->setCurrentItem(tree->topLevelItem(0));
   EXPECT_EQ(w.session().selection().pieces, std::set<PieceId>{front});
 }

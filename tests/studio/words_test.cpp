@@ -128,6 +128,20 @@ void openNamed(Window& w) {
   w.rest();
 }
 
+// And names of several words, of our own and of the person's.
+void openLongNamed(Window& w) {
+  openNamed(w);
+  for (const char* line :
+       {"polygon name=pocket_left_lining points=\"0,0; 9cm,0; 9cm,9cm; 0,9cm\" edges=\"pocket_left_low "
+        "side_right pleat_fold_2 side_left\"",
+        "freeze piece=pocket_left_lining"}) {
+    w.session().perform(*parseOperation(line));
+    w.session().finish();
+  }
+  w.rest();
+  ASSERT_TRUE(w.session().snapshot().document.pieceNamed("pocket_left_lining")) << w.main().said().toStdString();
+}
+
 std::set<QString> readInTheWindow(Window& w) {
   std::set<QString> all = readIn(w.main());
   const auto take = [&] { all.merge(readIn(w.main())); };
@@ -167,7 +181,7 @@ QString withoutScripts(QString text) {
 TEST(StudioWords, NoIdentifierIsSeenInEitherLanguage) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
-  openNamed(w);
+  openLongNamed(w);
   static const QRegularExpression machine(
       "[a-z0-9]_[a-z0-9]|\\be\\d+\\b|\\bp\\d+\\b|torso:|landmark:|\\d(mm|cm)\\b|\\b[a-z]+=");
   for (const Language language : {Language::English, Language::Japanese}) {
@@ -182,7 +196,7 @@ TEST(StudioWords, NoIdentifierIsSeenInEitherLanguage) {
 TEST(StudioWords, NothingStaysEnglishInJapanese) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
-  openNamed(w);
+  openLongNamed(w);
   Theme::here().setLanguage(Language::Japanese);
   w.rest();
   static const QRegularExpression latin("[A-Za-z]{2,}");
@@ -199,6 +213,56 @@ TEST(StudioWords, NothingStaysEnglishInJapanese) {
       EXPECT_TRUE(allowed.contains(word)) << word.toStdString() << " in: " << text.toStdString();
     }
   Theme::here().setLanguage(Language::English);
+}
+
+// Who works with dialogs and gestures writes no scripts: refusals speak of what stands in the window.
+TEST(StudioWords, RefusalsSpeakOfLabels) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  openLongNamed(w);
+  const auto refused = [&](const char* line) {
+    w.session().perform(*parseOperation(line));
+    w.rest();
+    return w.main().said().toStdString();
+  };
+  EXPECT_EQ(refused("pleat depth=1cm"),
+            "Say which edge is pleated: “Edge”; or three lines that are drawn: “Fold, inner fold and placement line”.");
+  EXPECT_EQ(refused("rename piece=front to=pocket_left_lining"),
+            "There is already a piece “lining of left pocket”; choose another name.");
+  EXPECT_EQ(
+      refused("pull piece=pocket_left_lining at=1cm,1cm by=\"0,5cm,0\""),
+      "“lining of left pocket” is frozen; thaw it first: “Freeze (Piece: lining of left pocket, Stays as it is: No)”.");
+  Theme::here().setLanguage(Language::Japanese);
+  EXPECT_EQ(refused("pleat depth=1cm"),
+            "どの辺にたたむかを書いてください：「辺」。または描いた三本の線：「山折り線、谷折り線、合わせ位置の線」。");
+  EXPECT_EQ(refused("rename piece=front to=pocket_left_lining"),
+            "パーツ「左ポケットの裏地」はもうあります。別の名前にしてください。");
+  Theme::here().setLanguage(Language::English);
+}
+
+// A name with spaces, as a person writes it.
+TEST(StudioWords, AnOwnNameMayHaveSpaces) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Selection chosen;
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("front")->id};
+  w.session().select(chosen);
+  w.rest();
+  QLineEdit* name = nullptr;
+  for (QLineEdit* box : w.main().findChildren<QLineEdit*>())
+    if (box->isVisible() && box->text() == "front") name = box;
+  ASSERT_TRUE(name);
+  name->setFocus();
+  name->setText("my best front");
+  emit name->editingFinished();
+  w.rest();
+  EXPECT_TRUE(w.session().snapshot().document.pieceNamed("my_best_front")) << w.main().said().toStdString();
+  EXPECT_EQ(name->text(), "my best front");
+  EXPECT_FALSE(w.main()
+                   .findChild<QTreeWidget*>()
+                   ->findItems("my best front", Qt::MatchStartsWith | Qt::MatchCaseSensitive)
+                   .isEmpty());
 }
 
 TEST(StudioWords, DialogsOfQtAreInTheLanguageToo) {

@@ -25,6 +25,10 @@ Message valueSaid(const Document& document, std::string_view operation, const Fi
 // All that matters of a step in one line, without the operation's name.
 Message stepSaid(const Document& document, const Operation& operation);
 
+// A sentence that shows what a script says, as it reads who has dialogs instead: "write symmetric=no for one alone" is
+// "write “On both halves: No” for one alone". `english` is its key in the catalogue, `pattern` the words to be changed.
+std::string withoutScript(std::string_view english, std::string_view pattern, Language language);
+
 const OperationHelp& helpOf(const Operation& operation);  // of operationHelp()
 
 }  // namespace karinui

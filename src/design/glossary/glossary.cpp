@@ -67,23 +67,53 @@ std::optional<Message> idSaid(std::string_view text) {
   return text[0] == 'p' ? say("piece {0}", number) : say("seam {0}", number);
 }
 
-// What a name begins with: a word of ours, or what the program calls an edge by its number. "e3" counts from one,
+// Where a part of a name begins: a word of ours, or what the program calls an edge by its number. "e3" counts from one,
 // "edge_3" and "seam_3" (GarmentCode) from zero.
 struct Stem {
   Message words;
   bool numbered = false;
   std::size_t parts = 0;  // of the name
+  std::string number;     // "2" of "line2"
 };
-std::optional<Stem> stemOf(const std::vector<std::string_view>& parts) {
+std::optional<Stem> stemOf(std::span<const std::string_view> parts) {
   const std::string_view first = parts.front();
   if (first.size() > 1 && first[0] == 'e' && isDigits(first.substr(1)))
-    return Stem{say("edge {0}", first.substr(1)), true, 1};
-  if ((first == "edge" || first == "seam") && parts.size() > 1 && isDigits(parts[1])) {
-    const std::string number = std::to_string(std::stol(std::string(parts[1])) + 1);
-    return Stem{first == "edge" ? say("edge {0}", number) : say("seam {0}", number), true, 2};
+    return Stem{say("edge {0}", first.substr(1)), true, 1, {}};
+  if (first.size() > 1 && first[0] == 'h' && isDigits(first.substr(1)))
+    return Stem{say("hole {0}", first.substr(1)), false, 1, {}};
+  if (parts.size() > 1) {
+    if ((first == "edge" || first == "seam") && isDigits(parts[1])) {
+      const std::string number = std::to_string(std::stol(std::string(parts[1])) + 1);
+      return Stem{first == "edge" ? say("edge {0}", number) : say("seam {0}", number), true, 2, {}};
+    }
+    if (const auto word = termSaid(Term::Word, std::string(first) + "_" + std::string(parts[1])))
+      return Stem{*word, false, 2, {}};
   }
-  if (const auto word = termSaid(Term::Word, first)) return Stem{*word, false, 1};
+  if (const auto word = termSaid(Term::Word, first)) return Stem{*word, false, 1, {}};
+  const std::size_t digits = first.find_last_not_of("0123456789") + 1;
+  if (digits == 0 || digits == first.size()) return std::nullopt;
+  if (const auto word = termSaid(Term::Word, first.substr(0, digits)))
+    return Stem{*word, false, 1, std::string(first.substr(digits))};
   return std::nullopt;
+}
+
+// One word of a name with what is said of it: "front_left", "side_2".
+struct NamePart {
+  enum class Side { None, Left, Right } side = Side::None;
+  enum class Half { None, Front, Back } half = Half::None;
+  Stem stem;
+  bool garment = false;  // has a front and a back, and is none itself
+};
+Message partSaid(const NamePart& part) {
+  const Stem& stem = part.stem;
+  Message said = stem.words;
+  if (part.half != NamePart::Half::None)
+    said = part.half == NamePart::Half::Front ? say("front {0}", said) : say("back {0}", said);
+  if (!stem.number.empty()) said = say("{0} {1}", said, stem.number);
+  if (part.side == NamePart::Side::None) return said;
+  if (stem.numbered)
+    return part.side == NamePart::Side::Left ? say("{0}, left half", said) : say("{0}, right half", said);
+  return part.side == NamePart::Side::Left ? say("left {0}", said) : say("right {0}", said);
 }
 
 }  // namespace
@@ -97,53 +127,59 @@ bool isNumbered(std::string_view edge) {
 
 namespace {
 
-// A name the program made up, or that is made of words it knows; nothing: a person's own.
+// "cotton", "cotton_2", "wool_suiting_2"
+std::optional<Message> fabricNameSaid(std::string_view name, const std::vector<std::string_view>& parts) {
+  if (parts.size() == 1) return termSaid(Term::Fabric, name);
+  if (parts.size() > 3 || !isDigits(parts.back())) return std::nullopt;
+  const auto fabric =
+      termSaid(Term::Fabric, parts.size() == 2 ? std::string(parts[0])
+                                               : std::string(parts[0]).append(" ").append(std::string(parts[1])));
+  return fabric ? std::optional(say("{0} {1}", *fabric, parts.back())) : std::nullopt;
+}
+
+// A name the program made up, or that is made of words it knows; nothing: a person's own. What is named later belongs
+// to what is named before: "pocket_left_low_right" is the right lower edge of the left pocket.
 std::optional<Message> ownNameSaid(std::string_view name) {
+  using Side = NamePart::Side;
+  using Half = NamePart::Half;
+  static constexpr std::array<std::string_view, 11> kGarments{
+      "blouse", "cape", "coat", "dress", "jacket", "pants", "shirt", "trousers", "vest", "waistcoat", "yoke"};
   std::vector<std::string_view> parts = splitAt(name, "_-");
-  enum class Side { None, Left, Right } side = Side::None;
-  enum class Half { None, Front, Back } half = Half::None;
-  bool mirrored = false;
-  std::string number;
-  const bool alone = parts.size() == 1;
+  if (const auto fabric = fabricNameSaid(name, parts); fabric && !stemOf(parts)) return fabric;
   // GarmentCode says the side first: "left_sleeve_f".
+  Side first = Side::None;
   if (parts.size() > 1 && (parts[0] == "left" || parts[0] == "right")) {
-    side = parts[0] == "left" ? Side::Left : Side::Right;
+    first = parts[0] == "left" ? Side::Left : Side::Right;
     parts.erase(parts.begin());
   }
-  const auto stem = stemOf(parts);
-  if (!stem) {
-    if (const auto fabric = alone ? termSaid(Term::Fabric, name) : std::nullopt) return fabric;
-    const auto fabric = parts.size() == 2 && isDigits(parts[1]) ? termSaid(Term::Fabric, parts[0])
-                        : parts.size() == 3 && isDigits(parts[2])
-                            ? termSaid(Term::Fabric, std::string(parts[0]) + " " + std::string(parts[1]))
-                            : std::nullopt;
-    return fabric ? std::optional(say("{0} {1}", *fabric, parts.back())) : std::nullopt;
-  }
-  for (std::size_t i = stem->parts; i < parts.size(); ++i) {
+  std::vector<NamePart> all;
+  bool mirrored = false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string_view part = parts[i];
-    if (part == "left" || part == "l") {
-      side = Side::Left;
-    } else if (part == "right" || part == "r") {
-      side = Side::Right;
-    } else if (part == "front" || part == "f") {
-      half = Half::Front;
-    } else if (part == "back" || part == "b") {
-      half = Half::Back;
-    } else if (part == "mirror" || part == "mirrored") {
+    NamePart* last = all.empty() ? nullptr : &all.back();
+    const bool left = part == "left" || part == "l", front = part == "front" || part == "f";
+    if (last && (left || part == "right" || part == "r")) {
+      if (last->side != Side::None) return std::nullopt;
+      last->side = left ? Side::Left : Side::Right;
+    } else if (last && !last->garment && last->half == Half::None && (front || part == "back" || part == "b")) {
+      last->half = front ? Half::Front : Half::Back;
+    } else if (last && (part == "mirror" || part == "mirrored")) {
       mirrored = true;
-    } else if (isDigits(part)) {
-      number += (number.empty() ? "" : "-") + std::string(part);
+    } else if (last && isDigits(part)) {
+      last->stem.number += (last->stem.number.empty() ? "" : "-") + std::string(part);
     } else {
-      return std::nullopt;
+      const auto stem = stemOf(std::span(parts).subspan(i));
+      if (!stem) return std::nullopt;
+      NamePart next;
+      if (!last) next.side = first;
+      next.stem = *stem;
+      next.garment = std::find(kGarments.begin(), kGarments.end(), part) != kGarments.end();
+      all.push_back(std::move(next));
+      i += stem->parts - 1;
     }
   }
-  Message said = stem->words;
-  if (half != Half::None) said = half == Half::Front ? say("front {0}", said) : say("back {0}", said);
-  if (!number.empty()) said = say("{0} {1}", said, number);
-  if (side != Side::None && stem->numbered)
-    said = side == Side::Left ? say("{0}, left half", said) : say("{0}, right half", said);
-  else if (side != Side::None)
-    said = side == Side::Left ? say("left {0}", said) : say("right {0}", said);
+  Message said = partSaid(all.front());
+  for (std::size_t i = 1; i < all.size(); ++i) said = say("{0} of {1}", partSaid(all[i]), said);
   return mirrored ? say("{0}, mirrored", said) : said;
 }
 
@@ -231,7 +267,31 @@ Message placeSaid(const BodyPoint& place) {
   return say("{0}, {1}", termOrItself(Term::Part, kParts[static_cast<std::size_t>(place.part)]), said);
 }
 
-Message nameSaid(std::string_view name) { return ownNameSaid(name).value_or(say("{0}", name)); }
+Message nameSaid(std::string_view name) {
+  if (const auto own = ownNameSaid(name)) return *own;
+  std::string words(name);  // names have no spaces
+  const bool single = !name.starts_with('_') && !name.ends_with('_') && name.find("__") == std::string_view::npos;
+  if (single) std::replace(words.begin(), words.end(), '_', ' ');
+  return say("{0}", words);
+}
+
+std::string nameTyped(std::string_view said) {
+  static constexpr std::string_view kWideSpace = "\u3000";
+  std::string plain;
+  while (!said.empty()) {
+    const bool wide = said.starts_with(kWideSpace), space = wide || said.front() == ' ' || said.front() == '\t';
+    if (!space) {
+      plain += said.front();
+    } else if (!plain.empty() && plain.back() != ' ') {
+      plain += ' ';
+    }
+    said.remove_prefix(wide ? kWideSpace.size() : 1);
+  }
+  while (plain.ends_with(' ')) plain.pop_back();
+  if (auto known = identifierOf(plain)) return *std::move(known);
+  std::replace(plain.begin(), plain.end(), ' ', '_');
+  return plain;
+}
 
 Message edgeSaid(std::string_view piece, std::string_view edge) {
   return say("{0} of {1}", nameSaid(edge), idSaid(piece).value_or(nameSaid(piece)));
@@ -263,12 +323,12 @@ std::optional<std::string> identifierOf(std::string_view said) {
     return plain(text(name)) == wanted || text(name, Language::Japanese) == wanted;
   };
   for (const Term kind : {Term::Word, Term::Measure, Term::Fabric})
-    for (const NamedTerm& term : tableOf(kind)) {
+    for (const NamedTerm& term : tableOf(kind))
       if (isSaid(term.name)) return std::string(term.identifier);
-      if (kind != Term::Word) continue;
-      for (const char* side : {"_left", "_right", "_front", "_back"})
-        if (const std::string name = std::string(term.identifier) + side; isSaid(nameSaid(name))) return name;
-    }
+  for (const NamedTerm& term : wordTerms()) {
+    for (const char* side : {"_left", "_right", "_front", "_back"})
+      if (const std::string name = std::string(term.identifier) + side; isSaid(nameSaid(name))) return name;
+  }
   return std::nullopt;
 }
 

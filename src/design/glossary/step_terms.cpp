@@ -136,6 +136,7 @@ TermTable fieldTerms() {
       {"fabric", say("Fabric")},
       {"finish", say("Surface")},
       {"first", say("From the end to the first")},
+      {"flared", say("Cut to lie on it")},
       {"flex", say("Forwards, or bent")},
       {"form", say("Dress form")},
       {"friction_body", say("Friction on skin")},

@@ -3,6 +3,8 @@
 
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
+#include "karinui/base/number.h"
+#include "karinui/pattern/turn_back.h"
 
 namespace karinui {
 
@@ -72,6 +74,29 @@ const InternalLine& lineNamed(const Piece& piece, const std::string& name) {
   return *std::find_if(piece.lines.begin(), piece.lines.end(), [&](const auto& line) { return line.name == name; });
 }
 
+Result<Flared> flared(const Piece& piece, const FoldLine& op) {
+  const Parting parting(piece, lineNamed(piece, op.lines.front()));
+  return flaredBeyond(piece, op.lines.front(), [&](Flat place) { return parting.beyond(place); });
+}
+
+// What narrows towards the line is tight where it is turned back.
+void tellTight(const Piece& piece, const FoldLine& op, const Context& context) {
+  constexpr double kTold = 0.003;  // metres
+  if (!context.advise || op.flared) return;
+  const auto fits = flared(piece, op);
+  if (!fits || fits->wider < kTold) return;
+  FoldLine mend = op;
+  mend.flared = true;
+  context.advise(
+      {say("What is turned back along “{0}” is {1} mm narrower at its end than what it comes to lie on, and is "
+           "too tight there; cut it as the mirror image of that.",
+           op.lines.front(), fixed(fits->wider * 1e3, 1)),
+       piece.id,
+       {},
+       {},
+       Operation(mend)});
+}
+
 // The smaller part laid back over the rest, where that is.
 Result<std::shared_ptr<const Form>> turnedForm(const Piece& now, const Piece& old, const FoldLine& op, double spacing) {
   constexpr double kRound = 0.004;  // metres from the fold within which the layers part
@@ -101,6 +126,8 @@ Done resolve(const Document& before, FoldLine& op, Context&) {
         say("Cloth is folded by up to 170 degrees; what is turned over altogether is a hem or a piece of "
             "its own."));
   if (!(op.hold >= 0.1 && op.hold <= 0.99)) return refused(say("A fold holds 0.1 to 0.99 of its angle."));
+  if (op.flared && !op.turned)
+    return refused(say("Only what is turned back is cut as the mirror image of what it comes to lie on: turned=yes."));
   if (!op.turned) return {};
   constexpr double kOver = 2.6;  // radians: less is no turning over
   if (op.lines.size() != 1 || std::fabs(op.angle) < kOver)
@@ -111,18 +138,25 @@ Done resolve(const Document& before, FoldLine& op, Context&) {
   return {};
 }
 
-Result<Document> perform(const Document& before, const FoldLine& op, Context&) {
+Result<Document> perform(const Document& before, const FoldLine& op, Context& context) {
   const Piece& old = *before.find(op.piece.id);
-  Piece piece = old;
+  Document cut = before;
+  if (op.flared) {
+    const auto shaped = flared(old, op);
+    if (!shaped) return shaped.error();
+    cut = withEdit(std::move(cut), shaped->edited);
+  }
+  Piece piece = *cut.find(op.piece.id);
   for (InternalLine& line : piece.lines)
     if (std::find(op.lines.begin(), op.lines.end(), line.name) != op.lines.end())
       line.crease = op.angle == 0 ? std::nullopt : std::optional(Crease{op.angle, op.hold});
   if (op.turned) {
+    tellTight(old, op, context);
     auto form = turnedForm(piece, old, op, before.settings.spacing);
     if (!form) return form.error();
     piece.form = *std::move(form);
   }
-  return withPiece(before, std::move(piece));
+  return withPiece(std::move(cut), std::move(piece));
 }
 
 }  // namespace karinui

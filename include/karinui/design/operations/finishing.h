@@ -137,7 +137,7 @@ struct FoldLine {
   std::vector<std::string> lines;
   Angle angle;
   double hold = 0.9;
-  bool turned = false;
+  bool turned = false, flared = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece", kNeeded);
@@ -151,6 +151,11 @@ struct FoldLine {
           "170deg, "
           "or -170deg to the wrong side",
           kOptional);
+    visit(
+        "flared", self.flared,
+        "yes: what is turned back is cut as the mirror image of what it comes to lie on, wider where the piece narrows "
+        "towards the line",
+        kOptional);
   }
   bool operator==(const FoldLine&) const = default;
 };

@@ -1,0 +1,77 @@
+// A cuff that is turned back on a sleeve that narrows to the wrist.
+#include <gmock/gmock.h>
+
+#include "design/workroom.h"
+#include "karinui/pattern/piece.h"
+
+namespace karinui {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// 300 mm wide above and 200 mm at the hem, its two sides sewn to each other; the line lies 60 mm above the hem.
+const char* const kSleeve =
+    "piece name=sleeve outline=\"M -100 0; hem L 100 0; right L 150 400; top L -150 400; left L -100 0\" lines=\"turn "
+    "M "
+    "-107.5 60 L 107.5 60\"\n"
+    "sew a=sleeve.left b=sleeve.right name=underarm\n";
+
+class TurnedBack : public testing::Test {
+ protected:
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  std::vector<Advice> advice;
+  void SetUp() override {
+    ASSERT_TRUE(room.play(file, kSleeve));
+    room.context.advise = [this](const Advice& one) { advice.push_back(one); };
+  }
+  void perform(const Operation& operation) {
+    advice.clear();
+    const auto step = file.perform(operation, room.context);
+    ASSERT_TRUE(step) << text(step.error().what);
+  }
+  void perform(const char* line) { perform(*parseOperation(line)); }
+  double lengthOf(const char* edge) const {
+    const Outline& outline = file.document().pieceNamed("sleeve")->outline;
+    return outline.edges[*outline.find(edge)].curve.length();
+  }
+};
+
+TEST_F(TurnedBack, ItIsToldHowMuchTooNarrowItIsAndMended) {
+  perform("fold piece=sleeve line=turn angle=170deg turned=yes");
+  ASSERT_EQ(advice.size(), 1u);
+  EXPECT_THAT(text(advice[0].what), HasSubstr("30.0 mm narrower"));
+  EXPECT_NEAR(lengthOf("hem"), 0.2, 1e-9) << "nothing is changed without being asked";
+  ASSERT_TRUE(advice[0].mend);
+  perform(Operation(*advice[0].mend));
+  EXPECT_THAT(advice, IsEmpty());
+  EXPECT_NEAR(lengthOf("hem"), 0.23, 1e-9);
+  const Document& document = file.document();
+  EXPECT_NEAR(lengthMismatch(document.pattern, document.pattern.seams.begin()->second), 0, 1e-9)
+      << "sewn along both parts still";
+  EXPECT_EQ(document.pattern.seams.begin()->second.a.size(), 2u);
+  EXPECT_TRUE(document.pieceNamed("sleeve")->lines.front().crease);
+  // Each place of the cuff lies on the sleeve, 3 mm out from it at most.
+  const Piece& sleeve = *document.pieceNamed("sleeve");
+  ASSERT_TRUE(sleeve.form);
+  double lowest = 1;
+  for (const Vec3 p : sleeve.form->space) lowest = std::min(lowest, sleeve.pose.turned(p).y);
+  double highest = -1;
+  for (const Vec3 p : sleeve.form->space) highest = std::max(highest, sleeve.pose.turned(p).y);
+  EXPECT_NEAR(highest - lowest, 0.34, 1e-3);
+}
+
+TEST_F(TurnedBack, CutToLieOnItAtOnce) {
+  perform("fold piece=sleeve line=turn angle=170deg turned=yes flared=yes");
+  EXPECT_THAT(advice, IsEmpty());
+  EXPECT_NEAR(lengthOf("hem"), 0.23, 1e-9);
+  EXPECT_NEAR(lengthOf("left_2"), lengthOf("right"), 1e-9);
+  // The copy on the other side is cut likewise.
+  ASSERT_TRUE(room.play(file, "mirror piece=sleeve name=other\n"));
+  EXPECT_NEAR(file.document().pieceNamed("other")->outline.area(), file.document().pieceNamed("sleeve")->outline.area(),
+              1e-9);
+}
+
+}  // namespace
+}  // namespace karinui
