@@ -214,7 +214,7 @@ Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const 
     token.progress(0.5 * static_cast<double>(k) / static_cast<double>(waypoints.size()), say("Pulling the cloth"));
   }
   if (grip.letGo) solver.setHand(std::nullopt);
-  RestCriteria criteria = finestCriteria(settings, true);
+  RestCriteria criteria = finestCriteria(settings, false);
   StageResult end;
   const auto watch = [&](int, const LevelSolver::StepResult&) {
     if (!grip.letGo) hand.update();

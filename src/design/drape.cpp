@@ -218,7 +218,7 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   settings.gravity = drape.gravity;
   settings.stopAfter = static_cast<std::size_t>(drape.stop);
   settings.stop = context.stop;
-  settings.rested = document.drape.last && document.drape.last->settled;
+  settings.rested = document.drape.last && document.drape.last->settled && document.drape.force.empty();  // not pulled
   if (loop && loop->tight()) settings.sewnThinnerBy = sewnThinnerBy(*loop);
   settings.continueAfterRest = continueAfterRest;
   SettleWatcher watcher;
