@@ -111,6 +111,8 @@ TermTable wordTerms() {
       {"shirt", say("shirt")},
       {"shoulder", say("shoulder")},
       {"side", say("side")},
+      {"side_high", say("upper side")},
+      {"side_low", say("lower side")},
       {"skirt", say("skirt")},
       {"sleeve", say("sleeve")},
       {"slit", say("slit")},
