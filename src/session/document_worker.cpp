@@ -109,7 +109,8 @@ bool DocumentWorker::cameByItself(const Step& drape, const Token& token) {
     // It took along what the one before had pulled at, which stood at rest till then.
     return live.size() > rested.size() && std::includes(live.begin(), live.end(), rested.begin(), rested.end()) &&
            std::none_of(live.begin(), live.end(), [&](PieceId id) {
-             return !rested.contains(id) && (after.find(id)->frozen || after.drape.dirty.contains(id));
+             const Piece* piece = after.find(id);  // a file may name one that is not there
+             return !rested.contains(id) && (!piece || piece->frozen || after.drape.dirty.contains(id));
            });
   }
   Context own = context(token);
