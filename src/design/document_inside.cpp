@@ -50,6 +50,7 @@ Result<const Document*> DocumentFile::Inside::documentAt(std::uint64_t seq, Cont
   }
   Borrowing borrowing(&blobs, &context.blobs);
   Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull};
+  own.recorded = true;
   for (auto s = missing.rbegin(); s != missing.rend(); ++s) {
     auto document = apply(documents.at((*s)->parent), (*s)->operation, own);
     if (!document) return atStep((*s)->serial, document.error());

@@ -17,6 +17,42 @@ constexpr double kOneCorner = 1e-3 - 1e-8;
 
 constexpr double kOnLine = 1e-4;  // metres: a line that ends as near to another ends on it
 
+// The part of an inner line that lies on the cloth: an end that has come to lie beyond the outline, or in a hole, as
+// when the edge it ended on was taken in, is where the line meets the border. As it is where no part of it does.
+Curve onCloth(const Piece& piece, const Curve& curve) {
+  constexpr int kLooks = 400;
+  const Ring ring = piece.outline.flattened(1e-6);
+  std::vector<Ring> holes;
+  for (const Outline& hole : piece.holes) holes.push_back(hole.flattened(1e-6));
+  const auto beyond = [&](double t) {  // farther than what the border takes as its own
+    const Flat place = curve.at(t);
+    if (!contains(ring, place) && distanceToRing(ring, place) > kOnLine) return true;
+    return std::any_of(holes.begin(), holes.end(), [&](const Ring& hole) {
+      return contains(hole, place) && distanceToRing(hole, place) > kOnLine;
+    });
+  };
+  const auto inside = [&](double t) {
+    const Flat place = curve.at(t);
+    return contains(ring, place) &&
+           std::none_of(holes.begin(), holes.end(), [&](const Ring& hole) { return contains(hole, place); });
+  };
+  double ends[2] = {0, 1};
+  for (const int end : {0, 1}) {
+    if (!beyond(end)) continue;
+    int look = 1;
+    const auto at = [&](int k) {
+      return end == 0 ? static_cast<double>(k) / kLooks : 1 - static_cast<double>(k) / kLooks;
+    };
+    while (look < kLooks && !inside(at(look))) ++look;
+    if (look == kLooks) return curve;
+    double out = at(look - 1), in = at(look);
+    for (int half = 0; half < 50; ++half) (inside((out + in) / 2) ? in : out) = (out + in) / 2;
+    ends[end] = in;
+  }
+  if (ends[0] == 0 && ends[1] == 1) return curve;
+  return ends[0] < ends[1] ? curve.part(ends[0], ends[1]) : curve;
+}
+
 // Puts stations at the corners of a track, one where several are as near as that.
 void placeCorners(Track& track) {
   const std::size_t n = track.edgeStart.size() - 1;
@@ -186,9 +222,10 @@ void BorderPlan::gatherLines(const Pattern& pattern, const Piece& piece) {
   for (const InternalLine& line : piece.lines) {
     const Curve* curve = names.contains(line.name) ? findCurve(piece, line.name) : nullptr;
     if (!curve || curve != &line.curves.front() || !(curve->length() > kOneCorner)) continue;
-    const double whole = curve->length();
+    const Curve laid = onCloth(piece, *curve);
+    const double whole = laid.length();
     Track track{piece.id, ++next, nullptr, {0, whole}, {0, whole}, {0, whole}};
-    track.line = std::make_shared<const Outline>(Outline{{{line.name, *curve}}});
+    track.line = std::make_shared<const Outline>(Outline{{{line.name, laid}}});
     track.outline = track.line.get();
     trackOf_[{piece.id, next}] = tracks_.size();
     tracks_.push_back(std::move(track));

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "design/workroom.h"
 #include "karinui/pattern/symmetry.h"
 
@@ -110,6 +112,47 @@ TEST(PaperEdit, ARecordOfBeforeJoinsAsItDid) {
   t.play("join edge=front.side_left symmetric=yes");
   EXPECT_THAT(t.file.log(), HasSubstr("refit=yes"));
   EXPECT_NE(t.curve("side_left"), old);
+}
+
+// An end of a line beside an edge by less than a hand is sure of is on it, in a corner where there is one; what was
+// recorded before stays where it was.
+TEST(PaperEdit, ALineThatEndsBesideAnEdgeEndsOnIt) {
+  constexpr const char* kSquare =
+      "piece name=a outline=\"M 0 0; hem L 400 0; left L 400 400; top L 0 400; right L 0 0\" "
+      "holes=\"M 180 180; w L 220 180; x L 220 220; y L 180 220; z L 180 180\"\n";
+  const auto ends = [&](const std::string& along) {
+    Told t;
+    t.play(kSquare);
+    t.play("line piece=a along=\"" + along + "\" name=l");
+    const InternalLine& line = t.file.document().pieceNamed("a")->lines.at(0);
+    return std::array{line.curves.front().start, line.curves.back().end};
+  };
+  for (const char* along : {"0.3mm,200mm; 399.7mm,300mm", "-0.9mm,200mm; 400.9mm,300mm", "0,200mm; 400mm,300mm"}) {
+    const auto [start, end] = ends(along);
+    EXPECT_LT(distance(start, {0, 0.2}), 1e-12) << along;
+    EXPECT_LT(distance(end, {0.4, 0.3}), 1e-12) << along;
+  }
+  const auto [corner, hole] = ends("0.4mm,0.7mm; 179.4mm,200mm");
+  EXPECT_EQ(corner, Flat()) << "into the corner, not beside it";
+  EXPECT_LT(distance(hole, {0.18, 0.2}), 1e-12);
+  const auto [free, other] = ends("1.2mm,200mm; 100mm,200mm");
+  EXPECT_NEAR(free.u, 0.0012, 1e-12) << "that far from the edge it ends within the piece";
+
+  Told t;
+  t.play(kSquare);
+  const auto refusedFor = [&](const std::string& along) {
+    const auto done = t.file.perform(*parseOperation("line piece=a along=\"" + along + "\""), t.room.context);
+    return done ? std::string() : text(done.error().what);
+  };
+  EXPECT_THAT(refusedFor("300mm,300mm; 450mm,300mm"), HasSubstr("leaves a at 40."));
+  EXPECT_THAT(refusedFor("100mm,200mm; 300mm,200mm"), HasSubstr("leaves a at 18.")) << "over the hole";
+  EXPECT_THAT(refusedFor("0.5mm,300mm; -0.5mm,300mm"), HasSubstr("shorter than 1 mm"));
+
+  t.room.context.recorded = true;
+  const auto again = apply(t.file.document(), *parseOperation("line piece=a along=\"0.3mm,200mm; 40cm,30cm\" name=old"),
+                           t.room.context);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->pieceNamed("a")->lines.at(0).curves.front().start.u, 0.0003);
 }
 
 }  // namespace

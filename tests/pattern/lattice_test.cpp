@@ -175,5 +175,24 @@ TEST(LatticeFinder, findsTheNearestPlace) {
   }
 }
 
+// An edge that was taken in leaves the end of a line beyond it: the cloth has the part that lies on it.
+TEST(Lay, aSewnLineIsLaidAsFarAsThereIsCloth) {
+  for (const double beyond : {-0.0003, 0.0, 0.00005, 0.0003, 0.005, 0.04}) {
+    Piece piece = pieceOf(1, rectangle(0.4, 0.4), "one");
+    piece.lines.push_back({"line", {Curve::line({-beyond, 0.2}, {0.4 + beyond, 0.2})}, {}});
+    Pattern pattern = patternOf({piece, pieceOf(2, rectangle(0.4, 0.1), "two")});
+    pattern.seams[{9}] = {{9}, "", {{{2}, "top", 0, 1}}, {{{1}, "line", 0, 1}}, true, Seam::Tie::OneToOne};
+    const auto laid = lay(pattern, 0.02);
+    ASSERT_TRUE(laid) << beyond << text(laid.error().what);
+    expectSound(*laid->lattices.at({1}), std::to_string(beyond));
+    if (beyond < 1e-4) continue;
+    double area = 0;
+    const Lattice& lattice = *laid->lattices.at({1});
+    for (const Triangle& f : lattice.faces)
+      area += cross(lattice.nodes[f[1]] - lattice.nodes[f[0]], lattice.nodes[f[2]] - lattice.nodes[f[0]]) / 2;
+    EXPECT_NEAR(area, 0.16, 1e-9) << beyond;
+  }
+}
+
 }  // namespace
 }  // namespace karinui

@@ -91,6 +91,8 @@ struct Context {
   StopRequest* stop = nullptr;
   // Set by resolved(): the operation's numbers come from formulas. What is so already is then no mistake.
   bool byFormula = false;
+  // A recorded step is done again: what it says is taken as it stands, as it was when it was recorded.
+  bool recorded = false;
 };
 
 Result<BodyPtr> bodyOf(const Document& document, Context& context);  // refused: no body chosen yet

@@ -3,13 +3,15 @@
 #include <cmath>
 
 #include "design/operations/operations.h"
+#include "karinui/base/number.h"
 #include "karinui/geometry/fit_curve.h"
 
 namespace karinui {
 
 namespace {
 
-constexpr double kReach = 0.01;  // metres
+constexpr double kReach = 0.01;    // metres
+constexpr double kOnEdge = 0.001;  // metres: a line that ends this near to an edge or a corner is meant to end on it
 
 // `edge`: the edge a notch lies on, empty for a drill hole.
 Done checkSymmetric(const Piece& piece, bool symmetric, const std::string& edge, double at, Context& context) {
@@ -41,6 +43,85 @@ double away(const InternalLine& line, Flat at) {
     }
   }
   return nearest;
+}
+
+// The place of a curve that is nearest to another place.
+Flat nearestOn(const Curve& curve, Flat place) {
+  if (curve.kind == Curve::Kind::Line) {
+    const Flat along = curve.end - curve.start;
+    return curve.start + along * std::clamp(dot(place - curve.start, along) / dot(along, along), 0.0, 1.0);
+  }
+  const int looks = 64 * static_cast<int>(curve.parts().size());
+  double guess = 0, least = HUGE_VAL;
+  for (int k = 0; k <= looks; ++k)
+    if (const double d = distance(curve.at(static_cast<double>(k) / looks), place); d < least)
+      least = d, guess = static_cast<double>(k) / looks;
+  double low = std::max(0.0, guess - 1.0 / looks), high = std::min(1.0, guess + 1.0 / looks);
+  for (int round = 0; round < 60; ++round) {  // the distance has one valley here
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    (distance(curve.at(a), place) < distance(curve.at(b), place) ? high : low) =
+        distance(curve.at(a), place) < distance(curve.at(b), place) ? b : a;
+  }
+  return curve.at((low + high) / 2);
+}
+
+std::vector<const Outline*> bordersOf(const Piece& piece) {
+  std::vector<const Outline*> all{&piece.outline};
+  for (const Outline& hole : piece.holes) all.push_back(&hole);
+  return all;
+}
+
+// An end of a line that is as near to the border as a hand draws: on it, and in its corner rather than beside that.
+Flat onBorder(const Piece& piece, Flat end) {
+  Flat best = end;
+  double least = kOnEdge;
+  for (const Outline* border : bordersOf(piece))
+    for (const Edge& edge : border->edges)
+      if (const double d = distance(edge.curve.start, end); d <= least) least = d, best = edge.curve.start;
+  if (least < kOnEdge) return best;
+  constexpr double kThere = 1e-7;  // metres: it is on the edge as it is
+  for (const Outline* border : bordersOf(piece))
+    for (const Edge& edge : border->edges) {
+      const Flat place = nearestOn(edge.curve, end);
+      if (const double d = distance(place, end); d <= least) least = d, best = d < kThere ? end : place;
+    }
+  return best;
+}
+
+std::vector<Curve> curvesOf(const AddLine& op) {
+  if (op.smooth) return fitEdge(op.along).curves;
+  std::vector<Curve> curves;
+  for (std::size_t i = 0; i + 1 < op.along.size(); ++i) curves.push_back(Curve::line(op.along[i], op.along[i + 1]));
+  return curves;
+}
+
+double lengthOf(const std::vector<Curve>& curves) {
+  double sum = 0;
+  for (const Curve& curve : curves) sum += curve.length();
+  return sum;
+}
+
+// Where a line lies beside the cloth, by more than the hand's inaccuracy.
+std::optional<Flat> leaves(const Piece& piece, const std::vector<Curve>& curves) {
+  constexpr double kStep = 0.002;  // metres
+  const Ring ring = piece.outline.flattened(1e-4);
+  std::vector<Ring> holes;
+  for (const Outline& hole : piece.holes) holes.push_back(hole.flattened(1e-4));
+  const auto outside = [&](Flat place) {
+    if (!contains(ring, place) && !(distanceToRing(ring, place) <= kOnEdge)) return true;
+    return std::any_of(holes.begin(), holes.end(), [&](const Ring& hole) {
+      return contains(hole, place) && distanceToRing(hole, place) > kOnEdge;
+    });
+  };
+  for (const Curve& curve : curves) {
+    const std::vector<Flat> points = curve.flattened(1e-4);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const int steps = 1 + static_cast<int>(std::min(distance(points[i], points[i + 1]) / kStep, 1e5));
+      for (int k = 0; k <= steps; ++k)
+        if (const Flat p = lerp(points[i], points[i + 1], static_cast<double>(k) / steps); outside(p)) return p;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -92,15 +173,22 @@ Result<Document> perform(const Document& before, const AddNotch& op, Context&) {
   return marked(before, std::move(piece));
 }
 
-Done resolve(const Document& before, AddLine& op, Context&) {
+Done resolve(const Document& before, AddLine& op, Context& context) {
   if (Done done = resolve(before, op.piece); !done) return done;
   const Piece& piece = *before.find(op.piece.id);
   if (op.along.size() < 2) return refused(say("A line needs at least two places."));
   if (op.along.size() > 10000) return refused(say("A line has at most 10000 places."));
-  const Ring ring = piece.outline.flattened(1e-4);
-  for (const Flat place : op.along)
-    if (!finite(place) || (!contains(ring, place) && !(distanceToRing(ring, place) <= 1e-3)))
-      return refused(say("The line leaves {0}.", piece.name));
+  if (!std::all_of(op.along.begin(), op.along.end(), [](Flat place) { return finite(place); }))
+    return refused(say("A place of the line is not a usable number (lengths are metres, within 100 m)."));
+  if (!context.recorded) {  // a line that was drawn before ends where it ended
+    for (Flat* end : {&op.along.front(), &op.along.back()}) *end = onBorder(piece, *end);
+    if (const auto place = leaves(piece, curvesOf(op)))
+      return refused(
+          say("The line leaves {0} at {1}, {2} cm on its paper; keep it within the outline. An end within "
+              "1 mm of an edge is taken to be on it.",
+              piece.name, fixed(100 * place->u, 1), fixed(100 * place->v, 1)));
+    if (lengthOf(curvesOf(op)) < kOnEdge) return refused(say("The line is shorter than 1 mm; draw it longer."));
+  }
   const auto taken = [&](const std::string& name) {
     return std::any_of(piece.lines.begin(), piece.lines.end(), [&](const auto& l) { return l.name == name; });
   };
@@ -116,11 +204,7 @@ Result<Document> perform(const Document& before, const AddLine& op, Context&) {
   Piece piece = *before.find(op.piece.id);
   InternalLine line;
   line.name = op.name;
-  if (op.smooth)
-    line.curves = fitEdge(op.along).curves;
-  else
-    for (std::size_t i = 0; i + 1 < op.along.size(); ++i)
-      line.curves.push_back(Curve::line(op.along[i], op.along[i + 1]));
+  line.curves = curvesOf(op);
   piece.lines.push_back(std::move(line));
   return marked(before, std::move(piece));
 }
