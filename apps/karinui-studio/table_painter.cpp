@@ -74,7 +74,7 @@ struct NamePlace {
   double from = 0, room = 0;  // pixels, along the writing from the frame's place
 };
 NamePlace placeFor(const TablePiece& piece, QPointF middle, double wide, double up, const TableOnScreen& screen) {
-  constexpr double kClear = 7, kBesideGrain = 6, kLeast = 56;  // pixels
+  constexpr double kClear = 7, kBesideGrain = 6;  // pixels
   const double high = 0.5 * up;
   std::optional<NamePlace> over;
   NamePlace widest;
@@ -105,13 +105,14 @@ NamePlace placeFor(const TablePiece& piece, QPointF middle, double wide, double 
     if (paper.length() > widest.room) widest = {false, turned, grain.has_value(), paper.from, paper.length()};
   }
   if (over) return *over;
-  const double missing = std::max(0.0, kLeast - widest.room);
-  return {false, widest.turned, widest.ground, widest.from - missing / 2, widest.room + missing};
+  return widest;
 }
 
-// Smaller where that makes room for the whole of it. A dot behind the name: the piece has yet to be settled.
+// Smaller where that makes room for the whole of it. Where not even its beginning and end have room it is left out, so
+// that it lies over no neighbour, but for a piece that is chosen: over all else then, on a ground. A dot behind the
+// name: the piece has yet to be settled.
 void paintName(QPainter& painter, const TablePiece& piece, const TableLabel& label, const TableOnScreen& screen) {
-  constexpr double kDot = 16;  // pixels
+  constexpr double kDot = 16, kLeast = 40;  // pixels
   painter.save();
   const double dot = piece.unsettled ? kDot : 0;
   const QPointF middle = screen.at(label.place);
@@ -128,6 +129,20 @@ void paintName(QPainter& painter, const TablePiece& piece, const TableLabel& lab
   painter.setFont(font);
   const QFontMetricsF metrics(font);
   const double up = metrics.ascent();
+  const bool dotOnly = !place.whole && place.room < kLeast + dot && !piece.chosen;
+  if (!place.whole && place.room < kLeast + dot && piece.chosen) {
+    const double all = metrics.horizontalAdvance(name) + dot;
+    place = {true, false, true, -all / 2, all};
+  }
+  if (dotOnly) {
+    if (piece.unsettled) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(Theme::here().palette().accent);
+      painter.drawEllipse(middle, 3.5, 3.5);
+    }
+    painter.restore();
+    return;
+  }
   name = metrics.elidedText(name, Qt::ElideMiddle, place.room - dot + 1);
   const double wide = metrics.horizontalAdvance(name);
   painter.translate(middle);

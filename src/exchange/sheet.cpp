@@ -124,7 +124,12 @@ void shelve(Sheet& sheet, double rollWidth) {
   sheet.height = std::ceil(at.y + shelf + kMargin);
 }
 
-void addLabels(SheetPiece& out, const SheetSettings& settings, bool onFold) {
+struct SheetLettering {
+  std::vector<std::string> words;
+  LetteredPiece room;
+};
+
+SheetLettering addLabels(SheetPiece& out, const SheetSettings& settings, bool onFold) {
   std::vector<std::string> lines;
   const auto own = settings.cutting.find(out.piece->id);
   const CutFacts facts{own == settings.cutting.end() ? Cutting() : own->second, onFold, settings.size, settings.date};
@@ -136,6 +141,7 @@ void addLabels(SheetPiece& out, const SheetSettings& settings, bool onFold) {
     out.texts.push_back({out.at(line.place), line.size * 1000, line.upright, lines[i]});
   }
   if (room.grain) out.grain = {out.at(room.grain->from), out.at(room.grain->to)};
+  return {lines, room};
 }
 
 // A bracket whose arrows point at the fold, and the word beside it.
@@ -155,7 +161,8 @@ void addFolds(SheetPiece& out, const AllowancePlan& plan, Language language) {
   }
 }
 
-void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan, const SheetSettings& settings) {
+void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan, const SheetSettings& settings,
+                const std::map<PieceId, SheetLettering>& lettering) {
   std::map<PieceId, SheetPiece*> of;
   for (SheetPiece& piece : sheet.pieces) of[piece.piece->id] = &piece;
   std::vector<NotchPlace> notches = notchPlaces(pattern);
@@ -186,13 +193,21 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
     std::vector<Mm>& drawn = piece.trims.emplace_back();
     for (const Flat place : run.inside) drawn.push_back(piece.at(place));
   }
+  std::map<PieceId, std::vector<Flat>> tags;
   for (const SeamTag& tag : seamTags(pattern)) {
     SheetPiece& piece = *of.at(tag.piece);
     piece.texts.push_back({piece.at(tag.place), kSeamTagSize * 1000, true, std::to_string(tag.number)});
+    tags[tag.piece].push_back(tag.place);
   }
-  for (const PaperNote& note : notesOf(pattern, settings.allowances)) {
-    SheetPiece& piece = *of.at(note.piece);
-    piece.texts.push_back({piece.at(note.place), kNoteSize * 1000, note.upright, text(note.words, settings.language)});
+  std::map<PieceId, std::vector<WishedNote>> notes;
+  for (const PaperNote& note : notesOf(pattern, settings.allowances))
+    notes[note.piece].push_back({text(note.words, settings.language), {note.place, kNoteSize, note.upright}});
+  for (const auto& [id, wished] : notes) {
+    SheetPiece& piece = *of.at(id);
+    const auto& [words, lettered] = lettering.at(id);
+    const auto places = roomForNotes(*piece.piece, wished, words, lettered, tags[id]);
+    for (std::size_t k = 0; k < wished.size(); ++k)
+      piece.texts.push_back({piece.at(places[k].place), places[k].size * 1000, places[k].upright, wished[k].words});
   }
 }
 
@@ -273,12 +288,13 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   if (const Done done = addNest(sheet, pattern, settings); !done) return done.error();
   shelve(sheet, settings.rollWidth * 1000);
   const AllowancePlan kinds(pattern, settings.allowances);
+  std::map<PieceId, SheetLettering> lettering;
   for (SheetPiece& piece : sheet.pieces) {
     if (piece.strip) continue;
-    addLabels(piece, settings, kinds.onFold(*piece.piece));
+    lettering[piece.piece->id] = addLabels(piece, settings, kinds.onFold(*piece.piece));
     addFolds(piece, kinds, settings.language);
   }
-  addNotches(sheet, pattern, plan, settings);
+  addNotches(sheet, pattern, plan, settings, lettering);
 
   sheet.square = {kMargin, kMargin};
   const auto said = [&](const Message& message) { return text(message, settings.language); };

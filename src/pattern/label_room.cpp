@@ -148,7 +148,72 @@ std::optional<std::pair<Flat, Flat>> grainFor(const Room& room, Flat grain, cons
   return std::nullopt;
 }
 
+Box boxOf(const std::string& words, const LetteredPiece::Line& at) {
+  constexpr double kWider = 1.08;  // a font may be wider than estimated
+  const Flat half = Flat{kWider * wordsWidth(words, at.size), at.size * kLineHeight} * 0.5;
+  return {at.place, at.upright ? half : Flat{half.v, half.u}};
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return std::abs(a.centre.u - b.centre.u) < a.half.u + b.half.u &&
+         std::abs(a.centre.v - b.centre.v) < a.half.v + b.half.v;
+}
+
+// Steps from a place, the shortest first.
+const std::vector<Flat>& stepsAround() {
+  static const std::vector<Flat> all = [] {
+    constexpr int kFar = 11;
+    constexpr double kApart = 0.005;  // metres
+    std::vector<Flat> steps;
+    for (int j = -kFar; j <= kFar; ++j)
+      for (int i = -kFar; i <= kFar; ++i) steps.push_back({i * kApart, j * kApart});
+    std::stable_sort(steps.begin(), steps.end(), [](Flat a, Flat b) { return length(a) < length(b); });
+    return steps;
+  }();
+  return all;
+}
+
 }  // namespace
+
+std::vector<LetteredPiece::Line> roomForNotes(const Piece& piece, const std::vector<WishedNote>& notes,
+                                              const std::vector<std::string>& lines, const LetteredPiece& lettered,
+                                              const std::vector<Flat>& tags) {
+  if (notes.empty()) return {};
+  constexpr double kTag = 0.002, kMargin = 0.0004;  // metres: half a seam's number; what is kept clear of lines
+  const Room room(piece);
+  std::vector<Box> taken;
+  for (std::size_t i = 0; i < lines.size() && i < lettered.lines.size(); ++i)
+    taken.push_back(boxOf(lines[i], lettered.lines[i]));
+  for (const Flat tag : tags) taken.push_back({tag, {kTag, kTag}});
+  if (lettered.grain)
+    for (int k = 0; k <= 40; ++k)
+      taken.push_back({lerp(lettered.grain->from, lettered.grain->to, k / 40.0), {kMargin, kMargin}});
+  const auto free = [&](const Box& box) {
+    return std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return overlap(box, other); });
+  };
+  std::vector<LetteredPiece::Line> out;
+  for (const WishedNote& note : notes) {
+    LetteredPiece::Line at = note.at;
+    const auto search = [&](bool alone) -> std::optional<LetteredPiece::Line> {
+      for (const double share : {1.0, 0.85, 0.7, 0.6, 0.5})
+        for (const bool turned : {false, true})
+          for (const Flat step : stepsAround()) {
+            const LetteredPiece::Line tried{note.at.place + step, std::max(kLeastNote, share * note.at.size),
+                                            note.at.upright != turned};
+            const Box box = boxOf(note.words, tried);
+            if ((!alone || free(box)) && room.clear(box, kMargin)) return tried;
+          }
+      return std::nullopt;
+    };
+    if (const auto found = search(true))
+      at = *found;
+    else if (const auto over = search(false))
+      at = *over;
+    taken.push_back(boxOf(note.words, at));
+    out.push_back(at);
+  }
+  return out;
+}
 
 double wordsWidth(std::string_view words, double size) {
   double width = 0;

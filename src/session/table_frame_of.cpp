@@ -164,6 +164,19 @@ const LetteredPiece& LetteringRooms::of(const Piece& piece, const std::vector<st
   return kept.room;
 }
 
+const std::vector<LetteredPiece::Line>& LetteringRooms::ofNotes(const Piece& piece,
+                                                                const std::vector<WishedNote>& notes,
+                                                                const std::vector<std::string>& words,
+                                                                const LetteredPiece& lettered,
+                                                                const std::vector<Flat>& tags) {
+  Noted& kept = noted_[piece.id];
+  if (kept.notes != notes || kept.words != words || kept.lettered != lettered.lines || kept.tags != tags ||
+      kept.outline != piece.outline || kept.holes != piece.holes || kept.lines != piece.lines)
+    kept = {piece.outline, piece.holes,    piece.lines, notes,
+            words,         lettered.lines, tags,        roomForNotes(piece, notes, words, lettered, tags)};
+  return kept.places;
+}
+
 const std::vector<TableSize>& LetteringRooms::nestOf(const Piece& piece, const Grading& grading) {
   Nested& kept = nested_[piece.id];
   const GradePoints& points = grading.pieces.at(piece.id);
@@ -190,7 +203,13 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
       frame.scans.push_back({image->second, lies.at, lies.width, lies.turn, lies.strength});
   }
   const AllowancePlan plan(pattern, document.allowances);
+  struct Lettered {
+    std::vector<std::string> words;
+    LetteredPiece room;
+    std::vector<Flat> tags;
+  };
   std::map<PieceId, std::size_t> number;  // in the frame
+  std::map<PieceId, Lettered> lettered;
   for (const auto& [id, piece] : pattern.pieces) {
     const Flat lies = layout.at(id);
     TablePiece drawn = pieceOf(pattern, *piece, lies);
@@ -205,10 +224,9 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
     if (options.outlines.contains(id)) drawn.before = laid(stored.outline.flattened(kChordMiss), lies);
     const std::vector<Message> lines = labelOf(stored, factsOf(document, plan, stored));
     const std::vector<std::string> words = inWords(lines, options.language);
-    if (rooms)
-      addLabels(drawn, lines, lies, rooms->of(stored, words));
-    else
-      addLabels(drawn, lines, lies, roomFor(stored, words));
+    Lettered& written = lettered[id];
+    written = {words, rooms ? rooms->of(stored, words) : roomFor(stored, words), {}};
+    addLabels(drawn, lines, lies, written.room);
     if (options.nest && document.grading.pieces.contains(id)) {
       LetteringRooms own;
       for (TableSize size : (rooms ? *rooms : own).nestOf(stored, document.grading)) {
@@ -262,13 +280,26 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
     const Flat lies = layout.at(run.piece);
     frame.pieces[number.at(run.piece)].trims.push_back({laid(run.edgewise, lies), laid(run.inside, lies)});
   }
-  for (const SeamTag& tag : seamTags(pattern))
+  for (const SeamTag& tag : seamTags(pattern)) {
+    lettered[tag.piece].tags.push_back(tag.place);
     frame.pieces[number.at(tag.piece)].labels.push_back({TableLabel::Says::SeamNumber,
                                                          Message{std::to_string(tag.number), {}},
                                                          tag.place + layout.at(tag.piece), kSeamTagSize, true});
-  for (const PaperNote& note : notesOf(pattern, document.allowances))
-    frame.pieces[number.at(note.piece)].labels.push_back(
-        {TableLabel::Says::Note, note.words, note.place + layout.at(note.piece), kNoteSize, note.upright});
+  }
+  std::map<PieceId, std::vector<PaperNote>> notes;
+  for (PaperNote& note : notesOf(pattern, document.allowances)) notes[note.piece].push_back(std::move(note));
+  LetteringRooms passing;
+  for (const auto& [id, own] : notes) {
+    const Lettered& written = lettered.at(id);
+    std::vector<WishedNote> wished;
+    for (const PaperNote& note : own)
+      wished.push_back({text(note.words, options.language), {note.place, kNoteSize, note.upright}});
+    const auto& places =
+        (rooms ? *rooms : passing).ofNotes(*pattern.pieces.at(id), wished, written.words, written.room, written.tags);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      frame.pieces[number.at(id)].labels.push_back(
+          {TableLabel::Says::Note, own[k].words, places[k].place + layout.at(id), places[k].size, places[k].upright});
+  }
   if (chosen.edge)
     if (const auto at = number.find(chosen.edge->piece); at != number.end())
       if (TableEdge* edge = edgeNamed(frame.pieces[at->second], chosen.edge->edge)) edge->chosen = true;

@@ -320,17 +320,39 @@ void markChosen(Paper& paper, const std::vector<TableEdge>& edges) {
     }
 }
 
+// Whether words lie within the outline.
+bool fits(Paper& paper, const TablePiece& piece, const TableLabel& label, Flat place, double size) {
+  const Flat along = Flat{paper.width(label.words, size), size} * (0.5 / paper.scale());
+  const Flat half = label.upright ? along : Flat{along.v, along.u};
+  const Ring ring = ringOf(piece.edges);
+  constexpr int kLooks = 8;
+  for (int k = -kLooks; k <= kLooks; ++k)
+    for (const double side : {-1.0, 1.0}) {
+      const double share = static_cast<double>(k) / kLooks;
+      if (!contains(ring, place + Flat{half.u * share, half.v * side}) ||
+          !contains(ring, place + Flat{half.u * side, half.v * share}))
+        return false;
+    }
+  return true;
+}
+
 void write(Paper& paper, const TablePiece& piece) {
   for (const TableLabel& label : piece.labels) {
     const bool name = label.says == TableLabel::Says::Name;
-    const double size = std::max(label.size * paper.scale(), name ? kNameLeast : 0.0);
+    const double printed = label.size * paper.scale();
+    double size = std::max(printed, name ? kNameLeast : 0.0);
     if (size < kReadable) continue;
     Flat place = label.place;
+    const auto wide = [&] { return paper.width(label.words, size) / 2 / paper.scale(); };
     // Written larger than it is printed it might run into a grain line that is upright, as most are: then beside it.
     if (const auto& grain = piece.grain; grain && label.upright && std::fabs(grain->to.u - grain->from.u) < 1e-6) {
-      const double apart = (paper.width(label.words, size) / 2 + paper.pixels(6)) / paper.scale();
-      const double away = place.u - grain->from.u;
+      const double apart = wide() + paper.pixels(6) / paper.scale(), away = place.u - grain->from.u;
       if (std::fabs(away) < apart) place.u = grain->from.u + std::copysign(apart, away);
+    }
+    // On a small piece no larger than there is room for, and where it is printed.
+    if (size > printed && !fits(paper, piece, label, place, size)) {
+      place = label.place;
+      while (size > std::max(printed, kReadable) && !fits(paper, piece, label, place, size)) size *= 0.95;
     }
     paper.words(label.words, place, size, label.upright, name && piece.chosen ? kChosen : kInkOnPaper);
   }

@@ -1,4 +1,5 @@
 #include "karinui/pattern/markings.h"
+#include "karinui/pattern/label_room.h"
 
 #include <gtest/gtest.h>
 
@@ -220,6 +221,39 @@ TEST(Fasteners, AZipIsASeamAsFarAsItIsClosed) {
   pattern.pieces.erase({2});
   updateFastenings(led, {}, pattern);
   EXPECT_TRUE(led.empty());
+}
+
+// What is said beside an edge stays on the piece, however small that is, and clear of what is written there.
+TEST(PaperNotes, HaveRoomOnTheirPiece) {
+  const auto boxOf = [](const std::string& words, const LetteredPiece::Line& at) {
+    const Flat half = Flat{wordsWidth(words, at.size), 1.2 * at.size} * 0.5;
+    return at.upright ? half : Flat{half.v, half.u};
+  };
+  const std::string hem = "hem 30 mm, 5 mm turned in";
+  for (const auto& [wide, high] : {std::pair{0.4, 0.3}, {0.09, 0.11}, {0.02, 0.08}, {0.12, 0.03}}) {
+    const Piece piece = test::pieceOf(1, test::rectangle(wide, high), "pocket");
+    const std::vector<std::string> lines{"breast pocket", "Cut 1 · Cotton"};
+    const LetteredPiece lettered = roomFor(piece, lines);
+    const Flat wished{wide / 2, high - 0.014};
+    const auto notes = roomForNotes(piece, {{hem, {wished, kNoteSize, true}}}, lines, lettered, {});
+    ASSERT_EQ(notes.size(), 1u);
+    const Flat half = boxOf(hem, notes[0]), place = notes[0].place;
+    EXPECT_GE(notes[0].size, kLeastNote);
+    EXPECT_GT(place.u - half.u, 0) << wide;
+    EXPECT_LT(place.u + half.u, wide);
+    EXPECT_GT(place.v - half.v, 0) << wide;
+    EXPECT_LT(place.v + half.v, high);
+    if (wide > 0.3) {
+      EXPECT_EQ(place, wished) << "there is room where it is wished";
+      EXPECT_EQ(notes[0].size, kNoteSize);
+    }
+    if (wide < 0.05) continue;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const Flat other = boxOf(lines[i], lettered.lines[i]), at = lettered.lines[i].place;
+      EXPECT_TRUE(std::fabs(at.u - place.u) >= half.u + other.u || std::fabs(at.v - place.v) >= half.v + other.v)
+          << "written over “" << lines[i] << "” at " << wide;
+    }
+  }
 }
 
 }  // namespace

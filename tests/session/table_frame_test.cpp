@@ -9,6 +9,7 @@
 #include "exchange/patterns.h"
 #include "exchange/sheet.h"
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/label_room.h"
 
 namespace karinui {
 namespace {
@@ -389,6 +390,36 @@ TEST(LetteringRooms, GiveWhatWouldBeFoundAnew) {
   EXPECT_FALSE(same(rooms.of(piece, words()), first));
   piece.lines.push_back({"fold", {Curve::line({0.01, 0.2}, {0.39, 0.2})}, {}});
   EXPECT_TRUE(same(rooms.of(piece, words()), anew()));
+}
+
+TEST(TableFrame, WordsBesideAnEdgeLieOnTheirPiece) {
+  Document document;
+  Piece piece;
+  piece.id = madeBy<PieceId>(1, 0);
+  piece.name = "pocket";
+  piece.outline.edges = {{"bottom", Curve::line({0, 0}, {0.03, 0})},
+                         {"right", Curve::line({0.03, 0}, {0.03, 0.12})},
+                         {"top", Curve::line({0.03, 0.12}, {0, 0.12})},
+                         {"left", Curve::line({0, 0.12}, {0, 0})}};
+  document.pattern.pieces[piece.id] = std::make_shared<const Piece>(piece);
+  document.allowances.hems[{piece.id, "top"}] = {0.03, 0.005};
+  const SnapshotPtr garment = snapshotOf(std::move(document), nullptr);
+  TableLayout layout;
+  layout.arrange(*garment);
+  LetteringRooms rooms;
+  for (LetteringRooms* kept : {static_cast<LetteringRooms*>(nullptr), &rooms, &rooms}) {
+    const TableFrame frame = tableFrameOf(*garment, layout, {}, {}, kept);
+    std::size_t notes = 0;
+    for (const TableLabel& label : frame.pieces.at(0).labels) {
+      if (label.says != TableLabel::Says::Note) continue;
+      ++notes;
+      const double half = wordsWidth(text(label.words), label.size) / 2;
+      const Flat along = label.upright ? Flat{half, 0} : Flat{0, half};
+      for (const Flat end : {label.place - along, label.place + along})
+        EXPECT_TRUE(contains(ringOf(frame.pieces[0].edges), end)) << text(label.words);
+    }
+    EXPECT_EQ(notes, 1u);
+  }
 }
 
 }  // namespace

@@ -22,6 +22,10 @@ struct TableFrameOptions {
 class LetteringRooms {
  public:
   const LetteredPiece& of(const Piece& piece, const std::vector<std::string>& words);  // its label, line by line
+  // What is said beside its edges and lines, given what is written there already.
+  const std::vector<LetteredPiece::Line>& ofNotes(const Piece& piece, const std::vector<WishedNote>& notes,
+                                                  const std::vector<std::string>& words, const LetteredPiece& lettered,
+                                                  const std::vector<Flat>& tags);
   // The outline in every size, of those that are outlines; where the paper lies at its origin.
   const std::vector<TableSize>& nestOf(const Piece& piece, const Grading& grading);
 
@@ -43,6 +47,17 @@ class LetteringRooms {
     LetteredPiece room;
   };
   std::map<PieceId, Kept> kept_;
+  struct Noted {
+    Outline outline;
+    std::vector<Outline> holes;
+    std::vector<InternalLine> lines;
+    std::vector<WishedNote> notes;
+    std::vector<std::string> words;
+    std::vector<LetteredPiece::Line> lettered;
+    std::vector<Flat> tags;
+    std::vector<LetteredPiece::Line> places;
+  };
+  std::map<PieceId, Noted> noted_;
 };
 
 // `rooms` (null: nothing is kept) belongs to the caller. While a drag shows another outline, lettering and grain line
