@@ -53,13 +53,6 @@ std::string usualOf(std::string_view operation, const FieldHelp& field) {
                                                                                                : std::string();
 }
 
-// What only a zip is told, and what all others are told but not a zip.
-constexpr std::string_view kOfZips = " length closed_length ",
-                           kNotOfZips = " count spacing last inset size gap closed ";
-bool isOf(std::string_view list, const std::string& field) {
-  return list.find(" " + field + " ") != std::string_view::npos;
-}
-
 // A field that shows all it holds, or the beginning of it where that is very long.
 void giveRoom(QWidget& box) {
   constexpr int kFrame = 30, kWidest = 420;  // pixels
@@ -252,11 +245,15 @@ std::string StepDialog::typed(std::string_view name) const {
 }
 
 void StepDialog::fitToKind() {
-  if (name_ != Fasten::kName) return;
-  const bool zip = typed("kind") == "zip";
-  for (const StepField& field : typed_)
-    if (isOf(kOfZips, field.name) || isOf(kNotOfZips, field.name))
-      field.box->setEnabled(isOf(kOfZips, field.name) == zip);
+  const OperationHelp& help = helpOf(opened_);
+  if (help.kindField.empty()) return;
+  const std::string kind = typed(help.kindField);
+  for (const FieldHelp& field : help.fields) {
+    if (field.kinds.empty()) continue;
+    const bool has = kind.empty() || std::find(field.kinds.begin(), field.kinds.end(), kind) != field.kinds.end();
+    for (const StepField& own : typed_)
+      if (own.name == field.name) own.box->setEnabled(has);
+  }
 }
 
 Result<Operation> StepDialog::wished() const {

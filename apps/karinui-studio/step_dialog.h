@@ -28,7 +28,7 @@ class StepDialog : public QDialog {
  private:
   void fill(const Operation& operation);
   std::string typed(std::string_view field) const;  // empty: nothing, or it is not of this kind
-  void fitToKind();                                 // of a zip other things are asked than of buttons
+  void fitToKind();                                 // asks what the chosen kind has
   Result<Operation> wished() const;
   void show(const Result<Operation>& wish);
   void takeRoom();  // all it asks for, where the screen has that

@@ -56,6 +56,16 @@ Message said(const Fastening& own, std::size_t count, double zip, bool over) {
 
 }  // namespace
 
+const FasteningTraits& traitsOf(FasteningKind kind) {
+  using Kind = FasteningKind;
+  static constexpr FasteningTraits kAll[] = {{Kind::Button, "buttons", true, true, true, false},
+                                             {Kind::Snap, "snaps", true, true, false, false},
+                                             {Kind::Hook, "hooks", true, false, false, false},
+                                             {Kind::Tie, "ties", true, false, false, true},
+                                             {Kind::Zip, "zip", false, false, false, false}};
+  return *std::find_if(std::begin(kAll), std::end(kAll), [&](const FasteningTraits& one) { return one.kind == kind; });
+}
+
 bool sound(const Fastening& own) {
   const bool zip = own.kind == FasteningKind::Zip;
   const auto within = [](double value, double least, double most) { return value >= least && value <= most; };

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -241,6 +242,26 @@ TEST(Manual, TellsOfEveryOperationAndField) {
       EXPECT_THAT(manual.str(), HasSubstr("- `" + field.name + "` (" + kind + "): " + field.help + "\n")) << op.name;
     }
   }
+}
+
+// What a kind of fastening has is told with its help, as the operation itself decides.
+TEST(OperationHelp, TellsWhichKindsHaveAField) {
+  const auto all = operationHelp();
+  const auto help = std::find_if(all.begin(), all.end(), [](const OperationHelp& one) { return one.name == "fasten"; });
+  ASSERT_NE(help, all.end());
+  EXPECT_EQ(help->kindField, "kind");
+  const auto kinds = [&](std::string_view field) {
+    for (const FieldHelp& one : help->fields)
+      if (one.name == field) return one.kinds;
+    return std::vector<std::string>{"no such field"};
+  };
+  EXPECT_EQ(kinds("length"), std::vector<std::string>{"zip"});
+  EXPECT_EQ(kinds("count"), (std::vector<std::string>{"button", "snap", "hook", "tie"}));
+  EXPECT_EQ(kinds("size"), (std::vector<std::string>{"button", "snap"}));
+  EXPECT_EQ(kinds("holes"), std::vector<std::string>{"button"});
+  EXPECT_EQ(kinds("gap"), std::vector<std::string>{"tie"});
+  EXPECT_TRUE(kinds("first").empty()) << "all have it";
+  EXPECT_TRUE(kinds("a").empty());
 }
 
 }  // namespace

@@ -29,10 +29,12 @@ std::string lineOf(std::string_view name, const std::vector<FieldText>& fields);
 struct FieldHelp {
   std::string name, kind, help, usual;  // usual: the default as text
   bool needed = false;
+  std::vector<std::string> kinds = {};  // the values of OperationHelp::kindField that have it; empty: all
 };
 struct OperationHelp {
   std::string name, help;
   std::vector<FieldHelp> fields;
+  std::string kindField = {};  // the field that says of what kind it is, where other fields depend on that
 };
 std::vector<OperationHelp> operationHelp();
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "karinui/pattern/edit.h"
@@ -12,6 +13,18 @@
 namespace karinui {
 
 enum class FasteningKind { Button, Snap, Hook, Tie, Zip };
+
+// What a kind has and another has not: said here once, for the operation, its help and the dialogs. A kind that is new
+// gets a row in fastening.cpp.
+struct FasteningTraits {
+  FasteningKind kind;
+  std::string_view plural;  // one that is given no name is called so
+  bool counted = true;      // single places, of which some may be closed; else one run, closed for a length
+  bool sized = false;       // a disc that needs cloth about it
+  bool holed = false;       // its upper side is cut
+  bool gapped = false;      // holds its places apart
+};
+const FasteningTraits& traitsOf(FasteningKind kind);
 
 struct Fastening {
   FasteningKind kind = FasteningKind::Button;

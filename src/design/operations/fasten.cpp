@@ -16,21 +16,6 @@ constexpr double kUneven = 1.1;    // times that one side of a zip may be longer
 
 std::string centimetres(double metres) { return fixed(100 * metres, 1); }
 
-std::string_view usualName(FasteningKind kind) {
-  switch (kind) {
-    case FasteningKind::Button:
-      return "buttons";
-    case FasteningKind::Snap:
-      return "snaps";
-    case FasteningKind::Hook:
-      return "hooks";
-    case FasteningKind::Tie:
-      return "ties";
-    default:
-      return "zip";
-  }
-}
-
 std::string names(const Fastenings& fastenings) {
   std::string all;
   for (const auto& [name, own] : fastenings) all += (all.empty() ? "" : ", ") + name;
@@ -38,7 +23,7 @@ std::string names(const Fastenings& fastenings) {
 }
 
 bool isNew(const Fasten& op) { return !op.a.empty() || !op.b.empty(); }
-bool hasCloth(FasteningKind kind) { return kind == FasteningKind::Button || kind == FasteningKind::Snap; }
+bool hasCloth(FasteningKind kind) { return traitsOf(kind).sized; }
 
 Fasten::From topOf(const Document& document, const std::vector<EdgeRef>& run) {
   const EdgeRef &first = run.front(), &last = run.back();
@@ -75,7 +60,7 @@ Fastening made(const Document& document, const Fasten& op) {
 }
 
 Done close(const Document& document, const Fasten& op, Fastening& own) {
-  const bool zip = own.kind == FasteningKind::Zip;
+  const bool zip = !traitsOf(own.kind).counted;
   if (op.closed && zip) return refused(say("A zip has no number that is closed; say closed_length=…."));
   if (op.closedLength && !zip) return refused(say("Only a zip is closed for a length; say closed=… for the others."));
   const int count = static_cast<int>(own.at.size());
@@ -93,13 +78,13 @@ Done close(const Document& document, const Fasten& op, Fastening& own) {
 // What is not said of a new one is decided.
 Done decide(const Document& before, Fasten& op) {
   const FasteningKind kind = op.kind.value_or(FasteningKind::Button);
-  const bool zip = kind == FasteningKind::Zip;
+  const bool zip = !traitsOf(kind).counted;
   op.kind = kind;
   if (zip && (op.count || op.spacing || op.last || op.inset))
     return refused(say("A zip has a length, and where it begins (first); no number, spacing, last or inset."));
   if (!zip && op.length) return refused(say("Only a zip has a length."));
   if (op.size && !hasCloth(kind)) return refused(say("Only buttons and snaps have a size."));
-  if (op.gap && kind != FasteningKind::Tie) return refused(say("Only a tie holds its places a gap apart."));
+  if (op.gap && !traitsOf(kind).gapped) return refused(say("Only a tie holds its places a gap apart."));
   if (op.size && !(*op.size >= 0.004 && *op.size <= 0.06)) return refused(say("A button is 4 to 60 mm wide."));
   if (op.gap && !(*op.gap >= 0 && *op.gap <= 1)) return refused(say("A tie holds its places 0 to 1 m apart."));
   if (op.reversed == Choice::Auto) {
@@ -272,7 +257,7 @@ Done resolve(const Document& given, Fasten& op, Context&) {
   for (auto* side : {&op.a, &op.b}) *side = inOutlineOrder(before, std::move(*side));
   if (Done done = decide(before, op); !done) return done;
   if (op.name.empty()) {
-    const std::string plain(usualName(*op.kind));
+    const std::string plain(traitsOf(*op.kind).plural);
     op.name = plain;
     for (int n = 2; there.contains(op.name); ++n) op.name = plain + "_" + std::to_string(n);
   }

@@ -195,6 +195,29 @@ Result<Operation> parseOperation(std::string_view text) {
   return badInput(say("There is no operation “{0}”; there are: {1}.", line->name.substr(0, 60), names));
 }
 
+namespace {
+
+// Of an operation whose kind says what else it has: which kinds have a field, where not all do.
+template <class Op>
+void tellKinds(OperationHelp& help) {
+  using Kind = typename decltype(Op::kind)::value_type;
+  help.kindField = Op::kKindField;
+  for (FieldHelp& field : help.fields) {
+    const std::string words = kindOf(static_cast<const Kind*>(nullptr));
+    std::size_t all = 0;
+    for (std::size_t from = 0; from <= words.size(); ++all) {
+      const std::size_t end = std::min(words.find('|', from), words.size());
+      std::string word = words.substr(from, end - from);
+      from = end + 1;
+      Kind kind{};
+      if (readValue(word, kind) && Op::has(kind, field.name)) field.kinds.push_back(std::move(word));
+    }
+    if (field.kinds.size() == all) field.kinds.clear();
+  }
+}
+
+}  // namespace
+
 std::vector<OperationHelp> operationHelp() {
   std::vector<OperationHelp> all;
   forEachOperation([&](auto op) {
@@ -203,6 +226,7 @@ std::vector<OperationHelp> operationHelp() {
     Op::fields(op, [&](std::string_view name, auto& value, std::string_view what, Need need) {
       help.fields.push_back({std::string(name), kindOf(&value), std::string(what), writeValue(value), need == kNeeded});
     });
+    if constexpr (requires { Op::kKindField; }) tellKinds<Op>(help);
   });
   return all;
 }

@@ -30,6 +30,17 @@ struct Fasten {
   std::optional<int> closed;
   std::optional<Length> closedLength;
   bool none = false;
+  // The fields that only some kinds have; a field that is not listed all have.
+  static constexpr std::string_view kKindField = "kind";
+  static bool has(FasteningKind kind, std::string_view field) {
+    const FasteningTraits& traits = traitsOf(kind);
+    if (field == "count" || field == "spacing" || field == "last" || field == "inset" || field == "closed")
+      return traits.counted;
+    if (field == "length" || field == "closed_length") return !traits.counted;
+    if (field == "size") return traits.sized;
+    if (field == "holes") return traits.holed;
+    return field != "gap" || traits.gapped;
+  }
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("name", self.name, "its name; of one that is there, to close, open or take it out", kOptional);
