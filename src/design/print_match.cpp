@@ -183,8 +183,10 @@ std::vector<Message> unmatchedSaid(const Document& document, const PhotoTall& ta
   std::vector<Message> all;
   for (const auto& [id, seam] : document.pattern.seams) {
     if (of && id != of) continue;
+    // By the name that a script says; faces with words put it in words.
     if (const auto meets = printMeeting(document, seam, tall); meets && meets->most >= kPrintMeets)
-      all.push_back(say("{0}: the print misses by up to {1} mm, {2} % along the seam", seamSaid(document, seam),
+      all.push_back(say("{0}: the print misses by up to {1} mm, {2} % along the seam",
+                        seam.name.empty() ? seamSaid(document, seam) : say("{0}", seam.name),
                         fixed(meets->most * 1000, 1), fixed(meets->at * 100, 0)));
   }
   return all;
