@@ -44,6 +44,54 @@ std::string lineAt(const Piece& piece, Flat place) {
   return found;
 }
 
+struct Strength {
+  Message words;
+  Operation operation;
+};
+
+// What is there, a step firmer and a step softer: an elastic along edges or a line, a fold pressed along a line.
+std::vector<Strength> strengthsOf(const Document& document, const std::vector<EdgeRef>& run) {
+  constexpr double kTimes = 1.5, kHoldStep = 0.1, kHoldLeast = 0.1, kHoldMost = 0.99;
+  std::vector<Strength> all;
+  std::vector<EdgeRef> held;
+  const Elastic* first = nullptr;
+  for (const EdgeRef& edge : run)
+    if (const auto own = document.allowances.elastics.find({edge.piece.id, edge.edge});
+        own != document.allowances.elastics.end()) {
+      held.push_back(edge);
+      if (!first) first = &own->second;
+    }
+  const auto newtons = [](double wanted) {  // as one reads them off a spring scale
+    const double to = wanted < 10 ? 10 : 1;
+    return std::clamp(std::round(wanted * to) / to, kWeakestElastic, kStrongestElastic);
+  };
+  for (const bool firmer : {true, false}) {
+    if (!first) break;
+    SewElastic op;
+    op.edges = held;
+    op.strength = newtons(firmer ? first->strength * kTimes : first->strength / kTimes);
+    if (*op.strength == first->strength) continue;
+    all.push_back(
+        {firmer ? say("Stronger elastic: {0} N", *op.strength) : say("Weaker elastic: {0} N", *op.strength), op});
+  }
+  const Piece* piece = run.size() == 1 ? document.find(run.front().piece.id) : nullptr;
+  if (!piece) return all;
+  for (const InternalLine& line : piece->lines) {
+    if (line.name != run.front().edge || !line.crease) continue;
+    for (const bool firmer : {true, false}) {
+      FoldLine op;
+      op.piece = run.front().piece, op.lines = {line.name}, op.angle = Angle{line.crease->angle};
+      op.hold = std::clamp(std::round((line.crease->hold + (firmer ? kHoldStep : -kHoldStep)) * 100) / 100, kHoldLeast,
+                           kHoldMost);
+      if (op.hold == line.crease->hold) continue;
+      const double percent = std::round(op.hold * 100);
+      all.push_back(
+          {firmer ? say("Press the fold harder: {0} %", percent) : say("Press the fold softer: {0} %", percent), op});
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
@@ -179,6 +227,8 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
               [this, pleat] { askNumbers(pleat); });
   };
   const auto offerElastic = [&](PieceId piece, const std::string& line) {
+    for (const Strength& one : strengthsOf(session_->snapshot().document, {{PieceRef(piece), line}}))
+      offer(*menu, one.words, one.operation);
     offer(*menu, say("Elastic along {0}…", nameSaid(line)),
           [this, elastic = elasticAlong(session_->snapshot().document, {PieceRef(piece), line})] {
             askNumbers(elastic);
@@ -284,6 +334,7 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   const auto offerFinish = [&](const Message& words, auto along) {
     offer(menu, words, [this, run, along] { askNumbers(along(session_->snapshot().document, run)); });
   };
+  for (const Strength& one : strengthsOf(document, run)) offer(menu, one.words, one.operation);
   offerFinish(say("Shirring…"), shirringAlong);
   offerFinish(say("Topstitch…"), topstitchAlong);
   offerFinish(say("Piping…"), pipingAlong);

@@ -8,6 +8,7 @@
 #include <QTabWidget>
 #include <QTest>
 #include <QTreeWidget>
+#include <numbers>
 
 #include "studio/window.h"
 
@@ -239,6 +240,48 @@ TEST(StudioMenus, BothPlacesOfASlashAreShownAsShares) {
   for (const char* place : {"at", "to_at"})
     EXPECT_THAT(numbers->findChild<QLineEdit*>(place)->text().toStdString(), testing::EndsWith(" %")) << place;
   numbers->reject();
+}
+
+// What is sewn or pressed there is a step firmer or softer by one click, and stays what it is otherwise.
+TEST(StudioMenus, AnElasticAndAFoldAreStrongerAndWeakerByOneClick) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  for (const char* line :
+       {"elastic edges=front.hem_left ratio=0.9 strength=8", "line piece=front along=\"-8cm,20cm; 8cm,20cm\" name=tuck",
+        "fold piece=front line=tuck angle=60deg hold=0.5"})
+    w.session().perform(*parseOperation(line));
+  w.rest();
+  const auto front = [&] { return w.session().snapshot().document.pieceNamed("front"); };
+  const auto elastic = [&] {
+    return w.session().snapshot().document.allowances.elastics.at({front()->id, "hem_left"});
+  };
+  const Flat hem = findEdge(*front(), "hem_left")->curve.atFraction(0.5);
+  rightClick(w, w.table(), w.onTable("front", hem));
+  choose(w, "Stronger elastic: 12 N");
+  w.rest();
+  EXPECT_EQ(elastic(), (Elastic{0.9, 12})) << w.main().said().toStdString();
+  rightClick(w, w.table(), w.onTable("front", hem));
+  w.keep("studio_elastic_menu");
+  choose(w, "Weaker elastic: 8 N");
+  w.rest();
+  EXPECT_EQ(elastic(), (Elastic{0.9, 8}));
+
+  const auto crease = [&] {
+    for (const InternalLine& line : front()->lines)
+      if (line.name == "tuck") return *line.crease;
+    return Crease{};
+  };
+  rightClick(w, w.table(), w.onTable("front", {0.03, 0.2}));
+  choose(w, "Press the fold harder: 60 %");
+  w.rest();
+  EXPECT_NEAR(crease().hold, 0.6, 1e-12) << w.main().said().toStdString();
+  EXPECT_NEAR(crease().angle, std::numbers::pi / 3, 1e-12);
+  rightClick(w, w.table(), w.onTable("front", {0.03, 0.2}));
+  choose(w, "Press the fold softer: 50 %");
+  w.rest();
+  EXPECT_NEAR(crease().hold, 0.5, 1e-12);
 }
 
 }  // namespace
