@@ -44,6 +44,13 @@ std::string lineAt(const Piece& piece, Flat place) {
   return found;
 }
 
+bool isLoose(const Document& document, PieceId id) {
+  std::vector<EdgeRef> edges;
+  if (const Piece* piece = document.find(id))
+    for (const Edge& edge : piece->outline.edges) edges.push_back({PieceRef(id), edge.name});
+  return seamsOn(document, edges).empty();
+}
+
 struct Strength {
   Message words;
   Operation operation;
@@ -109,9 +116,9 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
     return menuOfPlace(place, global);
   }
   const auto led = session_->selection().edge;
-  // Pointing at cloth or paper with another piece chosen: that piece can be sewn on there.
+  // Pointing at cloth or paper with another piece chosen: that piece, if it is sewn to nothing, can be sewn on there.
   patch_.reset();
-  if (wrapped && hit.piece && hit.piece != wrapped && !hit.edge) {
+  if (wrapped && hit.piece && hit.piece != wrapped && !hit.edge && isLoose(session_->snapshot().document, wrapped)) {
     patch_.emplace();
     patch_->piece = wrapped, patch_->on = hit.piece, patch_->at = hit.paper;
   }

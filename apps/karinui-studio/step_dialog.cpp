@@ -212,6 +212,7 @@ void StepDialog::fill(const Operation& operation) {
   const auto* pleat = std::get_if<AddPleat>(&operation);
   const std::string_view asks = pleat && !pleat->lines.empty() ? kDrawnPleat : std::string_view(help.name);
   QLineEdit *first = nullptr, *empty = nullptr;  // of the numbers that are asked at once
+  QLineEdit* missing = nullptr;                  // the other side of what has one already
   for (const FieldHelp& field : help.fields) {
     const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
     typed_.push_back(stepField(document_, help.name, field, value == known.end() ? usualOf(asks, field) : value->value,
@@ -227,6 +228,10 @@ void StepDialog::fill(const Operation& operation) {
       const bool number = field.kind == "length" || field.kind == "u,v" || field.kind == "number";
       if (number && !place && isFirst(asks, field.name))
         if (QLineEdit*& asked = line->text().isEmpty() ? empty : first; !asked) asked = line;
+      const bool otherSide = &field != &help.fields.front() && (&field)[-1].kind == field.kind &&
+                             field.kind.ends_with("piece.edge") && isFirst(asks, field.name);
+      const auto* before = otherSide ? qobject_cast<QLineEdit*>(typed_[typed_.size() - 2].box) : nullptr;
+      if (before && !before->text().isEmpty() && line->text().isEmpty() && !missing) missing = line;
     }
     if (auto* list = qobject_cast<QComboBox*>(box))
       connect(list, &QComboBox::currentIndexChanged, this, [this] {
@@ -235,7 +240,7 @@ void StepDialog::fill(const Operation& operation) {
       });
   }
   fitToKind();
-  if (QLineEdit* line = first ? first : empty) line->setFocus(), line->selectAll();
+  if (QLineEdit* line = missing ? missing : first ? first : empty) line->setFocus(), line->selectAll();
 }
 
 std::string StepDialog::typed(std::string_view name) const {
@@ -252,7 +257,11 @@ void StepDialog::fitToKind() {
     if (field.kinds.empty()) continue;
     const bool has = kind.empty() || std::find(field.kinds.begin(), field.kinds.end(), kind) != field.kinds.end();
     for (const StepField& own : typed_)
-      if (own.name == field.name) own.box->setEnabled(has);
+      if (own.name == field.name) {
+        own.box->setEnabled(has);
+        for (QFormLayout* rows : {main_, more_})
+          if (rows->indexOf(own.box) >= 0) rows->setRowVisible(own.box, has);
+      }
   }
 }
 

@@ -284,5 +284,27 @@ TEST(StudioMenus, AnElasticAndAFoldAreStrongerAndWeakerByOneClick) {
   EXPECT_NEAR(crease().hold, 0.5, 1e-12);
 }
 
+TEST(StudioMenus, OnlyAPieceThatIsSewnToNothingIsOfferedToBeSewnOn) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  DrawRectangle pocket;
+  pocket.name = "pocket", pocket.width = {0.1}, pocket.height = {0.1};
+  w.session().perform(pocket);
+  w.rest();
+  const auto offeredWith = [&](const char* piece) {
+    Selection chosen;
+    chosen.pieces = {w.session().snapshot().document.pieceNamed(piece)->id};
+    w.session().select(chosen);
+    rightClick(w, w.table(), w.onTable("back", {0.05, 0.3}));
+    const auto all = offered();
+    if (QMenu* menu = contextMenu()) menu->close();
+    return all;
+  };
+  EXPECT_THAT(offeredWith("pocket"), Contains("Sew pocket on here…"));
+  EXPECT_THAT(offeredWith("front"), Not(Contains(StartsWith("Sew front"))));
+}
+
 }  // namespace
 }  // namespace karinui::studio

@@ -365,8 +365,12 @@ TEST(StudioNewPieces, ButtonsBetweenTwoEdgesByTheRightButton) {
     kind->setCurrentIndex(kind->findText("Zip"));
     EXPECT_EQ(numbers.said(), "") << "a zip is not told how many";
     EXPECT_TRUE(numbers.make().isEnabled());
-    EXPECT_FALSE(numbers.line("count").isEnabled());
-    EXPECT_TRUE(numbers.line("length").isEnabled());
+    EXPECT_FALSE(numbers.line("count").isVisible());
+    EXPECT_TRUE(numbers.line("length").isVisible());
+    kind->setCurrentIndex(kind->findText("Hook"));
+    EXPECT_TRUE(numbers.line("count").isVisible());
+    EXPECT_FALSE(numbers.line("length").isVisible());
+    EXPECT_FALSE(numbers.dialog->findChild<QWidget*>("size")->isVisible()) << "a hook has no diameter";
     kind->setCurrentIndex(kind->findText("Button"));
     numbers.type("count", "5");
     numbers.accept();

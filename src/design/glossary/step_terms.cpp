@@ -114,7 +114,7 @@ TermTable fieldTerms() {
       {"corners", say("Corners, by the edges that start there")},
       {"corners.underlay", say("Corners of a rectangle on the scan")},
       {"count", say("Times cut")},
-      {"count.fasten", say("How many")},
+      {"count.fasten", say("How many of them")},
       {"count.pleat", say("How many")},
       {"count.spread", say("How many")},
       {"dart", say("Dart")},

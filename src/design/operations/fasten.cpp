@@ -248,7 +248,7 @@ Done resolve(const Document& given, Fasten& op, Context&) {
     return close(given, op, now);
   }
   if (op.none) return refused(say("Say the name of what is taken out, not its edges."));
-  if (op.a.empty() || op.b.empty()) return refused(say("It joins two sides; say both: a=… b=…."));
+  if (op.a.empty() || op.b.empty()) return refused(say("What is fastened has two sides; say both: a=… b=…."));
   for (auto* side : {&op.a, &op.b})
     for (EdgeRef& ref : *side)
       if (Done done = resolveSewn(given, ref); !done) return done;
