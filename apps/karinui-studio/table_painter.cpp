@@ -38,9 +38,12 @@ struct Span {
   double length() const { return to - from; }
 };
 
-// How far a band (from -high to high) can be followed from the origin to either side before it meets a polygon's side.
+// How far a band (from -high to high) can be followed from the origin to either side before it meets a polygon's side;
+// no way at all where the polygon is no higher than that there.
 Span within(const QPolygonF& ring, double high) {
   Span span{-1e9, 1e9};
+  for (const double y : {-high, 0.0, high})
+    if (!ring.containsPoint(QPointF(0, y), Qt::OddEvenFill)) return {};
   for (const double y : {-high, 0.0, high})
     for (qsizetype i = 0; i < ring.size(); ++i) {
       const QPointF a = ring[i] - QPointF(0, y), b = ring[(i + 1) % ring.size()] - QPointF(0, y);
@@ -151,7 +154,7 @@ void paintName(QPainter& painter, const TablePiece& piece, const TableLabel& lab
   if (place.ground) {
     QColor ground = Theme::here().palette().paper;
     ground.setAlphaF(0.8f);
-    painter.fillRect(QRectF(start.x() - 3, start.y() - up, wide + dot + 6, 1.3 * up), ground);
+    painter.fillRect(QRectF(start.x() - 3, start.y() - 0.92 * up, wide + dot + 6, 1.08 * up), ground);
   }
   painter.drawText(start, name);
   if (piece.unsettled) {
