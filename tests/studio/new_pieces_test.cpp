@@ -367,7 +367,7 @@ TEST(StudioNewPieces, ButtonsBetweenTwoEdgesByTheRightButton) {
     EXPECT_TRUE(numbers.make().isEnabled());
     EXPECT_FALSE(numbers.line("count").isVisible());
     EXPECT_TRUE(numbers.line("length").isVisible());
-    kind->setCurrentIndex(kind->findText("Hook"));
+    kind->setCurrentIndex(kind->findText("Hooks and eyes"));
     EXPECT_TRUE(numbers.line("count").isVisible());
     EXPECT_FALSE(numbers.line("length").isVisible());
     EXPECT_FALSE(numbers.dialog->findChild<QWidget*>("size")->isVisible()) << "a hook has no diameter";
