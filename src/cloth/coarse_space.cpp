@@ -8,35 +8,46 @@
 namespace karinui {
 namespace {
 
-constexpr double kCoarsening = 8;       // fine lines from one coarse line to the next, about; more in very fine cloth,
-constexpr double kMostCells = 22;       // so that a square has no more coarse cells a side: more of them converge worse
-constexpr double kLeastSupport = 0.05;  // sum of squared weights: a coarse node that moves less is left out
+constexpr double kCoarsening = 8;  // fine lines in a coarse cell, about; more in very fine cloth,
+constexpr double kMostCells = 22;  // so that a square has no more coarse cells a side: more of them converge worse
+constexpr std::size_t kSmoothFrom = 20000;  // nodes: from so many on P is of quadratic splines
+// Sum of squared weights: a coarse node that moves less is left out. Next to it P no longer moves cloth as one, so of
+// splines, many of which reach over a curved edge by their tails, only what is next to nothing.
+constexpr double kLeastSupport = 0.05, kLeastSmoothSupport = 0.001;
+// Of the diagonal of A_c, added to it until it is positive: coarse nodes with few nodes left may depend on each other.
+constexpr double kShifts[] = {0, 1e-7, 1e-5, 1e-3};
 
-// Restricts a fine row onto the two coarse rows beside it.
-KARINUI_WIDE void restrictRow(std::size_t count, const float next, const float* __restrict r,
-                              const float* __restrict free, float* __restrict here, float* __restrict above) {
+struct Three {  // weights
+  float a, b, c;
+};
+
+// Restricts a fine row onto three coarse rows.
+KARINUI_WIDE void restrictRow(std::size_t count, const Three weight, const float* __restrict r,
+                              const float* __restrict free, float* __restrict a, float* __restrict b,
+                              float* __restrict c) {
   for (std::size_t k = 0; k < count; ++k) {
     const float own = free[k] * r[k];
-    here[k] += (1 - next) * own;
-    above[k] += next * own;
+    a[k] += weight.a * own;
+    b[k] += weight.b * own;
+    c[k] += weight.c * own;
   }
 }
 
-// Interpolates a coarse row at the fine columns from one coarse line to the next, and some more.
-KARINUI_WIDE void interpolateCell(std::size_t begin, std::size_t end, float here, float there,
-                                  const float* __restrict next, float* __restrict row) {
+// A coarse row at the fine columns of a cell, and at some more.
+KARINUI_WIDE void interpolateCell(std::size_t begin, std::size_t end, const Three value, const float* __restrict a,
+                                  const float* __restrict b, const float* __restrict c, float* __restrict row) {
   for (std::size_t i = begin; i < end; i += kLanes)
-    for (std::size_t l = 0; l < kLanes; ++l) row[i + l] = (1 - next[i + l]) * here + next[i + l] * there;
+    for (std::size_t l = 0; l < kLanes; ++l)
+      row[i + l] = a[i + l] * value.a + b[i + l] * value.b + c[i + l] * value.c;
 }
 
-struct Blend {  // of two coarse rows
-  const float *one, *other;
-  float here, next;
-};
-KARINUI_WIDE void updateDirectionRow(std::size_t count, float beta, const Blend rows, const float* __restrict free,
-                                     const float* __restrict z, float* __restrict p) {
+// `rows`: the first of three coarse ones, `stride` apart.
+KARINUI_WIDE void updateDirectionRow(std::size_t count, float beta, const float* __restrict rows, std::size_t stride,
+                                     const Three weight, const float* __restrict free, const float* __restrict z,
+                                     float* __restrict p) {
+  const float *a = rows, *b = rows + stride, *c = rows + 2 * stride;
   for (std::size_t k = 0; k < count; ++k)
-    p[k] = z[k] + beta * p[k] + free[k] * (rows.here * rows.one[k] + rows.next * rows.other[k]);
+    p[k] = z[k] + beta * p[k] + free[k] * (weight.a * a[k] + weight.b * b[k] + weight.c * c[k]);
 }
 
 KARINUI_WIDE void updateDirectionUnstructured(std::size_t begin, std::size_t end, float beta, const float* __restrict z,
@@ -51,25 +62,30 @@ void sortOnce(std::vector<std::uint32_t>& list) {
 
 }  // namespace
 
-CoarseSpace::CoarseLines::CoarseLines(std::uint32_t fine, double each) {
+CoarseSpace::CoarseLines::CoarseLines(std::uint32_t fine, double each, bool splines) : smooth(splines) {
   const double last = std::max(2u, fine) - 1.0, cells = std::fmax(1.0, std::round(last / each));
   for (double k = 0; k <= cells; ++k) at.push_back(static_cast<std::uint32_t>(std::lround(k * last / cells)));
   for (std::uint32_t i = 0; i < fine; ++i) {
-    const auto [before, way] = place(i);
-    cell.push_back(before);
-    next.push_back(static_cast<float>(way));
+    const auto [in, weights] = place(i);
+    cell.push_back(in);
+    const auto b = static_cast<float>(weights[1]), c = static_cast<float>(weights[2]);
+    weight[0].push_back(1 - b - c);  // so that they add up to one in float, too
+    weight[1].push_back(b);
+    weight[2].push_back(c);
   }
-  next.resize(next.size() + kLanes, 0);
+  for (auto& weights : weight) weights.resize(weights.size() + kLanes, 0);
 }
 
-std::pair<std::uint32_t, double> CoarseSpace::CoarseLines::place(double fine) const {
-  std::uint32_t before = 0;
-  while (before + 2 < at.size() && fine >= at[before + 1]) ++before;
-  return {before, std::clamp((fine - at[before]) / (at[before + 1] - at[before]), 0.0, 1.0)};
+std::pair<std::uint32_t, CoarseSpace::Weights> CoarseSpace::CoarseLines::place(double fine) const {
+  std::uint32_t in = 0;
+  while (in + 2 < at.size() && fine >= at[in + 1]) ++in;
+  const double t = std::clamp((fine - at[in]) / (at[in + 1] - at[in]), 0.0, 1.0);
+  if (smooth) return {in, {0.5 * (1 - t) * (1 - t), 0.5 + t - t * t, 0.5 * t * t}};
+  return {in, {1 - t, t, 0}};
 }
 
 CoarseSpace::CoarseSpace(const Cloth& cloth, const GridLayout& layout)
-    : cloth_(cloth), layout_(layout), stencils_(layout.slots) {
+    : cloth_(cloth), layout_(layout), smooth_(layout.slots >= kSmoothFrom), stencils_(layout.slots) {
   for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
     const auto block =
         std::find_if(layout.blocks.begin(), layout.blocks.end(), [&](const GridBlock& q) { return q.piece == p; });
@@ -83,7 +99,7 @@ CoarseSpace::CoarseSpace(const Cloth& cloth, const GridLayout& layout)
 std::pair<std::uint32_t, std::uint32_t> CoarseSpace::coarseRows(const SlotRange& range) const {
   const std::vector<std::uint32_t>& cell = grids_[gridOf_[range.block]].row.cell;
   const std::uint32_t first = cell[range.row];
-  return {first, cell[range.row + range.rows - 1] + 2 - first};
+  return {first, cell[range.row + range.rows - 1] + 3 - first};
 }
 
 CoarseSpace::Restriction CoarseSpace::restrictionOf(const SlotRange& range) const {
@@ -111,7 +127,7 @@ CoarseSpace::Restriction CoarseSpace::restrictionOf(const SlotRange& range) cons
 void CoarseSpace::addGrid(const ClothPiece& piece, const GridBlock* block) {
   const Lattice& lattice = *piece.lattice;
   const double each = std::fmax(kCoarsening, std::sqrt(1.0 * lattice.columns * lattice.rows) / kMostCells);
-  CoarseGrid grid{block, CoarseLines(lattice.columns, each), CoarseLines(lattice.rows, each), nodes_};
+  CoarseGrid grid{block, CoarseLines(lattice.columns, each, smooth_), CoarseLines(lattice.rows, each, smooth_), nodes_};
   nodes_ += grid.columns() * grid.rows();
   const double weftStep = block ? block->weftStep : lattice.spacing,
                warpStep = block ? block->warpStep : lattice.spacing;
@@ -130,12 +146,13 @@ void CoarseSpace::addGrid(const ClothPiece& piece, const GridBlock* block) {
 }
 
 CoarseSpace::Stencil CoarseSpace::stencilAt(const CoarseGrid& grid, double column, double row) const {
-  const auto [i, u] = grid.column.place(column);
-  const auto [j, v] = grid.row.place(row);
-  const std::uint32_t here = grid.first + j * grid.columns() + i, above = here + grid.columns();
-  return {StencilEntry{here, static_cast<float>((1 - u) * (1 - v))},
-          StencilEntry{here + 1, static_cast<float>(u * (1 - v))}, StencilEntry{above, static_cast<float>((1 - u) * v)},
-          StencilEntry{above + 1, static_cast<float>(u * v)}};
+  const auto [i, across] = grid.column.place(column);
+  const auto [j, along] = grid.row.place(row);
+  Stencil stencil;
+  for (std::uint32_t v = 0; v < 3; ++v)
+    for (std::uint32_t u = 0; u < 3; ++u)
+      stencil[3 * v + u] = {grid.first + (j + v) * grid.columns() + i + u, static_cast<float>(across[u] * along[v])};
+  return stencil;
 }
 
 void CoarseSpace::setTies(std::span<const std::uint32_t> independents, std::span<const DependentSlot> dependents) {
@@ -153,7 +170,7 @@ void CoarseSpace::numberNodes() {
   numberOf_.assign(nodes_, kNoNode);
   nodeOf_.clear();
   for (std::uint32_t node = 0; node < nodes_; ++node)
-    if (support[node] > kLeastSupport) {
+    if (support[node] > (smooth_ ? kLeastSmoothSupport : kLeastSupport)) {
       numberOf_[node] = static_cast<std::uint32_t>(nodeOf_.size());
       nodeOf_.push_back(node);
     }
@@ -243,7 +260,7 @@ bool CoarseSpace::assemble(const std::function<void()>& product) {
             matrix_.at(std::max(i, j), std::min(i, j)) += i == j ? 2 * half : half;
           }
     }
-  ready_ = matrix_.factor();
+  ready_ = std::any_of(std::begin(kShifts), std::end(kShifts), [&](double shift) { return matrix_.factor(shift); });
   return ready_;
 }
 
@@ -270,25 +287,23 @@ void CoarseSpace::restrictResidual(const SlotRange& range, const SlotVectors& r)
     rows[axis].assign(count * block.columns, 0);
     for (std::size_t j = range.row; j < range.row + range.rows; ++j) {
       const std::size_t s = block.first + j * block.stride;
-      float* here = rows[axis].data() + (grid.row.cell[j] - first) * block.columns;
-      restrictRow(block.columns, grid.row.next[j], r[axis].data() + s, free_.data() + s, here, here + block.columns);
+      float* to = rows[axis].data() + (grid.row.cell[j] - first) * block.columns;
+      restrictRow(block.columns, {grid.row.weight[0][j], grid.row.weight[1][j], grid.row.weight[2][j]},
+                  r[axis].data() + s, free_.data() + s, to, to + block.columns, to + 2 * block.columns);
     }
   }
-  // Cell by cell onto its two ends. The sums of all axes side by side, so that none waits for the last.
+  // Cell by cell onto its three splines. The sums of all axes side by side, so that none waits for the last.
   for (std::size_t c = 0; c < count; ++c) {
     float* to = restricted.value.data() + c * grid.columns();
-    for (std::size_t cell = 0, i = 0; cell + 1 < grid.columns(); ++cell) {
-      float here[3] = {}, next[3] = {};
+    for (std::size_t cell = 0, i = 0; cell + 2 < grid.columns(); ++cell) {
+      float sum[3][3] = {};
       for (; i < block.columns && grid.column.cell[i] == cell; ++i)
         for (std::size_t axis = 0; axis < 3; ++axis) {
           const float own = rows[axis][c * block.columns + i];
-          here[axis] += (1 - grid.column.next[i]) * own;
-          next[axis] += grid.column.next[i] * own;
+          for (std::size_t k = 0; k < 3; ++k) sum[axis][k] += grid.column.weight[k][i] * own;
         }
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        to[axis * restricted.count + cell] += here[axis];
-        to[axis * restricted.count + cell + 1] += next[axis];
-      }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t k = 0; k < 3; ++k) to[axis * restricted.count + cell + k] += sum[axis][k];
     }
   }
 }
@@ -343,15 +358,17 @@ void CoarseSpace::updateDirection(const SlotRange& range, const SlotVectors& z, 
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t c = 0; c < count; ++c) {
       const float* from = value_[axis].data() + grid.first + (first + c) * grid.columns();
-      for (std::size_t cell = 0; cell + 1 < grid.columns(); ++cell)
-        interpolateCell(grid.column.at[cell], grid.column.at[cell + 1] + 1, from[cell], from[cell + 1],
-                        grid.column.next.data(), rows.data() + c * block.stride);
+      for (std::size_t cell = 0; cell + 2 < grid.columns(); ++cell)
+        interpolateCell(grid.column.at[cell], grid.column.at[cell + 1] + 1,
+                        {from[cell], from[cell + 1], from[cell + 2]}, grid.column.weight[0].data(),
+                        grid.column.weight[1].data(), grid.column.weight[2].data(), rows.data() + c * block.stride);
     }
     for (std::size_t j = range.row; j < range.row + range.rows; ++j) {
       const std::size_t s = block.first + j * block.stride;
       const float* row = rows.data() + (grid.row.cell[j] - first) * block.stride;
-      updateDirectionRow(block.columns, beta, {row, row + block.stride, 1 - grid.row.next[j], grid.row.next[j]},
-                         free_.data() + s, z[axis].data() + s, p[axis].data() + s);
+      updateDirectionRow(block.columns, beta, row, block.stride,
+                         {grid.row.weight[0][j], grid.row.weight[1][j], grid.row.weight[2][j]}, free_.data() + s,
+                         z[axis].data() + s, p[axis].data() + s);
     }
   }
 }

@@ -2,8 +2,12 @@
 // The coarse level of a two-level additive preconditioner, M^-1 = D^-1 + P A_c^-1 P^T (Smith, Bjorstad, Gropp: Domain
 // Decomposition, 1996, chapter 1). Conjugate gradients with the diagonal D alone pass a force on from node to node, one
 // iteration each, so that long waves take hundreds. The coarse nodes lie on a grid, one for every eight lattice nodes
-// each way (fewer in very fine cloth); P interpolates between them bilinearly, and the Galerkin matrix A_c = P^T A P is
-// factored.
+// each way (fewer in very fine cloth); P interpolates between them, and the Galerkin matrix A_c = P^T A P is factored.
+//
+// P is bilinear, or in fine cloth of quadratic B-splines (de Boor: A Practical Guide to Splines, 1978). Bending goes with
+// the second derivative of a move. Where a bilinear P has a kink, all of the bending falls on one cell, and the finer
+// the cells are, the stiffer A_c takes long waves for. Splines couple more coarse nodes, so that A_c costs three times as
+// much: small cloth rests sooner without.
 //
 // A_c may be older than the step's A: that costs iterations, not accuracy.
 #include <array>
@@ -42,24 +46,27 @@ class CoarseSpace {
   void updateDirection(const SlotRange& range, const SlotVectors& z, float beta, SlotVectors& p) const;
 
  private:
-  struct CoarseLines {                // coarse lines along one side of a piece's grid
-    std::vector<std::uint32_t> at;    // which fine line each is
-    std::vector<std::uint32_t> cell;  // per fine line: the coarse one before it,
-    std::vector<float> next;          // and how far it is on the way to the next; padded
-    CoarseLines(std::uint32_t fine, double each);
-    std::pair<std::uint32_t, double> place(double fine) const;  // the same for any place
+  using Weights = std::array<double, 3>;
+  struct CoarseLines {                         // coarse cells along one side of a piece's grid
+    bool smooth = false;                       // splines of second degree; else of first
+    std::vector<std::uint32_t> at;             // the fine lines at which cells begin, and at which the last one ends
+    std::vector<std::uint32_t> cell;           // per fine line: the cell it lies in,
+    std::array<std::vector<float>, 3> weight;  // and there the splines of this number and the next two; padded
+    CoarseLines(std::uint32_t fine, double each, bool smooth);
+    std::pair<std::uint32_t, Weights> place(double fine) const;  // the same for any place
+    std::uint32_t splines() const { return static_cast<std::uint32_t>(at.size()) + 1; }  // of first degree one is idle
   };
   struct StencilEntry {
     std::uint32_t node = 0;  // coarse
     float weight = 0;
   };
-  using Stencil = std::array<StencilEntry, 4>;
+  using Stencil = std::array<StencilEntry, 9>;
   struct CoarseGrid {
     const GridBlock* block = nullptr;  // null: all its nodes are unstructured
     CoarseLines column, row;
     std::uint32_t first = 0;  // coarse node
-    std::uint32_t columns() const { return static_cast<std::uint32_t>(column.at.size()); }
-    std::uint32_t rows() const { return static_cast<std::uint32_t>(row.at.size()); }
+    std::uint32_t columns() const { return column.splines(); }
+    std::uint32_t rows() const { return row.splines(); }
   };
   struct Restriction {  // of a range, onto these coarse nodes; three axes, one after the other
     std::uint32_t first = 0, count = 0;
@@ -76,6 +83,7 @@ class CoarseSpace {
 
   const Cloth& cloth_;
   const GridLayout& layout_;
+  bool smooth_ = false;  // whether P is of quadratic splines
   std::vector<CoarseGrid> grids_;
   std::vector<std::uint32_t> gridOf_;  // per block
   std::uint32_t nodes_ = 0;            // coarse

@@ -78,11 +78,13 @@ EnvelopeCholesky::EnvelopeCholesky(std::vector<std::uint32_t> first) : first_(st
 
 void EnvelopeCholesky::clear() { std::fill(value_.begin(), value_.end(), 0.0); }
 
-bool EnvelopeCholesky::factor() {
-  if (!factorRows({first_.size(), first_.data(), start_.data()}, value_.data())) return false;
-  std::transform(value_.begin(), value_.end(), low_.begin(), [](double v) { return static_cast<float>(v); });
-  for (std::size_t i = 0; i < first_.size(); ++i)
-    perDiagonal_[i] = static_cast<float>(1 / value_[start_[i] + i - first_[i]]);
+bool EnvelopeCholesky::factor(double shift) {
+  factor_ = value_;
+  const auto diagonal = [&](std::size_t i) -> double& { return factor_[start_[i] + i - first_[i]]; };
+  for (std::size_t i = 0; i < first_.size(); ++i) diagonal(i) *= 1 + shift;
+  if (!factorRows({first_.size(), first_.data(), start_.data()}, factor_.data())) return false;
+  std::transform(factor_.begin(), factor_.end(), low_.begin(), [](double v) { return static_cast<float>(v); });
+  for (std::size_t i = 0; i < first_.size(); ++i) perDiagonal_[i] = static_cast<float>(1 / diagonal(i));
   return true;
 }
 

@@ -17,13 +17,13 @@ class EnvelopeCholesky {
   double& at(std::uint32_t row, std::uint32_t column) {  // column from the row's first to the row
     return value_[start_[row] + column - first_[row]];
   }
-  bool factor();                         // whether it was positive
+  bool factor(double shift = 0);         // with its diagonal times 1 + shift; whether that was positive
   void solve(std::span<float> x) const;  // in: the right-hand side
 
  private:
   std::vector<std::uint32_t> first_;
   std::vector<std::size_t> start_;  // of each row in value_ and low_
-  std::vector<double> value_;
+  std::vector<double> value_, factor_;
   std::vector<float> low_, perDiagonal_;
 };
 
