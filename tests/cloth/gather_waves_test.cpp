@@ -5,6 +5,7 @@
 
 #include "cloth/helpers.h"
 #include "karinui/check/check.h"
+#include "soak.h"
 
 namespace karinui::test {
 namespace {
@@ -77,7 +78,8 @@ TEST(GatherWaves, AreLeftOutOfGathersThatAreDrawnInFlatOfPiecesThatStandRoundOrA
 }
 
 TEST(GatherWaves, ComeToRestUncrossed) {
-  for (const double ratio : {3.0, 5.0}) {
+  for (const double ratio : {3.0, 5.0, 10.0}) {
+    if (ratio > 5 && !atLength()) continue;
     SCOPED_TRACE(ratio);
     ClothLevel level = frill(ratio);
     level.cloth.pleated = layGathersInWaves(level.cloth, level.state.position);
