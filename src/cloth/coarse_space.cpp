@@ -37,8 +37,7 @@ KARINUI_WIDE void restrictRow(std::size_t count, const Three weight, const float
 KARINUI_WIDE void interpolateCell(std::size_t begin, std::size_t end, const Three value, const float* __restrict a,
                                   const float* __restrict b, const float* __restrict c, float* __restrict row) {
   for (std::size_t i = begin; i < end; i += kLanes)
-    for (std::size_t l = 0; l < kLanes; ++l)
-      row[i + l] = a[i + l] * value.a + b[i + l] * value.b + c[i + l] * value.c;
+    for (std::size_t l = 0; l < kLanes; ++l) row[i + l] = a[i + l] * value.a + b[i + l] * value.b + c[i + l] * value.c;
 }
 
 // `rows`: the first of three coarse ones, `stride` apart.

@@ -4,10 +4,10 @@
 // iteration each, so that long waves take hundreds. The coarse nodes lie on a grid, one for every eight lattice nodes
 // each way (fewer in very fine cloth); P interpolates between them, and the Galerkin matrix A_c = P^T A P is factored.
 //
-// P is bilinear, or in fine cloth of quadratic B-splines (de Boor: A Practical Guide to Splines, 1978). Bending goes with
-// the second derivative of a move. Where a bilinear P has a kink, all of the bending falls on one cell, and the finer
-// the cells are, the stiffer A_c takes long waves for. Splines couple more coarse nodes, so that A_c costs three times as
-// much: small cloth rests sooner without.
+// P is bilinear, or in fine cloth of quadratic B-splines (de Boor: A Practical Guide to Splines, 1978). Bending goes
+// with the second derivative of a move. Where a bilinear P has a kink, all of the bending falls on one cell, and the
+// finer the cells are, the stiffer A_c takes long waves for. Splines couple more coarse nodes, so that A_c costs three
+// times as much: small cloth rests sooner without.
 //
 // A_c may be older than the step's A: that costs iterations, not accuracy.
 #include <array>
@@ -53,7 +53,7 @@ class CoarseSpace {
     std::vector<std::uint32_t> cell;           // per fine line: the cell it lies in,
     std::array<std::vector<float>, 3> weight;  // and there the splines of this number and the next two; padded
     CoarseLines(std::uint32_t fine, double each, bool smooth);
-    std::pair<std::uint32_t, Weights> place(double fine) const;  // the same for any place
+    std::pair<std::uint32_t, Weights> place(double fine) const;                          // the same for any place
     std::uint32_t splines() const { return static_cast<std::uint32_t>(at.size()) + 1; }  // of first degree one is idle
   };
   struct StencilEntry {
