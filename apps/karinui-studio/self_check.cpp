@@ -179,6 +179,28 @@ void measure(MainWindow& window, const char* seenAs, const char* restAs, const s
   seen.print(), rest.print();
 }
 
+// The garment follows the figure into a pose, seen on the way, and comes to rest there.
+void pose(MainWindow& window, const char* name) {
+  Waits seen("a pose: first seen on the way"), picture("a pose: a picture on the way"), rest("a pose: at rest");
+  const SessionChanges before = window.session().changes();
+  std::uint64_t shown = before.garment;
+  PoseBody op;
+  op.name = name;
+  window.session().perform(op);
+  until(window, [&] {
+    const SessionChanges& now = window.session().changes();
+    if (now.garment != shown) {
+      if (shown == before.garment) seen.take();
+      picture.take();
+      shown = now.garment;
+    }
+    return now.history != before.history;
+  });
+  comeToRest(window);
+  rest.take();
+  seen.print(), picture.print(), rest.print();
+}
+
 }  // namespace
 
 std::optional<Message> drawingTrouble() {
@@ -260,6 +282,7 @@ int selfCheck(QApplication&, const SessionOptions& options, const QString& garme
   measure(*window, "a fabric changed: first drape", "a fabric changed: at rest",
           [&] { window->session().perform(denim); });
 
+  pose(*window, "arms_down");
   const SetBody was = *window->session().figure();
   SetBody wider = was;
   std::erase_if(wider.set, [](const Stated& stated) { return stated.key == "bust_girth"; });
