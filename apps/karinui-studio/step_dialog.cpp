@@ -213,6 +213,7 @@ void StepDialog::fill(const Operation& operation) {
   const std::string_view asks = pleat && !pleat->lines.empty() ? kDrawnPleat : std::string_view(help.name);
   QLineEdit *first = nullptr, *empty = nullptr;  // of the numbers that are asked at once
   QLineEdit* missing = nullptr;                  // the other side of what has one already
+  const FieldHelp* last = nullptr;               // the field before
   for (const FieldHelp& field : help.fields) {
     const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
     typed_.push_back(stepField(document_, help.name, field, value == known.end() ? usualOf(asks, field) : value->value,
@@ -228,8 +229,8 @@ void StepDialog::fill(const Operation& operation) {
       const bool number = field.kind == "length" || field.kind == "u,v" || field.kind == "number";
       if (number && !place && isFirst(asks, field.name))
         if (QLineEdit*& asked = line->text().isEmpty() ? empty : first; !asked) asked = line;
-      const bool otherSide = &field != &help.fields.front() && (&field)[-1].kind == field.kind &&
-                             field.kind.ends_with("piece.edge") && isFirst(asks, field.name);
+      const bool otherSide =
+          last && last->kind == field.kind && field.kind.ends_with("piece.edge") && isFirst(asks, field.name);
       const auto* before = otherSide ? qobject_cast<QLineEdit*>(typed_[typed_.size() - 2].box) : nullptr;
       if (before && !before->text().isEmpty() && line->text().isEmpty() && !missing) missing = line;
     }
@@ -238,6 +239,7 @@ void StepDialog::fill(const Operation& operation) {
         fitToKind();
         show(wished());
       });
+    last = &field;
   }
   fitToKind();
   if (QLineEdit* line = missing ? missing : first ? first : empty) line->setFocus(), line->selectAll();

@@ -132,12 +132,11 @@ void paintName(QPainter& painter, const TablePiece& piece, const TableLabel& lab
   painter.setFont(font);
   const QFontMetricsF metrics(font);
   const double up = metrics.ascent();
-  const bool dotOnly = !place.whole && place.room < kLeast + dot && !piece.chosen;
-  if (!place.whole && place.room < kLeast + dot && piece.chosen) {
+  const bool noRoom = !place.whole && place.room < kLeast + dot;
+  if (noRoom && piece.chosen) {
     const double all = metrics.horizontalAdvance(name) + dot;
     place = {true, false, true, -all / 2, all};
-  }
-  if (dotOnly) {
+  } else if (noRoom) {
     if (piece.unsettled) {
       painter.setPen(Qt::NoPen);
       painter.setBrush(Theme::here().palette().accent);
