@@ -189,7 +189,7 @@ double BlockSystem::addCouplings(double product) {
   return product;
 }
 
-double BlockSystem::multiply(bool coupled, Workers& workers) {
+double BlockSystem::multiply(Workers& workers) {
   for (const DependentSlot& dependent : dependents_)
     for (auto& axis : p_) axis[dependent.slot] = 0;
   for (const DependentSlot& dependent : dependents_)
@@ -202,24 +202,19 @@ double BlockSystem::multiply(bool coupled, Workers& workers) {
     sums_[k + 1] = dotOf(range, p_, q_);
   });
   double product = std::accumulate(sums_.begin() + 1, sums_.end(), 0.0);
-  if (coupled) product = addCouplings(product);
+  product = addCouplings(product);
   for (const DependentSlot& dependent : dependents_)
     for (auto& axis : q_) axis[dependent.independent] += dependent.weight * axis[dependent.slot];
   return product;
 }
 
 // The matrix changes little from step to step. It is assembled anew when it is old or costs too many iterations.
-bool BlockSystem::coarseMatrixReady(Workers& workers) {
+bool BlockSystem::coarseMatrixReady() {
   if (unknowns() < kLeastForCoarse) return false;
   const bool dear = age_ > 2 && iterations_ > kMostGrowth * iterationsWhenNew_;
   if (coarse_.ready() && age_ < kMostSolves && !dear) return true;
   age_ = 0;
-  for (auto& axis : z_) std::fill(axis.begin(), axis.end(), 0.0f);
-  return coarse_.assemble([&] {
-    updateDirection(0, true, workers);
-    multiply(false, workers);
-    workers.forParts(rangeLoads(), [&](std::size_t k) { coarse_.restrictResidual(layout_.ranges[k], q_); });
-  });
+  return coarse_.assemble(stepMatrix());
 }
 
 void BlockSystem::updateResidual(float alpha, bool coarse, Workers& workers) {
@@ -271,7 +266,7 @@ int BlockSystem::solve(std::span<const Vec3> force, const StoppingRule& rule, co
     largest = std::fmax(largest, std::fmax(std::fabs(f.x), std::fmax(std::fabs(f.y), std::fabs(f.z))));
   if (!(largest > 0)) return 0;
   invertDiagonal(workers);
-  const bool coarse = coarseMatrixReady(workers);
+  const bool coarse = coarseMatrixReady();
   for (auto* lanes : {&d_, &r_, &p_, &q_})
     for (auto& axis : *lanes) std::fill(axis.begin(), axis.end(), 0.0f);
   for (std::size_t k = 0; k < count; ++k) {  // scaled to one, so that small forces keep their digits in float
@@ -295,7 +290,7 @@ int BlockSystem::solve(std::span<const Vec3> force, const StoppingRule& rule, co
   };
   while (iteration < rule.most && rz > 1e-12 * first && (iteration < least || !converged())) {
     if (token.cancelled()) break;
-    const double pq = multiply(true, workers);
+    const double pq = multiply(workers);
     if (!(pq > 0)) break;
     recent[iteration % last] = rz / pq * rz;
     if (iteration >= rule.uncounted) energy += recent[iteration % last];
@@ -321,7 +316,7 @@ std::vector<Vec3> BlockSystem::times(std::span<const Vec3> unknown, Workers& wor
     p_[2][slotOf_[k]] = static_cast<float>(unknown[k].z);
   }
   sparse_.load(p_, 0, layout_.slots);
-  multiply(true, workers);
+  multiply(workers);
   std::vector<Vec3> product(unknown.size());
   for (std::size_t k = 0; k < unknown.size(); ++k)
     product[k] = {q_[0][slotOf_[k]], q_[1][slotOf_[k]], q_[2][slotOf_[k]]};

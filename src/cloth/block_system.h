@@ -48,13 +48,16 @@ class BlockSystem {
   // The matrix times a vector of unknowns, for tests.
   std::vector<Vec3> times(std::span<const Vec3> unknown, Workers& workers);
   std::size_t unknowns() const { return slotOf_.size(); }
+  std::uint32_t slotOf(std::uint32_t unknown) const { return slotOf_[unknown]; }
+  CoarseSpace& coarseSpace() { return coarse_; }  // for tests
+  StepMatrix stepMatrix() const { return {stiffness_, bending_, diagonal_, sparse_}; }
 
  private:
   void invertDiagonal(Workers& workers);
-  bool coarseMatrixReady(Workers& workers);  // assembled anew when it is due
+  bool coarseMatrixReady();  // assembled anew when it is due
   std::span<const double> rangeLoads() const { return std::span(load_).subspan(1); }
   // The passes of an iteration, each over the ranges of the layout.
-  double multiply(bool coupled, Workers& workers);                         // q = A p, returns p . q
+  double multiply(Workers& workers);                                       // q = A p, returns p . q
   double addCouplings(double product);                                     // to q; adds theirs to p . q
   void updateResidual(float alpha, bool coarse, Workers& workers);         // r -= alpha q, and its restriction
   double applyPreconditioner(float alpha, bool coarse, Workers& workers);  // d += alpha p, z = M r; returns r . z

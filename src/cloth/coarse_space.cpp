@@ -8,12 +8,11 @@
 namespace karinui {
 namespace {
 
-constexpr double kCoarsening = 8;  // fine lines in a coarse cell, about; more in very fine cloth,
+constexpr double kCoarsening = 6;  // fine lines in a coarse cell, about; more in very fine cloth,
 constexpr double kMostCells = 22;  // so that a square has no more coarse cells a side: more of them converge worse
-constexpr std::size_t kSmoothFrom = 20000;  // nodes: from so many on P is of quadratic splines
-// Sum of squared weights: a coarse node that moves less is left out. Next to it P no longer moves cloth as one, so of
-// splines, many of which reach over a curved edge by their tails, only what is next to nothing.
-constexpr double kLeastSupport = 0.05, kLeastSmoothSupport = 0.001;
+// Sum of squared weights: a coarse node that moves less is left out. Next to it P no longer moves cloth as one, and
+// many splines reach over a curved edge by their tails, so only what is next to nothing.
+constexpr double kLeastSupport = 0.001;
 // Of the diagonal of A_c, added to it until it is positive: coarse nodes with few nodes left may depend on each other.
 constexpr double kShifts[] = {0, 1e-7, 1e-5, 1e-3};
 
@@ -61,30 +60,8 @@ void sortOnce(std::vector<std::uint32_t>& list) {
 
 }  // namespace
 
-CoarseSpace::CoarseLines::CoarseLines(std::uint32_t fine, double each, bool splines) : smooth(splines) {
-  const double last = std::max(2u, fine) - 1.0, cells = std::fmax(1.0, std::round(last / each));
-  for (double k = 0; k <= cells; ++k) at.push_back(static_cast<std::uint32_t>(std::lround(k * last / cells)));
-  for (std::uint32_t i = 0; i < fine; ++i) {
-    const auto [in, weights] = place(i);
-    cell.push_back(in);
-    const auto b = static_cast<float>(weights[1]), c = static_cast<float>(weights[2]);
-    weight[0].push_back(1 - b - c);  // so that they add up to one in float, too
-    weight[1].push_back(b);
-    weight[2].push_back(c);
-  }
-  for (auto& weights : weight) weights.resize(weights.size() + kLanes, 0);
-}
-
-std::pair<std::uint32_t, CoarseSpace::Weights> CoarseSpace::CoarseLines::place(double fine) const {
-  std::uint32_t in = 0;
-  while (in + 2 < at.size() && fine >= at[in + 1]) ++in;
-  const double t = std::clamp((fine - at[in]) / (at[in + 1] - at[in]), 0.0, 1.0);
-  if (smooth) return {in, {0.5 * (1 - t) * (1 - t), 0.5 + t - t * t, 0.5 * t * t}};
-  return {in, {1 - t, t, 0}};
-}
-
 CoarseSpace::CoarseSpace(const Cloth& cloth, const GridLayout& layout)
-    : cloth_(cloth), layout_(layout), smooth_(layout.slots >= kSmoothFrom), stencils_(layout.slots) {
+    : cloth_(cloth), layout_(layout), stencils_(layout.slots) {
   for (std::size_t p = 0; p < cloth.pieces.size(); ++p) {
     const auto block =
         std::find_if(layout.blocks.begin(), layout.blocks.end(), [&](const GridBlock& q) { return q.piece == p; });
@@ -111,7 +88,7 @@ CoarseSpace::Restriction CoarseSpace::restrictionOf(const SlotRange& range) cons
   } else {
     std::uint32_t least = nodes_, most = 0;
     for (std::size_t slot = range.begin; slot < range.end; ++slot)
-      for (const StencilEntry& entry : stencils_[slot])
+      for (const CoarseWeight& entry : stencils_[slot])
         if (entry.weight > 0) {
           least = std::min(least, entry.node);
           most = std::max(most, entry.node);
@@ -126,7 +103,7 @@ CoarseSpace::Restriction CoarseSpace::restrictionOf(const SlotRange& range) cons
 void CoarseSpace::addGrid(const ClothPiece& piece, const GridBlock* block) {
   const Lattice& lattice = *piece.lattice;
   const double each = std::fmax(kCoarsening, std::sqrt(1.0 * lattice.columns * lattice.rows) / kMostCells);
-  CoarseGrid grid{block, CoarseLines(lattice.columns, each, smooth_), CoarseLines(lattice.rows, each, smooth_), nodes_};
+  CoarseGrid grid{block, CoarseLines(lattice.columns, each), CoarseLines(lattice.rows, each), nodes_};
   nodes_ += grid.columns() * grid.rows();
   const double weftStep = block ? block->weftStep : lattice.spacing,
                warpStep = block ? block->warpStep : lattice.spacing;
@@ -144,16 +121,6 @@ void CoarseSpace::addGrid(const ClothPiece& piece, const GridBlock* block) {
   grids_.push_back(std::move(grid));
 }
 
-CoarseSpace::Stencil CoarseSpace::stencilAt(const CoarseGrid& grid, double column, double row) const {
-  const auto [i, across] = grid.column.place(column);
-  const auto [j, along] = grid.row.place(row);
-  Stencil stencil;
-  for (std::uint32_t v = 0; v < 3; ++v)
-    for (std::uint32_t u = 0; u < 3; ++u)
-      stencil[3 * v + u] = {grid.first + (j + v) * grid.columns() + i + u, static_cast<float>(across[u] * along[v])};
-  return stencil;
-}
-
 void CoarseSpace::setTies(std::span<const std::uint32_t> independents, std::span<const DependentSlot> dependents) {
   free_.assign(layout_.slots, 0);
   for (const std::uint32_t independent : independents) free_[independent] = 1;
@@ -165,11 +132,11 @@ void CoarseSpace::numberNodes() {
   std::vector<double> support(nodes_, 0);
   for (std::size_t slot = 0; slot < free_.size(); ++slot)
     if (free_[slot] > 0)
-      for (const StencilEntry& entry : stencils_[slot]) support[entry.node] += double{entry.weight} * entry.weight;
+      for (const CoarseWeight& entry : stencils_[slot]) support[entry.node] += double{entry.weight} * entry.weight;
   numberOf_.assign(nodes_, kNoNode);
   nodeOf_.clear();
   for (std::uint32_t node = 0; node < nodes_; ++node)
-    if (support[node] > (smooth_ ? kLeastSmoothSupport : kLeastSupport)) {
+    if (support[node] > kLeastSupport) {
       numberOf_[node] = static_cast<std::uint32_t>(nodeOf_.size());
       nodeOf_.push_back(node);
     }
@@ -186,7 +153,7 @@ void CoarseSpace::numberNodes() {
   }
   nodeOf_ = std::move(nodes);
   around_ = std::move(around);
-  colourNodes();
+  findRows();
   std::vector<std::uint32_t> first;
   for (std::uint32_t c = 0; c < nodeOf_.size(); ++c)
     for (int axis = 0; axis < 3; ++axis) first.push_back(3 * around_[c].front());
@@ -203,7 +170,7 @@ void CoarseSpace::findCouplings() {
   std::vector<std::uint32_t> coupled, last;
   const auto addCoarseNodes = [&](std::uint32_t slot) {
     if (free_[slot] == 0) return;
-    for (const StencilEntry& entry : stencils_[slot])
+    for (const CoarseWeight& entry : stencils_[slot])
       if (entry.weight > 0 && numberOf_[entry.node] != kNoNode) coupled.push_back(numberOf_[entry.node]);
   };
   for (const ClothPiece& piece : cloth_.pieces) {
@@ -224,41 +191,33 @@ void CoarseSpace::findCouplings() {
   for (auto& list : around_) sortOnce(list);
 }
 
-void CoarseSpace::colourNodes() {
-  colours_.clear();
-  std::vector<std::vector<std::uint8_t>> taken;  // per colour and number
-  for (std::uint32_t c = 0; c < nodeOf_.size(); ++c) {
-    std::size_t k = 0;
-    const auto conflicts = [&](std::uint32_t other) { return taken[k][other] != 0; };
-    while (k < colours_.size() && std::any_of(around_[c].begin(), around_[c].end(), conflicts)) ++k;
-    if (k == colours_.size()) {
-      colours_.emplace_back();
-      taken.emplace_back(nodeOf_.size(), 0);
-    }
-    colours_[k].push_back(c);
-    for (const std::uint32_t other : around_[c]) taken[k][other] = 1;
+void CoarseSpace::findRows() {
+  std::vector<std::vector<DependentSlot>> hanging(layout_.slots);
+  for (const DependentSlot& dependent : dependents_) hanging[dependent.slot].push_back(dependent);
+  interpolation_.start.assign(1, 0);
+  interpolation_.entries.clear();
+  const auto addStencil = [&](std::uint32_t slot, float weight) {
+    for (const CoarseWeight& entry : stencils_[slot])
+      if (const std::uint32_t number = entry.weight > 0 ? numberOf_[entry.node] : kNoNode; number != kNoNode)
+        interpolation_.entries.push_back({number, weight * entry.weight});
+  };
+  for (std::uint32_t slot = 0; slot < layout_.slots; ++slot) {
+    if (free_[slot] > 0) addStencil(slot, 1);
+    for (const DependentSlot& dependent : hanging[slot]) addStencil(dependent.independent, dependent.weight);
+    interpolation_.start.push_back(static_cast<std::uint32_t>(interpolation_.entries.size()));
   }
+  interpolation_.apart.assign(layout_.slots, 0);
+  for (const std::uint32_t slot : layout_.slotOf)
+    if (slot != kNoNode && free_[slot] == 0) interpolation_.apart[slot] = 1;
 }
 
-// Each product with one move of every coarse node of a colour gives that many columns of A_c.
-bool CoarseSpace::assemble(const std::function<void()>& product) {
+bool CoarseSpace::assemble(const StepMatrix& step) {
   if (!numbered_) numberNodes();
   matrix_.clear();
-  for (const auto& colour : colours_)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (auto& values : value_) std::fill(values.begin(), values.end(), 0.0f);
-      for (const std::uint32_t c : colour) value_[axis][nodeOf_[c]] = 1;
-      product();
-      sumRestrictions();
-      for (const std::uint32_t c : colour)
-        for (const std::uint32_t other : around_[c])
-          for (std::uint32_t b = 0; b < 3; ++b) {
-            // What lies beyond the couplings falls on coupled nodes; half from each triangle keeps it symmetric.
-            const std::uint32_t i = 3 * other + b, j = 3 * c + static_cast<std::uint32_t>(axis);
-            const double half = 0.5 * double{value_[b][nodeOf_[other]]};
-            matrix_.at(std::max(i, j), std::min(i, j)) += i == j ? 2 * half : half;
-          }
-    }
+  GalerkinMatrix galerkin(layout_, step, interpolation_, numberOf_, matrix_);
+  for (const CoarseGrid& grid : grids_)
+    if (grid.block) galerkin.addBlock(grid);
+  galerkin.addRest();
   ready_ = std::any_of(std::begin(kShifts), std::end(kShifts), [&](double shift) { return matrix_.factor(shift); });
   return ready_;
 }
@@ -270,7 +229,7 @@ void CoarseSpace::restrictResidual(const SlotRange& range, const SlotVectors& r)
   if (range.unstructured()) {
     for (std::size_t slot = range.begin; slot < range.end; ++slot) {
       if (free_[slot] == 0) continue;
-      for (const StencilEntry& entry : stencils_[slot]) {
+      for (const CoarseWeight& entry : stencils_[slot]) {
         if (entry.weight == 0) continue;
         float* to = restricted.value.data() + (entry.node - restricted.first);
         for (std::size_t axis = 0; axis < 3; ++axis) to[axis * restricted.count] += entry.weight * r[axis][slot];
@@ -343,7 +302,7 @@ void CoarseSpace::updateDirection(const SlotRange& range, const SlotVectors& z, 
       if (free_[slot] == 0) continue;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         float move = 0;
-        for (const StencilEntry& entry : stencils_[slot]) move += entry.weight * value_[axis][entry.node];
+        for (const CoarseWeight& entry : stencils_[slot]) move += entry.weight * value_[axis][entry.node];
         p[axis][slot] += move;
       }
     }

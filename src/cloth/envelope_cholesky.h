@@ -14,6 +14,7 @@ class EnvelopeCholesky {
   explicit EnvelopeCholesky(std::vector<std::uint32_t> first);  // per row, its first column; at most the row itself
 
   void clear();
+  bool stores(std::uint32_t row, std::uint32_t column) const { return column >= first_[row]; }  // column up to the row
   double& at(std::uint32_t row, std::uint32_t column) {  // column from the row's first to the row
     return value_[start_[row] + column - first_[row]];
   }

@@ -22,6 +22,19 @@ class SparseRows {
   // A product, in two passes over the ranges: p is loaded from all of them, then q is added to.
   void load(const SlotVectors& p, std::size_t begin, std::size_t end);
   void multiply(std::size_t begin, std::size_t end, SlotVectors& q) const;
+  // Calls visit(slot, block) for what a slot's row has in other columns.
+  template <class Visit>
+  void forRow(std::size_t slot, Visit visit) const {
+    const std::size_t row = rowAt(slot);
+    if (row == slot_.size() || slot_[row] != slot) return;
+    for (std::uint32_t k = rows_[row].firstBlock; k < rows_[row + 1].firstBlock; ++k) {
+      const Columns& c = block_[k];
+      if (k != ownBlock_[row])
+        visit(slot_[blockColumn_[k]], Block3{c.x[0], c.y[0], c.z[0], c.x[1], c.y[1], c.z[1], c.x[2], c.y[2], c.z[2]});
+    }
+    for (std::uint32_t k = rows_[row].firstWeight; k < rows_[row + 1].firstWeight; ++k)
+      visit(slot_[weightColumn_[k]], Block3{weight_[k], 0, 0, 0, weight_[k], 0, 0, 0, weight_[k]});
+  }
   // Blocks and weights in the rows of these slots.
   std::size_t entries(std::size_t begin, std::size_t end) const;
 

@@ -194,6 +194,65 @@ TEST(System, BendsFineClothOverLongWavesInFewIterations) {
   EXPECT_NEAR(energy, whole, 1e-4 * whole);
 }
 
+// Assembled from terms, A_c does what interpolating, multiplying and restricting do one after the other: also where
+// pieces are sewn together, and beside nodes that are held. Every term has a stiffness of its own.
+TEST(CoarseSpace, MatrixIsTheProductBetweenInterpolationAndRestriction) {
+  const ClothLevel level = patched();
+  Matrices of(level.cloth);
+  for (NodeIndex node = 0; node < level.cloth.nodeCount; node += 37) of.held[node] = 1;
+  of.ties = TieMap(level.cloth, of.held, of.tied);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> near(-0.001, 0.001);
+  const auto between = [&](float least, float most) {
+    return std::uniform_real_distribution<float>(least, most)(random);
+  };
+  GridBending bending = of.bending.grid();
+  for (auto* stiffness : {&bending.weft, &bending.warp, &bending.twist})
+    for (float& value : *stiffness) value = value > 0 ? between(0, 1) : 0;  // so that it counts beside stretch
+  of.system = std::make_unique<BlockSystem>(level.cloth, of.layout, bending, of.pairs, of.bending.remainder());
+  of.system->setTies(of.ties);
+  of.gradient(stretched(level.cloth));
+  GridStiffness& k = of.system->gridStiffness();
+  for (auto* ways : {&k.weftAlong, &k.warpAlong, &k.weftWay, &k.warpWay})
+    for (auto& axis : *ways)
+      for (float& value : axis) value = value != 0 ? between(-1, 1) : 0;
+  for (std::size_t s = 0; s < of.layout.slots; ++s) {
+    for (auto* across : {&k.weftAcross, &k.warpAcross}) (*across)[s] = (*across)[s] > 0 ? between(4, 5) : 0;
+    if (k.corner[s] > 0) k.corner[s] = between(0, 5);
+    for (auto& angle : k.coupling) angle[s] = k.corner[s] > 0 ? between(-0.3f, 0.3f) : 0;
+  }
+  Block3 mass{};
+  mass[0] = mass[4] = mass[8] = 0.1f;
+  for (std::uint32_t u = 0; u < of.system->unknowns(); ++u) of.system->addDiagonal(u, mass);
+  CoarseSpace& coarse = of.system->coarseSpace();
+  ASSERT_TRUE(coarse.assemble(of.system->stepMatrix()));
+
+  // The projection of a rough move: its energy in A_c and in A.
+  std::vector<Vec3> rough(of.system->unknowns()), projected(rough.size());
+  for (Vec3& p : rough) p = Vec3{near(random), near(random), near(random)};
+  const std::vector<Vec3> force = of.system->times(rough, of.workers);
+  SlotVectors r, none, move;
+  for (auto* lanes : {&r, &none, &move})
+    for (auto& axis : *lanes) axis.assign(of.layout.slots, 0);
+  for (std::uint32_t u = 0; u < force.size(); ++u) {
+    const std::size_t s = of.system->slotOf(u);
+    r[0][s] = static_cast<float>(force[u].x);
+    r[1][s] = static_cast<float>(force[u].y);
+    r[2][s] = static_cast<float>(force[u].z);
+  }
+  for (const SlotRange& range : of.layout.ranges) coarse.restrictResidual(range, r);
+  const double energy = coarse.coarseSolve();
+  for (const SlotRange& range : of.layout.ranges) coarse.updateDirection(range, none, 0, move);
+  for (std::uint32_t u = 0; u < projected.size(); ++u) {
+    const std::size_t s = of.system->slotOf(u);
+    projected[u] = {move[0][s], move[1][s], move[2][s]};
+  }
+  const std::vector<Vec3> felt = of.system->times(projected, of.workers);
+  double expected = 0;
+  for (std::size_t u = 0; u < felt.size(); ++u) expected += dot(felt[u], projected[u]);
+  EXPECT_NEAR(energy / expected, 1, 3e-6);
+}
+
 TEST(EnvelopeCholesky, TakesAMatrixThatIsNotPositiveOnlyWithAShift) {
   EnvelopeCholesky matrix({0, 0});  // both rows alike
   matrix.at(0, 0) = matrix.at(1, 0) = matrix.at(1, 1) = 1;
