@@ -7,9 +7,14 @@
 
 namespace karinui {
 
-CoarseLines::CoarseLines(std::uint32_t fine, double each) {
-  const double last = std::max(2u, fine) - 1.0, cells = std::fmax(1.0, std::round(last / each));
-  for (double k = 0; k <= cells; ++k) at.push_back(static_cast<std::uint32_t>(std::lround(k * last / cells)));
+CoarseLines::CoarseLines(std::uint32_t fine, double about) {
+  const std::uint32_t last = std::max(2u, fine) - 1, middle = static_cast<std::uint32_t>(std::lround(about));
+  const auto beyond = [&](std::uint32_t lines) { return (lines - last % lines) % lines; };
+  each = middle;
+  for (const std::uint32_t lines : {middle - 1, middle + 1})
+    if (beyond(lines) < beyond(each)) each = lines;
+  for (std::uint32_t k = 0; k < last; k += each) at.push_back(k);
+  at.push_back(last);
   for (std::uint32_t i = 0; i < fine; ++i) {
     const auto [in, weights] = place(i);
     cell.push_back(in);
@@ -22,9 +27,9 @@ CoarseLines::CoarseLines(std::uint32_t fine, double each) {
 }
 
 std::pair<std::uint32_t, CoarseLines::Weights> CoarseLines::place(double fine) const {
-  std::uint32_t in = 0;
-  while (in + 2 < at.size() && fine >= at[in + 1]) ++in;
-  const double t = std::clamp((fine - at[in]) / (at[in + 1] - at[in]), 0.0, 1.0);
+  const double cells = fine / each, last = static_cast<double>(at.size() - 2);
+  const auto in = static_cast<std::uint32_t>(std::clamp(std::floor(cells), 0.0, last));
+  const double t = std::clamp(cells - in, 0.0, 1.0);
   return {in, {0.5 * (1 - t) * (1 - t), 0.5 + t - t * t, 0.5 * t * t}};
 }
 

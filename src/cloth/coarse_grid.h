@@ -12,13 +12,16 @@
 
 namespace karinui {
 
-struct CoarseLines {  // coarse cells along one side of a piece's grid
+// Coarse cells along one side of a piece's grid. All are of equally many fine lines: were they not, the splines would
+// have kinks between them. So the last one may reach beyond the grid.
+struct CoarseLines {
   using Weights = std::array<double, 3>;
-  std::vector<std::uint32_t> at;             // the fine lines at which cells begin, and at which the last one ends
+  std::uint32_t each = 1;                    // fine lines in a cell
+  std::vector<std::uint32_t> at;             // the fine lines at which cells begin, and the grid's last line
   std::vector<std::uint32_t> cell;           // per fine line: the cell it lies in,
   std::array<std::vector<float>, 3> weight;  // and there the splines of this number and the next two; padded
 
-  CoarseLines(std::uint32_t fine, double each);                // so many fine lines in a coarse cell, about
+  CoarseLines(std::uint32_t fine, double about);               // so many fine lines in a cell, one more or one fewer
   std::pair<std::uint32_t, Weights> place(double fine) const;  // cell and weights at any place
   std::uint32_t splines() const { return static_cast<std::uint32_t>(at.size()) + 1; }
 };

@@ -364,7 +364,7 @@ TEST(Settle, ClothThatGoesNowhereIsAtRest) {
   double moved = 0;
   for (std::size_t k = 0; k < still.size(); ++k)
     moved += length(still[k] - rest[k]) / static_cast<double>(still.size());
-  EXPECT_LT(moved, 0.001);
+  EXPECT_LT(moved, 0.002);  // of cells of 33 mm
 }
 
 TEST(Settle, RefusesWhatMakesNoSense) {

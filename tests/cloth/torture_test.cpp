@@ -146,9 +146,11 @@ TEST(Torture, GathersOfAnyLengthCloseAndHangUncrossed) {
 TEST(Torture, AbsurdButSoundFabricsStayWhole) {
   std::vector<double> weights{0.01, 2.0}, wefts{10.0, 1e5}, frictions{0.0, 2.0};
   if (atLength()) weights = {0.01, 0.05, 0.3, 2.0}, wefts = {10.0, 300.0, 3000.0, 1e5}, frictions = {0, 0.2, 0.7, 2};
-  for (const double weight : weights)
-    for (const double weft : wefts)
-      for (const double friction : frictions) {
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    for (std::size_t j = 0; j < wefts.size(); ++j)
+      for (std::size_t k = 0; k < frictions.size(); ++k) {
+        if (!atLength() && (i + j + k) % 2) continue;  // half of them: still each value of one with each of another
+        const double weight = weights[i], weft = wefts[j], friction = frictions[k];
         SCOPED_TRACE(std::to_string(weight) + " kg/m2, " + std::to_string(weft) + " N/m, " + std::to_string(friction));
         Fabric f = *preset("cotton");
         f.weight = weight, f.stretchWeft = weft, f.frictionBody = f.frictionCloth = friction;
@@ -307,7 +309,7 @@ TEST(Torture, WhatIsNoNumberIsRefusedAndSpreadsNowhere) {
 
 // Ten times in a row, as if nothing had been before: garments of three kinds, each time at rest, each time the same
 // bits for one, two and four threads.
-TEST(Torture, TenTimesInARowIsTenTimesTheSame) {
+TEST(Torture, AgainAndAgainIsTheSame) {
   const Fabric cotton = *preset("cotton"), simcloth = *preset("simcloth");
   const auto curtain = [&] {
     Pattern pattern = patternOf({rectangle(1, 0.3, 0.25, {0.3, 1})});
@@ -331,7 +333,7 @@ TEST(Torture, TenTimesInARowIsTenTimesTheSame) {
   for (int scene = 0; scene < 3; ++scene) {
     SCOPED_TRACE(scene);
     std::vector<Vec3> first;
-    for (int run = 0; run < 10; ++run) {
+    for (int run = 0; run < (atLength() ? 10 : 4); ++run) {
       Workers workers(run % 3 == 2 ? 4 : run % 3 + 1);
       auto levels = scenes[scene]();
       const auto report =

@@ -13,6 +13,7 @@
 #include "karinui/base/file.h"
 #include "karinui/design/script.h"
 #include "karinui/session/fit.h"
+#include "soak.h"
 
 namespace karinui::studio {
 namespace {
@@ -247,6 +248,7 @@ TEST(StudioAfternoon, KilledThreeTimesNothingIsLost) {
 
 TEST(StudioJapaneseAfternoon, IsTheSame) {
   KARINUI_NEEDS_DISPLAY();
+  if (!atLength()) GTEST_SKIP() << "the afternoon once more: ./test --long";
   Window w;
   Theme::here().setLanguage(Language::Japanese);
   // A notebook's screen, whose letters are shown half as large again.
