@@ -147,7 +147,7 @@ void GalerkinMatrix::addForm(std::span<const CoarseWeight> a, std::span<const Co
 void GalerkinMatrix::findTerms(const GridBlock& block, std::uint32_t row) {
   const GridStiffness& k = step_.stiffness;
   const std::size_t s = block.first + std::size_t{row} * block.stride, n = block.columns, up = block.stride;
-  for (std::size_t e = 0; e < 6; ++e) std::copy_n(step_.diagonal[e].data() + s, n, term(kOwn + e));
+  for (std::size_t e = 0; e < 6; ++e) std::copy_n(step_.diagonal[e].data() + s, n, term(kNode + e));
   std::copy_n(step_.bending.weft.data() + s, n, term(kBendWeft));
   std::copy_n(step_.bending.warp.data() + s, n, term(kBendWarp));
   std::copy_n(step_.bending.twist.data() + s, n, term(kTwist));
@@ -189,7 +189,7 @@ void GalerkinMatrix::addApart(const GridBlock& block, std::uint32_t row) {
       return of;
     };
     const std::span<const CoarseWeight> own = interpolation_.of(s);
-    addForm(own, own, half(symmetric(term(kOwn) + i, width_)));
+    addForm(own, own, half(symmetric(term(kNode) + i, width_)));
     addForm(weft[0], weft[0], half(symmetric(term(kWeft) + i, width_)));
     addForm(warp[0], warp[0], half(symmetric(term(kWarp) + i, width_)));
     addForm(weft[0], warp[0], full(term(kForthForth) + i, width_));
@@ -226,7 +226,7 @@ void GalerkinMatrix::sumRow(std::size_t n, const LineSplines& row) {
       }
       if (b > c) continue;  // those on their own are symmetric
       for (std::size_t e = 0; e < 6; ++e) {
-        addScaled(n, values, term(kOwn + e), steps, term(kWarp + e), to + (kValues + e) * width_);
+        addScaled(n, values, term(kNode + e), steps, term(kWarp + e), to + (kValues + e) * width_);
         addScaled(n, values, term(kWeft + e), to + (kSteps + e) * width_);
       }
       for (const std::size_t e : kDiagonal) {

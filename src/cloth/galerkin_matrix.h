@@ -56,7 +56,7 @@ class GalerkinMatrix {
   // Terms at a node of a block: of the node itself; of the threads from it along weft and warp; of the weft thread
   // forth and back from it with the warp thread forth and back.
   enum Term : std::size_t {
-    kOwn = 0,
+    kNode = 0,
     kWeft = 6,
     kWarp = 12,
     kForthForth = 18,
