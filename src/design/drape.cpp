@@ -87,7 +87,6 @@ struct Surroundings {
 Result<Surroundings> surroundingsOf(const Document& document, Context& context) {
   Result<BodyPtr> body = bodyOf(document, context);
   if (!body) return body.error();
-  if (const Done ready = (*body)->prepareField(context.workers, context.token); !ready) return ready.error();
   if (document.settings.collider == Settings::Collider::Planes)
     return Surroundings{std::make_unique<MergedPlanes>(*body), floorOf(**body, document)};
   return Surroundings{fieldCollider(*body), floorOf(**body, document)};
