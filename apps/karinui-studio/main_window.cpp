@@ -358,6 +358,7 @@ void MainWindow::refresh() {
                                    inWords(say("Space stops"))
                  : busy.settling || busy.posing    ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
+                 : busy.loading                    ? inWords(say("The garment is being opened …"))
                  : keys.isEmpty()                  ? inWords(session_->hint())
                                                    : keys + "   –   " + inWords(session_->hint()));
   mirrorSeams_->setChecked(session_->toolOptions().mirrorSeams);

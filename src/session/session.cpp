@@ -138,6 +138,7 @@ Busy Session::busy() const {
   busy.any = impl_->stepping() || impl_->settlingNow();
   busy.settling = impl_->settlingNow();
   busy.posing = impl_->posingNow();
+  busy.loading = impl_->longWorks > 0;
   const auto progress = impl_->tasks.progress();
   busy.fraction = progress.fraction;
   busy.doing = progress.doing;

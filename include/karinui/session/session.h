@@ -46,6 +46,7 @@ struct Busy {
   bool any = false;       // something is being worked out
   bool settling = false;  // and it is a drape
   bool posing = false;    // and it is the figure on its way to another pose
+  bool loading = false;   // and it is a document, a pattern or a figure that comes from a file
   double fraction = 0;
   Message doing;
   bool past = false;  // what is shown meanwhile is the garment as it was before
