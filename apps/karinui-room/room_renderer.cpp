@@ -79,14 +79,14 @@ void RoomRenderer::takeGarment(const FittingRoom& room, double seconds) {
     for (std::size_t k = 0; k < shown->worn.size(); ++k)
       if (const auto at = preview.carried.find(shown->worn[k].id); at != preview.carried.end())
         for (Vec3& p : frame.cloths[k].mesh.points) p = at->second(p);
-    if (session.linesShown() && shown->body)
+    if (session.linesShown() && shown->body && !shown->underWay)
       for (const BodyLine& line : shown->body->lines()) {
         SceneLine drawn{line.points, {0.10f, 0.28f, 0.52f}, 1.6f, false};
         if (line.closed) drawn.points.push_back(drawn.points.front());
         frame.lines.push_back(std::move(drawn));
       }
     const bool first = garmentShown_ == ~0ull;
-    garment_->show(frame, 0, rest || first ? SoftLight::Anew : SoftLight::Kept);
+    garment_->show(frame, 0, rest || first ? SoftLight::Anew : shown->underWay ? SoftLight::Carried : SoftLight::Kept);
     soft_ = rest || first;
     threads_ = carried ? std::vector<SceneLine>() : threadsOf(*shown);
     garmentShown_ = now;

@@ -350,14 +350,15 @@ void MainWindow::refresh() {
   notices_->hold(!session_->idle());
   progress_->setVisible(busy.any);
   progress_->setValue(static_cast<int>(1000 * busy.fraction));
-  actions_[Command::Settle]->setIcon(Theme::here().icon(busy.settling ? "pause" : "settle"));
+  actions_[Command::Settle]->setIcon(Theme::here().icon(busy.settling || busy.posing ? "pause" : "settle"));
   const QString keys = inWords(session_->keyHint());
   hint_->setText(atStart() && !busy.any ? QString()
                  : busy.past            ? inWords(say("The garment as it was; the new one is on its way")) +
                                    (busy.doing.empty() ? QString() : ": " + inWords(busy.doing)) + "   –   " +
                                    inWords(say("Space stops"))
-                 : busy.settling                   ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
+                 : busy.settling || busy.posing    ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
+                 : busy.loading                    ? inWords(say("The garment is being opened …"))
                  : keys.isEmpty()                  ? inWords(session_->hint())
                                                    : keys + "   –   " + inWords(session_->hint()));
   mirrorSeams_->setChecked(session_->toolOptions().mirrorSeams);

@@ -156,7 +156,9 @@ void MainWindow::makeMenus() {
   work->addSeparator();
   QMenu* pieces = work->addMenu(QString());
   Theme::here().keep(pieces, [pieces] { pieces->setTitle(inWords(say("New piece"))); });
-  addNewPieces(*pieces);
+  QMenu* details = work->addMenu(QString());
+  Theme::here().keep(details, [details] { details->setTitle(inWords(say("Pleats, trims and fastenings"))); });
+  addNewPieces(*pieces, *details);
   QMenu* poses = work->addMenu(QString());
   poses->setObjectName("poses");
   Theme::here().keep(poses, [poses] { poses->setTitle(inWords(say("Pose"))); });

@@ -313,16 +313,17 @@ void MainWindow::askBlock() {
   dialog->open();
 }
 
-// The menu “New piece”: by numbers, without the pointer.
-void MainWindow::addNewPieces(QMenu& menu) {
-  menu.setObjectName("new_piece");
+// The menus “New piece” and “Pleats, trims and fastenings”: by numbers, without the pointer.
+void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
+  pieces.setObjectName("new_piece"), details.setObjectName("details");
   const auto named = [this](const char* name) { return usableName(session_->snapshot().document, name); };
   const auto chosen = [this]() -> std::optional<EdgeRef> {
     const auto& edge = session_->selection().edge;
     return edge ? std::optional(EdgeRef{PieceRef(edge->piece), edge->edge}) : std::nullopt;
   };
+  QMenu* menu = &pieces;
   const auto add = [&](const char* name, const Message& words, bool ofEdge, std::function<Operation()> made) {
-    QAction* action = menu.addAction(QString());
+    QAction* action = menu->addAction(QString());
     action->setObjectName(QString("new_") + name);
     action->setProperty("of_edge", ofEdge);
     Theme::here().keep(action, [action, words] { action->setText(inWords(words)); });
@@ -364,12 +365,7 @@ void MainWindow::addNewPieces(QMenu& menu) {
     if (const auto edge = chosen()) made.edges = runThrough(session_->snapshot().document, *edge);
     return Operation(made);
   });
-  add("attach", say("Lead the chosen edge along others…"), true, [chosen] {
-    AttachPiece made;
-    if (const auto edge = chosen()) made.edge = *edge;
-    return Operation(made);
-  });
-  menu.addSeparator();
+  menu = &details;
   add("pleat", say("Pleats in the chosen edge…"), true,
       [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
   add("spread", say("Slash and spread from the chosen edge…"), true,
@@ -381,22 +377,30 @@ void MainWindow::addNewPieces(QMenu& menu) {
       return Operation(along(document, edge ? runThrough(document, *edge) : std::vector<EdgeRef>()));
     });
   };
+  menu->addSeparator();
   addFinish("shirring", say("Shirring along the chosen edge…"), shirringAlong);
   addFinish("topstitch", say("Topstitching along the chosen edge…"), topstitchAlong);
   addFinish("piping", say("Piping along the chosen edge…"), pipingAlong);
   addFinish("binding", say("Binding along the chosen edge…"), bindingAlong);
+  menu->addSeparator();
   add("fasten", say("Buttons or a zip along the chosen edge…"), true, [chosen, this] {
     return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
   });
   add("patch", say("Chosen piece sewn onto another…"), false, [this] {
     SewPatch made;
-    if (const auto& pieces = session_->selection().pieces; !pieces.empty()) made.piece = PieceRef(*pieces.begin());
+    if (const auto& taken = session_->selection().pieces; !taken.empty()) made.piece = PieceRef(*taken.begin());
     return Operation(made);
   });
-  connect(&menu, &QMenu::aboutToShow, &menu, [this, &menu, chosen] {
-    for (QAction* action : menu.actions())
-      action->setEnabled(!session_->readOnly() && (!action->property("of_edge").toBool() || chosen()));
+  add("attach", say("Lead the chosen edge along others…"), true, [chosen] {
+    AttachPiece made;
+    if (const auto edge = chosen()) made.edge = *edge;
+    return Operation(made);
   });
+  for (QMenu* one : {&pieces, &details})
+    connect(one, &QMenu::aboutToShow, one, [this, one, chosen] {
+      for (QAction* action : one->actions())
+        action->setEnabled(!session_->readOnly() && (!action->property("of_edge").toBool() || chosen()));
+    });
 }
 
 }  // namespace karinui::studio

@@ -131,9 +131,13 @@ void PatternView::paintEvent(QPaintEvent*) {
   painter.drawText(left + QPointF(2, -6), lengthText(ruler));
   if (frame.pieces.empty() && frame.scans.empty()) {
     painter.setPen(p.faint);
-    painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap,
-                     inWords(say("Pieces you draw on the body appear here as flat paper pattern.")));
+    painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap, inWords(emptySaid()));
   }
+}
+
+Message PatternView::emptySaid() const {
+  return session_.busy().loading ? say("The garment is being opened …")
+                                 : say("Pieces you draw on the body appear here as flat paper pattern.");
 }
 
 PointerSample PatternView::sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const {

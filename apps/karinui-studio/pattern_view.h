@@ -19,6 +19,7 @@ class PatternView : public QWidget {
   void setNest(bool on) { nest_ = on, update(); }  // graded pieces in all their sizes
   QPointF onScreen(Flat table) const;
   Flat onTable(const QPointF& screen) const;
+  Message emptySaid() const;  // where no piece lies on it
 
  signals:
   void pointed(Flat table);

@@ -68,6 +68,9 @@ SpaceView::SpaceView(Session& session, LatencyLog& latencyLog, QWidget* parent)
   camera_ = frameAll({}, View::Oblique, 1);
   rest_.setSingleShot(true);
   connect(&rest_, &QTimer::timeout, this, [this] {
+    const Busy busy = session_.busy();
+    // A fine picture that the processor draws would keep the next one waiting.
+    if (moving_ && software_ && (busy.settling || busy.posing)) return rest_.start(kStillAfter);
     fine_ = true;
     stale_ = stale_ || finest_ || moving_;
     moving_ = false;
@@ -266,7 +269,7 @@ void SpaceView::refresh() {
   if (!framed_ && session_.snapshot().body) look(View::Oblique);
   const bool carried = !session_.preview().carried.empty();
   if (garmentShown_ != session_.changes().garment || carried) {
-    moving_ = moving_ || carried || session_.begun() || session_.busy().settling;
+    moving_ = moving_ || carried || session_.begun() || session_.busy().settling || session_.busy().posing;
     restSoon();
   }
   update();
@@ -276,6 +279,7 @@ void SpaceView::refresh() {
 SpaceView::Mapped SpaceView::mapped(const SnapshotPtr& garment) {
   const GarmentSnapshot& fitting = *garment;
   Mapped own{fitting.frame, {}};
+  if (fitting.underWay) return own;  // the map is of a figure that stands
   if (map_ == FitMap::Ease && fitting.body) {
     for (SceneCloth& cloth : own.frame.cloths) {
       cloth.strain = easeOf(cloth, *fitting.body);
@@ -322,12 +326,12 @@ void SpaceView::showGarment() {
   if (session_.busy().past && map_ == FitMap::None) dim(frame);
   Mapped then;
   if (beside()) then = mapped(beside_.fitting);
-  pressure_.keepOnly({fitting, beside_.fitting});
+  if (!fitting->underWay) pressure_.keepOnly({fitting, beside_.fitting});
   own.values.insert(own.values.end(), then.values.begin(), then.values.end());
-  const double top = map_ == FitMap::None       ? 0
-                     : map_ == FitMap::Ease     ? (fitting->body ? kEaseTop : 0)
-                     : map_ == FitMap::Pressure ? roundTop(std::move(own.values), kPressureLeast)
-                                                : std::max(strainTop(frame), strainTop(then.frame));
+  const double top = map_ == FitMap::None || fitting->underWay ? 0
+                     : map_ == FitMap::Ease                    ? (fitting->body ? kEaseTop : 0)
+                     : map_ == FitMap::Pressure                ? roundTop(std::move(own.values), kPressureLeast)
+                                                               : std::max(strainTop(frame), strainTop(then.frame));
   mapTop_ = top;
   for (std::size_t k = 0; k < fitting->worn.size() && carried; ++k) {
     const auto at = preview.carried.find(fitting->worn[k].id);
@@ -335,7 +339,7 @@ void SpaceView::showGarment() {
     if (map_ != FitMap::Pressure)
       for (Vec3& p : frame.cloths[k].mesh.points) p = at->second(p);
   }
-  if (session_.linesShown() && fitting->body)
+  if (session_.linesShown() && fitting->body && !fitting->underWay)
     for (const BodyLine& line : fitting->body->lines()) {
       SceneLine shown{line.points, {0.10f, 0.28f, 0.52f}, 1.6f, false};
       if (line.closed) shown.points.push_back(shown.points.front());
@@ -346,14 +350,14 @@ void SpaceView::showGarment() {
   const bool quick = !finest_ || (!fine_ && (carried || garmentShown_ != ~0ull));
   soft_ = !quick || !finest_;
   stale_ = true;
-  const SoftLight light = quick ? SoftLight::Kept : SoftLight::Anew;
+  const SoftLight light = !quick ? SoftLight::Anew : fitting->underWay ? SoftLight::Carried : SoftLight::Kept;
   renderer_->show(frame, top, light);
   if (beside()) {
     if (!beside_.renderer)
       if (auto made = Renderer::make(studioFor(software_))) beside_.renderer = std::move(*made);
     if (beside_.renderer) beside_.renderer->show(then.frame, top, light);
   }
-  levelShown_ = level_ ? girthsAt(*fitting, *level_) : std::vector<Girths>();
+  levelShown_ = level_ && !fitting->underWay ? girthsAt(*fitting, *level_) : std::vector<Girths>();
   seamThreads_ = carried ? std::vector<SceneLine>{} : threadsOf(*fitting);
   garmentShown_ = carried ? ~1ull : now;
 }

@@ -58,24 +58,19 @@ Result<std::shared_ptr<const Body>> Body::make(Parts parts) {
   return std::make_shared<const Body>(std::move(parts), std::move(bvh), std::move(hash));
 }
 
-Done Body::prepareField(Workers& workers, const Token& token) const {
-  const std::lock_guard lock(making_);  // a second asker waits for the first
-  if (made_) return {};
-  auto field = DistanceField::build(parts_.mesh, bvh_, {}, workers, token);
-  if (!field) return field.error();
-  made_ = std::make_unique<const DistanceField>(*std::move(field));
-  field_.store(made_.get(), std::memory_order_release);
-  return {};
-}
-
 const DistanceField& Body::field() const {
   if (const DistanceField* ready = field_.load(std::memory_order_acquire)) return *ready;
-  Workers alone(1);
-  const Token quiet;
-  const Done done = prepareField(alone, quiet);
-  KARINUI_ASSERT(done);  // make() has seen that it can be built
+  const std::lock_guard lock(making_);  // a second asker waits for the first
+  if (!made_) {
+    auto field = DistanceField::of(parts_.mesh, bvh_, {});
+    KARINUI_ASSERT(field);  // make() has seen that it can be built
+    made_ = std::make_unique<const DistanceField>(*std::move(field));
+    field_.store(made_.get(), std::memory_order_release);
+  }
   return *made_;
 }
+
+Done Body::prepareField(Workers& workers, const Token& token) const { return field().findAll(workers, token); }
 
 std::vector<double> Body::chartNumbers() const {
   return parts_.chart ? numbersOf(*parts_.chart) : std::vector<double>();

@@ -290,6 +290,18 @@ BodyPose Skeleton::whole(const BodyPose& pose) const {
   return all;
 }
 
+BodyPose Skeleton::between(const BodyPose& from, const BodyPose& to, double share) const {
+  BodyPose out = whole(share < 1 ? from : to);
+  if (share <= 0 || share >= 1) return out;
+  const BodyPose there = whole(to);
+  for (auto& [joint, angles] : out) {
+    const JointAngles& end = there.at(joint);
+    angles = {std::lerp(angles.flex, end.flex, share), std::lerp(angles.abduct, end.abduct, share),
+              std::lerp(angles.turn, end.turn, share)};
+  }
+  return out;
+}
+
 std::vector<Rigid> Skeleton::placements(const BodyPose& pose) const {
   const std::size_t n = own_->mesh().points.size();
   std::vector<Rigid> out(n);
@@ -373,6 +385,8 @@ std::size_t Skeleton::usualCrossings(bool apart) const {
   std::call_once(counting_[apart], [&] { usual_[apart] = crossings({}, apart ? kApart : 0); });
   return usual_[apart];
 }
+
+void Skeleton::prepare() const { usualCrossings(false), usualCrossings(true); }
 
 Result<BodyPose> Skeleton::named(const NamedPose& named) const {
   BodyPose pose = named.pose;

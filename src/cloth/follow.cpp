@@ -22,24 +22,13 @@ constexpr int kOutRounds = 4;          // times what stands too deep is put ther
 constexpr double kNearest = 0.3;       // metres: what is farther from the skin is not carried
 constexpr double kSeconds = 1.0 / 30;  // of a step
 
-BodyPose between(const BodyPose& a, const BodyPose& b, double t) {
-  BodyPose out = a;
-  for (auto& [joint, angles] : out) {
-    const JointAngles& to = b.at(joint);
-    angles = {std::lerp(angles.flex, to.flex, t), std::lerp(angles.abduct, to.abduct, t),
-              std::lerp(angles.turn, to.turn, t)};
-  }
-  return out;
-}
-
 // The way of the body, both ends being whole poses.
 class Way {
  public:
   Way(const Skeleton& skeleton, const BodyPose& from, const BodyPose& to)
       : skeleton_(skeleton), from_(skeleton.whole(from)), to_(skeleton.whole(to)) {}
-  std::vector<Rigid> at(double t) const {
-    return skeleton_.placements(t <= 0 ? from_ : t >= 1 ? to_ : between(from_, to_, t));
-  }
+  BodyPose pose(double t) const { return skeleton_.between(from_, to_, t); }
+  std::vector<Rigid> at(double t) const { return skeleton_.placements(pose(t)); }
   // Where the parts end, the last at 1.
   std::vector<double> parts() const {
     std::vector<double> ends;
@@ -141,7 +130,7 @@ class Carrying {
 }  // namespace
 
 Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const BodyPose& from, const BodyPose& to,
-                            const Token& token, Workers& workers, const SettleWatcher& watcher) {
+                            const Token& token, Workers& workers, const FollowWatcher& watcher) {
   if (const auto fine = checkLevel(level); !fine) return fine.error();
   const SettleSettings settings;
   const Way way(skeleton, from, to);
@@ -182,7 +171,7 @@ Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const B
     before = after;
     ++report.parts;
     token.progress(static_cast<double>(report.parts) / static_cast<double>(parts.size()), say("Moving the figure"));
-    if (watcher) watcher(level.cloth, solver.positions());
+    if (watcher) watcher({t, way.pose(t), skin.points(), level.cloth, solver.positions()});
   }
   solver.separateIntersections();
   liftOffColliders(solver, skin, std::min(0.0003, 0.3 * settings.skin), workers);

@@ -130,6 +130,7 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
   Borrowing borrowing(&blobs, &context.blobs);
   Context own{context.workers, context.token, borrowing,      context.bodies,
               context.drape,   context.pull,  context.advise, context.stop};
+  own.onPose = context.onPose;
   auto settled = resolved(before, std::move(operation), own);
   if (!settled) return settled.error();
   const Document* known = takesLong(*settled) ? madeBefore(parent, before, *settled) : nullptr;

@@ -87,7 +87,6 @@ struct Surroundings {
 Result<Surroundings> surroundingsOf(const Document& document, Context& context) {
   Result<BodyPtr> body = bodyOf(document, context);
   if (!body) return body.error();
-  if (const Done ready = (*body)->prepareField(context.workers, context.token); !ready) return ready.error();
   if (document.settings.collider == Settings::Collider::Planes)
     return Surroundings{std::make_unique<MergedPlanes>(*body), floorOf(**body, document)};
   return Surroundings{fieldCollider(*body), floorOf(**body, document)};
@@ -245,36 +244,81 @@ Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull,
   return DrapeOutcome{formsLeft(level.cloth, level.state), told(report->end, *around.body), std::move(report->force)};
 }
 
-Result<std::map<PieceId, std::shared_ptr<const Form>>> carriedByBody(const Document& document, const Skeleton& skeleton,
-                                                                     const BodyPose& to, Context& context,
-                                                                     const DrapeOnlooker& onlooker) {
-  std::map<PieceId, std::shared_ptr<const Form>> forms;
-  if (document.pattern.pieces.empty()) return forms;
-  Document unpinned = document;  // pins go with the cloth, and frozen cloth with the body
+namespace {
+
+// The whole garment as cloth where it stands. Pins go with the cloth, and frozen cloth with the body.
+Result<ClothLevel> carriedCloth(const Document& document) {
+  Document unpinned = document;
   unpinned.pins.clear();
   std::set<PieceId> all;
   for (const auto& [id, piece] : document.pattern.pieces) all.insert(id);
-  Result<ClothLevel> level = levelAt(unpinned, all, document.settings.spacing);
+  return levelAt(unpinned, all, document.settings.spacing);
+}
+
+Vec3 middleOf(const ClothPiece& piece, const std::vector<Vec3>& places) {
+  Vec3 middle;
+  const std::size_t count = piece.lattice->nodes.size();
+  for (std::size_t k = 0; k < count; ++k) middle += places[piece.firstNode + k] * (1 / static_cast<double>(count));
+  return middle;
+}
+
+}  // namespace
+
+Result<std::map<PieceId, std::shared_ptr<const Form>>> carriedByBody(const Document& document, const Skeleton& skeleton,
+                                                                     const BodyPose& to, Context& context,
+                                                                     const PoseOnlooker& onlooker) {
+  std::map<PieceId, std::shared_ptr<const Form>> forms;
+  if (document.pattern.pieces.empty()) return forms;
+  Result<ClothLevel> level = carriedCloth(document);
   if (!level) return level.error();
   if (!document.drape.last) {
     std::vector<Vec3>& x = level->state.position;
     for (const ClothPiece& piece : level->cloth.pieces) {
       const auto first = x.begin() + piece.firstNode, last = first + piece.lattice->nodes.size();
-      Vec3 middle;
-      for (auto p = first; p != last; ++p) middle += *p * (1 / static_cast<double>(last - first));
-      const Rigid way = carriedBySkin({middle}, skeleton, document.body.pose, to).front();
+      const Rigid way = carriedBySkin({middleOf(piece, x)}, skeleton, document.body.pose, to).front();
       std::transform(first, last, first, way);
     }
   } else {
-    SettleWatcher watcher;
+    FollowWatcher watcher;
     if (onlooker)
-      watcher = [&](const Cloth& cloth, const std::vector<Vec3>& places) {
-        onlooker([&] { return formsLeft(cloth, {places}); });
+      watcher = [&](const FollowedPart& part) {
+        onlooker({part.share, part.pose, part.skin, [&] { return formsLeft(part.cloth, {part.places}); }});
       };
     const auto report = follow(*level, skeleton, document.body.pose, to, context.token, context.workers, watcher);
     if (!report) return report.error();
   }
   return formsLeft(level->cloth, level->state);
+}
+
+Result<AlongWithSkin> AlongWithSkin::of(const Document& document, const Body& body) {
+  constexpr double kNearest = 0.3;  // metres: what is farther from the skin is not carried
+  AlongWithSkin along;
+  if (document.pattern.pieces.empty()) return along;
+  Result<ClothLevel> level = carriedCloth(document);
+  if (!level) return level.error();
+  along.cloth_ = std::move(level->cloth);
+  along.places_ = std::move(level->state.position);
+  along.point_.assign(along.places_.size(), kNoNode);
+  const auto nearest = [&](Vec3 place) {
+    const auto near = body.bvh().nearest(place, kNearest);
+    if (!near) return kNoNode;
+    const auto& w = near->place.weight;
+    return body.mesh().faces[near->place.face][w[0] >= w[1] && w[0] >= w[2] ? 0 : w[1] >= w[2] ? 1 : 2];
+  };
+  for (const ClothPiece& piece : along.cloth_.pieces) {
+    const bool whole = !document.drape.last;
+    const std::uint32_t one = whole ? nearest(middleOf(piece, along.places_)) : kNoNode;
+    for (std::size_t k = piece.firstNode; k < piece.firstNode + piece.lattice->nodes.size(); ++k)
+      along.point_[k] = whole ? one : nearest(along.places_[k]);
+  }
+  return along;
+}
+
+std::map<PieceId, std::shared_ptr<const Form>> AlongWithSkin::at(const std::vector<Rigid>& moved) const {
+  ClothState state{places_};
+  for (std::size_t k = 0; k < places_.size(); ++k)
+    if (point_[k] != kNoNode) state.position[k] = moved[point_[k]](places_[k]);
+  return formsLeft(cloth_, state);
 }
 
 struct LivePull::Inside {

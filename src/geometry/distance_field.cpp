@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <vector>
 
 #include "geometry/field_brick.h"
 #include "geometry/field_sides.h"
@@ -15,38 +17,14 @@ constexpr double kMostPoints = 200e6;  // 800 MB: beyond this the cells are too 
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 
-double distanceToFace(const Corners& c, Vec3 place) {
-  const auto w = nearestWeights(c, place);
-  return distance(c[0] * w[0] + c[1] * w[1] + c[2] * w[2], place);
-}
-
-// Distances to the mesh at all points of a coarse grid. Along a row the face nearest to the last point bounds this
-// one's distance, which keeps the search in the tree short. A row is one block, so the outcome does not depend on the
-// threads.
-std::vector<double> coarseDistances(const SpacedGrid& grid, const TriangleMesh& mesh, const Bvh& bvh, Workers& workers,
-                                    const Token& token) {
-  std::vector<double> distances(grid.points(), 0.0);
-  workers.forBlocks(grid.count[1] * grid.count[2], 1, [&](std::size_t row, std::size_t) {
-    if (token.cancelled()) return;
-    const std::size_t j = row % grid.count[1], k = row / grid.count[1];
-    double within = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < grid.count[0]; ++i) {
-      const auto near = bvh.nearest(grid.place(i, j, k), within);
-      distances[grid.index(i, j, k)] = near->distance;
-      // A nanometre more, so that a grid point on the face itself finds it.
-      within = distanceToFace(cornersOf(mesh, mesh.faces[near->place.face]), grid.place(i + 1, j, k)) + 1e-9;
-    }
-  });
-  return distances;
-}
-
 // Lower bounds of the distance at the fine points of a brick, from the triangle inequality: the trilinear mean of the
 // coarse distances, smooth in space, less the greatest error it can have, which is half the diagonal of a coarse cell
 // (the mean distance to its corners is nowhere larger).
 class CoarseBound {
  public:
-  // `first`: a fine point that is a coarse one too.
-  CoarseBound(const SpacedGrid& coarse, const std::vector<double>& distances, const Count& first)
+  // `first`: a fine point that is a coarse one too; `distanceAt` tells that of a coarse point.
+  template <class DistanceAt>
+  CoarseBound(const SpacedGrid& coarse, DistanceAt&& distanceAt, const Count& first)
       : slack_(coarse.step * std::sqrt(3.0) / 2) {
     Count cell;
     for (int axis = 0; axis < 3; ++axis) {
@@ -54,7 +32,7 @@ class CoarseBound {
       from_[axis] = first[axis] - cell[axis] * kStride;
     }
     for (std::size_t k = 0; k < 8; ++k)
-      corner_[k] = distances[coarse.index(cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2))];
+      corner_[k] = distanceAt(coarse.index(cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2)));
   }
   double least() const { return *std::min_element(corner_.begin(), corner_.end()) - slack_; }
   // At the fine point so many after the first.
@@ -105,56 +83,131 @@ Done DistanceField::buildable(const TriangleMesh& mesh, const Settings& settings
   return {};
 }
 
-Result<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Bvh& bvh, const Settings& settings,
-                                           Workers& workers, const Token& token) {
+// The grid in bricks of kStride points each way. A brick that is not there yet is made by who asks for it: two threads
+// that ask at once both make it, the same bits, and the second one's goes.
+class DistanceField::Values {
+ public:
+  static constexpr std::size_t kPoints = kStride * kStride * kStride;
+  using Brick = std::array<float, kPoints>;
+
+  Values(const SpacedGrid& fine, double band, const TriangleMesh& mesh, const Bvh& bvh)
+      : grid(fine), band_(band), mesh_(mesh), bvh_(bvh), coarse_{fine.origin, fine.step * kStride, {}} {
+    for (int axis = 0; axis < 3; ++axis) coarse_.count[axis] = (grid.count[axis] - 1) / kStride + 1;
+    bricks_ = std::vector<std::atomic<const Brick*>>(coarse_.points());
+    distance_ = std::vector<std::atomic<double>>(coarse_.points());
+    for (auto& known : distance_) known.store(kUnknown, std::memory_order_relaxed);
+  }
+  Values(const Values&) = delete;
+  Values& operator=(const Values&) = delete;
+  ~Values() {
+    for (auto& brick : bricks_) delete brick.load(std::memory_order_relaxed);
+  }
+
+  // The eight around a cell, x first.
+  std::array<double, 8> around(std::size_t i, std::size_t j, std::size_t k) const {
+    const std::size_t x = i % kStride, y = j % kStride, z = k % kStride;
+    if (x + 1 < kStride && y + 1 < kStride && z + 1 < kStride) {  // all in one brick
+      const float* v = brickAt(i, j, k).data() + inBrick(x, y, z);
+      constexpr std::size_t row = kStride, sheet = kStride * kStride;
+      return {v[0], v[1], v[row], v[row + 1], v[sheet], v[sheet + 1], v[sheet + row], v[sheet + row + 1]};
+    }
+    return {at(i, j, k),     at(i + 1, j, k),     at(i, j + 1, k),     at(i + 1, j + 1, k),
+            at(i, j, k + 1), at(i + 1, j, k + 1), at(i, j + 1, k + 1), at(i + 1, j + 1, k + 1)};
+  }
+
+  Done findAll(Workers& workers, const Token& token) const {
+    workers.forBlocks(bricks_.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end && !token.cancelled(); ++n)
+        if (!bricks_[n].load(std::memory_order_acquire)) made(n);
+    });
+    return token.cancelled() ? Done(cancelled()) : Done();
+  }
+
+  const SpacedGrid grid;
+
+ private:
+  static constexpr double kUnknown = -1;
+  static std::size_t inBrick(std::size_t x, std::size_t y, std::size_t z) { return (z * kStride + y) * kStride + x; }
+
+  const Brick& brickAt(std::size_t i, std::size_t j, std::size_t k) const {
+    const std::size_t n = coarse_.index(i / kStride, j / kStride, k / kStride);
+    const Brick* brick = bricks_[n].load(std::memory_order_acquire);
+    return brick ? *brick : made(n);
+  }
+  double at(std::size_t i, std::size_t j, std::size_t k) const {
+    return brickAt(i, j, k)[inBrick(i % kStride, j % kStride, k % kStride)];
+  }
+
+  const Brick& made(std::size_t n) const {
+    auto brick = std::make_unique<Brick>(found(n));
+    const Brick* there = nullptr;
+    if (!bricks_[n].compare_exchange_strong(there, brick.get(), std::memory_order_acq_rel)) return *there;
+    return *brick.release();
+  }
+
+  double coarseDistance(std::size_t n) const {
+    const double known = distance_[n].load(std::memory_order_relaxed);
+    if (known != kUnknown) return known;
+    const Count at = coarse_.split(n, 1);
+    const double found = bvh_.nearest(coarse_.place(at[0], at[1], at[2]))->distance;
+    distance_[n].store(found, std::memory_order_relaxed);
+    return found;
+  }
+
+  Brick found(std::size_t n) const {
+    const Count first = coarse_.split(n, kStride);
+    Count count;
+    for (int axis = 0; axis < 3; ++axis) count[axis] = std::min(kStride, grid.count[axis] - first[axis]);
+    const CoarseBound bound(
+        coarse_, [this](std::size_t corner) { return coarseDistance(corner); }, first);
+    FieldBrick exact(grid, mesh_, bvh_);
+    const bool near = bound.least() <= band_ && exact.take(first, count, band_);
+    std::vector<float> distances;
+    distances.reserve(kPoints);
+    for (std::size_t k = 0; k < count[2]; ++k)
+      for (std::size_t j = 0; j < count[1]; ++j)
+        for (std::size_t i = 0; i < count[0]; ++i) {
+          const double atLeast = bound.at(i, j, k);
+          double d = std::fmax(atLeast, band_);
+          if (near && atLeast <= band_)
+            d = exact.distanceAt(grid.place(first[0] + i, first[1] + j, first[2] + k), band_).value_or(d);
+          distances.push_back(static_cast<float>(d));
+        }
+    const std::vector<std::int8_t> sides = sidesOf(grid, first, count, distances, bvh_);
+    Brick brick{};
+    std::size_t m = 0;
+    for (std::size_t k = 0; k < count[2]; ++k)
+      for (std::size_t j = 0; j < count[1]; ++j)
+        for (std::size_t i = 0; i < count[0]; ++i, ++m)
+          brick[inBrick(i, j, k)] = distances[m] * static_cast<float>(sides[m]);
+    return brick;
+  }
+
+  const double band_;
+  const TriangleMesh& mesh_;
+  const Bvh& bvh_;
+  SpacedGrid coarse_;
+  mutable std::vector<std::atomic<const Brick*>> bricks_;  // by their first points
+  mutable std::vector<std::atomic<double>> distance_;      // of these points to the mesh
+};
+
+DistanceField::DistanceField(double cell, std::unique_ptr<Values> values) : cell_(cell), values_(std::move(values)) {}
+DistanceField::DistanceField(DistanceField&&) noexcept = default;
+DistanceField::~DistanceField() = default;
+
+Result<DistanceField> DistanceField::of(const TriangleMesh& mesh, const Bvh& bvh, const Settings& settings) {
   if (const Done possible = buildable(mesh, settings); !possible) return possible.error();
   const Box box = boxOf(mesh);
   const double margin = marginOf(settings);
   const Vec3 extent = box.size() + Vec3{1, 1, 1} * (2 * margin);
-  SpacedGrid grid{
+  const SpacedGrid grid{
       box.low - Vec3{1, 1, 1} * margin,
       settings.cell,
       {pointsFor(extent.x, settings.cell), pointsFor(extent.y, settings.cell), pointsFor(extent.z, settings.cell)}};
-  SpacedGrid coarse{grid.origin, grid.step * kStride, {}};
-  for (int axis = 0; axis < 3; ++axis) coarse.count[axis] = (grid.count[axis] - 1) / kStride + 1;
-
-  const Message doing = say("Measuring the space around the body");
-  token.progress(0, doing);
-  const std::vector<double> coarseDistance = coarseDistances(coarse, mesh, bvh, workers, token);
-  token.progress(0.2, doing);
-
-  DistanceField field;
-  field.cell_ = grid.step;
-  field.origin_ = grid.origin;
-  field.count_ = grid.count;
-  field.value_.assign(grid.points(), 0.0f);
-  workers.forBlocks(coarse.points(), 16, [&](std::size_t begin, std::size_t end) {
-    FieldBrick brick(grid, mesh, bvh);
-    for (std::size_t n = begin; n < end && !token.cancelled(); ++n) {
-      const Count first = coarse.split(n, kStride);
-      Count count;
-      for (int axis = 0; axis < 3; ++axis) count[axis] = std::min(kStride, grid.count[axis] - first[axis]);
-      const CoarseBound bound(coarse, coarseDistance, first);
-      const bool near = bound.least() <= settings.band && brick.take(first, count, settings.band);
-      for (std::size_t k = 0; k < count[2]; ++k)
-        for (std::size_t j = 0; j < count[1]; ++j)
-          for (std::size_t i = 0; i < count[0]; ++i) {
-            const Count at{first[0] + i, first[1] + j, first[2] + k};
-            const double atLeast = bound.at(i, j, k);
-            double d = std::fmax(atLeast, settings.band);
-            if (near && atLeast <= settings.band)
-              d = brick.distanceAt(grid.place(at[0], at[1], at[2]), settings.band).value_or(d);
-            field.value_[grid.index(at[0], at[1], at[2])] = static_cast<float>(d);
-          }
-    }
-  });
-  token.progress(0.8, doing);
-  const std::vector<std::int8_t> sides = sidesOf(grid, field.value_, bvh, token);
-  if (token.cancelled()) return cancelled();
-  for (std::size_t n = 0; n < sides.size(); ++n) field.value_[n] *= sides[n];
-  token.progress(1, doing);
-  return field;
+  return DistanceField(settings.cell, std::make_unique<Values>(grid, settings.band, mesh, bvh));
 }
+
+Done DistanceField::findAll(Workers& workers, const Token& token) const { return values_->findAll(workers, token); }
 
 // The cell a place lies in, or the nearest one: its eight values, x first, and where in it.
 struct DistanceField::Cell {
@@ -164,22 +217,21 @@ struct DistanceField::Cell {
 };
 
 DistanceField::Cell DistanceField::cellOf(Vec3 place) const {
-  const std::array<double, 3> from{(place.x - origin_.x) / cell_, (place.y - origin_.y) / cell_,
-                                   (place.z - origin_.z) / cell_};
+  const SpacedGrid& grid = values_->grid;
+  const std::array<double, 3> from{(place.x - grid.origin.x) / cell_, (place.y - grid.origin.y) / cell_,
+                                   (place.z - grid.origin.z) / cell_};
   std::array<std::size_t, 3> c;
   std::array<double, 3> outside;
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
-    const double last = static_cast<double>(count_[axis] - 1);
+    const double last = static_cast<double>(grid.count[axis] - 1);
     const double inside = std::fmin(std::fmax(from[axis], 0), last);  // not a number: 0
     outside[axis] = (from[axis] - inside) * cell_;
-    c[axis] = std::min(static_cast<std::size_t>(inside), count_[axis] - 2);
+    c[axis] = std::min(static_cast<std::size_t>(inside), grid.count[axis] - 2);
     cell.at[axis] = inside - static_cast<double>(c[axis]);
   }
   cell.outside = {outside[0], outside[1], outside[2]};
-  const std::size_t nx = count_[0], nxy = nx * count_[1];
-  const float* v = &value_[c[2] * nxy + c[1] * nx + c[0]];
-  cell.value = {v[0], v[1], v[nx], v[nx + 1], v[nxy], v[nxy + 1], v[nxy + nx], v[nxy + nx + 1]};
+  cell.value = values_->around(c[0], c[1], c[2]);
   return cell;
 }
 

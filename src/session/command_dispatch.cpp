@@ -35,11 +35,12 @@ bool Session::can(Command command) const {
   const auto& in = *impl_;
   switch (command) {
     case Command::Undo:
-      return in.gesture->begun() || in.settlingNow() || (!in.state.steps.empty() && !in.state.readOnly);
+      return in.gesture->begun() || in.settlingNow() || in.posingNow() ||
+             (!in.state.steps.empty() && !in.state.readOnly);
     case Command::Redo:
       return (!in.state.undone.empty() || in.otherWay(false)) && !in.state.readOnly;
     case Command::Settle:
-      if (in.settlingNow()) return true;
+      if (in.settlingNow() || in.posingNow()) return true;
       break;
     case Command::Confirm:
       return in.gesture->begun();
@@ -107,9 +108,7 @@ void Session::command(Command command) {
       if (in.tool != Command::Select) in.tool = Command::Select, in.gesture = gestureFor(in.tool);
       return;
     case Command::Settle: {
-      if (in.settlingNow()) {
-        return in.stopSettling();
-      }
+      if (in.settlingNow() || in.posingNow()) return in.stopSettling();
       std::set<PieceId> live;
       for (const PieceId id : in.state.snapshot->document.drape.dirty)
         if (const Piece* piece = in.state.snapshot->document.find(id); piece && !piece->frozen) live.insert(id);

@@ -56,6 +56,17 @@ Result<DrapeOutcome> DocumentWorker::draped(const Document& document, const Drap
   });
 }
 
+PoseOnlooker DocumentWorker::onlooker(const Token& token) {
+  if (!predicted) return {};
+  return [this, &token, next = Clock::time_point::min()](const PoseUnderWay& way) mutable {
+    const auto now = Clock::now();
+    if (now < next || token.cancelled()) return;
+    if (!latest_) latest_ = fitted(file_.document(), token);
+    predicted(snapshotUnderWay(*latest_, way));
+    next = Clock::now() + std::max<Clock::duration>(kBetween, kShare * (Clock::now() - now));
+  };
+}
+
 Prints DocumentWorker::prints() {
   return [this](const std::string& photo) { return shelf_.find(photo, file_.blobs()); };
 }
@@ -74,7 +85,9 @@ Result<Step> DocumentWorker::perform(Operation operation, const Token& token, St
   if (const Done file = beginDraft(body ? body->size : std::string()); !file) return file.error();
   Context own = context(token);
   own.stop = stop;
+  own.onPose = onlooker(token);
   Result<Step> step = file_.perform(std::move(operation), own);
+  latest_.reset();
   if (!step) dropEmptyDraft();
   return step;
 }
@@ -135,8 +148,13 @@ Done DocumentWorker::amend(std::size_t which, Operation operation, const Token& 
 
 DocumentState DocumentWorker::state(const Token& token) {
   pull_.reset();
-  return {fitted(file_.document(), token), file_.steps(), file_.undone(),
-          file_.otherBranches(),           file_.path(),  readOnly_,
+  latest_ = fitted(file_.document(), token);
+  return {latest_,
+          file_.steps(),
+          file_.undone(),
+          file_.otherBranches(),
+          file_.path(),
+          readOnly_,
           std::exchange(advice_, {})};
 }
 

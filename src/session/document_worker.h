@@ -31,7 +31,8 @@ class DocumentWorker {
         readOnly_(readOnly),
         opened_(newestOf(file_)) {}
 
-  // Published while a drape is worked out: the garment as it stands then, some times a second.
+  // Published while a drape is worked out, and while the figure is on its way to another pose: the garment as it stands
+  // then, some times a second.
   std::function<void(SnapshotPtr)> predicted;
 
   DocumentFile& file() { return file_; }
@@ -65,6 +66,7 @@ class DocumentWorker {
   static std::uint64_t newestOf(const DocumentFile& file);
   Prints prints();
   SnapshotPtr fitted(Document document, const Token& token);
+  PoseOnlooker onlooker(const Token& token);
   DocumentFile file_;
   PrintShelf shelf_;
   SessionOptions options_;
@@ -81,6 +83,7 @@ class DocumentWorker {
     SnapshotPtr start;
   };
   std::unique_ptr<Pulling> pull_;
+  SnapshotPtr latest_;             // of the document as it is; null: it was not asked for yet
   std::optional<Document> after_;  // of the preview whose cloth is to settle
   bool onlyFine_ = false;          // what is published of a drape
   // The last drapes by what they depend on: what a preview came to need not be worked out again for its step.

@@ -186,6 +186,16 @@ SnapshotPtr snapshotStanding(const GarmentSnapshot& before, const Forms& forms) 
     worn.tree = std::make_shared<const PickingTree>(cloth.mesh);
   }
   if (!laid) return snapshotOf(std::move(snapshot->document), before.body);
+  if (!snapshot->frame.lines.empty()) snapshot->frame.lines = fasteningLines(snapshot->document);
+  return snapshot;
+}
+
+SnapshotPtr snapshotUnderWay(const GarmentSnapshot& before, const PoseUnderWay& way) {
+  auto snapshot = std::make_shared<GarmentSnapshot>(*snapshotStanding(before, way.forms()));
+  snapshot->document.body.pose = way.pose;
+  for (SceneBody& body : snapshot->frame.bodies)
+    if (body.mesh.points.size() == way.skin.size()) body.mesh.points = way.skin;
+  snapshot->underWay = true;
   return snapshot;
 }
 

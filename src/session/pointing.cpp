@@ -78,8 +78,7 @@ void Session::Impl::point(const PointerSample& sample) {
   if (turnsCrossed())
     if (const auto seam = crossedAt(crossed(), table, sample)) {
       onCross = true;
-      if (sample.phase == Phase::Press && !state.readOnly && !tasks.busy(TaskQueue::Kind::Step))
-        perform(FlipSeam{SeamRef(*seam)});
+      if (sample.phase == Phase::Press && !state.readOnly && !stepping()) perform(FlipSeam{SeamRef(*seam)});
       if (sample.phase != Phase::Release) return;
     }
   if (std::exchange(onCross, false)) return;

@@ -72,9 +72,10 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
   return runs;
 }
 
-// Buttons and snaps as discs where they lie, hooks and ties as threads, zips along their edges: closed in one line,
-// open in two.
-void addFastenings(const Document& document, SceneFrame& frame) {
+}  // namespace
+
+std::vector<SceneLine> fasteningLines(const Document& document) {
+  std::vector<SceneLine> lines;
   constexpr Colour kShell{0.86f, 0.84f, 0.78f}, kMetal{0.35f, 0.36f, 0.38f};
   constexpr float kTeeth = 4;                          // mm
   constexpr double kAbove = 0.0015, kZipStep = 0.005;  // metres
@@ -93,17 +94,17 @@ void addFastenings(const Document& document, SceneFrame& frame) {
           const Curve* curve = curveOf(document.pattern, at.piece, at.edge);
           if (curve) line.points.push_back(Stand(*document.find(at.piece))(curve->atFraction(at.fraction)));
         }
-        if (line.points.size() > 1) frame.lines.push_back(std::move(line));
+        if (line.points.size() > 1) lines.push_back(std::move(line));
       }
       continue;
     }
     if (own.kind != FasteningKind::Hook && own.kind != FasteningKind::Tie) continue;
     for (const FastenedPlaces& pair : placesOf(document.pattern, own))
       if (pair.closed)
-        frame.lines.push_back({{standing(document, pair.a).place, standing(document, pair.b).place},
-                               kMetal,
-                               own.kind == FasteningKind::Tie ? 3.0f : 2.0f,
-                               false});
+        lines.push_back({{standing(document, pair.a).place, standing(document, pair.b).place},
+                         kMetal,
+                         own.kind == FasteningKind::Tie ? 3.0f : 2.0f,
+                         false});
   }
   for (const StandingButton& button : standingButtons(document)) {
     const Vec3 middle = button.place + button.up() * kAbove;
@@ -113,11 +114,10 @@ void addFastenings(const Document& document, SceneFrame& frame) {
       const double turn = 2 * std::numbers::pi * k / kRound;
       disc.points.push_back(middle + (button.out * std::cos(turn) + button.along * std::sin(turn)) * (button.size / 4));
     }
-    frame.lines.push_back(std::move(disc));
+    lines.push_back(std::move(disc));
   }
+  return lines;
 }
-
-}  // namespace
 
 Result<SceneFrame> sceneOf(const Document& document, const Body* body, const Prints& prints) {
   Result<LaidScene> scene = laidSceneOf(document, body, prints);
@@ -154,7 +154,7 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const 
     frame.cloths.push_back(std::move(cloth));
     scene.lattices.push_back(piece.lattice);
   }
-  addFastenings(document, frame);
+  frame.lines = fasteningLines(document);
   return scene;
 }
 

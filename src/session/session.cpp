@@ -135,8 +135,10 @@ std::optional<SceneMenu> Session::menu() const {
 
 Busy Session::busy() const {
   Busy busy;
-  busy.any = impl_->tasks.busy(TaskQueue::Kind::Step) || impl_->tasks.busy(TaskQueue::Kind::Settle);
+  busy.any = impl_->stepping() || impl_->settlingNow();
   busy.settling = impl_->settlingNow();
+  busy.posing = impl_->posingNow();
+  busy.loading = impl_->longWorks > 0;
   const auto progress = impl_->tasks.progress();
   busy.fraction = progress.fraction;
   busy.doing = progress.doing;
@@ -156,6 +158,8 @@ bool Session::bothHalves() const { return impl_->edgeEnds().bothHalves; }
 
 // Steps that are played again are shown once the garment is whole, so that none of it goes out of sight meanwhile.
 bool Session::Impl::shows(const GarmentSnapshot& prediction) const {
+  // What is hidden is known of a figure that stands.
+  if (prediction.underWay) return posingNow() && !gesture->begun() && !viewCut.any();
   if (!schedule.live().empty()) return true;
   if (gesture->begun()) return tasks.busy(TaskQueue::Kind::SettlePreview);
   const auto& pieces = state.snapshot->document.pattern.pieces;
@@ -167,6 +171,7 @@ bool Session::Impl::shows(const GarmentSnapshot& prediction) const {
 bool Session::update() {
   auto& in = *impl_;
   bool any = in.tasks.takeIn();
+  in.makeReady();
   if (auto fresh = in.predicted.take(); fresh && in.shows(**fresh)) {
     in.preview = *fresh;
     in.past = false;
@@ -190,7 +195,7 @@ void Session::close() {
   in.dropGesture();
   const bool byItself = std::exchange(in.options.autoSettle, false);
   in.stopSettling();
-  while (in.longWorks == 0 && (in.tasks.busy(TaskQueue::Kind::Step) || in.tasks.busy(TaskQueue::Kind::Settle))) {
+  while (in.longWorks == 0 && (in.stepping() || in.settlingNow())) {
     for (const auto kind : {TaskQueue::Kind::Preview, TaskQueue::Kind::SettlePreview, TaskQueue::Kind::Figure,
                             TaskQueue::Kind::SnapshotAfter})
       in.tasks.cancel(kind);

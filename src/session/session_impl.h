@@ -39,12 +39,13 @@ struct Session::Impl {
   ViewCut viewCut;
   std::optional<Command> viewAsked;
   std::optional<Operation> asked;
+  bool poseStopped = false;     // by the person, while the figure is on its way
   bool past = false;            // steps are being played again, and what is shown is from before
   std::optional<Flat> drawnAt;  // where the next new piece comes to lie on the table
   std::vector<Notice> notices;
   std::vector<std::string> dropMenuSaid;  // what a drop menu said before the step: it is not told again as advice
   SessionChanges changes;
-  BodyPtr ready;  // whose distances were asked for already
+  BodyPtr ready;  // for which makeReady() was done already
 
   std::vector<Advice> advice;  // that still holds
   bool linesShown = false;     // of the body
@@ -101,11 +102,17 @@ struct Session::Impl {
   // steps.cpp
   void take(DocumentState fresh);  // what the worker thread found out after a step
   void takeAdvice(const GarmentSnapshot& before);
+  void makeReady();  // finds out, while nobody waits, what drapes and poses of a figure that is new here will ask
   void perform(Operation operation);
   void turn(bool back);  // one step back or forth; a drape that came by itself goes with the step it belongs to
   void goTo(std::uint64_t seq);
   std::uint64_t head() const { return state.steps.empty() ? 0 : state.steps.back().seq; }
   std::optional<std::uint64_t> otherWay(bool back) const;  // where undo (redo) of a changed step leads from here
+
+  // A pose is a step that can be stopped, as a drape can; it changes nothing then.
+  bool posingNow() const { return tasks.busy(TaskQueue::Kind::Pose); }
+  bool stepping() const { return tasks.busy(TaskQueue::Kind::Step) || posingNow(); }
+  void stopPosing();
 
   // settling.cpp
   bool settlingNow() const { return tasks.busy(TaskQueue::Kind::Settle); }

@@ -47,7 +47,15 @@ void Session::Impl::dropSettling() {
   if (preview && !gesture->begun() && !trial.active()) preview.reset(), ++changes.garment;
 }
 
+void Session::Impl::stopPosing() {
+  tasks.cancel(TaskQueue::Kind::Pose);
+  if (poseStopped = posingNow(); poseStopped) return;  // it has begun, and ends in a moment
+  tell(Notice::Kind::Said, say("Stopped; nothing was changed."));
+  settleInterrupted();
+}
+
 void Session::Impl::stopSettling() {
+  if (posingNow()) return stopPosing();
   if (schedule.stop() == SettleSchedule::Stopping::UnderWay) return;
   if (settlingNow()) tell(Notice::Kind::Said, say("Stopped; nothing was changed."));
   dropSettling();
@@ -65,7 +73,7 @@ std::set<PieceId> Session::Impl::unsettled(const std::set<PieceId>& of, const Do
 void Session::Impl::settleInterrupted() {
   const std::set<PieceId> live = unsettled(schedule.interrupted(), state.snapshot->document);
   schedule.setInterrupted(live);
-  if (!live.empty() && !tasks.busy(TaskQueue::Kind::Step)) settle(live, true);
+  if (!live.empty() && !stepping()) settle(live, true);
 }
 
 }  // namespace karinui

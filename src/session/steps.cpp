@@ -34,15 +34,24 @@ void Session::Impl::take(DocumentState fresh) {
   selection.line.clear(), selection.mark.reset();  // the step may have been about them
   if (selection.seam && !state.snapshot->document.find(selection.seam)) selection.seam = {};
   ++changes.garment, ++changes.history, ++changes.overlay;
-  // The first drape and the first pull need to know how far everything is from the skin: find out while nobody waits.
-  if (state.snapshot->body && state.snapshot->body != ready && !options.drape) {
-    ready = state.snapshot->body;
-    tasks.add(TaskQueue::Kind::Preview, [this, body = ready](const Token& token) {
-      (void)body->prepareField(*workers, token);
-      (void)body->lines();
-      return TaskQueue::Finish();
-    });
-  }
+}
+
+void Session::Impl::makeReady() {
+  const SnapshotPtr& now = state.snapshot;
+  if (!now->body || now->body == ready || options.drape) return;
+  ready = now->body;
+  tasks.add(TaskQueue::Kind::Preview, [this, now](const Token& token) {
+    const DistanceField& field = now->body->field();
+    for (const SceneCloth& cloth : now->frame.cloths)
+      workers->forBlocks(cloth.mesh.points.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end && !token.cancelled(); ++k) (void)field.distance(cloth.mesh.points[k]);
+      });
+    if (!token.cancelled()) (void)now->body->lines();
+    if (token.cancelled()) return TaskQueue::Finish();
+    Context own = documentWorker->context(token);
+    if (const auto skeleton = bodies->skeleton(now->document.body, own.blobs, *workers, token)) (*skeleton)->prepare();
+    return TaskQueue::Finish();
+  });
 }
 
 // What was advised holds until its piece changes.
@@ -71,12 +80,17 @@ void Session::Impl::perform(Operation operation) {
   }
   interruptSettling();
   const auto before = state.snapshot;
-  tasks.add(TaskQueue::Kind::Step, [this, before, operation = std::move(operation)](const Token& token) mutable {
+  const bool poses = std::holds_alternative<PoseBody>(operation);
+  const auto kind = poses ? TaskQueue::Kind::Pose : TaskQueue::Kind::Step;
+  tasks.add(kind, [this, before, poses, operation = std::move(operation)](const Token& token) mutable {
     Result<Step> step = documentWorker->perform(std::move(operation), token);
     const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
-    return [this, before, step = std::move(step), fresh] {
+    return [this, before, poses, step = std::move(step), fresh] {
+      (void)predicted.take();  // what was seen on the way to this is over
+      const bool stopped = poses && std::exchange(poseStopped, false);
       if (!step) {
         tellError(step.error());
+        if (stopped) tell(Notice::Kind::Said, say("Stopped; nothing was changed."));
         drawnAt.reset();
         preview.reset();
         ++changes.garment, ++changes.overlay;
@@ -84,6 +98,7 @@ void Session::Impl::perform(Operation operation) {
       }
       const SnapshotPtr seen = preview;
       take(*fresh);
+      if (stopped) return turn(true);  // it had arrived already
       if (drapes(step->operation)) ++changes.settled;
       if (const auto* sew = std::get_if<SewEdges>(&step->operation); sew && sew->mirror)
         tell(Notice::Kind::Said, say("Sewn, and its mirror image too; one undo takes both back."));
@@ -102,6 +117,7 @@ void Session::Impl::perform(Operation operation) {
 }
 
 void Session::Impl::turn(bool back) {
+  if (back && posingNow() && !tasks.busy(TaskQueue::Kind::Step)) return stopPosing();
   const bool wasAsked = settlingNow() && !schedule.automatic();
   schedule.drop();
   if (settlingNow()) {

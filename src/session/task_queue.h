@@ -14,7 +14,7 @@ namespace karinui {
 
 class TaskQueue {
  public:
-  enum class Kind { Step, Settle, Preview, SettlePreview, Figure, SnapshotAfter };
+  enum class Kind { Step, Pose, Settle, Preview, SettlePreview, Figure, SnapshotAfter };
   using Finish = std::function<void()>;              // runs on the owner's thread
   using Work = std::function<Finish(const Token&)>;  // runs on the worker thread
   struct Progress {

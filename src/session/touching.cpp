@@ -14,7 +14,7 @@ TouchSource Session::touchSource() const {
   const auto& in = *impl_;
   TouchSource source{shownPtr(), {}};
   in.gesture->addTo(source.handling);
-  source.handling.changing = in.tasks.busy(TaskQueue::Kind::Step);
+  source.handling.changing = in.stepping();
   source.handling.clicks = in.clicks;
   return source;
 }

@@ -438,9 +438,10 @@ void Renderer::show(const SceneFrame& frame, double strainTop, SoftLight softLig
     if (cloth && cloth->flat.size() == cloth->mesh.points.size()) made.weave = static_cast<int>(cloth->look.weave);
     p.runs.push_back(std::move(made));
   };
+  const bool roughly = softLight == SoftLight::Carried;
   p.kept.resize(frame.bodies.size());
   for (std::size_t b = 0; b < frame.bodies.size(); ++b)
-    run(0, nullptr, [&] { p.kept[b].add(surface, frame.bodies[b].mesh, p.origin, frame.bodies[b].colour); });
+    run(0, nullptr, [&] { p.kept[b].add(surface, frame.bodies[b].mesh, p.origin, frame.bodies[b].colour, roughly); });
   p.bodies = surface.corners.size();
   for (const SceneCloth& cloth : frame.cloths) {
     run(1, &cloth, [&] {
@@ -470,7 +471,8 @@ void Renderer::show(const SceneFrame& frame, double strainTop, SoftLight softLig
   upload(GL_ARRAY_BUFFER, p.solidVertices, surface.vertices);
   upload(GL_ARRAY_BUFFER, p.solidCorners, surface.corners);
   p.ribbons.take(ribbons);
-  const bool alike = p.lit.vertices == surface.vertices.size() && std::fabs(p.lit.radius / p.radius - 1) < kAlike;
+  const bool alike =
+      p.lit.vertices == surface.vertices.size() && (roughly || std::fabs(p.lit.radius / p.radius - 1) < kAlike);
   if (softLight == SoftLight::Anew)
     p.gatherSky(surface.vertices, p.studio.skyDirections);
   else if (!alike)

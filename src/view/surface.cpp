@@ -121,10 +121,25 @@ void addEdges(Surface& surface, const SceneCloth& cloth, Vec3 origin) {
     }
 }
 
-void KeptMesh::add(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colour& colour) {
-  if (mesh.points != mesh_.points || mesh.faces != mesh_.faces || colour != colour_) {
+void KeptMesh::add(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colour& colour, bool roughly) {
+  const bool moved = mesh.points != mesh_.points;
+  const bool alike = mesh.faces == mesh_.faces && mesh.points.size() == mesh_.points.size() && colour == colour_;
+  if (alike && roughly) {
+    if (moved) {
+      mesh_.points = mesh.points;
+      std::vector<Vec3> normals(mesh.points.size());
+      for (std::size_t k = 0; k + 2 < own_.corners.size(); k += 3) {
+        const std::uint32_t a = own_.corners[k], b = own_.corners[k + 1], c = own_.corners[k + 2];
+        const Vec3 across = cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+        normals[a] += across, normals[b] += across, normals[c] += across;
+      }
+      for (std::size_t i = 0; i < normals.size(); ++i) put(own_.vertices[i].normal, normalized(normals[i]));
+      rough_ = true;
+    }
+  } else if (moved || !alike || rough_) {
     mesh_ = mesh;
     colour_ = colour;
+    rough_ = false;
     own_ = {};
     addMesh(own_, mesh, {}, colour);
   }

@@ -27,14 +27,15 @@ void addMesh(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colo
              const std::vector<Flat>& flat = {}, const std::vector<float>& strain = {});
 
 // A mesh that is shown again and again while other things move: normals and folds are worked out when it is another
-// one.
+// one. `roughly`: of one whose points have moved the folds stay as they were, and normals are found quickly.
 class KeptMesh {
  public:
-  void add(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colour& colour);
+  void add(Surface& surface, const TriangleMesh& mesh, Vec3 origin, const Colour& colour, bool roughly = false);
 
  private:
   TriangleMesh mesh_;
   Colour colour_{};
+  bool rough_ = false;
   Surface own_;  // about the mesh's own origin
 };
 

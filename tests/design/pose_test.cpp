@@ -89,26 +89,99 @@ TEST_P(GarmentInPose, IsCarriedAlongOutsideTheBodyAndComesToRest) {
   EXPECT_LT(farthest(carried, draped), 0.08);
 }
 
-TEST(PosedGarment, StaysOutsideTheBodyAllTheWay) {
+// What is told of a way, gathered.
+struct Seen {
+  std::vector<double> shares;
+  std::vector<BodyPose> poses;
+  double longest = 0;  // metres that a node has gone from one picture to the next
+  double deepest = 0;  // metres of a node under the skin, looked at in some pictures
+};
+PoseOnlooker gathering(Seen& seen, const Document& start, const Skeleton& skeleton) {
+  return [&seen, &skeleton, before = places(start)](const PoseUnderWay& way) mutable {
+    std::vector<Vec3> here;
+    for (const auto& [id, form] : way.forms()) here.insert(here.end(), form->space.begin(), form->space.end());
+    ASSERT_EQ(here.size(), before.size());
+    for (std::size_t i = 0; i < here.size(); ++i) seen.longest = std::max(seen.longest, distance(here[i], before[i]));
+    before = here;
+    ASSERT_EQ(way.skin, skeleton.points(skeleton.placements(way.pose)));
+    if (seen.shares.size() < 4 || seen.shares.size() % 8 == 0) {
+      const Bvh skin(TriangleMesh{way.skin, skeleton.body()->mesh().faces});
+      for (const Vec3& p : here) seen.deepest = std::max(seen.deepest, -skin.signedDistance(p));
+    }
+    seen.shares.push_back(way.share);
+    seen.poses.push_back(way.pose);
+  };
+}
+
+TEST(PosedGarment, IsSeenOnTheWayOutsideTheBody) {
   Tailor tailor(2);
   const Document& start = tailor.rested();
   const auto skeleton = tailor.bodies().skeleton(start.body, tailor.blobs, tailor.workers, tailor.token).value();
-  std::size_t parts = 0;
-  double longest = 0;
-  std::vector<Vec3> before = places(start);
-  const auto forms =
-      carriedByBody(start, *skeleton, namedPose("overhead")->pose, tailor.context, [&](const FormsNow& now) {
-        std::vector<Vec3> here;
-        for (const auto& [id, form] : now()) here.insert(here.end(), form->space.begin(), form->space.end());
-        ASSERT_EQ(here.size(), before.size());
-        for (std::size_t i = 0; i < here.size(); ++i) longest = std::max(longest, distance(here[i], before[i]));
-        before = here;
-        ++parts;
-      });
-  ASSERT_TRUE(forms);
-  EXPECT_GT(parts, 40u);
-  // No part of the way moves cloth farther than the body moves in it and a step of the solver: nothing jumps.
-  EXPECT_LT(longest, 0.03);
+  for (const char* name : {"overhead", "seated"}) {
+    SCOPED_TRACE(name);
+    const std::string line = std::string("pose name=") + name;
+    const Document unseen = tailor.after(start, line);
+    Seen seen;
+    tailor.context.onPose = gathering(seen, start, *skeleton);
+    const Document arrived = tailor.after(start, line);
+    tailor.context.onPose = {};
+    // Looking changes nothing.
+    EXPECT_EQ(hash(arrived), hash(unseen));
+    EXPECT_EQ(drapeHash(arrived), drapeHash(unseen));
+
+    ASSERT_GT(seen.shares.size(), 40u);
+    EXPECT_LT(seen.shares.front(), 0.05) << "it begins at once";
+    EXPECT_TRUE(std::is_sorted(seen.shares.begin(), seen.shares.end(), std::less_equal<>())) << "and never goes back";
+    EXPECT_EQ(seen.shares.back(), 1);
+    const BodyPose from = skeleton->whole({}), to = skeleton->whole(arrived.body.pose);
+    EXPECT_EQ(seen.poses.back(), to);
+    for (const BodyPose& pose : seen.poses)
+      for (const auto& [joint, angles] : pose) {
+        const double low = std::min(from.at(joint).abduct, to.at(joint).abduct),
+                     high = std::max(from.at(joint).abduct, to.at(joint).abduct);
+        EXPECT_TRUE(angles.abduct >= low - 1e-9 && angles.abduct <= high + 1e-9);
+      }
+    // No part of the way moves cloth farther than the body moves in it and a step of the solver: nothing jumps.
+    EXPECT_LT(seen.longest, 0.03);
+    EXPECT_LT(seen.deepest, 0.005);  // where a thigh is folded against the belly there is no room
+  }
+}
+
+TEST(PosedGarment, AFigureWithoutClothIsSeenOnTheWayToo) {
+  Tailor tailor;
+  const Document bare = tailor.after({}, "body size=jis9ar");
+  std::vector<double> shares;
+  tailor.context.onPose = [&](const PoseUnderWay& way) {
+    EXPECT_TRUE(way.forms().empty());
+    shares.push_back(way.share);
+  };
+  (void)tailor.after(bare, "pose name=T");
+  EXPECT_EQ(shares, (std::vector{0.25, 0.5, 0.75}));
+}
+
+TEST(PosedGarment, StoppedOnTheWayNothingIsChanged) {
+  Tailor tailor(2);
+  auto file = DocumentFile::inMemory();
+  const auto lines = parseScript(tunic() + "drape\n").value();
+  for (const ScriptLine& line : lines) ASSERT_TRUE(file.perform(line.operation, tailor.context));
+  const std::string before = hash(file.document()) + drapeHash(file.document());
+  const std::size_t steps = file.steps().size();
+  for (const int stopAt : {1, 3, 20}) {
+    Token token;
+    Context context{tailor.workers, token, file.blobs(), Tailor::bodies(), {}, {}};
+    int pictures = 0;
+    context.onPose = [&](const PoseUnderWay&) {
+      if (++pictures == stopAt) token.cancel();
+    };
+    PoseBody op;
+    op.name = "overhead";
+    const auto step = file.perform(op, context);
+    ASSERT_FALSE(step);
+    EXPECT_EQ(step.error().kind, Error::Kind::Cancelled);
+    EXPECT_EQ(file.steps().size(), steps);
+    EXPECT_EQ(hash(file.document()) + drapeHash(file.document()), before);
+    EXPECT_LE(pictures, stopAt + 1);
+  }
 }
 
 TEST(PosedGarment, IsTheSameForAnyNumberOfThreads) {

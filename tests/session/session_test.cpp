@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <future>
+#include <thread>
 
 #include "design/workroom.h"
 #include "session/task_queue.h"
@@ -162,6 +163,108 @@ TEST(Session, UndoWhileSettlingOnlyStopsWhatWasAskedFor) {
   session.command(Command::Undo);
   session.finish();
   EXPECT_EQ(session.steps().size(), 1u);
+}
+
+// A session whose other thread, told to hold, waits where it has something to show.
+struct Halting {
+  Held held;
+  std::atomic<bool> hold{false};
+  std::atomic<int> wakes{0}, allowed{0};
+  SessionOptions options() {
+    held.allow.set_value();
+    SessionOptions o = held.options();
+    o.wake = [this, own = std::this_thread::get_id()] {
+      if (std::this_thread::get_id() == own) return;
+      const int mine = ++wakes;
+      while (hold && allowed < mine) std::this_thread::yield();
+    };
+    return o;
+  }
+  // Until the figure is seen on its way; the other thread then waits.
+  void beginPose(Session& session) {
+    allowed = wakes.load();
+    hold = true;
+    session.perform(op("pose name=T"));
+    for (int k = 0; k < 10 && !session.shown().underWay; ++k) {
+      if (k > 0) ++allowed;
+      while (wakes <= allowed) std::this_thread::yield();
+      session.update();
+    }
+    if (!session.shown().underWay) goOn(session);
+  }
+  void goOn(Session& session) {
+    hold = false;
+    session.finish();
+  }
+};
+
+// A figure with a sleeve about an arm, draped.
+void giveSleeve(Session& session) {
+  for (const char* step :
+       {"body size=jis9ar",
+        "piece name=sleeve outline=\"M 0 0; wrist L 200 0; under L 200 300; cap L 0 300; over L 0 0\"",
+        "place piece=sleeve at=\"left_arm:elbow+0.5@0\" ease=1cm", "drape"})
+    session.perform(op(step)), session.finish();
+  ASSERT_EQ(session.steps().size(), 4u);
+  (void)session.takeNotices();
+}
+
+TEST(Session, AFigureOnItsWayIsSeenAndCanBeStopped) {
+  Halting halting;
+  Session session(halting.options());
+  giveSleeve(session);
+  const std::string before = hash(session.snapshot().document) + drapeHash(session.snapshot().document);
+  const std::size_t steps = session.steps().size();
+  const auto skin = [](const GarmentSnapshot& of) { return of.frame.bodies.front().mesh.points; };
+  const std::vector<Vec3> stood = skin(session.snapshot());
+  for (const Command stop : {Command::Undo, Command::Settle, Command::Cancel}) {
+    (void)session.takeNotices();
+    const std::uint64_t predicted = session.changes().predicted;
+    halting.beginPose(session);
+    EXPECT_TRUE(session.busy().any && session.busy().posing);
+    ASSERT_TRUE(session.shown().underWay) << "the first picture is there before the work";
+    EXPECT_EQ(session.changes().predicted, predicted + 1);
+    EXPECT_NE(skin(session.shown()), stood);
+    EXPECT_EQ(skin(session.snapshot()), stood);
+    EXPECT_NE(session.shown().frame.cloths[0].mesh.points, session.snapshot().frame.cloths[0].mesh.points);
+    ASSERT_TRUE(session.can(stop));
+    session.command(stop);
+    halting.goOn(session);
+    EXPECT_EQ(session.steps().size(), steps);
+    EXPECT_EQ(hash(session.snapshot().document) + drapeHash(session.snapshot().document), before);
+    EXPECT_EQ(&session.shown(), &session.snapshot());
+    const auto notices = session.takeNotices();
+    ASSERT_EQ(notices.size(), 1u);
+    EXPECT_EQ(text(notices[0].what), "Stopped; nothing was changed.");
+  }
+  // Nobody stops it. What is hidden is not shown on the way.
+  ViewCut arms;
+  arms.arms = true;
+  session.setViewCut(arms);
+  const std::uint64_t predicted = session.changes().predicted;
+  session.perform(op("pose name=T"));
+  session.finish();
+  EXPECT_EQ(session.changes().predicted, predicted);
+  session.setViewCut({});
+  EXPECT_EQ(session.steps().size(), steps + 2) << "the pose, and the drape that follows by itself";
+  EXPECT_FALSE(session.shown().underWay);
+  EXPECT_NE(skin(session.snapshot()), stood);
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_EQ(hash(session.snapshot().document) + drapeHash(session.snapshot().document), before);
+}
+
+TEST(Session, APoseThatIsRefusedLeavesNothingOfTheWay) {
+  Halting halting;
+  Session session(halting.options());
+  giveSleeve(session);
+  session.perform(op("pose joint=left_shoulder flex=20deg abduct=-40deg"));
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 4u);
+  EXPECT_EQ(&session.shown(), &session.snapshot());
+  const auto notices = session.takeNotices();
+  ASSERT_EQ(notices.size(), 1u);
+  EXPECT_EQ(notices[0].kind, Notice::Kind::Refused);
 }
 
 TEST(Session, AStepInterruptsTheDrapeWhichThenGoesOn) {

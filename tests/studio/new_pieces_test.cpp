@@ -392,12 +392,18 @@ TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
-  auto* menu = w.main().findChild<QMenu*>("new_piece");
-  ASSERT_TRUE(menu);
+  auto *pieces = w.main().findChild<QMenu*>("new_piece"), *details = w.main().findChild<QMenu*>("details");
+  ASSERT_TRUE(pieces && details);
   const auto offered = [&](const char* name) {
-    emit menu->aboutToShow();
-    return menu->findChild<QAction*>(QString("new_") + name);
+    QAction* found = nullptr;
+    for (QMenu* menu : {pieces, details}) {
+      emit menu->aboutToShow();
+      if (auto* here = menu->findChild<QAction*>(QString("new_") + name)) found = here;
+    }
+    return found;
   };
+  EXPECT_FALSE(pieces->findChild<QAction*>("new_pleat")) << "what makes no piece has a menu of its own";
+  EXPECT_FALSE(pieces->findChild<QAction*>("new_binding"));
   w.session().select({});
   EXPECT_FALSE(offered("band")->isEnabled()) << "no edge is chosen";
   EXPECT_FALSE(offered("pleat")->isEnabled());
@@ -641,7 +647,7 @@ TEST(StudioNewPieces, ASlashFromTheChosenEdgeGoesStraightAcross) {
   bottom.edge = EdgeNear{piece(w, "apron").id, "bottom", 0.5, 0};
   bottom.pieces = {bottom.edge->piece};
   w.session().select(bottom);
-  auto* menu = w.main().findChild<QMenu*>("new_piece");
+  auto* menu = w.main().findChild<QMenu*>("details");
   ASSERT_TRUE(menu);
   emit menu->aboutToShow();
   menu->findChild<QAction*>("new_spread")->trigger();

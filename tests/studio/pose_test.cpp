@@ -3,8 +3,10 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QLabel>
 #include <QSlider>
 #include <QStyleOptionSlider>
+#include <algorithm>
 #include <cmath>
 
 #include "pose_dialog.h"
@@ -58,6 +60,46 @@ struct Posing {
     return there == pose.end() ? 0 : there->second.abduct * 57.29577951;
   }
 };
+
+TEST(StudioPose, TheFigureIsSeenOnItsWayWithItsGarment) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  const auto begin = [&](const char* name) {
+    const std::uint64_t predicted = w.session().changes().predicted;
+    PoseBody take;
+    take.name = name;
+    w.session().perform(take);
+    until(w.main(), [&] { return w.session().changes().predicted != predicted || w.count() != before; });
+  };
+  begin("overhead");
+  ASSERT_EQ(w.count(), before);
+  ASSERT_TRUE(w.session().shown().underWay);
+  EXPECT_THAT(w.main().findChild<QLabel*>("hint")->text().toStdString(), HasSubstr("Space stops"));
+  w.key(Command::Settle);
+  w.rest();
+  EXPECT_EQ(w.count(), before);
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("Stopped; nothing was changed."));
+  // More than one picture of a way that is gone to its end, the body farther in each.
+  std::vector<double> raised;
+  const auto hand = [&] { return extent(SceneFrame{w.session().shown().frame.bodies, {}, {}, {}}).high.y; };
+  raised.push_back(hand());
+  const std::uint64_t predicted = w.session().changes().predicted;
+  begin("overhead");
+  std::uint64_t seen = predicted;
+  until(w.main(), [&] {
+    if (w.session().changes().predicted != seen && w.session().shown().underWay) {
+      seen = w.session().changes().predicted;
+      raised.push_back(hand());
+    }
+    return w.count() != before;
+  });
+  w.rest();
+  EXPECT_GT(raised.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(raised.begin(), raised.end()));
+  EXPECT_EQ(w.count(), before + 2) << "the pose, and the drape that follows by itself";
+}
 
 TEST(StudioPose, AJointIsTurnedWithASliderAndTheGarmentFollows) {
   KARINUI_NEEDS_DISPLAY();

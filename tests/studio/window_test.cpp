@@ -74,6 +74,25 @@ TEST(StudioWindow, ShowsAGarmentAndItsPattern) {
   w.keep("studio");
 }
 
+TEST(StudioWindow, SaysThatAGarmentIsBeingOpened) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const fs::path made = w.session().path();
+  const QString path = QString::fromStdString(made.string());
+  w.session().saveAs(made.parent_path() / "copy.karinui");  // so that the first is free
+  w.rest();
+  Window other;
+  EXPECT_THAT(text(other.table().emptySaid()), testing::HasSubstr("draw on the body"));
+  other.main().openPath(path);
+  EXPECT_TRUE(other.session().snapshot().document.pattern.pieces.empty());
+  EXPECT_THAT(text(other.table().emptySaid()), testing::HasSubstr("being opened"));
+  EXPECT_THAT(other.main().findChild<QLabel*>("hint")->text().toStdString(), testing::HasSubstr("being opened"));
+  other.rest();
+  EXPECT_FALSE(other.session().snapshot().document.pattern.pieces.empty());
+  EXPECT_THAT(text(other.table().emptySaid()), Not(testing::HasSubstr("being opened")));
+}
+
 TEST(StudioWindow, TheFloatingBarTakesTheSameClicks) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

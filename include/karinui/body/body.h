@@ -69,8 +69,8 @@ class Body {
   const std::string& name() const { return parts_.name; }
   const TriangleMesh& mesh() const { return parts_.mesh; }
   const Bvh& bvh() const { return bvh_; }
-  // How far a place is from the skin. Only a drape asks, so the field is made on first need: quickest by prepareField()
-  // with a team of threads (an error only when cancelled), else by field() alone. The same bits either way.
+  // How far a place is from the skin: found where it is first asked for (distance_field.h). prepareField() finds it
+  // everywhere at once, which takes seconds; an error only when cancelled. The same bits either way.
   const DistanceField& field() const;
   Done prepareField(Workers& workers, const Token& token) const;
   const Measurements& measured() const { return parts_.measured; }

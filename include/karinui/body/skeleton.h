@@ -22,6 +22,11 @@ class Skeleton {
   // All joints' angles, those not named in `pose` being the figure's own.
   BodyPose whole(const BodyPose& pose) const;
 
+  // So far on the way from one pose to another, 0 … 1: all joints' angles.
+  BodyPose between(const BodyPose& from, const BodyPose& to, double share) const;
+  // Finds what the first pose is compared with, a tenth of a second before it is asked for.
+  void prepare() const;
+
   // Of each point of the body's mesh: from where it is in the own pose to where it is in this one. The figure stands on
   // the floor, its pelvis over the same place. Exactly nothing moves in the empty pose.
   std::vector<Rigid> placements(const BodyPose& pose) const;

@@ -9,6 +9,16 @@
 
 namespace karinui {
 
+// What is seen of a way after each of its parts. Called by the caller's thread; it does not influence the outcome.
+struct FollowedPart {
+  double share = 0;               // of the way, to the end of the part
+  const BodyPose& pose;           // there
+  const std::vector<Vec3>& skin;  // where the points of the body's mesh are in it
+  const Cloth& cloth;
+  const std::vector<Vec3>& places;  // of the cloth's nodes
+};
+using FollowWatcher = std::function<void(const FollowedPart&)>;
+
 struct FollowReport {
   std::size_t parts = 0;  // of the way
   double deepest = 0;     // metres below the skin that any node was left at the end of a part
@@ -16,7 +26,7 @@ struct FollowReport {
 
 // `level`: the cloth as it stands on the body in the pose `from`; replaced on success. All its pieces should be live.
 Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const BodyPose& from, const BodyPose& to,
-                            const Token& token, Workers& workers, const SettleWatcher& watcher = {});
+                            const Token& token, Workers& workers, const FollowWatcher& watcher = {});
 
 // The same way for things that are handled as rigid: of each place how the skin nearest to it goes, or the identity
 // where there is none within reach.

@@ -77,6 +77,15 @@ struct Advice {
   std::optional<Operation> mend = {};  // the operation that does as advised
 };
 
+// A figure between two poses, and its garment with it. To be looked at while it is told; copy what is to stay.
+struct PoseUnderWay {
+  double share = 0;               // of the way from the pose before, growing from one to the next
+  const BodyPose& pose;           // between the two
+  const std::vector<Vec3>& skin;  // where the points of the figure's mesh are in it
+  std::function<std::map<PieceId, std::shared_ptr<const Form>>()> forms;  // of the garment there
+};
+using PoseOnlooker = std::function<void(const PoseUnderWay&)>;
+
 // What operations may use beside the document. Owned by the caller, for one call of apply at a time.
 struct Context {
   Workers& workers;
@@ -93,6 +102,9 @@ struct Context {
   bool byFormula = false;
   // A recorded step is done again: what it says is taken as it stands, as it was when it was recorded.
   bool recorded = false;
+  // Shown the figure on its way to another pose, on the caller's thread; changes nothing of the outcome. Empty: nobody
+  // looks.
+  PoseOnlooker onPose = {};
 };
 
 Result<BodyPtr> bodyOf(const Document& document, Context& context);  // refused: no body chosen yet

@@ -23,7 +23,22 @@ Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull,
 // in space. Cloth that was never draped is carried piece by piece as it is.
 Result<std::map<PieceId, std::shared_ptr<const Form>>> carriedByBody(const Document& document, const Skeleton& skeleton,
                                                                      const BodyPose& to, Context& context,
-                                                                     const DrapeOnlooker& onlooker = {});
+                                                                     const PoseOnlooker& onlooker = {});
+
+// How a garment looks a little way on, before carriedByBody() has come there: each place of it goes as the skin nearest
+// to it, pieces that were never draped as a whole. Made in milliseconds.
+class AlongWithSkin {
+ public:
+  // `body`: the figure as it stands.
+  static Result<AlongWithSkin> of(const Document& document, const Body& body);
+  // `moved`: of each point of the body's mesh, from where it is to where it has come.
+  std::map<PieceId, std::shared_ptr<const Form>> at(const std::vector<Rigid>& moved) const;
+
+ private:
+  Cloth cloth_;
+  std::vector<Vec3> places_;
+  std::vector<std::uint32_t> point_;  // of the mesh, that a place goes with; kNoNode: none is near
+};
 
 // A hand on the cloth while it still moves: a preview of the pull that will be performed once it lets go. Each step
 // drapes a little further from where the last one left the cloth. One thread at a time.

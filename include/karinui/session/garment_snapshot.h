@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "karinui/design/apply.h"
 #include "karinui/design/document.h"
 #include "karinui/design/print_match.h"
 #include "karinui/design/values.h"
@@ -47,6 +48,8 @@ struct GarmentSnapshot {
   std::vector<Worn> worn;
   std::shared_ptr<const VisibleParts> visible;                     // null: all of it
   std::map<std::string, std::shared_ptr<const PrintImage>> scans;  // of the document's underlays, by name
+  // The figure is between two poses: it stands so in the frame and in the document; `body` stands as it did before.
+  bool underWay = false;
   std::optional<Message> trouble;  // why pieces could not be laid together (then each stands alone, without seams)
 };
 using SnapshotPtr = std::shared_ptr<const GarmentSnapshot>;
@@ -56,6 +59,8 @@ SnapshotPtr snapshotOf(Document document, BodyPtr body, const Prints& prints = {
 // the identity). Forms asFine() as the garment need not be laid anew: quick.
 using Forms = std::map<PieceId, std::shared_ptr<const Form>>;
 SnapshotPtr snapshotStanding(const GarmentSnapshot& before, const Forms& forms);
+// The same garment and its figure on the way to another pose.
+SnapshotPtr snapshotUnderWay(const GarmentSnapshot& before, const PoseUnderWay& way);
 // Whether forms are as fine as the garment is shown; on their way drapes stand on coarser lattices first.
 bool asFine(const GarmentSnapshot& snapshot, const Forms& forms);
 

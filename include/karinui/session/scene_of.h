@@ -19,6 +19,10 @@ struct LaidScene {
 };
 Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const Prints& prints = {});
 
+// Buttons and snaps as discs where they lie, hooks and ties as threads, zips along their edges: closed in one line,
+// open in two.
+std::vector<SceneLine> fasteningLines(const Document& document);
+
 // Per node, the mean of |l/L - 1| over the warp and weft edges of the lattice that meet there.
 std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& position);
 

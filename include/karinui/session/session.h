@@ -45,6 +45,8 @@ struct Notice {  // what the person should read once
 struct Busy {
   bool any = false;       // something is being worked out
   bool settling = false;  // and it is a drape
+  bool posing = false;    // and it is the figure on its way to another pose
+  bool loading = false;   // and it is a document, a pattern or a figure that comes from a file
   double fraction = 0;
   Message doing;
   bool past = false;  // what is shown meanwhile is the garment as it was before
@@ -56,7 +58,7 @@ struct SessionChanges {
   std::uint64_t history = 0;    // steps were added, undone, redone, or another document came
   std::uint64_t overlay = 0;    // preview, menu, hint, selection
   std::uint64_t settled = 0;    // drapes that came to rest
-  std::uint64_t predicted = 0;  // first new drapes
+  std::uint64_t predicted = 0;  // first new drapes, and pictures of drapes and poses on their way
 };
 
 class Session {

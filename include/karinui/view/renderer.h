@@ -29,7 +29,7 @@ struct DrawArea {
   double pictureHeight = 0;  // pixels of the whole picture, for thin lines; 0: height
 };
 
-enum class SoftLight { Anew, Kept };
+enum class SoftLight { Anew, Kept, Carried };
 enum class Onto { Cleared, Picture };
 enum class DrawQuality { Fine, Quick };
 
@@ -44,7 +44,8 @@ class Renderer {
   // up to that strain instead of the cloth's colours. Parts that cannot be drawn (places that are no numbers or too far
   // away, corners that do not exist) are left out and told by notes().
   // `SoftLight::Kept`, while things move: the soft light stays that of the last picture with as many points, or is
-  // worked out roughly where there is none.
+  // worked out roughly where there is none. `SoftLight::Carried`, while a body moves too: it also stays where the scene
+  // grows, and shading of the body is rough.
   void show(const SceneFrame& frame, double strainTop = 0, SoftLight softLight = SoftLight::Anew);
   const std::vector<Message>& notes() const;
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "design/operations/operations.h"
 #include "karinui/design/drape.h"
@@ -20,14 +21,8 @@ Result<std::shared_ptr<const Skeleton>> skeletonOf(const Document& document, Con
   return context.bodies.skeleton(document.body, context.blobs, context.workers, context.token);
 }
 
-// How the figure stands after it.
-Result<BodyPose> poseAfter(const Document& before, const PoseBody& op, const Skeleton& skeleton) {
-  BodyPose pose = before.body.pose;
-  if (!op.name.empty()) {
-    auto named = skeleton.named(*namedPose(op.name));
-    if (!named) return named.error();
-    pose = *std::move(named);
-  }
+// How the figure stands after it, `pose` being how it would without the joints that are named.
+Result<BodyPose> poseAfter(BodyPose pose, const PoseBody& op, const Skeleton& skeleton) {
   for (const std::string& name : op.joint) {
     const auto joints = jointsNamed(name);
     if (!joints) return joints.error();
@@ -42,6 +37,66 @@ Result<BodyPose> poseAfter(const Document& before, const PoseBody& op, const Ske
   if (const Done ok = withinLimits(pose); !ok) return ok.error();
   return pose;
 }
+
+Rigid wayBack(const Rigid& r) {
+  Rigid out{r.w, -r.x, -r.y, -r.z, {}};
+  out.carry = -out.turned(r.carry);
+  return out;
+}
+
+// What is shown of a way before any of it is gone: whether the figure can stand so, and what the cloth is made of,
+// takes longer to find out than a person should wait for the first picture. Where there is no cloth this is all of the
+// way.
+class Beginning {
+ public:
+  Beginning(const Document& before, const Skeleton& skeleton, Context& context)
+      : before_(before), skeleton_(skeleton), context_(context) {}
+
+  // Shows the figure a little nearer to this pose.
+  void goOn(const BodyPose& to) {
+    if (!context_.onPose || context_.token.cancelled() || (!along_ && !begin())) return;
+    const std::vector<Vec3> end = skeleton_.points(skeleton_.placements(to));
+    double far = 0;
+    for (std::size_t i = 0; i < end.size(); ++i) far = std::max(far, distance(end[i], skin_[i]));
+    if (far == 0) return;
+    ++times_;
+    const bool bare = before_.pattern.pieces.empty();
+    share_ = std::max(share_, std::min(kMostOfIt, bare ? 0.25 : kStep / far) * times_);
+    const BodyPose pose = skeleton_.between(before_.body.pose, to, share_);
+    std::vector<Rigid> moved = skeleton_.placements(pose);
+    const std::vector<Vec3> skin = skeleton_.points(moved);
+    context_.onPose({share_, pose, skin, [&] {
+                       for (std::size_t i = 0; i < moved.size(); ++i)
+                         moved[i] = karinui::after(moved[i], wayBack(placed_[i]));
+                       return along_->at(moved);
+                     }});
+  }
+  double share() const { return share_; }
+
+ private:
+  static constexpr double kStep = 0.01;      // metres that skin moves from one picture to the next, at most,
+  static constexpr double kMostOfIt = 0.25;  // and of the way
+
+  bool begin() {
+    const auto body = bodyOf(before_, context_);
+    if (!body) return false;
+    auto along = AlongWithSkin::of(before_, **body);
+    if (!along) return false;
+    along_ = *std::move(along);
+    placed_ = skeleton_.placements(before_.body.pose);
+    skin_ = skeleton_.points(placed_);
+    return true;
+  }
+
+  const Document& before_;
+  const Skeleton& skeleton_;
+  Context& context_;
+  std::optional<AlongWithSkin> along_;
+  std::vector<Rigid> placed_;
+  std::vector<Vec3> skin_;
+  int times_ = 0;
+  double share_ = 0;
+};
 
 // The document with what it is remembered by, if it is at rest.
 std::vector<RestedInPose> restedWith(const Document& document) {
@@ -96,9 +151,22 @@ Done resolve(const Document& before, PoseBody& op, Context& context) {
 Result<Document> perform(const Document& before, const PoseBody& op, Context& context) {
   const auto skeleton = skeletonOf(before, context);
   if (!skeleton) return skeleton.error();
-  auto pose = poseAfter(before, op, **skeleton);
+  const NamedPose* named = op.name.empty() ? nullptr : namedPose(op.name);
+  auto pose = poseAfter(named ? named->pose : before.body.pose, op, **skeleton);
   if (!pose) return pose.error();
-  if (*pose == before.body.pose) return before;
+  if (!named && *pose == before.body.pose) return before;
+  context.token.progress(0, say("Moving the figure"));
+  Beginning beginning(before, **skeleton, context);
+  beginning.goOn(*pose);
+  if (named) {
+    const auto opened = (*skeleton)->named(*named);
+    if (!opened) return opened.error();
+    pose = poseAfter(*opened, op, **skeleton);
+    if (!pose) return pose.error();
+    if (*pose == before.body.pose) return before;
+    beginning.goOn(*pose);
+  }
+  if (context.token.cancelled()) return cancelled();
   Document after = before;
   after.body.own = pose->empty() ? std::string() : before.body.ownHash();
   after.body.hash = before.body.ownHash();
@@ -106,6 +174,8 @@ Result<Document> perform(const Document& before, const PoseBody& op, Context& co
   const auto body = context.bodies.find(after.body, context.blobs, context.workers, context.token);
   if (!body) return body.error();
   after.body.hash = (*body)->hash();
+  beginning.goOn(*pose);
+  if (context.token.cancelled()) return cancelled();
   after.drape.rested = restedWith(before);
   const std::string garment = hash(after);
   for (const RestedInPose& rested : after.drape.rested)
@@ -113,7 +183,12 @@ Result<Document> perform(const Document& before, const PoseBody& op, Context& co
       after.drape.dirty.clear();
       return standing(std::move(after), rested.forms);
     }
-  const auto forms = carriedByBody(before, **skeleton, *pose, context);
+  PoseOnlooker onlooker;
+  if (context.onPose)
+    onlooker = [&](const PoseUnderWay& way) {
+      if (way.share > beginning.share()) context.onPose(way);
+    };
+  const auto forms = carriedByBody(before, **skeleton, *pose, context, onlooker);
   if (!forms) return forms.error();
   after = standing(std::move(after), *forms);
   for (const auto& [id, form] : *forms) after.drape.dirty.insert(id);
