@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace karinui {
 namespace {
@@ -15,15 +16,16 @@ constexpr double kLeastKept = 0.5;      // but never below this share
 constexpr double kTieGap = 0.002;       // metres: nearer than this a pair is sewn,
 constexpr double kTieShare = 0.1;       // or than this share of the spacing
 constexpr int kSewSteps = 300, kSewIdle = 100;
-constexpr double kGrownAStep = 0.1;   // spacings by which thinner colliders come out
-constexpr int kGrownSteps = 10;       // more, by which cloth follows
-constexpr int kGrowAfter = 10;        // steps without coming nearer, after which the closing force grows,
-constexpr double kGrowth = 1.08;      // by this factor each step,
-constexpr double kMostGrowth = 1000;  // to so many times at most
-constexpr int kFallSteps = 40;        // steps without contact: the cloth falls
-constexpr int kMostSeparations = 3;   // times intersections of cloth at rest are separated
-constexpr int kStillSteps = 60;       // steps in which no node
-constexpr double kStill = 1e-4;       // has gone farther than this, metres: still cloth
+constexpr double kGrownAStep = 0.1;    // spacings by which thinner colliders come out
+constexpr int kGrownSteps = 10;        // more, by which cloth follows
+constexpr int kGrowAfter = 10;         // steps without coming nearer, after which the closing force grows,
+constexpr double kGrowth = 1.08;       // by this factor each step,
+constexpr double kMostGrowth = 1000;   // to so many times at most
+constexpr int kFallSteps = 40;         // steps without contact: the cloth falls
+constexpr int kMostSeparations = 3;    // times intersections of cloth at rest are separated
+constexpr int kStillSteps = 60;        // steps in which no node
+constexpr double kStill = 1e-4;        // has gone farther than this, metres: still cloth;
+constexpr double kStillDoubles = 200;  // twice as far after so many steps: what trembles so long does for ever
 
 // The force that closes open seams grows while they come no nearer.
 class SeamPullSchedule {
@@ -55,14 +57,15 @@ class Stillness {
     double most = 0;
     for (NodeIndex k : solver_.moving()) most = std::fmax(most, squaredLength(solver_.positions()[k] - from_[k]));
     from_ = solver_.positions();
-    steps_ = 0;
-    return most < kStill * kStill;
+    all_ += std::exchange(steps_, 0);
+    return std::sqrt(most) < kStill * std::exp2(all_ / kStillDoubles);
   }
 
  private:
   const LevelSolver& solver_;
   std::vector<Vec3> from_;
-  int steps_ = 0;
+  int steps_ = 0;  // since then
+  double all_ = 0;
 };
 
 StageResult& record(StageResult& result, const LevelSolver::StepResult& step, const Token& token) {
