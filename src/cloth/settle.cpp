@@ -135,6 +135,8 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     return report;
   }
   bool formed = standsFormed(finest), sewn = formed, stopped = false, grownThrough = false, layersMeet = true;
+  // Pieces are sewn up through each other; where cloth has then gone through itself, once more with contact.
+  enum class Sewing { Free, Meeting, FreeAfterAll } sewing = Sewing::Free;
   std::size_t taken = 0;  // steps, over all levels
   std::vector<Vec3> x;
   const BoundaryActivation activation(finest.cloth);
@@ -146,7 +148,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     SettleSettings here = settings;
     here.skin = skinOffset(settings, cloth.spacing, finest.cloth.spacing);
     // Pieces that have yet to be sewn come from anywhere, through each other: cloth meets cloth once they are.
-    const bool loose = l == 0 && !sewn && (!last || cloth.pleated);
+    const bool loose = l == 0 && !sewn && (!last || cloth.pleated) && sewing != Sewing::Meeting;
     std::vector<ThinnerCollider> thinner;
     ColliderList met = colliders;
     if (l == 0 && !sewn && !grownThrough) {
@@ -262,6 +264,14 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
       continue;
     }
     if (last && !activation.empty() && !stopped) forceAfter = solver.internalForces();
+    // What goes through itself on a coarse level does so on all finer ones.
+    if (!last && first == 0 && !formed && !stopped && sewing != Sewing::FreeAfterAll &&
+        (solver.intersections() > 0 || (sewing == Sewing::Meeting && !sewn))) {
+      sewing = sewing == Sewing::Free ? Sewing::Meeting : Sewing::FreeAfterAll;
+      l = 0;
+      sewn = grownThrough = false;
+      continue;
+    }
     x = last ? finish(solver, colliders, settings, end, report, workers) : solver.positions();
     ++l;
   }
