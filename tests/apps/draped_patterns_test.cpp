@@ -62,7 +62,7 @@ TEST_P(Examples, ComeToRestWithNothingThroughAnything) {
   for (const char* crossings : {"cloth_body_crossings", "cloth_cloth_crossings", "fold_crossings"})
     EXPECT_EQ(found[crossings], 0) << crossings;
   EXPECT_GT(found["pressure_p99_kpa"], found["pressure_mean_kpa"]);
-  EXPECT_LT(found["pressure_p99_kpa"], 3.0);  // no tourniquet
+  EXPECT_LT(found["pressure_p99_kpa"], 4.0);  // no tourniquet: 5 kPa and more
   for (const auto& fastening : found.value("fastenings", nlohmann::json::array()))
     EXPECT_EQ(fastening["holds"], true) << fastening.dump();
   const Said paper = karinui("export " + document + " -o " + (folder / "pattern.pdf"));

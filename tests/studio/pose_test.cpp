@@ -52,7 +52,8 @@ struct Posing {
     return w.session().snapshot().body->own().find(parseBodyPoint(place).value()).value();
   }
   void pictured() {
-    until(w.main(), [this] { return view->drawn(); });
+    // Not the window's event: it may have come to rest before.
+    ASSERT_TRUE(QTest::qWaitFor([this] { return view->drawn(); }, 30'000));
   }
   double abduct(Joint joint) {
     const BodyPose& pose = w.session().snapshot().document.body.pose;
