@@ -10,7 +10,6 @@
 #include <thread>
 
 #include "design/workroom.h"
-#include "session/task_queue.h"
 
 namespace karinui {
 namespace {
@@ -61,76 +60,6 @@ TEST(Session, SettlesWhatChangedAndRecordsIt) {
   EXPECT_THAT(stepsOf(session).back(), testing::HasSubstr("drape live=p1"));
   EXPECT_EQ(session.snapshot().document.drape.dirty,
             std::set<PieceId>{session.snapshot().document.pieceNamed("back")->id});
-}
-
-TEST(ViewCut, HiddenPartsAreCutOffCleanlyAndNotPicked) {
-  Session session(Held().options());
-  session.perform(op("body size=jis9ar"));
-  session.finish();
-  const BodyPtr body = session.snapshot().body;
-  ASSERT_TRUE(body);
-  const double whole = volume(body->mesh());
-  const auto left = [&](const ViewCut& cut) {
-    SceneFrame frame;
-    frame.bodies.push_back({body->mesh(), {}});
-    VisibleParts(cut, body).cut(frame);
-    return volume(frame.bodies[0].mesh) / whole;
-  };
-  ViewCut arms, hands, head, level;
-  arms.arms = hands.hands = head.head = true;
-  level.section = SectionPlane{SectionPlane::Across::Level, 1.0};
-  EXPECT_LT(left(arms), 0.95);
-  EXPECT_GT(left(arms), 0.85);
-  EXPECT_LT(left(hands), 0.995);
-  EXPECT_GT(left(hands), 0.97);
-  EXPECT_LT(left(head), 0.96);
-  EXPECT_GT(left(head), 0.88);
-  EXPECT_LT(left(level), 0.7);
-  EXPECT_GT(left(level), 0.4);
-
-  // A ray from in front meets the skin there; not where it is hidden, nor where the cut end comes first.
-  const auto met = [&](const char* place) {
-    const auto skin = body->find(*parseBodyPoint(place));
-    EXPECT_TRUE(skin) << place;
-    PointerSample sample;
-    const Vec3 there = at(body->mesh(), *skin);
-    sample.ray = {there + Vec3{0, 0, 2}, {0, 0, -1}};
-    GarmentSnapshot shown = session.snapshot();
-    if (session.viewCut().any()) shown.visible = std::make_shared<const VisibleParts>(session.viewCut(), body);
-    return pickBody(shown, sample).on == Hit::On::Body;
-  };
-  EXPECT_TRUE(met("left_arm:wrist@0") && met("torso:bust@0"));
-  session.setViewCut(arms);
-  EXPECT_FALSE(met("left_arm:wrist@0"));
-  EXPECT_TRUE(met("torso:bust@0"));
-  ViewCut front;
-  front.section = SectionPlane{SectionPlane::Across::Front, 0};
-  session.setViewCut(front);
-  EXPECT_FALSE(met("torso:bust@0")) << "the cut end is no skin";
-  session.setViewCut({});
-  EXPECT_TRUE(met("torso:bust@0"));
-
-  // The hand in the session is told the same.
-  const auto drawn = [&] {
-    PointerSample press;
-    press.phase = PointerSample::Phase::Hover;
-    const Vec3 there = at(body->mesh(), *body->find(*parseBodyPoint("torso:bust@0")));
-    press.ray = {there + Vec3{0, 0, 2}, {0, 0, -1}};
-    session.feed(press);
-    press.phase = PointerSample::Phase::Press;
-    session.feed(press);
-    const bool begun = session.begun();
-    session.command(Command::Cancel);
-    return begun;
-  };
-  session.command(Command::Draw);
-  EXPECT_TRUE(drawn());
-  session.command(Command::Draw);
-  session.setViewCut(front);
-  EXPECT_FALSE(drawn());
-  EXPECT_FALSE(sectionNamed("slanted@5cm"));
-  EXPECT_EQ(sectionNamed("level@1.2m")->at, 1.2);
-  EXPECT_FALSE(hiddenNamed("feet"));
 }
 
 // Recorded hands show that nothing is advised where there is nothing to advise.
@@ -769,40 +698,6 @@ TEST(Session, OpensCopiesAndReopensWhereItWas) {
   EXPECT_TRUE(
       std::any_of(notices.begin(), notices.end(), [](const Notice& n) { return n.kind == Notice::Kind::Refused; }));
   EXPECT_EQ(session.path(), folder / "b.karinui");  // what was open stays
-}
-
-TEST(TaskQueue, CancelsWhatRunsAndDropsWhatWaits) {
-  TaskQueue line({});
-  std::promise<void> begun;
-  int ended = 0;
-  bool stopped = false;
-  line.add(TaskQueue::Kind::Settle, [&](const Token& token) -> TaskQueue::Finish {
-    begun.set_value();
-    while (!token.cancelled()) std::this_thread::yield();
-    stopped = true;
-    return [&] { ++ended; };
-  });
-  line.add(TaskQueue::Kind::Settle, [&](const Token&) -> TaskQueue::Finish { return [&] { ended += 100; }; });
-  begun.get_future().wait();
-  EXPECT_TRUE(line.busy(TaskQueue::Kind::Settle));
-  line.cancel(TaskQueue::Kind::Settle);
-  while (line.busy()) {
-    line.wait();
-    line.takeIn();
-  }
-  EXPECT_TRUE(stopped);
-  EXPECT_EQ(ended, 1);
-}
-
-// What is done and not yet taken in still changes what is under the hand.
-TEST(TaskQueue, IsBusyUntilWhatFinishedIsTakenIn) {
-  TaskQueue line({});
-  line.add(TaskQueue::Kind::Step, [](const Token&) { return TaskQueue::Finish(); });
-  line.wait();
-  EXPECT_TRUE(line.busy(TaskQueue::Kind::Step));
-  EXPECT_FALSE(line.busy(TaskQueue::Kind::Settle));
-  line.takeIn();
-  EXPECT_FALSE(line.busy(TaskQueue::Kind::Step));
 }
 
 TEST(Menu, HangsInViewAndKnowsItsButtons) {
