@@ -95,14 +95,6 @@ class OutlineDifference {
   std::vector<EdgeDifference> edges_;
 };
 
-Curve withJoint(const Curve& curve, double share) {
-  const double t = curve.parameterAt(share * curve.length());
-  const Curve both[] = {curve.part(0, t), curve.part(t, 1)};
-  Curve out = Curve::joined(both);
-  out.start = curve.start, out.end = curve.end;
-  return out;
-}
-
 // The shares of its length at which a curve has joints.
 std::vector<double> jointsOf(const Curve& curve) {
   std::vector<double> shares;
@@ -114,22 +106,45 @@ std::vector<double> jointsOf(const Curve& curve) {
   return shares;
 }
 
+// The curve in cubics, with joints at these shares of its length (ascending) too, but where one is near.
+std::vector<Curve> cubicsBetween(const Curve& curve, std::span<const double> shares) {
+  const std::vector<double> joints = jointsOf(curve);
+  const double whole = curve.length();
+  std::vector<Curve> cubics;
+  double begun = 0, last = -1;
+  auto share = shares.begin();
+  for (const Curve& part : curve.parts()) {
+    const double size = part.length();
+    double from = 0;
+    const auto upTo = [&](double to) {
+      const std::vector<Curve> more = part.part(from, to).cubics();
+      cubics.insert(cubics.end(), more.begin(), more.end());
+      from = to;
+    };
+    for (; share != shares.end() && *share * whole < begun + size; ++share) {
+      const auto near = [&](double joint) { return std::abs(joint - *share) < kNearJoint; };
+      if (near(last) || std::any_of(joints.begin(), joints.end(), near)) continue;
+      const double t = part.parameterAt(*share * whole - begun);
+      if (t > from && t < 1) upTo(t);
+      last = *share;
+    }
+    upTo(1);
+    begun += size;
+  }
+  return cubics;
+}
+
 // The same curve with joints at its graded places, and as many more as it takes that a cubic can follow: p(t) + d(s(t))
 // is one as far as s(t) is the cubic with its own ends' speeds.
 Curve refined(Curve curve, const EdgeDifference& difference) {
   const bool straight = curve.kind == Curve::Kind::Line && difference.s.size() == 2;
   if (straight || difference.carried()) return curve;
-  const double whole = curve.length();
-  for (std::size_t i = 1; i + 1 < difference.s.size(); ++i) {
-    const double share = difference.s[i] / difference.s.back();
-    const auto joints = jointsOf(curve);
-    if (std::none_of(joints.begin(), joints.end(), [&](double j) { return std::abs(j - share) < kNearJoint; }))
-      curve = withJoint(curve, share);
-  }
+  std::vector<double> shares;
+  for (std::size_t i = 1; i + 1 < difference.s.size(); ++i) shares.push_back(difference.s[i] / difference.s.back());
   std::vector<Curve> parts;
   double s = 0;
-  const double scale = difference.s.back() / whole;
-  for (const Curve& part : curve.cubics()) {
+  const double scale = difference.s.back() / curve.length();
+  for (const Curve& part : cubicsBetween(curve, shares)) {
     const double size = part.length();
     const Flat a = difference(s * scale).slope, b = difference((s + size) * scale).slope;
     std::vector<Curve> todo{part};
@@ -213,7 +228,7 @@ class EdgeMeasuring {
       for (std::size_t i = 1; i < size.line.size(); ++i)
         size.along.push_back(size.along.back() + distance(size.line[i - 1], size.line[i]));
     }
-    add(0), add(1);
+    add({0, 1});
   }
   void measure() {
     for (bool more = true; more && places_.size() < kMostPlaces;) {
@@ -230,7 +245,7 @@ class EdgeMeasuring {
             at = joint, nearest = std::abs(joint - middle);
         wanted.push_back(at);
       }
-      for (const double at : wanted) add(at);
+      add(wanted);
       more = !wanted.empty();
     }
   }
@@ -256,13 +271,13 @@ class EdgeMeasuring {
       return least;
     }
   };
-  std::vector<Flat> differences(double share) const {
-    std::vector<Flat> by;
-    const Flat here = base_.atFraction(share);
-    for (const Size& size : sizes_) by.push_back(round7(size.curve->atFraction(share) - here));
-    return by;
+  void add(const std::vector<double>& shares) {
+    const std::vector<Flat> here = base_.atFractions(shares);
+    for (const Size& size : sizes_) {
+      const std::vector<Flat> there = size.curve->atFractions(shares);
+      for (std::size_t k = 0; k < shares.size(); ++k) places_[shares[k]].push_back(round7(there[k] - here[k]));
+    }
   }
-  void add(double share) { places_[share] = differences(share); }
   // By how much the graded curves miss the sizes most, between each two places.
   std::vector<double> misses() const {
     constexpr int kSamples = 6;  // of a cubic
