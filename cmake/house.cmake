@@ -110,23 +110,36 @@ function(karinui_module name)
   karinui_precompiled(karinui_${name} ${A_PRECOMPILED})
 endfunction()
 
+# With precompiled headers g++ 12 forgets that std::string is a system's header and warns of copies that cannot be.
+function(karinui_quiet_precompiled target)
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds$<SEMICOLON>-Wno-stringop-overflow$<SEMICOLON>-Wno-stringop-overread>)
+endfunction()
+
 # karinui_precompiled(test_cloth <gtest/gtest.h> …): headers that most sources of a target include, beside those of the standard
 # library. The preset clang compiles without them, so that a source that forgets an include is found there.
 function(karinui_precompiled target)
-  # With precompiled headers g++ 12 forgets that std::string is a system's header and warns of copies that cannot be.
-  target_compile_options(${target} PRIVATE
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds$<SEMICOLON>-Wno-stringop-overflow$<SEMICOLON>-Wno-stringop-overread>)
+  karinui_quiet_precompiled(${target})
   target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory>
     <numbers> <numeric> <optional> <set> <span> <string> <string_view> <utility> <variant> <vector> ${ARGN})
 endfunction()
 
 # karinui_test_code(test_cloth): what the sources of every test program share. They are compiled with -O1, a quarter sooner than
-# with -O3: what is tested lies in the libraries.
+# with -O3: what is tested lies in the libraries. The first program's headers are precompiled for all that ask for no others.
 function(karinui_test_code target)
   cmake_parse_arguments(A "" "" "PRECOMPILED" ${ARGN})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_options(${target} PRIVATE -O1)
-  karinui_precompiled(${target} <gmock/gmock.h> <gtest/gtest.h> ${A_PRECOMPILED})
+  get_property(shared GLOBAL PROPERTY KARINUI_TEST_HEADERS)
+  if(shared AND NOT A_PRECOMPILED)
+    karinui_quiet_precompiled(${target})
+    target_precompile_headers(${target} REUSE_FROM ${shared})
+  else()
+    karinui_precompiled(${target} <gmock/gmock.h> <gtest/gtest.h> ${A_PRECOMPILED})
+    if(NOT A_PRECOMPILED)
+      set_property(GLOBAL PROPERTY KARINUI_TEST_HEADERS ${target})
+    endif()
+  endif()
   target_link_libraries(${target} PRIVATE GTest::gtest GTest::gmock GTest::gtest_main)
 endfunction()
 
