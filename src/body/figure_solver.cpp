@@ -14,6 +14,7 @@ constexpr double kRidge =
     0.01;  // on the parameters: of two figures that meet the targets the less altered one is taken
 constexpr double kImpliedWeight = 0.33;  // of a target that was not stated
 constexpr double kDifference = 0.6;      // units, by which the Jacobian is measured
+constexpr double kNoise = 0.05;          // units: a shorter step is within the noise of measuring on another grid
 
 // Where a measurement depends on another's parameter, too, or not one to one: tolerances per unit, as measured on a
 // woman of size 38 and a man of size 50. A start; Broyden's updates bring it to what holds for this body.
@@ -126,7 +127,7 @@ std::vector<double> FigureSolver::dampedStep(const std::vector<double>& at, cons
 
 void FigureSolver::broydenUpdate(const std::vector<double>& step, const std::vector<double>& change) {
   const double size = norm(step);
-  if (size < 0.05) return;  // within the noise of measuring on another grid
+  if (size < kNoise) return;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     double expected = 0;
     for (std::size_t k = 0; k < parameter_.size(); ++k) expected += jacobian_[i][k] * step[k];
@@ -168,6 +169,11 @@ double FigureSolver::solve(const Evaluate& evaluate, int rounds, double enough, 
       --differences, idle = 0, damping = 0.1;
     }
     const std::vector<double> way = dampedStep(at_, residual, damping);
+    if (norm(way) < kNoise) {  // no shorter step helps
+      if (differences == 0) break;
+      idle = 2;
+      continue;
+    }
     std::vector<double> next = at_;
     for (std::size_t k = 0; k < next.size(); ++k) next[k] += way[k];
     measured = evaluate(alterationAt(next));
