@@ -84,6 +84,8 @@ TEST(StudioWindow, SaysThatAGarmentIsBeingOpened) {
   w.rest();
   Window other;
   EXPECT_THAT(text(other.table().emptySaid()), testing::HasSubstr("draw on the body"));
+  // A figure is made first, so that the garment is not open before anything could be looked at.
+  other.session().perform(SetBody{.size = "eu44", .sex = {}, .set = {}, .mesh = {}});
   other.main().openPath(path);
   EXPECT_TRUE(other.session().snapshot().document.pattern.pieces.empty());
   EXPECT_THAT(text(other.table().emptySaid()), testing::HasSubstr("being opened"));
