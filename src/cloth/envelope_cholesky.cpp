@@ -27,39 +27,112 @@ struct Rows {
   const std::size_t* start = nullptr;
 };
 
-// Cholesky, row by row; false when a diagonal is not positive.
-KARINUI_WIDE bool factorRows(const Rows rows, double* value) {
-  for (std::size_t i = 0; i < rows.count; ++i) {
-    double* row = value + rows.start[i] - rows.first[i];
-    for (std::size_t j = rows.first[i]; j <= i; ++j) {
-      const double* other = value + rows.start[j] - rows.first[j];
-      const std::size_t from = std::max(rows.first[i], rows.first[j]);
-      const double left = row[j] - dotOf(j - from, row + from, other + from);
-      if (j < i) {
-        row[j] = left / other[j];
-      } else {
-        if (!(left > 0)) return false;
-        row[i] = std::sqrt(left);
-      }
+constexpr std::size_t kTogether = 3;  // rows: the axes of a node begin in one column
+
+// The two sums of dotOf for each of `a` with b, over lanes and over what is left behind the last whole ones, side by
+// side: by itself each dot product waits for its own sums.
+template <class Number>
+inline void dotsOf(std::size_t count, const Number* const* a, const Number* __restrict b, Number* over, Number* left) {
+  const Number* __restrict a0 = a[0], * __restrict a1 = a[1], * __restrict a2 = a[2];
+  Number lane0[kLanes] = {}, lane1[kLanes] = {}, lane2[kLanes] = {}, left0 = 0, left1 = 0, left2 = 0;
+  std::size_t k = 0;
+  for (; k + kLanes <= count; k += kLanes)
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      lane0[l] += a0[k + l] * b[k + l];
+      lane1[l] += a1[k + l] * b[k + l];
+      lane2[l] += a2[k + l] * b[k + l];
     }
+  for (; k < count; ++k) left0 += a0[k] * b[k], left1 += a1[k] * b[k], left2 += a2[k] * b[k];
+  for (std::size_t half = kLanes / 2; half > 0; half /= 2)
+    for (std::size_t l = 0; l < half; ++l) {
+      lane0[l] += lane0[l + half];
+      lane1[l] += lane1[l + half];
+      lane2[l] += lane2[l + half];
+    }
+  over[0] = lane0[0], over[1] = lane1[0], over[2] = lane2[0];
+  left[0] = left0, left[1] = left1, left[2] = left2;
+}
+
+// Whether three rows from i on begin in one column.
+inline bool areTogether(const Rows& rows, std::size_t i) {
+  return i + kTogether <= rows.count && rows.first[i + 1] == rows.first[i] && rows.first[i + 2] == rows.first[i];
+}
+
+// Cholesky, row by row, or three rows at a time that begin in one column; false when a diagonal is not positive.
+KARINUI_WIDE bool factorRows(const Rows rows, double* value) {
+  for (std::size_t i = 0; i < rows.count;) {
+    const std::size_t first = rows.first[i];
+    const bool together = areTogether(rows, i);
+    const std::size_t taken = together ? kTogether : 1;
+    double* row[kTogether];
+    for (std::size_t r = 0; r < taken; ++r) row[r] = value + rows.start[i + r] - first;
+    if (together)
+      for (std::size_t j = first; j < i; ++j) {
+        const double* other = value + rows.start[j] - rows.first[j];
+        const std::size_t from = std::max<std::size_t>(first, rows.first[j]);
+        const double* const a[kTogether] = {row[0] + from, row[1] + from, row[2] + from};
+        double over[kTogether], left[kTogether];
+        dotsOf(j - from, a, other + from, over, left);
+        for (std::size_t r = 0; r < kTogether; ++r) row[r][j] = (row[r][j] - (left[r] + over[r])) / other[j];
+      }
+    for (std::size_t r = 0; r < taken; ++r)
+      for (std::size_t j = together ? i : first; j <= i + r; ++j) {
+        const double* other = value + rows.start[j] - rows.first[j];
+        const std::size_t from = std::max<std::size_t>(first, rows.first[j]);
+        const double left = row[r][j] - dotOf(j - from, row[r] + from, other + from);
+        if (j < i + r) {
+          row[r][j] = left / other[j];
+        } else {
+          if (!(left > 0)) return false;
+          row[r][j] = std::sqrt(left);
+        }
+      }
+    i += taken;
   }
   return true;
 }
 
 KARINUI_WIDE void solveRows(const Rows rows, const float* __restrict value, const float* __restrict perDiagonal,
                             float* __restrict x) {
-  for (std::size_t i = 0; i < rows.count; ++i) {
-    const std::size_t from = rows.first[i];
-    x[i] = (x[i] - dotOf(i - from, value + rows.start[i], x + from)) * perDiagonal[i];
-  }
-  for (std::size_t i = rows.count; i-- > 0;) {
+  for (std::size_t i = 0; i < rows.count;) {
     const std::size_t from = rows.first[i], count = i - from;
-    const float* row = value + rows.start[i];
-    const float found = x[i] * perDiagonal[i];
-    x[i] = found;
-    float* before = x + from;
-    KARINUI_APART
-    for (std::size_t k = 0; k < count; ++k) before[k] -= row[k] * found;
+    // The last of three rows is longer by two, which are not to fill its lanes.
+    if (areTogether(rows, i) && count % kLanes + kTogether <= kLanes) {
+      const float* const row[kTogether] = {value + rows.start[i], value + rows.start[i + 1], value + rows.start[i + 2]};
+      float over[kTogether], left[kTogether];
+      dotsOf(count, row, x + from, over, left);
+      for (std::size_t r = 0; r < kTogether; ++r) {
+        for (std::size_t k = 0; k < r; ++k) left[r] += row[r][count + k] * x[i + k];
+        x[i + r] = (x[i + r] - (left[r] + over[r])) * perDiagonal[i + r];
+      }
+      i += kTogether;
+    } else {
+      x[i] = (x[i] - dotOf(count, value + rows.start[i], x + from)) * perDiagonal[i];
+      ++i;
+    }
+  }
+  for (std::size_t i = rows.count; i > 0;) {
+    if (i >= kTogether && areTogether(rows, i - kTogether)) {
+      i -= kTogether;
+      const std::size_t from = rows.first[i], count = i - from;
+      const float* __restrict a = value + rows.start[i], * __restrict b = value + rows.start[i + 1], * __restrict c = value + rows.start[i + 2];
+      const float z = x[i + 2] * perDiagonal[i + 2];
+      const float y = (x[i + 1] - c[count + 1] * z) * perDiagonal[i + 1];
+      const float w = ((x[i] - c[count] * z) - b[count] * y) * perDiagonal[i];
+      x[i] = w, x[i + 1] = y, x[i + 2] = z;
+      float* before = x + from;
+      KARINUI_APART
+      for (std::size_t k = 0; k < count; ++k) before[k] = ((before[k] - c[k] * z) - b[k] * y) - a[k] * w;
+    } else {
+      --i;
+      const std::size_t from = rows.first[i], count = i - from;
+      const float* row = value + rows.start[i];
+      const float found = x[i] * perDiagonal[i];
+      x[i] = found;
+      float* before = x + from;
+      KARINUI_APART
+      for (std::size_t k = 0; k < count; ++k) before[k] -= row[k] * found;
+    }
   }
 }
 
