@@ -168,6 +168,13 @@ Flat wayAt(std::span<const Flat> points, std::size_t i, double near) {
   return normalized(points[i + reach] - points[i - reach]);
 }
 
+// The direction of the points from their first one on, within `near` metres of it.
+Flat wayFrom(std::span<const Flat> points, double near) {
+  std::size_t i = 1;
+  while (i + 1 < points.size() && distance(points[0], points[i]) < near) ++i;
+  return normalized(points[i] - points[0]);
+}
+
 // Cubics from point `from` to point `to` within the tolerance, divided where one alone is furthest off (Schneider
 // 1990).
 struct Chain {
@@ -242,8 +249,13 @@ Fitted fitEdge(std::span<const Flat> given, const FitSettings& settings, const s
     out.miss = bow(given);
     return out;
   }
-  const Flat into = endWay ? -*endWay : Flat{};
-  const Flat *start = startWay ? &*startWay : nullptr, *end = endWay ? &into : nullptr;
+  std::optional<Flat> from = startWay, into;
+  if (endWay) into = -*endWay;
+  if (settings.firmEnds > 0) {
+    if (!from) from = wayFrom(points, settings.firmEnds);
+    if (!into) into = wayFrom(std::vector<Flat>(points.rbegin(), points.rend()), settings.firmEnds);
+  }
+  const Flat *start = from ? &*from : nullptr, *end = into ? &*into : nullptr;
   const std::vector<std::size_t> joint = jointsOf(points, settings.pieces);
   for (std::size_t k = 0; k + 1 < joint.size(); ++k) {
     const bool first = k == 0, last = k + 2 == joint.size();

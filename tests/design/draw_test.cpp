@@ -81,5 +81,21 @@ TEST_F(OnTheMannequin, TheAdviceNamesAnEdgeOfThePiece) {
   }
 }
 
+// Where edges meet at an acute corner, the curve of one may curl across the other by a tenth of a millimetre: the back
+// of trousers, at the hem of this figure.
+TEST(DrawnOnAnyone, TheBackOfTrousersOnATallSlimFigure) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(
+      room.play(file,
+                "body sex=female set=\"height=174cm; bust_girth=82cm; waist_girth=63cm; hip_girth=89cm\"\n"
+                "draw name=back_left mirror=yes ease=15mm edges=\"cb ~ ~ inseam ~ hem ~ outseam ~ ~ ~ waist\" "
+                "line=\"torso:waist@0.5; torso:high_hip@0.5; torso:hip@0.5; landmark:crotch; left_leg:knee@0.75; "
+                "left_leg:ankle@0.75; left_leg:ankle@0.5; left_leg:ankle@0.25; left_leg:knee@0.25; torso:hip@0.25; "
+                "torso:high_hip@0.25; torso:waist@0.25\"\n"));
+  EXPECT_TRUE(file.document().pieceNamed("back_left"));
+  EXPECT_TRUE(file.document().pieceNamed("back_right"));
+}
+
 }  // namespace
 }  // namespace karinui

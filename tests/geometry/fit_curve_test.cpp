@@ -80,6 +80,27 @@ TEST(FitCurve, KeepsGivenTangents) {
   EXPECT_LT(missOf(fit, points), 5e-4);
 }
 
+// Points that bend off in their last millimetre: free, a curve may end so; firm, it ends as the points near there go.
+TEST(FitCurve, FirmEndsGoAsThePointsThere) {
+  std::vector<Flat> points;
+  for (int i = 0; i <= 40; ++i) points.push_back({0.01 * i, 0.05 * std::sin(0.1 * i)});
+  points.push_back(points.back() + Flat{0.0002, -0.001});
+  FitSettings firm;
+  firm.firmEnds = 0.005;
+  for (const int pieces : {1, 3}) {
+    firm.pieces = pieces;
+    const Fitted fit = fitEdge(points, firm);
+    expectJoined(fit, points);
+    const Flat start = normalized(fit.curves.front().tangent(0)), end = normalized(fit.curves.back().tangent(1));
+    EXPECT_GT(dot(start, normalized(points[1] - points[0])), 1 - 1e-9);
+    EXPECT_GT(dot(end, normalized(points.back() - points[points.size() - 3])), 1 - 1e-9);
+    EXPECT_LT(missOf(fit, points), 1e-3);
+  }
+  const Fitted given = fitEdge(points, firm, Flat{0, 1}, Flat{1, 0});
+  EXPECT_NEAR(normalized(given.curves.front().tangent(0)).u, 0, 1e-12) << "what is given stays";
+  EXPECT_NEAR(normalized(given.curves.back().tangent(1)).v, 0, 1e-12);
+}
+
 TEST(FitCurve, AFixedNumberOfPiecesIsKept) {
   std::vector<Flat> points;
   for (int i = 0; i <= 60; ++i) points.push_back({0.006 * i, 0.12 * std::exp(-std::pow((i - 30) / 12.0, 2))});

@@ -15,7 +15,8 @@ struct FitSettings {
   double tolerance = 0.0003;  // how far cubics may pass from the points
   double shortest = 0;        // metres of points a cubic has at least: keeps the chain from rippling …
   double farthest = 0.0005;   // … unless it would pass farther than this
-  int pieces = 1;             // how many curves of equal length, each a chain of its own (a line stays a line)
+  double firmEnds = 0;  // metres: an end whose direction is not given has that of the points so near to it; 0: any
+  int pieces = 1;       // how many curves of equal length, each a chain of its own (a line stays a line)
 };
 
 struct Fitted {

@@ -12,15 +12,17 @@ namespace karinui {
 namespace {
 
 constexpr double kSmallest = 4e-4;  // m2: less is no piece of cloth
+constexpr double kFirmEnd = 0.005;  // metres of points that say how an edge ends, where it may not end otherwise
 constexpr double kLevel = 0.6;      // radians: an edge that meets the centre this nearly level is squared to it
 
 // How many edges a line between two corners becomes depends on how it was drawn, not on how it came out: on any figure
 // the same edges have the same names, and seams find them. One for a line between two or through up to four places,
 // then one for each two more. Each is a chain of as few cubics as its shape allows: an edge on paper is a fair line,
 // and a hand on a body, or the skin under it, wavers by millimetres.
-FitSettings fitFor(int curves) {
+FitSettings fitFor(int curves, bool firmEnds) {
   FitSettings fit;
   fit.pieces = curves;
+  if (firmEnds) fit.firmEnds = kFirmEnd;
   fit.tolerance = 0.0025;
   fit.shortest = 0.04;
   fit.farthest = 0.004;
@@ -93,10 +95,10 @@ void addEdges(Outline& outline, const std::string& name, const std::vector<Curve
     outline.edges.push_back({i == 0 ? name : name + "_" + written(i + 1), curves[i]});
 }
 
-Outline wholeOutline(const Patch& patch, const Sides& sides, std::span<const Flat> flat, double& miss) {
+Outline wholeOutline(const Patch& patch, const Sides& sides, std::span<const Flat> flat, bool firmEnds, double& miss) {
   Outline outline;
   for (std::uint32_t s : sideOrder(patch)) {
-    const Fitted fit = fitEdge(pointsOfSide(patch, flat, s), fitFor(sides.curves[s]));
+    const Fitted fit = fitEdge(pointsOfSide(patch, flat, s), fitFor(sides.curves[s], firmEnds));
     miss = std::fmax(miss, fit.miss);
     addEdges(outline, sides.names[s], fit.curves);
   }
@@ -105,7 +107,7 @@ Outline wholeOutline(const Patch& patch, const Sides& sides, std::span<const Fla
 
 // A half's edges and their mirror images in u = 0.
 Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const Flat> flat, bool leftHalf,
-                         double& miss) {
+                         bool firmEnds, double& miss) {
   std::vector<std::uint32_t> order = sideOrder(patch);
   const auto centre = std::find_if(order.begin(), order.end(), [&](std::uint32_t s) { return sides.names[s].empty(); });
   std::rotate(order.begin(), centre + 1, order.end());
@@ -121,7 +123,7 @@ Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const
       endWay = Flat{points.back().u > points[points.size() - 1 - reach].u ? 1.0 : -1.0, 0};
     if (k == 0) points.front().u = 0;
     if (k + 1 == order.size()) points.back().u = 0;
-    const Fitted fit = fitEdge(points, fitFor(sides.curves[order[k]]), startWay, endWay);
+    const Fitted fit = fitEdge(points, fitFor(sides.curves[order[k]], firmEnds), startWay, endWay);
     miss = std::fmax(miss, fit.miss);
     const std::string& name = sides.names[order[k]];
     addEdges(here, name + (leftHalf ? "_left" : "_right"), fit.curves);
@@ -228,14 +230,17 @@ Result<DrawnSheet> drawnSheet(const DrawingGround& ground, const DrawnLine& line
   sheet.distortion = laid->distortion;
   adviseCut(sheet, patch, *sides, laid->flat);
   auto form = formOfSheet(patch, laid->flat);
-  if (line.symmetric) {
-    double x = 0;
-    for (Vec3 p : form->space) x += p.x;
-    sheet.outline = symmetricOutline(patch, *sides, laid->flat, x > 0, sheet.fitMiss);
-    addOtherHalf(*form, lift.fold);
-  } else {
-    sheet.outline = wholeOutline(patch, *sides, laid->flat, sheet.fitMiss);
-  }
+  double x = 0;
+  for (Vec3 p : form->space) x += p.x;
+  const auto fitted = [&](bool firmEnds) {
+    sheet.fitMiss = 0;
+    return line.symmetric ? symmetricOutline(patch, *sides, laid->flat, x > 0, firmEnds, sheet.fitMiss)
+                          : wholeOutline(patch, *sides, laid->flat, firmEnds, sheet.fitMiss);
+  };
+  sheet.outline = fitted(false);
+  // The nearest curves may curl by a tenth of a millimetre at a corner, and cross the next edge there.
+  if (!checked(sheet.outline)) sheet.outline = fitted(true);
+  if (line.symmetric) addOtherHalf(*form, lift.fold);
   sheet.form = std::move(form);
   return sheet;
 }
