@@ -8,6 +8,7 @@
 
 #include "beside.h"
 #include "karinui/base/number.h"
+#include "karinui/session/wide_edges.h"
 #include "length_box.h"
 #include "panels.h"
 #include "theme.h"
@@ -197,7 +198,10 @@ void FitPanel::fillReport() {
     if (before) table = row({"", inWords(say("left")), inWords(say("now"))});
     for (const auto& [words, said] : lines)
       table += before ? row({inWords(words), said(*before), said(*last)}) : row({inWords(words), said(*last)});
-    report_->setText("<table>" + table + "</table>");
+    table = "<table>" + table + "</table>";
+    for (const WideEdge& edge : wideEdges(session_.snapshot()))
+      table += "<p>" + inWords(wideEdgeSaid(session_.snapshot().document, edge)).toHtmlEscaped() + "</p>";
+    report_->setText(table);
   }
   const std::vector<Girths> now = girthsOf(session_.snapshot());
   if (now.empty()) return girths_->setText("–");

@@ -356,7 +356,8 @@ void MainWindow::refresh() {
                  : busy.past            ? inWords(say("The garment as it was; the new one is on its way")) +
                                    (busy.doing.empty() ? QString() : ": " + inWords(busy.doing)) + "   –   " +
                                    inWords(say("Space stops"))
-                 : busy.settling || busy.posing    ? inWords(busy.doing) + "   –   " + inWords(say("Space stops"))
+                 : busy.settling || busy.posing
+                     ? (busy.doing.empty() ? QString() : inWords(busy.doing) + "   –   ") + inWords(say("Space stops"))
                  : busy.any && !busy.doing.empty() ? inWords(busy.doing)
                  : busy.loading                    ? inWords(say("The garment is being opened …"))
                  : keys.isEmpty()                  ? inWords(session_->hint())

@@ -346,7 +346,7 @@ void SpaceView::showGarment() {
       frame.lines.push_back(std::move(shown));
     }
   for (const auto& [garment, part] : {std::pair(fitting, &frame), std::pair(beside_.fitting, &then.frame)})
-    if (session_.viewCut().any() && garment) visibleOf(garment->body)->cut(*part);
+    if (session_.viewCut().any() && garment) visibleOf(garment->body)->cut(*part, garment->underWay);
   const bool quick = !finest_ || (!fine_ && (carried || garmentShown_ != ~0ull));
   soft_ = !quick || !finest_;
   stale_ = true;

@@ -50,9 +50,19 @@ int answerCheck(Program& program, const CheckOptions& options) {
     if (!found) return program.console.refuse(found.error());
     Json object = checkJson(*found);
     std::string words = checkWords(*found, opened.document(), program.console);
-    if (const Result<Fit> fit = fitOf(opened); fit && fit->pressure) {
-      words += pressureWords(*fit->pressure, program.console);
-      object["pressure_mean_kpa"] = fit->pressure->mean / 1000, object["pressure_p99_kpa"] = fit->pressure->p99 / 1000;
+    if (const Result<Fit> fit = fitOf(opened)) {
+      for (const WideEdge& edge : fit->wide) {
+        words += program.console.said(wideEdgeSaid(opened.document(), edge)) + "\n";
+        Json run = Json::array();
+        for (const EdgeRef& part : edge.run) run.push_back({{"piece", text(part.piece.id)}, {"edge", part.edge}});
+        object["wide_edges"].push_back(
+            {{"run", run}, {"round_m", edge.round}, {"waist_m", edge.waist}, {"below_m", edge.below}});
+      }
+      if (fit->pressure) {
+        words += pressureWords(*fit->pressure, program.console);
+        object["pressure_mean_kpa"] = fit->pressure->mean / 1000,
+        object["pressure_p99_kpa"] = fit->pressure->p99 / 1000;
+      }
     }
     const PhotoTall tall = photosIn(opened.file().blobs());
     if (const Json prints = printsJson(opened.document(), tall); !prints.empty()) object["prints"] = prints;

@@ -56,8 +56,8 @@ Result<Fit> fitOf(OpenDocument& opened) {
   if (!body) return body.error();
   const SnapshotPtr garment = snapshotOf(opened.document(), *body);
   const std::vector<float> pressure = pressureOnBody(*garment, opened.context().workers);
-  return Fit{girthsOf(*garment), pressureReport(pressure), mostPressed(pressure, **body),
-             mostStretched(garment->frame)};
+  return Fit{girthsOf(*garment), pressureReport(pressure), mostPressed(pressure, **body), mostStretched(garment->frame),
+             wideEdges(*garment)};
 }
 
 }  // namespace karinui::app

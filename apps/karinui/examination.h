@@ -2,6 +2,7 @@
 // How the cloth of an open document stands.
 #include "karinui/design/drape.h"
 #include "karinui/session/fit.h"
+#include "karinui/session/wide_edges.h"
 #include "open_document.h"
 
 namespace karinui::app {
@@ -20,6 +21,7 @@ struct Fit {
   std::optional<PressureReport> pressure;
   std::optional<BodyPoint> pressedMost;
   std::string stretchedMost;  // the piece whose cloth is; empty: nothing is known
+  std::vector<WideEdge> wide;
 };
 Result<Fit> fitOf(OpenDocument& opened);
 

@@ -12,41 +12,101 @@
 namespace karinui {
 namespace {
 
-constexpr double kPart = 0.01;         // metres the skin goes in a part of the way, at most: half of a hand's thickness
-constexpr int kSamples = 12;           // places of the way at which its length is looked at
-constexpr double kWith = 0.02;         // metres from the skin: cloth goes with it wholly,
-constexpr double kWithout = 0.10;      // and beyond this only as the cloth around it does
-constexpr int kSpread = 40;            // times the carrying is spread over the cloth
-constexpr double kClear = 0.95;        // of the skin offset: where carried cloth is put
-constexpr int kOutRounds = 4;          // times what stands too deep is put there
-constexpr double kNearest = 0.3;       // metres: what is farther from the skin is not carried
+constexpr double kPart = 0.01;       // metres that skin near cloth goes in a part of the way: half a hand's thickness;
+constexpr double kFarPart = 0.04;    // other skin, which
+constexpr double kFar = 0.06;        // is so far from any cloth
+constexpr double kFirstPart = 0.01;  // of the way: the part that is tried first
+constexpr double kAim = 0.9;         // of what a part may be: what the next one is aimed at
+constexpr int kTries = 20;           // to find where a part ends
+constexpr double kWith = 0.02;       // metres from the skin: cloth goes with it wholly,
+constexpr double kWithout = 0.10;    // and beyond this only as the cloth around it does
+constexpr int kSpread = 40;          // times the carrying is spread over the cloth
+constexpr double kClear = 0.95;      // of the skin offset: where carried cloth is put
+constexpr int kOutRounds = 4;        // times what stands too deep is put there
+constexpr double kDeep = 0.0003;     // metres under the skin: cloth that a step left deeper is put there again
+constexpr double kNearest = 0.3;     // metres: what is farther from the skin is not carried
 constexpr double kSeconds = 1.0 / 30;  // of a step
 
-// The way of the body, both ends being whole poses.
+// Whether there is cloth near a place of the skin, by cells of kFar and an edge of the cloth.
+class ClothNear {
+ public:
+  ClothNear(const std::vector<Vec3>& cloth, double spacing, const Box& skin) : side_(kFar + spacing) {
+    low_ = skin.low - Vec3{1, 1, 1} * (2.5 * side_);  // cloth beside the skin's outermost cells has all cells around it
+    const Vec3 high = (skin.high - low_) * (1 / side_);
+    count_ = {static_cast<std::size_t>(high.x) + 3, static_cast<std::size_t>(high.y) + 3,
+              static_cast<std::size_t>(high.z) + 3};
+    near_.assign(count_[0] * count_[1] * count_[2], 0);
+    std::vector<std::uint8_t> own = near_;
+    for (const Vec3& p : cloth) {
+      const Vec3 in = (p - low_) * (1 / side_);
+      const auto inside = [](double at, std::size_t count) { return at >= 1 && at < static_cast<double>(count - 1); };
+      if (!inside(in.x, count_[0]) || !inside(in.y, count_[1]) || !inside(in.z, count_[2])) continue;
+      const auto [cx, cy, cz] = cellAt(in);
+      if (std::uint8_t& here = own[number(cx, cy, cz)]; here == 0) {
+        here = 1;
+        for (std::size_t x = cx - 1; x <= cx + 1; ++x)
+          for (std::size_t y = cy - 1; y <= cy + 1; ++y)
+            for (std::size_t z = cz - 1; z <= cz + 1; ++z) near_[number(x, y, z)] = 1;
+      }
+    }
+  }
+  bool operator()(Vec3 skin) const {
+    const auto [x, y, z] = cellAt((skin - low_) * (1 / side_));
+    return near_[number(x, y, z)] != 0;
+  }
+
+ private:
+  static std::array<std::size_t, 3> cellAt(Vec3 in) {
+    return {static_cast<std::size_t>(in.x), static_cast<std::size_t>(in.y), static_cast<std::size_t>(in.z)};
+  }
+  std::size_t number(std::size_t x, std::size_t y, std::size_t z) const { return (x * count_[1] + y) * count_[2] + z; }
+  double side_;
+  Vec3 low_;
+  std::array<std::size_t, 3> count_{};
+  std::vector<std::uint8_t> near_;
+};
+
+// The way of the body, both ends being whole poses. It is gone part by part.
 class Way {
  public:
   Way(const Skeleton& skeleton, const BodyPose& from, const BodyPose& to)
-      : skeleton_(skeleton), from_(skeleton.whole(from)), to_(skeleton.whole(to)) {}
-  BodyPose pose(double t) const { return skeleton_.between(from_, to_, t); }
-  std::vector<Rigid> at(double t) const { return skeleton_.placements(pose(t)); }
-  // Where the parts end, the last at 1.
-  std::vector<double> parts() const {
-    std::vector<double> ends;
-    std::vector<Vec3> before = skeleton_.points(at(0));
-    for (int k = 1; k <= kSamples; ++k) {
-      const std::vector<Vec3> now = skeleton_.points(at(static_cast<double>(k) / kSamples));
-      double most = 0;
-      for (std::size_t i = 0; i < now.size(); ++i) most = std::fmax(most, squaredLength(now[i] - before[i]));
-      const int count = static_cast<int>(std::ceil(std::sqrt(most) / kPart));
-      for (int j = 1; j <= count; ++j) ends.push_back((k - 1 + static_cast<double>(j) / count) / kSamples);
-      before = now;
+      : skeleton_(skeleton), from_(skeleton.whole(from)), to_(skeleton.whole(to)) {
+    placements_ = skeleton_.placements(pose());
+    points_ = skeleton_.points(placements_);
+  }
+  double share() const { return share_; }
+  BodyPose pose() const { return skeleton_.between(from_, to_, share_); }
+  const std::vector<Rigid>& placements() const { return placements_; }
+  const std::vector<Vec3>& points() const { return points_; }
+
+  // On to the end of the next part, the cloth standing at `cloth`. The skin moves about evenly along the way, so the
+  // part before tells how long the next may be.
+  void goOn(const std::vector<Vec3>& cloth, double spacing) {
+    const ClothNear near(cloth, spacing, boxOf(points_));
+    std::vector<double> most(points_.size());
+    std::transform(points_.begin(), points_.end(), most.begin(),
+                   [&](Vec3 p) { return near(p) ? kPart * kPart : kFarPart * kFarPart; });
+    const double from = share_;
+    const std::vector<Vec3> before = std::move(points_);
+    for (int k = 1;; ++k) {
+      share_ = from + next_ < 1 ? from + next_ : 1;
+      placements_ = skeleton_.placements(pose());
+      points_ = skeleton_.points(placements_);
+      double used = 0;  // of what it may be
+      for (std::size_t i = 0; i < before.size(); ++i)
+        used = std::fmax(used, squaredLength(points_[i] - before[i]) / most[i]);
+      used = std::sqrt(used);
+      next_ = (share_ - from) * kAim / std::fmax(used, 0.1);
+      if (used <= 1 || k == kTries) return;
     }
-    return ends;
   }
 
  private:
   const Skeleton& skeleton_;
   BodyPose from_, to_;
+  double share_ = 0, next_ = kFirstPart;
+  std::vector<Rigid> placements_;
+  std::vector<Vec3> points_;
 };
 
 Rigid inverse(const Rigid& r) {
@@ -127,16 +187,34 @@ class Carrying {
   std::vector<Vec3> move_;
 };
 
+// Lengthens the moves of what would stand nearer to the skin than so far, or deeper, to be out of it; whether any did.
+bool outOfMovedSkin(const std::vector<Vec3>& x, std::vector<Vec3>& moves, const SkinCollider& skin, double least,
+                    double clear, Workers& workers) {
+  bool any = false;
+  for (const bool here : workers.each(moves.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
+         bool some = false;
+         for (std::size_t k = begin; k < end; ++k)
+           for (int round = 0; round < kOutRounds; ++round) {
+             const Collider::Sample sample = skin.sample(x[k] + moves[k]);
+             if (!(sample.distance < (round == 0 ? least : clear))) break;
+             moves[k] += sample.normal * (clear - sample.distance);
+             some = true;
+           }
+         return some;
+       }))
+    any = any || here;
+  return any;
+}
+
 }  // namespace
 
 Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const BodyPose& from, const BodyPose& to,
                             const Token& token, Workers& workers, const FollowWatcher& watcher) {
   if (const auto fine = checkLevel(level); !fine) return fine.error();
   const SettleSettings settings;
-  const Way way(skeleton, from, to);
-  std::vector<Rigid> before = way.at(0);
-  SkinCollider skin(skeleton.body()->mesh().faces, before.size());
-  skin.moveTo(skeleton.points(before));
+  Way way(skeleton, from, to);
+  SkinCollider skin(skeleton.body()->mesh().faces, way.points().size());
+  skin.moveTo(way.points(), workers);
   Carrying carrying(level.cloth, holdsOf(level.state.position, *skeleton.body(), skin.points()));
   LevelSolver solver(level.cloth, level.state.position, skin, settings,
                      clothRadius(level.cloth.spacing, level.cloth.spacing), workers);
@@ -148,30 +226,24 @@ Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const B
   options.mostMove = 0.5 * level.cloth.spacing;
   options.gravity = settings.gravity;
   options.stopping = {40, 100, 0.1};
+  const double clear = kClear * settings.skin;
   FollowReport report;
-  const std::vector<double> parts = way.parts();
-  for (const double t : parts) {
-    const std::vector<Rigid> after = way.at(t);
-    std::vector<Vec3> moves = carrying.moves(solver.positions(), before, after, workers);
-    skin.moveTo(skeleton.points(after));
-    // Out of the skin where it has come to.
-    workers.forBlocks(moves.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        for (int round = 0; round < kOutRounds; ++round) {
-          const Collider::Sample sample = skin.sample(solver.positions()[k] + moves[k]);
-          if (!(sample.distance < kClear * settings.skin)) break;
-          moves[k] += sample.normal * (kClear * settings.skin - sample.distance);
-        }
-    });
+  while (way.share() < 1) {
+    const std::vector<Rigid> before = way.placements();
+    way.goOn(solver.positions(), level.cloth.spacing);
+    std::vector<Vec3> moves = carrying.moves(solver.positions(), before, way.placements(), workers);
+    skin.moveTo(way.points(), workers);
+    outOfMovedSkin(solver.positions(), moves, skin, clear, clear, workers);
     solver.moveFiltered(std::move(moves));
     const auto step = solver.step(options, token);
     if (token.cancelled()) return cancelled();
     if (!step.finite) return tornApart();
-    for (const Vec3& p : solver.positions()) report.deepest = std::fmax(report.deepest, -skin.sample(p).distance);
-    before = after;
+    // A fold that closes presses cloth into the skin on either side.
+    moves.assign(level.cloth.nodeCount, {});
+    if (outOfMovedSkin(solver.positions(), moves, skin, -kDeep, clear, workers)) solver.moveFiltered(std::move(moves));
     ++report.parts;
-    token.progress(static_cast<double>(report.parts) / static_cast<double>(parts.size()), say("Moving the figure"));
-    if (watcher) watcher({t, way.pose(t), skin.points(), level.cloth, solver.positions()});
+    token.progress(way.share(), say("Moving the figure"));
+    if (watcher) watcher({way.share(), way.pose(), skin.points(), level.cloth, solver.positions()});
   }
   solver.separateIntersections();
   liftOffColliders(solver, skin, std::min(0.0003, 0.3 * settings.skin), workers);

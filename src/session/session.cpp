@@ -158,8 +158,7 @@ bool Session::bothHalves() const { return impl_->edgeEnds().bothHalves; }
 
 // Steps that are played again are shown once the garment is whole, so that none of it goes out of sight meanwhile.
 bool Session::Impl::shows(const GarmentSnapshot& prediction) const {
-  // What is hidden is known of a figure that stands.
-  if (prediction.underWay) return posingNow() && !gesture->begun() && !viewCut.any();
+  if (prediction.underWay) return posingNow() && !gesture->begun();
   if (!schedule.live().empty()) return true;
   if (gesture->begun()) return tasks.busy(TaskQueue::Kind::SettlePreview);
   const auto& pieces = state.snapshot->document.pattern.pieces;

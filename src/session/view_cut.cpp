@@ -189,12 +189,18 @@ VisibleParts::VisibleParts(const ViewCut& cut, BodyPtr body) : cut_(cut), body_(
   for (const RingPlane& part : planesOf(cut, *body_)) {
     parts_.push_back({part.plane.through, part.plane.normal, partAbove(body_->mesh(), part.plane, part.reach)});
     const std::vector<bool> gone = partAbove(left_, part.plane, part.reach);
-    left_ = cutOff(left_, part.plane, true, &gone).mesh;
+    CutMesh left = cutOff(left_, part.plane, true, &gone);
+    left_ = std::move(left.mesh);
+    moved_.push_back(std::move(left.points));
   }
-  if (cut.section) {
-    const Vec3 normal = cut.section->normal();
-    left_ = cutOff(left_, {normal * cut.section->at, normal}, true).mesh;
-  }
+  leftFaces_ = left_.faces;
+  left_ = sectioned(std::move(left_));
+}
+
+TriangleMesh VisibleParts::sectioned(TriangleMesh mesh) const {
+  if (!cut_.section) return mesh;
+  const Vec3 normal = cut_.section->normal();
+  return cutOff(mesh, {normal * cut_.section->at, normal}, true).mesh;
 }
 
 bool VisibleParts::shows(Vec3 place) const { return !cut_.section || !cut_.section->hides(place); }
@@ -205,10 +211,22 @@ bool VisibleParts::showsSkin(const SurfacePoint& place, Vec3 point) const {
          });
 }
 
-void VisibleParts::cut(SceneFrame& frame) const {
+void VisibleParts::cut(SceneFrame& frame, bool underWay) const {
   const std::size_t points = body_ ? body_->mesh().points.size() : 0;
-  for (SceneBody& one : frame.bodies)
-    if (body_ && one.mesh.points.size() == points) one.mesh = left_;
+  for (SceneBody& one : frame.bodies) {
+    if (!body_ || one.mesh.points.size() != points) continue;
+    if (!underWay) {
+      one.mesh = left_;
+      continue;
+    }
+    for (const std::vector<CutPoint>& cut : moved_) {
+      std::vector<Vec3> now;
+      for (const CutPoint& p : cut) now.push_back(lerp(one.mesh.points[p.from], one.mesh.points[p.to], p.share));
+      one.mesh.points = std::move(now);
+    }
+    one.mesh.faces = leftFaces_;
+    one.mesh = sectioned(std::move(one.mesh));
+  }
   const auto cutAll = [&](SceneCloth& cloth) {
     if (body_ && cloth.mesh.points.size() == points)  // the skin itself, in the colours of a map
       for (const Cut& part : parts_) {
@@ -226,7 +244,7 @@ void VisibleParts::cut(SceneFrame& frame) const {
     run.points.clear();
     for (const Vec3 p : line.points) {
       bool seen = shows(p);
-      if (seen && !parts_.empty())
+      if (seen && !parts_.empty() && !underWay)
         if (const auto skin = body_->bvh().nearest(p, 0.02)) seen = showsSkin(skin->place, skin->point);
       if (seen) run.points.push_back(p);
       if (!seen && run.points.size() > 1) lines.push_back(run);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "karinui/body/skeleton.h"
 #include "karinui/design/script.h"
 #include "karinui/session/session.h"
 
@@ -30,6 +31,27 @@ TEST(ViewCut, HiddenPartsAreCutOffCleanlyAndNotPicked) {
   EXPECT_GT(left(head), 0.88);
   EXPECT_LT(left(level), 0.7);
   EXPECT_GT(left(level), 0.4);
+
+  // On the way to another pose the same is left of it, where it has come to.
+  const auto skeleton = *Skeleton::of(body);
+  TriangleMesh raised{skeleton->points(skeleton->placements(namedPose("T")->pose)), body->mesh().faces};
+  const auto leftRaised = [&](const ViewCut& cut) {
+    SceneFrame frame;
+    frame.bodies.push_back({raised, {}});
+    VisibleParts(cut, body).cut(frame, true);
+    double widest = 0;
+    for (const Triangle& f : frame.bodies[0].mesh.faces)
+      for (const std::uint32_t p : f) widest = std::max(widest, frame.bodies[0].mesh.points[p].x);
+    return std::pair(volume(frame.bodies[0].mesh) / volume(raised), widest);
+  };
+  EXPECT_NEAR(leftRaised(arms).first, left(arms), 0.02);
+  EXPECT_NEAR(leftRaised(hands).first, left(hands), 0.005);
+  EXPECT_NEAR(leftRaised(head).first, left(head), 0.01);
+  EXPECT_LT(leftRaised(arms).second, 0.3);
+  EXPECT_GT(leftRaised({}).second, 0.6);
+  ViewCut side;
+  side.section = SectionPlane{SectionPlane::Across::Side, 0.5};
+  EXPECT_NEAR(leftRaised(side).second, 0.5, 1e-6);
 
   // A ray from in front meets the skin there; not where it is hidden, nor where the cut end comes first.
   const auto met = [&](const char* place) {

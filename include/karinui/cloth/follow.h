@@ -1,9 +1,9 @@
 #pragma once
-// Cloth that follows a body from one pose to another. The body goes in parts, none of its skin by more than a
-// centimetre in any; in each the cloth is first carried by the skin it lies on, and then takes a step of the solver on
-// the body as it stands there. So the outcome depends on the way alone, not on how fast it is gone. The cloth is not at
-// rest at the end: that is what settle() is for. The same input gives the same bits for any number of threads. Metres.
-// See docs/develop/poses.md.
+// Cloth that follows a body from one pose to another. The body goes in parts, none of its skin near cloth by more than
+// a centimetre in any; in each the cloth is first carried by the skin it lies on, and then takes a step of the solver
+// on the body as it stands there. So the outcome depends on the way alone, not on how fast it is gone. The cloth is not
+// at rest at the end: that is what settle() is for. The same input gives the same bits for any number of threads.
+// Metres. See docs/develop/poses.md.
 #include "karinui/body/skeleton.h"
 #include "karinui/cloth/settle.h"
 
@@ -21,7 +21,6 @@ using FollowWatcher = std::function<void(const FollowedPart&)>;
 
 struct FollowReport {
   std::size_t parts = 0;  // of the way
-  double deepest = 0;     // metres below the skin that any node was left at the end of a part
 };
 
 // `level`: the cloth as it stands on the body in the pose `from`; replaced on success. All its pieces should be live.

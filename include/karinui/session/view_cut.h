@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "karinui/body/body.h"
+#include "karinui/geometry/cut_mesh.h"
 #include "karinui/scene/scene_frame.h"
 
 namespace karinui {
@@ -40,7 +41,9 @@ class VisibleParts {
   bool shows(Vec3 place) const;                    // of cloth, or of a line in the room
   bool showsSkin(const SurfacePoint& place, Vec3 point) const;
   // The frame with the body exchanged, cloths cut off at the section, lines that lie in what is gone left out.
-  void cut(SceneFrame& frame) const;
+  // `underWay`: the body's points in the frame are on their way to another pose; the same of it is left, where that is
+  // now, and lines on what is hidden are not looked for.
+  void cut(SceneFrame& frame, bool underWay = false) const;
 
  private:
   struct Cut {  // of a part: the plane, and the faces of the body beyond it
@@ -49,8 +52,11 @@ class VisibleParts {
   };
   ViewCut cut_;
   BodyPtr body_;
+  TriangleMesh sectioned(TriangleMesh mesh) const;
   std::vector<Cut> parts_;
-  TriangleMesh left_;  // of the body
+  TriangleMesh left_;                         // of the body
+  std::vector<Triangle> leftFaces_;           // without the parts, before the section
+  std::vector<std::vector<CutPoint>> moved_;  // by each part's cut: where its points come from
 };
 
 }  // namespace karinui

@@ -1,0 +1,74 @@
+// A garment whose upper edge is wider than the waist is told of; one that hangs from above, or is held, is not.
+#include "karinui/session/wide_edges.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "design/workroom.h"
+
+namespace karinui {
+namespace {
+
+std::vector<std::string> told(const std::string& script) {
+  static Bodies bodies;
+  Workers workers;
+  Token token;
+  MemoryBlobs blobs;
+  Context context{workers,
+                  token,
+                  blobs,
+                  bodies,
+                  [](const Document& of, const DrapePieces&, Context&) {
+                    std::vector<PieceRef> all;
+                    for (const auto& [id, piece] : of.pattern.pieces) all.push_back(id);
+                    return fallABit(of, all);
+                  },
+                  {}};
+  Document document;
+  const auto lines = parseScript("body size=jis9ar\nset spacing=40mm\n" + script);
+  EXPECT_TRUE(lines) << text(lines.error().what);
+  for (const ScriptLine& line : *lines) {
+    auto next = apply(document, line.operation, context);
+    EXPECT_TRUE(next) << text(line.operation) << ": " << text(next.error().what);
+    if (next) document = *std::move(next);
+  }
+  std::vector<std::string> all;
+  for (const WideEdge& edge : wideEdges(*snapshotOf(document, *bodyOf(document, context))))
+    all.push_back(text(wideEdgeSaid(document, edge)));
+  return all;
+}
+
+// Two panels round the trunk, as wide as said, their upper edges at a level.
+std::string skirt(const std::string& width, const std::string& level) {
+  std::string script;
+  for (const auto& [name, around] : {std::pair("front", "0"), std::pair("back", "0.5")})
+    script += std::string("rectangle name=") + name + " width=\"" + width + "\" height=30cm\nplace piece=" + name +
+              " at=\"" + level + "@" + around + "\" point=\"(" + width + ")/2,30cm\" ease=5mm\n";
+  return script + "sew a=front.side_right b=back.side_left\nsew a=front.side_left b=back.side_right\n";
+}
+
+TEST(WideEdges, OfASkirtThatHasSlidDownAreTold) {
+  const auto all = told(skirt("waist_girth/2 + 6cm", "torso:waist-0.25") + "drape\n");
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_THAT(all[0], testing::HasSubstr("has slid to"));
+  EXPECT_THAT(all[0], testing::HasSubstr(
+                          "top edge of front and the edges that go on from it, 76.0 cm round on a waist of 64.0 cm"));
+}
+
+TEST(WideEdges, AreNotToldWhereNothingIsWrong) {
+  const std::string wide = skirt("waist_girth/2 + 6cm", "torso:waist-0.25");
+  EXPECT_TRUE(told(wide).empty()) << "not draped yet";
+  EXPECT_TRUE(told(skirt("waist_girth/2 + 6cm", "torso:waist") + "drape\n").empty()) << "it lies at the waist";
+  EXPECT_TRUE(told(skirt("waist_girth/2 + 4mm", "torso:waist-0.25") + "drape\n").empty()) << "it is no wider";
+  EXPECT_TRUE(told(wide + "elastic edges=front.top length=25cm\ndrape\n").empty()) << "an elastic holds it";
+  EXPECT_TRUE(told(wide + "pin piece=front at=2cm,28cm\ndrape\n").empty()) << "it is pinned";
+  EXPECT_TRUE(told(wide + "drape\npose joint=hip flex=80deg\ndrape\n").empty()) << "the figure sits";
+  // A strap over the shoulder: the edge is not the topmost.
+  EXPECT_TRUE(told(wide +
+                   "rectangle name=strap width=4cm height=50cm\nplace piece=strap at=\"torso:bust@0.1\" ease=5mm\n"
+                   "sew a=strap.bottom b=front.top@0.4:0.5\ndrape\n")
+                  .empty());
+}
+
+}  // namespace
+}  // namespace karinui
