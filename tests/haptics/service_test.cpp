@@ -7,6 +7,7 @@
 #include "karinui/devices/inverse3.h"
 #include "karinui/devices/simulated_inverse3.h"
 #include "karinui/haptics/haptic_driver.h"
+#include "soak.h"
 
 namespace karinui {
 namespace {
@@ -99,6 +100,8 @@ TEST(Service, EveryOperationEndsInTheDocumentThatItsScriptMakes) {
   const auto bodies = std::make_shared<Bodies>();
   for (const StylusWork& work : sixOperations()) {
     SCOPED_TRACE(work.name);
+    // In real time, and alone on the machine: by the virtual hand all six are done every time.
+    if (!atLength() && work.tool != Command::Draw && work.tool != Command::Pull) continue;
     Session session(cheapSession(bodies));
     give(session, work.given);
     Person person(session, work.start(session));
