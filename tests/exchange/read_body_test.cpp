@@ -11,8 +11,8 @@
 #include "geometry/shapes.h"
 #include "karinui/base/number.h"
 #include "karinui/exchange/read_print.h"
-#include "soak.h"
 #include "karinui/geometry/bvh.h"
+#include "soak.h"
 
 namespace karinui {
 namespace {
@@ -295,7 +295,7 @@ double gearVolume(double inner) { return 1.7 * 0.5 * kCorners * 0.2 * inner * st
 
 TEST_F(ReadBody, TakesPolygonsOfTenThousandCorners) {
   BodyReadOptions patient;
-  patient.limits.seconds = 60;  // for a busy machine
+  patient.limits.seconds = 60;              // for a busy machine
   for (const double inner : {0.18, 0.2}) {  // a gear, and a round column
     if (inner == 0.2 && !atLength()) continue;
     const auto body = read(file("column.obj", columnObj(gear(inner))), patient);
