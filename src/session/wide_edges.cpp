@@ -103,10 +103,12 @@ std::vector<Run> runsOf(const std::vector<EdgeRef>& border, Standings& stands) {
   return runs;
 }
 
-// Whether it goes round the trunk, its ends together.
-bool goesRoundTrunk(const Run& run, const Body& body) {
-  if (run.places.size() < 8) return false;
-  if (!run.closed && distance(run.places.front(), run.places.back()) > kEndsApart) return false;
+enum class Round { Nothing, Trunk, Legs };
+
+// What it goes round, its ends together.
+Round roundOf(const Run& run, const Body& body) {
+  if (run.places.size() < 8) return Round::Nothing;
+  if (!run.closed && distance(run.places.front(), run.places.back()) > kEndsApart) return Round::Nothing;
   Vec3 middle;
   for (const Vec3& p : run.places) middle += p * (1.0 / static_cast<double>(run.places.size()));
   double turned = 0, before = std::atan2(run.places.back().x - middle.x, run.places.back().z - middle.z);
@@ -115,12 +117,15 @@ bool goesRoundTrunk(const Run& run, const Body& body) {
     turned += std::remainder(now - before, 2 * std::numbers::pi);
     before = now;
   }
-  if (std::fabs(turned) < 1.9 * std::numbers::pi) return false;
-  std::size_t trunk = 0, seen = 0;
+  if (std::fabs(turned) < 1.9 * std::numbers::pi) return Round::Nothing;
+  using Part = BodyPoint::Part;
+  std::map<Part, std::size_t> on;
+  std::size_t seen = 0;
   for (std::size_t k = 0; k < run.places.size(); k += 4, ++seen)
-    if (const auto near = body.bvh().nearest(run.places[k]))
-      trunk += body.describe(near->place).part == BodyPoint::Part::Torso ? 1 : 0;
-  return 2 * trunk > seen;
+    if (const auto near = body.bvh().nearest(run.places[k])) ++on[body.describe(near->place).part];
+  if (2 * on[Part::Torso] > seen) return Round::Trunk;
+  const bool both = on[Part::LeftLeg] > 0 && on[Part::RightLeg] > 0;
+  return both && 2 * (on[Part::LeftLeg] + on[Part::RightLeg]) > seen ? Round::Legs : Round::Nothing;
 }
 
 std::optional<double> waistHeight(const Body& body) {
@@ -176,16 +181,20 @@ std::vector<WideEdge> wideEdges(const GarmentSnapshot& snapshot) {
       const std::vector<EdgeRef> parts = border.between(0, border.length());
       for (const EdgeRef& part : parts) seen.insert({part.piece.id, part.edge});
       for (const Run& run : runsOf(parts, stands)) {
-        double height = 0;
-        for (const Vec3& p : run.places) height += p.y / static_cast<double>(run.places.size());
+        double height = 0, upTo = -1e9;
+        for (const Vec3& p : run.places) {
+          height += p.y / static_cast<double>(run.places.size());
+          upTo = std::max(upTo, p.y);
+        }
         const bool elastic = std::any_of(run.parts.begin(), run.parts.end(), [&](const EdgeRef& part) {
           return std::any_of(document.allowances.elastics.begin(), document.allowances.elastics.end(),
                              [&](const auto& own) { return own.first.first == part.piece.id; });
         });
-        if (elastic || top.at(garment) > height + kAbove || run.length < girth->second + kLeastWider ||
-            height > *waist - kLeastBelow || !goesRoundTrunk(run, body))
+        if (elastic || top.at(garment) > upTo + kAbove || run.length < girth->second + kLeastWider ||
+            height > *waist - kLeastBelow)
           continue;
-        wide.push_back({run.parts, run.length, girth->second, *waist - height});
+        if (const Round round = roundOf(run, body); round != Round::Nothing)
+          wide.push_back({run.parts, run.length, girth->second, *waist - height, round == Round::Legs});
       }
     }
   }
@@ -202,6 +211,11 @@ Message wideEdgeSaid(const Document& document, const WideEdge& edge) {
   }
   Message all = names.front();
   if (names.size() > 1) all = say("{0} and the edges that go on from it", names.front());
+  if (edge.fallen)
+    return say(
+        "Too wide to stay up: {0}, {1} cm round on a waist of {2} cm, has fallen to {3} cm below it. Make it shorter, "
+        "sew an elastic in, or hang it from straps.",
+        all, cm(edge.round), cm(edge.waist), cm(edge.below));
   return say(
       "Wider than the waist: {0}, {1} cm round on a waist of {2} cm, has slid to {3} cm below it, where the body is as "
       "wide. Unless it is meant to lie there, make it shorter, sew an elastic in, or hang it from straps.",

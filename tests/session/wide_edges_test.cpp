@@ -39,11 +39,11 @@ std::vector<std::string> told(const std::string& script) {
 }
 
 // Two panels round the trunk, as wide as said, their upper edges at a level.
-std::string skirt(const std::string& width, const std::string& level) {
+std::string skirt(const std::string& width, const std::string& level, const std::string& upTo = "30cm") {
   std::string script;
   for (const auto& [name, around] : {std::pair("front", "0"), std::pair("back", "0.5")})
     script += std::string("rectangle name=") + name + " width=\"" + width + "\" height=30cm\nplace piece=" + name +
-              " at=\"" + level + "@" + around + "\" point=\"(" + width + ")/2,30cm\" ease=5mm\n";
+              " at=\"" + level + "@" + around + "\" point=\"(" + width + ")/2," + upTo + "\" ease=5mm\n";
   return script + "sew a=front.side_right b=back.side_left\nsew a=front.side_left b=back.side_right\n";
 }
 
@@ -53,6 +53,17 @@ TEST(WideEdges, OfASkirtThatHasSlidDownAreTold) {
   EXPECT_THAT(all[0], testing::HasSubstr("has slid to"));
   EXPECT_THAT(all[0], testing::HasSubstr(
                           "top edge of front and the edges that go on from it, 76.0 cm round on a waist of 64.0 cm"));
+}
+
+TEST(WideEdges, OfASkirtThatFellDownTheLegsAreTold) {
+  const auto all = told(skirt("hip_girth/2 + 10cm", "torso:waist-0.25", "75cm") + "drape\n");
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_THAT(all[0], testing::StartsWith("Too wide to stay up: top edge of front"));
+  // Round one leg it is a stocking.
+  const std::string stocking =
+      "rectangle name=tube width=45cm height=20cm\nplace piece=tube at=\"left_leg:knee@0\" ease=1cm\n"
+      "sew a=tube.side_left b=tube.side_right\ndrape\n";
+  EXPECT_TRUE(told(stocking).empty());
 }
 
 TEST(WideEdges, AreNotToldWhereNothingIsWrong) {

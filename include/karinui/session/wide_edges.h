@@ -13,10 +13,12 @@ struct WideEdge {
   double round = 0;          // metres of it on the paper
   double waist = 0;          // metres round the body at its waist
   double below = 0;          // metres that it lies below the waist
+  bool fallen = false;       // off the trunk, round both legs
 };
 
-// Of each garment on the body whose topmost edge goes round the trunk below the waist, though nothing hangs it from
-// above. None where an elastic gathers the edge, pins hold the garment, or the figure bends at waist or hip.
+// Of each garment on the body whose topmost edge goes round the trunk below the waist, or round the legs, though
+// nothing hangs it from above. None where an elastic gathers the edge, pins hold the garment, or the figure bends at
+// waist or hip.
 std::vector<WideEdge> wideEdges(const GarmentSnapshot& snapshot);
 // What a tailor should know of it, and what mends it.
 Message wideEdgeSaid(const Document& document, const WideEdge& edge);
