@@ -55,8 +55,11 @@ int answerCheck(Program& program, const CheckOptions& options) {
         words += program.console.said(wideEdgeSaid(opened.document(), edge)) + "\n";
         Json run = Json::array();
         for (const EdgeRef& part : edge.run) run.push_back({{"piece", text(part.piece.id)}, {"edge", part.edge}});
-        object["wide_edges"].push_back(
-            {{"run", run}, {"round_m", edge.round}, {"waist_m", edge.waist}, {"below_m", edge.below}, {"fallen", edge.fallen}});
+        object["wide_edges"].push_back({{"run", run},
+                                        {"round_m", edge.round},
+                                        {"waist_m", edge.waist},
+                                        {"below_m", edge.below},
+                                        {"fallen", edge.fallen}});
       }
       if (fit->pressure) {
         words += pressureWords(*fit->pressure, program.console);
