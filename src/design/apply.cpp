@@ -4,8 +4,8 @@
 
 #include "design/formula/links.h"
 #include "design/operations/operations.h"
+#include "design/text/field_table.h"
 #include "design/text/formula_fields.h"
-#include "design/text/value_text.h"
 #include "karinui/design/variables.h"
 
 namespace karinui {
@@ -36,25 +36,16 @@ Done workOutFields(const Document& before, Operation& operation, Context& contex
     formula = *std::move(known);
     return evaluate(formula, names);
   };
-  const auto workOut = [&](std::string_view name, auto& value) -> Done {
+  for (const FieldOf& field : fieldsOf(operation)) {
     for (FieldText& formula : operation.formulas) {
-      if (formula.name != name) continue;
-      const auto field = workedOutField(kindOf(&value), formula.value, valueOf);
-      if (!field) return field.error();
-      formula.value = field->formulas;
-      return readValue(field->plain, value);
+      if (formula.name != field.name) continue;
+      const auto worked = workedOutField(field.form->kind, formula.value, valueOf);
+      if (!worked) return worked.error();
+      formula.value = worked->formulas;
+      if (Done done = field.form->read(worked->plain, field.value); !done) return done;
     }
-    return {};
-  };
-  return std::visit(
-      [&](auto& op) {
-        Done done;
-        op.fields(op, [&](std::string_view name, auto& value, std::string_view, Need) {
-          if (done) done = workOut(name, value);
-        });
-        return done;
-      },
-      static_cast<PlainOperation&>(operation));
+  }
+  return {};
 }
 
 // The formula of a `length`; empty: a plain number.

@@ -1,19 +1,11 @@
 #include <algorithm>
-#include <type_traits>
 
+#include "design/text/field_table.h"
 #include "design/text/formula_fields.h"
-#include "design/text/value_text.h"
-#include "karinui/design/script.h"
 
 namespace karinui {
 
 namespace {
-
-template <class Do>
-void forEachOperation(Do&& each) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) { (each(std::variant_alternative_t<i, PlainOperation>{}), ...); }
-  (std::make_index_sequence<std::variant_size_v<PlainOperation>>());
-}
 
 std::string quotedValue(std::string_view value) {
   const bool plain = !value.empty() && std::all_of(value.begin(), value.end(), [](char c) {
@@ -40,14 +32,14 @@ int hexDigit(char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 
 struct KeyValue {
   std::string key, value;
 };
-struct Line {
+struct ParsedLine {
   std::string name;
   std::vector<KeyValue> values;
 };
 
 // Takes a line apart into its name and key=value pairs; nothing is understood yet.
-Result<Line> takenApart(std::string_view text) {
-  Line line;
+Result<ParsedLine> parseLine(std::string_view text) {
+  ParsedLine line;
   std::size_t at = 0;
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
   for (;;) {
@@ -92,51 +84,46 @@ Result<Line> takenApart(std::string_view text) {
 }
 
 // A value as text, or formulas that give it once there is a garment.
-template <class Value>
-Done readField(std::string_view name, std::string_view text, Value& value, std::vector<FieldText>& formulas) {
-  Value read = value;
-  const Done done = readValue(text, read);
-  if (done) return value = std::move(read), Done();
-  const std::string kind = kindOf(&value);
-  const auto field = workedOutField(kind, text, [&](Formula&) -> Result<Quantity> {
+Done readField(const FieldOf& field, std::string_view text, std::vector<FieldText>& formulas) {
+  const Done done = field.form->read(text, field.value);
+  if (done) return done;
+  const std::string& kind = field.form->kind;
+  const auto formula = workedOutField(kind, text, [&](Formula&) -> Result<Quantity> {
     return Quantity{0, kind == "number" ? kPlainNumber : kind.ends_with("angle") ? kAngle : kLength};
   });
-  if (!field) return seemsFormula(kind, text) ? field.error() : done;
-  if (!field->any) return done;
-  if (Done whole = readValue(field->plain, read); !whole) return whole;
-  formulas.push_back({std::string(name), field->formulas});
+  if (!formula) return seemsFormula(kind, text) ? formula.error() : done;
+  if (!formula->any) return done;
+  if (Done whole = field.form->read(formula->plain, nullptr); !whole) return whole;
+  formulas.push_back({std::string(field.name), formula->formulas});
   return {};
 }
 
-template <class Op>
-Result<Operation> filled(const Line& line) {
-  Op operation;
+Result<Operation> filled(const OperationForm& form, const ParsedLine& line) {
+  Operation operation = form.make();
   std::vector<FieldText> formulas;
   Done trouble;
-  std::size_t used = 0;
   std::string names;
-  Op::fields(operation, [&](std::string_view name, auto& value, std::string_view, Need need) {
-    names += (names.empty() ? "" : ", ") + std::string(name);
-    const auto given = std::find_if(line.values.begin(), line.values.end(), [&](auto& v) { return v.key == name; });
+  for (const FieldOf& field : form.fields(operation)) {
+    names += (names.empty() ? "" : ", ") + std::string(field.name);
+    const auto given =
+        std::find_if(line.values.begin(), line.values.end(), [&](auto& v) { return v.key == field.name; });
     if (given == line.values.end()) {
-      if (need == kNeeded && trouble) trouble = badInput(say("“{0}” needs {1}=….", Op::kName, name));
-      return;
+      if (field.need == kNeeded && trouble) trouble = badInput(say("“{0}” needs {1}=….", form.name, field.name));
+      continue;
     }
-    ++used;
-    if (Done done = readField(name, given->value, value, formulas); !done && trouble) trouble = done.error();
-  });
+    if (Done done = readField(field, given->value, formulas); !done && trouble) trouble = done.error();
+  }
   for (std::size_t i = 0; i < line.values.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (line.values[i].key == line.values[j].key) return badInput(say("{0}= is given twice.", line.values[i].key));
     }
     if (("; " + names + ",").find(" " + line.values[i].key + ",") == std::string::npos) {
-      return badInput(say("“{0}” knows no {1}=; it knows: {2}.", Op::kName, line.values[i].key, names));
+      return badInput(say("“{0}” knows no {1}=; it knows: {2}.", form.name, line.values[i].key, names));
     }
   }
   if (!trouble) return trouble.error();
-  Operation all(std::move(operation));
-  all.formulas = std::move(formulas);
-  return all;
+  operation.formulas = std::move(formulas);
+  return operation;
 }
 
 }  // namespace
@@ -147,28 +134,20 @@ bool operator==(const Operation& a, const Operation& b) {
   return text(a) == text(b);
 }
 
-std::string_view nameOf(const Operation& operation) {
-  return std::visit([](const auto& op) { return std::decay_t<decltype(op)>::kName; }, operation);
-}
+std::string_view nameOf(const Operation& operation) { return formOf(operation).name; }
 
 std::vector<FieldText> fieldTexts(const Operation& operation) {
+  const OperationForm& form = formOf(operation);
   std::vector<FieldText> all;
-  std::visit(
-      [&](const auto& op) {
-        using Op = std::decay_t<decltype(op)>;
-        const Op usual;
-        std::vector<std::string> defaults;
-        Op::fields(usual, [&](auto, const auto& value, auto, Need) { defaults.push_back(writeValue(value)); });
-        std::size_t i = 0;
-        Op::fields(op, [&](std::string_view name, const auto& value, auto, Need need) {
-          const auto formula = std::find_if(operation.formulas.begin(), operation.formulas.end(),
-                                            [&](auto& f) { return f.name == name; });
-          std::string written = formula == operation.formulas.end() ? writeValue(value) : formula->value;
-          if (need == kNeeded || written != defaults[i]) all.push_back({std::string(name), std::move(written)});
-          ++i;
-        });
-      },
-      operation);
+  std::size_t i = 0;
+  // Only read from: the table is one for reading and writing.
+  for (const FieldOf& field : form.fields(const_cast<Operation&>(operation))) {
+    const auto formula = std::find_if(operation.formulas.begin(), operation.formulas.end(),
+                                      [&](auto& f) { return f.name == field.name; });
+    std::string written = formula == operation.formulas.end() ? field.form->write(field.value) : formula->value;
+    if (field.need == kNeeded || written != form.usual[i]) all.push_back({std::string(field.name), std::move(written)});
+    ++i;
+  }
   return all;
 }
 
@@ -181,53 +160,30 @@ std::string lineOf(std::string_view name, const std::vector<FieldText>& fields) 
 std::string text(const Operation& operation) { return lineOf(nameOf(operation), fieldTexts(operation)); }
 
 Result<Operation> parseOperation(std::string_view text) {
-  const auto line = takenApart(text);
+  const auto line = parseLine(text);
   if (!line) return line.error();
-  std::optional<Result<Operation>> found;
   std::string names;
-  forEachOperation([&](auto op) {
-    using Op = decltype(op);
-    names += (names.empty() ? "" : ", ") + std::string(Op::kName);
-    if (line->name == Op::kName) found = filled<Op>(*line);
-  });
-  if (found) return *std::move(found);
+  for (const OperationForm& form : operationForms()) {
+    if (line->name == form.name) return filled(form, *line);
+    names += (names.empty() ? "" : ", ") + std::string(form.name);
+  }
   if (line->name.empty()) return badInput(say("There is no operation on this line; it begins with its name."));
   return badInput(say("There is no operation “{0}”; there are: {1}.", line->name.substr(0, 60), names));
 }
 
-namespace {
-
-// Of an operation whose kind says what else it has: which kinds have a field, where not all do.
-template <class Op>
-void tellKinds(OperationHelp& help) {
-  using Kind = typename decltype(Op::kind)::value_type;
-  help.kindField = Op::kKindField;
-  for (FieldHelp& field : help.fields) {
-    const std::string words = kindOf(static_cast<const Kind*>(nullptr));
-    std::size_t all = 0;
-    for (std::size_t from = 0; from <= words.size(); ++all) {
-      const std::size_t end = std::min(words.find('|', from), words.size());
-      std::string word = words.substr(from, end - from);
-      from = end + 1;
-      Kind kind{};
-      if (readValue(word, kind) && Op::has(kind, field.name)) field.kinds.push_back(std::move(word));
-    }
-    if (field.kinds.size() == all) field.kinds.clear();
-  }
-}
-
-}  // namespace
-
 std::vector<OperationHelp> operationHelp() {
   std::vector<OperationHelp> all;
-  forEachOperation([&](auto op) {
-    using Op = decltype(op);
-    OperationHelp& help = all.emplace_back(OperationHelp{std::string(Op::kName), std::string(Op::kHelp), {}});
-    Op::fields(op, [&](std::string_view name, auto& value, std::string_view what, Need need) {
-      help.fields.push_back({std::string(name), kindOf(&value), std::string(what), writeValue(value), need == kNeeded});
-    });
-    if constexpr (requires { Op::kKindField; }) tellKinds<Op>(help);
-  });
+  for (const OperationForm& form : operationForms()) {
+    OperationHelp& help = all.emplace_back(OperationHelp{std::string(form.name), std::string(form.help), {}});
+    help.kindField = form.kindField;
+    Operation usual = form.make();
+    std::size_t i = 0;
+    for (const FieldOf& field : form.fields(usual)) {
+      help.fields.push_back(
+          {std::string(field.name), field.form->kind, std::string(field.help), form.usual[i++], field.need == kNeeded});
+      if (form.kindsWith) help.fields.back().kinds = form.kindsWith(field.name);
+    }
+  }
   return all;
 }
 
