@@ -6,10 +6,10 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <mutex>
-#include <thread>
 
 #include "karinui/base/error_name.h"
 #include "karinui/base/file.h"
+#include "karinui/base/threads.h"
 #include "karinui/design/drape.h"
 #include "karinui/design/dump.h"
 #include "karinui/design/script.h"
@@ -78,8 +78,7 @@ struct PythonBody {
 class PythonDocument {
  public:
   PythonDocument(DocumentFile file, int threads)
-      : file_(std::move(file)),
-        workers_(threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
+      : file_(std::move(file)), workers_(threads > 0 ? threads : usualThreads()) {}
 
   // Does `work` on the document, without Python's lock; nobody else works on it meanwhile.
   template <class Work>

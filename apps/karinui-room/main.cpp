@@ -3,11 +3,11 @@
 #include <cstdlib>
 #include <string>
 #include <system_error>
-#include <thread>
 
 #include "documents_folder.h"
 #include "karinui/base/file.h"
 #include "karinui/base/memory.h"
+#include "karinui/base/threads.h"
 #include "karinui/body/measurements.h"
 #include "karinui/design/values.h"
 #include "room_program.h"
@@ -125,8 +125,7 @@ int main(int argc, char** argv) {
   }
 
   SessionOptions options;
-  options.threads =
-      call.threads > 0 ? call.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.threads = call.threads > 0 ? call.threads : usualThreads();
   const std::filesystem::path documents = documentsFolder();
   if (!call.program.headless && !documents.empty()) {
     options.drafts = documents / "Drafts";

@@ -10,7 +10,6 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <QSurfaceFormat>
-#include <QThread>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -19,6 +18,7 @@
 #include "drafts.h"
 #include "karinui/base/memory.h"
 #include "karinui/base/number.h"
+#include "karinui/base/threads.h"
 #include "karinui/exchange/formats.h"
 #include "main_window.h"
 #include "self_check.h"
@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
 
   SessionOptions options;
   if (!wish.selfCheck) options.drafts = draftsFolder();
-  options.threads = wish.threads > 0 ? wish.threads : std::max(1, QThread::idealThreadCount());
+  options.threads = wish.threads > 0 ? wish.threads : usualThreads();
   if (wish.selfCheck) return selfCheck(app, options, wish.file);
   MainWindow window(options);
   window.show();

@@ -1,18 +1,18 @@
 // The command line: argument parsing and the exit status; the verbs are in the files beside this one.
 #include <algorithm>
 #include <exception>
-#include <thread>
 
 #include "commands.h"
 #include "fabric_verb.h"
 #include "karinui/base/memory.h"
+#include "karinui/base/threads.h"
 #include "wrong_call.h"
 
 int main(int count, char** words) {
   using namespace karinui::app;
   karinui::keepFreedMemory();
   Program program;
-  program.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  program.threads = karinui::usualThreads();
   program.cli.require_subcommand(1);
   program.cli.option_defaults()->group(help("Options"));
   program.cli.set_version_flag("--version", "karinui 0.1.0", help("Print the version and exit"));

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <random>
 #include <thread>
@@ -12,6 +13,7 @@
 #include "karinui/base/message.h"
 #include "karinui/base/number.h"
 #include "karinui/base/said_lengths.h"
+#include "karinui/base/threads.h"
 #include "karinui/base/workers.h"
 
 namespace karinui {
@@ -102,6 +104,22 @@ TEST(Workers, SumsAreTheSameBitsForAnyNumberOfThreads) {
   };
   EXPECT_EQ(total(1), total(2));
   EXPECT_EQ(total(1), total(5));
+}
+
+TEST(Workers, AsManyThreadsAsTheEnvironmentSays) {
+  const char* before = std::getenv("KARINUI_THREADS");
+  const std::string kept = before ? before : "";
+  setenv("KARINUI_THREADS", "7", 1);
+  EXPECT_EQ(usualThreads(), 7);
+  unsetenv("KARINUI_THREADS");
+  const int processors = usualThreads();
+  EXPECT_EQ(processors, std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  for (const char* nonsense : {"", "0", "-1", "257", "2x", " 2", "99999999999999999999"}) {
+    setenv("KARINUI_THREADS", nonsense, 1);
+    EXPECT_EQ(usualThreads(), processors) << nonsense;
+  }
+  unsetenv("KARINUI_THREADS");
+  if (before) setenv("KARINUI_THREADS", kept.c_str(), 1);
 }
 
 TEST(Workers, EveryItemOnceEvenWhenCalledManyTimes) {
