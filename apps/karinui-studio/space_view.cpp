@@ -413,7 +413,7 @@ void SpaceView::paintGL() {
   const int w = static_cast<int>(width() * ratio), h = static_cast<int>(height() * ratio);
   const bool two = beside() && beside_.renderer, stereo = !two && stereo_ != Stereo::Off;
   const int ew = w / halves().width(), eh = h / halves().height();
-  const bool quick = moving_ && software_;
+  const bool quick = (moving_ || quick_) && software_;
   const double share = fine_ && finest_ ? 2 : quick ? kQuickShare : 1;
   const int sw = std::max(1, static_cast<int>(ew * share)), sh = std::max(1, static_cast<int>(eh * share));
   if (stale_) renderer_->light(camera_);

@@ -48,7 +48,10 @@ class SpaceView : public QOpenGLWidget {
   bool tape() const { return tape_; }
   void setBlenderKeys(bool on) { blender_ = on; }
   void setFine(bool on);  // whether still pictures are drawn finer than moving ones; not where drawing is slow
-  void refresh();         // the session has something new
+  void setQuick(bool on) {
+    quick_ = on;
+  }                // still pictures, too, as while things move: where only what is in them matters
+  void refresh();  // the session has something new
   void setForceFeedback(ForceFeedback* force) { force_ = force; }  // outlives this view; null: none
   const Camera& camera() const { return camera_; }
   void setCamera(const Camera& camera);
@@ -128,7 +131,7 @@ class SpaceView : public QOpenGLWidget {
   std::optional<double> level_;
   std::vector<Girths> levelShown_;
   std::uint64_t garmentShown_ = ~0ull;
-  bool stale_ = true, overlaid_ = false, fine_ = false, finest_ = true, framed_ = false;
+  bool stale_ = true, overlaid_ = false, fine_ = false, finest_ = true, quick_ = false, framed_ = false;
   bool soft_ = false;    // the soft light is that of a still picture
   bool moving_ = false;  // view or cloth, until still: then less is drawn where the processor draws
   Stereo stereo_ = Stereo::Off;
