@@ -195,6 +195,10 @@ TEST(Mannequin, RandomPlausiblePeopleAreMet) {
 
 TEST(Mannequin, SameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(kept("jis9ar")->hash(), made(sizeNamed("jis9ar"), 2)->hash());
+  // Of one whose girths pull at each other the figures beside it are made on all threads at once.
+  Measurements tailored = sizeNamed("eu38");
+  tailored.value["thigh_girth"] = 0.56, tailored.value["crotch_height"] = 0.76;
+  EXPECT_EQ(made(tailored)->hash(), made(tailored, 3)->hash());
 }
 
 TEST(Mannequin, ACancelledOneIsNotMade) {
