@@ -15,7 +15,7 @@ namespace {
 constexpr double kNear = 0.05, kFar = 60;  // metres in the room
 constexpr double kStill = 0.2;             // seconds until the soft light is worked out anew
 constexpr int kPanelPixels = 160;          // of the menu's width
-constexpr double kLabelHigh = 1.6;         // of a label's plate on the table, in its font's heights
+constexpr double kLabelHigh = 1.3;         // of a label's plate on the table, in its font's heights; lines are 1.35
 constexpr double kWordHigh = 0.026;        // of a word, radians
 constexpr double kSaidAside = 0.50, kSaidFar = 0.80, kSaidBelow = -0.06, kSaidWide = 0.34;  // radians, metres
 constexpr Colour kHand{0.10f, 0.10f, 0.12f}, kOtherHand{0.35f, 0.34f, 0.33f}, kRay{0.70f, 0.16f, 0.04f},

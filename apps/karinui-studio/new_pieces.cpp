@@ -322,26 +322,37 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
     return edge ? std::optional(EdgeRef{PieceRef(edge->piece), edge->edge}) : std::nullopt;
   };
   QMenu* menu = &pieces;
-  const auto add = [&](const char* name, const Message& words, bool ofEdge, std::function<Operation()> made) {
+  enum class Of { Nothing, Edge, Piece };  // what is to be chosen before
+  const auto add = [&](const char* name, const Message& words, Of of, std::function<Operation()> made) {
     QAction* action = menu->addAction(QString());
     action->setObjectName(QString("new_") + name);
-    action->setProperty("of_edge", ofEdge);
+    connect(menu, &QMenu::aboutToShow, action, [this, action, of, made, chosen] {
+      const auto why = [&]() -> std::optional<Message> {
+        if (session_->readOnly()) return say("This garment was opened for reading only; keep a copy to work on it.");
+        if (of == Of::Edge && !chosen()) return say("Choose an edge first.");
+        if (of == Of::Piece && session_->selection().pieces.empty()) return say("Choose a piece first.");
+        return std::nullopt;
+      }();
+      action->setEnabled(!why);
+      const Message says = why ? *why : Message{helpOf(made()).help, {}};
+      action->setToolTip("<qt>" + inWords(says).toHtmlEscaped());
+    });
     Theme::here().keep(action, [action, words] { action->setText(inWords(words)); });
     connect(action, &QAction::triggered, this, [this, made = std::move(made)] { askNumbers(made()); });
   };
-  add("rectangle", say("Rectangle…"), false, [named] {
+  add("rectangle", say("Rectangle…"), Of::Nothing, [named] {
     DrawRectangle made;
     made.name = named("rectangle");
     made.width = {0.2}, made.height = {0.2};
     return Operation(made);
   });
-  add("circle", say("Circle…"), false, [named] {
+  add("circle", say("Circle…"), Of::Nothing, [named] {
     DrawRing made;
     made.name = named("circle");
     made.depth = {0.1};
     return Operation(made);
   });
-  add("ring", say("Ring or sector, as for a circle skirt…"), false, [named, chosen, this] {
+  add("ring", say("Ring or sector, as for a circle skirt…"), Of::Nothing, [named, chosen, this] {
     DrawRing made;
     made.name = named("ring");
     made.depth = {0.5};
@@ -352,26 +363,26 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
       made.inner = Length{0.6};
     return Operation(made);
   });
-  add("polygon", say("Polygon…"), false, [named] {
+  add("polygon", say("Polygon…"), Of::Nothing, [named] {
     DrawPolygon made;
     made.name = named("polygon");
     made.points = {{0, 0}, {0.2, 0}, {0.2, 0.15}, {0, 0.2}};
     return Operation(made);
   });
-  add("band", say("Band along the chosen edge…"), true,
+  add("band", say("Band along the chosen edge…"), Of::Edge,
       [chosen, this] { return Operation(bandAlong(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
-  add("facing", say("Facing along the chosen edge…"), true, [chosen, this] {
+  add("facing", say("Facing along the chosen edge…"), Of::Edge, [chosen, this] {
     FaceEdges made;
     if (const auto edge = chosen()) made.edges = runThrough(session_->snapshot().document, *edge);
     return Operation(made);
   });
   menu = &details;
-  add("pleat", say("Pleats in the chosen edge…"), true,
+  add("pleat", say("Pleats in the chosen edge…"), Of::Edge,
       [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
-  add("spread", say("Slash and spread from the chosen edge…"), true,
+  add("spread", say("Slash and spread from the chosen edge…"), Of::Edge,
       [chosen, this] { return Operation(slashFrom(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
   const auto addFinish = [&](const char* name, const Message& words, auto along) {
-    add(name, words, true, [chosen, along, this] {
+    add(name, words, Of::Edge, [chosen, along, this] {
       const Document& document = session_->snapshot().document;
       const auto edge = chosen();
       return Operation(along(document, edge ? runThrough(document, *edge) : std::vector<EdgeRef>()));
@@ -383,24 +394,20 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
   addFinish("piping", say("Piping along the chosen edge…"), pipingAlong);
   addFinish("binding", say("Binding along the chosen edge…"), bindingAlong);
   menu->addSeparator();
-  add("fasten", say("Buttons or a zip along the chosen edge…"), true, [chosen, this] {
+  add("fasten", say("Buttons or a zip along the chosen edge…"), Of::Edge, [chosen, this] {
     return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
   });
-  add("patch", say("Chosen piece sewn onto another…"), false, [this] {
+  add("patch", say("Chosen piece sewn onto another…"), Of::Piece, [this] {
     SewPatch made;
     if (const auto& taken = session_->selection().pieces; !taken.empty()) made.piece = PieceRef(*taken.begin());
     return Operation(made);
   });
-  add("attach", say("Lead the chosen edge along others…"), true, [chosen] {
+  add("attach", say("Lead the chosen edge along others…"), Of::Edge, [chosen] {
     AttachPiece made;
     if (const auto edge = chosen()) made.edge = *edge;
     return Operation(made);
   });
-  for (QMenu* one : {&pieces, &details})
-    connect(one, &QMenu::aboutToShow, one, [this, one, chosen] {
-      for (QAction* action : one->actions())
-        action->setEnabled(!session_->readOnly() && (!action->property("of_edge").toBool() || chosen()));
-    });
+  for (QMenu* one : {&pieces, &details}) one->setToolTipsVisible(true);
 }
 
 }  // namespace karinui::studio

@@ -121,14 +121,22 @@ void PatternView::paintEvent(QPaintEvent*) {
     paintWord(painter, place, QString::fromStdString(word.text), rect());
   }
   paintChosenEdges(painter, frame, screen());
-  // A ruler in the corner: how large things are.
+  // A ruler in the corner: how large things are. On a ground, for a piece may lie there.
   const double ruler = step * 5;
   const QPointF left(18, height() - 18.0), right(18 + ruler * scale_, height() - 18.0);
+  const QString rulerSaid = lengthText(ruler);
+  const QFontMetricsF metrics(painter.font());
+  const double wide = std::max(right.x() - left.x(), 2 + metrics.horizontalAdvance(rulerSaid));
+  QColor ground = p.paper;
+  ground.setAlphaF(0.88f);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(QRectF(left - QPointF(7, metrics.ascent() + 9), left + QPointF(wide + 7, 9)), 5, 5);
   painter.setPen(QPen(p.faint, 1.4));
   painter.drawLine(left, right);
   painter.drawLine(left - QPointF(0, 4), left + QPointF(0, 4));
   painter.drawLine(right - QPointF(0, 4), right + QPointF(0, 4));
-  painter.drawText(left + QPointF(2, -6), lengthText(ruler));
+  painter.drawText(left + QPointF(2, -6), rulerSaid);
   if (frame.pieces.empty() && frame.scans.empty()) {
     painter.setPen(p.faint);
     painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap, inWords(emptySaid()));

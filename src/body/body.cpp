@@ -16,8 +16,11 @@ namespace karinui {
 namespace {
 
 using Part = BodyPoint::Part;
-constexpr double kSamePlace = 1e-4;  // metres: a chart place that comes back this near is the same
-constexpr double kOnSkin = 1e-9;     // metres: nearer than this a landmark lies on the skin and stays, bit for bit
+constexpr double kSamePlace = 1e-4;      // metres: a chart place that comes back this near is the same
+constexpr double kOnSkin = 1e-9;         // metres: nearer than this a landmark lies on the skin and stays, bit for bit
+constexpr double kArmpitLevel = 6;       // of the torso's chart
+constexpr double kBelowArmpit = 0.0036;  // of the height: at the armpit itself arm and trunk are not yet apart
+constexpr double kTrunkToArm = 0.03;     // metres between trunk and arm
 
 std::string hashOf(const Body::Parts& parts) {
   Hasher hasher;
@@ -34,6 +37,52 @@ Done usable(const TriangleMesh& mesh) {
     for (const std::uint32_t i : f)
       if (i >= mesh.points.size()) return badInput(say("The body has a face with a corner that does not exist."));
   return {};
+}
+
+using Chart = Body::Parts::Template;
+
+// The skin of a part is where its ray first leaves the body.
+std::optional<SurfacePoint> skinOn(const Bvh& bvh, const Chart& chart, Part part, const ChartRay& ray, double around) {
+  for (const Bvh::Hit& hit : bvh.all(ray.from, normalized(ray.towards(around)))) {
+    if (hit.along > chart.reach(part)) break;
+    if (!hit.outside) return hit.place;
+  }
+  return std::nullopt;
+}
+
+// How a part's chart names a place, if find comes back to it.
+std::optional<BodyPoint> namedOn(const Body& body, const Chart& chart, Part part, Vec3 place) {
+  for (const double along : chart.alongOf(part, place)) {
+    const ChartRay ray = chart.at(part, along);
+    const Vec3 q = place - ray.from;
+    const double turns = std::atan2(dot(q, ray.side), dot(q, ray.front)) / (2 * std::numbers::pi);
+    BodyPoint point;
+    point.part = part;
+    point.along = along;
+    point.around = turns < 0 ? turns + 1 : turns;
+    if (point.around >= 1) point.around = 0;
+    if (const auto back = body.find(point); back && distance(at(body.mesh(), *back), place) < kSamePlace) return point;
+  }
+  return std::nullopt;
+}
+
+// A chest that is widest right under the armpit, as of most men, pushes the chart's armpit, which lies a little above
+// the bust, above that of the skin. A ray to the side then goes on through the arm. What is named by a level up to the
+// armpit is the trunk's: where `place`, what the ray meets, is the arm's or nothing, it is taken right under the
+// armpit.
+std::optional<SurfacePoint> underArmpit(const Body& body, const Chart& chart, const BodyPoint& point, ChartRay ray,
+                                        const std::optional<SurfacePoint>& place) {
+  const auto armpit = body.measured().value.find("armpit_height");
+  if (point.part != Part::Torso || point.along > kArmpitLevel || armpit == body.measured().value.end()) return place;
+  const double floor = chart.level[0].back().centre.y + 0.001 * chart.height - chart.height;  // below the crown
+  if (ray.from.y <= floor + armpit->second) return place;
+  ray.from.y = floor + armpit->second - kBelowArmpit * chart.height;
+  const auto under = skinOn(body.bvh(), chart, point.part, ray, point.around);
+  if (!place || !under) return under ? under : place;
+  const Vec3 here = at(body.mesh(), *place);
+  const bool arm = distance(at(body.mesh(), *under), here) > kTrunkToArm &&
+                   (namedOn(body, chart, Part::LeftArm, here) || namedOn(body, chart, Part::RightArm, here));
+  return arm ? under : place;
 }
 
 }  // namespace
@@ -122,34 +171,20 @@ Result<SurfacePoint> Body::find(const BodyPoint& point) const {
   if (!(point.along >= 0 && point.along <= top) || !std::isfinite(point.around))
     return badInput(say("The place {0} lies beyond its part of the body.", text(point)));
   const ChartRay ray = parts_.chart->at(point.part, point.along);
-  const Vec3 towards = normalized(ray.towards(point.around));
-  // The skin of this part is where the ray first leaves the body.
-  for (const Bvh::Hit& hit : bvh_.all(ray.from, towards)) {
-    if (hit.along > parts_.chart->reach(point.part)) break;
-    if (!hit.outside) return hit.place;
-  }
+  if (const auto place =
+          underArmpit(*this, *parts_.chart, point, ray, skinOn(bvh_, *parts_.chart, point.part, ray, point.around)))
+    return *place;
   return refused(say("There is no skin at {0} on this body: there it runs into another part.", text(point)));
 }
 
 BodyPoint Body::describe(const SurfacePoint& place) const {
   if (parts_.own) return parts_.own->describe(place);
-  const Vec3 p = at(parts_.mesh, place);
-  BodyPoint point;
   if (parts_.chart) {
     static constexpr std::array kOrder{Part::LeftArm, Part::RightArm, Part::LeftLeg, Part::RightLeg, Part::Torso};
     for (const Part part : kOrder)
-      for (const double along : parts_.chart->alongOf(part, p)) {
-        const ChartRay ray = parts_.chart->at(part, along);
-        const Vec3 q = p - ray.from;
-        const double turns = std::atan2(dot(q, ray.side), dot(q, ray.front)) / (2 * std::numbers::pi);
-        point.part = part;
-        point.along = along;
-        point.around = turns < 0 ? turns + 1 : turns;
-        if (point.around >= 1) point.around = 0;
-        if (const auto back = find(point); back && distance(at(parts_.mesh, *back), p) < kSamePlace) return point;
-      }
+      if (const auto point = namedOn(*this, *parts_.chart, part, at(parts_.mesh, place))) return *point;
   }
-  point = {};
+  BodyPoint point;
   point.part = Part::Face;
   point.onFace = place;
   return point;

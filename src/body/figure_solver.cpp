@@ -138,12 +138,16 @@ void FigureSolver::broydenUpdate(const std::vector<double>& step, const std::vec
 
 bool FigureSolver::differenceJacobian(const Evaluate& evaluate, const std::vector<double>& at,
                                       const std::vector<double>& residual) {
+  std::vector<Alteration> beside;
   for (std::size_t k = 0; k < parameter_.size(); ++k) {
     std::vector<double> moved = at;
     moved[k] += kDifference;
-    const auto measured = evaluate(alterationAt(moved));
-    if (!measured) return false;
-    const std::vector<double> now = residualVector(*measured);
+    beside.push_back(alterationAt(moved));
+  }
+  const auto measured = evaluate(beside);
+  for (std::size_t k = 0; k < parameter_.size(); ++k) {
+    if (!measured[k]) return false;
+    const std::vector<double> now = residualVector(*measured[k]);
     if (now.empty()) continue;
     for (std::size_t i = 0; i < targets_.size(); ++i) jacobian_[i][k] = (now[i] - residual[i]) / kDifference;
   }
@@ -157,7 +161,11 @@ double FigureSolver::solve(const Evaluate& evaluate, int rounds, double enough, 
       most = std::max(most, std::abs(residual[i]) * (targets_[i].stated ? 1 : kImpliedWeight));
     return most;
   };
-  auto measured = evaluate(alterationAt(at_));
+  const auto evaluateOne = [&](const std::vector<double>& units) {
+    const Alteration by = alterationAt(units);
+    return std::move(evaluate({&by, 1}).front());
+  };
+  auto measured = evaluateOne(at_);
   std::vector<double> residual = measured ? residualVector(*measured) : std::vector<double>();
   if (residual.empty()) return 1e9;
   std::vector<double> best = at_;
@@ -176,7 +184,7 @@ double FigureSolver::solve(const Evaluate& evaluate, int rounds, double enough, 
     }
     std::vector<double> next = at_;
     for (std::size_t k = 0; k < next.size(); ++k) next[k] += way[k];
-    measured = evaluate(alterationAt(next));
+    measured = evaluateOne(next);
     if (!measured) break;
     const std::vector<double> now = residualVector(*measured);
     if (now.empty()) {  // gone so far that the body cannot be measured

@@ -5,9 +5,10 @@
 // the gap between the legs and lowers the crotch). So this is damped least squares over all parameters at once
 // (Levenberg and Marquardt). The Jacobian is first taken as one to one, and updated by rank one from every try (C. G.
 // Broyden, A class of methods for solving nonlinear simultaneous equations, 1965); when that leads nowhere it is
-// measured by differences, one parameter after the other.
+// measured by differences, in every parameter; the figures of that are made at once.
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,9 @@ double worstResidual(const std::vector<Target>& targets, const Anthropometry& me
 
 class FigureSolver {
  public:
-  // Makes the figure altered so and measures it; nothing where no body can be measured.
-  using Evaluate = std::function<std::optional<Anthropometry>(const Alteration&)>;
+  // Makes the figure altered in each of these ways and measures it; nothing where no body can be measured. Each by
+  // itself: in which order, or on how many threads, is all one.
+  using Evaluate = std::function<std::vector<std::optional<Anthropometry>>(std::span<const Alteration>)>;
   explicit FigureSolver(std::vector<Target> targets);
 
   const std::vector<Target>& targets() const { return targets_; }

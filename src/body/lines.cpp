@@ -130,13 +130,20 @@ class Finder {
   bool find(const Recipe& recipe, bool right, BodyLine& line) const {
     std::vector<SurfacePoint> through;
     std::size_t missed = 0;
-    for (const std::string_view word : recipe.through)
+    for (const std::string_view word : recipe.through) {
+      double lowest = 1e9;  // of this word: levels run down, but right under the armpit some are one
       for (const BodyPoint& point : spread(word)) {
-        if (const auto place = placeOf(point, right))
-          through.push_back(*place);
-        else
+        const auto place = placeOf(point, right);
+        if (!place) {
           ++missed;
+          continue;
+        }
+        const double height = karinui::at(body_.mesh(), *place).y;
+        if (word.find("..") != std::string_view::npos && height > lowest) continue;
+        lowest = height;
+        through.push_back(*place);
       }
+    }
     if (through.size() < 2 || missed > through.size() / 4) return false;
     if (recipe.kind == Recipe::Kind::Taut || recipe.kind == Recipe::Kind::Below) {
       const double middle = karinui::at(body_.mesh(), through.front()).x;

@@ -57,6 +57,30 @@ bool sound(const TriangleMesh& mesh) {
   return report.closed() && report.outward && report.shells == 1 && euler == 2 && report.selfCrossings == 0;
 }
 
+// A figure as its sections draw it, and what the tape says of it.
+struct Drawn {
+  FieldGrid field;
+  TriangleMesh drawn, mesh;
+  Standing stands;
+  Figure figure;
+  Anthropometry measured;
+};
+struct Grid {
+  double cell = 0, shift = 0;
+  int polish = 0;
+};
+std::optional<Drawn> drawnOn(const Grid& grid, Figure figure, double height, Workers& workers) {
+  Drawn made;
+  made.figure = std::move(figure);
+  made.field = fieldOf(made.figure, grid.cell, grid.shift, workers);
+  made.drawn = polygonise(made.field, grid.polish, workers);
+  if (made.drawn.faces.empty()) return std::nullopt;
+  made.stands = standing(made.drawn, height);
+  made.mesh = made.stands.of(made.drawn);
+  made.measured = anthropometryOf(made.mesh);
+  return made;
+}
+
 // The drawn figure with modelled head, hands and feet; they reach exactly from the floor to its height, too.
 TriangleMesh modelled(const TriangleMesh& drawn, const FieldGrid& field, const Figure& figure, Standing stands,
                       double height, double neckHeight, Workers& workers) {
@@ -137,31 +161,35 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   const Figure drawn = model.draw(complete);
   FigureSolver solver(targetsFor(wanted, complete, model, drawn.at));
 
-  struct {
-    FieldGrid field;
-    TriangleMesh drawn, mesh;
-    Standing stands;
-    Figure figure;
-    Anthropometry measured;
-  } now;
+  Drawn now;  // the figure made last
   double cell = kCoarse, shift = 0;
   int polish = 2, tries = 0;
-  const FigureSolver::Evaluate evaluate = [&](const Alteration& by) -> std::optional<Anthropometry> {
-    if (token.cancelled()) return std::nullopt;
-    token.progress(0.95 * (1 - std::exp(-0.06 * ++tries)), say("Making the mannequin"));
-    now.figure = altered(drawn, by);
-    now.field = fieldOf(now.figure, cell * (1 + 0.07 * shift), shift, workers);
-    now.drawn = polygonise(now.field, polish, workers);
-    if (now.drawn.faces.empty()) return std::nullopt;
-    now.stands = standing(now.drawn, height);
-    now.mesh = now.stands.of(now.drawn);
-    now.measured = anthropometryOf(now.mesh);
-    return now.measured;
+  const FigureSolver::Evaluate evaluate = [&](std::span<const Alteration> ways) {
+    std::vector<std::optional<Anthropometry>> measured(ways.size());
+    tries += static_cast<int>(ways.size());
+    if (!token.cancelled()) token.progress(0.95 * (1 - std::exp(-0.06 * tries)), say("Making the mannequin"));
+    const auto make = [&](std::size_t i, Workers& by) {
+      if (token.cancelled()) return;
+      const Grid grid{cell * (1 + 0.07 * shift), shift, polish};
+      std::optional<Drawn> figure = drawnOn(grid, altered(drawn, ways[i]), height, by);
+      if (!figure) return;
+      measured[i] = figure->measured;
+      if (i + 1 == ways.size()) now = *std::move(figure);
+    };
+    if (ways.size() == 1)
+      make(0, workers);
+    else
+      workers.forBlocks(ways.size(), 1, [&](std::size_t begin, std::size_t) {
+        Workers alone;
+        make(begin, alone);
+      });
+    return measured;
   };
+  const auto evaluateOne = [&](const Alteration& by) { return evaluate({&by, 1}).front(); };
   const double far = solver.solve(evaluate, kCoarseRounds, kNear, 3);
   if (token.cancelled()) return cancelled();
   const auto none = [&] { return token.cancelled() ? cancelled() : unsound(); };
-  if (far > kHopeless) return evaluate(solver.alteration()) ? unmet(solver, now.measured) : none();
+  if (far > kHopeless) return evaluateOne(solver.alteration()) ? unmet(solver, now.measured) : none();
   cell = std::max(kFine, kCoarse * std::sqrt(static_cast<double>(now.mesh.faces.size()) / kTriangles));
   polish = 4;
   bool met = false;
@@ -169,7 +197,7 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
     shift = other;
     solver.solve(evaluate, kFineRounds, kGood, far > 1 && far < 3 ? 1 : 0);
     if (token.cancelled()) return cancelled();
-    if (!evaluate(solver.alteration())) return none();
+    if (!evaluateOne(solver.alteration())) return none();
     met = worstResidual(solver.targets(), now.measured, true) <= 1;
     if (met && sound(now.mesh)) break;
     if (!met) return unmet(solver, now.measured);

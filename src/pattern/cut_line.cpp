@@ -15,6 +15,7 @@ constexpr double kSmooth = 0.0872;   // sine of 5 degrees: edges that turn less 
 constexpr double kKink = 0.94;       // cosine of 20 degrees: a curve that turns more has a corner
 constexpr double kLeastHole = 1e-6;  // square metres
 constexpr double kReach = 20;        // widths from an inward corner in which parallels meet
+constexpr double kCurl = 0.985;      // cosine of 10 degrees: what turns more right at its end does not go that way
 
 Flat outOf(Flat way) { return -leftOf(way); }
 
@@ -72,6 +73,16 @@ Flat wayAt(const Curve& curve, bool atEnd) {
   for (const double t : {0.0, 1e-6, 1e-3, 0.1})
     if (const Flat way = curve.tangent(atEnd ? 1 - t : t); length(way) > 1e-9) return normalized(way);
   return normalized(curve.end - curve.start);
+}
+
+// The way an edge goes at its end over the width of its allowance, where it curls right at the end. What is turned back
+// along it would else be turned by twice the curl.
+std::optional<Flat> wayBeforeCurl(const Side& side, const Curve& curve, bool atEnd) {
+  const double own = curve.length();
+  if (side.width <= 0 || own < 4 * side.width) return std::nullopt;
+  const Flat near = curve.atFraction(atEnd ? 1 - side.width / own : side.width / own);
+  const Flat way = normalized(atEnd ? side.end - near : near - side.start);
+  return dot(way, atEnd ? side.wayOut : side.wayIn) < kCurl ? std::optional(way) : std::nullopt;
 }
 
 Side sideOf(const Curve& curve, double width, double miss) {
@@ -148,6 +159,7 @@ Ring cleaned(const Ring& ring) {
 Ring ringOf(PieceId piece, const Outline& outline, const AllowancePlan& plan, double miss, bool hole) {
   std::vector<Side> sides;
   std::vector<const std::string*> names;  // null: across the mouth of a dart
+  std::vector<Curve> curves;
   const std::size_t count = outline.edges.size();
   for (std::size_t k = 0; k < count; ++k) {
     const Edge& edge = outline.edges[k];
@@ -157,13 +169,16 @@ Ring ringOf(PieceId piece, const Outline& outline, const AllowancePlan& plan, do
       const Flat peak = capOf(outline, *dart);
       sides.push_back(sideOf(Curve::line(dart->from, peak), widthOf(k + count - 1), miss));
       sides.push_back(sideOf(Curve::line(peak, dart->until), widthOf(k + 2), miss));
-      names.insert(names.end(), 2, nullptr);
+      names.insert(names.end(), 2, nullptr), curves.resize(sides.size());
       continue;
     }
-    sides.push_back(sideOf(hole ? edge.curve.reversed() : edge.curve, widthOf(k), miss));
+    curves.push_back(hole ? edge.curve.reversed() : edge.curve);
+    sides.push_back(sideOf(curves.back(), widthOf(k), miss));
     names.push_back(&edge.name);
   }
-  if (hole) std::reverse(sides.begin(), sides.end()), std::reverse(names.begin(), names.end());
+  if (hole)
+    std::reverse(sides.begin(), sides.end()), std::reverse(names.begin(), names.end()),
+        std::reverse(curves.begin(), curves.end());
   const std::size_t n = sides.size();
   std::vector<std::vector<Flat>> corners(n);  // after each side
   for (std::size_t k = 0; k < n; ++k) {
@@ -178,6 +193,12 @@ Ring ringOf(PieceId piece, const Outline& outline, const AllowancePlan& plan, do
       cutOff(before, after);  // else what they go round is found below
       continue;
     }
+    if (kind == CornerKind::MirrorBefore)
+      if (const auto way = wayBeforeCurl(before, curves[k], true))
+        before.wayOut = *way, before.points.back() = before.end + outOf(*way) * before.width;
+    if (kind == CornerKind::MirrorAfter)
+      if (const auto way = wayBeforeCurl(after, curves[(k + 1) % n], false))
+        after.wayIn = *way, after.points.front() = after.start + outOf(*way) * after.width;
     corners[k] = cornerPoints({before.end, before.wayOut, after.wayIn, before.width, after.width, kind});
     endAt(before, corners[k].front()), startAt(after, corners[k].back());
   }

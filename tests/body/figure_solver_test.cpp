@@ -42,6 +42,16 @@ struct MadeUpBody {
   }
 };
 
+// What measures one figure, for each of several.
+template <class One>
+FigureSolver::Evaluate each(One one) {
+  return [one](std::span<const Alteration> ways) {
+    std::vector<std::optional<Anthropometry>> measured;
+    for (const Alteration& by : ways) measured.push_back(one(by));
+    return measured;
+  };
+}
+
 TEST(FigureSolver, MeetsWhatABodyCanHave) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -55,7 +65,7 @@ TEST(FigureSolver, MeetsWhatABodyCanHave) {
     FigureSolver solver(targets);
     int tries = 0;
     const double said =
-        solver.solve([&](const Alteration& by) { return ++tries, std::optional(body.at(by)); }, 30, 0.2, 2);
+        solver.solve(each([&](const Alteration& by) { return ++tries, std::optional(body.at(by)); }), 30, 0.2, 2);
     EXPECT_LT(said, 0.2);
     EXPECT_DOUBLE_EQ(worstResidual(targets, body.at(solver.alteration()), true), said);
     EXPECT_LT(tries, 40);
@@ -69,20 +79,21 @@ TEST(FigureSolver, LeavesAloneWhatIsMet) {
   for (const auto& [key, value] : body.drawn) targets.push_back({key, value, true});
   FigureSolver solver(targets);
   int tries = 0;
-  EXPECT_EQ(solver.solve([&](const Alteration& by) { return ++tries, std::optional(body.at(by)); }, 30, 0.2, 2), 0);
+  EXPECT_EQ(solver.solve(each([&](const Alteration& by) { return ++tries, std::optional(body.at(by)); }), 30, 0.2, 2),
+            0);
   EXPECT_EQ(tries, 1);
   for (const auto& [parameter, amount] : solver.alteration()) EXPECT_EQ(amount, 0) << parameter;
 }
 
 // Bust and waist answer to one and the same parameter: no figure has both.
 TEST(FigureSolver, NamesTheOneInTheWay) {
-  const auto evaluate = [](const Alteration& by) {
+  const auto evaluate = each([](const Alteration& by) {
     Anthropometry found;
     const double common = by.at("bust_girth") + by.at("waist_girth");
     found.value["bust_girth"] = 0.9 * std::exp(common), found.value["waist_girth"] = 0.7 * std::exp(common);
     found.value["hip_girth"] = 1.0 * std::exp(by.at("hip_girth"));
     return std::optional(found);
-  };
+  });
   FigureSolver solver({{"bust_girth", 0.99, true}, {"hip_girth", 1.05, true}, {"waist_girth", 0.7, true}});
   EXPECT_GT(solver.solve(evaluate, 30, 0.2, 2), 5);
   EXPECT_EQ(solver.conflictsWith("bust_girth"), "waist_girth");
@@ -91,8 +102,8 @@ TEST(FigureSolver, NamesTheOneInTheWay) {
 
 TEST(FigureSolver, GivesUpWhereNothingCanBeMeasured) {
   FigureSolver none({{"bust_girth", 0.9, true}});
-  EXPECT_EQ(none.solve([](const Alteration&) { return std::optional<Anthropometry>(); }, 30, 0.2, 2), 1e9);
-  EXPECT_EQ(none.solve([](const Alteration&) { return std::optional(Anthropometry{}); }, 30, 0.2, 2), 1e9);
+  EXPECT_EQ(none.solve(each([](const Alteration&) { return std::optional<Anthropometry>(); }), 30, 0.2, 2), 1e9);
+  EXPECT_EQ(none.solve(each([](const Alteration&) { return std::optional(Anthropometry{}); }), 30, 0.2, 2), 1e9);
 }
 
 }  // namespace

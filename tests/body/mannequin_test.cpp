@@ -195,6 +195,10 @@ TEST(Mannequin, RandomPlausiblePeopleAreMet) {
 
 TEST(Mannequin, SameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(kept("jis9ar")->hash(), made(sizeNamed("jis9ar"), 2)->hash());
+  // Of one whose girths pull at each other the figures beside it are made on all threads at once.
+  Measurements tailored = sizeNamed("eu38");
+  tailored.value["thigh_girth"] = 0.56, tailored.value["crotch_height"] = 0.76;
+  EXPECT_EQ(made(tailored)->hash(), made(tailored, 3)->hash());
 }
 
 TEST(Mannequin, ACancelledOneIsNotMade) {
@@ -219,6 +223,28 @@ TEST(Mannequin, TheNeckEndsInItsShoulders) {
       EXPECT_GT(p.y, m.at("shoulder_height")) << size;
       EXPECT_LT(p.y, m.at("neck_height")) << size << ": not on the head";
     }
+  }
+}
+
+// A man's chest is widest right under the armpit. What is named at or under the armpit's level is on his trunk all the
+// same, not across the arm.
+TEST(Mannequin, WhatIsNamedUnderTheArmpitIsOnTheTrunk) {
+  const Measurements slim{Sex::Male,
+                          {{"height", 1.78}, {"bust_girth", 0.88}, {"waist_girth", 0.75}, {"hip_girth", 0.92}}};
+  for (const BodyPtr& body : {kept("eu38"), kept("eu50"), made(slim)}) {
+    ASSERT_TRUE(body);
+    const double armpit = body->measured().value.at("armpit_height"),
+                 gap = body->landmarks().at("armpit_left").x;  // between trunk and arm
+    for (const char* along : {"bust", "bust+0.5", "armpit-0.3", "armpit"})
+      for (const char* around : {"0.23", "0.25", "0.27", "0.73", "0.75", "0.77"}) {
+        const std::string name = std::string("torso:") + along + "@" + around;
+        const auto place = body->find(*parseBodyPoint(name));
+        ASSERT_TRUE(place) << name;
+        const Vec3 p = at(body->mesh(), *place);
+        EXPECT_LT(std::abs(p.x), gap + 0.015) << name;
+        EXPECT_LT(p.y, armpit + 0.012) << name;  // before and behind the fold a little higher
+        EXPECT_GT(p.y, armpit - 0.05) << name;
+      }
   }
 }
 

@@ -97,5 +97,25 @@ TEST(DrawnOnAnyone, TheBackOfTrousersOnATallSlimFigure) {
   EXPECT_TRUE(file.document().pieceNamed("back_right"));
 }
 
+// A man's chest is widest right under the armpit: the corner under his arm is on the trunk, and the armhole does not
+// run over the arm to it.
+TEST(DrawnOnAnyone, ABodiceOnMen) {
+  Workroom room;
+  for (const char* man : {"height=178cm; bust_girth=88cm; waist_girth=75cm; hip_girth=92cm",
+                          "height=180cm; bust_girth=101cm; waist_girth=89cm; hip_girth=102cm"}) {
+    DocumentFile file = DocumentFile::inMemory();
+    const Done done = room.play(file, "body sex=male set=\"" + std::string(man) + "\"\n" + kFront + kBack);
+    ASSERT_TRUE(done) << man << ": " << text(done.error().what);
+    const Piece &front = *file.document().pieceNamed("front"), &back = *file.document().pieceNamed("back");
+    EXPECT_NEAR(lengthOf(front, "side_left"), lengthOf(back, "side_left"), 0.03) << man;
+    for (const Piece* piece : {&front, &back}) {
+      EXPECT_LT(lengthOf(*piece, "armhole_left"), 0.34) << man << ", " << piece->name;
+      double wide = 0;
+      for (const Flat p : piece->outline.flattened(1e-3)) wide = std::max(wide, std::abs(p.u));
+      EXPECT_LT(wide, 0.29) << man << ", " << piece->name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace karinui

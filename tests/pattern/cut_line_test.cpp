@@ -159,6 +159,21 @@ TEST(CutLine, AHemLiesFlatWhenItIsTurnedUp) {
   EXPECT_EQ(folded, 2);
 }
 
+// A hem drawn on a body may curl by millimetres right at its corners. Its allowance is turned up along the hem, not
+// along the curl, which would lead it away from the corner like a horn.
+TEST(CutLine, AHemThatCurlsAtItsCornersHasNoHorns) {
+  Outline outline = test::polygon({{0, 0}, {0.4, 0}, {0.36, 0.3}, {0.04, 0.3}});
+  outline.edges[0] = {"hem", Curve::cubic({0, 0}, {0.012, -0.012}, {0.388, -0.012}, {0.4, 0})};
+  const Piece piece = test::pieceOf(1, outline);
+  const auto lines = cutLines(piece, AllowancePlan(alone(piece), {}));
+  ASSERT_TRUE(lines);
+  const double seam = usualAllowance(EdgeKind::Seam);
+  for (const Flat p : lines->outer) {
+    EXPECT_GT(p.u, -2.5 * seam) << p.v;
+    EXPECT_LT(p.u, 0.4 + 2.5 * seam) << p.v;
+  }
+}
+
 TEST(CutLine, CurvesKeepTheirDistance) {
   const Piece disc = test::pieceOf(1, test::circle(0.1));
   EXPECT_NEAR(areaCut(disc, {}), std::numbers::pi * 0.11 * 0.11, 2e-5);

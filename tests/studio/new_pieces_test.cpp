@@ -407,6 +407,16 @@ TEST(StudioNewPieces, TheMenuWorkHasAllOfThemForKeys) {
   w.session().select({});
   EXPECT_FALSE(offered("band")->isEnabled()) << "no edge is chosen";
   EXPECT_FALSE(offered("pleat")->isEnabled());
+  EXPECT_TRUE(offered("pleat")->toolTip().contains("Choose an edge first.")) << "and the menu says why";
+  EXPECT_FALSE(offered("patch")->isEnabled()) << "no piece is chosen";
+  EXPECT_TRUE(offered("patch")->toolTip().contains("Choose a piece first."));
+  Selection pocket;
+  pocket.pieces = {piece(w, "front").id};
+  w.session().select(pocket);
+  EXPECT_TRUE(offered("patch")->isEnabled());
+  EXPECT_TRUE(offered("patch")->toolTip().contains("Sews a piece onto another"));
+  EXPECT_FALSE(offered("pleat")->isEnabled()) << "a piece is no edge";
+  w.session().select({});
   for (const char* name : {"rectangle", "circle", "ring", "polygon"}) {
     const std::size_t before = w.count();
     ASSERT_TRUE(offered(name) && offered(name)->isEnabled()) << name;
