@@ -46,6 +46,7 @@ class Cascade {
   // How to begin anew, where a relaxed level shows that the drape came out wrong.
   std::optional<CascadeStart> wentWrong(Level& level, const CascadeStart& start) const;
   void count(const StageResult& stage);
+  bool ended() const { return stopped_ || givenUp_; }
 
   const std::vector<ClothLevel>& levels_;
   const ColliderList& colliders_;
@@ -57,6 +58,7 @@ class Cascade {
   BoundaryActivation activation_;
   std::size_t first_ = 0;  // level of this descent
   bool sewn_ = false, stopped_ = false;
+  bool givenUp_ = false;  // a seam stays so far open that finer levels would only spend time on it
 };
 
 }  // namespace karinui

@@ -14,40 +14,33 @@ namespace {
 
 constexpr int kStepsAfterEdit = 60;  // in which cloth that rested before comes to rest again, mostly
 
-// The pieces that the widest open pair of a seam belongs to.
-struct OpenSeam {
-  std::string a, b;
-};
-OpenSeam openSeamOf(const Cloth& cloth, std::span<const Vec3> x) {
+Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
+  if (end.settled) return say("At rest.");
+  if (end.falls)
+    return say("Nothing holds the cloth: it slides off and falls. Sew it closed, pin it, or place it on the body.");
+  if (!solver.allTied()) return openSeam(solver.cloth(), solver.positions(), gap);
+  return say("Not at rest after {0} {0|step|steps}: it would still move {1} mm.", end.steps, fixed(end.left * 1000, 2));
+}
+
+}  // namespace
+
+Message openSeam(const Cloth& cloth, std::span<const Vec3> position, double gap) {
   const auto widest = std::max_element(cloth.ties.begin(), cloth.ties.end(), [&](const Tie& one, const Tie& other) {
-    return squaredLength(gapOf(one, x)) < squaredLength(gapOf(other, x));
+    return squaredLength(gapOf(one, position)) < squaredLength(gapOf(other, position));
   });
   const auto pieceOf = [&](std::uint32_t node) {
     const auto after = std::find_if(cloth.pieces.begin(), cloth.pieces.end(),
                                     [&](const ClothPiece& piece) { return piece.firstNode > node; });
     return std::prev(after)->name;
   };
-  return {pieceOf(widest->a), pieceOf(widest->b)};
+  const std::string a = pieceOf(widest->a), b = pieceOf(widest->b);
+  return a == b ? say("A seam within “{0}” stays open by {1} mm; bring its sides nearer or look whether something is "
+                      "between them.",
+                      a, fixed(gap * 1000, 1))
+                : say("A seam of “{0}” and “{1}” stays open by {2} mm; bring the pieces nearer or look whether "
+                      "something is between them.",
+                      a, b, fixed(gap * 1000, 1));
 }
-
-Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
-  if (end.settled) return say("At rest.");
-  if (end.falls)
-    return say("Nothing holds the cloth: it slides off and falls. Sew it closed, pin it, or place it on the body.");
-  if (!solver.allTied()) {
-    const OpenSeam open = openSeamOf(solver.cloth(), solver.positions());
-    return open.a == open.b
-               ? say("A seam within “{0}” stays open by {1} mm; bring its sides nearer or look whether something is "
-                     "between them.",
-                     open.a, fixed(gap * 1000, 1))
-               : say("A seam of “{0}” and “{1}” stays open by {2} mm; bring the pieces nearer or look whether "
-                     "something is between them.",
-                     open.a, open.b, fixed(gap * 1000, 1));
-  }
-  return say("Not at rest after {0} {0|step|steps}: it would still move {1} mm.", end.steps, fixed(end.left * 1000, 2));
-}
-
-}  // namespace
 
 void ResourceUse::tell(SettleReport& report) const {
   report.cpuSeconds = cpuSeconds();

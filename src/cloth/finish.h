@@ -18,6 +18,8 @@ class ResourceUse {  // time since it was made and memory, for the report alone
   std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
 };
 
+// What is said of the widest seam, `gap` metres open.
+Message openSeam(const Cloth& cloth, std::span<const Vec3> position, double gap);
 Error tornApart();
 void addContactTimes(SettleReport& report, const LevelSolver& solver);
 // `rested`: whether the cloth was at rest before it was changed here and there.

@@ -349,6 +349,41 @@ TEST(Settle, ASeamThatStandsFarOpenBeginsAnew) {
   EXPECT_EQ(widest, levels.front().cloth.spacing);
 }
 
+// Two strips that are sewn at their ends and held 60 cm apart, and two that are held through each other so that every
+// way to sew is tried: the finest level takes no step, and the report names the seam.
+TEST(Settle, WhatNeverClosesIsGivenUpOnACoarseLevel) {
+  const Fabric f = *preset("cotton");
+  const auto level = [&](std::uint32_t across) {
+    ClothLevel made;
+    Cloth& cloth = made.cloth;
+    const double h = 0.3 / across;
+    const std::uint32_t rows = across / 3;
+    for (int k = 0; k < 4; ++k) addPiece(cloth, gridLattice(across, rows, h), f);
+    made.state = standingBy(cloth, [&](std::size_t piece, Flat p) {
+      if (piece < 2) return Vec3{p.u - 0.15, p.v, piece == 0 ? 0.3 : -0.3};
+      return piece == 2 ? Vec3{2 + p.u, 0, p.v} : Vec3{2 + p.u, p.v - 0.03, 0.05};
+    });
+    const std::uint32_t back = cloth.pieces[1].firstNode;
+    for (std::uint32_t s = 1; s <= 2; ++s) cloth.seams.push_back(SeamId{s});
+    for (std::uint32_t j = 0; j <= rows; ++j)
+      for (const std::uint32_t i : {0u, across}) {
+        const std::uint32_t node = j * (across + 1) + i;
+        cloth.ties.push_back({node, back + node, kNoNode, i == 0 ? 0u : 1u});
+      }
+    for (std::uint32_t j = 0; j <= rows; ++j)
+      for (const std::uint32_t first : {0u, back}) cloth.pinned.push_back(first + j * (across + 1) + across / 2);
+    for (std::uint32_t node = cloth.pieces[2].firstNode; node < cloth.nodeCount; ++node) cloth.pinned.push_back(node);
+    return made;
+  };
+  std::vector<ClothLevel> levels{level(9), level(18)};
+  const SettleReport report = mustSettle(levels, NoBody());
+  EXPECT_FALSE(report.settled);
+  EXPECT_GT(report.steps, 0u);
+  EXPECT_EQ(report.fineSteps, 0u);
+  EXPECT_GT(report.seamGap, 0.1);
+  EXPECT_NE(text(report.why).find("stays open by"), std::string::npos) << text(report.why);
+}
+
 // No residual is small enough here, as where a node trembles in a sharp fold: the cloth rests once it goes nowhere, and
 // not before.
 TEST(Settle, ClothThatGoesNowhereIsAtRest) {
