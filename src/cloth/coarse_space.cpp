@@ -9,7 +9,7 @@ namespace karinui {
 namespace {
 
 constexpr double kCoarsening = 6;  // fine lines in a coarse cell, about; more in very fine cloth,
-constexpr double kMostCells = 22;  // so that a square has no more coarse cells a side: more of them converge worse
+constexpr double kMostCells = 36;  // so that a square has no more coarse cells a side: their solve is one thread's
 // Sum of squared weights: a coarse node that moves less is left out. Next to it P no longer moves cloth as one, and
 // many splines reach over a curved edge by their tails, so only what is next to nothing.
 constexpr double kLeastSupport = 0.001;
