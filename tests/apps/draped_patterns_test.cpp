@@ -1,4 +1,6 @@
 // Drafted patterns of other programs, from file to draped garment by two commands, on the body they were drafted for.
+#include <set>
+
 #include "command.h"
 
 namespace karinui::test {
@@ -50,8 +52,8 @@ class Examples : public testing::TestWithParam<std::string> {};
 
 TEST_P(Examples, ComeToRestWithNothingThroughAnything) {
   const char* asked = std::getenv("KARINUI_LONG");
-  const bool slow = GetParam() == "lined_waistcoat" || GetParam() == "skirt_with_train";
-  if (slow && !(asked && *asked)) GTEST_SKIP() << "./test --long";
+  const std::set<std::string> slow{"lined_waistcoat", "skirt_with_train", "gathered_dress", "pleated_skirt"};
+  if (slow.contains(GetParam()) && !(asked && *asked)) GTEST_SKIP() << "./test --long";
   const Folder folder;
   const std::string document = folder / "garment.karinui";
   const Said played = karinui("play " KARINUI_SOURCE_DIR "/examples/" + GetParam() + ".ops -o " + document);
@@ -75,15 +77,17 @@ INSTANTIATE_TEST_SUITE_P(All, Examples,
                                          "lined_waistcoat"),
                          [](const auto& name) { return name.param; });
 
-INSTANTIATE_TEST_SUITE_P(
-    All, DrapedPatterns,
-    testing::Values(Draft{"bodice_block_f_eu38.svg", "f_eu38"}, Draft{"tshirt_f_eu38.svg", "f_eu38"},
-                    Draft{"pencil_skirt_f_eu38.svg", "f_eu38"}, Draft{"trouser_block_m_eu50.svg", "m_eu50"},
-                    Draft{"shirt_m_eu50.svg", "m_eu50", false, true}, Draft{"tshirt_m_eu50.svg", "m_eu50", false, true},
-                    Draft{"body_block_m_eu50.svg", "m_eu50", false, true},
-                    Draft{"garmentcode/dress_pencil_specification.json", "f_eu38", true, true},
-                    Draft{"garmentcode/shirt_mean_specification.json", "f_eu38", true, true}),
-    [](const auto& draft) { return std::filesystem::path(draft.param.pattern).stem().string(); });
+INSTANTIATE_TEST_SUITE_P(All, DrapedPatterns,
+                         testing::Values(Draft{"bodice_block_f_eu38.svg", "f_eu38"},
+                                         Draft{"tshirt_f_eu38.svg", "f_eu38"},
+                                         Draft{"pencil_skirt_f_eu38.svg", "f_eu38"},
+                                         Draft{"trouser_block_m_eu50.svg", "m_eu50", false, true},
+                                         Draft{"shirt_m_eu50.svg", "m_eu50", false, true},
+                                         Draft{"tshirt_m_eu50.svg", "m_eu50", false, true},
+                                         Draft{"body_block_m_eu50.svg", "m_eu50", false, true},
+                                         Draft{"garmentcode/dress_pencil_specification.json", "f_eu38", true, true},
+                                         Draft{"garmentcode/shirt_mean_specification.json", "f_eu38", true, true}),
+                         [](const auto& draft) { return std::filesystem::path(draft.param.pattern).stem().string(); });
 
 }  // namespace
 }  // namespace karinui::test

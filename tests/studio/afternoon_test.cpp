@@ -177,6 +177,7 @@ TEST(StudioAfternoon, ByScriptItIsTheSame) {
 
 TEST(StudioAfternoon, WithKeysItIsTheSame) {
   KARINUI_NEEDS_DISPLAY();
+  if (!atLength()) GTEST_SKIP() << "the afternoon once more: ./test --long";
   Window w;
   nothingMadeYet(w, {1400, 860});
   AfternoonByKeys hand(w);
