@@ -48,10 +48,9 @@ class SpaceView : public QOpenGLWidget {
   bool tape() const { return tape_; }
   void setBlenderKeys(bool on) { blender_ = on; }
   void setFine(bool on);  // whether still pictures are drawn finer than moving ones; not where drawing is slow
-  void setQuick(bool on) {
-    quick_ = on;
-  }                // still pictures, too, as while things move: where only what is in them matters
-  void refresh();  // the session has something new
+  // Still pictures, too, are drawn as while things move: where only what is in them matters.
+  void setQuick(bool on) { quick_ = on; }
+  void refresh();                                                  // the session has something new
   void setForceFeedback(ForceFeedback* force) { force_ = force; }  // outlives this view; null: none
   const Camera& camera() const { return camera_; }
   void setCamera(const Camera& camera);
