@@ -46,6 +46,8 @@ int answerPoses(OpenDocument& opened, const CheckOptions& options) {
 int answerCheck(Program& program, const CheckOptions& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
     if (!options.poses.empty()) return answerPoses(opened, options);
+    if (const Done done = opened.file().checkSteps(opened.context()); !done)
+      return program.console.refuse(done.error());
     const Result<Examination> found = examined(opened.document(), opened.context());
     if (!found) return program.console.refuse(found.error());
     Json object = checkJson(*found);

@@ -48,8 +48,12 @@ std::optional<double> Fields::number(const char* name, double least, double most
 
 Done Fields::checked() const {
   if (fault_) return *fault_;
-  for (const auto& [name, value] : request_.items())
-    if (!asked_.contains(name)) return badInput(say("This request has no field “{0}”.", name));
+  for (const auto& [name, value] : request_.items()) {
+    if (asked_.contains(name)) continue;
+    std::string known;
+    for (const std::string& field : asked_) known += (known.empty() ? "" : ", ") + field;
+    return badInput(say("This request has no field “{0}”; it knows: {1}.", name, known));
+  }
   return {};
 }
 

@@ -18,7 +18,11 @@ struct FromTo {
 };
 
 int runRescue(Program& program, const FromTo& options) {
-  const Result<Rescued> rescued = rescue(options.path, options.out);
+  Workers workers(program.threads);
+  MemoryBlobs blobs;
+  Bodies bodies;
+  Context context{workers, program.console.token(), blobs, bodies, {}, {}};
+  const Result<Rescued> rescued = rescue(options.path, options.out, context);
   if (!rescued) return program.console.refuse(rescued.error());
   const Message said = rescued->lost == 0 ? say("All {0} {0|step is|steps are} whole.", rescued->steps)
                                           : say("{0} {0|step is|steps are} whole and {0|was|were} kept; {1} were not.",
@@ -45,6 +49,8 @@ int runLoad(Program& program, const FromTo& options) {
   if (const Done done = loadDump(*dump, options.out); !done)
     return program.console.refuse(inFile(options.path, done.error()));
   const int exit = withDocument(program, options.out, true, [&](OpenDocument& opened) -> int {
+    if (const Done done = opened.file().checkSteps(opened.context()); !done)
+      return program.console.refuse(done.error());
     program.console.answer({{"document", options.out},
                             {"operations", opened.document().operations},
                             {"hash", hash(opened.document())},

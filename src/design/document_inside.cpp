@@ -15,6 +15,13 @@ bool takesLong(const Operation& operation) {
          std::holds_alternative<SetBody>(operation);
 }
 
+constexpr std::size_t kMostRemarks = 5;  // of one kind
+
+Error notOpened(const std::filesystem::path& path, const Error& why) {
+  return {why.kind, say("“{0}” cannot be opened. {1} What is whole of it goes to a new document by “karinui rescue”.",
+                        path.filename().string(), why.what)};
+}
+
 }  // namespace
 
 Error atStep(std::size_t serial, const Error& error) { return {error.kind, say("Step {0}: {1}", serial, error.what)}; }
@@ -30,7 +37,7 @@ std::optional<Document> DocumentFile::Inside::kept(const Step& s) {
   if (!store) return std::nullopt;
   const auto parts = store->parts(s.seq);
   if (!parts || parts->empty()) return std::nullopt;
-  auto document = unpackedDocument(*store, s, *parts);
+  auto document = KeptDocuments(*store).read(s, *parts);
   if (document)
     keptParts.remember(*document, *parts);
   else
@@ -100,12 +107,14 @@ Done DocumentFile::Inside::begin(Store opened, Context* how) {
   path = opened.path();
   for (const StepRow& row : opened.rows()) {
     auto operation = parseOperation(row.args.empty() ? row.kind : row.kind + " " + row.args);
-    if (!operation) return atStep(row.serial, operation.error());
+    if (!operation) return notOpened(path, atStep(row.serial, operation.error()));
     const Step* parent = step(row.parent);
     const std::string chain = chained(parent ? parent->chain : std::string(), *operation);
     if (chain != row.chain) {
       return badInput(
-          say("“{0}” is damaged at step {1}; nothing was changed.", path.filename().string(), std::size_t{row.serial}));
+          say("“{0}” is damaged at step {1}; nothing was changed. What is whole of it goes to a new document by "
+              "“karinui rescue”.",
+              path.filename().string(), std::size_t{row.serial}));
     }
     if (row.before != (parent ? parent->after : hash(Document())))
       remarks.push_back(
@@ -121,7 +130,65 @@ Done DocumentFile::Inside::begin(Store opened, Context* how) {
   Bodies bodies;
   Context alone{one, quiet, blobs, bodies, {}, {}};
   const auto document = documentAt(head.seq, how ? *how : alone);
-  return document ? Done() : Done(document.error());
+  if (!document && document.error().kind == Error::Kind::Cancelled) return document.error();
+  if (!document) return notOpened(path, document.error());
+  compareKept();
+  return {};
+}
+
+void DocumentFile::Inside::compareKept() {
+  KeptDocuments reader(*store);
+  std::optional<Document> last;  // holds what the next one shares with it
+  std::size_t damaged = 0;
+  for (const Step& s : steps) {
+    if (s.seq == head.seq) continue;  // was read just now
+    const auto parts = store->parts(s.seq);
+    if (!parts || parts->empty()) continue;
+    auto document = reader.read(s, *parts);
+    if (document) {
+      last = std::move(document);
+      reader.forget();
+    } else if (++damaged <= kMostRemarks) {
+      remarks.push_back(
+          say("What the file keeps of step {0} is damaged; it is made again from the steps once it is needed.",
+              std::size_t{s.serial}));
+    }
+  }
+  if (damaged > kMostRemarks)
+    remarks.push_back(say("So is what it keeps of {0} more {0|step|steps}.", damaged - kMostRemarks));
+}
+
+Done DocumentFile::Inside::compareSteps(Context& context) {
+  KeptDocuments reader(*store);
+  std::map<std::uint64_t, Document> known;  // of the steps that others go on from
+  known[0] = Document();
+  std::map<std::uint64_t, std::size_t> following;
+  for (const Step& s : steps) ++following[s.parent];
+  Borrowing borrowing(&blobs, &context.blobs);
+  Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull};
+  own.recorded = true;
+  std::size_t elsewhere = 0;
+  for (const Step& s : steps) {
+    if (context.token.cancelled()) return cancelled();
+    const auto parts = store->parts(s.seq);
+    auto document = parts && !parts->empty() ? reader.read(s, *parts) : std::nullopt;
+    const auto before = known.find(s.parent);
+    if (document && before != known.end() && !takesLong(s.operation) &&
+        !std::holds_alternative<PoseBody>(s.operation)) {
+      const auto made = apply(before->second, s.operation, own);
+      const bool same = made && hash(*made) == s.after && drapeHash(*made) == s.stand;
+      if (!same && ++elsewhere <= kMostRemarks)
+        remarks.push_back(
+            say("Step {0}, “{1}”, leads to another garment than the file keeps: it was changed, or another version of "
+                "Karinui took it. What is kept is shown.",
+                std::size_t{s.serial}, std::string(nameOf(s.operation))));
+    }
+    if (before != known.end() && --following[s.parent] == 0) known.erase(before);
+    if (document && following.contains(s.seq)) known[s.seq] = *std::move(document);
+    reader.forget();
+  }
+  if (elsewhere > kMostRemarks) remarks.push_back(say("So do {0} more {0|step|steps}.", elsewhere - kMostRemarks));
+  return {};
 }
 
 Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* parent, const Document& before,

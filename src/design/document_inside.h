@@ -75,6 +75,11 @@ struct DocumentFile::Inside {
   Result<const Document*> documentAt(std::uint64_t seq, Context& context);
 
   Done begin(Store opened, Context* how);
+  // Compares what is kept beside every step with what the step says of it, and remarks what differs.
+  void compareKept();
+  // Takes every step that is quickly taken once more, from what is kept before it, and remarks where that leads
+  // elsewhere.
+  Done compareSteps(Context& context);
 
   // What this very operation made of this very garment before, on whatever branch: nothing that a drape depends on lies
   // outside the two (apply() is pure), so that nobody waits for it twice. Null: it was not done yet, or is not kept.

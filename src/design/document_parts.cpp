@@ -66,39 +66,56 @@ const std::string* KeptParts::figure(const std::string& hash) const {
   return at == figures_.end() ? nullptr : &at->second;
 }
 
-std::optional<Document> unpackedDocument(const Store& store, const Step& s, const Parts& parts) {
-  const auto bytesOf = [&](const std::string& part) {
-    const auto at = parts.find(part);
-    auto bytes = at == parts.end() ? Result<std::string>(notFound({})) : store.blob(at->second);
-    return bytes ? std::optional(*std::move(bytes)) : std::nullopt;
-  };
-  const auto rest = bytesOf("rest");
+std::optional<std::string> KeptDocuments::bytes(const Parts& parts, const std::string& part) const {
+  const auto at = parts.find(part);
+  auto bytes = at == parts.end() ? Result<std::string>(notFound({})) : store_.blob(at->second);
+  return bytes ? std::optional(*std::move(bytes)) : std::nullopt;
+}
+
+// Null where it is missing or damaged.
+std::shared_ptr<const Form> KeptDocuments::form(const Parts& parts, const std::string& part) {
+  const auto at = parts.find(part);
+  if (at == parts.end()) return nullptr;
+  if (const auto known = forms_.find(at->second); known != forms_.end()) return known->second;
+  const auto packed = bytes(parts, part);
+  auto form = packed ? unpackForm(*packed) : Result<std::shared_ptr<const Form>>(notFound({}));
+  return form ? forms_[at->second] = *form : nullptr;
+}
+
+std::shared_ptr<const Piece> KeptDocuments::piece(const Parts& parts, const std::string& part) {
+  const std::string formPart = "form " + part.substr(part.find(' ') + 1);
+  const auto formAt = parts.find(formPart);
+  const std::string key = parts.at(part) + (formAt == parts.end() ? "" : " " + formAt->second);
+  if (const auto known = pieces_.find(key); known != pieces_.end()) return known->second;
+  const auto packed = bytes(parts, part);
+  auto piece = packed ? unpackPiece(*packed) : Result<Piece>(notFound({}));
+  if (!piece) return nullptr;
+  if (formAt != parts.end() && !(piece->form = form(parts, formPart))) return nullptr;
+  return pieces_[key] = std::make_shared<const Piece>(*std::move(piece));
+}
+
+std::optional<Document> KeptDocuments::read(const Step& step, const Parts& parts) {
+  const auto rest = bytes(parts, "rest");
   auto document = rest ? unpackRest(*rest) : Result<Document>(notFound({}));
   if (!document) return std::nullopt;
   for (const auto& [part, blob] : parts) {
     if (!part.starts_with("piece ")) continue;
-    const auto bytes = bytesOf(part);
-    auto piece = bytes ? unpackPiece(*bytes) : Result<Piece>(notFound({}));
-    if (!piece || part != "piece " + std::to_string(piece->id.value)) return std::nullopt;
-    if (const auto form = "form " + std::to_string(piece->id.value); parts.contains(form)) {
-      const auto formBytes = bytesOf(form);
-      auto shape = formBytes ? unpackForm(*formBytes) : Result<std::shared_ptr<const Form>>(notFound({}));
-      if (!shape) return std::nullopt;
-      piece->form = *shape;
-    }
-    document->pattern.pieces[piece->id] = std::make_shared<const Piece>(*piece);
+    const auto own = piece(parts, part);
+    if (!own || part != "piece " + std::to_string(own->id.value)) return std::nullopt;
+    document->pattern.pieces[own->id] = own;
   }
   for (std::size_t k = 0; k < document->drape.rested.size(); ++k)
-    for (auto& [id, form] : document->drape.rested[k].forms) {
-      const auto bytes = bytesOf(restedPart(k, id));
-      auto shape = bytes ? unpackForm(*bytes) : Result<std::shared_ptr<const Form>>(notFound({}));
-      if (!shape) return std::nullopt;
-      form = *shape;
-    }
-  if (document->operations != s.serial || hash(*document) != s.after || drapeHash(*document) != s.stand ||
+    for (auto& [id, shape] : document->drape.rested[k].forms)
+      if (!(shape = form(parts, restedPart(k, id)))) return std::nullopt;
+  if (document->operations != step.serial || hash(*document) != step.after || drapeHash(*document) != step.stand ||
       !soundContent(*document))
     return std::nullopt;
   return *document;
+}
+
+void KeptDocuments::forget() {
+  std::erase_if(pieces_, [](const auto& piece) { return piece.second.use_count() == 1; });
+  std::erase_if(forms_, [](const auto& form) { return form.second.use_count() == 1; });
 }
 
 }  // namespace karinui

@@ -26,7 +26,23 @@ class KeptParts {
   std::map<std::string, std::string> figures_;  // by Body::hash()
 };
 
-// The document kept beside a step; nothing if it is not whole, not sound, or does not match the step's hashes.
-std::optional<Document> unpackedDocument(const Store& store, const Step& step, const Parts& parts);
+// Reads the documents kept beside steps. Pieces and forms that documents share are read once. It must not outlive the
+// store.
+class KeptDocuments {
+ public:
+  explicit KeptDocuments(const Store& store) : store_(store) {}
+  // Nothing if it is not whole, not sound, or does not match the step's hashes.
+  std::optional<Document> read(const Step& step, const Parts& parts);
+  void forget();  // what no document holds any more
+
+ private:
+  std::optional<std::string> bytes(const Parts& parts, const std::string& part) const;
+  std::shared_ptr<const Form> form(const Parts& parts, const std::string& part);
+  std::shared_ptr<const Piece> piece(const Parts& parts, const std::string& part);
+
+  const Store& store_;
+  std::map<std::string, std::shared_ptr<const Form>> forms_;    // by blob
+  std::map<std::string, std::shared_ptr<const Piece>> pieces_;  // by the blobs of piece and form
+};
 
 }  // namespace karinui

@@ -26,8 +26,10 @@ std::optional<std::uint64_t> wholeNumber(std::string_view word) {
 }
 
 Error notOurs(const Store& store, std::string_view what) {
-  return badInput(say("“{0}” holds something a Karinui document does not have (“{1}”).",
-                      store.path().filename().string(), std::string(what.substr(0, 40))));
+  return badInput(
+      say("“{0}” holds something a Karinui document does not have (“{1}”): another program wrote into it. Take an "
+          "older copy of it.",
+          store.path().filename().string(), std::string(what.substr(0, 40))));
 }
 
 void addBlob(std::string& all, const std::string& name, std::string_view bytes) {
@@ -63,8 +65,12 @@ class DumpReader {
       }
       if (!done) return done.error();
     }
-    if (!ended || !headed) return badInput(say("The dump breaks off after line {0}.", number_));
-    if (!rest_.empty()) return badInput(say("The dump goes on after its end, in line {0}.", number_ + 1));
+    if (!ended || !headed)
+      return badInput(
+          say("The dump breaks off after line {0}. Dump the document again, or copy the text whole.", number_));
+    if (!rest_.empty())
+      return badInput(
+          say("The dump goes on after its end, in line {0}. Take out what follows the line “end”.", number_ + 1));
     return std::move(content_);
   }
 
@@ -78,7 +84,11 @@ class DumpReader {
     ++number_;
     return true;
   }
-  Done wrong() const { return badInput(say("Line {0} of the dump cannot be understood.", number_)); }
+  Done wrong() const {
+    return badInput(
+        say("Line {0} of the dump cannot be understood. Dump the document again, or take back what was changed there.",
+            number_));
+  }
   std::vector<std::string_view> words() const {
     std::vector<std::string_view> all;
     for (std::string_view rest = line_; !rest.empty();) {
@@ -99,7 +109,9 @@ class DumpReader {
     const auto before = chains_.find(*parent);
     if (before == chains_.end() || *parent >= *seq ||
         (!content_.steps.empty() && *seq <= content_.steps.back().first.seq))
-      return badInput(say("The step in line {0} of the dump does not follow from one before it.", number_));
+      return badInput(
+          say("The step in line {0} of the dump does not follow from one before it. Take back what was changed there.",
+              number_));
     StepRow row;
     row.seq = *seq, row.parent = *parent, row.serial = before->second.serial + 1;
     row.before = word[3], row.after = word[4], row.stand = word[5];
@@ -148,7 +160,7 @@ class DumpReader {
     }
     auto bytes = fromBase64(letters);
     if (!bytes || bytes->size() != *size || blobName(*bytes) != name)
-      return badInput(say("The part in line {0} of the dump is damaged.", first));
+      return badInput(say("The part in line {0} of the dump is damaged. Dump the document again.", first));
     return content_.blobs.emplace(name, *std::move(bytes)).second ? Done() : wrong();
   }
 
@@ -174,8 +186,10 @@ Result<std::string> dumped(const std::filesystem::path& document) {
     const auto operation = parseOperation(row.args.empty() ? row.kind : row.kind + " " + row.args);
     if (!operation) return operation.error();
     if (chained(chains.at(row.parent), *operation) != row.chain)
-      return badInput(say("“{0}” is damaged at step {1}; nothing was changed.", document.filename().string(),
-                          std::size_t{row.serial}));
+      return badInput(
+          say("“{0}” is damaged at step {1}; nothing was changed. What is whole of it goes to a new document by "
+              "“karinui rescue”.",
+              document.filename().string(), std::size_t{row.serial}));
     chains[row.seq] = row.chain;
     for (const std::string* hash : {&row.before, &row.after, &row.stand})
       if (!isHash(*hash)) return notOurs(*store, *hash);

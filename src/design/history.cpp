@@ -62,6 +62,9 @@ Result<DocumentFile> DocumentFile::openForReading(const std::filesystem::path& p
 const Document& DocumentFile::document() const { return inside_->documents.at(inside_->head.seq); }
 const std::filesystem::path& DocumentFile::path() const { return inside_->path; }
 const std::vector<Message>& DocumentFile::remarks() const { return inside_->remarks; }
+Done DocumentFile::checkSteps(Context& context) {
+  return withinMemory([&] { return inside_->store ? inside_->compareSteps(context) : Done(); });
+}
 Blobs& DocumentFile::blobs() { return inside_->blobs; }
 
 std::vector<Step> DocumentFile::steps() const {

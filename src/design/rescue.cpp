@@ -30,7 +30,6 @@ Done copy(const Store& damaged, const std::vector<StepRow>& rows, Store& fresh) 
     if (Done done = fresh.keep(name, *bytes); !done) return done;
     whole.insert(name);
   }
-  std::set<std::uint64_t> there{0};
   for (const StepRow& row : rows) {
     // A document with a part missing, or one of a name that no document gives, is made again from the steps when it is
     // needed.
@@ -40,26 +39,59 @@ Done copy(const Store& damaged, const std::vector<StepRow>& rows, Store& fresh) 
         parts.clear();
         break;
       }
-    there.insert(row.seq);
-    if (Done done = fresh.fill({{{row, parts}}, {}, {row.seq, row.seq}}); !done) return done;
+    if (Done done = fresh.fill({{{row, parts}}, {}, {}}); !done) return done;
   }
-  const Head head = damaged.head();
-  return there.contains(head.seq) && there.contains(head.tip) ? fresh.move(head) : Done();
+  return {};
+}
+
+// The steps of the copy whose garments can be had, kept or made again: an operation may name what no step before it
+// made, where one was taken out and all seals made anew.
+Result<std::set<std::uint64_t>> reachable(const std::filesystem::path& copy, const std::vector<StepRow>& rows,
+                                          Context& context) {
+  auto file = DocumentFile::open(copy, &context);
+  if (!file) return file.error();
+  std::set<std::uint64_t> had{0};
+  for (const StepRow& row : rows) {
+    if (!had.contains(row.parent)) continue;
+    const auto document = file->documentAfter(row.seq, context);
+    if (document)
+      had.insert(row.seq);
+    else if (document.error().kind == Error::Kind::Cancelled)
+      return document.error();
+  }
+  return had;
 }
 
 }  // namespace
 
-Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem::path& to) {
+Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem::path& to, Context& context) {
   const auto damaged = Store::openDamaged(from);
   if (!damaged) return damaged.error();
-  const auto rows = wholeRows(*damaged);
-  if (rows.empty())
-    return badInput(say("Not one step of “{0}” is whole; nothing could be saved.", from.filename().string()));
-  auto fresh = Store::create(to);
-  if (!fresh) return fresh.error();
-  if (Done done = copy(*damaged, rows, *fresh); !done) {
-    fresh = done.error();  // closes it, so that what was begun can go
-    std::error_code trouble;
+  auto rows = wholeRows(*damaged);
+  const Error nothing = badInput(say(
+      "Not one step of “{0}” is whole; nothing could be saved. Take an older copy of it.", from.filename().string()));
+  if (rows.empty()) return nothing;
+  const auto write = [&]() -> Done {
+    auto fresh = Store::create(to);
+    return fresh ? copy(*damaged, rows, *fresh) : Done(fresh.error());
+  };
+  std::error_code trouble;
+  if (std::filesystem::exists(to, trouble)) return Store::create(to).error();  // it stays
+  const Done done = [&]() -> Done {
+    if (Done first = write(); !first) return first;
+    const auto had = reachable(to, rows, context);
+    if (!had) return had.error();
+    if (std::erase_if(rows, [&](const StepRow& row) { return !had->contains(row.seq); }) > 0) {
+      if (rows.empty()) return nothing;
+      std::filesystem::remove(to, trouble);
+      if (Done again = write(); !again) return again;
+    }
+    Head head = damaged->head();
+    if (!had->contains(head.seq) || !had->contains(head.tip)) head.seq = head.tip = rows.back().seq;
+    auto fresh = Store::open(to, true);
+    return fresh ? fresh->move(head) : Done(fresh.error());
+  }();
+  if (!done) {
     std::filesystem::remove(to, trouble);
     return done.error();
   }

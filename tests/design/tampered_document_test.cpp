@@ -181,6 +181,82 @@ TEST_F(TamperedDocument, AStepTakenOutIsTold) {
   EXPECT_THAT(remarks(*file), Not(IsEmpty()));
 }
 
+TEST_F(TamperedDocument, AStepTakenOutLeavesWhatCanStillBeReachedInTheRescuedFile) {
+  const fs::path saved = folder_ / "saved.karinui";
+  const std::vector<StepRow> before = rows();
+  std::string chain = before[0].chain;  // without the second piece, all seals made anew
+  sql("DELETE FROM op WHERE seq = 2");
+  for (std::size_t i = 2; i < before.size(); ++i) {
+    StepRow row = before[i];
+    chain = row.chain = chained(chain, steps_[i].operation);
+    if (i == 2) row.parent = 1, row.before = before[0].after;
+    --row.serial;
+    put(row);
+  }
+  ASSERT_FALSE(DocumentFile::open(path_, &room_.context)) << "the seam's piece is gone";
+  const auto rescued = rescue(path_, saved, room_.context);
+  ASSERT_TRUE(rescued) << text(rescued.error().what);
+  EXPECT_EQ(rescued->steps, 1u);
+  EXPECT_EQ(rescued->lost, 3u);
+  const auto file = DocumentFile::open(saved);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_EQ(hash(file->document()), steps_[0].after);
+}
+
+TEST_F(TamperedDocument, AMiddleStepWhoseHashesLieTogetherIsTold) {
+  StepRow middle = rows()[2], next = rows()[3];
+  middle.after = next.before = std::string(32, '0');
+  put(middle), put(next);
+  const auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file);
+  EXPECT_THAT(remarks(*file), Contains(HasSubstr("keeps of step 3 is damaged; it is made again")));
+}
+
+TEST_F(TamperedDocument, AHashOfHowClothStandsThatLiesInTheMiddleIsTold) {
+  StepRow middle = rows()[1];
+  middle.stand = std::string(32, '0');
+  put(middle);
+  const auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file);
+  EXPECT_THAT(remarks(*file), Contains(HasSubstr("keeps of step 2 is damaged; it is made again")));
+}
+
+TEST_F(TamperedDocument, KeptBytesOfAMiddleStepThatWereChangedAreTold) {
+  sql("UPDATE blob SET bytes = x'00' WHERE hash = (SELECT blob FROM snap WHERE seq = 2 AND part = 'rest')");
+  const auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file);
+  EXPECT_THAT(remarks(*file), Contains(HasSubstr("keeps of step 2 is damaged; it is made again")));
+  EXPECT_EQ(hash(file->document()), hash(whole_));
+}
+
+// Every hash and seal holds, only the words are others: what is kept was made by another operation.
+TEST_F(TamperedDocument, AnOperationOfOtherWordsIsToldByTakingTheStepsOnceMore) {
+  auto quiet = DocumentFile::open(path_);
+  ASSERT_TRUE(quiet && quiet->checkSteps(room_.context));
+  EXPECT_THAT(remarks(*quiet), IsEmpty());
+  quiet = DocumentFile::inMemory();  // closes it
+  std::vector<StepRow> all = rows();
+  std::string chain = all[1].chain;
+  for (std::size_t i = 2; i < all.size(); ++i) {
+    auto operation = steps_[i].operation;
+    if (i == 2) {
+      Choice& turned = std::get<SewEdges>(operation).reversed;
+      turned = turned == Choice::Yes ? Choice::No : Choice::Yes;
+    }
+    const std::string words = text(operation), kind(nameOf(operation));
+    all[i].chain = chain = chained(chain, operation);
+    sql("UPDATE op SET args = '" + (words.size() > kind.size() ? words.substr(kind.size() + 1) : "") +
+        "' WHERE seq = " + std::to_string(all[i].seq));
+    all[i].args = words.size() > kind.size() ? words.substr(kind.size() + 1) : "";
+    put(all[i]);
+  }
+  auto file = DocumentFile::open(path_);
+  ASSERT_TRUE(file) << text(file.error().what);
+  EXPECT_THAT(remarks(*file), IsEmpty()) << "nothing that opening looks at is changed";
+  ASSERT_TRUE(file->checkSteps(room_.context));
+  EXPECT_THAT(remarks(*file), Contains(HasSubstr("Step 3, “sew”, leads to another garment than the file keeps")));
+}
+
 TEST_F(TamperedDocument, KeptBytesThatWereChangedAreTold) {
   sql("UPDATE blob SET bytes = x'00' WHERE hash = (SELECT blob FROM snap WHERE seq = 5 AND part = 'rest')");
   const auto file = DocumentFile::open(path_, &room_.context);
@@ -194,7 +270,7 @@ TEST_F(TamperedDocument, WhatIsWholeIsSavedToANewFile) {
   sql("UPDATE op SET args = 'ease=2mm' WHERE seq = 3");
   ASSERT_FALSE(DocumentFile::open(path_));
   const std::string damaged = bytes();
-  const auto rescued = rescue(path_, saved);
+  const auto rescued = rescue(path_, saved, room_.context);
   ASSERT_TRUE(rescued) << text(rescued.error().what);
   EXPECT_EQ(rescued->steps, 2u);
   EXPECT_EQ(rescued->lost, 3u);
@@ -203,12 +279,12 @@ TEST_F(TamperedDocument, WhatIsWholeIsSavedToANewFile) {
   ASSERT_TRUE(file) << text(file.error().what);
   EXPECT_EQ(hash(file->document()), steps_[1].after);
   EXPECT_THAT(remarks(*file), IsEmpty());
-  EXPECT_THAT(text(rescue(path_, saved).error().what), HasSubstr("There is already a file"));
+  EXPECT_THAT(text(rescue(path_, saved, room_.context).error().what), HasSubstr("There is already a file"));
 }
 
 TEST_F(TamperedDocument, AWholeFileIsSavedWholeWithoutDrapingAgain) {
   const fs::path saved = folder_ / "saved.karinui";
-  const auto rescued = rescue(path_, saved);
+  const auto rescued = rescue(path_, saved, room_.context);
   ASSERT_TRUE(rescued);
   EXPECT_EQ(rescued->lost, 0u);
   const auto file = DocumentFile::open(saved);
@@ -221,7 +297,7 @@ TEST_F(TamperedDocument, AWholeFileIsSavedWholeWithoutDrapingAgain) {
 TEST_F(TamperedDocument, APartOfADamagedNameIsNotSaved) {
   const fs::path saved = folder_ / "saved.karinui";
   sql("UPDATE snap SET part = 'r^st' WHERE seq = 2 AND part = 'rest'");
-  ASSERT_TRUE(rescue(path_, saved));
+  ASSERT_TRUE(rescue(path_, saved, room_.context));
   const auto dump = dumped(saved);
   ASSERT_TRUE(dump) << text(dump.error().what);
   const auto file = DocumentFile::open(saved, &room_.context);
@@ -242,7 +318,7 @@ TEST_F(TamperedDocument, DamagedBytesAreSavedAsFarAsTheyAreWhole) {
       bad[512 + dice() % (bad.size() - 512)] ^= static_cast<char>(1 + dice() % 255);
     write(bad);
     const fs::path to = folder_ / ("saved" + std::to_string(seed) + ".karinui");
-    if (const auto rescued = rescue(path_, to); !rescued) {
+    if (const auto rescued = rescue(path_, to, room_.context); !rescued) {
       EXPECT_FALSE(text(rescued.error().what).empty());
       EXPECT_FALSE(fs::exists(to)) << seed;
       continue;

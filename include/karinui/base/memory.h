@@ -14,7 +14,8 @@ auto withinMemory(const Work& work) -> decltype(work()) {
     return work();
   } catch (const std::bad_alloc&) {
   }
-  return refused(say("There is not enough memory for this."));
+  return refused(
+      say("There is not enough memory for this. Close other programs, or set threads farther apart (set spacing=…)."));
 }
 
 // A drape takes and gives back the same large arrays at every step. Given back to the system, each page would have to

@@ -50,8 +50,12 @@ class DocumentFile {
   std::vector<Step> undone() const;  // what redo would bring back, in order
   const std::filesystem::path& path() const;
   // What was found while reading that a person should know: kept parts that were damaged and made again from the steps,
-  // steps that do not follow from each other or lead elsewhere than the file says. Empty for a file as it was written.
+  // steps that do not follow from each other or lead elsewhere than the file says. Opening compares what is kept beside
+  // every step with that step's hashes. Empty for a file as it was written.
   const std::vector<Message>& remarks() const;
+  // Takes every step once more from what is kept before it, but for drapes, pulls, poses and figures, and remarks where
+  // that leads elsewhere than to what is kept: somebody changed the operation, or another program took it.
+  Done checkSteps(Context& context);
   Blobs& blobs();
 
   // Resolves, applies and records. On any error nothing has changed, in memory or on disk. The context's own blobs are
@@ -84,11 +88,11 @@ class DocumentFile {
 
 // What is whole of a damaged file, in a new one: every step that is as it was written and follows from whole ones,
 // what is kept beside them, and the head, or the newest whole step where the head is lost. Refused when there is not
-// one whole step, or `to` exists already; `from` is only read.
+// one whole step, or `to` exists already; `from` is only read. What is kept beside a step and damaged is made again.
 struct Rescued {
   std::size_t steps = 0;  // kept, of all branches
   std::size_t lost = 0;   // rows that were there and could not be kept
 };
-Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem::path& to);
+Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem::path& to, Context& context);
 
 }  // namespace karinui

@@ -85,13 +85,22 @@ Error Database::error() const {
   const std::string name = path_.filename().string();
   switch (code & 0xff) {
     case SQLITE_NOTADB:
-      return badInput(say("“{0}” is not a Karinui document.", name));
+      return badInput(
+          say("“{0}” is not a Karinui document. Patterns, bodies and photographs are imported into one; “karinui play” "
+              "reads scripts, “karinui load” dumps.",
+              name));
     case SQLITE_CORRUPT:
-      return badInput(say("“{0}” is damaged and cannot be read; nothing was changed.", name));
+      return badInput(
+          say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
+              "“karinui rescue”.",
+              name));
     case SQLITE_TOOBIG:
     case SQLITE_MISMATCH:
     case SQLITE_ERROR:
-      return badInput(say("“{0}” is damaged and cannot be read; nothing was changed.", name));
+      return badInput(
+          say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
+              "“karinui rescue”.",
+              name));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return storageError(say("“{0}” is open in another program; close it there first.", name));

@@ -38,7 +38,10 @@ constexpr std::array<std::pair<std::string_view, const char*>, 5> kTables{{
 std::string sealOf(Head head) { return Hasher().add(std::string_view("head")).add(head.seq).add(head.tip).hex(); }
 
 Error damaged(const std::filesystem::path& path) {
-  return badInput(say("“{0}” is damaged and cannot be read; nothing was changed.", path.filename().string()));
+  return badInput(
+      say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
+          "“karinui rescue”.",
+          path.filename().string()));
 }
 
 // Looks at the file before SQLite does: the commonest mistakes deserve plain words.
@@ -48,14 +51,19 @@ Done lookAt(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   if (status.type() == std::filesystem::file_type::not_found)
     return notFound(say("There is no file “{0}”.", path.string()));
-  if (!std::filesystem::is_regular_file(status)) return badInput(say("“{0}” is not a file.", path.string()));
+  if (!std::filesystem::is_regular_file(status))
+    return badInput(say("“{0}” is not a file; name a document.", path.string()));
   std::ifstream file(path, std::ios::binary);
   std::array<char, 16> first{};
   file.read(first.data(), first.size());
-  if (file.gcount() == 0 && !file.is_open()) return storageError(say("“{0}” may not be read.", name));
-  if (file.gcount() == 0) return badInput(say("“{0}” is empty.", name));
+  if (file.gcount() == 0 && !file.is_open())
+    return storageError(say("“{0}” may not be read; ask whose it is for leave, or for a copy.", name));
+  if (file.gcount() == 0) return badInput(say("“{0}” is empty; take an older copy of it.", name));
   if (std::string_view(first.data(), first.size()) != std::string_view("SQLite format 3\0", 16)) {
-    return badInput(say("“{0}” is not a Karinui document.", name));
+    return badInput(
+        say("“{0}” is not a Karinui document. Patterns, bodies and photographs are imported into one; “karinui play” "
+            "reads scripts, “karinui load” dumps.",
+            name));
   }
   return {};
 }
@@ -64,12 +72,17 @@ Done checkForm(Database& db, bool damagedToo) {
   const std::string name = db.path().filename().string();
   const auto application = db.number("PRAGMA application_id");
   if (!application) return application.error();
-  if (*application != kApplication) return badInput(say("“{0}” is not a Karinui document.", name));
+  if (*application != kApplication)
+    return badInput(
+        say("“{0}” is not a Karinui document. Patterns, bodies and photographs are imported into one; “karinui play” "
+            "reads scripts, “karinui load” dumps.",
+            name));
   const auto version = db.number("PRAGMA user_version");
   if (!version) return version.error();
   if (*version > kVersion) {
-    return badInput(say("“{0}” was made by a newer Karinui (form {1}); this one reads up to form {2}.", name,
-                        static_cast<long long>(*version), static_cast<long long>(kVersion)));
+    return badInput(
+        say("“{0}” was made by a newer Karinui (form {1}); this one reads up to form {2}. Install the newer one.", name,
+            static_cast<long long>(*version), static_cast<long long>(kVersion)));
   }
   if (*version < 1) return damaged(db.path());
   if (!damagedToo) {
@@ -88,7 +101,10 @@ Done checkForm(Database& db, bool damagedToo) {
     bool ours = false;
     for (const auto& [table, sql] : kTables) ours = ours || (schema->text(0) == table && schema->text(1) == sql);
     if (!ours)
-      return badInput(say("“{0}” holds something a Karinui document does not have (“{1}”).", name, schema->text(0)));
+      return badInput(
+          say("“{0}” holds something a Karinui document does not have (“{1}”): another program wrote into it. Take an "
+              "older copy of it.",
+              name, schema->text(0)));
     ++found;
   }
   return found == kTables.size() ? Done() : Done(damaged(db.path()));
