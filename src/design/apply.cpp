@@ -11,10 +11,9 @@
 namespace karinui {
 
 namespace {
-constexpr std::uint32_t kMostOperations = 1'000'000;  // a garment of a lifetime; keeps ids small
-}
 
-namespace {
+constexpr std::uint32_t kMostOperations = 1'000'000;  // a garment of a lifetime; keeps ids small
+constexpr std::size_t kMostPieces = 1000;             // a suit has some sixty; work grows with their square
 
 // Whether an internal line that a seam or a fastening holds is no longer there.
 template <class Sewn>
@@ -82,6 +81,11 @@ Result<Document> apply(const Document& before, const Operation& operation, Conte
   auto after = std::visit([&](const auto& o) { return perform(before, o, context); }, *op);
   if (!after) return after.error();
   if (context.token.cancelled()) return cancelled();
+  if (const std::size_t count = after->pattern.pieces.size();
+      count > kMostPieces && count > before.pattern.pieces.size())
+    return refused(
+        say("A document has no more than {0} pieces, and this would make {1}. Remove some, or begin another one.",
+            kMostPieces, count));
   if (const auto* length = std::get_if<SetLength>(&*op))
     after = withLink(*std::move(after), length->edge, lengthFormula(*op));
   if (!after->variables.empty()) after = linksFollowed(before, *std::move(after), context);

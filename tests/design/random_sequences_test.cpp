@@ -23,7 +23,7 @@ class Tailor {
 
   std::string operation(const Document& d) {
     const std::string p = piece(d), q = piece(d);
-    switch (below(24)) {
+    switch (below(28)) {
       case 0:
       case 1:
       case 2:
@@ -66,6 +66,16 @@ class Tailor {
         return "freeze piece=\"" + p + " " + q + "\" frozen=" + (below(2) == 0 ? "yes" : "no");
       case 22:
         return "notch edge=" + edge(d) + " at=" + num01();
+      case 23:
+        return "reshape piece=" + p + " at=" + place() + " by=" + num(0.05) + "," + num(0.05) + "," + num(0.05) +
+               " within=" + std::to_string(1 + below(9)) + "cm";
+      case 24:
+        return "dart edge=" + edge(d) + " at=" + num01() + " tip=" + place() + " width=2cm";
+      case 25:
+        return below(2) == 0 ? "hem edges=" + edge(d) + " width=3cm"
+                             : "allowance edges=" + edge(d) + " width=" + std::to_string(below(40)) + "mm";
+      case 26:
+        return below(2) == 0 ? "split edge=" + edge(d) + " at=" + num01() : "join edge=" + edge(d);
       default:
         return below(2) == 0 ? "grain piece=" + p + " to=" + num(1) + "," + num(1)
                              : "set spacing=" + std::to_string(below(60)) + "mm";
@@ -231,7 +241,7 @@ TEST(RandomGarments, AFailingScriptIsShrunkToWhatItTakes) {
     }
     return false;
   };
-  const Lines all = randomGarment(7, 40).lines;
+  const Lines all = randomGarment(8, 40).lines;
   ASSERT_TRUE(fails(all)) << script(all);
   const Lines few = shrunk(all, fails);
   EXPECT_TRUE(fails(few));
