@@ -273,7 +273,7 @@ PYBIND11_MODULE(karinui, m) {
   static py::exception<Failure> failure(m, "Error");
   failure.doc() =
       "What cannot be done, as a sentence. It has changed nothing. `kind` is one of bad_input, refused, not_found, "
-      "storage, stopped.";
+      "storage, out_of_memory, stopped.";
   py::register_exception_translator([](std::exception_ptr raised) {
     try {
       if (raised) std::rethrow_exception(raised);

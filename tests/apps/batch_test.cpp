@@ -244,6 +244,46 @@ TEST_F(Batch, EachCauseHasItsRetries) {
   EXPECT_EQ(contents(run("run") + "/table.csv"), table);
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// What a machine has no memory for is no answer: another does it, and the table is the same.
+TEST_F(Batch, WantOfMemoryIsNoAnswer) {
+  fs::remove(folder / "designs/loose.karinui");
+  write(folder / "designs/band.ops", band(820) + "set spacing=5mm\n");
+  write(folder / "people.csv", "name,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nsmall,152,78,60,85\n");
+  ASSERT_EQ(plan("poor").exit, 0);
+  ASSERT_EQ(plan("rich").exit, 0);
+  const auto within = [&](const std::string& megabytes) {  // the prefix of a command that has so much memory
+    return "C sh -c 'ulimit -v " + megabytes + "000; exec \"$@\"' sh ";
+  };
+  Said said = karinui("batch run " + run("poor") + " --json", within("70"));
+  ASSERT_EQ(said.exit, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("band on small: out of memory"));
+  EXPECT_THAT(said.err, HasSubstr("1 item crashed, or lacked memory or time; karinui batch run --retry does it again."));
+  EXPECT_EQ(said.json()["hindered"], 1);
+  merge("poor");
+  EXPECT_THAT(contents(run("poor") + "/table.csv"), HasSubstr(",out of memory,There is not enough memory for this.,"));
+  EXPECT_EQ(karinui("batch run " + run("poor") + " --json").json()["done"], 0) << "only when asked";
+  said = karinui("batch run " + run("poor") + " --retry --json");
+  EXPECT_EQ(said.json()["done"], 1) << said.err;
+  EXPECT_EQ(said.json()["hindered"], 0);
+  EXPECT_EQ(karinui("batch run " + run("rich")).exit, 0);
+  for (const char* name : {"poor", "rich"}) merge(name);
+  expectSame("poor", "rich");
+}
+#endif
+
+TEST_F(Batch, WhatHindersThisMachineIsSaidAndKeptNowhere) {
+  fs::remove(folder / "designs/loose.karinui");
+  write(folder / "people.csv", "name,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nsmall,152,78,60,85\n");
+  ASSERT_EQ(plan("run").exit, 0);
+  fs::remove(run("run") + "/items");
+  Said said = karinui("batch run " + run("run"));
+  EXPECT_EQ(said.exit, 3);
+  EXPECT_THAT(said.err, testing::ContainsRegex("band on small: .*/items/.*cannot be written: there is no such folder"));
+  fs::create_directory(run("run") + "/items");
+  EXPECT_EQ(karinui("batch run " + run("run") + " --json").json()["done"], 1);
+}
+
 TEST_F(Batch, TellsWhatManyProcessorsWouldBring) {
   fs::remove(folder / "designs/loose.karinui");
   fs::create_directory(folder / "scratch");
@@ -395,13 +435,15 @@ TEST_F(Batch, IsHandedToSlurm) {
   EXPECT_EQ(karinui("batch submit " + run("cluster") + " --slurm --partition 'a b'").exit, 3);
   // Where there is no sbatch the script stays.
   const Said alone =
-      karinui("batch submit " + run("shell") + " --slurm --shards 3 --partition debug", "C PATH=/nowhere");
+      karinui("batch submit " + run("shell") + " --slurm --shards 3 --partition debug --attempts 3 --retry",
+              "C PATH=/nowhere");
   EXPECT_EQ(alone.exit, 3);
   EXPECT_THAT(alone.err, HasSubstr("slurm.sh"));
   const std::string script = contents(run("shell") + "/slurm.sh");
   EXPECT_THAT(script, HasSubstr("#SBATCH --array=1-3\n"));
   EXPECT_THAT(script, HasSubstr("#SBATCH --partition=debug\n"));
   EXPECT_THAT(script, HasSubstr("--shard \"$SLURM_ARRAY_TASK_ID/3\""));
+  EXPECT_THAT(script, HasSubstr(" --attempts 3 --retry\n"));
   // What a shell makes of the jobs, one number of the array after another.
   for (const char* number : {"1", "2", "3"})
     ASSERT_EQ(std::system(("SLURM_ARRAY_TASK_ID=" + std::string(number) + " bash '" + run("shell") +

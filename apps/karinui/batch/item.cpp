@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <iterator>
+#include <new>
 
 #include "../examination.h"
 #include "../json_answers.h"
@@ -71,7 +72,11 @@ Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& 
   return {};
 }
 
-int runItem(Program& program, const fs::path& folder) {
+bool isAnswer(const Error& why) {
+  return why.kind != Error::Kind::Storage && why.kind != Error::Kind::Memory && why.kind != Error::Kind::Cancelled;
+}
+
+int runItem(Program& program, const fs::path& folder) try {
   const std::string given{std::istreambuf_iterator<char>(std::cin), {}};
   const auto plan = parsePlan(given, folder);
   if (!plan) return program.console.refuse(plan.error());
@@ -83,11 +88,14 @@ int runItem(Program& program, const fs::path& folder) {
     const Done done = keepOutcome(folder, item, outcome, said, std::move(numbers));
     return done ? int{kDone} : program.console.refuse(done.error());
   };
-  if (const Done done = makeGarment(opened, folder, *plan, item); !done)
-    return keep(Outcome::Refused, done.error().what, Json::object());
+  const auto hindered = [&](const Error& why) -> int {
+    if (isAnswer(why)) return keep(Outcome::Refused, why.what, Json::object());
+    return why.kind == Error::Kind::Memory ? kItemOutOfMemory : program.console.refuse(why);
+  };
+  if (const Done done = makeGarment(opened, folder, *plan, item); !done) return hindered(done.error());
   StopRequest nobody;
   const Result<Settled> settled = settle(opened, nobody, false);
-  if (!settled) return keep(Outcome::Refused, settled.error().what, Json::object());
+  if (!settled) return hindered(settled.error());
   const Document& document = opened.document();
   Json numbers = {{"operations", document.operations}, {"hash", hash(document)}, {"drape_hash", drapeHash(document)}};
   Json check = checkJson(settled->check);
@@ -107,6 +115,8 @@ int runItem(Program& program, const fs::path& folder) {
   const SettleReport& report = *document.drape.last;
   addShortage(numbers, report.why);
   return keep(report.settled ? Outcome::Ok : Outcome::NotSettled, report.why, std::move(numbers));
+} catch (const std::bad_alloc&) {
+  return kItemOutOfMemory;
 }
 
 }  // namespace karinui::app

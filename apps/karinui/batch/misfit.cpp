@@ -16,7 +16,8 @@ Message plain(const std::string& words) { return say("{0}", words); }
 std::span<const Message> misfits() {
   static const std::vector<Message> all{say("too small"), say("does not close"), say("crosses the body"),
                                         say("stretched"), say("presses"),        say("did not settle"),
-                                        say("refused"),   say("timeout"),        say("crashed")};
+                                        say("refused"),   say("timeout"),        say("out of memory"),
+                                        say("crashed")};
   return all;
 }
 

@@ -241,7 +241,7 @@ Done madeByThisProgram(const BatchPlan& plan) {
 }
 
 const char* nameOf(Outcome outcome) {
-  constexpr const char* kNames[] = {"ok", "refused", "did not settle", "timeout", "crashed"};
+  constexpr const char* kNames[] = {"ok", "refused", "did not settle", "timeout", "out of memory", "crashed"};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 

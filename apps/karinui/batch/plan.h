@@ -55,8 +55,9 @@ Done madeByThisProgram(const BatchPlan& plan);
 
 std::filesystem::path itemFile(const std::filesystem::path& folder, const BatchItem& item);
 
-enum class Outcome { Ok, Refused, NotSettled, Timeout, Crashed };
-const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "timeout", "crashed"
+// The last three tell of the machine rather than of the garment: another time it may go well.
+enum class Outcome { Ok, Refused, NotSettled, Timeout, OutOfMemory, Crashed };
+const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "timeout", "out of memory", "crashed"
 // What became of an item; null: not known yet, or the file is not whole.
 Json itemOutcome(const std::filesystem::path& folder, const BatchItem& item);
 Done keepOutcome(const std::filesystem::path& folder, const BatchItem& item, Outcome outcome, const Message& said,
