@@ -7,6 +7,7 @@
 #include <set>
 
 #include "apps/command.h"
+#include "karinui/base/hash.h"
 
 namespace karinui::test {
 namespace {
@@ -241,6 +242,8 @@ TEST_F(Batch, EachCauseHasItsRetries) {
   EXPECT_EQ(karinui("batch run " + run("run") + " --retry --seconds 30 --json").json()["done"], 1) << "the crash";
   EXPECT_EQ(karinui("batch run " + run("run") + " --retry --seconds 60 --json").json()["done"], 1) << "the timeout";
   merge("run");
+    item.erase("seal");
+    item["seal"] = Hasher().add(std::string_view(item.dump())).hex();
   EXPECT_EQ(contents(run("run") + "/table.csv"), table);
 }
 
@@ -292,6 +295,39 @@ TEST_F(Batch, TellsWhatManyProcessorsWouldBring) {
                             "C TMPDIR='" + (folder / "scratch") + "'");
   ASSERT_EQ(said.exit, 0) << said.err;
   const auto told = said.json();
+// What lies in the folder is what was planned and what came of it, or it is not used.
+TEST_F(Batch, WhatWasChangedByHandIsNotTaken) {
+  write(folder / "people.csv", "name,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nsmall,152,78,60,85\n");
+  ASSERT_EQ(plan("run").exit, 0);
+  for (const auto& entry : fs::directory_iterator(run("run") + "/designs")) {
+    const std::string copy = entry.path().string(), before = contents(copy);
+    if (entry.path().extension() == ".karinui")
+      ASSERT_EQ(karinui("undo " + copy).exit, 0);
+    else
+      write(copy, band(840));
+    const Said said = karinui("batch run " + run("run"));
+    EXPECT_EQ(said.exit, 3);
+    EXPECT_THAT(said.err, HasSubstr("“" + copy + "” is not the design that was planned"));
+    EXPECT_THAT(said.err, HasSubstr("Put it back, or plan the batch anew"));
+    write(copy, before);
+  }
+  EXPECT_EQ(karinui("batch run " + run("run") + " --json").json()["hindered"], 0);
+  merge("run");
+  const std::string table = contents(run("run") + "/table.csv");
+  EXPECT_EQ(kept("run"), 2u);
+  // An outcome that somebody edited is made again.
+  for (const auto& entry : fs::directory_iterator(run("run") + "/items")) {
+    std::string item = contents(entry.path().string());
+    const auto at = item.find("\"ok\"");
+    if (at == std::string::npos) continue;
+    write(entry.path().string(), item.replace(at, 4, "\"did not settle\""));
+    EXPECT_EQ(karinui("batch merge " + run("run") + " --json").json()["missing"], 1);
+    EXPECT_EQ(karinui("batch run " + run("run") + " --json").json()["done"], 1);
+  }
+  merge("run");
+  EXPECT_EQ(contents(run("run") + "/table.csv"), table);
+}
+
   EXPECT_EQ(told["sample"], 2);
   const double garment = told["garment_cpu_s_beside_others"].get<double>();
   EXPECT_GT(garment, 0.01);

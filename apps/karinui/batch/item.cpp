@@ -10,9 +10,9 @@
 #include "../refit.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/design/history.h"
 #include "karinui/design/script.h"
 #include "karinui/design/variant.h"
-#include "karinui/exchange/formats.h"
 
 namespace karinui::app {
 
@@ -35,10 +35,16 @@ void addShortage(Json& numbers, const Message& why) {
   if (centimetres) numbers["too_small_m"] = *centimetres / 100, numbers["too_small_at"] = text(why.values[1]);
 }
 
-Done playScript(OpenDocument& opened, const fs::path& path, const SetBody& body) {
-  const auto script = readFile(path);
-  if (!script) return script.error();
-  const auto lines = parseScript(*script);
+// A copy of a design that another program changed would give other results under the same key.
+Error notAsPlanned(const fs::path& path) {
+  return storageError(
+      say("“{0}” is not the design that was planned: it was changed or removed since. Put it back, or "
+          "plan the batch anew into another folder.",
+          path.string()));
+}
+
+Done playScript(OpenDocument& opened, const std::string& script, const SetBody& body) {
+  const auto lines = parseScript(script);
   if (!lines) return lines.error();
   if (const auto step = opened.perform(body); !step) return step.error();
   for (const ScriptLine& line : *lines) {
@@ -54,11 +60,16 @@ Done playScript(OpenDocument& opened, const fs::path& path, const SetBody& body)
 Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& plan, const BatchItem& item) {
   const SetBody body = bodyFor(plan.bodies[item.body].measures);
   const fs::path path = folder / plan.designs[item.design].file;
-  if (contentOf(path) == FileContent::Script) {
-    if (const Done done = playScript(opened, path, body); !done) return done;
+  const std::string planned = path.stem().string();
+  if (path.extension() == kScriptCopy) {
+    const auto script = readFile(path);
+    if (!script && !isAnswer(script.error())) return script.error();
+    if (!script || designHash(*script) != planned) return notAsPlanned(path);
+    if (const Done done = playScript(opened, *script, body); !done) return done;
   } else {
     Result<DocumentFile> file = DocumentFile::openForReading(path);
-    if (!file) return file.error();
+    if (!file && !isAnswer(file.error())) return file.error();
+    if (!file || designHash(*file) != planned) return notAsPlanned(path);
     OpenDocument source(opened.program(), *std::move(file));
     if (const Done done = refit(source, opened, body); !done) return done;
   }

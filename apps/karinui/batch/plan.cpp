@@ -74,13 +74,13 @@ Result<Design> designOf(const fs::path& path) {
   const bool document = contentOf(path) == FileContent::Document;
   auto bytes = readFile(path);
   if (!bytes) return bytes.error();
-  Design design{hashOf(*bytes), document ? ".karinui" : ".ops", *std::move(bytes)};
+  Design design{designHash(*bytes), document ? kDocumentCopy : kScriptCopy, *std::move(bytes)};
   if (document) {
     const auto file = DocumentFile::openForReading(path);
     if (!file) return file.error();
     if (file->steps().empty())
       return refused(say("“{0}” is empty; there is nothing to fit.", path.filename().string()));
-    design.hash = file->steps().back().chain;  // whatever else lies in the file
+    design.hash = designHash(*file);
   } else if (const auto script = parseScript(design.bytes); !script) {
     return inFile(path, script.error());
   }
@@ -135,8 +135,27 @@ Error noPlan(const fs::path& folder) {
   return badInput(
       say("“{0}” holds no batch that this program can read; plan it with karinui batch plan.", folder.string()));
 }
+// Of an outcome, over all but the seal itself: by it one sees that nothing but this program wrote it.
+std::string sealOf(Json outcome) {
+  outcome.erase("seal");
+  return hashOf(outcome.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
 
 }  // namespace
+std::string designHash(const std::string& script) { return hashOf(script); }
+std::string designHash(const DocumentFile& document) {
+  const std::vector<Step> steps = document.steps();
+  return steps.empty() ? std::string() : steps.back().chain;
+}
+
+Done makePrivateFolder(const fs::path& folder) {
+  std::error_code trouble;
+  if (fs::create_directories(folder, trouble)) fs::permissions(folder, fs::perms::owner_all, trouble);
+  if (trouble) return storageError(say("“{0}” could not be written: {1}", folder.string(), trouble.message()));
+  return {};
+}
+
 
 fs::path itemFile(const fs::path& folder, const BatchItem& item) { return folder / "items" / (item.key + ".json"); }
 
@@ -250,7 +269,7 @@ Json itemOutcome(const fs::path& folder, const BatchItem& item) {
   Json object = bytes ? Json::parse(*bytes, nullptr, false) : Json();
   const bool whole = object.is_object() && object.value("key", Json()) == item.key &&
                      object.value("outcome", Json()).is_string() && object.value("said", Json()).is_string() &&
-                     object.value("numbers", Json()).is_object();
+                     object.value("numbers", Json()).is_object() && object.value("seal", Json()) == sealOf(object);
   return whole ? object : Json();
 }
 
@@ -262,7 +281,9 @@ Done keepOutcome(const fs::path& folder, const BatchItem& item, Outcome outcome,
                  {"sentence", sentenceJson(said)},
                  {"numbers", std::move(numbers)}};
   if (seconds > 0) object["seconds"] = seconds;
-  return writeFile(itemFile(folder, item), object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  object["seal"] = sealOf(object);
+  return writeFile(itemFile(folder, item), object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
+                   Readers::Owner);
 }
 
 Message saidOf(const Json& outcome) {

@@ -3,7 +3,7 @@
 // the designs, so that the folder is all that a machine needs:
 //   manifest.json   what is to be done; an item's key is the hash of all its outcome depends on
 //   designs/        the documents and scripts, by their hash
-//   items/KEY.json  what became of an item: written whole or not at all, and the only truth
+//   items/KEY.json  what became of an item: written whole or not at all, and the only truth; sealed with its hash
 //   garments/       the garments of pictures, by key: made again at need, and lost without harm
 #include <filesystem>
 #include <string>
@@ -37,6 +37,12 @@ struct BatchPlan {
 
 struct BatchWish {
   std::filesystem::path designs;  // a document, a script, or a folder of them
+// What a copy of a design is named by: the hash of a script's bytes, or of a document's steps up to its head, whatever
+// else lies in the file.
+std::string designHash(const std::string& script);
+std::string designHash(const DocumentFile& document);
+constexpr const char *kScriptCopy = ".ops", *kDocumentCopy = ".karinui";
+
   std::filesystem::path bodies;   // a table of measures
   std::filesystem::path folder;
   std::vector<std::string> fabrics;
@@ -58,7 +64,7 @@ std::filesystem::path itemFile(const std::filesystem::path& folder, const BatchI
 // The last three tell of the machine rather than of the garment: another time it may go well.
 enum class Outcome { Ok, Refused, NotSettled, Timeout, OutOfMemory, Crashed };
 const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "timeout", "out of memory", "crashed"
-// What became of an item; null: not known yet, or the file is not whole.
+// What became of an item; null: not known yet, or the file is not as it was written.
 Json itemOutcome(const std::filesystem::path& folder, const BatchItem& item);
 Done keepOutcome(const std::filesystem::path& folder, const BatchItem& item, Outcome outcome, const Message& said,
                  Json numbers = Json::object(), int seconds = 0);  // seconds: those that were not enough
