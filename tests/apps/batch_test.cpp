@@ -352,6 +352,19 @@ class Cluster {
  public:
   explicit Cluster(const std::string& folder) : folder_(folder) { started_ = did("start"); }
   ~Cluster() { did("stop"); }
+  // What a garment costs the plan does not depend on how many people the table happens to have.
+  write(folder / "two.csv",
+        "name,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nsmall,152,78,60,85\nwide,160,92,78,98\n");
+  std::string more = contents(folder / "two.csv");
+  for (int i = 0; i < 20; ++i) more += "p" + std::to_string(10 + i) + ",1" + std::to_string(60 + i) + ",92,78,98\n";
+  write(folder / "more.csv", more);
+  double manifest[2] = {};
+  for (const int i : {0, 1})
+    manifest[i] = karinui("batch throughput " + (folder / "designs") + " " + (folder / (i ? "more.csv" : "two.csv")) +
+                          " --sample 1 --garments 100 --cores 1 --json")
+                      .json()["bytes_per_garment"]["manifest"]
+                      .get<double>();
+  EXPECT_NEAR(manifest[0], manifest[1], 0.02 * manifest[1]);
   Cluster(const Cluster&) = delete;
   Cluster& operator=(const Cluster&) = delete;
   bool started() const { return started_; }

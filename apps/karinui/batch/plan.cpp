@@ -9,7 +9,6 @@
 #include "karinui/design/history.h"
 #include "karinui/design/script.h"
 #include "karinui/exchange/formats.h"
-#include "karinui/exchange/measurement_table.h"
 
 namespace karinui::app {
 
@@ -160,21 +159,25 @@ Done makePrivateFolder(const fs::path& folder) {
 fs::path itemFile(const fs::path& folder, const BatchItem& item) { return folder / "items" / (item.key + ".json"); }
 
 Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console) {
-  const auto paths = designsIn(wish.designs);
-  if (!paths) return paths.error();
+  if (const auto paths = designsIn(wish.designs); !paths) return paths.error();
   const auto table = readFile(wish.bodies);
   if (!table) return table.error();
   const auto people = readMeasurementTable(*table);
   if (!people) return inFile(wish.bodies, people.error());
   for (const std::string& column : people->unknown)
     console.note(say("“{0}” has no counterpart here and is left out.", column));
+  return planBatch(wish, people->people);
+}
+
+Result<BatchPlan> planBatch(const BatchWish& wish, const std::vector<MeasuredPerson>& people) {
+  const auto paths = designsIn(wish.designs);
+  if (!paths) return paths.error();
   BatchPlan plan;
   const auto build = thisBuild();
   if (!build) return build.error();
   plan.build = *build;
   plan.spacing = wish.spacing;
-  for (const MeasuredPerson& person : people->people)
-    plan.bodies.push_back({person.name, forMannequin(person.measures)});
+  for (const MeasuredPerson& person : people) plan.bodies.push_back({person.name, forMannequin(person.measures)});
   std::vector<Design> designs;
   for (const fs::path& path : *paths) {
     auto design = designOf(path);

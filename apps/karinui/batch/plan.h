@@ -11,6 +11,8 @@
 
 #include "../console.h"
 #include "karinui/body/measurements.h"
+#include "karinui/design/history.h"
+#include "karinui/exchange/measurement_table.h"
 
 namespace karinui::app {
 
@@ -52,6 +54,8 @@ constexpr const char *kScriptCopy = ".ops", *kDocumentCopy = ".karinui";
 // Makes the folder. One that holds the same plan already is left as it is, with what was done; another is refused.
 Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console);
 // Refuses what is no plan of this form.
+// The same for people that were read already; the wish's table is not.
+Result<BatchPlan> planBatch(const BatchWish& wish, const std::vector<MeasuredPerson>& people);
 Result<BatchPlan> readPlan(const std::filesystem::path& folder);
 // A plan of this item alone as text, of a size that does not grow with the batch, and read back; `folder` is said.
 std::string planOf(const BatchPlan& plan, const BatchItem& item);
