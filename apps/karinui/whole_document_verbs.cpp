@@ -34,7 +34,8 @@ int runDump(Program& program, const FromTo& options) {
     program.console.answer({{"dump", *dump}}, *dump);
     return kDone;
   }
-  if (const Done done = writeFile(options.out, *dump); !done) return program.console.refuse(done.error());
+  if (const Done done = writeFile(options.out, *dump, Readers::Owner); !done)
+    return program.console.refuse(done.error());
   program.console.answer({{"file", options.out}, {"bytes", dump->size()}}, options.out);
   return kDone;
 }
@@ -97,8 +98,8 @@ void addWholeDocumentVerbs(Program& program) {
       add("share", help("Writes the pattern for others, without figure, measurements, formulas and history"),
           "document", document, runShare);
   shares->add_option("-o,--output", shared->out, made)->required();
-  shares->add_flag("--overwrite", shared->overwrite, help("Replace a document that is there already"));
   shares->add_flag("--unnamed", shared->unnamed, help("Replace all names in it by neutral ones: piece1, seam2, edge3"));
+  shares->add_flag("--overwrite", shared->overwrite, help("Replace a document that is there already"));
 }
 
 }  // namespace karinui::app

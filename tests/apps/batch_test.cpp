@@ -154,6 +154,12 @@ TEST_F(Batch, IsTheSameSerialInPartsAndAfterItWasKilled) {
   expectSame("serial", "parts");
   expectSame("serial", "killed");
 
+  // It is full of measures: its owner's alone.
+  const auto mode = [](const fs::path& path) { return static_cast<unsigned>(fs::status(path).permissions()); };
+  for (const auto& entry : fs::recursive_directory_iterator(run("serial")))
+    EXPECT_EQ(mode(entry.path()), entry.is_directory() ? 0700u : 0600u) << entry.path();
+  EXPECT_EQ(mode(run("serial")), 0700u);
+
   // What came of it.
   const std::string table = contents(run("serial") + "/table.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 13);

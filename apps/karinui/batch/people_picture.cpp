@@ -63,7 +63,7 @@ Result<SceneFrame> dressed(Program& program, const fs::path& folder, const Batch
     if (!file) return file.error();
     return OpenDocument(program, *std::move(file)).scene();
   }
-  fs::create_directories(kept.parent_path(), trouble);
+  if (const Done done = makePrivateFolder(kept.parent_path()); !done) return done.error();
   const fs::path part = kept.string() + ".part";
   fs::remove(part, trouble);
   Result<SceneFrame> frame = SceneFrame();

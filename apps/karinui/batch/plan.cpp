@@ -134,14 +134,15 @@ Error noPlan(const fs::path& folder) {
   return badInput(
       say("“{0}” holds no batch that this program can read; plan it with karinui batch plan.", folder.string()));
 }
+
 // Of an outcome, over all but the seal itself: by it one sees that nothing but this program wrote it.
 std::string sealOf(Json outcome) {
   outcome.erase("seal");
   return hashOf(outcome.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-
 }  // namespace
+
 std::string designHash(const std::string& script) { return hashOf(script); }
 std::string designHash(const DocumentFile& document) {
   const std::vector<Step> steps = document.steps();
@@ -154,7 +155,6 @@ Done makePrivateFolder(const fs::path& folder) {
   if (trouble) return storageError(say("“{0}” could not be written: {1}", folder.string(), trouble.message()));
   return {};
 }
-
 
 fs::path itemFile(const fs::path& folder, const BatchItem& item) { return folder / "items" / (item.key + ".json"); }
 
@@ -204,14 +204,12 @@ Result<BatchPlan> planBatch(const BatchWish& wish, const std::vector<MeasuredPer
     if (old && *old == manifest) return plan;
     return refused(say("“{0}” holds another batch; choose another folder.", wish.folder.string()));
   }
-  for (const char* name : {"designs", "items"}) {
-    fs::create_directories(wish.folder / name, trouble);
-    if (trouble)
-      return storageError(say("“{0}” could not be written: {1}", (wish.folder / name).string(), trouble.message()));
-  }
+  for (const fs::path& made : {wish.folder, wish.folder / "designs", wish.folder / "items"})
+    if (const Done done = makePrivateFolder(made); !done) return done.error();
   for (std::size_t d = 0; d < designs.size(); ++d)
-    if (const Done done = writeFile(wish.folder / plan.designs[d].file, designs[d].bytes); !done) return done.error();
-  if (const Done done = writeFile(file, manifest); !done) return done.error();
+    if (const Done done = writeFile(wish.folder / plan.designs[d].file, designs[d].bytes, Readers::Owner); !done)
+      return done.error();
+  if (const Done done = writeFile(file, manifest, Readers::Owner); !done) return done.error();
   return plan;
 }
 

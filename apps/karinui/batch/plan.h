@@ -37,25 +37,26 @@ struct BatchPlan {
   std::vector<BatchItem> items;
 };
 
-struct BatchWish {
-  std::filesystem::path designs;  // a document, a script, or a folder of them
 // What a copy of a design is named by: the hash of a script's bytes, or of a document's steps up to its head, whatever
 // else lies in the file.
 std::string designHash(const std::string& script);
 std::string designHash(const DocumentFile& document);
 constexpr const char *kScriptCopy = ".ops", *kDocumentCopy = ".karinui";
 
+struct BatchWish {
+  std::filesystem::path designs;  // a document, a script, or a folder of them
   std::filesystem::path bodies;   // a table of measures
   std::filesystem::path folder;
   std::vector<std::string> fabrics;
   double spacing = 0;
 };
 
-// Makes the folder. One that holds the same plan already is left as it is, with what was done; another is refused.
+// Makes the folder, for its owner alone. One that holds the same plan already is left as it is, with what was done;
+// another is refused.
 Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console);
-// Refuses what is no plan of this form.
 // The same for people that were read already; the wish's table is not.
 Result<BatchPlan> planBatch(const BatchWish& wish, const std::vector<MeasuredPerson>& people);
+// Refuses what is no plan of this form.
 Result<BatchPlan> readPlan(const std::filesystem::path& folder);
 // A plan of this item alone as text, of a size that does not grow with the batch, and read back; `folder` is said.
 std::string planOf(const BatchPlan& plan, const BatchItem& item);
@@ -63,6 +64,8 @@ Result<BatchPlan> parsePlan(const std::string& bytes, const std::filesystem::pat
 // A batch that another build of the program planned would give other results under the same keys.
 Done madeByThisProgram(const BatchPlan& plan);
 
+// Within a batch, full of people's measures: mode 0700. One that is there keeps its own.
+Done makePrivateFolder(const std::filesystem::path& folder);
 std::filesystem::path itemFile(const std::filesystem::path& folder, const BatchItem& item);
 
 // The last three tell of the machine rather than of the garment: another time it may go well.

@@ -81,12 +81,10 @@ int runRun(Program& program, const RunOptions& options) {
     program.console.note(
         say("{0} {0|item|items} crashed, or lacked memory or time; karinui batch run --retry does {0|it|them} again.",
             done->hindered));
-  program.console.answer({{"items", done->items},
-                          {"done", done->done},
-                          {"before", done->before},
-                          {"hindered", done->hindered}},
-                         program.console.said(say("{0} {0|item|items}: {1} done now, {2} before.", done->items,
-                                                  done->done, done->before)));
+  program.console.answer(
+      {{"items", done->items}, {"done", done->done}, {"before", done->before}, {"hindered", done->hindered}},
+      program.console.said(
+          say("{0} {0|item|items}: {1} done now, {2} before.", done->items, done->done, done->before)));
   return kDone;
 }
 
@@ -101,7 +99,7 @@ int runMerge(Program& program, const MergeOptions& options) {
   const auto plan = readPlan(folder);
   if (!plan) return program.console.refuse(plan.error());
   const BatchTable table = tableOf(*plan, folder);
-  if (const Done done = writeFile(folder / "table.csv", asCsv(table)); !done)
+  if (const Done done = writeFile(folder / "table.csv", asCsv(table), Readers::Owner); !done)
     return program.console.refuse(done.error());
   if (const Done done = writeDatabase(table, folder / "table.sqlite"); !done)
     return program.console.refuse(done.error());
