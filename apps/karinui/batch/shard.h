@@ -9,7 +9,7 @@ struct ShardWish {
   std::size_t shard = 1, shards = 1;  // every `shards`-th item, from the `shard`-th; from 1
   int jobs = 1;                       // items at a time
   int seconds = 600;                  // an item may take
-  int attempts = 2;    // at an item that crashes or lacks memory: the cause may be gone the second time
+  int attempts = 2;                   // at an item that crashes or lacks memory: the cause may be gone the second time
   bool retry = false;  // also those that crashed or lacked memory before, or ran out of less time than there is now
 };
 struct ShardDone {
