@@ -43,8 +43,9 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(karinui_flags INTERFACE $<$<BOOL:${${known}}>:${flag}>)
   endforeach()
   unset(CMAKE_REQUIRED_FLAGS)
-  # All symbols are bound at the start, and what they were bound to can then not be written.
-  target_link_options(karinui_flags INTERFACE -Wl,-z,relro,-z,now)
+  # All symbols are bound at the start, and what they were bound to can then not be written; no stack holds code, whatever
+  # an object of a library asks for. So bound, -fno-plt would protect nothing more.
+  target_link_options(karinui_flags INTERFACE -Wl,-z,relro,-z,now,-z,noexecstack)
 endif()
 if(KARINUI_SANITIZE)
   # What a sanitizer finds ends the program: a test that goes on would pass.

@@ -204,8 +204,9 @@ class PythonDocument {
       return bytes->size();
     });
   }
-  std::vector<std::string> shareTo(const std::filesystem::path& out) {
-    return alone([&](DocumentFile& file, Context& context) { return share(file, out, context); }).names;
+  std::vector<std::string> shareTo(const std::filesystem::path& out, bool neutral) {
+    const SharedNames names = neutral ? SharedNames::Neutral : SharedNames::Kept;
+    return alone([&](DocumentFile& file, Context& context) { return share(file, out, context, names); }).names;
   }
 
   PythonBody body() {
@@ -273,7 +274,7 @@ PYBIND11_MODULE(karinui, m) {
   static py::exception<Failure> failure(m, "Error");
   failure.doc() =
       "What cannot be done, as a sentence. It has changed nothing. `kind` is one of bad_input, refused, not_found, "
-      "storage, stopped.";
+      "storage, out_of_memory, stopped.";
   py::register_exception_translator([](std::exception_ptr raised) {
     try {
       if (raised) std::rethrow_exception(raised);
@@ -366,7 +367,8 @@ PYBIND11_MODULE(karinui, m) {
       .def("measure", &D::measure, "the body as a tape measures it: metres, and radians")
       .def("export", &D::exportTo, py::arg("path"), py::arg("format") = "",
            "writes a file; its ending says what; how many bytes")
-      .def("share", &D::shareTo, py::arg("path"), "writes the pattern without the person; the names that stay")
+      .def("share", &D::shareTo, py::arg("path"), py::arg("unnamed") = false,
+           "writes the pattern without the person; the names that stay, none where all are made neutral (`unnamed`)")
       .def("pieces", &D::pieces)
       .def("body", &D::body)
       .def("log", &D::log, "the operations, one a line")

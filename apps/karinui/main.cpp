@@ -53,8 +53,7 @@ int main(int count, char** words) {
     program.console.refuse(karinui::badInput(wrongCall(program, trouble)));
     return kWrongCall;
   } catch (const std::bad_alloc&) {
-    return program.console.refuse(karinui::refused(karinui::say(
-        "There is not enough memory for this. Close other programs, or set threads farther apart (set spacing=…).")));
+    return program.console.refuse(karinui::outOfMemory());
   }
   return program.exit;
 }

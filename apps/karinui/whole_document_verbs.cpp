@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 struct FromTo {
   std::string path, out;
-  bool overwrite = false;
+  bool overwrite = false, unnamed = false;
 };
 
 int runRescue(Program& program, const FromTo& options) {
@@ -38,7 +38,8 @@ int runDump(Program& program, const FromTo& options) {
     program.console.answer({{"dump", *dump}}, *dump);
     return kDone;
   }
-  if (const Done done = writeFile(options.out, *dump); !done) return program.console.refuse(done.error());
+  if (const Done done = writeFile(options.out, *dump, Readers::Owner); !done)
+    return program.console.refuse(done.error());
   program.console.answer({{"file", options.out}, {"bytes", dump->size()}}, options.out);
   return kDone;
 }
@@ -69,7 +70,8 @@ int runShare(Program& program, const FromTo& options) {
     return program.console.refuse(
         refused(say("“{0}” is there already. Choose another name, or say --overwrite.", options.out)));
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
-    const Result<Shared> shared = share(opened.file(), options.out, opened.context());
+    const Result<Shared> shared =
+        share(opened.file(), options.out, opened.context(), options.unnamed ? SharedNames::Neutral : SharedNames::Kept);
     if (!shared) return program.console.refuse(shared.error());
     for (const Message& note : shared->notes) program.console.note(note);
     program.console.answer({{"document", options.out}, {"names", shared->names}},
@@ -102,6 +104,7 @@ void addWholeDocumentVerbs(Program& program) {
       add("share", help("Writes the pattern for others, without figure, measurements, formulas and history"),
           "document", document, runShare);
   shares->add_option("-o,--output", shared->out, made)->required();
+  shares->add_flag("--unnamed", shared->unnamed, help("Replace all names in it by neutral ones: piece1, seam2, edge3"));
   shares->add_flag("--overwrite", shared->overwrite, help("Replace a document that is there already"));
 }
 

@@ -1,13 +1,29 @@
 # Completion of karinui for bash. The program is asked for its commands and options, so that none is listed here.
 _karinui() {
-  local word=${COMP_WORDS[COMP_CWORD]} command= sub= i
-  for ((i = 1; i < COMP_CWORD; ++i)); do
+  local word=${COMP_WORDS[COMP_CWORD]} help commands words i
+  local -a path=()
+  _karinui_help() { help=$(LC_ALL=C karinui "${path[@]}" --help 2>/dev/null); }
+  # The first words of the lines of a section: "Commands:" has commands, others options. Examples are no section.
+  _karinui_listed() { awk -v among="$1" '/^[A-Z].*:$/ { here = $0 == "Commands:" } /^$/ { here = 0; next } /^  [a-z]/ && here && among == "commands" { print $1 }
+    /^  -/ && among == "options" { n = split($1, names, ","); for (k = 1; k <= n; ++k) if (names[k] ~ /^--/) print names[k] }' <<<"$help"; }
+  _karinui_help
+  commands=$(_karinui_listed commands)
+  for ((i = 1; i < COMP_CWORD && ${#commands} > 0; ++i)); do
     [[ ${COMP_WORDS[i]} == -* ]] && continue
-    if [[ -z $command ]]; then command=${COMP_WORDS[i]}; elif [[ -z $sub && ${COMP_WORDS[i]} =~ ^[a-z]+$ ]]; then sub=${COMP_WORDS[i]}; fi
+    grep -qxF -- "${COMP_WORDS[i]}" <<<"$commands" || return  # no such command: nothing fits behind it
+    path+=("${COMP_WORDS[i]}")
+    _karinui_help
+    commands=$(_karinui_listed commands)
   done
-  local words
-  words=$(karinui $command --help 2>/dev/null | awk '/^  [a-z]/ { print $1 } { while (match($0, /--[a-z][a-z-]*/)) { print substr($0, RSTART, RLENGTH); $0 = substr($0, RSTART + RLENGTH) } }')
-  [[ -n $sub ]] && words+=" $(karinui $command $sub --help 2>/dev/null | grep -o -- '--[a-z][a-z-]*')"
-  mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; [[ -n $command ]] && compgen -f -- "$word")
+  if [[ $word == -* ]]; then
+    words=$(_karinui_listed options)
+  elif [[ -n $commands ]]; then
+    words=$commands
+  else
+    compopt -o filenames 2>/dev/null
+    mapfile -t COMPREPLY < <(compgen -f -- "$word")
+    return
+  fi
+  mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
 }
-complete -o filenames -F _karinui karinui
+complete -F _karinui karinui

@@ -58,10 +58,11 @@ int writeAll(int file, std::string_view bytes) {  // 0, or the errno
   return ::fsync(file) == 0 ? 0 : errno;
 }
 
-// The permissions the person's umask grants a new file, or those of the file that is replaced.
-mode_t permissions(const std::filesystem::path& path) {
+// Those of a new file, or of the file that is replaced.
+mode_t permissions(const std::filesystem::path& path, Readers readers) {
   struct stat there {};
-  return ::stat(path.c_str(), &there) == 0 ? there.st_mode & 07777 : 0644;
+  if (::stat(path.c_str(), &there) == 0) return there.st_mode & 07777;
+  return readers == Readers::Owner ? 0600 : 0644;
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
   return bytes;
 }
 
-Done writeFile(const std::filesystem::path& path, std::string_view bytes) {
+Done writeFile(const std::filesystem::path& path, std::string_view bytes, Readers readers) {
   std::error_code ignored;
   if (path.empty()) return storageError(say("A file's name is missing."));
   if (std::filesystem::is_directory(path, ignored)) return cannotWrite(path, EISDIR);
@@ -113,7 +114,7 @@ Done writeFile(const std::filesystem::path& path, std::string_view bytes) {
   Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
   if (!file) return cannotWrite(path, errno);
   int why = writeAll(file.number(), bytes);
-  if (why == 0 && ::fchmod(file.number(), permissions(target)) != 0) why = errno;
+  if (why == 0 && ::fchmod(file.number(), permissions(target, readers)) != 0) why = errno;
   if (!file.close() && why == 0) why = errno;
   if (why == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) why = errno;
   if (why != 0) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "design/unnamed.h"
 #include "karinui/design/steps_of.h"
 
 namespace karinui {
@@ -184,16 +185,18 @@ std::vector<Message> differences(const Document& before, const Document& now) {
   return notes;
 }
 
-std::vector<std::string> namesIn(const Document& document) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& name) {
-    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  };
-  for (const auto& [id, piece] : document.pattern.pieces) add(piece->name);
-  for (const auto& [id, seam] : document.pattern.seams) add(seam.name);
-  for (const auto& [name, fabric] : document.fabrics) add(name);
-  for (const auto& [name, own] : document.allowances.fastenings) add(name);
-  return names;
+// The same error, of the file that was asked for in place of the one beside it.
+Message named(Message said, const std::filesystem::path& part, const std::filesystem::path& to) {
+  for (Message::Value& value : said.values) {
+    if (auto* inner = std::get_if<Message>(&value)) {
+      *inner = named(std::move(*inner), part, to);
+      continue;
+    }
+    std::string& word = std::get<std::string>(value);
+    if (word == part.string()) word = to.string();
+    if (word == part.filename().string()) word = to.filename().string();
+  }
+  return said;
 }
 
 }  // namespace
@@ -246,29 +249,35 @@ std::vector<Operation> sharedSteps(const Document& document) {
 Message sharedSaid(const Shared& shared) {
   std::string names;
   for (const std::string& name : shared.names) names += (names.empty() ? "" : ", ") + name;
+  if (shared.names.empty())
+    return say("Figure, measurements, formulas and history were left out, and all names are neutral ones.");
   return say(
-      "Figure, measurements, formulas and history were left out. The names of pieces, seams and fabrics stay: {0}",
+      "Figure, measurements, formulas and history were left out. The names stay, of pieces, seams, fabrics, "
+      "fastenings, "
+      "sizes, lines, notches and edges: {0}",
       names);
 }
 
-Result<Shared> share(DocumentFile& from, const std::filesystem::path& to, Context& context) {
-  const Document& document = from.document();
+Result<Shared> share(DocumentFile& from, const std::filesystem::path& to, Context& context, SharedNames names) {
+  const Document document = names == SharedNames::Neutral ? unnamed(from.document()) : from.document();
   if (document.pattern.pieces.empty()) return refused(say("There is no piece yet; draw one on the body."));
   std::error_code trouble;
   if (!from.path().empty() && std::filesystem::equivalent(from.path(), to, trouble))
     return refused(say("“{0}” is the document itself; choose another name for what is given away.", to.string()));
+  if (!to.parent_path().empty() && !std::filesystem::is_directory(to.parent_path(), trouble))
+    return storageError(say("\"{0}\" cannot be written: there is no such folder. Make it first.", to.string()));
   const std::filesystem::path part = to.string() + ".part";
   std::filesystem::remove(part, trouble);
   Shared shared;
   const Done done = [&]() -> Done {
     auto file = DocumentFile::create(part);
-    if (!file) return file.error();
+    if (!file) return Error{file.error().kind, named(file.error().what, part, to)};
     Context own{context.workers, context.token, from.blobs(), context.bodies, {}, {}};
     for (Operation& step : sharedSteps(document)) {
       if (context.token.cancelled()) return cancelled();
       if (const auto made = file->perform(std::move(step), own); !made) return made.error();
     }
-    shared.names = namesIn(file->document());
+    if (names == SharedNames::Kept) shared.names = namesIn(file->document());
     shared.notes = differences(document, file->document());
     return {};
   }();

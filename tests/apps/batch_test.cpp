@@ -7,6 +7,7 @@
 #include <set>
 
 #include "apps/command.h"
+#include "karinui/base/hash.h"
 
 namespace karinui::test {
 namespace {
@@ -153,6 +154,12 @@ TEST_F(Batch, IsTheSameSerialInPartsAndAfterItWasKilled) {
   expectSame("serial", "parts");
   expectSame("serial", "killed");
 
+  // It is full of measures: its owner's alone.
+  const auto mode = [](const fs::path& path) { return static_cast<unsigned>(fs::status(path).permissions()); };
+  for (const auto& entry : fs::recursive_directory_iterator(run("serial")))
+    EXPECT_EQ(mode(entry.path()), entry.is_directory() ? 0700u : 0600u) << entry.path();
+  EXPECT_EQ(mode(run("serial")), 0700u);
+
   // What came of it.
   const std::string table = contents(run("serial") + "/table.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 13);
@@ -235,11 +242,88 @@ TEST_F(Batch, EachCauseHasItsRetries) {
     nlohmann::json item = nlohmann::json::parse(contents(entry.path().string()));
     if (item["outcome"] == "refused") item["outcome"] = "crashed";
     if (item["outcome"] == "ok") item["outcome"] = "timeout", item["seconds"] = 30;
+    item.erase("seal");
+    item["seal"] = Hasher().add(std::string_view(item.dump())).hex();
     write(entry.path().string(), item.dump());
   }
   EXPECT_EQ(karinui("batch run " + run("run") + " --json").json()["done"], 0) << "only when asked";
   EXPECT_EQ(karinui("batch run " + run("run") + " --retry --seconds 30 --json").json()["done"], 1) << "the crash";
   EXPECT_EQ(karinui("batch run " + run("run") + " --retry --seconds 60 --json").json()["done"], 1) << "the timeout";
+  merge("run");
+  EXPECT_EQ(contents(run("run") + "/table.csv"), table);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// What a machine has no memory for is no answer: another does it, and the table is the same.
+TEST_F(Batch, WantOfMemoryIsNoAnswer) {
+  fs::remove(folder / "designs/loose.karinui");
+  write(folder / "designs/band.ops", band(820) + "set spacing=20mm\n");
+  write(folder / "people.csv", "name,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nsmall,152,78,60,85\n");
+  ASSERT_EQ(plan("poor").exit, 0);
+  ASSERT_EQ(plan("rich").exit, 0);
+  // With the least that the one who hands out the work can do with, which is not enough for the work.
+  Said said;
+  for (int megabytes = 40; megabytes < 200 && said.exit != 0; megabytes += 4)
+    said = karinui("batch run " + run("poor") + " --json",
+                   "C sh -c 'ulimit -v " + std::to_string(megabytes) + "000; exec \"$@\"' sh ");
+  ASSERT_EQ(said.exit, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("band on small: out of memory"));
+  EXPECT_THAT(said.err,
+              HasSubstr("1 item crashed, or lacked memory or time; karinui batch run --retry does it again."));
+  EXPECT_EQ(said.json()["hindered"], 1);
+  merge("poor");
+  EXPECT_THAT(contents(run("poor") + "/table.csv"), HasSubstr(",out of memory,There is not enough memory for this.,"));
+  EXPECT_EQ(karinui("batch run " + run("poor") + " --json").json()["done"], 0) << "only when asked";
+  said = karinui("batch run " + run("poor") + " --retry --json");
+  EXPECT_EQ(said.json()["done"], 1) << said.err;
+  EXPECT_EQ(said.json()["hindered"], 0);
+  EXPECT_EQ(karinui("batch run " + run("rich")).exit, 0);
+  for (const char* name : {"poor", "rich"}) merge(name);
+  expectSame("poor", "rich");
+}
+#endif
+
+TEST_F(Batch, WhatHindersThisMachineIsSaidAndKeptNowhere) {
+  fs::remove(folder / "designs/loose.karinui");
+  write(folder / "people.csv", "name,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nsmall,152,78,60,85\n");
+  ASSERT_EQ(plan("run").exit, 0);
+  fs::remove(run("run") + "/items");
+  Said said = karinui("batch run " + run("run"));
+  EXPECT_EQ(said.exit, 3);
+  EXPECT_THAT(said.err, testing::ContainsRegex("band on small: .*/items/.*cannot be written: there is no such folder"));
+  fs::create_directory(run("run") + "/items");
+  EXPECT_EQ(karinui("batch run " + run("run") + " --json").json()["done"], 1);
+}
+
+// What lies in the folder is what was planned and what came of it, or it is not used.
+TEST_F(Batch, WhatWasChangedByHandIsNotTaken) {
+  write(folder / "people.csv", "name,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nsmall,152,78,60,85\n");
+  ASSERT_EQ(plan("run").exit, 0);
+  for (const auto& entry : fs::directory_iterator(run("run") + "/designs")) {
+    const std::string copy = entry.path().string(), before = contents(copy);
+    if (entry.path().extension() == ".karinui")
+      ASSERT_EQ(karinui("undo " + copy).exit, 0);
+    else
+      write(copy, band(840));
+    const Said said = karinui("batch run " + run("run"));
+    EXPECT_EQ(said.exit, 3);
+    EXPECT_THAT(said.err, HasSubstr("“" + copy + "” is not the design that was planned"));
+    EXPECT_THAT(said.err, HasSubstr("Put it back, or plan the batch anew"));
+    write(copy, before);
+  }
+  EXPECT_EQ(karinui("batch run " + run("run") + " --json").json()["hindered"], 0);
+  merge("run");
+  const std::string table = contents(run("run") + "/table.csv");
+  EXPECT_EQ(kept("run"), 2u);
+  // An outcome that somebody edited is made again.
+  for (const auto& entry : fs::directory_iterator(run("run") + "/items")) {
+    std::string item = contents(entry.path().string());
+    const auto at = item.find("\"ok\"");
+    if (at == std::string::npos) continue;
+    write(entry.path().string(), item.replace(at, 4, "\"did not settle\""));
+    EXPECT_EQ(karinui("batch merge " + run("run") + " --json").json()["missing"], 1);
+    EXPECT_EQ(karinui("batch run " + run("run") + " --json").json()["done"], 1);
+  }
   merge("run");
   EXPECT_EQ(contents(run("run") + "/table.csv"), table);
 }
@@ -268,6 +352,19 @@ TEST_F(Batch, TellsWhatManyProcessorsWouldBring) {
   EXPECT_GT(told["bytes_per_garment"]["in"].get<double>(), 500) << "the script, and its own plan";
   EXPECT_LT(told["bytes_per_garment"]["in"].get<double>(), 2000) << "never the manifest";
   EXPECT_GT(told["bytes_per_garment"]["out"].get<double>(), 100);
+  // What a garment costs the plan does not depend on how many people the table happens to have.
+  write(folder / "two.csv",
+        "name,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nsmall,152,78,60,85\nwide,160,92,78,98\n");
+  std::string more = contents(folder / "two.csv");
+  for (int i = 0; i < 20; ++i) more += "p" + std::to_string(10 + i) + ",1" + std::to_string(60 + i) + ",92,78,98\n";
+  write(folder / "more.csv", more);
+  double manifest[2] = {};
+  for (const int i : {0, 1})
+    manifest[i] = karinui("batch throughput " + (folder / "designs") + " " + (folder / (i ? "more.csv" : "two.csv")) +
+                          " --sample 1 --garments 100 --cores 1 --json")
+                      .json()["bytes_per_garment"]["manifest"]
+                      .get<double>();
+  EXPECT_NEAR(manifest[0], manifest[1], 0.02 * manifest[1]);
   EXPECT_TRUE(fs::is_empty(folder / "scratch"));
 }
 
@@ -394,14 +491,15 @@ TEST_F(Batch, IsHandedToSlurm) {
   ASSERT_EQ(plan("cluster").exit, 0);
   EXPECT_EQ(karinui("batch submit " + run("cluster") + " --slurm --partition 'a b'").exit, 3);
   // Where there is no sbatch the script stays.
-  const Said alone =
-      karinui("batch submit " + run("shell") + " --slurm --shards 3 --partition debug", "C PATH=/nowhere");
+  const Said alone = karinui(
+      "batch submit " + run("shell") + " --slurm --shards 3 --partition debug --attempts 3 --retry", "C PATH=/nowhere");
   EXPECT_EQ(alone.exit, 3);
   EXPECT_THAT(alone.err, HasSubstr("slurm.sh"));
   const std::string script = contents(run("shell") + "/slurm.sh");
   EXPECT_THAT(script, HasSubstr("#SBATCH --array=1-3\n"));
   EXPECT_THAT(script, HasSubstr("#SBATCH --partition=debug\n"));
   EXPECT_THAT(script, HasSubstr("--shard \"$SLURM_ARRAY_TASK_ID/3\""));
+  EXPECT_THAT(script, HasSubstr(" --attempts 3 --retry\n"));
   // What a shell makes of the jobs, one number of the array after another.
   for (const char* number : {"1", "2", "3"})
     ASSERT_EQ(std::system(("SLURM_ARRAY_TASK_ID=" + std::string(number) + " bash '" + run("shell") +

@@ -280,6 +280,28 @@ TEST_F(Command, UndoAndRedoSurviveClosing) {
   EXPECT_EQ(karinui("redo " + document()).exit, 3);
 }
 
+TEST_F(Command, TellsTheNamesThatItGivesAwayOrGivesNone) {
+  ASSERT_EQ(play("piece name=Hanako outline=\"M 0 0; low L 400 0; side L 400 500; top L 0 500; centre L 0 0\"\n").exit,
+            0);
+  Said said = karinui("share " + document() + " -o " + (folder / "named.karinui"));
+  EXPECT_THAT(said.out, HasSubstr("Hanako, low, side, top, centre"));
+  said = karinui("share " + document() + " --unnamed -o " + (folder / "unnamed.karinui"));
+  EXPECT_EQ(said.exit, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("all names are neutral ones"));
+  EXPECT_THAT(contents(folder / "named.karinui"), HasSubstr("Hanako"));
+  EXPECT_THAT(contents(folder / "unnamed.karinui"), testing::Not(HasSubstr("Hanako")));
+  said = karinui("share " + document() + " -o " + (folder / "none/x.karinui"));
+  EXPECT_EQ(said.exit, 3);
+  EXPECT_THAT(said.err, HasSubstr("none/x.karinui"));
+  EXPECT_THAT(said.err, testing::Not(HasSubstr(".part")));
+}
+
+TEST_F(Command, ADumpIsItsOwnersAlone) {
+  ASSERT_EQ(play("body size=jis9ar\n").exit, 0);
+  ASSERT_EQ(karinui("dump " + document() + " -o " + (folder / "d.txt")).exit, 0);
+  EXPECT_EQ(static_cast<unsigned>(fs::status(folder / "d.txt").permissions()), 0600u);
+}
+
 TEST_F(Command, RefusedInputChangesNothing) {
   EXPECT_EQ(play("body size=jis9ar\nsew a=front.side b=back.side\n").exit, 3);
   EXPECT_FALSE(fs::exists(document()));

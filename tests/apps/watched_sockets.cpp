@@ -22,14 +22,17 @@ void tell(const std::string& line) {
   ::close(file);
 }
 
-std::string said(const sockaddr* address) {
+std::string said(const sockaddr* address, socklen_t size) {
   char words[INET6_ADDRSTRLEN] = {};
   if (address->sa_family == AF_INET)
     ::inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(address)->sin_addr, words, sizeof words);
   else if (address->sa_family == AF_INET6)
     ::inet_ntop(AF_INET6, &reinterpret_cast<const sockaddr_in6*>(address)->sin6_addr, words, sizeof words);
-  else if (address->sa_family == AF_UNIX)
-    return std::string("unix ") + reinterpret_cast<const sockaddr_un*>(address)->sun_path;
+  else if (address->sa_family == AF_UNIX) {
+    const auto* path = reinterpret_cast<const sockaddr_un*>(address)->sun_path;
+    if (path[0] != '\0' || size <= sizeof(sa_family_t) + 1) return std::string("unix ") + path;
+    return "unix @" + std::string(path + 1, size - sizeof(sa_family_t) - 1);  // a name that is no file's
+  }
   return std::string("inet ") + words;
 }
 
@@ -48,12 +51,12 @@ int socket(int domain, int type, int protocol) {
 }
 
 int connect(int file, const sockaddr* address, socklen_t size) {
-  tell("connect " + said(address));
+  tell("connect " + said(address, size));
   return real<int(int, const sockaddr*, socklen_t)>("connect")(file, address, size);
 }
 
 int bind(int file, const sockaddr* address, socklen_t size) {
-  tell("bind " + said(address));
+  tell("bind " + said(address, size));
   return real<int(int, const sockaddr*, socklen_t)>("bind")(file, address, size);
 }
 

@@ -42,6 +42,16 @@ TEST_F(FileTest, KeepsThePermissionsAndTheLink) {
   EXPECT_EQ(there.st_mode & 0777, 0600u);
 }
 
+TEST_F(FileTest, TheOwnersFileIsTheOwnersAlone) {
+  ASSERT_TRUE(writeFile(folder / "all", "1"));
+  ASSERT_TRUE(writeFile(folder / "own", "1", Readers::Owner));
+  struct stat there {};
+  ASSERT_EQ(::stat((folder / "all").c_str(), &there), 0);
+  EXPECT_EQ(there.st_mode & 0777, 0644u);
+  ASSERT_EQ(::stat((folder / "own").c_str(), &there), 0);
+  EXPECT_EQ(there.st_mode & 0777, 0600u);
+}
+
 TEST_F(FileTest, RefusesWithTheReason) {
   const auto why = [](const Done& done) { return done ? std::string("written") : text(done.error().what); };
   EXPECT_NE(why(writeFile(folder / "no" / "a", "1")).find("no such folder"), std::string::npos);

@@ -221,7 +221,8 @@ TEST_F(WholeDocument, SharedItHasThePatternAndNothingOfThePerson) {
     const auto shared = share(*file, to, room_.context);
     ASSERT_TRUE(shared) << text(shared.error().what);
     EXPECT_THAT(shared->notes, IsEmpty());
-    EXPECT_THAT(shared->names, testing::ElementsAre("front", "back", "my_wool", "loops", "opening"));
+    for (const char* name : {"front", "back", "my_wool", "loops", "opening", "S", "M", "L", "turn", "side_left", "hem"})
+      EXPECT_THAT(shared->names, testing::Contains(name));
   }
   // What a person wants to have of it.
   auto file = DocumentFile::open(to);
@@ -296,6 +297,84 @@ TEST_F(WholeDocument, SharedItHasThePatternAndNothingOfThePerson) {
   char host[256] = {};
   ASSERT_EQ(gethostname(host, sizeof host - 1), 0);
   EXPECT_FALSE(has(bytes, host));
+}
+
+// Somebody's name in every name: none of them is in a byte of it, and the pattern is the same.
+TEST_F(WholeDocument, UnnamedItHasNoNameThatAPersonGave) {
+  Document before;
+  {
+    auto file = DocumentFile::create(path_);
+    ASSERT_TRUE(file);
+    for (const char* line :
+         {"fabric name=Hanako_wool like=linen weight=0.321",
+          "piece name=Hanako_front outline=\"M 0 0; hem_Hanako L 400 0; side_Hanako L 400 500; neckHanako C 300 450 "
+          "100 450 "
+          "0 500; rightHanako L 0 0\" fabric=Hanako_wool",
+          "piece name=Hanako_back outline=\"M 0 0; hem_Hanako L 400 0; right_Hanako L 400 500; topHanako L 0 500; "
+          "side_Hanako L 0 0\" fabric=denim",
+          "sew a=Hanako_front.side_Hanako b=Hanako_back.side_Hanako name=Hanako_seam",
+          "hem edges=Hanako_front.hem_Hanako width=4cm under=1cm", "allowance edges=Hanako_back.topHanako width=8mm",
+          "piping edges=Hanako_back.topHanako fabric=Hanako_wool",
+          "fasten name=Hanako_opening kind=zip a=Hanako_front.rightHanako b=Hanako_back.right_Hanako length=10cm",
+          "grade sizes=\"Hanako Hanakos_sister\" base=Hanako", "grade corners=Hanako_front.hem_Hanako by=5mm,0",
+          "line piece=Hanako_front along=\"10cm,10cm; 20cm,10cm\" name=Hanako_line",
+          "notch edge=Hanako_front.side_Hanako at=0.4 name=Hanako_notch"}) {
+      const auto operation = parseOperation(line);
+      ASSERT_TRUE(operation) << line << ": " << text(operation.error().what);
+      const auto step = file->perform(*operation, room_.context);
+      ASSERT_TRUE(step) << line << ": " << text(step.error().what);
+    }
+    before = file->document();
+    const auto shared = share(*file, folder_ / "unnamed.karinui", room_.context, SharedNames::Neutral);
+    ASSERT_TRUE(shared) << text(shared.error().what);
+    EXPECT_THAT(shared->names, IsEmpty());
+    EXPECT_THAT(shared->notes, IsEmpty());
+    EXPECT_THAT(text(sharedSaid(*shared)), HasSubstr("all names are neutral"));
+    const auto named = share(*file, folder_ / "named.karinui", room_.context);
+    ASSERT_TRUE(named);
+    EXPECT_THAT(named->names, testing::IsSupersetOf({"Hanako_front", "Hanako_seam", "Hanako_wool", "Hanako_opening",
+                                                     "Hanakos_sister", "Hanako_line", "Hanako_notch", "topHanako"}));
+  }
+  EXPECT_THAT(contents(path_), HasSubstr("Hanako"));
+  EXPECT_THAT(contents(folder_ / "named.karinui"), HasSubstr("Hanako_notch"));
+  EXPECT_EQ(contents(folder_ / "unnamed.karinui").find("Hanako"), std::string::npos);
+  const auto file = DocumentFile::openForReading(folder_ / "unnamed.karinui");
+  ASSERT_TRUE(file) << text(file.error().what);
+  const Document& now = file->document();
+  const AllowancePlan old(before.pattern, before.allowances), made(now.pattern, now.allowances);
+  ASSERT_EQ(now.pattern.pieces.size(), 2u);
+  auto next = now.pattern.pieces.begin();
+  for (const auto& [id, piece] : before.pattern.pieces) {
+    for (std::size_t i = 0; i < piece->outline.edges.size(); ++i) {
+      const Edge &was = piece->outline.edges[i], &is = next->second->outline.edges.at(i);
+      EXPECT_EQ(is.curve, was.curve) << was.name;
+      EXPECT_EQ(made.kind(next->first, is.name), old.kind(id, was.name)) << was.name;
+      EXPECT_EQ(made.width(next->first, is.name), old.width(id, was.name)) << was.name;
+    }
+    ++next;
+  }
+  const Piece& front = *now.pieceNamed("piece1");
+  EXPECT_EQ(front.fabric, "fabric1");
+  EXPECT_EQ(now.pieceNamed("piece2")->fabric, "denim") << "comes with the program";
+  EXPECT_EQ(now.fabrics.at("fabric1"), before.fabrics.at("Hanako_wool"));
+  EXPECT_EQ(lookOf(now, "fabric1"), lookOf(before, "Hanako_wool"));
+  EXPECT_EQ(front.marks.at(0).edge, front.outline.edges[1].name);
+  EXPECT_EQ(front.outline.edges[1].name, now.pieceNamed("piece2")->outline.edges[3].name) << "called alike before";
+  EXPECT_EQ(now.grading.sizes, (std::vector<std::string>{"size1", "size2"}));
+  EXPECT_EQ(now.grading.pieces.begin()->second.size(), before.grading.pieces.begin()->second.size());
+  EXPECT_EQ(now.allowances.fastenings.size(), 1u);
+  EXPECT_EQ(now.allowances.hems.size(), 1u);
+  EXPECT_EQ(now.allowances.pipings.begin()->second.fabric, "fabric1");
+}
+
+TEST_F(WholeDocument, SharedIntoAFolderThatIsMissingTheFileThatWasAskedForIsNamed) {
+  make();
+  auto file = DocumentFile::openForReading(path_);
+  ASSERT_TRUE(file);
+  const auto shared = share(*file, folder_ / "none" / "out.karinui", room_.context);
+  ASSERT_FALSE(shared);
+  EXPECT_THAT(text(shared.error().what), HasSubstr("out.karinui"));
+  EXPECT_THAT(text(shared.error().what), Not(HasSubstr(".part")));
 }
 
 }  // namespace

@@ -180,7 +180,8 @@ TEST_F(Drafts, ThePatternIsSharedWhileTheDocumentIsOpen) {
   std::string said;
   for (const Notice& notice : session.takeNotices()) said += text(notice.what) + "\n";
   EXPECT_THAT(said, HasSubstr("given.karinui” was written."));
-  EXPECT_THAT(said, HasSubstr("The names of pieces, seams and fabrics stay: front"));
+  EXPECT_THAT(
+      said, HasSubstr("The names stay, of pieces, seams, fabrics, fastenings, sizes, lines, notches and edges: front"));
   const auto shared = DocumentFile::openForReading(given);
   ASSERT_TRUE(shared) << text(shared.error().what);
   EXPECT_EQ(shared->document().pattern.pieces.size(), 1u);

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <iostream>
 #include <iterator>
+#include <new>
 
 #include "../examination.h"
 #include "../json_answers.h"
 #include "../refit.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/design/history.h"
 #include "karinui/design/script.h"
 #include "karinui/design/variant.h"
-#include "karinui/exchange/formats.h"
 
 namespace karinui::app {
 
@@ -34,10 +35,16 @@ void addShortage(Json& numbers, const Message& why) {
   if (centimetres) numbers["too_small_m"] = *centimetres / 100, numbers["too_small_at"] = text(why.values[1]);
 }
 
-Done playScript(OpenDocument& opened, const fs::path& path, const SetBody& body) {
-  const auto script = readFile(path);
-  if (!script) return script.error();
-  const auto lines = parseScript(*script);
+// A copy of a design that another program changed would give other results under the same key.
+Error notAsPlanned(const fs::path& path) {
+  return storageError(
+      say("“{0}” is not the design that was planned: it was changed or removed since. Put it back, or "
+          "plan the batch anew into another folder.",
+          path.string()));
+}
+
+Done playScript(OpenDocument& opened, const std::string& script, const SetBody& body) {
+  const auto lines = parseScript(script);
   if (!lines) return lines.error();
   if (const auto step = opened.perform(body); !step) return step.error();
   for (const ScriptLine& line : *lines) {
@@ -53,11 +60,16 @@ Done playScript(OpenDocument& opened, const fs::path& path, const SetBody& body)
 Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& plan, const BatchItem& item) {
   const SetBody body = bodyFor(plan.bodies[item.body].measures);
   const fs::path path = folder / plan.designs[item.design].file;
-  if (contentOf(path) == FileContent::Script) {
-    if (const Done done = playScript(opened, path, body); !done) return done;
+  const std::string planned = path.stem().string();
+  if (path.extension() == kScriptCopy) {
+    const auto script = readFile(path);
+    if (!script && !isAnswer(script.error())) return script.error();
+    if (!script || designHash(*script) != planned) return notAsPlanned(path);
+    if (const Done done = playScript(opened, *script, body); !done) return done;
   } else {
     Result<DocumentFile> file = DocumentFile::openForReading(path);
-    if (!file) return file.error();
+    if (!file && !isAnswer(file.error())) return file.error();
+    if (!file || designHash(*file) != planned) return notAsPlanned(path);
     OpenDocument source(opened.program(), *std::move(file));
     if (const Done done = refit(source, opened, body); !done) return done;
   }
@@ -71,7 +83,11 @@ Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& 
   return {};
 }
 
-int runItem(Program& program, const fs::path& folder) {
+bool isAnswer(const Error& why) {
+  return why.kind != Error::Kind::Storage && why.kind != Error::Kind::Memory && why.kind != Error::Kind::Cancelled;
+}
+
+int runItem(Program& program, const fs::path& folder) try {
   const std::string given{std::istreambuf_iterator<char>(std::cin), {}};
   const auto plan = parsePlan(given, folder);
   if (!plan) return program.console.refuse(plan.error());
@@ -83,11 +99,14 @@ int runItem(Program& program, const fs::path& folder) {
     const Done done = keepOutcome(folder, item, outcome, said, std::move(numbers));
     return done ? int{kDone} : program.console.refuse(done.error());
   };
-  if (const Done done = makeGarment(opened, folder, *plan, item); !done)
-    return keep(Outcome::Refused, done.error().what, Json::object());
+  const auto hindered = [&](const Error& why) -> int {
+    if (isAnswer(why)) return keep(Outcome::Refused, why.what, Json::object());
+    return why.kind == Error::Kind::Memory ? kItemOutOfMemory : program.console.refuse(why);
+  };
+  if (const Done done = makeGarment(opened, folder, *plan, item); !done) return hindered(done.error());
   StopRequest nobody;
   const Result<Settled> settled = settle(opened, nobody, false);
-  if (!settled) return keep(Outcome::Refused, settled.error().what, Json::object());
+  if (!settled) return hindered(settled.error());
   const Document& document = opened.document();
   Json numbers = {{"operations", document.operations}, {"hash", hash(document)}, {"drape_hash", drapeHash(document)}};
   Json check = checkJson(settled->check);
@@ -107,6 +126,8 @@ int runItem(Program& program, const fs::path& folder) {
   const SettleReport& report = *document.drape.last;
   addShortage(numbers, report.why);
   return keep(report.settled ? Outcome::Ok : Outcome::NotSettled, report.why, std::move(numbers));
+} catch (const std::bad_alloc&) {
+  return kItemOutOfMemory;
 }
 
 }  // namespace karinui::app

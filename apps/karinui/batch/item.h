@@ -7,10 +7,17 @@
 namespace karinui::app {
 
 // Does the item whose plan (planOf()) comes on stdin and keeps its outcome: nothing is read that grows with the batch.
-// The exit status of the process is kDone where an outcome was kept.
+// The exit status of the process is kDone where an outcome was kept. Otherwise what hindered it lies in this machine:
+// kItemOutOfMemory, or another status with a sentence on stderr.
 int runItem(Program& program, const std::filesystem::path& folder);
+constexpr int kItemOutOfMemory = 5;
 
-// Its garment in an empty document, not brought to rest yet.
+// Whether an error is an answer about the garment, the same on every machine. Want of memory, and a disk or a file that
+// fails, are none.
+bool isAnswer(const Error& why);
+
+// Its garment in an empty document, not brought to rest yet. A copy of its design that is not the one that was planned
+// is refused with Error::Kind::Storage.
 Done makeGarment(OpenDocument& opened, const std::filesystem::path& folder, const BatchPlan& plan,
                  const BatchItem& item);
 

@@ -14,9 +14,9 @@ Message plain(const std::string& words) { return say("{0}", words); }
 }  // namespace
 
 std::span<const Message> misfits() {
-  static const std::vector<Message> all{say("too small"), say("does not close"), say("crosses the body"),
-                                        say("stretched"), say("presses"),        say("did not settle"),
-                                        say("refused"),   say("timeout"),        say("crashed")};
+  static const std::vector<Message> all{
+      say("too small"),      say("does not close"), say("crosses the body"), say("stretched"),     say("presses"),
+      say("did not settle"), say("refused"),        say("timeout"),          say("out of memory"), say("crashed")};
   return all;
 }
 

@@ -63,7 +63,7 @@ Result<SceneFrame> dressed(Program& program, const fs::path& folder, const Batch
     if (!file) return file.error();
     return OpenDocument(program, *std::move(file)).scene();
   }
-  fs::create_directories(kept.parent_path(), trouble);
+  if (const Done done = makePrivateFolder(kept.parent_path()); !done) return done.error();
   const fs::path part = kept.string() + ".part";
   fs::remove(part, trouble);
   Result<SceneFrame> frame = SceneFrame();
@@ -82,7 +82,7 @@ Result<SceneFrame> dressed(Program& program, const fs::path& folder, const Batch
     fs::rename(part, kept, trouble);
   else
     fs::remove(part, trouble);
-  if (!made && made.error().kind == Error::Kind::Cancelled) return made.error();
+  if (!made && !isAnswer(made.error())) return made.error();
   return frame;
 }
 
@@ -138,16 +138,17 @@ Result<PeoplePicture> peoplePicture(Program& program, const PeopleWish& wish) {
       ++picture.misfits;
     }
     figures.push_back(std::move(figure));
-    // What ran out of time or fell down would do so again.
+    // What ran out of time or memory or fell down would do so again.
     const std::string outcome = table.text(r, "outcome");
-    if (outcome == nameOf(Outcome::Timeout) || outcome == nameOf(Outcome::Crashed)) {
+    if (outcome == nameOf(Outcome::Timeout) || outcome == nameOf(Outcome::OutOfMemory) ||
+        outcome == nameOf(Outcome::Crashed)) {
       frames.emplace_back();
       continue;
     }
     console.keepNotes([](const Message&) {});  // the table has what there is to say
     Result<SceneFrame> frame = dressed(program, wish.folder, *plan, plan->items[r]);
     console.keepNotes({});
-    if (!frame && frame.error().kind == Error::Kind::Cancelled) return frame.error();
+    if (!frame && !isAnswer(frame.error())) return frame.error();
     frames.push_back(frame ? *std::move(frame) : SceneFrame());  // a figure that cannot be built is told below
   }
   picture.garments = rows.size();

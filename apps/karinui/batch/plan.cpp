@@ -9,7 +9,6 @@
 #include "karinui/design/history.h"
 #include "karinui/design/script.h"
 #include "karinui/exchange/formats.h"
-#include "karinui/exchange/measurement_table.h"
 
 namespace karinui::app {
 
@@ -74,13 +73,13 @@ Result<Design> designOf(const fs::path& path) {
   const bool document = contentOf(path) == FileContent::Document;
   auto bytes = readFile(path);
   if (!bytes) return bytes.error();
-  Design design{hashOf(*bytes), document ? ".karinui" : ".ops", *std::move(bytes)};
+  Design design{designHash(*bytes), document ? kDocumentCopy : kScriptCopy, *std::move(bytes)};
   if (document) {
     const auto file = DocumentFile::openForReading(path);
     if (!file) return file.error();
     if (file->steps().empty())
       return refused(say("“{0}” is empty; there is nothing to fit.", path.filename().string()));
-    design.hash = file->steps().back().chain;  // whatever else lies in the file
+    design.hash = designHash(*file);
   } else if (const auto script = parseScript(design.bytes); !script) {
     return inFile(path, script.error());
   }
@@ -136,26 +135,49 @@ Error noPlan(const fs::path& folder) {
       say("“{0}” holds no batch that this program can read; plan it with karinui batch plan.", folder.string()));
 }
 
+// Of an outcome, over all but the seal itself: by it one sees that nothing but this program wrote it.
+std::string sealOf(Json outcome) {
+  outcome.erase("seal");
+  return hashOf(outcome.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
 }  // namespace
+
+std::string designHash(const std::string& script) { return hashOf(script); }
+std::string designHash(const DocumentFile& document) {
+  const std::vector<Step> steps = document.steps();
+  return steps.empty() ? std::string() : steps.back().chain;
+}
+
+Done makePrivateFolder(const fs::path& folder) {
+  std::error_code trouble;
+  if (fs::create_directories(folder, trouble)) fs::permissions(folder, fs::perms::owner_all, trouble);
+  if (trouble) return storageError(say("“{0}” could not be written: {1}", folder.string(), trouble.message()));
+  return {};
+}
 
 fs::path itemFile(const fs::path& folder, const BatchItem& item) { return folder / "items" / (item.key + ".json"); }
 
 Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console) {
-  const auto paths = designsIn(wish.designs);
-  if (!paths) return paths.error();
+  if (const auto paths = designsIn(wish.designs); !paths) return paths.error();
   const auto table = readFile(wish.bodies);
   if (!table) return table.error();
   const auto people = readMeasurementTable(*table);
   if (!people) return inFile(wish.bodies, people.error());
   for (const std::string& column : people->unknown)
     console.note(say("“{0}” has no counterpart here and is left out.", column));
+  return planBatch(wish, people->people);
+}
+
+Result<BatchPlan> planBatch(const BatchWish& wish, const std::vector<MeasuredPerson>& people) {
+  const auto paths = designsIn(wish.designs);
+  if (!paths) return paths.error();
   BatchPlan plan;
   const auto build = thisBuild();
   if (!build) return build.error();
   plan.build = *build;
   plan.spacing = wish.spacing;
-  for (const MeasuredPerson& person : people->people)
-    plan.bodies.push_back({person.name, forMannequin(person.measures)});
+  for (const MeasuredPerson& person : people) plan.bodies.push_back({person.name, forMannequin(person.measures)});
   std::vector<Design> designs;
   for (const fs::path& path : *paths) {
     auto design = designOf(path);
@@ -182,14 +204,12 @@ Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console) {
     if (old && *old == manifest) return plan;
     return refused(say("“{0}” holds another batch; choose another folder.", wish.folder.string()));
   }
-  for (const char* name : {"designs", "items"}) {
-    fs::create_directories(wish.folder / name, trouble);
-    if (trouble)
-      return storageError(say("“{0}” could not be written: {1}", (wish.folder / name).string(), trouble.message()));
-  }
+  for (const fs::path& made : {wish.folder, wish.folder / "designs", wish.folder / "items"})
+    if (const Done done = makePrivateFolder(made); !done) return done.error();
   for (std::size_t d = 0; d < designs.size(); ++d)
-    if (const Done done = writeFile(wish.folder / plan.designs[d].file, designs[d].bytes); !done) return done.error();
-  if (const Done done = writeFile(file, manifest); !done) return done.error();
+    if (const Done done = writeFile(wish.folder / plan.designs[d].file, designs[d].bytes, Readers::Owner); !done)
+      return done.error();
+  if (const Done done = writeFile(file, manifest, Readers::Owner); !done) return done.error();
   return plan;
 }
 
@@ -241,7 +261,7 @@ Done madeByThisProgram(const BatchPlan& plan) {
 }
 
 const char* nameOf(Outcome outcome) {
-  constexpr const char* kNames[] = {"ok", "refused", "did not settle", "timeout", "crashed"};
+  constexpr const char* kNames[] = {"ok", "refused", "did not settle", "timeout", "out of memory", "crashed"};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
@@ -250,7 +270,7 @@ Json itemOutcome(const fs::path& folder, const BatchItem& item) {
   Json object = bytes ? Json::parse(*bytes, nullptr, false) : Json();
   const bool whole = object.is_object() && object.value("key", Json()) == item.key &&
                      object.value("outcome", Json()).is_string() && object.value("said", Json()).is_string() &&
-                     object.value("numbers", Json()).is_object();
+                     object.value("numbers", Json()).is_object() && object.value("seal", Json()) == sealOf(object);
   return whole ? object : Json();
 }
 
@@ -262,7 +282,9 @@ Done keepOutcome(const fs::path& folder, const BatchItem& item, Outcome outcome,
                  {"sentence", sentenceJson(said)},
                  {"numbers", std::move(numbers)}};
   if (seconds > 0) object["seconds"] = seconds;
-  return writeFile(itemFile(folder, item), object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  object["seal"] = sealOf(object);
+  return writeFile(itemFile(folder, item), object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
+                   Readers::Owner);
 }
 
 Message saidOf(const Json& outcome) {

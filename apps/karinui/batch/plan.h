@@ -3,7 +3,7 @@
 // the designs, so that the folder is all that a machine needs:
 //   manifest.json   what is to be done; an item's key is the hash of all its outcome depends on
 //   designs/        the documents and scripts, by their hash
-//   items/KEY.json  what became of an item: written whole or not at all, and the only truth
+//   items/KEY.json  what became of an item: written whole or not at all, and the only truth; sealed with its hash
 //   garments/       the garments of pictures, by key: made again at need, and lost without harm
 #include <filesystem>
 #include <string>
@@ -11,6 +11,8 @@
 
 #include "../console.h"
 #include "karinui/body/measurements.h"
+#include "karinui/design/history.h"
+#include "karinui/exchange/measurement_table.h"
 
 namespace karinui::app {
 
@@ -35,6 +37,12 @@ struct BatchPlan {
   std::vector<BatchItem> items;
 };
 
+// What a copy of a design is named by: the hash of a script's bytes, or of a document's steps up to its head, whatever
+// else lies in the file.
+std::string designHash(const std::string& script);
+std::string designHash(const DocumentFile& document);
+constexpr const char *kScriptCopy = ".ops", *kDocumentCopy = ".karinui";
+
 struct BatchWish {
   std::filesystem::path designs;  // a document, a script, or a folder of them
   std::filesystem::path bodies;   // a table of measures
@@ -43,8 +51,11 @@ struct BatchWish {
   double spacing = 0;
 };
 
-// Makes the folder. One that holds the same plan already is left as it is, with what was done; another is refused.
+// Makes the folder, for its owner alone. One that holds the same plan already is left as it is, with what was done;
+// another is refused.
 Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console);
+// The same for people that were read already; the wish's table is not.
+Result<BatchPlan> planBatch(const BatchWish& wish, const std::vector<MeasuredPerson>& people);
 // Refuses what is no plan of this form.
 Result<BatchPlan> readPlan(const std::filesystem::path& folder);
 // A plan of this item alone as text, of a size that does not grow with the batch, and read back; `folder` is said.
@@ -53,11 +64,14 @@ Result<BatchPlan> parsePlan(const std::string& bytes, const std::filesystem::pat
 // A batch that another build of the program planned would give other results under the same keys.
 Done madeByThisProgram(const BatchPlan& plan);
 
+// Within a batch, full of people's measures: mode 0700. One that is there keeps its own.
+Done makePrivateFolder(const std::filesystem::path& folder);
 std::filesystem::path itemFile(const std::filesystem::path& folder, const BatchItem& item);
 
-enum class Outcome { Ok, Refused, NotSettled, Timeout, Crashed };
-const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "timeout", "crashed"
-// What became of an item; null: not known yet, or the file is not whole.
+// The last three tell of the machine rather than of the garment: another time it may go well.
+enum class Outcome { Ok, Refused, NotSettled, Timeout, OutOfMemory, Crashed };
+const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "timeout", "out of memory", "crashed"
+// What became of an item; null: not known yet, or the file is not as it was written.
 Json itemOutcome(const std::filesystem::path& folder, const BatchItem& item);
 Done keepOutcome(const std::filesystem::path& folder, const BatchItem& item, Outcome outcome, const Message& said,
                  Json numbers = Json::object(), int seconds = 0);  // seconds: those that were not enough

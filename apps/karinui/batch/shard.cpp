@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -12,6 +13,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <string_view>
+
+#include "item.h"
 
 namespace karinui::app {
 
@@ -32,8 +36,9 @@ class Worker {
     const auto none = [] { return storageError(say("No process could be started: {0}.", std::strerror(errno))); };
     int given[2];
     if (::pipe2(given, O_CLOEXEC) != 0) return none();
+    const int heard = ::memfd_create("said", MFD_CLOEXEC);  // a pipe would have to be read while it works
     const pid_t pid = ::fork();
-    if (pid < 0) return ::close(given[0]), ::close(given[1]), none();
+    if (pid < 0) return ::close(given[0]), ::close(given[1]), ::close(heard), none();
     if (pid == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (::getppid() != parent) ::_exit(127);
@@ -42,6 +47,7 @@ class Worker {
       ::dup2(given[0], STDIN_FILENO);
       if (const int nowhere = ::open("/dev/null", O_RDWR); nowhere >= 0)
         for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
+      if (heard >= 0) ::dup2(heard, STDERR_FILENO);
       ::execv("/proc/self/exe", const_cast<char* const*>(words));
       ::_exit(127);
     }
@@ -49,23 +55,25 @@ class Worker {
     ::fcntl(given[1], F_SETFL, O_NONBLOCK);
     const bool written = ::write(given[1], one.data(), one.size()) == static_cast<ssize_t>(one.size());
     ::close(given[0]), ::close(given[1]);
-    if (!written) return ::kill(pid, SIGKILL), ::waitpid(pid, nullptr, 0), none();
-    return Worker(item, pid, Clock::now() + std::chrono::seconds(seconds), attempt);
+    if (!written) return ::kill(pid, SIGKILL), ::waitpid(pid, nullptr, 0), ::close(heard), none();
+    return Worker(item, pid, heard, Clock::now() + std::chrono::seconds(seconds), attempt);
   }
   Worker(Worker&& other) noexcept
       : item_(other.item_),
         pid_(std::exchange(other.pid_, -1)),
         watch_(std::exchange(other.watch_, -1)),
+        heard_(std::exchange(other.heard_, -1)),
         until_(other.until_),
         attempt_(other.attempt_) {}
   Worker& operator=(Worker&& other) noexcept {
     std::swap(item_, other.item_), std::swap(pid_, other.pid_), std::swap(watch_, other.watch_),
-        std::swap(until_, other.until_), std::swap(attempt_, other.attempt_);
+        std::swap(heard_, other.heard_), std::swap(until_, other.until_), std::swap(attempt_, other.attempt_);
     return *this;
   }
   ~Worker() {
     if (pid_ > 0) ::kill(pid_, SIGKILL), ::waitpid(pid_, nullptr, 0);
     if (watch_ >= 0) ::close(watch_);
+    if (heard_ >= 0) ::close(heard_);
   }
 
   const BatchItem& item() const { return *item_; }
@@ -81,17 +89,32 @@ class Worker {
     pid_ = -1;
     return status;
   }
+  // The last line it said on stderr; of a long one its end.
+  std::string lastWords() const {
+    char bytes[2000];
+    const off_t end = ::lseek(heard_, 0, SEEK_END);
+    const off_t from = std::max<off_t>(0, end - static_cast<off_t>(sizeof bytes));
+    const ssize_t got = end > 0 ? ::pread(heard_, bytes, static_cast<std::size_t>(end - from), from) : 0;
+    std::string_view said(bytes, static_cast<std::size_t>(std::max<ssize_t>(0, got)));
+    while (!said.empty() && said.back() == '\n') said.remove_suffix(1);
+    said.remove_prefix(said.rfind('\n') + 1);  // npos + 1 is 0
+    constexpr std::string_view kOurs = "karinui: ";
+    if (said.starts_with(kOurs)) said.remove_prefix(kOurs.size());
+    return std::string(said);
+  }
 
  private:
-  Worker(const BatchItem& item, pid_t pid, Clock::time_point until, int attempt)
+  Worker(const BatchItem& item, pid_t pid, int heard, Clock::time_point until, int attempt)
       : item_(&item),
         pid_(pid),
         watch_(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0))),
+        heard_(heard),
         until_(until),
         attempt_(attempt) {}
   const BatchItem* item_;
   pid_t pid_;
   int watch_;
+  int heard_;  // what it says on stderr
   Clock::time_point until_;
   int attempt_;
 };
@@ -107,11 +130,24 @@ void waitForAny(const std::vector<Worker>& workers) {
   ::poll(watched.data(), watched.size(), static_cast<int>(std::clamp<long>(left, 1, 60'000)));
 }
 
+bool hindered(const Json& known) {
+  const Json& outcome = known.at("outcome");
+  return outcome == nameOf(Outcome::Crashed) || outcome == nameOf(Outcome::OutOfMemory) ||
+         outcome == nameOf(Outcome::Timeout);
+}
 bool worthRetrying(const Json& known, const ShardWish& wish) {
-  if (known.at("outcome") == nameOf(Outcome::Crashed)) return true;
+  if (!hindered(known)) return false;
+  if (known.at("outcome") != nameOf(Outcome::Timeout)) return true;
   const Json seconds = known.value("seconds", Json(0));
-  return known.at("outcome") == nameOf(Outcome::Timeout) &&
-         !(seconds.is_number_integer() && seconds.get<int>() >= wish.seconds);
+  return !(seconds.is_number_integer() && seconds.get<int>() >= wish.seconds);
+}
+
+// What kept an item from having an outcome lies in this machine, and would stand in the way of the next ones too.
+Error endedOtherwise(const BatchPlan& plan, const BatchItem& item, const std::string& lastWords, int status) {
+  const std::string &design = plan.designs[item.design].name, &person = plan.bodies[item.body].name;
+  if (lastWords.empty())
+    return storageError(say("{0} on {1} ended with status {2} and said nothing.", design, person, status));
+  return storageError(say("{0} on {1}: {2}", design, person, lastWords));
 }
 
 }  // namespace
@@ -139,7 +175,7 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
     const bool again = known.is_object() && wish.retry && worthRetrying(known, wish);
     ++done.items;
     if (known.is_object() && !again)
-      ++done.before;
+      ++done.before, done.hindered += hindered(known);
     else
       waiting.push_back(&plan->items[i]);
   }
@@ -167,7 +203,8 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
         continue;
       }
       const BatchItem& item = worker.item();
-      if (status && WIFSIGNALED(*status) && worker.attempt() < wish.attempts) {
+      const bool starved = status && WIFEXITED(*status) && WEXITSTATUS(*status) == kItemOutOfMemory;
+      if (status && (WIFSIGNALED(*status) || starved) && worker.attempt() < wish.attempts) {
         auto another = Worker::start(folder, *plan, item, threads, wish.seconds, worker.attempt() + 1);
         if (!another) return another.error();
         worker = *std::move(another);
@@ -180,14 +217,18 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
       } else if (WIFSIGNALED(*status)) {
         kept = keepOutcome(folder, item, Outcome::Crashed,
                            say("The program fell down: {0}.", ::strsignal(WTERMSIG(*status))));
+      } else if (starved) {
+        kept = keepOutcome(folder, item, Outcome::OutOfMemory, outOfMemory().what);
       } else if (WEXITSTATUS(*status) != kDone) {
-        return storageError(say("An outcome could not be kept in “{0}”; is the disk full?", folder.string()));
+        return endedOtherwise(*plan, item, worker.lastWords(), WEXITSTATUS(*status));
       }
       if (!kept) return kept.error();
       ++done.done;
       const Json outcome = itemOutcome(folder, item);
       if (!outcome.is_object())
-        return storageError(say("An outcome could not be kept in “{0}”; is the disk full?", folder.string()));
+        return storageError(say("What was written to “{0}” is not there to be read again; does its disk fail?",
+                                itemFile(folder, item).string()));
+      done.hindered += hindered(outcome);
       told(item, outcome.at("outcome").get<std::string>());
       working.erase(working.begin() + static_cast<std::ptrdiff_t>(i));
     }

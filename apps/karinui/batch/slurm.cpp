@@ -67,7 +67,8 @@ std::string slurmScript(const fs::path& program, const fs::path& folder, const B
   if (!wish.time.empty()) all += "#SBATCH --time=" + wish.time + "\n";
   return all + "exec " + shellWord(program.string()) + " batch run " + shellWord(folder.string()) +
          " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(shards) + "\" --threads " + std::to_string(wish.threads) +
-         " --seconds " + std::to_string(wish.seconds) + "\n";
+         " --seconds " + std::to_string(wish.seconds) + " --attempts " + std::to_string(wish.attempts) +
+         (wish.retry ? " --retry\n" : "\n");
 }
 
 Result<std::string> submitToSlurm(const fs::path& folder, const BatchPlan& plan, const SlurmWish& wish) {

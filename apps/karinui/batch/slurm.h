@@ -6,9 +6,11 @@
 namespace karinui::app {
 
 struct SlurmWish {
-  std::size_t shards = 0;       // 0: one for 50 items
-  int threads = 2;              // of one job
-  int seconds = 600;            // an item may take
+  std::size_t shards = 0;  // 0: one for 50 items
+  int threads = 2;         // of one job
+  int seconds = 600;       // an item may take
+  int attempts = 2;        // as ShardWish has them
+  bool retry = false;
   std::string partition, time;  // as sbatch takes them; empty: the cluster's own
 };
 // What sbatch is given. `program`: the command on the cluster's machines.

@@ -180,7 +180,8 @@ Done writeDatabase(const BatchTable& table, const fs::path& file) {
   run("COMMIT");
   const std::string why = good ? "" : sqlite3_errmsg(db);
   good = sqlite3_close(db) == SQLITE_OK && good;
-  if (good) fs::rename(part, file, trouble);
+  if (good) fs::permissions(part, fs::perms::owner_read | fs::perms::owner_write, trouble);
+  if (good && !trouble) fs::rename(part, file, trouble);
   if (good && !trouble) return {};
   const std::string said = good ? trouble.message() : why;
   fs::remove(part, trouble);

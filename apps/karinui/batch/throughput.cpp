@@ -66,6 +66,74 @@ double bytesOf(const fs::path& file) {
   return trouble ? 0 : static_cast<double>(size);
 }
 
+// Of a plan: seconds it takes to make and to read, bytes of its manifest.
+struct PlanCost {
+  std::size_t items = 0;
+  double made = 0, read = 0, bytes = 0;
+};
+
+// Of so many people, those of the table over and over, each a little other than the rest, for two of the same are
+// planned once.
+Result<PlanCost> planned(BatchWish batch, const std::string& table, std::size_t known, std::size_t people,
+                         const fs::path& folder) {
+  const std::size_t rows = std::min(table.size(), table.find('\n') + 1);
+  std::string longer = table;
+  for (std::size_t have = known; have < people; have += known) {
+    if (longer.back() != '\n') longer += '\n';
+    longer.append(table, rows);
+  }
+  batch.folder = folder;
+  PlanCost cost;
+  Done done;
+  cost.made = timed(
+      [&]() -> Done {
+        auto read = readMeasurementTable(longer);
+        if (!read) return read.error();
+        read->people.resize(std::min(people, read->people.size()));
+        double tenths = 0;  // of a millimetre, so that numbers stay short
+        for (MeasuredPerson& person : read->people)
+          if (auto& all = person.measures.value; !all.empty())
+            all.begin()->second = std::round(1e4 * all.begin()->second + tenths++) / 1e4;
+        const auto plan = planBatch(batch, read->people);
+        if (!plan) return plan.error();
+        cost.items = plan->items.size();
+        return {};
+      },
+      done);
+  if (!done) return done.error();
+  cost.read = timed(
+      [&]() -> Done {
+        const auto again = readPlan(folder);
+        return again ? Done() : again.error();
+      },
+      done);
+  if (!done) return done.error();
+  cost.bytes = bytesOf(folder / "manifest.json");
+  return cost;
+}
+
+// The plan, made and read, of few people and of many: what does not grow with them (the program's hash, the designs) is
+// told from what does.
+Done measurePlan(const BatchWish& batch, const BatchPlan& plan, const fs::path& scratch, Throughput& found) {
+  const auto table = readFile(batch.bodies);
+  if (!table) return table.error();
+  const std::size_t known = plan.bodies.size(), perPerson = std::max<std::size_t>(1, plan.items.size() / known);
+  constexpr std::size_t kFew = 200, kMany = 10'000;  // items
+  const auto costOf = [&](std::size_t items, const char* name) {
+    return planned(batch, *table, known, items / perPerson + 1, scratch / name);
+  };
+  const auto few = costOf(kFew, "few"), many = costOf(kMany, "many");
+  if (!few) return few.error();
+  if (!many) return many.error();
+  const double more = std::fmax(1, static_cast<double>(many->items) - static_cast<double>(few->items));
+  const auto slope = [&](double PlanCost::*what) { return std::fmax(0, (*many.*what - *few.*what) / more); };
+  found.plan = slope(&PlanCost::made);
+  found.fixed = std::fmax(0, few->made - found.plan * static_cast<double>(few->items));
+  found.read = slope(&PlanCost::read);
+  found.manifest = slope(&PlanCost::bytes);
+  return {};
+}
+
 }  // namespace
 
 Result<Throughput> measureThroughput(Program& program, const ThroughputWish& wish) {
@@ -80,22 +148,9 @@ Result<Throughput> measureThroughput(Program& program, const ThroughputWish& wis
   Done done;
   const auto each = [](double seconds, std::size_t count) { return seconds / static_cast<double>(count); };
 
-  // The plan, made and read. Both begin with the hash of the program, which does not grow.
-  Result<BatchPlan> plan = refused(Message());
-  const double planned =
-      timed([&] { return (plan = planBatch(batch, program.console)) ? Done() : plan.error(); }, done);
-  if (!done) return done.error();
-  found.fixed = timed([&] { return madeByThisProgram(*plan); }, done);
-  const double read = timed(
-      [&] {
-        const auto again = readPlan(batch.folder);
-        return again ? Done() : again.error();
-      },
-      done);
-  if (!done) return done.error();
-  found.plan = each(std::fmax(0, planned - found.fixed), plan->items.size());
-  found.read = each(read, plan->items.size());
-  found.manifest = each(bytesOf(batch.folder / "manifest.json"), plan->items.size());
+  const auto plan = planBatch(batch, program.console);
+  if (!plan) return plan.error();
+  if (done = measurePlan(batch, *plan, scratch.path(), found); !done) return done.error();
 
   // The same garments alone, and one on every processor.
   ShardWish shard;

@@ -18,8 +18,8 @@ struct Throughput {
   double clock = 0;        // the same, by the clock
   double beside = 0;       // a garment while every processor of this machine makes one
   double megabytes = 0;    // of memory, the largest process
-  double fixed = 0;        // once a batch: the program's own hash, an empty table
-  double plan = 0;         // a garment of the plan: made and written
+  double fixed = 0;        // once a batch: the program's own hash, the designs, an empty table
+  double plan = 0;         // a garment of the plan: made and written; what one more costs
   double read = 0;         // a garment of the plan, read by the process of a part, whatever its share
   double merge = 0;        // a garment of the table: its outcome read, a row of CSV and SQLite
   double manifest = 0;     // bytes of the manifest a garment

@@ -77,9 +77,14 @@ int runRun(Program& program, const RunOptions& options) {
   std::tie(wish.shard, wish.shards) = *shard;
   const auto done = runShard(program, options.folder, wish);
   if (!done) return program.console.refuse(done.error());
-  program.console.answer({{"items", done->items}, {"done", done->done}, {"before", done->before}},
-                         program.console.said(say("{0} {0|item|items}: {1} done now, {2} before.", done->items,
-                                                  done->done, done->before)));
+  if (done->hindered > 0)
+    program.console.note(
+        say("{0} {0|item|items} crashed, or lacked memory or time; karinui batch run --retry does {0|it|them} again.",
+            done->hindered));
+  program.console.answer(
+      {{"items", done->items}, {"done", done->done}, {"before", done->before}, {"hindered", done->hindered}},
+      program.console.said(
+          say("{0} {0|item|items}: {1} done now, {2} before.", done->items, done->done, done->before)));
   return kDone;
 }
 
@@ -94,7 +99,7 @@ int runMerge(Program& program, const MergeOptions& options) {
   const auto plan = readPlan(folder);
   if (!plan) return program.console.refuse(plan.error());
   const BatchTable table = tableOf(*plan, folder);
-  if (const Done done = writeFile(folder / "table.csv", asCsv(table)); !done)
+  if (const Done done = writeFile(folder / "table.csv", asCsv(table), Readers::Owner); !done)
     return program.console.refuse(done.error());
   if (const Done done = writeDatabase(table, folder / "table.sqlite"); !done)
     return program.console.refuse(done.error());
@@ -220,6 +225,9 @@ void addBatchVerbs(Program& program) {
   verb->add_option("--spacing", plan->spacing,
                    help("Between the lattice's threads, in place of the designs' own: 20mm"));
 
+  const Message attempts = say("At an item that crashes or lacks memory");
+  const Message retry =
+      say("Also those that crashed or lacked memory before, or ran out of less time than --seconds gives now");
   auto run = std::make_shared<RunOptions>();
   verb = program.verb(*batch, "run", help("Does what a batch has not done yet"), run, runRun);
   verb->add_option("folder", run->folder, help("The folder of the batch"))->required();
@@ -229,9 +237,8 @@ void addBatchVerbs(Program& program) {
   verb->add_option("--threads", run->threads, help("How many threads work, 1 to 256; the result is the same"))
       ->check(CLI::Range(1, 256));
   verb->add_option("--seconds", run->wish.seconds, help("How long an item may take"))->check(CLI::Range(1, 86400));
-  verb->add_option("--attempts", run->wish.attempts, help("At an item that crashes"))->check(CLI::Range(1, 100));
-  verb->add_flag("--retry", run->wish.retry,
-                 help("Also those that crashed before, or ran out of less time than --seconds gives now"));
+  verb->add_option("--attempts", run->wish.attempts, help(attempts))->check(CLI::Range(1, 100));
+  verb->add_flag("--retry", run->wish.retry, help(retry));
 
   auto merge = std::make_shared<MergeOptions>();
   verb = program.verb(*batch, "merge", help("Writes what came of it: one table (CSV, SQLite)"), merge, runMerge);
@@ -289,6 +296,8 @@ void addBatchVerbs(Program& program) {
       ->check(CLI::Range(1, 100'000));
   verb->add_option("--threads", submit->wish.threads, help("Processors of one job"))->check(CLI::Range(1, 256));
   verb->add_option("--seconds", submit->wish.seconds, help("How long an item may take"))->check(CLI::Range(1, 86400));
+  verb->add_option("--attempts", submit->wish.attempts, help(attempts))->check(CLI::Range(1, 100));
+  verb->add_flag("--retry", submit->wish.retry, help(retry));
   verb->add_option("--partition", submit->wish.partition, help("Slurm's partition"));
   verb->add_option("--time", submit->wish.time, help("A job's limit of time, as Slurm takes it: 2:00:00"));
 

@@ -15,8 +15,12 @@ inline constexpr std::size_t kLargestFile = std::size_t{256} << 20;  // bytes re
 // Refuses what is not a plain file, cannot be read or is larger than `most` bytes.
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t most = kLargestFile);
 
+// Who may read a file that is new: everyone (0644), or the person alone, for what tells a body's measures.
+// One that is there keeps its permissions.
+enum class Readers { Usual, Owner };
+
 // Refuses with Error::Kind::Storage, saying why and what to do; then nothing was changed.
-Done writeFile(const std::filesystem::path& path, std::string_view bytes);
+Done writeFile(const std::filesystem::path& path, std::string_view bytes, Readers readers = Readers::Usual);
 
 // The error with the file it is about named first; that the person stopped is no file's fault.
 Error inFile(const std::filesystem::path& file, Error error);

@@ -6,7 +6,7 @@
 
 namespace karinui {
 
-// What `work` returns; where memory runs out in it, a refusal. `work` must leave whole what it had begun to change.
+// What `work` returns; where memory runs out in it, that error. `work` must leave whole what it had begun to change.
 // Throws std::bad_alloc where there is not even room for the sentence. Pure, any thread.
 template <class Work>
 auto withinMemory(const Work& work) -> decltype(work()) {
@@ -14,8 +14,7 @@ auto withinMemory(const Work& work) -> decltype(work()) {
     return work();
   } catch (const std::bad_alloc&) {
   }
-  return refused(
-      say("There is not enough memory for this. Close other programs, or set threads farther apart (set spacing=…)."));
+  return outOfMemory();
 }
 
 // A drape takes and gives back the same large arrays at every step. Given back to the system, each page would have to

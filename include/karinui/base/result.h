@@ -17,6 +17,7 @@ struct Error {
     Refused,    // an operation that makes no sense here
     NotFound,   // a name or a file that is not there
     Storage,    // the disk or the file said no
+    Memory,     // there is not enough of it here and now; with more, the same may go well
     Cancelled,  // the person stopped it
   };
   Kind kind = Kind::BadInput;
@@ -27,6 +28,11 @@ inline Error badInput(Message what) { return {Error::Kind::BadInput, std::move(w
 inline Error refused(Message what) { return {Error::Kind::Refused, std::move(what)}; }
 inline Error notFound(Message what) { return {Error::Kind::NotFound, std::move(what)}; }
 inline Error storageError(Message what) { return {Error::Kind::Storage, std::move(what)}; }
+inline Error outOfMemory() {
+  return {Error::Kind::Memory,
+          say("There is not enough memory for this. Close other programs, or set threads farther apart (set "
+              "spacing=…).")};
+}
 inline Error cancelled() { return {Error::Kind::Cancelled, say("Stopped; nothing was changed.")}; }
 
 #define KARINUI_ASSERT(condition)                                                                     \

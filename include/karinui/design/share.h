@@ -13,15 +13,20 @@
 namespace karinui {
 
 struct Shared {
-  std::vector<std::string> names;  // of pieces, seams and fabrics: people gave them, and others will read them
+  std::vector<std::string> names;  // that stay, of pieces, seams, fabrics, fastenings, sizes, lines, notches and edges:
+                                   // people gave them, and others will read them. Empty: all are neutral
   std::vector<Message> notes;      // what is otherwise than in the document
 };
 
-// "Others will read in it: front, back, …"
+// A maker needs to read which piece is the front: names stay, unless they are asked to be piece1, seam2, edge3.
+enum class SharedNames { Kept, Neutral };
+
+// What was left out, and the names that stay.
 Message sharedSaid(const Shared& shared);
 
 // Writes it to `to`, all or nothing; a file that is there is replaced, but `from` itself is refused.
-Result<Shared> share(DocumentFile& from, const std::filesystem::path& to, Context& context);
+Result<Shared> share(DocumentFile& from, const std::filesystem::path& to, Context& context,
+                     SharedNames names = SharedNames::Kept);
 
 // The steps that make such a document, from nothing. Pure.
 std::vector<Operation> sharedSteps(const Document& document);
