@@ -94,7 +94,7 @@ std::shared_ptr<const Piece> KeptDocuments::piece(const Parts& parts, const std:
   return pieces_[key] = std::make_shared<const Piece>(*std::move(piece));
 }
 
-std::optional<Document> KeptDocuments::read(const Step& step, const Parts& parts) {
+std::optional<Document> KeptDocuments::readAny(const Parts& parts) {
   const auto rest = bytes(parts, "rest");
   auto document = rest ? unpackRest(*rest) : Result<Document>(notFound({}));
   if (!document) return std::nullopt;
@@ -107,10 +107,14 @@ std::optional<Document> KeptDocuments::read(const Step& step, const Parts& parts
   for (std::size_t k = 0; k < document->drape.rested.size(); ++k)
     for (auto& [id, shape] : document->drape.rested[k].forms)
       if (!(shape = form(parts, restedPart(k, id)))) return std::nullopt;
-  if (document->operations != step.serial || hash(*document) != step.after || drapeHash(*document) != step.stand ||
-      !soundContent(*document))
-    return std::nullopt;
-  return *document;
+  return soundContent(*document) ? std::optional(*std::move(document)) : std::nullopt;
+}
+
+std::optional<Document> KeptDocuments::read(const Step& step, const Parts& parts) {
+  auto document = readAny(parts);
+  const bool same = document && document->operations == step.serial && hash(*document) == step.after &&
+                    drapeHash(*document) == step.stand;
+  return same ? std::move(document) : std::nullopt;
 }
 
 void KeptDocuments::forget() {

@@ -33,6 +33,8 @@ class KeptDocuments {
   explicit KeptDocuments(const Store& store) : store_(store) {}
   // Nothing if it is not whole, not sound, or does not match the step's hashes.
   std::optional<Document> read(const Step& step, const Parts& parts);
+  // Nothing if it is not whole or not sound; of whatever step it was kept.
+  std::optional<Document> readAny(const Parts& parts);
   void forget();  // what no document holds any more
 
  private:

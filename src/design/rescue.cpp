@@ -1,8 +1,11 @@
 #include <set>
 
+#include "design/document_parts.h"
+
 #include "design/chain.h"
 #include "design/file/store.h"
 #include "karinui/design/history.h"
+#include "karinui/design/share.h"
 
 namespace karinui {
 
@@ -62,6 +65,53 @@ Result<std::set<std::uint64_t>> reachable(const std::filesystem::path& copy, con
   return had;
 }
 
+// What the damaged file keeps, to be read only.
+struct StoredBlobs : Blobs {
+  const Store& store;
+  explicit StoredBlobs(const Store& s) : store(s) {}
+  Result<std::string> put(std::string) override { return refused({}); }
+  Result<std::string> get(const std::string& name) const override { return store.blob(name); }
+};
+
+// The garment beside the newest step that has one, if none of these steps led to it.
+std::optional<Document> garmentBeyond(const Store& damaged, const std::set<std::uint64_t>& had) {
+  constexpr std::size_t kTries = 20;
+  KeptDocuments reader(damaged);
+  std::size_t tries = 0;
+  for (const std::uint64_t seq : damaged.keptSteps()) {
+    if (had.contains(seq) || ++tries > kTries) break;
+    const auto parts = damaged.parts(seq);
+    auto document = parts && !parts->empty() ? reader.readAny(*parts) : std::nullopt;
+    if (document && !document->pattern.pieces.empty()) return document;
+  }
+  return std::nullopt;
+}
+
+// Makes it by steps of its own, without its formulas and its drape. How many steps.
+Result<std::size_t> makeAnew(const Document& garment, const Store& damaged, const std::filesystem::path& to,
+                             const Context& how) {
+  auto file = DocumentFile::create(to);
+  if (!file) return file.error();
+  StoredBlobs blobs(damaged);
+  Context context{how.workers, how.token, blobs, how.bodies, how.drape, how.pull};
+  std::vector<Operation> steps;
+  if (const BodyChoice& body = garment.body; body.chosen()) {
+    SetBody op;
+    op.size = body.size, op.form = body.form, op.mesh = body.mesh;
+    if (body.mesh.empty()) {
+      op.sex = body.measurements.sex;
+      for (const auto& [key, value] : body.measurements.value) op.set.push_back({key, value, {}});
+    }
+    steps.emplace_back(std::move(op));
+  }
+  for (Operation& step : sharedSteps(garment)) steps.push_back(std::move(step));
+  for (const auto& [id, places] : garment.pins)
+    if (const Piece* piece = garment.find(id)) steps.emplace_back(PinCloth{PieceRef(piece->name), places, {}});
+  for (Operation& step : steps)
+    if (const auto made = file->perform(std::move(step), context); !made) return made.error();
+  return file->steps().size();
+}
+
 }  // namespace
 
 Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem::path& to, Context& context) {
@@ -70,17 +120,26 @@ Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem:
   auto rows = wholeRows(*damaged);
   const Error nothing = badInput(say(
       "Not one step of “{0}” is whole; nothing could be saved. Take an older copy of it.", from.filename().string()));
-  if (rows.empty()) return nothing;
   const auto write = [&]() -> Done {
     auto fresh = Store::create(to);
     return fresh ? copy(*damaged, rows, *fresh) : Done(fresh.error());
   };
   std::error_code trouble;
   if (std::filesystem::exists(to, trouble)) return Store::create(to).error();  // it stays
+  std::size_t anew = 0;
   const Done done = [&]() -> Done {
     if (Done first = write(); !first) return first;
     const auto had = reachable(to, rows, context);
     if (!had) return had.error();
+    if (const auto garment = garmentBeyond(*damaged, *had)) {
+      std::filesystem::remove(to, trouble);
+      const auto made = makeAnew(*garment, *damaged, to, context);
+      if (made) anew = *made;
+      if (made || made.error().kind == Error::Kind::Cancelled) return made ? Done() : Done(made.error());
+      std::filesystem::remove(to, trouble);
+      if (Done again = write(); !again) return again;
+    }
+    if (rows.empty()) return nothing;
     if (std::erase_if(rows, [&](const StepRow& row) { return !had->contains(row.seq); }) > 0) {
       if (rows.empty()) return nothing;
       std::filesystem::remove(to, trouble);
@@ -95,6 +154,7 @@ Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem:
     std::filesystem::remove(to, trouble);
     return done.error();
   }
+  if (anew > 0) return Rescued{0, damaged->unsound() + damaged->rows().size(), anew};
   return Rescued{rows.size(), damaged->unsound() + damaged->rows().size() - rows.size()};
 }
 

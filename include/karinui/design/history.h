@@ -92,6 +92,9 @@ class DocumentFile {
 struct Rescued {
   std::size_t steps = 0;  // kept, of all branches
   std::size_t lost = 0;   // rows that were there and could not be kept
+  // Not 0: a later garment was still kept beside steps that are lost. It was made anew by so many steps of its own,
+  // without its history, its formulas and its drape; no step was kept.
+  std::size_t anew = 0;
 };
 Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem::path& to, Context& context);
 

@@ -319,6 +319,14 @@ Result<Parts> Store::parts(std::uint64_t seq) const {
   }
 }
 
+std::vector<std::uint64_t> Store::keptSteps() const {
+  std::vector<std::uint64_t> all;
+  auto rows = db_.ask("SELECT DISTINCT seq FROM snap ORDER BY seq DESC");
+  for (auto more = rows ? rows->step() : Result<bool>(false); more && *more; more = rows->step())
+    all.push_back(static_cast<std::uint64_t>(rows->number(0)));
+  return all;
+}
+
 Result<std::string> Store::blob(const std::string& name) const {
   auto rows = db_.ask("SELECT bytes FROM blob WHERE hash = ?");
   if (!rows) return rows.error();

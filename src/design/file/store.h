@@ -53,6 +53,8 @@ class Store {
   Done keep(const std::string& name, std::string_view bytes);
 
   Result<Parts> parts(std::uint64_t seq) const;
+  // Steps beside which parts are kept, newest first, as far as they can be read; also of rows that are lost.
+  std::vector<std::uint64_t> keptSteps() const;
   Result<std::string> blob(const std::string& name) const;  // checked against its name
   std::vector<std::string> blobNames() const;               // as far as they can be read
   const std::filesystem::path& path() const { return db_.path(); }
