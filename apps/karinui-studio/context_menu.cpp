@@ -13,6 +13,7 @@
 #include "karinui/pattern/edit.h"
 #include "karinui/pattern/seam_walk.h"
 #include "karinui/pattern/symmetry.h"
+#include "karinui/pattern/truing.h"
 #include "main_window.h"
 #include "new_pieces.h"
 #include "theme.h"
@@ -214,6 +215,13 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
   if (chosen.seam) {
     menu->addAction(actions_[Command::FlipSeam]);
     offer(*menu, say("Unpick this seam"), Unsew{{SeamRef(chosen.seam)}});
+    const TruingReport report = truing(session_->snapshot().document.pattern);
+    if (std::any_of(report.corners.begin(), report.corners.end(),
+                    [&](const CornerTruing& corner) { return corner.seam == chosen.seam && !corner.smooth(); })) {
+      TrueUp trueUp;
+      trueUp.seams = {SeamRef(chosen.seam)};
+      offer(*menu, say("True the line across its ends"), trueUp);
+    }
     addMatching(*menu, chosen);
     menu->addSeparator();
   }

@@ -8,6 +8,7 @@
 #include "karinui/design/print_image.h"
 #include "karinui/design/step_words.h"
 #include "karinui/geometry/axes.h"
+#include "karinui/pattern/pleats.h"
 #include "karinui/pattern/seam_walk.h"
 
 namespace karinui {
@@ -78,6 +79,26 @@ bool closesDart(const Document& document, const Seam& seam) {
   return i && k && ((*i + 1) % n == *k || (*k + 1) % n == *i);
 }
 
+// A pleat's fold, stitched to the line where it lies: the print behind it is covered.
+bool sewsPleatDown(const Document& document, const Seam& seam) {
+  if (seam.a.size() != 1 || seam.b.size() != 1 || seam.a[0].piece != seam.b[0].piece) return false;
+  const Piece& piece = *document.find(seam.a[0].piece);
+  const auto line = [&](const EdgeSpan& span) {
+    return findEdge(piece, span.edge) ? nullptr : findCurve(piece, span.edge);
+  };
+  const Curve *a = line(seam.a[0]), *b = line(seam.b[0]);
+  if (!a || !b) return false;
+  constexpr double kSameLineEnd = 1e-6;  // metres
+  const auto endsAt = [](const Curve& curve, Flat place) {
+    return distance(curve.start, place) < kSameLineEnd || distance(curve.end, place) < kSameLineEnd;
+  };
+  const std::vector<PaperPleat> pleats = pleatsOf(document.pattern);
+  return std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) {
+    return pleat.piece == piece.id &&
+           ((endsAt(*a, pleat.place) && endsAt(*b, pleat.fold)) || (endsAt(*a, pleat.fold) && endsAt(*b, pleat.place)));
+  });
+}
+
 bool mirrors(PrintKind print) { return print != PrintKind::Photo; }
 int partsOf(PrintKind print) { return print == PrintKind::Stripe ? 1 : 2; }
 
@@ -115,7 +136,7 @@ Flat printRepeat(const Look& look, const PhotoTall& tall) {
 }
 
 std::optional<PrintMeeting> printMeeting(const Document& document, const Seam& seam, const PhotoTall& tall) {
-  if (seam.tie == Seam::Tie::Pleat || closesDart(document, seam)) return std::nullopt;
+  if (seam.tie == Seam::Tie::Pleat || closesDart(document, seam) || sewsPleatDown(document, seam)) return std::nullopt;
   const Meeting meeting(document, seam, tall);
   const std::vector<Met> all = meeting.along();
   if (all.empty()) return std::nullopt;

@@ -156,7 +156,8 @@ Ring cleaned(const Ring& ring) {
 }
 
 // Round an outline, or round a hole the other way. Empty: nothing is left of the hole.
-Ring ringOf(PieceId piece, const Outline& outline, const AllowancePlan& plan, double miss, bool hole) {
+Ring ringOf(const Piece& of, const Outline& outline, const AllowancePlan& plan, double miss, bool hole) {
+  const PieceId piece = of.id;
   std::vector<Side> sides;
   std::vector<const std::string*> names;  // null: across the mouth of a dart
   std::vector<Curve> curves;
@@ -166,7 +167,7 @@ Ring ringOf(PieceId piece, const Outline& outline, const AllowancePlan& plan, do
     const auto widthOf = [&](std::size_t at) { return plan.width(piece, outline.edges[at % count].name); };
     if (!hole && plan.foldedDart(piece, (k + count - 1) % count)) continue;  // its second leg
     if (const PaperDart* dart = hole ? nullptr : plan.foldedDart(piece, k)) {
-      const Flat peak = capOf(outline, *dart);
+      const Flat peak = capOf(of, *dart);
       sides.push_back(sideOf(Curve::line(dart->from, peak), widthOf(k + count - 1), miss));
       sides.push_back(sideOf(Curve::line(peak, dart->until), widthOf(k + 2), miss));
       names.insert(names.end(), 2, nullptr), curves.resize(sides.size());
@@ -244,9 +245,9 @@ std::optional<CutLines> cutLines(const Piece& piece, const AllowancePlan& plan, 
   };
   if (!any(piece.outline) && std::none_of(piece.holes.begin(), piece.holes.end(), any)) return std::nullopt;
   CutLines lines;
-  lines.outer = any(piece.outline) ? ringOf(piece.id, piece.outline, plan, miss, false) : piece.outline.flattened(miss);
+  lines.outer = any(piece.outline) ? ringOf(piece, piece.outline, plan, miss, false) : piece.outline.flattened(miss);
   for (const Outline& hole : piece.holes) {
-    Ring ring = any(hole) ? ringOf(piece.id, hole, plan, miss, true) : hole.flattened(miss);
+    Ring ring = any(hole) ? ringOf(piece, hole, plan, miss, true) : hole.flattened(miss);
     if (ring.size() >= 3) lines.holes.push_back(std::move(ring));
   }
   return lines;

@@ -1,17 +1,44 @@
 #include "karinui/pattern/darts.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
 namespace {
 
 constexpr double kWidestFolded = 0.05;  // metres of a mouth: a wider wedge would lie thick, and is cut out
+constexpr double kUpright = 0.996;      // cosine of 5 degrees
+constexpr double kStraight = 1.0005;    // longer than the way between its ends
+constexpr double kOnCentre = 1e-3;      // metres
 
 Flat wayAt(const Curve& curve, bool atEnd) {
   for (const double t : {0.0, 1e-6, 1e-3, 0.1})
     if (const Flat way = curve.tangent(atEnd ? 1 - t : t); length(way) > 1e-9) return normalized(way);
   return normalized(curve.end - curve.start);
+}
+
+// Across the paper, where the centre of the body is.
+double centreOf(const Outline& outline, const PaperDart& dart) {
+  if (const auto symmetry = symmetryOf(outline))
+    if (std::abs(symmetry->axis.v) > kUpright) return symmetry->through.u;
+  double low = outline.edges[0].curve.start.u, high = low, longest = 0, centre = 0;
+  bool two = false;  // as long as each other, which says nothing
+  for (std::size_t k = 0; k < outline.edges.size(); ++k) {
+    const Curve& curve = outline.edges[k].curve;
+    low = std::min(low, curve.start.u), high = std::max(high, curve.start.u);
+    const Flat way = curve.end - curve.start;
+    const double tall = length(way);
+    const bool straight = curve.kind == Curve::Kind::Line || curve.length() < tall * kStraight;
+    if (k == dart.to || k == dart.back || !straight || std::abs(way.v) < tall * kUpright) continue;
+    if (tall < longest - kOnCentre) continue;
+    two = tall < longest + kOnCentre;
+    longest = std::max(longest, tall), centre = lerp(curve.start, curve.end, 0.5).u;
+  }
+  return longest > 0 && !two ? centre : std::midpoint(low, high);
 }
 
 }  // namespace
@@ -39,16 +66,28 @@ std::vector<PaperDart> dartsOf(const Pattern& pattern) {
   return all;
 }
 
-Flat capOf(const Outline& outline, const PaperDart& dart) {
-  const std::size_t n = outline.edges.size();
+bool pressedForward(const Piece& piece, const PaperDart& dart) {
+  const Flat forward = dart.from - dart.until, along = dart.point - lerp(dart.from, dart.until, 0.5);
+  if (std::abs(along.u) > std::abs(along.v)) return forward.v < 0;
+  const double aside = centreOf(piece.outline, dart) - lerp(dart.from, dart.until, 0.5).u;
+  return std::abs(aside) > kOnCentre && aside * forward.u > 0;
+}
+
+Flat capOf(const Piece& piece, const PaperDart& dart) {
+  const auto& edges = piece.outline.edges;
+  const std::size_t n = edges.size();
+  const bool forward = pressedForward(piece, dart);
+  const Flat end = forward ? dart.from : dart.until;
+  const Flat on =
+      forward ? wayAt(edges[(dart.to + n - 1) % n].curve, true) * -1 : wayAt(edges[(dart.back + 1) % n].curve, false);
   const Flat middle = lerp(dart.from, dart.until, 0.5), fold = normalized(middle - dart.point),
-             leg = normalized(dart.point - dart.until), on = wayAt(outline.edges[(dart.back + 1) % n].curve, false);
-  const Flat back = leg * (2 * dot(on, leg)) - on;  // the edge behind, as it lies under the folded dart
+             leg = normalized(dart.point - end);
+  const Flat back = leg * (2 * dot(on, leg)) - on;  // the edge that it lies over, as it lies under the pressed dart
   const double turned = cross(back, fold);
   if (std::abs(turned) < 1e-9) return middle;
-  const Flat peak = dart.until + back * (cross(dart.point - dart.until, fold) / turned);
-  // Where the edge behind runs almost along the leg there is no such place near by.
-  const bool good = dot(peak - dart.until, back) > 0 && distance(peak, middle) < distance(dart.from, dart.until);
+  const Flat peak = end + back * (cross(dart.point - end, fold) / turned);
+  // Where that edge runs almost along the leg there is no such place near by.
+  const bool good = dot(peak - end, back) > 0 && distance(peak, middle) < distance(dart.from, dart.until);
   return good ? peak : middle;
 }
 

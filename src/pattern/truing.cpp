@@ -77,4 +77,18 @@ TruingReport truing(const Pattern& pattern, const std::map<SeamId, double>& ease
   return report;
 }
 
+Curve truedEdge(const Outline& outline, const CornerTruing::Side& side, double off, double within) {
+  Curve curve = outline.edges[*outline.find(side.edge)].curve;
+  const bool atEnd = distance(curve.end, side.place) < distance(curve.start, side.place);
+  if (atEnd) curve = curve.reversed();
+  const double whole = curve.length(), t = curve.parameterAt(std::min(within, whole / 2));
+  const Flat from = curve.start, until = curve.at(t), way = normalized(curve.tangent(t));
+  const double handle = distance(from, until) / 3, turn = off / 2 * std::numbers::pi / 180 * (atEnd ? -1 : 1);
+  const Flat out = wayAt(curve, false);
+  const Flat turned = out * std::cos(turn) + leftOf(out) * std::sin(turn);
+  const Curve both[] = {Curve::cubic(from, from + turned * handle, until - way * handle, until), curve.part(t, 1)};
+  const Curve trued = Curve::joined(both);
+  return atEnd ? trued.reversed() : trued;
+}
+
 }  // namespace karinui

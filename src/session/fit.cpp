@@ -233,8 +233,12 @@ std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {
     return there ? std::optional(at(snapshot.body->mesh(), *there).y) : std::nullopt;
   };
   std::optional<double> armpit;
+  const auto under = [&](double height) { armpit = std::fmin(armpit.value_or(height), height - kUnderArmpit); };
   for (const char* place : {"torso:armpit@0", "landmark:armpit_left", "landmark:armpit_right"})
-    if (const auto height = heightOf(place)) armpit = std::fmin(armpit.value_or(*height), *height - kUnderArmpit);
+    if (const auto height = heightOf(place)) under(*height);
+  // A full upper arm lies against the trunk below the fold.
+  if (const auto& measured = snapshot.body->measured().value; armpit && measured.contains("armpit_height"))
+    under(measured.at("armpit_height"));
   const std::pair<std::optional<double>, Message> levels[] = {{armpit, say("armpit")},
                                                               {heightOf("torso:bust@0"), say("bust")},
                                                               {heightOf("torso:under_bust@0"), say("under bust")},

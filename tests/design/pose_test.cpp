@@ -205,6 +205,20 @@ TEST(PosedGarment, TakesUpTheDrapeItHadInAPose) {
   EXPECT_TRUE(back.drape.last->settled);
   // And so in T.
   EXPECT_EQ(drapeHash(tailor.after(back, "pose name=T")), drapeHash(raised));
+  // Neither colours nor names nor counts are felt by the cloth.
+  const Document dyed =
+      tailor.after(raised,
+                   "look fabric=cotton colour=7a1f2b print=stripe repeat=3cm\nrename piece=front to=bodice\n"
+                   "quantity piece=back count=2\nease seam=" +
+                       text(raised.pattern.seams.begin()->first) + " by=3mm");
+  const Document dyedBack = tailor.after(dyed, "pose name=A");
+  EXPECT_EQ(drapeHash(dyedBack), drapeHash(start));
+  EXPECT_TRUE(dyedBack.drape.dirty.empty());
+  EXPECT_EQ(dyedBack.looks, dyed.looks);
+  // As kept long ago, by the hash of the whole document.
+  Document kept = raised;
+  kept.drape.rested.at(0).garment = hash(start);
+  EXPECT_EQ(drapeHash(tailor.after(kept, "pose name=A")), drapeHash(start));
   // A garment that was changed meanwhile is carried back.
   const Document altered = tailor.after(raised, "notch edge=front.side_left at=0.5");
   EXPECT_FALSE(tailor.after(altered, "pose name=A").drape.dirty.empty());

@@ -113,6 +113,24 @@ TEST(PrintMatch, AMissIsToldWithItsMeasureAndItsPlace) {
   EXPECT_GT(p.meets("side")->most, 0.01);
 }
 
+// What a pleat's stitching joins lies behind its fold: nobody sees whether the print goes on there.
+TEST(PrintMatch, AStitchedPleatIsNoSeamOfThePrint) {
+  for (const char* hold : {"", " hold=0"}) {
+    Sewing s;
+    s.play(std::string("rectangle name=skirt width=60cm height=40cm\nrectangle name=back width=40cm height=40cm\n") +
+           "pleat edge=skirt.top kind=box count=2 depth=23mm stitch=5cm" + hold +
+           "\nsew name=side a=skirt.side_left b=back.side_right\nlook fabric=cotton print=check repeat=60mm\n");
+    std::size_t own = 0;
+    for (const auto& [id, seam] : s.document().pattern.seams) {
+      if (seam.name == "side") continue;
+      own += seam.tie != Seam::Tie::Pleat;
+      EXPECT_FALSE(printMeeting(s.document(), seam, photosIn(s.room.blobs))) << text(id);
+    }
+    EXPECT_EQ(own, 4u);
+    EXPECT_TRUE(s.meets("side"));
+  }
+}
+
 TEST(PrintMatch, AMirroredPieceIsPlacedAsItsOriginal) {
   Sewing s;
   s.play(

@@ -39,7 +39,7 @@ TEST(Darts, TheCapEndsWithTheEdgeWhenTheDartIsFolded) {
   const Pattern pattern = darted();
   const Piece& piece = *pattern.pieces.at({1});
   const PaperDart dart = dartsOf(pattern)[0];
-  const Flat peak = capOf(piece.outline, dart);
+  const Flat peak = capOf(piece, dart);
   EXPECT_NEAR(peak.u, 0.15, 1e-9);
   EXPECT_NEAR(peak.v, 0.2 + 0.015 * std::tan(2 * std::atan(0.15)), 1e-9);
   const Flat leg = normalized(dart.point - dart.until), way = peak - dart.until;
@@ -56,6 +56,70 @@ TEST(Darts, TheCapEndsWithTheEdgeWhenTheDartIsFolded) {
   EXPECT_TRUE(contains(lines->outer, {0.15, 0.19}));
   EXPECT_FALSE(contains(cutLines(*darted(0.06).pieces.at({1}), AllowancePlan(darted(0.06), none))->outer, {0.15, 0.19}))
       << "a wide one is cut out";
+}
+
+// A skirt's half with a waist dart and a dart in its side, as a bodice has for the bust; its centre is at u = 0.
+Pattern halfWithDarts(bool mirror) {
+  const Outline outline{{{"hem", Curve::line({0, 0}, {0.26, 0})},
+                         {"side", Curve::cubic({0.26, 0}, {0.27, 0.15}, {0.26, 0.3}, {0.22, 0.45})},
+                         {"waist", Curve::line({0.22, 0.45}, {0, 0.44})},
+                         {"centre", Curve::line({0, 0.44}, {0, 0})}}};
+  const auto waist = addDart(test::pieceOf(1, outline), "waist", 0.4, 0.03, {0.13, 0.33}, "waist_dart");
+  const auto both = addDart(waist->edited.piece, "side", 0.6, 0.03, {0.15, 0.27}, "side_dart");
+  Piece piece = both->edited.piece;
+  if (mirror) piece = mirrored(piece), piece.id = {1};
+  Pattern pattern = test::patternOf({piece});
+  const auto sew = [&](std::uint64_t id, const DartedPiece& dart) {
+    pattern.seams[{id}] = {{id}, "", {{{1}, dart.to, 0, 1}}, {{{1}, dart.back, 0, 1}}, true, Seam::Tie::OneToOne};
+  };
+  sew(8, *waist), sew(9, *both);
+  return pattern;
+}
+
+TEST(Darts, ArePressedTowardsTheCentreAndDownwardsOnBothHalves) {
+  std::vector<Ring> cut;
+  for (const bool mirror : {false, true}) {
+    const Pattern pattern = halfWithDarts(mirror);
+    const Piece& piece = *pattern.pieces.at({1});
+    const auto darts = dartsOf(pattern);
+    ASSERT_EQ(darts.size(), 2u);
+    for (const PaperDart& dart : darts) {
+      const bool forward = pressedForward(piece, dart);
+      const Flat over = forward ? dart.from : dart.until, other = forward ? dart.until : dart.from;
+      if (dart.seam == SeamId{8})
+        EXPECT_LT(std::abs(over.u), std::abs(other.u)) << "the waist's towards the centre";
+      else
+        EXPECT_LT(over.v, other.v) << "that of the side downwards";
+      // Folded over that edge, the paper ends where it does.
+      const Flat peak = capOf(piece, dart), leg = normalized(dart.point - over), way = peak - over;
+      const Flat folded = over + leg * (2 * dot(way, leg)) - way;
+      EXPECT_LT(distanceToRing(piece.outline.flattened(), folded), 5e-4);
+    }
+    Allowances none;
+    for (const Edge& edge : piece.outline.edges) none.edges[{piece.id, edge.name}] = 0.01;
+    cut.push_back(cutLines(piece, AllowancePlan(pattern, none))->outer);
+  }
+  for (const Flat p : cut[0]) EXPECT_LT(distanceToRing(cut[1], {-p.u, p.v}), 2e-5);
+  for (const Flat p : cut[1]) EXPECT_LT(distanceToRing(cut[0], {-p.u, p.v}), 2e-5);
+}
+
+// Both darts of a whole front, by its own axis.
+TEST(Darts, OfASymmetricPieceMirrorEachOther) {
+  const Piece front = test::pieceOf(1, test::polygon({{0, 0}, {0.4, 0}, {0.4, 0.32}, {0.2, 0.3}, {0, 0.32}}));
+  const auto one = addDart(front, "e2", 0.5, 0.03, {0.3, 0.2}, "one");
+  const auto two = addDart(one->edited.piece, "e3", 0.5, 0.03, {0.1, 0.2}, "two");
+  Pattern pattern = test::patternOf({two->edited.piece});
+  std::uint64_t id = 8;
+  for (const DartedPiece& dart : {*one, *two}) {
+    pattern.seams[{id}] = {{id}, "", {{{1}, dart.to, 0, 1}}, {{{1}, dart.back, 0, 1}}, true, Seam::Tie::OneToOne};
+    ++id;
+  }
+  const auto darts = dartsOf(pattern);
+  ASSERT_EQ(darts.size(), 2u);
+  const Piece& piece = *pattern.pieces.at({1});
+  const Flat a = capOf(piece, darts[0]), b = capOf(piece, darts[1]);
+  EXPECT_LT(distance({0.4 - a.u, a.v}, b), 1e-6);
+  EXPECT_NE(pressedForward(piece, darts[0]), pressedForward(piece, darts[1]));
 }
 
 TEST(Darts, HaveNotchesAtTheMouthAndAHoleShortOfThePoint) {

@@ -78,6 +78,33 @@ TEST(Truing, ADartIsTruedAtItsMouth) {
   }
 }
 
+// The edges beside the seam bend near it, and only there.
+TEST(Truing, TruedEdgesGoOnSmoothly) {
+  for (const double rise : {12.0, -12.0}) {
+    Pattern pattern = panels(0.3, rise, rise / 2);
+    const TruingReport report = truing(pattern);
+    ASSERT_EQ(report.corners.size(), 2u);
+    const CornerTruing corner = std::abs(report.corners[0].off()) > 1 ? report.corners[0] : report.corners[1];
+    EXPECT_NEAR(std::abs(corner.off()), 18, 1e-6);
+    for (const CornerTruing::Side* side : {&corner.a, &corner.b}) {
+      Piece piece = *pattern.pieces.at(side->piece);
+      Edge& edge = piece.outline.edges[*piece.outline.find(side->edge)];
+      const Curve was = edge.curve;
+      edge.curve = truedEdge(piece.outline, *side, corner.off(), 0.08);
+      EXPECT_EQ(edge.curve.start, was.start);
+      EXPECT_EQ(edge.curve.end, was.end);
+      EXPECT_NEAR(edge.curve.length(), was.length(), kFits / 2);
+      const bool atEnd = side->place == was.end;
+      const double far = atEnd ? 0.3 : 0.7;  // of 20 cm
+      EXPECT_NEAR(cross(normalized(was.end - was.start), edge.curve.atFraction(far) - was.start), 0, 1e-9)
+          << "beyond 8 cm it stays";
+      pattern.pieces[piece.id] = std::make_shared<const Piece>(piece);
+    }
+    EXPECT_EQ(truing(pattern).faults(), 0u);
+    for (const CornerTruing& now : truing(pattern).corners) EXPECT_NEAR(now.off(), 0, 1e-6);
+  }
+}
+
 TEST(Truing, ASeamThatGoesOnHasNoCorner) {
   Pattern pattern = panels(0.3, 20, 0);
   pattern.seams[{10}] = {{10}, "top", {{{1}, "e2", 0, 1}}, {{{2}, "e2", 0, 1}}, true, Seam::Tie::OneToOne};

@@ -163,6 +163,20 @@ TEST(Fit, AtTheArmpitTheArmsAreLeftOut) {
   }
 }
 
+// A full upper arm lies against the trunk below the fold of the armpit: there the tape would go round both.
+TEST(Fit, AtTheArmpitAFullArmIsLeftOutToo) {
+  Workers alone(1);
+  Measurements full;
+  full.value = {{"height", 1.60}, {"bust_girth", 1.04}, {"waist_girth", 0.90}, {"hip_girth", 1.12}};
+  const auto body = makeMannequin(full, alone, Token());
+  ASSERT_TRUE(body) << text(body.error().what);
+  const auto girths = girthsOf(tubesOn(*body, {{0, 0, 0.20}}, 1.6));
+  ASSERT_FALSE(girths.empty());
+  EXPECT_EQ(text(girths[0].name), "armpit");
+  EXPECT_NEAR(girths[0].body, 1.04, 0.02);
+  EXPECT_GT(girths[0].garment, girths[0].body);
+}
+
 TEST(Fit, TheTopOfAScaleIsRound) {
   std::vector<float> values(200, 0.03f);
   values.push_back(-1);

@@ -56,7 +56,7 @@ struct Cutting {
 // Where the garment came to rest before its figure took another pose. A garment that comes back unchanged, on a figure
 // that stands as then, takes it up again (docs/develop/poses.md).
 struct RestedInPose {
-  std::string garment;  // hash() of the document then
+  std::string garment;  // the hash of what the rest depends on; of long ago, hash() of the document then
   std::map<PieceId, std::shared_ptr<const Form>> forms;
 };
 inline constexpr std::size_t kMostRested = 8;

@@ -16,7 +16,12 @@ struct PaperDart {
 };
 std::vector<PaperDart> dartsOf(const Pattern& pattern);
 
-// Where the cut across a folded dart's mouth peaks: folded over the edge behind it, the paper ends where that does.
-Flat capOf(const Outline& outline, const PaperDart& dart);
+// To which side a sewn dart is pressed: an upright one (waist, shoulder) towards the centre, which is the piece's own
+// axis or, of a half, its longest straight upright edge; a level one (bust, elbow) downwards. True: over the edge
+// before its mouth; false: over the edge behind it. A mirrored piece's darts are pressed as their mirror images.
+bool pressedForward(const Piece& piece, const PaperDart& dart);
+
+// Where the cut across a folded dart's mouth peaks: pressed, the paper ends where the edge that it lies over does.
+Flat capOf(const Piece& piece, const PaperDart& dart);
 
 }  // namespace karinui

@@ -42,4 +42,8 @@ struct TruingReport {
 // `eases`: declared, of single seams.
 TruingReport truing(const Pattern& pattern, const std::map<SeamId, double>& eases = {});
 
+// The curve of the edge that goes on beside a trued seam: bent near the corner, at most over `within` and half its
+// length, so that of the angle that is off it takes half. Its ends and the rest of it stay.
+Curve truedEdge(const Outline& outline, const CornerTruing::Side& side, double off, double within);
+
 }  // namespace karinui

@@ -64,6 +64,7 @@ TermTable operationTerms() {
       {"spread", say("Slash and spread")},
       {"takein", say("Take in or let out")},
       {"topstitch", say("Topstitching")},
+      {"trueup", say("True the line")},
       {"underlay", say("Scan to trace")},
       {"unfold", say("Unfold a half")},
       {"unpin", say("Take pins out")},

@@ -98,12 +98,25 @@ class Beginning {
   double share_ = 0;
 };
 
+// The hash of what a rest depends on: not of colours, scans, counts, declared eases, formulas, sizes, and not of names.
+std::string restKey(Document document) {
+  document.looks = {}, document.underlays = {}, document.cutting = {}, document.eases = {};
+  document.variables = {}, document.grading = {};
+  for (auto& [id, piece] : document.pattern.pieces) {
+    Piece nameless = *piece;
+    nameless.name.clear();
+    piece = std::make_shared<const Piece>(std::move(nameless));
+  }
+  for (auto& [id, seam] : document.pattern.seams) seam.name.clear();
+  return hash(document);
+}
+
 // The document with what it is remembered by, if it is at rest.
 std::vector<RestedInPose> restedWith(const Document& document) {
   std::vector<RestedInPose> rested = document.drape.rested;
   const DrapeInfo& drape = document.drape;
   if (!drape.last || !drape.last->settled || !drape.dirty.empty() || document.pattern.pieces.empty()) return rested;
-  RestedInPose now{hash(document), {}};
+  RestedInPose now{restKey(document), {}};
   for (const auto& [id, piece] : document.pattern.pieces) {
     if (!piece->form || piece->pose != Rigid()) return rested;
     now.forms[id] = piece->form;
@@ -177,9 +190,9 @@ Result<Document> perform(const Document& before, const PoseBody& op, Context& co
   beginning.goOn(*pose);
   if (context.token.cancelled()) return cancelled();
   after.drape.rested = restedWith(before);
-  const std::string garment = hash(after);
+  const std::string garment = restKey(after), asLongAgo = hash(after);
   for (const RestedInPose& rested : after.drape.rested)
-    if (rested.garment == garment) {
+    if (rested.garment == garment || rested.garment == asLongAgo) {
       after.drape.dirty.clear();
       return standing(std::move(after), rested.forms);
     }

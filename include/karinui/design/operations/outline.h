@@ -135,6 +135,25 @@ struct PivotDart {
   bool operator==(const PivotDart&) const = default;
 };
 
+// trueup seam=s4        trueup seam="dart_left side_left" within=8cm
+struct TrueUp {
+  static constexpr std::string_view kName = "trueup";
+  static constexpr std::string_view kHelp =
+      "Trues the line across the ends of seams: a dart's mouth, a shoulder's ends. Sewn, the edges that go on there run "
+      "smoothly.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<SeamRef> seams;
+  Length within{0.08};
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("seam", self.seams, "the seams: s5, or names", kNeeded);
+    visit("within", self.within, "how far from the seam the edges may bend; of each at most a half", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const TrueUp&) const = default;
+};
+
 // spread from=skirt.hem to=skirt.waist by=4cm count=5        spread from=sleeve.cap to=sleeve.hem by=3cm to_by=3cm
 struct SlashAndSpread {
   static constexpr std::string_view kName = "spread";
@@ -268,6 +287,6 @@ struct TakeIn {
 };
 
 using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, PivotDart, AddPleat,
-                                        SetLength, TakeIn, SlashAndSpread>;
+                                        SetLength, TakeIn, TrueUp, SlashAndSpread>;
 
 }  // namespace karinui
