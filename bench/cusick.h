@@ -2,10 +2,11 @@
 // The drape tester (Cusick): a disc of 30 cm lies on a support of 18 cm; what stands out hangs in folds, and its shadow
 // is measured. A cloth has no single drape, so the disc is laid on several times, each time another hair uneven.
 #include "bench/workload.h"
+#include "karinui/cloth/drape_disc.h"
 
 namespace karinui::bench {
 
-inline constexpr double kDisc = 0.15, kSupport = 0.09;  // radii, metres
+inline constexpr double kDisc = kDrapeDisc, kSupport = kDrapeSupport;
 
 struct Draped {
   double coefficient = 0;  // percent of the free ring that the shadow covers: 0 hangs, 100 stands out

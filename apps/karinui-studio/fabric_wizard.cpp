@@ -1,5 +1,6 @@
 #include "fabric_wizard.h"
 
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,7 +12,9 @@
 #include <tuple>
 
 #include "karinui/base/number.h"
+#include "karinui/exchange/read_print.h"
 #include "karinui/session/fabric_numbers.h"
+#include "karinui/session/silhouette.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -59,6 +62,14 @@ FabricWizard::FabricWizard(Session& session, QWidget* parent) : QDialog(parent),
     overhang_[g] = add(*form, hangs[g], kMilli, "mm");
     angle_[g] = add(*form, angles[g], kDegree, "°", "41.5");
   }
+  drape_ = add(*form, say("Or a disc's drape"), 0.01, "%");
+  auto* photographs = new QPushButton(inWords(say("From photographs…")));
+  photographs->setAutoDefault(false);
+  photographs->setToolTip(
+      inWords(say("A disc of 30 cm, photographed from straight above on a plain ground: first flat on a board at the "
+                  "height of a tin of 18 cm, then draped over the tin.")));
+  connect(photographs, &QPushButton::clicked, this, &FabricWizard::readPhotographs);
+  form->addRow({}, photographs);
   heading(say("Stretch"),
           say("Make two marks on a strip, hang a weight on it and read how far apart they are now. The strip "
               "on the bias tells the shear."));
@@ -148,6 +159,7 @@ Result<TableReadings> FabricWizard::readings() const {
     if (!angle_[g]->text().trimmed().isEmpty()) t.overhang[g].angles = many(angle_[g]);
     if (auto lengths = many(hung_[g]); !lengths.empty()) t.hung[g] = {{one(weight_), std::move(lengths)}};
   }
+  t.drapes = many(drape_);
   t.ruler = uncertaintyOf(one(ruler_)), t.scales = uncertaintyOf(one(scales_));
   t.angle = uncertaintyOf(one(angleError_));
   if (why) return *why;
@@ -183,6 +195,31 @@ void FabricWizard::workOut() {
              "</p>";
   if (!name.empty() && !usable) words += "<p>" + inWords(usable.error().what).toHtmlEscaped() + "</p>";
   result_->setText(words);
+}
+
+void FabricWizard::readPhotographs() {
+  const QString filter = inWords(say("Photographs")) + " (*.png *.jpg *.jpeg)";
+  const QString flat = QFileDialog::getOpenFileName(this, inWords(say("The disc lying flat, from above")), {}, filter);
+  if (flat.isEmpty()) return;
+  const QStringList draped =
+      QFileDialog::getOpenFileNames(this, inWords(say("The disc draped, from the same place")), {}, filter);
+  if (draped.isEmpty()) return;
+  const Token token;
+  const auto whole = readPrint(flat.toStdString(), token);
+  std::optional<Error> why;
+  if (!whole) why = whole.error();
+  QStringList typed;
+  for (const QString& name : draped) {
+    if (why) break;
+    const auto hanging = readPrint(name.toStdString(), token);
+    const auto drape = hanging ? drapeOfPhotographs(*whole, *hanging) : Result<double>(hanging.error());
+    if (drape)
+      typed += QString::number(100 * *drape, 'f', 1);
+    else
+      why = drape.error();
+  }
+  if (why) return result_->setText(inWords(why->what).toHtmlEscaped());
+  drape_->setText(typed.join(' '));
 }
 
 void FabricWizard::accept() {

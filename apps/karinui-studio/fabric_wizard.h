@@ -32,12 +32,13 @@ class FabricWizard : public QDialog {
   Result<std::vector<double>> read(const QLineEdit* line) const;
   Result<TableReadings> readings() const;
   void workOut();
+  void readPhotographs();  // of a disc: its drape is typed into the line
   void accept() override;
 
   Session& session_;
   std::vector<Reading> lines_;
   QLineEdit *name_, *swatchLength_, *swatchWidth_, *mass_, *thickness_, *stripLength_, *stripWidth_, *weight_, *ruler_,
-      *scales_, *angleError_;
+      *scales_, *angleError_, *drape_;
   std::array<QLineEdit*, kGrains> overhang_, angle_, hung_;
   QLabel* result_;
   QPushButton* accept_;

@@ -1,9 +1,12 @@
 #include "fabric_verb.h"
 
+#include "karinui/base/file.h"
 #include "karinui/base/number.h"
 #include "karinui/design/glossary.h"
 #include "karinui/design/script.h"
+#include "karinui/exchange/read_print.h"
 #include "karinui/session/fabric_numbers.h"
+#include "karinui/session/silhouette.h"
 #include "open_document.h"
 #include "word_table.h"
 
@@ -15,7 +18,9 @@ constexpr std::array<const char*, kGrains> kGrainNames{"warp", "weft", "bias"};
 
 struct MeasureOptions {
   std::string name = "my_fabric", like, swatch, strip, into;
-  std::vector<double> masses, thicknesses;
+  std::vector<double> masses, thicknesses, drapes;
+  std::string flat;  // photographs of a disc
+  std::vector<std::string> drapedBy;
   std::array<std::vector<double>, kGrains> overhangs, angles;
   std::array<std::vector<std::string>, kGrains> hung;
   double ruler = 0.5, scales = 1, angle = 1;  // good to so many mm, g, degrees either way
@@ -81,10 +86,30 @@ Result<TableReadings> readingsOf(const MeasureOptions& asked) {
   return t;
 }
 
+// From photographs of the disc, one flat and one or more draped.
+Result<std::vector<double>> drapesOf(const MeasureOptions& asked, const Token& token) {
+  std::vector<double> all = scaled(asked.drapes, 0.01);
+  if (asked.flat.empty() != asked.drapedBy.empty())
+    return badInput(say("A disc is photographed twice: flat (--disc-flat) and draped (--disc-draped)."));
+  if (asked.flat.empty()) return all;
+  const auto flat = readPrint(asked.flat, token);
+  if (!flat) return inFile(asked.flat, flat.error());
+  for (const std::string& photograph : asked.drapedBy) {
+    const auto draped = readPrint(photograph, token);
+    const auto drape = draped ? drapeOfPhotographs(*flat, *draped) : Result<double>(draped.error());
+    if (!drape) return inFile(photograph, drape.error());
+    all.push_back(*drape);
+  }
+  return all;
+}
+
 int runMeasure(Program& program, const MeasureOptions& asked) {
   const Console& console = program.console;
-  const auto readings = readingsOf(asked);
+  auto readings = readingsOf(asked);
   if (!readings) return console.refuse(readings.error());
+  auto drapes = drapesOf(asked, console.token());
+  if (!drapes) return console.refuse(drapes.error());
+  readings->drapes = *std::move(drapes);
   const auto measured = measuredFabric(*readings);
   if (!measured) return console.refuse(measured.error());
   const SetFabric step = fabricStep(*measured, asked.name);
@@ -105,6 +130,7 @@ int runMeasure(Program& program, const MeasureOptions& asked) {
     numbers.push_back(std::move(one));
   }
   Json object = {{"like", measured->like}, {"measured", std::move(numbers)}, {"operation", operation}};
+  if (!readings->drapes.empty()) object["drapes"] = readings->drapes;
   const std::string words = table.words(2) + console.said(say("As a step:")) + "\n  " + operation;
   if (asked.into.empty()) {
     console.answer(object, words);
@@ -140,6 +166,12 @@ void addFabricVerb(Program& program) {
     verb->add_option("--angle-" + grain, asked->angles[g], help("or at these degrees instead, 5 to 80"))
         ->delimiter(',');
   }
+  verb->add_option("--drape", asked->drapes,
+                   help("Drape coefficient of a disc of 30 cm on a support of 18 cm, percent; in place of strips"))
+      ->delimiter(',');
+  verb->add_option("--disc-flat", asked->flat, help("or its photograph from above, flat at the support's height,"));
+  verb->add_option("--disc-draped", asked->drapedBy, help("and draped, by the same camera; several times"))
+      ->delimiter(',');
   verb->add_option("--strip", asked->strip,
                    help("Stretch: length between the marks and width of the strip, mm: 200x25"));
   for (std::size_t g = 0; g < kGrains; ++g)

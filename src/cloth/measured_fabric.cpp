@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "karinui/base/number.h"
+#include "karinui/cloth/drape_disc.h"
 
 namespace karinui {
 
@@ -73,6 +74,10 @@ Done checkTable(const TableReadings& t) {
   if (const Done ok = checkReadings({t.scales}, 0, 0.1, say("Error of the scales"), 1000, "g"); !ok) return ok;
   if (const Done ok = checkReadings({t.angle}, 0, 10 * kDegree, say("Error of the angle"), 1 / kDegree, "°"); !ok)
     return ok;
+  if (const Done ok = checkReadings(t.drapes, 0.15, 0.93, say("Drape of the disc"), 100, "%"); !ok) return ok;
+  if (!t.drapes.empty() &&
+      std::any_of(t.overhang.begin(), t.overhang.end(), [](const Overhang& over) { return !over.lengths.empty(); }))
+    return badInput(say("Bending is measured by strips or by a disc, not by both; leave one out."));
   bool hung = false;
   for (std::size_t g = 0; g < kGrains; ++g) {
     const Message grain = grainSaid(static_cast<Grain>(g));
@@ -113,6 +118,15 @@ Uncertain bendingOf(const Overhang& over, Uncertain weight, const TableReadings&
   const double bend = weight.value * kGravity * std::pow(length.value, 3) / heavy;
   return {bend, bend * std::sqrt(square(weight.error / weight.value) + square(3 * length.error / length.value) +
                                  square(slope * angle.error))};
+}
+
+// Of a disc that was laid on several times: the mean of warp and weft. A picture's outline is good to a hundredth.
+Uncertain bendingOfDisc(const std::vector<double>& drapes, Uncertain weight) {
+  constexpr double kOutline = 0.01;
+  const Uncertain share = meanOf(drapes, kOutline);
+  const double bend = weight.value * kGravity * std::pow(bendingLengthOfDrape(share.value), 3);
+  const double length = std::hypot(kDrapeSpread, drapeSlope(share.value) * share.error);
+  return {bend, bend * std::hypot(3 * length, weight.error / weight.value)};
 }
 
 struct Stretched {
@@ -156,6 +170,7 @@ struct Measured {  // what does not depend on the fabric it is like
   std::array<std::optional<Uncertain>, kGrains> bend;
   std::array<std::vector<Stretched>, kGrains> stretched;
   std::optional<Uncertain> thickness;
+  std::optional<Uncertain> disc;  // bending, the mean of warp and weft
 };
 
 // Root mean square of the logarithms of what was measured over what a preset has.
@@ -163,6 +178,7 @@ double awayFrom(const Fabric& preset, const Measured& m, const TableReadings& t)
   std::vector<double> logs{std::log(m.weight.value / preset.weight)};
   if (m.bend[0]) logs.push_back(std::log(m.bend[0]->value / preset.bendWarp));
   if (m.bend[1]) logs.push_back(std::log(m.bend[1]->value / preset.bendWeft));
+  if (m.disc) logs.push_back(std::log(2 * m.disc->value / (preset.bendWarp + preset.bendWeft)));
   if (!m.stretched[0].empty()) logs.push_back(std::log(stretchOf(preset.warpCurve(), m.stretched[0], t).value));
   if (!m.stretched[1].empty()) logs.push_back(std::log(stretchOf(preset.weftCurve(), m.stretched[1], t).value));
   if (m.thickness) logs.push_back(std::log(m.thickness->value / preset.thickness));
@@ -240,6 +256,7 @@ Result<MeasuredFabric> measuredFabric(const TableReadings& t) {
     m.stretched[g] = stretchedBy(t.hung[g], t);
   }
   if (!t.thicknesses.empty()) m.thickness = meanOf(t.thicknesses, 0);
+  if (!t.drapes.empty()) m.disc = bendingOfDisc(t.drapes, m.weight);
   const Result<Fabric> like = likeOf(m, t);
   if (!like) return like.error();
 
@@ -260,6 +277,11 @@ Result<MeasuredFabric> measuredFabric(const TableReadings& t) {
     const double by = bias->value / bendOnBias(*like);
     fabric.bendWarp *= by, fabric.bendWeft *= by;
   }
+  if (m.disc)  // warp and weft as they are to each other in the preset
+    for (double Fabric::*field : {&Fabric::bendWarp, &Fabric::bendWeft}) {
+      const double share = 2 * like->*field / (like->bendWarp + like->bendWeft);
+      take(field, {m.disc->value * share, m.disc->error * share});
+    }
   out.bendBias = bias, out.bendBiasOfFabric = bendOnBias(fabric);
   std::array<std::optional<Uncertain>, 2> by;
   if (!m.stretched[0].empty()) by[0] = stretchOf(like->warpCurve(), m.stretched[0], t);

@@ -179,5 +179,42 @@ TEST(MeasuredFabric, RefusesWhatNoClothDoes) {
   EXPECT_NE(why(t).find("gold"), std::string::npos);
 }
 
+// The table of docs/user/fabrics.md: what the simulated tester makes of the shop's fabrics, of which the line from
+// drape to bending was drawn.
+TEST(MeasuredFabric, BendingIsToldByTheDrapeOfADisc) {
+  const std::pair<const char*, double> drapes[] = {{"jersey", 0.34}, {"silk", 0.38},         {"viscose", 0.42},
+                                                   {"velvet", 0.55}, {"wool suiting", 0.56}, {"cotton", 0.64},
+                                                   {"linen", 0.68},  {"denim", 0.74}};
+  for (const auto& [name, drape] : drapes) {
+    const auto fabric = preset(name);
+    ASSERT_TRUE(fabric);
+    TableReadings t;
+    t.swatchLength = 0.3, t.swatchWidth = 0.3, t.swatchMasses = {fabric->weight * 0.09}, t.scales = 1e-5;
+    t.drapes = {drape};
+    const auto found = measuredFabric(t);
+    ASSERT_TRUE(found) << text(found.error().what);
+    ASSERT_EQ(found->numbers.size(), 3u);
+    const Uncertain warp = found->numbers[1].value, weft = found->numbers[2].value;
+    const double mean = (warp.value + weft.value) / 2, error = (warp.error + weft.error) / 2;
+    EXPECT_NEAR(mean, (fabric->bendWarp + fabric->bendWeft) / 2, 2.5 * error) << name;
+    EXPECT_GT(error / mean, 0.15) << name << ": a disc does not tell bending better than that";
+    EXPECT_LT(error / mean, 0.25) << name;
+  }
+}
+
+TEST(MeasuredFabric, ADiscStandsInPlaceOfStrips) {
+  TableReadings t = readingsOf(*preset("cotton"));
+  t.drapes = {0.64, 0.62};
+  const auto both = measuredFabric(t);
+  ASSERT_FALSE(both);
+  EXPECT_NE(text(both.error().what).find("by strips or by a disc"), std::string::npos);
+  t.overhang = {};
+  EXPECT_TRUE(measuredFabric(t));
+  t.drapes = {0.05};
+  const auto limp = measuredFabric(t);
+  ASSERT_FALSE(limp);
+  EXPECT_NE(text(limp.error().what).find("15.0 and 93.0 %"), std::string::npos) << text(limp.error().what);
+}
+
 }  // namespace
 }  // namespace karinui

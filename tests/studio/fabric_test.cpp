@@ -155,6 +155,9 @@ TEST(StudioFabric, AFabricIsMeasuredOnATable) {
   type("Overhang, weft", "42.6 a");
   EXPECT_THAT(told->text().toStdString(), HasSubstr("is no number"));
   type("Overhang, weft", "42.6");
+  type("Or a disc's drape", "64");
+  EXPECT_THAT(told->text().toStdString(), HasSubstr("by strips or by a disc"));
+  type("Or a disc's drape", "");
   type("Between the marks", "200");
   type("Width of the strip", "25");
   type("Weight that hangs on it", "500");

@@ -1,5 +1,6 @@
 #pragma once
-// A fabric from what a kitchen table gives: a swatch on scales, a strip over the table's edge, a weight on a strip.
+// A fabric from what a kitchen table gives: a swatch on scales, a strip over the table's edge or a disc over a tin, a
+// weight on a strip.
 // Every number comes with its standard uncertainty: that of the mean of the readings, and that of ruler, scales and
 // angle, which more readings do not mend (ISO/IEC Guide 98-3, first order). Pure functions; any thread. SI units;
 // angles in radians.
@@ -44,7 +45,8 @@ struct TableReadings {
   double stripLength = 0, stripWidth = 0;             // m: between the marks before anything hangs on it, and across
   std::array<std::vector<HungWeight>, kGrains> hung;  // empty: not measured
   std::vector<double> thicknesses;                    // m, repeated; empty: not measured
-  std::string like;                                   // the fabric that gives what was not measured; empty: the nearest
+  std::vector<double> drapes;  // drape coefficients (drape_disc.h), repeated; empty: not measured, as where strips are
+  std::string like;            // the fabric that gives what was not measured; empty: the nearest
 };
 
 // A quantity that was measured, as the fabric has it.
