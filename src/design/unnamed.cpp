@@ -88,7 +88,7 @@ Document unnamed(Document document) {
   std::map<std::string, Fabric> ownFabrics;
   for (const auto& [name, fabric] : document.fabrics) {
     const std::string now = preset(name) ? name : fabrics(name, "fabric");
-    ownFabrics[now] = fabric;
+    (ownFabrics[now] = fabric).name = now;
     document.looks.fabrics[name] = lookOf(document, name);  // by the old name, which may say of what it is a copy
   }
   document.fabrics = std::move(ownFabrics);

@@ -356,7 +356,9 @@ TEST_F(WholeDocument, UnnamedItHasNoNameThatAPersonGave) {
   const Piece& front = *now.pieceNamed("piece1");
   EXPECT_EQ(front.fabric, "fabric1");
   EXPECT_EQ(now.pieceNamed("piece2")->fabric, "denim") << "comes with the program";
-  EXPECT_EQ(now.fabrics.at("fabric1"), before.fabrics.at("Hanako_wool"));
+  Fabric wool = before.fabrics.at("Hanako_wool");
+  wool.name = "fabric1";
+  EXPECT_EQ(now.fabrics.at("fabric1"), wool);
   EXPECT_EQ(lookOf(now, "fabric1"), lookOf(before, "Hanako_wool"));
   EXPECT_EQ(front.marks.at(0).edge, front.outline.edges[1].name);
   EXPECT_EQ(front.outline.edges[1].name, now.pieceNamed("piece2")->outline.edges[3].name) << "called alike before";
