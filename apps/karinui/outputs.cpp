@@ -36,7 +36,7 @@ Result<std::string> exportBytes(OpenDocument& opened, const ExportRequest& reque
   const FileFormat* format = chosenFormat(request);
   if (!format) return unwritable(request.out);
   SheetSettings sheet;
-  tellGarment(opened.document(), sheet);
+  tellGarment(opened.document(), photosIn(opened.context().blobs), sheet);
   sheet.overlap = request.overlapMm / 1000;
   sheet.date = request.date;
   sheet.nest = request.nest;

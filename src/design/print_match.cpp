@@ -8,6 +8,7 @@
 #include "karinui/design/print_image.h"
 #include "karinui/design/step_words.h"
 #include "karinui/geometry/axes.h"
+#include "karinui/pattern/markings.h"
 #include "karinui/pattern/pleats.h"
 #include "karinui/pattern/seam_walk.h"
 
@@ -209,6 +210,62 @@ std::vector<Message> unmatchedSaid(const Document& document, const PhotoTall& ta
       all.push_back(say("{0}: the print misses by up to {1} mm, {2} % along the seam",
                         seam.name.empty() ? seamSaid(document, seam) : say("{0}", seam.name),
                         fixed(meets->most * 1000, 1), fixed(meets->at * 100, 0)));
+  }
+  return all;
+}
+
+std::vector<MatchMark> matchMarks(const Document& document, const PhotoTall& tall) {
+  constexpr int kMarkSteps = 256;       // along a seam
+  constexpr double kMarksApart = 0.05;  // metres, at least
+  constexpr double kMostMarks = 8;      // between the first and the last
+  constexpr double kBarLength = 0.010, kBarAslant = 0.25,
+                   kMarkFromEnd = 0.01;  // metres, sine to the seam, share of the seam
+  std::vector<MatchMark> all;
+  int number = 0;
+  for (const auto& [id, seam] : document.pattern.seams) {
+    if (const auto meets = printMeeting(document, seam, tall); !meets || meets->most >= kPrintMeets) continue;
+    const SeamSides sides(document.pattern, seam);
+    const Meeting meeting(document, seam, tall);
+    const auto first = meeting.at(0);
+    const Look look = lookOf(document, *first->a);
+    const Flat repeat = *meeting.repeat(*first);
+    const auto walked = [&](int which) {
+      std::vector<double> way;
+      for (int k = 0; k <= kMarkSteps; ++k)
+        way.push_back(part(meeting.at(static_cast<double>(k) / kMarkSteps)->printA, which));
+      return way;
+    };
+    const auto spans = [](const std::vector<double>& way) {
+      const auto [low, high] = std::minmax_element(way.begin(), way.end());
+      return *high - *low;
+    };
+    int which = 0;
+    std::vector<double> way = walked(0);
+    if (partsOf(look.print) > 1)
+      if (auto along = walked(1); spans(along) > spans(way)) which = 1, way = std::move(along);
+    const double line = part(repeat, which);
+    const double step = line * std::ceil(std::max(kMarksApart, spans(way) / kMostMarks) / line - 1e-9);
+    const auto barOn = [&](const SeamPlace& at) -> std::optional<MatchMark> {
+      const auto border = borderPlace(document.pattern, at);
+      if (!border) return std::nullopt;
+      const Piece& piece = *document.find(at.piece);
+      const auto [across, along] = axes(piece.grain, lookOf(document, piece).turn);
+      Flat bar = which == 0 ? along : across;
+      if (dot(bar, border->outward) > 0) bar = -bar;
+      if (-dot(bar, border->outward) < kBarAslant) return std::nullopt;
+      return MatchMark{at.piece, border->place, border->place + bar * kBarLength, 0};
+    };
+    for (int k = 0; k < kMarkSteps; ++k) {
+      const double a = way[static_cast<std::size_t>(k)] / step, b = way[static_cast<std::size_t>(k) + 1] / step;
+      if (a == b || std::floor(a) == std::floor(b)) continue;
+      const double on = a < b ? std::floor(b) : std::floor(a);
+      const double share = (k + (on - a) / (b - a)) / kMarkSteps;
+      if (share < kMarkFromEnd || share > 1 - kMarkFromEnd) continue;  // the corners meet anyway
+      auto one = barOn(sides.a.at(share)), other = barOn(sides.b.at(share));
+      if (!one || !other) continue;
+      one->number = other->number = ++number;
+      all.push_back(*one), all.push_back(*other);
+    }
   }
   return all;
 }

@@ -56,7 +56,7 @@ class LayDrawing {
   Result<Sheet> draw(const std::vector<const FabricLay*>& lays) {
     SheetSettings settings;
     settings.title = paper_.title;
-    tellGarment(plan_.document, settings);
+    tellGarment(plan_.document, {}, settings);  // laid on the cloth, the pieces match already
     settings.allowance = plan_.settings.allowance;
     settings.language = paper_.language;
     const Result<Sheet> flat = layOut(plan_.document.pattern, settings);

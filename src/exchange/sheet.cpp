@@ -102,14 +102,14 @@ void addStrips(Sheet& sheet, const Pattern& pattern, const SheetSettings& settin
 }
 
 // Shelves: the tallest first, from left to right, a new shelf below when the roll's width is used up.
-void shelve(Sheet& sheet, double rollWidth) {
+void shelve(Sheet& sheet, double rollWidth, double header) {
   std::vector<std::size_t> order(sheet.pieces.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   const auto tall = [&](std::size_t i) { return sheet.pieces[i].high.y - sheet.pieces[i].low.y; };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return tall(a) > tall(b); });
   double widest = rollWidth - 2 * kMargin;
   for (const SheetPiece& piece : sheet.pieces) widest = std::max(widest, piece.high.x - piece.low.x);
-  Mm at{kMargin, kMargin + kHeader};
+  Mm at{kMargin, kMargin + header};
   double shelf = 0, used = 1.7 * kSquare + kMargin;
   for (const std::size_t i : order) {
     SheetPiece& piece = sheet.pieces[i];
@@ -161,6 +161,9 @@ void addFolds(SheetPiece& out, const AllowancePlan& plan, Language language) {
   }
 }
 
+constexpr double kMatchSize = 0.003;  // metres: the number beside a bar at which the print matches
+constexpr double kMatchesSaid = 7.2;  // mm of the header: the line that tells of them
+
 void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan, const SheetSettings& settings,
                 const std::map<PieceId, SheetLettering>& lettering) {
   std::map<PieceId, SheetPiece*> of;
@@ -182,6 +185,14 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
       SheetPiece& piece = *of.at(fastener.piece);
       piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, {}});
     }
+  for (const MatchMark& mark : settings.matches) {
+    const auto found = of.find(mark.piece);
+    if (found == of.end()) continue;
+    SheetPiece& piece = *found->second;
+    piece.notches.push_back({{piece.at(mark.from), piece.at(mark.to)}, {}});
+    piece.texts.push_back({piece.at(mark.to + normalized(mark.to - mark.from) * (1.2 * kMatchSize)), kMatchSize * 1000,
+                           true, "#" + std::to_string(mark.number)});
+  }
   for (const StitchRow& row : stitchRows(pattern, settings.allowances)) {
     SheetPiece& piece = *of.at(row.piece);
     SheetStitches& drawn = piece.stitches.emplace_back();
@@ -237,10 +248,11 @@ std::vector<double> dashesOf(std::size_t size) {
   return kDashes[size % std::size(kDashes)];
 }
 
-void tellGarment(const Document& document, SheetSettings& settings) {
+void tellGarment(const Document& document, const PhotoTall& tall, SheetSettings& settings) {
   settings.allowances = document.allowances;
   settings.cutting = document.cutting;
   settings.grading = document.grading;
+  if (tall) settings.matches = matchMarks(document, tall);
   settings.size = document.grading.empty() ? document.body.size : document.grading.sizes[document.grading.standing];
 }
 
@@ -286,7 +298,7 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   }
   addStrips(sheet, pattern, settings);
   if (const Done done = addNest(sheet, pattern, settings); !done) return done.error();
-  shelve(sheet, settings.rollWidth * 1000);
+  shelve(sheet, settings.rollWidth * 1000, kHeader + (settings.matches.empty() ? 0 : kMatchesSaid));
   const AllowancePlan kinds(pattern, settings.allowances);
   std::map<PieceId, SheetLettering> lettering;
   for (SheetPiece& piece : sheet.pieces) {
@@ -312,6 +324,8 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   } else
     heading(said(say("The lines are seam lines: add the seam allowance yourself.")), 4);
   heading(said(say("Arrow: grain. Short strokes: notches. Equal numbers are sewn together.")), 4);
+  if (!settings.matches.empty())
+    heading(said(say("Bars with equal numbers (#): lay them on the same line of the print.")), 4);
   Message notions;
   for (const Message& one : notionsSaid(pattern, settings.allowances, settings.cutting))
     notions = notions.empty() ? one : say("{0}, {1}", notions, one);

@@ -94,7 +94,7 @@ void addStitches(TriangleMesh& mesh, const SceneStitches& row, const TriangleMes
 
 SheetSettings sheetOf(const GarmentSnapshot& snapshot, const ExportWish& wish) {
   SheetSettings sheet = wish.sheet;
-  tellGarment(snapshot.document, sheet);
+  tellGarment(snapshot.document, photosOf(snapshot), sheet);
   return sheet;
 }
 

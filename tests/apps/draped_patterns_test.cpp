@@ -47,6 +47,40 @@ TEST(Samples, TheKyotoFittingRests) {
   EXPECT_EQ(found["cloth_cloth_crossings"], 0);
 }
 
+// What a tailor cuts: sewn edges fit or their ease is declared, doubled pieces are cut twice. The paper needs no drape.
+struct OnPaper {
+  std::string name;
+  int doubled = 0;  // pieces that are cut twice
+  int corners = 0;  // that do not go on smoothly, because a design wants it so
+};
+class ExamplesOnPaper : public testing::TestWithParam<OnPaper> {};
+
+TEST_P(ExamplesOnPaper, AreComplete) {
+  const Folder folder;
+  const std::string document = folder / "garment.karinui", script = folder / "garment.ops";
+  std::istringstream lines(contents(KARINUI_SOURCE_DIR "/examples/" + GetParam().name + ".ops"));
+  std::string flat;
+  for (std::string line; std::getline(lines, line);)
+    if (line != "drape") flat += line + "\n";
+  write(script, flat);
+  const Said played = karinui("play " + script + " -o " + document);
+  ASSERT_EQ(played.exit, 0) << played.err;
+  const auto walked = karinui("truing " + document + " --json").json();
+  for (const auto& seam : walked["seams"]) EXPECT_EQ(seam["fits"], true) << seam.dump();
+  EXPECT_LE(walked["faults"], GetParam().corners);
+  ASSERT_EQ(karinui("export " + document + " -o " + (folder / "paper.svg")).exit, 0);
+  const std::string paper = contents(folder / "paper.svg");
+  int doubled = 0;
+  for (auto at = paper.find("Cut 2"); at != std::string::npos; at = paper.find("Cut 2", at + 1)) ++doubled;
+  EXPECT_EQ(doubled, GetParam().doubled);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExamplesOnPaper,
+                         testing::Values(OnPaper{"tailored_shirt", 4, 0}, OnPaper{"pleated_skirt", 1, 0},
+                                         OnPaper{"lined_waistcoat", 4, 24}, OnPaper{"trousers", 1, 3},
+                                         OnPaper{"gathered_dress", 0, 6}, OnPaper{"hooded_coat", 0, 6}),
+                         [](const auto& name) { return name.param.name; });
+
 // Garments as one would wear them, and the six operations. Those that take longest in ./test --long only.
 class Examples : public testing::TestWithParam<std::string> {};
 

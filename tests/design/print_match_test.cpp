@@ -131,6 +131,34 @@ TEST(PrintMatch, AStitchedPleatIsNoSeamOfThePrint) {
   }
 }
 
+// Bars stand where a repeat begins on the one side, and where that place is sewn to on the other.
+TEST(PrintMatch, MarksStandAtRepeatsOnBothSides) {
+  Sewing s;
+  s.play(panels(0.013, 0.021) + "look fabric=cotton print=check repeat=3cm\nmatch seam=side\n");
+  const auto marks = matchMarks(s.document(), photosIn(s.room.blobs));
+  ASSERT_EQ(marks.size() % 2, 0u);
+  EXPECT_EQ(marks.size() / 2, 6u) << "40 cm in steps of two repeats";
+  const Curve &front = *findCurve(*s.document().pieceNamed("front"), "left"),
+              &back = *findCurve(*s.document().pieceNamed("back"), "right");
+  for (std::size_t k = 0; k + 1 < marks.size(); k += 2) {
+    const MatchMark &one = marks[k], &other = marks[k + 1];
+    EXPECT_EQ(one.number, static_cast<int>(k / 2) + 1);
+    EXPECT_EQ(one.number, other.number);
+    const Piece &a = *s.document().find(one.piece), &b = *s.document().find(other.piece);
+    EXPECT_EQ(a.name, "front");
+    EXPECT_EQ(b.name, "back");
+    EXPECT_NEAR(std::remainder(one.from.v - printOrigin(s.document(), a).v, 0.06), 0, 1e-4);
+    EXPECT_NEAR(std::remainder(other.from.v - printOrigin(s.document(), b).v, 0.03), 0, 1e-4) << "it matches";
+    EXPECT_NEAR(distance(one.from, front.start), distance(other.from, back.end), 1e-4) << "sewn to each other";
+    EXPECT_NEAR(one.to.v, one.from.v, 1e-12) << "along the line of the print";
+    EXPECT_TRUE(contains(a.outline.flattened(), one.to));
+    EXPECT_TRUE(contains(b.outline.flattened(), other.to));
+  }
+  // Without a print there is nothing to match.
+  s.play("look fabric=cotton print=none\n");
+  EXPECT_TRUE(matchMarks(s.document(), photosIn(s.room.blobs)).empty());
+}
+
 TEST(PrintMatch, AMirroredPieceIsPlacedAsItsOriginal) {
   Sewing s;
   s.play(

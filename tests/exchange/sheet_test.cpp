@@ -367,6 +367,29 @@ TEST(Sheet, TellsHowOftenAPieceIsCutAndWhatLiesOnTheFold) {
   EXPECT_EQ(layOut(skirtPanel(), {})->pieces[0].texts[1].words, "Cut 1 on fold · Cotton");
 }
 
+// The bars at which a print matches, and what they are, where there are any.
+TEST(Sheet, BarsOfThePrintStandOnBothPieces) {
+  const Pattern pattern = test::random(3);
+  ASSERT_GE(pattern.pieces.size(), 2u);
+  const auto counted = [](const std::string& svg, const std::string& what) {
+    std::size_t times = 0;
+    for (auto at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++times;
+    return times;
+  };
+  SheetSettings settings;
+  const std::string plain = *writeSvg(pattern, settings);
+  EXPECT_EQ(counted(plain, "(#)"), 0u);
+  const auto one = pattern.pieces.begin(), other = std::next(one);
+  for (const auto& at : {one, other}) {
+    const Flat from = at->second->outline.edges[0].curve.at(0.5);
+    settings.matches.push_back({at->first, from, from + Flat{0, 0.01}, 7});
+  }
+  const std::string barred = *writeSvg(pattern, settings);
+  EXPECT_EQ(counted(barred, "#7"), 2u);
+  EXPECT_EQ(counted(barred, "(#)"), 1u);
+  EXPECT_EQ(counted(barred, "class=\"notch") - counted(plain, "class=\"notch"), 2u);
+}
+
 TEST(Sheet, RefusesNonsense) {
   EXPECT_FALSE(writeSvg({}));
   EXPECT_FALSE(writePdf({}));

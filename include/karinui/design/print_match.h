@@ -23,7 +23,7 @@ struct PrintMeeting {
   double most = 0;  // metres by which it misses, at most
   double at = 0;    // there; share of the seam's length
 };
-// Nothing: a side has no print, the two are not alike, or the seam closes a dart or a pleat.
+// Nothing: a side has no print, the two are not alike, or the seam closes a dart or a pleat, or stitches a pleat down.
 std::optional<PrintMeeting> printMeeting(const Document& document, const Seam& seam, const PhotoTall& tall);
 
 // The placing (across and along the grain) at which the print of `moved` meets that of the other side at a share of the
@@ -34,5 +34,15 @@ Result<Flat> matchingShift(const Document& document, const Seam& seam, double at
 inline constexpr double kPrintMeets = 0.002;  // metres: what misses by less is called matched
 // Of every seam (or of one) at which a print does not match: by how much, and where.
 std::vector<Message> unmatchedSaid(const Document& document, const PhotoTall& tall, SeamId of = {});
+
+// Where a repeat of the print begins on one side of a seam in which it matches: a short bar there and where the other
+// side meets it, under one number, by which both pieces are laid on the cloth. At most nine a seam, no nearer than 5
+// cm.
+struct MatchMark {
+  PieceId piece;
+  Flat from, to;   // from the seam line into the piece, along the line of the print; metres on its paper
+  int number = 0;  // 1, 2, …; the same on the piece it is sewn to
+};
+std::vector<MatchMark> matchMarks(const Document& document, const PhotoTall& tall);
 
 }  // namespace karinui

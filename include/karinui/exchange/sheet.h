@@ -12,6 +12,7 @@
 #include "karinui/base/message.h"
 #include "karinui/base/result.h"
 #include "karinui/design/document.h"
+#include "karinui/design/print_match.h"
 
 namespace karinui {
 
@@ -20,6 +21,7 @@ struct SheetSettings {
   Allowances allowances;                  // of the garment, like the next: tellGarment()
   std::map<PieceId, Cutting> cutting;     // of pieces that are cut more than once
   Grading grading;                        // its sizes
+  std::vector<MatchMark> matches;         // where the lines of its print cross seams
   bool nest = false;                      // all sizes over one another, not only the one that stands
   std::string size;                       // that stands, or of the figure; empty: not told
   std::string date;                       // of the print, as it is to be read; empty: not told
@@ -29,8 +31,8 @@ struct SheetSettings {
   Language language = Language::English;  // of the words around the names
 };
 
-// What the document says of its sheet.
-void tellGarment(const Document& document, SheetSettings& settings);
+// What the document says of its sheet. `tall`: of the photographs its fabrics are printed with.
+void tellGarment(const Document& document, const PhotoTall& tall, SheetSettings& settings);
 
 // One SVG drawing, its width and height in mm and its viewBox the same numbers. Every piece is a group with its name,
 // every edge a path of its own with its name, so that the drawing can be read back.

@@ -9,6 +9,7 @@ namespace karinui {
 
 namespace {
 
+constexpr std::size_t kTimesTrued = 8;
 constexpr double kLeastTrued = 0.005, kMostTrued = 0.5;  // metres
 
 std::vector<CornerTruing> missed(const Document& document, SeamId seam) {
@@ -52,10 +53,11 @@ Done resolve(const Document& before, TrueUp& op, Context& context) {
 
 Result<Document> perform(const Document& before, const TrueUp& op, Context& context) {
   Document after = before;
-  std::size_t trued = 0;
-  for (const SeamRef& ref : op.seams) {
-    const auto corners = missed(after, ref.id);
-    trued += corners.size();
+  std::size_t trued = 0, smooth = 0;
+  // Where several of the seams meet, as under an arm, each bends what another has trued: they come nearer every time.
+  for (std::size_t k = 0; k < kTimesTrued * op.seams.size() && smooth < op.seams.size(); ++k) {
+    const auto corners = missed(after, op.seams[k % op.seams.size()].id);
+    trued += corners.size(), smooth = corners.empty() ? smooth + 1 : 0;
     for (auto& [id, outline] : outlinesTrued(after, corners, op.within)) {
       const Outline was = after.find(id)->outline;
       ReshapePiece reshape;  // marks, seams, the shape in space and the symmetric copy follow as they do there

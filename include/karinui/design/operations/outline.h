@@ -139,8 +139,8 @@ struct PivotDart {
 struct TrueUp {
   static constexpr std::string_view kName = "trueup";
   static constexpr std::string_view kHelp =
-      "Trues the line across the ends of seams: a dart's mouth, a shoulder's ends. Sewn, the edges that go on there run "
-      "smoothly.";
+      "Trues the line across the ends of seams: a dart's mouth, a shoulder's ends. Sewn, the edges that go on there "
+      "run smoothly.";
   static constexpr bool kDisturbsDrape = true;
   std::vector<SeamRef> seams;
   Length within{0.08};
