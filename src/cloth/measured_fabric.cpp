@@ -279,7 +279,7 @@ Result<MeasuredFabric> measuredFabric(const TableReadings& t) {
   }
   if (m.disc)  // warp and weft as they are to each other in the preset
     for (double Fabric::*field : {&Fabric::bendWarp, &Fabric::bendWeft}) {
-      const double share = 2 * like->*field / (like->bendWarp + like->bendWeft);
+      const double share = 2 * (*like).*field / (like->bendWarp + like->bendWeft);
       take(field, {m.disc->value * share, m.disc->error * share});
     }
   out.bendBias = bias, out.bendBiasOfFabric = bendOnBias(fabric);
