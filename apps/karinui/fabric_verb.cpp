@@ -104,7 +104,7 @@ Result<std::vector<double>> drapesOf(const MeasureOptions& asked, const Token& t
 }
 
 int runMeasure(Program& program, const MeasureOptions& asked) {
-  const Console& console = program.console;
+  Console& console = program.console;
   auto readings = readingsOf(asked);
   if (!readings) return console.refuse(readings.error());
   auto drapes = drapesOf(asked, console.token());

@@ -15,11 +15,12 @@ namespace karinui {
 namespace {
 
 constexpr int kWide = 640, kHigh = 480;
-using Colour = std::array<int, 3>;
+using Rgb = std::array<int, 3>;
 
 // Cloth whose rim is at this distance from the middle, by the angle; its print is seen, and everything is a little
 // noisy.
-PrintPixels photograph(const std::function<double(double)>& rim, Colour ground, Colour cloth, int noise = 6) {
+PrintPixels photograph(const std::function<double(double)>& rim, Rgb ground, Rgb cloth, int noise = 6,
+                       int stripes = 30) {
   PrintPixels image{kWide, kHigh, {}};
   std::mt19937 dice(17);
   for (int y = 0; y < kHigh; ++y)
@@ -28,7 +29,8 @@ PrintPixels photograph(const std::function<double(double)>& rim, Colour ground, 
       const bool on = std::hypot(u, v) < rim(std::atan2(v, u));
       const bool stripe = on && x % 20 < 4;
       for (std::size_t c = 0; c < 3; ++c) {
-        const int value = (on ? cloth[c] : ground[c]) - (stripe ? 30 : 0) + static_cast<int>(dice() % 7) * noise / 6;
+        const int value =
+            (on ? cloth[c] : ground[c]) - (stripe ? stripes : 0) + static_cast<int>(dice() % 7) * noise / 6;
         image.rgb.push_back(static_cast<std::uint8_t>(std::clamp(value, 0, 255)));
       }
     }
@@ -38,7 +40,7 @@ double disc(double) { return 200; }
 // r^2 = a^2 + b^2 cos 7t has the area of a circle of radius a.
 double folds(double turn) { return std::sqrt(165.0 * 165 + 60 * 60 * std::cos(7 * turn)); }
 
-constexpr Colour kTable{235, 230, 220}, kBlue{40, 60, 130}, kWhite{250, 250, 250}, kBlack{20, 20, 25};
+constexpr Rgb kTable{235, 230, 220}, kBlue{40, 60, 130}, kWhite{250, 250, 250}, kBlack{20, 20, 25};
 
 TEST(Silhouette, CoversWhatItCovers) {
   const double whole = kWide * kHigh;
@@ -62,7 +64,7 @@ TEST(Silhouette, TellsTheDrape) {
 TEST(Silhouette, ASpeckBesideItAndALightOnItDoNotCount) {
   PrintPixels image = photograph(disc, kTable, kBlue, 0);
   const double before = *coveredShare(image);
-  const auto paint = [&](int x0, int y0, Colour colour) {
+  const auto paint = [&](int x0, int y0, Rgb colour) {
     for (int y = y0; y < y0 + 12; ++y)
       for (int x = x0; x < x0 + 12; ++x)
         for (std::size_t c = 0; c < 3; ++c)
@@ -78,7 +80,7 @@ TEST(Silhouette, RefusesWhatTellsNothing) {
   const auto said = [](const Result<double>& found) { return found ? std::string("told") : text(found.error().what); };
   using ::testing::HasSubstr;
   EXPECT_THAT(said(coveredShare({})), HasSubstr("nothing in this photograph"));
-  EXPECT_THAT(said(coveredShare(photograph(disc, kTable, {230, 228, 222}, 0))), HasSubstr("hardly be told apart"));
+  EXPECT_THAT(said(coveredShare(photograph(disc, kTable, {230, 228, 222}, 0, 0))), HasSubstr("hardly be told apart"));
   EXPECT_THAT(said(coveredShare(photograph([](double) { return 300; }, kTable, kBlue))), HasSubstr("reaches the edge"));
   EXPECT_THAT(said(coveredShare(photograph([](double) { return 40; }, kTable, kBlue))), HasSubstr("from nearer"));
   PrintPixels other = photograph(folds, kTable, kBlue);
