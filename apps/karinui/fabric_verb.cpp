@@ -93,7 +93,8 @@ Result<std::vector<double>> drapesOf(const MeasureOptions& asked, const Token& t
     return badInput(say("A disc is photographed twice: flat (--disc-flat) and draped (--disc-draped)."));
   if (asked.flat.empty()) return all;
   const auto flat = readPrint(asked.flat, token);
-  if (!flat) return inFile(asked.flat, flat.error());
+  const auto whole = flat ? coveredShare(*flat) : Result<double>(flat.error());
+  if (!whole) return inFile(asked.flat, whole.error());
   for (const std::string& photograph : asked.drapedBy) {
     const auto draped = readPrint(photograph, token);
     const auto drape = draped ? drapeOfPhotographs(*flat, *draped) : Result<double>(draped.error());
@@ -128,6 +129,11 @@ int runMeasure(Program& program, const MeasureOptions& asked) {
     if (row.error) one["error"] = *row.error;
     one[bias ? "by_warp_and_weft" : "like"] = row.like;
     numbers.push_back(std::move(one));
+  }
+  if (!readings->drapes.empty()) {
+    const Uncertain drape = meanOf(readings->drapes, 0);
+    table.row({console.said(say("Drape of the disc")), fixed(100 * drape.value, 1) + " %",
+               readings->drapes.size() > 1 ? "± " + fixed(200 * drape.error, 1) + " %" : "", ""});
   }
   Json object = {{"like", measured->like}, {"measured", std::move(numbers)}, {"operation", operation}};
   if (!readings->drapes.empty()) object["drapes"] = readings->drapes;
