@@ -272,7 +272,8 @@ TEST_F(Batch, WantOfMemoryIsNoAnswer) {
               HasSubstr("1 item crashed, or lacked memory or time; karinui batch run --retry does it again."));
   EXPECT_EQ(said.json()["hindered"], 1);
   merge("poor");
-  EXPECT_THAT(contents(run("poor") + "/table.csv"), HasSubstr(",out of memory,There is not enough memory for this.,"));
+  EXPECT_THAT(contents(run("poor") + "/table.csv"),
+              HasSubstr(",out of memory,\"There is not enough memory for this. "));
   EXPECT_EQ(karinui("batch run " + run("poor") + " --json").json()["done"], 0) << "only when asked";
   said = karinui("batch run " + run("poor") + " --retry --json");
   EXPECT_EQ(said.json()["done"], 1) << said.err;

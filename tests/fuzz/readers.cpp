@@ -110,7 +110,7 @@ void readDocument(std::string_view bytes) {
   context.drape = [](const Document&, const DrapePieces&, Context&) { return Result<DrapeOutcome>(refused({})); };
   context.pull = [](const Document&, const PullCloth&, Context&) { return Result<DrapeOutcome>(refused({})); };
   if (const auto rescued = rescue(path, saved, context)) {
-    demand(rescued->steps > 0, "something was saved");
+    demand(rescued->steps + rescued->anew > 0, "something was saved");
     demand(bool(dumped(saved)), "what was saved is whole");
     look(saved);
   } else {
