@@ -3,7 +3,35 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <cerrno>
 #include <fstream>
+
+// The linker (--wrap) leads the library's calls here first.
+namespace {
+int failingCalls = 0;  // the how manieth call from now on fails; 0: none
+bool fails() { return failingCalls > 0 && --failingCalls == 0; }
+int failed() { return errno = EIO, -1; }
+}  // namespace
+extern "C" {
+int __real_mkostemp(char* name, int flags);
+ssize_t __real_write(int file, const void* bytes, size_t count);
+int __real_fsync(int file);
+int __real_fchmod(int file, mode_t mode);
+int __real_close(int file);
+int __real_rename(const char* from, const char* to);
+int __wrap_mkostemp(char* name, int flags) { return fails() ? failed() : __real_mkostemp(name, flags); }
+ssize_t __wrap_write(int file, const void* bytes, size_t count) {
+  return fails() ? failed() : __real_write(file, bytes, count);
+}
+int __wrap_fsync(int file) { return fails() ? failed() : __real_fsync(file); }
+int __wrap_fchmod(int file, mode_t mode) { return fails() ? failed() : __real_fchmod(file, mode); }
+int __wrap_close(int file) {
+  const bool failing = fails();
+  const int done = __real_close(file);
+  return failing ? failed() : done;
+}
+int __wrap_rename(const char* from, const char* to) { return fails() ? failed() : __real_rename(from, to); }
+}
 
 namespace karinui {
 namespace {
@@ -71,6 +99,32 @@ TEST_F(FileTest, AFullDiskLeavesTheOldFile) {
   const Done done = writeFile("/dev/full", "bytes");
   ASSERT_FALSE(done);
   EXPECT_NE(text(done.error().what).find("disk is full"), std::string::npos);
+}
+
+// The n-th call to the system fails, for n = 1, 2, 3 … until the file was written: the old one is there, whole, and
+// nothing beside it.
+TEST_F(FileTest, WhicheverCallFailsTheOldFileStays) {
+  ASSERT_TRUE(writeFile(folder / "a", "old"));
+  const std::string bytes(300'000, 'n');
+  int n = 0;
+  for (bool written = false; !written;) {
+    ASSERT_LT(++n, 50);
+    SCOPED_TRACE("call " + std::to_string(n));
+    failingCalls = n;
+    const Done done = writeFile(folder / "a", bytes);
+    written = failingCalls > 0;  // there was no n-th call
+    failingCalls = 0;
+    EXPECT_EQ(files(), 1u);
+    if (written || done) {  // once it has its name, the folder's sync may fail
+      EXPECT_TRUE(done);
+      EXPECT_EQ(*readFile(folder / "a"), bytes);
+      ASSERT_TRUE(writeFile(folder / "a", "old"));
+      continue;
+    }
+    EXPECT_NE(text(done.error().what).find("cannot be written"), std::string::npos);
+    EXPECT_EQ(*readFile(folder / "a"), "old");
+  }
+  EXPECT_GT(n, 6) << "made, written, synced, its mode, closed, named, the folder synced";
 }
 
 TEST_F(FileTest, AReadOnlyFolderIsSaid) {

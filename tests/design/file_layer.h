@@ -1,6 +1,6 @@
 #pragma once
-// SQLite's file layer with a test in between: told of every call that changes the disk before it is made, it may refuse
-// it. Nothing waits for the real disk: xSync is only told.
+// SQLite's file layer with a test in between: told of every call that opens, reads or changes a file before it is made,
+// it may refuse it. Nothing waits for the real disk: xSync is only told.
 #include <sqlite3.h>
 
 #include <cstring>
@@ -29,6 +29,8 @@ class FileLayer {
       if (path) (void)real->xAccess(real, path, SQLITE_ACCESS_EXISTS, &there);
       if ((flags & SQLITE_OPEN_CREATE) != 0)
         if (const int code = layer.onCreate(path ? path : "", there == 0); code != SQLITE_OK) return code;
+      if ((flags & SQLITE_OPEN_CREATE) == 0)
+        if (const int code = layer.onOpen(path ? path : ""); code != SQLITE_OK) return code;
       const int done = real->xOpen(real, path, opened.whole(), flags, got);
       if (opened.whole()->pMethods) file->pMethods = &methods();
       return done;
@@ -50,6 +52,9 @@ class FileLayer {
  protected:
   // Path; whether it is not there yet, of a file that may be made.
   virtual int onCreate(std::string_view, bool) { return SQLITE_OK; }
+  virtual int onOpen(std::string_view) { return SQLITE_OK; }  // of a file that must be there
+  virtual int onRead(std::string_view) { return SQLITE_OK; }
+  virtual int onSize(std::string_view) { return SQLITE_OK; }
   // Path, bytes, place; and how many of the bytes are written where the answer is not SQLITE_OK.
   virtual int onWrite(std::string_view, std::string_view, sqlite3_int64, int&) { return SQLITE_OK; }
   virtual int onTruncate(std::string_view, sqlite3_int64) { return SQLITE_OK; }
@@ -83,7 +88,8 @@ inline const sqlite3_io_methods& FileLayer::methods() {
     m.iVersion = 1;
     m.xClose = [](sqlite3_file* f) { return in(f)->pMethods->xClose(in(f)); };
     m.xRead = [](sqlite3_file* f, void* to, int size, sqlite3_int64 at) {
-      return in(f)->pMethods->xRead(in(f), to, size, at);
+      const int code = of(f).layer->onRead(of(f).name());
+      return code == SQLITE_OK ? in(f)->pMethods->xRead(in(f), to, size, at) : code;
     };
     m.xWrite = [](sqlite3_file* f, const void* from, int size, sqlite3_int64 at) {
       int taken = 0;
@@ -98,7 +104,10 @@ inline const sqlite3_io_methods& FileLayer::methods() {
       return code == SQLITE_OK ? in(f)->pMethods->xTruncate(in(f), size) : code;
     };
     m.xSync = [](sqlite3_file* f, int) { return of(f).layer->onSync(of(f).name()); };
-    m.xFileSize = [](sqlite3_file* f, sqlite3_int64* size) { return in(f)->pMethods->xFileSize(in(f), size); };
+    m.xFileSize = [](sqlite3_file* f, sqlite3_int64* size) {
+      const int code = of(f).layer->onSize(of(f).name());
+      return code == SQLITE_OK ? in(f)->pMethods->xFileSize(in(f), size) : code;
+    };
     m.xLock = [](sqlite3_file* f, int how) {
       const int code = of(f).layer->onLock(of(f).name(), how);
       return code == SQLITE_OK ? in(f)->pMethods->xLock(in(f), how) : code;
