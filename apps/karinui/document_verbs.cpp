@@ -38,6 +38,10 @@ struct DoOptions {
 struct DocumentOnly {
   std::string path;
 };
+struct AmendOptions {
+  std::string path, operation;
+  std::size_t step = 0;
+};
 struct ImportOptions {
   std::string file, body, size, rules, out, sew = "none";
   bool overwrite = false, list = false, ruleSteps = false;
@@ -139,6 +143,18 @@ int runTurn(Program& program, const DocumentOnly& options) {
                    {"hash", hash(opened.document())}};
     program.console.answer(object, text(step->operation));
     return kDone;
+  });
+}
+
+int runAmend(Program& program, const AmendOptions& options) {
+  Result<Operation> operation = parseOperation(options.operation);
+  if (!operation) return program.console.refuse(operation.error());
+  return withDocument(program, options.path, false, [&](OpenDocument& opened) -> int {
+    if (const Done amended = amendStep(opened, options.step, *std::move(operation)); !amended)
+      return program.console.refuse(amended.error());
+    const Document& document = opened.document();
+    program.console.answer({{"operations", document.operations}, {"hash", hash(document)}}, opened.file().log());
+    return document.drape.last && !document.drape.last->settled ? kNotSettled : kDone;
   });
 }
 
@@ -408,6 +424,13 @@ void addDocumentVerbs(Program& program) {
   program.verb(program.cli, "redo", help("Does again what was taken back"), redo, runTurn<&DocumentFile::redo>)
       ->add_option("document", redo->path, help("The .karinui document"))
       ->required();
+  auto amend = std::make_shared<AmendOptions>();
+  verb = program.verb(program.cli, "amend", help("Makes a step another one; those after it are played again"), amend,
+                      runAmend);
+  verb->add_option("document", amend->path, help("The .karinui document"))->required();
+  verb->add_option("step", amend->step, help("Which step, from 1, as log numbers them"))->required();
+  verb->add_option("operation", amend->operation, help("'OP key=value …', as it should have been"))->required();
+  verb->footer([amend] { return vocabulary(amend->path); });
   program.verb(program.cli, "log", help("Writes the operations as a script that play reads"), log, runLog)
       ->add_option("document", log->path, help("The .karinui document"))
       ->required();

@@ -200,6 +200,15 @@ class Server {
     answer["operation"] = text(step->operation);
     return answer;
   }
+  Result<Json> amended(Fields& fields, StopRequest&) {
+    const auto which = fields.number("step", 1, 1e6);
+    const std::string line = fields.needed("operation");
+    if (const Done fit = fields.checked(); !fit) return fit.error();
+    auto operation = parseOperation(line);
+    if (!operation) return operation.error();
+    const Done done = amendStep(*opened_, static_cast<std::size_t>(which.value_or(0)), *std::move(operation));
+    return done ? Result<Json>(state()) : done.error();
+  }
   Result<Json> settle(Fields& fields, StopRequest& stop) {
     const bool again = fields.flag("again");
     if (const Done fit = fields.checked(); !fit) return fit.error();
@@ -289,7 +298,7 @@ class Server {
     std::string_view name;
     Result<Json> (Server::*work)(Fields&, StopRequest&);
   };
-  static const Request kRequests[13];
+  static const Request kRequests[14];
 
   Program& program_;
   std::optional<OpenDocument> opened_;
@@ -304,9 +313,10 @@ class Server {
   StopRequest* stop_ = nullptr;
 };
 
-const Server::Request Server::kRequests[13] = {{"perform", &Server::operation},
+const Server::Request Server::kRequests[14] = {{"perform", &Server::operation},
                                                {"undo", &Server::turned<&DocumentFile::undo>},
                                                {"redo", &Server::turned<&DocumentFile::redo>},
+                                               {"amend", &Server::amended},
                                                {"settle", &Server::settle},
                                                {"check", &Server::check},
                                                {"info", &Server::info},

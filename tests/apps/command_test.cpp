@@ -51,8 +51,8 @@ class Command : public testing::Test {
 TEST_F(Command, TeachesWhenAskedAndRefusesWrongCalls) {
   const Said help = karinui("--help");
   EXPECT_EQ(help.exit, 0);
-  for (const char* verb : {"body", "play", "do", "undo", "redo", "log", "import", "settle", "check", "info", "export",
-                           "picture", "bench"}) {
+  for (const char* verb : {"body", "play", "do", "undo", "redo", "amend", "log", "import", "settle", "check", "info",
+                           "export", "picture", "bench"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
   }
   EXPECT_EQ(karinui("").exit, 2);
@@ -278,6 +278,27 @@ TEST_F(Command, UndoAndRedoSurviveClosing) {
   EXPECT_EQ(karinui("redo " + document()).exit, 0);
   EXPECT_EQ(karinui("info " + document() + " --json").json()["hash"], renamed);
   EXPECT_EQ(karinui("redo " + document()).exit, 3);
+}
+
+TEST_F(Command, AmendsAStepAndPlaysThoseAfterIt) {
+  ASSERT_EQ(
+      play("set spacing=30mm\npiece name=flap outline=\"M 0 0; low L 400 0; side L 400 500; top L 0 500; left L 0 0\"\n"
+           "rename piece=flap to=pocket\n")
+          .exit,
+      0);
+  const std::string log = karinui("log " + document()).out;
+  const Said said = karinui("amend " + document() + " 1 'set spacing=20mm' --json");
+  ASSERT_EQ(said.exit, 0) << said.err;
+  EXPECT_EQ(said.json()["operations"], 3);
+  const std::string now = karinui("log " + document()).out;
+  EXPECT_THAT(now, AllOf(HasSubstr("set spacing=20mm"), HasSubstr("to=pocket"), Not(HasSubstr("spacing=30mm"))));
+  const Said gone = karinui("amend " + document() + " 9 'set spacing=20mm'");
+  EXPECT_EQ(gone.exit, 3);
+  EXPECT_THAT(gone.err, HasSubstr("There is no step 9; the document has 3"));
+  const Said refused = karinui("amend " + document() + " 2 'set spacing=10mm'");  // what step 3 renames is then missing
+  EXPECT_EQ(refused.exit, 3);
+  EXPECT_THAT(refused.err, HasSubstr("Step 3"));
+  EXPECT_EQ(karinui("log " + document()).out, now) << "all or nothing";
 }
 
 TEST_F(Command, TellsTheNamesThatItGivesAwayOrGivesNone) {

@@ -77,6 +77,7 @@ TEST_F(Network, NoVerbOpensASocket) {
            {"settle", " " + d},
            {"undo", " " + d},
            {"redo", " " + d},
+           {"amend", " " + d + " 1 'body size=eu38'"},
            {"log", " " + d},
            {"variables", " " + d},
            {"truing", " " + d},
