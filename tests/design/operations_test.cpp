@@ -231,6 +231,24 @@ std::vector<std::string> folders() {
   std::sort(all.begin(), all.end());
   return all;
 }
+TEST(Pieces, AreNoMoreThanAThousand) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file, "piece name=a outline=\"M 0 0; low L 10 0; side L 10 10; left L 0 0\"\n"));
+  Document full = file.document();
+  for (std::uint64_t k = 2; k <= 1000; ++k) {
+    Piece piece = *full.pattern.pieces.begin()->second;
+    piece.id = PieceId{(k << 40)};
+    piece.name = "a" + std::to_string(k);
+    full.pattern.pieces[piece.id] = std::make_shared<const Piece>(std::move(piece));
+  }
+  const auto done = [&](const char* line) { return apply(full, *parseOperation(line), room.context); };
+  const auto one = done("duplicate piece=a");
+  ASSERT_FALSE(one);
+  EXPECT_THAT(text(one.error().what), testing::HasSubstr("no more than 1000 pieces, and this would make 1001"));
+  EXPECT_TRUE(done("remove piece=a2")) << "what makes none is not refused";
+}
+
 INSTANTIATE_TEST_SUITE_P(Folders, EachOperation, ::testing::ValuesIn(folders()), [](const auto& p) { return p.param; });
 
 }  // namespace
