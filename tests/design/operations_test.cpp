@@ -234,7 +234,7 @@ std::vector<std::string> folders() {
 TEST(Pieces, AreNoMoreThanAThousand) {
   Workroom room;
   DocumentFile file = DocumentFile::inMemory();
-  ASSERT_TRUE(room.play(file, "piece name=a outline=\"M 0 0; low L 10 0; side L 10 10; left L 0 0\"\n"));
+  ASSERT_TRUE(room.play(file, "piece name=a outline=\"M 0 0; low L 20 0; side L 20 20; left L 0 0\"\n"));
   Document full = file.document();
   for (std::uint64_t k = 2; k <= 1000; ++k) {
     Piece piece = *full.pattern.pieces.begin()->second;
