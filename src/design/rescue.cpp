@@ -65,6 +65,9 @@ Result<std::set<std::uint64_t>> reachable(const std::filesystem::path& copy, con
   return had;
 }
 
+// Whether it is said of a damaged file to rescue what is whole of it.
+bool adviseRescue(const Error& why) { return why.what.pattern.find("karinui rescue") != std::string::npos; }
+
 // What the damaged file keeps, to be read only.
 struct StoredBlobs : Blobs {
   const Store& store;
@@ -115,11 +118,11 @@ Result<std::size_t> makeAnew(const Document& garment, const Store& damaged, cons
 }  // namespace
 
 Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem::path& to, Context& context) {
-  const auto damaged = Store::openDamaged(from);
-  if (!damaged) return damaged.error();
-  auto rows = wholeRows(*damaged);
   const Error nothing = badInput(say(
       "Not one step of “{0}” is whole; nothing could be saved. Take an older copy of it.", from.filename().string()));
+  const auto damaged = Store::openDamaged(from);
+  if (!damaged) return adviseRescue(damaged.error()) ? nothing : damaged.error();
+  auto rows = wholeRows(*damaged);
   const auto write = [&]() -> Done {
     auto fresh = Store::create(to);
     return fresh ? copy(*damaged, rows, *fresh) : Done(fresh.error());

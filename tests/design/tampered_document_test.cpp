@@ -310,6 +310,16 @@ TEST_F(TamperedDocument, AWholeFileIsSavedWholeWithoutDrapingAgain) {
   EXPECT_THAT(remarks(*file), IsEmpty());
 }
 
+// What opening advises is not advised again by what was advised.
+TEST_F(TamperedDocument, WhatCannotBeReadAtAllIsSaidToBeLost) {
+  write(bytes().substr(0, bytes().size() / 2));
+  EXPECT_THAT(text(DocumentFile::open(path_).error().what), HasSubstr("karinui rescue"));
+  const auto rescued = rescue(path_, folder_ / "saved.karinui", room_.context);
+  ASSERT_FALSE(rescued);
+  EXPECT_THAT(text(rescued.error().what), HasSubstr("Take an older copy"));
+  EXPECT_FALSE(fs::exists(folder_ / "saved.karinui"));
+}
+
 // Whoever opens the document makes the part anew; a dump would refuse its name.
 TEST_F(TamperedDocument, APartOfADamagedNameIsNotSaved) {
   const fs::path saved = folder_ / "saved.karinui";
