@@ -55,6 +55,7 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
     sex_->addItem(inWords(say("as the size")));
     sex_->addItem(inWords(say("female")));
     sex_->addItem(inWords(say("male")));
+    sex_->addItem(inWords(say("child")));
     sex_->setCurrentIndex(std::max(0, was));
   });
   imported_ = new QLabel;
@@ -246,7 +247,7 @@ SetBody BodyPanel::wished() const {
   SetBody body;
   if (size_->currentIndex() > 0)
     body.size = std::string(builtInSizes()[static_cast<std::size_t>(size_->currentIndex() - 1)]);
-  if (sex_->currentIndex() > 0) body.sex = sex_->currentIndex() == 1 ? Sex::Female : Sex::Male;
+  if (sex_->currentIndex() > 0) body.sex = kSexes[sex_->currentIndex() - 1];
   body.form = dressForm_->isChecked();
   for (const auto& [key, row] : rows_)
     if (const auto metres = row->stated()) body.set.push_back({key, {*metres}, row->formula()});
@@ -296,7 +297,7 @@ void BodyPanel::fill() {
     const auto size = std::find(sizes.begin(), sizes.end(), now->size);
     size_->setCurrentIndex(size == sizes.end() ? 0 : static_cast<int>(size - sizes.begin()) + 1);
     dressForm_->setChecked(now->form);
-    sex_->setCurrentIndex(!now->sex ? 0 : *now->sex == Sex::Female ? 1 : 2);
+    sex_->setCurrentIndex(now->sex ? static_cast<int>(*now->sex) + 1 : 0);
   }
   const BodyPtr& body = session_.snapshot().body;
   SetBody worn = now ? *now : SetBody();

@@ -29,13 +29,14 @@ Result<Measurements> wanted(Program& program, const MakeOptions& options) {
     if (!size) return size.error();
     measurements = std::move(*size);
   }
+  std::map<std::string, double> own;
   if (!options.measures.empty()) {
     Result<Measurements> read = readFigureMeasures(program, options.measures);
     if (!read) return read.error();
     measurements.sex = read->sex;
-    for (const auto& [key, value] : read->value) measurements.value[key] = value;
+    own = std::move(read->value);
   }
-  if (!options.sex.empty()) measurements.sex = options.sex == "male" ? Sex::Male : Sex::Female;
+  if (!options.sex.empty()) measurements.sex = *sexNamed(options.sex);
   for (const std::string& stated : options.set) {
     const std::size_t is = stated.find('=');
     if (is == std::string::npos) {
@@ -45,8 +46,9 @@ Result<Measurements> wanted(Program& program, const MakeOptions& options) {
     if (!key) return key.error();
     const Result<double> value = parseLength(stated.substr(is + 1));
     if (!value) return value.error();
-    measurements.value[*key] = *value;
+    own[*key] = *value;
   }
+  measurements = withOwn(std::move(measurements), own);
   if (measurements.value.empty()) {
     return badInput(say("Say which body: --size jis9ar, --size eu38, --size eu50, or --set bust_girth=88cm …"));
   }
@@ -95,12 +97,12 @@ void addBodyVerbs(Program& program) {
 
   auto make = std::make_shared<MakeOptions>();
   CLI::App* verb = program.verb(*body, "make", help("Makes a mannequin from measurements"), make, runMake);
-  verb->add_option("--size", make->size, help("A built-in size: jis9ar, eu38, eu50"));
+  verb->add_option("--size", make->size, help("A built-in size: jis9ar, eu38, eu50, child110, child128, child146"));
   verb->add_option("--measures", make->measures,
                    help(say("A file of measures: {0}, .json", listed(endingsRead({FileContent::Measures})))));
   verb->add_option("--set", make->set, help("Measurements: bust_girth=88cm …"));
-  verb->add_option("--sex", make->sex, help("female or male: which family of shapes"))
-      ->check(CLI::IsMember({"female", "male"}));
+  verb->add_option("--sex", make->sex, help("female, male or child: which family of shapes"))
+      ->check(CLI::IsMember({"female", "male", "child"}));
   verb->add_flag("--form", make->form, help("A dress form on a stand instead of a whole figure"));
   verb->add_option("-o,--output", make->out, help("The OBJ file"))->required();
 

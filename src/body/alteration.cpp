@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace karinui {
 
@@ -54,7 +55,10 @@ class Altering {
     levels();
     lengths();
     girthsOfTorso();
-    narrowestAtTheWaist();
+    if (own("belly_girth"))
+      belly();
+    else
+      narrowestAtTheWaist();
     girthsOfLeg();
     girthsOfArm();
     return std::move(figure_);
@@ -119,6 +123,7 @@ class Altering {
   void girthsOfTorso() {
     const bool female = figure_.sex == Sex::Female;
     const double hip = by("hip_girth"), bust = by("bust_girth"), neck = by("neck_girth"), height = at_.crown;
+    const double lower = kAdultChin - figure_.chin;  // a child's neck, as its chin
     std::vector<Knot> knots{{at_.crotch - 0.1, hip},
                             {std::lerp(at_.crotch, at_.waist, 0.25), hip},
                             {at_.waist, by("waist_girth")},
@@ -126,14 +131,38 @@ class Altering {
                             {at_.shoulder.y, 0.5 * bust},
                             {std::lerp(at_.shoulder.y, at_.neck, 0.55), 0},
                             {at_.neck, 0.8 * neck},
-                            {0.858 * height, neck},
-                            {0.884 * height, neck},
-                            {std::max(at_.head, 0.89 * height) + 0.02 * height, 0}};
+                            {(0.858 - lower) * height, neck},
+                            {(0.884 - lower) * height, neck},
+                            {std::max(at_.head, (0.89 - lower) * height) + 0.02 * height, 0}};
     if (own("under_bust_girth"))
       knots.push_back({std::max(at_.bust - 0.075, std::lerp(at_.waist, at_.bust, 0.35)), by("under_bust_girth")});
     const Profile profile(knots);
     const auto stood = torsoSections(figure_);
     for (std::size_t i = 0; i < stood.size(); ++i) scale(figure_.torso.station[i], profile.at(stood[i].centre.y));
+  }
+
+  // A belly, of a child to come or of good living: the front grows most at the navel and not at all at ribs and groin,
+  // the sides follow, the back stays. r(t) (1 + b v(y) f(t)), f(t) = ((1 + cos t) / 2)^2; v falls off as a cosine
+  // squared.
+  void belly() {
+    constexpr double kOfGirth = 3;  // of the front, for one of the girth
+    const double low = std::lerp(at_.crotch, at_.waist, 0.18), navel = std::lerp(at_.crotch, at_.waist, 0.8),
+                 high = at_.bust - 0.03 * at_.crown;
+    const auto stood = torsoSections(figure_);
+    const int m = figure_.torso.harmonics.count;
+    for (std::size_t i = 0; i < stood.size(); ++i) {
+      const double y = stood[i].centre.y, off = (y - navel) / (y > navel ? high - navel : navel - low);
+      if (std::abs(off) >= 1) continue;
+      const double fall = std::cos(off * std::numbers::pi / 2), amount = kOfGirth * by("belly_girth") * fall * fall;
+      const double even = 0.375, once = 0.5, twice = 0.125;  // of f: 1, cos t, cos 2t
+      const Coefficients before = figure_.torso.station[i].shape;
+      Coefficients& shape = figure_.torso.station[i].shape;
+      // cos kt cos jt = (cos (k+j)t + cos (k-j)t) / 2; harmonics beyond the last are dropped.
+      for (int k = 0; k <= m; ++k)
+        for (const auto& [j, share] : {std::pair{0, even}, {1, once}, {2, twice}})
+          for (const int to : {k + j, std::abs(k - j)})
+            if (to <= m) shape[to] += amount * share * before[k] / 2;
+    }
   }
 
   // Ribs drawn slimmer than the waist would be found by the tape as the waist: they are let out to a shallow bowl

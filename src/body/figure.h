@@ -48,11 +48,14 @@ struct Limb {  // torso, arm, leg or foot: fractions and regions are the model's
   std::vector<Station> station;
 };
 
+inline constexpr double kAdultChin = 0.874;  // its height, of the body's
+
 struct Figure {
   Sex sex = Sex::Female;
   Joints at;
   Limb torso, arm, leg, foot;
   std::array<double, 2> thumbRadius{};
+  double chin = kAdultChin;
 };
 
 // Where the stations stand, in order; the arm plane in which trunk and arm are cut apart.

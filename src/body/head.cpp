@@ -7,7 +7,6 @@ namespace karinui {
 
 namespace {
 
-constexpr double kChin = 0.874;   // of the height
 constexpr double kSection = 0.4;  // of the way from head joint to crown: where breadth and depth are taken
 // The skin is cut above the tape around the neck, in its direction (anthropometry/shoulders.cpp): it measures the same.
 constexpr Vec3 kNeckNormal{0, 0.935, 0.355};
@@ -19,7 +18,7 @@ constexpr double kCell = 0.047;                // of the head
 
 Extremity headOf(const Figure& figure, double neckHeight) {
   const Joints& at = figure.at;
-  const double size = (1 - kChin) * at.crown, chin = kChin * at.crown;
+  const double size = (1 - figure.chin) * at.crown, chin = figure.chin * at.crown;
   std::size_t widest = 0;
   for (std::size_t i = 0; i < figure.torso.station.size(); ++i)
     if (figure.torso.region[i] == "head" && figure.torso.fraction[i] <= kSection) widest = i;

@@ -110,6 +110,8 @@ std::vector<Target> targetsFor(const Measurements& stated, const Measurements& c
   std::vector<Target> targets;
   for (const auto& [key, value] : stated.value)
     if (key != "height") targets.push_back({key, value, true});
+  if (stated.value.contains("belly_girth"))  // the waist is what the belly leaves of it
+    for (const char* key : {"waist_girth", "waist_height"}) follows.erase(key);
   for (const auto& [key, value] : follows)
     if (!stated.value.contains(key)) targets.push_back({key, value, false});
   return targets;

@@ -29,6 +29,8 @@ constexpr std::array kNames{
          0.27, 0.85, true},
     Name{"armpit_height", "height_armpit", 0.68, 1.75, true},
     Name{"back_waist_length", "back_length hps_to_waist_back neck_back_to_waist_b", 0.20, 0.62, true},
+    Name{"belly_girth", "belly abdomen abdomen_girth tummy stomach maternity_waist", 0.45, 1.70, true},
+    Name{"belly_height", "", 0.40, 1.40},
     Name{"bust_girth", "bust chest chest_girth bust_circ", 0.48, 1.60, true},
     Name{"bust_height", "height_bustpoint chest_height bust_line_height", 0.64, 1.70, true},
     Name{"bust_span", "bust_points bustpoint_to_bustpoint bust_point_to_bust_point", 0.08, 0.40},
@@ -160,21 +162,53 @@ Message measureSaid(std::string_view key, double value) {
   return isAngle(key) ? say("{0}°", fixed(value / kDegree, 0)) : say("{0} cm", fixed(value * 100, 1));
 }
 
+std::optional<Sex> sexNamed(std::string_view name) {
+  for (const Sex sex : kSexes)
+    if (sexName(sex) == name) return sex;
+  return std::nullopt;
+}
+
+namespace {
+
+// JIS L 4005 9AR (waist of the twenties), German women's 38, European men's 50, children by their height.
+struct Size {
+  std::string_view name;
+  Sex sex;
+  double bust, waist, hip, height;
+};
+constexpr Size kSizes[] = {
+    {"jis9ar", Sex::Female, 0.83, 0.64, 0.91, 1.58},  {"eu38", Sex::Female, 0.88, 0.72, 0.97, 1.68},
+    {"eu50", Sex::Male, 1.00, 0.88, 1.02, 1.78},      {"child110", Sex::Child, 0.58, 0.54, 0.61, 1.10},
+    {"child128", Sex::Child, 0.65, 0.59, 0.70, 1.28}, {"child146", Sex::Child, 0.73, 0.64, 0.79, 1.46},
+};
+
+}  // namespace
+
 std::span<const std::string_view> builtInSizes() {
-  static constexpr std::string_view kSizes[] = {"jis9ar", "eu38", "eu50"};
-  return kSizes;
+  static constexpr auto kNames = [] {
+    std::array<std::string_view, std::size(kSizes)> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = kSizes[i].name;
+    return names;
+  }();
+  return kNames;
 }
 
 Result<Measurements> builtInSize(std::string_view name) {
-  // JIS L 4005 9AR (waist of the twenties), German women's 38, European men's 50.
-  const auto of = [](Sex sex, double bust, double waist, double hip, double height) {
-    return Measurements{sex, {{"bust_girth", bust}, {"waist_girth", waist}, {"hip_girth", hip}, {"height", height}}};
-  };
-  const std::string size = plain(name);
-  if (size == "jis9ar") return of(Sex::Female, 0.83, 0.64, 0.91, 1.58);
-  if (size == "eu38") return of(Sex::Female, 0.88, 0.72, 0.97, 1.68);
-  if (size == "eu50") return of(Sex::Male, 1.00, 0.88, 1.02, 1.78);
-  return notFound(say("There is no size called \"{0}\". Sizes: jis9ar, eu38, eu50.", name.substr(0, 80)));
+  std::string names;
+  for (const Size& size : kSizes) {
+    if (size.name == plain(name))
+      return Measurements{
+          size.sex,
+          {{"bust_girth", size.bust}, {"waist_girth", size.waist}, {"hip_girth", size.hip}, {"height", size.height}}};
+    names += (names.empty() ? "" : ", ") + std::string(size.name);
+  }
+  return notFound(say("There is no size called \"{0}\". Sizes: {1}.", name.substr(0, 80), names));
+}
+
+Measurements withOwn(Measurements size, const std::map<std::string, double>& own) {
+  if (own.contains("belly_girth")) size.value.erase("waist_girth");
+  for (const auto& [key, value] : own) size.value[key] = value;
+  return size;
 }
 
 Done plausible(const Measurements& stated) {
@@ -193,19 +227,35 @@ Done plausible(const Measurements& stated) {
     double most;  // smaller / larger at the most
   };
   static constexpr Order kOrders[] = {
-      {"crotch_height", "waist_height", 0.90},  {"waist_height", "bust_height", 0.96},
-      {"waist_height", "armpit_height", 0.96},  {"bust_height", "armpit_height", 0.998},
-      {"armpit_height", "height", 0.82},        {"crotch_height", "height", 0.56},
-      {"waist_height", "height", 0.72},         {"bust_height", "height", 0.80},
-      {"under_bust_girth", "bust_girth", 1.02}, {"neck_girth", "bust_girth", 0.60},
-      {"upper_arm_girth", "bust_girth", 0.50},  {"wrist_girth", "upper_arm_girth", 0.95},
-      {"elbow_girth", "upper_arm_girth", 1.15}, {"wrist_girth", "elbow_girth", 0.95},
-      {"thigh_girth", "hip_girth", 0.75},       {"knee_girth", "thigh_girth", 0.95},
-      {"ankle_girth", "calf_girth", 0.90},      {"arm_joint_length", "height", 0.36},
-      {"arm_length", "height", 0.39},           {"arm_joint_length", "arm_length", 1.0},
-      {"shoulder_width", "height", 0.30},       {"waist_girth", "hip_girth", 1.45},
-      {"waist_girth", "bust_girth", 1.35},      {"hip_girth", "height", 0.95},
-      {"bust_girth", "height", 0.95},           {"waist_girth", "height", 0.90},
+      {"crotch_height", "waist_height", 0.90},
+      {"waist_height", "bust_height", 0.96},
+      {"waist_height", "armpit_height", 0.96},
+      {"bust_height", "armpit_height", 0.998},
+      {"armpit_height", "height", 0.82},
+      {"crotch_height", "height", 0.56},
+      {"waist_height", "height", 0.72},
+      {"bust_height", "height", 0.80},
+      {"under_bust_girth", "bust_girth", 1.02},
+      {"neck_girth", "bust_girth", 0.60},
+      {"upper_arm_girth", "bust_girth", 0.50},
+      {"wrist_girth", "upper_arm_girth", 0.95},
+      {"elbow_girth", "upper_arm_girth", 1.15},
+      {"wrist_girth", "elbow_girth", 0.95},
+      {"thigh_girth", "hip_girth", 0.75},
+      {"knee_girth", "thigh_girth", 0.95},
+      {"ankle_girth", "calf_girth", 0.90},
+      {"arm_joint_length", "height", 0.36},
+      {"arm_length", "height", 0.39},
+      {"arm_joint_length", "arm_length", 1.0},
+      {"shoulder_width", "height", 0.30},
+      {"waist_girth", "hip_girth", 1.45},
+      {"waist_girth", "bust_girth", 1.35},
+      {"belly_girth", "height", 0.95},
+      {"belly_girth", "hip_girth", 1.45},
+      {"waist_girth", "belly_girth", 1.0},
+      {"hip_girth", "height", 0.95},
+      {"bust_girth", "height", 0.95},
+      {"waist_girth", "height", 0.90},
       {"bust_girth", "hip_girth", 1.50},
   };
   for (const Order& order : kOrders) {

@@ -37,6 +37,17 @@ std::string keyOfRule(const std::string& rule) {
   return rule;
 }
 
+// Girths of children by their height: lines through size tables from 1.10 to 1.52 m, girls and boys together.
+struct Usual {
+  const char* key;
+  double of110, more;  // metres at 1.10 m, and for each metre beyond
+  double at(double height) const { return of110 + more * (height - 1.10); }
+};
+constexpr Usual kUsualOfChildren[] = {
+    {"bust_girth", 0.575, 0.43}, {"waist_girth", 0.54, 0.28},      {"hip_girth", 0.61, 0.51},
+    {"neck_girth", 0.265, 0.11}, {"upper_arm_girth", 0.175, 0.13}, {"wrist_girth", 0.120, 0.064},
+};
+
 double distanceOf(const Row& p, const std::vector<Row>& inverse) {
   double sum = 0;
   for (std::size_t i = 0; i < inverse.size(); ++i)
@@ -107,9 +118,11 @@ Measurements SectionModel::completed(const Measurements& stated) const {
     double sum = 0, count = 0;
     for (const auto& [key, share] : kShares)
       if (const auto it = value.find(key); it != value.end()) sum += it->second / share, ++count;
-    value["height"] = count > 0 ? sum / count : sex_ == Sex::Female ? 1.65 : 1.77;
+    value["height"] = count > 0 ? sum / count : sex_ == Sex::Female ? 1.65 : sex_ == Sex::Male ? 1.77 : 1.28;
   }
   const double height = value["height"];
+  if (sex_ == Sex::Child)
+    for (const Usual& line : kUsualOfChildren) value.emplace(line.key, line.at(height));
   // A missing girth is the likeliest one given the stated: the least distance from the middle of what was seen. The
   // share of what is stated is solved by setting the gradient of p' A p with respect to the missing entries to zero.
   std::vector<std::size_t> missing;
@@ -128,6 +141,10 @@ Measurements SectionModel::completed(const Measurements& stated) const {
       p[i] = -others / inverseCovariance_[i][i];
     }
   for (const std::size_t i : missing) value[keys_[i]] = (p[i] + mean_[i]) * height;
+  // Above a belly the waist is wider than it usually is: a man's by half of what the belly has more; a woman's, who may
+  // expect a child, by a fifth. Chosen by what figures look like.
+  if (const auto belly = value.find("belly_girth"); belly != value.end() && !stated.value.contains("waist_girth"))
+    value["waist_girth"] += (sex_ == Sex::Female ? 0.2 : 0.5) * std::max(0.0, belly->second - value["waist_girth"]);
   if (sex_ == Sex::Female && !stated.value.contains("under_bust_girth"))
     value["under_bust_girth"] = defaultUnderbust_[0] * height + defaultUnderbust_[1] * value["bust_girth"] +
                                 defaultUnderbust_[2] * value["waist_girth"] + defaultUnderbust_[3] * value["hip_girth"];
@@ -157,6 +174,10 @@ std::map<std::string, double> SectionModel::usual(const Measurements& complete) 
   }
   // Necks, arms and wrists of the described figures are thinner than those of the people in size tables; these lines
   // run through the tables' women (bust 83 to 116 cm) and men (chest 94 to 100 cm).
+  if (sex_ == Sex::Child) {
+    for (const Usual& line : kUsualOfChildren) out[std::string(line.key)] = line.at(height);
+    return out;
+  }
   const bool female = sex_ == Sex::Female;
   out["neck_girth"] = 0.19 * bust + 0.10 * height + (female ? 0.012 : 0.032);
   out["upper_arm_girth"] = 0.36 * bust - (female ? 0.036 : 0.042);
@@ -221,6 +242,36 @@ void calmThumb(Joints& at) {
   }
 }
 
+// A child's legs are shorter for its height, its shoulders narrower and its head is larger. Heights between floor,
+// crotch, chin and crown are stretched evenly; shares of the height at 1.10 m, and at 1.52 m from where on they are an
+// adult's. Arms and shoulders are those of JIS L 4002 (at 1.10 m 35 and 27 cm).
+void takeChildsProportions(Figure& figure) {
+  Joints& at = figure.at;
+  const double height = at.crown, grown = std::clamp((height - 1.10) / (1.52 - 1.10), 0.0, 1.0);
+  const double crotchWas = at.crotch, crotch = std::lerp(0.443, std::max(0.443, crotchWas / height), grown) * height;
+  const double chinWas = figure.chin * height, chin = std::lerp(0.828, 0.864, grown) * height;
+  const auto level = [&](double y) {
+    if (y <= crotchWas) return y * crotch / crotchWas;
+    if (y <= chinWas) return std::lerp(crotch, chin, (y - crotchWas) / (chinWas - crotchWas));
+    return std::lerp(chin, height, (y - chinWas) / (height - chinWas));
+  };
+  constexpr double kArm = 1.07, kShoulders = 0.91;
+  const Vec3 shoulder = at.shoulder, now{shoulder.x * kShoulders, level(shoulder.y), shoulder.z};
+  for (Vec3* joint : {&at.elbow, &at.wrist, &at.tip}) *joint = now + (*joint - shoulder) * kArm;
+  for (Vec3& joint : at.thumb) joint = now + (joint - shoulder) * kArm;
+  for (Vec3* joint : {&at.shoulder, &at.armpit, &at.hip, &at.knee, &at.ankle}) joint->y = level(joint->y);
+  at.shoulder.x = now.x, at.armpit.x *= kShoulders;
+  for (double* y : {&at.waist, &at.bust, &at.neck, &at.head}) *y = level(*y);
+  at.crotch = crotch, figure.chin = chin / height;
+  const double larger = (height - chin) / (height - chinWas);
+  for (std::size_t i = 0; i < figure.torso.station.size(); ++i) {
+    if (figure.torso.region[i] != "head") continue;
+    const double by = std::lerp(1, larger, std::min(1.0, figure.torso.fraction[i] / 0.15));
+    for (double& c : figure.torso.station[i].shape) c *= by;
+    figure.torso.station[i].forward *= by;
+  }
+}
+
 }  // namespace
 
 Figure SectionModel::draw(const Measurements& complete) const {
@@ -256,6 +307,7 @@ Figure SectionModel::draw(const Measurements& complete) const {
   calmHead(figure);
   calmThumb(at);
   figure.thumbRadius = {thumbRadius_[0] * height, thumbRadius_[1] * height};
+  if (sex_ == Sex::Child) takeChildsProportions(figure);
   return figure;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The statistical description of adult figures (data/body_sections.json): given girths and height it draws the figure,
-// and says the girths and lengths that usually go with them. Built from the embedded text; a plain value.
+// and says the girths and lengths that usually go with them. A child is drawn as a man with a child's proportions.
+// Built from the embedded text; a plain value.
 #include <map>
 #include <string>
 #include <vector>

@@ -31,6 +31,7 @@ class Paths {
       return line(std::string(key.substr(0, key.size() - 6)) + "_left");
     if (key == "shoulder_length") return line("shoulder_left");
     if (key == "high_hip_girth") return level("high_hip_height", {});
+    if (key == "belly_girth") return level("belly_height", {});
     if (key == "calf_girth") return level("calf_height", "ankle_left");
     if (key == "thigh_girth") return thigh();
     if (key == "neck_girth") return neck();
@@ -147,6 +148,7 @@ Message tapeSaid(std::string_view key) {
   if (key == "bust_girth") return say("Level round the fullest part of the bust, or of the chest.");
   if (key == "under_bust_girth") return say("Level round the ribs, close under the bust.");
   if (key == "waist_girth") return say("Level round the narrowest part between hip and ribs.");
+  if (key == "belly_girth") return say("Level round the belly, where it stands out farthest.");
   if (key == "high_hip_girth") return say("Level round the hip bones.");
   if (key == "hip_girth") return say("Level round the fullest part of the seat.");
   if (key == "neck_girth") return say("Round the middle of the neck, leaning forward as it does.");

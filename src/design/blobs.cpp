@@ -50,7 +50,8 @@ Result<Body::Parts> unpackBody(std::string_view bytes) {
   for (Vec3& p : parts.mesh.points) p = r.vec3();
   parts.mesh.faces.resize(r.count(12));
   for (Triangle& t : parts.mesh.faces) t = r.triangle(parts.mesh.points.size());
-  parts.measured.sex = r.number<std::uint8_t>() == 0 ? Sex::Female : Sex::Male;
+  const auto sex = r.number<std::uint8_t>();
+  parts.measured.sex = sex == 0 ? Sex::Female : sex == 2 ? Sex::Child : Sex::Male;
   for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
     const std::string key = r.text();
     parts.measured.value[key] = r.number<double>();

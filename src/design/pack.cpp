@@ -199,18 +199,21 @@ Grading readGrading(Reader& r) {
 }
 
 // What the byte before the measures says; files from before there were dress forms hold 0 or 1.
-constexpr std::uint8_t kMale = 1, kForm = 2;
+constexpr std::uint8_t kMale = 1, kForm = 2, kChild = 4;
 
 void addMeasured(Writer& w, const BodyChoice& body) {
   const Measurements& m = body.measurements;
-  w.add(static_cast<std::uint8_t>((m.sex == Sex::Male ? kMale : 0) | (body.form ? kForm : 0)));
+  w.add(static_cast<std::uint8_t>((m.sex == Sex::Male    ? kMale
+                                   : m.sex == Sex::Child ? kChild
+                                                         : 0) |
+                                  (body.form ? kForm : 0)));
   w.add(std::uint64_t{m.value.size()});
   for (const auto& [key, value] : m.value) w.add(key).add(value);
 }
 void readMeasured(Reader& r, BodyChoice& body) {
   Measurements& m = body.measurements;
   const auto flags = r.number<std::uint8_t>();
-  m.sex = flags & kMale ? Sex::Male : Sex::Female;
+  m.sex = flags & kMale ? Sex::Male : flags & kChild ? Sex::Child : Sex::Female;
   body.form = (flags & kForm) != 0;
   for (std::size_t n = r.count(16); n > 0 && r.good(); --n) {
     const std::string key = r.text();

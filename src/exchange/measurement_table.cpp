@@ -121,6 +121,8 @@ std::optional<Sex> sexOf(std::string_view cell) {
     if (cell == word) return Sex::Female;
   for (const std::string_view word : {"male", "m", "M", "Male", "man"})
     if (cell == word) return Sex::Male;
+  for (const std::string_view word : {"child", "c", "C", "Child", "girl", "boy"})
+    if (cell == word) return Sex::Child;
   return std::nullopt;
 }
 

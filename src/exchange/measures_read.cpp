@@ -198,9 +198,9 @@ Result<MeasuresRead> readMeasuresText(std::string_view bytes) {
       return at(say("“{0}” is not a measurement; write it like bust_girth=88cm.", shown(text)));
     const std::string_view name = trimmed(text.substr(0, is)), value = trimmed(text.substr(is + 1));
     if (name == "sex") {
-      if (value != "female" && value != "male")
-        return at(say("“{0}” is not one of: {1}.", shown(value), "female, male"));
-      read.measures.sex = value == "male" ? Sex::Male : Sex::Female;
+      const auto sex = sexNamed(value);
+      if (!sex) return at(say("“{0}” is not one of: {1}.", shown(value), "female, male, child"));
+      read.measures.sex = *sex;
       continue;
     }
     const auto key = measurementKey(name);

@@ -28,7 +28,10 @@ std::string lines(const Measurements& measures) {
   return all;
 }
 
-std::string gender(const Measurements& measures) { return measures.sex == Sex::Male ? "male" : "female"; }
+// Valentina and Seamly2D know no children.
+std::string gender(const Measurements& measures) {
+  return std::string(measures.sex == Sex::Child ? "unknown" : sexName(measures.sex));
+}
 
 // The files of Valentina and of Seamly2D differ in their root, its version and how they name the person.
 std::string valentinaFile(const std::string& root, const std::string& version, const std::string& person,
@@ -46,7 +49,9 @@ bool json(const std::filesystem::path& file) { return hasEnding(file, fileFormat
 }  // namespace
 
 std::string writeMeasuresText(const Measurements& measures) {
-  std::string all = "# Measures of a figure. Lengths: mm, cm, m, in; angles: deg.\nsex = " + gender(measures) + "\n";
+  std::string all =
+      "# Measures of a figure. Lengths: mm, cm, m, in; angles: deg.\nsex = " + std::string(sexName(measures.sex)) +
+      "\n";
   for (const auto& [key, value] : measures.value)
     all += key + " = " + inCentimetres(key, value) + (isAngle(key) ? "deg\n" : "cm\n");
   return all;

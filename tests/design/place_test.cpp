@@ -206,5 +206,27 @@ TEST_F(Placed, AShirtBlockComesToRest) {
   EXPECT_NEAR(middle("sleeve_left").x, -middle("sleeve_right").x, 0.02);
 }
 
+// Over a belly wider than the hip a shirt is as wide as that, and its hem comes below it.
+TEST_F(Placed, AShirtBlockGoesOverABelly) {
+  const auto drafted = [](const std::string& figure) {
+    Workroom own;
+    auto file = DocumentFile::inMemory();
+    const Done done = own.play(file, "body " + figure + "\nblock kind=shirt\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    double wide = 0, low = 0;  // from the centre; the hem below the waist
+    for (const Edge& edge : file.document().pieceNamed("back")->outline.edges)
+      for (double s = 0; s <= 1; s += 0.1)
+        wide = std::max(wide, edge.curve.at(s).u), low = std::min(low, edge.curve.at(s).v);
+    const auto body = bodyOf(file.document(), own.context);
+    return std::array{wide, low, (*body)->measured().value.at("waist_height"),
+                      (*body)->measured().value.at("belly_height")};
+  };
+  const auto usual = drafted("size=eu38"), belly = drafted("size=eu38 set=\"belly=104cm\"");
+  EXPECT_NEAR(usual[0], (0.91 + 0.12) / 4, 0.005);
+  EXPECT_NEAR(belly[0], (1.04 + 0.12) / 4, 0.005);
+  EXPECT_NEAR(usual[1], -0.26, 1e-9);
+  EXPECT_NEAR(belly[1], -0.26 - (belly[2] - belly[3]), 1e-6);
+}
+
 }  // namespace
 }  // namespace karinui

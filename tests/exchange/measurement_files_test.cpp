@@ -51,6 +51,8 @@ TEST(MeasurementFiles, WhatIsWrittenIsReadBack) {
   man.sex = Sex::Male;
   EXPECT_EQ(readMeasuresText(writeMeasuresText(man))->measures.sex, Sex::Male);
   EXPECT_EQ(readValentina(writeVit(man))->measures.sex, Sex::Male);
+  man.sex = Sex::Child;
+  EXPECT_EQ(readMeasuresText(writeMeasuresText(man))->measures.sex, Sex::Child);
 }
 
 TEST(MeasurementFiles, ValentinaWithFormulasAndUnits) {

@@ -35,6 +35,9 @@ TEST(MeasurementTable, ReadsNamesUnitsAndSexes) {
   EXPECT_NEAR(of(people[0], "waist_girth"), 0.66, 1e-12);
   EXPECT_NEAR(of(people[0], "hip_girth"), 0.9144, 1e-12);
   EXPECT_EQ(people[1].measures.sex, Sex::Male);
+  const auto child = readMeasurementTable("name,sex,height_cm\nKo,child,116\n");
+  ASSERT_TRUE(child);
+  EXPECT_EQ(child->people.front().measures.sex, Sex::Child);
   EXPECT_EQ(people[2].measures.sex, Sex::Female);
   EXPECT_FALSE(people[1].measures.value.contains("bust_girth"));
 }

@@ -29,7 +29,7 @@ Result<std::string> thisBuild() {
 }
 
 std::string measuresText(const Measurements& measures) {
-  std::string all = measures.sex == Sex::Female ? "female" : "male";
+  std::string all(sexName(measures.sex));
   for (const auto& [key, value] : measures.value) all += "; " + key + "=" + shortest(value);
   return all;
 }
@@ -121,8 +121,7 @@ Json manifestOf(const BatchPlan& plan) {
   for (const BatchBody& body : plan.bodies) {
     Json measures = Json::object();
     for (const auto& [key, value] : body.measures.value) measures[key] = value;
-    bodies.push_back(
-        {{"name", body.name}, {"sex", body.measures.sex == Sex::Female ? "female" : "male"}, {"measures", measures}});
+    bodies.push_back({{"name", body.name}, {"sex", sexName(body.measures.sex)}, {"measures", measures}});
   }
   for (const BatchItem& item : plan.items)
     items.push_back({{"key", item.key}, {"design", item.design}, {"body", item.body}, {"fabric", item.fabric}});
@@ -236,7 +235,7 @@ Result<BatchPlan> parsePlan(const std::string& bytes, const fs::path& folder) {
     for (const Json& body : manifest.at("bodies")) {
       BatchBody& one = plan.bodies.emplace_back();
       one.name = body.at("name").get<std::string>();
-      one.measures.sex = body.at("sex") == "male" ? Sex::Male : Sex::Female;
+      one.measures.sex = sexNamed(body.at("sex").get<std::string>()).value_or(Sex::Female);
       for (const auto& [key, value] : body.at("measures").items()) one.measures.value[key] = value.get<double>();
     }
     for (const Json& item : manifest.at("items"))

@@ -103,8 +103,7 @@ BatchTable tableOf(const BatchPlan& plan, const fs::path& folder) {
     const BatchBody& body = plan.bodies[item.body];
     const bool known = outcomes[i].is_object();
     std::vector<BatchTable::Cell> row = {item.key, plan.designs[item.design].name, body.name,
-                                         std::string(body.measures.sex == Sex::Female ? "female" : "male"),
-                                         item.fabric};
+                                         std::string(sexName(body.measures.sex)), item.fabric};
     const auto add = [&](BatchTable::Cell cell) { row.push_back(std::move(cell)); };
     add(known ? cellOf(outcomes[i].at("outcome")) : BatchTable::Cell());
     add(known ? cellOf(outcomes[i].at("said")) : BatchTable::Cell());

@@ -5,6 +5,7 @@
 // runs along the bones instead, from the middle of the shoulder joint, so that it does not depend on the flesh.
 // docs/user/body.md says how each is taken. Pure functions, any thread.
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,7 +14,13 @@
 
 namespace karinui {
 
-enum class Sex { Female, Male };  // which family of body shapes a mannequin is made from
+// Which family of body shapes a mannequin is made from. Child: a girl or a boy up to about twelve.
+enum class Sex { Female, Male, Child };
+inline constexpr Sex kSexes[] = {Sex::Female, Sex::Male, Sex::Child};
+constexpr std::string_view sexName(Sex sex) {
+  return sex == Sex::Female ? "female" : sex == Sex::Male ? "male" : "child";
+}
+std::optional<Sex> sexNamed(std::string_view name);
 
 struct Measurements {
   Sex sex = Sex::Female;
@@ -27,9 +34,11 @@ std::span<const std::string_view> measurementKeys();      // everything measure(
 std::span<const std::string_view> mannequinKeys();        // those a mannequin can be made to
 bool isAngle(std::string_view key);                       // radians instead of metres
 Message measureSaid(std::string_view key, double value);  // "88.0 cm", "12°"
-// "jis9ar", "eu38", "eu50"
+// "jis9ar", "eu38", "eu50", and by their height in centimetres "child110", "child128", "child146"
 Result<Measurements> builtInSize(std::string_view name);
 std::span<const std::string_view> builtInSizes();
+// A size on which some measures are a person's own. A belly of her own takes the place of the size's waist.
+Measurements withOwn(Measurements size, const std::map<std::string, double>& own);
 
 // Every stated number is one a person from 1.10 m up can have and they go together; else which is wrong, how much.
 Done plausible(const Measurements& stated);

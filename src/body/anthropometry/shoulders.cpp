@@ -17,6 +17,9 @@ constexpr double kNapeAbovePit = 0.015;
 // on bodies whose joints are known.
 constexpr Vec3 kNeckNormal{0, 0.935, 0.355};
 constexpr double kNeckBelowCrownMan = 0.1165, kNeckBelowCrownWoman = 0.1303;
+// A child's head is larger: by as much as its pit of the neck lies lower than an adult's, who has it above
+// kPitOfAdults.
+constexpr double kUsualPit = 0.172, kPitOfAdults = 0.178, kPitOfChildren = 0.190;  // below the crown
 constexpr double kNeckBehindJointMan = 0.0120, kNeckBehindJointWoman = 0.0118;
 
 // --- Its base
@@ -111,7 +114,9 @@ void measureNeck(Survey& body) {
   const auto& arm = body.found.arm[0];
   const double z = arm ? arm->top.z - std::lerp(kNeckBehindJointMan, kNeckBehindJointWoman, body.bosom) * stature
                        : (atNape.front.z + atNape.back.z) / 2;
-  const double down = std::lerp(kNeckBelowCrownMan, kNeckBelowCrownWoman, body.bosom);
+  const double low = 1 - body.aboveFloor(pit->y) / stature,
+               young = std::clamp((low - kPitOfAdults) / (kPitOfChildren - kPitOfAdults), 0.0, 1.0),
+               down = std::lerp(kNeckBelowCrownMan, kNeckBelowCrownWoman, body.bosom) + young * (low - kUsualPit);
   const Vec3 through{body.middle, body.floor + stature * (1 - down), z}, normal = normalized(kNeckNormal);
   double side = kUsualSide * stature;
   if (const auto contour = contourNear(body.mesh, through, normal, through)) {

@@ -39,6 +39,12 @@ constexpr double kUnderBust = 0.075;                      // metres below the bu
 constexpr double kFlat = 0.040, kFullBeyondFlat = 0.030;  // bust less under-bust girth: a flat chest; a full bust
 constexpr double kBustPointSide = 0.02;                   // metres from the plane of symmetry
 
+// --- Belly: the level at which the middle of the front is foremost
+constexpr double kBellyFrom = 0.18, kBellyTo = 0.66;  // of the way from the crotch to the armpit
+constexpr int kBellySamples = 24;
+constexpr double kStandsOut = 0.02, kAllBelly = 0.035;  // beyond the straight line between these levels: a belly …
+constexpr double kHipUnderBelly = 0.09;  // … that the tape round the hip leaves out: metres above the crotch
+
 // --- Waist
 constexpr double kWaistAboveCrotch = 0.10, kWaistAboveHip = 0.05, kWaistRoom = 0.16;  // metres
 constexpr double kRibs = 0.065;  // below the bust: no waist is sought above, ribs may be slimmer
@@ -126,6 +132,21 @@ GirthLevel measureBust(Survey& body) {
                   girth);
 }
 
+struct Belly {
+  double y = 0;
+  double standsOut = 0;  // 0: the hip's tape takes all of it; 1: none
+};
+Belly findBelly(const Survey& body) {
+  const auto front = [&](double y) { return profileAt(body, y).front.z; };
+  const double low = std::lerp(body.crotch, body.armpit, kBellyFrom),
+               high = std::lerp(body.crotch, body.armpit, kBellyTo);
+  Belly belly{extremum(Extremum::Largest, low, high, kBellySamples, [&](double y) { return 1 + front(y); }).y};
+  const double straight = std::lerp(front(low), front(high), (belly.y - low) / (high - low));
+  const double out = (front(belly.y) - straight) / body.stature;
+  belly.standsOut = std::clamp((out - kStandsOut) / (kAllBelly - kStandsOut), 0.0, 1.0);
+  return belly;
+}
+
 void markBustPoints(Survey& body, double y) {
   const auto contour = trunkContour(body, y);
   if (!contour) return;
@@ -179,19 +200,23 @@ bool findArmpit(Survey& body) {
 
 void measureTrunk(Survey& body) {
   const auto girth = [&](double y) { return trunkGirth(body, y); };
-  const GirthLevel hip = extremum(Extremum::Largest, body.crotch + kHipFrom, body.crotch + kHipTo, kHipSamples,
-                                  [&](double y) { return hipGirth(body, y); });
   const GirthLevel bust = measureBust(body);
+  const double underBust = bust.y - kUnderBust;
+  const Belly belly = findBelly(body);
+  const GirthLevel hip = extremum(Extremum::Largest, body.crotch + kHipFrom,
+                                  body.crotch + std::lerp(kHipTo, kHipUnderBelly, belly.standsOut), kHipSamples,
+                                  [&](double y) { return hipGirth(body, y); });
   const GirthLevel waist =
       plateauExtremum(Extremum::Smallest, std::max(body.crotch + kWaistAboveCrotch, hip.y + kWaistAboveHip),
                       std::max(bust.y - kRibs * body.stature, body.crotch + kWaistRoom), kWaistSamples, girth);
-  const double underBust = bust.y - kUnderBust, highHip = (body.crotch + waist.y) / 2;
+  const double highHip = (body.crotch + waist.y) / 2;
   body.waist = waist.y;
   const struct {
     const char *girthKey, *heightKey;
     GirthLevel at;
   } levels[] = {{"hip_girth", "hip_height", hip},
                 {"high_hip_girth", "high_hip_height", {hipGirth(body, highHip), highHip}},
+                {"belly_girth", "belly_height", {girth(belly.y), belly.y}},
                 {"waist_girth", "waist_height", waist},
                 {"under_bust_girth", "under_bust_height", {girth(underBust), underBust}},
                 {"bust_girth", "bust_height", bust}};

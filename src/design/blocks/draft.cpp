@@ -12,6 +12,13 @@ double Measured::operator()(std::string_view key) const {
   return 0;
 }
 
+Measured::Belly Measured::belly() const {
+  const auto& all = body_.measured().value;
+  const auto girth = all.find("belly_girth"), high = all.find("belly_height");
+  if (girth == all.end() || high == all.end() || girth->second <= (*this)("hip_girth")) return {};
+  return {girth->second, std::fmax(0, (*this)("waist_height") - high->second)};
+}
+
 Done Measured::enough() const {
   if (missing_.empty()) return {};
   return refused(

@@ -16,6 +16,11 @@ class Measured {
  public:
   explicit Measured(const Body& body) : body_(body) {}
   double operator()(std::string_view key) const;  // metres or radians; 0 and missing() where there is none
+  // A belly wider than the hip: more than 0, and where. Figures from before bellies were measured have none.
+  struct Belly {
+    double girth = 0, belowWaist = 0;
+  };
+  Belly belly() const;
   bool female() const { return body_.measured().sex == Sex::Female; }
   Done enough() const;
 

@@ -53,8 +53,9 @@ DraftBand collarBand(std::vector<EdgeRef> neckline, double depth) {
 Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish) {
   const double ease = wish.ease.value_or(0.12);
   Upper upper = upperOf(of, 0.03, 0.01, 0.025, 0.04);
-  const double below = wish.length.value_or(0.26);
-  const double widest = std::fmax(of("bust_girth"), of("hip_girth") - 0.06) + ease;
+  const Measured::Belly belly = of.belly();
+  const double below = wish.length.value_or(0.26 + belly.belowWaist);
+  const double widest = std::fmax(std::fmax(of("bust_girth"), of("hip_girth") - 0.06), belly.girth) + ease;
   for (UpperHalf* h : {&upper.front, &upper.back}) {
     h->hem = -below;
     h->chestWidth = h->hemWidth = widest / 4;

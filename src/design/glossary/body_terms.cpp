@@ -12,6 +12,8 @@ TermTable measureTerms() {
       {"arm_length", say("Arm length")},
       {"armpit_height", say("Armpit height")},
       {"back_waist_length", say("Back waist length")},
+      {"belly_girth", say("Belly girth")},
+      {"belly_height", say("Belly height")},
       {"bust_girth", say("Bust girth")},
       {"bust_height", say("Bust height")},
       {"bust_span", say("Bust point distance")},

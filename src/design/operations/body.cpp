@@ -13,8 +13,9 @@ Result<Measurements> stated(const SetBody& op) {
     all = *std::move(size);
   }
   if (op.sex) all.sex = *op.sex;
-  for (const Stated& s : op.set) all.value[s.key] = s.value;
-  return all;
+  std::map<std::string, double> own;
+  for (const Stated& s : op.set) own[s.key] = s.value;
+  return withOwn(std::move(all), own);
 }
 
 }  // namespace

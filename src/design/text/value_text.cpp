@@ -39,7 +39,7 @@ struct Words {
     return badInput(say("“{0}” is not one of: {1}.", text, names));
   }
 };
-constexpr Words<Sex, 2> kSexes{{{{"female", Sex::Female}, {"male", Sex::Male}}}};
+constexpr Words<Sex, 3> kSexWords{{{{"female", Sex::Female}, {"male", Sex::Male}, {"child", Sex::Child}}}};
 constexpr Words<Choice, 3> kChoices{{{{"auto", Choice::Auto}, {"yes", Choice::Yes}, {"no", Choice::No}}}};
 constexpr Words<SewEdges::Tie, 4> kTies{{{{"auto", SewEdges::Tie::Auto},
                                           {"1:1", SewEdges::Tie::OneToOne},
@@ -353,8 +353,8 @@ Done readValue(std::string_view text, BodyPoint& value) {
   return value = *std::move(point), Done();
 }
 
-std::string writeValue(const Sex& value) { return kSexes.write(value); }
-Done readValue(std::string_view text, Sex& value) { return kSexes.read(text, value); }
+std::string writeValue(const Sex& value) { return kSexWords.write(value); }
+Done readValue(std::string_view text, Sex& value) { return kSexWords.read(text, value); }
 std::string writeValue(const Choice& value) { return kChoices.write(value); }
 Done readValue(std::string_view text, Choice& value) { return kChoices.read(text, value); }
 std::string writeValue(const SewEdges::Tie& value) { return kTies.write(value); }
