@@ -40,16 +40,6 @@ namespace {
 
 constexpr int kGarmentBoard = 0, kBodyBoard = 1;
 
-// A board scrolls where it does not fit.
-QScrollArea* scrolling(QWidget* board) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(board);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  return scroll;
-}
-
 }  // namespace
 
 QSize firstSize(QSize available) {
@@ -78,14 +68,26 @@ MainWindow::MainWindow(SessionOptions options) {
   session_ = std::make_unique<Session>(std::move(options));
   session_->setLanguage(Theme::here().language());
 
+  // From the window inwards: what is put into something else later is given its style once more, with all that is in it.
+  parts_ = new QStackedWidget;
+  setCentralWidget(parts_);
+  auto* central = new QWidget;
+  parts_->addWidget(central);
+  auto* column = new QVBoxLayout(central);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  guide_ = new Guide(*this);  // a strip above the views, so that it covers none of them
+  column->addWidget(guide_);
+  auto* split = new QSplitter(Qt::Horizontal);
+  column->addWidget(split, 1);
+  split->setHandleWidth(1);
   space_ = new SpaceView(*session_, latencyLog_);
   table_ = new PatternView(*session_, latencyLog_);
-  auto* split = new QSplitter(Qt::Horizontal);
-  split->setHandleWidth(1);
   split->addWidget(space_);
   split->addWidget(table_);
   boards_ = new QTabWidget;
   boards_->setDocumentMode(true);
+  split->addWidget(boards_);
   auto* garment = new GarmentPanel(*session_);
   auto* body = new BodyPanel(*session_);
   auto* fabric = new FabricPanel(*session_);
@@ -106,22 +108,10 @@ MainWindow::MainWindow(SessionOptions options) {
     boards_->setMinimumWidth(wide);
     boards_->setMaximumWidth(std::max(28 * boards_->fontMetrics().height(), wide));
   });
-  split->addWidget(boards_);
   split->setStretchFactor(0, 5);
   split->setStretchFactor(1, 4);
   split->setStretchFactor(2, 0);
   split->setSizes({760, 520, 320});
-  auto* central = new QWidget;
-  auto* column = new QVBoxLayout(central);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  guide_ = new Guide(*this);  // a strip above the views, so that it covers none of them
-  column->addWidget(guide_);
-  column->addWidget(split, 1);
-  parts_ = new QStackedWidget;
-  parts_->addWidget(central);
-  setCentralWidget(parts_);
-
   hint_ = new QLabel;
   hint_->setObjectName("hint");
   hint_->setWordWrap(true);  // a long sentence takes a second line; the window need not be wider for it
@@ -200,7 +190,12 @@ MainWindow::MainWindow(SessionOptions options) {
 
 void MainWindow::addPanel(Panel* panel, const Message& words) {
   panels_.push_back(panel);
-  const int at = boards_->addTab(scrolling(panel), QString());
+  auto* scroll = new QScrollArea;  // where a board does not fit
+  const int at = boards_->addTab(scroll, QString());
+  scroll->setWidget(panel);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
   Theme::here().keep(panel, [this, at, words] { boards_->setTabText(at, inWords(words)); });
   panel->refresh();
 }
