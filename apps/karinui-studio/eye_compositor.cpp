@@ -91,7 +91,8 @@ QOpenGLFramebufferObject& EyeCompositor::onScreen(int which, int width, int heig
   return to;
 }
 
-// Drawn, not blitted: where the processor draws, Mesa compiles what blits anew for each window, a twentieth of a second.
+// Drawn, not blitted: where the processor draws, Mesa compiles what blits anew for each window, a twentieth of a
+// second.
 void EyeCompositor::copy(QOpenGLFramebufferObject& from, unsigned target, int width, int height) {
   readyToFill(target, width, height);
   copying_->bind();

@@ -68,7 +68,8 @@ MainWindow::MainWindow(SessionOptions options) {
   session_ = std::make_unique<Session>(std::move(options));
   session_->setLanguage(Theme::here().language());
 
-  // From the window inwards: what is put into something else later is given its style once more, with all that is in it.
+  // From the window inwards: what is put into something else later is given its style once more, with all that is in
+  // it.
   parts_ = new QStackedWidget;
   setCentralWidget(parts_);
   auto* central = new QWidget;
@@ -88,19 +89,21 @@ MainWindow::MainWindow(SessionOptions options) {
   boards_ = new QTabWidget;
   boards_->setDocumentMode(true);
   split->addWidget(boards_);
-  auto* garment = new GarmentPanel(*session_);
-  auto* body = new BodyPanel(*session_);
-  auto* fabric = new FabricPanel(*session_);
-  auto* fit = new FitPanel(*session_, *space_);
-  auto* history = new HistoryPanel(*session_, *space_);
+  std::array<QScrollArea*, 6> boards{};
+  std::size_t made = 0;
+  for (const Message& words : {say("Garment"), say("Body"), say("Fabric"), say("Fit"), say("Steps"), say("Device")})
+    boards[made++] = addBoard(words);
+  auto* garment = new GarmentPanel(*session_, boards[0]->viewport());
+  auto* body = new BodyPanel(*session_, boards[1]->viewport());
+  auto* fabric = new FabricPanel(*session_, boards[2]->viewport());
+  auto* fit = new FitPanel(*session_, *space_, boards[3]->viewport());
+  auto* history = new HistoryPanel(*session_, *space_, boards[4]->viewport());
   force_ = std::make_unique<ForceFeedback>(*session_, *space_);
   space_->setForceFeedback(force_.get());
   connect(force_.get(), &ForceFeedback::fed, this, [this] { wake_.start(); });
-  auto* device = new DevicePanel(*session_, *force_);
-  const std::pair<Panel*, Message> boards[] = {{garment, say("Garment")}, {body, say("Body")},
-                                               {fabric, say("Fabric")},   {fit, say("Fit")},
-                                               {history, say("Steps")},   {device, say("Device")}};
-  for (const auto& [panel, words] : boards) addPanel(panel, words);
+  auto* device = new DevicePanel(*session_, *force_, boards[5]->viewport());
+  Panel* const panels[] = {garment, body, fabric, fit, history, device};
+  for (std::size_t k = 0; k < boards.size(); ++k) put(panels[k], boards[k]);
   boards_->setCurrentIndex(kBodyBoard);
   Theme::here().keep(boards_, [this] {  // all tabs are seen, whatever the language
     boards_->ensurePolished();
@@ -188,17 +191,23 @@ MainWindow::MainWindow(SessionOptions options) {
   refresh();
 }
 
-void MainWindow::addPanel(Panel* panel, const Message& words) {
-  panels_.push_back(panel);
-  auto* scroll = new QScrollArea;  // where a board does not fit
+QScrollArea* MainWindow::addBoard(const Message& words) {
+  auto* scroll = new QScrollArea;
   const int at = boards_->addTab(scroll, QString());
-  scroll->setWidget(panel);
-  scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
-  Theme::here().keep(panel, [this, at, words] { boards_->setTabText(at, inWords(words)); });
+  Theme::here().keep(scroll, [this, at, words] { boards_->setTabText(at, inWords(words)); });
+  return scroll;
+}
+
+void MainWindow::put(Panel* panel, QScrollArea* board) {
+  panels_.push_back(panel);
+  board->setWidget(panel);
+  board->setWidgetResizable(true);
   panel->refresh();
 }
+
+void MainWindow::addPanel(Panel* panel, const Message& words) { put(panel, addBoard(words)); }
 
 // What is written before a box is its name for those who hear the screen; what nothing is written before names itself.
 void MainWindow::nameForScreenReaders() {
