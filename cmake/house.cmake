@@ -95,7 +95,8 @@ endfunction()
 # karinui_module(cloth USES geometry pattern body LINKS Eigen3::Eigen): the library karinui_cloth from src/cloth/**.cpp,
 # its public headers include/karinui/cloth. USES are public, LINKS private. UNCHECKED: its release code does not look
 # whether each index is within its array, which costs the inner loops a tenth; what comes from outside was read by others.
-# PRECOMPILED: headers that most of its sources include, beside those of the standard library.
+# PRECOMPILED: headers that most of its sources include, beside those of the standard library. What one module has precompiled
+# serves all that ask for the same, whatever their -O.
 function(karinui_module name)
   cmake_parse_arguments(A "UNCHECKED" "" "USES;LINKS;PRECOMPILED" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -108,7 +109,15 @@ function(karinui_module name)
   if(A_UNCHECKED)
     target_compile_options(karinui_${name} PRIVATE -U_GLIBCXX_ASSERTIONS)
   endif()
-  karinui_precompiled(karinui_${name} ${A_PRECOMPILED})
+  string(MAKE_C_IDENTIFIER "KARINUI_HEADERS_${A_UNCHECKED}_${A_PRECOMPILED}" headers)
+  get_property(shared GLOBAL PROPERTY ${headers})
+  if(shared)
+    karinui_quiet_precompiled(karinui_${name})
+    target_precompile_headers(karinui_${name} REUSE_FROM ${shared})
+  else()
+    karinui_precompiled(karinui_${name} ${A_PRECOMPILED})
+    set_property(GLOBAL PROPERTY ${headers} karinui_${name})
+  endif()
 endfunction()
 
 # With precompiled headers g++ 12 forgets that std::string is a system's header and warns of copies that cannot be.

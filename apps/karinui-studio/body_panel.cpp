@@ -32,7 +32,7 @@ constexpr std::string_view kLegs[]{"thigh_girth", "knee_girth", "calf_girth", "a
 
 }  // namespace
 
-BodyPanel::BodyPanel(Session& session) : Panel(session) {
+BodyPanel::BodyPanel(Session& session, QWidget* in) : Panel(session, in) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(10);
@@ -102,11 +102,11 @@ BodyPanel::BodyPanel(Session& session) : Panel(session) {
   rows->addWidget(measured_);
   rows->addStretch(1);
   auto* scroll = new QScrollArea;
+  column->addWidget(scroll, 4);
   scroll->setWidget(inner);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setMinimumHeight(90);
-  column->addWidget(scroll, 4);
   mannequin_ = new QPushButton;
   consequence_ = new QLabel;
   consequence_->setWordWrap(true);

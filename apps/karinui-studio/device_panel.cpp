@@ -57,7 +57,7 @@ QDoubleSpinBox* number(double low, double high, double step, int decimals) {
 
 }  // namespace
 
-DevicePanel::DevicePanel(Session& session, ForceFeedback& force) : Panel(session), force_(force) {
+DevicePanel::DevicePanel(Session& session, ForceFeedback& force, QWidget* in) : Panel(session, in), force_(force) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(10);

@@ -11,7 +11,7 @@ namespace karinui::studio {
 class DevicePanel : public Panel {
   Q_OBJECT
  public:
-  DevicePanel(Session& session, ForceFeedback& force);
+  DevicePanel(Session& session, ForceFeedback& force, QWidget* in);
   void refresh() override {}  // nothing of it is the session's
 
  private:

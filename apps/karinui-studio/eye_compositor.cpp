@@ -27,12 +27,33 @@ void main() {
 }
 )";
 
+constexpr const char* kCopied = R"(#version 330 core
+in vec2 at;
+uniform sampler2D from;
+out vec4 colour;
+void main() { colour = texture(from, at); }
+)";
+
+std::unique_ptr<QOpenGLShaderProgram> overWholeTarget(const char* fragment) {
+  auto program = std::make_unique<QOpenGLShaderProgram>();
+  program->addShaderFromSourceCode(QOpenGLShader::Vertex, kWholeTarget);
+  program->addShaderFromSourceCode(QOpenGLShader::Fragment, fragment);
+  program->link();
+  return program;
+}
+
+void readyToFill(unsigned target, int width, int height) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target);
+  glViewport(0, 0, width, height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+}
+
 }  // namespace
 
-EyeCompositor::EyeCompositor() : program_(std::make_unique<QOpenGLShaderProgram>()) {
-  program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kWholeTarget);
-  program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kFragment);
-  program_->link();
+EyeCompositor::EyeCompositor() : program_(overWholeTarget(kFragment)), copying_(overWholeTarget(kCopied)) {
   glGenVertexArrays(1, &arrays_);
 }
 
@@ -61,17 +82,31 @@ QOpenGLFramebufferObject& EyeCompositor::onScreen(int which, int width, int heig
   QOpenGLFramebufferObject& from = *scenes_[static_cast<std::size_t>(which)];
   QOpenGLFramebufferObject& to = sized(eyes_[static_cast<std::size_t>(which)], width, height);
   copy(from, to.handle(), width, height);
-  if (depths)
+  if (depths) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.handle());
     glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  }
   to.bind();
   return to;
 }
 
+// Drawn, not blitted: where the processor draws, Mesa compiles what blits anew for each window, a twentieth of a
+// second.
 void EyeCompositor::copy(QOpenGLFramebufferObject& from, unsigned target, int width, int height) {
-  glDisable(GL_SCISSOR_TEST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
-  glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  readyToFill(target, width, height);
+  copying_->bind();
+  copying_->setUniformValue("from", 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, from.texture());
+  fill();
+  copying_->release();
+}
+
+void EyeCompositor::fill() {
+  glBindVertexArray(arrays_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
 }
 
 std::array<unsigned, 2> EyeCompositor::textures() const {
@@ -80,12 +115,7 @@ std::array<unsigned, 2> EyeCompositor::textures() const {
 
 void EyeCompositor::show(Stereo stereo, unsigned target, int width, int height) {
   if (stereo == Stereo::Off || stereo == Stereo::QuadBuffer) return copy(*eyes_[0], target, width, height);
-  glBindFramebuffer(GL_FRAMEBUFFER, target);
-  glViewport(0, 0, width, height);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_STENCIL_TEST);
+  readyToFill(target, width, height);
   program_->bind();
   program_->setUniformValue("leftEye", 0);
   program_->setUniformValue("rightEye", 1);
@@ -94,9 +124,7 @@ void EyeCompositor::show(Stereo stereo, unsigned target, int width, int height) 
     glActiveTexture(GL_TEXTURE0 + k);
     glBindTexture(GL_TEXTURE_2D, eyes_[k]->texture());
   }
-  glBindVertexArray(arrays_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glBindVertexArray(0);
+  fill();
   glActiveTexture(GL_TEXTURE0);
   program_->release();
 }

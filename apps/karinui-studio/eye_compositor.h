@@ -35,7 +35,8 @@ class EyeCompositor {
  private:
   void copy(QOpenGLFramebufferObject& from, unsigned target, int width, int height);  // colours only
   std::array<std::unique_ptr<QOpenGLFramebufferObject>, 2> scenes_, eyes_;
-  std::unique_ptr<QOpenGLShaderProgram> program_;
+  void fill();  // the target, with the program that is bound
+  std::unique_ptr<QOpenGLShaderProgram> program_, copying_;
   unsigned arrays_ = 0;
 };
 

@@ -49,7 +49,7 @@ QIcon pictureOf(const Fabric& f, int n) {
 
 }  // namespace
 
-FabricPanel::FabricPanel(Session& session) : Panel(session) {
+FabricPanel::FabricPanel(Session& session, QWidget* in) : Panel(session, in) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
@@ -101,9 +101,9 @@ FabricPanel::FabricPanel(Session& session) : Panel(session) {
     });
   }
   auto* scroll = new QScrollArea;
+  column->addWidget(scroll, 3);
   scroll->setWidget(inner);
   scroll->setWidgetResizable(true);
-  column->addWidget(scroll, 3);
   const auto button = [&](const Message& words, const Message& tip) {
     auto* made = new QPushButton;
     Theme::here().keep(made, [made, words, tip] {

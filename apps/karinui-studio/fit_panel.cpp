@@ -15,7 +15,7 @@
 
 namespace karinui::studio {
 
-FitPanel::FitPanel(Session& session, SpaceView& view) : Panel(session), view_(view) {
+FitPanel::FitPanel(Session& session, SpaceView& view, QWidget* in) : Panel(session, in), view_(view) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(10);

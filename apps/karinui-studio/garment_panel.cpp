@@ -31,7 +31,7 @@
 
 namespace karinui::studio {
 
-Panel::Panel(Session& session) : session_(session) {
+Panel::Panel(Session& session, QWidget* in) : QWidget(in), session_(session) {
   connect(&Theme::here(), &Theme::changed, this, [this] {  // all of it in the other language or unit
     historyShown_ = ~0ull;
     refresh();
@@ -83,7 +83,7 @@ QDoubleSpinBox* number(double low, double high, int decimals, const char* unit) 
 
 }  // namespace
 
-GarmentPanel::GarmentPanel(Session& session) : Panel(session) {
+GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(10);

@@ -31,7 +31,7 @@ const char* iconOf(const Step& step) {
 
 }  // namespace
 
-HistoryPanel::HistoryPanel(Session& session, SpaceView& view) : Panel(session), view_(view) {
+HistoryPanel::HistoryPanel(Session& session, SpaceView& view, QWidget* in) : Panel(session, in), view_(view) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);

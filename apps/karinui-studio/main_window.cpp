@@ -40,16 +40,6 @@ namespace {
 
 constexpr int kGarmentBoard = 0, kBodyBoard = 1;
 
-// A board scrolls where it does not fit.
-QScrollArea* scrolling(QWidget* board) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(board);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  return scroll;
-}
-
 }  // namespace
 
 QSize firstSize(QSize available) {
@@ -78,27 +68,42 @@ MainWindow::MainWindow(SessionOptions options) {
   session_ = std::make_unique<Session>(std::move(options));
   session_->setLanguage(Theme::here().language());
 
+  // From the window inwards: what is put into something else later is given its style once more, with all that is in
+  // it.
+  parts_ = new QStackedWidget;
+  setCentralWidget(parts_);
+  auto* central = new QWidget;
+  parts_->addWidget(central);
+  auto* column = new QVBoxLayout(central);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  guide_ = new Guide(*this);  // a strip above the views, so that it covers none of them
+  column->addWidget(guide_);
+  auto* split = new QSplitter(Qt::Horizontal);
+  column->addWidget(split, 1);
+  split->setHandleWidth(1);
   space_ = new SpaceView(*session_, latencyLog_);
   table_ = new PatternView(*session_, latencyLog_);
-  auto* split = new QSplitter(Qt::Horizontal);
-  split->setHandleWidth(1);
   split->addWidget(space_);
   split->addWidget(table_);
   boards_ = new QTabWidget;
   boards_->setDocumentMode(true);
-  auto* garment = new GarmentPanel(*session_);
-  auto* body = new BodyPanel(*session_);
-  auto* fabric = new FabricPanel(*session_);
-  auto* fit = new FitPanel(*session_, *space_);
-  auto* history = new HistoryPanel(*session_, *space_);
+  split->addWidget(boards_);
+  std::array<QScrollArea*, 6> boards{};
+  std::size_t made = 0;
+  for (const Message& words : {say("Garment"), say("Body"), say("Fabric"), say("Fit"), say("Steps"), say("Device")})
+    boards[made++] = addBoard(words);
+  auto* garment = new GarmentPanel(*session_, boards[0]->viewport());
+  auto* body = new BodyPanel(*session_, boards[1]->viewport());
+  auto* fabric = new FabricPanel(*session_, boards[2]->viewport());
+  auto* fit = new FitPanel(*session_, *space_, boards[3]->viewport());
+  auto* history = new HistoryPanel(*session_, *space_, boards[4]->viewport());
   force_ = std::make_unique<ForceFeedback>(*session_, *space_);
   space_->setForceFeedback(force_.get());
   connect(force_.get(), &ForceFeedback::fed, this, [this] { wake_.start(); });
-  auto* device = new DevicePanel(*session_, *force_);
-  const std::pair<Panel*, Message> boards[] = {{garment, say("Garment")}, {body, say("Body")},
-                                               {fabric, say("Fabric")},   {fit, say("Fit")},
-                                               {history, say("Steps")},   {device, say("Device")}};
-  for (const auto& [panel, words] : boards) addPanel(panel, words);
+  auto* device = new DevicePanel(*session_, *force_, boards[5]->viewport());
+  Panel* const panels[] = {garment, body, fabric, fit, history, device};
+  for (std::size_t k = 0; k < boards.size(); ++k) put(panels[k], boards[k]);
   boards_->setCurrentIndex(kBodyBoard);
   Theme::here().keep(boards_, [this] {  // all tabs are seen, whatever the language
     boards_->ensurePolished();
@@ -106,22 +111,10 @@ MainWindow::MainWindow(SessionOptions options) {
     boards_->setMinimumWidth(wide);
     boards_->setMaximumWidth(std::max(28 * boards_->fontMetrics().height(), wide));
   });
-  split->addWidget(boards_);
   split->setStretchFactor(0, 5);
   split->setStretchFactor(1, 4);
   split->setStretchFactor(2, 0);
   split->setSizes({760, 520, 320});
-  auto* central = new QWidget;
-  auto* column = new QVBoxLayout(central);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  guide_ = new Guide(*this);  // a strip above the views, so that it covers none of them
-  column->addWidget(guide_);
-  column->addWidget(split, 1);
-  parts_ = new QStackedWidget;
-  parts_->addWidget(central);
-  setCentralWidget(parts_);
-
   hint_ = new QLabel;
   hint_->setObjectName("hint");
   hint_->setWordWrap(true);  // a long sentence takes a second line; the window need not be wider for it
@@ -198,12 +191,23 @@ MainWindow::MainWindow(SessionOptions options) {
   refresh();
 }
 
-void MainWindow::addPanel(Panel* panel, const Message& words) {
+QScrollArea* MainWindow::addBoard(const Message& words) {
+  auto* scroll = new QScrollArea;
+  const int at = boards_->addTab(scroll, QString());
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  Theme::here().keep(scroll, [this, at, words] { boards_->setTabText(at, inWords(words)); });
+  return scroll;
+}
+
+void MainWindow::put(Panel* panel, QScrollArea* board) {
   panels_.push_back(panel);
-  const int at = boards_->addTab(scrolling(panel), QString());
-  Theme::here().keep(panel, [this, at, words] { boards_->setTabText(at, inWords(words)); });
+  board->setWidget(panel);
+  board->setWidgetResizable(true);
   panel->refresh();
 }
+
+void MainWindow::addPanel(Panel* panel, const Message& words) { put(panel, addBoard(words)); }
 
 // What is written before a box is its name for those who hear the screen; what nothing is written before names itself.
 void MainWindow::nameForScreenReaders() {

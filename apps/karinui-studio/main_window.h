@@ -15,6 +15,7 @@ class QPrinter;
 class QProgressBar;
 class QStackedWidget;
 class QPushButton;
+class QScrollArea;
 class QTabWidget;
 class QToolBar;
 
@@ -68,6 +69,8 @@ class MainWindow : public QMainWindow {
   bool event(QEvent* event) override;
 
  private:
+  QScrollArea* addBoard(const Message& words);  // where a panel that does not fit scrolls
+  void put(Panel* panel, QScrollArea* board);
   void nameForScreenReaders();
   void makeActions();
   void makeMenus();

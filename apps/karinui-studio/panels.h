@@ -38,8 +38,8 @@ class MeasureRow;
 class Panel : public QWidget {
   Q_OBJECT
  public:
-  explicit Panel(Session& session);
-  virtual void refresh() = 0;  // the session has something new
+  explicit Panel(Session& session, QWidget* in = nullptr);  // what is made in its place is given its style once
+  virtual void refresh() = 0;                               // the session has something new
 
  protected:
   QLabel* title(const Message& words);
@@ -52,7 +52,7 @@ class Panel : public QWidget {
 class GarmentPanel : public Panel {
   Q_OBJECT
  public:
-  explicit GarmentPanel(Session& session);
+  GarmentPanel(Session& session, QWidget* in);
   void refresh() override;
 
  signals:
@@ -90,7 +90,7 @@ class GarmentPanel : public Panel {
 class BodyPanel : public Panel {
   Q_OBJECT
  public:
-  explicit BodyPanel(Session& session);
+  BodyPanel(Session& session, QWidget* in);
   void refresh() override;
  signals:
   void importAsked();
@@ -133,7 +133,7 @@ class BodyPanel : public Panel {
 class FabricPanel : public Panel {
   Q_OBJECT
  public:
-  explicit FabricPanel(Session& session);
+  FabricPanel(Session& session, QWidget* in);
   void refresh() override;
 
  private:
@@ -157,7 +157,7 @@ class FabricPanel : public Panel {
 class FitPanel : public Panel {
   Q_OBJECT
  public:
-  FitPanel(Session& session, SpaceView& view);
+  FitPanel(Session& session, SpaceView& view, QWidget* in);
   void refresh() override;
 
  protected:
@@ -186,7 +186,7 @@ class FitPanel : public Panel {
 class HistoryPanel : public Panel {
   Q_OBJECT
  public:
-  HistoryPanel(Session& session, SpaceView& view);
+  HistoryPanel(Session& session, SpaceView& view, QWidget* in);
   void refresh() override;
 
  protected:

@@ -54,13 +54,29 @@ QImage boardPicture(const SceneMenu& panel, int pixels, QFont font) {
   return image;
 }
 
-// The floating bar, drawn flat and hung in space by the projection of its corners.
-void paintBoard(QPainter& painter, const SceneMenu& panel, const std::function<QPointF(Vec3)>& at) {
+// All that a picture of the floating bar depends on.
+QString boardKey(const SceneMenu& panel, int pixels, const QFont& font) {
+  const double wide = length(panel.across);
+  QStringList key{QString::number(pixels), font.key(), QString::number(Theme::here().dark()),
+                  QString::number(length(panel.upward) / wide)};
+  for (const SceneMenu::Button& b : panel.buttons) {
+    for (const double part : {b.left, b.bottom, b.width, b.height}) key << QString::number(part / wide);
+    key << QString::number(b.hot + 2 * b.chosen + 4 * b.enabled) << QString::fromStdString(b.icon) << inWords(b.label);
+  }
+  return key.join('|');
+}
+
+// The floating bar, drawn flat and hung in space by the projection of its corners. `kept`: its last picture.
+void paintBoard(QPainter& painter, const SceneMenu& panel, const std::function<QPointF(Vec3)>& at,
+                std::pair<QString, QImage>& kept) {
   const QPolygonF seen({at(panel.corner + panel.upward), at(panel.corner + panel.across + panel.upward),
                         at(panel.corner + panel.across), at(panel.corner)});
   const double ratio = painter.device()->devicePixelRatioF();
-  const int pixels = static_cast<int>(std::hypot(seen[1].x() - seen[0].x(), seen[1].y() - seen[0].y()) * ratio);
-  const QImage board = boardPicture(panel, std::clamp(pixels, 64, 4096), painter.font());
+  const int pixels =
+      std::clamp(static_cast<int>(std::hypot(seen[1].x() - seen[0].x(), seen[1].y() - seen[0].y()) * ratio), 64, 4096);
+  if (QString key = boardKey(panel, pixels, painter.font()); kept.first != key)
+    kept = {std::move(key), boardPicture(panel, pixels, painter.font())};
+  const QImage& board = kept.second;
   const QPolygonF flat(QRectF(board.rect()));
   QTransform hang;
   if (QTransform::quadToQuad(QPolygonF({flat[0], flat[1], flat[2], flat[3]}), seen, hang)) {
@@ -117,7 +133,7 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
                   lengthText(garment ? girths.garment : girths.body), room);
   }
   if (!tapeShown_.line.empty()) paintWord(painter, at(tapeShown_.line.front()), lengthText(tapeShown_.length), room);
-  if (const auto panel = session_.menu()) paintBoard(painter, *panel, at);
+  if (const auto panel = session_.menu()) paintBoard(painter, *panel, at, bar_);
   if (mapTop_ > 0 && !beside()) paintScale(painter, w, h);
   if (beside()) paintWord(painter, QPointF(room.right() - 60, 44), inWords(say("now")), room);
 }

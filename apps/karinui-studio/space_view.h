@@ -130,6 +130,7 @@ class SpaceView : public QOpenGLWidget {
   std::optional<double> level_;
   std::vector<Girths> levelShown_;
   std::uint64_t garmentShown_ = ~0ull;
+  std::pair<QString, QImage> bar_;  // the floating bar's last picture, and of what it is one
   bool stale_ = true, overlaid_ = false, fine_ = false, finest_ = true, quick_ = false, framed_ = false;
   bool soft_ = false;    // the soft light is that of a still picture
   bool moving_ = false;  // view or cloth, until still: then less is drawn where the processor draws
