@@ -50,8 +50,10 @@ Curve withEnds(Curve curve, Flat start, Flat end) {
     const Flat d = p - from;
     return start + Flat{re * d.u - im * d.v, im * d.u + re * d.v};
   };
-  curve.control1 = moved(curve.control1), curve.control2 = moved(curve.control2);
-  for (Flat& p : curve.between) p = moved(p);
+  if (curve.kind == Curve::Kind::Cubic) {
+    curve.control1 = moved(curve.control1), curve.control2 = moved(curve.control2);
+    for (Flat& p : curve.between) p = moved(p);
+  }
   curve.start = start, curve.end = end;
   return curve;
 }

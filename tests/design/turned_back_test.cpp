@@ -1,6 +1,7 @@
 // A cuff that is turned back on a sleeve that narrows to the wrist.
 #include <gmock/gmock.h>
 
+#include "design/quick_folder.h"
 #include "design/workroom.h"
 #include "karinui/pattern/piece.h"
 
@@ -71,6 +72,21 @@ TEST_F(TurnedBack, CutToLieOnItAtOnce) {
   ASSERT_TRUE(room.play(file, "mirror piece=sleeve name=other\n"));
   EXPECT_NEAR(file.document().pieceNamed("other")->outline.area(), file.document().pieceNamed("sleeve")->outline.area(),
               1e-9);
+}
+
+// A straight side that was turned and stretched has no control points, whatever was worked out beside it.
+TEST_F(TurnedBack, IsReadFromTheFileAsItWasCut) {
+  const std::filesystem::path folder = quickFolder();
+  {
+    auto written = DocumentFile::create(folder / "sleeve.karinui");
+    ASSERT_TRUE(written) << text(written.error().what);
+    ASSERT_TRUE(room.play(*written, kSleeve));
+    ASSERT_TRUE(room.play(*written, "fold piece=sleeve line=turn angle=170deg turned=yes flared=yes\n"));
+  }
+  const auto read = DocumentFile::open(folder / "sleeve.karinui");
+  ASSERT_TRUE(read) << text(read.error().what);
+  for (const Message& remark : read->remarks()) ADD_FAILURE() << text(remark);
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
       {"hem", Curve::line({0, -whole}, foot)},
       {"side", Curve::joined(side)},
       {"waist", Curve::cubic(top, top - Flat{0.3 * q.waist, 0.003}, {0.4 * q.waist, 0}, {0, 0})}};
+  constexpr double kFrontDart = 0.8;  // of their mean width: the seat is rounder than the belly, which pouches less so
   Draft draft;
   for (const bool front : {true, false}) {
     const std::string name = front ? "skirt_front" : "skirt_back";
@@ -57,7 +58,7 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
       draft.darts.push_back({name,
                              "waist" + (left ? plus : minus),
                              0.5,
-                             q.dart,
+                             q.dart * (front ? kFrontDart : 2 - kFrontDart),
                              {(left ? 1 : -1) * u, -deep * (front ? 0.5 : 0.65)},
                              "dart"});
     }
