@@ -124,9 +124,8 @@ TermTable levelTerms() {
 
 TermTable sizeTerms() {
   static const std::vector<NamedTerm> all{
-      {"eu38", say("EU 38 (women)")},
-      {"eu50", say("EU 50 (men)")},
-      {"jis9ar", say("JIS 9AR (women)")},
+      {"child110", say("110 (children)")}, {"child128", say("128 (children)")}, {"child146", say("146 (children)")},
+      {"eu38", say("EU 38 (women)")},      {"eu50", say("EU 50 (men)")},        {"jis9ar", say("JIS 9AR (women)")},
   };
   return all;
 }
