@@ -55,10 +55,8 @@ class Altering {
     levels();
     lengths();
     girthsOfTorso();
-    if (own("belly_girth"))
-      belly();
-    else
-      narrowestAtTheWaist();
+    narrowestAtTheWaist();
+    belly();
     girthsOfLeg();
     girthsOfArm();
     return std::move(figure_);
@@ -145,6 +143,7 @@ class Altering {
   // the sides follow, the back stays. r(t) (1 + b v(y) f(t)), f(t) = ((1 + cos t) / 2)^2; v falls off as a cosine
   // squared.
   void belly() {
+    if (!own("belly_girth")) return;
     constexpr double kOfGirth = 3;  // of the front, for one of the girth
     const double low = std::lerp(at_.crotch, at_.waist, 0.18), navel = std::lerp(at_.crotch, at_.waist, 0.8),
                  high = at_.bust - 0.03 * at_.crown;

@@ -213,6 +213,16 @@ TEST(Mannequin, ABellyStandsOutInFront) {
   EXPECT_LT(std::abs(now.low - before.low), 0.015) << "not behind";
   // The foremost level is what the tape says it is.
   for (const double off : {-0.03, 0.03}) EXPECT_LT(depths(body, level + off).high, now.high + 1e-6);
+  // On a body that is only measured, too; an ordinary front is no belly.
+  EXPECT_NEAR(measure(body->mesh(), body->bvh()).value.at("belly_girth"), 0.98, 0.003);
+  EXPECT_FALSE(measure(usual->mesh(), usual->bvh()).value.contains("belly_girth"));
+  // Asked for as it is anyway, it changes nothing.
+  Measurements same = sizeNamed("eu38");
+  same.value["belly_girth"] = said(usual, "belly_girth");
+  if (const BodyPtr again = made(same)) {
+    EXPECT_NEAR(said(again, "belly_girth"), said(usual, "belly_girth"), 0.003);
+    EXPECT_NEAR(said(again, "waist_height"), said(usual, "waist_height"), 0.015);
+  }
   // A man's, wider than his chest and his hips.
   Measurements stout{Sex::Male, {{"height", 1.76}, {"bust_girth", 1.10}, {"belly_girth", 1.18}, {"hip_girth", 1.08}}};
   if (const BodyPtr man = made(stout)) meets(stout, *man);

@@ -17,6 +17,7 @@ struct LimbAxis {              // the joints of one arm or leg, in space
 struct Anthropometry {
   std::map<std::string, double> value;     // by measurementKeys(); what is not found is left out
   std::map<std::string, Vec3> landmark;    // near the skin
+  bool belly = false;                      // stands out; else the girth of the belly is that of an ordinary front
   std::optional<LimbAxis> arm[2], leg[2];  // 0: the body's left (+x), 1: right
 };
 

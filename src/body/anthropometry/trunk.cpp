@@ -203,6 +203,7 @@ void measureTrunk(Survey& body) {
   const GirthLevel bust = measureBust(body);
   const double underBust = bust.y - kUnderBust;
   const Belly belly = findBelly(body);
+  body.found.belly = belly.standsOut > 0;
   const GirthLevel hip = extremum(Extremum::Largest, body.crotch + kHipFrom,
                                   body.crotch + std::lerp(kHipTo, kHipUnderBelly, belly.standsOut), kHipSamples,
                                   [&](double y) { return hipGirth(body, y); });

@@ -309,6 +309,7 @@ TermTable valueTerms() {
       {"denim", say("Denim")},
       {"dot", say("Dots")},
       {"end", say("The end stays")},
+      {"child", say("Child")},
       {"female", say("Female")},
       {"field", say("Distance to the skin")},
       {"fold", say("Fold")},
