@@ -165,7 +165,7 @@ class Altering {
   }
 
   // Ribs drawn slimmer than the waist would be found by the tape as the waist: they are let out to a shallow bowl
-  // around it, a hundredth and a half wider four fingers away.
+  // around it, a hundredth and a half wider four fingers away. Hips below a belly may be slimmer than it.
   void narrowestAtTheWaist() {
     const auto stood = torsoSections(figure_);
     const Harmonics harmonics = figure_.torso.harmonics;
@@ -182,6 +182,7 @@ class Altering {
     for (std::size_t i = 0; i < stood.size(); ++i) {
       const double y = stood[i].centre.y, off = (y - at_.waist) / reach;
       if (y < at_.crotch || y > at_.bust - 0.06 * at_.crown) continue;  // above, ribs may be slimmer
+      if (own("belly_girth") && y < at_.waist) continue;
       const double least = waist * (1 + 0.015 * std::min(off * off, 1.5));
       if (girth[i] < least) scale(figure_.torso.station[i], std::log(least / girth[i]));
     }
