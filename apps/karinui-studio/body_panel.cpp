@@ -24,8 +24,8 @@ namespace karinui::studio {
 namespace {
 
 // The measures one is asked for first, and all others that a mannequin can be made to.
-constexpr std::string_view kFirst[]{"height",    "bust_girth",     "under_bust_girth", "waist_girth",  "belly_girth",
-                                    "hip_girth", "shoulder_width", "arm_length",       "crotch_height"};
+constexpr std::string_view kFirst[]{"height",         "bust_girth", "under_bust_girth", "waist_girth", "hip_girth",
+                                    "shoulder_width", "arm_length", "crotch_height",    "belly_girth"};
 constexpr std::string_view kLevels[]{"bust_height", "armpit_height", "waist_height", "back_waist_length"};
 constexpr std::string_view kArms[]{"upper_arm_girth", "elbow_girth", "wrist_girth", "arm_joint_length", "neck_girth"};
 constexpr std::string_view kLegs[]{"thigh_girth", "knee_girth", "calf_girth", "ankle_girth"};
