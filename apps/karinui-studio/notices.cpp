@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kMostShown = 3;
 constexpr qsizetype kMostKept = 200;
-constexpr int kOnceMore = 4000;  // milliseconds
+constexpr int kOnceMore = 4000;                        // milliseconds
+constexpr int kPaddingAbove = 10, kPaddingAside = 18;  // of a sentence, points
 
 // Milliseconds to find a sentence and read it: slow readers take some 60 ms a letter, of Japanese some 150.
 int timeToRead(Notice::Kind kind, const QString& words, bool toBeDone) {
@@ -52,8 +53,10 @@ void Notices::tell(Notice::Kind kind, const QString& words, bool long_) {
                                                      : QColor("#2f4a3c");
   label->setStyleSheet(
       QString(
-          "QLabel#toast { background: %1; color: white; border-radius: 10px; padding: 10px 18px; font-size: 10.5pt; }")
-          .arg(back.name()));
+          "QLabel#toast { background: %1; color: white; border-radius: 10px; padding: %2px %3px; font-size: 10.5pt; }")
+          .arg(back.name())
+          .arg(kPaddingAbove)
+          .arg(kPaddingAside));
   label->installEventFilter(this);
   label->setAttribute(Qt::WA_TransparentForMouseEvents, drags_ == Drags::GoThrough);
   shown_.push_front(label);
@@ -85,8 +88,11 @@ int Notices::place(int room, int between) {
   const int wide = std::max(60, std::min(room - 24, 620));
   int top = 12, ends = 12;
   for (QLabel* label : shown_) {
-    label->setFixedWidth(wide);
-    label->adjustSize();
+    // QLabel's own height for a width leaves the padding of its style sheet out of the breaking of lines.
+    label->ensurePolished();
+    const QRect lines(0, 0, wide - 2 * kPaddingAside, 10'000);
+    const QRect text = label->fontMetrics().boundingRect(lines, Qt::AlignCenter | Qt::TextWordWrap, label->text());
+    label->setFixedSize(wide, text.height() + 2 * kPaddingAbove);
     label->move((room - wide) / 2, top);
     label->raise();
     if (label == shown_.front()) ends = label->geometry().bottom();
