@@ -251,7 +251,7 @@ Done plausible(const Measurements& stated) {
       {"waist_girth", "hip_girth", 1.45},
       {"waist_girth", "bust_girth", 1.35},
       {"belly_girth", "height", 0.95},
-      {"belly_girth", "hip_girth", 1.45},
+      {"belly_girth", "hip_girth", 1.25},
       {"waist_girth", "belly_girth", 1.0},
       {"hip_girth", "height", 0.95},
       {"bust_girth", "height", 0.95},

@@ -223,6 +223,8 @@ TEST(Mannequin, ABellyStandsOutInFront) {
     EXPECT_NEAR(said(again, "belly_girth"), said(usual, "belly_girth"), 0.003);
     EXPECT_NEAR(said(again, "waist_height"), said(usual, "waist_height"), 0.015);
   }
+  // Not farther than a figure carries it.
+  EXPECT_FALSE(plausible(withOwn(sizeNamed("eu38"), {{"belly_girth", 1.30}})));
   // A man's, wider than his chest and his hips.
   Measurements stout{Sex::Male, {{"height", 1.76}, {"bust_girth", 1.10}, {"belly_girth", 1.18}, {"hip_girth", 1.08}}};
   if (const BodyPtr man = made(stout)) meets(stout, *man);
