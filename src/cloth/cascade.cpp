@@ -67,6 +67,7 @@ constexpr double kOpen = 0.1;   // spacings: a pair farther apart is open
 // so that no finer level closes it. The sleeve of a torn armhole stood 69 mm open, stretched by 60 %: 1,350 steps of
 // finer levels left it 519 mm open.
 constexpr double kNeverCloses = 0.05;
+constexpr double kFolded = 0.008;  // metres: the layers of a pleat lie nearer to each other than this
 
 // Between the sides of seams that stay open.
 std::vector<Vec3> openPlaces(const Cloth& cloth, std::span<const Vec3> x) {
@@ -216,6 +217,9 @@ std::optional<CascadeStart> Cascade::sew(Level& level, const CascadeStart& start
     count(stage);
     solver.resetMotion();
   };
+  // The layers of a pleat lie in their order, and are sewn where they lie: drawn together first, they would pass
+  // through each other, since nothing keeps a node from the faces at its partner.
+  if (level.cloth.pleated) solver.tieWithin(kFolded, true);
   done(closeSeams(solver, token_, closing(0)));
   CascadeStart anew = start;
   // Layers that snag on each other while they are sewn begin anew, and meet once they are.

@@ -58,7 +58,8 @@ class LevelSolver {
   // Moves the nodes as far as the collision filter allows; at rest there.
   void moveFiltered(std::vector<Vec3> moves);
   bool allTied() const { return open_ == 0; }
-  void tieWithin(double gap);  // ties every open pair nearer than this
+  // Ties every open pair nearer than this, or only those of one piece.
+  void tieWithin(double gap, bool withinAPiece = false);
   // Whether cloth meets cloth; it does at first.
   void enableSelfContact(bool on) { contacts_->self->enable(on); }
   void meetOnlyLayers(bool only) { contacts_->self->onlyLayers(only); }

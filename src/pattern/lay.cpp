@@ -75,6 +75,7 @@ class TieMaker {
     const Walk a = plan_.walk(joined.a, false), b = plan_.walk(joined.b, joined.reversed);
     seam_ = joined.seam;
     done_.clear();
+    const std::size_t first = ties.size();
     for (std::size_t k = 0; k < a.stops.size(); ++k) {
       meet(a.stops[k], b.stops[k]);
       if (k + 1 == a.stops.size()) break;
@@ -87,6 +88,24 @@ class TieMaker {
       else
         gather(trackB, runB, trackA, runA);
     }
+    const auto line = [&](const Leg& leg) { return plan_.tracks()[leg.track].open(); };
+    if (ties.size() < first + 2 || !line(joined.a.front()) || !line(joined.b.front())) return;
+    besideEnds_.push_back({first, first + 1}), besideEnds_.push_back({ties.size() - 1, ties.size() - 2});
+  }
+
+  // Where a pleat is sewn down from the edge it is sewn into, the lines of both seams meet in a corner. Were the first
+  // cell of the corner held by both, its triangle would be one in all three layers, and the middle layer, divided
+  // otherwise, could not lie between the outer two. So the seam that holds the fold begins one node farther on.
+  void freeCornersOfPleats(const Pattern& pattern) {
+    std::set<std::pair<PieceId, std::uint32_t>> pleated;
+    for (const SeamTie& tie : ties)
+      if (pattern.seams.at(tie.seam).tie == Seam::Tie::Pleat)
+        pleated.insert({tie.pieceA, tie.a}), pleated.insert({tie.pieceB, tie.b});
+    std::set<std::size_t> freed;
+    for (const auto& [end, beside] : besideEnds_)
+      if (pleated.contains({ties[end].pieceA, ties[end].a})) freed.insert(beside);
+    for (auto at = freed.rbegin(); at != freed.rend(); ++at)
+      ties.erase(ties.begin() + static_cast<std::ptrdiff_t>(*at));
   }
 
   std::vector<SeamTie> ties;
@@ -133,6 +152,7 @@ class TieMaker {
   const std::vector<TrackNodes>& nodes_;
   const std::vector<std::vector<std::uint32_t>>& numbers_;  // in the lattice, of each track's nodes
   SeamId seam_;
+  std::vector<std::array<std::size_t, 2>> besideEnds_;  // of lines sewn to lines: the tie at an end, and that beside it
   std::set<std::tuple<PieceId, std::uint32_t, PieceId, std::uint32_t>> done_;
 };
 
@@ -301,6 +321,7 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
   TieMaker maker(plan, nodes, numbers);
   for (const auto& joined : plan.joined())
     if (joined.seam) maker.sew(joined);
+  maker.freeCornersOfPleats(pattern);
   laid.ties = std::move(maker.ties);
   return laid;
 }

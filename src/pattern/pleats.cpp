@@ -339,7 +339,10 @@ class Spreading {
 
 namespace {
 
-constexpr double kUnder = 0.5;  // layers a fold begins above what lies beneath it
+constexpr double kUnder = 0.5;    // layers a fold begins above what lies beneath it
+constexpr double kOnFold = 1e-7;  // metres: nearer than this a place lies on a fold
+constexpr double kPasses = 0.01;  // metres: so far the upper layer passes the fold inside before it comes down, and in
+                                  // as much again it does
 
 }  // namespace
 
@@ -374,7 +377,19 @@ FoldedPlace PleatedPiece::shingled(Flat place) const {
   return {place + across * (flat - at), strip(j + 1, x) + kUnder + (x - fold(j) + depth) / depth};
 }
 
+// On a fold, where one layer becomes the next, midway between both.
 FoldedPlace PleatedPiece::folded(Flat place) const {
+  const double at = dot(place, across);
+  for (const PleatFold& fold : folds)
+    for (const double line : {0.0, depth, 2 * depth})
+      if (std::abs(at - fold.strip - line) < kOnFold) {
+        const Flat step = across * (2 * kOnFold);
+        return {layered(place).place, (layered(place - step).lifted + layered(place + step).lifted) / 2};
+      }
+  return layered(place);
+}
+
+FoldedPlace PleatedPiece::layered(Flat place) const {
   if (overlapping) return shingled(place);
   const double at = dot(place, across);
   double before = 0;
@@ -388,16 +403,17 @@ FoldedPlace PleatedPiece::folded(Flat place) const {
     const bool mirror = fold.toStart == (in >= depth);
     if (!mirror) return {place - across * (fold.toStart ? before : before + 2 * depth), 0};
     const double flat = fold.toStart ? fold.at + 2 * depth - in : fold.at - in;
-    const double nearFold = 1 - std::abs(flat - fold.at) / depth;
-    return {place + across * (flat - at), kUnder + kUnder * nearFold};
+    return {place + across * (flat - at), 1};
   }
   const Flat flat = place - across * before;
+  double lifted = 0;
   for (const PleatFold& fold : folds) {
-    const double over = at - before - fold.low;
-    if (over < 0 || over > depth) continue;
-    return {flat, 3 * kUnder + kUnder * (1 - std::abs(at - before - fold.at) / depth)};
+    const double from = (fold.toStart ? 1 : -1) * (at - before - fold.at);  // from the fold
+    if (from < 0) continue;
+    const double past = std::max(0.0, from - depth - kPasses) / kPasses;
+    lifted = std::max(lifted, 2 - 2 * past);
   }
-  return {flat, 0};
+  return {flat, lifted};
 }
 
 Flat PleatedPiece::spread(Flat place) const {

@@ -65,6 +65,7 @@ struct PleatedPiece {
   Flat spread(Flat place) const;         // where a place of the old paper is on the new one; of the top layer
 
  private:
+  FoldedPlace layered(Flat place) const;
   FoldedPlace shingled(Flat place) const;
 };
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "design/operations/lifted_form.h"
+#include "design/operations/new_piece.h"
 #include "design/operations/operations.h"
 #include "design/operations/sewn_runs.h"
 #include "karinui/design/sewing.h"
@@ -11,6 +13,7 @@ namespace karinui {
 
 namespace {
 
+constexpr double kAtEnd = 1e-6;   // of an edge
 constexpr double kToEnd = 0.005;  // metres: stitching that ends as near to the line's end runs to it
 
 Flat across(Flat p) { return {-p.u, p.v}; }
@@ -145,6 +148,7 @@ class Pleating {
       seam.a = {led(a)}, seam.b = {led(b)};
       seam.a.front().piece = seam.b.front().piece = id;
       seam.reversed = reversed, seam.tie = tie;
+      sewn_.insert(sewn_.end(), {seam.a.front(), seam.b.front()});
       after_.pattern.seams[seam.id] = std::move(seam);
     };
     for (const auto& layer : made_.layers) add(layer.a, layer.b, layer.reversed, Seam::Tie::Pleat);
@@ -167,17 +171,33 @@ class Pleating {
     if (!old.form && old.pose == Rigid()) return {};
     Piece now = *after_.find(old.id);
     const auto whole = wholeOf(old);
-    // Its lattice does not follow the folds: a node on one would be put to either side of it by rounding.
-    Piece unfolded = now;
-    for (InternalLine& line : unfolded.lines) line.crease.reset();
-    auto form = liftedForm(unfolded, old, before_.settings.spacing, [&](Flat place) {
+    const auto edge = sewnNodes(now);
+    if (!edge) return edge.error();
+    auto form = liftedForm(now, old, before_.settings.spacing, [&](Flat place) {
       const FoldedPlace in = folded(place);
-      return LiftedPlace{whole(in.place), in.lifted * kLayersApart};
+      // Where the layers are sewn to each other they lie together, no higher at a fold than beside it.
+      const double lifted = !made_.overlapping && edge->contains({place.u, place.v}) ? 1 : in.lifted;
+      return LiftedPlace{whole(in.place), lifted * kLayersApart};
     });
     if (!form) return form.error();
     now.form = *std::move(form);
     after_ = withPiece(std::move(after_), std::move(now));
     return {};
+  }
+
+  // The nodes of a piece at which its layers are sewn to each other.
+  Result<std::set<std::pair<double, double>>> sewnNodes(const Piece& piece) const {
+    const auto laid = layAlone(piece, before_.settings.spacing);
+    if (!laid) return laid.error();
+    std::set<std::pair<double, double>> nodes;
+    for (const EdgeSpan& span : sewn_)
+      if (const auto edge = (*laid)->edges.find(span.edge); span.piece == piece.id && edge != (*laid)->edges.end())
+        for (std::size_t k = 0; k < edge->second.nodes.size(); ++k) {
+          const Flat at = (*laid)->nodes[edge->second.nodes[k]];
+          const double fraction = edge->second.fraction[k];
+          if (fraction > span.from - kAtEnd && fraction < span.to + kAtEnd) nodes.insert({at.u, at.v});
+        }
+    return nodes;
   }
 
   // The paper of a drawn pleat stands with all its cloth: what is left of it is spread over the same room, which the
@@ -231,6 +251,7 @@ class Pleating {
   const Piece& was_;
   Document after_;
   std::uint32_t seams_ = 0;
+  std::vector<EdgeSpan> sewn_;  // edges at which layers are sewn to each other
 };
 
 }  // namespace

@@ -1,0 +1,72 @@
+// Pleats stand folded before they are draped: closed where they are sewn, no layer of them passes through another.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numeric>
+#include <random>
+
+#include "design/draping_room.h"
+
+namespace karinui {
+namespace {
+
+// What is sewn within a piece, brought together.
+ClothState sewnTogether(const Cloth& cloth, ClothState state) {
+  std::vector<std::uint32_t> parent(cloth.nodeCount);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](std::uint32_t k) {
+    while (parent[k] != k) k = parent[k];
+    return k;
+  };
+  for (const Tie& tie : cloth.ties) parent[root(tie.b)] = root(tie.a);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
+  for (std::uint32_t k = 0; k < cloth.nodeCount; ++k) groups[root(k)].push_back(k);
+  for (const auto& [first, members] : groups) {
+    Vec3 sum;
+    for (const std::uint32_t k : members) sum += state.position[k];
+    for (const std::uint32_t k : members) state.position[k] = sum * (1.0 / static_cast<double>(members.size()));
+  }
+  return state;
+}
+
+TEST(FoldedPleats, StandInTheirOrder) {
+  std::mt19937_64 random(20);
+  const auto between = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  const char* const kinds[] = {"knife", "box", "inverted"};
+  const char* const turned[] = {"along", "against", "inwards", "outwards"};
+  int stood = 0;
+  for (int k = 0; k < soak(12); ++k) {
+    const char* const kind = kinds[between(0, 2)];
+    const int least = kind == kinds[1] ? 16 : 11;  // mm: behind a box pleat shallower than that lie no whole cells
+    std::string pleat = "pleat edge=front.top kind=" + std::string(kind) + " count=" + std::to_string(between(1, 7)) +
+                        " depth=" + std::to_string(between(least, 30)) + "mm stitch=" + std::to_string(between(0, 80)) +
+                        "mm";
+    if (kind == kinds[0]) pleat += " turned=" + std::string(turned[between(0, 3)]);
+    const std::string script =
+        "body size=eu38\nset spacing=10mm\nrectangle name=front width=" + std::to_string(between(300, 450)) +
+        "mm height=30cm fabric=linen\n"
+        "place piece=front at=\"torso:hip-0.65@0\" ease=10mm\n" +
+        pleat + "\n";
+    SCOPED_TRACE(script);
+    Document document;
+    bool refused = false;
+    const auto lines = parseScript(script);
+    ASSERT_TRUE(lines) << text(lines.error().what);
+    for (const ScriptLine& line : *lines) {
+      auto next = apply(document, line.operation, drapingRoom().context);
+      refused = refused || !next;
+      if (next) document = *std::move(next);
+    }
+    if (refused) continue;  // the pleats have no room on the edge
+    ++stood;
+    const auto stands = standingCloth(document, livePieces(document, {}));
+    ASSERT_TRUE(stands);
+    const ClothCheck found = check(stands->cloth, sewnTogether(stands->cloth, stands->state), nullptr);
+    EXPECT_EQ(found.clothClothCrossings, 0u);
+    EXPECT_EQ(found.foldCrossings, 0u);
+  }
+  EXPECT_GT(stood, soak(12) / 2);
+}
+
+}  // namespace
+}  // namespace karinui
