@@ -30,7 +30,7 @@ std::vector<PieceId> BoundaryActivation::piecesToActivate(const std::vector<Vec3
     for (const NodeIndex k : nodes) change[k] = after[k] - before[k];
   }
   LevelSolver solver(active, x, colliders, settings,
-                     settings.clothOnCloth ? clothRadius(active.spacing, active.spacing) : 0, workers);
+                     settings.clothOnCloth ? clothRadius(active, active.spacing) : 0, workers);
   solver.tieWithin(active.spacing);
   LevelSolver::StepOptions options;
   options.seconds = 0.25;

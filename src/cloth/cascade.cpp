@@ -114,8 +114,7 @@ struct Cascade::Level {
         met(listOf(thinner, cascade.colliders_)),
         prolonged(cascade.prolongTo(number, cloth)),
         solver(cloth, prolonged.linear, met, settings,
-               settings.clothOnCloth ? clothRadius(cloth.spacing, cascade.levels_.back().cloth.spacing) : 0,
-               cascade.workers_),
+               settings.clothOnCloth ? clothRadius(cloth, cascade.levels_.back().cloth.spacing) : 0, cascade.workers_),
         progress{solver, finest, shareBefore(cascade.levels_, cascade.first_, number),
                  shareBefore(cascade.levels_, cascade.first_, number + 1)} {
     // The layers of a pleat, and pieces of several layers, lie over one another from the start.

@@ -21,7 +21,7 @@ Result<DynamicsReport> runDynamics(const ClothLevel& level, const ColliderList& 
   if (const auto fine = checkLevel(level); !fine) return fine.error();
   if (const auto fine = checkSettings(settings); !fine) return fine.error();
   LevelSolver solver(level.cloth, level.state.position, colliders, settings,
-                     settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers);
+                     settings.clothOnCloth ? clothRadius(level.cloth, level.cloth.spacing) : 0, workers);
   solver.tieWithin(level.cloth.spacing);
   LevelSolver::StepOptions options;
   options.seconds = 1.0 / 60;

@@ -221,7 +221,7 @@ Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const B
   skin.moveTo(way.points(), workers);
   Carrying carrying(level.cloth, holdsOf(level.state.position, *skeleton.body(), skin.points()));
   LevelSolver solver(level.cloth, level.state.position, skin, settings,
-                     clothRadius(level.cloth.spacing, level.cloth.spacing), workers);
+                     clothRadius(level.cloth, level.cloth.spacing), workers);
   solver.tieWithin(level.cloth.spacing);
 
   LevelSolver::StepOptions options;

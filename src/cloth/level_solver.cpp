@@ -13,6 +13,9 @@
 namespace karinui {
 namespace {
 
+constexpr double kCoarser = 1.25;     // times the finest spacing: a coarse level
+constexpr double kRadiusShare = 0.3;  // of a coarse spacing: how near cloth comes to cloth
+
 constexpr double kSlackShare =
     0.3;  // of a step's largest move: the slack below which springs enter the matrix as taut,
 constexpr double kLeastSlack = 1e-7, kMostSlack = 0.05;  // and its bounds: metres, spacings
@@ -64,10 +67,12 @@ Moving movingOf(const Cloth& cloth) {
 }  // namespace
 
 double skinOffset(const SettleSettings& settings, double spacing, double finest) {
-  return spacing > 1.25 * finest ? std::max(settings.skin, 0.12 * spacing) : settings.skin;
+  return spacing > kCoarser * finest ? std::max(settings.skin, 0.12 * spacing) : settings.skin;
 }
 
-double clothRadius(double spacing, double finest) { return spacing > 1.25 * finest ? 0.3 * spacing : 0.002; }
+double clothRadius(const Cloth& cloth, double finest) {
+  return cloth.spacing > kCoarser * finest ? kRadiusShare * cloth.spacing : thickestRadius(cloth);
+}
 
 LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const ColliderList& colliders,
                          const SettleSettings& settings, double clothRadius, Workers& workers, AddedTerms added)

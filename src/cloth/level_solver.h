@@ -117,6 +117,6 @@ class LevelSolver {
 
 // Offsets of contact, metres. On coarse levels they are wider, so that the finer cloth finds room.
 double skinOffset(const SettleSettings& settings, double spacing, double finest);
-double clothRadius(double spacing, double finest);
+double clothRadius(const Cloth& cloth, double finest);  // of the thickest fabric
 
 }  // namespace karinui

@@ -140,7 +140,7 @@ struct LiveHand::Inside {
          Workers& workers)
       : level(std::move(from)),
         solver(level.cloth, level.state.position, colliders, settings,
-               settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers),
+               settings.clothOnCloth ? clothRadius(level.cloth, level.cloth.spacing) : 0, workers),
         hand((solver.tieWithin(level.cloth.spacing), solver), patchOf(grip, level.cloth, solver.positions())),
         options(stepOptions(level.cloth, settings)),
         middle(grip.path.front()) {}
@@ -192,7 +192,7 @@ Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const 
   if (const auto fine = checkGrip(grip, level.cloth); !fine) return fine.error();
 
   LevelSolver solver(level.cloth, level.state.position, colliders, settings,
-                     settings.clothOnCloth ? clothRadius(level.cloth.spacing, level.cloth.spacing) : 0, workers);
+                     settings.clothOnCloth ? clothRadius(level.cloth, level.cloth.spacing) : 0, workers);
   solver.tieWithin(level.cloth.spacing);
   PullingHand hand(solver, patchOf(grip, level.cloth, solver.positions()));
 

@@ -8,9 +8,13 @@
 
 namespace karinui {
 
+// How near cloth comes to cloth before it is pushed, of the fabric of a cloth that has the most, metres.
+double thickestRadius(const Cloth& cloth);
+
 class SelfContact : public Contact {
  public:
-  // `radius`: how near cloth comes to cloth before it is pushed, metres; 0: cloth does not meet cloth.
+  // `radius`: how near cloth comes to cloth before it is pushed, metres; 0: cloth does not meet cloth. Where it is
+  // thickestRadius(), each two fabrics have a radius of their own; where it is wider it is one for all.
   SelfContact(const Cloth& cloth, double radius);
   SelfContact(const SelfContact&) = delete;  // its parts refer to each other
   SelfContact& operator=(const SelfContact&) = delete;
@@ -33,7 +37,10 @@ class SelfContact : public Contact {
   bool enabled() const { return on_ && radius_ > 0; }
 
  private:
+  double radiusOf(const ContactPair& pair) const { return half_[pair.node[0]] + half_[pair.node[3]]; }
+
   double radius_, stiffness_;
+  std::vector<double> half_;  // of the radius, per node, metres
   bool on_ = true;
   ClothTopology topology_;
   SewnGroups sewn_;

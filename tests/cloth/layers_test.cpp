@@ -86,8 +86,8 @@ TEST(Pleat, LiesInThreeLayers) {
       });
     };
     const double over = layer(1.4, 2.1), middle = layer(0.4, 1.1), under = layer(-0.1, 0.1);
-    EXPECT_GT(over, middle + 0.001) << pressed;
-    EXPECT_GT(middle, under + 0.001) << pressed;
+    EXPECT_GT(over, middle + 0.0006) << pressed;  // wool suiting is 0.57 mm thick
+    EXPECT_GT(middle, under + 0.0006) << pressed;
     // Pressed, it stays shut down to the hem; the cloth takes there no more room than at the waist, to a centimetre.
     const ClothPiece& part = levels[0].cloth.pieces[0];
     double left = 1, right = -1;
