@@ -18,8 +18,11 @@ bool takesLong(const Operation& operation) {
 constexpr std::size_t kMostRemarks = 5;  // of one kind
 
 Error notOpened(const std::filesystem::path& path, const Error& why) {
-  return {why.kind, say("“{0}” cannot be opened. {1} What is whole of it goes to a new document by “karinui rescue”.",
-                        path.filename().string(), why.what)};
+  const bool hindered =
+      why.kind == Error::Kind::Storage || why.kind == Error::Kind::Memory || why.kind == Error::Kind::Cancelled;
+  const Error::Kind kind = hindered ? why.kind : Error::Kind::Damaged;
+  return {kind, say("“{0}” cannot be opened. {1} What is whole of it goes to a new document by “karinui rescue”.",
+                    path.filename().string(), why.what)};
 }
 
 }  // namespace
@@ -111,7 +114,7 @@ Done DocumentFile::Inside::begin(Store opened, Context* how) {
     const Step* parent = step(row.parent);
     const std::string chain = chained(parent ? parent->chain : std::string(), *operation);
     if (chain != row.chain) {
-      return badInput(
+      return damagedDocument(
           say("“{0}” is damaged at step {1}; nothing was changed. What is whole of it goes to a new document by "
               "“karinui rescue”.",
               path.filename().string(), std::size_t{row.serial}));

@@ -39,7 +39,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 5> kTables{{
 std::string sealOf(Head head) { return Hasher().add(std::string_view("head")).add(head.seq).add(head.tip).hex(); }
 
 Error damaged(const std::filesystem::path& path) {
-  return badInput(
+  return damagedDocument(
       say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
           "“karinui rescue”.",
           path.filename().string()));
