@@ -13,7 +13,7 @@ Indices = numpy.typing.NDArray[numpy.uint32]
 __version__: str
 
 class Error(Exception):
-    kind: Literal["bad_input", "refused", "not_found", "storage", "out_of_memory", "stopped"]
+    kind: Literal["bad_input", "refused", "not_found", "storage", "damaged", "out_of_memory", "stopped"]
 
 class Form:
     @property

@@ -10,6 +10,7 @@
 #include "karinui/base/error_name.h"
 #include "karinui/base/file.h"
 #include "karinui/base/threads.h"
+#include "karinui/base/version.h"
 #include "karinui/design/drape.h"
 #include "karinui/design/dump.h"
 #include "karinui/design/script.h"
@@ -270,11 +271,11 @@ std::unique_ptr<PythonDocument> opened(const std::filesystem::path& path, bool r
 
 PYBIND11_MODULE(karinui, m) {
   m.doc() = "Karinui: made-to-measure clothes, designed on a body, draped, and printed as true-size patterns.";
-  m.attr("__version__") = "0.1.0";
+  m.attr("__version__") = std::string(version());
   static py::exception<Failure> failure(m, "Error");
   failure.doc() =
       "What cannot be done, as a sentence. It has changed nothing. `kind` is one of bad_input, refused, not_found, "
-      "storage, out_of_memory, stopped.";
+      "storage, damaged, out_of_memory, stopped.";
   py::register_exception_translator([](std::exception_ptr raised) {
     try {
       if (raised) std::rethrow_exception(raised);

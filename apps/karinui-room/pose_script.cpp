@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "karinui/base/file.h"
+
 namespace karinui::room {
 
 namespace {
@@ -15,18 +17,23 @@ const Value* holding(const std::map<long, Value>& lines, long picture) {
   return after == lines.begin() ? nullptr : &std::prev(after)->second;
 }
 
+constexpr double kFarthest = 1000;  // metres; a runtime hands places on as floats
+
 bool readPose(std::istringstream& words, Rigid& pose) {
   words >> pose.carry.x >> pose.carry.y >> pose.carry.z >> pose.w >> pose.x >> pose.y >> pose.z;
   if (!words) return false;
   const double size = std::sqrt(pose.w * pose.w + pose.x * pose.x + pose.y * pose.y + pose.z * pose.z);
-  return finite(pose.carry) && std::fabs(size - 1) < 1e-3;
+  const auto inRoom = [](double v) { return std::fabs(v) <= kFarthest; };
+  return inRoom(pose.carry.x) && inRoom(pose.carry.y) && inRoom(pose.carry.z) && std::fabs(size - 1) < 1e-3;
 }
 
 bool isEvent(const std::string& what) {
   static const std::vector<std::string> known{"wait on",      "wait off",      "end",        "focus off",
                                               "focus on",     "visible off",   "visible on", "session lost",
                                               "headset gone", "instance lost", "recentre"};
-  return what.starts_with("picture ") || std::find(known.begin(), known.end(), what) != known.end();
+  constexpr std::string_view kPicture = "picture ";
+  if (what.starts_with(kPicture)) return isPlainName(std::string_view(what).substr(kPicture.size()));
+  return std::find(known.begin(), known.end(), what) != known.end();
 }
 
 std::string poseText(const Rigid& p) {
@@ -80,7 +87,7 @@ Result<PoseScript> parsePoseScript(std::string_view all) {
       return badInput(say("Line {0} of the recorded poses begins with no picture's number: {1}", number, line));
     }
     const auto bad = [&] { return badInput(say("Line {0} of the recorded poses cannot be read: {1}", number, line)); };
-    if (picture < 0 || !(words >> what)) return bad();
+    if (picture < 0 || picture > kLongestScript || !(words >> what)) return bad();
     if (what == "head") {
       Rigid pose;
       if (!readPose(words, pose)) return bad();
@@ -112,6 +119,8 @@ Result<PoseScript> parsePoseScript(std::string_view all) {
             return bad();
           if (words.fail()) return bad();
         }
+        for (const double value : {hand.trigger, hand.hold, hand.stick.u, hand.stick.v})
+          if (!(std::fabs(value) <= 1)) return bad();
       }
       script.hands[what == "left" ? 0 : 1][picture] = hand;
     } else {

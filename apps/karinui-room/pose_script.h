@@ -20,7 +20,8 @@
 
 namespace karinui::room {
 
-inline constexpr double kScriptRate = 72;  // pictures a second
+inline constexpr double kScriptRate = 72;               // pictures a second
+inline constexpr long kLongestScript = 24 * 3600 * 72;  // pictures: a day
 
 struct PoseScript {
   std::map<long, Rigid> head;

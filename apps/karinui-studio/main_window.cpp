@@ -297,6 +297,7 @@ void MainWindow::refresh() {
     }));
   }
   for (const Notice& notice : session_->takeNotices()) tell(notice);
+  if (const auto damaged = session_->takeDamaged()) offerRescue(*damaged);
   if (atStart() && (!session_->path().empty() || !session_->steps().empty())) leaveStart();
   if (auto asked = session_->takeAsked()) askNumbers(*std::move(asked));
   if (const auto view = session_->takeView()) {

@@ -83,6 +83,8 @@ class MainWindow : public QMainWindow {
   void placeNotices();
   void showDropMenu();
   void run(Command command);
+  void offerRescue(const std::filesystem::path& damaged);  // of a document that was not opened
+  void askRescue(const std::filesystem::path& damaged);
   void askNew();
   void askOpen();
   void askImport();

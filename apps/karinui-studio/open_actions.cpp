@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
@@ -79,6 +80,35 @@ void MainWindow::openPath(const QString& path) {
   } else {
     session_->importPattern(file);
   }
+  refresh();
+}
+
+void MainWindow::offerRescue(const std::filesystem::path& damaged) {
+  auto* box = new QMessageBox(
+      QMessageBox::Warning, "Karinui",
+      inWords(
+          say("“{0}” is damaged and was not opened. What is whole of it can be saved in a new document; the damaged "
+              "one stays as it is.",
+              damaged.filename().string())),
+      QMessageBox::NoButton, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* save = box->addButton(inWords(say("Save what is whole…")), QMessageBox::AcceptRole);
+  box->setEscapeButton(box->addButton(inWords(say("Cancel")), QMessageBox::RejectRole));
+  box->setDefaultButton(save);
+  connect(
+      save, &QPushButton::clicked, this, [this, damaged] { askRescue(damaged); }, Qt::QueuedConnection);
+  box->open();
+}
+
+void MainWindow::askRescue(const std::filesystem::path& damaged) {
+  const QString name = inWords(say("{0} – rescued", damaged.stem().string()));  // beside the person's other documents
+  // One that is there is never written over: that is refused, in a sentence.
+  const QString path = QFileDialog::getSaveFileName(this, inWords(say("Save what is whole")), freshPath(name),
+                                                    filterReading("Karinui", {FileContent::Document}), nullptr,
+                                                    QFileDialog::DontConfirmOverwrite);
+  if (path.isEmpty()) return;
+  if (atStart()) start_->leave();
+  session_->rescueTo(damaged, withEnding(path, fileFormat("document")).toStdString());
   refresh();
 }
 

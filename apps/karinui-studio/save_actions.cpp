@@ -12,6 +12,7 @@
 #include "main_window.h"
 #include "paper.h"
 #include "picture_dialog.h"
+#include "share_dialog.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -62,11 +63,18 @@ void MainWindow::askExport() {
 }
 
 void MainWindow::askShare() {
+  const Document& document = session_->snapshot().document;
+  if (document.pattern.pieces.empty()) {
+    session_->refuse(refused(say("There is no piece yet; draw one on the body.")));
+    return refresh();
+  }
+  ShareDialog dialog(document, this);
+  if (dialog.exec() != QDialog::Accepted) return;
   const QString path =
       QFileDialog::getSaveFileName(this, inWords(say("Share the pattern")), freshPath(inWords(say("pattern to share"))),
                                    filterReading("Karinui", {FileContent::Document}));
   if (path.isEmpty()) return;
-  session_->shareTo(withEnding(path, fileFormat("document")).toStdString());
+  session_->shareTo(withEnding(path, fileFormat("document")).toStdString(), dialog.names());
   refresh();
 }
 

@@ -15,7 +15,7 @@ namespace karinui::studio {
 
 namespace {
 
-std::string utf8(const QString& text) { return text.trimmed().toStdString(); }
+std::string plainText(const QString& text) { return text.trimmed().toStdString(); }
 
 // The step (from 1) at which a variable got its present formula; 0: there is none.
 std::size_t stepGiving(const Session& session, const std::string& name) {
@@ -85,7 +85,7 @@ VariablesDialog::VariablesDialog(Session& session, QWidget* parent) : QDialog(pa
   });
   resize(560, 360);
   connect(add_, &QPushButton::clicked, this, [this] {
-    give(utf8(name_->text()), utf8(formula_->text()));
+    give(plainText(name_->text()), plainText(formula_->text()));
     formula_->clear();
     name_->clear();
     name_->setFocus();
@@ -93,7 +93,7 @@ VariablesDialog::VariablesDialog(Session& session, QWidget* parent) : QDialog(pa
   connect(formula_, &QLineEdit::returnPressed, add_, &QPushButton::click);
   connect(remove_, &QPushButton::clicked, this, &VariablesDialog::remove);
   connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
-    if (!filling_ && item->column() == 1) give(nameIn(item->row()), utf8(item->text()));
+    if (!filling_ && item->column() == 1) give(nameIn(item->row()), plainText(item->text()));
   });
 }
 

@@ -6,6 +6,7 @@
 #include "fabric_verb.h"
 #include "karinui/base/memory.h"
 #include "karinui/base/threads.h"
+#include "karinui/base/version.h"
 #include "wrong_call.h"
 
 int main(int count, char** words) {
@@ -15,7 +16,8 @@ int main(int count, char** words) {
   program.threads = karinui::usualThreads();
   program.cli.require_subcommand(1);
   program.cli.option_defaults()->group(help("Options"));
-  program.cli.set_version_flag("--version", "karinui 0.1.0", help("Print the version and exit"));
+  program.cli.set_version_flag("--version", "karinui " + std::string(karinui::version()),
+                               help("Print the version and exit"));
   program.cli.set_help_flag("-h,--help", help("Print this help and exit"));
   program.cli.get_formatter()->label("Usage", help("Usage"));
   program.cli.get_formatter()->label("OPTIONS", help("OPTIONS"));

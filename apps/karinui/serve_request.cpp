@@ -6,16 +6,10 @@ Error notARequest() { return badInput(say("A request is one line with one JSON o
 
 Result<Json> parseRequest(std::string_view line) {
   bool deep = false;
-  // What lies too deep is dropped while it is read, so that it is never held.
-  const auto shallow = [&deep](int depth, Json::parse_event_t, const Json&) {
-    if (depth > kDeepestRequest) deep = true;
-    return depth <= kDeepestRequest;
-  };
-  Json request = Json::parse(line, shallow, false);
-  if (request.is_discarded()) return notARequest();
-  if (deep) return badInput(say("The JSON is nested more than {0} levels deep.", kDeepestRequest));
-  if (!request.is_object()) return notARequest();
-  return request;
+  auto request = shallowJson(line, &deep);
+  if (deep) return badInput(say("The JSON is nested more than {0} levels deep.", kDeepestJson));
+  if (!request || !request->is_object()) return notARequest();
+  return *std::move(request);
 }
 
 std::string Fields::text(const char* name, const std::string& usual) {

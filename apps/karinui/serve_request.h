@@ -1,20 +1,16 @@
 #pragma once
 // What `karinui serve` is asked: one line of JSON, a stranger's bytes. Any thread.
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "karinui/base/result.h"
+#include "shallow_json.h"
 
 namespace karinui::app {
 
-using Json = nlohmann::ordered_json;
-
 inline constexpr const char* kRequestExample = R"({"id": 1, "do": "open", "file": "coat.karinui"})";
-// Values are copied, compared and written level by level, each on the stack.
-inline constexpr int kDeepestRequest = 64;
 
 Error notARequest();  // the refusal of what is no object of JSON
 // The object that the line holds. Refused where it is none, or nested too deep.

@@ -4,6 +4,8 @@
 #include <limits>
 #include <sstream>
 
+#include "karinui/base/file.h"
+
 namespace karinui::app {
 
 StagePictures::StagePictures(std::string folder, const std::string& script) : folder_(std::move(folder)) {
@@ -31,6 +33,9 @@ Done StagePictures::before(int line, OpenDocument& opened) {
 Done StagePictures::rest(OpenDocument& opened) { return before(std::numeric_limits<int>::max(), opened); }
 
 Done StagePictures::draw(const Wish& wish, OpenDocument& opened) {
+  // A script may be a stranger's: it names pictures in the folder, and no other file.
+  if (!isPlainName(wish.name))
+    return badInput(say("Line {0}: “{1}” is no name of a picture; write it without a folder.", wish.line, wish.name));
   if (!picture_) {
     auto fresh = Picture::open();
     if (!fresh) return fresh.error();

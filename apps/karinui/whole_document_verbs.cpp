@@ -24,15 +24,9 @@ int runRescue(Program& program, const FromTo& options) {
   Context context{workers, program.console.token(), blobs, bodies, {}, {}};
   const Result<Rescued> rescued = rescue(options.path, options.out, context);
   if (!rescued) return program.console.refuse(rescued.error());
-  const Message said =
-      rescued->anew > 0
-          ? say("Steps on the way are lost. The garment that was kept last was made anew by {0} {0|step|steps} of its "
-                "own, without history, formulas and drape: drape it.",
-                rescued->anew)
-      : rescued->lost == 0
-          ? say("All {0} {0|step is|steps are} whole.", rescued->steps)
-          : say("{0} {0|step is|steps are} whole and {0|was|were} kept; {1} were not.", rescued->steps, rescued->lost);
-  program.console.answer({{"steps", rescued->steps}, {"lost", rescued->lost}, {"anew", rescued->anew}}, help(said));
+  for (const Message& remark : rescued->remarks) program.console.note(remark);
+  program.console.answer({{"steps", rescued->steps}, {"lost", rescued->lost}, {"anew", rescued->anew}},
+                         program.console.said(rescuedSaid(*rescued)));
   return kDone;
 }
 

@@ -18,8 +18,11 @@ bool takesLong(const Operation& operation) {
 constexpr std::size_t kMostRemarks = 5;  // of one kind
 
 Error notOpened(const std::filesystem::path& path, const Error& why) {
-  return {why.kind, say("“{0}” cannot be opened. {1} What is whole of it goes to a new document by “karinui rescue”.",
-                        path.filename().string(), why.what)};
+  const bool hindered =
+      why.kind == Error::Kind::Storage || why.kind == Error::Kind::Memory || why.kind == Error::Kind::Cancelled;
+  const Error::Kind kind = hindered ? why.kind : Error::Kind::Damaged;
+  return {kind, say("“{0}” cannot be opened. {1} What is whole of it goes to a new document by “karinui rescue”.",
+                    path.filename().string(), why.what)};
 }
 
 }  // namespace
@@ -111,7 +114,7 @@ Done DocumentFile::Inside::begin(Store opened, Context* how) {
     const Step* parent = step(row.parent);
     const std::string chain = chained(parent ? parent->chain : std::string(), *operation);
     if (chain != row.chain) {
-      return badInput(
+      return damagedDocument(
           say("“{0}” is damaged at step {1}; nothing was changed. What is whole of it goes to a new document by "
               "“karinui rescue”.",
               path.filename().string(), std::size_t{row.serial}));
@@ -158,6 +161,57 @@ void DocumentFile::Inside::compareKept() {
     remarks.push_back(say("So is what it keeps of {0} more {0|step|steps}.", damaged - kMostRemarks));
 }
 
+namespace {
+
+// What imported bodies are made of, and no figure that was kept.
+struct OnlyGiven : Blobs {
+  const Blobs& all;
+  explicit OnlyGiven(const Blobs& a) : all(a) {}
+  Result<std::string> put(std::string) override { return refused({}); }
+  Result<std::string> get(const std::string& name) const override { return all.get(name); }
+};
+
+// Makes figures again, each once, and looks whether they are those that are kept.
+class FigureCheck {
+ public:
+  FigureCheck(const Store& store, const Blobs& blobs, Context& context)
+      : store_(store), given_(blobs), context_(context) {}
+  // Another is kept, or it cannot be made. Of the same part and choice it is told once: the steps after keep it, too.
+  bool anotherIsKept(const BodyChoice& choice, const Parts& parts) {
+    const auto part = parts.find("figure");
+    if (!choice.chosen() || part == parts.end()) return false;
+    BodyChoice own = choice;
+    own.hash = choice.ownHash(), own.own.clear(), own.pose.clear();
+    if (std::find(looked_.begin(), looked_.end(), std::pair(part->second, own)) != looked_.end()) return false;
+    looked_.emplace_back(part->second, own);
+    const auto kept = store_.blob(part->second);
+    if (!kept) return false;  // damaged: that is told elsewhere
+    const auto made = bodies_.find(own, given_, context_.workers, context_.token);
+    return !context_.token.cancelled() && !(made && packFigure(**made) == *kept);
+  }
+  // Whether the operation chooses what the document says.
+  bool chooses(const Document& before, const Operation& operation, const BodyChoice& choice) {
+    Context own{context_.workers, context_.token, given_, bodies_, context_.drape, context_.pull};
+    own.recorded = true;
+    Document stands = before;
+    stands.body.pose.clear();  // how the figure stands is another step's
+    const auto made = apply(stands, operation, own);
+    if (!made) return context_.token.cancelled();
+    const BodyChoice& now = made->body;
+    return now.size == choice.size && now.measurements == choice.measurements && now.form == choice.form &&
+           now.mesh == choice.mesh;
+  }
+
+ private:
+  const Store& store_;
+  OnlyGiven given_;
+  Context& context_;
+  Bodies bodies_;  // that knows none yet
+  std::vector<std::pair<std::string, BodyChoice>> looked_;
+};
+
+}  // namespace
+
 Done DocumentFile::Inside::compareSteps(Context& context) {
   KeptDocuments reader(*store);
   std::map<std::uint64_t, Document> known;  // of the steps that others go on from
@@ -167,7 +221,8 @@ Done DocumentFile::Inside::compareSteps(Context& context) {
   Borrowing borrowing(&blobs, &context.blobs);
   Context own{context.workers, context.token, borrowing, context.bodies, context.drape, context.pull};
   own.recorded = true;
-  std::size_t elsewhere = 0;
+  std::size_t elsewhere = 0, otherFigures = 0;
+  FigureCheck figures(*store, blobs, context);
   for (const Step& s : steps) {
     if (context.token.cancelled()) return cancelled();
     const auto parts = store->parts(s.seq);
@@ -183,6 +238,14 @@ Done DocumentFile::Inside::compareSteps(Context& context) {
                 "Karinui took it. What is kept is shown.",
                 std::size_t{s.serial}, std::string(nameOf(s.operation))));
     }
+    const bool other = document && (figures.anotherIsKept(document->body, *parts) ||
+                                    (before != known.end() && std::holds_alternative<SetBody>(s.operation) &&
+                                     !figures.chooses(before->second, s.operation, document->body)));
+    if (other && ++otherFigures <= kMostRemarks)
+      remarks.push_back(
+          say("The figure kept with step {0} is not the one that its measures or its imported body give: it was "
+              "changed, or another version of Karinui made it. What is kept is shown.",
+              std::size_t{s.serial}));
     if (before != known.end() && --following[s.parent] == 0) known.erase(before);
     if (document && following.contains(s.seq)) known[s.seq] = *std::move(document);
     reader.forget();

@@ -186,7 +186,7 @@ Result<std::string> dumped(const std::filesystem::path& document) {
     const auto operation = parseOperation(row.args.empty() ? row.kind : row.kind + " " + row.args);
     if (!operation) return operation.error();
     if (chained(chains.at(row.parent), *operation) != row.chain)
-      return badInput(
+      return damagedDocument(
           say("“{0}” is damaged at step {1}; nothing was changed. What is whole of it goes to a new document by "
               "“karinui rescue”.",
               document.filename().string(), std::size_t{row.serial}));

@@ -49,8 +49,9 @@ Done copy(const Store& damaged, const std::vector<StepRow>& rows, Store& fresh) 
 
 // The steps of the copy whose garments can be had, kept or made again: an operation may name what no step before it
 // made, where one was taken out and all seals made anew.
+// Further what a person should know of what is kept beside them.
 Result<std::set<std::uint64_t>> reachable(const std::filesystem::path& copy, const std::vector<StepRow>& rows,
-                                          Context& context) {
+                                          Context& context, std::vector<Message>& remarks) {
   auto file = DocumentFile::open(copy, &context);
   if (!file) return file.error();
   std::set<std::uint64_t> had{0};
@@ -62,11 +63,11 @@ Result<std::set<std::uint64_t>> reachable(const std::filesystem::path& copy, con
     else if (document.error().kind == Error::Kind::Cancelled)
       return document.error();
   }
+  const std::size_t told = file->remarks().size();
+  if (const Done done = file->checkSteps(context); !done) return done.error();
+  remarks.assign(file->remarks().begin() + static_cast<std::ptrdiff_t>(told), file->remarks().end());
   return had;
 }
-
-// Whether it is said of a damaged file to rescue what is whole of it.
-bool adviseRescue(const Error& why) { return why.what.pattern.find("karinui rescue") != std::string::npos; }
 
 // What the damaged file keeps, to be read only.
 struct StoredBlobs : Blobs {
@@ -117,11 +118,21 @@ Result<std::size_t> makeAnew(const Document& garment, const Store& damaged, cons
 
 }  // namespace
 
+Message rescuedSaid(const Rescued& rescued) {
+  if (rescued.anew > 0)
+    return say(
+        "Steps on the way are lost. The garment that was kept last was made anew by {0} {0|step|steps} of its "
+        "own, without history, formulas and drape: drape it.",
+        rescued.anew);
+  if (rescued.lost == 0) return say("All {0} {0|step is|steps are} whole.", rescued.steps);
+  return say("{0} {0|step is|steps are} whole and {0|was|were} kept; {1} were not.", rescued.steps, rescued.lost);
+}
+
 Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem::path& to, Context& context) {
   const Error nothing = badInput(say(
       "Not one step of “{0}” is whole; nothing could be saved. Take an older copy of it.", from.filename().string()));
   const auto damaged = Store::openDamaged(from);
-  if (!damaged) return adviseRescue(damaged.error()) ? nothing : damaged.error();
+  if (!damaged) return damaged.error().kind == Error::Kind::Damaged ? nothing : damaged.error();
   auto rows = wholeRows(*damaged);
   const auto write = [&]() -> Done {
     auto fresh = Store::create(to);
@@ -130,9 +141,10 @@ Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem:
   std::error_code trouble;
   if (std::filesystem::exists(to, trouble)) return Store::create(to).error();  // it stays
   std::size_t anew = 0;
+  std::vector<Message> remarks;
   const Done done = [&]() -> Done {
     if (Done first = write(); !first) return first;
-    const auto had = reachable(to, rows, context);
+    const auto had = reachable(to, rows, context, remarks);
     if (!had) return had.error();
     if (const auto garment = garmentBeyond(*damaged, *had)) {
       std::filesystem::remove(to, trouble);
@@ -157,8 +169,8 @@ Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem:
     std::filesystem::remove(to, trouble);
     return done.error();
   }
-  if (anew > 0) return Rescued{0, damaged->unsound() + damaged->rows().size(), anew};
-  return Rescued{rows.size(), damaged->unsound() + damaged->rows().size() - rows.size()};
+  if (anew > 0) return Rescued{0, damaged->unsound() + damaged->rows().size(), anew, {}};
+  return Rescued{rows.size(), damaged->unsound() + damaged->rows().size() - rows.size(), 0, remarks};
 }
 
 }  // namespace karinui

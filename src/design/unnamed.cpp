@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "karinui/design/share.h"
+
 namespace karinui {
 
 namespace {

@@ -8,9 +8,6 @@
 
 namespace karinui {
 
-// Each once, in the order above.
-std::vector<std::string> namesIn(const Document& document);
-
 // The same pattern with neutral names: piece1, seam2, edge3. What was called alike still is, and an edge whose name
 // has hem, neck or fold in it keeps that word, which says how it is finished. Fabrics that come with the program keep
 // their names. Of the document only what share() gives away is looked at.

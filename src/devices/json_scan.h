@@ -2,6 +2,7 @@
 // Reads numbers out of JSON where it lies, without allocating: for the servo's thread. Of what is no JSON it says that
 // it is not there.
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -36,7 +37,7 @@ class JsonScan {
   std::optional<double> number() const {
     double value = 0;
     const auto [end, error] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
-    return error == std::errc() ? std::optional(value) : std::nullopt;
+    return error == std::errc() && std::isfinite(value) ? std::optional(value) : std::nullopt;  // no nan, no inf
   }
   std::optional<double> number(std::string_view name) const {
     const auto found = member(name);

@@ -73,6 +73,12 @@ Result<ScriptedDevice> ScriptedDevice::read(std::string_view text, const DeviceR
     if (!sample) return badInput(say("Line {0}: {1}", number, sample.error().what));
     if (!device.samples_.empty() && sample->seconds < device.samples_.back().seconds)
       return badInput(say("Line {0}: {1}", number, say("A recorded hand goes on in time.")));
+    if (!device.samples_.empty() && !(sample->seconds - device.begins() <= kLongestHand))
+      return badInput(say("Line {0}: {1}", number, say("A recorded hand lasts a day at most.")));
+    const Rigid& tip = *sample->tip;
+    const double size = std::sqrt(tip.w * tip.w + tip.x * tip.x + tip.y * tip.y + tip.z * tip.z);
+    if (!(std::fabs(size - 1) < 1e-3))
+      return badInput(say("Line {0}: {1}", number, say("How the tip is turned is no unit quaternion.")));
     device.samples_.push_back(*sample);
   }
   if (device.samples_.empty())

@@ -158,13 +158,17 @@ Result<ImportedBody> readBody(const fs::path& path, const BodyReadOptions& optio
   const auto helper = importHelper(options.helper);
   if (!helper) return helper.error();
   token.progress(0, say("Reading the body"));
-  auto read = readInOtherProcess(path, *format, *helper, options.limits, token);
+  const auto read = readInOtherProcess(path, *format, *helper, options.limits, token);
   if (!read) return read.error();
+  return importedBody(*read, *format, options, workers, token);
+}
 
+Result<ImportedBody> importedBody(const TriangleMesh& read, const std::string& format, const BodyReadOptions& options,
+                                  Workers& workers, const Token& token) {
   ImportedBody body;
-  body.mesh = joined(*read);
+  body.mesh = joined(read);
   if (body.mesh.faces.empty()) return badInput(say("Every triangle of the file is without area."));
-  if (const auto done = stand(body, options, *format); !done) return done.error();
+  if (const auto done = stand(body, options, format); !done) return done.error();
   body.found = body.report = inspectTopology(body.mesh);
   if (!body.report.closed()) {
     if (!options.wrap)

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <optional>
 
 #include "exchange/import_wire.h"
 #include "karinui/base/file.h"
@@ -205,34 +206,39 @@ bool bareName(const std::string& name) {
          name.find_first_of(std::string_view("/\\\0", 3)) == std::string::npos;
 }
 
-// Gives the child the side files it asked for, if they lie beside the file under a plain name.
-Result<std::vector<HandedOver>> sideFiles(std::string_view body, const wire::Reply& reply, const fs::path& folder,
-                                          std::size_t bytesLeft) {
+// The side files that the child asks for, if they lie beside the file under a plain name.
+Result<std::vector<std::string>> sideNames(std::string_view body, const wire::Reply& reply) {
   if (reply.points == 0 || reply.points > wire::kMostSideFiles) return damagedReply();
-  std::vector<HandedOver> files;
+  std::vector<std::string> names;
   for (std::uint64_t i = 0; i < reply.points; ++i) {
     std::uint64_t size = 0;
     if (body.size() < sizeof size) return damagedReply();
     std::memcpy(&size, body.data(), sizeof size);
     body.remove_prefix(sizeof size);
     if (size > body.size()) return damagedReply();
-    const std::string name(body.substr(0, size));
+    std::string name(body.substr(0, size));
     body.remove_prefix(size);
     if (!bareName(name))
       return badInput(
           say("The file wants to read something that does not lie beside it under a plain name. Not done."));
-    auto bytes = readPlainFile(folder / name, bytesLeft, false);
-    if (!bytes) return bytes.error();
-    bytesLeft -= bytes->size();
-    files.push_back({name, std::move(*bytes)});
+    names.push_back(std::move(name));
   }
-  return files;
+  return names;
+}
+
+// The head of what the child said, and what follows it.
+std::optional<wire::Reply> headOf(std::string_view& said) {
+  wire::Reply reply;
+  if (said.size() < sizeof reply) return std::nullopt;
+  std::memcpy(&reply, said.data(), sizeof reply);
+  said.remove_prefix(sizeof reply);
+  return reply.magic == wire::kMagic ? std::optional(reply) : std::nullopt;
 }
 
 // `folder`: where side files may lie.
 Result<TriangleMesh> meshIn(std::string bytes, const std::string& format, const fs::path& folder,
                             const fs::path& helper, const BodyReadLimits& limits, const Token& token) {
-  const std::size_t bytesLeft = limits.fileBytes - bytes.size();
+  std::size_t bytesLeft = limits.fileBytes - bytes.size();
   std::vector<HandedOver> files;
   files.push_back({"body", std::move(bytes)});
   for (const bool second : {false, true}) {
@@ -242,21 +248,51 @@ Result<TriangleMesh> meshIn(std::string bytes, const std::string& format, const 
     if (!child) return child.error();
     const auto said = child->listen(limits, token);
     if (!said) return said.error();
-    wire::Reply reply;
-    if (said->size() < sizeof reply) return damagedReply();
-    std::memcpy(&reply, said->data(), sizeof reply);
-    const std::string_view body = std::string_view(*said).substr(sizeof reply);
-    if (reply.magic != wire::kMagic) return damagedReply();
-    if (reply.kind == wire::Kind::Mesh) return checkedMesh(body, reply, limits);
-    if (reply.kind != wire::Kind::Needs || second) return refusal(reply.reason, limits);
-    auto more = sideFiles(body, reply, folder, bytesLeft);
-    if (!more) return more.error();
-    for (HandedOver& file : *more) files.push_back(std::move(file));
+    auto reply = meshReply(*said, limits);
+    if (!reply) return reply.error();
+    if (auto* mesh = std::get_if<TriangleMesh>(&*reply)) return std::move(*mesh);
+    if (second) return damagedReply();
+    for (std::string& name : std::get<std::vector<std::string>>(*reply)) {
+      auto side = readPlainFile(folder / name, bytesLeft, false);
+      if (!side) return side.error();
+      bytesLeft -= side->size();
+      files.push_back({std::move(name), std::move(*side)});
+    }
   }
   return damagedReply();
 }
 
 }  // namespace
+
+Result<MeshReply> meshReply(std::string_view said, const BodyReadLimits& limits) {
+  const auto reply = headOf(said);
+  if (!reply) return damagedReply();
+  if (reply->kind == wire::Kind::Mesh) {
+    auto mesh = checkedMesh(said, *reply, limits);
+    if (!mesh) return mesh.error();
+    return MeshReply(std::move(*mesh));
+  }
+  if (reply->kind != wire::Kind::Needs) return refusal(reply->reason, limits);
+  auto names = sideNames(said, *reply);
+  if (!names) return names.error();
+  return MeshReply(std::move(*names));
+}
+
+Result<PrintPixels> pictureReply(std::string_view said, std::size_t mostPixels) {
+  const auto wrong = [&](wire::Reason why) {
+    return why == wire::Reason::TooLarge
+               ? badInput(
+                     say("The photograph has more than {0} million pixels; make it smaller.", mostPixels / 1'000'000))
+               : badInput(say("This is no photograph that can be read, or a damaged one; PNG and JPEG can."));
+  };
+  const auto reply = headOf(said);
+  if (!reply) return wrong(wire::Reason::Unreadable);
+  if (reply->kind != wire::Kind::Picture) return wrong(reply->reason);
+  if (reply->points == 0 || reply->faces == 0 || reply->points > 65535 || reply->faces > 65535 ||
+      reply->points * reply->faces > mostPixels || said.size() != 3 * reply->points * reply->faces)
+    return wrong(wire::Reason::Unreadable);
+  return PrintPixels{static_cast<int>(reply->points), static_cast<int>(reply->faces), {said.begin(), said.end()}};
+}
 
 Result<std::string> readPlainFile(const fs::path& path, std::size_t atMost, bool followLinks) {
   const std::string name = path.filename().string();
@@ -307,22 +343,9 @@ Result<PrintPixels> readPictureInOtherProcess(const fs::path& path, const fs::pa
   if (!child) return child.error();
   const auto said = child->listen(limits, token);
   if (!said) return inFile(path, said.error());
-  const auto wrong = [&](wire::Reason why) {
-    return inFile(path,
-                  why == wire::Reason::TooLarge
-                      ? badInput(say("The photograph has more than {0} million pixels; make it smaller.",
-                                     limits.points / 1'000'000))
-                      : badInput(say("This is no photograph that can be read, or a damaged one; PNG and JPEG can.")));
-  };
-  wire::Reply reply;
-  if (said->size() < sizeof reply) return wrong(wire::Reason::Unreadable);
-  std::memcpy(&reply, said->data(), sizeof reply);
-  if (reply.magic != wire::kMagic || reply.kind != wire::Kind::Picture) return wrong(reply.reason);
-  const std::string_view pixels = std::string_view(*said).substr(sizeof reply);
-  if (reply.points == 0 || reply.faces == 0 || reply.points > 65535 || reply.faces > 65535 ||
-      pixels.size() != 3 * reply.points * reply.faces)
-    return wrong(wire::Reason::Unreadable);
-  return PrintPixels{static_cast<int>(reply.points), static_cast<int>(reply.faces), {pixels.begin(), pixels.end()}};
+  auto pixels = pictureReply(*said, mostPixels);
+  if (!pixels) return inFile(path, pixels.error());
+  return pixels;
 }
 
 Result<TriangleMesh> readInOtherProcess(const fs::path& path, const std::string& format, const fs::path& helper,

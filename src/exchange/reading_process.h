@@ -3,6 +3,9 @@
 // limits.
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 #include "karinui/design/print_image.h"
 #include "karinui/exchange/read_body.h"
@@ -17,6 +20,16 @@ Result<TriangleMesh> readInOtherProcess(const std::filesystem::path& path, const
 // The pixels of a photograph, so many at the most.
 Result<PrintPixels> readPictureInOtherProcess(const std::filesystem::path& path, const std::filesystem::path& helper,
                                               std::size_t mostPixels, const Token& token);
+
+// What karinui-import said. It has read a stranger's bytes, so nothing it says is believed unseen.
+// A mesh: finite, indices in range, within limits. Or names of files beside the body's, without folders.
+using MeshReply = std::variant<TriangleMesh, std::vector<std::string>>;
+Result<MeshReply> meshReply(std::string_view said, const BodyReadLimits& limits);
+Result<PrintPixels> pictureReply(std::string_view said, std::size_t mostPixels);
+
+// What readBody() makes of a mesh that was read.
+Result<ImportedBody> importedBody(const TriangleMesh& read, const std::string& format, const BodyReadOptions& options,
+                                  Workers& workers, const Token& token);
 
 // karinui-import: as asked for, else beside the running program.
 Result<std::filesystem::path> importHelper(const std::filesystem::path& asked);

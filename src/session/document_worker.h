@@ -100,7 +100,7 @@ Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path
                      const Token& token);
 // `corner` is the upper right one; where it is not said the scan begins where pieces do.
 Done importScanInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-                    const std::optional<Flat>& corner, std::optional<Message>& note);
+                    const std::optional<Flat>& corner, std::vector<Message>& notes);
 Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
                     std::vector<Message>& notes);
 

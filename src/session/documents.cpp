@@ -19,35 +19,38 @@ void Session::Impl::leave() {
 }
 
 void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done,
-                             std::shared_ptr<std::optional<Message>> note) {
+                             std::shared_ptr<std::vector<Message>> notes, std::filesystem::path opened) {
   leave();
   ++longWorks;
-  tasks.add(TaskQueue::Kind::Step, [this, work = std::move(work), done = std::move(done), note](const Token& token) {
-    Result<std::shared_ptr<DocumentWorker>> made = work(token);
-    const bool other = made && *made != documentWorker;
-    if (other) documentWorker = *made;
-    const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
-    std::optional<Error> why;
-    if (!made) why = made.error();
-    std::vector<Message> remarks;
-    if (other) remarks = documentWorker->file().remarks();
-    return [this, other, why, fresh, done, remarks, note] {
-      --longWorks;
-      if (other) {
-        ++documents;
-        table = TableLayout();
-        selection = {};
-        viewAsked = Command::ViewAll;
-      }
-      take(*fresh);
-      if (why)
-        tellError(*why);
-      else
-        tell(Notice::Kind::Said, done);
-      if (!why && note && *note) tell(Notice::Kind::Said, **note);
-      for (const Message& remark : remarks) tell(Notice::Kind::Said, remark);
-    };
-  });
+  tasks.add(TaskQueue::Kind::Step,
+            [this, work = std::move(work), done = std::move(done), notes, opened](const Token& token) {
+              Result<std::shared_ptr<DocumentWorker>> made = work(token);
+              const bool other = made && *made != documentWorker;
+              if (other) documentWorker = *made;
+              const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
+              std::optional<Error> why;
+              if (!made) why = made.error();
+              std::vector<Message> remarks;
+              if (other) remarks = documentWorker->file().remarks();
+              return [this, other, why, fresh, done, remarks, notes, opened] {
+                --longWorks;
+                if (other) {
+                  ++documents;
+                  table = TableLayout();
+                  selection = {};
+                  viewAsked = Command::ViewAll;
+                }
+                take(*fresh);
+                if (why && why->kind == Error::Kind::Damaged && !opened.empty()) damaged = opened;
+                if (why)
+                  tellError(*why);
+                else
+                  tell(Notice::Kind::Said, done);
+                if (!why && notes)
+                  for (const Message& note : *notes) tell(Notice::Kind::Said, note);
+                for (const Message& remark : remarks) tell(Notice::Kind::Said, remark);
+              };
+            });
 }
 
 std::shared_ptr<DocumentWorker> Session::Impl::workerOf(DocumentFile file, bool readOnly) {  // any thread
@@ -93,7 +96,28 @@ void Session::open(const std::filesystem::path& path) {
         if (!reading) return file.error();
         return in.workerOf(*std::move(reading), true);
       },
-      {});
+      {}, {}, path);
+}
+
+std::optional<std::filesystem::path> Session::takeDamaged() { return std::exchange(impl_->damaged, std::nullopt); }
+
+void Session::rescueTo(const std::filesystem::path& damaged, const std::filesystem::path& to) {
+  auto& in = *impl_;
+  const auto notes = std::make_shared<std::vector<Message>>();
+  in.longWork(
+      [&in, damaged, to, notes](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
+        token.progress(0, say("Saving what is whole"));
+        MemoryBlobs none;
+        Context how{*in.workers, token, none, *in.bodies, {}, {}};
+        const auto rescued = rescue(damaged, to, how);
+        if (!rescued) return rescued.error();
+        notes->push_back(rescuedSaid(*rescued));
+        notes->insert(notes->end(), rescued->remarks.begin(), rescued->remarks.end());
+        auto file = DocumentFile::open(to, &how);
+        if (!file) return file.error();
+        return in.workerOf(*std::move(file), false);
+      },
+      say("“{0}” was written.", to.string()), notes);
 }
 
 void Session::saveAs(const std::filesystem::path& path) {
@@ -180,16 +204,16 @@ std::optional<Flat> besideAll(const Document& document, const TableLayout& table
 void Session::importScan(const std::filesystem::path& file) {
   auto& in = *impl_;
   const std::optional<Flat> corner = besideAll(in.state.snapshot->document, in.table);
-  const auto note = std::make_shared<std::optional<Message>>();
+  const auto notes = std::make_shared<std::vector<Message>>();
   in.longWork(
-      [&in, file, note, corner](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
-        if (const Done done = importScanInto(*in.documentWorker, file, token, corner, *note); !done)
+      [&in, file, notes, corner](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
+        if (const Done done = importScanInto(*in.documentWorker, file, token, corner, *notes); !done)
           return done.error();
         return in.documentWorker;
       },
       say("“{0}” lies under the pattern. With the tool Trace, click two places on it and say how far apart they are.",
           file.filename().string()),
-      note);
+      notes);
 }
 
 void Session::importPattern(const std::filesystem::path& file) {
@@ -218,12 +242,12 @@ void Session::exportTo(const std::filesystem::path& file, const ExportWish& wish
       });
 }
 
-void Session::shareTo(const std::filesystem::path& file) {
+void Session::shareTo(const std::filesystem::path& file, SharedNames names) {
   auto& in = *impl_;
-  in.tasks.add(TaskQueue::Kind::Step, [this, file](const Token& token) -> TaskQueue::Finish {
+  in.tasks.add(TaskQueue::Kind::Step, [this, file, names](const Token& token) -> TaskQueue::Finish {
     MemoryBlobs none;
     Context how{*impl_->workers, token, none, *impl_->bodies, {}, {}};
-    const auto shared = share(impl_->documentWorker->file(), file, how);
+    const auto shared = share(impl_->documentWorker->file(), file, how, names);
     return [this, shared, file] {
       if (!shared) return impl_->tellError(shared.error());
       impl_->tell(Notice::Kind::Said, say("“{0}” was written.", file.string()));

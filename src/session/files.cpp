@@ -81,10 +81,10 @@ Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path
 }
 
 Done importScanInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-                    const std::optional<Flat>& corner, std::optional<Message>& note) {
+                    const std::optional<Flat>& corner, std::vector<Message>& notes) {
   const auto scan = readScan(file, token);
   if (!scan) return scan.error();
-  note = scan->shrunk();
+  if (const auto note = scan->shrunk()) notes.push_back(*note);
   if (const Done draft = documentWorker.beginDraft(file.stem().string()); !draft) return draft;
   const Result<std::string> blob = documentWorker.file().blobs().put(packPrint(scan->image));
   if (!blob) return blob.error();

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "karinui/base/version.h"
+
 namespace karinui::test {
 namespace {
 
@@ -47,6 +49,22 @@ class Command : public testing::Test {
     fs::copy(kept / "d.karinui", document());
   }
 };
+
+// A script may come from anyone.
+TEST_F(Command, AScriptNamesPicturesInTheFolderAndNoOtherFile) {
+  for (const char* name : {"../outside", "/tmp/karinui_outside", ".hidden", "sub/outside"}) {
+    const Said said = karinui("play " + script(std::string("set spacing=20mm\n# picture: ") + name + " view=front\n") +
+                              " -o " + (folder / "drawn.karinui") + " --pictures " + (folder / "pictures"));
+    EXPECT_EQ(said.exit, 3) << name;
+    EXPECT_NE(said.err.find("is no name of a picture"), std::string::npos) << said.err;
+  }
+  EXPECT_FALSE(fs::exists(folder / "outside.png"));
+  EXPECT_FALSE(fs::exists("/tmp/karinui_outside.png"));
+}
+
+TEST_F(Command, SaysWhichVersionItIs) {
+  EXPECT_EQ(karinui("--version").out, "karinui " + std::string(version()) + "\n");
+}
 
 TEST_F(Command, TeachesWhenAskedAndRefusesWrongCalls) {
   const Said help = karinui("--help");

@@ -380,6 +380,53 @@ TEST_F(TamperedBeforeVerbs, AreRefusedInASentenceOrAnswered) {
   EXPECT_GT(refused, 0);
 }
 
+// The figure's points with other numbers, all seals made anew: read by every verb, told by check.
+TEST_F(TamperedBeforeVerbs, AnotherFigureIsToldByCheck) {
+  Store::Content content;
+  {
+    const auto store = Store::open(whole(), false);
+    ASSERT_TRUE(store);
+    for (const StepRow& row : store->rows()) content.steps.emplace_back(row, *store->parts(row.seq));
+    for (const std::string& name : store->blobNames()) content.blobs[name] = *store->blob(name);
+    content.head = store->head();
+  }
+  EXPECT_EQ(karinui("check " + whole()).err.find("The figure kept"), std::string::npos);
+  std::string before = hash(Document());
+  for (auto& [row, parts] : content.steps) {
+    auto figure = unpackFigure(content.blobs[parts.at("figure")]);
+    ASSERT_TRUE(figure);
+    Body::Parts wide;
+    wide.name = (*figure)->name(), wide.mesh = (*figure)->mesh(), wide.measured = (*figure)->measured();
+    wide.landmarks = (*figure)->landmarks(), wide.chart = Body::chartFrom((*figure)->chartNumbers());
+    for (Vec3& p : wide.mesh.points) p.x *= 1.1;
+    const BodyPtr other = *Body::make(wide);
+    const auto put = [&](const char* part, std::string bytes) {
+      const std::string name = blobName(bytes);
+      content.blobs[name] = std::move(bytes);
+      parts[part] = name;
+    };
+    auto document = unpackRest(content.blobs[parts.at("rest")]);
+    ASSERT_TRUE(document);
+    document->body.hash = other->hash();
+    put("figure", packFigure(*other)), put("rest", packRest(*document));
+    for (const auto& [part, blob] : parts) {
+      if (!part.starts_with("piece ")) continue;
+      auto piece = *unpackPiece(content.blobs[blob]);
+      if (const auto form = parts.find("form " + part.substr(6)); form != parts.end())
+        piece.form = *unpackForm(content.blobs[form->second]);
+      document->pattern.pieces[piece.id] = std::make_shared<const Piece>(piece);
+    }
+    row.before = before, row.after = before = hash(*document), row.stand = drapeHash(*document);
+  }
+  const std::string path = folder / "other.karinui";
+  {
+    auto forged = Store::create(path);
+    ASSERT_TRUE(forged && forged->fill(content));
+  }
+  EXPECT_EQ(karinui("info " + path).err.find("The figure kept"), std::string::npos);
+  EXPECT_THAT(karinui("check " + path).err, testing::HasSubstr("The figure kept with step 1 is not the one"));
+}
+
 TEST_F(TamperedBeforeVerbs, WhatIsFoundOnTheWayIsTold) {
   Store::Content content;
   {

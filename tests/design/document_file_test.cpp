@@ -15,6 +15,7 @@
 
 #include "design/file_layer.h"
 #include "design/workroom.h"
+#include "karinui/base/version.h"
 #include "karinui/design/print_image.h"
 
 namespace karinui {
@@ -107,6 +108,17 @@ TEST_F(KeptDocument, IsTheSameAfterClosingAndLeavesOneFile) {
   EXPECT_TRUE(file->document().drape.last->settled);
   EXPECT_EQ(drapeHash(file->document()), file->steps().back().stand);
   EXPECT_EQ(fs::status(path_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(KeptDocument, SaysWhichKarinuiMadeIt) {
+  { auto file = DocumentFile::create(path_); }
+  sqlite3* db = nullptr;
+  ASSERT_EQ(sqlite3_open(path_.c_str(), &db), SQLITE_OK);
+  std::string made;
+  const auto take = [](void* to, int, char** values, char**) { return *static_cast<std::string*>(to) = values[0], 0; };
+  EXPECT_EQ(sqlite3_exec(db, "SELECT value FROM meta WHERE key = 'made by'", take, &made, nullptr), SQLITE_OK);
+  sqlite3_close(db);
+  EXPECT_EQ(made, "Karinui " + std::string(version()));
 }
 
 TEST_F(KeptDocument, IsOpenedWithoutDrapingAgain) {

@@ -1,6 +1,7 @@
 // Three hundred random garments of forty operations each, undone, done again and reopened in between: no crash; what is
-// refused changes nothing; undo to the beginning gives the empty document; the log replays to the same one. A fault is
-// told with its seed and the shortest script that shows it.
+// refused changes nothing; undo to the beginning gives the empty document; the log replays to the same one. Some are
+// drawn on a figure. A few are draped by the solver, coarsely, and what came to rest must hang outside the body and
+// through nothing. A fault is told with its seed and the shortest script that shows it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -13,15 +14,83 @@
 #include "design/quick_folder.h"
 #include "design/shrunk.h"
 #include "design/workroom.h"
+#include "karinui/design/drape.h"
 
 namespace karinui {
 namespace {
 
+// How a garment is made: of pieces of paper, or drawn on a figure, with cloth that falls a bit or that the solver
+// drapes.
+enum class Way { Paper, Drawn, Draped };
+
 class Tailor {
  public:
-  explicit Tailor(std::uint64_t seed) : dice_(seed) {}
+  explicit Tailor(std::uint64_t seed, Way way = Way::Paper) : dice_(seed), way_(way) {}
+
+  // What every garment of this way begins with.
+  Lines first() {
+    if (way_ == Way::Paper) return {};
+    Lines lines{"body size=jis9ar"};
+    if (way_ == Way::Draped) lines.push_back("set spacing=" + std::to_string(40 + below(20)) + "mm");
+    return lines;
+  }
 
   std::string operation(const Document& d) {
+    if (way_ == Way::Draped) return onFigure(d);
+    if (way_ == Way::Drawn && below(6) == 0) return draw();
+    return onPaper(d);
+  }
+  std::uint64_t below(std::uint64_t n) { return dice_() % n; }
+
+ private:
+  // What can be worn: few pieces, sewn, cut and pulled, and draped again and again.
+  std::string onFigure(const Document& d) {
+    const std::string p = piece(d);
+    if (d.pattern.pieces.size() < 2 || (d.pattern.pieces.size() < 5 && below(6) == 0)) return draw();
+    switch (below(16)) {
+      case 0:
+      case 1:
+      case 2:
+        return "sew a=" + edge(d) + " b=" + edge(d);
+      case 3:
+        return "cut piece=" + p + " line=\"" + place() + "; " + place() + "\"";
+      case 4:
+        return "move piece=" + p + " by=" + num(0.03) + "," + num(0.03) + "," + num(0.03);
+      case 5:
+        return "reshape piece=" + p + " at=" + place() + " by=" + num(0.03) + "," + num(0.03) + "," + num(0.03) +
+               " within=" + std::to_string(3 + below(9)) + "cm";
+      case 6:
+        return "dart edge=" + edge(d) + " at=" + num01() + " tip=" + place() + " width=2cm";
+      case 7:
+        return "pin piece=" + p + " at=" + place();
+      case 8:
+        return "pull piece=" + p + " at=" + place() + " by=" + num(0.05) + "," + num(0.05) + "," + num(0.05);
+      case 9:
+        return "fabric name=f" + std::to_string(below(3)) + " like=cotton weight=0." + std::to_string(1 + below(4)) +
+               " piece=" + p;
+      case 10:
+        return below(2) == 0 ? "drape live=" + p : "mirror piece=" + p;
+      default:
+        return "drape";
+    }
+  }
+  // Round a part of the torso, from one level of its chart to one or two above it.
+  std::string draw() {
+    static const char* const kLevels[] = {"hip", "high_hip", "waist"};
+    const std::uint64_t low = below(3);
+    const double from = static_cast<double>(below(100)) / 100, wide = 0.08 + static_cast<double>(below(30)) / 100;
+    const auto at = [&](bool high, double around) {
+      const double up = (high ? 1.5 : 0) + static_cast<double>(below(100)) / 100;
+      return "torso:" + std::string(kLevels[low]) + "+" + std::to_string(up) + "@" +
+             std::to_string(around - std::floor(around));
+    };
+    std::string line = at(false, from) + "; " + at(false, from + wide) + "; " + at(true, from + wide) + "; ";
+    if (below(2) == 0) line += at(true, from + wide / 2) + "; ";
+    return "draw name=d" + std::to_string(below(1000)) + " ease=" + std::to_string(8 + below(20)) + "mm" +
+           (below(3) == 0 ? " layer=" + std::to_string(below(3)) : "") + " line=\"" + line + at(true, from) + "\"";
+  }
+
+  std::string onPaper(const Document& d) {
     const std::string p = piece(d), q = piece(d);
     switch (below(28)) {
       case 0:
@@ -81,9 +150,6 @@ class Tailor {
                              : "set spacing=" + std::to_string(below(60)) + "mm";
     }
   }
-  std::uint64_t below(std::uint64_t n) { return dice_() % n; }
-
- private:
   std::string num(double size) { return std::to_string(size * (static_cast<double>(below(2001)) / 1000 - 1)); }
   std::string num01() { return std::to_string(static_cast<double>(below(1001)) / 1000); }
   std::string place() {
@@ -114,12 +180,28 @@ class Tailor {
     return all + "; left L 0 0\" pose=\"0,1,0." + std::to_string(below(9)) + "\"";
   }
   std::mt19937_64 dice_;
+  Way way_;
 };
+
+// The room of all garments of a way: their figure is built once, for both ways that have one.
+Workroom& roomOf(Way way) {
+  static Workroom paper, figured;
+  if (way == Way::Paper) return paper;
+  if (way == Way::Draped) {
+    figured.context.drape = [](const Document& d, const DrapePieces& op, Context& own) {
+      return drapeOnBody(d, op, own);
+    };
+    figured.context.pull = [](const Document& d, const PullCloth& op, Context& own) { return pullOnBody(d, op, own); };
+  } else {
+    figured.context.drape = paper.context.drape, figured.context.pull = paper.context.pull;
+  }
+  return figured;
+}
 
 // Plays a script, whose lines are operations, undo, redo and reopen, on a file, and looks for faults after each.
 class Rehearsal {
  public:
-  Rehearsal() {
+  explicit Rehearsal(Way way = Way::Paper) : way_(way), room_(roomOf(way)) {
     folder_ = quickFolder();
     file_.emplace(*DocumentFile::create(folder_ / "garment.karinui"));
   }
@@ -129,6 +211,8 @@ class Rehearsal {
   }
   const Document& document() const { return file_->document(); }
   std::size_t performed() const { return performed_; }
+  std::size_t rested() const { return rested_; }  // drapes by the solver
+  std::size_t grazed() const { return grazed_; }  // of them, those that touch more than they should
 
   // What is wrong after this line; empty: nothing.
   std::string play(const std::string& line) {
@@ -148,7 +232,7 @@ class Rehearsal {
         for (const EdgeSpan& span : *side)
           if (const Piece* piece = document().find(span.piece); !piece || !piece->outline.find(span.edge))
             return line + ": seam " + text(id) + " has lost its edge";
-    return "";
+    return step && way_ == Way::Draped ? hangs(line) : "";
   }
 
   // The same at the end, once: replay and undo.
@@ -175,14 +259,34 @@ class Rehearsal {
     return same ? "" : "reopen leads elsewhere";
   }
 
+  // What the examiner finds. Only a drape of all pieces that came to rest promises that nothing is crossed.
+  std::string hangs(const std::string& line) {
+    const auto found = examined(document(), room_.context);
+    if (!found) return line + ": examined: " + text(found.error().what);
+    if (!found->finite) return line + ": cloth at no place";
+    if (line != "drape" || !document().drape.last || !document().drape.last->settled) return "";
+    ++rested_;
+    const auto told = [&](const char* what, double number) {
+      return line + ": " + what + " " + std::to_string(number);
+    };
+    // Faces of 4 cm graze a foot between the places at which contact is looked for; those of a garment do not.
+    constexpr double kGraze = 1e-3;
+    if (found->penetration > kGraze) return told("deep in the body, metres:", found->penetration);
+    if (found->clothClothCrossings > 0) return told("cloth through cloth:", double(found->clothClothCrossings));
+    grazed_ += found->clothBodyCrossings > 0;
+    if (found->seamGap > 1e-4) return told("an open seam, metres:", found->seamGap);
+    return "";
+  }
+
+  Way way_;
   std::filesystem::path folder_;
-  Workroom room_;
+  Workroom& room_;
   std::optional<DocumentFile> file_;
-  std::size_t performed_ = 0;
+  std::size_t performed_ = 0, rested_ = 0, grazed_ = 0;
 };
 
-std::string faultOf(const Lines& lines) {
-  Rehearsal rehearsal;
+std::string faultOf(const Lines& lines, Way way = Way::Paper) {
+  Rehearsal rehearsal(way);
   for (const std::string& line : lines)
     if (std::string fault = rehearsal.play(line); !fault.empty()) return fault;
   return rehearsal.end();
@@ -191,12 +295,16 @@ std::string faultOf(const Lines& lines) {
 struct Garment {
   Lines lines;
   std::string fault;
-  std::size_t performed = 0;
+  std::size_t performed = 0, rested = 0, grazed = 0;
 };
-Garment randomGarment(std::uint64_t seed, int operations) {
-  Tailor tailor(seed);
-  Rehearsal rehearsal;
+Garment randomGarment(std::uint64_t seed, int operations, Way made = Way::Paper) {
+  Tailor tailor(seed, made);
+  Rehearsal rehearsal(made);
   Garment garment;
+  for (const std::string& line : tailor.first()) {
+    garment.lines.push_back(line);
+    if (garment.fault.empty()) garment.fault = rehearsal.play(line);
+  }
   for (int i = 0; i < operations && garment.fault.empty(); ++i) {
     const std::uint64_t way = tailor.below(24);
     garment.lines.push_back(way < 2    ? "undo"
@@ -206,7 +314,8 @@ Garment randomGarment(std::uint64_t seed, int operations) {
     garment.fault = rehearsal.play(garment.lines.back());
   }
   if (garment.fault.empty()) garment.fault = rehearsal.end();
-  garment.performed = rehearsal.performed();
+  garment.performed = rehearsal.performed(), garment.rested = rehearsal.rested();
+  garment.grazed = rehearsal.grazed();
   return garment;
 }
 
@@ -216,19 +325,38 @@ std::string script(const Lines& lines) {
   return all;
 }
 
+// The fault with the shortest script that shows it.
+std::string told(std::uint64_t seed, const Garment& garment, Way way) {
+  const Lines few = shrunk(garment.lines, [way](const Lines& lines) { return !faultOf(lines, way).empty(); });
+  return "seed " + std::to_string(seed) + ": " + garment.fault + "\nThe shortest script that shows it (" +
+         faultOf(few, way) + "):\n" + script(few);
+}
+
 TEST(RandomGarments, NeverCrashUndoToNothingAndReplay) {
+  constexpr std::uint64_t kDrawn = 30;  // at length one of so many: drawing takes ten times as long
   std::size_t performed = 0, asked = 0;
   for (std::uint64_t seed = 1, last = static_cast<std::uint64_t>(soak(300)); seed <= last; ++seed) {
-    const Garment garment = randomGarment(seed, 40);
+    const Way way = atLength() && seed % kDrawn == 0 ? Way::Drawn : Way::Paper;
+    const Garment garment = randomGarment(seed, 40, way);
     performed += garment.performed;
     for (const std::string& line : garment.lines) asked += line != "undo" && line != "redo" && line != "reopen";
-    if (garment.fault.empty()) continue;
-    const Lines few = shrunk(garment.lines, [](const Lines& lines) { return !faultOf(lines).empty(); });
-    FAIL() << "seed " << seed << ": " << garment.fault << "\nThe shortest script that shows it (" << faultOf(few)
-           << "):\n"
-           << script(few);
+    ASSERT_TRUE(garment.fault.empty()) << told(seed, garment, way);
   }
   EXPECT_GT(performed * 2, asked);  // the dice are not so bad that little happens
+}
+
+// KARINUI_SEEDS="100 199" takes other seeds.
+TEST(RandomGarments, OfTheSolverHangOutsideTheBodyAndUncrossed) {
+  std::uint64_t seed = atLength() ? 1 : 8, last = atLength() ? 60 : 8;  // the eighth is quick and rests four times
+  if (const char* asked = std::getenv("KARINUI_SEEDS")) std::sscanf(asked, "%lu %lu", &seed, &last);
+  std::size_t performed = 0, rested = 0, grazed = 0;
+  for (; seed <= last; ++seed) {
+    const Garment garment = randomGarment(seed, atLength() ? 20 : 10, Way::Draped);
+    performed += garment.performed, rested += garment.rested, grazed += garment.grazed;
+    EXPECT_TRUE(garment.fault.empty()) << told(seed, garment, Way::Draped);
+  }
+  std::printf("%zu steps, %zu drapes came to rest, %zu of them graze the body.\n", performed, rested, grazed);
+  EXPECT_GT(performed, 0u);
 }
 
 // What a fault would be told as, by a fault made up: three pieces at once.

@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -55,11 +56,11 @@ class TamperedDocument : public ::testing::Test {
         ", chain = '" + row.chain + "', pre_hash = '" + row.before + "', post_hash = '" + row.after +
         "', stand_hash = '" + row.stand + "', seal = '" + row.seal() + "' WHERE seq = " + std::to_string(row.seq));
   }
-  void keep(const std::string& part, const std::string& bytes) const {
+  void keep(const std::string& part, const std::string& bytes, int seq = 5) const {
     std::string hex;
     for (const unsigned char c : bytes) hex += "0123456789abcdef"[c >> 4], hex += "0123456789abcdef"[c & 15];
     sql("INSERT OR IGNORE INTO blob VALUES('" + blobName(bytes) + "', x'" + hex + "'); UPDATE snap SET blob = '" +
-        blobName(bytes) + "' WHERE seq = 5 AND part = '" + part + "'");
+        blobName(bytes) + "' WHERE seq = " + std::to_string(seq) + " AND part = '" + part + "'");
   }
   // The document kept beside the last step is another one, with every hash and seal as it should be.
   void forge(const Document& forged) const {
@@ -256,6 +257,75 @@ TEST_F(TamperedDocument, AnOperationOfOtherWordsIsToldByTakingTheStepsOnceMore) 
   EXPECT_THAT(remarks(*file), IsEmpty()) << "nothing that opening looks at is changed";
   ASSERT_TRUE(file->checkSteps(room_.context));
   EXPECT_THAT(remarks(*file), Contains(HasSubstr("Step 3, “sew”, leads to another garment than the file keeps")));
+}
+
+// Another figure, with every hash and seal made anew. Opening makes no figure and cannot know; who checks does. An
+// imported body, and at length one of measures, which takes longer to be made.
+TEST_F(TamperedDocument, AFigureThatIsNotWhatItIsMadeOfIsToldByTakingTheStepsOnceMore) {
+  const std::string mesh = "body mesh=" + *room_.blobs.put(packBody(egg()));
+  for (const std::string& body : atLength() ? std::vector<std::string>{mesh, "body size=jis9ar"} : std::vector{mesh}) {
+    SCOPED_TRACE(body);
+    fs::remove(path_);
+    {
+      auto file = DocumentFile::create(path_);
+      ASSERT_TRUE(file && room_.play(*file, body + "\nset spacing=20mm\n"));
+      whole_ = file->document();
+      ASSERT_TRUE(file->checkSteps(room_.context));
+      EXPECT_THAT(remarks(*file), IsEmpty());
+    }
+    const std::string good = bytes();
+    const BodyPtr worn = room_.bodies.known(whole_.body.hash);
+    ASSERT_TRUE(worn);
+    // The document kept beside both steps, with this figure.
+    const auto forge = [&](const std::function<void(BodyChoice&)>& edit, const std::string& figure) {
+      write(good);
+      std::string before = hash(Document());
+      for (const StepRow& row : rows()) {
+        Document forged = whole_;
+        forged.operations = row.serial;
+        if (row.seq == 1) forged.settings = {};
+        edit(forged.body);
+        keep("rest", packRest(forged), static_cast<int>(row.seq));
+        keep("figure", figure, static_cast<int>(row.seq));
+        StepRow now = row;
+        now.before = before, now.after = before = hash(forged), now.stand = drapeHash(forged);
+        put(now);
+      }
+    };
+    Body::Parts wide;
+    wide.name = worn->name(), wide.mesh = worn->mesh(), wide.measured = worn->measured();
+    wide.landmarks = worn->landmarks(), wide.chart = Body::chartFrom(worn->chartNumbers());
+    for (Vec3& p : wide.mesh.points) p.x *= 1.1;
+    const BodyPtr other = *Body::make(wide);
+    wide.mesh = worn->mesh(), wide.name = "somebody else";
+    const BodyPtr named = *Body::make(wide);
+    std::vector<std::tuple<const char*, std::function<void(BodyChoice&)>, BodyPtr>> forgeries{
+        {"other points", [&](BodyChoice& choice) { choice.hash = other->hash(); }, other},
+        {"other words beside the same points", [](BodyChoice&) {}, named}};
+    if (whole_.body.mesh.empty()) {
+      const auto size = *builtInSize("eu38");
+      const BodyPtr large = *makeMannequin(size, room_.workers, room_.token);
+      forgeries.emplace_back(
+          "other measures, and their figure",
+          [=](BodyChoice& choice) { choice.measurements = size, choice.hash = large->hash(); }, large);
+    }
+    for (const auto& [name, edit, figure] : forgeries) {
+      SCOPED_TRACE(name);
+      forge(edit, packFigure(*figure));
+      {
+        auto file = DocumentFile::open(path_);
+        ASSERT_TRUE(file) << text(file.error().what);
+        EXPECT_THAT(remarks(*file), IsEmpty()) << "nothing that opening looks at is changed";
+        ASSERT_TRUE(file->checkSteps(room_.context));
+        EXPECT_THAT(remarks(*file), ElementsAre(HasSubstr("The figure kept with step 1 is not the one")));
+      }
+      const fs::path saved = folder_ / "saved.karinui";
+      const auto rescued = rescue(path_, saved, room_.context);
+      ASSERT_TRUE(rescued) << text(rescued.error().what);
+      EXPECT_EQ(rescued->remarks.size(), 1u);
+      fs::remove(saved);
+    }
+  }
 }
 
 TEST_F(TamperedDocument, KeptBytesThatWereChangedAreTold) {

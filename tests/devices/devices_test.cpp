@@ -159,7 +159,10 @@ TEST(ScriptedDevice, PlaysARecordedHand) {
   EXPECT_NEAR(mostForce(*device, floorScene(), 3500), 0.5 * 400 * 0.005, 0.01);
   for (const char* bad : {"", "hover space 0 0 0 0 0 0 -1 0 0 1 reach 0.01", "press space x tip 1 2",
                           "hover space 1 0 0 0 0 0 -1 0 0 1 reach 0 tip 0 0 0 1 0 0 0\n"
-                          "hover space 0 0 0 0 0 0 -1 0 0 1 reach 0 tip 0 0 0 1 0 0 0"})
+                          "hover space 0 0 0 0 0 0 -1 0 0 1 reach 0 tip 0 0 0 1 0 0 0",
+                          "hover space 0 0 0 0 0 0 -1 0 0 1 reach 0 tip 0 0 0 0 0 0 0",
+                          "hover space 0 0 0 0 0 0 -1 0 0 1 reach 0 tip 0 0 0 1 0 0 0\n"
+                          "hover space 1e300 0 0 0 0 0 -1 0 0 1 reach 0 tip 0 0 0 1 0 0 0"})
     EXPECT_FALSE(ScriptedDevice::read(bad, simulatedRecord())) << bad;
 }
 

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "../apps/karinui/batch/manifest.h"
 #include "fuzz/readers.h"
 #include "karinui/exchange/read_body.h"
 #include "karinui/exchange/read_print.h"
@@ -28,9 +29,10 @@ std::vector<std::filesystem::path> corpus(std::string_view folder) {
 TEST(Corpora, GoThroughEveryReader) {
   std::size_t files = 0;
   for (const auto& reader : test::fuzzedReaders())
-    for (const char* folder : {"dxf", "svg", "json", "measures", "ops", "dump", "document", "parts", "request"})
+    for (const char* folder : {"dxf", "svg", "json", "measures", "ops", "dump", "document", "parts", "request", "hand",
+                               "poses", "manifest", "formula", "reply", "device"})
       for (const auto& file : corpus(folder)) reader.read(test::content(file)), ++files;
-  EXPECT_GT(files, 300u);
+  EXPECT_GT(files, 800u);
 }
 
 TEST(Corpora, CutShortAndChangedTheyAreTakenOrRefused) {
@@ -54,6 +56,27 @@ TEST(Corpora, CutShortAndChangedTheyAreTakenOrRefused) {
         reader.read(changed);
       }
     }
+}
+
+// Keys and seals are no signatures: whoever changes a batch can make them anew.
+TEST(Corpora, ABatchNamesFilesInItsFolderAndOutcomesThatThereAre) {
+  const auto folder = std::filesystem::path(KARINUI_SOURCE_DIR) / "tests/fuzz/corpus/manifest";
+  EXPECT_TRUE(app::parseManifest(test::content(folder / "two_by_two.json"), "batch"));
+  for (const char* name : {"elsewhere.json", "deep.json", "outcome.json"})
+    EXPECT_FALSE(app::parseManifest(test::content(folder / name), "batch")) << name;
+  app::BatchItem item;
+  item.key = "00";
+  const auto sealed = [&](const char* word) {
+    app::Json outcome = *app::shallowJson(test::content(folder / "outcome.json"));
+    outcome["outcome"] = word;
+    outcome["seal"] = app::sealOf(outcome);
+    return app::parseOutcome(outcome.dump(), item);
+  };
+  const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
+  EXPECT_FALSE(app::parseManifest("{\"x\":" + deep + "}", "batch"));
+  EXPECT_TRUE(app::parseOutcome("{\"key\":\"00\",\"outcome\":\"ok\",\"numbers\":" + deep + "}", item).is_null());
+  EXPECT_TRUE(sealed("did not settle").is_object());
+  EXPECT_TRUE(sealed("it flew away").is_null());
 }
 
 // Those that the fuzz targets read without the cell.

@@ -27,7 +27,9 @@ TEST(RoomPoses, AreReadBackAsTheyWereWritten) {
 TEST(RoomPoses, WhatCannotBeReadNamesItsLine) {
   for (const char* bad :
        {"0 head 0 1.5 0 1 0 0", "0 head 0 1.5 0 1 1 1 1", "x right lost", "0 right 0 0 0 1 0 0 0 squeeze 1", "0 dance",
-        "-1 end", "0 right 0 nan 0 1 0 0 0", "0 right 0 0 0 1 0 0 0 trigger"}) {
+        "-1 end", "9223372036854775807 end", "0 picture ../outside", "0 picture /tmp/outside", "0 picture .hidden",
+        "0 head 1e39 0 0 1 0 0 0", "0 right 0 0 0 1 0 0 0 hold 7", "0 right 0 nan 0 1 0 0 0",
+        "0 right 0 0 0 1 0 0 0 trigger"}) {
     const auto script = parsePoseScript(std::string("# first\n") + bad + "\n");
     ASSERT_FALSE(script) << bad;
     EXPECT_THAT(text(script.error().what), testing::HasSubstr("Line 2")) << bad;

@@ -1,11 +1,16 @@
 // What leaves the window: every kind of file with its preview, true-size print, pictures.
 #include <gmock/gmock.h>
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPrinter>
 #include <QSlider>
+#include <QTest>
+#include <QTimer>
 #include <cstdio>
 
 #include "export_dialog.h"
@@ -13,11 +18,13 @@
 #include "karinui/base/number.h"
 #include "paper.h"
 #include "picture_dialog.h"
+#include "share_dialog.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -109,6 +116,67 @@ TEST(StudioSaveActions, ThePatternIsSharedWithoutThePerson) {
   w.rest();
   EXPECT_THAT(w.main().said().toStdString(), HasSubstr("the document itself"));
   EXPECT_EQ(*readFile(w.session().path()), *before);
+}
+
+// By keys alone: the dialog, its one choice, the file.
+TEST(StudioSaveActions, ThePatternIsSharedUnderNeutralNames) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Folder folder;
+  const fs::path file = folder.path / "for_others.karinui";
+  std::string before, after;
+  QTimer hand;
+  QObject::connect(&hand, &QTimer::timeout, [&] {
+    QWidget* modal = QApplication::activeModalWidget();
+    if (auto* asked = qobject_cast<ShareDialog*>(modal)) {
+      auto* neutral = asked->findChild<QCheckBox*>("neutral");
+      auto* names = asked->findChild<QPlainTextEdit*>("names");
+      if (before.empty()) {
+        before = names->toPlainText().toStdString();
+        EXPECT_TRUE(names->isEnabled());
+        EXPECT_EQ(asked->names(), SharedNames::Kept);
+        w.keepDialog(*asked, "studio_share");
+        asked->activateWindow();
+        neutral->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(neutral, Qt::Key_Space);
+        EXPECT_EQ(asked->names(), SharedNames::Neutral);
+        EXPECT_FALSE(names->isEnabled());
+      }
+      QTest::keyClick(neutral, Qt::Key_Return);
+    } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
+      hand.stop();
+      auto* name = dialog->findChild<QLineEdit*>();
+      name->setText(QString::fromStdString(file.string()));
+      QTest::keyClick(name, Qt::Key_Return);
+    }
+  });
+  hand.start(0);
+  w.main().findChild<QAction*>("share")->trigger();
+  hand.stop();
+  w.rest();
+  EXPECT_THAT(before, AllOf(HasSubstr("front"), HasSubstr("left shoulder")));
+  const auto shared = DocumentFile::openForReading(file);
+  ASSERT_TRUE(shared) << w.main().said().toStdString();
+  for (const std::string& name : namesIn(shared->document()))
+    EXPECT_EQ(before.find(name + ","), std::string::npos) << name;
+  EXPECT_TRUE(shared->document().pieceNamed("piece1"));
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("neutral"));
+  Theme::here().setLanguage(Language::Japanese);
+  ShareDialog japanese(w.session().snapshot().document, &w.main());
+  EXPECT_THAT(japanese.findChild<QPlainTextEdit*>("names")->toPlainText().toStdString(), HasSubstr("左"));
+  w.keepDialog(japanese, "studio_share.ja");
+  Theme::here().setLanguage(Language::English);
+}
+
+TEST(StudioSaveActions, WithNoPieceNothingIsShared) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.main().newGarment("jis9ar", {});
+  w.rest();
+  w.main().findChild<QAction*>("share")->trigger();  // no dialog waits for anyone
+  w.rest();
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("There is no piece yet"));
 }
 
 // The first page of a PDF in grey, so many pixels a millimetre.

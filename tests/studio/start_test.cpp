@@ -258,5 +258,80 @@ TEST(StudioStart, KilledAfterAStepEverythingIsThereOnTheStartPage) {
   setenv("HOME", before.c_str(), 1);
 }
 
+// A document that is damaged, and what is whole of it.
+struct Damaged {
+  Folder folder;
+  const fs::path file = folder.path / "coat.karinui", saved = folder.path / "coat whole.karinui";
+  Damaged() {
+    Workers one(1);
+    Token quiet;
+    MemoryBlobs blobs;
+    Bodies bodies;
+    Context context{one, quiet, blobs, bodies, {}, {}};
+    {
+      auto made = DocumentFile::create(file);
+      for (const char* line : {"set spacing=20mm",
+                               "piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; "
+                               "top L 0 500; left L 0 0\"",
+                               "set ease=12mm"})
+        EXPECT_TRUE(made && made->perform(*parseOperation(line), context));
+    }
+    // The last step says something else, and its seal stays.
+    std::string bytes = *readFile(file);
+    const std::size_t at = bytes.rfind("ease=");
+    EXPECT_NE(at, std::string::npos);
+    bytes[at + 5] = '9';
+    std::ofstream(file, std::ios::binary) << bytes;
+  }
+};
+
+TEST(StudioStart, ADamagedDocumentIsSavedAsFarAsItIsWhole) {
+  KARINUI_NEEDS_DISPLAY();
+  Fresh f;
+  const Damaged damaged;
+  const std::string before = *readFile(damaged.file);
+  f.w.open(damaged.file);
+  auto* box = f.w.main().findChild<QMessageBox*>();
+  ASSERT_TRUE(box) << f.w.main().said().toStdString();
+  EXPECT_THAT(box->text().toStdString(), HasSubstr("coat.karinui"));
+  EXPECT_THAT(box->text().toStdString(), HasSubstr("damaged"));
+  f.w.keepDialog(*box, "studio_rescue");
+  bool asked = false;
+  QTimer hand;
+  QObject::connect(&hand, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    hand.stop();
+    asked = true;
+    auto* name = dialog->findChild<QLineEdit*>();
+    EXPECT_THAT(name->text().toStdString(), HasSubstr("coat"));
+    name->setText(QString::fromStdString(damaged.saved.string()));
+    QTest::keyClick(name, Qt::Key_Return);
+  });
+  hand.start(0);
+  QTest::keyClick(box, Qt::Key_Return);  // the first button
+  while (!asked) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  f.w.rest();
+  EXPECT_EQ(f.w.session().path(), damaged.saved);
+  EXPECT_TRUE(f.w.session().snapshot().document.pieceNamed("front"));
+  EXPECT_FALSE(f.w.main().atStart());
+  EXPECT_THAT(f.w.main().said().toStdString(), HasSubstr("made anew by"));
+  EXPECT_EQ(*readFile(damaged.file), before);
+}
+
+TEST(StudioStart, ADamagedDocumentIsLeftAloneByEscape) {
+  KARINUI_NEEDS_DISPLAY();
+  Fresh f;
+  const Damaged damaged;
+  f.w.open(damaged.file);
+  auto* box = f.w.main().findChild<QMessageBox*>();
+  ASSERT_TRUE(box);
+  QTest::keyClick(box, Qt::Key_Escape);
+  f.w.rest();
+  EXPECT_TRUE(f.w.session().path().empty());
+  EXPECT_FALSE(fs::exists(damaged.saved));
+  EXPECT_THAT(f.w.main().said().toStdString(), HasSubstr("karinui rescue"));
+}
+
 }  // namespace
 }  // namespace karinui::studio

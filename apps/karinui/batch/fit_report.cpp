@@ -112,7 +112,9 @@ ReportTable byGirth(const BatchTable& table, const Section& section) {
   std::map<int, Band> bands;
   for (const std::size_t r : section.rows) {
     const auto girth = table.number(r, "body_bust_girth");
-    if (!girth || !came(table, r) || table.text(r, "outcome") == nameOf(Outcome::Refused)) continue;
+    if (!girth || !(*girth >= 0 && *girth < 10) || !came(table, r) ||
+        table.text(r, "outcome") == nameOf(Outcome::Refused))
+      continue;
     Band& band = bands[static_cast<int>(std::floor(*girth / kGirthStep + 1e-9))];
     ++band.people, band.fit += fits(table, r);
   }

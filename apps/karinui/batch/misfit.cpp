@@ -11,6 +11,9 @@ namespace {
 
 Message plain(const std::string& words) { return say("{0}", words); }
 
+// A count that came from a file.
+std::size_t wholeNumber(double count) { return count >= 1 && count < 1e9 ? static_cast<std::size_t>(count) : 0; }
+
 }  // namespace
 
 std::span<const Message> misfits() {
@@ -55,9 +58,8 @@ std::vector<Message> amountOf(const BatchTable& table, const Misfit& misfit) {
     const auto place = parseBodyPoint(table.text(r, "pressure_at"));
     return {plain(fixed(misfit.by / 1000, 1) + " kPa"), place ? placeSaid(*place) : Message()};
   }
-  if (word == "crosses the body") return {say("{0} {0|place|places}", static_cast<std::size_t>(misfit.by)), Message()};
-  if (word == "does not close")
-    return {say("{0} {0|fastening|fastenings}", static_cast<std::size_t>(misfit.by)), Message()};
+  if (word == "crosses the body") return {say("{0} {0|place|places}", wholeNumber(misfit.by)), Message()};
+  if (word == "does not close") return {say("{0} {0|fastening|fastenings}", wholeNumber(misfit.by)), Message()};
   return {};
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kForm = 1;
-constexpr std::size_t kMostItems = 1'000'000, kLongestPlan = std::size_t{1} << 30;
+constexpr std::size_t kMostItems = 1'000'000, kLongestPlan = std::size_t{1} << 30,
+                      kLongestOutcome = std::size_t{1} << 20;
 
 std::string hashOf(std::string_view bytes) { return Hasher().add(bytes).hex(); }
 
@@ -26,23 +26,6 @@ Result<std::string> thisBuild() {
   const auto bytes = readFile("/proc/self/exe", std::size_t{2} << 30);
   if (!bytes) return bytes.error();
   return hashOf(*bytes);
-}
-
-std::string measuresText(const Measurements& measures) {
-  std::string all(sexName(measures.sex));
-  for (const auto& [key, value] : measures.value) all += "; " + key + "=" + shortest(value);
-  return all;
-}
-
-std::string keyOf(const BatchPlan& plan, const BatchItem& item) {
-  const BatchDesign& design = plan.designs[item.design];
-  return Hasher()
-      .add(std::string_view(plan.build))
-      .add(plan.spacing)
-      .add(std::string_view(design.file))
-      .add(std::string_view(measuresText(plan.bodies[item.body].measures)))
-      .add(std::string_view(item.fabric))
-      .hex();
 }
 
 bool isDesign(const fs::path& path) {
@@ -84,60 +67,6 @@ Result<Design> designOf(const fs::path& path) {
     return inFile(path, script.error());
   }
   return design;
-}
-
-// A sentence with its values, so that it can be said in another language later.
-Json sentenceJson(const Message& said) {
-  Json values = Json::array();
-  for (const Message::Value& value : said.values)
-    if (const auto* inner = std::get_if<Message>(&value))
-      values.push_back(sentenceJson(*inner));
-    else
-      values.push_back(std::get<std::string>(value));
-  return {{"pattern", said.pattern}, {"values", std::move(values)}};
-}
-std::optional<Message> sentenceOf(const Json& object, int depth = 0) {
-  constexpr int kDeepest = 8;
-  constexpr std::size_t kMostValues = 10;
-  if (depth > kDeepest || !object.is_object() || !object.value("pattern", Json()).is_string()) return std::nullopt;
-  const Json values = object.value("values", Json());
-  if (!values.is_array() || values.size() > kMostValues) return std::nullopt;
-  Message said{object.at("pattern").get<std::string>(), {}};
-  for (const Json& value : values) {
-    if (value.is_string()) {
-      said.values.emplace_back(value.get<std::string>());
-    } else if (auto inner = sentenceOf(value, depth + 1)) {
-      said.values.emplace_back(*std::move(inner));
-    } else {
-      return std::nullopt;
-    }
-  }
-  return said;
-}
-
-Json manifestOf(const BatchPlan& plan) {
-  Json designs = Json::array(), bodies = Json::array(), items = Json::array();
-  for (const BatchDesign& design : plan.designs) designs.push_back({{"name", design.name}, {"file", design.file}});
-  for (const BatchBody& body : plan.bodies) {
-    Json measures = Json::object();
-    for (const auto& [key, value] : body.measures.value) measures[key] = value;
-    bodies.push_back({{"name", body.name}, {"sex", sexName(body.measures.sex)}, {"measures", measures}});
-  }
-  for (const BatchItem& item : plan.items)
-    items.push_back({{"key", item.key}, {"design", item.design}, {"body", item.body}, {"fabric", item.fabric}});
-  return {{"karinui_batch", kForm}, {"build", plan.build}, {"spacing_m", plan.spacing},
-          {"designs", designs},     {"bodies", bodies},    {"items", items}};
-}
-
-Error noPlan(const fs::path& folder) {
-  return badInput(
-      say("“{0}” holds no batch that this program can read; plan it with karinui batch plan.", folder.string()));
-}
-
-// Of an outcome, over all but the seal itself: by it one sees that nothing but this program wrote it.
-std::string sealOf(Json outcome) {
-  outcome.erase("seal");
-  return hashOf(outcome.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace
@@ -195,7 +124,7 @@ Result<BatchPlan> planBatch(const BatchWish& wish, const std::vector<MeasuredPer
         item.key = keyOf(plan, item);
         if (keys.insert(item.key).second) plan.items.push_back(std::move(item));  // two of the same are done once
       }
-  const std::string manifest = manifestOf(plan).dump(1) + "\n";
+  const std::string manifest = manifestText(plan);
   std::error_code trouble;
   const fs::path file = wish.folder / "manifest.json";
   if (fs::exists(file, trouble)) {
@@ -214,42 +143,7 @@ Result<BatchPlan> planBatch(const BatchWish& wish, const std::vector<MeasuredPer
 
 Result<BatchPlan> readPlan(const fs::path& folder) {
   const auto bytes = readFile(folder / "manifest.json", kLongestPlan);
-  return bytes ? parsePlan(*bytes, folder) : noPlan(folder);
-}
-
-std::string planOf(const BatchPlan& plan, const BatchItem& item) {
-  BatchPlan one{plan.build, plan.spacing, {plan.designs[item.design]}, {plan.bodies[item.body]}, {item}};
-  one.items.front().design = one.items.front().body = 0;
-  return manifestOf(one).dump();
-}
-
-Result<BatchPlan> parsePlan(const std::string& bytes, const fs::path& folder) {
-  BatchPlan plan;
-  try {
-    const Json manifest = Json::parse(bytes);
-    if (manifest.at("karinui_batch") != kForm) return noPlan(folder);
-    plan.build = manifest.at("build").get<std::string>();
-    plan.spacing = manifest.at("spacing_m").get<double>();
-    for (const Json& design : manifest.at("designs"))
-      plan.designs.push_back({design.at("name").get<std::string>(), design.at("file").get<std::string>()});
-    for (const Json& body : manifest.at("bodies")) {
-      BatchBody& one = plan.bodies.emplace_back();
-      one.name = body.at("name").get<std::string>();
-      one.measures.sex = sexNamed(body.at("sex").get<std::string>()).value_or(Sex::Female);
-      for (const auto& [key, value] : body.at("measures").items()) one.measures.value[key] = value.get<double>();
-    }
-    for (const Json& item : manifest.at("items"))
-      plan.items.push_back({item.at("key").get<std::string>(), item.at("design").get<std::size_t>(),
-                            item.at("body").get<std::size_t>(), item.at("fabric").get<std::string>()});
-  } catch (const Json::exception&) {
-    return noPlan(folder);
-  }
-  for (const BatchDesign& design : plan.designs)
-    if (fs::path(design.file).parent_path() != "designs") return noPlan(folder);
-  for (const BatchItem& item : plan.items)
-    if (item.design >= plan.designs.size() || item.body >= plan.bodies.size() || item.key != keyOf(plan, item))
-      return badInput(say("The manifest in “{0}” was changed by hand; plan the batch anew.", folder.string()));
-  return plan;
+  return parsePlan(bytes ? *bytes : std::string(), folder);
 }
 
 Done madeByThisProgram(const BatchPlan& plan) {
@@ -259,36 +153,15 @@ Done madeByThisProgram(const BatchPlan& plan) {
   return refused(say("Another build of Karinui planned this batch; plan it anew, or run it with that one."));
 }
 
-const char* nameOf(Outcome outcome) {
-  constexpr const char* kNames[] = {"ok", "refused", "did not settle", "timeout", "out of memory", "crashed"};
-  return kNames[static_cast<std::size_t>(outcome)];
-}
-
 Json itemOutcome(const fs::path& folder, const BatchItem& item) {
-  const auto bytes = readFile(itemFile(folder, item));
-  Json object = bytes ? Json::parse(*bytes, nullptr, false) : Json();
-  const bool whole = object.is_object() && object.value("key", Json()) == item.key &&
-                     object.value("outcome", Json()).is_string() && object.value("said", Json()).is_string() &&
-                     object.value("numbers", Json()).is_object() && object.value("seal", Json()) == sealOf(object);
-  return whole ? object : Json();
+  const auto bytes = readFile(itemFile(folder, item), kLongestOutcome);
+  return bytes ? parseOutcome(*bytes, item) : Json();
 }
 
 Done keepOutcome(const fs::path& folder, const BatchItem& item, Outcome outcome, const Message& said, Json numbers,
                  int seconds) {
-  Json object = {{"key", item.key},
-                 {"outcome", nameOf(outcome)},
-                 {"said", text(said)},
-                 {"sentence", sentenceJson(said)},
-                 {"numbers", std::move(numbers)}};
-  if (seconds > 0) object["seconds"] = seconds;
-  object["seal"] = sealOf(object);
-  return writeFile(itemFile(folder, item), object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
+  return writeFile(itemFile(folder, item), outcomeText(item, outcome, said, std::move(numbers), seconds),
                    Readers::Owner);
-}
-
-Message saidOf(const Json& outcome) {
-  if (auto sentence = sentenceOf(outcome.value("sentence", Json()))) return *std::move(sentence);
-  return say("{0}", outcome.at("said").get<std::string>());
 }
 
 }  // namespace karinui::app

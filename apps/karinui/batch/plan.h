@@ -10,32 +10,11 @@
 #include <vector>
 
 #include "../console.h"
-#include "karinui/body/measurements.h"
 #include "karinui/design/history.h"
 #include "karinui/exchange/measurement_table.h"
+#include "manifest.h"
 
 namespace karinui::app {
-
-struct BatchDesign {
-  std::string name;  // of the file it was
-  std::string file;  // within the folder
-};
-struct BatchBody {
-  std::string name;
-  Measurements measures;
-};
-struct BatchItem {
-  std::string key;
-  std::size_t design = 0, body = 0;
-  std::string fabric;  // for all pieces; empty: as designed
-};
-struct BatchPlan {
-  std::string build;   // hash of the program
-  double spacing = 0;  // metres between the threads; 0: as designed
-  std::vector<BatchDesign> designs;
-  std::vector<BatchBody> bodies;
-  std::vector<BatchItem> items;
-};
 
 // What a copy of a design is named by: the hash of a script's bytes, or of a document's steps up to its head, whatever
 // else lies in the file.
@@ -58,9 +37,6 @@ Result<BatchPlan> planBatch(const BatchWish& wish, const Console& console);
 Result<BatchPlan> planBatch(const BatchWish& wish, const std::vector<MeasuredPerson>& people);
 // Refuses what is no plan of this form.
 Result<BatchPlan> readPlan(const std::filesystem::path& folder);
-// A plan of this item alone as text, of a size that does not grow with the batch, and read back; `folder` is said.
-std::string planOf(const BatchPlan& plan, const BatchItem& item);
-Result<BatchPlan> parsePlan(const std::string& bytes, const std::filesystem::path& folder);
 // A batch that another build of the program planned would give other results under the same keys.
 Done madeByThisProgram(const BatchPlan& plan);
 
@@ -68,13 +44,9 @@ Done madeByThisProgram(const BatchPlan& plan);
 Done makePrivateFolder(const std::filesystem::path& folder);
 std::filesystem::path itemFile(const std::filesystem::path& folder, const BatchItem& item);
 
-// The last three tell of the machine rather than of the garment: another time it may go well.
-enum class Outcome { Ok, Refused, NotSettled, Timeout, OutOfMemory, Crashed };
-const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "timeout", "out of memory", "crashed"
 // What became of an item; null: not known yet, or the file is not as it was written.
 Json itemOutcome(const std::filesystem::path& folder, const BatchItem& item);
 Done keepOutcome(const std::filesystem::path& folder, const BatchItem& item, Outcome outcome, const Message& said,
                  Json numbers = Json::object(), int seconds = 0);  // seconds: those that were not enough
-Message saidOf(const Json& outcome);  // what keepOutcome() was told, to be said in any language
 
 }  // namespace karinui::app

@@ -14,6 +14,8 @@ constexpr const char* errorName(Error::Kind kind) {
       return "not_found";
     case Error::Kind::Storage:
       return "storage";
+    case Error::Kind::Damaged:
+      return "damaged";
     case Error::Kind::Memory:
       return "out_of_memory";
     case Error::Kind::Cancelled:

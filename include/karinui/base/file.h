@@ -15,6 +15,12 @@ inline constexpr std::size_t kLargestFile = std::size_t{256} << 20;  // bytes re
 // Refuses what is not a plain file, cannot be read or is larger than `most` bytes.
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t most = kLargestFile);
 
+// The name of a file within a folder, not of one elsewhere: what a stranger's file may name what is written for it.
+inline bool isPlainName(std::string_view name) {
+  return !name.empty() && name.size() <= 200 && name.front() != '.' &&
+         name.find_first_of(std::string_view("/\\\0", 3)) == std::string_view::npos;
+}
+
 // Who may read a file that is new: everyone (0644), or the person alone, for what tells a body's measures.
 // One that is there keeps its permissions.
 enum class Readers { Usual, Owner };

@@ -17,6 +17,7 @@ struct Error {
     Refused,    // an operation that makes no sense here
     NotFound,   // a name or a file that is not there
     Storage,    // the disk or the file said no
+    Damaged,    // a document that is not whole; what is whole of it can be rescued
     Memory,     // there is not enough of it here and now; with more, the same may go well
     Cancelled,  // the person stopped it
   };
@@ -28,6 +29,7 @@ inline Error badInput(Message what) { return {Error::Kind::BadInput, std::move(w
 inline Error refused(Message what) { return {Error::Kind::Refused, std::move(what)}; }
 inline Error notFound(Message what) { return {Error::Kind::NotFound, std::move(what)}; }
 inline Error storageError(Message what) { return {Error::Kind::Storage, std::move(what)}; }
+inline Error damagedDocument(Message what) { return {Error::Kind::Damaged, std::move(what)}; }
 inline Error outOfMemory() {
   return {Error::Kind::Memory,
           say("There is not enough memory for this. Close other programs, or set threads farther apart (set "

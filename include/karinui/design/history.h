@@ -53,8 +53,9 @@ class DocumentFile {
   // steps that do not follow from each other or lead elsewhere than the file says. Opening compares what is kept beside
   // every step with that step's hashes. Empty for a file as it was written.
   const std::vector<Message>& remarks() const;
-  // Takes every step once more from what is kept before it, but for drapes, pulls, poses and figures, and remarks where
-  // that leads elsewhere than to what is kept: somebody changed the operation, or another program took it.
+  // Takes every step once more from what is kept before it, but for drapes, pulls and poses, and remarks where that
+  // leads elsewhere than to what is kept: somebody changed the operation, or another program took it. Every figure that
+  // is kept is made once more, too, from its measures or its imported body: that takes a while, and opening does not.
   Done checkSteps(Context& context);
   Blobs& blobs();
 
@@ -95,7 +96,9 @@ struct Rescued {
   // Not 0: a later garment was still kept beside steps that are lost. It was made anew by so many steps of its own,
   // without its history, its formulas and its drape; no step was kept.
   std::size_t anew = 0;
+  std::vector<Message> remarks;  // of checkSteps() on what was kept
 };
+Message rescuedSaid(const Rescued& rescued);
 Result<Rescued> rescue(const std::filesystem::path& from, const std::filesystem::path& to, Context& context);
 
 }  // namespace karinui

@@ -21,6 +21,9 @@ struct Shared {
 // A maker needs to read which piece is the front: names stay, unless they are asked to be piece1, seam2, edge3.
 enum class SharedNames { Kept, Neutral };
 
+// The names that people gave in a pattern: each once, in the order above. Pure.
+std::vector<std::string> namesIn(const Document& document);
+
 // What was left out, and the names that stay.
 Message sharedSaid(const Shared& shared);
 

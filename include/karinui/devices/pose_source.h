@@ -35,8 +35,9 @@ class PoseSource : public HapticDevice {
   bool placed_ = false;
 };
 
-// A recorded hand (lines of scene/pointer.h that have a tip; all others are left out), played tick by tick and straight
-// from sample to sample. At its end it is not ready any more.
+// A recorded hand (lines of scene/pointer.h that have a tip; all others are left out), a day long at most, played tick
+// by tick and straight from sample to sample. At its end it is not ready any more.
+inline constexpr double kLongestHand = 24 * 3600;  // seconds
 class ScriptedDevice : public HapticDevice {
  public:
   // `rest`: seconds that it is at its first place before it begins, its buttons up.

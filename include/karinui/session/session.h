@@ -9,10 +9,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "karinui/design/history.h"
+#include "karinui/design/share.h"
 #include "karinui/session/command.h"
 #include "karinui/session/export.h"
 #include "karinui/session/garment_snapshot.h"
@@ -73,6 +74,10 @@ class Session {
   void begin(DocumentFile file);                   // takes it over
   void create(const std::filesystem::path& path);  // refuses to overwrite
   void open(const std::filesystem::path& path);    // read-only where it cannot be written
+  // A document that was not opened because it is damaged, told once: rescueTo() may save what is whole of it.
+  std::optional<std::filesystem::path> takeDamaged();
+  // What is whole of a damaged document, in a new one, which is gone on with. A file that is there is refused.
+  void rescueTo(const std::filesystem::path& damaged, const std::filesystem::path& to);
   // Works on in `path`, which is replaced: a draft moves there, another document leaves a copy behind, an empty one
   // without a file begins there.
   void saveAs(const std::filesystem::path& path);
@@ -86,7 +91,7 @@ class Session {
   void importPattern(const std::filesystem::path& file);  // into this document; .json of ours or GarmentCode, .ops
   void exportTo(const std::filesystem::path& file, const ExportWish& wish);
   // The pattern for others, with nothing of the person it was made for (share.h). What others will read in it is told.
-  void shareTo(const std::filesystem::path& file);
+  void shareTo(const std::filesystem::path& file, SharedNames names = SharedNames::Kept);
   const std::filesystem::path& path() const;  // empty: no step yet (or no drafts folder)
   bool draft() const;                         // lies in the drafts folder
   bool readOnly() const;

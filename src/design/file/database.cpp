@@ -90,14 +90,10 @@ Error Database::error() const {
               "reads scripts, “karinui load” dumps.",
               name));
     case SQLITE_CORRUPT:
-      return badInput(
-          say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
-              "“karinui rescue”.",
-              name));
     case SQLITE_TOOBIG:
     case SQLITE_MISMATCH:
     case SQLITE_ERROR:
-      return badInput(
+      return damagedDocument(
           say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
               "“karinui rescue”.",
               name));

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "karinui/base/hash.h"
+#include "karinui/base/version.h"
 #include "karinui/design/apply.h"
 
 namespace karinui {
@@ -38,7 +39,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 5> kTables{{
 std::string sealOf(Head head) { return Hasher().add(std::string_view("head")).add(head.seq).add(head.tip).hex(); }
 
 Error damaged(const std::filesystem::path& path) {
-  return badInput(
+  return damagedDocument(
       say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
           "“karinui rescue”.",
           path.filename().string()));
@@ -142,8 +143,8 @@ Result<Store> Store::create(const std::filesystem::path& path) {
   std::string sql = "PRAGMA application_id=" + std::to_string(kApplication) +
                     "; PRAGMA user_version=" + std::to_string(kVersion) + ";";
   for (const auto& [name, table] : kTables) sql += std::string(table) + ";";
-  sql += "INSERT INTO meta VALUES('made by', 'Karinui 0.1.0'); INSERT INTO head VALUES(1, 0, 0, '" + sealOf({}) +
-         "'); COMMIT;";
+  sql += "INSERT INTO meta VALUES('made by', 'Karinui " + std::string(version()) +
+         "'); INSERT INTO head VALUES(1, 0, 0, '" + sealOf({}) + "'); COMMIT;";
   if (done = db->run(sql.c_str()); !done) {
     db = done.error();  // closes it, so that what was begun can go
     std::filesystem::remove(path, trouble);
