@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
 #include <mutex>
 
 #include "karinui/base/error_name.h"
@@ -16,7 +17,8 @@
 #include "karinui/design/script.h"
 #include "karinui/design/share.h"
 #include "karinui/session/export.h"
-#include "karinui/session/fit.h"
+#include "karinui/session/fit_in_motion.h"
+#include "karinui/session/fit_over_bodies.h"
 
 namespace py = pybind11;
 
@@ -50,6 +52,63 @@ py::dict checkDict(const ClothCheck& check) {
   d["fold_crossings"] = check.foldCrossings;
   d["strain"] = strainDict(check.strain), d["vertices"] = check.vertices;
   return d;
+}
+// What closed fastenings are drawn open with.
+py::list fasteningsList(const Examination& check) {
+  py::list all;
+  for (const FasteningPull& pull : check.fastenings) {
+    py::dict one;
+    one["name"] = pull.name, one["gap_m"] = pull.gap, one["pull_n"] = pull.force, one["holds"] = pull.holds();
+    if (pull.number > 0) one["number"] = pull.number;
+    if (pull.length > 0) one["length_m"] = pull.length;
+    all.append(one);
+  }
+  return all;
+}
+
+py::dict girthsDict(const std::vector<Girths>& girths) {
+  py::dict levels;
+  for (const Girths& g : girths) {
+    py::dict level;
+    level["height_m"] = g.height, level["body_m"] = g.body, level["garment_m"] = g.garment;
+    level["ease_m"] = g.garment - g.body;
+    levels[py::str(text(g.name))] = level;
+  }
+  return levels;
+}
+
+Sex sexIn(const std::string& name) {
+  const auto sex = sexNamed(name);
+  if (!sex) throw Failure{badInput(say("“{0}” is no figure; write female, male or child.", name))};
+  return *sex;
+}
+
+// Figures as a list of sizes and of {"name": …, "sex": …, "bust_girth": 0.9, …}, or a table of measures in a file.
+std::vector<GarmentWearer> wearersIn(const py::object& figures) {
+  if (py::hasattr(figures, "__fspath__") || py::isinstance<py::str>(figures))
+    return wearersOf(good(readMeasurementTable(good(readFile(figures.cast<std::filesystem::path>())))));
+  std::vector<GarmentWearer> all;
+  for (const py::handle& one : figures) {
+    GarmentWearer wearer;
+    if (py::isinstance<py::str>(one)) {
+      wearer.name = wearer.body.size = one.cast<std::string>();
+    } else {
+      Measurements measures;
+      wearer.name = "figure " + std::to_string(all.size() + 1);
+      for (const auto& [key, value] : one.cast<py::dict>()) {
+        const auto name = key.cast<std::string>();
+        if (name == "name")
+          wearer.name = value.cast<std::string>();
+        else if (name == "sex")
+          measures.sex = sexIn(value.cast<std::string>());
+        else
+          measures.value[good(measurementKey(name))] = value.cast<double>();
+      }
+      wearer.body = figureOf(measures);
+    }
+    all.push_back(std::move(wearer));
+  }
+  return all;
 }
 
 // An array that looks into memory which `owner` keeps: nothing is copied, and nothing can be changed.
@@ -154,7 +213,11 @@ class PythonDocument {
     return d;
   }
   py::dict check() {
-    return checkDict(alone([](DocumentFile& file, Context& context) { return examined(file.document(), context); }));
+    const Examination found =
+        alone([](DocumentFile& file, Context& context) { return examined(file.document(), context); });
+    py::dict d = checkDict(found);
+    d["fastenings"] = fasteningsList(found);
+    return d;
   }
   py::dict fit() {
     using Found = std::pair<std::vector<Girths>, std::optional<PressureReport>>;
@@ -164,16 +227,46 @@ class PythonDocument {
       const SnapshotPtr garment = snapshotOf(file.document(), *body);
       return Found(girthsOf(*garment), pressureReport(pressureOnBody(*garment, context.workers)));
     });
-    py::dict levels, d;
-    for (const Girths& g : girths) {
-      py::dict level;
-      level["height_m"] = g.height, level["body_m"] = g.body, level["garment_m"] = g.garment;
-      level["ease_m"] = g.garment - g.body;
-      levels[py::str(text(g.name))] = level;
-    }
-    d["girths"] = levels;
+    py::dict d;
+    d["girths"] = girthsDict(girths);
     if (pressure) d["pressure_mean_pa"] = pressure->mean, d["pressure_p99_pa"] = pressure->p99;
     return d;
+  }
+  py::list motion(const std::vector<std::string>& poses, const py::object& progress) {
+    const auto fits = alone(
+        [&](DocumentFile& file, Context& context) { return fitInMotion(file.document(), poses, context); }, progress);
+    static constexpr std::array<const char*, kOpenEdges.size()> kEdges{"neck_m", "waist_m", "hem_m", "cuff_m"};
+    py::list all;
+    for (const FitInPose& fit : fits) {
+      py::dict d, slid;
+      d["pose"] = fit.name, d["settled"] = fit.settled, d["strain"] = strainDict(fit.strain);
+      if (fit.pressure) d["pressure_mean_pa"] = fit.pressure->mean, d["pressure_p99_pa"] = fit.pressure->p99;
+      for (std::size_t k = 0; k < fit.slid.size(); ++k)
+        if (fit.slid[k]) slid[kEdges[k]] = *fit.slid[k];
+      d["slid"] = slid;
+      all.append(d);
+    }
+    return all;
+  }
+  py::list fitOver(const py::object& figures, const py::object& progress) {
+    const std::vector<GarmentWearer> wearers = wearersIn(figures);
+    const auto fits = alone(
+        [&](DocumentFile& file, Context& context) -> Result<std::vector<FitOnBody>> {
+          const auto recipe = recipeOf(file, context);
+          return recipe ? fitOverBodies(**recipe, wearers, context) : recipe.error();
+        },
+        progress);
+    py::list all;
+    for (const FitOnBody& fit : fits) {
+      py::dict d;
+      d["name"] = fit.name, d["fits"] = fit.fits(), d["said"] = text(faultSaid(fit));
+      d["where"] = text(fit.where), d["by"] = fit.by, d["why"] = text(fit.why);
+      if (fit.fault != FitFault::Refused) d["strain"] = strainDict(fit.strain);
+      if (fit.pressure) d["pressure_mean_pa"] = fit.pressure->mean, d["pressure_p99_pa"] = fit.pressure->p99;
+      d["girths"] = girthsDict(fit.girths);
+      all.append(d);
+    }
+    return all;
   }
   std::map<std::string, double> measure() {
     return alone([](DocumentFile& file, Context& context) -> Result<std::map<std::string, double>> {
@@ -365,6 +458,11 @@ PYBIND11_MODULE(karinui, m) {
            "brings the cloth to rest on the body")
       .def("check", &D::check, "examines the cloth, independently of the solver")
       .def("fit", &D::fit, "girths of garment and body at the levels that are covered, and pressure")
+      .def("motion", &D::motion, py::arg("poses"), py::arg("progress") = py::none(),
+           "fit in motion: a copy brought to rest as it stands and in each pose; stretch, pressure, how far edges slid")
+      .def("fit_over", &D::fitOver, py::arg("figures"), py::arg("progress") = py::none(),
+           "the garment made to each figure (sizes, dicts of measures in metres, or a table's path), and whom it does "
+           "not fit, where and by how much")
       .def("measure", &D::measure, "the body as a tape measures it: metres, and radians")
       .def("export", &D::exportTo, py::arg("path"), py::arg("format") = "",
            "writes a file; its ending says what; how many bytes")

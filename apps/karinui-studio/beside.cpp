@@ -10,24 +10,11 @@
 #include "karinui/design/variant.h"
 #include "space_view.h"
 #include "theme.h"
+#include "worn_figure.h"
 
 namespace karinui::studio {
 
 namespace {
-
-// The figure that a garment is seen on, for whoever asks for it by its hash.
-class WornFigure : public MemoryBlobs {
- public:
-  explicit WornFigure(const GarmentSnapshot& garment) {
-    if (garment.body) own_ = garment.body->ownKept() ? garment.body->ownKept() : garment.body;
-  }
-  Result<std::string> figure(const std::string& hash) const override {
-    return own_ && own_->hash() == hash ? packFigure(*own_) : MemoryBlobs::figure(hash);
-  }
-
- private:
-  BodyPtr own_;
-};
 
 // The photographs that the garment is printed with.
 Prints printsOf(const GarmentSnapshot& garment) {

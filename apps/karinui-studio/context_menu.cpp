@@ -390,6 +390,16 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
       turned.closedLength = Length{open ? lengthOf(document.pattern, own) : 0};
     else
       turned.closed = open ? static_cast<int>(own.at.size()) : 0;
+    if (zip || own.at.size() > 1) {
+      Fasten part;
+      part.name = name;
+      if (zip)
+        part.closedLength = Length{own.zipped * lengthOf(document.pattern, own)};
+      else
+        part.closed = own.closed;
+      offer(menu, zip ? say("Close {0} part of the way…", nameSaid(name)) : say("Close some of {0}…", nameSaid(name)),
+            [this, part] { askNumbers(part); });
+    }
     offer(menu, open ? say("Close {0}", nameSaid(name)) : say("Open {0}", nameSaid(name)), turned);
     offer(menu, say("Take {0} out", nameSaid(name)), none);
   }

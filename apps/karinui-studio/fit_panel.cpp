@@ -199,6 +199,14 @@ void FitPanel::fillReport() {
     for (const auto& [words, said] : lines)
       table += before ? row({inWords(words), said(*before), said(*last)}) : row({inWords(words), said(*last)});
     table = "<table>" + table + "</table>";
+    if (session_.snapshot().document.drape.dirty.empty()) {
+      QString fastened;
+      for (const FasteningPull& pull : fasteningsOf(session_.snapshot()))
+        fastened += row({inWords(fastenerSaid(pull)).toHtmlEscaped(),
+                         (pull.holds() ? QString() : QString::fromUtf8("⚠ ")) + inWords(pulledSaid(pull))});
+      if (!fastened.isEmpty())
+        table += "<p><b>" + inWords(say("Fastenings")) + "</b></p><table>" + fastened + "</table>";
+    }
     for (const WideEdge& edge : wideEdges(session_.snapshot()))
       table += "<p>" + inWords(wideEdgeSaid(session_.snapshot().document, edge)).toHtmlEscaped() + "</p>";
     report_->setText(table);

@@ -7,6 +7,7 @@
 
 #include "beside.h"
 #include "blocks_menu.h"
+#include "fit_study.h"
 #include "force_feedback.h"
 #include "guide.h"
 #include "karinui/body/pose.h"
@@ -251,6 +252,17 @@ void MainWindow::makeMenus() {
   map(say("Strain map"), "Alt+7", FitMap::Strain);
   map(say("Distance to the body"), "Alt+8", FitMap::Ease);
   map(say("Pressure on the body"), "Alt+9", FitMap::Pressure);
+  QAction* motion =
+      add(viewMenu_, say("Fit in motion…"), "", "", [this] { (new MotionStudy(*session_, this))->open(); });
+  motion->setObjectName("motion");
+  QAction* figures =
+      add(viewMenu_, say("Fit over figures…"), "", "", [this] { (new FiguresStudy(*session_, this))->open(); });
+  figures->setObjectName("figures");
+  connect(viewMenu_, &QMenu::aboutToShow, this, [this, motion, figures] {
+    const Document& document = session_->snapshot().document;
+    for (QAction* one : {motion, figures})
+      one->setEnabled(document.body.chosen() && !document.pattern.pieces.empty() && session_->idle());
+  });
   viewMenu_->addSeparator();
   QMenu* beside = viewMenu_->addMenu(QString());
   beside->setObjectName("beside");

@@ -80,18 +80,18 @@ std::vector<AddPleat> drawnPleats(const Piece& piece, const std::string& fold) {
   std::vector<AddPleat> found;
   if (!own) return found;
   const Flat along = normalized(own->to - own->from);
-  struct Beside {
+  struct Neighbour {
     std::string name;
     double away;
   };
-  std::vector<Beside> beside;
+  std::vector<Neighbour> beside;
   for (const Straight& line : lines)
     if (std::fabs(cross(along, normalized(line.to - line.from))) < kSkew)
       beside.push_back({line.name, cross(along, 0.5 * (line.from + line.to) - own->from)});
   for (const double side : {1.0, -1.0}) {
-    const Beside *place = nullptr, *inner = nullptr;
-    for (const Beside& far : beside)
-      for (const Beside& between : beside) {
+    const Neighbour *place = nullptr, *inner = nullptr;
+    for (const Neighbour& far : beside)
+      for (const Neighbour& between : beside) {
         if (side * far.away < kNarrow || std::fabs(2 * between.away - far.away) > kUneven * std::fabs(far.away))
           continue;
         if (!place || side * far.away < side * place->away) place = &far, inner = &between;

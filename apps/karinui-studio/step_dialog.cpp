@@ -24,7 +24,8 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr std::string_view kDrawnPleat = "a pleat whose lines say the rest";
+constexpr std::string_view kDrawnPleat = "a pleat whose lines say the rest", kZipThere = "a zip that is there",
+                           kButtonsThere = "buttons that are there";
 
 // What is asked at once; everything else an operation can be told is under “More”.
 constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
@@ -36,6 +37,8 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"fasten", "kind a b count spacing first last size length closed closed_length"},
     {"block", "kind ease length fabric"},
     {kDrawnPleat, "lines stitch hold"},
+    {kZipThere, "closed_length"},
+    {kButtonsThere, "closed"},
     {"underlay", "width at turn strength rectangle"},
 };
 
@@ -188,7 +191,7 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   connect(make_, &QPushButton::clicked, this, &StepDialog::perform);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   fill(operation);
-  more->setVisible(more_->rowCount() > 0);
+  more->setVisible(more_->rowCount() > (std::holds_alternative<Fasten>(operation) ? 1 : 0));  // its name is known
   show(wished());
   ensurePolished();
   for (QWidget* child : findChildren<QWidget*>())
@@ -210,11 +213,17 @@ void StepDialog::fill(const Operation& operation) {
   const OperationHelp& help = helpOf(operation);
   const std::vector<FieldText> known = fieldTexts(operation);
   const auto* pleat = std::get_if<AddPleat>(&operation);
-  const std::string_view asks = pleat && !pleat->lines.empty() ? kDrawnPleat : std::string_view(help.name);
+  const auto* there = std::get_if<Fasten>(&operation);
+  if (there && (there->name.empty() || !there->a.empty())) there = nullptr;  // it is to be set
+  const std::string_view asks = pleat && !pleat->lines.empty() ? kDrawnPleat
+                                : there && there->closedLength ? kZipThere
+                                : there && there->closed       ? kButtonsThere
+                                                               : std::string_view(help.name);
   QLineEdit *first = nullptr, *empty = nullptr;  // of the numbers that are asked at once
   QLineEdit* missing = nullptr;                  // the other side of what has one already
   const FieldHelp* last = nullptr;               // the field before
   for (const FieldHelp& field : help.fields) {
+    if (there && field.name != "name" && !isFirst(asks, field.name)) continue;  // what it is stays
     const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
     typed_.push_back(stepField(document_, help.name, field, value == known.end() ? usualOf(asks, field) : value->value,
                                [this] { perform(); }));

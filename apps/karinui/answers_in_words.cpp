@@ -77,12 +77,7 @@ std::string checkWords(const Examination& check, const Document& document, const
   for (const ElasticPull& e : check.elastics)
     row(say("Elastic along {0}", named(e.piece) + "." + e.edge),
         console.said(say("pulls with {0} N, cut {1}, drawn out to {2}", fixed(e.pull, 1), mm(e.cut), mm(e.now))));
-  for (const FasteningPull& f : check.fastenings) {
-    const Message what = f.number > 0 ? say("{0} {1}", nameSaid(f.name), f.number) : nameSaid(f.name);
-    const Message pulled = f.length > 0 ? say("drawn open with {0} N along {1}", fixed(f.force, 1), mm(f.length))
-                                        : say("drawn open with {0} N", fixed(f.force, 1));
-    row(what, console.said(f.holds() ? pulled : say("{0}; does not close, {1} are missing", pulled, mm(f.gap))));
-  }
+  for (const FasteningPull& f : check.fastenings) row(fastenerSaid(f), console.said(pulledSaid(f)));
   return console.said(say("The cloth as it stands:")) + "\n" + table.words(2);
 }
 

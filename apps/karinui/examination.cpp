@@ -1,7 +1,5 @@
 #include "examination.h"
 
-#include <algorithm>
-
 #include "karinui/design/drape.h"
 
 namespace karinui::app {
@@ -10,28 +8,6 @@ namespace {
 
 bool atRest(const Document& document) {
   return document.drape.last && document.drape.last->settled && document.drape.dirty.empty();
-}
-
-// Where the skin is pressed most.
-std::optional<BodyPoint> mostPressed(const std::vector<float>& pressure, const Body& body) {
-  const auto most = std::max_element(pressure.begin(), pressure.end());
-  if (most == pressure.end() || *most <= 0) return std::nullopt;
-  const auto there = body.bvh().nearest(body.mesh().points[static_cast<std::size_t>(most - pressure.begin())]);
-  return there ? std::optional(body.describe(there->place)) : std::nullopt;
-}
-
-// The cloth of which one point in a hundred is stretched more than that of any other.
-std::string mostStretched(const SceneFrame& frame) {
-  std::string name;
-  float most = 0;
-  for (const SceneCloth& cloth : frame.cloths) {
-    if (cloth.strain.empty()) continue;
-    std::vector<float> strain = cloth.strain;
-    const auto at = strain.begin() + static_cast<std::ptrdiff_t>((strain.size() - 1) * 99 / 100);
-    std::nth_element(strain.begin(), at, strain.end());
-    if (*at > most) most = *at, name = cloth.name;
-  }
-  return name;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "karinui/exchange/report.h"
 #include "karinui/pattern/truing.h"
 #include "karinui/session/fit.h"
+#include "karinui/session/fit_in_motion.h"
 #include "karinui/view/picture.h"
 #include "karinui/view/strain_scale.h"
 #include "open_document.h"
@@ -24,6 +25,7 @@ namespace {
 
 struct ReportOptions {
   std::string path, out, width = "150cm", language;
+  std::vector<std::string> poses;
   bool pictures = true;
 };
 
@@ -109,6 +111,31 @@ ReportTable clothTable(const Fitting& fitting) {
   return table;
 }
 
+ReportTable fasteningTable(const GarmentSnapshot& garment) {
+  ReportTable table{say("Fastenings"), {}, {}};
+  for (const FasteningPull& pull : fasteningsOf(garment)) table.rows.push_back({fastenerSaid(pull), pulledSaid(pull)});
+  return table;
+}
+
+// Pose beside pose, and as pictures.
+Result<ReportTable> motionTable(OpenDocument& opened, const std::vector<std::string>& poses) {
+  const auto fits = fitInMotion(opened.document(), poses, opened.context());
+  if (!fits) return fits.error();
+  ReportTable table{
+      say("Fit in motion"), {say("Pose"), say("Stretch, mean"), say("99 %"), say("Pressure, mean"), say("99 %")}, {}};
+  for (const OpenEdge edge : kOpenEdges) table.columns.push_back(openEdgeSaid(edge));
+  const auto kilo = [](double pascals) { return words(fixed(pascals / 1000, 2) + " kPa"); };
+  for (const FitInPose& fit : *fits) {
+    std::vector<Message> cells{fit.said, percentSaid(fit.strain.mean), percentSaid(fit.strain.p99),
+                               fit.pressure ? kilo(fit.pressure->mean) : words("–"),
+                               fit.pressure ? kilo(fit.pressure->p99) : words("–")};
+    for (const auto& slid : fit.slid)
+      cells.push_back(slid ? words((*slid >= 0.0005 ? "+" : "") + fixed(*slid * 1000, 0) + " mm") : words("–"));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
 ReportTable measureTable(const Body& body) {
   ReportTable table{say("Figure"), {}, {}};
   for (const auto& [key, value] : measure(body.mesh(), body.bvh()).value)
@@ -186,6 +213,13 @@ int runReport(Program& program, const ReportOptions& options) {
     }
     if (body) report.tables.push_back(girthTable(*fitting.garment));
     report.tables.push_back(clothTable(fitting));
+    if (ReportTable fastened = fasteningTable(*fitting.garment); !fastened.rows.empty())
+      report.tables.push_back(std::move(fastened));
+    if (!options.poses.empty()) {
+      auto motion = motionTable(opened, options.poses);
+      if (!motion) return program.console.refuse(motion.error());
+      report.lists.push_back(*std::move(motion));
+    }
     ReportTable yards{say("Cloth to buy"), {}, {}};
     if (const auto plan = layPlan(document, settings, opened.context())) {
       for (const Message& lay : laySaid(*plan)) yards.rows.push_back({lay});
@@ -220,6 +254,8 @@ void addReportVerb(Program& program) {
   verb->add_option("--width", options->width, help("Of the cloth, laid open: 150cm"));
   verb->add_option("--language", options->language, help("en or ja; else the language spoken here"))
       ->check(CLI::IsMember({"en", "ja"}));
+  verb->add_option("--poses", options->poses, help("Fit in motion: at rest in these poses too, as T,forward,seated"))
+      ->delimiter(',');
   verb->add_flag("!--no-pictures", options->pictures, help("Only the figures"));
 }
 

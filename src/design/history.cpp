@@ -19,6 +19,16 @@ Result<Document> replayed(const std::vector<Operation>& operations, Context& con
   return document;
 }
 
+Operation asRecorded(Operation operation) {
+  std::visit(
+      [](auto& op) {
+        if constexpr (requires { op.copies; })
+          if (op.copies == Choice::Auto) op.copies = Choice::No;
+      },
+      static_cast<PlainOperation&>(operation));
+  return operation;
+}
+
 DocumentFile::DocumentFile(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {
   inside_->documents[0] = Document();
 }
@@ -144,7 +154,7 @@ Done DocumentFile::amend(std::size_t which, Operation operation, Context& contex
       context.token.progress(static_cast<double>(i - (which - 1)) / static_cast<double>(way.size() - (which - 1)),
                              say("Playing step {0} again", i + 1));
       auto worked = in.work(parent, *document, in.nextSeq() + all.size(),
-                            i + 1 == which ? std::move(operation) : way[i]->operation, context);
+                            i + 1 == which ? std::move(operation) : asRecorded(way[i]->operation), context);
       if (!worked)
         return worked.error().kind == Error::Kind::Cancelled ? worked.error() : atStep(i + 1, worked.error());
       all.reserve(way.size());  // what points into it stays

@@ -9,8 +9,10 @@
 #include <optional>
 #include <unordered_map>
 
+#include "karinui/base/number.h"
 #include "karinui/cloth/support.h"
 #include "karinui/design/drape.h"
+#include "karinui/design/glossary.h"
 #include "karinui/geometry/section.h"
 
 namespace karinui {
@@ -112,6 +114,18 @@ std::vector<FasteningPull> fasteningsOf(const GarmentSnapshot& snapshot) {
   return standing ? fasteningPulls(standing->cloth, standing->state) : std::vector<FasteningPull>();
 }
 
+Message fastenerSaid(const FasteningPull& pull) {
+  return pull.number > 0 ? say("{0} {1}", nameSaid(pull.name), pull.number) : nameSaid(pull.name);
+}
+
+Message pulledSaid(const FasteningPull& pull) {
+  const auto millimetres = [](double metres) { return fixed(metres * 1000, 1) + " mm"; };
+  const Message pulled = pull.length > 0
+                             ? say("drawn open with {0} N along {1}", fixed(pull.force, 1), millimetres(pull.length))
+                             : say("drawn open with {0} N", fixed(pull.force, 1));
+  return pull.holds() ? pulled : say("{0}; does not close, {1} are missing", pulled, millimetres(pull.gap));
+}
+
 std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& workers) {
   if (!snapshot.body || snapshot.document.pattern.pieces.empty()) return {};
   const Result<Standing> standing = standingCloth(snapshot.document, livePieces(snapshot.document, {}));
@@ -152,6 +166,26 @@ std::optional<PressureReport> pressureReport(const std::vector<float>& values) {
       pressed.begin() + static_cast<std::ptrdiff_t>(std::min(pressed.size() - 1, pressed.size() * 99 / 100));
   std::nth_element(pressed.begin(), most, pressed.end());
   return PressureReport{sum / static_cast<double>(pressed.size()), *most};
+}
+
+std::optional<BodyPoint> mostPressed(const std::vector<float>& pressure, const Body& body) {
+  const auto most = std::max_element(pressure.begin(), pressure.end());
+  if (most == pressure.end() || *most <= 0) return std::nullopt;
+  const auto there = body.bvh().nearest(body.mesh().points[static_cast<std::size_t>(most - pressure.begin())]);
+  return there ? std::optional(body.describe(there->place)) : std::nullopt;
+}
+
+std::string mostStretched(const SceneFrame& frame) {
+  std::string name;
+  float most = 0;
+  for (const SceneCloth& cloth : frame.cloths) {
+    if (cloth.strain.empty()) continue;
+    std::vector<float> strain = cloth.strain;
+    const auto at = strain.begin() + static_cast<std::ptrdiff_t>((strain.size() - 1) * 99 / 100);
+    std::nth_element(strain.begin(), at, strain.end());
+    if (*at > most) most = *at, name = cloth.name;
+  }
+  return name;
 }
 
 std::vector<Girths> girthsAt(const GarmentSnapshot& snapshot, double height) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "karinui/base/number.h"
+#include "session/csv.h"
+
 namespace karinui {
 
 namespace {
@@ -97,8 +100,9 @@ Result<FitInPose> measured(Document document, Context& context) {
   const auto check = examined(document, context);
   if (!check) return check.error();
   fit.strain = check->strain;
-  const SnapshotPtr garment = snapshotOf(document, *body);
-  fit.pressure = pressureReport(pressureOnBody(*garment, context.workers));
+  fit.garment = snapshotOf(document, *body);
+  fit.pressureAt = pressureOnBody(*fit.garment, context.workers);
+  fit.pressure = pressureReport(fit.pressureAt);
   fit.document = std::move(document);
   return fit;
 }
@@ -110,6 +114,26 @@ bool atRest(const Document& document) {
 Result<Document> rested(Document document, Context& context) {
   if (atRest(document)) return document;
   return apply(document, DrapePieces{}, context);
+}
+
+// How far the edges slid over the skin since the first pose.
+void slide(FitInPose& fit, const EdgePlaces& edges, const Body& body) {
+  const TriangleMesh& own = body.mesh();
+  for (std::size_t kind = 0; kind < edges.size(); ++kind) {
+    double sum = 0;
+    int places = 0;
+    std::map<PieceId, Stand> stands;
+    for (const EdgePlace& place : edges[kind]) {
+      auto stand = stands.find(place.piece);
+      if (stand == stands.end()) stand = stands.emplace(place.piece, Stand(*fit.document.find(place.piece))).first;
+      const auto near = fit.body->bvh().nearest(stand->second(place.paper));
+      // A hand that hangs beside the hem says nothing of how far it slid.
+      if (isArm(body.describe(near->place).part) != place.ofArm) continue;
+      sum += dot(at(own, near->place) - at(own, place.skin), place.inwards);
+      ++places;
+    }
+    if (places > 0) fit.slid[kind] = sum / places;
+  }
 }
 
 }  // namespace
@@ -129,7 +153,7 @@ Message openEdgeSaid(OpenEdge edge) {
 }
 
 Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::vector<std::string>& poses,
-                                           Context& context) {
+                                           Context& context, const std::function<void(const FitInPose&)>& each) {
   if (!document.body.chosen()) return bodyOf(document, context).error();
   const auto poseStep = [](const std::string& name) {
     PoseBody pose;
@@ -147,7 +171,13 @@ Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::
   if (!first) return first.error();
   first->said = say("As it stands");
   const EdgePlaces edges = openEdges(*first, **skeleton);
-  fits.push_back(*std::move(first));
+  const Body& body = first->body->own();
+  const auto add = [&](FitInPose fit) {
+    slide(fit, edges, body);
+    fits.push_back(std::move(fit));
+    if (each) each(fits.back());
+  };
+  add(*std::move(first));
   for (const std::string& name : poses) {
     auto carried = apply(*start, poseStep(name), context);
     if (!carried) return carried.error();
@@ -156,27 +186,29 @@ Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::
     auto fit = measured(*std::move(now), context);
     if (!fit) return fit.error();
     fit->name = name, fit->said = namedPose(name)->said;
-    fits.push_back(*std::move(fit));
+    add(*std::move(fit));
   }
-  const Body& body = fits.front().body->own();
-  const TriangleMesh& own = body.mesh();
-  for (FitInPose& fit : fits)
-    for (std::size_t kind = 0; kind < edges.size(); ++kind) {
-      double sum = 0;
-      int places = 0;
-      std::map<PieceId, Stand> stands;
-      for (const EdgePlace& place : edges[kind]) {
-        auto stand = stands.find(place.piece);
-        if (stand == stands.end()) stand = stands.emplace(place.piece, Stand(*fit.document.find(place.piece))).first;
-        const auto near = fit.body->bvh().nearest(stand->second(place.paper));
-        // A hand that hangs beside the hem says nothing of how far it slid.
-        if (isArm(body.describe(near->place).part) != place.ofArm) continue;
-        sum += dot(at(own, near->place) - at(own, place.skin), place.inwards);
-        ++places;
-      }
-      if (places > 0) fit.slid[kind] = sum / places;
-    }
   return fits;
+}
+
+std::string csvOf(const std::vector<FitInPose>& fits) {
+  static constexpr std::array<const char*, kOpenEdges.size()> kEdges{"neck_m", "waist_m", "hem_m", "cuff_m"};
+  std::vector<std::string> head{"pose",       "settled",          "strain_mean",    "strain_p99",
+                                "strain_max", "pressure_mean_pa", "pressure_p99_pa"};
+  head.insert(head.end(), kEdges.begin(), kEdges.end());
+  std::string csv = csvRow(head);
+  for (const FitInPose& fit : fits) {
+    std::vector<std::string> row{fit.name,
+                                 fit.settled ? "yes" : "no",
+                                 shortest(fit.strain.mean),
+                                 shortest(fit.strain.p99),
+                                 shortest(fit.strain.max),
+                                 fit.pressure ? shortest(fit.pressure->mean) : "",
+                                 fit.pressure ? shortest(fit.pressure->p99) : ""};
+    for (const auto& slid : fit.slid) row.push_back(slid ? shortest(*slid) : "");
+    csv += csvRow(row);
+  }
+  return csv;
 }
 
 }  // namespace karinui

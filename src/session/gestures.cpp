@@ -5,6 +5,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/base/result.h"
+#include "karinui/pattern/likeness.h"
 
 namespace karinui {
 
@@ -22,6 +23,17 @@ Vec3 tenth(Vec3 p) { return {tenth(p.x), tenth(p.y), tenth(p.z)}; }
 
 Message onlyThisHalf() {
   return say("Only this half was changed: the other half has no such place, because of a slit or dart.");
+}
+
+std::vector<PieceId> copiesOf(const Document& document, PieceId id) {
+  std::vector<PieceId> all;
+  const Piece* piece = document.find(id);
+  if (!piece) return all;
+  for (const auto& [other, copy] : document.pattern.pieces)
+    if (other != id && (copy->mirrorOf == id || piece->mirrorOf == other) &&
+        edgeOnCopy(*copy, *piece, piece->outline.edges.front().name))
+      all.push_back(other);
+  return all;
 }
 
 double roundShare(double share, double near) {

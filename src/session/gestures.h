@@ -39,6 +39,9 @@ constexpr double kDragStep = 0.005;     // metres: what is dragged is no finer; 
 // What is said where a slit or dart left the other half of a symmetric piece without a counterpart.
 Message onlyThisHalf();
 
+// The symmetric copies of a piece (or the piece it is the copy of) that are still its likeness.
+std::vector<PieceId> copiesOf(const Document& document, PieceId piece);
+
 // Tenths of a millimetre: a hand is no finer, and the record stays readable.
 double tenth(double metres);
 Flat tenth(Flat place);

@@ -4,6 +4,7 @@
 
 #include "karinui/body/lines.h"
 #include "karinui/session/keyboard_pointer.h"
+#include "session/zip_slider.h"
 
 namespace karinui {
 
@@ -16,7 +17,13 @@ class Finder {
   Finder(const GarmentSnapshot& snapshot, const TableLayout& table, PointerSample with, const Viewpoint& viewpoint)
       : fitting_(snapshot), table_(table), with_(with), sight_(viewpoint) {}
 
-  std::vector<KeyStop> pieces() {
+  std::vector<KeyStop> pieces(bool sliders) {
+    if (sliders)
+      for (const ZipWay& zip : zipsOf(fitting_.document)) {
+        const ZipPlace::Side slider = zip.at(zip.closed()).over;
+        if (const Piece* piece = fitting_.document.find(slider.piece))
+          add(*piece, slider.paper, [&](const Hit& hit) { return !hidden(hit, *piece, slider.paper); });
+      }
     for (const auto& worn : fitting_.worn) {
       const Piece& piece = *fitting_.document.find(worn.id);
       inside(piece, worn.ring);
@@ -146,7 +153,8 @@ std::vector<KeyStop> keyStopsOf(const GarmentSnapshot& snapshot, const TableLayo
     case KeyStops::Skin:
       return finder.skin();
     case KeyStops::Pieces:
-      return finder.pieces();
+    case KeyStops::PiecesAndSliders:
+      return finder.pieces(wanted == KeyStops::PiecesAndSliders);
     default:
       return finder.edges(wanted == KeyStops::Corners);
   }

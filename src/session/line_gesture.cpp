@@ -1,6 +1,7 @@
 // Lines inside a piece: clicks make a line of straight parts, a drag a curve. Enter, or a click where it ended, is the
-// end; a drag ends with its release. A click near an edge is on it; with Shift the part is level, upright or half-way
-// between. Elsewhere a place is as round as the pixels tell; over a scan it is as fine as the hand.
+// end; a drag ends with its release. It is drawn on the symmetric copy too, unless Alt is held. A click near an edge is
+// on it; with Shift the part is level, upright or half-way between. Elsewhere a place is as round as the pixels tell;
+// over a scan it is as fine as the hand.
 #include <cmath>
 #include <numbers>
 
@@ -30,6 +31,7 @@ class LineGesture : public Gesture {
         if (!along_.empty() && distance(along_.back(), *end) < kSame)
           return along_.size() > 1 ? finished() : GestureResult{};
         piece_ = hit.piece;
+        alone_ = alone_ || sample.alt;
         along_.push_back(*end);
         stroke_ = {*end};
         now_.reset();
@@ -55,7 +57,7 @@ class LineGesture : public Gesture {
     if (along_.empty()) return false;
     along_.pop_back();
     stroke_.clear();
-    if (along_.empty()) piece_ = {};
+    if (along_.empty()) piece_ = {}, alone_ = false;
     return true;
   }
   Preview preview(const GestureContext& context) const override {
@@ -65,6 +67,12 @@ class LineGesture : public Gesture {
     line.insert(line.end(), stroke_.begin(), stroke_.end());
     if (now_) line.push_back(*now_);
     showOnPaper(shown, context, piece_, line, kChalk);
+    if (!alone_) {
+      std::vector<Flat> image;
+      for (const Flat p : line) image.push_back({-p.u, p.v});
+      for (const PieceId copy : copiesOf(context.snapshot->document, piece_))
+        showOnPaper(shown, context, copy, image, kPartner);
+    }
     double length = 0;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) length += distance(line[i], line[i + 1]);
     if (length > 0) shown.table.words.push_back({line.back() + context.table->at(piece_), context.said(length)});
@@ -85,6 +93,7 @@ class LineGesture : public Gesture {
     line.piece = piece_;
     line.along = along_;
     line.smooth = smooth_;
+    if (alone_) line.copies = Choice::No;
     return {.over = true, .operation = std::move(line)};
   }
   Flat meant(const PointerSample& sample, const Hit& hit, const GestureContext& context, Flat paper) const {
@@ -133,7 +142,7 @@ class LineGesture : public Gesture {
   PieceId piece_;
   std::vector<Flat> along_, stroke_;
   std::optional<Flat> now_;
-  bool smooth_ = false;
+  bool smooth_ = false, alone_ = false;  // alone: not on the symmetric copy
 };
 
 }  // namespace

@@ -17,8 +17,8 @@ const std::vector<Command>& bar() {
   }();
   return on;
 }
-constexpr double kNear = 0.62;  // of the distance to what is looked at
-constexpr double kHigh = 1.08;  // of a button's width, its label included; the rest is in buttons, too
+constexpr double kBoardNear = 0.62;  // of the distance to what is looked at
+constexpr double kHigh = 1.08;       // of a button's width, its label included; the rest is in buttons, too
 constexpr double kGap = 0.06, kRim = 0.12, kMargin = 0.14;
 constexpr double kMostHigh = 0.94, kMostWide = 1 / 6.0;  // of the view
 constexpr double kButtonMost = 0.09;                     // of the view's height,
@@ -57,7 +57,7 @@ double menuShare(const Viewpoint& viewpoint) {
 }
 
 SceneMenu menuPanel(const Viewpoint& viewpoint, const MenuState& state) {
-  const double far = viewpoint.distance * kNear, half = far * viewpoint.tanHalf, unit = half * buttonOf(viewpoint);
+  const double far = viewpoint.distance * kBoardNear, half = far * viewpoint.tanHalf, unit = half * buttonOf(viewpoint);
   SceneMenu panel;
   panel.across = viewpoint.right * (kWide * unit);
   panel.upward = viewpoint.up * (tall() * unit);

@@ -1,5 +1,5 @@
-// Notches: a click on an edge puts one, a click on one takes it away. On a symmetric piece both halves are marked,
-// unless Alt is held.
+// Notches: a click on an edge puts one, a click on one takes it away. On a symmetric piece both halves are marked, and
+// on a symmetric copy it is done likewise, unless Alt is held.
 #include <cmath>
 
 #include "karinui/pattern/symmetry.h"
@@ -16,8 +16,11 @@ class NotchGesture : public Gesture {
     if (sample.phase != PointerSample::Phase::Press) return {};
     if (!here_) return {.why = say("A notch lies on the edge of a piece.")};
     const Piece& piece = *context.snapshot->document.find(here_->edge.piece.id);
-    if (here_->there) return {.over = true, .operation = EraseMarks{here_->edge.piece, {}, tenth(here_->paper)}};
+    const Choice copies = sample.alt ? Choice::No : Choice::Auto;
+    if (here_->there)
+      return {.over = true, .operation = EraseMarks{here_->edge.piece, {}, tenth(here_->paper), copies}};
     AddNotch notch;
+    notch.copies = copies;
     notch.edge = here_->edge;
     notch.at = here_->at;
     const auto symmetry = sample.alt ? std::nullopt : symmetryOf(piece.outline);

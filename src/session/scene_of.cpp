@@ -9,6 +9,7 @@
 #include "karinui/pattern/seam_walk.h"
 #include "session/cloth_trims.h"
 #include "session/standing_buttons.h"
+#include "session/zip_slider.h"
 
 namespace karinui {
 
@@ -72,11 +73,26 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
   return runs;
 }
 
+// A zip's slider: a broad plate across both sides, and its pull tab, which hangs over what is closed.
+void addSlider(std::vector<SceneLine>& lines, const ZipWay& way, const Colour& colour) {
+  constexpr double kPlate = 0.006, kTab = 0.018;  // metres
+  constexpr float kWide = 8, kNarrow = 5;         // mm
+  const auto middle = [&](double closed) {
+    const ZipPlace place = way.at(closed);
+    // Where the sides gape the slider stays with the one that lies over.
+    return distance(place.over.space, place.under.space) < kPlate ? lerp(place.over.space, place.under.space, 0.5)
+                                                                  : place.over.space;
+  };
+  const double closed = way.closed();
+  lines.push_back({{middle(closed - kPlate / 2), middle(closed + kPlate / 2)}, colour, kWide, false});
+  if (closed > kTab) lines.push_back({{middle(closed), middle(closed - kTab)}, colour, kNarrow, false});
+}
+
 }  // namespace
 
 std::vector<SceneLine> fasteningLines(const Document& document) {
   std::vector<SceneLine> lines;
-  constexpr Colour kShell{0.86f, 0.84f, 0.78f}, kMetal{0.35f, 0.36f, 0.38f};
+  constexpr Colour kShell{0.86f, 0.84f, 0.78f}, kMetal{0.35f, 0.36f, 0.38f}, kBrass{0.50f, 0.33f, 0.09f};
   constexpr float kTeeth = 4;                          // mm
   constexpr double kAbove = 0.0015, kZipStep = 0.005;  // metres
   constexpr int kRound = 16;
@@ -96,6 +112,7 @@ std::vector<SceneLine> fasteningLines(const Document& document) {
         }
         if (line.points.size() > 1) lines.push_back(std::move(line));
       }
+      if (const auto way = ZipWay::of(document, name)) addSlider(lines, *way, kBrass);
       continue;
     }
     if (own.kind != FasteningKind::Hook && own.kind != FasteningKind::Tie) continue;

@@ -226,4 +226,15 @@ void Session::snapshotAfter(std::uint64_t seq, std::function<void(SnapshotPtr)> 
                });
 }
 
+void Session::recipe(std::function<void(Result<RecipePtr>)> then) {
+  auto& in = *impl_;
+  in.tasks.add(TaskQueue::Kind::SnapshotAfter, [this, of = in.documents, then = std::move(then)](const Token& token) {
+    Context context = impl_->documentWorker->context(token);
+    Result<RecipePtr> found = recipeOf(impl_->documentWorker->file(), context);
+    return [this, of, then, found] {
+      if (of == impl_->documents) then(found);
+    };
+  });
+}
+
 }  // namespace karinui

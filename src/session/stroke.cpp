@@ -10,14 +10,14 @@ namespace karinui {
 
 namespace {
 
-constexpr double kJitter = 0.2;     // of touching: what a hand wavers
-constexpr double kUnsure = 0.02;    // metres of depth in that waver: the sample is uncertain
-constexpr double kFar = 0.04;       // metres a stroke jumps onto another part of the body
-constexpr double kBeside = 1.5;     // times touching: how far beside the silhouette still means it
-constexpr double kSpacing = 0.01;   // metres between the nodes that are faired
-constexpr double kShortest = 0.06;  // metres: shorter waves are taken out
-constexpr double kRayMiss = 0.004;  // metres a faired line may pass from a certain ray
-constexpr double kAbove = 0.3;      // metres above the skin at which a tip's ray begins
+constexpr double kJitter = 0.2;        // of touching: what a hand wavers
+constexpr double kUnsure = 0.02;       // metres of depth in that waver: the sample is uncertain
+constexpr double kFar = 0.04;          // metres a stroke jumps onto another part of the body
+constexpr double kBeside = 1.5;        // times touching: how far beside the silhouette still means it
+constexpr double kFairedApart = 0.01;  // metres between the nodes that are faired
+constexpr double kShortest = 0.06;     // metres: shorter waves are taken out
+constexpr double kRayMiss = 0.004;     // metres a faired line may pass from a certain ray
+constexpr double kAbove = 0.3;         // metres above the skin at which a tip's ray begins
 constexpr int kSweeps = 120, kRounds = 3;
 
 Vec3 onRay(const Ray& ray, Vec3 place) { return ray.origin + ray.direction * dot(place - ray.origin, ray.direction); }
@@ -101,7 +101,7 @@ std::vector<Node> nodesOf(std::span<const StrokeSample> run, std::span<const std
   const std::vector<Vec3> picture = pictureOf(run);
   std::vector<double> way{0};
   for (std::size_t i = 1; i < run.size(); ++i) way.push_back(way.back() + distance(picture[i - 1], picture[i]));
-  const int parts = std::max(2, static_cast<int>(std::ceil(way.back() / kSpacing)));
+  const int parts = std::max(2, static_cast<int>(std::ceil(way.back() / kFairedApart)));
   std::vector<Node> nodes;
   std::size_t i = 0;
   for (int k = 0; k <= parts; ++k) {
@@ -134,7 +134,7 @@ std::vector<Vec3> faired(const Body& body, std::span<const StrokeSample> run,
   double touching = 0;
   for (const StrokeSample& s : run) touching = std::max(touching, s.touching());
   const double shortest = std::max(kShortest, 2.5 * touching);
-  const double stiff = std::pow(shortest / (2 * 3.14159265358979) / kSpacing, 4);
+  const double stiff = std::pow(shortest / (2 * 3.14159265358979) / kFairedApart, 4);
   const auto onSkin = [&](Vec3 p) { return body.bvh().nearest(p)->point; };
   for (Node& node : nodes) node.at = onSkin(node.at);
   for (int round = 0; round < kRounds; ++round) {

@@ -16,7 +16,7 @@
 namespace karinui {
 namespace {
 
-struct SewnPrint {
+struct SewnPrints {
   Workroom room;
   DocumentFile file = DocumentFile::inMemory();
   void play(const std::string& lines) {
@@ -52,7 +52,7 @@ TEST(PrintMatch, PlacedPiecesMeetAlongTheWholeOfASeamWhoseSidesAreAlike) {
   std::uniform_real_distribution<double> place(-0.2, 0.2), repeat(0.01, 0.09), turn(0, 90);
   for (const char* print : {"stripe", "check", "dot"})
     for (int k = 0; k < 12; ++k) {
-      SewnPrint s;
+      SewnPrints s;
       // Turned, the mirrored side does not run as this one does; then they meet at one place only.
       const bool turned = k % 3 == 2;
       s.play(panels(place(lot), place(lot)) + "look fabric=cotton print=" + print + " repeat=" + fixed(repeat(lot), 4) +
@@ -92,7 +92,7 @@ TEST(PrintMatch, PlacedPiecesMeetAlongTheWholeOfASeamWhoseSidesAreAlike) {
 }
 
 TEST(PrintMatch, AMissIsToldWithItsMeasureAndItsPlace) {
-  SewnPrint s;
+  SewnPrints s;
   s.play(panels(0, 0) + "look fabric=cotton print=stripe turn=90deg repeat=4cm\nmatch seam=side\n");
   EXPECT_TRUE(unmatchedSaid(s.document(), photosIn(s.room.blobs)).empty());
   s.play("look piece=back shift=\"0,7mm\"\n");
@@ -106,7 +106,7 @@ TEST(PrintMatch, AMissIsToldWithItsMeasureAndItsPlace) {
   s.play("fabric name=denim piece=back\n");
   EXPECT_FALSE(s.meets("side"));
   // A photograph is not the same in a mirror.
-  SewnPrint p;
+  SewnPrints p;
   const std::string photo = *p.room.blobs.put(packPrint({2, 1, {255, 0, 0, 0, 0, 255}}));
   p.play(panels(0.013, 0.021) + "look fabric=cotton print=photo repeat=8cm photo=" + photo +
          "\nmatch seam=side at=0.5\n");
@@ -116,7 +116,7 @@ TEST(PrintMatch, AMissIsToldWithItsMeasureAndItsPlace) {
 // What a pleat's stitching joins lies behind its fold: nobody sees whether the print goes on there.
 TEST(PrintMatch, AStitchedPleatIsNoSeamOfThePrint) {
   for (const char* hold : {"", " hold=0"}) {
-    SewnPrint s;
+    SewnPrints s;
     s.play(std::string("rectangle name=skirt width=60cm height=40cm\nrectangle name=back width=40cm height=40cm\n") +
            "pleat edge=skirt.top kind=box count=2 depth=23mm stitch=5cm" + hold +
            "\nsew name=side a=skirt.side_left b=back.side_right\nlook fabric=cotton print=check repeat=60mm\n");
@@ -133,7 +133,7 @@ TEST(PrintMatch, AStitchedPleatIsNoSeamOfThePrint) {
 
 // Bars stand where a repeat begins on the one side, and where that place is sewn to on the other.
 TEST(PrintMatch, MarksStandAtRepeatsOnBothSides) {
-  SewnPrint s;
+  SewnPrints s;
   s.play(panels(0.013, 0.021) + "look fabric=cotton print=check repeat=3cm\nmatch seam=side\n");
   const auto marks = matchMarks(s.document(), photosIn(s.room.blobs));
   ASSERT_EQ(marks.size() % 2, 0u);
@@ -160,7 +160,7 @@ TEST(PrintMatch, MarksStandAtRepeatsOnBothSides) {
 }
 
 TEST(PrintMatch, AMirroredPieceIsPlacedAsItsOriginal) {
-  SewnPrint s;
+  SewnPrints s;
   s.play(
       "rectangle name=front width=30cm height=40cm\nmirror piece=front\nlook fabric=cotton print=check repeat=5cm\n"
       "look piece=front shift=\"12mm,-7mm\"\n");
@@ -170,7 +170,7 @@ TEST(PrintMatch, AMirroredPieceIsPlacedAsItsOriginal) {
 }
 
 TEST(PrintMatch, TheLayKeepsThePlacing) {
-  SewnPrint s;
+  SewnPrints s;
   s.play(panels(0.031, 0.017) + "look fabric=cotton print=check repeat=4cm\nmatch seam=side\n");
   LaySettings settings;
   settings.tries = 20;

@@ -54,6 +54,11 @@ class Documents(unittest.TestCase):
             (lambda: coat.perform("remove piece=front"), "refused", "front"),
             (lambda: coat.undo(), "refused", "nothing to undo"),
             (lambda: coat.measure(), "refused", "no body yet"),
+            (lambda: coat.motion(["T"]), "refused", "no body yet"),
+            (lambda: coat.fit_over(["jis9ar"]), "refused", "nothing to fit"),
+            (lambda: coat.fit_over([{"name": "Anna", "sex": "cat"}]), "bad_input", "is no figure"),
+            (lambda: coat.fit_over([{"bust": 0.9, "bogus": 1.0}]), "not_found", "bogus"),
+            (lambda: coat.fit_over(self.folder / "none.csv"), "not_found", "none.csv"),
             (lambda: coat.play("set ease=1cm\nknit\n"), "bad_input", "Line 2"),
             (lambda: karinui.Document.open(self.folder / "none.karinui"), "not_found", "There is no file"),
             (lambda: karinui.load("nonsense", self.folder / "x.karinui"), "bad_input", "not a dump"),
@@ -131,6 +136,21 @@ class Documents(unittest.TestCase):
         ring = outline.pieces()[0].outline()
         x, y = ring[:, 0], ring[:, 1]
         self.assertAlmostEqual(0.5 * float((x * numpy.roll(y, -1) - y * numpy.roll(x, -1)).sum()), 0.2, 9)
+
+    def test_fit_in_motion_and_over_figures(self):
+        coat = karinui.Document.create(threads=1)
+        coat.play("body size=jis9ar\nset spacing=30mm\n" + PANEL + " pose=0,0.6,0.5\npin edge=front.top\n")
+        coat.settle()
+        mark = (coat.log(), coat.drape_hash)
+        now, moved = coat.motion(["A"])
+        self.assertEqual((now["pose"], moved["pose"], moved["settled"]), ("", "A", True))
+        self.assertEqual(set(moved["strain"]), {"mean", "p99", "max"})
+        self.assertIsInstance(moved["slid"], dict)
+        (she,) = coat.fit_over(["jis9ar"])
+        self.assertEqual((she["name"], she["fits"], she["said"]), ("jis9ar", True, ""))
+        self.assertAlmostEqual(she["strain"]["p99"], now["strain"]["p99"], 12)
+        self.assertEqual((coat.log(), coat.drape_hash), mark)
+        self.assertEqual(coat.check()["fastenings"], [])
 
     def test_the_stubs_name_what_there_is(self):
         stubs = ast.parse((pathlib.Path(karinui.__file__).parent / "karinui.pyi").read_text())

@@ -53,9 +53,12 @@ TEST(Fit, FasteningsAreDrawnAndToldOf) {
       "fasten a=over.centre b=under.centre count=3 first=5cm last=5cm closed=2 size=20mm\n"
       "fasten kind=zip a=over.side b=under.side length=20cm closed_length=5cm reversed=yes\n");
   const SnapshotPtr fitting = snapshotOf(document, nullptr);
-  ASSERT_EQ(fitting->frame.lines.size(), 5u);
+  ASSERT_EQ(fitting->frame.lines.size(), 7u) << "with the zip's slider and its tab";
   std::vector<SceneLine> discs, zips;
-  for (const SceneLine& line : fitting->frame.lines) (line.widthMm == 10 ? discs : zips).push_back(line);
+  for (const SceneLine& line : fitting->frame.lines) {
+    if (line.widthMm == 10) discs.push_back(line);
+    if (line.widthMm == 4) zips.push_back(line);
+  }
   ASSERT_EQ(discs.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
     const SceneLine& disc = discs[k];

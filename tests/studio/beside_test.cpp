@@ -32,7 +32,7 @@ QAction* chosen(QMenu& menu, const QString& words) {
   }
   return nullptr;
 }
-void choose(Window& w, const QString& words) {
+void chooseKind(Window& w, const QString& words) {
   auto* menu = w.main().findChild<QMenu*>("beside");
   ASSERT_TRUE(menu);
   emit menu->aboutToShow();
@@ -54,7 +54,7 @@ TEST(StudioBeside, AnotherFabricIsDrapedBesideAndFollowsWhatIsDone) {
   w.main().boards().setCurrentIndex(3);
   w.rest();
   const std::size_t steps = w.count();
-  choose(w, "in Denim");
+  chooseKind(w, "in Denim");
   ASSERT_TRUE(w.space().beside());
   const Beside& beside = besideOf(w);
   EXPECT_EQ(beside.fitting()->document.pieceNamed("front")->fabric, "denim");
@@ -82,7 +82,7 @@ TEST(StudioBeside, AnotherFabricIsDrapedBesideAndFollowsWhatIsDone) {
   const auto picture = dialog.draw(0.25);
   ASSERT_TRUE(picture);
   EXPECT_NEAR(picture->width, 450, 12) << "both are on the picture";
-  choose(w, "nothing");
+  chooseKind(w, "nothing");
   EXPECT_FALSE(w.space().beside());
 }
 
@@ -117,7 +117,7 @@ TEST(StudioBeside, ASizeStandsBesideTheOneThatIsWorkedOn) {
   const auto operation = [&](const char* line) { w.session().perform(*parseOperation(line)), w.rest(); };
   operation("grade sizes=\"S M\" base=M");
   operation("grade corners=\"front.hem_left back.hem_left\" by=0,-4cm size=M");
-  choose(w, "Size S");
+  chooseKind(w, "Size S");
   ASSERT_TRUE(w.space().beside());
   EXPECT_EQ(besideOf(w).fitting()->document.grading.standing, 0u);
   EXPECT_EQ(w.session().snapshot().document.grading.standing, 1u);

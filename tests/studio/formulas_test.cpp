@@ -34,7 +34,7 @@ void begin(Window& w) {
   w.rest();
 }
 
-void choose(Window& w, const char* piece, const char* edge) {
+void chooseEdge(Window& w, const char* piece, const char* edge) {
   const PieceId id = w.session().snapshot().document.pieceNamed(piece)->id;
   w.main().boards().setCurrentIndex(0);
   w.session().select({{id}, EdgeNear{id, edge, 0.5, 0}, {}});
@@ -55,7 +55,7 @@ TEST(StudioFormulas, ALengthTypedByFormulaFollowsTheFigureAndTheVariables) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   begin(w);
-  choose(w, "front", "hem");
+  chooseEdge(w, "front", "hem");
   const std::size_t steps = w.count();
   w.type(w.box("Length"), "bust_girth/4 + 2");
   w.rest();
@@ -84,7 +84,7 @@ TEST(StudioFormulas, ALengthTypedByFormulaFollowsTheFigureAndTheVariables) {
   ASSERT_EQ(rows->rowCount(), 2) << w.main().said().toStdString();
   EXPECT_EQ(rows->item(1, 2)->text(), "22.75 cm");
   w.keepDialog(*table, "studio_variables");
-  choose(w, "back", "hem");
+  chooseEdge(w, "back", "hem");
   w.type(w.box("Length"), "quarter + 1cm");
   w.rest();
   EXPECT_NEAR(lengthTyped(w, "back", "hem"), 0.2375, 1e-7);

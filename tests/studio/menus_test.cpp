@@ -32,7 +32,7 @@ std::vector<std::string> offered() {
       if (!action->isSeparator()) words.push_back(action->text().toStdString());
   return words;
 }
-void choose(Window& w, const char* words) {
+void chooseEntry(Window& w, const char* words) {
   for (QAction* action : contextMenu()->actions())
     if (action->text() == words) {
       QTest::mouseClick(contextMenu(), Qt::LeftButton, {}, contextMenu()->actionGeometry(action).center());
@@ -88,14 +88,14 @@ TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
     EXPECT_THAT(offered(), Contains("Pin here"));
     EXPECT_THAT(offered(), Not(Contains("Unpick this seam")));
     const std::size_t before = w.count();
-    choose(w, "Freeze");
+    chooseEntry(w, "Freeze");
     EXPECT_EQ(w.count(), before + 1);
     EXPECT_THAT(w.last(), StartsWith("freeze"));
     rightClick(w, view, at({0, 0.3}));
-    choose(w, "Thaw");
+    chooseEntry(w, "Thaw");
     rightClick(w, view, at(side));
     EXPECT_THAT(offered(), Contains("Notch there"));
-    choose(w, "Unpick this seam");
+    chooseEntry(w, "Unpick this seam");
     EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), 3u);
     w.key(Command::Undo);
     w.rest();
@@ -104,7 +104,7 @@ TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
   // On the body, beside the cloth: where to look from.
   rightClick(w, w.space(), {w.space().freeWidth() / 2, 12});
   EXPECT_THAT(offered(), Contains("Front"));
-  choose(w, "Back");
+  chooseEntry(w, "Back");
 }
 
 TEST(StudioMenus, ARightDragTurnsAndAsksNothing) {
@@ -135,7 +135,7 @@ TEST(StudioMenus, TheTreeHasItToo) {
   QApplication::sendEvent(tree->viewport(), &asked);
   EXPECT_TRUE(w.session().selection().seam);
   const std::size_t seams = w.session().snapshot().document.pattern.seams.size();
-  choose(w, "Unpick this seam");
+  chooseEntry(w, "Unpick this seam");
   EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), seams - 1);
 }
 
@@ -199,7 +199,7 @@ TEST(StudioMenus, ABandAlongANecklineAndAPieceWrappedWhereOnePoints) {
   const Piece front = *w.session().snapshot().document.pieceNamed("front");
   const std::size_t before = w.count();
   rightClick(w, w.table(), w.onTable("front", findEdge(front, "neck_left")->curve.atFraction(0.5)));
-  choose(w, "Band along it…");
+  chooseEntry(w, "Band along it…");
   auto* numbers = w.main().findChild<QDialog*>("step_dialog");
   ASSERT_TRUE(numbers);
   QTest::mouseClick(numbers->findChild<QPushButton*>("make"), Qt::LeftButton);
@@ -220,7 +220,7 @@ TEST(StudioMenus, ABandAlongANecklineAndAPieceWrappedWhereOnePoints) {
   w.session().select(chosen);
   w.view(View::Front);
   rightClick(w, w.space(), w.onSkin("left_leg:knee@0"));
-  choose(w, "Wrap the chosen piece round here");
+  chooseEntry(w, "Wrap the chosen piece round here");
   EXPECT_THAT(w.last(), AllOf(StartsWith("place piece="), HasSubstr("left_leg:")));
 }
 
@@ -234,7 +234,7 @@ TEST(StudioMenus, BothPlacesOfASlashAreShownAsShares) {
   w.click(w.table(), on("armhole_left"));
   w.rest();
   rightClick(w, w.table(), on("hem_left"));
-  choose(w, "Slash to left armhole of front and spread…");
+  chooseEntry(w, "Slash to left armhole of front and spread…");
   auto* numbers = w.main().findChild<QDialog*>("step_dialog");
   ASSERT_TRUE(numbers);
   for (const char* place : {"at", "to_at"})
@@ -259,12 +259,12 @@ TEST(StudioMenus, AnElasticAndAFoldAreStrongerAndWeakerByOneClick) {
   };
   const Flat hem = findEdge(*front(), "hem_left")->curve.atFraction(0.5);
   rightClick(w, w.table(), w.onTable("front", hem));
-  choose(w, "Stronger elastic: 12 N");
+  chooseEntry(w, "Stronger elastic: 12 N");
   w.rest();
   EXPECT_EQ(elastic(), (Elastic{0.9, 12})) << w.main().said().toStdString();
   rightClick(w, w.table(), w.onTable("front", hem));
   w.keep("studio_elastic_menu");
-  choose(w, "Weaker elastic: 8 N");
+  chooseEntry(w, "Weaker elastic: 8 N");
   w.rest();
   EXPECT_EQ(elastic(), (Elastic{0.9, 8}));
 
@@ -274,12 +274,12 @@ TEST(StudioMenus, AnElasticAndAFoldAreStrongerAndWeakerByOneClick) {
     return Crease{};
   };
   rightClick(w, w.table(), w.onTable("front", {0.03, 0.2}));
-  choose(w, "Press the fold harder: 60 %");
+  chooseEntry(w, "Press the fold harder: 60 %");
   w.rest();
   EXPECT_NEAR(crease().hold, 0.6, 1e-12) << w.main().said().toStdString();
   EXPECT_NEAR(crease().angle, std::numbers::pi / 3, 1e-12);
   rightClick(w, w.table(), w.onTable("front", {0.03, 0.2}));
-  choose(w, "Press the fold softer: 50 %");
+  chooseEntry(w, "Press the fold softer: 50 %");
   w.rest();
   EXPECT_NEAR(crease().hold, 0.5, 1e-12);
 }

@@ -383,6 +383,21 @@ TEST(StudioNewPieces, ButtonsBetweenTwoEdgesByTheRightButton) {
   menuOn(w, "under", "side_left");
   ASSERT_TRUE(choose(w, "Open buttons"));
   EXPECT_EQ(w.session().snapshot().document.allowances.fastenings.at("buttons").closed, 0);
+  menuOn(w, "under", "side_left");
+  ASSERT_TRUE(choose(w, "Close some of buttons*"));
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(numbers.line("closed").text(), "0");
+    EXPECT_FALSE(numbers.dialog->findChild<QWidget*>("more")->isVisible()) << "what they are stays";
+    numbers.type("closed", "9");
+    EXPECT_NE(numbers.said(), "");
+    numbers.type("closed", "3");
+    numbers.accept();
+  }
+  EXPECT_EQ(w.session().snapshot().document.allowances.fastenings.at("buttons").closed, 3);
+  menuOn(w, "under", "side_left");
+  ASSERT_TRUE(choose(w, "Open buttons"));
   chooseOver();
   w.rest();
   EXPECT_EQ(w.main().findChild<QLabel*>("edge_fastened")->text(), "5 buttonholes 1.40 cm");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "karinui/exchange/report.h"
+#include "karinui/session/fit_over_bodies.h"
 #include "plan.h"
 
 namespace karinui::app {
@@ -29,10 +30,6 @@ Done writeDatabase(const BatchTable& table, const std::filesystem::path& file);
 
 // Why a garment does not fit, or an empty text: it did not come to rest, or is stretched or presses more than one
 // wears.
-struct FitLimits {
-  double strain = 0.08;    // 99 of 100 parts of the cloth are stretched less
-  double pressure = 4000;  // Pa, at 99 of 100 places: clothes are comfortable up to 2 to 4 kPa (Denton 1972)
-};
 std::string misfitOf(const Json& outcome, const FitLimits& limits = {});
 
 // The fit over all people as a pattern-maker reads it: what came of each design, the distributions of stretch, pressure

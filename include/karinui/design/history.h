@@ -23,6 +23,10 @@ struct Step {
 // The document that a list of operations leads to, from nothing. The error names the step.
 Result<Document> replayed(const std::vector<Operation>& operations, Context& context);
 
+// A step's operation, to be done again on what may be another garment: what an older program left open is done as it
+// was done then, and not as it is by now.
+Operation asRecorded(Operation operation);
+
 // A document that lives in a file. Each operation is one transaction: when perform() returns a value it is on the disk,
 // and no crash or power cut loses it. Undo and redo survive closing. Undone steps stay in the file as a branch after
 // new work.

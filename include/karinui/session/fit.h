@@ -20,6 +20,11 @@ struct PressureReport {
 };
 std::optional<PressureReport> pressureReport(const std::vector<float>& values);
 
+std::optional<BodyPoint> mostPressed(const std::vector<float>& values, const Body& body);  // where the skin is so
+
+// The cloth of which one point in a hundred is stretched more than that of any other; empty: none is.
+std::string mostStretched(const SceneFrame& frame);
+
 // The bared body coloured by it, and the garment as lines: to be drawn as a strain map is, up to a round number of
 // pascals. `values`: of pressureOnBody(); empty: not known yet. Needs the snapshot's body.
 SceneFrame pressureFrame(const GarmentSnapshot& snapshot, const std::vector<float>& values);
@@ -30,6 +35,10 @@ std::vector<ElasticPull> elasticsOf(const GarmentSnapshot& snapshot);
 
 // How its closed buttons, snaps, hooks, ties and zips hold. As long as a garment is laid.
 std::vector<FasteningPull> fasteningsOf(const GarmentSnapshot& snapshot);
+
+// "front 3", and "drawn open with 12.0 N; does not close, 1.4 mm are missing".
+Message fastenerSaid(const FasteningPull& pull);
+Message pulledSaid(const FasteningPull& pull);
 
 // The level tape: round the trunk, or both legs together, arms and sleeves left out; or round one leg.
 struct Girths {

@@ -24,6 +24,8 @@ struct FitInPose {
   bool settled = false;
   StrainReport strain;
   std::optional<PressureReport> pressure;
+  SnapshotPtr garment;            // of that document
+  std::vector<float> pressureAt;  // pressureOnBody() of it
   // How far such edges slid over the skin since the first pose, on average, metres: towards the trunk along an arm,
   // upwards elsewhere; what lies beside a hand now is left out. None: the garment has no such edge.
   std::array<std::optional<double>, kOpenEdges.size()> slid{};
@@ -31,7 +33,11 @@ struct FitInPose {
 
 // The garment as it stands now, brought to rest if it is not, and then in each pose. Refused: no body, a pose that does
 // not exist or that the figure cannot take.
+// `each` is told of every pose that is ready, on the caller's thread.
 Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::vector<std::string>& poses,
-                                           Context& context);
+                                           Context& context, const std::function<void(const FitInPose&)>& each = {});
+
+// As a table for other programs: RFC 4180, shares, pascals, metres.
+std::string csvOf(const std::vector<FitInPose>& fits);
 
 }  // namespace karinui

@@ -15,7 +15,7 @@ namespace karinui {
 enum class KeyStroke { Left, Right, Up, Down, Next, Previous, Press, Shorter, Longer };
 
 // Which places a gesture wants to be led to.
-enum class KeyStops { Skin, Pieces, Edges, Corners };
+enum class KeyStops { Skin, Pieces, PiecesAndSliders, Edges, Corners };  // sliders: of zips
 
 // A place worth going to, seen from where one looks.
 struct KeyStop {

@@ -16,6 +16,7 @@
 #include "karinui/design/share.h"
 #include "karinui/session/command.h"
 #include "karinui/session/export.h"
+#include "karinui/session/fit_over_bodies.h"
 #include "karinui/session/garment_snapshot.h"
 #include "karinui/session/gesture.h"
 #include "karinui/session/menu.h"
@@ -163,6 +164,10 @@ class Session {
   // The garment as it was after a step of steps() or undone() (0: the beginning), told to `then` by update() when it
   // is there (null: it could not be made); never, where another document came first.
   void snapshotAfter(std::uint64_t seq, std::function<void(SnapshotPtr)> then);
+
+  // What leads to the garment, to be made again on other figures (fit_over_bodies.h), told to `then` by update();
+  // never, where another document came first.
+  void recipe(std::function<void(Result<RecipePtr>)> then);
 
   // --- the figure
   // Shows the garment on a figure while one still turns its measures: nothing is done yet, the newest wish only is

@@ -112,6 +112,7 @@ TermTable fieldTerms() {
       {"colour.topstitch", say("Colour of the thread")},
       {"compression", say("Resists squeezing")},
       {"cone", say("As a cone")},
+      {"copies", say("On the symmetric copy")},
       {"corners", say("Corners, by the edges that start there")},
       {"corners.underlay", say("Corners of a rectangle on the scan")},
       {"count", say("Times cut")},

@@ -1,6 +1,7 @@
 #include "design/operations/copied_fastenings.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "karinui/pattern/likeness.h"
 
@@ -54,7 +55,36 @@ std::optional<Fastening> copied(const Document& document, const Fastening& own,
   return copy;
 }
 
+bool closeTo(double a, double b) {
+  constexpr double kSame = 1e-6;  // of a run's length
+  return std::fabs(a - b) < kSame;
+}
+bool sameSide(const std::vector<EdgeSpan>& one, const std::vector<EdgeSpan>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const EdgeSpan& a, const EdgeSpan& b) {
+    return a.piece == b.piece && a.edge == b.edge && closeTo(a.from, b.from) && closeTo(a.to, b.to);
+  });
+}
+
 }  // namespace
+
+std::optional<Fastening> fasteningOnCopies(const Document& document, const Fastening& own) {
+  std::map<PieceId, PieceId> copies;
+  for (const auto* side : {&own.a, &own.b})
+    for (const EdgeSpan& span : *side)
+      if (const auto all = likenesses(document, span.piece); !all.empty()) copies[span.piece] = all.front();
+  const auto copy = copied(document, own, copies, true);
+  if (!copy) return std::nullopt;
+  for (const auto* side : {&own.a, &own.b})
+    for (const EdgeSpan& span : *side)
+      if (holds(copy->a, span.piece) || holds(copy->b, span.piece)) return std::nullopt;
+  return copy;
+}
+
+bool sameFastening(const Fastening& one, const Fastening& other) {
+  return one.kind == other.kind && one.reversed == other.reversed && sameSide(one.a, other.a) &&
+         sameSide(one.b, other.b) &&
+         std::equal(one.at.begin(), one.at.end(), other.at.begin(), other.at.end(), closeTo);
+}
 
 Document withCopiedFastenings(Document document, PieceId piece, const std::map<PieceId, PieceId>& copies, bool mirror,
                               const Context& context) {

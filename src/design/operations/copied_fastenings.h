@@ -11,4 +11,10 @@ namespace karinui {
 Document withCopiedFastenings(Document document, PieceId piece, const std::map<PieceId, PieceId>& copies, bool mirror,
                               const Context& context);
 
+// The same fastening between the symmetric copies of its pieces. Nothing where one has none that is a likeness, or
+// where the copies are the pieces themselves, as of two fronts that are buttoned to each other.
+std::optional<Fastening> fasteningOnCopies(const Document& document, const Fastening& own);
+// Whether it holds the same places together, whatever of it is closed.
+bool sameFastening(const Fastening& one, const Fastening& other);
+
 }  // namespace karinui

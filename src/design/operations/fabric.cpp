@@ -56,8 +56,9 @@ Result<Document> perform(const Document& before, const SetFabric& op, Context&) 
   return after;
 }
 
-Done resolve(const Document& before, FuseInterfacing& op, Context&) {
+Done resolve(const Document& before, FuseInterfacing& op, Context& context) {
   if (Done done = resolve(before, op.pieces); !done) return done;
+  if (Done done = resolveCopies(before, op.pieces, op.copies, context); !done) return done;
   if (op.none) {
     if (!op.fabric.empty()) return refused(say("An interfacing that is taken off has no fabric."));
     for (const PieceRef& ref : op.pieces)
@@ -69,23 +70,31 @@ Done resolve(const Document& before, FuseInterfacing& op, Context&) {
   if (Done done = checkFabricName(before, op.fabric); !done) return done;
   const auto inner = fabricNamed(before, op.fabric);
   if (!inner) return inner.error();
-  for (const PieceRef& ref : op.pieces) {
-    const Piece& piece = *before.find(ref.id);
-    const auto outer = fabricNamed(before, piece.fabric);
+  const auto check = [&](PieceId id) -> Done {
+    const auto outer = fabricNamed(before, before.find(id)->fabric);
     if (!outer) return outer.error();
     if (outer->law == Fabric::Law::Simcloth || inner->law == Fabric::Law::Simcloth)
       return refused(say("Simcloth does not bend, so nothing is fused to it."));
-    if (Done done = checkFabric(fused(*outer, *inner)); !done) return done;
+    return checkFabric(fused(*outer, *inner));
+  };
+  for (const PieceRef& ref : op.pieces) {
+    if (Done done = check(ref.id); !done) return done;
+    for (const PieceId copy : copiesMeant(before, ref.id, op.copies))
+      if (Done done = check(copy); !done) return done;
   }
   return {};
 }
 
 Result<Document> perform(const Document& before, const FuseInterfacing& op, Context&) {
   Document after = before;
-  for (const PieceRef& ref : op.pieces) {
-    Piece piece = *after.find(ref.id);
+  const auto fuse = [&](PieceId id) {
+    Piece piece = *after.find(id);
     piece.interfacing = op.fabric;
     after = withPiece(std::move(after), std::move(piece));
+  };
+  for (const PieceRef& ref : op.pieces) {
+    fuse(ref.id);
+    for (const PieceId copy : copiesMeant(before, ref.id, op.copies)) fuse(copy);
   }
   return after;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "design/operations/copied_fastenings.h"
 #include "design/operations/sewn_runs.h"
 #include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
@@ -194,17 +195,17 @@ Done checkPlaces(const Document& before, const Fastening& own) {
 }
 
 // A zip is sewn between two edges that nothing else is sewn to.
-Done checkZip(const Document& before, Fastening own, const Fasten& op) {
+Done checkZip(const Document& before, Fastening own, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b) {
   own.zipped = 1;
-  for (const auto* side : {&op.a, &op.b})
+  for (const auto* side : {&a, &b})
     for (const EdgeRef& ref : *side)
       if (lineOf(before, ref)) return refused(say("A zip is sewn between two edges, not to an inner line."));
   const auto seam = zipSeam(before.pattern, own);
   if (!seam) return refused(say("A zip is at least 1 cm long."));
-  const double a = length(before.pattern, seam->a), b = length(before.pattern, seam->b);
-  if (std::fmax(a, b) > kUneven * std::fmin(a, b))
+  const double onA = length(before.pattern, seam->a), onB = length(before.pattern, seam->b);
+  if (std::fmax(onA, onB) > kUneven * std::fmin(onA, onB))
     return refused(say("The zip is {0} cm long on one side and {1} cm on the other; make the edges alike.",
-                       centimetres(a), centimetres(b)));
+                       centimetres(onA), centimetres(onB)));
   for (const auto* side : {&seam->a, &seam->b}) {
     const std::vector<EdgeRef> refs = refsOf(*side);
     for (const SeamId id : seamsOn(before, refs)) {
@@ -227,9 +228,67 @@ Done checkZip(const Document& before, Fastening own, const Fasten& op) {
   return {};
 }
 
+Done checkSet(const Document& before, const Fastening& own, const std::vector<EdgeRef>& a,
+              const std::vector<EdgeRef>& b) {
+  if (own.kind == FasteningKind::Zip) return checkZip(before, own, a, b);
+  if (Done done = checkOpen(before, own); !done) return done;
+  return checkPlaces(before, own);
+}
+
+// The one that holds the same places already: it came with that of the symmetric copies.
+Fastenings::iterator sameThere(Fastenings& all, const Fastening& own) {
+  return std::find_if(all.begin(), all.end(), [&](const auto& other) { return sameFastening(other.second, own); });
+}
+
+// Whether the symmetric copies are fastened likewise. Left open, they are where they can be.
+Done resolveCopies(const Document& before, const Fastening& own, Fasten& op, const Context& context) {
+  if (context.recorded) return {};
+  const auto copy = fasteningOnCopies(before, own);
+  if (!copy) {
+    if (op.copies == Choice::No) op.copies = Choice::Auto;  // nothing is to be decided
+    if (op.copies == Choice::Auto) return {};
+    return refused(
+        say("The symmetric copies of these pieces have nothing that is fastened likewise; leave copies= away."));
+  }
+  if (op.copies == Choice::No) return {};
+  Document with = before;
+  if (sameThere(with.allowances.fastenings, *copy) != with.allowances.fastenings.end()) {
+    op.copies = Choice::No;
+    return {};
+  }
+  with.allowances.fastenings[op.name] = own;
+  const Done done = checkSet(with, *copy, refsOf(copy->a), refsOf(copy->b));
+  if (!done && op.copies == Choice::Yes) return done;
+  op.copies = done ? Choice::Yes : Choice::No;
+  return {};
+}
+
+std::string nameOnCopies(const Fastenings& all, const std::string& name) {
+  std::string other = otherSide(name);
+  for (int n = 2; all.contains(other); ++n) other = otherSide(name) + "_" + std::to_string(n);
+  return other;
+}
+
+// What has the buttonholes lies over what has the buttons, and the cloth is at rest no more.
+Document laidOver(Document document, const Fastening& own, bool fresh) {
+  int under = -1;
+  std::set<PieceId> over, touched;
+  for (const EdgeSpan& span : own.b)
+    under = std::max(under, document.find(span.piece)->layer), touched.insert(span.piece);
+  for (const EdgeSpan& span : own.a)
+    if (!touched.contains(span.piece)) over.insert(span.piece);
+  for (const PieceId id : over) {
+    Piece piece = *document.find(id);
+    if (fresh && hasCloth(own.kind)) piece.layer = std::max(piece.layer, std::min(under + 1, 20));
+    document = withPiece(std::move(document), std::move(piece));
+  }
+  for (const PieceId id : touched) document = withPiece(std::move(document), *document.find(id));
+  return document;
+}
+
 }  // namespace
 
-Done resolve(const Document& given, Fasten& op, Context&) {
+Done resolve(const Document& given, Fasten& op, Context& context) {
   const Fastenings& there = given.allowances.fastenings;
   if (!isNew(op)) {
     const auto own = there.find(op.name);
@@ -243,6 +302,9 @@ Done resolve(const Document& given, Fasten& op, Context&) {
           say("“{0}” is there already and can be closed, opened or taken out (none=yes); to change what it "
               "is, take it out and set it anew.",
               op.name));
+    if (op.copies == Choice::No) op.copies = Choice::Auto;
+    if (op.copies == Choice::Yes)
+      return refused(say("What is there already is opened and closed by itself; leave copies= away."));
     if (op.none && (op.closed || op.closedLength)) return refused(say("What is taken out is not closed."));
     Fastening now = own->second;
     return close(given, op, now);
@@ -253,25 +315,26 @@ Done resolve(const Document& given, Fasten& op, Context&) {
     for (EdgeRef& ref : *side)
       if (Done done = resolveSewn(given, ref); !done) return done;
   if (overlap(op.a, op.b)) return refused(say("An edge cannot be fastened to itself."));
-  const Document before = withOneCurve(given, op.a, op.b);
+  Document before = withOneCurve(given, op.a, op.b);
   for (auto* side : {&op.a, &op.b}) *side = inOutlineOrder(before, std::move(*side));
   if (Done done = decide(before, op); !done) return done;
+  Fastening own = made(before, op);
+  if (!sound(own)) return refused(say("The places lie too near to each other to be told apart."));
+  Fastenings& known = before.allowances.fastenings;
+  if (const auto same = sameThere(known, own); same != known.end() && !context.recorded) {
+    if (op.name.empty()) op.name = same->first;
+    known.erase(same);
+  }
   if (op.name.empty()) {
     const std::string plain(traitsOf(*op.kind).plural);
     op.name = plain;
-    for (int n = 2; there.contains(op.name); ++n) op.name = plain + "_" + std::to_string(n);
+    for (int n = 2; known.contains(op.name); ++n) op.name = plain + "_" + std::to_string(n);
   }
   if (Done done = checkName(op.name); !done) return done;
-  if (there.contains(op.name)) return refused(say("There is already a fastening “{0}”; choose another name.", op.name));
-  Fastening own = made(before, op);
-  if (!sound(own)) return refused(say("The places lie too near to each other to be told apart."));
-  if (own.kind == FasteningKind::Zip) {
-    if (Done done = checkZip(before, own, op); !done) return done;
-  } else {
-    if (Done done = checkOpen(before, own); !done) return done;
-    if (Done done = checkPlaces(before, own); !done) return done;
-  }
-  return close(before, op, own);
+  if (known.contains(op.name)) return refused(say("There is already a fastening “{0}”; choose another name.", op.name));
+  if (Done done = checkSet(before, own, op.a, op.b); !done) return done;
+  if (Done done = close(before, op, own); !done) return done;
+  return resolveCopies(before, own, op, context);
 }
 
 Result<Document> perform(const Document& before, const Fasten& op, Context&) {
@@ -280,23 +343,20 @@ Result<Document> perform(const Document& before, const Fasten& op, Context&) {
   if (isNew(op)) {
     Fastening own = made(after, op);
     own.closed = own.kind == FasteningKind::Zip ? 0 : static_cast<int>(own.at.size());
+    if (const auto same = sameThere(all, own); same != all.end()) all.erase(same);
     all[op.name] = std::move(own);
   }
   const auto own = all.find(op.name);
   if (Done done = close(after, op, own->second); !done) return done.error();
   const Fastening is = own->second;
   if (op.none) all.erase(own);
-  int under = -1;
-  std::set<PieceId> over, touched;
-  for (const EdgeSpan& span : is.b) under = std::max(under, after.find(span.piece)->layer), touched.insert(span.piece);
-  for (const EdgeSpan& span : is.a)
-    if (!touched.contains(span.piece)) over.insert(span.piece);
-  for (const PieceId id : over) {  // what has the buttonholes lies over what has the buttons
-    Piece piece = *after.find(id);
-    if (isNew(op) && hasCloth(is.kind)) piece.layer = std::max(piece.layer, std::min(under + 1, 20));
-    after = withPiece(std::move(after), std::move(piece));
-  }
-  for (const PieceId id : touched) after = withPiece(std::move(after), *after.find(id));
+  after = laidOver(std::move(after), is, isNew(op));
+  if (op.copies == Choice::Yes)
+    if (const auto copy = fasteningOnCopies(after, is)) {
+      Fastenings& now = after.allowances.fastenings;
+      now[nameOnCopies(now, op.name)] = *copy;
+      after = laidOver(std::move(after), *copy, true);
+    }
   return after;
 }
 

@@ -38,6 +38,10 @@ const InternalLine* onOtherHalf(const Document& document, const EdgeRef& ref) {
 
 }  // namespace
 
+const InternalLine* lineOnCopy(const InternalLine& line, const Piece& copy) {
+  return imageOf(line, copy, [](Flat p) { return Flat{-p.u, p.v}; });
+}
+
 std::vector<FinishedEdge> finishedEdges(const Document& document, const std::vector<EdgeRef>& named, bool bothHalves) {
   std::vector<FinishedEdge> all;
   for (const EdgeRef& ref : named) {
@@ -94,9 +98,7 @@ std::set<Allowances::At> finishedPlaces(const Document& document, const std::vec
       all.insert({ref.piece.id, name});
       ref.edge = name;
       for (const PieceId id : likenesses(document, ref.piece.id))
-        if (const InternalLine* other = imageOf(*lineOf(document, ref), *document.find(id), [](Flat p) {
-              return Flat{-p.u, p.v};
-            }))
+        if (const InternalLine* other = lineOnCopy(*lineOf(document, ref), *document.find(id)))
           all.insert({id, other->name});
     }
   }

@@ -16,6 +16,9 @@ std::vector<FinishedEdge> finishedEdges(const Document& document, const std::vec
 // Whole edges; Auto is decided. Refuses unknown edges, and Yes where no piece is symmetric.
 Done resolveFinished(const Document& before, std::vector<EdgeRef>& edges, Choice& symmetric, Context& context);
 
+// The inner line that is the image of a piece's line on its symmetric copy, by where it lies; null: there is none.
+const InternalLine* lineOnCopy(const InternalLine& line, const Piece& copy);
+
 // The same of edges and inner lines alike.
 std::set<Allowances::At> finishedPlaces(const Document& document, const std::vector<EdgeRef>& named, Choice symmetric);
 Done resolveFinishedLines(const Document& before, std::vector<EdgeRef>& named, Choice& symmetric, Context& context);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "design/operations/finished_edges.h"
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
 #include "karinui/base/number.h"
@@ -109,15 +110,41 @@ Result<std::shared_ptr<const Form>> turnedForm(const Piece& now, const Piece& ol
   });
 }
 
+// Presses the lines of one piece, whose paper may have been cut anew since `old`, and lays it over where it is turned.
+Result<Document> folded(Document document, const Piece& old, const FoldLine& op, double spacing) {
+  Piece piece = *document.find(old.id);
+  for (InternalLine& line : piece.lines)
+    if (std::find(op.lines.begin(), op.lines.end(), line.name) != op.lines.end())
+      line.crease = op.angle == 0 ? std::nullopt : std::optional(Crease{op.angle, op.hold});
+  if (op.turned) {
+    auto form = turnedForm(piece, old, op, spacing);
+    if (!form) return form.error();
+    piece.form = *std::move(form);
+  }
+  return withPiece(std::move(document), std::move(piece));
+}
+
+// The same fold on a symmetric copy: its lines are those that lie where the images do. Nothing where one is missing.
+std::optional<FoldLine> foldOnCopy(const Piece& piece, const Piece& copy, FoldLine op) {
+  for (std::string& name : op.lines) {
+    const InternalLine* image = lineOnCopy(lineNamed(piece, name), copy);
+    if (!image) return std::nullopt;
+    name = image->name;
+  }
+  op.piece = PieceRef(copy.id);
+  return op;
+}
+
 }  // namespace
 
-Done resolve(const Document& before, FoldLine& op, Context&) {
+Done resolve(const Document& before, FoldLine& op, Context& context) {
   if (Done done = resolve(before, op.piece); !done) return done;
   const Piece& piece = *before.find(op.piece.id);
   if (op.lines.empty()) return refused(say("Say which lines are folded: line=turn."));
   for (const std::string& name : op.lines)
     if (std::none_of(piece.lines.begin(), piece.lines.end(), [&](const auto& line) { return line.name == name; }))
       return refused(say("“{0}” has no line “{1}”; draw it first: line piece={0} along=… name={1}.", piece.name, name));
+  if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
   constexpr double kRounded = 1e-9;  // radians: 170 degrees as they were written are no more than that
   if (std::fabs(op.angle) > Crease::kSharpest && std::fabs(op.angle) < Crease::kSharpest + kRounded)
     op.angle = Angle{std::copysign(Crease::kSharpest, op.angle)};
@@ -146,17 +173,17 @@ Result<Document> perform(const Document& before, const FoldLine& op, Context& co
     if (!shaped) return shaped.error();
     cut = withEdit(std::move(cut), shaped->edited);
   }
-  Piece piece = *cut.find(op.piece.id);
-  for (InternalLine& line : piece.lines)
-    if (std::find(op.lines.begin(), op.lines.end(), line.name) != op.lines.end())
-      line.crease = op.angle == 0 ? std::nullopt : std::optional(Crease{op.angle, op.hold});
-  if (op.turned) {
-    tellTight(old, op, context);
-    auto form = turnedForm(piece, old, op, before.settings.spacing);
-    if (!form) return form.error();
-    piece.form = *std::move(form);
+  if (op.turned) tellTight(old, op, context);
+  auto after = folded(std::move(cut), old, op, before.settings.spacing);
+  for (const PieceId id : copiesMeant(before, op.piece.id, op.copies)) {
+    if (!after) return after;
+    const Piece& copy = *before.find(id);
+    if (const auto there = foldOnCopy(old, copy, op))
+      after = folded(*std::move(after), copy, *there, before.settings.spacing);
+    else if (context.advise)
+      context.advise({say("“{0}” has no such line and is not folded.", copy.name)});
   }
-  return withPiece(std::move(cut), std::move(piece));
+  return after;
 }
 
 }  // namespace karinui

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "design/operations/operations.h"
+#include "design/operations/finished_edges.h"
 #include "karinui/base/number.h"
 #include "karinui/geometry/fit_curve.h"
+#include "karinui/pattern/likeness.h"
 
 namespace karinui {
 
@@ -95,6 +96,31 @@ std::vector<Curve> curvesOf(const AddLine& op) {
   return curves;
 }
 
+// A mark's mirror image on a symmetric copy that is the piece's likeness.
+Mark imageOnCopy(const Piece& copy, const Piece& piece, Mark mark) {
+  mark.name = otherSide(mark.name);
+  mark.place = {-mark.place.u, mark.place.v};
+  if (mark.edge.empty()) return mark;
+  mark.edge = edgeOnCopy(copy, piece, mark.edge).value_or(std::string());
+  mark.fraction = 1 - mark.fraction;
+  return mark;
+}
+bool sameMark(const Mark& one, const Mark& other) {
+  constexpr double kSame = 1e-5;  // metres, and of an edge's length
+  return one.edge == other.edge && (one.edge.empty() ? distance(one.place, other.place) < kSame
+                                                     : std::fabs(one.fraction - other.fraction) < kSame);
+}
+
+std::vector<Curve> mirrored(const std::vector<Curve>& curves) {
+  std::vector<Curve> images;
+  for (const Curve& curve : curves) images.push_back(curve.mirrored({0, 0}, {0, 1}));
+  return images;
+}
+
+bool hasName(const Piece& piece, const std::string& name) {
+  return std::any_of(piece.lines.begin(), piece.lines.end(), [&](const auto& line) { return line.name == name; });
+}
+
 double lengthOf(const std::vector<Curve>& curves) {
   double sum = 0;
   for (const Curve& curve : curves) sum += curve.length();
@@ -124,6 +150,24 @@ std::optional<Flat> leaves(const Piece& piece, const std::vector<Curve>& curves)
   return std::nullopt;
 }
 
+// A line of this name lies exactly there, whichever way it runs: it came with that of a symmetric copy.
+bool isThere(const Piece& piece, const AddLine& op) {
+  constexpr double kSame = 1e-5;  // metres
+  const std::vector<Curve> curves = curvesOf(op);
+  const auto alike = [&](const std::vector<Curve>& own, bool back) {
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      for (const double t : {0.0, 0.5, 1.0}) {
+        const Curve& there = own[back ? curves.size() - 1 - k : k];
+        if (distance(there.at(back ? 1 - t : t), curves[k].at(t)) > kSame) return false;
+      }
+    return true;
+  };
+  return std::any_of(piece.lines.begin(), piece.lines.end(), [&](const InternalLine& line) {
+    return line.name == op.name && line.curves.size() == curves.size() &&
+           (alike(line.curves, false) || alike(line.curves, true));
+  });
+}
+
 }  // namespace
 
 Done resolve(const Document& before, AddNotch& op, Context& context) {
@@ -139,11 +183,13 @@ Done resolve(const Document& before, AddNotch& op, Context& context) {
     if (!contains(piece.outline.flattened(1e-4), *op.point)) {
       return refused(say("The drill hole is not on “{0}”.", piece.name));
     }
+    if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
     return checkSymmetric(piece, op.symmetric, {}, 0, context);
   }
   op.edge.from = 0, op.edge.to = 1;
   if (Done done = resolve(before, op.edge); !done) return done;
   op.piece = op.edge.piece;
+  if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
   if (!(op.at >= 0 && op.at <= 1)) return refused(say("A notch lies between 0, the edge's beginning, and 1, its end."));
   return checkSymmetric(*before.find(op.piece.id), op.symmetric, op.edge.edge, op.at, context);
 }
@@ -158,6 +204,7 @@ Result<Document> perform(const Document& before, const AddNotch& op, Context&) {
     mark.edge = op.edge.edge;
     mark.fraction = op.at;
   }
+  const std::size_t first = piece.marks.size();
   piece.marks.push_back(mark);
   if (op.symmetric) {
     const auto symmetry = symmetryOf(piece.outline);
@@ -170,7 +217,17 @@ Result<Document> perform(const Document& before, const AddNotch& op, Context&) {
     }
     if (distance(placeOf(piece, mark), here) > 1e-6) piece.marks.push_back(std::move(mark));
   }
-  return marked(before, std::move(piece));
+  Document after = before;
+  for (const PieceId id : copiesMeant(before, op.piece.id, op.copies)) {
+    Piece copy = *before.find(id);
+    for (std::size_t k = first; k < piece.marks.size(); ++k) {
+      const Mark image = imageOnCopy(copy, piece, piece.marks[k]);
+      if (std::none_of(copy.marks.begin(), copy.marks.end(), [&](const Mark& own) { return sameMark(own, image); }))
+        copy.marks.push_back(image);
+    }
+    after = marked(std::move(after), std::move(copy));
+  }
+  return marked(std::move(after), std::move(piece));
 }
 
 Done resolve(const Document& before, AddLine& op, Context& context) {
@@ -189,28 +246,43 @@ Done resolve(const Document& before, AddLine& op, Context& context) {
               piece.name, fixed(100 * place->u, 1), fixed(100 * place->v, 1)));
     if (lengthOf(curvesOf(op)) < kOnEdge) return refused(say("The line is shorter than 1 mm; draw it longer."));
   }
-  const auto taken = [&](const std::string& name) {
-    return std::any_of(piece.lines.begin(), piece.lines.end(), [&](const auto& l) { return l.name == name; });
-  };
+  if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
   if (op.name.empty()) {
     op.name = "line";
-    for (int n = 2; taken(op.name); ++n) op.name = "line_" + std::to_string(n);
+    for (int n = 2; hasName(piece, op.name); ++n) op.name = "line_" + std::to_string(n);
   }
-  if (taken(op.name)) return refused(say("{0} already has a line “{1}”; choose another name.", piece.name, op.name));
+  if (hasName(piece, op.name) && !isThere(piece, op))
+    return refused(say("{0} already has a line “{1}”; choose another name.", piece.name, op.name));
   return checkName(op.name);
 }
 
-Result<Document> perform(const Document& before, const AddLine& op, Context&) {
-  Piece piece = *before.find(op.piece.id);
+Result<Document> perform(const Document& before, const AddLine& op, Context& context) {
   InternalLine line;
   line.name = op.name;
   line.curves = curvesOf(op);
+  Piece piece = *before.find(op.piece.id);
+  if (isThere(piece, op)) {
+    if (context.advise)
+      context.advise({say("{0} has “{1}” already: it was drawn with its symmetric copy.", piece.name, op.name)});
+    return before;
+  }
+  Document after = before;
+  for (const PieceId id : copiesMeant(before, op.piece.id, op.copies)) {
+    Piece copy = *before.find(id);
+    if (lineOnCopy(line, copy)) continue;
+    const std::string name = otherSide(line.name);
+    InternalLine image{name, mirrored(line.curves), {}};
+    for (int n = 2; hasName(copy, image.name); ++n) image.name = name + "_" + std::to_string(n);
+    copy.lines.push_back(std::move(image));
+    after = marked(std::move(after), std::move(copy));
+  }
   piece.lines.push_back(std::move(line));
-  return marked(before, std::move(piece));
+  return marked(std::move(after), std::move(piece));
 }
 
-Done resolve(const Document& before, EraseMarks& op, Context&) {
+Done resolve(const Document& before, EraseMarks& op, Context& context) {
   if (Done done = resolve(before, op.piece); !done) return done;
+  if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
   if (op.names.empty() == !op.at) return refused(say("Say what to erase: its name, or a place near it."));
   const Piece& piece = *before.find(op.piece.id);
   for (const std::string& name : op.names) {
@@ -223,31 +295,48 @@ Done resolve(const Document& before, EraseMarks& op, Context&) {
 }
 
 Result<Document> perform(const Document& before, const EraseMarks& op, Context&) {
-  const auto erased = [&](Piece piece) {
-    Document after = marked(before, std::move(piece));
-    updateAllowances(after.allowances, {}, after.pattern);  // what was sewn to the line goes with it
-    return after;
-  };
-  Piece piece = *before.find(op.piece.id);
+  const Piece& old = *before.find(op.piece.id);
+  Piece piece = old;
+  std::vector<InternalLine> lines;  // that go
+  std::vector<Mark> marks;
+  const auto takeLine = [&](std::vector<InternalLine>::iterator at) { lines.push_back(*at), piece.lines.erase(at); };
+  const auto takeMark = [&](std::vector<Mark>::iterator at) { marks.push_back(*at), piece.marks.erase(at); };
   for (const std::string& name : op.names) {
-    std::erase_if(piece.lines, [&](const InternalLine& line) { return line.name == name; });
-    std::erase_if(piece.marks, [&](const Mark& mark) { return mark.name == name; });
+    const auto is = [&](const auto& thing) { return thing.name == name; };
+    for (auto at = piece.lines.begin(); (at = std::find_if(at, piece.lines.end(), is)) != piece.lines.end();)
+      lines.push_back(*at), at = piece.lines.erase(at);
+    for (auto at = piece.marks.begin(); (at = std::find_if(at, piece.marks.end(), is)) != piece.marks.end();)
+      marks.push_back(*at), at = piece.marks.erase(at);
   }
-  if (!op.at) return erased(std::move(piece));
-  double nearest = kReach;
-  auto mark = piece.marks.end();
-  for (auto m = piece.marks.begin(); m != piece.marks.end(); ++m)
-    if (const double d = distance(placeOf(piece, *m), *op.at); d < nearest) nearest = d, mark = m;
-  auto line = piece.lines.end();
-  for (auto l = piece.lines.begin(); l != piece.lines.end(); ++l)
-    if (const double d = away(*l, *op.at); d < nearest) nearest = d, line = l;
-  if (line != piece.lines.end())
-    piece.lines.erase(line);
-  else if (mark != piece.marks.end())
-    piece.marks.erase(mark);
-  else
-    return refused(say("There is nothing to erase within 1 cm of that place on {0}.", piece.name));
-  return erased(std::move(piece));
+  if (op.at) {
+    double nearest = kReach;
+    auto mark = piece.marks.end();
+    for (auto m = piece.marks.begin(); m != piece.marks.end(); ++m)
+      if (const double d = distance(placeOf(piece, *m), *op.at); d < nearest) nearest = d, mark = m;
+    auto line = piece.lines.end();
+    for (auto l = piece.lines.begin(); l != piece.lines.end(); ++l)
+      if (const double d = away(*l, *op.at); d < nearest) nearest = d, line = l;
+    if (line != piece.lines.end())
+      takeLine(line);
+    else if (mark != piece.marks.end())
+      takeMark(mark);
+    else
+      return refused(say("There is nothing to erase within 1 cm of that place on {0}.", piece.name));
+  }
+  Document after = before;
+  for (const PieceId id : copiesMeant(before, op.piece.id, op.copies)) {
+    Piece copy = *before.find(id);
+    for (const InternalLine& line : lines)
+      if (const InternalLine* image = lineOnCopy(line, copy))
+        std::erase_if(copy.lines, [name = image->name](const InternalLine& own) { return own.name == name; });
+    for (const Mark& mark : marks)
+      std::erase_if(copy.marks,
+                    [image = imageOnCopy(copy, old, mark)](const Mark& own) { return sameMark(own, image); });
+    after = marked(std::move(after), std::move(copy));
+  }
+  after = marked(std::move(after), std::move(piece));
+  updateAllowances(after.allowances, {}, after.pattern);  // what was sewn to the line goes with it
+  return after;
 }
 
 }  // namespace karinui

@@ -100,6 +100,11 @@ Document withEdit(Document document, const EditedPiece& edit, std::vector<PieceI
 Document withOwnEdit(Document document, const EditedPiece& edit);
 // The symmetric copies of a piece (and the piece it is the copy of) that are still its likeness.
 std::vector<PieceId> likenesses(const Document& document, PieceId id);
+// Whether what is done to these pieces is done to their symmetric copies too. Auto is decided; where there is none that
+// is a likeness, and in a step of old that left it open, nothing is to be decided. Refuses Yes where there is none.
+Done resolveCopies(const Document& before, const std::vector<PieceRef>& pieces, Choice& copies, const Context& context);
+// The copies that an operation so decided is about.
+std::vector<PieceId> copiesMeant(const Document& document, PieceId piece, Choice copies);
 // Tells the sewn edges that became longer or shorter than what they are sewn to.
 void tellSeams(const Document& before, const Document& after, const Context& context);
 // Room for a layer beneath each layer that has one of the pieces. Refuses more layers than there are.

@@ -123,6 +123,25 @@ std::vector<PieceId> likenesses(const Document& document, PieceId id) {
   return all;
 }
 
+Done resolveCopies(const Document& before, const std::vector<PieceRef>& pieces, Choice& copies,
+                   const Context& context) {
+  if (copies == Choice::Auto && context.recorded) return {};
+  if (std::any_of(pieces.begin(), pieces.end(),
+                  [&](const PieceRef& ref) { return !likenesses(before, ref.id).empty(); })) {
+    if (copies == Choice::Auto) copies = Choice::Yes;
+    return {};
+  }
+  if (copies == Choice::No) copies = Choice::Auto;  // nothing is to be decided
+  if (copies == Choice::Yes && !context.recorded && !context.byFormula)
+    return refused(
+        say("“{0}” has no symmetric copy that is like it; leave copies= away.", before.find(pieces.front().id)->name));
+  return {};
+}
+
+std::vector<PieceId> copiesMeant(const Document& document, PieceId piece, Choice copies) {
+  return copies == Choice::Yes ? likenesses(document, piece) : std::vector<PieceId>();
+}
+
 void tellSeams(const Document& before, const Document& after, const Context& context) {
   constexpr double kTold = 5e-5;  // metres: smaller changes are not spoken of
   if (!context.advise) return;

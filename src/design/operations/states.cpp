@@ -52,15 +52,22 @@ Result<Document> perform(const Document& before, const ChangeSettings& op, Conte
   return after;
 }
 
-Done resolve(const Document& before, SetGrain& op, Context&) {
+Done resolve(const Document& before, SetGrain& op, Context& context) {
   if (!finite(op.to) || !(length(op.to) > 1e-9)) return refused(say("The grain needs a direction, like to=0,1."));
-  return resolve(before, op.piece);
+  if (Done done = resolve(before, op.piece); !done) return done;
+  return resolveCopies(before, {op.piece}, op.copies, context);
 }
 
 Result<Document> perform(const Document& before, const SetGrain& op, Context&) {
-  Piece piece = *before.find(op.piece.id);
-  piece.grain = normalized(op.to);
-  return withPiece(before, std::move(piece));
+  Document after = before;
+  const auto turn = [&](PieceId id, Flat to) {
+    Piece piece = *before.find(id);
+    piece.grain = normalized(to);
+    after = withPiece(std::move(after), std::move(piece));
+  };
+  turn(op.piece.id, op.to);
+  for (const PieceId copy : copiesMeant(before, op.piece.id, op.copies)) turn(copy, {-op.to.u, op.to.v});
+  return after;
 }
 
 }  // namespace karinui

@@ -116,11 +116,13 @@ struct FuseInterfacing {
   std::vector<PieceRef> pieces;
   std::string fabric;
   bool none = false;
+  Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.pieces, "the pieces", kNeeded);
     visit("fabric", self.fabric, "what is fused to them, on the same grain (otherwise interfacing)", kOptional);
     visit("none", self.none, "yes: takes it off", kOptional);
+    visit("copies", self.copies, kCopiesHelp, kOptional);
   }
   bool operator==(const FuseInterfacing&) const = default;
 };

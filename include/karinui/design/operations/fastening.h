@@ -30,6 +30,7 @@ struct Fasten {
   std::optional<int> closed;
   std::optional<Length> closedLength;
   bool none = false;
+  Choice copies = Choice::Auto;
   // The fields that only some kinds have; a field that is not listed all have.
   static constexpr std::string_view kKindField = "kind";
   static bool has(FasteningKind kind, std::string_view field) {
@@ -67,6 +68,10 @@ struct Fasten {
     visit("closed", self.closed, "how many are closed, from where counting begins (otherwise all)", kOptional);
     visit("closed_length", self.closedLength, "how far a zip is closed, from its lower end (otherwise all)", kOptional);
     visit("none", self.none, "yes: takes it out", kOptional);
+    visit("copies", self.copies,
+          "of one that is new: between the symmetric copies of its pieces too: auto, yes, no (auto: if both sides have "
+          "one, and there is room)",
+          kOptional);
   }
   bool operator==(const Fasten&) const = default;
 };

@@ -28,6 +28,9 @@ constexpr OperationList<A..., B...> operator+(OperationList<A...>, OperationList
 inline constexpr std::string_view kBothHalvesHelp =
     "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)";
 
+inline constexpr std::string_view kCopiesHelp =
+    "on the symmetric copy too: auto, yes, no (auto: if it is still the piece's likeness)";
+
 template <class Self, class Visit>
 void visitCloth(Self& self, Visit&& visit) {
   visit("fabric", self.fabric, "what it is cut from", kOptional);

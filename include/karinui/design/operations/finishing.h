@@ -138,6 +138,7 @@ struct FoldLine {
   Angle angle;
   double hold = 0.9;
   bool turned = false, flared = false;
+  Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece", kNeeded);
@@ -156,6 +157,7 @@ struct FoldLine {
         "yes: what is turned back is cut as the mirror image of what it comes to lie on, wider where the piece narrows "
         "towards the line",
         kOptional);
+    visit("copies", self.copies, kCopiesHelp, kOptional);
   }
   bool operator==(const FoldLine&) const = default;
 };

@@ -17,10 +17,12 @@ struct SetGrain {
   static constexpr bool kDisturbsDrape = true;
   PieceRef piece;
   Flat to{0, 1};
+  Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece", kNeeded);
     visit("to", self.to, "the warp's direction on paper (u,v)", kNeeded);
+    visit("copies", self.copies, kCopiesHelp, kOptional);
   }
   bool operator==(const SetGrain&) const = default;
 };
@@ -34,6 +36,7 @@ struct AddNotch {
   std::optional<Flat> point;
   std::string name;
   bool symmetric = false;
+  Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge to notch", kOptional);
@@ -42,11 +45,12 @@ struct AddNotch {
     visit("point", self.point, "for a drill hole: the place on its paper", kOptional);
     visit("name", self.name, "the mark's name", kOptional);
     visit("symmetric", self.symmetric, "yes: on the other half of a symmetric piece too", kOptional);
+    visit("copies", self.copies, kCopiesHelp, kOptional);
   }
   bool operator==(const AddNotch&) const = default;
 };
 
-// line piece=front along="5cm,10cm; 9cm,10cm" name=pocket
+// line piece=front along="5cm,10cm; 9cm,10cm" name=pocket        line piece=front_left along=… copies=no
 struct AddLine {
   static constexpr std::string_view kName = "line";
   static constexpr std::string_view kHelp = "Draws a line inside a piece: a fold, a pocket, a place to sew to.";
@@ -54,12 +58,14 @@ struct AddLine {
   std::vector<Flat> along;
   bool smooth = false;
   std::string name;
+  Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece", kNeeded);
     visit("along", self.along, "places on its paper", kNeeded);
     visit("smooth", self.smooth, "yes: a curve through the places instead of straight lines", kOptional);
     visit("name", self.name, "the line's name", kOptional);
+    visit("copies", self.copies, kCopiesHelp, kOptional);
   }
   bool operator==(const AddLine&) const = default;
 };
@@ -71,11 +77,13 @@ struct EraseMarks {
   PieceRef piece;
   std::vector<std::string> names;
   std::optional<Flat> at;
+  Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece", kNeeded);
     visit("name", self.names, "the names of what goes", kOptional);
     visit("at", self.at, "or a place on its paper: the nearest within 1 cm goes", kOptional);
+    visit("copies", self.copies, kCopiesHelp, kOptional);
   }
   bool operator==(const EraseMarks&) const = default;
 };
@@ -88,12 +96,15 @@ struct Rename {
   std::optional<EdgeRef> edge;
   SeamRef seam;
   std::string to;
+  Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to rename", kOptional);
     visit("edge", self.edge, "or the edge", kOptional);
     visit("seam", self.seam, "or the seam", kOptional);
     visit("to", self.to, "the new name", kNeeded);
+    visit("copies", self.copies, "of an edge: on the symmetric copy too, left and right exchanged: auto, yes, no",
+          kOptional);
   }
   bool operator==(const Rename&) const = default;
 };

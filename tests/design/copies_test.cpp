@@ -1,0 +1,191 @@
+// What is drawn, folded, marked, fused and fastened on a piece is so on its symmetric copy, too.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "design/workroom.h"
+
+namespace karinui {
+namespace {
+
+using ::testing::HasSubstr;
+
+// A front and its copy, a cuff and its copy, and a piece that has none.
+const char* const kPair =
+    "piece name=front_left outline=\"M 0 0; hem L 300 0; side_left L 320 500; neck L 20 450; centre L 0 0\"\n"
+    "piece name=cuff_left outline=\"M 0 0; low L 220 0; end_left L 220 60; top L 0 60; end_right L 0 0\" "
+    "pose=\"0.6,0,0\"\n"
+    "piece name=back outline=\"M 0 0; hem L 300 0; side L 300 500; neck L 0 450; centre L 0 0\" pose=\"0,0,-0.3\"\n"
+    "mirror piece=front_left\nmirror piece=cuff_left\n";
+
+struct Pair {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  std::vector<std::string> advice;
+  explicit Pair(const std::string& more = {}) {
+    room.context.advise = [this](const Advice& told) { advice.push_back(text(told.what)); };
+    const Done done = room.play(file, kPair + more);
+    EXPECT_TRUE(done) << text(done.error().what);
+  }
+  std::string play(const std::string& lines) {
+    const Done done = room.play(file, lines);
+    return done ? std::string() : text(done.error().what);
+  }
+  const Piece& operator[](const char* name) const { return *file.document().pieceNamed(name); }
+  const InternalLine& line(const char* piece, const char* name) const {
+    for (const InternalLine& one : (*this)[piece].lines)
+      if (one.name == name) return one;
+    ADD_FAILURE() << piece << " has no line " << name;
+    std::abort();
+  }
+  std::string last() const { return text(file.steps().back().operation); }
+};
+
+Flat across(Flat p) { return {-p.u, p.v}; }
+
+TEST(Copies, ALineAndItsFoldAreOnBothFronts) {
+  Pair pair;
+  ASSERT_EQ(pair.play("line piece=front_left along=\"18mm,400mm; 150mm,0\" name=roll_left\n"), "");
+  EXPECT_THAT(pair.last(), HasSubstr("copies=yes"));
+  const Curve own = pair.line("front_left", "roll_left").curves.front(),
+              image = pair.line("front_right", "roll_right").curves.front();
+  EXPECT_LT(distance(across(own.start), image.start), 1e-12);
+  EXPECT_LT(distance(across(own.end), image.end), 1e-12);
+  const std::size_t undrawn = pair.file.steps().size();
+  ASSERT_EQ(pair.play("fold piece=front_right line=roll_right angle=170deg turned=yes\n"), "");
+  const auto &right = pair.line("front_right", "roll_right").crease,
+             &left = pair.line("front_left", "roll_left").crease;
+  ASSERT_TRUE(right && left);
+  EXPECT_EQ(*left, *right);
+  // What lies turned back lies mirrored: the two fronts stand as images of each other.
+  const Stand here(pair["front_left"]), there(pair["front_right"]);
+  for (const Flat p : pair["front_left"].outline.flattened(0.01)) {
+    const Vec3 a = here(p), b = there(across(p));
+    EXPECT_LT(distance(a, Vec3{-b.x, b.y, b.z}), 2e-4) << p.u << " " << p.v;
+  }
+  EXPECT_EQ(pair.file.steps().size(), undrawn + 1) << "one step, which one undo takes back";
+  ASSERT_TRUE(pair.file.undo(pair.room.context));
+  EXPECT_FALSE(pair.line("front_left", "roll_left").crease);
+}
+
+TEST(Copies, OneAloneWhereThatIsSaid) {
+  Pair pair("line piece=front_left along=\"5cm,5cm; 15cm,5cm\" name=pocket copies=no\n");
+  EXPECT_TRUE(pair["front_right"].lines.empty());
+  ASSERT_EQ(pair.play("line piece=front_right along=\"-5cm,5cm; -15cm,5cm\" name=pocket copies=no\n"
+                      "fold piece=front_left line=pocket angle=90deg copies=no\n"),
+            "");
+  EXPECT_FALSE(pair.line("front_right", "pocket").crease);
+  EXPECT_THAT(pair.play("line piece=back along=\"5cm,5cm; 15cm,5cm\" copies=yes\n"),
+              HasSubstr("has no symmetric copy that is like it"));
+  ASSERT_EQ(pair.play("line piece=back along=\"5cm,5cm; 15cm,5cm\"\n"), "");
+  EXPECT_EQ(pair.last().find("copies"), std::string::npos) << "there is nothing to be decided";
+  // A copy that went its own way is left alone.
+  ASSERT_EQ(pair.play("cut piece=front_right line=\"-0.2,-0.01 -0.2,0.6\"\n"
+                      "line piece=front_left along=\"5cm,20cm; 15cm,20cm\" name=dart_line\n"),
+            "");
+  for (const auto& [id, piece] : pair.file.document().pattern.pieces)
+    for (const InternalLine& line : piece->lines)
+      EXPECT_TRUE(piece->name == "front_left" || line.name != "dart_line") << piece->name;
+}
+
+// Scripts that draw and fold both sides themselves go on as they did.
+TEST(Copies, WhatIsThereAlreadyIsDoneOnce) {
+  Pair pair;
+  ASSERT_EQ(pair.play("line piece=front_left along=\"5cm,5cm; 15cm,5cm\" name=turn\n"
+                      "line piece=front_right along=\"-15cm,5cm; -5cm,5cm\" name=turn\n"
+                      "fold piece=front_left line=turn angle=90deg\n"
+                      "fold piece=front_right line=turn angle=90deg\n"),
+            "");
+  EXPECT_EQ(pair["front_right"].lines.size(), 1u);
+  EXPECT_TRUE(pair.line("front_right", "turn").crease);
+  EXPECT_THAT(pair.advice, ::testing::Contains(HasSubstr("drawn with its symmetric copy")));
+  EXPECT_THAT(pair.play("line piece=front_right along=\"-5cm,9cm; -15cm,9cm\" name=turn\n"),
+              HasSubstr("already has a line"));
+}
+
+TEST(Copies, NotchesHolesAndWhatIsErased) {
+  Pair pair("notch edge=front_left.side_left at=0.25 name=waist_left\nnotch piece=front_left point=10cm,20cm\n");
+  ASSERT_EQ(pair["front_right"].marks.size(), 2u);
+  const Mark notch = pair["front_right"].marks[0], hole = pair["front_right"].marks[1];
+  EXPECT_EQ(notch.edge, "side_right");
+  EXPECT_EQ(notch.name, "waist_right");
+  EXPECT_NEAR(notch.fraction, 0.75, 1e-12);
+  EXPECT_LT(distance(hole.place, Flat{-0.1, 0.2}), 1e-12);
+  ASSERT_EQ(pair.play("line piece=front_left along=\"5cm,5cm; 15cm,5cm\" name=turn\n"
+                      "erase piece=front_right name=turn\nerase piece=front_right at=-10cm,20.3cm\n"
+                      "erase piece=front_left name=waist_left\n"),
+            "");
+  for (const char* name : {"front_left", "front_right"}) {
+    EXPECT_TRUE(pair[name].lines.empty()) << name;
+    EXPECT_TRUE(pair[name].marks.empty()) << name;
+  }
+}
+
+TEST(Copies, GrainInterfacingAndNamesOfEdges) {
+  Pair pair("grain piece=front_left to=1,2\ninterface piece=cuff_right\nrename edge=front_left.side_left to=slit_l\n");
+  EXPECT_LT(distance(pair["front_right"].grain, normalized(Flat{-1, 2})), 1e-12);
+  EXPECT_EQ(pair["cuff_left"].interfacing, "interfacing");
+  EXPECT_TRUE(pair["front_right"].outline.find("slit_r"));
+  ASSERT_EQ(pair.play("notch edge=front_left.slit_l at=0.5\n"), "");
+  EXPECT_EQ(pair["front_right"].marks.size(), 1u) << "they are still each other's likeness";
+  ASSERT_EQ(pair.play("interface piece=cuff_left none=yes\n"), "");
+  EXPECT_TRUE(pair["cuff_right"].interfacing.empty());
+}
+
+TEST(Copies, AButtonedCuffIsButtonedOnBothSides) {
+  Pair pair(
+      "fasten name=cuff_left a=cuff_left.end_left b=cuff_left.end_right reversed=yes count=2 first=1cm last=1cm "
+      "size=8mm\n");
+  const Fastenings& all = pair.file.document().allowances.fastenings;
+  ASSERT_EQ(all.size(), 2u);
+  ASSERT_TRUE(all.contains("cuff_right"));
+  const Fastening &own = all.at("cuff_left"), &copy = all.at("cuff_right");
+  EXPECT_EQ(copy.closed, own.closed);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const FastenedPlaces here = placesOf(pair.file.document().pattern, own)[k],
+                         there = placesOf(pair.file.document().pattern, copy)[1 - k];
+    EXPECT_LT(distance(across(here.a.place), there.a.place), 1e-9);
+    EXPECT_LT(distance(across(here.b.place), there.b.place), 1e-9);
+  }
+  // Said once more for the other side, as a script of before says it.
+  const std::string other =
+      "fasten name=cuff_right a=cuff_right.end_right b=cuff_right.end_left reversed=yes count=2 "
+      "first=1cm last=1cm size=8mm\n";
+  ASSERT_EQ(pair.play(other), "");
+  EXPECT_EQ(pair.file.document().allowances.fastenings.size(), 2u);
+  // Two fronts that are buttoned to each other are no two pairs.
+  ASSERT_EQ(pair.play("fasten name=front a=front_left.centre b=front_right.centre reversed=yes count=3\n"), "");
+  EXPECT_EQ(pair.file.document().allowances.fastenings.size(), 3u);
+  EXPECT_THAT(pair.play("fasten name=more a=front_left.hem@0.4:0.6 b=back.hem@0.4:0.6 count=1 size=8mm copies=yes\n"),
+              HasSubstr("nothing that is fastened likewise"));
+}
+
+// A step that was recorded before copies followed stays what it was when steps are played again.
+TEST(Copies, StepsOfOldKeepTheirMeaning) {
+  Pair pair;
+  const std::size_t first = pair.file.steps().size();
+  ASSERT_EQ(pair.play("move piece=back by=0,1cm,0\nline piece=front_left along=\"5cm,5cm; 15cm,5cm\" name=line "
+                      "copies=no\nline piece=front_right along=\"-5cm,6cm; -15cm,5cm\" name=line copies=no\n"),
+            "");
+  const auto left = pair.file.steps()[first + 1].operation;
+  Operation old = left;
+  std::get<AddLine>(old).copies = Choice::Auto;  // as an older program left it
+  EXPECT_EQ(std::get<AddLine>(asRecorded(old)).copies, Choice::No);
+  ASSERT_TRUE(pair.file.amend(first + 1, *parseOperation("move piece=back by=0,2cm,0"), pair.room.context));
+  EXPECT_EQ(pair["front_left"].lines.size(), 1u);
+  EXPECT_EQ(pair["front_right"].lines.size(), 1u);
+  Context again = pair.room.context;
+  again.recorded = true;
+  const auto after = apply(
+      pair.file.document(),
+      [&] {
+        AddLine line = std::get<AddLine>(old);
+        line.name = "later", line.along = {{0.05, 0.3}, {0.15, 0.3}};
+        return Operation(line);
+      }(),
+      again);
+  ASSERT_TRUE(after) << text(after.error().what);
+  EXPECT_EQ(after->pieceNamed("front_right")->lines.size(), 1u);
+}
+
+}  // namespace
+}  // namespace karinui

@@ -1,0 +1,126 @@
+// Fit in motion and over figures, in the real window.
+#include <gmock/gmock.h>
+
+#include <QAction>
+#include <QLabel>
+#include <QListWidget>
+#include <QTableWidget>
+#include <cstdlib>
+
+#include "fit_study.h"
+#include "karinui/base/file.h"
+#include "karinui/design/script.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Study {
+ public:
+  explicit Study(const char* action) {
+    application();
+    w.openTunic();
+    auto* menu = w.main().findChild<QAction*>(action);
+    if (menu) menu->trigger();
+    dialog = w.main().findChild<FitStudy*>();
+  }
+  ~Study() { delete dialog; }
+  void waitFor(void (FitStudy::*signal)()) {
+    bool came = false;
+    QObject::connect(dialog, signal, &w.main(), [&] { came = true; });
+    while (!came) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+  QListWidget& choices() { return *dialog->findChild<QListWidget*>("study_choices"); }
+  QTableWidget& table() { return *dialog->findChild<QTableWidget*>("study_table"); }
+  QPushButton& go() { return *dialog->findChild<QPushButton*>("study_go"); }
+  std::string said() { return dialog->findChild<QLabel*>("study_said")->text().toStdString(); }
+  int ticked() {
+    int all = 0;
+    for (int k = 0; k < choices().count(); ++k) all += choices().item(k)->checkState() == Qt::Checked;
+    return all;
+  }
+  void tickOnly(std::initializer_list<int> rows) {
+    for (int k = 0; k < choices().count(); ++k) choices().item(k)->setCheckState(Qt::Unchecked);
+    for (const int row : rows) choices().item(row)->setCheckState(Qt::Checked);
+  }
+  Window w;
+  FitStudy* dialog = nullptr;
+};
+
+bool isLong() {
+  const char* asked = std::getenv("KARINUI_LONG");
+  return asked && *asked;
+}
+
+TEST(FitStudies, PosesAreTickedByKeysAndTheWorkIsStopped) {
+  KARINUI_NEEDS_DISPLAY();
+  Study study("motion");
+  ASSERT_TRUE(study.dialog);
+  EXPECT_EQ(study.ticked(), 4) << "the usual ones";
+  study.choices().setFocus();
+  study.choices().setCurrentRow(0);
+  study.w.type(study.choices(), Qt::Key_Space);
+  EXPECT_EQ(study.ticked(), 5);
+  study.tickOnly({});
+  EXPECT_FALSE(study.go().isEnabled()) << "there is nothing to look at";
+  study.tickOnly({1});
+  ASSERT_TRUE(study.go().isEnabled());
+  const std::size_t steps = study.w.count();
+  study.go().click();
+  EXPECT_TRUE(study.dialog->busy());
+  study.go().click();
+  while (study.dialog->busy()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  EXPECT_THAT(study.said(), HasSubstr("Stopped"));
+  EXPECT_EQ(study.w.count(), steps) << "the garment is left as it is";
+}
+
+TEST(FitStudies, FiguresAreTickedAndReadFromATable) {
+  KARINUI_NEEDS_DISPLAY();
+  Study study("figures");
+  ASSERT_TRUE(study.dialog);
+  EXPECT_EQ(study.ticked(), 5) << "this figure, smaller and larger";
+  EXPECT_GT(study.choices().count(), 8);
+  Folder folder;
+  const std::string file = (folder.path / "people.csv").string();
+  ASSERT_TRUE(writeFile(file, "name,sex,bust_girth_cm,waist_girth_cm\nAnna,female,84,66\nBea,female,92,74\n"));
+  dynamic_cast<FiguresStudy&>(*study.dialog).addTable(file);
+  EXPECT_EQ(study.ticked(), 2) << "those who were added are meant";
+  EXPECT_EQ(study.choices().item(study.choices().count() - 1)->text(), "Bea");
+  ASSERT_TRUE(writeFile(file, "name\nAnna\n"));
+  dynamic_cast<FiguresStudy&>(*study.dialog).addTable(file);
+  EXPECT_EQ(study.ticked(), 2);
+  EXPECT_NE(study.said(), "");
+}
+
+TEST(FitStudies, TableAndPictureOfTwoPoses) {
+  KARINUI_NEEDS_DISPLAY();
+  if (!isLong()) GTEST_SKIP() << "./test --long";
+  Study study("motion");
+  study.tickOnly({1, 3});
+  study.go().click();
+  study.waitFor(&FitStudy::drawn);
+  ASSERT_EQ(study.table().rowCount(), 3);
+  EXPECT_EQ(study.table().columnCount(), 10);
+  for (int row = 0; row < 3; ++row) EXPECT_THAT(study.table().item(row, 2)->text().toStdString(), HasSubstr("%"));
+  EXPECT_THAT(study.dialog->csv(), HasSubstr("pose,settled,strain_mean"));
+  EXPECT_FALSE(study.dialog->findChild<QLabel*>("study_picture")->pixmap().isNull());
+  study.w.keepDialog(*study.dialog, "studio_motion");
+}
+
+TEST(FitStudies, WhomItDoesNotFit) {
+  KARINUI_NEEDS_DISPLAY();
+  if (!isLong()) GTEST_SKIP() << "./test --long";
+  Study study("figures");
+  study.tickOnly({0, 2, 4});
+  study.go().click();
+  study.waitFor(&FitStudy::drawn);
+  ASSERT_EQ(study.table().rowCount(), 3) << study.said();
+  EXPECT_THAT(study.dialog->csv(), HasSubstr("body,fits,fault"));
+  EXPECT_FALSE(study.dialog->findChild<QLabel*>("study_picture")->pixmap().isNull());
+  study.w.keepDialog(*study.dialog, "studio_figures");
+}
+
+}  // namespace
+}  // namespace karinui::studio
