@@ -220,8 +220,8 @@ Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const B
   SkinCollider skin(skeleton.body()->mesh().faces, way.points().size());
   skin.moveTo(way.points(), workers);
   Carrying carrying(level.cloth, holdsOf(level.state.position, *skeleton.body(), skin.points()));
-  LevelSolver solver(level.cloth, level.state.position, skin, settings,
-                     clothRadius(level.cloth, level.cloth.spacing), workers);
+  LevelSolver solver(level.cloth, level.state.position, skin, settings, clothRadius(level.cloth, level.cloth.spacing),
+                     workers);
   solver.tieWithin(level.cloth.spacing);
 
   LevelSolver::StepOptions options;
@@ -251,6 +251,7 @@ Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const B
     if (watcher) watcher({way.share(), way.pose(), skin.points(), level.cloth, solver.positions()});
   }
   solver.separateIntersections();
+  skin.buildTree();
   liftOffColliders(solver, skin, std::min(0.0003, 0.3 * settings.skin), workers);
   level.state.position = solver.positions();
   return report;

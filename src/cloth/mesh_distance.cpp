@@ -19,22 +19,25 @@ Collider::Sample meshSample(const Body& body, Vec3 place) {
   return {distance, length(normal) > 0 ? normal : rough.normal};
 }
 
-Vec3 meshIntersectionNormal(const Body& body, const std::array<Vec3, 3>& face) {
-  const Vec3 middle = (face[0] + face[1] + face[2]) * (1.0 / 3);
-  double reach = 0;
-  for (Vec3 p : face) reach = std::fmax(reach, distance(p, middle));
-  if (body.field().distance(middle) > reach + body.field().cell()) return {};
+Vec3 intersectionNormalOf(const TriangleMesh& mesh, const Bvh& tree, const std::array<Vec3, 3>& face) {
   Box box;
   for (Vec3 p : face) box.include(p);
   const std::array<NanoPoint, 3> corners{toNano(face[0]), toNano(face[1]), toNano(face[2])};
-  const TriangleMesh& mesh = body.mesh();
   Vec3 out;
-  body.bvh().touching(box, [&](std::uint32_t g) {
+  tree.touching(box, [&](std::uint32_t g) {
     const Triangle& t = mesh.faces[g];
     if (trianglesIntersect(corners, {toNano(mesh.points[t[0]]), toNano(mesh.points[t[1]]), toNano(mesh.points[t[2]])}))
       out += faceNormal(mesh, g);
   });
   return squaredLength(out) > 0 ? normalized(out) : out;
+}
+
+Vec3 meshIntersectionNormal(const Body& body, const std::array<Vec3, 3>& face) {
+  const Vec3 middle = (face[0] + face[1] + face[2]) * (1.0 / 3);
+  double reach = 0;
+  for (Vec3 p : face) reach = std::fmax(reach, distance(p, middle));
+  if (body.field().distance(middle) > reach + body.field().cell()) return {};
+  return intersectionNormalOf(body.mesh(), body.bvh(), face);
 }
 
 }  // namespace karinui

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cloth/closest_points.h"
+#include "cloth/mesh_distance.h"
 #include "cloth/work_blocks.h"
 
 namespace karinui {
@@ -33,6 +34,16 @@ SkinCollider::SkinCollider(std::vector<Triangle> faces, std::size_t points)
     for (const std::uint32_t p : faces_[f]) face_[next[p]++] = f;
 }
 
+void SkinCollider::buildTree() {
+  tree_.reset();
+  const TriangleMesh mesh{points_, faces_};
+  tree_.emplace(Tree{mesh, Bvh(mesh)});
+}
+
+Vec3 SkinCollider::intersectionNormal(const std::array<Vec3, 3>& face) const {
+  return tree_ ? intersectionNormalOf(tree_->mesh, tree_->boxes, face) : Vec3{};
+}
+
 std::array<std::size_t, 3> SkinCollider::cellOf(Vec3 place) const {
   const Vec3 in = (place - low_) * (1 / kReach);
   return {static_cast<std::size_t>(in.x), static_cast<std::size_t>(in.y), static_cast<std::size_t>(in.z)};
@@ -40,6 +51,7 @@ std::array<std::size_t, 3> SkinCollider::cellOf(Vec3 place) const {
 
 void SkinCollider::moveTo(std::vector<Vec3> points, Workers& workers) {
   points_ = std::move(points);
+  tree_.reset();
   normals_.resize(points_.size());
   workers.forBlocks(points_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) normals_[p] = normalAt(static_cast<std::uint32_t>(p));

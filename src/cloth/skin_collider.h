@@ -5,6 +5,7 @@
 // places the points, while nobody asks.
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "karinui/base/workers.h"
@@ -20,6 +21,9 @@ class SkinCollider : public Collider {
 
   Sample sample(Vec3 place) const override;
   double clearance(Vec3 place) const override;
+  // Known where the tree was built since the points were last placed.
+  Vec3 intersectionNormal(const std::array<Vec3, 3>& face) const override;
+  void buildTree();
 
   static constexpr double kReach = 0.02;   // metres
   static constexpr double kAtSkin = 0.01;  // from a point of the skin: the clearance is given as none, without a look
@@ -44,6 +48,11 @@ class SkinCollider : public Collider {
   std::vector<Triangle> faces_;
   std::vector<std::uint32_t> firstFace_, face_;  // those of each point, one after the other
   std::vector<Vec3> points_, normals_;
+  struct Tree {
+    TriangleMesh mesh;
+    Bvh boxes;
+  };
+  std::optional<Tree> tree_;
   Vec3 low_;
   std::array<std::size_t, 3> count_{};
   struct InCell {
