@@ -29,8 +29,8 @@ std::vector<PieceId> BoundaryActivation::piecesToActivate(const std::vector<Vec3
     active.pieces[piece].live = true;
     for (const NodeIndex k : nodes) change[k] = after[k] - before[k];
   }
-  LevelSolver solver(active, x, colliders, settings,
-                     settings.clothOnCloth ? clothRadius(active, active.spacing) : 0, workers);
+  LevelSolver solver(active, x, colliders, settings, settings.clothOnCloth ? clothRadius(active, active.spacing) : 0,
+                     workers);
   solver.tieWithin(active.spacing);
   LevelSolver::StepOptions options;
   options.seconds = 0.25;
