@@ -11,9 +11,9 @@ constexpr double kReach = 1.1;  // radii within which a pair that stuck keeps it
 constexpr double kSoft = 0.1, kFirm = 8;
 constexpr double kSlipShare = 0.025;  // radii that a pair's friction gives before it slips, at least
 
-// Under one layer or under five cloth rests on cloth at 0.85 to 0.9 radii: there it should be as far off as the two are
-// thick. Thinner contact costs steps where folds hang against each other: half a millimetre half as many again.
-constexpr double kPerThickness = 1.15, kLeastRadius = 0.0013;
+// Under one layer or under five cloth rests on cloth at 0.85 to 0.9 radii: there thick cloth should be as far off as
+// the two are thick. Thinner contact costs steps: docs/develop/drape_tried.md, "Thinner contact".
+constexpr double kPerThickness = 1.15, kLeastRadius = 0.002;
 constexpr double kMostShare = 0.3;  // of the spacing: cells not wider than the radius would push themselves apart
 
 double halfRadius(const Cloth& cloth, const Fabric& fabric) {

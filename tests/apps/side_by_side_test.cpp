@@ -5,6 +5,7 @@
 #include <set>
 
 #include "apps/command.h"
+#include "soak.h"
 #include "view/kept_picture.h"
 
 namespace karinui::test {
@@ -138,6 +139,7 @@ TEST_F(SideBySide, AWholeTurnIsNumberedPicturesWithEvenSides) {
 }
 
 TEST_F(SideBySide, EveryoneOfABatchAndWhomItDoesNotFit) {
+  if (!atLength()) GTEST_SKIP() << "only by ./test --long";
   made("tube", kTube);
   write(folder / "people.csv",
         "name,sex,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nAnna,f,168,88,70,96\nBerta,f,165,112,104,124\n"

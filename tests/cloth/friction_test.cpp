@@ -42,7 +42,7 @@ Fate onSlope(double slope, double friction, bool cloth) {
   addPiece(level.cloth, gridLattice(8, 8, 0.02), f);
   if (cloth) addPiece(level.cloth, gridLattice(16, 16, 0.02, {-0.081, -0.083}), f, false);
   level.state = standingBy(level.cloth, [&](std::size_t piece, Flat p) {
-    return down * p.u + Vec3{0, 0, p.v} + out * (piece == 0 ? (cloth ? 0.0011 : 0.0014) : 0.0);
+    return down * p.u + Vec3{0, 0, p.v} + out * (piece == 0 ? (cloth ? 0.0015 : 0.0014) : 0.0);
   });
   if (cloth) return fateOf(level, NoBody(), 250, 300);
   return fateOf(level, PlaneBody(out, 0), 250, 300);
