@@ -339,9 +339,8 @@ class Spreading {
 
 namespace {
 
-constexpr double kUnder = 0.5;  // layers a fold begins above what lies beneath it
-constexpr double kBeside =
-    0.15;  // layers a fold stands off the middle between its two, so that none coincides with another
+constexpr double kUnder = 0.5;    // layers a fold begins above what lies beneath it
+constexpr double kShort = 3e-4;   // metres by which a fold stands short of where it is pressed
 constexpr double kOnFold = 1e-7;  // metres: nearer than this a place lies on a fold
 constexpr double kPasses = 0.01;  // metres: so far the upper layer passes the fold inside before it comes down, and in
                                   // as much again it does
@@ -379,19 +378,20 @@ FoldedPlace PleatedPiece::shingled(Flat place) const {
   return {place + across * (flat - at), strip(j + 1, x) + kUnder + (x - fold(j) + depth) / depth};
 }
 
-// On a fold, where one layer becomes the next, midway between both. Two folds that meet, as behind a box pleat, stand
-// a little apart: where they coincide no contact knows on which side of the other each lies.
+// On a fold, where one layer becomes the next, midway between both.
 FoldedPlace PleatedPiece::folded(Flat place) const {
   const double at = dot(place, across);
   for (const PleatFold& fold : folds)
     for (const double line : {0.0, depth, 2 * depth}) {
       if (std::abs(at - fold.strip - line) >= kOnFold) continue;
-      const Flat step = across * (2 * kOnFold);
-      const bool laidOn = line == (fold.toStart ? 0 : 2 * depth);  // where the fold comes to lie
-      return {layered(place).place,
-              (layered(place - step).lifted + layered(place + step).lifted) / 2 + (laidOn         ? 0
-                                                                                   : fold.toStart ? kBeside
-                                                                                                  : -kBeside)};
+      const Flat step = across * (2 * kOnFold), in = across * (fold.toStart ? -kShort : kShort);
+      FoldedPlace on = layered(place);
+      on.lifted = (layered(place - step).lifted + layered(place + step).lifted) / 2;
+      if (line == depth)
+        on.clear = in;
+      else if ((line > 0) == fold.toStart)  // the fold itself, and not where it comes to lie
+        on.clear = -in;
+      return on;
     }
   return layered(place);
 }

@@ -43,6 +43,9 @@ struct PleatFold {
 struct FoldedPlace {
   Flat place;
   double lifted = 0;
+  // Of a place on a fold: the way to stand clear of another fold that meets it there, as behind a box pleat. Where two
+  // coincide, contact knows of neither on which side of the other it lies.
+  Flat clear{};
 };
 
 struct PleatedPiece {

@@ -176,8 +176,8 @@ class Pleating {
     auto form = liftedForm(now, old, before_.settings.spacing, [&](Flat place) {
       const FoldedPlace in = folded(place);
       // Where the layers are sewn to each other they lie together, no higher at a fold than beside it.
-      const double lifted = !made_.overlapping && edge->contains({place.u, place.v}) ? 1 : in.lifted;
-      return LiftedPlace{whole(in.place), lifted * kLayersApart};
+      if (!made_.overlapping && edge->contains({place.u, place.v})) return LiftedPlace{whole(in.place), kLayersApart};
+      return LiftedPlace{whole(in.place + in.clear), in.lifted * kLayersApart};
     });
     if (!form) return form.error();
     now.form = *std::move(form);
@@ -241,7 +241,7 @@ class Pleating {
     movePins(id, [&](Flat place) { return across(made_.spread(across(place))); });
     return stand(old, [&](Flat place) {
       const FoldedPlace in = made_.folded(across(place));
-      return FoldedPlace{across(in.place), in.lifted};
+      return FoldedPlace{across(in.place), in.lifted, across(in.clear)};
     });
   }
 
