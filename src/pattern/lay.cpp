@@ -88,8 +88,8 @@ class TieMaker {
       else
         gather(trackB, runB, trackA, runA);
     }
-    const auto line = [&](const Leg& leg) { return plan_.tracks()[leg.track].open(); };
-    if (ties.size() < first + 2 || !line(joined.a.front()) || !line(joined.b.front())) return;
+    const Track &own = plan_.tracks()[joined.a.front().track], &other = plan_.tracks()[joined.b.front().track];
+    if (ties.size() < first + 2 || !own.open() || !other.open() || own.piece != other.piece) return;
     besideEnds_.push_back({first, first + 1}), besideEnds_.push_back({ties.size() - 1, ties.size() - 2});
   }
 
@@ -152,7 +152,8 @@ class TieMaker {
   const std::vector<TrackNodes>& nodes_;
   const std::vector<std::vector<std::uint32_t>>& numbers_;  // in the lattice, of each track's nodes
   SeamId seam_;
-  std::vector<std::array<std::size_t, 2>> besideEnds_;  // of lines sewn to lines: the tie at an end, and that beside it
+  std::vector<std::array<std::size_t, 2>>
+      besideEnds_;  // of lines sewn to lines of their piece: the tie at an end, that beside it
   std::set<std::tuple<PieceId, std::uint32_t, PieceId, std::uint32_t>> done_;
 };
 

@@ -350,6 +350,16 @@ class TamperedBeforeVerbs : public testing::Test {
   }
 };
 
+Store::Content contentOf(const std::string& path) {
+  const auto store = Store::open(path, false);
+  KARINUI_ASSERT(store);
+  Store::Content content;
+  for (const StepRow& row : store->rows()) content.steps.emplace_back(row, *store->parts(row.seq));
+  for (const std::string& name : store->blobNames()) content.blobs[name] = *store->blob(name);
+  content.head = store->head();
+  return content;
+}
+
 TEST_F(TamperedBeforeVerbs, AreRefusedInASentenceOrAnswered) {
   const char* asked = std::getenv("KARINUI_LONG");
   const int times = asked && *asked ? 100 : 2;
@@ -382,14 +392,7 @@ TEST_F(TamperedBeforeVerbs, AreRefusedInASentenceOrAnswered) {
 
 // The figure's points with other numbers, all seals made anew: read by every verb, told by check.
 TEST_F(TamperedBeforeVerbs, AnotherFigureIsToldByCheck) {
-  Store::Content content;
-  {
-    const auto store = Store::open(whole(), false);
-    ASSERT_TRUE(store);
-    for (const StepRow& row : store->rows()) content.steps.emplace_back(row, *store->parts(row.seq));
-    for (const std::string& name : store->blobNames()) content.blobs[name] = *store->blob(name);
-    content.head = store->head();
-  }
+  Store::Content content = contentOf(whole());
   EXPECT_EQ(karinui("check " + whole()).err.find("The figure kept"), std::string::npos);
   std::string before = hash(Document());
   for (auto& [row, parts] : content.steps) {
@@ -428,14 +431,7 @@ TEST_F(TamperedBeforeVerbs, AnotherFigureIsToldByCheck) {
 }
 
 TEST_F(TamperedBeforeVerbs, WhatIsFoundOnTheWayIsTold) {
-  Store::Content content;
-  {
-    const auto store = Store::open(whole(), false);
-    ASSERT_TRUE(store);
-    for (const StepRow& row : store->rows()) content.steps.emplace_back(row, *store->parts(row.seq));
-    for (const std::string& name : store->blobNames()) content.blobs[name] = *store->blob(name);
-    content.head = store->head();
-  }
+  Store::Content content = contentOf(whole());
   // A lie about the last step but one, which the last one bears out.
   const std::size_t last = content.steps.size() - 1;
   content.steps[last - 1].first.after = content.steps[last].first.before = std::string(32, '0');
