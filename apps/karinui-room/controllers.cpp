@@ -1,17 +1,12 @@
 #include "controllers.h"
 
 #include <cmath>
-#include <cstring>
+
+#include "xr_values.h"
 
 namespace karinui::room {
 
 namespace {
-
-template <std::size_t Size>
-void put(char (&into)[Size], const char* text) {
-  std::strncpy(into, text, Size - 1);
-  into[Size - 1] = 0;
-}
 
 Error wouldNot(const Runtime& runtime, const char* call, XrResult why) {
   return refused(say("{0} does not take the controllers' actions ({1}: {2}).", runtime.name(), call, nameOf(why)));
@@ -30,8 +25,8 @@ Done Controllers::makeActions() {
   sides_ = {runtime_.path("/user/hand/left"), runtime_.path("/user/hand/right")};
   XrActionSetCreateInfo create{};
   create.type = XR_TYPE_ACTION_SET_CREATE_INFO;
-  put(create.actionSetName, "fitting");
-  put(create.localizedActionSetName, "Fitting a garment");
+  putText(create.actionSetName, "fitting");
+  putText(create.localizedActionSetName, "Fitting a garment");
   if (const XrResult r = xrCreateActionSet(runtime_.instance(), &create, &set_); XR_FAILED(r))
     return wouldNot(runtime_, "xrCreateActionSet", r);
   const struct {
@@ -51,8 +46,8 @@ Done Controllers::makeActions() {
     XrActionCreateInfo one{};
     one.type = XR_TYPE_ACTION_CREATE_INFO;
     one.actionType = w.type;
-    put(one.actionName, w.name);
-    put(one.localizedActionName, w.said);
+    putText(one.actionName, w.name);
+    putText(one.localizedActionName, w.said);
     one.countSubactionPaths = static_cast<std::uint32_t>(sides_.size());
     one.subactionPaths = sides_.data();
     if (const XrResult r = xrCreateAction(set_, &one, &w.action); XR_FAILED(r))

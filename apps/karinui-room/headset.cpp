@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "xr_list.h"
+#include "xr_values.h"
 
 namespace karinui::room {
 

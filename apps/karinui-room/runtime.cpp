@@ -4,9 +4,8 @@
 #include <openxr/openxr_platform.h>
 
 #include <algorithm>
-#include <cstring>
 
-#include "xr_list.h"
+#include "xr_values.h"
 
 namespace karinui::room {
 
@@ -17,12 +16,6 @@ Error noRuntime(XrResult why) {
       say("No headset runtime was found. Install one (Monado, SteamVR or the headset's own) and make it the active "
           "OpenXR runtime. ({0})",
           nameOf(why)));
-}
-
-template <std::size_t Size>
-void put(char (&into)[Size], const char* text) {
-  std::strncpy(into, text, Size - 1);
-  into[Size - 1] = 0;
 }
 
 }  // namespace
@@ -80,9 +73,9 @@ Result<std::unique_ptr<Runtime>> Runtime::open() {
   for (const std::string& name : made->extensions_) names.push_back(name.c_str());
   XrInstanceCreateInfo create{};
   create.type = XR_TYPE_INSTANCE_CREATE_INFO;
-  put(create.applicationInfo.applicationName, "karinui-room");
+  putText(create.applicationInfo.applicationName, "karinui-room");
   create.applicationInfo.applicationVersion = 1;
-  put(create.applicationInfo.engineName, "karinui");
+  putText(create.applicationInfo.engineName, "karinui");
   create.applicationInfo.engineVersion = 1;
   create.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);  // any 1.x runtime
   create.enabledExtensionCount = static_cast<std::uint32_t>(names.size());

@@ -20,20 +20,20 @@ namespace karinui::studio {
 namespace {
 
 // The formats of the pattern's own paper that a lay plan is written as, too, and what they are called here.
-struct Kind {
+struct SheetFormat {
   std::string_view format;
   Message label;
 };
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all = {{"pdf", say("PDF on one sheet")},
-                                        {"pdf-a4", say("PDF on A4 sheets")},
-                                        {"pdf-letter", say("PDF on Letter sheets")},
-                                        {"pdf-a3", say("PDF on A3 sheets")},
-                                        {"pdf-a0", say("PDF on A0 sheets")},
-                                        {"pdf-36in", say("PDF on 36-inch sheets")},
-                                        {"svg", say("Drawing (SVG)")},
-                                        {"dxf-aama", say("CAD (DXF)")},
-                                        {"hpgl", say("Plotter (HPGL)")}};
+const std::vector<SheetFormat>& sheetFormats() {
+  static const std::vector<SheetFormat> all = {{"pdf", say("PDF on one sheet")},
+                                               {"pdf-a4", say("PDF on A4 sheets")},
+                                               {"pdf-letter", say("PDF on Letter sheets")},
+                                               {"pdf-a3", say("PDF on A3 sheets")},
+                                               {"pdf-a0", say("PDF on A0 sheets")},
+                                               {"pdf-36in", say("PDF on 36-inch sheets")},
+                                               {"svg", say("Drawing (SVG)")},
+                                               {"dxf-aama", say("CAD (DXF)")},
+                                               {"hpgl", say("Plotter (HPGL)")}};
   return all;
 }
 
@@ -116,7 +116,7 @@ LayDialog::LayDialog(Session& session, QWidget* parent)
   left->addWidget(notes_);
   left->addStretch(1);
   kind_ = new QComboBox;
-  for (const Kind& kind : kinds()) kind_->addItem(inWords(kind.label));
+  for (const SheetFormat& kind : sheetFormats()) kind_->addItem(inWords(kind.label));
   kind_->setAccessibleName(inWords(say("What")));
   left->addWidget(kind_);
   auto* buttons = new QHBoxLayout;
@@ -261,7 +261,7 @@ void LayDialog::tell(const Message& words) {
 }
 
 void LayDialog::save() {
-  const Kind& kind = kinds()[static_cast<std::size_t>(kind_->currentIndex())];
+  const SheetFormat& kind = sheetFormats()[static_cast<std::size_t>(kind_->currentIndex())];
   const FileFormat& format = fileFormat(kind.format);
   const QFileInfo own(QString::fromStdString(session_.path().string()));
   const QString name = own.completeBaseName().isEmpty() ? inWords(say("Lay plan")) : own.completeBaseName();

@@ -34,8 +34,8 @@ constexpr CapRing kCap[] = {{0.97, 0.003}, {0.88, 0.006}, {0.66, 0.008}, {0.36, 
 struct Turned {
   double radius, y;
 };
-constexpr Turned kFoot[] = {{kPole, 0.060}, {0.022, 0.046}, {0.050, 0.036}, {0.110, 0.029}, {0.165, 0.023},
-                            {0.180, 0.015}, {0.180, 0.006}, {0.174, 0.0},   {0.090, 0.0}};
+constexpr Turned kStandFoot[] = {{kPole, 0.060}, {0.022, 0.046}, {0.050, 0.036}, {0.110, 0.029}, {0.165, 0.023},
+                                 {0.180, 0.015}, {0.180, 0.006}, {0.174, 0.0},   {0.090, 0.0}};
 
 // Goes on from the line of an open end through rings of as many points, and closes the last in its middle.
 class Closing {
@@ -195,9 +195,9 @@ bool stand(TriangleMesh& out, const TriangleMesh& skin, const Line& line, double
     closing->ring(ring(end - down, [&, part = share](std::size_t i) { return below[i] * part; }));
   const auto turned = [&](Turned at) { closing->ring(ring(at.y, [&](std::size_t) { return at.radius; })); };
   const double poleTop = end - 0.018;
-  const int parts = std::max(2, static_cast<int>(std::round((poleTop - kFoot[0].y) / kPoleStep)));
-  for (int k = 0; k < parts; ++k) turned({kPole, std::lerp(poleTop, kFoot[0].y, static_cast<double>(k) / parts)});
-  for (const Turned& at : kFoot) turned(at);
+  const int parts = std::max(2, static_cast<int>(std::round((poleTop - kStandFoot[0].y) / kPoleStep)));
+  for (int k = 0; k < parts; ++k) turned({kPole, std::lerp(poleTop, kStandFoot[0].y, static_cast<double>(k) / parts)});
+  for (const Turned& at : kStandFoot) turned(at);
   closing->middle({middle.x, 0, middle.z});
   return true;
 }

@@ -11,9 +11,9 @@ namespace karinui {
 
 namespace {
 
-constexpr double kStep = 0.006;  // metres between the places of a line
-constexpr int kPasses = 10;      // of smoothing: corners round off over about 2 cm
-constexpr int kAround = 96;      // directions of a ring
+constexpr double kPlaceStep = 0.006;  // metres between the places of a line
+constexpr int kPasses = 10;           // of smoothing: corners round off over about 2 cm
+constexpr int kDirections = 96;       // directions of a ring
 
 // How a line is found. Places are body places, mirrored for the right side; "a..b/n" are n + 1 places from a to b.
 struct Recipe {
@@ -112,7 +112,8 @@ class Finder {
     const std::size_t dots = word.find(".."), slash = word.find('/');
     if (word.ends_with("@*")) {
       BodyPoint point = *parseBodyPoint(std::string(word.substr(0, word.size() - 1)) + "0");
-      for (int k = 0; k < kAround; ++k) point.around = static_cast<double>(k) / kAround, points.push_back(point);
+      for (int k = 0; k < kDirections; ++k)
+        point.around = static_cast<double>(k) / kDirections, points.push_back(point);
     } else if (dots != std::string_view::npos) {
       const BodyPoint a = *parseBodyPoint(word.substr(0, dots)),
                       b = *parseBodyPoint(word.substr(dots + 2, slash - dots - 2));
@@ -158,7 +159,7 @@ class Finder {
     for (const SurfacePoint& place : through) {
       const Vec3 p = karinui::at(body_.mesh(), place);
       // The chart may name one place twice where a part begins.
-      if (points.empty() || distance(points.back(), p) > kStep / 2) points.push_back(p);
+      if (points.empty() || distance(points.back(), p) > kPlaceStep / 2) points.push_back(p);
     }
     if (points.size() < 3) return false;
     line.points = evenly(curved(points, line.closed), line.closed);
@@ -178,7 +179,7 @@ class Finder {
       const Vec3 d = i + 2 < n ? p[i + 2] : closed ? p[(i + 2) % n] : c * 2 - b;
       const auto knot = [](Vec3 from, Vec3 to) { return std::max(std::sqrt(distance(from, to)), 1e-6); };
       const double t1 = knot(a, b), t2 = t1 + knot(b, c), t3 = t2 + knot(c, d);
-      const int parts = std::max(1, static_cast<int>(std::ceil(distance(b, c) / kStep)));
+      const int parts = std::max(1, static_cast<int>(std::ceil(distance(b, c) / kPlaceStep)));
       for (int k = 0; k < parts; ++k) {
         const double x = std::lerp(t1, t2, static_cast<double>(k) / parts);
         const auto mix = [x](Vec3 from, Vec3 to, double low, double high) {
@@ -197,7 +198,7 @@ class Finder {
     old.points = line;
     old.closed = closed;
     old.length = lengthOf(line, closed);
-    const int parts = std::max(4, static_cast<int>(std::round(old.length / kStep)));
+    const int parts = std::max(4, static_cast<int>(std::round(old.length / kPlaceStep)));
     std::vector<Vec3> points;
     for (int k = 0; k + (closed ? 1 : 0) <= parts; ++k)
       points.push_back(onSkin(old.at(static_cast<double>(k) / parts)));

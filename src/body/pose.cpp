@@ -8,10 +8,10 @@ namespace karinui {
 
 namespace {
 
-constexpr std::array<std::string_view, kJoints> kNames{"pelvis",         "spine",      "neck",        "left_shoulder",
-                                                       "right_shoulder", "left_elbow", "right_elbow", "left_wrist",
-                                                       "right_wrist",    "left_hip",   "right_hip",   "left_knee",
-                                                       "right_knee",     "left_ankle", "right_ankle"};
+constexpr std::array<std::string_view, kJoints> kJointNames{
+    "pelvis",     "spine",       "neck",       "left_shoulder", "right_shoulder",
+    "left_elbow", "right_elbow", "left_wrist", "right_wrist",   "left_hip",
+    "right_hip",  "left_knee",   "right_knee", "left_ankle",    "right_ankle"};
 
 JointAngles degrees(double flex, double abduct, double turn) {
   return {flex * kDegree, abduct * kDegree, turn * kDegree};
@@ -96,7 +96,7 @@ std::vector<NamedPose> makeNamed() {
 
 }  // namespace
 
-std::span<const std::string_view> jointNames() { return kNames; }
+std::span<const std::string_view> jointNames() { return kJointNames; }
 
 Message jointSaid(Joint joint) {
   switch (joint) {
@@ -138,7 +138,7 @@ Result<std::vector<Joint>> jointsNamed(std::string_view name) {
   std::vector<Joint> found;
   std::string all;
   for (std::size_t j = 0; j < kJoints; ++j) {
-    const std::string_view own = kNames[j];
+    const std::string_view own = kJointNames[j];
     const bool sided = own.starts_with("left_") || own.starts_with("right_");
     if (own == name || (sided && own.substr(own.find('_') + 1) == name)) found.push_back(static_cast<Joint>(j));
     all += (all.empty() ? "" : ", ") + std::string(own);

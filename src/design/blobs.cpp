@@ -1,3 +1,4 @@
+#include "design/figure_files.h"
 #include "design/pack.h"
 #include "karinui/base/hash.h"
 #include "karinui/design/apply.h"
@@ -130,7 +131,12 @@ Result<BodyPtr> Bodies::find(const BodyChoice& choice, const Blobs& blobs, Worke
     const std::string name = key.taken();
     if (const auto at = built_.find(name); at != built_.end()) return at->second;
     Result<BodyPtr> body = [&]() -> Result<BodyPtr> {
-      if (choice.mesh.empty()) return makeMannequin(choice.measurements, workers, token, ends);
+      if (choice.mesh.empty()) {
+        if (BodyPtr kept = readFigureFile(name)) return kept;
+        Result<BodyPtr> mannequin = makeMannequin(choice.measurements, workers, token, ends);
+        if (mannequin) writeFigureFile(name, **mannequin);
+        return mannequin;
+      }
       const auto bytes = blobs.get(choice.mesh);
       if (!bytes) return notFound(say("The imported body {0} is not in this document; import it again.", choice.mesh));
       auto parts = unpackBody(*bytes);

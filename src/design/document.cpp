@@ -6,6 +6,13 @@
 
 namespace karinui {
 
+Document::Document() = default;
+Document::Document(const Document&) = default;
+Document::Document(Document&&) noexcept = default;
+Document& Document::operator=(const Document&) = default;
+Document& Document::operator=(Document&&) noexcept = default;
+Document::~Document() = default;
+
 namespace {
 
 // Numbers are hashed one by one: structs have padding, and padding has no meaning.

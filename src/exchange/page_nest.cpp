@@ -10,7 +10,7 @@ namespace karinui {
 namespace {
 
 constexpr double kBorder = 5, kBetween = 8;  // mm: from the sheet's sides, between pieces
-constexpr std::size_t kMostColumns = 8;      // of pages
+constexpr std::size_t kMostPagesWide = 8;    // of pages
 constexpr std::size_t kMostNested = 60;      // more are left as they lie
 constexpr int kTries = 1500;
 
@@ -61,7 +61,7 @@ void nestOnPages(Sheet& sheet, const TileGrid& grid) {
   Workers alone;
   std::size_t fewest = tilesOf(sheet, grid).size();
   Sheet best = sheet;
-  for (std::size_t columns = 1; columns <= (grid.cover ? kMostColumns : 1); ++columns) {
+  for (std::size_t columns = 1; columns <= (grid.cover ? kMostPagesWide : 1); ++columns) {
     const double room = static_cast<double>(columns) * grid.step().x + grid.overlap - 2 * kBorder;
     if (room < widest) continue;
     NestSettings settings;

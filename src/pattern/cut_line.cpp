@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "karinui/geometry/winding.h"
+#include "pattern/end_tangent.h"
 
 namespace karinui {
 
@@ -69,12 +70,6 @@ struct Side {
   std::vector<Flat> points;  // of the parallel
 };
 
-Flat wayAt(const Curve& curve, bool atEnd) {
-  for (const double t : {0.0, 1e-6, 1e-3, 0.1})
-    if (const Flat way = curve.tangent(atEnd ? 1 - t : t); length(way) > 1e-9) return normalized(way);
-  return normalized(curve.end - curve.start);
-}
-
 // The way an edge goes at its end over the width of its allowance, where it curls right at the end. What is turned back
 // along it would else be turned by twice the curl.
 std::optional<Flat> wayBeforeCurl(const Side& side, const Curve& curve, bool atEnd) {
@@ -86,7 +81,7 @@ std::optional<Flat> wayBeforeCurl(const Side& side, const Curve& curve, bool atE
 }
 
 Side sideOf(const Curve& curve, double width, double miss) {
-  Side side{curve.start, curve.end, wayAt(curve, false), wayAt(curve, true), width, {}};
+  Side side{curve.start, curve.end, endTangent(curve, false), endTangent(curve, true), width, {}};
   const std::vector<Flat> line = curve.flattened(miss);
   if (width <= 0) return side.points = line, side;
   side.points.push_back(side.start + outOf(side.wayIn) * width);

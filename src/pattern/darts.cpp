@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "karinui/pattern/symmetry.h"
+#include "pattern/end_tangent.h"
 
 namespace karinui {
 
@@ -14,12 +15,6 @@ constexpr double kWidestFolded = 0.05;  // metres of a mouth: a wider wedge woul
 constexpr double kUpright = 0.996;      // cosine of 5 degrees
 constexpr double kStraight = 1.0005;    // longer than the way between its ends
 constexpr double kOnCentre = 1e-3;      // metres
-
-Flat wayAt(const Curve& curve, bool atEnd) {
-  for (const double t : {0.0, 1e-6, 1e-3, 0.1})
-    if (const Flat way = curve.tangent(atEnd ? 1 - t : t); length(way) > 1e-9) return normalized(way);
-  return normalized(curve.end - curve.start);
-}
 
 // Across the paper, where the centre of the body is.
 double centreOf(const Outline& outline, const PaperDart& dart) {
@@ -60,7 +55,7 @@ std::vector<PaperDart> dartsOf(const Pattern& pattern) {
     const std::size_t to = (*i + 1) % n == *k ? *i : *k, back = to == *i ? *k : *i;
     if ((to + 1) % n != back || n < 4) continue;
     const Curve &in = outline.edges[to].curve, &out = outline.edges[back].curve;
-    if (cross(wayAt(in, true), wayAt(out, false)) >= 0) continue;  // a point of cloth, as of a cone
+    if (cross(endTangent(in, true), endTangent(out, false)) >= 0) continue;  // a point of cloth, as of a cone
     all.push_back({id, a.piece, to, back, in.start, in.end, out.end});
   }
   return all;
@@ -78,8 +73,8 @@ Flat capOf(const Piece& piece, const PaperDart& dart) {
   const std::size_t n = edges.size();
   const bool forward = pressedForward(piece, dart);
   const Flat end = forward ? dart.from : dart.until;
-  const Flat on =
-      forward ? wayAt(edges[(dart.to + n - 1) % n].curve, true) * -1 : wayAt(edges[(dart.back + 1) % n].curve, false);
+  const Flat on = forward ? endTangent(edges[(dart.to + n - 1) % n].curve, true) * -1
+                          : endTangent(edges[(dart.back + 1) % n].curve, false);
   const Flat middle = lerp(dart.from, dart.until, 0.5), fold = normalized(middle - dart.point),
              leg = normalized(dart.point - end);
   const Flat back = leg * (2 * dot(on, leg)) - on;  // the edge that it lies over, as it lies under the pressed dart

@@ -7,6 +7,7 @@
 
 #include "karinui/geometry/fit_curve.h"
 #include "karinui/geometry/polygon.h"
+#include "pattern/end_tangent.h"
 
 namespace karinui {
 namespace {
@@ -54,12 +55,6 @@ std::optional<Curve> undivided(const Curve& first, const Curve& second) {
   return std::nullopt;
 }
 
-Flat wayAt(const Curve& curve, bool end) {
-  for (const double t : {0.0, 1e-6, 1e-3, 0.1})  // a handle of no length has the direction of what follows
-    if (const Flat way = curve.tangent(end ? 1 - t : t); length(way) > 1e-9) return normalized(way);
-  return normalized(curve.end - curve.start);
-}
-
 // Places along a part of a curve.
 void measure(const Curve& curve, double from, double to, std::vector<Flat>& places) {
   const double whole = curve.length();
@@ -80,7 +75,7 @@ Curve refitted(const Curve& first, const Curve& second) {
     return Curve::joined(chain);
   }
   chain.insert(chain.end(), rest.begin(), rest.end());
-  const bool smooth = angleBetween(wayAt(first, true), wayAt(second, false)) < kSmooth;
+  const bool smooth = angleBetween(endTangent(first, true), endTangent(second, false)) < kSmooth;
   const double one = first.length(), other = second.length(), off = smooth ? 0 : std::min(one, other) / 3;
   std::vector<Flat> places;
   measure(first, 0, 1 - off / one, places);
@@ -89,7 +84,7 @@ Curve refitted(const Curve& first, const Curve& second) {
   fit.straight = 0;
   fit.tolerance = fit.farthest = smooth ? kSmoothMiss : kCornerMiss;
   fit.shortest = 0.01;
-  const Fitted fitted = fitEdge(places, fit, wayAt(first, false), wayAt(second, true));
+  const Fitted fitted = fitEdge(places, fit, endTangent(first, false), endTangent(second, true));
   const Curve made = Curve::joined(fitted.curves);
   // What is smooth already is not divided further only to be rounded.
   if (smooth && (fitted.miss > kSmoothMiss || made.parts().size() >= Curve::joined(chain).parts().size()))

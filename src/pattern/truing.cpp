@@ -6,18 +6,13 @@
 #include <optional>
 
 #include "karinui/pattern/seam_walk.h"
+#include "pattern/end_tangent.h"
 
 namespace karinui {
 
 namespace {
 
 constexpr double kEnd = 1e-6;  // of an edge's length: a seam that ends nearer to its corner ends there
-
-Flat wayAt(const Curve& curve, bool atEnd) {
-  for (const double t : {0.0, 1e-6, 1e-3, 0.1})
-    if (const Flat way = curve.tangent(atEnd ? 1 - t : t); length(way) > 1e-9) return normalized(way);
-  return normalized(curve.end - curve.start);
-}
 
 // The corner in which a side of a seam ends; nothing: it ends within an edge.
 std::optional<CornerTruing::Side> cornerAt(const Pattern& pattern, const SeamPlace& at) {
@@ -30,7 +25,7 @@ std::optional<CornerTruing::Side> cornerAt(const Pattern& pattern, const SeamPla
   const bool atEnd = at.fraction > 0.5;
   const std::size_t other = (*k + (atEnd ? 1 : n - 1)) % n;
   const Curve &own = outline.edges[*k].curve, &next = outline.edges[other].curve;
-  const Flat in = wayAt(atEnd ? own : next, true), out = wayAt(atEnd ? next : own, false);
+  const Flat in = endTangent(atEnd ? own : next, true), out = endTangent(atEnd ? next : own, false);
   const double turned = std::atan2(cross(in, out), dot(in, out)) * 180 / std::numbers::pi;
   return CornerTruing::Side{at.piece, outline.edges[other].name, atEnd ? own.end : own.start, 180 - turned};
 }
@@ -84,7 +79,7 @@ Curve truedEdge(const Outline& outline, const CornerTruing::Side& side, double o
   const double whole = curve.length(), t = curve.parameterAt(std::min(within, whole / 2));
   const Flat from = curve.start, until = curve.at(t), way = normalized(curve.tangent(t));
   const double handle = distance(from, until) / 3, turn = off / 2 * std::numbers::pi / 180 * (atEnd ? -1 : 1);
-  const Flat out = wayAt(curve, false);
+  const Flat out = endTangent(curve, false);
   const Flat turned = out * std::cos(turn) + leftOf(out) * std::sin(turn);
   const Curve both[] = {Curve::cubic(from, from + turned * handle, until - way * handle, until), curve.part(t, 1)};
   const Curve trued = Curve::joined(both);

@@ -14,7 +14,7 @@ constexpr double kSeamInset = 0.003;           // metres of paper from the edge 
 constexpr double kTickLength = 0.009;
 constexpr double kThin = 3, kThick = 5;  // mm of paper, of a seam's line: to be seen from where one stands
 constexpr double kCornerSide = 0.004;    // half of a corner's square
-constexpr double kDot = 0.003;           // radius of a pin's head
+constexpr double kPinHead = 0.003;       // radius of a pin's head
 
 class Drawing {
  public:
@@ -135,7 +135,7 @@ void draw(Drawing& drawing, const TablePiece& piece) {
     const double s = kCornerSide;
     drawing.closed({corner + Flat{-s, -s}, corner + Flat{s, -s}, corner + Flat{s, s}, corner + Flat{-s, s}}, ink, 1);
   }
-  for (const Flat pin : piece.pins) drawing.circle(pin, kDot, kPin, 2 * 1000 * kDot);
+  for (const Flat pin : piece.pins) drawing.circle(pin, kPinHead, kPin, 2 * 1000 * kPinHead);
   for (const TableLabel& label : piece.labels) drawing.label(label);
 }
 

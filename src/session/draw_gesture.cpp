@@ -15,23 +15,23 @@ namespace karinui {
 
 namespace {
 
-constexpr double kMeets = 0.022;     // metres: an end this near to the beginning closes the line
-constexpr double kAgain = 0.003;     // metres: a click this near to the last one ends the line
-constexpr double kCentre = 0.020;    // metres from the body's middle plane that still mean the middle
-constexpr double kStep = 0.004;      // metres a stroke goes before it is noted
-constexpr double kMiss = 0.004;      // metres a kept line may pass from the drawn one
-constexpr double kLongest = 0.11;    // metres between two kept places of a stroke
-constexpr double kAlong = 0.15;      // metres between two kept places along a line of the body,
-constexpr double kBent = 0.7;        // and how far it may turn between them
-constexpr double kMean = 0.6;        // of touching: over which a stroke is averaged to find its corners
-constexpr double kFollowed = 0.15;   // metres along a line of the body that make an edge of their own
-constexpr double kGap = 0.03;        // metres a run may leave the line it follows
-constexpr double kApart = 0.015;     // metres between two corners
-constexpr double kClose = 0.012;     // metres between two kept places, at the least
-constexpr double kFar = 0.03;        // metres over the skin that are noted even where nothing moved across the view
-constexpr double kTurned = 0.9994;   // cosine of the turn of the view (2 degrees) that begins another stroke
-constexpr double kStraight = 0.006;  // metres a run may pass from the straight line over the skin and be meant so
-constexpr double kLook = 0.022;      // metres before and after a place over which its turn is judged
+constexpr double kMeets = 0.022;      // metres: an end this near to the beginning closes the line
+constexpr double kAgain = 0.003;      // metres: a click this near to the last one ends the line
+constexpr double kCentre = 0.020;     // metres from the body's middle plane that still mean the middle
+constexpr double kPointStep = 0.004;  // metres a stroke goes before it is noted
+constexpr double kMiss = 0.004;       // metres a kept line may pass from the drawn one
+constexpr double kLongest = 0.11;     // metres between two kept places of a stroke
+constexpr double kAlong = 0.15;       // metres between two kept places along a line of the body,
+constexpr double kBent = 0.7;         // and how far it may turn between them
+constexpr double kMean = 0.6;         // of touching: over which a stroke is averaged to find its corners
+constexpr double kFollowed = 0.15;    // metres along a line of the body that make an edge of their own
+constexpr double kGap = 0.03;         // metres a run may leave the line it follows
+constexpr double kApart = 0.015;      // metres between two corners
+constexpr double kClose = 0.012;      // metres between two kept places, at the least
+constexpr double kFar = 0.03;         // metres over the skin that are noted even where nothing moved across the view
+constexpr double kTurned = 0.9994;    // cosine of the turn of the view (2 degrees) that begins another stroke
+constexpr double kStraight = 0.006;   // metres a run may pass from the straight line over the skin and be meant so
+constexpr double kLook = 0.022;       // metres before and after a place over which its turn is judged
 constexpr double kCorner = 42 * std::numbers::pi / 180;
 
 struct Noted {
@@ -187,7 +187,7 @@ class DrawGesture : public Gesture {
           return {};
         }
         if (straight_) stroke_.resize(1);  // as a ruler lies: only its ends count
-        if (awayFromRay(here->ray, stroke_.back().point) >= kStep ||
+        if (awayFromRay(here->ray, stroke_.back().point) >= kPointStep ||
             distance(here->point, stroke_.back().point) >= kFar)
           stroke_.push_back(*here);
         return {};
@@ -196,13 +196,13 @@ class DrawGesture : public Gesture {
     }
     if (!drawing) return {};
     if (snap_)  // no hook where the line is drawn to its end
-      while (stroke_.size() > 1 && awayFromRay(here->ray, stroke_.back().point) < 2 * kStep) stroke_.pop_back();
+      while (stroke_.size() > 1 && awayFromRay(here->ray, stroke_.back().point) < 2 * kPointStep) stroke_.pop_back();
     if (here && (stroke_.size() > 1 || snap_) && distance(here->point, stroke_.back().point) > 1e-9)
       stroke_.push_back(*here);
     double way = 0;
     const std::vector<Vec3> picture = pictureOf(stroke_);
     for (std::size_t i = 1; i < picture.size(); ++i) way += distance(picture[i - 1], picture[i]);
-    if (way >= 2 * kStep) {
+    if (way >= 2 * kPointStep) {
       part(context, snap_, true);
       return ended(context, false);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/vertex.h"
+
 namespace karinui {
 namespace {
 
@@ -10,10 +12,6 @@ struct Span {
   Vec3 from, to;
   double halfFrom, halfTo, alongFrom, alongTo;
 };
-
-void put(float (&to)[3], Vec3 v) {
-  to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
-}
 
 void addSpan(Ribbons& ribbons, const Span& span, Vec3 origin, const RibbonLook& look) {
   const auto base = static_cast<std::uint32_t>(ribbons.vertices.size());

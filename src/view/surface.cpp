@@ -4,12 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "view/vertex.h"
+
 namespace karinui {
 namespace {
-
-void put(float (&to)[3], Vec3 v) {
-  to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
-}
 
 bool drawableFace(const TriangleMesh& mesh, const Triangle& face) {
   return std::all_of(face.begin(), face.end(),

@@ -14,7 +14,7 @@ namespace karinui::test {
 namespace {
 
 constexpr double kWide = 0.2, kHigh = 0.12, kLap = 0.03;
-constexpr Vec3 kGravity{0, -9.81, 0};
+constexpr Vec3 kDown{0, -9.81, 0};
 
 Fastening closing(FasteningKind kind) {
   Fastening own;
@@ -48,7 +48,7 @@ Hung hung(const Fastening& own) {
   });
   double mass = made.level.cloth.pieces[1].fabric.weight * kWide * kHigh;
   for (const auto& [node, more] : edgeMasses(made.level.cloth)) mass += more;
-  made.weight = mass * length(kGravity);
+  made.weight = mass * length(kDown);
   return made;
 }
 
@@ -62,7 +62,7 @@ Hung atRest(const Fastening& own) {
   Hung made = hung(own);
   std::vector<ClothLevel> levels{made.level};
   SettleSettings settings;
-  settings.gravity = kGravity;
+  settings.gravity = kDown;
   const auto report = settle(levels, CapsuleBody({}), settings, {}, workers);
   EXPECT_TRUE(report && report->settled) << (report ? text(report->why) : text(report.error().what));
   made.level = levels.back();

@@ -57,7 +57,7 @@ TEST(GatherWaves, AreAsWideAsWhatTheyAreSewnToAndStretchNothing) {
     }
     for (const Triangle& f : gathered.lattice->faces)
       for (std::size_t k = 0; k < 3; ++k) {
-        const NodeIndex one = f[k], other = f[(k + 1) % 3];
+        const auto one = f[k], other = f[(k + 1) % 3];
         EXPECT_LE(length(x[gathered.firstNode + one] - x[gathered.firstNode + other]),
                   distance(gathered.lattice->nodes[one], gathered.lattice->nodes[other]) + 1e-6);
       }

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 class KeptFigure : public ::testing::Test {
  protected:
   KeptFigure() {
+    ::unsetenv("KARINUI_FIGURES");
     std::string name = (fs::temp_directory_path() / "karinui-test-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
     path_ = folder_ / "shirt.karinui";

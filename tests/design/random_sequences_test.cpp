@@ -23,9 +23,9 @@ namespace {
 // drapes.
 enum class Way { Paper, Drawn, Draped };
 
-class Tailor {
+class RandomTailor {
  public:
-  explicit Tailor(std::uint64_t seed, Way way = Way::Paper) : dice_(seed), way_(way) {}
+  explicit RandomTailor(std::uint64_t seed, Way way = Way::Paper) : dice_(seed), way_(way) {}
 
   // What every garment of this way begins with.
   Lines first() {
@@ -298,7 +298,7 @@ struct Garment {
   std::size_t performed = 0, rested = 0, grazed = 0;
 };
 Garment randomGarment(std::uint64_t seed, int operations, Way made = Way::Paper) {
-  Tailor tailor(seed, made);
+  RandomTailor tailor(seed, made);
   Rehearsal rehearsal(made);
   Garment garment;
   for (const std::string& line : tailor.first()) {

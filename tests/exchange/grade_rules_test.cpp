@@ -18,8 +18,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Style = test::GradedStyle;
 
-Style style() { return test::gradedStyle(); }
-
 constexpr double kTrue = 5e-5;  // metres
 
 double missOf(const Outline& a, const Outline& b) {
@@ -59,7 +57,7 @@ std::string sampleOnly(std::string text) {
 TEST(GradeRules, SizesComeBackThroughDxf) {
   for (const DxfDialect dialect : {DxfDialect::Aama, DxfDialect::Astm})
     for (const double allowance : {0.0, 0.012}) {
-      Style made = style();
+      Style made = test::gradedStyle();
       made.sheet.allowance = allowance;
       const auto text = writeDxf(made.pattern, dialect, made.sheet);
       ASSERT_TRUE(text);
@@ -81,7 +79,7 @@ TEST(GradeRules, SizesComeBackThroughDxf) {
 TEST(GradeRules, TheRulesOfOneSizeGiveTheOthers) {
   for (const DxfDialect dialect : {DxfDialect::Aama, DxfDialect::Astm})
     for (const double allowance : {0.0, 0.012}) {
-      Style made = style();
+      Style made = test::gradedStyle();
       made.sheet.allowance = allowance;
       const auto table = writeGradeRules(made.pattern, made.sheet);
       ASSERT_TRUE(table);
@@ -97,7 +95,7 @@ TEST(GradeRules, TheRulesOfOneSizeGiveTheOthers) {
 }
 
 TEST(GradeRules, TheTableIsWrittenAsTheTradeDoes) {
-  const Style made = style();
+  const Style made = test::gradedStyle();
   const std::string table = *writeGradeRules(made.pattern, made.sheet);
   EXPECT_THAT(table, HasSubstr("NUMBER OF SIZES: 4\r\nSIZE LIST: S M L XL\r\nSAMPLE SIZE: M\r\n"));
   EXPECT_THAT(table, HasSubstr("RULE: DELTA 2\r\n    -10.00,     0.00       0.00,     0.00      10.00,     0.00      "
@@ -124,7 +122,7 @@ TEST(GradeRules, WhatCannotBeIsRefused) {
   EXPECT_THAT(refusal("SIZE LIST: S M\nSAMPLE SIZE: S\nRULE: DELTA x\n0,0 1,0"), HasSubstr("no rule’s number"));
   EXPECT_THAT(refusal("SIZE LIST: S M\nSAMPLE SIZE: S\nRULE: DELTA 1\n1,0 1,0"), HasSubstr("leads away"));
   EXPECT_THAT(refusal("SIZE LIST: S M\nSAMPLE SIZE: S\nRULE: DELTA 1\n0,0 2000,0"), HasSubstr("farther than 1 m"));
-  Style made = style();
+  Style made = test::gradedStyle();
   auto read = readCadPattern(sampleOnly(*writeDxf(made.pattern, DxfDialect::Aama, made.sheet)));
   const auto other = readGradeRules("SIZE LIST: S M\nSAMPLE SIZE: M\nRULE: DELTA 1\n-1,0 0,0");
   EXPECT_THAT(text(takeGradeRules(*read, *other).error().what), HasSubstr("which the table does not have"));
@@ -136,7 +134,7 @@ TEST(GradeRules, WhatCannotBeIsRefused) {
 TEST(GradeRules, ATableBesideTheFileIsRead) {
   std::string folder = (fs::temp_directory_path() / "karinui-test-XXXXXX").string();
   ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-  const Style made = style();
+  const Style made = test::gradedStyle();
   const fs::path file = fs::path(folder) / "style.dxf", table = fs::path(folder) / "rules.txt";
   std::ofstream(file, std::ios::binary) << sampleOnly(*writeDxf(made.pattern, DxfDialect::Astm, made.sheet));
   EXPECT_TRUE(readPatternSize(file, {})->grading.empty());

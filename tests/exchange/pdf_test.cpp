@@ -113,7 +113,7 @@ TEST(PdfPages, EmptyOnesAreLeftOut) {
 }
 
 // Where a page has half a diamond: the middle of its base, in pixels. The base of those at the sides is upright.
-struct Mark {
+struct DrawnMark {
   double x = -1, y = -1;
   double length = 0;  // of the run that was found
   bool found() const { return x >= 0; }
@@ -123,7 +123,7 @@ bool black(int value) { return value < 60; }
 
 // The first line from one side of the page on which as long a run of that colour lies as asked for.
 template <class Is>
-Mark runOn(const Picture& page, bool upright, bool fromEnd, double least, double most, const Is& is) {
+DrawnMark runOn(const Picture& page, bool upright, bool fromEnd, double least, double most, const Is& is) {
   const int lines = upright ? page.width : page.height, length = upright ? page.height : page.width;
   for (int k = 0; k < lines; ++k) {
     const int line = fromEnd ? lines - 1 - k : k;
@@ -138,7 +138,7 @@ Mark runOn(const Picture& page, bool upright, bool fromEnd, double least, double
       if (to - from >= least && to - from <= most) {
         const double middle = (from + to - 1) / 2.0;
         const double own = line, size = to - from;
-        return upright ? Mark{own, middle, size} : Mark{middle, own, size};
+        return upright ? DrawnMark{own, middle, size} : DrawnMark{middle, own, size};
       }
       from = to;
     }
@@ -163,7 +163,7 @@ TEST(PdfPages, PutTogetherByTheirMarksTheyMeasureRight) {
   }
   const auto mark = [&](const Picture& of, bool upright, bool fromEnd) {
     // Half a diamond is 10 mm wide at its base and 5 mm high, and the base lies on a line: found a little within.
-    Mark found = runOn(of, upright, fromEnd, 6 / kPixel, 8.5 / kPixel, grey);
+    DrawnMark found = runOn(of, upright, fromEnd, 6 / kPixel, 8.5 / kPixel, grey);
     const double base = (10 / kPixel - found.length) / 2 * (fromEnd ? 1 : -1);
     (upright ? found.x : found.y) += base;
     return found;
@@ -171,19 +171,19 @@ TEST(PdfPages, PutTogetherByTheirMarksTheyMeasureRight) {
   // Pages are laid so that the bases of two half diamonds fall on each other: where a page lies, seen from the one
   // before.
   const auto apart = [&](const Picture& before, const Picture& behind, bool across) {
-    const Mark there = mark(before, across, true), here = mark(behind, across, false);
+    const DrawnMark there = mark(before, across, true), here = mark(behind, across, false);
     EXPECT_TRUE(there.found() && here.found());
-    return Mark{there.x - here.x, there.y - here.y, 0};
+    return DrawnMark{there.x - here.x, there.y - here.y, 0};
   };
-  const Mark second = apart(page[1][0], page[1][1], true), third = apart(page[1][1], page[1][2], true),
-             below = apart(page[0][1], page[1][1], false), last = apart(page[1][1], page[2][1], false);
+  const DrawnMark second = apart(page[1][0], page[1][1], true), third = apart(page[1][1], page[1][2], true),
+                  below = apart(page[0][1], page[1][1], false), last = apart(page[1][1], page[2][1], false);
   EXPECT_NEAR(second.y * kPixel, 0, 0.2);
   EXPECT_NEAR(last.x * kPixel, 0, 0.2);
   const double longer = 110 / kPixel, any = 1e9;  // than the sides of the squares
-  const Mark left = runOn(page[1][0], true, false, longer, any, black),
-             right = runOn(page[1][2], true, true, longer, any, black),
-             top = runOn(page[0][1], false, false, longer, any, black),
-             foot = runOn(page[2][1], false, true, longer, any, black);
+  const DrawnMark left = runOn(page[1][0], true, false, longer, any, black),
+                  right = runOn(page[1][2], true, true, longer, any, black),
+                  top = runOn(page[0][1], false, false, longer, any, black),
+                  foot = runOn(page[2][1], false, true, longer, any, black);
   ASSERT_TRUE(left.found() && right.found() && top.found() && foot.found());
   const double line = 0.6;  // mm: from the outer side of one line to that of the other
   EXPECT_NEAR((second.x + third.x + right.x - left.x) * kPixel, 500 + line, 0.5);

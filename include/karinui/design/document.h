@@ -85,6 +85,14 @@ struct Document {
   DrapeInfo drape;
   std::uint32_t operations = 0;  // how many led here; the next one mints its ids from operations + 1
 
+  // Compiled once (document.cpp), not wherever a document is copied.
+  Document();
+  Document(const Document&);
+  Document(Document&&) noexcept;
+  Document& operator=(const Document&);
+  Document& operator=(Document&&) noexcept;
+  ~Document();
+
   const Piece* find(PieceId id) const;  // null: no such piece
   const Piece* pieceNamed(std::string_view name) const;
   const Seam* find(SeamId id) const;

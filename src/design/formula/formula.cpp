@@ -14,11 +14,11 @@ using Kind = FormulaTerm::Kind;
 using Terms = std::span<const FormulaTerm>;
 
 // How firmly a part holds together.
-enum Hold { kSum = 1, kProduct, kSign, kPower, kWhole };
+enum Binding { kSum = 1, kProduct, kSign, kPower, kWhole };
 struct Part {
   std::string text;
-  Hold hold = kWhole;
-  std::string in(Hold least) const { return hold < least ? "(" + text + ")" : text; }
+  Binding binding = kWhole;
+  std::string in(Binding least) const { return binding < least ? "(" + text + ")" : text; }
 };
 
 std::string edgeTerm(const FormulaTerm& term) {
@@ -39,9 +39,9 @@ std::string written(Terms terms) {
     parts.pop_back();
     return part;
   };
-  const auto pair = [&](std::string_view sign, Hold hold, Hold left, Hold right) {
+  const auto pair = [&](std::string_view sign, Binding binding, Binding left, Binding right) {
     const Part b = taken(), a = taken();
-    parts.push_back({a.in(left).append(sign).append(b.in(right)), hold});
+    parts.push_back({a.in(left).append(sign).append(b.in(right)), binding});
   };
   for (const FormulaTerm& term : terms) {
     switch (term.kind) {

@@ -12,13 +12,12 @@ namespace karinui {
 
 namespace {
 
-constexpr int kPlaces = 120;        // of a run
-constexpr double kInside = 0.008;   // metres from the edge at which the cloth's direction is taken
-constexpr double kMeet = 0.02;      // metres: ends in space this near follow each other
-constexpr double kClear = 0.004;    // metres a stood piece keeps from the body
-constexpr double kTogether = 0.03;  // metres: edges of a run this near are one line in space
-constexpr double kRoom = 0.015;     // metres from the body
-constexpr int kTurns = 13;          // directions tried, up to a right angle outwards
+constexpr int kPlaces = 120;       // of a run
+constexpr double kInside = 0.008;  // metres from the edge at which the cloth's direction is taken
+constexpr double kMeet = 0.02;     // metres: ends in space this near follow each other
+constexpr double kClear = 0.004;   // metres a stood piece keeps from the body
+constexpr double kRoom = 0.015;    // metres from the body
+constexpr int kTurns = 13;         // directions tried, up to a right angle outwards
 
 const Edge& edgeAt(const Document& document, const EdgeRef& ref, int beside = 0) {
   const auto& edges = document.find(ref.piece.id)->outline.edges;
@@ -244,7 +243,7 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
 
 Result<Piece> ledTo(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
                     const FoldedOn& fold, const Body* body) {
-  if (!body || run.apart < kTogether) return attached(document, std::move(piece), edge, run, fold, body);
+  if (!body || run.together()) return attached(document, std::move(piece), edge, run, fold, body);
   if (fold.over)
     return refused(say("The edges that “{0}” comes along stand {1} cm apart; drape first, then turn it over onto them.",
                        piece.name, fixed(run.apart * 100, 0)));

@@ -11,8 +11,7 @@ namespace karinui {
 
 namespace {
 
-constexpr double kMostEase = 1.0;   // metres
-constexpr double kTogether = 0.03;  // metres: edges of a run this near are one line in space
+constexpr double kMostEase = 1.0;  // metres
 using Kind = DraftBlock::Kind;
 
 // What a draft becomes, with ids counted within the step.
@@ -140,7 +139,7 @@ class Made {
     if (!op_.fabric.empty()) piece.fabric = op_.fabric;
     piece.layer = op_.layer;
     const PieceId id = piece.id;
-    if (band.at && along.apart > kTogether) {
+    if (band.at && !along.together()) {
       PlacePiece place;
       place.at = *band.at;
       place.point = Flat{0, 0};

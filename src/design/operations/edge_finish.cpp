@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "design/operations/finished_edges.h"
-#include "karinui/base/number.h"
+#include "design/operations/said.h"
 #include "karinui/pattern/elastic_lines.h"
 #include "karinui/pattern/trims.h"
 
@@ -51,8 +51,6 @@ Result<Document> withRows(Document document, const Allowances::At& edge, int row
 }
 
 constexpr double kShirred = 0.01;  // metres from row to row, where none is said
-
-std::string centimetres(double metres) { return fixed(100 * metres, 1); }
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 namespace karinui {
 namespace {
 
-constexpr double kStep = 0.004;                         // metres between the places that are looked at
+constexpr double kFairStep = 0.004;                     // metres between the places that are looked at
 constexpr double kSwing = 10 * std::numbers::pi / 180;  // a turn to one side that is seen
 constexpr int kUsual = 3;                               // such turns a tailor's line may have: a sleeve's crown
 constexpr double kShortest = 0.12;                      // metres: shorter waves are taken out first
@@ -50,7 +50,7 @@ Curve withoutWaves(const Curve& edge, double shortest) {
 }  // namespace
 
 int wavers(const Curve& edge) {
-  const std::vector<Flat> p = placesOf(edge, kStep);
+  const std::vector<Flat> p = placesOf(edge, kFairStep);
   int turns = 0;
   double sum = 0;
   for (std::size_t i = 1; i + 1 < p.size(); ++i) {

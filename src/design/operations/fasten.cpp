@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "design/operations/copied_fastenings.h"
+#include "design/operations/said.h"
 #include "design/operations/sewn_runs.h"
-#include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
 #include "karinui/pattern/seam_walk.h"
 
@@ -14,8 +14,6 @@ namespace {
 constexpr double kUsualInset = 0.015, kUsualSize = 0.011, kUsualSpacing = 0.08, kUsualEnds = 0.015;  // metres
 constexpr double kTight = 0.0005;  // metres by which a run may be too short
 constexpr double kUneven = 1.1;    // times that one side of a zip may be longer than the other
-
-std::string centimetres(double metres) { return fixed(100 * metres, 1); }
 
 std::string names(const Fastenings& fastenings) {
   std::string all;

@@ -11,8 +11,8 @@ namespace karinui {
 
 namespace {
 
-constexpr double kSame = 1e-7;  // metres: as long as it is to be
-constexpr double kTold = 5e-5;  // metres: smaller changes are not spoken of
+constexpr double kAsLong = 1e-7;  // metres: as long as it is to be
+constexpr double kTold = 5e-5;    // metres: smaller changes are not spoken of
 
 bool sewn(const Document& document, PieceId piece, const std::string& edge) {
   return std::any_of(document.pattern.seams.begin(), document.pattern.seams.end(), [&](const auto& seam) {
@@ -80,7 +80,7 @@ Done resolve(const Document& before, SetLength& op, Context& context) {
   if (!(op.to >= 1e-3 && op.to <= 10)) return refused(say("An edge is between 1 mm and 10 m long."));
   const Piece& piece = *before.find(op.edge.piece.id);
   const std::size_t k = *piece.outline.find(op.edge.edge);
-  if (std::fabs(piece.outline.edges[k].curve.length() - op.to) < kSame && !context.byFormula)
+  if (std::fabs(piece.outline.edges[k].curve.length() - op.to) < kAsLong && !context.byFormula)
     return refused(say("Edge {0} is {1} mm long already.", op.edge.edge, inMm(op.to)));
   const auto both = [&](const PaperSymmetry& symmetry) { return symmetry.partner[k].has_value(); };
   if (Done done = resolveSymmetric(piece, op.symmetric, context, both); !done) return done;
@@ -90,7 +90,7 @@ Done resolve(const Document& before, SetLength& op, Context& context) {
 
 Result<Document> perform(const Document& before, const SetLength& op, Context& context) {
   const Piece& piece = *before.find(op.edge.piece.id);
-  if (std::fabs(piece.outline.edges[*piece.outline.find(op.edge.edge)].curve.length() - op.to) < kSame) return before;
+  if (std::fabs(piece.outline.edges[*piece.outline.find(op.edge.edge)].curve.length() - op.to) < kAsLong) return before;
   const auto symmetry = op.symmetric == Choice::Yes ? symmetryOf(piece.outline) : std::nullopt;
   LengthChange change{op.edge.edge, op.to, KeptEnd::Start, op.neighbours == SetLength::Neighbours::Keep};
   if (op.keep == SetLength::Keep::End) change.keep = KeptEnd::End;

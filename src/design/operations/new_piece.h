@@ -30,6 +30,8 @@ struct SpaceRun {
   double length = 0;         // on paper
   bool closed = false;
   double apart = 0;  // the widest gap in space between edges that follow each other, metres
+
+  bool together() const { return apart < 0.03; }  // one line in space
 };
 // Puts a run in the outlines' own order; refuses edges that do not follow each other.
 Done orderRun(const Document& before, std::vector<EdgeRef>& run);

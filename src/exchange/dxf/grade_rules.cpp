@@ -10,8 +10,8 @@ namespace karinui {
 
 namespace {
 
-constexpr std::size_t kLargest = 4 << 20, kMostRules = 20'000;
-constexpr double kInch = 0.0254;
+constexpr std::size_t kLargestTable = 4 << 20, kMostRules = 20'000;
+constexpr double kEnglishUnit = 0.0254;
 
 double hundredths(double metres) { return std::round(metres * 1e5) / 1e5 + 0.0; }
 
@@ -129,7 +129,7 @@ Result<std::string> writeGradeRules(const Pattern& pattern, const SheetSettings&
 }
 
 Result<GradeRules> readGradeRules(std::string_view bytes, bool steps) {
-  if (bytes.size() > kLargest) return badInput(say("The table of grade rules is larger than 4 MB."));
+  if (bytes.size() > kLargestTable) return badInput(say("The table of grade rules is larger than 4 MB."));
   GradeRules rules;
   std::string sample;
   double unit = 1e-3;
@@ -145,7 +145,7 @@ Result<GradeRules> readGradeRules(std::string_view bytes, bool steps) {
       const std::string key = upper(trimmed(line.substr(0, colon)));
       const std::string_view value = trimmed(line.substr(colon + 1));
       rule.reset();
-      if (key == "UNITS") unit = upper(value) == "ENGLISH" ? kInch : 1e-3;
+      if (key == "UNITS") unit = upper(value) == "ENGLISH" ? kEnglishUnit : 1e-3;
       if (key == "SAMPLE SIZE") sample = cleanText(value);
       if (key == "SIZE LIST")
         for (const std::string& size : wordsIn(value)) rules.sizes.push_back(cleanText(size));

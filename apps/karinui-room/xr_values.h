@@ -1,7 +1,8 @@
 #pragma once
-// The lists of OpenXR.
+// Lists and names as OpenXR's calls take and give them.
 #include <openxr/openxr.h>
 
+#include <cstring>
 #include <vector>
 
 namespace karinui::room {
@@ -16,6 +17,13 @@ XrResult list(std::vector<Item>& items, const Item& like, Call&& call) {
   const XrResult r = call(count, &count, items.data());
   items.resize(XR_FAILED(r) ? 0 : count);
   return r;
+}
+
+// Into a struct's array; what is too long is cut off.
+template <std::size_t Size>
+void putText(char (&into)[Size], const char* text) {
+  std::strncpy(into, text, Size - 1);
+  into[Size - 1] = 0;
 }
 
 }  // namespace karinui::room
