@@ -79,10 +79,10 @@ RestCriteria finestCriteria(const SettleSettings& settings, bool rested) {
 
 std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, const SettleSettings& settings,
                          const StageResult& end, SettleReport& report, Workers& workers) {
-  liftOffColliders(solver, colliders, std::min(0.0003, 0.3 * settings.skin), workers);
+  const std::size_t inBody = liftOffColliders(solver, colliders, std::min(0.0003, 0.3 * settings.skin), workers);
   const std::vector<Vec3> x = solver.positions();
   const std::size_t intersections = solver.intersections();
-  report.settled = end.settled && intersections == 0;
+  report.settled = end.settled && intersections == 0 && inBody == 0;
   report.residual = end.residual;
   report.step = end.left;
   report.seamGap = widestGap(solver.cloth(), x);
@@ -90,6 +90,11 @@ std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, con
   if (intersections > 0)
     report.why =
         say("Cloth stands through cloth at {0} {0|place|places}; give it more room, or fewer folds.", intersections);
+  else if (inBody > 0)
+    report.why =
+        say("Cloth stands in the body at {0} {0|place|places}; give it more room, or set threads nearer to each other "
+            "(set spacing=…).",
+            inBody);
   report.penetration = deepestPenetration(solver.cloth(), colliders, x, workers);
   report.strain = strainOf(solver.cloth(), x);
   return x;

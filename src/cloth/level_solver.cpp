@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "cloth/bending.h"
 #include "cloth/edge_bending.h"
@@ -15,6 +16,9 @@ namespace {
 
 constexpr double kCoarser = 1.25;     // times the finest spacing: a coarse level
 constexpr double kRadiusShare = 0.3;  // of a coarse spacing: how near cloth comes to cloth
+// More layers are together as thick as these: six that were each as thick as cells ask rode up from the waist to where
+// the body is wider, and stayed there.
+constexpr double kFullLayers = 3;
 
 constexpr double kSlackShare =
     0.3;  // of a step's largest move: the slack below which springs enter the matrix as taut,
@@ -71,7 +75,10 @@ double skinOffset(const SettleSettings& settings, double spacing, double finest)
 }
 
 double clothRadius(const Cloth& cloth, double finest) {
-  return cloth.spacing > kCoarser * finest ? kRadiusShare * cloth.spacing : thickestRadius(cloth);
+  if (!(cloth.spacing > kCoarser * finest)) return thickestRadius(cloth);
+  std::set<int> layers;
+  for (const ClothPiece& piece : cloth.pieces) layers.insert(piece.layer);
+  return kRadiusShare * cloth.spacing * std::fmin(1, kFullLayers / static_cast<double>(layers.size()));
 }
 
 LevelSolver::LevelSolver(const Cloth& cloth, std::vector<Vec3> x, const ColliderList& colliders,

@@ -57,6 +57,12 @@ Corners liftOf(const Corners& x, const ColliderList& colliders, double clearance
   return lift;
 }
 
+bool intersected(const Corners& x, const ColliderList& colliders) {
+  return std::any_of(colliders.begin(), colliders.end(), [&](const ColliderList::Entry& entry) {
+    return squaredLength(entry.collider->intersectionNormal(x)) > 0;
+  });
+}
+
 }  // namespace
 
 double deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x,
@@ -84,7 +90,7 @@ double deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std
   return most;
 }
 
-void liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers) {
+std::size_t liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers) {
   const Cloth& cloth = solver.cloth();
   const std::vector<Triangle> faces = liveFaces(cloth);
   std::vector<std::uint32_t> asked(faces.size());  // the faces to be tested
@@ -113,7 +119,7 @@ void liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double
         Vec3& most = moves[faces[asked[k]][c]];
         if (squaredLength(lift[k][c]) > squaredLength(most)) most = lift[k][c];
       }
-    if (!any) break;
+    if (!any) return 0;
     solver.moveFiltered(std::move(moves));
     std::vector<std::uint8_t> moved(cloth.nodeCount, 0);
     for (NodeIndex k = 0; k < cloth.nodeCount; ++k)
@@ -122,6 +128,10 @@ void liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double
     for (std::uint32_t f = 0; f < faces.size(); ++f)
       if (again[f] || moved[faces[f][0]] || moved[faces[f][1]] || moved[faces[f][2]]) asked.push_back(f);
   }
+  const std::vector<Vec3> x = solver.positions();
+  return static_cast<std::size_t>(std::count_if(asked.begin(), asked.end(), [&](std::uint32_t f) {
+    return intersected({x[faces[f][0]], x[faces[f][1]], x[faces[f][2]]}, colliders);
+  }));
 }
 
 }  // namespace karinui

@@ -6,8 +6,9 @@
 namespace karinui {
 
 // Lifts what stands less than `clearance` (metres) above a surface, points within faces included, and every face that a
-// surface intersects, as far as cloth does not pass through cloth.
-void liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers);
+// surface intersects, as far as cloth does not pass through cloth. Returns how many faces a surface then still
+// intersects.
+std::size_t liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers);
 // The deepest that cloth of live pieces stands below a surface (>= 0), metres.
 double deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x, Workers& workers);
 

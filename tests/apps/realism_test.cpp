@@ -45,6 +45,7 @@ TEST_F(Realism, ATightTubeStaysOnTheHips) { expectAsKept("tight_tube", {380, 260
 TEST_F(RealismAtLength, AWideNeckLiesOnTheShoulders) { expectAsKept("wide_neck", {440, 150, 390, 420}); }
 TEST_F(RealismAtLength, AStandCollarStands) { expectAsKept("collar", {385, 130, 420, 400}); }
 TEST_F(RealismAtLength, HemsOfACircleSkirtHang) { expectAsKept("circle_skirt", {330, 560, 480, 460}); }
+TEST_F(RealismAtLength, SixSkirtsHangFromTheWaist) { expectAsKept("six_layers", {330, 320, 480, 760}); }
 
 }  // namespace
 }  // namespace karinui::test

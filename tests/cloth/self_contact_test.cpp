@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
+#include "cloth/level_solver.h"
 #include "karinui/check/check.h"
 
 namespace karinui::test {
@@ -53,6 +54,21 @@ TEST(SelfContact, SixLayersAreSixTimesAsThick) {
   quilt.thickness = 0.0025;
   const std::vector<double> height = stackOf(quilt);
   EXPECT_NEAR(height[5] - height[0] + quilt.thickness, 6 * quilt.thickness, 0.4 * quilt.thickness);
+}
+
+// On coarse cells, which ask for more room than layers have, they are together no thicker than three.
+TEST(SelfContact, ManyLayersAreTogetherAsThickAsThreeOnCoarseCells) {
+  for (const int layers : {1, 2, 3, 4, 6, 20}) {
+    Cloth cloth;
+    for (int k = 0; k < layers; ++k) {
+      addPiece(cloth, gridLattice(2, 2, 0.06), *preset("cotton"));
+      addPiece(cloth, gridLattice(2, 2, 0.06), *preset("cotton"));
+      cloth.pieces[cloth.pieces.size() - 2].layer = cloth.pieces.back().layer = k;
+    }
+    cloth.spacing = 0.06;
+    EXPECT_NEAR(layers * clothRadius(cloth, 0.015), std::min(layers, 3) * 0.3 * 0.06, 1e-12) << layers;
+    EXPECT_NEAR(clothRadius(cloth, 0.06), 0.002, 1e-12) << layers;
+  }
 }
 
 // A curtain of silk, drawn together to a quarter, whose folds press against each other.
