@@ -11,7 +11,7 @@ namespace karinui {
 
 namespace {
 
-constexpr double kUsualInset = 0.015, kUsualSize = 0.011, kUsualSpacing = 0.08, kUsualEnds = 0.015;  // metres
+constexpr double kUsualInset = 0.015, kUsualSpacing = 0.08, kUsualEnds = 0.015;  // metres
 constexpr double kTight = 0.0005;  // metres by which a run may be too short
 constexpr double kUneven = 1.1;    // times that one side of a zip may be longer than the other
 
