@@ -25,7 +25,7 @@ target_compile_options(karinui_flags INTERFACE -Wall -Wextra -Wshadow -Wno-unkno
   # Nobody asks for errno or for traps of floating point: the numbers stay the same, but more loops become vectors.
   -fno-math-errno -fno-trapping-math
   -fstack-protector-strong
-  # Its own memory is looked through for garbage from 400 MB on, not from 128: a fifteenth of its time.
+  # g++ looks for garbage in its own memory from 400 MB on, not from 128: a fifteenth of its time.
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=400000>
   # No folder of this machine within a release: the same sources in two folders give the same bytes.
   $<BUILD_INTERFACE:$<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.>>)

@@ -90,7 +90,7 @@ std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, con
   if (intersections > 0)
     report.why =
         say("Cloth stands through cloth at {0} {0|place|places}; give it more room, or fewer folds.", intersections);
-  else if (inBody > 0)
+  else if (end.settled && inBody > 0)
     report.why =
         say("Cloth stands in the body at {0} {0|place|places}; give it more room, or set threads nearer to each other "
             "(set spacing=…).",

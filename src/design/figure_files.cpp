@@ -5,6 +5,7 @@
 
 #include "design/pack.h"
 #include "karinui/base/file.h"
+#include "karinui/base/version.h"
 #include "karinui/design/apply.h"
 
 namespace karinui {
@@ -15,7 +16,7 @@ namespace {
 std::filesystem::path fileOf(std::string_view madeFrom) {
   const char* folder = std::getenv("KARINUI_FIGURES");
   if (!folder || !*folder) return {};
-  return std::filesystem::path(folder) / (blobName(madeFrom) + ".figure");
+  return std::filesystem::path(folder) / (blobName(std::string(version()).append(madeFrom)) + ".figure");
 }
 
 }  // namespace

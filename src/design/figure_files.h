@@ -1,8 +1,8 @@
 #pragma once
 // Mannequins that were made, in the folder that the environment names by KARINUI_FIGURES, for the programs that come
-// after: a made one takes a second, a read one some hundredths. Not set: none is kept. The folder is of one build of
-// Karinui, since another may make another figure from the same measurements; the tests begin with an empty one. Several
-// programs may use it at once.
+// after: a made one takes a second, a read one some hundredths. Not set: none is kept. Another version finds none of
+// this one's; whoever changes how figures are made empties the folder, as ./test does. Several programs may use it at
+// once.
 #include <string_view>
 
 #include "karinui/body/body.h"
