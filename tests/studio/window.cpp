@@ -157,7 +157,6 @@ void Window::drag(QWidget& widget, std::vector<QPointF> path, Qt::KeyboardModifi
   const auto send = [&](QEvent::Type type, QPointF at, Qt::MouseButtons held) {
     QMouseEvent event(type, at, widget.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button, held, keys);
     QApplication::sendEvent(&widget, &event);
-    QApplication::processEvents();
   };
   send(QEvent::MouseMove, path.front(), Qt::NoButton);
   send(QEvent::MouseButtonPress, path.front(), button);
@@ -165,9 +164,11 @@ void Window::drag(QWidget& widget, std::vector<QPointF> path, Qt::KeyboardModifi
     constexpr int kSteps = 5;
     for (int k = 1; k <= kSteps; ++k)
       send(QEvent::MouseMove, path[i - 1] + (path[i] - path[i - 1]) * k / kSteps, button);
+    QApplication::processEvents();  // painted once a segment: where the processor draws, a picture costs more than a move
   }
   if (before) before();
   if (release) send(QEvent::MouseButtonRelease, path.back(), Qt::NoButton);
+  QApplication::processEvents();
 }
 
 void Window::hover(QWidget& widget, QPointF at) {
