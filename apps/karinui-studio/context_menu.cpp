@@ -433,6 +433,8 @@ void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
   fuse.none = !first->interfacing.empty();
   offer(menu, fuse.none ? say("Take the interfacing off") : say("Fuse interfacing"), fuse);
   offer(menu, say("Line it"), line);
+  if (const LinePieces free = hangingLining(session_->snapshot().document, line.pieces); !free.open.empty())
+    offer(menu, say("Line it, free at the hem"), free);
   FreezePieces freeze;
   RemovePieces remove;
   for (const PieceId id : chosen.pieces) freeze.pieces.push_back(PieceRef(id)), remove.pieces.push_back(PieceRef(id));

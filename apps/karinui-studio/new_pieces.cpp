@@ -47,6 +47,24 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge) {
   return band;
 }
 
+LinePieces hangingLining(const Document& document, const std::vector<PieceRef>& pieces) {
+  constexpr double kDown = 0.75;  // cosine: an edge that looks up to 41 degrees from straight down the grain
+  const AllowancePlan kinds(document.pattern, document.allowances);
+  LinePieces lining;
+  lining.pieces = pieces;
+  for (const PieceRef& ref : pieces) {
+    const Piece* piece = document.find(ref.id);
+    if (!piece) continue;
+    for (const Edge& edge : piece->outline.edges) {
+      const Flat chord = edge.curve.end - edge.curve.start, out{chord.v, -chord.u};  // outlines run counter-clockwise
+      if (kinds.kind(ref.id, edge.name) == EdgeKind::Hem && -dot(out, piece->grain) > kDown * length(chord))
+        lining.open.push_back({ref, edge.name});
+    }
+  }
+  if (!lining.open.empty()) lining.shorter = Length{0.025};
+  return lining;
+}
+
 AddPleat pleatsIn(const Document& document, const EdgeRef& edge) {
   constexpr double kApart = 0.06, kShare = 0.3;  // metres from pleat to pleat; of that the depth
   AddPleat pleats;

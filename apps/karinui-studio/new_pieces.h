@@ -24,6 +24,8 @@ SewElastic shirringAlong(const Document& document, std::vector<EdgeRef> edges); 
 SewTopstitch topstitchAlong(const Document& document, std::vector<EdgeRef> edges);
 SewPiping pipingAlong(const Document& document, std::vector<EdgeRef> edges);
 BindEdges bindingAlong(const Document& document, std::vector<EdgeRef> edges);
+// A lining that hangs free at the lower edges that are not sewn, an inch shorter; at none if there are none.
+LinePieces hangingLining(const Document& document, const std::vector<PieceRef>& pieces);
 FoldLine turningAlong(const Document& document, PieceId piece, const std::string& line);
 
 }  // namespace karinui::studio

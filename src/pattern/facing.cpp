@@ -16,66 +16,93 @@ namespace {
 constexpr double kStep = 0.002;  // metres between the places looked at
 constexpr double kClose = 2e-5;  // metres by which they may be nearer to the run
 constexpr double kFree = 1e-3;   // metres of the line's ends that its places keep off
+constexpr double kSeen = 0.15;   // radians: a corner that turns less is none
 
 class Cutting {
  public:
   Cutting(const Piece& piece, const std::vector<std::string>& run, double width)
       : piece_(piece), edges_(piece.outline.edges), names_(run), width_(width) {}
 
-  Result<Facing> cut() {
+  Result<DividedPart> facing() {
+    if (Done done = measure(); !done) return done.error();
+    const std::size_t n = edges_.size();
+    for (std::size_t k = 0; k < run_.size(); ++k) add((first_ + k) % n, 0, 1);
+    for (const auto& [k, to] : on_) add(k, 0, to);
+    std::set<std::string> names = edgeNames(piece_);
+    addInner(freeName("inner", names), innerLine());
+    for (auto at = back_.rbegin(); at != back_.rend(); ++at) add(at->first, at->second, 1);
+    return closed();
+  }
+
+  Result<DividedPart> rest() {
+    if (Done done = measure(); !done) return done.error();
+    const auto [onto, to] = on_.back();
+    const auto [from, upTo] = back_.back();
+    if (onto == from) {
+      add(onto, to, upTo);
+    } else {
+      add(onto, to, 1);
+      for (std::size_t k = (onto + 1) % edges_.size(); k != from; k = (k + 1) % edges_.size()) add(k, 0, 1);
+      add(from, 0, upTo);
+    }
+    addInner(names_.front(), innerLine().reversed());
+    return closed();
+  }
+
+ private:
+  // How far the strip goes along the outline.
+  Done measure() {
     if (Done done = findRun(); !done) return done.error();
     const std::size_t n = edges_.size();
     for (const Curve* curve : run_)
       for (const Flat p : curve->flattened(1e-5)) line_.push_back(p);
-    Facing facing;
-    std::set<std::string> taken;
-    const auto add = [&](const Edge& edge, double from, double to) {
-      const double whole = edge.curve.length();
-      const Curve curve = from == 0 && to == 1 ? edge.curve
-                                               : edge.curve.part(from == 0 ? 0 : edge.curve.parameterAt(from * whole),
-                                                                 to == 1 ? 1 : edge.curve.parameterAt(to * whole));
-      const std::string name = freeName(edge.name, taken);
-      facing.outline.edges.push_back({name, curve});
-      facing.parts.push_back({{piece_.id, edge.name, from, to}, {{}, name, 0, 1}});
-    };
-    for (std::size_t k = 0; k < run_.size(); ++k) add(edges_[(first_ + k) % n], 0, 1);
     const std::size_t last = (first_ + run_.size() - 1) % n;
-    // On from the run's end, and back from its start, until the outline is far enough away.
-    std::vector<std::pair<std::size_t, double>> on, back;
     double left = 0;
     for (std::size_t k = (last + 1) % n; k != first_; k = (k + 1) % n) {
       const auto far = reaches(edges_[k].curve);
-      on.emplace_back(k, far.value_or(1));
+      on_.emplace_back(k, far.value_or(1));
       left = 1 - far.value_or(1);
       if (far) break;
     }
     for (std::size_t k = (first_ + n - 1) % n; k != last; k = (k + n - 1) % n) {
       const auto far = reaches(edges_[k].curve.reversed());
-      back.emplace_back(k, 1 - far.value_or(1));
+      back_.emplace_back(k, 1 - far.value_or(1));
       if (far) break;
     }
-    const bool meet = on.back().first == back.back().first && back.back().second <= on.back().second;
-    if (left <= 0 || meet || on.size() + back.size() > n - run_.size() + 1)
+    const bool meet = on_.back().first == back_.back().first && back_.back().second <= on_.back().second;
+    if (left <= 0 || meet || on_.size() + back_.size() > n - run_.size() + 1)
       return refused(say("{0} is nowhere {1} mm deep beside “{2}”; choose a narrower facing.", piece_.name,
                          inMm(width_), names_.front()));
-    for (const auto& [k, to] : on)
-      if (to * edges_[k].curve.length() >= kLeastEdge) add(edges_[k], 0, to);
-    const auto [k, from] = back.back();
-    const Flat end = facing.outline.edges.back().curve.end, start = edges_[k].curve.atFraction(from);
-    std::set<std::string> names = edgeNames(piece_);
-    facing.inner = freeName("inner", names);
-    facing.outline.edges.push_back({facing.inner, innerLine(end, start)});
-    for (auto at = back.rbegin(); at != back.rend(); ++at)
-      if ((1 - at->second) * edges_[at->first].curve.length() >= kLeastEdge) add(edges_[at->first], at->second, 1);
-    auto& all = facing.outline.edges;
-    for (std::size_t i = 0; i < all.size(); ++i) all[(i + 1) % all.size()].curve.start = all[i].curve.end;
-    auto good = checked(std::move(facing.outline));
-    if (!good) return good.error();
-    facing.outline = *std::move(good);
-    return facing;
+    end_ = edges_[on_.back().first].curve.atFraction(on_.back().second);
+    start_ = edges_[back_.back().first].curve.atFraction(back_.back().second);
+    return {};
   }
 
- private:
+  // A part of an edge, where it is long enough to be one.
+  void add(std::size_t k, double from, double to) {
+    const Edge& edge = edges_[k];
+    const double whole = edge.curve.length();
+    if ((to - from) * whole < kLeastEdge) return;
+    const Curve curve = from == 0 && to == 1 ? edge.curve
+                                             : edge.curve.part(from == 0 ? 0 : edge.curve.parameterAt(from * whole),
+                                                               to == 1 ? 1 : edge.curve.parameterAt(to * whole));
+    const std::string name = freeName(edge.name, taken_);
+    part_.outline.edges.push_back({name, curve});
+    part_.edges.push_back({{piece_.id, edge.name, from, to}, {{}, name, 0, 1}});
+  }
+  void addInner(const std::string& name, const Curve& line) {
+    part_.inner = name;
+    part_.outline.edges.push_back({name, line});
+  }
+  Result<DividedPart> closed() {
+    auto& all = part_.outline.edges;
+    for (std::size_t i = 0; i < all.size(); ++i) all[(i + 1) % all.size()].curve.start = all[i].curve.end;
+    auto good = checked(std::move(part_.outline));
+    if (!good) return good.error();
+    part_.outline = *std::move(good);
+    return std::move(part_);
+  }
+
   Done findRun() {
     std::optional<std::size_t> last;
     for (const std::string& name : names_) {
@@ -117,8 +144,9 @@ class Cutting {
   }
 
   // From the outline beyond the run's end back to the outline before its start.
-  Curve innerLine(Flat end, Flat start) const {
+  Curve innerLine() const {
     std::vector<Flat> places;
+    std::set<std::size_t> asked;  // where the piece has a corner the line is to have, too: the place after it
     const auto arc = [&](Flat about, Flat from, Flat to) {  // clockwise, between two directions
       const double a = std::atan2(from.v, from.u), turn = std::remainder(std::atan2(to.v, to.u) - a, 2 * M_PI);
       const int steps = static_cast<int>(std::ceil(std::abs(turn) * width_ / kStep));
@@ -128,7 +156,7 @@ class Cutting {
       }
     };
     const auto inward = [](const Curve& curve, double t) { return leftOf(normalized(curve.tangent(t))); };
-    arc(run_.back()->end, normalized(end - run_.back()->end), inward(*run_.back(), 1));
+    arc(run_.back()->end, normalized(end_ - run_.back()->end), inward(*run_.back(), 1));
     for (std::size_t r = run_.size(); r-- > 0;) {
       const Curve& curve = *run_[r];
       const int steps = std::max(2, static_cast<int>(std::ceil(curve.length() / kStep)));
@@ -136,18 +164,63 @@ class Cutting {
         const double t = k == 0 ? 0 : k == steps ? 1 : curve.parameterAt(curve.length() * k / steps);
         places.push_back(curve.at(t) + inward(curve, t) * width_);
       }
-      if (r > 0 && cross(run_[r - 1]->tangent(1), curve.tangent(0)) < 0)
+      if (r == 0) break;
+      if (cross(run_[r - 1]->tangent(1), curve.tangent(0)) < 0)
         arc(curve.start, inward(curve, 0), inward(*run_[r - 1], 1));
+      else
+        asked.insert(places.size());
     }
-    arc(run_.front()->start, inward(*run_.front(), 0), normalized(start - run_.front()->start));
+    arc(run_.front()->start, inward(*run_.front(), 0), normalized(start_ - run_.front()->start));
     const Ring ring = piece_.outline.flattened(1e-5);
-    std::erase_if(places, [&](Flat p) {
-      return away(p) < width_ - kClose || !contains(ring, p) || distance(p, end) < kFree || distance(p, start) < kFree;
-    });
-    places.insert(places.begin(), end);
-    places.push_back(start);
-    return Curve::joined(fitEdge(places).curves);
+    const auto off = [&](Flat p) {
+      return away(p) < width_ - kClose || !contains(ring, p) || distance(p, end_) < kFree ||
+             distance(p, start_) < kFree;
+    };
+    std::vector<Flat> line{end_};
+    std::vector<std::size_t> corners;  // of the line, that the piece does not ask for: the place after it
+    bool left = false, meant = false;  // since the last place: whether there were others, and a corner among them
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      meant = meant || asked.contains(i);
+      if (off(places[i])) {
+        left = true;
+        continue;
+      }
+      if (left && !meant && line.size() > 1) corners.push_back(line.size());
+      line.push_back(places[i]);
+      left = meant = false;
+    }
+    line.push_back(start_);
+    roundOff(line, corners);
+    return Curve::joined(fitEdge(line).curves);
   }
+
+  // Corners that turn towards the run become curves with the facing's width as their radius, where there is room.
+  void roundOff(std::vector<Flat>& line, const std::vector<std::size_t>& corners) const {
+    std::size_t end = line.size() - 1;
+    for (std::size_t c = corners.size(); c-- > 0;) {
+      const std::size_t after = corners[c], before = after - 1, start = c > 0 ? (corners[c - 1] + before) / 2 : 0;
+      if (before < start + 2 || after + 2 > end) continue;
+      const double turn = turnOf(line[before] - line[before - 1], line[after + 1] - line[after]);
+      const double reach = width_ * std::tan(-turn / 2);
+      std::size_t low = before, high = after;
+      while (low > start + 1 && distance(line[low], line[before]) < reach) --low;
+      while (high + 1 < end && distance(line[high], line[after]) < reach) ++high;
+      const Flat in = line[low] - line[low - 1], out = line[high + 1] - line[high], across = line[high] - line[low];
+      end = low;
+      if (turn > -kSeen || turnOf(in, out) > -kSeen) continue;
+      const Flat corner = line[low] + in * (cross(across, out) / cross(in, out));
+      std::vector<Flat> round;
+      const int steps = std::max(2, static_cast<int>(std::ceil(length(across) / kStep)));
+      for (int k = 1; k < steps; ++k) {
+        const double t = static_cast<double>(k) / steps;
+        round.push_back(lerp(lerp(line[low], corner, t), lerp(corner, line[high], t), t));
+      }
+      const auto at = line.erase(line.begin() + static_cast<std::ptrdiff_t>(low) + 1,
+                                 line.begin() + static_cast<std::ptrdiff_t>(high));
+      line.insert(at, round.begin(), round.end());
+    }
+  }
+  static double turnOf(Flat in, Flat out) { return std::atan2(cross(in, out), dot(in, out)); }
 
   const Piece& piece_;
   const std::vector<Edge>& edges_;
@@ -156,12 +229,21 @@ class Cutting {
   std::size_t first_ = 0;
   std::vector<const Curve*> run_;
   std::vector<Flat> line_;  // the run
+  // The edges the strip goes on over, from the run's end and back from its start, each up to which share of its length.
+  std::vector<std::pair<std::size_t, double>> on_, back_;
+  Flat end_, start_;  // of the inner line
+  DividedPart part_;
+  std::set<std::string> taken_;
 };
 
 }  // namespace
 
-Result<Facing> facingOf(const Piece& piece, const std::vector<std::string>& run, double width) {
-  return Cutting(piece, run, width).cut();
+Result<DividedPart> facingOf(const Piece& piece, const std::vector<std::string>& run, double width) {
+  return Cutting(piece, run, width).facing();
+}
+
+Result<DividedPart> shortenedAt(const Piece& piece, const std::vector<std::string>& run, double by) {
+  return Cutting(piece, run, by).rest();
 }
 
 }  // namespace karinui

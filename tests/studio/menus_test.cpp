@@ -85,6 +85,7 @@ TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
     EXPECT_THAT(offered(), Contains("Freeze"));
     EXPECT_THAT(offered(), Contains("Fuse interfacing"));
     EXPECT_THAT(offered(), Contains("Line it"));
+    EXPECT_THAT(offered(), Contains("Line it, free at the hem"));
     EXPECT_THAT(offered(), Contains("Pin here"));
     EXPECT_THAT(offered(), Not(Contains("Unpick this seam")));
     const std::size_t before = w.count();

@@ -1,6 +1,6 @@
 #pragma once
 // Facings: the strip of a piece beside a run of its edges, cut once more and turned in there, as at a neckline or a
-// front edge. Metres on paper. Pure; any thread.
+// front edge; and what is left of a piece without such a strip. Metres on paper. Pure; any thread.
 #include <string>
 #include <vector>
 
@@ -8,19 +8,25 @@
 
 namespace karinui {
 
-struct Facing {
+// A part of a piece that lies on one side of a line from edge to edge.
+struct DividedPart {
   Outline outline;
   std::string inner;  // its edge inside the piece
-  // Of each other edge of it the part of the piece's outline it is; `facing` has the piece's id left empty.
-  struct Part {
-    EdgeSpan piece, facing;
+  // Of each other edge of it the part of the piece's outline it is; `own` has the piece's id left empty.
+  struct EdgePart {
+    EdgeSpan piece, own;
   };
-  std::vector<Part> parts;
+  std::vector<EdgePart> edges;
 };
 
 // What lies within `width` of the edges, which follow each other on the piece's outline in this order. The edges keep
-// their names, also where only a part of them is there. Refuses edges that do not follow each other or close a ring,
-// and a piece that is nowhere so deep beside them.
-Result<Facing> facingOf(const Piece& piece, const std::vector<std::string>& run, double width);
+// their names, also where only a part of them is there. Where the inner line would turn in a corner that no corner of
+// the piece asks for, it is rounded off, deeper by a little. Refuses edges that do not follow each other or close a
+// ring, and a piece that is nowhere so deep beside them.
+Result<DividedPart> facingOf(const Piece& piece, const std::vector<std::string>& run, double width);
+
+// The piece without its facing: shorter there by `by`. The inner edge has the name of the run's first. Refuses the
+// same.
+Result<DividedPart> shortenedAt(const Piece& piece, const std::vector<std::string>& run, double by);
 
 }  // namespace karinui

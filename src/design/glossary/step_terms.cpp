@@ -230,6 +230,7 @@ TermTable fieldTerms() {
       {"shear", say("Shear")},
       {"shear_stiffen", say("Stiffening, shear")},
       {"shift", say("Print begins at")},
+      {"shorter", say("Shorter there by")},
       {"size", say("Size")},
       {"size.fasten", say("Diameter")},
       {"sizes", say("Sizes")},

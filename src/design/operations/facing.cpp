@@ -1,9 +1,8 @@
 // Facings: of each piece one for each run of its edges, beneath it and sewn to it along the run. Where the pieces are
 // sewn to each other beside the run, their facings are, too.
-#include "karinui/pattern/facing.h"
-
 #include <algorithm>
 
+#include "design/operations/cut_parts.h"
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
 
@@ -11,67 +10,12 @@ namespace karinui {
 
 namespace {
 
-struct Run {
-  PieceId piece;
-  std::vector<std::string> edges;
-};
-
-// The edges in the order of each outline, those that follow each other together.
-std::vector<Run> runsOf(const Document& document, const std::vector<EdgeRef>& edges) {
-  std::vector<Run> runs;
-  std::vector<PieceId> pieces;
-  for (const EdgeRef& edge : edges)
-    if (std::find(pieces.begin(), pieces.end(), edge.piece.id) == pieces.end()) pieces.push_back(edge.piece.id);
-  for (const PieceId id : pieces) {
-    const auto& all = document.find(id)->outline.edges;
-    const std::size_t n = all.size();
-    const auto meant = [&](std::size_t k) {
-      return std::find(edges.begin(), edges.end(), EdgeRef{PieceRef(id), all[k % n].name}) != edges.end();
-    };
-    std::size_t start = 0;
-    while (start < n && meant(start)) ++start;  // begun where no run goes on
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!meant(start + k)) continue;
-      if (k == 0 || !meant(start + k - 1)) runs.push_back({id, {}});
-      runs.back().edges.push_back(all[(start + k) % n].name);
-    }
-  }
-  return runs;
-}
-
-// The parts of a seam's side that facings have, on the facings.
-std::vector<EdgeSpan> faced(const std::vector<EdgeSpan>& side, const std::vector<Facing::Part>& parts) {
-  std::vector<EdgeSpan> now;
-  for (const EdgeSpan& span : side)
-    for (const Facing::Part& part : parts) {
-      if (part.piece.piece != span.piece || part.piece.edge != span.edge) continue;
-      const double from = std::max(span.from, part.piece.from), to = std::min(span.to, part.piece.to);
-      const double whole = part.piece.to - part.piece.from;
-      if (to - from < 1e-6) continue;
-      EdgeSpan own = part.facing;
-      own.from = (from - part.piece.from) / whole, own.to = (to - part.piece.from) / whole;
-      now.push_back(own);
-    }
-  return now;
-}
-
 // Notches of the run, which its facing shares.
-std::vector<Mark> marksOf(const Piece& piece, const Run& run) {
+std::vector<Mark> marksOf(const Piece& piece, const EdgeRun& run) {
   std::vector<Mark> marks;
   for (const Mark& mark : piece.marks)
     if (std::find(run.edges.begin(), run.edges.end(), mark.edge) != run.edges.end()) marks.push_back(mark);
   return marks;
-}
-
-void gradeLike(Grading& grading, const Piece& piece, const Facing& facing, const Piece& made) {
-  if (!grading.pieces.contains(piece.id)) return;
-  Grading own = grading;
-  EdgeMap map;
-  for (const Edge& edge : piece.outline.edges) map[{piece.id, edge.name}];
-  for (const Facing::Part& part : facing.parts)
-    map[{piece.id, part.piece.edge}].push_back({part.piece.from, part.piece.to, {made.id, part.facing.edge, 0, 1}});
-  updateGrading(own, piece, map, {&made});
-  grading.pieces[made.id] = own.pieces.at(made.id);
 }
 
 }  // namespace
@@ -96,9 +40,9 @@ Done resolve(const Document& before, FaceEdges& op, Context& context) {
 }
 
 Result<Document> perform(const Document& before, const FaceEdges& op, Context&) {
-  const std::vector<Run> runs = runsOf(before, op.edges);
+  const std::vector<EdgeRun> runs = runsOf(before, op.edges);
   std::vector<PieceId> outers;
-  for (const Run& run : runs) outers.push_back(run.piece);
+  for (const EdgeRun& run : runs) outers.push_back(run.piece);
   auto room = withLayersBeneath(before, outers);
   if (!room) return room.error();
   Document after = *std::move(room);
@@ -108,8 +52,8 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context&) 
     seam.name.clear();
     after.pattern.seams[seam.id] = std::move(seam);
   };
-  std::vector<Facing::Part> beside;  // of all facings, but for the runs themselves
-  for (const Run& run : runs) {
+  std::vector<DividedPart::EdgePart> beside;  // of all facings, but for the runs themselves
+  for (const EdgeRun& run : runs) {
     const Piece& outer = *after.find(run.piece);
     auto facing = facingOf(outer, run.edges, op.width);
     if (!facing) return facing.error();
@@ -129,21 +73,21 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context&) 
     piece.form = *std::move(form);
     if (const auto own = before.cutting.find(outer.id); own != before.cutting.end())
       after.cutting[piece.id] = own->second;
-    gradeLike(after.grading, outer, *facing, piece);
+    gradeParts(after.grading, outer, facing->edges, piece);
     Seam seam;
     for (const std::string& edge : run.edges) seam.a.push_back({outer.id, edge}), seam.b.push_back({piece.id, edge});
     seam.reversed = false;
     seam.tie = Seam::Tie::Pleat;  // the piece's edge may be sewn to others as well
     sew(std::move(seam));
-    for (Facing::Part& part : facing->parts) {
-      part.facing.piece = piece.id;
+    for (DividedPart::EdgePart& part : facing->edges) {
+      part.own.piece = piece.id;
       if (std::find(run.edges.begin(), run.edges.end(), part.piece.edge) == run.edges.end()) beside.push_back(part);
     }
     after = withPiece(std::move(after), std::move(piece));
   }
   for (const auto& [id, seam] : before.pattern.seams) {
     Seam own = seam;
-    own.a = faced(seam.a, beside), own.b = faced(seam.b, beside);
+    own.a = onParts(seam.a, beside), own.b = onParts(seam.b, beside);
     if (!own.a.empty() && !own.b.empty()) sew(std::move(own));
   }
   return after;

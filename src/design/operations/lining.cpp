@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "design/operations/cut_parts.h"
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
 
@@ -14,15 +15,54 @@ constexpr double kLeastPart = 0.01;  // of an edge that is sewn by itself
 
 using Copies = std::map<PieceId, PieceId>;  // of each lined piece its lining
 using Run = std::vector<EdgeSpan>;
+using Parts = std::vector<DividedPart::EdgePart>;
 
 bool inside(const Document& document, const Copies& copies, const Run& side) {
   return std::all_of(side.begin(), side.end(), [&](const EdgeSpan& span) {
     return copies.contains(span.piece) && document.find(span.piece)->outline.find(span.edge);
   });
 }
-Run lined(const Copies& copies, Run side) {
-  for (EdgeSpan& span : side) span.piece = copies.at(span.piece);
-  return side;
+
+// What of `to`, the edges of a piece, are parts `of` a part of it.
+Parts composed(const Parts& of, Parts to) {
+  std::erase_if(to, [&](DividedPart::EdgePart& part) {
+    const auto first = std::find_if(of.begin(), of.end(), [&](const auto& p) { return p.own.edge == part.piece.edge; });
+    if (first == of.end()) return true;  // the open edge of another run
+    const double from = first->piece.from, whole = first->piece.to - from;
+    part.piece = {first->piece.piece, first->piece.edge, from + part.piece.from * whole, from + part.piece.to * whole};
+    return false;
+  });
+  return to;
+}
+
+// The lining of a piece: as the piece, or shorter at its runs of open edges.
+Result<DividedPart> liningOf(const Piece& outer, const std::vector<EdgeRun>& open, double shorter) {
+  DividedPart lining{outer.outline, {}, {}};
+  for (const Edge& edge : outer.outline.edges)
+    lining.edges.push_back({{outer.id, edge.name, 0, 1}, {{}, edge.name, 0, 1}});
+  if (shorter == 0) return lining;
+  Piece piece = outer;
+  for (const EdgeRun& run : open) {
+    if (run.piece != outer.id) continue;
+    auto shortened = shortenedAt(piece, run.edges, shorter);
+    if (!shortened) return shortened.error();
+    lining.edges = composed(lining.edges, std::move(shortened->edges));
+    piece.outline = lining.outline = std::move(shortened->outline);
+  }
+  return lining;
+}
+
+// Notches go with their places on the edges.
+void followMarks(std::vector<Mark>& marks, const Parts& parts) {
+  std::erase_if(marks, [&](Mark& mark) {
+    for (const auto& part : parts)
+      if (part.piece.edge == mark.edge && mark.fraction >= part.piece.from && mark.fraction <= part.piece.to) {
+        mark.edge = part.own.edge;
+        mark.fraction = (mark.fraction - part.piece.from) / (part.piece.to - part.piece.from);
+        return false;
+      }
+    return true;  // drill holes, too
+  });
 }
 
 // What of a piece's edges no seam of the lining holds, as runs that go on over corners.
@@ -76,6 +116,10 @@ Done resolve(const Document& before, LinePieces& op, Context& context) {
       return refused(
           say("{0} is not lined, so its edge {1} cannot be left open.", before.find(edge.piece.id)->name, edge.edge));
   }
+  if (op.shorter && !(*op.shorter >= 0 && *op.shorter <= 0.5))
+    return refused(say("A lining is 0 to 50 cm shorter at its open edges."));
+  if (op.shorter && *op.shorter > 0 && op.open.empty())
+    return refused(say("Say at which edges the lining is shorter: open=front.hem."));
   if (const auto room = withLayersBeneath(before, idsOf(op.pieces)); !room) return room.error();
   if (context.advise && std::any_of(op.pieces.begin(), op.pieces.end(), [&](const PieceRef& ref) {
         return !before.find(ref.id)->form || before.drape.dirty.contains(ref.id);
@@ -91,15 +135,29 @@ Result<Document> perform(const Document& before, const LinePieces& op, Context&)
   Copies copies;
   std::uint32_t made = 0;
   for (const PieceRef& ref : op.pieces) copies[ref.id] = mint<PieceId>(before, made++);
+  std::vector<EdgeRef> open = op.open;
+  for (EdgeRef& edge : open) edge.from = 0, edge.to = 1;
+  const std::vector<EdgeRun> openRuns = runsOf(before, open);
+  const double shorter = op.shorter.value_or(Length{0});
+  Parts parts;
+  std::vector<EdgeSpan> held;  // what no run of free edges has
   for (const PieceRef& ref : op.pieces) {
     const Piece& outer = *after.find(ref.id);
+    auto cut = liningOf(outer, openRuns, shorter);
+    if (!cut) return cut.error();
     Piece lining = outer;
     lining.id = copies.at(ref.id);
+    lining.outline = std::move(cut->outline);
     lining.name = usableName(after, outer.name + "_lining");
     lining.fabric = op.fabric, lining.interfacing.clear();
     lining.layer = outer.layer - 1;
     lining.lines.clear();
-    std::erase_if(lining.marks, [](const Mark& mark) { return mark.edge.empty(); });
+    followMarks(lining.marks, cut->edges);
+    for (auto& part : cut->edges) {
+      part.own.piece = lining.id;
+      held.push_back({ref.id, part.piece.edge, 0, part.piece.from}),
+          held.push_back({ref.id, part.piece.edge, part.piece.to, 1});
+    }
     const auto mirror = copies.find(outer.mirrorOf);
     lining.mirrorOf = mirror == copies.end() ? PieceId() : mirror->second;
     auto form = liftedForm(lining, outer, before.settings.spacing, [](Flat place) {
@@ -109,30 +167,33 @@ Result<Document> perform(const Document& before, const LinePieces& op, Context&)
     lining.form = *std::move(form);
     if (const auto own = before.cutting.find(ref.id); own != before.cutting.end())
       after.cutting[lining.id] = own->second;
-    if (const auto own = before.grading.pieces.find(ref.id); own != before.grading.pieces.end())
+    if (shorter > 0)
+      gradeParts(after.grading, outer, cut->edges, lining);
+    else if (const auto own = before.grading.pieces.find(ref.id); own != before.grading.pieces.end())
       after.grading.pieces[lining.id] = own->second;
+    parts.insert(parts.end(), cut->edges.begin(), cut->edges.end());
     after = withPiece(std::move(after), std::move(lining));
   }
   std::uint32_t sewn = 0;
-  std::vector<EdgeSpan> held;
   for (const auto& [id, seam] : before.pattern.seams) {
     if (!inside(before, copies, seam.a) || !inside(before, copies, seam.b)) continue;
     held.insert(held.end(), seam.a.begin(), seam.a.end()), held.insert(held.end(), seam.b.begin(), seam.b.end());
     Seam own = seam;
     own.id = mint<SeamId>(before, sewn++);
     own.name.clear();
-    own.a = lined(copies, seam.a), own.b = lined(copies, seam.b);
+    own.a = onParts(seam.a, parts), own.b = onParts(seam.b, parts);
+    if (own.a.empty() || own.b.empty()) continue;
     after.pattern.seams[own.id] = std::move(own);
   }
   const AllowancePlan kinds(before.pattern, before.allowances);
   for (const PieceRef& ref : op.pieces) {
-    std::set<std::string> open;
-    for (const EdgeRef& edge : op.open)
-      if (edge.piece == ref) open.insert(edge.edge);
-    for (const Run& run : freeRuns(*before.find(ref.id), held, open, kinds)) {
+    std::set<std::string> free;
+    for (const EdgeRef& edge : open)
+      if (edge.piece == ref) free.insert(edge.edge);
+    for (const Run& run : freeRuns(*before.find(ref.id), held, free, kinds)) {
       Seam seam;
       seam.id = mint<SeamId>(before, sewn++);
-      seam.a = run, seam.b = lined(copies, run);
+      seam.a = run, seam.b = onParts(run, parts);
       seam.reversed = false;
       seam.tie = Seam::Tie::Pleat;  // the piece's edge may be sewn to others as well
       after.pattern.seams[seam.id] = std::move(seam);

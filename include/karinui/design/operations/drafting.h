@@ -132,7 +132,7 @@ struct MirrorPiece {
   bool operator==(const MirrorPiece&) const = default;
 };
 
-// lining piece="front back" fabric=viscose open=back.hem
+// lining piece="front back" fabric=viscose open="front.hem back.hem" shorter=25mm
 struct LinePieces {
   static constexpr std::string_view kName = "lining";
   static constexpr std::string_view kHelp =
@@ -141,11 +141,13 @@ struct LinePieces {
   std::vector<PieceRef> pieces;
   std::string fabric;
   std::vector<EdgeRef> open;
+  std::optional<Length> shorter;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.pieces, "the pieces that are lined", kNeeded);
     visit("fabric", self.fabric, "what the lining is cut from (otherwise viscose)", kOptional);
     visit("open", self.open, "edges the lining is not sewn to, as a hem it hangs free at", kOptional);
+    visit("shorter", self.shorter, "by how much the lining ends before the open edges", kOptional);
   }
   bool operator==(const LinePieces&) const = default;
 };
