@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include "karinui/design/drape.h"
 #include "karinui/design/print_match.h"
@@ -41,7 +43,8 @@ std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& pos
 namespace {
 
 // The runs of a piece's own nodes along its seams: where stitches are drawn. A closed seam is stitched once, on the
-// side of the ties' first nodes; of one that is open still, both sides are.
+// side of the ties' first nodes; of one that is open still, both sides are. A dart's are drawn to its tip, whose two
+// neighbours are tied to each other.
 std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothPiece& piece,
                                                 const std::vector<Vec3>& position) {
   constexpr double kClosed = 0.003;  // metres
@@ -58,10 +61,19 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
     mark(tie.b);
     mark(tie.c);
   }
+  const auto& border = piece.lattice->border;
+  const std::size_t n = border.size();
+  std::set<std::pair<std::uint32_t, std::uint32_t>> partners;
+  for (const Tie& tie : cloth.ties) partners.insert(std::minmax(tie.a, tie.b));
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t before = piece.firstNode + border[(i + n - 1) % n],
+                        after = piece.firstNode + border[(i + 1) % n];
+    if (partners.contains(std::minmax(before, after))) tied[border[i]] = true;
+  }
   std::vector<std::vector<std::uint32_t>> runs;
   bool open = false;
-  for (std::size_t i = 0; i <= piece.lattice->border.size(); ++i) {
-    const std::uint32_t node = piece.lattice->border[i % piece.lattice->border.size()];
+  for (std::size_t i = 0; i <= n; ++i) {
+    const std::uint32_t node = border[i % n];
     if (!tied[node]) {
       open = false;
       continue;
