@@ -21,9 +21,9 @@ constexpr int kTries = 20;           // to find where a part ends
 constexpr double kWith = 0.02;       // metres from the skin: cloth goes with it wholly,
 constexpr double kWithout = 0.10;    // and beyond this only as the cloth around it does
 constexpr int kSpread = 40;          // times the carrying is spread over the cloth
-constexpr double kClear = 0.95;      // of the skin offset: where carried cloth is put
-constexpr int kOutRounds = 4;        // times what stands too deep is put there
-constexpr double kDeep = 0.0003;     // metres under the skin: cloth that a step left deeper is put there again
+constexpr double kDeep = 0.0003;     // metres under the skin: cloth that is carried or stepped deeper
+constexpr double kClear = 0.95;      // is put so far out of it, in skin offsets,
+constexpr int kOutRounds = 4;        // in so many tries at most
 constexpr double kNearest = 0.3;     // metres: what is farther from the skin is not carried
 // A step: long, so that inertia does not hold back what has to slide after the body, and of two iterations, so that
 // threads do not strain to second order. With 1/30 s and one, the sleeves of a buttoned shirt ran ahead of it: arms
@@ -191,16 +191,17 @@ class Carrying {
   std::vector<Vec3> move_;
 };
 
-// Lengthens the moves of what would stand nearer to the skin than so far, or deeper, to be out of it; whether any did.
-bool outOfMovedSkin(const std::vector<Vec3>& x, std::vector<Vec3>& moves, const SkinCollider& skin, double least,
-                    double clear, Workers& workers) {
+// Lengthens the moves of what would stand deep in the skin, to be clear of it; whether any did. Cloth that presses on
+// the skin stays as it lies: put clear of it in each part, a tight cuff was held by nothing and slid up the forearm.
+bool outOfMovedSkin(const std::vector<Vec3>& x, std::vector<Vec3>& moves, const SkinCollider& skin, double clear,
+                    Workers& workers) {
   bool any = false;
   for (const bool here : workers.each(moves.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
          bool some = false;
          for (std::size_t k = begin; k < end; ++k)
            for (int round = 0; round < kOutRounds; ++round) {
              const Collider::Sample sample = skin.sample(x[k] + moves[k]);
-             if (!(sample.distance < (round == 0 ? least : clear))) break;
+             if (!(sample.distance < (round == 0 ? -kDeep : clear))) break;
              moves[k] += sample.normal * (clear - sample.distance);
              some = true;
            }
@@ -238,14 +239,14 @@ Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const B
     way.goOn(solver.positions(), level.cloth.spacing);
     std::vector<Vec3> moves = carrying.moves(solver.positions(), before, way.placements(), workers);
     skin.moveTo(way.points(), workers);
-    outOfMovedSkin(solver.positions(), moves, skin, clear, clear, workers);
+    outOfMovedSkin(solver.positions(), moves, skin, clear, workers);
     solver.moveFiltered(std::move(moves));
     const auto step = solver.step(options, token);
     if (token.cancelled()) return cancelled();
     if (!step.finite) return tornApart();
     // A fold that closes presses cloth into the skin on either side.
     moves.assign(level.cloth.nodeCount, {});
-    if (outOfMovedSkin(solver.positions(), moves, skin, -kDeep, clear, workers)) solver.moveFiltered(std::move(moves));
+    if (outOfMovedSkin(solver.positions(), moves, skin, clear, workers)) solver.moveFiltered(std::move(moves));
     ++report.parts;
     token.progress(way.share(), say("Moving the figure"));
     if (watcher) watcher({way.share(), way.pose(), skin.points(), level.cloth, solver.positions()});

@@ -60,5 +60,24 @@ TEST(WholeGarments, OnTenBodiesAreTenTimesTheSame) {
   EXPECT_GT(rested, 5 * wearers) << "most of them rest";
 }
 
+// Sleeves with tight cuffs. Each time the elbows are bent a little further, or the rests of the first time would be
+// taken up again.
+TEST(WholeGarments, ArmsGoUpAndDown) {
+  if (!atLength()) GTEST_SKIP() << "by ./test --long";
+  const Folder folder;
+  std::string script = contents(KARINUI_SOURCE_DIR "/examples/tailored_shirt.ops");
+  for (int k = 0; k < 10; ++k)
+    for (const char* pose : {"overhead", "arms_down"})
+      script += "pose name=" + std::string(pose) + " joint=elbow flex=" + std::to_string(2 * k + 1) + "deg\ndrape\n";
+  write(folder / "arms.ops", script);
+  const Said said = karinui("play " + (folder / "arms.ops") + " -o " + (folder / "arms.karinui"));
+  EXPECT_EQ(said.exit, 0) << said.err;
+  EXPECT_EQ(said.err.find("did not come to rest"), std::string::npos) << said.err;
+  const auto stands = karinui("check " + (folder / "arms.karinui") + " --json").json();
+  EXPECT_EQ(stands["cloth_body_crossings"], 0);
+  EXPECT_EQ(stands["cloth_cloth_crossings"], 0);
+  EXPECT_LE(stands["penetration_mm"].get<double>(), 0.1);
+}
+
 }  // namespace
 }  // namespace karinui::test
