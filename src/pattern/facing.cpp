@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "divide_edges.h"
 #include "karinui/geometry/fit_curve.h"
@@ -16,7 +17,8 @@ namespace {
 constexpr double kStep = 0.002;  // metres between the places looked at
 constexpr double kClose = 2e-5;  // metres by which they may be nearer to the run
 constexpr double kFree = 1e-3;   // metres of the line's ends that its places keep off
-constexpr double kSeen = 0.15;   // radians: a corner that turns less is none
+constexpr double kRound = 2;     // widths of the facing: the radius with which a corner is rounded off, and
+constexpr double kTight = 1.3;   // times the turn of that circle: what turns more is a corner
 
 class Cutting {
  public:
@@ -177,44 +179,64 @@ class Cutting {
              distance(p, start_) < kFree;
     };
     std::vector<Flat> line{end_};
-    std::vector<std::size_t> corners;  // of the line, that the piece does not ask for: the place after it
-    bool left = false, meant = false;  // since the last place: whether there were others, and a corner among them
+    std::vector<std::size_t> meant;  // corners of the line that the piece asks for: the place after them
     for (std::size_t i = 0; i < places.size(); ++i) {
-      meant = meant || asked.contains(i);
-      if (off(places[i])) {
-        left = true;
-        continue;
-      }
-      if (left && !meant && line.size() > 1) corners.push_back(line.size());
-      line.push_back(places[i]);
-      left = meant = false;
+      if (asked.contains(i)) meant.push_back(line.size());
+      // Where the run's radius is about the width they throng, and turn to and fro.
+      if (!off(places[i]) && distance(places[i], line.back()) > kStep / 2) line.push_back(places[i]);
     }
     line.push_back(start_);
-    roundOff(line, corners);
+    roundOff(line, meant);
     return Curve::joined(fitEdge(line).curves);
   }
 
-  // Corners that turn towards the run become curves with the facing's width as their radius, where there is room.
-  void roundOff(std::vector<Flat>& line, const std::vector<std::size_t>& corners) const {
+  // Into what turns towards the run more tightly than a circle twice as large as the facing is deep such a circle is
+  // laid, where there is room: the line follows it from where it touches one side to where it touches the other.
+  void roundOff(std::vector<Flat>& line, const std::vector<std::size_t>& meant) const {
+    const auto turnAt = [&](std::size_t low, std::size_t high) {
+      return turnOf(line[low] - line[low - 1], line[high + 1] - line[high]);
+    };
+    // How much the line turns about a place, over how much it would on the circle.
+    const auto tightness = [&](std::size_t i) {
+      std::size_t low = i - 1, high = i + 1;
+      while (low > 0 && distance(line[low], line[i]) < 2 * kStep) --low;
+      while (high + 1 < line.size() && distance(line[high], line[i]) < 2 * kStep) ++high;
+      const Flat in = line[i] - line[low], out = line[high] - line[i];
+      return -turnOf(in, out) / ((length(in) + length(out)) / 2 / (kRound * width_));
+    };
+    std::vector<std::pair<double, std::size_t>> corners;  // the tightest place of each
+    bool goesOn = false;
+    for (std::size_t i = 2; i + 2 < line.size(); ++i) {
+      const double tight = tightness(i);
+      if (tight < kTight) {
+        goesOn = false;
+      } else if (!std::exchange(goesOn, true)) {
+        corners.emplace_back(tight, i);
+      } else if (tight > corners.back().first) {
+        corners.back() = {tight, i};
+      }
+    }
+    std::erase_if(corners, [&](const auto& corner) {
+      return std::any_of(meant.begin(), meant.end(), [&](std::size_t k) {
+        return k < line.size() && distance(line[k], line[corner.second]) < 4 * kStep;
+      });
+    });
     std::size_t end = line.size() - 1;
     for (std::size_t c = corners.size(); c-- > 0;) {
-      const std::size_t after = corners[c], before = after - 1, start = c > 0 ? (corners[c - 1] + before) / 2 : 0;
-      if (before < start + 2 || after + 2 > end) continue;
-      const double turn = turnOf(line[before] - line[before - 1], line[after + 1] - line[after]);
-      const double reach = width_ * std::tan(-turn / 2);
+      const std::size_t before = corners[c].second - 1, after = before + 2;
+      const std::size_t start = c > 0 ? (corners[c - 1].second + before) / 2 : 0;
       std::size_t low = before, high = after;
-      while (low > start + 1 && distance(line[low], line[before]) < reach) --low;
-      while (high + 1 < end && distance(line[high], line[after]) < reach) ++high;
-      const Flat in = line[low] - line[low - 1], out = line[high + 1] - line[high], across = line[high] - line[low];
+      const auto within = [&] {
+        return distance(line[low], line[high]) < 2 * kRound * width_ * std::sin(-turnAt(low, high) / 2);
+      };
+      while (low > start + 1 && high + 2 < end && within()) --low, ++high;
       end = low;
-      if (turn > -kSeen || turnOf(in, out) > -kSeen) continue;
-      const Flat corner = line[low] + in * (cross(across, out) / cross(in, out));
-      std::vector<Flat> round;
-      const int steps = std::max(2, static_cast<int>(std::ceil(length(across) / kStep)));
-      for (int k = 1; k < steps; ++k) {
-        const double t = static_cast<double>(k) / steps;
-        round.push_back(lerp(lerp(line[low], corner, t), lerp(corner, line[high], t), t));
-      }
+      const double apart = distance(line[low], line[high]);
+      const Flat in = normalized(line[low] - line[low - 1]), out = normalized(line[high + 1] - line[high]);
+      const Curve blend =
+          Curve::cubic(line[low], line[low] + in * (apart / 3), line[high] - out * (apart / 3), line[high]);
+      std::vector<Flat> round = blend.evenly(0, 1, std::max(2, static_cast<int>(std::ceil(apart / kStep))));
+      round.erase(round.begin()), round.pop_back();
       const auto at = line.erase(line.begin() + static_cast<std::ptrdiff_t>(low) + 1,
                                  line.begin() + static_cast<std::ptrdiff_t>(high));
       line.insert(at, round.begin(), round.end());
