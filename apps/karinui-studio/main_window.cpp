@@ -51,13 +51,12 @@ MainWindow::MainWindow(SessionOptions options) {
   WheelGuard::install();
   letViewsSpeak();
   wake_.setSingleShot(true);
-  wake_.setInterval(0);
   connect(&wake_, &QTimer::timeout, this, &MainWindow::refresh);
   options.wake = [this] {
     QMetaObject::invokeMethod(
         &wake_,
         [this] {
-          if (!wake_.isActive()) wake_.start();
+          if (!wake_.isActive()) wake_.start(pause());
         },
         Qt::QueuedConnection);
   };
@@ -100,7 +99,7 @@ MainWindow::MainWindow(SessionOptions options) {
   auto* history = new HistoryPanel(*session_, *space_, boards[4]->viewport());
   force_ = std::make_unique<ForceFeedback>(*session_, *space_);
   space_->setForceFeedback(force_.get());
-  connect(force_.get(), &ForceFeedback::fed, this, [this] { wake_.start(); });
+  connect(force_.get(), &ForceFeedback::fed, this, [this] { wake_.start(0); });
   auto* device = new DevicePanel(*session_, *force_, boards[5]->viewport());
   Panel* const panels[] = {garment, body, fabric, fit, history, device};
   for (std::size_t k = 0; k < boards.size(); ++k) put(panels[k], boards[k]);
@@ -245,7 +244,7 @@ bool MainWindow::eventFilter(QObject*, QEvent* event) {
   // Every mouse event may have changed something of the session.
   if (event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove ||
       event->type() == QEvent::MouseButtonPress)
-    wake_.start();
+    wake_.start(0);
   return false;
 }
 
@@ -287,7 +286,16 @@ bool MainWindow::isOn(Command command) const {
   }
 }
 
+// Where the processor draws, it draws at the cost of the drape: ten pictures of one a second are enough there.
+int MainWindow::pause() const {
+  constexpr qint64 kApart = 100;  // milliseconds
+  const Busy busy = session_->busy();
+  if (!space_->drawnByProcessor() || !(busy.settling || busy.posing) || !sinceRefresh_.isValid()) return 0;
+  return static_cast<int>(std::max<qint64>(0, kApart - sinceRefresh_.elapsed()));
+}
+
 void MainWindow::refresh() {
+  sinceRefresh_.start();
   session_->update();
   const SessionChanges now = session_->changes();
   if (now.history != seen_.history) {

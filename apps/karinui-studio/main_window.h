@@ -1,5 +1,6 @@
 #pragma once
 // The window: fitting at the left, pattern beside it, boards at the right; menus, keys, files, words. GUI thread.
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QTimer>
 #include <array>
@@ -78,6 +79,7 @@ class MainWindow : public QMainWindow {
   void nameEdges();
   bool isOn(Command command) const;  // of an action with a check mark
   void tell(const Notice& notice);
+  int pause() const;                        // milliseconds until what the session has done is shown
   void tellFingertip(const QString& keys);  // to those who hear the screen; no keys: there is none
   void goToNextPart();                      // of the window, with the keys
   void placeNotices();
@@ -146,6 +148,7 @@ class MainWindow : public QMainWindow {
   QProgressBar* progress_;
   QPushButton* mend_ = nullptr;  // under the toast: does what it advises
   QTimer wake_;
+  QElapsedTimer sinceRefresh_;
   Guide* guide_ = nullptr;
   VariablesDialog* variables_ = nullptr;  // null: not asked for yet
   Cap* cap_ = nullptr;

@@ -56,6 +56,7 @@ class SpaceView : public QOpenGLWidget {
   void setCamera(const Camera& camera);
   std::array<unsigned, 2> eyes() const;  // textures of its context: what each eye was shown last
   QString driver() const { return driver_; }
+  bool drawnByProcessor() const { return software_; }
   const std::optional<Error>& trouble() const { return trouble_; }
   std::optional<QPointF> onScreen(Vec3 place) const;  // for tests and guides
   bool still() const { return fine_ && !pressure_.busy(); }

@@ -164,7 +164,8 @@ void Window::drag(QWidget& widget, std::vector<QPointF> path, Qt::KeyboardModifi
     constexpr int kSteps = 5;
     for (int k = 1; k <= kSteps; ++k)
       send(QEvent::MouseMove, path[i - 1] + (path[i] - path[i - 1]) * k / kSteps, button);
-    QApplication::processEvents();  // painted once a segment: where the processor draws, a picture costs more than a move
+    QApplication::processEvents();  // painted once a segment: where the processor draws, a picture costs more than a
+                                    // move
   }
   if (before) before();
   if (release) send(QEvent::MouseButtonRelease, path.back(), Qt::NoButton);
