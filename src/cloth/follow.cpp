@@ -20,6 +20,9 @@ constexpr double kAim = 0.9;         // of what a part may be: what the next one
 constexpr int kTries = 20;           // to find where a part ends
 constexpr double kWith = 0.02;       // metres from the skin: cloth goes with it wholly,
 constexpr double kWithout = 0.10;    // and beyond this only as the cloth around it does
+constexpr int kRoundAbout = 60;      // times ways of the skin are spread over the cloth: some eight cells far
+constexpr double kOtherWay = 0.05;   // metres that skin goes otherwise than most around: cloth does not go with it
+constexpr double kFew = 0.4;         // if no more than this share of the skin around goes so
 constexpr int kSpread = 40;          // times the carrying is spread over the cloth
 constexpr double kDeep = 0.0003;     // metres under the skin: cloth that is carried or stepped deeper
 constexpr double kClear = 0.95;      // is put so far out of it, in skin offsets,
@@ -158,11 +161,50 @@ std::vector<std::vector<std::uint32_t>> neighboursOf(const Cloth& cloth) {
   return near;
 }
 
+// Lets go of skin that goes another way than most of the skin beneath the cloth around, as where a cuff hangs against
+// the hip. `ways`: how far the skin of each hold goes. Of two crowds of holds whose ways are D apart, one with a share
+// p of all around, the ways of this one differ from the mean by (1 - p) D, and from it all by sqrt(p (1 - p)) D (rms).
+void letGoOfOthers(std::vector<Hold>& holds, const std::vector<Vec3>& ways,
+                   const std::vector<std::vector<std::uint32_t>>& near) {
+  struct Around {
+    double weight = 0, squares = 0;
+    Vec3 sum;
+  };
+  std::vector<Around> around(holds.size()), next(holds.size());
+  for (std::size_t k = 0; k < holds.size(); ++k)
+    if (holds[k].point != kNoNode) around[k] = {1, squaredLength(ways[k]), ways[k]};
+  for (int round = 0; round < kRoundAbout; ++round) {
+    for (std::size_t k = 0; k < holds.size(); ++k) {
+      Around all = around[k];
+      for (const std::uint32_t j : near[k])
+        all.weight += around[j].weight, all.squares += around[j].squares, all.sum += around[j].sum;
+      const double share = 1 / static_cast<double>(near[k].size() + 1);
+      next[k] = {all.weight * share, all.squares * share, all.sum * share};
+    }
+    std::swap(around, next);
+  }
+  for (std::size_t k = 0; k < holds.size(); ++k) {
+    if (holds[k].point == kNoNode) continue;
+    const Vec3 mean = around[k].sum * (1 / around[k].weight);
+    const double spread = around[k].squares / around[k].weight - squaredLength(mean);
+    const double off = squaredLength(ways[k] - mean);
+    if (off > kOtherWay * kOtherWay && off * kFew > spread * (1 - kFew)) holds[k] = {};
+  }
+}
+
 // Moves of the cloth with the skin. Cloth off the skin goes as the cloth around it does.
 class Carrying {
  public:
-  Carrying(const Cloth& cloth, std::vector<Hold> holds)
-      : holds_(std::move(holds)), near_(neighboursOf(cloth)), move_(cloth.nodeCount) {}
+  // `from` and `to`: where the skin is at both ends of the way.
+  Carrying(const Cloth& cloth, const std::vector<Vec3>& x, std::vector<Hold> holds, const std::vector<Rigid>& from,
+           const std::vector<Rigid>& to)
+      : holds_(std::move(holds)), near_(neighboursOf(cloth)), move_(cloth.nodeCount) {
+    std::vector<Vec3> ways(x.size());
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (const Hold& hold = holds_[k]; hold.point != kNoNode)
+        ways[k] = to[hold.point](inverse(from[hold.point])(x[k])) - x[k];
+    letGoOfOthers(holds_, ways, near_);
+  }
   const std::vector<Vec3>& moves(const std::vector<Vec3>& x, const std::vector<Rigid>& before,
                                  const std::vector<Rigid>& after, Workers& workers) {
     std::vector<Vec3> asked(x.size()), next(x.size());
@@ -220,7 +262,8 @@ Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const B
   Way way(skeleton, from, to);
   SkinCollider skin(skeleton.body()->mesh().faces, way.points().size());
   skin.moveTo(way.points(), workers);
-  Carrying carrying(level.cloth, holdsOf(level.state.position, *skeleton.body(), skin.points()));
+  Carrying carrying(level.cloth, level.state.position, holdsOf(level.state.position, *skeleton.body(), skin.points()),
+                    way.placements(), skeleton.placements(skeleton.whole(to)));
   LevelSolver solver(level.cloth, level.state.position, skin, settings, clothRadius(level.cloth, level.cloth.spacing),
                      workers);
   solver.tieWithin(level.cloth.spacing);
