@@ -4,8 +4,8 @@
 
 namespace karinui {
 
-std::vector<EdgeRun> runsOf(const Document& document, const std::vector<EdgeRef>& edges) {
-  std::vector<EdgeRun> runs;
+std::vector<RunOnPiece> runsOf(const Document& document, const std::vector<EdgeRef>& edges) {
+  std::vector<RunOnPiece> runs;
   std::vector<PieceId> pieces;
   for (const EdgeRef& edge : edges)
     if (std::find(pieces.begin(), pieces.end(), edge.piece.id) == pieces.end()) pieces.push_back(edge.piece.id);

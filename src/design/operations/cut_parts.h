@@ -6,12 +6,12 @@
 
 namespace karinui {
 
-struct EdgeRun {
+struct RunOnPiece {
   PieceId piece;
   std::vector<std::string> edges;
 };
 // The edges in the order of each outline, those that follow each other together.
-std::vector<EdgeRun> runsOf(const Document& document, const std::vector<EdgeRef>& edges);
+std::vector<RunOnPiece> runsOf(const Document& document, const std::vector<EdgeRef>& edges);
 
 // What of a seam's side lies on the parts, in their own edges.
 std::vector<EdgeSpan> onParts(const std::vector<EdgeSpan>& side, const std::vector<DividedPart::EdgePart>& parts);

@@ -11,7 +11,7 @@ namespace karinui {
 namespace {
 
 // Notches of the run, which its facing shares.
-std::vector<Mark> marksOf(const Piece& piece, const EdgeRun& run) {
+std::vector<Mark> marksOf(const Piece& piece, const RunOnPiece& run) {
   std::vector<Mark> marks;
   for (const Mark& mark : piece.marks)
     if (std::find(run.edges.begin(), run.edges.end(), mark.edge) != run.edges.end()) marks.push_back(mark);
@@ -40,9 +40,9 @@ Done resolve(const Document& before, FaceEdges& op, Context& context) {
 }
 
 Result<Document> perform(const Document& before, const FaceEdges& op, Context&) {
-  const std::vector<EdgeRun> runs = runsOf(before, op.edges);
+  const std::vector<RunOnPiece> runs = runsOf(before, op.edges);
   std::vector<PieceId> outers;
-  for (const EdgeRun& run : runs) outers.push_back(run.piece);
+  for (const RunOnPiece& run : runs) outers.push_back(run.piece);
   auto room = withLayersBeneath(before, outers);
   if (!room) return room.error();
   Document after = *std::move(room);
@@ -53,7 +53,7 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context&) 
     after.pattern.seams[seam.id] = std::move(seam);
   };
   std::vector<DividedPart::EdgePart> beside;  // of all facings, but for the runs themselves
-  for (const EdgeRun& run : runs) {
+  for (const RunOnPiece& run : runs) {
     const Piece& outer = *after.find(run.piece);
     auto facing = facingOf(outer, run.edges, op.width);
     if (!facing) return facing.error();

@@ -36,13 +36,13 @@ Parts composed(const Parts& of, Parts to) {
 }
 
 // The lining of a piece: as the piece, or shorter at its runs of open edges.
-Result<DividedPart> liningOf(const Piece& outer, const std::vector<EdgeRun>& open, double shorter) {
+Result<DividedPart> liningOf(const Piece& outer, const std::vector<RunOnPiece>& open, double shorter) {
   DividedPart lining{outer.outline, {}, {}};
   for (const Edge& edge : outer.outline.edges)
     lining.edges.push_back({{outer.id, edge.name, 0, 1}, {{}, edge.name, 0, 1}});
   if (shorter == 0) return lining;
   Piece piece = outer;
-  for (const EdgeRun& run : open) {
+  for (const RunOnPiece& run : open) {
     if (run.piece != outer.id) continue;
     auto shortened = shortenedAt(piece, run.edges, shorter);
     if (!shortened) return shortened.error();
@@ -137,7 +137,7 @@ Result<Document> perform(const Document& before, const LinePieces& op, Context&)
   for (const PieceRef& ref : op.pieces) copies[ref.id] = mint<PieceId>(before, made++);
   std::vector<EdgeRef> open = op.open;
   for (EdgeRef& edge : open) edge.from = 0, edge.to = 1;
-  const std::vector<EdgeRun> openRuns = runsOf(before, open);
+  const std::vector<RunOnPiece> openRuns = runsOf(before, open);
   const double shorter = op.shorter.value_or(Length{0});
   Parts parts;
   std::vector<EdgeSpan> held;  // what no run of free edges has
