@@ -165,6 +165,7 @@ function(karinui_test_code target)
   target_link_libraries(${target} PRIVATE GTest::gtest GTest::gmock GTest::gtest_main)
 endfunction()
 
+option(KARINUI_LONG "Suites may take hours, as those of ./test --long" OFF)
 # karinui_tests(cloth): the program test_cloth from tests/cloth/**_test.cpp. ctest knows each suite as one test, so that what
 # a suite prepares once (a body, say) is prepared once.
 function(karinui_tests name)
@@ -189,7 +190,9 @@ function(karinui_tests name)
   endforeach()
   list(REMOVE_DUPLICATES suites)
   set(most 900)  # seconds
-  if(KARINUI_SANITIZE)
+  if(KARINUI_LONG)
+    set(most 36000)
+  elseif(KARINUI_SANITIZE)
     set(most 9000)
   endif()
   foreach(suite ${suites})
