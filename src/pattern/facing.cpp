@@ -26,7 +26,7 @@ class Cutting {
       : piece_(piece), edges_(piece.outline.edges), names_(run), width_(width) {}
 
   Result<DividedPart> facing() {
-    if (Done done = measure(); !done) return done.error();
+    if (Done done = measure(say("choose a narrower facing")); !done) return done.error();
     const std::size_t n = edges_.size();
     for (std::size_t k = 0; k < run_.size(); ++k) add((first_ + k) % n, 0, 1);
     for (const auto& [k, to] : on_) add(k, 0, to);
@@ -37,7 +37,7 @@ class Cutting {
   }
 
   Result<DividedPart> rest() {
-    if (Done done = measure(); !done) return done.error();
+    if (Done done = measure(say("shorten it by less")); !done) return done.error();
     const auto [onto, to] = on_.back();
     const auto [from, upTo] = back_.back();
     if (onto == from) {
@@ -53,7 +53,7 @@ class Cutting {
 
  private:
   // How far the strip goes along the outline.
-  Done measure() {
+  Done measure(const Message& otherwise) {
     if (Done done = findRun(); !done) return done.error();
     const std::size_t n = edges_.size();
     for (const Curve* curve : run_)
@@ -73,8 +73,8 @@ class Cutting {
     }
     const bool meet = on_.back().first == back_.back().first && back_.back().second <= on_.back().second;
     if (left <= 0 || meet || on_.size() + back_.size() > n - run_.size() + 1)
-      return refused(say("{0} is nowhere {1} mm deep beside “{2}”; choose a narrower facing.", piece_.name,
-                         inMm(width_), names_.front()));
+      return refused(
+          say("{0} is nowhere {1} mm deep beside “{2}”; {3}.", piece_.name, inMm(width_), names_.front(), otherwise));
     end_ = edges_[on_.back().first].curve.atFraction(on_.back().second);
     start_ = edges_[back_.back().first].curve.atFraction(back_.back().second);
     return {};

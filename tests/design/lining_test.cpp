@@ -54,7 +54,7 @@ TEST(Lining, HangsWithinTheSkirt) {
   };
   EXPECT_THAT(refused("shorter=2cm"), testing::HasSubstr("at which edges"));
   EXPECT_THAT(refused("open=flap.bottom shorter=60cm"), testing::HasSubstr("0 to 50 cm"));
-  EXPECT_THAT(refused("open=flap.bottom shorter=25cm"), testing::HasSubstr("deep"));
+  EXPECT_THAT(refused("open=flap.bottom shorter=25cm"), testing::HasSubstr("shorten it by less"));
 }
 
 }  // namespace
