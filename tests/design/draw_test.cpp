@@ -1,7 +1,9 @@
 // Drawing on our own mannequin, as a dressmaker would.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "design/workroom.h"
+#include "karinui/design/apply.h"
 #include "karinui/design/drawing.h"
 
 namespace karinui {
@@ -55,6 +57,40 @@ TEST_F(OnTheMannequin, FrontAndBackBodiceFitTogether) {
   }
   EXPECT_GT(front.outline.area(), 0.08);
   EXPECT_LT(front.outline.area(), 0.4);
+}
+
+// Radians by which the edges that meet the centre, 25 mm from it at most, are off the square.
+double offSquare(const Piece& piece, std::string_view edge) {
+  const Curve& curve = piece.outline.edges[*piece.outline.find(edge)].curve;
+  const bool begins = std::fabs(curve.start.u) < std::fabs(curve.end.u);
+  EXPECT_EQ(begins ? curve.start.u : curve.end.u, 0) << piece.name << " " << edge;
+  double most = 0;
+  for (double walked = 0; walked < 0.025; walked += 0.001) {
+    const Flat way = curve.tangent(curve.parameterAt(begins ? walked : curve.length() - walked));
+    most = std::fmax(most, std::fabs(std::atan2(way.v, std::fabs(way.u))));
+  }
+  return most;
+}
+
+// Between the buttocks, and in the hollow of the neck, the skin dips at the centre.
+TEST_F(OnTheMannequin, NecksAndHemsCrossTheCentreSquare) {
+  const Piece back = draw(kBack, "back"), front = draw(kFront, "front");
+  EXPECT_THAT(file_.log(), ::testing::HasSubstr("square=yes"));
+  for (const Piece* piece : {&back, &front})
+    for (const char* edge : {"hem_left", "hem_right"}) EXPECT_LT(offSquare(*piece, edge), 0.1) << piece->name;
+  EXPECT_LT(offSquare(back, "neck_left"), 0.1);
+  EXPECT_GT(offSquare(front, "neck_left"), 0.6) << "a V stays one";
+}
+
+TEST_F(OnTheMannequin, LinesAreLeftAsDrawnWhereNothingElseWasSettled) {
+  Operation recorded = *parseOperation(kBack.substr(0, kBack.size() - 1)), said = recorded;
+  std::get<DrawPiece>(recorded).ease = std::get<DrawPiece>(said).ease = Length{0.01};
+  std::get<DrawPiece>(said).square = Choice::No;
+  const auto before = file_.document();
+  const auto old = apply(before, recorded, room().context), now = apply(before, said, room().context);
+  ASSERT_TRUE(old && now);
+  EXPECT_EQ(hash(*old), hash(*now));
+  EXPECT_GT(offSquare(*now->pieceNamed("back"), "hem_left"), 0.15);
 }
 
 TEST_F(OnTheMannequin, AHandDrawnLineClosesItselfWithinFifteenMillimetres) {

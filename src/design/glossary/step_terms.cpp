@@ -242,6 +242,7 @@ TermTable fieldTerms() {
       {"start", say("Corner at the start")},
       {"stiffen_warp", say("Stiffening, warp")},
       {"stiffen_weft", say("Stiffening, weft")},
+      {"square", say("Square to the centre")},
       {"stitch", say("Sewn down for")},
       {"stop", say("Stopped after (solver steps)")},
       {"strength", say("Pull when drawn out by half (N)")},

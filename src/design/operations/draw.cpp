@@ -225,6 +225,7 @@ Result<DrawnPiece> drawn(const Document& document, const DrawPiece& given, Conte
   DrawnLine line;
   line.places = *places;
   line.symmetric = draw.symmetric;
+  line.square = draw.square == Choice::Yes;
   for (const std::string& name : draw.edges) line.edges.push_back(name == kCurvesOn ? "" : name);
   line.edges.resize(line.places.size());
   if (draw.inside) {
@@ -258,6 +259,7 @@ Done resolve(const Document& before, DrawPiece& draw, Context& context) {
   const DrawingGround ground((*body)->mesh(), (*body)->bvh());
   if (auto fine = settleLine(draw, ground, **body); !fine) return fine;
   if (!draw.ease) draw.ease = Length{before.settings.ease};
+  if (draw.symmetric && draw.square == Choice::Auto) draw.square = Choice::Yes;
   if (!draw.fabric.empty()) return checkFabricName(before, draw.fabric);
   return {};
 }

@@ -11,9 +11,12 @@
 namespace karinui {
 namespace {
 
-constexpr double kSmallest = 4e-4;  // m2: less is no piece of cloth
-constexpr double kFirmEnd = 0.005;  // metres of points that say how an edge ends, where it may not end otherwise
-constexpr double kLevel = 0.6;      // radians: an edge that meets the centre this nearly level is squared to it
+constexpr double kSmallest = 4e-4;    // m2: less is no piece of cloth
+constexpr double kFirmEnd = 0.005;    // metres of points that say how an edge ends, where it may not end otherwise
+constexpr double kLevel = 0.6;        // radians: an edge that meets the centre this nearly level is squared to it
+constexpr double kSquared = 0.10;     // metres from the centre in which it is, and at most
+constexpr double kSquaredHalf = 0.5;  // of the way to where it turns back;
+constexpr double kDip = 0.3;          // of that: so near the centre the skin dips, and what was drawn says little
 
 // How many edges a line between two corners becomes depends on how it was drawn, not on how it came out: on any figure
 // the same edges have the same names, and seams find them. One for a line between two or through up to four places,
@@ -105,8 +108,39 @@ Outline wholeOutline(const Patch& patch, const Sides& sides, std::span<const Fla
   return outline;
 }
 
+double smooth(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+// Leads a line that begins at the centre nearly level across it as the even curve v = a + b u^2, by least squares over
+// the points beside the dip of the skin there. Farther off it is the drawn line again.
+void squareToCentre(std::vector<Flat>& points) {
+  const double side = points.back().u < 0 ? -1 : 1;
+  std::size_t rising = 1;  // of the points u grows over
+  while (rising < points.size() && side * points[rising].u > side * points[rising - 1].u) ++rising;
+  const double reach = std::fmin(kSquared, kSquaredHalf * side * points[rising - 1].u);
+  if (!(reach > 0)) return;
+  double weights = 0, squares = 0, fourths = 0, heights = 0, products = 0;
+  Flat last = points.front();
+  for (std::size_t k = 1; k < rising && side * points[k].u < reach; ++k) {
+    const double u = points[k].u, v = points[k].v;
+    const double w = smooth(side * u / (kDip * reach)) * std::fabs(u - last.u);
+    weights += w, squares += w * u * u, fourths += w * u * u * u * u, heights += w * v, products += w * u * u * v;
+    last = points[k];
+  }
+  if (std::fabs(std::atan2(last.v - points.front().v, std::fabs(last.u))) >= kLevel) return;
+  const double determinant = weights * fourths - squares * squares;
+  if (!(determinant > 1e-12 * weights * fourths)) return;
+  const double b = (weights * products - squares * heights) / determinant, a = (heights - b * squares) / weights;
+  for (std::size_t k = 0; k < rising && side * points[k].u < reach; ++k) {
+    const double u = points[k].u;
+    points[k].v = std::lerp(a + b * u * u, points[k].v, smooth(2 * side * u / reach - 1));
+  }
+}
+
 // A half's edges and their mirror images in u = 0.
-Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const Flat> flat, bool leftHalf,
+Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const Flat> flat, bool leftHalf, bool square,
                          bool firmEnds, double& miss) {
   std::vector<std::uint32_t> order = sideOrder(patch);
   const auto centre = std::find_if(order.begin(), order.end(), [&](std::uint32_t s) { return sides.names[s].empty(); });
@@ -115,14 +149,20 @@ Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const
   Outline here, there;
   for (std::size_t k = 0; k < order.size(); ++k) {
     std::vector<Flat> points = pointsOfSide(patch, flat, order[k]);
+    if (k == 0) points.front().u = 0;
+    if (k + 1 == order.size()) points.back().u = 0;
+    if (square && k == 0) squareToCentre(points);
+    if (square && k + 1 == order.size()) {
+      std::reverse(points.begin(), points.end());
+      squareToCentre(points);
+      std::reverse(points.begin(), points.end());
+    }
     std::optional<Flat> startWay, endWay;
     const auto level = [](Flat way) { return std::fabs(std::atan2(way.v, std::fabs(way.u))) < kLevel; };
     const std::size_t reach = std::min<std::size_t>(3, points.size() - 1);
     if (k == 0 && level(points[reach] - points[0])) startWay = Flat{points[reach].u > points[0].u ? 1.0 : -1.0, 0};
     if (k + 1 == order.size() && level(points.back() - points[points.size() - 1 - reach]))
       endWay = Flat{points.back().u > points[points.size() - 1 - reach].u ? 1.0 : -1.0, 0};
-    if (k == 0) points.front().u = 0;
-    if (k + 1 == order.size()) points.back().u = 0;
     const Fitted fit = fitEdge(points, fitFor(sides.curves[order[k]], firmEnds), startWay, endWay);
     miss = std::fmax(miss, fit.miss);
     const std::string& name = sides.names[order[k]];
@@ -234,7 +274,7 @@ Result<DrawnSheet> drawnSheet(const DrawingGround& ground, const DrawnLine& line
   for (Vec3 p : form->space) x += p.x;
   const auto fitted = [&](bool firmEnds) {
     sheet.fitMiss = 0;
-    return line.symmetric ? symmetricOutline(patch, *sides, laid->flat, x > 0, firmEnds, sheet.fitMiss)
+    return line.symmetric ? symmetricOutline(patch, *sides, laid->flat, x > 0, line.square, firmEnds, sheet.fitMiss)
                           : wholeOutline(patch, *sides, laid->flat, firmEnds, sheet.fitMiss);
   };
   sheet.outline = fitted(false);

@@ -14,7 +14,8 @@ namespace karinui {
 
 // draw name=front line="landmark:neck_left; torso:bust@0.98; …" mirror=yes
 // `edges` speaks of the places one by one: a name for the edge that begins there, or "~" where there is no corner and
-// the edge before runs smoothly through. With symmetric=yes the line is one half, from the body's centre to its centre.
+// the edge before runs smoothly through. With symmetric=yes the line is one half, from the body's centre to its centre;
+// `square` is settled then. Where it was left open, which it is only in documents of before it, the line is as drawn.
 struct DrawPiece {
   static constexpr std::string_view kName = "draw";
   static constexpr std::string_view kHelp =
@@ -24,6 +25,7 @@ struct DrawPiece {
   std::vector<std::string> edges;
   bool mirror = false;
   bool symmetric = false;
+  Choice square = Choice::Auto;
   bool closed = true;
   std::optional<BodyPoint> inside;
   std::optional<Length> ease;
@@ -39,6 +41,10 @@ struct DrawPiece {
           kOptional);
     visit("mirror", self.mirror, "yes: also the symmetric copy on the body's other side", kOptional);
     visit("symmetric", self.symmetric, "yes: the line is one half, from centre to centre; the piece is both halves",
+          kOptional);
+    visit("square", self.square,
+          "a half line that comes nearly level to the centre crosses it square to it, one fair line with its likeness: "
+          "auto, yes, no (auto: yes)",
           kOptional);
     visit("closed", self.closed, "no: drawn by hand, the line's ends must meet by themselves, within 15 mm", kOptional);
     visit("inside", self.inside, "a place inside the piece, where the line leaves it open which side is meant",
