@@ -440,6 +440,7 @@ void SpaceView::paintGL() {
     else
       paintOver(painter, sideways, static_cast<int>(ew / ratio), static_cast<int>(eh / ratio));
   }
+  if (stale_ && moving_ && rest_.isActive()) rest_.start(kStillAfter);  // the time a picture took is no pause
   stale_ = false;
   compositor_->show(two ? Stereo::SideBySide : stereo ? stereo_ : Stereo::Off, defaultFramebufferObject(), w, h);
   if (quad_) quad_->show(eyes());

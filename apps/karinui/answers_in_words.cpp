@@ -62,6 +62,9 @@ std::string checkWords(const Examination& check, const Document& document, const
   row(say("Deepest inside the body"), mm(check.penetration));
   row(say("Cloth through the body"), console.said(say("at {0} {0|place|places}", check.clothBodyCrossings)));
   row(say("Cloth through cloth"), console.said(say("at {0} {0|place|places}", check.clothClothCrossings)));
+  if (check.foldCrossings > 0)
+    row(say("Folds closed through themselves, beside a seam or crease"),
+        console.said(say("at {0} {0|place|places}", check.foldCrossings)));
   for (const ClothCrossing& c : check.crossings) {
     const Message what =
         c.a == c.b ? say("{0} through itself", named(c.a)) : say("{0} through {1}", named(c.a), named(c.b));

@@ -78,8 +78,8 @@ Ribbons ribbonsOf(const SceneFrame& frame, Vec3 origin) {
     const RibbonLook edge{darker(cloth.colour, 0.22f), 1.4, 1.0};
     for (const auto& numbers : cloth.outlines) addRibbon(ribbons, run(cloth.mesh, numbers), origin, edge);
     // Tacking as a tailor does it: long white stitches over the dark line where the pieces meet.
-    const RibbonLook ditch{darker(cloth.colour, 0.45f), 1.2, 3.2};
-    const RibbonLook thread{{0.92f, 0.90f, 0.84f}, 1.8, 4.0, 9, 5};
+    const RibbonLook ditch{darker(cloth.colour, 0.45f), 1.2, 1.0};
+    const RibbonLook thread{{0.92f, 0.90f, 0.84f}, 1.8, 1.3, 9, 5};
     for (const auto& numbers : cloth.seams) {
       addRibbon(ribbons, run(cloth.mesh, numbers), origin, ditch);
       addRibbon(ribbons, run(cloth.mesh, numbers), origin, thread);

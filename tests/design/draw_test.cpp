@@ -59,27 +59,26 @@ TEST_F(OnTheMannequin, FrontAndBackBodiceFitTogether) {
   EXPECT_LT(front.outline.area(), 0.4);
 }
 
-// Radians by which the edges that meet the centre, 25 mm from it at most, are off the square.
-double offSquare(const Piece& piece, std::string_view edge) {
+// Radians by which an edge that meets the centre is off the square, within a reach of it at most.
+double offSquare(const Piece& piece, std::string_view edge, double reach) {
   const Curve& curve = piece.outline.edges[*piece.outline.find(edge)].curve;
   const bool begins = std::fabs(curve.start.u) < std::fabs(curve.end.u);
   EXPECT_EQ(begins ? curve.start.u : curve.end.u, 0) << piece.name << " " << edge;
   double most = 0;
-  for (double walked = 0; walked < 0.025; walked += 0.001) {
+  for (double walked = 0; walked < reach; walked += 0.001) {
     const Flat way = curve.tangent(curve.parameterAt(begins ? walked : curve.length() - walked));
     most = std::fmax(most, std::fabs(std::atan2(way.v, std::fabs(way.u))));
   }
   return most;
 }
 
-// Between the buttocks, and in the hollow of the neck, the skin dips at the centre.
-TEST_F(OnTheMannequin, NecksAndHemsCrossTheCentreSquare) {
+// Between the buttocks the skin dips at the centre.
+TEST_F(OnTheMannequin, HemsCrossTheCentreSquare) {
   const Piece back = draw(kBack, "back"), front = draw(kFront, "front");
   EXPECT_THAT(file_.log(), ::testing::HasSubstr("square=yes"));
   for (const Piece* piece : {&back, &front})
-    for (const char* edge : {"hem_left", "hem_right"}) EXPECT_LT(offSquare(*piece, edge), 0.1) << piece->name;
-  EXPECT_LT(offSquare(back, "neck_left"), 0.1);
-  EXPECT_GT(offSquare(front, "neck_left"), 0.6) << "a V stays one";
+    for (const char* edge : {"hem_left", "hem_right"}) EXPECT_LT(offSquare(*piece, edge, 0.025), 0.1) << piece->name;
+  EXPECT_GT(offSquare(front, "neck_left", 0.01), 0.6) << "a V stays one";
 }
 
 TEST_F(OnTheMannequin, LinesAreLeftAsDrawnWhereNothingElseWasSettled) {
@@ -87,10 +86,13 @@ TEST_F(OnTheMannequin, LinesAreLeftAsDrawnWhereNothingElseWasSettled) {
   std::get<DrawPiece>(recorded).ease = std::get<DrawPiece>(said).ease = Length{0.01};
   std::get<DrawPiece>(said).square = Choice::No;
   const auto before = file_.document();
-  const auto old = apply(before, recorded, room().context), now = apply(before, said, room().context);
+  Context again = room().context;
+  again.recorded = true;
+  const auto old = apply(before, recorded, again), now = apply(before, said, room().context);
   ASSERT_TRUE(old && now);
-  EXPECT_EQ(hash(*old), hash(*now));
-  EXPECT_GT(offSquare(*now->pieceNamed("back"), "hem_left"), 0.15);
+  const Piece &was = *old->pieceNamed("back"), &is = *now->pieceNamed("back");
+  EXPECT_EQ(was.outline, is.outline);
+  EXPECT_GT(offSquare(is, "hem_left", 0.025), 0.15);
 }
 
 TEST_F(OnTheMannequin, AHandDrawnLineClosesItselfWithinFifteenMillimetres) {

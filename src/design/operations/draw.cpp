@@ -259,7 +259,7 @@ Done resolve(const Document& before, DrawPiece& draw, Context& context) {
   const DrawingGround ground((*body)->mesh(), (*body)->bvh());
   if (auto fine = settleLine(draw, ground, **body); !fine) return fine;
   if (!draw.ease) draw.ease = Length{before.settings.ease};
-  if (draw.symmetric && draw.square == Choice::Auto) draw.square = Choice::Yes;
+  if (draw.symmetric && draw.square == Choice::Auto && !context.recorded) draw.square = Choice::Yes;
   if (!draw.fabric.empty()) return checkFabricName(before, draw.fabric);
   return {};
 }
