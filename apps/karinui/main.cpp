@@ -1,6 +1,8 @@
 // The command line: argument parsing and the exit status; the verbs are in the files beside this one.
 #include <algorithm>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "commands.h"
 #include "fabric_verb.h"
@@ -46,8 +48,12 @@ int main(int count, char** words) {
   addBenchVerb(program);
   addTouchVerbs(program);
   addFabricVerb(program);
+  // “karinui help play” is “karinui play --help”.
+  std::vector<char*> given(words, words + count);
+  std::string asked = "--help";
+  if (count > 1 && given[1] == std::string("help")) given.erase(given.begin() + 1), given.push_back(asked.data());
   try {
-    program.cli.parse(count, words);
+    program.cli.parse(static_cast<int>(given.size()), given.data());
   } catch (const CLI::ParseError& trouble) {
     if (trouble.get_exit_code() == 0) return program.cli.exit(trouble);  // help or the version was asked for
     program.console.json =

@@ -16,6 +16,13 @@ constexpr int kStepsAfterEdit = 60;  // in which cloth that rested before comes 
 
 Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
   if (end.settled) return say("At rest.");
+  if (end.torn) {
+    const DrawnOut most = mostDrawnOut(solver.cloth(), solver.positions());
+    return say(
+        "Stopped after {0} {0|step|steps}, for the cloth is torn: threads of “{1}” are drawn out to {2} times their "
+        "length. Something pulls it through the body or through other cloth; place the pieces where they are worn.",
+        end.steps, most.piece->name, fixed(most.times, 0));
+  }
   if (end.falls)
     return say("Nothing holds the cloth: it slides off and falls. Sew it closed, pin it, or place it on the body.");
   if (!solver.allTied()) return openSeam(solver.cloth(), solver.positions(), gap);
@@ -87,7 +94,7 @@ std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, con
   report.step = end.left;
   report.seamGap = widestGap(solver.cloth(), x);
   report.why = whyOf(end, solver, report.seamGap);
-  if (intersections > 0)
+  if (intersections > 0 && !end.torn)
     report.why =
         say("Cloth stands through cloth at {0} {0|place|places}; give it more room, or fewer folds.", intersections);
   else if (end.settled && inBody > 0)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "cloth/strain.h"
+
 namespace karinui {
 namespace {
 
@@ -22,6 +24,10 @@ constexpr int kGrowAfter = 10;         // steps without coming nearer, after whi
 constexpr double kGrowth = 1.08;       // by this factor each step,
 constexpr double kMostGrowth = 1000;   // to so many times at most
 constexpr int kFallSteps = 40;         // steps without contact: the cloth falls
+constexpr double kTorn = 10;           // times its length that a thread is drawn out: torn cloth,
+constexpr int kTornAfter = 60;         // found after so many steps,
+constexpr int kTornEvery = 20;         // every so many,
+constexpr int kTornLooks = 3;          // so many times in a row
 constexpr int kMostSeparations = 3;    // times intersections of cloth at rest are separated
 constexpr int kStillSteps = 60;        // steps in which no node
 constexpr double kStill = 1e-4;        // has gone farther than this, metres: still cloth;
@@ -143,8 +149,12 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
   const bool canFall = solver.cloth().pinned.empty() && length(gravity) > 0 &&
                        std::all_of(solver.cloth().pieces.begin(), solver.cloth().pieces.end(),
                                    [](const ClothPiece& p) { return p.live; });
-  int calm = 0, withoutContact = 0, separated = 0;
+  int calm = 0, withoutContact = 0, separated = 0, drawnOut = 0;
   bool touched = false;
+  // Coarse cloth is only on its way.
+  const auto isTorn = [&] {
+    return criteria.left > 0 && mostDrawnOut(solver.cloth(), solver.positions()).times > kTorn;
+  };
   SeamPullSchedule schedule(solver);
   Stillness stillness(solver);
   for (int k = 0; k < criteria.mostSteps; ++k) {
@@ -165,6 +175,13 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
     if (watch && !watch(k, step)) {
       result.stopped = true;
       return result;
+    }
+    if (taken >= kTornAfter && taken % kTornEvery == 0) {
+      drawnOut = isTorn() ? drawnOut + 1 : 0;
+      if (drawnOut == kTornLooks) {
+        result.torn = true;
+        return result;
+      }
     }
     touched = touched || solver.touching() > 0;
     withoutContact = solver.touching() > 0 ? 0 : withoutContact + 1;
@@ -211,7 +228,8 @@ StageResult relax(LevelSolver& solver, Vec3 gravity, const RestCriteria& criteri
       calm = 0;
       continue;
     }
-    result.settled = true;
+    result.torn = isTorn();
+    result.settled = !result.torn;
     return result;
   }
   result.falls = canFall && solver.touching() == 0;

@@ -25,6 +25,7 @@ struct RestCriteria {
 struct StageResult {
   bool settled = false, finite = true, cancelled = false, stopped = false;
   bool falls = false;  // nothing holds the cloth
+  bool torn = false;   // something pulls the cloth through what it cannot pass
   double residual = 0, left = 0;
   double seconds = 0;  // of the step that would have come next
   std::size_t steps = 0, solves = 0;

@@ -5,15 +5,18 @@
 
 namespace karinui {
 
-StrainReport strainOf(const Cloth& cloth, std::span<const Vec3> x) {
-  std::vector<double> strain;
+namespace {
+
+// visit(piece, length now as a share of its length at rest)
+template <class Visit>
+void eachThread(const Cloth& cloth, std::span<const Vec3> x, const Visit& visit) {
   for (const ClothPiece& piece : cloth.pieces) {
     const Lattice& lattice = *piece.lattice;
     const auto add = [&](std::uint32_t a, std::uint32_t b) {
       if (a == kNoNode || b == kNoNode) return;
       const double rest = distance(lattice.nodes[a], lattice.nodes[b]);
       const double now = distance(x[piece.firstNode + a], x[piece.firstNode + b]);
-      if (rest > 0) strain.push_back(std::fabs(now / rest - 1));
+      if (rest > 0) visit(piece, now / rest);
     };
     const std::size_t columns = lattice.columns, rows = lattice.rows;
     const auto whole = [&](std::size_t i, std::size_t j) {
@@ -27,6 +30,21 @@ StrainReport strainOf(const Cloth& cloth, std::span<const Vec3> x) {
           add(lattice.grid[j * columns + i], lattice.grid[(j + 1) * columns + i]);
       }
   }
+}
+
+}  // namespace
+
+DrawnOut mostDrawnOut(const Cloth& cloth, std::span<const Vec3> x) {
+  DrawnOut most;
+  eachThread(cloth, x, [&](const ClothPiece& piece, double times) {
+    if (times > most.times) most = {&piece, times};
+  });
+  return most;
+}
+
+StrainReport strainOf(const Cloth& cloth, std::span<const Vec3> x) {
+  std::vector<double> strain;
+  eachThread(cloth, x, [&](const ClothPiece&, double times) { strain.push_back(std::fabs(times - 1)); });
   StrainReport report;
   if (strain.empty()) return report;
   std::sort(strain.begin(), strain.end());

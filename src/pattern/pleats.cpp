@@ -70,9 +70,11 @@ class Spreading {
  private:
   double across(Flat p) const { return dot(p, made_.across); }
   Flat by(std::size_t folds) const { return made_.across * (2 * plan_.depth * static_cast<double>(folds)); }
+  // What ends where a fold lies goes on from the layer under it.
   std::size_t foldsBefore(double at) const {
-    return static_cast<std::size_t>(
-        std::count_if(made_.folds.begin(), made_.folds.end(), [&](const PleatFold& f) { return f.at < at; }));
+    return static_cast<std::size_t>(std::count_if(made_.folds.begin(), made_.folds.end(), [&](const PleatFold& f) {
+      return f.at < at + (f.toStart ? -kSameFold : kSameFold);
+    }));
   }
   const Edge& near() const { return piece_.outline.edges[near_]; }
 

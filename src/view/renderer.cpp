@@ -587,24 +587,27 @@ void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto, DrawQuality
   }
   glBindVertexArray(p.solidArrays);
   // Cloth before skin: the nearer surface first saves shading the one behind it.
-  // What is seen through comes last, over everything that is behind it.
-  const auto sheer = [&](const Parts::Run& run) { return run.look.cover < 1 && p.strainTop == 0; };
-  for (const int kind : {1, 0, 2, 3})
+  // What is seen through comes last, over everything that is behind it: its inner sides, which the far half of a
+  // garment shows, then its outer ones.
+  constexpr int kInner = 3, kOuter = 4;
+  const auto sheer = [&](const Parts::Run& run) { return run.kind == 1 && run.look.cover < 1 && p.strainTop == 0; };
+  for (const int kind : {1, 0, 2, kInner, kOuter})
     for (const Parts::Run& run : p.runs) {
-      if ((run.kind == 1 && sheer(run) ? 3 : run.kind) != kind || run.count == 0 ||
-          (kind == 2 && onto == Onto::Picture))
+      if ((sheer(run) ? kind < kInner : run.kind != kind) || run.count == 0 || (kind == 2 && onto == Onto::Picture))
         continue;
       const GlProgram& program = kind == 2 ? programs.floor : programs.solid;
       glUseProgram(program);
       set(program, "cloth", run.kind == 1 ? 1 : 0);
       if (run.kind != 2) p.tellLook(run, program);
-      if (kind == 3) glEnable(GL_BLEND), glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
+      if (sheer(run)) glEnable(GL_BLEND), glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
+      glCullFace(kind == kInner ? GL_FRONT : GL_BACK);
       set(program, "pushBack", kind == 0 ? 0.0025 : 0.0);
-      (run.kind == 1 ? glDisable : glEnable)(GL_CULL_FACE);  // only cloth has an inner side
+      (run.kind == 1 && !sheer(run) ? glDisable : glEnable)(GL_CULL_FACE);  // only cloth has an inner side
       glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.count), GL_UNSIGNED_INT,
                      reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
     }
   glDisable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
   glDisable(GL_BLEND);
   common(p.ribbon);
   p.ribbons.draw(p.ribbon, eye, area);

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include "cloth/helpers.h"
 #include "karinui/base/hash.h"
 #include "karinui/check/check.h"
+#include "karinui/cloth/floor.h"
 
 namespace karinui::test {
 namespace {
@@ -23,6 +25,28 @@ SettleReport mustSettle(std::vector<ClothLevel>& levels, const Collider& body, i
 std::vector<ClothLevel> tunicLevels() {
   const Fabric f = *preset("cotton");
   return {tunic(9, f), tunic(18, f)};
+}
+
+// Hung by two pins forty times as far apart as it is wide, as what is tied through a body is.
+TEST(Settle, TornClothIsToldInAFewSteps) {
+  constexpr std::uint32_t kCells = 12;
+  constexpr double kCell = 0.01;
+  ClothLevel level;
+  addPiece(level.cloth, gridLattice(kCells, kCells, kCell), *preset("cotton"));
+  level.cloth.pieces.front().name = "pareo";
+  level.cloth.spacing = kCell;
+  level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u, 3 + p.v, 0}; });
+  for (std::uint32_t row = 0; row <= kCells; ++row)
+    for (const std::uint32_t node : {row * (kCells + 1), row * (kCells + 1) + kCells}) {
+      level.cloth.pinned.push_back(node);
+      if (node % (kCells + 1) != 0) level.state.position[node].x += 40 * kCells * kCell;
+    }
+  std::vector<ClothLevel> levels{level};
+  const SettleReport report = mustSettle(levels, *floorCollider());
+  EXPECT_FALSE(report.settled);
+  EXPECT_LT(report.steps, 200u);
+  EXPECT_THAT(text(report.why), testing::AllOf(testing::HasSubstr("is torn: threads of “pareo”"),
+                                               testing::HasSubstr("place the pieces where they are worn")));
 }
 
 TEST(Settle, TunicComesToRestOnItsBody) {

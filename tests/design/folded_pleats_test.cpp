@@ -68,5 +68,20 @@ TEST(FoldedPleats, StandInTheirOrder) {
   EXPECT_GT(stood, soak(12) / 2);
 }
 
+// Of pleats that cover more than they are apart the outer two end at the edge's ends.
+TEST(FoldedPleats, OfAKiltLieBetweenTheEndsOfTheEdge) {
+  for (const char* turned : {"along", "against"}) {
+    Workroom room;
+    DocumentFile file = DocumentFile::inMemory();
+    const Done done = room.play(file, std::string("rectangle name=kilt width=60cm height=60cm\npleat edge=kilt.top "
+                                                  "count=20 depth=5cm stitch=12cm turned=") +
+                                          turned + "\n");
+    ASSERT_TRUE(done) << text(done.error().what);
+    const Piece& kilt = *file.document().pieceNamed("kilt");
+    EXPECT_NEAR(findEdge(kilt, "bottom")->curve.length(), 0.6 + 20 * 2 * 0.05, 1e-9);
+    EXPECT_EQ(pleatsOf(file.document().pattern).size(), 20u);
+  }
+}
+
 }  // namespace
 }  // namespace karinui

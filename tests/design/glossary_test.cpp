@@ -231,6 +231,9 @@ TEST(Glossary, WhatAPersonNamedIsSaidAsGiven) {
   EXPECT_EQ(text(nameSaid("袖口"), Language::English), "袖口");
   // A name has no spaces; an underscore between words stands for one.
   EXPECT_EQ(text(nameSaid("my_edge")), "my edge");
+  EXPECT_EQ(text(nameSaid("placket_under")), "placket under");
+  EXPECT_EQ(text(nameSaid("under_collar"), Language::Japanese), "地衿");
+  EXPECT_EQ(text(nameSaid("under_front_left")), "left front underarm");
   for (const char* own : {"_edge", "edge_", "my__edge"}) EXPECT_EQ(text(nameSaid(own)), own);
   // What is said is found again when it is typed.
   for (const char* name : {"my_edge", "私の袖口", "side_left", "front", "Müllers_Mantel", "cotton"})

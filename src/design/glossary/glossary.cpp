@@ -137,6 +137,12 @@ std::optional<Message> fabricNameSaid(std::string_view name, const std::vector<s
   return fabric ? std::optional(say("{0} {1}", *fabric, parts.back())) : std::nullopt;
 }
 
+// What follows a word and says which of several it is.
+bool isPlace(std::string_view part) {
+  static constexpr std::array<std::string_view, 4> kPlaces{"front", "back", "left", "right"};
+  return isDigits(part) || std::find(kPlaces.begin(), kPlaces.end(), part) != kPlaces.end();
+}
+
 // A name the program made up, or that is made of words it knows; nothing: a person's own. What is named later belongs
 // to what is named before: "pocket_left_low_right" is the right lower edge of the left pocket.
 std::optional<Message> ownNameSaid(std::string_view name) {
@@ -170,6 +176,9 @@ std::optional<Message> ownNameSaid(std::string_view name) {
     } else {
       const auto stem = stemOf(std::span(parts).subspan(i));
       if (!stem) return std::nullopt;
+      // Of a sleeve's edges: "under_front". In "placket_under" it is no underarm, but what a person called it.
+      if (part == "under" && stem->parts == 1 && (last || (i + 1 < parts.size() && !isPlace(parts[i + 1]))))
+        return std::nullopt;
       NamePart next;
       if (!last) next.side = first;
       next.stem = *stem;

@@ -1,4 +1,5 @@
 // Elastics, of edges and inner lines, and hems.
+#include <algorithm>
 #include <cmath>
 
 #include "design/operations/finished_edges.h"
@@ -10,9 +11,26 @@ namespace karinui {
 
 namespace {
 
-double lengthOf(const Document& document, const std::set<Allowances::At>& edges) {
+// Of the elastic. Where the pieces named are sewn to rings, as a sleeve is, and not to their symmetric copies, each
+// copy has one of its own, as long; else one goes on along all.
+double lengthOf(const Document& document, const std::set<Allowances::At>& edges, const std::vector<EdgeRef>& named) {
+  std::set<PieceId> own, sewnToOwn;
+  for (const EdgeRef& edge : named) own.insert(edge.piece.id);
+  bool closed = false;
+  for (const auto& [id, seam] : document.pattern.seams) {
+    std::set<PieceId> pieces;
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side) pieces.insert(span.piece);
+    if (std::none_of(pieces.begin(), pieces.end(), [&](PieceId piece) { return own.contains(piece); })) continue;
+    sewnToOwn.insert(pieces.begin(), pieces.end());
+    closed = closed || std::includes(own.begin(), own.end(), pieces.begin(), pieces.end());
+  }
   double whole = 0;
-  for (const auto& [piece, name] : edges) whole += findCurve(*document.find(piece), name)->length();
+  const bool each = closed && std::none_of(edges.begin(), edges.end(), [&](const Allowances::At& at) {
+                      return !own.contains(at.first) && sewnToOwn.contains(at.first);
+                    });
+  for (const auto& [piece, name] : edges)
+    if (!each || own.contains(piece)) whole += findCurve(*document.find(piece), name)->length();
   return whole;
 }
 
@@ -79,7 +97,7 @@ Done resolve(const Document& before, SewElastic& op, Context& context) {
     return refused(say("There is no elastic along “{0}”.", op.edges.front().edge));
   }
   if (!op.length) return {};
-  const double whole = lengthOf(withOneCurveEach(before, edges), edges);
+  const double whole = lengthOf(withOneCurveEach(before, edges), edges, op.edges);
   if (!(*op.length >= kTightestElastic * whole && *op.length <= kLoosestElastic * whole))
     return refused(say("The edges are {0} cm long together; the elastic for them is cut {1} to {2} cm long.",
                        centimetres(whole), centimetres(kTightestElastic * whole),
@@ -90,7 +108,7 @@ Done resolve(const Document& before, SewElastic& op, Context& context) {
 Result<Document> perform(const Document& before, const SewElastic& op, Context&) {
   const std::set<Allowances::At> edges = finishedPlaces(before, op.edges, op.symmetric);
   Document after = withOneCurveEach(before, edges);
-  const double whole = lengthOf(after, edges);
+  const double whole = lengthOf(after, edges, op.edges);
   for (const auto& at : edges) {
     if (op.none) {
       after = withoutRows(std::move(after), at);

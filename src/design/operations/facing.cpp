@@ -20,7 +20,7 @@ std::vector<Mark> marksOf(const Piece& piece, const RunOnPiece& run) {
 
 }  // namespace
 
-Done resolve(const Document& before, FaceEdges& op, Context& context) {
+Done resolve(const Document& before, FaceEdges& op, Context&) {
   if (op.edges.empty()) return refused(say("Say which edges are faced: edges=front.neck."));
   std::vector<EdgeRef> once;
   for (EdgeRef& edge : op.edges) {
@@ -32,14 +32,14 @@ Done resolve(const Document& before, FaceEdges& op, Context& context) {
   if (!(op.width >= 0.005 && op.width <= 0.5)) return refused(say("A facing is 5 mm to 50 cm deep."));
   if (!op.fabric.empty())
     if (Done done = checkFabricName(before, op.fabric); !done) return done;
+  return {};
+}
+
+Result<Document> perform(const Document& before, const FaceEdges& op, Context& context) {
   if (context.advise && std::any_of(op.edges.begin(), op.edges.end(), [&](const EdgeRef& edge) {
         return !before.find(edge.piece.id)->form || before.drape.dirty.contains(edge.piece.id);
       }))
     context.advise({say("Drape the garment before it is faced: the facing then lies close inside it.")});
-  return {};
-}
-
-Result<Document> perform(const Document& before, const FaceEdges& op, Context&) {
   const std::vector<RunOnPiece> runs = runsOf(before, op.edges);
   std::vector<PieceId> outers;
   for (const RunOnPiece& run : runs) outers.push_back(run.piece);

@@ -81,7 +81,7 @@ Done resolve(const Document& before, SetLength& op, Context& context) {
   const Piece& piece = *before.find(op.edge.piece.id);
   const std::size_t k = *piece.outline.find(op.edge.edge);
   if (std::fabs(piece.outline.edges[k].curve.length() - op.to) < kAsLong && !context.byFormula)
-    return refused(say("Edge {0} is {1} mm long already.", op.edge.edge, inMm(op.to)));
+    return refused(say("Edge {0} of {1} is {2} mm long already.", op.edge.edge, piece.name, inMm(op.to)));
   const auto both = [&](const PaperSymmetry& symmetry) { return symmetry.partner[k].has_value(); };
   if (Done done = resolveSymmetric(piece, op.symmetric, context, both); !done) return done;
   if (op.keep == SetLength::Keep::Auto) op.keep = keptEnd(before, piece, op.edge.edge, op.symmetric == Choice::Yes);

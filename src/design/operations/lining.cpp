@@ -106,7 +106,7 @@ std::vector<PieceId> idsOf(const std::vector<PieceRef>& pieces) {
 
 }  // namespace
 
-Done resolve(const Document& before, LinePieces& op, Context& context) {
+Done resolve(const Document& before, LinePieces& op, Context&) {
   if (Done done = resolve(before, op.pieces); !done) return done;
   if (op.fabric.empty()) op.fabric = "viscose";
   if (Done done = checkFabricName(before, op.fabric); !done) return done;
@@ -121,16 +121,16 @@ Done resolve(const Document& before, LinePieces& op, Context& context) {
   if (op.shorter && *op.shorter > 0 && op.open.empty())
     return refused(say("Say at which edges the lining is shorter: open=front.hem."));
   if (const auto room = withLayersBeneath(before, idsOf(op.pieces)); !room) return room.error();
+  return {};
+}
+
+Result<Document> perform(const Document& before, const LinePieces& op, Context& context) {
+  auto room = withLayersBeneath(before, idsOf(op.pieces));
+  if (!room) return room.error();
   if (context.advise && std::any_of(op.pieces.begin(), op.pieces.end(), [&](const PieceRef& ref) {
         return !before.find(ref.id)->form || before.drape.dirty.contains(ref.id);
       }))
     context.advise({say("Drape the garment before it is lined: the lining then lies close inside it.")});
-  return {};
-}
-
-Result<Document> perform(const Document& before, const LinePieces& op, Context&) {
-  auto room = withLayersBeneath(before, idsOf(op.pieces));
-  if (!room) return room.error();
   Document after = *std::move(room);
   Copies copies;
   std::uint32_t made = 0;

@@ -33,15 +33,21 @@ PleatPlan planOf(const Piece& piece, const AddPleat& op) {
   plan.along = normalized(*op.along);
   const double whole = op.edge.to - op.edge.from;
   const double length = piece.outline.edges[*piece.outline.find(op.edge.edge)].curve.length();
+  // The middle of what a knife pleat covers is its place.
+  const double half = op.kind == PleatKind::Knife ? op.depth / 2 / length : 0;
+  // A kilt's cover more than they are apart. Where the outer two would reach past the ends, all are spread between.
+  const double outer = whole / 2 / op.count;
+  const bool between = op.count > 1 && 2 * half <= whole &&
+                       (op.edge.from + outer - half < -kAtEnd || op.edge.to - outer + half > 1 + kAtEnd);
   for (int n = 0; n < op.count; ++n) {
     const double share = (n + 0.5) / op.count;
     using Turned = AddPleat::Turned;
     const bool first = share < 0.5;
     plan.toStart.push_back(op.turned == Turned::Against || (op.turned == Turned::Inwards && !first) ||
                            (op.turned == Turned::Outwards && first));
-    // The middle of what a knife pleat covers is its place.
-    const double half = op.kind == PleatKind::Knife ? op.depth / 2 / length : 0;
-    plan.at.push_back(op.at ? *op.at : op.edge.from + whole * share + (plan.toStart.back() ? -half : half));
+    const double middle = between ? std::lerp(op.edge.from + half, op.edge.to - half, n / (op.count - 1.0))
+                                  : op.edge.from + whole * share;
+    plan.at.push_back(op.at ? *op.at : middle + (plan.toStart.back() ? -half : half));
   }
   return plan;
 }
