@@ -49,6 +49,7 @@ constexpr double kHipUnderBelly = 0.09;  // … that the tape round the hip leav
 constexpr double kWaistAboveCrotch = 0.10, kWaistAboveHip = 0.05, kWaistRoom = 0.16;  // metres
 constexpr double kRibs = 0.065;  // below the bust: no waist is sought above, ribs may be slimmer
 constexpr int kWaistSamples = 28;
+constexpr double kNoWaistUnder = 2;  // a belly that stands out by half or more has its waist on its own level
 
 bool legsMeet(const Survey& body, double y) {
   for (const SectionLoop& contour : body.slices.section(y)) {
@@ -207,9 +208,14 @@ void measureTrunk(Survey& body) {
   const GirthLevel hip = extremum(Extremum::Largest, body.crotch + kHipFrom,
                                   body.crotch + std::lerp(kHipTo, kHipUnderBelly, belly.standsOut), kHipSamples,
                                   [&](double y) { return hipGirth(body, y); });
-  const GirthLevel waist =
+  GirthLevel waist =
       plateauExtremum(Extremum::Smallest, std::max(body.crotch + kWaistAboveCrotch, hip.y + kWaistAboveHip),
                       std::max(bust.y - kRibs * body.stature, body.crotch + kWaistRoom), kWaistSamples, girth);
+  // Under a belly that stands out, where no narrower place lies above it, the trunk is narrow too, but that is the hip.
+  if (waist.y < belly.y) {
+    waist.y = std::lerp(waist.y, belly.y, std::fmin(1, kNoWaistUnder * belly.standsOut));
+    waist.girth = girth(waist.y);
+  }
   const double highHip = (body.crotch + waist.y) / 2;
   body.waist = waist.y;
   const struct {
