@@ -183,6 +183,9 @@ std::vector<Flat> drillHoles(const Pattern& pattern, const Piece& piece) {
 std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish) {
   constexpr double kDepth = 0.014;       // metres from the edge, within the seams' numbers
   constexpr double kBelowArrow = 0.055;  // metres from the edge to the middle of a pleat's words
+  constexpr double kGathered = 1.1;      // times as long as the other side; less is eased in
+  constexpr double kBesideMiddle = 0.3;  // of the edge: in its middle an elastic's words may stand
+  constexpr double kWordsFit = 0.05;     // metres of edge
   std::vector<PaperNote> notes;
   const auto flat = [](Flat along) { return std::abs(along.u) >= std::abs(along.v); };
   for (const auto& [at, elastic] : finish.elastics)
@@ -214,6 +217,21 @@ std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish)
         notes.push_back({at.piece, fastenedSaid(pattern, own, over),
                          on->place - on->outward * (own.inset + own.size / 2 + kDepth), flat(leftOf(on->outward))});
     }
+  for (const auto& [id, seam] : pattern.seams) {
+    if (seam.tie == Seam::Tie::Pleat) continue;
+    const SeamSides sides(pattern, seam);
+    const bool first = sides.a.length() > sides.b.length();
+    const SeamSide &longer = first ? sides.a : sides.b, &shorter = first ? sides.b : sides.a;
+    if (!(shorter.length() > 0 && longer.length() >= kGathered * shorter.length())) continue;
+    for (const EdgeSpan& span : longer.spans()) {
+      const double own = (span.to - span.from) * curveOf(pattern, span.piece, span.edge)->length();
+      const auto on = sewnPlace(pattern, {span.piece, span.edge, std::lerp(span.from, span.to, kBesideMiddle)});
+      if (!on || own < kWordsFit) continue;
+      const double to = own * shorter.length() / longer.length();
+      notes.push_back({span.piece, say("gather to {0} cm", std::round(to * 1000) / 10),
+                       on->place - on->outward * kDepth, flat(leftOf(on->outward))});
+    }
+  }
   const std::vector<PaperPleat> pleats = pleatsOf(pattern);
   for (const PaperPleat& pleat : pleats) {  // between the fold and the one inside it, below the arrow
     const double depth = distance(pleat.fold, pleat.inner);

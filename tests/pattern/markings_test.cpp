@@ -209,6 +209,27 @@ TEST(PaperNotes, TellElasticsHemsAndFolds) {
   }
 }
 
+// The longer side of a gathered seam says how long it comes to be; what is only eased in says nothing.
+TEST(PaperNotes, TellWhatIsGathered) {
+  for (const double width : {0.72, 0.37}) {
+    const Pattern pattern = [&] {
+      Pattern sewn = test::patternOf({test::pieceOf(1, test::rectangle(width, 0.5), "skirt"),
+                                      test::pieceOf(2, test::rectangle(0.36, 0.2), "top")});
+      Seam seam;
+      seam.id = {3};
+      seam.a = {{{1}, "top", 0, 1}}, seam.b = {{{2}, "bottom", 0, 1}};
+      sewn.seams[seam.id] = seam;
+      return sewn;
+    }();
+    const auto notes = notesOf(pattern, {});
+    ASSERT_EQ(notes.size(), width > 0.4 ? 1u : 0u);
+    if (notes.empty()) continue;
+    EXPECT_EQ(notes[0].piece, PieceId{1});
+    EXPECT_EQ(text(notes[0].words), "gather to 36 cm");
+    EXPECT_NEAR(notes[0].place.v, 0.5 - 0.014, 1e-9);
+  }
+}
+
 // Buttonholes across the edge begin beyond the button's place and are longer than it; crosses lie on the other side.
 TEST(Fasteners, AreMarkedAtTrueSize) {
   Piece over = test::pieceOf(1, test::rectangle(0.3, 0.4), "over"),
