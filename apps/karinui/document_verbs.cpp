@@ -63,6 +63,12 @@ Result<void> playScript(OpenDocument& opened, const std::string& script, const s
       const Error& why = step.error();
       return Error{why.kind, say("Line {0}: {1}", line.number, why.what)};
     }
+    if (opened.stopped()) {
+      opened.program().console.note(
+          say("Stopped in line {0}; the garment is kept as it is there. The rest of the script was not played.",
+              line.number));
+      return {};
+    }
   }
   return pictures.rest(opened);
 }
@@ -128,6 +134,7 @@ int runDo(Program& program, const DoOptions& options) {
         return program.console.refuse(step.error());
       }
       program.console.answer(stepJson(*step, opened.document()), text(step->operation));
+      if (opened.stopped()) break;
     }
     return opened.settled() ? kDone : kNotSettled;
   });

@@ -4,6 +4,18 @@
 
 namespace karinui::app {
 
+Result<Step> OpenDocument::perform(Operation operation) {
+  if (context_->stop) return performWith(std::move(operation), *context_);  // whoever set it stops it
+  StopRequest stop;
+  program_.console.stopFirst(&stop);
+  context_->stop = &stop;
+  Result<Step> step = performWith(std::move(operation), *context_);
+  context_->stop = nullptr;
+  program_.console.stopFirst(nullptr);
+  stopped_ = step && stop.asked();
+  return step;
+}
+
 Result<Step> OpenDocument::performWith(Operation operation, Context& context) {
   const bool rests = std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation);
   Result<Step> step = file_.perform(std::move(operation), context);

@@ -29,10 +29,11 @@ class OpenDocument {
   Context& context() { return *context_; }
 
   // Records one operation; says on stderr what a drape or a pull came to. `settled` becomes false for one that did not
-  // rest.
-  Result<Step> perform(Operation operation) { return performWith(std::move(operation), *context_); }
+  // rest. The first Ctrl-C stops a drape where the cloth is, which is recorded; `stopped` tells.
+  Result<Step> perform(Operation operation);
   Result<Step> performWith(Operation operation, Context& context);  // with another's blobs
   bool settled() const { return settled_; }
+  bool stopped() const { return stopped_; }
   Result<SceneFrame> scene() { return scene(document()); }  // the garment on its body, for pictures
   Result<SceneFrame> scene(const Document& document);       // the same of what became of it
   Prints prints();
@@ -44,7 +45,7 @@ class OpenDocument {
   DocumentFile file_;
   std::optional<Context> context_;
   PrintShelf shelf_;
-  bool settled_ = true;
+  bool settled_ = true, stopped_ = false;
   std::size_t remarksTold_ = 0;
 };
 

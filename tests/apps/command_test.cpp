@@ -50,6 +50,23 @@ class Command : public testing::Test {
   }
 };
 
+// Ctrl-C keeps what a script came to: the drape as far as it got, and nothing that follows.
+TEST_F(Command, APlayThatIsStoppedInADrapeKeepsIt) {
+  std::string fine(kTunic);
+  fine.replace(fine.find("30mm"), 4, "6mm");
+  const std::string path = script(fine + "drape\nrename piece=front to=later\n"), err = folder / "err";
+  const std::string line = std::string(KARINUI_COMMAND) + " play " + path + " -o " + document() + " >/dev/null 2>" +
+                           err + " & until grep -qs Draping " + err +
+                           " || ! kill -0 $!; do sleep 0.05; done; kill -INT $!; wait $!";
+  const int status = std::system(("bash -c '" + line + "'").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 4) << contents(err);
+  EXPECT_THAT(contents(err), HasSubstr("Stopped in line 9; the garment is kept as it is there."));
+  const std::string log = karinui("log " + document()).out;
+  EXPECT_THAT(log, HasSubstr("drape"));
+  EXPECT_THAT(log, HasSubstr("stop="));
+  EXPECT_THAT(log, testing::Not(HasSubstr("later")));
+}
+
 // A script may come from anyone.
 TEST_F(Command, AScriptNamesPicturesInTheFolderAndNoOtherFile) {
   for (const char* name : {"../outside", "/tmp/karinui_outside", ".hidden", "sub/outside"}) {

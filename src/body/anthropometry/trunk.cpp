@@ -211,9 +211,11 @@ void measureTrunk(Survey& body) {
   GirthLevel waist =
       plateauExtremum(Extremum::Smallest, std::max(body.crotch + kWaistAboveCrotch, hip.y + kWaistAboveHip),
                       std::max(bust.y - kRibs * body.stature, body.crotch + kWaistRoom), kWaistSamples, girth);
-  // Under a belly that stands out, where no narrower place lies above it, the trunk is narrow too, but that is the hip.
-  if (waist.y < belly.y) {
-    waist.y = std::lerp(waist.y, belly.y, std::fmin(1, kNoWaistUnder * belly.standsOut));
+  // Under a man's belly that stands out, where no narrower place lies above it, the trunk is narrow too, but that is
+  // the hip.
+  const double noWaist = std::fmin(1, kNoWaistUnder * belly.standsOut) * std::clamp(1 - 2 * body.bosom, 0.0, 1.0);
+  if (noWaist > 0 && waist.y < belly.y) {
+    waist.y = std::lerp(waist.y, belly.y, noWaist);
     waist.girth = girth(waist.y);
   }
   const double highHip = (body.crotch + waist.y) / 2;
