@@ -120,6 +120,13 @@ std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
     const bool free =
         std::none_of(fractions.begin(), fractions.end(), [](double f) { return std::abs(f - 0.5) < 0.1; });
     if (balance && free) fractions.insert(std::upper_bound(fractions.begin(), fractions.end(), 0.5), 0.5);
+    if (balance && !free) {  // an armhole over its shoulder: one in front, two behind tell a sleeve's sides apart
+      std::vector<double> ends = fractions;
+      ends.insert(ends.begin(), 0), ends.push_back(1);
+      for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+        if ((ends[k + 1] - ends[k]) * longer > kLongSeam) fractions.push_back((ends[k] + ends[k + 1]) / 2);
+      std::sort(fractions.begin(), fractions.end());
+    }
     for (const double fraction : fractions) {
       const SeamPlace atA = sides.a.at(fraction), atB = sides.b.at(fraction);
       const auto a = borderPlace(pattern, atA), b = borderPlace(pattern, atB);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "karinui/pattern/cut_line.h"
@@ -207,6 +208,22 @@ TEST(PaperNotes, TellElasticsHemsAndFolds) {
     EXPECT_NEAR(quarters[k].place.u, 0.3 * (0.75 - 0.25 * static_cast<double>(k)), 1e-9);
     EXPECT_NEAR(quarters[k].place.v, 0.2, 1e-12);
   }
+}
+
+// A sleeve's front has one notch and its back two, as the armhole has them, beside that at the shoulder.
+TEST(Notches, TellASleevesFrontFromItsBack) {
+  Pattern pattern = test::patternOf({test::pieceOf(1, test::rectangle(0.45, 0.4), "sleeve"),
+                                     test::pieceOf(2, test::rectangle(0.22, 0.5), "front"),
+                                     test::pieceOf(3, test::rectangle(0.22, 0.5), "back")});
+  Seam seam;
+  seam.id = {4};
+  seam.a = {{{1}, "top", 0, 1}}, seam.b = {{{2}, "bottom", 0, 1}, {{3}, "bottom", 0, 1}};
+  pattern.seams[seam.id] = seam;
+  std::map<PieceId, std::size_t> notches;
+  for (const NotchPlace& notch : notchPlaces(pattern)) ++notches[notch.piece];
+  EXPECT_EQ(notches[{1}], 4u);
+  EXPECT_EQ(notches[{2}] + notches[{3}], 4u);
+  EXPECT_GE(notches[{3}], 2u);
 }
 
 // The longer side of a gathered seam says how long it comes to be; what is only eased in says nothing.
