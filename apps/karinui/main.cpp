@@ -51,7 +51,11 @@ int main(int count, char** words) {
   // “karinui help play” is “karinui play --help”.
   std::vector<char*> given(words, words + count);
   std::string asked = "--help";
-  if (count > 1 && given[1] == std::string("help")) given.erase(given.begin() + 1), given.push_back(asked.data());
+  if (count > 1 && given[1] == std::string("help")) {
+    given.erase(given.begin() + 1);
+    if (count == 2 || !program.cli.get_subcommands([&](CLI::App* verb) { return verb->check_name(given[1]); }).empty())
+      given.push_back(asked.data());
+  }
   try {
     program.cli.parse(static_cast<int>(given.size()), given.data());
   } catch (const CLI::ParseError& trouble) {

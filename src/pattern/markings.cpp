@@ -231,9 +231,10 @@ std::vector<PaperNote> notesOf(const Pattern& pattern, const Allowances& finish)
     const SeamSide &longer = first ? sides.a : sides.b, &shorter = first ? sides.b : sides.a;
     if (!(shorter.length() > 0 && longer.length() >= kGathered * shorter.length())) continue;
     for (const EdgeSpan& span : longer.spans()) {
-      const double own = (span.to - span.from) * curveOf(pattern, span.piece, span.edge)->length();
       const auto on = sewnPlace(pattern, {span.piece, span.edge, std::lerp(span.from, span.to, kBesideMiddle)});
-      if (!on || own < kWordsFit) continue;
+      if (!on) continue;
+      const double own = (span.to - span.from) * curveOf(pattern, span.piece, span.edge)->length();
+      if (own < kWordsFit) continue;
       const double to = own * shorter.length() / longer.length();
       notes.push_back({span.piece, say("gather to {0} cm", std::round(to * 1000) / 10),
                        on->place - on->outward * kDepth, flat(leftOf(on->outward))});

@@ -50,6 +50,14 @@ class Command : public testing::Test {
   }
 };
 
+TEST_F(Command, HelpIsAskedForByAVerbToo) {
+  EXPECT_EQ(karinui("help undo").out, karinui("undo --help").out);
+  EXPECT_EQ(karinui("help").out, karinui("--help").out);
+  const Said unknown = karinui("help nonsense");
+  EXPECT_EQ(unknown.exit, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("has no command “nonsense”"));
+}
+
 // Ctrl-C keeps what a script came to: the drape as far as it got, and nothing that follows.
 TEST_F(Command, APlayThatIsStoppedInADrapeKeepsIt) {
   std::string fine(kTunic);

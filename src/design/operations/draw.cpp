@@ -97,6 +97,8 @@ Done settleLine(DrawPiece& draw, const DrawingGround& ground, const Body& body) 
     if (const auto place = body.find(point); !place) return place.error();
   if (draw.symmetric && draw.mirror)
     return refused(say("A symmetric piece is its own mirror image: choose symmetric or mirror, not both."));
+  if (!draw.symmetric && draw.square == Choice::Yes)
+    return refused(say("Only a half line crosses the centre square: choose symmetric, or leave square away."));
   auto places = placesOf(body, draw.line);
   if (!places) return places.error();
   if (!draw.symmetric && draw.line.size() >= 2) {

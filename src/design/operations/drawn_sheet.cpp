@@ -14,8 +14,8 @@ namespace {
 constexpr double kSmallest = 4e-4;    // m2: less is no piece of cloth
 constexpr double kFirmEnd = 0.005;    // metres of points that say how an edge ends, where it may not end otherwise
 constexpr double kLevel = 0.6;        // radians: an edge that meets the centre this nearly level is squared to it
-constexpr double kSquared = 0.10;     // metres from the centre in which it is, and at most
-constexpr double kSquaredHalf = 0.5;  // of the way to where it turns back;
+constexpr double kSquared = 0.10;     // metres from the centre: how far off it is led anew, but no farther than
+constexpr double kSquaredHalf = 0.5;  // this share of the way to where it turns back;
 constexpr double kDip = 0.3;          // of that: so near the centre the skin dips, and what was drawn says little
 
 // How many edges a line between two corners becomes depends on how it was drawn, not on how it came out: on any figure
@@ -108,7 +108,7 @@ Outline wholeOutline(const Patch& patch, const Sides& sides, std::span<const Fla
   return outline;
 }
 
-double smooth(double t) {
+double smoothstep(double t) {
   t = std::clamp(t, 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
@@ -125,7 +125,7 @@ void squareToCentre(std::vector<Flat>& points) {
   Flat last = points.front();
   for (std::size_t k = 1; k < rising && side * points[k].u < reach; ++k) {
     const double u = points[k].u, v = points[k].v;
-    const double w = smooth(side * u / (kDip * reach)) * std::fabs(u - last.u);
+    const double w = smoothstep(side * u / (kDip * reach)) * std::fabs(u - last.u);
     weights += w, squares += w * u * u, fourths += w * u * u * u * u, heights += w * v, products += w * u * u * v;
     last = points[k];
   }
@@ -135,7 +135,7 @@ void squareToCentre(std::vector<Flat>& points) {
   const double b = (weights * products - squares * heights) / determinant, a = (heights - b * squares) / weights;
   for (std::size_t k = 0; k < rising && side * points[k].u < reach; ++k) {
     const double u = points[k].u;
-    points[k].v = std::lerp(a + b * u * u, points[k].v, smooth(2 * side * u / reach - 1));
+    points[k].v = std::lerp(a + b * u * u, points[k].v, smoothstep(2 * side * u / reach - 1));
   }
 }
 
