@@ -14,13 +14,13 @@ namespace {
 
 constexpr int kSpins = 20000;    // some hundreds of microseconds: longer than the pause between two jobs of a solver
 constexpr int kPatience = 1000;  // some ten: what it takes to fetch another's data
+constexpr int kYield = 256;      // once in so many spins whoever else waits for the processor has it
 
-void breathe() {
+void breathe(int spin) {
 #if defined(__x86_64__) || defined(__i386__)
-  __builtin_ia32_pause();
-#else
-  std::this_thread::yield();
+  if (spin % kYield != kYield - 1) return __builtin_ia32_pause();
 #endif
+  std::this_thread::yield();
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ struct Workers::Team {
     wake();
     takeBlocks(0);
     open = false;
-    for (int i = 0; inside != 0; ++i) i < kSpins ? breathe() : std::this_thread::yield();
+    for (int i = 0; inside != 0; ++i) breathe(i);
     if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
   }
 
@@ -98,7 +98,8 @@ struct Workers::Team {
   void takeBlocksFrom(std::size_t me) {
     for (std::size_t k = 0; k < shares.size(); ++k) {
       Share& share = shares[(me + k) % shares.size()];
-      for (int i = 0; k == 1 && i < kPatience && share.next.load(std::memory_order_relaxed) < share.end; ++i) breathe();
+      for (int i = 0; k == 1 && i < kPatience && share.next.load(std::memory_order_relaxed) < share.end; ++i)
+        breathe(i);
       for (;;) {
         const std::size_t from = share.next.fetch_add(job.block, std::memory_order_relaxed);
         if (from >= share.end) break;
@@ -111,7 +112,7 @@ struct Workers::Team {
     std::uint64_t seen = 0;
     const auto called = [&] { return closing || number != seen; };
     for (;;) {
-      for (int i = 0; i < kSpins && !called(); ++i) breathe();
+      for (int i = 0; i < kSpins && !called(); ++i) breathe(i);
       if (!called()) {
         std::unique_lock lock(mutex);
         ++sleeping;
