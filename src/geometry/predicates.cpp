@@ -86,6 +86,11 @@ int side(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
                            (std::fabs(xy) + std::fabs(yx)) * std::fabs(w.z);
   // Shewchuk's bound for the first stage of orient3d is (7 + 56 e) e with e half a unit in the last place.
   if (std::fabs(determinant) > 8 * kHalfUlp * permanent) return signOf(determinant);
+  // Differences that vanish are exact: two points at one place, or all four on a plane across an axis.
+  const auto none = [](double x, double y, double z) { return x == 0 && y == 0 && z == 0; };
+  if (none(u.x, v.x, w.x) || none(u.y, v.y, w.y) || none(u.z, v.z, w.z)) return 0;
+  for (const Vec3 way : {u, v, w, c - b, d - b, d - c})
+    if (none(way.x, way.y, way.z)) return 0;
   return exactSide(a, b, c, d);
 }
 

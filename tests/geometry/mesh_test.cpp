@@ -124,6 +124,8 @@ TEST(Predicates, AreExactWhereRoundingWouldLie) {
   EXPECT_EQ(side(a, b, c, on), 0);
   EXPECT_EQ(side(a, b, c, {on.x, on.y, std::nextafter(0.1, 1)}), 1);
   EXPECT_EQ(side(a, b, c, {on.x, on.y, std::nextafter(0.1, 0)}), -1);
+  for (const auto& [p, q, r, s] : {std::array{a, b, c, a}, {a, b, c, c}, {a, b, b, on}, {c, b, c, on}})
+    EXPECT_EQ(side(p, q, r, s), 0) << "two at one place";
   // Kettner et al.'s example of a naive orientation going wrong: points near a diagonal.
   const double step = std::ldexp(1.0, -53);
   for (int i = 0; i < 64; ++i)
