@@ -6,6 +6,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/design/notions.h"
+#include "karinui/design/piece_label.h"
 #include "karinui/design/print_match.h"
 #include "karinui/pattern/cut_line.h"
 #include "karinui/pattern/seam_walk.h"
@@ -63,6 +64,7 @@ class Laying {
     Allowances allowances = document_.allowances;
     if (settings_.allowance) allowances.kinds[EdgeKind::Seam] = *settings_.allowance;
     allowances_.emplace(document_.pattern, std::move(allowances));
+    faceDown_ = cutFaceDown(document_.pattern, *allowances_, document_.cutting);
     printedPlaces();
     references();
     std::map<std::string, std::vector<const Piece*>> byFabric;
@@ -283,10 +285,11 @@ class Laying {
     const auto told = document_.cutting.find(piece.id);
     const Cutting cutting = told == document_.cutting.end() ? Cutting() : told->second;
     const auto count = static_cast<std::size_t>(cutting.count);
+    const bool down = faceDown_.contains(piece.id);
     if (!settings_.folded) {
       std::vector<Share> all;
       const std::size_t over = cutting.pairs ? count / 2 : 0;
-      if (count > over) all.push_back({.count = count - over});
+      if (count > over) all.push_back({.count = count - over, .over = down});
       if (over > 0) all.push_back({.count = over, .over = true});
       return all;
     }
@@ -309,7 +312,7 @@ class Laying {
     const std::size_t pairs = cutting.pairs ? count / 2 : 0;
     std::vector<Share> all;
     if (pairs > 0) all.push_back({.count = pairs, .mirrorToo = true, .layers = 2});
-    all.push_back({.count = count - 2 * pairs, .layers = 1});
+    all.push_back({.count = count - 2 * pairs, .over = down, .layers = 1});
     return all;
   }
 
@@ -453,6 +456,7 @@ class Laying {
   std::map<PieceId, double> along_, aside_, lowest_;
   std::map<PieceId, PieceId> partner_;  // of an upper piece the lower one
   std::set<PieceId> below_;
+  std::set<PieceId> faceDown_;  // whose paper lies turned over
   std::vector<Message> notes_;
 };
 

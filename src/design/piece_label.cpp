@@ -1,14 +1,33 @@
 #include "karinui/design/piece_label.h"
 
 #include "karinui/design/glossary.h"
+#include "karinui/pattern/facing.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
+
+std::set<PieceId> cutFaceDown(const Pattern& pattern, const AllowancePlan& plan,
+                              const std::map<PieceId, Cutting>& cutting) {
+  const std::set<PieceId> inside = wornInsideOut(pattern);
+  std::set<PieceId> twins;  // left and right: either is what the other would be, turned over
+  for (const PieceId id : inside)
+    if (const PieceId twin = pattern.pieces.at(id)->mirrorOf; inside.contains(twin)) twins.insert({id, twin});
+  std::set<PieceId> down;
+  for (const PieceId id : inside) {
+    const Piece& piece = *pattern.pieces.at(id);
+    const auto told = cutting.find(id);
+    const bool pairs = told != cutting.end() && told->second.pairs;
+    if (!pairs && !twins.contains(id) && !plan.onFold(piece) && !symmetryOf(piece.outline)) down.insert(id);
+  }
+  return down;
+}
 
 std::vector<Message> labelOf(const Piece& piece, const CutFacts& facts) {
   const auto& [count, pairs] = facts.cutting;
   Message cut = pairs ? say("Cut {0} ({1} {1|pair|pairs})", count, count / 2) : say("Cut {0}", count);
   if (facts.onFold) cut = say("{0} on fold", cut);
   std::vector<Message> lines{nameSaid(piece.name), say("{0} · {1}", cut, nameSaid(piece.fabric))};
+  if (facts.faceDown) lines.push_back(say("paper face down"));
   if (!piece.interfacing.empty()) lines.push_back(say("fused: {0}", nameSaid(piece.interfacing)));
   const Message size =
       facts.size.empty() ? Message() : termSaid(Term::Size, facts.size).value_or(say("{0}", facts.size));

@@ -129,10 +129,11 @@ struct SheetLettering {
   LetteredPiece room;
 };
 
-SheetLettering addLabels(SheetPiece& out, const SheetSettings& settings, bool onFold) {
+SheetLettering addLabels(SheetPiece& out, const SheetSettings& settings, bool onFold, bool faceDown) {
   std::vector<std::string> lines;
   const auto own = settings.cutting.find(out.piece->id);
-  const CutFacts facts{own == settings.cutting.end() ? Cutting() : own->second, onFold, settings.size, settings.date};
+  const CutFacts facts{own == settings.cutting.end() ? Cutting() : own->second, onFold, faceDown, settings.size,
+                       settings.date};
   for (const Message& line : labelOf(*out.piece, facts)) lines.push_back(cleanText(text(line, settings.language)));
   out.labels = lines.size();
   const LetteredPiece room = roomFor(*out.piece, lines);
@@ -301,9 +302,11 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   shelve(sheet, settings.rollWidth * 1000, kHeader + (settings.matches.empty() ? 0 : kMatchesSaid));
   const AllowancePlan kinds(pattern, settings.allowances);
   std::map<PieceId, SheetLettering> lettering;
+  const std::set<PieceId> faceDown = cutFaceDown(pattern, kinds, settings.cutting);
   for (SheetPiece& piece : sheet.pieces) {
     if (piece.strip) continue;
-    lettering[piece.piece->id] = addLabels(piece, settings, kinds.onFold(*piece.piece));
+    lettering[piece.piece->id] =
+        addLabels(piece, settings, kinds.onFold(*piece.piece), faceDown.contains(piece.piece->id));
     addFolds(piece, kinds, settings.language);
   }
   addNotches(sheet, pattern, plan, settings, lettering);

@@ -65,6 +65,12 @@ ClothLook clothLookOf(const Look& look, const Fabric& fabric, Flat grain, Flat o
   return shown;
 }
 
+void turnInsideOut(Colour& colour, ClothLook& look) {
+  const ClothLook::Wrong right{colour, look.print, look.ink}, wrong = look.wrong.value_or(right);
+  colour = wrong.colour, look.print = wrong.print, look.ink = wrong.ink;
+  look.wrong = right;
+}
+
 std::shared_ptr<const PrintImage> PrintShelf::find(const std::string& photo, const Blobs& blobs) {
   const auto [at, fresh] = read_.emplace(photo, nullptr);
   if (!fresh) return at->second;

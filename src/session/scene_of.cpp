@@ -8,6 +8,7 @@
 
 #include "karinui/design/drape.h"
 #include "karinui/design/print_match.h"
+#include "karinui/pattern/facing.h"
 #include "karinui/pattern/seam_walk.h"
 #include "session/cloth_trims.h"
 #include "session/standing_buttons.h"
@@ -161,6 +162,7 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const 
   if (document.pattern.pieces.empty()) return scene;
   const Result<Standing> standing = standingCloth(document, livePieces(document, {}));
   if (!standing) return standing.error();
+  const std::set<PieceId> insideOut = wornInsideOut(document.pattern);
   for (const ClothPiece& piece : standing->cloth.pieces) {
     const Lattice& lattice = *piece.lattice;
     const auto first = standing->state.position.begin() + piece.firstNode;
@@ -178,6 +180,7 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const 
     const Look look = lookOf(document, cut);
     cloth.colour = linear(look.colour);
     cloth.look = clothLookOf(look, piece.fabric, cut.grain, printOrigin(document, cut), prints);
+    if (insideOut.contains(piece.id)) turnInsideOut(cloth.colour, cloth.look);
     cloth.live = document.drape.dirty.contains(piece.id);
     addTrims(document, piece.id, cloth);
     frame.cloths.push_back(std::move(cloth));

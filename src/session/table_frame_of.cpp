@@ -92,10 +92,11 @@ void addLabels(TablePiece& drawn, const std::vector<Message>& words, Flat lies, 
   if (room.grain) drawn.grain = laid(*room.grain, lies);
 }
 
-CutFacts factsOf(const Document& document, const AllowancePlan& plan, const Piece& piece) {
+CutFacts factsOf(const Document& document, const AllowancePlan& plan, const Piece& piece, bool faceDown) {
   const auto own = document.cutting.find(piece.id);
   return {own == document.cutting.end() ? Cutting() : own->second,
           plan.onFold(piece),
+          faceDown,
           document.grading.empty() ? document.body.size : document.grading.sizes[document.grading.standing],
           {}};
 }
@@ -203,6 +204,7 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
       frame.scans.push_back({image->second, lies.at, lies.width, lies.turn, lies.strength});
   }
   const AllowancePlan plan(pattern, document.allowances);
+  const std::set<PieceId> faceDown = cutFaceDown(document.pattern, plan, document.cutting);
   struct Lettered {
     std::vector<std::string> words;
     LetteredPiece room;
@@ -222,7 +224,7 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
     drawn.unsettled = document.drape.dirty.contains(id);
     const Piece& stored = *document.pattern.pieces.at(id);
     if (options.outlines.contains(id)) drawn.before = laid(stored.outline.flattened(kChordMiss), lies);
-    const std::vector<Message> lines = labelOf(stored, factsOf(document, plan, stored));
+    const std::vector<Message> lines = labelOf(stored, factsOf(document, plan, stored, faceDown.contains(id)));
     const std::vector<std::string> words = inWords(lines, options.language);
     Lettered& written = lettered[id];
     written = {words, rooms ? rooms->of(stored, words) : roomFor(stored, words), {}};

@@ -1,7 +1,11 @@
-// A facing lies within what it faces.
+// A facing lies within what it faces, wrong side to wrong side.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "design/draping_room.h"
+#include "karinui/design/lay_plan.h"
+#include "karinui/design/piece_label.h"
+#include "karinui/pattern/facing.h"
 
 namespace karinui {
 namespace {
@@ -18,6 +22,60 @@ TEST(FacedEdges, LieWithinTheSkirt) {
   EXPECT_EQ(facing.layer, front.layer - 1);
   for (const double f : {0.2, 0.5, 0.8})
     expectWithin(document, facing, front, findEdge(facing, "inner")->curve.atFraction(f));
+}
+
+// Two slanted panels and a straight one, whose middle one's lining is sewn to nothing but linings.
+const char* const kPanels =
+    "piece name=first outline=\"M 0 0; hem L 200 0; side L 200 300; top L 60 300; free L 0 0\"\n"
+    "piece name=second outline=\"M 0 0; hem L 200 0; far L 150 300; top L 0 300; side L 0 0\" pose=\"1,0,0\"\n"
+    "piece name=third outline=\"M 0 0; hem L 200 0; free L 200 300; top L 0 300; side L 0 0\" pose=\"2,0,0\"\n"
+    "sew a=first.side b=second.side\nsew a=second.far b=third.side\n";
+
+// Lay the paper of the outer piece on its lining: the lining's paper shows the cloth's wrong side. Where its mirror
+// image is another shape, it is cut with the paper turned over, and the paper says so.
+TEST(FacedEdges, AndLiningsAreCutFaceDown) {
+  Workroom room;
+  const auto played = [&](const std::string& script) {
+    DocumentFile file = DocumentFile::inMemory();
+    const auto done = room.play(file, kPanels + script);
+    EXPECT_TRUE(done) << text(done.error().what);
+    return file.document();
+  };
+  const auto named = [](const Document& document, const std::set<PieceId>& ids) {
+    std::vector<std::string> names;
+    for (const PieceId id : ids) names.push_back(document.find(id)->name);
+    return names;
+  };
+  const auto down = [&](const Document& document) {
+    return named(document,
+                 cutFaceDown(document.pattern, AllowancePlan(document.pattern, document.allowances), document.cutting));
+  };
+  using testing::UnorderedElementsAre;
+  EXPECT_THAT(down(played("")), testing::IsEmpty());
+  const Document lined = played(
+      "lining piece=\"first second third\" "
+      "open=\"first.hem first.top second.hem second.top third.hem third.top third.free\"\n");
+  EXPECT_THAT(named(lined, wornInsideOut(lined.pattern)),
+              UnorderedElementsAre("first_lining", "second_lining", "third_lining"));
+  EXPECT_THAT(down(lined), UnorderedElementsAre("first_lining", "second_lining"));  // the third is symmetric
+  const Document faced = played("facing edges=\"third.top second.top\" width=5cm\n");
+  EXPECT_THAT(down(faced), UnorderedElementsAre("second_facing"));
+  const std::string pairs = "quantity piece=second_facing count=2 pairs=yes\n";
+  EXPECT_THAT(down(played("facing edges=second.top width=5cm\n" + pairs)), testing::IsEmpty());
+
+  CutFacts facts;
+  facts.faceDown = true;
+  std::string label;
+  for (const Message& line : labelOf(*faced.pieceNamed("second_facing"), facts)) label += text(line) + "\n";
+  EXPECT_THAT(label, testing::HasSubstr("face down"));
+  for (const bool folded : {false, true}) {
+    LaySettings settings;
+    settings.tries = 50, settings.folded = folded, settings.nap = true;
+    const auto plan = layPlan(faced, settings, room.context);
+    ASSERT_TRUE(plan) << text(plan.error().what);
+    for (const LaidPiece& laid : plan->fabrics.front().pieces)
+      EXPECT_EQ(laid.over, plan->document.find(laid.piece)->name == "second_facing");
+  }
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 // What is written on a piece of paper, on the printed sheet and on the cutting table. Pure; any thread.
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,9 +12,13 @@ namespace karinui {
 // What is known of a piece beside its name and fabric.
 struct CutFacts {
   Cutting cutting;
-  bool onFold = false;
+  bool onFold = false, faceDown = false;
   std::string size, date;  // of the figure, of the print; nothing: not told
 };
+// Pieces whose paper lies face down on the right side of the cloth: those that are worn with it inwards, where that
+// makes a difference to what is cut: neither symmetric, nor on the fold, nor in pairs.
+std::set<PieceId> cutFaceDown(const Pattern& pattern, const AllowancePlan& plan,
+                              const std::map<PieceId, Cutting>& cutting);
 // Line by line: its name, then what to cut, then size and date where they are told.
 std::vector<Message> labelOf(const Piece& piece, const CutFacts& facts = {});
 

@@ -1,6 +1,7 @@
 #pragma once
 // Facings: the strip of a piece beside a run of its edges, cut once more and turned in there, as at a neckline or a
 // front edge; and what is left of a piece without such a strip. Metres on paper. Pure; any thread.
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,5 +29,10 @@ Result<DividedPart> facingOf(const Piece& piece, const std::vector<std::string>&
 // The piece without its facing: shorter there by `by`. The inner edge has the name of the run's first. Refuses the
 // same.
 Result<DividedPart> shortenedAt(const Piece& piece, const std::vector<std::string>& run, double by);
+
+// Facings and linings: pieces that are worn with the right side of their cloth inwards, since they are sewn along the
+// edges of a piece above them, paper on paper. Those that are sewn to such a piece in the same layer go with it. They
+// are cut with their paper turned over.
+std::set<PieceId> wornInsideOut(const Pattern& pattern);
 
 }  // namespace karinui

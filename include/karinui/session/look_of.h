@@ -17,6 +17,9 @@ using Prints = std::function<std::shared_ptr<const PrintImage>(const std::string
 // `origin`: where on the paper the print begins.
 ClothLook clothLookOf(const Look& look, const Fabric& fabric, Flat grain, Flat origin, const Prints& prints);
 
+// The right side of cloth turned to the other side of its surface.
+void turnInsideOut(Colour& colour, ClothLook& look);
+
 // Photographs of a document, kept when they were read.
 class PrintShelf {
  public:

@@ -1,0 +1,29 @@
+#include "karinui/pattern/facing.h"
+
+namespace karinui {
+
+std::set<PieceId> wornInsideOut(const Pattern& pattern) {
+  const auto layerOf = [&](const EdgeSpan& span) { return pattern.pieces.at(span.piece)->layer; };
+  std::set<PieceId> inside, above;
+  for (const auto& [id, seam] : pattern.seams) {
+    if (seam.tie != Seam::Tie::Pleat || seam.reversed) continue;
+    for (const EdgeSpan& outer : seam.a)
+      for (const EdgeSpan& own : seam.b)
+        if (layerOf(own) < layerOf(outer)) inside.insert(own.piece), above.insert(outer.piece);
+  }
+  for (std::size_t before = 0; before != inside.size();) {
+    before = inside.size();
+    for (const auto& [id, seam] : pattern.seams) {
+      if (!seam.reversed) continue;
+      for (const EdgeSpan& one : seam.a)
+        for (const EdgeSpan& other : seam.b) {
+          if (layerOf(one) != layerOf(other)) continue;
+          if (inside.contains(one.piece) && !above.contains(other.piece)) inside.insert(other.piece);
+          if (inside.contains(other.piece) && !above.contains(one.piece)) inside.insert(one.piece);
+        }
+    }
+  }
+  return inside;
+}
+
+}  // namespace karinui
