@@ -109,6 +109,31 @@ TEST_F(Placed, AHalfCircleStandsClearOfTheArms) {
     ASSERT_GT((*body)->bvh().signedDistance(p), 0.002);
 }
 
+// A cape goes over the arms: each half is a cone round the neck, clear of the body.
+TEST_F(Placed, ACapeStandsOverTheArms) {
+  auto file = DocumentFile::inMemory();
+  const Done done = room().play(file,
+                                "body size=eu38\nring name=cape inner=24cm angle=130deg depth=70cm\nplace piece=cape "
+                                "at=\"torso:neck_base@0.25\" ease=2cm\n");
+  ASSERT_TRUE(done) << text(done.error().what);
+  const auto body = bodyOf(file.document(), room().context);
+  const Form& form = *file.document().pieceNamed("cape")->form;
+  double low = 10, high = 0, front = 0, back = 0;
+  for (const Vec3 p : form.space) {
+    ASSERT_GT((*body)->bvh().signedDistance(p), 0.002);
+    low = std::min(low, p.y), high = std::max(high, p.y);
+    front = std::max(front, p.z), back = std::min(back, p.z);
+  }
+  EXPECT_LT(high - low, 0.5) << "it spreads over the arms and does not hang beside them";
+  EXPECT_GT(front, 0.3);
+  EXPECT_LT(back, -0.3);
+  for (const Triangle& face : form.faces)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double paper = distance(form.flat[face[i]], form.flat[face[(i + 1) % 3]]);
+      ASSERT_NEAR(distance(form.space[face[i]], form.space[face[(i + 1) % 3]]), paper, 0.03 * paper);
+    }
+}
+
 // A long sleeve that narrows goes round the arm with its two sides beside each other under it, all the way to the
 // wrist and its length kept; wrapped as a
 // cylinder, its sides are further apart there.

@@ -70,6 +70,22 @@ double furthest(const Body& body, const LimbFrame& limb, const PaperBox& box) {
   return most;
 }
 
+// Whether cloth that hangs from there goes over the arms.
+bool aboveArms(const Body& body, Vec3 place) {
+  const auto armpit = body.find(*parseBodyPoint("torso:armpit@0.25"));
+  return armpit && place.y > at(body.mesh(), *armpit).y;
+}
+
+// All skin that cloth can meet which hangs down so far from the limb's origin.
+std::vector<SkinPlace> skinBelow(const Body& body, const LimbFrame& limb, double reach) {
+  std::vector<SkinPlace> all;
+  for (const Vec3 p : body.mesh().points) {
+    const double height = dot(p - limb.origin, limb.up);
+    if (height <= 0 && distance(p, limb.origin) < reach) all.push_back({limb.onPlane(p), height});
+  }
+  return all;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const Lattice>> layAlone(const Piece& piece, double spacing) {
@@ -142,13 +158,25 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
   form->faces = (*lattice)->faces;
   piece.pose = Rigid();
   if (op.cone == Choice::Yes) {
-    const auto cone = coneRound(*sectorOf(piece), limb, skin, *op.ease);
-    if (!cone) return cone.error();
-    for (const Flat p : form->flat) form->space.push_back(cone->place(p));
+    const RingSector sector = *sectorOf(piece);
     const auto isClear = [&] {
       return std::all_of(form->space.begin(), form->space.end(),
                          [&](Vec3 p) { return body.bvh().signedDistance(p) > kTouches; });
     };
+    const auto standRound = [&](const std::vector<SkinPlace>& within) -> Done {
+      const auto cone = coneRound(sector, limb, within, *op.ease);
+      if (!cone) return cone.error();
+      form->space.clear();
+      for (const Flat p : form->flat) form->space.push_back(cone->place(p));
+      return {};
+    };
+    if (const Done done = standRound(skin); !done) return done.error();
+    if (!isClear() && aboveArms(body, limb.origin)) {  // a cape goes over the arms; too wide for that, as below
+      std::vector<SkinPlace> all = skin;
+      const auto arms = skinBelow(body, limb, sector.inner + sector.depth);
+      all.insert(all.end(), arms.begin(), arms.end());
+      (void)standRound(all);
+    }
     if (!isClear()) {  // a wide cone meets the arms: upright before the place, in pleats no wider than the trunk
       PaperBox core{{0, 0}, {0, 0}};
       double off = 0;
