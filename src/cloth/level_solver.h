@@ -12,6 +12,8 @@
 
 namespace karinui {
 
+inline constexpr double kFrame = 1.0 / 60;  // seconds of a usual step
+
 class LevelSolver {
  public:
   // The cloth and the colliders must outlive this. `x`: where the cloth stands.
@@ -22,7 +24,7 @@ class LevelSolver {
   LevelSolver& operator=(const LevelSolver&) = delete;
 
   struct StepOptions {
-    double seconds = 1.0 / 60;
+    double seconds = kFrame;
     double velocityKept = 1;  // share
     double mostMove = 0;      // metres; the whole step is scaled to it
     Vec3 gravity;

@@ -10,7 +10,6 @@
 namespace karinui {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
 constexpr double kHandStiffness = 2e4;  // N/m of the whole patch: how firmly a hand keeps to its path
 constexpr double kMostHandForce = 40;   // N: cloth that resists more holds the hand back
 constexpr double kStepLength = 0.5;     // spacings the hand goes in a step; more would outrun the cloth

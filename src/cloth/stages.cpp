@@ -9,7 +9,6 @@
 namespace karinui {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
 constexpr double kLongest = 1.0 / 30;   // seconds of a step
 constexpr double kCreepLongest = 0.25;  // seconds of a step while cloth creeps
 constexpr double kDamping = 0.002;      // share of the velocity taken off per step, growing,

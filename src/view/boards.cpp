@@ -49,14 +49,6 @@ void main() {
 }
 )";
 
-void set(GLuint program, const char* name, Vec3 v) {
-  glUniform3f(glGetUniformLocation(program, name), static_cast<float>(v.x), static_cast<float>(v.y),
-              static_cast<float>(v.z));
-}
-void set(GLuint program, const char* name, double v) {
-  glUniform1f(glGetUniformLocation(program, name), static_cast<float>(v));
-}
-
 GlTexture textureOf(const Image& image) {
   GlTexture texture = newTexture();
   glBindTexture(GL_TEXTURE_2D, texture);

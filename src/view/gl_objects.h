@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "karinui/base/result.h"
+#include "karinui/geometry/vec.h"
 
 namespace karinui {
 
@@ -60,6 +61,15 @@ inline GlStore newStore() {
 inline GlArrays newArrays() {
   GLuint n = 0;
   return glGenVertexArrays(1, &n), GlArrays(n);
+}
+
+// Of the program in use.
+inline void set(GLuint program, const char* name, Vec3 v) {
+  glUniform3f(glGetUniformLocation(program, name), static_cast<float>(v.x), static_cast<float>(v.y),
+              static_cast<float>(v.z));
+}
+inline void set(GLuint program, const char* name, double v) {
+  glUniform1f(glGetUniformLocation(program, name), static_cast<float>(v));
 }
 
 // Compiles and links; the driver's words come back in the error. An empty fragment source draws depth only.

@@ -22,13 +22,6 @@ constexpr double kAlike = 0.03;      // by so much a scene may grow before the k
 void set(GLuint program, const char* name, const Matrix4& m) {
   glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, m.floats().data());
 }
-void set(GLuint program, const char* name, Vec3 v) {
-  glUniform3f(glGetUniformLocation(program, name), static_cast<float>(v.x), static_cast<float>(v.y),
-              static_cast<float>(v.z));
-}
-void set(GLuint program, const char* name, double v) {
-  glUniform1f(glGetUniformLocation(program, name), static_cast<float>(v));
-}
 void set(GLuint program, const char* name, int v) { glUniform1i(glGetUniformLocation(program, name), v); }
 
 void attribute(GLuint at, int count, std::size_t stride, std::size_t offset) {

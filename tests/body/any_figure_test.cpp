@@ -32,7 +32,7 @@ class AnyFigure : public testing::TestWithParam<unsigned> {
     static std::map<unsigned, BodyPtr> made;  // once for all tests
     BodyPtr& body = made[GetParam()];
     if (!body) {
-      Workers workers(2);
+      Workers workers(1);
       auto result = makeMannequin(anyPerson(GetParam()), workers, Token{});
       ASSERT_TRUE(result) << "seed " << GetParam() << ": " << text(result.error().what);
       body = *result;

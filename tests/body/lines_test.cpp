@@ -9,7 +9,7 @@ namespace {
 using testing::HasSubstr;
 
 BodyPtr mannequin(std::string_view size) {
-  Workers workers(2);
+  Workers workers(1);
   const Token quiet;
   return *makeMannequin(*builtInSize(size), workers, quiet);
 }

@@ -28,7 +28,7 @@ std::shared_ptr<const Skeleton> skeletonOf(const std::string& name) {  // made o
   static std::map<std::string, std::shared_ptr<const Skeleton>> all;
   auto& known = all[name];
   if (known) return known;
-  Workers workers(2);
+  Workers workers(1);
   const auto body = makeMannequin(person(name), workers, Token{});
   EXPECT_TRUE(body) << text(body.error().what);
   return known = Skeleton::of(*body).value();

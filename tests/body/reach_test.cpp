@@ -11,7 +11,7 @@ namespace {
 
 const std::shared_ptr<const Skeleton>& skeleton() {
   static const auto made = [] {
-    Workers workers(2);
+    Workers workers(1);
     return Skeleton::of(makeMannequin(builtInSize("jis9ar").value(), workers, Token{}).value()).value();
   }();
   return made;

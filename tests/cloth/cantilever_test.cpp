@@ -7,7 +7,7 @@
 namespace karinui::test {
 namespace {
 
-constexpr double kGravity = 9.81, kWeight = 0.2, kBend = 5e-5, kBare = -1;
+constexpr double kWeight = 0.2, kBend = 5e-5, kBare = -1;
 
 // The heavy elastica, from its free tip (t = 0) to where it is held at `angle` below the level (t = 1), lengths in its
 // own: theta'' = -gamma t cos theta, theta'(0) = 0. Counted from upright, which long strips come very near to.

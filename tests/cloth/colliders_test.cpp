@@ -7,23 +7,17 @@
 namespace karinui::test {
 namespace {
 
-constexpr double kCell = 0.02;
-constexpr std::uint32_t kCells = 12;
+constexpr double kFallingCell = 0.02;
+constexpr std::uint32_t kFallingCells = 12;
 
 // A square of cotton; `at` places it.
 ClothLevel square(const std::function<Vec3(Flat)>& at, double friction) {
   ClothLevel level;
   Fabric fabric = *preset("cotton");
   fabric.frictionBody = friction;
-  addPiece(level.cloth, gridLattice(kCells, kCells, kCell), fabric);
+  addPiece(level.cloth, gridLattice(kFallingCells, kFallingCells, kFallingCell), fabric);
   level.state = standingBy(level.cloth, [&](std::size_t, Flat p) { return at(p); });
   return level;
-}
-
-Vec3 middleOf(const ClothState& state) {
-  Vec3 sum;
-  for (Vec3 p : state.position) sum += p;
-  return sum * (1.0 / static_cast<double>(state.position.size()));
 }
 
 double nearestTo(const Collider& collider, const std::vector<Vec3>& x) {
@@ -37,10 +31,10 @@ TEST(Colliders, AClothFallsPastOneOntoTheOther) {
   const PlaneBody floor({0, 1, 0}, 0);
   ColliderList colliders;
   colliders.add(ball, 0).add(floor, 0.8);
-  const double half = 0.5 * kCells * kCell;
+  const double half = 0.5 * kFallingCells * kFallingCell;
   std::vector<ClothLevel> levels{square([&](Flat p) { return Vec3{p.u - half + 0.12, 0.36, p.v - half}; }, 0.3)};
   bool metBall = false;
-  Workers workers(2);
+  Workers workers(1);
   const auto report = settle(levels, colliders, {}, Token(), workers, [&](const Cloth&, const std::vector<Vec3>& x) {
     metBall = metBall || nearestTo(ball, x) < SettleSettings().skin;
   });
@@ -56,9 +50,9 @@ TEST(Colliders, AClothFallsPastOneOntoTheOther) {
 // Its height is the floor's, and the thickness of air that every surface keeps.
 TEST(Floor, AClothLetFallLiesFlatOnIt) {
   const auto floor = floorCollider();
-  const double half = 0.5 * kCells * kCell;
+  const double half = 0.5 * kFallingCells * kFallingCell;
   std::vector<ClothLevel> levels{square([&](Flat p) { return Vec3{p.u - half, 0.03, p.v - half}; }, 0.3)};
-  Workers workers(2);
+  Workers workers(1);
   const auto report = settle(levels, *floor, {}, Token(), workers);
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->settled) << report->why.pattern;
@@ -70,7 +64,7 @@ TEST(Floor, AClothLetFallLiesFlatOnIt) {
 
 // An upright cloth that reaches below the floor: a gown that is too long.
 TEST(Floor, ClothThatBeginsBelowItIsFoldedOutwardsAtItsFullLength) {
-  const double side = kCells * kCell, below = 0.5 * side;
+  const double side = kFallingCells * kFallingCell, below = 0.5 * side;
   const auto upright = [&](double z, int layer) {
     ClothLevel level = square([&](Flat p) { return Vec3{p.u - 0.5 * side, p.v - below, z}; }, 0.3);
     level.cloth.pieces[0].layer = layer;
@@ -92,10 +86,11 @@ TEST(Floor, ClothThatBeginsBelowItIsFoldedOutwardsAtItsFullLength) {
     EXPECT_EQ(p.x, before[i].x);
     EXPECT_GT(outer.state.position[i].y, p.y + 0.003) << "an outer layer comes over an inner one";
   }
-  for (const std::uint32_t node : {0u, 1u}) level.cloth.pinned.push_back(kCells * (kCells + 1) + node * kCells);
+  for (const std::uint32_t node : {0u, 1u})
+    level.cloth.pinned.push_back(kFallingCells * (kFallingCells + 1) + node * kFallingCells);
   std::vector<ClothLevel> levels{level};
   const auto floor = floorCollider();
-  Workers workers(2);
+  Workers workers(1);
   const auto report = settle(levels, *floor, {}, Token(), workers);
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->settled) << report->why.pattern;
@@ -106,7 +101,8 @@ TEST(Floor, ClothThatBeginsBelowItIsFoldedOutwardsAtItsFullLength) {
 TEST(Floor, FrontAndBackAreLaidAwayFromEachOther) {
   ClothLevel both;
   for (int side = 0; side < 2; ++side)
-    addPiece(both.cloth, gridLattice(kCells, kCells, kCell), *preset("cotton"));  // both look forwards
+    addPiece(both.cloth, gridLattice(kFallingCells, kFallingCells, kFallingCell),
+             *preset("cotton"));  // both look forwards
   both.state = standingBy(both.cloth, [](std::size_t piece, Flat p) {
     return Vec3{p.u, p.v - 0.1, piece == 0 ? 0.15 : -0.15};
   });
@@ -116,16 +112,16 @@ TEST(Floor, FrontAndBackAreLaidAwayFromEachOther) {
     EXPECT_GE(std::fabs(p.z), 0.15 - 1e-12);
     laid += std::fabs(p.z) > 0.2;
   }
-  EXPECT_GT(laid, 2 * kCells);
+  EXPECT_GT(laid, 2 * kFallingCells);
 }
 
 TEST(Floor, ClothThatDoesNotComeNearItRestsTheSameToTheBit) {
   const CapsuleBody ball({{{0, 0.25, 0}, {0, 0.25, 0}, 0.08}});
   const auto floor = floorCollider();
-  const double half = 0.5 * kCells * kCell;
+  const double half = 0.5 * kFallingCells * kFallingCell;
   const auto rested = [&](const ColliderList& colliders) {
     std::vector<ClothLevel> levels{square([&](Flat p) { return Vec3{p.u - half, 0.34, p.v - half}; }, 0.5)};
-    Workers workers(2);
+    Workers workers(1);
     const auto report = settle(levels, colliders, {}, Token(), workers);
     EXPECT_TRUE(report && report->settled);
     return levels[0].state.position;
@@ -143,7 +139,7 @@ TEST(Colliders, EachHasFrictionOfItsOwn) {
     const Vec3 before = middleOf(levels[0].state);
     ColliderList colliders;
     colliders.add(slope, friction).add(wall, 0);
-    Workers workers(2);
+    Workers workers(1);
     const auto report = settle(levels, colliders, {}, Token(), workers);
     EXPECT_TRUE(report && report->settled);
     EXPECT_GE(nearestTo(wall, levels[0].state.position), 0);

@@ -139,7 +139,7 @@ TEST(Friction, ClothLaidOnABallStaysThere) {
 
 // A flared tube whose waist is smaller than the hip: it comes to sit on the figure's waist and stays.
 TEST(Friction, SkirtStaysOnTheWaist) {
-  Workers workers(2);
+  Workers workers(1);
   const Token token;
   const auto body = makeMannequin(*builtInSize("eu38"), workers, token);
   ASSERT_TRUE(body);

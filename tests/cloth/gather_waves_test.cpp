@@ -84,7 +84,7 @@ TEST(GatherWaves, ComeToRestUncrossed) {
     ClothLevel level = frill(ratio);
     level.cloth.pleated = layGathersInWaves(level.cloth, level.state.position);
     std::vector<ClothLevel> levels{std::move(level)};
-    Workers workers(2);
+    Workers workers(1);
     const auto report = settle(levels, NoBody(), {}, Token(), workers);
     ASSERT_TRUE(report);
     EXPECT_TRUE(report->settled) << text(report->why);

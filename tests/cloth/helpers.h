@@ -9,6 +9,14 @@
 
 namespace karinui::test {
 
+inline constexpr double kGravity = 9.81;
+
+inline Vec3 middleOf(const ClothState& state) {
+  Vec3 sum;
+  for (Vec3 p : state.position) sum += p;
+  return sum * (1.0 / static_cast<double>(state.position.size()));
+}
+
 // columns x rows cells of `h`, all whole, warp along v.
 inline std::shared_ptr<Lattice> gridLattice(std::uint32_t columns, std::uint32_t rows, double h, Flat corner = {}) {
   auto lattice = std::make_shared<Lattice>();

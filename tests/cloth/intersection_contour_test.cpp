@@ -8,12 +8,12 @@ namespace karinui::test {
 namespace {
 
 // Two sheets; the second stands upright on a corner, which is `below` the first.
-struct Sheets {
+struct CrossedSheets {
   Cloth cloth;
   ClothState state;
 };
-Sheets sheets(double below) {
-  Sheets s;
+CrossedSheets sheets(double below) {
+  CrossedSheets s;
   addPiece(s.cloth, gridLattice(8, 8, 0.02), *preset("cotton"));
   addPiece(s.cloth, gridLattice(8, 8, 0.02), *preset("cotton"));
   s.state = standingBy(s.cloth, [&](std::size_t piece, Flat p) {
@@ -23,18 +23,18 @@ Sheets sheets(double below) {
 }
 
 TEST(IntersectionContour, SheetsApartAreNotCrossed) {
-  const Sheets s = sheets(-0.001);
+  const CrossedSheets s = sheets(-0.001);
   IntersectionContour contour(s.cloth);
-  Workers workers(2);
+  Workers workers(1);
   contour.find(s.state.position, workers);
   EXPECT_EQ(contour.crossings(), 0u);
   for (Vec3 way : contour.direction()) EXPECT_EQ(squaredLength(way), 0);
 }
 
 TEST(IntersectionContour, TheWayOutDrawsThePassedCornerBack) {
-  Sheets s = sheets(0.011);
+  CrossedSheets s = sheets(0.011);
   IntersectionContour contour(s.cloth);
-  Workers workers(2);
+  Workers workers(1);
   contour.find(s.state.position, workers);
   ASSERT_GT(contour.crossings(), 0u);
   for (int k = 0; k < 60 && contour.crossings() > 0; ++k) {

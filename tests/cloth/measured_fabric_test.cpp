@@ -6,10 +6,12 @@
 #include <cmath>
 #include <random>
 
+#include "cloth/helpers.h"
+
 namespace karinui {
 namespace {
 
-constexpr double kGravity = 9.81;
+using test::kGravity;
 
 // What a ruler and scales without error would read of a fabric.
 TableReadings readingsOf(const Fabric& fabric) {

@@ -9,8 +9,8 @@ namespace {
 constexpr double kPulledWidth = 0.06, kPulledLength = 0.3, kPulledStretch = 200, kStep = 0.01;
 
 // A strip that hangs from pins along its top; its bottom row is the hand's.
-struct Strip {
-  explicit Strip(const Fabric& fabric) {
+struct PulledStrip {
+  explicit PulledStrip(const Fabric& fabric) {
     const std::uint32_t columns = 6, rows = 30;
     addPiece(level.cloth, gridLattice(columns, rows, kStep), fabric);
     level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u, p.v - kPulledLength, 0}; });
@@ -33,12 +33,6 @@ struct Strip {
 
 Fabric light() { return textbook(kPulledStretch, 1e-6, 0.02); }
 
-Vec3 middleOf(const ClothState& state) {
-  Vec3 sum;
-  for (Vec3 p : state.position) sum += p;
-  return sum * (1.0 / static_cast<double>(state.position.size()));
-}
-
 SettleReport rested(ClothLevel& level, const Collider& body) {
   std::vector<ClothLevel> levels{level};
   Workers workers(1);
@@ -51,7 +45,7 @@ SettleReport rested(ClothLevel& level, const Collider& body) {
 TEST(Pull, FeelsStiffnessTimesWidthTimesStrain) {
   // Downwards and straight sideways from the pins; K w e / L either way.
   for (const Vec3 way : {Vec3{0, -1, 0}, Vec3{0, 0, 1}}) {
-    Strip strip(light());
+    PulledStrip strip(light());
     strip.grip.seconds = 5;  // no haste: what the hand feels is the threads, not the strip's swing
     std::vector<Vec3> path{strip.hem()};
     for (double longer : {0.003, 0.006, 0.009, 0.012})
@@ -69,7 +63,7 @@ TEST(Pull, FeelsStiffnessTimesWidthTimesStrain) {
 }
 
 TEST(Pull, FeelsNextToNothingWhileSlack) {
-  Strip strip(light());
+  PulledStrip strip(light());
   const PullReport report = strip.pulled({strip.hem(), strip.hem() + Vec3{0, 0.08, 0.05}});
   EXPECT_TRUE(report.end.settled) << text(report.end.why);
   const double weight = 0.02 * kPulledWidth * kPulledLength * 9.81;
@@ -77,7 +71,7 @@ TEST(Pull, FeelsNextToNothingWhileSlack) {
 }
 
 TEST(Pull, ClothLetGoHangsAsBefore) {
-  Strip strip(light());
+  PulledStrip strip(light());
   rested(strip.level, NoBody());
   const Vec3 before = middleOf(strip.level.state);
   strip.grip.letGo = true;
@@ -89,7 +83,7 @@ TEST(Pull, ClothLetGoHangsAsBefore) {
 }
 
 TEST(Pull, AHandIsOnlySoStrong) {
-  Strip strip(light());
+  PulledStrip strip(light());
   const PullReport report = strip.pulled({strip.hem(), strip.hem() - Vec3{0, 10, 0}});
   EXPECT_LE(length(report.force.back()), 45);
   EXPECT_GT(length(report.force.back()), 30);

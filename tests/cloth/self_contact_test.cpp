@@ -84,7 +84,7 @@ TEST(SelfContact, FoldsThatHangAgainstEachOtherComeToRest) {
   });
   for (std::uint32_t i = 0; i <= kColumns; i += 4) level.cloth.pinned.push_back(kRows * (kColumns + 1) + i);
   std::vector<ClothLevel> levels{std::move(level)};
-  Workers workers(2);
+  Workers workers(1);
   SettleSettings settings;
   settings.maxSteps = 150;  // a stiff push takes 216
   const auto report = settle(levels, NoBody(), settings, Token(), workers);

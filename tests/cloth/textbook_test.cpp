@@ -5,8 +5,6 @@
 namespace karinui::test {
 namespace {
 
-constexpr double kGravity = 9.81;
-
 TEST(HangingStrip, LengthensByWLSquaredOverTwoK) {
   const double k = 50, weight = 0.3, length = 0.5, h = 0.02;
   for (Flat grain : {Flat{0, 1}, Flat{1, 0}}) {

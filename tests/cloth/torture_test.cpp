@@ -17,7 +17,7 @@ struct Ordeal {
 };
 
 Ordeal through(std::vector<ClothLevel> levels, const Collider& body, const SettleSettings& settings = {}) {
-  Workers workers(2);
+  Workers workers(1);
   const auto report = settle(levels, body, settings, Token(), workers);
   KARINUI_ASSERT(report);
   Ordeal so{*report, check(levels.back().cloth, levels.back().state, nullptr), levels.back().state};

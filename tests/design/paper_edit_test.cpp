@@ -13,11 +13,11 @@ namespace {
 using ::testing::HasSubstr;
 
 // A bodice front of both halves; its axis at u = 0.
-constexpr const char* kFront =
+constexpr const char* kFrontPaper =
     "piece name=front outline=\"M 0 0; hem_left L 240 0; side_left L 250 340; armhole_left C 170 360 160 460 170 560; "
     "shoulder_left L 70 600; neck_left C 60 540 30 520 0 520; neck_right C -30 520 -60 540 -70 600; shoulder_right L "
     "-170 560; armhole_right C -160 460 -170 360 -250 340; side_right L -240 0; hem_right L 0 0\"\n";
-constexpr const char* kBack =
+constexpr const char* kBackPaper =
     "piece name=back pose=\"0,0,-0.3 y 180deg\" outline=\"M -240 0; hem L 240 0; side_right L 250 340; top L -250 340; "
     "side_left L -240 0\"\nsew a=front.side_left b=back.side_left name=side\n";
 
@@ -38,7 +38,7 @@ struct Told {
 
 TEST(PaperEdit, ATypedLengthTellsWhatChanged) {
   Told t;
-  t.play(std::string(kFront) + kBack);
+  t.play(std::string(kFrontPaper) + kBackPaper);
   t.play("length edge=front.side_left to=36cm");
   EXPECT_THAT(t.said, HasSubstr("side_left: 340.1 mm → 360.0 mm on both halves; hem_left keeps 240.0 mm; armhole_left "
                                 "keeps"));
@@ -49,7 +49,7 @@ TEST(PaperEdit, ATypedLengthTellsWhatChanged) {
 
 TEST(PaperEdit, ASlitOnOneHalfKeepsEditsOnBoth) {
   Told t;
-  t.play(kFront);
+  t.play(kFrontPaper);
   t.play("cut piece=front line=\"12cm,-1cm 12cm,15cm\"");
   t.said.clear();
   // Notches find the undivided hem of the other half by their place.
@@ -81,7 +81,7 @@ TEST(PaperEdit, ASlitInOneOfTwoLikePiecesSaysThatTheyPartWays) {
 
 TEST(PaperEdit, PutAndTakenAwayIsWhatItWasOnBothHalves) {
   Told t;
-  t.play(kFront);
+  t.play(kFrontPaper);
   const Outline before = t.outline();
   t.play("split edge=front.armhole_left at=0.4\njoin edge=front.armhole_left\n");
   ASSERT_EQ(t.outline().edges.size(), before.edges.size());
@@ -99,7 +99,7 @@ TEST(PaperEdit, PutAndTakenAwayIsWhatItWasOnBothHalves) {
 
 TEST(PaperEdit, ARecordOfBeforeJoinsAsItDid) {
   Told t;
-  t.play(kFront);
+  t.play(kFrontPaper);
   t.play("join edge=p1.side_left symmetric=yes");  // as it was written before `refit`
   EXPECT_THAT(t.file.log(), HasSubstr("join edge=p1.side_left symmetric=yes  #"));
   const Curve old = t.curve("side_left");

@@ -83,7 +83,7 @@ Document skirt(const std::string& outline) {
   EXPECT_TRUE(room.play(file, "piece name=skirt outline=\"" + outline + "\"\n"));
   return file.document();
 }
-const char* const kPaperSkirt = "M 0 0; hem L 400 0; side L 400 500; waist C 280 470 120 485 0 500; centre L 0 0";
+const char* const kSkirtOutline = "M 0 0; hem L 400 0; side L 400 500; waist C 280 470 120 485 0 500; centre L 0 0";
 ReshapePiece pulledAt(const Document& document, std::vector<ReshapePull> pulls, double within,
                       Choice symmetric = Choice::No) {
   const auto made = reshaped(document, kPanel, pulls, Length{within}, symmetric, Token());
@@ -120,7 +120,7 @@ TEST(Reshape, WhatThePullDoesNotReachStaysToTheLastBit) {
 }
 
 TEST(Reshape, StraightEdgesSwingAboutTheirFarEndsWhenACornerIsPulled) {
-  const Document document = skirt(kPaperSkirt);
+  const Document document = skirt(kSkirtOutline);
   const Outline after = pulledAt(document, {{{0.4, 0}, {0.03, 0, 0}}}, 0.12).outline;
   for (const char* name : {"hem", "side", "centre"})
     EXPECT_EQ(after.edges[*after.find(name)].curve.kind, Curve::Kind::Line) << name;
@@ -132,7 +132,7 @@ TEST(Reshape, StraightEdgesSwingAboutTheirFarEndsWhenACornerIsPulled) {
 }
 
 TEST(Reshape, RightAnglesStayRight) {
-  const Document document = skirt(kPaperSkirt);
+  const Document document = skirt(kSkirtOutline);
   const double right = std::numbers::pi / 2;
   // The hem pulled down in its middle, so far round that its corners' surroundings come along a little.
   const Outline belly = pulledAt(document, {{{0.2, 0}, {0, -0.03, 0}}}, 0.25).outline;
@@ -186,13 +186,13 @@ TEST(Reshape, ASymmetricPieceIsPulledOnBothHalves) {
   EXPECT_EQ(one.at.size(), 1u);
   EXPECT_EQ(one.outline.edges[3], document.find(kPanel)->outline.edges[3]);
   const ReshapePull pull{{0.4, 0}, {0.03, 0, 0}};
-  EXPECT_FALSE(reshaped(skirt(kPaperSkirt), kPanel, std::span(&pull, 1), Length{0.1}, Choice::Yes, Token()));
+  EXPECT_FALSE(reshaped(skirt(kSkirtOutline), kPanel, std::span(&pull, 1), Length{0.1}, Choice::Yes, Token()));
 }
 
 TEST(Reshape, NotchesAndPartSeamsStayOnTheirCloth) {
   DocumentFile file = DocumentFile::inMemory();
   Workroom room;
-  ASSERT_TRUE(room.play(file, std::string("piece name=a outline=\"") + kPaperSkirt +
+  ASSERT_TRUE(room.play(file, std::string("piece name=a outline=\"") + kSkirtOutline +
                                   "\"\npiece name=b outline=\"M 0 0; hem L 400 0; side L 400 500; top L 0 500; "
                                   "centre L 0 0\"\nnotch edge=a.hem at=0.9 name=n\nsew a=a.hem@0.8:1 b=b.hem@0:0.2\n"));
   const auto placeOf = [&](double fraction) {

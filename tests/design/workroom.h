@@ -9,6 +9,8 @@
 
 namespace karinui {
 
+inline Operation op(const std::string& line) { return *parseOperation(line); }
+
 // Everything falls by a centimetre and is at rest: enough to see that forms, poses and dirt are handled.
 inline Result<DrapeOutcome> fallABit(const Document& document, const std::vector<PieceRef>& live) {
   DrapeOutcome outcome;

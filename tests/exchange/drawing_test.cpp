@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-CadPattern readSvg(const std::string& svg) {
+CadPattern svgDrawing(const std::string& svg) {
   auto drawing = readDrawing(svg);
   EXPECT_TRUE(drawing) << (drawing ? "" : text(drawing.error().what));
   return drawing ? *std::move(drawing) : CadPattern{};
@@ -34,9 +34,9 @@ TEST(Drawing, ATestSquareIsNoPiece) {
   const std::string box = "<path d='M 0,0 L 100,0 L 100,100 L 0,100 Z'/>";
   for (const char* name : {"scale-square", "test square", "Calibration box"}) {
     const CadPattern drawing =
-        readSvg(svg("width='400mm' height='400mm' viewBox='0 0 400 400'",
-                    "<g id='front'><path d='M 0,200 L 300,200 L 300,400 L 0,400 Z'/></g><g id='" + std::string(name) +
-                        "'>" + box + "</g>"));
+        svgDrawing(svg("width='400mm' height='400mm' viewBox='0 0 400 400'",
+                       "<g id='front'><path d='M 0,200 L 300,200 L 300,400 L 0,400 Z'/></g><g id='" +
+                           std::string(name) + "'>" + box + "</g>"));
     EXPECT_EQ(onlyDrawn(drawing).name, "front") << name;
   }
 }
@@ -52,12 +52,12 @@ TEST(Drawing, UnitsAreTold) {
         {"width='756' height='378'", "<g transform='scale(3.7795275590551181)'>" + box + "</g>"},
         {"width='200mm' height='100mm' viewBox='0 0 2000 1000'",
          "<g transform='matrix(10,0,0,10,-7,3)'>" + box + "</g>"}}) {
-    const CadPattern drawing = readSvg(svg(head, body));
+    const CadPattern drawing = svgDrawing(svg(head, body));
     EXPECT_NEAR(onlyDrawn(drawing).outline.area(), 0.006, 1e-9) << head;
     EXPECT_NEAR(onlyDrawn(drawing).outline.length(), 0.32, 1e-8) << head;
     EXPECT_TRUE(drawing.notes.empty()) << head;
   }
-  EXPECT_EQ(readSvg(svg("viewBox='0 0 900 900'", "<rect width='377.95275590551181' height='226.77165354330709'/>"))
+  EXPECT_EQ(svgDrawing(svg("viewBox='0 0 900 900'", "<rect width='377.95275590551181' height='226.77165354330709'/>"))
                 .notes.size(),
             1u);
 }
@@ -67,7 +67,7 @@ TEST(Drawing, TransformsAreCarriedOut) {
   // Turned, mirrored and stretched: an L of three 50 mm squares.
   const std::string l = "<path d='M0 0h100v50h-50v50H0z'/>";
   const auto area = [&](const std::string& transform) {
-    return onlyDrawn(readSvg(svg(
+    return onlyDrawn(svgDrawing(svg(
                          head, "<g transform='translate(200,200)'><g transform='" + transform + "'>" + l + "</g></g>")))
         .outline.area();
   };
@@ -77,7 +77,7 @@ TEST(Drawing, TransformsAreCarriedOut) {
   EXPECT_NEAR(area("rotate(90,50,50), translate(3)"), 0.0075, 1e-12);
   EXPECT_THAT(refusal(svg(head, "<g transform='wobble(3)'>" + l + "</g>")), HasSubstr("wobble"));
   // y runs upwards here: a triangle with its point down in the drawing has it down on the paper.
-  const Piece point = onlyDrawn(readSvg(svg(head, "<polygon points='0,0 100,0 50,80'/>")));
+  const Piece point = onlyDrawn(svgDrawing(svg(head, "<polygon points='0,0 100,0 50,80'/>")));
   double lowest = 1;
   Flat at;
   for (const Edge& edge : point.outline.edges)
@@ -90,27 +90,27 @@ TEST(Drawing, CurvesAreKeptAsTheyAre) {
   // A circle stays two arcs, whole, turned or mirrored; an ellipse becomes cubics to a thousandth of a millimetre.
   for (const std::string transform : {"", "rotate(40)", "scale(1,-1)"}) {
     const Piece round =
-        onlyDrawn(readSvg(svg(head, "<g transform='" + transform + "'><circle cx='100' cy='100' r='50'/></g>")));
+        onlyDrawn(svgDrawing(svg(head, "<g transform='" + transform + "'><circle cx='100' cy='100' r='50'/></g>")));
     EXPECT_NEAR(round.outline.area(), std::numbers::pi * 0.0025, 1e-9) << transform;
     for (const Edge& edge : round.outline.edges) EXPECT_EQ(edge.curve.kind, Curve::Kind::Arc);
   }
-  EXPECT_NEAR(onlyDrawn(readSvg(svg(head, "<ellipse cx='100' cy='100' rx='60' ry='30'/>"))).outline.area(),
+  EXPECT_NEAR(onlyDrawn(svgDrawing(svg(head, "<ellipse cx='100' cy='100' rx='60' ry='30'/>"))).outline.area(),
               std::numbers::pi * 0.0018, 1e-7);
-  EXPECT_NEAR(onlyDrawn(readSvg(svg(head, "<path d='M100 50a50 25 30 1 1-1 0z'/>"))).outline.area(),
+  EXPECT_NEAR(onlyDrawn(svgDrawing(svg(head, "<path d='M100 50a50 25 30 1 1-1 0z'/>"))).outline.area(),
               std::numbers::pi * 0.00125, 2e-6);
   // A quadratic and its smooth follower, and a cubic: areas by hand.
-  const Piece hill = onlyDrawn(readSvg(svg(head, "<path d='M0 100Q50 0 100 100T200 100L200 200L0 200z'/>")));
+  const Piece hill = onlyDrawn(svgDrawing(svg(head, "<path d='M0 100Q50 0 100 100T200 100L200 200L0 200z'/>")));
   EXPECT_NEAR(hill.outline.area(), 0.02, 1e-9);
-  const Piece wave = onlyDrawn(readSvg(svg(head, "<path d='M0 0c0-40 100-40 100 0v100h-100z'/>")));
+  const Piece wave = onlyDrawn(svgDrawing(svg(head, "<path d='M0 0c0-40 100-40 100 0v100h-100z'/>")));
   EXPECT_NEAR(wave.outline.area(), 0.01 + 0.1 * 0.03 * 2 / 3 * 1.2, 1e-9);
   // Numbers without anything between, and flags without spaces.
-  EXPECT_EQ(readSvg(svg(head, "<path d='M10-.5.5.5l0 99.5 100-1e0zM300 300a50 50 0 01100 0a50 50 0 01-100 0z'/>"))
+  EXPECT_EQ(svgDrawing(svg(head, "<path d='M10-.5.5.5l0 99.5 100-1e0zM300 300a50 50 0 01100 0a50 50 0 01-100 0z'/>"))
                 .pattern.pieces.size(),
             2u);
 }
 
 TEST(Drawing, FreeSewing) {
-  const CadPattern drawing = readSvg(own("freesewing.svg"));
+  const CadPattern drawing = svgDrawing(own("freesewing.svg"));
   const Piece& front = onlyDrawn(drawing);
   EXPECT_EQ(front.name, "front");
   EXPECT_EQ(front.outline.edges.size(), 6u) << "the seam line, not the allowance";
@@ -123,7 +123,7 @@ TEST(Drawing, FreeSewing) {
 }
 
 TEST(Drawing, Inkscape) {
-  const CadPattern drawing = readSvg(own("inkscape.svg"));
+  const CadPattern drawing = svgDrawing(own("inkscape.svg"));
   ASSERT_EQ(drawing.pattern.pieces.size(), 3u);
   std::set<std::string> names;
   for (const auto& [id, piece] : drawing.pattern.pieces) names.insert(piece->name);
@@ -135,7 +135,7 @@ TEST(Drawing, Inkscape) {
 }
 
 TEST(Drawing, SeamlyWithItsSeamLineWithinTheCutLine) {
-  const Piece back = onlyDrawn(readSvg(own("seamly.svg")));
+  const Piece back = onlyDrawn(svgDrawing(own("seamly.svg")));
   EXPECT_EQ(back.name, "Back");
   EXPECT_NEAR(back.outline.area(), 524 * 724 * std::pow(0.3 / 1133.86, 2), 1e-7);
 }
@@ -143,9 +143,9 @@ TEST(Drawing, SeamlyWithItsSeamLineWithinTheCutLine) {
 TEST(Drawing, OpenLinesWhoseEndsMeetAreOnePiece) {
   const std::string head = "width='500mm' height='500mm' viewBox='0 0 500 500'";
   const Piece piece =
-      onlyDrawn(readSvg(svg(head,
-                            "<g id='bag'><path d='M0 0H200'/><path d='M0 300L0 0.2'/><path d='M200 0.1V300'/>"
-                            "<path d='M0 300.1Q100 330 200 300'/></g>")));
+      onlyDrawn(svgDrawing(svg(head,
+                               "<g id='bag'><path d='M0 0H200'/><path d='M0 300L0 0.2'/><path d='M200 0.1V300'/>"
+                               "<path d='M0 300.1Q100 330 200 300'/></g>")));
   EXPECT_EQ(piece.name, "bag");
   EXPECT_EQ(piece.outline.edges.size(), 4u);
 }

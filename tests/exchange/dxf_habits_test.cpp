@@ -36,7 +36,7 @@ std::string replaced(std::string all, const std::string& what, const std::string
     all.replace(at, what.size(), by);
   return all;
 }
-std::string panel(const std::string& more = {}) {
+std::string cadPanel(const std::string& more = {}) {
   Made made;
   made.block("FRONT_38").says("Piece Name: FRONT").says("Size: 38").line(1, kPanel, true).add(more);
   return made.endBlock().done();
@@ -52,7 +52,7 @@ std::string pairs(std::initializer_list<std::pair<int, double>> groups) {
 }
 
 TEST(DxfHabits, LettersOfAnyCaseAndAnyEndOfLine) {
-  const std::string plain = panel();
+  const std::string plain = cadPanel();
   const auto upper = readHabit(replaced(replaced(plain, "Piece Name:", "PIECE NAME :"), "Size:", "size:"));
   EXPECT_EQ(only(upper).name, "FRONT");
   EXPECT_EQ(upper.size, "38");
@@ -64,8 +64,8 @@ TEST(DxfHabits, LettersOfAnyCaseAndAnyEndOfLine) {
 }
 
 TEST(DxfHabits, CommasForPoints) {
-  EXPECT_NEAR(only(readHabit(replaced(panel(), ".000000", ",000000"))).outline.area(), kPanelArea, 1e-9);
-  EXPECT_THAT(why(replaced(panel(), "280.000000", "28O.0")), HasSubstr("“28O.0” stands where a coordinate should"));
+  EXPECT_NEAR(only(readHabit(replaced(cadPanel(), ".000000", ",000000"))).outline.area(), kPanelArea, 1e-9);
+  EXPECT_THAT(why(replaced(cadPanel(), "280.000000", "28O.0")), HasSubstr("“28O.0” stands where a coordinate should"));
 }
 
 TEST(DxfHabits, OutlinesOfAnyEntity) {
@@ -174,10 +174,10 @@ TEST(DxfHabits, PiecesWithoutBlocks) {
 }
 
 TEST(DxfHabits, NotchesAsLinesAndHolesAsCircles) {
-  const auto all = readHabit(
-      panel(entity("LINE", 4, pairs({{10, 104}, {20, 4}, {11, 100}, {21, 0}})) +
-            entity("LWPOLYLINE", 80, "70\n0\n" + pairs({{10, 198}, {20, 0}, {10, 200}, {20, 5}, {10, 202}, {20, 0}})) +
-            entity("CIRCLE", 13, pairs({{10, 120}, {20, 200}, {40, 2}}))));
+  const auto all = readHabit(cadPanel(
+      entity("LINE", 4, pairs({{10, 104}, {20, 4}, {11, 100}, {21, 0}})) +
+      entity("LWPOLYLINE", 80, "70\n0\n" + pairs({{10, 198}, {20, 0}, {10, 200}, {20, 5}, {10, 202}, {20, 0}})) +
+      entity("CIRCLE", 13, pairs({{10, 120}, {20, 200}, {40, 2}}))));
   std::vector<double> at;
   for (const NotchPlace& notch : notchPlaces(all.pattern)) at.push_back(std::round(notch.place.u * 1e4) / 10);
   EXPECT_THAT(at, ElementsAre(100, 200));
@@ -187,7 +187,7 @@ TEST(DxfHabits, NotchesAsLinesAndHolesAsCircles) {
 
 TEST(DxfHabits, TextsOnAnyLayerAndQuantities) {
   const auto with = [](const std::string& name, const std::string& words) {
-    const std::string all = panel(entity("TEXT", 15, "10\n5\n20\n5\n1\n" + words + "\n"));
+    const std::string all = cadPanel(entity("TEXT", 15, "10\n5\n20\n5\n1\n" + words + "\n"));
     return readHabit(replaced(all, "Piece Name: FRONT", "Piece Name: " + name)).cutting.quantities;
   };
   EXPECT_EQ(with("A", "Quantity: 2").at({1}), (Cutting{2, true})) << "not alike on both sides: left and right";
@@ -213,7 +213,7 @@ TEST(DxfHabits, UnitsByTheHeader) {
 
 TEST(DxfHabits, NamesOfAnyCodePage) {
   const auto named = [](const std::string& bytes, const std::string& codePage) {
-    std::string all = replaced(panel(), "Name: FRONT", "Name: " + bytes);
+    std::string all = replaced(cadPanel(), "Name: FRONT", "Name: " + bytes);
     if (!codePage.empty()) all = replaced(all, "HEADER\n", "HEADER\n9\n$DWGCODEPAGE\n3\n" + codePage + "\n");
     return readHabit(all);
   };
@@ -305,13 +305,13 @@ TEST(DxfHabits, SeveralBlocksOfOneName) {
 }
 
 TEST(DxfHabits, WhatLiesOnOtherLayersThanOne) {
-  EXPECT_NEAR(only(readHabit(replaced(replaced(panel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\n14\n"), "VERTEX\n8\n1\n",
+  EXPECT_NEAR(only(readHabit(replaced(replaced(cadPanel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\n14\n"), "VERTEX\n8\n1\n",
                                       "VERTEX\n8\n14\n")))
                   .outline.area(),
               kPanelArea, 1e-9);
-  EXPECT_THAT(why(replaced(panel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\nCUT\n")), HasSubstr("It has lines on: CUT."));
+  EXPECT_THAT(why(replaced(cadPanel(), "POLYLINE\n8\n1\n", "POLYLINE\n8\nCUT\n")), HasSubstr("It has lines on: CUT."));
   // A pocket's stitching on the layer of seam lines is no outline.
-  const auto stitched = readHabit(panel(
+  const auto stitched = readHabit(cadPanel(
       entity("LWPOLYLINE", 14, "70\n1\n" + pairs({{10, 180}, {20, 300}, {10, 230}, {20, 300}, {10, 230}, {20, 350}}))));
   EXPECT_NEAR(only(stitched).outline.area(), kPanelArea, 1e-9);
   EXPECT_THAT(only(stitched).lines, SizeIs(1));

@@ -26,8 +26,6 @@ SessionOptions cheap() {
   return options;
 }
 
-Operation op(const std::string& line) { return *parseOperation(line); }
-
 constexpr const char* kFront =
     "draw name=front ease=12mm symmetric=yes edges=\"neck ~ shoulder armhole ~ ~ side ~ hem\" "
     "line=\"torso:shoulder+0.5@0; torso:shoulder+0.8@0.08; torso:neck_base+0.2@0.25; landmark:shoulder_left; "

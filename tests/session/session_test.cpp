@@ -14,8 +14,6 @@
 namespace karinui {
 namespace {
 
-Operation op(const std::string& line) { return *parseOperation(line); }
-
 std::vector<std::string> stepsOf(const Session& session) {
   std::vector<std::string> all;
   for (const Step& step : session.steps()) all.push_back(text(step.operation));

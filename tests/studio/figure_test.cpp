@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QSlider>
-#include <QStyleOptionSlider>
 #include <fstream>
 #include <set>
 
@@ -15,15 +14,6 @@ namespace karinui::studio {
 namespace {
 
 using Look = std::pair<std::string, std::string>;  // a figure and how the cloth stands
-
-QPointF knobOf(const QSlider& slider) {
-  QStyleOptionSlider option;
-  option.initFrom(&slider);
-  option.orientation = Qt::Horizontal;
-  option.minimum = slider.minimum(), option.maximum = slider.maximum();
-  option.sliderPosition = option.sliderValue = slider.value();
-  return slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider).center();
-}
 
 QSlider* sliderOf(Window& w, const char* name) {
   for (QSlider* one : w.main().findChildren<QSlider*>())

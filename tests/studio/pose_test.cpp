@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QSlider>
-#include <QStyleOptionSlider>
 #include <algorithm>
 #include <cmath>
 
@@ -19,15 +18,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-QPointF knobOf(const QSlider& slider) {
-  QStyleOptionSlider option;
-  option.initFrom(&slider);
-  option.orientation = Qt::Horizontal;
-  option.minimum = slider.minimum(), option.maximum = slider.maximum();
-  option.sliderPosition = option.sliderValue = slider.value();
-  return slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider).center();
-}
 
 struct Posing {
   Window w;

@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
+#include <QSlider>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 #include <filesystem>
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 // Empty: there is a display. Starts one if there is none; it ends with this process.
 std::string displayTrouble();
 QApplication& application();
+QPointF knobOf(const QSlider& slider);
 
 // A folder that goes with the test.
 struct Folder {

@@ -71,10 +71,6 @@ class Parting {
   bool smallerToTheLeft_ = true;
 };
 
-const InternalLine& lineNamed(const Piece& piece, const std::string& name) {
-  return *std::find_if(piece.lines.begin(), piece.lines.end(), [&](const auto& line) { return line.name == name; });
-}
-
 Result<Flared> flared(const Piece& piece, const FoldLine& op) {
   const Parting parting(piece, lineNamed(piece, op.lines.front()));
   return flaredBeyond(piece, op.lines.front(), [&](Flat place) { return parting.beyond(place); });

@@ -107,6 +107,8 @@ Done resolveCopies(const Document& before, const std::vector<PieceRef>& pieces, 
 std::vector<PieceId> copiesMeant(const Document& document, PieceId piece, Choice copies);
 // Tells the sewn edges that became longer or shorter than what they are sewn to.
 void tellSeams(const Document& before, const Document& after, const Context& context);
+// The internal line of that name, which is there.
+const InternalLine& lineNamed(const Piece& piece, const std::string& name);
 // Room for a layer beneath each layer that has one of the pieces. Refuses more layers than there are.
 Result<Document> withLayersBeneath(Document document, const std::vector<PieceId>& pieces);
 // The form a piece holds when it is cut along another outline: what is at the old one comes to the new one, in place.

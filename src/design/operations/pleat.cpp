@@ -66,10 +66,6 @@ Result<PleatedPiece> pleated(const Document& document, const Piece& piece, const
   return fold(true);
 }
 
-const InternalLine& lineNamed(const Piece& piece, const std::string& name) {
-  return *std::find_if(piece.lines.begin(), piece.lines.end(), [&](const InternalLine& l) { return l.name == name; });
-}
-
 // The three lines are there, and which edge they run from.
 Done resolveLines(const Document& before, AddPleat& op) {
   if (op.lines.size() != 3)

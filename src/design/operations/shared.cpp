@@ -156,6 +156,10 @@ void tellSeams(const Document& before, const Document& after, const Context& con
   }
 }
 
+const InternalLine& lineNamed(const Piece& piece, const std::string& name) {
+  return *std::find_if(piece.lines.begin(), piece.lines.end(), [&](const InternalLine& l) { return l.name == name; });
+}
+
 Result<Document> withLayersBeneath(Document document, const std::vector<PieceId>& pieces) {
   constexpr int kMostLayer = 20;
   std::set<int> layers;
