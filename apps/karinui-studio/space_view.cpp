@@ -413,8 +413,8 @@ void SpaceView::paintGL() {
   const int w = static_cast<int>(width() * ratio), h = static_cast<int>(height() * ratio);
   const bool two = beside() && beside_.renderer, stereo = !two && stereo_ != Stereo::Off;
   const int ew = w / halves().width(), eh = h / halves().height();
-  const bool quick = (moving_ || quick_) && software_;
-  const double share = fine_ && finest_ ? 2 : quick ? kQuickShare : 1;
+  const bool quick = (moving_ || quickShare_) && software_;
+  const double share = fine_ && finest_ ? 2 : quick ? quickShare_.value_or(kQuickShare) : 1;
   const int sw = std::max(1, static_cast<int>(ew * share)), sh = std::max(1, static_cast<int>(eh * share));
   if (stale_) renderer_->light(camera_);
   if (stale_ && two) beside_.renderer->light(camera_);

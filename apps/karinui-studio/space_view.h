@@ -48,8 +48,9 @@ class SpaceView : public QOpenGLWidget {
   bool tape() const { return tape_; }
   void setBlenderKeys(bool on) { blender_ = on; }
   void setFine(bool on);  // whether still pictures are drawn finer than moving ones; not where drawing is slow
-  // Still pictures, too, are drawn as while things move: where only what is in them matters.
-  void setQuick(bool on) { quick_ = on; }
+  // Still pictures, too, are drawn as while things move, in this share of the pixels each way: where only what is in
+  // them matters.
+  void setQuick(std::optional<double> share) { quickShare_ = share; }
   void refresh();                                                  // the session has something new
   void setForceFeedback(ForceFeedback* force) { force_ = force; }  // outlives this view; null: none
   const Camera& camera() const { return camera_; }
@@ -132,7 +133,8 @@ class SpaceView : public QOpenGLWidget {
   std::vector<Girths> levelShown_;
   std::uint64_t garmentShown_ = ~0ull;
   std::pair<QString, QImage> bar_;  // the floating bar's last picture, and of what it is one
-  bool stale_ = true, overlaid_ = false, fine_ = false, finest_ = true, quick_ = false, framed_ = false;
+  bool stale_ = true, overlaid_ = false, fine_ = false, finest_ = true, framed_ = false;
+  std::optional<double> quickShare_;
   bool soft_ = false;    // the soft light is that of a still picture
   bool moving_ = false;  // view or cloth, until still: then less is drawn where the processor draws
   Stereo stereo_ = Stereo::Off;

@@ -36,7 +36,7 @@ def arrays_of(skirt: karinui.Document) -> dict[str, numpy.ndarray]:
 
 drapes = []
 for waist in WAISTS:
-    skirt = karinui.Document.create(threads=2)
+    skirt = karinui.Document.create()
     skirt.play(f'body size=jis9ar set="waist_girth={waist}cm"\nset spacing=40mm\n')  # a figure is made once
     for fabric in FABRICS:
         before = skirt.operations

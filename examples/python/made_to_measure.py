@@ -32,7 +32,7 @@ with people.open(newline="", encoding="utf-8") as table:
     for number, person in enumerate(csv.DictReader(table), 1):
         row = {"name": person["name"], "said": "", "hip_ease_cm": "", "strain_percent": "", "pattern": ""}
         rows.append(row)
-        with karinui.Document.create(threads=2) as skirt:
+        with karinui.Document.create() as skirt:
             try:
                 skirt.perform(body_of(person))
                 skirt.perform("set spacing=40mm")  # between the threads; 10 mm for the real thing

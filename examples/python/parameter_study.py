@@ -18,7 +18,7 @@ EASES = [0, 2, 4, 6]  # centimetres at the hip
 FABRICS = ["denim", "jersey"]
 
 
-skirt = karinui.Document.create(threads=2)
+skirt = karinui.Document.create()
 skirt.play("body size=jis9ar\nset spacing=40mm\n")  # the figure is made once; 10 mm between the threads for smooth curves
 figure_only = skirt.operations
 

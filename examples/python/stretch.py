@@ -8,7 +8,7 @@ import numpy
 
 import karinui
 
-band = karinui.Document.create(threads=2)
+band = karinui.Document.create()
 band.play("""
 body size=jis9ar
 set spacing=40mm

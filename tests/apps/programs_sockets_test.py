@@ -73,12 +73,12 @@ if (studio or room) and shutil.which("Xvfb"):
     screen = {"DISPLAY": ":" + os.read(number, 16).decode().strip(), "WAYLAND_DISPLAY": "", "LP_NUM_THREADS": "2"}
     try:
         if studio:
-            work = ["--self-check"] if os.environ.get("KARINUI_LONG") else ["--picture", str(here / "window.png"), "--threads", "2"]
+            work = ["--self-check"] if os.environ.get("KARINUI_LONG") else ["--picture", str(here / "window.png"), "--threads", "1"]
             lines = sockets_of("karinui-studio", [studio, *work, "band.ops"], screen)
             expect_only("karinui-studio", lines, LOCAL)
             expect_watched("karinui-studio", lines)
         if room:
-            lines = sockets_of("karinui-room", [room, "--headless-test", str(here / "out"), "--threads", "2", "--share", "window", "--new", "jis9ar"],
+            lines = sockets_of("karinui-room", [room, "--headless-test", str(here / "out"), "--threads", "1", "--share", "window", "--new", "jis9ar"],
                                {**screen, "XR_RUNTIME_JSON": runtime, "KARINUI_STUB_LOG": str(here)})
             expect_only("karinui-room", lines, LOCAL)
             expect_watched("karinui-room", lines)

@@ -42,7 +42,7 @@ class ReadBody : public testing::Test {
   }
 
   fs::path folder_;
-  Workers workers_{2};
+  Workers workers_{1};
 };
 
 // A figure 1.7 m high, taller than wide, wider than deep, in units of `unit` metres.

@@ -30,7 +30,7 @@ class RoomPictures : public test::EyePictures {
   static Session& tunic() {
     static Session* session = [] {
       SessionOptions options;
-      options.threads = 2;
+      options.threads = 1;
       auto* made = new Session(options);
       const auto lines = parseScript(example("first_tunic.ops"));
       for (const ScriptLine& line : *lines) made->perform(line.operation), made->finish();

@@ -96,7 +96,7 @@ inline Ran run(const Folder& folder, const Way& way) {
   fs::create_directories(log);
   write(folder / "hands.txt", way.hands);
   write(folder / "marks.txt", way.marks);
-  std::vector<std::string> words{KARINUI_ROOM, "--headless-test", out.string(), "--threads", "2"};
+  std::vector<std::string> words{KARINUI_ROOM, "--headless-test", out.string(), "--threads", "1"};
   if (!way.marks.empty()) words.insert(words.end(), {"--script", (folder / "marks.txt").string()});
   words.insert(words.end(), way.words.begin(), way.words.end());
   const pid_t child = fork();

@@ -63,7 +63,7 @@ struct Played {
 // What the person does, in this process.
 Played playHere() {
   SessionOptions options;
-  options.threads = 2;
+  options.threads = 1;
   Session session(options);
   session.perform(*parseOperation("body size=jis9ar"));
   session.finish();
@@ -146,7 +146,7 @@ TEST(RoomOperations, AllSixByControllerAreThoseByScript) {
   if (pictures && !*pictures) pictures = nullptr;
   const Ran ran = test::run(folder, {.hands = here.hands,
                                      .marks = here.marks,
-                                     .with = pictures ? "large" : "",
+                                     .with = pictures ? "large" : "seldom",
                                      .words = {"--new", "jis9ar", "--share", "window"}});
   EXPECT_EQ(ran.code, 0) << ran.said;
   EXPECT_EQ(ran.faults, "");

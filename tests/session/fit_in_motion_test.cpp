@@ -13,7 +13,7 @@ namespace {
 
 // The tunic of examples/first_tunic.ops; a drape leaves it where it is, but for `lift` of each.
 struct Fitting {
-  Workers workers{2};
+  Workers workers{1};
   Token token;
   MemoryBlobs blobs;
   std::vector<double> lift;  // metres, of the drapes in turn; then none

@@ -7,6 +7,8 @@
 
 #include <QLineEdit>
 #include <QSettings>
+#include <QSlider>
+#include <QStyleOptionSlider>
 #include <csignal>
 #include <cstdlib>
 
@@ -85,6 +87,15 @@ QApplication& application() {
   return *app;
 }
 
+QPointF knobOf(const QSlider& slider) {
+  QStyleOptionSlider option;
+  option.initFrom(&slider);
+  option.orientation = Qt::Horizontal;
+  option.minimum = slider.minimum(), option.maximum = slider.maximum();
+  option.sliderPosition = option.sliderValue = slider.value();
+  return slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider).center();
+}
+
 // Figures and the space around them are built once for all windows of this program.
 SessionOptions options() {
   SessionOptions options;
@@ -99,7 +110,7 @@ Window::Window() {
   Theme::here().setLanguage(Language::English);
   main_ = std::make_unique<MainWindow>(options());
   main_->resize(std::getenv("KARINUI_PICTURES") ? QSize(1400, 860) : QSize(860, 540));
-  space().setQuick(!std::getenv("KARINUI_PICTURES"));  // a quarter of what the processor would have to draw
+  if (!std::getenv("KARINUI_PICTURES")) space().setQuick(0.2);  // much less than the processor would have to draw
   main_->show();
   QApplication::processEvents();
 }

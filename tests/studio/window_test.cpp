@@ -36,7 +36,7 @@ int differing(const QImage& a, const QImage& b) {
 TEST(StudioWindow, DrawsLessWhileItTurnsAndAllOfItThen) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
-  w.space().setQuick(false);
+  w.space().setQuick({});
   w.openTunic();
   const QPointF middle = QRectF(w.space().rect()).center();
   QImage turning;

@@ -39,8 +39,9 @@ namespace karinui::room::stub {
 
 inline constexpr XrDuration kPeriod = 13'888'889;  // 72 pictures a second
 inline constexpr XrTime kFirst = 1'000'000'000;
-inline constexpr int kAbsent = 3;  // so often a headset that is gone is looked for in vain
-inline int kSide = 200;            // pixels of an eye's picture
+inline constexpr int kAbsent = 3;   // so often a headset that is gone is looked for in vain
+inline constexpr int kSeldom = 12;  // one picture of so many is wanted
+inline int kSide = 200;             // pixels of an eye's picture
 inline constexpr std::size_t kImages = 3;
 inline constexpr double kEyesApart = 0.063, kCant = 0.07;  // metres; radians each eye is turned outwards
 inline constexpr XrFovf kFov[2] = {{-0.90f, 0.70f, 0.72f, -0.80f}, {-0.70f, 0.90f, 0.72f, -0.80f}};

@@ -111,7 +111,8 @@ XrResult XRAPI_CALL waitFrame(XrSession session, const XrFrameWaitInfo*, XrFrame
   if (s.has("slow")) std::this_thread::sleep_for(std::chrono::nanoseconds(kPeriod));
   state->predictedDisplayTime = timeOf(s.waited);
   state->predictedDisplayPeriod = kPeriod;
-  state->shouldRender = s.state >= XR_SESSION_STATE_VISIBLE && s.state <= XR_SESSION_STATE_FOCUSED ? XR_TRUE : XR_FALSE;
+  const bool visible = s.state >= XR_SESSION_STATE_VISIBLE && s.state <= XR_SESSION_STATE_FOCUSED;
+  state->shouldRender = visible && (!s.has("seldom") || s.waited % kSeldom == 0) ? XR_TRUE : XR_FALSE;
   return XR_SUCCESS;
 }
 
