@@ -333,7 +333,7 @@ TEST(Torture, AgainAndAgainIsTheSame) {
   for (int scene = 0; scene < 3; ++scene) {
     SCOPED_TRACE(scene);
     std::vector<Vec3> first;
-    for (int run = 0; run < (atLength() ? 10 : 4); ++run) {
+    for (int run = 0; run < (atLength() ? 10 : 3); ++run) {
       Workers workers(run % 3 == 2 ? 4 : run % 3 + 1);
       auto levels = scenes[scene]();
       const auto report =

@@ -238,6 +238,7 @@ TEST_F(RoomRuntime, WhateverIsLostInMidDragNothingElseIs) {
     }
     const Ran ran = test::run(folder, {.hands = played.hands,
                                        .marks = played.marks,
+                                       .with = "seldom",
                                        .words = {"--share", "window", (folder / "garment.karinui").string()}});
     expectClean(ran);
     EXPECT_EQ(ran.report["sessions"], loss.sessions);
