@@ -33,6 +33,7 @@ Stub& stub() {
     made.folder = from("KARINUI_STUB_LOG");
     made.with = from("KARINUI_STUB_WITH");
     if (made.has("large")) kSide = 960;
+    if (const std::string side = from("KARINUI_STUB_SIDE"); !side.empty()) kSide = std::atoi(side.c_str());
     if (!made.folder.empty()) {
       made.calls.open(made.folder + "/calls.log", std::ios::app);
       made.faults.open(made.folder + "/faults.log", std::ios::app);

@@ -7,8 +7,9 @@
 //   vibration.log  "picture side amplitude nanoseconds"
 //   NAME_left.ppm, NAME_right.ppm   the submitted pictures, where the script says "picture NAME"
 // KARINUI_STUB_SCRIPT: the script. KARINUI_STUB_WITH: words "local" (no STAGE), "linear" (no sRGB formats), "no_egl",
-// "simple", "index" (the controllers; else oculus/touch), "large" (pictures), "no_headset" (never one), "no_service"
-// (no instance is made), "slow" (keeps a real pace).
+// "simple", "index" (the controllers; else oculus/touch), "large" (pictures; KARINUI_STUB_SIDE: pixels of one),
+// "seldom" (one picture of twelve is wanted), "finish" (a frame is taken when it is drawn), "no_headset" (never one),
+// "no_service" (no instance is made), "slow" (keeps a real pace).
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <epoxy/glx.h>

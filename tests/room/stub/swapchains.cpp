@@ -154,6 +154,7 @@ XrResult XRAPI_CALL endFrame(XrSession session, const XrFrameEndInfo* info) {
   KNOWN_SESSION();
   if (!s.rendering) return s.fault(XR_ERROR_CALL_ORDER_INVALID, "ended without beginning");
   s.rendering = false, s.ended = s.begun;
+  if (s.has("finish")) glFinish();  // a frame is submitted when it is drawn
   if (info->displayTime != timeOf(s.begun)) s.fault(XR_SUCCESS, "not the time that was predicted");
   if (info->environmentBlendMode != XR_ENVIRONMENT_BLEND_MODE_OPAQUE)
     return s.fault(XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED, "not opaque");
