@@ -1,6 +1,7 @@
 #include "karinui/design/sewing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "karinui/base/number.h"
@@ -52,22 +53,35 @@ Corner endOf(const Document& document, const EdgeRef& ref, bool last) {
   return {ref.piece.id, curveOf(document, ref).atFraction(last ? ref.to : ref.from)};
 }
 
-// Whether a seam holds these two corners together.
+// Whether seams hold these two corners together, over the corners of other pieces too, as where four gores meet.
 bool sewnTogether(const Document& document, const Corner& a, const Corner& b) {
   constexpr double kSame = 1e-4;  // metres
-  const auto is = [&](const SeamPlace& place, const Corner& corner) {
-    if (place.piece != corner.piece) return false;
-    const Curve* curve = curveOf(document.pattern, place.piece, place.edge);
-    return curve && distance(curve->atFraction(place.fraction), corner.place) < kSame;
+  const auto same = [](const Corner& one, const Corner& other) {
+    return one.piece == other.piece && distance(one.place, other.place) < kSame;
   };
+  std::vector<std::array<Corner, 2>> held;
   for (const auto& [id, seam] : document.pattern.seams) {
     const SeamSides sides(document.pattern, seam);
     for (const double at : sides.breaks()) {
-      const SeamPlace here = sides.a.at(at), there = sides.b.at(at);
-      if ((is(here, a) && is(there, b)) || (is(here, b) && is(there, a))) return true;
+      const auto cornerAt = [&](const SeamPlace& place) -> std::optional<Corner> {
+        const Curve* curve = curveOf(document.pattern, place.piece, place.edge);
+        if (!curve) return std::nullopt;
+        return Corner{place.piece, curve->atFraction(place.fraction)};
+      };
+      const auto here = cornerAt(sides.a.at(at)), there = cornerAt(sides.b.at(at));
+      if (here && there) held.push_back({*here, *there});
     }
   }
-  return false;
+  std::vector<Corner> joined{a};
+  for (std::size_t k = 0; k < joined.size(); ++k)
+    for (const auto& pair : held)
+      for (const std::size_t side : {0U, 1U}) {
+        const Corner& next = pair[1 - side];
+        if (!same(pair[side], joined[k])) continue;
+        if (std::none_of(joined.begin(), joined.end(), [&](const Corner& one) { return same(one, next); }))
+          joined.push_back(next);
+      }
+  return std::any_of(joined.begin(), joined.end(), [&](const Corner& one) { return same(one, b); });
 }
 
 // How far the edges of a run, one after the other, are from following each other.
@@ -164,6 +178,11 @@ std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew
   const std::vector<Vec3> a = stood(document, sew.a), b = stood(document, sew.b);
   const Vec3 here = middleOf(a), there = middleOf(b);
   if (here.x * there.x >= 0 || std::fmin(std::fabs(here.x), std::fabs(there.x)) < kClear) return std::nullopt;
+  const bool against = sew.reversed == Choice::Auto ? facesReversed(document, sew) : sew.reversed == Choice::Yes;
+  for (const bool last : {false, true})  // edges that begin at one corner, as a godet's and a gore's, are meant
+    if (sewnTogether(document, endOf(document, last ? sew.a.back() : sew.a.front(), last),
+                     endOf(document, last != against ? sew.b.back() : sew.b.front(), last != against)))
+      return std::nullopt;
   // Left with right. Is there the partner of the same side, where it should be, nearer and free?
   SewEdges meant = sew;
   meant.b.clear();
@@ -181,7 +200,6 @@ std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew
     }
   }
   if (!body) return std::nullopt;
-  const bool against = sew.reversed == Choice::Auto ? facesReversed(document, sew) : sew.reversed == Choice::Yes;
   std::size_t through = 0, threads = 0;
   for (std::size_t k = 0; k < a.size(); k += 3, ++threads)
     through += throughBody(*body, a[k], b[against ? b.size() - 1 - k : k]) > kThrough;

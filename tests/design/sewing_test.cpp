@@ -157,6 +157,21 @@ TEST_F(Sewing, NonsenseIsDoubted) {
   EXPECT_THAT(doubts(again), ElementsAre(Sewn));
 }
 
+// A godet in the lower part of a seam beside the centre back swings out beyond the centre.
+TEST_F(Sewing, WhatBeginsAtOneCornerIsMeant) {
+  play(
+      "piece name=mid outline=\"M 0 0; hem L 200 0; low_left L 200 200; up_left L 200 400; waist L 0 400; up_right L 0 "
+      "200; low_right L 0 0\" pose=\"-0.1,0,0\"\n"
+      "piece name=side outline=\"M 0 0; hem L 100 0; out L 100 400; waist L 0 400; up L 0 200; low L 0 0\" "
+      "pose=\"0.15,0,0\"\n"
+      "piece name=godet outline=\"M 0 0; near L -400 -100; hem L 0 -200; far L 0 0\" pose=\"0.15,0.2,0\"\n"
+      "sew a=godet.far b=side.low");
+  const std::string line = "sew a=godet.near b=mid.low_left";
+  EXPECT_THAT(doubts(sew(line)), testing::Contains(SeamDoubt::Kind::OtherSide));
+  play("sew a=side.up b=mid.up_left");
+  EXPECT_THAT(doubts(sew(line)), testing::Not(testing::Contains(SeamDoubt::Kind::OtherSide)));
+}
+
 TEST_F(Sewing, ADartAndASlitAreNoFold) {
   play(
       "piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; top_a L 220 500; dart_a L 200 400; dart_b L 180 "
