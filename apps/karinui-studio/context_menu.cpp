@@ -318,6 +318,11 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
              leftOf(normalized(curve.tangent(curve.parameterAt(share * curve.length())))) * kDartDeep;
   offer(menu, say("Point there"), SplitEdge{ref, share});
   offer(menu, say("Take its end away"), JoinEdges{ref});
+  if (curve.kind != Curve::Kind::Line) {
+    FairEdges fair;
+    fair.edges = {ref};
+    offer(menu, say("Redraw as a fair line"), fair);
+  }
   offer(menu, say("Notch there"), notch);
   offer(menu, say("Dart there"), dart);
   for (const PaperDart& other : dartsOf(session_->snapshot().document.pattern)) {

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "karinui/design/history.h"
+#include "karinui/design/script.h"
 #include "karinui/scene/scene_frame.h"
 #include "karinui/session/look_of.h"
 
@@ -20,7 +21,9 @@ class OpenDocument {
   // What follows is told to this token and stopped by it.
   void listenTo(const Token& token) {
     context_.emplace(Context{workers_, token, file_.blobs(), bodies_, {}, {}});
-    context_->advise = [this](const Advice& advice) { program_.console.note(advice.what); };
+    context_->advise = [this](const Advice& advice) {
+      program_.console.note(advice.mend ? say("{0} Mended by: {1}", advice.what, text(*advice.mend)) : advice.what);
+    };
   }
 
   Program& program() { return program_; }

@@ -44,6 +44,7 @@ class Command : public testing::Test {
       const Said said = play(kTunic);
       ASSERT_EQ(said.exit, 0);
       EXPECT_NE(said.err.find("Cloth cannot lie as drawn"), std::string::npos) << "advice on the drawing: " << said.err;
+      EXPECT_NE(said.err.find("Mended by: "), std::string::npos) << said.err;
       fs::rename(document(), kept / "d.karinui");
     }
     fs::copy(kept / "d.karinui", document());

@@ -2,9 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "design/workroom.h"
 #include "karinui/design/apply.h"
 #include "karinui/design/drawing.h"
+#include "karinui/design/script.h"
 
 namespace karinui {
 namespace {
@@ -79,6 +82,26 @@ TEST_F(OnTheMannequin, HemsCrossTheCentreSquare) {
   for (const Piece* piece : {&back, &front})
     for (const char* edge : {"hem_left", "hem_right"}) EXPECT_LT(offSquare(*piece, edge, 0.025), 0.1) << piece->name;
   EXPECT_GT(offSquare(front, "neck_left", 0.01), 0.6) << "a V stays one";
+}
+
+// The front's V comes to the centre at some 45 degrees.
+TEST_F(OnTheMannequin, HowSteepALineIsLedSquareIsSettled) {
+  Operation said = *parseOperation(kFront.substr(0, kFront.size() - 1));
+  EXPECT_THAT(text(*resolved(file_.document(), said, room().context)), ::testing::HasSubstr("level=0.75"));
+  const auto offAt = [&](std::optional<double> degrees, bool recorded) {
+    Operation op = said;
+    auto& draw = std::get<DrawPiece>(op);
+    draw.square = Choice::Yes, draw.ease = Length{0.01};
+    if (degrees) draw.level = Angle{*degrees * std::numbers::pi / 180};
+    Context own = room().context;
+    own.recorded = recorded;
+    const auto after = apply(file_.document(), op, own);
+    EXPECT_TRUE(after);
+    return after ? offSquare(*after->pieceNamed("front"), "neck_left", 0.002) : -1;
+  };
+  EXPECT_LT(offAt(70, false), 0.1);
+  EXPECT_GT(offAt(std::nullopt, false), 0.6);
+  EXPECT_EQ(offAt(std::nullopt, true), offAt(0.6 * 180 / std::numbers::pi, true)) << "as before it was settled";
 }
 
 TEST_F(OnTheMannequin, LinesAreLeftAsDrawnWhereNothingElseWasSettled) {

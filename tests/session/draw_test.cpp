@@ -299,7 +299,7 @@ TEST(FairEdge, TakesAHandsScallopsOutAndLeavesATailorsCurveAlone) {
   }
   const Curve scalloped = Curve::joined(waves);
   EXPECT_GT(wavers(scalloped), 0);
-  const Curve fair = fairEdge(scalloped);
+  const Curve fair = fairLine({&scalloped, 1}).front();
   EXPECT_EQ(wavers(fair), 0);
   EXPECT_EQ(fair.start, scalloped.start);
   EXPECT_EQ(fair.end, scalloped.end);
@@ -307,7 +307,7 @@ TEST(FairEdge, TakesAHandsScallopsOutAndLeavesATailorsCurveAlone) {
   const Curve armhole = Curve::cubic({0, 0}, {0.02, 0.08}, {0.08, 0.12}, {0.15, 0.12});
   EXPECT_EQ(wavers(armhole), 0);
   for (double f = 0; f <= 1; f += 0.1)
-    EXPECT_LT(distance(fairEdge(armhole).atFraction(f), armhole.atFraction(f)), 0.004) << f;
+    EXPECT_LT(distance(fairLine({&armhole, 1}).front().atFraction(f), armhole.atFraction(f)), 0.004) << f;
 }
 
 }  // namespace

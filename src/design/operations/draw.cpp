@@ -15,6 +15,9 @@ constexpr double kNearlyMeet = 0.015;                    // metres: ends this ne
 constexpr double kUsualDart = 0.06;                      // metres
 constexpr double kShortestDart = 0.015;                  // metres: a shorter one would take nothing in
 constexpr double kCorner = 35 * std::numbers::pi / 180;  // a line that turns more has a corner
+constexpr double kSquaredUpTo = 0.75;                    // radians, 43 degrees: steeper a half line is a V
+constexpr double kSquaredBefore = 0.6;                   // radians: the same, in documents of before `level`
+constexpr double kSteepest = 80 * std::numbers::pi / 180;
 constexpr std::string_view kCurvesOn = "~";
 
 std::string millimetres(double metres) { return fixed(metres * 1000, 1); }
@@ -97,6 +100,10 @@ Done settleLine(DrawPiece& draw, const DrawingGround& ground, const Body& body) 
     if (const auto place = body.find(point); !place) return place.error();
   if (draw.symmetric && draw.mirror)
     return refused(say("A symmetric piece is its own mirror image: choose symmetric or mirror, not both."));
+  if (draw.level && !(draw.level->radians >= 0 && draw.level->radians <= kSteepest))
+    return refused(say("A line is led square to the centre up to {0} degrees, not up to {1}.",
+                       fixed(kSteepest * 180 / std::numbers::pi, 0),
+                       fixed(draw.level->radians * 180 / std::numbers::pi, 1)));
   if (!draw.symmetric && draw.square == Choice::Yes)
     return refused(say("Only a half line crosses the centre square: choose symmetric, or leave square away."));
   auto places = placesOf(body, draw.line);
@@ -135,16 +142,15 @@ Message strainSaid(const DrawnSheet& sheet) {
       stretch, shear, high, sheet.nearestEdge, fixed(sheet.cutLength * 100, 0));
 }
 
-// The edge's outline with the edge, and on a symmetric piece its partner, as fair lines.
-ReshapePiece withFairEdge(const Piece& piece, std::size_t edge) {
-  ReshapePiece fair;
-  fair.piece.name = piece.name;
-  fair.outline = piece.outline;
-  fair.outline.edges[edge].curve = fairEdge(piece.outline.edges[edge].curve);
-  if (const auto symmetry = symmetryOf(piece.outline))
-    fair.outline = onBothHalves(piece.outline, std::move(fair.outline), *symmetry);
+FairEdges withFairEdge(const Piece& piece, std::size_t edge) {
+  FairEdges fair;
+  fair.edges = {EdgeRef{PieceRef(), piece.outline.edges[edge].name}};
+  fair.edges.front().piece.name = piece.name;
   return fair;
 }
+
+double wholeMillimetres(double metres) { return std::round(metres * 1e3) / 1e3; }
+Flat wholeMillimetres(Flat place) { return {wholeMillimetres(place.u), wholeMillimetres(place.v)}; }
 
 // A dart where paper is too wide for the drawn shape, a cut where it is too narrow.
 std::optional<Operation> cutOrDart(const Piece& piece, const DrawnSheet& sheet, const Edge& edge, double share) {
@@ -153,6 +159,7 @@ std::optional<Operation> cutOrDart(const Piece& piece, const DrawnSheet& sheet, 
   // Strained at the edge itself: a usual dart, straight in.
   Flat tip = sheet.worstFlat;
   if (sheet.cutLength < kShortestDart) tip = mouth + leftOf(normalized(edge.curve.tangent(t))) * kUsualDart;
+  tip = wholeMillimetres(tip);
   if (!contains(piece.outline.flattened(2e-4), tip)) return std::nullopt;
   if (sheet.shrunk > 0) {
     AddDart dart;
@@ -160,12 +167,12 @@ std::optional<Operation> cutOrDart(const Piece& piece, const DrawnSheet& sheet, 
     dart.edge.piece.name = piece.name;
     dart.at = share;
     dart.tip = tip;
-    dart.width = Length{std::clamp(2 * distance(mouth, tip) * sheet.shrunk, 0.01, 0.04)};
+    dart.width = Length{wholeMillimetres(std::clamp(2 * distance(mouth, tip) * sheet.shrunk, 0.01, 0.04))};
     return dart;
   }
   CutPiece cut;
   cut.piece.name = piece.name;
-  cut.line = {mouth + normalized(mouth - tip) * 0.01, tip};
+  cut.line = {wholeMillimetres(mouth + normalized(mouth - tip) * 0.01), tip};
   return cut;
 }
 
@@ -227,7 +234,7 @@ Result<DrawnPiece> drawn(const Document& document, const DrawPiece& given, Conte
   DrawnLine line;
   line.places = *places;
   line.symmetric = draw.symmetric;
-  line.square = draw.square == Choice::Yes;
+  if (draw.square == Choice::Yes) line.square = draw.level ? draw.level->radians : kSquaredBefore;
   for (const std::string& name : draw.edges) line.edges.push_back(name == kCurvesOn ? "" : name);
   line.edges.resize(line.places.size());
   if (draw.inside) {
@@ -262,6 +269,7 @@ Done resolve(const Document& before, DrawPiece& draw, Context& context) {
   if (auto fine = settleLine(draw, ground, **body); !fine) return fine;
   if (!draw.ease) draw.ease = Length{before.settings.ease};
   if (draw.symmetric && draw.square == Choice::Auto && !context.recorded) draw.square = Choice::Yes;
+  if (draw.square == Choice::Yes && !draw.level && !context.recorded) draw.level = Angle{kSquaredUpTo};
   if (!draw.fabric.empty()) return checkFabricName(before, draw.fabric);
   return {};
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSmallest = 4e-4;    // m2: less is no piece of cloth
 constexpr double kFirmEnd = 0.005;    // metres of points that say how an edge ends, where it may not end otherwise
-constexpr double kLevel = 0.6;        // radians: an edge that meets the centre this nearly level is squared to it
+constexpr double kLevel = 0.6;        // radians: a curve that meets the centre this nearly level is fitted level there
 constexpr double kSquared = 0.10;     // metres from the centre: how far off it is led anew, but no farther than
 constexpr double kSquaredHalf = 0.5;  // this share of the way to where it turns back;
 constexpr double kDip = 0.3;          // of that: so near the centre the skin dips, and what was drawn says little
@@ -114,8 +114,9 @@ double smoothstep(double t) {
 }
 
 // Leads a line that begins at the centre nearly level across it as the even curve v = a + b u^2, by least squares over
-// the points beside the dip of the skin there. Farther off it is the drawn line again.
-void squareToCentre(std::vector<Flat>& points) {
+// the points beside the dip of the skin there. Farther off it is the drawn line again. `level`, radians: a steeper line
+// stays.
+void squareToCentre(std::vector<Flat>& points, double level) {
   const double side = points.back().u < 0 ? -1 : 1;
   std::size_t rising = 1;  // of the points u grows over
   while (rising < points.size() && side * points[rising].u > side * points[rising - 1].u) ++rising;
@@ -129,7 +130,7 @@ void squareToCentre(std::vector<Flat>& points) {
     weights += w, squares += w * u * u, fourths += w * u * u * u * u, heights += w * v, products += w * u * u * v;
     last = points[k];
   }
-  if (std::fabs(std::atan2(last.v - points.front().v, std::fabs(last.u))) >= kLevel) return;
+  if (std::fabs(std::atan2(last.v - points.front().v, std::fabs(last.u))) >= level) return;
   const double determinant = weights * fourths - squares * squares;
   if (!(determinant > 1e-12 * weights * fourths)) return;
   const double b = (weights * products - squares * heights) / determinant, a = (heights - b * squares) / weights;
@@ -140,8 +141,8 @@ void squareToCentre(std::vector<Flat>& points) {
 }
 
 // A half's edges and their mirror images in u = 0.
-Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const Flat> flat, bool leftHalf, bool square,
-                         bool firmEnds, double& miss) {
+Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const Flat> flat, bool leftHalf,
+                         const std::optional<double>& square, bool firmEnds, double& miss) {
   std::vector<std::uint32_t> order = sideOrder(patch);
   const auto centre = std::find_if(order.begin(), order.end(), [&](std::uint32_t s) { return sides.names[s].empty(); });
   std::rotate(order.begin(), centre + 1, order.end());
@@ -151,10 +152,10 @@ Outline symmetricOutline(const Patch& patch, const Sides& sides, std::span<const
     std::vector<Flat> points = pointsOfSide(patch, flat, order[k]);
     if (k == 0) points.front().u = 0;
     if (k + 1 == order.size()) points.back().u = 0;
-    if (square && k == 0) squareToCentre(points);
+    if (square && k == 0) squareToCentre(points, *square);
     if (square && k + 1 == order.size()) {
       std::reverse(points.begin(), points.end());
-      squareToCentre(points);
+      squareToCentre(points, *square);
       std::reverse(points.begin(), points.end());
     }
     std::optional<Flat> startWay, endWay;

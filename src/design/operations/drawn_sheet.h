@@ -23,7 +23,7 @@ struct DrawnLine {
   std::vector<SurfacePoint> places;
   std::vector<std::string> edges;  // of each place: the edge that begins there; empty: the line curves on
   bool symmetric = false;          // one half, from the plane x = 0 back to it;
-  bool square = false;             // led across that plane square to it where it comes nearly level
+  std::optional<double> square;    // led across that plane square to it where it comes less steeply: radians
   std::optional<SurfacePoint> inside;
 };
 

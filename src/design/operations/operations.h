@@ -54,6 +54,7 @@ KARINUI_DECLARE_OPERATION(SewPatch)
 KARINUI_DECLARE_OPERATION(SetLength)
 KARINUI_DECLARE_OPERATION(TakeIn)
 KARINUI_DECLARE_OPERATION(TrueUp)
+KARINUI_DECLARE_OPERATION(FairEdges)
 KARINUI_DECLARE_OPERATION(SetLook)
 KARINUI_DECLARE_OPERATION(MatchPrint)
 KARINUI_DECLARE_OPERATION(DrawRectangle)  // paper.cpp
@@ -107,6 +108,8 @@ Done resolveCopies(const Document& before, const std::vector<PieceRef>& pieces, 
 std::vector<PieceId> copiesMeant(const Document& document, PieceId piece, Choice copies);
 // Tells the sewn edges that became longer or shorter than what they are sewn to.
 void tellSeams(const Document& before, const Document& after, const Context& context);
+// Tells the edges of a piece that became longer or shorter.
+void tellLengths(const Piece& before, const Piece& after, const Context& context);
 // The internal line of that name, which is there.
 const InternalLine& lineNamed(const Piece& piece, const std::string& name);
 // Room for a layer beneath each layer that has one of the pieces. Refuses more layers than there are.

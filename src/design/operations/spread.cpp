@@ -110,19 +110,6 @@ Result<Document> spread(Document document, PieceId id, const Slash& slash, EdgeM
   return document;
 }
 
-void tellLengths(const Piece& before, const Piece& after, const Context& context) {
-  if (!context.advise) return;
-  const auto inMm = [](double metres) { return fixed(metres * 1e3, 1); };
-  Message all;
-  for (const Edge& edge : before.outline.edges) {
-    const double was = edge.curve.length(), is = findEdge(after, edge.name)->curve.length();
-    if (std::fabs(is - was) < 5e-5) continue;
-    all = all.empty() ? say("{0}: {1} mm → {2} mm", edge.name, inMm(was), inMm(is))
-                      : say("{0}; {1}: {2} mm → {3} mm", all, edge.name, inMm(was), inMm(is));
-  }
-  if (!all.empty()) context.advise({say("{0}.", all)});
-}
-
 }  // namespace
 
 Done resolve(const Document& before, SlashAndSpread& op, Context& context) {

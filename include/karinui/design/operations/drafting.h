@@ -15,7 +15,8 @@ namespace karinui {
 // draw name=front line="landmark:neck_left; torso:bust@0.98; …" mirror=yes
 // `edges` speaks of the places one by one: a name for the edge that begins there, or "~" where there is no corner and
 // the edge before runs smoothly through. With symmetric=yes the line is one half, from the body's centre to its centre;
-// `square` is settled then. Where it was left open, which it is only in documents of before it, the line is as drawn.
+// `square` and `level` are settled then. Where `square` was left open, which it is only in documents of before it, the
+// line is as drawn; where `level` was, it is 0.6 radians.
 struct DrawPiece {
   static constexpr std::string_view kName = "draw";
   static constexpr std::string_view kHelp =
@@ -26,6 +27,7 @@ struct DrawPiece {
   bool mirror = false;
   bool symmetric = false;
   Choice square = Choice::Auto;
+  std::optional<Angle> level;
   bool closed = true;
   std::optional<BodyPoint> inside;
   std::optional<Length> ease;
@@ -45,6 +47,8 @@ struct DrawPiece {
     visit("square", self.square,
           "a half line that comes nearly level to the centre crosses it square to it, one fair line with its likeness: "
           "auto, yes, no (auto: yes)",
+          kOptional);
+    visit("level", self.level, "how steeply it may come to the centre for that; steeper it is a V (43 degrees)",
           kOptional);
     visit("closed", self.closed, "no: drawn by hand, the line's ends must meet by themselves, within 15 mm", kOptional);
     visit("inside", self.inside, "a place inside the piece, where the line leaves it open which side is meant",

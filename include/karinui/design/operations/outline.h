@@ -154,6 +154,23 @@ struct TrueUp {
   bool operator==(const TrueUp&) const = default;
 };
 
+// fair edges="sleeve.cap_back sleeve.cap_front"
+struct FairEdges {
+  static constexpr std::string_view kName = "fair";
+  static constexpr std::string_view kHelp =
+      "Draws edges anew as one fair line between the same ends, without steps and wavering: a sleeve's cap after "
+      "slash and spread, a line drawn by hand.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<EdgeRef> edges;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edges", self.edges, "the edges; those that run on smoothly into each other become one line", kNeeded);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const FairEdges&) const = default;
+};
+
 // spread from=skirt.hem to=skirt.waist by=4cm count=5        spread from=sleeve.cap to=sleeve.hem by=3cm to_by=3cm
 struct SlashAndSpread {
   static constexpr std::string_view kName = "spread";
@@ -287,6 +304,6 @@ struct TakeIn {
 };
 
 using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, PivotDart, AddPleat,
-                                        SetLength, TakeIn, TrueUp, SlashAndSpread>;
+                                        SetLength, TakeIn, TrueUp, FairEdges, SlashAndSpread>;
 
 }  // namespace karinui
