@@ -47,22 +47,19 @@ void ColliderContact::detect(const ContactQuery& query, Workers& workers) {
       At& at = at_[k];
       const Vec3 place = query.x[node.node];
       at.touches = false;
-      Collider::Sample sample;
-      if (cache_.mayBeWithin(collider_, k, place, offset_)) {
-        sample = collider_.sample(place);
-        at.touches = sample.distance < offset_;
-      }
+      const auto sample = cache_.sampleWithin(collider_, k, place, offset_);
+      at.touches = sample && sample->distance < offset_;
       if (!at.touches) {
         at = {};
         continue;
       }
-      Penalty penalty = colliderPenalty(node.area, offset_ - sample.distance, offset_);
+      Penalty penalty = colliderPenalty(node.area, offset_ - sample->distance, offset_);
       penalty.force += at.multiplier;
-      at.normal = sample.normal;
+      at.normal = sample->normal;
       at.along = penalty.stiffness;
       at.across = 0;
       at.slipForce = {};
-      at.force = sample.normal * -penalty.force;
+      at.force = sample->normal * -penalty.force;
       if (!query.friction || node.friction <= 0) continue;
       if (!at.stuck) {
         at.stuck = true;
@@ -147,12 +144,13 @@ void ColliderContact::limitMove(std::span<const Vec3> x, std::vector<Vec3>& move
 Vec3 ColliderContact::limited(Vec3 from, Vec3 move) const {
   const double reach = length(move);
   const double fine = kLimitSteps * offset_;
-  if (reach <= fine || !collider_.mayBeWithin(from, reach)) return move;
-  const Collider::Sample start = collider_.sample(from);
-  if (start.distance > reach) return move;
-  const double floor = std::fmin(0.0, start.distance);  // never deeper than the surface, or than it already is
+  if (reach <= fine) return move;
+  double clear = 0;
+  const auto start = collider_.sampleWithin(from, reach, clear);
+  if (!start || start->distance > reach) return move;
+  const double floor = std::fmin(0.0, start->distance);  // never deeper than the surface, or than it already is
   Vec3 place = from, left = move;
-  double clear = start.distance;
+  clear = start->distance;
   for (int k = 0; k < kMostLimitSteps; ++k) {
     const double go = length(left);
     if (go <= 1e-9) break;

@@ -47,16 +47,16 @@ void ColliderFaceContact::detect(const ContactQuery& query, Workers& workers) {
   const std::span<const Vec3> x = query.x;
   std::vector<std::vector<Touch>> found((faces_.size() + kNodeBlock - 1) / kNodeBlock);
   workers.forBlocks(faces_.size(), kNodeBlock, [&](std::size_t from, std::size_t to) {
+    ClearanceCache::Seen last;  // faces that follow each other mostly lie beside each other
     for (std::size_t f = from; f < to; ++f) {
       const Vec3 a = x[faces_[f][0]], b = x[faces_[f][1]], c = x[faces_[f][2]];
       for (std::size_t k = 0; k < points_.size(); ++k) {
         const auto& w = points_[k];
         const Vec3 place = a * w[0] + b * w[1] + c * w[2];
-        if (!cache_.mayBeWithin(collider_, f * points_.size() + k, place, begin_)) continue;
-        const Collider::Sample sample = collider_.sample(place);
-        if (sample.distance >= begin_) continue;
-        found[from / kNodeBlock].push_back({static_cast<std::uint32_t>(f), w, sample.normal,
-                                            colliderPenalty(area_[f], begin_ - sample.distance, offset_)});
+        const auto sample = cache_.sampleWithin(collider_, f * points_.size() + k, place, begin_, last);
+        if (!sample || sample->distance >= begin_) continue;
+        found[from / kNodeBlock].push_back({static_cast<std::uint32_t>(f), w, sample->normal,
+                                            colliderPenalty(area_[f], begin_ - sample->distance, offset_)});
       }
     }
   });

@@ -11,6 +11,8 @@
 namespace karinui {
 namespace {
 
+constexpr double kRounding = 1e-9;  // metres: more than a distance is wrong by
+
 double squareOf(double x) { return x * x; }
 
 // Which of the six sides of a box a direction looks to.
@@ -55,6 +57,16 @@ void SkinCollider::moveTo(std::vector<Vec3> points, Workers& workers) {
   normals_.resize(points_.size());
   workers.forBlocks(points_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) normals_[p] = normalAt(static_cast<std::uint32_t>(p));
+  });
+  ball_.resize(faces_.size());
+  workers.forBlocks(faces_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Vec3 a = points_[faces_[f][0]], b = points_[faces_[f][1]], c = points_[faces_[f][2]];
+      const Vec3 centre = (a + b + c) * (1.0 / 3);
+      const double squared =
+          std::fmax(squaredLength(a - centre), std::fmax(squaredLength(b - centre), squaredLength(c - centre)));
+      ball_[f] = {centre, std::sqrt(squared) + kRounding};
+    }
   });
   const Box box = boxOf(points_);
   low_ = box.low - Vec3{1, 1, 1} * (2 * kReach);  // every place within reach has all cells around it
@@ -119,26 +131,41 @@ SkinCollider::Near SkinCollider::nearestPoints(Vec3 place) const {
 Collider::Sample SkinCollider::sample(Vec3 place) const { return sampleAt(nearestPoints(place), place); }
 
 Collider::Sample SkinCollider::sampleAt(const Near& near, Vec3 place) const {
-  double best = std::numeric_limits<double>::infinity();
+  double best = std::numeric_limits<double>::infinity(), length = best;  // `best`: its square
   Vec3 normal, way;
+  std::uint32_t looked = std::numeric_limits<std::uint32_t>::max();  // the point whose faces were looked at first
   const auto look = [&](std::uint32_t point) {
     for (std::uint32_t k = firstFace_[point]; k < firstFace_[point + 1]; ++k) {
       const Triangle& f = faces_[face_[k]];
+      const Ball& ball = ball_[face_[k]];
+      if (f[0] == looked || f[1] == looked || f[2] == looked) continue;
+      if (squaredLength(place - ball.centre) > squareOf(length + ball.radius)) continue;
       const auto w = closestOnTriangle(place, points_[f[0]], points_[f[1]], points_[f[2]]);
       const Vec3 off = place - (points_[f[0]] * w[0] + points_[f[1]] * w[1] + points_[f[2]] * w[2]);
       const double d = squaredLength(off);
       if (!(d < best)) continue;
-      best = d;
+      best = d, length = std::sqrt(d);
       way = off;
       normal = normals_[f[0]] * w[0] + normals_[f[1]] * w[1] + normals_[f[2]] * w[2];
     }
   };
-  if (near.found()) look(near.point[near.first]);
+  if (near.found()) look(near.point[near.first]), looked = near.point[near.first];
   for (std::size_t side = 0; side < kSides; ++side)
-    if (side != near.first && near.squared[side] < squareOf(std::sqrt(best) + kFace)) look(near.point[side]);
+    if (side != near.first && near.squared[side] < squareOf(length + kFace)) look(near.point[side]);
   if (!std::isfinite(best)) return {kReach, {0, 1, 0}};
   normal = normalized(normal);
   return {std::copysign(std::sqrt(best), dot(way, normal)), normal};
+}
+
+// The nearest points are looked for once.
+std::optional<Collider::Sample> SkinCollider::sampleWithin(Vec3 place, double within, double& clearance) const {
+  const Near near = nearestPoints(place);
+  clearance = near.found() ? 0 : kReach;
+  if (near.found() && near.squared[near.first] < kAtSkin * kAtSkin)
+    return clearance < within ? std::optional(sampleAt(near, place)) : std::nullopt;
+  const Sample sample = sampleAt(near, place);
+  clearance = std::fmin(kReach, sample.distance);
+  return clearance < within ? std::optional(sample) : std::nullopt;
 }
 
 // A place at the skin is sampled anyway, so how far it is need not be found twice.

@@ -21,6 +21,7 @@ class SkinCollider : public Collider {
 
   Sample sample(Vec3 place) const override;
   double clearance(Vec3 place) const override;
+  std::optional<Sample> sampleWithin(Vec3 place, double within, double& clearance) const override;
   // Known where the tree was built since the points were last placed.
   Vec3 intersectionNormal(const std::array<Vec3, 3>& face) const override;
   void buildTree();
@@ -48,6 +49,11 @@ class SkinCollider : public Collider {
   std::vector<Triangle> faces_;
   std::vector<std::uint32_t> firstFace_, face_;  // those of each point, one after the other
   std::vector<Vec3> points_, normals_;
+  struct Ball {
+    Vec3 centre;
+    double radius = 0;
+  };
+  std::vector<Ball> ball_;  // round each face
   struct Tree {
     TriangleMesh mesh;
     Bvh boxes;

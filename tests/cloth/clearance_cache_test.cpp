@@ -34,7 +34,7 @@ TEST(ClearanceCache, WhatComesNearIsNeverOverlooked) {
       x[k] += Vec3{between(-pace, pace), between(-pace, pace), between(-pace, pace)} - x[k] * 0.01;
       const bool is = std::sqrt(3.0) * body.sample(x[k]).distance < 0.0015;
       near += is;
-      EXPECT_EQ(cache.mayBeWithin(body, k, x[k], 0.0015), is) << step;
+      EXPECT_EQ(cache.sampleWithin(body, k, x[k], 0.0015).has_value(), is) << step;
     }
   EXPECT_GT(near, 1000u);
   EXPECT_LT(body.asked, kPlaces * kSteps / 2 + near);  // it spares something

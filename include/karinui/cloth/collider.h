@@ -22,6 +22,11 @@ class Collider {
   virtual double clearance(Vec3 place) const = 0;
   static constexpr double kLipschitz = 2;
   bool mayBeWithin(Vec3 place, double distance) const { return clearance(place) < distance; }
+  // The sample of a place whose clearance, which is given as well, is less than `within`; of others none.
+  virtual std::optional<Sample> sampleWithin(Vec3 place, double within, double& clearance) const {
+    clearance = this->clearance(place);
+    return clearance < within ? std::optional(sample(place)) : std::nullopt;
+  }
   // The exact distance, dearer: asked once at rest, so that nothing rests below the surface itself.
   virtual Sample exactSample(Vec3 place) const { return sample(place); }
   // The outward direction, unit, of the surface that intersects a face of cloth between its corners; zero: none does.
