@@ -178,6 +178,17 @@ class PythonDocument {
         progress);
     return stepDict(step);
   }
+  void amend(std::size_t which, const std::string& line, const py::object& progress) {
+    alone(
+        [&](DocumentFile& file, Context& context) -> Result<bool> {
+          notes_.clear();
+          auto operation = parseOperation(line);
+          if (!operation) return operation.error();
+          const Done done = file.amend(which, *std::move(operation), context);
+          return done ? Result<bool>(true) : done.error();
+        },
+        progress);
+  }
   std::size_t play(const std::string& script, const py::object& progress) {
     return alone(
         [&](DocumentFile& file, Context& context) -> Result<std::size_t> {
@@ -452,6 +463,8 @@ PYBIND11_MODULE(karinui, m) {
            "does one operation, a line of docs/format/operations.md; progress(fraction, doing) is called meanwhile")
       .def("play", &D::play, py::arg("script"), py::arg("progress") = py::none(),
            "does a script of operations; how many")
+      .def("amend", &D::amend, py::arg("step"), py::arg("operation"), py::arg("progress") = py::none(),
+           "makes a step (from 1, as log tells) another operation; those after it are played again")
       .def("undo", &D::turned<&DocumentFile::undo>)
       .def("redo", &D::turned<&DocumentFile::redo>)
       .def("settle", &D::settle, py::arg("again") = false, py::arg("progress") = py::none(),

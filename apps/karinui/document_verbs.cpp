@@ -157,7 +157,7 @@ int runAmend(Program& program, const AmendOptions& options) {
   Result<Operation> operation = parseOperation(options.operation);
   if (!operation) return program.console.refuse(operation.error());
   return withDocument(program, options.path, false, [&](OpenDocument& opened) -> int {
-    if (const Done amended = amendStep(opened, options.step, *std::move(operation)); !amended)
+    if (const Done amended = opened.file().amend(options.step, *std::move(operation), opened.context()); !amended)
       return program.console.refuse(amended.error());
     const Document& document = opened.document();
     program.console.answer({{"operations", document.operations}, {"hash", hash(document)}}, opened.file().log());

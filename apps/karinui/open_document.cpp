@@ -47,13 +47,6 @@ Result<SceneFrame> OpenDocument::scene(const Document& document) {
   return sceneOf(document, body->get(), prints());
 }
 
-Done amendStep(OpenDocument& opened, std::size_t which, Operation operation) {
-  const std::size_t count = opened.file().steps().size();
-  if (which < 1 || which > count)
-    return refused(say("There is no step {0}; the document has {1}, as log tells.", which, count));
-  return opened.file().amend(which, std::move(operation), opened.context());
-}
-
 int withDocument(Program& program, const std::string& path, bool forReading,
                  const std::function<int(OpenDocument&)>& work) {
   Result<DocumentFile> file = forReading ? DocumentFile::openForReading(path) : DocumentFile::open(path);

@@ -52,9 +52,6 @@ class OpenDocument {
   std::size_t remarksTold_ = 0;
 };
 
-// The garment as if step `which` (from 1, as log numbers them) had been this operation (DocumentFile::amend).
-Done amendStep(OpenDocument& opened, std::size_t which, Operation operation);
-
 // Opens a document and runs `work` on it; the exit status is what `work` gives, or that of a refusal.
 int withDocument(Program& program, const std::string& path, bool forReading,
                  const std::function<int(OpenDocument&)>& work);

@@ -206,7 +206,8 @@ class Server {
     if (const Done fit = fields.checked(); !fit) return fit.error();
     auto operation = parseOperation(line);
     if (!operation) return operation.error();
-    const Done done = amendStep(*opened_, static_cast<std::size_t>(which.value_or(0)), *std::move(operation));
+    const Done done =
+        opened_->file().amend(static_cast<std::size_t>(which.value_or(0)), *std::move(operation), opened_->context());
     return done ? Result<Json>(state()) : done.error();
   }
   Result<Json> settle(Fields& fields, StopRequest& stop) {

@@ -142,7 +142,8 @@ Done DocumentFile::amend(std::size_t which, Operation operation, Context& contex
     Inside& in = *inside_;
     if (Done done = in.writable(); !done) return done;
     const auto way = in.line(in.head.seq);
-    KARINUI_ASSERT(which >= 1 && which <= way.size());
+    if (which < 1 || which > way.size())
+      return refused(say("There is no step {0}; the document has {1}, as log tells.", which, way.size()));
     // All of it is worked out first: only what holds to the end is written.
     std::vector<Inside::Worked> all;
     const std::uint64_t before = way[which - 1]->parent;

@@ -191,8 +191,8 @@ Message sidesSaid(const Document& document, const std::vector<EdgeRef>& a, const
 
 // What was decided for the person, or is seen better than read.
 bool goesWithoutSaying(std::string_view field, std::string_view value) {
-  static constexpr std::array<std::string_view, 10> kQuiet{"reversed", "edges",   "closed", "symmetric", "square",
-                                                           "level",    "outline", "pose",   "inside",    "grain"};
+  static constexpr std::array<std::string_view, 11> kQuiet{
+      "reversed", "edges", "closed", "symmetric", "square", "level", "eased", "outline", "pose", "inside", "grain"};
   return value.empty() || value == "no" || value == "auto" || value == "1:1" ||
          std::find(kQuiet.begin(), kQuiet.end(), field) != kQuiet.end();
 }

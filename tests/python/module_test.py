@@ -31,6 +31,10 @@ class Documents(unittest.TestCase):
             made = coat.hash
             self.assertEqual(coat.undo()["hash"], empty)
             self.assertEqual(coat.redo()["hash"], made)
+            coat.amend(1, PANEL.replace("name=front", "name=back"))
+            self.assertEqual((coat.pieces()[0].name, coat.operations), ("back", 1))
+            coat.amend(1, PANEL)
+            self.assertEqual(coat.hash, made)
             self.assertEqual(coat.play("notch edge=front.hem at=0.5\n# a comment\nset ease=1cm\n"), 2)
             last, log = coat.hash, coat.log()
         again = karinui.Document.open(path, reading=True)
@@ -53,6 +57,7 @@ class Documents(unittest.TestCase):
             (lambda: coat.perform("knit piece=front"), "bad_input", "knit"),
             (lambda: coat.perform("remove piece=front"), "refused", "front"),
             (lambda: coat.undo(), "refused", "nothing to undo"),
+            (lambda: coat.amend(1, PANEL), "refused", "no step 1"),
             (lambda: coat.measure(), "refused", "no body yet"),
             (lambda: coat.motion(["T"]), "refused", "no body yet"),
             (lambda: coat.fit_over(["jis9ar"]), "refused", "nothing to fit"),

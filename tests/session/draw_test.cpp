@@ -291,6 +291,23 @@ TEST_F(Drawing, WhatIsAdvisedIsMarkedAndMendedAndUndone) {
   EXPECT_EQ(session.steps().size(), 2u);
 }
 
+// Steps in a sleeve's cap, over two edges, which arrives level at both underarms.
+TEST(FairEdge, IsOneLineOverItsEdgesAndKeepsTheDirectionOfItsEnds) {
+  const std::vector<Curve> cap{Curve::joined({Curve::cubic({0, 0}, {0.05, 0}, {0.06, 0.05}, {0.09, 0.05}),
+                                              Curve::line({0.09, 0.05}, {0.12, 0.05}),
+                                              Curve::cubic({0.12, 0.05}, {0.15, 0.05}, {0.17, 0.13}, {0.22, 0.13})}),
+                               Curve::cubic({0.22, 0.13}, {0.3, 0.13}, {0.32, 0}, {0.4, 0})};
+  const std::vector<Curve> fair = fairLine(cap, {true, true});
+  ASSERT_EQ(fair.size(), 2u);
+  EXPECT_EQ(fair[0].end, fair[1].start);
+  EXPECT_LT(std::fabs(cross(normalized(fair[0].tangent(1)), normalized(fair[1].tangent(0)))), 1e-6);
+  EXPECT_LT(std::fabs(fair[0].tangent(0).v), 1e-9);
+  EXPECT_LT(std::fabs(fair[1].tangent(1).v), 1e-9);
+  for (double f = 0.02; f < 0.98; f += 0.02)
+    EXPECT_GT(fair[0].tangent(fair[0].parameterAt(f * fair[0].length())).v, 0) << f;
+  EXPECT_GT(std::fabs(fairLine(cap)[1].tangent(1).v), 1e-3) << "where nothing is said of them, ends swing free";
+}
+
 TEST(FairEdge, TakesAHandsScallopsOutAndLeavesATailorsCurveAlone) {
   std::vector<Curve> waves;
   for (int k = 0; k < 6; ++k) {

@@ -124,6 +124,7 @@ TermTable fieldTerms() {
       {"depth", say("Depth")},
       {"depth.pleat", say("Depth of a fold")},
       {"ease", say("Ease")},
+      {"eased", say("Difference is meant")},
       {"edge", say("Edge")},
       {"edges", say("Names of the edges")},
       {"edges.allowance", say("Edges")},

@@ -14,7 +14,7 @@ Outline rectangleOf(double width, double height, const std::vector<std::string>&
            {edges[3], Curve::line(d, a)}}};
 }
 
-Done resolve(const Document& before, DrawBand& op, Context&) {
+Done resolve(const Document& before, DrawBand& op, Context& context) {
   if (Done done = checkPaper(before, {op.name, op.fabric, op.layer}); !done) return done;
   if (Done done = orderRun(before, op.of); !done) return done;
   if (!(op.depth > 0 && op.depth <= 3)) return refused(say("A band is between 1 mm and 3 m deep."));
@@ -25,6 +25,7 @@ Done resolve(const Document& before, DrawBand& op, Context&) {
   if (op.edges.empty()) op.edges = {"low", "end_left", "top", "end_right"};
   if (op.edges.size() != 4)
     return refused(say("This shape has {0} {0|edge|edges}; it got {1} {1|name|names}.", 4, op.edges.size()));
+  if (op.sew && op.ratio != 1 && op.eased == Choice::Auto && !context.recorded) op.eased = Choice::Yes;
   if (op.turned && !op.sew) return refused(say("Only a band that is sewn on is turned over: sew=yes."));
   if (!op.sew) return {};
   for (const EdgeRef& edge : op.of)
@@ -70,6 +71,7 @@ Result<Document> perform(const Document& before, const DrawBand& op, Context& co
   }
   if (op.ratio < 0.7 || op.ratio > 1.4) seam.tie = Seam::Tie::TwoToOne;
   after.pattern.seams[seam.id] = seam;
+  if (op.eased == Choice::Yes && op.ratio != 1) after.eases[seam.id] = std::abs(op.ratio - 1) * lengthOf(before, op.of);
   if (!run.closed || op.extra > 1e-3) return after;
   Seam ends;
   ends.id = mint<SeamId>(before, 1);

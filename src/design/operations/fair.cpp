@@ -12,7 +12,8 @@ namespace karinui {
 namespace {
 
 constexpr double kCornerTurn = 0.5;    // radians: two edges that turn by more where they meet are two lines
-constexpr double kSquare = 0.35;       // radians off a right angle: the line keeps its direction at such a corner
+constexpr double kRightAngle = 0.35;   // radians off a right angle: the line keeps its direction at such a corner
+constexpr double kGoesOn = 0.15;       // radians: two edges that turn by less go on smoothly
 constexpr double kLeastChange = 5e-5;  // metres: a line that moves by less is fair already
 
 // The chosen edges, by their number in the outline, in runs that go on smoothly.
@@ -36,16 +37,17 @@ std::vector<std::vector<std::size_t>> smoothRuns(const Outline& outline, const s
   return runs;
 }
 
-// At a seam a line ends square to it, and both of its halves go on smoothly when they are sewn: that is left.
-bool square(Flat in, Flat out) {
-  return std::fabs(std::acos(std::clamp(dot(normalized(in), normalized(out)), -1.0, 1.0)) - std::numbers::pi / 2) <
-         kSquare;
+// At a seam a line ends square to it, so that both of its halves go on smoothly when they are sewn; and a line that
+// goes on smoothly into an edge that was not chosen still does.
+bool directionMatters(Flat in, Flat out) {
+  const double turn = std::acos(std::clamp(dot(normalized(in), normalized(out)), -1.0, 1.0));
+  return turn < kGoesOn || std::fabs(turn - std::numbers::pi / 2) < kRightAngle;
 }
 KeptDirections directionsKept(const Outline& outline, const std::vector<std::size_t>& run) {
   const auto& edges = outline.edges;
   const std::size_t n = edges.size(), before = (run.front() + n - 1) % n, after = (run.back() + 1) % n;
-  return {square(edges[before].curve.tangent(1), edges[run.front()].curve.tangent(0)),
-          square(edges[run.back()].curve.tangent(1), edges[after].curve.tangent(0))};
+  return {directionMatters(edges[before].curve.tangent(1), edges[run.front()].curve.tangent(0)),
+          directionMatters(edges[run.back()].curve.tangent(1), edges[after].curve.tangent(0))};
 }
 
 // How far the two curves are apart at most, at equal shares of their lengths.

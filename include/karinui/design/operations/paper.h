@@ -83,7 +83,9 @@ struct DrawRing {
   bool operator==(const DrawRing&) const = default;
 };
 
-// band name=collar of="front.neck_left front.neck_right back.neck" depth=4cm sew=yes
+// `eased` is settled where the band is sewn and longer or shorter than its run. Left open, which it is only in
+// documents of before it, nothing is declared. band name=collar of="front.neck_left front.neck_right back.neck"
+// depth=4cm sew=yes
 struct DrawBand {
   static constexpr std::string_view kName = "band";
   static constexpr std::string_view kHelp =
@@ -96,6 +98,7 @@ struct DrawBand {
   bool sew = false;
   Angle turn;
   bool turned = false;
+  Choice eased = Choice::Auto;
   std::vector<std::string> edges;
   std::string fabric;
   int layer = 0;
@@ -111,6 +114,8 @@ struct DrawBand {
     visit("turn", self.turn, "how far it is folded outwards from where the cloth would go on", kOptional);
     visit("turned", self.turned, "yes: turned over, so that its right side shows once it is folded back, as a collar's",
           kOptional);
+    visit("eased", self.eased,
+          "the difference that ratio= makes is meant, as ease declares it: auto, yes, no (auto: yes)", kOptional);
     visit("edges", self.edges, "names of its edges: low end_left top end_right; the first is sewn", kOptional);
     visitCloth(self, visit);
   }
