@@ -5,8 +5,10 @@
 
 #include "karinui/pattern/allowance.h"
 #include "karinui/pattern/cut_line.h"
+#include "karinui/pattern/facing.h"
 #include "karinui/pattern/grading.h"
 #include "karinui/pattern/lattice.h"
+#include "karinui/session/look_of.h"
 #include "karinui/session/scene_of.h"
 
 namespace karinui {
@@ -17,15 +19,19 @@ namespace {
 SceneFrame scenePieceByPiece(const Document& document, const Body* body, const Prints& prints) {
   SceneFrame frame;
   if (body) frame.bodies.push_back({body->mesh(), SceneBody{}.colour});
+  const std::set<PieceId> insideOut = wornInsideOut(document.pattern);  // by its seams
   for (const auto& [id, piece] : document.pattern.pieces) {
     Document alone = document;
     alone.pattern.seams.clear(), alone.allowances.fastenings.clear();
     std::erase_if(alone.pattern.pieces, [own = id](const auto& other) { return other.first != own; });
     Result<SceneFrame> one = sceneOf(alone, nullptr, prints);
-    if (one && !one->cloths.empty())
-      frame.cloths.push_back(std::move(one->cloths.front()));
-    else
+    if (one && !one->cloths.empty()) {
+      SceneCloth& cloth = one->cloths.front();
+      if (insideOut.contains(id)) turnInsideOut(cloth.colour, cloth.look);
+      frame.cloths.push_back(std::move(cloth));
+    } else {
       frame.cloths.push_back({.name = piece->name, .mesh = {}, .flat = {}, .strain = {}, .outlines = {}, .seams = {}});
+    }
   }
   return frame;
 }

@@ -293,10 +293,10 @@ TEST_F(Drawing, WhatIsAdvisedIsMarkedAndMendedAndUndone) {
 
 // Steps in a sleeve's cap, over two edges, which arrives level at both underarms.
 TEST(FairEdge, IsOneLineOverItsEdgesAndKeepsTheDirectionOfItsEnds) {
-  const std::vector<Curve> cap{Curve::joined({Curve::cubic({0, 0}, {0.05, 0}, {0.06, 0.05}, {0.09, 0.05}),
-                                              Curve::line({0.09, 0.05}, {0.12, 0.05}),
-                                              Curve::cubic({0.12, 0.05}, {0.15, 0.05}, {0.17, 0.13}, {0.22, 0.13})}),
-                               Curve::cubic({0.22, 0.13}, {0.3, 0.13}, {0.32, 0}, {0.4, 0})};
+  const std::vector<Curve> back{Curve::cubic({0, 0}, {0.05, 0}, {0.06, 0.05}, {0.09, 0.05}),
+                                Curve::line({0.09, 0.05}, {0.12, 0.05}),
+                                Curve::cubic({0.12, 0.05}, {0.15, 0.05}, {0.17, 0.13}, {0.22, 0.13})};
+  const std::vector<Curve> cap{Curve::joined(back), Curve::cubic({0.22, 0.13}, {0.3, 0.13}, {0.32, 0}, {0.4, 0})};
   const std::vector<Curve> fair = fairLine(cap, {true, true});
   ASSERT_EQ(fair.size(), 2u);
   EXPECT_EQ(fair[0].end, fair[1].start);
