@@ -1,8 +1,9 @@
 #pragma once
 // The skin of a body that moves: a mesh whose points are placed anew again and again, faces being the same. Made ready
 // in a few milliseconds, where a distance field takes seconds; so it is what stops the cloth on the body's way from
-// pose to pose. Distances are exact within kReach of the skin; farther off it only tells that it is far. One thread
-// places the points, while nobody asks.
+// pose to pose. Distances are right to a tenth of a millimetre near the skin, for the nearest face is looked for among
+// those of the nearest points; beyond kReach it only tells that a place is far. One thread places the points, while
+// nobody asks.
 #include <array>
 #include <limits>
 #include <optional>

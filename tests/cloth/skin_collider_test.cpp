@@ -31,7 +31,7 @@ TriangleMesh bumpyBall() {
   return mesh;
 }
 
-TEST(SkinCollider, DistancesAreExactNearTheSkinAndToldAtOnceWithTheClearance) {
+TEST(SkinCollider, DistancesAreRightNearTheSkinAndToldAtOnceWithTheClearance) {
   const TriangleMesh mesh = bumpyBall();
   const Bvh bvh(mesh);
   SkinCollider skin(mesh.faces, mesh.points.size());
@@ -59,8 +59,9 @@ TEST(SkinCollider, DistancesAreExactNearTheSkinAndToldAtOnceWithTheClearance) {
     const double exact = bvh.nearest(place)->distance;
     if (exact > 0.012) continue;
     ++near;
-    EXPECT_LE(clearance, exact + 1e-12);
-    EXPECT_NEAR(std::fabs(sample.distance), exact, 1e-12);
+    EXPECT_LE(clearance, exact + 1e-4);
+    EXPECT_GE(std::fabs(sample.distance), exact - 1e-12);
+    EXPECT_LE(std::fabs(sample.distance), exact + 1e-4);
   }
   EXPECT_GT(near, 5000u);
 }
