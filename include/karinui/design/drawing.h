@@ -5,6 +5,7 @@
 #include <span>
 
 #include "karinui/design/apply.h"
+#include "karinui/geometry/fair_points.h"
 #include "karinui/geometry/flatten.h"
 
 namespace karinui {
@@ -22,11 +23,8 @@ Result<DrawnPiece> drawn(const Document& document, const DrawPiece& draw, Contex
 // How often an edge of a hand-drawn piece turns from one side to the other and back, beyond what a tailor's curve does:
 // 0 for a fair line, a curve, an S.
 int wavers(const Curve& edge);
-// Curves that follow each other as one fair line between the same ends: waves shorter than 12 cm are taken out, and
+// Curves that follow each other as one fair line between the same ends: waves shorter than 18 cm are taken out, and
 // longer ones while a curve wavers. Where two curves meet comes along.
-struct KeptDirections {
-  bool atStart = false, atEnd = false;
-};
 std::vector<Curve> fairLine(std::span<const Curve> run, KeptDirections kept = {});
 
 // One place of the cloth taken by the hand, without force.
