@@ -82,6 +82,24 @@ void fromTheMenu(Window& w, const Message& words) {
   FAIL() << "no such item";
 }
 
+TEST(StudioNewPieces, AnEdgeIsDrawnAnewAsAFairLineFromItsMenu) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().perform(
+      *parseOperation("piece name=cap outline=\"M 0 0; hem L 300 0; side L 300 60; top C 250 60 240 20 200 60; top_2 C "
+                      "150 110 100 30 60 "
+                      "60; rest L 0 60; left L 0 0\""));
+  w.rest();
+  menuOn(w, "cap", "hem");
+  EXPECT_FALSE(choose(w, "Redraw as a fair line")) << "it is straight";
+  for (QMenu* menu : w.main().findChildren<QMenu*>("context")) menu->close();
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  const double before = findEdge(piece(w, "cap"), "top_2")->curve.length();
+  menuOn(w, "cap", "top_2");
+  ASSERT_TRUE(choose(w, "Redraw as a fair line"));
+  EXPECT_LT(findEdge(piece(w, "cap"), "top_2")->curve.length(), before - 0.001) << w.main().said().toStdString();
+}
+
 TEST(StudioNewPieces, TheSettingsOfTheGarmentAreTyped) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
