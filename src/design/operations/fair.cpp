@@ -64,19 +64,7 @@ double farthest(const Curve& a, const Curve& b) {
 }  // namespace
 
 Done resolve(const Document& before, FairEdges& op, Context& context) {
-  if (op.edges.empty()) return refused(say("Say which edges are meant."));
-  for (EdgeRef& edge : op.edges) {
-    edge.from = 0, edge.to = 1;
-    if (Done done = resolve(before, edge); !done) return done;
-  }
-  for (const EdgeRef& edge : op.edges) {
-    const Piece& piece = *before.find(edge.piece.id);
-    const std::size_t k = *piece.outline.find(edge.edge);
-    const auto both = [&](const PaperSymmetry& symmetry) { return symmetry.partner[k].has_value(); };
-    Choice here = op.symmetric;  // Auto stays: of the pieces, one may be symmetric and another not
-    if (Done done = resolveSymmetric(piece, here, context, both); !done) return done;
-  }
-  return {};
+  return resolveWhole(before, op.edges, op.symmetric, context);
 }
 
 Result<Document> perform(const Document& before, const FairEdges& op, Context& context) {

@@ -120,6 +120,9 @@ std::shared_ptr<const Form> followedForm(const Piece& piece, const Outline& outl
 // where it has not, because of a slit or dart, that is told. Refuses Yes where only one half can be changed.
 Done resolveSymmetric(const Piece& piece, Choice& symmetric, Context& context,
                       const std::function<bool(const PaperSymmetry&)>& both);
+// Edges that are meant whole, and whether the other half of each one's piece is changed with it. Auto stays: of the
+// pieces one may be symmetric and another not. Refuses none.
+Done resolveWhole(const Document& before, std::vector<EdgeRef>& edges, Choice symmetric, Context& context);
 // A fabric a piece may be cut from exists: one of the document or a preset.
 Done checkFabricName(const Document& document, const std::string& name);
 // The name a new piece gets: as asked, if it is good and free.

@@ -142,6 +142,22 @@ std::vector<PieceId> copiesMeant(const Document& document, PieceId piece, Choice
   return copies == Choice::Yes ? likenesses(document, piece) : std::vector<PieceId>();
 }
 
+Done resolveWhole(const Document& before, std::vector<EdgeRef>& edges, Choice symmetric, Context& context) {
+  if (edges.empty()) return refused(say("Say which edges are meant."));
+  for (EdgeRef& edge : edges) {
+    edge.from = 0, edge.to = 1;
+    if (Done done = resolve(before, edge); !done) return done;
+  }
+  for (const EdgeRef& edge : edges) {
+    const Piece& piece = *before.find(edge.piece.id);
+    const std::size_t k = *piece.outline.find(edge.edge);
+    const auto both = [&](const PaperSymmetry& paper) { return paper.partner[k].has_value(); };
+    Choice here = symmetric;
+    if (Done done = resolveSymmetric(piece, here, context, both); !done) return done;
+  }
+  return {};
+}
+
 void tellSeams(const Document& before, const Document& after, const Context& context) {
   constexpr double kTold = 5e-5;  // metres: smaller changes are not spoken of
   if (!context.advise) return;

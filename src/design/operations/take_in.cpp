@@ -37,21 +37,9 @@ std::vector<Named> meant(const Document& document, const TakeIn& op) {
 }  // namespace
 
 Done resolve(const Document& before, TakeIn& op, Context& context) {
-  if (op.edges.empty()) return refused(say("Say which edges are meant."));
   if (op.by == 0.0 || !(std::fabs(op.by) <= kMost))
     return refused(say("A seam is taken in or let out by up to 50 cm, not by {0} mm.", fixed(op.by * 1e3, 1)));
-  for (EdgeRef& edge : op.edges) {
-    edge.from = 0, edge.to = 1;
-    if (Done done = resolve(before, edge); !done) return done;
-  }
-  for (const EdgeRef& edge : op.edges) {
-    const Piece& piece = *before.find(edge.piece.id);
-    const std::size_t k = *piece.outline.find(edge.edge);
-    const auto both = [&](const PaperSymmetry& symmetry) { return symmetry.partner[k].has_value(); };
-    Choice here = op.symmetric;  // Auto stays: of the pieces that are moved, one may be symmetric and another not
-    if (Done done = resolveSymmetric(piece, here, context, both); !done) return done;
-  }
-  return {};
+  return resolveWhole(before, op.edges, op.symmetric, context);
 }
 
 Result<Document> perform(const Document& before, const TakeIn& op, Context& context) {
