@@ -157,22 +157,22 @@ Collider::Sample SkinCollider::sampleAt(const Near& near, Vec3 place) const {
   return {std::copysign(std::sqrt(best), dot(way, normal)), normal};
 }
 
-// The nearest points are looked for once.
+// A place at the skin is sampled anyway, so its clearance is given as none. The nearest points are looked for once.
 std::optional<Collider::Sample> SkinCollider::sampleWithin(Vec3 place, double within, double& clearance) const {
   const Near near = nearestPoints(place);
-  clearance = near.found() ? 0 : kReach;
-  if (near.found() && near.squared[near.first] < kAtSkin * kAtSkin)
+  if (near.found() && near.squared[near.first] < kAtSkin * kAtSkin) {
+    clearance = 0;
     return clearance < within ? std::optional(sampleAt(near, place)) : std::nullopt;
+  }
   const Sample sample = sampleAt(near, place);
   clearance = std::fmin(kReach, sample.distance);
   return clearance < within ? std::optional(sample) : std::nullopt;
 }
 
-// A place at the skin is sampled anyway, so how far it is need not be found twice.
 double SkinCollider::clearance(Vec3 place) const {
-  const Near near = nearestPoints(place);
-  if (!near.found()) return kReach;
-  return near.squared[near.first] < kAtSkin * kAtSkin ? 0 : std::fmin(kReach, sampleAt(near, place).distance);
+  double clear = 0;
+  sampleWithin(place, 0, clear);
+  return clear;
 }
 
 }  // namespace karinui

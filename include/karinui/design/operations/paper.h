@@ -83,9 +83,9 @@ struct DrawRing {
   bool operator==(const DrawRing&) const = default;
 };
 
+// band name=collar of="front.neck_left front.neck_right back.neck" depth=4cm sew=yes
 // `eased` is settled where the band is sewn and longer or shorter than its run. Left open, which it is only in
-// documents of before it, nothing is declared. band name=collar of="front.neck_left front.neck_right back.neck"
-// depth=4cm sew=yes
+// documents of before it, nothing is declared.
 struct DrawBand {
   static constexpr std::string_view kName = "band";
   static constexpr std::string_view kHelp =
