@@ -31,9 +31,15 @@ bool reasonable(const Curve& curve) {
   return std::isfinite(curve.bulge) && std::abs(curve.bulge) < 1e3;
 }
 
+// Ends that are on the other segment, but for rounding, cross nothing: a slit's mouth, or a bank that goes on beyond
+// it.
 bool crosses(Flat a, Flat b, Flat c, Flat d) {
-  const auto side = [](Flat p, Flat q, Flat r) { return cross(q - p, r - p); };
-  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+  const auto apart = [](Flat p, Flat q, Flat r, Flat s) {
+    const Flat way = normalized(q - p);
+    const double first = cross(way, r - p), second = cross(way, s - p);
+    return std::fmin(first, second) < -kJoin && std::fmax(first, second) > kJoin;
+  };
+  return apart(a, b, c, d) && apart(c, d, a, b);
 }
 
 // Where a slit leaves the cloth: its mouth stands on the outline, all else must lie inside.

@@ -126,6 +126,32 @@ TEST(Cut, aSlitHasTwoBanksAndOneTip) {
   }
 }
 
+// A second cut takes cloth away beside the slit, so that one bank goes on where the other ends: where a slit's mouth
+// lies is rounded there, and mirrored otherwise.
+TEST(Cut, aSlitIsSoundWhicheverWayItIsTurned) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int done = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const Flat tip{0.15 + 0.1 * unit(random), 0.05 + 0.1 * unit(random)},
+        mouth{0.1 + 0.2 * unit(random), 0.5 + 0.01 * unit(random)};
+    const auto slit = cutPiece(pieceOf(1, rectangle(0.4, 0.5)), {tip, mouth}, {2}, "");
+    ASSERT_TRUE(slit) << reason(slit);
+    const double beside = unit(random) < 0.5 ? -0.02 : 0.42;
+    const Flat from = lerp(tip, mouth, 0.3 + 0.4 * unit(random));
+    const auto cut =
+        cutPiece(slit->pieces[0], {from + Flat{beside < 0 ? 1e-5 : -1e-5, 0}, {beside, 0.4}}, {2}, "other");
+    if (!cut || cut->pieces.size() != 2) continue;
+    ++done;
+    for (const Piece& piece : cut->pieces) {
+      EXPECT_TRUE(checked(piece.outline));
+      const auto turned = checked(mirrored(piece).outline);
+      EXPECT_TRUE(turned) << round << ": " << reason(turned);
+    }
+  }
+  EXPECT_GT(done, 1000);
+}
+
 TEST(Cut, refusesWithTheReason) {
   Piece piece = pieceOf(1, rectangle(0.4, 0.5));
   EXPECT_NE(reason(cutPiece(piece, {{0.1, 0.1}, {0.3, 0.3}}, {2}, "")).find("does not reach the outline"),
