@@ -108,8 +108,8 @@ LatticePlace LatticeFinder::find(Flat place) const {
 }
 
 LatticePlace LatticeFinder::find(Flat place, Flat inwards) const {
-  constexpr double kStep = 1e-5;  // metres: off the slit's line, still within the same triangle
-  LatticePlace found = find(place + normalized(inwards - place) * kStep);
+  constexpr double kOffLine = 1e-5;  // metres: off the slit's line, still within the same triangle
+  LatticePlace found = find(place + normalized(inwards - place) * kOffLine);
   for (int k = 0; k < 3; ++k) {
     if (nodes_[found.face[k]] != place) continue;
     found.weight = {};
