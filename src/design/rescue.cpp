@@ -104,7 +104,7 @@ Result<std::size_t> makeAnew(const Document& garment, const Store& damaged, cons
     op.size = body.size, op.form = body.form, op.mesh = body.mesh;
     if (body.mesh.empty()) {
       op.sex = body.measurements.sex;
-      for (const auto& [key, value] : body.measurements.value) op.set.push_back({key, value, {}});
+      for (const auto& [key, value] : body.measurements.value) op.set.push_back({key, Length{value}, {}});
     }
     steps.emplace_back(std::move(op));
   }
