@@ -1,9 +1,13 @@
 #include "cloth/intersection_removal.h"
 
+#include <cmath>
+
 namespace karinui {
 namespace {
 
-constexpr double kForce = 20;      // N per metre of cloth that intersects
+constexpr double kForce = 20;      // N per metre of cloth that intersects, at first,
+constexpr double kGrowth = 1.1;    // this factor more with each step without fewer intersections,
+constexpr double kMostForce = 50;  // to so many times at most: cloth that is pressed together needs more
 constexpr double kFreeMove = 0.1;  // spacings a node goes in a step when nothing holds it: sets the stiffness
 constexpr int kPatience = 60;      // steps without fewer intersections before they are left as they are
 
@@ -42,16 +46,20 @@ void IntersectionRemoval::afterStep(std::span<const Vec3> x, bool, Workers& work
   if (contour_->crossings() == 0 || noBetter_ > kPatience) active_ = false;  // what is left stays left out
 }
 
+double IntersectionRemoval::force() const {
+  return kForce * std::fmin(kMostForce, std::pow(kGrowth, noBetter_)) * cloth_.spacing;
+}
+
 void IntersectionRemoval::addGradient(std::span<Vec3> gradient) const {
   if (!active_) return;
-  const double force = kForce * cloth_.spacing;
+  const double force = this->force();
   for (NodeIndex k : moving_)
     if (const Vec3 way = contour_->direction()[k]; squaredLength(way) > 0) gradient[k] -= way * force;
 }
 
 void IntersectionRemoval::addHessian(ContactHessian& hessian) const {
   if (!active_) return;
-  const double stiffness = kForce * cloth_.spacing / (kFreeMove * cloth_.spacing);
+  const double stiffness = force() / (kFreeMove * cloth_.spacing);
   for (NodeIndex k : moving_)
     if (squaredLength(contour_->direction()[k]) > 0) hessian.addIsotropic(k, stiffness);
 }

@@ -29,6 +29,7 @@ class IntersectionRemoval : public Contact {
 
  private:
   void find(std::span<const Vec3> x, Workers& workers);
+  double force() const;  // newtons on a node
 
   const Cloth& cloth_;
   const std::vector<NodeIndex>& moving_;

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "cloth/helpers.h"
+#include "cloth/intersection_removal.h"
 
 namespace karinui::test {
 namespace {
@@ -46,6 +49,38 @@ TEST(IntersectionContour, TheWayOutDrawsThePassedCornerBack) {
     contour.find(s.state.position, workers);
   }
   EXPECT_EQ(contour.crossings(), 0u);
+}
+
+// Something presses the sheets together, so that they do not move: what separates them grows until it is given up.
+TEST(IntersectionRemoval, PushesHarderWhileNothingGivesWay) {
+  const CrossedSheets s = sheets(0.011);
+  std::vector<NodeIndex> moving(s.cloth.nodeCount);
+  std::iota(moving.begin(), moving.end(), 0);
+  SelfContact self(s.cloth, 0.002);
+  IntersectionRemoval removal(s.cloth, moving, self);
+  Workers workers(1);
+  ASSERT_TRUE(removal.start(s.state.position, workers));
+  const auto force = [&] {
+    std::vector<Vec3> gradient(s.cloth.nodeCount);
+    removal.addGradient(gradient);
+    double most = 0;
+    for (const Vec3 g : gradient) most = std::fmax(most, length(g));
+    return most;
+  };
+  const double first = force();
+  EXPECT_GT(first, 0);
+  int steps = 0;
+  double last = first;
+  for (; removal.active() && steps < 200; ++steps) {
+    const double now = force();
+    EXPECT_GE(now, last);
+    last = now;
+    removal.afterStep(s.state.position, false, workers);
+  }
+  EXPECT_GT(last, 20 * first);
+  EXPECT_LT(last, 100 * first);
+  EXPECT_LT(steps, 100);
+  EXPECT_EQ(force(), 0) << "given up";
 }
 
 }  // namespace
