@@ -1,6 +1,7 @@
 #include "cloth/cloth_topology.h"
 
 #include <numeric>
+#include <tuple>
 
 namespace karinui {
 namespace {
@@ -83,6 +84,7 @@ ClothTopology::ClothTopology(const Cloth& cloth, double radius) : live(cloth.nod
       // Corners across an edge must be able to touch in a fold; not in a band so narrow that they always would.
       const NodeIndex other = sides[s - 1].second;
       if (distance(paper[other], paper[opposite]) < kNarrow * radius) near(other, opposite);
+      for (int k = 0; k < 2; ++k) oppositeSides.push_back({opposite, edge[k], other, edge[1 - k]});
       continue;
     }
     near(edge[0], edge[1]);
@@ -100,6 +102,19 @@ ClothTopology::ClothTopology(const Cloth& cloth, double radius) : live(cloth.nod
   sortOnce(over);
   near_ = incidenceOf(cloth.nodeCount, nears);
   over_ = incidenceOf(cloth.nodeCount, over);
+  sortOppositeSides();
+}
+
+void ClothTopology::sortOppositeSides() {
+  std::erase_if(oppositeSides, [&](const std::array<NodeIndex, 4>& node) {
+    const auto& [a, m, b, n] = node;
+    return neighbours(a, b) || sewn(a, n) || sewn(m, b) || sewn(m, n);
+  });
+  std::sort(oppositeSides.begin(), oppositeSides.end(),
+            [](const auto& one, const auto& other) { return std::tie(one[1], one) < std::tie(other[1], other); });
+  sidesOf.assign(live.size() + 1, 0);
+  for (const auto& node : oppositeSides) ++sidesOf[node[1] + 1];
+  std::partial_sum(sidesOf.begin(), sidesOf.end(), sidesOf.begin());
 }
 
 }  // namespace karinui

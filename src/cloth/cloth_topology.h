@@ -37,15 +37,28 @@ class ClothTopology {
   std::vector<int> layer;            // that of its piece,
   std::vector<Flat> paper;           // and where it is on paper,
   std::vector<std::uint8_t> live;    // and whether its piece is
+  // Opposite sides of the parallelogram that two faces make over the edge m n: the edges {a, m} and {b, n}, a and b
+  // being the far corners, in the order of m. Those of a node m from sidesOf[m] to before sidesOf[m + 1].
+  std::vector<std::array<NodeIndex, 4>> oppositeSides;
+  std::vector<std::uint32_t> sidesOf;
 
   // Partners at a seam that are one point, tied already or not.
   bool sewn(NodeIndex a, NodeIndex b) const { return seam_[a] == seam_[b]; }
   // Never in contact: partners, also of a pair sewn 2:1, ends of an edge, corners across an edge of a narrow band.
   bool neighbours(NodeIndex a, NodeIndex b) const { return sewn(a, b) || near_.has(a, b); }
+  bool isFace(NodeIndex a, NodeIndex b, NodeIndex c) const {
+    const auto own = facesOf.of(a);
+    return std::any_of(own.begin(), own.end(), [&](std::uint32_t f) {
+      const auto corner = [&](NodeIndex k) { return faces[f][0] == k || faces[f][1] == k || faces[f][2] == k; };
+      return corner(b) && corner(c);
+    });
+  }
   // Beside each other over a seam: in contact only where the seam is folded.
   bool overSeam(NodeIndex a, NodeIndex b) const { return over_.any(a) && over_.has(a, b); }
 
  private:
+  void sortOppositeSides();
+
   std::vector<std::uint32_t> seam_;  // seam partners share a number
   Incidence near_, over_;
 };

@@ -16,8 +16,10 @@ constexpr double kMoveReach = 1.2;       // times the relative move by which a p
 constexpr double kCandidateReach = 3;    // radii: nearer pairs are kept with the list,
 constexpr double kCandidateCell = 0.25;  // but only so many spacings beyond the radius: a flat sheet has none
 constexpr std::size_t kWornShare = 8;    // the list is made anew once an eighth of it was examined without candidates
-constexpr double kLeastGap = 1e-9;       // metres: below it the normal is unknown
-constexpr double kRounding = 1e-9;       // metres, of the bounds
+constexpr std::uint8_t kOppositeSides = 2 | 4 | 8;  // all ends are neighbours but for the first of each
+constexpr double kLeastGap = 1e-9;                  // metres: below it the normal is unknown
+constexpr double kRounding = 1e-9;                  // metres, of the bounds
+constexpr double kFarApart = 1e9;                   // metres
 
 // Closest points of a pair's two sides, and the way from the second to the first.
 struct Closest {
@@ -165,7 +167,9 @@ void ContactPairs::edgeEdges(NodeIndex a, NodeIndex b, double reach, const Use& 
       if (topology_.neighbours(a, b2)) candidate.neighbours |= 2;
       if (topology_.neighbours(a2, b)) candidate.neighbours |= 4;
       if (topology_.neighbours(a2, b2)) candidate.neighbours |= 8;
-      use(candidate);
+      const bool sides = candidate.neighbours == kOppositeSides && topology_.isFace(a, a2, b2) &&
+                         topology_.isFace(b, a2, b2);  // found by themselves
+      if (!sides) use(candidate);
     }
   }
 }
@@ -204,6 +208,26 @@ void ContactPairs::makeCandidates(std::span<const Vec3> x, Workers& workers) {
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
   candidates_.clear();
   for (const auto& block : found) candidates_.insert(candidates_.end(), block.begin(), block.end());
+}
+
+// In a crumple cells collapse until opposite sides come as near as cloth may. Joined at either end, they have only
+// their far corners to find each other by, which may be twice as far apart as they are long. All their ends are on an
+// edge of one node, m: none moves against another by more than twice as much as those edges' ends do at most.
+void ContactPairs::measureSides(std::span<const Vec3> x, Workers& workers) {
+  if (sidesClear_.empty())
+    sidesClear_.assign(x.size(), 0);
+  else
+    measureMotion(x, list_.madeAt(), drift_, workers);
+  workers.forBlocks(x.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) {
+      double& clear = sidesClear_[m];
+      if (!drift_.spread.empty()) clear -= 2 * drift_.spread[m] + kRounding;
+      if (clear > candidateReach_) continue;
+      clear = kFarApart;
+      for (std::uint32_t k = topology_.sidesOf[m]; k < topology_.sidesOf[m + 1]; ++k)
+        clear = std::fmin(clear, length(closestOf(topology_.oppositeSides[k], 2, x).way));
+    }
+  });
 }
 
 // Whether neighbours among the nodes of its two sides are nearer to each other than any others: in a sharp fold.
@@ -252,6 +276,7 @@ double ContactPairs::reachOf(const Search& search) const {
 std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& workers) {
   if (kWornShare * worn_ > list_.pairs().size() || !list_.covers(search.x, reachOf(search))) {
     measureEdges(search.x);
+    measureSides(search.x, workers);
     list_.make(search.x, reachOf(search), workers);
     makeCandidates(search.x, workers);
     worn_ = 0;
@@ -289,11 +314,25 @@ std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& worke
     }
     return block;
   });
+  const auto sides = workers.each(search.x.size(), kPairBlock, [&](std::size_t begin, std::size_t end) {
+    std::vector<ContactPair> near;
+    for (std::size_t m = begin; m < end; ++m) {
+      const double spread = drift_.spread[m] + (moves ? kMoveReach * ahead_.spread[m] : 0);
+      if (sidesClear_[m] > search.within + 2 * spread + kRounding) continue;
+      for (std::uint32_t k = topology_.sidesOf[m]; k < topology_.sidesOf[m + 1]; ++k) {
+        const Candidate candidate{topology_.oppositeSides[k], 2, kOppositeSides};
+        const bool out = !leftOut_.empty() && leftOut_[candidate.node[0]] && leftOut_[candidate.node[2]];
+        if (!out) measure(candidate, search, near);
+      }
+    }
+    return near;
+  });
   std::vector<ContactPair> all;
   for (const Found& block : found) {
     all.insert(all.end(), block.pairs.begin(), block.pairs.end());
     worn_ += block.worn;
   }
+  for (const auto& block : sides) all.insert(all.end(), block.begin(), block.end());
   return all;
 }
 

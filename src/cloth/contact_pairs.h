@@ -66,6 +66,8 @@ class ContactPairs {
   void nodeFaces(NodeIndex a, NodeIndex b, double reach, const Use& use) const;
   template <class Use>
   void edgeEdges(NodeIndex a, NodeIndex b, double reach, const Use& use) const;
+  // Before the list is made at x.
+  void measureSides(std::span<const Vec3> x, Workers& workers);
   void measure(const Candidate& candidate, const Search& search, std::vector<ContactPair>& out) const;
   bool squeezed(const Candidate& candidate, std::span<const Vec3> x) const;
   bool nearOnPaper(const ContactPair& pair) const;
@@ -84,9 +86,10 @@ class ContactPairs {
   std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> start_;
   std::vector<double> clear_;
-  Motion drift_, ahead_;       // since the list was made; of the search
-  std::vector<double> bound_;  // of both, at each node, metres
-  std::size_t worn_ = 0;       // how many pairs were looked at that had drifted farther than their candidates serve
+  std::vector<double> sidesClear_;  // of each node's opposite sides: a bound below which no gap was, metres
+  Motion drift_, ahead_;            // since the list was made; of the search
+  std::vector<double> bound_;       // of both, at each node, metres
+  std::size_t worn_ = 0;  // how many pairs were looked at that had drifted farther than their candidates serve
 };
 
 }  // namespace karinui
