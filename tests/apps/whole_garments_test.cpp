@@ -84,20 +84,22 @@ TEST(WholeGarments, ArmsGoUpAndDown) {
 TEST(WholeGarments, ComeToRestInEveryPose) {
   if (!atLength()) GTEST_SKIP() << "by ./test --long";
   for (const std::string name : {"tailored_shirt", "shirt_fitting", "hooded_coat", "lined_waistcoat", "trousers",
-                                 "pleated_skirt", "gathered_dress", "first_tunic"})
-    for (const char* pose : {"T", "overhead", "seated", "step", "forward"}) {
+                                 "pleated_skirt", "gathered_dress", "first_tunic"}) {
+    const Folder folder;
+    const std::string own = folder / "own.karinui", posed = folder / "posed.karinui";
+    ASSERT_EQ(karinui("play '" KARINUI_SOURCE_DIR "/examples/" + name + ".ops' -o " + own).exit, 0) << name;
+    for (const std::string pose : {"T", "overhead", "seated", "step", "forward"}) {
       SCOPED_TRACE(name + ", " + pose);
-      const Folder folder;
-      write(folder / "posed.ops",
-            contents(KARINUI_SOURCE_DIR "/examples/" + name + ".ops") + "pose name=" + pose + "\ndrape\n");
-      const Said said = karinui("play " + (folder / "posed.ops") + " -o " + (folder / "posed.karinui"));
+      fs::copy_file(own, posed, fs::copy_options::overwrite_existing);
+      ASSERT_EQ(karinui("do " + posed + " 'pose name=" + pose + "'").exit, 0);
+      const Said said = karinui("settle " + posed);
       EXPECT_EQ(said.exit, 0) << said.err;
-      EXPECT_EQ(said.err.find("did not come to rest"), std::string::npos) << said.err;
-      const auto stands = karinui("check " + (folder / "posed.karinui") + " --json").json();
+      const auto stands = karinui("check " + posed + " --json").json();
       EXPECT_EQ(stands["cloth_body_crossings"], 0);
       EXPECT_EQ(stands["cloth_cloth_crossings"], 0);
       EXPECT_LE(stands["penetration_mm"].get<double>(), 0.1);
     }
+  }
 }
 
 }  // namespace
