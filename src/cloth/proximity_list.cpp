@@ -7,7 +7,7 @@ namespace karinui {
 namespace {
 
 constexpr double kMargin = 0.7;           // spacings by which the list is wider than asked
-constexpr double kOpenSeamCosine = -0.5;  // a seam folded by less is not asked whether its sheets touch
+constexpr double kOpenSeamCosine = -0.9;  // a seam folded by less is not asked whether its sheets touch
 constexpr std::size_t kMostCells = 400'000;
 
 // Nodes sorted into the cells of a box around the cloth.
