@@ -66,7 +66,7 @@ class ContactPairs {
   void nodeFaces(NodeIndex a, NodeIndex b, double reach, const Use& use) const;
   template <class Use>
   void edgeEdges(NodeIndex a, NodeIndex b, double reach, const Use& use) const;
-  // Before the list is made at x.
+  // The bounds of opposite sides, before the list is made at x.
   void measureSides(std::span<const Vec3> x, Workers& workers);
   void measure(const Candidate& candidate, const Search& search, std::vector<ContactPair>& out) const;
   bool squeezed(const Candidate& candidate, std::span<const Vec3> x) const;

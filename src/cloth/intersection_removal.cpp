@@ -46,20 +46,20 @@ void IntersectionRemoval::afterStep(std::span<const Vec3> x, bool, Workers& work
   if (contour_->crossings() == 0 || noBetter_ > kPatience) active_ = false;  // what is left stays left out
 }
 
-double IntersectionRemoval::force() const {
+double IntersectionRemoval::nodeForce() const {
   return kForce * std::fmin(kMostForce, std::pow(kGrowth, noBetter_)) * cloth_.spacing;
 }
 
 void IntersectionRemoval::addGradient(std::span<Vec3> gradient) const {
   if (!active_) return;
-  const double force = this->force();
+  const double force = nodeForce();
   for (NodeIndex k : moving_)
     if (const Vec3 way = contour_->direction()[k]; squaredLength(way) > 0) gradient[k] -= way * force;
 }
 
 void IntersectionRemoval::addHessian(ContactHessian& hessian) const {
   if (!active_) return;
-  const double stiffness = force() / (kFreeMove * cloth_.spacing);
+  const double stiffness = nodeForce() / (kFreeMove * cloth_.spacing);
   for (NodeIndex k : moving_)
     if (squaredLength(contour_->direction()[k]) > 0) hessian.addIsotropic(k, stiffness);
 }

@@ -29,7 +29,7 @@ class IntersectionRemoval : public Contact {
 
  private:
   void find(std::span<const Vec3> x, Workers& workers);
-  double force() const;  // newtons on a node
+  double nodeForce() const;  // newtons, along a direction of length one
 
   const Cloth& cloth_;
   const std::vector<NodeIndex>& moving_;
