@@ -11,8 +11,13 @@ namespace karinui {
 
 namespace {
 
-constexpr double kSameFold = 1e-6;  // metres
-constexpr int kMostOver = 3;        // how many times as deep as they are apart pleats may be that overlap
+constexpr double kSameFold = 1e-6;    // metres
+constexpr double kLeastTaper = 0.01;  // metres along the lines
+constexpr int kMostOver = 3;          // how many times as deep as they are apart pleats may be that overlap
+
+// Of what a fold gives way by, the share that its fold line moves into what is folded in; the line where it comes to
+// lie moves by the rest. The two folds of an inverted pleat go on meeting in front.
+double shareOfFold(PleatKind kind) { return kind == PleatKind::Inverted ? 1 : 0.5; }
 
 // Where a curve reaches a place across the lines; `rising` says which way it runs. Nothing: it does not.
 std::optional<double> parameterAcross(const Curve& curve, Flat across, double wanted, bool rising) {
@@ -54,9 +59,11 @@ class Spreading {
 
   Result<PleatedPiece> spread() {
     made_ = {{piece_, {}}, {}, {}, {}, {}, {}, plan_.depth};
+    made_.foldsShare = shareOfFold(plan_.kind);
     if (Done done = findFolds(); !done) return done.error();
     if (Done done = findBeyond(); !done) return done.error();
     if (Done done = clearTheWay(); !done) return done.error();
+    if (Done done = findTaper(); !done) return done.error();
     cutEdges();
     auto good = checked(std::move(outline_));
     if (!good) return good.error();
@@ -76,7 +83,12 @@ class Spreading {
       return f.at < at + (f.toStart ? -kSameFold : kSameFold);
     }));
   }
+  double height(Flat p) const { return dot(p, plan_.along); }
   const Edge& near() const { return piece_.outline.edges[near_]; }
+  const Curve& far() const { return piece_.outline.edges[far_].curve; }
+  Flat placeOn(const Curve& curve, double at, bool rising) const {
+    return curve.at(*parameterAcross(curve, made_.across, at, rising));
+  }
 
   Done findFolds() {
     const auto k = piece_.outline.find(plan_.edge);
@@ -152,6 +164,30 @@ class Spreading {
     return {};
   }
 
+  // It begins where the edge has come to lie behind all folds, so that it is the same at a height for all of them.
+  Done findTaper() {
+    if (plan_.taper == 0) return {};
+    const double most = 2 * (plan_.depth - kLeastEdge);
+    if (!(plan_.taper > 0 && plan_.taper <= most))
+      return refused(
+          say("A fold {0} mm deep tapers by {1} mm at most, so that a fold is left.", inMm(plan_.depth), inMm(most)));
+    if (plan_.sewnBeyond)
+      return refused(
+          say("Edge {0}, in which the pleats end, is sewn; pleats that taper widen it. Sew it afterwards, or "
+              "leave the taper away.",
+              made_.beyondOf));
+    double from = -HUGE_VAL, to = HUGE_VAL;
+    for (const PleatFold& fold : made_.folds) {
+      from = std::max(from, height(placeOn(near().curve, fold.at, true)));
+      to = std::min(to, height(placeOn(far(), fold.at, false)));
+    }
+    made_.taper = plan_.taper, made_.taperFrom = from, made_.taperTo = to;
+    if (plan_.taperLength > 0) made_.taperTo = std::min(to, from + plan_.taperLength);
+    if (!(made_.taperTo > from + kLeastTaper))
+      return refused(say("The pleats are too short to taper: {0} mm.", inMm(to - from)));
+    return {};
+  }
+
   // Nothing else may lie across the lines.
   Done clearTheWay() const {
     const auto crossed = [&](const std::vector<Flat>& line) {
@@ -223,10 +259,12 @@ class Spreading {
         continue;
       }
       const std::vector<Part> parts = partsOf(edges[k].curve, k == near_);
+      const std::size_t before = outline_.edges.size();
       if (k == far_ && straight_)
         addStraight(edges[k], parts);
       else
         addDivided(edges[k], parts, k == near_ || plan_.sewnBeyond, taken);
+      if (k == far_) farEdges_ = {before, outline_.edges.size()};
     }
     // Corners are met to the last bit.
     for (std::size_t k = 0; k < outline_.edges.size(); ++k)
@@ -273,15 +311,52 @@ class Spreading {
     auto& map = made_.edited.edges[{piece_.id, edge.name}];
     const Curve now = Curve::line(parts.front().curve.start, parts.back().curve.end);
     const double whole = now.length();
+    const double opened = made_.opened(now.start);
     double walked = 0;
-    for (const Part& part : parts) {
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Part& part = parts[k];
       const double own = part.curve.length();
-      if (part.fold < 0)
-        map.push_back(
-            {part.from, part.to, {piece_.id, edge.name, walked / whole, std::min(1.0, (walked + own) / whole)}});
+      // Beside a fold it goes on into what is folded in, as far as that gives way. The edge is walked from high to low.
+      if (part.fold < 0) {
+        const double before = k > 0 ? opened * shareOf(parts[k - 1].fold, false) : 0,
+                     after = k + 1 < parts.size() ? opened * shareOf(parts[k + 1].fold, true) : 0;
+        const double from = (walked - before) / whole, to = std::min(1.0, (walked + own + after) / whole);
+        map.push_back({part.from, part.to, {piece_.id, edge.name, from, to}});
+      }
       walked += own;
     }
     outline_.edges.push_back({edge.name, now});
+  }
+
+  // The share of what a fold gives way by that is taken at the upper or lower end of its strip.
+  double shareOf(int fold, bool upper) const {
+    return made_.folds[static_cast<std::size_t>(fold)].toStart == upper ? made_.foldsShare : 1 - made_.foldsShare;
+  }
+
+  // A line that begins at a place of the edge, and goes aside by `aside` of what a fold gives way by.
+  Curve tapered(Flat from, Flat to, double aside, const Outline& now) const {
+    if (!(made_.taper > 0) || aside == 0) return Curve::line(from, to);
+    const double whole = made_.taper * aside, low = made_.taperFrom, high = made_.taperTo;
+    const auto at = [&](double in, double h) { return made_.across * (across(from) + in) + plan_.along * h; };
+    std::vector<Curve> parts;
+    Flat place = from;
+    if (height(from) < low - kLeastEdge) parts.push_back(Curve::line(from, place = at(0, low)));
+    // e (2 x - x^2) is a parabola; the middle control of its quadratic is e aside, halfway down.
+    const Flat middle = at(whole, (low + high) / 2), end = at(whole, high);
+    const Flat beyond = endOf(across(end), to, now);
+    const bool goesOn = height(beyond) > high + kLeastEdge;
+    const Flat stop = goesOn ? end : beyond;
+    parts.push_back(Curve::cubic(place, lerp(place, middle, 2.0 / 3), lerp(stop, middle, 2.0 / 3), stop));
+    if (goesOn) parts.push_back(Curve::line(end, beyond));
+    return Curve::joined(parts);
+  }
+
+  // Where a line ends at the other edge.
+  Flat endOf(double wanted, Flat otherwise, const Outline& now) const {
+    for (std::size_t k = farEdges_.first; k < farEdges_.second; ++k)
+      if (const auto t = parameterAcross(now.edges[k].curve, made_.across, wanted, false))
+        return now.edges[k].curve.at(*t);
+    return otherwise;
   }
 
   // The lines, and what is drawn inside, which goes along with its cloth.
@@ -294,19 +369,18 @@ class Spreading {
     std::set<std::string> taken;
     for (const InternalLine& line : now.lines) taken.insert(line.name);
     const std::size_t before = now.lines.size();
-    const Curve &in = near().curve, &out = piece_.outline.edges[far_].curve;
-    const auto placeOn = [&](const Curve& curve, double at, bool rising) {
-      return curve.at(*parameterAcross(curve, made_.across, at, rising));
-    };
+    const Curve &in = near().curve, &out = far();
     const double d = plan_.depth;
     for (std::size_t k = 0; k < made_.folds.size(); ++k) {
       PleatFold& fold = made_.folds[k];
       // As high as the cloth over or under it ends, at a place of the strip.
+      const double lower = shareOf(static_cast<int>(k), false), upper = shareOf(static_cast<int>(k), true);
       const auto line = [&](std::string_view what, double flat, double strip) {
         const Flat step = made_.across * (fold.strip + strip - flat);
+        const double aside = strip == 0 ? lower : strip == d ? (lower - upper) / 2 : -upper;
         InternalLine drawn;
         drawn.name = freeName(plan_.name + "_" + std::string(what), taken);
-        drawn.curves = {Curve::line(placeOn(in, flat, true) + step, placeOn(out, flat, false) + step)};
+        drawn.curves = {tapered(placeOn(in, flat, true) + step, placeOn(out, flat, false) + step, aside, now.outline)};
         now.lines.push_back(std::move(drawn));
         return now.lines.back().name;
       };
@@ -334,7 +408,8 @@ class Spreading {
   PleatedPiece made_;
   Outline outline_;
   std::size_t near_ = 0, far_ = 0;
-  bool straight_ = false;  // the far edge, and it stays one
+  std::pair<std::size_t, std::size_t> farEdges_;  // of the new outline
+  bool straight_ = false;                         // the far edge, and it stays one
 };
 
 }  // namespace
@@ -347,11 +422,26 @@ constexpr double kOnFold = 1e-7;  // metres: nearer than this a place lies on a 
 constexpr double kPasses = 0.01;  // metres: so far the upper layer passes the fold inside before it comes down, and in
                                   // as much again it does
 
-}  // namespace
+// The folds at one height along the lines, and where cloth there lies when they are folded.
+struct FoldedPaper {
+  struct Fold {
+    double at, low, strip;
+    bool toStart;
+  };
+  Flat across;
+  double depth;
+  bool overlapping;
+  std::vector<Fold> folds;
+  FoldedPlace folded(Flat place) const;
+
+ private:
+  FoldedPlace layered(Flat place) const;
+  FoldedPlace shingled(Flat place) const;
+};
 
 // Like shingles: the cloth between two folds is one strip, from under the fold before to the next fold, and rises
 // evenly from its inner end, so that two strips lie two layers apart everywhere and what joins them lies between.
-FoldedPlace PleatedPiece::shingled(Flat place) const {
+FoldedPlace FoldedPaper::shingled(Flat place) const {
   const std::size_t n = folds.size();
   const double sign = folds.front().toStart ? -1 : 1;  // walked towards where the folds are turned
   const auto fold = [&](std::size_t j) { return sign * folds[sign > 0 ? j : n - 1 - j].at; };
@@ -381,9 +471,9 @@ FoldedPlace PleatedPiece::shingled(Flat place) const {
 }
 
 // On a fold, where one layer becomes the next, midway between both.
-FoldedPlace PleatedPiece::folded(Flat place) const {
+FoldedPlace FoldedPaper::folded(Flat place) const {
   const double at = dot(place, across);
-  for (const PleatFold& fold : folds)
+  for (const Fold& fold : folds)
     for (const double line : {0.0, depth, 2 * depth}) {
       if (std::abs(at - fold.strip - line) >= kOnFold) continue;
       const Flat step = across * (2 * kOnFold), in = across * (fold.toStart ? -kShort : kShort);
@@ -398,11 +488,11 @@ FoldedPlace PleatedPiece::folded(Flat place) const {
   return layered(place);
 }
 
-FoldedPlace PleatedPiece::layered(Flat place) const {
+FoldedPlace FoldedPaper::layered(Flat place) const {
   if (overlapping) return shingled(place);
   const double at = dot(place, across);
   double before = 0;
-  for (const PleatFold& fold : folds) {
+  for (const Fold& fold : folds) {
     if (at < fold.strip) break;
     if (at >= fold.strip + 2 * depth) {
       before += 2 * depth;
@@ -416,13 +506,35 @@ FoldedPlace PleatedPiece::layered(Flat place) const {
   }
   const Flat flat = place - across * before;
   double lifted = 0;
-  for (const PleatFold& fold : folds) {
+  for (const Fold& fold : folds) {
     const double from = (fold.toStart ? 1 : -1) * (at - before - fold.at);  // from the fold
     if (from < 0) continue;
     const double past = std::max(0.0, from - depth - kPasses) / kPasses;
     lifted = std::max(lifted, 2 - 2 * past);
   }
   return {flat, lifted};
+}
+
+}  // namespace
+
+FoldedPlace PleatedPiece::folded(Flat place) const {
+  const double open = opened(place);
+  FoldedPaper paper{across, depth - open / 2, overlapping, {}};
+  double given = 0;  // by the folds before
+  for (const PleatFold& fold : folds) {
+    const double into = open * (fold.toStart ? 1 - foldsShare : foldsShare), at = fold.at + given + into;
+    paper.folds.push_back({at, fold.toStart ? at : at - paper.depth, fold.strip + into, fold.toStart});
+    given += open;
+  }
+  FoldedPlace in = paper.folded(place);
+  in.place = in.place - across * (given / 2);
+  return in;
+}
+
+double PleatedPiece::opened(Flat place) const {
+  if (!(taper > 0)) return 0;
+  const double x = std::clamp((dot(place, leftOf(across)) - taperFrom) / (taperTo - taperFrom), 0.0, 1.0);
+  return taper * x * (2 - x);
 }
 
 Flat PleatedPiece::spread(Flat place) const {

@@ -166,6 +166,63 @@ TEST(Pleats, OverlapAsAKiltsDo) {
     }
 }
 
+// Pleats that taper: the edge is as long as it was, and folded the cloth is wider by e (2 x - x^2) for each fold. At
+// all heights a fold and where it comes to lie are one line of the folded paper, and the two folds of an inverted
+// pleat.
+TEST(Pleats, TaperFromTheHipToTheEdge) {
+  for (const auto& [kind, times] : {std::pair{PleatKind::Knife, 1}, {PleatKind::Box, 2}, {PleatKind::Inverted, 2}})
+    for (const double length : {0.0, 0.2})
+      for (const double bow : {0.0, 0.03}) {
+        constexpr double e = 0.012, d = 0.02;
+        const Piece before = panel(0.4, 0.5, bow);
+        PleatPlan plan = planOf(kind, d, {0.3, 0.7});
+        plan.toStart = {false, true};
+        plan.taper = e, plan.taperLength = length;
+        const auto made = addPleats(before, plan);
+        ASSERT_TRUE(made) << text(made.error().what);
+        const Piece& now = made->edited.piece;
+        EXPECT_NEAR(visible(*made, "waist"), before.outline.edges[2].curve.length(), 1e-9);
+        EXPECT_NEAR(visible(*made, "hem"), 0.4 + 2 * times * e, 1e-6) << "the hem of the folded skirt";
+        PleatPlan plain = plan;
+        plain.taper = 0;
+        EXPECT_NEAR(now.outline.area(), addPleats(before, plain)->edited.piece.outline.area(), 1e-9);
+        const double top = -made->taperFrom, low = -made->taperTo;  // the lines run downwards
+        EXPECT_NEAR(low, length > 0 ? top - length : 0, 1e-9);
+        const double whole = 0.4 + 2 * times * 2 * d;
+        const std::size_t n = made->folds.size();
+        for (double v = 0.01; v < top; v += 0.0373) {
+          const double x = std::min(1.0, (top - v) / (top - low)), opened = e * (2 * x - x * x);
+          EXPECT_NEAR(made->opened({0.1, v}), opened, 1e-12);
+          EXPECT_NEAR(distance(made->folded({0.4, v}).place, made->folded({0.4 - whole, v}).place),
+                      0.4 + static_cast<double>(n) * opened, 1e-9);
+          std::vector<double> fold, place;
+          for (const PleatFold& f : made->folds)
+            for (const bool first : {true, false}) {
+              const Curve& line = *findCurve(now, first ? f.fold : f.place);
+              double a = 0, b = 1;
+              for (int round = 0; round < 60; ++round) (line.at((a + b) / 2).v > v ? a : b) = (a + b) / 2;
+              const double beside = first == f.toStart ? 1e-8 : -1e-8;  // of the layer that is seen
+              (first ? fold : place).push_back(made->folded(line.at(a) + made->across * beside).place.u);
+            }
+          for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(fold[k], place[k], 1e-6) << v;
+          for (std::size_t k = 0; kind == PleatKind::Inverted && k < n; k += 2) EXPECT_NEAR(fold[k], fold[k + 1], 1e-6);
+        }
+      }
+}
+
+TEST(Pleats, RefuseATaperThatLeavesNoFold) {
+  const auto why = [](double taper, bool sewnBeyond) {
+    PleatPlan plan = planOf(PleatKind::Knife, 0.02, {0.5});
+    plan.taper = taper, plan.sewnBeyond = sewnBeyond;
+    const auto made = addPleats(panel(0.4, 0.5), plan);
+    return made ? std::string() : text(made.error().what);
+  };
+  EXPECT_EQ(why(0.038, false), "");
+  EXPECT_NE(why(0.0381, false).find("tapers by 38"), std::string::npos);
+  EXPECT_NE(why(-0.01, false).find("at most"), std::string::npos);
+  EXPECT_NE(why(0.01, true).find("is sewn"), std::string::npos);
+}
+
 // Three lines on a paper that has the cloth for the pleat fold it there: the edges are what they were before the cloth
 // was put in, and the paper is the one that addPleats() makes.
 TEST(Pleats, AreFoldedByThreeDrawnLines) {

@@ -2,6 +2,8 @@
 // Pleats of paper: cloth folded in along parallel lines, so that three layers lie over one another. A knife pleat of
 // depth d takes 2 d of the paper, a box or inverted pleat, which is two of them, 4 d; the edge, pleated, is as long as
 // before. Knife pleats that are deeper than they are apart overlap as a kilt's do: each covers d - s of the next.
+// Pleats that taper are deeper at the edge than beyond: each fold gives way by e between the edge and a line at the
+// distance L from it, by e (2 x - x^2) at x L, so that the folded cloth widens from the waist to the hip.
 // Metres on paper. Pure; any thread.
 #include <set>
 #include <string>
@@ -24,14 +26,16 @@ struct PleatPlan {
   std::vector<double> at;     // fractions of it, ascending: the fold of a knife pleat, else the middle
   std::vector<bool> toStart;  // of each knife pleat: its fold is turned to the edge's start, not to its end
   PleatKind kind = PleatKind::Knife;
-  double depth = 0.02;  // of a fold
-  Flat along;           // unit: the lines' direction into the piece
+  double depth = 0.02;     // of a fold, at the edge
+  double taper = 0;        // e, of a fold; half of it is the depth it loses
+  double taperLength = 0;  // L; 0: as far as the pleats go
+  Flat along;              // unit: the lines' direction into the piece
   std::string name = "pleat";
   bool sewnBeyond = false;  // the edge where the pleats end is sewn, too, and so is pleated
 };
 
-// A fold of depth d, by the places across the lines: flat, the fold lies at `at`, the cloth under it in [low, low + d];
-// on the paper, `strip` begins the 2 d that are folded in.
+// A fold of depth d, by the places across the lines at the edge: flat, the fold lies at `at`, the cloth under it in
+// [low, low + d]; on the paper, `strip` begins the 2 d that are folded in.
 struct PleatFold {
   double at = 0, low = 0, strip = 0;
   bool toStart = false;
@@ -61,20 +65,21 @@ struct PleatedPiece {
   std::vector<PleatFold> folds;     // ascending
   Flat across;                      // unit: from the edge's start to its end, at right angles to the lines
   double depth = 0;
+  double taper = 0, taperFrom = 0, taperTo = 0;  // of a fold; between these heights along the lines
+  double foldsShare =
+      0.5;  // of what a fold gives way by, what its fold line does; the line where it comes to lie the rest
   std::size_t linesAdded = 0;            // the last ones of the piece
   bool overlapping = false;              // each covers a part of the next
   bool drawn = false;                    // the old paper has the cloth for it already
-  FoldedPlace folded(Flat place) const;  // of a place of the new paper
+  FoldedPlace folded(Flat place) const;  // of a place of the new paper; where it tapers, to both sides of the old one
   Flat spread(Flat place) const;         // where a place of the old paper is on the new one; of the top layer
-
- private:
-  FoldedPlace layered(Flat place) const;
-  FoldedPlace shingled(Flat place) const;
+  double opened(Flat place) const;       // by how much a fold has given way at the height of a place
 };
 
 // Spreads the paper along a line for each fold, draws the lines, and cuts both edges so that they lie edge to edge when
-// the paper is folded. Refuses lines that run out elsewhere or through anything, pleats that do not fit on an edge, and
-// those that overlap but are not knife pleats turned one way.
+// the paper is folded. Refuses lines that run out elsewhere or through anything, pleats that do not fit on an edge,
+// those that overlap but are not knife pleats turned one way, and a taper that leaves no fold or whose other end is
+// sewn.
 Result<PleatedPiece> addPleats(const Piece& piece, const PleatPlan& plan);
 
 // A knife pleat by three lines that are drawn inside a piece, whose paper has the cloth for it: folded along the first,

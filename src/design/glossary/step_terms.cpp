@@ -254,6 +254,8 @@ TermTable fieldTerms() {
       {"stretch_weft", say("Stretch, weft")},
       {"symmetric", say("On both halves")},
       {"symmetric.draw", say("Half of a symmetric piece")},
+      {"taper", say("Wider below, by each fold")},
+      {"taper_length", say("Widest at (from the edge)")},
       {"thickness", say("Thickness")},
       {"thickness.piping", say("Thickness of the cord")},
       {"tie", say("Ease or gathers")},

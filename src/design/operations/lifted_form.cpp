@@ -5,6 +5,17 @@
 
 namespace karinui {
 
+namespace {
+
+// Barycentric coordinates, of a place outside the triangle too.
+std::array<double, 3> unbounded(Flat a, Flat b, Flat c, Flat place) {
+  const double whole = cross(b - a, c - a);
+  const double second = cross(place - a, c - a) / whole, third = cross(b - a, place - a) / whole;
+  return {1 - second - third, second, third};
+}
+
+}  // namespace
+
 Result<std::shared_ptr<const Form>> liftedForm(const Piece& piece, const Piece& beneath, double spacing,
                                                const std::function<LiftedPlace(Flat)>& over) {
   const auto laid = layAlone(piece, spacing);
@@ -19,10 +30,12 @@ Result<std::shared_ptr<const Form>> liftedForm(const Piece& piece, const Piece& 
     return std::shared_ptr<const Form>(std::move(form));
   }
   const std::vector<Vec3>& space = beneath.form->space;
-  const LatticeFinder finder(beneath.form->flat, beneath.form->faces);
+  const std::vector<Flat>& flat = beneath.form->flat;
+  const LatticeFinder finder(flat, beneath.form->faces);
   for (const Flat node : form->flat) {
     const LiftedPlace at = over(node);
-    const LatticePlace in = finder.find(at.place);
+    LatticePlace in = finder.find(at.place);
+    if (at.beyond) in.weight = unbounded(flat[in.face[0]], flat[in.face[1]], flat[in.face[2]], at.place);
     const Vec3 a = space[in.face[0]], b = space[in.face[1]], c = space[in.face[2]], out = cross(b - a, c - a);
     const Vec3 place = a * in.weight[0] + b * in.weight[1] + c * in.weight[2];
     form->space.push_back(length(out) > 0 ? place + normalized(out) * at.metres : place);

@@ -11,8 +11,9 @@ namespace karinui {
 inline constexpr double kLayersApart = 0.003;  // metres: a little more than the drape keeps cloth from cloth
 
 struct LiftedPlace {
-  Flat place;         // on the paper of the piece beneath,
-  double metres = 0;  // and how far out from it, on its right side
+  Flat place;           // on the paper of the piece beneath,
+  double metres = 0;    // and how far out from it, on its right side
+  bool beyond = false;  // a place beside the paper lies as far beside the cloth; otherwise on its edge
 };
 // The form of `piece`, before the pose of `beneath`, each of its places where `over` says.
 Result<std::shared_ptr<const Form>> liftedForm(const Piece& piece, const Piece& beneath, double spacing,

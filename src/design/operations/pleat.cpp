@@ -30,6 +30,7 @@ Flat directionOf(const Piece& piece, const EdgeRef& ref) {
 PleatPlan planOf(const Piece& piece, const AddPleat& op) {
   PleatPlan plan;
   plan.edge = op.edge.edge, plan.kind = op.kind, plan.depth = op.depth, plan.name = op.name;
+  plan.taper = op.taper, plan.taperLength = op.taperLength;
   plan.along = normalized(*op.along);
   const double whole = op.edge.to - op.edge.from;
   const double length = piece.outline.edges[*piece.outline.find(op.edge.edge)].curve.length();
@@ -71,8 +72,9 @@ Done resolveLines(const Document& before, AddPleat& op) {
   if (op.lines.size() != 3)
     return refused(
         say("A pleat is drawn with three lines: the fold, the fold inside it, and where the fold comes to lie."));
-  if (op.kind != PleatKind::Knife || op.count != 1 || op.at)
-    return refused(say("A drawn pleat has its place and depth from its lines; leave kind=, count= and at= away."));
+  if (op.kind != PleatKind::Knife || op.count != 1 || op.at || op.taper > 0)
+    return refused(
+        say("A drawn pleat has its place and depth from its lines; leave kind=, count=, at= and taper= away."));
   for (EdgeRef& ref : op.lines) {
     ref.from = 0, ref.to = 1;
     if (Done done = resolveSewn(before, ref); !done) return done;
@@ -179,7 +181,7 @@ class Pleating {
       const FoldedPlace in = folded(place);
       // Where the layers are sewn to each other they lie together, no higher at a fold than beside it.
       if (!made_.overlapping && edge->contains({place.u, place.v})) return LiftedPlace{whole(in.place), kLayersApart};
-      return LiftedPlace{whole(in.place + in.clear), in.lifted * kLayersApart};
+      return LiftedPlace{whole(in.place + in.clear), in.lifted * kLayersApart, made_.taper > 0};
     });
     if (!form) return form.error();
     now.form = *std::move(form);
@@ -275,6 +277,7 @@ Done resolve(const Document& before, AddPleat& op, Context&) {
     return refused(say("The place is that of a single pleat; several are spread over the edge or a part of it."));
   if (op.at && !(*op.at >= 0 && *op.at <= 1))
     return refused(say("A pleat lies between 0, the edge's beginning, and 1, its end."));
+  if (!(op.taper >= 0 && op.taperLength >= 0)) return refused(say("A taper and its length are 0 or more."));
   if (!(op.stitch >= 0)) return refused(say("A pleat is sewn down for a length, or not at all (0)."));
   if (op.hold != 0 && !Crease{0, op.hold}.sound()) return refused(say("A fold holds 0.1 to 0.99 of its angle."));
   if (op.along && !(length(*op.along) > 1e-6 && finite(*op.along)))

@@ -203,6 +203,7 @@ struct SlashAndSpread {
 };
 
 // pleat edge=skirt.waist count=6 depth=2cm        pleat edge=skirt.waist@0.2:0.8 kind=box depth=3cm stitch=10cm
+// pleat edge=skirt.waist count=6 depth=3cm taper=16mm taper_length=18cm
 // pleat lines="skirt.fold skirt.inner skirt.place"
 struct AddPleat {
   static constexpr std::string_view kName = "pleat";
@@ -218,6 +219,7 @@ struct AddPleat {
   enum class Turned { Along, Against, Inwards, Outwards } turned = Turned::Along;
   std::optional<Flat> along;
   Length stitch;
+  Length taper, taperLength;
   double hold = 0.9;
   std::string name;
   template <class Self, class Visit>
@@ -245,6 +247,11 @@ struct AddPleat {
           kOptional);
     visit("along", self.along, "their direction on paper (otherwise the grain, or square to the edge)", kOptional);
     visit("stitch", self.stitch, "how far they are sewn down from the edge; a tuck all its length", kOptional);
+    visit("taper", self.taper,
+          "by how much each fold gives way below the edge, so that the cloth is wider there, as at the hip; the edge "
+          "stays as long as it is",
+          kOptional);
+    visit("taper_length", self.taperLength, "how far from the edge that is reached; 0: at the other end", kOptional);
     visit("hold", self.hold, "how well they are pressed, 0.1 to 0.99; 0: not pressed", kOptional);
     visit("name", self.name, "the name of their edges and lines", kOptional);
   }
