@@ -452,6 +452,32 @@ TEST(Mannequin, TheNoseIsTheForemostOfTheFaceAndTheChinStandsBeforeTheNeck) {
   }
 }
 
+// From the nose to the chin the profile has no hollow, and below the chin no second one stands out.
+TEST(Mannequin, TheProfileIsCalm) {
+  for (const char* size : {"jis9ar", "eu50", "child110"}) {
+    const BodyPtr body = kept(size);
+    ASSERT_TRUE(body);
+    const double height = body->measured().value.at("height"), neck = body->landmarks().at("neck_front").y;
+    std::vector<Vec3> face;
+    for (const SectionLoop& loop : section(body->mesh(), {{0.0005, 0, 0}, {1, 0, 0}}))
+      for (const Vec3& p : loop.points)
+        if (p.y > neck && p.y < 0.97 * height && p.z > body->landmarks().at("neck_front").z - 0.02) face.push_back(p);
+    std::sort(face.begin(), face.end(), [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
+    const auto nose = std::max_element(face.begin(), face.end(), [](auto& a, auto& b) { return a.z < b.z; });
+    const auto leaning = [&](const Vec3& p) { return p.z - 0.3 * p.y; };  // the chin: where a line under it touches
+    const auto chin =
+        std::max_element(face.begin(), nose - 4, [&](auto& a, auto& b) { return leaning(a) < leaning(b); });
+    double hollow = 0, second = 0;
+    for (auto at = chin; at != nose; ++at)
+      hollow = std::max(hollow, std::lerp(chin->z, nose->z, (at->y - chin->y) / (nose->y - chin->y)) - at->z);
+    double back = HUGE_VAL;
+    for (auto at = std::make_reverse_iterator(chin); at != face.rend(); ++at)
+      second = std::max(second, at->z - back), back = std::min(back, at->z);
+    EXPECT_LT(hollow, 0.006) << size;
+    EXPECT_LT(second, 0.002) << size;
+  }
+}
+
 // Children, pregnant and round figures: people far from the middle of what was described.
 TEST(Mannequin, FiguresFarFromTheUsualHaveHandsToo) {
   const Measurements people[] = {
