@@ -1,6 +1,7 @@
 #include "cloth/crease.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "cloth/bend_along.h"
 
@@ -8,8 +9,9 @@ namespace karinui {
 
 namespace {
 
-constexpr double kLeastReach = 0.3;  // spacings that a hinge must reach to either side
-constexpr double kPlainBend = 1e-5;  // N m, of cloth that has no bending of its own (simcloth)
+constexpr double kLeastReach = 0.3;                 // spacings that a hinge must reach to either side
+constexpr double kOver = 2 * std::numbers::pi / 3;  // radians: see offRest()
+constexpr double kPlainBend = 1e-5;                 // N m, of cloth that has no bending of its own (simcloth)
 
 // Evenly along a polyline, about `step` apart.
 std::vector<Flat> evenly(const std::vector<Flat>& line, double step) {
@@ -82,14 +84,23 @@ CreaseHinges::Bent CreaseHinges::bent(std::size_t e, const Corners& x) const {
   return now;
 }
 
+// A hinge reaches straight across cloth that is bent, so its two sides may cross where the fold itself is closed. Its
+// angle then goes on beyond 180 degrees; taken for one of nearly 180 to the other side, it would turn the whole torque
+// round at once. As far as 120 degrees to the other side a fold is taken to be opened and bent back.
+double CreaseHinges::offRest(std::size_t e, double angle) const {
+  const double rest = hinges_[e].rest;
+  if (rest * angle < 0 && std::fabs(angle) > kOver) angle += std::copysign(2 * std::numbers::pi, rest);
+  return angle - rest;
+}
+
 double CreaseHinges::elementValue(std::size_t e, const Corners& x) const {
-  const double off = bent(e, x).angle - hinges_[e].rest;
+  const double off = offRest(e, bent(e, x).angle);
   return 0.5 * hinges_[e].stiffness * off * off;
 }
 
 void CreaseHinges::elementGradient(std::size_t e, const Corners& x, std::span<Vec3, 12> out) const {
   const Bent now = bent(e, x);
-  const double torque = hinges_[e].stiffness * (now.angle - hinges_[e].rest);
+  const double torque = hinges_[e].stiffness * offRest(e, now.angle);
   for (std::size_t c = 0; c < 12; ++c) out[c] = now.slope[c / 3] * (torque * hinges_[e].weight[c]);
 }
 

@@ -27,6 +27,7 @@ class CreaseHinges : public ElementEnergy<CreaseHinges, 12> {
     std::array<Vec3, 4> slope;  // of the angle by each place
   };
   Bent bent(std::size_t e, const Corners& x) const;
+  double offRest(std::size_t e, double angle) const;
   std::vector<Hinge> hinges_;
 };
 

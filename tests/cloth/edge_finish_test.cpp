@@ -255,6 +255,34 @@ TEST(Fold, AFreeStripRestsAtItsShareOfTheAngle) {
   }
 }
 
+// A fold pressed to 170 degrees whose sides cross, at 190, is drawn open by as much as one of 150 is drawn shut: its
+// torque does not turn round where the angle's range ends.
+TEST(Fold, IsDrawnBackFromBeyondFlatAgainstItself) {
+  Workers workers(1);
+  for (const double sign : {1.0, -1.0}) {
+    auto paper = rectangle(1, 0.1, 0.1);
+    paper->lines.push_back({"turn", {Curve::line({0, 0.05}, {0.1, 0.05})}, Crease{sign * 170 * kDegree, 0.9}});
+    const ClothLevel level = levelOf(patternOf({paper}), 0.01, *preset("cotton"));
+    const CreaseHinges fold(level.cloth);
+    const auto folded = [&](double degrees) {
+      std::vector<Vec3> x = level.state.position;
+      const double t = sign * degrees * kDegree;
+      for (Vec3& p : x)
+        if (p.y > 0.05) p = {p.x, 0.05 + (p.y - 0.05) * std::cos(t), (p.y - 0.05) * std::sin(t)};
+      return x;
+    };
+    const auto torque = [&](double degrees) {  // by which the energy grows with the angle
+      return (fold.value(folded(degrees + 0.01), workers) - fold.value(folded(degrees - 0.01), workers)) /
+             (0.02 * kDegree);
+    };
+    EXPECT_NEAR(torque(170), 0, 1e-9);
+    EXPECT_LT(torque(150), -1e-6);
+    EXPECT_NEAR(torque(190), -torque(150), 1e-3 * std::fabs(torque(150)));
+    EXPECT_NEAR(torque(179.5), -torque(160.5), 1e-3 * std::fabs(torque(150)));
+    EXPECT_LT(torque(-90), torque(0)) << "bent back, it is drawn round to its own side";
+  }
+}
+
 // Where it rests, a fold's stand-in for the second derivative is exact.
 TEST(Fold, BlocksPredictItsTorque) {
   Workers workers(1);
