@@ -266,7 +266,7 @@ int runList(Program& program, const ImportOptions& options, bool sewing) {
       high = {std::max(high.u, p.u), std::max(high.v, p.v)};
     }
     const auto row = std::find_if(read->rows.begin(), read->rows.end(),
-                                  [&](const auto& one) { return usableName({}, one.name) == piece->name; });
+                                  [&name = piece->name](const auto& one) { return usableName({}, one.name) == name; });
     const int quantity = row == read->rows.end() ? 1 : row->quantity;
     const PieceReading& reading = readings.at(id);
     pieces.push_back({{"name", piece->name},

@@ -208,12 +208,12 @@ Result<Image> Picture::again(const PictureOptions& o) {
 }
 
 Result<Image> Picture::seen(const Camera& camera, const PictureOptions& o) {
-  const auto [width, height] = eyeSize(o);
+  const std::array size = eyeSize(o);
   Renderer& renderer = *parts_->renderer;
   renderer.light(camera);
   notes_ = renderer.notes();
   const auto drawn = [&](double sideways) -> Result<Image> {
-    return drawEye(renderer, overRow(eyeOf(camera, aspectOf(o), sideways), o.row), width, height, o.samples, o.row);
+    return drawEye(renderer, overRow(eyeOf(camera, aspectOf(o), sideways), o.row), size[0], size[1], o.samples, o.row);
   };
   const auto lettered = [&](Image& image) {
     if (!o.lettering) return;
@@ -237,7 +237,7 @@ Result<Image> Picture::seen(const Camera& camera, const PictureOptions& o) {
   lettered(*left), lettered(*right);  // at the same place for each eye: the words lie in the plane of the target
   both.paste(*left, 0, 0);
   const bool sideBySide = o.eyes == Eyes::SideBySide;
-  both.paste(*right, sideBySide ? width : 0, sideBySide ? 0 : height);
+  both.paste(*right, sideBySide ? size[0] : 0, sideBySide ? 0 : size[1]);
   return both;
 }
 
