@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "design/glossary/terms.h"
 #include "design/workroom.h"
 #include "karinui/cloth/fabric.h"
 #include "karinui/design/step_words.h"
@@ -34,6 +35,15 @@ void expectNamed(Term kind, std::string_view identifier) {
   // Words of the body and of the pattern are English words already.
   if (kind != Term::Word && kind != Term::Level && kind != Term::Part) {
     EXPECT_NE(english, identifier);
+  }
+}
+
+// A second name of one identifier would never be said.
+TEST(Glossary, NamesEachIdentifierOnce) {
+  for (const TermTable table : {measureTerms(), landmarkTerms(), partTerms(), levelTerms(), sizeTerms(),
+                                operationTerms(), fieldTerms(), valueTerms(), fabricTerms(), wordTerms()}) {
+    std::set<std::string_view> named;
+    for (const NamedTerm& term : table) EXPECT_TRUE(named.insert(term.identifier).second) << term.identifier;
   }
 }
 

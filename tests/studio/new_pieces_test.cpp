@@ -330,6 +330,11 @@ TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
     EXPECT_EQ(numbers.line("count").text(), "7");
     EXPECT_EQ(numbers.said(), "");
     numbers.type("count", "4");
+    numbers.type("taper", "5");
+    EXPECT_THAT(numbers.said().toStdString(), HasSubstr("at most"));
+    numbers.type("taper", "0.8");
+    EXPECT_EQ(numbers.said(), "");
+    w.keepDialog(*numbers.dialog, "studio_pleats");
     numbers.accept();
   }
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
