@@ -185,7 +185,8 @@ class Spreading {
     made_.taper = plan_.taper, made_.taperFrom = from, made_.taperTo = to;
     if (plan_.taperLength > 0) made_.taperTo = std::min(to, from + plan_.taperLength);
     if (!(made_.taperTo > from + kLeastTaper))
-      return refused(say("The pleats are too short to taper: {0} mm.", inMm(to - from)));
+      return refused(say("A taper is at least {0} mm long; here it would be {1} mm.", inMm(kLeastTaper),
+                         inMm(made_.taperTo - from)));
     return {};
   }
 

@@ -211,9 +211,9 @@ TEST(Pleats, TaperFromTheHipToTheEdge) {
 }
 
 TEST(Pleats, RefuseATaperThatLeavesNoFold) {
-  const auto why = [](double taper, bool sewnBeyond) {
+  const auto why = [](double taper, bool sewnBeyond, double length = 0) {
     PleatPlan plan = planOf(PleatKind::Knife, 0.02, {0.5});
-    plan.taper = taper, plan.sewnBeyond = sewnBeyond;
+    plan.taper = taper, plan.taperLength = length, plan.sewnBeyond = sewnBeyond;
     const auto made = addPleats(panel(0.4, 0.5), plan);
     return made ? std::string() : text(made.error().what);
   };
@@ -221,6 +221,7 @@ TEST(Pleats, RefuseATaperThatLeavesNoFold) {
   EXPECT_NE(why(0.0381, false).find("tapers by 38"), std::string::npos);
   EXPECT_NE(why(-0.01, false).find("at most"), std::string::npos);
   EXPECT_NE(why(0.01, true).find("is sewn"), std::string::npos);
+  EXPECT_NE(why(0.01, false, 0.003).find("it would be 3.0 mm"), std::string::npos);
 }
 
 // Three lines on a paper that has the cloth for the pleat fold it there: the edges are what they were before the cloth
