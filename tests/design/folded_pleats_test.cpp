@@ -82,6 +82,9 @@ TEST(FoldedPleats, OfAKiltLieBetweenTheEndsOfTheEdge) {
     const Piece& kilt = *file.document().pieceNamed("kilt");
     EXPECT_NEAR(findEdge(kilt, "bottom")->curve.length(), 0.6 + 20 * 2 * 0.05, 1e-9);
     EXPECT_EQ(pleatsOf(file.document().pattern).size(), 20u);
+    // Sewn down, the outermost is sewn to a line; on the side itself that could not be laid as cloth.
+    const auto laid = lay(file.document().pattern, 0.01);
+    EXPECT_TRUE(laid) << text(laid.error().what);
   }
 }
 

@@ -66,11 +66,10 @@ struct PleatedPiece {
   Flat across;                      // unit: from the edge's start to its end, at right angles to the lines
   double depth = 0;
   double taper = 0, taperFrom = 0, taperTo = 0;  // of a fold; between these heights along the lines
-  double foldsShare =
-      0.5;  // of what a fold gives way by, what its fold line does; the line where it comes to lie the rest
-  std::size_t linesAdded = 0;            // the last ones of the piece
-  bool overlapping = false;              // each covers a part of the next
-  bool drawn = false;                    // the old paper has the cloth for it already
+  double foldsShare = 0.5;     // of what a fold gives way by: what its fold line moves; its place moves by the rest
+  std::size_t linesAdded = 0;  // the last ones of the piece
+  bool overlapping = false;    // each covers a part of the next
+  bool drawn = false;          // the old paper has the cloth for it already
   FoldedPlace folded(Flat place) const;  // of a place of the new paper; where it tapers, to both sides of the old one
   Flat spread(Flat place) const;         // where a place of the old paper is on the new one; of the top layer
   double opened(Flat place) const;       // by how much a fold has given way at the height of a place

@@ -13,8 +13,9 @@ namespace karinui {
 
 namespace {
 
-constexpr double kAtEnd = 1e-6;   // of an edge
-constexpr double kToEnd = 0.005;  // metres: stitching that ends as near to the line's end runs to it
+constexpr double kAtEnd = 1e-6;        // of an edge
+constexpr double kClearOfEnds = 0.01;  // metres
+constexpr double kToEnd = 0.005;       // metres: stitching that ends as near to the line's end runs to it
 
 Flat across(Flat p) { return {-p.u, p.v}; }
 
@@ -37,7 +38,9 @@ PleatPlan planOf(const Piece& piece, const AddPleat& op) {
   // The middle of what a knife pleat covers is its place.
   const double half = op.kind == PleatKind::Knife ? op.depth / 2 / length : 0;
   // A kilt's cover more than they are apart. Where the outer two would reach past the ends, all are spread between.
-  const double outer = whole / 2 / op.count;
+  // Sewn down, they stay clear of the ends: a line along the side could not be laid as cloth.
+  const double outer = whole / 2 / op.count, room = std::fmax(0, whole / 2 - half),
+               clear = op.stitch > 0 ? std::fmin(kClearOfEnds / length, room) : 0;
   const bool between = op.count > 1 && 2 * half <= whole &&
                        (op.edge.from + outer - half < -kAtEnd || op.edge.to - outer + half > 1 + kAtEnd);
   for (int n = 0; n < op.count; ++n) {
@@ -46,8 +49,9 @@ PleatPlan planOf(const Piece& piece, const AddPleat& op) {
     const bool first = share < 0.5;
     plan.toStart.push_back(op.turned == Turned::Against || (op.turned == Turned::Inwards && !first) ||
                            (op.turned == Turned::Outwards && first));
-    const double middle = between ? std::lerp(op.edge.from + half, op.edge.to - half, n / (op.count - 1.0))
-                                  : op.edge.from + whole * share;
+    const double middle = between
+                              ? std::lerp(op.edge.from + half + clear, op.edge.to - half - clear, n / (op.count - 1.0))
+                              : op.edge.from + whole * share;
     plan.at.push_back(op.at ? *op.at : middle + (plan.toStart.back() ? -half : half));
   }
   return plan;
