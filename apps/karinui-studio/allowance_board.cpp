@@ -128,7 +128,7 @@ AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
     SewElastic op;
     op.edges = operation().edges;
     const EdgeNear& edge = *session_.selection().edge;
-    const double whole = findEdge(*session_.snapshot().document.find(edge.piece), edge.edge)->curve.length();
+    const double whole = findCurve(*session_.snapshot().document.find(edge.piece), edge.edge)->length();
     // The edge's own share: its image and copies are gathered as much.
     if (metres > 0)
       op.ratio = metres / whole;

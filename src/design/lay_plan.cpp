@@ -213,7 +213,7 @@ class Laying {
   }
   double alongAt(const SeamPlace& place) const {
     const Piece& piece = *document_.find(place.piece);
-    return along(piece, findEdge(piece, place.edge)->curve.atFraction(place.fraction));
+    return along(piece, findCurve(piece, place.edge)->atFraction(place.fraction));
   }
 
   Ring cutRing(const Piece& piece) const {

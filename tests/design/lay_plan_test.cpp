@@ -125,6 +125,19 @@ TEST(LayPlan, AnyPiecesLieRight) {
   }
 }
 
+// A pocket and a strap are sewn to lines inside another piece, which are no edges.
+TEST(LayPlan, WhatIsSewnToAnInnerLineIsLaid) {
+  LayRoom cloth(
+      "polygon name=a symmetric=yes points=\"0,0; 20cm,0; 20cm,60cm; 0,60cm\"\n"
+      "rectangle name=p width=18cm height=16cm\n"
+      "patch piece=p on=a at=0,30cm open=top\n");
+  LaySettings settings;
+  settings.stripes = 0.02;
+  const auto plan = cloth.lay(settings);
+  ASSERT_TRUE(plan) << text(plan.error().what);
+  EXPECT_EQ(cutOf(*plan).at("p").count, 1);
+}
+
 TEST(LayPlan, AHalfLiesOnTheFoldOrWhole) {
   LayRoom cloth(kPaperSkirt);
   LaySettings settings;
