@@ -42,6 +42,45 @@ struct Pair {
 
 Flat across(Flat p) { return {-p.u, p.v}; }
 
+// A dart's seam lies within the piece: its copies have it. A record of before, which does not say so, keeps its
+// meaning.
+TEST(Copies, HaveTheSeamsWithinThePiece) {
+  Pair pair;
+  ASSERT_EQ(
+      pair.play("piece name=skirt_left outline=\"M 0 0; hem L 300 0; side L 300 500; waist L 0 500; centre L 0 0\"\n"
+                "dart edge=skirt_left.waist at=0.5 tip=150mm,380mm width=4cm\n"
+                "mirror piece=skirt_left\nduplicate piece=skirt_left name=second\n"),
+      "");
+  EXPECT_THAT(pair.last(), HasSubstr("seams=yes"));
+  for (const char* name : {"skirt_left", "skirt_right", "second"}) {
+    const Piece& piece = pair[name];
+    const auto& seams = pair.file.document().pattern.seams;
+    const auto own = std::find_if(seams.begin(), seams.end(),
+                                  [&](const auto& one) { return one.second.a.front().piece == piece.id; });
+    ASSERT_NE(own, seams.end()) << name;
+    const Seam& seam = own->second;
+    ASSERT_EQ(seam.b.front().piece, piece.id);
+    const Curve &to = findEdge(piece, seam.a.front().edge)->curve, &back = findEdge(piece, seam.b.front().edge)->curve;
+    EXPECT_LT(distance(to.end, back.start), 1e-12) << name;  // at the tip
+    EXPECT_TRUE(seam.reversed);
+    EXPECT_NEAR(to.length(), back.length(), 1e-9);
+  }
+  EXPECT_EQ(pair.file.document().pattern.seams.size(), 3u);
+  ASSERT_EQ(pair.play("mirror piece=skirt_left name=third seams=no\n"), "");
+  EXPECT_EQ(pair.file.document().pattern.seams.size(), 3u);
+}
+
+// Two lines between the same ends are two, on the copy too.
+TEST(Copies, HaveBothLinesBetweenTheSameEnds) {
+  Pair pair;
+  ASSERT_EQ(pair.play("line piece=front_left along=\"150mm,100mm; 163mm,200mm; 150mm,300mm\" smooth=yes name=one\n"
+                      "line piece=front_left along=\"150mm,100mm; 137mm,200mm; 150mm,300mm\" smooth=yes name=two\n"),
+            "");
+  ASSERT_EQ(pair["front_right"].lines.size(), 2u);
+  const Flat own = pair.line("front_left", "two").curves.front().at(0.5);
+  EXPECT_LT(distance(across(own), pair.line("front_right", "two").curves.front().at(0.5)), 1e-12);
+}
+
 TEST(Copies, ALineAndItsFoldAreOnBothFronts) {
   Pair pair;
   ASSERT_EQ(pair.play("line piece=front_left along=\"18mm,400mm; 150mm,0\" name=roll_left\n"), "");

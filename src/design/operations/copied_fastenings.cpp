@@ -110,4 +110,45 @@ Document withCopiedFastenings(Document document, PieceId piece, const std::map<P
   return document;
 }
 
+std::vector<const Seam*> ownSeams(const Document& document, PieceId piece) {
+  std::vector<const Seam*> own;
+  const auto within = [&](const EdgeSpan& span) { return span.piece == piece; };
+  for (const auto& [id, seam] : document.pattern.seams)
+    if (std::all_of(seam.a.begin(), seam.a.end(), within) && std::all_of(seam.b.begin(), seam.b.end(), within))
+      own.push_back(&seam);
+  return own;
+}
+
+void decideSeamsWithin(const Document& document, PieceId piece, Choice& seams, const Context& context) {
+  if (seams == Choice::Auto && !context.recorded && !ownSeams(document, piece).empty()) seams = Choice::Yes;
+}
+
+Document withCopiedSeams(Document document, PieceId piece, PieceId copy, bool mirror) {
+  const Document before = document;
+  std::uint32_t made = 0;
+  for (const Seam* own : ownSeams(before, piece)) {
+    const Piece& from = *before.find(piece);
+    const bool aLine = !findEdge(from, own->a.front().edge), bLine = !findEdge(from, own->b.front().edge);
+    const auto a = copied(document, own->a, {{piece, copy}}, mirror, aLine),
+               b = copied(document, own->b, {{piece, copy}}, mirror, bLine);
+    if (!a || !b) continue;
+    Seam seam = *own;
+    seam.id = mint<SeamId>(before, made++);
+    seam.a = *a, seam.b = *b;
+    if (mirror && aLine != bLine) seam.reversed = !own->reversed;
+    // As the outline runs round the copy, the side of a dart that came second comes first.
+    if (mirror && own->tie != Seam::Tie::Pleat) std::swap(seam.a, seam.b);
+    const std::string name = mirror ? otherSide(own->name) : own->name;
+    const auto taken = [&](const auto& one) { return one.second.name == seam.name; };
+    seam.name = name;
+    for (int n = 2; !name.empty() && std::any_of(document.pattern.seams.begin(), document.pattern.seams.end(), taken);
+         ++n)
+      seam.name = name + "_" + std::to_string(n);
+    if (const auto eased = before.eases.find(own->id); eased != before.eases.end())
+      document.eases[seam.id] = eased->second;
+    document.pattern.seams[seam.id] = std::move(seam);
+  }
+  return document;
+}
+
 }  // namespace karinui

@@ -1,5 +1,5 @@
 #pragma once
-// Fastenings of pieces that are copied.
+// Seams and fastenings of pieces that are copied.
 #include <map>
 
 #include "design/operations/operations.h"
@@ -10,6 +10,13 @@ namespace karinui {
 // which has it with its copy. `mirror`: the copies are mirror images. The others are told.
 Document withCopiedFastenings(Document document, PieceId piece, const std::map<PieceId, PieceId>& copies, bool mirror,
                               const Context& context);
+
+// The seams that hold nothing but this piece: those of its darts and pleats, and the one that makes it a tube.
+std::vector<const Seam*> ownSeams(const Document& document, PieceId piece);
+// Auto becomes yes where there are any; a record made before there was a choice keeps its meaning.
+void decideSeamsWithin(const Document& document, PieceId piece, Choice& seams, const Context& context);
+// The document with these seams sewn on the piece's copy too. `mirror`: it is a mirror image.
+Document withCopiedSeams(Document document, PieceId piece, PieceId copy, bool mirror);
 
 // The same fastening between the symmetric copies of its pieces. Nothing where one has none that is a likeness, or
 // where the copies are the pieces themselves, as of two fronts that are buttoned to each other.

@@ -19,8 +19,9 @@ Result<Piece> partOf(const Piece& whole, const DuplicatePiece& op, Grading& grad
 
 }  // namespace
 
-Done resolve(const Document& before, DuplicatePiece& op, Context&) {
+Done resolve(const Document& before, DuplicatePiece& op, Context& context) {
   if (Done done = resolve(before, op.piece); !done) return done;
+  if (op.line.empty()) decideSeamsWithin(before, op.piece.id, op.seams, context);
   if (op.name.empty()) op.name = usableName(before, before.find(op.piece.id)->name);
   if (!(length(op.by) <= 100)) return refused(say("A piece is moved by at most {0} m.", 100));
   if (op.part && op.line.empty())
@@ -57,6 +58,7 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
   after = withPiece(std::move(after), std::move(copy));
   updateAllowances(after.allowances, {}, after.pattern);  // a part has not all the edges
   if (!op.line.empty()) return after;
+  if (op.seams == Choice::Yes) after = withCopiedSeams(std::move(after), op.piece.id, id, false);
   return withCopiedFastenings(std::move(after), op.piece.id, {{op.piece.id, id}}, false, context);
 }
 

@@ -6,16 +6,29 @@ namespace karinui {
 
 namespace {
 
+Flat middleOf(const InternalLine& line) {
+  double whole = 0;
+  for (const Curve& curve : line.curves) whole += curve.length();
+  double left = whole / 2;
+  for (const Curve& curve : line.curves) {
+    const double own = curve.length();
+    if (left <= own) return curve.at(curve.parameterAt(left));
+    left -= own;
+  }
+  return line.curves.back().end;
+}
+
 // The line that lies where the image of one does, on the same piece or on its mirror image.
 const InternalLine* imageOf(const InternalLine& line, const Piece& on, const std::function<Flat(Flat)>& image) {
-  constexpr double kSame = 1e-5;  // metres
+  constexpr double kSame = 1e-5, kSameMiddle = 1e-4;  // metres
   const Flat start = image(line.curves.front().start), end = image(line.curves.back().end);
   for (const InternalLine& other : on.lines) {
     if (other.curves.empty()) continue;
     const Flat from = other.curves.front().start, to = other.curves.back().end;
-    if ((distance(from, start) < kSame && distance(to, end) < kSame) ||
-        (distance(from, end) < kSame && distance(to, start) < kSame))
-      return &other;
+    const bool there = distance(from, start) < kSame && distance(to, end) < kSame,
+               back = distance(from, end) < kSame && distance(to, start) < kSame;
+    // Two curves between the same ends are two lines, as those of a dart within a piece.
+    if ((there || back) && distance(middleOf(other), image(middleOf(line))) < kSameMiddle) return &other;
   }
   return nullptr;
 }

@@ -2,8 +2,9 @@
 
 namespace karinui {
 
-Done resolve(const Document& before, MirrorPiece& op, Context&) {
+Done resolve(const Document& before, MirrorPiece& op, Context& context) {
   if (Done done = resolve(before, op.piece); !done) return done;
+  decideSeamsWithin(before, op.piece.id, op.seams, context);
   if (op.name.empty()) {
     const std::string& own = before.find(op.piece.id)->name;
     const std::string other = otherSide(own);
@@ -27,6 +28,7 @@ Result<Document> perform(const Document& before, const MirrorPiece& op, Context&
   for (const auto& [own, piece] : before.pattern.pieces)
     if (before.find(piece->mirrorOf)) copies[own] = piece->mirrorOf, copies[piece->mirrorOf] = own;
   copies[op.piece.id] = id;
+  if (op.seams == Choice::Yes) after = withCopiedSeams(std::move(after), op.piece.id, id, true);
   return withCopiedFastenings(std::move(after), op.piece.id, copies, true, context);
 }
 

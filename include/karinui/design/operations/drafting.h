@@ -72,6 +72,7 @@ struct AddPiece {
   Flat grain{0, 1};
   std::string fabric;
   Rigid pose;
+  std::string bent;
   int layer = 0;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -84,6 +85,8 @@ struct AddPiece {
     visit("grain", self.grain, "the warp's direction on paper", kOptional);
     visit("fabric", self.fabric, "what it is cut from", kOptional);
     visit("pose", self.pose, "where it stands: \"x,y,z\", then a turn \"y 90deg\" or a quaternion \"w,x,y,z\"",
+          kOptional);
+    visit("bent", self.bent, "how it is bent in space before its pose, by its name among the document's blobs",
           kOptional);
     visit("layer", self.layer, "0 next to the skin", kOptional);
   }
@@ -118,6 +121,7 @@ struct DuplicatePiece {
   Vec3 by;
   std::vector<Flat> line;
   std::optional<Flat> part;
+  Choice seams = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to copy", kNeeded);
@@ -125,6 +129,7 @@ struct DuplicatePiece {
     visit("by", self.by, "how far from the first it stands (x,y,z)", kOptional);
     visit("line", self.line, "a line on the paper, from edge to edge, that divides off the part to copy", kOptional);
     visit("part", self.part, "a place on the paper in the part to copy (otherwise the smaller part)", kOptional);
+    visit("seams", self.seams, kSeamsWithinHelp, kOptional);
   }
   bool operator==(const DuplicatePiece&) const = default;
 };
@@ -134,10 +139,12 @@ struct MirrorPiece {
   static constexpr std::string_view kHelp = "Makes the symmetric copy of a piece on the body's other side.";
   PieceRef piece;
   std::string name;
+  Choice seams = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to mirror", kNeeded);
     visit("name", self.name, "the copy's name (otherwise left and right change places in it)", kOptional);
+    visit("seams", self.seams, kSeamsWithinHelp, kOptional);
   }
   bool operator==(const MirrorPiece&) const = default;
 };

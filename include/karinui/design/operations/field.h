@@ -25,6 +25,9 @@ constexpr OperationList<A..., B...> operator+(OperationList<A...>, OperationList
 }
 
 // Fields that many operations have.
+inline constexpr std::string_view kSeamsWithinHelp =
+    "the seams within the piece too, as those of its darts: auto, yes, no (auto: yes, but no in a record that does not "
+    "have it)";
 inline constexpr std::string_view kBothHalvesHelp =
     "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)";
 
