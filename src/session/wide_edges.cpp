@@ -103,29 +103,36 @@ std::vector<Run> runsOf(const std::vector<EdgeRef>& border, Standings& stands) {
   return runs;
 }
 
-enum class Round { Nothing, Trunk, Legs };
+struct Round {
+  enum { Nothing, Trunk, Legs } what = Nothing;
+  double length = 0;  // of one turn, metres: a wrapped run goes on beyond that
+};
 
-// What it goes round, its ends together.
+// What it goes round: its ends are together, or lie over each other as a wrapped skirt's.
 Round roundOf(const Run& run, const Body& body) {
-  if (run.places.size() < 8) return Round::Nothing;
-  if (!run.closed && distance(run.places.front(), run.places.back()) > kEndsApart) return Round::Nothing;
+  if (run.places.size() < 8) return {};
+  const bool apart = !run.closed && distance(run.places.front(), run.places.back()) > kEndsApart;
   Vec3 middle;
   for (const Vec3& p : run.places) middle += p * (1.0 / static_cast<double>(run.places.size()));
-  double turned = 0, before = std::atan2(run.places.back().x - middle.x, run.places.back().z - middle.z);
+  const Vec3 first = apart ? run.places.front() : run.places.back();
+  double turned = 0, before = std::atan2(first.x - middle.x, first.z - middle.z);
   for (const Vec3& p : run.places) {
     const double now = std::atan2(p.x - middle.x, p.z - middle.z);
     turned += std::remainder(now - before, 2 * std::numbers::pi);
     before = now;
   }
-  if (std::fabs(turned) < 1.9 * std::numbers::pi) return Round::Nothing;
+  const double turns = std::fabs(turned) / (2 * std::numbers::pi);
+  if (turns < (apart ? 1 : 0.95)) return {};
   using Part = BodyPoint::Part;
   std::map<Part, std::size_t> on;
   std::size_t seen = 0;
   for (std::size_t k = 0; k < run.places.size(); k += 4, ++seen)
     if (const auto near = body.bvh().nearest(run.places[k])) ++on[body.describe(near->place).part];
-  if (2 * on[Part::Torso] > seen) return Round::Trunk;
+  const double length = run.length / (apart ? turns : 1);
+  if (2 * on[Part::Torso] > seen) return {Round::Trunk, length};
   const bool both = on[Part::LeftLeg] > 0 && on[Part::RightLeg] > 0;
-  return both && 2 * (on[Part::LeftLeg] + on[Part::RightLeg]) > seen ? Round::Legs : Round::Nothing;
+  if (both && 2 * (on[Part::LeftLeg] + on[Part::RightLeg]) > seen) return {Round::Legs, length};
+  return {};
 }
 
 std::optional<double> waistHeight(const Body& body) {
@@ -193,8 +200,9 @@ std::vector<WideEdge> wideEdges(const GarmentSnapshot& snapshot) {
         if (elastic || top.at(garment) > upTo + kAbove || run.length < girth->second + kLeastWider ||
             height > *waist - kLeastBelow)
           continue;
-        if (const Round round = roundOf(run, body); round != Round::Nothing)
-          wide.push_back({run.parts, run.length, girth->second, *waist - height, round == Round::Legs});
+        if (const Round round = roundOf(run, body);
+            round.what != Round::Nothing && round.length > girth->second + kLeastWider)
+          wide.push_back({run.parts, round.length, girth->second, *waist - height, round.what == Round::Legs});
       }
     }
   }

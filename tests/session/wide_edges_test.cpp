@@ -66,6 +66,24 @@ TEST(WideEdges, OfASkirtThatFellDownTheLegsAreTold) {
   EXPECT_TRUE(told(stocking).empty());
 }
 
+// A wrapped skirt's ends lie over each other: what goes round is its length without what laps.
+TEST(WideEdges, OfAWrappedSkirtAreTold) {
+  std::string wrap;  // five panels round the hips, the fifth before the first
+  for (const auto& [name, pose] :
+       {std::pair("a", "0,0.75,0.2"), std::pair("b", "0.2,0.75,0 y 90deg"), std::pair("c", "0,0.75,-0.2 y 180deg"),
+        std::pair("d", "-0.2,0.75,0 y 270deg"), std::pair("e", "0,0.75,0.21")})
+    wrap += std::string("piece name=") + name +
+            " outline=\"M -200 0; hem L 200 0; right L 200 200; top L -200 200; left L -200 0\" pose=\"" + pose +
+            "\"\n";
+  for (const auto& [one, next] : {std::pair("a", "b"), std::pair("b", "c"), std::pair("c", "d"), std::pair("d", "e")})
+    wrap += std::string("sew a=") + one + ".right b=" + next + ".left\n";
+  wrap += "fasten name=button a=e.right b=a.left count=1\n";
+  const auto all = told(wrap + "drape\n");
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_THAT(all[0], testing::HasSubstr("has slid to"));
+  EXPECT_THAT(all[0], testing::HasSubstr("156.0 cm round"));
+}
+
 TEST(WideEdges, AreNotToldWhereNothingIsWrong) {
   const std::string wide = skirt("waist_girth/2 + 6cm", "torso:waist-0.25");
   EXPECT_TRUE(told(wide).empty()) << "not draped yet";
