@@ -127,7 +127,8 @@ void addAnswerVerbs(Program& program) {
   CLI::Option* poses = verb->add_option("--poses", checked->poses,
                                         help("Fit in motion: at rest in these poses too, as T,forward,seated"))
                            ->delimiter(',');
-  verb->add_option("--sheet", checked->sheet, help("with --poses: a PNG file of the poses side by side"))->needs(poses);
+  program.output(*verb, "--sheet", checked->sheet, help("with --poses: a PNG file of the poses side by side"), {"png"})
+      ->needs(poses);
 
   auto info = std::make_shared<DocumentOnly>();
   program.verb(program.cli, "info", help("Lists pieces, seams and lengths"), info, answerInfo)

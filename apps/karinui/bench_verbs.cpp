@@ -242,7 +242,7 @@ void addBenchVerb(Program& program) {
           help("w1 a curtain, w2 a cloth on a ball, w3 a tunic on capsules, shirt or dress on a body, edits of the "
                "tunic by the clock, cusick the shop's fabrics on the drape tester, wardrobe every garment of a folder"))
       ->required()
-      ->check(CLI::IsMember({"w1", "w2", "w3", "shirt", "dress", "edits", "cusick", "wardrobe"}));
+      ->transform(oneOf({"w1", "w2", "w3", "shirt", "dress", "edits", "cusick", "wardrobe"}));
   verb->add_option("--vertices", options->vertices, help("About how many points the cloth has; otherwise as defined"))
       ->check(CLI::Range(100, 1'000'000));
   verb->add_option("--stretch", options->stretch, help("w1, w2, w3: how firm the threads are, N/m; otherwise 1000"))
@@ -260,11 +260,13 @@ void addBenchVerb(Program& program) {
   verb->add_option("--runs", options->runs,
                    help("How many times each fabric is laid on (cusick, otherwise 6) or each edit made (otherwise 5)"))
       ->check(CLI::Range(1, 1000));
-  verb->add_option("--pictures", options->pictures,
-                   help("cusick: a folder to keep a picture of each fabric on the tester in"))
+  program
+      .outputFolder(*verb, "--pictures", options->pictures,
+                    help("cusick: a folder to keep a picture of each fabric on the tester in"))
       ->check(CLI::ExistingDirectory);
-  verb->add_option("--start", options->start,
-                   help("w1, w2, w3: write the scene as it starts as JSON for another program, and settle nothing"));
+  program.output(*verb, "--start", options->start,
+                 help("w1, w2, w3: write the scene as it starts as JSON for another program, and settle nothing"),
+                 {"json"});
   verb->add_option("--judge", options->judged,
                    help("w1, w2, w3: examine what another program made of the scene, an OBJ file or several, 1/60 s "
                         "apart, and settle nothing"));
@@ -272,9 +274,9 @@ void addBenchVerb(Program& program) {
       "--continue", options->continued,
       help("w1, w2, w3, shirt, dress, wardrobe: go on from rest for five times as many steps, at least 500, and tell "
            "how far that leads"));
-  verb->add_option("--plot", options->plot,
-                   help("The same, and draw the energy against processor time as an SVG file"));
-  verb->add_option("-o,--out", options->out, help("Write the cloth at rest as an OBJ file"));
+  program.output(*verb, "--plot", options->plot,
+                 help("The same, and draw the energy against processor time as an SVG file"), {"svg"});
+  program.output(*verb, "-o,--out", options->out, help("Write the cloth at rest as an OBJ file"), {"obj"});
 }
 
 }  // namespace karinui::app

@@ -102,16 +102,17 @@ void addBodyVerbs(Program& program) {
                    help(say("A file of measures: {0}, .json", listed(endingsRead({FileContent::Measures})))));
   verb->add_option("--set", make->set, help("Measurements: bust_girth=88cm …"));
   verb->add_option("--sex", make->sex, help("female, male or child: which family of shapes"))
-      ->check(CLI::IsMember({"female", "male", "child"}));
+      ->transform(oneOf({"female", "male", "child"}));
   verb->add_flag("--form", make->form, help("A dress form on a stand instead of a whole figure"));
-  verb->add_option("-o,--output", make->out, help("The OBJ file"))->required();
+  program.output(*verb, "-o,--output", make->out, help("The OBJ file"), {"obj"})->required();
 
   auto measured = std::make_shared<MeasureOptions>();
   verb = program.verb(*body, "measure", help("Measures a body as a tape does"), measured, runMeasure);
   verb->add_option("body", measured->path, help(say("A body: {0}", listed(endingsRead({FileContent::Body})))))
       ->required();
-  verb->add_option("-o,--output", measured->out,
-                   help(say("A file that the measures are written to: {0}", listed(measureEndingsWritten()))));
+  program.output(*verb, "-o,--output", measured->out,
+                 help(say("A file that the measures are written to: {0}", listed(measureEndingsWritten()))),
+                 measureEndingsWritten());
   verb->add_flag("--wrap", measured->wrap, help("Close a scan's holes first"));
 }
 

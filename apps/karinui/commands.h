@@ -8,6 +8,9 @@
 
 namespace karinui::app {
 
+// A word of a few, in letters of either case.
+inline CLI::IsMember oneOf(std::vector<std::string> words) { return CLI::IsMember(std::move(words), CLI::ignore_case); }
+
 struct Program {
   CLI::App cli{help("Karinui: made-to-measure clothes, designed on a body, draped, and printed as true-size patterns."),
                "karinui"};
@@ -23,15 +26,44 @@ struct Program {
     return added;
   }
 
+  // An option that names what the verb writes: a file of one of the endings, or with `folder` (null: never) given a
+  // folder. It is refused before the verb runs where mayWrite() says so, and stands by itself in the help.
+  template <class Name>
+  CLI::Option* output(CLI::App& verb, const std::string& names, Name& into, const std::string& what,
+                      std::vector<std::string> endings, const CLI::Option* folder = nullptr) {
+    CLI::Option* option = verb.add_option(names, into, what)->group(help("Writes"));
+    outputs_.push_back({&verb, option, std::move(endings), folder});
+    return option;
+  }
+  template <class Name>
+  CLI::Option* outputFolder(CLI::App& verb, const std::string& names, Name& into, const std::string& what) {
+    CLI::Option* option = verb.add_option(names, into, what)->group(help("Writes"));
+    outputs_.push_back({&verb, option, {}, option});
+    return option;
+  }
+
   // A verb with --json; `run` gives the exit status.
   template <class Options>
   CLI::App* verb(CLI::App& parent, const std::string& name, const std::string& what, std::shared_ptr<Options> options,
                  int (*run)(Program&, const Options&)) {
     CLI::App* added = word(parent, name, what);
     added->add_flag("--json", console.json, help("Answer with one JSON object"));
-    added->callback([this, options, run] { exit = run(*this, *options); });
+    added->callback([this, added, options, run] {
+      const Done named = outputsNamed(*added);
+      exit = named ? run(*this, *options) : console.refuse(named.error());
+    });
     return added;
   }
+
+ private:
+  struct Output {
+    const CLI::App* verb;
+    const CLI::Option* option;
+    std::vector<std::string> endings;
+    const CLI::Option* folder;
+  };
+  Done outputsNamed(const CLI::App& verb) const;
+  std::vector<Output> outputs_;
 };
 
 void addBodyVerbs(Program& program);           // body make, body measure

@@ -342,7 +342,8 @@ int runImport(Program& program, const ImportOptions& options) {
                                  raised.by > 0 ? say("up") : say("down"), fixed(100 * std::fabs(raised.by), 0)));
       drawn->pattern = std::move(raised.pattern);
     }
-    for (Operation& operation : stepsOf(drawn->pattern, opened.document(), drawn->grading, drawn->cutting))
+    for (Operation& operation :
+         stepsOf(drawn->pattern, opened.document(), drawn->grading, drawn->cutting, &opened.file().blobs()))
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
     if (options.sew == "auto" && drawn->pattern.seams.empty())
       if (const Done done = madeUp(opened); !done) return done;
@@ -408,10 +409,10 @@ void addDocumentVerbs(Program& program) {
   CLI::App* verb =
       program.verb(program.cli, "play", help("Plays a script of operations into a new document"), play, runPlay);
   verb->add_option("script", play->script, help("The script: one operation a line"))->required();
-  verb->add_option("-o,--output", play->out, help("The .karinui document to make"))->required();
+  program.output(*verb, "-o,--output", play->out, help("The .karinui document to make"), {"karinui"})->required();
   verb->add_option("--body", play->body, help("A body file (or built-in size) instead of the script's own"));
-  verb->add_option("--pictures", play->pictures,
-                   help("A folder for the pictures the script asks for (\"# picture: NAME view=front\")"));
+  program.outputFolder(*verb, "--pictures", play->pictures,
+                       help("A folder for the pictures the script asks for (\"# picture: NAME view=front\")"));
   verb->add_flag("--overwrite", play->overwrite, help("Replace a document that is there already"));
   verb->footer(vocabulary(""));
 
@@ -452,7 +453,7 @@ void addDocumentVerbs(Program& program) {
   verb = program.verb(program.cli, "import", help("Makes a document from a pattern, a body or a script"), import,
                       runImport);
   verb->add_option("file", import->file, help(say("The file: {0}", listRead(kImported))))->required();
-  verb->add_option("-o,--output", import->out, help("The .karinui document to make"));
+  program.output(*verb, "-o,--output", import->out, help("The .karinui document to make"), {"karinui"});
   verb->add_flag("--list", import->list, help("Only lists the pieces, sizes and notes of a pattern file"));
   verb->add_option("--sew", import->sew,
                    help("Of a pattern without seams: auto sews those that are sure and stands the pieces on the body; "

@@ -6,16 +6,17 @@
 #include "karinui/base/number.h"
 #include "karinui/exchange/lay_sheet.h"
 #include "open_document.h"
+#include "written_files.h"
 
 namespace karinui::app {
 
 namespace {
 
 struct LayoutOptions {
-  std::string path, out, width = "150cm", gap = "5mm", stripes, rows, fabric, paper = "sheet";
+  std::string path, out, width = "150cm", gap = "5mm", stripes, rows, fabric, paper;
   bool folded = false, nap = false;
   std::optional<double> allowanceMm;
-  double overlapMm = 10;
+  std::optional<double> overlapMm;
   int tries = LaySettings().tries;
   std::uint64_t seed = 1;
 };
@@ -65,9 +66,9 @@ int runLayout(Program& program, const LayoutOptions& options) {
     return kWrongCall;
   }
   const std::string ending = endingOf(options.out);
-  if (!options.out.empty() &&
-      std::find(std::begin(kLayEndings), std::end(kLayEndings), ending) == std::end(kLayEndings))
-    return program.console.refuse(badInput(say("A lay plan is written as .pdf, .svg, .dxf or .plt.")));
+  for (const auto& [name, asked] :
+       {std::pair("--paper", !options.paper.empty()), {"--overlap", options.overlapMm.has_value()}})
+    if (asked && ending != "pdf") return program.console.refuse(unasked(name, options.out));
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
     const Result<LayPlan> plan = layPlan(opened.document(), *settings, opened.context());
     if (!plan) return program.console.refuse(plan.error());
@@ -76,7 +77,7 @@ int runLayout(Program& program, const LayoutOptions& options) {
       LayPaper paper;
       paper.title = std::filesystem::path(options.path).stem().string();
       paper.paper = paperNamed(options.paper);
-      paper.overlap = options.overlapMm / 1000;
+      if (options.overlapMm) paper.overlap = *options.overlapMm / 1000;
       paper.language = spokenHere();
       const Result<std::string> bytes = writeLay(*plan, ending, paper);
       if (!bytes) return program.console.refuse(bytes.error());
@@ -107,7 +108,9 @@ void addLayoutVerb(Program& program) {
                                 help("Lays the pieces on the cloth they are cut from, and tells how much it takes"),
                                 options, runLayout);
   verb->add_option("document", options->path, help("The .karinui document"))->required();
-  verb->add_option("-o,--output", options->out, help("The lay plan at true size: .pdf, .svg, .dxf or .plt"));
+  CLI::Option* out =
+      program.output(*verb, "-o,--output", options->out, help("The lay plan at true size: .pdf, .svg, .dxf or .plt"),
+                     {std::begin(kLayEndings), std::end(kLayEndings)});
   verb->add_option("--width", options->width, help("Of the cloth, laid open: 150cm"));
   verb->add_flag("--fold", options->folded,
                  help("The cloth is folded lengthwise: pairs are cut at once, halves lie on the fold"));
@@ -123,9 +126,11 @@ void addLayoutVerb(Program& program) {
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--paper,--page", options->paper,
                    help("PDF: one true-size sheet (sheet), or pages to glue: a4, letter, a3, a0, 36in"))
-      ->check(CLI::IsMember({"sheet", "a4", "letter", "a3", "a0", "36in"}));
+      ->transform(oneOf({"sheet", "a4", "letter", "a3", "a0", "36in"}))
+      ->needs(out);
   verb->add_option("--overlap", options->overlapMm, help("paper: how far glued pages overlap in mm, 5 to 30"))
-      ->check(CLI::Range(5.0, 30.0));
+      ->check(CLI::Range(5.0, 30.0))
+      ->needs(out);
   verb->add_option("--tries", options->tries, help("How many orders of the pieces are tried; more take less cloth"))
       ->check(CLI::Range(0, 100'000'000));
   verb->add_option("--seed", options->seed, help("Another number tries other orders"));

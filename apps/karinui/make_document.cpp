@@ -1,5 +1,7 @@
 #include "make_document.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 
 namespace karinui::app {
@@ -14,6 +16,14 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
     return program.console.refuse(
         refused(say("“{0}” is there already. Choose another name, or say --overwrite.", wanted)));
   }
+  const fs::path folder = fs::path(wanted).has_parent_path() ? fs::path(wanted).parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, trouble))
+    return program.console.refuse(
+        storageError(say("\"{0}\" cannot be written: there is no such folder. Make it first.", wanted)));
+  if (::access(folder.c_str(), W_OK) != 0)
+    return program.console.refuse(storageError(
+        say("“{0}” cannot be made: the folder “{1}” may not be written. Choose another.",
+            fs::path(wanted).filename().string(), fs::absolute(folder, trouble).lexically_normal().string())));
   const std::string part = wanted + ".part";
   fs::remove(part, trouble);
   int exit = kDone;

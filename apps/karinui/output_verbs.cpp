@@ -59,10 +59,11 @@ void addOutputVerbs(Program& program) {
                    help(say("Writes the pattern, the garment in 3D or the operations ({0})", listed(endingsWritten()))),
                    out, runExport);
   verb->add_option("document", out->path, help("The .karinui document"))->required();
-  verb->add_option("-o,--output", out->out, help("The file; its ending says what it will be"))->required();
+  program.output(*verb, "-o,--output", out->out, help("The file; its ending says what it will be"), endingsWritten())
+      ->required();
   verb->add_option("--paper,--page", out->paper,
                    help("PDF: one true-size sheet (sheet), or pages to glue: a4, letter, a3, a0, 36in"))
-      ->check(CLI::IsMember({"sheet", "a4", "letter", "a3", "a0", "36in"}));
+      ->transform(oneOf({"sheet", "a4", "letter", "a3", "a0", "36in"}));
   verb->add_option("--overlap", out->overlapMm, help("paper: how far glued pages overlap in mm, 5 to 30"))
       ->check(CLI::Range(5.0, 30.0));
   verb->add_option("--date", out->date, help("paper: a date to be printed on each piece, as it is to be read"));
@@ -71,13 +72,12 @@ void addOutputVerbs(Program& program) {
                    help("paper: seam allowance in mm in place of the document's own, up to 100, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--format", out->format, help("JSON: karinui (exact) or garmentcode"))
-      ->check(CLI::IsMember(patternFormats()));
+      ->transform(oneOf(patternFormats()));
 
   auto wish = std::make_shared<PictureOptionsAsked>();
   verb = program.verb(program.cli, "picture", help("Draws the garment on its body, or its flat pattern"), wish,
                       runPicture);
   verb->add_option("document", wish->path, help("The .karinui document"))->required();
-  verb->add_option("-o,--output", wish->out, help("The PNG file; with --frames a folder"))->required();
   CLI::Option* view = verb->add_option("--view", wish->view, help("front, back, left, right, oblique"));
   CLI::Option* map = verb->add_option("--map", wish->map, help("none, strain"));
   CLI::Option* eyes = verb->add_option("--eyes", wish->eyes, help("mono, side-by-side, top-bottom, anaglyph"));
@@ -98,11 +98,14 @@ void addOutputVerbs(Program& program) {
                        help("So many numbered pictures of a whole turn, 2 to 3600, for a film; the output is a folder"))
           ->check(CLI::Range(2, 3600));
   turns->excludes(frames);
+  program.output(*verb, "-o,--output", wish->out, help("The PNG file; with --frames a folder"), {"png"}, frames)
+      ->required();
   CLI::Option* table = verb->add_flag("--table", wish->table, help("The flat pattern on the cutting table instead"));
   for (CLI::Option* other : {view, hide, section, map, eyes, beside, sizes, fabrics, turns, frames})
     table->excludes(other);
-  verb->add_flag("--nest", wish->nest, help("with --table: graded pieces in all their sizes, over one another"));
-  verb->add_flag("--scans", wish->scans, help("with --table: over the scans that are traced"));
+  verb->add_flag("--nest", wish->nest, help("with --table: graded pieces in all their sizes, over one another"))
+      ->needs(table);
+  verb->add_flag("--scans", wish->scans, help("with --table: over the scans that are traced"))->needs(table);
   verb->add_option("--size", wish->size, help("WIDTHxHEIGHT in pixels, of each figure where there are several"));
 }
 

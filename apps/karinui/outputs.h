@@ -9,14 +9,14 @@
 namespace karinui::app {
 
 struct ExportRequest {
-  std::string out;  // a file's name; its ending says what is written
-  std::string paper = "sheet", format;
-  std::optional<double> allowanceMm;
-  double overlapMm = 10;
+  std::string out;            // a file's name; its ending says what is written
+  std::string paper, format;  // empty, like the next ones: not asked for
+  std::optional<double> allowanceMm, overlapMm;
   std::string date;
   bool nest = false;
 };
 std::vector<std::string> patternFormats();  // what `format` may name: the texts of a pattern, which share an ending
+// What a format has no use for is refused rather than left out.
 Result<std::string> exportBytes(OpenDocument& opened, const ExportRequest& request);
 
 }  // namespace karinui::app

@@ -106,7 +106,7 @@ void addRefitVerb(Program& program) {
                    options, runRefit);
   verb->add_option("document", options->path, help("The .karinui document"))->required();
   verb->add_option("--body", options->body, help("Measures, a body file or a built-in size to make it to"))->required();
-  verb->add_option("-o,--output", options->out, help("The .karinui document to make"))->required();
+  program.output(*verb, "-o,--output", options->out, help("The .karinui document to make"), {"karinui"})->required();
   verb->add_flag("--overwrite", options->overwrite, help("Replace a document that is there already"));
 }
 

@@ -250,10 +250,10 @@ void addReportVerb(Program& program) {
                                 help("Writes how the garment fits: pictures, ease, strain, pressure, cloth (PDF)"),
                                 options, runReport);
   verb->add_option("document", options->path, help("The .karinui document"))->required();
-  verb->add_option("-o,--output", options->out, help("The PDF file"))->required();
+  program.output(*verb, "-o,--output", options->out, help("The PDF file"), {"pdf"})->required();
   verb->add_option("--width", options->width, help("Of the cloth, laid open: 150cm"));
   verb->add_option("--language", options->language, help("en or ja; else the language spoken here"))
-      ->check(CLI::IsMember({"en", "ja"}));
+      ->transform(oneOf({"en", "ja"}));
   verb->add_option("--poses", options->poses, help("Fit in motion: at rest in these poses too, as T,forward,seated"))
       ->delimiter(',');
   verb->add_flag("!--no-pictures", options->pictures, help("Only the figures"));

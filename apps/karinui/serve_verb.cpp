@@ -17,6 +17,7 @@
 #include "outputs.h"
 #include "pictures.h"
 #include "serve_request.h"
+#include "written_files.h"
 
 namespace karinui::app {
 
@@ -255,13 +256,15 @@ class Server {
   Result<Json> exported(Fields& fields, StopRequest&) {
     ExportRequest request;
     request.out = fields.needed("file");
-    request.paper = fields.text("paper", request.paper);
+    request.paper = fields.text("paper");
     request.format = fields.text("format");
     request.date = fields.text("date");
     request.nest = fields.flag("nest");
     request.allowanceMm = fields.number("allowance_mm", 0, 100);
-    request.overlapMm = fields.number("overlap_mm", 5, 30).value_or(request.overlapMm);
+    request.overlapMm = fields.number("overlap_mm", 5, 30);
     if (const Done fit = fields.checked(); !fit) return fit.error();
+    if (const Done may = mayWrite(request.out, endingsWritten(), {opened_->file().path().string()}); !may)
+      return may.error();
     const Result<std::string> bytes = exportBytes(*opened_, request);
     if (!bytes) return bytes.error();
     if (const Done done = writeFile(request.out, *bytes); !done) return done.error();
@@ -281,9 +284,11 @@ class Server {
     request.scans = fields.flag("scans");
     request.compare.sizes = fields.flag("sizes");
     request.compare.fabrics = fields.text("fabrics");
-    if (const std::string beside = fields.text("beside"); !beside.empty()) request.compare.beside = {beside};
+    const std::string beside = fields.text("beside");
+    if (!beside.empty()) request.compare.beside = {beside};
     if (const auto turns = fields.number("turns", 2, 36)) request.turns = static_cast<int>(*turns);
     if (const Done fit = fields.checked(); !fit) return fit.error();
+    if (const Done may = mayWrite(out, {"png"}, {opened_->file().path().string(), beside}); !may) return may.error();
     const Result<Image> image = pictureOf(*opened_, request);
     if (!image) return image.error();
     if (const Done done = writePng(out, *image); !done) return done.error();

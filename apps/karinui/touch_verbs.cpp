@@ -304,14 +304,14 @@ void addTouchVerbs(Program& program) {
   verb->add_option("document", replay->document, help("The .karinui document"))->required();
   verb->add_option("--tool", replay->tool,
                    help("What the hand does while its button is down: touch, draw, move, sew, cut, pull or reshape"))
-      ->check(CLI::IsMember([] {
+      ->transform(oneOf([] {
         std::vector<std::string> names;
         for (const auto& [name, tool] : kHandTools) names.emplace_back(name);
         return names;
       }()));
   verb->add_option("--pull", replay->pull,
                    help("How cloth pulls: curve (the fabric's) or springs (the historical law)"))
-      ->check(CLI::IsMember({"curve", "springs"}));
+      ->transform(oneOf({"curve", "springs"}));
   verb->add_option("--every", replay->every, help("Milliseconds from line to line"))->check(CLI::Range(1.0, 1000.0));
   verb->add_option("--gain", replay->gain, help("Share of the true force, 0 to 1"))->check(CLI::Range(0.0, 1.0));
   verb->add_option("--limit", replay->limit, help("The most force, in newtons"))->check(CLI::Range(0.0, 10.0));

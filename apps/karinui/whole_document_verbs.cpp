@@ -92,17 +92,18 @@ void addWholeDocumentVerbs(Program& program) {
   const std::string document = help("The .karinui document"), made = help("The .karinui document to make");
   const auto [saves, saved] =
       add("rescue", help("Saves what is whole of a damaged document in a new one"), "document", document, runRescue);
-  saves->add_option("-o,--output", saved->out, made)->required();
+  program.output(*saves, "-o,--output", saved->out, made, {"karinui"})->required();
   const auto [dumps, dump] = add("dump", help("Writes the whole document as text, for version control; load reads it"),
                                  "document", document, runDump);
-  dumps->add_option("-o,--output", dump->out, help("The text file; otherwise it is written to the screen"));
+  program.output(*dumps, "-o,--output", dump->out, help("The text file (.txt); otherwise it is written to the screen"),
+                 {"txt"});
   const auto [loads, loaded] =
       add("load", help("Makes a document of what dump wrote"), "dump", help("The text file that dump wrote"), runLoad);
-  loads->add_option("-o,--output", loaded->out, made)->required();
+  program.output(*loads, "-o,--output", loaded->out, made, {"karinui"})->required();
   const auto [shares, shared] =
       add("share", help("Writes the pattern for others, without figure, measurements, formulas and history"),
           "document", document, runShare);
-  shares->add_option("-o,--output", shared->out, made)->required();
+  program.output(*shares, "-o,--output", shared->out, made, {"karinui"})->required();
   shares->add_flag("--unnamed", shared->unnamed, help("Replace all names in it by neutral ones: piece1, seam2, edge3"));
   shares->add_flag("--overwrite", shared->overwrite, help("Replace a document that is there already"));
 }

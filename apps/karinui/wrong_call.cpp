@@ -68,6 +68,13 @@ Message wrongCall(const Program& program, const CLI::ParseError& trouble) {
                    option->get_description());
     return say("Say what “{0}” should do; its commands: {0} --help", verb.called);
   }
+  if (dynamic_cast<const CLI::RequiresError*>(&trouble)) {
+    constexpr std::string_view kBetween = " requires ";
+    const std::size_t at = words.find(kBetween);
+    if (at != std::string::npos)
+      return say("{0} goes with {1}; see {2} --help", words.substr(0, at), words.substr(at + kBetween.size()),
+                 verb.called);
+  }
   if (dynamic_cast<const CLI::ExcludesError*>(&trouble)) {
     constexpr std::string_view kBetween = " excludes ";  // CLI11's own words
     const std::size_t at = words.find(kBetween);

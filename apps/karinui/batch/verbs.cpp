@@ -220,7 +220,7 @@ void addBatchVerbs(Program& program) {
   verb->add_option("designs", plan->wish.designs, help("A document, a script, or a folder of them"))->required();
   verb->add_option("bodies", plan->wish.bodies, help("A table of measures (CSV): name,height_cm,bust_girth_cm,…"))
       ->required();
-  verb->add_option("-o,--output", plan->wish.folder, help("The folder of the batch"))->required();
+  program.outputFolder(*verb, "-o,--output", plan->wish.folder, help("The folder of the batch"))->required();
   verb->add_option("--fabric", plan->wish.fabrics, help("A fabric for all pieces; several: the batch has each"));
   verb->add_option("--spacing", plan->spacing,
                    help("Between the lattice's threads, in place of the designs' own: 20mm"));
@@ -248,16 +248,16 @@ void addBatchVerbs(Program& program) {
   verb = program.verb(*batch, "report", help("Writes the fit over all people, and whom it does not fit (PDF)"), fit,
                       runFitReport);
   verb->add_option("folder", fit->folder, help("The folder of the batch"))->required();
-  verb->add_option("-o,--output", fit->out, help("The PDF file"))->required();
+  program.output(*verb, "-o,--output", fit->out, help("The PDF file"), {"pdf"})->required();
   verb->add_option("--language", fit->language, help("en or ja; else the language spoken here"))
-      ->check(CLI::IsMember({"en", "ja"}));
+      ->transform(oneOf({"en", "ja"}));
 
   auto people = std::make_shared<PeopleOptions>();
   verb = program.verb(*batch, "picture",
                       help("Draws everyone in the garment side by side, and marks whom it does not fit"), people,
                       runPeople);
   verb->add_option("folder", people->folder, help("The folder of the batch"))->required();
-  verb->add_option("-o,--output", people->out, help("The PNG file"))->required();
+  program.output(*verb, "-o,--output", people->out, help("The PNG file"), {"png"})->required();
   verb->add_flag("--misfits", people->misfits, help("Only whom it does not fit, the worst first"));
   verb->add_option("--person", people->people, help("Only these people, by name"));
   verb->add_option("--design", people->designs, help("Only these designs, by name"));
