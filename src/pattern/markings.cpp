@@ -320,32 +320,56 @@ std::vector<NotchPlace> finishNotches(const Pattern& pattern, const Allowances& 
   return notches;
 }
 
+namespace {
+
+// The parts of a seam's side that lie on one piece each, in fractions of the side.
+std::vector<std::pair<double, double>> partsByPiece(const SeamSide& side) {
+  std::vector<std::pair<double, double>> parts;
+  const std::vector<double> breaks = side.breaks();
+  PieceId before;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const PieceId piece = side.at((breaks[k] + breaks[k + 1]) / 2).piece;
+    if (!parts.empty() && piece == before)
+      parts.back().second = breaks[k + 1];
+    else
+      parts.emplace_back(breaks[k], breaks[k + 1]);
+    before = piece;
+  }
+  return parts;
+}
+
+}  // namespace
+
 std::vector<SeamTag> seamTags(const Pattern& pattern) {
   std::vector<SeamTag> out;
   std::map<PieceId, std::vector<std::vector<Flat>>> drawn;
+  // The place on a part of a side that keeps clearest of all lines.
+  const auto clearest = [&](const SeamSide& side, double from, double to, std::size_t number) {
+    std::optional<SeamTag> best;
+    double most = -1;
+    for (const double share : {0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.15, 0.85}) {
+      const SeamPlace at = side.at(std::lerp(from, to, share));
+      const auto on = sewnPlace(pattern, at);
+      if (!on) continue;
+      auto& lines = drawn[at.piece];
+      if (lines.empty()) lines = linesOf(*pattern.pieces.at(at.piece));
+      for (const double depth : {kTagDepth, 0.8 * kTagDepth}) {
+        const Flat place = on->place - on->outward * depth;
+        const double room = std::min(roomAt(lines, place), kTagRoom);
+        if (room > most) most = room, best = SeamTag{at.piece, place, number};
+      }
+      if (most >= kTagRoom) break;
+    }
+    return best;
+  };
   std::size_t number = 0;
   for (const auto& [id, seam] : pattern.seams) {
     ++number;
     if (seam.tie == Seam::Tie::Pleat) continue;
     const SeamSides sides(pattern, seam);
-    for (const SeamSide* side : {&sides.a, &sides.b}) {
-      std::optional<SeamTag> best;
-      double most = -1;
-      for (const double fraction : {0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.15, 0.85}) {
-        const SeamPlace at = side->at(fraction);
-        const auto on = sewnPlace(pattern, at);
-        if (!on) continue;
-        auto& lines = drawn[at.piece];
-        if (lines.empty()) lines = linesOf(*pattern.pieces.at(at.piece));
-        for (const double depth : {kTagDepth, 0.8 * kTagDepth}) {
-          const Flat place = on->place - on->outward * depth;
-          const double room = std::min(roomAt(lines, place), kTagRoom);
-          if (room > most) most = room, best = SeamTag{at.piece, place, number};
-        }
-        if (most >= kTagRoom) break;
-      }
-      if (best) out.push_back(*best);
-    }
+    for (const SeamSide* side : {&sides.a, &sides.b})
+      for (const auto& [from, to] : partsByPiece(*side))
+        if (const auto tag = clearest(*side, from, to, number)) out.push_back(*tag);
   }
   return out;
 }

@@ -183,6 +183,22 @@ TEST(SeamTags, KeepClearOfLines) {
   EXPECT_NEAR(tags[1].place.u, 0.15, 1e-9);
 }
 
+// Equal numbers are sewn together: each piece that a seam holds has its number.
+TEST(SeamTags, AreOnEachPieceOfARun) {
+  Pattern pattern = test::patternOf({test::pieceOf(1, test::rectangle(0.3, 0.2), "left"),
+                                     test::pieceOf(2, test::rectangle(0.3, 0.2), "right"),
+                                     test::pieceOf(3, test::rectangle(0.6, 0.05), "band")});
+  pattern.seams[{9}] = {{9},
+                        "",
+                        {{{1}, "top", 0, 0.5}, {{1}, "top", 0.5, 1}, {{2}, "top", 0, 1}},
+                        {{{3}, "bottom", 0, 1}},
+                        true,
+                        Seam::Tie::OneToOne};
+  std::map<PieceId, int> on;
+  for (const SeamTag& tag : seamTags(pattern)) ++on[tag.piece];
+  EXPECT_EQ(on, (std::map<PieceId, int>{{{1}, 1}, {{2}, 1}, {{3}, 1}}));
+}
+
 // What is sewn to an edge or turned up is told beside its middle, inside the piece; an elastic's quarters have notches.
 TEST(PaperNotes, TellElasticsHemsAndFolds) {
   Piece piece = test::pieceOf(1, test::rectangle(0.3, 0.2), "one");

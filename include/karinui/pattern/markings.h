@@ -71,7 +71,7 @@ struct PaperArrow {
   PaperStroke shaft, head, otherHead;
 };
 std::vector<PaperArrow> pleatArrows(const Pattern& pattern);
-// The number of a seam, counted from 1, beside the middle of each of its sides.
+// The number of a seam, counted from 1, beside the middle of what each piece has of either side.
 struct SeamTag {
   PieceId piece;
   Flat place;  // the middle of the lettering
