@@ -192,7 +192,8 @@ SnapshotPtr snapshotStanding(const GarmentSnapshot& before, const Forms& forms) 
     worn.tree = std::make_shared<const PickingTree>(cloth.mesh);
   }
   if (!laid) return snapshotOf(std::move(snapshot->document), before.body);
-  if (!snapshot->frame.lines.empty()) snapshot->frame.lines = fasteningLines(snapshot->document);
+  if (!snapshot->document.allowances.fastenings.empty())
+    snapshot->frame.lines = fasteningLines(snapshot->document, snapshot->frame.cloths);
   return snapshot;
 }
 

@@ -86,6 +86,31 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
   return runs;
 }
 
+// Where a ray meets a triangle, in lengths of its direction (Möller and Trumbore 1997).
+std::optional<double> met(Vec3 from, Vec3 way, Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 ab = b - a, ac = c - a, p = cross(way, ac);
+  const double det = dot(ab, p);
+  if (std::abs(det) < 1e-15) return std::nullopt;
+  const Vec3 t = from - a, q = cross(t, ab);
+  const double u = dot(t, p) / det, v = dot(way, q) / det;
+  if (u < 0 || v < 0 || u + v > 1) return std::nullopt;
+  return dot(ac, q) / det;
+}
+
+// Whether another piece lies over a button. Lines are drawn nearer to the eye than they are, so it would show through.
+bool covered(const StandingButton& button, const std::string& own, std::span<const SceneCloth> cloths) {
+  constexpr double kReach = 0.03;  // metres above it
+  const Vec3 up = button.up() * kReach;
+  return std::any_of(cloths.begin(), cloths.end(), [&](const SceneCloth& cloth) {
+    return cloth.name != own &&
+           std::any_of(cloth.mesh.faces.begin(), cloth.mesh.faces.end(), [&](const Triangle& face) {
+             const auto& points = cloth.mesh.points;
+             const auto at = met(button.place, up, points[face[0]], points[face[1]], points[face[2]]);
+             return at && *at > 0.01 && *at < 1;
+           });
+  });
+}
+
 // A zip's slider: a broad plate across both sides, and its pull tab, which hangs over what is closed.
 void addSlider(std::vector<SceneLine>& lines, const ZipWay& way, const Colour& colour) {
   constexpr double kPlate = 0.006, kTab = 0.018;  // metres
@@ -103,7 +128,7 @@ void addSlider(std::vector<SceneLine>& lines, const ZipWay& way, const Colour& c
 
 }  // namespace
 
-std::vector<SceneLine> fasteningLines(const Document& document) {
+std::vector<SceneLine> fasteningLines(const Document& document, std::span<const SceneCloth> cloths) {
   std::vector<SceneLine> lines;
   constexpr Colour kShell{0.86f, 0.84f, 0.78f}, kMetal{0.35f, 0.36f, 0.38f}, kBrass{0.50f, 0.33f, 0.09f};
   constexpr float kTeeth = 4;                          // mm
@@ -137,6 +162,7 @@ std::vector<SceneLine> fasteningLines(const Document& document) {
                          false});
   }
   for (const StandingButton& button : standingButtons(document)) {
+    if (covered(button, document.find(button.piece)->name, cloths)) continue;
     const Vec3 middle = button.place + button.up() * kAbove;
     SceneLine disc{
         {}, button.kind == FasteningKind::Snap ? kMetal : kShell, static_cast<float>(button.size * 500), false};
@@ -186,7 +212,7 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const 
     frame.cloths.push_back(std::move(cloth));
     scene.lattices.push_back(piece.lattice);
   }
-  frame.lines = fasteningLines(document);
+  frame.lines = fasteningLines(document, frame.cloths);
   return scene;
 }
 

@@ -9,6 +9,7 @@ namespace karinui {
 
 struct StandingButton {
   std::string fastening;  // its name
+  PieceId piece;          // on which it lies
   FasteningKind kind = FasteningKind::Button;
   Vec3 place, out, along;                                    // on the cloth; unit: towards the edge, along it
   double size = 0;                                           // metres across

@@ -47,5 +47,25 @@ fasten a=right.centre b=left.centre reversed=yes count=3 first=5cm last=5cm size
   EXPECT_NEAR(volume, 3 * area * 0.002, 1e-12);
 }
 
+// An apron before a buttoned front hides its buttons, a lining behind does not.
+TEST(Fastenings, OfWhatIsCoveredAreNotSeen) {
+  const std::string front = R"(rectangle name=right width=20cm height=40cm edges="hem centre top side"
+rectangle name=left width=20cm height=40cm edges="hem side top centre"
+fasten a=right.centre b=left.centre reversed=yes count=3 first=5cm last=5cm inset=2cm closed=2
+)";
+  const auto seen = [&](const std::string& more) {
+    Workroom room;
+    DocumentFile file = DocumentFile::inMemory();
+    const auto played = room.play(file, front + more);
+    EXPECT_TRUE(played) << text(played.error().what);
+    const auto frame = sceneOf(file.document(), nullptr);
+    EXPECT_TRUE(frame) << text(frame.error().what);
+    return frame->lines.size();
+  };
+  EXPECT_EQ(seen(""), 3u);
+  EXPECT_EQ(seen("duplicate piece=right name=apron by=0,0,1cm\n"), 1u);
+  EXPECT_EQ(seen("duplicate piece=right name=lining by=0,0,-1cm\n"), 3u);
+}
+
 }  // namespace
 }  // namespace karinui

@@ -1,6 +1,7 @@
 #pragma once
 // A garment as a picture and as something to point at. Pure; long for large garments; any thread.
 #include <memory>
+#include <span>
 
 #include "karinui/design/document.h"
 #include "karinui/pattern/lattice.h"
@@ -19,9 +20,9 @@ struct LaidScene {
 };
 Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const Prints& prints = {});
 
-// Buttons and snaps as discs where they lie, hooks and ties as threads, zips along their edges: closed in one line,
-// open in two.
-std::vector<SceneLine> fasteningLines(const Document& document);
+// Buttons and snaps as discs where they lie, but for those that other cloth covers; hooks and ties as threads, zips
+// along their edges: closed in one line, open in two. `cloths`: the document's as they stand.
+std::vector<SceneLine> fasteningLines(const Document& document, std::span<const SceneCloth> cloths);
 
 // Per node, the mean of |l/L - 1| over the warp and weft edges of the lattice that meet there.
 std::vector<float> strainOf(const Lattice& lattice, const std::vector<Vec3>& position);
