@@ -22,12 +22,6 @@ bool sound(const InternalLine& line) {
          });
 }
 
-bool sound(const Form& form) {
-  return !form.faces.empty() && form.flat.size() == form.space.size() &&
-         std::all_of(form.flat.begin(), form.flat.end(), [](Flat p) { return near(p); }) &&
-         std::all_of(form.space.begin(), form.space.end(), [](Vec3 p) { return near(p); });
-}
-
 bool sound(const Rigid& pose) {
   const double turn = pose.w * pose.w + pose.x * pose.x + pose.y * pose.y + pose.z * pose.z;
   return std::abs(turn - 1) < 1e-6 && near(pose.carry);
@@ -52,7 +46,7 @@ bool sound(const Document& document, const Piece& piece) {
          std::all_of(piece.lines.begin(), piece.lines.end(), [](const InternalLine& l) { return sound(l); }) &&
          std::all_of(piece.marks.begin(), piece.marks.end(), mark) && std::abs(length(piece.grain) - 1) < 1e-6 &&
          fabricOf(document, piece) && (piece.interfacing.empty() || fabricNamed(document, piece.interfacing)) &&
-         piece.layer >= 0 && piece.layer <= 20 && sound(piece.pose) && (!piece.form || sound(*piece.form));
+         piece.layer >= 0 && piece.layer <= 20 && sound(piece.pose) && (!piece.form || soundForm(*piece.form));
 }
 
 bool sound(const Document& document, const std::vector<EdgeSpan>& side) {
@@ -97,6 +91,12 @@ bool sound(const Document& document, const Grading& grading) {
 }
 
 }  // namespace
+
+bool soundForm(const Form& form) {
+  return !form.faces.empty() && form.flat.size() == form.space.size() &&
+         std::all_of(form.flat.begin(), form.flat.end(), [](Flat p) { return near(p); }) &&
+         std::all_of(form.space.begin(), form.space.end(), [](Vec3 p) { return near(p); });
+}
 
 bool soundContent(const Document& document) {
   const auto& [pieces, seams] = document.pattern;

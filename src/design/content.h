@@ -7,5 +7,7 @@ namespace karinui {
 // program takes for granted: outlines closed and clear of themselves, names that exist, fractions and numbers in range.
 // A seal does not say so: whoever can write the file can seal it.
 bool soundContent(const Document& document);
+// The same of how a piece is bent.
+bool soundForm(const Form& form);
 
 }  // namespace karinui

@@ -2,10 +2,12 @@
 
 #include <map>
 
+#include "design/pack.h"
+
 namespace karinui {
 
 std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading,
-                               const CuttingNotes& told) {
+                               const CuttingNotes& told, Blobs* bent) {
   std::vector<Operation> steps;
   std::map<PieceId, std::string> names;
   Document named = into;  // knows the names given so far; its pieces are never looked at
@@ -19,6 +21,11 @@ std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, con
     add.grain = piece->grain;
     add.fabric = piece->fabric;
     add.pose = piece->pose;
+    if (bent && piece->form && !piece->form->faces.empty()) {
+      std::string bytes = packForm(*piece->form);
+      add.bent = blobName(bytes);
+      (void)bent->put(std::move(bytes));  // where it cannot be kept, the step says that it is not there
+    }
     add.layer = piece->layer;
     auto held = std::make_shared<Piece>();
     held->name = add.name;
@@ -36,6 +43,10 @@ std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, con
       steps.push_back(std::move(grade));
     }
   }
+  FreezePieces stay;
+  for (const auto& [id, piece] : pattern.pieces)
+    if (piece->frozen) stay.pieces.push_back(PieceRef(names.at(id)));
+  if (!stay.pieces.empty()) steps.push_back(std::move(stay));
   const auto refs = [&](const std::vector<EdgeSpan>& side) {
     std::vector<EdgeRef> all;
     for (const EdgeSpan& span : side) all.push_back({PieceRef(names.at(span.piece)), span.edge, span.from, span.to});

@@ -36,7 +36,7 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
     if (!figure) return figure.error();
     pattern = raisedTo(**figure, std::move(pattern)).pattern;
   }
-  for (Operation& operation : stepsOf(pattern, document, read->grading, read->cutting))
+  for (Operation& operation : stepsOf(pattern, document, read->grading, read->cutting, &documentWorker.file().blobs()))
     if (const auto step = documentWorker.perform(std::move(operation), token); !step) return step.error();
   return {};
 }

@@ -15,10 +15,11 @@ namespace karinui {
 namespace {
 
 // What the steps ask the document's blobs for; a figure that is kept there is another's.
-std::vector<std::string> photosAsked(const Operation& operation) {
+std::vector<std::string> blobsAsked(const Operation& operation) {
   std::vector<std::string> all;
   if (const auto* look = std::get_if<SetLook>(&operation)) all = {look->photo};
   if (const auto* scan = std::get_if<LayUnderlay>(&operation)) all = {scan->photo};
+  if (const auto* piece = std::get_if<AddPiece>(&operation)) all = {piece->bent};
   std::erase(all, std::string());
   return all;
 }
@@ -128,8 +129,8 @@ Result<RecipePtr> recipeOf(DocumentFile& file, Context& context) {
   recipe->steps = file.steps();
   if (recipe->steps.empty()) return refused(say("The document is empty; there is nothing to fit."));
   for (const Step& step : recipe->steps) {
-    for (const std::string& photo : photosAsked(step.operation))
-      if (auto bytes = file.blobs().get(photo))
+    for (const std::string& blob : blobsAsked(step.operation))
+      if (auto bytes = file.blobs().get(blob))
         if (auto kept = recipe->blobs.put(*std::move(bytes)); !kept) return kept.error();
     if (const auto* reshape = drawnOnPaper(step.operation)) {
       const auto then = file.documentAfter(step.parent, context);

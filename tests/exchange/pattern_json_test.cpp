@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "karinui/design/script.h"
 #include "karinui/design/steps_of.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/formats.h"
@@ -108,6 +109,76 @@ TEST(PatternJson, AllowancesGoThroughAnImport) {
   EXPECT_EQ(document.allowances.edges.at({piece, "side_0"}), 0.025);
   ASSERT_EQ(read->notes.size(), 1u);
   EXPECT_NE(text(read->notes[0]).find("of holes"), std::string::npos);
+}
+
+// What was bent on a body stands as it stood, and what was frozen stays so.
+TEST(PatternJson, PiecesStandAsTheFileSays) {
+  Pattern once = test::random(3);
+  once.seams.clear();
+  for (auto& [id, piece] : once.pieces) {
+    Piece bent = *piece;
+    bent.marks.clear(), bent.fabric = "cotton";
+    Form form;
+    form.flat = bent.outline.flattened(1e-3);
+    for (const Flat p : form.flat) form.space.push_back({p.u, p.v, 0.3 * p.u * p.u});
+    for (std::uint32_t i = 1; i + 1 < form.flat.size(); ++i) form.faces.push_back({0, i, i + 1});
+    bent.form = std::make_shared<const Form>(std::move(form));
+    bent.frozen = id == once.pieces.begin()->first;
+    piece = std::make_shared<const Piece>(bent);
+  }
+  const auto read = fileFormat("karinui").readSize(writePatternJson(once), {});
+  ASSERT_TRUE(read);
+  Workers workers(1);
+  MemoryBlobs blobs, others;
+  Bodies bodies;
+  Token token;
+  Context context{workers, token, blobs, bodies, {}, {}}, elsewhere{workers, token, others, bodies, {}, {}};
+  Document document;
+  const auto steps = stepsOf(read->pattern, document, read->grading, read->cutting, &blobs);
+  for (const Operation& step : steps) {
+    const auto again = parseOperation(text(step));
+    ASSERT_TRUE(again);
+    auto next = apply(document, *again, context);
+    ASSERT_TRUE(next) << text(next.error().what);
+    document = *std::move(next);
+  }
+  ASSERT_EQ(document.pattern.pieces.size(), once.pieces.size());
+  auto was = once.pieces.begin();
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    const Piece& wanted = *(was++)->second;
+    ASSERT_TRUE(piece->form) << piece->name;
+    EXPECT_EQ(piece->form->flat, wanted.form->flat);
+    EXPECT_EQ(piece->form->space, wanted.form->space);
+    EXPECT_EQ(piece->form->faces, wanted.form->faces);
+    EXPECT_LT(distance(piece->pose({0.1, 0.2, 0.3}), wanted.pose({0.1, 0.2, 0.3})), 1e-12);
+    EXPECT_EQ(piece->frozen, wanted.frozen);
+  }
+  // The steps alone do not hold the shapes; where these are not wanted, nobody asks for them.
+  const auto refused = apply({}, steps.front(), elsewhere);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(text(refused.error().what).find("leave bent away"), std::string::npos);
+  const auto flat = apply({}, stepsOf(read->pattern, {}).front(), elsewhere);
+  ASSERT_TRUE(flat);
+  EXPECT_FALSE(flat->pattern.pieces.begin()->second->form);
+}
+
+// A shape that no drape leaves is refused when it is to stand.
+TEST(PatternJson, RefusesShapesOutOfTheRoom) {
+  Pattern once = test::random(3);
+  Piece bent = *once.pieces.begin()->second;
+  bent.marks.clear(), bent.fabric = "cotton";
+  for (const double far : {0.0, 1e6}) {
+    bent.form = std::make_shared<const Form>(
+        Form{{{0, 0}, {0.1, 0}, {0, 0.1}}, {{0, 0, 0}, {0.1, 0, far}, {0, 0.1, 0}}, {{0, 1, 2}}});
+    Pattern one;
+    one.pieces[bent.id] = std::make_shared<const Piece>(bent);
+    Workers workers(1);
+    MemoryBlobs blobs;
+    Bodies bodies;
+    Token token;
+    Context context{workers, token, blobs, bodies, {}, {}};
+    EXPECT_EQ(static_cast<bool>(apply({}, stepsOf(one, {}, {}, {}, &blobs).front(), context)), far == 0) << far;
+  }
 }
 
 TEST(PatternJson, DraftedPatternsToo) {

@@ -14,8 +14,8 @@ struct CuttingNotes {
 };
 // Each piece under a usable name that is free in `into` and among themselves, then its sizes where `into` has none,
 // then each seam, how often pieces are cut and how wide their allowances are. `grading`: its size that stands is the
-// base.
+// base. `bent`: where the pieces' forms are put, which are left out without it.
 std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading = {},
-                               const CuttingNotes& cutting = {});
+                               const CuttingNotes& cutting = {}, Blobs* bent = nullptr);
 
 }  // namespace karinui

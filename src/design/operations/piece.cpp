@@ -1,6 +1,8 @@
 #include <cmath>
 
+#include "design/content.h"
 #include "design/operations/operations.h"
+#include "design/pack.h"
 
 namespace karinui {
 
@@ -35,6 +37,21 @@ Done checkHoles(const Piece& piece) {
   return {};
 }
 
+// A stranger's file may have brought it.
+Result<std::shared_ptr<const Form>> bentAs(const AddPiece& op, const Blobs& blobs) {
+  const auto bytes = blobs.get(op.bent);
+  if (!bytes)
+    return refused(
+        say("How “{0}” is bent ({1}) is not in this document. Import its pattern again, or leave bent away: "
+            "then it stands flat.",
+            op.name, op.bent));
+  auto form = unpackForm(*bytes);
+  if (!form) return form.error();
+  if (!soundForm(**form))
+    return refused(say("“{0}” would be bent to places out of the room, or without any surface.", op.name));
+  return form;
+}
+
 }  // namespace
 
 Done resolve(const Document& before, AddPiece& op, Context&) {
@@ -51,7 +68,7 @@ Done resolve(const Document& before, AddPiece& op, Context&) {
   return {};
 }
 
-Result<Document> perform(const Document& before, const AddPiece& op, Context&) {
+Result<Document> perform(const Document& before, const AddPiece& op, Context& context) {
   Piece piece;
   piece.id = mint<PieceId>(before, 0);
   piece.name = op.name;
@@ -73,6 +90,11 @@ Result<Document> perform(const Document& before, const AddPiece& op, Context&) {
   piece.grain = normalized(op.grain);
   if (!op.fabric.empty()) piece.fabric = op.fabric;
   piece.pose = op.pose;
+  if (!op.bent.empty()) {
+    auto form = bentAs(op, context.blobs);
+    if (!form) return form.error();
+    piece.form = *std::move(form);
+  }
   piece.layer = op.layer;
   return withPiece(before, std::move(piece));
 }
