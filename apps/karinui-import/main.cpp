@@ -104,7 +104,7 @@ int main(int count, char** words) {
     answer(reading.mesh.points.data(), reply.points * sizeof(Vec3));
     answer(reading.mesh.faces.data(), reply.faces * sizeof(Triangle));
   } else {
-    reply.reason = reading.refused;
+    reply.reason = reading.refused, reply.points = reading.line;
     answer(&reply, sizeof reply);
   }
   _exit(0);  // the libraries' farewells could still trip over what they have read

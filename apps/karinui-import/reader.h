@@ -18,6 +18,7 @@ struct Reading {
   wire::Reason refused = wire::Reason::None;
   std::set<std::string> needs = {};  // side files to be handed over
   TriangleMesh mesh = {};
+  std::uint64_t line = 0;               // where a refused file is wrong, if that is known
   std::uint64_t width = 0, height = 0;  // of a picture
   std::vector<std::uint8_t> rgb = {};
 };

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
+#include "exchange/body_stance.h"
 #include "exchange/reading_process.h"
 #include "karinui/base/number.h"
 #include "karinui/exchange/formats.h"
@@ -30,6 +32,9 @@ constexpr std::array<UnitRange, 6> kUnits{{{LengthUnit::Metre, 1, 0.4, 2.6},
                                            {LengthUnit::Inch, 0.0254, 48, 82},
                                            {LengthUnit::Centimetre, 0.01, 40, 260},
                                            {LengthUnit::Millimetre, 0.001, 400, 2600}}};
+
+// Of somebody less than a metre high the legs part at 0.42 of the height at most.
+constexpr double kGrownLegs = 0.43, kSmallest = 1.0;
 
 const UnitRange& rangeOf(LengthUnit unit) {
   return *std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitRange& w) { return w.unit == unit; });
@@ -98,6 +103,40 @@ Vec3 stoodUp(Vec3 p, UpAxis up) {
   return p;
 }
 
+// About the upright axis, by quarters from the front towards the body's right.
+Vec3 turnedBy(Vec3 p, int quarters) {
+  if (quarters == 1) return {-p.z, p.y, p.x};
+  if (quarters == 2) return {-p.x, p.y, -p.z};
+  if (quarters == 3) return {p.z, p.y, -p.x};
+  return p;
+}
+
+// Turns a body that stands along y to face forwards. Says what it did, and what it could not tell.
+void faceForwards(ImportedBody& body) {
+  const auto facing = facingOf(body.mesh);
+  if (!facing) {
+    body.notes.push_back(
+        say("Where its front is was not recognised; it is taken as facing along z. Look at it in a picture; if it "
+            "faces another way, turn it where it was made, and import it again."));
+    return;
+  }
+  body.legs = facing->legs;
+  constexpr double kQuarter = std::numbers::pi / 2, kAside = std::numbers::pi / 12;
+  const double angle = std::atan2(facing->front.x, facing->front.z);
+  const double quarters = std::round(angle / kQuarter);
+  if (const int turns = (static_cast<int>(quarters) + 4) % 4) {
+    constexpr std::array kWays{"z", "x", "-z", "-x"};
+    for (Vec3& p : body.mesh.points) p = turnedBy(p, turns);
+    body.notes.push_back(say("Its feet point along {0}: it was turned to face along z.", kWays[turns]));
+  }
+  const double aside = angle - quarters * kQuarter;
+  if (std::abs(aside) > kAside)
+    body.notes.push_back(
+        say("Its feet point {0}° aside. Turn it to face straight forwards where it was made, and import it again: "
+            "else front and back of a garment lie askew.",
+            fixed(std::abs(aside) * 180 / std::numbers::pi, 0)));
+}
+
 void turnAround(TriangleMesh& mesh) {
   for (Triangle& f : mesh.faces) std::swap(f[1], f[2]);
 }
@@ -106,10 +145,19 @@ void turnAround(TriangleMesh& mesh) {
 Result<void> stand(ImportedBody& body, const BodyReadOptions& options, const std::string& format) {
   const char* axisNames[] = {"x", "y", "z"};
   const bool fixedUp = format == "gltf" || format == "glb";  // the format says y
-  body.up = options.up ? *options.up : fixedUp ? UpAxis::Y : guessUp(boxOf(body.mesh.points).size());
+  const auto seen = options.up ? std::nullopt : uprightnessOf(body.mesh);
+  body.up = options.up ? *options.up
+            : seen     ? static_cast<UpAxis>(seen->axis)
+            : fixedUp  ? UpAxis::Y
+                       : guessUp(boxOf(body.mesh.points).size());
   for (Vec3& p : body.mesh.points) p = stoodUp(p, body.up);
-  if (!options.up && !fixedUp)
+  if (seen && seen->down) {
+    for (Vec3& p : body.mesh.points) p = {-p.x, -p.y, p.z};
+    body.notes.push_back(
+        say("It stood on its head along its {0} axis and was turned over.", axisNames[static_cast<int>(body.up)]));
+  } else if (!options.up && (!fixedUp || body.up != UpAxis::Y)) {
     body.notes.push_back(say("Taken as standing along its {0} axis.", axisNames[static_cast<int>(body.up)]));
+  }
 
   const double height = boxOf(body.mesh.points).size().y;
   if (options.unit) {
@@ -125,11 +173,17 @@ Result<void> stand(ImportedBody& body, const BodyReadOptions& options, const std
     body.notes.push_back(
         say("Taken as {0}: the body is {1} cm high.", nameOf(guess->unit), fixed(height * guess->metres * 100, 1)));
   }
+  faceForwards(body);
   const double metres = rangeOf(body.unit).metres;
   if (!(height * metres >= 0.03) || !(height * metres <= 60))
     return badInput(
         say("The body would be {0} m high in {1}; that is no body.", shortest(height * metres), nameOf(body.unit)));
   for (Vec3& p : body.mesh.points) p *= metres;
+  if (body.legs > kGrownLegs && height * metres < kSmallest)
+    body.notes.push_back(
+        say("It is built like a grown-up or a school child, but only {0} cm high: its legs are {1}% of it. If it was "
+            "made smaller on the way, import it again at its own size; else clothes come out as for a doll.",
+            fixed(height * metres * 100, 1), fixed(body.legs * 100, 0)));
 
   const Box box = boxOf(body.mesh.points);
   const double aside = std::hypot(box.centre().x, box.centre().z);

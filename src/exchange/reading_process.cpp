@@ -159,9 +159,23 @@ class Child {
   Descriptor from_;
 };
 
-Error refusal(wire::Reason reason, const BodyReadLimits& limits) {
+// `line`: of the file, where it is known.
+Error refusal(wire::Reason reason, const BodyReadLimits& limits, std::uint64_t line = 0) {
   switch (reason) {
+    case wire::Reason::Index:
+      return badInput(
+          say("In line {0} a face names a point that is not there. Save the body anew where it was made.", line));
+    case wire::Reason::Cut:
+      return badInput(
+          say("The file breaks off in line {0}, in the middle of a point or a face. Copy it again, or save it anew "
+              "where it was made.",
+              line));
     case wire::Reason::NoSurface:
+      if (line > 0)
+        return badInput(
+            say("The file ends with line {0} and holds no face: it was cut off, or is no surface. Copy it again, or "
+                "save the body as a mesh of triangles.",
+                line));
       return badInput(say("The file holds no surface, not a single triangle; save the body as a mesh of triangles."));
     case wire::Reason::TooLarge:
       return badInput(say("The file holds more than {0} {0|point|points} or {1} {1|triangle|triangles}.", limits.points,
@@ -272,7 +286,7 @@ Result<MeshReply> meshReply(std::string_view said, const BodyReadLimits& limits)
     if (!mesh) return mesh.error();
     return MeshReply(std::move(*mesh));
   }
-  if (reply->kind != wire::Kind::Needs) return refusal(reply->reason, limits);
+  if (reply->kind != wire::Kind::Needs) return refusal(reply->reason, limits, reply->points);
   auto names = sideNames(said, *reply);
   if (!names) return names.error();
   return MeshReply(std::move(*names));

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <random>
 
 #include "geometry/shapes.h"
 #include "karinui/base/number.h"
+#include "karinui/body/body.h"
 #include "karinui/exchange/read_print.h"
 #include "karinui/geometry/bvh.h"
 #include "soak.h"
@@ -151,6 +153,101 @@ TEST_F(ReadBody, StandsUpWhatLies) {
   EXPECT_NEAR(box.high.z, 0.15, 1e-5);
   EXPECT_NEAR(box.centre().x, 0, 1e-5);
   EXPECT_TRUE(body->report.outward);
+}
+
+bool says(const ImportedBody& body, const std::string& words) {
+  return std::any_of(body.notes.begin(), body.notes.end(),
+                     [&](const Message& note) { return text(note).find(words) != std::string::npos; });
+}
+
+// A person is known by legs, head and feet, whichever way a program wrote it.
+TEST_F(ReadBody, StandsAPersonUprightFacingForwards) {
+  const auto made = makeMannequin(*builtInSize("eu38"), workers_, Token{});
+  ASSERT_TRUE(made);
+  const TriangleMesh& m = (*made)->mesh();
+  struct Turned {
+    const char* name;
+    Vec3 (*turn)(Vec3);
+    UpAxis up;
+    const char* note;
+  };
+  const Turned all[] = {{"as ours", [](Vec3 p) { return p; }, UpAxis::Y, "Taken as standing along its y axis"},
+                        {"backwards",
+                         [](Vec3 p) -> Vec3 {
+                           return {-p.x, p.y, -p.z};
+                         },
+                         UpAxis::Y, "along -z: it was turned"},
+                        {"sideways",
+                         [](Vec3 p) -> Vec3 {
+                           return {p.z, p.y, -p.x};
+                         },
+                         UpAxis::Y, "along x: it was turned"},
+                        {"the other side",
+                         [](Vec3 p) -> Vec3 {
+                           return {-p.z, p.y, p.x};
+                         },
+                         UpAxis::Y, "along -x: it was turned"},
+                        {"lying",
+                         [](Vec3 p) -> Vec3 {
+                           return {p.x, -p.z, p.y};
+                         },
+                         UpAxis::Z, "along its z axis"},
+                        {"along x",
+                         [](Vec3 p) -> Vec3 {
+                           return {p.y, p.z, p.x};
+                         },
+                         UpAxis::X, "along its x axis"},
+                        {"on its head",
+                         [](Vec3 p) -> Vec3 {
+                           return {p.x, -p.y, -p.z};
+                         },
+                         UpAxis::Y, "stood on its head along its y"},
+                        {"head down along z",
+                         [](Vec3 p) -> Vec3 {
+                           return {-p.x, -p.z, -p.y};
+                         },
+                         UpAxis::Z, "on its head along its z"}};
+  for (const Turned& one : all) {
+    TriangleMesh turned = m;
+    for (Vec3& p : turned.points) p = one.turn(p);
+    const auto body = read(file("b.obj", asObj(turned)));
+    ASSERT_TRUE(body) << one.name << text(body.error().what);
+    EXPECT_EQ(body->up, one.up) << one.name;
+    EXPECT_TRUE(says(*body, one.note)) << one.name;
+    EXPECT_FALSE(says(*body, "not recognised")) << one.name;
+    ASSERT_EQ(body->mesh.points.size(), m.points.size());
+    double most = 0;  // the points may come in another order
+    const Bvh own(m);
+    for (const Vec3 p : body->mesh.points) most = std::max(most, own.nearest(p)->distance);
+    EXPECT_LT(most, 2e-3) << one.name;
+  }
+  EXPECT_TRUE(says(*read(file("egg.obj", asObj(figure()))), "front is was not recognised"));
+}
+
+TEST_F(ReadBody, WarnsOfAGrownUpMadeSmall) {
+  const auto made = makeMannequin(*builtInSize("eu38"), workers_, Token{});
+  ASSERT_TRUE(made);
+  TriangleMesh half = (*made)->mesh();
+  EXPECT_FALSE(says(*read(file("b.obj", asObj(half))), "made smaller"));
+  for (Vec3& p : half.points) p *= 0.5;
+  const auto body = read(file("b.obj", asObj(half)));
+  ASSERT_TRUE(body);
+  EXPECT_TRUE(says(*body, "only 84"));
+}
+
+// In a file for a person to mend, the line is told.
+TEST_F(ReadBody, TellsTheLineOfAnObjThatIsWrong) {
+  const std::string obj = asObj(figure());
+  const auto lines = std::count(obj.begin(), obj.end(), '\n');
+  EXPECT_THAT(refusal(file("b.obj", obj + "f 1 2 99999\n")),
+              HasSubstr("In line " + std::to_string(lines + 1) + " a face names a point"));
+  EXPECT_THAT(refusal(file("b.obj", "# a\nv 0 0 0\nf 1 -2 1\n")), HasSubstr("In line 3 a face names a point"));
+  EXPECT_THAT(refusal(file("b.obj", obj + "f 1 2")), HasSubstr("breaks off in line " + std::to_string(lines + 1)));
+  EXPECT_THAT(refusal(file("b.obj", obj.substr(0, obj.rfind("v ") + 4))), HasSubstr("breaks off in line"));
+  EXPECT_THAT(refusal(file("b.obj", obj.substr(0, obj.find("f ")))),
+              HasSubstr("ends with line " + std::to_string(figure().points.size()) + " and holds no face"));
+  // A last line without an end is no fault.
+  EXPECT_EQ(refusal(file("b.obj", obj.substr(0, obj.size() - 1))), "it was taken");
 }
 
 TEST_F(ReadBody, TurnsWhatFacesInward) {

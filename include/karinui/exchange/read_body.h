@@ -26,7 +26,7 @@ struct BodyReadLimits {
 
 struct BodyReadOptions {
   std::optional<LengthUnit> unit;  // guessed from the height when not given
-  std::optional<UpAxis> up;        // guessed when not given
+  std::optional<UpAxis> up;        // found by the body's shape, else guessed, when not given
   bool wrap = false;               // put a watertight skin over a surface that is not closed
   double wrapCell = 0.008;         // metres: finer keeps more detail and takes longer
   BodyReadLimits limits;
@@ -34,11 +34,12 @@ struct BodyReadOptions {
 };
 
 struct ImportedBody {
-  TriangleMesh mesh;  // closed, outward, metres, y up, lowest point on y = 0
+  TriangleMesh mesh;  // closed, outward, metres, y up, facing +z where its feet tell, lowest point on y = 0
   MeshReport found;   // as it was in the file, after equal points were joined
   MeshReport report;  // as it is now
   LengthUnit unit = LengthUnit::Metre;
   UpAxis up = UpAxis::Y;
+  double legs = 0;  // how high the legs part, as a share of the height; 0: it was not recognised as a person
   bool turnedOutward = false, wrapped = false;
   std::vector<Message> notes;  // everything that was guessed, changed or found, for the person
 };
