@@ -14,6 +14,8 @@
 #include "exchange/dxf/cad_style.h"
 #include "exchange/dxf_made.h"
 #include "karinui/base/file.h"
+#include "karinui/design/apply.h"
+#include "karinui/design/script.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/read_pattern.h"
 #include "karinui/pattern/markings.h"
@@ -93,6 +95,77 @@ TEST(Dxf, WhatIsWrittenComesBackTrue) {
           return n.piece == notch.piece && distance(n.place, notch.place) < 1e-4;
         }));
     }
+}
+
+// Names keep their length, and letters beyond ASCII are written as AutoCAD does.
+TEST(Dxf, NamesComeBackWhole) {
+  Pattern wanted = style();
+  Piece leg = *wanted.pieces.at({1});
+  leg.name = "leg_front_left_with_a_name_beyond_any_block";
+  wanted.pieces[{1}] = std::make_shared<const Piece>(leg);
+  for (const DxfDialect dialect : {DxfDialect::Aama, DxfDialect::Astm}) {
+    const auto bytes = writeDxf(wanted, dialect);
+    ASSERT_TRUE(bytes);
+    EXPECT_TRUE(std::all_of(bytes->begin(), bytes->end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }));
+    EXPECT_THAT(*bytes, HasSubstr("Piece Name: leg_front_left_with_a_name_beyond_any_block\r\n"));
+    EXPECT_THAT(*bytes, HasSubstr("Piece Name: \\U+8896 left"));
+    const auto read = readCadPattern(*bytes);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(only(*read).name, leg.name);
+    EXPECT_EQ(only(*read, 1).name, "袖_left_sleeve_with_a_long_name");
+    const auto file = parseDxf(*bytes);
+    for (const DxfBlock& block : file->blocks) EXPECT_LE(block.name.size(), 20u) << block.name;
+  }
+}
+
+// How far it is along the outline from where one place lies on it to where another does.
+double between(const Outline& outline, Flat from, Flat to) {
+  const Ring ring = outline.flattened(1e-6);
+  double whole = 0, at[2] = {}, nearest[2] = {1e9, 1e9};
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Flat a = ring[i], way = ring[(i + 1) % ring.size()] - a;
+    const double size = length(way);
+    for (const int k : {0, 1}) {
+      const Flat place = k == 0 ? from : to;
+      const double t = std::clamp(dot(place - a, way) / (size * size), 0.0, 1.0);
+      if (const double d = distance(place, a + t * way); d < nearest[k]) nearest[k] = d, at[k] = whole + t * size;
+    }
+    whole += size;
+  }
+  return at[1] > at[0] ? at[1] - at[0] : at[1] - at[0] + whole;
+}
+
+// A waist where the side turns by four degrees is a corner, however blunt.
+TEST(Dxf, DraftedBlocksComeBackTrue) {
+  Workers workers(1);
+  MemoryBlobs blobs;
+  Bodies bodies;
+  Token token;
+  Context context{workers, token, blobs, bodies, {}, {}};
+  auto body = apply({}, *parseOperation("body size=eu38"), context);
+  ASSERT_TRUE(body);
+  for (const char* kind : {"shirt", "bodice", "sleeve", "skirt", "trousers"}) {
+    const auto made = apply(*body, *parseOperation(std::string("block kind=") + kind), context);
+    ASSERT_TRUE(made) << text(made.error().what);
+    for (const DxfDialect dialect : {DxfDialect::Aama, DxfDialect::Astm})
+      for (const double allowance : {0.0, 0.01}) {
+        SheetSettings settings;
+        settings.allowance = allowance;
+        const auto bytes = writeDxf(made->pattern, dialect, settings);
+        ASSERT_TRUE(bytes);
+        const auto read = readCadPattern(*bytes);
+        ASSERT_TRUE(read) << text(read.error().what);
+        ASSERT_EQ(read->pattern.pieces.size(), made->pattern.pieces.size());
+        auto back = read->pattern.pieces.begin();
+        for (const auto& [id, piece] : made->pattern.pieces) {
+          const Outline& is = (back++)->second->outline;
+          SCOPED_TRACE(std::string(kind) + " " + piece->name);
+          EXPECT_NEAR(is.area() / piece->outline.area(), 1, 1e-4);
+          for (const Edge& edge : piece->outline.edges)
+            EXPECT_NEAR(between(is, edge.curve.start, edge.curve.end), edge.curve.length(), 2e-4) << edge.name;
+        }
+      }
+  }
 }
 
 // Where buttons are set there are drill holes on both sides, with words; a zip's ends are notches.

@@ -17,10 +17,37 @@ namespace {
 constexpr double kMiss = 4e-5;            // metres between a curve and its chords
 constexpr double kNotchDepth = 4;         // mm, as Gerber writes them
 constexpr std::size_t kLongestName = 16;  // of a block, so that with its size it has 20 characters: readers stop there
-constexpr double kTurn = std::numbers::pi / 15;  // 12 degrees between two chords of a cut line are a corner
+constexpr double kTurn = std::numbers::pi / 15;   // 12 degrees between two chords of a cut line are a corner
+constexpr double kKink = std::numbers::pi / 360;  // half a degree within an edge: the outline has a corner there
+constexpr std::size_t kLongestText = 240;         // with what stands before it: readers of R12 take 255
 constexpr std::string_view kSize = "M";
 
-// Names in these files are ASCII.
+// Texts in these files are ASCII; other letters are written as AutoCAD does, \U+524D, which readers either know or
+// show as it stands.
+std::string asciiText(std::string_view words) {
+  std::string ascii;
+  for (std::size_t i = 0; i < words.size() && ascii.size() + 7 <= kLongestText;) {
+    const auto byte = static_cast<unsigned char>(words[i]);
+    const std::size_t more = byte < 0xC0 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
+    unsigned code = more == 0 ? byte : byte & (0x3Fu >> more);
+    for (std::size_t k = 1; k <= more && i + k < words.size(); ++k)
+      code = code << 6 | (static_cast<unsigned char>(words[i + k]) & 0x3Fu);
+    const bool plain = byte >= ' ' && byte <= '~' && words.substr(i, 3) != "\\U+";
+    i += 1 + more;
+    if (plain) {
+      ascii += static_cast<char>(byte);
+    } else if (code < ' ' || code == 0x7F || code > 0xFFFF) {
+      ascii += '_';  // four digits hold no more
+    } else {
+      constexpr std::string_view kDigits = "0123456789ABCDEF";
+      ascii += "\\U+";
+      for (const int shift : {12, 8, 4, 0}) ascii += kDigits[code >> shift & 15];
+    }
+  }
+  return ascii;
+}
+
+// Of a block, in letters that every reader takes.
 std::string asciiName(std::string_view name, DistinctNames& taken) {
   std::string ascii = edgeWord(name);
   if (ascii.empty()) ascii = "PIECE";
@@ -34,11 +61,29 @@ struct PlacedRing {
   std::vector<char> turn;
 };
 
-PlacedRing drawn(const Outline& outline) {
+// Where the cubics of a chain meet at a corner: these are turns too, else readers round them.
+std::vector<char> kinksOf(const Curve& curve) {
+  const std::vector<Curve> parts = curve.parts();
+  std::vector<char> kinks(parts.size(), 1);
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const Flat in = parts[k - 1].tangent(1), out = parts[k].tangent(0);
+    kinks[k] = std::abs(std::atan2(cross(in, out), dot(in, out))) > kKink;
+  }
+  return kinks;
+}
+
+// `base`: the same outline in the base size, which tells for all sizes where a chain has corners.
+PlacedRing drawn(const Outline& outline, const Outline& base) {
   PlacedRing all;
-  for (const Edge& edge : outline.edges) {
-    const std::vector<Flat> points = edge.curve.flattened(kMiss);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) all.points.push_back(points[i]), all.turn.push_back(i == 0);
+  for (std::size_t e = 0; e < outline.edges.size(); ++e) {
+    const Curve& curve = outline.edges[e].curve;
+    const std::vector<Flat> points = curve.flattened(kMiss);
+    std::vector<char> kinks = kinksOf(curve);
+    if (e < base.edges.size())
+      if (std::vector<char> told = kinksOf(base.edges[e].curve); told.size() == kinks.size()) kinks = std::move(told);
+    const std::size_t chords = points.size() - 1, each = chords / kinks.size();  // as many on each cubic
+    for (std::size_t i = 0; i < chords; ++i)
+      all.points.push_back(points[i]), all.turn.push_back(i % each == 0 && kinks[i / each]);
   }
   return all;
 }
@@ -55,23 +100,27 @@ PlacedRing drawn(const Ring& ring) {
 class Writing {
  public:
   Writing(DxfDialect dialect, const Pattern& pattern) : astm_(dialect == DxfDialect::Astm) {
-    DistinctNames taken;
-    for (const auto& [id, piece] : pattern.pieces) names_[id] = asciiName(piece->name, taken);
+    DistinctNames taken, told;
+    for (const auto& [id, piece] : pattern.pieces) {
+      blockNames_[id] = asciiName(piece->name, taken), names_[id] = told.give(asciiText(piece->name));
+      base_[id] = piece;
+    }
     group(0, "SECTION"), group(2, "HEADER"), group(0, "ENDSEC"), group(0, "SECTION"), group(2, "BLOCKS");
   }
 
   // `rules`: those of its points, in the base size.
   void piece(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan, const Allowances& finish,
              const std::string& size, const std::vector<NumberedRule>& rules) {
-    const std::string &name = names_.at(piece.id), block = name + "_" + size;
-    const PlacedRing seam = drawn(piece.outline);
+    const std::string block = blockNames_.at(piece.id) + "_" + size;
+    const Piece& base = *base_.at(piece.id);
+    const PlacedRing seam = drawn(piece.outline, base.outline);
     const auto cut = plan ? cutLines(piece, *plan, kMiss) : std::nullopt;
     const PlacedRing boundary = cut ? drawn(cut->outer) : seam;
     blocks_.push_back(block);
     group(0, "BLOCK"), group(8, "0"), group(2, block), group(70, "64"), place({0, 0});
     const Flat at = boundary.points.front();
     for (const std::string& words :
-         {"Piece Name: " + name, "Size: " + size, std::string(astm_ ? "Quantity: 1,0" : "Quantity: 1"),
+         {"Piece Name: " + names_.at(piece.id), "Size: " + size, std::string(astm_ ? "Quantity: 1,0" : "Quantity: 1"),
           "Annotation: " + asciiText(piece.name), std::string("Category: "), "Fabric: " + asciiText(piece.fabric)})
       text(1, at, words);
     line(1, boundary);
@@ -83,7 +132,7 @@ class Writing {
       text(astm_ ? (cut ? 14 : 1) : rule.corner ? 2 : 3, rule.place, "# " + std::to_string(rule.number));
     // A cut-out is cut within its seam line by its allowance; one that this fills is only marked.
     for (const Outline& hole : piece.holes) {
-      const PlacedRing sewn = drawn(hole);
+      const PlacedRing sewn = drawn(hole, hole);
       line(cut ? 14 : 11, sewn);
       if (astm_) line(cut ? 87 : 86, sewn);
     }
@@ -122,11 +171,6 @@ class Writing {
   }
 
  private:
-  static std::string asciiText(std::string_view words) {
-    std::string ascii;
-    for (const char c : words.substr(0, 60)) ascii += c >= ' ' && c <= '~' ? c : '_';
-    return ascii;
-  }
   void group(int code, std::string_view value) {
     out_.append(std::to_string(code)).append("\r\n").append(value).append("\r\n");
   }
@@ -200,7 +244,8 @@ class Writing {
 
   bool astm_;
   std::string out_;
-  std::map<PieceId, std::string> names_;
+  std::map<PieceId, std::string> names_, blockNames_;
+  std::map<PieceId, std::shared_ptr<const Piece>> base_;
   std::vector<std::string> blocks_;
 };
 
