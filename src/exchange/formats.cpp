@@ -34,11 +34,7 @@ Result<CadPattern> readExact(std::string_view bytes, std::string_view size) {
   auto pattern = readPatternJson(bytes, &read.cutting.allowances);
   if (!pattern) return pattern.error();
   read.pattern = *std::move(pattern);
-  // No step says how wide the allowance of a hole is.
-  const auto ofHoles = std::erase_if(read.cutting.allowances.edges, [&](const auto& one) {
-    return !read.pattern.pieces.at(one.first.first)->outline.find(one.first.second);
-  });
-  if (ofHoles > 0) read.notes.push_back(say("Seam allowances of holes were left out; they are as usual."));
+  leaveOutHoles(read);
   return read;
 }
 

@@ -276,7 +276,10 @@ Result<Pattern> readGarmentCode(std::string_view json) {
   const Json* pattern = member(*root, "pattern");
   const Json* panels = pattern ? member(*pattern, "panels") : nullptr;
   if (!panels || !panels->is_object() || panels->empty())
-    return badInput(say("This is not a GarmentCode specification: it has no pattern with panels."));
+    return badInput(say(
+        "This JSON is no pattern that is read here. One of Karinui has the \"format\" \"karinui-pattern-1\", a "
+        "GarmentCode specification a \"pattern\" with \"panels\". JSON of measures is read where measures are asked "
+        "for."));
   if (panels->size() > kMostPanels) return badInput(say("There are more than {0} panels.", kMostPanels));
   double metres = 0.01;
   bool relative = true, ours = false;

@@ -4,13 +4,13 @@
 
 #include "karinui/exchange/pattern_json.h"
 #include "names.h"
+#include "sheet.h"
 #include "strict_json.h"
 
 namespace karinui {
 namespace {
 
 constexpr std::size_t kMostPieces = 2000, kMostPoints = 5'000'000;
-constexpr double kSameWidth = 1e-9;  // metres
 
 // What went wrong, kept by the first reader that meets it; the readers of values then return defaults.
 class Reader {
@@ -228,13 +228,7 @@ Result<Pattern> readPatternJson(std::string_view json, Allowances* allowances) {
     out.seams[seam.id] = std::move(seam);
   }
   if (reader.error) return *reader.error;
-  if (allowances) {  // what is as usual is no width of the edge's own
-    const AllowancePlan usual(out, {});
-    *allowances = std::move(reader.told);
-    std::erase_if(allowances->edges, [&](const auto& one) {
-      return std::abs(usual.width(one.first.first, one.first.second) - one.second) < kSameWidth;
-    });
-  }
+  if (allowances) *allowances = ownWidths(out, std::move(reader.told));
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "karinui/design/glossary.h"
 #include "karinui/design/notions.h"
 #include "karinui/design/piece_label.h"
+#include "karinui/exchange/dxf.h"
 #include "karinui/pattern/cut_line.h"
 #include "karinui/pattern/label_room.h"
 #include "karinui/pattern/trims.h"
@@ -255,6 +256,22 @@ void tellGarment(const Document& document, const PhotoTall& tall, SheetSettings&
   settings.grading = document.grading;
   if (tall) settings.matches = matchMarks(document, tall);
   settings.size = document.grading.empty() ? document.body.size : document.grading.sizes[document.grading.standing];
+}
+
+Allowances ownWidths(const Pattern& pattern, Allowances told) {
+  constexpr double kSameWidth = 1e-9;  // metres
+  const AllowancePlan usual(pattern, {});
+  std::erase_if(told.edges, [&](const auto& one) {
+    return std::abs(usual.width(one.first.first, one.first.second) - one.second) < kSameWidth;
+  });
+  return told;
+}
+
+void leaveOutHoles(CadPattern& read) {
+  const auto ofHoles = std::erase_if(read.cutting.allowances.edges, [&](const auto& one) {
+    return !read.pattern.pieces.at(one.first.first)->outline.find(one.first.second);
+  });
+  if (ofHoles > 0) read.notes.push_back(say("Seam allowances of holes were left out; they are as usual."));
 }
 
 Result<std::optional<AllowancePlan>> allowancesOn(const Pattern& pattern, const SheetSettings& settings) {

@@ -89,6 +89,12 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings);
 // Of what is printed; nothing: seam lines only. Refused: an absurd width.
 Result<std::optional<AllowancePlan>> allowancesOn(const Pattern& pattern, const SheetSettings& settings);
 
+// Of the widths that a file tells of every edge those that are not as usual.
+Allowances ownWidths(const Pattern& pattern, Allowances told);
+struct CadPattern;
+// No step says how wide the allowance of a hole is; a note says that it is left out.
+void leaveOutHoles(CadPattern& read);
+
 // A sheet drawn as a file. Sheets begin a page each; one that is longer than a page of PDF may be goes on on the next.
 Result<std::string> pdfOf(const std::vector<const Sheet*>& sheets, PaperKind paper, const SheetSettings& settings);
 std::string svgOf(const Sheet& sheet, const Pattern* sewing);  // null: not to be read back

@@ -1,5 +1,6 @@
 #include "strict_json.h"
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -9,6 +10,7 @@ namespace {
 // Watches the parser's events and stops it; the tree itself is built by a second pass, which then cannot fail.
 class Watch : public nlohmann::json_sax<Json> {
  public:
+  explicit Watch(std::string_view text) : text_(text) {}
   Message wrong;
 
   bool null() override { return true; }
@@ -42,7 +44,12 @@ class Watch : public nlohmann::json_sax<Json> {
     return true;
   }
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception&) override {
-    wrong = say("This is not JSON: byte {0}, near \"{1}\".", position, shown(token));
+    const std::string_view before = text_.substr(0, position > 0 ? position - 1 : 0);
+    const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+    const std::size_t column = before.size() - (line == 1 ? 0 : before.rfind('\n') + 1) + 1;
+    wrong = position > text_.size()
+                ? say("The JSON breaks off in line {0}, column {1}: the file is not whole.", line, column)
+                : say("This is not JSON: line {0}, column {1}, near \"{2}\".", line, column, shown(token));
     return false;
   }
 
@@ -52,6 +59,7 @@ class Watch : public nlohmann::json_sax<Json> {
     wrong = say("The JSON is nested more than {0} levels deep.", kDeepestJson);
     return false;
   }
+  std::string_view text_;
   int depth_ = 0;
   std::vector<std::set<std::string>> keys_;
 };
@@ -65,7 +73,7 @@ Result<Json> parseStrictJson(std::string_view text) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return badInput(say("The file is empty."));
   try {
-    Watch watch;
+    Watch watch(text);
     if (!Json::sax_parse(text.begin(), text.end(), &watch)) return badInput(std::move(watch.wrong));
     return Json::parse(text.begin(), text.end());
   } catch (const std::exception& problem) {

@@ -103,6 +103,8 @@ std::optional<std::vector<EdgeSpan>> spansOf(const std::string* text, const Patt
 
 class SheetReader {
  public:
+  Allowances told;
+
   Result<Pattern> read(const std::vector<XmlElement>& elements) {
     for (const XmlElement& element : elements) {
       const std::string* kind = element.find("class");
@@ -167,6 +169,12 @@ class SheetReader {
         ring = &piece_.holes[*number];
       }
       ring->edges.push_back({*edge, Curve::joined(*curves)});
+      if (const std::string* width = element.find("data-allowance")) {
+        const auto millimetres = parseNumber(*width);
+        if (!millimetres || !(*millimetres >= 0) || *millimetres > kWidestAllowance * 1000)
+          return wrong(say("an edge"));
+        told.edges[{piece_.id, *edge}] = *millimetres / 1000;
+      }
     } else if (kind == "internal") {
       auto curves = curvesOf(element.find("d"), origin_);
       if (!line || !curves) return wrong(say("an internal line"));
@@ -219,13 +227,16 @@ class SheetReader {
 
 }  // namespace
 
-Result<Pattern> readSvg(std::string_view svg) {
+Result<Pattern> readSvg(std::string_view svg, Allowances* allowances) {
   const auto elements = parseXml(svg);
   if (!elements) return elements.error();
   const std::string* format = elements->front().find("data-format");
   if (elements->front().name != "svg" || !format || *format != "karinui-sheet-1")
     return badInput(say("This drawing was not written by Karinui; only its own sheets can be read back."));
-  return SheetReader().read(*elements);
+  SheetReader reader;
+  auto read = reader.read(*elements);
+  if (read && allowances) *allowances = ownWidths(*read, std::move(reader.told));
+  return read;
 }
 
 }  // namespace karinui

@@ -41,6 +41,19 @@ TEST(Drawing, ATestSquareIsNoPiece) {
   }
 }
 
+// One sentence tells of all pieces that have a cut line alone.
+TEST(Drawing, CutLinesWithoutSeamLinesAreToldOnce) {
+  std::string body;
+  for (int k = 0; k < 10; ++k)
+    body += "<g id='part" + std::to_string(k) + "'><path class='cut' d='M " + std::to_string(110 * k) +
+            ",0 h 100 v 200 h -100 Z'/></g>";
+  const CadPattern drawing = svgDrawing(svg("width='1100mm' height='200mm' viewBox='0 0 1100 200'", body));
+  EXPECT_EQ(drawing.pattern.pieces.size(), 10u);
+  ASSERT_EQ(drawing.notes.size(), 1u);
+  EXPECT_THAT(text(drawing.notes[0]), HasSubstr("10 pieces have no seam line"));
+  EXPECT_THAT(text(drawing.notes[0]), HasSubstr("“part0”, “part1”"));
+}
+
 // The same rectangle of 100 × 60 mm in every unit a drawing may be in.
 TEST(Drawing, UnitsAreTold) {
   const std::string box = "<rect width='100' height='60'/>";

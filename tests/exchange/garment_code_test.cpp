@@ -215,8 +215,10 @@ TEST(GarmentCode, RefusesWithASentence) {
     return result ? std::string("accepted") : text(result.error().what);
   };
   EXPECT_NE(sentence("").find("empty"), std::string::npos);
-  EXPECT_NE(sentence("{}").find("not a GarmentCode"), std::string::npos);
-  EXPECT_NE(sentence("[1,2]").find("not a GarmentCode"), std::string::npos);
+  EXPECT_NE(sentence("{}").find("no pattern that is read here"), std::string::npos);
+  EXPECT_NE(sentence("[1,2]").find("no pattern that is read here"), std::string::npos);
+  EXPECT_NE(sentence("{\n \"a\": [1,\n  2,, 3]}").find("line 3, column 5"), std::string::npos);
+  EXPECT_NE(sentence("{\"a\": [1,").find("breaks off in line 1, column 10"), std::string::npos);
   EXPECT_NE(sentence(square("[0.5,NaN]")).find("not JSON"), std::string::npos);
   EXPECT_NE(sentence(square("[0.5,1e999]")), "accepted");
   EXPECT_NE(sentence(square("[0.5,1e300]")), "accepted");

@@ -7,6 +7,7 @@
 #include "exchange/sheet.h"
 #include "exchange/xml.h"
 #include "karinui/base/file.h"
+#include "karinui/exchange/drawing.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/garment_code.h"
 #include "karinui/pattern/label_room.h"
@@ -75,6 +76,30 @@ TEST(Svg, IsTrueToSize) {
   EXPECT_EQ(*paper->find("width") + "mm", *root.find("width"));
   EXPECT_EQ(*paper->find("height") + "mm", *root.find("height"));
   EXPECT_NE(paper->find("style")->find("fill:#fff"), std::string::npos);
+}
+
+TEST(Svg, AllowancesComeBack) {
+  const Pattern once = test::random(3);
+  const PieceId first = once.pieces.begin()->first;
+  SheetSettings settings;
+  settings.allowances.edges[{first, "side_0"}] = 0.0253;
+  settings.allowances.edges[{first, "hole_a"}] = 0.003;
+  const auto svg = writeSvg(once, settings);
+  ASSERT_TRUE(svg);
+  const auto read = readDrawing(*svg);
+  ASSERT_TRUE(read) << text(read.error().what);
+  ASSERT_EQ(read->cutting.allowances.edges.size(), 1u);  // no step says that of a hole
+  EXPECT_NEAR(read->cutting.allowances.edges.at({first, "side_0"}), 0.0253, 1e-9);
+  ASSERT_EQ(read->notes.size(), 1u);
+  EXPECT_NE(text(read->notes[0]).find("of holes"), std::string::npos);
+  const auto usual = writeSvg(once);
+  ASSERT_TRUE(usual);
+  EXPECT_TRUE(readDrawing(*usual)->cutting.allowances.empty());
+  for (const char* wrong : {"200", "-1", "wide"}) {
+    std::string broken = *svg;
+    broken.replace(broken.find("data-allowance=\"25.3\"") + 16, 4, wrong);
+    EXPECT_FALSE(readDrawing(broken)) << wrong;
+  }
 }
 
 TEST(Svg, HostileNamesAreHarmless) {

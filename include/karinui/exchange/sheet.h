@@ -39,8 +39,9 @@ void tellGarment(const Document& document, const PhotoTall& tall, SheetSettings&
 Result<std::string> writeSvg(const Pattern& pattern, const SheetSettings& settings = {});
 
 // Reads a drawing written by writeSvg: outlines, holes, internal lines, marks, grain, fabric, seams. Where pieces stand
-// in space is not in a drawing: they come back flat, at the origin. Other drawings are refused.
-Result<Pattern> readSvg(std::string_view svg);
+// in space is not in a drawing: they come back flat, at the origin. Other drawings are refused. `allowances`: widths of
+// edges that are not as usual.
+Result<Pattern> readSvg(std::string_view svg, Allowances* allowances = nullptr);
 
 enum class PaperKind {
   OneSheet,  // one page as large as the sheet, for a plotter or a print shop

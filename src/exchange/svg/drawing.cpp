@@ -10,6 +10,7 @@
 #include <set>
 
 #include "exchange/names.h"
+#include "exchange/sheet.h"
 #include "exchange/strict_json.h"
 #include "exchange/xml.h"
 #include "karinui/base/number.h"
@@ -392,6 +393,7 @@ class Drawing {
         order.erase(order.begin());
     }
     std::vector<std::size_t> chosen;
+    std::vector<std::string> seamless;  // pieces with a cut line only
     for (const std::size_t i : order) {
       if (lines_[i].used) continue;
       std::size_t best = i;
@@ -407,12 +409,12 @@ class Drawing {
             break;
           }
       lines_[i].used = lines_[best].used = true;
-      if (best == i && lines_[i].kind == Kind::Cut)
-        out_.notes.push_back(say("“{0}” has no seam line; its cut line was read as one.", nameFor(lines_[i])));
+      if (best == i && lines_[i].kind == Kind::Cut) seamless.push_back(nameFor(lines_[i]));
       for (const std::size_t k : inside)
         if (k != best) lines_[k].used = true, lines_[k].kind = Kind::Inside;
       chosen.push_back(best);
     }
+    tellSeamless(std::move(seamless));
     DistinctNames names;
     std::optional<Error> trouble;
     for (const std::size_t k : chosen) {
@@ -429,6 +431,19 @@ class Drawing {
     }
     if (out_.pattern.pieces.empty() && trouble) return *trouble;
     return {};
+  }
+
+  void tellSeamless(std::vector<std::string> names) {
+    if (names.empty()) return;
+    std::sort(names.begin(), names.end());
+    constexpr std::size_t kNamed = 8;
+    std::string all;
+    for (std::size_t k = 0; k < std::min(names.size(), kNamed); ++k) all += (k == 0 ? "“" : ", “") + names[k] + "”";
+    if (names.size() > kNamed) all += ", …";
+    out_.notes.push_back(say(
+        "{0} {0|piece has|pieces have} no seam line, and the cut line was read as one: {1}. Where that holds a seam "
+        "allowance, the garment comes out larger by it.",
+        names.size(), all));
   }
 
   static double cornerBetween(const Curve& in, const Curve& out) {
@@ -572,10 +587,11 @@ Result<CadPattern> readDrawing(std::string_view svg, std::string_view size) {
   if (elements->front().name != "svg" && elements->front().name != "svg:svg")
     return badInput(say("This file is no SVG drawing."));
   if (format && *format == "karinui-sheet-1") {
-    auto own = readSvg(svg);
-    if (!own) return own.error();
     CadPattern whole;
+    auto own = readSvg(svg, &whole.cutting.allowances);
+    if (!own) return own.error();
     whole.pattern = *std::move(own);
+    leaveOutHoles(whole);
     return whole;
   }
   return Drawing().read(*elements);
