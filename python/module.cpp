@@ -6,6 +6,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <array>
+#include <limits>
 #include <mutex>
 
 #include "karinui/base/error_name.h"
@@ -19,6 +20,10 @@
 #include "karinui/session/export.h"
 #include "karinui/session/fit_in_motion.h"
 #include "karinui/session/fit_over_bodies.h"
+#include "karinui/session/table_frame_of.h"
+#include "karinui/session/view_cut.h"
+#include "karinui/view/line_up.h"
+#include "karinui/view/table_picture.h"
 
 namespace py = pybind11;
 
@@ -124,6 +129,21 @@ py::array viewOf(const std::vector<Item>& items, const py::object& owner) {
 }
 static_assert(sizeof(Flat) == 2 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double));
 
+// An array of its own.
+template <class Number, class Item>
+py::array arrayOf(const std::vector<Item>& items) {
+  constexpr auto kEach = static_cast<py::ssize_t>(sizeof(Item) / sizeof(Number));
+  return py::array_t<Number>({static_cast<py::ssize_t>(items.size()), kEach},
+                             reinterpret_cast<const Number*>(items.data()));
+}
+
+// As karinui picture is asked.
+struct PictureWish {
+  std::string view, size, map, eyes, hide, section;
+  bool table = false, nest = false, scans = false;
+  int turns = 0;
+};
+
 struct PythonForm {
   std::shared_ptr<const Form> form;
 };
@@ -160,6 +180,7 @@ class PythonDocument {
     const auto done = [&] {
       const py::gil_scoped_release release;
       const std::lock_guard lock(mutex_);
+      if (closed_) throw Failure{refused(say("This document is closed; open it again with Document.open."))};
       Context context{workers_, token, file_.blobs(), bodies_, {}, {}};
       context.advise = [this](const Advice& advice) { notes_.push_back(text(advice.what)); };
       return work(file_, context);
@@ -309,6 +330,47 @@ class PythonDocument {
       return bytes->size();
     });
   }
+  std::pair<int, int> picture(const std::filesystem::path& out, const PictureWish& wish) {
+    return alone([&](DocumentFile& file, Context& context) -> Result<std::pair<int, int>> {
+      notes_.clear();
+      std::string ending = out.extension().string();
+      for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      if (ending != ".png")
+        return badInput(say("“{0}” has none of the endings that are written: {1}.", out.filename().string(), ".png"));
+      std::vector<Message> notes;
+      const Result<Image> image = drawn(file, context, wish, notes);
+      if (!image) return image.error();
+      for (const Message& note : notes) notes_.push_back(text(note));
+      if (const Done done = writePng(out.string(), *image); !done) return done.error();
+      return std::pair(image->width, image->height);
+    });
+  }
+  // How far each point of the cloth is drawn out, by piece.
+  py::list strain() {
+    const SnapshotPtr garment = alone([this](DocumentFile& file, Context& context) { return seen(file, context); });
+    py::list all;
+    for (const SceneCloth& cloth : garment->frame.cloths) {
+      py::dict d;
+      d["piece"] = cloth.name;
+      d["flat"] = arrayOf<double>(cloth.flat), d["space"] = arrayOf<double>(cloth.mesh.points);
+      d["faces"] = arrayOf<std::uint32_t>(cloth.mesh.faces);
+      d["strain"] = py::array_t<float>(static_cast<py::ssize_t>(cloth.strain.size()), cloth.strain.data());
+      all.append(d);
+    }
+    return all;
+  }
+  // How hard the garment presses on each point of the figure.
+  py::array_t<float> pressure() {
+    std::vector<float> values = alone([this](DocumentFile& file, Context& context) -> Result<std::vector<float>> {
+      if (const auto body = bodyOf(file.document(), context); !body) return body.error();
+      const auto garment = seen(file, context);
+      if (!garment) return garment.error();
+      return pressureOnBody(**garment, context.workers);
+    });
+    for (float& value : values)
+      if (value < 0) value = std::numeric_limits<float>::quiet_NaN();
+    return py::array_t<float>(static_cast<py::ssize_t>(values.size()), values.data());
+  }
   std::vector<std::string> shareTo(const std::filesystem::path& out, bool neutral) {
     const SharedNames names = neutral ? SharedNames::Neutral : SharedNames::Kept;
     return alone([&](DocumentFile& file, Context& context) { return share(file, out, context, names); }).names;
@@ -341,13 +403,76 @@ class PythonDocument {
     return alone([this](DocumentFile&, Context&) { return Result<std::vector<std::string>>(notes_); });
   }
   void close() {
-    alone([](DocumentFile& file, Context&) { return file = DocumentFile::inMemory(), Result<bool>(true); });
+    const py::gil_scoped_release release;
+    const std::lock_guard lock(mutex_);
+    if (!closed_) file_ = DocumentFile::inMemory();
+    closed_ = true;
   }
   std::string path() {
     return alone([](DocumentFile& file, Context&) { return Result<std::string>(file.path().string()); });
   }
 
  private:
+  Result<SnapshotPtr> seen(DocumentFile& file, Context& context) {
+    BodyPtr body;
+    if (file.document().body.chosen()) {
+      auto found = bodyOf(file.document(), context);
+      if (!found) return found.error();
+      body = *std::move(found);
+    }
+    return snapshotOf(file.document(), body,
+                      [&](const std::string& photo) { return shelf_.find(photo, file.blobs()); });
+  }
+  Result<Image> drawn(DocumentFile& file, Context& context, const PictureWish& wish, std::vector<Message>& notes) {
+    PictureOptions options;
+    const auto view = viewNamed(wish.view);
+    if (!view) return view.error();
+    const auto map = mapNamed(wish.map);
+    if (!map) return map.error();
+    const auto eyes = eyesNamed(wish.eyes);
+    if (!eyes) return eyes.error();
+    if (wish.turns > 0 && *eyes != Eyes::Mono)
+      return badInput(say("Garments side by side and whole turns are drawn for one eye; leave out the other."));
+    if (wish.turns != 0 && (wish.turns < 2 || wish.turns > 36)) return badInput(say("A whole turn has 2 to 36 sides."));
+    const auto size = sizeNamed(!wish.size.empty() ? wish.size : wish.turns > 0 ? "600x1000" : "1200x1600");
+    if (!size) return size.error();
+    auto cut = hiddenNamed(wish.hide);
+    if (!cut) return cut.error();
+    if (!wish.section.empty()) {
+      const auto section = sectionNamed(wish.section);
+      if (!section) return section.error();
+      cut->section = *section;
+    }
+    options.view = *view, options.map = *map, options.eyes = *eyes;
+    options.width = (*size)[0], options.height = (*size)[1];
+    options.language = spokenHere();
+    const auto garment = seen(file, context);
+    if (!garment) return garment.error();
+    if (wish.table) {
+      if ((*garment)->worn.empty()) return refused(say("There is no piece yet; draw one on the body."));
+      TableLayout layout;
+      layout.arrange(**garment);
+      TableFrameOptions shown;
+      shown.language = options.language;
+      shown.nest = wish.nest, shown.scans = wish.scans;
+      return drawTable(tableFrameOf(**garment, layout, {}, shown), {options.width, options.height, options.language},
+                       &notes);
+    }
+    SceneFrame frame = (*garment)->frame;
+    if (cut->any()) VisibleParts(*cut, (*garment)->body).cut(frame);
+    if (extent(frame).empty()) return refused(say("There is nothing to see: no body, no cloth and no line."));
+    if (wish.turns == 0) {
+      const auto picture = Picture::open();
+      if (!picture) return picture.error();
+      Result<Image> image = (*picture)->draw(frame, options);
+      notes = (*picture)->notes();
+      return image;
+    }
+    LineUp lineUp({{}}, {&frame, 1}, options);
+    Result<Image> image = lineUp.turns(wish.turns, context.token);
+    notes = lineUp.notes();
+    return image;
+  }
   py::dict stepDict(const Step& step) {
     const Document document = now();
     py::dict d;
@@ -358,6 +483,8 @@ class PythonDocument {
   DocumentFile file_;
   Workers workers_;
   Bodies bodies_;
+  PrintShelf shelf_;
+  bool closed_ = false;
   std::vector<std::string> notes_;  // of what was done last
 };
 
@@ -479,6 +606,25 @@ PYBIND11_MODULE(karinui, m) {
       .def("measure", &D::measure, "the body as a tape measures it: metres, and radians")
       .def("export", &D::exportTo, py::arg("path"), py::arg("format") = "",
            "writes a file; its ending says what; how many bytes")
+      .def(
+          "picture",
+          [](D& d, const std::filesystem::path& path, const std::string& view, const std::string& size,
+             const std::string& map, const std::string& eyes, const std::string& hide, const std::string& section,
+             bool table, bool nest, bool scans, int turns) {
+            return d.picture(path, {view, size, map, eyes, hide, section, table, nest, scans, turns});
+          },
+          py::arg("path"), py::arg("view") = "front", py::arg("size") = "", py::arg("map") = "none",
+          py::arg("eyes") = "mono", py::arg("hide") = "", py::arg("section") = "", py::arg("table") = false,
+          py::arg("nest") = false, py::arg("scans") = false, py::arg("turns") = 0,
+          "draws the garment on its body, or with `table` its flat pattern, as a PNG; the words are those of karinui "
+          "picture; width and height")
+      .def("strain", &D::strain,
+           "how far the cloth is stretched: for each piece its name, and for each of its points the place on paper "
+           "(flat) and in space, metres, and |l/L - 1| (strain, empty where the cloth cannot be laid); faces are "
+           "triangles of points")
+      .def("pressure", &D::pressure,
+           "how hard the garment presses on each of body().points, pascals; nan where no cloth lies, empty where none "
+           "can be laid")
       .def("share", &D::shareTo, py::arg("path"), py::arg("unnamed") = false,
            "writes the pattern without the person; the names that stay, none where all are made neutral (`unnamed`)")
       .def("pieces", &D::pieces)
@@ -494,7 +640,7 @@ PYBIND11_MODULE(karinui, m) {
       .def_property_readonly("remarks", &D::remarks, "what was found in the file that a person should know")
       .def_property_readonly("notes", &D::notes, "advice on what was done last")
       .def(
-          "__enter__", [](D& d) -> D& { return d; }, py::return_value_policy::reference)
+          "__enter__", [](D& d) -> D& { return d.path(), d; }, py::return_value_policy::reference)
       .def("__exit__", [](D& d, const py::args&) { d.close(); });
   m.def(
       "dump",

@@ -16,6 +16,7 @@ import numpy
 import karinui
 
 out = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+out.mkdir(parents=True, exist_ok=True)
 FABRICS = ["denim", "wool suiting", "jersey"]
 WAISTS = [62, 66]  # centimetres
 

@@ -8,6 +8,7 @@ import sys
 import karinui
 
 out = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+out.mkdir(parents=True, exist_ok=True)
 with karinui.Document.create() as skirt:  # in memory; with a path it is a file
     skirt.perform("body size=jis9ar set=\"waist_girth=66cm; hip_girth=92cm\"")
     skirt.perform("set spacing=40mm")

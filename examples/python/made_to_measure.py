@@ -12,6 +12,7 @@ import sys
 import karinui
 
 out = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+out.mkdir(parents=True, exist_ok=True)
 people = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else pathlib.Path(__file__).with_name("people.csv"))
 UNITS = {"cm": "cm", "mm": "mm", "in": "in"}
 

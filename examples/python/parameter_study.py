@@ -14,6 +14,7 @@ import matplotlib.pyplot as pyplot
 import karinui
 
 out = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+out.mkdir(parents=True, exist_ok=True)
 EASES = [0, 2, 4, 6]  # centimetres at the hip
 FABRICS = ["denim", "jersey"]
 

@@ -76,6 +76,53 @@ class Documents(unittest.TestCase):
             coat.perform(7)
         self.assertEqual(coat.operations, 0)
 
+    def test_a_closed_document_says_so(self):
+        path = self.folder / "coat.karinui"
+        with karinui.Document.create(path) as coat:
+            coat.perform(PANEL)
+        coat.close()  # again: nothing
+        for use in (
+            lambda: coat.perform(PANEL), lambda: coat.play("set ease=1cm"), lambda: coat.amend(1, PANEL), coat.undo,
+            coat.redo, coat.settle, coat.check, coat.fit, lambda: coat.motion(["T"]),
+            lambda: coat.fit_over(["jis9ar"]), coat.measure, lambda: coat.export(self.folder / "x.svg"),
+            lambda: coat.picture(self.folder / "x.png"), coat.strain, coat.pressure,
+            lambda: coat.share(self.folder / "x.karinui"), coat.pieces, coat.body, coat.log, lambda: coat.path,
+            lambda: coat.hash, lambda: coat.drape_hash, lambda: coat.operations, lambda: coat.remarks,
+            lambda: coat.notes, coat.__enter__,
+        ):
+            with self.assertRaises(karinui.Error) as raised:
+                use()
+            self.assertIn("is closed", str(raised.exception))
+            self.assertEqual(raised.exception.kind, "refused")
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["coat.karinui"])
+        self.assertEqual(karinui.Document.open(path, reading=True).operations, 1)
+
+    def test_pictures(self):
+        with karinui.Document.create() as coat:
+            for call, words in (
+                (lambda: coat.picture(self.folder / "x.png"), "nothing to see"),
+                (lambda: coat.picture(self.folder / "x.png", table=True), "no piece yet"),
+                (lambda: coat.picture(self.folder / "x.jpg"), ".png"),
+                (lambda: coat.picture(self.folder / "x.png", view="above"), "above"),
+                (lambda: coat.picture(self.folder / "x.png", turns=1), "2 to 36"),
+            ):
+                with self.assertRaises(karinui.Error) as raised:
+                    call()
+                self.assertIn(words, str(raised.exception))
+            self.assertEqual(list(self.folder.iterdir()), [])
+            coat.perform(PANEL)
+            drawn = {}
+            for name, how in (
+                ("front", {}), ("back", {"view": "back"}), ("table", {"table": True}), ("turns", {"turns": 2}),
+            ):
+                size = coat.picture(self.folder / f"{name}.png", size="120x160", **how)
+                data = drawn[name] = (self.folder / f"{name}.png").read_bytes()
+                self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+                self.assertEqual(size, (int.from_bytes(data[16:20], "big"), int.from_bytes(data[20:24], "big")))
+                if name != "turns":
+                    self.assertEqual(size, (120, 160))
+            self.assertNotEqual(drawn["front"], drawn["table"])
+
     def test_threads_work_while_a_document_works(self):
         coat = karinui.Document.create(threads=1)
         coat.play("body size=jis9ar\nset spacing=15mm\n" + PANEL.replace("M 0", "M 0") + " pose=0,0.6,0.5\npin edge=front.top\n")
@@ -156,6 +203,35 @@ class Documents(unittest.TestCase):
         self.assertAlmostEqual(she["strain"]["p99"], now["strain"]["p99"], 12)
         self.assertEqual((coat.log(), coat.drape_hash), mark)
         self.assertEqual(coat.check()["fastenings"], [])
+
+    @unittest.skipIf(numpy is None, "python3-numpy is not installed")
+    def test_strain_and_pressure_by_place(self):
+        coat = karinui.Document.create(threads=1)
+        with self.assertRaises(karinui.Error) as raised:
+            coat.pressure()
+        self.assertIn("no body yet", str(raised.exception))
+        self.assertEqual(coat.strain(), [])
+        coat.play("body size=jis9ar\nset spacing=20mm\nblock kind=skirt length=30cm\n")
+        coat.settle()
+        pieces = coat.strain()
+        self.assertEqual([p["piece"] for p in pieces], [p.name for p in coat.pieces()])
+        everywhere = numpy.concatenate([p["strain"] for p in pieces])
+        self.assertTrue((everywhere >= 0).all())
+        self.assertGreater(everywhere.max(), 0)
+        for piece, drawn in zip(pieces, coat.pieces()):
+            count = len(piece["strain"])
+            self.assertEqual((piece["flat"].shape, piece["space"].shape), ((count, 2), (count, 3)))
+            self.assertLess(piece["faces"].max(), count)
+            edges = piece["flat"][piece["faces"]]
+            turned = (edges[:, 1] - edges[:, 0], edges[:, 2] - edges[:, 0])
+            area = abs(turned[0][:, 0] * turned[1][:, 1] - turned[0][:, 1] * turned[1][:, 0]).sum() / 2
+            self.assertLess(abs(area / drawn.area - 1), 0.2)  # less what its darts take in
+        pressure = coat.pressure()
+        self.assertEqual(pressure.shape, (len(coat.body().points),))
+        lies = pressure[~numpy.isnan(pressure)]
+        self.assertTrue(0 < len(lies) < len(pressure))
+        self.assertGreater(lies.max(), 0)
+        self.assertTrue((lies >= 0).all())
 
     def test_the_stubs_name_what_there_is(self):
         stubs = ast.parse((pathlib.Path(karinui.__file__).parent / "karinui.pyi").read_text())
