@@ -17,10 +17,9 @@ struct PictureOptionsAsked : PictureRequest {
 
 int runExport(Program& program, const ExportOptions& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
-    const Result<std::string> bytes = exportBytes(opened, options);
+    const Result<std::size_t> bytes = exportFile(opened, options);
     if (!bytes) return program.console.refuse(bytes.error());
-    if (const Done done = writeFile(options.out, *bytes); !done) return program.console.refuse(done.error());
-    program.console.answer({{"file", options.out}, {"bytes", bytes->size()}}, options.out);
+    program.console.answer({{"file", options.out}, {"bytes", *bytes}}, options.out);
     return kDone;
   });
 }

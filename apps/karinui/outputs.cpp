@@ -54,7 +54,7 @@ std::vector<std::string> patternFormats() {
   return names;
 }
 
-Result<std::string> exportBytes(OpenDocument& opened, const ExportRequest& request) {
+Result<std::size_t> exportFile(OpenDocument& opened, const ExportRequest& request) {
   const FileFormat* format = chosenFormat(request);
   if (!format) return unwritable(request.out);
   if (const Done fit = fits(request, *format); !fit) return fit.error();
@@ -66,8 +66,13 @@ Result<std::string> exportBytes(OpenDocument& opened, const ExportRequest& reque
   if (request.allowanceMm) sheet.allowance = *request.allowanceMm / 1000;
   sheet.title = opened.file().path().stem().string();
   sheet.language = spokenHere();
-  return format->write(
-      {opened.document().pattern, [&] { return opened.file().log(); }, [&] { return spatialOf(opened); }, sheet});
+  std::vector<SideFile> beside;
+  const Result<std::string> bytes =
+      format->write({opened.document().pattern, [&] { return opened.file().log(); }, [&] { return spatialOf(opened); },
+                     sheet, std::filesystem::path(request.out).stem().string(), &beside});
+  if (!bytes) return bytes.error();
+  if (const Done done = writeExport(request.out, *bytes, beside); !done) return done.error();
+  return bytes->size();
 }
 
 }  // namespace karinui::app

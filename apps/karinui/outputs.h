@@ -16,7 +16,8 @@ struct ExportRequest {
   bool nest = false;
 };
 std::vector<std::string> patternFormats();  // what `format` may name: the texts of a pattern, which share an ending
-// What a format has no use for is refused rather than left out.
-Result<std::string> exportBytes(OpenDocument& opened, const ExportRequest& request);
+// Writes it, with what stands beside it; how many bytes it has. What a format has no use for is refused rather than
+// left out.
+Result<std::size_t> exportFile(OpenDocument& opened, const ExportRequest& request);
 
 }  // namespace karinui::app

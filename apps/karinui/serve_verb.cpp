@@ -265,10 +265,9 @@ class Server {
     if (const Done fit = fields.checked(); !fit) return fit.error();
     if (const Done may = mayWrite(request.out, endingsWritten(), {opened_->file().path().string()}); !may)
       return may.error();
-    const Result<std::string> bytes = exportBytes(*opened_, request);
+    const Result<std::size_t> bytes = exportFile(*opened_, request);
     if (!bytes) return bytes.error();
-    if (const Done done = writeFile(request.out, *bytes); !done) return done.error();
-    return Json{{"file", request.out}, {"bytes", bytes->size()}};
+    return Json{{"file", request.out}, {"bytes", *bytes}};
   }
   Result<Json> picture(Fields& fields, StopRequest&) {
     PictureRequest request;

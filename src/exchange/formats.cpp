@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "karinui/base/file.h"
 #include "karinui/exchange/drawing.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/garment_code.h"
@@ -16,10 +17,15 @@ namespace {
 
 bool isPatternJson(std::string_view bytes) { return bytes.find("\"karinui-pattern-1\"") != std::string_view::npos; }
 
-Result<std::string> writeGarment(const ExportSource& source, Result<std::string> (*write)(const SpatialGarment&)) {
+Result<std::string> writeGlbOf(const ExportSource& source) {
+  const Result<SpatialGarment> garment = source.garment();
+  return garment ? writeGlb(*garment) : garment.error();
+}
+
+Result<std::string> writeObjOf(const ExportSource& source) {
   const Result<SpatialGarment> garment = source.garment();
   if (!garment) return garment.error();
-  return write(*garment);
+  return source.beside ? writeObj(*garment, source.stem, *source.beside) : writeObj(*garment);
 }
 
 Result<std::string> writeExact(const ExportSource& source) {
@@ -105,14 +111,16 @@ std::vector<FileFormat> allFormats() {
        .out = Content::Garment,
        .label = say("Garment in 3D (GLB)"),
        .about = say("The garment on the body in one file with its colours, for viewers and the web."),
-       .write = [](Source from) { return writeGarment(from, writeGlb); }},
+       .write = writeGlbOf},
       {.id = "obj",
        .endings = {"obj"},
        .in = Content::Body,
        .out = Content::Garment,
        .label = say("Garment in 3D (OBJ)"),
-       .about = say("Body and pieces as plain meshes, for every 3D program; the flat pattern is their texture."),
-       .write = [](Source from) { return writeGarment(from, writeObj); }},
+       .about =
+           say("Body and pieces as plain meshes, for every 3D program; the flat pattern is their texture. Colours and "
+               "prints are written in files beside it."),
+       .write = writeObjOf},
       {.id = "gltf", .endings = {"gltf"}, .in = Content::Body},
       {.id = "ply", .endings = {"ply"}, .in = Content::Body},
       {.id = "karinui",
@@ -295,6 +303,12 @@ Message listRead(FileContents contents, FormatTable table) {
     all = all.empty() ? one : say("{0}, {1}", all, one);
   }
   return all;
+}
+
+Done writeExport(const std::filesystem::path& file, std::string_view bytes, const std::vector<SideFile>& beside) {
+  for (const SideFile& one : beside)
+    if (const Done done = writeFile(file.parent_path() / one.name, one.bytes); !done) return done;
+  return writeFile(file, bytes);
 }
 
 Error unreadable(const std::filesystem::path& file, FileContents contents, FormatTable table) {

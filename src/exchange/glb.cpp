@@ -80,24 +80,6 @@ std::vector<float> textureCoordinates(const std::vector<Flat>& flat) {
   return out;
 }
 
-Result<std::string> pngOf(const SpatialLook::Tile& tile) {
-  const int stride = 4 * tile.width;
-  std::vector<unsigned char> rows(static_cast<std::size_t>(stride) * static_cast<std::size_t>(tile.height), 0);
-  for (std::size_t i = 0; i < rows.size() / 4; ++i)  // cairo's pixels: blue, green, red, nothing
-    for (std::size_t c = 0; c < 3; ++c) rows[4 * i + c] = tile.rgb[3 * i + 2 - c];
-  cairo_surface_t* surface =
-      cairo_image_surface_create_for_data(rows.data(), CAIRO_FORMAT_RGB24, tile.width, tile.height, stride);
-  std::string png;
-  const auto append = [](void* to, const unsigned char* data, unsigned int size) {
-    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), size);
-    return CAIRO_STATUS_SUCCESS;
-  };
-  const cairo_status_t done = cairo_surface_write_to_png_stream(surface, append, &png);
-  cairo_surface_destroy(surface);
-  if (done != CAIRO_STATUS_SUCCESS) return storageError(say("The picture of a print could not be written."));
-  return png;
-}
-
 // Paper as the print lies on it: texture coordinates stay metres, and KHR_texture_transform says how large a repeat is.
 std::vector<Flat> onTile(const SpatialLook::Tile& tile, const std::vector<Flat>& flat) {
   std::vector<Flat> all;
@@ -137,6 +119,24 @@ void append32(std::string& out, std::size_t value) {
 }
 
 }  // namespace
+
+Result<std::string> pngOf(const SpatialLook::Tile& tile) {
+  const int stride = 4 * tile.width;
+  std::vector<unsigned char> rows(static_cast<std::size_t>(stride) * static_cast<std::size_t>(tile.height), 0);
+  for (std::size_t i = 0; i < rows.size() / 4; ++i)  // cairo's pixels: blue, green, red, nothing
+    for (std::size_t c = 0; c < 3; ++c) rows[4 * i + c] = tile.rgb[3 * i + 2 - c];
+  cairo_surface_t* surface =
+      cairo_image_surface_create_for_data(rows.data(), CAIRO_FORMAT_RGB24, tile.width, tile.height, stride);
+  std::string png;
+  const auto append = [](void* to, const unsigned char* data, unsigned int size) {
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), size);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t done = cairo_surface_write_to_png_stream(surface, append, &png);
+  cairo_surface_destroy(surface);
+  if (done != CAIRO_STATUS_SUCCESS) return storageError(say("The picture of a print could not be written."));
+  return png;
+}
 
 Result<std::string> writeGlb(const SpatialGarment& garment) {
   const auto named = namedMeshes(garment);
@@ -182,16 +182,13 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
   for (const NamedMesh& object : *named) {
     if (object.mesh->points.empty() || object.mesh->faces.empty()) continue;  // glTF has no empty accessor
     const bool cloth = object.flat != nullptr;
-    const auto alike = std::find_if(materialOf.begin(), materialOf.end(), [&](const auto& known) {
-      const NamedMesh& other = *known.first;
-      return other.fabric == object.fabric && other.colour == object.colour && !other.look == !object.look &&
-             (!object.look || *other.look == *object.look);
-    });
+    const auto alike = std::find_if(materialOf.begin(), materialOf.end(),
+                                    [&](const auto& known) { return lookAlike(*known.first, object); });
     const std::size_t material = alike != materialOf.end() ? alike->second : materials.size();
     if (alike == materialOf.end()) {
       materialOf.emplace_back(&object, material);
       const bool wrong = cloth && object.look->wrong;
-      const std::string name = cloth ? "fabric " + object.fabric : object.fabric.empty() ? "skin" : object.fabric;
+      const std::string name = materialName(object);
       if (const Done done =
               addMaterial(name, object.colour, object.look, cloth ? object.look->tile : std::nullopt, cloth && !wrong);
           !done)

@@ -16,6 +16,14 @@ bool whole(const SpatialLook::Tile& tile) {
 
 }  // namespace
 
+bool lookAlike(const NamedMesh& a, const NamedMesh& b) {
+  return a.fabric == b.fabric && a.colour == b.colour && !a.look == !b.look && (!b.look || *a.look == *b.look);
+}
+
+std::string materialName(const NamedMesh& object) {
+  return object.flat ? "fabric " + object.fabric : object.fabric.empty() ? "skin" : object.fabric;
+}
+
 Done checkMesh(const TriangleMesh& mesh, std::string_view name) {
   for (const Vec3 p : mesh.points)
     if (!finite(p)) return badInput(say("\"{0}\" has a point that is nowhere (not a finite number).", shown(name)));

@@ -16,6 +16,11 @@ struct NamedMesh {
 // The body first, then the pieces and the notions in their order, each under a name of its own.
 Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment);
 
+// Of objects that look alike one is made.
+bool lookAlike(const NamedMesh& a, const NamedMesh& b);
+std::string materialName(const NamedMesh& object);
+Result<std::string> pngOf(const SpatialLook::Tile& tile);
+
 Done checkMesh(const TriangleMesh& mesh, std::string_view name);
 
 }  // namespace karinui

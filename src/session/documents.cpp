@@ -231,8 +231,8 @@ void Session::exportTo(const std::filesystem::path& file, const ExportWish& wish
   in.tasks.add(
       TaskQueue::Kind::Step,
       [this, snapshot = in.state.snapshot, steps = in.state.steps, file, wish](const Token&) -> TaskQueue::Finish {
-        const Result<std::string> bytes = exported(*snapshot, steps, wish);
-        const Done done = bytes ? writeFile(file, *bytes) : Done(bytes.error());
+        const auto bytes = exportedTo(file, *snapshot, steps, wish);
+        const Done done = bytes ? Done() : Done(bytes.error());
         return [this, done, file] {
           if (done)
             impl_->tell(Notice::Kind::Said, say("“{0}” was written.", file.string()));

@@ -126,7 +126,10 @@ SpatialGarment spatialOf(const Document& document, const SceneFrame& frame) {
   return garment;
 }
 
-Result<std::string> exported(const GarmentSnapshot& snapshot, const std::vector<Step>& steps, const ExportWish& wish) {
+namespace {
+
+Result<std::string> writtenOut(const GarmentSnapshot& snapshot, const std::vector<Step>& steps, const ExportWish& wish,
+                               const std::string& stem, std::vector<SideFile>* beside) {
   const Pattern& pattern = snapshot.document.pattern;
   if (wish.format->out != FileContent::Script && pattern.pieces.empty()) return nothingToWrite();
   const auto script = [&] {
@@ -135,7 +138,22 @@ Result<std::string> exported(const GarmentSnapshot& snapshot, const std::vector<
     return all;
   };
   const auto garment = [&]() -> Result<SpatialGarment> { return spatialOf(snapshot.document, snapshot.frame); };
-  return wish.format->write({pattern, script, garment, sheetOf(snapshot, wish)});
+  return wish.format->write({pattern, script, garment, sheetOf(snapshot, wish), stem, beside});
+}
+
+}  // namespace
+
+Result<std::string> exported(const GarmentSnapshot& snapshot, const std::vector<Step>& steps, const ExportWish& wish) {
+  return writtenOut(snapshot, steps, wish, {}, nullptr);
+}
+
+Result<std::size_t> exportedTo(const std::filesystem::path& file, const GarmentSnapshot& snapshot,
+                               const std::vector<Step>& steps, const ExportWish& wish) {
+  std::vector<SideFile> beside;
+  const Result<std::string> bytes = writtenOut(snapshot, steps, wish, file.stem().string(), &beside);
+  if (!bytes) return bytes.error();
+  if (const Done done = writeExport(file, *bytes, beside); !done) return done.error();
+  return bytes->size();
 }
 
 Result<PaperPages> paperOf(const GarmentSnapshot& snapshot, const ExportWish& wish) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "patterns.h"
 
@@ -115,6 +116,49 @@ TEST(Obj, EveryPieceAnObjectWithItsPaper) {
     point += static_cast<long>(o.points.size());
     flat += static_cast<long>(o.flat.size());
   }
+}
+
+// Every object wears a material of the file beside it; a print that lies straight is a picture, moved and scaled to it.
+TEST(Obj, MaterialsStandBesideIt) {
+  SpatialGarment g = garment();
+  g.pieces.resize(3);
+  g.pieces[0].fabric = g.pieces[1].fabric = "cotton", g.pieces[2].fabric = "../silk twill";
+  for (SpatialPiece& piece : g.pieces) piece.colour = {0.5f, 0, 1}, piece.look = {};
+  g.pieces[2].look.cover = 0.5;
+  SpatialLook::Tile tile{2, 1, {255, 0, 0, 0, 0, 255}, 0.02, 0.04};
+  tile.origin = {0.01, 0};
+  g.pieces[1].look.tile = tile;
+  std::vector<SideFile> beside;
+  const auto obj = writeObj(g, "my shirt", beside);
+  ASSERT_TRUE(obj);
+  ASSERT_EQ(beside.size(), 2u);
+  EXPECT_EQ(beside[0].name, "my_shirt.mtl");
+  EXPECT_EQ(beside[1].name, "my_shirt_print1.png");
+  EXPECT_EQ(beside[1].bytes.substr(1, 3), "PNG");
+  EXPECT_NE(obj->find("\nmtllib my_shirt.mtl\n"), std::string::npos);
+  std::string plain = *obj;
+  std::set<std::string> worn;
+  for (const std::string line : {"mtllib ", "usemtl "})
+    for (std::size_t at = 0; (at = plain.find("\n" + line)) != std::string::npos;) {
+      const std::size_t end = plain.find('\n', at + 1);
+      if (line == "usemtl ") worn.insert(plain.substr(at + 8, end - at - 8));
+      plain.erase(at, end - at);
+    }
+  EXPECT_EQ(plain, *writeObj(g)) << "the shapes are the same";
+  const std::string& mtl = beside[0].bytes;
+  EXPECT_EQ(worn, (std::set<std::string>{"skin", "fabric_cotton", "fabric_cotton_2", "fabric_../silk_twill"}));
+  for (const std::string& name : worn) EXPECT_NE(mtl.find("\nnewmtl " + name + "\n"), std::string::npos) << name;
+  EXPECT_NE(mtl.find("newmtl fabric_cotton\nKd 0.7354 0.0000 1.0000\nillum 1\n"), std::string::npos) << mtl;
+  EXPECT_NE(mtl.find("d 0.5000\n"), std::string::npos);
+  EXPECT_NE(mtl.find("map_Kd -s 50.000000 25.000000 1 -o -0.500000 0.000000 0 my_shirt_print1.png\n"),
+            std::string::npos)
+      << mtl;
+  // One that lies turned is told by its colour alone: half red, half blue.
+  g.pieces[1].look.tile->across = {0, 1}, g.pieces[1].look.tile->along = {-1, 0};
+  beside.clear();
+  ASSERT_TRUE(writeObj(g, "shirt", beside));
+  ASSERT_EQ(beside.size(), 1u);
+  EXPECT_NE(beside[0].bytes.find("Kd 0.5000 0.0000 0.5000\n"), std::string::npos) << beside[0].bytes;
 }
 
 TEST(Obj, APlainMesh) {

@@ -36,7 +36,12 @@ struct ExportSource {
   std::function<std::string()> script;              // the operations, one a line
   std::function<Result<SpatialGarment>()> garment;  // called by formats of shapes in space only
   SheetSettings sheet;
+  // Of the file, without its ending, and what is to be written beside it; null: nothing is, and the file names none.
+  std::string stem = {};
+  std::vector<SideFile>* beside = nullptr;
 };
+// Writes an export with what stands beside it. The file itself comes last.
+Done writeExport(const std::filesystem::path& file, std::string_view bytes, const std::vector<SideFile>& beside);
 
 struct CadPattern;  // exchange/dxf.h
 

@@ -67,6 +67,12 @@ struct SpatialGarment {
 
 // Refused with a sentence: points that are not finite, faces that name points that are not there.
 Result<std::string> writeObj(const SpatialGarment& garment);
+// A file that is written beside another, which names it.
+struct SideFile {
+  std::string name, bytes;
+};
+// The same with materials: one for each fabric, colour and print. They are in STEM.mtl, prints in pictures beside it.
+Result<std::string> writeObj(const SpatialGarment& garment, std::string_view stem, std::vector<SideFile>& beside);
 Result<std::string> writeObj(const TriangleMesh& mesh, std::string_view name);  // points and faces only
 Result<std::string> writeGlb(const SpatialGarment& garment);
 

@@ -15,6 +15,9 @@ struct ExportWish {
 // The garment as shapes for other programs, as it is drawn: colours, prints and all.
 SpatialGarment spatialOf(const Document& document, const SceneFrame& frame);
 Result<std::string> exported(const GarmentSnapshot& snapshot, const std::vector<Step>& steps, const ExportWish& wish);
+// The same as a file, with those that stand beside it; how many bytes it has.
+Result<std::size_t> exportedTo(const std::filesystem::path& file, const GarmentSnapshot& snapshot,
+                               const std::vector<Step>& steps, const ExportWish& wish);
 // The paper of a wish for a sheet.
 Result<PaperPages> paperOf(const GarmentSnapshot& snapshot, const ExportWish& wish);
 
