@@ -111,7 +111,7 @@ std::optional<Facing> facingOf(const TriangleMesh& mesh) {
   const bool ahead = toes[0] > least && toes[1] > least, behind = toes[0] < -least && toes[1] < -least;
   if (!ahead && !behind) return std::nullopt;
   Facing facing{ahead ? front : -1 * front, kShins.back()};
-  for (double share = kShins.back(); share < 0.6 && twoLegs(at(share)); share += 0.005) facing.legs = share;
+  for (double share = kShins.back(); share < 0.6 && twoLegs(at(share)); share += 0.01) facing.legs = share;
   return facing;
 }
 

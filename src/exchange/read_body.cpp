@@ -11,6 +11,7 @@
 #include "exchange/body_stance.h"
 #include "exchange/reading_process.h"
 #include "karinui/base/number.h"
+#include "karinui/body/body.h"
 #include "karinui/exchange/formats.h"
 #include "karinui/geometry/bvh.h"
 #include "karinui/geometry/wrap.h"
@@ -195,6 +196,18 @@ Result<void> stand(ImportedBody& body, const BodyReadOptions& options, const std
   return {};
 }
 
+// Of what was recognised as a person: does a tape read what a person can have, in what a mannequin is made to?
+void tellImpossibleMeasures(ImportedBody& body) {
+  const double height = boxOf(body.mesh.points).size().y;
+  if (body.legs == 0 || height < kSmallest) return;  // a doll's are told of by its height
+  const Bvh bvh(body.mesh);
+  if (const Done possible = plausible(forMannequin(measure(body.mesh, bvh))); !possible)
+    body.notes.push_back(
+        say("A tape reads on it what no person has: {0} Look at its unit, whether it was stretched, and whether the "
+            "arms stand off the trunk and the legs apart.",
+            possible.error().what));
+}
+
 void sayWhatIsWrong(ImportedBody& body) {
   const MeshReport& r = body.report;
   if (r.shells > 1) body.notes.push_back(say("The surface is of {0} separate {0|part|parts}.", r.shells));
@@ -249,6 +262,8 @@ Result<ImportedBody> importedBody(const TriangleMesh& read, const std::string& f
   if (!body.report.closed() || !body.report.outward || volume(body.mesh) < 1e-9)
     return badInput(say("The surface encloses no body."));
   sayWhatIsWrong(body);
+  if (token.cancelled()) return cancelled();
+  tellImpossibleMeasures(body);
   token.progress(1);
   return body;
 }

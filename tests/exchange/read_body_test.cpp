@@ -233,6 +233,10 @@ TEST_F(ReadBody, WarnsOfAGrownUpMadeSmall) {
   const auto body = read(file("b.obj", asObj(half)));
   ASSERT_TRUE(body);
   EXPECT_TRUE(says(*body, "only 84"));
+  TriangleMesh wide = (*made)->mesh();
+  EXPECT_FALSE(says(*read(file("b.obj", asObj(wide))), "no person has"));
+  for (Vec3& p : wide.points) p = {p.x * 1.6, p.y, p.z * 1.6};
+  EXPECT_TRUE(says(*read(file("b.obj", asObj(wide))), "what no person has"));
 }
 
 // In a file for a person to mend, the line is told.
