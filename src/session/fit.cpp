@@ -273,11 +273,18 @@ std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {
   // A full upper arm lies against the trunk below the fold.
   if (const auto& measured = snapshot.body->measured().value; armpit && measured.contains("armpit_height"))
     under(measured.at("armpit_height"));
-  const std::pair<std::optional<double>, Message> levels[] = {{armpit, say("armpit")},
-                                                              {heightOf("torso:bust@0"), say("bust")},
-                                                              {heightOf("torso:under_bust@0"), say("under bust")},
-                                                              {heightOf("torso:waist@0"), say("waist")},
-                                                              {heightOf("torso:hip@0"), say("hip")}};
+  // Where the tape measured the figure, so that both tables say the same; one that has moved, where the line is now.
+  const auto levelOf = [&](const char* measure, const char* place) {
+    const auto& measured = snapshot.body->measured().value;
+    const auto own = snapshot.body->pose().empty() ? measured.find(measure) : measured.end();
+    return own != measured.end() ? std::optional(own->second) : heightOf(place);
+  };
+  const std::pair<std::optional<double>, Message> levels[] = {
+      {armpit, say("armpit")},
+      {levelOf("bust_height", "torso:bust@0"), say("bust")},
+      {levelOf("under_bust_height", "torso:under_bust@0"), say("under bust")},
+      {levelOf("waist_height", "torso:waist@0"), say("waist")},
+      {levelOf("hip_height", "torso:hip@0"), say("hip")}};
   for (const auto& [height, name] : levels)
     if (height)
       for (Girths& girths : girthsAt(snapshot, *height)) {

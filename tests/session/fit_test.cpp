@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "design/workroom.h"
 
 namespace karinui {
@@ -147,6 +149,24 @@ TEST(Fit, ATrouserLegIsMeasuredByItself) {
   const auto bare = girthsAt(tubesOn(*body, {}), left.y);
   ASSERT_EQ(bare.size(), 1u);
   EXPECT_EQ(bare[0].garment, 0);
+}
+
+// The table of ease and the table of measures tell one girth: both are taken at the same height.
+TEST(Fit, TellsTheGirthsThatTheTapeFound) {
+  Workers alone(1);
+  Measurements own;
+  own.value = {{"height", 1.63}, {"bust_girth", 0.96}, {"waist_girth", 0.80}, {"hip_girth", 1.04}};
+  const auto body = makeMannequin(own, alone, Token());
+  ASSERT_TRUE(body) << text(body.error().what);
+  std::set<std::string> told;
+  const std::map<std::string, std::string> measures{
+      {"bust", "bust_girth"}, {"waist", "waist_girth"}, {"hip", "hip_girth"}};
+  for (const Girths& girths : girthsOf(tubesOn(*body, {{0, 0, 0.22}}, 1.6))) {
+    const auto measure = measures.find(text(girths.name));
+    if (measure == measures.end() || !told.insert(measure->first).second) continue;
+    EXPECT_NEAR(girths.body, (*body)->measured().value.at(measure->second), 0.004) << measure->first;
+  }
+  EXPECT_EQ(told.size(), 3u);
 }
 
 // The tape at the armpit goes under the arms, not round them: a man's chest is measured just there.
