@@ -97,12 +97,14 @@ std::optional<double> met(Vec3 from, Vec3 way, Vec3 a, Vec3 b, Vec3 c) {
   return dot(ac, q) / det;
 }
 
-// Whether another piece lies over a button. Lines are drawn nearer to the eye than they are, so it would show through.
-bool covered(const StandingButton& button, const std::string& own, std::span<const SceneCloth> cloths) {
+// Whether cloth lies over a button, but for what it holds together. Lines are drawn nearer to the eye than they are, so
+// it would show through.
+bool covered(const Document& document, const StandingButton& button, std::span<const SceneCloth> cloths) {
   constexpr double kReach = 0.03;  // metres above it
   const Vec3 up = button.up() * kReach;
+  const std::string &over = document.find(button.over)->name, &under = document.find(button.under)->name;
   return std::any_of(cloths.begin(), cloths.end(), [&](const SceneCloth& cloth) {
-    return cloth.name != own &&
+    return cloth.name != over && cloth.name != under &&
            std::any_of(cloth.mesh.faces.begin(), cloth.mesh.faces.end(), [&](const Triangle& face) {
              const auto& points = cloth.mesh.points;
              const auto at = met(button.place, up, points[face[0]], points[face[1]], points[face[2]]);
@@ -162,7 +164,7 @@ std::vector<SceneLine> fasteningLines(const Document& document, std::span<const 
                          false});
   }
   for (const StandingButton& button : standingButtons(document)) {
-    if (covered(button, document.find(button.piece)->name, cloths)) continue;
+    if (covered(document, button, cloths)) continue;
     const Vec3 middle = button.place + button.up() * kAbove;
     SceneLine disc{
         {}, button.kind == FasteningKind::Snap ? kMetal : kShell, static_cast<float>(button.size * 500), false};

@@ -14,9 +14,8 @@ std::vector<StandingButton> standingButtons(const Document& document) {
   for (const auto& [name, own] : document.allowances.fastenings) {
     if (own.kind != FasteningKind::Button && own.kind != FasteningKind::Snap) continue;
     for (const FastenedPlaces& pair : placesOf(document.pattern, own)) {
-      const FasteningPlace& on = pair.closed ? pair.a : pair.b;
-      const StandingPlace at = standing(document, on);
-      all.push_back({name, on.piece, own.kind, at.place, at.out, at.along, own.size});
+      const StandingPlace at = standing(document, pair.closed ? pair.a : pair.b);
+      all.push_back({name, pair.a.piece, pair.b.piece, own.kind, at.place, at.out, at.along, own.size});
     }
   }
   return all;

@@ -9,7 +9,7 @@ namespace karinui {
 
 struct StandingButton {
   std::string fastening;  // its name
-  PieceId piece;          // on which it lies
+  PieceId over, under;    // the pieces it holds together
   FasteningKind kind = FasteningKind::Button;
   Vec3 place, out, along;                                    // on the cloth; unit: towards the edge, along it
   double size = 0;                                           // metres across
