@@ -324,10 +324,7 @@ class PythonDocument {
         if (!found) return found.error();
         body = *std::move(found);
       }
-      const auto bytes = exported(*snapshotOf(file.document(), body), file.steps(), wish);
-      if (!bytes) return bytes.error();
-      if (const Done done = writeFile(out, *bytes); !done) return done.error();
-      return bytes->size();
+      return exportedTo(out, *snapshotOf(file.document(), body), file.steps(), wish);
     });
   }
   std::pair<int, int> picture(const std::filesystem::path& out, const PictureWish& wish) {
