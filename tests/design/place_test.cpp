@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "design/workroom.h"
+#include "karinui/pattern/truing.h"
 
 namespace karinui {
 namespace {
@@ -231,12 +232,29 @@ TEST_F(Placed, AShirtBlockComesToRest) {
   EXPECT_NEAR(middle("sleeve_left").x, -middle("sleeve_right").x, 0.02);
 }
 
+// A block is cut as it is drafted: our own examiner finds nothing, and what is eased in is declared.
+TEST_F(Placed, BlocksAreTrue) {
+  for (const std::string figure :
+       {"size=eu38", "size=jis9ar", "size=eu50", "size=eu38 set=\"bust_girth=110cm; hip_girth=118cm\""})
+    for (const std::string kind : {"shirt", "skirt", "trousers", "bodice", "sleeve", "bodice\nblock kind=sleeve"}) {
+      Workroom own;
+      auto file = DocumentFile::inMemory();
+      const Done done = own.play(file, "body " + figure + "\nblock kind=" + kind + "\n");
+      ASSERT_TRUE(done) << text(done.error().what);
+      const Document& document = file.document();
+      const TruingReport found = truing(document.pattern, document.eases);
+      for (const SeamTruing& seam : found.seams) EXPECT_TRUE(seam.fits()) << figure << kind << text(seam.seam);
+      for (const CornerTruing& corner : found.corners)
+        EXPECT_TRUE(corner.smooth()) << figure << kind << text(corner.seam);
+    }
+}
+
 // Over a belly wider than the hip a shirt is as wide as that, and its hem comes below it.
 TEST_F(Placed, AShirtBlockGoesOverABelly) {
   const auto drafted = [](const std::string& figure) {
     Workroom own;
     auto file = DocumentFile::inMemory();
-    const Done done = own.play(file, "body " + figure + "\nblock kind=shirt\n");
+    const Done done = own.play(file, "body " + figure + "\nblock kind=shirt trued=no\n");
     EXPECT_TRUE(done) << text(done.error().what);
     double wide = 0, low = 0;  // from the centre; the hem below the waist
     for (const Edge& edge : file.document().pieceNamed("back")->outline.edges)

@@ -116,6 +116,7 @@ TermTable fieldTerms() {
       {"cone", say("As a cone")},
       {"copies", say("On the symmetric copy")},
       {"seams", say("The seams within the piece")},
+      {"trued", say("Trued across the seams")},
       {"corners", say("Corners, by the edges that start there")},
       {"corners.underlay", say("Corners of a rectangle on the scan")},
       {"count", say("Times cut")},

@@ -11,13 +11,17 @@ namespace karinui {
 
 namespace {
 
-constexpr double kMostEase = 1.0;  // metres
+constexpr double kMostEase = 1.0;      // metres
+constexpr double kLeastEase = 0.0005;  // metres
 using Kind = DraftBlock::Kind;
 
 // What a draft becomes, with ids counted within the step.
 class Made {
  public:
-  Made(const Document& before, const DraftBlock& op, const Body& body) : document_(before), op_(op), body_(body) {}
+  Made(const Document& before, const DraftBlock& op, const Body& body, const Context& context)
+      : document_(before), op_(op), body_(body), context_(context) {
+    context_.advise = nullptr;  // what is out of true on the way is nobody's concern
+  }
 
   Done take(const Draft& draft) {
     for (const DraftPiece& piece : draft.pieces)
@@ -27,6 +31,7 @@ class Made {
     for (const DraftPiece& piece : draft.pieces)
       if (Done done = stand(piece); !done) return done;
     for (const DraftSeam& seam : draft.seams) sew(named(seam.name), spansOf(seam.a), spansOf(seam.b));
+    if (Done done = trueUp(); !done) return done;
     for (const DraftBand& band : draft.bands)
       if (Done done = add(band); !done) return done;
     return {};
@@ -125,6 +130,23 @@ class Made {
     document_.pattern.seams[seam.id] = std::move(seam);
   }
 
+  // A draft is straight lines and arcs: a cutter trues it across darts and seams before it is cut.
+  Done trueUp() {
+    if (op_.trued != Choice::Yes) return {};
+    TrueUp all;
+    for (std::uint32_t k = 0; k < seams_; ++k) all.seams.push_back(SeamRef(mint<SeamId>(document_, k)));
+    if (all.seams.empty()) return {};
+    auto trued = perform(document_, all, context_);
+    if (!trued) return trued.error();
+    document_ = *std::move(trued);
+    for (const SeamRef& ref : all.seams) {
+      const Seam& seam = *document_.find(ref.id);
+      const double ease = std::fabs(lengthMismatch(document_.pattern, seam));
+      if (ease > kLeastEase) document_.eases[ref.id] = ease;
+    }
+    return {};
+  }
+
   Done add(const DraftBand& band) {
     if (Done done = checkNewName(document_, named(band.name)); !done) return done;
     std::vector<EdgeRef> run = band.of;
@@ -163,6 +185,7 @@ class Made {
   Document document_;
   const DraftBlock& op_;
   const Body& body_;
+  Context context_;
   std::uint32_t pieces_ = 0, seams_ = 0;
 };
 
@@ -227,6 +250,7 @@ Done resolve(const Document& before, DraftBlock& op, Context& context) {
   if (!op.prefix.empty())
     if (Done done = checkName(op.prefix); !done) return done;
   if (op.layer < 0 || op.layer > 20) return refused(say("A layer is a number from 0, next to the skin, to 20."));
+  if (op.trued == Choice::Auto && !context.recorded) op.trued = Choice::Yes;
   if (!op.fabric.empty()) return checkFabricName(before, op.fabric);
   return {};
 }
@@ -260,7 +284,7 @@ Result<Document> perform(const Document& before, const DraftBlock& op, Context& 
       break;
   }
   if (!draft) return draft.error();
-  Made made(before, op, **body);
+  Made made(before, op, **body, context);
   if (Done done = made.take(*draft); !done) return done.error();
   return made.document();
 }

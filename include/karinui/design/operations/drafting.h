@@ -102,6 +102,7 @@ struct DraftBlock {
   std::string prefix;
   std::string fabric;
   int layer = 0;
+  Choice trued = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("kind", self.kind, "bodice, sleeve, skirt, trousers, shirt or collar", kNeeded);
@@ -109,6 +110,10 @@ struct DraftBlock {
     visit("length", self.length, "of the piece (otherwise by the block's own rule)", kOptional);
     visit("prefix", self.prefix, "put before the pieces' names", kOptional);
     visitCloth(self, visit);
+    visit("trued", self.trued,
+          "its lines go on smoothly across the seams, and what a side is longer on purpose is declared as ease: auto, "
+          "yes, no (auto: yes, but no in a record that does not have it)",
+          kOptional);
   }
   bool operator==(const DraftBlock&) const = default;
 };
