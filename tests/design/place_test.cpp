@@ -232,6 +232,28 @@ TEST_F(Placed, AShirtBlockComesToRest) {
   EXPECT_NEAR(middle("sleeve_left").x, -middle("sleeve_right").x, 0.02);
 }
 
+// What is turned back lies over the body, and no farther down than that lets it: a flounce at the waist over the hips.
+TEST_F(Placed, WhatIsTurnedBackStaysOutside) {
+  Workroom own;
+  auto file = DocumentFile::inMemory();
+  const Done done = own.play(file,
+                             "body size=eu38\nrectangle name=belt width=68cm height=3cm\n"
+                             "place piece=belt at=\"torso:waist@0\" ease=5mm\n"
+                             "ring name=flounce of=belt.top depth=18cm angle=150deg edges=\"hem left roll right\"\n"
+                             "attach edge=flounce.roll to=belt.top turn=178deg turned=yes\n");
+  ASSERT_TRUE(done) << text(done.error().what);
+  const auto body = bodyOf(file.document(), own.context);
+  const Piece &flounce = *file.document().pieceNamed("flounce"), &belt = *file.document().pieceNamed("belt");
+  double nearest = 1, lowest = 10, top = 0;
+  for (const Vec3 p : flounce.form->space) {
+    nearest = std::min(nearest, (*body)->bvh().signedDistance(flounce.pose(p)));
+    lowest = std::min(lowest, flounce.pose(p).y);
+  }
+  for (const Vec3 p : belt.form->space) top = std::max(top, belt.pose(p).y);
+  EXPECT_GT(nearest, 0);
+  EXPECT_LT(lowest, top - 0.1);  // it is turned down
+}
+
 // A block is cut as it is drafted: our own examiner finds nothing, and what is eased in is declared.
 TEST_F(Placed, BlocksAreTrue) {
   for (const std::string figure :

@@ -17,6 +17,7 @@ constexpr double kInside = 0.008;  // metres from the edge at which the cloth's 
 constexpr double kMeet = 0.02;     // metres: ends in space this near follow each other
 constexpr double kClear = 0.004;   // metres a stood piece keeps from the body
 constexpr double kRoom = 0.015;    // metres from the body
+constexpr int kWide = 5;           // places about one from which what is turned back takes its direction
 constexpr int kTurns = 13;         // directions tried, up to a right angle outwards
 
 const Edge& edgeAt(const Document& document, const EdgeRef& ref, int beside = 0) {
@@ -68,44 +69,91 @@ struct Along {
   double share = 0, off = 0;  // along the edge; to its left, metres
 };
 
-// By how much the piece is turned outwards at each place, so that it keeps clear of the body; smooth along the run.
-std::vector<double> turnsAlong(const SpaceRun& run, const std::vector<Vec3>& on, const std::vector<Vec3>& out,
-                               double depth, double turn, const Body* body) {
-  std::vector<double> turns(run.place.size(), turn);
-  if (!body) return turns;
-  const auto clearance = [&](std::size_t k, double angle) {
+// The cloth that stands already, but for one piece. Null: there is none.
+std::unique_ptr<Bvh> standingCloth(const Document& document, PieceId without) {
+  TriangleMesh cloth;
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    if (id == without || !piece->form) continue;
+    const auto first = static_cast<std::uint32_t>(cloth.points.size());
+    for (const Vec3 p : piece->form->space) cloth.points.push_back(piece->pose(p));
+    for (auto face : piece->form->faces) {
+      for (auto& corner : face) corner += first;
+      cloth.faces.push_back(face);
+    }
+  }
+  return cloth.faces.empty() ? nullptr : std::make_unique<Bvh>(cloth);
+}
+
+// By how much a piece is turned outwards at each place of a run.
+class TurnsAlong {
+ public:
+  TurnsAlong(const SpaceRun& run, const std::vector<Vec3>& on, const std::vector<Vec3>& out, double depth)
+      : run_(run), on_(on), out_(out), depth_(depth), turns_(run.place.size()) {}
+
+  // Outwards from `turn` on, so that it keeps clear of the body.
+  std::vector<double> outwards(double turn, const Body& body) {
+    for (std::size_t k = 0; k < turns_.size(); ++k) {
+      double best = -1;
+      for (int t = 0; t < kTurns && best < kClear; ++t) {
+        const double angle = turn + t * std::numbers::pi / 2 / (kTurns - 1),
+                     clear = clearance(k, angle, &body, nullptr);
+        if (clear > best) best = clear, turns_[k] = angle;
+      }
+    }
+    return smooth([](double a, double b) { return std::fmax(a, b); });
+  }
+
+  // Turned back beyond a right angle towards `turn`, until it would meet the body or other cloth.
+  std::vector<double> turnedBack(double turn, const Body* body, const Bvh* cloth) {
+    for (std::size_t k = 0; k < turns_.size(); ++k) {
+      turns_[k] = std::numbers::pi / 2;
+      for (int t = 1; t < kTurns; ++t) {
+        const double angle = std::lerp(std::numbers::pi / 2, turn, t / double{kTurns - 1});
+        if (clearance(k, angle, body, cloth) < kClear) break;
+        turns_[k] = angle;
+      }
+    }
+    return smooth([](double a, double b) { return std::fmin(a, b); });
+  }
+
+ private:
+  double clearance(std::size_t k, double angle, const Body* body, const Bvh* cloth) const {
     double least = 1;
     for (const double d : {0.25, 0.5, 0.75, 1.0}) {
-      const Vec3 way = on[k] * std::cos(angle) + out[k] * std::sin(angle);
-      least = std::fmin(least, body->bvh().signedDistance(run.place[k] + way * (depth * d)));
+      const Vec3 place = run_.place[k] + (on_[k] * std::cos(angle) + out_[k] * std::sin(angle)) * (depth_ * d);
+      if (body) least = std::fmin(least, body->bvh().signedDistance(place));
+      if (const auto near = cloth ? cloth->nearest(place, kClear) : std::nullopt)
+        least = std::fmin(least, near->distance);
     }
     return least;
-  };
-  for (std::size_t k = 0; k < turns.size(); ++k) {
-    double best = -1;
-    for (int t = 0; t < kTurns && best < kClear; ++t) {
-      const double angle = turn + t * std::numbers::pi / 2 / (kTurns - 1), clear = clearance(k, angle);
-      if (clear > best) best = clear, turns[k] = angle;
-    }
   }
-  const auto n = static_cast<int>(turns.size());
-  const auto at = [&](const std::vector<double>& all, int k) {
-    return all[static_cast<std::size_t>(run.closed ? (k + n) % n : std::clamp(k, 0, n - 1))];
-  };
-  // The widest of the neighbourhood, then its mean: never narrower than what a place needs.
-  std::vector<double> widest = turns, mean = turns;
-  for (int k = 0; k < n; ++k)
-    for (int d = -4; d <= 4; ++d) {
-      double& most = widest[static_cast<std::size_t>(k)];
-      most = std::fmax(most, at(turns, k + d));
+
+  // What the neighbourhood needs most, then its mean: every place gets what it needs.
+  template <class Most>
+  std::vector<double> smooth(Most&& most) const {
+    const auto n = static_cast<int>(turns_.size());
+    const auto at = [&](const std::vector<double>& all, int k) {
+      return all[static_cast<std::size_t>(run_.closed ? (k + n) % n : std::clamp(k, 0, n - 1))];
+    };
+    std::vector<double> needed = turns_, mean = turns_;
+    for (int k = 0; k < n; ++k)
+      for (int d = -4; d <= 4; ++d) {
+        double& here = needed[static_cast<std::size_t>(k)];
+        here = most(here, at(turns_, k + d));
+      }
+    for (int k = 0; k < n; ++k) {
+      double sum = 0;
+      for (int d = -4; d <= 4; ++d) sum += at(needed, k + d);
+      mean[static_cast<std::size_t>(k)] = sum / 9;
     }
-  for (int k = 0; k < n; ++k) {
-    double sum = 0;
-    for (int d = -4; d <= 4; ++d) sum += at(widest, k + d);
-    mean[static_cast<std::size_t>(k)] = sum / 9;
+    return mean;
   }
-  return mean;
-}
+
+  const SpaceRun& run_;
+  const std::vector<Vec3>&on_, &out_;
+  double depth_;
+  std::vector<double> turns_;
+};
 
 }  // namespace
 
@@ -186,7 +234,7 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
                        const FoldedOn& fold, const Body* body) {
   const Curve& curve = piece.outline.edges[*piece.outline.find(edge)].curve;
   std::vector<Flat> line = curve.evenly(0, 1, kPlaces);
-  const auto along = [&](Flat p) {
+  const auto alongEdge = [&](Flat p) {
     Along best;
     double least = 1e9;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -207,10 +255,13 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
   form->faces = (*laid)->faces;
   std::vector<Along> on;
   double depth = 0;
-  for (const Flat p : form->flat) on.push_back(along(p)), depth = std::fmax(depth, on.back().off);
+  for (const Flat p : form->flat) on.push_back(alongEdge(p)), depth = std::fmax(depth, on.back().off);
 
-  // Frames along the run: onwards at right angles to it, and outwards from the cloth.
+  // Frames along the run: onwards at right angles to it, and outwards from the cloth. What is turned back lies over all
+  // of the run, small waves of a draped edge would toss it to and fro.
   const auto n = static_cast<int>(run.place.size());
+  const bool back = fold.turn > std::numbers::pi / 2;
+  const int wide = back ? kWide : 1;
   std::vector<Vec3> way(run.place.size()), onward(run.place.size()), out(run.place.size());
   for (int k = 0; k < n; ++k) {
     const auto at = static_cast<std::size_t>(k);
@@ -218,14 +269,19 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
     const auto place = [&](int j) {
       return run.place[static_cast<std::size_t>(run.closed ? (j + last) % last : std::clamp(j, 0, last))];
     };
-    way[at] = normalized(place(k + 1) - place(k - 1));
+    way[at] = normalized(place(k + wide) - place(k - wide));
     Vec3 mean;
-    for (int d = -3; d <= 3; ++d)
-      mean += run.onward[static_cast<std::size_t>(run.closed ? (k + d + last) % last : std::clamp(k + d, 0, last))];
+    for (int d = -3 * wide; d <= 3 * wide; ++d)
+      mean += run.onward[static_cast<std::size_t>(run.closed ? (k + d + 3 * last) % last : std::clamp(k + d, 0, last))];
     onward[at] = normalized(mean - way[at] * dot(mean, way[at]));
     out[at] = cross(onward[at], way[at]);
   }
-  const std::vector<double> turns = turnsAlong(run, onward, out, depth, fold.turn, body);
+  std::vector<double> turns(run.place.size(), fold.turn);
+  TurnsAlong along(run, onward, out, depth);
+  if (back)
+    turns = along.turnedBack(fold.turn, body, standingCloth(document, piece.id).get());
+  else if (body)
+    turns = along.outwards(fold.turn, *body);
   for (const Along& a : on) {
     // Two outlines that face each other run against each other, unless one is turned over.
     const double s = (fold.over ? a.share : 1 - a.share) * (n - 1);
