@@ -5,6 +5,7 @@
 
 #include "design/blocks/draft.h"
 #include "design/operations/new_piece.h"
+#include "karinui/design/block_numbers.h"
 #include "karinui/design/sewing.h"
 
 namespace karinui {
@@ -29,9 +30,11 @@ class Made {
     for (const DraftDart& dart : draft.darts)
       if (Done done = add(dart); !done) return done;
     for (const DraftPiece& piece : draft.pieces)
-      if (Done done = stand(piece); !done) return done;
+      if (!piece.mirrorOf.empty()) copy(piece);
     for (const DraftSeam& seam : draft.seams) sew(named(seam.name), spansOf(seam.a), spansOf(seam.b));
     if (Done done = trueUp(); !done) return done;
+    for (const DraftPiece& piece : draft.pieces)  // cut as it is now, so that nothing of it is stretched
+      if (Done done = stand(piece); !done) return done;
     for (const DraftBand& band : draft.bands)
       if (Done done = add(band); !done) return done;
     return {};
@@ -69,25 +72,32 @@ class Made {
     return {};
   }
 
+  void copy(const DraftPiece& draft) {
+    const Piece& other = *document_.pieceNamed(named(draft.mirrorOf));
+    Piece copy = mirrored(other);
+    copy.id = newId();
+    copy.name = named(draft.name);
+    copy.mirrorOf = other.id;
+    const PieceId from = other.id, to = copy.id;
+    const std::size_t n = copy.outline.edges.size();
+    std::vector<std::pair<EdgeSpan, EdgeSpan>> darts;
+    for (const auto& [id, seam] : document_.pattern.seams)
+      if (seam.a.size() == 1 && seam.a[0].piece == from && seam.b[0].piece == from) {
+        const auto image = [&](const EdgeSpan& span) {
+          return EdgeSpan{to, copy.outline.edges[n - 1 - *other.outline.find(span.edge)].name, 0, 1};
+        };
+        darts.emplace_back(image(seam.b[0]), image(seam.a[0]));
+      }
+    document_ = withPiece(std::move(document_), std::move(copy));
+    for (auto& [a, b] : darts) sew("", {a}, {b});
+  }
+
   Done stand(const DraftPiece& draft) {
     if (!draft.mirrorOf.empty()) {
-      const Piece& other = *document_.pieceNamed(named(draft.mirrorOf));
-      Piece copy = mirrored(other);
-      copy.id = newId();
-      copy.name = named(draft.name);
-      copy.mirrorOf = other.id;
-      const PieceId from = other.id, to = copy.id;
-      const std::size_t n = copy.outline.edges.size();
-      std::vector<std::pair<EdgeSpan, EdgeSpan>> darts;
-      for (const auto& [id, seam] : document_.pattern.seams)
-        if (seam.a.size() == 1 && seam.a[0].piece == from && seam.b[0].piece == from) {
-          const auto image = [&](const EdgeSpan& span) {
-            return EdgeSpan{to, copy.outline.edges[n - 1 - *other.outline.find(span.edge)].name, 0, 1};
-          };
-          darts.emplace_back(image(seam.b[0]), image(seam.a[0]));
-        }
+      const Piece image = mirrored(*document_.pieceNamed(named(draft.mirrorOf)));
+      Piece copy = *document_.pieceNamed(named(draft.name));
+      copy.form = image.form, copy.pose = image.pose;
       document_ = withPiece(std::move(document_), std::move(copy));
-      for (auto& [a, b] : darts) sew("", {a}, {b});
       return {};
     }
     Piece piece = *document_.pieceNamed(named(draft.name));
@@ -240,13 +250,18 @@ Result<Draft> collarFor(const Document& before, const BlockWish& wish) {
 
 }  // namespace
 
+Done checkNumbers(const DraftBlock& block) {
+  if (block.ease && !(*block.ease >= -0.3 && *block.ease <= kMostEase))
+    return refused(say("The ease of a block lies between -30 cm, for cloth that stretches, and 1 m."));
+  if (block.length && !(*block.length >= 0 && *block.length <= 3))
+    return refused(say("The length of a block lies between 0 and 3 m."));
+  return {};
+}
+
 Done resolve(const Document& before, DraftBlock& op, Context& context) {
   const auto body = bodyOf(before, context);
   if (!body) return body.error();
-  if (op.ease && !(*op.ease >= -0.3 && *op.ease <= kMostEase))
-    return refused(say("The ease of a block lies between -30 cm, for cloth that stretches, and 1 m."));
-  if (op.length && !(*op.length >= 0 && *op.length <= 3))
-    return refused(say("The length of a block lies between 0 and 3 m."));
+  if (Done done = checkNumbers(op); !done) return done;
   if (!op.prefix.empty())
     if (Done done = checkName(op.prefix); !done) return done;
   if (op.layer < 0 || op.layer > 20) return refused(say("A layer is a number from 0, next to the skin, to 20."));
