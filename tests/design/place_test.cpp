@@ -254,6 +254,21 @@ TEST_F(Placed, WhatIsTurnedBackStaysOutside) {
   EXPECT_LT(lowest, top - 0.1);  // it is turned down
 }
 
+// A pocket whose line runs into a dart cannot be laid as cloth: that is said where it is sewn on.
+TEST_F(Placed, APocketOverADartIsRefused) {
+  const auto said = [](const std::string& at) {
+    Workroom own;
+    auto file = DocumentFile::inMemory();
+    const Done done = own.play(file,
+                               "body size=eu38\nblock kind=skirt\nrectangle name=pocket width=12cm height=14cm\n"
+                               "patch piece=pocket on=skirt_front at=10cm," +
+                                   at + "\n");
+    return done ? std::string() : text(done.error().what);
+  };
+  EXPECT_NE(said("-17.6cm").find("runs into an edge or a dart of “skirt_front”"), std::string::npos);
+  EXPECT_EQ(said("-20cm"), "");
+}
+
 // A block is cut as it is drafted: our own examiner finds nothing, and what is eased in is declared.
 TEST_F(Placed, BlocksAreTrue) {
   for (const std::string figure :

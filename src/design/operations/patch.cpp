@@ -101,7 +101,7 @@ Done resolve(const Document& before, SewPatch& op, Context&) {
   return {};
 }
 
-Result<Document> perform(const Document& before, const SewPatch& op, Context&) {
+Result<Document> perform(const Document& before, const SewPatch& op, Context& context) {
   Piece piece = *before.find(op.piece.id), on = *before.find(op.on.id);
   const Laid laid = laidOn(piece, op);
   const auto taken = [&](const std::string& name) {
@@ -130,8 +130,16 @@ Result<Document> perform(const Document& before, const SewPatch& op, Context&) {
   if (!form) return form.error();
   piece.form = *std::move(form), piece.pose = on.pose;
   piece.layer = std::max(piece.layer, std::min(on.layer + 1, 20));
+  const std::string name = piece.name, onName = on.name;
   after = withPiece(std::move(after), std::move(on));
-  return withPiece(std::move(after), std::move(piece));
+  after = withPiece(std::move(after), std::move(piece));
+  // Said here, where it can be helped, and not at the next drape.
+  const double spacing = before.settings.spacing;
+  if (!context.recorded && lay(before.pattern, spacing) && !lay(after.pattern, spacing))
+    return refused(
+        say("“{0}” cannot be sewn on there: its line runs into an edge or a dart of “{1}”. Move it by a centimetre.",
+            name, onName));
+  return after;
 }
 
 }  // namespace karinui
