@@ -14,6 +14,7 @@
 #include "karinui/design/drape.h"
 #include "karinui/design/glossary.h"
 #include "karinui/geometry/section.h"
+#include "session/parts_at.h"
 
 namespace karinui {
 
@@ -46,37 +47,10 @@ class Boxes {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> boxes_;
 };
 
-// Which limb a line of the figure's section runs round, or the trunk: what most of its places say. A figure that cannot
-// be read is all trunk.
-BodyPoint::Part roundWhat(const Body& body, const SectionLoop& loop) {
-  std::map<BodyPoint::Part, std::size_t> says;
-  const std::size_t stride = std::max<std::size_t>(1, loop.faces.size() / 9);
-  for (std::size_t i = 0; i < loop.faces.size(); i += stride)
-    ++says[body.describe({loop.faces[i], {1.0 / 3, 1.0 / 3, 1.0 / 3}}).part];
-  const auto most =
-      std::max_element(says.begin(), says.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == says.end() || most->first == BodyPoint::Part::Face ? BodyPoint::Part::Torso : most->first;
-}
-
-// An open front is still a garment round the body; a narrow skirt leaves little more open on the inner side of a leg.
-constexpr double kOpen = std::numbers::pi / 2, kOpenLeg = std::numbers::pi / 4;
+constexpr double kOpen = std::numbers::pi / 2;  // an open front is still a garment round the body
 
 // Metres. In the fold of an armpit the tape would be drawn out towards the arms, and above it goes round them.
 constexpr double kUnderArmpit = 0.003;
-
-// Whether the places lie on all sides of the figure: a hem that hangs lower at the back than in front goes round
-// nothing.
-bool allRound(const std::vector<Vec3>& places, const std::vector<Vec3>& figure, double open) {
-  Vec3 middle;
-  for (const Vec3 p : figure.empty() ? places : figure) middle += p;
-  middle *= 1.0 / static_cast<double>(std::max<std::size_t>(1, (figure.empty() ? places : figure).size()));
-  std::vector<double> way;
-  for (const Vec3 p : places) way.push_back(std::atan2(p.x - middle.x, p.z - middle.z));
-  std::sort(way.begin(), way.end());
-  double widest = way.empty() ? 7 : way.front() + 2 * std::numbers::pi - way.back();
-  for (std::size_t i = 1; i < way.size(); ++i) widest = std::fmax(widest, way[i] - way[i - 1]);
-  return widest < open;
-}
 
 std::vector<Vec3> taped(std::vector<Vec3> points, double& length) {
   length = 0;
@@ -191,25 +165,7 @@ std::string mostStretched(const SceneFrame& frame) {
 std::vector<Girths> girthsAt(const GarmentSnapshot& snapshot, double height) {
   using Part = BodyPoint::Part;
   const Plane level{{0, height, 0}, {0, 1, 0}};
-  std::map<Part, std::vector<Vec3>> figure;
-  if (snapshot.body)
-    for (const SectionLoop& loop : section(snapshot.body->mesh(), level)) {
-      auto& mine = figure[roundWhat(*snapshot.body, loop)];
-      mine.insert(mine.end(), loop.points.begin(), loop.points.end());
-    }
-  // Cloth is round what it is nearest to.
-  const auto nearest = [&](Vec3 p) {
-    Part best = Part::Torso;
-    double least = 1e9;
-    for (const auto& [part, line] : figure)
-      for (const Vec3 q : line)
-        if (const double away = squaredLength(p - q); away < least) least = away, best = part;
-    return best;
-  };
-  std::map<Part, std::vector<Vec3>> cloth;
-  for (const SceneCloth& piece : snapshot.frame.cloths)
-    for (const SectionLoop& loop : section(piece.mesh, level))
-      for (const Vec3 p : loop.points) cloth[nearest(p)].push_back(p);
+  const PartsAt parts = partsAt(snapshot, level);
   const auto tape = [&](Girths::Round what, std::vector<Vec3> under, std::vector<Vec3> round) {
     Girths girths;
     girths.what = what;
@@ -218,22 +174,13 @@ std::vector<Girths> girthsAt(const GarmentSnapshot& snapshot, double height) {
     girths.round = taped(std::move(round), girths.garment);
     return girths;
   };
-  const bool legs = figure.contains(Part::LeftLeg) && figure.contains(Part::RightLeg);
-  const auto isRound = [&](Part leg) { return allRound(cloth[leg], figure[leg], kOpenLeg); };
-  const bool left = legs && isRound(Part::LeftLeg), right = legs && isRound(Part::RightLeg);
+  const bool left = parts.legIsClad(Part::LeftLeg), right = parts.legIsClad(Part::RightLeg);
   if (left || right) {
-    const auto own = [&](bool worn, Part leg) { return worn ? cloth[leg] : std::vector<Vec3>(); };
-    return {tape(Girths::Round::LeftLeg, figure[Part::LeftLeg], own(left, Part::LeftLeg)),
-            tape(Girths::Round::RightLeg, figure[Part::RightLeg], own(right, Part::RightLeg))};
+    const auto own = [&](bool worn, Part leg) { return worn ? parts.cloth.at(leg) : std::vector<Vec3>(); };
+    return {tape(Girths::Round::LeftLeg, parts.figure.at(Part::LeftLeg), own(left, Part::LeftLeg)),
+            tape(Girths::Round::RightLeg, parts.figure.at(Part::RightLeg), own(right, Part::RightLeg))};
   }
-  std::vector<Vec3> under, round;
-  const auto add = [](std::vector<Vec3>& all, const std::vector<Vec3>& more) {
-    all.insert(all.end(), more.begin(), more.end());
-  };
-  for (const Part part : {Part::Torso, Part::LeftLeg, Part::RightLeg}) {
-    add(under, figure[part]);
-    add(round, cloth[part]);
-  }
+  std::vector<Vec3> under = parts.trunk(parts.figure), round = parts.trunk(parts.cloth);
   if (!allRound(round, under, kOpen)) round.clear();
   return {tape(Girths::Round::Trunk, std::move(under), std::move(round))};
 }

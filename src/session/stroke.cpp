@@ -17,7 +17,7 @@ constexpr double kBeside = 1.5;        // times touching: how far beside the sil
 constexpr double kFairedApart = 0.01;  // metres between the nodes that are faired
 constexpr double kShortest = 0.06;     // metres: shorter waves are taken out
 constexpr double kRayMiss = 0.004;     // metres a faired line may pass from a certain ray
-constexpr double kAbove = 0.3;         // metres above the skin at which a tip's ray begins
+constexpr double kTipAbove = 0.3;      // metres above the skin at which a tip's ray begins
 constexpr int kSweeps = 120, kRounds = 3;
 
 Vec3 onRay(const Ray& ray, Vec3 place) { return ray.origin + ray.direction * dot(place - ray.origin, ray.direction); }
@@ -39,9 +39,9 @@ std::optional<StrokeSample> strokeSample(const GarmentSnapshot& snapshot, const 
   if (sample.tip) {
     if (!found.met) return std::nullopt;
     const Vec3 normal = faceNormal(body.mesh(), hit.skin.face);
-    found.ray = {hit.point + normal * kAbove, -normal};
-    found.reach = sample.reach / kAbove;
-    found.skin = hit.skin, found.point = hit.point, found.along = kAbove;
+    found.ray = {hit.point + normal * kTipAbove, -normal};
+    found.reach = sample.reach / kTipAbove;
+    found.skin = hit.skin, found.point = hit.point, found.along = kTipAbove;
     found.touched = true;
     return found;
   }

@@ -48,5 +48,48 @@ TEST_F(Tapes, OnSkinGoesRoundTheBody) {
 
 TEST_F(Tapes, BesideEverythingMeasuresNothing) { EXPECT_TRUE(along({{2, 0.8, 2}, {0, 0, -1}}).line.empty()); }
 
+// A shirt's sleeves hang at the height of the chest: the tape goes under them, and round one alone where it is pointed
+// at.
+TEST(TapeOnASleeve, GoesRoundWhatIsPointedAtAlone) {
+  Workers alone(1);
+  const auto body = makeMannequin(*builtInSize("jis9ar"), alone, Token());
+  ASSERT_TRUE(body) << text(body.error().what);
+  const auto& landmarks = (*body)->landmarks();
+  const Vec3 shoulder = landmarks.at("shoulder_left"), elbow = landmarks.at("elbow_left"),
+             wrist = landmarks.at("wrist_left");
+  const double chest = (*body)->measured().value.at("bust_girth") / (2 * std::numbers::pi) + 0.03;
+  GarmentSnapshot fitting;
+  fitting.body = *body;
+  const auto tube = [&](Vec3 from, Vec3 to, double radius) {
+    SceneCloth cloth;
+    constexpr std::uint32_t n = 48;
+    const Vec3 along = normalized(to - from), side = normalized(cross(along, {0, 0, 1})), front = cross(side, along);
+    for (const Vec3 end : {from, to})
+      for (std::uint32_t k = 0; k < n; ++k) {
+        const double a = 2 * std::numbers::pi * k / n;
+        cloth.mesh.points.push_back(end + side * (radius * std::cos(a)) + front * (radius * std::sin(a)));
+      }
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t next = (k + 1) % n;
+      cloth.mesh.faces.push_back({k, next, n + k});
+      cloth.mesh.faces.push_back({next, n + next, n + k});
+    }
+    fitting.frame.cloths.push_back(std::move(cloth));
+  };
+  const double bust = (*body)->measured().value.at("bust_height");
+  tube({0, bust - 0.2, 0}, {0, bust + 0.03, 0}, chest);
+  tube(shoulder, elbow, 0.06), tube(elbow, wrist, 0.05);
+  const auto mirrored = [](Vec3 p) { return Vec3{-p.x, p.y, p.z}; };
+  tube(mirrored(shoulder), mirrored(elbow), 0.06);
+  Hit hit;
+  hit.on = Hit::On::Cloth;
+  hit.point = {0, bust, chest};
+  EXPECT_NEAR(tapeAt(fitting, hit).length, 2 * std::numbers::pi * chest, 0.01);
+  hit.point = lerp(shoulder, elbow, 0.6) + Vec3{0, 0, 0.06};
+  EXPECT_NEAR(tapeAt(fitting, hit).length, 2 * std::numbers::pi * 0.06, 0.02) << "square to the arm";
+  hit.point = lerp(elbow, wrist, 0.5) + Vec3{0, 0, 0.05};
+  EXPECT_NEAR(tapeAt(fitting, hit).length, 2 * std::numbers::pi * 0.05, 0.02);
+}
+
 }  // namespace
 }  // namespace karinui

@@ -1,6 +1,7 @@
 #pragma once
-// The tape measure at the pointer: level, round the garment where the pointer is on cloth, round the body where it is
-// on skin. Pure; long for large garments; any thread. Metres.
+// The tape measure at the pointer: round the garment where the pointer is on cloth, round the body where it is on skin;
+// round what is pointed at alone, the trunk or a leg level, an arm square to it. Pure; long for large garments; any
+// thread. Metres.
 #include <vector>
 
 #include "karinui/session/garment_snapshot.h"
