@@ -1,9 +1,24 @@
 #pragma once
 // What a drape tells on its way: the share of its work that is done, and where the cloth stands. It also counts the
 // steps of all levels, and ends a stage at the step where the settings say so.
+#include <optional>
+
 #include "cloth/stages.h"
 
 namespace karinui {
+
+// How far a stage has come, as one may be told. The bar goes on by what a step is of those that are left, so that it is
+// never full before the end, whatever was forecast before; a number of steps that grows is not told.
+class ToldProgress {
+ public:
+  void step(std::optional<double> left);  // how many there are to go; nothing: not known yet
+  double share() const { return share_; }
+  std::optional<int> stepsToGo() const { return told_; }  // in tens
+
+ private:
+  double share_ = 0;
+  std::optional<int> lowest_, told_;
+};
 
 class DrapeProgress {
  public:
