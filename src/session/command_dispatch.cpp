@@ -47,6 +47,13 @@ bool Session::can(Command command) const {
     case Command::SectionBack:
     case Command::SectionOn:
       return in.viewCut.section.has_value();
+    case Command::Remove:  // not from under the hand that holds it
+    case Command::Duplicate:
+    case Command::Mirror:
+    case Command::Freeze:
+    case Command::FlipSeam:
+      if (in.gesture->begun()) return false;
+      break;
     case Command::Mend:
       return !in.state.readOnly && !in.gesture->begun() && in.mendable();
     default:

@@ -254,7 +254,11 @@ Box roomOnTable(const GarmentSnapshot::Worn& worn, const Document& document, con
 
 void TableLayout::arrange(const GarmentSnapshot& snapshot) {
   const Document& document = snapshot.document;
-  std::erase_if(place_, [&](const auto& known) { return !document.find(known.first); });
+  std::erase_if(place_, [&](const auto& known) {
+    if (document.find(known.first)) return false;
+    left_.insert_or_assign(known.first, known.second);
+    return true;
+  });
   std::set<PieceId> graded;
   for (const auto& worn : snapshot.worn)
     if (document.grading.pieces.contains(worn.id)) graded.insert(worn.id);
@@ -281,7 +285,17 @@ void TableLayout::arrange(const GarmentSnapshot& snapshot) {
         return std::any_of(place_.begin(), place_.end(),
                            [&](const auto& other) { return one.first < other.first && meet(one.first, other.first); });
       }))
-    place_.clear();
+    place_.clear(), left_.clear();
+  // What an undo brings back lies where it lay, unless something else does now.
+  for (const auto& worn : snapshot.worn) {
+    const auto left = left_.find(worn.id);
+    if (left == left_.end() || place_.contains(worn.id)) continue;
+    place_[worn.id] = left->second;
+    left_.erase(left);
+    if (std::any_of(place_.begin(), place_.end(),
+                    [&](const auto& other) { return other.first != worn.id && meet(worn.id, other.first); }))
+      place_.erase(worn.id);
+  }
   // Rows from the top downwards; a new piece goes to the end of the last row.
   double right = 0, top = 0, low = 0;
   bool any = false;

@@ -336,6 +336,56 @@ TEST(Session, ADrapeUnderWayIsKeptWhenAnotherDocumentComesOrOneLeaves) {
   std::filesystem::remove(path);
 }
 
+// What is in hand is not taken away under it; nor does any other step that a key asks for come between.
+TEST(Session, WhatIsInHandIsNotRemovedUnderIt) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  giveTwo(session);
+  session.command(Command::Move);
+  const PieceId front = session.snapshot().document.pieceNamed("front")->id;
+  Selection chosen;
+  chosen.pieces = {front};
+  session.select(chosen);
+  PointerSample hand;
+  hand.where = PointerSample::Where::Space;
+  hand.facing = {0, 0, 1};
+  hand.ray = {{0.2, 0.2, 2}, {0, 0, -1}};
+  const auto feed = [&](PointerSample::Phase phase) {
+    hand.phase = phase;
+    session.feed(hand);
+  };
+  feed(PointerSample::Phase::Press);
+  ASSERT_TRUE(session.begun());
+  for (const Command c : {Command::Remove, Command::Duplicate, Command::Mirror, Command::Freeze}) {
+    EXPECT_FALSE(session.can(c));
+    session.command(c);
+  }
+  session.finish();
+  ASSERT_TRUE(session.snapshot().document.find(front));
+  hand.ray.origin += Vec3{0.1, 0, 0};
+  feed(PointerSample::Phase::Drag), feed(PointerSample::Phase::Release);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), 3u);
+  EXPECT_THAT(stepsOf(session).back(), testing::StartsWith("move"));
+  EXPECT_TRUE(session.can(Command::Remove));
+}
+
+// A piece that comes back lies where it lay, on a table that a person has laid out.
+TEST(Session, APieceThatComesBackLiesWhereItLay) {
+  Held held;
+  held.allow.set_value();
+  Session session(held.options());
+  giveTwo(session);
+  const PieceId front = session.snapshot().document.pieceNamed("front")->id;
+  const Flat lay = session.table().at(front);
+  session.perform(RemovePieces{{PieceRef(front)}});
+  session.finish();
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_EQ(session.table().at(front), lay);
+}
+
 TEST(Session, ASeamIsTurnedRound) {
   Held held;
   Session session(held.options());
