@@ -77,7 +77,8 @@ Message numberSaid(std::string_view field, double value) {
   if (field.starts_with("stretch") || field == "shear") return say("{0} N/m", shortest(value));
   if (field.starts_with("bend")) return say("{0} µN m", fixed(value * 1e6, 2));
   if (field.starts_with("toe")) return say("{0} %", fixed(100 * value, 2));
-  return say("{0}", shortest(value));
+  constexpr double kSaid = 1e4;  // what was reckoned out of a length is said in four decimals
+  return say("{0}", shortest(std::fabs(value) < 0.1 ? value : std::round(kSaid * value) / kSaid));
 }
 
 std::optional<Message> said(const Document& document, std::string_view operation, const FieldHelp& field,

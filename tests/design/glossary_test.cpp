@@ -235,6 +235,13 @@ TEST(Glossary, NamesOfDraftsAndSamplesAreWords) {
   }
 }
 
+// A fastening that is given no name is called by what it is, in the menus and the steps.
+TEST(Glossary, FasteningsAreCalledByWhatTheyAre) {
+  for (const char* kind : {"buttons", "snaps", "hooks", "ties", "zip"})
+    for (const std::string& name : {std::string(kind), std::string(kind) + "_2"})
+      EXPECT_TRUE(hasJapanese(text(nameSaid(name), Language::Japanese))) << name;
+}
+
 TEST(Glossary, WhatAPersonNamedIsSaidAsGiven) {
   for (const char* own : {"my_edge", "袖口", "cuff-links", "3", "yes", "coat.karinui", "12cm,3cm", ""})
     EXPECT_EQ(said(identifierSaid(own)), "nothing") << own;
@@ -303,6 +310,14 @@ TEST(Glossary, NoSentenceKeepsAScript) {
       EXPECT_FALSE(std::regex_search(said, script)) << said;
   }
   EXPECT_GT(seen, 50);
+}
+
+// An elastic typed as 14 cm is a share of its edge, with all its digits in the record only.
+TEST(Glossary, AShareIsSaidInFourDecimals) {
+  const auto elastic = parseOperation("elastic edges=p1.hem ratio=0.585236529476");
+  ASSERT_TRUE(elastic);
+  EXPECT_THAT(text(stepSaid(Document(), *elastic)), testing::HasSubstr("0.5852"));
+  EXPECT_THAT(text(stepSaid(Document(), *elastic)), testing::Not(testing::HasSubstr("0.58523")));
 }
 
 TEST(Glossary, StepsAreSaidWithoutAnyIdentifier) {
