@@ -5,6 +5,7 @@
 #include "json_answers.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/design/script.h"
 #include "karinui/exchange/formats.h"
 
 namespace karinui::app {
@@ -44,6 +45,7 @@ Result<Measurements> wanted(Program& program, const MakeOptions& options) {
     }
     const Result<std::string> key = measurementKey(stated.substr(0, is));
     if (!key) return key.error();
+    if (const Done meant = isAngle(*key) ? Done() : unitMeant(stated.substr(is + 1)); !meant) return meant.error();
     const Result<double> value = parseLength(stated.substr(is + 1));
     if (!value) return value.error();
     own[*key] = *value;

@@ -25,6 +25,7 @@ Result<LaySettings> settingsOf(const LayoutOptions& options) {
   LaySettings settings;
   const auto read = [](const std::string& words, double& into) -> Done {
     if (words.empty()) return {};
+    if (Done meant = unitMeant(words); !meant) return meant;
     const auto length = parseLength(words);
     if (!length) return length.error();
     into = *length;

@@ -178,7 +178,8 @@ ReportTable seamTable(const Document& document) {
 }
 
 int runReport(Program& program, const ReportOptions& options) {
-  const auto width = parseLength(options.width);
+  const Done meant = unitMeant(options.width);
+  const auto width = meant ? parseLength(options.width) : meant.error();
   if (!width) {
     program.console.refuse(width.error());
     return kWrongCall;

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "karinui/base/near_names.h"
 #include "karinui/base/number.h"
 
 namespace karinui {
@@ -89,20 +90,6 @@ std::string plain(std::string_view name) {
   return out;
 }
 
-std::size_t edits(std::string_view a, std::string_view b) {  // Levenshtein
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t corner = row[0]++;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, corner + (a[i - 1] != b[j - 1])});
-      corner = above;
-    }
-  }
-  return row.back();
-}
-
 template <class Visit>
 void forNames(Visit visit) {
   for (const Name& name : kNames) {
@@ -137,7 +124,7 @@ Result<std::string> measurementKey(std::string_view anyName) {
   std::string list;
   std::vector<std::string_view> said;
   for (const auto& [far, key] : near) {
-    if (said.size() == 3 || far > std::max<std::size_t>(2, wanted.size() / 2)) break;
+    if (said.size() == 3 || far > mostEdits(wanted)) break;
     if (std::find(said.begin(), said.end(), key) != said.end()) continue;
     list += (said.empty() ? "" : ", ") + std::string(key);
     said.push_back(key);

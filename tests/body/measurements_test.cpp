@@ -20,6 +20,7 @@ TEST(Measurements, AnUnknownNameListsNearOnes) {
   const auto result = measurementKey("waste_girth");
   ASSERT_FALSE(result);
   EXPECT_NE(text(result.error().what).find("waist_girth"), std::string::npos);
+  EXPECT_EQ(text(measurementKey("taille").error().what), "There is no measurement called \"taille\".");
   EXPECT_FALSE(measurementKey(""));
   EXPECT_FALSE(measurementKey(std::string(100000, 'x')));
 }

@@ -200,6 +200,38 @@ TEST(OperationText, SaysWhatIsWrong) {
   EXPECT_THAT(wrong("sew a=front b=back.x"), HasSubstr("not an edge"));
   EXPECT_THAT(wrong("piece name=a outline=\"L 0 0\""), HasSubstr("begins with “M u v”"));
   EXPECT_THAT(wrong(""), HasSubstr("no operation on this line"));
+  EXPECT_THAT(wrong("blok kind=skirt"), testing::EndsWith("near names: block."));
+  EXPECT_THAT(wrong("quilt piece=a"), HasSubstr("there are: body, "));
+}
+
+TEST(Text, ALengthWithoutAUnitIsNotTakenForMetres) {
+  const auto wrong = [](std::string_view line) {
+    const auto read = parseOperation(line);
+    return read ? "read: " + text(*read) : text(read.error().what);
+  };
+  const std::string fault = "“10” has no unit and would be 10 metres; write 10cm or 10mm, or 10m if it is meant.";
+  EXPECT_EQ(wrong("rectangle name=r width=10 height=5cm"), fault);
+  EXPECT_EQ(wrong("cut piece=a line=\"0,0 1cm,10\""), fault);
+  EXPECT_EQ(wrong("move piece=a by=0,10,0"), fault);
+  EXPECT_EQ(wrong("body size=eu38 set=\"waist_girth=66cm bust_girth=10\""), fault);
+  EXPECT_THAT(wrong("rectangle name=r width=-2.5 height=5cm"), HasSubstr("write -2.5cm or -2.5mm"));
+  for (const char* right :
+       {"rectangle name=r width=0.4 height=1.99", "rectangle name=r width=10m height=5cm",
+        "rectangle name=r width=\"bust_girth/4 + 20cm\" height=\"3 * 5cm\"", "move piece=a by=0,0,0.5",
+        "body size=eu38 set=\"bust_girth=88cm; waist_girth=bust_girth - 20cm\"", "body size=eu38 set=bust_girth=0.88"})
+    EXPECT_TRUE(parseOperation(right)) << wrong(right);
+  // What is written without a unit, because millimetres would not read back as the same number, is read.
+  int bare = 0;
+  for (double metres = 2; metres < 12; metres = std::nextafter(metres * 1.001, 100)) {
+    MovePiece move;
+    move.by = {0, metres, 0};
+    const std::string line = text(Operation(move));
+    bare += line.find("mm") == std::string::npos;
+    const auto read = parseOperation(line);
+    ASSERT_TRUE(read) << line;
+    EXPECT_EQ(text(*read), line);
+  }
+  EXPECT_GT(bare, 0);
 }
 
 TEST(Script, ContinuesLinesSkipsCommentsAndNamesTheLineOfAnError) {

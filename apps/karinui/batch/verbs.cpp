@@ -6,6 +6,7 @@
 #include "item.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/design/script.h"
 #include "people_picture.h"
 #include "plan.h"
 #include "shard.h"
@@ -53,6 +54,7 @@ struct SubmitOptions {
 int runPlan(Program& program, const PlanOptions& options) {
   BatchWish wish = options.wish;
   if (!options.spacing.empty()) {
+    if (const Done meant = unitMeant(options.spacing); !meant) return program.console.refuse(meant.error()), kWrongCall;
     const auto spacing = parseLength(options.spacing);
     if (!spacing) return program.console.refuse(spacing.error()), kWrongCall;
     wish.spacing = *spacing;
@@ -160,6 +162,7 @@ int runPeople(Program& program, const PeopleOptions& options) {
 int runThroughput(Program& program, const ThroughputOptions& options) {
   ThroughputWish wish = options.wish;
   if (!options.spacing.empty()) {
+    if (const Done meant = unitMeant(options.spacing); !meant) return program.console.refuse(meant.error()), kWrongCall;
     const auto spacing = parseLength(options.spacing);
     if (!spacing) return program.console.refuse(spacing.error()), kWrongCall;
     wish.batch.spacing = *spacing;

@@ -13,6 +13,8 @@ namespace karinui {
 
 std::string text(const Operation& operation);
 Result<Operation> parseOperation(std::string_view line);
+// Refuses a typed length of 2 or more without a unit: it would be metres, and centimetres are meant.
+Done unitMeant(std::string_view length);
 
 struct ScriptLine {
   int number = 0;  // of its first line, from 1

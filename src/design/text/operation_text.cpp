@@ -2,6 +2,8 @@
 
 #include "design/text/field_table.h"
 #include "design/text/formula_fields.h"
+#include "design/text/units_meant.h"
+#include "karinui/base/near_names.h"
 
 namespace karinui {
 
@@ -85,9 +87,9 @@ Result<ParsedLine> parseLine(std::string_view text) {
 
 // A value as text, or formulas that give it once there is a garment.
 Done readField(const FieldOf& field, std::string_view text, std::vector<FieldText>& formulas) {
+  const std::string& kind = field.form->kind;
   const Done done = field.form->read(text, field.value);
   if (done) return done;
-  const std::string& kind = field.form->kind;
   const auto formula = workedOutField(kind, text, [&](Formula&) -> Result<Quantity> {
     return Quantity{0, kind == "number" ? kPlainNumber : kind.ends_with("angle") ? kAngle : kLength};
   });
@@ -111,7 +113,11 @@ Result<Operation> filled(const OperationForm& form, const ParsedLine& line) {
       if (field.need == kNeeded && trouble) trouble = badInput(say("“{0}” needs {1}=….", form.name, field.name));
       continue;
     }
-    if (Done done = readField(field, given->value, formulas); !done && trouble) trouble = done.error();
+    // u,v is a direction there, and gravity is an acceleration
+    const bool other = form.name == SetGrain::kName || field.name == "grain" || field.name == "gravity";
+    Done done = other ? Done() : unitsMeant(field.form->kind, given->value);
+    if (done) done = readField(field, given->value, formulas);
+    if (!done && trouble) trouble = done.error();
   }
   for (std::size_t i = 0; i < line.values.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -162,13 +168,21 @@ std::string text(const Operation& operation) { return lineOf(nameOf(operation), 
 Result<Operation> parseOperation(std::string_view text) {
   const auto line = parseLine(text);
   if (!line) return line.error();
-  std::string names;
+  std::vector<std::string> names;
   for (const OperationForm& form : operationForms()) {
     if (line->name == form.name) return filled(form, *line);
-    names += (names.empty() ? "" : ", ") + std::string(form.name);
+    names.emplace_back(form.name);
   }
   if (line->name.empty()) return badInput(say("There is no operation on this line; it begins with its name."));
-  return badInput(say("There is no operation “{0}”; there are: {1}.", line->name.substr(0, 60), names));
+  const std::string wanted = line->name.substr(0, 60);
+  const auto joined = [](const std::vector<std::string>& all) {
+    std::string list;
+    for (const std::string& name : all) list += (list.empty() ? "" : ", ") + name;
+    return list;
+  };
+  if (const auto near = nearNames(wanted, names); !near.empty())
+    return badInput(say("There is no operation “{0}”; near names: {1}.", wanted, joined(near)));
+  return badInput(say("There is no operation “{0}”; there are: {1}.", wanted, joined(names)));
 }
 
 std::vector<OperationHelp> operationHelp() {
