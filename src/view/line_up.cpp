@@ -45,7 +45,9 @@ Result<Image> LineUp::see(std::size_t which, double turn, InRow row, bool legend
   if (each_.strainTop > 0 && strainTop(frames_[which]) == 0) how.map = Map::None;  // wears nothing
   auto image = easel.shows == which ? easel.picture->again(how) : easel.picture->draw(frames_[which], how);
   easel.shows = image ? which : ~std::size_t{0};
-  for (const Message& note : easel.picture->notes()) notes_.push_back(note);
+  const std::string& name = figures_[which].name;
+  for (const Message& note : easel.picture->notes())
+    notes_.push_back(name.empty() ? note : say("{0}: {1}", name, note));
   return image;
 }
 
