@@ -16,6 +16,10 @@ struct DocumentOnly {
   std::string path;
 };
 
+struct InfoOptions {
+  std::string path, piece;
+};
+
 struct CheckOptions {
   std::string path, sheet;
   std::vector<std::string> poses;
@@ -93,8 +97,20 @@ int answerSettle(Program& program, const SettleOptions& options) {
   });
 }
 
-int answerInfo(Program& program, const DocumentOnly& options) {
+int answerInfo(Program& program, const InfoOptions& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
+    if (!options.piece.empty()) {
+      std::string names;
+      for (const auto& [id, piece] : opened.document().pattern.pieces) {
+        names += (names.empty() ? "" : ", ") + piece->name;
+        if (piece->name != options.piece && text(id) != options.piece) continue;
+        program.console.answer(pieceJson(*piece), pieceWords(opened.document(), *piece, program.console));
+        return kDone;
+      }
+      return program.console.refuse(
+          names.empty() ? refused(say("There is no piece “{0}”; there are no pieces yet.", options.piece))
+                        : refused(say("There is no piece “{0}”; there are: {1}.", options.piece, names)));
+    }
     program.console.answer(infoJson(opened.document()), infoWords(opened.document(), program.console));
     return kDone;
   });
@@ -130,10 +146,11 @@ void addAnswerVerbs(Program& program) {
   program.output(*verb, "--sheet", checked->sheet, help("with --poses: a PNG file of the poses side by side"), {"png"})
       ->needs(poses);
 
-  auto info = std::make_shared<DocumentOnly>();
-  program.verb(program.cli, "info", help("Lists pieces, seams and lengths"), info, answerInfo)
-      ->add_option("document", info->path, help("The .karinui document"))
-      ->required();
+  auto info = std::make_shared<InfoOptions>();
+  verb = program.verb(program.cli, "info", help("Lists pieces, seams and lengths"), info, answerInfo);
+  verb->add_option("document", info->path, help("The .karinui document"))->required();
+  verb->add_option("--piece", info->piece,
+                   help("Of this piece where the ends of its edges, its inner lines and marks lie on paper"));
 
   auto walked = std::make_shared<DocumentOnly>();
   program

@@ -153,6 +153,47 @@ std::string infoWords(const Document& document, const Console& console) {
   return words;
 }
 
+std::string pieceWords(const Document& document, const Piece& piece, const Console& console) {
+  const auto said = [&](const Message& message) { return console.said(message); };
+  const auto place = [](Flat at) { return fixed(at.u * 100, 2) + "," + fixed(at.v * 100, 2); };
+  std::string words =
+      said(say("Piece {0} ({1}), places on paper in cm (u,v):", withScript(said(nameSaid(piece.name)), piece.name),
+               text(piece.id))) +
+      "\n";
+  WordTable edges;
+  const auto runs = [&](const Outline& outline) {
+    for (const Edge& edge : outline.edges)
+      edges.row({withScript(said(edgeWithPartnerSaid(document, piece, edge.name)), edge.name),
+                 place(edge.curve.start) + "  →  " + place(edge.curve.end), mm(edge.curve.length()),
+                 edge.curve.kind == Curve::Kind::Line ? said(say("straight")) : said(say("curved"))});
+  };
+  runs(piece.outline);
+  words += edges.words(2);
+  for (std::size_t i = 0; i < piece.holes.size(); ++i) {
+    edges = WordTable();
+    runs(piece.holes[i]);
+    words += said(say("Hole {0}:", i + 1)) + "\n" + edges.words(2);
+  }
+  WordTable inner;
+  for (const InternalLine& line : piece.lines) {
+    std::string all = line.curves.empty() ? "" : place(line.curves.front().start);
+    for (const Curve& curve : line.curves) all += "  →  " + place(curve.end);
+    inner.row({said(nameSaid(line.name)), all, line.crease ? said(say("pressed")) : ""});
+  }
+  if (!piece.lines.empty()) words += said(say("Lines within:")) + "\n" + inner.words(2);
+  WordTable marks;
+  for (const Mark& mark : piece.marks) {
+    const auto edge = piece.outline.find(mark.edge);
+    if (mark.edge.empty() || edge) {
+      const Curve* curve = edge ? &piece.outline.edges[*edge].curve : nullptr;
+      marks.row({said(nameSaid(mark.name)), mark.edge,
+                 place(curve ? curve->at(curve->parameterAt(mark.fraction * curve->length())) : mark.place)});
+    }
+  }
+  if (!piece.marks.empty()) words += said(say("Marks:")) + "\n" + marks.words(2);
+  return words;
+}
+
 std::string printWords(const Document& document, const PhotoTall& tall, const Console& console) {
   std::size_t printed = 0;
   for (const auto& [id, seam] : document.pattern.seams) printed += printMeeting(document, seam, tall).has_value();

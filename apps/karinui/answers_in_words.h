@@ -17,6 +17,7 @@ std::string pressureWords(const PressureReport& pressure, const Console& console
 // `document`: as it was settled, with its report. `kept`: it was at rest before.
 std::string settleWords(const Examination& check, const Document& document, bool kept, const Console& console);
 std::string infoWords(const Document& document, const Console& console);
+std::string pieceWords(const Document& document, const Piece& piece, const Console& console);  // with places on paper
 // Whether prints match at the seams; empty where nothing is printed on both sides of one.
 std::string printWords(const Document& document, const PhotoTall& tall, const Console& console);
 std::string truingWords(const Document& document, const TruingReport& report, const Console& console);

@@ -121,6 +121,7 @@ Result<Compared> compared(OpenDocument& opened, const ComparisonWish& wish, cons
 
 Result<SceneFrame> seen(OpenDocument& opened, const Document& document, const ViewCut& cut) {
   Result<SceneFrame> frame = opened.scene(document);
+  if (frame && extent(*frame).empty()) return refused(say("There is nothing to see: no body, no cloth and no line."));
   if (!frame || !cut.any()) return frame;
   BodyPtr body;
   if (document.body.chosen()) {

@@ -51,15 +51,31 @@ const Token& Console::token() {
 
 void Console::stopFirst(StopRequest* stop) { stoppable = stop; }
 
+// One line for each stage, and one every ten seconds of a long one: a log is read afterwards.
+void Console::log(int percent, const Message& doing) {
+  if (doing.empty()) return;
+  const auto now = std::chrono::steady_clock::now();
+  // “Draping …, some 40 steps to go” is of the stage “Draping …”.
+  const Message* stage = &doing;
+  while (stage->pattern.starts_with("{0}") && !stage->values.empty() &&
+         std::holds_alternative<Message>(stage->values[0]))
+    stage = &std::get<Message>(stage->values[0]);
+  const auto told = stages_.find(stage->pattern);
+  const auto pause = told == stages_.end() ? std::chrono::milliseconds(500) : std::chrono::milliseconds(10'000);
+  if (now - shown_ < pause || (told != stages_.end() && percent <= told->second)) return;
+  shown_ = now;
+  stages_[stage->pattern] = percent;
+  std::fprintf(stderr, "  %3d%% %s\n", percent, said(doing).c_str());
+}
+
 void Console::show(double fraction, const Message& doing) {
+  if (isatty(STDERR_FILENO) == 0) return log(static_cast<int>(100 * fraction), doing);
   const auto now = std::chrono::steady_clock::now();
   const bool end = fraction >= 1 && showing_;
   if (now - shown_ < std::chrono::milliseconds(500) && !end) return;
   shown_ = now;
   showing_ = !end;
-  const bool screen = isatty(STDERR_FILENO) != 0;
-  std::fprintf(stderr, "%s  %3d%% %s%s", screen ? "\r" : "", static_cast<int>(100 * fraction), said(doing).c_str(),
-               screen && !end ? "\033[K" : "\n");
+  std::fprintf(stderr, "\r  %3d%% %s%s", static_cast<int>(100 * fraction), said(doing).c_str(), end ? "\n" : "\033[K");
 }
 
 }  // namespace karinui::app

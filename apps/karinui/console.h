@@ -2,6 +2,7 @@
 // What the command says and how it ends: answers on stdout (words, or one JSON object), progress and trouble on stderr.
 #include <chrono>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -32,15 +33,20 @@ class Console {
   int refuse(const Error& error) const;  // says why; gives the exit status
   // Ctrl-C cancels it; after half a second its progress is shown.
   const Token& token();
+  // What follows is a job of its own, whose progress begins anew.
+  void newJob() { stages_.clear(); }
   // Ctrl-C asks this first, and cancels only what cannot be stopped so; null: not any more.
   void stopFirst(StopRequest* stop);
 
  private:
   void show(double fraction, const Message& doing);
+  void log(int percent, const Message& doing);
   Language language_;
   std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
   Token token_{[this](double fraction, const Message& doing) { show(fraction, doing); }};
   bool showing_ = false;
+  // Where nobody watches, by stage: the most that was told of it.
+  std::map<std::string, int> stages_;
   std::function<void(const Message&)> keep_;
 };
 

@@ -17,6 +17,7 @@
 #include "karinui/exchange/read_print.h"
 #include "make_document.h"
 #include "open_document.h"
+#include "readable_lengths.h"
 #include "sizes_said.h"
 #include "stage_pictures.h"
 
@@ -44,13 +45,14 @@ struct AmendOptions {
 };
 struct ImportOptions {
   std::string file, body, size, rules, out, sew = "none";
-  bool overwrite = false, list = false, ruleSteps = false;
+  bool overwrite = false, list = false, ruleSteps = false, wrap = false;
 };
 
 Result<void> playScript(OpenDocument& opened, const std::string& script, const std::string& body,
                         StagePictures& pictures) {
   const Result<std::vector<ScriptLine>> lines = parseScript(script);
   if (!lines) return lines.error();
+  if (lines->empty()) opened.program().console.note(say("The script holds no operation; nothing of it was performed."));
   if (!body.empty()) {
     Result<SetBody> chosen = bodyOperation(opened, body);
     if (!chosen) return chosen.error();
@@ -133,7 +135,7 @@ int runDo(Program& program, const DoOptions& options) {
           program.console.note(say("Done and kept: {0} of {1} {1|operation|operations}.", done, operations.size()));
         return program.console.refuse(step.error());
       }
-      program.console.answer(stepJson(*step, opened.document()), text(step->operation));
+      program.console.answer(stepJson(*step, opened.document()), withReadableLengths(text(step->operation)));
       if (opened.stopped()) break;
     }
     return opened.settled() ? kDone : kNotSettled;
@@ -148,7 +150,7 @@ int runTurn(Program& program, const DocumentOnly& options) {
     Json object = {{"operation", text(step->operation)},
                    {"operations", opened.document().operations},
                    {"hash", hash(opened.document())}};
-    program.console.answer(object, text(step->operation));
+    program.console.answer(object, withReadableLengths(text(step->operation)));
     return kDone;
   });
 }
@@ -160,7 +162,8 @@ int runAmend(Program& program, const AmendOptions& options) {
     if (const Done amended = opened.file().amend(options.step, *std::move(operation), opened.context()); !amended)
       return program.console.refuse(amended.error());
     const Document& document = opened.document();
-    program.console.answer({{"operations", document.operations}, {"hash", hash(document)}}, opened.file().log());
+    program.console.answer({{"operations", document.operations}, {"hash", hash(document)}},
+                           withReadableLengths(opened.file().log()));
     return document.drape.last && !document.drape.last->settled ? kNotSettled : kDone;
   });
 }
@@ -171,7 +174,7 @@ int runLog(Program& program, const DocumentOnly& options) {
     for (const Step& step : opened.file().steps()) {
       steps.push_back({{"serial", step.serial}, {"operation", text(step.operation)}, {"hash", step.after}});
     }
-    program.console.answer({{"operations", steps}}, opened.file().log());
+    program.console.answer({{"operations", steps}}, withReadableLengths(opened.file().log()));
     return kDone;
   });
 }
@@ -328,7 +331,7 @@ int runImport(Program& program, const ImportOptions& options) {
     }
     const std::string body = drawn ? options.body : options.file;
     if (!body.empty()) {
-      Result<SetBody> chosen = bodyOperation(opened, body);
+      Result<SetBody> chosen = bodyOperation(opened, body, options.wrap);
       if (!chosen) return chosen.error();
       if (const auto step = opened.perform(std::move(*chosen)); !step) return step.error();
     }
@@ -465,6 +468,7 @@ void addDocumentVerbs(Program& program) {
   verb->add_flag("--rule-steps", import->ruleSteps,
                  help("The rules say how far a point goes from each size to the next, not from the sample size"));
   verb->add_option("--body", import->body, help("A body file or built-in size to put the pattern on"));
+  verb->add_flag("--wrap", import->wrap, help("Close a scan's holes first"));
   verb->add_flag("--overwrite", import->overwrite, help("Replace a document that is there already"));
 }
 

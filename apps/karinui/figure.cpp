@@ -31,7 +31,7 @@ Result<Measurements> readFigureMeasures(Program& program, const std::string& pat
   return made;
 }
 
-Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFile) {
+Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFile, bool wrap) {
   SetBody chosen;
   const auto sizes = builtInSizes();
   if (std::find(sizes.begin(), sizes.end(), sizeOrFile) != sizes.end()) {
@@ -47,7 +47,7 @@ Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFil
   }
   if (contentOf(sizeOrFile) != FileContent::Body)
     return unreadable(sizeOrFile, {FileContent::Measures, FileContent::Body});
-  Result<Body::Parts> parts = readFigure(opened.program(), opened.context().workers, sizeOrFile, false);
+  Result<Body::Parts> parts = readFigure(opened.program(), opened.context().workers, sizeOrFile, wrap);
   if (!parts) return parts.error();
   Result<std::string> blob = opened.file().blobs().put(packBody(*parts));
   if (!blob) return blob.error();

@@ -6,7 +6,8 @@
 namespace karinui::app {
 
 // The operation that chooses this body; a file's mesh becomes a blob of the document.
-Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFile);
+// `wrap` puts a skin over a scan with holes.
+Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFile, bool wrap = false);
 
 // A file of measures: those that a mannequin can be made to. What is left out is said on stderr.
 Result<Measurements> readFigureMeasures(Program& program, const std::string& path);

@@ -147,6 +147,40 @@ Json infoJson(const Document& document) {
   return object;
 }
 
+Json pieceJson(const Piece& piece) {
+  const auto place = [](Flat at) { return Json{at.u, at.v}; };
+  const auto edgesOf = [&](const Outline& outline) {
+    Json edges = Json::array();
+    for (const Edge& edge : outline.edges)
+      edges.push_back({{"name", edge.name},
+                       {"from_m", place(edge.curve.start)},
+                       {"to_m", place(edge.curve.end)},
+                       {"length_m", edge.curve.length()},
+                       {"straight", edge.curve.kind == Curve::Kind::Line}});
+    return edges;
+  };
+  Json holes = Json::array(), lines = Json::array(), marks = Json::array();
+  for (const Outline& hole : piece.holes) holes.push_back(edgesOf(hole));
+  for (const InternalLine& line : piece.lines) {
+    Json places = Json::array();
+    for (const Curve& curve : line.curves) {
+      if (places.empty()) places.push_back(place(curve.start));
+      places.push_back(place(curve.end));
+    }
+    lines.push_back({{"name", line.name}, {"places_m", places}, {"pressed", line.crease.has_value()}});
+  }
+  for (const Mark& mark : piece.marks) {
+    Json one = {{"name", mark.name}};
+    if (mark.edge.empty())
+      one["place_m"] = place(mark.place);
+    else
+      one["edge"] = mark.edge, one["fraction"] = mark.fraction;
+    marks.push_back(std::move(one));
+  }
+  return {{"id", text(piece.id)}, {"name", piece.name}, {"edges", edgesOf(piece.outline)},
+          {"holes", holes},       {"lines", lines},     {"marks", marks}};
+}
+
 Json printsJson(const Document& document, const PhotoTall& tall) {
   Json seams = Json::array();
   for (const auto& [id, seam] : document.pattern.seams)

@@ -17,6 +17,7 @@ Result<Step> OpenDocument::perform(Operation operation) {
 }
 
 Result<Step> OpenDocument::performWith(Operation operation, Context& context) {
+  program_.console.newJob();
   const bool rests = std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation);
   Result<Step> step = file_.perform(std::move(operation), context);
   if (!step || !rests || !document().drape.last) return step;

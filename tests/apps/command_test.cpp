@@ -136,6 +136,78 @@ TEST_F(Command, ExplainsAWrongCallInBothLanguages) {
   EXPECT_TRUE(karinui("settle --json").json().contains("error"));
 }
 
+TEST_F(Command, TellsWherePiecesLieOnPaper) {
+  ASSERT_EQ(play("piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; top C 300 510 100 510 0 500; centre L "
+                 "0 0\"\nline piece=front along=\"5cm,10cm 5cm,30.5cm\" name=fold\n")
+                .exit,
+            0);
+  const Said info = karinui("info " + document() + " --piece front");
+  EXPECT_EQ(info.exit, 0) << info.err;
+  EXPECT_THAT(info.out, HasSubstr("40.00,0.00  →  40.00,50.00  500.0 mm"));
+  EXPECT_THAT(info.out, HasSubstr("5.00,10.00  →  5.00,30.50"));
+  EXPECT_THAT(info.out, HasSubstr("curved"));
+  const auto json = karinui("info " + document() + " --piece p1 --json").json();
+  EXPECT_EQ(json["edges"][1]["to_m"], nlohmann::json({0.4, 0.5}));
+  EXPECT_EQ(json["lines"][0]["places_m"].size(), 2u);
+  const Said none = karinui("info " + document() + " --piece sleeve");
+  EXPECT_EQ(none.exit, 3);
+  EXPECT_THAT(none.err, HasSubstr("there are: front"));
+}
+
+TEST_F(Command, SaysWhereNothingIsDoneOrSeen) {
+  const Said empty = play("# nothing\n");
+  EXPECT_EQ(empty.exit, 0);
+  EXPECT_THAT(empty.err, HasSubstr("holds no operation"));
+  for (const char* how : {"", " --table", " --turns 4"}) {
+    const Said picture = karinui("picture " + document() + " -o " + (folder / "p.png") + how);
+    EXPECT_EQ(picture.exit, 3) << how;
+    EXPECT_THAT(picture.err,
+                testing::AnyOf(HasSubstr("There is nothing to see"), HasSubstr("There is no piece to draw")));
+  }
+  EXPECT_FALSE(fs::exists(folder / "p.png"));
+}
+
+TEST_F(Command, LengthsAreTypedWithUnitsAndReadWithoutNoise) {
+  const Said metres = play("rectangle name=r width=10 height=5\n");
+  EXPECT_EQ(metres.exit, 3);
+  EXPECT_THAT(metres.err, HasSubstr("Line 1: “10” has no unit and would be 10 metres; write 10cm or 10mm"));
+  EXPECT_FALSE(fs::exists(document()));
+  EXPECT_THAT(karinui("body make --set bust_girth=88 -o " + (folder / "b.obj")).err, HasSubstr("write 88cm or 88mm"));
+  EXPECT_THAT(karinui("layout " + document() + " --width 150").err, HasSubstr("write 150cm"));
+  ASSERT_EQ(play("rectangle name=r width=111.99999999999999mm height=5.123456cm\n").exit, 0);
+  const std::string log = karinui("log " + document()).out;
+  EXPECT_THAT(log, HasSubstr("width=112mm"));
+  EXPECT_THAT(log, HasSubstr("height=51.23456mm")) << "what may be played again is not rounded";
+  ASSERT_EQ(karinui("export " + document() + " -o " + (folder / "steps.ops")).exit, 0);
+  EXPECT_THAT(contents(folder / "steps.ops"), HasSubstr("width=111.99999999999999mm"));
+  // On a screen it is.
+  ASSERT_EQ(std::system(("script -qec \"'" KARINUI_COMMAND "' log " + document() + "\" /dev/null >" +
+                         (folder / "screen") + " 2>&1 </dev/null")
+                            .c_str()),
+            0);
+  EXPECT_THAT(contents(folder / "screen"), HasSubstr("height=51.23mm"));
+}
+
+// A log is read afterwards: one line for each stage, and of each it only grows.
+TEST_F(Command, ProgressIsToldInFewLinesWhereNobodyWatches) {
+  haveTunic();
+  ASSERT_EQ(karinui("do " + document() + " 'set spacing=10mm'").exit, 0);
+  const Said settled = karinui("settle " + document());
+  ASSERT_EQ(settled.exit, 0) << settled.err;
+  std::istringstream lines(settled.err);
+  std::map<std::string, int> most;
+  int count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t percent = line.find("% ");
+    if (percent == std::string::npos) continue;
+    const std::string stage = line.substr(percent, line.find(", some") - percent);
+    const int now = std::stoi(line.substr(0, percent));
+    EXPECT_GT(now, most.contains(stage) ? most[stage] : -1) << settled.err;
+    most[stage] = now, ++count;
+  }
+  EXPECT_LE(count, 3) << settled.err;
+}
+
 TEST_F(Command, AnswersInSentencesWithUnits) {
   ASSERT_EQ(play("piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; top L 0 500; centre L 0 0\"\n"
                  "piece name=back outline=\"M 0 0; hem L 400 0; side L 400 505; top L 0 505; centre L 0 0\" "
