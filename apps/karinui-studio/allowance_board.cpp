@@ -198,6 +198,7 @@ void AllowanceBoard::refresh() {
   const Allowances& finish = document.allowances;
   const Allowances::At at{piece->id, chosen->edge};
   hem_->setMetres(finish.hems.contains(at) ? finish.hems.at(at).width : 0);
+  elastic_->setLongest(kLoosestElastic * edges[*edge].curve.length());
   elastic_->setMetres(finish.elastics.contains(at) ? finish.elastics.at(at).ratio * edges[*edge].curve.length() : 0);
   pull_->clear();
   for (const ElasticPull& pull : elasticsOf(session_.snapshot()))

@@ -97,6 +97,7 @@ BodyPanel::BodyPanel(Session& session, QWidget* in) : Panel(session, in) {
   addRows(say("Legs"), kLegs);
   rows->addWidget(title(say("As measured")));
   measured_ = new QLabel;
+  measured_->setTextFormat(Qt::RichText);
   measured_->setProperty("role", "faint");
   measured_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   rows->addWidget(measured_);
@@ -201,7 +202,6 @@ void BodyPanel::addRows(const Message& group, std::span<const std::string_view> 
       if (Done done = workOutStated(body); !done) return done.error();
       return body.set.back().value.metres;
     });
-    connect(&row->box(), &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
     rows_[key] = row;
     own.keys.push_back(key);
   }

@@ -42,7 +42,6 @@ EdgeNumbers::EdgeNumbers(Session& session) : session_(session) {
     });
     connect(typed, &LengthBox::typed, this, [own = formula] { own->clear(); });
     connect(typed, &LengthBox::formulaTyped, this, [own = formula](const QString& text) { *own = text.toStdString(); });
-    connect(typed, &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
   }
   auto* grid = new QGridLayout;
   const auto button = [&](int at, const Message& words, const Message& hint, Operation (EdgeNumbers::*what)() const) {

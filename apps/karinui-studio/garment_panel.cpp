@@ -268,8 +268,6 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   connect(length_, &LengthBox::formulaTyped, this, [this](const QString& formula, double metres) {
     if (!filling_ && session_.selection().edge) session_.perform(stays_->length(formula.toStdString(), metres));
   });
-  for (LengthBox* box : {length_, takeIn_})
-    connect(box, &LengthBox::refused, this, [this](const Error& why) { session_.refuse(why); });
   connect(takeIn_, &LengthBox::typed, this, [this](double metres) { takeIn({}, metres); });
   connect(takeIn_, &LengthBox::formulaTyped, this,
           [this](const QString& formula, double metres) { takeIn(formula.toStdString(), metres); });
@@ -334,6 +332,8 @@ void GarmentPanel::refresh() {
   }
   selectionShown_ = session_.selection();
 }
+
+void GarmentPanel::showAgain() { fillProperties(); }
 
 void GarmentPanel::fillTree() {
   filling_ = true;

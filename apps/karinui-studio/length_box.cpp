@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolTip>
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -19,7 +20,7 @@ std::optional<double> metresIn(QString text) {
   return length ? std::optional(*length) : std::nullopt;
 }
 
-LengthBox::LengthBox(const Message& name, double low, double high) {
+LengthBox::LengthBox(const Message& name, double low, double high) : name_(name) {
   setDecimals(7);  // a tenth of a micron: no typed number is rounded
   setRange(low, high);
   setSingleStep(0.005);
@@ -39,6 +40,11 @@ void LengthBox::setMetres(double metres) {
   lineEdit()->setText(textFromValue(value()));  // the same number in another unit, too
 }
 
+void LengthBox::setLongest(double metres) {
+  const QSignalBlocker quiet(this);
+  setMaximum(metres);
+}
+
 void LengthBox::takeFormulas(std::function<Result<double>(const std::string& formula)> value) {
   formulaValue_ = std::move(value);
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
@@ -54,6 +60,31 @@ bool LengthBox::holdsFormula() const {
   return formulaValue_ && !text.isEmpty() && text != specialValueText() && !metresIn(text);
 }
 
+void LengthBox::suggest(const QString& followed) { lineEdit()->setPlaceholderText(followed); }
+
+std::optional<Error> LengthBox::trouble() const {
+  constexpr double kRounding = 1e-9;  // metres
+  const QString typed = lineEdit()->text().trimmed();
+  if (typed.isEmpty() || typed == textFromValue(value()) || typed == specialValueText() || holdsFormula()) return {};
+  const auto metres = metresIn(typed);
+  if (!metres)
+    return karinui::refused(
+        say("“{0}” is no length; type a number, like {1}.", typed.toStdString(), lengthText(0.125).toStdString()));
+  if (*metres >= minimum() - kRounding && *metres <= maximum() + kRounding) return {};
+  return karinui::refused(say("{0}: it can be between {1} and {2}, not {3}.", name_,
+                              lengthText(minimum(), 2).toStdString(), lengthText(maximum(), 2).toStdString(),
+                              lengthText(*metres, 2).toStdString()));
+}
+
+bool LengthBox::putBack() {
+  const auto why = trouble();
+  if (!why) return false;
+  setMetres(value());
+  QToolTip::showText(mapToGlobal(QPoint(0, height())), inWords(why->what).toHtmlEscaped(), this);
+  emit refused(*why);
+  return true;
+}
+
 bool LengthBox::enterFormula() {
   const QString formula = lineEdit()->text().trimmed();
   const auto metres = formulaValue_(formula.toStdString());
@@ -66,6 +97,7 @@ bool LengthBox::enterFormula() {
 
 void LengthBox::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && putBack()) return event->accept();
   if (!enter || !holdsFormula())
     QDoubleSpinBox::keyPressEvent(event);
   else if (event->accept(); !enterFormula())
@@ -80,24 +112,41 @@ void LengthBox::focusInEvent(QFocusEvent* event) {
   clickedInto_ = byMouse_ = event->reason() == Qt::MouseFocusReason;
 }
 bool LengthBox::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::MouseButtonRelease && std::exchange(clickedInto_, false) &&
-      !lineEdit()->hasSelectedText())
-    QMetaObject::invokeMethod(this, &LengthBox::selectAll, Qt::QueuedConnection);
+  if (event->type() == QEvent::MouseButtonRelease) {
+    const bool first = std::exchange(clickedInto_, false);
+    if (!specialValueText().isEmpty() && lineEdit()->text() == specialValueText())
+      QMetaObject::invokeMethod(lineEdit(), &QLineEdit::clear,
+                                Qt::QueuedConnection);  // nothing to type before or behind
+    else if (first && !lineEdit()->hasSelectedText())
+      QMetaObject::invokeMethod(this, &LengthBox::selectAll, Qt::QueuedConnection);
+  }
   return QDoubleSpinBox::eventFilter(watched, event);
 }
 
 // A formula that is no good goes when one leaves the box, as a number does that is none.
 void LengthBox::focusOutEvent(QFocusEvent* event) {
-  if (holdsFormula()) enterFormula();
+  if (holdsFormula())
+    enterFormula();
+  else
+    putBack();
   QDoubleSpinBox::focusOutEvent(event);
 }
 
 QString LengthBox::textFromValue(double metres) const {
   return metres == minimum() && !specialValueText().isEmpty() ? specialValueText() : lengthText(metres, 2);
 }
-double LengthBox::valueFromText(const QString& text) const { return metresIn(text).value_or(value()); }
-QValidator::State LengthBox::validate(QString& text, int&) const {
-  return metresIn(text) || text == specialValueText() ? QValidator::Acceptable : QValidator::Intermediate;
+double LengthBox::valueFromText(const QString& text) const {
+  const bool nothing = text.trimmed().isEmpty() || text == specialValueText();
+  return nothing && !specialValueText().isEmpty() ? minimum() : metresIn(text).value_or(value());
+}
+QValidator::State LengthBox::validate(QString& text, int& at) const {
+  const QString& none = specialValueText();
+  if (!none.isEmpty() && text != none && text.contains(none)) {  // what is typed takes its place
+    text.remove(none);
+    at = std::min(at, static_cast<int>(text.size()));
+  }
+  const bool nothing = !none.isEmpty() && (text.isEmpty() || text == none);
+  return nothing || metresIn(text) ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 }  // namespace karinui::studio

@@ -1,7 +1,7 @@
 #pragma once
 // A box in which a length is read and typed: in metres inside, shown in centimetres or inches as the person chose, and
-// understanding either ("12", "3.5in", "40 mm"), or a formula where it takes formulas. It bears its name for those who
-// hear the screen. GUI thread.
+// understanding either ("12", "3.5in", "40 mm"), or a formula where it takes formulas. What cannot be is refused with
+// what can, and the number that holds is shown again. It bears its name for those who hear the screen. GUI thread.
 #include <QDoubleSpinBox>
 #include <functional>
 #include <optional>
@@ -18,13 +18,16 @@ class LengthBox : public QDoubleSpinBox {
  public:
   LengthBox(const Message& name, double low, double high);  // metres
   void setMetres(double metres);                            // tells nobody
+  void setLongest(double metres);                           // nor does this
   // From now on formulas are understood too; `value` works one out. What it comes to is shown below while one types.
   void takeFormulas(std::function<Result<double>(const std::string& formula)> value);
+  bool holdsFormula() const;              // typed, and not entered yet
+  void suggest(const QString& followed);  // what it is while nothing is typed, seen where the box is empty
 
  signals:
   void typed(double metres);
   void formulaTyped(const QString& formula, double metres);
-  void refused(const karinui::Error& why);  // of a formula that was entered; its text stays
+  void refused(const karinui::Error& why);  // of what was entered; a formula's text stays
   void left();                              // Return was struck in a box that was clicked into
 
  protected:
@@ -37,8 +40,10 @@ class LengthBox : public QDoubleSpinBox {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  bool holdsFormula() const;
-  bool enterFormula();  // false: refused
+  bool enterFormula();                   // false: refused
+  std::optional<Error> trouble() const;  // of a number that is typed
+  bool putBack();                        // such a one; the one that holds is shown
+  Message name_;
   std::function<Result<double>(const std::string&)> formulaValue_;
   bool clickedInto_ = false;  // by the click that is under way
   bool byMouse_ = false;      // it has the focus by a click

@@ -59,6 +59,7 @@ LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> a
   form->addRow(word(fieldSaid("look", "finish")), finish_);
   form->addRow(word(fieldSaid("look", "colour")),
                dyeRow(fieldSaid("look", "colour"), colour_, colourTyped_, &SetLook::colour));
+  colourTyped_->setObjectName("look_colour");
   print_ = new QComboBox;
   print_->setObjectName("look_print");
   fill(*print_, kPrints);
@@ -174,7 +175,11 @@ QWidget* LookBoard::dyeRow(const Message& name, QPushButton*& button, QLineEdit*
     QString words = typed->text().trimmed();
     if (!words.startsWith('#')) words.prepend('#');
     const QColor wanted(words);
-    if (!wanted.isValid()) return typed->setText(onScreen(now).name());
+    if (!wanted.isValid()) {
+      const std::string refusal = typed->text().trimmed().toStdString();
+      typed->setText(onScreen(now).name());
+      return session_.refuse(refused(say("“{0}” is no colour; type one like {1}.", refusal, "#1f3b6e")));
+    }
     if (dyeOf(wanted) == now) return;
     perform([&](SetLook& look) { look.*field = dyeOf(wanted); });
   });
@@ -210,7 +215,7 @@ void LookBoard::show(const Look& look, std::optional<Flat> shift) {
   wrongPrint_->setCurrentIndex(static_cast<int>(wrongPrint));
   wrongInkRow_->setVisible(wrongPrint != PrintKind::None);
   across_->setMetres(shift.value_or(Flat()).u), along_->setMetres(shift.value_or(Flat()).v);
-  shiftRow_->setVisible(shift.has_value());
+  static_cast<QFormLayout*>(printRows_->layout())->setRowVisible(shiftRow_, shift.has_value());
   printRows_->setVisible(look.print != PrintKind::None || wrongPrint != PrintKind::None);
   filling_ = false;
 }

@@ -132,6 +132,7 @@ MainWindow::MainWindow(SessionOptions options) {
   statusBar()->addPermanentWidget(place_);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->setSizeGripEnabled(false);
+  statusBar()->setContentsMargins(0, 0, 14, 0);  // the bar does not run into the edge
   connect(table_, &PatternView::pointed, this,
           [this](Flat p) { place_->setText(lengthText(p.u) + "  " + lengthText(p.v)); });
 
@@ -157,8 +158,10 @@ MainWindow::MainWindow(SessionOptions options) {
 
   // Keys are the views' again after a click on a button and after a typed number: Space settles, and presses nothing.
   for (QPushButton* button : boards_->findChildren<QPushButton*>()) button->setFocusPolicy(Qt::TabFocus);
-  for (LengthBox* box : boards_->findChildren<LengthBox*>())
+  for (LengthBox* box : boards_->findChildren<LengthBox*>()) {
     connect(box, &LengthBox::left, space_, [this] { space_->setFocus(); });
+    connect(box, &LengthBox::refused, this, [this](const Error& why) { session_->refuse(why); });
+  }
   nameForScreenReaders();
   makeActions();
   makeMenus();
@@ -193,7 +196,6 @@ MainWindow::MainWindow(SessionOptions options) {
 QScrollArea* MainWindow::addBoard(const Message& words) {
   auto* scroll = new QScrollArea;
   const int at = boards_->addTab(scroll, QString());
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
   Theme::here().keep(scroll, [this, at, words] { boards_->setTabText(at, inWords(words)); });
   return scroll;
@@ -304,7 +306,14 @@ void MainWindow::refresh() {
       return !std::holds_alternative<DrapePieces>(step.operation);
     }));
   }
-  for (const Notice& notice : session_->takeNotices()) tell(notice);
+  bool refusal = false;
+  for (const Notice& notice : session_->takeNotices()) {
+    refusal |= notice.kind == Notice::Kind::Refused;
+    tell(notice);
+  }
+  const auto* entered = qobject_cast<LengthBox*>(focusWidget());
+  if (refusal && !(entered && entered->holdsFormula()))  // which is mended where it stands
+    for (Panel* panel : panels_) panel->showAgain();
   if (const auto damaged = session_->takeDamaged()) offerRescue(*damaged);
   if (atStart() && (!session_->path().empty() || !session_->steps().empty())) leaveStart();
   if (auto asked = session_->takeAsked()) askNumbers(*std::move(asked));
@@ -499,9 +508,6 @@ void MainWindow::startGuide() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings settings;
   settings.setValue("window", saveGeometry());
-  settings.setValue("inches", Theme::here().inches());
-  settings.setValue("dark", Theme::here().dark());
-  settings.setValue("language", Theme::here().language() == Language::Japanese ? "ja" : "en");
   setCursor(Qt::WaitCursor);
   session_->close();
   event->accept();

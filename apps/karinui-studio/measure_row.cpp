@@ -14,11 +14,13 @@ namespace karinui::studio {
 namespace {
 
 constexpr double kReach = 0.25;  // of what is measured, to either side
+constexpr double kMost = 10;     // metres; what a body can have is said where it is asked for
 int millimetres(double metres) { return static_cast<int>(std::lround(1000 * metres)); }
 
 }  // namespace
 
-MeasureRow::MeasureRow(const Message& name) : box_(new LengthBox(name, 0, 2.6)), slider_(new QSlider(Qt::Horizontal)) {
+MeasureRow::MeasureRow(const Message& name)
+    : box_(new LengthBox(name, 0, kMost)), slider_(new QSlider(Qt::Horizontal)) {
   box_->setSpecialValueText("–");
   box_->setMetres(0);
   box_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -60,6 +62,7 @@ bool MeasureRow::eventFilter(QObject* who, QEvent* event) {
 void MeasureRow::show(std::optional<double> stated, const std::string& formula, double measured) {
   if (slider_->isSliderDown() || box_->hasFocus()) return;
   formula_ = formula;
+  box_->suggest(measured > 0 ? lengthText(measured, 2) : QString());
   box_->setToolTip(formula.empty() ? QString() : "= " + QString::fromStdString(formula));
   const QSignalBlocker quiet(slider_);
   box_->setMetres(stated.value_or(0));

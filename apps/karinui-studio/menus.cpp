@@ -22,6 +22,19 @@
 
 namespace karinui::studio {
 
+namespace {
+
+// At once, so that a window that is opened beside this one looks like it.
+void keepAppearance() {
+  QSettings settings;
+  settings.setValue("inches", Theme::here().inches());
+  settings.setValue("dark", Theme::here().dark());
+  settings.setValue("language", Theme::here().language() == Language::Japanese ? "ja" : "en");
+  settings.sync();
+}
+
+}  // namespace
+
 void MainWindow::makeActions() {
   const QSettings settings;
   for (const CommandInfo& about : commands()) {
@@ -198,7 +211,11 @@ void MainWindow::makeMenus() {
     for (const auto& [name, underlay] : session_->snapshot().document.underlays)
       addScanOperations(*scans->addMenu(nameText(name)), name);
   });
-  add(work, say("Make up the pattern…"), "", "", [this] { (new MakeUpDialog(*session_, this))->open(); });
+  add(work, say("Make up the pattern…"), "", "", [this] {
+    if (session_->snapshot().document.pattern.pieces.empty())
+      return session_->refuse(refused(say("There is no piece yet; draw one on the body.")));
+    (new MakeUpDialog(*session_, this))->open();
+  })->setObjectName("make_up");
   work->addSeparator();
   QMenu* sizes = work->addMenu(QString());
   sizes->setObjectName("sizes");
@@ -273,9 +290,15 @@ void MainWindow::makeMenus() {
   fullScreen_->setCheckable(true);
   add(viewMenu_, say("Next part of the window"), "", "F6", [this] { goToNextPart(); });
   viewMenu_->addSeparator();
-  QAction* dark = add(viewMenu_, say("Dark"), "", "", [] { Theme::here().setDark(!Theme::here().dark()); });
+  QAction* dark = add(viewMenu_, say("Dark"), "", "", [] {
+    Theme::here().setDark(!Theme::here().dark());
+    keepAppearance();
+  });
   dark->setObjectName("dark");
-  QAction* inches = add(viewMenu_, say("Inches"), "", "", [] { Theme::here().setInches(!Theme::here().inches()); });
+  QAction* inches = add(viewMenu_, say("Inches"), "", "", [] {
+    Theme::here().setInches(!Theme::here().inches());
+    keepAppearance();
+  });
   inches->setCheckable(true);
   inches->setChecked(Theme::here().inches());
   inches->setObjectName("inches");
@@ -301,10 +324,14 @@ void MainWindow::makeMenus() {
   QAction* japanese = viewMenu_->addAction(QString::fromUtf8("日本語"));
   english->setObjectName("english");
   japanese->setObjectName("japanese");
-  connect(english, &QAction::triggered, this, [] { Theme::here().setLanguage(Language::English); });
+  connect(english, &QAction::triggered, this, [] {
+    Theme::here().setLanguage(Language::English);
+    keepAppearance();
+  });
   connect(japanese, &QAction::triggered, this, [this] {
     if (const auto why = japaneseTrouble()) return session_->refuse(notFound(*why));
     Theme::here().setLanguage(Language::Japanese);
+    keepAppearance();
   });
 
   QMenu* help = menu(say("Help"));

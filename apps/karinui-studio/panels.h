@@ -40,6 +40,7 @@ class Panel : public QWidget {
  public:
   explicit Panel(Session& session, QWidget* in = nullptr);  // what is made in its place is given its style once
   virtual void refresh() = 0;                               // the session has something new
+  virtual void showAgain() {}                               // what was entered was refused
 
  protected:
   QLabel* title(const Message& words);
@@ -54,6 +55,7 @@ class GarmentPanel : public Panel {
  public:
   GarmentPanel(Session& session, QWidget* in);
   void refresh() override;
+  void showAgain() override;
 
  signals:
   void blockAsked();                     // with its numbers typed
