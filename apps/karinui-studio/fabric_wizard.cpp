@@ -89,6 +89,7 @@ FabricWizard::FabricWizard(Session& session, QWidget* parent) : QDialog(parent),
   row->addWidget(scroll, 4);
   auto* column = new QVBoxLayout;
   result_ = new QLabel;
+  result_->setTextFormat(Qt::RichText);
   result_->setObjectName("measured");
   result_->setWordWrap(true);
   result_->setAlignment(Qt::AlignTop);

@@ -54,6 +54,7 @@ FitPanel::FitPanel(Session& session, SpaceView& view, QWidget* in) : Panel(sessi
   form->addRow(title(say("Girths")));
   girths_ = new QLabel;
   girths_->setTextFormat(Qt::RichText);
+  girths_->setWordWrap(true);
   girths_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   form->addRow(girths_);
   level_ = new QCheckBox;
@@ -170,10 +171,9 @@ void FitPanel::compare() {
 }
 
 void FitPanel::fillReport() {
-  // With a column more the columns stand closer together, and names break between their words, numbers do not.
-  girths_->setWordWrap(then_ != nullptr);
-  const QString apart = then_ ? "&nbsp;" : "&nbsp;&nbsp;&nbsp;";
-  const auto whole = [&](QString number) { return then_ ? number.replace(" ", "&nbsp;") : number; };
+  // Names break between their words, numbers do not; with a column more the columns stand closer together.
+  const QString apart = then_ ? "&nbsp;" : "&nbsp;&nbsp;";
+  const auto whole = [](QString number) { return number.replace(" ", "&nbsp;"); };
   const auto row = [&](const std::vector<QString>& cells) {
     QString all = "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)

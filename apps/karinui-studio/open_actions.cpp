@@ -137,6 +137,9 @@ void MainWindow::askNew() {
   form->setSpacing(12);
   auto* name = new QLineEdit;
   name->setPlaceholderText(inWords(say("may be given later, with Save as")));
+  constexpr int kFrame = 26;  // pixels
+  name->ensurePolished();
+  name->setMinimumWidth(name->fontMetrics().horizontalAdvance(name->placeholderText()) + kFrame);
   auto* size = new QComboBox;
   for (const std::string_view s : builtInSizes())
     size->addItem(QString::fromUtf8(s.data(), static_cast<int>(s.size())).toUpper());

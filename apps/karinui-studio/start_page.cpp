@@ -51,7 +51,8 @@ class CardDelegate : public QStyledItemDelegate {
     const QRectF card = QRectF(option.rect).adjusted(4, 4, -4, -4);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    painter->setPen(QPen(chosen || over ? p.accent : p.line, chosen ? 2 : 1));
+    const bool keyed = option.state & QStyle::State_HasFocus;
+    painter->setPen(QPen(keyed ? p.ink : chosen || over ? p.accent : p.line, chosen || keyed ? 2 : 1));
     painter->setBrush(chosen ? p.accentSoft : p.raised);
     painter->drawRoundedRect(card, 10, 10);
     const QRect place(option.rect.topLeft() + QPoint(kRim, kRim), kPicture);
@@ -203,7 +204,8 @@ QPushButton* StartPage::way(const Message& words, const Message& hint, const cha
 void StartPage::showWords() {
   const Palette& p = Theme::here().palette();
   setStyleSheet(QString("QWidget#documents { background: %1; border-left: 1px solid %2; }"
-                        "QPushButton { text-align: left; padding: 10px 14px; }")
+                        "QPushButton { text-align: left; padding: 10px 14px; }"
+                        "QPushButton:focus, QPushButton:default:focus { padding: 9px 13px; }")
                     .arg(p.panel.name(), p.line.name()));
   name_->setStyleSheet("font-size: 20pt; font-weight: 600;");
   about_->setText(inWords(say("Made-to-measure clothes, designed on the body and cut to paper patterns.")));

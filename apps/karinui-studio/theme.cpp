@@ -5,11 +5,14 @@
 #include <QComboBox>
 #include <QFontDatabase>
 #include <QIconEngine>
+#include <QLabel>
 #include <QLibraryInfo>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 
 #include "karinui/base/number.h"
 #include "karinui/base/said_lengths.h"
@@ -49,6 +52,39 @@ class HouseIcon : public QIconEngine {
 
  private:
   std::string name_;
+};
+
+// As Fusion, but for what a dark ground would hide; and a label never takes a name for markup.
+class HouseStyle : public QProxyStyle {
+ public:
+  HouseStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+  using QProxyStyle::polish;
+  void polish(QWidget* widget) override {
+    auto* label = qobject_cast<QLabel*>(widget);
+    if (label && label->textFormat() == Qt::AutoText && !widget->inherits("QTipLabel"))
+      label->setTextFormat(Qt::PlainText);
+    QProxyStyle::polish(widget);
+  }
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck)
+      return QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const Palette& p = Theme::here().palette();
+    const bool on = option->state & State_On, may = option->state & State_Enabled;
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setOpacity(may ? 1 : 0.5);
+    painter->setPen(QPen(on || option->state & State_HasFocus ? p.accent : p.faint, 1.2));
+    painter->setBrush(on ? p.accent : p.raised);
+    const QRectF box = QRectF(option->rect).adjusted(1.5, 1.5, -1.5, -1.5);
+    painter->drawRoundedRect(box, 3, 3);
+    if (on) {
+      const auto at = [&](double u, double v) { return box.topLeft() + QPointF(u * box.width(), v * box.height()); };
+      painter->setPen(QPen(p.onAccent, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter->drawPolyline(QPolygonF{at(0.22, 0.52), at(0.42, 0.72), at(0.78, 0.28)});
+    }
+    painter->restore();
+  }
 };
 
 // The house's letters, or the system's where those are larger.
@@ -98,7 +134,10 @@ QComboBox::down-arrow { image: url(:/look/arrow.png); width: 10px; height: 6px; 
 QComboBox QAbstractItemView { background: @raised; border: 1px solid @line; selection-background-color: @accentSoft; selection-color: @ink; }
 QPushButton { background: @raised; border: 1px solid @line; border-radius: 7px; padding: 6px 14px; }
 QPushButton:hover { border: 1px solid @accent; }
+QAbstractSpinBox { qproperty-buttonSymbols: NoButtons; }
+QPushButton:focus { border: 2px solid @accent; padding: 5px 13px; }
 QPushButton:default { background: @accent; color: @onAccent; border: 1px solid @accent; }
+QPushButton:default:focus { border: 2px solid @ink; padding: 5px 13px; }
 QPushButton:disabled { color: @faint; }
 QPushButton:default:disabled { background: @panel; border: 1px solid @line; }
 QScrollArea { border: none; background: transparent; }
@@ -161,7 +200,7 @@ void Theme::setDark(bool dark) {
 void Theme::apply(QApplication& app) {
   const Palette& p = palette();
   const double letters = lettersOf(app);
-  app.setStyle(QStyleFactory::create("Fusion"));
+  app.setStyle(new HouseStyle);
   QPalette q;
   q.setColor(QPalette::Window, p.window);
   q.setColor(QPalette::WindowText, p.ink);

@@ -58,13 +58,37 @@ TEST(StudioFit, TellsTheGirthsAndTheirEaseAtAnyHeight) {
   EXPECT_NEAR(waist->body, fitting.body->measured().value.at("waist_girth"), 0.004);
   bool told = false;
   for (QLabel* label : w.main().findChildren<QLabel*>())
-    told |= label->isVisible() && label->text().contains("waist") && label->text().contains(lengthText(waist->garment));
+    told |= label->isVisible() && label->text().contains("waist") &&
+            label->text().replace("&nbsp;", " ").contains(lengthText(waist->garment));
   EXPECT_TRUE(told) << "the board says it";
   const QImage before = w.space().grabFramebuffer();
   w.type(w.box("Height above the floor"), "105cm");
   w.rest();
   w.keep("studio_girth");
   EXPECT_NE(before, w.space().grabFramebuffer()) << "the tapes are laid";
+}
+
+// Numbers of a metre and more need room beside the longest names of both languages.
+TEST(StudioFit, TheGirthsLeaveRoomInTheBoard) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().resize(900, 600);
+  w.main().boards().setCurrentIndex(3);
+  for (const Language language : {Language::English, Language::Japanese}) {
+    Theme::here().setLanguage(language);
+    w.rest();
+    const auto* board = qobject_cast<QScrollArea*>(w.main().boards().currentWidget());
+    ASSERT_TRUE(board);
+    EXPECT_EQ(board->horizontalScrollBarPolicy(), Qt::ScrollBarAsNeeded) << "what has no room is reached";
+    for (QLabel* label : board->widget()->findChildren<QLabel*>())
+      if (label->textFormat() == Qt::RichText) {
+        const int digits = 3 * label->fontMetrics().horizontalAdvance("0");
+        EXPECT_LE(label->minimumSizeHint().width() + digits + 28, board->viewport()->width())
+            << label->text().toStdString();
+      }
+  }
+  Theme::here().setLanguage(Language::English);
 }
 
 TEST(StudioFit, TwoStatesStandSideBySide) {
