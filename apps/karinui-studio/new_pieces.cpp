@@ -13,6 +13,7 @@
 #include <memory>
 #include <numbers>
 
+#include "karinui/design/block_numbers.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
 #include "karinui/design/variables.h"
@@ -290,15 +291,25 @@ void MainWindow::askBlock() {
   auto* said = new QLabel;
   said->setObjectName("said");
   said->setWordWrap(true);
-  const auto make = [this, dialog, size, fields, document, said] {
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  const auto wished = [size, fields, document]() -> Result<Operation> {
     std::vector<FieldText> texts;
     for (const StepField& field : *fields)
       if (std::string value = field.value(); !value.empty()) texts.push_back({field.name, std::move(value)});
-    const auto block = parseOperation(lineOf(DraftBlock::kName, texts));
-    if (const auto why = block ? formulaTrouble(*block, size->currentData().toByteArray()) : block.error()) {
-      said->setText(inWords(why->what));
-      return;
-    }
+    auto block = parseOperation(lineOf(DraftBlock::kName, texts));
+    if (!block) return block.error();
+    if (const auto why = formulaTrouble(*block, size->currentData().toByteArray())) return *why;
+    if (Done done = checkNumbers(std::get<DraftBlock>(*block)); !done) return done.error();
+    return block;
+  };
+  const auto show = [wished, said, buttons] {
+    const auto block = wished();
+    said->setText(block ? QString() : inWords(block.error().what));
+    buttons->button(QDialogButtonBox::Ok)->setEnabled(static_cast<bool>(block));
+  };
+  const auto make = [this, dialog, size, wished, show] {
+    const auto block = wished();
+    if (!block) return show();
     newGarment(size->currentData().toByteArray().toStdString(), {});
     session_->perform(*block);
     dialog->accept();
@@ -310,9 +321,12 @@ void MainWindow::askBlock() {
         auto* label = new QLabel(asLabel(fieldSaid(help.name, field.name)));
         label->setBuddy(fields->back().box);
         form->addRow(label, fields->back().box);
-        if (auto* line = qobject_cast<QLineEdit*>(fields->back().box))
+        if (auto* line = qobject_cast<QLineEdit*>(fields->back().box)) {
           line->setPlaceholderText(inWords(say("by the block's own rule")));
+          connect(line, &QLineEdit::textChanged, dialog, show);
+        }
       }
+  connect(size, &QComboBox::currentIndexChanged, dialog, show);
   auto* note = new QLabel(inWords(
       say("The garment is drafted, sewn, put on the figure and draped. Type the person's measures on the board Body "
           "afterwards: it is drafted anew from them.")));
@@ -321,7 +335,6 @@ void MainWindow::askBlock() {
   form->addRow(note);
   said->setMinimumHeight(2 * said->fontMetrics().lineSpacing());
   form->addRow(said);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   buttons->button(QDialogButtonBox::Ok)->setText(inWords(say("Make it")));
   buttons->button(QDialogButtonBox::Ok)->setObjectName("make");
   buttons->button(QDialogButtonBox::Cancel)->setText(inWords(say("Cancel")));

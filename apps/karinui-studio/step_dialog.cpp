@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "karinui/base/number.h"
+#include "karinui/design/block_numbers.h"
 #include "karinui/design/variables.h"
 #include "outline_drawing.h"
 #include "theme.h"
@@ -107,8 +108,11 @@ Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation ope
   Context context{workers, token, blobs, bodies, {}, {}};
   const Document& before = session.snapshot().document;
   const auto* scan = std::get_if<LayUnderlay>(&*plain);
-  if (std::holds_alternative<DraftBlock>(*plain) || (scan && !scan->corners.empty()))
-    return std::shared_ptr<const Piece>();
+  if (scan && !scan->corners.empty()) return std::shared_ptr<const Piece>();
+  if (const auto* block = std::get_if<DraftBlock>(&*plain)) {
+    const Done can = checkNumbers(*block);
+    return can ? Result(std::shared_ptr<const Piece>()) : can.error();
+  }
   if (std::holds_alternative<AttachPiece>(*plain)) {  // the body is not built for this
     const auto meant = resolved(before, *std::move(plain), context);
     return meant ? Result(std::shared_ptr<const Piece>()) : meant.error();

@@ -1,0 +1,244 @@
+// Numbers and words that are typed: what cannot be is refused with what can, and the value that holds is shown.
+#include <gmock/gmock.h>
+
+#include <QCheckBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QSettings>
+#include <QTest>
+#include <QToolTip>
+
+#include "export_dialog.h"
+#include "make_up_dialog.h"
+#include "step_dialog.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::HasSubstr;
+
+QLineEdit& lineOf(LengthBox& box) { return *box.findChild<QLineEdit*>(); }
+
+void chooseEdge(Window& w, const char* piece, const char* edge) {
+  Selection chosen;
+  chosen.pieces = {w.session().snapshot().document.pieceNamed(piece)->id};
+  chosen.edge = EdgeNear{*chosen.pieces.begin(), edge, 0.5, 0};
+  w.session().select(chosen);
+  w.main().boards().setCurrentIndex(0);
+  w.rest();
+}
+
+TEST(StudioTyped, AMeasureIsTypedOverItsDashWhereverOneClicks) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(1);
+  w.rest();
+  LengthBox& box = w.box("Waist girth");
+  QLineEdit& line = lineOf(box);
+  ASSERT_EQ(line.text().toStdString(), "–");
+  box.setFocus(Qt::MouseFocusReason);
+  for (int k = 0; k < 2; ++k) {
+    QTest::mouseClick(&line, Qt::LeftButton, {}, line.rect().center());
+    QApplication::processEvents();
+  }
+  QTest::keyClicks(&line, "75");
+  EXPECT_EQ(line.text(), "75");
+  w.type(box, Qt::Key_Return);
+  w.rest();
+  EXPECT_NEAR(box.value(), 0.75, 1e-9) << box.text().toStdString();
+  EXPECT_NEAR(w.session().snapshot().body->measured().value.at("waist_girth"), 0.75, 0.004)
+      << w.main().said().toStdString();
+  line.setText(QString::fromUtf8("–"));
+  line.setCursorPosition(1);
+  QTest::keyClicks(&line, "7");
+  EXPECT_EQ(line.text(), "7") << "also where the dash was left";
+}
+
+TEST(StudioTyped, WhatCannotBeIsRefusedWithWhatCanAndTheOldNumberStays) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count();
+  w.main().boards().setCurrentIndex(1);
+  w.rest();
+  LengthBox& bust = w.box("Bust girth");
+  const QString was = bust.text();
+  w.type(bust, "900");
+  w.rest();
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("cannot be 900.00 cm"));
+  EXPECT_EQ(bust.text(), was);
+  chooseEdge(w, "front", "hem_left");
+  auto& elastic = *w.main().findChild<LengthBox*>("edge_elastic");
+  const QString none = elastic.text();
+  w.type(elastic, "-5");
+  w.rest();
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("0.00 cm"));
+  EXPECT_EQ(elastic.text(), none);
+  w.type(elastic, "abc");
+  w.rest();
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("“abc”"));
+  EXPECT_EQ(elastic.text(), none);
+  w.type(elastic, "500");  // it can be as long, but not along this edge
+  w.rest();
+  EXPECT_EQ(elastic.text(), none) << w.main().said().toStdString();
+  EXPECT_EQ(w.count(), before);
+  auto* colour = w.main().findChild<QLineEdit*>("look_colour");
+  ASSERT_TRUE(colour);
+  const QString dye = colour->text();
+  colour->setText("zzz");
+  w.type(*colour, Qt::Key_Return);
+  w.rest();
+  EXPECT_EQ(colour->text(), dye);
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("“zzz”"));
+}
+
+TEST(StudioTyped, ADialogsNumberIsRefusedAtItsBox) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  ExportDialog dialog(w.session(), w.space(), &w.main());
+  dialog.show();
+  LengthBox* box = dialog.findChild<LengthBox*>();
+  const double was = box->value();
+  w.type(*box, "99");
+  EXPECT_EQ(box->value(), was);
+  EXPECT_THAT(QToolTip::text().toStdString(), HasSubstr("10.00 cm"));
+  QToolTip::hideText();
+}
+
+TEST(StudioTyped, WhatABlockCannotHaveIsSaidWhileItIsTyped) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  auto* dialog = new StepDialog(w.session(), DraftBlock{}, &w.main());
+  const auto check = [](QDialog& one) {
+    auto& ease = *one.findChild<QLineEdit*>("ease");
+    auto& make = *one.findChild<QPushButton*>("make");
+    ease.setText("-50");
+    EXPECT_FALSE(make.isEnabled());
+    EXPECT_THAT(one.findChild<QLabel*>("said")->text().toStdString(), HasSubstr("-30.00 cm"));
+    ease.setText("5");
+    EXPECT_TRUE(make.isEnabled());
+    EXPECT_EQ(one.findChild<QLabel*>("said")->text(), "");
+  };
+  check(*dialog);
+  dialog->reject();
+  w.main().showStart();
+  w.rest();
+  w.button("Start from a block…").click();
+  auto* fresh = w.main().findChild<QDialog*>("block_dialog");
+  ASSERT_TRUE(fresh);
+  check(*fresh);
+  fresh->reject();
+}
+
+TEST(StudioTyped, WhatIsChosenForTheWindowIsKeptAtOnce) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  const auto kept = [](const char* key) { return QSettings().value(key).toString().toStdString(); };
+  for (const auto& [action, key] : {std::pair{"dark", "dark"}, {"inches", "inches"}}) {
+    w.main().findChild<QAction*>(action)->trigger();
+    EXPECT_EQ(kept(key), "true") << key;
+    w.main().findChild<QAction*>(action)->trigger();
+    EXPECT_EQ(kept(key), "false") << key;
+  }
+  w.main().findChild<QAction*>("japanese")->trigger();
+  EXPECT_EQ(kept("language"), "ja");
+  w.main().findChild<QAction*>("english")->trigger();
+  EXPECT_EQ(kept("language"), "en");
+}
+
+TEST(StudioTyped, ANameIsNeverReadAsHtml) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  QMessageBox box(QMessageBox::Question, "Karinui", "<b>x</b>", QMessageBox::Ok, &w.main());
+  box.show();
+  box.ensurePolished();
+  const auto* label = box.findChild<QLabel*>("qt_msgbox_label");
+  ASSERT_TRUE(label);
+  EXPECT_EQ(label->textFormat(), Qt::PlainText);
+  QLabel own("<b>x</b>", &w.main());
+  own.ensurePolished();
+  EXPECT_EQ(own.textFormat(), Qt::PlainText);
+}
+
+double luminance(QRgb c) {
+  const auto linear = [](int v) {
+    const double x = v / 255.0;
+    return x <= 0.03928 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(qRed(c)) + 0.7152 * linear(qGreen(c)) + 0.0722 * linear(qBlue(c));
+}
+
+// WCAG 2.2, 1.4.11: what shows a control stands out 3:1.
+TEST(StudioTyped, AnEmptyTickBoxIsSeenOnAnyGround) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const bool dark : {false, true}) {
+    Theme::here().setDark(dark);
+    QCheckBox box;
+    box.resize(30, 30);
+    const QImage picture = box.grab().toImage();
+    const double ground = luminance(picture.pixel(28, 2));
+    double most = 1;
+    for (int x = 0; x < picture.width(); ++x) {
+      const double here = luminance(picture.pixel(x, picture.height() / 2));
+      most = std::max(most, (std::max(here, ground) + 0.05) / (std::min(here, ground) + 0.05));
+    }
+    EXPECT_GE(most, 3) << (dark ? "dark" : "light");
+  }
+  Theme::here().setDark(false);
+}
+
+TEST(StudioTyped, TheKeysAreSeenWhereTheyAre) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.main().showStart();
+  w.main().activateWindow();
+  w.rest();
+  while (!w.main().isActiveWindow()) QApplication::processEvents(QEventLoop::AllEvents, 20);
+  QPushButton& fresh = w.button("New garment…");
+  QPushButton& open = w.button("Open…");
+  for (QPushButton* one : {&fresh, &open}) {
+    w.main().findChild<QWidget*>("start")->setFocus();
+    const QImage before = one->grab().toImage();
+    one->setFocus(Qt::TabFocusReason);
+    EXPECT_NE(one->grab().toImage(), before) << one->text().toStdString();
+  }
+}
+
+TEST(StudioTyped, NothingIsMadeUpOfNothing) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.main().newGarment("eu38", {});
+  w.rest();
+  auto* makeUp = w.main().findChild<QAction*>("make_up");
+  ASSERT_TRUE(makeUp);
+  makeUp->trigger();
+  w.rest();
+  EXPECT_FALSE(w.main().findChild<MakeUpDialog*>());
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("no piece"));
+}
+
+TEST(StudioTyped, WhereAPrintBeginsIsAskedOfAPieceAlone) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  SetLook look;
+  look.fabric = w.session().snapshot().document.pieceNamed("front")->fabric;
+  look.print = PrintKind::Stripe;
+  w.session().perform(look);
+  w.main().boards().setCurrentIndex(2);
+  w.rest();
+  std::size_t seen = 0;
+  for (QLabel* label : w.main().boards().currentWidget()->findChildren<QLabel*>())
+    if (label->text() == "Print begins at") seen += label->isVisible();
+  EXPECT_EQ(seen, 0u);
+}
+
+}  // namespace
+}  // namespace karinui::studio
