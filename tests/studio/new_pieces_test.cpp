@@ -345,11 +345,12 @@ TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
   Selection chosen;
   chosen.pieces = {piece(w, "pocket").id};
   w.session().select(chosen);
-  w.drag(w.table(), {w.onTable("apron", {-0.05, 0.16})}, {}, {}, Qt::RightButton);
+  w.drag(w.table(), {w.onTable("apron", {-0.06, 0.15})}, {}, {}, Qt::RightButton);
   ASSERT_TRUE(choose(w, QString::fromUtf8("Sew pocket on here…")));
   Numbers numbers(w);
   ASSERT_TRUE(numbers);
   numbers.type("open", "top");
+  EXPECT_EQ(numbers.said().toStdString(), "");
   numbers.accept();
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
   EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("patch piece="));
@@ -731,7 +732,7 @@ TEST(StudioNewPieces, AShirtFromTheStartPage) {
   EXPECT_FALSE(w.main().atStart());
   ASSERT_EQ(w.count(), 3u) << w.main().said().toStdString();
   EXPECT_EQ(text(w.session().steps()[0].operation), "body size=eu38");
-  EXPECT_EQ(text(w.session().steps()[1].operation), "block kind=shirt ease=120mm");
+  EXPECT_EQ(text(w.session().steps()[1].operation), "block kind=shirt ease=120mm trued=yes");
   const auto& report = w.session().snapshot().document.drape.last;
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->settled);
