@@ -13,6 +13,7 @@
 #include "karinui/base/file.h"
 #include "karinui/design/drape.h"
 #include "karinui/design/script.h"
+#include "karinui/exchange/formats.h"
 #include "karinui/pattern/truing.h"
 #include "outputs.h"
 #include "pictures.h"

@@ -265,7 +265,7 @@ TEST_F(Placed, APocketOverADartIsRefused) {
                                    at + "\n");
     return done ? std::string() : text(done.error().what);
   };
-  EXPECT_NE(said("-17.6cm").find("runs into an edge or a dart of “skirt_front”"), std::string::npos);
+  EXPECT_NE(said("-17.6cm").find("runs into an edge, a dart or another line of “skirt_front”"), std::string::npos);
   EXPECT_EQ(said("-20cm"), "");
 }
 

@@ -137,7 +137,8 @@ Result<Document> perform(const Document& before, const SewPatch& op, Context& co
   const double spacing = before.settings.spacing;
   if (!context.recorded && lay(before.pattern, spacing) && !lay(after.pattern, spacing))
     return refused(
-        say("“{0}” cannot be sewn on there: its line runs into an edge or a dart of “{1}”. Move it by a centimetre.",
+        say("“{0}” cannot be sewn on there: its line runs into an edge, a dart or another line of “{1}”. Move it by a "
+            "centimetre.",
             name, onName));
   return after;
 }
