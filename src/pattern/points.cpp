@@ -136,15 +136,17 @@ Result<Piece> moveCorner(const Piece& piece, std::string_view edge, Flat to) {
   return moved;
 }
 
-Result<Piece> moveEdge(const Piece& piece, std::string_view edge, double by) {
-  Piece whole = piece;
-  const auto [outline, k] = findIn(whole, edge);
+Result<Piece> moveEdge(const Piece& piece, std::string_view edge, double by, bool whole) {
+  Piece moved = piece;
+  const auto [outline, k] = findIn(moved, edge);
   if (!outline) return noEdge(piece, edge);
   const Curve curve = outline->edges[k].curve;
   const std::string next = outline->edges[(k + 1) % outline->edges.size()].name;
   const Flat step = leftOf(normalized(curve.end - curve.start)) * by;
   const auto tenth = [](Flat p) { return Flat{std::round(p.u * 1e4) / 1e4, std::round(p.v * 1e4) / 1e4}; };
-  const auto first = moveCorner(piece, edge, tenth(curve.start + step));
+  if (whole)
+    for (Flat& p : outline->edges[k].curve.between) p += step;
+  const auto first = moveCorner(moved, edge, tenth(curve.start + step));
   if (!first) return first.error();
   return moveCorner(*first, next, tenth(curve.end + step));
 }

@@ -254,6 +254,20 @@ TEST_F(Placed, WhatIsTurnedBackStaysOutside) {
   EXPECT_LT(lowest, top - 0.1);  // it is turned down
 }
 
+// A curved hem is taken in as it is curved; its ends alone would leave a tongue between them.
+TEST_F(Placed, ACurvedHemIsTakenInAsAWhole) {
+  Workroom own;
+  auto file = DocumentFile::inMemory();
+  ASSERT_TRUE(own.play(file, "body size=eu38\nblock kind=shirt\n"));
+  const auto hem = [&] { return findEdge(*file.document().pieceNamed("sleeve_left"), "hem")->curve; };
+  const Curve before = hem();
+  ASSERT_FALSE(before.between.empty());
+  ASSERT_TRUE(own.play(file, "takein edges=sleeve_left.hem by=35mm\n"));
+  const Curve after = hem();
+  for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+    EXPECT_LT(distance(after.at(t) - before.at(t), {0, 0.035}), 2e-4) << t;
+}
+
 // A pocket whose line runs into a dart cannot be laid as cloth: that is said where it is sewn on.
 TEST_F(Placed, APocketOverADartIsRefused) {
   const auto said = [](const std::string& at) {

@@ -88,7 +88,8 @@ Result<Piece> moveCorner(const Piece& piece, std::string_view edge, Flat to);
 
 // Carries an edge into the piece by a length (out of it where that is negative), square to the line between its ends,
 // which come to stand on tenths of a millimetre; its neighbours follow as with moveCorner.
-Result<Piece> moveEdge(const Piece& piece, std::string_view edge, double by);
+// `whole`: a chain of cubics goes as a whole, and not its ends alone.
+Result<Piece> moveEdge(const Piece& piece, std::string_view edge, double by, bool whole = true);
 
 // Another outline for a piece; it must name the same edges in the same order (round the curve), so that all seams hold.
 Result<Piece> reshaped(const Piece& piece, Outline outline);

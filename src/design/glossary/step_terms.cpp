@@ -117,6 +117,7 @@ TermTable fieldTerms() {
       {"copies", say("On the symmetric copy")},
       {"seams", say("The seams within the piece")},
       {"trued", say("Trued across the seams")},
+      {"whole", say("All of a curved edge")},
       {"corners", say("Corners, by the edges that start there")},
       {"corners.underlay", say("Corners of a rectangle on the scan")},
       {"count", say("Times cut")},

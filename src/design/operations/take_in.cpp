@@ -39,6 +39,7 @@ std::vector<Named> meant(const Document& document, const TakeIn& op) {
 Done resolve(const Document& before, TakeIn& op, Context& context) {
   if (op.by == 0.0 || !(std::fabs(op.by) <= kMost))
     return refused(say("A seam is taken in or let out by up to 50 cm, not by {0} mm.", fixed(op.by * 1e3, 1)));
+  if (op.whole == Choice::Auto && !context.recorded) op.whole = Choice::Yes;
   return resolveWhole(before, op.edges, op.symmetric, context);
 }
 
@@ -49,7 +50,7 @@ Result<Document> perform(const Document& before, const TakeIn& op, Context& cont
   for (const Named& edge : meant(before, op)) {
     if (moved.contains(edge)) continue;
     const Piece piece = *after.find(edge.first);
-    auto in = moveEdge(piece, edge.second, op.by);
+    auto in = moveEdge(piece, edge.second, op.by, op.whole == Choice::Yes);
     if (!in) return in.error();
     moved.insert(edge);
     ReshapePiece reshape;  // marks, seams, the shape in space and the symmetric copy follow as they do there

@@ -299,6 +299,7 @@ struct TakeIn {
   Length by{0.01};
   Choice partners = Choice::Yes;
   Choice symmetric = Choice::Auto;
+  Choice whole = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edges", self.edges, "the edges", kNeeded);
@@ -306,6 +307,10 @@ struct TakeIn {
     visit("partners", self.partners, "the edges they are sewn to go as far, so that the seams still fit: yes, no",
           kOptional);
     visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+    visit("whole", self.whole,
+          "all of a curved edge goes, not its ends alone: auto, yes, no (auto: yes, but no in a record that does not "
+          "have it)",
+          kOptional);
   }
   bool operator==(const TakeIn&) const = default;
 };
