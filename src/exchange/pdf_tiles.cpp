@@ -110,8 +110,8 @@ void drawJoins(PdfCanvas& canvas, const TileGrid& grid, const Tile& tile, std::s
   if (tile.column > 0) half({low.x, middleY}, {0, 1}, {1, 0});
   if (tile.row > 0) half({middleX, low.y}, {1, 0}, {0, 1});
   canvas.words({{low.x + 4, low.y + 6}, 8, true, tile.name()}, false);
-  const Message where =
-      say("Sheet {0} · page {1} of {2} · glue over the strip at the right and below", tile.name(), page, pages);
+  const Message where = say("Sheet {0} · page {1} of {2} · the next sheets lie on the strips at the right and below",
+                            tile.name(), page, pages);
   canvas.words({{low.x + 2, high.y - 3}, 3, true, text(where, settings.language)}, false);
 }
 
