@@ -115,6 +115,7 @@ TermTable fieldTerms() {
       {"compression", say("Resists squeezing")},
       {"cone", say("As a cone")},
       {"copies", say("On the symmetric copy")},
+      {"clear", say("Only as far as it lies clear")},
       {"seams", say("The seams within the piece")},
       {"trued", say("Trued across the seams")},
       {"whole", say("All of a curved edge")},

@@ -157,6 +157,10 @@ class TurnsAlong {
 
 }  // namespace
 
+void decideClear(double turn, Choice& clear, const Context& context) {
+  if (clear == Choice::Auto && !context.recorded && turn > std::numbers::pi / 2) clear = Choice::Yes;
+}
+
 Done orderRun(const Document& before, std::vector<EdgeRef>& run) {
   for (EdgeRef& edge : run)
     if (Done done = resolve(before, edge); !done) return done;
@@ -260,7 +264,7 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
   // Frames along the run: onwards at right angles to it, and outwards from the cloth. What is turned back lies over all
   // of the run, small waves of a draped edge would toss it to and fro.
   const auto n = static_cast<int>(run.place.size());
-  const bool back = fold.turn > std::numbers::pi / 2;
+  const bool back = fold.clear && fold.turn > std::numbers::pi / 2;
   const int wide = back ? kWide : 1;
   std::vector<Vec3> way(run.place.size()), onward(run.place.size()), out(run.place.size());
   for (int k = 0; k < n; ++k) {
@@ -318,13 +322,14 @@ Result<Piece> ledTo(const Document& document, Piece piece, const std::string& ed
   return round ? round : attached(document, std::move(piece), edge, run, fold, body);
 }
 
-Done resolve(const Document& before, AttachPiece& op, Context&) {
+Done resolve(const Document& before, AttachPiece& op, Context& context) {
   op.edge.from = 0, op.edge.to = 1;
   if (Done done = resolve(before, op.edge); !done) return done;
   if (Done done = orderRun(before, op.to); !done) return done;
   for (const EdgeRef& edge : op.to)
     if (edge.piece == op.edge.piece) return refused(say("A piece cannot be led along its own edge."));
   if (!(std::abs(op.turn) <= 4)) return refused(say("That turn is too large."));
+  decideClear(op.turn, op.clear, context);
   return {};
 }
 
@@ -335,8 +340,8 @@ Result<Document> perform(const Document& before, const AttachPiece& op, Context&
     if (!found) return found.error();
     body = *found;
   }
-  auto piece = ledTo(before, *before.find(op.edge.piece.id), op.edge.edge, runOf(before, op.to), {op.turn, op.turned},
-                     body.get());
+  auto piece = ledTo(before, *before.find(op.edge.piece.id), op.edge.edge, runOf(before, op.to),
+                     {op.turn, op.turned, op.clear == Choice::Yes}, body.get());
   if (!piece) return piece.error();
   return withPiece(before, *std::move(piece));
 }

@@ -26,6 +26,7 @@ Done resolve(const Document& before, DrawBand& op, Context& context) {
   if (op.edges.size() != 4)
     return refused(say("This shape has {0} {0|edge|edges}; it got {1} {1|name|names}.", 4, op.edges.size()));
   if (op.sew && op.ratio != 1 && op.eased == Choice::Auto && !context.recorded) op.eased = Choice::Yes;
+  if (op.sew) decideClear(op.turn, op.clear, context);
   if (op.turned && !op.sew) return refused(say("Only a band that is sewn on is turned over: sew=yes."));
   if (!op.sew) return {};
   for (const EdgeRef& edge : op.of)
@@ -58,7 +59,8 @@ Result<Document> perform(const Document& before, const DrawBand& op, Context& co
   }
   const SpaceRun run = runOf(before, op.of);
   const PieceId id = piece->id;
-  auto stood = ledTo(before, *std::move(piece), op.edges[0], run, {op.turn, op.turned}, body.get());
+  auto stood =
+      ledTo(before, *std::move(piece), op.edges[0], run, {op.turn, op.turned, op.clear == Choice::Yes}, body.get());
   if (!stood) return stood.error();
   Document after = withPiece(before, *std::move(stood));
   Seam seam;

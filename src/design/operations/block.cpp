@@ -181,7 +181,7 @@ class Made {
       if (!round) return round.error();
       document_ = withPiece(std::move(document_), *std::move(round));
     } else {
-      auto stood = attached(document_, std::move(piece), "low", along, {band.turn, false}, &body_);
+      auto stood = attached(document_, std::move(piece), "low", along, {band.turn, false, false}, &body_);
       if (!stood) return stood.error();
       document_ = withPiece(std::move(document_), *std::move(stood));
     }

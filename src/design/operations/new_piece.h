@@ -41,7 +41,10 @@ SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run);
 struct FoldedOn {
   double turn = 0;
   bool over = false;
+  bool clear = false;  // beyond a right angle, only as far as the body and standing cloth let it
 };
+// Auto becomes yes beyond a right angle; a record made before there was a choice keeps its meaning.
+void decideClear(double turn, Choice& clear, const Context& context);
 // The piece with `edge` along the run, the rest going on from its cloth, clear of `body` (null: none).
 Result<Piece> attached(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
                        const FoldedOn& fold, const Body* body);

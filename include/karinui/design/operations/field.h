@@ -25,6 +25,10 @@ constexpr OperationList<A..., B...> operator+(OperationList<A...>, OperationList
 }
 
 // Fields that many operations have.
+inline constexpr std::string_view kClearHelp =
+    "turned back only as far as the body and the cloth that stands let it: auto, yes, no (auto: yes beyond a right "
+    "angle, but no in a record that does not have it)";
+
 inline constexpr std::string_view kSeamsWithinHelp =
     "the seams within the piece too, as those of its darts: auto, yes, no (auto: yes, but no in a record that does not "
     "have it)";

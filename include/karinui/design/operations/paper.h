@@ -102,6 +102,7 @@ struct DrawBand {
   std::vector<std::string> edges;
   std::string fabric;
   int layer = 0;
+  Choice clear = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("name", self.name, "the new piece's name", kNeeded);
@@ -114,6 +115,7 @@ struct DrawBand {
     visit("turn", self.turn, "how far it is folded outwards from where the cloth would go on", kOptional);
     visit("turned", self.turned, "yes: turned over, so that its right side shows once it is folded back, as a collar's",
           kOptional);
+    visit("clear", self.clear, kClearHelp, kOptional);
     visit("eased", self.eased,
           "the difference that ratio= makes is meant, as ease declares it: auto, yes, no (auto: yes)", kOptional);
     visit("edges", self.edges, "names of its edges: low end_left top end_right; the first is sewn", kOptional);

@@ -68,6 +68,7 @@ struct AttachPiece {
   std::vector<EdgeRef> to;
   Angle turn;
   bool turned = false;
+  Choice clear = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge of the piece that is led there", kNeeded);
@@ -75,6 +76,7 @@ struct AttachPiece {
     visit("turn", self.turn, "how far it is folded outwards from where the cloth would go on", kOptional);
     visit("turned", self.turned, "yes: turned over, so that its right side shows once it is folded back, as a collar's",
           kOptional);
+    visit("clear", self.clear, kClearHelp, kOptional);
   }
   bool operator==(const AttachPiece&) const = default;
 };
