@@ -9,6 +9,7 @@
 #include "karinui/design/piece_label.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/pattern/cut_line.h"
+#include "karinui/pattern/darts.h"
 #include "karinui/pattern/label_room.h"
 #include "karinui/pattern/trims.h"
 #include "names.h"
@@ -29,6 +30,7 @@ void grow(SheetPiece& piece, Mm p) {
 SheetPiece draw(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan) {
   SheetPiece out;
   out.piece = &piece;
+  out.foldedHoles = foldedHoles(pattern, piece.id);
   const Ring ring = piece.outline.flattened(1e-5);
   out.low = out.high = turned(ring[0]);
   for (const Flat p : ring) grow(out, turned(p));

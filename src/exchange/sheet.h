@@ -2,6 +2,7 @@
 // A sheet of pieces, ready to be drawn: everything in millimetres, x to the right, y down, from the sheet's top left.
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,8 @@ struct SheetPiece {
   std::vector<std::vector<Mm>> cutLines;     // round the outline, then in the holes
   std::map<std::string, double> allowances;  // mm, of each edge; empty: seam lines only
   std::vector<SheetSize> nest;
-  bool strip = false;  // of Sheet::strips, not of the pattern
+  std::set<std::size_t> foldedHoles;  // darts with two points: marked, not cut
+  bool strip = false;                 // of Sheet::strips, not of the pattern
   std::vector<SheetNotch> notches;
   std::vector<SheetStitches> stitches;
   std::vector<std::vector<Mm>> trims;  // the inner sides of pipings and bindings

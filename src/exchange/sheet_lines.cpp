@@ -41,7 +41,8 @@ void eachLine(const SheetPiece& piece, const Line& line) {
   const bool cut = !piece.cutLines.empty();
   for (std::size_t i = 0; i < piece.cutLines.size(); ++i) line(i == 0 ? kBoundary : kCutOut, piece.cutLines[i], true);
   line(cut ? kSeam : kBoundary, ring(piece, piece.piece->outline), true);
-  for (const Outline& hole : piece.piece->holes) line(cut ? kSeam : kCutOut, ring(piece, hole), true);
+  for (std::size_t k = 0; k < piece.piece->holes.size(); ++k)
+    line(cut || piece.foldedHoles.contains(k) ? kSeam : kCutOut, ring(piece, piece.piece->holes[k]), true);
   for (const InternalLine& inner : piece.piece->lines) {
     std::vector<Mm> points;
     for (const Curve& curve : inner.curves) {

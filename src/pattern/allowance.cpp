@@ -134,6 +134,14 @@ AllowancePlan::AllowancePlan(const Pattern& pattern, Allowances allowances) : al
         if (own.kind == FasteningKind::Zip) sewn_.insert({span.piece, span.edge});
   for (const PaperDart& dart : dartsOf(pattern))
     if (dart.folded()) darts_[{dart.piece, dart.to}] = dart;
+  for (const DoubleDart& dart : doubleDartsOf(pattern))
+    if (dart.folded()) foldedHoles_[dart.piece].insert(dart.hole);
+}
+
+const std::set<std::size_t>& AllowancePlan::foldedHoles(PieceId piece) const {
+  static const std::set<std::size_t> kNone;
+  const auto found = foldedHoles_.find(piece);
+  return found == foldedHoles_.end() ? kNone : found->second;
 }
 
 const PaperDart* AllowancePlan::foldedDart(PieceId piece, std::size_t to) const {

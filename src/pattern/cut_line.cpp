@@ -241,7 +241,9 @@ std::optional<CutLines> cutLines(const Piece& piece, const AllowancePlan& plan, 
   if (!any(piece.outline) && std::none_of(piece.holes.begin(), piece.holes.end(), any)) return std::nullopt;
   CutLines lines;
   lines.outer = any(piece.outline) ? ringOf(piece, piece.outline, plan, miss, false) : piece.outline.flattened(miss);
-  for (const Outline& hole : piece.holes) {
+  for (std::size_t k = 0; k < piece.holes.size(); ++k) {
+    const Outline& hole = piece.holes[k];
+    if (plan.foldedHoles(piece.id).contains(k)) continue;
     Ring ring = any(hole) ? ringOf(piece, hole, plan, miss, true) : hole.flattened(miss);
     if (ring.size() >= 3) lines.holes.push_back(std::move(ring));
   }

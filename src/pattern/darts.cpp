@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "karinui/pattern/seam_walk.h"
 #include "karinui/pattern/symmetry.h"
 #include "pattern/end_tangent.h"
 
@@ -59,6 +60,54 @@ std::vector<PaperDart> dartsOf(const Pattern& pattern) {
     all.push_back({id, a.piece, to, back, in.start, in.end, out.end});
   }
   return all;
+}
+
+bool DoubleDart::folded() const { return distance(left, right) <= kWidestFolded; }
+
+std::vector<DoubleDart> doubleDartsOf(const Pattern& pattern) {
+  constexpr int kLooks = 24;
+  std::vector<DoubleDart> all;
+  for (const auto& [id, seam] : pattern.seams) {
+    if (!seam.reversed || seam.tie == Seam::Tie::Pleat || seam.a.empty() || seam.b.empty()) continue;
+    const auto piece = pattern.pieces.find(seam.a.front().piece);
+    if (piece == pattern.pieces.end()) continue;
+    for (std::size_t h = 0; h < piece->second->holes.size(); ++h) {
+      const Outline& hole = piece->second->holes[h];
+      const auto within = [&](const EdgeSpan& span) {
+        return span.piece == piece->first && span.from <= 0 && span.to >= 1 && hole.find(span.edge);
+      };
+      // All its edges, each on one side: the sides then meet in two places.
+      if (seam.a.size() + seam.b.size() != hole.edges.size() || !std::all_of(seam.a.begin(), seam.a.end(), within) ||
+          !std::all_of(seam.b.begin(), seam.b.end(), within))
+        continue;
+      DoubleDart dart{id,
+                      piece->first,
+                      h,
+                      hole.edges[*hole.find(seam.a.front().edge)].curve.start,
+                      hole.edges[*hole.find(seam.a.back().edge)].curve.end,
+                      {},
+                      {}};
+      const SeamSides sides(pattern, seam);
+      std::vector<double> looks = sides.breaks();
+      for (int k = 1; k < kLooks; ++k) looks.push_back(k / double{kLooks});
+      double widest = -1;
+      for (const double share : looks) {
+        const SeamPlace a = sides.a.at(share), b = sides.b.at(share);
+        const Flat here = curveOf(pattern, a.piece, a.edge)->atFraction(a.fraction),
+                   there = curveOf(pattern, b.piece, b.edge)->atFraction(b.fraction);
+        if (distance(here, there) > widest) widest = distance(here, there), dart.right = here, dart.left = there;
+      }
+      all.push_back(dart);
+    }
+  }
+  return all;
+}
+
+std::set<std::size_t> foldedHoles(const Pattern& pattern, PieceId piece) {
+  std::set<std::size_t> holes;
+  for (const DoubleDart& dart : doubleDartsOf(pattern))
+    if (dart.piece == piece && dart.folded()) holes.insert(dart.hole);
+  return holes;
 }
 
 bool pressedForward(const Piece& piece, const PaperDart& dart) {

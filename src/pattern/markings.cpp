@@ -109,8 +109,11 @@ std::optional<BorderPlace> sewnPlace(const Pattern& pattern, const SeamPlace& at
 
 std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
   std::vector<NotchPlace> out;
+  std::set<SeamId> drilled;  // darts that holes mark
+  for (const DoubleDart& dart : doubleDartsOf(pattern))
+    if (dart.folded()) drilled.insert(dart.seam);
   for (const auto& [id, seam] : pattern.seams) {
-    if (seam.tie == Seam::Tie::Pleat) continue;
+    if (seam.tie == Seam::Tie::Pleat || drilled.contains(id)) continue;
     const SeamSides sides(pattern, seam);
     std::vector<double> fractions = sides.breaks();
     if (fractions.empty()) continue;
@@ -183,6 +186,14 @@ std::vector<Flat> drillHoles(const Pattern& pattern, const Piece& piece) {
     const Flat middle = lerp(dart.from, dart.until, 0.5);
     if (dart.piece == piece.id && dart.folded() && distance(middle, dart.point) > 2 * kDrillShort)
       out.push_back(dart.point + normalized(middle - dart.point) * kDrillShort);
+  }
+  for (const DoubleDart& dart : doubleDartsOf(pattern)) {
+    if (dart.piece != piece.id || !dart.folded()) continue;
+    const Flat middle = lerp(dart.left, dart.right, 0.5);
+    for (const Flat point : {dart.from, dart.to})
+      if (distance(middle, point) > 2 * kDrillShort) out.push_back(point + normalized(middle - point) * kDrillShort);
+    for (const Flat leg : {dart.left, dart.right})
+      if (distance(middle, leg) > 2 * kDrillInside) out.push_back(leg + normalized(middle - leg) * kDrillInside);
   }
   return out;
 }

@@ -62,27 +62,30 @@ std::vector<std::vector<std::uint32_t>> seamsOf(const Cloth& cloth, const ClothP
     mark(tie.b);
     mark(tie.c);
   }
-  const auto& border = piece.lattice->border;
-  const std::size_t n = border.size();
   std::set<std::pair<std::uint32_t, std::uint32_t>> partners;
   for (const Tie& tie : cloth.ties) partners.insert(std::minmax(tie.a, tie.b));
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t before = piece.firstNode + border[(i + n - 1) % n],
-                        after = piece.firstNode + border[(i + 1) % n];
-    if (partners.contains(std::minmax(before, after))) tied[border[i]] = true;
-  }
   std::vector<std::vector<std::uint32_t>> runs;
-  bool open = false;
-  for (std::size_t i = 0; i <= n; ++i) {
-    const std::uint32_t node = border[i % n];
-    if (!tied[node]) {
-      open = false;
-      continue;
+  const auto along = [&](const std::vector<std::uint32_t>& border) {
+    const std::size_t n = border.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t before = piece.firstNode + border[(i + n - 1) % n],
+                          after = piece.firstNode + border[(i + 1) % n];
+      if (partners.contains(std::minmax(before, after))) tied[border[i]] = true;
     }
-    if (!open) runs.emplace_back();
-    open = true;
-    runs.back().push_back(node);
-  }
+    bool open = false;
+    for (std::size_t i = 0; i <= n; ++i) {
+      const std::uint32_t node = border[i % n];
+      if (!tied[node]) {
+        open = false;
+        continue;
+      }
+      if (!open) runs.emplace_back();
+      open = true;
+      runs.back().push_back(node);
+    }
+  };
+  along(piece.lattice->border);
+  for (const auto& hole : piece.lattice->holes) along(hole);
   return runs;
 }
 
@@ -200,9 +203,12 @@ Result<LaidScene> laidSceneOf(const Document& document, const Body* body, const 
     cloth.mesh.faces = lattice.faces;
     cloth.flat = lattice.nodes;
     cloth.strain = strainOf(lattice, cloth.mesh.points);
-    cloth.outlines.push_back(lattice.border);
-    cloth.outlines.back().push_back(lattice.border.front());
-    for (const auto& hole : lattice.holes) cloth.outlines.push_back(hole);
+    const auto outline = [&](std::vector<std::uint32_t> ring) {
+      ring.push_back(ring.front());
+      cloth.outlines.push_back(std::move(ring));
+    };
+    outline(lattice.border);
+    for (const auto& hole : lattice.holes) outline(hole);
     cloth.seams = seamsOf(standing->cloth, piece, standing->state.position);
     const Piece& cut = *document.find(piece.id);
     const Look look = lookOf(document, cut);

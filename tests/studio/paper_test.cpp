@@ -51,6 +51,30 @@ TEST(StudioPaper, MakesDartsWithTwoClicksAndTheClothFollows) {
   EXPECT_LT(w.session().snapshot().document.drape.last->seamGap, 0.002) << "the darts are closed";
 }
 
+TEST(StudioPaper, MakesADartWithTwoPointsInsideAPiece) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const std::size_t before = w.count(), seams = w.session().snapshot().document.pattern.seams.size();
+  const Piece& front = *w.session().snapshot().document.pieceNamed("front");
+  const Flat waist = front.outline.edges[*front.outline.find("side_left")].curve.atFraction(0.5);
+  const Flat low{0.6 * waist.u, waist.v - 0.1}, high{0.6 * waist.u, waist.v + 0.08};
+  w.key(Command::Dart);
+  w.click(w.table(), w.onTable("front", low));
+  w.hover(w.table(), w.onTable("front", high));
+  w.keep("studio_double_dart");
+  EXPECT_FALSE(w.session().preview().space.lines.empty()) << "it is seen on the cloth before it is made";
+  w.click(w.table(), w.onTable("front", high));
+  w.rest();
+  ASSERT_EQ(w.count(), before + 2) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("double_dart piece=p"));
+  const Document& document = w.session().snapshot().document;
+  EXPECT_EQ(document.pieceNamed("front")->holes.size(), 2u) << "one on each half";
+  EXPECT_EQ(document.pattern.seams.size(), seams + 2);
+  EXPECT_TRUE(document.drape.last->settled);
+  EXPECT_LT(document.drape.last->seamGap, 0.002) << "they are closed";
+}
+
 // What the window paints is the table's frame: each notch and each seam is seen where the frame has it.
 TEST(StudioPaper, PaintsTheFrameOfTheTable) {
   KARINUI_NEEDS_DISPLAY();

@@ -73,6 +73,7 @@ class AllowancePlan {
   CornerKind corner(PieceId piece, const std::string& before, const std::string& after) const;
   double width(EdgeKind kind) const;
   const PaperDart* foldedDart(PieceId piece, std::size_t to) const;  // that begins with this edge; null: none
+  const std::set<std::size_t>& foldedHoles(PieceId piece) const;     // darts with two points: marked, not cut
   bool onFold(const Piece& piece) const;                             // it is half of what is cut
   const Allowances& allowances() const { return allowances_; }
 
@@ -80,6 +81,7 @@ class AllowancePlan {
   Allowances allowances_;
   std::set<Allowances::At> sewn_;
   std::map<std::pair<PieceId, std::size_t>, PaperDart> darts_;  // folded ones
+  std::map<PieceId, std::set<std::size_t>> foldedHoles_;
 };
 
 }  // namespace karinui

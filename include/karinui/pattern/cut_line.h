@@ -23,7 +23,7 @@ std::vector<Flat> cornerPoints(const CutCorner& corner);
 
 struct CutLines {
   Ring outer;               // counter-clockwise
-  std::vector<Ring> holes;  // counter-clockwise; one that its allowance fills is not there
+  std::vector<Ring> holes;  // counter-clockwise; one that its allowance fills or a folded dart is not there
 };
 // Nothing: nowhere is there an allowance. `miss`: of chords.
 std::optional<CutLines> cutLines(const Piece& piece, const AllowancePlan& plan, double miss = 1e-5);

@@ -1,6 +1,7 @@
 #pragma once
 // Darts of a pattern: wedges whose two legs are sewn to each other. A narrow one is folded, not cut out: the paper goes
 // on across its mouth. Metres on paper. Pure; any thread.
+#include <set>
 #include <vector>
 
 #include "karinui/pattern/piece.h"
@@ -15,6 +16,19 @@ struct PaperDart {
   bool folded() const;           // narrow enough
 };
 std::vector<PaperDart> dartsOf(const Pattern& pattern);
+
+// A dart with two points, as in the waist of a shirt or a dress without a waist seam: a hole that one seam closes.
+struct DoubleDart {
+  SeamId seam;
+  PieceId piece;
+  std::size_t hole = 0;
+  Flat from, to;        // its points
+  Flat left, right;     // on its two legs, as walked from one point to the other, where they are farthest apart
+  bool folded() const;  // narrow enough
+};
+std::vector<DoubleDart> doubleDartsOf(const Pattern& pattern);
+// The holes of a piece that are marked on its paper, and not cut out.
+std::set<std::size_t> foldedHoles(const Pattern& pattern, PieceId piece);
 
 // To which side a sewn dart is pressed: an upright one (waist, shoulder) towards the centre, which is the piece's own
 // axis or, of a half, its longest straight upright edge; a level one (bust, elbow) downwards. True: over the edge

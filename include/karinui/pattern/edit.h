@@ -3,6 +3,7 @@
 // out; any thread. Metres on paper. What makes no sense is refused with its place; an unknown edge is NotFound. Naming:
 // when an edge "side" is divided, its first part stays "side", the next becomes "side_2" (or the next free number); new
 // edges along a cut are "cut", "cut_2" …
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -66,6 +67,16 @@ struct DartedPiece {
 };
 Result<DartedPiece> addDart(const Piece& piece, std::string_view edge, double fraction, double width, Flat tip,
                             const std::string& name);
+
+// Takes out a dart with two points, a hole in the shape of a kite: widest, by `width`, at a share of the way from one
+// point to the other. Its edges are new, "name", "name_2" … (or the next free), counter-clockwise; the first two run
+// from `from` to `to`. Refuses one that leaves the piece or meets an edge, a hole or a sewn line.
+struct DoubleDartedPiece {
+  Piece piece;
+  std::array<std::string, 4> edges;
+};
+Result<DoubleDartedPiece> addDoubleDart(const Piece& piece, Flat from, Flat to, double width, double at,
+                                        const std::string& name, const std::set<std::string>& sewnLines);
 
 // Moves a dart, whose first side is the edge `leg`, to a place on another edge: the paper is cut there straight to the
 // dart's point, and the shorter part between dart and cut is turned about the point until the dart is closed. The new

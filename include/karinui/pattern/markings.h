@@ -45,6 +45,7 @@ PaperStroke strokeOf(const NotchPlace& notch, double allowance = 0);
 std::vector<Flat> drillHoles(const Piece& piece);                          // the person's own,
 std::vector<Flat> drillHoles(const Pattern& pattern, const Piece& piece);  // and short of the points of folded darts
 inline constexpr double kDrillShort = 0.010;
+inline constexpr double kDrillInside = 0.003;   // of the legs of a dart with two points
 inline constexpr double kDrillRadius = 0.0025;  // of the circle round a drill hole,
 inline constexpr double kDrillArm = 0.004;      // and of each arm of the cross through it
 

@@ -121,7 +121,8 @@ std::set<Allowances::At> finishedPlaces(const Document& document, const std::vec
 Done resolveFinishedLines(const Document& before, std::vector<EdgeRef>& named, Choice& symmetric, Context& context) {
   for (EdgeRef& ref : named) {
     ref.from = 0, ref.to = 1;
-    if (Done done = resolveSewn(before, ref); !done) return done;
+    if (Done done = resolve(before, ref.piece); !done) return done;
+    if (Done done = lineOf(before, ref) ? resolveSewn(before, ref) : resolve(before, ref); !done) return done;
   }
   auto [edges, lines] = parted(before, named);
   const bool both = symmetric != Choice::No && std::any_of(lines.begin(), lines.end(), [&](const EdgeRef& ref) {

@@ -20,7 +20,8 @@ const InternalLine* lineOf(const Document& document, const EdgeRef& ref) {
 
 Done resolveSewn(const Document& before, EdgeRef& ref) {
   if (Done done = resolve(before, ref.piece); !done) return done;
-  if (!lineOf(before, ref)) return resolve(before, ref);
+  const Piece& piece = *before.find(ref.piece.id);
+  if (piece.outline.find(ref.edge) || !(findEdge(piece, ref.edge) || lineOf(before, ref))) return resolve(before, ref);
   if (!(ref.from >= 0 && ref.from < ref.to && ref.to <= 1))
     return refused(say("The part of {0}.{1} runs from {2} to {3}; it must run forward between 0 and 1.",
                        before.find(ref.piece.id)->name, ref.edge, ref.from, ref.to));

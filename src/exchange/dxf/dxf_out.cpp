@@ -8,6 +8,7 @@
 #include "karinui/base/number.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/pattern/cut_line.h"
+#include "karinui/pattern/darts.h"
 #include "karinui/pattern/trims.h"
 
 namespace karinui {
@@ -131,10 +132,12 @@ class Writing {
     for (const NumberedRule& rule : rules)
       text(astm_ ? (cut ? 14 : 1) : rule.corner ? 2 : 3, rule.place, "# " + std::to_string(rule.number));
     // A cut-out is cut within its seam line by its allowance; one that this fills is only marked.
-    for (const Outline& hole : piece.holes) {
-      const PlacedRing sewn = drawn(hole, hole);
-      line(cut ? 14 : 11, sewn);
-      if (astm_) line(cut ? 87 : 86, sewn);
+    const std::set<std::size_t> folded = foldedHoles(pattern, piece.id);
+    for (std::size_t k = 0; k < piece.holes.size(); ++k) {
+      const PlacedRing sewn = drawn(piece.holes[k], piece.holes[k]);
+      const bool marked = cut || folded.contains(k);
+      line(marked ? 14 : 11, sewn);
+      if (astm_) line(marked ? 87 : 86, sewn);
     }
     for (const Ring& hole : cut ? cut->holes : std::vector<Ring>()) {
       line(11, drawn(hole));

@@ -115,6 +115,31 @@ struct AddDart {
   bool operator==(const AddDart&) const = default;
 };
 
+// double_dart piece=front from=10cm,16cm to=10cm,-14cm width=25mm
+struct AddDoubleDart {
+  static constexpr std::string_view kName = "double_dart";
+  static constexpr std::string_view kHelp =
+      "Takes a dart with two points out of the inside of a piece, as in a waist without a seam, and sews its sides.";
+  static constexpr bool kDisturbsDrape = true;
+  PieceRef piece;
+  Flat from, to;
+  Length width{0.02};
+  double at = 0.5;
+  std::string name;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece it is taken out of", kNeeded);
+    visit("from", self.from, "one of its points, on the paper", kNeeded);
+    visit("to", self.to, "the other", kNeeded);
+    visit("width", self.width, "how wide it is where it is widest", kOptional);
+    visit("at", self.at, "where it is widest, as a share of the way from the first point to the other", kOptional);
+    visit("name", self.name, "the name of its sides", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const AddDoubleDart&) const = default;
+};
+
 // pivot dart=front.dart to=front.shoulder at=0.5
 struct PivotDart {
   static constexpr std::string_view kName = "pivot";
@@ -315,7 +340,7 @@ struct TakeIn {
   bool operator==(const TakeIn&) const = default;
 };
 
-using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, PivotDart, AddPleat,
-                                        SetLength, TakeIn, TrueUp, FairEdges, SlashAndSpread>;
+using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, AddDoubleDart, PivotDart,
+                                        AddPleat, SetLength, TakeIn, TrueUp, FairEdges, SlashAndSpread>;
 
 }  // namespace karinui
