@@ -159,12 +159,13 @@ int runAmend(Program& program, const AmendOptions& options) {
   Result<Operation> operation = parseOperation(options.operation);
   if (!operation) return program.console.refuse(operation.error());
   return withDocument(program, options.path, false, [&](OpenDocument& opened) -> int {
-    if (const Done amended = opened.file().amend(options.step, *std::move(operation), opened.context()); !amended)
+    if (const Done amended = opened.amend(options.step, *std::move(operation)); !amended)
       return program.console.refuse(amended.error());
     const Document& document = opened.document();
-    program.console.answer({{"operations", document.operations}, {"hash", hash(document)}},
-                           withReadableLengths(opened.file().log()));
-    return document.drape.last && !document.drape.last->settled ? kNotSettled : kDone;
+    program.console.answer(
+        {{"operations", document.operations}, {"settled", opened.settled()}, {"hash", hash(document)}},
+        withReadableLengths(opened.file().log()));
+    return opened.settled() ? kDone : kNotSettled;
   });
 }
 

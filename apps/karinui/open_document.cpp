@@ -1,5 +1,6 @@
 #include "open_document.h"
 
+#include "karinui/design/sewing.h"
 #include "karinui/session/scene_of.h"
 
 namespace karinui::app {
@@ -20,17 +21,30 @@ Result<Step> OpenDocument::performWith(Operation operation, Context& context) {
   program_.console.newJob();
   const bool rests = std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation);
   Result<Step> step = file_.perform(std::move(operation), context);
+  if (const auto* sew = step ? std::get_if<SewEdges>(&step->operation) : nullptr)
+    if (const auto longer = longerSide(document(), *sew)) program_.console.note(*longer);
   if (!step || !rests || !document().drape.last) return step;
   const SettleReport& report = *document().drape.last;
   settled_ = settled_ && (report.settled || std::holds_alternative<PullCloth>(step->operation));
-  if (!report.settled && std::holds_alternative<DrapePieces>(step->operation)) {
-    program_.console.note(say("The cloth did not come to rest: {0}", report.why));
-  }
+  if (std::holds_alternative<DrapePieces>(step->operation)) tellUnsettled();
   for (const PieceId id : report.toActivate)
     if (const Piece* piece = document().find(id))
       program_.console.note(
           say("“{0}” stood still, but what is sewn to it pulls at it anew: drape it, too.", piece->name));
   return step;
+}
+
+Done OpenDocument::amend(std::size_t step, Operation operation) {
+  program_.console.newJob();
+  if (Done done = file_.amend(step, std::move(operation), *context_); !done) return done;
+  settled_ = !document().drape.last || document().drape.last->settled;
+  tellUnsettled();
+  return {};
+}
+
+void OpenDocument::tellUnsettled() {
+  if (const auto& last = document().drape.last; last && !last->settled)
+    program_.console.note(say("The cloth did not come to rest: {0}", last->why));
 }
 
 void OpenDocument::tellRemarks() {

@@ -35,6 +35,8 @@ class OpenDocument {
   // rest. The first Ctrl-C stops a drape where the cloth is, which is recorded; `stopped` tells.
   Result<Step> perform(Operation operation);
   Result<Step> performWith(Operation operation, Context& context);  // with another's blobs
+  // Makes a step another one. Says so where the last drape, done again, did not rest.
+  Done amend(std::size_t step, Operation operation);
   bool settled() const { return settled_; }
   bool stopped() const { return stopped_; }
   Result<SceneFrame> scene() { return scene(document()); }  // the garment on its body, for pictures
@@ -42,6 +44,8 @@ class OpenDocument {
   Prints prints();
 
  private:
+  void tellUnsettled();
+
   Program& program_;
   Workers workers_;
   Bodies bodies_;

@@ -208,8 +208,7 @@ class Server {
     if (const Done fit = fields.checked(); !fit) return fit.error();
     auto operation = parseOperation(line);
     if (!operation) return operation.error();
-    const Done done =
-        opened_->file().amend(static_cast<std::size_t>(which.value_or(0)), *std::move(operation), opened_->context());
+    const Done done = opened_->amend(static_cast<std::size_t>(which.value_or(0)), *std::move(operation));
     return done ? Result<Json>(state()) : done.error();
   }
   Result<Json> settle(Fields& fields, StopRequest& stop) {

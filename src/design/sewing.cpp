@@ -354,6 +354,14 @@ double mostGather(const Fabric& fabric) {
   return std::clamp(1 + kFolded / std::fmax(fabric.thickness, 1e-5), 1.5, 4.0);
 }
 
+std::optional<Message> longerSide(const Document& document, const SewEdges& sew) {
+  constexpr double kPlainly = 1.1;  // a sleeve's cap is eased in by half as much
+  const double a = lengthOf(document, sew.a), b = lengthOf(document, sew.b);
+  if (sew.tie == SewEdges::Tie::Pleat || std::fmax(a, b) < kPlainly * std::fmin(a, b)) return std::nullopt;
+  return say("{0} is {1} mm longer than {2}, to which it is sewn.", spoken(document, (a > b ? sew.a : sew.b).front()),
+             fixed(std::fabs(a - b) * 1e3, 1), spoken(document, (a > b ? sew.b : sew.a).front()));
+}
+
 bool facesReversed(const Document& document, const SewEdges& sew) {
   // About their own middles: so a piece that still hangs apart is judged by its shape.
   auto a = stood(document, sew.a), b = stood(document, sew.b);

@@ -417,6 +417,31 @@ TEST_F(Command, AmendsAStepAndPlaysThoseAfterIt) {
   EXPECT_EQ(karinui("log " + document()).out, now) << "all or nothing";
 }
 
+TEST_F(Command, SaysWhatAnAmendedDrapeCameTo) {
+  ASSERT_EQ(play("body size=eu38\nset spacing=20mm\npiece name=flap outline=\"M 0 0; low L 400 0; side L 400 500; top "
+                 "L 0 500; left L 0 0\"\n"
+                 "pin piece=flap at=\"0,50cm; 40cm,50cm\"\ndrape\n")
+                .exit,
+            0);
+  const Said said = karinui("amend " + document() + " 5 'drape stop=1' --json");
+  EXPECT_EQ(said.exit, 4) << said.err;
+  EXPECT_EQ(said.json()["settled"], false);
+  EXPECT_THAT(said.err, HasSubstr("The cloth did not come to rest"));
+}
+
+TEST_F(Command, SaysHowMuchLongerOneSideOfASeamIs) {
+  const std::string pieces =
+      "piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; top L 0 500; centre L 0 0\"\n"
+      "piece name=back outline=\"M 0 0; hem L 400 0; side L 400 LONG; top L 0 500; centre L 0 0\"\n"
+      "sew a=front.side b=back.side\n";
+  const auto with = [&](const char* tall) {
+    std::string script = pieces;
+    return play(script.replace(script.find("LONG"), 4, tall)).err;
+  };
+  EXPECT_THAT(with("620"), HasSubstr("back.side is 120.0 mm longer than front.side"));
+  EXPECT_THAT(with("540"), Not(HasSubstr("longer")));
+}
+
 TEST_F(Command, TellsTheNamesThatItGivesAwayOrGivesNone) {
   ASSERT_EQ(play("piece name=Hanako outline=\"M 0 0; low L 400 0; side L 400 500; top L 0 500; centre L 0 0\"\n").exit,
             0);

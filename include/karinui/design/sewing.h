@@ -33,6 +33,9 @@ Result<SewEdges> mirrorImage(const Document& document, const SewEdges& sew);
 // shirtings 2 to 3, coatings half as long again (the fullness ratios of dressmaking).
 double mostGather(const Fabric& fabric);
 
+// A sentence where one side is longer by more than is eased in: it is to be gathered, or is a slip.
+std::optional<Message> longerSide(const Document& document, const SewEdges& sew);
+
 // Whether side b runs against its own direction, judged by how the edges lie; `sew` as for the operation.
 bool facesReversed(const Document& document, const SewEdges& sew);
 
