@@ -8,6 +8,7 @@
 #include "karinui/base/number.h"
 #include "karinui/design/notions.h"
 #include "karinui/design/piece_label.h"
+#include "karinui/design/sewing_order.h"
 #include "karinui/design/step_words.h"
 #include "karinui/design/truing_said.h"
 #include "karinui/exchange/lay_sheet.h"
@@ -168,6 +169,13 @@ ReportTable pieceTable(const Document& document) {
   return table;
 }
 
+ReportTable orderTable(const Document& document) {
+  ReportTable table{say("Order of sewing"), {Message(), Message()}, {}};  // a sentence takes both columns
+  std::size_t count = 0;
+  for (const SewingStep& step : sewingOrder(document)) table.rows.push_back({say("{0}. {1}", ++count, step.words)});
+  return table;
+}
+
 ReportTable seamTable(const Document& document) {
   ReportTable table{say("Seams"), {}, {}};
   const TruingReport report = truing(document.pattern, document.eases);
@@ -221,6 +229,7 @@ int runReport(Program& program, const ReportOptions& options) {
       if (!motion) return program.console.refuse(motion.error());
       report.lists.push_back(*std::move(motion));
     }
+    if (ReportTable order = orderTable(document); !order.rows.empty()) report.lists.push_back(std::move(order));
     ReportTable yards{say("Cloth to buy"), {}, {}};
     if (const auto plan = layPlan(document, settings, opened.context())) {
       for (const Message& lay : laySaid(*plan)) yards.rows.push_back({lay});

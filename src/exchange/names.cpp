@@ -86,6 +86,22 @@ std::string edgeWord(std::string_view text) {
   return out.find_first_not_of('_') == std::string::npos ? std::string{} : out;
 }
 
+std::vector<std::string> brokenInto(std::string_view words, double room,
+                                    const std::function<double(std::string_view)>& wide) {
+  std::vector<std::string> lines;
+  while (!words.empty()) {
+    std::size_t end = words.size();
+    while (end > 1 && wide(words.substr(0, end)) > room) {
+      const std::size_t space = words.rfind(' ', end - 1);
+      end = space == std::string_view::npos || space == 0 ? end - 1 : space;
+      while (end > 1 && (static_cast<unsigned char>(words[end]) & 0xC0) == 0x80) --end;  // within a character
+    }
+    lines.emplace_back(words.substr(0, end));
+    words.remove_prefix(std::min(words.size(), end < words.size() && words[end] == ' ' ? end + 1 : end));
+  }
+  return lines;
+}
+
 std::string DistinctNames::give(std::string name) {
   if (taken_.insert(name).second) return name;
   for (std::size_t& n = next_.try_emplace(name, 2).first->second;;) {

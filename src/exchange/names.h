@@ -1,10 +1,12 @@
 #pragma once
-// Names that may stand in a file of another program.
+// Names and words that may stand in a file of another program.
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace karinui {
 
@@ -19,6 +21,10 @@ std::string oneWord(std::string_view text, std::string_view otherwise);
 
 // [A-Za-z0-9_-]+, as edges are named; empty where nothing of the text is usable.
 std::string edgeWord(std::string_view text);
+
+// In lines that are no wider than `room`; words are kept whole where there are spaces.
+std::vector<std::string> brokenInto(std::string_view words, double room,
+                                    const std::function<double(std::string_view)>& wide);
 
 // Names of which no two are the same.
 class DistinctNames {

@@ -122,8 +122,12 @@ void drawSheet(PdfCanvas& canvas, const Sheet& sheet) {
 Result<Sheet> sheetFor(const Pattern& pattern, PaperKind paper, const SheetSettings& settings) {
   if (!(settings.overlap >= 0.005 && settings.overlap <= 0.03)) return refused(say("Pages overlap by 5 to 30 mm."));
   SheetSettings own = settings;
-  if (const auto grid = gridFor(paper, settings); grid && !grid->cover)
-    own.rollWidth = (grid->width - 2 * kEdge) / 1000;
+  if (const auto grid = gridFor(paper, settings)) {
+    if (grid->cover)
+      own.order.clear();  // it has pages of its own
+    else
+      own.rollWidth = (grid->width - 2 * kEdge) / 1000;
+  }
   Result<Sheet> sheet = layOut(pattern, own);
   if (const auto grid = gridFor(paper, settings); sheet && grid) nestOnPages(*sheet, *grid);
   // A page that would be too long becomes wider instead.
@@ -165,6 +169,9 @@ std::vector<PageDrawing> pagesOf(const Sheet& sheet, PaperKind paper, const Shee
     pages.push_back({size, [&sheet, &settings, grid = *grid, tiles](PdfCanvas& canvas) {
                        drawCover(canvas, grid, sheet, tiles, settings);
                      }});
+  if (grid->cover)
+    for (const std::vector<std::string>& lines : orderPages(*grid, settings))
+      pages.push_back({size, [lines](PdfCanvas& canvas) { drawOrder(canvas, lines); }});
   const std::size_t before = pages.size(), count = before + tiles.size();
   for (std::size_t i = 0; i < tiles.size(); ++i)
     pages.push_back(

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "karinui/pattern/label_room.h"
+#include "names.h"
 #include "pdf_canvas.h"
 
 namespace karinui {
@@ -127,6 +128,28 @@ void drawSquares(PdfCanvas& canvas, Mm low) {
   square(4 * kInch, true);
   canvas.words({low + Mm{kSquare / 2, kSquare / 2}, 6, true, "100 × 100 mm"}, true);
   canvas.words({low + Mm{kSquare / 2, kSquare - 5}, 4, true, "- - -  4 × 4 in"}, true);
+}
+
+constexpr double kOrderSize = 4, kOrderDown = 1.9 * kOrderSize;  // mm
+
+std::vector<std::vector<std::string>> orderPages(const TileGrid& grid, const SheetSettings& settings) {
+  const double wide = grid.width - 2 * kEdge;
+  const auto most = static_cast<std::size_t>((grid.height - 2 * kEdge) / kOrderDown);
+  std::vector<std::vector<std::string>> pages;
+  for (const std::string& whole : orderLines(settings))
+    for (const std::string& line :
+         brokenInto(whole, wide, [](std::string_view part) { return wordsWidth(part, kOrderSize); })) {
+      if (pages.empty() || pages.back().size() == most) pages.emplace_back();
+      pages.back().push_back(line);
+    }
+  return pages;
+}
+
+void drawOrder(PdfCanvas& canvas, const std::vector<std::string>& lines) {
+  canvas.layer(PdfLayer::Page);
+  canvas.colour(0);
+  Mm at{kEdge, kEdge + kOrderSize};
+  for (const std::string& line : lines) canvas.words({at, kOrderSize, true, line}, false), at.y += kOrderDown;
 }
 
 void drawCover(PdfCanvas& canvas, const TileGrid& grid, const Sheet& sheet, const std::vector<Tile>& tiles,

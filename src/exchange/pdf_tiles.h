@@ -37,6 +37,9 @@ void drawJoins(PdfCanvas& canvas, const TileGrid& grid, const Tile& tile, std::s
 // The first page: what to do, the whole sheet small, how its pages lie, and the squares at true size.
 void drawCover(PdfCanvas& canvas, const TileGrid& grid, const Sheet& sheet, const std::vector<Tile>& tiles,
                const SheetSettings& settings);
+// In which order it is sewn, on pages of its own behind the cover.
+std::vector<std::vector<std::string>> orderPages(const TileGrid& grid, const SheetSettings& settings);
+void drawOrder(PdfCanvas& canvas, const std::vector<std::string>& lines);
 // A square of 100 mm and one of 4 inches about it, their top left where it is wanted.
 void drawSquares(PdfCanvas& canvas, Mm low);
 

@@ -1,6 +1,7 @@
 #include "karinui/exchange/report.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "names.h"
 #include "pdf_canvas.h"
@@ -102,7 +103,9 @@ class Pages {
       down_ += kLine;
     };
     const auto head = [&] {
-      drawn(table.columns);
+      const bool named =
+          std::any_of(table.columns.begin(), table.columns.end(), [](const Message& m) { return !m.empty(); });
+      if (named) drawn(table.columns);
       canvas_.moveTo({kPageMargin, down_ - 3}), canvas_.lineTo({kWide - kPageMargin, down_ - 3}),
           canvas_.stroke(0.15, false);
     };
@@ -113,19 +116,12 @@ class Pages {
     }
     down_ += 5;
   }
-  // From `left` to the margin, in as many lines as it takes; words are kept whole where there are spaces.
-  void spread(std::string words, double left) {
-    const double room = kWide - kPageMargin - left;
-    while (!words.empty()) {
-      std::size_t end = words.size();
-      while (end > 1 && canvas_.wide(words.substr(0, end), kLetters) > room) {
-        const std::size_t space = words.rfind(' ', end - 1);
-        end = space == std::string::npos || space == 0 ? end - 1 : space;
-        while (end > 1 && (static_cast<unsigned char>(words[end]) & 0xC0) == 0x80) --end;
-      }
+  // From `left` to the margin, in as many lines as it takes.
+  void spread(const std::string& words, double left) {
+    const auto wide = [&](std::string_view part) { return canvas_.wide(std::string(part), kLetters); };
+    for (const std::string& part : brokenInto(words, kWide - kPageMargin - left, wide)) {
       if (down_ + kLine > kHigh - kPageMargin) begin();
-      line(words.substr(0, end), {left, down_}, kLetters), down_ += kLine;
-      words.erase(0, std::min(words.size(), words[std::min(end, words.size() - 1)] == ' ' ? end + 1 : end));
+      line(part, {left, down_}, kLetters), down_ += kLine;
     }
   }
 
@@ -142,7 +138,8 @@ class Pages {
       double& down = at[side];
       line(text(table.heading, language_), {left, down + 3}, kHeading);
       down += kHeading + 4.5;
-      if (!table.columns.empty()) row(table.columns, left, down, room), down += kLine;
+      const std::vector<double> wide = widths(table, room);
+      if (!table.columns.empty()) row(table.columns, wide, left, down, room);
       canvas_.moveTo({left, down - 3}), canvas_.lineTo({left + room, down - 3}), canvas_.stroke(0.15, false);
       for (const auto& cells : table.rows) {
         if (down + kLine > kHigh - kPageMargin) {
@@ -150,20 +147,39 @@ class Pages {
           at[0] = at[1] = down_;
           down = down_;
         }
-        row(cells, left, down, room), down += kLine;
+        row(cells, wide, left, down, room);
       }
       down += 3;
       down_ = std::max(at[0], at[1]);
     }
   }
-  // The first cell has the room that the others leave.
-  void row(const std::vector<Message>& cells, double left, double down, double room) {
+  // Of the cells behind the first: as wide as what is in them.
+  std::vector<double> widths(const ReportTable& table, double room) const {
+    constexpr double kBetween = 3, kMost = 0.65;
+    std::vector<double> wide;
+    const auto measured = [&](const std::vector<Message>& cells) {
+      wide.resize(std::max(wide.size(), cells.size()), 0);
+      for (std::size_t i = 1; i < cells.size(); ++i)
+        wide[i] = std::max(wide[i], canvas_.wide(text(cells[i], language_), kLetters) + kBetween);
+    };
+    measured(table.columns);
+    for (const auto& cells : table.rows) measured(cells);
+    const double sum = std::accumulate(wide.begin(), wide.end(), 0.0);
+    for (double& own : wide) own *= std::min(1.0, kMost * room / std::max(sum, 1e-9));
+    return wide;
+  }
+  // The first cell has the room that the others leave, in as many lines as it takes. `down` goes on below the row.
+  void row(const std::vector<Message>& cells, const std::vector<double>& wide, double left, double& down, double room) {
     if (cells.empty()) return;
-    const double each = cells.size() == 2 ? room * 0.4 : room * 0.19;
-    const double first = room - each * static_cast<double>(cells.size() - 1);
-    fit(text(cells[0], language_), {left, down}, first - 2, false);
-    for (std::size_t i = 1; i < cells.size(); ++i)
-      fit(text(cells[i], language_), {left + first + each * static_cast<double>(i - 1), down}, each - 1, true);
+    double right = left + room;
+    for (std::size_t i = cells.size(); i-- > 1;) {
+      right -= wide[i];
+      fit(text(cells[i], language_), {right, down}, wide[i], true);
+    }
+    const auto measure = [&](std::string_view part) { return canvas_.wide(std::string(part), kLetters); };
+    const auto lines = brokenInto(text(cells[0], language_), right - left - 1, measure);
+    for (const std::string& part : lines) line(part, {left, down}, kLetters), down += kLine;
+    if (lines.empty()) down += kLine;
   }
 
   Language language_;

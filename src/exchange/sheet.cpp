@@ -7,6 +7,7 @@
 #include "karinui/design/glossary.h"
 #include "karinui/design/notions.h"
 #include "karinui/design/piece_label.h"
+#include "karinui/design/sewing_order.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/pattern/cut_line.h"
 #include "karinui/pattern/darts.h"
@@ -257,6 +258,8 @@ void tellGarment(const Document& document, const PhotoTall& tall, SheetSettings&
   settings.cutting = document.cutting;
   settings.grading = document.grading;
   if (tall) settings.matches = matchMarks(document, tall);
+  settings.order.clear();
+  for (const SewingStep& step : sewingOrder(document)) settings.order.push_back(step.words);
   settings.size = document.grading.empty() ? document.body.size : document.grading.sizes[document.grading.standing];
 }
 
@@ -302,7 +305,34 @@ Message widthsSaid(const Pattern& pattern, const AllowancePlan& plan) {
   return all;
 }
 
+// In columns at the right of the square, no deeper than it.
+void addOrder(Sheet& sheet, const SheetSettings& settings) {
+  constexpr double kSize = 3.2, kDown = 1.8 * kSize, kBetween = 8, kWidest = 120;  // mm
+  std::vector<std::string> lines;
+  for (const std::string& whole : orderLines(settings))
+    for (std::string& line : brokenInto(whole, kWidest, [](std::string_view part) { return wordsWidth(part, kSize); }))
+      lines.push_back(std::move(line));
+  Mm at = sheet.square + Mm{kSquare + 15, kSize};
+  const double top = at.y, bottom = sheet.square.y + kSquare;
+  double wide = 0;
+  for (const std::string& line : lines) {
+    if (at.y > bottom) at = {at.x + wide + kBetween, top}, wide = 0;
+    sheet.headings.push_back({at, kSize, true, line});
+    wide = std::max(wide, wordsWidth(line, kSize));
+    at.y += kDown;
+  }
+}
+
 }  // namespace
+
+std::vector<std::string> orderLines(const SheetSettings& settings) {
+  std::vector<std::string> lines;
+  if (settings.order.empty()) return lines;
+  lines.push_back(text(say("Order of sewing"), settings.language));
+  for (std::size_t k = 0; k < settings.order.size(); ++k)
+    lines.push_back(std::to_string(k + 1) + ". " + text(settings.order[k], settings.language));
+  return lines;
+}
 
 Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   if (pattern.pieces.empty()) return refused(say("There is no piece to print."));
@@ -352,6 +382,7 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   for (const Message& one : notionsSaid(pattern, settings.allowances, settings.cutting))
     notions = notions.empty() ? one : say("{0}, {1}", notions, one);
   if (!notions.empty()) heading(said(say("Notions: {0}", notions)), 4);
+  addOrder(sheet, settings);
   for (const SheetText& words : sheet.headings)
     sheet.width = std::max(sheet.width, std::ceil(words.place.x + wordsWidth(words.words, words.size) + kMargin));
   return sheet;

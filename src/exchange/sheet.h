@@ -71,6 +71,8 @@ struct SheetPiece {
   Mm at(Flat paper) const { return {origin.x + paper.u * 1000, origin.y - paper.v * 1000}; }
 };
 
+std::vector<std::string> orderLines(const SheetSettings& settings);  // with its heading; empty: nothing is sewn
+
 void moveBy(SheetPiece& piece, Mm by);  // with all that is drawn of it
 
 struct Sheet {

@@ -7,6 +7,7 @@
 #include "exchange/page_nest.h"
 #include "exchange/sheet.h"
 #include "karinui/exchange/sheet.h"
+#include "karinui/pattern/label_room.h"
 #include "pdf_page.h"
 
 namespace karinui {
@@ -80,6 +81,14 @@ TEST(PdfPages, PiecesLieCloseTogether) {
   nestOnPages(sheet, grid);
   EXPECT_LE(tilesOf(sheet, grid).size() * 4, shelves * 3);
   EXPECT_EQ(PaperPages::of(pattern, PaperKind::A4)->count(), 1 + tilesOf(sheet, grid).size());
+  SheetSettings told;
+  told.order.assign(60, say("Sew {0} onto {1}: {3|seam|seams} {2}.", "pocket", "a very long name of a piece", "7", 1));
+  EXPECT_EQ(PaperPages::of(pattern, PaperKind::A4, told)->count(), 3 + tilesOf(sheet, grid).size())
+      << "sixty steps have two pages of their own behind the cover";
+  const Sheet whole = *layOut(pattern, told);
+  EXPECT_EQ(PaperPages::of(pattern, PaperKind::OneSheet, told)->count(), 1u);
+  for (const SheetText& words : whole.headings)
+    EXPECT_LE(words.place.x + wordsWidth(words.words, words.size), whole.width) << words.words;
   for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
     const SheetPiece& a = sheet.pieces[i];
     EXPECT_GE(a.low.x, 0);

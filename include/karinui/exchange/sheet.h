@@ -22,6 +22,7 @@ struct SheetSettings {
   std::map<PieceId, Cutting> cutting;     // of pieces that are cut more than once
   Grading grading;                        // its sizes
   std::vector<MatchMark> matches;         // where the lines of its print cross seams
+  std::vector<Message> order;             // in which it is sewn, a sentence each
   bool nest = false;                      // all sizes over one another, not only the one that stands
   std::string size;                       // that stands, or of the figure; empty: not told
   std::string date;                       // of the print, as it is to be read; empty: not told
