@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cloth/finish.h"
 #include "cloth/input_check.h"
@@ -17,6 +18,7 @@ constexpr double kLiveStepLength = 1;   // spacings, in a live pull
 constexpr double kMostSteps = 1200;     // of a hand in a hurry; it waits for the cloth at the end of its path
 constexpr double kFarthest = 1000;      // metres from the origin
 constexpr double kHeldBack = 0.005;     // metres short of the path's end that are worth telling
+constexpr int kMostRestSteps = 400;     // after the path's end; what rests does so in 40 to 150
 
 double wayOf(const std::vector<Vec3>& path) {
   double way = 0;
@@ -122,6 +124,26 @@ class PullingHand {
   Hand hand_;
 };
 
+// Cloth that was squeezed against other cloth or the body: its unbalanced force, however long one waits, stays.
+class Squeeze {
+ public:
+  bool found(double residual) {
+    least_ = std::min(least_, residual);
+    if (++steps_ % kWindow != 0) return false;
+    const bool stays = least_ > kUnbalanced && least_ > kStays * before_;
+    before_ = std::exchange(least_, kHuge);
+    return stays;
+  }
+
+ private:
+  static constexpr int kWindow = 40;          // steps, of which the calmest counts
+  static constexpr double kUnbalanced = 2e4;  // node weights
+  static constexpr double kStays = 0.9;       // of the calmest of the window before
+  static constexpr double kHuge = 1e300;
+  int steps_ = 0;
+  double least_ = kHuge, before_ = kHuge;
+};
+
 LevelSolver::StepOptions stepOptions(const Cloth& cloth, const SettleSettings& settings) {
   LevelSolver::StepOptions options;
   options.seconds = kFrame;
@@ -214,11 +236,13 @@ Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const 
   }
   if (grip.letGo) solver.setHand(std::nullopt);
   RestCriteria criteria = finestCriteria(settings, false);
+  criteria.mostSteps = std::min(criteria.mostSteps, kMostRestSteps);
   StageResult end;
-  const auto watch = [&](int, const LevelSolver::StepResult&) {
+  Squeeze squeeze;
+  const auto watch = [&](int, const LevelSolver::StepResult& step) {
     if (!grip.letGo) hand.update();
     token.progress(0.5, say("Draping"));
-    return true;
+    return !squeeze.found(step.residual);
   };
   end = relax(solver, settings.gravity, criteria, kFrame, token, watch);
   report.end.steps += end.steps;
@@ -241,6 +265,9 @@ Result<PullReport> pull(ClothLevel& level, const ColliderList& colliders, const 
   addContactTimes(report.end, solver);
   const double left = hand.distanceLeft();
   level.state.position = finish(solver, colliders, settings, end, report.end, workers);
+  if (end.stopped)
+    report.end.why =
+        say("The pull left the cloth squeezed, and it does not come to rest. Undo it, or pull more gently.");
   if (!grip.letGo && report.end.settled && left > kHeldBack)
     report.end.why = say("The cloth held the hand back with {0} N, {1} mm before the end of its path.",
                          fixed(length(report.force.back()), 1), fixed(left * 1000, 0));

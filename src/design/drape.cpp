@@ -172,7 +172,8 @@ struct Hold {
 Result<Hold> holdOf(const Document& document, const PullCloth& pull, Context& context) {
   auto around = surroundingsOf(document, context);
   if (!around) return around.error();
-  const std::set<PieceId> live = livePieces(document, pull.live.empty() ? std::vector{pull.piece} : pull.live);
+  const std::set<PieceId> live =
+      pull.live.empty() ? hangTogether(document, pull.piece.id) : livePieces(document, pull.live);
   Result<ClothLevel> level = levelAt(document, live, document.settings.spacing);
   if (!level) return level.error();
   Hold hold{*std::move(around), *std::move(level), {}, {}};
@@ -191,6 +192,26 @@ std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRe
   }
   for (const PieceRef& piece : named) live.insert(piece.id);
   return live;
+}
+
+std::set<PieceId> hangTogether(const Document& document, PieceId piece) {
+  std::set<PieceId> together{piece};
+  const auto joins = [&](const auto& sewn) {
+    std::set<PieceId> all;
+    for (const auto* side : {&sewn.a, &sewn.b})
+      for (const EdgeSpan& span : *side)
+        if (const Piece* one = document.find(span.piece); one && !one->frozen) all.insert(span.piece);
+    const bool meets = std::any_of(all.begin(), all.end(), [&](PieceId id) { return together.contains(id); });
+    const std::size_t before = together.size();
+    if (meets) together.insert(all.begin(), all.end());
+    return together.size() > before;
+  };
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const auto& [id, seam] : document.pattern.seams) grew = joins(seam) || grew;
+    for (const auto& [name, fastening] : document.allowances.fastenings) grew = joins(fastening) || grew;
+  }
+  return together;
 }
 
 Result<Standing> standingCloth(const Document& document, const std::set<PieceId>& live) {

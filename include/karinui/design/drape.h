@@ -10,6 +10,9 @@ namespace karinui {
 
 // The pieces that move in a drape: those named, or every piece that is not frozen.
 std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRef>& named);
+// Those that move when one of them is pulled: it, and what it hangs together with by seams and fastenings, without
+// what is frozen. A neighbour that stood still would be a wall, and tear what is pulled.
+std::set<PieceId> hangTogether(const Document& document, PieceId piece);
 
 // While it lasts `onlooker` may ask, after every step, for the forms as they are then; on the caller's thread.
 using FormsNow = std::function<std::map<PieceId, std::shared_ptr<const Form>>()>;

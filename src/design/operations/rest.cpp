@@ -49,7 +49,8 @@ Done resolve(const Document& before, PullCloth& op, Context&) {
     if (!(length(step) <= 10)) return refused(say("The cloth is pulled by at most 10 m."));
   if (!(op.seconds >= 0.01 && op.seconds <= 60)) return refused(say("A pull takes between 0.01 and 60 seconds."));
   if (!(op.patch >= 0.001 && op.patch <= 0.2)) return refused(say("Fingers hold between 1 mm and 20 cm of cloth."));
-  if (op.live.empty()) op.live = {op.piece};
+  if (op.live.empty())
+    for (const PieceId id : hangTogether(before, op.piece.id)) op.live.emplace_back(id);
   if (Done done = resolveLive(before, op.live); !done) return done;
   if (!livePieces(before, op.live).contains(op.piece.id)) {
     return refused(say("“{0}” is pulled, so it must be among the live pieces.", piece.name));

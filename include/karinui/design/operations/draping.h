@@ -44,7 +44,8 @@ struct PullCloth {
     visit("seconds", self.seconds, "how long the path takes", kOptional);
     visit("patch", self.patch, "radius of what the fingers hold", kOptional);
     visit("let_go", self.letGo, "yes: afterwards the cloth swings back; no: it stays held", kOptional);
-    visit("live", self.live, "the pieces that drape (otherwise the pulled one)", kOptional);
+    visit("live", self.live, "the pieces that drape (otherwise the pulled one and those it hangs together with)",
+          kOptional);
   }
   bool operator==(const PullCloth&) const = default;
 };
