@@ -178,7 +178,7 @@ std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew
   const std::vector<Vec3> a = stood(document, sew.a), b = stood(document, sew.b);
   const Vec3 here = middleOf(a), there = middleOf(b);
   if (here.x * there.x >= 0 || std::fmin(std::fabs(here.x), std::fabs(there.x)) < kClear) return std::nullopt;
-  const bool against = sew.reversed == Choice::Auto ? facesReversed(document, sew) : sew.reversed == Choice::Yes;
+  const bool against = sew.reversed == Choice::Auto ? facesReversed(document, sew, body) : sew.reversed == Choice::Yes;
   for (const bool last : {false, true})  // edges that begin at one corner, as a godet's and a gore's, are meant
     if (sewnTogether(document, endOf(document, last ? sew.a.back() : sew.a.front(), last),
                      endOf(document, last != against ? sew.b.back() : sew.b.front(), last != against)))
@@ -192,7 +192,7 @@ std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew
       seamsOn(document, meant.b).empty()) {
     const Vec3 image = middleOf(stood(document, meant.b));
     if (distance(image, across(there)) < kNear && distance(image, here) < 0.98 * distance(there, here)) {
-      meant.reversed = facesReversed(document, meant) ? Choice::Yes : Choice::No;
+      meant.reversed = facesReversed(document, meant, body) ? Choice::Yes : Choice::No;
       return SeamDoubt{SeamDoubt::Kind::OtherSide,
                        say("{0} and {1} lie on opposite sides of the body.", spoken(document, sew.a.front()),
                            spoken(document, sew.b.front())),
@@ -209,7 +209,7 @@ std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew
                        spoken(document, sew.a.front()), spoken(document, sew.b.front()))};
 }
 
-std::optional<SeamDoubt> gathered(const Document& document, const SewEdges& sew) {
+std::optional<SeamDoubt> gathered(const Document& document, const SewEdges& sew, const Body* body) {
   const double la = lengthOf(document, sew.a), lb = lengthOf(document, sew.b);
   const bool longerIsA = la > lb;
   const double ratio = std::fmax(la, lb) / std::fmin(la, lb);
@@ -223,7 +223,7 @@ std::optional<SeamDoubt> gathered(const Document& document, const SewEdges& sew)
           spoken(document, (longerIsA ? sew.a : sew.b).front()), fixed(ratio, 1), piece.fabric, fixed(most, 1))};
   doubt.instead = sew;
   auto& longer = longerIsA ? doubt.instead->a : doubt.instead->b;
-  const bool against = sew.reversed == Choice::Auto ? facesReversed(document, sew) : sew.reversed == Choice::Yes;
+  const bool against = sew.reversed == Choice::Auto ? facesReversed(document, sew, body) : sew.reversed == Choice::Yes;
   longer = trimmed(document, longer, most * std::fmin(la, lb), !longerIsA && against);
   doubt.proposal = say("Gather {0}:1, the rest stays open", fixed(most, 1));
   return doubt;
@@ -354,6 +354,17 @@ double mostGather(const Fabric& fabric) {
   return std::clamp(1 + kFolded / std::fmax(fabric.thickness, 1e-5), 1.5, 4.0);
 }
 
+std::optional<Message> brokenRun(const Document& document, const std::vector<EdgeRef>& side) {
+  constexpr double kApart = 0.002;  // metres
+  for (std::size_t k = 1; k < side.size(); ++k) {
+    const Corner from = endOf(document, side[k - 1], true), to = endOf(document, side[k], false);
+    if (from.piece == to.piece && distance(from.place, to.place) > kApart && !sewnTogether(document, from, to))
+      return say("{0} does not end where {1} begins; name the edges of a run as they follow each other.",
+                 spoken(document, side[k - 1]), spoken(document, side[k]));
+  }
+  return std::nullopt;
+}
+
 std::optional<Message> longerSide(const Document& document, const SewEdges& sew) {
   constexpr double kPlainly = 1.1;  // a sleeve's cap is eased in by half as much
   const double a = lengthOf(document, sew.a), b = lengthOf(document, sew.b);
@@ -362,14 +373,54 @@ std::optional<Message> longerSide(const Document& document, const SewEdges& sew)
              fixed(std::fabs(a - b) * 1e3, 1), spoken(document, (a > b ? sew.b : sew.a).front()));
 }
 
-bool facesReversed(const Document& document, const SewEdges& sew) {
+namespace {
+
+// How far the right side of a run is turned away from the body, from -1 to 1, just within its edges.
+double outwardness(const Document& document, const std::vector<EdgeRef>& side, const Body& body) {
+  constexpr double kWithin = 0.01, kStep = 0.004;  // metres on paper
+  constexpr int kPlaces = 8;
+  double sum = 0;
+  int looks = 0;
+  for (const EdgeRef& ref : side) {
+    const Piece& piece = *document.find(ref.piece.id);
+    const Stand stand(piece);
+    const Curve& curve = curveOf(document, ref);
+    const double way = piece.outline.find(ref.edge) ? 1 : -1;  // round a hole the cloth is at the right
+    for (int k = 0; k < kPlaces; ++k) {
+      const double share = std::lerp(ref.from, ref.to, (k + 0.5) / kPlaces);
+      const Flat in = leftOf(normalized(curve.tangent(curve.parameterAt(share * curve.length())))) * (way * kWithin);
+      const Flat at = curve.atFraction(share) + in;
+      const Vec3 across = stand(at + Flat{kStep, 0}) - stand(at + Flat{-kStep, 0}),
+                 along = stand(at + Flat{0, kStep}) - stand(at + Flat{0, -kStep});
+      const Vec3 normal = cross(across, along), away = body.field().sample(stand(at)).gradient;
+      if (length(normal) < 1e-12 || length(away) < 1e-6) continue;
+      sum += dot(normalized(normal), normalized(away));
+      ++looks;
+    }
+  }
+  return looks > 0 ? sum / looks : 0;
+}
+
+}  // namespace
+
+bool facesReversed(const Document& document, const SewEdges& sew, const Body* body) {
+  constexpr double kClearly = 0.25;  // of the squared distances the other way round
+  constexpr double kTurned = 0.3;
   // About their own middles: so a piece that still hangs apart is judged by its shape.
   auto a = stood(document, sew.a), b = stood(document, sew.b);
   for (auto* side : {&a, &b}) {
     const Vec3 middle = middleOf(*side);
     for (Vec3& p : *side) p = p - middle;
   }
-  return facesReversed(a, b);
+  if (facesReversed(a, b)) return true;
+  double along = 0, against = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    along += squaredLength(a[k] - b[k]);
+    against += squaredLength(a[k] - b[b.size() - 1 - k]);
+  }
+  if (!body || along < kClearly * against) return false;
+  const double one = outwardness(document, sew.a, *body), other = outwardness(document, sew.b, *body);
+  return std::fmin(std::fabs(one), std::fabs(other)) > kTurned && one * other > 0;
 }
 
 namespace {
@@ -404,7 +455,7 @@ std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew,
   add(otherSide(document, sew, body));
   // Pieces that lie flat beside each other are turned to each other before they are sewn: their threads cross then.
   const bool laidOut = sew.reversed == Choice::Yes && !document.body.chosen() && lieFlat(document, sew);
-  if (sew.reversed != Choice::Auto && !laidOut && (sew.reversed == Choice::Yes) != facesReversed(document, sew)) {
+  if (sew.reversed != Choice::Auto && !laidOut && (sew.reversed == Choice::Yes) != facesReversed(document, sew, body)) {
     SeamDoubt twisted{SeamDoubt::Kind::Twisted,
                       say("The threads of this seam cross; sewn this way round the cloth is twisted.")};
     twisted.instead = sew;
@@ -412,7 +463,7 @@ std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew,
     twisted.proposal = say("Sew it the other way round");
     doubts.push_back(std::move(twisted));
   }
-  add(gathered(document, sew));
+  add(gathered(document, sew, body));
   return doubts;
 }
 

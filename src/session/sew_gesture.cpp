@@ -284,8 +284,9 @@ class SewGesture : public Gesture {
     for (const EdgeRef& ref : sew.b) showEdge(shown, context, ref, kPartner);
     const auto a = line(sew.a), b = line(sew.b);
     if (a.empty() || b.empty()) return;
-    const bool against =
-        sew.reversed == Choice::Auto ? facesReversed(context.snapshot->document, sew) : sew.reversed == Choice::Yes;
+    const bool against = sew.reversed == Choice::Auto
+                             ? facesReversed(context.snapshot->document, sew, context.snapshot->body.get())
+                             : sew.reversed == Choice::Yes;
     constexpr std::size_t kThreads = 12;
     for (std::size_t i = 0; i <= kThreads; ++i) {
       const auto at = [&](const std::vector<Vec3>& points, std::size_t k) {

@@ -43,7 +43,7 @@ SewEdges seamOf(const GestureContext& context, const std::vector<EdgeRef>& a, co
   const Document& document = context.snapshot->document;
   SewEdges sew;
   sew.a = a, sew.b = b;
-  if (swapped) sew.reversed = facesReversed(document, sew) ? Choice::No : Choice::Yes;
+  if (swapped) sew.reversed = facesReversed(document, sew, context.snapshot->body.get()) ? Choice::No : Choice::Yes;
   sew.mirror = context.options.mirrorSeams && mirrorImage(document, sew);
   return sew;
 }
@@ -52,7 +52,8 @@ SewEdges gatheredTo(const GestureContext& context, const SewPlan& plan, double r
   const Document& document = context.snapshot->document;
   const bool longerIsA = plan.la > plan.lb;
   SewEdges part = plan.whole;
-  const bool against = part.reversed == Choice::Auto ? facesReversed(document, part) : part.reversed == Choice::Yes;
+  const bool against = part.reversed == Choice::Auto ? facesReversed(document, part, context.snapshot->body.get())
+                                                     : part.reversed == Choice::Yes;
   auto& side = longerIsA ? part.a : part.b;
   const double shorter = std::fmin(plan.la, plan.lb), longer = std::fmax(plan.la, plan.lb);
   if (ratio * shorter < longer)

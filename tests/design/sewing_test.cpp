@@ -229,6 +229,32 @@ TEST_F(Sewing, AThreadThroughTheBodyIsDoubted) {
 }
 
 // None of the examples is doubted.
+// Over the shoulders the back edges of a cape's halves lie nearly level, and as near to each other one way as the
+// other.
+TEST_F(Sewing, RightSidesTellTheDirectionWherePlacesDoNot) {
+  play(
+      "body size=eu38 set=\"belly_girth=104cm\"\n"
+      "ring name=cape_left inner=\"neck_base_girth/2 + 2cm\" angle=140deg depth=70cm edges=\"hem back neck front\"\n"
+      "place piece=cape_left at=\"torso:neck_base@0.25\" ease=2cm\nmirror piece=cape_left\n");
+  const SewEdges backs = sew("sew a=cape_left.back b=cape_right.back");
+  EXPECT_EQ(backs.reversed, Choice::Yes) << "neck to neck and hem to hem";
+  EXPECT_THAT(doubts(backs), IsEmpty());
+}
+
+// A neighbour that stood still would be a wall: two centimetres at a shirt's front were felt as 38 newtons for 1.
+TEST_F(Sewing, WhatHangsTogetherMovesWhenItIsPulled) {
+  play(std::string(kAcross) +
+       "sew a=front.side_left b=back.side_left\n"
+       "piece name=apron pose=\"-0.2,0,0.3\" outline=\"M 0 0; hem L 400 0; side L 400 400; top L 0 400; end L 0 0\"\n"
+       "piece name=bib outline=\"M 0 0; low L 200 0; side L 200 200; top L 0 200; end L 0 0\"\n"
+       "fasten name=tie kind=tie a=front.hem b=apron.hem count=1\nsew a=back.hem b=bib.low\nfreeze piece=bib\n");
+  const auto op = resolved(document(), *parseOperation("pull piece=front at=20cm,20cm by=0,0,5cm"), room().context);
+  ASSERT_TRUE(op) << text(op.error().what);
+  std::set<std::string> live;
+  for (const PieceRef& ref : std::get<PullCloth>(*op).live) live.insert(document().find(ref.id)->name);
+  EXPECT_THAT(live, testing::UnorderedElementsAre("front", "back", "apron")) << "and not what is frozen";
+}
+
 TEST_F(Sewing, TheExamplesAreNotDoubted) {
   namespace fs = std::filesystem;
   for (const auto& entry : fs::directory_iterator(fs::path(KARINUI_SOURCE_DIR) / "examples")) {

@@ -33,11 +33,17 @@ Result<SewEdges> mirrorImage(const Document& document, const SewEdges& sew);
 // shirtings 2 to 3, coatings half as long again (the fullness ratios of dressmaking).
 double mostGather(const Fabric& fabric);
 
+// A sentence where two edges of one piece that come one after the other in a run do not follow each other on its
+// outline, nor over a seam such as a dart's. `side` in the outlines' order.
+std::optional<Message> brokenRun(const Document& document, const std::vector<EdgeRef>& side);
+
 // A sentence where one side is longer by more than is eased in: it is to be gathered, or is a slip.
 std::optional<Message> longerSide(const Document& document, const SewEdges& sew);
 
-// Whether side b runs against its own direction, judged by how the edges lie; `sew` as for the operation.
-bool facesReversed(const Document& document, const SewEdges& sew);
+// Whether side b runs against its own direction, judged by how the edges lie and, where that does not tell clearly, by
+// the pieces' right sides: outlines of pieces that both turn it away from the body run against each other. `sew` as
+// for the operation.
+bool facesReversed(const Document& document, const SewEdges& sew, const Body* body);
 
 // What is possible but hardly meant.
 struct SeamDoubt {

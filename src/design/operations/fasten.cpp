@@ -89,7 +89,7 @@ Done decide(const Document& before, Fasten& op) {
   if (op.reversed == Choice::Auto) {
     SewEdges sew;
     sew.a = op.a, sew.b = op.b;
-    op.reversed = facesReversed(before, sew) ? Choice::Yes : Choice::No;
+    op.reversed = facesReversed(before, sew, nullptr) ? Choice::Yes : Choice::No;
   }
   if (op.from == Fasten::From::Auto || op.from == Fasten::From::Top) op.from = topOf(before, op.a);
   if (op.from == Fasten::From::Bottom)

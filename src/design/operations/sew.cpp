@@ -49,7 +49,7 @@ void sew(Document& document, const SewEdges& op, SeamId id) {
 
 }  // namespace
 
-Done resolve(const Document& given, SewEdges& op, Context&) {
+Done resolve(const Document& given, SewEdges& op, Context& context) {
   if (op.a.empty() || op.b.empty()) return refused(say("A seam joins two sides; say both: a=… b=…."));
   std::vector<EdgeRef*> all;
   for (auto* side : {&op.a, &op.b})
@@ -79,7 +79,15 @@ Done resolve(const Document& given, SewEdges& op, Context&) {
     return refused(say("One side of this seam is {0} times as long as the other; that much cannot be gathered.",
                        written(std::round(ratio * 10) / 10)));
   }
-  if (op.reversed == Choice::Auto) op.reversed = facesReversed(before, op) ? Choice::Yes : Choice::No;
+  if (op.reversed == Choice::Auto) {
+    BodyPtr body;
+    if (before.body.chosen()) {
+      auto found = bodyOf(before, context);
+      if (!found) return found.error();
+      body = *std::move(found);
+    }
+    op.reversed = facesReversed(before, op, body.get()) ? Choice::Yes : Choice::No;
+  }
   if (op.tie == SewEdges::Tie::Auto) {
     op.tie = ratio >= kTwoToOneFrom ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
   }
