@@ -60,8 +60,9 @@ void HapticDriver::publishScenes() {
     lock.unlock();
     const ServoTick tick = servo_.last();
     if (tick.hand.ready) {
-      auto scene =
-          std::make_unique<TouchScene>(test.ends > now ? testScene(test.at) : source.sceneAt(tick.hand.tip.carry));
+      const auto proxy = tick.touching ? std::optional(tick.proxy) : std::nullopt;
+      auto scene = std::make_unique<TouchScene>(test.ends > now ? testScene(test.at)
+                                                                : source.sceneAt(tick.hand.tip.carry, proxy));
       scene->clicks = source.handling.clicks;
       if (test.ends > now && test.ends - now < kTestClick) ++scene->clicks;
       servo_.publish(std::move(scene));

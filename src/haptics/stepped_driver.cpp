@@ -16,6 +16,7 @@ ServoTick SteppedDriver::tick() {
   const HandSample hand = device_.sample();
   tip_ = hand.tip.carry;
   const ServoTick tick = step_.tick(hand, now_);
+  proxy_ = tick.touching ? std::optional(tick.proxy) : std::nullopt;
   device_.apply(tick.out);
   ticks_.push_back(tick);
   now_ += kTick;
@@ -31,7 +32,7 @@ void SteppedDriver::publish(Vec3 facing) {
   session_.finish();
   // One that the loop has not taken yet is replaced.
   std::erase_if(kept_, [&](const auto& scene) { return scene.get() == waiting_; });
-  kept_.push_back(std::make_unique<TouchScene>(session_.touchSource().sceneAt(tip_)));
+  kept_.push_back(std::make_unique<TouchScene>(session_.touchSource().sceneAt(tip_, proxy_)));
   kept_.back()->published = now_;
   waiting_ = kept_.back().get();
 }

@@ -46,7 +46,8 @@ class HandOnCloth : public Gesture {
     const bool moved = distance(by, path_.back()) > 0;
     if (moved) path_.push_back(by);
     keep_ = sample.shift;
-    if (sample.phase == PointerSample::Phase::Drag) return {.request = moved ? request() : PreviewRequest{}};
+    if (sample.phase == PointerSample::Phase::Drag)
+      return {.request = moved || goesOn() ? request() : PreviewRequest{}};
     const double most = furthest();
     GestureResult told{.over = true};
     if (most >= kLeastPull) told.operation = operation(sample.seconds - began_);
@@ -68,6 +69,7 @@ class HandOnCloth : public Gesture {
 
  protected:
   virtual bool mayBeFrozen() const { return false; }
+  virtual bool goesOn() const { return false; }  // while the hand is still, too
   virtual void took() {}
   virtual PreviewRequest request() const = 0;
   virtual Operation operation(double seconds) const = 0;
@@ -112,6 +114,7 @@ class PullGesture : public HandOnCloth {
     if (force_) shown.space.words.push_back({hand, fixed(newtons, 2) + " N"});
   }
   void took() override { force_.reset(), why_.reset(); }
+  bool goesOn() const override { return true; }  // the cloth comes to rest, and pulls less
   PreviewRequest request() const override { return PullPreview{held_, at_, by()}; }
   Operation operation(double seconds) const override {
     PullCloth pull;

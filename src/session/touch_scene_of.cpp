@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "karinui/cloth/fabric.h"
 
@@ -18,16 +19,23 @@ constexpr double kCutResistance = 800;  // N for a metre of thickness: 0.4 N for
 constexpr double kWeaveReach = 0.02;    // metres from the tip: further cloth has no texture yet
 constexpr double kWeaveDepth = 0.1;     // of the contact force
 
-void addNear(TouchScene& scene, const Bvh& tree, const TriangleMesh& mesh, bool twoSided) {
+// Around the tip, and where it was stopped: a tip pressed deep into the body is farther from the skin than it reaches.
+void addNear(TouchScene& scene, std::optional<Vec3> proxy, const Bvh& tree, const TriangleMesh& mesh, bool twoSided) {
   const Vec3 reach{scene.radius, scene.radius, scene.radius};
-  Box box;
-  box.include(scene.centre - reach);
-  box.include(scene.centre + reach);
-  tree.touching(box, [&](std::uint32_t face) {
-    const Triangle& f = mesh.faces[face];
-    if (const auto facet = facetOf(mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]], twoSided))
-      if (distance(facet->middle, scene.centre) <= scene.radius + facet->radius) scene.facets.push_back(*facet);
-  });
+  std::set<std::uint32_t> taken;
+  const auto around = [&](Vec3 centre) {
+    Box box;
+    box.include(centre - reach);
+    box.include(centre + reach);
+    tree.touching(box, [&](std::uint32_t face) {
+      const Triangle& f = mesh.faces[face];
+      if (const auto facet = facetOf(mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]], twoSided))
+        if (distance(facet->middle, centre) <= scene.radius + facet->radius && taken.insert(face).second)
+          scene.facets.push_back(*facet);
+    });
+  };
+  around(scene.centre);
+  if (proxy) around(*proxy);
 }
 
 bool reaches(const TriangleMesh& mesh, Vec3 centre, double radius) {
@@ -113,14 +121,15 @@ TensionCurve tensionCurveOf(const Fabric& fabric, double width, double length) {
   return curve;
 }
 
-TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handling& handling, double radius) {
+TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handling& handling, std::optional<Vec3> proxy,
+                        double radius) {
   TouchScene scene;
   scene.centre = tip;
   scene.radius = radius;
   scene.changing = handling.changing;
   scene.clicks = handling.clicks;
   if (handling.still) return scene;
-  if (snapshot.body) addNear(scene, snapshot.body->bvh(), snapshot.body->mesh(), false);
+  if (snapshot.body) addNear(scene, proxy, snapshot.body->bvh(), snapshot.body->mesh(), false);
   double friction = 0, nearest = kWeaveReach;
   for (std::size_t k = 0; k < snapshot.worn.size(); ++k) {
     const PieceId id = snapshot.worn[k].id;
@@ -138,8 +147,10 @@ TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handlin
     if (handling.cut == id) scene.cutting = kCutResistance * fabric->thickness;
     const std::size_t before = scene.facets.size();
     const SceneCloth& cloth = snapshot.frame.cloths[k];
-    if (cloth.mesh.faces.empty() || !reaches(cloth.mesh, tip, radius)) continue;  // its tree is not built for that
-    addNear(scene, **snapshot.worn[k].tree, cloth.mesh, true);
+    if (cloth.mesh.faces.empty() ||
+        !(reaches(cloth.mesh, tip, radius) || (proxy && reaches(cloth.mesh, *proxy, radius))))
+      continue;  // its tree is not built for that
+    addNear(scene, proxy, **snapshot.worn[k].tree, cloth.mesh, true);
     addWeave(scene, **snapshot.worn[k].tree, cloth, *piece, *fabric, nearest);
     if (scene.facets.size() > before) friction = std::max(friction, fabric->frictionBody);
   }

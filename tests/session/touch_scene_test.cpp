@@ -88,6 +88,19 @@ TEST(TouchScene, CuttingResistsAndWhatChangesIsNotFelt) {
   EXPECT_TRUE(touchSceneOf(given.snapshot(), at, handling).changing);
 }
 
+// A tip that is pressed deeper than the patch reaches still has under its proxy what stops it.
+TEST(TouchScene, HoldsWhatStopsATipThatIsDeep) {
+  Given given;
+  const Vec3 on{0.2, 0.2, 0}, deep = on - Vec3{0, 0, 0.2};
+  EXPECT_TRUE(touchSceneOf(given.snapshot(), deep).facets.empty());
+  const TouchScene scene = touchSceneOf(given.snapshot(), deep, {}, on);
+  EXPECT_EQ(scene.facets.size(), touchSceneOf(given.snapshot(), on).facets.size());
+  EXPECT_EQ(scene.centre, deep) << "the tip is where it is";
+  // Half a patch deep, each facet is there once.
+  const TouchScene half = touchSceneOf(given.snapshot(), on - Vec3{0, 0, 0.03}, {}, on);
+  EXPECT_EQ(half.facets.size(), scene.facets.size());
+}
+
 // --- what a session says of the gesture in hand
 
 PointerSample stylus(PointerSample::Phase phase, Vec3 tip, double seconds = 0) {

@@ -2,6 +2,7 @@
 // What HapticDriver does, by a virtual clock and in one thread: for recorded hands, and for tests. The session is
 // waited for, so that the same device feels the same.
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "karinui/haptics/stylus_pointer.h"
@@ -30,6 +31,7 @@ class SteppedDriver {
   ServoStep step_;
   StylusPointer pointer_;
   Vec3 tip_;
+  std::optional<Vec3> proxy_;  // where it is stopped
   double now_ = 0;
   std::vector<std::unique_ptr<TouchScene>> kept_;  // the loop blends from one to the next
   const TouchScene* waiting_ = nullptr;            // until it has

@@ -31,14 +31,17 @@ struct Handling {
 
 inline constexpr double kPatchRadius = 0.06;  // metres: more than a hand goes between two scenes
 
+// `proxy`: where the tip is stopped while it touches something.
 TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handling& handling = {},
-                        double radius = kPatchRadius);
+                        std::optional<Vec3> proxy = {}, double radius = kPatchRadius);
 
 // What could be felt at one moment of a session, wherever the tip is then. Immutable: any thread makes scenes of it.
 struct TouchSource {
   SnapshotPtr garment;
   Handling handling;
-  TouchScene sceneAt(Vec3 tip) const { return touchSceneOf(*garment, tip, handling); }
+  TouchScene sceneAt(Vec3 tip, std::optional<Vec3> proxy = {}) const {
+    return touchSceneOf(*garment, tip, handling, proxy);
+  }
 };
 
 // The distance between threads of a plain weave, metres, as far as weight and thickness tell it: threads as thick as
