@@ -68,7 +68,7 @@ int answerCheck(Program& program, const CheckOptions& options) {
                                         {"fallen", edge.fallen}});
       }
       if (fit->pressure) {
-        words += pressureWords(*fit->pressure, program.console);
+        words += pressureWords(*fit->pressure, opened.document().settings.spacing, program.console);
         object["pressure_mean_kpa"] = fit->pressure->mean / 1000,
         object["pressure_p99_kpa"] = fit->pressure->p99 / 1000;
       }

@@ -84,12 +84,20 @@ std::string checkWords(const Examination& check, const Document& document, const
   return console.said(say("The cloth as it stands:")) + "\n" + table.words(2);
 }
 
-std::string pressureWords(const PressureReport& pressure, const Console& console) {
+std::string pressureWords(const PressureReport& pressure, double spacing, const Console& console) {
+  constexpr double kCoarse = 0.0205;  // metres: beyond it single points of cloth bear what lies between them
   WordTable table;
   const auto kilo = [](double pascals) { return fixed(pascals / 1000, 2) + " kPa"; };
   table.row({console.said(say("Presses where it lies, on average")), kilo(pressure.mean)});
   table.row({console.said(say("99 % of it presses less than")), kilo(pressure.p99)});
-  return table.words(2);
+  std::string words = table.words(2);
+  if (spacing > kCoarse)
+    words +=
+        console.said(say("With threads {0} mm apart cloth presses at its single points, and reads several times too "
+                         "high: for pressure, set spacing=15mm or less.",
+                         spacing * 1000)) +
+        "\n";
+  return words;
 }
 
 std::string settleWords(const Examination& check, const Document& document, bool kept, const Console& console) {

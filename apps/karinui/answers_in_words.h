@@ -13,7 +13,7 @@ namespace karinui::app {
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console);
 // `document`: whose cloth was examined.
 std::string checkWords(const Examination& check, const Document& document, const Console& console);
-std::string pressureWords(const PressureReport& pressure, const Console& console);
+std::string pressureWords(const PressureReport& pressure, double spacing, const Console& console);
 // `document`: as it was settled, with its report. `kept`: it was at rest before.
 std::string settleWords(const Examination& check, const Document& document, bool kept, const Console& console);
 std::string infoWords(const Document& document, const Console& console);

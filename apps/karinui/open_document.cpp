@@ -22,11 +22,13 @@ Result<Step> OpenDocument::performWith(Operation operation, Context& context) {
   const bool rests = std::holds_alternative<DrapePieces>(operation) || std::holds_alternative<PullCloth>(operation);
   Result<Step> step = file_.perform(std::move(operation), context);
   if (const auto* sew = step ? std::get_if<SewEdges>(&step->operation) : nullptr)
-    if (const auto longer = longerSide(document(), *sew)) program_.console.note(*longer);
+    for (const auto& told :
+         {brokenRun(document(), sew->a), brokenRun(document(), sew->b), longerSide(document(), *sew)})
+      if (told) program_.console.note(*told);
   if (!step || !rests || !document().drape.last) return step;
   const SettleReport& report = *document().drape.last;
   settled_ = settled_ && (report.settled || std::holds_alternative<PullCloth>(step->operation));
-  if (std::holds_alternative<DrapePieces>(step->operation)) tellUnsettled();
+  if (rests) tellUnsettled();
   for (const PieceId id : report.toActivate)
     if (const Piece* piece = document().find(id))
       program_.console.note(

@@ -5,7 +5,9 @@
 #include <cerrno>
 #include <condition_variable>
 #include <deque>
+#include <filesystem>
 #include <thread>
+#include <utility>
 
 #include "examination.h"
 #include "json_answers.h"
@@ -88,7 +90,7 @@ class Server {
   }
   bool stopNow() {
     const std::lock_guard lock(mutex_);
-    if (!token_) return false;
+    if (!token_) return stopsNext_ = taken_ || !queue_.empty();  // it has not begun yet
     if (!stop_ || !stop_->ask()) token_->cancel();
     return true;
   }
@@ -100,6 +102,7 @@ class Server {
     if (queue_.empty()) return std::nullopt;
     Result<Json> request = std::move(queue_.front());
     queue_.pop_front();
+    taken_ = true;
     return request;
   }
 
@@ -135,7 +138,8 @@ class Server {
   }
   void underWay(Token* token, StopRequest* stop) {
     const std::lock_guard lock(mutex_);
-    token_ = token, stop_ = stop;
+    token_ = token, stop_ = stop, taken_ = false;
+    if (token && std::exchange(stopsNext_, false) && !stop->ask()) token->cancel();
   }
   Result<Json> perform(const Json& request, const Token& token, StopRequest& stop) {
     Fields fields(request);
@@ -165,13 +169,14 @@ class Server {
     const std::string path = fields.needed("file");
     const bool reading = fields.flag("reading");
     if (const Done fit = fields.checked(); !fit) return fit.error();
-    opened_.reset();  // the one that is open may be the same file
+    // A refused request leaves what is open; only the very same file is closed first, for it is locked.
+    std::error_code trouble;
+    if (opened_ && std::filesystem::equivalent(opened_->file().path(), path, trouble)) opened_.reset();
     return begin(reading ? DocumentFile::openForReading(path) : DocumentFile::open(path), token);
   }
   Result<Json> create(Fields& fields, const Token& token) {
     const std::string path = fields.text("file");
     if (const Done fit = fields.checked(); !fit) return fit.error();
-    opened_.reset();
     return begin(path.empty() ? DocumentFile::inMemory() : DocumentFile::create(path), token);
   }
   Json state() {
@@ -316,6 +321,7 @@ class Server {
   bool ended_ = false;
   Token* token_ = nullptr;  // of the request under way
   StopRequest* stop_ = nullptr;
+  bool taken_ = false, stopsNext_ = false;  // a request is about to be worked at; it is to be stopped
 };
 
 const Server::Request Server::kRequests[14] = {{"perform", &Server::operation},

@@ -436,10 +436,23 @@ TEST_F(Command, SaysHowMuchLongerOneSideOfASeamIs) {
       "sew a=front.side b=back.side\n";
   const auto with = [&](const char* tall) {
     std::string script = pieces;
+    fs::remove(document());
     return play(script.replace(script.find("LONG"), 4, tall)).err;
   };
   EXPECT_THAT(with("620"), HasSubstr("back.side is 120.0 mm longer than front.side"));
   EXPECT_THAT(with("540"), Not(HasSubstr("longer")));
+}
+
+TEST_F(Command, SaysWhereARunOfEdgesIsBroken) {
+  const std::string pieces =
+      "piece name=skirt outline=\"M 0 0; hem L 400 0; side L 400 500; waist_2 L 200 500; waist L 0 500; centre L 0 "
+      "0\"\n"
+      "piece name=band outline=\"M 0 600; low L 400 600; end L 400 640; top L 0 640; begin L 0 600\"\n";
+  EXPECT_THAT(play(pieces + "sew a=band.low b=\"skirt.waist_2 skirt.waist\" reversed=yes\n").err,
+              Not(HasSubstr("does not end where")));
+  fs::remove(document());
+  EXPECT_THAT(play(pieces + "sew a=band.low b=\"skirt.waist_2 skirt.side skirt.waist\" reversed=yes\n").err,
+              HasSubstr(" does not end where skirt."));
 }
 
 TEST_F(Command, TellsTheNamesThatItGivesAwayOrGivesNone) {

@@ -148,6 +148,9 @@ TEST(Serve, SaysWhatIsWrongInASentenceAndGoesOn) {
   EXPECT_THAT(refusal(serving.ask({{"do", "undo"}, {"steps", 2}})), HasSubstr("no field “steps”"));
   EXPECT_THAT(refusal(serving.ask({{"do", "measure"}})), HasSubstr("body"));
   ASSERT_EQ(serving.ask({{"do", "perform"}, {"operation", kPanel}})["operations"], 1);
+  for (const char* gone : {"open", "create"})  // what is open, and kept nowhere else, stays
+    EXPECT_EQ(serving.ask({{"do", gone}, {"file", "/nowhere/x.karinui"}}).contains("error"), true);
+  EXPECT_EQ(serving.ask({{"do", "info"}})["pieces"].size(), 1u);
   EXPECT_THAT(refusal(serving.ask({{"do", "export"}, {"file", "/nowhere/coat.pdf"}})), HasSubstr("cannot be written"));
   EXPECT_THAT(refusal(serving.ask({{"do", "export"}, {"file", "x.pdf"}, {"allowance_mm", 900}})),
               HasSubstr("0 to 100"));
@@ -179,6 +182,17 @@ TEST(Serve, TellsProgressAndStopsWhereTheClothIs) {
   // Stopped before its first step there is an error, later a drape that is not at rest.
   EXPECT_TRUE(settle.value("kind", "") == "stopped" || settle.value("settled", true) == false) << settle;
   EXPECT_EQ(serving.ask({{"do", "info"}})["pieces"][0]["name"], "cloth");
+  // One that comes while its request still waits is no less meant.
+  const Json waits{{"id", 9}, {"do", "settle"}, {"again", true}}, ends{{"id", 10}, {"do", "stop"}};
+  serving.send(waits.dump() + "\n" + ends.dump());
+  stop = settle = Json();
+  while (stop.is_null() || settle.is_null()) {
+    said = serving.answer();
+    ASSERT_FALSE(said.is_null());
+    (said["id"] == 10 ? stop : settle) = said;
+  }
+  EXPECT_EQ(stop["stopping"], true);
+  EXPECT_TRUE(settle.value("kind", "") == "stopped" || settle.value("settled", true) == false) << settle;
 }
 
 }  // namespace

@@ -86,6 +86,21 @@ std::vector<SkinPlace> skinBelow(const Body& body, const LimbFrame& limb, double
   return all;
 }
 
+// A wide piece that is bent round the trunk may stand through the arms.
+void tellThroughBody(const Piece& piece, const Body& body, const Context& context) {
+  constexpr double kDeep = 0.01, kShare = 0.01;  // metres; of the places of its form
+  if (!context.advise || !piece.form) return;
+  std::size_t deep = 0;
+  Vec3 where;
+  for (const Vec3 place : piece.form->space)
+    if (const Vec3 stands = piece.pose(place); body.field().distance(stands) < -kDeep) where = stands, ++deep;
+  if (static_cast<double>(deep) > kShare * static_cast<double>(piece.form->space.size()))
+    context.advise(
+        {say("“{0}” stands through the body, about {1} cm above the floor. Place it elsewhere, stand it flat "
+             "beside the body (pose), or raise the arms first: pose name=T.",
+             piece.name, std::round(where.y * 100))});
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const Lattice>> layAlone(const Piece& piece, double spacing) {
@@ -227,6 +242,7 @@ Result<Document> perform(const Document& before, const PlacePiece& op, Context& 
   if (!body) return body.error();
   auto piece = placed(before, *before.find(op.piece.id), op, **body);
   if (!piece) return piece.error();
+  tellThroughBody(*piece, **body, context);
   const std::vector<PaperPleat> pleats = pleatsOf(before.pattern);
   if (context.advise &&
       std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) { return pleat.piece == op.piece.id; }))
