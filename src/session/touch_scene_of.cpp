@@ -147,10 +147,8 @@ TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handlin
     if (handling.cut == id) scene.cutting = kCutResistance * fabric->thickness;
     const std::size_t before = scene.facets.size();
     const SceneCloth& cloth = snapshot.frame.cloths[k];
-    if (cloth.mesh.faces.empty() ||
-        !(reaches(cloth.mesh, tip, radius) || (proxy && reaches(cloth.mesh, *proxy, radius))))
-      continue;  // its tree is not built for that
-    addNear(scene, proxy, **snapshot.worn[k].tree, cloth.mesh, true);
+    if (cloth.mesh.faces.empty() || !reaches(cloth.mesh, tip, radius)) continue;  // its tree is not built for that
+    addNear(scene, {}, **snapshot.worn[k].tree, cloth.mesh, true);
     addWeave(scene, **snapshot.worn[k].tree, cloth, *piece, *fabric, nearest);
     if (scene.facets.size() > before) friction = std::max(friction, fabric->frictionBody);
   }

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "design/workroom.h"
 #include "karinui/cloth/fabric.h"
 #include "karinui/session/session.h"
 #include "karinui/session/touch_scene_of.h"
+
+#include "karinui/body/measurements.h"
 #include "karinui/touch/evaluate.h"
 
 namespace karinui {
@@ -88,17 +92,26 @@ TEST(TouchScene, CuttingResistsAndWhatChangesIsNotFelt) {
   EXPECT_TRUE(touchSceneOf(given.snapshot(), at, handling).changing);
 }
 
-// A tip that is pressed deeper than the patch reaches still has under its proxy what stops it.
-TEST(TouchScene, HoldsWhatStopsATipThatIsDeep) {
-  Given given;
-  const Vec3 on{0.2, 0.2, 0}, deep = on - Vec3{0, 0, 0.2};
-  EXPECT_TRUE(touchSceneOf(given.snapshot(), deep).facets.empty());
-  const TouchScene scene = touchSceneOf(given.snapshot(), deep, {}, on);
-  EXPECT_EQ(scene.facets.size(), touchSceneOf(given.snapshot(), on).facets.size());
-  EXPECT_EQ(scene.centre, deep) << "the tip is where it is";
-  // Half a patch deep, each facet is there once.
-  const TouchScene half = touchSceneOf(given.snapshot(), on - Vec3{0, 0, 0.03}, {}, on);
-  EXPECT_EQ(half.facets.size(), scene.facets.size());
+// A tip that is pressed into the body deeper than the patch reaches still has the skin under its proxy.
+TEST(TouchScene, HoldsTheSkinThatStopsADeepTip) {
+  Workers workers(1);
+  const auto body = makeMannequin(*builtInSize("jis9ar"), workers, {});
+  ASSERT_TRUE(body);
+  const SnapshotPtr bare = snapshotOf({}, *body);
+  const auto skin = (*body)->bvh().first({0.1, 0.75, 0.5}, {0, 0, -1});
+  ASSERT_TRUE(skin);
+  const Vec3 on = Vec3{0.1, 0.75, 0.5 - skin->along};
+  std::set<std::vector<double>> under;
+  const auto key = [](const Facet& facet) { return std::vector{facet.middle.x, facet.middle.y, facet.middle.z}; };
+  for (const Facet& facet : touchSceneOf(*bare, on).facets) under.insert(key(facet));
+  ASSERT_GT(under.size(), 20u);
+  for (const double depth : {0.01, 0.03, 0.058, 0.062, 0.066, 0.1, 0.2}) {
+    const TouchScene scene = touchSceneOf(*bare, on - Vec3{0, 0, depth}, {}, on);
+    std::multiset<std::vector<double>> there;
+    for (const Facet& facet : scene.facets) there.insert(key(facet));
+    for (const auto& facet : under) EXPECT_EQ(there.count(facet), 1u) << depth;
+    EXPECT_EQ(there.size(), std::set(there.begin(), there.end()).size()) << "each once";
+  }
 }
 
 // --- what a session says of the gesture in hand

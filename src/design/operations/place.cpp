@@ -88,7 +88,7 @@ std::vector<SkinPlace> skinBelow(const Body& body, const LimbFrame& limb, double
 
 // A wide piece that is bent round the trunk may stand through the arms.
 void tellThroughBody(const Piece& piece, const Body& body, const Context& context) {
-  constexpr double kDeep = 0.01, kShare = 0.01;  // metres; of the places of its form
+  constexpr double kDeep = 0.01, kShare = 0.003;  // metres; of the places of its form
   if (!context.advise || !piece.form) return;
   std::size_t deep = 0;
   Vec3 where;
