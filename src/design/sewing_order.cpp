@@ -210,11 +210,13 @@ class SewingPlan {
       const auto& [on, patch] = onLines(seam.a) ? std::tie(seam.a, seam.b) : std::tie(seam.b, seam.a);
       if (on.front().piece != patch.front().piece) groups[{on.front().piece, patch.front().piece}].push_back(id);
     }
-    for (const auto& [pair, group] : groups)
-      sew(group, [&](const Message& numbers, std::size_t count) {
-        return say("Sew {0} onto {1}: {3|seam|seams} {2}.", nameSaid(document_.find(pair.second)->name),
-                   nameSaid(document_.find(pair.first)->name), numbers, count);
+    for (const auto& one : groups) {
+      const Message on = nameSaid(document_.find(one.first.first)->name),
+                    patch = nameSaid(document_.find(one.first.second)->name);
+      sew(one.second, [&](const Message& numbers, std::size_t count) {
+        return say("Sew {0} onto {1}: {3|seam|seams} {2}.", patch, on, numbers, count);
       });
+    }
   }
   template <class Finishes>
   void along(const Finishes& finishes, const std::function<Message(const Message&)>& words) {
@@ -225,13 +227,16 @@ class SewingPlan {
   }
   void hems() {
     const AllowancePlan plan(pattern_, document_.allowances);
+    const auto turnedUp = [&](PieceId piece, const std::string& edge) {
+      return plan.kind(piece, edge) == EdgeKind::Hem && plan.width(piece, edge) > 0 &&
+             !document_.allowances.bindings.contains({piece, edge});
+    };
     std::vector<Message> names;
-    for (const auto& [id, piece] : pattern_.pieces)
-      if (std::any_of(piece->outline.edges.begin(), piece->outline.edges.end(), [&](const Edge& edge) {
-            return plan.kind(id, edge.name) == EdgeKind::Hem && plan.width(id, edge.name) > 0 &&
-                   !document_.allowances.bindings.contains({id, edge.name});
-          }))
-        names.push_back(nameSaid(piece->name));
+    for (const auto& [id, piece] : pattern_.pieces) {
+      bool any = false;
+      for (const Edge& edge : piece->outline.edges) any = any || turnedUp(id, edge.name);
+      if (any) names.push_back(nameSaid(piece->name));
+    }
     if (!names.empty()) steps_.push_back({{}, say("Turn up the hems of {0}.", listSaid(names))});
   }
   Message edgeOf(const Piece& piece, const std::string& edge) const {

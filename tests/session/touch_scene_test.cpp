@@ -162,7 +162,7 @@ TEST(TouchScene, ASessionTellsWhatTheGestureInHandDoes) {
   scene = session.touchSource().sceneAt(on);
   ASSERT_TRUE(scene.grab);
   EXPECT_EQ(scene.grab->anchor, on);
-  EXPECT_EQ(scene.grab->place, on + Vec3(0, 0, 0.01));
+  EXPECT_EQ(scene.grab->place, (on + Vec3{0, 0, 0.01}));
   EXPECT_TRUE(scene.facets.empty());
   session.command(Command::Cancel);
   session.finish();
