@@ -77,10 +77,16 @@ bool alike(const Outline& outline, const Outline& other) {
 }  // namespace
 
 std::optional<std::string> edgeOnCopy(const Piece& copy, const Piece& piece, std::string_view edge) {
-  const Outline image = across(piece.outline);
-  const auto k = piece.outline.find(edge);
-  if (!k || !alike(copy.outline, image)) return std::nullopt;
-  return image.edges[image.edges.size() - 1 - *k].name;
+  const auto on = [&](const Outline& its, const Outline& own) -> std::optional<std::string> {
+    const Outline image = across(own);
+    const auto k = own.find(edge);
+    if (!k || !alike(its, image)) return std::nullopt;
+    return image.edges[image.edges.size() - 1 - *k].name;
+  };
+  if (auto name = on(copy.outline, piece.outline)) return name;
+  for (std::size_t h = 0; h < piece.holes.size() && h < copy.holes.size(); ++h)
+    if (auto name = on(copy.holes[h], piece.holes[h])) return name;
+  return std::nullopt;
 }
 
 std::optional<EditedPiece> editedLikewise(const Piece& copy, const Piece& before, const EditedPiece& edit) {

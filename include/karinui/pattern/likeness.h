@@ -8,7 +8,7 @@
 
 namespace karinui {
 
-// What an edge of the piece is called on the copy; nothing if the copy went its own way since.
+// What an edge of the piece, or of a hole of it, is called on the copy; nothing if the copy went its own way since.
 std::optional<std::string> edgeOnCopy(const Piece& copy, const Piece& piece, std::string_view edge);
 
 }  // namespace karinui
