@@ -102,9 +102,10 @@ std::string pressureWords(const PressureReport& pressure, double spacing, const 
 
 std::string settleWords(const Examination& check, const Document& document, bool kept, const Console& console) {
   const SettleReport& report = *document.drape.last;
-  std::string words = console.said(!report.settled ? say("The cloth did not come to rest: {0}", report.why)
-                                   : kept          ? say("The garment was at rest already; --again drapes it anew.")
-                                                   : say("The garment is at rest.")) +
+  const auto advice = adviceOn(report);
+  std::string words = console.said(advice ? *advice
+                                   : kept ? say("The garment was at rest already; --again drapes it anew.")
+                                          : say("The garment is at rest.")) +
                       "\n";
   WordTable table;
   table.row({console.said(say("Draping took")),

@@ -45,8 +45,8 @@ Done OpenDocument::amend(std::size_t step, Operation operation) {
 }
 
 void OpenDocument::tellUnsettled() {
-  if (const auto& last = document().drape.last; last && !last->settled)
-    program_.console.note(say("The cloth did not come to rest: {0}", last->why));
+  if (const auto& last = document().drape.last)
+    if (const auto advice = adviceOn(*last)) program_.console.note(*advice);
 }
 
 void OpenDocument::tellRemarks() {

@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <span>
 
+#include "cloth/tie_map.h"
+
 namespace karinui {
 
 BoundaryActivation::BoundaryActivation(const Cloth& cloth) : cloth_(cloth) {
-  const auto pieceOf = [&](NodeIndex node) {
-    const auto after = std::upper_bound(cloth.pieces.begin(), cloth.pieces.end(), node,
-                                        [](NodeIndex n, const ClothPiece& piece) { return n < piece.firstNode; });
-    return static_cast<std::size_t>(after - cloth.pieces.begin()) - 1;
-  };
   for (const Tie& tie : cloth.ties)
     for (const NodeIndex still : {tie.a, tie.b, tie.c})
       for (const NodeIndex live : {tie.a, tie.b, tie.c})
-        if (still != kNoNode && live != kNoNode && !cloth.pieces[pieceOf(still)].live &&
-            cloth.pieces[pieceOf(live)].live)
-          sewnTo_[pieceOf(still)].push_back(live);
+        if (still != kNoNode && live != kNoNode && !pieceOf(cloth, still).live && pieceOf(cloth, live).live)
+          sewnTo_[static_cast<std::size_t>(&pieceOf(cloth, still) - cloth.pieces.data())].push_back(live);
 }
 
 std::vector<PieceId> BoundaryActivation::piecesToActivate(const std::vector<Vec3>& before,

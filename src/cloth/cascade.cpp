@@ -185,14 +185,12 @@ Result<std::optional<CascadeStart>> Cascade::descend(const CascadeStart& start) 
     if (const auto anew = wentWrong(level, start)) return anew;
     if (!level.finest) {
       positions = solver.positions();
-      givenUp_ = givenUp_ ||
-                 (start.sewing == CascadeStart::Sewing::FreeAfterAll && !sewn_ &&
-                  widestGap(level.cloth, positions) > kNeverCloses && strainOf(level.cloth, positions).max > kSnagged);
+      if (!ended()) givenUp_ = hopeless(level, start, end);
       continue;
     }
     const std::vector<Vec3> forceAfter = activation_.empty() || ended() ? std::vector<Vec3>() : solver.internalForces();
     positions = finish(solver, colliders_, settings_, end, report, workers_);
-    if (givenUp_ && !stopped_) report.why = openSeam(level.cloth, positions, report.seamGap);
+    if (givenUp_ && !stopped_) report.why = *givenUp_;
     if (!activation_.empty() && !ended())
       report.toActivate = activation_.piecesToActivate(forceBefore, forceAfter, positions, colliders_, settings_,
                                                        kActivationMove, token_, workers_);
@@ -238,7 +236,8 @@ std::optional<CascadeStart> Cascade::sew(Level& level, const CascadeStart& start
     done(growColliders(solver, level.thinner, token_,
                        progress_.watch(level.progress, say("Stretching the cloth over the body"), 0.2, kSeamsShare)));
     // What was sewn up round a limb that it should lie beside is begun anew on whole colliders.
-    if (goesOn(end) && deepestPenetration(level.cloth, colliders_, solver.positions(), workers_) > kGrownThrough) {
+    if (goesOn(end) &&
+        deepestPenetration(level.cloth, colliders_, solver.positions(), workers_).depth > kGrownThrough) {
       anew.grownThrough = true;
       return anew;
     }
@@ -287,6 +286,17 @@ std::optional<CascadeStart> Cascade::wentWrong(Level& level, const CascadeStart&
   anew.sewing = start.sewing == Sewing::Free ? Sewing::Meeting : Sewing::FreeAfterAll;
   anew.grownThrough = false;
   return anew;
+}
+
+std::optional<Message> Cascade::hopeless(const Level& level, const CascadeStart& start, const StageResult& end) const {
+  const Cloth& cloth = level.cloth;
+  if (const double gap = widestGap(cloth, positions); start.sewing == CascadeStart::Sewing::FreeAfterAll && !sewn_ &&
+                                                      gap > kNeverCloses && strainOf(cloth, positions).max > kSnagged)
+    return openSeam(cloth, positions, gap);
+  if (end.settled || start.formed) return std::nullopt;
+  if (const Penetration most = deepestPenetration(cloth, colliders_, positions, workers_); most.depth > kGrownThrough)
+    return throughBody(most);
+  return std::nullopt;
 }
 
 }  // namespace karinui

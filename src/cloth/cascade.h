@@ -45,6 +45,9 @@ class Cascade {
   StageResult relaxed(Level& level, const CascadeStart& start);
   // How to begin anew, where a relaxed level shows that the drape came out wrong.
   std::optional<CascadeStart> wentWrong(Level& level, const CascadeStart& start) const;
+  // Why finer levels would only spend time, after a coarse one that is not begun anew: a seam that stays wide open, or
+  // the body through cloth that found no rest.
+  std::optional<Message> hopeless(const Level& level, const CascadeStart& start, const StageResult& end) const;
   void count(const StageResult& stage);
   bool ended() const { return stopped_ || givenUp_; }
 
@@ -58,7 +61,7 @@ class Cascade {
   BoundaryActivation activation_;
   std::size_t first_ = 0;  // level of this descent
   bool sewn_ = false, stopped_ = false;
-  bool givenUp_ = false;  // a seam stays so far open that finer levels would only spend time on it
+  std::optional<Message> givenUp_;
 };
 
 }  // namespace karinui

@@ -3,8 +3,8 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "cloth/penetration.h"
 #include "cloth/strain.h"
 #include "cloth/tie_map.h"
 #include "karinui/base/number.h"
@@ -12,17 +12,22 @@
 namespace karinui {
 namespace {
 
+constexpr double kCaught = 1;        // strain of a thread: no fabric is stretched so far in wear
 constexpr int kStepsAfterEdit = 60;  // in which cloth that rested before comes to rest again, mostly
 
 Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
-  if (end.settled) return say("At rest.");
-  if (end.torn) {
-    const DrawnOut most = mostDrawnOut(solver.cloth(), solver.positions());
+  const DrawnOut most = mostDrawnOut(solver.cloth(), solver.positions());
+  if (end.settled)
+    return most.times > 1 + kCaught
+               ? say("Threads of “{0}” are drawn out to {1} times their length, about {2} cm above the floor. Look "
+                     "whether the cloth is caught there.",
+                     most.piece->name, fixed(most.times, 1), std::round(most.place.y * 100))
+               : say("At rest.");
+  if (end.torn)
     return say(
         "Stopped after {0} {0|step|steps}, for the cloth is torn: threads of “{1}” are drawn out to {2} times their "
         "length. Something pulls it through the body or through other cloth; place the pieces where they are worn.",
         end.steps, most.piece->name, fixed(most.times, 0));
-  }
   if (end.falls)
     return say("Nothing holds the cloth: it slides off and falls. Sew it closed, pin it, or place it on the body.");
   if (!solver.allTied()) return openSeam(solver.cloth(), solver.positions(), gap);
@@ -31,16 +36,17 @@ Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
 
 }  // namespace
 
+std::optional<Message> adviceOn(const SettleReport& report) {
+  if (!report.settled) return say("The cloth did not come to rest: {0}", report.why);
+  if (report.strain.max > kCaught) return report.why;
+  return std::nullopt;
+}
+
 Message openSeam(const Cloth& cloth, std::span<const Vec3> position, double gap) {
   const auto widest = std::max_element(cloth.ties.begin(), cloth.ties.end(), [&](const Tie& one, const Tie& other) {
     return squaredLength(gapOf(one, position)) < squaredLength(gapOf(other, position));
   });
-  const auto pieceOf = [&](std::uint32_t node) {
-    const auto after = std::find_if(cloth.pieces.begin(), cloth.pieces.end(),
-                                    [&](const ClothPiece& piece) { return piece.firstNode > node; });
-    return std::prev(after)->name;
-  };
-  const std::string a = pieceOf(widest->a), b = pieceOf(widest->b);
+  const std::string a = pieceOf(cloth, widest->a).name, b = pieceOf(cloth, widest->b).name;
   return a == b ? say("A seam within “{0}” stays open by {1} mm; bring its sides nearer or look whether something is "
                       "between them.",
                       a, fixed(gap * 1000, 1))
@@ -59,6 +65,13 @@ void ResourceUse::tell(SettleReport& report) const {
 void ResourceUse::leaveOut(const ResourceUse& later) {
   cpu_ += std::clock() - later.cpu_;
   wall_ += std::chrono::steady_clock::now() - later.wall_;
+}
+
+Message throughBody(const Penetration& most) {
+  return say(
+      "The body goes through “{0}”, about {1} cm above the floor, so the drape was ended early. Place the piece where "
+      "it is worn, or raise the arms first: pose name=T.",
+      most.piece->name, std::round(most.place.y * 100));
 }
 
 Error tornApart() {
@@ -102,7 +115,7 @@ std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, con
         say("Cloth stands in the body at {0} {0|place|places}; give it more room, or set threads nearer to each other "
             "(set spacing=…).",
             inBody);
-  report.penetration = deepestPenetration(solver.cloth(), colliders, x, workers);
+  report.penetration = deepestPenetration(solver.cloth(), colliders, x, workers).depth;
   report.strain = strainOf(solver.cloth(), x);
   return x;
 }

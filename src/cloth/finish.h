@@ -3,6 +3,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "cloth/penetration.h"
 #include "cloth/stages.h"
 
 namespace karinui {
@@ -20,6 +21,7 @@ class ResourceUse {  // time since it was made and memory, for the report alone
 
 // What is said of the widest seam, `gap` metres open.
 Message openSeam(const Cloth& cloth, std::span<const Vec3> position, double gap);
+Message throughBody(const Penetration& most);
 Error tornApart();
 void addContactTimes(SettleReport& report, const LevelSolver& solver);
 // `rested`: whether the cloth was at rest before it was changed here and there.

@@ -191,15 +191,11 @@ void LevelSolver::resetMotion() {
 }
 
 void LevelSolver::tieWithin(double gap, bool withinAPiece) {
-  const auto pieceOf = [&](NodeIndex k) {
-    return std::upper_bound(cloth_.pieces.begin(), cloth_.pieces.end(), k,
-                            [](NodeIndex node, const ClothPiece& piece) { return node < piece.firstNode; });
-  };
   bool changed = false;
   for (std::size_t t = 0; t < tied_.size(); ++t) {
     const Tie& tie = cloth_.ties[t];
     if (tied_[t] || !(length(gapOf(tie, x_)) < gap)) continue;
-    if (withinAPiece && pieceOf(tie.a) != pieceOf(tie.b)) continue;
+    if (withinAPiece && &pieceOf(cloth_, tie.a) != &pieceOf(cloth_, tie.b)) continue;
     tied_[t] = 1;
     changed = true;
   }

@@ -18,6 +18,7 @@ constexpr double kSamples[12][3] = {{.75, .25, 0}, {.5, .5, 0},    {.25, .75, 0}
                                     {0, .5, .5},   {0, .25, .75},  {.25, 0, .75},  {.5, 0, .5},
                                     {.75, 0, .25}, {.5, .25, .25}, {.25, .5, .25}, {.25, .25, .5}};
 
+// In the order of the pieces.
 std::vector<Triangle> liveFaces(const Cloth& cloth) {
   std::vector<Triangle> faces;
   for (const ClothPiece& piece : cloth.pieces)
@@ -65,29 +66,38 @@ bool intersected(const Corners& x, const ColliderList& colliders) {
 
 }  // namespace
 
-double deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x,
-                          Workers& workers) {
+Penetration deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x,
+                               Workers& workers) {
   const std::vector<Triangle> faces = liveFaces(cloth);
-  std::vector<double> worst((faces.size() + kNodeBlock - 1) / kNodeBlock, 0);
+  struct Deepest {
+    double depth = 0;
+    std::size_t face = 0;
+    Vec3 place;
+  };
+  std::vector<Deepest> worst((faces.size() + kNodeBlock - 1) / kNodeBlock);
   workers.forBlocks(faces.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
-    double most = 0;
-    const auto sample = [&](Vec3 place) {
-      for (const ColliderList::Entry& entry : colliders)
-        if (entry.collider->mayBeWithin(place, 0.001))
-          most = std::fmax(most, -entry.collider->exactSample(place).distance);
+    Deepest most;
+    const auto sample = [&](std::size_t f, Vec3 place) {
+      for (const ColliderList::Entry& entry : colliders) {
+        if (!entry.collider->mayBeWithin(place, 0.001)) continue;
+        if (const double depth = -entry.collider->exactSample(place).distance; depth > most.depth)
+          most = {depth, f, place};
+      }
     };
     for (std::size_t f = begin; f < end; ++f) {
       const Vec3 a = x[faces[f][0]], b = x[faces[f][1]], c = x[faces[f][2]];
-      sample(a);
-      sample(b);
-      sample(c);
-      for (const auto& w : kSamples) sample(a * w[0] + b * w[1] + c * w[2]);
+      sample(f, a);
+      sample(f, b);
+      sample(f, c);
+      for (const auto& w : kSamples) sample(f, a * w[0] + b * w[1] + c * w[2]);
     }
     worst[begin / kNodeBlock] = most;
   });
-  double most = 0;
-  for (double w : worst) most = std::fmax(most, w);
-  return most;
+  Deepest most;
+  for (const Deepest& w : worst)
+    if (w.depth > most.depth) most = w;
+  if (!(most.depth > 0)) return {};
+  return {most.depth, &pieceOf(cloth, faces[most.face][0]), most.place};
 }
 
 std::size_t liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers) {

@@ -9,7 +9,13 @@ namespace karinui {
 // surface intersects, as far as cloth does not pass through cloth. Returns how many faces a surface then still
 // intersects.
 std::size_t liftOffColliders(LevelSolver& solver, const ColliderList& colliders, double clearance, Workers& workers);
-// The deepest that cloth of live pieces stands below a surface (>= 0), metres.
-double deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x, Workers& workers);
+struct Penetration {
+  double depth = 0;  // metres below a surface
+  const ClothPiece* piece = nullptr;
+  Vec3 place;
+};
+// The deepest of cloth of live pieces. `piece` is of the cloth; null: none stands below.
+Penetration deepestPenetration(const Cloth& cloth, const ColliderList& colliders, std::span<const Vec3> x,
+                               Workers& workers);
 
 }  // namespace karinui

@@ -7,7 +7,7 @@ namespace karinui {
 
 namespace {
 
-// visit(piece, length now as a share of its length at rest)
+// visit(piece, length now as a share of its length at rest, middle)
 template <class Visit>
 void eachThread(const Cloth& cloth, std::span<const Vec3> x, const Visit& visit) {
   for (const ClothPiece& piece : cloth.pieces) {
@@ -15,8 +15,8 @@ void eachThread(const Cloth& cloth, std::span<const Vec3> x, const Visit& visit)
     const auto add = [&](std::uint32_t a, std::uint32_t b) {
       if (a == kNoNode || b == kNoNode) return;
       const double rest = distance(lattice.nodes[a], lattice.nodes[b]);
-      const double now = distance(x[piece.firstNode + a], x[piece.firstNode + b]);
-      if (rest > 0) visit(piece, now / rest);
+      const Vec3 from = x[piece.firstNode + a], to = x[piece.firstNode + b];
+      if (rest > 0) visit(piece, distance(from, to) / rest, (from + to) * 0.5);
     };
     const std::size_t columns = lattice.columns, rows = lattice.rows;
     const auto whole = [&](std::size_t i, std::size_t j) {
@@ -36,15 +36,15 @@ void eachThread(const Cloth& cloth, std::span<const Vec3> x, const Visit& visit)
 
 DrawnOut mostDrawnOut(const Cloth& cloth, std::span<const Vec3> x) {
   DrawnOut most;
-  eachThread(cloth, x, [&](const ClothPiece& piece, double times) {
-    if (times > most.times) most = {&piece, times};
+  eachThread(cloth, x, [&](const ClothPiece& piece, double times, Vec3 place) {
+    if (times > most.times) most = {&piece, times, place};
   });
   return most;
 }
 
 StrainReport strainOf(const Cloth& cloth, std::span<const Vec3> x) {
   std::vector<double> strain;
-  eachThread(cloth, x, [&](const ClothPiece&, double times) { strain.push_back(std::fabs(times - 1)); });
+  eachThread(cloth, x, [&](const ClothPiece&, double times, Vec3) { strain.push_back(std::fabs(times - 1)); });
   StrainReport report;
   if (strain.empty()) return report;
   std::sort(strain.begin(), strain.end());

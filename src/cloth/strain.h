@@ -10,6 +10,7 @@ StrainReport strainOf(const Cloth& cloth, std::span<const Vec3> x);
 struct DrawnOut {
   const ClothPiece* piece = nullptr;  // of the cloth; null: it has no thread
   double times = 0;                   // its length at rest
+  Vec3 place;                         // of its middle
 };
 DrawnOut mostDrawnOut(const Cloth& cloth, std::span<const Vec3> x);  // the thread that is
 

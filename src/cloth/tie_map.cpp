@@ -190,6 +190,11 @@ std::vector<double> liveGaps(const Cloth& cloth, std::span<const Vec3> position)
   return gaps;
 }
 
+const ClothPiece& pieceOf(const Cloth& cloth, std::uint32_t node) {
+  return *std::prev(std::upper_bound(cloth.pieces.begin(), cloth.pieces.end(), node,
+                                     [](std::uint32_t n, const ClothPiece& piece) { return n < piece.firstNode; }));
+}
+
 double widestGap(const Cloth& cloth, std::span<const Vec3> position) {
   const std::vector<double> gaps = liveGaps(cloth, position);
   return gaps.empty() ? 0 : *std::max_element(gaps.begin(), gaps.end());

@@ -57,6 +57,7 @@ std::vector<TieMap::Term> termsOf(const TieMap& ties, std::span<const std::uint3
 
 // How far those ties stand open that touch a live piece, metres; and the widest of them, 0 where there are none.
 std::vector<double> liveGaps(const Cloth& cloth, std::span<const Vec3> position);
+const ClothPiece& pieceOf(const Cloth& cloth, std::uint32_t node);
 double widestGap(const Cloth& cloth, std::span<const Vec3> position);
 Vec3 gapOf(const Tie& tie, std::span<const Vec3> position);  // from a to b, or to the middle of b and c
 

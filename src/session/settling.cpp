@@ -28,7 +28,7 @@ void Session::Impl::settle(std::set<PieceId> live, bool automatic, DrapePieces d
       ++changes.settled;
       if (stopped)
         return tell(Notice::Kind::Said, say("Stopped where it is, not at rest: Settle goes on, Undo takes it back."));
-      if (!report.settled) tell(Notice::Kind::Advice, say("The cloth did not come to rest: {0}", report.why));
+      if (const auto trouble = adviceOn(report)) tell(Notice::Kind::Advice, *trouble);
       if (!automatic) return;
       if (std::set<PieceId> more = joinedBy(live, state.snapshot->document); more.size() > live.size())
         settle(std::move(more), true);

@@ -49,6 +49,48 @@ TEST(Settle, TornClothIsToldInAFewSteps) {
                                                testing::HasSubstr("place the pieces where they are worn")));
 }
 
+// Hung by two pins two and a half times as far apart as it is wide it rests, but no garment is worn so.
+TEST(Settle, ClothThatIsCaughtAtRestIsToldOf) {
+  constexpr std::uint32_t kCells = 4;
+  constexpr double kCell = 0.01;
+  ClothLevel level;
+  addPiece(level.cloth, gridLattice(kCells, kCells, kCell), *preset("cotton"));
+  level.cloth.pieces.front().name = "cape";
+  level.cloth.spacing = kCell;
+  level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u, 0.9 + p.v, 0}; });
+  for (std::uint32_t row = 0; row <= kCells; ++row)
+    for (const std::uint32_t column : {0u, kCells}) {
+      const std::uint32_t node = row * (kCells + 1) + column;
+      level.cloth.pinned.push_back(node);
+      if (column > 0) level.state.position[node].x += 1.5 * kCells * kCell;
+    }
+  std::vector<ClothLevel> levels{level};
+  SettleReport report = mustSettle(levels, *floorCollider());
+  EXPECT_TRUE(report.settled) << text(report.why);
+  ASSERT_TRUE(adviceOn(report));
+  EXPECT_THAT(
+      text(*adviceOn(report)),
+      testing::MatchesRegex("Threads of “cape” are drawn out to 2\\.[5-9] times their length, about 9[0-4] cm.*"));
+  auto worn = tunicLevels();
+  report = mustSettle(worn, tunicBody());
+  EXPECT_FALSE(adviceOn(report));
+  EXPECT_EQ(text(report.why), "At rest.");
+}
+
+// Arms that hang lower than the sides are sewn up to: the sides close through them. Draped on, it was torn after
+// hundreds of fine steps.
+TEST(Settle, ClothSewnUpRoundALimbIsGivenUpOnACoarseLevel) {
+  const CapsuleBody hanging({{{0, -0.16, 0}, {0, 0.16, 0}, 0.14},
+                             {{0.10, 0.18, 0}, {0.42, -0.20, 0}, 0.05},
+                             {{-0.10, 0.18, 0}, {-0.42, -0.20, 0}, 0.05}});
+  auto levels = tunicLevels();
+  const SettleReport report = mustSettle(levels, hanging);
+  EXPECT_FALSE(report.settled);
+  EXPECT_EQ(report.fineSteps, 0u);
+  EXPECT_THAT(text(report.why),
+              testing::AllOf(testing::HasSubstr("The body goes through"), testing::HasSubstr("raise the arms first")));
+}
+
 TEST(Settle, TunicComesToRestOnItsBody) {
   auto levels = tunicLevels();
   const SettleReport report = mustSettle(levels, tunicBody());

@@ -39,7 +39,7 @@ struct EnergySample {                 // after a step on the finest level, also 
 
 struct SettleReport {
   bool settled = false;
-  Message why;             // why not, or what made it stop
+  Message why;             // why not, what made it stop, or where it is caught at rest
   double residual = 0;     // rms unbalanced force / node weight
   double step = 0;         // largest predicted move left, metres
   double penetration = 0;  // deepest below the collider's surface, metres
@@ -58,5 +58,9 @@ struct SettleReport {
   std::vector<ContactTime> contactTimes;  // wall time by kind of contact; told once, not kept with a document
   double cpuSeconds = 0, wallSeconds = 0, peakMegabytes = 0;
 };
+
+// For the person: that it did not come to rest and why, or that it rests with threads drawn out to twice their length,
+// which something must hold. Nothing where all is well.
+std::optional<Message> adviceOn(const SettleReport& report);
 
 }  // namespace karinui
