@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "karinui/geometry/bvh.h"
 #include "karinui/geometry/section.h"
@@ -23,6 +24,10 @@ constexpr double kBesideLegs = 0.4;  // of a leg's area: anything else there is 
 constexpr double kWideHead = 0.25;   // with its hair
 constexpr double kToes = 0.01;       // a foot's middle lies farther before the ankle's, of the height
 constexpr double kSmall = 0.02;      // of the largest area in a section: a finger, a crumb
+constexpr double kHips = 0.48, kChest = 0.7, kTrunkStep = 0.02;
+constexpr double kBroad = 1.15;                         // as broad as deep: a rounder section has no axis to trust
+constexpr std::size_t kTrunkSections = 5;               // so many of those at least
+constexpr double kTrunkSpread = std::numbers::pi / 60;  // that agree within, on the median
 
 struct Patch {  // of the solid in a level section
   Box box;
@@ -63,6 +68,33 @@ bool personUp(const TriangleMesh& mesh, Vec3 up, double sole, double height) {
            const Vec3 size = head.empty() ? Vec3{} : head[0].box.size();
            return head.size() == 1 && std::max({size.x, size.y, size.z}) < kWideHead * height;
          });
+}
+
+// Second moments of area about the centroid, of a loop in a level plane (Green's theorem over its edges).
+struct AreaMoments {
+  double xx = 0, zz = 0, xz = 0;
+};
+AreaMoments areaMoments(const std::vector<Vec3>& loop) {
+  const Vec3 from = loop.front();  // near the loop, so that little cancels
+  double area = 0, x = 0, z = 0;
+  AreaMoments sum;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Vec3 a = loop[k] - from, b = loop[(k + 1) % loop.size()] - from;
+    const double twice = a.x * b.z - b.x * a.z;
+    area += twice / 2;
+    x += twice * (a.x + b.x) / 6;
+    z += twice * (a.z + b.z) / 6;
+    sum.xx += twice * (a.x * a.x + a.x * b.x + b.x * b.x) / 12;
+    sum.zz += twice * (a.z * a.z + a.z * b.z + b.z * b.z) / 12;
+    sum.xz += twice * (2 * a.x * a.z + a.x * b.z + b.x * a.z + 2 * b.x * b.z) / 24;
+  }
+  const double to = area < 0 ? -1 : 1;  // whichever way it runs
+  return {to * (sum.xx - x * x / area), to * (sum.zz - z * z / area), to * (sum.xz - x * z / area)};
+}
+
+double medianOf(std::vector<double> all) {
+  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
+  return all[all.size() / 2];
 }
 
 }  // namespace
@@ -113,6 +145,28 @@ std::optional<Facing> facingOf(const TriangleMesh& mesh) {
   Facing facing{ahead ? front : -1 * front, kShins.back()};
   for (double share = kShins.back(); share < 0.6 && twoLegs(at(share)); share += 0.01) facing.legs = share;
   return facing;
+}
+
+std::optional<double> trunkAngle(const TriangleMesh& mesh) {
+  const Vec3 up{0, 1, 0};
+  const Box box = boxOf(mesh.points);
+  std::vector<double> angles;
+  for (double share = kHips; share < kChest; share += kTrunkStep) {
+    const auto loops = section(mesh, {{0, box.low.y + share * box.size().y, 0}, up});
+    const auto areaOf = [&](const SectionLoop& loop) { return std::abs(enclosedArea(loop.points, up)); };
+    const auto trunk = std::max_element(
+        loops.begin(), loops.end(), [&](const SectionLoop& a, const SectionLoop& b) { return areaOf(a) < areaOf(b); });
+    if (trunk == loops.end() || !(areaOf(*trunk) > 0)) continue;
+    const AreaMoments m = areaMoments(trunk->points);
+    const double mean = (m.xx + m.zz) / 2, apart = std::hypot((m.xx - m.zz) / 2, m.xz);
+    if (mean + apart < kBroad * kBroad * (mean - apart)) continue;
+    angles.push_back(-0.5 * std::atan2(2 * m.xz, m.xx - m.zz));  // the long axis lies as far from x towards -z
+  }
+  if (angles.size() < kTrunkSections) return std::nullopt;
+  const double middle = medianOf(angles);
+  for (double& angle : angles) angle = std::abs(angle - middle);
+  if (medianOf(angles) > kTrunkSpread) return std::nullopt;
+  return middle;
 }
 
 }  // namespace karinui

@@ -21,4 +21,9 @@ struct Facing {
 };
 std::optional<Facing> facingOf(const TriangleMesh& mesh);
 
+// The angle about y from z towards x at which its trunk stands, radians, below a quarter turn either way: where the
+// sections from the hips to below the arms, broader than deep, have their short axis. The feet may point elsewhere.
+// Nothing where the sections do not agree.
+std::optional<double> trunkAngle(const TriangleMesh& mesh);
+
 }  // namespace karinui

@@ -122,8 +122,19 @@ void faceForwards(ImportedBody& body) {
     return;
   }
   body.legs = facing->legs;
-  constexpr double kQuarter = std::numbers::pi / 2, kAside = std::numbers::pi / 12;
-  const double angle = std::atan2(facing->front.x, facing->front.z);
+  constexpr double kQuarter = std::numbers::pi / 2, kDegree = std::numbers::pi / 180;
+  constexpr double kAside = 15 * kDegree;
+  constexpr double kAskew = 3 * kDegree;    // less is how people stand, and what telling it is good for
+  constexpr double kInStep = 60 * kDegree;  // the line between the feet of somebody in a step, from the trunk's breadth
+  double angle = std::atan2(facing->front.x, facing->front.z);
+  std::optional<double> trunk = trunkAngle(body.mesh);
+  if (trunk) {  // that way along its short axis which the feet point
+    *trunk += 2 * kQuarter * std::round((angle - *trunk) / (2 * kQuarter));
+    if (std::abs(angle - *trunk) < kInStep)
+      angle = *trunk;
+    else
+      trunk.reset();
+  }
   const double quarters = std::round(angle / kQuarter);
   if (const int turns = (static_cast<int>(quarters) + 4) % 4) {
     constexpr std::array kWays{"z", "x", "-z", "-x"};
@@ -131,11 +142,17 @@ void faceForwards(ImportedBody& body) {
     body.notes.push_back(say("Its feet point along {0}: it was turned to face along z.", kWays[turns]));
   }
   const double aside = angle - quarters * kQuarter;
-  if (std::abs(aside) > kAside)
+  const auto degrees = [&] { return fixed(std::abs(aside) / kDegree, 0); };
+  if (trunk && std::abs(aside) > kAskew) {
+    const double sine = std::sin(aside), cosine = std::cos(aside);
+    for (Vec3& p : body.mesh.points) p = {cosine * p.x - sine * p.z, p.y, sine * p.x + cosine * p.z};
+    body.notes.push_back(say("It stood askew by {0}° and was turned to face straight forwards.", degrees()));
+  } else if (std::abs(aside) > kAside) {
     body.notes.push_back(
         say("Its feet point {0}° aside. Turn it to face straight forwards where it was made, and import it again: "
             "else front and back of a garment lie askew.",
-            fixed(std::abs(aside) * 180 / std::numbers::pi, 0)));
+            degrees()));
+  }
 }
 
 void turnAround(TriangleMesh& mesh) {
