@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -105,6 +106,15 @@ DevicePanel::DevicePanel(Session& session, ForceFeedback& force, QWidget* in) : 
   test_ = button(say("Test feel"), say("For four seconds a level floor lies 1 cm below the tip; a click ends it."));
   test_->setObjectName("test_feel");
   column->addWidget(test_);
+  record_ = new QPushButton;
+  record_->setObjectName("record_hand");
+  record_->setCheckable(true);
+  Theme::here().keep(record_, [this] {
+    record_->setToolTip(inWords(
+        say("Writes what the hand does and feels into a file, a thousand times a second: for “karinui touch replay” "
+            "and for your own plots. Save a copy of the garment first; a hand is replayed on it.")));
+  });
+  column->addWidget(record_);
 
   form = new QFormLayout;
   form->addRow(title(say("Force")));
@@ -172,6 +182,7 @@ DevicePanel::DevicePanel(Session& session, ForceFeedback& force, QWidget* in) : 
           [this](int k) { set([&](DeviceSettings& now) { now.secondTurns = k == 1; }); });
   connect(off_, &QPushButton::clicked, this, [this](bool on) { force_.emergencyOff(on); });
   connect(test_, &QPushButton::clicked, this, [this] { force_.testFeel(); });
+  connect(record_, &QPushButton::clicked, this, &DevicePanel::record);
   connect(calibrate_, &QPushButton::clicked, this, [this] { force_.calibrate(); });
   connect(look_, &QPushButton::clicked, this, [this] {
     QStringList lines;
@@ -212,11 +223,27 @@ void DevicePanel::show() {
        {static_cast<QWidget*>(scale_), static_cast<QWidget*>(second_), static_cast<QWidget*>(calibrate_)})
     one->setEnabled(moves || !force_.there());
   test_->setEnabled(force_.there());
+  record_->setEnabled(force_.there() || force_.recording());
+  record_->setChecked(force_.recording());
   showState();
   filling_ = false;
 }
 
+void DevicePanel::record() {
+  Done done;
+  if (force_.recording()) {
+    done = force_.endRecording();
+  } else {
+    const QString path = QFileDialog::getSaveFileName(this, inWords(say("Record the hand")), "hand.txt", "*.txt");
+    if (!path.isEmpty()) done = force_.record(path.toStdString());
+  }
+  if (!done) session_.refuse(done.error());
+}
+
 void DevicePanel::showState() {
+  record_->setText(inWords(force_.recording()
+                               ? say("Stop recording ({0} s)", static_cast<int>(force_.recording()->seconds()))
+                               : say("Record the hand…")));
   const ServoTick tick = force_.last();
   const double newtons = length(tick.out.force), most = std::max(0.1, force_.limit());
   newtons_->setRange(0, static_cast<int>(kFineness * most));

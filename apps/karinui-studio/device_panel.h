@@ -18,11 +18,12 @@ class DevicePanel : public Panel {
   void set(const std::function<void(DeviceSettings&)>& change);
   void show();       // settings
   void showState();  // of the loop
+  void record();     // asks where to, or ends it
   ForceFeedback& force_;
   QComboBox *kind_, *other_, *pull_, *hand_, *second_;
   QLabel *found_, *state_, *newtonsSaid_, *gainSaid_;
   QProgressBar* newtons_;
-  QPushButton *look_, *off_, *test_, *calibrate_;
+  QPushButton *look_, *off_, *test_, *record_, *calibrate_;
   QSlider* gain_;
   QDoubleSpinBox *limit_, *scale_;
   std::vector<std::pair<QCheckBox*, bool TouchLaws::*>> laws_;

@@ -264,6 +264,7 @@ void ForceFeedback::beginMain() {
     settings.placement.sceneCentre = view_.camera().target;
   }
   driver_ = std::make_unique<HapticDriver>(std::move(device), settings);
+  driver_->record(recording_.get());
   if (off_) driver_->servo().emergencyOff();
   setFocus(view_.window()->isActiveWindow());
   through_ = view_.camera().target;
@@ -303,6 +304,24 @@ void ForceFeedback::testFeel() {
 
 void ForceFeedback::calibrate() {
   if (driver_ && !mouseLed(settings_.kind)) driver_->bringTo(view_.camera().target);
+}
+
+Done ForceFeedback::record(const std::filesystem::path& path) {
+  StylusSettings stylus;
+  stylus.hand = settings_.hand;
+  auto begun = HandRecording::begin(path, stylus);
+  if (!begun) return begun.error();
+  if (driver_) driver_->record(begun->get());
+  recording_ = *std::move(begun);
+  emit changed();
+  return {};
+}
+
+Done ForceFeedback::endRecording() {
+  if (driver_) driver_->record(nullptr);
+  const auto ended = std::exchange(recording_, nullptr);
+  emit changed();
+  return ended ? ended->end() : Done();
 }
 
 bool ForceFeedback::busy() const { return driver_ && driver_->down(); }

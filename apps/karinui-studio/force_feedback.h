@@ -67,6 +67,10 @@ class ForceFeedback : public QObject {
   void setFocus(bool focus);
   void testFeel();
   void calibrate();  // the tip is in the middle of the view now
+  // Writes what the hand does and feels into a file, until it is ended or the studio is.
+  Done record(const std::filesystem::path& path);
+  Done endRecording();
+  const HandRecording* recording() const { return recording_.get(); }  // null: none
 
   // The mouse over the fitting; true: it leads the stylus, and is not for the session.
   bool pointed(PointerSample& sample);
@@ -99,6 +103,7 @@ class ForceFeedback : public QObject {
   SpaceView& view_;
   DeviceSettings settings_;
   Opener opener_;
+  std::unique_ptr<HandRecording> recording_;  // before the driver, which tells it
   std::unique_ptr<HapticDriver> driver_;
   std::unique_ptr<OtherHand> other_;
   PoseSource* mouse_ = nullptr;  // of the driver, where the mouse is the device

@@ -80,6 +80,7 @@ bool HapticDriver::update(Session& session, Vec3 facing, bool mayFeed) {
   };
   for (ServoTick tick; servo_.takeTick(tick);) {
     led_ = tick.hand.led;
+    if (recording_) recording_->tool(info(session.tool()).name), recording_->tick(tick, facing);
     feed(pointer_.of(tick, facing));
     if (pointer_.takeLost() && feeds_ && mayFeed) session.command(Command::Cancel), fed = true;
   }

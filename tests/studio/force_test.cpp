@@ -5,18 +5,23 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QTimer>
 #include <chrono>
 #include <numbers>
 #include <source_location>
 
 #include "device_panel.h"
 #include "force_feedback.h"
+#include "karinui/base/file.h"
 #include "karinui/design/script.h"
 #include "karinui/devices/pose_source.h"
+#include "karinui/devices/simulated_device.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
@@ -453,6 +458,46 @@ TEST_F(StudioForce, SettingsAreKeptAndWhatIsNotThereIsTold) {
   w().rest();
   w().keep("studio_device_ja");
   Theme::here().setLanguage(Language::English);
+}
+
+// The button asks for a file, tells how long it has been recorded, and ends it; what was led stands in the file.
+TEST_F(StudioForce, AHandIsRecorded) {
+  w().openTunic();
+  show();
+  const Folder folder;
+  auto* button = panel().findChild<QPushButton*>("record_hand");
+  ASSERT_TRUE(button);
+  EXPECT_FALSE(button->isEnabled()) << "there is no hand";
+  choose(DeviceKind::Simulated);
+  ASSERT_TRUE(button->isEnabled());
+  const fs::path path = folder.path / "hand.txt";
+  const auto answer = [](const fs::path& with) {
+    QTimer::singleShot(0, [with] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      ASSERT_TRUE(dialog);
+      dialog->selectFile(QString::fromStdString(with.string()));
+      QMetaObject::invokeMethod(dialog, "accept");
+    });
+  };
+  answer(path);
+  button->click();
+  ASSERT_TRUE(force().recording());
+  EXPECT_TRUE(button->isChecked());
+  const QPointF at = w().inSpace("front", {0, 0.1});
+  w().hover(w().space(), at);
+  until([&] { return force().recording()->seconds() > 1; });
+  until([&] { return button->text().contains("1 s") || button->text().contains("2 s"); });
+  w().keep("studio_record");
+  button->click();
+  EXPECT_FALSE(force().recording());
+  EXPECT_FALSE(button->isChecked());
+  const auto lines = readFile(path);
+  ASSERT_TRUE(lines);
+  EXPECT_THAT(*lines, testing::AllOf(testing::HasSubstr("\ntool "), testing::HasSubstr("\nfelt ")));
+  EXPECT_TRUE(ScriptedDevice::read(*lines, simulatedRecord())) << "it can be played again";
+  // Where nothing can be written it is said, and nothing is recorded.
+  EXPECT_FALSE(force().record(folder.path / "none" / "hand.txt"));
+  EXPECT_FALSE(force().recording());
 }
 
 }  // namespace

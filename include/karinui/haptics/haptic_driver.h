@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "karinui/devices/placement.h"
+#include "karinui/haptics/hand_recording.h"
 #include "karinui/haptics/stylus_pointer.h"
 #include "karinui/session/session.h"
 #include "karinui/touch/servo.h"
@@ -47,6 +48,8 @@ class HapticDriver {
   Servo& servo() { return servo_; }
   void bringTo(Vec3 scene) { placed_.bringTo(scene); }      // calibration: the tip is there now
   void turnTo(const Rigid& turn) { placed_.turnTo(turn); }  // the workspace, as who looks turns
+  // From now on update() tells it every tick; null: none. It must outlive this, or be taken away before.
+  void record(HandRecording* recording) { recording_ = recording; }
   void testFeel(double seconds);  // instead of the scene a level floor 1 cm below the tip, with a click at its end
 
  private:
@@ -61,6 +64,7 @@ class HapticDriver {
   bool feeds_;
   double longestPause_;
   Vec3 led_, ledTaken_;
+  HandRecording* recording_ = nullptr;
   Servo servo_;
 
   std::mutex mutex_;  // of all below
