@@ -9,9 +9,9 @@ namespace karinui::studio {
 
 void fillBlocks(QMenu& menu, Session& session, std::function<void()> numbers) {
   using Kind = DraftBlock::Kind;
-  static constexpr std::pair<Kind, const char*> kinds[] = {{Kind::Shirt, "shirt"},   {Kind::Bodice, "bodice"},
-                                                           {Kind::Sleeve, "sleeve"}, {Kind::Collar, "collar"},
-                                                           {Kind::Skirt, "skirt"},   {Kind::Trousers, "trousers"}};
+  static constexpr std::pair<Kind, const char*> kinds[] = {
+      {Kind::Shirt, "shirt"}, {Kind::Bodice, "bodice"},     {Kind::Sleeve, "sleeve"},    {Kind::Collar, "collar"},
+      {Kind::Skirt, "skirt"}, {Kind::Trousers, "trousers"}, {Kind::Leggings, "leggings"}};
   menu.setObjectName("blocks");
   for (const auto& [kind, name] : kinds) {
     QAction* action = menu.addAction(QString());

@@ -287,7 +287,8 @@ TEST_F(Placed, APocketOverADartIsRefused) {
 TEST_F(Placed, BlocksAreTrue) {
   for (const std::string figure :
        {"size=eu38", "size=jis9ar", "size=eu50", "size=eu38 set=\"bust_girth=110cm; hip_girth=118cm\""})
-    for (const std::string kind : {"shirt", "skirt", "trousers", "bodice", "sleeve", "bodice\nblock kind=sleeve"}) {
+    for (const std::string kind :
+         {"shirt", "skirt", "trousers", "leggings", "bodice", "sleeve", "bodice\nblock kind=sleeve"}) {
       Workroom own;
       auto file = DocumentFile::inMemory();
       const Done done = own.play(file, "body " + figure + "\nblock kind=" + kind + "\n");

@@ -94,5 +94,30 @@ TEST(TightFit, ATubeOfJerseyStaysWhereItWasPutOn) {
   EXPECT_NEAR(lowest, 0.64, 0.03);
 }
 
+// Narrower than the body by a tenth all the way down, with nothing that holds them: cut too short in the crotch they
+// were drawn over the hip and slid to the knees, hanging straight down they were sewn up beside the ankles.
+TEST(TightFit, LeggingsStayUp) {
+  for (const std::string figure :
+       {"size=eu38", "size=eu50", "size=eu38 set=\"hip_girth=118cm; waist_girth=98cm; bust_girth=112cm\""}) {
+    SCOPED_TRACE(figure);
+    const Document document = played("body " + figure + "\nset spacing=17mm\nblock kind=leggings\ndrape\n");
+    ASSERT_TRUE(document.drape.last);
+    EXPECT_TRUE(document.drape.last->settled) << text(document.drape.last->why);
+    EXPECT_EQ(document.pieceNamed("leg_back_left")->fabric, "jersey");
+    const auto stands = standingCloth(document, livePieces(document, {}));
+    const auto body = bodyOf(document, drapingRoom().context);
+    const ClothCheck found = check(stands->cloth, stands->state, body->get());
+    EXPECT_EQ(found.clothBodyCrossings + found.clothClothCrossings, 0u);
+    EXPECT_LE(found.seamGap, 0.0005);
+    EXPECT_GT(found.strain.mean, 0.03) << "stretched";
+    EXPECT_LT(found.strain.max, 0.5);
+    const auto& measured = (*body)->measured().value;
+    double highest = 0, lowest = 1e9;
+    for (const Vec3 p : stands->state.position) highest = std::fmax(highest, p.y), lowest = std::fmin(lowest, p.y);
+    EXPECT_NEAR(highest, measured.at("waist_height"), 0.06);
+    EXPECT_NEAR(lowest, measured.at("ankle_height"), 0.04);
+  }
+}
+
 }  // namespace
 }  // namespace karinui

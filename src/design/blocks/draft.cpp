@@ -19,6 +19,11 @@ Measured::Belly Measured::belly() const {
   return {girth->second, std::fmax(0, (*this)("waist_height") - high->second)};
 }
 
+std::optional<double> Measured::aside(const std::string& landmark) const {
+  const auto found = body_.landmarks().find(landmark);
+  return found == body_.landmarks().end() ? std::nullopt : std::optional(found->second.x);
+}
+
 Done Measured::enough() const {
   if (missing_.empty()) return {};
   return refused(

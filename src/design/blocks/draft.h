@@ -21,6 +21,8 @@ class Measured {
     double girth = 0, belowWaist = 0;
   };
   Belly belly() const;
+  // Metres to the left of the middle; nothing where the figure has no such landmark.
+  std::optional<double> aside(const std::string& landmark) const;
   bool female() const { return body_.measured().sex == Sex::Female; }
   Done enough() const;
 
@@ -35,6 +37,7 @@ struct FirstStand {
   Flat point;
   double ease = 0.01;
   double x = 0, z = 0;  // flat: carried so far to the left and forward; behind it is turned round
+  double lean = 0;      // flat: radians by which its lower end goes farther to that side, as a leg does
 };
 
 inline EdgeRef draftedEdge(const std::string& piece, const std::string& edge) { return {PieceRef(piece), edge}; }
@@ -79,6 +82,7 @@ Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish);
 DraftBand collarBand(std::vector<EdgeRef> neckline, double depth);
 Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish);
 Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish);
+Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish);
 // Both sleeves for an armhole of that length.
 struct Armhole {
   double front = 0, back = 0;

@@ -1,4 +1,4 @@
-// Skirt and trousers.
+// Skirt, trousers and leggings.
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +15,48 @@ struct Quarter {
 Quarter quarterOf(double waist, double hip, double atSide) {
   const double less = std::fmax(0, hip - waist), side = std::fmin(atSide, 0.5 * less);
   return {hip - side, hip, less - side};
+}
+
+void sewLegs(Draft& draft) {
+  draft.seams.push_back(
+      {"crotch_front", {draftedEdge("leg_front_left", "crotch")}, {draftedEdge("leg_front_right", "crotch")}});
+  draft.seams.push_back(
+      {"crotch_back", {draftedEdge("leg_back_left", "crotch")}, {draftedEdge("leg_back_right", "crotch")}});
+  for (const std::string s : {"left", "right"}) {
+    draft.seams.push_back(
+        {"outseam_" + s, {draftedEdge("leg_front_" + s, "outseam")}, {draftedEdge("leg_back_" + s, "outseam")}});
+    draft.seams.push_back(
+        {"inseam_" + s, {draftedEdge("leg_front_" + s, "inseam")}, {draftedEdge("leg_back_" + s, "inseam")}});
+  }
+}
+
+// Drawn with the leg at positive u: the figure's left leg in front, its right one behind. And its symmetric copy.
+std::string addLeg(Draft& draft, bool front, Outline outline, double x, double lean = 0) {
+  DraftPiece piece;
+  piece.name = front ? "leg_front_left" : "leg_back_right";
+  piece.outline = std::move(outline);
+  piece.stands.x = front ? x : -x;
+  piece.stands.lean = lean;
+  piece.stands.z = front ? 0.20 : -0.22;
+  piece.stands.point = {0, 0};
+  draft.pieces.push_back(piece);
+  draft.pieces.push_back({front ? "leg_front_right" : "leg_back_left", {}, {}, {}, {}, piece.name});
+  return piece.name;
+}
+
+// A fair line through all of them, each passed along the chord of its neighbours; the first begins, and the last ends,
+// straight.
+Curve through(const std::vector<Flat>& points) {
+  constexpr double kHandle = 1.0 / 3;
+  const std::size_t last = points.size() - 1;
+  std::vector<Curve> parts;
+  const auto way = [&](std::size_t k) { return normalized(points[std::min(last, k + 1)] - points[k > 0 ? k - 1 : 0]); };
+  for (std::size_t k = 0; k < last; ++k) {
+    const double reach = kHandle * length(points[k + 1] - points[k]);
+    parts.push_back(
+        Curve::cubic(points[k], points[k] + way(k) * reach, points[k + 1] - way(k + 1) * reach, points[k + 1]));
+  }
+  return Curve::joined(parts);
 }
 
 }  // namespace
@@ -116,30 +158,72 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
                      {"waist", Curve::line(side, centre)},
                      {"crotch", Curve::joined(crotch)},
                      {"inseam", Curve::joined(inseam)}}};
-    // Drawn with the leg at positive u: the figure's left leg in front, its right one behind.
-    DraftPiece piece;
-    piece.name = front ? "leg_front_left" : "leg_back_right";
-    piece.outline = std::move(outline);
-    piece.stands.x = (front ? 1 : -1) * (fork + 0.015);
-    piece.stands.z = front ? 0.20 : -0.22;
-    piece.stands.point = {0, 0};
-    const std::string copy = front ? "leg_front_right" : "leg_back_left";
-    draft.darts.push_back(
-        {piece.name, "waist", 0.5, q.dart, {lean + 0.5 * q.waist, -(front ? 0.4 : 0.5) * high}, "dart"});
-    if (q.dart < 0.006) draft.darts.pop_back();
-    draft.pieces.push_back(piece);
-    draft.pieces.push_back({copy, {}, {}, {}, {}, piece.name});
+    const std::string name = addLeg(draft, front, std::move(outline), fork + 0.015);
+    if (q.dart >= 0.006)
+      draft.darts.push_back({name, "waist", 0.5, q.dart, {lean + 0.5 * q.waist, -(front ? 0.4 : 0.5) * high}, "dart"});
   }
-  draft.seams.push_back(
-      {"crotch_front", {draftedEdge("leg_front_left", "crotch")}, {draftedEdge("leg_front_right", "crotch")}});
-  draft.seams.push_back(
-      {"crotch_back", {draftedEdge("leg_back_left", "crotch")}, {draftedEdge("leg_back_right", "crotch")}});
-  for (const std::string s : {"left", "right"}) {
-    draft.seams.push_back(
-        {"outseam_" + s, {draftedEdge("leg_front_" + s, "outseam")}, {draftedEdge("leg_back_" + s, "outseam")}});
-    draft.seams.push_back(
-        {"inseam_" + s, {draftedEdge("leg_front_" + s, "inseam")}, {draftedEdge("leg_back_" + s, "inseam")}});
+  sewLegs(draft);
+  return draft;
+}
+
+// Trousers of cloth that stretches: no dart, all girths narrower than the figure by one share.
+Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish) {
+  constexpr double kAboveAnkle = 0.03;  // the instep would catch what is longer while it is put on
+  constexpr double kMostLean = 0.2;     // radians
+  const double girth = of("hip_girth"), waistHigh = of("waist_height");
+  const double share = girth > 0 ? 1 + wish.ease.value_or(-0.1 * girth) / girth : 1;
+  const double hip = share * girth / 4, waist = share * of("waist_girth") / 4;
+  const double thigh = share * of("thigh_girth"), knee = share * of("knee_girth"), calf = share * of("calf_girth"),
+               ankle = share * of("ankle_girth");
+  const double seat = waistHigh - of("crotch_height") + 0.015,
+               inside = wish.length.value_or(waistHigh - of("ankle_height") - kAboveAnkle);
+  const double kneeDown = waistHigh - of("knee_height"), ankleDown = waistHigh - of("ankle_height");
+  if (Done done = of.enough(); !done) return done.error();
+  if (!(inside > seat + 0.05))
+    return refused(say("Leggings that long end above the crotch; they have to be longer than {0} cm.",
+                       std::round((seat + 0.05) * 100)));
+  // Between both forks and the thigh; under a slim thigh the seat still needs them.
+  const double forks = std::fmax(thigh + 0.01 - 2 * hip, 0.13 * share * girth);
+  const double high = 0.62 * seat, calfDown = std::lerp(kneeDown, ankleDown, 0.3);
+  Draft draft;
+  for (const bool front : {true, false}) {
+    const double to = front ? -1 : 1;  // the back is the wider one
+    const double fork = (front ? 0.3 : 0.7) * forks, width = hip + to * 0.006, crease = (width - fork) / 2;
+    const double rise = front ? 0 : 0.025, lean = front ? 0.004 : 0.02;
+    const auto half = [&](double round) { return round / 4 + to * 0.004; };
+    const Flat centre{lean, rise}, side{lean + waist + to * 0.004, 0.006}, hipSide{width, -high}, tip{-fork, -seat};
+    // How far from the crease the leg ends, at `down` below the waist: straight from girth to girth.
+    const std::vector<Flat> girths{
+        {(width + fork) / 2, seat}, {half(knee), kneeDown}, {half(calf), calfDown}, {half(ankle), ankleDown}};
+    const auto legAt = [&](double down) {
+      for (std::size_t k = 1; k < girths.size(); ++k)
+        if (down <= girths[k].v)
+          return std::lerp(girths[k - 1].u, girths[k].u, (down - girths[k - 1].v) / (girths[k].v - girths[k - 1].v));
+      return girths.back().u;
+    };
+    std::vector<Flat> outside{{crease + legAt(inside), -inside}}, within{tip};
+    for (auto at = girths.rbegin(); at != girths.rend(); ++at)
+      if (at->v > seat && at->v < inside - 0.03) outside.push_back({crease + at->u, -at->v});
+    for (auto at = outside.rbegin(); at != outside.rend(); ++at) within.push_back({2 * crease - at->u, at->v});
+    outside.push_back(hipSide);
+    outside.push_back(side);
+    const Flat seatCentre{0, -high}, down = normalized(seatCentre - centre);
+    const std::vector<Curve> crotch{
+        Curve::line(centre, seatCentre),
+        Curve::cubic(seatCentre, seatCentre + down * (0.75 * (seat - high)), tip + Flat{0.62 * fork, 0}, tip)};
+    // Narrow legs stand along the figure's, or their sides would close beside them.
+    const double besideMiddle = fork + 0.015, crotchTo = besideMiddle + crease;
+    const double legLean =
+        std::clamp(std::atan2(of.aside("ankle_left").value_or(crotchTo) - crotchTo, ankleDown), 0.0, kMostLean);
+    addLeg(draft, front,
+           Outline{{{"hem", Curve::line(within.back(), outside.front())},
+                    {"outseam", through(outside)},
+                    {"waist", Curve::line(side, centre)},
+                    {"crotch", Curve::joined(crotch)},
+                    {"inseam", through(within)}}},
+           besideMiddle, legLean);
   }
+  sewLegs(draft);
   return draft;
 }
 

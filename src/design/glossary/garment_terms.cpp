@@ -127,6 +127,7 @@ TermTable wordTerms() {
       {"ties", say("ties")},
       {"top", say("top edge")},
       {"torso", say("bodice")},
+      {"leggings", say("leggings")},
       {"trousers", say("trousers")},
       {"tunic", say("tunic")},
       {"turn", say("fold line")},

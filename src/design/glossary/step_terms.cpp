@@ -368,6 +368,7 @@ TermTable valueTerms() {
       {"suiting", say("Suiting")},
       {"tie", say("Ties")},
       {"top", say("The upper end")},
+      {"leggings", say("Leggings")},
       {"trousers", say("Trousers")},
       {"tweed", say("Tweed")},
       {"velvet", say("Velvet")},

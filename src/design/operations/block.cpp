@@ -112,7 +112,11 @@ class Made {
       if (!stood) return stood.error();
       piece = *std::move(stood);
     } else {
-      piece.pose = draft.stands.z < 0 ? Rigid{0, 0, 1, 0, {}} : Rigid();  // behind: half a turn about the upright
+      const bool behind = draft.stands.z < 0;  // half a turn about the upright
+      piece.pose = behind ? Rigid{0, 0, 1, 0, {}} : Rigid();
+      if (const double half = std::copysign(draft.stands.lean, draft.stands.x) / 2; half != 0)  // then about z
+        piece.pose =
+            behind ? Rigid{0, -std::sin(half), std::cos(half), 0, {}} : Rigid{std::cos(half), 0, 0, std::sin(half), {}};
       const double waist = body_.measured().value.at("waist_height");
       piece.pose.carry = {draft.stands.x, waist, draft.stands.z};
     }
@@ -265,6 +269,7 @@ Done resolve(const Document& before, DraftBlock& op, Context& context) {
   if (!op.prefix.empty())
     if (Done done = checkName(op.prefix); !done) return done;
   if (op.layer < 0 || op.layer > 20) return refused(say("A layer is a number from 0, next to the skin, to 20."));
+  if (op.kind == Kind::Leggings && op.fabric.empty()) op.fabric = "jersey";  // narrower than the body
   if (op.trued == Choice::Auto && !context.recorded) op.trued = Choice::Yes;
   if (!op.fabric.empty()) return checkFabricName(before, op.fabric);
   return {};
@@ -290,6 +295,9 @@ Result<Document> perform(const Document& before, const DraftBlock& op, Context& 
       break;
     case Kind::Trousers:
       draft = trousersDraft(of, wish);
+      break;
+    case Kind::Leggings:
+      draft = leggingsDraft(of, wish);
       break;
     case Kind::Sleeve:
       draft = sleevesFor(before, of, wish);

@@ -68,12 +68,13 @@ constexpr Words<SetLength::Keep, 4> kKept{{{{"auto", SetLength::Keep::Auto},
                                             {"middle", SetLength::Keep::Middle}}}};
 constexpr Words<SetLength::Neighbours, 2> kNeighbours{
     {{{"keep", SetLength::Neighbours::Keep}, {"follow", SetLength::Neighbours::Follow}}}};
-constexpr Words<DraftBlock::Kind, 6> kBlocks{{{{"bodice", DraftBlock::Kind::Bodice},
+constexpr Words<DraftBlock::Kind, 7> kBlocks{{{{"bodice", DraftBlock::Kind::Bodice},
                                                {"sleeve", DraftBlock::Kind::Sleeve},
                                                {"skirt", DraftBlock::Kind::Skirt},
                                                {"trousers", DraftBlock::Kind::Trousers},
                                                {"shirt", DraftBlock::Kind::Shirt},
-                                               {"collar", DraftBlock::Kind::Collar}}}};
+                                               {"collar", DraftBlock::Kind::Collar},
+                                               {"leggings", DraftBlock::Kind::Leggings}}}};
 constexpr Words<Fabric::Law, 2> kLaws{{{{"woven", Fabric::Law::Woven}, {"simcloth", Fabric::Law::Simcloth}}}};
 constexpr Words<Finish, 10> kFinishes{{{{"poplin", Finish::Poplin},
                                         {"linen", Finish::Linen},

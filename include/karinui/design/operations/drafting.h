@@ -97,7 +97,7 @@ struct AddPiece {
 struct DraftBlock {
   static constexpr std::string_view kName = "block";
   static constexpr std::string_view kHelp = "Drafts ready pieces from the figure's measures, sewn and on the body.";
-  enum class Kind { Bodice, Sleeve, Skirt, Trousers, Shirt, Collar } kind = Kind::Shirt;
+  enum class Kind { Bodice, Sleeve, Skirt, Trousers, Shirt, Collar, Leggings } kind = Kind::Shirt;
   std::optional<Length> ease, length;
   std::string prefix;
   std::string fabric;
@@ -105,7 +105,7 @@ struct DraftBlock {
   Choice trued = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("kind", self.kind, "bodice, sleeve, skirt, trousers, shirt or collar", kNeeded);
+    visit("kind", self.kind, "bodice, sleeve, skirt, trousers, leggings, shirt or collar", kNeeded);
     visit("ease", self.ease, "added to the widest girth (of a sleeve: the upper arm's; of a collar: none)", kOptional);
     visit("length", self.length, "of the piece (otherwise by the block's own rule)", kOptional);
     visit("prefix", self.prefix, "put before the pieces' names", kOptional);
