@@ -63,6 +63,7 @@ BodyPanel::BodyPanel(Session& session, QWidget* in) : Panel(session, in) {
   imported_->hide();
   form->addRow(imported_);
   letShrink(*size_), letShrink(*sex_);
+  sex_->setMinimumContentsLength(5);  // the dress form stands beside it
   form->addRow(word(say("Size")), size_);
   dressForm_ = new QCheckBox;
   Theme::here().keep(dressForm_, [this] {
@@ -125,7 +126,7 @@ BodyPanel::BodyPanel(Session& session, QWidget* in) : Panel(session, in) {
   follow_ = new QCheckBox;
   follow_->setChecked(true);
   Theme::here().keep(follow_, [this] {
-    follow_->setText(inWords(say("the garment is made again for it at once")));
+    follow_->setText(inWords(say("make the garment again at once")));
     follow_->setToolTip(
         inWords(say("Every step is played again on the figure as you change it; one undo brings the old one back.")));
   });
@@ -178,6 +179,7 @@ void BodyPanel::addRows(const Message& group, std::span<const std::string_view> 
     const Message name = termSaid(Term::Measure, key).value_or(say("{0}", key));
     auto* row = new MeasureRow(name);
     QLabel* label = names_[key] = word(name);
+    label->setWordWrap(true);
     Theme::here().keep(label, [label, key] {
       const Message how = tapeSaid(key);
       label->setToolTip(inWords(how) + "\n" + scriptHint(key));

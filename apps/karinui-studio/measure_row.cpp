@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kReach = 0.25;  // of what is measured, to either side
 constexpr double kMost = 10;     // metres; what a body can have is said where it is asked for
+constexpr auto kWidest = "188.88 cm";
+constexpr int kFrame = 20;  // of a box, with the cursor's room
+constexpr int kSliderDigits = 8;
 int millimetres(double metres) { return static_cast<int>(std::lround(1000 * metres)); }
 
 }  // namespace
@@ -24,7 +27,12 @@ MeasureRow::MeasureRow(const Message& name)
   box_->setSpecialValueText("–");
   box_->setMetres(0);
   box_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  Theme::here().keep(slider_, [this, name] { slider_->setAccessibleName(inWords(name)); });
+  Theme::here().keep(slider_, [this, name] {
+    slider_->setAccessibleName(inWords(name));
+    const QFontMetrics letters = box_->fontMetrics();
+    box_->setFixedWidth(letters.horizontalAdvance(kWidest) + kFrame);
+    slider_->setMinimumWidth(kSliderDigits * letters.horizontalAdvance("0"));
+  });
   slider_->setFocusPolicy(Qt::ClickFocus);  // Tab goes from box to box, and Up and Down turn the box
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

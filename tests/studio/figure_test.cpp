@@ -1,9 +1,12 @@
 // The board of the figure in the real window: turned, let go, taken back.
 #include <gmock/gmock.h>
 
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <fstream>
 #include <set>
@@ -117,6 +120,39 @@ TEST(StudioFigure, TheGarmentIsInSightWhileItIsMadeAgain) {
 }
 
 // An imported body is as it is: sliders do not put another in its place, and its own measures are told.
+// A measure is turned by its slider, whatever the longest name: it took what the boxes left, which was a stub.
+TEST(StudioFigure, TheSlidersHaveRoomInTheBoard) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().resize(1000, 620);
+  w.main().boards().setCurrentIndex(1);
+  for (const Language language : {Language::English, Language::Japanese}) {
+    Theme::here().setLanguage(language);
+    w.rest();
+    const auto* board = qobject_cast<QScrollArea*>(w.main().boards().currentWidget());
+    ASSERT_TRUE(board);
+    for (const QScrollArea* area : w.main().boards().findChildren<QScrollArea*>())
+      if (area == board || board->isAncestorOf(area)) {
+        EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0)
+            << "lacks room for " << area->widget()->minimumSizeHint().width() << " in " << area->viewport()->width();
+      }
+    std::size_t seen = 0;
+    for (const QSlider* slider : board->findChildren<QSlider*>()) {
+      if (!slider->isVisible()) continue;
+      ++seen;
+      EXPECT_GE(slider->width(), 6 * slider->fontMetrics().horizontalAdvance("0"))
+          << slider->accessibleName().toStdString();
+    }
+    EXPECT_GT(seen, 5u);
+    for (const auto* box : board->findChildren<QDoubleSpinBox*>())
+      if (box->isVisible()) {
+        EXPECT_GT(box->width(), box->fontMetrics().horizontalAdvance("188.88 cm") + 16);
+      }
+  }
+  Theme::here().setLanguage(Language::English);
+}
+
 TEST(StudioFigure, AnImportedBodyStaysUntilAMannequinIsAskedFor) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
