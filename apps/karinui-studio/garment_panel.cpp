@@ -97,7 +97,8 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   blocks->setObjectName("blocks_button");
   Theme::here().keep(blocks, [blocks] {
     blocks->setText(inWords(say("Ready blocks")));
-    blocks->setToolTip(inWords(say("Pieces drafted from the figure's measures: shirt, bodice, skirt, trousers, leggings.")));
+    blocks->setToolTip(
+        inWords(say("Pieces drafted from the figure's measures: shirt, bodice, skirt, trousers, leggings.")));
   });
   auto* kinds = new QMenu(blocks);
   fillBlocks(*kinds, session_, [this] { emit blockAsked(); });
