@@ -7,6 +7,7 @@
 #include <set>
 
 #include "karinui/base/number.h"
+#include "karinui/design/script.h"
 #include "names.h"
 
 namespace karinui {
@@ -28,6 +29,8 @@ class Rows {
   }
   bool more() const { return !rest_.empty(); }
   std::size_t number() const { return number_; }  // of the last one, from 1
+  // Spreadsheets that write 88,5 separate the cells by something else.
+  bool decimalCommas() const { return separator_ != ','; }
 
   Result<std::vector<std::string>> next() {
     ++number_;
@@ -126,11 +129,32 @@ std::optional<Sex> sexOf(std::string_view cell) {
   return std::nullopt;
 }
 
-std::optional<double> measureOf(const Column& column, const std::string& cell) {
+// "88,5" and "88,5cm" with a point, nothing of what has no such comma. With points or more commas it is no number in
+// any country.
+std::optional<std::string> withPoint(std::string cell) {
+  const std::size_t comma = cell.find(',');
+  if (comma == std::string::npos || cell.find_first_of(".,", comma + 1) != std::string::npos) return std::nullopt;
+  const auto digit = [&](std::size_t at) { return at < cell.size() && cell[at] >= '0' && cell[at] <= '9'; };
+  if (comma == 0 || !digit(comma - 1) || !digit(comma + 1) || cell.find('.') < comma) return std::nullopt;
+  cell[comma] = '.';
+  return cell;
+}
+
+Result<double> measureOf(const Column& column, const std::string& cell, bool decimalCommas) {
+  const auto pointed = withPoint(cell);
+  if (pointed && !decimalCommas)
+    return badInput(
+        say("“{0}” has a decimal comma, and commas separate the cells here; write {1}, or separate the "
+            "cells with semicolons.",
+            cleanText(cell), cleanText(*pointed)));
+  const std::string& text = pointed ? *pointed : cell;
   if (column.unit)
-    if (const auto number = parseNumber(cell)) return *number * *column.unit;
-  const auto value = isAngle(column.key) ? parseAngle(cell) : parseLength(cell);
-  return value ? std::optional(*value) : std::nullopt;
+    if (const auto number = parseNumber(text)) return *number * *column.unit;
+  const bool angle = isAngle(column.key);
+  if (const Done meant = angle ? Done() : unitMeant(text); !meant)
+    return badInput(say("{0} Or the column's name says it: {1}_cm.", meant.error().what, column.key));
+  if (const auto value = angle ? parseAngle(text) : parseLength(text)) return *value;
+  return badInput(say("“{0}” is no measure; write a number, or one with its unit, like 88.5cm.", cleanText(cell)));
 }
 
 }  // namespace
@@ -157,15 +181,19 @@ Result<MeasurementTable> readMeasurementTable(std::string_view bytes) {
       continue;
     }
     if (cells->size() > columns.size())
-      return badInput(say("Row {0} of the table has more cells than there are columns.", rows.number()));
+      return badInput(rows.decimalCommas()
+                          ? say("Row {0} of the table has more cells than there are columns.", rows.number())
+                          : say("Row {0} of the table has more cells than there are columns; numbers with decimal "
+                                "commas need semicolons between the cells.",
+                                rows.number()));
     if (table.people.size() == kMostPeople) return badInput(say("The table has more than {0} people.", kMostPeople));
     MeasuredPerson person;
     for (std::size_t i = 0; i < cells->size(); ++i) {
       const std::string& cell = (*cells)[i];
       if (cell.empty()) continue;
-      const auto wrong = [&] {
-        return badInput(say("Row {0} of the table, column “{1}”: “{2}” cannot be read.", rows.number(),
-                            cleanText(columns[i].heading), cleanText(cell)));
+      const auto wrong = [&](const Message& what) {
+        return badInput(
+            say("Row {0} of the table, column “{1}”: {2}", rows.number(), cleanText(columns[i].heading), what));
       };
       switch (columns[i].kind) {
         case Column::Kind::Name:
@@ -175,13 +203,13 @@ Result<MeasurementTable> readMeasurementTable(std::string_view bytes) {
           if (const auto sex = sexOf(cell))
             person.measures.sex = *sex;
           else
-            return wrong();
+            return wrong(say("“{0}” is no figure; write female, male or child.", cleanText(cell)));
           break;
         case Column::Kind::Measure:
-          if (const auto value = measureOf(columns[i], cell))
+          if (const auto value = measureOf(columns[i], cell, rows.decimalCommas()))
             person.measures.value[columns[i].key] = *value;
           else
-            return wrong();
+            return wrong(value.error().what);
           break;
         case Column::Kind::Unknown:
           break;

@@ -97,9 +97,9 @@ TEST(Limits, OfLinesAndPoints) {
 
 // All of the same name, which costs no more than a hundred thousand names.
 TEST(Limits, OfPeople) {
-  EXPECT_THAT(said(readMeasurementTable("name,bust_girth\n" + times(kMostPeople + 1, "a,91\n"))),
+  EXPECT_THAT(said(readMeasurementTable("name,bust_girth_cm\n" + times(kMostPeople + 1, "a,91\n"))),
               HasSubstr("more than 100000 people"));
-  const auto table = readMeasurementTable("name,bust_girth\n" + times(kMostPeople, "a,91\n"));
+  const auto table = readMeasurementTable("name,bust_girth_cm\n" + times(kMostPeople, "a,91\n"));
   ASSERT_TRUE(table) << text(table.error().what);
   EXPECT_EQ(table->people.back().name, "a_100000");
 }

@@ -49,6 +49,39 @@ TEST(MeasurementTable, TakesSemicolonsAndTabs) {
   EXPECT_EQ(semicolons->people[0].measures, tabs->people[0].measures);
 }
 
+TEST(MeasurementTable, TakesDecimalCommasWhereOtherSignsSeparateTheCells) {
+  for (const std::string cut : {";", "\t"}) {
+    const auto table =
+        readMeasurementTable("name" + cut + "bust_girth_cm" + cut + "height" + cut + "waist_girth\nÅsa" + cut + "88,5" +
+                             cut + "1,62" + cut + "70,25cm\nBo" + cut + "90.5" + cut + "1.7" + cut + "71cm\n");
+    ASSERT_TRUE(table) << text(table.error().what);
+    EXPECT_DOUBLE_EQ(of(table->people[0], "bust_girth"), 0.885);
+    EXPECT_DOUBLE_EQ(of(table->people[0], "height"), 1.62);
+    EXPECT_DOUBLE_EQ(of(table->people[1], "bust_girth"), 0.905);
+  }
+  const auto refusal = [](const std::string& bytes) {
+    const auto table = readMeasurementTable(bytes);
+    return table ? std::string("read") : text(table.error().what);
+  };
+  for (const char* cell : {"1.580,5", "1,580.5", "1,2,3", ",5", "88,", "88,cm"})
+    EXPECT_THAT(refusal(std::string("name;bust_girth_cm\nA;") + cell + "\n"), HasSubstr("is no measure")) << cell;
+  EXPECT_THAT(refusal("name,bust_girth_cm\nA,\"88,5\"\n"),
+              HasSubstr("Row 2 of the table, column “bust_girth_cm”: “88,5” has a decimal comma"));
+  EXPECT_THAT(refusal("name,bust_girth_cm\nA,88,5\n"), HasSubstr("need semicolons between the cells"));
+}
+
+TEST(MeasurementTable, RefusesALengthThatLacksItsUnit) {
+  const auto refusal = [](const std::string& bytes) {
+    const auto table = readMeasurementTable(bytes);
+    return table ? std::string("read") : text(table.error().what);
+  };
+  EXPECT_EQ(refusal("name,bust_girth\nA,88\n"),
+            "Row 2 of the table, column “bust_girth”: “88” has no unit and would be 88 metres; write 88cm or 88mm, or "
+            "88m if it is meant. Or the column's name says it: bust_girth_cm.");
+  EXPECT_THAT(refusal("name;Bust\nA;88,5\n"), HasSubstr("Or the column's name says it: bust_girth_cm."));
+  EXPECT_EQ(refusal("name,bust_girth,height_m\nA,0.88,1.6\n"), "read");
+}
+
 TEST(MeasurementTable, SaysWhatIsWrongAndWhere) {
   const auto refusal = [](const std::string& bytes) {
     const auto table = readMeasurementTable(bytes);
@@ -58,8 +91,8 @@ TEST(MeasurementTable, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(refusal("name,shoe\nA,1\n"), HasSubstr("names no measure"));
   EXPECT_THAT(refusal("height\n"), HasSubstr("no row"));
   EXPECT_THAT(refusal("height_cm\n158\nlong\n"), HasSubstr("Row 3 of the table, column “height_cm”: “long”"));
-  EXPECT_THAT(refusal("height_cm\nnan\n"), HasSubstr("“nan” cannot be read"));
-  EXPECT_THAT(refusal("height,sex\n1.6,x\n"), HasSubstr("column “sex”"));
+  EXPECT_THAT(refusal("height_cm\nnan\n"), HasSubstr("“nan” is no measure"));
+  EXPECT_THAT(refusal("height,sex\n1.6,x\n"), HasSubstr("column “sex”: “x” is no figure; write female, male or child"));
   EXPECT_THAT(refusal("height\n1.6,2\n"), HasSubstr("more cells"));
   EXPECT_THAT(refusal("bust,bust_girth\n1,1\n"), HasSubstr("Two columns"));
   EXPECT_THAT(refusal("height\n\"1.6\n"), HasSubstr("never closed"));

@@ -2,7 +2,8 @@
 // Measures of many people, one a row: a table of comma, semicolon or tab separated values. The first row names the
 // columns: "name", "sex" (female, male; f, m) and measures by any name measurementKey() knows, whose unit may follow,
 // "bust_girth_cm" or "Bust (mm)"; "_m", "_deg" and "_rad" likewise. Without one, numbers are metres, radians, or bring
-// their own unit: "88cm". A stranger's file: counts are bounded. Pure; any thread.
+// their own unit: "88cm"; what would be metres and is hardly meant so is refused (unitMeant). Where semicolons or tabs
+// separate the cells a number may have a decimal comma. A stranger's file: counts are bounded. Pure; any thread.
 #include <string>
 #include <string_view>
 #include <vector>
