@@ -8,6 +8,7 @@
 #include "exchange/xml.h"
 #include "karinui/base/number.h"
 #include "karinui/design/formula.h"
+#include "karinui/design/script.h"
 #include "karinui/exchange/measurement_files.h"
 
 namespace karinui {
@@ -205,6 +206,7 @@ Result<MeasuresRead> readMeasuresText(std::string_view bytes) {
     }
     const auto key = measurementKey(name);
     if (!key) return at(key.error().what);
+    if (const Done meant = isAngle(*key) ? Done() : unitMeant(value); !meant) return at(meant.error().what);
     const auto measure = isAngle(*key) ? parseAngle(value) : parseLength(value);
     if (!measure) return at(measure.error().what);
     if (!read.measures.value.emplace(*key, *measure).second)

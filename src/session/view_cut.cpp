@@ -5,6 +5,7 @@
 
 #include "karinui/base/number.h"
 #include "karinui/body/lines.h"
+#include "karinui/design/script.h"
 #include "karinui/geometry/cut_mesh.h"
 
 namespace karinui {
@@ -159,6 +160,8 @@ Result<SectionPlane> sectionNamed(std::string_view text) {
   const std::size_t cut = text.find('@');
   for (const auto& [name, across] : kAcross)
     if (text.substr(0, cut) == name) {
+      if (const Done meant = cut == std::string_view::npos ? Done() : unitMeant(text.substr(cut + 1)); !meant)
+        return meant.error();
       const Result<double> at = cut == std::string_view::npos ? Result<double>(0.0) : parseLength(text.substr(cut + 1));
       if (at && std::fabs(*at) <= 10) return SectionPlane{across, *at};
     }

@@ -115,6 +115,7 @@ TEST(MeasurementFiles, StrangersFilesAreRefused) {
   EXPECT_THAT(refusal(readMeasuresText("bust_girth = 88cm\nwast = 70cm\n")), HasSubstr("Line 2: "));
   EXPECT_THAT(refusal(readMeasuresText("bust = 88cm\nbust_girth = 80cm\n")), HasSubstr("given twice"));
   EXPECT_THAT(refusal(readMeasuresText("bust_girth 88\n")), HasSubstr("write it like"));
+  EXPECT_THAT(refusal(readMeasuresText("height = 1.6\nbust_girth = 88\n")), HasSubstr("Line 2: “88” has no unit"));
   EXPECT_THAT(refusal(readMeasuresYaml("a: b\n")), HasSubstr("no measures"));
   EXPECT_THAT(refusal(readMeasuresJson("{\"chest\": 88")), HasSubstr(""));
   EXPECT_THAT(refusal(readMeasuresYaml(std::string(5 << 20, 'a'))), HasSubstr("too large"));

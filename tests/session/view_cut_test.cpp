@@ -94,6 +94,7 @@ TEST(ViewCut, HiddenPartsAreCutOffCleanlyAndNotPicked) {
   session.setViewCut(front);
   EXPECT_FALSE(drawn());
   EXPECT_FALSE(sectionNamed("slanted@5cm"));
+  EXPECT_NE(text(sectionNamed("front@5").error().what).find("has no unit"), std::string::npos);
   EXPECT_EQ(sectionNamed("level@1.2m")->at, 1.2);
   EXPECT_FALSE(hiddenNamed("feet"));
 }
