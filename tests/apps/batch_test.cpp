@@ -366,6 +366,17 @@ TEST_F(Batch, TellsWhatManyProcessorsWouldBring) {
                              "C TMPDIR='" + (folder / "scratch") + "'");
   const double manifest = told["bytes_per_garment"]["manifest"].get<double>();
   EXPECT_NEAR(fewer.json()["bytes_per_garment"]["manifest"].get<double>(), manifest, 0.05 * manifest);
+  // A person is told in words.
+  for (const auto& [language, words, well] :
+       {std::tuple("C", "100 garments on 4 processors would take:", "on small: ok"),
+        std::tuple("ja_JP.UTF-8", "100 着を 4 個のプロセッサーで作ると：", "small：良好")}) {
+    const Said spoken = karinui("batch throughput " + (folder / "designs") + " " + (folder / "two.csv") +
+                                    " --sample 1 --garments 100 --cores 4",
+                                language + (" TMPDIR='" + (folder / "scratch") + "'"));
+    EXPECT_THAT(spoken.out, HasSubstr(words));
+    EXPECT_THAT(spoken.out, testing::Not(HasSubstr("_"))) << "no name of the JSON";
+    EXPECT_THAT(spoken.err, HasSubstr(well));
+  }
   EXPECT_TRUE(fs::is_empty(folder / "scratch"));
 }
 

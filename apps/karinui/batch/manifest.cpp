@@ -183,4 +183,14 @@ Message saidOf(const Json& outcome) {
   return say("{0}", outcome.at("said").get<std::string>());
 }
 
+Message outcomeSaid(const Json& outcome) {
+  const Message all[] = {say("ok"),      say("refused"),       say("did not settle"),
+                         say("timeout"), say("out of memory"), say("crashed")};
+  static_assert(std::size(all) == std::size(kOutcomes));
+  const std::string word = outcome.at("outcome").get<std::string>();
+  const auto* known = std::find(std::begin(kOutcomes), std::end(kOutcomes), word);
+  KARINUI_ASSERT(known != std::end(kOutcomes));
+  return all[known - std::begin(kOutcomes)];
+}
+
 }  // namespace karinui::app

@@ -51,7 +51,8 @@ const char* nameOf(Outcome outcome);  // "ok", "refused", "did not settle", "tim
 // An outcome as it is written, and read back; null: not one of this item, or not as this program wrote it.
 std::string outcomeText(const BatchItem& item, Outcome outcome, const Message& said, Json numbers, int seconds);
 Json parseOutcome(std::string_view bytes, const BatchItem& item);
-std::string sealOf(Json outcome);     // over all but the seal itself
-Message saidOf(const Json& outcome);  // what it was told, to be said in any language
+std::string sealOf(Json outcome);          // over all but the seal itself
+Message saidOf(const Json& outcome);       // what it was told, to be said in any language
+Message outcomeSaid(const Json& outcome);  // its one word of the above
 
 }  // namespace karinui::app

@@ -110,7 +110,7 @@ Result<PeoplePicture> peoplePicture(Program& program, const PeopleWish& wish) {
   if (rows.empty())
     return refused(picture.missing > 0 || !wish.misfits
                        ? say("Nothing of this batch is done yet; begin with karinui batch run.")
-                       : say("It fits everyone who is asked for; there is nobody to be drawn."));
+                       : say("The garment fits everyone who was asked for; leave out --misfits to see them."));
   if (rows.size() > kMostPeople)
     return refused(
         say("{0} garments are too many for one picture; {1} at most. Choose some: --misfits, --person, "

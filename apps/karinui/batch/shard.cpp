@@ -179,7 +179,7 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
     else
       waiting.push_back(&plan->items[i]);
   }
-  const auto told = [&](const BatchItem& item, const std::string& outcome) {
+  const auto told = [&](const BatchItem& item, const Message& outcome) {
     program.console.note(say("{0} of {1}: {2} on {3}: {4}", done.before + done.done, done.items,
                              plan->designs[item.design].name, plan->bodies[item.body].name, outcome));
   };
@@ -229,7 +229,7 @@ Result<ShardDone> runShard(Program& program, const fs::path& folder, const Shard
         return storageError(say("What was written to “{0}” is not there to be read again; does its disk fail?",
                                 itemFile(folder, item).string()));
       done.hindered += hindered(outcome);
-      told(item, outcome.at("outcome").get<std::string>());
+      told(item, outcomeSaid(outcome));
       working.erase(working.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }

@@ -37,4 +37,7 @@ struct BatchTime {
 };
 BatchTime timeOf(const Throughput& measured, double garments, double cores);
 
+// Both as a person reads them.
+std::string throughputWords(const Throughput& measured, double garments, double cores, const Console& console);
+
 }  // namespace karinui::app

@@ -198,7 +198,7 @@ int runThroughput(Program& program, const ThroughputOptions& options) {
                        {"serial", serial},
                        {"bytes_per_garment", {{"manifest", found->manifest}, {"in", found->in}, {"out", found->out}}},
                        {"model", model}};
-  program.console.answer(object, words(object));
+  program.console.answer(object, throughputWords(*found, options.garments, cores, program.console));
   return kDone;
 }
 
