@@ -42,8 +42,8 @@ Result<Image> lineUpOf(const std::vector<StudyItem>& items, View view, int map, 
   }
   PictureOptions each;
   each.view = view, each.width = kStudyWide, each.height = kStudyHigh, each.language = language;
-  each.map = map == kStudyCloth ? Map::None : Map::Strain;
-  if (map == kStudyPressure) each.strainTop = roundTop(pressed, kPressureLeast);
+  each.map = map == kStudyCloth ? Map::None : map == kStudyPressure ? Map::Pressure : Map::Strain;
+  if (map == kStudyPressure) each.mapTop = roundTop(pressed, kPressureLeast);
   LineUp lineUp(std::move(figures), frames, each);
   constexpr std::size_t kInRow = 5;
   return lineUp.draw(0, items.size() <= kInRow ? 0 : static_cast<int>(kInRow));

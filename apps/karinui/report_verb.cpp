@@ -53,7 +53,7 @@ Result<std::vector<ReportPicture>> picturesOf(Program& program, const Fitting& f
     options.view = view;
     options.width = kPictureWide, options.height = kPictureHigh;
     options.map = top > 0 ? Map::Strain : Map::None;
-    options.strainTop = top;
+    options.mapTop = top;
     options.lettering = false;
     options.language = language;
     const Result<Image> image = (*picture)->draw(frame, options);

@@ -194,7 +194,7 @@ SceneFrame pressureFrame(const GarmentSnapshot& snapshot, const std::vector<floa
   for (float& s : skin.strain)
     if (s < 0) s = std::numeric_limits<float>::quiet_NaN();  // nothing is known where no cloth lies
   skin.colour = SceneBody().colour;
-  frame.bodies.clear();
+  for (SceneBody& one : frame.bodies) one.mesh = {};  // it still stands on the floor, but its skin is seen instead
   frame.cloths = {std::move(skin)};
   for (const SceneCloth& cloth : snapshot.frame.cloths)  // the garment is thread on the skin
     for (const auto& run : cloth.outlines) {
@@ -203,6 +203,14 @@ SceneFrame pressureFrame(const GarmentSnapshot& snapshot, const std::vector<floa
       frame.lines.push_back(std::move(line));
     }
   return frame;
+}
+
+Result<PressedFrame> pressedFrame(const GarmentSnapshot& snapshot, Workers& workers) {
+  if (!snapshot.body) return refused(say("There is no figure to be pressed on; choose one: body size=eu38."));
+  const std::vector<float> values = pressureOnBody(snapshot, workers);
+  const double top = roundTop(values, kPressureLeast);
+  if (!(top > 0)) return refused(say("There is no pressure to show yet: settle the drape first."));
+  return PressedFrame{pressureFrame(snapshot, values), top};
 }
 
 std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {

@@ -186,6 +186,15 @@ Result<ViewCut> hiddenNamed(std::string_view text) {
   return cut;
 }
 
+Result<ViewCut> viewCutNamed(std::string_view hidden, std::string_view section) {
+  Result<ViewCut> cut = hiddenNamed(hidden);
+  if (!cut || section.empty()) return cut;
+  const auto plane = sectionNamed(section);
+  if (!plane) return plane.error();
+  cut->section = *plane;
+  return cut;
+}
+
 VisibleParts::VisibleParts(const ViewCut& cut, BodyPtr body) : cut_(cut), body_(std::move(body)) {
   if (!body_) return;
   left_ = body_->mesh();

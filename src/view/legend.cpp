@@ -26,21 +26,23 @@ void writeCaptions(Image& image, Lettering& lettering, const std::vector<std::st
   }
 }
 
-void drawStrainLegend(Image& image, Lettering& lettering, double top, Language language) {
+void drawLegend(Image& image, Lettering& lettering, Map map, double top, Language language) {
   const double em = emOf(image);
-  const std::string title = text(say("strain"), language);
+  const std::string title = text(map == Map::Pressure ? say("pressure") : say("strain"), language),
+                    unit = map == Map::Pressure ? " kPa" : " %";
   const int high = static_cast<int>(std::lround(std::max(12 * em, image.height * 0.2))),
             wide = static_cast<int>(std::lround(1.1 * em));
   // Ticks at round numbers: fifths of 5 %, quarters of 2 %.
-  const double percent = 100 * top, share = percent / std::pow(10, std::floor(std::log10(percent) + 1e-9));
+  const double number = map == Map::Pressure ? top / 1000 : 100 * top,
+               share = number / std::pow(10, std::floor(std::log10(number) + 1e-9));
   const int ticks = std::fabs(share - 5) < 1e-6 || std::fabs(share - 1) < 1e-6 ? 5 : 4;
   int decimals = 0;
-  while (decimals < 3 && std::fabs(percent / ticks * std::pow(10, decimals) -
-                                   std::round(percent / ticks * std::pow(10, decimals))) > 1e-6)
+  while (decimals < 3 && std::fabs(number / ticks * std::pow(10, decimals) -
+                                   std::round(number / ticks * std::pow(10, decimals))) > 1e-6)
     ++decimals;
   double labelWide = 0;
   for (int i = 0; i <= ticks; ++i)
-    labelWide = std::max(labelWide, lettering.width(fixed(percent * i / ticks, decimals) + " %", em * 0.85));
+    labelWide = std::max(labelWide, lettering.width(fixed(number * i / ticks, decimals) + unit, em * 0.85));
   const int left = static_cast<int>(image.width - 1.2 * em - labelWide - 0.5 * em - wide),
             upper = static_cast<int>(3.2 * em);
   const double titleWide = lettering.width(title, em);
@@ -58,7 +60,7 @@ void drawStrainLegend(Image& image, Lettering& lettering, double top, Language l
       const int px = left + wide + x, py = std::min(static_cast<int>(y), image.height - 1);
       if (px >= 0 && px < image.width) image.set(px, py, kInk);
     }
-    lettering.write(image, fixed(percent * i / ticks, decimals) + " %", left + wide + 0.5 * em, y + 0.3 * em, em * 0.85,
+    lettering.write(image, fixed(number * i / ticks, decimals) + unit, left + wide + 0.5 * em, y + 0.3 * em, em * 0.85,
                     kInk);
   }
 }

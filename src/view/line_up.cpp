@@ -27,8 +27,8 @@ LineUp::LineUp(std::vector<Figure> figures, std::span<const SceneFrame> frames, 
     camera_ = frameTurning(frames_, each_.view, aspect);
     for (const SceneFrame& frame : frames_) axes_.push_back(axisOf(frame));
   }
-  if (each_.map == Map::Strain)
-    for (const SceneFrame& frame : frames_) each_.strainTop = std::max(each_.strainTop, strainTop(frame));
+  if (each_.map == Map::Strain || (each_.map == Map::Pressure && each_.mapTop <= 0))
+    for (const SceneFrame& frame : frames_) each_.mapTop = std::max(each_.mapTop, strainTop(frame));
 }
 
 Result<Image> LineUp::see(std::size_t which, double turn, InRow row, bool legend) {
@@ -42,7 +42,7 @@ Result<Image> LineUp::see(std::size_t which, double turn, InRow row, bool legend
   how.camera = walkedRound(camera_, axes_[which], turn);
   how.row = row;
   how.lettering = each_.lettering && legend;
-  if (each_.strainTop > 0 && strainTop(frames_[which]) == 0) how.map = Map::None;  // wears nothing
+  if (each_.mapTop > 0 && strainTop(frames_[which]) == 0) how.map = Map::None;  // wears nothing
   auto image = easel.shows == which ? easel.picture->again(how) : easel.picture->draw(frames_[which], how);
   easel.shows = image ? which : ~std::size_t{0};
   const std::string& name = figures_[which].name;

@@ -151,12 +151,31 @@ Result<std::array<int, 2>> sizeNamed(std::string_view said) {
   return size;
 }
 
+Result<PictureOptions> pictureOptions(const PictureWords& words, bool several) {
+  const auto view = viewNamed(words.view);
+  if (!view) return view.error();
+  const auto map = mapNamed(words.map);
+  if (!map) return map.error();
+  const auto eyes = eyesNamed(words.eyes);
+  if (!eyes) return eyes.error();
+  if (several && *eyes != Eyes::Mono)
+    return badInput(say("Garments side by side and whole turns are drawn for one eye; leave out the other."));
+  const auto size = sizeNamed(!words.size.empty() ? words.size : several ? "600x1000" : "1200x1600");
+  if (!size) return size.error();
+  PictureOptions options;
+  options.view = *view, options.map = *map, options.eyes = *eyes;
+  options.width = (*size)[0], options.height = (*size)[1];
+  options.language = spokenHere();
+  return options;
+}
+
 struct Picture::Parts {
   std::unique_ptr<OffscreenContext> context;
   std::unique_ptr<Renderer> renderer;
   Lettering lettering;
   std::vector<std::string> captions;  // of what is shown
-  double strainTop = 0;
+  Map map = Map::None;
+  double mapTop = 0;
 };
 
 Picture::Picture() : parts_(std::make_unique<Parts>()) {}
@@ -185,16 +204,18 @@ Result<Image> Picture::draw(const SceneFrame& frame, const PictureOptions& o) {
   notes_.clear();
   if (const Done good = usable(o); !good) return good.error();
   double top = 0;
-  if (o.map == Map::Strain) {
+  if (o.map != Map::None) {
     const double own = strainTop(frame);
-    if (own == 0) return refused(say("There is no strain to show yet: settle the drape first."));
-    top = o.strainTop > 0 && std::isfinite(o.strainTop) ? o.strainTop : own;
+    if (own == 0)
+      return refused(o.map == Map::Strain ? say("There is no strain to show yet: settle the drape first.")
+                                          : say("There is no pressure to show yet: settle the drape first."));
+    top = o.mapTop > 0 && std::isfinite(o.mapTop) ? o.mapTop : own;
   }
   const OffscreenContext::Current current(*parts_->context);
   if (!current.ok()) return lost();
   parts_->renderer->show(frame, top);
   parts_->captions = frame.captions;
-  parts_->strainTop = top;
+  parts_->map = o.map, parts_->mapTop = top;
   return seen(o.camera ? *o.camera : frameAll(frame, o.view, aspectOf(o)), o);
 }
 
@@ -218,7 +239,7 @@ Result<Image> Picture::seen(const Camera& camera, const PictureOptions& o) {
   const auto lettered = [&](Image& image) {
     if (!o.lettering) return;
     writeCaptions(image, parts_->lettering, parts_->captions);
-    if (parts_->strainTop > 0) drawStrainLegend(image, parts_->lettering, parts_->strainTop, o.language);
+    if (parts_->mapTop > 0) drawLegend(image, parts_->lettering, parts_->map, parts_->mapTop, o.language);
     for (Message& note : parts_->lettering.takeNotes()) notes_.push_back(std::move(note));
   };
   if (o.eyes == Eyes::Mono) {

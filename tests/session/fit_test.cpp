@@ -200,6 +200,18 @@ TEST(Fit, AtTheArmpitAFullArmIsLeftOutToo) {
   EXPECT_GT(girths[0].garment, girths[0].body);
 }
 
+TEST(Fit, PressureIsShownOfAFigureThatStandsOnTheFloor) {
+  const SnapshotPtr fitting = panelsRoundAnEgg();
+  const std::vector<float> values(fitting->body->mesh().points.size(), 5.0f);
+  const SceneFrame frame = pressureFrame(*fitting, values);
+  EXPECT_EQ(frame.bodies.size(), 1u) << "cloth without a body is drawn above the floor";
+  EXPECT_EQ(frame.cloths.at(0).mesh.points, fitting->body->mesh().points);
+  Workers workers(1);
+  const auto nobody = pressedFrame(*snapshotOf(fitting->document, nullptr), workers);
+  ASSERT_FALSE(nobody);
+  EXPECT_EQ(text(nobody.error().what), "There is no figure to be pressed on; choose one: body size=eu38.");
+}
+
 TEST(Fit, TheTopOfAScaleIsRound) {
   std::vector<float> values(200, 0.03f);
   values.push_back(-1);

@@ -41,7 +41,7 @@ TEST_F(ViewKept, Strain) {
     frame.cloths[0].strain.push_back(static_cast<float>(0.05 * (p.x + 0.4) / 0.8));
   PictureOptions options;
   options.width = 180, options.height = 240, options.lettering = false;
-  options.map = Map::Strain, options.strainTop = 0.05;
+  options.map = Map::Strain, options.mapTop = 0.05;
   check("strain", draw(frame, options));
 }
 

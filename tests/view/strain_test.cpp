@@ -36,7 +36,7 @@ TEST_F(ViewStrain, SlackClothIsBlueTightClothYellowAndTheLegendSaysHowMuch) {
   PictureOptions options;
   options.width = options.height = 400;
   options.map = Map::Strain;
-  options.strainTop = 0.05;
+  options.mapTop = 0.05;
   options.lettering = false;
   const Image bare = draw(frame, options);
   const Pixel slack = bare.at(50, 250), tight = bare.at(350, 250);
@@ -61,6 +61,31 @@ TEST_F(ViewStrain, SlackClothIsBlueTightClothYellowAndTheLegendSaysHowMuch) {
   for (int y = 0; y < 200; ++y)
     for (int x = 200; x < 400; ++x) changed += told.at(x, y) != bare.at(x, y);
   EXPECT_GT(changed, 1500) << "bar, ticks and numbers";
+}
+
+TEST_F(ViewStrain, PressureHasTheSameColoursAndAScaleInKilopascals) {
+  SceneFrame frame;
+  frame.cloths.push_back(test::sheet(-0.4, 0, 0.4, 0.8, 0, 2000));
+  PictureOptions options;
+  options.width = options.height = 400;
+  options.map = Map::Pressure;
+  options.mapTop = 2000;
+  const Image pressure = draw(frame, options);
+  EXPECT_TRUE(picture_->notes().empty());
+  // Drawn out by 2,000 instead: but for the scale's words the same picture.
+  options.map = Map::Strain;
+  const Image strain = draw(frame, options);
+  int words = 0, cloth = 0;
+  for (int y = 0; y < 400; ++y)
+    for (int x = 0; x < 400; ++x)
+      if (pressure.at(x, y) != strain.at(x, y)) ++(y < 200 && x > 200 ? words : cloth);
+  EXPECT_GT(words, 100) << "2 kPa, not 200000 %";
+  EXPECT_EQ(cloth, 0);
+  frame.cloths.clear();
+  options.map = Map::Pressure;
+  const auto nothing = picture_->draw(frame, options);
+  ASSERT_FALSE(nothing);
+  EXPECT_NE(text(nothing.error().what).find("no pressure to show yet"), std::string::npos);
 }
 
 }  // namespace

@@ -30,6 +30,13 @@ std::string mostStretched(const SceneFrame& frame);
 SceneFrame pressureFrame(const GarmentSnapshot& snapshot, const std::vector<float>& values);
 inline constexpr double kPressureLeast = 100;  // pascals, at the least, at the top of the scale
 
+// The same with its scale. Refuses a garment that has no figure or does not press.
+struct PressedFrame {
+  SceneFrame frame;
+  double top = 0;  // pascals
+};
+Result<PressedFrame> pressedFrame(const GarmentSnapshot& snapshot, Workers& workers);
+
 // How the garment's elastics lie and pull as it is shown; quick. Nothing where it cannot be laid.
 std::vector<ElasticPull> elasticsOf(const GarmentSnapshot& snapshot);
 

@@ -32,6 +32,8 @@ struct ViewCut {
 };
 // "arms", "hands", "head", with commas between. BadInput: no such part.
 Result<ViewCut> hiddenNamed(std::string_view text);
+// Both; of either nothing where its text is empty.
+Result<ViewCut> viewCutNamed(std::string_view hidden, std::string_view section);
 
 // What is left to be seen of a figure and of the cloth on it. Parts are cut off along the armhole, the wrist and the
 // neck base; cut ends are closed, so that a body stays a body. A part whose line is not found on this body stays.

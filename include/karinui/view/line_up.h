@@ -22,7 +22,7 @@ class LineUp {
     bool marked = false;                  // in red
   };
   // `frames` are those of the figures and outlive this. `each` is how one of them is drawn: its size, side and map; a
-  // camera of its own is taken for all as it is. A strain map has one scale for all.
+  // camera of its own is taken for all as it is. A map has one scale for all.
   LineUp(std::vector<Figure> figures, std::span<const SceneFrame> frames, PictureOptions each);
 
   // All of them, turned by so many radians, in rows of so many columns (0: one row). One alone that has

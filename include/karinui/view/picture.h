@@ -18,7 +18,8 @@
 
 namespace karinui {
 
-enum class Map { None, Strain };
+// Pressure is shown of frames whose cloths have pascals in place of strains (pressedFrame in session/fit.h).
+enum class Map { None, Strain, Pressure };
 Result<Map> mapNamed(std::string_view name);  // "none", "strain"
 
 // "1200x1600" as width and height; refuses what Picture would refuse.
@@ -35,13 +36,20 @@ struct PictureOptions {
   Map map = Map::None;
   int width = 1200, height = 1600;    // of the whole picture, both eyes; 16 … 8192 each
   std::optional<Camera> camera = {};  // instead of the view's own
-  double strainTop = 0;               // top of the strain scale, e.g. 0.05; 0: a round number from the frame
+  double mapTop = 0;                  // top of the map's scale, e.g. 0.05, or pascals; 0: a round number from the frame
   double eyeSeparation = 0.063;       // metres
   int samples = 2;                    // each pixel is the mean of samples x samples; 1 … 4
   bool lettering = true;              // captions and legend
   InRow row = {};
   Language language = Language::English;
 };
+
+// What a picture is asked for in words, by karinui picture as from Python. `several`: garments side by side or a whole
+// turn, which are drawn smaller, and for one eye.
+struct PictureWords {
+  std::string view = "front", map = "none", eyes = "mono", size;  // no size: the usual
+};
+Result<PictureOptions> pictureOptions(const PictureWords& words, bool several = false);
 
 class Picture {
  public:

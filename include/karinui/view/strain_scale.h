@@ -1,6 +1,7 @@
 #pragma once
-// The colours of the strain map: from dark blue (slack) through grey to bright yellow (tight). Lightness rises evenly,
-// so the order is read by every kind of colour vision and on a black-and-white print. Pure; any thread.
+// The colours of a map, of strain or of pressure: from dark blue (slack) through grey to bright yellow (tight).
+// Lightness rises evenly, so the order is read by every kind of colour vision and on a black-and-white print. Pure; any
+// thread.
 #include "karinui/scene/scene_frame.h"
 
 namespace karinui {
