@@ -138,8 +138,8 @@ py::array arrayOf(const std::vector<Item>& items) {
 }
 
 // As karinui picture is asked.
-struct PictureWish {
-  std::string view, size, map, eyes, hide, section;
+struct PictureWish : PictureWords {
+  std::string hide, section;
   bool table = false, nest = false, scans = false;
   int turns = 0;
 };
@@ -421,28 +421,11 @@ class PythonDocument {
                       [&](const std::string& photo) { return shelf_.find(photo, file.blobs()); });
   }
   Result<Image> drawn(DocumentFile& file, Context& context, const PictureWish& wish, std::vector<Message>& notes) {
-    PictureOptions options;
-    const auto view = viewNamed(wish.view);
-    if (!view) return view.error();
-    const auto map = mapNamed(wish.map);
-    if (!map) return map.error();
-    const auto eyes = eyesNamed(wish.eyes);
-    if (!eyes) return eyes.error();
-    if (wish.turns > 0 && *eyes != Eyes::Mono)
-      return badInput(say("Garments side by side and whole turns are drawn for one eye; leave out the other."));
+    auto options = pictureOptions(wish, wish.turns > 0);
+    if (!options) return options.error();
     if (wish.turns != 0 && (wish.turns < 2 || wish.turns > 36)) return badInput(say("A whole turn has 2 to 36 sides."));
-    const auto size = sizeNamed(!wish.size.empty() ? wish.size : wish.turns > 0 ? "600x1000" : "1200x1600");
-    if (!size) return size.error();
-    auto cut = hiddenNamed(wish.hide);
+    const auto cut = viewCutNamed(wish.hide, wish.section);
     if (!cut) return cut.error();
-    if (!wish.section.empty()) {
-      const auto section = sectionNamed(wish.section);
-      if (!section) return section.error();
-      cut->section = *section;
-    }
-    options.view = *view, options.map = *map, options.eyes = *eyes;
-    options.width = (*size)[0], options.height = (*size)[1];
-    options.language = spokenHere();
     const auto garment = seen(file, context);
     if (!garment) return garment.error();
     if (wish.table) {
@@ -450,22 +433,27 @@ class PythonDocument {
       TableLayout layout;
       layout.arrange(**garment);
       TableFrameOptions shown;
-      shown.language = options.language;
+      shown.language = options->language;
       shown.nest = wish.nest, shown.scans = wish.scans;
-      return drawTable(tableFrameOf(**garment, layout, {}, shown), {options.width, options.height, options.language},
+      return drawTable(tableFrameOf(**garment, layout, {}, shown), {options->width, options->height, options->language},
                        &notes);
     }
     SceneFrame frame = (*garment)->frame;
+    if (options->map == Map::Pressure) {
+      auto pressed = pressedFrame(**garment, context.workers);
+      if (!pressed) return pressed.error();
+      frame = std::move(pressed->frame), options->mapTop = pressed->top;
+    }
     if (cut->any()) VisibleParts(*cut, (*garment)->body).cut(frame);
     if (extent(frame).empty()) return refused(say("There is nothing to see: no body, no cloth and no line."));
     if (wish.turns == 0) {
       const auto picture = Picture::open();
       if (!picture) return picture.error();
-      Result<Image> image = (*picture)->draw(frame, options);
+      Result<Image> image = (*picture)->draw(frame, *options);
       notes = (*picture)->notes();
       return image;
     }
-    LineUp lineUp({{}}, {&frame, 1}, options);
+    LineUp lineUp({{}}, {&frame, 1}, *options);
     Result<Image> image = lineUp.turns(wish.turns, context.token);
     notes = lineUp.notes();
     return image;
@@ -608,7 +596,7 @@ PYBIND11_MODULE(karinui, m) {
           [](D& d, const std::filesystem::path& path, const std::string& view, const std::string& size,
              const std::string& map, const std::string& eyes, const std::string& hide, const std::string& section,
              bool table, bool nest, bool scans, int turns) {
-            return d.picture(path, {view, size, map, eyes, hide, section, table, nest, scans, turns});
+            return d.picture(path, {{view, map, eyes, size}, hide, section, table, nest, scans, turns});
           },
           py::arg("path"), py::arg("view") = "front", py::arg("size") = "", py::arg("map") = "none",
           py::arg("eyes") = "mono", py::arg("hide") = "", py::arg("section") = "", py::arg("table") = false,

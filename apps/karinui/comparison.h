@@ -20,14 +20,19 @@ struct ComparisonWish {
 struct Compared {
   std::vector<LineUp::Figure> figures;  // one that stands alone has no name
   std::vector<SceneFrame> frames;
+  double mapTop = 0;  // of the map's scale; 0: the frames' own
 };
 // Sizes and fabrics are brought to rest: long. What does not hang at rest is told, and said below its picture.
-Result<Compared> compared(OpenDocument& opened, const ComparisonWish& wish, const ViewCut& cut);
+Result<Compared> compared(OpenDocument& opened, const ComparisonWish& wish, const ViewCut& cut, Map map);
 
 // Columns of a sheet of so many figures: rows of like length, eight at most.
 int columnsOf(std::size_t figures);
 
-// A garment of an open document without what is cut away.
-Result<SceneFrame> seen(OpenDocument& opened, const Document& document, const ViewCut& cut);
+// A garment of an open document as a map shows it, without what is cut away.
+struct SeenGarment {
+  SceneFrame frame;
+  double mapTop = 0;  // as above
+};
+Result<SeenGarment> seen(OpenDocument& opened, const Document& document, const ViewCut& cut, Map map);
 
 }  // namespace karinui::app

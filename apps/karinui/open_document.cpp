@@ -57,11 +57,11 @@ Prints OpenDocument::prints() {
   return [this](const std::string& photo) { return shelf_.find(photo, file_.blobs()); };
 }
 
-Result<SceneFrame> OpenDocument::scene(const Document& document) {
-  if (!document.body.chosen()) return sceneOf(document, nullptr, prints());
-  const Result<BodyPtr> body = bodyOf(document, *context_);
+Result<SceneFrame> OpenDocument::scene() {
+  if (!document().body.chosen()) return sceneOf(document(), nullptr, prints());
+  const Result<BodyPtr> body = bodyOf(document(), *context_);
   if (!body) return body.error();
-  return sceneOf(document, body->get(), prints());
+  return sceneOf(document(), body->get(), prints());
 }
 
 int withDocument(Program& program, const std::string& path, bool forReading,

@@ -39,8 +39,7 @@ class OpenDocument {
   Done amend(std::size_t step, Operation operation);
   bool settled() const { return settled_; }
   bool stopped() const { return stopped_; }
-  Result<SceneFrame> scene() { return scene(document()); }  // the garment on its body, for pictures
-  Result<SceneFrame> scene(const Document& document);       // the same of what became of it
+  Result<SceneFrame> scene();  // the garment on its body
   Prints prints();
 
  private:

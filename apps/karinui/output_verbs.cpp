@@ -78,7 +78,7 @@ void addOutputVerbs(Program& program) {
                       runPicture);
   verb->add_option("document", wish->path, help("The .karinui document"))->required();
   CLI::Option* view = verb->add_option("--view", wish->view, help("front, back, left, right, oblique"));
-  CLI::Option* map = verb->add_option("--map", wish->map, help("none, strain"));
+  CLI::Option* map = verb->add_option("--map", wish->map, help("none, strain, pressure"));
   CLI::Option* eyes = verb->add_option("--eyes", wish->eyes, help("mono, side-by-side, top-bottom, anaglyph"));
   CLI::Option* hide = verb->add_option("--hide", wish->hide, help("Parts of the figure not to draw: arms,hands,head"));
   CLI::Option* section = verb->add_option("--section", wish->section,

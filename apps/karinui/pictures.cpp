@@ -16,54 +16,26 @@ namespace fs = std::filesystem;
 
 constexpr double kWhole = 2 * std::numbers::pi;
 
-Result<PictureOptions> picked(const PictureRequest& wish) {
-  const auto view = viewNamed(wish.view);
-  if (!view) return view.error();
-  const auto map = mapNamed(wish.map);
-  if (!map) return map.error();
-  const auto eyes = eyesNamed(wish.eyes);
-  if (!eyes) return eyes.error();
-  if (wish.several() && *eyes != Eyes::Mono)
-    return badInput(say("Garments side by side and whole turns are drawn for one eye; leave out the other."));
-  const auto size = sizeNamed(!wish.size.empty() ? wish.size : wish.several() ? "600x1000" : "1200x1600");
-  if (!size) return size.error();
-  PictureOptions options;
-  options.view = *view;
-  options.map = *map;
-  options.eyes = *eyes;
-  options.width = (*size)[0];
-  options.height = (*size)[1];
-  options.language = spokenHere();
-  return options;
-}
-
-Result<ViewCut> cutOf(const PictureRequest& wish) {
-  Result<ViewCut> cut = hiddenNamed(wish.hide);
-  if (!cut || wish.section.empty()) return cut;
-  const auto section = sectionNamed(wish.section);
-  if (!section) return section.error();
-  cut->section = *section;
-  return cut;
-}
-
 void tell(OpenDocument& opened, const std::vector<Message>& notes) {
   for (const Message& note : notes) opened.program().console.note(note);
 }
 
-Result<Image> fittingPicture(OpenDocument& opened, const PictureOptions& options, const ViewCut& cut) {
-  const Result<SceneFrame> frame = seen(opened, opened.document(), cut);
-  if (!frame) return frame.error();
+Result<Image> fittingPicture(OpenDocument& opened, PictureOptions options, const ViewCut& cut) {
+  const Result<SeenGarment> garment = seen(opened, opened.document(), cut, options.map);
+  if (!garment) return garment.error();
   const auto picture = Picture::open();
   if (!picture) return picture.error();
-  Result<Image> image = (*picture)->draw(*frame, options);
+  options.mapTop = garment->mapTop;
+  Result<Image> image = (*picture)->draw(garment->frame, options);
   tell(opened, (*picture)->notes());
   return image;
 }
 
-Result<Image> comparison(OpenDocument& opened, const PictureRequest& request, const PictureOptions& options,
+Result<Image> comparison(OpenDocument& opened, const PictureRequest& request, PictureOptions options,
                          const ViewCut& cut) {
-  const Result<Compared> all = compared(opened, request.compare, cut);
+  const Result<Compared> all = compared(opened, request.compare, cut, options.map);
   if (!all) return all.error();
+  options.mapTop = all->mapTop;
   LineUp lineUp(all->figures, all->frames, options);
   const Token& token = opened.program().console.token();
   Result<Image> image =
@@ -107,28 +79,29 @@ Result<Image> tablePicture(OpenDocument& opened, const PictureOptions& options, 
 }  // namespace
 
 Done checkPicture(const PictureRequest& request) {
-  if (const auto options = picked(request); !options) return options.error();
-  const auto cut = cutOf(request);
+  if (const auto options = pictureOptions(request, request.several()); !options) return options.error();
+  const auto cut = viewCutNamed(request.hide, request.section);
   return cut ? Done() : Done(cut.error());
 }
 
 Result<Image> pictureOf(OpenDocument& opened, const PictureRequest& request) {
-  const Result<PictureOptions> options = picked(request);
+  Result<PictureOptions> options = pictureOptions(request, request.several());
   if (!options) return options.error();
   if (request.table) return tablePicture(opened, *options, request);
-  const Result<ViewCut> cut = cutOf(request);
+  const Result<ViewCut> cut = viewCutNamed(request.hide, request.section);
   if (!cut) return cut.error();
   return request.several() ? comparison(opened, request, *options, *cut) : fittingPicture(opened, *options, *cut);
 }
 
 Result<std::array<int, 2>> writeFrames(OpenDocument& opened, const PictureRequest& request, const std::string& folder) {
-  const Result<PictureOptions> options = picked(request);
+  Result<PictureOptions> options = pictureOptions(request, request.several());
   if (!options) return options.error();
-  const Result<ViewCut> cut = cutOf(request);
+  const Result<ViewCut> cut = viewCutNamed(request.hide, request.section);
   if (!cut) return cut.error();
   if (const Done empty = emptyFolder(folder); !empty) return empty.error();
-  const Result<Compared> all = compared(opened, request.compare, *cut);
+  const Result<Compared> all = compared(opened, request.compare, *cut, options->map);
   if (!all) return all.error();
+  options->mapTop = all->mapTop;
   LineUp lineUp(all->figures, all->frames, *options);
   lineUp.keepAll();
   const Token& token = opened.program().console.token();

@@ -4,12 +4,12 @@
 #include <string>
 
 #include "comparison.h"
-#include "karinui/view/image.h"
+#include "karinui/view/picture.h"
 
 namespace karinui::app {
 
-struct PictureRequest {
-  std::string view = "front", map = "none", eyes = "mono", size, hide, section;
+struct PictureRequest : PictureWords {
+  std::string hide, section;
   bool table = false, nest = false, scans = false;  // the flat pattern instead; in all its sizes; over what is traced
   ComparisonWish compare;
   int turns = 0;   // so many sides of a whole turn on one sheet; 0: one side

@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 
+#include "comparison.h"
 #include "karinui/base/file.h"
 
 namespace karinui::app {
@@ -58,9 +59,10 @@ Done StagePictures::draw(const Wish& wish, OpenDocument& opened) {
       return badInput(say("A picture knows “view” and “map”, not “{0}”.", key));
     }
   }
-  const Result<SceneFrame> frame = opened.scene();
-  if (!frame) return frame.error();
-  const Result<Image> image = picture_->draw(*frame, options);
+  const Result<SeenGarment> garment = seen(opened, opened.document(), {}, options.map);
+  if (!garment) return garment.error();
+  options.mapTop = garment->mapTop;
+  const Result<Image> image = picture_->draw(garment->frame, options);
   if (!image) return image.error();
   std::error_code trouble;
   std::filesystem::create_directories(folder_, trouble);

@@ -134,7 +134,8 @@ Done usable(const PictureOptions& o) {
 Result<Map> mapNamed(std::string_view name) {
   if (name == "none") return Map::None;
   if (name == "strain") return Map::Strain;
-  return badInput(say("There is no map “{0}”; say strain, or none.", name));
+  if (name == "pressure") return Map::Pressure;
+  return badInput(say("There is no map “{0}”; say strain, pressure, or none.", name));
 }
 
 Result<std::array<int, 2>> sizeNamed(std::string_view said) {

@@ -54,6 +54,16 @@ TEST_F(SideBySide, DocumentsSizesAndFabricsStandInOneRow) {
   ASSERT_EQ(fabrics.exit, 0) << fabrics.err;
   EXPECT_EQ(fabrics.json()["width"], 4 * one + margins);
   EXPECT_EQ(karinui("info " + tube + " --json").json()["hash"], hash) << "the document is left as it is";
+  // How hard it presses: on the bared body, and of nothing that was not draped.
+  ASSERT_EQ(picture(tube).exit, 0);
+  const std::string bare = png();
+  const Said pressed = picture(tube + " --map pressure");
+  ASSERT_EQ(pressed.exit, 0) << pressed.err;
+  EXPECT_NE(png(), bare);
+  EXPECT_EQ(picture(tube + " --fabrics \"cotton silk\" --map pressure").exit, 0);
+  const Said hanging = picture(tube + " --beside " + plain + " --map pressure");
+  EXPECT_EQ(hanging.exit, 3);
+  EXPECT_THAT(hanging.err, HasSubstr("“plain”: There is no pressure to show yet"));
   const Said turned = picture(tube + " --beside " + plain + " --turns 5");
   ASSERT_EQ(turned.exit, 0) << turned.err;
   EXPECT_EQ(turned.json()["width"], 5 * one + margins);
@@ -163,6 +173,7 @@ TEST_F(SideBySide, EveryoneOfABatchAndWhomItDoesNotFit) {
   const Said chosen = karinui("batch picture " + run + " --person Anna Clara --map strain --view back" + out);
   EXPECT_EQ(chosen.json()["garments"], 2) << chosen.err;
   EXPECT_EQ(chosen.json()["misfits"], 0);
+  EXPECT_EQ(karinui("batch picture " + run + " --map pressure" + out).json()["garments"], 4);
   EXPECT_THAT(karinui("batch picture " + run + " --misfits --person Anna" + out).err,
               HasSubstr("fits everyone who was asked for; leave out --misfits"));
   EXPECT_THAT(karinui("batch picture " + run + " --person Dora" + out).err, HasSubstr("no person “Dora”"));

@@ -105,6 +105,8 @@ class Documents(unittest.TestCase):
                 (lambda: coat.picture(self.folder / "x.jpg"), ".png"),
                 (lambda: coat.picture(self.folder / "x.png", view="above"), "above"),
                 (lambda: coat.picture(self.folder / "x.png", turns=1), "2 to 36"),
+                (lambda: coat.picture(self.folder / "x.png", map="heat"), "say strain, pressure, or none"),
+                (lambda: coat.picture(self.folder / "x.png", map="pressure"), "no figure to be pressed on"),
             ):
                 with self.assertRaises(karinui.Error) as raised:
                     call()
@@ -122,6 +124,23 @@ class Documents(unittest.TestCase):
                 if name != "turns":
                     self.assertEqual(size, (120, 160))
             self.assertNotEqual(drawn["front"], drawn["table"])
+
+    def test_a_map_of_pressure(self):
+        with karinui.Document.create(threads=1) as band:
+            band.play(
+                'body size=eu38\nset spacing=50mm\n'
+                'piece name=band outline="M 0 0; hem L 1100 0; right L 1100 300; top L 0 300; left L 0 0"\n'
+                'place piece=band at="torso:hip@0" ease=3cm\nsew a=band.left b=band.right\npin edge=band.top\n')
+            with self.assertRaises(karinui.Error) as raised:
+                band.picture(self.folder / "x.png", map="pressure")
+            self.assertIn("no pressure to show yet", str(raised.exception))
+            self.assertEqual(list(self.folder.iterdir()), [])
+            band.perform("drape")
+            drawn = set()
+            for name in ("none", "strain", "pressure"):
+                self.assertEqual(band.picture(self.folder / f"{name}.png", map=name, size="120x160"), (120, 160))
+                drawn.add((self.folder / f"{name}.png").read_bytes())
+            self.assertEqual(len(drawn), 3)
 
     def test_threads_work_while_a_document_works(self):
         coat = karinui.Document.create(threads=1)

@@ -86,6 +86,8 @@ TEST_F(ViewStrain, PressureHasTheSameColoursAndAScaleInKilopascals) {
   const auto nothing = picture_->draw(frame, options);
   ASSERT_FALSE(nothing);
   EXPECT_NE(text(nothing.error().what).find("no pressure to show yet"), std::string::npos);
+  EXPECT_EQ(*mapNamed("pressure"), Map::Pressure);
+  EXPECT_NE(text(mapNamed("heat").error().what).find("strain, pressure, or none"), std::string::npos);
 }
 
 }  // namespace

@@ -17,20 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostPeople = 60;
 
-Result<PictureOptions> picked(const PeopleWish& wish) {
-  const auto view = viewNamed(wish.view);
-  if (!view) return view.error();
-  const auto map = mapNamed(wish.map);
-  if (!map) return map.error();
-  const auto size = sizeNamed(wish.size);
-  if (!size) return size.error();
-  PictureOptions each;
-  each.view = *view, each.map = *map;
-  each.width = (*size)[0], each.height = (*size)[1];
-  each.language = spokenHere();
-  return each;
-}
-
 // The first of the names that none of them has.
 std::optional<std::string> stranger(const std::vector<std::string>& names, const auto& all) {
   for (const std::string& name : names)
@@ -54,19 +40,31 @@ std::vector<std::size_t> chosen(const PeopleWish& wish, const BatchTable& table,
   return rows;
 }
 
+// As the map shows it; a garment that does not press is drawn as cloth.
+Result<SeenGarment> shownOn(OpenDocument& opened, Map map) {
+  auto garment = seen(opened, opened.document(), {}, map);
+  if (garment || map != Map::Pressure) return garment;
+  garment = seen(opened, opened.document(), {}, Map::None);
+  if (garment)
+    for (SceneCloth& cloth : garment->frame.cloths) cloth.strain.clear();
+  return garment;
+}
+
 // The garment of an item as its outcome was found: opened where it was kept, else made and kept.
-Result<SceneFrame> dressed(Program& program, const fs::path& folder, const BatchPlan& plan, const BatchItem& item) {
+Result<SeenGarment> dressed(Program& program, const fs::path& folder, const BatchPlan& plan, const BatchItem& item,
+                            Map map) {
   const fs::path kept = folder / "garments" / (item.key + ".karinui");
   std::error_code trouble;
   if (fs::exists(kept, trouble)) {
     Result<DocumentFile> file = DocumentFile::openForReading(kept);
     if (!file) return file.error();
-    return OpenDocument(program, *std::move(file)).scene();
+    OpenDocument opened(program, *std::move(file));
+    return shownOn(opened, map);
   }
   if (const Done done = makePrivateFolder(kept.parent_path()); !done) return done.error();
   const fs::path part = kept.string() + ".part";
   fs::remove(part, trouble);
-  Result<SceneFrame> frame = SceneFrame();
+  Result<SeenGarment> garment = SeenGarment();
   Done made;
   {
     Result<DocumentFile> file = DocumentFile::create(part);
@@ -76,25 +74,25 @@ Result<SceneFrame> dressed(Program& program, const fs::path& folder, const Batch
     made = makeGarment(opened, folder, plan, item);
     if (made)
       if (const auto settled = settle(opened, nobody, false); !settled) made = settled.error();
-    frame = opened.scene();  // of one that was refused as far as it came
+    garment = shownOn(opened, map);  // of one that was refused as far as it came
   }
   if (made)
     fs::rename(part, kept, trouble);
   else
     fs::remove(part, trouble);
   if (!made && !isAnswer(made.error())) return made.error();
-  return frame;
+  return garment;
 }
 
 }  // namespace
 
 Done checkPeople(const PeopleWish& wish) {
-  const auto each = picked(wish);
+  const auto each = pictureOptions(wish);
   return each ? Done() : Done(each.error());
 }
 
 Result<PeoplePicture> peoplePicture(Program& program, const PeopleWish& wish) {
-  const auto each = picked(wish);
+  auto each = pictureOptions(wish);
   if (!each) return each.error();
   const auto plan = readPlan(wish.folder);
   if (!plan) return plan.error();
@@ -146,10 +144,12 @@ Result<PeoplePicture> peoplePicture(Program& program, const PeopleWish& wish) {
       continue;
     }
     console.keepNotes([](const Message&) {});  // the table has what there is to say
-    Result<SceneFrame> frame = dressed(program, wish.folder, *plan, plan->items[r]);
+    Result<SeenGarment> garment = dressed(program, wish.folder, *plan, plan->items[r], each->map);
     console.keepNotes({});
-    if (!frame && !isAnswer(frame.error())) return frame.error();
-    frames.push_back(frame ? *std::move(frame) : SceneFrame());  // a figure that cannot be built is told below
+    if (!garment && !isAnswer(garment.error())) return garment.error();
+    each->mapTop = std::max(each->mapTop, garment ? garment->mapTop : 0);
+    frames.push_back(garment ? std::move(garment->frame)
+                             : SceneFrame());  // a figure that cannot be built is told below
   }
   picture.garments = rows.size();
   LineUp lineUp(std::move(figures), frames, *each);

@@ -1,16 +1,16 @@
 #pragma once
 // Everyone of a batch in the garment, side by side; whom it does not fit is marked, with where and by how much.
 #include "../commands.h"
-#include "karinui/view/image.h"
+#include "karinui/view/picture.h"
 #include "plan.h"
 
 namespace karinui::app {
 
-struct PeopleWish {
+struct PeopleWish : PictureWords {
+  PeopleWish() { size = "420x700"; }
   std::filesystem::path folder;
   bool misfits = false;                      // only whom it does not fit, the worst first
   std::vector<std::string> people, designs;  // only these; none: all
-  std::string view = "front", map = "none", size = "420x700";
 };
 struct PeoplePicture {
   Image image;

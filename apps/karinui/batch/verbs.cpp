@@ -265,7 +265,7 @@ void addBatchVerbs(Program& program) {
   verb->add_option("--person", people->people, help("Only these people, by name"));
   verb->add_option("--design", people->designs, help("Only these designs, by name"));
   verb->add_option("--view", people->view, help("front, back, left, right, oblique"));
-  verb->add_option("--map", people->map, help("none, strain"));
+  verb->add_option("--map", people->map, help("none, strain, pressure"));
   verb->add_option("--size", people->size, help("WIDTHxHEIGHT in pixels, of each figure where there are several"));
 
   auto throughput = std::make_shared<ThroughputOptions>();

@@ -20,7 +20,7 @@ namespace karinui {
 
 // Pressure is shown of frames whose cloths have pascals in place of strains (pressedFrame in session/fit.h).
 enum class Map { None, Strain, Pressure };
-Result<Map> mapNamed(std::string_view name);  // "none", "strain"
+Result<Map> mapNamed(std::string_view name);  // "none", "strain", "pressure"
 
 // "1200x1600" as width and height; refuses what Picture would refuse.
 Result<std::array<int, 2>> sizeNamed(std::string_view text);
