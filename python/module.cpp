@@ -462,6 +462,14 @@ class PythonDocument {
     const Document document = now();
     py::dict d;
     d["operation"] = text(step.operation), d["operations"] = document.operations, d["hash"] = hash(document);
+    const bool pulled = std::holds_alternative<PullCloth>(step.operation);
+    if (const auto& last = document.drape.last; last && (pulled || std::holds_alternative<DrapePieces>(step.operation)))
+      d["settled"] = last->settled, d["why"] = text(last->why);
+    if (pulled) {
+      double most = 0;
+      for (const Vec3& force : document.drape.force) most = std::max(most, length(force));
+      d["max_force_n"] = most;
+    }
     return d;
   }
   std::mutex mutex_;  // guards all below
@@ -572,7 +580,8 @@ PYBIND11_MODULE(karinui, m) {
                   "a new document; without a path it is kept in memory only")
       .def_static("open", &opened, py::arg("path"), py::arg("reading") = false, py::arg("threads") = 0)
       .def("perform", &D::perform, py::arg("operation"), py::arg("progress") = py::none(),
-           "does one operation, a line of docs/format/operations.md; progress(fraction, doing) is called meanwhile")
+           "does one operation, a line of docs/format/operations.md; progress(fraction, doing) is called meanwhile. "
+           "Gives what was recorded; of a drape or pull whether it rests, of a pull the greatest force (max_force_n)")
       .def("play", &D::play, py::arg("script"), py::arg("progress") = py::none(),
            "does a script of operations; how many")
       .def("amend", &D::amend, py::arg("step"), py::arg("operation"), py::arg("progress") = py::none(),

@@ -125,7 +125,7 @@ class Documents(unittest.TestCase):
                     self.assertEqual(size, (120, 160))
             self.assertNotEqual(drawn["front"], drawn["table"])
 
-    def test_a_map_of_pressure(self):
+    def test_a_map_of_pressure_and_the_force_of_a_pull(self):
         with karinui.Document.create(threads=1) as band:
             band.play(
                 'body size=eu38\nset spacing=50mm\n'
@@ -135,12 +135,16 @@ class Documents(unittest.TestCase):
                 band.picture(self.folder / "x.png", map="pressure")
             self.assertIn("no pressure to show yet", str(raised.exception))
             self.assertEqual(list(self.folder.iterdir()), [])
-            band.perform("drape")
+            self.assertIn("settled", band.perform("drape"))
             drawn = set()
             for name in ("none", "strain", "pressure"):
                 self.assertEqual(band.picture(self.folder / f"{name}.png", map=name, size="120x160"), (120, 160))
                 drawn.add((self.folder / f"{name}.png").read_bytes())
             self.assertEqual(len(drawn), 3)
+            pulled = band.perform("pull piece=band at=55cm,5cm by=0,0,1cm seconds=0.1")
+            self.assertGreater(pulled["max_force_n"], 0.001)
+            self.assertIn("settled", pulled)
+            self.assertNotIn("max_force_n", band.perform("set ease=1cm"))
 
     def test_threads_work_while_a_document_works(self):
         coat = karinui.Document.create(threads=1)
