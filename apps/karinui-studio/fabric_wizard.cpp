@@ -176,11 +176,12 @@ void FabricWizard::workOut() {
   accept_->setEnabled(measured_ && usable);
   if (!measured_) return result_->setText(inWords(found.error().what).toHtmlEscaped());
   QString rows = "<tr><th></th>";
-  for (const QString& head : {inWords(say("Measured")), inWords(say("Two standard errors")), nameText(measured_->like)})
+  for (const QString& head : {inWords(say("Measured")), inWords(say("Error (95 %)")), nameText(measured_->like)})
     rows += "<th align=right>&nbsp;&nbsp;" + head + "</th>";
   rows += "</tr>";
   for (const MeasuredRow& row : rowsOf(*measured_)) {
-    const QString error = row.error ? QString::fromStdString(row.errorText()) : inWords(say("in proportion"));
+    const QString error =
+        row.error ? QString::fromStdString(row.errorText()) : inWords(say("not measured, in proportion"));
     rows += "<tr><td>" + inWords(row.label) + "</td>";
     for (const QString& cell : {QString::fromStdString(row.valueText()), error, QString::fromStdString(row.likeText())})
       rows += "<td align=right>&nbsp;&nbsp;" + cell + "</td>";

@@ -15,6 +15,7 @@ namespace karinui::app {
 namespace {
 
 constexpr std::array<const char*, kGrains> kGrainNames{"warp", "weft", "bias"};
+constexpr double kDoubtful = 0.1;  // a weight whose standard error is more of it is told of
 
 struct MeasureOptions {
   std::string name = "my_fabric", like, swatch, strip, into;
@@ -116,15 +117,21 @@ int runMeasure(Program& program, const MeasureOptions& asked) {
   const SetFabric step = fabricStep(*measured, asked.name);
   const std::string operation = text(Operation(step));
 
+  const Uncertain weight = measured->numbers.front().value;
+  if (weight.error > kDoubtful * weight.value)
+    console.note(
+        say("The weight is sure to ± {0} % only, and all else is counted from it: weigh a larger piece, or say how "
+            "exact the scales are (--scales 0.1).",
+            fixed(200 * weight.error / weight.value, 0)));
   WordTable table;
-  table.row({"", console.said(say("Measured")), console.said(say("Two standard errors")),
-             console.said(say("{0}, the nearest of the shop", nameSaid(measured->like)))});
+  table.row(
+      {"", console.said(say("Measured")), console.said(say("Error (95 %)")), console.said(nameSaid(measured->like))});
   Json numbers = Json::array();
   for (const MeasuredRow& row : rowsOf(*measured)) {
     const bool bias = !row.number;
     table.row({console.said(row.label), row.valueText(),
-               row.error ? row.errorText() : console.said(say("in proportion")),
-               bias ? console.said(say("{0} by warp and weft", row.likeText())) : row.likeText()});
+               row.error ? row.errorText() : console.said(say("not measured, in proportion")),
+               bias ? console.said(say("{0} from warp and weft", row.likeText())) : row.likeText()});
     Json one = {{"what", bias ? "bending, bias" : text(row.label)}, {"value", row.value}};
     if (row.error) one["error"] = *row.error;
     one[bias ? "by_warp_and_weft" : "like"] = row.like;
@@ -137,7 +144,12 @@ int runMeasure(Program& program, const MeasureOptions& asked) {
   }
   Json object = {{"like", measured->like}, {"measured", std::move(numbers)}, {"operation", operation}};
   if (!readings->drapes.empty()) object["drapes"] = readings->drapes;
-  const std::string words = table.words(2) + console.said(say("As a step:")) + "\n  " + operation;
+  const Message others =
+      asked.like.empty()
+          ? say("The nearest fabric of the shop is {0}; what was not measured is as there.", nameSaid(measured->like))
+          : say("What was not measured is as in {0}.", nameSaid(measured->like));
+  const Message how = asked.into.empty() ? say("The operation that makes it:") : say("Added to {0}:", asked.into);
+  const std::string words = table.words(2) + console.said(others) + "\n" + console.said(how) + "\n  " + operation;
   if (asked.into.empty()) {
     console.answer(object, words);
     return kDone;
@@ -157,39 +169,51 @@ void addFabricVerb(Program& program) {
   fabric->require_subcommand(1);
   auto asked = std::make_shared<MeasureOptions>();
   CLI::App* verb = program.verb(
-      *fabric, "measure", help("A fabric from a swatch on scales, a strip over a table's edge, a weight on a strip"),
-      asked, runMeasure);
-  verb->add_option("--name", asked->name, help("What it is to be called"));
-  verb->add_option("--swatch", asked->swatch, help("Length and width of the swatch, mm: 100x100"))->required();
-  verb->add_option("--mass", asked->masses, help("Its mass, g; readings after commas"))->delimiter(',')->required();
+      *fabric, "measure", help("Finds the numbers of a cloth with scales, a ruler and a table"), asked, runMeasure);
+  verb->add_option("--name", asked->name, help("The fabric's name"));
+  verb->add_option("--swatch", asked->swatch, help("Length and width of the piece that is weighed, mm: 100x100"))
+      ->required();
+  verb->add_option("--mass", asked->masses, help("What it weighs, g; weighed several times: 1.52,1.54"))
+      ->delimiter(',')
+      ->required();
   const std::array words{help("along the warp"), help("along the weft"), help("at 45 degrees to both")};
   for (std::size_t g = 0; g < kGrains; ++g) {
     const std::string grain = kGrainNames[g];
     verb->add_option(
             "--overhang-" + grain, asked->overhangs[g],
-            help(say("Strip {0}: how far it hangs over the edge, mm, where its tip is 41.5 degrees below", words[g])))
+            help(say(
+                "Strip cut {0}: how much of it hangs over the table's edge, mm, when the line from the edge to its tip "
+                "falls by 41.5 degrees",
+                words[g])))
         ->delimiter(',');
-    verb->add_option("--angle-" + grain, asked->angles[g], help("or at these degrees instead, 5 to 80"))
+    verb->add_option("--angle-" + grain, asked->angles[g],
+                     help("where the line falls otherwise: by so many degrees, 5 to 80"))
         ->delimiter(',');
   }
-  verb->add_option("--drape", asked->drapes,
-                   help("Drape coefficient of a disc of 30 cm on a support of 18 cm, percent; in place of strips"))
+  verb->add_option(
+          "--drape", asked->drapes,
+          help("Instead of strips over the edge: drape coefficient of a disc of 30 cm on a stand of 18 cm, percent"))
       ->delimiter(',');
-  verb->add_option("--disc-flat", asked->flat, help("or its photograph from above, flat at the support's height,"));
-  verb->add_option("--disc-draped", asked->drapedBy, help("and draped, by the same camera; several times"))
+  verb->add_option("--disc-flat", asked->flat,
+                   help("Instead of --drape: a photograph from above of the disc, lying flat at the stand's height"));
+  verb->add_option("--disc-draped", asked->drapedBy,
+                   help("and photographs of it hanging over the stand, by the same camera from the same place"))
       ->delimiter(',');
   verb->add_option("--strip", asked->strip,
-                   help("Stretch: length between the marks and width of the strip, mm: 200x25"));
+                   help("For stretch: two marks on a strip are so far apart, and it is so wide, mm: 200x25"));
   for (std::size_t g = 0; g < kGrains; ++g)
-    verb->add_option(
-        std::string("--hang-") + kGrainNames[g], asked->hung[g],
-        help(say("Strip {0}: a weight in g and the length under it in mm, 500:203.1,203.4; several times", words[g])));
-  verb->add_option("--thickness", asked->thicknesses, help("Thickness, mm"))->delimiter(',');
-  verb->add_option("--ruler", asked->ruler, help("The ruler is good to so many mm either way (0.5)"));
-  verb->add_option("--scales", asked->scales, help("The scales are good to so many g either way (1)"));
-  verb->add_option("--angle-error", asked->angle, help("The angle is good to so many degrees either way (1)"));
-  verb->add_option("--like", asked->like, help("The fabric that gives what was not measured; else the nearest"));
-  verb->add_option("--into", asked->into, help("A .karinui document that gets the fabric"));
+    verb->add_option(std::string("--hang-") + kGrainNames[g], asked->hung[g],
+                     help(say("Strip cut {0}: a weight hung on it, g, and how far apart the marks are then, mm: "
+                              "500:203.1,203.4; once for "
+                              "each weight",
+                              words[g])));
+  verb->add_option("--thickness", asked->thicknesses, help("How thick the cloth is, mm"))->delimiter(',');
+  verb->add_option("--ruler", asked->ruler, help("The ruler may be wrong by so many mm (0.5)"));
+  verb->add_option("--scales", asked->scales, help("The scales may be wrong by so many g (1)"));
+  verb->add_option("--angle-error", asked->angle, help("The angle may be wrong by so many degrees (1)"));
+  verb->add_option("--like", asked->like,
+                   help("The fabric from which comes what was not measured; otherwise the nearest"));
+  verb->add_option("--into", asked->into, help("A .karinui document to which the fabric is added"));
 }
 
 }  // namespace karinui::app

@@ -12,7 +12,8 @@ namespace karinui {
 
 namespace {
 
-constexpr double kGravity = 9.81;  // m/s2
+constexpr double kGravity = 9.81;                   // m/s2
+constexpr double kLightest = 0.005, kHeaviest = 5;  // kg/m2, as checkFabric() has it
 
 double square(double x) { return x * x; }
 
@@ -102,6 +103,9 @@ Done checkTable(const TableReadings& t) {
                 grain, fixed(mean * 1000, 1), fixed(one.mass * 1000, 0), fixed(t.stripLength * 1000, 1)));
     }
   }
+  if (hung && !(t.stripLength > 0 && t.stripWidth > 0))
+    return badInput(
+        say("A weight hangs on a strip; say how far apart its marks are without the weight, and how wide it is."));
   if (hung)
     for (const double side : {t.stripLength, t.stripWidth})
       if (const Done ok = checkReadings({side}, 0.005, 2, say("Side of the strip"), 1000, "mm"); !ok) return ok;
@@ -251,6 +255,10 @@ Result<MeasuredFabric> measuredFabric(const TableReadings& t) {
   m.weight.value = mass.value / (t.swatchLength * t.swatchWidth);
   m.weight.error = m.weight.value * std::sqrt(square(mass.error / mass.value) + square(t.ruler / t.swatchLength) +
                                               square(t.ruler / t.swatchWidth));
+  if (const Done ok = checkReadings({m.weight.value}, kLightest, kHeaviest,
+                                    say("Weight of a square metre, from the swatch's mass and sides"), 1000, "g");
+      !ok)
+    return ok.error();
   for (std::size_t g = 0; g < kGrains; ++g) {
     if (!t.overhang[g].lengths.empty()) m.bend[g] = bendingOf(t.overhang[g], m.weight, t);
     m.stretched[g] = stretchedBy(t.hung[g], t);

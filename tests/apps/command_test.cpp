@@ -471,6 +471,22 @@ TEST_F(Command, TellsTheNamesThatItGivesAwayOrGivesNone) {
   EXPECT_THAT(said.err, testing::Not(HasSubstr(".part")));
 }
 
+TEST_F(Command, TellsASewistWhatItMadeOfAMeasuredCloth) {
+  const std::string weighed = "fabric measure --name mine --swatch 100x100 --mass 1.5";
+  const Said rough = karinui(weighed + " --overhang-warp 50");
+  ASSERT_EQ(rough.exit, 0) << rough.err;
+  EXPECT_THAT(rough.err, HasSubstr("The weight is sure to ± 77 % only")) << "scales of whole grams";
+  EXPECT_THAT(rough.out, HasSubstr("not measured, in proportion"));
+  EXPECT_THAT(rough.out, HasSubstr("what was not measured is as there"));
+  EXPECT_THAT(rough.out, HasSubstr("The operation that makes it:\n  fabric name=mine"));
+  const Said fine = karinui(weighed + " --scales 0.01 --like linen");
+  EXPECT_EQ(fine.err, "");
+  EXPECT_THAT(fine.out, HasSubstr("What was not measured is as in Linen."));
+  EXPECT_THAT(karinui(weighed + " --hang-warp 500:203").err, HasSubstr("say how far apart its marks are"));
+  ASSERT_EQ(play("set ease=1cm\n").exit, 0);
+  EXPECT_THAT(karinui(weighed + " --scales 0.01 --into " + document()).out, HasSubstr("Added to " + document() + ":"));
+}
+
 TEST_F(Command, ADumpIsItsOwnersAlone) {
   ASSERT_EQ(play("body size=jis9ar\n").exit, 0);
   ASSERT_EQ(karinui("dump " + document() + " -o " + (folder / "d.txt")).exit, 0);

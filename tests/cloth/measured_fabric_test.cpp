@@ -176,7 +176,9 @@ TEST(MeasuredFabric, RefusesWhatNoClothDoes) {
   t = good, t.hung[2] = {{0.5, {0.2005}}};
   EXPECT_NE(why(t).find("bias"), std::string::npos);
   t = good, t.stripWidth = 0;
-  EXPECT_NE(why(t), "");
+  EXPECT_NE(why(t).find("say how far apart its marks are"), std::string::npos);
+  t = good, t.swatchMasses = {100 * good.swatchMasses.front()};
+  EXPECT_NE(why(t).find("Weight of a square metre"), std::string::npos);
   t = good, t.like = "gold";
   EXPECT_NE(why(t).find("gold"), std::string::npos);
 }
