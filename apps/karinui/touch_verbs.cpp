@@ -25,7 +25,7 @@ struct CheckOptions {
 };
 
 struct ReplayOptions {
-  std::string recording, document, tool = "touch", pull = "curve";
+  std::string recording, document, tool = "touch", pull = "curve", csv;
   double every = 10, gain = 0.5, limit = 3;
 };
 
@@ -222,6 +222,32 @@ constexpr std::array kHandTools{std::pair("touch", Command::Select),   std::pair
                                 std::pair("cut", Command::Cut),        std::pair("pull", Command::Pull),
                                 std::pair("reshape", Command::Reshape)};
 
+constexpr const char* kCsvHead =
+    "time_s,tip_x_m,tip_y_m,tip_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_n,force_y_n,force_z_n\n";
+std::string csvRow(double seconds, Vec3 tip, Vec3 proxy, Vec3 force) {
+  std::string row = fixed(seconds, 3);
+  for (const Vec3 v : {tip, proxy, force})
+    for (const double number : {v.x, v.y, v.z}) row += "," + shortest(number);
+  return row + "\n";
+}
+
+// What the forces are that were told, in the words of a person who is to compare them.
+std::string forceSaid(const Program& program, const ReplayOptions& options, const ServoSettings& settings) {
+  const double limit = std::min(settings.limit, settings.nominalShare * simulatedRecord().force);
+  std::string words =
+      program.console.said(say("The force is what the device gives: times the gain of {0}, at most {1} N.",
+                               shortest(settings.gain), fixed(limit, 2))) +
+      "\n";
+  if (options.tool == "pull" && options.pull == "curve")
+    words +=
+        program.console.said(
+            say("Pulled cloth is felt as a strip of its fabric, 2 cm wide and 10 cm long, that is stretched from where "
+                "it was taken to the hand. The cloth does not follow meanwhile; the step pull of karinui do drapes it "
+                "and tells the force of cloth that has (max_force_n).")) +
+        "\n";
+  return words;
+}
+
 int runReplay(Program& program, const ReplayOptions& options) {
   constexpr double kRest = 2, kScene = 0.016;  // seconds in which the force is armed; from scene to scene
   const Result<std::string> recorded = readFile(options.recording);
@@ -253,7 +279,7 @@ int runReplay(Program& program, const ReplayOptions& options) {
   settings.laws.pull = options.pull == "springs" ? PullLaw::Springs : PullLaw::Curve;
   SteppedDriver driver(session, *hand, settings);
   Json ticks = Json::array();
-  std::string words;
+  std::string words, rows = kCsvHead;
   double most = 0;
   const double begins = hand->begins();
   const auto ends = std::lround((hand->ends() - begins + kRest) / SteppedDriver::kTick) + 1;
@@ -268,10 +294,13 @@ int runReplay(Program& program, const ReplayOptions& options) {
     const double newtons = length(f), seconds = begins + static_cast<double>(k - before) * SteppedDriver::kTick;
     most = std::max(most, newtons);
     if (k % every != 0) continue;
+    const Vec3 proxy = tick.touching ? tick.proxy : p;
+    rows += csvRow(seconds, p, proxy, f);
     const char *state = kStates[static_cast<std::size_t>(tick.state)],
                *fault = kFaults[static_cast<std::size_t>(tick.fault)];
     ticks.push_back({{"seconds", seconds},
                      {"tip", {p.x, p.y, p.z}},
+                     {"proxy", {proxy.x, proxy.y, proxy.z}},
                      {"force", {f.x, f.y, f.z}},
                      {"newtons", newtons},
                      {"touching", tick.touching},
@@ -279,8 +308,14 @@ int runReplay(Program& program, const ReplayOptions& options) {
                      {"fault", fault}});
     words += fixed(seconds, 3) + " s  " + fixed(newtons, 3) + " N  " + state + "\n";
   }
-  words += program.console.said(say("At most {0} N", fixed(most, 2))) + "\n";
-  program.console.answer({{"most_newtons", most}, {"ticks", std::move(ticks)}}, words);
+  words += program.console.said(say("At most {0} N", fixed(most, 2))) + "\n" + forceSaid(program, options, settings);
+  Json answer = {{"most_newtons", most}, {"ticks", std::move(ticks)}};
+  if (!options.csv.empty()) {
+    if (const Done done = writeFile(options.csv, rows); !done) return program.console.refuse(done.error());
+    answer["file"] = options.csv;
+    words = options.csv + "\n";
+  }
+  program.console.answer(answer, words);
   return kDone;
 }
 
@@ -309,10 +344,17 @@ void addTouchVerbs(Program& program) {
         for (const auto& [name, tool] : kHandTools) names.emplace_back(name);
         return names;
       }()));
-  verb->add_option("--pull", replay->pull,
-                   help("How cloth pulls: curve (the fabric's) or springs (the historical law)"))
+  verb->add_option(
+          "--pull", replay->pull,
+          help("How pulled cloth is felt: curve (a strip of the fabric, from where it was taken to the hand) or "
+               "springs (the historical law); the cloth itself does not follow"))
       ->transform(oneOf({"curve", "springs"}));
-  verb->add_option("--every", replay->every, help("Milliseconds from line to line"))->check(CLI::Range(1.0, 1000.0));
+  verb->add_option("--every", replay->every, help("Milliseconds from line to line, and from row to row"))
+      ->check(CLI::Range(1.0, 1000.0));
+  program.output(
+      *verb, "--csv", replay->csv,
+      help("A table instead: time, tip, proxy (where the tip is stopped by what it touches), force on the hand"),
+      {"csv"});
   verb->add_option("--gain", replay->gain, help("Share of the true force, 0 to 1"))->check(CLI::Range(0.0, 1.0));
   verb->add_option("--limit", replay->limit, help("The most force, in newtons"))->check(CLI::Range(0.0, 10.0));
 }

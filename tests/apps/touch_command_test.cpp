@@ -54,6 +54,46 @@ TEST_F(Touch, AReplayTellsWhatTheHandFeels) {
   EXPECT_LT(pulled["ticks"][250]["force"][2].get<double>(), -0.05);
 }
 
+TEST_F(Touch, AReplayWritesATableForResearchers) {
+  const std::string pressing = hand("0.2 0.2 0.02", "0.2 0.2 0.005", "0.2 0.2 -0.003");
+  const auto ticks = replay(pressing).json()["ticks"];
+  const Said said = replay(pressing, "--csv " + (folder / "force.csv"));
+  ASSERT_EQ(said.exit, 0) << said.err;
+  std::istringstream lines(contents(folder / "force.csv"));
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line));
+  EXPECT_EQ(line, "time_s,tip_x_m,tip_y_m,tip_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_n,force_y_n,force_z_n");
+  std::size_t rows = 0;
+  for (; std::getline(lines, line); ++rows) {
+    std::istringstream cells(line);
+    std::vector<double> row;
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    ASSERT_EQ(row.size(), 10u) << line;
+    if (rows >= ticks.size()) continue;
+    const auto& tick = ticks[rows];
+    EXPECT_NEAR(row[0], tick["seconds"].get<double>(), 1e-9);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(row[1 + k], tick["tip"][k].get<double>());
+      EXPECT_EQ(row[4 + k], tick["proxy"][k].get<double>());
+      EXPECT_EQ(row[7 + k], tick["force"][k].get<double>());
+    }
+    if (rows == 250) {
+      EXPECT_NEAR(row[6], 0, 1e-4) << "the proxy stays on the sheet at z = 0";
+      EXPECT_NEAR(row[3], -0.003, 1e-9);
+    }
+    if (rows == 0) {
+      EXPECT_EQ(row[6], row[3]) << "in free air it is at the tip";
+    }
+  }
+  EXPECT_EQ(rows, ticks.size());
+  EXPECT_EQ(replay(pressing, "--csv " + (folder / "force.txt")).exit, 3);
+  // What the force of a pull is, and is not, is told.
+  write(folder / "hand.txt", pressing);
+  const Said told = karinui("touch replay " + (folder / "hand.txt") + " " + (folder / "d.karinui") + " --tool pull");
+  EXPECT_NE(told.out.find("times the gain of 0.5, at most 2.64 N."), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("The cloth does not follow meanwhile"), std::string::npos);
+}
+
 TEST_F(Touch, WhatIsNoHandIsRefused) {
   const Said said = replay("hover space 0 0 0 1 0 0 -1 0 0 1 reach 0.01\n");
   EXPECT_EQ(said.exit, 3);
