@@ -1,5 +1,8 @@
 // touch check, touch replay: what this machine can do for a hand, and what a recorded hand would feel.
+#include <algorithm>
 #include <chrono>
+#include <optional>
+#include <sstream>
 #include <thread>
 
 #include "commands.h"
@@ -25,7 +28,7 @@ struct CheckOptions {
 };
 
 struct ReplayOptions {
-  std::string recording, document, tool = "touch", pull = "curve", csv;
+  std::string recording, document, tool, pull = "curve", csv;
   double every = 10, gain = 0.5, limit = 3;
 };
 
@@ -222,6 +225,35 @@ constexpr std::array kHandTools{std::pair("touch", Command::Select),   std::pair
                                 std::pair("cut", Command::Cut),        std::pair("pull", Command::Pull),
                                 std::pair("reshape", Command::Reshape)};
 
+struct HeldTool {
+  double seconds = 0;  // of the recording
+  Command tool = Command::Select;
+};
+
+// What the lines "tool pull" of a recording say, each from the next place of the hand on.
+Result<std::vector<HeldTool>> toolsIn(const std::string& recorded) {
+  std::vector<HeldTool> held;
+  std::istringstream lines(recorded);
+  std::optional<Command> now;
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    std::istringstream words(line);
+    std::string first, name;
+    words >> first >> name;
+    if (first == "tool") {
+      const auto all = commands();
+      const auto known = std::find_if(all.begin(), all.end(),
+                                      [&](const CommandInfo& one) { return one.name == name && isTool(one.command); });
+      if (known == all.end()) return badInput(say("Line {0}: there is no tool “{1}”.", number, name.substr(0, 40)));
+      now = known->command;
+    } else if (const auto sample = parsePointerSample(line); now && sample && sample->tip) {
+      held.push_back({sample->seconds, *std::exchange(now, std::nullopt)});
+    }
+  }
+  return held;
+}
+
 constexpr const char* kCsvHead =
     "time_s,tip_x_m,tip_y_m,tip_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_n,force_y_n,force_z_n\n";
 std::string csvRow(double seconds, Vec3 tip, Vec3 proxy, Vec3 force) {
@@ -232,13 +264,13 @@ std::string csvRow(double seconds, Vec3 tip, Vec3 proxy, Vec3 force) {
 }
 
 // What the forces are that were told, in the words of a person who is to compare them.
-std::string forceSaid(const Program& program, const ReplayOptions& options, const ServoSettings& settings) {
+std::string forceSaid(const Program& program, const ReplayOptions& options, const ServoSettings& settings, bool pulls) {
   const double limit = std::min(settings.limit, settings.nominalShare * simulatedRecord().force);
   std::string words =
       program.console.said(say("The force is what the device gives: times the gain of {0}, at most {1} N.",
                                shortest(settings.gain), fixed(limit, 2))) +
       "\n";
-  if (options.tool == "pull" && options.pull == "curve")
+  if (pulls && options.pull == "curve")
     words +=
         program.console.said(
             say("Pulled cloth is felt as a strip of its fabric, 2 cm wide and 10 cm long, that is stretched from where "
@@ -255,6 +287,8 @@ int runReplay(Program& program, const ReplayOptions& options) {
   Result<ScriptedDevice> hand =
       ScriptedDevice::read(*recorded, simulatedRecord(), SteppedDriver::kTick, kRest + SteppedDriver::kTick);
   if (!hand) return program.console.refuse(hand.error());
+  auto tools = toolsIn(*recorded);
+  if (!tools) return program.console.refuse(tools.error());
   MemoryBlobs none;
   Workers workers(program.threads);
   Bodies bodies;
@@ -271,8 +305,13 @@ int runReplay(Program& program, const ReplayOptions& options) {
   Session session(quiet);
   session.begin(*std::move(file));
   session.finish();
+  if (!options.tool.empty()) tools->clear();
   for (const auto& [name, tool] : kHandTools)
     if (options.tool == name) session.command(tool);
+  const bool pulls = options.tool == "pull" || std::any_of(tools->begin(), tools->end(), [](const HeldTool& one) {
+                       return one.tool == Command::Pull;
+                     });
+  auto next = tools->begin();
   ServoSettings settings;
   settings.gain = options.gain;
   settings.limit = options.limit;
@@ -287,11 +326,13 @@ int runReplay(Program& program, const ReplayOptions& options) {
              before = std::lround(kRest / SteppedDriver::kTick), scene = std::lround(kScene / SteppedDriver::kTick);
   for (long k = 0; k < ends; ++k) {
     if (program.console.token().cancelled()) return program.console.refuse(cancelled());
+    const double seconds = begins + static_cast<double>(k - before) * SteppedDriver::kTick;
+    for (; next != tools->end() && next->seconds <= seconds; ++next) session.command(next->tool);
     const ServoTick tick = driver.tick();
     if (k % scene == 0) driver.publish();
     if (k < before) continue;
     const Vec3 f = tick.out.force, p = tick.hand.tip.carry;
-    const double newtons = length(f), seconds = begins + static_cast<double>(k - before) * SteppedDriver::kTick;
+    const double newtons = length(f);
     most = std::max(most, newtons);
     if (k % every != 0) continue;
     const Vec3 proxy = tick.touching ? tick.proxy : p;
@@ -308,7 +349,8 @@ int runReplay(Program& program, const ReplayOptions& options) {
                      {"fault", fault}});
     words += fixed(seconds, 3) + " s  " + fixed(newtons, 3) + " N  " + state + "\n";
   }
-  words += program.console.said(say("At most {0} N", fixed(most, 2))) + "\n" + forceSaid(program, options, settings);
+  words +=
+      program.console.said(say("At most {0} N", fixed(most, 2))) + "\n" + forceSaid(program, options, settings, pulls);
   Json answer = {{"most_newtons", most}, {"ticks", std::move(ticks)}};
   if (!options.csv.empty()) {
     if (const Done done = writeFile(options.csv, rows); !done) return program.console.refuse(done.error());
@@ -338,7 +380,8 @@ void addTouchVerbs(Program& program) {
       ->required();
   verb->add_option("document", replay->document, help("The .karinui document"))->required();
   verb->add_option("--tool", replay->tool,
-                   help("What the hand does while its button is down: touch, draw, move, sew, cut, pull or reshape"))
+                   help("What the hand does while its button is down: touch, draw, move, sew, cut, pull or reshape "
+                        "(otherwise what the recording says, else touch)"))
       ->transform(oneOf([] {
         std::vector<std::string> names;
         for (const auto& [name, tool] : kHandTools) names.emplace_back(name);

@@ -12,9 +12,8 @@ std::string hand(const std::string& from, const std::string& press, const std::s
   const auto line = [](const std::string& phase, const std::string& seconds, const std::string& place) {
     return phase + " space " + seconds + " 0 0 1 0 0 -1 0 0 1 reach 0.01 tip " + place + " 1 0 0 0 device stylus\n";
   };
-  return "# a hand\ntool move\n" + line("hover", "0", from) + line("hover", "0.5", press) +
-         line("press", "0.6", press) + line("drag", "1.6", to) + line("drag", "3", to) + line("release", "3.1", to) +
-         line("hover", "3.5", to);
+  return "# a hand\n" + line("hover", "0", from) + line("hover", "0.5", press) + line("press", "0.6", press) +
+         line("drag", "1.6", to) + line("drag", "3", to) + line("release", "3.1", to) + line("hover", "3.5", to);
 }
 
 class Touch : public testing::Test {
@@ -48,6 +47,13 @@ TEST_F(Touch, AReplayTellsWhatTheHandFeels) {
   const auto carried = replay(hand("0.2 0.2 0.02", "0.2 0.2 0.005", "0.2 0.2 0.2"), "--tool move --gain 1").json();
   EXPECT_NEAR(carried["ticks"][250]["force"][1].get<double>(), -0.4 * 0.5 * 0.15 * 9.81, 0.02);
   EXPECT_EQ(carried["ticks"].back()["newtons"].get<double>(), 0) << "let go";
+  // The recording says what is held, unless it is said otherwise.
+  const std::string moving = "tool move\n" + hand("0.2 0.2 0.02", "0.2 0.2 0.005", "0.2 0.2 0.2");
+  EXPECT_EQ(replay(moving, "--gain 1").json()["ticks"], carried["ticks"]);
+  EXPECT_NE(replay(moving, "--gain 1 --tool touch").json()["ticks"], carried["ticks"]);
+  const Said unknown = replay("tool saw\n" + pressing);
+  EXPECT_EQ(unknown.exit, 3);
+  EXPECT_NE(unknown.err.find("Line 1: there is no tool “saw”"), std::string::npos) << unknown.err;
   // Pulled: towards where it was.
   const auto pulled = replay(hand("0.2 0.2 0.02", "0.2 0.2 0.003", "0.2 0.2 0.006"), "--tool pull --gain 1").json();
   EXPECT_NEAR(pulled["ticks"][61]["newtons"].get<double>(), 0, 0.02) << "nothing pulls where it was taken";
