@@ -8,6 +8,7 @@
 #include "karinui/design/script.h"
 #include "karinui/exchange/formats.h"
 #include "session/carried_shape.h"
+#include "session/clear_of_skin.h"
 #include "session/settle_schedule.h"
 
 namespace karinui {
@@ -193,7 +194,7 @@ Result<SnapshotPtr> DocumentWorker::onFigure(const SetBody& body, const Token& t
   if (!document) return document.error();
   Result<BodyPtr> figure = bodyOf(*document, own);
   if (!figure) return figure.error();
-  return snapshotOf(*std::move(document), *std::move(figure), prints());
+  return snapshotOf(clearOfSkin(*std::move(document), **figure, *workers_), *figure, prints());
 }
 
 Result<Vec3> DocumentWorker::pullTo(const PullPreview& pull, const Token& token, SnapshotPtr& shown) {

@@ -114,9 +114,8 @@ class Made {
     } else {
       const bool behind = draft.stands.z < 0;  // half a turn about the upright
       piece.pose = behind ? Rigid{0, 0, 1, 0, {}} : Rigid();
-      if (const double half = std::copysign(draft.stands.lean, draft.stands.x) / 2; half != 0)  // then about z
-        piece.pose =
-            behind ? Rigid{0, -std::sin(half), std::cos(half), 0, {}} : Rigid{std::cos(half), 0, 0, std::sin(half), {}};
+      if (draft.stands.lean != 0)
+        piece.pose = after(turnAbout({0, 0, 1}, std::copysign(draft.stands.lean, draft.stands.x)), piece.pose);
       const double waist = body_.measured().value.at("waist_height");
       piece.pose.carry = {draft.stands.x, waist, draft.stands.z};
     }
