@@ -301,6 +301,30 @@ TEST_F(Placed, BlocksAreTrue) {
     }
 }
 
+// A crown that must fill a long armhole stands up like a wing; the ease that is named makes the sleeve wide enough.
+TEST_F(Placed, ASleeveTooNarrowForItsArmholeIsToldOf) {
+  const auto said = [](int underarm, const std::string& ease) {
+    const std::string v = std::to_string(underarm);
+    Workroom own;
+    std::string told;
+    own.context.advise = [&](const Advice& advice) { told += text(advice.what); };
+    auto file = DocumentFile::inMemory();
+    const Done done =
+        own.play(file, "body size=eu38\npolygon name=front symmetric=yes points=\"0,0; 24cm,0; 24cm," + v +
+                           "cm; 20cm,42cm; 7cm,46cm; 0,38cm\" edges=\"hem side armhole shoulder neck fold\"\n"
+                           "duplicate piece=front name=back\nblock kind=sleeve" +
+                           ease + "\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    return told;
+  };
+  EXPECT_EQ(said(22, "").find("its crown is"), std::string::npos);
+  const std::string told = said(13, "");
+  const std::size_t ease = told.find("state ease=");
+  ASSERT_NE(ease, std::string::npos) << told;
+  const std::string stated = " " + told.substr(ease + 6, told.find("cm", ease) + 2 - ease - 6);
+  EXPECT_EQ(said(13, stated).find("its crown is"), std::string::npos) << stated;
+}
+
 // Over a belly wider than the hip a shirt is as wide as that, and its hem comes below it.
 TEST_F(Placed, AShirtBlockGoesOverABelly) {
   const auto drafted = [](const std::string& figure) {

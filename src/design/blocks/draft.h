@@ -71,6 +71,7 @@ struct Draft {
   std::vector<DraftDart> darts;
   std::vector<DraftSeam> seams;
   std::vector<DraftBand> bands;
+  std::optional<Message> advice;  // on what it will look like
 };
 
 struct BlockWish {

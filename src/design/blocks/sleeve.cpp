@@ -13,6 +13,22 @@ Curve capOf(double half, double height, bool back) {
   const Curve curve = Curve::cubic({half, 0}, {half * (1 - low), 0}, {half * high, height}, {0, height});
   return back ? curve : curve.mirrored({0, 0}, {0, 1}).reversed();
 }
+double capLength(double half, double height) {
+  return capOf(half, height, true).length() + capOf(half, height, false).length();
+}
+
+constexpr double kSetIn = 1.0 / 3;  // of the armhole's length: the crown of a sleeve that is set in;
+constexpr double kWing = 0.36;      // higher ones stand up beside the shoulder
+
+// Half the width at which a crown of that height fills an armhole.
+double halfFor(double wanted, double height) {
+  double low = 0.02, high = wanted;
+  for (int i = 0; i < 60; ++i) {
+    const double half = 0.5 * (low + high);
+    (capLength(half, height) < wanted ? low : high) = half;
+  }
+  return low;
+}
 
 }  // namespace
 
@@ -23,7 +39,7 @@ Result<Draft> sleeveDraft(const Measured& of, const BlockWish& wish, Armhole arm
   double low = 0.02, high = 0.30;
   for (int i = 0; i < 60; ++i) {
     const double height = 0.5 * (low + high);
-    (capOf(half, height, true).length() + capOf(half, height, false).length() < wanted ? low : high) = height;
+    (capLength(half, height) < wanted ? low : high) = height;
   }
   const double crown = low;
   const double whole = wish.length.value_or(of("arm_length") + 0.01), below = whole - crown;
@@ -36,6 +52,13 @@ Result<Draft> sleeveDraft(const Measured& of, const BlockWish& wish, Armhole arm
   const double full = std::fmax(of("arm_length") + 0.01 - crown, below);
   const double foot = std::lerp(half, std::fmin(half, cuff), below / full);
   Draft draft;
+  if (const double round = armhole.front + armhole.back; crown > kWing * round) {
+    const auto cm = [](double metres) { return std::round(metres * 100); };
+    draft.advice = say(
+        "The armhole is {0} cm round, and the sleeve {1} cm wide: its crown is {2} cm high and will stand up beside "
+        "the shoulder. For a sleeve as wide as such an armhole asks for, state ease={3}cm.",
+        cm(round), cm(girth), cm(crown), cm(2 * halfFor(wanted, kSetIn * round) - of("upper_arm_girth")));
+  }
   DraftPiece left;
   left.name = "sleeve_left";
   left.outline.edges = {{"hem", Curve::line({-foot, -below}, {foot, -below})},

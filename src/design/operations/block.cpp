@@ -306,6 +306,7 @@ Result<Document> perform(const Document& before, const DraftBlock& op, Context& 
       break;
   }
   if (!draft) return draft.error();
+  if (draft->advice && context.advise) context.advise({*draft->advice});
   Made made(before, op, **body, context);
   if (Done done = made.take(*draft); !done) return done.error();
   return made.document();
