@@ -98,7 +98,7 @@ TEST(TightFit, ATubeOfJerseyStaysWhereItWasPutOn) {
 // were drawn over the hip and slid to the knees, hanging straight down they were sewn up beside the ankles.
 TEST(TightFit, LeggingsStayUp) {
   for (const std::string figure :
-       {"size=eu38", "size=eu50", "size=eu38 set=\"hip_girth=118cm; waist_girth=98cm; bust_girth=112cm\""}) {
+       {"size=eu38", "size=eu50", "size=eu38 set=\"hip_girth=135cm; waist_girth=118cm; bust_girth=130cm\""}) {
     SCOPED_TRACE(figure);
     const Document document = played("body " + figure + "\nset spacing=17mm\nblock kind=leggings\ndrape\n");
     ASSERT_TRUE(document.drape.last);

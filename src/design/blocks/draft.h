@@ -37,7 +37,7 @@ struct FirstStand {
   Flat point;
   double ease = 0.01;
   double x = 0, z = 0;  // flat: carried so far to the left and forward; behind it is turned round
-  double lean = 0;      // flat: radians by which its lower end goes farther to that side, as a leg does
+  double lean = 0;      // flat: radians by which its lower end goes farther to that side, as a leg does, or less far
 };
 
 inline EdgeRef draftedEdge(const std::string& piece, const std::string& edge) { return {PieceRef(piece), edge}; }

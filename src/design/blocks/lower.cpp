@@ -214,7 +214,7 @@ Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish) {
     // Narrow legs stand along the figure's, or their sides would close beside them.
     const double besideMiddle = fork + 0.015, crotchTo = besideMiddle + crease;
     const double legLean =
-        std::clamp(std::atan2(of.aside("ankle_left").value_or(crotchTo) - crotchTo, ankleDown), 0.0, kMostLean);
+        std::clamp(std::atan2(of.aside("ankle_left").value_or(crotchTo) - crotchTo, ankleDown), -kMostLean, kMostLean);
     addLeg(draft, front,
            Outline{{{"hem", Curve::line(within.back(), outside.front())},
                     {"outseam", through(outside)},

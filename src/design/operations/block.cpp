@@ -115,7 +115,8 @@ class Made {
       const bool behind = draft.stands.z < 0;  // half a turn about the upright
       piece.pose = behind ? Rigid{0, 0, 1, 0, {}} : Rigid();
       if (draft.stands.lean != 0)
-        piece.pose = after(turnAbout({0, 0, 1}, std::copysign(draft.stands.lean, draft.stands.x)), piece.pose);
+        piece.pose =
+            after(turnAbout({0, 0, 1}, draft.stands.x < 0 ? -draft.stands.lean : draft.stands.lean), piece.pose);
       const double waist = body_.measured().value.at("waist_height");
       piece.pose.carry = {draft.stands.x, waist, draft.stands.z};
     }
