@@ -100,7 +100,7 @@ TEST(TightFit, LeggingsStayUp) {
   for (const std::string figure :
        {"size=eu38", "size=eu50", "size=eu38 set=\"hip_girth=135cm; waist_girth=118cm; bust_girth=130cm\""}) {
     SCOPED_TRACE(figure);
-    const Document document = played("body " + figure + "\nset spacing=17mm\nblock kind=leggings\ndrape\n");
+    const Document document = played("body " + figure + "\nset spacing=13mm\nblock kind=leggings\ndrape\n");
     ASSERT_TRUE(document.drape.last);
     EXPECT_TRUE(document.drape.last->settled) << text(document.drape.last->why);
     EXPECT_EQ(document.pieceNamed("leg_back_left")->fabric, "jersey");
