@@ -65,7 +65,8 @@ int answerCheck(Program& program, const CheckOptions& options) {
                                         {"round_m", edge.round},
                                         {"waist_m", edge.waist},
                                         {"below_m", edge.below},
-                                        {"fallen", edge.fallen}});
+                                        {"fallen", edge.fallen},
+                                        {"narrow", edge.narrow}});
       }
       if (fit->pressure) {
         words += pressureWords(*fit->pressure, opened.document().settings.spacing, program.console);

@@ -197,12 +197,11 @@ std::vector<WideEdge> wideEdges(const GarmentSnapshot& snapshot) {
           return std::any_of(document.allowances.elastics.begin(), document.allowances.elastics.end(),
                              [&](const auto& own) { return own.first.first == part.piece.id; });
         });
-        if (elastic || top.at(garment) > upTo + kAbove || run.length < girth->second + kLeastWider ||
-            height > *waist - kLeastBelow)
-          continue;
-        if (const Round round = roundOf(run, body);
-            round.what != Round::Nothing && round.length > girth->second + kLeastWider)
-          wide.push_back({run.parts, round.length, girth->second, *waist - height, round.what == Round::Legs});
+        if (elastic || top.at(garment) > upTo + kAbove || height > *waist - kLeastBelow) continue;
+        const Round round = roundOf(run, body);
+        const bool narrow = round.length < girth->second + kLeastWider;
+        if (round.what == Round::Legs || (round.what == Round::Trunk && !narrow))
+          wide.push_back({run.parts, round.length, girth->second, *waist - height, round.what == Round::Legs, narrow});
       }
     }
   }
@@ -219,6 +218,12 @@ Message wideEdgeSaid(const Document& document, const WideEdge& edge) {
   }
   Message all = names.front();
   if (names.size() > 1) all = say("{0} and the edges that go on from it", names.front());
+  if (edge.narrow)
+    return say(
+        "Off the hips: {0} has gone to {1} cm below the waist while it was put on, though with {2} cm on a waist of "
+        "{3} "
+        "cm it would stay up. Drape the garment anew on finer cells: set spacing=12mm, drape.",
+        all, cm(edge.below), cm(edge.round), cm(edge.waist));
   if (edge.fallen)
     return say(
         "Too wide to stay up: {0}, {1} cm round on a waist of {2} cm, has fallen to {3} cm below it. Make it shorter, "

@@ -59,6 +59,11 @@ TEST(WideEdges, OfASkirtThatFellDownTheLegsAreTold) {
   const auto all = told(skirt("hip_girth/2 + 10cm", "torso:waist-0.25", "75cm") + "drape\n");
   ASSERT_EQ(all.size(), 1u);
   EXPECT_THAT(all[0], testing::StartsWith("Too wide to stay up: top edge of front"));
+  // Narrow enough for the waist it would have stayed up.
+  const auto narrow = told(skirt("waist_girth/2 - 2cm", "torso:waist-0.25", "75cm") + "drape\n");
+  ASSERT_EQ(narrow.size(), 1u);
+  EXPECT_THAT(narrow[0], testing::StartsWith("Off the hips: top edge of front"));
+  EXPECT_THAT(narrow[0], testing::HasSubstr("on finer cells"));
   // Round one leg it is a stocking.
   const std::string stocking =
       "rectangle name=tube width=45cm height=20cm\nplace piece=tube at=\"left_leg:knee@0\" ease=1cm\n"
