@@ -27,21 +27,26 @@ std::vector<ClothLevel> tunicLevels() {
   return {tunic(9, f), tunic(18, f)};
 }
 
-// Hung by two pins forty times as far apart as it is wide, as what is tied through a body is.
-TEST(Settle, TornClothIsToldInAFewSteps) {
-  constexpr std::uint32_t kCells = 12;
+// A square of cotton, pinned along two sides that are so many of its widths farther apart than it is wide.
+std::vector<ClothLevel> drawnApart(const std::string& name, std::uint32_t cells, double height, double widths) {
   constexpr double kCell = 0.01;
   ClothLevel level;
-  addPiece(level.cloth, gridLattice(kCells, kCells, kCell), *preset("cotton"));
-  level.cloth.pieces.front().name = "pareo";
+  addPiece(level.cloth, gridLattice(cells, cells, kCell), *preset("cotton"));
+  level.cloth.pieces.front().name = name;
   level.cloth.spacing = kCell;
-  level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u, 3 + p.v, 0}; });
-  for (std::uint32_t row = 0; row <= kCells; ++row)
-    for (const std::uint32_t node : {row * (kCells + 1), row * (kCells + 1) + kCells}) {
+  level.state = standingBy(level.cloth, [&](std::size_t, Flat p) { return Vec3{p.u, height + p.v, 0}; });
+  for (std::uint32_t row = 0; row <= cells; ++row)
+    for (const std::uint32_t column : {0u, cells}) {
+      const std::uint32_t node = row * (cells + 1) + column;
       level.cloth.pinned.push_back(node);
-      if (node % (kCells + 1) != 0) level.state.position[node].x += 40 * kCells * kCell;
+      if (column > 0) level.state.position[node].x += widths * cells * kCell;
     }
-  std::vector<ClothLevel> levels{level};
+  return {level};
+}
+
+// As what is tied through a body is.
+TEST(Settle, TornClothIsToldInAFewSteps) {
+  auto levels = drawnApart("pareo", 12, 3, 40);
   const SettleReport report = mustSettle(levels, *floorCollider());
   EXPECT_FALSE(report.settled);
   EXPECT_LT(report.steps, 200u);
@@ -49,22 +54,9 @@ TEST(Settle, TornClothIsToldInAFewSteps) {
                                                testing::HasSubstr("place the pieces where they are worn")));
 }
 
-// Hung by two pins two and a half times as far apart as it is wide it rests, but no garment is worn so.
+// It rests, but no garment is worn so.
 TEST(Settle, ClothThatIsCaughtAtRestIsToldOf) {
-  constexpr std::uint32_t kCells = 4;
-  constexpr double kCell = 0.01;
-  ClothLevel level;
-  addPiece(level.cloth, gridLattice(kCells, kCells, kCell), *preset("cotton"));
-  level.cloth.pieces.front().name = "cape";
-  level.cloth.spacing = kCell;
-  level.state = standingBy(level.cloth, [](std::size_t, Flat p) { return Vec3{p.u, 0.9 + p.v, 0}; });
-  for (std::uint32_t row = 0; row <= kCells; ++row)
-    for (const std::uint32_t column : {0u, kCells}) {
-      const std::uint32_t node = row * (kCells + 1) + column;
-      level.cloth.pinned.push_back(node);
-      if (column > 0) level.state.position[node].x += 1.5 * kCells * kCell;
-    }
-  std::vector<ClothLevel> levels{level};
+  auto levels = drawnApart("cape", 4, 0.9, 1.5);
   SettleReport report = mustSettle(levels, *floorCollider());
   EXPECT_TRUE(report.settled) << text(report.why);
   ASSERT_TRUE(adviceOn(report));
