@@ -1,4 +1,4 @@
-#include "design/operations/copied_fastenings.h"
+#include "design/operations/copied_joins.h"
 
 namespace karinui {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "design/operations/copied_fastenings.h"
+#include "design/operations/copied_joins.h"
 #include "design/operations/said.h"
 #include "design/operations/sewn_runs.h"
 #include "karinui/design/sewing.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Seams and fastenings of pieces that are copied.
+// What joins pieces that are copied: seams and fastenings.
 #include <map>
 
 #include "design/operations/operations.h"
