@@ -8,18 +8,33 @@ namespace {
 
 constexpr double kClear = 0.003;  // metres before the skin, and for each layer as much again
 constexpr double kDeep = 0.08;    // farther in, it is another limb's skin
+constexpr int kRounds = 3;
 constexpr std::size_t kBlock = 256;
 
-std::vector<Vec3> ledOut(std::vector<Vec3> space, double clear, const Body& body, Workers& workers) {
-  workers.forBlocks(space.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const auto near = body.bvh().nearest(space[k], kDeep);
-      if (!near) continue;
-      const Vec3 out = faceNormal(body.mesh(), near->place.face);
-      if (dot(space[k] - near->point, out) < clear) space[k] = near->point + out * clear;
-    }
+// From a place that lies nearer before the skin than `clear` to where it should be; zero for all others.
+Vec3 wayOut(Vec3 place, double clear, const Body& body) {
+  const auto near = body.bvh().nearest(place, kDeep);
+  if (!near) return {};
+  const Vec3 out = faceNormal(body.mesh(), near->place.face);
+  return dot(place - near->point, out) < clear ? near->point + out * clear - place : Vec3{};
+}
+
+// Its points, and then its faces: between its points coarse cloth cuts off what is round.
+void leadOut(Form& form, double clear, const Body& body, Workers& workers) {
+  workers.forBlocks(form.space.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) form.space[k] += wayOut(form.space[k], clear, body);
   });
-  return space;
+  std::vector<Vec3> ways(form.faces.size());
+  for (int round = 0; round < kRounds; ++round) {
+    workers.forBlocks(form.faces.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        const auto& [i, j, k] = form.faces[f];
+        ways[f] = wayOut((form.space[i] + form.space[j] + form.space[k]) * (1.0 / 3), clear / 2, body);
+      }
+    });
+    for (std::size_t f = 0; f < form.faces.size(); ++f)
+      for (const std::uint32_t corner : form.faces[f]) form.space[corner] += ways[f] * (1.0 / 3);
+  }
 }
 
 }  // namespace
@@ -30,7 +45,7 @@ Document clearOfSkin(Document document, const Body& body, Workers& workers) {
     Piece piece = *held;
     Form form = *piece.form;
     std::transform(form.space.begin(), form.space.end(), form.space.begin(), piece.pose);
-    form.space = ledOut(std::move(form.space), kClear * (1 + piece.layer), body, workers);
+    leadOut(form, kClear * (1 + piece.layer), body, workers);
     piece.form = std::make_shared<const Form>(std::move(form));
     piece.pose = Rigid();
     held = std::make_shared<const Piece>(std::move(piece));
