@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -234,7 +235,8 @@ void DevicePanel::record() {
   if (force_.recording()) {
     done = force_.endRecording();
   } else {
-    const QString path = QFileDialog::getSaveFileName(this, inWords(say("Record the hand")), "hand.txt", "*.txt");
+    QString path = QFileDialog::getSaveFileName(this, inWords(say("Record the hand")), "hand.txt", "*.txt");
+    if (!path.isEmpty() && QFileInfo(path).suffix() != "txt") path += ".txt";  // never over a garment
     if (!path.isEmpty()) done = force_.record(path.toStdString());
   }
   if (!done) session_.refuse(done.error());

@@ -541,18 +541,6 @@ TEST(Session, AFigureThatIsWornPlaysTheStepsAgainOnIt) {
   const SetBody before = *session.figure();
   SetBody wider = before;
   wider.set = {{"bust_girth", {0.93}}};
-  session.previewFigure(wider);
-  session.finish();
-  // No skin shows through: what the figure has grown into stands before it.
-  const Body& grown = *session.shown().body;
-  std::size_t beside = 0;
-  for (const SceneCloth& cloth : session.shown().frame.cloths)
-    for (const Vec3 p : cloth.mesh.points) {
-      const double away = grown.field().distance(p);
-      EXPECT_GT(away, 0);
-      beside += away < 0.01;
-    }
-  EXPECT_GT(beside, 0u);
   session.applyFigure(wider);
   session.finish();
   EXPECT_EQ(*session.figure(), wider);

@@ -479,7 +479,7 @@ TEST_F(StudioForce, AHandIsRecorded) {
       QMetaObject::invokeMethod(dialog, "accept");
     });
   };
-  answer(path);
+  answer(folder.path / "hand");
   button->click();
   ASSERT_TRUE(force().recording());
   EXPECT_TRUE(button->isChecked());
