@@ -239,6 +239,7 @@ void DevicePanel::record() {
     if (!path.isEmpty() && QFileInfo(path).suffix() != "txt") path += ".txt";  // never over a garment
     if (!path.isEmpty()) done = force_.record(path.toStdString());
   }
+  show();  // a dialog that is left again leaves the button up
   if (!done) session_.refuse(done.error());
 }
 

@@ -479,6 +479,10 @@ TEST_F(StudioForce, AHandIsRecorded) {
       QMetaObject::invokeMethod(dialog, "accept");
     });
   };
+  QTimer::singleShot(0, [] { qobject_cast<QFileDialog*>(QApplication::activeModalWidget())->reject(); });
+  button->click();
+  EXPECT_FALSE(force().recording());
+  EXPECT_FALSE(button->isChecked()) << "the dialog was left again";
   answer(folder.path / "hand");
   button->click();
   ASSERT_TRUE(force().recording());
