@@ -17,6 +17,7 @@
 #include "karinui/design/dump.h"
 #include "karinui/design/script.h"
 #include "karinui/design/share.h"
+#include "karinui/session/animation.h"
 #include "karinui/session/export.h"
 #include "karinui/session/fit_in_motion.h"
 #include "karinui/session/fit_over_bodies.h"
@@ -307,8 +308,9 @@ class PythonDocument {
       return karinui::measure((*body)->mesh(), (*body)->bvh()).value;
     });
   }
-  std::size_t exportTo(const std::filesystem::path& out, const std::string& format) {
-    return alone([&](DocumentFile& file, Context& context) -> Result<std::size_t> {
+  std::size_t exportTo(const std::filesystem::path& out, const std::string& format,
+                       const std::vector<std::string>& poses, const py::object& progress) {
+    const auto work = [&](DocumentFile& file, Context& context) -> Result<std::size_t> {
       ExportWish wish;
       const auto formats = formatsWriting(out);
       if (formats.empty()) return unwritable(out);
@@ -317,15 +319,15 @@ class PythonDocument {
         if (one->id == format) wish.format = one;
       if (!format.empty() && wish.format->id != format)
         return badInput(say("“{0}” is no format of {1}.", format, out.filename().string()));
-      wish.sheet.title = file.path().stem().string();
-      BodyPtr body;
-      if (file.document().body.chosen()) {
-        auto found = bodyOf(file.document(), context);
-        if (!found) return found.error();
-        body = *std::move(found);
+      if (!poses.empty()) {
+        if (wish.format->id != "glb") return badInput(say("Only a GLB goes through poses."));
+        return writeAnimation(out, file.document(), poses, context, prints(file));
       }
-      return exportedTo(out, *snapshotOf(file.document(), body), file.steps(), wish);
-    });
+      wish.sheet.title = file.path().stem().string();
+      const auto garment = seen(file, context);
+      return garment ? exportedTo(out, **garment, file.steps(), wish) : garment.error();
+    };
+    return alone(work, progress);
   }
   std::pair<int, int> picture(const std::filesystem::path& out, const PictureWish& wish) {
     return alone([&](DocumentFile& file, Context& context) -> Result<std::pair<int, int>> {
@@ -417,8 +419,10 @@ class PythonDocument {
       if (!found) return found.error();
       body = *std::move(found);
     }
-    return snapshotOf(file.document(), body,
-                      [&](const std::string& photo) { return shelf_.find(photo, file.blobs()); });
+    return snapshotOf(file.document(), body, prints(file));
+  }
+  Prints prints(DocumentFile& file) {
+    return [&](const std::string& photo) { return shelf_.find(photo, file.blobs()); };
   }
   Result<Image> drawn(DocumentFile& file, Context& context, const PictureWish& wish, std::vector<Message>& notes) {
     auto options = pictureOptions(wish, wish.turns > 0);
@@ -599,7 +603,8 @@ PYBIND11_MODULE(karinui, m) {
            "not fit, where and by how much")
       .def("measure", &D::measure, "the body as a tape measures it: metres, and radians")
       .def("export", &D::exportTo, py::arg("path"), py::arg("format") = "",
-           "writes a file; its ending says what; how many bytes")
+           py::arg("poses") = std::vector<std::string>(), py::arg("progress") = py::none(),
+           "writes a file; its ending says what; how many bytes. `poses`: a GLB is an animation through them")
       .def(
           "picture",
           [](D& d, const std::filesystem::path& path, const std::string& view, const std::string& size,

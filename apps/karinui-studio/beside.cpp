@@ -16,18 +16,6 @@ namespace karinui::studio {
 
 namespace {
 
-// The photographs that the garment is printed with.
-Prints printsOf(const GarmentSnapshot& garment) {
-  std::map<std::string, std::shared_ptr<const PrintImage>> all;
-  for (std::size_t k = 0; k < garment.worn.size(); ++k)
-    if (const auto& photo = garment.frame.cloths[k].look.photo)
-      all[lookOf(garment.document, *garment.document.find(garment.worn[k].id)).photo] = photo;
-  return [all = std::move(all)](const std::string& name) {
-    const auto at = all.find(name);
-    return at == all.end() ? nullptr : at->second;
-  };
-}
-
 Result<SnapshotPtr> worn(Result<Document> document, Context& context, const Prints& prints) {
   if (!document) return document.error();
   BodyPtr body;

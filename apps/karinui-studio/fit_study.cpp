@@ -162,11 +162,13 @@ void FitStudy::tell(const Message& words) { said_->setText(inWords(words)); }
 void FitStudy::enable() {
   const std::size_t many = ticked().size();
   go_->setText(inWords(busy() ? say("Stop") : say("Begin")));
-  go_->setEnabled(busy() || (many > 0 && many <= kMostStudied));
+  const bool some = many > 0 && many <= kMostStudied;
+  go_->setEnabled(busy() || some);
   choices_->setEnabled(!busy());
   progress_->setVisible(busy());
   saveTable_->setEnabled(!busy() && !csv_.empty());
   savePicture_->setEnabled(!busy() && image_.width > 0);
+  emit ready(!busy() && some);
 }
 
 void FitStudy::begin(std::size_t count, const std::vector<Message>& columns, Work work) {
@@ -182,39 +184,51 @@ void FitStudy::begin(std::size_t count, const std::vector<Message>& columns, Wor
   for (int k = 0; k < table_->columnCount(); ++k)
     table_->horizontalHeader()->setSectionResizeMode(
         k, k == sentences_ ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
-  progress_->setValue(0);
-  // The watcher runs on the working thread, and the dialog waits for that before it goes.
   auto done = std::make_shared<std::atomic<std::size_t>>(0);
-  token_ = std::make_shared<Token>([this, done, count](double share, const Message& doing) {
-    const double all = (static_cast<double>(done->load()) + share) / static_cast<double>(count);
+  start(
+      [done, count](double share) { return (static_cast<double>(done->load()) + share) / static_cast<double>(count); });
+  thread_.start([this, token = token_, done, work = std::move(work)] {
+    Workers workers(std::max(1, QThread::idealThreadCount() - 1));
+    const Tell told = [&](StudyItem item) {
+      ++*done;
+      onWindow(token, [this, item = std::move(item)] { add(item); });
+    };
+    const auto table = std::make_shared<Result<std::string>>(work(workers, *token, told));
+    onWindow(token, [this, table] { take(*table); });
+  });
+}
+
+void FitStudy::beginBeside(SideWork work) {
+  start([](double share) { return share; });
+  thread_.start([this, token = token_, work = std::move(work)] {
+    Workers workers(std::max(1, QThread::idealThreadCount() - 1));
+    const auto done = std::make_shared<Result<Message>>(work(workers, *token));
+    onWindow(token, [this, done] { takeBeside(*done); });
+  });
+}
+
+// The watcher runs on the working thread, and the dialog waits for that before it goes.
+void FitStudy::start(std::function<double(double share)> ofAll) {
+  progress_->setValue(0);
+  token_ = std::make_shared<Token>([this, ofAll = std::move(ofAll)](double share, const Message& doing) {
     QMetaObject::invokeMethod(
         this,
-        [this, all, doing] {
+        [this, all = ofAll(share), doing] {
           progress_->setValue(static_cast<int>(std::clamp(all, 0.0, 1.0) * 1000));
           if (busy() && !doing.empty()) tell(doing);
         },
         Qt::QueuedConnection);
   });
   enable();
-  thread_.start([this, token = token_, done, work = std::move(work)] {
-    Workers workers(std::max(1, QThread::idealThreadCount() - 1));
-    const Tell told = [&](StudyItem item) {
-      ++*done;
-      QMetaObject::invokeMethod(
-          this,
-          [this, token, item = std::move(item)] {
-            if (token_ == token) add(item);
-          },
-          Qt::QueuedConnection);
-    };
-    const auto table = std::make_shared<Result<std::string>>(work(workers, *token, told));
-    QMetaObject::invokeMethod(
-        this,
-        [this, token, table] {
-          if (token_ == token) take(*table);
-        },
-        Qt::QueuedConnection);
-  });
+}
+
+void FitStudy::onWindow(const std::shared_ptr<Token>& token, std::function<void()> work) {
+  QMetaObject::invokeMethod(
+      this,
+      [this, token, work = std::move(work)] {
+        if (token_ == token) work();
+      },
+      Qt::QueuedConnection);
 }
 
 void FitStudy::add(StudyItem item) {
@@ -247,6 +261,15 @@ void FitStudy::take(const Result<std::string>& table) {
     tell(stopped ? say("Stopped; the table has what was ready.") : table.error().what);
     if (stopped) draw();
   }
+  enable();
+  emit finished();
+}
+
+void FitStudy::takeBeside(const Result<Message>& done) {
+  const bool stopped = token_->cancelled();
+  token_.reset();
+  tell(done ? *done : stopped ? say("Stopped.") : done.error().what);
+  announce(said_, said_->text());
   enable();
   emit finished();
 }

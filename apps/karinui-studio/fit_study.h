@@ -45,8 +45,9 @@ class FitStudy : public QDialog {
   const std::string& csv() const { return csv_; }
 
  signals:
-  void finished();  // the work, in whatever way
-  void drawn();     // there is a picture
+  void ready(bool canBegin);  // something is ticked, and no work is under way
+  void finished();            // the work, in whatever way
+  void drawn();               // there is a picture
 
  protected:
   FitStudy(Session& session, QWidget* parent, const Message& title, const Message& about);
@@ -59,6 +60,9 @@ class FitStudy : public QDialog {
   using Tell = std::function<void(StudyItem)>;
   using Work = std::function<Result<std::string>(Workers& workers, const Token& token, const Tell& tell)>;
   void begin(std::size_t count, const std::vector<Message>& columns, Work work);
+  // Runs on the working thread, too, and leaves the table as it is. Gives what is told when it is done.
+  using SideWork = std::function<Result<Message>(Workers& workers, const Token& token)>;
+  void beginBeside(SideWork work);
   virtual void go() = 0;                               // what is ticked is to be looked at
   virtual Message faulty(std::size_t many) const = 0;  // that so many are marked
 
@@ -66,9 +70,14 @@ class FitStudy : public QDialog {
   int sentences_ = -1;  // the column that holds some; it takes the room that is left
 
  private:
+  // Work on the working thread begins; `ofAll` makes the share of a step one of all of it.
+  void start(std::function<double(double share)> ofAll);
+  // On the window's thread, unless that work has ended. From the working thread.
+  void onWindow(const std::shared_ptr<Token>& token, std::function<void()> work);
   void take(const Result<std::string>& table);
-  void add(StudyItem item);
+  void takeBeside(const Result<Message>& done);
   void enable();
+  void add(StudyItem item);
   void draw();
   void showPicture();
   void saveTable();
@@ -96,10 +105,16 @@ class MotionStudy : public FitStudy {
  public:
   MotionStudy(Session& session, QWidget* parent);
 
+  // Writes how the garment goes through the poses that are ticked, as a GLB.
+  void saveAnimation(const std::string& file);
+
  private:
   void go() override;
   Message faulty(std::size_t many) const override;
+  std::vector<std::string> poses() const;
+  void askAnimation();
   const SnapshotPtr garment_;
+  QPushButton* saveAnimation_;
 };
 
 // The garment made to one figure after another.

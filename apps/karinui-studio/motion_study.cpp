@@ -1,7 +1,10 @@
-#include <QThread>
+#include <QFileDialog>
+#include <QPushButton>
+#include <algorithm>
 
 #include "fit_study.h"
 #include "karinui/base/number.h"
+#include "karinui/session/animation.h"
 #include "theme.h"
 #include "worn_figure.h"
 
@@ -38,6 +41,38 @@ MotionStudy::MotionStudy(Session& session, QWidget* parent)
   static constexpr std::string_view kUsual[] = {"T", "forward", "seated", "step"};
   for (const NamedPose& pose : namedPoses())
     choice(pose.said, std::find(std::begin(kUsual), std::end(kUsual), pose.name) != std::end(kUsual));
+  saveAnimation_ = new QPushButton(inWords(say("Save an animation…")));
+  saveAnimation_->setObjectName("study_animation");
+  saveAnimation_->setToolTip(inWords(
+      say("How the garment goes through the poses that are ticked, one after another, for 3D programs (GLB).")));
+  saveAnimation_->setAutoDefault(false);
+  below().addWidget(saveAnimation_);
+  connect(saveAnimation_, &QPushButton::clicked, this, &MotionStudy::askAnimation);
+  connect(this, &FitStudy::ready, saveAnimation_, &QWidget::setEnabled);
+}
+
+std::vector<std::string> MotionStudy::poses() const {
+  std::vector<std::string> all;
+  for (const std::size_t k : ticked()) all.emplace_back(namedPoses()[k].name);
+  return all;
+}
+
+void MotionStudy::askAnimation() {
+  const QString name = QString::fromStdString(session_.path().stem().string());
+  QString path = QFileDialog::getSaveFileName(this, windowTitle(), name + ".glb", "GLB (*.glb)");
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".glb";
+  saveAnimation(path.toStdString());
+}
+
+void MotionStudy::saveAnimation(const std::string& file) {
+  beginBeside([garment = garment_, poses = poses(), file](Workers& workers, const Token& token) -> Result<Message> {
+    WornFigure figure(*garment);
+    Bodies bodies;
+    Context context{workers, token, figure, bodies, {}, {}};
+    const auto written = writeAnimation(file, garment->document, poses, context, printsOf(*garment));
+    return written ? Result<Message>(say("“{0}” was written.", file)) : written.error();
+  });
 }
 
 Message MotionStudy::faulty(std::size_t many) const {
@@ -45,13 +80,12 @@ Message MotionStudy::faulty(std::size_t many) const {
 }
 
 void MotionStudy::go() {
-  std::vector<std::string> poses;
-  for (const std::size_t k : ticked()) poses.emplace_back(namedPoses()[k].name);
   std::vector<Message> columns{say("Pose"), say("Stretch, mean"),  say("99 %"),
                                say("most"), say("Pressure, mean"), say("99 %")};
   for (const OpenEdge edge : kOpenEdges) columns.push_back(openEdgeSaid(edge));
-  begin(poses.size() + 1, columns,
-        [garment = garment_, poses](Workers& workers, const Token& token, const Tell& tell) -> Result<std::string> {
+  begin(ticked().size() + 1, columns,
+        [garment = garment_, poses = poses()](Workers& workers, const Token& token,
+                                              const Tell& tell) -> Result<std::string> {
           WornFigure figure(*garment);
           Bodies bodies;
           Context context{workers, token, figure, bodies, {}, {}};

@@ -70,6 +70,7 @@ void addOutputVerbs(Program& program) {
   verb->add_option("--allowance", out->allowanceMm,
                    help("paper: seam allowance in mm in place of the document's own, up to 100, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));
+  verb->add_option("--poses", out->poses, help("GLB: an animation of the garment through these poses, as T,step,A"));
   verb->add_option("--format", out->format, help("JSON: karinui (exact) or garmentcode"))
       ->transform(oneOf(patternFormats()));
 

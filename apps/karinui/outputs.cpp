@@ -1,8 +1,10 @@
 #include "outputs.h"
 
 #include <filesystem>
+#include <sstream>
 #include <tuple>
 
+#include "karinui/session/animation.h"
 #include "karinui/session/export.h"
 #include "written_files.h"
 
@@ -10,7 +12,13 @@ namespace karinui::app {
 
 namespace {
 
-Result<SpatialGarment> spatialOf(OpenDocument& opened) {
+Result<SpatialGarment> spatialOf(OpenDocument& opened, const std::string& poses) {
+  if (!poses.empty()) {
+    std::vector<std::string> names;
+    std::istringstream list(poses);
+    for (std::string name; std::getline(list, name, ',');) names.push_back(name);
+    return animationOf(opened.document(), names, opened.context(), opened.prints());
+  }
   const Result<SceneFrame> frame = opened.scene();
   if (!frame) return frame.error();
   return karinui::spatialOf(opened.document(), *frame);
@@ -40,6 +48,7 @@ Done fits(const ExportRequest& request, const FileFormat& format) {
                                            {"--overlap", request.overlapMm.has_value(), pages},
                                            {"--date", !request.date.empty(), sheet},
                                            {"--nest", request.nest, sheet},
+                                           {"--poses", !request.poses.empty(), format.id == "glb"},
                                            {"--allowance", request.allowanceMm.has_value(), cut}})
     if (asked && !holds) return unasked(name, request.out);
   return {};
@@ -67,9 +76,9 @@ Result<std::size_t> exportFile(OpenDocument& opened, const ExportRequest& reques
   sheet.title = opened.file().path().stem().string();
   sheet.language = spokenHere();
   std::vector<SideFile> beside;
-  const Result<std::string> bytes =
-      format->write({opened.document().pattern, [&] { return opened.file().log(); }, [&] { return spatialOf(opened); },
-                     sheet, std::filesystem::path(request.out).stem().string(), &beside});
+  const Result<std::string> bytes = format->write({opened.document().pattern, [&] { return opened.file().log(); },
+                                                   [&] { return spatialOf(opened, request.poses); }, sheet,
+                                                   std::filesystem::path(request.out).stem().string(), &beside});
   if (!bytes) return bytes.error();
   if (const Done done = writeExport(request.out, *bytes, beside); !done) return done.error();
   return bytes->size();

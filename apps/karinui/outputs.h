@@ -14,6 +14,7 @@ struct ExportRequest {
   std::optional<double> allowanceMm, overlapMm;
   std::string date;
   bool nest = false;
+  std::string poses;  // through which a GLB goes: T,step,A
 };
 std::vector<std::string> patternFormats();  // what `format` may name: the texts of a pattern, which share an ending
 // Writes it, with what stands beside it; how many bytes it has. What a format has no use for is refused rather than

@@ -264,6 +264,7 @@ class Server {
     request.paper = fields.text("paper");
     request.format = fields.text("format");
     request.date = fields.text("date");
+    request.poses = fields.text("poses");
     request.nest = fields.flag("nest");
     request.allowanceMm = fields.number("allowance_mm", 0, 100);
     request.overlapMm = fields.number("overlap_mm", 5, 30);

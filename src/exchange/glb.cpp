@@ -8,6 +8,8 @@
 #include <limits>
 #include <map>
 
+#include "karinui/base/number.h"
+#include "names.h"
 #include "spatial.h"
 #include "strict_json.h"
 
@@ -27,10 +29,9 @@ class Buffer {
     const std::size_t offset = bytes_.size();
     bytes_.resize(offset + numbers.size() * sizeof(Number));
     if (!numbers.empty()) std::memcpy(bytes_.data() + offset, numbers.data(), numbers.size() * sizeof(Number));
-    views.push_back({{"buffer", 0},
-                     {"byteOffset", offset},
-                     {"byteLength", numbers.size() * sizeof(Number)},
-                     {"target", index ? kElementBuffer : kArrayBuffer}});
+    views.push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", numbers.size() * sizeof(Number)}});
+    if (index || width > 1)
+      views.back()["target"] = index ? kElementBuffer : kArrayBuffer;  // single numbers: an animation
     Json accessor{{"bufferView", views.size() - 1},
                   {"componentType", index ? kUnsigned : kFloat},
                   {"count", numbers.size() / static_cast<std::size_t>(width)},
@@ -88,29 +89,63 @@ std::vector<Flat> onTile(const SpatialLook::Tile& tile, const std::vector<Flat>&
   return all;
 }
 
-// The thickness of cloth where it was cut: a strip along every border of the mesh, as deep as the cloth is thick, away
-// from the side that is seen. Points, normals and paper places are added behind those of the mesh.
-void addRim(TriangleMesh& mesh, std::vector<Vec3>& normals, std::vector<Flat>& flat, double thickness) {
+// One side of a mesh as it is drawn: every point with its normal and, of cloth, its place on paper.
+struct Surface {
+  std::vector<Vec3> points, normals;
+  std::vector<Flat> flat;
+  std::vector<Triangle> faces;
+};
+
+Surface surfaceOf(const std::vector<Vec3>& points, const std::vector<Triangle>& faces, const std::vector<Flat>* flat) {
+  Surface surface{points, pointNormals({points, faces}), flat ? *flat : std::vector<Flat>(), faces};
+  for (Vec3& n : surface.normals)
+    if (squaredLength(n) < 0.5) n = {0, 0, 1};  // a point of no face; a glTF normal must have unit length
+  return surface;
+}
+
+using Side = std::array<std::uint32_t, 2>;
+// The sides of faces that only one face has, in its direction.
+std::vector<Side> borderOf(const std::vector<Triangle>& faces) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-  for (const Triangle& face : mesh.faces)
-    for (std::size_t k = 0; k < 3; ++k) ++sides[std::minmax(face[k], face[(k + 1) % 3])];
-  const std::vector<Triangle> faces = mesh.faces;
   for (const Triangle& face : faces)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = face[k], to = face[(k + 1) % 3];
-      const Vec3 way = mesh.points[to] - mesh.points[from];
-      if (sides[std::minmax(from, to)] != 1 || !(squaredLength(way) > 0)) continue;
-      const Vec3 out = normalized(cross(way, normals[from]));  // the cloth lies at the left of its border
-      const auto base = static_cast<std::uint32_t>(mesh.points.size());
-      for (const std::uint32_t end : {from, to})
-        for (const double deep : {0.0, thickness}) {
-          mesh.points.push_back(mesh.points[end] - normals[end] * deep);
-          normals.push_back(out);
-          flat.push_back(flat[end]);
-        }
-      mesh.faces.push_back({base, base + 1, base + 2});
-      mesh.faces.push_back({base + 2, base + 1, base + 3});
-    }
+    for (std::size_t k = 0; k < 3; ++k) ++sides[std::minmax(face[k], face[(k + 1) % 3])];
+  std::vector<Side> border;
+  for (const Triangle& face : faces)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const Side side{face[k], face[(k + 1) % 3]}; sides[std::minmax(side[0], side[1])] == 1)
+        border.push_back(side);
+  return border;
+}
+
+// The thickness of cloth where it was cut: a strip along its border, as deep as the cloth is thick, away from the side
+// that is seen. Its points come behind those of the cloth.
+void addRim(Surface& surface, const std::vector<Side>& border, double thickness) {
+  for (const auto& [from, to] : border) {
+    const Vec3 aside = cross(surface.points[to] - surface.points[from], surface.normals[from]);
+    const Vec3 out = squaredLength(aside) > 0 ? normalized(aside) : surface.normals[from];  // cloth lies at its left
+    const auto base = static_cast<std::uint32_t>(surface.points.size());
+    for (const std::uint32_t end : {from, to})
+      for (const double deep : {0.0, thickness}) {
+        surface.points.push_back(surface.points[end] - surface.normals[end] * deep);
+        surface.normals.push_back(out);
+        surface.flat.push_back(surface.flat[end]);
+      }
+    surface.faces.push_back({base, base + 1, base + 2});
+    surface.faces.push_back({base + 2, base + 1, base + 3});
+  }
+}
+
+// The same cloth seen from its other side.
+Surface turned(Surface surface) {
+  for (Triangle& face : surface.faces) std::swap(face[1], face[2]);
+  for (Vec3& n : surface.normals) n = -n;
+  return surface;
+}
+
+std::vector<float> differences(const std::vector<Vec3>& to, const std::vector<Vec3>& from) {
+  std::vector<Vec3> all(to.size());
+  for (std::size_t k = 0; k < to.size(); ++k) all[k] = to[k] - from[k];
+  return floats(all);
 }
 
 void append32(std::string& out, std::size_t value) {
@@ -138,16 +173,113 @@ Result<std::string> pngOf(const SpatialLook::Tile& tile) {
   return png;
 }
 
-Result<std::string> writeGlb(const SpatialGarment& garment) {
-  const auto named = namedMeshes(garment);
-  if (!named) return named.error();
-  Buffer buffer;
-  Json nodes = Json::array(), meshes = Json::array(), materials = Json::array(), roots = Json::array();
-  Json textures = Json::array(), images = Json::array();
-  bool sheen = false, transform = false;
-  // One material for each side of what looks alike. `tile`: the side's print.
-  const auto addMaterial = [&](const std::string& name, const std::array<float, 3>& colour, const SpatialLook* look,
-                               const std::optional<SpatialLook::Tile>& tile, bool bothSides) -> Done {
+namespace {
+
+// The objects, materials and prints of a file as they come.
+class GlbWriter {
+ public:
+  explicit GlbWriter(const std::vector<SpatialKeyframe>& motion) : motion_(motion) {
+    DistinctNames taken;
+    for (const SpatialKeyframe& key : motion)
+      targetNames_.push_back(taken.give(key.name.empty() ? fixed(key.seconds, 2) + " s" : key.name));
+  }
+
+  Done add(const NamedMesh& object) {
+    const auto material = materialOf(object);
+    if (!material) return material.error();
+    const bool thick = object.look && object.look->thickness > 0;
+    const std::vector<Side> border = thick ? borderOf(object.mesh->faces) : std::vector<Side>();
+    const SpatialLook::Wrong* wrong = object.look && object.look->wrong ? &*object.look->wrong : nullptr;
+    // The right side with the rim, and the wrong side if that looks otherwise.
+    const auto sidesAt = [&](const std::vector<Vec3>& points) {
+      std::vector<Surface> sides{surfaceOf(points, object.mesh->faces, object.flat)};
+      if (wrong) sides.push_back(turned(sides.front()));
+      addRim(sides.front(), border, thick ? object.look->thickness : 0);
+      return sides;
+    };
+    const std::vector<Surface> sides = sidesAt(object.mesh->points);
+    Json primitives = Json::array();
+    for (std::size_t side = 0; side < sides.size(); ++side)
+      primitives.push_back(primitive(sides[side], object, side == 0 ? tileOf(object) : wrong->tile, *material + side));
+    for (const std::vector<Vec3>* points : object.motion) {
+      const std::vector<Surface> moved = sidesAt(*points);
+      for (std::size_t side = 0; side < sides.size(); ++side)
+        primitives[side]["targets"].push_back(
+            {{"POSITION", buffer_.add(differences(moved[side].points, sides[side].points), 3, true)},
+             {"NORMAL", buffer_.add(differences(moved[side].normals, sides[side].normals), 3, false)}});
+    }
+    Json mesh{{"name", object.name}, {"primitives", std::move(primitives)}};
+    if (!motion_.empty()) {
+      mesh["weights"] = std::vector<double>(motion_.size(), 0.0);
+      mesh["extras"]["targetNames"] = targetNames_;  // Blender reads no morph target without one
+    }
+    nodes_.push_back({{"name", object.name}, {"mesh", meshes_.size()}});
+    meshes_.push_back(std::move(mesh));
+    return {};
+  }
+
+  bool empty() const { return nodes_.empty(); }
+  Result<std::string> written() {
+    Json root{{"asset", {{"version", "2.0"}, {"generator", "Karinui"}}}, {"scene", 0}};
+    Json roots = Json::array();
+    for (std::size_t k = 0; k < nodes_.size(); ++k) roots.push_back(k);
+    root["scenes"] = Json::array({{{"name", "fitting"}, {"nodes", std::move(roots)}}});
+    if (!motion_.empty()) root["animations"] = Json::array({animation()});
+    root["nodes"] = nodes_;
+    root["meshes"] = meshes_;
+    root["materials"] = materials_;
+    if (!textures_.empty()) {
+      root["images"] = images_, root["textures"] = textures_;
+      root["samplers"] = Json::array({{{"wrapS", 10497}, {"wrapT", 10497}, {"magFilter", 9729}, {"minFilter", 9987}}});
+    }
+    if (sheen_) root["extensionsUsed"].push_back("KHR_materials_sheen");
+    if (!textures_.empty()) root["extensionsUsed"].push_back("KHR_texture_transform");
+    root["accessors"] = buffer_.accessors;
+    root["bufferViews"] = buffer_.views;
+    root["buffers"] = Json::array({{{"byteLength", buffer_.bytes().size()}}});
+
+    std::string json = root.dump(-1, ' ', false, Json::error_handler_t::replace);
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    std::string numbers = buffer_.bytes();
+    numbers.resize((numbers.size() + 3) / 4 * 4, '\0');
+    const std::size_t total = 12 + 8 + json.size() + 8 + numbers.size();
+    if (total > std::numeric_limits<std::uint32_t>::max())
+      return refused(say("The garment is too large for one GLB file (4 GB)."));
+    std::string out;
+    out.reserve(total);
+    append32(out, 0x46546C67), append32(out, 2), append32(out, total);
+    append32(out, json.size()), append32(out, 0x4E4F534A), out += json;
+    append32(out, numbers.size()), append32(out, 0x004E4942), out += numbers;
+    return out;
+  }
+
+ private:
+  static std::optional<SpatialLook::Tile> tileOf(const NamedMesh& object) {
+    return object.look ? object.look->tile : std::nullopt;
+  }
+
+  // One for each side of what looks alike, that of the wrong side behind that of the right one.
+  Result<std::size_t> materialOf(const NamedMesh& object) {
+    const auto alike = std::find_if(materialOf_.begin(), materialOf_.end(),
+                                    [&](const auto& known) { return lookAlike(*known.first, object); });
+    if (alike != materialOf_.end()) return alike->second;
+    const std::size_t first = materials_.size();
+    materialOf_.emplace_back(&object, first);
+    const bool wrong = object.look && object.look->wrong;
+    const std::string name = materialName(object);
+    if (const Done done = addMaterial(name, object.colour, object.look, tileOf(object), object.look && !wrong); !done)
+      return done.error();
+    if (wrong)
+      if (const Done done = addMaterial(name + " wrong side", object.look->wrong->colour, object.look,
+                                        object.look->wrong->tile, false);
+          !done)
+        return done.error();
+    return first;
+  }
+
+  // `tile`: the side's print.
+  Done addMaterial(const std::string& name, const std::array<float, 3>& colour, const SpatialLook* look,
+                   const std::optional<SpatialLook::Tile>& tile, bool bothSides) {
     const double cover = look ? look->cover : 1;
     Json surface{{"baseColorFactor", {colour[0], colour[1], colour[2], cover}},
                  {"metallicFactor", 0.0},
@@ -155,17 +287,16 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
     if (tile) {
       auto png = pngOf(*tile);
       if (!png) return png.error();
-      images.push_back({{"bufferView", buffer.addFile(*png)}, {"mimeType", "image/png"}});
-      textures.push_back({{"source", images.size() - 1}, {"sampler", 0}});
+      images_.push_back({{"bufferView", buffer_.addFile(*png)}, {"mimeType", "image/png"}});
+      textures_.push_back({{"source", images_.size() - 1}, {"sampler", 0}});
       // Coordinates are (u, 1 - v) in metres. A tile's v runs downwards from its top: (1 - v) / high + 1 - 1 / high
       // is a whole number where v is a whole number of repeats.
       surface["baseColorFactor"] = {1.0, 1.0, 1.0, cover};
       surface["baseColorTexture"] = {
-          {"index", textures.size() - 1},
+          {"index", textures_.size() - 1},
           {"extensions",
            {{"KHR_texture_transform",
              {{"scale", {1 / tile->wide, 1 / tile->high}}, {"offset", {0.0, 1 - 1 / tile->high}}}}}}};
-      transform = true;
     }
     Json made{{"name", name}, {"doubleSided", bothSides}, {"pbrMetallicRoughness", std::move(surface)}};
     if (cover < 1) made["alphaMode"] = "BLEND";
@@ -173,94 +304,68 @@ Result<std::string> writeGlb(const SpatialGarment& garment) {
       const double s = look->sheen;
       made["extensions"]["KHR_materials_sheen"] = {{"sheenColorFactor", {s * colour[0], s * colour[1], s * colour[2]}},
                                                    {"sheenRoughnessFactor", 0.5}};
-      sheen = true;
+      sheen_ = true;
     }
-    materials.push_back(std::move(made));
+    materials_.push_back(std::move(made));
     return {};
-  };
-  std::vector<std::pair<const NamedMesh*, std::size_t>> materialOf;  // of pieces that look alike one
+  }
+
+  Json primitive(const Surface& side, const NamedMesh& object, const std::optional<SpatialLook::Tile>& tile,
+                 std::size_t material) {
+    Json attributes;
+    attributes["POSITION"] = buffer_.add(floats(side.points), 3, true);
+    attributes["NORMAL"] = buffer_.add(floats(side.normals), 3, false);
+    if (object.flat)
+      attributes["TEXCOORD_0"] = buffer_.add(textureCoordinates(tile ? onTile(*tile, side.flat) : side.flat), 2, false);
+    std::vector<std::uint32_t> indices;
+    for (const Triangle& face : side.faces) indices.insert(indices.end(), face.begin(), face.end());
+    return {
+        {"attributes", attributes}, {"indices", buffer_.add(indices, 1, true)}, {"material", material}, {"mode", 4}};
+  }
+
+  // Keyframe k has morph target k alone, the beginning none.
+  Json animation() {
+    const std::size_t count = motion_.size();
+    std::vector<float> seconds{0}, weights(count, 0);
+    const auto at = [&](double time, std::size_t target) {
+      seconds.push_back(static_cast<float>(time));
+      weights.resize(weights.size() + count, 0);
+      weights[weights.size() - count + target] = 1;
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+      at(motion_[k].seconds, k);
+      if (motion_[k].held > 0) at(motion_[k].seconds + motion_[k].held, k);
+    }
+    const std::size_t input = buffer_.add(seconds, 1, true), output = buffer_.add(weights, 1, false);
+    Json channels = Json::array();
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+      channels.push_back({{"sampler", 0}, {"target", {{"node", k}, {"path", "weights"}}}});
+    return {{"name", "motion"},
+            {"samplers", Json::array({{{"input", input}, {"output", output}, {"interpolation", "LINEAR"}}})},
+            {"channels", std::move(channels)}};
+  }
+
+  const std::vector<SpatialKeyframe>& motion_;
+  std::vector<std::string> targetNames_;
+  Buffer buffer_;
+  Json nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array();
+  Json textures_ = Json::array(), images_ = Json::array();
+  std::vector<std::pair<const NamedMesh*, std::size_t>> materialOf_;
+  bool sheen_ = false;
+};
+
+}  // namespace
+
+Result<std::string> writeGlb(const SpatialGarment& garment) {
+  const auto named = namedMeshes(garment);
+  if (!named) return named.error();
+  GlbWriter writer(garment.motion);
   for (const NamedMesh& object : *named) {
     if (object.mesh->points.empty() || object.mesh->faces.empty()) continue;  // glTF has no empty accessor
-    const bool cloth = object.flat != nullptr;
-    const auto alike = std::find_if(materialOf.begin(), materialOf.end(),
-                                    [&](const auto& known) { return lookAlike(*known.first, object); });
-    const std::size_t material = alike != materialOf.end() ? alike->second : materials.size();
-    if (alike == materialOf.end()) {
-      materialOf.emplace_back(&object, material);
-      const bool wrong = cloth && object.look->wrong;
-      const std::string name = materialName(object);
-      if (const Done done =
-              addMaterial(name, object.colour, object.look, cloth ? object.look->tile : std::nullopt, cloth && !wrong);
-          !done)
-        return done.error();
-      if (wrong)  // behind that of its right side
-        if (const Done done = addMaterial(name + " wrong side", object.look->wrong->colour, object.look,
-                                          object.look->wrong->tile, false);
-            !done)
-          return done.error();
-    }
-    TriangleMesh mesh = *object.mesh;
-    std::vector<Flat> flat = cloth ? *object.flat : std::vector<Flat>();
-    std::vector<Vec3> normals = pointNormals(mesh);
-    for (Vec3& n : normals)
-      if (squaredLength(n) < 0.5) n = {0, 0, 1};  // a point of no face; a glTF normal must have unit length
-    const TriangleMesh sides = mesh;
-    const std::vector<Vec3> outwards = normals;
-    if (cloth && object.look->thickness > 0) addRim(mesh, normals, flat, object.look->thickness);
-    Json primitives = Json::array();
-    const auto addSide = [&](const TriangleMesh& shape, const std::vector<Vec3>& up, const std::vector<Flat>& paper,
-                             const std::optional<SpatialLook::Tile>& tile, std::size_t of) {
-      Json attributes;
-      attributes["POSITION"] = buffer.add(floats(shape.points), 3, true);
-      attributes["NORMAL"] = buffer.add(floats(up), 3, false);
-      if (cloth)
-        attributes["TEXCOORD_0"] = buffer.add(textureCoordinates(tile ? onTile(*tile, paper) : paper), 2, false);
-      std::vector<std::uint32_t> indices;
-      for (const Triangle& face : shape.faces) indices.insert(indices.end(), face.begin(), face.end());
-      primitives.push_back(
-          {{"attributes", attributes}, {"indices", buffer.add(indices, 1, true)}, {"material", of}, {"mode", 4}});
-    };
-    addSide(mesh, normals, flat, cloth ? object.look->tile : std::nullopt, material);
-    if (cloth && object.look->wrong) {  // the same cloth seen from its other side
-      TriangleMesh turned = sides;
-      for (Triangle& face : turned.faces) std::swap(face[1], face[2]);
-      std::vector<Vec3> inwards = outwards;
-      for (Vec3& n : inwards) n = -n;
-      addSide(turned, inwards, *object.flat, object.look->wrong->tile, material + 1);
-    }
-    roots.push_back(nodes.size());
-    nodes.push_back({{"name", object.name}, {"mesh", meshes.size()}});
-    meshes.push_back({{"name", object.name}, {"primitives", primitives}});
+    if (const Done done = writer.add(object); !done) return done.error();
   }
-  if (nodes.empty()) return refused(say("There is nothing to write: no body and no piece."));
-  Json root{{"asset", {{"version", "2.0"}, {"generator", "Karinui"}}}, {"scene", 0}};
-  root["scenes"] = Json::array({{{"name", "fitting"}, {"nodes", roots}}});
-  root["nodes"] = nodes;
-  root["meshes"] = meshes;
-  root["materials"] = materials;
-  if (transform) {
-    root["images"] = images, root["textures"] = textures;
-    root["samplers"] = Json::array({{{"wrapS", 10497}, {"wrapT", 10497}, {"magFilter", 9729}, {"minFilter", 9987}}});
-  }
-  if (sheen) root["extensionsUsed"].push_back("KHR_materials_sheen");
-  if (transform) root["extensionsUsed"].push_back("KHR_texture_transform");
-  root["accessors"] = buffer.accessors;
-  root["bufferViews"] = buffer.views;
-  root["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});
-
-  std::string json = root.dump(-1, ' ', false, Json::error_handler_t::replace);
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  std::string numbers = buffer.bytes();
-  numbers.resize((numbers.size() + 3) / 4 * 4, '\0');
-  const std::size_t total = 12 + 8 + json.size() + 8 + numbers.size();
-  if (total > std::numeric_limits<std::uint32_t>::max())
-    return refused(say("The garment is too large for one GLB file (4 GB)."));
-  std::string out;
-  out.reserve(total);
-  append32(out, 0x46546C67), append32(out, 2), append32(out, total);
-  append32(out, json.size()), append32(out, 0x4E4F534A), out += json;
-  append32(out, numbers.size()), append32(out, 0x004E4942), out += numbers;
-  return out;
+  if (writer.empty()) return refused(say("There is nothing to write: no body and no piece."));
+  return writer.written();
 }
 
 }  // namespace karinui

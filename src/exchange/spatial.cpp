@@ -1,5 +1,7 @@
 #include "spatial.h"
 
+#include <algorithm>
+
 #include "names.h"
 #include "strict_json.h"
 
@@ -41,8 +43,13 @@ Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment) {
   if (garment.body) {
     if (auto good = checkMesh(*garment.body, "body"); !good) return good.error();
     out.push_back({"body", "", &*garment.body, nullptr, kSkin, nullptr});
+    for (const SpatialKeyframe& key : garment.motion) out.back().motion.push_back(&key.body);
   }
-  for (const SpatialPiece& piece : garment.pieces) {
+  for (const SpatialKeyframe& key : garment.motion)
+    if (key.pieces.size() != garment.pieces.size() || key.notions.size() != garment.notions.size())
+      return badInput(say("A keyframe does not hold all of the garment."));
+  for (std::size_t k = 0; k < garment.pieces.size(); ++k) {
+    const SpatialPiece& piece = garment.pieces[k];
     if (auto good = checkMesh(piece.mesh, piece.name); !good) return good.error();
     if (piece.flat.size() != piece.mesh.points.size())
       return badInput(say("\"{0}\" does not know where all its points are on paper.", shown(piece.name)));
@@ -54,12 +61,20 @@ Result<std::vector<NamedMesh>> namedMeshes(const SpatialGarment& garment) {
         return badInput(say("\"{0}\" has a point that is nowhere (not a finite number).", shown(piece.name)));
     out.push_back({taken.give(oneWord(piece.name, "piece")), oneWord(piece.fabric, "fabric"), &piece.mesh, &piece.flat,
                    piece.colour, &piece.look});
+    for (const SpatialKeyframe& key : garment.motion) out.back().motion.push_back(&key.pieces[k]);
   }
-  for (const SpatialNotion& notion : garment.notions) {
+  for (std::size_t k = 0; k < garment.notions.size(); ++k) {
+    const SpatialNotion& notion = garment.notions[k];
     if (auto good = checkMesh(notion.mesh, notion.name); !good) return good.error();
     out.push_back({taken.give(oneWord(notion.name, "buttons")), oneWord(notion.material, "notion"), &notion.mesh,
                    nullptr, notion.colour, nullptr});
+    for (const SpatialKeyframe& key : garment.motion) out.back().motion.push_back(&key.notions[k]);
   }
+  for (const NamedMesh& object : out)
+    for (const std::vector<Vec3>* points : object.motion)
+      if (points->size() != object.mesh->points.size() ||
+          !std::all_of(points->begin(), points->end(), [](Vec3 p) { return finite(p); }))
+        return badInput(say("A keyframe does not hold all points of \"{0}\".", object.name));
   return out;
 }
 

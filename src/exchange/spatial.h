@@ -10,7 +10,8 @@ struct NamedMesh {
   const TriangleMesh* mesh = nullptr;
   const std::vector<Flat>* flat = nullptr;  // null: no texture coordinates
   std::array<float, 3> colour{};
-  const SpatialLook* look = nullptr;  // null: the body, a button
+  const SpatialLook* look = nullptr;                  // null: the body, a button
+  std::vector<const std::vector<Vec3>*> motion = {};  // its points in each keyframe
 };
 
 // The body first, then the pieces and the notions in their order, each under a name of its own.

@@ -5,6 +5,7 @@
 
 #include "karinui/base/number.h"
 #include "session/csv.h"
+#include "session/pose_steps.h"
 
 namespace karinui {
 
@@ -107,15 +108,6 @@ Result<FitInPose> measured(Document document, Context& context) {
   return fit;
 }
 
-bool atRest(const Document& document) {
-  return document.drape.last && document.drape.last->settled && document.drape.dirty.empty();
-}
-
-Result<Document> rested(Document document, Context& context) {
-  if (atRest(document)) return document;
-  return apply(document, DrapePieces{}, context);
-}
-
 // How far the edges slid over the skin since the first pose.
 void slide(FitInPose& fit, const EdgePlaces& edges, const Body& body) {
   const TriangleMesh& own = body.mesh();
@@ -155,13 +147,7 @@ Message openEdgeSaid(OpenEdge edge) {
 Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::vector<std::string>& poses,
                                            Context& context, const std::function<void(const FitInPose&)>& each) {
   if (!document.body.chosen()) return bodyOf(document, context).error();
-  const auto poseStep = [](const std::string& name) {
-    PoseBody pose;
-    pose.name = name;
-    return Operation(pose);
-  };
-  for (const std::string& name : poses)  // before the long work
-    if (const auto known = resolved(document, poseStep(name), context); !known) return known.error();
+  if (const Done known = posesKnown(document, poses, context); !known) return known.error();
   const auto skeleton = context.bodies.skeleton(document.body, context.blobs, context.workers, context.token);
   if (!skeleton) return skeleton.error();
   const auto start = rested(document, context);

@@ -206,15 +206,22 @@ SnapshotPtr snapshotUnderWay(const GarmentSnapshot& before, const PoseUnderWay& 
   return snapshot;
 }
 
-PhotoTall photosOf(const GarmentSnapshot& snapshot) {
-  std::map<std::string, double> tall;
+Prints printsOf(const GarmentSnapshot& snapshot) {
+  std::map<std::string, std::shared_ptr<const PrintImage>> images;
   for (std::size_t k = 0; k < snapshot.worn.size() && k < snapshot.frame.cloths.size(); ++k)
     if (const auto& photo = snapshot.frame.cloths[k].look.photo)
       if (const Piece* piece = snapshot.document.find(snapshot.worn[k].id))
-        tall[lookOf(snapshot.document, *piece).photo] = static_cast<double>(photo->height) / photo->width;
-  return [tall](const std::string& photo) {
-    const auto at = tall.find(photo);
-    return at == tall.end() ? 1.0 : at->second;
+        images[lookOf(snapshot.document, *piece).photo] = photo;
+  return [images](const std::string& photo) {
+    const auto at = images.find(photo);
+    return at == images.end() ? nullptr : at->second;
+  };
+}
+
+PhotoTall photosOf(const GarmentSnapshot& snapshot) {
+  return [prints = printsOf(snapshot)](const std::string& photo) {
+    const auto image = prints(photo);
+    return image ? static_cast<double>(image->height) / image->width : 1.0;
   };
 }
 

@@ -154,6 +154,7 @@ TEST(Serve, SaysWhatIsWrongInASentenceAndGoesOn) {
   EXPECT_THAT(refusal(serving.ask({{"do", "export"}, {"file", "/nowhere/coat.pdf"}})), HasSubstr("cannot be written"));
   EXPECT_THAT(refusal(serving.ask({{"do", "export"}, {"file", "x.pdf"}, {"allowance_mm", 900}})),
               HasSubstr("0 to 100"));
+  EXPECT_THAT(refusal(serving.ask({{"do", "export"}, {"file", "x.obj"}, {"poses", "T"}})), HasSubstr("--poses"));
   EXPECT_THAT(refusal(serving.ask({{"do", "picture"}, {"file", "x.png"}, {"view", "inside"}})), HasSubstr("inside"));
   EXPECT_EQ(serving.end(), 0);
 }

@@ -313,6 +313,67 @@ TEST(Glb, HasButtons) {
   EXPECT_FALSE(writeGlb(g));
 }
 
+// Keyframes are morph targets; at each one's time it has all the weight. Rims and wrong sides go along.
+TEST(Glb, GoesThroughItsKeyframes) {
+  SpatialGarment g = garment();
+  g.notions = {{"knobs", "buttons", tetrahedron(), {}}};
+  g.pieces[0].look.thickness = 0.002;
+  g.pieces[0].look.wrong = SpatialLook::Wrong{{1, 1, 1}, {}};
+  const auto lifted = [](std::vector<Vec3> points, double by) {
+    for (Vec3& p : points) p.y += by;
+    return points;
+  };
+  for (const double high : {0.1, 0.3}) {
+    SpatialKeyframe key{high * 10, high > 0.2 ? 0.5 : 0, high > 0.2 ? "T" : "", lifted(g.body->points, high), {}, {}};
+    for (const SpatialPiece& piece : g.pieces) key.pieces.push_back(lifted(piece.mesh.points, 2 * high));
+    key.notions = {lifted(g.notions[0].mesh.points, 3 * high)};
+    g.motion.push_back(key);
+  }
+  const auto bytes = writeGlb(g);
+  ASSERT_TRUE(bytes) << text(bytes.error().what);
+  const Glb glb(*bytes);
+  ASSERT_EQ(glb.json["meshes"].size(), 6u);
+  for (std::size_t m = 0; m < 6; ++m) {
+    const auto& mesh = glb.json["meshes"][m];
+    EXPECT_EQ(mesh["extras"]["targetNames"], (nlohmann::json{"1.00 s", "T"})) << "Blender reads none without a name";
+    EXPECT_EQ(mesh["weights"], (nlohmann::json{0.0, 0.0}));
+    EXPECT_EQ(mesh["primitives"].size(), m == 1 ? 2u : 1u);
+    for (const auto& primitive : mesh["primitives"]) {
+      const auto points = glb.values<float>(primitive["attributes"]["POSITION"]);
+      ASSERT_EQ(primitive["targets"].size(), 2u);
+      for (std::size_t k = 0; k < 2; ++k) {
+        const float high = static_cast<float>((m == 0 ? 1 : m == 5 ? 3 : 2) * (k == 0 ? 0.1 : 0.3));
+        const auto moved = glb.values<float>(primitive["targets"][k]["POSITION"]);
+        const auto turned = glb.values<float>(primitive["targets"][k]["NORMAL"]);
+        ASSERT_EQ(moved.size(), points.size());
+        ASSERT_EQ(turned.size(), points.size());
+        for (std::size_t i = 0; i < moved.size(); ++i) {
+          EXPECT_NEAR(moved[i], i % 3 == 1 ? high : 0, 1e-6);
+          EXPECT_NEAR(turned[i], 0, 1e-6);
+        }
+      }
+    }
+  }
+  const auto& animation = glb.json["animations"][0];
+  const auto& sampler = animation["samplers"][0];
+  EXPECT_EQ(glb.values<float>(sampler["input"]), (std::vector<float>{0, 1, 3, 3.5f}));
+  EXPECT_EQ(glb.values<float>(sampler["output"]), (std::vector<float>{0, 0, 1, 0, 0, 1, 0, 1}));
+  ASSERT_EQ(animation["channels"].size(), 6u);
+  for (std::size_t m = 0; m < 6; ++m) {
+    EXPECT_EQ(animation["channels"][m]["target"]["node"], m);
+    EXPECT_EQ(animation["channels"][m]["target"]["path"], "weights");
+  }
+  for (const std::size_t number : {sampler["input"].get<std::size_t>(), sampler["output"].get<std::size_t>()})
+    EXPECT_FALSE(
+        glb.json["bufferViews"][glb.json["accessors"][number]["bufferView"].get<std::size_t>()].contains("target"));
+  SpatialGarment lacking = g;
+  lacking.motion[1].pieces[2].pop_back();
+  EXPECT_FALSE(writeGlb(lacking));
+  lacking = g;
+  lacking.motion[0].notions.clear();
+  EXPECT_FALSE(writeGlb(lacking));
+}
+
 TEST(Glb, IsValidAndHoldsTheGarment) {
   const SpatialGarment g = garment();
   const auto bytes = writeGlb(g);
@@ -354,7 +415,10 @@ TEST(Glb, PassesGltfValidator) {
   const auto file = std::filesystem::temp_directory_path() / ("karinui_" + std::to_string(::getpid()) + ".glb");
   SpatialGarment printed = garment();
   printed.pieces[0].look.tile = SpatialLook::Tile{2, 1, {255, 0, 0, 0, 0, 255}, 0.2, 0.1, {0, -1}, {1, 0}};
-  for (const SpatialGarment& one : {garment(), printed}) {
+  SpatialGarment moving = garment();
+  moving.motion = {{1, 0, "up", moving.body->points, {}, {}}};
+  for (const SpatialPiece& piece : moving.pieces) moving.motion[0].pieces.push_back(piece.mesh.points);
+  for (const SpatialGarment& one : {garment(), printed, moving}) {
     const auto bytes = writeGlb(one);
     ASSERT_TRUE(bytes);
     std::ofstream(file, std::ios::binary) << *bytes;

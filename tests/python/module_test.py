@@ -221,6 +221,12 @@ class Documents(unittest.TestCase):
         self.assertEqual((now["pose"], moved["pose"], moved["settled"]), ("", "A", True))
         self.assertEqual(set(moved["strain"]), {"mean", "p99", "max"})
         self.assertIsInstance(moved["slid"], dict)
+        file = self.folder / "moving.glb"
+        self.assertEqual(coat.export(file, poses=["arms_down", "A"]), file.stat().st_size)
+        self.assertIn(b'"targetNames"', file.read_bytes())
+        with self.assertRaises(karinui.Error) as raised:
+            coat.export(self.folder / "moving.obj", poses=["A"])
+        self.assertIn("Only a GLB", str(raised.exception))
         (she,) = coat.fit_over(["jis9ar"])
         self.assertEqual((she["name"], she["fits"], she["said"]), ("jis9ar", True, ""))
         self.assertAlmostEqual(she["strain"]["p99"], now["strain"]["p99"], 12)

@@ -90,6 +90,36 @@ TEST(FitStudies, PosesAreTickedByKeysAndTheWorkIsStopped) {
   EXPECT_EQ(study.w.count(), steps) << "the garment is left as it is";
 }
 
+// The way through the poses that are ticked becomes a file; the table that was made stays.
+TEST(FitStudies, AnAnimationIsWritten) {
+  KARINUI_NEEDS_DISPLAY();
+  Study study("motion");
+  ASSERT_TRUE(study.dialog);
+  auto& motion = dynamic_cast<MotionStudy&>(*study.dialog);
+  auto* save = motion.findChild<QPushButton*>("study_animation");
+  ASSERT_TRUE(save);
+  EXPECT_TRUE(save->isEnabled());
+  study.tickOnly({});
+  EXPECT_FALSE(save->isEnabled());
+  study.tickOnly({2});  // arms down
+  Folder folder;
+  const std::string file = (folder.path / "moving.glb").string();
+  const std::size_t steps = study.w.count();
+  motion.saveAnimation(file);
+  EXPECT_TRUE(study.dialog->busy());
+  EXPECT_FALSE(save->isEnabled());
+  study.waitFor(&FitStudy::finished);
+  EXPECT_THAT(study.said(), HasSubstr("moving.glb"));
+  const auto bytes = readFile(file);
+  ASSERT_TRUE(bytes);
+  EXPECT_THAT(*bytes, HasSubstr("\"arms_down\""));
+  EXPECT_TRUE(save->isEnabled());
+  EXPECT_EQ(study.w.count(), steps);
+  motion.saveAnimation((folder.path / "none" / "moving.glb").string());
+  study.waitFor(&FitStudy::finished);
+  EXPECT_THAT(study.said(), HasSubstr("cannot be written"));
+}
+
 TEST(FitStudies, FiguresAreTickedAndReadFromATable) {
   KARINUI_NEEDS_DISPLAY();
   Study study("figures");

@@ -59,13 +59,26 @@ struct SpatialNotion {
   std::array<float, 3> colour{};
 };
 
+// Where every point of a garment has come after a time, in the order of its meshes.
+struct SpatialKeyframe {
+  double seconds = 0;  // from the beginning, growing from one to the next
+  double held = 0;     // for so many it stays so
+  std::string name;    // of the shape; empty: it is named by its time
+  std::vector<Vec3> body;
+  std::vector<std::vector<Vec3>> pieces, notions;
+};
+
 struct SpatialGarment {
   std::optional<TriangleMesh> body;
   std::vector<SpatialPiece> pieces;
   std::vector<SpatialNotion> notions = {};
+  // How it moves, from where its meshes are; empty: it stands still. A GLB has each as a morph target, between which an
+  // animation goes in straight lines. OBJ knows no motion.
+  std::vector<SpatialKeyframe> motion = {};
 };
 
-// Refused with a sentence: points that are not finite, faces that name points that are not there.
+// Refused with a sentence: points that are not finite, faces that name points that are not there, a keyframe that has
+// another number of points.
 Result<std::string> writeObj(const SpatialGarment& garment);
 // A file that is written beside another, which names it.
 struct SideFile {

@@ -53,7 +53,8 @@ struct GarmentSnapshot {
   std::optional<Message> trouble;  // why pieces could not be laid together (then each stands alone, without seams)
 };
 using SnapshotPtr = std::shared_ptr<const GarmentSnapshot>;
-PhotoTall photosOf(const GarmentSnapshot& snapshot);  // of the prints it shows
+Prints printsOf(const GarmentSnapshot& snapshot);     // the photographs it shows
+PhotoTall photosOf(const GarmentSnapshot& snapshot);  // how tall they are
 SnapshotPtr snapshotOf(Document document, BodyPtr body, const Prints& prints = {});
 // The same garment where these pieces have come to stand, as drapes and pulls leave them (in space: the poses become
 // the identity). Forms asFine() as the garment need not be laid anew: quick.
