@@ -74,6 +74,44 @@ TEST_F(TurnedBack, CutToLieOnItAtOnce) {
               1e-9);
 }
 
+// A lapel's facing lay beneath it; turned back with it, it goes round the fold and lies above.
+TEST_F(TurnedBack, ItsFacingGoesRoundTheFold) {
+  ASSERT_TRUE(
+      room.play(file,
+                "piece name=front outline=\"M -100 0; hem L 100 0; right L 100 400; top L -100 400; left L -100 0\"\n"
+                "facing edges=front.right width=7cm\n"
+                "line piece=front along=\"5cm,0; 5cm,40cm\" name=roll_line\n"));
+  const auto formOf = [](const Document& document, const char* name) { return document.pieceNamed(name)->form; };
+  const Document flat = file.document();
+  perform("fold piece=front line=roll_line angle=170deg turned=yes");
+  const auto front = formOf(file.document(), "front"), facing = formOf(file.document(), "front_facing");
+  TriangleMesh cloth{front->space, front->faces};
+  const auto first = static_cast<std::uint32_t>(cloth.points.size());
+  cloth.points.insert(cloth.points.end(), facing->space.begin(), facing->space.end());
+  for (const auto& [a, b, c] : facing->faces) cloth.faces.push_back({first + a, first + b, first + c});
+  EXPECT_THAT(selfCrossings(cloth), IsEmpty());
+  for (std::size_t k = 0; k < facing->flat.size(); ++k) {
+    const Flat paper = facing->flat[k];
+    const Vec3 p = facing->space[k];
+    EXPECT_NEAR(p.y, paper.v, 1e-9);
+    const bool over = paper.u > 0.07;
+    EXPECT_TRUE(!over || p.x < 0.05);
+    if (over || paper.u < 0.05) {
+      EXPECT_NEAR(p.z, over ? 0.006 : -0.003, 1e-9) << paper.u;
+    }
+  }
+  const std::string asked = text(file.steps().back().operation);
+  EXPECT_THAT(asked, HasSubstr("facings=yes"));
+  // Not asked for, and in a record that does not know of it, it stays.
+  for (const bool recorded : {false, true}) {
+    room.context.recorded = recorded;
+    const std::string line = "fold piece=front line=roll_line angle=170deg turned=yes";
+    const auto after = apply(flat, *parseOperation(recorded ? line : line + " facings=no"), room.context);
+    ASSERT_TRUE(after);
+    EXPECT_EQ(formOf(*after, "front_facing")->space, formOf(flat, "front_facing")->space);
+  }
+}
+
 // A straight side that was turned and stretched has no control points, whatever was worked out beside it.
 TEST_F(TurnedBack, IsReadFromTheFileAsItWasCut) {
   const std::filesystem::path folder = quickFolder();

@@ -147,6 +147,7 @@ TermTable fieldTerms() {
       {"fabric", say("Fabric")},
       {"finish", say("Surface")},
       {"first", say("From the end to the first")},
+      {"facings", say("Facings with it")},
       {"flared", say("Cut to lie on it")},
       {"flex", say("Forwards, or bent")},
       {"form", say("Dress form")},

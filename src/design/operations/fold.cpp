@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "design/operations/finished_edges.h"
 #include "design/operations/lifted_form.h"
@@ -106,6 +107,42 @@ Result<std::shared_ptr<const Form>> turnedForm(const Piece& now, const Piece& ol
   });
 }
 
+// Whether a piece was cut after this one's paper, to lie beneath it: sewn to it along edges that are the same.
+bool faces(const Piece& facing, const Piece& piece, const Pattern& pattern) {
+  constexpr double kSame = 0.0005;  // metres
+  const auto alike = [&](const EdgeSpan& own, const EdgeSpan& other) {
+    const Edge *a = findEdge(piece, own.edge), *b = findEdge(facing, other.edge);
+    return a && b && distance(a->curve.atFraction(0.5), b->curve.atFraction(0.5)) < kSame &&
+           distance(a->curve.start, b->curve.start) < kSame;
+  };
+  const auto along = [&](const std::vector<EdgeSpan>& one, const std::vector<EdgeSpan>& other) {
+    return one.size() == other.size() && !one.empty() && one.front().piece == piece.id &&
+           other.front().piece == facing.id && std::equal(one.begin(), one.end(), other.begin(), alike);
+  };
+  return facing.layer < piece.layer && std::any_of(pattern.seams.begin(), pattern.seams.end(), [&](const auto& seam) {
+           return along(seam.second.a, seam.second.b) || along(seam.second.b, seam.second.a);
+         });
+}
+
+// The facing of what is turned back to the right side goes round the fold in a half circle, and over it: what was
+// beneath is above then.
+Result<Piece> turnedFacing(Piece facing, const Piece& old, const FoldLine& op, double spacing) {
+  constexpr double kRadius = 1.5 * kLayersApart, kRound = std::numbers::pi * kRadius;
+  const Parting parting(old, lineNamed(old, op.lines.front()));
+  auto form = liftedForm(facing, old, spacing, [&](Flat place) {
+    if (!parting.beyond(place)) return LiftedPlace{place, -kLayersApart};
+    const Flat foot = parting.foot(place);
+    const double far = distance(place, foot), turn = std::min(far, kRound) / kRadius;
+    const double beside = kRadius * std::sin(turn) - std::max(0.0, far - kRound);
+    return LiftedPlace{far > 0 ? foot + (place - foot) * (beside / far) : foot,
+                       -kLayersApart + kRadius * (1 - std::cos(turn))};
+  });
+  if (!form) return form.error();
+  facing.form = *std::move(form);
+  facing.pose = old.pose;
+  return facing;
+}
+
 // Presses the lines of one piece, whose paper may have been cut anew since `old`, and lays it over where it is turned.
 Result<Document> folded(Document document, const Piece& old, const FoldLine& op, double spacing) {
   Piece piece = *document.find(old.id);
@@ -117,7 +154,15 @@ Result<Document> folded(Document document, const Piece& old, const FoldLine& op,
     if (!form) return form.error();
     piece.form = *std::move(form);
   }
-  return withPiece(std::move(document), std::move(piece));
+  document = withPiece(std::move(document), std::move(piece));
+  if (!op.turned || op.facings != Choice::Yes || op.angle < 0) return document;
+  for (const auto& [id, other] : std::map(document.pattern.pieces)) {
+    if (!faces(*other, old, document.pattern)) continue;
+    auto facing = turnedFacing(*other, old, op, spacing);
+    if (!facing) return facing.error();
+    document = withPiece(std::move(document), *std::move(facing));
+  }
+  return document;
 }
 
 // The same fold on a symmetric copy: its lines are those that lie where the images do. Nothing where one is missing.
@@ -149,6 +194,7 @@ Done resolve(const Document& before, FoldLine& op, Context& context) {
         say("Cloth is folded by up to 170 degrees; what is turned over altogether is a hem or a piece of "
             "its own."));
   if (!(op.hold >= 0.1 && op.hold <= 0.99)) return refused(say("A fold holds 0.1 to 0.99 of its angle."));
+  if (op.facings == Choice::Auto && op.turned && !context.recorded) op.facings = Choice::Yes;
   if (op.flared && !op.turned)
     return refused(say("Only what is turned back is cut as the mirror image of what it comes to lie on: turned=yes."));
   if (!op.turned) return {};

@@ -138,7 +138,7 @@ struct FoldLine {
   Angle angle;
   double hold = 0.9;
   bool turned = false, flared = false;
-  Choice copies = Choice::Auto;
+  Choice copies = Choice::Auto, facings = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece", kNeeded);
@@ -158,6 +158,11 @@ struct FoldLine {
         "towards the line",
         kOptional);
     visit("copies", self.copies, kCopiesHelp, kOptional);
+    visit(
+        "facings", self.facings,
+        "with turned: what faces it beneath is turned back with it, as a lapel's facing is: auto, yes, no (auto: yes, "
+        "but no in a record that does not have it)",
+        kOptional);
   }
   bool operator==(const FoldLine&) const = default;
 };
