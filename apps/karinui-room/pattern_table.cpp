@@ -90,16 +90,11 @@ std::vector<SceneBody> PatternTable::boards() const {
 
 PatternTable patternTableFor(const Session& session, bool mirrored) {
   const auto shown = session.shownPtr();
-  Flat low, high;
-  bool any = false;
+  FlatBox box;
   for (const auto& worn : shown->worn)
-    for (const Flat corner : worn.ring) {
-      const Flat p = corner + session.table().at(worn.id);
-      low = any ? Flat{std::min(low.u, p.u), std::min(low.v, p.v)} : p;
-      high = any ? Flat{std::max(high.u, p.u), std::max(high.v, p.v)} : p;
-      any = true;
-    }
-  return any ? PatternTable(low, high, mirrored) : PatternTable(Flat{0, -0.8}, Flat{1.1, 0}, mirrored);
+    for (const Flat corner : worn.ring) box.include(corner + session.table().at(worn.id));
+  if (box.empty()) box = {{0, -0.8}, {1.1, 0}};
+  return PatternTable(box.low, box.high, mirrored);
 }
 
 TablePlacement PatternTable::placement() const { return {at({0, 0}), right_ * scale_, away_ * scale_}; }

@@ -22,12 +22,6 @@ Vec3 turnedAboutUp(Vec3 p, double radians) {
   return {c * p.x + s * p.z, p.y, -s * p.x + c * p.z};
 }
 
-Rigid inverseOf(const Rigid& pose) {
-  Rigid inverse{pose.w, -pose.x, -pose.y, -pose.z, {}};
-  inverse.carry = inverse.turned(-pose.carry);
-  return inverse;
-}
-
 Vec3 forwardOf(const Rigid& pose) { return pose.turned({0, 0, -1}); }
 
 double headingOf(const Rigid& pose) {

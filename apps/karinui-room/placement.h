@@ -31,7 +31,6 @@ struct Placement {
 
 // A turn about y by `radians`, counter-clockwise seen from above.
 Vec3 turnedAboutUp(Vec3 p, double radians);
-Rigid inverseOf(const Rigid& pose);
 // The direction a head or hand looks along, and how it is turned about y; looking along -z is 0.
 Vec3 forwardOf(const Rigid& pose);
 double headingOf(const Rigid& pose);

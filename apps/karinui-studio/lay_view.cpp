@@ -116,8 +116,7 @@ std::string LayView::nameOf(const LaidPiece& piece) const {
 
 Message LayView::about(std::size_t nth) const {
   const LaidPiece& piece = lay()->pieces[nth];
-  Flat low = lay()->cut[nth].front();
-  for (const Flat p : lay()->cut[nth]) low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+  const Flat low = boxOf(lay()->cut[nth]).low;
   const std::string along = lengthText(low.u).toStdString(), across = lengthText(low.v).toStdString();
   return piece.onFold ? say("“{0}”, on the fold, {1} along the cloth", nameOf(piece), along)
                       : say("“{0}”, {1} along the cloth and {2} across", nameOf(piece), along, across);

@@ -48,14 +48,13 @@ void MakeUpView::paintEvent(QPaintEvent*) {
         if (one.piece.id == id && one.edge == edge.name) edge.chosen = true;
     ++k;
   }
-  const auto box = extent(frame);
-  if (!box) return;
+  const FlatBox box = extent(frame);
+  if (box.empty()) return;
   TableOnScreen screen;
-  screen.middle = (box->low + box->high) * 0.5;
+  screen.middle = (box.low + box.high) * 0.5;
   screen.size = size();
   constexpr double kMargin = 24;  // pixels
-  screen.scale = std::min((width() - 2 * kMargin) / (box->high.u - box->low.u),
-                          (height() - 2 * kMargin) / (box->high.v - box->low.v));
+  screen.scale = std::min((width() - 2 * kMargin) / box.size().u, (height() - 2 * kMargin) / box.size().v);
   paintTable(painter, frame, screen);
   paintChosenEdges(painter, frame, screen);
 }

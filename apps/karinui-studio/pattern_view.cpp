@@ -34,24 +34,17 @@ QPointF PatternView::onScreen(Flat table) const { return screen().at(table); }
 Flat PatternView::onTable(const QPointF& at) const { return screen().table(at); }
 
 void PatternView::showAll() {
-  Flat low{1e9, 1e9}, high{-1e9, -1e9};
+  FlatBox box;
   for (const auto& worn : session_.snapshot().worn)
-    for (const Flat p : worn.ring) {
-      const Flat q = p + session_.table().at(worn.id);
-      low = {std::fmin(low.u, q.u), std::fmin(low.v, q.v)};
-      high = {std::fmax(high.u, q.u), std::fmax(high.v, q.v)};
-    }
+    for (const Flat p : worn.ring) box.include(p + session_.table().at(worn.id));
   for (const auto& [name, underlay] : session_.snapshot().document.underlays)
     if (!underlay.hidden)
       for (const Flat corner : {Flat{0, 0}, Flat{1.0 * underlay.wide, 0}, Flat{0, 1.0 * underlay.high},
-                                Flat{1.0 * underlay.wide, 1.0 * underlay.high}}) {
-        const Flat q = underlay.onTable(corner);
-        low = {std::fmin(low.u, q.u), std::fmin(low.v, q.v)};
-        high = {std::fmax(high.u, q.u), std::fmax(high.v, q.v)};
-      }
-  if (low.u > high.u) low = {0, -0.7}, high = {0.9, 0};
-  middle_ = lerp(low, high, 0.5);
-  const Flat size = high - low;
+                                Flat{1.0 * underlay.wide, 1.0 * underlay.high}})
+        box.include(underlay.onTable(corner));
+  if (box.empty()) box = {{0, -0.7}, {0.9, 0}};
+  middle_ = lerp(box.low, box.high, 0.5);
+  const Flat size = box.size();
   scale_ = std::clamp(std::min(width() * 0.88 / std::max(size.u, 0.05), height() * 0.86 / std::max(size.v, 0.05)), 20.0,
                       6000.0);
   mine_ = false;

@@ -264,26 +264,22 @@ int runList(Program& program, const ImportOptions& options, bool sewing) {
   }
   PieceReadings readings = readPieces(document.pattern);
   for (const auto& [id, piece] : document.pattern.pieces) {
-    Flat low{1e9, 1e9}, high{-1e9, -1e9};
-    for (const Flat p : piece->outline.flattened(1e-4)) {
-      low = {std::min(low.u, p.u), std::min(low.v, p.v)};
-      high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-    }
+    const Flat size = boxOf(piece->outline.flattened(1e-4)).size();
     const auto row = std::find_if(read->rows.begin(), read->rows.end(),
                                   [&name = piece->name](const auto& one) { return usableName({}, one.name) == name; });
     const int quantity = row == read->rows.end() ? 1 : row->quantity;
     const PieceReading& reading = readings.at(id);
     pieces.push_back({{"name", piece->name},
-                      {"width_mm", (high.u - low.u) * 1000},
-                      {"height_mm", (high.v - low.v) * 1000},
+                      {"width_mm", size.u * 1000},
+                      {"height_mm", size.v * 1000},
                       {"edges", piece->outline.edges.size()},
                       {"marks", piece->marks.size()},
                       {"quantity", quantity},
                       {"role", program.console.said(roleSaid(reading.role))},
                       {"sure", reading.sure}});
     line(say("{0}: {1} × {2} mm, {3} {3|edge|edges}, {4} {4|mark|marks}, cut {5}; {6}", piece->name,
-             fixed((high.u - low.u) * 1000, 0), fixed((high.v - low.v) * 1000, 0), piece->outline.edges.size(),
-             piece->marks.size(), quantity, roleSaid(reading.role)));
+             fixed(size.u * 1000, 0), fixed(size.v * 1000, 0), piece->outline.edges.size(), piece->marks.size(),
+             quantity, roleSaid(reading.role)));
   }
   if (sewing && read->pattern.seams.empty()) {
     for (const Operation& copy : copiesFor(document, readings))

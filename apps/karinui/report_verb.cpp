@@ -155,15 +155,11 @@ ReportTable notionsTable(const Document& document) {
 ReportTable pieceTable(const Document& document) {
   ReportTable table{say("Pieces"), {Message(), say("across"), say("along"), say("fabric"), say("cut")}, {}};
   for (const auto& [id, piece] : document.pattern.pieces) {
-    Flat low{1e9, 1e9}, high{-1e9, -1e9};
-    for (const Flat p : piece->outline.flattened(1e-4)) {
-      const Flat turned{cross(p, piece->grain), dot(p, piece->grain)};
-      low = {std::min(low.u, turned.u), std::min(low.v, turned.v)};
-      high = {std::max(high.u, turned.u), std::max(high.v, turned.v)};
-    }
+    FlatBox upright;
+    for (const Flat p : piece->outline.flattened(1e-4)) upright.include({cross(p, piece->grain), dot(p, piece->grain)});
     const auto cut = document.cutting.find(id);
     const int count = cut == document.cutting.end() ? 1 : cut->second.count;
-    table.rows.push_back({nameSaid(piece->name), mmSaid(high.u - low.u), mmSaid(high.v - low.v),
+    table.rows.push_back({nameSaid(piece->name), mmSaid(upright.size().u), mmSaid(upright.size().v),
                           nameSaid(piece->fabric), words(std::to_string(count))});
   }
   return table;

@@ -47,7 +47,6 @@ Rigid about(Vec3 place, const Rigid& turn) {
   out.carry = place - turn.turned(place);
   return out;
 }
-Rigid inverseTurn(const Rigid& r) { return {r.w, -r.x, -r.y, -r.z, {}}; }
 Rigid turnBy(Vec3 vector) {
   const double angle = length(vector);
   return angle > 0 ? turnAbout(vector, angle) : Rigid();
@@ -69,7 +68,7 @@ Motion divided(const Rigid& turn, Vec3 bone) {
   Motion motion;
   motion.angle = std::atan2(length(across), dot(bone, to));
   if (length(across) > 1e-12) motion.axis = normalized(across);
-  const Rigid rest = after(inverseTurn(turnAbout(motion.axis, motion.angle)), turn);
+  const Rigid rest = after(inverseOf(turnAbout(motion.axis, motion.angle)), turn);
   motion.turn = 2 * std::atan2(dot({rest.x, rest.y, rest.z}, bone), rest.w);
   if (motion.turn > std::numbers::pi) motion.turn -= 2 * std::numbers::pi;
   if (motion.turn < -std::numbers::pi) motion.turn += 2 * std::numbers::pi;
@@ -319,7 +318,7 @@ std::vector<Rigid> Skeleton::placements(const BodyPose& pose) const {
       if (motion[j].angle > 0) motion[j].axis = normalized(across);
       motion[j].turn = angles.turn - own.turn;
     } else if (joint <= Joint::RightShoulder || joint == Joint::LeftHip || joint == Joint::RightHip) {
-      motion[j] = divided(after(swing(angles, side), inverseTurn(swing(own, side))), along_[j]);
+      motion[j] = divided(after(swing(angles, side), inverseOf(swing(own, side))), along_[j]);
       motion[j].turn += (side ? -1 : 1) * (angles.turn - own.turn);
     } else if (joint == Joint::LeftWrist || joint == Joint::RightWrist) {
       const Vec3 bone = along_[j], aside = normalized(cross(bone, Vec3{0, 0, 1}));

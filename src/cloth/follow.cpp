@@ -116,12 +116,6 @@ class Way {
   std::vector<Vec3> points_;
 };
 
-Rigid inverse(const Rigid& r) {
-  Rigid out{r.w, -r.x, -r.y, -r.z, {}};
-  out.carry = -out.turned(r.carry);
-  return out;
-}
-
 // What a place of the cloth lies on: a point of the skin, and how wholly it goes with it.
 struct Hold {
   std::uint32_t point = kNoNode;
@@ -202,7 +196,7 @@ class Carrying {
     std::vector<Vec3> ways(x.size());
     for (std::size_t k = 0; k < x.size(); ++k)
       if (const Hold& hold = holds_[k]; hold.point != kNoNode)
-        ways[k] = to[hold.point](inverse(from[hold.point])(x[k])) - x[k];
+        ways[k] = to[hold.point](inverseOf(from[hold.point])(x[k])) - x[k];
     letGoOfOthers(holds_, ways, near_);
   }
   const std::vector<Vec3>& moves(const std::vector<Vec3>& x, const std::vector<Rigid>& before,
@@ -211,7 +205,7 @@ class Carrying {
     workers.forBlocks(x.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
         if (const Hold& hold = holds_[k]; hold.point != kNoNode)
-          asked[k] = after[hold.point](inverse(before[hold.point])(x[k])) - x[k];
+          asked[k] = after[hold.point](inverseOf(before[hold.point])(x[k])) - x[k];
     });
     for (int round = 0; round < kSpread; ++round) {  // from the moves of the part before, which were much the same
       workers.forBlocks(x.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
@@ -307,7 +301,7 @@ std::vector<Rigid> carriedBySkin(const std::vector<Vec3>& places, const Skeleton
   const std::vector<Hold> holds = holdsOf(places, *skeleton.body(), skeleton.points(before));
   std::vector<Rigid> out(places.size());
   for (std::size_t k = 0; k < places.size(); ++k)
-    if (holds[k].point != kNoNode) out[k] = karinui::after(now[holds[k].point], inverse(before[holds[k].point]));
+    if (holds[k].point != kNoNode) out[k] = karinui::after(now[holds[k].point], inverseOf(before[holds[k].point]));
   return out;
 }
 

@@ -23,13 +23,10 @@ struct Seen {
 
 // The piece's box with the grain upwards.
 struct Upright {
-  Flat up, right, low{1e9, 1e9}, high{-1e9, -1e9};
+  Flat up, right;
+  FlatBox box;
   explicit Upright(const Piece& piece) : up(piece.grain), right{piece.grain.v, -piece.grain.u} {
-    for (const Flat p : piece.outline.flattened(1e-3)) {
-      const Flat q = turned(p);
-      low = {std::fmin(low.u, q.u), std::fmin(low.v, q.v)};
-      high = {std::fmax(high.u, q.u), std::fmax(high.v, q.v)};
-    }
+    for (const Flat p : piece.outline.flattened(1e-3)) box.include(turned(p));
   }
   Flat turned(Flat p) const { return {dot(p, right), dot(p, up)}; }
 };
@@ -44,9 +41,9 @@ Seen seen(const Upright& piece, const Curve& curve) {
   const auto share = [](double at, double low, double high) {
     return high > low ? 2 * (at - low) / (high - low) - 1 : 0.0;
   };
-  edge.across = share(middle.u, piece.low.u, piece.high.u);
-  edge.high = share(middle.v, piece.low.v, piece.high.v);
-  edge.chord = long1 / std::fmax(piece.high.u - piece.low.u, 1e-6);
+  edge.across = share(middle.u, piece.box.low.u, piece.box.high.u);
+  edge.high = share(middle.v, piece.box.low.v, piece.box.high.v);
+  edge.chord = long1 / std::fmax(piece.box.size().u, 1e-6);
   if (long1 < 1e-6) return edge;
   const Flat out = Flat{chord.v, -chord.u} * (1 / long1);  // outlines run counter-clockwise
   edge.part = out.v > kFacing ? EdgeZone::Top : out.v < -kFacing ? EdgeZone::Bottom : EdgeZone::Side;

@@ -511,12 +511,8 @@ bool crossesOrHolds(const Ring& a, const Ring& b) {
   return holds(a, b);
 }
 
-struct Bounds {
-  Flat low, high;
-  explicit Bounds(const Ring& ring) : low(ring[0]), high(ring[0]) {
-    for (const Flat p : ring)
-      low = {std::min(low.u, p.u), std::min(low.v, p.v)}, high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-  }
+struct Bounds : FlatBox {
+  explicit Bounds(const Ring& ring) : FlatBox(boxOf(ring)) {}
   bool apartFrom(const Bounds& other) const {
     return low.u > other.high.u || other.low.u > high.u || low.v > other.high.v || other.low.v > high.v;
   }

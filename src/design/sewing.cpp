@@ -138,7 +138,7 @@ bool folds(const Document& document, const SewEdges& sew) {
     const auto k = document.find(before.piece.id)->outline.find(before.edge);
     if (!k || before.to < 1 || after.from > 0 || edges[(*k + 1) % edges.size()].name != after.edge) return false;
     const Flat in = edges[*k].curve.tangent(1), out = curveOf(document, after).tangent(0);
-    const double turn = std::atan2(cross(in, out), dot(in, out));
+    const double turn = angleFrom(in, out);
     return turn > -kInward && turn < 3;  // the banks of a slit turn by just half a circle, either way
   };
   return follows(sew.a.back(), sew.b.front()) || follows(sew.b.back(), sew.a.front());

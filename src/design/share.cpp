@@ -15,16 +15,12 @@ constexpr double kBetween = 0.05;  // metres between two pieces of the row
 Pattern inARow(Pattern pattern) {
   double at = 0;
   for (auto& [id, piece] : pattern.pieces) {
-    Flat low{1e9, 1e9}, high{-1e9, -1e9};
-    for (const Flat p : piece->outline.flattened(1e-4)) {
-      low = {std::min(low.u, p.u), std::min(low.v, p.v)};
-      high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-    }
+    const FlatBox box = boxOf(piece->outline.flattened(1e-4));
     Piece flat = *piece;
     flat.form = nullptr;
     flat.pose = {};
-    flat.pose.carry = {at - low.u, -low.v, 0};
-    at += high.u - low.u + kBetween;
+    flat.pose.carry = {at - box.low.u, -box.low.v, 0};
+    at += box.size().u + kBetween;
     piece = std::make_shared<const Piece>(std::move(flat));
   }
   return pattern;

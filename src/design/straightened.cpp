@@ -5,6 +5,7 @@
 
 #include "karinui/base/message.h"
 #include "karinui/geometry/homography.h"
+#include "karinui/geometry/polygon.h"
 
 namespace karinui {
 
@@ -59,22 +60,19 @@ Result<Straightened> straightened(const PrintPixels& picture, const std::array<F
   if (!toPaper || !toPicture)
     return refused(say("These four places are no corners of a rectangle: click them one after the other, round it."));
 
-  Flat low{1e9, 1e9}, high{-1e9, -1e9}, least = low, most = high;
-  const auto hold = [](Flat p, Flat& from, Flat& to) {
-    from = {std::min(from.u, p.u), std::min(from.v, p.v)}, to = {std::max(to.u, p.u), std::max(to.v, p.v)};
-  };
-  for (const Flat p : paper) hold(p, least, most);
+  FlatBox whole;
+  auto [least, most] = boxOf(paper);
   const double sign = toPaper->depth(seen[0]) > 0 ? 1 : -1;
   const double w = picture.width, h = picture.height;
   bool horizon = false;
   for (const Flat corner : {Flat{0, 0}, Flat{w, 0}, Flat{w, -h}, Flat{0, -h}}) {
     horizon = horizon || !(sign * toPaper->depth(corner) > 0);
-    if (!horizon) hold((*toPaper)(corner), low, high);
+    if (!horizon) whole.include((*toPaper)(corner));
   }
   const double far = (horizon ? kBeforeHorizon : kBeyond) * std::max(sides.u, sides.v);
   least = least - Flat{far, far}, most = most + Flat{far, far};
-  low = horizon ? least : Flat{std::max(low.u, least.u), std::max(low.v, least.v)};
-  high = horizon ? most : Flat{std::min(high.u, most.u), std::min(high.v, most.v)};
+  const Flat low = horizon ? least : Flat{std::max(whole.low.u, least.u), std::max(whole.low.v, least.v)};
+  const Flat high = horizon ? most : Flat{std::min(whole.high.u, most.u), std::min(whole.high.v, most.v)};
 
   // As fine as the rectangle was photographed, on the average.
   double area = 0;

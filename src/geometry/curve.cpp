@@ -67,11 +67,6 @@ double placeAfter(const Curve& cubic, double from, double to, double s, double w
   return t;
 }
 
-Flat turned(Flat a, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * a.u - s * a.v, s * a.u + c * a.v};
-}
-
 double turn(const Curve& arc) { return 4 * std::atan(arc.bulge); }  // of the whole arc, > 0 to the left
 
 // An arc is as long as its chord, times this.
@@ -283,6 +278,12 @@ std::vector<Flat> Curve::flattened(double miss) const {
   std::vector<Flat> points(chords + 1);
   for (std::size_t k = 0; k <= chords; ++k) points[k] = at(static_cast<double>(k) / static_cast<double>(chords));
   return points;
+}
+
+Flat endTangent(const Curve& curve, bool atEnd) {
+  for (const double t : {0.0, 1e-6, 1e-3, 0.1})
+    if (const Flat way = curve.tangent(atEnd ? 1 - t : t); length(way) > 1e-9) return normalized(way);
+  return normalized(curve.end - curve.start);
 }
 
 std::vector<Curve> Curve::parts() const {

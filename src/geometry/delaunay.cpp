@@ -6,6 +6,7 @@
 #include <map>
 
 #include "karinui/base/result.h"
+#include "karinui/geometry/polygon.h"
 
 namespace karinui {
 namespace {
@@ -23,11 +24,7 @@ int indexOf(const Delaunay::Face& face, std::uint32_t corner) {
 }  // namespace
 
 Delaunay::Delaunay(std::span<const Flat> places) {
-  Flat low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-  for (Flat p : places) {
-    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
-    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-  }
+  const auto [low, high] = boxOf(places);
   const double extent = places.empty() ? 1 : std::max({high.u - low.u, high.v - low.v, 1e-9});
   // A power of two, so that equal steps of the lattice stay (nearly) equal steps of the grid.
   const double unit = std::exp2(std::ceil(std::log2(extent)) - 27);

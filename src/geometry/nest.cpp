@@ -52,18 +52,6 @@ void merge(std::vector<Interval>& all, double near) {
   all.resize(kept);
 }
 
-struct Box2 {
-  Flat low{kFar, kFar}, high{-kFar, -kFar};
-};
-Box2 boxOf(const Ring& ring) {
-  Box2 box;
-  for (const Flat p : ring) {
-    box.low = {std::min(box.low.u, p.u), std::min(box.low.v, p.v)};
-    box.high = {std::max(box.high.u, p.u), std::max(box.high.v, p.v)};
-  }
-  return box;
-}
-
 // Where the upright line at u lies within the ring.
 void addWithin(const Ring& ring, double u, std::vector<double>& crossings, std::vector<Interval>& out) {
   crossings.clear();
@@ -79,8 +67,8 @@ void addWithin(const Ring& ring, double u, std::vector<double>& crossings, std::
 struct Columns {
   long first = 0;
   std::vector<std::vector<Interval>> filled;
-  Box2 own;   // of the shape itself
-  Ring wide;  // with half the gap
+  FlatBox own;  // of the shape itself
+  Ring wide;    // with half the gap
   double area = 0;
   long count() const { return static_cast<long>(filled.size()); }
 };
@@ -90,7 +78,7 @@ Columns columnsOf(const NestShape& shape, double gap, double width) {
   out.own = boxOf(shape.ring);
   out.area = std::abs(signedArea(shape.ring));
   out.wide = widened(shape.ring, gap / 2 + kRough);
-  const Box2 box = boxOf(out.wide);
+  const FlatBox box = boxOf(out.wide);
   // Columns begin at the reference, so that shapes whose columns agree agree in their stripes.
   out.first = static_cast<long>(std::floor((box.low.u - shape.reference.u) / width));
   const long last = static_cast<long>(std::ceil((box.high.u - shape.reference.u) / width));
@@ -291,7 +279,7 @@ class Search {
 
   // Of v, within the strip and on the stripes; nothing: there is none.
   std::optional<Interval> range(std::size_t item, std::size_t way) const {
-    const Box2& own = columns_[way].own;
+    const FlatBox& own = columns_[way].own;
     if (items_[item].onEdge)
       return own.high.v <= settings_.width + kTouch ? std::optional(Interval{0, 0}) : std::nullopt;
     const Interval all{-own.low.v, settings_.width - own.high.v};
@@ -395,13 +383,13 @@ class Search {
   double roomBack(const NestPlace& a, const NestPlace& b) const {
     const Ring &still = columns_[a.way].wide, &moved = columns_[b.way].wide;
     const Flat between = b.at - a.at;
-    const Box2 stillBox = boxOf(still), movedBox = boxOf(moved);
+    const FlatBox stillBox = boxOf(still), movedBox = boxOf(moved);
     double room = kFar;
     if (stillBox.low.u > movedBox.high.u + between.u || stillBox.low.v > movedBox.high.v + between.v ||
         movedBox.low.v + between.v > stillBox.high.v)
       return room;
     const auto ask = [&](const Ring& corners, const Ring& sides, Flat shift, double sign) {
-      const Box2& box = sign > 0 ? stillBox : movedBox;
+      const FlatBox& box = sign > 0 ? stillBox : movedBox;
       for (const Flat corner : corners) {
         const Flat p = corner + shift;                                          // in the space of the sides
         if (p.v < box.low.v + kBeside || p.v > box.high.v - kBeside) continue;  // side by side they do not meet

@@ -21,6 +21,12 @@ double perimeter(std::span<const Flat> ring) {
   return sum;
 }
 
+FlatBox boxOf(std::span<const Flat> places) {
+  FlatBox box;
+  for (const Flat p : places) box.include(p);
+  return box;
+}
+
 bool contains(std::span<const Flat> ring, Flat place) {
   bool inside = false;
   for (std::size_t k = 0, before = ring.size() - 1; k < ring.size(); before = k++) {

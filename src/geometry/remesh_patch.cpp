@@ -59,11 +59,7 @@ Result<Remeshed> remeshed(const Patch& patch, std::span<const Flat> flat, double
   if (crossing(ring)) return refused(say("Laid flat, the piece would overlap itself; draw it as two pieces."));
 
   // Inside: rows of equal triangles, clear of the border.
-  Flat low = ring[0], high = ring[0];
-  for (Flat p : ring) {
-    low = {std::fmin(low.u, p.u), std::fmin(low.v, p.v)};
-    high = {std::fmax(high.u, p.u), std::fmax(high.v, p.v)};
-  }
+  const auto [low, high] = boxOf(ring);
   const double rowStep = spacing * std::sqrt(3.0) / 2;
   std::vector<Flat> inner;
   int row = 0;

@@ -36,10 +36,8 @@ Ring widened(const Ring& ring, double by) {
   if (polygon) GEOSGeom_destroy_r(c, polygon);
   GEOS_finish_r(c);
   if (out.size() < 3) {  // the ring crosses itself: all of its box
-    Flat low = ring[0], high = ring[0];
-    for (const Flat p : ring)
-      low = {std::min(low.u, p.u), std::min(low.v, p.v)}, high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-    low = low - Flat{by, by}, high = high + Flat{by, by};
+    const FlatBox box = boxOf(ring);
+    const Flat low = box.low - Flat{by, by}, high = box.high + Flat{by, by};
     return {low, {high.u, low.v}, high, {low.u, high.v}};
   }
   if (signedArea(out) < 0) out = Ring(out.rbegin(), out.rend());

@@ -148,7 +148,7 @@ double turning(const Curve& curve) {
     Flat before = cubic.tangent(1e-6);
     for (int k = 1; k <= kLooks; ++k) {
       const Flat now = cubic.tangent(k == kLooks ? 1 - 1e-6 : k / double{kLooks});
-      sum += std::abs(std::atan2(cross(before, now), dot(before, now)));
+      sum += std::abs(angleFrom(before, now));
       before = now;
     }
   }

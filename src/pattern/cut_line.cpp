@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "karinui/geometry/winding.h"
-#include "pattern/end_tangent.h"
 
 namespace karinui {
 

@@ -6,7 +6,6 @@
 
 #include "karinui/pattern/seam_walk.h"
 #include "karinui/pattern/symmetry.h"
-#include "pattern/end_tangent.h"
 
 namespace karinui {
 

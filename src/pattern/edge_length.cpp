@@ -39,8 +39,6 @@ std::vector<Flat> meet(const Locus& a, const Locus& b) {
   return {foot + off, foot - off};
 }
 
-double angleBetween(Flat a, Flat b) { return std::fabs(std::atan2(cross(a, b), dot(a, b))); }
-
 // The curve turned, scaled and carried so that it runs between these places.
 Curve between(const Curve& curve, Flat start, Flat end) {
   const Flat was = curve.end - curve.start, is = end - start;
@@ -176,8 +174,8 @@ class MovedEnd {
     for (const Flat place : meet(own, other))
       if (!found || distance(place, plain) < distance(*found, plain)) found = place;
     if (!found) return std::nullopt;
-    if (edgeTurns && angleBetween(moves_ - stays_, *found - stays_) > kEdgeTurns) return std::nullopt;
-    if (!other.line && angleBetween(moves_ - far_, *found - far_) > kNeighbourTurns) return std::nullopt;
+    if (edgeTurns && std::fabs(angleFrom(moves_ - stays_, *found - stays_)) > kEdgeTurns) return std::nullopt;
+    if (!other.line && std::fabs(angleFrom(moves_ - far_, *found - far_)) > kNeighbourTurns) return std::nullopt;
     return found;
   }
   // The near control goes along with the end; a straight line and an arc need none.

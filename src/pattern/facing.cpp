@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "divide_edges.h"
@@ -150,7 +151,8 @@ class Cutting {
     std::vector<Flat> places;
     std::set<std::size_t> asked;  // where the piece has a corner the line is to have, too: the place after it
     const auto arc = [&](Flat about, Flat from, Flat to) {  // clockwise, between two directions
-      const double a = std::atan2(from.v, from.u), turn = std::remainder(std::atan2(to.v, to.u) - a, 2 * M_PI);
+      const double a = std::atan2(from.v, from.u),
+                   turn = std::remainder(std::atan2(to.v, to.u) - a, 2 * std::numbers::pi);
       const int steps = static_cast<int>(std::ceil(std::abs(turn) * width_ / kStep));
       for (int k = 1; k < steps; ++k) {
         const double angle = a + turn * k / steps;
@@ -194,7 +196,7 @@ class Cutting {
   // laid, where there is room: the line follows it from where it touches one side to where it touches the other.
   void roundOff(std::vector<Flat>& line, const std::vector<std::size_t>& meant) const {
     const auto turnAt = [&](std::size_t low, std::size_t high) {
-      return turnOf(line[low] - line[low - 1], line[high + 1] - line[high]);
+      return angleFrom(line[low] - line[low - 1], line[high + 1] - line[high]);
     };
     // How much the line turns about a place, over how much it would on the circle.
     const auto tightness = [&](std::size_t i) {
@@ -202,7 +204,7 @@ class Cutting {
       while (low > 0 && distance(line[low], line[i]) < 2 * kStep) --low;
       while (high + 1 < line.size() && distance(line[high], line[i]) < 2 * kStep) ++high;
       const Flat in = line[i] - line[low], out = line[high] - line[i];
-      return -turnOf(in, out) / ((length(in) + length(out)) / 2 / (kRound * width_));
+      return -angleFrom(in, out) / ((length(in) + length(out)) / 2 / (kRound * width_));
     };
     std::vector<std::pair<double, std::size_t>> corners;  // the tightest place of each
     bool goesOn = false;
@@ -242,7 +244,6 @@ class Cutting {
       line.insert(at, round.begin(), round.end());
     }
   }
-  static double turnOf(Flat in, Flat out) { return std::atan2(cross(in, out), dot(in, out)); }
 
   const Piece& piece_;
   const std::vector<Edge>& edges_;

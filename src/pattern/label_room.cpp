@@ -44,11 +44,8 @@ class Room {
         const std::vector<Flat> points = curve.flattened(5e-4);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) segments_.push_back({points[i], points[i + 1]});
       }
-    low_ = high_ = rings_[0][0];
-    for (const Flat p : rings_[0]) {
-      low_ = {std::min(low_.u, p.u), std::min(low_.v, p.v)};
-      high_ = {std::max(high_.u, p.u), std::max(high_.v, p.v)};
-    }
+    const FlatBox box = boxOf(rings_[0]);
+    low_ = box.low, high_ = box.high;
     for (int j = 1; j < kGrid; ++j)
       for (int i = 1; i < kGrid; ++i) {
         const Flat p{low_.u + (high_.u - low_.u) * i / kGrid, low_.v + (high_.v - low_.v) * j / kGrid};

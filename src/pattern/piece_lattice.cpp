@@ -49,16 +49,12 @@ Grid gridUnder(const std::vector<Segment>& segments, const std::vector<Segment>&
   grid.weft = {warp.v, -warp.u};
   grid.warp = warp;
   grid.spacing = spacing;
-  Flat low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-  for (const Segment& s : segments) {
-    const Flat p = grid.steps(s.a);
-    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
-    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-  }
-  grid.left = evenBelow(low.u);
-  grid.low = evenBelow(low.v);
-  grid.columns = static_cast<int>(std::ceil(high.u)) - grid.left + 1;
-  grid.rows = static_cast<int>(std::ceil(high.v)) - grid.low + 1;
+  FlatBox box;
+  for (const Segment& s : segments) box.include(grid.steps(s.a));
+  grid.left = evenBelow(box.low.u);
+  grid.low = evenBelow(box.low.v);
+  grid.columns = static_cast<int>(std::ceil(box.high.u)) - grid.left + 1;
+  grid.rows = static_cast<int>(std::ceil(box.high.v)) - grid.low + 1;
   grid.spot.assign(static_cast<std::size_t>(grid.columns) * grid.rows, Spot::Free);
   grid.blocked.assign(static_cast<std::size_t>(std::max(grid.columns - 1, 0)) * std::max(grid.rows - 1, 0), 0);
 
@@ -171,13 +167,9 @@ double badness(const Band& band, const std::vector<Triangle>& faces, std::vector
 
 Flat centreOf(const Ring& outline, Flat warp) {
   const Flat weft{warp.v, -warp.u};
-  Flat low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-  for (Flat p : outline) {
-    const Flat q{dot(p, weft), dot(p, warp)};
-    low = {std::min(low.u, q.u), std::min(low.v, q.v)};
-    high = {std::max(high.u, q.u), std::max(high.v, q.v)};
-  }
-  return weft * ((low.u + high.u) / 2) + warp * ((low.v + high.v) / 2);
+  FlatBox box;
+  for (Flat p : outline) box.include({dot(p, weft), dot(p, warp)});
+  return weft * ((box.low.u + box.high.u) / 2) + warp * ((box.low.v + box.high.v) / 2);
 }
 
 Result<Lattice> latticeOf(const BorderNodes& border, Flat centre, Flat warp, double spacing,

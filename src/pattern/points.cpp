@@ -29,8 +29,7 @@ Curve oneCurve(const Curve& first, const Curve& second) {
   const Flat leaves = normalized(first.tangent(1)), arrives = normalized(second.tangent(0));
   const bool straight = first.kind == Curve::Kind::Line && second.kind == Curve::Kind::Line;
   if (straight) return Curve::line(first.start, second.end);
-  if (std::fabs(std::atan2(cross(leaves, arrives), dot(leaves, arrives))) < kSmooth)
-    return Curve::joined(std::vector<Curve>{first, second});
+  if (std::fabs(angleFrom(leaves, arrives)) < kSmooth) return Curve::joined(std::vector<Curve>{first, second});
   const double handle = (first.length() + second.length()) / 3;
   return Curve::cubic(first.start, first.start + normalized(first.tangent(0)) * handle,
                       second.end - normalized(second.tangent(1)) * handle, second.end);

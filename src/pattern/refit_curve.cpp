@@ -7,7 +7,6 @@
 
 #include "karinui/geometry/fit_curve.h"
 #include "karinui/geometry/polygon.h"
-#include "pattern/end_tangent.h"
 
 namespace karinui {
 namespace {
@@ -16,8 +15,6 @@ constexpr double kSameCurve = 1e-6;                       // metres: parts of on
 constexpr double kSmooth = 2 * std::numbers::pi / 180;    // radians between two that meet smoothly
 constexpr double kSmoothMiss = 1e-4, kCornerMiss = 5e-4;  // metres the fit may pass from the places
 constexpr double kSpacing = 0.002;                        // metres between the places an edge is measured at
-
-double angleBetween(Flat a, Flat b) { return std::fabs(std::atan2(cross(a, b), dot(a, b))); }
 
 bool same(const Curve& a, const Curve& b) {
   for (const double f : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
@@ -75,7 +72,7 @@ Curve refitted(const Curve& first, const Curve& second) {
     return Curve::joined(chain);
   }
   chain.insert(chain.end(), rest.begin(), rest.end());
-  const bool smooth = angleBetween(endTangent(first, true), endTangent(second, false)) < kSmooth;
+  const bool smooth = std::fabs(angleFrom(endTangent(first, true), endTangent(second, false))) < kSmooth;
   const double one = first.length(), other = second.length(), off = smooth ? 0 : std::min(one, other) / 3;
   std::vector<Flat> places;
   measure(first, 0, 1 - off / one, places);

@@ -34,11 +34,6 @@ struct Motion {  // about `from`, which comes to `to`
   }
 };
 
-Flat turned(Flat a, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * a.u - s * a.v, s * a.u + c * a.v};
-}
-
 // How the two parts move when the slash from a to b opens by `by` and `toBy`: the opening is a trapezoid with the two
 // banks as its equal sides.
 struct Opening {

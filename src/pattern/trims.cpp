@@ -95,9 +95,8 @@ class InnerSide {
     length_ = own_.curve.length();
     line_ = own_.curve.flattened(kMiss);
     const Edge &last = loop_[(at_ + n - 1) % n], &next = loop_[(at_ + 1) % n];
-    const auto turn = [](Flat in, Flat out) { return std::atan2(cross(in, out), dot(in, out)); };
-    turnBefore_ = turn(unitTangent(last.curve, last.curve.length()), along(0));
-    turnAfter_ = turn(along(length_), unitTangent(next.curve, 0));
+    turnBefore_ = angleFrom(unitTangent(last.curve, last.curve.length()), along(0));
+    turnAfter_ = angleFrom(along(length_), unitTangent(next.curve, 0));
     lastGoesOn_ = goesOn(last.name), nextGoesOn_ = goesOn(next.name);
     for (std::size_t k = 0; k < n; ++k)
       if (k != at_ && goesOn(loop_[k].name)) others_.push_back(loop_[k].curve.flattened(kMiss));

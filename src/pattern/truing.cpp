@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "karinui/pattern/seam_walk.h"
-#include "pattern/end_tangent.h"
 
 namespace karinui {
 
@@ -26,7 +25,7 @@ std::optional<CornerTruing::Side> cornerAt(const Pattern& pattern, const SeamPla
   const std::size_t other = (*k + (atEnd ? 1 : n - 1)) % n;
   const Curve &own = outline.edges[*k].curve, &next = outline.edges[other].curve;
   const Flat in = endTangent(atEnd ? own : next, true), out = endTangent(atEnd ? next : own, false);
-  const double turned = std::atan2(cross(in, out), dot(in, out)) * 180 / std::numbers::pi;
+  const double turned = angleFrom(in, out) * 180 / std::numbers::pi;
   return CornerTruing::Side{at.piece, outline.edges[other].name, atEnd ? own.end : own.start, 180 - turned};
 }
 

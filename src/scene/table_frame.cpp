@@ -25,24 +25,14 @@ std::array<Flat, 4> TableScan::corners() const {
   return {at - across - up, at + across - up, at + across + up, at - across + up};
 }
 
-std::optional<TableBox> extent(const TableFrame& frame) {
-  std::optional<TableBox> box;
-  for (const TableScan& scan : frame.scans)
-    for (const Flat p : scan.corners()) {
-      if (!box) box = {p, p};
-      box->low = {std::min(box->low.u, p.u), std::min(box->low.v, p.v)};
-      box->high = {std::max(box->high.u, p.u), std::max(box->high.v, p.v)};
-    }
+FlatBox extent(const TableFrame& frame) {
+  FlatBox box;
+  const auto hold = [&](std::span<const Flat> places) {
+    for (const Flat p : places) box.include(p);
+  };
+  for (const TableScan& scan : frame.scans) hold(scan.corners());
   for (const TablePiece& piece : frame.pieces) {
-    if (!box) box = {piece.low, piece.high};
-    box->low = {std::min(box->low.u, piece.low.u), std::min(box->low.v, piece.low.v)};
-    box->high = {std::max(box->high.u, piece.high.u), std::max(box->high.v, piece.high.v)};
-    const auto hold = [&](const Ring& ring) {
-      for (const Flat p : ring) {
-        box->low = {std::min(box->low.u, p.u), std::min(box->low.v, p.v)};
-        box->high = {std::max(box->high.u, p.u), std::max(box->high.v, p.v)};
-      }
-    };
+    box.include(piece.low), box.include(piece.high);
     for (const Ring& ring : piece.cut) hold(ring);
     for (const TableSize& size : piece.nest) hold(size.outline);
   }

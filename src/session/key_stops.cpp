@@ -110,14 +110,11 @@ class Finder {
   }
   // A place well inside, the middle if it is.
   void inside(const Piece& piece, const Ring& ring) {
-    Flat low{1e9, 1e9}, high{-1e9, -1e9};
-    for (const Flat p : ring) {
-      low = {std::fmin(low.u, p.u), std::fmin(low.v, p.v)};
-      high = {std::fmax(high.u, p.u), std::fmax(high.v, p.v)};
-    }
+    const FlatBox box = boxOf(ring);
+    const Flat size = box.size();
     for (const double up : {0.5, 0.35, 0.65, 0.2, 0.8})
       for (const double across : {0.5, 0.35, 0.65, 0.2, 0.8}) {
-        const Flat p{low.u + across * (high.u - low.u), low.v + up * (high.v - low.v)};
+        const Flat p = box.low + Flat{across * size.u, up * size.v};
         if (!contains(ring, p) || distanceToRing(ring, p) < 0.01) continue;
         if (add(piece, p, [&](const Hit& hit) { return hit.on == Hit::On::Cloth && hit.piece == piece.id; })) return;
       }

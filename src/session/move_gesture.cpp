@@ -123,13 +123,8 @@ class MoveGesture : public Gesture {
 
   Vec3 middleOf(const GestureContext& context) const {
     const Piece* piece = context.snapshot->document.find(held_);
-    const Ring ring = piece->outline.flattened(1e-3);
-    Flat low = ring.front(), high = low;
-    for (const Flat p : ring) {
-      low = {std::fmin(low.u, p.u), std::fmin(low.v, p.v)};
-      high = {std::fmax(high.u, p.u), std::fmax(high.v, p.v)};
-    }
-    return Stand(*piece)(lerp(low, high, 0.5));
+    const FlatBox box = boxOf(piece->outline.flattened(1e-3));
+    return Stand(*piece)(lerp(box.low, box.high, 0.5));
   }
 
   // Corners of the piece in hand, corners and outlines of the others.

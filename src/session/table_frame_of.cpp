@@ -69,13 +69,10 @@ TablePiece pieceOf(const Pattern& pattern, const Piece& piece, Flat lies) {
   drawn.frozen = piece.frozen;
   drawn.edges = edgesOf(piece.outline, lies);
   for (const Outline& hole : piece.holes) drawn.holes.push_back(edgesOf(hole, lies));
-  bool any = false;
+  FlatBox box;
   for (const TableEdge& edge : drawn.edges)
-    for (const Flat p : edge.points) {
-      drawn.low = any ? Flat{std::min(drawn.low.u, p.u), std::min(drawn.low.v, p.v)} : p;
-      drawn.high = any ? Flat{std::max(drawn.high.u, p.u), std::max(drawn.high.v, p.v)} : p;
-      any = true;
-    }
+    for (const Flat p : edge.points) box.include(p);
+  if (!box.empty()) drawn.low = box.low, drawn.high = box.high;
   for (const InternalLine& line : piece.lines)
     for (const Curve& curve : line.curves) drawn.lines.push_back(laid(curve.flattened(kChordMiss), lies));
   drawn.drills = laid(drillHoles(pattern, piece), lies);

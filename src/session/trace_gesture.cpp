@@ -164,7 +164,7 @@ class TraceGesture : public Gesture {
     turned_ = sample.control;
     if (!turned_) return void(lies_.at = hundredth(before_.at + sample.place - *pressed_));
     const Flat from = *pressed_ - before_.at, to = sample.place - before_.at;
-    lies_.turn = std::remainder(before_.turn + std::atan2(cross(from, to), dot(from, to)), 2 * std::numbers::pi);
+    lies_.turn = std::remainder(before_.turn + angleFrom(from, to), 2 * std::numbers::pi);
     lies_.turn = std::round(lies_.turn * 1e5) / 1e5;
   }
   GestureResult scaled(double apart) const {

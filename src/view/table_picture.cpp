@@ -26,12 +26,12 @@ constexpr double kRulers[] = {0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005};  // metr
 
 class Paper {
  public:
-  Paper(const TablePictureOptions& options, const TableBox& all)
+  Paper(const TablePictureOptions& options, const FlatBox& all)
       : image_(options.width, options.height, kPaper), language_(options.language) {
     const double least = std::min(options.width, options.height);
     pixel_ = std::max(0.5, least / 800.0);
     ruler_ = std::max(20.0, least / 20);
-    const Flat size = all.high - all.low;
+    const Flat size = all.size();
     const double wide = options.width * 0.92, high = options.height * 0.96 - 2 * ruler_;
     scale_ = std::min(wide / std::max(size.u, 0.01), std::max(high, 4.0) / std::max(size.v, 0.01));
     middle_ = lerp(all.low, all.high, 0.5);
@@ -363,7 +363,7 @@ void write(Paper& paper, const TablePiece& piece) {
 Result<Image> drawTable(const TableFrame& frame, const TablePictureOptions& options, std::vector<Message>* notes) {
   if (const auto size = sizeNamed(written(options.width) + "x" + written(options.height)); !size) return size.error();
   if (frame.pieces.empty() && frame.scans.empty()) return refused(say("There is no piece to draw."));
-  Paper paper(options, *extent(frame));
+  Paper paper(options, extent(frame));
   for (const TableScan& scan : frame.scans) drawScan(paper, scan);
   for (const TablePiece& piece : frame.pieces) drawPiece(paper, piece);
   for (const TableSeam& seam : frame.seams) drawSeam(paper, seam);

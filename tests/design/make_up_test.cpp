@@ -10,15 +10,12 @@
 namespace karinui {
 namespace {
 
-Flat turned(Flat p, double angle) {
-  return {std::cos(angle) * p.u - std::sin(angle) * p.v, std::sin(angle) * p.u + std::cos(angle) * p.v};
-}
-
 // Millimetres; between corners a straight line, or a curve by the two controls that follow its start.
 struct Drawn {
   std::string name;
   std::vector<std::vector<Flat>> edges;
 };
+
 Piece pieceOf(const Drawn& drawn, std::uint64_t id, double turn) {
   Piece piece;
   piece.id = {id};

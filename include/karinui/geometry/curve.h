@@ -49,4 +49,7 @@ struct Curve {
   std::vector<Flat> flattened(double miss = 1e-5) const;
 };
 
+// The unit tangent at an end of a curve, also where a handle has no length: the direction of what follows it.
+Flat endTangent(const Curve& curve, bool atEnd);
+
 }  // namespace karinui

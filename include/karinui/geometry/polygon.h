@@ -17,6 +17,7 @@ using Ring = std::vector<Flat>;
 
 double signedArea(std::span<const Flat> ring);  // > 0: counter-clockwise
 double perimeter(std::span<const Flat> ring);
+FlatBox boxOf(std::span<const Flat> places);
 bool contains(std::span<const Flat> ring, Flat place);          // even-odd
 double distanceToRing(std::span<const Flat> ring, Flat place);  // >= 0
 double distanceToSegment(Flat a, Flat b, Flat place);           // >= 0

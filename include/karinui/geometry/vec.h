@@ -18,7 +18,9 @@ constexpr Flat& operator+=(Flat& a, Flat b) { return a = a + b; }
 constexpr Flat& operator-=(Flat& a, Flat b) { return a = a - b; }
 constexpr double dot(Flat a, Flat b) { return a.u * b.u + a.v * b.v; }
 constexpr double cross(Flat a, Flat b) { return a.u * b.v - a.v * b.u; }  // > 0: b is counter-clockwise of a
-constexpr Flat leftOf(Flat a) { return {-a.v, a.u}; }                     // a turned by +90 degrees
+// Radians from a to b, within half a turn either way; > 0: counter-clockwise.
+inline double angleFrom(Flat a, Flat b) { return std::atan2(cross(a, b), dot(a, b)); }
+constexpr Flat leftOf(Flat a) { return {-a.v, a.u}; }  // a turned by +90 degrees
 inline double length(Flat a) { return std::sqrt(a.u * a.u + a.v * a.v); }
 inline double distance(Flat a, Flat b) { return length(b - a); }
 inline Flat normalized(Flat a) {
@@ -26,7 +28,22 @@ inline Flat normalized(Flat a) {
   return l > 0 ? a * (1 / l) : Flat{};
 }
 constexpr Flat lerp(Flat a, Flat b, double t) { return a + (b - a) * t; }
+inline Flat turned(Flat a, double radians) {  // counter-clockwise
+  const double c = std::cos(radians), s = std::sin(radians);
+  return {c * a.u - s * a.v, s * a.u + c * a.v};
+}
 inline bool finite(Flat a) { return std::isfinite(a.u) && std::isfinite(a.v); }
+
+// The smallest upright box about the places included so far.
+struct FlatBox {
+  Flat low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  constexpr void include(Flat p) {
+    low = {p.u < low.u ? p.u : low.u, p.v < low.v ? p.v : low.v};
+    high = {p.u > high.u ? p.u : high.u, p.v > high.v ? p.v : high.v};
+  }
+  constexpr bool empty() const { return low.u > high.u; }
+  constexpr Flat size() const { return high - low; }
+};
 
 struct Vec3 {
   double x = 0, y = 0, z = 0;
@@ -68,6 +85,11 @@ struct Rigid {
 inline Rigid after(const Rigid& s, const Rigid& f) {
   return {s.w * f.w - s.x * f.x - s.y * f.y - s.z * f.z, s.w * f.x + s.x * f.w + s.y * f.z - s.z * f.y,
           s.w * f.y - s.x * f.z + s.y * f.w + s.z * f.x, s.w * f.z + s.x * f.y - s.y * f.x + s.z * f.w, s(f.carry)};
+}
+inline Rigid inverseOf(const Rigid& r) {
+  Rigid out{r.w, -r.x, -r.y, -r.z, {}};
+  out.carry = -out.turned(r.carry);
+  return out;
 }
 inline Rigid turnAbout(Vec3 axis, double radians) {
   const Vec3 n = normalized(axis) * std::sin(radians / 2);

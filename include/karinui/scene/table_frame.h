@@ -117,9 +117,6 @@ struct TableFrame {
   std::vector<TableSeam> seams;    // seam n is printed with the number n + 1
 };
 
-struct TableBox {
-  Flat low, high;
-};
-std::optional<TableBox> extent(const TableFrame& frame);  // nothing: there is neither piece nor scan
+FlatBox extent(const TableFrame& frame);  // empty: there is neither piece nor scan
 
 }  // namespace karinui

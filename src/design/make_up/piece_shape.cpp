@@ -15,8 +15,6 @@ constexpr double kReach = 0.008;          // metres on either side over which a 
 constexpr double kSlim = 0.75;            // a dart's mouth over its leg
 constexpr std::size_t kMostCorners = 20;  // the sharpest are kept
 
-double between(Flat a, Flat b) { return std::atan2(cross(a, b), dot(a, b)); }
-
 // The way the outline goes on from the start of an edge, or comes to it, over a short reach.
 Flat wayAfter(const Outline& outline, std::size_t k) {
   const std::size_t n = outline.edges.size();
@@ -41,11 +39,6 @@ Flat wayBefore(const Outline& outline, std::size_t k) {
     left -= own;
   }
   return normalized(outline.edges[k].curve.tangent(0));
-}
-
-Flat turnedBy(Flat p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * p.u - s * p.v, s * p.u + c * p.v};
 }
 
 void measure(Shape& shape) {
@@ -81,9 +74,9 @@ double Shape::bow(std::size_t from, std::size_t to) const {
 
 Shape Shape::turned(double angle) const {
   Shape out = *this;
-  for (Corner& corner : out.corners) corner.place = turnedBy(corner.place, angle);
+  for (Corner& corner : out.corners) corner.place = karinui::turned(corner.place, angle);
   for (Run& run : out.runs)
-    for (Flat& p : run.line) p = turnedBy(p, angle);
+    for (Flat& p : run.line) p = karinui::turned(p, angle);
   measure(out);
   return out;
 }
@@ -111,7 +104,7 @@ Shape shapeOf(const Piece& piece) {
   };
   std::vector<double> turn(n), own(n);
   for (std::size_t k = 0; k < n; ++k) {
-    turn[k] = between(wayBefore(outline, k), wayAfter(outline, k));
+    turn[k] = angleFrom(wayBefore(outline, k), wayAfter(outline, k));
     own[k] = outline.edges[k].curve.length();
   }
   Shape shape;
@@ -138,11 +131,11 @@ Shape shapeOf(const Piece& piece) {
       std::size_t first = before;
       while (leg[(first + n - 1) % n] && first != k) first = (first + n - 1) % n;
       const Flat in = wayBefore(outline, first), out = wayAfter(outline, k);
-      angle = between(in, out);
+      angle = angleFrom(in, out);
       // Legs turn by their own angle when they are closed.
       const Flat to = outline.edges[first].curve.end - outline.edges[first].curve.start,
                  back = outline.edges[before].curve.start - outline.edges[before].curve.end;
-      angle += between(back, to);
+      angle += angleFrom(back, to);
       before = (first + n - 1) % n;
     }
     found.push_back({k, angle, 0});

@@ -259,11 +259,7 @@ Result<DrawnSheet> drawnSheet(const DrawingGround& ground, const DrawnLine& line
   auto laid = flattenFrom(fine->flat, patch.mesh, patch.border, flattening, token);
   if (!laid) return laid.error();
 
-  Flat low = laid->flat.front(), high = low;
-  for (Flat p : laid->flat) {
-    low = {std::fmin(low.u, p.u), std::fmin(low.v, p.v)};
-    high = {std::fmax(high.u, p.u), std::fmax(high.v, p.v)};
-  }
+  const auto [low, high] = boxOf(laid->flat);
   const Flat carry{line.symmetric ? 0 : (low.u + high.u) / 2, low.v};
   for (Flat& p : laid->flat) p = p - carry;
 

@@ -23,7 +23,7 @@ std::vector<std::vector<std::size_t>> smoothRuns(const Outline& outline, const s
     const std::size_t next = (k + 1) % n;
     if (!chosen[k] || !chosen[next]) return false;
     const Flat in = outline.edges[k].curve.tangent(1), out = outline.edges[next].curve.tangent(0);
-    return std::fabs(std::atan2(cross(in, out), dot(in, out))) < kCornerTurn;
+    return std::fabs(angleFrom(in, out)) < kCornerTurn;
   };
   std::size_t first = 0;  // a ring without a corner begins anywhere
   while (first + 1 < n && goesOn((first + n - 1) % n)) ++first;

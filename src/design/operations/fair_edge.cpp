@@ -58,7 +58,7 @@ int wavers(const Curve& edge) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < p.size(); ++i) {
     const Flat in = p[i] - p[i - 1], out = p[i + 1] - p[i];
-    const double turn = std::atan2(cross(in, out), dot(in, out));
+    const double turn = angleFrom(in, out);
     if (turn * sum < 0 && std::fabs(sum) > kSwing) ++turns, sum = 0;
     // A flicker to the other side does not end a turn.
     sum = turn * sum < 0 && std::fabs(sum + turn) < std::fabs(turn) ? turn : sum + turn;

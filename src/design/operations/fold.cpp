@@ -55,9 +55,7 @@ class Parting {
   double leftShare(const Piece& piece) const {
     constexpr int kLooks = 60;
     const Ring ring = piece.outline.flattened(1e-3);
-    Flat low = ring.front(), high = low;
-    for (const Flat p : ring)
-      low = {std::min(low.u, p.u), std::min(low.v, p.v)}, high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+    const auto [low, high] = boxOf(ring);
     int all = 0, onLeft = 0;
     for (int i = 0; i < kLooks; ++i)
       for (int k = 0; k < kLooks; ++k) {

@@ -66,15 +66,6 @@ const std::vector<Flat>* nearest(const std::vector<std::vector<Flat>>& loops, Fl
 
 }  // namespace
 
-PaperBox boxOf(const Ring& ring) {
-  PaperBox box{ring.front(), ring.front()};
-  for (const Flat p : ring) {
-    box.low = {std::fmin(box.low.u, p.u), std::fmin(box.low.v, p.v)};
-    box.high = {std::fmax(box.high.u, p.u), std::fmax(box.high.v, p.v)};
-  }
-  return box;
-}
-
 bool isLimb(BodyPoint::Part part) {
   return part == BodyPoint::Part::LeftArm || part == BodyPoint::Part::RightArm || part == BodyPoint::Part::LeftLeg ||
          part == BodyPoint::Part::RightLeg;
@@ -136,7 +127,7 @@ Ring grown(const Ring& ring, double ease) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Flat in = normalized(ring[i] - ring[(i + n - 1) % n]), on = normalized(ring[(i + 1) % n] - ring[i]);
-    const double turn = std::atan2(cross(in, on), dot(in, on));
+    const double turn = angleFrom(in, on);
     const int steps = std::max(1, static_cast<int>(std::ceil(turn / 0.1)));
     const Flat side = -leftOf(in);
     for (int k = 0; k <= steps; ++k) {
@@ -149,7 +140,7 @@ Ring grown(const Ring& ring, double ease) {
   return out;
 }
 
-std::vector<SkinPlace> ringsAround(const std::vector<LimbRing>& rings, const LimbFrame& limb, const PaperBox& box) {
+std::vector<SkinPlace> ringsAround(const std::vector<LimbRing>& rings, const LimbFrame& limb, const FlatBox& box) {
   std::vector<SkinPlace> all;
   for (const LimbRing& ring : rings)
     for (const Vec3 p : ring.skin) {
@@ -159,7 +150,7 @@ std::vector<SkinPlace> ringsAround(const std::vector<LimbRing>& rings, const Lim
   return all;
 }
 
-std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, const PaperBox& box) {
+std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, const FlatBox& box) {
   const auto around = sections(body, limb, kOff);
   const auto* found = nearest(around, {0, 0});
   if (!found || found->size() < 3) return {};
@@ -168,14 +159,14 @@ std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, con
     for (const Flat p : loop) all.push_back({p, height});
   };
   add(*found, 0);
-  const PaperBox core = boxOf(*found);
+  const FlatBox core = boxOf(*found);
   const Flat middle = lerp(core.low, core.high, 0.5);
   const Ring coreHull = hull(*found);
   const double reach = 1.5 * length(core.high - core.low);
   for (int k = 0; k < kLevels; ++k) {
     const double height = box.low.v + (box.high.v - box.low.v) * k / (kLevels - 1);
     for (const auto& loop : sections(body, limb, height + kOff)) {
-      const PaperBox its = boxOf(loop);
+      const FlatBox its = boxOf(loop);
       const Flat centre = lerp(its.low, its.high, 0.5);
       if (length(its.high - its.low) <= reach && contains(coreHull, centre) &&
           distance(centre, middle) < 0.5 * length(core.high - core.low))
@@ -185,8 +176,8 @@ std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, con
   return all;
 }
 
-std::vector<SkinPlace> clothAround(const Document& document, PieceId without, const LimbFrame& limb,
-                                   const PaperBox& box, const std::vector<SkinPlace>& skin) {
+std::vector<SkinPlace> clothAround(const Document& document, PieceId without, const LimbFrame& limb, const FlatBox& box,
+                                   const std::vector<SkinPlace>& skin) {
   std::vector<Flat> core;
   for (const SkinPlace& p : skin) core.push_back(p.place);
   const Ring ring = hull(std::move(core));

@@ -17,11 +17,6 @@ struct LimbFrame {
   Vec3 inSpace(Flat p, double height) const { return origin + right * p.u - out * p.v + up * height; }
 };
 
-struct PaperBox {
-  Flat low, high;
-};
-PaperBox boxOf(const Ring& ring);
-
 // The limb's own skin: places all round it, ring by ring along the chart. A direction that runs into the trunk has
 // none, so a ring near the shoulder or the crotch is open on its inner side.
 struct LimbRing {
@@ -39,13 +34,13 @@ struct SkinPlace {
   Flat place;
   double height = 0;
 };
-std::vector<SkinPlace> ringsAround(const std::vector<LimbRing>& rings, const LimbFrame& limb, const PaperBox& box);
+std::vector<SkinPlace> ringsAround(const std::vector<LimbRing>& rings, const LimbFrame& limb, const FlatBox& box);
 // The same round the trunk: loops of level sections that lie over the anchor's own one (not arms, not the whole
 // figure).
-std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, const PaperBox& box);
+std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, const FlatBox& box);
 // The cloth of other pieces that stands round the limb there, no further than a hand from what `skin` holds.
-std::vector<SkinPlace> clothAround(const Document& document, PieceId without, const LimbFrame& limb,
-                                   const PaperBox& box, const std::vector<SkinPlace>& skin);
+std::vector<SkinPlace> clothAround(const Document& document, PieceId without, const LimbFrame& limb, const FlatBox& box,
+                                   const std::vector<SkinPlace>& skin);
 
 Ring hull(std::vector<Flat> points);          // counter-clockwise
 Ring grown(const Ring& convex, double ease);  // outwards, corners rounded

@@ -8,13 +8,8 @@ namespace {
 constexpr double kFarthest = 100;  // metres: beyond a workroom nobody means it
 
 Flat middle(const Piece& piece) {
-  const Ring ring = piece.outline.flattened(1e-3);
-  Flat low = ring.front(), high = low;
-  for (const Flat p : ring) {
-    low = {std::fmin(low.u, p.u), std::fmin(low.v, p.v)};
-    high = {std::fmax(high.u, p.u), std::fmax(high.v, p.v)};
-  }
-  return lerp(low, high, 0.5);
+  const FlatBox box = boxOf(piece.outline.flattened(1e-3));
+  return lerp(box.low, box.high, 0.5);
 }
 
 }  // namespace

@@ -28,12 +28,8 @@ struct Laid {
 };
 
 Laid laidOn(const Piece& piece, const SewPatch& op) {
-  Flat low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-  for (const Flat p : piece.outline.flattened(1e-4)) {
-    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
-    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-  }
-  return {lerp(low, high, 0.5), op.at, std::cos(op.turn), std::sin(op.turn)};
+  const FlatBox box = boxOf(piece.outline.flattened(1e-4));
+  return {lerp(box.low, box.high, 0.5), op.at, std::cos(op.turn), std::sin(op.turn)};
 }
 
 bool isOpen(const SewPatch& op, const std::string& edge) {

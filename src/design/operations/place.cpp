@@ -59,7 +59,7 @@ class Pleats {
 };
 
 // How far the body stands out, before the limb's origin, where a flat sheet of that size would stand.
-double furthest(const Body& body, const LimbFrame& limb, const PaperBox& box) {
+double furthest(const Body& body, const LimbFrame& limb, const FlatBox& box) {
   double most = 0;
   for (const Vec3 p : body.mesh().points) {
     const Vec3 d = p - limb.origin;
@@ -122,7 +122,7 @@ Done resolve(const Document& before, PlacePiece& op, Context&) {
     return refused(say("The ease lies between 0 and 50 cm; 8 mm is usual."));
   if (!(std::abs(op.turn) <= 1000)) return refused(say("That turn is too large."));
   if (!op.point) {
-    const PaperBox box = boxOf(before.find(op.piece.id)->outline.flattened(1e-4));
+    const FlatBox box = boxOf(before.find(op.piece.id)->outline.flattened(1e-4));
     op.point = lerp(box.low, box.high, 0.5);
   }
   if (!(length(*op.point) <= 100)) return refused(say("That place is not on the paper."));
@@ -148,7 +148,7 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
   };
   Ring paper = piece.outline.flattened(1e-3);
   for (Flat& p : paper) p = turned(p);
-  const PaperBox box = boxOf(paper);
+  const FlatBox box = boxOf(paper);
 
   LimbFrame limb;
   limb.origin = at(body.mesh(), *place);
@@ -193,7 +193,7 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
       (void)standRound(all);
     }
     if (!isClear()) {  // a wide cone meets the arms: upright before the place, in pleats no wider than the trunk
-      PaperBox core{{0, 0}, {0, 0}};
+      FlatBox core{{0, 0}, {0, 0}};
       double off = 0;
       for (const SkinPlace& p : skin) {
         core.low.u = std::fmin(core.low.u, p.place.u), core.high.u = std::fmax(core.high.u, p.place.u);

@@ -38,12 +38,6 @@ Result<BodyPose> poseAfter(BodyPose pose, const PoseBody& op, const Skeleton& sk
   return pose;
 }
 
-Rigid wayBack(const Rigid& r) {
-  Rigid out{r.w, -r.x, -r.y, -r.z, {}};
-  out.carry = -out.turned(r.carry);
-  return out;
-}
-
 // What is shown of a way before any of it is gone: whether the figure can stand so, and what the cloth is made of,
 // takes longer to find out than a person should wait for the first picture. Where there is no cloth this is all of the
 // way.
@@ -67,7 +61,7 @@ class Beginning {
     const std::vector<Vec3> skin = skeleton_.points(moved);
     context_.onPose({share_, pose, skin, [&] {
                        for (std::size_t i = 0; i < moved.size(); ++i)
-                         moved[i] = karinui::after(moved[i], wayBack(placed_[i]));
+                         moved[i] = karinui::after(moved[i], inverseOf(placed_[i]));
                        return along_->at(moved);
                      }});
   }

@@ -14,19 +14,6 @@ constexpr double kStraight = 0.002;  // a straight edge stays straight while it 
 constexpr double kPeak = 0.1;        // and while no pull between its ends stands out by more than this share
 constexpr double kSample = 0.004;    // metres between the places an edge is measured at
 
-Flat turned(Flat a, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * a.u - s * a.v, s * a.u + c * a.v};
-}
-double angleFrom(Flat a, Flat b) { return std::atan2(cross(a, b), dot(a, b)); }
-
-// Unit; a handle of no length has the direction of what follows.
-Flat wayOf(const Curve& curve, bool atEnd) {
-  for (const double t : {0.0, 1e-6, 1e-3, 0.1})
-    if (const Flat way = curve.tangent(atEnd ? 1 - t : t); length(way) > 1e-9) return normalized(way);
-  return normalized(curve.end - curve.start);
-}
-
 // By how much the furthest moved place between the ends stands out from both sides.
 double peak(const std::vector<Flat>& by) {
   std::vector<double> before(by.size()), behind(by.size());
@@ -84,8 +71,8 @@ Measured measured(const Curve& was, const std::function<Flat(Flat)>& shift, Flat
   m.startWay = wayBy(0, 1), m.endWay = wayBy(n - 1, n);
   if (!angles) return m;
   // An end turns as the cloth at it turned.
-  m.startWay = turned(wayOf(was, false), angleFrom(was.at(m.t[1]) - was.start, m.startWay));
-  m.endWay = turned(wayOf(was, true), angleFrom(was.end - was.at(m.t[n - 1]), m.endWay));
+  m.startWay = turned(endTangent(was, false), angleFrom(was.at(m.t[1]) - was.start, m.startWay));
+  m.endWay = turned(endTangent(was, true), angleFrom(was.end - was.at(m.t[n - 1]), m.endWay));
   return m;
 }
 
@@ -106,11 +93,11 @@ void keepAngles(std::vector<Measured>& edges) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     Measured &a = edges[k], &b = edges[(k + 1) % edges.size()];
     if (!a.freeEnd() && !b.freeStart()) continue;
-    const Flat oldA = wayOf(a.was, true), oldB = wayOf(b.was, false);
+    const Flat oldA = endTangent(a.was, true), oldB = endTangent(b.was, false);
     const double turn = angleFrom(oldA, oldB);
     const auto fixed = [](const Measured& m, bool end) {
       if (m.fate == Measured::Fate::Straight) return normalized(m.was.end + m.endBy - m.was.start - m.startBy);
-      return wayOf(m.was, end);
+      return endTangent(m.was, end);
     };
     if (a.freeEnd() && b.freeStart()) {
       const double together = (angleFrom(oldA, a.endWay) + angleFrom(oldB, b.startWay)) / 2;

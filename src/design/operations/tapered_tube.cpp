@@ -73,7 +73,7 @@ double Girth::nearest(Flat place) const {
 }
 
 TaperedTube::TaperedTube(const Ring& paper, const std::vector<SkinPlace>& skin, double ease) {
-  const PaperBox box = boxOf(paper);
+  const FlatBox box = boxOf(paper);
   const int count = std::max(1, static_cast<int>(std::ceil((box.high.v - box.low.v) / kStep)));
   const auto heightOf = [&](int k) { return box.low.v + (box.high.v - box.low.v) * k / count; };
   double widest = box.low.v, most = 0;

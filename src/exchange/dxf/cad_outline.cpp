@@ -58,7 +58,7 @@ bool dense(const std::vector<Flat>& p) {
   if (p.size() < kDenseFrom) return false;
   for (std::size_t i = 1; i + 1 < p.size(); ++i) {
     const Flat in = p[i] - p[i - 1], out = p[i + 1] - p[i];
-    if (std::abs(std::atan2(cross(in, out), dot(in, out))) > kDenseBend) return false;
+    if (std::abs(angleFrom(in, out)) > kDenseBend) return false;
   }
   return true;
 }
@@ -75,7 +75,7 @@ std::vector<Curve> smooth(const std::vector<Flat>& points) {
 
 double cornerBetween(const Curve& in, const Curve& out) {
   const Flat a = in.tangent(1), b = out.tangent(0);
-  return std::abs(std::atan2(cross(a, b), dot(a, b)));
+  return std::abs(angleFrom(a, b));
 }
 
 // The runs of curve between turns, gathered to edges between corners. `plan`: as it was done before, or, empty, how it

@@ -25,7 +25,7 @@ void dropRepeated(std::vector<Flat>& ring) {
 double bendAt(const std::vector<Flat>& ring, std::size_t i) {
   const std::size_t n = ring.size();
   const Flat in = ring[i] - ring[(i + n - 1) % n], out = ring[(i + 1) % n] - ring[i];
-  return std::abs(std::atan2(cross(in, out), dot(in, out)));
+  return std::abs(angleFrom(in, out));
 }
 
 }  // namespace

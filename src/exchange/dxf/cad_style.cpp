@@ -238,13 +238,10 @@ Parts partsOf(std::vector<DxfShape> shapes) {
 double widest(const CadStyle& style) {
   double most = 0;
   for (const CadPiece& piece : style.pieces) {
-    Flat low{1e300, 1e300}, high{-1e300, -1e300};
+    FlatBox box;
     for (const CadLine& line : piece.boundary)
-      for (const Flat p : line.points) {
-        low = {std::min(low.u, p.u), std::min(low.v, p.v)};
-        high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-      }
-    most = std::max({most, high.u - low.u, high.v - low.v});
+      for (const Flat p : line.points) box.include(p);
+    most = std::max({most, box.size().u, box.size().v});
   }
   return most;
 }

@@ -68,7 +68,7 @@ std::vector<char> kinksOf(const Curve& curve) {
   std::vector<char> kinks(parts.size(), 1);
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const Flat in = parts[k - 1].tangent(1), out = parts[k].tangent(0);
-    kinks[k] = std::abs(std::atan2(cross(in, out), dot(in, out))) > kKink;
+    kinks[k] = std::abs(angleFrom(in, out)) > kKink;
   }
   return kinks;
 }
@@ -93,7 +93,7 @@ PlacedRing drawn(const Ring& ring) {
   PlacedRing all{ring, std::vector<char>(ring.size())};
   for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
     const Flat in = ring[i] - ring[(i + n - 1) % n], out = ring[(i + 1) % n] - ring[i];
-    all.turn[i] = std::abs(std::atan2(cross(in, out), dot(in, out))) > kTurn;
+    all.turn[i] = std::abs(angleFrom(in, out)) > kTurn;
   }
   return all;
 }
@@ -238,9 +238,7 @@ class Writing {
   }
   // As long as half the piece, through the middle of its outline's box.
   void grain(const Piece& piece) {
-    Flat low{1e9, 1e9}, high{-1e9, -1e9};
-    for (const Flat p : piece.outline.flattened())
-      low = {std::min(low.u, p.u), std::min(low.v, p.v)}, high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+    const auto [low, high] = boxOf(piece.outline.flattened());
     const Flat middle = 0.5 * (low + high), half = (0.25 * distance(low, high)) * piece.grain;
     group(0, "LINE"), group(8, "7"), place(middle - half), place(middle + half, 11);
   }

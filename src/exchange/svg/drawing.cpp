@@ -449,7 +449,7 @@ class Drawing {
   static double cornerBetween(const Curve& in, const Curve& out) {
     const Flat a = in.tangent(1), b = out.tangent(0);
     if (length(a) < 1e-12 || length(b) < 1e-12) return 0;
-    return std::abs(std::atan2(cross(a, b), dot(a, b)));
+    return std::abs(angleFrom(a, b));
   }
 
   // Curves that go on smoothly are one edge; a chain of short lines between corners becomes a few curves.
