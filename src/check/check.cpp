@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "karinui/base/sort_once.h"
 #include "karinui/geometry/triangle_intersection.h"
 
 namespace karinui {
@@ -155,8 +156,7 @@ StrainReport strainOf(const Cloth& cloth, const ClothState& state) {
         edges.push_back({at(0, 0), at(0, 1)});
         edges.push_back({at(1, 0), at(1, 1)});
       }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sortOnce(edges);
     for (const auto& [a, b] : edges)
       strain.push_back(std::fabs(distance(state.position[piece.firstNode + a], state.position[piece.firstNode + b]) /
                                      distance(lattice.nodes[a], lattice.nodes[b]) -

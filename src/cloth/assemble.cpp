@@ -3,6 +3,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "karinui/base/sort_once.h"
+
 #include "karinui/cloth/cloth.h"
 
 namespace karinui {
@@ -208,8 +210,7 @@ Result<Cloth> assemble(const Pattern& pattern, const LaidPattern& laid, const st
         for (std::uint32_t k : nodesAt(*lattice->second, place, choice.pinRadius))
           cloth.pinned.push_back(first[id] + k);
   }
-  std::sort(cloth.pinned.begin(), cloth.pinned.end());
-  cloth.pinned.erase(std::unique(cloth.pinned.begin(), cloth.pinned.end()), cloth.pinned.end());
+  sortOnce(cloth.pinned);
   std::map<SeamId, std::uint32_t> seamIndex;
   for (const auto& [id, seam] : pattern.seams) {
     seamIndex[id] = static_cast<std::uint32_t>(cloth.seams.size());

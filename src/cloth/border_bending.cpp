@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "karinui/base/sort_once.h"
+
 namespace karinui {
 namespace {
 
@@ -22,8 +24,7 @@ QuadraticFit fitAround(const Lattice& lattice, const std::vector<std::vector<std
   for (int ring = 0; ring < 3; ++ring) {
     std::vector<std::uint32_t> wider = nodes;
     for (std::uint32_t k : nodes) wider.insert(wider.end(), near[k].begin(), near[k].end());
-    std::sort(wider.begin(), wider.end());
-    wider.erase(std::unique(wider.begin(), wider.end()), wider.end());
+    sortOnce(wider);
     nodes = std::move(wider);
     if (nodes.size() < enough && ring < 2) continue;
     const auto n = static_cast<Eigen::Index>(nodes.size());

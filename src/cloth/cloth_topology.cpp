@@ -3,15 +3,12 @@
 #include <numeric>
 #include <tuple>
 
+#include "karinui/base/sort_once.h"
+
 namespace karinui {
 namespace {
 
 constexpr double kNarrow = 3;  // radii: nearer than this on paper, corners across an edge are never in contact
-
-void sortOnce(std::vector<KeyValue>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 std::vector<std::uint32_t> seamNumbers(const Cloth& cloth) {
   std::vector<std::uint32_t> parent(cloth.nodeCount);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "karinui/base/sort_once.h"
 #include "karinui/base/wide.h"
 
 namespace karinui {
@@ -51,11 +52,6 @@ KARINUI_WIDE void updateDirectionRow(std::size_t count, float beta, const float*
 KARINUI_WIDE void updateDirectionUnstructured(std::size_t begin, std::size_t end, float beta, const float* __restrict z,
                                               float* __restrict p) {
   for (std::size_t s = begin; s < end; ++s) p[s] = z[s] + beta * p[s];
-}
-
-void sortOnce(std::vector<std::uint32_t>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "cloth/membrane.h"
 #include "cloth/tie_map.h"
+#include "karinui/base/sort_once.h"
 
 namespace karinui {
 
@@ -90,8 +91,7 @@ std::vector<FasteningPull> fasteningPulls(const Cloth& cloth, const ClothState& 
       pull.gap = std::fmax(pull.gap, length(gapOf(tie, state.position)));
       over.push_back(tie.a);
     }
-    std::sort(over.begin(), over.end());
-    over.erase(std::unique(over.begin(), over.end()), over.end());
+    sortOnce(over);
     for (const std::uint32_t node : over) pull.force += length(gradient[node]);
     all.push_back(std::move(pull));
   }

@@ -8,6 +8,7 @@
 #include "cloth/penetration.h"
 #include "cloth/skin_collider.h"
 #include "cloth/work_blocks.h"
+#include "karinui/base/sort_once.h"
 
 namespace karinui {
 namespace {
@@ -149,8 +150,7 @@ std::vector<std::vector<std::uint32_t>> neighboursOf(const Cloth& cloth) {
     if (tie.c != kNoNode) join(tie.a, tie.c);
   }
   for (auto& own : near) {
-    std::sort(own.begin(), own.end());
-    own.erase(std::unique(own.begin(), own.end()), own.end());
+    sortOnce(own);
   }
   return near;
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "karinui/base/sort_once.h"
 #include "karinui/geometry/bvh.h"
 #include "karinui/geometry/triangle_intersection.h"
 
@@ -154,8 +155,7 @@ void IntersectionContour::find(std::span<const Vec3> x, Workers& workers) {
   });
   std::vector<Pierced> pierced;
   for (const auto& part : parts) pierced.insert(pierced.end(), part.begin(), part.end());
-  std::sort(pierced.begin(), pierced.end());
-  pierced.erase(std::unique(pierced.begin(), pierced.end()), pierced.end());
+  sortOnce(pierced);
   crossings_ = pierced.size();
   if (pierced.empty()) return;
 

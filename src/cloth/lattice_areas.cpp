@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "karinui/base/sort_once.h"
+
 namespace karinui {
 
 LatticeAreas latticeAreas(const Lattice& lattice) {
@@ -61,8 +63,7 @@ std::vector<std::vector<std::uint32_t>> neighboursOf(std::size_t nodes, const st
       near[face[a]].push_back(face[(a + 2) % 3]);
     }
   for (auto& list : near) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    sortOnce(list);
   }
   return near;
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cloth/mesh_distance.h"
+#include "karinui/base/sort_once.h"
 
 namespace karinui {
 namespace {
@@ -128,8 +129,7 @@ Collider::Sample MergedPlanes::sample(Vec3 place) const {
     near.push_back(polygonOf_[f]);
   });
   if (faces == 0) return far;
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
+  sortOnce(near);
   done_.fetch_add(near.size(), std::memory_order_relaxed);
   saved_.fetch_add(faces - near.size(), std::memory_order_relaxed);
   // The distance is that to the nearest polygon, within its outline or beside it, so that it is continuous where one

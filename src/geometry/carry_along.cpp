@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "karinui/base/sort_once.h"
+
 #include "karinui/geometry/flatten.h"
 
 namespace karinui {
@@ -23,8 +25,7 @@ std::vector<Flat> carryAlong(std::span<const Flat> flat, std::span<const Triangl
       used[a] = 1;
       if (unknown[a] == 0 || unknown[b] == 0) edges.emplace_back(std::min(a, b), std::max(a, b));
     }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sortOnce(edges);
   int count = 0;
   for (std::size_t p = 0; p < flat.size(); ++p)
     if (unknown[p] == 0) unknown[p] = used[p] ? count++ : -1;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "karinui/base/sort_once.h"
+
 namespace karinui {
 namespace {
 
@@ -101,8 +103,7 @@ std::vector<Flat> tutteMap(std::span<const RestTriangle> rest, std::span<const s
   for (const RestTriangle& t : rest)
     for (std::size_t k = 0; k < 3; ++k)
       edges.emplace_back(std::min(t.corner[k], t.corner[(k + 1) % 3]), std::max(t.corner[k], t.corner[(k + 1) % 3]));
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sortOnce(edges);
 
   std::vector<int> unknown(points, -1);
   int count = 0;

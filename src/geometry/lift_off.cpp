@@ -3,6 +3,8 @@
 #include <tuple>
 #include <utility>
 
+#include "karinui/base/sort_once.h"
+
 #include "karinui/geometry/patch.h"
 
 namespace karinui {
@@ -20,8 +22,7 @@ Neighbours neighboursOf(const TriangleMesh& mesh) {
       near[t[k]].push_back(t[(k + 2) % 3]);
     }
   for (auto& n : near) {
-    std::sort(n.begin(), n.end());
-    n.erase(std::unique(n.begin(), n.end()), n.end());
+    sortOnce(n);
   }
   return near;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "karinui/base/sort_once.h"
+
 namespace karinui {
 namespace {
 
@@ -199,8 +201,7 @@ Result<Lattice> latticeOf(const BorderNodes& border, Flat centre, Flat warp, dou
   // Slivers: let go of a grid node that has a part in one, wherever that makes the ring better.
   std::vector<std::size_t> culprits;
   double bad = badness(band, *ring, &culprits);
-  std::sort(culprits.begin(), culprits.end());
-  culprits.erase(std::unique(culprits.begin(), culprits.end()), culprits.end());
+  sortOnce(culprits);
   constexpr std::size_t kTries = 64;
   for (std::size_t k = 0; k < std::min(culprits.size(), kTries); ++k) {
     grid.spot[culprits[k]] = Spot::Taken;
