@@ -2,12 +2,13 @@
 
 #include <poll.h>
 
+#include <algorithm>
 #include <boost/asio/connect.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
+#include <charconv>
 #include <chrono>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "devices/json_scan.h"
@@ -125,14 +126,27 @@ struct Inverse3::Inside {
 
   void send(Vec3 force) {
     std::array<char, 320> line;
+    char *at = line.data(), *const end = at + line.size();
+    bool fits = true;
+    const auto words = [&](std::string_view text) {
+      fits = fits && text.size() <= static_cast<std::size_t>(end - at);
+      if (fits) at = std::copy(text.begin(), text.end(), at);
+    };
+    // With a point in every locale, which printf has not.
+    const auto number = [&](std::string_view key, double value) {
+      words(key);
+      const auto [to, error] = std::to_chars(at, end, value, std::chars_format::fixed, 6);
+      fits = fits && error == std::errc();
+      at = to;
+    };
     const Vec3 f = theirs(force);
-    const int size = std::snprintf(line.data(), line.size(),
-                                   "{\"inverse3\":[{\"device_id\":\"%s\",\"commands\":{\"set_cursor_force\":"
-                                   "{\"vector\":{\"x\":%.6f,\"y\":%.6f,\"z\":%.6f}}}}]}",
-                                   id.c_str(), f.x, f.y, f.z);
-    if (size <= 0 || size >= static_cast<int>(line.size())) return;
+    words("{\"inverse3\":[{\"device_id\":\""), words(id);
+    words("\",\"commands\":{\"set_cursor_force\":{\"vector\":{");
+    number("\"x\":", f.x), number(",\"y\":", f.y), number(",\"z\":", f.z);
+    words("}}}}]}");
+    if (!fits) return;
     beast::error_code error;
-    stream.write(asio::buffer(line.data(), static_cast<std::size_t>(size)), error);
+    stream.write(asio::buffer(line.data(), static_cast<std::size_t>(at - line.data())), error);
     if (error) lost = true;
     pending = !error;
   }

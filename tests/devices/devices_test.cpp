@@ -1,6 +1,9 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <clocale>
+#include <cstdlib>
+#include <filesystem>
 #include <numbers>
 
 #include "devices/cap_daemon.h"
@@ -196,6 +199,28 @@ TEST(Inverse3, SpeaksAsTheServiceIsDocumented) {
   (*device)->stop();
   EXPECT_TRUE(service.wait([](const auto& seen) { return seen.lastForce == 0; })) << "the last thing it is told";
   EXPECT_FALSE((*device)->sample().ready);
+}
+
+// Qt takes over the person's locale, in which printf may write a comma.
+TEST(Inverse3, IsSentNumbersWithAPointWhereThePersonWritesAComma) {
+  const auto folder = std::filesystem::temp_directory_path() / ("karinui_locale_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const int made = std::system(("localedef -i de_DE -f UTF-8 '" + (folder / "de_DE.UTF-8").string() + "' >&2").c_str());
+  ::setenv("LOCPATH", folder.c_str(), 1);
+  const bool comma = made == 0 && std::setlocale(LC_NUMERIC, "de_DE.UTF-8") != nullptr;
+  ::unsetenv("LOCPATH");
+  std::filesystem::remove_all(folder);
+  if (!comma) GTEST_SKIP() << "no locale with a decimal comma can be made here";
+  SimulatedInverse3 service([](double) { return Vec3{0.01, 0.02, 0.03}; });
+  auto device = Inverse3::connect(service.port());
+  ASSERT_TRUE(device);
+  for (int k = 0; k < 1000 && !service.seen().wrong && service.seen().lastForce != 0.5; ++k) {
+    (*device)->sample();
+    (*device)->apply({{0, 0.5, 0}, {}, 0});
+  }
+  std::setlocale(LC_NUMERIC, "C");
+  EXPECT_FALSE(service.seen().wrong);
+  EXPECT_EQ(service.seen().lastForce, 0.5);
 }
 
 TEST(Inverse3, AServiceThatIsNotThereIsSaid) {
