@@ -72,6 +72,7 @@ Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path
                      const Token& token) {
   const auto image = readPrint(file, token);
   if (!image) return image.error();
+  if (const Done draft = documentWorker.beginDraft({}); !draft) return draft;
   const Result<std::string> blob = documentWorker.file().blobs().put(packPrint(*image));
   if (!blob) return blob.error();
   look.photo = *blob;

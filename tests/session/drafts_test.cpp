@@ -113,6 +113,30 @@ TEST_F(Drafts, WhatIsImportedIntoAnEmptyWindowIsADraftOfItsName) {
   EXPECT_EQ(again.snapshot().body->name(), "egg");
 }
 
+// Its pixels lie in the draft that the step is written into.
+TEST_F(Drafts, APhotographMayBeTheFirstThingDone) {
+  constexpr char kPng[] =  // two by two red pixels
+      "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x02\x00\x00\x00\x02"
+      "\x08\x02\x00\x00\x00\xfd\xd4\x9a\x73\x00\x00\x00\x10\x49\x44\x41\x54\x78\x9c\x63\x38\x21\x27\x07"
+      "\x44\x0c\x10\x0a\x00\x1f\x26\x04\x11\xa2\x8f\x22\xaf\x00\x00\x00\x00\x49\x45\x4e\x44\xae\x42\x60"
+      "\x82";
+  ASSERT_TRUE(writeFile(folder_ / "rose.png", std::string_view(kPng, sizeof kPng - 1)));
+  Session session(options());
+  SetLook look;
+  look.fabric = "cotton";
+  session.importPrint(folder_ / "rose.png", look);
+  session.finish();
+  EXPECT_EQ(refused(session), "");
+  EXPECT_EQ(session.steps().size(), 1u);
+  EXPECT_EQ(session.path(), drafts() / "Draft today.karinui");
+  look.fabric = "nothing of the kind";
+  session.begin(DocumentFile::inMemory());
+  session.importPrint(folder_ / "rose.png", look);
+  session.finish();
+  EXPECT_NE(refused(session), "");
+  EXPECT_EQ(files().size(), 1u) << "and one that is refused leaves no file";
+}
+
 // An ending in capital letters is the same ending; the operations are not taken for JSON.
 TEST_F(Drafts, AnEndingIsReadInAnyLetterCaseAndAnUnknownOneRefused) {
   ASSERT_TRUE(writeFile(folder_ / "X.OPS", kTwoPieces));
