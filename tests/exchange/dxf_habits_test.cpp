@@ -193,6 +193,7 @@ TEST(DxfHabits, TextsOnAnyLayerAndQuantities) {
   EXPECT_EQ(with("A", "Quantity: 2").at({1}), (Cutting{2, true})) << "not alike on both sides: left and right";
   EXPECT_EQ(with("A", "QUANTITY: 3").at({1}), (Cutting{3, false}));
   EXPECT_EQ(with("A", "Quantity: 2,2").at({1}), (Cutting{4, true}));
+  EXPECT_EQ(with("A", "Quantity: LEFT 1, RIGHT 1").at({1}), (Cutting{2, true})) << "beside words";
   EXPECT_EQ(with("A", "Annotation: CUT 1 PAIR").at({1}), (Cutting{2, true}));
   EXPECT_EQ(with("A", "annotation: Shell, cut 4").at({1}), (Cutting{4, true}));
   EXPECT_TRUE(with("A", "Annotation: cut along the line").empty());

@@ -55,8 +55,8 @@ void takeQuantity(CadPiece& piece, const std::string& told) {
   for (const char c : told + ',') {
     if (c != ',' && c != ' ' && c != ';') {
       number += c;
-    } else if (const auto value = parseNumber(number)) {
-      numbers.push_back(static_cast<int>(std::clamp(*value, 0.0, 999.0)));
+    } else {
+      if (const auto value = parseNumber(number)) numbers.push_back(static_cast<int>(std::clamp(*value, 0.0, 999.0)));
       number.clear();
     }
   }
