@@ -16,6 +16,9 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
     return program.console.refuse(
         refused(say("“{0}” is there already. Choose another name, or say --overwrite.", wanted)));
   }
+  if (fs::is_directory(wanted, trouble))
+    return program.console.refuse(
+        storageError(say("\"{0}\" cannot be written: it is a folder. Give a file's name.", wanted)));
   const fs::path folder = fs::path(wanted).has_parent_path() ? fs::path(wanted).parent_path() : fs::path(".");
   if (!fs::is_directory(folder, trouble))
     return program.console.refuse(
@@ -27,6 +30,8 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
   const std::string part = wanted + ".part";
   fs::remove(part, trouble);
   int exit = kDone;
+  Json answer;
+  std::string words;
   {
     Result<DocumentFile> file = DocumentFile::create(part);
     if (!file) return program.console.refuse(file.error());
@@ -36,19 +41,17 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
     } else {
       if (!opened.settled()) exit = kNotSettled;
       const Document& document = opened.document();
-      Json answer = {{"document", wanted},
-                     {"operations", document.operations},
-                     {"pieces", document.pattern.pieces.size()},
-                     {"seams", document.pattern.seams.size()},
-                     {"settled", opened.settled()},
-                     {"hash", hash(document)},
-                     {"drape_hash", drapeHash(document)}};
-      std::string words =
-          program.console.said(say("{0}: {1} {1|operation|operations}, {2} {2|piece|pieces}, {3} {3|seam|seams}",
-                                   wanted, written(static_cast<long long>(document.operations)),
-                                   document.pattern.pieces.size(), document.pattern.seams.size()));
+      answer = {{"document", wanted},
+                {"operations", document.operations},
+                {"pieces", document.pattern.pieces.size()},
+                {"seams", document.pattern.seams.size()},
+                {"settled", opened.settled()},
+                {"hash", hash(document)},
+                {"drape_hash", drapeHash(document)}};
+      words = program.console.said(say("{0}: {1} {1|operation|operations}, {2} {2|piece|pieces}, {3} {3|seam|seams}",
+                                       wanted, written(static_cast<long long>(document.operations)),
+                                       document.pattern.pieces.size(), document.pattern.seams.size()));
       if (tell) tell(answer, words);
-      program.console.answer(answer, words);
     }
   }
   if (exit == kRefused) {
@@ -57,8 +60,12 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
   }
   fs::rename(part, wanted, trouble);
   if (trouble) {
-    return program.console.refuse(storageError(say("“{0}” could not be written: {1}", wanted, trouble.message())));
+    const Error why = storageError(say("“{0}” could not be written: {1}", wanted, trouble.message()));
+    fs::remove(part, trouble);
+    return program.console.refuse(why);
   }
+  dropJournal(wanted);
+  program.console.answer(answer, words);
   return exit;
 }
 

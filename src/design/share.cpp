@@ -279,7 +279,7 @@ Result<Shared> share(DocumentFile& from, const std::filesystem::path& to, Contex
   }();
   if (done) {
     std::filesystem::rename(part, to, trouble);
-    if (!trouble) return shared;
+    if (!trouble) return dropJournal(to), shared;
   }
   const Error why =
       done ? storageError(say("“{0}” could not be written: {1}", to.string(), trouble.message())) : done.error();

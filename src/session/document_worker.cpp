@@ -20,12 +20,6 @@ constexpr auto kBetween = std::chrono::milliseconds(40);  // two looks at cloth 
 constexpr std::size_t kDrapes = 6;                        // kept in memory
 constexpr int kShare = 5;                                 // and looking takes no more than so small a share of the time
 
-// A journal beside a file that was replaced would be taken for the new one's.
-void dropJournal(const std::filesystem::path& path) {
-  std::error_code none;
-  std::filesystem::remove(path.string() + "-journal", none);
-}
-
 }  // namespace
 
 Context DocumentWorker::context(const Token& token) {

@@ -154,6 +154,25 @@ TEST_F(Command, TellsWherePiecesLieOnPaper) {
   EXPECT_THAT(none.err, HasSubstr("there are: front"));
 }
 
+TEST_F(Command, ADocumentReplacesAnotherWholeAndNoFolder) {
+  const std::string words = "play " +
+                            script("piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; back L 0 0\"\n") +
+                            " --overwrite --json -o ";
+  fs::create_directory(folder / "coat.karinui");
+  const Said refused = karinui(words + (folder / "coat.karinui"));
+  EXPECT_EQ(refused.exit, 3);
+  ASSERT_TRUE(refused.json().is_object()) << "one answer: " << refused.out;
+  EXPECT_THAT(refused.json()["error"], HasSubstr("it is a folder"));
+  EXPECT_FALSE(fs::exists(folder / "coat.karinui.part"));
+
+  const std::string old = folder / "old.karinui";
+  test::write(old, "what was there");
+  test::write(old + "-journal", "of a program that fell down");
+  EXPECT_EQ(karinui(words + old).exit, 0);
+  EXPECT_FALSE(fs::exists(old + "-journal")) << "it would be taken for the new document's";
+  EXPECT_EQ(karinui("log " + old).exit, 0);
+}
+
 TEST_F(Command, SaysWhereNothingIsDoneOrSeen) {
   const Said empty = play("# nothing\n");
   EXPECT_EQ(empty.exit, 0);

@@ -91,6 +91,10 @@ class DocumentFile {
   std::unique_ptr<Inside> inside_;
 };
 
+// After a document came to lie where another one was: what a program that fell down left beside that one would be taken
+// for the new one's.
+void dropJournal(const std::filesystem::path& path);
+
 // What is whole of a damaged file, in a new one: every step that is as it was written and follows from whole ones,
 // what is kept beside them, and the head, or the newest whole step where the head is lost. Refused when there is not
 // one whole step, or `to` exists already; `from` is only read. What is kept beside a step and damaged is made again.

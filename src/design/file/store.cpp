@@ -12,6 +12,7 @@
 #include "karinui/base/hash.h"
 #include "karinui/base/version.h"
 #include "karinui/design/apply.h"
+#include "karinui/design/history.h"
 
 namespace karinui {
 
@@ -113,6 +114,11 @@ Done checkForm(Database& db, bool damagedToo) {
 
 }  // namespace
 
+void dropJournal(const std::filesystem::path& path) {
+  std::error_code none;
+  std::filesystem::remove(path.string() + "-journal", none);
+}
+
 std::string StepRow::seal() const {
   Hasher h;
   h.add(seq).add(parent).add(std::uint64_t{serial});
@@ -127,8 +133,7 @@ Result<Store> Store::create(const std::filesystem::path& path) {
   const int made = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
   if (made >= 0) {
     ::close(made);
-    // A journal beside a file that was not there belongs to nothing and would spoil the new one.
-    std::filesystem::remove(path.string() + "-journal", trouble);
+    dropJournal(path);
   } else if (errno == EEXIST && std::filesystem::file_size(path, trouble) != 0) {
     return taken;
   }
