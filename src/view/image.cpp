@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "karinui/base/file.h"
+
 namespace karinui {
 
 Image::Image(int wide, int high, Pixel filled) : width(wide), height(high) {
@@ -73,6 +75,12 @@ Result<std::vector<std::uint8_t>> encodePng(const Image& image) {
   if (!good) return badInput(say("The picture could not be written as PNG: {0}.", png.message));
   bytes.resize(size);
   return bytes;
+}
+
+Done writePng(const std::string& path, const Image& image) {
+  const auto bytes = encodePng(image);
+  if (!bytes) return bytes.error();
+  return writeFile(path, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
 }  // namespace karinui

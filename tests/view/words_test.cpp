@@ -78,6 +78,16 @@ TEST(Words, APngIsWrittenWholeOrNotAtAll) {
   std::vector<std::uint8_t> back(PNG_IMAGE_SIZE(read));
   ASSERT_TRUE(png_image_finish_read(&read, nullptr, back.data(), 0, nullptr));
   EXPECT_EQ(back, image.rgba);
+
+  const std::string link = ::testing::TempDir() + "karinui_view_link.png";
+  std::filesystem::remove(link);
+  std::filesystem::create_symlink(path, link);
+  ASSERT_TRUE(writePng(link, Image(8, 8)));
+  EXPECT_TRUE(std::filesystem::is_symlink(link)) << "it is the file it points to that is written";
+  ASSERT_TRUE(png_image_begin_read_from_file(&read, path.c_str()));
+  EXPECT_EQ(read.width, 8u);
+  png_image_free(&read);
+  std::filesystem::remove(link);
   std::filesystem::remove(path);
 
   const auto nowhere = writePng("/nowhere/at/all.png", image);

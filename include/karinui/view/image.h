@@ -33,7 +33,7 @@ Pixel pixelOf(const Colour& linear);
 // The bytes of a PNG file.
 Result<std::vector<std::uint8_t>> encodePng(const Image& image);
 
-// Writes the file whole or not at all: a picture that is already there stays until the new one is complete.
+// Writes the file whole or not at all (base/file.h): a picture that is there stays until the new one is complete.
 Done writePng(const std::string& path, const Image& image);
 
 }  // namespace karinui
