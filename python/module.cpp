@@ -233,7 +233,7 @@ class PythonDocument {
     const auto [report, check, kept] = alone(
         [&](DocumentFile& file, Context& context) -> Result<Found> {
           const DrapeInfo& drape = file.document().drape;
-          const bool rests = drape.last && drape.last->settled && drape.dirty.empty() && !again;
+          const bool rests = drape.atRest() && !again;
           if (!rests)
             if (const auto step = file.perform(DrapePieces{}, context); !step) return step.error();
           const auto found = examined(file.document(), context);

@@ -4,17 +4,9 @@
 
 namespace karinui::app {
 
-namespace {
-
-bool atRest(const Document& document) {
-  return document.drape.last && document.drape.last->settled && document.drape.dirty.empty();
-}
-
-}  // namespace
-
 Result<Settled> settle(OpenDocument& opened, StopRequest& stop, bool again) {
   Settled settled;
-  settled.kept = atRest(opened.document()) && !again;
+  settled.kept = opened.document().drape.atRest() && !again;
   if (!settled.kept) {
     opened.context().stop = &stop;
     const Result<Step> step = opened.perform(DrapePieces{});

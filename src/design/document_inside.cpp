@@ -18,9 +18,7 @@ bool takesLong(const Operation& operation) {
 constexpr std::size_t kMostRemarks = 5;  // of one kind
 
 Error notOpened(const std::filesystem::path& path, const Error& why) {
-  const bool hindered =
-      why.kind == Error::Kind::Storage || why.kind == Error::Kind::Memory || why.kind == Error::Kind::Cancelled;
-  const Error::Kind kind = hindered ? why.kind : Error::Kind::Damaged;
+  const Error::Kind kind = why.hindered() ? why.kind : Error::Kind::Damaged;
   return {kind, say("“{0}” cannot be opened. {1} What is whole of it goes to a new document by “karinui rescue”.",
                     path.filename().string(), why.what)};
 }

@@ -185,6 +185,14 @@ Result<Hold> holdOf(const Document& document, const PullCloth& pull, Context& co
 
 }  // namespace
 
+std::optional<Shortage> shortageTold(const Message& why) {
+  if (!why.pattern.starts_with("Too small by {0} {1}") || why.values.size() < 2) return std::nullopt;  // tooSmallSaid
+  const auto* by = std::get_if<Message>(&why.values[0]);
+  const auto* where = std::get_if<Message>(&why.values[1]);
+  const auto metres = by && !by->values.empty() ? parseNumber(text(by->values[0])) : std::nullopt;
+  return metres && where ? std::optional(Shortage{*metres / 100, *where}) : std::nullopt;
+}
+
 std::set<PieceId> livePieces(const Document& document, const std::vector<PieceRef>& named) {
   std::set<PieceId> live;
   for (const auto& [id, piece] : document.pattern.pieces) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "design/spoken.h"
 #include "karinui/base/number.h"
 #include "karinui/base/said_lengths.h"
 #include "karinui/pattern/edit.h"
@@ -19,11 +20,6 @@ constexpr int kSamples = 24;
 const Curve& curveOf(const Document& document, const EdgeRef& ref) {
   return *findCurve(*document.find(ref.piece.id), ref.edge);
 }
-
-std::string spoken(const Document& document, const EdgeRef& ref) {
-  return document.find(ref.piece.id)->name + "." + ref.edge;
-}
-std::string spoken(const Seam& seam) { return seam.name.empty() ? text(seam.id) : seam.name; }
 
 // Places in space along a side, evenly by length, in the outlines' order.
 std::vector<Vec3> stood(const Document& document, const std::vector<EdgeRef>& side) {

@@ -29,33 +29,19 @@ const ReshapePiece* drawnOnPaper(const Operation& operation) {
   return reshape && reshape->at.empty() && !reshape->outline.edges.empty() ? reshape : nullptr;
 }
 
-// Cloth that is too small says so in a sentence (design/drape.cpp): by how many centimetres, and where.
-void tellShortage(FitOnBody& fit, const Message& why) {
-  if (!why.pattern.starts_with("Too small by {0} {1}") || why.values.size() < 2) return;
-  const auto* by = std::get_if<Message>(&why.values[0]);
-  const auto centimetres = by && !by->values.empty() ? parseNumber(text(by->values[0])) : std::nullopt;
-  if (!centimetres) return;
-  fit.fault = FitFault::TooSmall, fit.by = *centimetres / 100;
-  if (const auto* where = std::get_if<Message>(&why.values[1])) fit.where = *where;
-}
-
-bool hangsAtRest(const Document& document) {
-  return document.drape.last && document.drape.last->settled && document.drape.dirty.empty();
-}
-
 // What of it does not fit: the first that holds counts.
 void judge(FitOnBody& fit, const Examination& check) {
   const FitLimits limits;
   const SettleReport& last = *fit.document.drape.last;
   fit.why = last.settled ? Message() : last.why;
-  tellShortage(fit, last.why);
-  if (!fit.fits()) return;
   const auto tell = [&](FitFault fault, double by, Message where = {}) {
     fit.fault = fault, fit.by = by, fit.where = std::move(where);
   };
   const auto open = std::count_if(check.fastenings.begin(), check.fastenings.end(),
                                   [](const FasteningPull& pull) { return !pull.holds(); });
-  if (!last.settled)
+  if (const auto shortage = shortageTold(last.why))
+    tell(FitFault::TooSmall, shortage->by, shortage->where);
+  else if (!last.settled)
     tell(FitFault::NotSettled, 0);
   else if (open > 0)
     tell(FitFault::NotClosed, static_cast<double>(open));
@@ -74,8 +60,7 @@ Result<FitOnBody> fitOn(const GarmentRecipe& recipe, const GarmentWearer& wearer
   FitOnBody fit;
   fit.name = wearer.name;
   const auto refused = [&](const Error& why) -> Result<FitOnBody> {
-    if (why.kind == Error::Kind::Storage || why.kind == Error::Kind::Memory || why.kind == Error::Kind::Cancelled)
-      return why;
+    if (why.hindered()) return why;
     fit.fault = FitFault::Refused, fit.why = why.what;
     fit.garment = snapshotOf(fit.document, fit.body);
     return fit;
@@ -84,7 +69,7 @@ Result<FitOnBody> fitOn(const GarmentRecipe& recipe, const GarmentWearer& wearer
   if (fit.document.body.chosen())
     if (auto body = bodyOf(fit.document, context)) fit.body = *std::move(body);
   if (!made) return refused(made.error());
-  if (!hangsAtRest(fit.document)) {
+  if (!fit.document.drape.atRest()) {
     auto rested = apply(fit.document, DrapePieces{}, context);
     if (!rested) return refused(rested.error());
     fit.document = *std::move(rested);

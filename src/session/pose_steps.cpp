@@ -15,7 +15,7 @@ Done posesKnown(const Document& document, const std::vector<std::string>& names,
 }
 
 Result<Document> rested(Document document, Context& context) {
-  if (document.drape.last && document.drape.last->settled && document.drape.dirty.empty()) return document;
+  if (document.drape.atRest()) return document;
   return apply(document, DrapePieces{}, context);
 }
 

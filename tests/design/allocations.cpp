@@ -10,14 +10,14 @@ namespace {
 std::atomic<std::ptrdiff_t> inUse{0};
 }  // namespace
 
-bool Shortage::strikes() {
+bool MemoryShortage::strikes() {
   if (!on) return false;
   const long n = ++asked;
   return n >= from && n <= to;
 }
 
-Shortage& shortage() {
-  static Shortage one;
+MemoryShortage& shortage() {
+  static MemoryShortage one;
   return one;
 }
 

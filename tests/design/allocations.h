@@ -6,13 +6,13 @@
 
 namespace karinui {
 
-struct Shortage {
+struct MemoryShortage {
   std::atomic<bool> on{false};
   std::atomic<long> asked{0};  // while it was on
   long from = 0, to = 0;       // these are not given
   bool strikes();
 };
-Shortage& shortage();
+MemoryShortage& shortage();
 
 // Bytes that operator new gave and were not given back.
 std::ptrdiff_t bytesInUse();

@@ -9,31 +9,16 @@
 #include "../json_answers.h"
 #include "../refit.h"
 #include "karinui/base/file.h"
-#include "karinui/base/number.h"
 #include "karinui/design/history.h"
 #include "karinui/design/script.h"
 #include "karinui/design/variant.h"
+#include "karinui/session/fit_over_bodies.h"
 
 namespace karinui::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-SetBody bodyFor(const Measurements& measures) {
-  SetBody body;
-  body.sex = measures.sex;
-  for (const auto& [key, value] : measures.value) body.set.push_back({key, {value}});
-  return body;
-}
-
-// Cloth that is too small says so in a sentence (design/drape.cpp): by how many centimetres, and where.
-void addShortage(Json& numbers, const Message& why) {
-  if (!why.pattern.starts_with("Too small by {0} {1}") || why.values.size() < 2) return;
-  const auto* by = std::get_if<Message>(&why.values[0]);
-  const auto centimetres = by && !by->values.empty() ? parseNumber(text(by->values[0])) : std::nullopt;
-  if (centimetres) numbers["too_small_m"] = *centimetres / 100, numbers["too_small_at"] = text(why.values[1]);
-}
 
 // A copy of a design that another program changed would give other results under the same key.
 Error notAsPlanned(const fs::path& path) {
@@ -58,17 +43,17 @@ Done playScript(OpenDocument& opened, const std::string& script, const SetBody& 
 }  // namespace
 
 Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& plan, const BatchItem& item) {
-  const SetBody body = bodyFor(plan.bodies[item.body].measures);
+  const SetBody body = figureOf(plan.bodies[item.body].measures);
   const fs::path path = folder / plan.designs[item.design].file;
   const std::string planned = path.stem().string();
   if (path.extension() == kScriptCopy) {
     const auto script = readFile(path);
-    if (!script && !isAnswer(script.error())) return script.error();
+    if (!script && script.error().hindered()) return script.error();
     if (!script || designHash(*script) != planned) return notAsPlanned(path);
     if (const Done done = playScript(opened, *script, body); !done) return done;
   } else {
     Result<DocumentFile> file = DocumentFile::openForReading(path);
-    if (!file && !isAnswer(file.error())) return file.error();
+    if (!file && file.error().hindered()) return file.error();
     if (!file || designHash(*file) != planned) return notAsPlanned(path);
     OpenDocument source(opened.program(), *std::move(file));
     if (const Done done = refit(source, opened, body); !done) return done;
@@ -81,10 +66,6 @@ Done makeGarment(OpenDocument& opened, const fs::path& folder, const BatchPlan& 
   if (!item.fabric.empty())
     if (const auto step = opened.perform(cutFrom(opened.document(), item.fabric)); !step) return step.error();
   return {};
-}
-
-bool isAnswer(const Error& why) {
-  return why.kind != Error::Kind::Storage && why.kind != Error::Kind::Memory && why.kind != Error::Kind::Cancelled;
 }
 
 int runItem(Program& program, const fs::path& folder) try {
@@ -100,7 +81,7 @@ int runItem(Program& program, const fs::path& folder) try {
     return done ? int{kDone} : program.console.refuse(done.error());
   };
   const auto hindered = [&](const Error& why) -> int {
-    if (isAnswer(why)) return keep(Outcome::Refused, why.what, Json::object());
+    if (!why.hindered()) return keep(Outcome::Refused, why.what, Json::object());
     return why.kind == Error::Kind::Memory ? kItemOutOfMemory : program.console.refuse(why);
   };
   if (const Done done = makeGarment(opened, folder, *plan, item); !done) return hindered(done.error());
@@ -124,7 +105,8 @@ int runItem(Program& program, const fs::path& folder) try {
     if (!fit->stretchedMost.empty()) numbers["strain_at"] = fit->stretchedMost;
   }
   const SettleReport& report = *document.drape.last;
-  addShortage(numbers, report.why);
+  if (const auto shortage = shortageTold(report.why))
+    numbers["too_small_m"] = shortage->by, numbers["too_small_at"] = text(shortage->where);
   return keep(report.settled ? Outcome::Ok : Outcome::NotSettled, report.why, std::move(numbers));
 } catch (const std::bad_alloc&) {
   return kItemOutOfMemory;

@@ -12,10 +12,6 @@ namespace karinui::app {
 int runItem(Program& program, const std::filesystem::path& folder);
 constexpr int kItemOutOfMemory = 5;
 
-// Whether an error is an answer about the garment, the same on every machine. Want of memory, and a disk or a file that
-// fails, are none.
-bool isAnswer(const Error& why);
-
 // Its garment in an empty document, not brought to rest yet. A copy of its design that is not the one that was planned
 // is refused with Error::Kind::Storage.
 Done makeGarment(OpenDocument& opened, const std::filesystem::path& folder, const BatchPlan& plan,

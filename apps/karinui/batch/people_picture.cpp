@@ -80,7 +80,7 @@ Result<SeenGarment> dressed(Program& program, const fs::path& folder, const Batc
     fs::rename(part, kept, trouble);
   else
     fs::remove(part, trouble);
-  if (!made && !isAnswer(made.error())) return made.error();
+  if (!made && made.error().hindered()) return made.error();
   return garment;
 }
 
@@ -146,7 +146,7 @@ Result<PeoplePicture> peoplePicture(Program& program, const PeopleWish& wish) {
     console.keepNotes([](const Message&) {});  // the table has what there is to say
     Result<SeenGarment> garment = dressed(program, wish.folder, *plan, plan->items[r], each->map);
     console.keepNotes({});
-    if (!garment && !isAnswer(garment.error())) return garment.error();
+    if (!garment && garment.error().hindered()) return garment.error();
     each->mapTop = std::max(each->mapTop, garment ? garment->mapTop : 0);
     frames.push_back(garment ? std::move(garment->frame)
                              : SceneFrame());  // a figure that cannot be built is told below

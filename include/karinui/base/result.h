@@ -23,6 +23,8 @@ struct Error {
   };
   Kind kind = Kind::BadInput;
   Message what;
+  // Told by the machine or the person, not about what was asked: another time the same may go well.
+  bool hindered() const { return kind == Kind::Storage || kind == Kind::Memory || kind == Kind::Cancelled; }
 };
 
 inline Error badInput(Message what) { return {Error::Kind::BadInput, std::move(what)}; }

@@ -20,6 +20,13 @@ using DrapeOnlooker = std::function<void(const FormsNow&)>;
 // `continueAfterRest`: as in SettleSettings.
 Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
                                  const DrapeOnlooker& onlooker = {}, bool continueAfterRest = false);
+// What the report of a drape says of cloth that is too small: by how much (metres, to a centimetre) and where. Nothing:
+// it says something else.
+struct Shortage {
+  double by = 0;
+  Message where;
+};
+std::optional<Shortage> shortageTold(const Message& why);
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context);
 
 // The garment as its figure carries it from the pose in which it stands to another (follow.h): the forms it then has,

@@ -12,6 +12,20 @@ constexpr int kLongestValue = 256 << 20;  // bytes of one text or blob
 
 }  // namespace
 
+Error notADocument(const std::filesystem::path& path) {
+  return badInput(
+      say("“{0}” is not a Karinui document. Patterns, bodies and photographs are imported into one; “karinui play” "
+          "reads scripts, “karinui load” dumps.",
+          path.filename().string()));
+}
+
+Error damagedFile(const std::filesystem::path& path) {
+  return damagedDocument(
+      say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
+          "“karinui rescue”.",
+          path.filename().string()));
+}
+
 Result<Database> Database::open(const std::filesystem::path& path, Mode mode) {
   sqlite3* raw = nullptr;
   const int flags = mode == Mode::Create  ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
@@ -85,18 +99,12 @@ Error Database::error() const {
   const std::string name = path_.filename().string();
   switch (code & 0xff) {
     case SQLITE_NOTADB:
-      return badInput(
-          say("“{0}” is not a Karinui document. Patterns, bodies and photographs are imported into one; “karinui play” "
-              "reads scripts, “karinui load” dumps.",
-              name));
+      return notADocument(path_);
     case SQLITE_CORRUPT:
     case SQLITE_TOOBIG:
     case SQLITE_MISMATCH:
     case SQLITE_ERROR:
-      return damagedDocument(
-          say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
-              "“karinui rescue”.",
-              name));
+      return damagedFile(path_);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return storageError(say("“{0}” is open in another program; close it there first.", name));

@@ -61,4 +61,8 @@ class Database {
   std::unique_ptr<sqlite3, Close> raw_;
 };
 
+// What is said of a file that is none of ours, and of one of ours that is not whole.
+Error notADocument(const std::filesystem::path& path);
+Error damagedFile(const std::filesystem::path& path);
+
 }  // namespace karinui

@@ -39,13 +39,6 @@ constexpr std::array<std::pair<std::string_view, const char*>, 5> kTables{{
 
 std::string sealOf(Head head) { return Hasher().add(std::string_view("head")).add(head.seq).add(head.tip).hex(); }
 
-Error damaged(const std::filesystem::path& path) {
-  return damagedDocument(
-      say("“{0}” is damaged and cannot be read; nothing was changed. What is whole of it goes to a new document by "
-          "“karinui rescue”.",
-          path.filename().string()));
-}
-
 // Looks at the file before SQLite does: the commonest mistakes deserve plain words.
 Done lookAt(const std::filesystem::path& path) {
   std::error_code trouble;
@@ -61,12 +54,8 @@ Done lookAt(const std::filesystem::path& path) {
   if (file.gcount() == 0 && !file.is_open())
     return storageError(say("“{0}” may not be read; ask whose it is for leave, or for a copy.", name));
   if (file.gcount() == 0) return badInput(say("“{0}” is empty; take an older copy of it.", name));
-  if (std::string_view(first.data(), first.size()) != std::string_view("SQLite format 3\0", 16)) {
-    return badInput(
-        say("“{0}” is not a Karinui document. Patterns, bodies and photographs are imported into one; “karinui play” "
-            "reads scripts, “karinui load” dumps.",
-            name));
-  }
+  if (std::string_view(first.data(), first.size()) != std::string_view("SQLite format 3\0", 16))
+    return notADocument(path);
   return {};
 }
 
@@ -74,11 +63,7 @@ Done checkForm(Database& db, bool damagedToo) {
   const std::string name = db.path().filename().string();
   const auto application = db.number("PRAGMA application_id");
   if (!application) return application.error();
-  if (*application != kApplication)
-    return badInput(
-        say("“{0}” is not a Karinui document. Patterns, bodies and photographs are imported into one; “karinui play” "
-            "reads scripts, “karinui load” dumps.",
-            name));
+  if (*application != kApplication) return notADocument(db.path());
   const auto version = db.number("PRAGMA user_version");
   if (!version) return version.error();
   if (*version > kVersion) {
@@ -86,11 +71,11 @@ Done checkForm(Database& db, bool damagedToo) {
         say("“{0}” was made by a newer Karinui (form {1}); this one reads up to form {2}. Install the newer one.", name,
             static_cast<long long>(*version), static_cast<long long>(kVersion)));
   }
-  if (*version < 1) return damaged(db.path());
+  if (*version < 1) return damagedFile(db.path());
   if (!damagedToo) {
     const auto sound = db.text("PRAGMA quick_check(1)");
     if (!sound) return sound.error();
-    if (*sound != "ok") return damaged(db.path());
+    if (*sound != "ok") return damagedFile(db.path());
   }
   // Exactly our tables: nothing that could run, nothing that could redirect.
   auto schema = db.ask("SELECT name, sql FROM sqlite_master WHERE name NOT LIKE 'sqlite_autoindex_%' ORDER BY name");
@@ -109,7 +94,7 @@ Done checkForm(Database& db, bool damagedToo) {
               name, schema->text(0)));
     ++found;
   }
-  return found == kTables.size() ? Done() : Done(damaged(db.path()));
+  return found == kTables.size() ? Done() : Done(damagedFile(db.path()));
 }
 
 }  // namespace
@@ -212,7 +197,7 @@ Done Store::load(bool damagedToo) {
       ++unsound_;
       continue;
     }
-    if (!sound) return damaged(db_.path());
+    if (!sound) return damagedFile(db_.path());
     serials[row.seq] = row.serial;
     rows_.push_back(std::move(row));
   }
@@ -220,11 +205,11 @@ Done Store::load(bool damagedToo) {
   if (!head) return head.error();
   const auto there = head->step();
   if (!damagedToo && !there) return there.error();
-  if (!damagedToo && !*there) return damaged(db_.path());
+  if (!damagedToo && !*there) return damagedFile(db_.path());
   if (there && *there)
     head_ = {static_cast<std::uint64_t>(head->number(0)), static_cast<std::uint64_t>(head->number(1))};
   if (serials.contains(head_.seq) && serials.contains(head_.tip) && head->text(2) == sealOf(head_)) return {};
-  if (!damagedToo) return damaged(db_.path());
+  if (!damagedToo) return damagedFile(db_.path());
   head_.seq = head_.tip = rows_.empty() ? 0 : rows_.back().seq;
   return {};
 }
@@ -340,7 +325,7 @@ Result<std::string> Store::blob(const std::string& name) const {
   if (!there) return there.error();
   if (!*there) return notFound(say("The stored part {0} is not in this document.", name));
   std::string bytes = rows->text(0);
-  if (blobName(bytes) != name) return damaged(db_.path());
+  if (blobName(bytes) != name) return damagedFile(db_.path());
   return bytes;
 }
 

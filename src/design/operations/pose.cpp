@@ -109,7 +109,7 @@ std::string restKey(Document document) {
 std::vector<RestedInPose> restedWith(const Document& document) {
   std::vector<RestedInPose> rested = document.drape.rested;
   const DrapeInfo& drape = document.drape;
-  if (!drape.last || !drape.last->settled || !drape.dirty.empty() || document.pattern.pieces.empty()) return rested;
+  if (!drape.atRest() || document.pattern.pieces.empty()) return rested;
   RestedInPose now{restKey(document), {}};
   for (const auto& [id, piece] : document.pattern.pieces) {
     if (!piece->form || piece->pose != Rigid()) return rested;

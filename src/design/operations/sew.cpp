@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "design/operations/sewn_runs.h"
+#include "design/spoken.h"
 #include "karinui/design/sewing.h"
 
 namespace karinui {
@@ -11,12 +12,6 @@ namespace {
 constexpr double kTwoToOneFrom = 1.41421356;  // nearer to 2:1 than to 1:1 in ratio
 constexpr double kMostEase = 10;
 constexpr double kTiny = 0.01;  // metres: sides as short as that meet in a place, however unequal they are
-
-std::string spoken(const Seam& seam) { return seam.name.empty() ? text(seam.id) : seam.name; }
-
-std::string spoken(const Document& document, const EdgeRef& edge) {
-  return document.find(edge.piece.id)->name + "." + edge.edge;
-}
 
 // Without the seams that are in the way, if they are to go.
 Document cleared(const Document& before, const SewEdges& op) {
