@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <set>
 
@@ -79,14 +78,9 @@ struct Column {
 
 // "bust_girth_cm", "Bust (mm)": the name and its unit.
 std::pair<std::string, std::optional<double>> unitOf(std::string heading) {
-  const std::pair<std::string_view, double> units[] = {{"mm", 0.001},
-                                                       {"cm", 0.01},
-                                                       {"inches", 0.0254},
-                                                       {"inch", 0.0254},
-                                                       {"in", 0.0254},
-                                                       {"m", 1},
-                                                       {"deg", std::numbers::pi / 180},
-                                                       {"rad", 1}};
+  const std::pair<std::string_view, double> units[] = {{"mm", 0.001},    {"cm", 0.01},   {"inches", 0.0254},
+                                                       {"inch", 0.0254}, {"in", 0.0254}, {"m", 1},
+                                                       {"deg", kDegree}, {"rad", 1}};
   while (!heading.empty() && (heading.back() == ')' || heading.back() == ']')) heading.pop_back();
   for (const auto& [unit, metres] : units) {
     if (!heading.ends_with(unit) || heading.size() <= unit.size()) continue;

@@ -1,5 +1,6 @@
 #pragma once
 // Names and words that may stand in a file of another program.
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <map>
@@ -12,6 +13,9 @@ namespace karinui {
 
 // Valid UTF-8 without control characters: what is neither becomes U+FFFD or a space. At most 200 bytes.
 std::string cleanText(std::string_view text);
+
+// A code point, below 0x110000, in UTF-8.
+void appendUtf8(std::string& out, std::uint32_t code);
 
 // Something no XML reader misunderstands, within an element or an attribute.
 std::string xmlEscaped(std::string_view text);

@@ -35,16 +35,14 @@ void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
   canvas.colour(0);
   for (const SheetSize& size : piece.nest) {
     canvas.layer(layerOfSize(size.size));
-    canvas.moveTo(size.line[0]);
-    for (std::size_t i = 1; i < size.line.size(); ++i) canvas.lineTo(size.line[i]);
+    canvas.line(size.line);
     canvas.close();
     canvas.stroke(0.35, dashesOf(size.size));
     canvas.words(size.name, true);
   }
   canvas.layer(PdfLayer::Cut);
   for (const auto& line : piece.cutLines) {
-    canvas.moveTo(line[0]);
-    for (std::size_t i = 1; i < line.size(); ++i) canvas.lineTo(line[i]);
+    canvas.line(line);
     canvas.close();
     canvas.stroke(0.6, false);
   }
@@ -64,13 +62,11 @@ void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
     }
   canvas.layer(PdfLayer::Topstitch);
   for (const SheetStitches& row : piece.stitches) {
-    canvas.moveTo(row.line[0]);
-    for (std::size_t i = 1; i < row.line.size(); ++i) canvas.lineTo(row.line[i]);
+    canvas.line(row.line);
     canvas.stroke(0.25, row.dashes());
   }
   for (const std::vector<Mm>& trim : piece.trims) {
-    canvas.moveTo(trim[0]);
-    for (std::size_t i = 1; i < trim.size(); ++i) canvas.lineTo(trim[i]);
+    canvas.line(trim);
     canvas.stroke(0.25, {std::begin(kTrimDashes), std::end(kTrimDashes)});
   }
   canvas.layer(PdfLayer::Notch);
@@ -94,8 +90,7 @@ void drawPiece(PdfCanvas& canvas, const SheetPiece& piece) {
     drawArrowHead(canvas, piece.grain->from, piece.grain->to);
   }
   for (const std::vector<Mm>& fold : piece.folds) {
-    canvas.moveTo(fold.front());
-    for (std::size_t i = 1; i < fold.size(); ++i) canvas.lineTo(fold[i]);
+    canvas.line(fold);
     canvas.stroke(0.5, false);
     drawArrowHead(canvas, fold.front(), fold[1]);
     drawArrowHead(canvas, fold.back(), fold[fold.size() - 2]);
@@ -112,7 +107,7 @@ void drawSheet(PdfCanvas& canvas, const Sheet& sheet) {
   drawSquares(canvas, sheet.square);
   for (const SheetText& heading : sheet.headings) canvas.words(heading, false);
   for (const std::vector<Mm>& border : sheet.borders) {
-    for (std::size_t i = 0; i < border.size(); ++i) i == 0 ? canvas.moveTo(border[i]) : canvas.lineTo(border[i]);
+    canvas.line(border);
     canvas.stroke(0.35, false);
   }
   for (const SheetPiece& piece : sheet.pieces) drawPiece(canvas, piece);

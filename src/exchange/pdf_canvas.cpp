@@ -127,6 +127,9 @@ void PdfCanvas::stroke(double width, const std::vector<double>& dashes) {
 void PdfCanvas::fill() { shown() ? cairo_fill(cairo_.get()) : cairo_new_path(cairo_.get()); }
 void PdfCanvas::moveTo(Mm p) { cairo_move_to(cairo_.get(), p.x, p.y); }
 void PdfCanvas::lineTo(Mm p) { cairo_line_to(cairo_.get(), p.x, p.y); }
+void PdfCanvas::line(std::span<const Mm> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) i == 0 ? moveTo(points[i]) : lineTo(points[i]);
+}
 void PdfCanvas::close() { cairo_close_path(cairo_.get()); }
 
 void PdfCanvas::curve(const SheetPiece& piece, const Curve& curve) {

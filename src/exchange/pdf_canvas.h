@@ -52,6 +52,7 @@ class PdfCanvas {
   void fill();
   void moveTo(Mm p);
   void lineTo(Mm p);
+  void line(std::span<const Mm> points);                    // from the first on
   void curve(const SheetPiece& piece, const Curve& curve);  // from where the pen is
   void close();
   void circle(Mm centre, double radius);

@@ -122,7 +122,7 @@ void faceForwards(ImportedBody& body) {
     return;
   }
   body.legs = facing->legs;
-  constexpr double kQuarter = std::numbers::pi / 2, kDegree = std::numbers::pi / 180;
+  constexpr double kQuarter = std::numbers::pi / 2;
   constexpr double kAside = 15 * kDegree;
   constexpr double kAskew = 3 * kDegree;    // less is how people stand, and what telling it is good for
   constexpr double kInStep = 60 * kDegree;  // the line between the feet of somebody in a step, from the trunk's breadth

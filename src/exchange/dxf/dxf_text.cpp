@@ -70,14 +70,7 @@ std::string withEscapes(std::string_view text) {
       continue;
     }
     i += 6;
-    if (code < 0x80) {
-      out += static_cast<char>(code);
-    } else if (code < 0x800) {
-      out += static_cast<char>(0xC0 | (code >> 6)), out += static_cast<char>(0x80 | (code & 63));
-    } else {
-      out += static_cast<char>(0xE0 | (code >> 12)), out += static_cast<char>(0x80 | ((code >> 6) & 63));
-      out += static_cast<char>(0x80 | (code & 63));
-    }
+    appendUtf8(out, code);
   }
   return out;
 }
