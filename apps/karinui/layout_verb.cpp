@@ -5,7 +5,7 @@
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
 #include "karinui/exchange/lay_sheet.h"
-#include "open_document.h"
+#include "outputs.h"
 #include "written_files.h"
 
 namespace karinui::app {
@@ -45,21 +45,6 @@ Result<LaySettings> settingsOf(const LayoutOptions& options) {
   return settings;
 }
 
-PaperKind paperNamed(const std::string& name) {
-  return name == "a4"       ? PaperKind::A4
-         : name == "letter" ? PaperKind::Letter
-         : name == "a3"     ? PaperKind::A3
-         : name == "a0"     ? PaperKind::A0
-         : name == "36in"   ? PaperKind::Inches36
-                            : PaperKind::OneSheet;
-}
-
-std::string endingOf(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending.empty() ? ending : ending.substr(1);
-}
-
 int runLayout(Program& program, const LayoutOptions& options) {
   const Result<LaySettings> settings = settingsOf(options);
   if (!settings) {
@@ -77,7 +62,7 @@ int runLayout(Program& program, const LayoutOptions& options) {
     if (!options.out.empty()) {
       LayPaper paper;
       paper.title = std::filesystem::path(options.path).stem().string();
-      paper.paper = paperNamed(options.paper);
+      paper.paper = fileFormat(paperFormat(options.paper)).paper;
       if (options.overlapMm) paper.overlap = *options.overlapMm / 1000;
       paper.language = spokenHere();
       const Result<std::string> bytes = writeLay(*plan, ending, paper);
@@ -127,7 +112,7 @@ void addLayoutVerb(Program& program) {
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--paper,--page", options->paper,
                    help("PDF: one true-size sheet (sheet), or pages to glue: a4, letter, a3, a0, 36in"))
-      ->transform(oneOf({"sheet", "a4", "letter", "a3", "a0", "36in"}))
+      ->transform(oneOf({kPapers.begin(), kPapers.end()}))
       ->needs(out);
   verb->add_option("--overlap", options->overlapMm, help("paper: how far glued pages overlap in mm, 5 to 30"))
       ->check(CLI::Range(5.0, 30.0))

@@ -62,7 +62,7 @@ void addOutputVerbs(Program& program) {
       ->required();
   verb->add_option("--paper,--page", out->paper,
                    help("PDF: one true-size sheet (sheet), or pages to glue: a4, letter, a3, a0, 36in"))
-      ->transform(oneOf({"sheet", "a4", "letter", "a3", "a0", "36in"}));
+      ->transform(oneOf({kPapers.begin(), kPapers.end()}));
   verb->add_option("--overlap", out->overlapMm, help("paper: how far glued pages overlap in mm, 5 to 30"))
       ->check(CLI::Range(5.0, 30.0));
   verb->add_option("--date", out->date, help("paper: a date to be printed on each piece, as it is to be read"));

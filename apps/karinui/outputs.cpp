@@ -24,8 +24,6 @@ Result<SpatialGarment> spatialOf(OpenDocument& opened, const std::string& poses)
   return karinui::spatialOf(opened.document(), *frame);
 }
 
-std::string paperFormat(const std::string& paper) { return paper.empty() || paper == "sheet" ? "pdf" : "pdf-" + paper; }
-
 // Of the formats of the ending the one that --format or --paper names, or else the first.
 const FileFormat* chosenFormat(const ExportRequest& request) {
   const std::vector<const FileFormat*> formats = formatsWriting(request.out);
@@ -55,6 +53,8 @@ Done fits(const ExportRequest& request, const FileFormat& format) {
 }
 
 }  // namespace
+
+std::string paperFormat(const std::string& paper) { return paper.empty() || paper == "sheet" ? "pdf" : "pdf-" + paper; }
 
 std::vector<std::string> patternFormats() {
   std::vector<std::string> names;

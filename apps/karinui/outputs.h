@@ -1,5 +1,6 @@
 #pragma once
 // What leaves an open document as a file of another program.
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,10 @@
 #include "open_document.h"
 
 namespace karinui::app {
+
+// What paper a PDF is laid on; "sheet", or nothing named: one sheet as large as it takes.
+inline constexpr std::array kPapers{"sheet", "a4", "letter", "a3", "a0", "36in"};
+std::string paperFormat(const std::string& paper);  // the id of its file format
 
 struct ExportRequest {
   std::string out;            // a file's name; its ending says what is written

@@ -21,9 +21,7 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 }  // namespace
 
 Done mayWrite(const std::string& file, const std::vector<std::string>& endings, const std::vector<std::string>& read) {
-  std::string ending = fs::path(file).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (ending.empty() || std::find(endings.begin(), endings.end(), ending.substr(1)) == endings.end())
+  if (std::find(endings.begin(), endings.end(), endingOf(file)) == endings.end())
     return badInput(say("“{0}” has none of the endings that are written: {1}.", fs::path(file).filename().string(),
                         listed(endings)));
   for (const std::string& word : read) {

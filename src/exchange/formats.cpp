@@ -197,13 +197,6 @@ std::vector<FileFormat> allFormats() {
   };
 }
 
-// Of the file, as the table writes them.
-std::string endingOf(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending.empty() ? ending : ending.substr(1);
-}
-
 template <class Wanted>
 std::vector<const FileFormat*> rowsWhere(FormatTable table, const Wanted& wanted) {
   std::vector<const FileFormat*> rows;
@@ -238,6 +231,12 @@ Message named(FileContent content, const std::string& endings) {
 }
 
 }  // namespace
+
+std::string endingOf(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending.empty() ? ending : ending.substr(1);
+}
 
 FormatTable fileFormats() {
   static const std::vector<FileFormat> all = allFormats();

@@ -72,6 +72,7 @@ const FileFormat& fileFormat(std::string_view id);  // of fileFormats(); it must
 // The rows that are written from an ExportSource, in the order in which they are offered.
 std::vector<const FileFormat*> exportFormats(FormatTable table = fileFormats());
 
+std::string endingOf(const std::filesystem::path& file);  // as the table writes it: lower case, without the dot
 bool hasEnding(const std::filesystem::path& file, const FileFormat& format);
 // The file with the format's ending put behind its name where it has none of the format's.
 std::filesystem::path withEnding(const std::filesystem::path& file, const FileFormat& format);
