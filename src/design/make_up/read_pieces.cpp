@@ -1,6 +1,7 @@
 // What each piece of a pattern is: by its name, by its shape, and by what the other pieces are.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "karinui/base/message.h"
@@ -229,6 +230,104 @@ double neckDepth(const Piece& piece, const PieceReading& reading) {
   return high - low;
 }
 
+// The pieces of two roles, none of which has a name, by a measure that is the larger for the first of them.
+void partInTwo(PieceReadings& readings, PieceRole first, PieceRole second,
+               const std::function<double(PieceId)>& measure) {
+  std::vector<std::pair<double, PieceId>> order;
+  for (const auto& [id, reading] : readings) {
+    if (reading.role != first && reading.role != second) continue;
+    if (reading.byName) return;
+    order.push_back({measure(id), id});
+  }
+  if (order.size() < 2) return;
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  // The largest step from one to the next parts the two.
+  std::size_t cut = 1;
+  double most = -1;
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (const double step = order[k - 1].first - order[k].first; step > most) most = step, cut = k;
+  for (std::size_t k = 0; k < order.size(); ++k) readings[order[k].second].role = k < cut ? first : second;
+}
+
+// Half of a skirt, where it is no whole one: the centre is the straighter and more upright of its sides.
+void readSkirtSide(const Piece& piece, PieceReading& reading) {
+  constexpr double kUpright = 0.04;  // metres across that a centre may take
+  if (symmetryOf(piece.outline)) return;
+  const auto lean = [&](PiecePart part) {
+    double low = 1e9, high = -1e9;
+    for (const std::string& name : reading.parts.at(part).edges)
+      for (const Flat p : findEdge(piece, name)->curve.flattened(1e-4)) {
+        const double u = reading.upright(p).u;
+        low = std::min(low, u), high = std::max(high, u);
+      }
+    return high - low;
+  };
+  const bool atPlus = lean(PiecePart::SidePlus) < lean(PiecePart::SideMinus);
+  const PiecePart centre = atPlus ? PiecePart::SidePlus : PiecePart::SideMinus;
+  if (lean(centre) >= kUpright) return;
+  reading.parts[PiecePart::Centre] = reading.parts.at(centre);
+  reading.parts.erase(centre);
+  reading.side = sideOfHalf(reading.role == PieceRole::SkirtBack, atPlus);
+}
+
+// The back of the cap is fuller than its front; seen from outside, the left sleeve's front is at minus.
+PieceReading::Side sleeveSide(const Piece& piece, const Candidate& found, const EdgeRun& cap) {
+  // A double notch of the cap is the back's, whatever the cap's shape.
+  if (const auto back = doubleNotch(piece, cap))
+    return *back < 0.5 ? PieceReading::Side::Left : PieceReading::Side::Right;
+  const Shape& shape = found.shape;
+  const auto ends = found.fit.parts.at(PiecePart::Top);
+  const double middle = 0.5 * (shape.place(ends[0]).u + shape.place(ends[1]).u);
+  double plus = 0, minus = 0;
+  for (std::size_t k = ends[0]; k != ends[1]; k = (k + 1) % shape.size()) {
+    const Ring& line = shape.runs[k].line;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const double slice = (line[i].u - line[i + 1].u) * 0.5 * (line[i].v + line[i + 1].v - 2 * shape.low.v);
+      (0.5 * (line[i].u + line[i + 1].u) > middle ? plus : minus) += slice;
+    }
+  }
+  return plus < minus ? PieceReading::Side::Right : PieceReading::Side::Left;
+}
+
+// On which side of the wearer it goes, and whether there is another on the other side.
+void findSide(const Piece& piece, const Candidate& found, PieceReading& reading) {
+  switch (reading.role) {
+    case PieceRole::Front:
+    case PieceRole::Back:
+      if (!found.fit.whole) reading.side = sideOfHalf(reading.role == PieceRole::Back, found.fit.mirrored);
+      break;
+    case PieceRole::LegFront:
+    case PieceRole::LegBack:
+      reading.side = sideOfHalf(reading.role == PieceRole::LegBack, found.fit.mirrored);
+      break;
+    case PieceRole::Leg:
+      // Seen from the wearer's left the front lies at minus, and the back's crotch is the longer one.
+      reading.side = lengthOf(reading, PiecePart::CrotchPlus) >= lengthOf(reading, PiecePart::CrotchMinus)
+                         ? PieceReading::Side::Left
+                         : PieceReading::Side::Right;
+      break;
+    case PieceRole::SkirtFront:
+    case PieceRole::SkirtBack:
+      readSkirtSide(piece, reading);
+      break;
+    case PieceRole::Sleeve:
+      reading.side = sleeveSide(piece, found, reading.parts.at(PiecePart::Top));
+      break;
+    case PieceRole::Cuff:
+      reading.side = PieceReading::Side::Left;
+      break;
+    default:
+      break;
+  }
+  if (reading.side == PieceReading::Side::Both) return;
+  reading.paired = true;
+  // A name outranks the shape only where the shape is the same on both sides.
+  if (const auto named = sideNamed(piece.name);
+      named && (reading.role == PieceRole::Cuff ||
+                (reading.role == PieceRole::Sleeve && even(reading, PiecePart::SidePlus, PiecePart::SideMinus))))
+    reading.side = *named;
+}
+
 }  // namespace
 
 Flat PieceReading::upright(Flat p) const {
@@ -288,113 +387,17 @@ PieceReadings readPieces(const Pattern& pattern, const ToldRoles& told) {
     chosen[id] = all.front();
   }
   // Which of the unnamed is front and which is back: of trunks the neck tells, of legs the crotch, of skirts nothing.
-  const auto of = [&](auto&&... roles) {
-    std::vector<PieceId> ids;
-    for (const auto& [id, reading] : out)
-      if (((reading.role == roles) || ...)) ids.push_back(id);
-    return ids;
-  };
-  const auto partInTwo = [&](PieceRole front, PieceRole back, const auto& depth) {
-    const auto ids = of(front, back);
-    const bool known = std::any_of(ids.begin(), ids.end(), [&](PieceId id) { return out[id].byName; });
-    if (known || ids.size() < 2) return;
-    std::vector<std::pair<double, PieceId>> order;
-    for (const PieceId id : ids) order.push_back({depth(id), id});
-    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    // The deeper half of them are of one kind; the largest step between two parts the kinds.
-    std::size_t cut = 1;
-    double most = -1;
-    for (std::size_t k = 1; k < order.size(); ++k)
-      if (const double step = order[k - 1].first - order[k].first; step > most) most = step, cut = k;
-    for (std::size_t k = 0; k < order.size(); ++k) out[order[k].second].role = k < cut ? front : back;
-  };
-  partInTwo(PieceRole::Front, PieceRole::Back, [&](PieceId id) { return neckDepth(*pattern.pieces.at(id), out[id]); });
-  partInTwo(PieceRole::LegBack, PieceRole::LegFront, [&](PieceId id) {
+  partInTwo(out, PieceRole::Front, PieceRole::Back,
+            [&](PieceId id) { return neckDepth(*pattern.pieces.at(id), out[id]); });
+  partInTwo(out, PieceRole::LegBack, PieceRole::LegFront, [&](PieceId id) {
     return lengthOf(out[id], PiecePart::CrotchPlus) + lengthOf(out[id], PiecePart::CrotchMinus);
   });
-  partInTwo(PieceRole::SkirtFront, PieceRole::SkirtBack, [&](PieceId id) { return lengthOf(out[id], PiecePart::Hem); });
+  partInTwo(out, PieceRole::SkirtFront, PieceRole::SkirtBack,
+            [&](PieceId id) { return lengthOf(out[id], PiecePart::Hem); });
+  for (auto& [id, reading] : out)
+    if (const auto found = chosen.find(id); found != chosen.end())
+      findSide(*pattern.pieces.at(id), found->second, reading);
 
-  for (auto& entry : out) {
-    const PieceId id = entry.first;
-    PieceReading& reading = entry.second;
-    const auto found = chosen.find(id);
-    if (found == chosen.end()) continue;
-    const ShapeFit& fit = found->second.fit;
-    const auto named = sideNamed(pattern.pieces.at(id)->name);
-    switch (reading.role) {
-      case PieceRole::Front:
-      case PieceRole::Back:
-        if (!fit.whole) reading.side = sideOfHalf(reading.role == PieceRole::Back, fit.mirrored);
-        break;
-      case PieceRole::LegFront:
-      case PieceRole::LegBack:
-        reading.side = sideOfHalf(reading.role == PieceRole::LegBack, fit.mirrored);
-        break;
-      case PieceRole::Leg:
-        // Seen from the wearer's left the front lies at minus, and the back's crotch is the longer one.
-        reading.side = lengthOf(reading, PiecePart::CrotchPlus) >= lengthOf(reading, PiecePart::CrotchMinus)
-                           ? PieceReading::Side::Left
-                           : PieceReading::Side::Right;
-        break;
-      case PieceRole::SkirtFront:
-      case PieceRole::SkirtBack:
-        if (!symmetryOf(pattern.pieces.at(id)->outline)) {
-          // The centre is the straighter and more upright of its sides.
-          const auto lean = [&](PiecePart part) {
-            const EdgeRun& run = reading.parts.at(part);
-            double low = 1e9, high = -1e9;
-            for (const std::string& name : run.edges)
-              for (const Flat p : findEdge(*pattern.pieces.at(id), name)->curve.flattened(1e-4)) {
-                const double u = reading.upright(p).u;
-                low = std::min(low, u), high = std::max(high, u);
-              }
-            return high - low;
-          };
-          const bool atPlus = lean(PiecePart::SidePlus) < lean(PiecePart::SideMinus);
-          const PiecePart centre = atPlus ? PiecePart::SidePlus : PiecePart::SideMinus;
-          if (lean(centre) < 0.04) {
-            reading.parts[PiecePart::Centre] = reading.parts.at(centre);
-            reading.parts.erase(centre);
-            reading.side = sideOfHalf(reading.role == PieceRole::SkirtBack, atPlus);
-          }
-        }
-        break;
-      case PieceRole::Sleeve: {
-        // The back of the cap is fuller than its front; seen from outside, the left sleeve's front is at minus.
-        reading.side = PieceReading::Side::Left;
-        const Shape& shape = found->second.shape;
-        const auto ends = fit.parts.at(PiecePart::Top);
-        const Flat c = shape.place(ends[0]), d = shape.place(ends[1]);
-        double plus = 0, minus = 0;
-        const double middle = 0.5 * (c.u + d.u);
-        for (std::size_t k = ends[0]; k != ends[1]; k = (k + 1) % shape.size()) {
-          const Ring& line = shape.runs[k].line;
-          for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-            const double slice = (line[i].u - line[i + 1].u) * 0.5 * (line[i].v + line[i + 1].v - 2 * shape.low.v);
-            (0.5 * (line[i].u + line[i + 1].u) > middle ? plus : minus) += slice;
-          }
-        }
-        if (plus < minus) reading.side = PieceReading::Side::Right;
-        // A double notch of the cap is the back's, whatever the cap's shape.
-        if (const auto back = doubleNotch(*pattern.pieces.at(id), reading.parts.at(PiecePart::Top)))
-          reading.side = *back < 0.5 ? PieceReading::Side::Left : PieceReading::Side::Right;
-        reading.paired = true;
-        break;
-      }
-      case PieceRole::Cuff:
-        reading.side = PieceReading::Side::Left;
-        reading.paired = true;
-        break;
-      default:
-        break;
-    }
-    if (reading.side != PieceReading::Side::Both) reading.paired = true;
-    // A name outranks the shape only where the shape is the same on both sides.
-    if (named && reading.side != PieceReading::Side::Both &&
-        (reading.role == PieceRole::Cuff ||
-         (reading.role == PieceRole::Sleeve && even(reading, PiecePart::SidePlus, PiecePart::SideMinus))))
-      reading.side = *named;
-  }
   // A symmetric copy lies on the other side of what it is the copy of; two that look alike lie one on each.
   for (auto& [id, reading] : out)
     if (const auto original = out.find(pattern.pieces.at(id)->mirrorOf); original != out.end() && reading.paired)
