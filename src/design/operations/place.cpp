@@ -136,21 +136,90 @@ Done resolve(const Document& before, PlacePiece& op, Context&) {
   return {};
 }
 
+namespace {
+
+// A piece that is to stand before its place on the body.
+struct WishedPlace {
+  const PlacePiece& op;
+  const Body& body;
+  LimbFrame limb = {};
+  Ring paper = {};  // about the anchor, turned
+  FlatBox box = {};
+  std::vector<SkinPlace> skin = {};  // what it goes round
+
+  Flat lies(Flat p) const { return turned(p - *op.point, op.turn); }
+  bool isClear(const Form& form) const {
+    return std::all_of(form.space.begin(), form.space.end(),
+                       [&](Vec3 p) { return body.bvh().signedDistance(p) > kTouches; });
+  }
+};
+
+// A wide cone meets the arms: upright before the place, in pleats no wider than the trunk.
+void standInPleats(const WishedPlace& wish, Form& form) {
+  FlatBox core{{0, 0}, {0, 0}};
+  double off = 0;
+  for (const SkinPlace& p : wish.skin) {
+    core.low.u = std::fmin(core.low.u, p.place.u), core.high.u = std::fmax(core.high.u, p.place.u);
+    off = std::fmax(off, -p.place.v);
+  }
+  const double half = std::fmax(wish.box.high.u, -wish.box.low.u), room = (core.high.u - core.low.u) / 2 + kBesideTrunk;
+  const Pleats pleats(half, room / half);
+  const auto stand = [&](double away) {
+    form.space.clear();
+    for (const Flat p : form.flat) {
+      const Flat d = wish.lies(p), plan = pleats.at(d.u);
+      form.space.push_back(wish.limb.inSpace({plan.u, -(*wish.op.ease + away + plan.v)}, d.v));
+    }
+  };
+  stand(off);
+  if (!wish.isClear(form)) stand(furthest(wish.body, wish.limb, wish.box));
+}
+
+Done standAsCone(const WishedPlace& wish, const RingSector& sector, Form& form) {
+  const auto standRound = [&](const std::vector<SkinPlace>& within) -> Done {
+    const auto cone = coneRound(sector, wish.limb, within, *wish.op.ease);
+    if (!cone) return cone.error();
+    form.space.clear();
+    for (const Flat p : form.flat) form.space.push_back(cone->place(p));
+    return {};
+  };
+  if (Done done = standRound(wish.skin); !done) return done;
+  if (!wish.isClear(form) && aboveArms(wish.body, wish.limb.origin)) {  // a cape goes over the arms
+    std::vector<SkinPlace> all = wish.skin;
+    const auto arms = skinBelow(wish.body, wish.limb, sector.inner + sector.depth);
+    all.insert(all.end(), arms.begin(), arms.end());
+    (void)standRound(all);  // too wide for that: as below
+  }
+  if (!wish.isClear(form)) standInPleats(wish, form);
+  return {};
+}
+
+// A tube must close: a piece wider than the girth stands further off, its two sides a hair apart.
+void standAsTube(const WishedPlace& wish, Form& form) {
+  std::vector<Flat> all;
+  for (const SkinPlace& p : wish.skin) all.push_back(p.place);
+  const Ring tape = hull(std::move(all));
+  const double width = wish.box.high.u - wish.box.low.u;
+  const double ease = std::fmax(*wish.op.ease, (width + 0.002 - perimeter(tape)) / (2 * std::numbers::pi));
+  const Girth girth(grown(tape, std::fmax(ease, 1e-4)));
+  const double anchor = girth.nearest({0, -ease});
+  for (const Flat p : form.flat) {
+    const Flat d = wish.lies(p);
+    form.space.push_back(wish.limb.inSpace(girth.at(anchor + d.u), d.v));
+  }
+}
+
+}  // namespace
+
 Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op, const Body& body) {
   const auto place = body.find(op.at);
   if (!place) return place.error();
+  WishedPlace wish{op, body};
+  wish.paper = piece.outline.flattened(1e-3);
+  for (Flat& p : wish.paper) p = wish.lies(p);
+  const FlatBox& box = wish.box = boxOf(wish.paper);
 
-  // The paper about its anchor, turned.
-  const double c = std::cos(op.turn), s = std::sin(op.turn);
-  const auto turned = [&](Flat p) {
-    const Flat d = p - *op.point;
-    return Flat{c * d.u - s * d.v, s * d.u + c * d.v};
-  };
-  Ring paper = piece.outline.flattened(1e-3);
-  for (Flat& p : paper) p = turned(p);
-  const FlatBox box = boxOf(paper);
-
-  LimbFrame limb;
+  LimbFrame& limb = wish.limb;
   limb.origin = at(body.mesh(), *place);
   const BodyPoint::Part part = isLimb(op.at.part) ? op.at.part : body.describe(*place).part;
   const std::vector<LimbRing> rings = isLimb(part) ? ringsOf(body, part) : std::vector<LimbRing>();
@@ -160,79 +229,26 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
   if (!(length(limb.out) > 0.5)) return unwrappable(op.at);
   limb.right = cross(limb.up, limb.out);
 
-  std::vector<SkinPlace> skin = rings.empty() ? levelsAround(body, limb, box) : ringsAround(rings, limb, box);
-  if (skin.size() < 3) return unwrappable(op.at);
+  wish.skin = rings.empty() ? levelsAround(body, limb, box) : ringsAround(rings, limb, box);
+  if (wish.skin.size() < 3) return unwrappable(op.at);
   if (op.over) {
-    const auto cloth = clothAround(document, piece.id, limb, box, skin);
-    skin.insert(skin.end(), cloth.begin(), cloth.end());
+    const auto cloth = clothAround(document, piece.id, limb, box, wish.skin);
+    wish.skin.insert(wish.skin.end(), cloth.begin(), cloth.end());
   }
   const auto lattice = layAlone(piece, document.settings.spacing);
   if (!lattice) return lattice.error();
   auto form = std::make_shared<Form>();
   form->flat = (*lattice)->nodes;
   form->faces = (*lattice)->faces;
-  piece.pose = Rigid();
   if (op.cone == Choice::Yes) {
-    const RingSector sector = *sectorOf(piece);
-    const auto isClear = [&] {
-      return std::all_of(form->space.begin(), form->space.end(),
-                         [&](Vec3 p) { return body.bvh().signedDistance(p) > kTouches; });
-    };
-    const auto standRound = [&](const std::vector<SkinPlace>& within) -> Done {
-      const auto cone = coneRound(sector, limb, within, *op.ease);
-      if (!cone) return cone.error();
-      form->space.clear();
-      for (const Flat p : form->flat) form->space.push_back(cone->place(p));
-      return {};
-    };
-    if (const Done done = standRound(skin); !done) return done.error();
-    if (!isClear() && aboveArms(body, limb.origin)) {  // a cape goes over the arms; too wide for that, as below
-      std::vector<SkinPlace> all = skin;
-      const auto arms = skinBelow(body, limb, sector.inner + sector.depth);
-      all.insert(all.end(), arms.begin(), arms.end());
-      (void)standRound(all);
-    }
-    if (!isClear()) {  // a wide cone meets the arms: upright before the place, in pleats no wider than the trunk
-      FlatBox core{{0, 0}, {0, 0}};
-      double off = 0;
-      for (const SkinPlace& p : skin) {
-        core.low.u = std::fmin(core.low.u, p.place.u), core.high.u = std::fmax(core.high.u, p.place.u);
-        off = std::fmax(off, -p.place.v);
-      }
-      const double half = std::fmax(box.high.u, -box.low.u), room = (core.high.u - core.low.u) / 2 + kBesideTrunk;
-      const Pleats pleats(half, room / half);
-      const auto stand = [&](double away) {
-        form->space.clear();
-        for (const Flat p : form->flat) {
-          const Flat d = turned(p), plan = pleats.at(d.u);
-          form->space.push_back(limb.inSpace({plan.u, -(*op.ease + away + plan.v)}, d.v));
-        }
-      };
-      stand(off);
-      if (!isClear()) stand(furthest(body, limb, box));
-    }
-    piece.form = std::move(form);
-    return piece;
+    if (const Done done = standAsCone(wish, *sectorOf(piece), *form); !done) return done.error();
+  } else if (op.taper) {
+    const TaperedTube tube(wish.paper, wish.skin, *op.ease);
+    for (const Flat p : form->flat) form->space.push_back(tube.place(wish.lies(p), limb));
+  } else {
+    standAsTube(wish, *form);
   }
-
-  if (op.taper) {
-    const TaperedTube tube(paper, skin, *op.ease);
-    for (const Flat p : form->flat) form->space.push_back(tube.place(turned(p), limb));
-    piece.form = std::move(form);
-    return piece;
-  }
-  std::vector<Flat> all;
-  for (const SkinPlace& p : skin) all.push_back(p.place);
-  const Ring tape = hull(std::move(all));
-  const double width = box.high.u - box.low.u;
-  // A tube must close: a piece wider than the girth stands further off, its two sides a hair apart.
-  const double ease = std::fmax(*op.ease, (width + 0.002 - perimeter(tape)) / (2 * std::numbers::pi));
-  const Girth girth(grown(tape, std::fmax(ease, 1e-4)));
-  const double anchor = girth.nearest({0, -ease});
-  for (const Flat p : form->flat) {
-    const Flat d = turned(p);
-    form->space.push_back(limb.inSpace(girth.at(anchor + d.u), d.v));
-  }
+  piece.pose = Rigid();
   piece.form = std::move(form);
   return piece;
 }
