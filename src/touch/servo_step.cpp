@@ -85,6 +85,66 @@ double ServoStep::click(const TouchScene& scene, double now) {
   return settings_.laws.click && clicked_ >= 0 ? clickForce(now - clicked_) : 0;
 }
 
+// What the scenes ask for, blended from one to the next.
+TouchForces ServoStep::felt(const HandSample& hand, double now) {
+  const Vec3 at = hand.tip.carry;
+  TouchForces forces = evaluator_.evaluate(*scene_, record_, settings_.laws, at, hand.velocity);
+  if (!before_ || !(now - adopted_ < settings_.blendSeconds)) return forces;
+  const TouchForces old = evaluatorBefore_.evaluate(*before_, record_, settings_.laws, at, hand.velocity);
+  const double share = std::clamp((now - adopted_) / settings_.blendSeconds, 0.0, 1.0);
+  forces.contact = lerp(old.contact, forces.contact, share);
+  forces.pull = lerp(old.pull, forces.pull, share);
+  forces.cut = lerp(old.cut, forces.cut, share);
+  forces.weight = lerp(old.weight, forces.weight, share);
+  forces.stored = old.stored + (forces.stored - old.stored) * share;
+  forces.touching = forces.touching || old.touching;
+  return forces;
+}
+
+// From waiting to armed; the share of the force that may leave.
+double ServoStep::arm(bool calm, double now) {
+  if (state_ == ServoState::Fading && now - fadeFrom_ >= settings_.fadeSeconds) state_ = ServoState::Waiting;
+  if (state_ == ServoState::Waiting) {
+    calm_ = calm ? calm_ + 1 : 0;
+    if (calm_ >= settings_.armTicks) {
+      state_ = ServoState::Ramping;
+      fault_ = ServoFault::None;
+      rampFrom_ = now;
+      energy_ = 0;
+    }
+  }
+  if (state_ != ServoState::Ramping) return state_ == ServoState::Armed ? 1.0 : 0.0;
+  const double share = std::clamp((now - rampFrom_) / settings_.rampSeconds, 0.0, 1.0);
+  if (share >= 1) state_ = ServoState::Armed;
+  return share;
+}
+
+// The force that leaves while it is ramping or armed: the weight, and all else as the passivity observer and controller
+// let it.
+void ServoStep::drive(const TouchForces& forces, double pulse, double share, Vec3 moved, double since,
+                      ServoTick& told) {
+  const double force = settings_.gain * share;
+  const Vec3 heavy = shortened(forces.weight * force, settings_.weightShare * record_.force);
+  weight_ += shortened(heavy - weight_, kWeightRise * std::min(since, kLongest));
+  Vec3 coupled = (forces.coupled() + clickWay(forces) * pulse) * force;
+  energy_ = std::min(energy_, force * forces.stored + settings_.energySlack);
+  const double way = length(moved);
+  if (settings_.passivity && energy_ < 0 && way > 0 && since > 0) {
+    const Vec3 heading = moved * (1 / way);
+    const double speed = way / since;
+    told.damping = std::min(record_.damping, -energy_ / (speed * way));
+    coupled += heading * (-told.damping * speed);
+    // Nor does it push the hand on any more.
+    if (const double along = dot(coupled, heading); along > 0)
+      coupled += heading * (-along * std::min(1.0, -energy_ / settings_.energySlack));
+  }
+  const Vec3 wanted = shortened(coupled + weight_, limit());
+  told.limited = length(coupled + weight_) > limit();
+  const bool held = forces.touching || squaredLength(forces.pull) > 0;
+  force_ = slewed(wanted, since, way, held ? settings_.gain * record_.stiffness : 0, told.limited);
+  coupled_ = force_ - weight_;
+}
+
 ServoTick ServoStep::tick(const HandSample& hand, double now) {
   ServoTick told;
   told.seconds = now;
@@ -109,19 +169,7 @@ ServoTick ServoStep::tick(const HandSample& hand, double now) {
   energy_ -= dot(coupled_, moved);  // the force was held since the last tick
 
   TouchForces forces;
-  if (scene_ && !lost) {
-    forces = evaluator_.evaluate(*scene_, record_, settings_.laws, at, hand.velocity);
-    if (before_ && now - adopted_ < settings_.blendSeconds) {
-      const TouchForces old = evaluatorBefore_.evaluate(*before_, record_, settings_.laws, at, hand.velocity);
-      const double share = std::clamp((now - adopted_) / settings_.blendSeconds, 0.0, 1.0);
-      forces.contact = lerp(old.contact, forces.contact, share);
-      forces.pull = lerp(old.pull, forces.pull, share);
-      forces.cut = lerp(old.cut, forces.cut, share);
-      forces.weight = lerp(old.weight, forces.weight, share);
-      forces.stored = old.stored + (forces.stored - old.stored) * share;
-      forces.touching = forces.touching || old.touching;
-    }
-  }
+  if (scene_ && !lost) forces = felt(hand, now);
   if (!karinui::finite(forces.coupled()) || !karinui::finite(forces.weight) || !finite(forces.stored)) {
     fail(ServoFault::NotFinite, now, true);
     forces = {};
@@ -131,49 +179,13 @@ ServoTick ServoStep::tick(const HandSample& hand, double now) {
   if (forces.touching && !touched_) onset_ = now;
   touched_ = forces.touching;
 
-  // Arming.
-  const double gain = settings_.gain;
-  if (state_ == ServoState::Fading && now - fadeFrom_ >= settings_.fadeSeconds) state_ = ServoState::Waiting;
-  if (state_ == ServoState::Waiting) {
-    const bool calm = fault == ServoFault::None && length(forces.coupled()) * gain < settings_.armBelow;
-    calm_ = calm ? calm_ + 1 : 0;
-    if (calm_ >= settings_.armTicks) {
-      state_ = ServoState::Ramping;
-      fault_ = ServoFault::None;
-      rampFrom_ = now;
-      energy_ = 0;
-    }
-  }
-  double share = state_ == ServoState::Armed ? 1.0 : 0.0;
-  if (state_ == ServoState::Ramping) {
-    share = std::clamp((now - rampFrom_) / settings_.rampSeconds, 0.0, 1.0);
-    if (share >= 1) state_ = ServoState::Armed;
-  }
-
+  const bool calm = fault == ServoFault::None && length(forces.coupled()) * settings_.gain < settings_.armBelow;
+  const double share = arm(calm, now);
   if (state_ == ServoState::Ramping || state_ == ServoState::Armed) {
-    // The weight.
-    const Vec3 heavy = shortened(forces.weight * (gain * share), settings_.weightShare * record_.force);
-    weight_ += shortened(heavy - weight_, kWeightRise * std::min(since, kLongest));
-    // All else, and what the passivity observer and controller make of it.
-    Vec3 coupled = (forces.coupled() + clickWay(forces) * pulse) * (gain * share);
-    energy_ = std::min(energy_, gain * share * forces.stored + settings_.energySlack);
-    const double way = length(moved);
-    if (settings_.passivity && energy_ < 0 && way > 0 && since > 0) {
-      const Vec3 heading = moved * (1 / way);
-      const double speed = way / since;
-      told.damping = std::min(record_.damping, -energy_ / (speed * way));
-      coupled += heading * (-told.damping * speed);
-      // Nor does it push the hand on any more.
-      if (const double along = dot(coupled, heading); along > 0)
-        coupled += heading * (-along * std::min(1.0, -energy_ / settings_.energySlack));
-    }
-    const Vec3 wanted = shortened(coupled + weight_, limit());
-    told.limited = length(coupled + weight_) > limit();
-    const bool held = forces.touching || squaredLength(forces.pull) > 0;
-    force_ = slewed(wanted, since, way, held ? gain * record_.stiffness : 0, told.limited);
-    coupled_ = force_ - weight_;
+    drive(forces, pulse, share, moved, since, told);
     if (record_.vibrates)
-      told.out.vibration = gain * std::max(pulse / kClickForce, touched_ && now - onset_ < kOnset ? 0.5 : 0.0);
+      told.out.vibration =
+          settings_.gain * std::max(pulse / kClickForce, touched_ && now - onset_ < kOnset ? 0.5 : 0.0);
   } else {
     const double left = state_ == ServoState::Fading ? 1 - (now - fadeFrom_) / settings_.fadeSeconds : 0;
     force_ = coupled_ = fading_ * std::max(0.0, left);

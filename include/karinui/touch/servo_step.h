@@ -83,6 +83,9 @@ class ServoStep {
   void fail(ServoFault fault, double now, bool atOnce);
   Vec3 slewed(Vec3 wanted, double since, double way, double stiffness, bool& limited) const;
   double click(const TouchScene& scene, double now);
+  TouchForces felt(const HandSample& hand, double now);
+  double arm(bool calm, double now);
+  void drive(const TouchForces& forces, double pulse, double share, Vec3 moved, double since, ServoTick& told);
   Vec3 clickWay(const TouchForces& forces) const;
 
   DeviceRecord record_;
