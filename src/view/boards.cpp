@@ -62,15 +62,6 @@ GlTexture textureOf(const Image& image) {
   return texture;
 }
 
-// The part of the picture that the area shows: clip space moved and stretched.
-Matrix4 cropOf(const DrawArea& area) {
-  const double wide = area.right - area.left, high = area.top - area.bottom;
-  Matrix4 crop;
-  crop.m[0] = 1 / wide, crop.m[5] = 1 / high;
-  crop.m[12] = -(area.left + area.right - 1) / wide, crop.m[13] = -(area.bottom + area.top - 1) / high;
-  return crop;
-}
-
 }  // namespace
 
 struct Boards::Parts {
@@ -119,7 +110,7 @@ void Boards::draw(const Eye& eye, const DrawArea& area) const {
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glUseProgram(p.board);
   glUniformMatrix4fv(glGetUniformLocation(p.board, "toClip"), 1, GL_FALSE,
-                     (cropOf(area) * eye.projection * eye.view).floats().data());
+                     (area.crop() * eye.projection * eye.view).floats().data());
   glUniform1i(glGetUniformLocation(p.board, "picture"), 0);
   glActiveTexture(GL_TEXTURE0);
   glBindVertexArray(p.noArrays);
@@ -145,7 +136,7 @@ void Boards::vignette(const Eye& eye, const DrawArea& area, double strength, dou
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glUseProgram(p.vignette);
-  const auto m = (cropOf(area) * eye.projection).m;  // x / -z = (clip + m8) / m0
+  const auto m = (area.crop() * eye.projection).m;  // x / -z = (clip + m8) / m0
   glUniform2f(glGetUniformLocation(p.vignette, "slope"), static_cast<float>(1 / m[0]), static_cast<float>(1 / m[5]));
   glUniform2f(glGetUniformLocation(p.vignette, "middle"), static_cast<float>(m[8] / m[0]),
               static_cast<float>(m[9] / m[5]));

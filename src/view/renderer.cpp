@@ -518,13 +518,9 @@ struct Sitting {
     lookRight = Vec3{v[0], v[4], v[8]} * (1 / p[0]);
     lookUp = Vec3{v[1], v[5], v[9]} * (1 / p[5]);
     lookAhead = lookRight * p[8] + lookUp * p[9] - Vec3{v[2], v[6], v[10]};
-    const double wide = area.right - area.left, high = area.top - area.bottom;
-    // The part of the picture this area shows: clip space moved and stretched.
-    Matrix4 crop, fromOrigin;
-    crop.m[0] = 1 / wide, crop.m[5] = 1 / high;
-    crop.m[12] = -(area.left + area.right - 1) / wide, crop.m[13] = -(area.bottom + area.top - 1) / high;
+    Matrix4 fromOrigin;
     fromOrigin.m[12] = origin.x, fromOrigin.m[13] = origin.y, fromOrigin.m[14] = origin.z;
-    toClip = crop * eye.projection * eye.view * fromOrigin;
+    toClip = area.crop() * eye.projection * eye.view * fromOrigin;
   }
   void tell(GLuint program) const {
     glUseProgram(program);
@@ -542,6 +538,14 @@ struct Sitting {
 };
 
 }  // namespace
+
+Matrix4 DrawArea::crop() const {
+  const double wide = right - left, high = top - bottom;
+  Matrix4 crop;
+  crop.m[0] = 1 / wide, crop.m[5] = 1 / high;
+  crop.m[12] = -(left + right - 1) / wide, crop.m[13] = -(bottom + top - 1) / high;
+  return crop;
+}
 
 void Renderer::draw(const Eye& eye, const DrawArea& area, Onto onto, DrawQuality quality) const {
   const Parts& p = *parts_;

@@ -27,6 +27,7 @@ struct DrawArea {
   int x = 0, y = 0, width = 0, height = 0;
   double left = 0, bottom = 0, right = 1, top = 1;
   double pictureHeight = 0;  // pixels of the whole picture, for thin lines; 0: height
+  Matrix4 crop() const;      // leads from the clip space of the whole picture to that of the part
 };
 
 enum class SoftLight { Anew, Kept, Carried };
