@@ -5,6 +5,7 @@
 
 #include "karinui/body/measurements.h"
 #include "karinui/design/glossary.h"
+#include "karinui/design/variant.h"
 
 namespace karinui::room {
 
@@ -29,13 +30,9 @@ std::vector<PieceRef> cutFrom(const Session& session) {
 
 std::vector<Offer> fabrics(const Session& session) {
   const Document& document = session.snapshot().document;
-  std::vector<std::string> names;
-  for (const auto& [name, fabric] : document.fabrics) names.push_back(name);
-  for (const Fabric& fabric : presets())
-    if (!document.fabrics.contains(fabric.name)) names.push_back(fabric.name);
   const std::vector<PieceRef> pieces = cutFrom(session);
   std::vector<Offer> all;
-  for (const std::string& name : names) {
+  for (const std::string& name : fabricNames(document)) {
     SetFabric set;
     set.name = name;
     set.pieces = pieces;

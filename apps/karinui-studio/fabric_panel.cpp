@@ -158,10 +158,8 @@ FabricPanel::FabricPanel(Session& session, QWidget* in) : Panel(session, in) {
 }
 
 Fabric FabricPanel::fabricCalled(const std::string& name) const {
-  const auto& own = session_.snapshot().document.fabrics;
-  if (const auto at = own.find(name); at != own.end()) return at->second;
-  const auto shop = preset(name);
-  return shop ? *shop : Fabric();
+  const auto found = fabricNamed(session_.snapshot().document, name);
+  return found ? *found : Fabric();
 }
 
 // Of the chosen pieces, or of all.

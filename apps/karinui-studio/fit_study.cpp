@@ -13,6 +13,7 @@
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
 #include "karinui/view/strain_scale.h"
+#include "pixels.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -297,7 +298,7 @@ void FitStudy::draw() {
 
 void FitStudy::showPicture() {
   if (image_.width == 0) return;
-  const QImage whole(image_.rgba.data(), image_.width, image_.height, 4 * image_.width, QImage::Format_RGBA8888);
+  const QImage whole = pixelsOf(image_);
   const QSize room = picture_->size().boundedTo(whole.size());
   picture_->setPixmap(QPixmap::fromImage(whole.scaled(room, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
 }

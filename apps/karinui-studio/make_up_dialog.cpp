@@ -13,6 +13,7 @@
 #include "karinui/design/step_words.h"
 #include "karinui/view/picture.h"
 #include "make_up_view.h"
+#include "pixels.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -153,8 +154,7 @@ void MakeUpDialog::begin() {
         options.view = View::Oblique, options.width = 800, options.height = 900, options.samples = 1;
         options.lettering = false;
         if (const auto image = (*picture)->draw(found->garment->frame, options))
-          found->picture =
-              QImage(image->rgba.data(), image->width, image->height, 4 * image->width, QImage::Format_RGBA8888).copy();
+          found->picture = pixelsOf(*image).copy();
       }
     }
     QMetaObject::invokeMethod(

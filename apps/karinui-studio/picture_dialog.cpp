@@ -9,6 +9,7 @@
 
 #include "beside.h"
 #include "karinui/view/line_up.h"
+#include "pixels.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -124,9 +125,8 @@ void PictureDialog::refresh() {
   const auto size = kSizes[static_cast<std::size_t>(size_->currentIndex())];
   const auto image = draw(400.0 / std::max(size[0], size[1]));
   if (!image) return picture_->setText(inWords(image.error().what));
-  picture_->setPixmap(QPixmap::fromImage(
-      QImage(image->rgba.data(), image->width, image->height, 4 * image->width, QImage::Format_RGBA8888)
-          .scaled(picture_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+  picture_->setPixmap(
+      QPixmap::fromImage(pixelsOf(*image).scaled(picture_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
 }
 
 }  // namespace karinui::studio

@@ -5,6 +5,7 @@
 
 #include "karinui/view/picture.h"
 #include "orbit.h"
+#include "pixels.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -68,9 +69,7 @@ void PoseView::draw() {
     if (picture_) {
       SceneFrame frame;
       frame.bodies.push_back({mesh, SceneBody().colour});
-      if (const auto image = picture_->draw(frame, options))
-        made =
-            QImage(image->rgba.data(), image->width, image->height, 4 * image->width, QImage::Format_RGBA8888).copy();
+      if (const auto image = picture_->draw(frame, options)) made = pixelsOf(*image).copy();
     }
     QMetaObject::invokeMethod(
         this,

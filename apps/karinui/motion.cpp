@@ -68,8 +68,7 @@ Json motionJson(const std::vector<FitInPose>& fits) {
 Result<Image> motionSheet(OpenDocument& opened, const std::vector<FitInPose>& fits) {
   const auto picture = Picture::open();
   if (!picture) return picture.error();
-  PrintShelf shelf;
-  const Prints prints = [&](const std::string& photo) { return shelf.find(photo, opened.context().blobs); };
+  const Prints prints = opened.prints();
   std::vector<SheetItem> items;
   for (const FitInPose& fit : fits) {
     const Result<SceneFrame> frame = sceneOf(fit.document, fit.body.get(), prints);

@@ -28,7 +28,7 @@ Result<Step> OpenDocument::performWith(Operation operation, Context& context) {
   if (!step || !rests || !document().drape.last) return step;
   const SettleReport& report = *document().drape.last;
   settled_ = settled_ && (report.settled || std::holds_alternative<PullCloth>(step->operation));
-  if (rests) tellUnsettled();
+  tellUnsettled();
   for (const PieceId id : report.toActivate)
     if (const Piece* piece = document().find(id))
       program_.console.note(

@@ -72,7 +72,7 @@ Result<Image> tablePicture(OpenDocument& opened, const PictureOptions& options, 
   std::vector<Message> notes;
   Result<Image> image =
       drawTable(tableFrameOf(*garment, layout, {}, shown), {options.width, options.height, options.language}, &notes);
-  for (const Message& note : notes) opened.program().console.note(note);
+  tell(opened, notes);
   return image;
 }
 
