@@ -1,7 +1,6 @@
-// karinui-import FORMAT MEMORY SECONDS POINTS TRIANGLES: reads body files and
-// photographs handed over on descriptor 0, answers on
-// descriptor 1 as in exchange/import_wire.h. Not meant to be called by hand; started by readBody and readPrint for each
-// file.
+// karinui-import FORMAT MEMORY SECONDS POINTS TRIANGLES: reads body files and photographs handed over on descriptor 0,
+// answers on descriptor 1 as in exchange/import_wire.h. Not meant to be called by hand; started by readBody and
+// readPrint for each file.
 #include <unistd.h>
 
 #include <cerrno>

@@ -146,6 +146,7 @@ Done DocumentFile::amend(std::size_t which, Operation operation, Context& contex
       return refused(say("There is no step {0}; the document has {1}, as log tells.", which, way.size()));
     // All of it is worked out first: only what holds to the end is written.
     std::vector<Inside::Worked> all;
+    all.reserve(way.size());  // what points into it stays
     const std::uint64_t before = way[which - 1]->parent;
     const auto start = in.documentAt(before, context);
     if (!start) return start.error();
@@ -158,7 +159,6 @@ Done DocumentFile::amend(std::size_t which, Operation operation, Context& contex
                             i + 1 == which ? std::move(operation) : asRecorded(way[i]->operation), context);
       if (!worked)
         return worked.error().kind == Error::Kind::Cancelled ? worked.error() : atStep(i + 1, worked.error());
-      all.reserve(way.size());  // what points into it stays
       all.push_back(*std::move(worked));
       document = &all.back().after;
       parent = &all.back().step;

@@ -259,8 +259,8 @@ double DistanceField::distance(Vec3 place) const {
   const auto& [v, f, off] = cellOf(place);
   const double y0 = mix(mix(v[0], v[1], f[0]), mix(v[2], v[3], f[0]), f[1]);
   const double y1 = mix(mix(v[4], v[5], f[0]), mix(v[6], v[7], f[0]), f[1]);
-  const double inSpacedGrid = mix(y0, y1, f[2]);
-  return off == Vec3{} ? inSpacedGrid : std::sqrt(squaredLength(off) + inSpacedGrid * inSpacedGrid);
+  const double inGrid = mix(y0, y1, f[2]);
+  return off == Vec3{} ? inGrid : std::sqrt(squaredLength(off) + inGrid * inGrid);
 }
 
 }  // namespace karinui

@@ -1,7 +1,6 @@
 #pragma once
-// What a session keeps between two moves of the hand. The caller's thread only, but for `room`, which is the line's
-// once the session has begun. Its work lies in files by what is done: steps.cpp, settling.cpp, preview_requests.cpp,
-// documents.cpp.
+// What a session keeps between two moves of the hand. The caller's thread only, but for `documentWorker`. Its work lies
+// in files by what is done: steps.cpp, settling.cpp, preview_requests.cpp, documents.cpp.
 #include "karinui/base/latest.h"
 #include "karinui/session/session.h"
 #include "session/document_worker.h"

@@ -119,7 +119,6 @@ TEST(StudioFigure, TheGarmentIsInSightWhileItIsMadeAgain) {
   EXPECT_EQ(w.session().changes().predicted, predicted) << "nothing had to be draped";
 }
 
-// An imported body is as it is: sliders do not put another in its place, and its own measures are told.
 // A measure is turned by its slider, whatever the longest name: it took what the boxes left, which was a stub.
 TEST(StudioFigure, TheSlidersHaveRoomInTheBoard) {
   KARINUI_NEEDS_DISPLAY();
@@ -153,6 +152,7 @@ TEST(StudioFigure, TheSlidersHaveRoomInTheBoard) {
   Theme::here().setLanguage(Language::English);
 }
 
+// An imported body is as it is: sliders do not put another in its place, and its own measures are told.
 TEST(StudioFigure, AnImportedBodyStaysUntilAMannequinIsAskedFor) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

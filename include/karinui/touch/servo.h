@@ -1,7 +1,7 @@
 #pragma once
 // The force loop: a thread of its own at 1 kHz around a ServoStep. In the loop there are no locks, no allocation and no
 // page faults; it shares nothing with other threads but atomics. Real-time scheduling (SCHED_FIFO) is used where the
-// system permits it. All functions but publish() from any thread; publish() from one.
+// system permits it. Each of publish(), takeTick() and setLaws() from one thread, the others from any.
 #include <atomic>
 #include <memory>
 #include <thread>
