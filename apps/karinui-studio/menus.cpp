@@ -260,11 +260,10 @@ void MainWindow::makeMenus() {
     viewMenu_->addAction(actions_[c]);
   viewMenu_->addSeparator();
   const auto map = [&](const Message& words, const char* key, FitMap which) {
-    QAction* action = add(viewMenu_, words, "fit", key, [this, which] {
+    add(viewMenu_, words, "fit", key, [this, which] {
       space_->setMap(space_->map() == which ? FitMap::None : which);
       refresh();
     });
-    (void)action;
   };
   map(say("Strain map"), "Alt+7", FitMap::Strain);
   map(say("Distance to the body"), "Alt+8", FitMap::Ease);

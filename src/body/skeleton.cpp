@@ -258,13 +258,11 @@ void Skeleton::findFields() {
       const double d = out * std::sin(kGroinSlope) - (p.y - crotch) * std::cos(kGroinSlope);
       field(hip)[i] = static_cast<float>(share * bendRamp(d / over_[index(hip)] + kHipAbove));
       if (p.y > crotch) continue;
-      const Vec3 thigh = along_[index(hip)];
       twist_[index(hip)][i] = static_cast<float>(bendRamp((crotch - p.y) / (crotch - place(knee).y)));
       field(knee)[i] =
           static_cast<float>(bendRamp(dot(p - place(knee), along_[index(knee)]) / over_[index(knee)] + 0.5));
       field(ankle)[i] = static_cast<float>(bendRamp((place(ankle).y - p.y) / over_[index(ankle)] + 0.5));
       apart_[i] = static_cast<float>(0.5 * smooth((crotch - 0.04 * height_ - p.y) / kThickenedOver));
-      (void)thigh;
     }
   }
 

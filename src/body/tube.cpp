@@ -9,6 +9,7 @@ namespace karinui {
 namespace {
 
 constexpr double kPad = 0.04;
+constexpr int kSteps = 4;  // from station to station
 
 Section blended(const Section& a, const Section& b, double t, int coefficients) {
   Section out;
@@ -21,7 +22,7 @@ Section blended(const Section& a, const Section& b, double t, int coefficients) 
 
 }  // namespace
 
-Tube::Tube(const std::vector<Section>& stations, Harmonics harmonics, int steps) : harmonics_(harmonics) {
+Tube::Tube(const std::vector<Section>& stations, Harmonics harmonics) : harmonics_(harmonics) {
   const int n = static_cast<int>(stations.size());
   const auto mix = [&](int i, double t) {
     const Section &b = stations[i], &c = stations[i + 1];
@@ -45,7 +46,7 @@ Tube::Tube(const std::vector<Section>& stations, Harmonics harmonics, int steps)
     return out;
   };
   for (int i = 0; i + 1 < n; ++i)
-    for (int s = 0; s < steps; ++s) ring_.push_back(mix(i, double(s) / steps));
+    for (int s = 0; s < kSteps; ++s) ring_.push_back(mix(i, double(s) / kSteps));
   ring_.push_back(stations.back());
   for (const Section& s : ring_) level_.push_back({s.centre, s.normal});
   parallel_ = std::all_of(ring_.begin(), ring_.end(),

@@ -10,7 +10,7 @@ namespace karinui {
 
 class Tube {
  public:
-  Tube(const std::vector<Section>& stations, Harmonics harmonics, int steps = 4);
+  Tube(const std::vector<Section>& stations, Harmonics harmonics);
   static constexpr double kNowhere = 0.3;
 
   struct Value {

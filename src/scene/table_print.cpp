@@ -8,6 +8,7 @@ namespace karinui {
 namespace {
 
 constexpr double kPale = 0.55;
+constexpr int kMostRepeats = 20000;
 constexpr double kStripe = 0.42, kChecked = 0.5, kDot = 0.19;  // shares of a repeat, as on the cloth
 
 // Repeats are counted across and along the print; places of the table are found from them.
@@ -31,13 +32,13 @@ struct Repeats {
 
 }  // namespace
 
-TablePrint printOn(const TablePiece& piece, int most) {
+TablePrint printOn(const TablePiece& piece) {
   TablePrint print;
   const ClothLook& look = piece.look;
   const bool photo = look.print == ClothLook::Print::Photo && look.photo;
   if (look.print == ClothLook::Print::None || !(look.repeat > 0)) return print;
   const Repeats r(look, piece, photo ? look.repeat * look.photo->height / look.photo->width : look.repeat);
-  if (!(r.count() <= most)) return print;
+  if (!(r.count() <= kMostRepeats)) return print;
   const auto stripesAcross = [&] {
     for (double x = std::floor(r.left) + 0.5; x < r.right + 1; ++x)
       print.stripes.push_back({r.at(x, r.low), r.at(x, r.high)});

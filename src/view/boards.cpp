@@ -126,7 +126,8 @@ void Boards::draw(const Eye& eye, const DrawArea& area) const {
   glUseProgram(0);
 }
 
-void Boards::vignette(const Eye& eye, const DrawArea& area, double strength, double inner, double outer) const {
+void Boards::vignette(const Eye& eye, const DrawArea& area, double strength) const {
+  constexpr double kInner = 0.45, kOuter = 0.75;  // radians off the axis: clear up to, fully dark from there on
   if (strength <= 0) return;
   const Parts& p = *parts_;
   glViewport(area.x, area.y, area.width, area.height);
@@ -141,7 +142,7 @@ void Boards::vignette(const Eye& eye, const DrawArea& area, double strength, dou
   glUniform2f(glGetUniformLocation(p.vignette, "middle"), static_cast<float>(m[8] / m[0]),
               static_cast<float>(m[9] / m[5]));
   set(p.vignette, "strength", std::clamp(strength, 0.0, 1.0));
-  set(p.vignette, "inner", inner), set(p.vignette, "outer", outer);
+  set(p.vignette, "inner", kInner), set(p.vignette, "outer", kOuter);
   glBindVertexArray(p.noArrays);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);

@@ -16,7 +16,7 @@ struct TablePrint {
   std::vector<std::array<Flat, 3>> photos;  // of each its upper left, upper right and lower left corner
   double strength = 0;                      // opacity it is seen with on paper
 };
-// Nothing where more than `most` repeats would lie on the piece: they could not be told apart.
-TablePrint printOn(const TablePiece& piece, int most = 20000);
+// Nothing where so many repeats would lie on the piece that they could not be told apart.
+TablePrint printOn(const TablePiece& piece);
 
 }  // namespace karinui

@@ -28,10 +28,10 @@ class Boards {
   void show(std::vector<Board> boards);
   // Over a picture (and its depths) that is there for the same eye.
   void draw(const Eye& eye, const DrawArea& area) const;
-  // Darkens what lies off the eye's axis: `strength` 0 (nothing) to 1; fully dark from `outer` radians on, clear up to
-  // `inner`. A narrower view while the surroundings move lessens motion sickness (A. Fernandes and S. Feiner,
-  // "Combating VR sickness through subtle dynamic field-of-view modification", IEEE 3DUI 2016).
-  void vignette(const Eye& eye, const DrawArea& area, double strength, double inner = 0.45, double outer = 0.75) const;
+  // Darkens what lies off the eye's axis: `strength` 0 (nothing) to 1. A narrower view while the surroundings move
+  // lessens motion sickness (A. Fernandes and S. Feiner, "Combating VR sickness through subtle dynamic field-of-view
+  // modification", IEEE 3DUI 2016).
+  void vignette(const Eye& eye, const DrawArea& area, double strength) const;
 
  private:
   Boards();

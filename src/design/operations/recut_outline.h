@@ -10,7 +10,7 @@ namespace karinui {
 
 // `shift`: how far a paper place moved; exactly nothing beyond the pulls' reach. `angles`: whether edges keep the
 // angles at which they meet; else each ends as the places on it lead.
-Outline recutOutline(const Outline& old, const std::function<Flat(Flat)>& shift, bool angles = true);
+Outline recutOutline(const Outline& old, const std::function<Flat(Flat)>& shift, bool angles);
 
 // Which place of an edge cut anew was which of the old one: the ends that stayed keep their lengths, what is between is
 // spread evenly.
