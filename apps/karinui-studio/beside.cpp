@@ -29,7 +29,7 @@ Result<SnapshotPtr> worn(Result<Document> document, Context& context, const Prin
 
 Result<SnapshotPtr> variant(const GarmentSnapshot& now, const Operation& change, Bodies& bodies, const Token& token) {
   Workers workers(std::max(1, QThread::idealThreadCount() / 2));
-  WornFigure figure(now);
+  WornFigure figure(now.body);
   Context context{workers, token, figure, bodies, {}, {}};
   return worn(variantOf(now.document, change, context), context, printsOf(now));
 }

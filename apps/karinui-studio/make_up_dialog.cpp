@@ -15,6 +15,7 @@
 #include "make_up_view.h"
 #include "pixels.h"
 #include "theme.h"
+#include "worn_figure.h"
 
 namespace karinui::studio {
 
@@ -24,19 +25,6 @@ constexpr PieceRole kRoles[] = {
     PieceRole::Front,  PieceRole::Back,        PieceRole::Yoke,      PieceRole::Sleeve,     PieceRole::Cuff,
     PieceRole::Collar, PieceRole::CollarStand, PieceRole::Waistband, PieceRole::SkirtFront, PieceRole::SkirtBack,
     PieceRole::Leg,    PieceRole::LegFront,    PieceRole::LegBack,   PieceRole::Aside,      PieceRole::Unknown};
-
-// The figure the garment is on, as it stands in the session; nothing is built anew.
-class FigureBlobs : public MemoryBlobs {
- public:
-  explicit FigureBlobs(BodyPtr body) : body_(std::move(body)) {}
-  Result<std::string> figure(const std::string& hash) const override {
-    if (body_ && body_->hash() == hash) return packFigure(*body_);
-    return MemoryBlobs::figure(hash);
-  }
-
- private:
-  BodyPtr body_;
-};
 
 QString sideText(const std::vector<EdgeRef>& side, const Document& document) {
   QStringList all;
@@ -143,9 +131,9 @@ void MakeUpDialog::begin() {
   said_->setText(inWords(say("Seams and places are being worked out …")));
   thread_.start([this, token = token_, choices = choices_, document = document_, body = body_] {
     Workers workers(QThread::idealThreadCount());
-    FigureBlobs blobs(body);
+    WornFigure figure(body);
     Bodies bodies;
-    Context context{workers, *token, blobs, bodies, {}, {}};
+    Context context{workers, *token, figure, bodies, {}, {}};
     auto found = std::make_shared<Proposed>(Proposed{makeUp(document, context, choices), {}, {}});
     if (found->making && !token->cancelled()) {
       found->garment = snapshotOf(found->making->document, body);

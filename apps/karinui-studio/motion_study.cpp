@@ -67,7 +67,7 @@ void MotionStudy::askAnimation() {
 
 void MotionStudy::saveAnimation(const std::string& file) {
   beginBeside([garment = garment_, poses = poses(), file](Workers& workers, const Token& token) -> Result<Message> {
-    WornFigure figure(*garment);
+    WornFigure figure(garment->body);
     Bodies bodies;
     Context context{workers, token, figure, bodies, {}, {}};
     const auto written = writeAnimation(file, garment->document, poses, context, printsOf(*garment));
@@ -86,7 +86,7 @@ void MotionStudy::go() {
   begin(ticked().size() + 1, columns,
         [garment = garment_, poses = poses()](Workers& workers, const Token& token,
                                               const Tell& tell) -> Result<std::string> {
-          WornFigure figure(*garment);
+          WornFigure figure(garment->body);
           Bodies bodies;
           Context context{workers, token, figure, bodies, {}, {}};
           const auto fits =

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QTabBar>
 #include <QTableWidget>
+#include <cstdlib>
 
 #include "karinui/design/script.h"
 #include "make_up_dialog.h"
@@ -25,9 +26,9 @@ const char* const kTShirt =
     "d C -100 150 -110 5 -165 0; e L -140 -80\" pose=\"1,1,0\"\n";
 
 struct MakingUpInTheWindow {
-  MakingUpInTheWindow() {
+  explicit MakingUpInTheWindow(const std::string& more = "") {
     application();
-    if (const auto lines = parseScript(kTShirt))
+    if (const auto lines = parseScript(kTShirt + more))
       for (const ScriptLine& line : *lines) w.session().perform(line.operation);
     w.rest();
     before = w.count();
@@ -91,6 +92,23 @@ TEST(StudioMakeUp, APieceIsWhatThePersonSays) {
   dialog->close();
   QApplication::processEvents();
   EXPECT_EQ(w.count(), before);  // nothing was done
+}
+
+// The figure is taken as the garment has it, whatever pose it stands in: an imported one could not be built anew.
+TEST(StudioMakeUp, NoFigureIsBuilt) {
+  KARINUI_NEEDS_DISPLAY();
+  MakingUpInTheWindow bench("pose name=T\n");
+  ASSERT_TRUE(bench.dialog && bench.dialog->making());
+  ASSERT_FALSE(bench.document().body.pose.empty());
+  const Folder built;
+  const char* const before = std::getenv("KARINUI_FIGURES");
+  const std::string kept = before ? before : "";
+  ::setenv("KARINUI_FIGURES", built.path.c_str(), 1);
+  bench.seams->item(0, 0)->setCheckState(Qt::Unchecked);
+  bench.wait();
+  ::setenv("KARINUI_FIGURES", kept.c_str(), 1);
+  EXPECT_EQ(bench.dialog->making()->sewn.size(), 7u);
+  EXPECT_TRUE(fs::is_empty(built.path));
 }
 
 }  // namespace
