@@ -1,7 +1,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -237,11 +236,10 @@ void BodyPanel::askMeasures() {
 
 void BodyPanel::askSaveMeasures() {
   QStringList endings;
-  for (const std::string& ending : measureEndingsWritten()) endings << "*." + QString::fromStdString(ending);
-  QString path = QFileDialog::getSaveFileName(this, inWords(say("Save measures…")), {},
-                                              inWords(say("Measures")) + " (" + endings.join(' ') + ")");
+  for (const std::string& ending : measureEndingsWritten()) endings << QString::fromStdString(ending);
+  const QString path = askToWrite(this, inWords(say("Save measures…")), {},
+                                  inWords(say("Measures")) + " (*." + endings.join(" *.") + ")", endings);
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += "." + QString::fromStdString(measureEndingsWritten().front());
   saveMeasures(session_, path.toStdString());
 }
 

@@ -3,8 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -13,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "file_filter.h"
 #include "karinui/base/number.h"
 #include "theme.h"
 
@@ -235,8 +234,7 @@ void DevicePanel::record() {
   if (force_.recording()) {
     done = force_.endRecording();
   } else {
-    QString path = QFileDialog::getSaveFileName(this, inWords(say("Record the hand")), "hand.txt", "*.txt");
-    if (!path.isEmpty() && QFileInfo(path).suffix() != "txt") path += ".txt";  // never over a garment
+    const QString path = askToWrite(this, inWords(say("Record the hand")), "hand.txt", "*.txt", {"txt"});
     if (!path.isEmpty()) done = force_.record(path.toStdString());
   }
   show();  // a dialog that is left again leaves the button up

@@ -1,6 +1,5 @@
 #include "fit_study.h"
 
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QListWidget>
 #include <QProgressBar>
@@ -10,6 +9,7 @@
 #include <cmath>
 
 #include "accessibility.h"
+#include "file_filter.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
 #include "karinui/view/strain_scale.h"
@@ -310,18 +310,16 @@ void FitStudy::resizeEvent(QResizeEvent* event) {
 
 void FitStudy::saveTable() {
   const QString name = QString::fromStdString(session_.path().stem().string());
-  QString path = QFileDialog::getSaveFileName(this, windowTitle(), name + ".csv", "CSV (*.csv)");
+  const QString path = askToWrite(this, windowTitle(), name + ".csv", "CSV (*.csv)", {"csv"});
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".csv";
   const Done done = writeFile(path.toStdString(), csv_);
   tell(done ? say("“{0}” was written.", path.toStdString()) : done.error().what);
 }
 
 void FitStudy::savePicture() {
   const QString name = QString::fromStdString(session_.path().stem().string());
-  QString path = QFileDialog::getSaveFileName(this, windowTitle(), name + ".png", "PNG (*.png)");
+  const QString path = askToWrite(this, windowTitle(), name + ".png", "PNG (*.png)", {"png"});
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".png";
   const Done done = writePng(path.toStdString(), image_);
   tell(done ? say("“{0}” was written.", path.toStdString()) : done.error().what);
 }

@@ -1,6 +1,7 @@
 #include "lay_dialog.h"
 
-#include <QFileDialog>
+#include <QDir>
+#include <QFileInfo>
 #include <QProgressBar>
 #include <QTabBar>
 #include <QThread>
@@ -265,10 +266,9 @@ void LayDialog::save() {
   const FileFormat& format = fileFormat(kind.format);
   const QFileInfo own(QString::fromStdString(session_.path().string()));
   const QString name = own.completeBaseName().isEmpty() ? inWords(say("Lay plan")) : own.completeBaseName();
-  QString path = QFileDialog::getSaveFileName(this, inWords(say("Lay plan")), QDir(own.path()).filePath(name),
-                                              filterWriting(format));
+  const QString path = askToWrite(this, inWords(say("Lay plan")), QDir(own.path()).filePath(name),
+                                  filterWriting(format), endingsOf(format));
   if (path.isEmpty()) return;
-  path = withEnding(path, format);
   LayPaper paper;
   paper.title = name.toStdString();
   paper.paper = format.paper;

@@ -1,6 +1,5 @@
 // What leaves the window: copies, exports, pictures, paper.
 #include <QDate>
-#include <QFileDialog>
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrinter>
@@ -44,10 +43,10 @@ void MainWindow::askSaveAs() {
   const QString name = session_->draft() || session_->path().empty()
                            ? inWords(say("my garment"))
                            : QString::fromStdString(session_->path().stem().string());
-  const QString path = QFileDialog::getSaveFileName(this, inWords(say("Save as")), freshPath(name),
-                                                    filterReading("Karinui", {FileContent::Document}));
+  const QString path = askToWrite(this, inWords(say("Save as")), freshPath(name),
+                                  filterReading("Karinui", {FileContent::Document}), endingsOf(fileFormat("document")));
   if (path.isEmpty()) return;
-  session_->saveAs(withEnding(path, fileFormat("document")).toStdString());
+  session_->saveAs(path.toStdString());
   refresh();
 }
 
@@ -55,10 +54,10 @@ void MainWindow::askExport() {
   ExportDialog dialog(*session_, *space_, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const ExportWish wish = dialog.wish();
-  const QString path = QFileDialog::getSaveFileName(this, inWords(say("Export")), freshPath("pattern", *wish.format),
-                                                    filterWriting(*wish.format));
+  const QString path = askToWrite(this, inWords(say("Export")), freshPath("pattern", *wish.format),
+                                  filterWriting(*wish.format), endingsOf(*wish.format));
   if (path.isEmpty()) return;
-  session_->exportTo(withEnding(path, *wish.format).toStdString(), wish);
+  session_->exportTo(path.toStdString(), wish);
   refresh();
 }
 
@@ -70,11 +69,10 @@ void MainWindow::askShare() {
   }
   ShareDialog dialog(document, this);
   if (dialog.exec() != QDialog::Accepted) return;
-  const QString path =
-      QFileDialog::getSaveFileName(this, inWords(say("Share the pattern")), freshPath(inWords(say("pattern to share"))),
-                                   filterReading("Karinui", {FileContent::Document}));
+  const QString path = askToWrite(this, inWords(say("Share the pattern")), freshPath(inWords(say("pattern to share"))),
+                                  filterReading("Karinui", {FileContent::Document}), endingsOf(fileFormat("document")));
   if (path.isEmpty()) return;
-  session_->shareTo(withEnding(path, fileFormat("document")).toStdString(), dialog.names());
+  session_->shareTo(path.toStdString(), dialog.names());
   refresh();
 }
 
@@ -82,10 +80,9 @@ void MainWindow::picture() {
   PictureDialog dialog(*session_, *space_, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const FileFormat& format = fileFormat("png");
-  QString path = QFileDialog::getSaveFileName(this, inWords(say("Picture of the fitting…")),
-                                              freshPath("fitting", format), filterWriting(format));
+  const QString path = askToWrite(this, inWords(say("Picture of the fitting…")), freshPath("fitting", format),
+                                  filterWriting(format), endingsOf(format));
   if (path.isEmpty()) return;
-  path = withEnding(path, format);
   if (const Done done = dialog.write(path.toStdString()); !done)
     tell({Notice::Kind::Refused, done.error().what});
   else

@@ -6,6 +6,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPrinter>
 #include <QSlider>
@@ -119,6 +120,48 @@ TEST(StudioSaveActions, ThePatternIsSharedWithoutThePerson) {
   w.rest();
   EXPECT_THAT(w.main().said().toStdString(), HasSubstr("the document itself"));
   EXPECT_EQ(*readFile(w.session().path()), *before);
+}
+
+// A name that is typed without its ending, or with another, may be that of a file that is there.
+TEST(StudioSaveActions, NothingIsReplacedUnasked) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const fs::path own = w.session().path();
+  Folder folder;
+  for (const std::string typed : {"coat", "coat.v2", "coat.karinui"}) {
+    const fs::path other = folder.path / (typed.ends_with(".karinui") ? typed : typed + ".karinui");
+    ASSERT_TRUE(writeFile(other, "another garment"));
+    int asked = 0;
+    QTimer hand;
+    QObject::connect(&hand, &QTimer::timeout, [&] {
+      QWidget* modal = QApplication::activeModalWidget();
+      if (auto* box = qobject_cast<QMessageBox*>(modal)) {
+        ++asked;
+        box->button(QMessageBox::No)->click();
+      } else if (auto* dialog = qobject_cast<QFileDialog*>(modal); dialog && asked > 0) {
+        hand.stop();
+        dialog->reject();
+      } else if (dialog) {
+        auto* name = dialog->findChild<QLineEdit*>();
+        if (name->text() != QString::fromStdString(other.filename().string()))  // else it is to be said once more
+          name->setText(QString::fromStdString((folder.path / typed).string()));
+        hand.stop();  // the question waits within this key
+        QTimer::singleShot(0, &hand, [&, name] {
+          hand.start(0);
+          QTest::keyClick(name, Qt::Key_Return);
+        });
+      }
+    });
+    hand.start(0);
+    for (QAction* action : w.main().findChildren<QAction*>())
+      if (action->text() == QString::fromUtf8("Save as…")) action->trigger();
+    hand.stop();
+    w.rest();
+    EXPECT_EQ(asked, 1) << typed;
+    EXPECT_TRUE(*readFile(other) == "another garment") << typed;
+    EXPECT_EQ(w.session().path(), own);
+  }
 }
 
 // By keys alone: the dialog, its one choice, the file.
