@@ -280,8 +280,14 @@ void StartPage::discard() {
   box->setDefaultButton(box->addButton(inWords(say("Cancel")), QMessageBox::RejectRole));
   connect(put, &QPushButton::clicked, this, [this, path = item->data(kPath).toString()] {
     thumbnails_->stop();
-    QFile::moveToTrash(path);
+    const bool gone = QFile::moveToTrash(path);
     fill();
+    if (gone) return;
+    auto* told = new QMessageBox(QMessageBox::Warning, "Karinui",
+                                 inWords(say("“{0}” could not be put into the trash.", path.toStdString())),
+                                 QMessageBox::Ok, this);
+    told->setAttribute(Qt::WA_DeleteOnClose);
+    told->open();
   });
   box->open();
 }

@@ -200,6 +200,27 @@ TEST(StudioStart, CtrlSAnswersAndSaveAsMovesTheDraft) {
               testing::AllOf(HasSubstr("Saved: every step is on the disk"), HasSubstr(coat.string())));
 }
 
+TEST(StudioStart, ADraftThatCannotBePutIntoTheTrashIsToldOf) {
+  KARINUI_NEEDS_DISPLAY();
+  Fresh f;
+  f.putOnFigure();
+  const fs::path draft = f.w.session().path();
+  f.w.main().showStart();
+  f.w.rest();
+  ASSERT_EQ(f.cards().count(), 1);
+  f.cards().actions().front()->trigger();
+  auto* box = f.w.main().findChild<QMessageBox*>();
+  ASSERT_TRUE(box);
+  fs::remove(draft);  // meanwhile
+  for (QPushButton* one : box->findChildren<QPushButton*>())
+    if (one->text() == "Into the trash") one->click();
+  f.w.rest();
+  std::string said;
+  for (QMessageBox* one : f.w.main().findChildren<QMessageBox*>())
+    if (one != box) said = one->text().toStdString();
+  EXPECT_THAT(said, testing::AllOf(HasSubstr(draft.string()), HasSubstr("could not be put into the trash")));
+}
+
 TEST(StudioStart, WhereNoDraftCanBeWrittenASentenceSaysSoAndNothingIsDone) {
   KARINUI_NEEDS_DISPLAY();
   Fresh f;
