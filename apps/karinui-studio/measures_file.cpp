@@ -3,6 +3,7 @@
 #include "karinui/base/file.h"
 #include "karinui/design/glossary.h"
 #include "karinui/exchange/measurement_files.h"
+#include "karinui/session/fit_over_bodies.h"
 
 namespace karinui::studio {
 
@@ -11,10 +12,7 @@ void wearMeasures(Session& session, const std::filesystem::path& file) {
   if (!read) return session.refuse(read.error());
   const Measurements made = forMannequin(read->measures);
   if (made.value.empty()) return session.refuse(refused(say("There are no measures in this file.")));
-  SetBody body;
-  body.sex = made.sex;
-  for (const auto& [key, value] : made.value) body.set.push_back({key, {value}});
-  session.applyFigure(std::move(body));
+  session.applyFigure(figureOf(made));
   std::vector<Message> left;
   for (const auto& [key, value] : read->measures.value)
     if (!made.value.contains(key)) left.push_back(identifierSaid(key).value_or(say("{0}", key)));
