@@ -1,7 +1,7 @@
-#include <QFileDialog>
 #include <QPushButton>
 #include <algorithm>
 
+#include "file_filter.h"
 #include "fit_study.h"
 #include "karinui/base/number.h"
 #include "karinui/session/animation.h"
@@ -59,10 +59,8 @@ std::vector<std::string> MotionStudy::poses() const {
 
 void MotionStudy::askAnimation() {
   const QString name = QString::fromStdString(session_.path().stem().string());
-  QString path = QFileDialog::getSaveFileName(this, windowTitle(), name + ".glb", "GLB (*.glb)");
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".glb";
-  saveAnimation(path.toStdString());
+  const QString path = askToWrite(this, windowTitle(), name + ".glb", "GLB (*.glb)", {"glb"});
+  if (!path.isEmpty()) saveAnimation(path.toStdString());
 }
 
 void MotionStudy::saveAnimation(const std::string& file) {

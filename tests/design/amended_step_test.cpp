@@ -140,5 +140,19 @@ TEST_F(AmendedStep, AStepOfThePresentWayCanBeReachedAndLeftAgain) {
   EXPECT_EQ(file_.steps().size(), 6u) << "looking goes nowhere";
 }
 
+// The inner edge of a ring is as long as its run of edges, whatever becomes of that.
+TEST(AmendedSteps, ARingFollowsItsRun) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file,
+                        "piece name=top outline=\"M 0 0; hem L 400 0; side L 400 300; up L 0 300; other L 0 0\"\n"
+                        "ring name=peplum of=top.hem depth=18cm angle=150deg\n"));
+  const auto inner = [&] { return findEdge(*file.document().pieceNamed("peplum"), "waist")->curve.length(); };
+  EXPECT_NEAR(inner(), 0.4, 1e-6);
+  ASSERT_TRUE(file.amend(
+      1, op("piece name=top outline=\"M 0 0; hem L 520 0; side L 520 300; up L 0 300; other L 0 0\""), room.context));
+  EXPECT_NEAR(inner(), 0.52, 1e-6);
+}
+
 }  // namespace
 }  // namespace karinui

@@ -283,5 +283,30 @@ TEST_F(Sewing, TheExamplesAreNotDoubted) {
   }
 }
 
+TEST(SewnRuns, AreSewnAsTheyFollowEachOther) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const char* const script =
+      "piece name=hem outline=\"M 0 0; one L 100 0; two L 200 10; three L 300 0; side L 300 200; top L 0 200; other L "
+      "0 "
+      "0\"\n"
+      "piece name=band outline=\"M 0 -100; low L 300 -100; end L 300 -60; long L 0 -60; start L 0 -100\"\n";
+  ASSERT_TRUE(room.play(file, script));
+  const Document before = file.document();
+  const std::string line = "sew a=\"hem.three hem.one hem.two\" b=band.long";
+  const auto edges = [](const Document& document) {
+    std::string all;
+    for (const EdgeSpan& span : document.pattern.seams.begin()->second.a) all += span.edge + " ";
+    return all;
+  };
+  EXPECT_EQ(edges(*apply(before, op(line), room.context)), "one two three ");
+  room.context.recorded = true;
+  EXPECT_EQ(edges(*apply(before, op(line), room.context)), "three one two ");
+  room.context.recorded = false;
+  // A band takes a run in any order, too.
+  EXPECT_TRUE(apply(before, op("band name=low of=\"hem.two hem.one hem.three\" depth=3cm"), room.context));
+  EXPECT_FALSE(apply(before, op("band name=low of=\"hem.one hem.three\" depth=3cm"), room.context));
+}
+
 }  // namespace
 }  // namespace karinui

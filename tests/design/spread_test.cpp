@@ -108,5 +108,29 @@ spread from=skirt.hem to=skirt.waist by=3cm count=3
   EXPECT_EQ(hash(again.document()), hash(file.document()));
 }
 
+// A front that buttons along its centre flares towards the side.
+TEST(SlashAndSpread, LeavesTheOpeningOnTheGrain) {
+  DocumentFile file = DocumentFile::inMemory();
+  const char* const script =
+      "piece name=front outline=\"M 0 0; hem L 300 0; side L 260 700; top L 0 700; centre L 0 0\"\n"
+      "piece name=other outline=\"M 0 0; hem L 300 0; centre L 300 700; top L 40 700; side L 0 0\"\n"
+      "fasten kind=button a=front.centre b=other.centre count=3\n";
+  ASSERT_TRUE(room().play(file, script));
+  const Document flat = file.document();
+  const auto centre = [&](const Document& document) {
+    const Curve& curve = findEdge(*document.pieceNamed("front"), "centre")->curve;
+    return curve.end - curve.start;
+  };
+  const std::string spread = "spread from=front.hem to=front.top by=8cm at=0.2 to_at=0.8";
+  ASSERT_TRUE(room().play(file, spread + "\n"));
+  EXPECT_NEAR(std::abs(centre(file.document()).u), 0, 1e-9);
+  EXPECT_THAT(text(file.steps().back().operation), testing::HasSubstr("keep=centre"));
+  room().context.recorded = true;
+  const auto old = apply(flat, op(spread), room().context);
+  room().context.recorded = false;
+  ASSERT_TRUE(old);
+  EXPECT_EQ(centre(*old), centre(*apply(flat, op(spread + " keep=side"), room().context))) << "the larger part stayed";
+}
+
 }  // namespace
 }  // namespace karinui

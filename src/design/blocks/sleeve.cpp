@@ -17,8 +17,12 @@ double capLength(double half, double height) {
   return capOf(half, height, true).length() + capOf(half, height, false).length();
 }
 
-constexpr double kSetIn = 1.0 / 3;  // of the armhole's length: the crown of a sleeve that is set in;
-constexpr double kWing = 0.36;      // higher ones stand up beside the shoulder
+constexpr double kWing = 1.08;  // times the crown of a sleeve that is set in: higher ones stand up beside the shoulder
+
+// How high the crown of a sleeve that is set in may be: a third of the armhole's length, but lower for one that is long
+// for its arm, as armholes are that scoop far into the chest or reach far down. An armhole of 45 cm for an arm of 28 cm
+// takes a crown of 15 cm, one of 61 cm a crown of 12: sleeves with higher ones stood up beside the shoulder.
+double setInCrown(double round, double arm) { return std::fmin(round / 3, 0.84 * arm - 0.19 * round); }
 
 // Half the width at which a crown of that height fills an armhole.
 double halfFor(double wanted, double height) {
@@ -52,12 +56,13 @@ Result<Draft> sleeveDraft(const Measured& of, const BlockWish& wish, Armhole arm
   const double full = std::fmax(of("arm_length") + 0.01 - crown, below);
   const double foot = std::lerp(half, std::fmin(half, cuff), below / full);
   Draft draft;
-  if (const double round = armhole.front + armhole.back; crown > kWing * round) {
+  const double round = armhole.front + armhole.back;
+  if (const double least = std::fmax(setInCrown(round, of("upper_arm_girth")), 0.05); crown > kWing * least) {
     const auto cm = [](double metres) { return std::round(metres * 100); };
     draft.advice = say(
         "The armhole is {0} cm round, and the sleeve {1} cm wide: its crown is {2} cm high and will stand up beside "
         "the shoulder. For a sleeve as wide as such an armhole asks for, state ease={3}cm.",
-        cm(round), cm(girth), cm(crown), cm(2 * halfFor(wanted, kSetIn * round) - of("upper_arm_girth")));
+        cm(round), cm(girth), cm(crown), cm(2 * halfFor(wanted, least) - of("upper_arm_girth")));
   }
   DraftPiece left;
   left.name = "sleeve_left";

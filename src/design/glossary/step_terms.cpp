@@ -119,6 +119,7 @@ TermTable fieldTerms() {
       {"copies", say("On the symmetric copy")},
       {"clear", say("Only as far as it lies clear")},
       {"seams", say("The seams within the piece")},
+      {"seams.remove", say("Seams that run on")},
       {"trued", say("Trued across the seams")},
       {"whole", say("All of a curved edge")},
       {"corners", say("Corners, by the edges that start there")},

@@ -161,6 +161,25 @@ void decideClear(double turn, Choice& clear, const Context& context) {
   if (clear == Choice::Auto && !context.recorded && turn > std::numbers::pi / 2) clear = Choice::Yes;
 }
 
+std::optional<std::vector<EdgeRef>> asOneRun(const Document& document, const std::vector<EdgeRef>& edges) {
+  if (links(document, edges) + 1 == edges.size()) return edges;
+  const auto first = std::find_if(edges.begin(), edges.end(), [&](const EdgeRef& edge) {
+    return std::none_of(edges.begin(), edges.end(),
+                        [&](const EdgeRef& other) { return other != edge && follows(document, other, edge); });
+  });
+  std::vector<EdgeRef> left = edges, run;
+  std::size_t next = first == edges.end() ? 0 : static_cast<std::size_t>(first - edges.begin());  // of a ring any
+  for (;;) {
+    run.push_back(left[next]);
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(next));
+    if (left.empty()) return run;
+    const auto on = std::find_if(left.begin(), left.end(),
+                                 [&](const EdgeRef& edge) { return follows(document, run.back(), edge); });
+    if (on == left.end()) return std::nullopt;
+    next = static_cast<std::size_t>(on - left.begin());
+  }
+}
+
 Done orderRun(const Document& before, std::vector<EdgeRef>& run) {
   for (EdgeRef& edge : run)
     if (Done done = resolve(before, edge); !done) return done;
@@ -170,6 +189,7 @@ Done orderRun(const Document& before, std::vector<EdgeRef>& run) {
       if (overlap(run[i], run[j])) return refused(say("The edge {0} is in the run twice.", run[i].edge));
   std::vector<EdgeRef> turned(run.rbegin(), run.rend());
   if (links(before, turned) > links(before, run)) run = std::move(turned);
+  if (auto chained = asOneRun(before, run)) run = *std::move(chained);
   for (std::size_t i = 0; i + 1 < run.size(); ++i)
     if (!follows(before, run[i], run[i + 1]))
       return refused(say("{0}.{1} does not go on as {2}.{3}: they neither meet nor are they joined by a seam there.",

@@ -75,6 +75,12 @@ double innerRadius(const DrawRing& op) {
   return op.radius ? double{*op.radius} : 0;
 }
 
+// With the length that its run of edges has now.
+DrawRing measured(const Document& document, DrawRing op) {
+  if (!op.of.empty()) op.inner = Length{lengthOf(document, op.of)}, op.of.clear();
+  return op;
+}
+
 RingPaper paperOf(const DrawRing& op) {
   const double inner = innerRadius(op), outer = inner + op.depth, half = op.angle / 2;
   const auto& name = op.edges;
@@ -217,14 +223,13 @@ Done resolve(const Document& before, DrawRing& op, Context&) {
     return refused(say("Say the inner edge once: by its length, by a run of edges, or by its radius."));
   for (EdgeRef& edge : op.of)
     if (Done done = resolve(before, edge); !done) return done;
-  if (!op.of.empty()) op.inner = Length{lengthOf(before, op.of)}, op.of.clear();
-  if (const double radius = innerRadius(op); !(radius >= 0 && radius <= kLongest))
+  if (const double radius = innerRadius(measured(before, op)); !(radius >= 0 && radius <= kLongest))
     return refused(say("A length on paper lies between 0 and 20 m."));
   return checkNames(op.edges, {"hem", "side_left", "waist", "side_right"});
 }
 
 Result<Document> perform(const Document& before, const DrawRing& op, Context&) {
-  RingPaper paper = paperOf(op);
+  RingPaper paper = paperOf(measured(before, op));
   auto piece = newPiece(before, {op.name, op.fabric, op.layer}, std::move(paper.outline), std::move(paper.holes));
   if (!piece) return piece.error();
   return withPiece(before, *std::move(piece));

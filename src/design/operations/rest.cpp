@@ -1,6 +1,8 @@
 // drape and pull as steps of a document: what they record and what they leave. The work itself is done by the context's
 // solver, or by drapeOnBody() and pullOnBody().
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "design/operations/operations.h"
 
@@ -22,6 +24,41 @@ Done resolveLive(const Document& before, std::vector<PieceRef>& live) {
   return {};
 }
 
+// Heights above the floor.
+struct Heights {
+  double sum = 0, top = -HUGE_VAL;
+  std::size_t points = 0;
+  void add(double height) { sum += height, top = std::fmax(top, height), ++points; }
+  double mean() const { return sum / static_cast<double>(std::max<std::size_t>(points, 1)); }
+};
+
+// What slid down as a whole is not where it is worn, even if it came to rest there.
+void tellFallen(const Document& before, const DrapeOutcome& outcome, const Context& context) {
+  constexpr double kFallen = 0.25;  // metres, its top and its mean
+  std::set<PieceId> told;
+  for (const auto& [id, form] : outcome.forms) {
+    if (!told.insert(id).second) continue;
+    Heights was, is;
+    bool pinned = false;
+    for (const PieceId one : hangTogether(before, id)) {
+      told.insert(one);
+      pinned = pinned || before.pins.contains(one);
+      const Piece& piece = *before.find(one);
+      const auto now = outcome.forms.find(one);
+      if (now == outcome.forms.end()) continue;
+      const Stand stand(piece);
+      for (const Flat place : now->second->flat) was.add(stand(place).y);
+      for (const Vec3 place : now->second->space) is.add(place.y);
+    }
+    const double by = std::fmin(was.mean() - is.mean(), was.top - is.top);
+    if (!pinned && by > kFallen)
+      context.advise({say("“{0}” has slid down by {1} cm, for nothing holds it up. Sew or fasten it closed, make it "
+                          "narrower where it is to stay, or pin it.",
+                          before.find(id)->name, std::round(by * 100)),
+                      id});
+  }
+}
+
 }  // namespace
 
 Done resolve(const Document& before, DrapePieces& op, Context&) {
@@ -33,6 +70,7 @@ Done resolve(const Document& before, DrapePieces& op, Context&) {
 Result<Document> perform(const Document& before, const DrapePieces& op, Context& context) {
   auto outcome = context.drape ? context.drape(before, op, context) : drapeOnBody(before, op, context);
   if (!outcome) return outcome.error();
+  if (context.advise) tellFallen(before, *outcome, context);
   return adopted(before, *outcome);
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "design/operations/new_piece.h"
 #include "design/operations/sewn_runs.h"
 #include "design/spoken.h"
 #include "karinui/design/sewing.h"
@@ -25,6 +26,12 @@ Document cleared(const Document& before, const SewEdges& op) {
       after.pattern.seams.erase(id);
     }
   return after;
+}
+
+bool onOutlines(const Document& document, const std::vector<EdgeRef>& side) {
+  return std::all_of(side.begin(), side.end(), [&](const EdgeRef& edge) {
+    return document.find(edge.piece.id)->outline.find(edge.edge).has_value();
+  });
 }
 
 void sew(Document& document, const SewEdges& op, SeamId id) {
@@ -62,7 +69,11 @@ Done resolve(const Document& given, SewEdges& op, Context& context) {
       return refused(
           say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge), spoken(*before.find(id))));
   }
-  for (auto* side : {&op.a, &op.b}) *side = inOutlineOrder(before, std::move(*side));
+  for (auto* side : {&op.a, &op.b}) {
+    *side = inOutlineOrder(before, std::move(*side));
+    if (!context.recorded && brokenRun(before, *side) && onOutlines(before, *side))
+      if (auto run = asOneRun(before, *side)) *side = *std::move(run);
+  }
   if (!op.name.empty()) {
     if (Done done = checkName(op.name); !done) return done;
     for (const auto& [id, seam] : before.pattern.seams)

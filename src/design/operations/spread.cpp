@@ -110,6 +110,33 @@ Result<Document> spread(Document document, PieceId id, const Slash& slash, EdgeM
   return document;
 }
 
+// The edge along the grain where the garment opens, as a centre front with its buttons; empty: none, or several.
+std::string opening(const Document& before, const Piece& piece, const SlashAndSpread& op) {
+  constexpr double kAlong = 0.9998;  // cosine of 1 degree
+  std::string found;
+  for (const Edge& edge : piece.outline.edges) {
+    const Flat way = edge.curve.end - edge.curve.start;
+    const bool straight = edge.curve.kind == Curve::Kind::Line && std::fabs(dot(normalized(way), piece.grain)) > kAlong;
+    const auto lies = [&](const EdgeSpan& span) { return span.piece == piece.id && span.edge == edge.name; };
+    const auto holds = [&](const auto& one) {
+      const Fastening& fastening = one.second;
+      return std::any_of(fastening.a.begin(), fastening.a.end(), lies) ||
+             std::any_of(fastening.b.begin(), fastening.b.end(), lies);
+    };
+    const auto& fastenings = before.allowances.fastenings;
+    if (!straight || edge.name == op.from.edge || edge.name == op.to.edge ||
+        std::none_of(fastenings.begin(), fastenings.end(), holds))
+      continue;
+    if (!found.empty()) return {};
+    found = edge.name;
+  }
+  return found;
+}
+
+void keepOpening(const Document& before, const Piece& piece, SlashAndSpread& op, const Context& context) {
+  if (op.keep.empty() && !context.recorded) op.keep = opening(before, piece, op);
+}
+
 }  // namespace
 
 Done resolve(const Document& before, SlashAndSpread& op, Context& context) {
@@ -133,7 +160,10 @@ Done resolve(const Document& before, SlashAndSpread& op, Context& context) {
   // Half of what is cut has no other half on the paper, even where that is symmetric.
   if (op.symmetric == Choice::Auto && AllowancePlan(before.pattern, before.allowances).onFold(piece))
     op.symmetric = Choice::No;
-  if (op.symmetric == Choice::No) return {};
+  if (op.symmetric == Choice::No) {
+    keepOpening(before, piece, op, context);
+    return {};
+  }
   const auto symmetry = symmetryOf(piece.outline);
   if (symmetry && std::any_of(slashes.begin(), slashes.end(),
                               [&](const Slash& slash) { return crossItsImage(piece.outline, *symmetry, slash); })) {
@@ -154,6 +184,7 @@ Done resolve(const Document& before, SlashAndSpread& op, Context& context) {
     return done;
   if (op.symmetric == Choice::Yes && !op.keep.empty())
     return refused(say("Slashed on both halves the middle stays; leave keep= away, or write symmetric=no."));
+  if (op.symmetric != Choice::Yes) keepOpening(before, piece, op, context);
   return {};
 }
 

@@ -220,7 +220,9 @@ struct SlashAndSpread {
     visit("count", self.count, "how many slashes, evenly over both edges", kOptional);
     visit("smooth", self.smooth, "yes: the edges are trued, in a curve over the opening; no: in straight lines",
           kOptional);
-    visit("keep", self.keep, "an edge that stays where it is (otherwise one on the fold, or the larger part)",
+    visit("keep", self.keep,
+          "an edge that stays where it is (otherwise one on the fold or, along the grain, with buttons or a zip, or "
+          "the larger part)",
           kOptional);
     visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
   }

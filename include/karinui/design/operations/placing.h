@@ -98,9 +98,14 @@ struct RemovePieces {
   static constexpr std::string_view kName = "remove";
   static constexpr std::string_view kHelp = "Takes pieces away, with their seams and pins.";
   std::vector<PieceRef> pieces;
+  Choice seams = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.pieces, "the pieces to take away", kNeeded);
+    visit("seams", self.seams,
+          "a seam that runs on over pieces that stay is kept there: auto, yes, no (auto: yes, but no in a record that "
+          "does not have it)",
+          kOptional);
   }
   bool operator==(const RemovePieces&) const = default;
 };
