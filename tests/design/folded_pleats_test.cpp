@@ -88,5 +88,27 @@ TEST(FoldedPleats, OfAKiltLieBetweenTheEndsOfTheEdge) {
   }
 }
 
+TEST(FoldedPleats, CellsTooCoarseForTucksAreTold) {
+  Workroom room;
+  std::vector<Advice> told;
+  room.context.advise = [&](const Advice& advice) { told.push_back(advice); };
+  const auto after = [&](const char* pleat) {
+    told.clear();
+    DocumentFile file = DocumentFile::inMemory();
+    const Done done =
+        room.play(file, std::string("set spacing=9mm\npiece name=sash outline=\"M 0 0; low L 400 0; end L "
+                                    "400 200; top L 0 200; start L 0 0\"\n") +
+                            pleat + "\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+  };
+  after("pleat edge=sash.top count=2 depth=15mm stitch=1m");
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(text(*told[0].mend), "set spacing=7.5mm");
+  after("pleat edge=sash.top count=2 depth=20mm stitch=1m");
+  EXPECT_TRUE(told.empty());
+  after("pleat edge=sash.top count=2 depth=15mm");
+  EXPECT_TRUE(told.empty()) << "nothing is sewn down";
+}
+
 }  // namespace
 }  // namespace karinui
