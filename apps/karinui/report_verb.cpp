@@ -208,7 +208,7 @@ int runReport(Program& program, const ReportOptions& options) {
     settings.tries = 1000;
     Report report;
     report.title = std::filesystem::path(options.path).stem().string();
-    report.under = document.body.size.empty() ? say("Fit report") : say("Fit report, size {0}", document.body.size);
+    report.under = ofItsSize(document.body) ? say("Fit report, size {0}", document.body.size) : say("Fit report");
     if (options.pictures) {
       auto pictures = picturesOf(program, fitting, language);
       if (pictures)

@@ -22,6 +22,20 @@ std::set<PieceId> cutFaceDown(const Pattern& pattern, const AllowancePlan& plan,
   return down;
 }
 
+bool ofItsSize(const BodyChoice& body) {
+  if (body.size.empty()) return false;
+  const auto size = builtInSize(body.size);
+  return size && *size == body.measurements;
+}
+
+Message sizeSaid(const Document& document) {
+  const Grading& grading = document.grading;
+  const std::string size = grading.empty() ? document.body.size : grading.sizes[grading.standing];
+  if (grading.empty() && document.body.measurements != Measurements() && !ofItsSize(document.body))
+    return say("made to measure");
+  return size.empty() ? Message() : termSaid(Term::Size, size).value_or(say("{0}", size));
+}
+
 std::vector<Message> labelOf(const Piece& piece, const CutFacts& facts) {
   const auto& [count, pairs] = facts.cutting;
   Message cut = pairs ? say("Cut {0} ({1} {1|pair|pairs})", count, count / 2) : say("Cut {0}", count);
@@ -29,12 +43,10 @@ std::vector<Message> labelOf(const Piece& piece, const CutFacts& facts) {
   std::vector<Message> lines{nameSaid(piece.name), say("{0} · {1}", cut, nameSaid(piece.fabric))};
   if (facts.faceDown) lines.push_back(say("paper face down"));
   if (!piece.interfacing.empty()) lines.push_back(say("fused: {0}", nameSaid(piece.interfacing)));
-  const Message size =
-      facts.size.empty() ? Message() : termSaid(Term::Size, facts.size).value_or(say("{0}", facts.size));
-  if (!size.empty() && !facts.date.empty())
-    lines.push_back(say("{0} · {1}", size, facts.date));
-  else if (!size.empty() || !facts.date.empty())
-    lines.push_back(size.empty() ? say("{0}", facts.date) : size);
+  if (!facts.size.empty() && !facts.date.empty())
+    lines.push_back(say("{0} · {1}", facts.size, facts.date));
+  else if (!facts.size.empty() || !facts.date.empty())
+    lines.push_back(facts.size.empty() ? say("{0}", facts.date) : facts.size);
   return lines;
 }
 

@@ -260,7 +260,7 @@ void tellGarment(const Document& document, const PhotoTall& tall, SheetSettings&
   if (tall) settings.matches = matchMarks(document, tall);
   settings.order.clear();
   for (const SewingStep& step : sewingOrder(document)) settings.order.push_back(step.words);
-  settings.size = document.grading.empty() ? document.body.size : document.grading.sizes[document.grading.standing];
+  settings.size = sizeSaid(document);
 }
 
 Allowances ownWidths(const Pattern& pattern, Allowances told) {

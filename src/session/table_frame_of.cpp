@@ -91,11 +91,8 @@ void addLabels(TablePiece& drawn, const std::vector<Message>& words, Flat lies, 
 
 CutFacts factsOf(const Document& document, const AllowancePlan& plan, const Piece& piece, bool faceDown) {
   const auto own = document.cutting.find(piece.id);
-  return {own == document.cutting.end() ? Cutting() : own->second,
-          plan.onFold(piece),
-          faceDown,
-          document.grading.empty() ? document.body.size : document.grading.sizes[document.grading.standing],
-          {}};
+  return {
+      own == document.cutting.end() ? Cutting() : own->second, plan.onFold(piece), faceDown, sizeSaid(document), {}};
 }
 
 std::vector<std::string> inWords(const std::vector<Message>& lines, Language language) {

@@ -7,6 +7,7 @@
 #include "exchange/sheet.h"
 #include "exchange/xml.h"
 #include "karinui/base/file.h"
+#include "karinui/design/glossary.h"
 #include "karinui/exchange/drawing.h"
 #include "karinui/exchange/dxf.h"
 #include "karinui/exchange/garment_code.h"
@@ -238,7 +239,7 @@ TEST(Sheet, LetteringCrossesNoLine) {
        {"shirt_m_eu50", "bodice_block_f_eu38", "trouser_block_m_eu50", "tshirt_f_eu38", "face_mask"})
     patterns.push_back(test::drafted(test::shared("patterns/" + name + ".json")));
   SheetSettings settings;
-  settings.size = "jis9ar", settings.date = "2026-01-31";
+  settings.size = *termSaid(Term::Size, "jis9ar"), settings.date = "2026-01-31";
   for (const Pattern& pattern : patterns) {
     const auto sheet = layOut(pattern, settings);
     ASSERT_TRUE(sheet);
@@ -372,7 +373,7 @@ TEST(Sheet, EachEdgeHasItsOwnAllowance) {
 TEST(Sheet, TellsHowOftenAPieceIsCutAndWhatLiesOnTheFold) {
   SheetSettings settings;
   settings.cutting[{1}] = {2, true};
-  settings.size = "jis9ar", settings.date = "2026-01-31";
+  settings.size = *termSaid(Term::Size, "jis9ar"), settings.date = "2026-01-31";
   const auto sheet = layOut(skirtPanel(), settings);
   ASSERT_TRUE(sheet);
   const SheetPiece& piece = sheet->pieces[0];
@@ -390,6 +391,25 @@ TEST(Sheet, TellsHowOftenAPieceIsCutAndWhatLiesOnTheFold) {
   EXPECT_EQ(piece.texts.back().words, "place on the fold");
   EXPECT_FALSE(piece.texts.back().upright);
   EXPECT_EQ(layOut(skirtPanel(), {})->pieces[0].texts[1].words, "Cut 1 on fold · Cotton");
+}
+
+// A size of which a measure was changed is not that size.
+TEST(Sheet, TellsWhetherAFigureIsOfItsSize) {
+  Document document;
+  document.pattern = skirtPanel();
+  document.body.size = "eu38", document.body.measurements = *builtInSize("eu38");
+  const auto told = [&] {
+    SheetSettings settings;
+    tellGarment(document, {}, settings);
+    return layOut(document.pattern, settings)->pieces[0].texts[2].words;
+  };
+  EXPECT_EQ(told(), "EU 38 (women)");
+  document.body.measurements.value["hip_girth"] = 1.35;
+  EXPECT_EQ(told(), "made to measure");
+  document.body.size.clear();  // stated anew, without a size
+  EXPECT_EQ(told(), "made to measure");
+  document.grading.sizes = {"S", "M"};
+  EXPECT_EQ(told(), "S");
 }
 
 // The bars at which a print matches, and what they are, where there are any.

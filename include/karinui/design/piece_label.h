@@ -13,8 +13,13 @@ namespace karinui {
 struct CutFacts {
   Cutting cutting;
   bool onFold = false, faceDown = false;
-  std::string size, date;  // of the figure, of the print; nothing: not told
+  Message size;      // as sizeSaid() has it; nothing: not told
+  std::string date;  // of the print; nothing: not told
 };
+// Whether every measure of the figure is that of the built-in size it starts from.
+bool ofItsSize(const BodyChoice& body);
+// What size the paper is of: the style's that stands, else the figure's. Nothing: neither has one.
+Message sizeSaid(const Document& document);
 // Pieces whose paper lies face down on the right side of the cloth: those that are worn with it inwards, where that
 // makes a difference to what is cut: neither symmetric, nor on the fold, nor in pairs.
 std::set<PieceId> cutFaceDown(const Pattern& pattern, const AllowancePlan& plan,

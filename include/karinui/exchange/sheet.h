@@ -24,7 +24,7 @@ struct SheetSettings {
   std::vector<MatchMark> matches;         // where the lines of its print cross seams
   std::vector<Message> order;             // in which it is sewn, a sentence each
   bool nest = false;                      // all sizes over one another, not only the one that stands
-  std::string size;                       // that stands, or of the figure; empty: not told
+  Message size;                           // that stands, or of the figure; empty: not told
   std::string date;                       // of the print, as it is to be read; empty: not told
   std::optional<double> allowance;        // metres, of seams, in place of the garment's own; 0: seam lines only
   double rollWidth = 0.900;               // metres; the sheet is wider only if a piece is
