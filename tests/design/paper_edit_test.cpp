@@ -47,6 +47,44 @@ TEST(PaperEdit, ATypedLengthTellsWhatChanged) {
   EXPECT_THAT(t.file.log(), HasSubstr("keep=end symmetric=yes"));
 }
 
+// A sleeve whose underarm is sewn: its front edge to its back edge.
+constexpr const char* kSleevePaper =
+    "piece name=sleeve outline=\"M 0 0; hem L 300 0; under_front L 320 300; cap C 220 420 120 420 -20 300; under_back "
+    "L 0 "
+    "0\"\nsew a=sleeve.under_front b=sleeve.under_back name=underarm\n";
+
+TEST(PaperEdit, ASleevesUnderarmStaysEven) {
+  Told t;
+  t.play(kSleevePaper);
+  t.play("length edge=sleeve.hem to=40cm");
+  EXPECT_THAT(t.file.log(), HasSubstr("keep=middle"));
+  const Outline& sleeve = t.file.document().pieceNamed("sleeve")->outline;
+  EXPECT_NEAR(sleeve.edges[1].curve.length(), sleeve.edges[3].curve.length(), 2e-3);
+  // One that left it open when it was recorded is what it was then.
+  Told before;
+  before.play(kSleevePaper);
+  before.room.context.recorded = true;
+  const auto then = resolved(before.file.document(), op("length edge=sleeve.hem to=40cm"), before.room.context);
+  ASSERT_TRUE(then);
+  EXPECT_EQ(std::get<SetLength>(*then).keep, SetLength::Keep::Start);
+}
+
+// What stays of an edge that follows a formula is not recorded, so that it is decided alike whenever it is done.
+TEST(PaperEdit, ALinkedHemIsReplayed) {
+  Told t;
+  t.play(std::string(kSleevePaper) + "rectangle name=cuff width=30cm height=6cm\n");
+  t.play("length edge=sleeve.hem to=cuff.bottom\nlength edge=cuff.bottom to=34cm");
+  Document again;
+  t.room.context.recorded = true;
+  for (const Step& step : t.file.steps()) {
+    auto next = apply(again, step.operation, t.room.context);
+    ASSERT_TRUE(next) << text(next.error().what);
+    again = *std::move(next);
+  }
+  EXPECT_EQ(hash(again), hash(t.file.document()));
+  EXPECT_NEAR(t.file.document().pieceNamed("sleeve")->outline.edges[0].curve.length(), 0.34, 1e-9);
+}
+
 TEST(PaperEdit, ASlitOnOneHalfKeepsEditsOnBoth) {
   Told t;
   t.play(kFrontPaper);

@@ -82,6 +82,7 @@ Result<Document> pulled(const Document& document, const EdgeRef& edge, double me
   Context own = context;
   own.advise = {};
   own.byFormula = true;
+  own.recorded = true;  // what stays is not recorded here: it is as ever, lest a replay decides otherwise
   if (Done done = resolve(document, follow, own); !done) return done.error();
   return perform(document, follow, own);
 }

@@ -22,6 +22,18 @@ bool sewn(const Document& document, PieceId piece, const std::string& edge) {
   });
 }
 
+// Whether a seam holds both edges, one on each of its sides: an underarm, an inside leg.
+bool sewnToEachOther(const Document& document, PieceId piece, const std::string& one, const std::string& other) {
+  const auto on = [&](const std::vector<EdgeSpan>& side, const std::string& edge) {
+    return std::any_of(side.begin(), side.end(),
+                       [&](const EdgeSpan& span) { return span.piece == piece && span.edge == edge; });
+  };
+  return std::any_of(document.pattern.seams.begin(), document.pattern.seams.end(), [&](const auto& held) {
+    const Seam& seam = held.second;
+    return (on(seam.a, one) && on(seam.b, other)) || (on(seam.a, other) && on(seam.b, one));
+  });
+}
+
 std::string inMm(double metres) { return fixed(metres * 1e3, 1); }
 
 // "side_left: 340.0 mm -> 360.0 mm on both halves; armhole_left keeps 239.0 mm; hem_left: 241.0 mm -> 243.0 mm".
@@ -53,9 +65,9 @@ void tellStretched(const Outline& before, const Outline& after, const SetLength&
   }
 }
 
-}  // namespace
-
-SetLength::Keep keptEnd(const Document& document, const Piece& piece, const std::string& edge, bool symmetric) {
+// `alike`: edges at its ends that are sewn to each other stay alike; records of before left that out.
+SetLength::Keep endThatStays(const Document& document, const Piece& piece, const std::string& edge, bool symmetric,
+                             bool alike) {
   using Keep = SetLength::Keep;
   const auto& edges = piece.outline.edges;
   const std::size_t k = *piece.outline.find(edge), n = edges.size();
@@ -67,11 +79,18 @@ SetLength::Keep keptEnd(const Document& document, const Piece& piece, const std:
     if (onAxis(start)) return canMoveEnd(piece.outline, k, false, &*symmetry) ? Keep::End : Keep::Start;
     if (onAxis(end)) return canMoveEnd(piece.outline, k, true, &*symmetry) ? Keep::Start : Keep::End;
   }
-  const bool sewnStart = sewn(document, piece.id, edges[(k + n - 1) % n].name),
-             sewnEnd = sewn(document, piece.id, edges[(k + 1) % n].name);
+  const std::string &before = edges[(k + n - 1) % n].name, &after = edges[(k + 1) % n].name;
+  if (alike && n > 2 && sewnToEachOther(document, piece.id, before, after)) return Keep::Middle;
+  const bool sewnStart = sewn(document, piece.id, before), sewnEnd = sewn(document, piece.id, after);
   if (sewnStart != sewnEnd) return sewnStart ? Keep::Start : Keep::End;
   const Stand stand(piece);
   return stand(end).y > stand(start).y + 1e-6 ? Keep::End : Keep::Start;
+}
+
+}  // namespace
+
+SetLength::Keep keptEnd(const Document& document, const Piece& piece, const std::string& edge, bool symmetric) {
+  return endThatStays(document, piece, edge, symmetric, true);
 }
 
 Done resolve(const Document& before, SetLength& op, Context& context) {
@@ -84,7 +103,8 @@ Done resolve(const Document& before, SetLength& op, Context& context) {
     return refused(say("Edge {0} of {1} is {2} mm long already.", op.edge.edge, piece.name, inMm(op.to)));
   const auto both = [&](const PaperSymmetry& symmetry) { return symmetry.partner[k].has_value(); };
   if (Done done = resolveSymmetric(piece, op.symmetric, context, both); !done) return done;
-  if (op.keep == SetLength::Keep::Auto) op.keep = keptEnd(before, piece, op.edge.edge, op.symmetric == Choice::Yes);
+  if (op.keep == SetLength::Keep::Auto)
+    op.keep = endThatStays(before, piece, op.edge.edge, op.symmetric == Choice::Yes, !context.recorded);
   return {};
 }
 

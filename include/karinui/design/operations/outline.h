@@ -303,7 +303,8 @@ struct SetLength {
     visit("to", self.to, "its new length", kNeeded);
     visit("keep", self.keep,
           "what stays: auto, start, end, middle (both ends move by half); auto: the end on the centre of a symmetric "
-          "piece, else the one whose neighbour is sewn, else the higher one",
+          "piece; middle where the edges at both ends are sewn to each other; else the end whose neighbour is sewn, "
+          "else the higher one",
           kOptional);
     visit("neighbours", self.neighbours,
           "the edges at a moved end: keep their lengths where they can, or follow (they stretch, and the edge does not "
