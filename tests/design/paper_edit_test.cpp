@@ -85,6 +85,15 @@ TEST(PaperEdit, ALinkedHemIsReplayed) {
   EXPECT_NEAR(t.file.document().pieceNamed("sleeve")->outline.edges[0].curve.length(), 0.34, 1e-9);
 }
 
+TEST(PaperEdit, ALengthThatIsThereAlreadyIsANote) {
+  Told t;
+  t.play(kFrontPaper);
+  const Outline before = t.outline();
+  t.play("length edge=front.hem_left to=24cm");
+  EXPECT_EQ(t.said, "Edge hem_left of front is 240.0 mm long already.\n");
+  EXPECT_EQ(t.outline(), before);
+}
+
 TEST(PaperEdit, ASlitOnOneHalfKeepsEditsOnBoth) {
   Told t;
   t.play(kFrontPaper);

@@ -99,8 +99,6 @@ Done resolve(const Document& before, SetLength& op, Context& context) {
   if (!(op.to >= 1e-3 && op.to <= 10)) return refused(say("An edge is between 1 mm and 10 m long."));
   const Piece& piece = *before.find(op.edge.piece.id);
   const std::size_t k = *piece.outline.find(op.edge.edge);
-  if (std::fabs(piece.outline.edges[k].curve.length() - op.to) < kAsLong && !context.byFormula)
-    return refused(say("Edge {0} of {1} is {2} mm long already.", op.edge.edge, piece.name, inMm(op.to)));
   const auto both = [&](const PaperSymmetry& symmetry) { return symmetry.partner[k].has_value(); };
   if (Done done = resolveSymmetric(piece, op.symmetric, context, both); !done) return done;
   if (op.keep == SetLength::Keep::Auto)
@@ -110,7 +108,11 @@ Done resolve(const Document& before, SetLength& op, Context& context) {
 
 Result<Document> perform(const Document& before, const SetLength& op, Context& context) {
   const Piece& piece = *before.find(op.edge.piece.id);
-  if (std::fabs(piece.outline.edges[*piece.outline.find(op.edge.edge)].curve.length() - op.to) < kAsLong) return before;
+  if (std::fabs(piece.outline.edges[*piece.outline.find(op.edge.edge)].curve.length() - op.to) < kAsLong) {
+    if (context.advise)
+      context.advise({say("Edge {0} of {1} is {2} mm long already.", op.edge.edge, piece.name, inMm(op.to))});
+    return before;
+  }
   const auto symmetry = op.symmetric == Choice::Yes ? symmetryOf(piece.outline) : std::nullopt;
   LengthChange change{op.edge.edge, op.to, KeptEnd::Start, op.neighbours == SetLength::Neighbours::Keep};
   if (op.keep == SetLength::Keep::End) change.keep = KeptEnd::End;
