@@ -21,6 +21,11 @@ const Curve& curveOf(const Document& document, const EdgeRef& ref) {
   return *findCurve(*document.find(ref.piece.id), ref.edge);
 }
 
+Message runSaid(const Document& document, const std::vector<EdgeRef>& run) {
+  const std::string first = spoken(document, run.front()), last = spoken(document, run.back());
+  return first == last ? say("{0}", first) : say("{0} … {1}", first, last);
+}
+
 // Places in space along a side, evenly by length, in the outlines' order.
 std::vector<Vec3> stood(const Document& document, const std::vector<EdgeRef>& side) {
   const double whole = lengthOf(document, side);
@@ -213,10 +218,9 @@ std::optional<SeamDoubt> gathered(const Document& document, const SewEdges& sew,
   const auto fabric = fabricOf(document, piece);
   const double most = fabric ? mostGather(*fabric) : 3;
   if (!(ratio > most * 1.001)) return std::nullopt;
-  SeamDoubt doubt{
-      SeamDoubt::Kind::Gathered,
-      say("{0} is {1} times as long as the other side; {2} is usually gathered up to {3} times.",
-          spoken(document, (longerIsA ? sew.a : sew.b).front()), fixed(ratio, 1), piece.fabric, fixed(most, 1))};
+  SeamDoubt doubt{SeamDoubt::Kind::Gathered,
+                  say("{0} is {1} times as long as the other side; {2} is usually gathered up to {3} times.",
+                      runSaid(document, longerIsA ? sew.a : sew.b), fixed(ratio, 1), piece.fabric, fixed(most, 1))};
   doubt.instead = sew;
   auto& longer = longerIsA ? doubt.instead->a : doubt.instead->b;
   const bool against = sew.reversed == Choice::Auto ? facesReversed(document, sew, body) : sew.reversed == Choice::Yes;
@@ -361,12 +365,17 @@ std::optional<Message> brokenRun(const Document& document, const std::vector<Edg
   return std::nullopt;
 }
 
+Message longerSaid(const Document& document, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b) {
+  const double more = lengthOf(document, a) - lengthOf(document, b);
+  return say("{0} is {1} mm longer than {2}, to which it is sewn.", runSaid(document, more > 0 ? a : b),
+             fixed(std::fabs(more) * 1e3, 1), runSaid(document, more > 0 ? b : a));
+}
+
 std::optional<Message> longerSide(const Document& document, const SewEdges& sew) {
   constexpr double kPlainly = 1.1;  // a sleeve's cap is eased in by half as much
   const double a = lengthOf(document, sew.a), b = lengthOf(document, sew.b);
   if (sew.tie == SewEdges::Tie::Pleat || std::fmax(a, b) < kPlainly * std::fmin(a, b)) return std::nullopt;
-  return say("{0} is {1} mm longer than {2}, to which it is sewn.", spoken(document, (a > b ? sew.a : sew.b).front()),
-             fixed(std::fabs(a - b) * 1e3, 1), spoken(document, (a > b ? sew.b : sew.a).front()));
+  return longerSaid(document, sew.a, sew.b);
 }
 
 namespace {

@@ -460,6 +460,12 @@ TEST_F(Command, SaysHowMuchLongerOneSideOfASeamIs) {
   };
   EXPECT_THAT(with("620"), HasSubstr("back.side is 120.0 mm longer than front.side"));
   EXPECT_THAT(with("540"), Not(HasSubstr("longer")));
+  fs::remove(document());
+  EXPECT_THAT(play("piece name=skirt outline=\"M 0 0; hem L 900 0; side L 900 500; top L 0 500; centre L 0 0\"\n"
+                   "piece name=bodice outline=\"M 0 600; hem_2 L 200 600; hem L 400 600; end L 400 640; top L 0 640; "
+                   "begin L 0 600\"\nsew a=skirt.top b=\"bodice.hem_2 bodice.hem\" reversed=yes\n")
+                  .err,
+              HasSubstr("skirt.top is 500.0 mm longer than bodice.hem_2 … bodice.hem, to which it is sewn."));
 }
 
 TEST_F(Command, SaysWhereARunOfEdgesIsBroken) {

@@ -37,6 +37,8 @@ double mostGather(const Fabric& fabric);
 // outline, nor over a seam such as a dart's. `side` in the outlines' order.
 std::optional<Message> brokenRun(const Document& document, const std::vector<EdgeRef>& side);
 
+// By how much one run is longer than the other, to which it is sewn; of several edges the first and the last are named.
+Message longerSaid(const Document& document, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b);
 // A sentence where one side is longer by more than is eased in: it is to be gathered, or is a slip.
 std::optional<Message> longerSide(const Document& document, const SewEdges& sew);
 

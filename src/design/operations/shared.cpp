@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "design/operations/operations.h"
+#include "design/operations/sewn_runs.h"
 #include "karinui/base/number.h"
+#include "karinui/design/sewing.h"
 #include "karinui/pattern/likeness.h"
 
 namespace karinui {
@@ -165,10 +167,7 @@ void tellSeams(const Document& before, const Document& after, const Context& con
     const double was = lengthMismatch(before.pattern, before.pattern.seams.at(id)),
                  is = lengthMismatch(after.pattern, seam);
     if (std::fabs(is - was) < kTold) continue;
-    const auto named = [&](const EdgeSpan& span) { return after.find(span.piece)->name + "." + span.edge; };
-    context.advise(
-        {say("{0} is {1} mm longer than {2}, to which it is sewn.", named((is > 0 ? seam.a : seam.b).front()),
-             fixed(std::fabs(is) * 1e3, 1), named((is > 0 ? seam.b : seam.a).front()))});
+    context.advise({longerSaid(after, refsOf(seam.a), refsOf(seam.b))});
   }
 }
 
