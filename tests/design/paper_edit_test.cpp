@@ -94,6 +94,21 @@ TEST(PaperEdit, ALengthThatIsThereAlreadyIsANote) {
   EXPECT_EQ(t.outline(), before);
 }
 
+TEST(PaperEdit, LettingOutTellsWhichSeamsFitNoMore) {
+  Told t;
+  t.play(
+      "rectangle name=skirt width=40cm height=60cm edges=\"hem right waist left\"\n"
+      "rectangle name=back width=20cm height=60cm edges=\"hem right waist left\"\n"
+      "rectangle name=band width=60cm height=4cm\nsew a=skirt.right b=back.left\n"
+      "sew a=\"skirt.waist back.waist\" b=band.bottom\n");
+  t.said.clear();
+  t.play("takein edges=skirt.left by=-4cm partners=no symmetric=no");
+  EXPECT_THAT(t.said, HasSubstr("back.waist … skirt.waist is 40.0 mm longer than band.bottom, to which it is sewn."));
+  t.said.clear();
+  t.play("takein edges=skirt.left by=-2mm partners=no symmetric=no");
+  EXPECT_THAT(t.said, testing::Not(HasSubstr("longer"))) << "told already, and it is little";
+}
+
 TEST(PaperEdit, ASlitOnOneHalfKeepsEditsOnBoth) {
   Told t;
   t.play(kFrontPaper);

@@ -109,6 +109,9 @@ Done resolveCopies(const Document& before, const std::vector<PieceRef>& pieces, 
 std::vector<PieceId> copiesMeant(const Document& document, PieceId piece, Choice copies);
 // Tells the sewn edges that became longer or shorter than what they are sewn to.
 void tellSeams(const Document& before, const Document& after, const Context& context);
+// Tells the sewn edges, not gathered, that no longer fit what they are sewn to: off by a tenth or 5 mm more than
+// before.
+void tellMisfits(const Document& before, const Document& after, const Context& context);
 // Tells the edges of a piece that became longer or shorter.
 void tellLengths(const Piece& before, const Piece& after, const Context& context);
 // The internal line of that name, which is there.

@@ -171,6 +171,19 @@ void tellSeams(const Document& before, const Document& after, const Context& con
   }
 }
 
+void tellMisfits(const Document& before, const Document& after, const Context& context) {
+  constexpr double kPlainly = 5e-3, kShare = 0.1;  // metres; of the shorter side
+  if (!context.advise) return;
+  for (const auto& [id, seam] : after.pattern.seams) {
+    const double was = lengthMismatch(before.pattern, before.pattern.seams.at(id)),
+                 is = lengthMismatch(after.pattern, seam);
+    if (seam.tie != Seam::Tie::OneToOne || std::fabs(is) <= std::fabs(was)) continue;
+    const double shorter = std::fmin(length(after.pattern, seam.a), length(after.pattern, seam.b));
+    if (std::fabs(is - was) >= std::fmin(kPlainly, kShare * shorter))
+      context.advise({longerSaid(after, refsOf(seam.a), refsOf(seam.b))});
+  }
+}
+
 void tellLengths(const Piece& before, const Piece& after, const Context& context) {
   if (!context.advise) return;
   const auto inMm = [](double metres) { return fixed(metres * 1e3, 1); };

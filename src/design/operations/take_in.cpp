@@ -74,6 +74,7 @@ Result<Document> perform(const Document& before, const TakeIn& op, Context& cont
   if (context.advise)
     context.advise({op.by > 0 ? say("Taken in by {0} mm: {1}.", fixed(op.by * 1e3, 1), said)
                               : say("Let out by {0} mm: {1}.", fixed(-op.by * 1e3, 1), said)});
+  tellMisfits(before, after, context);
   return after;
 }
 
