@@ -110,5 +110,20 @@ TEST(FoldedPleats, CellsTooCoarseForTucksAreTold) {
   EXPECT_TRUE(told.empty()) << "nothing is sewn down";
 }
 
+// The lines of a pleat have no beginning: out of the piece is the same direction as into it.
+TEST(FoldedPleats, RunIntoThePieceWhicheverWayTheyAreTold) {
+  const auto folded = [](const std::string& along) {
+    Workroom room;
+    DocumentFile file = DocumentFile::inMemory();
+    const Done done = room.play(file,
+                                "rectangle name=sash width=90cm height=12cm fabric=silk\n"
+                                "pleat edge=sash.side_left kind=knife count=4 depth=1cm along=" +
+                                    along + "\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    return hash(file.document());
+  };
+  EXPECT_EQ(folded("1,0"), folded("-1,0"));
+}
+
 }  // namespace
 }  // namespace karinui

@@ -28,6 +28,16 @@ Flat directionOf(const Piece& piece, const EdgeRef& ref) {
   return dot(grain, inward) >= kAlong ? grain : inward;
 }
 
+// Whether the pleats' direction leads out of the piece all along that part of the edge. Folds are counted along the
+// edge as it is seen into the piece: told the other way they would lie in the wrong order.
+bool leadsOut(const Piece& piece, const AddPleat& op) {
+  const Curve& curve = piece.outline.edges[*piece.outline.find(op.edge.edge)].curve;
+  const double from = op.edge.from, to = op.edge.to, shares[] = {from, (from + to) / 2, to, op.at.value_or(from)};
+  return std::all_of(std::begin(shares), std::end(shares), [&](double share) {
+    return dot(*op.along, leftOf(curve.tangent(curve.parameterAt(share * curve.length())))) < 0;
+  });
+}
+
 PleatPlan planOf(const Piece& piece, const AddPleat& op) {
   PleatPlan plan;
   plan.edge = op.edge.edge, plan.kind = op.kind, plan.depth = op.depth, plan.name = op.name;
@@ -304,7 +314,9 @@ Done resolve(const Document& before, AddPleat& op, Context&) {
   if (op.hold != 0 && !Crease{0, op.hold}.sound()) return refused(say("A fold holds 0.1 to 0.99 of its angle."));
   if (op.along && !(length(*op.along) > 1e-6 && finite(*op.along)))
     return refused(say("The pleats have no direction; write along=0,1 for upwards."));
-  if (!op.along) op.along = directionOf(*before.find(op.edge.piece.id), op.edge);
+  const Piece& piece = *before.find(op.edge.piece.id);
+  if (!op.along) op.along = directionOf(piece, op.edge);
+  if (op.lines.empty() && leadsOut(piece, op)) op.along = Flat{} - *op.along;
   return {};
 }
 
