@@ -203,8 +203,15 @@ class Spreading {
     const std::vector<Flat> line{a_ + along * kWay, b_ - along * kWay};
     std::vector<Meeting> met;
     meetings(line, piece_.outline, met);
-    if (!met.empty() || !contains(piece_.outline.flattened(1e-5), lerp(a_, b_, 0.5)))
-      return refused(say("From “{0}” to “{1}” the paper cannot be cut straight.", slash_.from, slash_.to));
+    if (!met.empty()) {
+      const auto first =
+          std::min_element(met.begin(), met.end(), [](const Meeting& x, const Meeting& y) { return x.at < y.at; });
+      return refused(say("From “{0}” to “{1}” the paper cannot be cut straight: “{2}” is in the way, at {3} mm.",
+                         slash_.from, slash_.to, edges_[first->on.edge].name, inMm(first->place)));
+    }
+    if (!contains(piece_.outline.flattened(1e-5), lerp(a_, b_, 0.5)))
+      return refused(say("From “{0}” to “{1}” the paper cannot be cut straight: the line runs beside it.", slash_.from,
+                         slash_.to));
     for (const Outline& hole : piece_.holes) meetings(line, hole, met);
     if (!met.empty())
       return refused(say("The slash would run into a hole of {0} at {1} mm.", piece_.name, inMm(met.front().place)));

@@ -93,6 +93,23 @@ spread from=skirt.waist to=skirt.hem by=5cm to_by=5cm
   EXPECT_THAT(said, testing::Contains("skirt.waist is 50.0 mm longer than band.bottom, to which it is sewn."));
 }
 
+TEST(SlashAndSpread, TellsWhatIsInTheWay) {
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room().play(
+      file,
+      "piece name=front outline=\"M 0 0; hem L 300 0; side L 300 100; dart L 100 150; dart_2 L 300 200; side_2 L "
+      "300 400; top L 0 400; centre L 0 0\"\n"));
+  const auto cut = [&](const std::string& line) {
+    const auto step = file.perform(op(line), room().context);
+    EXPECT_FALSE(step);
+    return step ? std::string() : text(step.error().what);
+  };
+  EXPECT_THAT(cut("spread from=front.hem to=front.top at=0.8 to_at=0.2 by=3cm"),
+              testing::HasSubstr("From “hem” to “top” the paper cannot be cut straight: “dart” is in the way, at "));
+  EXPECT_THAT(cut("spread from=front.side to=front.side_2 at=0.5 to_at=0.5 by=3cm"),
+              testing::HasSubstr("is in the way"));
+}
+
 // A record of it is replayed to the same bits, and amended.
 TEST(SlashAndSpread, IsReplayed) {
   DocumentFile file = DocumentFile::inMemory();
