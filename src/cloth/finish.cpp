@@ -70,7 +70,8 @@ void ResourceUse::leaveOut(const ResourceUse& later) {
 Message throughBody(const Penetration& most) {
   return say(
       "The body goes through “{0}”, about {1} cm above the floor, so the drape was ended early. Place the piece where "
-      "it is worn, or make it wider there; if an arm is in the way, raise the arms first: pose name=T.",
+      "it is worn, or make it wider there; if an arm is in the way, let the figure hold it elsewhere: pose name=T "
+      "raises both, pose name=A lowers them.",
       most.piece->name, std::round(most.place.y * 100));
 }
 

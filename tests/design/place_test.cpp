@@ -325,6 +325,26 @@ TEST_F(Placed, ASleeveTooNarrowForItsArmholeIsToldOf) {
   EXPECT_EQ(said(13, stated).find("its crown is"), std::string::npos) << stated;
 }
 
+// Who raised the arms is not told to raise them.
+TEST_F(Placed, WhatMeetsRaisedArmsIsToldWhatHelps) {
+  const auto said = [](const std::string& pose) {
+    Workroom own;
+    std::string told;
+    own.context.advise = [&](const Advice& advice) { told += text(advice.what); };
+    auto file = DocumentFile::inMemory();
+    const Done done = own.play(file, "body size=eu38\n" + pose +
+                                         "rectangle name=sheet width=120cm height=60cm\n"
+                                         "place piece=sheet at=\"torso:bust@0\"\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    return told;
+  };
+  EXPECT_NE(said("").find("raise the arms first"), std::string::npos) << said("");
+  const std::string raised = said("pose name=T\n");
+  EXPECT_NE(raised.find("stands through the body"), std::string::npos) << raised;
+  EXPECT_EQ(raised.find("raise the arms first"), std::string::npos) << raised;
+  EXPECT_NE(raised.find("before or behind the body (move)"), std::string::npos) << raised;
+}
+
 // Over a belly wider than the hip a shirt is as wide as that, and its hem comes below it.
 TEST_F(Placed, AShirtBlockGoesOverABelly) {
   const auto drafted = [](const std::string& figure) {

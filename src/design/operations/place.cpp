@@ -20,6 +20,7 @@ constexpr double kMostEase = 0.5;
 constexpr double kBesideTrunk = 0.06;  // metres a pleated sheet may be wider than the trunk on either side
 constexpr double kPleat = 0.24;        // metres of cloth in one pleat
 constexpr double kTouches = 0.001;     // metres from the body: nearer is no place to begin
+constexpr Joint kShoulders[] = {Joint::LeftShoulder, Joint::RightShoulder};
 
 Error unwrappable(const BodyPoint& at) {
   return refused(say("A piece cannot be wrapped round the body at {0}; choose a place on its side.", text(at)));
@@ -86,15 +87,29 @@ std::vector<SkinPlace> skinBelow(const Body& body, const LimbFrame& limb, double
   return all;
 }
 
+bool armsRaised(const BodyPose& pose) {
+  constexpr double kRaised = 60 * kDegree;  // from hanging; level are 90
+  return std::all_of(std::begin(kShoulders), std::end(kShoulders), [&](Joint shoulder) {
+    const auto at = pose.find(shoulder);
+    return at != pose.end() && at->second.abduct >= kRaised;
+  });
+}
+
 // A wide piece that is bent round the trunk may stand through the arms.
-void tellThroughBody(const Piece& piece, const Body& body, const Context& context) {
+void tellThroughBody(const Piece& piece, const Body& body, const BodyPose& pose, const Context& context) {
   constexpr double kDeep = 0.01, kShare = 0.003;  // metres; of the places of its form
   if (!context.advise || !piece.form) return;
   std::size_t deep = 0;
   Vec3 where;
   for (const Vec3 place : piece.form->space)
     if (const Vec3 stands = piece.pose(place); body.field().distance(stands) < -kDeep) where = stands, ++deep;
-  if (static_cast<double>(deep) > kShare * static_cast<double>(piece.form->space.size()))
+  if (!(static_cast<double>(deep) > kShare * static_cast<double>(piece.form->space.size()))) return;
+  if (armsRaised(pose))
+    context.advise(
+        {say("“{0}” stands through the body, about {1} cm above the floor. The arms are raised already, and what goes "
+             "round the trunk meets them: place it lower, or stand it flat before or behind the body (move).",
+             piece.name, std::round(where.y * 100))});
+  else
     context.advise(
         {say("“{0}” stands through the body, about {1} cm above the floor. Place it elsewhere, stand it flat "
              "beside the body (pose), or raise the arms first: pose name=T.",
@@ -258,7 +273,7 @@ Result<Document> perform(const Document& before, const PlacePiece& op, Context& 
   if (!body) return body.error();
   auto piece = placed(before, *before.find(op.piece.id), op, **body);
   if (!piece) return piece.error();
-  tellThroughBody(*piece, **body, context);
+  tellThroughBody(*piece, **body, before.body.pose, context);
   const std::vector<PaperPleat> pleats = pleatsOf(before.pattern);
   if (context.advise &&
       std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) { return pleat.piece == op.piece.id; }))
