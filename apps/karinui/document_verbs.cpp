@@ -118,6 +118,8 @@ Done giveThePhoto(OpenDocument& opened, const std::string& photo, std::vector<Op
   return {};
 }
 
+std::string echoed(const Operation& operation) { return shortened(withReadableLengths(text(operation))); }
+
 int runDo(Program& program, const DoOptions& options) {
   std::vector<Operation> operations;
   for (const std::string& line : options.operations) {
@@ -135,7 +137,7 @@ int runDo(Program& program, const DoOptions& options) {
           program.console.note(say("Done and kept: {0} of {1} {1|operation|operations}.", done, operations.size()));
         return program.console.refuse(step.error());
       }
-      program.console.answer(stepJson(*step, opened.document()), withReadableLengths(text(step->operation)));
+      program.console.answer(stepJson(*step, opened.document()), echoed(step->operation));
       if (opened.stopped()) break;
     }
     return opened.settled() ? kDone : kNotSettled;
@@ -150,7 +152,10 @@ int runTurn(Program& program, const DocumentOnly& options) {
     Json object = {{"operation", text(step->operation)},
                    {"operations", opened.document().operations},
                    {"hash", hash(opened.document())}};
-    program.console.answer(object, withReadableLengths(text(step->operation)));
+    const std::string operation = echoed(step->operation);
+    program.console.answer(object,
+                           program.console.said(turn == &DocumentFile::undo ? say("Taken back: {0}", operation)
+                                                                            : say("Done again: {0}", operation)));
     return kDone;
   });
 }

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -42,6 +43,24 @@ std::string withReadableLengths(std::string_view operations) {
     }
     if (end == at) all += operations[end++];
     at = end;
+  }
+  return all;
+}
+
+std::string shortened(const std::string& operation) {
+  constexpr std::size_t kMost = 100, kKept = 60;  // bytes of a value
+  std::string all;
+  for (std::size_t at = 0; at < operation.size();) {
+    const std::size_t open = operation.find('"', at);
+    if (open == std::string::npos) return all + operation.substr(at);
+    std::size_t close = open + 1;
+    while (close < operation.size() && operation[close] != '"') close += operation[close] == '\\' ? 2 : 1;
+    close = std::min(close, operation.size());
+    const std::string value = operation.substr(open + 1, close - open - 1);
+    const std::size_t space = value.size() > kMost ? value.rfind(' ', kKept) : std::string::npos;
+    all += operation.substr(at, open + 1 - at) + (space == std::string::npos ? value : value.substr(0, space) + " …");
+    if (close < operation.size()) all += '"';
+    at = close + 1;
   }
   return all;
 }

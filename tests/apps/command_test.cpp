@@ -415,6 +415,30 @@ TEST_F(Command, UndoAndRedoSurviveClosing) {
   EXPECT_EQ(karinui("redo " + document()).exit, 3);
 }
 
+TEST_F(Command, TellsWhatWasTakenBackAndWhatWasDoneAgain) {
+  haveTunic();
+  ASSERT_EQ(karinui("do " + document() + " 'rename piece=front to=bodice'").exit, 0);
+  EXPECT_THAT(karinui("undo " + document()).out, testing::MatchesRegex("Taken back: rename .*to=bodice\n"));
+  EXPECT_THAT(karinui("redo " + document()).out, testing::MatchesRegex("Done again: rename .*to=bodice\n"));
+  EXPECT_THAT(karinui("undo " + document(), "ja_JP.UTF-8").out, HasSubstr("取り消しました"));
+  EXPECT_THAT(std::string(karinui("redo " + document() + " --json").json()["operation"]),
+              testing::StartsWith("rename"));
+}
+
+// What a pulled outline became is in the log, not on the screen.
+TEST_F(Command, ALongOutlineIsNotEchoed) {
+  haveTunic();
+  const std::string reshape = "do " + document() + " 'reshape piece=front at=0,0 by=0,-1cm,0 within=10cm'";
+  const Said said = karinui(reshape);
+  ASSERT_EQ(said.exit, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("reshape piece="));
+  EXPECT_THAT(said.out, HasSubstr("outline=\"M "));
+  EXPECT_LT(said.out.size(), 300u) << said.out;
+  EXPECT_THAT(karinui("undo " + document()).out, testing::SizeIs(testing::Lt(300u)));
+  EXPECT_GT(std::string(karinui("redo " + document() + " --json").json()["operation"]).size(), 400u);
+  EXPECT_GT(karinui("log " + document()).out.size(), 800u);
+}
+
 TEST_F(Command, AmendsAStepAndPlaysThoseAfterIt) {
   ASSERT_EQ(
       play("set spacing=30mm\npiece name=flap outline=\"M 0 0; low L 400 0; side L 400 500; top L 0 500; left L 0 0\"\n"
