@@ -345,6 +345,18 @@ TEST_F(Placed, WhatMeetsRaisedArmsIsToldWhatHelps) {
   EXPECT_NE(raised.find("before or behind the body (move)"), std::string::npos) << raised;
 }
 
+TEST_F(Placed, ByAPlaceOfItsOwnPaper) {
+  Workroom own;
+  auto file = DocumentFile::inMemory();
+  ASSERT_TRUE(own.play(file, "body size=eu38\nrectangle name=skirt width=40cm height=60cm\n"));
+  const auto step = file.perform(op("place piece=skirt at=\"torso:hip@0\" point=0,156cm"), own.context);
+  ASSERT_FALSE(step);
+  EXPECT_EQ(
+      text(step.error().what),
+      "The place 0.0, 1560.0 mm lies beside the paper of “skirt”, which reaches from -200.0, 0.0 to 200.0, 600.0 mm.");
+  EXPECT_TRUE(file.perform(op("place piece=skirt at=\"torso:hip@0\" point=0,60cm"), own.context));
+}
+
 // Over a belly wider than the hip a shirt is as wide as that, and its hem comes below it.
 TEST_F(Placed, AShirtBlockGoesOverABelly) {
   const auto drafted = [](const std::string& figure) {

@@ -38,12 +38,13 @@ std::vector<std::string> told(const std::string& script) {
   return all;
 }
 
-// Two panels round the trunk, as wide as said, their upper edges at a level.
-std::string skirt(const std::string& width, const std::string& level, const std::string& upTo = "30cm") {
+// Two panels round the trunk, as wide as said, their upper edges at a level or so far below it.
+std::string skirt(const std::string& width, const std::string& level, const std::string& below = "0") {
   std::string script;
   for (const auto& [name, around] : {std::pair("front", "0"), std::pair("back", "0.5")})
     script += std::string("rectangle name=") + name + " width=\"" + width + "\" height=30cm\nplace piece=" + name +
-              " at=\"" + level + "@" + around + "\" point=\"(" + width + ")/2," + upTo + "\" ease=5mm\n";
+              " at=\"" + level + "@" + around + "\" point=\"(" + width + ")/2,30cm\" ease=5mm\n";
+  if (below != "0") script += "move piece=\"front back\" by=0,-" + below + ",0\n";
   return script + "sew a=front.side_right b=back.side_left\nsew a=front.side_left b=back.side_right\n";
 }
 
@@ -56,11 +57,11 @@ TEST(WideEdges, OfASkirtThatHasSlidDownAreTold) {
 }
 
 TEST(WideEdges, OfASkirtThatFellDownTheLegsAreTold) {
-  const auto all = told(skirt("hip_girth/2 + 10cm", "torso:waist-0.25", "75cm") + "drape\n");
+  const auto all = told(skirt("hip_girth/2 + 10cm", "torso:waist-0.25", "45cm") + "drape\n");
   ASSERT_EQ(all.size(), 1u);
   EXPECT_THAT(all[0], testing::StartsWith("Too wide to stay up: top edge of front"));
   // Narrow enough for the waist it would have stayed up.
-  const auto narrow = told(skirt("waist_girth/2 - 2cm", "torso:waist-0.25", "75cm") + "drape\n");
+  const auto narrow = told(skirt("waist_girth/2 - 2cm", "torso:waist-0.25", "45cm") + "drape\n");
   ASSERT_EQ(narrow.size(), 1u);
   EXPECT_THAT(narrow[0], testing::StartsWith("Off the hips: top edge of front"));
   EXPECT_THAT(narrow[0], testing::HasSubstr("on finer cells"));

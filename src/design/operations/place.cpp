@@ -10,6 +10,7 @@
 #include "design/operations/new_piece.h"
 #include "design/operations/place_cone.h"
 #include "design/operations/tapered_tube.h"
+#include "karinui/base/number.h"
 #include "karinui/pattern/pleats.h"
 
 namespace karinui {
@@ -87,6 +88,17 @@ std::vector<SkinPlace> skinBelow(const Body& body, const LimbFrame& limb, double
   return all;
 }
 
+// Within the rectangle round the piece: what is cut out of a ring or below a crescent may lie at the body, too.
+Done onItsPaper(const Piece& piece, const FlatBox& box, Flat place) {
+  constexpr double kBeside = 1e-3;  // metres
+  if (place.u >= box.low.u - kBeside && place.u <= box.high.u + kBeside && place.v >= box.low.v - kBeside &&
+      place.v <= box.high.v + kBeside)
+    return {};
+  const auto said = [](Flat at) { return fixed(at.u * 1e3, 1) + ", " + fixed(at.v * 1e3, 1); };
+  return refused(say("The place {0} mm lies beside the paper of “{1}”, which reaches from {2} to {3} mm.", said(place),
+                     piece.name, said(box.low), said(box.high)));
+}
+
 bool armsRaised(const BodyPose& pose) {
   constexpr double kRaised = 60 * kDegree;  // from hanging; level are 90
   return std::all_of(std::begin(kShoulders), std::end(kShoulders), [&](Joint shoulder) {
@@ -128,7 +140,7 @@ Result<std::shared_ptr<const Lattice>> layAlone(const Piece& piece, double spaci
   return laid->lattices.at(piece.id);
 }
 
-Done resolve(const Document& before, PlacePiece& op, Context&) {
+Done resolve(const Document& before, PlacePiece& op, Context& context) {
   const bool recordOfBefore = op.piece.id && op.ease && op.point;
   if (op.cone == Choice::Auto && recordOfBefore) op.cone = Choice::No;
   if (Done done = resolve(before, op.piece); !done) return done;
@@ -136,12 +148,12 @@ Done resolve(const Document& before, PlacePiece& op, Context&) {
   if (!(*op.ease >= 0 && *op.ease <= kMostEase))
     return refused(say("The ease lies between 0 and 50 cm; 8 mm is usual."));
   if (!(std::abs(op.turn) <= 1000)) return refused(say("That turn is too large."));
-  if (!op.point) {
-    const FlatBox box = boxOf(before.find(op.piece.id)->outline.flattened(1e-4));
-    op.point = lerp(box.low, box.high, 0.5);
-  }
-  if (!(length(*op.point) <= 100)) return refused(say("That place is not on the paper."));
   const Piece& piece = *before.find(op.piece.id);
+  const FlatBox box = boxOf(piece.outline.flattened(1e-4));
+  if (!op.point) op.point = lerp(box.low, box.high, 0.5);
+  if (!(length(*op.point) <= 100)) return refused(say("That place is not on the paper."));
+  if (!context.recorded && !recordOfBefore)
+    if (Done done = onItsPaper(piece, box, *op.point); !done) return done;
   const bool ring = sectorOf(piece).has_value();
   if (op.cone == Choice::Yes && !ring)
     return refused(say("“{0}” is no sector of a ring; only such a piece stands as a cone.", piece.name));
