@@ -246,9 +246,14 @@ class PythonDocument {
     return d;
   }
   py::dict check() {
-    const Examination found =
-        alone([](DocumentFile& file, Context& context) { return examined(file.document(), context); });
+    using Found = std::pair<Examination, std::optional<SettleReport>>;
+    const auto [found, last] = alone([](DocumentFile& file, Context& context) -> Result<Found> {
+      auto examination = examined(file.document(), context);
+      if (!examination) return examination.error();
+      return Found(*std::move(examination), file.document().drape.last);
+    });
     py::dict d = checkDict(found);
+    if (last) d["settled"] = last->settled, d["why"] = text(last->why);
     d["fastenings"] = fasteningsList(found);
     return d;
   }

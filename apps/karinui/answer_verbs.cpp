@@ -54,7 +54,7 @@ int answerCheck(Program& program, const CheckOptions& options) {
       return program.console.refuse(done.error());
     const Result<Examination> found = examined(opened.document(), opened.context());
     if (!found) return program.console.refuse(found.error());
-    Json object = checkJson(*found);
+    Json object = checkJson(*found, opened.document(), program.console);
     std::string words = checkWords(*found, opened.document(), program.console);
     if (const Result<Fit> fit = fitOf(opened)) {
       for (const WideEdge& edge : fit->wide) {

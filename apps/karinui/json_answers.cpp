@@ -46,6 +46,14 @@ Json checkJson(const Examination& check) {
   return object;
 }
 
+Json checkJson(const Examination& check, const Document& document, const Console& console) {
+  Json object = Json::object();
+  if (const auto& last = document.drape.last)
+    object["settled"] = last->settled, object["why"] = console.said(last->why);
+  object.update(checkJson(check));
+  return object;
+}
+
 Json settleJson(const SettleReport& report, const Examination& check, const Console& console) {
   Json object = {{"settled", report.settled},    {"why", console.said(report.why)}, {"residual", report.residual},
                  {"steps", report.steps},        {"solves", report.solves},         {"cpu_s", report.cpuSeconds},

@@ -12,6 +12,8 @@ namespace karinui::app {
 
 Json bodyJson(const Measurements& measured, const MeshReport& mesh);
 Json checkJson(const Examination& check);
+// The same after what the last drape came to, `settled` and `why`, which a document that was never draped has not.
+Json checkJson(const Examination& check, const Document& document, const Console& console);
 Json settleJson(const SettleReport& report, const Examination& check, const Console& console);
 Json continuationJson(const SettleReport& report);  // of a report that has one
 Json stepJson(const Step& step, const Document& after);

@@ -229,7 +229,7 @@ class Server {
     if (const Done fit = fields.checked(); !fit) return fit.error();
     const Result<Examination> found = examined(opened_->document(), opened_->context());
     if (!found) return found.error();
-    Json answer = checkJson(*found);
+    Json answer = checkJson(*found, opened_->document(), program_.console);
     const Json prints = printsJson(opened_->document(), photosIn(opened_->file().blobs()));
     if (!prints.empty()) answer["prints"] = prints;
     return answer;

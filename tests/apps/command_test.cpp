@@ -439,6 +439,19 @@ TEST_F(Command, ALongOutlineIsNotEchoed) {
   EXPECT_GT(karinui("log " + document()).out.size(), 800u);
 }
 
+// What the last drape came to is known to who only looks.
+TEST_F(Command, AnExaminationTellsWhetherTheClothRests) {
+  ASSERT_EQ(play("rectangle name=skirt width=20cm height=20cm\nrectangle name=other width=20cm height=20cm\n"
+                 "body size=jis9ar\n")
+                .exit,
+            0);
+  EXPECT_FALSE(karinui("check " + document() + " --json").json().contains("settled")) << "never draped";
+  ASSERT_EQ(karinui("do " + document() + " 'place piece=skirt at=torso:waist@0' 'drape stop=1'").exit, 4);
+  const auto said = karinui("check " + document() + " --json").json();
+  EXPECT_EQ(said["settled"], false);
+  EXPECT_THAT(said.value("why", ""), HasSubstr("Stopped"));
+}
+
 TEST_F(Command, AmendsAStepAndPlaysThoseAfterIt) {
   ASSERT_EQ(
       play("set spacing=30mm\npiece name=flap outline=\"M 0 0; low L 400 0; side L 400 500; top L 0 500; left L 0 0\"\n"
