@@ -292,7 +292,7 @@ void tellCoarse(const Document& before, const Piece& piece, const AddPleat& op, 
 
 }  // namespace
 
-Done resolve(const Document& before, AddPleat& op, Context&) {
+Done resolve(const Document& before, AddPleat& op, Context& context) {
   if (!op.lines.empty()) {
     if (Done done = resolveLines(before, op); !done) return done;
   } else {
@@ -316,7 +316,7 @@ Done resolve(const Document& before, AddPleat& op, Context&) {
     return refused(say("The pleats have no direction; write along=0,1 for upwards."));
   const Piece& piece = *before.find(op.edge.piece.id);
   if (!op.along) op.along = directionOf(piece, op.edge);
-  if (op.lines.empty() && leadsOut(piece, op)) op.along = Flat{} - *op.along;
+  if (!context.recorded && op.lines.empty() && leadsOut(piece, op)) op.along = Flat{} - *op.along;
   return {};
 }
 
