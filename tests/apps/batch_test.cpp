@@ -262,14 +262,14 @@ TEST_F(Batch, EachCauseHasItsRetries) {
 // What a machine has no memory for is no answer: another does it, and the table is the same.
 TEST_F(Batch, WantOfMemoryIsNoAnswer) {
   fs::remove(folder / "designs/loose.karinui");
-  write(folder / "designs/band.ops", band(820) + "set spacing=20mm\n");
+  write(folder / "designs/band.ops", band(820) + "set spacing=10mm\n");
   write(folder / "people.csv", "name,height_cm,bust_girth_cm,waist_girth_cm,hip_girth_cm\nsmall,152,78,60,85\n");
   ASSERT_EQ(plan("poor").exit, 0);
   ASSERT_EQ(plan("rich").exit, 0);
   // With the least that the one who hands out the work can do with, which is not enough for the work: a figure that was
   // made before would be.
   Said said;
-  for (int megabytes = 40; megabytes < 200 && said.exit != 0; megabytes += 4)
+  for (int megabytes = 40; megabytes < 200 && said.exit != 0; ++megabytes)
     said = karinui("batch run " + run("poor") + " --json",
                    "C env -u KARINUI_FIGURES sh -c 'ulimit -v " + std::to_string(megabytes) + "000; exec \"$@\"' sh ");
   ASSERT_EQ(said.exit, 0) << said.err;

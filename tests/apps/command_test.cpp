@@ -514,6 +514,10 @@ TEST_F(Command, SaysWhereARunOfEdgesIsBroken) {
               Not(HasSubstr("does not end where")));
   fs::remove(document());
   EXPECT_THAT(play(pieces + "sew a=band.low b=\"skirt.waist_2 skirt.side skirt.waist\" reversed=yes\n").err,
+              Not(HasSubstr("does not end where")))
+      << "they are a run in another order";
+  fs::remove(document());
+  EXPECT_THAT(play(pieces + "sew a=band.low b=\"skirt.hem skirt.waist\" reversed=yes\n").err,
               HasSubstr(" does not end where skirt."));
 }
 

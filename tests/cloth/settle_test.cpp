@@ -80,7 +80,7 @@ TEST(Settle, ClothSewnUpRoundALimbIsGivenUpOnACoarseLevel) {
   EXPECT_FALSE(report.settled);
   EXPECT_EQ(report.fineSteps, 0u);
   EXPECT_THAT(text(report.why),
-              testing::AllOf(testing::HasSubstr("The body goes through"), testing::HasSubstr("raise the arms first")));
+              testing::AllOf(testing::HasSubstr("The body goes through"), testing::HasSubstr("pose name=T")));
 }
 
 TEST(Settle, TunicComesToRestOnItsBody) {

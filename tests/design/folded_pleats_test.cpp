@@ -103,7 +103,7 @@ TEST(FoldedPleats, CellsTooCoarseForTucksAreTold) {
   };
   after("pleat edge=sash.top count=2 depth=15mm stitch=1m");
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(text(*told[0].mend), "set spacing=7.5mm");
+  EXPECT_NE(text(told[0].what).find("set spacing=7.5mm"), std::string::npos) << text(told[0].what);
   after("pleat edge=sash.top count=2 depth=20mm stitch=1m");
   EXPECT_TRUE(told.empty());
   after("pleat edge=sash.top count=2 depth=15mm");

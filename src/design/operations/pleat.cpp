@@ -278,16 +278,11 @@ void tellCoarse(const Document& before, const Piece& piece, const AddPleat& op, 
   constexpr double kTorn = 1.8, kCells = 2;  // of its depth
   const double spacing = before.settings.spacing;
   if (!context.advise || !op.lines.empty() || !(op.stitch > 0) || op.depth >= kTorn * spacing) return;
-  ChangeSettings finer;
-  finer.spacing = Length{std::floor(op.depth / kCells * 1e4) / 1e4};
-  context.advise(
-      {say("Pleats {0} mm deep that are sewn down may tear on cells of {1} mm; they need cells of {2} mm at most.",
-           written(std::round(op.depth * 1e4) / 10), written(std::round(spacing * 1e4) / 10),
-           written(std::round(*finer.spacing * 1e4) / 10)),
-       piece.id,
-       {},
-       {},
-       Operation(finer)});
+  const auto said = [](double metres) { return written(std::floor(metres * 1e4 + 1e-6) / 10); };
+  context.advise({say("Pleats {0} mm deep that are sewn down may tear on cells of {1} mm; they need finer ones: set "
+                      "spacing={2}mm.",
+                      said(op.depth), said(spacing), said(op.depth / kCells)),
+                  piece.id});
 }
 
 }  // namespace
