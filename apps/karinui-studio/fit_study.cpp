@@ -93,7 +93,11 @@ FitStudy::FitStudy(Session& session, QWidget* parent, const Message& title, cons
   saveTable_ = new QPushButton(inWords(say("Save the table…")));
   savePicture_ = new QPushButton(inWords(say("Save the picture…")));
   auto* close = new QPushButton(inWords(say("Close")));
-  for (QPushButton* one : {saveTable_, savePicture_, close}) one->setAutoDefault(false), left->addWidget(one);
+  saves_ = new QVBoxLayout;
+  left->addLayout(saves_);
+  for (QPushButton* one : {saveTable_, savePicture_}) one->setAutoDefault(false), saves_->addWidget(one);
+  close->setAutoDefault(false);
+  left->addWidget(close);
   row->addLayout(left, 0);
 
   auto* right = new QVBoxLayout;

@@ -54,6 +54,7 @@ class FitStudy : public QDialog {
   void choice(const Message& words, bool ticked);
   std::vector<std::size_t> ticked() const;
   QVBoxLayout& below() { return *below_; }  // beneath the choices
+  QVBoxLayout& saves() { return *saves_; }  // where what was made is saved
   void tell(const Message& words);
 
   // Runs on the working thread; what is told is a row each. Gives the whole table for other programs.
@@ -85,7 +86,7 @@ class FitStudy : public QDialog {
   void resizeEvent(QResizeEvent* event) override;
 
   QListWidget* choices_;
-  QVBoxLayout* below_;
+  QVBoxLayout *below_, *saves_;
   QPushButton *go_, *saveTable_, *savePicture_;
   QComboBox *from_, *map_;
   QProgressBar* progress_;

@@ -46,7 +46,7 @@ MotionStudy::MotionStudy(Session& session, QWidget* parent)
   saveAnimation_->setToolTip(inWords(
       say("How the garment goes through the poses that are ticked, one after another, for 3D programs (GLB).")));
   saveAnimation_->setAutoDefault(false);
-  below().addWidget(saveAnimation_);
+  saves().addWidget(saveAnimation_);
   connect(saveAnimation_, &QPushButton::clicked, this, &MotionStudy::askAnimation);
   connect(this, &FitStudy::ready, saveAnimation_, &QWidget::setEnabled);
 }
