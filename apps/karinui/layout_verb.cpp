@@ -4,6 +4,7 @@
 
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/exchange/formats.h"
 #include "karinui/exchange/lay_sheet.h"
 #include "outputs.h"
 #include "written_files.h"
