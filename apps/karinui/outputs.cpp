@@ -16,7 +16,10 @@ Result<SpatialGarment> spatialOf(OpenDocument& opened, const std::string& poses)
   if (!poses.empty()) {
     std::vector<std::string> names;
     std::istringstream list(poses);
-    for (std::string name; std::getline(list, name, ',');) names.push_back(name);
+    for (std::string name; std::getline(list, name, ',');) {
+      std::erase(name, ' ');
+      if (!name.empty()) names.push_back(name);
+    }
     return animationOf(opened.document(), names, opened.context(), opened.prints());
   }
   const Result<SceneFrame> frame = opened.scene();
