@@ -123,15 +123,16 @@ class Recorder {
     for (const SpatialNotion& notion : garment_.notions) notions_.emplace_back(notion.mesh, garment_.pieces, trees);
   }
 
-  // Where everything is in a picture of the garment; none: it was laid otherwise.
-  std::optional<SpatialKeyframe> seen(const SceneFrame& frame) const {
+  // Where everything is in a picture of the garment. Refused: it was laid otherwise.
+  Result<SpatialKeyframe> seen(const SceneFrame& frame) const {
+    const Error otherwise = refused(say("The cloth was laid otherwise on the way, and cannot be followed."));
     SpatialKeyframe key;
     if (frame.cloths.size() != garment_.pieces.size() || frame.bodies.empty() ||
         frame.bodies.front().mesh.points.size() != garment_.body->points.size())
-      return std::nullopt;
+      return otherwise;
     key.body = frame.bodies.front().mesh.points;
     for (std::size_t k = 0; k < frame.cloths.size(); ++k) {
-      if (frame.cloths[k].mesh.points.size() != garment_.pieces[k].mesh.points.size()) return std::nullopt;
+      if (frame.cloths[k].mesh.points.size() != garment_.pieces[k].mesh.points.size()) return otherwise;
       key.pieces.push_back(frame.cloths[k].mesh.points);
     }
     return key;
@@ -204,7 +205,9 @@ Result<SpatialGarment> animationOf(const Document& document, const std::vector<s
     if (!posed) return posed.error();
     garment = shown(*posed, context, prints);
     if (!garment) return garment.error();
-    if (auto key = recorder.seen((*garment)->frame)) way.emplace_back(1, *std::move(key));
+    auto arrived = recorder.seen((*garment)->frame);
+    if (!arrived) return arrived.error();
+    way.emplace_back(1, *std::move(arrived));
     const double seconds = farthest(last.body, way.back().second.body) / kSpeed;
     double told = 0;  // of the way
     for (auto& [share, key] : way) {
@@ -228,11 +231,11 @@ Result<SpatialGarment> animationOf(const Document& document, const std::vector<s
     if (!now) return now.error();
     garment = shown(*now, context, prints);
     if (!garment) return garment.error();
-    if (auto key = recorder.seen((*garment)->frame)) {
-      key->name = name, key->held = kPause;
-      last = *key;
-      recorder.add(*std::move(key), kKeyStep);
-    }
+    auto rest = recorder.seen((*garment)->frame);
+    if (!rest) return rest.error();
+    rest->name = name, rest->held = kPause;
+    last = *rest;
+    recorder.add(*std::move(rest), kKeyStep);
   }
   return recorder.taken();
 }

@@ -118,6 +118,17 @@ TEST(FitStudies, AnAnimationIsWritten) {
   motion.saveAnimation((folder.path / "none" / "moving.glb").string());
   study.waitFor(&FitStudy::finished);
   EXPECT_THAT(study.said(), HasSubstr("cannot be written"));
+  // Stopped, and closed, in the middle: no file, nor a part of one.
+  const auto files = [&] { return std::distance(std::filesystem::directory_iterator(folder.path), {}); };
+  const auto before = files();
+  motion.saveAnimation((folder.path / "stopped.glb").string());
+  study.go().click();
+  study.waitFor(&FitStudy::finished);
+  EXPECT_THAT(study.said(), HasSubstr("Stopped"));
+  motion.saveAnimation((folder.path / "closed.glb").string());
+  delete study.dialog;
+  study.dialog = nullptr;
+  EXPECT_EQ(files(), before);
 }
 
 TEST(FitStudies, FiguresAreTickedAndReadFromATable) {
