@@ -22,7 +22,12 @@ PoseView::PoseView(QWidget* parent) : QWidget(parent) {
   thread_.setMaxThreadCount(1);
 }
 
-PoseView::~PoseView() { thread_.waitForDone(); }
+// The picture's context is left where it was made current: let go on the window's thread, it would leave that one
+// without the context that GLX holds to be current there.
+PoseView::~PoseView() {
+  thread_.start([this] { picture_.reset(); });
+  thread_.waitForDone();
+}
 
 void PoseView::setSkeleton(std::shared_ptr<const Skeleton> skeleton) {
   const bool first = !skeleton_ && skeleton;

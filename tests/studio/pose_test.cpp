@@ -52,6 +52,24 @@ struct Posing {
   }
 };
 
+TEST(StudioPose, TheWindowIsDrawnOnAfterTheDialogIsClosed) {
+  KARINUI_NEEDS_DISPLAY();
+  Posing p;
+  ASSERT_TRUE(p.view);
+  p.pictured();
+  const QImage before = p.w.space().grabFramebuffer();
+  p.w.space().update();
+  QTest::qWait(50);
+  QTest::keyClick(p.dialog, Qt::Key_Escape);
+  p.dialog = nullptr;
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  for (int k = 0; k < 3; ++k) {
+    p.w.space().update();
+    QTest::qWait(50);
+  }
+  EXPECT_EQ(p.w.space().grabFramebuffer(), before);
+}
+
 TEST(StudioPose, TheFigureIsSeenOnItsWayWithItsGarment) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
