@@ -52,6 +52,33 @@ bool isLoose(const Document& document, PieceId id) {
   return seamsOn(document, edges).empty();
 }
 
+// Of a seam on this edge that joins two pieces and nothing else: the two as one paper, where they lie flat as one.
+std::vector<MergePieces> mergesAlong(const Document& document, const EdgeRef& edge) {
+  std::vector<MergePieces> all;
+  for (const SeamId id : seamsOn(document, {edge})) {
+    const Seam& seam = *document.find(id);
+    MergePieces merge;
+    const auto refs = [](const std::vector<EdgeSpan>& side) {
+      std::vector<EdgeRef> run;
+      for (const EdgeSpan& span : side) run.push_back({PieceRef(span.piece), span.edge, span.from, span.to});
+      return run;
+    };
+    merge.a = refs(seam.a), merge.b = refs(seam.b);
+    if (overlap(merge.b, {edge})) std::swap(merge.a, merge.b);
+    const auto names = [](const std::vector<EdgeRef>& run) {
+      std::vector<std::string> whole;
+      for (const EdgeRef& one : run)
+        if (one.piece == run.front().piece && one.from <= 0 && one.to >= 1) whole.push_back(one.edge);
+      return whole;
+    };
+    const auto mine = names(merge.a), other = names(merge.b);
+    if (mine.size() != merge.a.size() || other.size() != merge.b.size() || !seam.reversed) continue;
+    const Piece *a = document.find(merge.a.front().piece.id), *b = document.find(merge.b.front().piece.id);
+    if (a != b && mergePieces(*a, mine, *b, other)) all.push_back(std::move(merge));
+  }
+  return all;
+}
+
 struct Strength {
   Message words;
   Operation operation;
@@ -378,12 +405,17 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     offer(menu, say("Buttons or a zip with {0}…", chosen),
           [this, own, ref] { askNumbers(fastenedTo(session_->snapshot().document, own, ref)); });
     offer(menu, say("Lead {0} along it", chosen), attach);
+    if (seamsOn(document, {own}).empty() && seamsOn(document, {ref}).empty())
+      offer(menu, say("Merge with {0}, laid against it", nameSaid(document.find(led->piece)->name)),
+            MergePieces{{ref}, {own}});
     if (seamsOn(document, {own}).empty() && seamsOn(document, run).empty())
       offer(menu, say("Lead {0} along it and sew", chosen), [this, attach, sew] {
         session_->perform(attach);
         session_->perform(sew);
       });
   }
+  for (const MergePieces& merge : mergesAlong(document, ref))
+    offer(menu, say("Merge with {0} along the seam", nameSaid(document.find(merge.b.front().piece.id)->name)), merge);
   for (const auto& [name, own] : document.allowances.fastenings) {
     const auto holds = [&](const EdgeSpan& span) { return span.piece == near.piece && span.edge == near.edge; };
     if (std::none_of(own.a.begin(), own.a.end(), holds) && std::none_of(own.b.begin(), own.b.end(), holds)) continue;

@@ -11,7 +11,7 @@ namespace karinui {
 namespace {
 
 constexpr double kSamePoint = 1e-9;  // metres: points nearer than this are one
-constexpr double kSmooth = 0.0872;   // sine of 5 degrees: edges that turn less run on
+constexpr double kRunsOn = 0.0872;   // sine of 5 degrees: edges that turn less run on
 constexpr double kKink = 0.94;       // cosine of 20 degrees: a curve that turns more has a corner
 constexpr double kLeastHole = 1e-6;  // square metres
 constexpr double kReach = 20;        // widths from an inward corner in which parallels meet
@@ -183,7 +183,7 @@ Ring ringOf(const Piece& of, const Outline& outline, const AllowancePlan& plan, 
                             : hole        ? mirrored(plan.corner(piece, *next, *own))
                                           : plan.corner(piece, *own, *next);
     const double sine = cross(before.wayOut, after.wayIn);
-    const bool back = dot(before.wayOut, after.wayIn) < 0 && std::abs(sine) < kSmooth;  // the point of a slit
+    const bool back = dot(before.wayOut, after.wayIn) < 0 && std::abs(sine) < kRunsOn;  // the point of a slit
     if (sine < 0 || back) {
       cutOff(before, after);  // else what they go round is found below
       continue;
@@ -224,7 +224,7 @@ Ring ringOf(const Piece& of, const Outline& outline, const AllowancePlan& plan, 
 std::vector<Flat> cornerPoints(const CutCorner& c) {
   const Flat a = c.place + outOf(c.before) * c.widthBefore, b = c.place + outOf(c.after) * c.widthAfter;
   const double sine = cross(c.before, c.after);
-  if (std::abs(sine) < kSmooth) return step(a, b);
+  if (std::abs(sine) < kRunsOn) return step(a, b);
   if (sine < 0) return {*meeting(a, c.before, b, c.after)};
   std::vector<Flat> points = byKind(c, a, b);
   const double longest = kLongestMitre * std::max(c.widthBefore, c.widthAfter) + kSamePoint;

@@ -12,7 +12,7 @@ namespace karinui {
 namespace {
 
 constexpr double kParallel = 1e-3;       // metres by which lines may be off
-constexpr double kStep = 2e-3;           // metres by which an edge may be off where it is closed
+constexpr double kClosedWithin = 2e-3;   // metres by which an edge may be off where it is closed
 constexpr double kSameParameter = 1e-9;  // of a curve
 
 // Where an outline passes a place across the lines.
@@ -132,7 +132,7 @@ class Closing {
       return refused(say("The lines of a pleat run across “{0}”, from one edge to another.", piece_.name));
     for (const auto& [here, there] : {std::pair(nearLow, nearHigh), std::pair(farLow, farHigh)}) {
       const double off = distance(here.place, there.place - across_ * (2 * depth_));
-      if (off > kStep)
+      if (off > kClosedWithin)
         return refused(
             say("Folded, edge {0} has a step of {1} mm: the fold and the line where it comes to lie end there "
                 "at unlike heights.",

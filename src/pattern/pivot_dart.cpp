@@ -11,8 +11,8 @@ namespace karinui {
 
 namespace {
 
-constexpr double kLegs = 2e-3;  // metres by which the legs may differ
-constexpr double kWay = 1e-5;   // metres: a place this near to a slit lies on it
+constexpr double kLegs = 2e-3;    // metres by which the legs may differ
+constexpr double kOnSlit = 1e-5;  // metres: a place this near to a slit lies on it
 
 bool crossesInside(const Ring& ring, Flat from, Flat to) {
   constexpr int kPlaces = 64;
@@ -27,7 +27,7 @@ class Turned {
   Turned(Ring region, Flat about, double angle) : region_(std::move(region)), about_(about), angle_(angle) {}
   Flat operator()(Flat p) const { return Curve::line(p, p).rotated(about_, angle_).start; }
   Curve operator()(const Curve& curve) const { return curve.rotated(about_, angle_); }
-  bool holds(Flat p) const { return contains(region_, p) || distanceToRing(region_, p) < kWay; }
+  bool holds(Flat p) const { return contains(region_, p) || distanceToRing(region_, p) < kOnSlit; }
   bool holds(const std::vector<Curve>& curves) const {
     return std::all_of(curves.begin(), curves.end(),
                        [&](const Curve& c) { return holds(c.start) && holds(c.at(0.5)) && holds(c.end); });

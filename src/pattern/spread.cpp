@@ -13,10 +13,10 @@ namespace karinui {
 
 namespace {
 
-constexpr double kCorner = 1e-3;    // metres: a place this near to a corner is the corner
+constexpr double kAtCorner = 1e-3;  // metres: a place this near to a corner is the corner
 constexpr double kWay = 1e-5;       // metres: beside the ends of the slash the outline is not looked for
 constexpr double kHair = 1e-7;      // of a curve's length: what becomes the opening, so that a seam holds it
-constexpr double kSmallest = 1e-9;  // metres: shorter parts of a curve are none
+constexpr double kNoPart = 1e-9;    // metres: shorter parts of a curve are none
 constexpr double kRounded = 0.03;   // metres: a corner is rounded at most so far to either side
 constexpr double kBand = 2;         // times the opening: how far beside the slash the form is stretched
 
@@ -77,8 +77,8 @@ bool straight(const std::vector<Curve>& curves) {
   const Flat along = normalized(curves.back().end - curves.front().start);
   return std::all_of(curves.begin(), curves.end(), [&](const Curve& c) {
     return c.kind == Curve::Kind::Line && dot(c.end - c.start, along) > 0 &&
-           std::abs(cross(c.start - curves.front().start, along)) < kSmallest &&
-           std::abs(cross(c.end - curves.front().start, along)) < kSmallest;
+           std::abs(cross(c.start - curves.front().start, along)) < kNoPart &&
+           std::abs(cross(c.end - curves.front().start, along)) < kNoPart;
   });
 }
 
@@ -94,7 +94,7 @@ Led led(const std::vector<Curve>& parts, const std::vector<double>& from, double
   std::vector<Curve> all;
   std::vector<bool> opening;
   for (const Curve& part : parts) {
-    if (!all.empty() && distance(all.back().end, part.start) > kSmallest)
+    if (!all.empty() && distance(all.back().end, part.start) > kNoPart)
       all.push_back(Curve::line(all.back().end, part.start)), opening.push_back(true);
     all.push_back(part), opening.push_back(false);
     if (all.size() > 1) all.back().start = all[all.size() - 2].end;
@@ -113,12 +113,12 @@ Led led(const std::vector<Curve>& parts, const std::vector<double>& from, double
   double along = 0;
   const auto add = [&](Curve curve) {
     if (!joined.empty()) curve.start = joined.back().end;
-    if (distance(curve.start, curve.end) < kSmallest) return;
+    if (distance(curve.start, curve.end) < kNoPart) return;
     along += curve.length(), joined.push_back(std::move(curve));
   };
   for (std::size_t k = 0; k < n; ++k) {
     starts[k] = along;
-    if (all[k].length() - before[k] - after[k] > kSmallest) add(cutOff(all[k], before[k], after[k]));
+    if (all[k].length() - before[k] - after[k] > kNoPart) add(cutOff(all[k], before[k], after[k]));
     ends[k] = along;
     if (k + 1 == n || after[k] == 0) continue;
     const Curve &in = all[k], &out = all[k + 1];
@@ -145,9 +145,9 @@ Led led(const std::vector<Curve>& parts, const std::vector<double>& from, double
   return made;
 }
 
-class Spreading {
+class Slashing {
  public:
-  Spreading(const Piece& piece, const Slash& slash) : piece_(piece), slash_(slash), edges_(piece.outline.edges) {}
+  Slashing(const Piece& piece, const Slash& slash) : piece_(piece), slash_(slash), edges_(piece.outline.edges) {}
 
   Result<OpenedPiece> opened() {
     if (Done done = place(); !done) return done.error();
@@ -183,12 +183,12 @@ class Spreading {
       return refused(say("A place on an edge lies between 0, its beginning, and 1, its end."));
     const auto cornered = [&](std::size_t k, double at) {
       const double whole = edges_[k].curve.length();
-      return at * whole < kCorner ? 0 : (1 - at) * whole < kCorner ? 1 : at;
+      return at * whole < kAtCorner ? 0 : (1 - at) * whole < kAtCorner ? 1 : at;
     };
     at_ = cornered(from_, slash_.at), toAt_ = cornered(to_, slash_.toAt);
     a_ = edges_[from_].curve.atFraction(at_), b_ = edges_[to_].curve.atFraction(toAt_);
     const double whole = distance(a_, b_);
-    if (whole < kCorner) return refused(say("The slash begins and ends at one place, {0} mm.", inMm(a_)));
+    if (whole < kAtCorner) return refused(say("The slash begins and ends at one place, {0} mm.", inMm(a_)));
     if (!(slash_.by >= 0 && slash_.toBy >= 0 && slash_.by + slash_.toBy > 0 && slash_.by <= 1 && slash_.toBy <= 1))
       return refused(say("A slash is opened by more than 0 and at most 1 m."));
     if (std::abs(slash_.by - slash_.toBy) > whole)
@@ -219,7 +219,7 @@ class Spreading {
       Ring ring{start};
       const auto add = [&](const Curve& curve) {
         for (const Flat p : curve.flattened(1e-5))
-          if (distance(p, ring.back()) > kSmallest) ring.push_back(p);
+          if (distance(p, ring.back()) > kNoPart) ring.push_back(p);
       };
       for (std::size_t k = first;; k = (k + 1) % edges_.size()) {
         const Curve& curve = edges_[k].curve;
@@ -350,7 +350,7 @@ Slash mirrored(const Slash& slash, const std::string& from, const std::string& t
   return image;
 }
 
-Result<OpenedPiece> spreadPiece(const Piece& piece, const Slash& slash) { return Spreading(piece, slash).opened(); }
+Result<OpenedPiece> spreadPiece(const Piece& piece, const Slash& slash) { return Slashing(piece, slash).opened(); }
 
 bool meet(const Outline& outline, const Slash& one, const Slash& other) {
   const auto ends = [&](const Slash& slash) {
@@ -359,8 +359,8 @@ bool meet(const Outline& outline, const Slash& one, const Slash& other) {
   };
   const auto [a, b] = ends(one);
   const auto [c, d] = ends(other);
-  const bool hinged = one.toBy == 0 && other.toBy == 0 && distance(b, d) < kCorner;
-  const Flat back = hinged ? normalized(a - b) * (2 * kCorner) : Flat{};
+  const bool hinged = one.toBy == 0 && other.toBy == 0 && distance(b, d) < kAtCorner;
+  const Flat back = hinged ? normalized(a - b) * (2 * kAtCorner) : Flat{};
   double along = 0;
   return segmentMeets(a, b + back, c, d, along).has_value();
 }

@@ -12,11 +12,11 @@ namespace karinui {
 
 namespace {
 
-constexpr double kStep = 0.002;              // metres between the places of a row that are looked at
+constexpr double kRowStep = 0.002;           // metres between the places of a row that are looked at
 constexpr double kPairStep = 0.004;          // metres between the pairs of a strip
 constexpr double kMiss = 5e-6, kOff = 2e-5;  // metres: of chords from their curve; by which a place may be too near
 constexpr double kLongestStrip = 0.75;       // metres of bias in one length: the diagonal of half a metre of cloth
-constexpr double kJoin = 0.010;              // metres at each end of a length
+constexpr double kStitchEnd = 0.010;         // metres at each end of a length
 
 Flat unitTangent(const Curve& curve, double s) {
   const double whole = curve.length(), t = curve.parameterAt(std::clamp(s, 0.0, whole));
@@ -130,7 +130,7 @@ std::vector<Flat> straightened(const std::vector<Flat>& points) {
 // The longest stretch of an edge's parallel that belongs to it.
 std::vector<Flat> parallelOf(const InnerSide& side, double deep) {
   const double low = -side.beyond(false, deep), high = side.length() + side.beyond(true, deep);
-  const auto steps = static_cast<std::size_t>(std::clamp((high - low) / kStep, 8.0, 4000.0));
+  const auto steps = static_cast<std::size_t>(std::clamp((high - low) / kRowStep, 8.0, 4000.0));
   const auto at = [&](std::size_t k) {
     return low + (high - low) * static_cast<double>(k) / static_cast<double>(steps);
   };
@@ -173,7 +173,7 @@ std::vector<StitchRow> stitchRows(const Pattern& pattern, const Allowances& fini
       for (int row = 0; row < own.rows; ++row) add(parallelOf(side, own.offset + row * own.apart));
     } else if (const Curve* curve = findCurve(piece, at.second)) {
       const double whole = curve->length();
-      const auto steps = static_cast<std::size_t>(std::clamp(whole / kStep, 4.0, 4000.0));
+      const auto steps = static_cast<std::size_t>(std::clamp(whole / kRowStep, 4.0, 4000.0));
       for (int row = 0; row < own.rows; ++row) {
         const double aside = (row - 0.5 * (own.rows - 1)) * own.apart;
         std::vector<Flat> points;
@@ -280,8 +280,8 @@ std::vector<BiasStrip> biasStrips(const Pattern& pattern, const Allowances& fini
   std::vector<BiasStrip> strips;
   for (const auto& [kind, whole] : lengths) {
     BiasStrip strip{kind.first, static_cast<double>(kind.second) / 1e4, whole, 1, 0};
-    strip.count = static_cast<int>(std::ceil(whole / (kLongestStrip - 2 * kJoin)));
-    strip.cutLength = whole / strip.count + 2 * kJoin;
+    strip.count = static_cast<int>(std::ceil(whole / (kLongestStrip - 2 * kStitchEnd)));
+    strip.cutLength = whole / strip.count + 2 * kStitchEnd;
     strips.push_back(std::move(strip));
   }
   return strips;

@@ -11,8 +11,8 @@ namespace karinui {
 
 namespace {
 
-constexpr double kStraight = 1e-4;  // metres a fold may bow
-constexpr double kOver = 1e-6;      // metres a half may reach over it
+constexpr double kBows = 1e-4;  // metres a fold may bow
+constexpr double kOver = 1e-6;  // metres a half may reach over it
 
 bool onLine(const Curve& curve, Flat through, Flat axis, double within) {
   const auto points = curve.flattened(1e-5);
@@ -51,7 +51,7 @@ Result<EditedPiece> unfolded(const Piece& piece, std::string_view fold) {
   const auto& half = piece.outline.edges;
   const std::size_t n = half.size(), at = *found;
   const Flat a = half[at].curve.start, b = half[at].curve.end, axis = normalized(b - a);
-  if (!onLine(half[at].curve, a, axis, kStraight))
+  if (!onLine(half[at].curve, a, axis, kBows))
     return refused(say("“{0}” is curved; a piece is unfolded on a straight edge.", fold));
   for (const Flat p : piece.outline.flattened(1e-5))
     if (cross(axis, p - a) < -kOver)
@@ -100,7 +100,7 @@ Result<EditedPiece> unfolded(const Piece& piece, std::string_view fold) {
   }
   for (const InternalLine& line : piece.lines) {
     const bool onFold = std::all_of(line.curves.begin(), line.curves.end(),
-                                    [&](const Curve& curve) { return onLine(curve, a, axis, kStraight); });
+                                    [&](const Curve& curve) { return onLine(curve, a, axis, kBows); });
     if (onFold) continue;
     InternalLine copy;
     copy.name = otherSide(line.name);

@@ -37,10 +37,13 @@ class CutGesture : public Gesture {
     will_ = false;
     if (piece_ && line_.size() > 1) {
       const Piece* piece = context.snapshot->document.find(piece_);
-      if (const auto cut = piece ? cutPiece(*piece, line_, PieceId{1}, "second") : Result<CutPieces>(cancelled()); !cut)
+      const auto second = [](std::size_t k) { return NewPart{{k + 1}, "second"}; };
+      const auto cut = piece ? cutAcrossDarts(context.snapshot->document.pattern, *piece, line_, second)
+                             : Result<CutAcross>(cancelled());
+      if (!cut)
         why_ = cut.error().what;
       else
-        will_ = true, parts_ = cut->pieces.size();
+        will_ = true, parts_ = cut->cut.pieces.size();
     }
     if (sample.phase != PointerSample::Phase::Release) return {};
     down_ = false;
@@ -61,7 +64,10 @@ class CutGesture : public Gesture {
   }
   Message hint() const override {
     if (!down_ || !piece_) return info(Command::Cut).hint;
-    if (will_) return parts_ > 1 ? say("Let go to cut the piece in two.") : say("Let go to cut a slit.");
+    if (will_)
+      return parts_ > 2   ? say("Let go to cut the piece into {0}.", parts_)
+             : parts_ > 1 ? say("Let go to cut the piece in two.")
+                          : say("Let go to cut a slit.");
     return why_ ? *why_ : info(Command::Cut).hint;
   }
   bool begun() const override { return down_; }

@@ -293,6 +293,33 @@ TEST(StudioNewPieces, AChosenEdgeIsLedAlongOthersAndSewn) {
   EXPECT_TRUE(piece(w, "frill").form) << "it stands along the hem";
 }
 
+TEST(StudioNewPieces, AYokeIsCutAcrossADartAndMergedFromTheMenu) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* line :
+       {"piece name=skirt outline=\"M 0 0; hem L 500 0; side L 480 400; waist L 20 400; side_2 L 0 0\"",
+        "dart edge=skirt.waist at=0.4 width=40mm tip=300mm,250mm"})
+    w.session().perform(*parseOperation(line)), w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Cut);
+  w.drag(w.table(),
+         {w.onTable("skirt", {-0.02, 0.34}), w.onTable("skirt", {0.25, 0.34}), w.onTable("skirt", {0.52, 0.34})});
+  w.rest();
+  ASSERT_THAT(w.last(), StartsWith("cut piece=")) << w.main().said().toStdString();
+  ASSERT_EQ(w.session().snapshot().document.pattern.pieces.size(), 4u) << "the dart is on both halves";
+  w.key(Command::Select);
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  std::string leg;
+  for (const Edge& edge : piece(w, "skirt_2").outline.edges)
+    if (edge.name.starts_with("dart")) leg = edge.name;
+  menuOn(w, "skirt_2", leg.c_str());
+  ASSERT_TRUE(choose(w, "Merge with*"));
+  EXPECT_THAT(w.last(), StartsWith("merge a="));
+  EXPECT_EQ(w.session().snapshot().document.pattern.pieces.size(), 3u);
+}
+
 TEST(StudioNewPieces, HalvesAreUnfoldedFromTheMenuOfTheirEdge) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

@@ -4,6 +4,7 @@
 // when an edge "side" is divided, its first part stays "side", the next becomes "side_2" (or the next free number); new
 // edges along a cut are "cut", "cut_2" …
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -45,6 +46,28 @@ struct CutPieces {
 Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId second, const std::string& secondName,
                            const std::set<std::string>& sewnLines = {});
 
+// The same where the line may go across darts: through one leg it leaves the cloth, and it goes on from the place of
+// the other leg that is sewn to it. Across a dart that opens at an edge the piece falls in one part more; a dart with
+// two points, a hole, becomes one dart of each part. `darts`: what was crossed, whose seams dividedDart() parts once
+// they were led over to the new edges.
+struct NewPart {
+  PieceId id;
+  std::string name;
+};
+struct CutDart {
+  SeamId seam;
+  bool turned = false;  // its edges, a hole's before, now run the other way
+};
+struct CutAcross {
+  CutPieces cut;
+  std::vector<CutDart> darts;
+};
+Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std::vector<Flat> line,
+                                 const std::function<NewPart(std::size_t)>& newPart,
+                                 const std::set<std::string>& sewnLines = {});
+// The seam of a dart that was cut across, in one seam for each pair of pieces; all have its id and name.
+std::vector<Seam> dividedDart(Seam seam, bool turned);
+
 struct EditedPiece {
   Piece piece;
   EdgeMap edges;
@@ -83,6 +106,25 @@ Result<DoubleDartedPiece> addDoubleDart(const Piece& piece, Flat from, Flat to, 
 // dart's sides keep the names; the mouth's two edges meet. Holes, marks, internal lines and the form go with the paper.
 // Refuses legs that differ by more than 2 mm, and a cut that leaves the piece.
 Result<EditedPiece> pivotDart(const Piece& piece, std::string_view leg, std::string_view edge, double fraction);
+
+// Lays another piece against a piece, edge to edge, and makes one paper of both: the edges of both runs (whole edges,
+// each going on where the one before ends) go, and so do their notches. Holes, marks and internal lines of the other
+// come along; what would have a name twice gets the next free one. The form is left as it is. `edges` tells what became
+// of the edges and lines of both, `move` where the other's paper came to lie. Refuses runs that differ by more than
+// 2 mm in length or in shape, and pieces that would lie on each other.
+struct PaperMove {
+  Flat from, to;  // a place that is turned about, and where it goes
+  double radians = 0;
+  Flat operator()(Flat place) const;
+  Curve operator()(const Curve& curve) const;
+};
+struct MergedPieces {
+  Piece piece;
+  EdgeMap edges;
+  PaperMove move;
+};
+Result<MergedPieces> mergePieces(const Piece& piece, std::span<const std::string> run, const Piece& other,
+                                 std::span<const std::string> otherRun);
 
 // The whole piece of a half: the half and its mirror image on the straight edge `fold`, which goes. An edge that names
 // a side keeps its name and its image gets the other side's; any other gets "_left" or "_right", the half that lies in

@@ -41,6 +41,7 @@ TermTable operationTerms() {
       {"look", say("Colour and print")},
       {"match", say("Match the print")},
       {"mirror", say("Mirror")},
+      {"merge", say("Merge two pieces")},
       {"move", say("Move")},
       {"notch", say("Notch or drill hole")},
       {"piece", say("Add a piece")},
@@ -80,6 +81,7 @@ TermTable fieldTerms() {
   static const std::vector<NamedTerm> all{
       {"a", say("One side")},
       {"a.fasten", say("Side that lies over")},
+      {"a.merge", say("Edges of the piece that stays")},
       {"abduct", say("Sideways")},
       {"about", say("Turn about")},
       {"along", say("Places on paper")},
@@ -98,6 +100,7 @@ TermTable fieldTerms() {
       {"at.underlay", say("Where its middle lies")},
       {"b", say("Other side")},
       {"b.fasten", say("Side that lies under")},
+      {"b.merge", say("Edges of the piece that comes to it")},
       {"base", say("Base size")},
       {"bend_warp", say("Bending, warp")},
       {"bend_weft", say("Bending, weft")},

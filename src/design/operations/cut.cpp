@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "design/operations/operations.h"
+#include "design/operations/sewn_runs.h"
 #include "karinui/pattern/edit.h"
 #include "karinui/pattern/elastic_lines.h"
 #include "karinui/pattern/pleats.h"
@@ -11,28 +12,57 @@ namespace {
 
 constexpr std::size_t kMostPlaces = 10000;
 
-// Pins stay in the cloth they are in: those beyond the cut go over to the second piece.
-void sharePins(Document& document, const Piece& first, const Piece& second) {
-  const auto at = document.pins.find(first.id);
+// Pins stay in the cloth they are in: those beyond the cut go over to the piece that has it.
+void sharePins(Document& document, const std::vector<Piece>& parts) {
+  const auto at = document.pins.find(parts.front().id);
   if (at == document.pins.end()) return;
-  const Ring mine = first.outline.flattened(1e-4), other = second.outline.flattened(1e-4);
-  std::vector<Flat> kept, gone;
-  for (const Flat pin : at->second) {
+  const std::vector<Flat> pins = std::move(at->second);
+  document.pins.erase(at);
+  std::vector<Ring> rings;
+  for (const Piece& part : parts) rings.push_back(part.outline.flattened(1e-4));
+  for (const Flat pin : pins) {
     const auto away = [&](const Ring& ring) { return contains(ring, pin) ? 0.0 : distanceToRing(ring, pin); };
-    (away(mine) <= away(other) ? kept : gone).push_back(pin);
+    const auto nearest =
+        std::min_element(rings.begin(), rings.end(), [&](const Ring& a, const Ring& b) { return away(a) < away(b); });
+    document.pins[parts[static_cast<std::size_t>(nearest - rings.begin())].id].push_back(pin);
   }
-  at->second = std::move(kept);
-  if (at->second.empty()) document.pins.erase(at);
-  if (!gone.empty()) document.pins[second.id] = std::move(gone);
 }
 
-// A cut piece is no longer its symmetric copy's likeness.
-void tellUnlike(const Document& before, const Piece& piece, const Context& context) {
-  if (!context.advise) return;
-  for (const auto& [id, other] : before.pattern.pieces)
-    if (id != piece.id && (other->mirrorOf == piece.id || piece.mirrorOf == id))
-      context.advise({say("“{0}” and “{1}” are no longer alike: what is done to one is not done to the other any more.",
-                          piece.name, other->name)});
+std::vector<EdgeRef> named(const Document& document, std::vector<EdgeRef> edges) {
+  for (EdgeRef& edge : edges) {
+    const PieceId id = edge.piece.id;
+    edge.piece = PieceRef();
+    edge.piece.name = document.find(id)->name;
+  }
+  return edges;
+}
+
+// A dart that was cut across has a seam for each part. Where the cut went through its mouth's side, the parts beside it
+// can be made one: that is offered.
+void divideDarts(const Document& before, Document& after, const std::vector<CutDart>& darts, const Context& context) {
+  std::uint32_t made = 0;
+  for (const CutDart& dart : darts) {
+    const double whole = length(after.pattern, after.pattern.seams.at(dart.seam).a);
+    std::vector<Seam> parts = dividedDart(after.pattern.seams.at(dart.seam), dart.turned);
+    const auto ease = before.eases.find(dart.seam);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      Seam& part = parts[k];
+      if (k > 0) part.id = mint<SeamId>(before, made++), part.name.clear();
+      if (ease != before.eases.end()) after.eases[part.id] = ease->second * length(after.pattern, part.a) / whole;
+      const Piece &a = *after.find(part.a.front().piece), &b = *after.find(part.b.front().piece);
+      if (context.advise && a.id != b.id) {
+        MergePieces merge;  // the larger keeps its grain
+        merge.a = named(after, refsOf(part.a)), merge.b = named(after, refsOf(part.b));
+        if (a.outline.area() < b.outline.area()) std::swap(merge.a, merge.b);
+        Advice advice{say("“{0}” and “{1}” are sewn along the dart; merged, they are one piece with the dart closed.",
+                          a.name, b.name)};
+        advice.piece = a.id, advice.edge = part.a.front().edge;
+        advice.mend = std::move(merge);
+        context.advise(advice);
+      }
+      after.pattern.seams[part.id] = std::move(part);
+    }
+  }
 }
 
 }  // namespace
@@ -51,26 +81,41 @@ Done resolve(const Document& before, CutPiece& op, Context&) {
 }
 
 Result<Document> perform(const Document& before, const CutPiece& op, Context& context) {
-  auto cut = cutPiece(*before.find(op.piece.id), op.line, mint<PieceId>(before, 0), op.name,
-                      linesOfLattice(withElasticLines(before.pattern, before.allowances), *before.find(op.piece.id)));
-  if (!cut) return cut.error();
-  tellUnlike(before, *before.find(op.piece.id), context);
-  Document after = before;
-  updateSeams(after.pattern, cut->edges);
-  if (cut->pieces.size() > 1) sharePins(after, cut->pieces[0], cut->pieces[1]);
   const Piece& whole = *before.find(op.piece.id);
+  std::set<std::string> names;
+  for (const auto& [id, piece] : before.pattern.pieces) names.insert(piece->name);
+  const auto newPart = [&](std::size_t k) {
+    std::string name = op.name;
+    for (int n = 2; !names.insert(name).second; ++n) name = op.name + "_" + std::to_string(n);
+    return NewPart{mint<PieceId>(before, static_cast<std::uint32_t>(k)), name};
+  };
+  auto across = cutAcrossDarts(before.pattern, whole, op.line, newPart,
+                               linesOfLattice(withElasticLines(before.pattern, before.allowances), whole));
+  if (!across) return across.error();
+  CutPieces& cut = across->cut;
+  if (cut.pieces.size() > 2) {  // of the parts the largest is called as was asked
+    const auto largest = std::max_element(cut.pieces.begin() + 1, cut.pieces.end(), [](const Piece& a, const Piece& b) {
+      return a.outline.area() < b.outline.area();
+    });
+    std::swap(cut.pieces[1].name, largest->name);
+  }
+  tellUnlike(before, whole, context);
+  Document after = before;
+  updateSeams(after.pattern, cut.edges);
+  if (cut.pieces.size() > 1) sharePins(after, cut.pieces);
   std::vector<const Piece*> parts;
-  for (const Piece& piece : cut->pieces) parts.push_back(&piece);
-  updateGrading(after.grading, whole, cut->edges, parts);
+  for (const Piece& piece : cut.pieces) parts.push_back(&piece);
+  updateGrading(after.grading, whole, cut.edges, parts);
   const bool own = before.looks.pieces.contains(whole.id) || before.looks.pieces.contains(whole.mirrorOf);
-  for (Piece& piece : cut->pieces) {
+  for (Piece& piece : cut.pieces) {
     if (own) after.looks.pieces[piece.id] = lookOf(before, whole);
     if (const auto shift = before.looks.shifts.find(whole.id); shift != before.looks.shifts.end())
       after.looks.shifts[piece.id] = shift->second;
     piece.mirrorOf = PieceId();  // no longer the other's likeness
     after = withPiece(std::move(after), std::move(piece));
   }
-  updateAllowances(after.allowances, cut->edges, after.pattern);
+  divideDarts(before, after, across->darts, context);
+  updateAllowances(after.allowances, cut.edges, after.pattern);
   return after;
 }
 

@@ -46,6 +46,7 @@ KARINUI_DECLARE_OPERATION(JoinEdges)
 KARINUI_DECLARE_OPERATION(AddDart)
 KARINUI_DECLARE_OPERATION(AddDoubleDart)
 KARINUI_DECLARE_OPERATION(PivotDart)
+KARINUI_DECLARE_OPERATION(MergePieces)
 KARINUI_DECLARE_OPERATION(SlashAndSpread)
 KARINUI_DECLARE_OPERATION(AddPleat)
 KARINUI_DECLARE_OPERATION(AddLine)
@@ -112,6 +113,8 @@ void tellSeams(const Document& before, const Document& after, const Context& con
 // Tells the sewn edges, not gathered, that no longer fit what they are sewn to: off by a tenth or 5 mm more than
 // before.
 void tellMisfits(const Document& before, const Document& after, const Context& context);
+// Tells that a piece, cut or merged, is no longer its symmetric copy's likeness.
+void tellUnlike(const Document& before, const Piece& piece, const Context& context);
 // Tells the edges of a piece that became longer or shorter.
 void tellLengths(const Piece& before, const Piece& after, const Context& context);
 // The internal line of that name, which is there.

@@ -1,7 +1,5 @@
-#include <algorithm>
-#include <cmath>
-
 #include "design/operations/operations.h"
+#include "design/operations/seam_parts.h"
 
 namespace karinui {
 
@@ -9,102 +7,8 @@ namespace {
 
 using Gone = std::set<PieceId>;
 
-// A part of a seam, by the share of its length along side a.
-struct Share {
-  double from = 0, to = 1;
-};
-
-bool touches(const std::vector<EdgeSpan>& side, const Gone& gone) {
-  return std::any_of(side.begin(), side.end(), [&](const EdgeSpan& span) { return gone.contains(span.piece); });
-}
-
-// Where each span of a side lies in it.
-std::vector<Share> sharesOf(const Pattern& pattern, const std::vector<EdgeSpan>& side) {
-  const double all = length(pattern, side);
-  std::vector<Share> shares;
-  double at = 0;
-  for (const EdgeSpan& span : side) {
-    const double next = at + length(pattern, {span}) / all;
-    shares.push_back({at, next});
-    at = next;
-  }
-  return shares;
-}
-
-// What stays of a side, in one part for each run of pieces that stay.
-std::vector<Share> staying(const Pattern& pattern, const std::vector<EdgeSpan>& side, const Gone& gone,
-                           bool backwards) {
-  const std::vector<Share> shares = sharesOf(pattern, side);
-  std::vector<Share> parts;
-  for (std::size_t k = 0; k < side.size(); ++k) {
-    if (gone.contains(side[k].piece)) continue;
-    if (k > 0 && !gone.contains(side[k - 1].piece))
-      parts.back().to = shares[k].to;
-    else
-      parts.push_back(shares[k]);
-  }
-  if (!backwards) return parts;
-  for (Share& part : parts) part = {1 - part.to, 1 - part.from};
-  std::reverse(parts.begin(), parts.end());
-  return parts;
-}
-
-std::vector<EdgeSpan> partOf(const Pattern& pattern, const std::vector<EdgeSpan>& side, Share part, bool backwards) {
-  if (backwards) part = {1 - part.to, 1 - part.from};
-  const std::vector<Share> shares = sharesOf(pattern, side);
-  std::vector<EdgeSpan> spans;
-  constexpr double kNone = 1e-9;
-  for (std::size_t k = 0; k < side.size(); ++k) {
-    const Share& own = shares[k];
-    const double from = std::max(part.from, own.from), to = std::min(part.to, own.to);
-    if (to - from < kNone) continue;
-    const auto along = [&](double at) {
-      const double share = (at - own.from) / (own.to - own.from);
-      return std::abs(share) < kNone       ? side[k].from
-             : std::abs(share - 1) < kNone ? side[k].to
-                                           : std::lerp(side[k].from, side[k].to, share);
-    };
-    EdgeSpan span = side[k];
-    span.from = along(from), span.to = along(to);
-    spans.push_back(std::move(span));
-  }
-  return spans;
-}
-
-// The parts of a seam where both sides stay.
-struct Part {
-  Seam seam;
-  double share;  // of its length
-};
-std::vector<Part> partsWithout(const Pattern& pattern, const Seam& seam, const Gone& gone) {
-  constexpr double kShortest = 0.002;  // metres
-  const double all = length(pattern, seam.a);
-  std::vector<Part> parts;
-  for (const Share& a : staying(pattern, seam.a, gone, false))
-    for (const Share& b : staying(pattern, seam.b, gone, seam.reversed)) {
-      const Share both{std::max(a.from, b.from), std::min(a.to, b.to)};
-      if ((both.to - both.from) * all < kShortest) continue;
-      Seam part = seam;
-      part.a = partOf(pattern, seam.a, both, false), part.b = partOf(pattern, seam.b, both, seam.reversed);
-      parts.push_back({std::move(part), both.to - both.from});
-    }
-  return parts;
-}
-
-// The first part keeps the seam's own id and name.
-void keepParts(const Document& before, Document& after, const Gone& gone) {
-  std::uint32_t made = 0;
-  for (const auto& [id, seam] : before.pattern.seams) {
-    if (!touches(seam.a, gone) && !touches(seam.b, gone)) continue;
-    const auto ease = before.eases.find(id);
-    bool first = true;
-    for (Part& part : partsWithout(before.pattern, seam, gone)) {
-      if (!first) part.seam.id = mint<SeamId>(before, made++), part.seam.name.clear();
-      if (ease != before.eases.end()) after.eases[part.seam.id] = ease->second * part.share;
-      after.pattern.seams[part.seam.id] = std::move(part.seam);
-      first = false;
-    }
-  }
+OnSpan on(const Gone& gone) {
+  return [&gone](const EdgeSpan& span) { return gone.contains(span.piece); };
 }
 
 }  // namespace
@@ -116,8 +20,7 @@ Done resolve(const Document& before, RemovePieces& op, Context& context) {
   for (const PieceRef& ref : op.pieces) gone.insert(ref.id);
   // Said where it matters only.
   for (const auto& [id, seam] : before.pattern.seams)
-    if ((touches(seam.a, gone) || touches(seam.b, gone)) && !partsWithout(before.pattern, seam, gone).empty())
-      op.seams = Choice::Yes;
+    if (touches(seam, on(gone)) && !partsWithout(before.pattern, seam, on(gone)).empty()) op.seams = Choice::Yes;
   return {};
 }
 
@@ -133,7 +36,7 @@ Result<Document> perform(const Document& before, const RemovePieces& op, Context
   }
   const auto takeOut = [&](const auto& all, auto& from) {
     for (const auto& [id, sewn] : all) {
-      if (!touches(sewn.a, gone) && !touches(sewn.b, gone)) continue;
+      if (!touches(sewn, on(gone))) continue;
       for (const auto* side : {&sewn.a, &sewn.b})
         for (const EdgeSpan& span : *side) after.drape.dirty.insert(span.piece);
       from.erase(id);
@@ -141,7 +44,7 @@ Result<Document> perform(const Document& before, const RemovePieces& op, Context
   };
   takeOut(before.pattern.seams, after.pattern.seams);
   takeOut(before.allowances.fastenings, after.allowances.fastenings);
-  if (op.seams == Choice::Yes) keepParts(before, after, gone);
+  if (op.seams == Choice::Yes) keepParts(before, after, on(gone));
   updateAllowances(after.allowances, {}, after.pattern);
   for (const PieceId id : gone) after.drape.dirty.erase(id);
   for (auto& [id, shared] : after.pattern.pieces) {

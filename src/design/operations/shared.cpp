@@ -184,6 +184,14 @@ void tellMisfits(const Document& before, const Document& after, const Context& c
   }
 }
 
+void tellUnlike(const Document& before, const Piece& piece, const Context& context) {
+  if (!context.advise) return;
+  for (const auto& [id, other] : before.pattern.pieces)
+    if (id != piece.id && (other->mirrorOf == piece.id || piece.mirrorOf == id))
+      context.advise({say("“{0}” and “{1}” are no longer alike: what is done to one is not done to the other any more.",
+                          piece.name, other->name)});
+}
+
 void tellLengths(const Piece& before, const Piece& after, const Context& context) {
   if (!context.advise) return;
   const auto inMm = [](double metres) { return fixed(metres * 1e3, 1); };

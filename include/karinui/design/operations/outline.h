@@ -16,7 +16,9 @@ namespace karinui {
 struct CutPiece {
   static constexpr std::string_view kName = "cut";
   static constexpr std::string_view kHelp =
-      "Cuts along a line on the paper: from the outline inwards a slit, from edge to edge two pieces.";
+      "Cuts along a line on the paper: from the outline inwards a slit, from edge to edge two pieces; across darts as "
+      "if "
+      "they were closed.";
   static constexpr bool kDisturbsDrape = true;
   PieceRef piece;
   std::vector<Flat> line;
@@ -25,7 +27,8 @@ struct CutPiece {
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to cut", kNeeded);
     visit("line", self.line, "places on the paper, beginning or ending on or beyond the outline", kNeeded);
-    visit("name", self.name, "the second piece's name, if it falls in two", kOptional);
+    visit("name", self.name, "the second piece's name, if it falls in two; of more the largest is called so",
+          kOptional);
   }
   bool operator==(const CutPiece&) const = default;
 };
@@ -158,6 +161,23 @@ struct PivotDart {
     visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
   }
   bool operator==(const PivotDart&) const = default;
+};
+
+// merge a=yoke.dart b=yoke_2.dart_2
+struct MergePieces {
+  static constexpr std::string_view kName = "merge";
+  static constexpr std::string_view kHelp =
+      "Lays two pieces edge to edge and makes one of them: the parts of a yoke once its darts are closed, a front and "
+      "a "
+      "side.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<EdgeRef> a, b;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("a", self.a, "the edge, or the run of edges, of the piece that stays where it lies", kNeeded);
+    visit("b", self.b, "that of the piece that is laid against it and becomes a part of it", kNeeded);
+  }
+  bool operator==(const MergePieces&) const = default;
 };
 
 // trueup seam=s4        trueup seam="dart_left side_left" within=8cm
@@ -344,6 +364,6 @@ struct TakeIn {
 };
 
 using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, AddDoubleDart, PivotDart,
-                                        AddPleat, SetLength, TakeIn, TrueUp, FairEdges, SlashAndSpread>;
+                                        MergePieces, AddPleat, SetLength, TakeIn, TrueUp, FairEdges, SlashAndSpread>;
 
 }  // namespace karinui

@@ -1,0 +1,193 @@
+// Two pieces become one along an edge.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "design/operations/new_piece.h"
+#include "design/operations/seam_parts.h"
+#include "design/spoken.h"
+
+namespace karinui {
+
+namespace {
+
+constexpr double kTogether = 0.03;  // metres: edges nearer in space than this meet
+constexpr double kTurnTold = 1;     // degrees of the grain
+
+std::vector<std::string> namesOf(const std::vector<EdgeRef>& run) {
+  std::vector<std::string> names;
+  for (const EdgeRef& edge : run) names.push_back(edge.edge);
+  return names;
+}
+
+OnSpan on(const std::vector<EdgeRef>& run) {
+  return [&run](const EdgeSpan& span) {
+    return std::any_of(run.begin(), run.end(),
+                       [&](const EdgeRef& edge) { return span.piece == edge.piece.id && span.edge == edge.edge; });
+  };
+}
+
+Result<MergedPieces> mergedIn(const Document& before, const MergePieces& op, std::size_t size) {
+  const Piece &a = *before.find(op.a.front().piece.id), &b = *before.find(op.b.front().piece.id);
+  if (before.grading.empty()) return mergePieces(a, namesOf(op.a), b, namesOf(op.b));
+  const auto mine = inSize(a, before.grading, size), other = inSize(b, before.grading, size);
+  if (!mine) return mine.error();
+  if (!other) return other.error();
+  return mergePieces(*mine, namesOf(op.a), *other, namesOf(op.b));
+}
+
+// The differences of the whole are measured between the merged pieces of all sizes.
+Done gradeMerged(const Document& before, Document& after, const MergePieces& op) {
+  const PieceId a = op.a.front().piece.id, b = op.b.front().piece.id;
+  if (!before.grading.pieces.contains(a) && !before.grading.pieces.contains(b)) return {};
+  std::vector<Outline> sizes;
+  for (std::size_t size = 0; size < before.grading.sizes.size(); ++size) {
+    const auto merged = mergedIn(before, op, size);
+    if (!merged) return refused(say("In size {0}: {1}", before.grading.sizes[size], merged.error().what));
+    sizes.push_back(merged->piece.outline);
+  }
+  auto measured = measuredGrading(sizes, before.grading.base);
+  if (!measured) return measured.error();
+  after.grading.pieces[a] = *std::move(measured);
+  after.grading.pieces.erase(b);
+  return {};
+}
+
+bool meetInSpace(const Piece& a, const Piece& b, const MergePieces& op) {
+  const Stand mine(a), other(b);
+  const auto place = [](const Piece& piece, const std::vector<EdgeRef>& run, double share) {
+    double all = 0, at = 0;
+    for (const EdgeRef& edge : run) all += findEdge(piece, edge.edge)->curve.length();
+    for (const EdgeRef& edge : run) {
+      const Curve& curve = findEdge(piece, edge.edge)->curve;
+      if (share * all <= at + curve.length() || &edge == &run.back())
+        return curve.atFraction(std::clamp((share * all - at) / curve.length(), 0.0, 1.0));
+      at += curve.length();
+    }
+    return Flat{};
+  };
+  constexpr int kLooks = 8;
+  for (int k = 0; k <= kLooks; ++k) {
+    const double share = k / double{kLooks};
+    if (distance(mine(place(a, op.a, share)), other(place(b, op.b, 1 - share))) > kTogether) return false;
+  }
+  return true;
+}
+
+// Where the cloth of both stands. What stood elsewhere is led along the edge first; cloth that was never laid on the
+// body stays flat.
+std::shared_ptr<const Form> mergedForm(const Document& before, const MergePieces& op, const PaperMove& move) {
+  const Piece& a = *before.find(op.a.front().piece.id);
+  Piece b = *before.find(op.b.front().piece.id);
+  if (!a.form && !b.form) return nullptr;
+  if (!meetInSpace(a, b, op)) {
+    if (op.b.size() > 1) return a.form;
+    auto led = attached(before, b, op.b.front().edge, runOf(before, op.a), {}, nullptr);
+    if (!led) return a.form;
+    b = *std::move(led);
+  }
+  const auto formOf = [&](const Piece& piece) -> std::shared_ptr<const Form> {
+    if (piece.form) return piece.form;
+    const auto laid = layAlone(piece, before.settings.spacing);
+    if (!laid) return nullptr;
+    auto flat = std::make_shared<Form>();
+    flat->flat = (*laid)->nodes, flat->faces = (*laid)->faces;
+    for (const Flat p : flat->flat) flat->space.push_back({p.u, p.v, 0});
+    return flat;
+  };
+  const auto mine = formOf(a), other = formOf(b);
+  if (!mine || !other) return a.form;
+  auto whole = std::make_shared<Form>(*mine);
+  const Rigid there = after(inverseOf(a.pose), b.pose);
+  const auto n = static_cast<std::uint32_t>(mine->flat.size());
+  for (std::size_t k = 0; k < other->flat.size(); ++k)
+    whole->flat.push_back(move(other->flat[k])), whole->space.push_back(there(other->space[k]));
+  for (const Triangle& face : other->faces) whole->faces.push_back({face[0] + n, face[1] + n, face[2] + n});
+  return whole;
+}
+
+void tellMerged(const Document& before, const MergePieces& op, const PaperMove& move, const Context& context) {
+  if (!context.advise) return;
+  const Piece &a = *before.find(op.a.front().piece.id), &b = *before.find(op.b.front().piece.id);
+  tellUnlike(before, a, context);
+  if (a.fabric != b.fabric)
+    context.advise({say("“{0}” was of {1}; all of the piece is cut from {2} now.", b.name, b.fabric, a.fabric)});
+  const Flat grain = Curve::line({}, b.grain).rotated({}, move.radians).end;
+  const double off = std::atan2(std::fabs(cross(a.grain, grain)), std::fabs(dot(a.grain, grain)));
+  if (const double degrees = off * 180 / std::numbers::pi; degrees > kTurnTold)
+    context.advise({say("The cloth of “{0}” is cut {1} degrees off its own grain now; that of “{2}” is kept.", b.name,
+                        fixed(degrees, 0), a.name)});
+}
+
+}  // namespace
+
+Done resolve(const Document& before, MergePieces& op, Context& context) {
+  for (auto* run : {&op.a, &op.b}) {
+    if (run->empty()) return refused(say("Pieces are merged along an edge of each; say both: a=… b=…."));
+    for (EdgeRef& edge : *run) {
+      edge.from = 0, edge.to = 1;
+      if (Done done = resolve(before, edge); !done) return done;
+      if (edge.piece != run->front().piece)
+        return refused(say("The run that begins with {0} lies on one piece; merge the others one by one.",
+                           spoken(before, run->front())));
+    }
+    if (run->size() > 1)
+      if (auto chained = asOneRun(before, *run); chained && !context.recorded) *run = *std::move(chained);
+  }
+  if (op.a.front().piece == op.b.front().piece)
+    return refused(
+        say("{0} and {1} are edges of one piece; two pieces are merged. A dart is closed by moving it to "
+            "another edge.",
+            spoken(before, op.a.front()), spoken(before, op.b.front())));
+  for (const auto& [id, seam] : before.pattern.seams) {
+    const bool mine = touches(seam, on(op.a)), other = touches(seam, on(op.b));
+    if (mine != other)
+      return refused(say("{0} is sewn to something else, by seam {1}; take that out first.",
+                         spoken(before, mine ? op.a.front() : op.b.front()), spoken(seam)));
+    if (mine && !seam.reversed)
+      return refused(say("By seam {0} one piece lies on the other, right side on right side; so they are no one paper.",
+                         spoken(seam)));
+  }
+  for (const auto& [name, fastening] : before.allowances.fastenings)
+    if (touches(fastening, on(op.a)) || touches(fastening, on(op.b)))
+      return refused(say("“{0}” fastens the edge along which the pieces would be merged; take it off first.", name));
+  for (const auto* run : {&op.a, &op.b})
+    if (before.grading.pieces.contains(run->front().piece.id) && before.grading.standing != before.grading.base)
+      return refused(say("Merge pieces in the base size: choose it first, size name={0}.",
+                         before.grading.sizes[before.grading.base]));
+  return {};
+}
+
+Result<Document> perform(const Document& before, const MergePieces& op, Context& context) {
+  const PieceId a = op.a.front().piece.id, b = op.b.front().piece.id;
+  auto merged = mergePieces(*before.find(a), namesOf(op.a), *before.find(b), namesOf(op.b));
+  if (!merged) return merged.error();
+  tellMerged(before, op, merged->move, context);
+  Document after = before;
+  const OnSpan gone = [&](const EdgeSpan& span) { return on(op.a)(span) || on(op.b)(span); };
+  for (const auto& [id, seam] : before.pattern.seams)
+    if (touches(seam, gone)) after.pattern.seams.erase(id);
+  keepParts(before, after, gone);
+  updateSeams(after.pattern, merged->edges);
+  merged->piece.form = mergedForm(before, op, merged->move);
+  merged->piece.mirrorOf = PieceId();
+  if (const auto pins = before.pins.find(b); pins != before.pins.end()) {
+    for (const Flat pin : pins->second) after.pins[a].push_back(merged->move(pin));
+    after.pins.erase(b);
+  }
+  after.looks.pieces.erase(b), after.looks.shifts.erase(b);
+  after.pattern.pieces.erase(b);
+  after = withPiece(std::move(after), std::move(merged->piece));
+  after.drape.dirty.erase(b);
+  updateAllowances(after.allowances, merged->edges, after.pattern);
+  for (auto& [id, shared] : after.pattern.pieces) {
+    if (shared->mirrorOf != a && shared->mirrorOf != b) continue;
+    Piece piece = *shared;
+    piece.mirrorOf = PieceId();
+    shared = std::make_shared<const Piece>(std::move(piece));
+  }
+  if (Done done = gradeMerged(before, after, op); !done) return done.error();
+  return after;
+}
+
+}  // namespace karinui

@@ -1,0 +1,74 @@
+// A cut across darts, and the parts beside one merged: a yoke in one piece.
+#include <gmock/gmock.h>
+
+#include "design/workroom.h"
+#include "karinui/pattern/darts.h"
+
+namespace karinui {
+namespace {
+
+using testing::HasSubstr;
+
+const char* const kDartedSkirt =
+    "piece name=skirt outline=\"M 0 0; hem L 500 0; side_left L 480 600; waist L 20 600; side_right L 0 0\"\n"
+    "dart edge=skirt.waist at=0.7 width=30mm tip=150mm,480mm name=dart_right symmetric=no\n"
+    "dart edge=skirt.waist at=0.3 width=30mm tip=350mm,480mm name=dart_left symmetric=no\n";
+
+TEST(CutDarts, OfASkirtMakeAYokeInOnePiece) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file, kDartedSkirt));
+  const double whole = file.document().pieceNamed("skirt")->outline.area();
+  std::vector<Advice> told;
+  room.context.advise = [&](const Advice& advice) { told.push_back(advice); };
+  ASSERT_TRUE(room.play(file,
+                        "pin piece=skirt at=\"40mm,590mm; 250mm,590mm; 250mm,20mm\"\n"
+                        "ease seam=s2 by=1mm\ncut piece=skirt line=\"-10mm,530mm; 510mm,530mm\" name=yoke\n"));
+  const Document cut = file.document();
+  EXPECT_EQ(cut.pattern.pieces.size(), 4u);
+  EXPECT_EQ(cut.pattern.seams.size(), 4u);
+  for (const char* name : {"yoke", "yoke_2", "yoke_3"}) ASSERT_TRUE(cut.pieceNamed(name)) << name;
+  std::size_t pins = 0;
+  for (const auto& [piece, places] : cut.pins) pins += places.size();
+  EXPECT_EQ(pins, 3u);
+  double eased = 0;
+  for (const auto& [seam, ease] : cut.eases) eased += ease;
+  EXPECT_NEAR(eased, 0.001, 1e-9);
+  // What is advised makes the yoke one, with both darts closed.
+  std::vector<Operation> mends;
+  for (const Advice& advice : told)
+    if (advice.mend) mends.push_back(*advice.mend);
+  ASSERT_EQ(mends.size(), 2u);
+  for (const Operation& mend : mends) EXPECT_THAT(text(mend), HasSubstr("merge a=yoke."));
+  for (const Operation& mend : mends) ASSERT_TRUE(room.play(file, text(mend) + "\n"));
+  const Document once = file.document();
+  EXPECT_EQ(once.pattern.pieces.size(), 2u);
+  EXPECT_EQ(dartsOf(once.pattern).size(), 2u) << "the skirt's own stay";
+  double area = 0;
+  for (const auto& [id, piece] : once.pattern.pieces) area += piece->outline.area();
+  EXPECT_NEAR(area, whole, 1e-6);
+}
+
+TEST(CutDarts, WithTwoPointsAtTheWaistGiveEachHalfItsOwn) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(
+      room.play(file,
+                "piece name=dress outline=\"M 0 0; hem L 500 0; side_left L 480 900; top L 20 900; side_right L 0 0\"\n"
+                "double_dart piece=dress from=150mm,700mm to=150mm,400mm width=30mm symmetric=yes\n"
+                "cut piece=dress line=\"-10mm,550mm; 510mm,550mm\" name=skirt\n"));
+  const Document& now = file.document();
+  EXPECT_EQ(now.pattern.pieces.size(), 2u);
+  EXPECT_EQ(dartsOf(now.pattern).size(), 4u);
+  for (const auto& [id, piece] : now.pattern.pieces) EXPECT_TRUE(piece->holes.empty());
+  // Opened, saved as text and played again: the same garment.
+  DocumentFile again = DocumentFile::inMemory();
+  std::string script;
+  for (const auto& step : file.steps()) script += text(step.operation) + "\n";
+  Workroom other;
+  ASSERT_TRUE(other.play(again, script));
+  EXPECT_EQ(hash(again.document()), hash(now));
+}
+
+}  // namespace
+}  // namespace karinui
