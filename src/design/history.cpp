@@ -9,16 +9,6 @@
 
 namespace karinui {
 
-Result<Document> replayed(const std::vector<Operation>& operations, Context& context) {
-  Document document;
-  for (std::size_t i = 0; i < operations.size(); ++i) {
-    auto next = apply(document, operations[i], context);
-    if (!next) return atStep(i + 1, next.error());
-    document = *std::move(next);
-  }
-  return document;
-}
-
 Operation asRecorded(Operation operation) {
   std::visit(
       [](auto& op) {

@@ -255,8 +255,4 @@ Result<SurfacePath> SurfaceGuide::straight(const SurfacePoint& fromGiven, const 
   return path;
 }
 
-Result<SurfacePath> surfacePath(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to) {
-  return SurfaceGuide(mesh).straight(from, to);
-}
-
 }  // namespace karinui

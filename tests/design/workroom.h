@@ -11,6 +11,17 @@ namespace karinui {
 
 inline Operation op(const std::string& line) { return *parseOperation(line); }
 
+// The document that a list of operations leads to, from nothing.
+inline Result<Document> replayed(const std::vector<Operation>& operations, Context& context) {
+  Document document;
+  for (const Operation& operation : operations) {
+    auto next = apply(document, operation, context);
+    if (!next) return next.error();
+    document = *std::move(next);
+  }
+  return document;
+}
+
 // Everything falls by a centimetre and is at rest: enough to see that forms, poses and dirt are handled.
 inline Result<DrapeOutcome> fallABit(const Document& document, const std::vector<PieceRef>& live) {
   DrapeOutcome outcome;

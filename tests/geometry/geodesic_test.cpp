@@ -109,7 +109,7 @@ TEST(Geodesic, RefusesPlacesThatDoNotHangTogether) {
   const TriangleMesh other = surfaces::plane(2, 1.0);
   for (Vec3 p : other.points) mesh.points.push_back(p + Vec3{5, 0, 0});
   for (Triangle t : other.faces) mesh.faces.push_back({t[0] + first, t[1] + first, t[2] + first});
-  const auto path = surfacePath(mesh, {0, {1, 0, 0}}, {faces, {1, 0, 0}});
+  const auto path = SurfaceGuide(mesh).straight({0, {1, 0, 0}}, {faces, {1, 0, 0}});
   ASSERT_FALSE(path);
   EXPECT_EQ(path.error().kind, Error::Kind::Refused);
 }
@@ -129,7 +129,7 @@ TEST(Geodesic, SectionStaysInItsPlane) {
 
 TEST(Geodesic, AlongFindsThePlaceAtAFraction) {
   const TriangleMesh mesh = surfaces::plane(9, 1.0);
-  const auto path = surfacePath(mesh, {0, {0.4, 0.3, 0.3}}, {150, {0.1, 0.2, 0.7}});
+  const auto path = SurfaceGuide(mesh).straight({0, {0.4, 0.3, 0.3}}, {150, {0.1, 0.2, 0.7}});
   ASSERT_TRUE(path);
   for (double f : {0.0, 0.13, 0.5, 0.87, 1.0})
     EXPECT_LT(distance(at(mesh, along(mesh, *path, f)), lerp(path->points.front(), path->points.back(), f)), 1e-9);

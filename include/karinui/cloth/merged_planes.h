@@ -24,15 +24,14 @@ class MergedPlanes : public Collider {
   Sample exactSample(Vec3 place) const override;  // by the mesh itself, not by its planes
   Vec3 intersectionNormal(const std::array<Vec3, 3>& face) const override;
 
+  MergeReport report() const;
+
+ private:
   struct Polygon {
     Vec3 centre, normal;                       // its plane, normal out of the body
     std::vector<std::uint32_t> faces;          // of the body's mesh
     std::vector<std::array<Vec3, 2>> outline;  // its boundary's segments, on the plane
   };
-  const std::vector<Polygon>& polygons() const { return polygons_; }
-  MergeReport report() const;
-
- private:
   BodyPtr body_;
   Settings settings_;
   std::vector<Polygon> polygons_;

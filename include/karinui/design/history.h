@@ -20,9 +20,6 @@ struct Step {
   std::string stand;          // drapeHash(document) after
 };
 
-// The document that a list of operations leads to, from nothing. The error names the step.
-Result<Document> replayed(const std::vector<Operation>& operations, Context& context);
-
 // A step's operation, to be done again on what may be another garment: what an older program left open is done as it
 // was done then, and not as it is by now.
 Operation asRecorded(Operation operation);

@@ -51,6 +51,4 @@ class SurfaceGuide {
   std::vector<std::array<std::uint32_t, 3>> across_;
 };
 
-Result<SurfacePath> surfacePath(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to);
-
 }  // namespace karinui

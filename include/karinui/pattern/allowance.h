@@ -19,7 +19,6 @@ namespace karinui {
 // What is sewn is a seam. Of the other edges those called hem…, neck… and fold… are what they are called, and the rest
 // is finished like a seam.
 enum class EdgeKind { Seam, Hem, Neckline, Fold };
-inline constexpr EdgeKind kEdgeKinds[] = {EdgeKind::Seam, EdgeKind::Hem, EdgeKind::Neckline, EdgeKind::Fold};
 double usualAllowance(EdgeKind kind);
 
 // How the cut lines of two edges are led to each other where the outline turns outwards.
