@@ -12,9 +12,10 @@
 namespace karinui {
 namespace {
 
-constexpr double kTouch = 1e-9;   // metres; shapes may touch
-constexpr double kBeside = 1e-8;  // metres; more than shapes overlap by where they touch
-constexpr double kRough = 1e-4;   // shapes are grown by it, so that their chords may miss by as much
+constexpr double kTouch = 1e-9;       // metres; shapes may touch
+constexpr double kBeside = 1e-8;      // metres; more than shapes overlap by where they touch
+constexpr double kSameStripe = 1e-9;  // of the repeat: so near to a stripe a place lies on it
+constexpr double kRough = 1e-4;       // shapes are grown by it, so that their chords may miss by as much
 constexpr std::size_t kChains = 8;
 constexpr int kAsk = 32;  // tries after which the token is asked and told
 constexpr double kFar = 1e18;
@@ -153,6 +154,11 @@ class Search {
     workers.forBlocks(shapes.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) columns_[i] = columnsOf(shapes[i], settings.gap, width_);
     });
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      ways_.emplace_back();
+      for (const std::size_t way : items[i].ways)
+        if (range(i, way)) ways_.back().push_back(way);
+    }
     const std::size_t n = shapes.size();
     pairs_.resize(n * n);
     workers.forBlocks(n * n, 1, [&](std::size_t begin, std::size_t end) {
@@ -181,11 +187,8 @@ class Search {
   };
 
   std::optional<std::size_t> homeless() const {
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-      bool any = false;
-      for (const std::size_t way : items_[i].ways) any |= range(i, way).has_value();
-      if (!any) return i;
-    }
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      if (ways_[i].empty()) return i;
     return std::nullopt;
   }
 
@@ -242,7 +245,7 @@ class Search {
       } else {
         const std::size_t item = next.order[a];
         Gene& gene = next.genes[item];
-        const auto& ways = items_[item].ways;
+        const auto& ways = ways_[item];
         if (ways.size() > 1 && dice.share() < 0.7)
           gene.way = ways[dice.below(ways.size())];
         else
@@ -282,15 +285,20 @@ class Search {
     const FlatBox& own = columns_[way].own;
     if (items_[item].onEdge)
       return own.high.v <= settings_.width + kTouch ? std::optional(Interval{0, 0}) : std::nullopt;
-    const Interval all{-own.low.v, settings_.width - own.high.v};
-    if (all.low > all.high + kTouch || onStripe(way, all.low, false) > all.high + kTouch) return std::nullopt;
+    Interval all{-own.low.v, settings_.width - own.high.v};
+    if (all.low > all.high + kTouch) return std::nullopt;
+    // From stripe to stripe: asked for the first and for the last of them a piece has a place or has none.
+    all.low = onStripe(way, all.low, false);
+    if (all.low > all.high + kTouch) return std::nullopt;
+    all.high = std::max(all.low, onStripe(way, all.high, true));
     return all;
   }
   // The next v from `v` on (or back) at which the shape's reference lies on a stripe.
   double onStripe(std::size_t way, double v, bool back) const {
     if (settings_.across <= 0) return v;
     const double steps = (v + shapes_[way].reference.v) / settings_.across;
-    return (back ? std::floor(steps + 1e-9) : std::ceil(steps - 1e-9)) * settings_.across - shapes_[way].reference.v;
+    return (back ? std::floor(steps + kSameStripe) : std::ceil(steps - kSameStripe)) * settings_.across -
+           shapes_[way].reference.v;
   }
 
   std::optional<Laid> placed(std::size_t item, Gene gene, const std::vector<Laid>& laid) const {
@@ -324,12 +332,15 @@ class Search {
   // The least v (or the greatest) of the range outside all that is forbidden.
   std::optional<double> free(Interval all, const std::vector<Interval>& no, Gene gene, std::size_t item) const {
     const bool far = gene.far && !items_[item].onEdge;
-    double v = items_[item].onEdge ? 0 : onStripe(gene.way, far ? all.high : all.low, far);
+    double v = items_[item].onEdge ? 0 : far ? all.high : all.low;
+    // A stripe that onStripe() takes for the end of an interval lies at its end, or it would be left for itself for
+    // ever.
+    const double end = 2 * kSameStripe * settings_.across;
     for (bool moved = true; moved;) {
       if (far ? v < all.low - kTouch : v > all.high + kTouch) return std::nullopt;
       moved = false;
       for (const Interval one : no)
-        if (one.low < v && v < one.high) {
+        if (one.low + end < v && v < one.high - end) {
           if (items_[item].onEdge) return std::nullopt;
           v = onStripe(gene.way, far ? one.low : one.high, far);
           moved = true;
@@ -343,7 +354,7 @@ class Search {
     plan.order.resize(items_.size());
     std::iota(plan.order.begin(), plan.order.end(), std::size_t{0});
     const auto size = [&](std::size_t item) {
-      const Columns& own = columns_[items_[item].ways[0]];
+      const Columns& own = columns_[ways_[item][0]];
       const Flat box = own.own.high - own.own.low;
       // What lies on the fold comes first: only there can it lie.
       return (nth % 2 ? box.u : own.area) + (items_[item].onEdge ? 100 : 0);
@@ -351,7 +362,7 @@ class Search {
     std::stable_sort(plan.order.begin(), plan.order.end(),
                      [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
     for (std::size_t i = 0; i < items_.size(); ++i) {
-      const auto& ways = items_[i].ways;
+      const auto& ways = ways_[i];
       plan.genes.push_back({ways[nth < 2 ? 0 : dice.below(ways.size())], nth >= 2 && dice.share() < 0.3});
     }
     for (std::size_t swaps = nth < 2 ? 0 : nth; swaps > 0; --swaps) {
@@ -414,6 +425,7 @@ class Search {
   double width_ = 0.002;
   long period_ = 1;  // columns of the repeat along the strip
   std::vector<Columns> columns_;
+  std::vector<std::vector<std::size_t>> ways_;  // of each item those that have a place within the width
   std::vector<Forbidden> pairs_;
 };
 

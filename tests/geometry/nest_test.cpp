@@ -172,5 +172,46 @@ TEST(Nest, TellsWhatHasNoPlace) {
   EXPECT_FALSE(nest({{low, {}}}, {{{0}, false}}, settings, workers, stopped));
 }
 
+// Stripes and room that agree but for what is lost in the arithmetic: a search that asks two ways whether there is a
+// place, and is told yes and no, never ends.
+TEST(Nest, EndsWhereStripesHardlyMissTheirRoom) {
+  const auto box = [](double wide, double high) { return Ring{{0, 0}, {wide, 0}, {wide, high}, {0, high}}; };
+  NestSettings settings;
+  settings.width = 1, settings.gap = 0.005, settings.across = 0.1, settings.tries = 400;
+  Workers workers(1);
+  {  // the one stripe lies half a thousandth of a micrometre beyond the room
+    const double reach = 0.03;
+    const std::vector<NestShape> shapes{{box(0.2, 1 - reach + 5e-10), {0, 0.1 - reach}}};
+    const auto laid = nest(shapes, {{{0}, false}, {{0}, false}}, settings, workers, Token());
+    ASSERT_TRUE(laid);
+    EXPECT_FALSE(laid->homeless);
+    for (const NestPlace& place : laid->places) EXPECT_NEAR(place.at.v, reach, 1e-8);
+  }
+  {  // the stripe beside a piece lies a ten-thousandth of a micrometre within its gap
+    const double high = 0.2 - settings.gap - 2e-4 + 1e-9 + 5e-11;
+    const std::vector<NestShape> shapes{{box(0.3, high), {0, 0}}};
+    const auto laid = nest(shapes, {{{0}, false}, {{0}, false}, {{0}, false}}, settings, workers, Token());
+    ASSERT_TRUE(laid);
+    for (const NestPlace& place : laid->places)
+      EXPECT_NEAR(place.at.v / settings.across, std::round(place.at.v / settings.across), 1e-8);
+  }
+}
+
+// Turned half round a piece may have a stripe within the cloth that it has not as it is.
+TEST(Nest, LaysWhatHasAPlaceOneWayOnly) {
+  NestSettings settings;
+  settings.width = 0.95, settings.across = 0.1, settings.tries = 400;
+  const Ring ring{{0, 0}, {0.3, 0}, {0.3, 0.9}, {0, 0.9}};
+  Workers workers(1);
+  const auto laid =
+      nest({{ring, {0, 0.02}}, {ring, {0, 0.07}}}, {{{0, 1}, false}, {{0, 1}, false}}, settings, workers, Token());
+  ASSERT_TRUE(laid);
+  ASSERT_EQ(laid->places.size(), 2u);
+  for (const NestPlace& place : laid->places) {
+    EXPECT_EQ(place.way, 1u);
+    EXPECT_NEAR(place.at.v, 0.03, 1e-8);
+  }
+}
+
 }  // namespace
 }  // namespace karinui
