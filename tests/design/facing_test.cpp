@@ -78,5 +78,30 @@ TEST(FacedEdges, AndLiningsAreCutFaceDown) {
   }
 }
 
+// What is eased in on purpose is so in the lining and the facing, too; in a record of before that was copied it is not.
+TEST(FacedEdges, AndLiningsHaveTheEasesOfTheirSeams) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file, std::string(kPanels) + "ease seam=s4 by=4mm\n"));
+  const auto eases = [&](const std::string& line, bool recorded) {
+    room.context.recorded = recorded;
+    const auto after = apply(file.document(), op(line), room.context);
+    room.context.recorded = false;
+    EXPECT_TRUE(after) << text(after.error().what);
+    std::vector<double> all;
+    for (const auto& [id, ease] : after->eases)
+      if (id != file.document().pattern.seams.begin()->first) all.push_back(ease);
+    return all;
+  };
+  EXPECT_THAT(eases("lining piece=\"first second\"", false), testing::ElementsAre(testing::DoubleEq(0.004)));
+  EXPECT_THAT(eases("lining piece=\"first second\"", true), testing::IsEmpty());
+  EXPECT_THAT(eases("lining piece=\"first second\" eases=no", false), testing::IsEmpty());
+  EXPECT_THAT(eases("lining piece=first", false), testing::IsEmpty()) << "the seam is not sewn in the lining";
+  const std::string faced = "facing edges=\"first.top second.top\" width=5cm";
+  ASSERT_EQ(eases(faced, false).size(), 1u);
+  EXPECT_NEAR(eases(faced, false)[0], 0.004 / 6, 0.0001) << "of 30 cm";
+  EXPECT_THAT(eases(faced, true), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace karinui

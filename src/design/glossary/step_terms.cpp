@@ -136,6 +136,7 @@ TermTable fieldTerms() {
       {"depth.pleat", say("Depth of a fold")},
       {"ease", say("Ease")},
       {"eased", say("Difference is meant")},
+      {"eases", say("Declared ease too")},
       {"edge", say("Edge")},
       {"edges", say("Names of the edges")},
       {"edges.allowance", say("Edges")},

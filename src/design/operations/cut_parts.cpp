@@ -41,6 +41,17 @@ std::vector<EdgeSpan> onParts(const std::vector<EdgeSpan>& side, const std::vect
   return now;
 }
 
+std::optional<double> easeOnParts(const Document& document, const Seam& seam, const Document& after, const Seam& copy) {
+  const auto ease = document.eases.find(seam.id);
+  if (ease == document.eases.end()) return std::nullopt;
+  const double whole = length(document.pattern, seam.a) + length(document.pattern, seam.b);
+  const double part = length(after.pattern, copy.a) + length(after.pattern, copy.b);
+  const double share = whole > 0 ? std::min(1.0, part / whole) : 0;
+  // The paper of a copy is the piece's to the last bits at best.
+  const double by = share > 1 - 1e-6 ? ease->second : ease->second * share;
+  return by > 0 ? std::optional(by) : std::nullopt;
+}
+
 void gradeParts(Grading& grading, const Piece& piece, const std::vector<DividedPart::EdgePart>& parts,
                 const Piece& made) {
   if (!grading.pieces.contains(piece.id)) return;

@@ -16,6 +16,9 @@ std::vector<RunOnPiece> runsOf(const Document& document, const std::vector<EdgeR
 // What of a seam's side lies on the parts, in their own edges.
 std::vector<EdgeSpan> onParts(const std::vector<EdgeSpan>& side, const std::vector<DividedPart::EdgePart>& parts);
 
+// What is declared as ease of a seam, for its copy on such parts: as much of it as they are of its length.
+std::optional<double> easeOnParts(const Document& document, const Seam& seam, const Document& after, const Seam& copy);
+
 // The grading of `made`, whose edges are parts of the piece's.
 void gradeParts(Grading& grading, const Piece& piece, const std::vector<DividedPart::EdgePart>& parts,
                 const Piece& made);

@@ -20,7 +20,7 @@ std::vector<Mark> marksOf(const Piece& piece, const RunOnPiece& run) {
 
 }  // namespace
 
-Done resolve(const Document& before, FaceEdges& op, Context&) {
+Done resolve(const Document& before, FaceEdges& op, Context& context) {
   if (op.edges.empty()) return refused(say("Say which edges are faced: edges=front.neck."));
   std::vector<EdgeRef> once;
   for (EdgeRef& edge : op.edges) {
@@ -32,6 +32,7 @@ Done resolve(const Document& before, FaceEdges& op, Context&) {
   if (!(op.width >= 0.005 && op.width <= 0.5)) return refused(say("A facing is 5 mm to 50 cm deep."));
   if (!op.fabric.empty())
     if (Done done = checkFabricName(before, op.fabric); !done) return done;
+  if (op.eases == Choice::Auto && !context.recorded) op.eases = Choice::Yes;
   return {};
 }
 
@@ -50,7 +51,9 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context& c
   const auto sew = [&](Seam seam) {
     seam.id = mint<SeamId>(before, sewn++);
     seam.name.clear();
-    after.pattern.seams[seam.id] = std::move(seam);
+    const SeamId id = seam.id;
+    after.pattern.seams[id] = std::move(seam);
+    return id;
   };
   std::vector<DividedPart::EdgePart> beside;  // of all facings, but for the runs themselves
   for (const RunOnPiece& run : runs) {
@@ -88,7 +91,10 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context& c
   for (const auto& [id, seam] : before.pattern.seams) {
     Seam own = seam;
     own.a = onParts(seam.a, beside), own.b = onParts(seam.b, beside);
-    if (!own.a.empty() && !own.b.empty()) sew(std::move(own));
+    if (own.a.empty() || own.b.empty()) continue;
+    const auto ease = op.eases == Choice::Yes ? easeOnParts(before, seam, after, own) : std::nullopt;
+    const SeamId sewnAs = sew(std::move(own));
+    if (ease) after.eases[sewnAs] = *ease;
   }
   return after;
 }

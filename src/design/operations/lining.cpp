@@ -106,7 +106,7 @@ std::vector<PieceId> idsOf(const std::vector<PieceRef>& pieces) {
 
 }  // namespace
 
-Done resolve(const Document& before, LinePieces& op, Context&) {
+Done resolve(const Document& before, LinePieces& op, Context& context) {
   if (Done done = resolve(before, op.pieces); !done) return done;
   if (op.fabric.empty()) op.fabric = "viscose";
   if (Done done = checkFabricName(before, op.fabric); !done) return done;
@@ -120,6 +120,7 @@ Done resolve(const Document& before, LinePieces& op, Context&) {
     return refused(say("A lining is 0 to 50 cm shorter at its open edges."));
   if (op.shorter && *op.shorter > 0 && op.open.empty())
     return refused(say("Say at which edges the lining is shorter: open=front.hem."));
+  if (op.eases == Choice::Auto && !context.recorded) op.eases = Choice::Yes;
   if (const auto room = withLayersBeneath(before, idsOf(op.pieces)); !room) return room.error();
   return {};
 }
@@ -183,6 +184,8 @@ Result<Document> perform(const Document& before, const LinePieces& op, Context& 
     own.name.clear();
     own.a = onParts(seam.a, parts), own.b = onParts(seam.b, parts);
     if (own.a.empty() || own.b.empty()) continue;
+    if (op.eases == Choice::Yes)
+      if (const auto ease = easeOnParts(before, seam, after, own)) after.eases[own.id] = *ease;
     after.pattern.seams[own.id] = std::move(own);
   }
   const AllowancePlan kinds(before.pattern, before.allowances);

@@ -164,12 +164,14 @@ struct LinePieces {
   std::string fabric;
   std::vector<EdgeRef> open;
   std::optional<Length> shorter;
+  Choice eases = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.pieces, "the pieces that are lined", kNeeded);
     visit("fabric", self.fabric, "what the lining is cut from (otherwise viscose)", kOptional);
     visit("open", self.open, "edges the lining is not sewn to, as a hem it hangs free at", kOptional);
     visit("shorter", self.shorter, "by how much the lining ends before the open edges", kOptional);
+    visit("eases", self.eases, kEasesHelp, kOptional);
   }
   bool operator==(const LinePieces&) const = default;
 };
@@ -183,11 +185,13 @@ struct FaceEdges {
   std::vector<EdgeRef> edges;
   Length width{0.06};
   std::string fabric;
+  Choice eases = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edges", self.edges, "the edges, as a neckline or the front edges", kNeeded);
     visit("width", self.width, "how deep the facing is", kOptional);
     visit("fabric", self.fabric, "what it is cut from (otherwise what its piece is)", kOptional);
+    visit("eases", self.eases, kEasesHelp, kOptional);
   }
   bool operator==(const FaceEdges&) const = default;
 };

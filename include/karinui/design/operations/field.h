@@ -32,6 +32,9 @@ inline constexpr std::string_view kClearHelp =
 inline constexpr std::string_view kSeamsWithinHelp =
     "the seams within the piece too, as those of its darts: auto, yes, no (auto: yes, but no in a record that does not "
     "have it)";
+inline constexpr std::string_view kEasesHelp =
+    "what is declared as ease of a seam is of its copy too: auto, yes, no (auto: yes, but no in a record that does not "
+    "have it)";
 inline constexpr std::string_view kBothHalvesHelp =
     "on both halves of a symmetric piece: auto, yes, no (auto: if it is symmetric)";
 
