@@ -246,13 +246,15 @@ class PythonDocument {
     return d;
   }
   py::dict check() {
-    using Found = std::pair<Examination, std::optional<SettleReport>>;
-    const auto [found, last] = alone([](DocumentFile& file, Context& context) -> Result<Found> {
+    using Found = std::tuple<Examination, std::optional<SettleReport>, bool>;
+    const auto [found, last, rests] = alone([](DocumentFile& file, Context& context) -> Result<Found> {
       auto examination = examined(file.document(), context);
       if (!examination) return examination.error();
-      return Found(*std::move(examination), file.document().drape.last);
+      const DrapeInfo& drape = file.document().drape;
+      return Found(*std::move(examination), drape.last, drape.atRest());
     });
     py::dict d = checkDict(found);
+    d["at_rest"] = rests;
     if (last) d["settled"] = last->settled, d["why"] = text(last->why);
     d["fastenings"] = fasteningsList(found);
     return d;

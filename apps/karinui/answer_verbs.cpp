@@ -55,7 +55,8 @@ int answerCheck(Program& program, const CheckOptions& options) {
     const Result<Examination> found = examined(opened.document(), opened.context());
     if (!found) return program.console.refuse(found.error());
     Json object = checkJson(*found, opened.document(), program.console);
-    std::string words = checkWords(*found, opened.document(), program.console);
+    std::string words = program.console.said(restSaid(opened.document())) + "\n";
+    words += checkWords(*found, opened.document(), program.console);
     if (const Result<Fit> fit = fitOf(opened)) {
       for (const WideEdge& edge : fit->wide) {
         words += program.console.said(wideEdgeSaid(opened.document(), edge)) + "\n";

@@ -51,6 +51,20 @@ std::string bodyWords(const Measurements& measured, const MeshReport& mesh, cons
          "\n" + surface.words(2);
 }
 
+Message restSaid(const Document& document) {
+  if (!document.drape.last) return say("The garment has not been draped yet; settle brings it to rest.");
+  if (!document.drape.last->settled) return *adviceOn(*document.drape.last);
+  Message changed;
+  for (const PieceId id : document.drape.dirty) {
+    const Piece* piece = document.find(id);
+    if (!piece) continue;
+    changed = changed.empty() ? nameSaid(piece->name) : say("{0}, {1}", changed, nameSaid(piece->name));
+  }
+  if (!changed.empty())
+    return say("The garment is not at rest: changed since it was draped: {0}. settle brings it to rest.", changed);
+  return adviceOn(*document.drape.last).value_or(say("The garment is at rest."));
+}
+
 std::string checkWords(const Examination& check, const Document& document, const Console& console) {
   WordTable table;
   const auto named = [&](PieceId id) {

@@ -11,6 +11,8 @@
 namespace karinui::app {
 
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console);
+// Whether it is at rest: the first that one wants to know of what stands there.
+Message restSaid(const Document& document);
 // `document`: whose cloth was examined.
 std::string checkWords(const Examination& check, const Document& document, const Console& console);
 std::string pressureWords(const PressureReport& pressure, double spacing, const Console& console);

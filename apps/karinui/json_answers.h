@@ -12,7 +12,8 @@ namespace karinui::app {
 
 Json bodyJson(const Measurements& measured, const MeshReport& mesh);
 Json checkJson(const Examination& check);
-// The same after what the last drape came to, `settled` and `why`, which a document that was never draped has not.
+// The same after what the last drape came to, `settled` and `why`, which a document that was never draped has not, and
+// `at_rest`: whether all of it is, and nothing changed since.
 Json checkJson(const Examination& check, const Document& document, const Console& console);
 Json settleJson(const SettleReport& report, const Examination& check, const Console& console);
 Json continuationJson(const SettleReport& report);  // of a report that has one

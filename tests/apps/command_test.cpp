@@ -316,6 +316,13 @@ TEST_F(Command, PlaysSettlesChecksAndExports) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_TRUE(json["settled"].get<bool>());
+  EXPECT_THAT(karinui("check " + document()).out, HasSubstr("The garment is at rest."));
+  fs::copy(document(), folder / "moved.karinui");
+  ASSERT_EQ(
+      karinui("do " + (folder / "moved.karinui") + " 'allowance kind=hem width=5cm' 'move piece=front by=0,0,1cm'")
+          .exit,
+      0);
+  EXPECT_THAT(karinui("check " + (folder / "moved.karinui")).out, HasSubstr("changed since it was draped: "));
   EXPECT_LE(json["penetration_mm"].get<double>(), 1.0);
   EXPECT_LE(json["seam_gap_mm"].get<double>(), 1.0);
   EXPECT_LE(json["strain_mean"].get<double>(), 0.02);
@@ -446,10 +453,13 @@ TEST_F(Command, AnExaminationTellsWhetherTheClothRests) {
                 .exit,
             0);
   EXPECT_FALSE(karinui("check " + document() + " --json").json().contains("settled")) << "never draped";
+  EXPECT_EQ(karinui("check " + document() + " --json").json()["at_rest"], false);
+  EXPECT_THAT(karinui("check " + document()).out, HasSubstr("has not been draped yet"));
   ASSERT_EQ(karinui("do " + document() + " 'place piece=skirt at=torso:waist@0' 'drape stop=1'").exit, 4);
   const auto said = karinui("check " + document() + " --json").json();
   EXPECT_EQ(said["settled"], false);
   EXPECT_THAT(said.value("why", ""), HasSubstr("Stopped"));
+  EXPECT_THAT(karinui("check " + document()).out, HasSubstr("did not come to rest: Stopped"));
 }
 
 TEST_F(Command, AmendsAStepAndPlaysThoseAfterIt) {

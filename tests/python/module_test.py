@@ -232,6 +232,7 @@ class Documents(unittest.TestCase):
         self.assertAlmostEqual(she["strain"]["p99"], now["strain"]["p99"], 12)
         self.assertEqual((coat.log(), coat.drape_hash), mark)
         self.assertEqual(coat.check()["fastenings"], [])
+        self.assertIs(coat.check()["at_rest"], True)
 
     @unittest.skipIf(numpy is None, "python3-numpy is not installed")
     def test_strain_and_pressure_by_place(self):
