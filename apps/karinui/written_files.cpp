@@ -1,5 +1,7 @@
 #include "written_files.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -24,6 +26,13 @@ Done mayWrite(const std::string& file, const std::vector<std::string>& endings, 
   if (std::find(endings.begin(), endings.end(), endingOf(file)) == endings.end())
     return badInput(say("“{0}” has none of the endings that are written: {1}.", fs::path(file).filename().string(),
                         listed(endings)));
+  // Asked before the work is done, which may take minutes.
+  const fs::path folder = fs::path(file).parent_path();
+  std::error_code trouble;
+  if (!folder.empty() && !fs::is_directory(folder, trouble))
+    return storageError(say("\"{0}\" cannot be written: there is no such folder. Make it first.", file));
+  if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+    return storageError(say("\"{0}\" cannot be written: this place is read-only for you. Choose another.", file));
   for (const std::string& word : read) {
     const std::size_t is = word.find('=');
     if (sameFile(word, file) || (is != std::string::npos && sameFile(word.substr(is + 1), file)))

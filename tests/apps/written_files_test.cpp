@@ -113,6 +113,21 @@ TEST_F(WrittenFiles, NoCommandWritesOverADocumentOrUnderAStrangeEnding) {
   EXPECT_GE(outputs, 18);
 }
 
+// A folder that is not there is told before anything is read or worked out: the document is missing, too.
+TEST_F(WrittenFiles, AMissingFolderIsToldFirst) {
+  const std::string none = folder / "none.karinui", out = folder / "missing/dir/x.";
+  for (const std::string& words :
+       {"export " + none + " -o " + out + "glb --poses T,A", "picture " + none + " -o " + out + "png",
+        "picture " + none + " --table -o " + out + "png", "layout " + none + " -o " + out + "pdf",
+        "report " + none + " -o " + out + "pdf", "check " + none + " --poses T --sheet " + out + "png",
+        "refit " + none + " -o " + out + "karinui"}) {
+    const Said said = karinui(words);
+    EXPECT_NE(said.exit, 0) << words;
+    EXPECT_THAT(said.err, HasSubstr("there is no such folder")) << words;
+    EXPECT_FALSE(fs::exists(folder / "missing")) << words;
+  }
+}
+
 TEST_F(WrittenFiles, WhatASheetCannotHoldIsRefusedAndLettersOfEitherCaseAreTaken) {
   const auto exported = [&](const std::string& file, const std::string& more) {
     return karinui("export " + document() + " -o " + (folder / file) + " " + more);
