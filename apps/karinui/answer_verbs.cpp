@@ -106,7 +106,8 @@ int answerInfo(Program& program, const InfoOptions& options) {
       for (const auto& [id, piece] : opened.document().pattern.pieces) {
         names += (names.empty() ? "" : ", ") + piece->name;
         if (piece->name != options.piece && text(id) != options.piece) continue;
-        program.console.answer(pieceJson(*piece), pieceWords(opened.document(), *piece, program.console));
+        program.console.answer(pieceJson(opened.document(), *piece),
+                               pieceWords(opened.document(), *piece, program.console));
         return kDone;
       }
       return program.console.refuse(

@@ -6,6 +6,7 @@
 #include "karinui/base/number.h"
 #include "karinui/design/step_words.h"
 #include "karinui/design/truing_said.h"
+#include "sewn_stretches.h"
 #include "word_table.h"
 
 namespace karinui::app {
@@ -214,6 +215,12 @@ std::string pieceWords(const Document& document, const Piece& piece, const Conso
     }
   }
   if (!piece.marks.empty()) words += said(say("Marks:")) + "\n" + marks.words(2);
+  WordTable sewn;
+  const auto stretches = sewnStretches(document, piece);
+  for (const SewnStretch& one : stretches)
+    sewn.row({stretchNamed(one.own), mm(one.length),
+              "–  " + document.find(one.other.piece)->name + "." + stretchNamed(one.other)});
+  if (!stretches.empty()) words += said(say("Sewn:")) + "\n" + sewn.words(2);
   return words;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "karinui/design/script.h"
+#include "sewn_stretches.h"
 
 namespace karinui::app {
 
@@ -156,7 +157,7 @@ Json infoJson(const Document& document) {
   return object;
 }
 
-Json pieceJson(const Piece& piece) {
+Json pieceJson(const Document& document, const Piece& piece) {
   const auto place = [](Flat at) { return Json{at.u, at.v}; };
   const auto edgesOf = [&](const Outline& outline) {
     Json edges = Json::array();
@@ -186,8 +187,17 @@ Json pieceJson(const Piece& piece) {
       one["edge"] = mark.edge, one["fraction"] = mark.fraction;
     marks.push_back(std::move(one));
   }
+  Json sewn = Json::array();
+  for (const SewnStretch& one : sewnStretches(document, piece))
+    sewn.push_back({{"edge", one.own.edge},
+                    {"from", one.own.from},
+                    {"to", one.own.to},
+                    {"length_m", one.length},
+                    {"seam", text(one.seam)},
+                    {"other", document.find(one.other.piece)->name + "." + stretchNamed(one.other)}});
   return {{"id", text(piece.id)}, {"name", piece.name}, {"edges", edgesOf(piece.outline)},
-          {"holes", holes},       {"lines", lines},     {"marks", marks}};
+          {"holes", holes},       {"lines", lines},     {"marks", marks},
+          {"sewn", sewn}};
 }
 
 Json printsJson(const Document& document, const PhotoTall& tall) {

@@ -20,7 +20,7 @@ Json continuationJson(const SettleReport& report);  // of a report that has one
 Json stepJson(const Step& step, const Document& after);
 Json fitJson(const std::vector<Girths>& girths, const std::optional<PressureReport>& pressure);
 Json infoJson(const Document& document);
-Json pieceJson(const Piece& piece);  // with places on paper
+Json pieceJson(const Document& document, const Piece& piece);  // with places on paper
 Json printsJson(const Document& document, const PhotoTall& tall);
 Json truingJson(const Document& document, const TruingReport& report);
 

@@ -462,6 +462,27 @@ TEST_F(Command, AnExaminationTellsWhetherTheClothRests) {
   EXPECT_THAT(karinui("check " + document()).out, HasSubstr("did not come to rest: Stopped"));
 }
 
+// Where on a waistband the sides and the centre come is where what it is sewn to changes.
+TEST_F(Command, TellsWhatEachStretchOfAnEdgeIsSewnTo) {
+  ASSERT_EQ(play("rectangle name=front width=40cm height=20cm\nrectangle name=back width=60cm height=20cm\n"
+                 "rectangle name=band width=100cm height=4cm edges=\"low end top start\"\n"
+                 "sew a=band.low b=\"front.top back.top\" reversed=yes name=waist\n")
+                .exit,
+            0);
+  const Said info = karinui("info " + document() + " --piece band");
+  EXPECT_THAT(info.out, HasSubstr("low@0.000:0.400"));
+  EXPECT_THAT(info.out, HasSubstr("600.0 mm"));
+  EXPECT_THAT(info.out, HasSubstr("–  back.top"));
+  EXPECT_THAT(info.out, HasSubstr("low@0.400:1.000"));
+  EXPECT_THAT(info.out, HasSubstr("–  front.top"));
+  const auto sewn = karinui("info " + document() + " --piece band --json").json()["sewn"];
+  ASSERT_EQ(sewn.size(), 2u);
+  EXPECT_EQ(sewn[0]["other"], "front.top");
+  EXPECT_NEAR(sewn[0]["to"].get<double>(), 0.4, 1e-6);
+  EXPECT_NEAR(sewn[1]["length_m"].get<double>(), 0.6, 1e-6);
+  EXPECT_EQ(karinui("info " + document() + " --piece front --json").json()["sewn"][0]["other"], "band.low@0.000:0.400");
+}
+
 TEST_F(Command, AmendsAStepAndPlaysThoseAfterIt) {
   ASSERT_EQ(
       play("set spacing=30mm\npiece name=flap outline=\"M 0 0; low L 400 0; side L 400 500; top L 0 500; left L 0 0\"\n"
