@@ -462,7 +462,8 @@ std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew,
   const bool laidOut = sew.reversed == Choice::Yes && !document.body.chosen() && lieFlat(document, sew);
   if (sew.reversed != Choice::Auto && !laidOut && (sew.reversed == Choice::Yes) != facesReversed(document, sew, body)) {
     SeamDoubt twisted{SeamDoubt::Kind::Twisted,
-                      say("The threads of this seam cross; sewn this way round the cloth is twisted.")};
+                      say("The threads between {0} and {1} cross; sewn this way round the cloth is twisted.",
+                          runSaid(document, sew.a), runSaid(document, sew.b))};
     twisted.instead = sew;
     twisted.instead->reversed = sew.reversed == Choice::Yes ? Choice::No : Choice::Yes;
     twisted.proposal = say("Sew it the other way round");
