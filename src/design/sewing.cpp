@@ -354,6 +354,12 @@ double mostGather(const Fabric& fabric) {
   return std::clamp(1 + kFolded / std::fmax(fabric.thickness, 1e-5), 1.5, 4.0);
 }
 
+bool goesOnSewn(const Document& document, const EdgeRef& ref, const EdgeRef& next) {
+  constexpr double kOne = 1e-4;  // metres
+  const Corner from = endOf(document, ref, true), to = endOf(document, next, false);
+  return (from.piece == to.piece && distance(from.place, to.place) < kOne) || sewnTogether(document, from, to);
+}
+
 std::optional<Message> brokenRun(const Document& document, const std::vector<EdgeRef>& side) {
   constexpr double kApart = 0.002;  // metres
   for (std::size_t k = 1; k < side.size(); ++k) {

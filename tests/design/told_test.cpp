@@ -7,7 +7,7 @@
 namespace karinui {
 namespace {
 
-using ::testing::AllOf, ::testing::Contains, ::testing::HasSubstr;
+using ::testing::AllOf, ::testing::Contains, ::testing::HasSubstr, ::testing::Not;
 
 std::vector<std::string> toldOf(const std::string& script) {
   Workroom room;
@@ -27,6 +27,26 @@ const char* const kTwo =
 TEST(Told, ASeamWhoseThreadsCrossIsNamed) {
   EXPECT_THAT(toldOf(std::string(kTwo) + "sew a=front.side_right b=back.side_right reversed=no\n"),
               Contains(AllOf(HasSubstr("threads"), HasSubstr("front.side_right"), HasSubstr("back.side_right"))));
+}
+
+// Two fronts whose edges meet in the middle and are not sewn: an opening, which a band on all of the run shuts.
+const char* const kOpened =
+    "piece name=left outline=\"M 0 0; hem L 200 0; side L 200 500; neck L 0 500; centre L 0 0\"\n"
+    "piece name=right outline=\"M -200 0; hem L 0 0; centre L 0 500; neck L -200 500; side L -200 0\"\n"
+    "piece name=back outline=\"M -200 0; hem L 200 0; side_right L 200 500; neck L -200 500; side_left L -200 0\" "
+    "pose=\"0,0,-0.2 y 180deg\"\n"
+    "sew a=left.side b=back.side_left\nsew a=right.side b=back.side_right\n";
+
+TEST(Told, ABandOverAnOpeningIsTold) {
+  const auto shut = AllOf(HasSubstr("“collar”"), HasSubstr("left.neck"), HasSubstr("right.neck"), HasSubstr("extra="));
+  const std::string open = kOpened;
+  for (const char* run : {"left.neck right.neck back.neck", "back.neck left.neck right.neck"})
+    EXPECT_THAT(toldOf(open + "band name=collar of=\"" + run + "\" depth=4cm sew=yes\n"), Contains(shut)) << run;
+  EXPECT_THAT(toldOf(open + "band name=collar of=\"right.neck back.neck left.neck\" depth=4cm sew=yes extra=3cm\n"),
+              Not(Contains(shut)));
+  EXPECT_THAT(toldOf(open + "sew a=left.centre b=right.centre\nband name=collar of=\"left.neck right.neck back.neck\" "
+                            "depth=4cm sew=yes\n"),
+              Not(Contains(shut)));
 }
 
 }  // namespace

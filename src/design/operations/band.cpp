@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "design/operations/new_piece.h"
+#include "design/sewn_corners.h"
+#include "design/spoken.h"
 #include "karinui/design/sewing.h"
 
 namespace karinui {
@@ -13,6 +15,25 @@ Outline rectangleOf(double width, double height, const std::vector<std::string>&
            {edges[2], Curve::line(c, d)},
            {edges[3], Curve::line(d, a)}}};
 }
+
+namespace {
+
+// Where a garment opens a band that is sewn past the opening holds it shut, which looks like any other collar.
+void tellShut(const Document& before, const DrawBand& op, bool closed, const Context& context) {
+  if (!context.advise) return;
+  for (std::size_t k = 0; k < op.of.size(); ++k) {
+    const bool last = k + 1 == op.of.size();
+    if (last && !closed) continue;
+    const EdgeRef &edge = op.of[k], &next = op.of[last ? 0 : k + 1];
+    if (goesOnSewn(before, edge, next)) continue;
+    context.advise(
+        {say("“{0}” goes on from {1} to {2}, which nothing else holds together there. If the garment opens "
+             "there, begin the band at the opening (of=) and leave it a lap: extra=3cm.",
+             op.name, spoken(before, edge), spoken(before, next))});
+  }
+}
+
+}  // namespace
 
 Done resolve(const Document& before, DrawBand& op, Context& context) {
   if (Done done = checkPaper(before, {op.name, op.fabric, op.layer}); !done) return done;
@@ -74,7 +95,9 @@ Result<Document> perform(const Document& before, const DrawBand& op, Context& co
   if (op.ratio < 0.7 || op.ratio > 1.4) seam.tie = Seam::Tie::TwoToOne;
   after.pattern.seams[seam.id] = seam;
   if (op.eased == Choice::Yes && op.ratio != 1) after.eases[seam.id] = std::abs(op.ratio - 1) * lengthOf(before, op.of);
-  if (!run.closed || op.extra > 1e-3) return after;
+  const bool closed = run.closed && op.extra <= 1e-3;
+  tellShut(before, op, closed, context);
+  if (!closed) return after;
   Seam ends;
   ends.id = mint<SeamId>(before, 1);
   ends.a = {{id, op.edges[1], 0, 1}};
