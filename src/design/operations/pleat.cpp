@@ -305,6 +305,8 @@ Done resolve(const Document& before, AddPleat& op, Context& context) {
   if (op.at && !(*op.at >= 0 && *op.at <= 1))
     return refused(say("A pleat lies between 0, the edge's beginning, and 1, its end."));
   if (!(op.taper >= 0 && op.taperLength >= 0)) return refused(say("A taper and its length are 0 or more."));
+  if (op.taperLength > 0 && op.taper == 0 && !context.recorded)
+    return refused(say("taper_length says where the taper ends; say by how much the pleats taper, too: taper=16mm."));
   if (!(op.stitch >= 0)) return refused(say("A pleat is sewn down for a length, or not at all (0)."));
   if (op.hold != 0 && !Crease{0, op.hold}.sound()) return refused(say("A fold holds 0.1 to 0.99 of its angle."));
   if (op.along && !(length(*op.along) > 1e-6 && finite(*op.along)))
