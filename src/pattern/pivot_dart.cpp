@@ -66,8 +66,9 @@ Result<EditedPiece> pivotDart(const Piece& piece, std::string_view leg, std::str
   const Curve &in = before[*i].curve, &out = before[(*i + 1) % before.size()].curve;
   const Flat tip = in.end, from = in.start, until = out.end;
   if (std::fabs(distance(from, tip) - distance(until, tip)) > kLegs)
-    return refused(say("The dart's sides are {0} and {1} mm long; make them alike, then move it.",
-                       fixed(1000 * distance(from, tip), 1), fixed(1000 * distance(until, tip), 1)));
+    return refused(
+        say("The sides {0} and {1} of the dart of “{2}” are {3} and {4} mm long; make them alike, then move it.", leg,
+            back, piece.name, inMm(distance(from, tip)), inMm(distance(until, tip))));
   auto split = splitEdge(piece, edge, fraction);
   if (!split) return split;
   Piece now = split->piece;
@@ -76,12 +77,17 @@ Result<EditedPiece> pivotDart(const Piece& piece, std::string_view leg, std::str
   const Flat open = edges[k].curve.end;
   const Ring whole = piece.outline.flattened(1e-4);
   if (crossesInside(whole, open, tip))
-    return refused(say("From “{0}” the paper cannot be cut straight to the dart's point.", edge));
+    return refused(
+        say("The paper of “{0}” cannot be cut straight from {1}@{2} to the point of the dart {3} at "
+            "{4}, {5} cm: the way leads out of the piece. Choose another place (at=…) or another edge.",
+            piece.name, edge, fixed(fraction, 2), leg, fixed(100 * tip.u, 1), fixed(100 * tip.v, 1)));
   // From the dart on to the slit, and from the slit on to the dart; the shorter turns.
   std::vector<Edge> ahead, behind;
   for (std::size_t e = (d + 2) % n; e != (k + 1) % n; e = (e + 1) % n) ahead.push_back(edges[e]);
   for (std::size_t e = (k + 1) % n; e != d; e = (e + 1) % n) behind.push_back(edges[e]);
-  if (ahead.empty() || behind.empty()) return refused(say("The dart ends where the edge is to be opened."));
+  if (ahead.empty() || behind.empty())
+    return refused(say("The dart {0} of “{1}” ends at {2}@{3}, where that edge is to be opened; choose another place.",
+                       leg, piece.name, edge, fixed(fraction, 2)));
   const auto lengthOf = [](const std::vector<Edge>& part) {
     double all = 0;
     for (const Edge& e : part) all += e.curve.length();
@@ -105,7 +111,9 @@ Result<EditedPiece> pivotDart(const Piece& piece, std::string_view leg, std::str
   outline.edges.push_back({std::string(leg), Curve::line(ahead.back().curve.end, tip)});
   outline.edges.push_back({back, Curve::line(tip, behind.front().curve.start)});
   auto good = checked(std::move(outline));
-  if (!good) return good.error();
+  if (!good)
+    return Error{good.error().kind, say("“{0}” with its dart {1} moved to {2}@{3}: {4}", piece.name, leg, edge,
+                                        fixed(fraction, 2), good.error().what)};
   now.outline = *std::move(good);
   for (Outline& hole : now.holes)
     if (std::all_of(hole.edges.begin(), hole.edges.end(), [&](const Edge& e) { return turned.holds(e.curve.start); }))

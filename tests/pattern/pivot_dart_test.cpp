@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -77,6 +78,25 @@ TEST(PivotDart, SaysWhatIsWrong) {
   EXPECT_NE(why(pivotDart(piece, "dart", "dart_2", 0.5)).find("another edge"), std::string::npos);
   EXPECT_NE(why(pivotDart(piece, "dart", "gone", 0.5)).find("no edge"), std::string::npos);
   EXPECT_NE(why(pivotDart(piece, "dart", "left", 0.001)).find("1 mm from both ends"), std::string::npos);
+  // Which piece, which dart, and where: of many darts one has to be found.
+  using testing::AllOf, testing::HasSubstr;
+  lopsided.name = "bodice";
+  EXPECT_THAT(why(pivotDart(lopsided, "e3", "e6", 0.5)), AllOf(HasSubstr("bodice"), HasSubstr("e3"), HasSubstr("e4")));
+  Piece hooked;
+  hooked.name = "bodice";
+  hooked.outline = polygon({{0, 0},
+                            {0.3, 0},
+                            {0.3, 0.15},
+                            {0.2, 0.15},
+                            {0.2, 0.25},
+                            {0.3, 0.25},
+                            {0.3, 0.4},
+                            {0.17, 0.4},
+                            {0.15, 0.2},
+                            {0.13, 0.4},
+                            {0, 0.4}});
+  EXPECT_THAT(why(pivotDart(hooked, "e7", "e1", 0.9)),
+              AllOf(HasSubstr("bodice"), HasSubstr("e1@0.9"), HasSubstr("e7"), HasSubstr("15.0, 20.0")));
 }
 
 }  // namespace
