@@ -216,8 +216,12 @@ Message pieceSaid(const Document& document, const PieceRef& piece) {
 
 Message edgeSaid(const Document& document, const EdgeRef& edge) {
   const Piece* known = edge.piece.id ? document.find(edge.piece.id) : document.pieceNamed(edge.piece.name);
-  const Message whole = say("{0} of {1}", known ? edgeNameSaid(document, *known, edge.edge) : nameSaid(edge.edge),
-                            pieceSaid(document, edge.piece));
+  // What nobody named is told by where it lies, and by the name under which it can be written.
+  const Message name = !known ? nameSaid(edge.edge)
+                       : isNumbered(edge.edge) && known->outline.find(edge.edge)
+                           ? say("{0} ({1})", edgeNameSaid(document, *known, edge.edge), edge.edge)
+                           : edgeNameSaid(document, *known, edge.edge);
+  const Message whole = say("{0} of {1}", name, pieceSaid(document, edge.piece));
   if (edge.from == 0 && edge.to == 1) return whole;
   return say("{0}, {1} % to {2} %", whole, fixed(100 * edge.from, 0), fixed(100 * edge.to, 0));
 }

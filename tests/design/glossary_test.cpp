@@ -177,8 +177,9 @@ TEST(Glossary, EdgesWithANumberAreCalledByHowTheyAreCutAndWhereTheyLie) {
   };
   EXPECT_EQ(partner(Language::English), "left side, sewn to back");
   EXPECT_EQ(partner(Language::Japanese), "左脇（後ろ身頃と縫い合わせ）");
-  EXPECT_EQ(text(edgeSaid(document, {PieceRef("front"), "e2"})), "left side of front");
-  EXPECT_EQ(text(seamSaid(document, document.pattern.seams.begin()->second)), "left side of front – left side of back");
+  EXPECT_EQ(text(edgeSaid(document, {PieceRef("front"), "e2"})), "left side (e2) of front");
+  EXPECT_EQ(text(seamSaid(document, document.pattern.seams.begin()->second)),
+            "left side (e2) of front – left side (edge_3) of back");
   EXPECT_EQ(said(identifierSaid(document, "front.e2")), "left side of front");
   EXPECT_EQ(said(identifierSaid(document, "front.e12")), "edge 12 of front") << "there is no such edge";
   EXPECT_EQ(said(identifierSaid(document, "bust_girth")), "Bust girth");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "design/workroom.h"
+#include "karinui/design/step_words.h"
 
 namespace karinui {
 namespace {
@@ -47,6 +48,19 @@ TEST(Told, ABandOverAnOpeningIsTold) {
   EXPECT_THAT(toldOf(open + "sew a=left.centre b=right.centre\nband name=collar of=\"left.neck right.neck back.neck\" "
                             "depth=4cm sew=yes\n"),
               Not(Contains(shut)));
+}
+
+// An edge nobody named is said by where it lies; by that alone nobody could write it in a script.
+TEST(Told, AnEdgeWithoutANameIsSaidWithWhatScriptsCallIt) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(
+      file, "piece name=front outline=\"M 0 0; edge_0 L 400 0; edge_1 L 400 500; edge_2 L 0 500; hem L 0 0\"\n"));
+  const auto said = [&](const char* edge) {
+    return text(edgeSaid(file.document(), {PieceRef(file.document().pieceNamed("front")->id), edge, 0, 1}));
+  };
+  EXPECT_THAT(said("edge_1"), AllOf(HasSubstr("side"), HasSubstr("(edge_1)"), HasSubstr("front")));
+  EXPECT_THAT(said("hem"), Not(HasSubstr("(")));
 }
 
 }  // namespace
