@@ -45,6 +45,7 @@ class Paper {
   }
 
   double scale() const { return scale_; }
+  Language language() const { return language_; }
   double pixels(double thin) const { return thin * pixel_; }  // of a thin line in a picture of this size
   Flat at(Flat p) const {
     return {image_.width / 2.0 + (p.u - middle_.u) * scale_,
@@ -336,26 +337,77 @@ bool fits(Paper& paper, const TablePiece& piece, const TableLabel& label, Flat p
   return true;
 }
 
-void write(Paper& paper, const TablePiece& piece) {
-  for (const TableLabel& label : piece.labels) {
+// Lays the lettering of all pieces, what matters more first: what would lie over other words goes a little aside, is
+// written smaller or, of a name, shortened; what finds no room even so is left out, for two words in one place are read
+// by nobody.
+class Letterer {
+ public:
+  explicit Letterer(Paper& paper) : paper_(paper) {}
+
+  void write(const TablePiece& piece, const TableLabel& label) {
     const bool name = label.says == TableLabel::Says::Name;
-    const double printed = label.size * paper.scale();
+    const double printed = label.size * paper_.scale();
     double size = std::max(printed, name ? kNameLeast : 0.0);
-    if (size < kReadable) continue;
+    if (size < kReadable) return;
     Flat place = label.place;
-    const auto wide = [&] { return paper.width(label.words, size) / 2 / paper.scale(); };
+    const auto wide = [&] { return paper_.width(label.words, size) / 2 / paper_.scale(); };
     // Written larger than it is printed it might run into a grain line that is upright, as most are: then beside it.
     if (const auto& grain = piece.grain; grain && label.upright && std::fabs(grain->to.u - grain->from.u) < 1e-6) {
-      const double apart = wide() + paper.pixels(6) / paper.scale(), away = place.u - grain->from.u;
+      const double apart = wide() + paper_.pixels(6) / paper_.scale(), away = place.u - grain->from.u;
       if (std::fabs(away) < apart) place.u = grain->from.u + std::copysign(apart, away);
     }
     // On a small piece no larger than there is room for, and where it is printed.
-    if (size > printed && !fits(paper, piece, label, place, size)) {
+    if (size > printed && !fits(paper_, piece, label, place, size)) {
       place = label.place;
-      while (size > std::max(printed, kReadable) && !fits(paper, piece, label, place, size)) size *= 0.95;
+      while (size > std::max(printed, kReadable) && !fits(paper_, piece, label, place, size)) size *= 0.95;
     }
-    paper.words(label.words, place, size, label.upright, name && piece.chosen ? kChosen : kInkOnPaper);
+    const Pixel& colour = name && piece.chosen ? kChosen : kInkOnPaper;
+    const Ring ring = ringOf(piece.edges);
+    for (double smaller = size; smaller >= std::min(size, kReadable); smaller *= 0.85)
+      if (wrote(label, label.words, ring, place, smaller, colour)) return;
+    if (!name) return;
+    const std::string all = text(label.words, paper_.language());
+    for (std::size_t kept = all.size(); kept-- > 1;)
+      if ((all[kept] & 0xC0) != 0x80 &&
+          wrote(label, say("{0}", all.substr(0, kept) + "…"), ring, place, std::min(size, kNameLeast), colour))
+        return;
   }
+
+ private:
+  // Here, or so many lines aside on the same piece. What tells of a place stays beside it.
+  bool wrote(const TableLabel& label, const Message& words, const Ring& ring, Flat place, double size,
+             const Pixel& colour) {
+    const int most = label.says == TableLabel::Says::SeamNumber ? 1 : label.says == TableLabel::Says::Note ? 3 : 12;
+    const Flat line = (label.upright ? Flat{0, 1} : Flat{1, 0}) * (1.05 * size / paper_.scale());
+    const Flat half{paper_.width(words, size) / 2 + 1, 0.45 * size};
+    for (int k = 0; k <= 2 * most; ++k) {
+      const Flat at = place + line * ((k + 1) / 2 * (k % 2 ? 1.0 : -1.0)), middle = paper_.at(at);
+      if (k > 0 && !contains(ring, at)) continue;
+      const Flat reach = label.upright ? half : Flat{half.v, half.u};
+      const FlatBox box{middle - reach, middle + reach};
+      if (std::any_of(taken_.begin(), taken_.end(), [&](const FlatBox& other) {
+            return box.low.u < other.high.u && other.low.u < box.high.u && box.low.v < other.high.v &&
+                   other.low.v < box.high.v;
+          }))
+        continue;
+      taken_.push_back(box);
+      paper_.words(words, at, size, label.upright, colour);
+      return true;
+    }
+    return false;
+  }
+
+  Paper& paper_;
+  std::vector<FlatBox> taken_;  // pixels
+};
+
+void writeAll(Paper& paper, const TableFrame& frame) {
+  Letterer letterer(paper);
+  for (const TableLabel::Says says :
+       {TableLabel::Says::Name, TableLabel::Says::SeamNumber, TableLabel::Says::Cut, TableLabel::Says::Note})
+    for (const TablePiece& piece : frame.pieces)
+      for (const TableLabel& label : piece.labels)
+        if (label.says == says) letterer.write(piece, label);
 }
 
 }  // namespace
@@ -373,7 +425,7 @@ Result<Image> drawTable(const TableFrame& frame, const TablePictureOptions& opti
   }
   paper.ruler();
   paper.develop();
-  for (const TablePiece& piece : frame.pieces) write(paper, piece);
+  writeAll(paper, frame);
   paper.rulerWords();
   return paper.take(notes);
 }

@@ -93,6 +93,64 @@ TEST(TablePicture, ALargerNameStaysBesideTheGrainLine) {
   EXPECT_GT(count(*image, kInk, 0.3, 0.40, 0.49, 0.55, 60), 5);
 }
 
+// Narrow pieces side by side, whose names are wider than they are.
+TableFrame strips(const std::vector<std::string>& names) {
+  TableFrame frame;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    TableFrame one = square();
+    TablePiece& strip = one.pieces[0];
+    const auto carried = [&](Flat p) { return Flat{p.u * 0.1 + 0.025 * static_cast<double>(k), p.v}; };
+    strip.high = carried(strip.high), strip.low = carried(strip.low);
+    for (TableEdge& edge : strip.edges)
+      for (Flat& p : edge.points) p = carried(p);
+    if (!names[k].empty())
+      strip.labels = {{TableLabel::Says::Name, say("{0}", names[k]), lerp(strip.low, strip.high, 0.5), 0.0005, true}};
+    frame.pieces.push_back(std::move(strip));
+  }
+  return frame;
+}
+
+// Pixels that the names of these strips change.
+int inked(const std::vector<std::string>& names) {
+  const TablePictureOptions options{400, 400, Language::English};
+  const auto with = drawTable(strips(names), options),
+             without = drawTable(strips(std::vector<std::string>(names.size())), options);
+  int changed = 0;
+  for (int y = 0; y < with->height; ++y)
+    for (int x = 0; x < with->width; ++x) changed += with->at(x, y) != without->at(x, y);
+  return changed;
+}
+
+TEST(TablePicture, NamesOnNarrowPiecesDoNotLieOverEachOther) {
+  const std::string a = "waistband_facing_left_lower", b = "waistband_facing_right_lower", c = "waistband_lining_upper";
+  const int alone = inked({a, "", ""}) + inked({"", b, ""}) + inked({"", "", c});
+  EXPECT_GT(inked({a, b, c}), 0.93 * alone);
+}
+
+TEST(TablePicture, WhatFindsNoRoomIsShortenedOrLeftOut) {
+  std::vector<std::string> names;
+  for (int k = 0; k < 60; ++k) names.push_back("waistband_facing_" + std::to_string(k));
+  TableFrame frame = strips(names);
+  for (TablePiece& strip : frame.pieces) {  // hardly higher than a line
+    for (TableEdge& edge : strip.edges)
+      for (Flat& p : edge.points) p.v *= 0.2;
+    strip.high.v *= 0.2;
+    strip.labels[0].place.v *= 0.2;
+  }
+  const auto image = drawTable(frame, {400, 400, Language::English});
+  for (TablePiece& strip : frame.pieces) strip.labels.clear();
+  const auto without = drawTable(frame, {400, 400, Language::English});
+  // Words one over another make a black bar; those that stand apart leave paper between them.
+  int most = 0;
+  for (int y = 0; y < image->height; ++y) {
+    int row = 0;
+    for (int x = 0; x < image->width; ++x) row += image->at(x, y) != without->at(x, y);
+    most = std::max(most, row);
+  }
+  EXPECT_GT(most, 20);
+  EXPECT_LT(most, 0.85 * image->width);
+}
+
 TEST(TablePicture, RefusesWhatIsNoPicture) {
   EXPECT_FALSE(drawTable({}));
   EXPECT_FALSE(drawTable(square(), {0, 400, Language::English}));
