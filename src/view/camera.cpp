@@ -144,6 +144,37 @@ Camera frameAll(const SceneFrame& frame, View view, double aspect) {
   return camera;
 }
 
+SceneFrame worn(const SceneFrame& frame, std::size_t* apart) {
+  constexpr double kApart = 0.4;  // metres between the boxes of what is worn and the figure's at most
+  if (apart) *apart = 0;
+  Box figure;
+  for (const SceneBody& body : frame.bodies)
+    for (const Vec3 p : body.mesh.points)
+      if (drawable(p)) figure.include(p);
+  if (figure.empty()) return frame;
+  const auto near = [&](const std::vector<Vec3>& points) {
+    Box box;
+    for (const Vec3 p : points)
+      if (drawable(p)) box.include(p);
+    if (box.empty()) return true;
+    const auto gap = [](double low, double high, double from, double to) {
+      return std::max({0.0, low - to, from - high});
+    };
+    return length(Vec3{gap(box.low.x, box.high.x, figure.low.x, figure.high.x),
+                       gap(box.low.y, box.high.y, figure.low.y, figure.high.y),
+                       gap(box.low.z, box.high.z, figure.low.z, figure.high.z)}) <= kApart;
+  };
+  SceneFrame kept;
+  for (const SceneCloth& cloth : frame.cloths)
+    if (near(cloth.mesh.points)) kept.cloths.push_back(cloth);
+  if (kept.cloths.empty() || kept.cloths.size() == frame.cloths.size()) return frame;
+  if (apart) *apart = frame.cloths.size() - kept.cloths.size();
+  kept.bodies = frame.bodies;
+  for (const SceneLine& line : frame.lines)
+    if (near(line.points)) kept.lines.push_back(line);
+  return kept;
+}
+
 Vec3 axisOf(const SceneFrame& frame) {
   const Vec3 middle = boxOrPerson(frame).centre();
   return {middle.x, 0, middle.z};

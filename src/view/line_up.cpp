@@ -24,8 +24,10 @@ LineUp::LineUp(std::vector<Figure> figures, std::span<const SceneFrame> frames, 
     camera_.eye -= axis, camera_.target -= axis;
     axes_.assign(figures_.size(), axis);
   } else {
-    camera_ = frameTurning(frames_, each_.view, aspect);
-    for (const SceneFrame& frame : frames_) axes_.push_back(axisOf(frame));
+    std::vector<SceneFrame> framed;
+    for (const SceneFrame& frame : frames_) framed.push_back(worn(frame));
+    camera_ = frameTurning(framed, each_.view, aspect);
+    for (const SceneFrame& frame : framed) axes_.push_back(axisOf(frame));
   }
   if (each_.map == Map::Strain || (each_.map == Map::Pressure && each_.mapTop <= 0))
     for (const SceneFrame& frame : frames_) each_.mapTop = std::max(each_.mapTop, strainTop(frame));

@@ -217,7 +217,15 @@ Result<Image> Picture::draw(const SceneFrame& frame, const PictureOptions& o) {
   parts_->renderer->show(frame, top);
   parts_->captions = frame.captions;
   parts_->map = o.map, parts_->mapTop = top;
-  return seen(o.camera ? *o.camera : frameAll(frame, o.view, aspectOf(o)), o);
+  if (o.camera) return seen(*o.camera, o);
+  std::size_t apart = 0;
+  auto image = seen(frameAll(worn(frame, &apart), o.view, aspectOf(o)), o);
+  if (apart > 0)
+    notes_.push_back(say(
+        "{0} {0|piece stands|pieces stand} apart from the figure, which the picture is framed for; place {0|it|them} "
+        "on the body, or remove {0|it|them}.",
+        apart));
+  return image;
 }
 
 Result<Image> Picture::again(const PictureOptions& o) {

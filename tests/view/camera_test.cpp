@@ -106,6 +106,29 @@ TEST(Camera, FramesNothingAndNoNumbersAsIfAPersonStoodThere) {
   }
 }
 
+TEST(Camera, APictureIsFramedForWhatIsWorn) {
+  SceneFrame frame = standing();
+  frame.cloths.push_back(test::sheet(-0.3, 0.5, 0.3, 1.2, 0.8));
+  const Camera alone = frameAll(frame, View::Front, 1);
+  frame.cloths.push_back(test::sheet(3, 0.5, 3.6, 1.2, 0));
+  frame.lines.push_back({{{3, 0.5, 0}, {3.6, 0.5, 0}}});
+  std::size_t apart = 0;
+  const Camera camera = frameAll(worn(frame, &apart), View::Front, 1);
+  EXPECT_EQ(apart, 1u);
+  EXPECT_EQ(camera.eye, alone.eye);
+  EXPECT_EQ(camera.target, alone.target);
+  EXPECT_GT(frameAll(frame, View::Front, 1).distance(), 1.3 * alone.distance());
+  // Where nothing is worn yet the pieces are what there is to see; and without a figure nothing is apart from it.
+  SceneFrame unworn = standing(), noBody = frame;
+  unworn.cloths.push_back(frame.cloths[1]);
+  noBody.bodies.clear();
+  for (const SceneFrame* all : {&unworn, &noBody}) {
+    const SceneFrame kept = worn(*all, &apart);
+    EXPECT_EQ(apart, 0u);
+    EXPECT_EQ(kept.cloths.size(), all->cloths.size());
+  }
+}
+
 TEST(Camera, NamesAreReadBackAndStrangeOnesRefused) {
   for (const View view : {View::Front, View::Back, View::Left, View::Right, View::Oblique})
     EXPECT_EQ(*viewNamed(nameOf(view)), view);

@@ -43,6 +43,17 @@ TEST_F(ViewPicture, ClothCoversTheBodyInFrontAndTheBodyTheClothBehind) {
   EXPECT_TRUE(warm(back.at(100, 100))) << "seen from behind, the body hides the cloth";
 }
 
+TEST_F(ViewPicture, PiecesThatStandApartDoNotMakeTheFigureSmall) {
+  SceneFrame frame = covered();
+  const Image alone = draw(frame, small());
+  frame.cloths.push_back(sheet(3, 0.25, 3.5, 0.75, 0));
+  const Image with = draw(frame, small());
+  int blue = 0, blueAlone = 0;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x) blue += bluish(with.at(x, y)), blueAlone += bluish(alone.at(x, y));
+  EXPECT_NEAR(blue, blueAlone, 0.02 * blueAlone);
+}
+
 TEST_F(ViewPicture, TheBackdropIsWarmLightAndFallsOffToTheCorners) {
   const Image image = draw(covered(), small());
   const Pixel corner = image.at(2, 2), side = image.at(20, 60);

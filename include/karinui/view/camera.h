@@ -37,6 +37,11 @@ std::string_view nameOf(View view);
 // / height). An empty frame is seen as if a person stood there.
 Camera frameAll(const SceneFrame& frame, View view, double aspect);
 
+// The scene as a picture of it is framed: without the cloths, and the lines, that stand apart from its bodies, as
+// pieces do that nobody has placed yet; with them the figure would be a dot. All of it where it has no body, or no
+// cloth that stands near one. `apart`: how many cloths were left out.
+SceneFrame worn(const SceneFrame& frame, std::size_t* apart = nullptr);
+
 // What a scene is turned about: the upright axis through the middle of its box, where it meets y = 0.
 Vec3 axisOf(const SceneFrame& frame);
 // A camera from this side for scenes that are turned, each about its own axis: it holds every one of them at every turn
