@@ -192,12 +192,31 @@ Done checkPlaces(const Document& before, const Fastening& own) {
   return {};
 }
 
+// What to do where a zip is wished in the middle of the cloth: the cut that makes edges of the line.
+Message toBeCut(const Piece& piece, const std::string& name) {
+  std::string places;
+  const auto add = [&](Flat p) {
+    const auto cm = [](double metres) { return written(std::round(metres * 1e4) / 100) + "cm"; };
+    places += (places.empty() ? "" : "; ") + cm(p.u) + "," + cm(p.v);
+  };
+  for (const InternalLine& line : piece.lines) {
+    if (line.name != name) continue;
+    for (const Curve& curve : line.curves)
+      for (const Flat p : curve.flattened(1e-3))
+        if (places.empty() || p != curve.start) add(p);
+  }
+  return say(
+      "A zip is sewn between two edges, and “{1}” is a line within “{0}”. Cut along it first, from the edge of the "
+      "piece on, and set the zip between the two edges of the cut: cut piece={0} line=\"{2}\".",
+      piece.name, name, places);
+}
+
 // A zip is sewn between two edges that nothing else is sewn to.
 Done checkZip(const Document& before, Fastening own, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b) {
   own.zipped = 1;
   for (const auto* side : {&a, &b})
     for (const EdgeRef& ref : *side)
-      if (lineOf(before, ref)) return refused(say("A zip is sewn between two edges, not to an inner line."));
+      if (lineOf(before, ref)) return refused(toBeCut(*before.find(ref.piece.id), ref.edge));
   const auto seam = zipSeam(before.pattern, own);
   if (!seam) return refused(say("A zip is at least 1 cm long."));
   const double onA = length(before.pattern, seam->a), onB = length(before.pattern, seam->b);
