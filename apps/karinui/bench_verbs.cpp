@@ -9,6 +9,7 @@
 #include "bench/foreign.h"
 #include "bench/run.h"
 #include "bench_wardrobe.h"
+#include "bench_words.h"
 #include "commands.h"
 #include "drape_picture.h"
 #include "json_answers.h"
@@ -103,6 +104,7 @@ int runCusick(Program& program, const BenchOptions& options) {
   }
   const int runs = options.runs > 0 ? options.runs : 6;
   Json list = Json::array();
+  std::vector<TestedFabric> tested;
   bool settled = true;
   for (const Fabric& fabric : fabrics) {
     std::vector<double> found;
@@ -134,6 +136,7 @@ int runCusick(Program& program, const BenchOptions& options) {
     const auto threads = [](const ThreadCurve& c) {
       return Json{{"strain_at_490_n_m", c.strainAt(490.3)}, {"linearity", c.linearity(490.3)}};
     };
+    tested.push_back({fabric, mean, *low, *high, folds[folds.size() / 2], seconds});
     list.push_back({{"fabric", fabric.name},
                     {"drape_coefficient", mean},
                     {"listed", drapeFigure(fabric).value_or(DrapeFigure{}).coefficient},
@@ -145,7 +148,7 @@ int runCusick(Program& program, const BenchOptions& options) {
                     {"cpu_s", seconds}});
   }
   const Json object{{"scene", "cusick"}, {"settled", settled}, {"runs", runs}, {"fabrics", list}};
-  program.console.answer(object, words(object));
+  program.console.answer(object, testerWords(tested, settled, runs, program.console));
   return settled ? kDone : kNotSettled;
 }
 
@@ -177,7 +180,7 @@ int runEdits(Program& program, const BenchOptions& options) {
   const Json object{
       {"scene", "edits"}, {"threads", options.threads},         {"vertices", found->vertices}, {"runs", runs},
       {"edits", list},    {"pull_step_ms", ms(found->pullStep)}};
-  program.console.answer(object, words(object));
+  program.console.answer(object, editWords(*found, options.threads, runs, program.console));
   return unsettled == 0 ? kDone : kNotSettled;
 }
 
@@ -191,7 +194,7 @@ int runJudge(Program& program, const BenchOptions& options, bench::Workload& loa
   object["height_m"] = judged->height;
   object["drift_mm"] = judged->drift * 1000;
   object["top_speed_mm_s"] = judged->topSpeed * 1000;
-  program.console.answer(object, words(object));
+  program.console.answer(object, judgedWords(load, *judged, program.console));
   return kDone;
 }
 
@@ -227,7 +230,8 @@ int runBench(Program& program, const BenchOptions& options) {
   if (!options.out.empty())
     if (const Done written = writeScene(*load, options.out); !written) return program.console.refuse(written.error());
   const Json object = findingJson(*load, *found, options.threads, program.console);
-  program.console.answer(object, words(object));
+  program.console.answer(
+      object, findingWords(*load, *found, options.threads, object["hash"].get<std::string>(), program.console));
   return found->report.settled ? kDone : kNotSettled;
 }
 

@@ -1,4 +1,6 @@
 // The scenes the drape engine is measured on, small: what the answer holds and that it is the same for every team.
+#include <gmock/gmock.h>
+
 #include "apps/command.h"
 #include "bench/cusick.h"
 #include "karinui/check/check.h"
@@ -263,6 +265,23 @@ TEST(BenchCommand, RefusesAWardrobeThatIsNotThere) {
   EXPECT_NE(empty.err.find("--scripts"), std::string::npos) << empty.err;
   write(folder / "skirt.ops", skirt("40mm"));
   EXPECT_EQ(karinui("bench wardrobe --only coat --scripts " + (folder / "")).exit, 3);
+}
+
+TEST(BenchCommand, TellsInWords) {
+  Folder folder;
+  const std::string rest = folder / "rest.obj";
+  const Said scene = karinui("bench w3 --vertices 400 -o " + rest),
+             judged = karinui("bench w3 --vertices 400 --judge " + rest),
+             tester = karinui("bench cusick --vertices 400 --runs 1 --fabric cotton"),
+             edits = karinui("bench edits --vertices 400 --runs 1");
+  for (const Said* said : {&scene, &judged, &tester, &edits})
+    EXPECT_EQ(said->out.find('_'), std::string::npos) << "no raw keys: " << said->out;
+  EXPECT_THAT(scene.out, testing::HasSubstr("Scene w3"));
+  EXPECT_THAT(scene.out, testing::HasSubstr("Widest gap in a seam"));
+  EXPECT_THAT(judged.out, testing::HasSubstr("made by another program"));
+  EXPECT_THAT(tester.out, testing::HasSubstr("Drape coefficient"));
+  EXPECT_THAT(edits.out, testing::HasSubstr("First picture"));
+  EXPECT_THAT(karinui("bench w3 --vertices 400", "ja_JP.UTF-8").out, testing::HasSubstr("場面"));
 }
 
 TEST(BenchCommand, RefusesWhatItCannotMeasure) {
