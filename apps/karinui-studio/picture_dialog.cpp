@@ -21,8 +21,9 @@ constexpr std::array kViews{View::Front, View::Back, View::Left, View::Right, Vi
 constexpr std::array kEyes{Eyes::Mono, Eyes::SideBySide, Eyes::TopBottom, Eyes::Anaglyph};
 
 // What stands beside the fitting at the left, as in the window; the sheet as large as one picture would be.
-Result<Image> pair(const Beside& beside, const SceneFrame& now, PictureOptions how, bool allRound) {
-  const std::vector<SceneFrame> frames{beside.fitting()->frame, now};
+Result<Image> pair(const Beside& beside, const SceneFrame& then, const SceneFrame& now, PictureOptions how,
+                   bool allRound) {
+  const std::vector<SceneFrame> frames{then, now};
   how.width /= allRound ? 4 : 2, how.height /= allRound ? 2 : 1;
   LineUp lineUp({{text(beside.words(), how.language)}, {text(say("now"), how.language)}}, frames, how);
   return allRound ? lineUp.turns(4) : lineUp.draw();
@@ -95,7 +96,7 @@ Result<Image> PictureDialog::draw(double scale) const {
   PictureOptions how;
   how.width = static_cast<int>(size[0] * scale), how.height = static_cast<int>(size[1] * scale);
   how.eyes = kEyes[static_cast<std::size_t>(eyes_->currentIndex())];
-  how.map = view_.map() == FitMap::Strain ? Map::Strain : Map::None;
+  how.map = view_.map() == FitMap::Strain ? Map::Strain : view_.map() == FitMap::Pressure ? Map::Pressure : Map::None;
   how.language = Theme::here().language();
   how.lettering = how.map != Map::None;
   const int from = from_->currentIndex();
@@ -105,15 +106,37 @@ Result<Image> PictureDialog::draw(double scale) const {
   // On a thread of its own: this one's is the window's context, and some drivers allow no second.
   std::optional<Result<Image>> image;
   std::thread([&] {
-    const SceneFrame& frame = session_.snapshot().frame;
-    if (const Beside* beside = parent()->findChild<Beside*>(); beside && beside->fitting()) {
-      image = pair(*beside, frame, how, allRound);
+    const Beside* beside = parent()->findChild<Beside*>();
+    const bool two = beside && beside->fitting();
+    const auto now = framed(session_.snapshot(), how);
+    const auto then = two ? framed(*beside->fitting(), how) : Result<const SceneFrame*>(nullptr);
+    if (!now || !then) {
+      image = !now ? now.error() : then.error();
+      return;
+    }
+    if (two) {
+      image = pair(*beside, **then, **now, how, allRound);
       return;
     }
     auto picture = Picture::open();
-    image = !picture ? picture.error() : allRound ? fourSides(**picture, frame, how) : (*picture)->draw(frame, how);
+    image = !picture ? picture.error() : allRound ? fourSides(**picture, **now, how) : (*picture)->draw(**now, how);
   }).join();
   return *std::move(image);
+}
+
+// With what the map tells, whose scale goes up as far as that of any fitting on the picture. Pressure takes tenths of a
+// second and is the same for every view.
+Result<const SceneFrame*> PictureDialog::framed(const GarmentSnapshot& fitting, PictureOptions& how) const {
+  if (how.map != Map::Pressure) return &fitting.frame;
+  auto known = pressed_.find(&fitting);
+  if (known == pressed_.end()) {
+    Workers alone(1);
+    auto pressed = pressedFrame(fitting, alone);
+    if (!pressed) return pressed.error();
+    known = pressed_.emplace(&fitting, *std::move(pressed)).first;
+  }
+  how.mapTop = std::max(how.mapTop, known->second.top);
+  return &known->second.frame;
 }
 
 Done PictureDialog::write(const std::string& path) const {

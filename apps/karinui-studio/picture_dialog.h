@@ -1,7 +1,9 @@
 #pragma once
 // A picture of the fitting for a letter or a wall: from where, how large, with which map. GUI thread.
 #include <QDialog>
+#include <map>
 
+#include "karinui/session/fit.h"
 #include "karinui/view/picture.h"
 #include "space_view.h"
 
@@ -19,10 +21,12 @@ class PictureDialog : public QDialog {
 
  private:
   void refresh();
+  Result<const SceneFrame*> framed(const GarmentSnapshot& fitting, PictureOptions& how) const;
   Session& session_;
   SpaceView& view_;
   QComboBox *from_, *size_, *eyes_;
   QLabel* picture_;
+  mutable std::map<const GarmentSnapshot*, PressedFrame> pressed_;  // those that were drawn with their pressure
 };
 
 }  // namespace karinui::studio

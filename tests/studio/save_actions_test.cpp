@@ -282,6 +282,26 @@ TEST(StudioSaveActions, ARollTakesTheWholeSheetAtItsOwnSize) {
   EXPECT_NEAR(std::max(page.width(), page.height()), 2e3 * std::max(size.u, size.v), 3);
 }
 
+// What the window shows is what is saved: the pressure with its scale, too.
+TEST(StudioSaveActions, ThePictureHasTheMapThatIsSeen) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.rest();
+  const auto drawn = [&](FitMap map) {
+    w.space().setMap(map);
+    PictureDialog dialog(w.session(), w.space(), &w.main());
+    named<QComboBox>(dialog, "From").setCurrentIndex(1);
+    const auto image = dialog.draw(0.25);
+    EXPECT_TRUE(image) << text(image.error().what);
+    return image ? image->rgba : std::vector<std::uint8_t>();
+  };
+  const auto plain = drawn(FitMap::None), strain = drawn(FitMap::Strain), pressure = drawn(FitMap::Pressure);
+  EXPECT_NE(plain, strain);
+  EXPECT_NE(plain, pressure);
+  EXPECT_NE(strain, pressure);
+}
+
 TEST(StudioSaveActions, TakesAPictureFromEverySide) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
