@@ -472,7 +472,8 @@ class PythonDocument {
   py::dict stepDict(const Step& step) {
     const Document document = now();
     py::dict d;
-    d["operation"] = text(step.operation), d["operations"] = document.operations, d["hash"] = hash(document);
+    d["operation"] = withShortLengths(text(step.operation)), d["operations"] = document.operations,
+    d["hash"] = hash(document);
     const bool pulled = std::holds_alternative<PullCloth>(step.operation);
     if (const auto& last = document.drape.last; last && (pulled || std::holds_alternative<DrapePieces>(step.operation)))
       d["settled"] = last->settled, d["why"] = text(last->why);

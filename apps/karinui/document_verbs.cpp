@@ -178,7 +178,8 @@ int runLog(Program& program, const DocumentOnly& options) {
   return withDocument(program, options.path, true, [&](OpenDocument& opened) -> int {
     Json steps = Json::array();
     for (const Step& step : opened.file().steps()) {
-      steps.push_back({{"serial", step.serial}, {"operation", text(step.operation)}, {"hash", step.after}});
+      steps.push_back(
+          {{"serial", step.serial}, {"operation", withShortLengths(text(step.operation))}, {"hash", step.after}});
     }
     program.console.answer({{"operations", steps}}, withReadableLengths(opened.file().log()));
     return kDone;

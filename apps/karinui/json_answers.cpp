@@ -83,7 +83,8 @@ Json continuationJson(const SettleReport& report) {
 }
 
 Json stepJson(const Step& step, const Document& after) {
-  Json object = {{"operation", text(step.operation)}, {"operations", after.operations}, {"hash", step.after}};
+  Json object = {
+      {"operation", withShortLengths(text(step.operation))}, {"operations", after.operations}, {"hash", step.after}};
   if (std::holds_alternative<PullCloth>(step.operation)) {
     double most = 0;
     for (const Vec3& force : after.drape.force) most = std::max(most, length(force));

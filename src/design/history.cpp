@@ -193,7 +193,7 @@ Result<Step> DocumentFile::redo(Context& context) {
 std::string DocumentFile::log() const {
   std::string all;
   for (const Step* s : inside_->line(inside_->head.seq)) {
-    all += text(s->operation) + "  # " + std::to_string(s->serial) + "\n";
+    all += withShortLengths(text(s->operation)) + "  # " + std::to_string(s->serial) + "\n";
   }
   return all;
 }

@@ -134,7 +134,7 @@ Result<std::string> writtenOut(const GarmentSnapshot& snapshot, const std::vecto
   if (wish.format->out != FileContent::Script && pattern.pieces.empty()) return nothingToWrite();
   const auto script = [&] {
     std::string all;
-    for (const Step& step : steps) all += text(step.operation) + "\n";
+    for (const Step& step : steps) all += withShortLengths(text(step.operation)) + "\n";
     return all;
   };
   const auto garment = [&]() -> Result<SpatialGarment> { return spatialOf(snapshot.document, snapshot.frame); };

@@ -184,6 +184,37 @@ TEST(OperationText, TakesTheSpellingsPeopleWrite) {
   EXPECT_EQ(canonical("unsew seam=s5"), "unsew seam=s5");
 }
 
+// The shortest length that is the same number is told; what cannot be told shorter stays.
+TEST(OperationText, ShortLengthsAreTheSameNumbers) {
+  const auto given = parseOperation("rectangle name=a_93.26 width=93.26mm height=55.1mm");
+  ASSERT_TRUE(given);
+  EXPECT_THAT(text(*given), testing::HasSubstr("0000000")) << "the noise that is kept out";
+  const std::string shortly = withShortLengths(text(*given));
+  EXPECT_THAT(shortly, testing::HasSubstr("width=93.26mm"));
+  EXPECT_EQ(*parseOperation(shortly), *given);
+  std::mt19937_64 random(5);
+  int shorter = 0;
+  for (int n = 0; n < 4000; ++n) {
+    MovePiece move;
+    move.pieces = {PieceRef{"a"}};
+    const auto any = [&]() -> double {
+      const double whole = static_cast<double>(static_cast<std::int64_t>(random() % 4'000'001) - 2'000'000);
+      return n % 4 == 0 ? whole * 1.0000000001e-7 : n % 4 == 1 ? whole / 100 / 1000 : whole / 100 / 100;
+    };
+    move.by = {any(), any(), any()};
+    const Operation operation(move);
+    const std::string all = text(operation), less = withShortLengths(all);
+    EXPECT_LE(less.size(), all.size());
+    shorter += less.size() < all.size();
+    const auto again = parseOperation(less);
+    ASSERT_TRUE(again) << less;
+    ASSERT_EQ(*again, operation) << all << " as " << less;
+  }
+  EXPECT_GT(shorter, 500);
+  EXPECT_EQ(withShortLengths("a1.50000000000000000mm 12.34567890123456mmx"),
+            "a1.50000000000000000mm 12.34567890123456mmx");
+}
+
 TEST(OperationText, SaysWhatIsWrong) {
   const auto wrong = [](std::string_view line) {
     const auto op = parseOperation(line);

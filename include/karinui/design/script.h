@@ -13,6 +13,10 @@ namespace karinui {
 
 std::string text(const Operation& operation);
 Result<Operation> parseOperation(std::string_view line);
+// Operations' text without the noise of arithmetic in its lengths: 93.26mm where 93.26000000000001mm is the same
+// number. What is read of it is what was written, bit for bit; the text that is hashed, text(operation), stays as it
+// is.
+std::string withShortLengths(std::string_view operations);
 // Refuses a typed length of 2 or more without a unit: it would be metres, and centimetres are meant.
 Done unitMeant(std::string_view length);
 

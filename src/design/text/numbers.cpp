@@ -1,7 +1,9 @@
+#include <cctype>
 #include <charconv>
 
 #include "design/text/value_text.h"
 #include "karinui/base/number.h"
+#include "karinui/design/script.h"
 
 namespace karinui {
 
@@ -82,6 +84,33 @@ std::string lengthText(double metres) {
   const std::string text = millimetreText(metres) + "mm";
   if (const auto back = parseLength(text); back && *back == metres) return text;
   return shortest(metres);
+}
+
+std::string withShortLengths(std::string_view operations) {
+  constexpr std::size_t kNoisy = 15;  // digits, the point among them: with fewer no shorter number is the same
+  const auto inNumber = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+  const auto inWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  std::string all;
+  all.reserve(operations.size());
+  for (std::size_t at = 0; at < operations.size();) {
+    std::size_t end = at;
+    while (end < operations.size() && inNumber(operations[end])) ++end;
+    std::string_view word = operations.substr(at, end - at);
+    const bool length = word.size() >= kNoisy && operations.substr(end, 2) == "mm" &&
+                        (end + 2 == operations.size() || !inWord(operations[end + 2])) &&
+                        (all.empty() || !inWord(all.back()));
+    std::string shorter;
+    if (const auto number = length ? parseNumber(word) : std::nullopt) {
+      const auto same = [&](std::string_view text) { return *parseLength(std::string(text) + "mm"); };
+      for (int decimals = 0; decimals < 14 && shorter.empty(); ++decimals)
+        if (const std::string one = fixed(*number, decimals); one.size() < word.size() && same(one) == same(word))
+          shorter = one;
+    }
+    all += shorter.empty() ? std::string(word) : shorter;
+    if (end == at) all += operations[end++];
+    at = end;
+  }
+  return all;
 }
 
 }  // namespace karinui
