@@ -14,6 +14,7 @@
 namespace karinui::studio {
 
 std::optional<double> metresIn(QString text) {
+  text = text.normalized(QString::NormalizationForm_KC);  // digits of full width
   const std::string said = text.replace(',', '.').replace('"', "in").remove(' ').toStdString();
   if (const auto bare = parseNumber(said)) return *bare * (Theme::here().inches() ? 0.0254 : 0.01);
   const auto length = parseLength(said);

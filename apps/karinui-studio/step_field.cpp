@@ -24,6 +24,9 @@ struct Wording {
 
 std::string utf8(const QString& text) { return text.trimmed().toStdString(); }
 
+// With digits and signs of full width, as Japanese input gives them, in their usual form.
+QString inUsualWidth(const QString& text) { return text.normalized(QString::NormalizationForm_KC); }
+
 // "5 cm", "0 cm", "2.5 cm": no more digits than there are.
 QString shortLength(double metres) {
   QString words = lengthText(metres, 3);
@@ -51,13 +54,13 @@ Wording lengthsWording(bool bare) {
                    (bare ? " m/s²" : "");
           },
           [=](const QString& typed) {
-            QString text = typed;
-            if (bare) text.remove("m/s²");
+            QString text = inUsualWidth(typed);
+            if (bare) text.remove(inUsualWidth("m/s²"));
             return each(text, ",",
                         [&](const QString& n) {
                           if (bare) return n;
                           const auto metres = metresIn(n);
-                          return metres ? QString::fromStdString(shortest(*metres)) : n;
+                          return metres ? QString::fromStdString(shortest(*metres)) + "m" : n;
                         })
                 .toStdString();
           }};
@@ -119,7 +122,7 @@ Wording measuresWording() {
           [](const QString& typed) {
             static const QRegularExpression measure("^(.*?)[\\s=:：]*([-+]?[\\d.]+\\s*[a-z\"]*)$");
             QStringList items;
-            for (const QString& item : typed.split(';', Qt::SkipEmptyParts)) {
+            for (const QString& item : inUsualWidth(typed).split(';', Qt::SkipEmptyParts)) {
               const auto match = measure.match(item.trimmed());
               const std::string name = utf8(match.captured(1));
               const auto key = measurementKey(identifierOf(name).value_or(name));
@@ -128,7 +131,7 @@ Wording measuresWording() {
                 items << item.trimmed();
               else
                 items << QString::fromStdString(*key + "=") + (metres && !isAngle(*key)
-                                                                   ? QString::fromStdString(shortest(*metres))
+                                                                   ? QString::fromStdString(shortest(*metres)) + "m"
                                                                    : match.captured(2).remove(' '));
             }
             return items.join("; ").toStdString();
@@ -148,7 +151,7 @@ Wording numberWording(const Document& document, std::string_view operation, cons
             static const QRegularExpression number("^\\s*([-+]?[\\d.]+(?:e[-+]?\\d+)?)\\s*(.*)$");
             if (const auto formula = Formula::parse(utf8(typed)); formula && formula->terms().size() > 1)
               return utf8(typed);
-            const auto match = number.match(typed);
+            const auto match = number.match(inUsualWidth(typed));
             const auto value = parseNumber(match.captured(1).toStdString());
             if (!value) return utf8(typed);
             // A bare number below one is a share, as scripts write it.

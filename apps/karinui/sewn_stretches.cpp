@@ -9,21 +9,22 @@
 namespace karinui::app {
 
 std::vector<SewnStretch> sewnStretches(const Document& document, const Piece& piece) {
-  constexpr double kWithin = 1e-9;  // of the seam: at a break itself a walk is on either of two edges
   const Pattern& pattern = document.pattern;
   std::vector<SewnStretch> all;
   for (const auto& [id, seam] : pattern.seams) {
     const SeamSides sides(pattern, seam);
     const std::vector<double> breaks = sides.breaks();
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-      const double from = breaks[k] + kWithin, to = breaks[k + 1] - kWithin;
+      // By two places well within: at a break itself a walk is on either of two edges.
+      const double from = std::lerp(breaks[k], breaks[k + 1], 0.25), to = std::lerp(breaks[k], breaks[k + 1], 0.75);
       const auto span = [&](const SeamSide& side) {
-        const SeamPlace start = side.at(from), end = side.at(to);
+        const SeamPlace one = side.at(from), other = side.at(to);
+        const double beyond = (other.fraction - one.fraction) / 2;
+        const double begins = one.fraction - beyond, ends = other.fraction + beyond;
         const auto whole = [](double share) {
           return std::fabs(share - std::round(share)) < 1e-6 ? std::round(share) : share;
         };
-        return EdgeSpan{start.piece, start.edge, whole(std::min(start.fraction, end.fraction)),
-                        whole(std::max(start.fraction, end.fraction))};
+        return EdgeSpan{one.piece, one.edge, whole(std::min(begins, ends)), whole(std::max(begins, ends))};
       };
       const EdgeSpan a = span(sides.a), b = span(sides.b);
       for (const bool first : {true, false}) {

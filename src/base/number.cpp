@@ -1,6 +1,7 @@
 #include "karinui/base/number.h"
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -10,12 +11,20 @@ namespace karinui {
 
 namespace {
 
+constexpr char kWide = '\xef';  // the first byte of U+FF01 to U+FF5E in UTF-8
+
 struct Unit {
   std::string_view name;
   double perUnit;  // how many of it make one metre or radian: dividing keeps 12mm the double nearest to 0.012
 };
 
+bool hasWide(std::string_view text) { return text.find(kWide) != std::string_view::npos; }
+
 std::optional<double> parseWithUnit(std::string_view text, std::span<const Unit> units) {
+  if (hasWide(text)) {
+    const std::string plain = halfWidth(text);
+    return hasWide(plain) ? std::nullopt : parseWithUnit(plain, units);
+  }
   std::size_t digits = text.size();
   while (digits > 0 && std::isalpha(static_cast<unsigned char>(text[digits - 1])) != 0) --digits;
   const auto number = parseNumber(text.substr(0, digits));
@@ -38,7 +47,29 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
+std::string halfWidth(std::string_view text) {
+  constexpr unsigned kFirst = 0xFF01, kLast = 0xFF5E, kApart = 0xFF01 - '!';
+  std::string out;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] == kWide && k + 2 < text.size()) {
+      const auto low = [&](std::size_t i) { return static_cast<unsigned char>(text[i]) & 0x3FU; };
+      const unsigned code = 0xF000U | low(k + 1) << 6 | low(k + 2);
+      if (code >= kFirst && code <= kLast) {
+        out += static_cast<char>(code - kApart);
+        k += 2;
+        continue;
+      }
+    }
+    out += text[k];
+  }
+  return out;
+}
+
 std::optional<double> parseNumber(std::string_view text) {
+  if (hasWide(text)) {
+    const std::string plain = halfWidth(text);
+    return hasWide(plain) ? std::nullopt : parseNumber(plain);
+  }
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

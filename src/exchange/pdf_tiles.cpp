@@ -163,7 +163,7 @@ void drawCover(PdfCanvas& canvas, const TileGrid& grid, const Sheet& sheet, cons
   const std::string lines[] = {
       said(say("1. Print this page at 100 % (“actual size”). The square must measure 100 mm, the dashed one 4 in.")),
       said(say("2. Print the other {0} {0|page|pages}. Letters are rows, numbers columns; A1 is at the top left.",
-               tiles.size())),
+               tiles.size() + orderPages(grid, settings).size())),
       said(say("3. Lay each sheet on the strip of the one to its left and above, border on the dashed line,")),
       said(say("so that the half diamonds become whole ones, and glue.")),
       said(say("4. Cut the paper along the solid lines. The kinds of lines are layers of this file.")),

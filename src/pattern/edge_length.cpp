@@ -139,6 +139,7 @@ class MovedEnd {
         follow(neighbour, !end_, by);
         for (Flat& p : neighbour.between) p += by;
         set(next_, end_, far_ + by);
+        now.edges[beyond()].curve = symmetry_->image(neighbour).reversed();  // all of it goes, not its end alone
       } else if (keeps) {
         neighbour = end_ ? between(was, *there, far_) : between(was, far_, *there);
       } else {
@@ -159,10 +160,8 @@ class MovedEnd {
  private:
   bool onAxis(Flat place) const { return distance(symmetry_->image(place), place) < kOnAxis; }
   // The neighbour's far end lies on the axis, and its image begins there.
-  bool farSlides() const {
-    const std::size_t beyond = end_ ? (next_ + 1) % n_ : (next_ + n_ - 1) % n_;
-    return symmetry_ && onAxis(far_) && symmetry_->partner[next_] == beyond;
-  }
+  bool farSlides() const { return symmetry_ && onAxis(far_) && symmetry_->partner[next_] == beyond(); }
+  std::size_t beyond() const { return end_ ? (next_ + 1) % n_ : (next_ + n_ - 1) % n_; }
   Locus neighbourLocus() const {
     if (symmetry_ && !across_ && (symmetry_->partner[next_] == next_ || farSlides()))
       return {true, moves_, symmetry_->axis, 0};

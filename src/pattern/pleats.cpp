@@ -127,8 +127,10 @@ class Spreading {
       const auto from = parameterAcross(curve, made_.across, fold.low, true),
                  to = parameterAcross(curve, made_.across, fold.low + d, true);
       if (!from || !to)
-        return refused(say("A pleat {0} mm deep does not fit there on edge {1}, which is {2} mm long.", inMm(d),
-                           plan_.edge, inMm(curve.length())));
+        return refused(
+            say("A pleat {0} mm deep does not fit there on edge {1}, which is {2} mm long: it would reach "
+                "beyond its end. Put it farther in, or join the edge to the next one first.",
+                inMm(d), plan_.edge, inMm(curve.length())));
       if (!monotonous(curve, made_.across, *from, *to, true))
         return refused(
             say("The pleats run along edge {0}, not into the piece; give them another direction.", plan_.edge));

@@ -79,8 +79,10 @@ Result<DartedPiece> addDart(const Piece& piece, std::string_view edge, double fr
   const Curve curve = now.outline.edges[*k].curve;
   const double whole = curve.length(), from = fraction * whole - width / 2, to = fraction * whole + width / 2;
   if (!(width >= kLeastEdge && from >= kLeastEdge && whole - to >= kLeastEdge))
-    return refused(say("A dart {0} mm wide does not fit there on edge {1}, which is {2} mm long.", inMm(width), edge,
-                       inMm(whole)));
+    return refused(
+        say("A dart {0} mm wide does not fit there on edge {1}, which is {2} mm long: it would open beyond "
+            "its end. Put it farther in, or join the edge to the next one first.",
+            inMm(width), edge, inMm(whole)));
   const Ring ring = now.outline.flattened(1e-4);
   if (!contains(ring, tip) || distanceToRing(ring, tip) < kLeastEdge)
     return refused(say("The dart's tip must lie inside {0}.", piece.name));

@@ -216,11 +216,12 @@ Result<PressedFrame> pressedFrame(const GarmentSnapshot& snapshot, Workers& work
 std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {
   std::vector<Girths> all;
   if (!snapshot.body) return all;
-  const auto heightOf = [&](const char* place) -> std::optional<double> {
+  const auto heightOn = [](const Body& body, const char* place) -> std::optional<double> {
     const auto point = parseBodyPoint(place);
-    const auto there = point ? snapshot.body->find(*point) : Result<SurfacePoint>(point.error());
-    return there ? std::optional(at(snapshot.body->mesh(), *there).y) : std::nullopt;
+    const auto there = point ? body.find(*point) : Result<SurfacePoint>(point.error());
+    return there ? std::optional(at(body.mesh(), *there).y) : std::nullopt;
   };
+  const auto heightOf = [&](const char* place) { return heightOn(*snapshot.body, place); };
   std::optional<double> armpit;
   const auto under = [&](double height) { armpit = std::fmin(armpit.value_or(height), height - kUnderArmpit); };
   for (const char* place : {"torso:armpit@0", "landmark:armpit_left", "landmark:armpit_right"})
@@ -228,11 +229,12 @@ std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {
   // A full upper arm lies against the trunk below the fold.
   if (const auto& measured = snapshot.body->measured().value; armpit && measured.contains("armpit_height"))
     under(measured.at("armpit_height"));
-  // Where the tape measured the figure, so that both tables say the same; one that has moved, where the line is now.
+  // Where the tape measured the figure, so that both tables say the same; with a pose it goes as far as the line does.
   const auto levelOf = [&](const char* measure, const char* place) {
     const auto& measured = snapshot.body->measured().value;
-    const auto own = snapshot.body->pose().empty() ? measured.find(measure) : measured.end();
-    return own != measured.end() ? std::optional(own->second) : heightOf(place);
+    const auto own = measured.find(measure);
+    const auto now = heightOf(place), before = heightOn(snapshot.body->own(), place);
+    return own != measured.end() && now && before ? std::optional(own->second + *now - *before) : now;
   };
   const std::pair<std::optional<double>, Message> levels[] = {
       {armpit, say("armpit")},

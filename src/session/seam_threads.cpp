@@ -24,6 +24,11 @@ std::pair<std::vector<Vec3>, std::vector<Vec3>> sidesOf(const GarmentSnapshot& s
   return {std::move(a), std::move(b)};
 }
 
+bool nearlyClosed(const std::vector<Vec3>& line) {
+  constexpr double kShare = 0.3;  // of its length
+  return distance(line.front(), line.back()) < kShare * lineLength(line, false);
+}
+
 }  // namespace
 
 std::vector<SceneLine> threadsOf(const GarmentSnapshot& snapshot) {
@@ -50,8 +55,14 @@ std::vector<CrossedSeam> crossedSeams(const GarmentSnapshot& snapshot) {
   for (const auto& [id, seam] : snapshot.document.pattern.seams) {
     const auto [a, b] = sidesOf(snapshot, seam);
     if (a.size() < 2 || b.size() < 2) continue;
-    const double straight = distance(a.front(), b.front()) + distance(a.back(), b.back());
-    const double turned = distance(a.front(), b.back()) + distance(a.back(), b.front());
+    // Of a run that nearly closes, as round an armhole, both ends lie together and tell nothing.
+    const bool ring = nearlyClosed(a) || nearlyClosed(b);
+    const auto at = [&](const std::vector<Vec3>& line, bool last) {
+      const std::size_t in = ring ? (line.size() - 1) / 4 : 0;
+      return line[last ? line.size() - 1 - in : in];
+    };
+    const double straight = distance(at(a, false), at(b, false)) + distance(at(a, true), at(b, true));
+    const double turned = distance(at(a, false), at(b, true)) + distance(at(a, true), at(b, false));
     if (straight < 2 * kApart || turned > 0.98 * straight) continue;
     CrossedSeam one{id, (a[a.size() / 2] + b[b.size() / 2]) * 0.5, {}};
     for (const auto* side : {&seam.a, &seam.b}) {

@@ -120,7 +120,7 @@ TEST_F(WrittenFiles, AMissingFolderIsToldFirst) {
        {"export " + none + " -o " + out + "glb --poses T,A", "picture " + none + " -o " + out + "png",
         "picture " + none + " --table -o " + out + "png", "layout " + none + " -o " + out + "pdf",
         "report " + none + " -o " + out + "pdf", "check " + none + " --poses T --sheet " + out + "png",
-        "refit " + none + " -o " + out + "karinui"}) {
+        "refit " + none + " --body jis9ar -o " + out + "karinui"}) {
     const Said said = karinui(words);
     EXPECT_NE(said.exit, 0) << words;
     EXPECT_THAT(said.err, HasSubstr("there is no such folder")) << words;

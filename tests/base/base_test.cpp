@@ -72,6 +72,11 @@ TEST(Number, LengthsInTheUnitsPeopleWrite) {
   EXPECT_EQ(*parseLength("12mm"), 0.012);
   EXPECT_EQ(*parseLength("88cm"), 0.88);
   EXPECT_EQ(*parseLength("-1.5m"), -1.5);
+  EXPECT_EQ(*parseLength("－９５．５ｃｍ"), -0.955) << "as Japanese input gives it";
+  EXPECT_EQ(*parseNumber("１２"), 12);
+  EXPECT_EQ(*parseAngle("９０deg"), *parseAngle("90deg"));
+  EXPECT_EQ(halfWidth("袖丈ｘ２\xef"), "袖丈x2\xef");
+  for (const char* none : {"９５ｃ", "ー５", "\xef", "\xef\xbc", "５本"}) EXPECT_FALSE(parseLength(none)) << none;
   EXPECT_DOUBLE_EQ(*parseLength("2in"), 0.0508);
   EXPECT_DOUBLE_EQ(*parseAngle("90deg"), std::numbers::pi / 2);
   for (const char* bad : {"", "mm", "12 mm", "1,5cm", "nan", "inf", "1e999", "5furlong", "0x10"}) {

@@ -68,6 +68,11 @@ TEST(Formula, UnitsAndDimensions) {
   EXPECT_EQ(valueOf("bust × 2 ÷ 4 − 1cm").value, 0.88 * 2 / 4 - 1.0 / 100);
 }
 
+TEST(Formula, TakesDigitsOfFullWidth) {
+  EXPECT_EQ(valueOf("bust／４＋１．５ｃｍ"), valueOf("bust/4+1.5cm"));
+  EXPECT_EQ(valueOf("（９５ｃｍ＋５cm）＊２"), valueOf("(95cm+5cm)*2"));
+}
+
 TEST(Formula, RefusalsQuoteThePart) {
   EXPECT_THAT(sentenceOf("bust/4 + 1.5"), HasSubstr("“bust/4” is a length and “1.5” is a plain number"));
   EXPECT_THAT(sentenceOf("sin(30)"), HasSubstr("sin() wants an angle, and “30” is a plain number"));

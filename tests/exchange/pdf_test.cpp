@@ -85,6 +85,10 @@ TEST(PdfPages, PiecesLieCloseTogether) {
   told.order.assign(60, say("Sew {0} onto {1}: {3|seam|seams} {2}.", "pocket", "a very long name of a piece", "7", 1));
   EXPECT_EQ(PaperPages::of(pattern, PaperKind::A4, told)->count(), 3 + tilesOf(sheet, grid).size())
       << "sixty steps have two pages of their own behind the cover";
+  const auto cover = [&](const SheetSettings& settings) {
+    return PaperPages::of(pattern, PaperKind::A4, settings)->draw(0, 4000, 0, 0, 840, 250);
+  };
+  EXPECT_NE(cover(told), cover({})) << "which counts them";
   const Sheet whole = *layOut(pattern, told);
   EXPECT_EQ(PaperPages::of(pattern, PaperKind::OneSheet, told)->count(), 1u);
   for (const SheetText& words : whole.headings)

@@ -51,6 +51,29 @@ TEST(EdgeLength, ASideMadeLongerLowersTheWholeHemAndTheArmholeStays) {
   EXPECT_EQ(curveOf(*after, "side_left").end, curveOf(before, "side_left").end);
 }
 
+// A hem in curves is carried as it is, from whichever half the side is typed.
+TEST(EdgeLength, ACurvedHemGoesDownAsItIs) {
+  Outline before = bodice();
+  const Curve curved[] = {Curve::cubic({0, 0}, {0.04, 0}, {0.08, 0.002}, {0.12, 0.005}),
+                          Curve::cubic({0.12, 0.005}, {0.16, 0.008}, {0.2, 0.01}, {0.24, 0})};
+  before.edges[*before.find("hem_left")].curve = Curve::joined(curved);
+  before.edges[*before.find("hem_right")].curve = Curve::joined(curved).mirrored({}, {0, 1}).reversed();
+  const auto symmetry = symmetryOf(before);
+  ASSERT_TRUE(symmetry);
+  for (const char* side : {"side_left", "side_right"}) {
+    const auto after = withLength(
+        before, {side, 0.4, side == std::string("side_left") ? KeptEnd::End : KeptEnd::Start, true}, &*symmetry);
+    ASSERT_TRUE(after) << why(after);
+    for (const char* hem : {"hem_left", "hem_right"}) {
+      const Curve &was = curveOf(before, hem), &is = curveOf(*after, hem);
+      const Flat by = is.start - was.start;
+      EXPECT_NEAR(by.u, 0, 1e-12);
+      for (const double f : {0.2, 0.5, 0.8, 1.0})
+        EXPECT_LT(distance(is.atFraction(f), was.atFraction(f) + by), 1e-9) << side << " " << hem << " " << f;
+    }
+  }
+}
+
 TEST(EdgeLength, NeighboursTurnAboutTheirFarEnds) {
   const Outline before = rectangle(0.4, 0.3);  // bottom, right, top, left
   const auto after = withLength(before, {"right", 0.32, KeptEnd::Start, true}, nullptr);

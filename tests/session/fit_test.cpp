@@ -169,6 +169,23 @@ TEST(Fit, TellsTheGirthsThatTheTapeFound) {
   EXPECT_EQ(told.size(), 3u);
 }
 
+// An arm that is raised moves no level of the trunk below it.
+TEST(Fit, TellsTheSameGirthsWithAnArmRaised) {
+  Workers alone(1);
+  const auto body = makeMannequin(*builtInSize("eu38"), alone, Token());
+  ASSERT_TRUE(body);
+  const auto skeleton = Skeleton::of(*body);
+  ASSERT_TRUE(skeleton) << text(skeleton.error().what);
+  const auto raised = posed(**skeleton, {{Joint::LeftShoulder, {0, 80 * kDegree, 0}}});
+  ASSERT_TRUE(raised) << text(raised.error().what);
+  std::map<std::string, double> before;
+  for (const Girths& girths : girthsOf(tubesOn(*body, {{0, 0, 0.22}}, 1.6))) before[text(girths.name)] = girths.body;
+  for (const Girths& girths : girthsOf(tubesOn(*raised, {{0, 0, 0.22}}, 1.6)))
+    if (text(girths.name) == "waist" || text(girths.name) == "hip")
+      EXPECT_NEAR(girths.body, before.at(text(girths.name)), 1e-3) << text(girths.name);
+  ASSERT_TRUE(before.contains("hip"));
+}
+
 // The tape at the armpit goes under the arms, not round them: a man's chest is measured just there.
 TEST(Fit, AtTheArmpitTheArmsAreLeftOut) {
   Workers alone(1);

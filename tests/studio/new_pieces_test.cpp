@@ -118,7 +118,10 @@ TEST(StudioNewPieces, TheSettingsOfTheGarmentAreTyped) {
   numbers.type("spacing", "20cm");
   EXPECT_FALSE(numbers.make().isEnabled());
   EXPECT_THAT(numbers.said().toStdString(), HasSubstr("between 0.20 cm and 5.00 cm"));
-  numbers.type("spacing", "3");
+  numbers.type("spacing", "250");
+  EXPECT_THAT(numbers.said().toStdString(), HasSubstr("between 0.20 cm and 5.00 cm")) << "centimetres, no metres";
+  numbers.line("spacing").selectAll();
+  numbers.line("spacing").insert("３");  // as Japanese input gives it
   numbers.type("ease", "1.5");
   numbers.accept();
   EXPECT_EQ(w.count(), before + 1);

@@ -4,6 +4,7 @@
 
 #include "design/formula/words.h"
 #include "design/text/value_text.h"
+#include "karinui/base/number.h"
 
 namespace karinui {
 
@@ -22,17 +23,28 @@ bool letter(char c) {
 // The signs that people type or paste, as the grammar has them.
 std::string plainSigns(std::string_view text) {
   static constexpr std::pair<std::string_view, std::string_view> kSigns[]{
-      {"×", "*"},  {"·", "*"},  {"÷", "/"},  {"−", "-"},  {"°", "deg"}, {"　", " "},
-      {"＋", "+"}, {"－", "-"}, {"＊", "*"}, {"／", "/"}, {"（", "("},  {"）", ")"}};
+      {"×", "*"},  {"·", "*"},  {"÷", "/"},  {"−", "-"},  {"°", "deg"}, {"　", " "}, {"＋", "+"},
+      {"－", "-"}, {"＊", "*"}, {"／", "/"}, {"（", "("}, {"）", ")"},  {"．", "."}};
   std::string out;
+  bool named = false, counted = false;  // in a name, whose digits may be of any width; in a number and its unit
   while (!text.empty()) {
     bool found = false;
     for (const auto& [typed, plain] : kSigns)
       if (text.starts_with(typed)) {
+        counted = counted && plain == ".", named = false;
         out += plain, text.remove_prefix(typed.size()), found = true;
         break;
       }
-    if (!found) out += text[0], text.remove_prefix(1);
+    if (found) continue;
+    constexpr std::size_t kWide = 3;  // bytes of a character of full width
+    const std::string one = halfWidth(text.substr(0, kWide));
+    if (one.size() == 1 && !named && (digit(one[0]) || (counted && letter(one[0])))) {
+      out += one, text.remove_prefix(kWide), counted = true;
+      continue;
+    }
+    named = letter(text[0]) || (named && digit(text[0]));
+    counted = !named && (digit(text[0]) || (counted && text[0] == '.'));
+    out += text[0], text.remove_prefix(1);
   }
   return out;
 }

@@ -55,6 +55,9 @@ Result<Document> perform(const Document& before, const SetBody& op, Context& con
     after.body.form = op.form;
   }
   auto body = context.bodies.find(after.body, context.blobs, context.workers, context.token);
+  if (!body && body.error().kind == Error::Kind::Refused && !op.size.empty() && !op.set.empty())
+    return refused(say("{0} What is not stated is that of size {1}; without a size it follows from what is.",
+                       body.error().what, op.size));
   if (!body) return body.error();
   after.body.hash = (*body)->hash();
   if (!before.body.pose.empty()) {  // the new figure stands as the old one did
