@@ -153,6 +153,7 @@ void FitStudy::choice(const Message& words, bool ticked) {
   item->setCheckState(ticked ? Qt::Checked : Qt::Unchecked);
   choices_->addItem(item);
   if (choices_->count() == 1) choices_->setCurrentRow(0);
+  enable();  // no signal tells of a tick that the item came with
 }
 
 std::vector<std::size_t> FitStudy::ticked() const {

@@ -73,6 +73,7 @@ TEST(FitStudies, PosesAreTickedByKeysAndTheWorkIsStopped) {
   Study study("motion");
   ASSERT_TRUE(study.dialog);
   EXPECT_EQ(study.ticked(), 4) << "the usual ones";
+  EXPECT_TRUE(study.go().isEnabled()) << "with what is ticked already";
   study.choices().setFocus();
   study.choices().setCurrentRow(0);
   study.w.type(study.choices(), Qt::Key_Space);
@@ -136,6 +137,7 @@ TEST(FitStudies, FiguresAreTickedAndReadFromATable) {
   Study study("figures");
   ASSERT_TRUE(study.dialog);
   EXPECT_EQ(study.ticked(), 5) << "this figure, smaller and larger";
+  EXPECT_TRUE(study.go().isEnabled());
   EXPECT_GT(study.choices().count(), 8);
   Folder folder;
   const std::string file = (folder.path / "people.csv").string();
