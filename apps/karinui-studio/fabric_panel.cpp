@@ -131,6 +131,7 @@ FabricPanel::FabricPanel(Session& session, QWidget* in) : Panel(session, in) {
   });
   connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
     if (filling_ || !item) return;
+    byHand_ = !following_;
     show(fabricCalled(item->data(Qt::UserRole).toString().toStdString()));
   });
   connect(cut_, &QPushButton::clicked, this, [this] {
@@ -201,14 +202,22 @@ void FabricPanel::refresh() {
     if (!(chosen == selectionShown_)) {
       selectionShown_ = chosen;
       const Piece* piece = chosen.pieces.empty() ? nullptr : session_.snapshot().document.find(*chosen.pieces.begin());
-      if (piece && fabric_ == kept_) goTo(piece->fabric);
+      if (piece && fabric_ == kept_) follow(piece->fabric);
       showWhatMayBeDone();
     }
     return;
   }
   historyShown_ = session_.changes().history;
   filling_ = true;
-  const std::string was = wanted_.empty() ? fabric_.name : std::exchange(wanted_, {});
+  const Document& document = session_.snapshot().document;
+  // A garment that was opened shows its own cloth; what was looked up in the list stays while one works.
+  const bool opened = std::exchange(path_, session_.path()) != session_.path() && session_.steps().size() > 1;
+  if (opened) byHand_ = false;
+  std::string was = fabric_.name;
+  if (!wanted_.empty())
+    was = std::exchange(wanted_, {}), byHand_ = true;
+  else if (!byHand_ && (opened || fabric_ == kept_))
+    if (const std::string own = clothOf(document, chosen.pieces); !own.empty()) was = own;
   list_->clear();
   int n = 0;
   std::set<std::string> used;
@@ -227,8 +236,16 @@ void FabricPanel::refresh() {
   for (const Fabric& f : presets())
     if (!session_.snapshot().document.fabrics.contains(f.name)) add(f);
   filling_ = false;
+  following_ = true;
   goTo(was);
   if (!list_->currentItem() && list_->count() > 0) list_->setCurrentRow(0);
+  following_ = false;
+}
+
+void FabricPanel::follow(const std::string& name) {
+  following_ = true;
+  goTo(name);
+  following_ = byHand_ = false;
 }
 
 void FabricPanel::goTo(const std::string& name) {

@@ -18,6 +18,7 @@
 #include "karinui/design/sewing.h"
 #include "karinui/design/variables.h"
 #include "karinui/pattern/elastic_lines.h"
+#include "karinui/session/fabric_numbers.h"
 #include "main_window.h"
 #include "step_dialog.h"
 #include "theme.h"
@@ -369,7 +370,11 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
       action->setToolTip("<qt>" + inWords(says).toHtmlEscaped());
     });
     Theme::here().keep(action, [action, words] { action->setText(inWords(words)); });
-    connect(action, &QAction::triggered, this, [this, made = std::move(made)] { askNumbers(made()); });
+    connect(action, &QAction::triggered, this, [this, made = std::move(made)] {
+      Operation wish = made();
+      cutFromItsCloth(wish, session_->snapshot().document, session_->selection().pieces);
+      askNumbers(std::move(wish));
+    });
   };
   add("rectangle", say("Rectangle…"), Of::Nothing, [named] {
     DrawRectangle made;

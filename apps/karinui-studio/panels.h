@@ -143,6 +143,7 @@ class FabricPanel : public Panel {
   void fillValues();
   void showWhatMayBeDone();
   void goTo(const std::string& name);
+  void follow(const std::string& name);  // of what is chosen, until another is looked up
   Fabric fabricCalled(const std::string& name) const;
   void perform(SetFabric set, bool cut);
   QListWidget* list_;
@@ -151,8 +152,10 @@ class FabricPanel : public Panel {
   LookBoard* look_;
   QPushButton *cut_, *change_, *own_;
   std::vector<QDoubleSpinBox*> values_;
-  Fabric fabric_, kept_;  // as it is being changed, and as it is
-  std::string wanted_;    // what is chosen when the list is made anew
+  Fabric fabric_, kept_;                     // as it is being changed, and as it is
+  std::string wanted_;                       // what is chosen when the list is made anew
+  bool following_ = false, byHand_ = false;  // the list goes along with the garment; the hand went on in it
+  std::filesystem::path path_;               // of the garment that is shown
   Selection selectionShown_;
 };
 

@@ -1,5 +1,6 @@
 #include "karinui/session/fabric_numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -48,6 +49,26 @@ std::span<const FabricNumber> fabricNumbers() {
       {say("friction on skin"), "", 1, 2, 2, &Fabric::frictionBody, &SetFabric::frictionBody},
       {say("friction on cloth"), "", 1, 2, 2, &Fabric::frictionCloth, &SetFabric::frictionCloth}};
   return all;
+}
+
+std::string clothOf(const Document& document, const std::set<PieceId>& chosen) {
+  if (const Piece* piece = chosen.empty() ? nullptr : document.find(*chosen.begin())) return piece->fabric;
+  std::map<std::string, double> area;
+  for (const auto& [id, piece] : document.pattern.pieces) area[piece->fabric] += piece->outline.area();
+  const auto most =
+      std::max_element(area.begin(), area.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == area.end() ? std::string() : most->first;
+}
+
+void cutFromItsCloth(Operation& operation, const Document& document, const std::set<PieceId>& chosen) {
+  const auto cut = [&](std::string& fabric) {
+    const std::string own = clothOf(document, chosen);
+    if (fabric.empty() && own != Piece().fabric) fabric = own;
+  };
+  if (auto* drawn = std::get_if<DrawPiece>(&operation)) cut(drawn->fabric);
+  if (auto* rectangle = std::get_if<DrawRectangle>(&operation)) cut(rectangle->fabric);
+  if (auto* polygon = std::get_if<DrawPolygon>(&operation)) cut(polygon->fabric);
+  if (auto* ring = std::get_if<DrawRing>(&operation)) cut(ring->fabric);
 }
 
 SetFabric described(const Fabric& now, const Fabric& was) {

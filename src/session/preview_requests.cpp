@@ -1,4 +1,5 @@
 // The gesture in hand: the preview it requests is made by the worker thread, its result becomes a step.
+#include "karinui/session/fabric_numbers.h"
 #include "session/session_impl.h"
 
 namespace karinui {
@@ -65,6 +66,8 @@ void Session::Impl::takeResult(GestureResult result, bool begunBefore) {
   if (result.options) toolOptions = *result.options, ++changes.overlay;
   if (result.why) tell(result.operation ? Notice::Kind::Advice : Notice::Kind::Refused, *result.why);
   drawnAt = result.drawnAt;
+  for (std::optional<Operation>* drawn : {&result.operation, &result.asked})
+    if (*drawn) cutFromItsCloth(**drawn, state.snapshot->document, selection.pieces);
   if (result.asked) asked = std::move(result.asked), ++changes.overlay;
   if (!result.over) return request(std::move(result.request));
   keyboard.letGo();

@@ -17,6 +17,7 @@
 namespace karinui::studio {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -79,6 +80,56 @@ TEST(StudioFabric, EveryClothOfTheShopHangsOnTheTester) {
     seen.push_back(picture);
   }
   EXPECT_GE(seen.size(), 10u);
+}
+
+// Whoever opens a garment of linen is shown linen, prints linen, and draws new pieces of it.
+TEST(StudioFabric, TheBoardShowsWhatTheGarmentIsCutFrom) {
+  KARINUI_NEEDS_DISPLAY();
+  application();
+  Folder folder;
+  const fs::path file = folder.path / "linen.karinui";
+  {
+    Window maker;
+    for (const char* line : {"rectangle name=front width=40cm height=50cm fabric=linen",
+                             "rectangle name=back width=40cm height=50cm fabric=linen",
+                             "rectangle name=lining width=40cm height=50cm fabric=viscose"})
+      maker.session().perform(*parseOperation(line));
+    maker.rest();
+    maker.session().saveAs(file);
+    maker.rest();
+  }
+  Window w;
+  w.open(file);
+  w.main().boards().setCurrentIndex(2);
+  w.rest();
+  auto* plot = w.main().findChild<FabricPlot*>();
+  ASSERT_TRUE(plot);
+  EXPECT_EQ(plot->fabric().name, "linen") << "what most of it is cut from";
+  // Another that one looked up stays, whatever is done meanwhile.
+  QListWidget* list = nullptr;
+  for (QListWidget* one : w.main().findChildren<QListWidget*>())
+    if (one->accessibleName() == "Fabrics") list = one;
+  ASSERT_TRUE(list);
+  for (int row = 0; row < list->count(); ++row)
+    if (list->item(row)->data(Qt::UserRole).toString() == "denim") list->setCurrentRow(row);
+  EXPECT_EQ(plot->fabric().name, "denim");
+  w.session().perform(*parseOperation("remove piece=back"));
+  w.rest();
+  EXPECT_EQ(plot->fabric().name, "denim");
+  Selection chosen;
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("lining")->id};
+  w.session().select(chosen);
+  w.rest();
+  EXPECT_EQ(plot->fabric().name, "viscose");
+  w.key(Command::Rectangle);
+  const QPointF from(20, 20);
+  w.drag(w.table(), {from, from + QPointF(60, 60)});
+  w.rest();
+  EXPECT_THAT(w.last(), AllOf(StartsWith("rectangle"), HasSubstr("fabric=viscose"))) << w.main().said().toStdString();
+  w.session().select({});
+  w.drag(w.table(), {from, from + QPointF(40, 60)});
+  w.rest();
+  EXPECT_THAT(w.last(), StartsWith("rectangle"));
 }
 
 TEST(StudioFabric, ACurveIsDraggedAndKeptForOnePiece) {

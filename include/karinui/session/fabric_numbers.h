@@ -1,10 +1,12 @@
 #pragma once
 // The numbers of a fabric as people read and type them, and the step that sets them. Pure; any thread.
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "karinui/cloth/measured_fabric.h"
+#include "karinui/design/document.h"
 #include "karinui/design/operation.h"
 
 namespace karinui {
@@ -18,6 +20,11 @@ struct FabricNumber {
   std::optional<double> SetFabric::*step;  // null: the thickness, which is a length
 };
 std::span<const FabricNumber> fabricNumbers();
+
+// What the first chosen piece is cut from, else the most of a garment; empty: there is no piece.
+std::string clothOf(const Document& document, const std::set<PieceId>& chosen);
+// A new piece that is drawn is cut from that too, where it does not say what from.
+void cutFromItsCloth(Operation& operation, const Document& document, const std::set<PieceId>& chosen);
 
 // The step that says what differs from the fabric it was; its name and `like` are for the caller.
 SetFabric described(const Fabric& now, const Fabric& was);
