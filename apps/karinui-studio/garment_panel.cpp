@@ -469,6 +469,7 @@ void GarmentPanel::fillProperties() {
           for (const EdgeSpan& s : *side)
             if (s.piece == piece->id && s.edge == edge->name) sewn = seamName(document, seam);
       sewn_->setText(sewn);
+      sewn_->setMinimumHeight(0);  // else it is as high as the last one
       sewn_->setMinimumHeight(sewn_->heightForWidth(std::max(sewn_->width(), 150)));  // a form does not ask for it
     }
   }

@@ -15,6 +15,8 @@ namespace karinui::studio {
 
 namespace {
 
+constexpr double kRulerUp = 18, kRulerPad = 18;  // pixels: from the foot to the ruler; round its words
+
 double niceStep(double pixelsPerMetre) {
   for (const double step : {0.001, 0.005, 0.01, 0.05, 0.1, 0.5, 1.0})
     if (step * pixelsPerMetre >= 14) return step;
@@ -33,7 +35,7 @@ TableOnScreen PatternView::screen() const { return {middle_, scale_, size()}; }
 QPointF PatternView::onScreen(Flat table) const { return screen().at(table); }
 Flat PatternView::onTable(const QPointF& at) const { return screen().table(at); }
 
-void PatternView::showAll() {
+FlatBox PatternView::all() const {
   FlatBox box;
   for (const auto& worn : session_.snapshot().worn)
     for (const Flat p : worn.ring) box.include(p + session_.table().at(worn.id));
@@ -42,11 +44,19 @@ void PatternView::showAll() {
       for (const Flat corner : {Flat{0, 0}, Flat{1.0 * underlay.wide, 0}, Flat{0, 1.0 * underlay.high},
                                 Flat{1.0 * underlay.wide, 1.0 * underlay.high}})
         box.include(underlay.onTable(corner));
+  return box;
+}
+
+// Above the ruler, which would lie on a piece's edge.
+void PatternView::showAll() {
+  FlatBox box = all();
   if (box.empty()) box = {{0, -0.7}, {0.9, 0}};
-  middle_ = lerp(box.low, box.high, 0.5);
   const Flat size = box.size();
-  scale_ = std::clamp(std::min(width() * 0.88 / std::max(size.u, 0.05), height() * 0.86 / std::max(size.v, 0.05)), 20.0,
-                      6000.0);
+  const double foot = std::min(QFontMetricsF(font()).ascent() + kRulerUp + kRulerPad, height() * 0.2),
+               high = height() - foot;
+  scale_ =
+      std::clamp(std::min(width() * 0.88 / std::max(size.u, 0.05), high * 0.9 / std::max(size.v, 0.05)), 20.0, 6000.0);
+  middle_ = lerp(box.low, box.high, 0.5) - Flat{0, foot / 2 / scale_};
   mine_ = false;
   update();
 }
@@ -116,7 +126,7 @@ void PatternView::paintEvent(QPaintEvent*) {
   paintChosenEdges(painter, frame, screen());
   // A ruler in the corner: how large things are. On a ground, for a piece may lie there.
   const double ruler = step * 5;
-  const QPointF left(18, height() - 18.0), right(18 + ruler * scale_, height() - 18.0);
+  const QPointF left(18, height() - kRulerUp), right(18 + ruler * scale_, height() - kRulerUp);
   const QString rulerSaid = lengthText(ruler);
   const QFontMetricsF metrics(painter.font());
   const double wide = std::max(right.x() - left.x(), 2 + metrics.horizontalAdvance(rulerSaid));

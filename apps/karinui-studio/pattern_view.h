@@ -43,6 +43,7 @@ class PatternView : public QWidget {
   PointerSample sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const;
   void feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase);
   TableOnScreen screen() const;
+  FlatBox all() const;  // the pieces and scans that lie there
 
   Session& session_;
   LatencyLog& latencyLog_;

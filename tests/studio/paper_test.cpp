@@ -4,12 +4,14 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFrame>
+#include <QLabel>
 #include <QMenu>
 #include <QPainter>
 #include <QTreeWidget>
 #include <numbers>
 
 #include "karinui/design/script.h"
+#include "karinui/pattern/cut_line.h"
 #include "length_choice.h"
 #include "studio/window.h"
 
@@ -134,6 +136,46 @@ TEST(StudioPaper, ANumberTypedIsTheNumberCut) {
   w.rest();
   const Piece* after = w.session().snapshot().document.pieceNamed("front");
   EXPECT_NEAR(findEdge(*after, "shoulder_left")->curve.length(), now + 0.01, 1e-6);
+}
+
+// What an edge is sewn to has the room it takes, and no more: not that of the edge that was chosen before.
+TEST(StudioPaper, NoGapIsLeftBelowWhatAnEdgeIsSewnTo) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().perform(
+      *parseOperation("rename piece=back to=a_very_long_name_of_a_piece_that_takes_more_than_one_line"));
+  w.rest();
+  w.main().boards().setCurrentIndex(0);
+  w.session().select(edgeOf(w, "front", "side_left"));
+  w.rest();
+  QLabel* sewn = nullptr;
+  for (QLabel* label : w.main().boards().findChildren<QLabel*>())
+    if (label->isVisible() && label->text().contains("very long name") && !label->text().contains("longer"))
+      sewn = label;
+  ASSERT_TRUE(sewn);
+  const int line = sewn->fontMetrics().lineSpacing();
+  EXPECT_GE(sewn->height(), 2 * line) << sewn->text().toStdString() << sewn->minimumHeight() << " in "
+                                      << sewn->parentWidget()->metaObject()->className();
+  w.session().select(edgeOf(w, "front", "hem_left"));
+  w.rest();
+  EXPECT_LT(sewn->height(), 2 * line) << sewn->text().toStdString();
+}
+
+// The ruler stands beside the pieces, not on them.
+TEST(StudioPaper, TheRulerCoversNoPiece) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().perform(*parseOperation("rectangle name=long width=30cm height=140cm"));
+  w.rest();
+  const Piece* piece = w.session().snapshot().document.pieceNamed("long");
+  const auto cut = cutLines(
+      *piece, AllowancePlan(w.session().snapshot().document.pattern, w.session().snapshot().document.allowances), 1e-3);
+  ASSERT_TRUE(cut);
+  double low = 0;
+  for (const Flat p : cut->outer) low = std::max(low, w.onTable("long", p).y());
+  EXPECT_LT(low, w.table().height() - 27 - QFontMetricsF(w.table().font()).ascent());
+  EXPECT_GT(low, 0.7 * w.table().height());
 }
 
 TEST(StudioPaper, PutsWhatIsTypedWhereItIsTyped) {
