@@ -61,9 +61,20 @@ void PatternView::showAll() {
   update();
 }
 
+// Where pieces were laid anew, and out of sight, all are shown again.
 void PatternView::refresh() {
-  const std::size_t pieces = session_.snapshot().worn.size() + session_.snapshot().document.underlays.size();
-  if (pieces != piecesShown_ && !mine_) showAll();
+  const GarmentSnapshot& fitting = session_.snapshot();
+  const std::size_t pieces = fitting.worn.size() + fitting.document.underlays.size();
+  std::map<PieceId, Flat> lie;
+  for (const auto& worn : fitting.worn) lie[worn.id] = session_.table().at(worn.id);
+  if (!mine_ && pieces != piecesShown_) {
+    showAll();
+  } else if (!mine_ && lie != lieShown_ && !session_.begun()) {
+    const FlatBox box = all();
+    const QRectF seen(rect());
+    if (!box.empty() && !(seen.contains(onScreen(box.low)) && seen.contains(onScreen(box.high)))) showAll();
+  }
+  lieShown_ = std::move(lie);
   piecesShown_ = pieces;
   update();
 }

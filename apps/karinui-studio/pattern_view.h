@@ -51,6 +51,7 @@ class PatternView : public QWidget {
   double scale_ = 500;  // pixels a metre
   Flat middle_{0.4, -0.3};
   std::size_t piecesShown_ = 0;
+  std::map<PieceId, Flat> lieShown_;
   Held held_ = Held::Nothing;
   bool nest_ = false;
   bool mine_ = false;

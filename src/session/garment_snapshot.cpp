@@ -259,6 +259,20 @@ Box roomOnTable(const GarmentSnapshot::Worn& worn, const Document& document, con
 
 }  // namespace
 
+Box TableLayout::lies(PieceId id) const {
+  const auto known = room_.find(id);
+  if (known == room_.end()) return {};
+  Box box = known->second;
+  const Flat by = at(id);
+  box.low += Vec3{by.u, by.v, 0}, box.high += Vec3{by.u, by.v, 0};
+  return box;
+}
+
+bool TableLayout::meet(PieceId one, PieceId other) const {
+  const Box a = lies(one), b = lies(other);
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
 void TableLayout::arrange(const GarmentSnapshot& snapshot) {
   const Document& document = snapshot.document;
   std::erase_if(place_, [&](const auto& known) {
@@ -267,32 +281,48 @@ void TableLayout::arrange(const GarmentSnapshot& snapshot) {
     return true;
   });
   std::set<PieceId> graded;
-  for (const auto& worn : snapshot.worn)
+  std::map<PieceId, Box> seam;
+  for (const auto& worn : snapshot.worn) {
     if (document.grading.pieces.contains(worn.id)) graded.insert(worn.id);
+    for (const Flat p : worn.ring) seam[worn.id].include({p.u, p.v, 0});
+  }
   const bool sized = !std::includes(graded_.begin(), graded_.end(), graded.begin(), graded.end());
   graded_ = std::move(graded);
-  if (!sized && std::all_of(snapshot.worn.begin(), snapshot.worn.end(),
-                            [&](const auto& worn) { return place_.contains(worn.id); }))
-    return;
-  const AllowancePlan plan(document.pattern, document.allowances);
-  std::map<PieceId, Box> room;
-  for (const auto& worn : snapshot.worn) room[worn.id] = roomOnTable(worn, document, plan);
-  const auto lies = [&](PieceId id) {
-    Box box = room.at(id);
-    const Flat by = at(id);
-    box.low += Vec3{by.u, by.v, 0}, box.high += Vec3{by.u, by.v, 0};
-    return box;
-  };
-  // Pieces that got sizes and now reach into each other are all laid anew.
-  const auto meet = [&](PieceId one, PieceId other) {
-    const Box a = lies(one), b = lies(other);
-    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
-  };
-  if (sized && std::any_of(place_.begin(), place_.end(), [&](const auto& one) {
-        return std::any_of(place_.begin(), place_.end(),
-                           [&](const auto& other) { return one.first < other.first && meet(one.first, other.first); });
+  const bool same = std::equal(seam.begin(), seam.end(), seam_.begin(), seam_.end(), [](const auto& a, const auto& b) {
+    return a.first == b.first && a.second.low == b.second.low && a.second.high == b.second.high;
+  });
+  if (!sized && same && std::all_of(snapshot.worn.begin(), snapshot.worn.end(), [&](const auto& worn) {
+        return place_.contains(worn.id);
       }))
-    place_.clear(), left_.clear();
+    return;
+  seam_ = std::move(seam);
+  // Which pieces lay on each other before, as the hand had laid them.
+  std::set<std::pair<PieceId, PieceId>> met;
+  const auto pairs = [&](const auto& each) {
+    for (auto one = place_.begin(); one != place_.end(); ++one)
+      for (auto other = std::next(one); other != place_.end(); ++other)
+        if (meet(one->first, other->first)) each(one->first, other->first);
+  };
+  pairs([&](PieceId one, PieceId other) { met.insert({one, other}); });
+  const AllowancePlan plan(document.pattern, document.allowances);
+  room_.clear();
+  for (const auto& worn : snapshot.worn) room_[worn.id] = roomOnTable(worn, document, plan);
+  // What was traced stays on its scan.
+  const auto onScan = [&](PieceId id) {
+    const auto& room = room_.at(id);
+    return at(id) == Flat{} &&
+           underlayAt(document.underlays, {(room.low.x + room.high.x) / 2, (room.low.y + room.high.y) / 2});
+  };
+  bool anew = false;
+  pairs([&](PieceId one, PieceId other) {
+    if ((!sized && met.contains({one, other})) || (onScan(one) && onScan(other))) return;
+    carried_.erase(one), carried_.erase(other);
+    anew = true;
+  });
+  if (anew) {
+    std::erase_if(place_, [&](const auto& known) { return !carried_.contains(known.first) && !onScan(known.first); });
+    left_.clear();
+  }
   // What an undo brings back lies where it lay, unless something else does now.
   for (const auto& worn : snapshot.worn) {
     const auto left = left_.find(worn.id);
@@ -315,7 +345,7 @@ void TableLayout::arrange(const GarmentSnapshot& snapshot) {
   for (const auto& [id, place] : place_) goOnBeside(lies(id));
   for (const auto& worn : snapshot.worn) {
     if (place_.contains(worn.id)) continue;
-    const Box& b = room.at(worn.id);
+    const Box& b = room_.at(worn.id);
     // What was traced lies on its scan again, when the document is opened anew.
     const Flat middle{(b.low.x + b.high.x) / 2, (b.low.y + b.high.y) / 2};
     if (underlayAt(document.underlays, middle) &&
@@ -341,7 +371,10 @@ Flat TableLayout::at(PieceId id) const {
 }
 
 void TableLayout::carry(PieceId id, Flat by) {
-  if (const auto at = place_.find(id); at != place_.end()) at->second += by;
+  const auto at = place_.find(id);
+  if (at == place_.end()) return;
+  at->second += by;
+  carried_.insert(id);
 }
 
 namespace {

@@ -138,6 +138,49 @@ TEST(StudioPaper, ANumberTypedIsTheNumberCut) {
   EXPECT_NEAR(findEdge(*after, "shoulder_left")->curve.length(), now + 0.01, 1e-6);
 }
 
+// A piece that grows over its neighbours is laid anew with them; one that the hand laid aside stays there.
+TEST(StudioPaper, APieceThatGrowsLiesOnNoOther) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* line : {"rectangle name=long width=90cm height=40cm", "rectangle name=below width=90cm height=40cm",
+                           "rectangle name=last width=90cm height=20cm"})
+    w.session().perform(*parseOperation(line));
+  w.rest();
+  const auto lies = [&](const char* name) {
+    const Piece* piece = w.session().snapshot().document.pieceNamed(name);
+    FlatBox box;
+    for (const Flat p : piece->outline.flattened(1e-3)) box.include(p + w.session().table().at(piece->id));
+    return box;
+  };
+  const auto apart = [&](const char* one, const char* other) {
+    const FlatBox a = lies(one), b = lies(other);
+    return a.high.u < b.low.u || b.high.u < a.low.u || a.high.v < b.low.v || b.high.v < a.low.v;
+  };
+  ASSERT_TRUE(apart("long", "below"));
+  const double at = lies("below").low.v;
+  w.session().perform(*parseOperation("length edge=long.side_left to=42cm"));
+  w.rest();
+  EXPECT_EQ(lies("below").low.v, at) << "nothing moves as long as there is room";
+  w.session().perform(*parseOperation("length edge=long.side_left to=75cm"));
+  w.rest();
+  EXPECT_GT(lies("long").high.v - lies("long").low.v, 0.7) << w.main().said().toStdString();
+  EXPECT_TRUE(apart("long", "below"));
+  EXPECT_TRUE(apart("long", "last"));
+  EXPECT_TRUE(apart("below", "last"));
+  // What the hand lays over another is meant.
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Move);
+  w.drag(w.table(), {w.onTable("last", {0.1, 0.1}), w.onTable("below", {0.1, 0.2})});
+  w.rest();
+  ASSERT_FALSE(apart("below", "last"));
+  const FlatBox laid = lies("last");
+  w.session().perform(*parseOperation("length edge=last.side_left to=21cm"));
+  w.rest();
+  EXPECT_FALSE(apart("below", "last"));
+  EXPECT_NEAR(lies("last").low.u, laid.low.u, 1e-9);
+}
+
 // What an edge is sewn to has the room it takes, and no more: not that of the edge that was chosen before.
 TEST(StudioPaper, NoGapIsLeftBelowWhatAnEdgeIsSewnTo) {
   KARINUI_NEEDS_DISPLAY();

@@ -66,17 +66,22 @@ SnapshotPtr snapshotUnderWay(const GarmentSnapshot& before, const PoseUnderWay& 
 bool asFine(const GarmentSnapshot& snapshot, const Forms& forms);
 
 // Where each piece lies on the cutting table: the pattern's own paper, moved so that no two lie on each other, nor do
-// their cut lines and their other sizes. A piece keeps its place while it is edited, and comes back to it; pieces that
-// are given sizes and then reach into each other are laid anew. Part of the view, not of the document.
+// their cut lines and their other sizes. A piece keeps its place while it is edited, and comes back to it; where pieces
+// come to reach into each other, as they grow or are given sizes, all are laid anew but those the hand laid. Part of
+// the view, not of the document.
 class TableLayout {
  public:
   void arrange(const GarmentSnapshot& snapshot);  // gives new pieces a place, and old ones theirs
   Flat at(PieceId id) const;                      // what to add to a paper place; (0, 0) for a piece it does not know
-  void carry(PieceId id, Flat by);
+  void carry(PieceId id, Flat by);                // by the hand
 
  private:
+  Box lies(PieceId id) const;
+  bool meet(PieceId one, PieceId other) const;
   std::map<PieceId, Flat> place_, left_;  // of the pieces that are there; of those that are gone
   std::set<PieceId> graded_;              // those that had sizes when they were laid
+  std::set<PieceId> carried_;
+  std::map<PieceId, Box> seam_, room_;  // about the paper's origin: the seam line; with all that needs room
 };
 
 struct EdgeNear {
