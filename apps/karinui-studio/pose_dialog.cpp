@@ -6,12 +6,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
-#include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "angle_box.h"
 #include "karinui/base/number.h"
 #include "pose_view.h"
 #include "theme.h"
@@ -79,15 +79,12 @@ PoseDialog::PoseDialog(Session& session, QWidget* parent) : QDialog(parent), ses
   auto* grid = new QGridLayout;
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     Row& one = rows_[k];
-    one = {new QLabel, new QSlider(Qt::Horizontal), new QSpinBox};
-    one.box->setSuffix(QString::fromUtf8("°"));
-    one.box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    one = {new QLabel, new QSlider(Qt::Horizontal), new AngleBox};
     one.slider->setMinimumWidth(150);
     const int at = static_cast<int>(k);
     grid->addWidget(one.name, 2 * at, 0, 1, 2);
     grid->addWidget(one.slider, 2 * at + 1, 0);
     grid->addWidget(one.box, 2 * at + 1, 1);
-    one.box->setKeyboardTracking(false);
     connect(one.slider, &QSlider::valueChanged, one.box, &QSpinBox::setValue);
     connect(one.box, &QSpinBox::valueChanged, this, [this, &one](int now) {
       const bool inHand = one.slider->isSliderDown();
@@ -95,6 +92,10 @@ PoseDialog::PoseDialog(Session& session, QWidget* parent) : QDialog(parent), ses
       if (filling_) return;
       turned();
       if (!inHand) perform();
+    });
+    connect(one.box, &AngleBox::refused, this, [this](const Message& why) {
+      refused_ = why;
+      tell();
     });
     connect(one.slider, &QSlider::sliderReleased, this, &PoseDialog::perform);
   }
@@ -125,7 +126,9 @@ PoseDialog::PoseDialog(Session& session, QWidget* parent) : QDialog(parent), ses
   });
   joint_->setCurrentIndex(static_cast<int>(Joint::LeftShoulder));
   connect(joint_, &QComboBox::currentIndexChanged, this, [this] {
-    if (!filling_) showRows();
+    if (filling_) return;
+    for (Row& one : rows_) one.box->setValue(one.box->value());  // what was typed was of another joint
+    showRows();
   });
   connect(named_, &QComboBox::activated, this, [this](int which) {
     PoseBody take;
@@ -165,19 +168,25 @@ void PoseDialog::refresh() {
     const BodyPtr own = body && body->ownKept() ? body->ownKept() : body;
     if (!own) {
       skeleton_.reset();
-      said_->setText(inWords(say("There is no body yet; choose a figure in the body panel.")));
+      about_ = say("There is no body yet; choose a figure in the body panel.");
       view_->setSkeleton(nullptr);
     } else if (!skeleton_ || skeleton_->body()->hash() != own->hash()) {
       const auto found = Skeleton::of(own);
       skeleton_ = found ? *found : nullptr;
       view_->setSkeleton(skeleton_);
-      said_->setText(found ? inWords(say("Drag a hand or a foot, and the limb swings; drag a forearm or a shin, and it "
-                                         "bends. Dragged elsewhere, or with the right button, the figure turns. What "
-                                         "is let go is one step; the garment follows."))
-                           : inWords(found.error().what));
+      about_ = found
+                   ? say("Drag a hand or a foot, and the limb swings; drag a forearm or a shin, and it bends. Dragged "
+                         "elsewhere, or with the right button, the figure turns. What is let go is one step; the "
+                         "garment follows.")
+                   : found.error().what;
     }
+    tell();
   }
   if (inHand()) return;
+  if (waits_) {
+    if (!session_.busy().posing) perform();
+    return showRows();
+  }
   // A step under way will bring what was let go.
   if (const BodyPose& stands = session_.snapshot().document.body.pose; fresh || !session_.busy().any)
     if (fresh || pose_ != stands) view_->show(pose_ = stands);
@@ -208,7 +217,7 @@ void PoseDialog::showRows() {
     row.slider->setRange(degrees(angleOf(least, k)), degrees(angleOf(most, k)));
     row.box->setRange(degrees(angleOf(least, k)), degrees(angleOf(most, k)));
     row.slider->setValue(degrees(angleOf(now, k)));
-    row.box->setValue(degrees(angleOf(now, k)));
+    if (!row.box->typing()) row.box->setValue(degrees(angleOf(now, k)));
   }
   both_->setEnabled(works && isSided(joint()));
   filling_ = false;
@@ -225,8 +234,15 @@ void PoseDialog::turned() {
   view_->show(pose_);
 }
 
+// What was refused stands there until something is turned; else what can be done here.
+void PoseDialog::tell() { said_->setText(inWords(refused_.empty() ? about_ : refused_)); }
+
 void PoseDialog::perform() {
   if (!skeleton_) return;
+  refused_ = {};
+  tell();
+  waits_ = session_.busy().posing;  // the figure goes on from where it comes to stand
+  if (waits_) return;
   const BodyPose& stands = session_.snapshot().document.body.pose;
   JointAngles now = anglesOf(joint()), was = skeleton_->own(joint());
   if (const auto stated = stands.find(joint()); stated != stands.end()) was = stated->second;

@@ -12,10 +12,10 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QSlider;
-class QSpinBox;
 
 namespace karinui::studio {
 
+class AngleBox;
 class PoseView;
 
 class PoseDialog : public QDialog {
@@ -28,7 +28,7 @@ class PoseDialog : public QDialog {
   struct Row {  // flex, abduct or turn of the chosen joint, whole degrees
     QLabel* name;
     QSlider* slider;
-    QSpinBox* box;
+    AngleBox* box;
   };
   Joint joint() const;
   std::vector<Joint> joints() const;  // the chosen one, or both sides
@@ -36,7 +36,8 @@ class PoseDialog : public QDialog {
   bool inHand() const;
   void showRows();
   void turned();   // a slider or a box
-  void perform();  // what is in hand becomes a step
+  void perform();  // what is in hand becomes a step, as soon as the figure stands
+  void tell();
 
   Session& session_;
   std::shared_ptr<const Skeleton> skeleton_;
@@ -47,7 +48,9 @@ class PoseDialog : public QDialog {
   QCheckBox* both_;
   std::array<Row, 3> rows_;
   QLabel* said_;
+  Message about_, refused_;
   bool filling_ = false;
+  bool waits_ = false;  // for the figure to arrive
 };
 
 }  // namespace karinui::studio

@@ -4,7 +4,10 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSlider>
+#include <QSpinBox>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 
@@ -35,6 +38,11 @@ struct Posing {
   ~Posing() { delete dialog; }
   QSlider* slider(const char* name) {
     for (QSlider* one : dialog->findChildren<QSlider*>())
+      if (one->isVisible() && one->accessibleName() == name) return one;
+    return nullptr;
+  }
+  QSpinBox* box(const char* name) {
+    for (QSpinBox* one : dialog->findChildren<QSpinBox*>())
       if (one->isVisible() && one->accessibleName() == name) return one;
     return nullptr;
   }
@@ -139,6 +147,71 @@ TEST(StudioPose, AJointIsTurnedWithASliderAndTheGarmentFollows) {
   p.w.rest();
   EXPECT_TRUE(p.w.session().snapshot().document.body.pose.empty());
   EXPECT_EQ(slider->value(), before) << "the dialog shows how the figure stands";
+}
+
+TEST(StudioPose, ANumberTypedWhileTheFigureMovesIsTakenThen) {
+  KARINUI_NEEDS_DISPLAY();
+  Posing p;
+  ASSERT_TRUE(p.view);
+  QSpinBox* box = p.box("Sideways");
+  ASSERT_TRUE(box);
+  const int before = box->value();
+  const auto type = [&](const QString& text, bool enter = true) {
+    auto* line = box->findChild<QLineEdit*>();
+    line->selectAll();
+    QTest::keyClicks(line, text);
+    if (enter) QTest::keyClick(box, Qt::Key_Return);
+    QApplication::processEvents();
+  };
+  box->setFocus();
+  type("60");
+  ASSERT_TRUE(p.w.session().busy().posing);
+  type("30", false);
+  emit p.w.main().refreshed();
+  p.dialog->refresh();
+  EXPECT_EQ(box->findChild<QLineEdit*>()->text().left(2), "30") << "the hand is still typing";
+  QTest::keyClick(box, Qt::Key_Return);
+  type(QString::number(before));
+  EXPECT_TRUE(p.w.session().busy().posing);
+  type("25");
+  p.w.rest();
+  EXPECT_NEAR(p.abduct(Joint::LeftShoulder), 25, 0.5) << p.w.main().said().toStdString();
+  EXPECT_EQ(box->value(), 25);
+  type("60");
+  ASSERT_TRUE(p.w.session().busy().posing);
+  type("25");  // as it still stands
+  p.w.rest();
+  EXPECT_NEAR(p.abduct(Joint::LeftShoulder), 25, 0.5);
+  EXPECT_EQ(box->value(), 25);
+}
+
+TEST(StudioPose, WhatNoJointCanDoIsRefusedWithWhatItCan) {
+  KARINUI_NEEDS_DISPLAY();
+  Posing p;
+  ASSERT_TRUE(p.view);
+  QSpinBox* box = p.box("Sideways");
+  ASSERT_TRUE(box);
+  const int before = box->value();
+  const std::size_t steps = p.w.count();
+  const auto said = [&] { return p.dialog->findChild<QLabel*>("pose_said")->text().toStdString(); };
+  const auto type = [&](const QString& text) {
+    auto* line = box->findChild<QLineEdit*>();
+    line->selectAll();
+    line->insert(text);
+    QTest::keyClick(box, Qt::Key_Return);
+    p.w.rest();
+  };
+  type("999");
+  EXPECT_EQ(box->value(), before) << "not the most it can, unasked";
+  EXPECT_THAT(said(), AllOf(HasSubstr("Sideways"), HasSubstr("between"), HasSubstr("999")));
+  type("abc");
+  EXPECT_EQ(box->value(), before);
+  EXPECT_THAT(said(), HasSubstr("“abc”"));
+  EXPECT_EQ(p.w.count(), steps);
+  type(QString::fromUtf8("４０"));
+  EXPECT_EQ(box->value(), 40) << "digits of a Japanese keyboard are digits";
+  EXPECT_NEAR(p.abduct(Joint::LeftShoulder), 40, 0.5);
+  EXPECT_THAT(said(), HasSubstr("Drag a hand")) << "what was refused is over";
 }
 
 TEST(StudioPose, ADraggedHandSwingsTheArmOrBoth) {
