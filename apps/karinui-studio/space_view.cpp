@@ -193,6 +193,7 @@ void SpaceView::look(View view) {
 }
 
 void SpaceView::turnTo(View view) {
+  if (framedAs_) return look(view);  // nobody has gone near yet, and the floating bar is to leave the figure free
   const Camera all = frameAll(session_.shown().frame, view, aspect());
   Camera to = camera_;
   to.eye = to.target + normalized(all.eye - all.target) * camera_.distance();

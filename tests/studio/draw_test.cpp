@@ -67,6 +67,26 @@ TEST(StudioDraw, ViewKeysKeepPanAndZoomInTheMiddleOfALine) {
   EXPECT_GT(w.space().camera().distance(), 3) << "all of it";
 }
 
+// Whoever has not gone near yet is shown the other side as at first, beside the floating bar.
+TEST(StudioDraw, ViewKeysKeepTheFigureBesideTheFloatingBar) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  giveFigure(w);
+  w.view(View::Front);
+  w.key(Command::Draw);
+  w.rest();
+  for (const Command side : {Command::ViewLeft, Command::ViewBack, Command::ViewRight, Command::ViewFront}) {
+    w.key(side);
+    w.rest();
+    const SceneMenu panel = *w.session().menu();
+    const auto at = [&](Vec3 place) { return *w.space().onScreen(place); };
+    const QRectF bar = QRectF(at(panel.corner), at(panel.corner + panel.across + panel.upward)).normalized();
+    int covered = 0;
+    for (const Vec3 p : w.session().snapshot().body->mesh().points) covered += bar.contains(at(p));
+    EXPECT_EQ(covered, 0) << static_cast<int>(side);
+  }
+}
+
 TEST(StudioDraw, AStrokeGoesOnAfterTheViewIsTurnedWithTheButtonHeld) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
