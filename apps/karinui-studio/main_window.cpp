@@ -132,6 +132,10 @@ MainWindow::MainWindow(SessionOptions options) {
   statusBar()->addPermanentWidget(place_);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->setSizeGripEnabled(false);
+  Theme::here().keep(statusBar(), [this] {  // a menu's words take the place of the hint: the bar stays as high
+    statusBar()->setMinimumHeight(0);
+    statusBar()->setMinimumHeight(statusBar()->sizeHint().height());
+  });
   statusBar()->setContentsMargins(0, 0, 14, 0);  // the bar does not run into the edge
   connect(table_, &PatternView::pointed, this,
           [this](Flat p) { place_->setText(lengthText(p.u) + "  " + lengthText(p.v)); });

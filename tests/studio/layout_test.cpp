@@ -84,6 +84,26 @@ TEST(StudioLayout, EveryControlIsReachedInASmallWindow) {
   Theme::here().setLanguage(Language::English);
 }
 
+// An opened menu tells of its items in the line at the foot: the views stay as high as they are.
+TEST(StudioLayout, AStatusTipMovesNothing) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  for (const Language language : {Language::English, Language::Japanese}) {
+    Theme::here().setLanguage(language);
+    w.rest();
+    const int high = w.space().height();
+    w.main().statusBar()->showMessage("Opens a garment.");
+    w.rest();
+    EXPECT_EQ(w.space().height(), high);
+    w.main().statusBar()->showMessage("");
+    w.main().statusBar()->clearMessage();
+    w.rest();
+    EXPECT_EQ(w.space().height(), high);
+  }
+  Theme::here().setLanguage(Language::English);
+}
+
 TEST(StudioLayout, TheFloatingBarLeavesTheFigureFree) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
