@@ -90,6 +90,16 @@ void paintBoard(QPainter& painter, const SceneMenu& panel, const std::function<Q
 
 }  // namespace
 
+QStringList SpaceView::levelWords() const {
+  QStringList words;
+  for (const Girths& girths : levelShown_)
+    for (const bool garment : {true, false}) {
+      const std::string length = lengthText(garment ? girths.garment : girths.body).toStdString();
+      words << inWords(garment ? say("garment {0}", length) : say("body {0}", length));
+    }
+  return words;
+}
+
 // Words, dots and the floating bar, as this eye sees them.
 void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
   painter.setRenderHint(QPainter::Antialiasing);
@@ -123,14 +133,16 @@ void SpaceView::paintOver(QPainter& painter, double sideways, int w, int h) {
     return most;
   };
   const auto middle = [&](const Girths& g) { return (side(g.under, true).x() + side(g.under, false).x()) / 2; };
-  for (const Girths& girths : levelShown_) {
+  const QStringList levels = levelWords();
+  for (std::size_t k = 0; k < levelShown_.size(); ++k) {
+    const Girths& girths = levelShown_[k];
     const bool right = std::all_of(levelShown_.begin(), levelShown_.end(), [&](const Girths& other) {
       return other.under.empty() || girths.under.empty() || middle(girths) >= middle(other);
     });
     for (const bool garment : {true, false})
       if (const auto& line = garment ? girths.round : girths.under; !line.empty())
-        paintWord(painter, side(line, right) + QPointF(right ? 46 : -46, garment ? 14 : 40),
-                  lengthText(garment ? girths.garment : girths.body), room);
+        paintWord(painter, side(line, right) + QPointF(right ? 62 : -62, garment ? 14 : 40),
+                  levels[static_cast<qsizetype>(2 * k + (garment ? 0 : 1))], room);
   }
   if (!tapeShown_.line.empty()) paintWord(painter, at(tapeShown_.line.front()), lengthText(tapeShown_.length), room);
   if (const auto panel = session_.menu()) paintBoard(painter, *panel, at, bar_);

@@ -43,6 +43,7 @@ class SpaceView : public QOpenGLWidget {
   // Another state of the garment beside the one that is worked on, on the same scale; null: none.
   void setBeside(SnapshotPtr other, const QString& caption);
   bool beside() const { return beside_.fitting != nullptr; }
+  QStringList levelWords() const;  // what is written beside the tapes there: garment and body, from one to the next
   void setLevel(std::optional<double> height);  // shows the level tapes there
   void setTape(bool on);
   bool tape() const { return tape_; }

@@ -11,6 +11,7 @@
 namespace karinui::studio {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 TEST(StudioFit, ThePressureIsSeenOnTheBody) {
@@ -64,6 +65,10 @@ TEST(StudioFit, TellsTheGirthsAndTheirEaseAtAnyHeight) {
   const QImage before = w.space().grabFramebuffer();
   w.type(w.box("Height above the floor"), "105cm");
   w.rest();
+  const QStringList words = w.space().levelWords();
+  ASSERT_GE(words.size(), 2);
+  EXPECT_THAT(words[0].toStdString(), AllOf(HasSubstr("garment"), HasSubstr("cm"))) << "which of the two it is";
+  EXPECT_THAT(words[1].toStdString(), AllOf(HasSubstr("body"), HasSubstr("cm")));
   w.keep("studio_girth");
   EXPECT_NE(before, w.space().grabFramebuffer()) << "the tapes are laid";
 }
