@@ -4,6 +4,8 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSpinBox>
 #include <cmath>
 
 #include "length_box.h"
@@ -16,8 +18,17 @@ namespace {
 constexpr double kReach = 0.25;  // of what is measured, to either side
 constexpr double kMost = 10;     // metres; what a body can have is said where it is asked for
 constexpr auto kWidest = "188.88 cm";
-constexpr int kFrame = 20;  // of a box, with the cursor's room
+constexpr int kCursor = 5;  // of a line of text: its own margins, and the cursor
 constexpr int kSliderDigits = 8;
+// What the style takes of a box: its frame and the room to either side of its text.
+int frameOf(const QWidget& box) {
+  QStyleOptionSpinBox option;
+  option.initFrom(&box);
+  option.frame = true, option.buttonSymbols = QAbstractSpinBox::NoButtons;
+  constexpr int kWide = 200;
+  option.rect = QRect(0, 0, kWide, box.sizeHint().height());
+  return kWide - box.style()->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxEditField, &box).width();
+}
 int millimetres(double metres) { return static_cast<int>(std::lround(1000 * metres)); }
 
 }  // namespace
@@ -30,7 +41,8 @@ MeasureRow::MeasureRow(const Message& name)
   Theme::here().keep(slider_, [this, name] {
     slider_->setAccessibleName(inWords(name));
     const QFontMetrics letters = box_->fontMetrics();
-    box_->setFixedWidth(letters.horizontalAdvance(kWidest) + kFrame);
+    box_->ensurePolished();
+    box_->setFixedWidth(letters.horizontalAdvance(kWidest) + kCursor + frameOf(*box_));
     slider_->setMinimumWidth(kSliderDigits * letters.horizontalAdvance("0"));
   });
   slider_->setFocusPolicy(Qt::ClickFocus);  // Tab goes from box to box, and Up and Down turn the box

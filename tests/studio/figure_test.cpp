@@ -4,10 +4,12 @@
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
+#include <QStyleOptionFrame>
 #include <fstream>
 #include <set>
 
@@ -147,6 +149,12 @@ TEST(StudioFigure, TheSlidersHaveRoomInTheBoard) {
     for (const auto* box : board->findChildren<QDoubleSpinBox*>())
       if (box->isVisible()) {
         EXPECT_GT(box->width(), box->fontMetrics().horizontalAdvance("188.88 cm") + 16);
+        QStyleOptionFrame option;
+        auto* line = box->findChild<QLineEdit*>();
+        option.initFrom(line);
+        const int room = line->style()->subElementRect(QStyle::SE_LineEditContents, &option, line).width();
+        constexpr int kMargins = 4, kCursor = 1;  // QLineEdit's own
+        EXPECT_GE(room, box->fontMetrics().horizontalAdvance("199.00 cm") + kMargins + kCursor);
       }
   }
   Theme::here().setLanguage(Language::English);
