@@ -9,6 +9,7 @@
 
 #include "file_filter.h"
 #include "karinui/base/number.h"
+#include "karinui/body/measure_range.h"
 #include "karinui/body/tape_path.h"
 #include "karinui/design/variables.h"
 #include "length_box.h"
@@ -177,6 +178,7 @@ void BodyPanel::addRows(const Message& group, std::span<const std::string_view> 
     const std::string key(named);
     const Message name = termSaid(Term::Measure, key).value_or(say("{0}", key));
     auto* row = new MeasureRow(name);
+    if (const auto range = measureRange(key)) row->box().setSensible(range->first, range->second);
     QLabel* label = names_[key] = word(name);
     label->setWordWrap(true);
     Theme::here().keep(label, [label, key] {

@@ -63,6 +63,17 @@ bool LengthBox::holdsFormula() const {
 
 void LengthBox::suggest(const QString& followed) { lineEdit()->setPlaceholderText(followed); }
 
+void LengthBox::letBeEmpty() {
+  mayBeEmpty_ = true;
+  setMetres(minimum());
+}
+void LengthBox::setSensible(double low, double high) { sensible_ = {low, high}; }
+
+bool LengthBox::saysNothing(const QString& text) const {
+  return text.trimmed().isEmpty() ? mayBeEmpty_ || !specialValueText().isEmpty()
+                                  : !specialValueText().isEmpty() && text == specialValueText();
+}
+
 std::optional<Error> LengthBox::trouble() const {
   constexpr double kRounding = 1e-9;  // metres
   const QString typed = lineEdit()->text().trimmed();
@@ -71,10 +82,10 @@ std::optional<Error> LengthBox::trouble() const {
   if (!metres)
     return karinui::refused(
         say("“{0}” is no length; type a number, like {1}.", typed.toStdString(), lengthText(0.125).toStdString()));
-  if (*metres >= minimum() - kRounding && *metres <= maximum() + kRounding) return {};
-  return karinui::refused(say("{0}: it can be between {1} and {2}, not {3}.", name_,
-                              lengthText(minimum(), 2).toStdString(), lengthText(maximum(), 2).toStdString(),
-                              lengthText(*metres, 2).toStdString()));
+  const auto [low, high] = sensible_.value_or(std::pair(minimum(), maximum()));
+  if (*metres >= low - kRounding && *metres <= high + kRounding) return {};
+  return karinui::refused(say("{0}: it can be between {1} and {2}, not {3}.", name_, lengthText(low, 2).toStdString(),
+                              lengthText(high, 2).toStdString(), lengthText(*metres, 2).toStdString()));
 }
 
 bool LengthBox::putBack() {
@@ -134,11 +145,11 @@ void LengthBox::focusOutEvent(QFocusEvent* event) {
 }
 
 QString LengthBox::textFromValue(double metres) const {
-  return metres == minimum() && !specialValueText().isEmpty() ? specialValueText() : lengthText(metres, 2);
+  if (metres == minimum() && (mayBeEmpty_ || !specialValueText().isEmpty())) return specialValueText();
+  return lengthText(metres, 2);
 }
 double LengthBox::valueFromText(const QString& text) const {
-  const bool nothing = text.trimmed().isEmpty() || text == specialValueText();
-  return nothing && !specialValueText().isEmpty() ? minimum() : metresIn(text).value_or(value());
+  return saysNothing(text) ? minimum() : metresIn(text).value_or(value());
 }
 QValidator::State LengthBox::validate(QString& text, int& at) const {
   const QString& none = specialValueText();
@@ -146,8 +157,7 @@ QValidator::State LengthBox::validate(QString& text, int& at) const {
     text.remove(none);
     at = std::min(at, static_cast<int>(text.size()));
   }
-  const bool nothing = !none.isEmpty() && (text.isEmpty() || text == none);
-  return nothing || metresIn(text) ? QValidator::Acceptable : QValidator::Intermediate;
+  return saysNothing(text) || metresIn(text) ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 }  // namespace karinui::studio

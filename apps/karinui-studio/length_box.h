@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "karinui/base/result.h"
 
@@ -21,8 +22,10 @@ class LengthBox : public QDoubleSpinBox {
   void setLongest(double metres);                           // nor does this
   // From now on formulas are understood too; `value` works one out. What it comes to is shown below while one types.
   void takeFormulas(std::function<Result<double>(const std::string& formula)> value);
-  bool holdsFormula() const;              // typed, and not entered yet
-  void suggest(const QString& followed);  // what it is while nothing is typed, seen where the box is empty
+  bool holdsFormula() const;                  // typed, and not entered yet
+  void suggest(const QString& followed);      // what it is while nothing is typed, seen where the box is empty
+  void letBeEmpty();                          // nothing is typed: the least
+  void setSensible(double low, double high);  // what may be typed, told of what may not
 
  signals:
   void typed(double metres);
@@ -43,7 +46,10 @@ class LengthBox : public QDoubleSpinBox {
   bool enterFormula();                   // false: refused
   std::optional<Error> trouble() const;  // of a number that is typed
   bool putBack();                        // such a one; the one that holds is shown
+  bool saysNothing(const QString& text) const;
   Message name_;
+  std::optional<std::pair<double, double>> sensible_;
+  bool mayBeEmpty_ = false;
   std::function<Result<double>(const std::string&)> formulaValue_;
   bool clickedInto_ = false;  // by the click that is under way
   bool byMouse_ = false;      // it has the focus by a click

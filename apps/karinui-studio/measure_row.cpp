@@ -35,8 +35,7 @@ int millimetres(double metres) { return static_cast<int>(std::lround(1000 * metr
 
 MeasureRow::MeasureRow(const Message& name)
     : box_(new LengthBox(name, 0, kMost)), slider_(new QSlider(Qt::Horizontal)) {
-  box_->setSpecialValueText("–");
-  box_->setMetres(0);
+  box_->letBeEmpty();
   box_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   Theme::here().keep(slider_, [this, name] {
     slider_->setAccessibleName(inWords(name));
@@ -82,7 +81,7 @@ bool MeasureRow::eventFilter(QObject* who, QEvent* event) {
 void MeasureRow::show(std::optional<double> stated, const std::string& formula, double measured) {
   if (slider_->isSliderDown() || box_->hasFocus()) return;
   formula_ = formula;
-  box_->suggest(measured > 0 ? lengthText(measured, 2) : QString());
+  box_->suggest(measured > 0 ? lengthText(measured, 2) : QString::fromUtf8("–"));
   box_->setToolTip(formula.empty() ? QString() : "= " + QString::fromStdString(formula));
   const QSignalBlocker quiet(slider_);
   box_->setMetres(stated.value_or(0));

@@ -6,6 +6,7 @@
 
 #include "karinui/base/near_names.h"
 #include "karinui/base/number.h"
+#include "karinui/body/measure_range.h"
 
 namespace karinui {
 
@@ -196,6 +197,11 @@ Measurements withOwn(Measurements size, const std::map<std::string, double>& own
   if (own.contains("belly_girth")) size.value.erase("waist_girth");
   for (const auto& [key, value] : own) size.value[key] = value;
   return size;
+}
+
+std::optional<std::pair<double, double>> measureRange(std::string_view key) {
+  const Name* name = find(key);
+  return name ? std::optional(std::pair(name->least, name->most)) : std::nullopt;
 }
 
 Done plausible(const Measurements& stated) {

@@ -55,7 +55,9 @@ TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
   w.rest();
   EXPECT_EQ(bust(w.session().snapshot()), girth);
   EXPECT_EQ(chest(), area);
-  EXPECT_EQ(w.box("Bust girth").text().toStdString(), "–") << "the board says what is worn";
+  EXPECT_EQ(w.box("Bust girth").text().toStdString(), "") << "the board says what is worn";
+  EXPECT_EQ(w.box("Bust girth").findChild<QLineEdit*>()->placeholderText(), lengthText(girth, 2))
+      << "and what follows from the size";
 }
 
 // While every step is played again for another figure the garment stays in sight, whole; the figure it came from is
