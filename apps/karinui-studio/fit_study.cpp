@@ -126,7 +126,7 @@ FitStudy::FitStudy(Session& session, QWidget* parent, const Message& title, cons
   picture_->setObjectName("study_picture");
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAccessibleName(inWords(say("All side by side")));
-  picture_->setMinimumSize(320, 300);
+  picture_->setMinimumSize(320, 160);
   picture_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   right->addWidget(picture_, 3);
   row->addLayout(right, 1);
@@ -137,7 +137,7 @@ FitStudy::FitStudy(Session& session, QWidget* parent, const Message& title, cons
   connect(close, &QPushButton::clicked, this, &QDialog::close);
   connect(choices_, &QListWidget::itemChanged, this, &FitStudy::enable);
   for (QComboBox* box : {from_, map_}) connect(box, &QComboBox::currentIndexChanged, this, &FitStudy::draw);
-  resize(1180, 760);
+  resizeOnScreen(*this, {1180, 760});
   enable();
 }
 

@@ -152,7 +152,7 @@ LayDialog::LayDialog(Session& session, QWidget* parent)
   connect(fabrics_, &QTabBar::currentChanged, this, &LayDialog::showFabric);
   connect(view_, &LayView::changed, this, &LayDialog::tellUse);
   connect(view_, &LayView::said, this, &LayDialog::tell);
-  resize(1120, 640);
+  resizeOnScreen(*this, {1120, 640});
   begin();
 }
 

@@ -115,7 +115,7 @@ MakeUpDialog::MakeUpDialog(Session& session, QWidget* parent)
   });
   connect(accept_, &QPushButton::clicked, this, &QDialog::accept);
   connect(cancel, &QPushButton::clicked, this, &QDialog::close);
-  resize(1120, 680);
+  resizeOnScreen(*this, {1120, 680});
   begin();
 }
 

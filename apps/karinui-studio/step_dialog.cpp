@@ -299,6 +299,7 @@ void StepDialog::show(const Result<Operation>& wish) {
   said_->setText(piece ? QString() : inWords(piece.error().what));
   drawing_->show(piece ? *piece : nullptr);
   drawing_->setVisible(drawnOnPaper(name_) || (piece && *piece));
+  if (!piece && isVisible()) QTimer::singleShot(0, this, [this] { takeRoom(); });  // what is told hides no field
 }
 
 void StepDialog::perform() {

@@ -11,6 +11,7 @@
 #include <QPainterPath>
 #include <QPalette>
 #include <QProxyStyle>
+#include <QScreen>
 #include <QStyleFactory>
 #include <QStyleOption>
 
@@ -301,6 +302,10 @@ QString lengthText(double metres, int decimals) {
   return QString::fromStdString(lengthSaid(metres, Theme::here().inches(), decimals));
 }
 
+void resizeOnScreen(QWidget& window, QSize wish) {
+  constexpr QSize kFrame(16, 48);
+  window.resize(wish.boundedTo(window.screen()->availableSize() - kFrame));
+}
 QString areaText(double squareMetres) {
   const bool inches = Theme::here().inches();
   return QString::fromStdString(fixed(squareMetres / (inches ? 0.0254 * 0.0254 : 1e-4), 0)) +

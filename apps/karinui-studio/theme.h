@@ -71,8 +71,10 @@ QString scriptHint(const std::string& word);  // what scripts call it, for a too
 // Why Japanese cannot be shown on this machine; nothing: it can.
 std::optional<Message> japaneseTrouble();
 QString lengthText(double metres, int decimals = 1);  // "12.3 cm" or "4.84 in"
-QString areaText(double squareMetres);                // "1234 cm²" or "191 in²"
-QColor shown(const Colour& linear);                   // linear light to screen
+// As large as wished, and no larger than its screen, with room for a frame.
+void resizeOnScreen(QWidget& window, QSize wish);
+QString areaText(double squareMetres);  // "1234 cm²" or "191 in²"
+QColor shown(const Colour& linear);     // linear light to screen
 // Draws an icon of the house into a square.
 void drawIcon(class QPainter& painter, std::string_view name, const class QRectF& square, const QColor& ink);
 

@@ -1,9 +1,15 @@
 // The window in small and in large: what there is room for, what is legible, and what stays in view.
 #include <gmock/gmock.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QAction>
 #include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScreen>
 #include <QScrollArea>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -128,6 +134,43 @@ TEST(StudioLayout, TheFloatingBarLeavesTheFigureFree) {
       EXPECT_EQ(covered, 0) << size.width() << ", view " << static_cast<int>(side);
     }
   }
+}
+
+// Run as a process of its own by the next test, which makes the screen small.
+TEST(StudioSmallScreen, DISABLED_TheDialogsFit) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const QSize room = w.main().screen()->availableSize();
+  ASSERT_LE(room.height(), 620);
+  for (const char* item : {"Fit in motion…", "Fit over figures…", "Lay plan…", "Make up the pattern…"}) {
+    for (QAction* action : w.main().findChildren<QAction*>())
+      if (action->text() == QString::fromUtf8(item)) action->trigger();
+    QApplication::processEvents();
+    QDialog* dialog = nullptr;
+    for (QDialog* one : w.main().findChildren<QDialog*>())
+      if (one->isVisible()) dialog = one;
+    ASSERT_TRUE(dialog) << item;
+    EXPECT_LT(dialog->width(), room.width()) << item;
+    EXPECT_LT(dialog->height(), room.height() - 20) << item << ": the frame has its room too";
+    delete dialog;
+  }
+}
+
+TEST(StudioLayout, TheDialogsFitASmallScreen) {
+  KARINUI_NEEDS_DISPLAY();
+  application();
+  const std::string self = fs::read_symlink("/proc/self/exe").string();
+  const pid_t child = fork();
+  if (child == 0) {
+    setenv("QT_SCALE_FACTOR", QByteArray::number(QApplication::primaryScreen()->size().height() / 620.0 + 0.01).data(),
+           1);
+    execl(self.c_str(), self.c_str(), "--gtest_also_run_disabled_tests", "--gtest_filter=StudioSmallScreen.*", nullptr);
+    _exit(127);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
 }
 
 TEST(StudioLayout, LabelsLieInTheView) {

@@ -118,6 +118,17 @@ TEST(StudioNewPieces, TheSettingsOfTheGarmentAreTyped) {
   numbers.type("spacing", "20cm");
   EXPECT_FALSE(numbers.make().isEnabled());
   EXPECT_THAT(numbers.said().toStdString(), HasSubstr("between 0.20 cm and 5.00 cm"));
+  auto* area = numbers.dialog->findChild<QScrollArea*>();
+  const auto hidden = [&] {
+    QStringList names;
+    for (const QWidget* box : area->widget()->findChildren<QWidget*>())
+      if (box->isVisible() && box->focusPolicy() != Qt::NoFocus && box->parentWidget() == area->widget() &&
+          !area->viewport()->rect().contains(QRect(box->mapTo(area->viewport(), QPoint()), box->size())))
+        names << box->objectName();
+    return names;
+  };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hidden().isEmpty(); }, 2000))
+      << hidden().join(", ").toStdString() << " by what is told";
   numbers.type("spacing", "250");
   EXPECT_THAT(numbers.said().toStdString(), HasSubstr("between 0.20 cm and 5.00 cm")) << "centimetres, no metres";
   numbers.line("spacing").selectAll();
