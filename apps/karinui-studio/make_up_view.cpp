@@ -16,6 +16,7 @@ MakeUpView::MakeUpView(QWidget* parent) : QWidget(parent) {
 void MakeUpView::show(SnapshotPtr garment, QImage onFigure) {
   garment_ = std::move(garment);
   onFigure_ = std::move(onFigure);
+  setAccessibleDescription(inWords(emptySaid()));
   if (garment_) layout_.arrange(*garment_);
   update();
 }
@@ -30,11 +31,20 @@ void MakeUpView::choose(std::vector<EdgeRef> edges) {
   update();
 }
 
+Message MakeUpView::emptySaid() const {
+  if (!garment_ || garment_->body || flat_) return {};
+  return say("There is no figure yet. Choose a size on the board Body; then the pieces are shown on it.");
+}
+
 void MakeUpView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   if (!garment_) return;
   if (!flat_) {
+    if (const Message words = emptySaid(); !words.empty()) {
+      painter.setPen(Theme::here().palette().faint);
+      painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap, inWords(words));
+    }
     if (onFigure_.isNull()) return;
     const QSize fits = onFigure_.size().scaled(size(), Qt::KeepAspectRatio);
     painter.drawImage(QRect(QPoint((width() - fits.width()) / 2, (height() - fits.height()) / 2), fits), onFigure_);

@@ -15,6 +15,7 @@ class MakeUpView : public QWidget {
   explicit MakeUpView(QWidget* parent = nullptr);
   void show(SnapshotPtr garment, QImage onFigure);
   void setFlat(bool flat);
+  Message emptySaid() const;                // instead of a picture; empty: there is one
   void choose(std::vector<EdgeRef> edges);  // shown in the flat pattern
   QSize sizeHint() const override { return {520, 560}; }
 

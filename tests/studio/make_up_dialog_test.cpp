@@ -9,15 +9,16 @@
 
 #include "karinui/design/script.h"
 #include "make_up_dialog.h"
+#include "make_up_view.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const char* const kTShirt =
-    "body size=eu38\n"
     "piece name=front outline=\"M -250 0; a L 250 0; b L 240 350; c C 190 370 175 440 180 570; d L 80 600; "
     "e C 60 483 -60 483 -80 600; f L -180 570; g C -175 440 -190 370 -240 350; h L -250 0\" pose=\"1,1,0\"\n"
     "piece name=back outline=\"M -250 0; a L 250 0; b L 240 350; c C 190 370 175 440 180 570; d L 80 600; "
@@ -26,9 +27,9 @@ const char* const kTShirt =
     "d C -100 150 -110 5 -165 0; e L -140 -80\" pose=\"1,1,0\"\n";
 
 struct MakingUpInTheWindow {
-  explicit MakingUpInTheWindow(const std::string& more = "") {
+  explicit MakingUpInTheWindow(const std::string& more = "", const std::string& figure = "body size=eu38\n") {
     application();
-    if (const auto lines = parseScript(kTShirt + more))
+    if (const auto lines = parseScript(figure + kTShirt + more))
       for (const ScriptLine& line : *lines) w.session().perform(line.operation);
     w.rest();
     before = w.count();
@@ -92,6 +93,24 @@ TEST(StudioMakeUp, APieceIsWhatThePersonSays) {
   dialog->close();
   QApplication::processEvents();
   EXPECT_EQ(w.count(), before);  // nothing was done
+}
+
+// Where there is no figure, the pane says so and how to get one; the seams are proposed all the same.
+TEST(StudioMakeUp, WithoutAFigureItSaysSo) {
+  KARINUI_NEEDS_DISPLAY();
+  MakingUpInTheWindow bench("", "");
+  ASSERT_TRUE(bench.dialog && bench.dialog->making());
+  ASSERT_FALSE(bench.w.session().snapshot().body);
+  auto* view = bench.dialog->findChild<MakeUpView*>();
+  ASSERT_TRUE(view);
+  EXPECT_THAT(text(view->emptySaid()), AllOf(HasSubstr("no figure"), HasSubstr("Body")));
+  const QImage pane = view->grab().toImage();
+  int inked = 0;
+  for (int y = 0; y < pane.height(); ++y)
+    for (int x = 0; x < pane.width(); ++x) inked += pane.pixel(x, y) != pane.pixel(0, 0);
+  EXPECT_GT(inked, 50) << "the sentence is seen";
+  bench.dialog->findChild<QTabBar*>()->setCurrentIndex(1);
+  EXPECT_TRUE(view->emptySaid().empty()) << "the pattern is there";
 }
 
 // The figure is taken as the garment has it, whatever pose it stands in: an imported one could not be built anew.
