@@ -108,6 +108,28 @@ std::optional<std::string> reworded(std::string_view millimetres, const LengthUn
   return any ? std::optional(said) : std::nullopt;
 }
 
+// Whether a Japanese letter or sign stands there: U+3000 to U+D7FF, or full-width.
+bool isWide(std::string_view letters) {
+  if (letters.empty()) return false;
+  const auto lead = static_cast<unsigned char>(letters.front());
+  return (lead >= 0xe3 && lead <= 0xed) || lead == 0xef;
+}
+bool endsWide(std::string_view letters) { return letters.size() >= 3 && isWide(letters.substr(letters.size() - 3)); }
+
+// Puts a value into a Japanese sentence, whose blanks are for values of letters and digits. `before`: where the value
+// before ends in what was said. Gives how much of what follows is left out.
+std::size_t putJapanese(std::string& said, std::size_t before, std::string_view part, std::string_view rest) {
+  constexpr std::string_view kEdge = "辺", kQuote = "「";
+  if (said.ends_with(' ') && said.size() - 1 > before && isWide(part) &&
+      endsWide(std::string_view(said).substr(0, said.size() - 1)))
+    said.pop_back();
+  // An edge that has only a number says itself that it is an edge.
+  const std::string twice = std::string(kEdge) + std::string(kQuote);
+  if (said.ends_with(twice) && part.starts_with(kEdge)) said.erase(said.size() - twice.size()), said += kQuote;
+  said += part;
+  return endsWide(part) && rest.starts_with(' ') && isWide(rest.substr(1)) ? 1 : 0;
+}
+
 }  // namespace
 
 std::string text(const Message& message, Language language, LengthWords lengths, const NameWords& names,
@@ -117,6 +139,7 @@ std::string text(const Message& message, Language language, LengthWords lengths,
   const std::string changed = patterns ? patterns(message.pattern, kept, language) : std::string();
   const std::string_view pattern = patterns ? std::string_view(changed) : kept;
   std::string said;
+  std::size_t valueEnd = 0;  // of the last one, in what is said
   for (std::size_t i = 0; i < pattern.size();) {
     if (const auto counted = countedAt(pattern.substr(i)); counted && counted->which < message.values.size()) {
       said += text(message.values[counted->which]) == "1" ? counted->one : counted->many;
@@ -145,7 +168,11 @@ std::string text(const Message& message, Language language, LengthWords lengths,
           if (own) end += own->written.size();
         }
     }
-    said += part;
+    if (value && language == Language::Japanese)
+      end += putJapanese(said, valueEnd, part, pattern.substr(end));
+    else
+      said += part;
+    if (value) valueEnd = said.size();
     i = end;
   }
   return said;

@@ -279,6 +279,21 @@ TEST(StudioWords, DialogsOfQtAreInTheLanguageToo) {
   EXPECT_THAT(cancel(), testing::HasSubstr("ancel"));
 }
 
+// Between two Japanese words of a sentence there is no blank, whatever a value was; beside letters and digits it stays.
+TEST(StudioWords, NoBlankStandsBeforeAParticle) {
+  const auto said = [](const Message& message) { return text(message, Language::Japanese); };
+  EXPECT_EQ(said(say("the end at {0} stays", "衿ぐり")), "衿ぐり側の端を固定");
+  EXPECT_EQ(said(say("the end at {0} stays", "hem")), "hem 側の端を固定");
+  EXPECT_EQ(said(say("{0} and {1} lie on opposite sides of the body.", "前身頃の右肩", "後ろ身頃の左肩")),
+            "前身頃の右肩と後ろ身頃の左肩は体の左右反対側にあります。");
+  EXPECT_EQ(said(say("{0} and {1} lie on opposite sides of the body.", "front.a", "後ろ身頃の左肩")),
+            "front.a と後ろ身頃の左肩は体の左右反対側にあります。");
+  EXPECT_EQ(said(say("“{0}” has no edge “{1}”; it has: {2}.", "前", "辺3", "裾")),
+            "「前」に「辺3」はありません。あるのは：裾。");
+  EXPECT_EQ(said(say("“{0}” has no edge “{1}”; it has: {2}.", "前", "脇", "裾")),
+            "「前」に辺「脇」はありません。あるのは：裾。");
+}
+
 TEST(StudioWords, LengthsFollowTheUnitOfOnesChoice) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
