@@ -178,12 +178,19 @@ QString Theme::say(const Message& message) const {
 
 QIcon Theme::icon(std::string_view name) const { return name.empty() ? QIcon() : QIcon(new HouseIcon(name)); }
 
+QString Theme::Untranslated::translate(const char*, const char* source, const char*, int) const {
+  const std::string_view words(source);
+  return words == "Folder" || words == "File Folder" ? inWords(karinui::say("Folder")) : QString();
+}
+
 // Qt's own words, as of its file dialogs, are translated by Qt (Debian package qt6-translations-l10n).
 void Theme::setLanguage(Language language) {
   language_ = language;
   QCoreApplication::removeTranslator(&ofQt_);
+  QCoreApplication::removeTranslator(&besideQt_);
   if (language == Language::Japanese && ofQt_.load("qtbase_ja", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
     QCoreApplication::installTranslator(&ofQt_);
+  if (language == Language::Japanese) QCoreApplication::installTranslator(&besideQt_);  // asked first
   emit changed();
 }
 

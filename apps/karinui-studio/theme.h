@@ -55,7 +55,14 @@ class Theme : public QObject {
  private:
   Theme() = default;
   Language language_ = Language::English;
+  // What Qt's own translation leaves in English.
+  class Untranslated : public QTranslator {
+   public:
+    QString translate(const char* context, const char* source, const char*, int) const override;
+    bool isEmpty() const override { return false; }
+  };
   QTranslator ofQt_;
+  Untranslated besideQt_;
   bool dark_ = false, inches_ = false;
   NameWords names_ = [](std::string_view identifier) { return identifierSaid(identifier); };
 };

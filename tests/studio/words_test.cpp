@@ -6,6 +6,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
+#include <QFileIconProvider>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -275,6 +277,7 @@ TEST(StudioWords, DialogsOfQtAreInTheLanguageToo) {
   };
   Theme::here().setLanguage(Language::Japanese);
   EXPECT_EQ(cancel(), "キャンセル");
+  EXPECT_EQ(QFileIconProvider().type(QFileInfo(QDir::tempPath())).toStdString(), "フォルダー");
   Theme::here().setLanguage(Language::English);
   EXPECT_THAT(cancel(), testing::HasSubstr("ancel"));
 }
