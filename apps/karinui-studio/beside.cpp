@@ -122,12 +122,19 @@ void Beside::fill(QMenu& menu, QWidget* window) {
   add(menu, {{}, say("nothing")});
   const QAction* other = menu.addAction(inWords(say("Another garment…")));
   connect(other, &QAction::triggered, this, [this, window] { askFile(window); });
-  const std::pair<Message, std::vector<Choice>> groups[] = {{say("Another size"), sizes()},
-                                                            {say("Another fabric"), fabrics()}};
-  for (const auto& [words, all] : groups) {
-    QMenu* group = menu.addMenu(inWords(words));
-    group->setEnabled(!all.empty());
-    for (const Choice& choice : all) add(*group, choice);
+  menu.setToolTipsVisible(true);
+  struct Group {
+    Message words, none;
+    std::vector<Choice> all;
+  };
+  const Group groups[] = {
+      {say("Another size"), say("This garment has no sizes: it is made to one figure's measures."), sizes()},
+      {say("Another fabric"), say("There is no piece yet."), fabrics()}};
+  for (const Group& one : groups) {
+    QMenu* group = menu.addMenu(inWords(one.words));
+    group->setEnabled(!one.all.empty());
+    if (one.all.empty()) group->menuAction()->setToolTip(inWords(one.none));
+    for (const Choice& choice : one.all) add(*group, choice);
   }
 }
 

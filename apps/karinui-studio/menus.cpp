@@ -323,12 +323,18 @@ void MainWindow::makeMenus() {
   QAction* japanese = viewMenu_->addAction(QString::fromUtf8("日本語"));
   english->setObjectName("english");
   japanese->setObjectName("japanese");
+  for (QAction* one : {english, japanese}) one->setCheckable(true);
+  const auto tick = [english, japanese] {
+    english->setChecked(Theme::here().language() == Language::English);
+    japanese->setChecked(Theme::here().language() == Language::Japanese);
+  };
+  Theme::here().keep(english, tick);
   connect(english, &QAction::triggered, this, [] {
     Theme::here().setLanguage(Language::English);
     keepAppearance();
   });
-  connect(japanese, &QAction::triggered, this, [this] {
-    if (const auto why = japaneseTrouble()) return session_->refuse(notFound(*why));
+  connect(japanese, &QAction::triggered, this, [this, tick] {
+    if (const auto why = japaneseTrouble()) return tick(), session_->refuse(notFound(*why));
     Theme::here().setLanguage(Language::Japanese);
     keepAppearance();
   });

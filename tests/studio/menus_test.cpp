@@ -172,6 +172,38 @@ TEST(StudioMenus, F11FillsTheScreenAndBack) {
   EXPECT_FALSE(w.main().isFullScreen());
 }
 
+TEST(StudioMenus, TheLanguageThatIsSpokenIsTicked) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  auto* english = w.main().findChild<QAction*>("english");
+  auto* japanese = w.main().findChild<QAction*>("japanese");
+  ASSERT_TRUE(english && japanese);
+  EXPECT_TRUE(english->isChecked());
+  EXPECT_FALSE(japanese->isChecked());
+  Theme::here().setLanguage(Language::Japanese);
+  EXPECT_TRUE(japanese->isChecked());
+  EXPECT_FALSE(english->isChecked());
+  english->trigger();
+  english->trigger();
+  EXPECT_TRUE(english->isChecked()) << "a second time, too";
+}
+
+TEST(StudioMenus, WhereThereIsNoOtherSizeTheMenuSaysWhy) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  auto* menu = w.main().findChild<QMenu*>("beside");
+  ASSERT_TRUE(menu);
+  emit menu->aboutToShow();
+  EXPECT_TRUE(menu->toolTipsVisible());
+  QAction* sizes = nullptr;
+  for (QAction* one : menu->actions())
+    if (one->text() == "Another size") sizes = one;
+  ASSERT_TRUE(sizes);
+  EXPECT_FALSE(sizes->isEnabled());
+  EXPECT_THAT(sizes->toolTip().toStdString(), testing::HasSubstr("no sizes"));
+}
+
 TEST(StudioMenus, StereoIsUnderView) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

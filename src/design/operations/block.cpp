@@ -256,7 +256,7 @@ Result<Draft> collarFor(const Document& before, const BlockWish& wish) {
 
 Done checkNumbers(const DraftBlock& block) {
   if (block.ease && !(*block.ease >= -0.3 && *block.ease <= kMostEase))
-    return refused(say("The ease of a block lies between -30 cm, for cloth that stretches, and 1 m."));
+    return refused(say("The ease of a block lies between -30 cm, for cloth that stretches, and 100 cm."));
   if (block.length && !(*block.length >= 0 && *block.length <= 3))
     return refused(say("The length of a block lies between 0 and 3 m."));
   return {};
