@@ -147,8 +147,8 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
   // Pointing at cloth or paper with another piece chosen: that piece, if it is sewn to nothing, can be sewn on there.
   patch_.reset();
   if (wrapped && hit.piece && hit.piece != wrapped && !hit.edge && isLoose(session_->snapshot().document, wrapped)) {
-    patch_.emplace();
-    patch_->piece = wrapped, patch_->on = hit.piece, patch_->at = hit.paper;
+    patch_ = patchOf(session_->snapshot().document, wrapped);
+    patch_->on = hit.piece, patch_->at = hit.paper;
   }
   // Several chosen pieces stay chosen, for what is to be done with all of them.
   if (hit.edge || !hit.piece || !session_->selection().pieces.contains(hit.piece))

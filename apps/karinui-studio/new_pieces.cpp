@@ -150,6 +150,22 @@ SlashAndSpread slashFrom(const Document& document, const EdgeRef& edge) {
   return slash;
 }
 
+SewPatch patchOf(const Document& document, PieceId piece) {
+  constexpr double kUp = 0.5;  // cosine: an edge that looks up to 60 degrees from straight up the paper
+  SewPatch patch;
+  patch.piece = PieceRef(piece);
+  const Piece* own = document.find(piece);
+  if (!own || own->outline.edges.size() < 2) return patch;
+  const Edge* upper = nullptr;
+  for (const Edge& edge : own->outline.edges) {
+    const Flat chord = edge.curve.end - edge.curve.start;  // outlines run counter-clockwise
+    if (-chord.u < kUp * length(chord)) continue;
+    if (!upper || edge.curve.atFraction(0.5).v > upper->curve.atFraction(0.5).v) upper = &edge;
+  }
+  if (upper) patch.open = {upper->name};
+  return patch;
+}
+
 Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under) {
   constexpr double kApart = 0.08;  // metres
   Fasten fasten;
@@ -434,9 +450,8 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
     return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
   });
   add("patch", say("Chosen piece sewn onto another…"), Of::Piece, [this] {
-    SewPatch made;
-    if (const auto& taken = session_->selection().pieces; !taken.empty()) made.piece = PieceRef(*taken.begin());
-    return Operation(made);
+    const auto& taken = session_->selection().pieces;
+    return Operation(taken.empty() ? SewPatch() : patchOf(session_->snapshot().document, *taken.begin()));
   });
   add("attach", say("Lead the chosen edge along others…"), Of::Edge, [chosen] {
     AttachPiece made;

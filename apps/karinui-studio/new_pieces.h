@@ -16,6 +16,8 @@ AddPleat pleatsIn(const Document& document, const EdgeRef& edge);
 std::vector<AddPleat> drawnPleats(const Piece& piece, const std::string& fold);
 // From the middle of an edge straight into its piece, to the first edge met there; to none where the edge is not there.
 SlashAndSpread slashFrom(const Document& document, const EdgeRef& edge);
+// Open at its uppermost edge, as a hand goes into a pocket; at none where that is all there is to sew.
+SewPatch patchOf(const Document& document, PieceId piece);
 // Buttons about 8 cm apart along an edge that laps over another, as the dialog first offers them.
 Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under);
 // As the dialog first offers it: what is along the edges or the inner line already, otherwise with the usual numbers.

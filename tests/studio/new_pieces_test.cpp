@@ -390,7 +390,7 @@ TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
   ASSERT_TRUE(choose(w, QString::fromUtf8("Sew pocket on here…")));
   Numbers numbers(w);
   ASSERT_TRUE(numbers);
-  numbers.type("open", "top");
+  EXPECT_EQ(numbers.line("open").text().toStdString(), "top edge") << "as a hand goes into a pocket";
   EXPECT_EQ(numbers.said().toStdString(), "");
   numbers.accept();
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
