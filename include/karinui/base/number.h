@@ -17,8 +17,8 @@ constexpr double kDegree = std::numbers::pi / 180;  // in radians
 std::string_view trimmed(std::string_view text);
 bool isSpace(char c);  // space, tab or the end of a line
 
-// Digits, letters and signs of full width, as Japanese input gives them, in their usual form: "９５．５ｃｍ" is "95.5cm".
-// Numbers, lengths and angles are read so.
+// Digits, letters and signs of full width, as Japanese input gives them, in their usual form: "９５．５ｃｍ" is
+// "95.5cm". Numbers, lengths and angles are read so.
 std::string halfWidth(std::string_view text);
 
 // The whole text as one finite number; nothing if any of it is something else.
